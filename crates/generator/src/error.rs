@@ -1,0 +1,69 @@
+//! What a person reads when an input is bad: what, where, what to do.
+
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+/// One fault of one input or output, in one line.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Error {
+    place: Option<(PathBuf, Option<u64>)>,
+    what: String,
+    remedy: String,
+}
+
+/// The result of everything on the host that can fail.
+pub type Result<T> = std::result::Result<T, Error>;
+
+impl Error {
+    /// A fault with no file to it.
+    pub fn new(what: impl Into<String>, remedy: impl Into<String>) -> Self {
+        Self {
+            place: None,
+            what: what.into(),
+            remedy: remedy.into(),
+        }
+    }
+
+    /// The same fault, in this file.
+    #[must_use]
+    pub fn in_file(mut self, path: impl AsRef<Path>) -> Self {
+        let line = self.place.and_then(|(_, line)| line);
+        self.place = Some((path.as_ref().to_owned(), line));
+        self
+    }
+
+    /// The same fault, at this line (from 1) of this file.
+    #[must_use]
+    pub fn at_line(mut self, path: impl AsRef<Path>, line: u64) -> Self {
+        self.place = Some((path.as_ref().to_owned(), Some(line)));
+        self
+    }
+
+    /// The fault of the operating system in reading or writing a file.
+    #[must_use]
+    pub fn io(path: impl AsRef<Path>, error: &std::io::Error) -> Self {
+        use std::io::ErrorKind;
+        let remedy = match error.kind() {
+            ErrorKind::NotFound => "check the path, and that its folder exists",
+            ErrorKind::PermissionDenied => "check who may read and write there",
+            ErrorKind::NotADirectory | ErrorKind::IsADirectory => {
+                "a file and a folder are mixed up: check the path"
+            }
+            _ => "check the file and the disk",
+        };
+        Self::new(error.to_string(), remedy).in_file(path)
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.place {
+            Some((path, Some(line))) => write!(f, "{}:{line}: ", path.display())?,
+            Some((path, None)) => write!(f, "{}: ", path.display())?,
+            None => {}
+        }
+        write!(f, "{}; {}", self.what, self.remedy)
+    }
+}
+
+impl std::error::Error for Error {}

@@ -1,0 +1,1 @@
+//! What comes in from the world, and goes out to it as text.

@@ -1,0 +1,21 @@
+//! From captured light and measured materials to eigenshade tables.
+//!
+//! The modules stand in the order of the mathematics of Nillius and Eklundh,
+//! "Phenomenological Eigenfunctions for Image Irradiance", ICCV 2003; "(n)" in
+//! these pages is equation n of that paper.
+
+pub mod special;
+
+pub mod rotation;
+
+pub mod polar_integral;
+
+pub mod mode_gain;
+
+pub mod irradiance;
+
+pub mod database;
+
+pub mod error;
+
+pub mod inputs;

@@ -1,0 +1,8 @@
+//! Special functions, one a file, by normalised recurrences: good to degree 64
+//! and more, at the poles and at tiny angles.
+
+pub mod gauss_legendre;
+pub mod legendre;
+pub mod spherical_harmonic;
+pub mod wigner;
+pub mod zernike;

@@ -1,0 +1,59 @@
+//! Light: spherical harmonic coefficients L_l^m, l = 0..=degree, m = -l..=l.
+//!
+//! The order is 00, 1-1, 10, 11, 2-2, ...: degree l and order m stand at
+//! l² + l + m.
+
+/// Number of coefficients up to and including `degree`: (degree + 1)².
+#[inline]
+#[must_use]
+pub const fn count(degree: usize) -> usize {
+    (degree + 1) * (degree + 1)
+}
+
+/// Position of the coefficient of `degree` l and `order` m.
+///
+/// Domain: |m| <= l. Outside it the answer is meaningless, but never a panic.
+#[inline]
+#[must_use]
+pub const fn position(degree: usize, order: isize) -> usize {
+    (degree * degree + degree).wrapping_add_signed(order)
+}
+
+/// All (degree, order) up to `degree`, in storage order.
+pub fn indices(degree: usize) -> impl Iterator<Item = (usize, isize)> {
+    (0..=degree).flat_map(|l| (-l.cast_signed()..=l.cast_signed()).map(move |m| (l, m)))
+}
+
+/// Factor between the paper's coefficient of order m and the graphics
+/// convention's (three.js, Filament, Ramamoorthi): (-1)^m for m > 0, -1 for
+/// m < 0, +1 for m = 0.
+///
+/// The paper's harmonics carry the Condon-Shortley phase and take the signed m
+/// in sin(m phi), so Y_1^-1 = -√(3/4π) y, Y_1^0 = +√(3/4π) z,
+/// Y_1^1 = -√(3/4π) x. The factor is its own inverse: it converts both ways.
+#[inline]
+#[must_use]
+pub const fn graphics_sign(order: isize) -> i8 {
+    if order < 0 || order % 2 == 1 { -1 } else { 1 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn positions_count_up() {
+        assert!(
+            indices(12)
+                .enumerate()
+                .all(|(k, (l, m))| position(l, m) == k)
+        );
+        assert_eq!(indices(12).count(), count(12));
+    }
+
+    #[test]
+    fn graphics_signs_are_those_of_the_nine_term_tables() {
+        let signs = indices(2).map(|(_, m)| graphics_sign(m));
+        assert!(signs.eq([1, -1, 1, -1, -1, -1, 1, -1, 1]));
+    }
+}

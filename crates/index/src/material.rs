@@ -1,0 +1,57 @@
+//! Material: Koenderink-van Doorn coefficients b_op^q of (8),
+//! o >= p >= q >= 0, o - q and p - q even.
+//!
+//! The order is by o, then p, then q: 000, 111, 200, 220, 222,
+//! 311, 331, 333, ...
+
+/// Number of coefficients up to and including `order`.
+#[inline]
+#[must_use]
+pub const fn count(order: usize) -> usize {
+    position(order + 1, (order + 1) % 2, 0)
+}
+
+/// Position of the coefficient (o, p, q).
+///
+/// Domain: q <= p <= o, all of one parity. Outside it the answer is meaningless.
+#[inline]
+#[must_use]
+pub const fn position(o: usize, p: usize, q: usize) -> usize {
+    // One o of half h = floor(o/2) holds T(h+1) = (h+1)(h+2)/2 coefficients;
+    // two of each half stand below an even o, one more below an odd one.
+    let half = o / 2;
+    let below = half * (half + 1) * (half + 2) / 3
+        + if o % 2 == 1 {
+            (half + 1) * (half + 2) / 2
+        } else {
+            0
+        };
+    below + p / 2 * (p / 2 + 1) / 2 + q / 2
+}
+
+/// All (o, p, q) up to `order`, in storage order.
+pub fn indices(order: usize) -> impl Iterator<Item = (usize, usize, usize)> {
+    (0..=order).flat_map(|o| {
+        (o % 2..=o)
+            .step_by(2)
+            .flat_map(move |p| (o % 2..=p).step_by(2).map(move |q| (o, p, q)))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn positions_count_up() {
+        for order in 0..12 {
+            assert!(
+                indices(order)
+                    .enumerate()
+                    .all(|(k, (o, p, q))| position(o, p, q) == k)
+            );
+            assert_eq!(indices(order).count(), count(order));
+        }
+        assert_eq!(count(7), 40);
+    }
+}

@@ -1,0 +1,42 @@
+//! Pairs (p, q): one Zernike radial polynomial R_p^q, p >= q >= 0, p - q even.
+//!
+//! The order is 00, 11, 20, 22, 31, 33, ...: by p, then by q.
+
+/// Number of pairs up to and including `order`.
+#[inline]
+#[must_use]
+pub const fn count(order: usize) -> usize {
+    position(order + 1, 0)
+}
+
+/// Position of the pair (p, q).
+///
+/// Domain: q <= p, p - q even. Outside it the answer is meaningless.
+#[inline]
+#[must_use]
+pub const fn position(p: usize, q: usize) -> usize {
+    // Below p there are floor(p'/2) + 1 pairs for each p' < p.
+    p / 2 * (p / 2 + 1) + if p % 2 == 1 { p / 2 + 1 } else { 0 } + q / 2
+}
+
+/// All pairs (p, q) up to `order`, in storage order.
+pub fn indices(order: usize) -> impl Iterator<Item = (usize, usize)> {
+    (0..=order).flat_map(|p| (p % 2..=p).step_by(2).map(move |q| (p, q)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn positions_count_up() {
+        for order in 0..12 {
+            assert!(
+                indices(order)
+                    .enumerate()
+                    .all(|(k, (p, q))| position(p, q) == k)
+            );
+            assert_eq!(indices(order).count(), count(order));
+        }
+    }
+}
