@@ -1,1 +1,81 @@
+//! Image irradiance of any isotropic material under any distant light, for
+//! machines that have no room for it.
+//!
+//! The irradiance of an object is a sum of few eigenimages (Nillius and Eklundh,
+//! "Phenomenological Eigenfunctions for Image Irradiance", ICCV 2003; "(n)" in
+//! these pages is its equation n). A [`Basis`] holds them for one scene. From
+//! light to pixel:
+//!
+//! 1. [`Light`] and [`Material`] are coefficients: spherical harmonics and the
+//!    Koenderink-van Doorn basis.
+//! 2. [`Basis::project`] gives the coefficients d = UᵀMc of the eigenimages. If
+//!    the material stays, [`Basis::transfer`] folds it in once and
+//!    [`Basis::relight`] takes each new light.
+//! 3. [`Basis::collapse`] sums the components of each azimuth: a [`Scene`].
+//! 4. [`Scene::shade`] gives the irradiance of one [`Normal`],
+//!    [`Scene::shade_slice`] that of many.
+//!
+//! ```
+//! # #[cfg(feature = "baked")] {
+//! use eigenshade::{Light, Material, Normal, sphere};
+//!
+//! // White light from everywhere and more from the camera; a matte white sphere.
+//! let light = Light::new(1, &[3.5, 0.0, 1.0, 0.0])?;
+//! let material = Material::new(0, &[core::f32::consts::FRAC_1_PI * 2.0 * 3.14159])?;
+//! let scene = sphere::collapse(&sphere::project(&light, &material)?)?;
+//! let facing = scene.shade(Normal::new(0.0, 0.0, 1.0)?);
+//! let rim = scene.shade(Normal::new(1.0, 0.0, 0.0)?);
+//! assert!(facing > rim && rim > 0.0);
+//! # }
+//! # Ok::<(), eigenshade::Error>(())
+//! ```
+//!
+//! No allocator, no panic, and in the loops over pixels no trigonometry, no root
+//! and no division.
 #![no_std]
+#![deny(
+    clippy::indexing_slicing,
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic
+)]
+
+// The generated statics name the crate as their users would.
+#[cfg(feature = "baked")]
+extern crate self as eigenshade;
+
+pub use eigenshade_index as index;
+
+mod scalar;
+
+mod light;
+
+mod material;
+
+mod normal;
+
+mod polynomial;
+
+mod basis;
+
+mod scattering;
+
+mod projection;
+
+mod scene;
+
+mod shade;
+
+mod error;
+
+#[cfg(feature = "baked")]
+pub mod sphere;
+
+pub use basis::{Basis, Parts, ProfilePlace};
+pub use error::{Error, What};
+pub use light::Light;
+pub use material::Material;
+pub use normal::{Normal, Normals};
+pub use projection::{Coefficients, Transfer};
+pub use scalar::Scalar;
+pub use scene::{Scene, SceneBuffer};

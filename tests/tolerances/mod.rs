@@ -5,3 +5,17 @@
 pub const SPECIAL_LOW: f64 = 1e-13;
 /// Special functions up to degree 64: some 64 recurrence steps whose errors add.
 pub const SPECIAL_HIGH: f64 = 1e-11;
+
+/// Projection of a map, separable against texel by texel, of the largest coefficient: roundings of
+/// some 1e5 terms, and of one rotation.
+pub const LIGHT_PROJECTION: f64 = 1e-12;
+/// Midpoint rule of a smooth map, of its largest coefficient: this times (degree / height)².
+pub const MAP_DEGREE_SQUARED: f64 = 0.1;
+/// Midpoint rule of a cosine lobe at height 128, of its largest coefficient: the kink at its rim.
+pub const MAP_KINK: f64 = 2e-4;
+/// Files with 8 bits a mantissa: truncated, a texel is up to 1/128 too dark, half of it on average.
+pub const MAP_RGBE: f64 = 4e-3;
+/// Files of half floats: 11 bits, each texel rounded to nearest.
+pub const MAP_HALF: f64 = 5e-4;
+/// Files of 32-bit floats: 24 bits, each texel rounded to nearest.
+pub const MAP_FLOAT: f64 = 6e-8;

@@ -12,10 +12,34 @@ pub mod polar_integral;
 
 pub mod mode_gain;
 
+pub mod scattering;
+
 pub mod irradiance;
+
+pub mod truth;
+
+pub mod gram;
+
+pub mod selection;
+
+pub mod moments;
+
+pub mod profile;
+
+pub mod pca;
+
+pub mod canonical;
+
+pub mod basis;
+
+pub mod peak;
+
+pub mod scene_file;
 
 pub mod database;
 
 pub mod error;
 
 pub mod inputs;
+
+pub mod output;

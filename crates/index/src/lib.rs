@@ -4,11 +4,15 @@
 //! * [`material`]: the Koenderink-van Doorn coefficient (o, p, q).
 //! * [`pair`]: one Zernike polynomial (p, q), the half of a scattering mode.
 //! * [`mode`]: the irradiance modes of one azimuth |m|.
+//! * [`layout`]: how the runtime pads its rows.
 //!
-//! Every order has the prefix property: the coefficients of a lower degree or
-//! order are the first ones of a higher.
+//! Every order of coefficients has the prefix property: those of a lower degree
+//! or order are the first ones of a higher. "(n)" in these pages is equation n of
+//! Nillius and Eklundh, "Phenomenological Eigenfunctions for Image Irradiance",
+//! ICCV 2003.
 #![no_std]
 
+pub mod layout;
 pub mod light;
 pub mod material;
 pub mod mode;

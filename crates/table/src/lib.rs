@@ -1,1 +1,28 @@
+//! What an eigenshade table holds, its file, and its translation to the
+//! runtime's numbers.
+//!
+//! A table is made by `eigenshade-generator` and read by the runtime's build
+//! script and by the command line. "(n)" in these pages is equation n of Nillius
+//! and Eklundh, "Phenomenological Eigenfunctions for Image Irradiance", 2003.
 
+pub mod scene;
+
+pub mod gram;
+
+pub mod table;
+
+mod check;
+
+pub mod file;
+
+pub mod manifest;
+
+pub mod parts;
+
+pub mod rust_source;
+
+pub use file::{FileError, decode, encode};
+pub use gram::GramFactor;
+pub use parts::Parts;
+pub use scene::Scene;
+pub use table::{Component, MeanImage, Profile, Summary, Table};

@@ -1,1 +1,18 @@
 //! What comes in from the world, and goes out to it as text.
+
+pub mod coefficient_csv;
+pub mod convention;
+pub mod curet;
+pub mod environment;
+pub mod fit;
+mod fit_channel;
+pub mod fit_constraints;
+mod fit_programme;
+pub mod light_projection;
+mod map_exr;
+mod map_hdr;
+mod map_pfm;
+pub mod measurements;
+pub mod normals;
+pub mod rounding;
+mod sheet;

@@ -1,0 +1,69 @@
+//! A table read at run time, as a basis of the runtime in a chosen number format.
+
+use eigenshade::{Basis, Parts, ProfilePlace, Scalar};
+use eigenshade_table::Table;
+use eigenshade_table::parts::{self, NONE};
+
+/// The arrays of a basis, owned.
+#[derive(Clone, Debug)]
+pub struct OwnedBasis<S> {
+    degree: usize,
+    order: usize,
+    components: usize,
+    profiles: Vec<ProfilePlace>,
+    lengths: Vec<u16>,
+    polar: Vec<S>,
+    factors: Vec<S>,
+    terms: Vec<S>,
+    mean: Vec<S>,
+    mean_coefficients: Vec<S>,
+    selection: Vec<bool>,
+}
+
+impl<S: Scalar> OwnedBasis<S> {
+    /// Rounds a table's numbers to the format.
+    #[must_use]
+    pub fn new(table: &Table) -> Self {
+        let parts = eigenshade_table::Parts::new(table);
+        let rounded = |values: &[f64]| values.iter().map(|&value| S::from_f64(value)).collect();
+        Self {
+            degree: parts.degree,
+            order: parts.order,
+            components: parts.components,
+            profiles: parts.profiles.iter().map(place).collect(),
+            polar: rounded(&parts.polar),
+            factors: rounded(&parts.factors),
+            terms: rounded(&parts.terms),
+            mean: rounded(&parts.mean),
+            mean_coefficients: rounded(&parts.mean_coefficients),
+            lengths: parts.lengths,
+            selection: parts.selection,
+        }
+    }
+
+    /// The basis itself.
+    ///
+    /// # Errors
+    ///
+    /// As [`Basis::new`], for a table whose parts contradict each other.
+    pub fn basis(&self) -> Result<Basis<'_, S>, eigenshade::Error> {
+        Basis::new(Parts {
+            degree: self.degree,
+            order: self.order,
+            components: self.components,
+            profiles: &self.profiles,
+            lengths: &self.lengths,
+            polar: &self.polar,
+            factors: &self.factors,
+            terms: &self.terms,
+            mean: &self.mean,
+            mean_coefficients: &self.mean_coefficients,
+            selection: &self.selection,
+        })
+    }
+}
+
+fn place(place: &parts::ProfilePlace) -> ProfilePlace {
+    let index = |index: u16| (index != NONE).then_some(index);
+    ProfilePlace::new(place.azimuth, index(place.plus), index(place.minus))
+}

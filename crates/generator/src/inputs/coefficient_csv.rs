@@ -1,0 +1,314 @@
+//! Lights and materials as CSV: one row a coefficient.
+//!
+//! | | columns |
+//! |---|---|
+//! | light | `name,l,m,r,g,b` or `name,l,m,value` |
+//! | material | `name,o,p,q,r,g,b` or `name,o,p,q,value` |
+//!
+//! `value` is a grey coefficient, the same in all three channels. The columns
+//! may stand in any order, others are ignored; so are lines that begin with
+//! `#`. The rows may stand in any order too; the entries come out in the order
+//! in which their names first appear.
+
+use super::sheet::{Row, Sheet};
+use crate::database::{Lights, Materials, Named};
+use crate::error::{Error, Result};
+use eigenshade_index::{light, material};
+use std::collections::HashMap;
+use std::io::Write;
+use std::path::Path;
+
+/// No degree or order above this is believed.
+pub const LARGEST: usize = 1024;
+
+/// Reads lights; up to `degree`, or else as far as the file goes.
+///
+/// # Errors
+///
+/// If the file cannot be read, holds no light, or less than `degree`, if a row
+/// is missing, doubled, ragged or out of range, or a number is not finite.
+pub fn read_lights(path: impl AsRef<Path>, degree: Option<usize>) -> Result<Lights> {
+    let (degree, entries) = read(&LIGHT, path.as_ref(), degree)?;
+    Ok(Lights { degree, entries })
+}
+
+/// Reads materials; up to `order`, or else as far as the file goes.
+///
+/// # Errors
+///
+/// As [`read_lights`].
+pub fn read_materials(path: impl AsRef<Path>, order: Option<usize>) -> Result<Materials> {
+    let (order, entries) = read(&MATERIAL, path.as_ref(), order)?;
+    Ok(Materials { order, entries })
+}
+
+/// Writes lights so that the same numbers are read back, to the last bit: with
+/// the column `value` if all of them are grey.
+///
+/// # Errors
+///
+/// If a number is not finite, an entry has not (degree + 1)² coefficients, or
+/// the output fails.
+pub fn write_lights(lights: &Lights, out: &mut (impl Write + ?Sized)) -> Result<()> {
+    write(&LIGHT, lights.degree, &lights.entries, out)
+}
+
+/// Writes materials, as [`write_lights`].
+///
+/// # Errors
+///
+/// As [`write_lights`].
+pub fn write_materials(materials: &Materials, out: &mut (impl Write + ?Sized)) -> Result<()> {
+    write(&MATERIAL, materials.order, &materials.entries, out)
+}
+
+/// What distinguishes lights from materials.
+struct Kind<const N: usize> {
+    thing: &'static str,
+    size: &'static str,
+    names: [&'static str; N],
+    rule: &'static str,
+    /// Degree or order, and position, of an index; none if it is out of range.
+    place: fn([i64; N]) -> Option<(usize, usize)>,
+    count: fn(usize) -> usize,
+    indices: fn(usize) -> Box<dyn Iterator<Item = [i64; N]>>,
+}
+
+const LIGHT: Kind<2> = Kind {
+    thing: "light",
+    size: "degree",
+    names: ["l", "m"],
+    rule: "0 <= l <= 1024 and -l <= m <= l",
+    place: |[l, m]| {
+        let degree = usize::try_from(l).ok().filter(|&l| l <= LARGEST)?;
+        (m.unsigned_abs() as usize <= degree).then(|| (degree, light::position(degree, m as isize)))
+    },
+    count: light::count,
+    indices: |degree| Box::new(light::indices(degree).map(|(l, m)| [l as i64, m as i64])),
+};
+
+const MATERIAL: Kind<3> = Kind {
+    thing: "material",
+    size: "order",
+    names: ["o", "p", "q"],
+    rule: "1024 >= o >= p >= q >= 0, all even or all odd",
+    place: |index| {
+        let [o, p, q] = index.map(|i| usize::try_from(i).unwrap_or(usize::MAX));
+        let in_range = o <= LARGEST && p <= o && q <= p && (o - q) % 2 == 0 && (p - q) % 2 == 0;
+        in_range.then(|| (o, material::position(o, p, q)))
+    },
+    count: material::count,
+    indices: |order| {
+        Box::new(material::indices(order).map(|(o, p, q)| [o as i64, p as i64, q as i64]))
+    },
+};
+
+impl<const N: usize> Kind<N> {
+    fn header(&self, values: &str) -> String {
+        format!("name,{},{values}", self.names.join(","))
+    }
+
+    /// `l = 2, m = -1`.
+    fn spell(&self, index: [i64; N]) -> String {
+        let parts: Vec<_> = self.names.iter().zip(index).collect();
+        let parts = parts.iter().map(|(name, i)| format!("{name} = {i}"));
+        parts.collect::<Vec<_>>().join(", ")
+    }
+}
+
+/// The rows of one name, in the order of the file.
+struct Found<'a> {
+    name: &'a str,
+    rows: Vec<(usize, [f64; 3], Row<'a>)>,
+}
+
+fn read<const N: usize>(
+    kind: &Kind<N>,
+    path: &Path,
+    asked: Option<usize>,
+) -> Result<(usize, Vec<Named>)> {
+    let thing = kind.thing;
+    let columns = kind.header("r,g,b");
+    let sheet = Sheet::read(path, &columns)?;
+    let (largest, found) = gather(kind, &sheet)?;
+    if found.is_empty() {
+        return Err(Error::new(
+            format!("there is no {thing} in it"),
+            format!("add rows below the header `{columns}`"),
+        )
+        .in_file(path));
+    }
+    let size = asked.unwrap_or(largest);
+    if size > largest {
+        let word = kind.size;
+        return Err(Error::new(
+            format!("it holds {word} {largest}, asked for is {size}"),
+            format!("ask for {word} {largest} at most, or make the file anew"),
+        )
+        .in_file(path));
+    }
+    let entries = found
+        .into_iter()
+        .map(|found| complete(kind, size, found))
+        .collect::<Result<_>>()?;
+    Ok((size, entries))
+}
+
+/// The rows name by name, and the largest degree or order among them.
+fn gather<'a, const N: usize>(kind: &Kind<N>, sheet: &'a Sheet) -> Result<(usize, Vec<Found<'a>>)> {
+    let wrong_header = || {
+        let (rgb, grey) = (kind.header("r,g,b"), kind.header("value"));
+        sheet.wrong_header(&format!("`{rgb}` or `{grey}`"))
+    };
+    let [name_column] = sheet.columns(["name"]).ok_or_else(wrong_header)?;
+    let index_columns = sheet.columns(kind.names).ok_or_else(wrong_header)?;
+    let value_columns = sheet
+        .columns(["r", "g", "b"])
+        .or_else(|| sheet.columns(["value"; 3]))
+        .ok_or_else(wrong_header)?;
+    let (mut largest, mut found) = (0, Vec::<Found<'a>>::new());
+    let mut entry_of = HashMap::new();
+    for row in sheet.rows() {
+        let name = row.text(name_column);
+        if name.is_empty() {
+            return Err(row.fault("the name is empty", "give every row a name"));
+        }
+        let mut index = [0; N];
+        for (index, column) in index.iter_mut().zip(index_columns) {
+            *index = row.integer(column)?;
+        }
+        let (size, position) = (kind.place)(index).ok_or_else(|| {
+            row.fault(
+                format!("no {} has {}", kind.thing, kind.spell(index)),
+                format!("keep to {}", kind.rule),
+            )
+        })?;
+        let mut rgb = [0.0; 3];
+        for (channel, column) in rgb.iter_mut().zip(value_columns) {
+            *channel = row.number(column)?;
+        }
+        largest = largest.max(size);
+        let entry = *entry_of.entry(name).or_insert(found.len());
+        if entry == found.len() {
+            found.push(Found {
+                name,
+                rows: Vec::new(),
+            });
+        }
+        found[entry].rows.push((position, rgb, row));
+    }
+    Ok((largest, found))
+}
+
+/// The coefficients of one name, if each is there once.
+fn complete<const N: usize>(kind: &Kind<N>, size: usize, found: Found<'_>) -> Result<Named> {
+    let (thing, name) = (kind.thing, found.name);
+    let mut rows = found.rows;
+    let first = rows.first().map(|&(.., row)| row);
+    // Stable: of two rows with one index the later comes second.
+    rows.sort_by_key(|&(position, ..)| position);
+    for pair in rows.windows(2) {
+        if let [(before, ..), (position, _, row)] = pair
+            && before == position
+        {
+            return Err(row.fault(
+                format!("the {thing} `{name}` has this index twice"),
+                "keep one of the two rows",
+            ));
+        }
+    }
+    let count = (kind.count)(size);
+    let missing = rows
+        .iter()
+        .take(count)
+        .enumerate()
+        .position(|(k, &(position, ..))| position != k)
+        .unwrap_or(rows.len());
+    if let Some(row) = first
+        && missing < count
+        && let Some(index) = (kind.indices)(size).nth(missing)
+    {
+        return Err(row.fault(
+            format!(
+                "the {thing} `{name}`, which begins here, has no row {}",
+                kind.spell(index)
+            ),
+            format!("add the row; {} {size} has {count} rows", kind.size),
+        ));
+    }
+    rows.truncate(count);
+    Ok(Named {
+        name: name.to_owned(),
+        rgb: [0, 1, 2].map(|channel| rows.iter().map(|(_, rgb, _)| rgb[channel]).collect()),
+    })
+}
+
+fn write<const N: usize>(
+    kind: &Kind<N>,
+    size: usize,
+    entries: &[Named],
+    out: &mut (impl Write + ?Sized),
+) -> Result<()> {
+    let grey = entries.iter().all(Named::is_grey);
+    let header = kind.header(if grey { "value" } else { "r,g,b" });
+    let indices: Vec<_> = (kind.indices)(size).collect();
+    let mut writer = csv::WriterBuilder::new()
+        .comment(Some(b'#'))
+        .from_writer(out);
+    writer.write_record(header.split(',')).map_err(output)?;
+    for entry in entries {
+        if entry
+            .rgb
+            .iter()
+            .any(|channel| channel.len() != indices.len())
+        {
+            return Err(Error::new(
+                format!(
+                    "the {} `{}` is not of {} {size}",
+                    kind.thing, entry.name, kind.size
+                ),
+                format!("bring every {} to one {} first", kind.thing, kind.size),
+            ));
+        }
+        let channels = if grey {
+            &entry.rgb[..1]
+        } else {
+            &entry.rgb[..]
+        };
+        for (k, &index) in indices.iter().enumerate() {
+            let mut fields = vec![entry.name.clone()];
+            fields.extend(index.map(|i| i.to_string()));
+            for channel in channels {
+                fields.push(shortest(channel[k]).ok_or_else(|| {
+                    Error::new(
+                        format!(
+                            "the {} `{}` is not finite at {}",
+                            kind.thing,
+                            entry.name,
+                            kind.spell(index)
+                        ),
+                        "look for the fault where it was made",
+                    )
+                })?);
+            }
+            writer.write_record(&fields).map_err(output)?;
+        }
+    }
+    writer.flush().map_err(|error| output(error.into()))
+}
+
+/// The shortest text that reads back to the same finite number.
+fn shortest(number: f64) -> Option<String> {
+    let (plain, scientific) = (format!("{number}"), format!("{number:e}"));
+    number
+        .is_finite()
+        .then_some(if scientific.len() < plain.len() {
+            scientific
+        } else {
+            plain
+        })
+}
+
+fn output(error: csv::Error) -> Error {
+    Error::new(error.to_string(), "check where the output goes")
+}

@@ -1,0 +1,77 @@
+//! Normals as CSV: `x,y,z`, one row a normal.
+
+use super::sheet::Sheet;
+use crate::error::{Error, Result};
+use std::path::Path;
+
+/// How far below the rim, in z after normalising, a normal may lie and still be
+/// laid on it.
+pub const RIM: f64 = 1e-3;
+
+/// Reads unit normals in the frame of the camera: x right, y up, z toward it.
+///
+/// Lengths are normalised. A normal that points away by no more than [`RIM`] is
+/// laid on the rim, z = 0. Other columns and lines that begin with `#` are
+/// ignored.
+///
+/// # Errors
+///
+/// If the file cannot be read or holds no normal, or a row is ragged, not
+/// finite, of length zero, or points away from the camera.
+pub fn read_normals(path: impl AsRef<Path>) -> Result<Vec<[f64; 3]>> {
+    let path = path.as_ref();
+    let sheet = Sheet::read(path, "x,y,z")?;
+    let columns = sheet
+        .columns(["x", "y", "z"])
+        .ok_or_else(|| sheet.wrong_header("`x,y,z`"))?;
+    let mut normals = Vec::new();
+    for row in sheet.rows() {
+        let mut vector = [0.0; 3];
+        for (component, column) in vector.iter_mut().zip(columns) {
+            *component = row.number(column)?;
+        }
+        normals.push(visible(vector).map_err(|(what, remedy)| row.fault(what, remedy))?);
+    }
+    if normals.is_empty() {
+        return Err(Error::new(
+            "there is no normal in it",
+            "add rows below the header `x,y,z`",
+        )
+        .in_file(path));
+    }
+    Ok(normals)
+}
+
+/// The unit normal along `vector`, on the rim if it is a little behind it; else
+/// what is wrong, and the remedy.
+///
+/// # Errors
+///
+/// If its length is zero or not finite, or it points away by more than [`RIM`].
+pub fn visible(vector: [f64; 3]) -> std::result::Result<[f64; 3], (String, String)> {
+    let [x, y, z] = unit(vector).ok_or_else(|| {
+        (
+            "the normal has no direction".to_owned(),
+            "give it a finite length above zero, or take it out".to_owned(),
+        )
+    })?;
+    if z < -RIM {
+        return Err((
+            format!("the normal points away from the camera, z = {z:.3e} after normalising"),
+            format!("take it out: only normals with z >= -{RIM:e} are seen"),
+        ));
+    }
+    let laid = if z < 0.0 { unit([x, y, 0.0]) } else { None };
+    Ok(laid.unwrap_or([x, y, z]))
+}
+
+/// Scaled by the largest component first, so that nothing overflows or vanishes.
+fn unit(vector: [f64; 3]) -> Option<[f64; 3]> {
+    let largest = vector.iter().fold(0.0, |top: f64, c| top.max(c.abs()));
+    if !(largest > 0.0 && vector.iter().all(|c| c.is_finite())) {
+        return None;
+    }
+    let scaled = vector.map(|c| c / largest);
+    let length = scaled.iter().map(|c| c * c).sum::<f64>().sqrt();
+    Some(scaled.map(|c| c / length))
+}

@@ -1,0 +1,114 @@
+//! Reads a scene file and its databases.
+
+use crate::database::{Lights, Materials, Named};
+use crate::error::{Error, Result};
+use crate::inputs::coefficient_csv::{read_lights, read_materials};
+use eigenshade_table::Scene;
+use eigenshade_table::scene::{Effects, LightRotation};
+use std::path::Path;
+
+/// A scene with the databases that it names.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Loaded {
+    /// The scene.
+    pub scene: Scene,
+    /// Its lights, of its degree.
+    pub lights: Lights,
+    /// Its materials, of its order.
+    pub materials: Materials,
+}
+
+/// Reads a scene file; its paths are relative to it.
+///
+/// # Errors
+///
+/// A missing file, a field that is unknown, missing or out of range, a database
+/// that is broken or does not reach the degree or order, a name that it lacks.
+pub fn load(path: &Path) -> Result<Loaded> {
+    let text = std::fs::read_to_string(path).map_err(|error| Error::io(path, &error))?;
+    let scene = parse(&text).map_err(|(error, line)| match line {
+        Some(line) => error.at_line(path, line),
+        None => error.in_file(path),
+    })?;
+    let folder = path.parent().unwrap_or(Path::new("."));
+    let lights = read_lights(&folder.join(&scene.light.database), Some(scene.light.degree))?;
+    let database = folder.join(&scene.material.database);
+    let mut materials = read_materials(&database, Some(scene.material.order))?;
+    if !scene.material.names.is_empty() {
+        materials.entries = named(&materials, &scene.material.names, &database)?;
+    }
+    Ok(Loaded { scene, lights, materials })
+}
+
+fn named(materials: &Materials, names: &[String], database: &Path) -> Result<Vec<Named>> {
+    let find = |name: &String| {
+        let entry = materials.entries.iter().find(|entry| entry.name == *name);
+        entry.cloned().ok_or_else(|| {
+            Error::new(format!("no material `{name}`"), "take a name that the file holds")
+                .in_file(database)
+        })
+    };
+    names.iter().map(find).collect()
+}
+
+/// A scene from its text, or what is wrong with it and in which line.
+fn parse(text: &str) -> std::result::Result<Scene, (Error, Option<u64>)> {
+    let scene: Scene = toml::from_str(text).map_err(|error| {
+        let line = error.span().map(|span| 1 + text[..span.start].matches('\n').count() as u64);
+        let what = error.message().lines().next().unwrap_or("not a scene").to_owned();
+        (Error::new(what, "see tables/README.md for the fields of a scene"), line)
+    })?;
+    check(&scene).map_err(|error| (error, None))?;
+    Ok(scene)
+}
+
+/// Whether the values are ones that this version can serve.
+fn check(scene: &Scene) -> Result<()> {
+    let basis = &scene.basis;
+    let fail = |what: String, remedy: &str| Err(Error::new(what, remedy));
+    if scene.geometry.normals != "sphere" {
+        return fail(
+            format!("geometry.normals = \"{}\" is not served", scene.geometry.normals),
+            "this version makes bases of the sphere: set normals = \"sphere\"",
+        );
+    }
+    if scene.light.rotation != LightRotation::Any {
+        return fail(
+            "light.rotation = \"none\" is not served".into(),
+            "this version averages over all rotations: set rotation = \"any\"",
+        );
+    }
+    if scene.effects != Effects::default() {
+        return fail(
+            "a choice of effects is not served".into(),
+            "this version makes tables of all effects: leave [effects] out",
+        );
+    }
+    if scene.light.degree > 64 || scene.material.order > 64 {
+        return fail(
+            format!("degree {} or order {} too high", scene.light.degree, scene.material.order),
+            "at most 64 of each",
+        );
+    }
+    match (basis.components, basis.tolerance) {
+        (Some(0), _) => return fail("basis.components = 0".into(), "ask for at least one"),
+        (Some(_), Some(_)) | (None, None) => {
+            return fail(
+                "basis needs one of components and tolerance".into(),
+                "set one of them, not both",
+            );
+        }
+        (None, Some(tolerance)) if !(tolerance > 0.0 && tolerance < 1.0) => {
+            return fail(format!("basis.tolerance = {tolerance}"), "set it between 0 and 1");
+        }
+        _ => {}
+    }
+    for (name, value) in
+        [("rank_cutoff", basis.rank_cutoff), ("profile_tolerance", basis.profile_tolerance)]
+    {
+        if !(value > 0.0 && value < 1.0) {
+            return fail(format!("basis.{name} = {value}"), "set it between 0 and 1");
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,50 @@
+//! The variance of each irradiance mode (2.4), and the selection of those of the
+//! highest (2.5).
+
+use eigenshade_index::{material, mode};
+use eigenshade_table::GramFactor;
+
+/// The variance of every mode of one azimuth |m|, in the order of [`mode`]: the
+/// integral of E² under the density of the normals, a diagonal element of M.
+/// +m and -m have the same.
+#[must_use]
+pub fn variances(gram: &GramFactor, azimuth: usize) -> Vec<f64> {
+    gram.columns(azimuth).iter().map(|column| column.iter().map(|a| a * a).sum()).collect()
+}
+
+/// Keeps the `count` modes of the highest variance, both signs of m counted; ties
+/// stay whole, so it may keep a few more.
+///
+/// The answer has the layout of `Table::selection`; it is empty if `count` is 0
+/// or all modes are kept.
+#[must_use]
+pub fn highest(gram: &GramFactor, count: usize) -> Vec<bool> {
+    let (degree, order) = (gram.degree, gram.order);
+    if count == 0 || count >= mode::total(degree, order) {
+        return Vec::new();
+    }
+    let mut ranked: Vec<(f64, usize)> = Vec::new();
+    let by_azimuth: Vec<Vec<f64>> =
+        (0..=degree).map(|azimuth| variances(gram, azimuth)).collect();
+    for (azimuth, variances) in by_azimuth.iter().enumerate() {
+        let signs = if azimuth == 0 { 1 } else { 2 };
+        ranked.extend(variances.iter().map(|&variance| (variance, signs)));
+    }
+    ranked.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let mut kept = 0;
+    let last = ranked.iter().find(|(_, signs)| {
+        kept += signs;
+        kept >= count
+    });
+    // Ties are equal only up to rounding.
+    let threshold = last.map_or(0.0, |(variance, _)| variance * (1.0 - 1e-9));
+    let modes = material::count(order);
+    let mut selection = vec![false; (degree + 1) * modes * (degree + 1)];
+    for (azimuth, variances) in by_azimuth.iter().enumerate() {
+        for ((l, o, p, q), variance) in mode::indices(degree, order, azimuth).zip(variances) {
+            let place = (azimuth * modes + material::position(o, p, q)) * (degree + 1) + l;
+            selection[place] = *variance >= threshold;
+        }
+    }
+    selection
+}

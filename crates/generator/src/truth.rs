@@ -1,0 +1,101 @@
+//! The direct sum (15), in f64: the truth that everything else is measured
+//! against, at the orders of the light and the material that it is given.
+
+use crate::irradiance::{slant_radials, slant_rotation};
+use crate::mode_gain::gain;
+use crate::polar_integral::PolarIntegrals;
+use crate::special::spherical_harmonic::azimuth;
+use eigenshade_index::{light, material, pair};
+
+/// What the sum needs of a degree and an order.
+#[derive(Clone, Debug)]
+pub struct Truth {
+    degree: usize,
+    order: usize,
+    integrals: PolarIntegrals,
+}
+
+/// The modes at one normal.
+#[derive(Clone, Debug)]
+pub struct Modes<'a> {
+    truth: &'a Truth,
+    /// Φ_m for m = -degree..=degree.
+    azimuths: Vec<f64>,
+    /// D_l^mq / Φ_m: by |m|, then q, then l from max(|m|, q).
+    rotations: Vec<Vec<Vec<f64>>>,
+    radials: Vec<f64>,
+}
+
+/// One material at one normal: N_l^q K C-weighted sums over (o, p), by q, then l
+/// from q.
+#[derive(Clone, Debug)]
+pub struct Scattered(Vec<Vec<f64>>);
+
+impl Truth {
+    /// Prepares sums of lights of `degree` and materials of `order`.
+    #[must_use]
+    pub fn new(degree: usize, order: usize) -> Self {
+        Self { degree, order, integrals: PolarIntegrals::new(degree, order) }
+    }
+
+    /// The modes at a unit normal of the visible hemisphere, z >= 0.
+    #[must_use]
+    pub fn at(&self, [x, y, z]: [f64; 3]) -> Modes<'_> {
+        let (alpha, beta) = (x.hypot(y).atan2(z), y.atan2(x));
+        let top = self.degree.cast_signed();
+        Modes {
+            truth: self,
+            azimuths: (-top..=top).map(|m| azimuth(m, beta)).collect(),
+            rotations: (0..=top)
+                .map(|m| {
+                    let of = |q| slant_rotation(self.degree, m, q, alpha);
+                    (0..=self.order.min(self.degree)).map(of).collect()
+                })
+                .collect(),
+            radials: slant_radials(self.order, alpha),
+        }
+    }
+}
+
+impl Modes<'_> {
+    /// Σ_op b_op^q K_lop^q (C_lo^q R_p^q + C_lp^q R_o^q) of a material.
+    #[must_use]
+    pub fn scatter(&self, coefficients: &[f64]) -> Scattered {
+        let Truth { degree, order, integrals } = self.truth;
+        let mut sums: Vec<Vec<f64>> =
+            (0..=*order.min(degree)).map(|q| vec![0.0; degree - q + 1]).collect();
+        for ((o, p, q), b) in material::indices(*order).zip(coefficients) {
+            let Some(sum) = sums.get_mut(q) else { continue };
+            let weight = b * gain(o, p, q);
+            let of_p = weight * self.radials[pair::position(p, q)];
+            let of_o = weight * self.radials[pair::position(o, q)];
+            let integrals = integrals.row(o, q).iter().zip(integrals.row(p, q)).skip(q);
+            for (sum, (of_lo, of_lp)) in sum.iter_mut().zip(integrals) {
+                *sum += of_lo * of_p + of_lp * of_o;
+            }
+        }
+        Scattered(sums)
+    }
+
+    /// The irradiance (15) of a light of the truth's degree on this material.
+    #[must_use]
+    pub fn irradiance(&self, light: &[f64], scattered: &Scattered) -> f64 {
+        let top = self.truth.degree.cast_signed();
+        let mut sum = 0.0;
+        for (m, azimuth) in (-top..=top).zip(&self.azimuths) {
+            let mut of_order = 0.0;
+            for (q, (rotation, scattered)) in
+                self.rotations[m.unsigned_abs()].iter().zip(&scattered.0).enumerate()
+            {
+                let lowest = q.max(m.unsigned_abs());
+                let scattered = scattered.iter().skip(lowest - q);
+                for (l, (rotation, scattered)) in (lowest..).zip(rotation.iter().zip(scattered)) {
+                    of_order += light[light::position(l, m)] * rotation * scattered;
+                }
+            }
+            let sign = if m < 0 && m % 2 != 0 { -1.0 } else { 1.0 };
+            sum += sign * azimuth * of_order;
+        }
+        sum
+    }
+}

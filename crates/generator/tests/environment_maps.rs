@@ -1,0 +1,251 @@
+//! Environment maps of every file type to coefficients: closed forms, the sum
+//! texel by texel, the shipped maps, and every fault of a file.
+
+#[path = "../../../tests/tolerances/mod.rs"]
+mod tolerances;
+
+#[path = "environment_maps/files.rs"]
+mod files;
+
+#[path = "environment_maps/faults.rs"]
+mod faults;
+
+#[path = "environment_maps/shipped.rs"]
+mod shipped;
+
+use eigenshade_generator::inputs::environment::EnvironmentMap;
+use eigenshade_generator::inputs::light_projection::project;
+use eigenshade_generator::special::spherical_harmonic;
+use eigenshade_index::light;
+use files::{Type, map_of, through};
+use std::f64::consts::PI;
+use tolerances::{LIGHT_PROJECTION, MAP_DEGREE_SQUARED, MAP_FLOAT, MAP_HALF, MAP_KINK, MAP_RGBE};
+
+/// Σ radiance x Y x solid angle over all texels, one by one.
+fn direct(map: &EnvironmentMap, degree: usize) -> [Vec<f64>; 3] {
+    let mut sums = [0, 1, 2].map(|_| vec![0.0; light::count(degree)]);
+    for row in 0..map.height {
+        for column in 0..map.width {
+            let harmonics = spherical_harmonic::all(degree, map.direction(column, row));
+            let texel = map.texels[row * map.width + column];
+            for (sums, value) in sums.iter_mut().zip(texel) {
+                let weight = f64::from(value) * map.solid_angle(row);
+                for (sum, harmonic) in sums.iter_mut().zip(&harmonics) {
+                    *sum += weight * harmonic;
+                }
+            }
+        }
+    }
+    sums
+}
+
+fn largest(channel: &[f64]) -> f64 {
+    channel
+        .iter()
+        .fold(0.0, |top: f64, value| top.max(value.abs()))
+}
+
+/// Asserts that the coefficients differ by no more than `tolerance` of the
+/// largest expected one, channel by channel.
+#[track_caller]
+fn assert_near(found: &[Vec<f64>; 3], expected: &[Vec<f64>; 3], tolerance: f64) {
+    for (found, expected) in found.iter().zip(expected) {
+        assert_eq!(found.len(), expected.len());
+        let scale = largest(expected);
+        for (k, (found, expected)) in found.iter().zip(expected).enumerate() {
+            let error = (found - expected).abs() / scale;
+            assert!(
+                error <= tolerance,
+                "coefficient {k}: {found} for {expected}, {error:e}"
+            );
+        }
+    }
+}
+
+/// What the file type itself may change, relative to the largest texel.
+fn rounding(file_type: Type) -> f64 {
+    match file_type {
+        Type::Hdr => MAP_RGBE,
+        Type::ExrHalf | Type::ExrLayer => MAP_HALF,
+        _ => MAP_FLOAT,
+    }
+}
+
+#[test]
+fn the_separable_sum_is_the_direct_one() {
+    // An even, an odd and a single width; no symmetry, and negative texels.
+    for (width, height) in [(48, 24), (31, 17), (1, 3), (2, 1), (3, 2)] {
+        let mut state = 1_u32;
+        let texels = (0..width * height)
+            .map(|_| {
+                [0, 1, 2].map(|_| {
+                    state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+                    (state >> 8) as f32 / 16_777_216.0 - 0.3
+                })
+            })
+            .collect();
+        let map = EnvironmentMap::new(width, height, texels).unwrap();
+        assert_near(&project(&map, 32), &direct(&map, 32), LIGHT_PROJECTION);
+        assert_near(&project(&map, 0), &direct(&map, 0), LIGHT_PROJECTION);
+    }
+}
+
+#[test]
+fn solid_angles_fill_the_sphere() {
+    for (width, height) in [(512, 256), (7, 3), (1, 1)] {
+        let map = EnvironmentMap::new(width, height, vec![[1.0; 3]; width * height]).unwrap();
+        let sphere: f64 = (0..height)
+            .map(|row| width as f64 * map.solid_angle(row))
+            .sum();
+        assert!((sphere - 4.0 * PI).abs() < LIGHT_PROJECTION);
+        let [total, ..] = map.negative_integral().total;
+        assert!((total - 4.0 * PI).abs() < 4.0 * PI * LIGHT_PROJECTION);
+    }
+}
+
+#[test]
+fn a_constant_map_has_one_coefficient() {
+    let (degree, height) = (9, 64);
+    let colour = [2.0, 0.5, 0.25];
+    for file_type in Type::ALL {
+        let map = through(file_type, &map_of(height, |_| colour));
+        let colour = if file_type == Type::PfmGrey {
+            [2.0; 3]
+        } else {
+            colour
+        };
+        let expected = colour.map(|c| {
+            let mut expected = vec![0.0; light::count(degree)];
+            expected[0] = f64::from(c) * (4.0 * PI).sqrt();
+            expected
+        });
+        let midpoint = MAP_DEGREE_SQUARED * (degree as f64 / height as f64).powi(2);
+        assert_near(
+            &project(&map, degree),
+            &expected,
+            midpoint + rounding(file_type),
+        );
+    }
+}
+
+#[test]
+fn a_cosine_lobe_has_the_known_coefficients() {
+    // Of max(0, n.w): A_l Y_l^m(n), with A_0 = π, A_1 = 2π/3, and else 0 for odd l,
+    // 2π (-1)^(l/2-1) / ((l+2)(l-1)) l! / (2^l (l/2)!²) for even.
+    let (degree, height) = (8, 128);
+    let factor = |l: usize| match l {
+        0 => PI,
+        1 => 2.0 * PI / 3.0,
+        _ if l % 2 == 1 => 0.0,
+        _ => {
+            let binomial = (1..=l / 2).fold(1.0, |product, k| {
+                product * (l / 2 + k) as f64 / (4 * k) as f64
+            });
+            let sign = if l % 4 == 0 { -1.0 } else { 1.0 };
+            2.0 * PI * sign * binomial / ((l + 2) * (l - 1)) as f64
+        }
+    };
+    for axis in [
+        [0.0, 0.0, 1.0],
+        [0.6, 0.0, -0.8],
+        [0.48, 0.6, 0.64],
+        [0.0, -1.0, 0.0],
+    ] {
+        let harmonics = spherical_harmonic::all(degree, axis);
+        let expected: Vec<f64> = light::indices(degree)
+            .zip(harmonics)
+            .map(|((l, _), harmonic)| factor(l) * harmonic)
+            .collect();
+        let expected = [expected.clone(), expected.clone(), expected];
+        let lobe = map_of(height, |[x, y, z]| {
+            [(axis[0] * x + axis[1] * y + axis[2] * z).max(0.0) as f32; 3]
+        });
+        for file_type in Type::ALL {
+            let map = through(file_type, &lobe);
+            assert_near(
+                &project(&map, degree),
+                &expected,
+                MAP_KINK + rounding(file_type),
+            );
+        }
+    }
+}
+
+#[test]
+fn one_harmonic_has_one_coefficient() {
+    let (degree, height) = (6, 128);
+    // Left out: the type that knows no negative texel.
+    for file_type in Type::ALL
+        .into_iter()
+        .filter(|&file_type| file_type != Type::Hdr)
+    {
+        for (place, (l, _)) in light::indices(degree).enumerate() {
+            if file_type != Type::ExrFloat && l > 2 {
+                continue;
+            }
+            let map = through(
+                file_type,
+                &map_of(height, |direction| {
+                    [spherical_harmonic::all(degree, direction)[place] as f32; 3]
+                }),
+            );
+            let mut expected = vec![0.0; light::count(degree)];
+            expected[place] = 1.0;
+            let expected = [expected.clone(), expected.clone(), expected];
+            let midpoint = MAP_DEGREE_SQUARED * (degree as f64 / height as f64).powi(2);
+            assert_near(
+                &project(&map, degree),
+                &expected,
+                midpoint + rounding(file_type),
+            );
+        }
+    }
+}
+
+#[test]
+fn one_texel_is_a_point_of_light() {
+    let degree = 32;
+    for (column, row) in [(0, 0), (7, 3), (63, 31), (32, 16), (40, 31)] {
+        // Exact in every file type, also as RGBE.
+        let mut map = map_of(32, |_| [0.0; 3]);
+        map.texels[row * map.width + column] = [4.0, 1.0, 0.5];
+        let harmonics = spherical_harmonic::all(degree, map.direction(column, row));
+        for file_type in Type::ALL {
+            let colour = if file_type == Type::PfmGrey {
+                [4.0; 3]
+            } else {
+                [4.0, 1.0, 0.5]
+            };
+            let expected = colour.map(|value| {
+                harmonics
+                    .iter()
+                    .map(|y| value * map.solid_angle(row) * y)
+                    .collect()
+            });
+            let found = project(&through(file_type, &map), degree);
+            assert_near(&found, &expected, LIGHT_PROJECTION);
+        }
+    }
+}
+
+#[test]
+fn the_map_is_seen_from_the_camera() {
+    let map = map_of(64, |_| [0.0; 3]);
+    let near = |column: usize, row: usize, expected: [f64; 3]| {
+        let found = map.direction(column, row);
+        let distance: f64 = found
+            .iter()
+            .zip(expected)
+            .map(|(a, b)| (a - b).powi(2))
+            .sum();
+        // Half a texel off, across.
+        assert!(distance.sqrt() < PI / 64.0, "{found:?} for {expected:?}");
+    };
+    near(64, 32, [0.0, 0.0, -1.0]);
+    near(0, 32, [0.0, 0.0, 1.0]);
+    near(127, 31, [0.0, 0.0, 1.0]);
+    near(96, 32, [1.0, 0.0, 0.0]);
+    near(32, 32, [-1.0, 0.0, 0.0]);
+    near(5, 0, [0.0, 1.0, 0.0]);
+    near(5, 63, [0.0, -1.0, 0.0]);
+}

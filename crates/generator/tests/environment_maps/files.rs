@@ -1,0 +1,143 @@
+//! Maps written to files of every type, and read back.
+
+use eigenshade_generator::inputs::environment::EnvironmentMap;
+use exr::prelude::*;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// What a map goes through.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Type {
+    ExrFloat,
+    ExrZip,
+    ExrHalf,
+    ExrLayer,
+    Hdr,
+    PfmLittle,
+    PfmBig,
+    PfmGrey,
+}
+
+impl Type {
+    pub const ALL: [Self; 8] = [
+        Self::ExrFloat,
+        Self::ExrZip,
+        Self::ExrHalf,
+        Self::ExrLayer,
+        Self::Hdr,
+        Self::PfmLittle,
+        Self::PfmBig,
+        Self::PfmGrey,
+    ];
+}
+
+/// The map of a function of direction.
+pub fn map_of(height: usize, radiance: impl Fn([f64; 3]) -> [f32; 3]) -> EnvironmentMap {
+    let width = 2 * height;
+    let blank = EnvironmentMap::new(width, height, vec![[0.0; 3]; width * height]).unwrap();
+    let places = (0..height).flat_map(|row| (0..width).map(move |column| (column, row)));
+    let texels = places
+        .map(|(column, row)| radiance(blank.direction(column, row)))
+        .collect();
+    EnvironmentMap::new(width, height, texels).unwrap()
+}
+
+/// The map, written and read.
+pub fn through(file_type: Type, map: &EnvironmentMap) -> EnvironmentMap {
+    let folder = tempfile::TempDir::new().unwrap();
+    let read = EnvironmentMap::from_path(write(file_type, map, folder.path())).unwrap();
+    assert_eq!((read.width, read.height), (map.width, map.height));
+    read
+}
+
+/// The map as a file of this folder.
+pub fn write(file_type: Type, map: &EnvironmentMap, folder: &Path) -> PathBuf {
+    let ending = match file_type {
+        Type::ExrFloat | Type::ExrZip | Type::ExrHalf | Type::ExrLayer => "exr",
+        Type::Hdr => "hdr",
+        Type::PfmLittle | Type::PfmBig | Type::PfmGrey => "PFM",
+    };
+    let path = folder.join(format!("map.{ending}"));
+    match file_type {
+        Type::ExrFloat => exr(map, &path, false, ["R", "G", "B"], Encoding::UNCOMPRESSED),
+        Type::ExrZip => exr(
+            map,
+            &path,
+            false,
+            ["R", "G", "B"],
+            Encoding {
+                compression: Compression::ZIP16,
+                ..Encoding::UNCOMPRESSED
+            },
+        ),
+        Type::ExrHalf => exr(map, &path, true, ["R", "G", "B"], Encoding::FAST_LOSSLESS),
+        Type::ExrLayer => exr(
+            map,
+            &path,
+            true,
+            ["sky.R", "sky.G", "sky.B"],
+            Encoding::SMALL_LOSSLESS,
+        ),
+        Type::Hdr => hdr(map, &path),
+        Type::PfmLittle => pfm(map, &path, "PF", "-1.0", f32::to_le_bytes),
+        Type::PfmBig => pfm(map, &path, "PF", "1", f32::to_be_bytes),
+        Type::PfmGrey => pfm(map, &path, "Pf", "-2.5", f32::to_le_bytes),
+    }
+    path
+}
+
+/// Named channels, each a list of samples row by row.
+pub fn exr_channels(
+    path: &Path,
+    (width, height): (usize, usize),
+    channels: Vec<(&str, FlatSamples)>,
+) {
+    let channels = channels
+        .into_iter()
+        .map(|(name, samples)| AnyChannel::new(name, samples))
+        .collect();
+    let layer = Layer::new(
+        (width, height),
+        LayerAttributes::named("map"),
+        Encoding::UNCOMPRESSED,
+        AnyChannels::sort(channels),
+    );
+    Image::from_layer(layer).write().to_file(path).unwrap();
+}
+
+fn exr(map: &EnvironmentMap, path: &Path, half: bool, names: [&str; 3], encoding: Encoding) {
+    let channel = |k: usize| {
+        let values = map.texels.iter().map(|texel| texel[k]);
+        let samples = if half {
+            FlatSamples::F16(values.map(f16::from_f32).collect())
+        } else {
+            FlatSamples::F32(values.collect())
+        };
+        AnyChannel::new(names[k], samples)
+    };
+    let layer = Layer::new(
+        (map.width, map.height),
+        LayerAttributes::named("map"),
+        encoding,
+        AnyChannels::sort([0, 1, 2].map(channel).into_iter().collect()),
+    );
+    Image::from_layer(layer).write().to_file(path).unwrap();
+}
+
+fn hdr(map: &EnvironmentMap, path: &Path) {
+    let pixels: Vec<_> = map.texels.iter().copied().map(image::Rgb).collect();
+    image::codecs::hdr::HdrEncoder::new(fs::File::create(path).unwrap())
+        .encode(&pixels, map.width, map.height)
+        .unwrap();
+}
+
+fn pfm(map: &EnvironmentMap, path: &Path, magic: &str, order: &str, bytes: fn(f32) -> [u8; 4]) {
+    let mut file = format!("{magic}\n{} {}\n{order}\n", map.width, map.height).into_bytes();
+    let channels = if magic == "PF" { 3 } else { 1 };
+    for row in map.texels.chunks(map.width).rev() {
+        for value in row.iter().flat_map(|texel| &texel[..channels]) {
+            file.extend(bytes(*value));
+        }
+    }
+    fs::write(path, file).unwrap();
+}

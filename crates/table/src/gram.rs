@@ -1,0 +1,102 @@
+//! The Gram matrix M of (23) as a factor: M = AᵀA.
+//!
+//! M is singular to working precision, so it is never formed. With quadrature
+//! nodes α_k and weights w_k that hold the density of the normals,
+//! A\[k, s\] = √w_k f_s(α_k), where E_s = f_s(α) Φ_m(β) and the azimuths are
+//! orthonormal. A itself is a product of small tables, so those are what is kept.
+
+use eigenshade_index::{material, mode, pair};
+use serde::{Deserialize, Serialize};
+
+/// The small tables of which A is made.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct GramFactor {
+    /// Largest degree l of the light.
+    pub degree: usize,
+    /// Largest order o of the BRDF.
+    pub order: usize,
+    /// cos α_k, rising in (0, 1).
+    pub nodes: Vec<f64>,
+    /// √w_k; the weights w_k sum to 1.
+    pub root_weights: Vec<f64>,
+    /// K_lop^q / N_l^q of (13) for each (o, p, q).
+    pub gains: Vec<f64>,
+    /// N_l^q C_lo^q of (11): for each pair (o, q), each l = 0..=degree.
+    pub polar_integrals: Vec<f64>,
+    /// R_p^q(√2 sin(α_k/2)): for each pair (p, q), each node.
+    pub radials: Vec<f64>,
+    /// D_l^mq / Φ_m at the nodes, for each |m|, each l >= |m|, each
+    /// q <= min(l, order), each node.
+    pub rotations: Vec<f64>,
+}
+
+impl GramFactor {
+    /// N_l^q C_lo^q.
+    fn polar_integral(&self, l: usize, o: usize, q: usize) -> f64 {
+        self.polar_integrals[pair::position(o, q) * (self.degree + 1) + l]
+    }
+
+    /// R_p^q at every node.
+    fn radial(&self, p: usize, q: usize) -> &[f64] {
+        let count = self.nodes.len();
+        let start = pair::position(p, q) * count;
+        &self.radials[start..start + count]
+    }
+
+    /// Number of q of degree l.
+    fn frequencies(&self, l: usize) -> usize {
+        l.min(self.order) + 1
+    }
+
+    /// D_l^mq / Φ_m at every node.
+    #[must_use]
+    pub fn rotation(&self, azimuth: usize, l: usize, q: usize) -> &[f64] {
+        let from = |azimuth| azimuth..=self.degree;
+        let earlier: usize = (0..azimuth)
+            .flat_map(from)
+            .chain(azimuth..l)
+            .map(|l| self.frequencies(l))
+            .sum();
+        let count = self.nodes.len();
+        &self.rotations[(earlier + q) * count..(earlier + q + 1) * count]
+    }
+
+    /// The columns of A of one azimuth |m|, in the order of [`mode`], each a
+    /// value a node. For -m multiply by (-1)^m.
+    #[must_use]
+    pub fn columns(&self, azimuth: usize) -> Vec<Vec<f64>> {
+        mode::indices(self.degree, self.order, azimuth)
+            .map(|(l, o, p, q)| self.column(azimuth, l, o, p, q))
+            .collect()
+    }
+
+    /// One column of A: √w_k f_s(α_k).
+    fn column(&self, azimuth: usize, l: usize, o: usize, p: usize, q: usize) -> Vec<f64> {
+        let gain = self.gains[material::position(o, p, q)];
+        let (of_o, of_p) = (self.polar_integral(l, o, q), self.polar_integral(l, p, q));
+        self.root_weights
+            .iter()
+            .zip(self.rotation(azimuth, l, q))
+            .zip(self.radial(p, q).iter().zip(self.radial(o, q)))
+            .map(|((root, rotation), (radial_p, radial_o))| {
+                root * gain * rotation * (of_o * radial_p + of_p * radial_o)
+            })
+            .collect()
+    }
+
+    /// e of (30): the mean of each mode over the normals; only those of m = 0
+    /// are not zero, and they stand here in the order of [`mode`].
+    #[must_use]
+    pub fn mode_means(&self) -> Vec<f64> {
+        self.columns(0)
+            .iter()
+            .map(|column| {
+                column
+                    .iter()
+                    .zip(&self.root_weights)
+                    .map(|(a, root)| a * root)
+                    .sum()
+            })
+            .collect()
+    }
+}

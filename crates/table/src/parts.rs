@@ -1,0 +1,185 @@
+//! A table as the runtime wants it: the numbers that a device needs, padded and
+//! in the order in which its loops run. In f64; rounding to the device's format
+//! comes last.
+
+use crate::table::Table;
+use eigenshade_index::{layout, pair};
+
+/// Stands for "no such component" in [`ProfilePlace`].
+pub const NONE: u16 = u16::MAX;
+
+/// The runtime's arrays; each field is the one of the same name in
+/// `eigenshade::Parts`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Parts {
+    /// Largest degree l of the light.
+    pub degree: usize,
+    /// Largest order o of the BRDF.
+    pub order: usize,
+    /// Number of components.
+    pub components: usize,
+    /// Whose the rows below are.
+    pub profiles: Vec<ProfilePlace>,
+    /// Number of polynomial terms for each |m|.
+    pub lengths: Vec<u16>,
+    /// √(o+1) N_l^q C_lo^q: for each pair, `layout::stride(degree)` numbers.
+    pub polar: Vec<f64>,
+    /// For each profile, each pair, `layout::groups` groups over l.
+    pub factors: Vec<f64>,
+    /// For each profile its polynomial in t = 2z - 1, highest power first, times
+    /// √2 where m is not 0.
+    pub terms: Vec<f64>,
+    /// The mean image's polynomial, or empty.
+    pub mean: Vec<f64>,
+    /// The mean image's coefficients, or empty.
+    pub mean_coefficients: Vec<f64>,
+    /// The table's selection of modes, or empty for all.
+    pub selection: Vec<bool>,
+}
+
+/// Which components a profile serves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ProfilePlace {
+    /// |m|.
+    pub azimuth: u16,
+    /// Number of the component of +m (or 0), or [`NONE`].
+    pub plus: u16,
+    /// Number of the component of -m, or [`NONE`].
+    pub minus: u16,
+}
+
+impl Parts {
+    /// The arrays of a table.
+    #[must_use]
+    pub fn new(table: &Table) -> Self {
+        let gram = &table.gram;
+        let (degree, order) = (gram.degree, gram.order);
+        let stride = layout::stride(degree);
+        let mut polar = Vec::new();
+        for ((o, _), row) in pair::indices(order).zip(gram.polar_integrals.chunks_exact(degree + 1))
+        {
+            let root = ((o + 1) as f64).sqrt();
+            extend_padded(&mut polar, row.iter().map(|value| root * value), stride);
+        }
+        let lengths = lengths(table);
+        let mut factors = Vec::new();
+        let mut terms = Vec::new();
+        for profile in &table.profiles {
+            let pairs = pair::count(order);
+            let width = layout::LANES * layout::groups(degree, profile.azimuth);
+            for pair in 0..pairs {
+                let row = profile.factors.iter().skip(pair).step_by(pairs);
+                extend_padded(&mut factors, row.copied(), width);
+            }
+            let scale = if profile.azimuth == 0 {
+                1.0
+            } else {
+                std::f64::consts::SQRT_2
+            };
+            let length = usize::from(lengths[profile.azimuth]);
+            terms.extend(
+                powers(&profile.chebyshev, length)
+                    .iter()
+                    .map(|term| scale * term),
+            );
+        }
+        let mean = table.mean.as_ref();
+        Self {
+            degree,
+            order,
+            components: table.components.len(),
+            profiles: places(table),
+            polar,
+            factors,
+            terms,
+            mean: mean
+                .map(|mean| powers(&mean.chebyshev, usize::from(lengths[0])))
+                .unwrap_or_default(),
+            mean_coefficients: mean
+                .map(|mean| mean.coefficients.clone())
+                .unwrap_or_default(),
+            selection: table.selection.clone(),
+            lengths,
+        }
+    }
+}
+
+fn extend_padded(to: &mut Vec<f64>, row: impl Iterator<Item = f64>, width: usize) {
+    let end = to.len() + width;
+    to.extend(row);
+    to.resize(end, 0.0);
+}
+
+/// Terms that each azimuth needs: those of its longest profile.
+fn lengths(table: &Table) -> Vec<u16> {
+    let mut lengths = vec![0; table.gram.degree + 1];
+    let profiles = table
+        .profiles
+        .iter()
+        .map(|profile| (profile.azimuth, &profile.chebyshev));
+    for (azimuth, chebyshev) in profiles.chain(table.mean.iter().map(|mean| (0, &mean.chebyshev))) {
+        let length = u16::try_from(chebyshev.len()).expect("a polynomial's length is small");
+        lengths[azimuth] = length.max(lengths[azimuth]);
+    }
+    lengths
+}
+
+fn places(table: &Table) -> Vec<ProfilePlace> {
+    let azimuth = |k: usize| u16::try_from(table.profiles[k].azimuth).expect("checked degree");
+    let mut places: Vec<_> = (0..table.profiles.len())
+        .map(|k| ProfilePlace {
+            azimuth: azimuth(k),
+            plus: NONE,
+            minus: NONE,
+        })
+        .collect();
+    for (index, component) in table.components.iter().enumerate() {
+        let index = u16::try_from(index).expect("fewer components than 65,535");
+        let place = &mut places[component.profile];
+        *(if component.order < 0 {
+            &mut place.minus
+        } else {
+            &mut place.plus
+        }) = index;
+    }
+    places
+}
+
+/// A Chebyshev series as powers of its argument, highest first, `length` of them
+/// (`length` >= the series').
+fn powers(chebyshev: &[f64], length: usize) -> Vec<f64> {
+    let mut powers = vec![0.0; length];
+    // T_0 = 1, T_1 = t, T_k+1 = 2 t T_k - T_k-1; lowest power first.
+    let mut before = vec![0.0; length];
+    let mut current = vec![0.0; length];
+    current.first_mut().into_iter().for_each(|one| *one = 1.0);
+    let mut factor = 1.0;
+    for coefficient in chebyshev {
+        for (power, term) in powers.iter_mut().zip(&current) {
+            *power += coefficient * term;
+        }
+        let shifted = std::iter::once(0.0).chain(current.iter().copied());
+        let next: Vec<f64> =
+            shifted.zip(&before).map(|(shifted, before)| factor * shifted - before).collect();
+        before = std::mem::replace(&mut current, next);
+        factor = 2.0;
+    }
+    powers.reverse();
+    powers
+}
+
+#[cfg(test)]
+mod tests {
+    use super::powers;
+
+    #[test]
+    fn chebyshev_series_become_powers() {
+        // T_0 + 2 T_1 + 3 T_2 + 4 T_3 = 1 + 2t + 3(2t² - 1) + 4(4t³ - 3t).
+        assert_eq!(
+            powers(&[1.0, 2.0, 3.0, 4.0], 5),
+            [0.0, 16.0, 6.0, -10.0, -2.0]
+        );
+        assert_eq!(powers(&[7.0], 1), [7.0]);
+        assert_eq!(powers(&[], 2), [0.0, 0.0]);
+    }
+}

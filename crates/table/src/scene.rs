@@ -1,0 +1,175 @@
+//! The scene file: what a basis is to be made for.
+
+use serde::{Deserialize, Serialize};
+
+/// A whole scene file.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Scene {
+    /// Which normals the object shows.
+    pub geometry: Geometry,
+    /// Which light falls on it.
+    pub light: Light,
+    /// What it is made of.
+    pub material: Material,
+    /// Which basis is wanted.
+    pub basis: Basis,
+    /// Which effects are wanted.
+    #[serde(default)]
+    pub effects: Effects,
+}
+
+/// Which normals the object shows.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Geometry {
+    /// `sphere`.
+    pub normals: String,
+}
+
+/// Which light falls on the object.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Light {
+    /// Degree to which the light is taken.
+    pub degree: usize,
+    /// Light CSV, relative to the scene file.
+    pub database: String,
+    /// Which rotations of the captured light are to be expected.
+    pub rotation: LightRotation,
+    /// How the lights' exposures are made comparable, for the statistics alone.
+    #[serde(default)]
+    pub normalise: Normalise,
+}
+
+/// Which rotations of the captured light are to be expected.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum LightRotation {
+    /// All rotations alike, (37)-(39).
+    Any,
+    /// As captured.
+    None,
+}
+
+/// How the lights' exposures are made comparable, for the statistics alone.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Normalise {
+    /// Each light is scaled to luminance coefficient L_0^0 = 1.
+    #[default]
+    UnitAmbient,
+    /// Lights are taken as they come.
+    None,
+}
+
+/// What the object is made of.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Material {
+    /// Order to which the BRDF is taken.
+    pub order: usize,
+    /// Material CSV, relative to the scene file.
+    pub database: String,
+    /// The materials that are meant; empty: all.
+    #[serde(default)]
+    pub names: Vec<String>,
+}
+
+/// Which basis is wanted.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Basis {
+    /// What the principal components maximise.
+    pub criterion: Criterion,
+    /// Number of components, the constant of [`Criterion::ImageCentered`]
+    /// counted. Either this or `tolerance`.
+    #[serde(default)]
+    pub components: Option<usize>,
+    /// Rms error that truncation may cost, of the peak. Either this or
+    /// `components`.
+    #[serde(default)]
+    pub tolerance: Option<f64>,
+    /// Keep so many modes, those of the highest variance; 0: all.
+    #[serde(default)]
+    pub modes: usize,
+    /// Singular values below this, relative to the largest of all blocks, count
+    /// as zero.
+    #[serde(default = "default_rank_cutoff")]
+    pub rank_cutoff: f64,
+    /// Largest error of a profile's polynomial, relative to the profile's
+    /// largest value; it sets the degrees.
+    #[serde(default = "default_profile_tolerance")]
+    pub profile_tolerance: f64,
+}
+
+fn default_rank_cutoff() -> f64 {
+    1e-10
+}
+
+fn default_profile_tolerance() -> f64 {
+    1e-7
+}
+
+/// What the principal components maximise.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Criterion {
+    /// Variance over light and material, (17).
+    Standard,
+    /// Variance in the image, (18); the constant is component 0.
+    ImageCentered,
+}
+
+impl Criterion {
+    /// The name that the scene file uses.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Standard => "standard",
+            Self::ImageCentered => "image-centered",
+        }
+    }
+}
+
+/// Which effects are wanted.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Effects {
+    /// The effects by name.
+    #[serde(rename = "use")]
+    pub wanted: Vec<Effect>,
+    /// Three channels, or one.
+    pub colour: bool,
+    /// Whether the light may turn at run time.
+    pub rotation: bool,
+}
+
+/// A set of irradiance modes that a person can see.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Effect {
+    /// l = 0.
+    Ambient,
+    /// l >= 1, (o, p, q) = (0, 0, 0).
+    Diffuse,
+    /// l >= 1, 1 <= o <= 3.
+    Broad,
+    /// l >= 1, o >= 4.
+    Gloss,
+}
+
+impl Effect {
+    /// Every effect.
+    pub const ALL: [Self; 4] = [Self::Ambient, Self::Diffuse, Self::Broad, Self::Gloss];
+}
+
+impl Default for Effects {
+    fn default() -> Self {
+        Self {
+            wanted: Effect::ALL.to_vec(),
+            colour: true,
+            rotation: true,
+        }
+    }
+}

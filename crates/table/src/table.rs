@@ -1,0 +1,147 @@
+//! A table: the eigenbasis of one scene.
+
+use crate::gram::GramFactor;
+use crate::scene::Scene;
+use eigenshade_index::pair;
+use serde::{Deserialize, Serialize};
+
+/// Everything that a generator found out about one scene, in f64.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Table {
+    /// What was asked for.
+    pub scene: Scene,
+    /// How it went.
+    pub summary: Summary,
+    /// M of (23), factored.
+    pub gram: GramFactor,
+    /// The modes that a selection kept, or empty for all: for each |m|, each
+    /// (o, p, q), each l = 0..=degree.
+    pub selection: Vec<bool>,
+    /// The eigenimages in canonical order: eigenvalue falling, then |m|, then +m
+    /// before -m. The scene's number of them, or fewer where the rank ends.
+    pub components: Vec<Component>,
+    /// The slant profiles of those eigenimages, by |m|, then eigenvalue falling.
+    pub profiles: Vec<Profile>,
+    /// The mean image, which [`Criterion::Standard`](crate::scene::Criterion)
+    /// subtracts.
+    pub mean: Option<MeanImage>,
+    /// Order m and eigenvalue of every component found, kept or not, in
+    /// canonical order.
+    pub spectrum: Vec<(i32, Option<f64>)>,
+}
+
+/// One eigenimage: U = u(α) Φ_m(β).
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Component {
+    /// m, signed.
+    pub order: i32,
+    /// Which profile is u.
+    pub profile: usize,
+    /// The variance that it carries; none for the constant of
+    /// [`Criterion::ImageCentered`](crate::scene::Criterion).
+    pub eigenvalue: Option<f64>,
+}
+
+/// One slant profile u(α), shared by +m and -m.
+///
+/// The mode coefficients of the component of -m are (-1)^m times those here.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Profile {
+    /// |m|.
+    pub azimuth: usize,
+    /// √w_k u(α_k): a left singular vector W.
+    pub node_values: Vec<f64>,
+    /// Chebyshev coefficients in 2z - 1 of h(z) = u / sin^|m|, z = cos α in
+    /// \[0, 1\]; h(1) > 0.
+    pub chebyshev: Vec<f64>,
+    /// Coefficients of the eigenimage over the modes of |m|, in the order of
+    /// `eigenshade_index::mode`: a column of U.
+    pub modes: Vec<f64>,
+    /// UᵀM, factored: for each l = |m|..=degree, for each pair (p, q),
+    /// (-1)^q √(p+1) Σ_k √w_k W_k R_p^q D_l^mq. See [`Table::gram_row`].
+    pub factors: Vec<f64>,
+}
+
+/// The mean image of the database, an image of m = 0.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct MeanImage {
+    /// Chebyshev coefficients in 2z - 1 of the mean irradiance at z = cos α.
+    pub chebyshev: Vec<f64>,
+    /// Its coefficient in each component.
+    pub coefficients: Vec<f64>,
+}
+
+/// How the making of a table went.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Summary {
+    /// Numerical rank of A for each |m| at the scene's cut-off.
+    pub ranks: Vec<usize>,
+    /// Largest singular value of A over all blocks.
+    pub largest_singular_value: f64,
+    /// Number of lights in the statistics.
+    pub lights: usize,
+    /// Number of materials in the statistics.
+    pub materials: usize,
+    /// Mean energy of the database's images about their mean (each its own, or
+    /// the database's, by the criterion).
+    pub energy: f64,
+    /// The share of it that the components keep.
+    pub energy_kept: f64,
+    /// Largest |UᵀMU - I| over the first 100 components, or all if fewer.
+    pub orthonormality: f64,
+}
+
+impl Table {
+    /// The row of UᵀM of a profile, over the modes of its |m|, rebuilt from its
+    /// factors: for o != p
+    /// (Ĉ_lo^q g_pq + Ĉ_lp^q g_oq) / √2, for o = p Ĉ_lo^q g_oq, with
+    /// Ĉ_lo^q = √(o+1) N_l^q C_lo^q and g the factors of l.
+    ///
+    /// Modes that a selection dropped are 0.
+    #[must_use]
+    pub fn gram_row(&self, profile: &Profile) -> Vec<f64> {
+        let gram = &self.gram;
+        let pairs = pair::count(gram.order);
+        let polar = |l: usize, o: usize, q: usize| {
+            gram.polar_integrals[pair::position(o, q) * (gram.degree + 1) + l]
+                * ((o + 1) as f64).sqrt()
+        };
+        eigenshade_index::mode::indices(gram.degree, gram.order, profile.azimuth)
+            .map(|(l, o, p, q)| {
+                if !self.keeps(profile.azimuth, l, o, p, q) {
+                    return 0.0;
+                }
+                let factor = |p: usize| {
+                    profile.factors[(l - profile.azimuth) * pairs + pair::position(p, q)]
+                };
+                if o == p {
+                    polar(l, o, q) * factor(o)
+                } else {
+                    (polar(l, o, q) * factor(p) + polar(l, p, q) * factor(o))
+                        * std::f64::consts::FRAC_1_SQRT_2
+                }
+            })
+            .collect()
+    }
+
+    /// Whether the selection kept a mode.
+    #[must_use]
+    pub fn keeps(&self, azimuth: usize, l: usize, o: usize, p: usize, q: usize) -> bool {
+        use eigenshade_index::material;
+        let (degrees, modes) = (self.gram.degree + 1, material::count(self.gram.order));
+        let position = (azimuth * modes + material::position(o, p, q)) * degrees + l;
+        self.selection.is_empty() || self.selection[position]
+    }
+
+    /// Energy that the first `count` components leave, from the eigenvalues.
+    #[must_use]
+    pub fn energy_left(&self, count: usize) -> f64 {
+        // Summed from the small end, so that nothing small is lost.
+        self.spectrum
+            .iter()
+            .skip(count)
+            .rev()
+            .filter_map(|(_, value)| *value)
+            .sum()
+    }
+}

@@ -1,0 +1,200 @@
+//! The eigenbasis of one scene, as the runtime holds it.
+
+use crate::error::{Error, What};
+use crate::index::{layout, material, pair};
+
+/// The arrays of a basis, as `eigenshade-table` writes them. [`Basis::new`]
+/// checks that they fit together.
+#[derive(Clone, Copy, Debug)]
+pub struct Parts<'a, S> {
+    /// Largest degree l of the light.
+    pub degree: usize,
+    /// Largest order o of the BRDF.
+    pub order: usize,
+    /// Number of components K.
+    pub components: usize,
+    /// Slant profiles, by |m|.
+    pub profiles: &'a [ProfilePlace],
+    /// Number of polynomial terms for each |m|.
+    pub lengths: &'a [u16],
+    /// √(o+1) N_l^q C_lo^q of (11): for each pair, `layout::stride` numbers.
+    pub polar: &'a [S],
+    /// Factors of UᵀM: for each profile, each pair, `layout::groups` groups over l.
+    pub factors: &'a [S],
+    /// For each profile its polynomial in t = 2z - 1, highest power first, times
+    /// √2 where m is not 0.
+    pub terms: &'a [S],
+    /// The mean image's polynomial, or empty.
+    pub mean: &'a [S],
+    /// The mean image's coefficients, or empty.
+    pub mean_coefficients: &'a [S],
+    /// For each |m|, each (o, p, q), each l whether the mode is in; empty if all
+    /// are.
+    pub selection: &'a [bool],
+}
+
+/// A slant profile's azimuth, and the components that it serves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ProfilePlace {
+    pub(crate) azimuth: u16,
+    pub(crate) plus: Option<u16>,
+    pub(crate) minus: Option<u16>,
+}
+
+impl ProfilePlace {
+    /// The profile of `azimuth` |m| that serves component number `plus` with
+    /// order +m (or 0) and `minus` with -m.
+    #[must_use]
+    pub const fn new(azimuth: u16, plus: Option<u16>, minus: Option<u16>) -> Self {
+        Self {
+            azimuth,
+            plus,
+            minus,
+        }
+    }
+
+    #[inline]
+    pub(crate) const fn azimuth(self) -> usize {
+        self.azimuth as usize
+    }
+}
+
+/// An eigenbasis: degree, order and number of components are values, the number
+/// format is a type.
+#[derive(Clone, Copy, Debug)]
+pub struct Basis<'a, S> {
+    pub(crate) parts: Parts<'a, S>,
+    transfer: usize,
+    scene: usize,
+}
+
+impl<'a, S> Basis<'a, S> {
+    /// The basis of these parts.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] or [`Error::Profile`] if they contradict each other.
+    pub const fn new(parts: Parts<'a, S>) -> Result<Self, Error> {
+        let (mut transfer, mut terms, mut scene) = (0, 0, 0);
+        let (mut rest, mut before) = (parts.profiles, 0);
+        while let [place, tail @ ..] = rest {
+            let azimuth = place.azimuth();
+            if azimuth < before || !parts.serves(place) {
+                return Err(Error::Profile);
+            }
+            transfer += layout::LANES * layout::groups(parts.degree, azimuth);
+            terms += parts.length(azimuth);
+            (rest, before) = (tail, azimuth);
+        }
+        let mut azimuth = 0;
+        while azimuth <= parts.degree {
+            scene += parts.length(azimuth) * if azimuth == 0 { 1 } else { 2 };
+            azimuth += 1;
+        }
+        let pairs = pair::count(parts.order);
+        let selection = if parts.selection.is_empty() {
+            0
+        } else {
+            parts.selection_length()
+        };
+        let mean = if parts.mean.is_empty() {
+            0
+        } else {
+            parts.components
+        };
+        let mean_terms = if parts.mean.is_empty() {
+            0
+        } else {
+            parts.length(0)
+        };
+        let checks = [
+            Error::check(What::Lengths, parts.degree + 1, parts.lengths.len()),
+            Error::check(
+                What::Polar,
+                pairs * layout::stride(parts.degree),
+                parts.polar.len(),
+            ),
+            Error::check(What::Factors, pairs * transfer, parts.factors.len()),
+            Error::check(What::Terms, terms, parts.terms.len()),
+            Error::check(What::Mean, mean_terms, parts.mean.len()),
+            Error::check(What::Mean, mean, parts.mean_coefficients.len()),
+            Error::check(What::Selection, selection, parts.selection.len()),
+        ];
+        let mut rest = checks.as_slice();
+        while let [check, tail @ ..] = rest {
+            if let Err(error) = check {
+                return Err(*error);
+            }
+            rest = tail;
+        }
+        Ok(Self {
+            parts,
+            transfer,
+            scene,
+        })
+    }
+
+    /// Largest degree l of the light.
+    #[must_use]
+    pub const fn degree(&self) -> usize {
+        self.parts.degree
+    }
+
+    /// Largest order o of the BRDF.
+    #[must_use]
+    pub const fn order(&self) -> usize {
+        self.parts.order
+    }
+
+    /// Number of components K.
+    #[must_use]
+    pub const fn components(&self) -> usize {
+        self.parts.components
+    }
+
+    /// Numbers that a folded material holds while it is projected.
+    #[must_use]
+    pub const fn scattering_len(&self) -> usize {
+        self.parts.polar.len()
+    }
+
+    /// Numbers in a transfer.
+    #[must_use]
+    pub const fn transfer_len(&self) -> usize {
+        self.transfer
+    }
+
+    /// Numbers in a collapsed scene.
+    #[must_use]
+    pub const fn scene_len(&self) -> usize {
+        self.scene
+    }
+}
+
+impl<S> Parts<'_, S> {
+    /// Whether a place's azimuth and components exist.
+    const fn serves(&self, place: &ProfilePlace) -> bool {
+        let plus = match place.plus {
+            Some(index) => (index as usize) < self.components,
+            None => true,
+        };
+        let minus = match place.minus {
+            Some(index) => (index as usize) < self.components && place.azimuth > 0,
+            None => true,
+        };
+        place.azimuth() <= self.degree && plus && minus
+    }
+
+    /// Terms of the polynomials of an azimuth; 0 if it has none.
+    pub(crate) const fn length(&self, azimuth: usize) -> usize {
+        match self.lengths.split_at_checked(azimuth) {
+            Some((_, [length, ..])) => *length as usize,
+            _ => 0,
+        }
+    }
+
+    /// Length of a selection.
+    const fn selection_length(&self) -> usize {
+        (self.degree + 1) * material::count(self.order) * (self.degree + 1)
+    }
+}

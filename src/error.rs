@@ -1,0 +1,123 @@
+//! What can be wrong with what the runtime is given.
+
+use core::fmt;
+
+/// A fault in an argument: what was expected, what was found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Error {
+    /// A slice has the wrong length.
+    Length {
+        /// Whose.
+        what: What,
+        /// How long it has to be.
+        expected: usize,
+        /// How long it is.
+        found: usize,
+    },
+    /// A buffer of fixed capacity is too small for this basis.
+    Capacity {
+        /// Whose.
+        what: What,
+        /// What it has to hold.
+        needed: usize,
+        /// What it can hold.
+        capacity: usize,
+    },
+    /// The light or the material goes beyond the basis.
+    Beyond {
+        /// Whose.
+        what: What,
+        /// The basis's degree or order.
+        basis: usize,
+        /// The argument's.
+        found: usize,
+    },
+    /// A basis has a profile of an azimuth beyond its degree, out of order, or
+    /// serving a component that it does not have.
+    Profile,
+    /// A normal has a component that is not finite, or length zero.
+    Normal,
+    /// A normal points away from the camera.
+    Hidden,
+}
+
+/// What an [`Error`] speaks of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum What {
+    /// Coefficients of a light.
+    Light,
+    /// Coefficients of a material.
+    Material,
+    /// Coefficients of eigenimages.
+    Coefficients,
+    /// A material's folded polar integrals.
+    Scattering,
+    /// A material folded into a basis.
+    Transfer,
+    /// A collapsed scene.
+    Scene,
+    /// A slice of normals or of their irradiances.
+    Normals,
+    /// Part of a basis: polar integrals.
+    Polar,
+    /// Part of a basis: factors of UᵀM.
+    Factors,
+    /// Part of a basis: polynomial terms.
+    Terms,
+    /// Part of a basis: lengths of the polynomials.
+    Lengths,
+    /// Part of a basis: the mean image.
+    Mean,
+    /// Part of a basis: the selection of modes.
+    Selection,
+}
+
+impl Error {
+    /// `Ok` if the length is right.
+    pub(crate) const fn check(what: What, expected: usize, found: usize) -> Result<(), Self> {
+        if expected == found {
+            Ok(())
+        } else {
+            Err(Self::Length {
+                what,
+                expected,
+                found,
+            })
+        }
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Length {
+                what,
+                expected,
+                found,
+            } => {
+                write!(f, "{what:?}: {expected} numbers expected, {found} found")
+            }
+            Self::Capacity {
+                what,
+                needed,
+                capacity,
+            } => write!(
+                f,
+                "{what:?}: {needed} numbers needed, room for {capacity}; take the capacity that \
+                 the basis states"
+            ),
+            Self::Beyond { what, basis, found } => write!(
+                f,
+                "{what:?} up to {found}, the basis goes to {basis}; truncate it, or make a larger \
+                 basis"
+            ),
+            Self::Profile => f.write_str("the basis's profiles contradict each other"),
+            Self::Normal => f.write_str("a normal needs finite components and a length"),
+            Self::Hidden => f.write_str("a normal points away from the camera: z < -0.001"),
+        }
+    }
+}
+
+impl core::error::Error for Error {}

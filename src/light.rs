@@ -1,0 +1,58 @@
+//! Light: spherical harmonic coefficients L_l^m of (4).
+
+use crate::error::{Error, What};
+use crate::index::light;
+
+/// One channel of distant light: (degree + 1)² coefficients in radiance, in the
+/// order of [`index::light`](crate::index::light).
+///
+/// The harmonics carry the Condon-Shortley phase, z points to the camera, x to
+/// the right, y up. Coefficients in the graphics convention are these times
+/// [`graphics_sign`](crate::index::light::graphics_sign).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Light<'a, S> {
+    degree: usize,
+    coefficients: &'a [S],
+}
+
+impl<'a, S> Light<'a, S> {
+    /// The light of these coefficients.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] unless there are (degree + 1)² of them.
+    pub const fn new(degree: usize, coefficients: &'a [S]) -> Result<Self, Error> {
+        match Error::check(What::Light, light::count(degree), coefficients.len()) {
+            Ok(()) => Ok(Self {
+                degree,
+                coefficients,
+            }),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// The same light without what lies above `degree`; a light of no more than
+    /// that degree stays as it is.
+    #[must_use]
+    pub fn truncated(self, degree: usize) -> Self {
+        match self.coefficients.get(..light::count(degree)) {
+            Some(coefficients) if degree < self.degree => Self {
+                degree,
+                coefficients,
+            },
+            _ => self,
+        }
+    }
+
+    /// Largest degree l.
+    #[must_use]
+    pub const fn degree(&self) -> usize {
+        self.degree
+    }
+
+    /// All coefficients.
+    #[must_use]
+    pub const fn coefficients(&self) -> &'a [S] {
+        self.coefficients
+    }
+}

@@ -1,0 +1,57 @@
+//! Material: Koenderink-van Doorn coefficients b_op^q of (7).
+
+use crate::error::{Error, What};
+use crate::index::material;
+
+/// One channel of an isotropic BRDF: its coefficients in 1/sr, in the order of
+/// [`index::material`](crate::index::material).
+///
+/// The azimuth of (8) is φ_i - φ_r: zero is backscatter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Material<'a, S> {
+    order: usize,
+    coefficients: &'a [S],
+}
+
+impl<'a, S> Material<'a, S> {
+    /// The material of these coefficients.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] unless there are as many as
+    /// [`index::material::count`](crate::index::material::count) says.
+    pub const fn new(order: usize, coefficients: &'a [S]) -> Result<Self, Error> {
+        match Error::check(What::Material, material::count(order), coefficients.len()) {
+            Ok(()) => Ok(Self {
+                order,
+                coefficients,
+            }),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// The same material without what lies above `order`; a material of no more
+    /// than that order stays as it is.
+    #[must_use]
+    pub fn truncated(self, order: usize) -> Self {
+        match self.coefficients.get(..material::count(order)) {
+            Some(coefficients) if order < self.order => Self {
+                order,
+                coefficients,
+            },
+            _ => self,
+        }
+    }
+
+    /// Largest order o.
+    #[must_use]
+    pub const fn order(&self) -> usize {
+        self.order
+    }
+
+    /// All coefficients.
+    #[must_use]
+    pub const fn coefficients(&self) -> &'a [S] {
+        self.coefficients
+    }
+}

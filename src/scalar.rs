@@ -1,0 +1,77 @@
+//! The number formats of the floating-point path.
+
+use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
+
+/// A floating-point format of the runtime: `f32` on devices, `f64` for host-side
+/// comparison.
+///
+/// Sealed: a format that computes otherwise (fixed point) brings its own path.
+pub trait Scalar:
+    sealed::Sealed
+    + Copy
+    + PartialOrd
+    + core::fmt::Debug
+    + Default
+    + Add<Output = Self>
+    + AddAssign
+    + Sub<Output = Self>
+    + SubAssign
+    + Mul<Output = Self>
+    + Neg<Output = Self>
+    + 'static
+{
+    /// 0.
+    const ZERO: Self;
+    /// 1.
+    const ONE: Self;
+    /// Whether the number is neither infinite nor NaN.
+    fn is_finite(self) -> bool;
+    /// 1/√x for a positive x; set-up only, never called for a pixel.
+    fn inverse_root(self) -> Self;
+    /// The nearest number of this format.
+    fn from_f64(value: f64) -> Self;
+}
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for f32 {}
+    impl Sealed for f64 {}
+}
+
+impl Scalar for f32 {
+    const ZERO: Self = 0.0;
+    const ONE: Self = 1.0;
+    #[inline]
+    fn is_finite(self) -> bool {
+        self.is_finite()
+    }
+    #[inline]
+    fn inverse_root(self) -> Self {
+        1.0 / libm::sqrtf(self)
+    }
+    #[inline]
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "rounding is what is asked for"
+    )]
+    fn from_f64(value: f64) -> Self {
+        value as Self
+    }
+}
+
+impl Scalar for f64 {
+    const ZERO: Self = 0.0;
+    const ONE: Self = 1.0;
+    #[inline]
+    fn is_finite(self) -> bool {
+        self.is_finite()
+    }
+    #[inline]
+    fn inverse_root(self) -> Self {
+        1.0 / libm::sqrt(self)
+    }
+    #[inline]
+    fn from_f64(value: f64) -> Self {
+        value
+    }
+}

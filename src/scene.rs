@@ -1,0 +1,199 @@
+//! One image, its components summed azimuth by azimuth:
+//! I(n) = Σ_m Re/Im (n_x + i n_y)^m H_m(n_z).
+
+use crate::basis::Basis;
+use crate::error::{Error, What};
+use crate::normal::Normal;
+use crate::polynomial;
+use crate::projection::zeros;
+use crate::scalar::Scalar;
+
+/// Room for a collapsed scene.
+pub type SceneBuffer<S, const N: usize> = heapless::Vec<S, N>;
+
+/// One image: for each azimuth |m| the polynomials of +m and -m, in `buffer`.
+///
+/// A pixel costs 2 degree + 1 polynomials whatever the number of components.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scene<'a, B> {
+    lengths: &'a [u16],
+    buffer: B,
+}
+
+impl<'a, S: Scalar> Basis<'a, S> {
+    /// Sums the components of each azimuth.
+    ///
+    /// `N` is at least [`scene_len`](Self::scene_len). `coefficients` holds the
+    /// first components; those that are missing count as zero.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] if there are more coefficients than components,
+    /// [`Error::Capacity`] if `N` is too small.
+    pub fn collapse<const N: usize>(
+        &self,
+        coefficients: &[S],
+    ) -> Result<Scene<'a, SceneBuffer<S, N>>, Error> {
+        self.collapse_into(coefficients, zeros::<S, N>(What::Scene, self.scene_len())?)
+    }
+
+    /// [`collapse`](Self::collapse) into a buffer of one's own, of length
+    /// [`scene_len`](Self::scene_len).
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] if there are more coefficients than components, or the
+    /// buffer has another length.
+    pub fn collapse_into<B: AsMut<[S]>>(
+        &self,
+        coefficients: &[S],
+        mut buffer: B,
+    ) -> Result<Scene<'a, B>, Error> {
+        let sums = buffer.as_mut();
+        Error::check(What::Scene, self.scene_len(), sums.len())?;
+        if coefficients.len() > self.components() {
+            let (expected, found) = (self.components(), coefficients.len());
+            return Err(Error::Length {
+                what: What::Coefficients,
+                expected,
+                found,
+            });
+        }
+        sums.fill(S::ZERO);
+        for (sum, &mean) in sums.iter_mut().zip(self.parts.mean) {
+            *sum = mean;
+        }
+        let weight = |index: Option<u16>| {
+            index
+                .and_then(|index| coefficients.get(usize::from(index)))
+                .copied()
+        };
+        let mut terms = self.parts.terms;
+        let (mut sums, mut azimuth) = (sums, 0);
+        for place in self.parts.profiles {
+            while azimuth < place.azimuth() {
+                let passed = self.parts.length(azimuth) * if azimuth == 0 { 1 } else { 2 };
+                sums = sums.get_mut(passed..).unwrap_or_default();
+                azimuth += 1;
+            }
+            let length = self.parts.length(azimuth);
+            let (of_profile, rest) = terms.split_at_checked(length).unwrap_or((terms, &[]));
+            terms = rest;
+            if let Some(weight) = weight(place.plus) {
+                add(weight, of_profile, sums);
+            }
+            // Φ_-m = √2 sin(-mβ) = -√2 Im (n_x + i n_y)^m / sin^m.
+            if let Some(weight) = weight(place.minus) {
+                add(
+                    -weight,
+                    of_profile,
+                    sums.get_mut(length..).unwrap_or_default(),
+                );
+            }
+        }
+        Ok(Scene {
+            lengths: self.parts.lengths,
+            buffer,
+        })
+    }
+
+    /// The irradiance of one normal as Σ d_i U_i, component by component, without
+    /// collapsing: what [`Scene::shade`] is compared with.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] if there are more coefficients than components.
+    pub fn reconstruct(&self, coefficients: &[S], normal: Normal<S>) -> Result<S, Error> {
+        if coefficients.len() > self.components() {
+            let (expected, found) = (self.components(), coefficients.len());
+            return Err(Error::Length {
+                what: What::Coefficients,
+                expected,
+                found,
+            });
+        }
+        let t = argument(normal.z);
+        let weight = |index: Option<u16>| {
+            let found = index.and_then(|index| coefficients.get(usize::from(index)));
+            found.copied().unwrap_or(S::ZERO)
+        };
+        let mut terms = self.parts.terms;
+        let mut sum = polynomial::value(self.parts.mean, t);
+        let (mut cosine, mut sine, mut azimuth) = (S::ONE, S::ZERO, 0);
+        for place in self.parts.profiles {
+            while azimuth < place.azimuth() {
+                (cosine, sine) = turned(cosine, sine, normal.x, normal.y);
+                azimuth += 1;
+            }
+            let (of_profile, rest) = terms
+                .split_at_checked(self.parts.length(azimuth))
+                .unwrap_or((terms, &[]));
+            terms = rest;
+            let around = weight(place.plus) * cosine - weight(place.minus) * sine;
+            sum += polynomial::value(of_profile, t) * around;
+        }
+        Ok(sum)
+    }
+}
+
+/// sums += weight terms.
+#[inline]
+fn add<S: Scalar>(weight: S, terms: &[S], sums: &mut [S]) {
+    for (sum, &term) in sums.iter_mut().zip(terms) {
+        *sum += weight * term;
+    }
+}
+
+/// The argument t = 2z - 1 of the profile polynomials.
+#[inline]
+pub(crate) fn argument<S: Scalar>(z: S) -> S {
+    z + z - S::ONE
+}
+
+/// (cosine + i sine)(x + i y).
+#[inline]
+pub(crate) fn turned<S: Scalar>(cosine: S, sine: S, x: S, y: S) -> (S, S) {
+    (cosine * x - sine * y, cosine * y + sine * x)
+}
+
+impl<B> Scene<'_, B> {
+    /// The polynomials azimuth by azimuth: of +m, and of -m (none for m = 0).
+    #[inline]
+    pub(crate) fn azimuths<S: Scalar>(&self) -> impl Iterator<Item = (&[S], &[S])>
+    where
+        B: AsRef<[S]>,
+    {
+        let mut rest = self.buffer.as_ref();
+        self.lengths
+            .iter()
+            .enumerate()
+            .map(move |(azimuth, &length)| {
+                let length = usize::from(length);
+                let (plus, after) = rest.split_at_checked(length).unwrap_or((rest, &[]));
+                let (minus, after) = match azimuth {
+                    0 => (&[] as &[S], after),
+                    _ => after.split_at_checked(length).unwrap_or((after, &[])),
+                };
+                rest = after;
+                (plus, minus)
+            })
+    }
+
+    /// The irradiance of one normal, in the light's radiance times steradian
+    /// times the material's 1/sr.
+    #[inline]
+    #[must_use]
+    pub fn shade<S: Scalar>(&self, normal: Normal<S>) -> S
+    where
+        B: AsRef<[S]>,
+    {
+        let t = argument(normal.z);
+        let (mut cosine, mut sine) = (S::ONE, S::ZERO);
+        let mut sum = S::ZERO;
+        for (plus, minus) in self.azimuths() {
+            sum += polynomial::value(plus, t) * cosine + polynomial::value(minus, t) * sine;
+            (cosine, sine) = turned(cosine, sine, normal.x, normal.y);
+        }
+        sum
+    }
+}
