@@ -19,3 +19,21 @@ pub const MAP_RGBE: f64 = 4e-3;
 pub const MAP_HALF: f64 = 5e-4;
 /// Files of 32-bit floats: 24 bits, each texel rounded to nearest.
 pub const MAP_FLOAT: f64 = 6e-8;
+/// The direct sum against quadrature, of the peak: the oracle's explicit sums of
+/// degree 9 lose four digits, the rest is margin.
+pub const DIRECT_SUM: f64 = 1e-10;
+/// All components in f32 against the direct sum, of the peak: 2^-24 times the
+/// some thirty roundings of a pixel.
+pub const POLYNOMIAL_F32: f64 = 2e-6;
+/// UᵀMU of the first hundred components: a cut-off of 1e-10 leaves 1e-13 of them.
+pub const ORTHONORMAL_MODES: f64 = 1e-12;
+/// WᵀW of all components: orthogonal factors of 40 columns.
+pub const ORTHONORMAL_NODES: f64 = 1e-13;
+/// Eigenvalues of +m and -m, of the largest: the same numbers by another way.
+pub const EQUAL_EIGENVALUES: f64 = 1e-13;
+/// Mean residual energy against the eigenvalues' tail, relative, and the share of
+/// the whole down to which it is compared: residuals of 1e-5 in amplitude have
+/// eleven digits.
+pub const RESIDUAL_ENERGY: f64 = 1e-6;
+/// See [`RESIDUAL_ENERGY`].
+pub const RESIDUAL_FLOOR: f64 = 1e-10;

@@ -14,6 +14,9 @@ use faer::{Col, Mat};
 const INSET: f64 = 4e-3;
 /// The weight of |b| against |X b|, in largest singular values of X.
 const RIDGE: f64 = 1e-5;
+/// Inequalities further from holding with equality are dropped until they are
+/// violated again, in measured maxima. It keeps the programmes small.
+const FAR: f64 = 0.05;
 /// How often inequalities are added before giving up.
 const ROUNDS: usize = 100;
 
@@ -66,10 +69,12 @@ impl Design {
         })
     }
 
-    /// The condition number of X; infinite with fewer rows than columns.
+    /// The condition number of X; infinite if X leaves coefficients free, but
+    /// for rounding.
     pub(super) fn condition(&self) -> f64 {
         let smallest = self.singular.last().copied().unwrap_or(0.0);
-        if self.matrix.nrows() < self.matrix.ncols() || smallest <= 0.0 {
+        let rounding = f64::EPSILON * self.matrix.nrows() as f64 * self.largest();
+        if self.matrix.nrows() < self.matrix.ncols() || smallest <= rounding {
             return f64::INFINITY;
         }
         self.largest() / smallest
@@ -116,20 +121,22 @@ impl Design {
             .map(|g| g / self.largest().powi(2))
             .collect();
         let mut programme = Programme::new(self.curvature());
+        let slack = 0.5 * INSET;
         for _ in 0..ROUNDS {
-            let above = grid.excesses(&coefficients, 1.0, HIGHEST);
-            let below = grid.excesses(&coefficients, -1.0, -LOWEST);
-            if above.is_empty() && below.is_empty() {
+            let points = grid.excesses(&coefficients, LOWEST + slack, HIGHEST - slack);
+            if points.is_empty() {
                 return Ok(coefficients);
             }
-            for point in &above {
-                programme.require(grid.modes(point), HIGHEST - INSET);
-            }
-            for point in &below {
-                let negated = grid.modes(point).iter().map(|mode| -mode).collect();
-                programme.require(negated, -LOWEST - INSET);
+            for point in &points {
+                let bound = if point.sign > 0.0 { HIGHEST } else { -LOWEST };
+                let modes = grid.modes(point);
+                programme.require(
+                    modes.iter().map(|mode| point.sign * mode).collect(),
+                    bound - INSET,
+                );
             }
             coefficients = programme.solve(&gradient)?;
+            programme.relax(&coefficients, FAR);
         }
         Err(Error::new(
             format!("the fit is still out of range after {ROUNDS} rounds"),

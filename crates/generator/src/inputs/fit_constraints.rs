@@ -17,19 +17,21 @@ pub struct DirectionGrid {
     azimuths: Vec<usize>,
 }
 
-/// A point of the grid where a BRDF is lowest or highest among its neighbours.
-pub(super) struct Extreme {
+/// A point of the grid where a BRDF is out of range.
+pub(super) struct Excess {
     pair: usize,
     azimuth: usize,
-    value: f64,
+    /// 1 above the range, -1 below.
+    pub(super) sign: f64,
+    amount: f64,
 }
 
 impl DirectionGrid {
-    /// The grid that fits of `order` are checked on: steps of 2 degrees up to
-    /// order 11 (46 x 46 polar angles, 91 azimuths), finer for more.
+    /// The grid that fits of `order` are held in range on: steps of 1 degree up to
+    /// order 15 (91 x 91 polar angles, 181 azimuths), finer for more.
     #[must_use]
     pub fn for_order(order: usize) -> Self {
-        let steps = (4 * order).max(90);
+        let steps = (6 * order).max(90);
         Self::new(order, steps, 2 * steps)
     }
 
@@ -84,42 +86,58 @@ impl DirectionGrid {
             .map(move |cosines| cosines.iter().zip(&series).map(|(c, s)| c * s).sum())
     }
 
-    /// The points where `sign` f exceeds `bound`, the worst first, and none
-    /// within two steps of polar angle of a worse one.
-    pub(super) fn excesses(&self, coefficients: &[f64], sign: f64, bound: f64) -> Vec<Extreme> {
-        let mut extremes: Vec<Extreme> = (0..self.pairs.len())
-            .filter_map(|pair| {
-                self.along_azimuth(coefficients, pair)
-                    .map(|value| sign * value)
-                    .enumerate()
-                    .max_by(|(_, a), (_, b)| a.total_cmp(b))
-                    .filter(|&(_, value)| value > bound)
-                    .map(|(azimuth, value)| Extreme {
-                        pair,
-                        azimuth,
-                        value,
-                    })
-            })
-            .collect();
-        extremes.sort_by(|a, b| b.value.total_cmp(&a.value).then(a.pair.cmp(&b.pair)));
-        let mut kept: Vec<Extreme> = Vec::new();
-        for extreme in extremes {
-            let [i, r] = self.pairs[extreme.pair].0;
-            let near = |other: &Extreme| {
-                let [oi, or] = self.pairs[other.pair].0;
-                i.abs_diff(oi) <= 2 && r.abs_diff(or) <= 2
+    /// The points where the BRDF leaves \[lowest, highest\]: the worst above and
+    /// the worst below of each pair of polar angles, and none within two steps
+    /// of a worse one on the same side.
+    pub(super) fn excesses(&self, coefficients: &[f64], lowest: f64, highest: f64) -> Vec<Excess> {
+        let (mut above, mut below) = (Vec::new(), Vec::new());
+        for pair in 0..self.pairs.len() {
+            let (mut most, mut least) = ((highest, None), (lowest, None));
+            for (azimuth, value) in self.along_azimuth(coefficients, pair).enumerate() {
+                if value > most.0 {
+                    most = (value, Some(azimuth));
+                }
+                if value < least.0 {
+                    least = (value, Some(azimuth));
+                }
+            }
+            let excess = |(value, azimuth): (f64, Option<usize>), sign, bound: f64| {
+                azimuth.map(|azimuth| Excess {
+                    pair,
+                    azimuth,
+                    sign,
+                    amount: (value - bound).abs(),
+                })
+            };
+            above.extend(excess(most, 1.0, highest));
+            below.extend(excess(least, -1.0, lowest));
+        }
+        let mut points = self.thinned(above);
+        points.extend(self.thinned(below));
+        points
+    }
+
+    /// The worst points, none within two steps of polar angle of a worse one.
+    fn thinned(&self, mut points: Vec<Excess>) -> Vec<Excess> {
+        points.sort_by(|a, b| b.amount.total_cmp(&a.amount).then(a.pair.cmp(&b.pair)));
+        let mut kept: Vec<Excess> = Vec::new();
+        for point in points {
+            let [i, r] = self.pairs[point.pair].0;
+            let near = |other: &Excess| {
+                let [other_i, other_r] = self.pairs[other.pair].0;
+                i.abs_diff(other_i) <= 2 && r.abs_diff(other_r) <= 2
             };
             if !kept.iter().any(near) {
-                kept.push(extreme);
+                kept.push(point);
             }
         }
         kept
     }
 
     /// I_op^q at a point of the grid.
-    pub(super) fn modes(&self, extreme: &Extreme) -> Vec<f64> {
-        let cosines = &self.cosines[extreme.azimuth];
-        self.pairs[extreme.pair]
+    pub(super) fn modes(&self, point: &Excess) -> Vec<f64> {
+        let cosines = &self.cosines[point.azimuth];
+        self.pairs[point.pair]
             .1
             .iter()
             .zip(&self.azimuths)

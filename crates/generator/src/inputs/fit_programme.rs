@@ -11,8 +11,8 @@ use crate::error::{Error, Result};
 pub(super) struct Programme {
     /// The columns of the upper triangle of P: entry j has j + 1 numbers.
     curvature: Vec<Vec<f64>>,
-    rows: Vec<Vec<f64>>,
-    limits: Vec<f64>,
+    /// The rows and their limits.
+    inequalities: Vec<(Vec<f64>, f64)>,
 }
 
 /// Relative and absolute accuracy asked of the interior point method.
@@ -24,27 +24,33 @@ impl Programme {
     pub(super) fn new(curvature: Vec<Vec<f64>>) -> Self {
         Self {
             curvature,
-            rows: Vec::new(),
-            limits: Vec::new(),
+            inequalities: Vec::new(),
         }
     }
 
     /// Adds rowᵀ b <= limit.
     pub(super) fn require(&mut self, row: Vec<f64>, limit: f64) {
-        self.rows.push(row);
-        self.limits.push(limit);
+        self.inequalities.push((row, limit));
+    }
+
+    /// Drops the inequalities that b meets with more than `slack` to spare.
+    pub(super) fn relax(&mut self, coefficients: &[f64], slack: f64) {
+        self.inequalities.retain(|(row, limit)| {
+            let value: f64 = row.iter().zip(coefficients).map(|(r, b)| r * b).sum();
+            limit - value <= slack
+        });
     }
 
     /// The minimum for this g.
     pub(super) fn solve(&self, gradient: &[f64]) -> Result<Vec<f64>> {
-        let (unknowns, count) = (self.curvature.len(), self.rows.len());
+        let (unknowns, count) = (self.curvature.len(), self.inequalities.len());
         let upper = columns(unknowns, unknowns, |column| {
             self.curvature[column].iter().copied().enumerate().collect()
         });
-        let inequalities = columns(count, unknowns, |column| {
-            self.rows
+        let rows = columns(count, unknowns, |column| {
+            self.inequalities
                 .iter()
-                .map(|row| row[column])
+                .map(|(row, _)| row[column])
                 .enumerate()
                 .collect()
         });
@@ -57,16 +63,10 @@ impl Programme {
             .tol_feas(ACCURACY)
             .build()
             .map_err(|error| failed(&error))?;
+        let limits: Vec<f64> = self.inequalities.iter().map(|(_, limit)| *limit).collect();
         let cones = [NonnegativeConeT(count)];
-        let mut solver = DefaultSolver::new(
-            &upper,
-            &linear,
-            &inequalities,
-            &self.limits,
-            &cones,
-            settings,
-        )
-        .map_err(|error| failed(&error))?;
+        let mut solver = DefaultSolver::new(&upper, &linear, &rows, &limits, &cones, settings)
+            .map_err(|error| failed(&error))?;
         solver.solve();
         match solver.solution.status {
             SolverStatus::Solved | SolverStatus::AlmostSolved => Ok(solver.solution.x.clone()),

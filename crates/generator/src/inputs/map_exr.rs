@@ -1,11 +1,11 @@
 //! OpenEXR maps: scan lines or tiles, half, float or whole numbers, every
 //! common compression.
 
-use super::environment::{EnvironmentMap, believable, broken, other_type};
+use super::environment::{EnvironmentMap, broken, other_type};
+use super::map_exr_check as check;
 use crate::error::{Error, Result};
 use exr::error::Error as ExrError;
 use exr::image::read::specific_channels::ReadSpecificChannel;
-use exr::meta::MetaData;
 use exr::meta::header::Header;
 use exr::prelude::{ReadChannels, ReadLayers, Text, Vec2, read};
 use std::io::Cursor;
@@ -18,17 +18,14 @@ pub(crate) fn decode(bytes: &[u8]) -> Result<EnvironmentMap> {
     if !bytes.starts_with(&[0x76, 0x2f, 0x31, 0x01]) {
         return Err(other_type("OpenEXR"));
     }
-    let metadata = MetaData::read_from_buffered(Cursor::new(bytes), false).map_err(fault)?;
-    let headers = &metadata.headers;
-    for header in headers {
-        // Each part is indexed when one is read.
-        let Vec2(width, height) = header.layer_size;
-        believable(width, height, bytes.len())?;
-    }
+    let reader = exr::block::read(Cursor::new(bytes), false).map_err(fault)?;
+    let headers = reader.meta_data().headers.clone();
+    check::sizes(&headers, bytes.len())?;
+    check::counters(&headers, reader.all_chunks(false).map_err(fault)?)?;
     let (header, channels) = headers
         .iter()
         .find_map(|header| Some((header, colour(header)?)))
-        .ok_or_else(|| without_colour(headers))?;
+        .ok_or_else(|| without_colour(&headers))?;
     let Vec2(width, height) = header.layer_size;
     let Vec2(whole_width, whole_height) = header.shared_attributes.display_window.size;
     if (width, height) != (whole_width, whole_height) {

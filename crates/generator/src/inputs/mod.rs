@@ -10,6 +10,7 @@ pub mod fit_constraints;
 mod fit_programme;
 pub mod light_projection;
 mod map_exr;
+mod map_exr_check;
 mod map_hdr;
 mod map_pfm;
 pub mod measurements;

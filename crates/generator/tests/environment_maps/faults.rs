@@ -89,6 +89,25 @@ fn no_damage_is_a_panic() {
 }
 
 #[test]
+fn a_block_that_claims_too_much_takes_no_memory() {
+    // The first block of this file begins at byte 321 with its row and its length; its
+    // counters follow. The decoder would ask for as many bytes as they say.
+    let path = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../tables/inputs/maps/sky.exr"
+    );
+    let bytes = fs::read(path).unwrap();
+    for counter in [1, 6, 7, 8, 9] {
+        let mut damaged = bytes.clone();
+        damaged[321 + 8 + 8 * counter + 5] = 0xf9;
+        assert_starts(
+            &message("map.exr", &damaged),
+            "map.exr: it is broken or cut short (a DWA block claims more than it can hold); ",
+        );
+    }
+}
+
+#[test]
 fn absurd_sizes_take_no_memory() {
     for (width, height) in [
         ("99999999", "99999999"),
@@ -110,12 +129,12 @@ fn absurd_sizes_take_no_memory() {
     // Both windows end at 15, 7; far from there:
     for k in 0..exr.len() - 8 {
         if exr[k..k + 8] == [15, 0, 0, 0, 7, 0, 0, 0] {
-            exr[k..k + 8].copy_from_slice(&[0xff, 0xff, 0xff, 0x1f, 0xff, 0xff, 0xff, 0x1f]);
+            exr[k..k + 8].copy_from_slice(&[0xff, 0xff, 0xff, 0x1f, 7, 0, 0, 0]);
         }
     }
     assert_starts(
         &message(&name, &exr),
-        "map.exr: its header claims 536870912 x 536870912 ",
+        "map.exr: its header claims 536870912 x 8 ",
     );
 }
 

@@ -1,0 +1,269 @@
+//! Projection and shading against their dense and nine-term counterparts, in one
+//! run: `cargo bench --bench projection`.
+//!
+//! After criterion's own figures it prints ratios of medians of interleaved runs.
+
+use criterion::{Criterion, criterion_group};
+use eigenshade::index::{light, material, mode};
+use eigenshade::{Light, Material, Normals, sphere};
+use eigenshade_generator::database::Named;
+use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
+use faer::linalg::matmul::matmul;
+use faer::{Accum, Mat, Par};
+use nalgebra::{DMatrix, DVector};
+use std::hint::black_box;
+use std::path::Path;
+use std::time::Instant;
+
+/// UᵀM and c, formed in full, as a dense product needs them.
+struct Dense {
+    /// K x modes, a column after the other.
+    faer_columns: Mat<f32>,
+    /// modes x K, so that a row of UᵀM is contiguous.
+    faer_rows: Mat<f32>,
+    nalgebra_columns: DMatrix<f32>,
+    nalgebra_rows: DMatrix<f32>,
+    c: Vec<f32>,
+}
+
+/// A light and a material of the database, and UᵀM.
+struct Setting {
+    light: Vec<f32>,
+    material: Vec<f32>,
+    dense: Dense,
+}
+
+fn narrow(entry: &Named) -> Vec<f32> {
+    entry.luminance().iter().map(|&value| value as f32).collect()
+}
+
+fn setting() -> Setting {
+    let lights = read_lights(Path::new("tables/inputs/lights.csv"), Some(9)).expect("lights");
+    let materials =
+        read_materials(Path::new("tables/inputs/materials.csv"), Some(7)).expect("materials");
+    let light = narrow(&lights.entries[3]);
+    let material = narrow(&materials.entries[4]);
+    let bytes = std::fs::read("tables/sphere.bin").expect("the shipped table");
+    let table = eigenshade_table::decode(&bytes).expect("a table");
+    let orders: Vec<i32> = (-9..=9).collect();
+    let c: Vec<f32> = orders
+        .iter()
+        .flat_map(|&m| {
+            mode::indices(9, 7, m.unsigned_abs() as usize).map(move |mode| (m, mode))
+        })
+        .map(|(m, (l, o, p, q))| {
+            light[light::position(l, m as isize)] * material[material::position(o, p, q)]
+        })
+        .collect();
+    assert_eq!(c.len(), 3704);
+    let mut rows = vec![vec![0.0f32; c.len()]; table.components.len()];
+    for (row, component) in rows.iter_mut().zip(&table.components) {
+        let mut start = 0;
+        for &m in &orders {
+            let count = mode::count(9, 7, m.unsigned_abs() as usize);
+            if m == component.order {
+                let sign = if m < 0 && m % 2 != 0 { -1.0 } else { 1.0 };
+                let values = table.gram_row(&table.profiles[component.profile]);
+                for (to, value) in row[start..].iter_mut().zip(values) {
+                    *to = (sign * value) as f32;
+                }
+            }
+            start += count;
+        }
+    }
+    let (k, n) = (rows.len(), c.len());
+    let dense = Dense {
+        faer_columns: Mat::from_fn(k, n, |i, j| rows[i][j]),
+        faer_rows: Mat::from_fn(n, k, |j, i| rows[i][j]),
+        nalgebra_columns: DMatrix::from_fn(k, n, |i, j| rows[i][j]),
+        nalgebra_rows: DMatrix::from_fn(n, k, |j, i| rows[i][j]),
+        c,
+    };
+    Setting { light, material, dense }
+}
+
+impl Setting {
+    fn light(&self) -> Light<'_, f32> {
+        Light::new(9, &self.light).expect("100 coefficients")
+    }
+
+    fn material(&self) -> Material<'_, f32> {
+        Material::new(7, &self.material).expect("40 coefficients")
+    }
+
+    fn project(&self) -> sphere::Coefficients {
+        sphere::project(black_box(&self.light()), black_box(&self.material())).expect("it fits")
+    }
+
+    fn faer_columns(&self, d: &mut Mat<f32>) {
+        let c = faer::ColRef::from_slice(black_box(&self.dense.c)).as_mat();
+        matmul(d.as_mut(), Accum::Replace, self.dense.faer_columns.as_ref(), c, 1.0, Par::Seq);
+    }
+
+    fn faer_rows(&self, d: &mut Mat<f32>) {
+        let c = faer::ColRef::from_slice(black_box(&self.dense.c)).as_mat();
+        matmul(d.as_mut(), Accum::Replace, self.dense.faer_rows.transpose(), c, 1.0, Par::Seq);
+    }
+
+    /// All ways give the same d, or the comparison means nothing.
+    fn check(&self) {
+        let ours = self.project();
+        let mut d = Mat::zeros(ours.len(), 1);
+        self.faer_columns(&mut d);
+        let largest = ours.iter().fold(0.0f32, |most, d| most.max(d.abs()));
+        let dense: Vec<f32> = d.col(0).iter().copied().collect();
+        self.faer_rows(&mut d);
+        let transfer = sphere::transfer(&self.material()).expect("it fits");
+        let relit = sphere::relight(&transfer, &self.light()).expect("it fits");
+        for (k, ours) in ours.iter().enumerate() {
+            for other in [dense[k], d[(k, 0)], relit[k]] {
+                assert!((ours - other).abs() < 1e-5 * largest, "component {k}: {ours} {other}");
+            }
+        }
+    }
+}
+
+/// The nine-term formula (Ramamoorthi and Hanrahan 2001), as a polynomial of the
+/// normal, over a slice.
+fn nine_terms(c: &[f32; 9], normals: &Normals<'_, f32>, xyz: [&[f32]; 3], out: &mut [f32]) {
+    assert_eq!(normals.len(), out.len());
+    let [x, y, z] = xyz;
+    for (((out, &x), &y), &z) in out.iter_mut().zip(x).zip(y).zip(z) {
+        let linear = c[0] + c[1] * x + c[2] * y + c[3] * z;
+        let square = c[4] * (x * x - y * y) + c[5] * (x * y) + (c[6] * x + c[7] * y) * z;
+        *out = linear + square + c[8] * (z * z);
+    }
+}
+
+/// Many normals over the visible hemisphere.
+fn normals(count: usize) -> [Vec<f32>; 3] {
+    let normal = |k: usize| {
+        let z = (k as f64 + 0.5) / count as f64;
+        let (sine, tilt) = ((1.0 - z * z).sqrt(), 2.399_963 * k as f64);
+        [sine * tilt.cos(), sine * tilt.sin(), z].map(|value| value as f32)
+    };
+    std::array::from_fn(|axis| (0..count).map(|k| normal(k)[axis]).collect())
+}
+
+const PIXELS: usize = 65_536;
+const NINE: [f32; 9] = [0.9, 0.2, -0.1, 0.5, 0.05, 0.02, -0.03, 0.01, 0.07];
+
+fn benches(criterion: &mut Criterion) {
+    let setting = setting();
+    setting.check();
+    let transfer = sphere::transfer(&setting.material()).expect("it fits");
+    criterion.bench_function("project", |b| b.iter(|| setting.project()));
+    criterion.bench_function("transfer", |b| {
+        b.iter(|| sphere::transfer(black_box(&setting.material())));
+    });
+    criterion.bench_function("relight", |b| {
+        b.iter(|| sphere::relight(black_box(&transfer), black_box(&setting.light())));
+    });
+    let d = setting.project();
+    criterion.bench_function("collapse", |b| b.iter(|| sphere::collapse(black_box(&d))));
+    let scene = sphere::collapse(&d).expect("it fits");
+    let xyz = normals(PIXELS);
+    let mut out = vec![0.0; PIXELS];
+    let slices = Normals::new(&xyz[0], &xyz[1], &xyz[2]).expect("one length");
+    criterion.bench_function("shade 65536", |b| {
+        b.iter(|| scene.shade_slice(black_box(slices), &mut out));
+    });
+}
+
+/// Median seconds of one call of each, runs interleaved.
+fn medians(repeats: usize, ways: &mut [(&str, Box<dyn FnMut() + '_>)]) -> Vec<f64> {
+    let mut times = vec![Vec::new(); ways.len()];
+    for _ in 0..41 {
+        for ((_, way), times) in ways.iter_mut().zip(&mut times) {
+            let start = Instant::now();
+            for _ in 0..repeats {
+                way();
+            }
+            times.push(start.elapsed().as_secs_f64() / repeats as f64);
+        }
+    }
+    for ((name, _), times) in ways.iter().zip(&mut times) {
+        times.sort_by(f64::total_cmp);
+        println!("  {name:<28} {:>10.1} ns", 1e9 * times[times.len() / 2]);
+    }
+    times.iter().map(|times| times[times.len() / 2]).collect()
+}
+
+/// The ratios that the README quotes.
+fn ratios() {
+    let setting = setting();
+    let transfer = sphere::transfer(&setting.material()).expect("it fits");
+    let k = sphere::COMPONENTS;
+    let (mut d1, mut d2) = (Mat::zeros(k, 1), Mat::zeros(k, 1));
+    let c = DVector::from_vec(setting.dense.c.clone());
+    let (mut d3, mut d4) = (DVector::zeros(k), DVector::zeros(k));
+    println!("\nprojection, K = {k}, {} modes, medians:", setting.dense.c.len());
+    let times = medians(
+        2000,
+        &mut [
+            ("project", Box::new(|| drop(black_box(setting.project())))),
+            (
+                "relight",
+                Box::new(|| {
+                    let d = sphere::relight(black_box(&transfer), black_box(&setting.light()));
+                    drop(black_box(d));
+                }),
+            ),
+            ("dense, faer by columns", Box::new(|| setting.faer_columns(black_box(&mut d1)))),
+            ("dense, faer by rows", Box::new(|| setting.faer_rows(black_box(&mut d2)))),
+            (
+                "dense, nalgebra by columns",
+                Box::new(|| {
+                    black_box(&mut d3).gemv(1.0, &setting.dense.nalgebra_columns, black_box(&c), 0.0);
+                }),
+            ),
+            (
+                "dense, nalgebra by rows",
+                Box::new(|| {
+                    black_box(&mut d4).gemv_tr(1.0, &setting.dense.nalgebra_rows, black_box(&c), 0.0);
+                }),
+            ),
+        ],
+    );
+    let best = times[2..].iter().copied().fold(f64::INFINITY, f64::min);
+    println!("  the best dense product takes {:.1} times as long as project,", best / times[0]);
+    println!("  {:.0} times as long as relight", best / times[1]);
+
+    let scene = sphere::collapse(&setting.project()).expect("it fits");
+    let xyz = normals(PIXELS);
+    let slices = Normals::new(&xyz[0], &xyz[1], &xyz[2]).expect("one length");
+    let (mut ours, mut nine) = (vec![0.0; PIXELS], vec![0.0; PIXELS]);
+    let [x, y, z] = [&xyz[0][..], &xyz[1], &xyz[2]];
+    println!("shading {PIXELS} normals, medians:");
+    let times = medians(
+        10,
+        &mut [
+            (
+                "full scene",
+                Box::new(|| {
+                    scene.shade_slice(black_box(slices), black_box(&mut ours)).expect("one length");
+                }),
+            ),
+            (
+                "nine terms",
+                Box::new(|| nine_terms(black_box(&NINE), &slices, [x, y, z], black_box(&mut nine))),
+            ),
+        ],
+    );
+    println!(
+        "  a pixel of the full scene takes {:.2} ns, {:.1} times the nine-term formula",
+        1e9 * times[0] / PIXELS as f64,
+        times[0] / times[1]
+    );
+}
+
+criterion_group!(group, benches);
+
+fn main() {
+    group();
+    Criterion::default().configure_from_args().final_summary();
+    // `cargo test --benches` only checks that everything runs.
+    if std::env::args().any(|argument| argument == "--bench") {
+        ratios();
+    }
+}
