@@ -48,9 +48,7 @@ fn setting() -> Setting {
     let orders: Vec<i32> = (-9..=9).collect();
     let c: Vec<f32> = orders
         .iter()
-        .flat_map(|&m| {
-            mode::indices(9, 7, m.unsigned_abs() as usize).map(move |mode| (m, mode))
-        })
+        .flat_map(|&m| mode::indices(9, 7, m.unsigned_abs() as usize).map(move |mode| (m, mode)))
         .map(|(m, (l, o, p, q))| {
             light[light::position(l, m as isize)] * material[material::position(o, p, q)]
         })
@@ -214,13 +212,23 @@ fn ratios() {
             (
                 "dense, nalgebra by columns",
                 Box::new(|| {
-                    black_box(&mut d3).gemv(1.0, &setting.dense.nalgebra_columns, black_box(&c), 0.0);
+                    black_box(&mut d3).gemv(
+                        1.0,
+                        &setting.dense.nalgebra_columns,
+                        black_box(&c),
+                        0.0,
+                    );
                 }),
             ),
             (
                 "dense, nalgebra by rows",
                 Box::new(|| {
-                    black_box(&mut d4).gemv_tr(1.0, &setting.dense.nalgebra_rows, black_box(&c), 0.0);
+                    black_box(&mut d4).gemv_tr(
+                        1.0,
+                        &setting.dense.nalgebra_rows,
+                        black_box(&c),
+                        0.0,
+                    );
                 }),
             ),
         ],

@@ -15,11 +15,17 @@ pub struct Parts<'a, S> {
     pub components: usize,
     /// Slant profiles, by |m|.
     pub profiles: &'a [ProfilePlace],
+    /// How a transfer is laid out.
+    pub passes: &'a [Pass],
+    /// For each pass, profile and lane the number of its component, or one that
+    /// the basis does not have.
+    pub slots: &'a [u16],
     /// Number of polynomial terms for each |m|.
     pub lengths: &'a [u16],
-    /// √(o+1) N_l^q C_lo^q of (11): for each pair, `layout::stride` numbers.
+    /// √(o+1) N_l^q C_lo^q of (11): for each group over l, each pair, a group.
     pub polar: &'a [S],
-    /// Factors of UᵀM: for each profile, each pair, `layout::groups` groups over l.
+    /// Factors of UᵀM: for each profile, each group over l from that of |m| on, each
+    /// pair, a group.
     pub factors: &'a [S],
     /// For each profile its polynomial in t = 2z - 1, highest power first, times
     /// √2 where m is not 0.
@@ -33,29 +39,75 @@ pub struct Parts<'a, S> {
     pub selection: &'a [bool],
 }
 
-/// A slant profile's azimuth, and the components that it serves.
+/// A slant profile's azimuth, the components that it serves, and their rows in a
+/// transfer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ProfilePlace {
     pub(crate) azimuth: u16,
     pub(crate) plus: Option<u16>,
     pub(crate) minus: Option<u16>,
+    pub(crate) plus_row: Row,
+    pub(crate) minus_row: Row,
 }
 
 impl ProfilePlace {
     /// The profile of `azimuth` |m| that serves component number `plus` with
     /// order +m (or 0) and `minus` with -m.
     #[must_use]
-    pub const fn new(azimuth: u16, plus: Option<u16>, minus: Option<u16>) -> Self {
-        Self {
-            azimuth,
-            plus,
-            minus,
-        }
+    pub const fn new(
+        azimuth: u16,
+        plus: Option<u16>,
+        minus: Option<u16>,
+        plus_row: Row,
+        minus_row: Row,
+    ) -> Self {
+        Self { azimuth, plus, minus, plus_row, minus_row }
     }
 
     #[inline]
     pub(crate) const fn azimuth(self) -> usize {
         self.azimuth as usize
+    }
+}
+
+/// Where the numbers of l = |m|, |m| + 1, ... of one component stand in a
+/// transfer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Row {
+    pub(crate) start: u32,
+    pub(crate) step: u32,
+}
+
+impl Row {
+    /// From `start` on, `step` apart.
+    #[must_use]
+    pub const fn new(start: u32, step: u32) -> Self {
+        Self { start, step }
+    }
+}
+
+/// Part of a transfer: `LANES` orders m from `first` on, `profiles` of each.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Pass {
+    pub(crate) first: i16,
+    pub(crate) profiles: u16,
+}
+
+impl Pass {
+    /// The orders from `first` on; at most [`layout::PASS`] profiles of each.
+    #[must_use]
+    pub const fn new(first: i16, profiles: u16) -> Self {
+        Self { first, profiles }
+    }
+
+    /// Numbers of this pass in a transfer, or none if it does not fit the degree.
+    const fn length(self, degree: usize) -> Option<usize> {
+        let lowest = layout::lowest_degree(self.first as isize);
+        let profiles = self.profiles as usize;
+        if lowest > degree || profiles == 0 || profiles > layout::PASS {
+            return None;
+        }
+        Some(layout::LANES * profiles * (degree + 1 - lowest))
     }
 }
 
@@ -75,46 +127,41 @@ impl<'a, S> Basis<'a, S> {
     ///
     /// [`Error::Length`] or [`Error::Profile`] if they contradict each other.
     pub const fn new(parts: Parts<'a, S>) -> Result<Self, Error> {
-        let (mut transfer, mut terms, mut scene) = (0, 0, 0);
+        let (mut factors, mut terms, mut scene) = (0, 0, 0);
         let (mut rest, mut before) = (parts.profiles, 0);
         while let [place, tail @ ..] = rest {
             let azimuth = place.azimuth();
             if azimuth < before || !parts.serves(place) {
                 return Err(Error::Profile);
             }
-            transfer += layout::LANES * layout::groups(parts.degree, azimuth);
+            factors += layout::groups(parts.degree) - layout::first_group(azimuth);
             terms += parts.length(azimuth);
             (rest, before) = (tail, azimuth);
+        }
+        let (mut transfer, mut slots) = (0, 0);
+        let mut rest = parts.passes;
+        while let [pass, tail @ ..] = rest {
+            let Some(length) = pass.length(parts.degree) else {
+                return Err(Error::Profile);
+            };
+            transfer += length;
+            slots += layout::LANES * pass.profiles as usize;
+            rest = tail;
         }
         let mut azimuth = 0;
         while azimuth <= parts.degree {
             scene += parts.length(azimuth) * if azimuth == 0 { 1 } else { 2 };
             azimuth += 1;
         }
-        let pairs = pair::count(parts.order);
-        let selection = if parts.selection.is_empty() {
-            0
-        } else {
-            parts.selection_length()
-        };
-        let mean = if parts.mean.is_empty() {
-            0
-        } else {
-            parts.components
-        };
-        let mean_terms = if parts.mean.is_empty() {
-            0
-        } else {
-            parts.length(0)
-        };
+        let group = layout::LANES * pair::count(parts.order);
+        let selection = if parts.selection.is_empty() { 0 } else { parts.selection_length() };
+        let mean = if parts.mean.is_empty() { 0 } else { parts.components };
+        let mean_terms = if parts.mean.is_empty() { 0 } else { parts.length(0) };
         let checks = [
+            Error::check(What::Slots, slots, parts.slots.len()),
             Error::check(What::Lengths, parts.degree + 1, parts.lengths.len()),
-            Error::check(
-                What::Polar,
-                pairs * layout::stride(parts.degree),
-                parts.polar.len(),
-            ),
-            Error::check(What::Factors, pairs * transfer, parts.factors.len()),
+            Error::check(What::Polar, group * layout::groups(parts.degree), parts.polar.len()),
+            Error::check(What::Factors, group * factors, parts.factors.len()),
             Error::check(What::Terms, terms, parts.terms.len()),
             Error::check(What::Mean, mean_terms, parts.mean.len()),
             Error::check(What::Mean, mean, parts.mean_coefficients.len()),
@@ -127,11 +174,7 @@ impl<'a, S> Basis<'a, S> {
             }
             rest = tail;
         }
-        Ok(Self {
-            parts,
-            transfer,
-            scene,
-        })
+        Ok(Self { parts, transfer, scene })
     }
 
     /// Largest degree l of the light.

@@ -64,6 +64,8 @@ pub enum What {
     Polar,
     /// Part of a basis: factors of UᵀM.
     Factors,
+    /// Part of a basis: the components of a transfer's lanes.
+    Slots,
     /// Part of a basis: polynomial terms.
     Terms,
     /// Part of a basis: lengths of the polynomials.
@@ -77,33 +79,17 @@ pub enum What {
 impl Error {
     /// `Ok` if the length is right.
     pub(crate) const fn check(what: What, expected: usize, found: usize) -> Result<(), Self> {
-        if expected == found {
-            Ok(())
-        } else {
-            Err(Self::Length {
-                what,
-                expected,
-                found,
-            })
-        }
+        if expected == found { Ok(()) } else { Err(Self::Length { what, expected, found }) }
     }
 }
 
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Length {
-                what,
-                expected,
-                found,
-            } => {
+            Self::Length { what, expected, found } => {
                 write!(f, "{what:?}: {expected} numbers expected, {found} found")
             }
-            Self::Capacity {
-                what,
-                needed,
-                capacity,
-            } => write!(
+            Self::Capacity { what, needed, capacity } => write!(
                 f,
                 "{what:?}: {needed} numbers needed, room for {capacity}; take the capacity that \
                  the basis states"

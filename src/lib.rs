@@ -33,12 +33,7 @@
 //! No allocator, no panic, and in the loops over pixels no trigonometry, no root
 //! and no division.
 #![no_std]
-#![deny(
-    clippy::indexing_slicing,
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic
-)]
+#![deny(clippy::indexing_slicing, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 // The generated statics name the crate as their users would.
 #[cfg(feature = "baked")]
@@ -47,6 +42,8 @@ extern crate self as eigenshade;
 pub use eigenshade_index as index;
 
 mod scalar;
+
+mod lanes;
 
 mod light;
 
@@ -60,6 +57,10 @@ mod basis;
 
 mod scattering;
 
+mod transfer;
+
+mod relight;
+
 mod projection;
 
 mod scene;
@@ -71,11 +72,12 @@ mod error;
 #[cfg(feature = "baked")]
 pub mod sphere;
 
-pub use basis::{Basis, Parts, ProfilePlace};
+pub use basis::{Basis, Parts, Pass, ProfilePlace, Row};
 pub use error::{Error, What};
 pub use light::Light;
 pub use material::Material;
 pub use normal::{Normal, Normals};
-pub use projection::{Coefficients, Transfer};
+pub use projection::Coefficients;
 pub use scalar::Scalar;
 pub use scene::{Scene, SceneBuffer};
+pub use transfer::Transfer;

@@ -23,10 +23,7 @@ impl<'a, S> Light<'a, S> {
     /// [`Error::Length`] unless there are (degree + 1)² of them.
     pub const fn new(degree: usize, coefficients: &'a [S]) -> Result<Self, Error> {
         match Error::check(What::Light, light::count(degree), coefficients.len()) {
-            Ok(()) => Ok(Self {
-                degree,
-                coefficients,
-            }),
+            Ok(()) => Ok(Self { degree, coefficients }),
             Err(error) => Err(error),
         }
     }
@@ -36,10 +33,7 @@ impl<'a, S> Light<'a, S> {
     #[must_use]
     pub fn truncated(self, degree: usize) -> Self {
         match self.coefficients.get(..light::count(degree)) {
-            Some(coefficients) if degree < self.degree => Self {
-                degree,
-                coefficients,
-            },
+            Some(coefficients) if degree < self.degree => Self { degree, coefficients },
             _ => self,
         }
     }

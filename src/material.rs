@@ -22,10 +22,7 @@ impl<'a, S> Material<'a, S> {
     /// [`index::material::count`](crate::index::material::count) says.
     pub const fn new(order: usize, coefficients: &'a [S]) -> Result<Self, Error> {
         match Error::check(What::Material, material::count(order), coefficients.len()) {
-            Ok(()) => Ok(Self {
-                order,
-                coefficients,
-            }),
+            Ok(()) => Ok(Self { order, coefficients }),
             Err(error) => Err(error),
         }
     }
@@ -35,10 +32,7 @@ impl<'a, S> Material<'a, S> {
     #[must_use]
     pub fn truncated(self, order: usize) -> Self {
         match self.coefficients.get(..material::count(order)) {
-            Some(coefficients) if order < self.order => Self {
-                order,
-                coefficients,
-            },
+            Some(coefficients) if order < self.order => Self { order, coefficients },
             _ => self,
         }
     }

@@ -38,11 +38,7 @@ impl<S: Scalar> Normal<S> {
             return Err(Error::Normal);
         }
         let scale = square.inverse_root();
-        Ok(Self {
-            x: self.x * scale,
-            y: self.y * scale,
-            z: self.z * scale,
-        })
+        Ok(Self { x: self.x * scale, y: self.y * scale, z: self.z * scale })
     }
 
     /// x, y and z.

@@ -50,10 +50,7 @@ impl Scalar for f32 {
         1.0 / libm::sqrtf(self)
     }
     #[inline]
-    #[expect(
-        clippy::cast_possible_truncation,
-        reason = "rounding is what is asked for"
-    )]
+    #[expect(clippy::cast_possible_truncation, reason = "rounding is what is asked for")]
     fn from_f64(value: f64) -> Self {
         value as Self
     }

@@ -7,7 +7,9 @@
 
 use crate::basis::Basis;
 use crate::error::{Error, What};
-use crate::index::{layout, material, pair};
+use crate::index::layout::LANES;
+use crate::index::{material, pair};
+use crate::lanes;
 use crate::material::Material;
 use crate::scalar::Scalar;
 
@@ -16,59 +18,72 @@ impl<S: Scalar> Basis<'_, S> {
     pub(crate) fn accept_material(&self, material: &Material<'_, S>) -> Result<(), Error> {
         let (basis, found) = (self.order(), material.order());
         if found > basis {
-            return Err(Error::Beyond {
-                what: What::Material,
-                basis,
-                found,
-            });
+            return Err(Error::Beyond { what: What::Material, basis, found });
         }
         Ok(())
     }
 
-    /// Writes S: for each pair (p, q), `layout::stride` numbers over l.
+    /// Writes S: for each group of degrees l, each pair (p, q), a group.
     ///
     /// Of a basis with a selection of modes only those of `azimuth` are summed.
     pub(crate) fn scatter(&self, material: &Material<'_, S>, azimuth: usize, scattering: &mut [S]) {
-        let stride = layout::stride(self.degree());
         scattering.fill(S::ZERO);
+        let (scattering, _) = scattering.as_chunks_mut::<LANES>();
+        let (polar, _) = self.parts.polar.as_chunks::<LANES>();
+        let pairs = pair::count(self.order());
         let modes = material::count(self.order());
-        let selected = self.parts.selection.chunks_exact(self.degree() + 1);
-        let mut selected = selected.skip(azimuth * modes);
+        let masks = self.parts.selection.chunks_exact(self.degree() + 1).skip(azimuth * modes);
         let half = S::from_f64(core::f64::consts::FRAC_1_SQRT_2);
-        for ((o, p, q), &b) in material::indices(material.order()).zip(material.coefficients()) {
-            let mask = selected.next().unwrap_or(&[]);
-            let (of_o, of_p) = (pair::position(o, q) * stride, pair::position(p, q) * stride);
-            if o == p {
-                self.add(b, of_o, of_o, mask, scattering);
-            } else {
-                self.add(b * half, of_o, of_p, mask, scattering);
-                self.add(b * half, of_p, of_o, mask, scattering);
+        let groups = scattering.chunks_exact_mut(pairs).zip(polar.chunks_exact(pairs));
+        for (group, (scattering, polar)) in groups.enumerate() {
+            let mut masks = masks.clone();
+            let mut coefficients = material.coefficients().iter();
+            // The loops of `material::indices`, in rows of pairs.
+            for o in 0..=material.order() {
+                let lowest = o % 2;
+                let row_o = pair::position(o, lowest);
+                for p in (lowest..=o).step_by(2) {
+                    let row_p = pair::position(p, lowest);
+                    for q in 0..=p / 2 {
+                        let Some(&b) = coefficients.next() else { continue };
+                        let (of_o, of_p) = (row_o + q, row_p + q);
+                        let b = if o == p { b } else { b * half };
+                        let b = masked(b, masks.next(), group);
+                        add(&b, polar, of_o, scattering, of_p);
+                        if o != p {
+                            add(&b, polar, of_p, scattering, of_o);
+                        }
+                    }
+                }
             }
         }
     }
+}
 
-    /// S\[to..\] += b Ĉ\[from..\], over all l, or over those of the mask.
-    #[inline]
-    fn add(&self, b: S, from: usize, to: usize, mask: &[bool], scattering: &mut [S]) {
-        let width = layout::LANES * layout::groups(self.degree(), 0);
-        let (Some(polar), Some(sums)) = (
-            self.parts.polar.get(from..from + width),
-            scattering.get_mut(to..to + width),
-        ) else {
-            return;
-        };
-        if mask.is_empty() {
-            let (sums, _) = sums.as_chunks_mut::<{ layout::LANES }>();
-            let (polar, _) = polar.as_chunks::<{ layout::LANES }>();
-            for (sums, polar) in sums.iter_mut().zip(polar) {
-                for (sum, &polar) in sums.iter_mut().zip(polar) {
-                    *sum += b * polar;
-                }
-            }
-        } else {
-            for ((sum, &polar), &kept) in sums.iter_mut().zip(polar).zip(mask) {
-                *sum += if kept { b * polar } else { S::ZERO };
+/// b in every lane that the mask of a selection lets through.
+#[inline]
+fn masked<S: Scalar>(b: S, mask: Option<&[bool]>, group: usize) -> [S; LANES] {
+    let mut lanes = [b; LANES];
+    if let Some(mask) = mask {
+        for (l, lane) in (group * LANES..).zip(&mut lanes) {
+            if !mask.get(l).copied().unwrap_or(false) {
+                *lane = S::ZERO;
             }
         }
+    }
+    lanes
+}
+
+/// S\[to\] += b Ĉ\[from\].
+#[inline]
+fn add<S: Scalar>(
+    b: &[S; LANES],
+    polar: &[[S; LANES]],
+    from: usize,
+    scattering: &mut [[S; LANES]],
+    to: usize,
+) {
+    if let (Some(polar), Some(sum)) = (polar.get(from), scattering.get_mut(to)) {
+        *sum = lanes::multiply_add(*sum, b, polar);
     }
 }

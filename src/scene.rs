@@ -53,20 +53,14 @@ impl<'a, S: Scalar> Basis<'a, S> {
         Error::check(What::Scene, self.scene_len(), sums.len())?;
         if coefficients.len() > self.components() {
             let (expected, found) = (self.components(), coefficients.len());
-            return Err(Error::Length {
-                what: What::Coefficients,
-                expected,
-                found,
-            });
+            return Err(Error::Length { what: What::Coefficients, expected, found });
         }
         sums.fill(S::ZERO);
         for (sum, &mean) in sums.iter_mut().zip(self.parts.mean) {
             *sum = mean;
         }
         let weight = |index: Option<u16>| {
-            index
-                .and_then(|index| coefficients.get(usize::from(index)))
-                .copied()
+            index.and_then(|index| coefficients.get(usize::from(index))).copied()
         };
         let mut terms = self.parts.terms;
         let (mut sums, mut azimuth) = (sums, 0);
@@ -84,17 +78,10 @@ impl<'a, S: Scalar> Basis<'a, S> {
             }
             // Φ_-m = √2 sin(-mβ) = -√2 Im (n_x + i n_y)^m / sin^m.
             if let Some(weight) = weight(place.minus) {
-                add(
-                    -weight,
-                    of_profile,
-                    sums.get_mut(length..).unwrap_or_default(),
-                );
+                add(-weight, of_profile, sums.get_mut(length..).unwrap_or_default());
             }
         }
-        Ok(Scene {
-            lengths: self.parts.lengths,
-            buffer,
-        })
+        Ok(Scene { lengths: self.parts.lengths, buffer })
     }
 
     /// The irradiance of one normal as Σ d_i U_i, component by component, without
@@ -106,11 +93,7 @@ impl<'a, S: Scalar> Basis<'a, S> {
     pub fn reconstruct(&self, coefficients: &[S], normal: Normal<S>) -> Result<S, Error> {
         if coefficients.len() > self.components() {
             let (expected, found) = (self.components(), coefficients.len());
-            return Err(Error::Length {
-                what: What::Coefficients,
-                expected,
-                found,
-            });
+            return Err(Error::Length { what: What::Coefficients, expected, found });
         }
         let t = argument(normal.z);
         let weight = |index: Option<u16>| {
@@ -125,9 +108,8 @@ impl<'a, S: Scalar> Basis<'a, S> {
                 (cosine, sine) = turned(cosine, sine, normal.x, normal.y);
                 azimuth += 1;
             }
-            let (of_profile, rest) = terms
-                .split_at_checked(self.parts.length(azimuth))
-                .unwrap_or((terms, &[]));
+            let (of_profile, rest) =
+                terms.split_at_checked(self.parts.length(azimuth)).unwrap_or((terms, &[]));
             terms = rest;
             let around = weight(place.plus) * cosine - weight(place.minus) * sine;
             sum += polynomial::value(of_profile, t) * around;
@@ -164,19 +146,16 @@ impl<B> Scene<'_, B> {
         B: AsRef<[S]>,
     {
         let mut rest = self.buffer.as_ref();
-        self.lengths
-            .iter()
-            .enumerate()
-            .map(move |(azimuth, &length)| {
-                let length = usize::from(length);
-                let (plus, after) = rest.split_at_checked(length).unwrap_or((rest, &[]));
-                let (minus, after) = match azimuth {
-                    0 => (&[] as &[S], after),
-                    _ => after.split_at_checked(length).unwrap_or((after, &[])),
-                };
-                rest = after;
-                (plus, minus)
-            })
+        self.lengths.iter().enumerate().map(move |(azimuth, &length)| {
+            let length = usize::from(length);
+            let (plus, after) = rest.split_at_checked(length).unwrap_or((rest, &[]));
+            let (minus, after) = match azimuth {
+                0 => (&[] as &[S], after),
+                _ => after.split_at_checked(length).unwrap_or((after, &[])),
+            };
+            rest = after;
+            (plus, minus)
+        })
     }
 
     /// The irradiance of one normal, in the light's radiance times steradian

@@ -100,13 +100,15 @@ fn all_components_in_f32_are_the_direct_sum() {
     let owned = OwnedBasis::<f32>::new(&table);
     let basis = owned.basis().expect("a basis");
     let truth = Truth::new(9, 7);
-    let (lights, materials) = (luminances(&loaded.lights.entries), luminances(&loaded.materials.entries));
+    let (lights, materials) =
+        (luminances(&loaded.lights.entries), luminances(&loaded.materials.entries));
     // What the device is given is the truth's input, rounded.
     let narrow = |values: &[f64]| values.iter().map(|&value| value as f32).collect::<Vec<_>>();
     let normals: Vec<[f32; 3]> =
         grid(14, 24).iter().map(|normal| normal.map(|value| value as f32)).collect();
     let mut scenes = Vec::new();
     let mut scattering = vec![0.0; basis.scattering_len()];
+    let mut transfer = vec![0.0; basis.transfer_len()];
     let mut coefficients = vec![0.0; basis.components()];
     for light in &lights {
         for material in &materials {
@@ -114,7 +116,7 @@ fn all_components_in_f32_are_the_direct_sum() {
             let light = eigenshade::Light::new(9, &light).expect("100 coefficients");
             let material = eigenshade::Material::new(7, &material).expect("40 coefficients");
             basis
-                .project_into(&light, &material, &mut scattering, &mut coefficients)
+                .project_into(&light, &material, &mut scattering, &mut transfer, &mut coefficients)
                 .expect("sizes are the basis's");
             let buffer = vec![0.0; basis.scene_len()];
             scenes.push(basis.collapse_into(&coefficients, buffer).expect("sizes are the basis's"));
@@ -157,7 +159,8 @@ fn components_are_orthonormal() {
     for (i, a) in table.profiles.iter().enumerate() {
         for (j, b) in table.profiles.iter().enumerate().take(i + 1) {
             if a.azimuth == b.azimuth {
-                let product: f64 = a.node_values.iter().zip(&b.node_values).map(|(a, b)| a * b).sum();
+                let product: f64 =
+                    a.node_values.iter().zip(&b.node_values).map(|(a, b)| a * b).sum();
                 nodes = nodes.max((product - f64::from(u8::from(i == j))).abs());
             }
         }
@@ -269,8 +272,7 @@ fn rotations() -> Vec<(Rotation, f64)> {
         for beta in 0..19 {
             for gamma in 0..19 {
                 let angle = |k: i32| 2.0 * PI * f64::from(k) / 19.0;
-                let rotation =
-                    Rotation { alpha: z.acos(), beta: angle(beta), gamma: angle(gamma) };
+                let rotation = Rotation { alpha: z.acos(), beta: angle(beta), gamma: angle(gamma) };
                 rotations.push((rotation, weight / (2.0 * 361.0)));
             }
         }

@@ -89,8 +89,7 @@ fn zernike(n: usize, m: usize, rho: f64) -> f64 {
 
 /// The BRDF (7)-(8) from `(o, p, q, b)`.
 pub fn brdf(terms: &[(usize, usize, usize, f64)], theta_i: f64, theta_r: f64, dphi: f64) -> f64 {
-    let (rho_i, rho_r) =
-        (2f64.sqrt() * (0.5 * theta_i).sin(), 2f64.sqrt() * (0.5 * theta_r).sin());
+    let (rho_i, rho_r) = (2f64.sqrt() * (0.5 * theta_i).sin(), 2f64.sqrt() * (0.5 * theta_r).sin());
     terms
         .iter()
         .map(|&(o, p, q, b)| {
@@ -111,8 +110,7 @@ fn clenshaw_curtis(count: usize) -> Vec<(f64, f64)> {
             let mut weight = 1.0;
             for j in 1..=count / 2 {
                 let half = if 2 * j == count { 0.5 } else { 1.0 };
-                weight -=
-                    2.0 * half * (2.0 * j as f64 * angle).cos() / ((4 * j * j - 1) as f64);
+                weight -= 2.0 * half * (2.0 * j as f64 * angle).cos() / ((4 * j * j - 1) as f64);
             }
             let end = if k == 0 || k == count { 0.5 } else { 1.0 };
             (0.5 * (1.0 - angle.cos()), end * weight / count as f64)
@@ -151,7 +149,8 @@ pub struct Numbers(pub u64);
 
 impl Numbers {
     pub fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        self.0 =
+            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         ((self.0 >> 11) as f64) / (1u64 << 52) as f64 - 1.0
     }
 
@@ -162,4 +161,3 @@ impl Numbers {
         [sine * tilt.cos(), sine * tilt.sin(), z]
     }
 }
-

@@ -1,4 +1,34 @@
-//! The command line of eigenshade, as a library: what its tests and benches
-//! share with the program.
+//! The command line of eigenshade, as a library: what its commands, tests and
+//! benches share.
+
+pub mod invocation;
+
+pub mod destination;
+
+pub mod rows;
+
+pub mod number;
+
+pub mod message;
+
+pub mod parallel;
+
+pub mod table_file;
+
+pub mod named;
 
 pub mod owned_basis;
+
+pub mod shader;
+
+pub mod truth_image;
+
+pub mod compare;
+
+pub mod sphere_view;
+
+pub mod tone;
+
+pub mod canvas;
+
+pub mod picture;

@@ -1,6 +1,6 @@
 //! A table read at run time, as a basis of the runtime in a chosen number format.
 
-use eigenshade::{Basis, Parts, ProfilePlace, Scalar};
+use eigenshade::{Basis, Parts, Pass, ProfilePlace, Row, Scalar};
 use eigenshade_table::Table;
 use eigenshade_table::parts::{self, NONE};
 
@@ -11,6 +11,8 @@ pub struct OwnedBasis<S> {
     order: usize,
     components: usize,
     profiles: Vec<ProfilePlace>,
+    passes: Vec<Pass>,
+    slots: Vec<u16>,
     lengths: Vec<u16>,
     polar: Vec<S>,
     factors: Vec<S>,
@@ -31,6 +33,8 @@ impl<S: Scalar> OwnedBasis<S> {
             order: parts.order,
             components: parts.components,
             profiles: parts.profiles.iter().map(place).collect(),
+            passes: parts.passes.iter().map(|p| Pass::new(p.first, p.profiles)).collect(),
+            slots: parts.slots,
             polar: rounded(&parts.polar),
             factors: rounded(&parts.factors),
             terms: rounded(&parts.terms),
@@ -52,6 +56,8 @@ impl<S: Scalar> OwnedBasis<S> {
             order: self.order,
             components: self.components,
             profiles: &self.profiles,
+            passes: &self.passes,
+            slots: &self.slots,
             lengths: &self.lengths,
             polar: &self.polar,
             factors: &self.factors,
@@ -65,5 +71,12 @@ impl<S: Scalar> OwnedBasis<S> {
 
 fn place(place: &parts::ProfilePlace) -> ProfilePlace {
     let index = |index: u16| (index != NONE).then_some(index);
-    ProfilePlace::new(place.azimuth, index(place.plus), index(place.minus))
+    let row = |row: parts::Row| Row::new(row.start, row.step);
+    ProfilePlace::new(
+        place.azimuth,
+        index(place.plus),
+        index(place.minus),
+        row(place.plus_row),
+        row(place.minus_row),
+    )
 }

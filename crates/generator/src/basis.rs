@@ -152,7 +152,9 @@ impl Selected {
             profiles.push(*profile);
             let orders = canonical::orders(profile.azimuth).iter();
             taken.extend(
-                orders.take(count - taken.len()).map(|sign| (*profile, sign * profile.azimuth as i32)),
+                orders
+                    .take(count - taken.len())
+                    .map(|sign| (*profile, sign * profile.azimuth as i32)),
             );
         }
         // Stable: within an azimuth the canonical order stays.

@@ -16,11 +16,7 @@ impl Named {
     #[must_use]
     pub fn luminance(&self) -> Vec<f64> {
         let [r, g, b] = &self.rgb;
-        r.iter()
-            .zip(g)
-            .zip(b)
-            .map(|((r, g), b)| 0.2126 * r + 0.7152 * g + 0.0722 * b)
-            .collect()
+        r.iter().zip(g).zip(b).map(|((r, g), b)| 0.2126 * r + 0.7152 * g + 0.0722 * b).collect()
     }
 
     /// Whether all three channels are the same.
@@ -55,10 +51,7 @@ impl Lights {
     #[must_use]
     pub fn truncated(&self, degree: usize) -> Self {
         let degree = degree.min(self.degree);
-        Self {
-            degree,
-            entries: prefix(&self.entries, light::count(degree)),
-        }
+        Self { degree, entries: prefix(&self.entries, light::count(degree)) }
     }
 }
 
@@ -67,10 +60,7 @@ impl Materials {
     #[must_use]
     pub fn truncated(&self, order: usize) -> Self {
         let order = order.min(self.order);
-        Self {
-            order,
-            entries: prefix(&self.entries, material::count(order)),
-        }
+        Self { order, entries: prefix(&self.entries, material::count(order)) }
     }
 }
 
@@ -78,9 +68,6 @@ fn prefix(entries: &[Named], count: usize) -> Vec<Named> {
     let cut = |channel: &Vec<f64>| channel[..count.min(channel.len())].to_vec();
     entries
         .iter()
-        .map(|entry| Named {
-            name: entry.name.clone(),
-            rgb: entry.rgb.each_ref().map(cut),
-        })
+        .map(|entry| Named { name: entry.name.clone(), rgb: entry.rgb.each_ref().map(cut) })
         .collect()
 }

@@ -17,11 +17,7 @@ pub type Result<T> = std::result::Result<T, Error>;
 impl Error {
     /// A fault with no file to it.
     pub fn new(what: impl Into<String>, remedy: impl Into<String>) -> Self {
-        Self {
-            place: None,
-            what: what.into(),
-            remedy: remedy.into(),
-        }
+        Self { place: None, what: what.into(), remedy: remedy.into() }
     }
 
     /// The same fault, in this file.

@@ -20,8 +20,7 @@ pub fn of_sphere(degree: usize, order: usize) -> GramFactor {
     let (nodes, weights): (Vec<f64>, Vec<f64>) =
         gauss_legendre::rule(count, 0.0, 1.0).into_iter().unzip();
     let slants: Vec<f64> = nodes.iter().map(|z| slant(*z)).collect();
-    let radials: Vec<Vec<f64>> =
-        slants.iter().map(|&alpha| slant_radials(order, alpha)).collect();
+    let radials: Vec<Vec<f64>> = slants.iter().map(|&alpha| slant_radials(order, alpha)).collect();
     GramFactor {
         degree,
         order,

@@ -80,17 +80,15 @@ pub fn deviations(
     criterion: Criterion,
     azimuth: usize,
 ) -> Vec<Deviation> {
-    let vectors: Vec<Vec<f64>> = materials.entries.iter().map(crate::database::Named::luminance).collect();
+    let vectors: Vec<Vec<f64>> =
+        materials.entries.iter().map(crate::database::Named::luminance).collect();
     let root = (vectors.len() as f64).sqrt();
     let mean = mean(&vectors);
     let mut deviations = Vec::new();
     for (degree, &power) in light.power.iter().enumerate().skip(azimuth) {
         // Only L_0^0 has a mean to be subtracted.
-        let centre = if degree == 0 && criterion == Criterion::Standard {
-            light.ambient_mean
-        } else {
-            0.0
-        };
+        let centre =
+            if degree == 0 && criterion == Criterion::Standard { light.ambient_mean } else { 0.0 };
         let spread = (power - centre * centre).max(0.0).sqrt();
         for vector in &vectors {
             if spread > 0.0 {

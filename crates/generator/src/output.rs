@@ -38,9 +38,7 @@ pub fn write_atomically(
     };
     let temporary = fill(path, temporary_in(folder).map_err(fault)?, write)?;
     temporary.as_file().sync_all().map_err(fault)?;
-    temporary
-        .persist(&target)
-        .map_err(|failed| fault(failed.error))?;
+    temporary.persist(&target).map_err(|failed| fault(failed.error))?;
     Ok(())
 }
 
@@ -61,10 +59,7 @@ fn fill<W: Write>(
     file: W,
     write: impl FnOnce(&mut dyn Write) -> Result<()>,
 ) -> Result<W> {
-    let mut watched = Watched {
-        inner: BufWriter::new(file),
-        failed: None,
-    };
+    let mut watched = Watched { inner: BufWriter::new(file), failed: None };
     let written =
         write(&mut watched).and_then(|()| watched.flush().map_err(|error| Error::io(path, &error)));
     if let Some(error) = watched.failed {
@@ -72,10 +67,7 @@ fn fill<W: Write>(
         return Err(Error::io(path, &error));
     }
     written?;
-    watched
-        .inner
-        .into_inner()
-        .map_err(|error| Error::io(path, error.error()))
+    watched.inner.into_inner().map_err(|error| Error::io(path, error.error()))
 }
 
 /// Keeps the first error of the writer within.

@@ -67,8 +67,6 @@ pub fn value(l: usize, o: usize, q: usize) -> f64 {
 /// N_l^q of (43), for q >= 0.
 #[must_use]
 pub fn normalisation(l: usize, q: usize) -> f64 {
-    let ratio: f64 = (l - q + 1..=l + q)
-        .map(|k| (k as f64).sqrt().recip())
-        .product();
+    let ratio: f64 = (l - q + 1..=l + q).map(|k| (k as f64).sqrt().recip()).product();
     ((2 * l + 1) as f64 / (4.0 * std::f64::consts::PI)).sqrt() * ratio
 }

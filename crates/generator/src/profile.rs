@@ -96,7 +96,9 @@ pub fn trimmed_length(series: &[f64], azimuth: usize, tolerance: f64) -> usize {
         })
         .collect();
     let largest = |series: &[f64]| {
-        slants.iter().fold(0.0, |most: f64, (z, sine)| most.max((sine * evaluate(series, *z)).abs()))
+        slants
+            .iter()
+            .fold(0.0, |most: f64, (z, sine)| most.max((sine * evaluate(series, *z)).abs()))
     };
     let allowed = tolerance * largest(series);
     let mut tail = vec![0.0; series.len()];

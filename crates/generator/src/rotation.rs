@@ -46,19 +46,14 @@ impl Rotation {
         let plus = wigner::column(degree, m, size, self.alpha);
         let minus = wigner::column(degree, m, -size, self.alpha);
         let [a, b] = self.azimuth_factors(m, n);
-        plus.iter()
-            .zip(&minus)
-            .map(|(plus, minus)| a * plus + b * minus)
-            .collect()
+        plus.iter().zip(&minus).map(|(plus, minus)| a * plus + b * minus).collect()
     }
 
     /// The factors of P^m,|n| and P^m,-|n| in D^mn.
     fn azimuth_factors(self, m: isize, n: isize) -> [f64; 2] {
         let size = n.abs() as f64;
-        let (sum, difference) = (
-            m as f64 * self.beta + size * self.gamma,
-            m as f64 * self.beta - size * self.gamma,
-        );
+        let (sum, difference) =
+            (m as f64 * self.beta + size * self.gamma, m as f64 * self.beta - size * self.gamma);
         let sign = if n % 2 == 0 { 1.0 } else { -1.0 };
         match (m.signum(), n.signum()) {
             (1, 1) => [sum.cos(), sign * difference.cos()],

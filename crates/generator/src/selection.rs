@@ -24,8 +24,7 @@ pub fn highest(gram: &GramFactor, count: usize) -> Vec<bool> {
         return Vec::new();
     }
     let mut ranked: Vec<(f64, usize)> = Vec::new();
-    let by_azimuth: Vec<Vec<f64>> =
-        (0..=degree).map(|azimuth| variances(gram, azimuth)).collect();
+    let by_azimuth: Vec<Vec<f64>> = (0..=degree).map(|azimuth| variances(gram, azimuth)).collect();
     for (azimuth, variances) in by_azimuth.iter().enumerate() {
         let signs = if azimuth == 0 { 1 } else { 2 };
         ranked.extend(variances.iter().map(|&variance| (variance, signs)));

@@ -100,20 +100,9 @@ fn materials_are_read() {
         &message(materials(&text.replace("m,2,2,0,4\n", ""), None)),
         "in.csv:2: the material `m`, which begins here, has no row o = 2, p = 2, q = 0; add",
     );
-    for index in [
-        "1,1,0",
-        "2,1,1",
-        "1,2,0",
-        "2,2,3",
-        "-1,-1,-1",
-        "2,0,2",
-        "1000000000,0,0",
-    ] {
+    for index in ["1,1,0", "2,1,1", "1,2,0", "2,2,3", "-1,-1,-1", "2,0,2", "1000000000,0,0"] {
         let text = format!("name,o,p,q,value\nm,{index},1\n");
-        assert_starts(
-            &message(materials(&text, None)),
-            "in.csv:2: no material has o = ",
-        );
+        assert_starts(&message(materials(&text, None)), "in.csv:2: no material has o = ");
     }
 }
 
@@ -125,14 +114,11 @@ fn what_is_written_reads_back_to_the_last_bit() {
         name: "#1, \"quoted\"".to_owned(),
         rgb: [awkward.to_vec(), shifted.to_vec(), awkward.to_vec()],
     };
-    let grey = Named {
-        name: "b".to_owned(),
-        rgb: [awkward.to_vec(), awkward.to_vec(), awkward.to_vec()],
-    };
-    for (entries, header) in [
-        (vec![grey.clone()], "name,l,m,value"),
-        (vec![colour, grey], "name,l,m,r,g,b"),
-    ] {
+    let grey =
+        Named { name: "b".to_owned(), rgb: [awkward.to_vec(), awkward.to_vec(), awkward.to_vec()] };
+    for (entries, header) in
+        [(vec![grey.clone()], "name,l,m,value"), (vec![colour, grey], "name,l,m,r,g,b")]
+    {
         let lights_in = Lights { degree: 1, entries };
         let mut text = Vec::new();
         write_lights(&lights_in, &mut text).unwrap();
@@ -149,10 +135,7 @@ fn what_is_written_reads_back_to_the_last_bit() {
     let mut text = Vec::new();
     write_materials(&materials_in, &mut text).unwrap();
     let text = String::from_utf8(text).unwrap();
-    assert_eq!(
-        text,
-        "name,o,p,q,r,g,b\nm,0,0,0,0.1,1e21,-0\nm,1,1,1,1e-30,0.25,5e-324\n"
-    );
+    assert_eq!(text, "name,o,p,q,r,g,b\nm,0,0,0,0.1,1e21,-0\nm,1,1,1,1e-30,0.25,5e-324\n");
     assert_eq!(materials(&text, None).unwrap(), materials_in);
 }
 
@@ -165,11 +148,7 @@ fn what_could_not_be_read_back_is_not_written() {
             rgb: [values.clone(), values.clone(), values],
         }],
     };
-    let refused = |lights| {
-        write_lights(&lights, &mut Vec::new())
-            .unwrap_err()
-            .to_string()
-    };
+    let refused = |lights| write_lights(&lights, &mut Vec::new()).unwrap_err().to_string();
     assert!(refused(light(vec![f64::NAN])).contains("not finite at l = 0, m = 0;"));
     assert!(refused(light(vec![1.0, 2.0])).contains("is not of degree 0;"));
 }
@@ -178,48 +157,24 @@ fn what_could_not_be_read_back_is_not_written() {
 fn every_fault_of_a_row_has_its_line() {
     let with = |row: &str| format!("{DEGREE_1}\n# b follows\n{row}\nb,1,0,1,1,1\n");
     for (row, start) in [
-        (
-            "a,1,0,1,1,1",
-            "in.csv:9: the light `a` has this index twice; ",
-        ),
-        (
-            "b,1,2,1,1,1",
-            "in.csv:9: no light has l = 1, m = 2; keep to ",
-        ),
+        ("a,1,0,1,1,1", "in.csv:9: the light `a` has this index twice; "),
+        ("b,1,2,1,1,1", "in.csv:9: no light has l = 1, m = 2; keep to "),
         ("b,1,-2,1,1,1", "in.csv:9: no light has l = 1, m = -2; "),
         ("b,-1,0,1,1,1", "in.csv:9: no light has l = -1, m = 0; "),
-        (
-            "b,1000000000,0,1,1,1",
-            "in.csv:9: no light has l = 1000000000, m = 0; ",
-        ),
+        ("b,1000000000,0,1,1,1", "in.csv:9: no light has l = 1000000000, m = 0; "),
         ("b,1,-9223372036854775808,1,1,1", "in.csv:9: no light has "),
-        (
-            "b,99999999999999999999,0,1,1,1",
-            "in.csv:9: `99999999999999999999` is no index; ",
-        ),
+        ("b,99999999999999999999,0,1,1,1", "in.csv:9: `99999999999999999999` is no index; "),
         ("b,1.5,0,1,1,1", "in.csv:9: `1.5` is no index; "),
         ("b,,0,1,1,1", "in.csv:9: `` is no index; "),
         ("b,1,1,1,NaN,1", "in.csv:9: `NaN` is not a finite number; "),
-        (
-            "b,1,1,1,1,-inf",
-            "in.csv:9: `-inf` is not a finite number; ",
-        ),
-        (
-            "b,1,1,1e999,1,1",
-            "in.csv:9: `1e999` is not a finite number; ",
-        ),
+        ("b,1,1,1,1,-inf", "in.csv:9: `-inf` is not a finite number; "),
+        ("b,1,1,1e999,1,1", "in.csv:9: `1e999` is not a finite number; "),
         ("b,1,1,1,x,1", "in.csv:9: `x` is no number; "),
         ("b,1,1,1,\"0,5\",1", "in.csv:9: `0,5` is no number; "),
         ("b,1,1,1,,1", "in.csv:9: `` is no number; "),
         (",1,1,1,1,1", "in.csv:9: the name is empty; "),
-        (
-            "b,1,1,1,1",
-            "in.csv:9: the header has 6 fields, this row 5; ",
-        ),
-        (
-            "b,1,1,1,1,1,1",
-            "in.csv:9: the header has 6 fields, this row 7; ",
-        ),
+        ("b,1,1,1,1", "in.csv:9: the header has 6 fields, this row 5; "),
+        ("b,1,1,1,1,1,1", "in.csv:9: the header has 6 fields, this row 7; "),
     ] {
         assert_starts(&message(lights(with(row), None)), start);
         let crlf = with(row).replace('\n', "\r\n");
@@ -228,10 +183,7 @@ fn every_fault_of_a_row_has_its_line() {
     let mut binary = with("b,1,1,1,1,1").into_bytes();
     let place = binary.windows(4).position(|four| four == b"b,1,").unwrap();
     binary[place] = 0xff;
-    assert_starts(
-        &message(lights(binary, None)),
-        "in.csv:9: it is not UTF-8 text; ",
-    );
+    assert_starts(&message(lights(binary, None)), "in.csv:9: it is not UTF-8 text; ");
 }
 
 #[test]
@@ -248,10 +200,7 @@ fn files_without_lights_are_refused() {
         ("", "in.csv: there is nothing in it; "),
         ("# only this\n", "in.csv: there is nothing in it; "),
         ("name,l,m,r,g,b\n", "in.csv: there is no light in it; "),
-        (
-            "# c\nname,l,m,r,g\na,0,0,1,1\n",
-            "in.csv:2: its header is `name,l,m,r,g`; ",
-        ),
+        ("# c\nname,l,m,r,g\na,0,0,1,1\n", "in.csv:2: its header is `name,l,m,r,g`; "),
         ("name,o,p,q,value\na,0,0,0,1\n", "in.csv:1: its header is "),
         ("l,m,value\n0,0,1\n", "in.csv:1: its header is "),
         ("a,0,0,1\n", "in.csv:1: its header is "),
@@ -289,14 +238,8 @@ fn normals_are_normalised_and_laid_on_the_rim() {
 fn normals_that_cannot_be_seen_are_refused() {
     for (row, start) in [
         ("0,0,0", "in.csv:3: the normal has no direction; "),
-        (
-            "0,0,-1",
-            "in.csv:3: the normal points away from the camera, z = -1.000e0",
-        ),
-        (
-            "1,0,-0.0011",
-            "in.csv:3: the normal points away from the camera, z = -1.100e-3",
-        ),
+        ("0,0,-1", "in.csv:3: the normal points away from the camera, z = -1.000e0"),
+        ("1,0,-0.0011", "in.csv:3: the normal points away from the camera, z = -1.100e-3"),
         ("inf,0,1", "in.csv:3: `inf` is not a finite number; "),
         ("0,0,nan", "in.csv:3: `nan` is not a finite number; "),
         ("0,0,up", "in.csv:3: `up` is no number; "),
@@ -305,14 +248,8 @@ fn normals_that_cannot_be_seen_are_refused() {
         let text = format!("x,y,z\n0,0,1\n{row}\n");
         assert_starts(&message(normals(&text)), start);
     }
-    assert_starts(
-        &message(normals("x,y,z\n")),
-        "in.csv: there is no normal in it; ",
-    );
-    assert_starts(
-        &message(normals("x,y\n0,0\n")),
-        "in.csv:1: its header is `x,y`; ",
-    );
+    assert_starts(&message(normals("x,y,z\n")), "in.csv: there is no normal in it; ");
+    assert_starts(&message(normals("x,y\n0,0\n")), "in.csv:1: its header is `x,y`; ");
     assert_starts(&message(normals("")), "in.csv: there is nothing in it; ");
 }
 
@@ -322,8 +259,7 @@ fn output_is_whole_or_untouched() {
     let path = folder.path().join("in.csv");
     let write = |text: &'static str| {
         write_atomically(&path, |out| {
-            out.write_all(text.as_bytes())
-                .map_err(|error| Error::io("x", &error))
+            out.write_all(text.as_bytes()).map_err(|error| Error::io("x", &error))
         })
     };
     write("old").unwrap();
@@ -334,11 +270,7 @@ fn output_is_whole_or_untouched() {
     });
     assert_eq!(failed.unwrap_err().to_string(), "it broke; mend it");
     assert_eq!(fs::read_to_string(&path).unwrap(), "new");
-    assert_eq!(
-        fs::read_dir(folder.path()).unwrap().count(),
-        1,
-        "nothing else is left"
-    );
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1, "nothing else is left");
 
     let nowhere = write_atomically(folder.path().join("no/in.csv"), |_| Ok(()));
     assert_starts(&message(nowhere), "in.csv: ");
@@ -354,10 +286,7 @@ fn output_keeps_links_devices_and_plain_rights() {
     fs::write(&file, "old").unwrap();
     symlink(&file, &link).unwrap();
     let write = |path: &std::path::Path| {
-        write_atomically(path, |out| {
-            out.write_all(b"new")
-                .map_err(|error| Error::io("x", &error))
-        })
+        write_atomically(path, |out| out.write_all(b"new").map_err(|error| Error::io("x", &error)))
     };
     write(&link).unwrap();
     assert!(fs::symlink_metadata(&link).unwrap().is_symlink());

@@ -15,10 +15,7 @@ fn check(file: &str, f: impl Fn(&[f64]) -> (f64, f64, f64)) {
     let mut rows = [0; 2];
     for record in csv::Reader::from_path(&path).expect("vectors").records() {
         let record = record.expect("a row");
-        let row: Vec<f64> = record
-            .iter()
-            .map(|field| field.parse().expect("a number"))
-            .collect();
+        let row: Vec<f64> = record.iter().map(|field| field.parse().expect("a number")).collect();
         let (degree, ours, reference) = f(&row);
         let range = usize::from(degree > 9.0);
         worst[range] = worst[range].max((ours - reference).abs());
@@ -26,16 +23,8 @@ fn check(file: &str, f: impl Fn(&[f64]) -> (f64, f64, f64)) {
     }
     println!("{file}: {rows:?} rows, worst {worst:?}");
     assert!(rows[0] > 20 && rows[1] > 20, "{rows:?}");
-    assert!(
-        worst[0] <= tolerances::SPECIAL_LOW,
-        "{file}, degrees to 9: {}",
-        worst[0]
-    );
-    assert!(
-        worst[1] <= tolerances::SPECIAL_HIGH,
-        "{file}, degrees to 64: {}",
-        worst[1]
-    );
+    assert!(worst[0] <= tolerances::SPECIAL_LOW, "{file}, degrees to 9: {}", worst[0]);
+    assert!(worst[1] <= tolerances::SPECIAL_HIGH, "{file}, degrees to 64: {}", worst[1]);
 }
 
 fn index(value: f64) -> usize {
@@ -45,37 +34,23 @@ fn index(value: f64) -> usize {
 #[test]
 fn spherical_harmonics() {
     check("spherical_harmonic", |row| {
-        let &[l, m, theta, phi, value] = row else {
-            panic!("five columns")
-        };
-        (
-            l,
-            spherical_harmonic::value(index(l), m as isize, theta, phi),
-            value,
-        )
+        let &[l, m, theta, phi, value] = row else { panic!("five columns") };
+        (l, spherical_harmonic::value(index(l), m as isize, theta, phi), value)
     });
 }
 
 #[test]
 fn wigner_d() {
     check("wigner_d", |row| {
-        let &[l, m, n, alpha, value] = row else {
-            panic!("five columns")
-        };
-        (
-            l,
-            wigner::value(index(l), m as isize, n as isize, alpha),
-            value,
-        )
+        let &[l, m, n, alpha, value] = row else { panic!("five columns") };
+        (l, wigner::value(index(l), m as isize, n as isize, alpha), value)
     });
 }
 
 #[test]
 fn zernike_radial() {
     check("zernike_radial", |row| {
-        let &[o, q, rho, value] = row else {
-            panic!("four columns")
-        };
+        let &[o, q, rho, value] = row else { panic!("four columns") };
         (o, zernike::value(index(o), index(q), rho), value)
     });
 }
@@ -84,9 +59,7 @@ fn zernike_radial() {
 #[test]
 fn polar_integrals() {
     check("polar_integral", |row| {
-        let &[l, o, q, value] = row else {
-            panic!("four columns")
-        };
+        let &[l, o, q, value] = row else { panic!("four columns") };
         let normalisation = polar_integral::normalisation(index(l), index(q));
         let ours = polar_integral::value(index(l), index(o), index(q));
         (l.max(o), ours * normalisation, value * normalisation)
@@ -96,14 +69,8 @@ fn polar_integrals() {
 #[test]
 fn irradiance_modes() {
     check("irradiance_mode", |row| {
-        let &[l, m, o, p, q, alpha, beta, value] = row else {
-            panic!("eight columns")
-        };
+        let &[l, m, o, p, q, alpha, beta, value] = row else { panic!("eight columns") };
         let [l_, o_, p_, q_] = [l, o, p, q].map(index);
-        (
-            l.max(o),
-            irradiance::value(l_, m as isize, o_, p_, q_, alpha, beta),
-            value,
-        )
+        (l.max(o), irradiance::value(l_, m as isize, o_, p_, q_, alpha, beta), value)
     });
 }

@@ -43,11 +43,7 @@ mod tests {
 
     #[test]
     fn positions_count_up() {
-        assert!(
-            indices(12)
-                .enumerate()
-                .all(|(k, (l, m))| position(l, m) == k)
-        );
+        assert!(indices(12).enumerate().all(|(k, (l, m))| position(l, m) == k));
         assert_eq!(indices(12).count(), count(12));
     }
 

@@ -21,20 +21,14 @@ pub const fn position(o: usize, p: usize, q: usize) -> usize {
     // two of each half stand below an even o, one more below an odd one.
     let half = o / 2;
     let below = half * (half + 1) * (half + 2) / 3
-        + if o % 2 == 1 {
-            (half + 1) * (half + 2) / 2
-        } else {
-            0
-        };
+        + if o % 2 == 1 { (half + 1) * (half + 2) / 2 } else { 0 };
     below + p / 2 * (p / 2 + 1) / 2 + q / 2
 }
 
 /// All (o, p, q) up to `order`, in storage order.
 pub fn indices(order: usize) -> impl Iterator<Item = (usize, usize, usize)> {
     (0..=order).flat_map(|o| {
-        (o % 2..=o)
-            .step_by(2)
-            .flat_map(move |p| (o % 2..=p).step_by(2).map(move |q| (o, p, q)))
+        (o % 2..=o).step_by(2).flat_map(move |p| (o % 2..=p).step_by(2).map(move |q| (o, p, q)))
     })
 }
 
@@ -45,11 +39,7 @@ mod tests {
     #[test]
     fn positions_count_up() {
         for order in 0..12 {
-            assert!(
-                indices(order)
-                    .enumerate()
-                    .all(|(k, (o, p, q))| position(o, p, q) == k)
-            );
+            assert!(indices(order).enumerate().all(|(k, (o, p, q))| position(o, p, q) == k));
             assert_eq!(indices(order).count(), count(order));
         }
         assert_eq!(count(7), 40);

@@ -13,9 +13,7 @@ pub fn indices(
     azimuth: usize,
 ) -> impl Iterator<Item = (usize, usize, usize, usize)> {
     (azimuth..=degree).flat_map(move |l| {
-        material::indices(order)
-            .filter(move |&(_, _, q)| q <= l)
-            .map(move |(o, p, q)| (l, o, p, q))
+        material::indices(order).filter(move |&(_, _, q)| q <= l).map(move |(o, p, q)| (l, o, p, q))
     })
 }
 

@@ -31,11 +31,7 @@ mod tests {
     #[test]
     fn positions_count_up() {
         for order in 0..12 {
-            assert!(
-                indices(order)
-                    .enumerate()
-                    .all(|(k, (p, q))| position(p, q) == k)
-            );
+            assert!(indices(order).enumerate().all(|(k, (p, q))| position(p, q) == k));
             assert_eq!(indices(order).count(), count(order));
         }
     }

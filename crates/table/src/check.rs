@@ -26,11 +26,7 @@ impl Table {
         numbers("nodes", &gram.nodes, nodes)?;
         numbers("root weights", &gram.root_weights, nodes)?;
         numbers("gains", &gram.gains, material::count(order))?;
-        numbers(
-            "polar integrals",
-            &gram.polar_integrals,
-            pairs * (degree + 1),
-        )?;
+        numbers("polar integrals", &gram.polar_integrals, pairs * (degree + 1))?;
         numbers("radials", &gram.radials, pairs * nodes)?;
         numbers("rotations", &gram.rotations, frequencies * nodes)?;
         length("selection", self.selection.len(), selection)?;
@@ -41,21 +37,9 @@ impl Table {
                 return Err(format!("a profile of azimuth {azimuth} at degree {degree}"));
             }
             numbers("profile's node values", &profile.node_values, nodes)?;
-            numbers(
-                "profile's modes",
-                &profile.modes,
-                mode::count(degree, order, azimuth),
-            )?;
-            numbers(
-                "profile's factors",
-                &profile.factors,
-                pairs * (degree - azimuth + 1),
-            )?;
-            numbers(
-                "profile's polynomial",
-                &profile.chebyshev,
-                profile.chebyshev.len(),
-            )?;
+            numbers("profile's modes", &profile.modes, mode::count(degree, order, azimuth))?;
+            numbers("profile's factors", &profile.factors, pairs * (degree - azimuth + 1))?;
+            numbers("profile's polynomial", &profile.chebyshev, profile.chebyshev.len())?;
         }
         if !self.profiles.is_sorted_by_key(|profile| profile.azimuth) {
             return Err("profiles out of order".into());
@@ -69,11 +53,7 @@ impl Table {
         }
         if let Some(mean) = &self.mean {
             numbers("mean image", &mean.chebyshev, mean.chebyshev.len())?;
-            numbers(
-                "mean's coefficients",
-                &mean.coefficients,
-                self.components.len(),
-            )?;
+            numbers("mean's coefficients", &mean.coefficients, self.components.len())?;
         }
         Ok(())
     }
@@ -92,8 +72,6 @@ fn length(what: &str, found: usize, expected: usize) -> Result<(), String> {
     if found == expected {
         Ok(())
     } else {
-        Err(format!(
-            "{what}: {expected} numbers expected, {found} found"
-        ))
+        Err(format!("{what}: {expected} numbers expected, {found} found"))
     }
 }

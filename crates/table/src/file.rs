@@ -44,16 +44,10 @@ impl fmt::Display for FileError {
         match self {
             Self::Foreign => write!(f, "not an eigenshade table; {REMAKE}"),
             Self::Version(found) => {
-                write!(
-                    f,
-                    "table version {found}, this program reads {VERSION}; {REMAKE}"
-                )
+                write!(f, "table version {found}, this program reads {VERSION}; {REMAKE}")
             }
             Self::Length { expected, found } => {
-                write!(
-                    f,
-                    "damaged table: {expected} bytes promised, {found} found; {REMAKE}"
-                )
+                write!(f, "damaged table: {expected} bytes promised, {found} found; {REMAKE}")
             }
             Self::Checksum => write!(f, "damaged table: the checksum does not fit; {REMAKE}"),
             Self::Payload(why) => write!(f, "damaged table: {why}; {REMAKE}"),
@@ -111,10 +105,7 @@ pub fn decode(bytes: &[u8]) -> Result<Table, FileError> {
         bincode::serde::decode_from_slice(payload, bincode::config::standard())
             .map_err(|error| broken(error.to_string()))?;
     if read != payload.len() {
-        return Err(broken(format!(
-            "{} bytes after the end",
-            payload.len() - read
-        )));
+        return Err(broken(format!("{} bytes after the end", payload.len() - read)));
     }
     table.check().map_err(broken)?;
     Ok(table)

@@ -52,11 +52,8 @@ impl GramFactor {
     #[must_use]
     pub fn rotation(&self, azimuth: usize, l: usize, q: usize) -> &[f64] {
         let from = |azimuth| azimuth..=self.degree;
-        let earlier: usize = (0..azimuth)
-            .flat_map(from)
-            .chain(azimuth..l)
-            .map(|l| self.frequencies(l))
-            .sum();
+        let earlier: usize =
+            (0..azimuth).flat_map(from).chain(azimuth..l).map(|l| self.frequencies(l)).sum();
         let count = self.nodes.len();
         &self.rotations[(earlier + q) * count..(earlier + q + 1) * count]
     }
@@ -90,13 +87,7 @@ impl GramFactor {
     pub fn mode_means(&self) -> Vec<f64> {
         self.columns(0)
             .iter()
-            .map(|column| {
-                column
-                    .iter()
-                    .zip(&self.root_weights)
-                    .map(|(a, root)| a * root)
-                    .sum()
-            })
+            .map(|column| column.iter().zip(&self.root_weights).map(|(a, root)| a * root).sum())
             .collect()
     }
 }

@@ -19,6 +19,8 @@ pub mod manifest;
 
 pub mod parts;
 
+pub mod passes;
+
 pub mod rust_source;
 
 pub use file::{FileError, decode, encode};

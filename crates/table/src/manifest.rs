@@ -24,14 +24,8 @@ pub fn manifest(table: &Table, command: &str) -> String {
         ("gram.rotations", section(&gram.rotations)),
         ("selection", section(&table.selection)),
         ("components", section(&table.components)),
-        (
-            "profiles.node_values",
-            of_profiles(|profile| &profile.node_values),
-        ),
-        (
-            "profiles.chebyshev",
-            of_profiles(|profile| &profile.chebyshev),
-        ),
+        ("profiles.node_values", of_profiles(|profile| &profile.node_values)),
+        ("profiles.chebyshev", of_profiles(|profile| &profile.chebyshev)),
         ("profiles.modes", of_profiles(|profile| &profile.modes)),
         ("profiles.factors", of_profiles(|profile| &profile.factors)),
         ("mean", section(&table.mean)),
@@ -39,19 +33,12 @@ pub fn manifest(table: &Table, command: &str) -> String {
         ("file", encode(table)),
     ];
     for (entry, bytes) in sections {
-        row(
-            &mut text,
-            format_args!("{entry},,{},{:08x}", bytes.len(), crc32fast::hash(&bytes)),
-        );
+        row(&mut text, format_args!("{entry},,{},{:08x}", bytes.len(), crc32fast::hash(&bytes)));
     }
     let summary = &table.summary;
     let per_azimuth: Vec<String> = summary.ranks.iter().map(ToString::to_string).collect();
-    let total: usize = summary
-        .ranks
-        .iter()
-        .enumerate()
-        .map(|(m, rank)| rank * if m == 0 { 1 } else { 2 })
-        .sum();
+    let total: usize =
+        summary.ranks.iter().enumerate().map(|(m, rank)| rank * if m == 0 { 1 } else { 2 }).sum();
     let figures = [
         ("degree", gram.degree.to_string()),
         ("order", gram.order.to_string()),
@@ -60,15 +47,9 @@ pub fn manifest(table: &Table, command: &str) -> String {
         ("components", table.components.len().to_string()),
         ("rank", total.to_string()),
         ("rank of each |m|", per_azimuth.join(" ")),
-        (
-            "largest singular value",
-            format!("{:.6e}", summary.largest_singular_value),
-        ),
+        ("largest singular value", format!("{:.6e}", summary.largest_singular_value)),
         ("energy kept", format!("{:.9}", summary.energy_kept)),
-        (
-            "residual energy",
-            format!("{:.3e}", 1.0 - summary.energy_kept),
-        ),
+        ("residual energy", format!("{:.3e}", 1.0 - summary.energy_kept)),
         ("orthonormality", format!("{:.0e}", summary.orthonormality)),
     ];
     for (entry, value) in figures {

@@ -2,6 +2,7 @@
 //! in the order in which its loops run. In f64; rounding to the device's format
 //! comes last.
 
+use crate::passes::{self, Pass};
 use crate::table::Table;
 use eigenshade_index::{layout, pair};
 
@@ -22,13 +23,17 @@ pub struct Parts {
     pub profiles: Vec<ProfilePlace>,
     /// Number of polynomial terms for each |m|.
     pub lengths: Vec<u16>,
-    /// √(o+1) N_l^q C_lo^q: for each pair, `layout::stride(degree)` numbers.
+    /// √(o+1) N_l^q C_lo^q: for each group over l, each pair, a group.
     pub polar: Vec<f64>,
-    /// For each profile, each pair, `layout::groups` groups over l.
+    /// For each profile, each group over l from that of |m| on, each pair, a group.
     pub factors: Vec<f64>,
     /// For each profile its polynomial in t = 2z - 1, highest power first, times
     /// √2 where m is not 0.
     pub terms: Vec<f64>,
+    /// How a transfer is laid out.
+    pub passes: Vec<Pass>,
+    /// For each pass, profile and lane its component, or [`NONE`].
+    pub slots: Vec<u16>,
     /// The mean image's polynomial, or empty.
     pub mean: Vec<f64>,
     /// The mean image's coefficients, or empty.
@@ -46,6 +51,19 @@ pub struct ProfilePlace {
     pub plus: u16,
     /// Number of the component of -m, or [`NONE`].
     pub minus: u16,
+    /// Its row of +m in a transfer.
+    pub plus_row: Row,
+    /// Its row of -m in a transfer; for m = 0 the same as that of +m.
+    pub minus_row: Row,
+}
+
+/// Where the numbers of l = |m|, |m| + 1, ... stand in a transfer.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Row {
+    /// Of l = |m|.
+    pub start: u32,
+    /// From one l to the next.
+    pub step: u32,
 }
 
 impl Parts {
@@ -54,69 +72,76 @@ impl Parts {
     pub fn new(table: &Table) -> Self {
         let gram = &table.gram;
         let (degree, order) = (gram.degree, gram.order);
-        let stride = layout::stride(degree);
-        let mut polar = Vec::new();
-        for ((o, _), row) in pair::indices(order).zip(gram.polar_integrals.chunks_exact(degree + 1))
-        {
-            let root = ((o + 1) as f64).sqrt();
-            extend_padded(&mut polar, row.iter().map(|value| root * value), stride);
-        }
+        let pairs = pair::count(order);
+        let root = |pair: usize| {
+            let (o, _) = pair::indices(order).nth(pair).expect("a pair of this order");
+            ((o + 1) as f64).sqrt()
+        };
+        let roots: Vec<f64> = (0..pairs).map(root).collect();
+        let polar = grouped(0, degree, pairs, |l, pair| {
+            roots[pair] * gram.polar_integrals[pair * (degree + 1) + l]
+        });
         let lengths = lengths(table);
         let mut factors = Vec::new();
         let mut terms = Vec::new();
         for profile in &table.profiles {
-            let pairs = pair::count(order);
-            let width = layout::LANES * layout::groups(degree, profile.azimuth);
-            for pair in 0..pairs {
-                let row = profile.factors.iter().skip(pair).step_by(pairs);
-                extend_padded(&mut factors, row.copied(), width);
-            }
-            let scale = if profile.azimuth == 0 {
-                1.0
-            } else {
-                std::f64::consts::SQRT_2
-            };
-            let length = usize::from(lengths[profile.azimuth]);
-            terms.extend(
-                powers(&profile.chebyshev, length)
-                    .iter()
-                    .map(|term| scale * term),
-            );
+            let azimuth = profile.azimuth;
+            factors.extend(grouped(layout::first_group(azimuth), degree, pairs, |l, pair| {
+                let row = l.checked_sub(azimuth).map(|row| row * pairs + pair);
+                row.map_or(0.0, |at| profile.factors[at])
+            }));
+            let scale = if azimuth == 0 { 1.0 } else { std::f64::consts::SQRT_2 };
+            let length = usize::from(lengths[azimuth]);
+            terms.extend(powers(&profile.chebyshev, length).iter().map(|term| scale * term));
         }
         let mean = table.mean.as_ref();
+        let mut profiles = places(table);
+        let (passes, slots) = passes::arrange(degree, &mut profiles);
+        for place in profiles.iter_mut().filter(|place| place.azimuth == 0) {
+            place.minus_row = place.plus_row;
+        }
         Self {
             degree,
             order,
             components: table.components.len(),
-            profiles: places(table),
+            profiles,
+            passes,
+            slots,
             polar,
             factors,
             terms,
             mean: mean
                 .map(|mean| powers(&mean.chebyshev, usize::from(lengths[0])))
                 .unwrap_or_default(),
-            mean_coefficients: mean
-                .map(|mean| mean.coefficients.clone())
-                .unwrap_or_default(),
+            mean_coefficients: mean.map(|mean| mean.coefficients.clone()).unwrap_or_default(),
             selection: table.selection.clone(),
             lengths,
         }
     }
 }
 
-fn extend_padded(to: &mut Vec<f64>, row: impl Iterator<Item = f64>, width: usize) {
-    let end = to.len() + width;
-    to.extend(row);
-    to.resize(end, 0.0);
+/// For each group of degrees from `first` on, each pair, a group of values; 0
+/// beyond the degree.
+fn grouped(
+    first: usize,
+    degree: usize,
+    pairs: usize,
+    value: impl Fn(usize, usize) -> f64,
+) -> Vec<f64> {
+    let mut values = Vec::new();
+    for group in first..layout::groups(degree) {
+        for pair in 0..pairs {
+            let degrees = group * layout::LANES..(group + 1) * layout::LANES;
+            values.extend(degrees.map(|l| if l <= degree { value(l, pair) } else { 0.0 }));
+        }
+    }
+    values
 }
 
 /// Terms that each azimuth needs: those of its longest profile.
 fn lengths(table: &Table) -> Vec<u16> {
     let mut lengths = vec![0; table.gram.degree + 1];
-    let profiles = table
-        .profiles
-        .iter()
-        .map(|profile| (profile.azimuth, &profile.chebyshev));
+    let profiles = table.profiles.iter().map(|profile| (profile.azimuth, &profile.chebyshev));
     for (azimuth, chebyshev) in profiles.chain(table.mean.iter().map(|mean| (0, &mean.chebyshev))) {
         let length = u16::try_from(chebyshev.len()).expect("a polynomial's length is small");
         lengths[azimuth] = length.max(lengths[azimuth]);
@@ -131,16 +156,14 @@ fn places(table: &Table) -> Vec<ProfilePlace> {
             azimuth: azimuth(k),
             plus: NONE,
             minus: NONE,
+            plus_row: Row::default(),
+            minus_row: Row::default(),
         })
         .collect();
     for (index, component) in table.components.iter().enumerate() {
         let index = u16::try_from(index).expect("fewer components than 65,535");
         let place = &mut places[component.profile];
-        *(if component.order < 0 {
-            &mut place.minus
-        } else {
-            &mut place.plus
-        }) = index;
+        *(if component.order < 0 { &mut place.minus } else { &mut place.plus }) = index;
     }
     places
 }
@@ -175,10 +198,7 @@ mod tests {
     #[test]
     fn chebyshev_series_become_powers() {
         // T_0 + 2 T_1 + 3 T_2 + 4 T_3 = 1 + 2t + 3(2t² - 1) + 4(4t³ - 3t).
-        assert_eq!(
-            powers(&[1.0, 2.0, 3.0, 4.0], 5),
-            [0.0, 16.0, 6.0, -10.0, -2.0]
-        );
+        assert_eq!(powers(&[1.0, 2.0, 3.0, 4.0], 5), [0.0, 16.0, 6.0, -10.0, -2.0]);
         assert_eq!(powers(&[7.0], 1), [7.0]);
         assert_eq!(powers(&[], 2), [0.0, 0.0]);
     }

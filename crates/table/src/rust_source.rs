@@ -1,8 +1,9 @@
 //! A table as Rust source: typed statics for the runtime.
 
-use crate::parts::{NONE, Parts};
+use crate::parts::{NONE, Parts, ProfilePlace, Row};
+use crate::passes::Pass;
 use crate::table::Table;
-use eigenshade_index::{layout, pair};
+use eigenshade_index::layout;
 use std::fmt::Write;
 
 /// The body of a module with the table's statics in f32, its capacities and its
@@ -12,95 +13,86 @@ use std::fmt::Write;
 #[must_use]
 pub fn module(table: &Table, command: &str) -> String {
     let parts = Parts::new(table);
-    let stride = layout::stride(parts.degree);
-    let scattering = pair::count(parts.order) * stride;
-    let groups = parts
-        .profiles
-        .iter()
-        .map(|p| layout::groups(parts.degree, p.azimuth.into()));
-    let transfer = layout::LANES * groups.sum::<usize>();
-    let signs =
-        |(azimuth, &length): (usize, &u16)| usize::from(length) * if azimuth == 0 { 1 } else { 2 };
-    let terms: usize = parts.lengths.iter().enumerate().map(signs).sum();
-    let arrays = [
+    let scattering = parts.polar.len();
+    let mut text = format!("// {command}\n// {} bytes of tables\n", bytes(&parts));
+    for (name, what, value) in [
+        ("DEGREE", "Largest degree l of the light.", parts.degree),
+        ("ORDER", "Largest order o of the BRDF.", parts.order),
+        ("COMPONENTS", "Number of components K.", parts.components),
+        ("SCATTERING", "Numbers of a material's polar integrals, while it is folded.", scattering),
+        ("TRANSFER", "Numbers in a [`Transfer`].", transfer_length(&parts)),
+        ("SCENE", "Numbers in a [`Scene`].", scene_length(&parts)),
+    ] {
+        line(&mut text, format_args!("/// {what}\npub const {name}: usize = {value};"));
+    }
+    for (name, values) in floats(&parts) {
+        array(&mut text, name, "f32", values.iter().map(|&value| format!("{:?}", value as f32)));
+    }
+    array(&mut text, "LENGTHS", "u16", parts.lengths.iter().map(u16::to_string));
+    array(&mut text, "SLOTS", "u16", parts.slots.iter().map(u16::to_string));
+    array(&mut text, "SELECTION", "bool", parts.selection.iter().map(bool::to_string));
+    let passes = parts.passes.iter();
+    let passes =
+        passes.map(|pass| format!("eigenshade::Pass::new({}, {})", pass.first, pass.profiles));
+    array(&mut text, "PASSES", "eigenshade::Pass", passes);
+    array(&mut text, "PROFILES", "eigenshade::ProfilePlace", parts.profiles.iter().map(place));
+    text.push_str(FACE);
+    text
+}
+
+/// The arrays of the number format.
+fn floats(parts: &Parts) -> [(&'static str, &[f64]); 5] {
+    [
         ("POLAR", &parts.polar),
         ("FACTORS", &parts.factors),
         ("TERMS", &parts.terms),
         ("MEAN", &parts.mean),
         ("MEAN_COEFFICIENTS", &parts.mean_coefficients),
-    ];
-    let floats: usize = arrays.iter().map(|(_, values)| values.len()).sum();
-    let bytes =
-        4 * floats + 6 * parts.profiles.len() + 2 * parts.lengths.len() + parts.selection.len();
-    let mut text = format!("// {command}\n// {bytes} bytes of tables\n");
-    let constants = [
-        ("DEGREE", "Largest degree l of the light.", parts.degree),
-        ("ORDER", "Largest order o of the BRDF.", parts.order),
-        ("COMPONENTS", "Number of components K.", parts.components),
-        (
-            "SCATTERING",
-            "Numbers that a folded material holds while it is projected.",
-            scattering,
-        ),
-        ("TRANSFER", "Numbers in a [`Transfer`].", transfer),
-        ("SCENE", "Numbers in a [`Scene`].", terms),
-    ];
-    for (name, what, value) in constants {
-        line(
-            &mut text,
-            format_args!("/// {what}\npub const {name}: usize = {value};"),
-        );
-    }
-    for (name, values) in arrays {
-        let rounded: Vec<f32> = values.iter().map(|&value| value as f32).collect();
-        line(
-            &mut text,
-            format_args!("static {name}: [f32; {}] = {rounded:?};", values.len()),
-        );
-    }
-    line(
-        &mut text,
-        format_args!(
-            "static LENGTHS: [u16; {}] = {:?};",
-            parts.lengths.len(),
-            parts.lengths
-        ),
-    );
-    line(
-        &mut text,
-        format_args!(
-            "static SELECTION: [bool; {}] = {:?};",
-            parts.selection.len(),
-            parts.selection
-        ),
-    );
-    line(
-        &mut text,
-        format_args!(
-            "static PROFILES: [eigenshade::ProfilePlace; {}] = [",
-            parts.profiles.len()
-        ),
-    );
-    for place in &parts.profiles {
-        let number = |index: u16| {
-            if index == NONE {
-                "None".into()
-            } else {
-                format!("Some({index})")
-            }
-        };
-        line(
-            &mut text,
-            format_args!(
-                "    eigenshade::ProfilePlace::new({}, {}, {}),",
-                place.azimuth,
-                number(place.plus),
-                number(place.minus)
-            ),
-        );
-    }
-    text.push_str(FACE);
-    text
+    ]
+}
+
+/// Bytes of all statics: f32 and u16 arrays, bools, 4 bytes a pass, 28 a profile.
+fn bytes(parts: &Parts) -> usize {
+    let floats: usize = floats(parts).iter().map(|(_, values)| values.len()).sum();
+    let shorts = parts.lengths.len() + parts.slots.len();
+    let records = 4 * parts.passes.len() + 28 * parts.profiles.len();
+    4 * floats + 2 * shorts + parts.selection.len() + records
+}
+
+fn transfer_length(parts: &Parts) -> usize {
+    let of_pass = |pass: &Pass| {
+        let degrees = parts.degree + 1 - layout::lowest_degree(pass.first.into());
+        layout::LANES * usize::from(pass.profiles) * degrees
+    };
+    parts.passes.iter().map(of_pass).sum()
+}
+
+fn scene_length(parts: &Parts) -> usize {
+    let lengths = parts.lengths.iter().map(|&length| usize::from(length));
+    let both: usize = lengths.map(|length| 2 * length).sum();
+    both - parts.lengths.first().map_or(0, |&length| usize::from(length))
+}
+
+fn place(place: &ProfilePlace) -> String {
+    let number = |index: u16| {
+        if index == NONE { "None".into() } else { format!("Some({index})") }
+    };
+    let row = |row: Row| format!("eigenshade::Row::new({}, {})", row.start, row.step);
+    format!(
+        "eigenshade::ProfilePlace::new({}, {}, {}, {}, {})",
+        place.azimuth,
+        number(place.plus),
+        number(place.minus),
+        row(place.plus_row),
+        row(place.minus_row)
+    )
+}
+
+/// A static array of these items.
+fn array(text: &mut String, name: &str, kind: &str, items: impl Iterator<Item = String>) {
+    let items: Vec<String> = items.collect();
+    let count = items.len();
+    line(text, format_args!("static {name}: [{kind}; {count}] = [{}];", items.join(", ")));
 }
 
 fn line(text: &mut String, line: std::fmt::Arguments<'_>) {
@@ -108,14 +100,15 @@ fn line(text: &mut String, line: std::fmt::Arguments<'_>) {
 }
 
 /// What follows the numbers: the same for every table.
-const FACE: &str = "];
-/// The basis; its shape was checked when it was compiled.
+const FACE: &str = "/// The basis; its shape was checked when it was compiled.
 pub static BASIS: eigenshade::Basis<'static, f32> =
     match eigenshade::Basis::new(eigenshade::Parts {
         degree: DEGREE,
         order: ORDER,
         components: COMPONENTS,
         profiles: &PROFILES,
+        passes: &PASSES,
+        slots: &SLOTS,
         lengths: &LENGTHS,
         polar: &POLAR,
         factors: &FACTORS,
@@ -142,7 +135,7 @@ pub fn project(
     light: &eigenshade::Light<'_, f32>,
     material: &eigenshade::Material<'_, f32>,
 ) -> Result<Coefficients, eigenshade::Error> {
-    BASIS.project::<SCATTERING, COMPONENTS>(light, material)
+    BASIS.project::<SCATTERING, TRANSFER, COMPONENTS>(light, material)
 }
 /// Folds a material into the basis: see [`eigenshade::Basis::transfer`].
 ///

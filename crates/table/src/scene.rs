@@ -166,10 +166,6 @@ impl Effect {
 
 impl Default for Effects {
     fn default() -> Self {
-        Self {
-            wanted: Effect::ALL.to_vec(),
-            colour: true,
-            rotation: true,
-        }
+        Self { wanted: Effect::ALL.to_vec(), colour: true, rotation: true }
     }
 }

@@ -137,11 +137,6 @@ impl Table {
     #[must_use]
     pub fn energy_left(&self, count: usize) -> f64 {
         // Summed from the small end, so that nothing small is lost.
-        self.spectrum
-            .iter()
-            .skip(count)
-            .rev()
-            .filter_map(|(_, value)| *value)
-            .sum()
+        self.spectrum.iter().skip(count).rev().filter_map(|(_, value)| *value).sum()
     }
 }

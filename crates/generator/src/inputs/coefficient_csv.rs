@@ -10,16 +10,13 @@
 //! `#`. The rows may stand in any order too; the entries come out in the order
 //! in which their names first appear.
 
+use super::coefficient_kind::{Kind, LIGHT, MATERIAL};
 use super::sheet::{Row, Sheet};
 use crate::database::{Lights, Materials, Named};
 use crate::error::{Error, Result};
-use eigenshade_index::{light, material};
 use std::collections::HashMap;
 use std::io::Write;
 use std::path::Path;
-
-/// No degree or order above this is believed.
-pub const LARGEST: usize = 1024;
 
 /// Reads lights; up to `degree`, or else as far as the file goes.
 ///
@@ -62,60 +59,6 @@ pub fn write_materials(materials: &Materials, out: &mut (impl Write + ?Sized)) -
     write(&MATERIAL, materials.order, &materials.entries, out)
 }
 
-/// What distinguishes lights from materials.
-struct Kind<const N: usize> {
-    thing: &'static str,
-    size: &'static str,
-    names: [&'static str; N],
-    rule: &'static str,
-    /// Degree or order, and position, of an index; none if it is out of range.
-    place: fn([i64; N]) -> Option<(usize, usize)>,
-    count: fn(usize) -> usize,
-    indices: fn(usize) -> Box<dyn Iterator<Item = [i64; N]>>,
-}
-
-const LIGHT: Kind<2> = Kind {
-    thing: "light",
-    size: "degree",
-    names: ["l", "m"],
-    rule: "0 <= l <= 1024 and -l <= m <= l",
-    place: |[l, m]| {
-        let degree = usize::try_from(l).ok().filter(|&l| l <= LARGEST)?;
-        (m.unsigned_abs() as usize <= degree).then(|| (degree, light::position(degree, m as isize)))
-    },
-    count: light::count,
-    indices: |degree| Box::new(light::indices(degree).map(|(l, m)| [l as i64, m as i64])),
-};
-
-const MATERIAL: Kind<3> = Kind {
-    thing: "material",
-    size: "order",
-    names: ["o", "p", "q"],
-    rule: "1024 >= o >= p >= q >= 0, all even or all odd",
-    place: |index| {
-        let [o, p, q] = index.map(|i| usize::try_from(i).unwrap_or(usize::MAX));
-        let in_range = o <= LARGEST && p <= o && q <= p && (o - q) % 2 == 0 && (p - q) % 2 == 0;
-        in_range.then(|| (o, material::position(o, p, q)))
-    },
-    count: material::count,
-    indices: |order| {
-        Box::new(material::indices(order).map(|(o, p, q)| [o as i64, p as i64, q as i64]))
-    },
-};
-
-impl<const N: usize> Kind<N> {
-    fn header(&self, values: &str) -> String {
-        format!("name,{},{values}", self.names.join(","))
-    }
-
-    /// `l = 2, m = -1`.
-    fn spell(&self, index: [i64; N]) -> String {
-        let parts: Vec<_> = self.names.iter().zip(index).collect();
-        let parts = parts.iter().map(|(name, i)| format!("{name} = {i}"));
-        parts.collect::<Vec<_>>().join(", ")
-    }
-}
-
 /// The rows of one name, in the order of the file.
 struct Found<'a> {
     name: &'a str,
@@ -147,10 +90,8 @@ fn read<const N: usize>(
         )
         .in_file(path));
     }
-    let entries = found
-        .into_iter()
-        .map(|found| complete(kind, size, found))
-        .collect::<Result<_>>()?;
+    let entries =
+        found.into_iter().map(|found| complete(kind, size, found)).collect::<Result<_>>()?;
     Ok((size, entries))
 }
 
@@ -190,10 +131,7 @@ fn gather<'a, const N: usize>(kind: &Kind<N>, sheet: &'a Sheet) -> Result<(usize
         largest = largest.max(size);
         let entry = *entry_of.entry(name).or_insert(found.len());
         if entry == found.len() {
-            found.push(Found {
-                name,
-                rows: Vec::new(),
-            });
+            found.push(Found { name, rows: Vec::new() });
         }
         found[entry].rows.push((position, rgb, row));
     }
@@ -229,10 +167,7 @@ fn complete<const N: usize>(kind: &Kind<N>, size: usize, found: Found<'_>) -> Re
         && let Some(index) = (kind.indices)(size).nth(missing)
     {
         return Err(row.fault(
-            format!(
-                "the {thing} `{name}`, which begins here, has no row {}",
-                kind.spell(index)
-            ),
+            format!("the {thing} `{name}`, which begins here, has no row {}", kind.spell(index)),
             format!("add the row; {} {size} has {count} rows", kind.size),
         ));
     }
@@ -252,29 +187,16 @@ fn write<const N: usize>(
     let grey = entries.iter().all(Named::is_grey);
     let header = kind.header(if grey { "value" } else { "r,g,b" });
     let indices: Vec<_> = (kind.indices)(size).collect();
-    let mut writer = csv::WriterBuilder::new()
-        .comment(Some(b'#'))
-        .from_writer(out);
+    let mut writer = csv::WriterBuilder::new().comment(Some(b'#')).from_writer(out);
     writer.write_record(header.split(',')).map_err(output)?;
     for entry in entries {
-        if entry
-            .rgb
-            .iter()
-            .any(|channel| channel.len() != indices.len())
-        {
+        if entry.rgb.iter().any(|channel| channel.len() != indices.len()) {
             return Err(Error::new(
-                format!(
-                    "the {} `{}` is not of {} {size}",
-                    kind.thing, entry.name, kind.size
-                ),
+                format!("the {} `{}` is not of {} {size}", kind.thing, entry.name, kind.size),
                 format!("bring every {} to one {} first", kind.thing, kind.size),
             ));
         }
-        let channels = if grey {
-            &entry.rgb[..1]
-        } else {
-            &entry.rgb[..]
-        };
+        let channels = if grey { &entry.rgb[..1] } else { &entry.rgb[..] };
         for (k, &index) in indices.iter().enumerate() {
             let mut fields = vec![entry.name.clone()];
             fields.extend(index.map(|i| i.to_string()));
@@ -300,13 +222,7 @@ fn write<const N: usize>(
 /// The shortest text that reads back to the same finite number.
 fn shortest(number: f64) -> Option<String> {
     let (plain, scientific) = (format!("{number}"), format!("{number:e}"));
-    number
-        .is_finite()
-        .then_some(if scientific.len() < plain.len() {
-            scientific
-        } else {
-            plain
-        })
+    number.is_finite().then_some(if scientific.len() < plain.len() { scientific } else { plain })
 }
 
 fn output(error: csv::Error) -> Error {

@@ -62,10 +62,7 @@ pub fn read(folder: impl AsRef<Path>) -> Result<Vec<Measured>> {
         let samples = directions
             .iter()
             .zip(values)
-            .map(|(direction, value)| Measurement {
-                rgb: [value; 3],
-                ..*direction
-            })
+            .map(|(direction, value)| Measurement { rgb: [value; 3], ..*direction })
             .collect();
         let name = match names.get(&id) {
             Some(name) => format!("{id:02}-{name}"),
@@ -126,18 +123,15 @@ fn read_names(path: &Path) -> Result<BTreeMap<usize, String>> {
         return Ok(names);
     }
     let sheet = Sheet::read(path, "id,name")?;
-    let [id, name] = sheet
-        .columns(["id", "name"])
-        .ok_or_else(|| sheet.wrong_header("id,name"))?;
+    let [id, name] = sheet.columns(["id", "name"]).ok_or_else(|| sheet.wrong_header("id,name"))?;
     for row in sheet.rows() {
         let id = usize::try_from(row.integer(id)?)
             .map_err(|_| row.fault("the id is negative", "number the samples from 1"))?;
         let name = kebab(row.text(name));
         if !name.is_empty() && names.insert(id, name).is_some() {
-            return Err(row.fault(
-                format!("sample {id} has two names"),
-                "keep one row for each sample",
-            ));
+            return Err(
+                row.fault(format!("sample {id} has two names"), "keep one row for each sample")
+            );
         }
     }
     Ok(names)

@@ -75,11 +75,7 @@ impl EnvironmentMap {
                 "clean the map: paint these pixels over with their neighbours",
             ));
         }
-        Ok(Self {
-            width,
-            height,
-            texels,
-        })
+        Ok(Self { width, height, texels })
     }
 
     /// Reads an OpenEXR (`.exr`), Radiance (`.hdr`) or portable float map
@@ -146,10 +142,7 @@ impl EnvironmentMap {
     /// solid angles.
     #[must_use]
     pub fn negative_integral(&self) -> Integrals {
-        let mut integrals = Integrals {
-            total: [0.0; 3],
-            negative: [0.0; 3],
-        };
+        let mut integrals = Integrals { total: [0.0; 3], negative: [0.0; 3] };
         for (row, texels) in self.texels.chunks_exact(self.width).enumerate() {
             let solid_angle = self.solid_angle(row);
             for channel in 0..3 {
@@ -198,8 +191,5 @@ pub(crate) fn other_type(named: &str) -> Error {
 
 /// The fault of a file that ends too early or is broken within.
 pub(crate) fn broken(why: impl std::fmt::Display) -> Error {
-    Error::new(
-        format!("it is broken or cut short ({why})"),
-        "fetch or export the map again",
-    )
+    Error::new(format!("it is broken or cut short ({why})"), "fetch or export the map again")
 }

@@ -116,10 +116,8 @@ impl Design {
     /// Cutting planes: what is out of range on the grid becomes an inequality.
     fn in_range(&self, values: &Col<f64>, grid: &DirectionGrid) -> Result<Vec<f64>> {
         let mut coefficients = self.unconstrained(values);
-        let gradient: Vec<f64> = (self.matrix.transpose() * values)
-            .iter()
-            .map(|g| g / self.largest().powi(2))
-            .collect();
+        let gradient: Vec<f64> =
+            (self.matrix.transpose() * values).iter().map(|g| g / self.largest().powi(2)).collect();
         let mut programme = Programme::new(self.curvature());
         let slack = 0.5 * INSET;
         for _ in 0..ROUNDS {
@@ -130,10 +128,8 @@ impl Design {
             for point in &points {
                 let bound = if point.sign > 0.0 { HIGHEST } else { -LOWEST };
                 let modes = grid.modes(point);
-                programme.require(
-                    modes.iter().map(|mode| point.sign * mode).collect(),
-                    bound - INSET,
-                );
+                programme
+                    .require(modes.iter().map(|mode| point.sign * mode).collect(), bound - INSET);
             }
             coefficients = programme.solve(&gradient)?;
             programme.relax(&coefficients, FAR);
@@ -161,9 +157,8 @@ impl Design {
         let scale = self.largest().powi(2);
         (0..square.ncols())
             .map(|column| {
-                let mut entries: Vec<f64> = (0..=column)
-                    .map(|row| square[(row, column)] / scale)
-                    .collect();
+                let mut entries: Vec<f64> =
+                    (0..=column).map(|row| square[(row, column)] / scale).collect();
                 entries[column] += RIDGE * RIDGE;
                 entries
             })

@@ -102,12 +102,7 @@ impl DirectionGrid {
                 }
             }
             let excess = |(value, azimuth): (f64, Option<usize>), sign, bound: f64| {
-                azimuth.map(|azimuth| Excess {
-                    pair,
-                    azimuth,
-                    sign,
-                    amount: (value - bound).abs(),
-                })
+                azimuth.map(|azimuth| Excess { pair, azimuth, sign, amount: (value - bound).abs() })
             };
             above.extend(excess(most, 1.0, highest));
             below.extend(excess(least, -1.0, lowest));

@@ -22,10 +22,7 @@ impl Programme {
     /// Without inequalities yet. `curvature` has the columns of the upper
     /// triangle of P, positive definite.
     pub(super) fn new(curvature: Vec<Vec<f64>>) -> Self {
-        Self {
-            curvature,
-            inequalities: Vec::new(),
-        }
+        Self { curvature, inequalities: Vec::new() }
     }
 
     /// Adds rowᵀ b <= limit.
@@ -48,11 +45,7 @@ impl Programme {
             self.curvature[column].iter().copied().enumerate().collect()
         });
         let rows = columns(count, unknowns, |column| {
-            self.inequalities
-                .iter()
-                .map(|(row, _)| row[column])
-                .enumerate()
-                .collect()
+            self.inequalities.iter().map(|(row, _)| row[column]).enumerate().collect()
         });
         let linear: Vec<f64> = gradient.iter().map(|g| -g).collect();
         let settings = DefaultSettingsBuilder::default()

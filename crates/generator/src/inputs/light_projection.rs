@@ -23,11 +23,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// From the frame with its pole at the top of the map to the global one.
-const TO_GLOBAL: Rotation = Rotation {
-    alpha: FRAC_PI_2,
-    beta: FRAC_PI_2,
-    gamma: PI,
-};
+const TO_GLOBAL: Rotation = Rotation { alpha: FRAC_PI_2, beta: FRAC_PI_2, gamma: PI };
 
 /// L_l^m of a map up to `degree`, channel by channel, in the order of
 /// [`eigenshade_index::light`] and the project's own convention.
@@ -45,11 +41,7 @@ pub fn project(map: &EnvironmentMap, degree: usize) -> [Vec<f64>; 3] {
         for m in 0..=degree {
             let column = legendre::normalised(degree, m, cosine, sine);
             // N_l^-m P_l^-m = (-1)^m N_l^m P_l^m.
-            let reflected = if m % 2 == 0 {
-                solid_angle
-            } else {
-                -solid_angle
-            };
+            let reflected = if m % 2 == 0 { solid_angle } else { -solid_angle };
             for (local, (even, odd)) in local.iter_mut().zip(&sums) {
                 for (l, legendre) in (m..).zip(&column) {
                     let order = m.cast_signed();
@@ -84,11 +76,7 @@ impl Waves {
                 })
                 .collect()
         };
-        Self {
-            width: map.width,
-            even: waves(1),
-            odd: waves(-1),
-        }
+        Self { width: map.width, even: waves(1), odd: waves(-1) }
     }
 
     /// Σ over one row of radiance x Φ_m and x Φ_-m, channel by channel.
@@ -137,10 +125,8 @@ pub fn named_maps<P: AsRef<Path>>(paths: &[P]) -> Result<Vec<(String, PathBuf)>>
     let mut first_of = HashMap::new();
     let mut named = Vec::new();
     for file in files {
-        let name = file
-            .file_stem()
-            .map(|stem| stem.to_string_lossy().into_owned())
-            .unwrap_or_default();
+        let name =
+            file.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
         if let Some(first) = first_of.insert(name.clone(), file.clone()) {
             return Err(Error::new(
                 format!("`{name}` is also the name of {}", first.display()),
@@ -187,10 +173,7 @@ pub fn lights_from_paths<P: AsRef<Path>>(paths: &[P], degree: usize) -> Result<L
         })
         .collect::<Result<Vec<_>>>()?;
     if entries.is_empty() {
-        return Err(Error::new(
-            "there is no map to read",
-            "name a map, or a folder of maps",
-        ));
+        return Err(Error::new("there is no map to read", "name a map, or a folder of maps"));
     }
     Ok(Lights { degree, entries })
 }

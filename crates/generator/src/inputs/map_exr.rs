@@ -86,27 +86,15 @@ fn colour(header: &Header) -> Option<Colour> {
         names.iter().copied().find(|&name| *name == *wanted)
     };
     let triple = |prefix: &str| {
-        Some([
-            find(prefix, "R")?.clone(),
-            find(prefix, "G")?.clone(),
-            find(prefix, "B")?.clone(),
-        ])
+        Some([find(prefix, "R")?.clone(), find(prefix, "G")?.clone(), find(prefix, "B")?.clone()])
     };
     let layers = names.iter().filter_map(|name| {
         let name = name.to_string();
-        name.strip_suffix('R')
-            .filter(|prefix| prefix.ends_with('.'))
-            .map(str::to_owned)
+        name.strip_suffix('R').filter(|prefix| prefix.ends_with('.')).map(str::to_owned)
     });
-    let rgb = std::iter::once(String::new())
-        .chain(layers)
-        .find_map(|prefix| triple(&prefix));
+    let rgb = std::iter::once(String::new()).chain(layers).find_map(|prefix| triple(&prefix));
     // With RY and BY the Y is no grey map but the luminance of a coloured one.
-    let coloured = header
-        .channels
-        .list
-        .iter()
-        .any(|channel| channel.name == *"RY");
+    let coloured = header.channels.list.iter().any(|channel| channel.name == *"RY");
     rgb.map(Colour::Rgb)
         .or_else(|| Some(Colour::Grey(find("", "Y").filter(|_| !coloured)?.clone())))
 }
@@ -132,10 +120,7 @@ struct Grid {
 
 impl Grid {
     fn new<Channels>(size: Vec2<usize>, _: &Channels) -> Self {
-        Self {
-            width: size.width(),
-            texels: vec![[0.0; 3]; size.area()],
-        }
+        Self { width: size.width(), texels: vec![[0.0; 3]; size.area()] }
     }
 
     fn set(&mut self, Vec2(column, row): Vec2<usize>, value: [f32; 3]) {

@@ -20,10 +20,7 @@ pub(crate) fn sizes(headers: &[Header], bytes: usize) -> Result<()> {
         believable(width, height, bytes)?;
         if let BlockDescription::Tiles(tiles) = header.blocks {
             let Vec2(width, height) = tiles.tile_size;
-            if width
-                .checked_mul(height)
-                .is_none_or(|area| area > MOST_TEXELS)
-            {
+            if width.checked_mul(height).is_none_or(|area| area > MOST_TEXELS) {
                 return Err(broken(format!("its tiles are {width} x {height}")));
             }
         }
@@ -46,10 +43,7 @@ pub(crate) fn counters(
             CompressedBlock::Tile(block) => &block.compressed_pixels_le,
             _ => continue,
         };
-        let dwa = matches!(
-            header.compression,
-            Compression::DWAA(_) | Compression::DWAB(_)
-        );
+        let dwa = matches!(header.compression, Compression::DWAA(_) | Compression::DWAB(_));
         if dwa && !is_raw(header, &chunk.compressed_block, block.len())? {
             dwa_counters(header, block)?;
         }
@@ -76,10 +70,7 @@ fn dwa_counters(header: &Header, block: &[u8]) -> Result<()> {
     let samples = width.next_multiple_of(8) * height.next_multiple_of(8);
     let most = 2 * samples * header.channels.bytes_per_pixel.max(4);
     let (counters, _) = block.as_chunks::<8>();
-    let claims = counters
-        .iter()
-        .take(10)
-        .map(|bytes| u64::from_le_bytes(*bytes));
+    let claims = counters.iter().take(10).map(|bytes| u64::from_le_bytes(*bytes));
     match claims.max() {
         Some(largest) if largest <= most as u64 => Ok(()),
         _ => Err(broken("a DWA block claims more than it can hold")),

@@ -1,5 +1,7 @@
 //! Portable float maps: `PF` (colour) or `Pf` (grey), width, height, and a
 //! number whose sign gives the byte order, then the rows from the bottom up.
+//!
+//! Read here, since `zune-ppm` 0.5.1 mixes up the rows of a map of odd height.
 
 use super::environment::{EnvironmentMap, believable, broken, other_type};
 use crate::error::Result;
@@ -20,15 +22,9 @@ pub(crate) fn decode(bytes: &[u8]) -> Result<EnvironmentMap> {
     let (values, spare) = rest.as_chunks::<4>();
     if values.len() != channels * count || !spare.is_empty() {
         let (expected, found) = (4 * channels * count, rest.len());
-        return Err(broken(format!(
-            "{expected} bytes of pixels expected, {found} found"
-        )));
+        return Err(broken(format!("{expected} bytes of pixels expected, {found} found")));
     }
-    let decode = if scale < 0.0 {
-        f32::from_le_bytes
-    } else {
-        f32::from_be_bytes
-    };
+    let decode = if scale < 0.0 { f32::from_le_bytes } else { f32::from_be_bytes };
     let texels = values
         .chunks_exact(channels * width)
         .rev()

@@ -55,8 +55,7 @@ pub fn read_material_path(path: impl AsRef<Path>) -> Result<Vec<Measured>> {
         .and_then(|entries| entries.map(|entry| Ok(entry?.path())).collect())
         .map_err(|error| Error::io(path, &error))?;
     files.retain(|file| {
-        file.extension()
-            .is_some_and(|extension| extension.eq_ignore_ascii_case("csv"))
+        file.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("csv"))
     });
     files.sort();
     if files.is_empty() {
@@ -80,17 +79,14 @@ pub fn read(path: impl AsRef<Path>) -> Result<Measured> {
     let path = path.as_ref();
     let sheet = Sheet::read(path, COLUMNS)?;
     let wrong_header = || sheet.wrong_header("theta_i,phi_i,theta_r,phi_r and r,g,b or value");
-    let angles = sheet
-        .columns(["theta_i", "phi_i", "theta_r", "phi_r"])
-        .ok_or_else(wrong_header)?;
+    let angles =
+        sheet.columns(["theta_i", "phi_i", "theta_r", "phi_r"]).ok_or_else(wrong_header)?;
     let values = sheet
         .columns(["r", "g", "b"])
         .or_else(|| sheet.columns(["value"; 3]))
         .ok_or_else(wrong_header)?;
-    let samples = sheet
-        .rows()
-        .map(|row| sample(row, angles, values))
-        .collect::<Result<Vec<_>>>()?;
+    let samples =
+        sheet.rows().map(|row| sample(row, angles, values)).collect::<Result<Vec<_>>>()?;
     if samples.is_empty() {
         return Err(Error::new(
             "there is no measurement in it",
@@ -99,10 +95,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<Measured> {
         .in_file(path));
     }
     let name = path.file_stem().unwrap_or_default().to_string_lossy();
-    Ok(Measured {
-        name: name.into_owned(),
-        samples,
-    })
+    Ok(Measured { name: name.into_owned(), samples })
 }
 
 fn sample(row: Row<'_>, angles: [usize; 4], values: [usize; 3]) -> Result<Measurement> {
@@ -131,7 +124,5 @@ pub(super) fn outside(name: &str, angle: f64) -> String {
 
 /// The angle within \[0, π/2\], if it lies there but for rounding.
 pub(super) fn polar_angle(angle: f64) -> Option<f64> {
-    (-RIM_SLACK..=FRAC_PI_2 + RIM_SLACK)
-        .contains(&angle)
-        .then(|| angle.clamp(0.0, FRAC_PI_2))
+    (-RIM_SLACK..=FRAC_PI_2 + RIM_SLACK).contains(&angle).then(|| angle.clamp(0.0, FRAC_PI_2))
 }

@@ -1,6 +1,7 @@
 //! What comes in from the world, and goes out to it as text.
 
 pub mod coefficient_csv;
+mod coefficient_kind;
 pub mod convention;
 pub mod curet;
 pub mod environment;

@@ -21,9 +21,7 @@ pub const RIM: f64 = 1e-3;
 pub fn read_normals(path: impl AsRef<Path>) -> Result<Vec<[f64; 3]>> {
     let path = path.as_ref();
     let sheet = Sheet::read(path, "x,y,z")?;
-    let columns = sheet
-        .columns(["x", "y", "z"])
-        .ok_or_else(|| sheet.wrong_header("`x,y,z`"))?;
+    let columns = sheet.columns(["x", "y", "z"]).ok_or_else(|| sheet.wrong_header("`x,y,z`"))?;
     let mut normals = Vec::new();
     for row in sheet.rows() {
         let mut vector = [0.0; 3];
@@ -33,11 +31,8 @@ pub fn read_normals(path: impl AsRef<Path>) -> Result<Vec<[f64; 3]>> {
         normals.push(visible(vector).map_err(|(what, remedy)| row.fault(what, remedy))?);
     }
     if normals.is_empty() {
-        return Err(Error::new(
-            "there is no normal in it",
-            "add rows below the header `x,y,z`",
-        )
-        .in_file(path));
+        return Err(Error::new("there is no normal in it", "add rows below the header `x,y,z`")
+            .in_file(path));
     }
     Ok(normals)
 }

@@ -22,7 +22,5 @@ pub fn rounded(lights: &Lights, digits: usize) -> Lights {
 /// The nearest number of so many decimal digits, by way of its text, so that
 /// writing and reading it keep it.
 fn significant(value: f64, digits: usize) -> f64 {
-    format!("{value:.*e}", digits.saturating_sub(1))
-        .parse()
-        .unwrap_or(value)
+    format!("{value:.*e}", digits.saturating_sub(1)).parse().unwrap_or(value)
 }

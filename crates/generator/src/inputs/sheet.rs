@@ -21,10 +21,8 @@ impl Sheet {
     /// remedies.
     pub(crate) fn read(path: &Path, columns: &str) -> Result<Self> {
         let text = fs::read(path).map_err(|error| Error::io(path, &error))?;
-        let mut reader = ReaderBuilder::new()
-            .comment(Some(b'#'))
-            .trim(Trim::All)
-            .from_reader(text.as_slice());
+        let mut reader =
+            ReaderBuilder::new().comment(Some(b'#')).trim(Trim::All).from_reader(text.as_slice());
         let fault = |error: csv::Error| csv_fault(path, &text, columns, &error);
         let header = reader.headers().map_err(fault)?.clone();
         if header.is_empty() {
@@ -34,25 +32,14 @@ impl Sheet {
             )
             .in_file(path));
         }
-        let records = reader
-            .records()
-            .collect::<csv::Result<Vec<_>>>()
-            .map_err(fault)?;
-        Ok(Self {
-            path: path.to_owned(),
-            header,
-            records,
-            text,
-        })
+        let records = reader.records().collect::<csv::Result<Vec<_>>>().map_err(fault)?;
+        Ok(Self { path: path.to_owned(), header, records, text })
     }
 
     /// Where each of these columns stands, if all of them are there.
     pub(crate) fn columns<const N: usize>(&self, names: [&str; N]) -> Option<[usize; N]> {
         let places = names.map(|name| self.header.iter().position(|column| column == name));
-        places
-            .iter()
-            .all(Option::is_some)
-            .then(|| places.map(Option::unwrap_or_default))
+        places.iter().all(Option::is_some).then(|| places.map(Option::unwrap_or_default))
     }
 
     /// The fault of a header without these columns.
@@ -67,10 +54,7 @@ impl Sheet {
 
     /// The rows below the header.
     pub(crate) fn rows(&self) -> impl Iterator<Item = Row<'_>> {
-        self.records.iter().map(|record| Row {
-            sheet: self,
-            record,
-        })
+        self.records.iter().map(|record| Row { sheet: self, record })
     }
 }
 
@@ -91,10 +75,7 @@ impl<'a> Row<'a> {
     pub(crate) fn number(self, column: usize) -> Result<f64> {
         let text = self.text(column);
         let number: f64 = text.parse().map_err(|_| {
-            self.fault(
-                format!("`{text}` is no number"),
-                "write it like 0.25 or 2.5e-1",
-            )
+            self.fault(format!("`{text}` is no number"), "write it like 0.25 or 2.5e-1")
         })?;
         if number.is_finite() {
             Ok(number)
@@ -110,10 +91,7 @@ impl<'a> Row<'a> {
     pub(crate) fn integer(self, column: usize) -> Result<i64> {
         let text = self.text(column);
         text.parse().map_err(|_| {
-            self.fault(
-                format!("`{text}` is no index"),
-                "write a small whole number, like 0 or -1",
-            )
+            self.fault(format!("`{text}` is no index"), "write a small whole number, like 0 or -1")
         })
     }
 
@@ -127,9 +105,7 @@ impl<'a> Row<'a> {
 fn csv_fault(path: &Path, text: &[u8], columns: &str, error: &csv::Error) -> Error {
     let line = line_of(text, error.position());
     match error.kind() {
-        ErrorKind::UnequalLengths {
-            expected_len, len, ..
-        } => Error::new(
+        ErrorKind::UnequalLengths { expected_len, len, .. } => Error::new(
             format!("the header has {expected_len} fields, this row {len}"),
             "give every row one field for each column",
         )
@@ -139,11 +115,10 @@ fn csv_fault(path: &Path, text: &[u8], columns: &str, error: &csv::Error) -> Err
             format!("save it as a UTF-8 text file with the header `{columns}`"),
         )
         .at_line(path, line),
-        _ => Error::new(
-            error.to_string(),
-            format!("make it a CSV file with the header `{columns}`"),
-        )
-        .in_file(path),
+        _ => {
+            Error::new(error.to_string(), format!("make it a CSV file with the header `{columns}`"))
+                .in_file(path)
+        }
     }
 }
 

@@ -19,10 +19,7 @@ pub fn rule(count: usize, low: f64, high: f64) -> Vec<(f64, f64)> {
                 x -= value / slope;
             }
             let (_, slope) = legendre(count, x);
-            (
-                middle + half * x,
-                half * 2.0 / ((1.0 - x * x) * slope * slope),
-            )
+            (middle + half * x, half * 2.0 / ((1.0 - x * x) * slope * slope))
         })
         .collect()
 }
@@ -32,10 +29,7 @@ fn legendre(n: usize, x: f64) -> (f64, f64) {
     let (mut before, mut value) = (0.0, 1.0);
     for k in 0..n {
         let k = k as f64;
-        (before, value) = (
-            value,
-            ((2.0 * k + 1.0) * x * value - k * before) / (k + 1.0),
-        );
+        (before, value) = (value, ((2.0 * k + 1.0) * x * value - k * before) / (k + 1.0));
     }
     (value, n as f64 * (x * value - before) / (x * x - 1.0))
 }

@@ -41,11 +41,7 @@ pub fn all(degree: usize, [x, y, z]: [f64; 3]) -> Vec<f64> {
     let mut values = vec![0.0; light::count(degree)];
     for m in 0..=degree {
         let column = legendre::normalised(degree, m, z, sine);
-        for order in if m == 0 {
-            vec![0]
-        } else {
-            vec![m.cast_signed(), -m.cast_signed()]
-        } {
+        for order in if m == 0 { vec![0] } else { vec![m.cast_signed(), -m.cast_signed()] } {
             let factor = reflection(order) * azimuth(order, phi);
             for (l, legendre) in (m..).zip(&column) {
                 values[light::position(l, order)] = factor * legendre;

@@ -57,9 +57,8 @@ fn lowest_degree(m: isize, n: isize, alpha: f64) -> f64 {
         (front - k, front + k, sine, cosine)
     };
     // C(2l, fewer) = Π (more + i) / i; one power of each half-angle with every factor.
-    let paired = (1..=fewer).fold(1.0, |product, i| {
-        product * ((more + i) as f64 / i as f64).sqrt() * large * small
-    });
+    let paired = (1..=fewer)
+        .fold(1.0, |product, i| product * ((more + i) as f64 / i as f64).sqrt() * large * small);
     sign * paired * large.powi((more - fewer) as i32)
 }
 

@@ -25,11 +25,7 @@ fn assert_starts(text: &str, start: &str) {
 
 fn bytes_of(file_type: Type) -> (String, Vec<u8>) {
     let folder = TempDir::new().unwrap();
-    let path = write(
-        file_type,
-        &map_of(8, |[x, _, z]| [x as f32, z as f32, 0.1]),
-        folder.path(),
-    );
+    let path = write(file_type, &map_of(8, |[x, _, z]| [x as f32, z as f32, 0.1]), folder.path());
     let name = path.file_name().unwrap().to_str().unwrap().to_owned();
     (name, fs::read(path).unwrap())
 }
@@ -42,16 +38,9 @@ fn files_that_are_no_maps_are_refused() {
             &format!("{name}: it is no environment map; "),
         );
     }
-    for (name, file_type) in [
-        ("map.exr", "OpenEXR"),
-        ("map.hdr", "Radiance"),
-        ("map.pfm", "PFM"),
-    ] {
+    for (name, file_type) in [("map.exr", "OpenEXR"), ("map.hdr", "Radiance"), ("map.pfm", "PFM")] {
         for bytes in [&b""[..], b"\x89PNG\r\n\x1a\n", b"text\n1 2 3\n", &[0; 64]] {
-            assert_starts(
-                &message(name, bytes),
-                &format!("{name}: it is no {file_type} file, "),
-            );
+            assert_starts(&message(name, bytes), &format!("{name}: it is no {file_type} file, "));
         }
     }
     let missing = EnvironmentMap::from_path("nowhere/map.exr").unwrap_err();
@@ -92,10 +81,7 @@ fn no_damage_is_a_panic() {
 fn a_block_that_claims_too_much_takes_no_memory() {
     // The first block of this file begins at byte 321 with its row and its length; its
     // counters follow. The decoder would ask for as many bytes as they say.
-    let path = concat!(
-        env!("CARGO_MANIFEST_DIR"),
-        "/../../tables/inputs/maps/sky.exr"
-    );
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tables/inputs/maps/sky.exr");
     let bytes = fs::read(path).unwrap();
     for counter in [1, 6, 7, 8, 9] {
         let mut damaged = bytes.clone();
@@ -109,22 +95,14 @@ fn a_block_that_claims_too_much_takes_no_memory() {
 
 #[test]
 fn absurd_sizes_take_no_memory() {
-    for (width, height) in [
-        ("99999999", "99999999"),
-        ("18446744073709551615", "2"),
-        ("65536", "65536"),
-    ] {
+    for (width, height) in
+        [("99999999", "99999999"), ("18446744073709551615", "2"), ("65536", "65536")]
+    {
         let pfm = format!("PF\n{width} {height}\n-1\n0123");
-        assert_starts(
-            &message("map.pfm", pfm.as_bytes()),
-            "map.pfm: its header claims ",
-        );
+        assert_starts(&message("map.pfm", pfm.as_bytes()), "map.pfm: its header claims ");
     }
     let hdr = b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 30000 +X 30000\n0123";
-    assert_starts(
-        &message("map.hdr", hdr),
-        "map.hdr: its header claims 30000 x 30000 ",
-    );
+    assert_starts(&message("map.hdr", hdr), "map.hdr: its header claims 30000 x 30000 ");
     let (name, mut exr) = bytes_of(Type::ExrFloat);
     // Both windows end at 15, 7; far from there:
     for k in 0..exr.len() - 8 {
@@ -132,10 +110,7 @@ fn absurd_sizes_take_no_memory() {
             exr[k..k + 8].copy_from_slice(&[0xff, 0xff, 0xff, 0x1f, 7, 0, 0, 0]);
         }
     }
-    assert_starts(
-        &message(&name, &exr),
-        "map.exr: its header claims 536870912 x 8 ",
-    );
+    assert_starts(&message(&name, &exr), "map.exr: its header claims 536870912 x 8 ");
 }
 
 #[test]
@@ -145,10 +120,7 @@ fn maps_without_texels_are_refused() {
         "map.pfm: it is 0 x 4 pixels: it has none; ",
     );
     let hdr = b"#?RGBE\nFORMAT=32-bit_rle_rgbe\n\n-Y 0 +X 8\n";
-    assert_starts(
-        &message("map.hdr", hdr),
-        "map.hdr: it is 8 x 0 pixels: it has none; ",
-    );
+    assert_starts(&message("map.hdr", hdr), "map.hdr: it is 8 x 0 pixels: it has none; ");
     assert!(EnvironmentMap::new(0, 0, vec![]).is_err());
     assert!(EnvironmentMap::new(2, 2, vec![[0.0; 3]; 3]).is_err());
     assert!(EnvironmentMap::new(usize::MAX, 2, vec![[0.0; 3]; 3]).is_err());
@@ -157,29 +129,17 @@ fn maps_without_texels_are_refused() {
 #[test]
 fn other_kinds_of_the_types_are_refused() {
     let hdr = b"#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\n0123";
-    assert_starts(
-        &message("map.hdr", hdr),
-        "map.hdr: it is of a kind that is not read ",
-    );
+    assert_starts(&message("map.hdr", hdr), "map.hdr: it is of a kind that is not read ");
     let hdr = b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n+X 2 -Y 1\n01230123";
-    assert_starts(
-        &message("map.hdr", hdr),
-        "map.hdr: it is of a kind that is not read ",
-    );
+    assert_starts(&message("map.hdr", hdr), "map.hdr: it is of a kind that is not read ");
     let folder = TempDir::new().unwrap();
     let path = folder.path().join("map.exr");
     let samples = || FlatSamples::F32(vec![1.0; 8]);
     exr_channels(&path, (4, 2), vec![("depth", samples()), ("R", samples())]);
     let text = EnvironmentMap::from_path(&path).unwrap_err().to_string();
-    assert!(
-        text.contains("map.exr: its channels are R, depth, without R, G, B; "),
-        "{text}"
-    );
+    assert!(text.contains("map.exr: its channels are R, depth, without R, G, B; "), "{text}");
     exr_channels(&path, (4, 2), vec![("depth", samples()), ("Y", samples())]);
-    assert_eq!(
-        EnvironmentMap::from_path(&path).unwrap().texels,
-        [[1.0; 3]; 8]
-    );
+    assert_eq!(EnvironmentMap::from_path(&path).unwrap().texels, [[1.0; 3]; 8]);
 }
 
 #[test]
@@ -187,13 +147,7 @@ fn texels_that_are_not_finite_are_counted() {
     let mut map = map_of(8, |_| [1.0; 3]);
     map.texels[3 * 16 + 5] = [1.0, f32::NAN, f32::NAN];
     map.texels[7 * 16 + 2] = [f32::NEG_INFINITY, 1.0, 1.0];
-    for file_type in [
-        Type::ExrFloat,
-        Type::ExrZip,
-        Type::ExrHalf,
-        Type::PfmLittle,
-        Type::PfmBig,
-    ] {
+    for file_type in [Type::ExrFloat, Type::ExrZip, Type::ExrHalf, Type::PfmLittle, Type::PfmBig] {
         let folder = TempDir::new().unwrap();
         let text = EnvironmentMap::from_path(write(file_type, &map, folder.path()))
             .unwrap_err()
@@ -220,11 +174,7 @@ fn lights_are_called_as_their_files() {
     fs::rename(one.join("map.PFM"), one.join("a.pfm")).unwrap();
     fs::write(one.join("notes.txt"), "no map").unwrap();
     let lights = lights_from_paths(&[&one, &two], 3).unwrap();
-    let names: Vec<_> = lights
-        .entries
-        .iter()
-        .map(|entry| entry.name.as_str())
-        .collect();
+    let names: Vec<_> = lights.entries.iter().map(|entry| entry.name.as_str()).collect();
     assert_eq!(names, ["a", "b", "map"]);
     assert_eq!(lights.entries[0].rgb, lights.entries[2].rgb);
     assert_eq!(lights.degree, 3);
@@ -236,10 +186,7 @@ fn lights_are_called_as_their_files() {
     let empty = folder.path().join("empty");
     fs::create_dir(&empty).unwrap();
     let empty = lights_from_paths(&[&empty], 3).unwrap_err().to_string();
-    assert!(
-        empty.contains("empty: there is no map in this folder; "),
-        "{empty}"
-    );
+    assert!(empty.contains("empty: there is no map in this folder; "), "{empty}");
     assert!(lights_from_paths(&[folder.path().join("nowhere.exr")], 3).is_err());
     assert!(lights_from_paths::<&str>(&[], 3).is_err());
 }

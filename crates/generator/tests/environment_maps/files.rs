@@ -36,9 +36,7 @@ pub fn map_of(height: usize, radiance: impl Fn([f64; 3]) -> [f32; 3]) -> Environ
     let width = 2 * height;
     let blank = EnvironmentMap::new(width, height, vec![[0.0; 3]; width * height]).unwrap();
     let places = (0..height).flat_map(|row| (0..width).map(move |column| (column, row)));
-    let texels = places
-        .map(|(column, row)| radiance(blank.direction(column, row)))
-        .collect();
+    let texels = places.map(|(column, row)| radiance(blank.direction(column, row))).collect();
     EnvironmentMap::new(width, height, texels).unwrap()
 }
 
@@ -65,19 +63,12 @@ pub fn write(file_type: Type, map: &EnvironmentMap, folder: &Path) -> PathBuf {
             &path,
             false,
             ["R", "G", "B"],
-            Encoding {
-                compression: Compression::ZIP16,
-                ..Encoding::UNCOMPRESSED
-            },
+            Encoding { compression: Compression::ZIP16, ..Encoding::UNCOMPRESSED },
         ),
         Type::ExrHalf => exr(map, &path, true, ["R", "G", "B"], Encoding::FAST_LOSSLESS),
-        Type::ExrLayer => exr(
-            map,
-            &path,
-            true,
-            ["sky.R", "sky.G", "sky.B"],
-            Encoding::SMALL_LOSSLESS,
-        ),
+        Type::ExrLayer => {
+            exr(map, &path, true, ["sky.R", "sky.G", "sky.B"], Encoding::SMALL_LOSSLESS)
+        }
         Type::Hdr => hdr(map, &path),
         Type::PfmLittle => pfm(map, &path, "PF", "-1.0", f32::to_le_bytes),
         Type::PfmBig => pfm(map, &path, "PF", "1", f32::to_be_bytes),
@@ -92,10 +83,8 @@ pub fn exr_channels(
     (width, height): (usize, usize),
     channels: Vec<(&str, FlatSamples)>,
 ) {
-    let channels = channels
-        .into_iter()
-        .map(|(name, samples)| AnyChannel::new(name, samples))
-        .collect();
+    let channels =
+        channels.into_iter().map(|(name, samples)| AnyChannel::new(name, samples)).collect();
     let layer = Layer::new(
         (width, height),
         LayerAttributes::named("map"),

@@ -10,10 +10,7 @@ use eigenshade_generator::inputs::rounding::{LIGHT_DIGITS, rounded};
 use std::f64::consts::PI;
 
 const MAPS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tables/inputs/maps");
-const LIGHTS: &str = concat!(
-    env!("CARGO_MANIFEST_DIR"),
-    "/../../tables/inputs/lights.csv"
-);
+const LIGHTS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tables/inputs/lights.csv");
 
 #[test]
 fn every_map_decodes_and_keeps_its_negative_texels() {
@@ -59,18 +56,11 @@ fn the_shipped_lights_are_those_of_the_maps() {
     let shipped = shipped.truncated(degree);
     for (name, path) in named_maps(&[MAPS]).unwrap() {
         let rgb = project(&EnvironmentMap::from_path(path).unwrap(), degree);
-        let entry = shipped
-            .entries
-            .iter()
-            .find(|entry| entry.name == name)
-            .unwrap();
+        let entry = shipped.entries.iter().find(|entry| entry.name == name).unwrap();
         for (shipped, made) in entry.rgb.iter().flatten().zip(rgb.iter().flatten()) {
             // Half a unit of the last digit, and what another libm may do.
             let rounding = 5e-9 * made.abs() + LIGHT_PROJECTION * rgb[1][0];
-            assert!(
-                (shipped - made).abs() <= rounding,
-                "{name}: {shipped} for {made}"
-            );
+            assert!((shipped - made).abs() <= rounding, "{name}: {shipped} for {made}");
         }
     }
     let again = rounded(&shipped, LIGHT_DIGITS);
@@ -89,18 +79,9 @@ fn conventions_are_exchanged_both_ways() {
     for (paper, graphics) in paper.entries.iter().zip(&graphics.entries) {
         assert_eq!(paper.name, graphics.name);
         for (paper, graphics) in paper.rgb.iter().zip(&graphics.rgb) {
-            assert!(
-                paper
-                    .iter()
-                    .zip(signs)
-                    .zip(graphics)
-                    .all(|((p, s), g)| p * s == *g)
-            );
+            assert!(paper.iter().zip(signs).zip(graphics).all(|((p, s), g)| p * s == *g));
         }
     }
-    let none = Lights {
-        degree: 4,
-        entries: vec![],
-    };
+    let none = Lights { degree: 4, entries: vec![] };
     assert_eq!(exchanged(&none), none);
 }

@@ -1,0 +1,120 @@
+//! `eigenshade basis`: a table from a scene file.
+
+use clap::Args;
+use eigenshade_cli::compare::{Difference, differences};
+use eigenshade_cli::message::spinner;
+use eigenshade_cli::number::grouped;
+use eigenshade_cli::{destination, invocation, table_file};
+use eigenshade_generator::basis::build;
+use eigenshade_generator::error::{Error, Result};
+use eigenshade_generator::output::write_atomically;
+use eigenshade_generator::scene_file;
+use eigenshade_table::manifest::manifest;
+use eigenshade_table::{Table, encode};
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+/// The table of a scene: its eigenimages
+///
+/// --out writes the table and beside it B.manifest.csv, what is in it. --check
+/// makes the table anew and compares: eigenvalues, profiles, mode means, rows of
+/// U^T M and the images A U, each to 1e-9 of its largest number.
+#[derive(Args, Debug)]
+pub struct Basis {
+    /// Scene file; its paths are relative to it
+    #[arg(long, value_name = "FILE")]
+    scene: PathBuf,
+    #[command(flatten)]
+    purpose: Purpose,
+}
+
+#[derive(Args, Debug)]
+#[group(required = true, multiple = false)]
+struct Purpose {
+    /// Writes the table here
+    #[arg(long, value_name = "B.bin")]
+    out: Option<PathBuf>,
+    /// Compares this table with what the scene gives now
+    #[arg(long, value_name = "B.bin")]
+    check: Option<PathBuf>,
+}
+
+impl Basis {
+    pub fn run(self) -> Result<()> {
+        // Read first: a broken table need not wait for a good one.
+        let old = match &self.purpose.check {
+            Some(path) => Some((path, table_file::read(path)?)),
+            None => None,
+        };
+        let start = Instant::now();
+        let progress = spinner("eigenimages");
+        let loaded = scene_file::load(&self.scene)?;
+        let table = build(&loaded.scene, &loaded.lights, &loaded.materials);
+        progress.finish_and_clear();
+        let table = table.map_err(|error| error.in_file(&self.scene))?;
+        if let Some((path, old)) = old {
+            return check(&self.scene, path, &old, &table);
+        }
+        let bytes = encode(&table);
+        if let Some(path) = &self.purpose.out {
+            let put = |path: &Path, bytes: &[u8]| {
+                write_atomically(path, |out| {
+                    out.write_all(bytes).map_err(|error| destination::fault(&error))
+                })
+            };
+            put(path, &bytes)?;
+            let text = manifest(&table, &invocation::command_line());
+            put(&path.with_extension("manifest.csv"), text.as_bytes())?;
+        }
+        destination::write_text(None, &report(&table, bytes.len(), start.elapsed()))
+    }
+}
+
+/// What came out, for reading.
+fn report(table: &Table, bytes: usize, time: Duration) -> String {
+    let summary = &table.summary;
+    let both_signs = |(azimuth, rank): (usize, &usize)| if azimuth == 0 { *rank } else { 2 * rank };
+    let rank: usize = summary.ranks.iter().enumerate().map(both_signs).sum();
+    let (found, asked) = (table.components.len(), table.scene.basis.components);
+    let fewer = match asked {
+        Some(asked) if asked > found => format!(" of {asked} asked for: there are no more"),
+        _ => String::new(),
+    };
+    let mut text = String::new();
+    let lines = [
+        ("rank", rank.to_string()),
+        ("components", format!("{found}{fewer}")),
+        ("energy kept", format!("{:.9}", summary.energy_kept)),
+        ("bytes", grouped(bytes)),
+        ("time", format!("{:.2} s", time.as_secs_f64())),
+    ];
+    for (what, value) in lines {
+        let _ = writeln!(text, "{what:<12} {value}");
+    }
+    text
+}
+
+fn check(scene: &Path, path: &Path, old: &Table, new: &Table) -> Result<()> {
+    let remedy = format!(
+        "make it again with `eigenshade basis --scene {} --out {}`",
+        scene.display(),
+        path.display()
+    );
+    let found =
+        differences(old, new).map_err(|what| Error::new(what, remedy.clone()).in_file(path))?;
+    let mut text = String::new();
+    for one in &found {
+        let verdict = if one.is_over() { "  OVER" } else { "" };
+        let (what, apart, allowed) = (one.what, one.found, one.allowed);
+        let _ = writeln!(text, "{what:<24} {apart:>9.1e} of {allowed:.0e} allowed{verdict}");
+    }
+    destination::write_text(None, &text)?;
+    let over: Vec<&str> =
+        found.iter().filter(|one| one.is_over()).map(|one: &Difference| one.what).collect();
+    if over.is_empty() {
+        return Ok(());
+    }
+    let what = format!("it is not what the scene gives: {} differ", over.join(", "));
+    Err(Error::new(what, remedy).in_file(path))
+}

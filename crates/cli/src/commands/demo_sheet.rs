@@ -1,0 +1,180 @@
+//! One image of the demo against its truth, and the picture of all of them.
+
+use eigenshade_cli::canvas::{Canvas, LETTER, text_width};
+use eigenshade_cli::picture;
+use eigenshade_cli::sphere_view::SphereView;
+use eigenshade_cli::tone::{exposure, srgb};
+use eigenshade_generator::error::Result;
+use std::path::Path;
+
+/// Differences are shown so many times larger.
+const MAGNIFIED: f64 = 10.0;
+/// The share of a light's values that its exposure leaves unclipped.
+const UNCLIPPED: f64 = 0.98;
+
+const BACKGROUND: [u8; 3] = [24, 25, 28];
+const BRIGHT: [u8; 3] = [226, 226, 222];
+const DIM: [u8; 3] = [138, 140, 146];
+
+/// One light on one material: r, g and b of every pixel, ours and the truth, and
+/// how far they are apart.
+pub struct Trial {
+    /// The light, and the material.
+    pub names: [String; 2],
+    /// Number of components.
+    pub components: usize,
+    /// 1 - energy of the difference / energy of the truth about its mean.
+    pub energy_kept: f64,
+    /// Root mean square of the difference, of the truth's peak.
+    pub rms_error: f64,
+    /// Largest difference, of the truth's peak.
+    pub max_error: f64,
+    /// Nanoseconds a pixel.
+    pub nanoseconds: f64,
+    ours: Vec<[f64; 3]>,
+    truth: Vec<[f64; 3]>,
+}
+
+impl Trial {
+    /// Measures the errors over the pixels inside the disc, whose normals have the
+    /// density cos(α)/π; the peak is that of all pixels, the rim included.
+    pub fn new(
+        names: [String; 2],
+        components: usize,
+        ours: Vec<[f64; 3]>,
+        truth: Vec<[f64; 3]>,
+        view: &SphereView,
+    ) -> Self {
+        let peak = truth.iter().flatten().fold(0.0, |most: f64, value| most.max(value.abs()));
+        let inside = |image: &[[f64; 3]]| -> Vec<[f64; 3]> {
+            let pixels = view.pixels.iter().zip(image).filter(|(pixel, _)| pixel.is_inside);
+            pixels.map(|(_, rgb)| *rgb).collect()
+        };
+        let (seen, expected) = (inside(&ours), inside(&truth));
+        let count = expected.len() as f64;
+        let means = [0, 1, 2].map(|c| expected.iter().map(|rgb| rgb[c]).sum::<f64>() / count);
+        let (mut residual, mut energy, mut worst) = (0.0, 0.0, 0.0f64);
+        for (ours, truth) in seen.iter().zip(&expected) {
+            for ((ours, truth), mean) in ours.iter().zip(truth).zip(means) {
+                residual += (ours - truth).powi(2);
+                energy += (truth - mean).powi(2);
+                worst = worst.max((ours - truth).abs());
+            }
+        }
+        Self {
+            names,
+            components,
+            energy_kept: 1.0 - residual / energy,
+            rms_error: (residual / (3.0 * count)).sqrt() / peak,
+            max_error: worst / peak,
+            nanoseconds: 0.0,
+            ours,
+            truth,
+        }
+    }
+}
+
+/// Draws one row a material, and for each light ours, the truth and the difference.
+/// The trials stand light by light, `rows` materials of each.
+pub fn draw(path: &Path, view: &SphereView, trials: &[Trial], rows: usize) -> Result<()> {
+    let layout = Layout::new(view.size, trials, rows);
+    let columns = trials.len() / rows;
+    let width = layout.left + columns * layout.group + layout.margin;
+    let height = layout.top + rows * layout.row + layout.margin;
+    let mut canvas = Canvas::new(width, height, BACKGROUND);
+    for (column, of_light) in trials.chunks(rows).enumerate() {
+        let left = layout.left + column * layout.group;
+        layout.heading(&mut canvas, left, &title(&of_light[0].names[0]));
+        let values = of_light.iter().flat_map(|trial| trial.truth.iter().flatten().copied());
+        let exposure = exposure(values.collect(), UNCLIPPED);
+        for (row, trial) in of_light.iter().enumerate() {
+            let top = layout.top + row * layout.row;
+            if column == 0 {
+                layout.name(&mut canvas, top, &title(&trial.names[1]));
+            }
+            let difference: Vec<[f64; 3]> = trial
+                .ours
+                .iter()
+                .zip(&trial.truth)
+                .map(|(a, b)| [0, 1, 2].map(|c| MAGNIFIED * (a[c] - b[c]).abs()))
+                .collect();
+            for (place, image) in [&trial.ours, &trial.truth, &difference].into_iter().enumerate() {
+                let left = left + place * layout.step;
+                for (pixel, rgb) in view.pixels.iter().zip(image) {
+                    let colour = rgb.map(|value| srgb(exposure * value));
+                    canvas.blend(left + pixel.column, top + pixel.row, colour, pixel.coverage);
+                }
+            }
+            let error = format!("rms {:.2} %", 100.0 * trial.rms_error);
+            let under = top + view.size + LETTER / 2;
+            let middle = left + 2 * layout.step + view.size / 2;
+            layout.centred(&mut canvas, middle, under, DIM, &error);
+        }
+    }
+    picture::write(path, canvas.width, canvas.height, &canvas.bytes)
+}
+
+/// A name as a person would write it: without number and hyphens.
+fn title(name: &str) -> String {
+    let words = name.trim_start_matches(|letter: char| letter.is_ascii_digit() || letter == '-');
+    let words = if words.is_empty() { name } else { words };
+    words.replace('-', " ")
+}
+
+/// Where things stand, in pixels.
+struct Layout {
+    size: usize,
+    scale: usize,
+    margin: usize,
+    left: usize,
+    top: usize,
+    /// From one sphere of a group to the next.
+    step: usize,
+    /// From one light to the next.
+    group: usize,
+    /// From one material to the next.
+    row: usize,
+}
+
+impl Layout {
+    fn new(size: usize, trials: &[Trial], rows: usize) -> Self {
+        let scale = (size / 128).max(1);
+        let margin = 3 * LETTER * scale;
+        let names =
+            trials.iter().take(rows).map(|trial| text_width(scale, &title(&trial.names[1])));
+        let step = size + size / 16;
+        Self {
+            size,
+            scale,
+            margin,
+            left: 2 * margin + names.max().unwrap_or(0),
+            top: margin + 6 * LETTER * scale,
+            step,
+            group: 3 * step + margin,
+            row: size + 3 * LETTER * scale,
+        }
+    }
+
+    fn centred(&self, canvas: &mut Canvas, middle: usize, top: usize, colour: [u8; 3], text: &str) {
+        let left = middle.saturating_sub(text_width(self.scale, text) / 2);
+        canvas.text(left, top, self.scale, colour, text);
+    }
+
+    /// The light's name, and what stands below it.
+    fn heading(&self, canvas: &mut Canvas, left: usize, name: &str) {
+        let half = self.size / 2;
+        let middle = left + self.step + half;
+        let start = middle.saturating_sub(text_width(2 * self.scale, name) / 2);
+        canvas.text(start, self.margin, 2 * self.scale, BRIGHT, name);
+        let difference = format!("difference x {MAGNIFIED}");
+        for (place, text) in ["ours", "truth", &difference].into_iter().enumerate() {
+            let middle = left + place * self.step + half;
+            self.centred(canvas, middle, self.top - 2 * LETTER * self.scale, DIM, text);
+        }
+    }
+
+    fn name(&self, canvas: &mut Canvas, top: usize, name: &str) {
+        let row = top + self.size / 2 - self.scale * LETTER / 2;
+        canvas.text(self.margin, row, self.scale, BRIGHT, name);
+    }
+}

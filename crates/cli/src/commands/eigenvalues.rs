@@ -1,0 +1,37 @@
+//! `eigenshade eigenvalues`: the spectrum of a table.
+
+use clap::Args;
+use eigenshade_cli::number::exact;
+use eigenshade_cli::rows::Rows;
+use eigenshade_cli::{destination, table_file};
+use eigenshade_generator::error::Result;
+use std::path::PathBuf;
+
+/// The eigenvalues of a table, as CSV `criterion,index,m,eigenvalue`
+///
+/// All that were found, also of components that the table does not keep. The
+/// constant of the image-centred criterion, number 0, has none: its field is empty.
+#[derive(Args, Debug)]
+pub struct Eigenvalues {
+    /// The table
+    #[arg(value_name = "B.bin")]
+    table: PathBuf,
+    /// Where the CSV goes, instead of standard output
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+}
+
+impl Eigenvalues {
+    pub fn run(self) -> Result<()> {
+        let table = table_file::read(&self.table)?;
+        let criterion = table.scene.basis.criterion.name();
+        destination::write(self.out.as_deref(), |out| {
+            let mut rows = Rows::new(out, ["criterion", "index", "m", "eigenvalue"])?;
+            for (index, (m, value)) in table.spectrum.iter().enumerate() {
+                let value = value.map(exact).unwrap_or_default();
+                rows.row([criterion, &index.to_string(), &m.to_string(), &value])?;
+            }
+            rows.finish()
+        })
+    }
+}

@@ -1,0 +1,79 @@
+//! `eigenshade info`: what is in a table.
+
+use clap::Args;
+use eigenshade_cli::number::grouped;
+use eigenshade_cli::{destination, table_file};
+use eigenshade_generator::error::Result;
+use eigenshade_table::Table;
+use eigenshade_table::manifest::manifest;
+use std::fmt::Write;
+use std::path::PathBuf;
+
+/// What is in a table: scene, orders, components, rank, energy, sections and bytes
+#[derive(Args, Debug)]
+pub struct Info {
+    /// The table
+    #[arg(value_name = "B.bin")]
+    table: PathBuf,
+}
+
+impl Info {
+    pub fn run(self) -> Result<()> {
+        let table = table_file::read(&self.table)?;
+        destination::write_text(None, &description(&table))
+    }
+}
+
+fn description(table: &Table) -> String {
+    let scene = &table.scene;
+    let names = match scene.material.names.len() {
+        0 => "all".to_owned(),
+        _ => scene.material.names.join(" "),
+    };
+    let wanted = match (scene.basis.components, scene.basis.tolerance) {
+        (Some(count), _) => format!("{count} components"),
+        (None, Some(tolerance)) => format!("tolerance {tolerance:e}"),
+        (None, None) => "all components".to_owned(),
+    };
+    let lines = [
+        ("normals", scene.geometry.normals.clone()),
+        ("light", scene.light.database.clone()),
+        ("rotation", format!("{:?}", scene.light.rotation).to_lowercase()),
+        ("material", format!("{}, {names}", scene.material.database)),
+        ("criterion", scene.basis.criterion.name().to_owned()),
+        ("asked for", wanted),
+        ("modes", eigenshade_index::mode::total(table.gram.degree, table.gram.order).to_string()),
+        ("kept modes", kept_modes(table)),
+        ("profiles", table.profiles.len().to_string()),
+        ("spectrum", table.spectrum.len().to_string()),
+        ("nodes", table.gram.nodes.len().to_string()),
+    ];
+    let mut text = String::new();
+    for (what, value) in lines {
+        let _ = writeln!(text, "{what:<24} {value}");
+    }
+    for line in manifest(table, "").lines().skip(2) {
+        let mut fields = line.split(',');
+        let (Some(entry), Some(value)) = (fields.next(), fields.next()) else {
+            continue;
+        };
+        let bytes = fields.next().and_then(|bytes| bytes.parse().ok());
+        let _ = match bytes {
+            Some(bytes) => writeln!(text, "{entry:<24} {:>9} bytes", grouped(bytes)),
+            None => writeln!(text, "{entry:<24} {value}"),
+        };
+    }
+    text
+}
+
+fn kept_modes(table: &Table) -> String {
+    if table.selection.is_empty() {
+        return "all".to_owned();
+    }
+    let of_azimuth = table.selection.len() / (table.gram.degree + 1);
+    let kept = table.selection.chunks(of_azimuth).enumerate().map(|(azimuth, kept)| {
+        let count = kept.iter().filter(|&&kept| kept).count();
+        if azimuth == 0 { count } else { 2 * count }
+    });
+    kept.sum::<usize>().to_string()
+}

@@ -1,0 +1,111 @@
+//! `eigenshade light`: environment maps to spherical harmonics.
+
+use super::count;
+use clap::{Args, ValueEnum};
+use eigenshade_cli::message::{bar, say};
+use eigenshade_cli::{destination, invocation};
+use eigenshade_generator::database::{Lights, Named};
+use eigenshade_generator::error::{Error, Result};
+use eigenshade_generator::inputs::coefficient_csv::{read_lights, write_lights};
+use eigenshade_generator::inputs::convention::exchanged;
+use eigenshade_generator::inputs::environment::EnvironmentMap;
+use eigenshade_generator::inputs::light_projection::{named_maps, project};
+use eigenshade_generator::inputs::rounding::{LIGHT_DIGITS, rounded};
+use std::path::{Path, PathBuf};
+
+/// Light coefficients from environment maps, or from the other convention
+///
+/// Writes the CSV `name,l,m,r,g,b`. Maps are equirectangular and linear, row 0 at
+/// the top, and keep nine significant digits. On standard error stands how much of
+/// each map's radiance is negative. A file that --out names begins with a comment
+/// line, `#` and the command.
+///
+/// A single light CSV instead of maps is converted from the OTHER convention to the
+/// one named by --convention: `light graphics.csv --convention paper` reads
+/// coefficients in the graphics convention. --degree then leaves out what lies
+/// above it; more than the file holds is an error.
+#[derive(Args, Debug)]
+pub struct Light {
+    /// Maps (.exr, .hdr, .pfm), folders of maps, or one light CSV
+    #[arg(value_name = "MAP", required = true)]
+    maps: Vec<PathBuf>,
+    /// Largest degree l of the coefficients, 0 to 256
+    #[arg(long, value_name = "L", value_parser = count(0, 256))]
+    degree: usize,
+    /// Convention of the coefficients that are written
+    #[arg(long, value_enum, default_value_t = Convention::Paper)]
+    convention: Convention,
+    /// Where the CSV goes, instead of standard output
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Convention {
+    /// Nillius and Eklundh's: Condon-Shortley phase, signed m in sin(m phi)
+    Paper,
+    /// That of three.js, Filament and Ramamoorthi
+    Graphics,
+}
+
+impl Light {
+    pub fn run(self) -> Result<()> {
+        let lights = match self.maps.as_slice() {
+            [file] if is_csv(file) => exchanged(&read_lights(file, Some(self.degree))?),
+            maps => {
+                let lights = projected(maps, self.degree)?;
+                match self.convention {
+                    Convention::Paper => lights,
+                    Convention::Graphics => exchanged(&lights),
+                }
+            }
+        };
+        destination::write(self.out.as_deref(), |out| {
+            if self.out.is_some() {
+                writeln!(out, "# {}", invocation::command_line())
+                    .map_err(|error| destination::fault(&error))?;
+            }
+            write_lights(&lights, out)
+        })
+    }
+}
+
+fn is_csv(path: &Path) -> bool {
+    path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"))
+}
+
+/// The lights of the maps, as the shipped files hold them.
+fn projected(maps: &[PathBuf], degree: usize) -> Result<Lights> {
+    if let Some(file) = maps.iter().find(|file| is_csv(file)) {
+        let what = "a light CSV among other inputs";
+        return Err(Error::new(what, "convert one CSV at a time, maps apart").in_file(file));
+    }
+    let files = named_maps(maps)?;
+    let progress = bar("maps", files.len());
+    let mut entries = Vec::new();
+    for (name, path) in files {
+        let map = EnvironmentMap::from_path(&path)?;
+        let share = map.negative_integral().negative_share();
+        progress.suspend(|| report(&name, &path, &map, share));
+        entries.push(Named { name, rgb: project(&map, degree) });
+        progress.inc(1);
+    }
+    progress.finish_and_clear();
+    Ok(rounded(&Lights { degree, entries }, LIGHT_DIGITS))
+}
+
+fn report(name: &str, path: &Path, map: &EnvironmentMap, share: f64) {
+    // A map with no negative texel has -0.
+    let (width, height, share) = (map.width, map.height, share + 0.0);
+    if share.is_nan() {
+        say(format_args!("{name}: {width} x {height}, black"));
+    } else {
+        say(format_args!("{name}: {width} x {height}, negative radiance {share:.2e} of the whole"));
+    }
+    if !map.is_twice_as_wide_as_high() {
+        let path = path.display();
+        say(format_args!(
+            "warning: {path} is not twice as wide as high; it is read as equirectangular"
+        ));
+    }
+}

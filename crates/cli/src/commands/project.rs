@@ -1,0 +1,69 @@
+//! `eigenshade project`: coefficients of images in a table's eigenimages.
+
+use super::count;
+use clap::Args;
+use eigenshade_cli::number::exact;
+use eigenshade_cli::owned_basis::OwnedBasis;
+use eigenshade_cli::rows::Rows;
+use eigenshade_cli::shader::{Shader, fault, fitted};
+use eigenshade_cli::{destination, table_file};
+use eigenshade_generator::error::Result;
+use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
+use std::path::PathBuf;
+
+/// Every light on every material, in a table's components
+///
+/// Writes the CSV `light,material,component,r,g,b`: d = U^T M c in f64, channel by
+/// channel. What goes beyond the table's degree or order is left out; lights and
+/// materials of less are taken as they are.
+#[derive(Args, Debug)]
+pub struct Project {
+    /// The table
+    #[arg(value_name = "B.bin")]
+    table: PathBuf,
+    /// Light CSV
+    #[arg(long, value_name = "FILE")]
+    lights: PathBuf,
+    /// Material CSV
+    #[arg(long, value_name = "FILE")]
+    materials: PathBuf,
+    /// Only the first K components
+    #[arg(long, value_name = "K", value_parser = count(1, u64::from(u16::MAX)))]
+    components: Option<usize>,
+    /// Where the CSV goes, instead of standard output
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+}
+
+impl Project {
+    pub fn run(self) -> Result<()> {
+        let table = table_file::read(&self.table)?;
+        let components = table_file::components(&table, self.components, &self.table)?;
+        let (lights, materials) = fitted(
+            &table,
+            &read_lights(&self.lights, None)?,
+            &read_materials(&self.materials, None)?,
+        );
+        let basis = OwnedBasis::<f64>::new(&table);
+        let mut shader = Shader::new(basis.basis().map_err(fault)?, components);
+        destination::write(self.out.as_deref(), |out| {
+            let header = ["light", "material", "component", "r", "g", "b"];
+            let mut rows = Rows::new(out, header)?;
+            for light in &lights.entries {
+                for material in &materials.entries {
+                    let mut channel = |c: usize| -> Result<Vec<f64>> {
+                        let light = (lights.degree, light.rgb[c].as_slice());
+                        let material = (materials.order, material.rgb[c].as_slice());
+                        Ok(shader.project(light, material)?.to_vec())
+                    };
+                    let (red, green, blue) = (channel(0)?, channel(1)?, channel(2)?);
+                    for (index, ((r, g), b)) in red.iter().zip(&green).zip(&blue).enumerate() {
+                        let [r, g, b] = [r, g, b].map(|value| exact(*value));
+                        rows.row([&light.name, &material.name, &index.to_string(), &r, &g, &b])?;
+                    }
+                }
+            }
+            rows.finish()
+        })
+    }
+}

@@ -1,0 +1,68 @@
+//! `eigenshade render`: a picture of a sphere.
+
+use super::count;
+use clap::Args;
+use eigenshade_cli::named::Choice;
+use eigenshade_cli::owned_basis::OwnedBasis;
+use eigenshade_cli::shader::{OwnedNormals, Shader, fault, fitted};
+use eigenshade_cli::sphere_view::SphereView;
+use eigenshade_cli::tone::{exposure, srgb};
+use eigenshade_cli::{picture, table_file};
+use eigenshade_generator::database::{Lights, Materials};
+use eigenshade_generator::error::Result;
+use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
+use std::path::PathBuf;
+
+/// The share of the picture's values that the exposure leaves unclipped.
+const UNCLIPPED: f64 = 0.99;
+
+/// A sphere as PNG: sRGB, transparent around it
+///
+/// The exposure is the picture's own: one in a hundred of its values clips.
+#[derive(Args, Debug)]
+pub struct Render {
+    /// The table
+    #[arg(value_name = "B.bin")]
+    table: PathBuf,
+    /// Light CSV, and which of its lights; the name may be left out if there is one
+    #[arg(long, value_name = "FILE[:NAME]")]
+    light: String,
+    /// Material CSV, and which of its materials
+    #[arg(long, value_name = "FILE[:NAME]")]
+    material: String,
+    /// Pixels across, 1 to 8192
+    #[arg(long, value_name = "N", default_value = "512", value_parser = count(1, 8192))]
+    size: usize,
+    /// Where the picture goes
+    #[arg(long, value_name = "F.png")]
+    out: PathBuf,
+}
+
+impl Render {
+    pub fn run(self) -> Result<()> {
+        let table = table_file::read(&self.table)?;
+        let (light, material) = (Choice::new(&self.light), Choice::new(&self.material));
+        let Lights { degree, entries } = read_lights(&light.path, None)?;
+        let lights = Lights { degree, entries: vec![light.of(entries)?] };
+        let Materials { order, entries } = read_materials(&material.path, None)?;
+        let materials = Materials { order, entries: vec![material.of(entries)?] };
+        let (lights, materials) = fitted(&table, &lights, &materials);
+        let basis = OwnedBasis::<f32>::new(&table);
+        let mut shader = Shader::new(basis.basis().map_err(fault)?, table.components.len());
+        let view = SphereView::new(self.size);
+        let normals = OwnedNormals::new(&view.normals);
+        let light = (lights.degree, &lights.entries[0]);
+        let image = shader.colour(light, (materials.order, &materials.entries[0]), &normals)?;
+        let values = image.iter().flatten().map(|&value| f64::from(value)).collect();
+        let exposure = exposure(values, UNCLIPPED);
+        let mut bytes = vec![0; 4 * self.size * self.size];
+        for (k, pixel) in view.pixels.iter().enumerate() {
+            let start = 4 * (pixel.row * self.size + pixel.column);
+            for (channel, byte) in image.iter().zip(&mut bytes[start..]) {
+                *byte = srgb(exposure * f64::from(channel[k]));
+            }
+            bytes[start + 3] = (255.0 * pixel.coverage).round() as u8;
+        }
+        picture::write(&self.out, self.size, self.size, &bytes)
+    }
+}

@@ -1,0 +1,168 @@
+//! Whether two tables say the same.
+//!
+//! Compared is what a scene determines: eigenvalues, profiles, mode means, rows of
+//! UᵀM, the mean image. Of U only its images AU: the mode coefficients themselves
+//! are as free as M is singular.
+
+use eigenshade_generator::profile::evaluate;
+use eigenshade_table::{Profile, Table};
+
+/// What may differ, relative to the largest number of its kind.
+pub const ALLOWED: f64 = 1e-9;
+
+/// Arguments at which polynomials are compared.
+const ARGUMENTS: u32 = 64;
+
+/// How far two tables are apart in one respect.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Difference {
+    /// What was compared.
+    pub what: &'static str,
+    /// The largest difference, relative to the largest of these numbers.
+    pub found: f64,
+    /// How large it may be.
+    pub allowed: f64,
+}
+
+impl Difference {
+    /// Whether it is larger than it may be; a NaN is.
+    #[must_use]
+    pub fn is_over(&self) -> bool {
+        self.found.is_nan() || self.found > self.allowed
+    }
+}
+
+/// The differences between a table and the one that it should be.
+///
+/// # Errors
+///
+/// What does not fit at all: another scene, degree, rank or number of components.
+pub fn differences(table: &Table, fresh: &Table) -> Result<Vec<Difference>, String> {
+    same_shape(table, fresh)?;
+    let both = [table, fresh];
+    let [old_values, new_values] = both.map(component_eigenvalues);
+    let [old_spectrum, new_spectrum] = both.map(|table| spectrum(table, longest_spectrum(both)));
+    let columns: Vec<_> =
+        (0..=fresh.gram.degree).map(|azimuth| fresh.gram.columns(azimuth)).collect();
+    let images = |profile: &Profile| {
+        let mut image = vec![0.0; profile.node_values.len()];
+        for (column, coefficient) in columns[profile.azimuth].iter().zip(&profile.modes) {
+            for (pixel, value) in image.iter_mut().zip(column) {
+                *pixel += coefficient * value;
+            }
+        }
+        image
+    };
+    let of_profiles = |table: &Table, f: &dyn Fn(&Profile) -> Vec<f64>| -> Vec<f64> {
+        table.profiles.iter().flat_map(f).collect()
+    };
+    let compared = |what, f: &dyn Fn(&Profile) -> Vec<f64>| {
+        difference(what, &of_profiles(table, f), &of_profiles(fresh, f))
+    };
+    let mut polynomials = compared("profiles' polynomials", &polynomial);
+    polynomials.allowed = polynomial_allowance(table, fresh);
+    let [old_rows, new_rows] =
+        both.map(|table| of_profiles(table, &|profile| table.gram_row(profile)));
+    let [old_mean, new_mean] = both.map(mean);
+    let mut mean = difference("mean image", &old_mean, &new_mean);
+    mean.allowed = polynomials.allowed;
+    Ok(vec![
+        difference("components' eigenvalues", &old_values, &new_values),
+        difference("spectrum", &old_spectrum, &new_spectrum),
+        compared("profiles at the nodes", &|profile| profile.node_values.clone()),
+        polynomials,
+        difference("mode means e", &table.gram.mode_means(), &fresh.gram.mode_means()),
+        difference("rows of U^T M", &old_rows, &new_rows),
+        compared("images A U", &images),
+        mean,
+    ])
+}
+
+fn same_shape(table: &Table, fresh: &Table) -> Result<(), String> {
+    let orders = |table: &Table| {
+        table.components.iter().map(|one| (one.order, one.profile)).collect::<Vec<_>>()
+    };
+    let azimuths = |table: &Table| {
+        let lengths = table.profiles.iter().map(|one| (one.azimuth, one.node_values.len()));
+        lengths.collect::<Vec<_>>()
+    };
+    if table.scene != fresh.scene {
+        return Err("it was made for another scene".into());
+    }
+    if table.components.len() != fresh.components.len() {
+        let (found, expected) = (table.components.len(), fresh.components.len());
+        return Err(format!("it has {found} components where {expected} belong"));
+    }
+    if orders(table) != orders(fresh) || azimuths(table) != azimuths(fresh) {
+        return Err("its components have other azimuths".into());
+    }
+    if table.selection != fresh.selection {
+        return Err("it keeps other modes".into());
+    }
+    if table.summary.ranks != fresh.summary.ranks {
+        return Err("the ranks of its blocks differ".into());
+    }
+    Ok(())
+}
+
+fn component_eigenvalues(table: &Table) -> Vec<f64> {
+    table.components.iter().map(|one| one.eigenvalue.unwrap_or(0.0)).collect()
+}
+
+fn longest_spectrum(tables: [&Table; 2]) -> usize {
+    tables.map(|table| table.spectrum.len()).into_iter().max().unwrap_or(0)
+}
+
+/// The spectrum, filled up with zeros: its end is where rounding decides.
+fn spectrum(table: &Table, length: usize) -> Vec<f64> {
+    let mut values: Vec<f64> =
+        table.spectrum.iter().map(|(_, value)| value.unwrap_or(0.0)).collect();
+    values.resize(length, 0.0);
+    values
+}
+
+/// u(α) on slants from the pole to the rim.
+fn polynomial(profile: &Profile) -> Vec<f64> {
+    let slants =
+        (0..=ARGUMENTS).map(|k| std::f64::consts::FRAC_PI_2 * f64::from(k) / f64::from(ARGUMENTS));
+    slants
+        .map(|alpha| {
+            let (sine, z) = alpha.sin_cos();
+            sine.powi(profile.azimuth as i32) * evaluate(&profile.chebyshev, z)
+        })
+        .collect()
+}
+
+/// Where two polynomials were cut at different terms, they may be as far apart as
+/// the scene lets each be from its profile.
+fn polynomial_allowance(table: &Table, fresh: &Table) -> f64 {
+    let lengths =
+        |table: &Table| table.profiles.iter().map(|one| one.chebyshev.len()).collect::<Vec<_>>();
+    if lengths(table) == lengths(fresh) {
+        ALLOWED
+    } else {
+        ALLOWED.max(2.0 * fresh.scene.basis.profile_tolerance)
+    }
+}
+
+fn mean(table: &Table) -> Vec<f64> {
+    table.mean.as_ref().map_or_else(Vec::new, |mean| {
+        let arguments = (0..=ARGUMENTS).map(|k| f64::from(k) / f64::from(ARGUMENTS));
+        let values = arguments.map(|z| evaluate(&mean.chebyshev, z));
+        values.chain(mean.coefficients.iter().copied()).collect()
+    })
+}
+
+fn difference(what: &'static str, found: &[f64], expected: &[f64]) -> Difference {
+    let largest = expected.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+    let worst = if found.len() == expected.len() {
+        found.iter().zip(expected).fold(0.0, |most: f64, (a, b)| {
+            let apart = (a - b).abs();
+            if apart > most || apart.is_nan() { apart } else { most }
+        })
+    } else {
+        f64::INFINITY
+    };
+    let found = if worst == 0.0 { 0.0 } else { worst / largest };
+    Difference { what, found, allowed: ALLOWED }
+}

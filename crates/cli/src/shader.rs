@@ -1,0 +1,170 @@
+//! From a light and a material to the irradiance of many normals, in a number
+//! format of the runtime.
+
+use eigenshade::{Basis, Light, Material, Normal, Normals, Scalar, Scene};
+use eigenshade_generator::database::{Lights, Materials, Named};
+use eigenshade_generator::error::{Error, Result};
+use eigenshade_table::Table;
+
+/// Lights and materials without what lies above a table's degree and order.
+#[must_use]
+pub fn fitted(table: &Table, lights: &Lights, materials: &Materials) -> (Lights, Materials) {
+    (lights.truncated(table.gram.degree), materials.truncated(table.gram.order))
+}
+
+/// A basis with room to work in.
+#[derive(Clone, Debug)]
+pub struct Shader<'a, S> {
+    basis: Basis<'a, S>,
+    components: usize,
+    scattering: Vec<S>,
+    transfer: Vec<S>,
+    coefficients: Vec<S>,
+    scene: Vec<S>,
+}
+
+/// Normals component by component, in a number format.
+#[derive(Clone, Debug)]
+pub struct OwnedNormals<S>([Vec<S>; 3]);
+
+impl<S: Scalar> OwnedNormals<S> {
+    /// Rounds unit normals with z >= 0 to the format.
+    #[must_use]
+    pub fn new(normals: &[[f64; 3]]) -> Self {
+        Self([0, 1, 2].map(|axis| normals.iter().map(|n| S::from_f64(n[axis])).collect()))
+    }
+
+    /// The normals, for [`Scene::shade_slice`].
+    ///
+    /// # Errors
+    ///
+    /// None in truth: the three lengths are one.
+    pub fn view(&self) -> Result<Normals<'_, S>> {
+        let [x, y, z] = &self.0;
+        Normals::new(x, y, z).map_err(fault)
+    }
+
+    /// Each normal by itself.
+    ///
+    /// # Errors
+    ///
+    /// One that is no visible normal.
+    pub fn each(&self) -> Result<Vec<Normal<S>>> {
+        let [x, y, z] = &self.0;
+        let triples = x.iter().zip(y).zip(z);
+        triples.map(|((&x, &y), &z)| Normal::new(x, y, z).map_err(fault)).collect()
+    }
+}
+
+impl<'a, S: Scalar> Shader<'a, S> {
+    /// A shader that uses the first `components` of the basis.
+    #[must_use]
+    pub fn new(basis: Basis<'a, S>, components: usize) -> Self {
+        Self {
+            basis,
+            components: components.min(basis.components()),
+            scattering: vec![S::ZERO; basis.scattering_len()],
+            transfer: vec![S::ZERO; basis.transfer_len()],
+            coefficients: vec![S::ZERO; basis.components()],
+            scene: vec![S::ZERO; basis.scene_len()],
+        }
+    }
+
+    /// d of one channel of a light on one of a material, of no higher degree and
+    /// order than the basis.
+    ///
+    /// # Errors
+    ///
+    /// Coefficients that are of another degree or order than they claim, or beyond
+    /// the basis.
+    pub fn project(
+        &mut self,
+        (degree, light): (usize, &[f64]),
+        (order, material): (usize, &[f64]),
+    ) -> Result<&[S]> {
+        let (light, material) = (rounded::<S>(light), rounded::<S>(material));
+        let light = Light::new(degree, &light).map_err(fault)?;
+        let material = Material::new(order, &material).map_err(fault)?;
+        self.basis
+            .project_into(
+                &light,
+                &material,
+                &mut self.scattering,
+                &mut self.transfer,
+                &mut self.coefficients,
+            )
+            .map_err(fault)?;
+        Ok(&self.coefficients[..self.components])
+    }
+
+    /// The image of the last projection, collapsed.
+    ///
+    /// # Errors
+    ///
+    /// None in truth: the buffers have the basis's lengths.
+    pub fn scene(&mut self) -> Result<Scene<'a, &mut Vec<S>>> {
+        let coefficients = &self.coefficients[..self.components];
+        self.basis.collapse_into(coefficients, &mut self.scene).map_err(fault)
+    }
+
+    /// One channel of the image, by the collapsed polynomials.
+    ///
+    /// # Errors
+    ///
+    /// As [`project`](Self::project).
+    pub fn polynomial(
+        &mut self,
+        light: (usize, &[f64]),
+        material: (usize, &[f64]),
+        normals: &OwnedNormals<S>,
+    ) -> Result<Vec<S>> {
+        self.project(light, material)?;
+        let normals = normals.view()?;
+        let mut irradiance = vec![S::ZERO; normals.len()];
+        self.scene()?.shade_slice(normals, &mut irradiance).map_err(fault)?;
+        Ok(irradiance)
+    }
+
+    /// One channel of the image, component by component.
+    ///
+    /// # Errors
+    ///
+    /// As [`project`](Self::project).
+    pub fn eigen(
+        &mut self,
+        light: (usize, &[f64]),
+        material: (usize, &[f64]),
+        normals: &[Normal<S>],
+    ) -> Result<Vec<S>> {
+        let basis = self.basis;
+        let coefficients = self.project(light, material)?;
+        let one = |&normal: &Normal<S>| basis.reconstruct(coefficients, normal).map_err(fault);
+        normals.iter().map(one).collect()
+    }
+
+    /// All three channels of the image, by the collapsed polynomials.
+    ///
+    /// # Errors
+    ///
+    /// As [`project`](Self::project).
+    pub fn colour(
+        &mut self,
+        (degree, light): (usize, &Named),
+        (order, material): (usize, &Named),
+        normals: &OwnedNormals<S>,
+    ) -> Result<[Vec<S>; 3]> {
+        let mut channel =
+            |c: usize| self.polynomial((degree, &light.rgb[c]), (order, &material.rgb[c]), normals);
+        Ok([channel(0)?, channel(1)?, channel(2)?])
+    }
+}
+
+fn rounded<S: Scalar>(values: &[f64]) -> Vec<S> {
+    values.iter().map(|&value| S::from_f64(value)).collect()
+}
+
+/// A fault that the runtime found in what it was given.
+#[must_use]
+pub fn fault(error: eigenshade::Error) -> Error {
+    Error::new(error.to_string(), "check the inputs against `eigenshade info` of the table")
+}

@@ -1,0 +1,69 @@
+//! A sphere as the camera sees it: a disc of pixels, each with its normal.
+
+/// The pixels of a square picture that the sphere touches.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SphereView {
+    /// Pixels across.
+    pub size: usize,
+    /// The pixels, row by row from the top.
+    pub pixels: Vec<Pixel>,
+    /// The unit normal of each, z >= 0; on the rim for a pixel whose middle the
+    /// sphere just misses.
+    pub normals: Vec<[f64; 3]>,
+}
+
+/// One pixel of the disc.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pixel {
+    /// From the left.
+    pub column: usize,
+    /// From the top.
+    pub row: usize,
+    /// The share of it that the sphere covers, about.
+    pub coverage: f64,
+    /// Whether its middle lies on the sphere.
+    pub is_inside: bool,
+}
+
+impl SphereView {
+    /// A sphere that fills a picture of `size` x `size` pixels but for half a pixel
+    /// of margin.
+    #[must_use]
+    pub fn new(size: usize) -> Self {
+        let radius = 0.5 * size as f64 - 0.5;
+        let mut view = Self { size, pixels: Vec::new(), normals: Vec::new() };
+        let offset = |k: usize| k as f64 + 0.5 - 0.5 * size as f64;
+        for row in 0..size {
+            for column in 0..size {
+                let (x, y) = (offset(column), -offset(row));
+                let distance = x.hypot(y);
+                let coverage = (radius - distance + 0.5).clamp(0.0, 1.0);
+                if coverage > 0.0 {
+                    let is_inside = distance < radius;
+                    let scale = if is_inside { radius } else { distance }.recip();
+                    let (x, y) = (scale * x, scale * y);
+                    let z = (1.0 - x * x - y * y).max(0.0).sqrt();
+                    view.pixels.push(Pixel { column, row, coverage, is_inside });
+                    view.normals.push([x, y, if is_inside { z } else { 0.0 }]);
+                }
+            }
+        }
+        view
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::SphereView;
+
+    #[test]
+    fn normals_are_unit_and_up_is_y() {
+        let view = SphereView::new(33);
+        for n in &view.normals {
+            assert!((n.iter().map(|c| c * c).sum::<f64>() - 1.0).abs() < 1e-12 && n[2] >= 0.0);
+        }
+        assert!(view.normals[0][1] > 0.9 && view.pixels[0].row == 0);
+        let middle = view.pixels.iter().position(|p| (p.column, p.row) == (16, 16)).unwrap();
+        assert_eq!(view.normals[middle], [0.0, 0.0, 1.0]);
+    }
+}

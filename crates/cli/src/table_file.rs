@@ -1,0 +1,50 @@
+//! Tables from files.
+
+use eigenshade_generator::error::{Error, Result};
+use eigenshade_table::{FileError, Table};
+use std::path::Path;
+
+/// Reads a table.
+///
+/// # Errors
+///
+/// If the file cannot be read, is no table, of another version, or damaged.
+pub fn read(path: &Path) -> Result<Table> {
+    let bytes = std::fs::read(path).map_err(|error| Error::io(path, &error))?;
+    decode(&bytes).map_err(|error| error.in_file(path))
+}
+
+/// The table in a file's bytes.
+///
+/// # Errors
+///
+/// If they are no table, of another version, or damaged.
+pub fn decode(bytes: &[u8]) -> Result<Table> {
+    eigenshade_table::decode(bytes).map_err(|error| described(&error))
+}
+
+/// What is wrong and what to do, which the one line of [`FileError`] has both.
+fn described(error: &FileError) -> Error {
+    let line = error.to_string();
+    match line.rsplit_once("; ") {
+        Some((what, remedy)) => Error::new(what, remedy),
+        None => Error::new(line, "make it again with `eigenshade basis`"),
+    }
+}
+
+/// The number of components to use: those that are asked for, or all.
+///
+/// # Errors
+///
+/// If more are asked for than the table at `path` has.
+pub fn components(table: &Table, asked: Option<usize>, path: &Path) -> Result<usize> {
+    let all = table.components.len();
+    match asked {
+        Some(count) if count > all => Err(Error::new(
+            format!("it has {all} components, asked for are {count}"),
+            format!("ask for {all} at most, or make a larger table with `eigenshade basis`"),
+        )
+        .in_file(path)),
+        _ => Ok(asked.unwrap_or(all)),
+    }
+}

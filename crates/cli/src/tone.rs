@@ -1,0 +1,43 @@
+//! Linear values for looking at: an exposure, then sRGB.
+
+/// The factor that brings the value below which a `share` of them lie to 1; 1 if
+/// that value is not positive.
+#[must_use]
+pub fn exposure(mut values: Vec<f64>, share: f64) -> f64 {
+    values.retain(|value| value.is_finite());
+    values.sort_by(f64::total_cmp);
+    let last = values.len().saturating_sub(1);
+    let place = (share.clamp(0.0, 1.0) * last as f64).round() as usize;
+    match values.get(place) {
+        Some(&value) if value > 0.0 => value.recip(),
+        _ => 1.0,
+    }
+}
+
+/// The sRGB encoding of a linear value in \[0, 1\], IEC 61966-2-1; beyond, it clips.
+#[must_use]
+pub fn srgb(linear: f64) -> u8 {
+    let linear = linear.clamp(0.0, 1.0);
+    let encoded =
+        if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 };
+    (255.0 * encoded).round() as u8
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn encodings_are_those_of_the_standard() {
+        let codes = [0.0, 0.003_130_8, 0.215_861, 0.5, 1.0, 2.0, -1.0, f64::NAN].map(srgb);
+        assert_eq!(codes, [0, 10, 128, 188, 255, 255, 0, 0]);
+    }
+
+    #[test]
+    fn exposures_follow_the_percentile() {
+        let values: Vec<f64> = (0..=100).map(f64::from).collect();
+        assert_eq!(exposure(values, 0.5), 1.0 / 50.0);
+        assert_eq!(exposure(vec![], 0.5), 1.0);
+        assert_eq!(exposure(vec![-1.0], 1.0), 1.0);
+    }
+}

@@ -1,0 +1,260 @@
+//! Bad input: exit status 1, one line that names the file, and nothing written.
+
+mod support;
+
+use std::fs;
+use support::{Folder, assert_fails, lights, materials, repository, scene};
+
+const PAIR: &str = "--lights lights.csv --materials materials.csv";
+
+#[test]
+fn missing_files() {
+    let folder = Folder::with_table();
+    for (arguments, file) in [
+        ("info none.bin", "none.bin"),
+        ("eigenvalues none.bin", "none.bin"),
+        ("basis --scene none.toml --out new.bin", "none.toml"),
+        ("basis --scene scene.toml --check none.bin", "none.bin"),
+        ("light none.exr --degree 2 --out new.csv", "none.exr"),
+        ("light none.csv --degree 2 --out new.csv", "none.csv"),
+        ("material none --order 2 --out new.csv", "none"),
+        ("project b.bin --lights none.csv --materials materials.csv --out new.csv", "none.csv"),
+        ("project b.bin --lights lights.csv --materials none.csv --out new.csv", "none.csv"),
+        ("evaluate wigner-d none.csv --out new.csv", "none.csv"),
+        ("render b.bin --light none.csv:a --material materials.csv --out new.png", "none.csv"),
+    ] {
+        assert_fails(&folder, arguments, &[file]);
+    }
+    let arguments = format!("shade b.bin {PAIR} --normals none.csv --out new.csv");
+    assert_fails(&folder, &arguments, &["none.csv"]);
+}
+
+#[test]
+fn a_truncated_map() {
+    let folder = Folder::new();
+    let map = fs::read(repository().join("tables/inputs/maps/venice.exr")).unwrap();
+    folder.write("cut.exr", &map[..map.len() / 2]);
+    folder.write("old.csv", "old");
+    assert_fails(&folder, "light cut.exr --degree 2 --out old.csv", &["cut.exr"]);
+    assert_fails(&folder, "light cut.exr --degree 2 --out new.csv", &["cut.exr"]);
+    assert_eq!(folder.read("old.csv"), "old");
+}
+
+/// `lights.csv` changed, then read by several commands.
+fn assert_bad_lights(change: impl Fn(&str) -> String, words: &[&str]) {
+    let folder = Folder::with_table();
+    folder.write("lights.csv", change(&lights(support::DEGREE, 3)));
+    folder.write("old.csv", "old");
+    let words = [&["lights.csv"], words].concat();
+    assert_fails(&folder, "light lights.csv --degree 4 --out old.csv", &words);
+    assert_fails(&folder, &format!("project b.bin {PAIR} --out old.csv"), &words);
+    assert_fails(&folder, "basis --scene scene.toml --out new.bin", &words);
+    let shade = format!("shade b.bin {PAIR} --normals normals.csv --out old.csv");
+    assert_fails(&folder, &shade, &words);
+    assert_eq!(folder.read("old.csv"), "old");
+}
+
+#[test]
+fn a_missing_row() {
+    let without = |text: &str| -> String {
+        text.lines()
+            .filter(|line| !line.starts_with("light-1,2,-1,"))
+            .map(|l| format!("{l}\n"))
+            .collect()
+    };
+    assert_bad_lights(without, &["light-1", "l = 2, m = -1"]);
+}
+
+#[test]
+fn a_doubled_row() {
+    assert_bad_lights(|text| format!("{text}light-1,2,-1,1,1,1\n"), &["light-1", "lights.csv:77:"]);
+}
+
+#[test]
+fn a_number_that_is_none() {
+    let with = |text: &str| {
+        let (head, rest) = text.split_once("light-0,1,0,").unwrap();
+        let (_, rest) = rest.split_once('\n').unwrap();
+        format!("{head}light-0,1,0,NaN,1,1\n{rest}")
+    };
+    assert_bad_lights(with, &["lights.csv:4:", "NaN"]);
+}
+
+#[test]
+fn a_wrong_header() {
+    assert_bad_lights(|text| text.replace("name,l,m,", "name,l,order,"), &["lights.csv:1:"]);
+}
+
+#[test]
+fn more_than_the_file_holds() {
+    let folder = Folder::new();
+    assert_fails(&folder, "light lights.csv --degree 5 --out new.csv", &["lights.csv", "degree 4"]);
+    folder.write("lights.csv", lights(3, 2));
+    assert_fails(&folder, "basis --scene scene.toml --out new.bin", &["lights.csv", "degree 3"]);
+}
+
+#[test]
+fn no_materials() {
+    let folder = Folder::with_table();
+    folder.write("materials.csv", "name,o,p,q,value\n");
+    assert_fails(&folder, "basis --scene scene.toml --out new.bin", &["materials.csv"]);
+    assert_fails(&folder, &format!("project b.bin {PAIR} --out new.csv"), &["materials.csv"]);
+    let render = "render b.bin --light lights.csv:light-0 --material materials.csv --out new.png";
+    assert_fails(&folder, render, &["materials.csv"]);
+}
+
+#[test]
+fn unknown_names() {
+    let folder = Folder::with_table();
+    folder.write("scene.toml", scene("standard", 5, "[\"velvet\"]"));
+    assert_fails(&folder, "basis --scene scene.toml --out new.bin", &["materials.csv", "velvet"]);
+    let material = "--material materials.csv:velvet --out new.png";
+    let render = format!("render b.bin --light lights.csv:light-0 {material}");
+    assert_fails(&folder, &render, &["materials.csv", "velvet", "material-0"]);
+    let several = "render b.bin --light lights.csv --material materials.csv --out new.png";
+    assert_fails(&folder, several, &["lights.csv", "light-0"]);
+}
+
+#[test]
+fn bad_scenes() {
+    let folder = Folder::new();
+    let good = folder.read("scene.toml");
+    for (bad, word) in [
+        (good.replace("criterion", "criteria"), "criteria"),
+        (format!("{good}colour = 7\n"), "colour"),
+        (good.replace("degree = 4", "degree = -4"), "scene.toml:4:"),
+        (good.replace("[light]", "[light"), "scene.toml:3:"),
+        (good.replace("10000", "0"), "components"),
+    ] {
+        folder.write("scene.toml", bad);
+        assert_fails(&folder, "basis --scene scene.toml --out new.bin", &["scene.toml", word]);
+    }
+}
+
+#[test]
+fn damaged_and_foreign_tables() {
+    let folder = Folder::with_table();
+    let good = fs::read(folder.path("b.bin")).unwrap();
+    let mut flipped = good.clone();
+    flipped[good.len() / 2] ^= 0x10;
+    let cases: [(&str, &[u8], &str); 4] = [
+        ("flipped.bin", &flipped, "damaged"),
+        ("cut.bin", &good[..good.len() - 100], "damaged"),
+        ("foreign.bin", b"\x89PNG\r\n\x1a\n, or whatever else begins a file", "not an eigenshade"),
+        ("empty.bin", b"", "not an eigenshade"),
+    ];
+    folder.write("old.csv", "old");
+    for (name, bytes, word) in cases {
+        folder.write(name, bytes);
+        let words = [name, word, "eigenshade basis"];
+        for arguments in [
+            format!("info {name}"),
+            format!("eigenvalues {name} --out old.csv"),
+            format!("project {name} {PAIR} --out old.csv"),
+            format!("shade {name} {PAIR} --normals normals.csv --out old.csv"),
+            format!("basis --scene scene.toml --check {name}"),
+        ] {
+            assert_fails(&folder, &arguments, &words);
+        }
+    }
+    assert_eq!(folder.read("old.csv"), "old");
+}
+
+#[test]
+fn outputs_that_cannot_be() {
+    let folder = Folder::with_table();
+    for place in ["nowhere/new.csv", "lights.csv/new.csv", "."] {
+        for arguments in [
+            "light lights.csv --degree 2".to_owned(),
+            "eigenvalues b.bin".to_owned(),
+            format!("project b.bin {PAIR}"),
+            "basis --scene scene.toml".to_owned(),
+            "render b.bin --light lights.csv:light-0 --material materials.csv:material-0"
+                .to_owned(),
+        ] {
+            assert_fails(&folder, &format!("{arguments} --out {place}"), &[place]);
+        }
+    }
+    assert_fails(&folder, "demo --size 16 --out lights.csv/demo", &["lights.csv/demo"]);
+    #[cfg(target_os = "linux")]
+    assert_fails(&folder, "eigenvalues b.bin --out /proc/new.csv", &["/proc/new.csv"]);
+}
+
+/// Output to a full disk.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk() {
+    let folder = Folder::with_table();
+    assert_fails(&folder, "eigenvalues b.bin --out /dev/full", &["/dev/full"]);
+}
+
+#[test]
+fn bad_normals() {
+    let folder = Folder::with_table();
+    let rows = ["0,0,0", "0,0,-1", "inf,0,1", "0,0"];
+    for (line, row) in rows.into_iter().enumerate() {
+        folder.write("normals.csv", format!("x,y,z\n{}{row}\n", "0,0,1\n".repeat(line)));
+        let arguments = format!("shade b.bin {PAIR} --normals normals.csv --out new.csv");
+        assert_fails(&folder, &arguments, &[&format!("normals.csv:{}:", line + 2)]);
+    }
+}
+
+#[test]
+fn more_components_than_there_are() {
+    let folder = Folder::with_table();
+    for arguments in ["project b.bin", "shade b.bin --normals normals.csv"] {
+        let arguments = format!("{arguments} {PAIR} --components 60000 --out new.csv");
+        assert_fails(&folder, &arguments, &["b.bin", "60000"]);
+    }
+    let modes = "shade b.bin --normals normals.csv --method modes --format f32 --out new.csv";
+    assert_fails(&folder, &format!("{modes} {PAIR}"), &["modes", "f64"]);
+}
+
+#[test]
+fn bad_measurements() {
+    let folder = Folder::new();
+    let cases = [
+        ("theta_i,phi_i,theta_r,phi_r\n1,1,1,1\n", "m.csv:1:"),
+        ("theta_i,phi_i,theta_r,phi_r,value\n1,1,2,1,1\n", "m.csv:2:"),
+        ("theta_i,phi_i,theta_r,phi_r,value\n1,1,1,1,nan\n", "m.csv:2:"),
+        ("theta_i,phi_i,theta_r,phi_r,value\n", "m.csv"),
+    ];
+    for (text, word) in cases {
+        folder.write("m.csv", text);
+        assert_fails(&folder, "material m.csv --order 2 --out new.csv", &[word]);
+    }
+}
+
+#[test]
+fn indices_out_of_range() {
+    let folder = Folder::new();
+    for (function, header, row) in [
+        ("spherical-harmonic", "l,m,theta,phi", "2,3,0,0"),
+        ("spherical-harmonic", "l,m,theta,phi", "-1,0,0,0"),
+        ("spherical-harmonic", "l,m,theta,phi", "65,0,0,0"),
+        ("spherical-harmonic", "l,m,theta,phi", "1,0,4,0"),
+        ("wigner-d", "l,m,n,alpha", "2,0,-3,0"),
+        ("wigner-d", "l,m,n,alpha", "2,0,0.5,0"),
+        ("zernike-radial", "o,q,rho", "2,1,0.5"),
+        ("zernike-radial", "o,q,rho", "2,4,0.5"),
+        ("zernike-radial", "o,q,rho", "2,0,1.5"),
+        ("polar-integral", "l,o,q", "1,2,2"),
+        ("irradiance-mode", "l,m,o,p,q,alpha,beta", "1,0,2,1,0,0,0"),
+        ("irradiance-mode", "l,m,o,p,q,alpha,beta", "1,0,2,0,0,nan,0"),
+        ("irradiance-mode", "l,m,p,q,alpha,beta", "1,0,0,0,0,0"),
+    ] {
+        folder.write("p.csv", format!("# points\n{header}\n\n{row}\n"));
+        let line = if header.contains(",m,p") { "p.csv:2:" } else { "p.csv:4:" };
+        assert_fails(&folder, &format!("evaluate {function} p.csv --out new.csv"), &[line]);
+    }
+}
+
+#[test]
+fn messages_stay_one_line() {
+    let folder = Folder::with_table();
+    folder.write("lights.csv", "name,l,m,\"r\nr\",g,b\n");
+    let arguments = format!("project b.bin {PAIR} --out new.csv");
+    assert_fails(&folder, &arguments, &["lights.csv"]);
+    folder.write("materials.csv", materials(3, 1).replace("material-0,1,", "material-0,one,"));
+    assert_fails(&folder, "basis --scene scene.toml --out new.bin", &["csv"]);
+}

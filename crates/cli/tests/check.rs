@@ -1,0 +1,72 @@
+//! `basis --check` knows its own tables, and others from them.
+
+mod support;
+
+use eigenshade_table::{Table, decode, encode};
+use std::fs;
+use support::{Folder, assert_fails, scene};
+
+/// A table, changed.
+fn altered(change: impl FnOnce(&mut Table)) -> Folder {
+    let folder = Folder::with_table();
+    let mut table = decode(&fs::read(folder.path("b.bin")).unwrap()).unwrap();
+    change(&mut table);
+    folder.write("b.bin", encode(&table));
+    folder
+}
+
+fn assert_differs(folder: &Folder, what: &str) {
+    let arguments = "basis --scene scene.toml --check b.bin";
+    assert_fails(
+        folder,
+        arguments,
+        &["b.bin", what, "eigenshade basis --scene scene.toml --out b.bin"],
+    );
+    let text = String::from_utf8(folder.run(arguments).stdout).unwrap();
+    assert!(text.lines().any(|line| line.starts_with(what) && line.ends_with("OVER")), "{text}");
+}
+
+#[test]
+fn what_was_just_made_passes() {
+    for criterion in ["image-centered", "standard"] {
+        let folder = Folder::new();
+        folder.write("scene.toml", scene(criterion, 30, "[]"));
+        folder.ok("basis --scene scene.toml --out b.bin");
+        let text = folder.ok("basis --scene scene.toml --check b.bin");
+        assert_eq!(text.lines().count(), 8, "{text}");
+        assert!(!text.contains("OVER"), "{text}");
+    }
+}
+
+#[test]
+fn an_altered_eigenvalue_is_found() {
+    let folder = altered(|table| {
+        let value = table.components[3].eigenvalue.as_mut().unwrap();
+        *value *= 1.0 + 1e-6;
+    });
+    assert_differs(&folder, "components' eigenvalues");
+    let folder = altered(|table| *table.spectrum[3].1.as_mut().unwrap() *= 1.0 + 1e-6);
+    assert_differs(&folder, "spectrum");
+}
+
+#[test]
+fn altered_profiles_are_found() {
+    let folder = altered(|table| table.profiles[0].node_values[5] += 1e-6);
+    assert_differs(&folder, "profiles at the nodes");
+    let folder = altered(|table| table.profiles[1].chebyshev[0] += 1e-6);
+    assert_differs(&folder, "profiles' polynomials");
+    let folder = altered(|table| table.profiles[1].factors[0] += 1e-6);
+    assert_differs(&folder, "rows of U^T M");
+    let folder = altered(|table| table.profiles[0].modes[0] += 1e-6);
+    assert_differs(&folder, "images A U");
+    let folder = altered(|table| table.gram.root_weights[2] += 1e-6);
+    assert_differs(&folder, "mode means e");
+}
+
+#[test]
+fn another_scene_is_told() {
+    let folder = Folder::with_table();
+    folder.write("scene.toml", scene("image-centered", 9, "[]"));
+    let arguments = "basis --scene scene.toml --check b.bin";
+    assert_fails(&folder, arguments, &["b.bin", "another scene"]);
+}

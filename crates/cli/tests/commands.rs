@@ -1,0 +1,224 @@
+//! Each command once: the shape of what it gives.
+
+mod support;
+
+use std::fs;
+use support::{DEGREE, Folder, ORDER, materials, numbers, repository, rows};
+
+/// A map in the portable float format, 8 x 4, of one grey.
+fn map(value: f32) -> Vec<u8> {
+    let mut bytes = b"PF\n8 4\n-1.0\n".to_vec();
+    (0..8 * 4 * 3).for_each(|_| bytes.extend(value.to_le_bytes()));
+    bytes
+}
+
+#[test]
+fn light_projects_maps() {
+    let folder = Folder::new();
+    folder.write("grey.pfm", map(2.0));
+    let output = folder.run("light grey.pfm --degree 2");
+    assert!(output.status.success());
+    let report = String::from_utf8_lossy(&output.stderr);
+    assert!(report.starts_with("grey: 8 x 4, negative radiance 0.00e0"), "{report}");
+    let text = String::from_utf8(output.stdout).unwrap();
+    let found = rows(&text, "name,l,m,value");
+    assert_eq!(found.len(), 9);
+    let values = numbers(&found, 1);
+    assert!((values[0] - 2.0 * (4.0 * std::f64::consts::PI).sqrt()).abs() < 1e-7);
+    assert!(found.iter().all(|row| row[0] == "grey"));
+}
+
+#[test]
+fn light_out_names_its_command() {
+    let folder = Folder::new();
+    folder.write("grey.pfm", map(1.0));
+    assert_eq!(folder.ok("light grey.pfm --degree 1 --out l.csv"), "");
+    let text = folder.read("l.csv");
+    assert!(text.starts_with("# eigenshade light grey.pfm --degree 1 --out l.csv\nname,l,m,"));
+}
+
+#[test]
+fn light_converts_both_ways() {
+    let folder = Folder::new();
+    let there = folder.ok("light lights.csv --degree 4 --convention graphics");
+    let [before, after] =
+        [folder.read("lights.csv"), there.clone()].map(|text| rows(&text, "name,l,m,r,g,b"));
+    let factor = |row: &[String]| match row[2].parse::<i32>().unwrap() {
+        m if m < 0 || m % 2 == 1 => -1.0,
+        _ => 1.0,
+    };
+    for (before, after) in before.iter().zip(&after) {
+        let [before_r, after_r] = [before, after].map(|row| row[3].parse::<f64>().unwrap());
+        assert_eq!(after_r, factor(before) * before_r);
+    }
+    folder.write("there.csv", there);
+    let back = folder.ok("light there.csv --degree 4 --convention paper");
+    assert_eq!(numbers(&rows(&back, "name,l,m,r,g,b"), 3), numbers(&before, 3));
+    let lower = folder.ok("light lights.csv --degree 1");
+    assert_eq!(rows(&lower, "name,l,m,r,g,b").len(), 3 * 4);
+}
+
+/// The shipped lights are what the maps of this repository give.
+#[test]
+fn light_reproduces_the_shipped_file() {
+    let folder = Folder::new();
+    let map = repository().join("tables/inputs/maps/venice.exr");
+    folder.ok(&format!("light {} --degree 6 --out l.csv", map.display()));
+    let shipped = fs::read_to_string(repository().join("tables/inputs/lights.csv")).unwrap();
+    let ours = folder.read("l.csv");
+    let of_venice: Vec<&str> =
+        shipped.lines().filter(|line| line.starts_with("venice,")).take(49).collect();
+    assert_eq!(ours.lines().skip(2).collect::<Vec<_>>(), of_venice);
+}
+
+#[test]
+fn material_fits_and_reports() {
+    let folder = Folder::new();
+    let mut text = "theta_i,phi_i,theta_r,phi_r,value\n".to_owned();
+    for i in 0..8 {
+        for r in 0..8 {
+            let (i, r) = (0.19 * f64::from(i), 0.19 * f64::from(r));
+            text.push_str(&format!("{i},0,{r},{},0.25\n", 3.0 * i - r));
+        }
+    }
+    folder.write("chalk.csv", text);
+    let output = folder.run("material chalk.csv --order 2 --report r.csv");
+    assert!(output.status.success());
+    assert!(String::from_utf8_lossy(&output.stderr).starts_with("chalk: 64 samples, residual"));
+    let found = rows(&String::from_utf8(output.stdout).unwrap(), "name,o,p,q,value");
+    assert_eq!(found.len(), 5);
+    // 1/4 = b_00^0 / 2 pi.
+    assert!((numbers(&found, 1)[0] - 0.5 * std::f64::consts::PI).abs() < 1e-4);
+    let report = rows(&folder.read("r.csv"), "name,samples,residual,lowest,highest,condition");
+    assert_eq!(report[0][..2], ["chalk", "64"]);
+}
+
+#[test]
+fn basis_writes_table_and_manifest() {
+    let folder = Folder::new();
+    let text = folder.ok("basis --scene scene.toml --out b.bin");
+    for word in ["rank", "components", "there are no more", "energy kept", "bytes", "time"] {
+        assert!(text.contains(word), "{text}");
+    }
+    let manifest = folder.read("b.manifest.csv");
+    assert!(manifest.starts_with(
+        "# eigenshade basis --scene scene.toml --out b.bin\nentry,value,bytes,crc32\n"
+    ));
+}
+
+#[test]
+fn info_tells_what_is_in_a_table() {
+    let text = Folder::with_table().ok("info b.bin");
+    let words = ["criterion", "image-centered", "degree", "order", "rank", "energy kept", "bytes"];
+    for word in words {
+        assert!(text.contains(word), "{text}");
+    }
+}
+
+#[test]
+fn eigenvalues_fall() {
+    let folder = Folder::with_table();
+    let found = rows(&folder.ok("eigenvalues b.bin"), "criterion,index,m,eigenvalue");
+    assert_eq!(found[0], ["image-centered", "0", "0", ""]);
+    let values = numbers(&found[1..], 1);
+    assert!(values.len() > 20 && values.is_sorted_by(|a, b| a >= b));
+    folder.ok("eigenvalues b.bin --out e.csv");
+    assert_eq!(rows(&folder.read("e.csv"), "criterion,index,m,eigenvalue"), found);
+}
+
+const PAIR: &str = "--lights lights.csv --materials materials.csv";
+
+#[test]
+fn project_takes_every_pair_and_any_degree() {
+    let folder = Folder::with_table();
+    let header = "light,material,component,r,g,b";
+    let found = rows(&folder.ok(&format!("project b.bin {PAIR} --components 7")), header);
+    assert_eq!(found.len(), 3 * 4 * 7);
+    assert_eq!(found[7][..3], ["light-0", "material-1", "0"]);
+    // Higher is cut, lower is taken.
+    folder.write("high.csv", materials(ORDER + 2, 4));
+    folder.write("low.csv", folder.ok(&format!("light lights.csv --degree {}", DEGREE - 2)));
+    let count = |arguments: &str| rows(&folder.ok(arguments), header).len();
+    let all = count(&format!("project b.bin {PAIR}"));
+    assert_eq!(count("project b.bin --lights low.csv --materials high.csv"), all);
+}
+
+#[test]
+fn shade_takes_every_pair_and_normal() {
+    let folder = Folder::with_table();
+    let command = format!("shade b.bin {PAIR} --normals normals.csv --components 20");
+    for options in ["", "--method eigen", "--method eigen --format f64", "--method modes"] {
+        let text = folder.ok(&format!("{command} {options}"));
+        let found = rows(&text, "light,material,normal,r,g,b");
+        assert_eq!(found.len(), 3 * 4 * 43);
+        assert_eq!(found[43][..3], ["light-0", "material-1", "0"]);
+    }
+}
+
+#[test]
+fn render_makes_a_transparent_picture() {
+    let folder = Folder::with_table();
+    let choice = "--light lights.csv:light-1 --material materials.csv:material-0";
+    folder.ok(&format!("render b.bin {choice} --out p.png --size 40"));
+    let file = std::io::BufReader::new(fs::File::open(folder.path("p.png")).unwrap());
+    let mut reader = png::Decoder::new(file).read_info().unwrap();
+    let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
+    let info = reader.next_frame(&mut bytes).unwrap();
+    assert_eq!((info.width, info.height, info.color_type), (40, 40, png::ColorType::Rgba));
+    assert_eq!((bytes[3], bytes[4 * (20 * 40 + 20) + 3]), (0, 255));
+}
+
+#[test]
+fn demo_shows_shipped_data() {
+    let folder = Folder::new();
+    let text = folder.ok("demo --out new/demo --size 16");
+    assert!(text.lines().count() > 6 * 4 && text.starts_with("light"));
+    let header = "light,material,components,energy_kept,rms_error,max_error,nanoseconds";
+    let found = rows(&folder.read("new/demo/demo.csv"), header);
+    assert!(found.len() >= 6 * 4);
+    for numbers in numbers(&found, 4).chunks(4) {
+        assert!(numbers[0] > 0.9 && numbers[1] < 0.02 && numbers[2] < 0.2, "{numbers:?}");
+    }
+    assert!(folder.path("new/demo/demo.png").is_file());
+}
+
+#[test]
+fn usage_errors_exit_with_2() {
+    let folder = Folder::new();
+    for arguments in [
+        "",
+        "no-such-command",
+        "basis --scene scene.toml",
+        "basis --scene scene.toml --out a --check b",
+        "light lights.csv",
+        "light lights.csv --degree -1",
+        "shade b.bin --lights a --materials b --normals c --method magic",
+        "shade b.bin --lights a --materials b --normals c --rotate 1,2",
+        "evaluate no-such-function points.csv",
+        "demo",
+    ] {
+        assert_eq!(folder.run(arguments).status.code(), Some(2), "{arguments}");
+    }
+    assert_eq!(folder.run("--help").status.code(), Some(0));
+    assert_eq!(folder.run("light --help").status.code(), Some(0));
+}
+
+/// A reader that stops after one line is no fault.
+#[cfg(unix)]
+#[test]
+fn a_closed_pipe_is_no_fault() {
+    use std::process::{Command, Stdio};
+    let folder = Folder::with_table();
+    let mut child = Command::new(env!("CARGO_BIN_EXE_eigenshade"))
+        .current_dir(folder.path("."))
+        .args("shade b.bin --lights lights.csv --materials materials.csv".split(' '))
+        .args(["--normals", "normals.csv"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    drop(child.stdout.take());
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(0));
+    assert_eq!(String::from_utf8_lossy(&output.stderr), "");
+}

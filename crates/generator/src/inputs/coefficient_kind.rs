@@ -1,0 +1,69 @@
+//! What lights and materials have of their own as lists of coefficients.
+
+use eigenshade_index::{light, material};
+
+/// No degree or order above this is believed.
+const LARGEST: usize = 1024;
+
+/// What distinguishes lights from materials.
+pub(crate) struct Kind<const N: usize> {
+    /// `light` or `material`.
+    pub(crate) thing: &'static str,
+    /// `degree` or `order`.
+    pub(crate) size: &'static str,
+    /// The columns of the index.
+    pub(crate) names: [&'static str; N],
+    /// What holds of an index, for the remedy.
+    pub(crate) rule: &'static str,
+    /// Degree or order, and position, of an index; none if it is out of range.
+    pub(crate) place: fn([i64; N]) -> Option<(usize, usize)>,
+    /// How many coefficients a degree or order has.
+    pub(crate) count: fn(usize) -> usize,
+    /// Their indices, in storage order.
+    pub(crate) indices: fn(usize) -> Box<dyn Iterator<Item = [i64; N]>>,
+}
+
+/// L_l^m.
+pub(crate) const LIGHT: Kind<2> = Kind {
+    thing: "light",
+    size: "degree",
+    names: ["l", "m"],
+    rule: "0 <= l <= 1024 and -l <= m <= l",
+    place: |[l, m]| {
+        let degree = usize::try_from(l).ok().filter(|&l| l <= LARGEST)?;
+        (m.unsigned_abs() as usize <= degree).then(|| (degree, light::position(degree, m as isize)))
+    },
+    count: light::count,
+    indices: |degree| Box::new(light::indices(degree).map(|(l, m)| [l as i64, m as i64])),
+};
+
+/// b_op^q.
+pub(crate) const MATERIAL: Kind<3> = Kind {
+    thing: "material",
+    size: "order",
+    names: ["o", "p", "q"],
+    rule: "1024 >= o >= p >= q >= 0, all even or all odd",
+    place: |index| {
+        let [o, p, q] = index.map(|i| usize::try_from(i).unwrap_or(usize::MAX));
+        let in_range = o <= LARGEST && p <= o && q <= p && (o - q) % 2 == 0 && (p - q) % 2 == 0;
+        in_range.then(|| (o, material::position(o, p, q)))
+    },
+    count: material::count,
+    indices: |order| {
+        Box::new(material::indices(order).map(|(o, p, q)| [o as i64, p as i64, q as i64]))
+    },
+};
+
+impl<const N: usize> Kind<N> {
+    /// The columns that a file should have.
+    pub(crate) fn header(&self, values: &str) -> String {
+        format!("name,{},{values}", self.names.join(","))
+    }
+
+    /// `l = 2, m = -1`.
+    pub(crate) fn spell(&self, index: [i64; N]) -> String {
+        let parts: Vec<_> = self.names.iter().zip(index).collect();
+        let parts = parts.iter().map(|(name, i)| format!("{name} = {i}"));
+        parts.collect::<Vec<_>>().join(", ")
+    }
+}

@@ -1,0 +1,69 @@
+//! The scattering modes (8) against their defining properties.
+
+use eigenshade_generator::scattering::{brdf, modes};
+use eigenshade_generator::special::gauss_legendre;
+use eigenshade_index::material;
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+#[path = "../../../tests/tolerances/mod.rs"]
+mod tolerances;
+
+/// ∫∫ I I' dω_i dω_r is 1 or 0. Radial products are polynomials in cos θ, and
+/// azimuths trigonometric polynomials: both rules are exact.
+#[test]
+fn modes_are_orthonormal_over_both_hemispheres() {
+    for order in [0, 1, 7, 12] {
+        let count = material::count(order);
+        let cosines = gauss_legendre::rule(order + 1, 0.0, 1.0);
+        let azimuths = 2 * order + 1;
+        let mut products = vec![0.0; count * count];
+        for &(z_i, weight_i) in &cosines {
+            for &(z_r, weight_r) in &cosines {
+                for step in 0..azimuths {
+                    let delta_phi = TAU * step as f64 / azimuths as f64;
+                    let weight = weight_i * weight_r * TAU * TAU / azimuths as f64;
+                    let values = modes(order, z_i.acos(), z_r.acos(), delta_phi);
+                    for (j, a) in values.iter().enumerate() {
+                        for (k, b) in values.iter().enumerate() {
+                            products[j * count + k] += weight * a * b;
+                        }
+                    }
+                }
+            }
+        }
+        let worst = (0..count * count)
+            .map(|k| (products[k] - f64::from(u8::from(k % (count + 1) == 0))).abs())
+            .fold(0.0, f64::max);
+        println!("order {order}: {worst:e}");
+        assert!(worst <= tolerances::ORTHONORMAL_SCATTERING, "{order}: {worst}");
+    }
+}
+
+#[test]
+fn modes_are_reciprocal_and_even_in_azimuth() {
+    for (theta_i, theta_r, delta_phi) in [(0.3, 1.2, 0.7), (0.0, FRAC_PI_2, 2.0), (1.5, 1.1, PI)] {
+        let there = modes(12, theta_i, theta_r, delta_phi);
+        assert_eq!(there, modes(12, theta_r, theta_i, delta_phi));
+        assert_eq!(there, modes(12, theta_i, theta_r, -delta_phi));
+    }
+}
+
+/// By hand: I_00^0 = 1 / 2π, and at the rim, where every R is 1,
+/// I_11^1 = (1/2π) √(4/2) 2 cos Δφ and I_20^0 = (1/2π) √(3/2) 2.
+#[test]
+fn first_modes_are_those_of_the_formula() {
+    let values = modes(2, FRAC_PI_2, FRAC_PI_2, 0.4);
+    let expected = [1.0, 8f64.sqrt() * 0.4f64.cos(), 6f64.sqrt()];
+    for (value, expected) in values.iter().zip(expected) {
+        assert!((value - expected / TAU).abs() <= tolerances::SPECIAL_LOW);
+    }
+    assert_eq!(values.len(), 5);
+    assert_eq!(modes(7, 0.1, 0.2, 0.3).len(), 40);
+}
+
+/// A Lambertian material of albedo 1 has f = 1/π, so b_00^0 = 2.
+#[test]
+fn first_coefficient_is_the_lambertian_one() {
+    let value = brdf(3, &[2.0], 0.5, 1.0, 2.0);
+    assert!((value - 1.0 / PI).abs() <= tolerances::SPECIAL_LOW);
+}

@@ -1,0 +1,152 @@
+//! A new light on a folded material: d_i = Σ_l T_i,l L_l^m.
+//!
+//! The lanes run along m, as the light's coefficients of one degree do, so nothing
+//! is gathered and nothing is summed across lanes. Lanes with |m| > l read
+//! coefficients of other degrees, and multiply them by zero.
+
+use crate::basis::{Basis, Pass};
+use crate::error::{Error, What};
+use crate::index::{layout, light};
+use crate::lanes;
+use crate::light::Light;
+use crate::projection::{Coefficients, zeros};
+use crate::scalar::Scalar;
+use crate::transfer::Transfer;
+
+const LANES: usize = layout::LANES;
+
+impl<S: Scalar> Basis<'_, S> {
+    /// d of a new light on a material that was folded in: about
+    /// components x (degree / 2) multiplications.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Beyond`] if the light goes beyond the basis, [`Error::Length`] if
+    /// the transfer is another basis's, [`Error::Capacity`] if `K` is less than
+    /// [`components`](Self::components).
+    pub fn relight<const T: usize, const K: usize>(
+        &self,
+        transfer: &Transfer<S, T>,
+        light: &Light<'_, S>,
+    ) -> Result<Coefficients<S, K>, Error> {
+        let mut coefficients = zeros::<S, K>(What::Coefficients, self.components())?;
+        self.relight_into(&transfer.0, light, &mut coefficients)?;
+        Ok(coefficients)
+    }
+
+    /// [`relight`](Self::relight) on slices.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Beyond`] if the light goes beyond the basis, [`Error::Length`] if
+    /// a slice is not as long as [`transfer_len`](Self::transfer_len) and
+    /// [`components`](Self::components) say.
+    pub fn relight_into(
+        &self,
+        transfer: &[S],
+        light: &Light<'_, S>,
+        coefficients: &mut [S],
+    ) -> Result<(), Error> {
+        let (basis, found) = (self.degree(), light.degree());
+        if found > basis {
+            return Err(Error::Beyond { what: What::Light, basis, found });
+        }
+        Error::check(What::Transfer, self.transfer_len(), transfer.len())?;
+        Error::check(What::Coefficients, self.components(), coefficients.len())?;
+        let (mut transfer, _) = transfer.as_chunks::<LANES>();
+        let (mut slots, _) = self.parts.slots.as_chunks::<LANES>();
+        for pass in self.parts.passes {
+            let profiles = usize::from(pass.profiles);
+            let lowest = layout::lowest_degree(pass.first.into());
+            let groups = profiles * (self.degree() + 1).saturating_sub(lowest);
+            let (rows, after) = transfer.split_at_checked(groups).unwrap_or((transfer, &[]));
+            let (of_pass, others) = slots.split_at_checked(profiles).unwrap_or((slots, &[]));
+            (transfer, slots) = (after, others);
+            match profiles {
+                1 => run::<S, 1>(pass, rows, light, of_pass, coefficients),
+                2 => run::<S, 2>(pass, rows, light, of_pass, coefficients),
+                3 => run::<S, 3>(pass, rows, light, of_pass, coefficients),
+                4 => run::<S, 4>(pass, rows, light, of_pass, coefficients),
+                5 => run::<S, 5>(pass, rows, light, of_pass, coefficients),
+                6 => run::<S, 6>(pass, rows, light, of_pass, coefficients),
+                7 => run::<S, 7>(pass, rows, light, of_pass, coefficients),
+                _ => run::<S, { layout::PASS }>(pass, rows, light, of_pass, coefficients),
+            }
+        }
+        for (coefficient, &mean) in coefficients.iter_mut().zip(self.parts.mean_coefficients) {
+            *coefficient -= mean;
+        }
+        Ok(())
+    }
+}
+
+/// The components of one pass of `P` profiles.
+#[inline]
+fn run<S: Scalar, const P: usize>(
+    pass: &Pass,
+    transfer: &[[S; LANES]],
+    light: &Light<'_, S>,
+    slots: &[[u16; LANES]],
+    coefficients: &mut [S],
+) {
+    let first = isize::from(pass.first);
+    let lowest = layout::lowest_degree(first);
+    let (rows, _) = transfer.as_chunks::<P>();
+    let rows = rows.get(..(light.degree() + 1).saturating_sub(lowest)).unwrap_or(rows);
+    let mut sums = [[S::ZERO; LANES]; P];
+    // Degrees whose group of coefficients starts before the first one.
+    let before = (lowest..).take_while(|&l| l * l + l < first.unsigned_abs() && first < 0).count();
+    let (early, rows) = rows.split_at_checked(before).unwrap_or((rows, &[]));
+    for (l, row) in (lowest..).zip(early) {
+        sums = added(sums, row, &edge(light, l, first));
+    }
+    let mut degree = lowest + early.len();
+    let mut start = light::position(degree, first);
+    let mut done = 0;
+    for row in rows {
+        let window = light.coefficients().get(start..).and_then(|rest| rest.first_chunk());
+        let Some(window) = window else { break };
+        sums = added(sums, row, window);
+        start += 2 * degree + 2;
+        degree += 1;
+        done += 1;
+    }
+    // Degrees whose group ends after the last one.
+    for (l, row) in (degree..).zip(rows.get(done..).unwrap_or_default()) {
+        sums = added(sums, row, &edge(light, l, first));
+    }
+    for (slots, sums) in slots.iter().zip(sums) {
+        for (&slot, sum) in slots.iter().zip(sums) {
+            if let Some(coefficient) = coefficients.get_mut(usize::from(slot)) {
+                *coefficient = sum;
+            }
+        }
+    }
+}
+
+/// sums + row window, each group of the row times the same window.
+#[inline(always)]
+fn added<S: Scalar, const P: usize>(
+    mut sums: [[S; LANES]; P],
+    row: &[[S; LANES]; P],
+    window: &[S; LANES],
+) -> [[S; LANES]; P] {
+    for (sum, row) in sums.iter_mut().zip(row) {
+        *sum = lanes::multiply_add(*sum, row, window);
+    }
+    sums
+}
+
+/// L_l^m of the orders from `first` on, where the light's first or last
+/// coefficients are so near that a whole group cannot be read.
+#[cold]
+fn edge<S: Scalar>(light: &Light<'_, S>, l: usize, first: isize) -> [S; LANES] {
+    let mut window = [S::ZERO; LANES];
+    for (order, value) in (first..).zip(&mut window) {
+        if order.unsigned_abs() <= l {
+            let found = light.coefficients().get(light::position(l, order));
+            *value = found.copied().unwrap_or(S::ZERO);
+        }
+    }
+    window
+}
