@@ -22,10 +22,11 @@ pub struct Parts<'a, S> {
     pub slots: &'a [u16],
     /// Number of polynomial terms for each |m|.
     pub lengths: &'a [u16],
-    /// √(o+1) N_l^q C_lo^q of (11): for each group over l, each pair, a group.
+    /// √(o+1) N_l^q C_lo^q of (11): for each pair a row over l, `layout::groups`
+    /// groups.
     pub polar: &'a [S],
-    /// Factors of UᵀM: for each profile, each group over l from that of |m| on, each
-    /// pair, a group.
+    /// Factors of UᵀM: for each profile, each l from |m| on, a row of `layout::row`
+    /// numbers.
     pub factors: &'a [S],
     /// For each profile its polynomial in t = 2z - 1, highest power first, times
     /// √2 where m is not 0.
@@ -134,7 +135,7 @@ impl<'a, S> Basis<'a, S> {
             if azimuth < before || !parts.serves(place) {
                 return Err(Error::Profile);
             }
-            factors += layout::groups(parts.degree) - layout::first_group(azimuth);
+            factors += layout::row(parts.order) * (parts.degree + 1 - azimuth);
             terms += parts.length(azimuth);
             (rest, before) = (tail, azimuth);
         }
@@ -161,7 +162,7 @@ impl<'a, S> Basis<'a, S> {
             Error::check(What::Slots, slots, parts.slots.len()),
             Error::check(What::Lengths, parts.degree + 1, parts.lengths.len()),
             Error::check(What::Polar, group * layout::groups(parts.degree), parts.polar.len()),
-            Error::check(What::Factors, group * factors, parts.factors.len()),
+            Error::check(What::Factors, factors, parts.factors.len()),
             Error::check(What::Terms, terms, parts.terms.len()),
             Error::check(What::Mean, mean_terms, parts.mean.len()),
             Error::check(What::Mean, mean, parts.mean_coefficients.len()),
@@ -195,10 +196,17 @@ impl<'a, S> Basis<'a, S> {
         self.parts.components
     }
 
-    /// Numbers that a folded material holds while it is projected.
+    /// Numbers that a projection needs room for: the material's polar integrals,
+    /// once along l and once along the pairs, and two coefficients of the light for
+    /// each l.
     #[must_use]
-    pub const fn scattering_len(&self) -> usize {
-        self.parts.polar.len()
+    pub const fn workspace_len(&self) -> usize {
+        (self.parts.degree + 1) * (layout::row(self.parts.order) + 2) + self.sums_len()
+    }
+
+    /// Numbers of the polar integrals along l, the pairs padded.
+    pub(crate) const fn sums_len(&self) -> usize {
+        layout::row(self.parts.order) * layout::LANES * layout::groups(self.parts.degree)
     }
 
     /// Numbers in a transfer.

@@ -52,8 +52,8 @@ pub enum What {
     Material,
     /// Coefficients of eigenimages.
     Coefficients,
-    /// A material's folded polar integrals.
-    Scattering,
+    /// Room for a projection to work in.
+    Workspace,
     /// A material folded into a basis.
     Transfer,
     /// A collapsed scene.

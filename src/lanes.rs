@@ -23,10 +23,25 @@ pub(crate) fn add<S: Scalar>(a: [S; LANES], b: [S; LANES]) -> [S; LANES] {
     [a0 + b0, a1 + b1, a2 + b2, a3 + b3]
 }
 
+/// Σ a b over groups, lane by lane, of a length known when it is compiled.
+#[inline(always)]
+pub(crate) fn product<S: Scalar, const V: usize>(
+    a: &[[S; LANES]; V],
+    b: &[[S; LANES]; V],
+) -> [S; LANES] {
+    let mut sum = [S::ZERO; LANES];
+    for (a, b) in a.iter().zip(b) {
+        sum = multiply_add(sum, a, b);
+    }
+    sum
+}
+
 /// Σ a b over groups, lane by lane; in four sums at a time, so that no sum waits
 /// for the one before.
-#[inline]
-pub(crate) fn product<S: Scalar>(a: &[[S; LANES]], b: &[[S; LANES]]) -> [S; LANES] {
+///
+/// Apart from its caller: a compiler that sees the lanes summed takes them apart.
+#[inline(never)]
+pub(crate) fn long_product<S: Scalar>(a: &[[S; LANES]], b: &[[S; LANES]]) -> [S; LANES] {
     let zero = [S::ZERO; LANES];
     let (mut first, mut second, mut third, mut fourth) = (zero, zero, zero, zero);
     let ((a, a_rest), (b, b_rest)) = (a.as_chunks::<4>(), b.as_chunks::<4>());
@@ -40,4 +55,10 @@ pub(crate) fn product<S: Scalar>(a: &[[S; LANES]], b: &[[S; LANES]]) -> [S; LANE
         first = multiply_add(first, a, b);
     }
     add(add(first, second), add(third, fourth))
+}
+
+/// Sum across the lanes.
+#[inline(always)]
+pub(crate) fn sum<S: Scalar>([a0, a1, a2, a3]: [S; LANES]) -> S {
+    (a0 + a1) + (a2 + a3)
 }

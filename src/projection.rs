@@ -1,8 +1,15 @@
-//! d = UᵀMc, without ever forming c or UᵀM: c = L (x) b has rank one, so the
-//! material is folded in first, then the light.
+//! d = UᵀMc, without ever forming c or UᵀM.
+//!
+//! c = L (x) b has rank one: the material is scattered into S_l,pq once, and each
+//! profile takes one pass over its factors,
+//! d_±m = Σ_l (Σ_pq factor_l,pq S_l,pq) (±1)^m L_l^±m, in which +m and -m share
+//! the inner sum.
 
-use crate::basis::Basis;
+use crate::basis::{Basis, ProfilePlace};
 use crate::error::{Error, What};
+use crate::index::layout::LANES;
+use crate::index::{layout, light};
+use crate::lanes;
 use crate::light::Light;
 use crate::material::Material;
 use crate::scalar::Scalar;
@@ -10,32 +17,34 @@ use crate::scalar::Scalar;
 /// The coefficients d of one image, component by component.
 pub type Coefficients<S, const K: usize> = heapless::Vec<S, K>;
 
-impl<S: Scalar> Basis<'_, S> {
+impl<'a, S: Scalar> Basis<'a, S> {
     /// d = UᵀMc of a light on a material: the image's coefficients in the
     /// eigenimages, less those of the mean image if the basis has one.
     ///
-    /// `N`, `T` and `K` are at least [`scattering_len`](Self::scattering_len),
-    /// [`transfer_len`](Self::transfer_len) and [`components`](Self::components).
-    /// A light or material of a lower degree or order than the basis's counts as
-    /// zero above.
+    /// `N` is at least [`workspace_len`](Self::workspace_len), `K` at least
+    /// [`components`](Self::components). A light or material of a lower degree or
+    /// order than the basis's counts as zero above.
     ///
-    /// Cost: that of [`transfer`](Self::transfer) and [`relight`](Self::relight).
+    /// Cost: for each profile, each degree from its |m| on, one multiplication for
+    /// each pair (p, q) and two for the light.
     ///
     /// # Errors
     ///
     /// [`Error::Beyond`] if light or material go beyond the basis,
-    /// [`Error::Capacity`] if `N`, `T` or `K` is too small.
-    pub fn project<const N: usize, const T: usize, const K: usize>(
+    /// [`Error::Capacity`] if `N` or `K` is too small.
+    pub fn project<const N: usize, const K: usize>(
         &self,
         light: &Light<'_, S>,
         material: &Material<'_, S>,
     ) -> Result<Coefficients<S, K>, Error> {
-        self.relight(&self.transfer::<N, T>(material)?, light)
+        let mut workspace = zeros::<S, N>(What::Workspace, self.workspace_len())?;
+        let mut coefficients = zeros::<S, K>(What::Coefficients, self.components())?;
+        self.project_into(light, material, &mut workspace, &mut coefficients)?;
+        Ok(coefficients)
     }
 
     /// [`project`](Self::project) with slices: room for
-    /// [`scattering_len`](Self::scattering_len) and
-    /// [`transfer_len`](Self::transfer_len) numbers, and
+    /// [`workspace_len`](Self::workspace_len) numbers, and
     /// [`components`](Self::components) for the answer.
     ///
     /// # Errors
@@ -46,13 +55,169 @@ impl<S: Scalar> Basis<'_, S> {
         &self,
         light: &Light<'_, S>,
         material: &Material<'_, S>,
-        scattering: &mut [S],
-        transfer: &mut [S],
+        workspace: &mut [S],
         coefficients: &mut [S],
     ) -> Result<(), Error> {
-        self.transfer_into(material, scattering, transfer)?;
-        self.relight_into(transfer, light, coefficients)
+        self.accept_light(light)?;
+        self.accept_material(material)?;
+        Error::check(What::Workspace, self.workspace_len(), workspace.len())?;
+        Error::check(What::Coefficients, self.components(), coefficients.len())?;
+        // Rows of the usual orders have kernels that know their length.
+        match layout::row(self.order()) / LANES {
+            1 => self.project_rows(light, material, workspace, coefficients, row::<S, 1>),
+            2 => self.project_rows(light, material, workspace, coefficients, row::<S, 2>),
+            3 => self.project_rows(light, material, workspace, coefficients, row::<S, 3>),
+            4 => self.project_rows(light, material, workspace, coefficients, row::<S, 4>),
+            5 => self.project_rows(light, material, workspace, coefficients, row::<S, 5>),
+            _ => self.project_rows(light, material, workspace, coefficients, long_row),
+        }
+        self.subtract_mean(coefficients);
+        Ok(())
     }
+
+    fn project_rows(
+        &self,
+        light: &Light<'_, S>,
+        material: &Material<'_, S>,
+        workspace: &mut [S],
+        coefficients: &mut [S],
+        row: impl Fn(Row<'_, S>) -> [[S; LANES]; 2],
+    ) {
+        let width = layout::row(self.order()) / LANES;
+        let Workspace { scattering, sums, lights } = self.divide(workspace);
+        let mut gathered = None;
+        for (place, factors) in self.rows() {
+            let azimuth = place.azimuth();
+            if gathered != Some(azimuth) {
+                if gathered.is_none() || !self.parts.selection.is_empty() {
+                    self.scatter(material, azimuth, sums, scattering);
+                }
+                gather(light, azimuth, lights);
+                gathered = Some(azimuth);
+            }
+            let scattering = self.scattered_from(azimuth, scattering);
+            let [plus, minus] = row(Row { factors, scattering, lights, width });
+            for (index, lanes) in [(place.minus, minus), (place.plus, plus)] {
+                let place = index.and_then(|index| coefficients.get_mut(usize::from(index)));
+                if let Some(coefficient) = place {
+                    *coefficient = lanes::sum(lanes);
+                }
+            }
+        }
+    }
+
+    /// A workspace's parts.
+    #[inline]
+    pub(crate) fn divide<'w>(&self, workspace: &'w mut [S]) -> Workspace<'w, S> {
+        let rows = (self.degree() + 1) * layout::row(self.order());
+        let (scattering, rest) = workspace.split_at_mut_checked(rows).unwrap_or_default();
+        let sums = self.sums_len();
+        let (sums, lights) = rest.split_at_mut_checked(sums).unwrap_or_default();
+        Workspace { scattering, sums, lights: lights.as_chunks_mut().0 }
+    }
+
+    /// The rows of S from l = `azimuth` on.
+    #[inline]
+    pub(crate) fn scattered_from<'w>(&self, azimuth: usize, scattering: &'w [S]) -> &'w [S] {
+        scattering.get(azimuth * layout::row(self.order())..).unwrap_or_default()
+    }
+
+    /// Each profile with its factors.
+    #[inline]
+    pub(crate) fn rows(&self) -> impl Iterator<Item = (&'a ProfilePlace, &'a [S])> + use<'a, S> {
+        let (mut factors, degree) = (self.parts.factors, self.degree());
+        let width = layout::row(self.order());
+        self.parts.profiles.iter().map(move |place| {
+            let length = (degree + 1).saturating_sub(place.azimuth()) * width;
+            let (row, rest) = factors.split_at_checked(length).unwrap_or((factors, &[]));
+            factors = rest;
+            (place, row)
+        })
+    }
+
+    /// Checks a light against this basis.
+    pub(crate) fn accept_light(&self, light: &Light<'_, S>) -> Result<(), Error> {
+        let (basis, found) = (self.degree(), light.degree());
+        if found > basis {
+            return Err(Error::Beyond { what: What::Light, basis, found });
+        }
+        Ok(())
+    }
+
+    /// Takes the mean image's coefficients from those of an image.
+    #[inline]
+    pub(crate) fn subtract_mean(&self, coefficients: &mut [S]) {
+        for (coefficient, &mean) in coefficients.iter_mut().zip(self.parts.mean_coefficients) {
+            *coefficient -= mean;
+        }
+    }
+}
+
+/// L_l^m and (-1)^m L_l^-m for l = m, m + 1, ...; zero beyond the light's degree.
+#[inline]
+fn gather<S: Scalar>(light: &Light<'_, S>, azimuth: usize, lights: &mut [[S; 2]]) {
+    let sign = if azimuth % 2 == 1 { -S::ONE } else { S::ONE };
+    let coefficients = light.coefficients();
+    let mut centre = light::position(azimuth, 0);
+    for (l, place) in (azimuth..).zip(lights) {
+        let plus = coefficients.get(centre + azimuth).copied().unwrap_or(S::ZERO);
+        let minus = coefficients.get(centre - azimuth).copied().unwrap_or(S::ZERO);
+        // Beyond the light's degree the place of -m may still hold another order.
+        *place = if l <= light.degree() { [plus, sign * minus] } else { [S::ZERO; 2] };
+        centre += 2 * l + 2;
+    }
+}
+
+/// What a projection works in.
+pub(crate) struct Workspace<'w, S> {
+    /// S, a row for each l.
+    pub(crate) scattering: &'w mut [S],
+    /// Room for S along l.
+    pub(crate) sums: &'w mut [S],
+    /// The light of one azimuth.
+    lights: &'w mut [[S; 2]],
+}
+
+/// What the components of one profile are made of.
+struct Row<'a, S> {
+    factors: &'a [S],
+    scattering: &'a [S],
+    lights: &'a [[S; 2]],
+    /// Groups in a row of factors.
+    width: usize,
+}
+
+/// Both components of one profile, from rows of `V` groups, not yet summed across
+/// the lanes.
+///
+/// Apart from its caller: a compiler that sees the sum across takes the lanes
+/// apart all the way up.
+#[inline(never)]
+fn row<S: Scalar, const V: usize>(row: Row<'_, S>) -> [[S; LANES]; 2] {
+    let (factors, _) = row.factors.as_chunks::<LANES>().0.as_chunks::<V>();
+    let (scattering, _) = row.scattering.as_chunks::<LANES>().0.as_chunks::<V>();
+    let rows = factors.iter().zip(scattering);
+    lit(rows.map(|(factors, scattering)| lanes::product(factors, scattering)), row.lights)
+}
+
+/// [`row`] for rows of any length.
+#[inline(never)]
+fn long_row<S: Scalar>(row: Row<'_, S>) -> [[S; LANES]; 2] {
+    let factors = row.factors.as_chunks::<LANES>().0.chunks_exact(row.width);
+    let scattering = row.scattering.as_chunks::<LANES>().0.chunks_exact(row.width);
+    let rows = factors.zip(scattering);
+    lit(rows.map(|(factors, scattering)| lanes::long_product(factors, scattering)), row.lights)
+}
+
+/// Sums of rows times the light.
+#[inline(always)]
+fn lit<S: Scalar>(rows: impl Iterator<Item = [S; LANES]>, lights: &[[S; 2]]) -> [[S; LANES]; 2] {
+    let (mut plus, mut minus) = ([S::ZERO; LANES], [S::ZERO; LANES]);
+    for (row, &[of_plus, of_minus]) in rows.zip(lights) {
+        plus = lanes::multiply_add(plus, &row, &[of_plus; LANES]);
+        minus = lanes::multiply_add(minus, &row, &[of_minus; LANES]);
+    }
+    [plus, minus]
 }
 
 /// A buffer of `needed` zeros.

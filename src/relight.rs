@@ -47,10 +47,7 @@ impl<S: Scalar> Basis<'_, S> {
         light: &Light<'_, S>,
         coefficients: &mut [S],
     ) -> Result<(), Error> {
-        let (basis, found) = (self.degree(), light.degree());
-        if found > basis {
-            return Err(Error::Beyond { what: What::Light, basis, found });
-        }
+        self.accept_light(light)?;
         Error::check(What::Transfer, self.transfer_len(), transfer.len())?;
         Error::check(What::Coefficients, self.components(), coefficients.len())?;
         let (mut transfer, _) = transfer.as_chunks::<LANES>();
@@ -73,9 +70,7 @@ impl<S: Scalar> Basis<'_, S> {
                 _ => run::<S, { layout::PASS }>(pass, rows, light, of_pass, coefficients),
             }
         }
-        for (coefficient, &mean) in coefficients.iter_mut().zip(self.parts.mean_coefficients) {
-            *coefficient -= mean;
-        }
+        self.subtract_mean(coefficients);
         Ok(())
     }
 }
@@ -93,27 +88,18 @@ fn run<S: Scalar, const P: usize>(
     let lowest = layout::lowest_degree(first);
     let (rows, _) = transfer.as_chunks::<P>();
     let rows = rows.get(..(light.degree() + 1).saturating_sub(lowest)).unwrap_or(rows);
-    let mut sums = [[S::ZERO; LANES]; P];
     // Degrees whose group of coefficients starts before the first one.
-    let before = (lowest..).take_while(|&l| l * l + l < first.unsigned_abs() && first < 0).count();
+    let before = (lowest..).take_while(|&l| first < 0 && l * l + l < first.unsigned_abs()).count();
     let (early, rows) = rows.split_at_checked(before).unwrap_or((rows, &[]));
-    for (l, row) in (lowest..).zip(early) {
-        sums = added(sums, row, &edge(light, l, first));
-    }
-    let mut degree = lowest + early.len();
-    let mut start = light::position(degree, first);
-    let mut done = 0;
-    for row in rows {
-        let window = light.coefficients().get(start..).and_then(|rest| rest.first_chunk());
-        let Some(window) = window else { break };
-        sums = added(sums, row, window);
-        start += 2 * degree + 2;
-        degree += 1;
-        done += 1;
-    }
+    let start = lowest + early.len();
+    let (mut sums, done) = inside(rows, light.coefficients(), start, first);
     // Degrees whose group ends after the last one.
-    for (l, row) in (degree..).zip(rows.get(done..).unwrap_or_default()) {
-        sums = added(sums, row, &edge(light, l, first));
+    let late = rows.get(done..).unwrap_or_default();
+    for (l, row) in (lowest..).zip(early).chain((start + done..).zip(late)) {
+        let window = edge(light, l, first);
+        for (sum, row) in sums.iter_mut().zip(row) {
+            *sum = lanes::multiply_add(*sum, row, &window);
+        }
     }
     for (slots, sums) in slots.iter().zip(sums) {
         for (&slot, sum) in slots.iter().zip(sums) {
@@ -124,17 +110,32 @@ fn run<S: Scalar, const P: usize>(
     }
 }
 
-/// sums + row window, each group of the row times the same window.
-#[inline(always)]
-fn added<S: Scalar, const P: usize>(
-    mut sums: [[S; LANES]; P],
-    row: &[[S; LANES]; P],
-    window: &[S; LANES],
-) -> [[S; LANES]; P] {
-    for (sum, row) in sums.iter_mut().zip(row) {
-        *sum = lanes::multiply_add(*sum, row, window);
+/// Sums over the degrees from `degree` on whose groups lie within the
+/// coefficients, and how many those are.
+///
+/// Apart from [`run`], so that the sums stay in registers: read lane by lane in
+/// the same function, they are taken apart at every step.
+#[inline(never)]
+fn inside<S: Scalar, const P: usize>(
+    rows: &[[[S; LANES]; P]],
+    coefficients: &[S],
+    degree: usize,
+    first: isize,
+) -> ([[S; LANES]; P], usize) {
+    let mut sums = [[S::ZERO; LANES]; P];
+    let (mut start, mut step) = (light::position(degree, first), 2 * degree + 2);
+    let mut done = 0;
+    for row in rows {
+        let window = coefficients.get(start..).and_then(|rest| rest.first_chunk());
+        let Some(window) = window else { break };
+        for (sum, row) in sums.iter_mut().zip(row) {
+            *sum = lanes::multiply_add(*sum, row, window);
+        }
+        start += step;
+        step += 2;
+        done += 1;
     }
-    sums
+    (sums, done)
 }
 
 /// L_l^m of the orders from `first` on, where the light's first or last

@@ -8,7 +8,7 @@
 use crate::basis::Basis;
 use crate::error::{Error, What};
 use crate::index::layout::LANES;
-use crate::index::{material, pair};
+use crate::index::{layout, material, pair};
 use crate::lanes;
 use crate::material::Material;
 use crate::scalar::Scalar;
@@ -23,67 +23,120 @@ impl<S: Scalar> Basis<'_, S> {
         Ok(())
     }
 
-    /// Writes S: for each group of degrees l, each pair (p, q), a group.
+    /// Writes S: for each l a row over the pairs (p, q), zero-padded. `sums` is
+    /// room for it along l.
     ///
     /// Of a basis with a selection of modes only those of `azimuth` are summed.
-    pub(crate) fn scatter(&self, material: &Material<'_, S>, azimuth: usize, scattering: &mut [S]) {
-        scattering.fill(S::ZERO);
-        let (scattering, _) = scattering.as_chunks_mut::<LANES>();
+    pub(crate) fn scatter(
+        &self,
+        material: &Material<'_, S>,
+        azimuth: usize,
+        sums: &mut [S],
+        scattering: &mut [S],
+    ) {
+        sums.fill(S::ZERO);
+        // Rows of the usual degrees have kernels that know their length.
+        match layout::groups(self.degree()) {
+            _ if !self.parts.selection.is_empty() => self.scatter_selected(material, azimuth, sums),
+            1 => self.scatter_rows::<1>(material, sums),
+            2 => self.scatter_rows::<2>(material, sums),
+            3 => self.scatter_rows::<3>(material, sums),
+            4 => self.scatter_rows::<4>(material, sums),
+            _ => self.scatter_long(material, sums),
+        }
+        self.transpose(sums, scattering);
+    }
+
+    /// S along l, in rows of `G` groups.
+    fn scatter_rows<const G: usize>(&self, material: &Material<'_, S>, sums: &mut [S]) {
+        let (polar, _) = self.parts.polar.as_chunks::<LANES>().0.as_chunks::<G>();
+        let (sums, _) = sums.as_chunks_mut::<LANES>().0.as_chunks_mut::<G>();
+        couplings(material, |b, from, to, _| {
+            if let (Some(polar), Some(sums)) = (polar.get(from), sums.get_mut(to)) {
+                for (sum, polar) in sums.iter_mut().zip(polar) {
+                    *sum = lanes::multiply_add(*sum, &[b; LANES], polar);
+                }
+            }
+        });
+    }
+
+    /// S along l, in rows of any length.
+    fn scatter_long(&self, material: &Material<'_, S>, sums: &mut [S]) {
+        let groups = layout::groups(self.degree());
         let (polar, _) = self.parts.polar.as_chunks::<LANES>();
-        let pairs = pair::count(self.order());
-        let modes = material::count(self.order());
-        let masks = self.parts.selection.chunks_exact(self.degree() + 1).skip(azimuth * modes);
-        let half = S::from_f64(core::f64::consts::FRAC_1_SQRT_2);
-        let groups = scattering.chunks_exact_mut(pairs).zip(polar.chunks_exact(pairs));
-        for (group, (scattering, polar)) in groups.enumerate() {
-            let mut masks = masks.clone();
-            let mut coefficients = material.coefficients().iter();
-            // The loops of `material::indices`, in rows of pairs.
-            for o in 0..=material.order() {
-                let lowest = o % 2;
-                let row_o = pair::position(o, lowest);
-                for p in (lowest..=o).step_by(2) {
-                    let row_p = pair::position(p, lowest);
-                    for q in 0..=p / 2 {
-                        let Some(&b) = coefficients.next() else { continue };
-                        let (of_o, of_p) = (row_o + q, row_p + q);
-                        let b = if o == p { b } else { b * half };
-                        let b = masked(b, masks.next(), group);
-                        add(&b, polar, of_o, scattering, of_p);
-                        if o != p {
-                            add(&b, polar, of_p, scattering, of_o);
-                        }
-                    }
+        let (sums, _) = sums.as_chunks_mut::<LANES>();
+        couplings(material, |b, from, to, _| {
+            let polar = polar.get(from * groups..).unwrap_or_default();
+            let sums = sums.get_mut(to * groups..).unwrap_or_default();
+            for (sum, polar) in sums.iter_mut().zip(polar).take(groups) {
+                *sum = lanes::multiply_add(*sum, &[b; LANES], polar);
+            }
+        });
+    }
+
+    /// S along l, of the modes of one azimuth that a selection kept.
+    fn scatter_selected(&self, material: &Material<'_, S>, azimuth: usize, sums: &mut [S]) {
+        let length = LANES * layout::groups(self.degree());
+        couplings(material, |b, from, to, (o, p, q)| {
+            let polar = self.parts.polar.get(from * length..).unwrap_or_default();
+            let sums = sums.get_mut(to * length..).unwrap_or_default();
+            let row = azimuth * material::count(self.order()) + material::position(o, p, q);
+            let kept = self.parts.selection.get(row * (self.degree() + 1)..).unwrap_or_default();
+            let kept = kept.iter().take(self.degree() + 1);
+            for ((sum, &polar), &kept) in sums.iter_mut().zip(polar).zip(kept) {
+                *sum += if kept { b * polar } else { S::ZERO };
+            }
+        });
+    }
+
+    /// From rows over l, a pair each, to rows over the pairs, an l each.
+    fn transpose(&self, sums: &[S], scattering: &mut [S]) {
+        let width = layout::row(self.order()) / LANES;
+        let groups = layout::groups(self.degree());
+        let (sums, _) = sums.as_chunks::<LANES>();
+        let (scattering, _) = scattering.as_chunks_mut::<LANES>();
+        // Four pairs by four degrees at a time.
+        for (column, pairs) in sums.chunks_exact(LANES * groups).enumerate() {
+            let (first, rest) = pairs.split_at_checked(groups).unwrap_or_default();
+            let (second, rest) = rest.split_at_checked(groups).unwrap_or_default();
+            let (third, fourth) = rest.split_at_checked(groups).unwrap_or_default();
+            let rows = first.iter().zip(second).zip(third.iter().zip(fourth));
+            let places = scattering.get_mut(column..).unwrap_or_default();
+            let mut places = places.iter_mut().step_by(width.max(1));
+            for ((first, second), (third, fourth)) in rows {
+                let degrees = first.iter().zip(second).zip(third.iter().zip(fourth));
+                for (((&first, &second), (&third, &fourth)), place) in degrees.zip(&mut places) {
+                    *place = [first, second, third, fourth];
                 }
             }
         }
     }
 }
 
-/// b in every lane that the mask of a selection lets through.
-#[inline]
-fn masked<S: Scalar>(b: S, mask: Option<&[bool]>, group: usize) -> [S; LANES] {
-    let mut lanes = [b; LANES];
-    if let Some(mask) = mask {
-        for (l, lane) in (group * LANES..).zip(&mut lanes) {
-            if !mask.get(l).copied().unwrap_or(false) {
-                *lane = S::ZERO;
+/// Calls `add(b, from, to, (o, p, q))` for every term b Ĉ\[from\] of S\[to\].
+#[inline(always)]
+fn couplings<S: Scalar>(
+    material: &Material<'_, S>,
+    mut add: impl FnMut(S, usize, usize, (usize, usize, usize)),
+) {
+    let half = S::from_f64(core::f64::consts::FRAC_1_SQRT_2);
+    let mut coefficients = material.coefficients().iter();
+    // The loops of `material::indices`: the pairs of one o stand together.
+    for o in 0..=material.order() {
+        let lowest = o % 2;
+        let row_o = pair::position(o, lowest);
+        for p in (0..=o / 2).map(|k| 2 * k + lowest) {
+            let row_p = pair::position(p, lowest);
+            for k in 0..=p / 2 {
+                let Some(&b) = coefficients.next() else { return };
+                let (of_o, of_p, mode) = (row_o + k, row_p + k, (o, p, 2 * k + lowest));
+                if o == p {
+                    add(b, of_o, of_o, mode);
+                } else {
+                    add(half * b, of_o, of_p, mode);
+                    add(half * b, of_p, of_o, mode);
+                }
             }
         }
-    }
-    lanes
-}
-
-/// S\[to\] += b Ĉ\[from\].
-#[inline]
-fn add<S: Scalar>(
-    b: &[S; LANES],
-    polar: &[[S; LANES]],
-    from: usize,
-    scattering: &mut [[S; LANES]],
-    to: usize,
-) {
-    if let (Some(polar), Some(sum)) = (polar.get(from), scattering.get_mut(to)) {
-        *sum = lanes::multiply_add(*sum, b, polar);
     }
 }

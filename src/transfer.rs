@@ -5,10 +5,10 @@
 
 use crate::basis::{Basis, ProfilePlace};
 use crate::error::{Error, What};
-use crate::index::{layout, pair};
+use crate::index::layout;
 use crate::lanes;
 use crate::material::Material;
-use crate::projection::zeros;
+use crate::projection::{Workspace, zeros};
 use crate::scalar::Scalar;
 
 const LANES: usize = layout::LANES;
@@ -20,7 +20,7 @@ pub struct Transfer<S, const N: usize>(pub(crate) heapless::Vec<S, N>);
 impl<S: Scalar> Basis<'_, S> {
     /// Folds a material into the basis.
     ///
-    /// `N` is at least [`scattering_len`](Self::scattering_len), `T` at least
+    /// `N` is at least [`workspace_len`](Self::workspace_len), `T` at least
     /// [`transfer_len`](Self::transfer_len).
     ///
     /// Cost: for each profile, each degree from its |m| on, one multiplication for
@@ -34,9 +34,9 @@ impl<S: Scalar> Basis<'_, S> {
         &self,
         material: &Material<'_, S>,
     ) -> Result<Transfer<S, T>, Error> {
-        let mut scattering = zeros::<S, N>(What::Scattering, self.scattering_len())?;
+        let mut workspace = zeros::<S, N>(What::Workspace, self.workspace_len())?;
         let mut transfer = zeros::<S, T>(What::Transfer, self.transfer_len())?;
-        self.transfer_into(material, &mut scattering, &mut transfer)?;
+        self.transfer_into(material, &mut workspace, &mut transfer)?;
         Ok(Transfer(transfer))
     }
 
@@ -46,60 +46,58 @@ impl<S: Scalar> Basis<'_, S> {
     ///
     /// [`Error::Beyond`] if the material goes beyond the basis,
     /// [`Error::Length`] if a slice is not as long as
-    /// [`scattering_len`](Self::scattering_len) and
+    /// [`workspace_len`](Self::workspace_len) and
     /// [`transfer_len`](Self::transfer_len) say.
     pub fn transfer_into(
         &self,
         material: &Material<'_, S>,
-        scattering: &mut [S],
+        workspace: &mut [S],
         transfer: &mut [S],
     ) -> Result<(), Error> {
         self.accept_material(material)?;
-        Error::check(What::Scattering, self.scattering_len(), scattering.len())?;
+        Error::check(What::Workspace, self.workspace_len(), workspace.len())?;
         Error::check(What::Transfer, self.transfer_len(), transfer.len())?;
         // Lanes with |m| > l stay zero.
         transfer.fill(S::ZERO);
-        let pairs = pair::count(self.order());
-        let (mut factors, _) = self.parts.factors.as_chunks::<LANES>();
-        let groups = layout::groups(self.degree());
+        let width = layout::row(self.order()) / LANES;
+        let Workspace { scattering, sums, .. } = self.divide(workspace);
         let mut scattered = None;
-        for place in self.parts.profiles {
+        for (place, factors) in self.rows() {
             let azimuth = place.azimuth();
             // One scattering serves every azimuth, unless a selection of modes
             // makes them differ.
             if scattered.is_none()
                 || (scattered != Some(azimuth) && !self.parts.selection.is_empty())
             {
-                self.scatter(material, azimuth, scattering);
+                self.scatter(material, azimuth, sums, scattering);
                 scattered = Some(azimuth);
             }
-            let (scattering, _) = scattering.as_chunks::<LANES>();
-            let first = layout::first_group(azimuth);
-            let rest = scattering.get(first * pairs..).unwrap_or_default();
-            for (group, scattering) in (first..groups).zip(rest.chunks_exact(pairs)) {
-                let (of_group, after) = factors.split_at_checked(pairs).unwrap_or((factors, &[]));
-                factors = after;
-                let sums = lanes::product(of_group, scattering);
-                self.spread(place, group, &sums, transfer);
-            }
+            let (factors, _) = factors.as_chunks::<LANES>();
+            let (rows, _) = self.scattered_from(azimuth, scattering).as_chunks::<LANES>();
+            let rows = factors.chunks_exact(width).zip(rows.chunks_exact(width));
+            let sums = rows.map(|(factors, row)| lanes::sum(lanes::long_product(factors, row)));
+            place.write(sums, transfer);
         }
         Ok(())
     }
+}
 
-    /// Writes T_l of one group of degrees into the rows of +m and -m.
+impl ProfilePlace {
+    /// Writes T_l, l = |m|, |m| + 1, ..., into the rows of +m and -m.
     #[inline]
-    fn spread(&self, place: &ProfilePlace, group: usize, sums: &[S; LANES], transfer: &mut [S]) {
-        let azimuth = place.azimuth();
-        let odd = azimuth % 2 == 1;
-        for (l, &sum) in (group * LANES..=self.degree()).zip(sums) {
-            let Some(row) = l.checked_sub(azimuth) else { continue };
-            for (of, value) in
-                [(place.plus_row, sum), (place.minus_row, if odd { -sum } else { sum })]
-            {
-                if let Some(to) = transfer.get_mut(of.start as usize + row * of.step as usize) {
+    fn write<S: Scalar>(&self, sums: impl Iterator<Item = S>, transfer: &mut [S]) {
+        let sign = if self.azimuth % 2 == 1 { -S::ONE } else { S::ONE };
+        let (plus, minus) = (self.plus_row, self.minus_row);
+        let (mut to_plus, mut to_minus) = (plus.start as usize, minus.start as usize);
+        for sum in sums {
+            // For m = 0 both are the same place, and the sign is +.
+            for (to, value) in [(to_minus, sign * sum), (to_plus, sum)] {
+                if let Some(to) = transfer.get_mut(to) {
                     *to = value;
                 }
             }
+            to_plus += plus.step as usize;
+            to_minus += minus.step as usize;
         }
     }
 }

@@ -107,8 +107,7 @@ fn all_components_in_f32_are_the_direct_sum() {
     let normals: Vec<[f32; 3]> =
         grid(14, 24).iter().map(|normal| normal.map(|value| value as f32)).collect();
     let mut scenes = Vec::new();
-    let mut scattering = vec![0.0; basis.scattering_len()];
-    let mut transfer = vec![0.0; basis.transfer_len()];
+    let mut workspace = vec![0.0; basis.workspace_len()];
     let mut coefficients = vec![0.0; basis.components()];
     for light in &lights {
         for material in &materials {
@@ -116,7 +115,7 @@ fn all_components_in_f32_are_the_direct_sum() {
             let light = eigenshade::Light::new(9, &light).expect("100 coefficients");
             let material = eigenshade::Material::new(7, &material).expect("40 coefficients");
             basis
-                .project_into(&light, &material, &mut scattering, &mut transfer, &mut coefficients)
+                .project_into(&light, &material, &mut workspace, &mut coefficients)
                 .expect("sizes are the basis's");
             let buffer = vec![0.0; basis.scene_len()];
             scenes.push(basis.collapse_into(&coefficients, buffer).expect("sizes are the basis's"));
@@ -225,9 +224,9 @@ fn residual_energy_is_what_the_eigenvalues_say() {
         .iter()
         .map(|material| {
             let material = eigenshade::Material::new(7, material).expect("40 coefficients");
-            let mut scattering = vec![0.0; basis.scattering_len()];
+            let mut workspace = vec![0.0; basis.workspace_len()];
             let mut transfer = vec![0.0; basis.transfer_len()];
-            basis.transfer_into(&material, &mut scattering, &mut transfer).expect("sizes");
+            basis.transfer_into(&material, &mut workspace, &mut transfer).expect("sizes");
             transfer
         })
         .collect();

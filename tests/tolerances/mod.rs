@@ -59,3 +59,9 @@ pub const RECORDED_FIGURE: f64 = 1e-6;
 pub const ALL_COMPONENTS: f64 = 1e-6;
 /// The same in f32: some ten roundings of 6e-8 that count, of the hundred in each sum.
 pub const ALL_COMPONENTS_F32: f64 = 2e-6;
+/// d = UᵀMc in f64 by the runtime's short sums against dense rows, of the largest d: sums of some
+/// thousand roundings.
+pub const DENSE_PROJECTION: f64 = 1e-12;
+/// The largest |I| on one grid of normals against that on another, relative: both are a few degrees
+/// apart.
+pub const PEAK_GRID: f64 = 0.01;

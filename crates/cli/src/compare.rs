@@ -3,6 +3,10 @@
 //! Compared is what a scene determines: eigenvalues, profiles, mode means, rows of
 //! UᵀM, the mean image. Of U only its images AU: the mode coefficients themselves
 //! are as free as M is singular.
+//!
+//! Rounding can end a polynomial one term earlier or later. So polynomials are
+//! compared over the terms that both have; what one alone has may be as large as
+//! the scene lets a polynomial be off.
 
 use eigenshade_generator::profile::evaluate;
 use eigenshade_table::{Profile, Table};
@@ -59,22 +63,26 @@ pub fn differences(table: &Table, fresh: &Table) -> Result<Vec<Difference>, Stri
     let compared = |what, f: &dyn Fn(&Profile) -> Vec<f64>| {
         difference(what, &of_profiles(table, f), &of_profiles(fresh, f))
     };
-    let mut polynomials = compared("profiles' polynomials", &polynomial);
-    polynomials.allowed = polynomial_allowance(table, fresh);
+    let [old_series, new_series, alone] = polynomials(table, fresh);
+    // Each is within the tolerance of the whole series.
+    let alone = Difference {
+        what: "terms of one alone",
+        found: alone.iter().fold(0.0, |most: f64, value| most.max(value.abs())),
+        allowed: 2.0 * fresh.scene.basis.profile_tolerance,
+    };
     let [old_rows, new_rows] =
         both.map(|table| of_profiles(table, &|profile| table.gram_row(profile)));
-    let [old_mean, new_mean] = both.map(mean);
-    let mut mean = difference("mean image", &old_mean, &new_mean);
-    mean.allowed = polynomials.allowed;
+    let [old_mean, new_mean] = both.map(mean_coefficients);
     Ok(vec![
         difference("components' eigenvalues", &old_values, &new_values),
         difference("spectrum", &old_spectrum, &new_spectrum),
         compared("profiles at the nodes", &|profile| profile.node_values.clone()),
-        polynomials,
+        difference("polynomials", &old_series, &new_series),
+        alone,
         difference("mode means e", &table.gram.mode_means(), &fresh.gram.mode_means()),
         difference("rows of U^T M", &old_rows, &new_rows),
         compared("images A U", &images),
-        mean,
+        difference("coefficients of the mean", &old_mean, &new_mean),
     ])
 }
 
@@ -121,36 +129,45 @@ fn spectrum(table: &Table, length: usize) -> Vec<f64> {
     values
 }
 
+/// Of each profile and of the mean image u(α) at the slants: of both over the
+/// terms that both have, and of the terms that one alone has. All are relative to
+/// the largest |u| of that profile.
+fn polynomials(table: &Table, fresh: &Table) -> [Vec<f64>; 3] {
+    let series = |table: &Table| -> Vec<(usize, Vec<f64>)> {
+        let profiles = table.profiles.iter().map(|one| (one.azimuth, one.chebyshev.clone()));
+        let mean = table.mean.iter().map(|mean| (0, mean.chebyshev.clone()));
+        profiles.chain(mean).collect()
+    };
+    let mut values = [const { Vec::new() }; 3];
+    for ((azimuth, old), (_, new)) in series(table).into_iter().zip(series(fresh)) {
+        let longer = if old.len() > new.len() { &old } else { &new };
+        let both = old.len().min(new.len());
+        let mut alone = longer.clone();
+        alone.iter_mut().take(both).for_each(|term| *term = 0.0);
+        let largest = polynomial(azimuth, longer)
+            .iter()
+            .fold(f64::MIN_POSITIVE, |most, value| most.max(value.abs()));
+        for (values, series) in values.iter_mut().zip([&old[..both], &new[..both], &alone]) {
+            values.extend(polynomial(azimuth, series).iter().map(|u| u / largest));
+        }
+    }
+    values
+}
+
 /// u(α) on slants from the pole to the rim.
-fn polynomial(profile: &Profile) -> Vec<f64> {
+fn polynomial(azimuth: usize, chebyshev: &[f64]) -> Vec<f64> {
     let slants =
         (0..=ARGUMENTS).map(|k| std::f64::consts::FRAC_PI_2 * f64::from(k) / f64::from(ARGUMENTS));
     slants
         .map(|alpha| {
             let (sine, z) = alpha.sin_cos();
-            sine.powi(profile.azimuth as i32) * evaluate(&profile.chebyshev, z)
+            sine.powi(azimuth as i32) * evaluate(chebyshev, z)
         })
         .collect()
 }
 
-/// Where two polynomials were cut at different terms, they may be as far apart as
-/// the scene lets each be from its profile.
-fn polynomial_allowance(table: &Table, fresh: &Table) -> f64 {
-    let lengths =
-        |table: &Table| table.profiles.iter().map(|one| one.chebyshev.len()).collect::<Vec<_>>();
-    if lengths(table) == lengths(fresh) {
-        ALLOWED
-    } else {
-        ALLOWED.max(2.0 * fresh.scene.basis.profile_tolerance)
-    }
-}
-
-fn mean(table: &Table) -> Vec<f64> {
-    table.mean.as_ref().map_or_else(Vec::new, |mean| {
-        let arguments = (0..=ARGUMENTS).map(|k| f64::from(k) / f64::from(ARGUMENTS));
-        let values = arguments.map(|z| evaluate(&mean.chebyshev, z));
-        values.chain(mean.coefficients.iter().copied()).collect()
-    })
+fn mean_coefficients(table: &Table) -> Vec<f64> {
+    table.mean.as_ref().map_or_else(Vec::new, |mean| mean.coefficients.clone())
 }
 
 fn difference(what: &'static str, found: &[f64], expected: &[f64]) -> Difference {

@@ -17,8 +17,7 @@ pub fn fitted(table: &Table, lights: &Lights, materials: &Materials) -> (Lights,
 pub struct Shader<'a, S> {
     basis: Basis<'a, S>,
     components: usize,
-    scattering: Vec<S>,
-    transfer: Vec<S>,
+    workspace: Vec<S>,
     coefficients: Vec<S>,
     scene: Vec<S>,
 }
@@ -63,8 +62,7 @@ impl<'a, S: Scalar> Shader<'a, S> {
         Self {
             basis,
             components: components.min(basis.components()),
-            scattering: vec![S::ZERO; basis.scattering_len()],
-            transfer: vec![S::ZERO; basis.transfer_len()],
+            workspace: vec![S::ZERO; basis.workspace_len()],
             coefficients: vec![S::ZERO; basis.components()],
             scene: vec![S::ZERO; basis.scene_len()],
         }
@@ -86,13 +84,7 @@ impl<'a, S: Scalar> Shader<'a, S> {
         let light = Light::new(degree, &light).map_err(fault)?;
         let material = Material::new(order, &material).map_err(fault)?;
         self.basis
-            .project_into(
-                &light,
-                &material,
-                &mut self.scattering,
-                &mut self.transfer,
-                &mut self.coefficients,
-            )
+            .project_into(&light, &material, &mut self.workspace, &mut self.coefficients)
             .map_err(fault)?;
         Ok(&self.coefficients[..self.components])
     }

@@ -125,6 +125,12 @@ fn bad_scenes() {
         (good.replace("degree = 4", "degree = -4"), "scene.toml:4:"),
         (good.replace("[light]", "[light"), "scene.toml:3:"),
         (good.replace("10000", "0"), "components"),
+        (good.replace("components = 10000\n", ""), "tolerance"),
+        (good.replace("profile_tolerance = 1e-12", "tolerance = 1e-3"), "not both"),
+        (good.replace("1e-12", "0.0"), "profile_tolerance"),
+        (good.replace("\"sphere\"", "\"mesh.obj\""), "mesh.obj"),
+        (good.replace("\"any\"", "\"none\""), "rotation"),
+        (good.replace("[]", "[\"material-0\", \"material-0\"]"), "material-0"),
     ] {
         folder.write("scene.toml", bad);
         assert_fails(&folder, "basis --scene scene.toml --out new.bin", &["scene.toml", word]);

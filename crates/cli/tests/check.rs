@@ -2,7 +2,7 @@
 
 mod support;
 
-use eigenshade_table::{Table, decode, encode};
+use eigenshade_table::{MeanImage, Table, decode, encode};
 use std::fs;
 use support::{Folder, assert_fails, scene};
 
@@ -33,7 +33,7 @@ fn what_was_just_made_passes() {
         folder.write("scene.toml", scene(criterion, 30, "[]"));
         folder.ok("basis --scene scene.toml --out b.bin");
         let text = folder.ok("basis --scene scene.toml --check b.bin");
-        assert_eq!(text.lines().count(), 8, "{text}");
+        assert_eq!(text.lines().count(), 9, "{text}");
         assert!(!text.contains("OVER"), "{text}");
     }
 }
@@ -54,13 +54,44 @@ fn altered_profiles_are_found() {
     let folder = altered(|table| table.profiles[0].node_values[5] += 1e-6);
     assert_differs(&folder, "profiles at the nodes");
     let folder = altered(|table| table.profiles[1].chebyshev[0] += 1e-6);
-    assert_differs(&folder, "profiles' polynomials");
+    assert_differs(&folder, "polynomials");
     let folder = altered(|table| table.profiles[1].factors[0] += 1e-6);
     assert_differs(&folder, "rows of U^T M");
     let folder = altered(|table| table.profiles[0].modes[0] += 1e-6);
     assert_differs(&folder, "images A U");
     let folder = altered(|table| table.gram.root_weights[2] += 1e-6);
     assert_differs(&folder, "mode means e");
+}
+
+/// A polynomial cut elsewhere is compared as closely as one that is not.
+#[test]
+fn polynomials_of_other_lengths_are_compared_term_by_term() {
+    let folder = altered(|table| table.profiles[1].chebyshev.push(1e-14));
+    folder.ok("basis --scene scene.toml --check b.bin");
+    let folder = altered(|table| table.profiles[1].chebyshev.push(1e-6));
+    assert_differs(&folder, "terms of one alone");
+    let folder = altered(|table| {
+        table.profiles[1].chebyshev.push(0.0);
+        table.profiles[1].chebyshev[0] += 1e-7;
+    });
+    assert_differs(&folder, "polynomials");
+    let folder = altered(|table| table.profiles[1].chebyshev.truncate(2));
+    assert_differs(&folder, "terms of one alone");
+}
+
+#[test]
+fn altered_means_are_found() {
+    let altered = |change: fn(&mut MeanImage), what| {
+        let folder = Folder::new();
+        folder.write("scene.toml", scene("standard", 30, "[]"));
+        folder.ok("basis --scene scene.toml --out b.bin");
+        let mut table = decode(&fs::read(folder.path("b.bin")).unwrap()).unwrap();
+        change(table.mean.as_mut().unwrap());
+        folder.write("b.bin", encode(&table));
+        assert_differs(&folder, what);
+    };
+    altered(|mean| mean.chebyshev[1] += 1e-6, "polynomials");
+    altered(|mean| mean.coefficients[0] += 1e-6, "coefficients of the mean");
 }
 
 #[test]

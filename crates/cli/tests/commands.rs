@@ -2,6 +2,9 @@
 
 mod support;
 
+#[path = "../../../tests/tolerances/mod.rs"]
+mod tolerances;
+
 use std::fs;
 use support::{DEGREE, Folder, ORDER, materials, numbers, repository, rows};
 
@@ -89,8 +92,27 @@ fn material_fits_and_reports() {
     assert_eq!(found.len(), 5);
     // 1/4 = b_00^0 / 2 pi.
     assert!((numbers(&found, 1)[0] - 0.5 * std::f64::consts::PI).abs() < 1e-4);
-    let report = rows(&folder.read("r.csv"), "name,samples,residual,lowest,highest,condition");
-    assert_eq!(report[0][..2], ["chalk", "64"]);
+    let report = rows(&folder.read("r.csv"), FIGURES);
+    assert_eq!(report[0][..3], ["chalk", "64", "0.25"]);
+}
+
+const FIGURES: &str = "name,samples,maximum,residual,lowest,highest,condition";
+
+/// Of the shipped figures those whose measurements are here.
+#[test]
+fn material_reproduces_the_shipped_figures() {
+    let folder = Folder::new();
+    let measured = "crates/generator/tests/data/nist_ptfe/measurements_633.csv";
+    fs::copy(repository().join(measured), folder.path("ptfe-633nm-fit.csv")).unwrap();
+    folder.ok("material ptfe-633nm-fit.csv --order 7 --report r.csv");
+    let shipped = fs::read_to_string(repository().join("tables/inputs/materials.fit.csv")).unwrap();
+    let [ours, shipped] = [folder.read("r.csv"), shipped].map(|text| rows(&text, FIGURES));
+    let (ours, shipped) = (&ours[0], shipped.last().unwrap());
+    assert_eq!(ours[..3], shipped[..3]);
+    for (ours, shipped) in ours[3..].iter().zip(&shipped[3..]) {
+        let [ours, shipped] = [ours, shipped].map(|field| field.parse::<f64>().unwrap());
+        assert!((ours - shipped).abs() <= tolerances::RECORDED_FIGURE * shipped.abs().max(1.0));
+    }
 }
 
 #[test]

@@ -2,33 +2,38 @@
 
 use crate::canonical::{self, Ranked};
 use crate::database::{Lights, Materials};
-use crate::error::Result;
+use crate::eigenimages::{Azimuth, Selected, constant_coordinates};
+use crate::error::{Error, Result};
 use crate::moments::{self, LightMoments};
-use crate::pca::{Block, Principal, principal};
+use crate::pca::{Block, principal};
 use crate::{gram, peak, profile, selection};
-use eigenshade_index::{material, pair};
 use eigenshade_table::scene::Criterion;
-use eigenshade_table::{Component, GramFactor, MeanImage, Profile, Scene, Summary, Table};
-use faer::Mat;
+use eigenshade_table::{GramFactor, MeanImage, Scene, Summary, Table};
 
 /// Components whose orthonormality is reported.
 const REPORTED: usize = 100;
 
-/// Everything known of one azimuth.
-struct Azimuth {
-    block: Block,
-    principal: Principal,
-}
+/// Singular values below this are rounding, relative to the root of the database's
+/// energy, the constant counted: forty columns of sums.
+const ROUNDING: f64 = 1e-14;
 
 /// Makes the table of a scene from its lights and materials, which hold at least
 /// the scene's degree and order.
 ///
 /// # Errors
 ///
-/// Empty databases, lights that cannot be normalised, numbers that are not
-/// finite.
+/// Empty databases or ones that do not reach the scene's degree and order, lights
+/// that cannot be normalised, numbers that are not finite.
 pub fn build(scene: &Scene, lights: &Lights, materials: &Materials) -> Result<Table> {
     let (degree, order) = (scene.light.degree, scene.material.order);
+    if materials.entries.is_empty() {
+        return Err(Error::new("no materials", "give a material database with at least one"));
+    }
+    if lights.degree < degree || materials.order < order {
+        let (found, of) = (lights.degree, materials.order);
+        let what = format!("lights of degree {found} and materials of order {of}");
+        return Err(Error::new(what, format!("ask for no more than that: not {degree}, {order}")));
+    }
     let (lights, materials) = (lights.truncated(degree), materials.truncated(order));
     let criterion = scene.basis.criterion;
     let moments = LightMoments::new(&lights, scene.light.normalise)?;
@@ -44,7 +49,10 @@ pub fn build(scene: &Scene, lights: &Lights, materials: &Materials) -> Result<Ta
     let largest = largest_of(|azimuth| &azimuth.block.singular_values);
     let cutoff = scene.basis.rank_cutoff;
     let threshold = cutoff * largest;
-    let weakest = cutoff * largest_of(|azimuth| &azimuth.principal.singular_values);
+    let whole = moments::deviations(&moments, &materials, Criterion::ImageCentered, 0);
+    let rounding = ROUNDING * azimuths[0].block.images(&gram, &whole).norm_l2();
+    let strongest = largest_of(|azimuth| &azimuth.principal.singular_values);
+    let weakest = rounding.max(cutoff * strongest);
     let ranked = ranked(&azimuths, criterion, weakest);
     let spectrum: Vec<(i32, Option<f64>)> = ranked
         .iter()
@@ -75,12 +83,7 @@ pub fn build(scene: &Scene, lights: &Lights, materials: &Materials) -> Result<Ta
     let count = match (scene.basis.components, scene.basis.tolerance) {
         (Some(components), _) => components,
         (None, None) => table.spectrum.len(),
-        (None, Some(tolerance)) => {
-            // The peaks are those of whole images, so they ask for all components.
-            let all = Selected::new(&azimuths, &ranked, usize::MAX);
-            all.write(&mut table, &azimuths, threshold);
-            peak::components_for(&table, &lights, &materials, tolerance)?
-        }
+        (None, Some(tolerance)) => peak::components_for(&table, &lights, &materials, tolerance)?,
     };
     Selected::new(&azimuths, &ranked, count).write(&mut table, &azimuths, threshold);
     if criterion == Criterion::Standard {
@@ -98,10 +101,8 @@ fn analyse(
     criterion: Criterion,
     azimuth: usize,
 ) -> Result<Azimuth> {
-    let modes = material::count(gram.order);
     let block = Block::new(gram, azimuth, |l, o, p, q| {
-        let row = azimuth * modes + material::position(o, p, q);
-        kept.is_empty() || kept[row * (gram.degree + 1) + l]
+        kept.is_empty() || kept[gram.place(azimuth, l, o, p, q)]
     })?;
     let deviations = moments::deviations(light, materials, criterion, azimuth);
     let images = block.images(gram, &deviations);
@@ -109,12 +110,6 @@ fn analyse(
         .then(|| constant_coordinates(gram, &block));
     let principal = principal(&images, constant.as_deref(), azimuth)?;
     Ok(Azimuth { block, principal })
-}
-
-/// Coordinates of the image that is 1 everywhere, a unit vector.
-fn constant_coordinates(gram: &GramFactor, block: &Block) -> Vec<f64> {
-    let ones = Mat::from_fn(gram.nodes.len(), 1, |k, _| gram.root_weights[k]);
-    block.space.coordinates(&ones).col(0).iter().copied().collect()
 }
 
 /// All profiles whose singular value exceeds `weakest`, in canonical order.
@@ -133,116 +128,6 @@ fn ranked(azimuths: &[Azimuth], criterion: Criterion, weakest: f64) -> Vec<Ranke
     }
     canonical::sort(&mut ranked);
     ranked
-}
-
-/// The components that a table takes, and the profiles that they need.
-struct Selected {
-    components: Vec<Component>,
-    profiles: Vec<Ranked>,
-}
-
-impl Selected {
-    fn new(azimuths: &[Azimuth], ranked: &[Ranked], count: usize) -> Self {
-        let mut profiles = Vec::new();
-        let mut taken: Vec<(Ranked, i32)> = Vec::new();
-        for profile in ranked {
-            if taken.len() >= count {
-                break;
-            }
-            profiles.push(*profile);
-            let orders = canonical::orders(profile.azimuth).iter();
-            taken.extend(
-                orders
-                    .take(count - taken.len())
-                    .map(|sign| (*profile, sign * profile.azimuth as i32)),
-            );
-        }
-        // Stable: within an azimuth the canonical order stays.
-        profiles.sort_by_key(|profile| profile.azimuth);
-        debug_assert!(profiles.iter().all(|profile| profile.azimuth < azimuths.len()));
-        let place = |wanted: &Ranked| {
-            profiles.iter().position(|profile| profile == wanted).expect("it was pushed above")
-        };
-        let components = taken
-            .iter()
-            .map(|(profile, order)| Component {
-                order: *order,
-                profile: place(profile),
-                eigenvalue: profile.eigenvalue,
-            })
-            .collect();
-        Self { components, profiles }
-    }
-
-    /// Writes components and profiles into the table.
-    fn write(self, table: &mut Table, azimuths: &[Azimuth], threshold: f64) {
-        let tolerance = table.scene.basis.profile_tolerance;
-        table.components = self.components;
-        table.profiles = self
-            .profiles
-            .iter()
-            .map(|ranked| {
-                let azimuth = &azimuths[ranked.azimuth];
-                let coordinates = coordinates(&table.gram, azimuth, ranked);
-                profile(&table.gram, &azimuth.block, &coordinates, tolerance, threshold)
-            })
-            .collect();
-    }
-}
-
-/// The coordinates of one ranked profile, a column, with canonical sign.
-fn coordinates(gram: &GramFactor, azimuth: &Azimuth, ranked: &Ranked) -> Mat<f64> {
-    let vector: Vec<f64> = match ranked.eigenvalue {
-        None => constant_coordinates(gram, &azimuth.block),
-        Some(_) => azimuth.principal.coordinates.col(ranked.number).iter().copied().collect(),
-    };
-    let column = Mat::from_fn(vector.len(), 1, |i, _| vector[i]);
-    let series = azimuth.block.space.chebyshev(&column);
-    let sign = canonical::sign(&series.col(0).iter().copied().collect::<Vec<_>>());
-    Mat::from_fn(vector.len(), 1, |i, _| sign * vector[i])
-}
-
-fn profile(
-    gram: &GramFactor,
-    block: &Block,
-    coordinates: &Mat<f64>,
-    tolerance: f64,
-    threshold: f64,
-) -> Profile {
-    let first = |matrix: Mat<f64>| matrix.col(0).iter().copied().collect::<Vec<f64>>();
-    let mut chebyshev = first(block.space.chebyshev(coordinates));
-    chebyshev.truncate(profile::trimmed_length(&chebyshev, block.azimuth, tolerance));
-    let node_values = first(block.space.node_values(coordinates));
-    Profile {
-        azimuth: block.azimuth,
-        factors: factors(gram, block.azimuth, &node_values),
-        modes: first(block.mode_coefficients(coordinates, threshold)),
-        chebyshev,
-        node_values,
-    }
-}
-
-/// UᵀM of one profile, factored: see [`Profile::factors`].
-fn factors(gram: &GramFactor, azimuth: usize, node_values: &[f64]) -> Vec<f64> {
-    let nodes = node_values.len();
-    let weighted: Vec<f64> =
-        node_values.iter().zip(&gram.root_weights).map(|(value, root)| value * root).collect();
-    let mut factors = Vec::new();
-    for l in azimuth..=gram.degree {
-        for (pair, (p, q)) in pair::indices(gram.order).enumerate() {
-            if q > l {
-                factors.push(0.0);
-                continue;
-            }
-            let radials = &gram.radials[pair * nodes..(pair + 1) * nodes];
-            let rotation = gram.rotation(azimuth, l, q);
-            let sum: f64 =
-                weighted.iter().zip(radials).zip(rotation).map(|((w, r), d)| w * r * d).sum();
-            let sign = if q % 2 == 0 { 1.0 } else { -1.0 };
-            factors.push(sign * ((p + 1) as f64).sqrt() * sum);
-        }
-    }
-    factors
 }
 
 /// The mean image, E{L_0^0} times the ambient image of the mean material.
@@ -286,7 +171,8 @@ fn summarise(table: &mut Table, azimuths: &[Azimuth]) {
     let energy: f64 = azimuths.iter().map(squares).sum();
     table.summary.energy = energy;
     if energy > 0.0 {
-        table.summary.energy_kept = 1.0 - table.energy_left(table.components.len()) / energy;
+        let left = table.energy_left(table.components.len());
+        table.summary.energy_kept = (1.0 - left / energy).max(0.0);
     }
     table.summary.orthonormality = orthonormality(table, REPORTED);
 }

@@ -30,6 +30,8 @@ pub mod pca;
 
 pub mod canonical;
 
+mod eigenimages;
+
 pub mod basis;
 
 pub mod peak;

@@ -15,6 +15,9 @@ use eigenshade_table::scene::{Criterion, Normalise};
 pub struct LightMoments {
     /// E{L_0^0}, (39); all other means are zero.
     pub ambient_mean: f64,
+    /// E{(L_0^0)²} - E{L_0^0}², from the deviations themselves: the difference of
+    /// the two leaves 1e-8 of L_0^0 where all are equal.
+    pub ambient_variance: f64,
     /// E{(L_l^m)²} for each l, (38): the same for all m.
     pub power: Vec<f64>,
 }
@@ -31,17 +34,20 @@ impl LightMoments {
             return Err(Error::new("no lights", "give a light database with at least one light"));
         }
         let count = lights.entries.len() as f64;
-        let mut ambient_mean = 0.0;
+        let mut ambients = Vec::new();
         let mut power = vec![0.0; lights.degree + 1];
         for entry in &lights.entries {
             let coefficients = entry.luminance();
             let scale = exposure(&entry.name, coefficients[0], normalise)?;
-            ambient_mean += scale * coefficients[0] / count;
+            ambients.push(scale * coefficients[0]);
             for ((l, _), value) in light::indices(lights.degree).zip(&coefficients) {
                 power[l] += (scale * value).powi(2) / (count * (2 * l + 1) as f64);
             }
         }
-        Ok(Self { ambient_mean, power })
+        let ambient_mean = ambients.iter().sum::<f64>() / count;
+        let squares = ambients.iter().map(|ambient| (ambient - ambient_mean).powi(2));
+        let ambient_variance = squares.sum::<f64>() / count;
+        Ok(Self { ambient_mean, ambient_variance, power })
     }
 }
 
@@ -87,9 +93,11 @@ pub fn deviations(
     let mut deviations = Vec::new();
     for (degree, &power) in light.power.iter().enumerate().skip(azimuth) {
         // Only L_0^0 has a mean to be subtracted.
-        let centre =
-            if degree == 0 && criterion == Criterion::Standard { light.ambient_mean } else { 0.0 };
-        let spread = (power - centre * centre).max(0.0).sqrt();
+        let (centre, spread) = if degree == 0 && criterion == Criterion::Standard {
+            (light.ambient_mean, light.ambient_variance.sqrt())
+        } else {
+            (0.0, power.sqrt())
+        };
         for vector in &vectors {
             if spread > 0.0 {
                 let material = vector.iter().map(|b| spread * b / root).collect();

@@ -4,7 +4,7 @@ use crate::database::{Lights, Materials, Named};
 use crate::error::{Error, Result};
 use crate::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_table::Scene;
-use eigenshade_table::scene::{Effects, LightRotation};
+use eigenshade_table::scene::{Effect, LightRotation};
 use std::path::Path;
 
 /// A scene with the databases that it names.
@@ -78,10 +78,19 @@ fn check(scene: &Scene) -> Result<()> {
             "this version averages over all rotations: set rotation = \"any\"",
         );
     }
-    if scene.effects != Effects::default() {
+    let effects = &scene.effects;
+    let all = Effect::ALL.iter().all(|effect| effects.wanted.contains(effect));
+    if !(all && effects.colour && effects.rotation) {
         return fail(
             "a choice of effects is not served".into(),
             "this version makes tables of all effects: leave [effects] out",
+        );
+    }
+    let names = &scene.material.names;
+    if let Some(place) = (1..names.len()).find(|&place| names[..place].contains(&names[place])) {
+        return fail(
+            format!("material.names has `{}` twice", names[place]),
+            "name each material once",
         );
     }
     if scene.light.degree > 64 || scene.material.order > 64 {

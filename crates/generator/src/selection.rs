@@ -1,7 +1,7 @@
 //! The variance of each irradiance mode (2.4), and the selection of those of the
 //! highest (2.5).
 
-use eigenshade_index::{material, mode};
+use eigenshade_index::mode;
 use eigenshade_table::GramFactor;
 
 /// The variance of every mode of one azimuth |m|, in the order of [`mode`]: the
@@ -37,12 +37,13 @@ pub fn highest(gram: &GramFactor, count: usize) -> Vec<bool> {
     });
     // Ties are equal only up to rounding.
     let threshold = last.map_or(0.0, |(variance, _)| variance * (1.0 - 1e-9));
-    let modes = material::count(order);
-    let mut selection = vec![false; (degree + 1) * modes * (degree + 1)];
+    if ranked.last().is_some_and(|(variance, _)| *variance >= threshold) {
+        return Vec::new();
+    }
+    let mut selection = vec![false; gram.places()];
     for (azimuth, variances) in by_azimuth.iter().enumerate() {
         for ((l, o, p, q), variance) in mode::indices(degree, order, azimuth).zip(variances) {
-            let place = (azimuth * modes + material::position(o, p, q)) * (degree + 1) + l;
-            selection[place] = *variance >= threshold;
+            selection[gram.place(azimuth, l, o, p, q)] = *variance >= threshold;
         }
     }
     selection

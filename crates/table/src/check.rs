@@ -1,11 +1,16 @@
 //! Whether the parts of a table fit together: decoding is total.
 
+use crate::parts::NONE;
+use crate::scene::Criterion;
 use crate::table::Table;
 use eigenshade_index::{material, mode, pair};
 
 /// Beyond these nothing of a table can be meant; they keep every count below
 /// from overflowing.
 const MOST: usize = 256;
+
+/// No polynomial of such a degree and order has as many terms.
+const MOST_TERMS: usize = 4 * MOST;
 
 impl Table {
     /// `Err` names the first part whose shape contradicts the others, or that
@@ -16,12 +21,15 @@ impl Table {
         if degree > MOST || order > MOST {
             return Err(format!("degree {degree} or order {order} beyond {MOST}"));
         }
+        if (degree, order) != (self.scene.light.degree, self.scene.material.order) {
+            return Err(format!("degree {degree} and order {order} are not those of the scene"));
+        }
         let nodes = gram.nodes.len();
         let pairs = pair::count(order);
         let frequencies: usize = (0..=degree).map(|l| (l + 1) * (l.min(order) + 1)).sum();
         let selection = match self.selection.len() {
             0 => 0,
-            _ => (degree + 1) * material::count(order) * (degree + 1),
+            _ => gram.places(),
         };
         numbers("nodes", &gram.nodes, nodes)?;
         numbers("root weights", &gram.root_weights, nodes)?;
@@ -30,7 +38,7 @@ impl Table {
         numbers("radials", &gram.radials, pairs * nodes)?;
         numbers("rotations", &gram.rotations, frequencies * nodes)?;
         length("selection", self.selection.len(), selection)?;
-        length("ranks", self.summary.ranks.len(), degree + 1)?;
+        self.check_summary(nodes)?;
         for profile in &self.profiles {
             let azimuth = profile.azimuth;
             if azimuth > degree {
@@ -39,21 +47,65 @@ impl Table {
             numbers("profile's node values", &profile.node_values, nodes)?;
             numbers("profile's modes", &profile.modes, mode::count(degree, order, azimuth))?;
             numbers("profile's factors", &profile.factors, pairs * (degree - azimuth + 1))?;
-            numbers("profile's polynomial", &profile.chebyshev, profile.chebyshev.len())?;
+            terms("profile's polynomial", &profile.chebyshev)?;
         }
         if !self.profiles.is_sorted_by_key(|profile| profile.azimuth) {
             return Err("profiles out of order".into());
         }
-        for (index, component) in self.components.iter().enumerate() {
-            let profile = self.profiles.get(component.profile);
-            let azimuth = component.order.unsigned_abs() as usize;
-            if profile.is_none_or(|profile| profile.azimuth != azimuth) {
-                return Err(format!("component {index} has no profile of its azimuth"));
-            }
+        self.check_components()?;
+        if self.mean.is_some() != (self.scene.basis.criterion == Criterion::Standard) {
+            return Err("a mean image belongs to the criterion standard, and to no other".into());
         }
         if let Some(mean) = &self.mean {
-            numbers("mean image", &mean.chebyshev, mean.chebyshev.len())?;
+            terms("mean image", &mean.chebyshev)?;
             numbers("mean's coefficients", &mean.coefficients, self.components.len())?;
+        }
+        Ok(())
+    }
+
+    fn check_summary(&self, nodes: usize) -> Result<(), String> {
+        let summary = &self.summary;
+        length("ranks", summary.ranks.len(), self.gram.degree + 1)?;
+        if summary.ranks.iter().any(|&rank| rank > nodes) {
+            return Err(format!("a rank above the {nodes} of its nodes"));
+        }
+        let figures = [
+            summary.largest_singular_value,
+            summary.energy,
+            summary.energy_kept,
+            summary.orthonormality,
+        ];
+        numbers("figures", &figures, figures.len())?;
+        let spectrum = self.spectrum.iter().map(|(_, value)| *value);
+        let components = self.components.iter().map(|component| component.eigenvalue);
+        let values: Vec<f64> = spectrum.chain(components).flatten().collect();
+        numbers("eigenvalues", &values, values.len())
+    }
+
+    /// Each component has a profile of its own azimuth, and each sign of a profile
+    /// one component at most.
+    fn check_components(&self) -> Result<(), String> {
+        if self.components.len() > usize::from(NONE) {
+            return Err(format!("{} components, more than {NONE}", self.components.len()));
+        }
+        let mut served = vec![[false; 2]; self.profiles.len()];
+        for (index, component) in self.components.iter().enumerate() {
+            let azimuth = component.order.unsigned_abs() as usize;
+            let profile = self.profiles.get(component.profile);
+            let taken = served.get_mut(component.profile);
+            let (Some(profile), Some(taken)) = (profile, taken) else {
+                return Err(format!("component {index} has no profile"));
+            };
+            if profile.azimuth != azimuth {
+                return Err(format!("component {index} has a profile of another azimuth"));
+            }
+            let [plus, minus] = taken;
+            if std::mem::replace(if component.order < 0 { minus } else { plus }, true) {
+                return Err(format!("component {index} is there twice"));
+            }
+        }
+        if served.contains(&[false; 2]) {
+            return Err("a profile without a component".into());
         }
         Ok(())
     }
@@ -74,4 +126,12 @@ fn length(what: &str, found: usize, expected: usize) -> Result<(), String> {
     } else {
         Err(format!("{what}: {expected} numbers expected, {found} found"))
     }
+}
+
+/// A polynomial: one term at least, and no more than there can be.
+fn terms(what: &str, values: &[f64]) -> Result<(), String> {
+    if values.is_empty() || values.len() > MOST_TERMS {
+        return Err(format!("{what}: 1 to {MOST_TERMS} terms expected, {} found", values.len()));
+    }
+    numbers(what, values, values.len())
 }

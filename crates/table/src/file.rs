@@ -9,6 +9,8 @@
 //! | rest | [`Table`] by bincode 2.0.1, standard configuration |
 
 use crate::table::Table;
+use bincode::error::DecodeError;
+use bincode::serde::decode_from_slice;
 use std::fmt;
 
 /// The first bytes of every table file.
@@ -80,8 +82,8 @@ pub(crate) fn section(value: &impl serde::Serialize) -> Vec<u8> {
 ///
 /// # Errors
 ///
-/// [`FileError`] for any bytes that [`encode`] did not write; never a panic, and
-/// never an allocation larger than the file's own length calls for.
+/// [`FileError`] for any bytes that are no table, or one of more than 1 GiB; never
+/// a panic, and never an allocation of more than some eight times the bytes.
 pub fn decode(bytes: &[u8]) -> Result<Table, FileError> {
     let (header, payload) = bytes.split_at_checked(HEADER).ok_or(FileError::Foreign)?;
     if header[..8] != LABEL {
@@ -101,12 +103,33 @@ pub fn decode(bytes: &[u8]) -> Result<Table, FileError> {
         return Err(FileError::Checksum);
     }
     let broken = |why: String| FileError::Payload(why);
-    let (table, read): (Table, usize) =
-        bincode::serde::decode_from_slice(payload, bincode::config::standard())
-            .map_err(|error| broken(error.to_string()))?;
+    let (table, read) = unpack(payload).map_err(|error| broken(error.to_string()))?;
     if read != payload.len() {
         return Err(broken(format!("{} bytes after the end", payload.len() - read)));
     }
     table.check().map_err(broken)?;
     Ok(table)
+}
+
+/// The table at the start of a payload, and how many bytes it takes.
+///
+/// bincode makes room for as long a text as the bytes claim before it looks whether
+/// they are there; a limit, which has to be a constant, keeps that in bounds. It
+/// counts at most eight bytes for each that is read.
+fn unpack(payload: &[u8]) -> Result<(Table, usize), DecodeError> {
+    const STEPS: [usize; 3] = [1 << 20, 1 << 25, 1 << 30];
+    let standard = bincode::config::standard();
+    match payload.len() {
+        length if length <= STEPS[0] => {
+            decode_from_slice(payload, standard.with_limit::<{ 8 * STEPS[0] }>())
+        }
+        length if length <= STEPS[1] => {
+            decode_from_slice(payload, standard.with_limit::<{ 8 * STEPS[1] }>())
+        }
+        // Almost all of so large a table is f64, which counts as what it is.
+        length if length <= STEPS[2] => {
+            decode_from_slice(payload, standard.with_limit::<{ 2 * STEPS[2] }>())
+        }
+        _ => Err(DecodeError::LimitExceeded),
+    }
 }

@@ -31,6 +31,20 @@ pub struct GramFactor {
 }
 
 impl GramFactor {
+    /// Number of places in a selection of modes.
+    #[must_use]
+    pub fn places(&self) -> usize {
+        (self.degree + 1) * material::count(self.order) * (self.degree + 1)
+    }
+
+    /// Where the modes ±m, (l, o, p, q) stand in a selection of modes: for each
+    /// |m|, each (o, p, q), each l = 0..=degree.
+    #[must_use]
+    pub fn place(&self, azimuth: usize, l: usize, o: usize, p: usize, q: usize) -> usize {
+        let row = azimuth * material::count(self.order) + material::position(o, p, q);
+        row * (self.degree + 1) + l
+    }
+
     /// N_l^q C_lo^q.
     fn polar_integral(&self, l: usize, o: usize, q: usize) -> f64 {
         self.polar_integrals[pair::position(o, q) * (self.degree + 1) + l]

@@ -23,9 +23,9 @@ pub struct Parts {
     pub profiles: Vec<ProfilePlace>,
     /// Number of polynomial terms for each |m|.
     pub lengths: Vec<u16>,
-    /// √(o+1) N_l^q C_lo^q: for each group over l, each pair, a group.
+    /// √(o+1) N_l^q C_lo^q: for each pair a row over l in whole groups.
     pub polar: Vec<f64>,
-    /// For each profile, each group over l from that of |m| on, each pair, a group.
+    /// For each profile, each l from |m| on, a row of `layout::row(order)` numbers.
     pub factors: Vec<f64>,
     /// For each profile its polynomial in t = 2z - 1, highest power first, times
     /// √2 where m is not 0.
@@ -78,7 +78,7 @@ impl Parts {
             ((o + 1) as f64).sqrt()
         };
         let roots: Vec<f64> = (0..pairs).map(root).collect();
-        let polar = grouped(0, degree, pairs, |l, pair| {
+        let polar = grouped(degree, pairs, |l, pair| {
             roots[pair] * gram.polar_integrals[pair * (degree + 1) + l]
         });
         let lengths = lengths(table);
@@ -86,10 +86,11 @@ impl Parts {
         let mut terms = Vec::new();
         for profile in &table.profiles {
             let azimuth = profile.azimuth;
-            factors.extend(grouped(layout::first_group(azimuth), degree, pairs, |l, pair| {
-                let row = l.checked_sub(azimuth).map(|row| row * pairs + pair);
-                row.map_or(0.0, |at| profile.factors[at])
-            }));
+            for row in profile.factors.chunks_exact(pairs) {
+                let end = factors.len() + layout::row(order);
+                factors.extend_from_slice(row);
+                factors.resize(end, 0.0);
+            }
             let scale = if azimuth == 0 { 1.0 } else { std::f64::consts::SQRT_2 };
             let length = usize::from(lengths[azimuth]);
             terms.extend(powers(&profile.chebyshev, length).iter().map(|term| scale * term));
@@ -120,20 +121,12 @@ impl Parts {
     }
 }
 
-/// For each group of degrees from `first` on, each pair, a group of values; 0
-/// beyond the degree.
-fn grouped(
-    first: usize,
-    degree: usize,
-    pairs: usize,
-    value: impl Fn(usize, usize) -> f64,
-) -> Vec<f64> {
+/// For each pair a row over l in whole groups; 0 beyond the degree.
+fn grouped(degree: usize, pairs: usize, value: impl Fn(usize, usize) -> f64) -> Vec<f64> {
     let mut values = Vec::new();
-    for group in first..layout::groups(degree) {
-        for pair in 0..pairs {
-            let degrees = group * layout::LANES..(group + 1) * layout::LANES;
-            values.extend(degrees.map(|l| if l <= degree { value(l, pair) } else { 0.0 }));
-        }
+    for pair in 0..pairs {
+        let degrees = 0..layout::LANES * layout::groups(degree);
+        values.extend(degrees.map(|l| if l <= degree { value(l, pair) } else { 0.0 }));
     }
     values
 }

@@ -13,13 +13,16 @@ use std::fmt::Write;
 #[must_use]
 pub fn module(table: &Table, command: &str) -> String {
     let parts = Parts::new(table);
-    let scattering = parts.polar.len();
+    let row = layout::row(parts.order);
+    let degrees = parts.degree + 1;
+    let along = layout::LANES * layout::groups(parts.degree);
+    let workspace = degrees * (row + 2) + row * along;
     let mut text = format!("// {command}\n// {} bytes of tables\n", bytes(&parts));
     for (name, what, value) in [
         ("DEGREE", "Largest degree l of the light.", parts.degree),
         ("ORDER", "Largest order o of the BRDF.", parts.order),
         ("COMPONENTS", "Number of components K.", parts.components),
-        ("SCATTERING", "Numbers of a material's polar integrals, while it is folded.", scattering),
+        ("WORKSPACE", "Numbers that a projection needs room for.", workspace),
         ("TRANSFER", "Numbers in a [`Transfer`].", transfer_length(&parts)),
         ("SCENE", "Numbers in a [`Scene`].", scene_length(&parts)),
     ] {
@@ -135,7 +138,7 @@ pub fn project(
     light: &eigenshade::Light<'_, f32>,
     material: &eigenshade::Material<'_, f32>,
 ) -> Result<Coefficients, eigenshade::Error> {
-    BASIS.project::<SCATTERING, TRANSFER, COMPONENTS>(light, material)
+    BASIS.project::<WORKSPACE, COMPONENTS>(light, material)
 }
 /// Folds a material into the basis: see [`eigenshade::Basis::transfer`].
 ///
@@ -143,7 +146,7 @@ pub fn project(
 ///
 /// As there, but capacities cannot be too small.
 pub fn transfer(material: &eigenshade::Material<'_, f32>) -> Result<Transfer, eigenshade::Error> {
-    BASIS.transfer::<SCATTERING, TRANSFER>(material)
+    BASIS.transfer::<WORKSPACE, TRANSFER>(material)
 }
 /// A new light on a folded material: see [`eigenshade::Basis::relight`].
 ///

@@ -14,8 +14,8 @@ pub struct Table {
     pub summary: Summary,
     /// M of (23), factored.
     pub gram: GramFactor,
-    /// The modes that a selection kept, or empty for all: for each |m|, each
-    /// (o, p, q), each l = 0..=degree.
+    /// The modes that a selection kept, in the order of [`GramFactor::place`], or
+    /// empty for all.
     pub selection: Vec<bool>,
     /// The eigenimages in canonical order: eigenvalue falling, then |m|, then +m
     /// before -m. The scene's number of them, or fewer where the rank ends.
@@ -127,10 +127,7 @@ impl Table {
     /// Whether the selection kept a mode.
     #[must_use]
     pub fn keeps(&self, azimuth: usize, l: usize, o: usize, p: usize, q: usize) -> bool {
-        use eigenshade_index::material;
-        let (degrees, modes) = (self.gram.degree + 1, material::count(self.gram.order));
-        let position = (azimuth * modes + material::position(o, p, q)) * degrees + l;
-        self.selection.is_empty() || self.selection[position]
+        self.selection.is_empty() || self.selection[self.gram.place(azimuth, l, o, p, q)]
     }
 
     /// Energy that the first `count` components leave, from the eigenvalues.

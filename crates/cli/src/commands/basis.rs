@@ -19,7 +19,8 @@ use std::time::{Duration, Instant};
 ///
 /// --out writes the table and beside it B.manifest.csv, what is in it. --check
 /// makes the table anew and compares: eigenvalues, profiles, mode means, rows of
-/// U^T M and the images A U, each to 1e-9 of its largest number.
+/// U^T M and the images A U, each to 1e-9 of its largest number. Terms that only one
+/// of two polynomials has may be as large as profile_tolerance lets them be.
 #[derive(Args, Debug)]
 pub struct Basis {
     /// Scene file; its paths are relative to it

@@ -3,11 +3,10 @@
 use super::count;
 use clap::Args;
 use eigenshade_cli::message::{bar, say};
-use eigenshade_cli::rows::Rows;
 use eigenshade_cli::{destination, invocation};
 use eigenshade_generator::error::Result;
 use eigenshade_generator::inputs::coefficient_csv::write_materials;
-use eigenshade_generator::inputs::fit::{Fit, fit};
+use eigenshade_generator::inputs::fit::{Fit, fit, write_figures};
 use eigenshade_generator::inputs::measurements::read_material_path;
 use std::io::Write;
 use std::path::PathBuf;
@@ -33,7 +32,7 @@ pub struct Material {
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
     /// Also writes how good the fits are:
-    /// `name,samples,residual,lowest,highest,condition`
+    /// `name,samples,maximum,residual,lowest,highest,condition`, the maximum in 1/sr
     #[arg(long, value_name = "FILE")]
     report: Option<PathBuf>,
 }
@@ -65,7 +64,7 @@ impl Material {
         self.report.as_deref().map_or(Ok(()), |path| {
             destination::write(Some(path), |out| {
                 by_command(out, true)?;
-                report(&fits, out)
+                write_figures(&fits, out)
             })
         })
     }
@@ -76,25 +75,4 @@ fn line(fit: &Fit) -> String {
         "{}: {} samples, residual {:.4}, range {:.3} to {:.3}, condition {:.1}",
         fit.material.name, fit.samples, fit.residual, fit.lowest, fit.highest, fit.condition
     )
-}
-
-fn report(fits: &[Fit], out: &mut dyn Write) -> Result<()> {
-    let header = ["name", "samples", "residual", "lowest", "highest", "condition"];
-    let mut rows = Rows::new(out, header)?;
-    for fit in fits {
-        rows.row([
-            fit.material.name.clone(),
-            fit.samples.to_string(),
-            figure(fit.residual),
-            figure(fit.lowest),
-            figure(fit.highest),
-            figure(fit.condition),
-        ])?;
-    }
-    rows.finish()
-}
-
-/// Six decimals: beyond them the solver's own tolerance begins.
-fn figure(value: f64) -> String {
-    format!("{value:.6}")
 }

@@ -1,0 +1,273 @@
+//! Tables of every shape that a scene can ask for agree with the direct sum.
+
+mod support;
+
+#[path = "../../../tests/tolerances/mod.rs"]
+mod tolerances;
+
+use eigenshade_cli::owned_basis::OwnedBasis;
+use eigenshade_cli::shader::Shader;
+use eigenshade_generator::basis::build;
+use eigenshade_generator::database::Named;
+use eigenshade_generator::moments::exposure;
+use eigenshade_generator::scene_file::{self, Loaded};
+use eigenshade_generator::truth::Truth;
+use eigenshade_index::{light, mode};
+use eigenshade_table::scene::Criterion;
+use eigenshade_table::{Table, decode};
+use std::f64::consts::{FRAC_PI_2, TAU};
+use std::fs;
+use support::{Folder, assert_fails, lights, materials, numbers, repository, rows, scene};
+
+const PAIR: &str = "--lights lights.csv --materials materials.csv --normals normals.csv";
+
+/// Largest error of both methods, in f64 and in f32, of the direct sum's peak.
+fn errors(folder: &Folder, pair: &str) -> [f64; 2] {
+    let shaded = |options: &str| {
+        let text = folder.ok(&format!("shade b.bin {pair} {options}"));
+        numbers(&rows(&text, "light,material,normal,r,g,b"), 3)
+    };
+    let truth = shaded("--method modes");
+    let peak = truth.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+    ["f64", "f32"].map(|format| {
+        let of_method = |method: &str| {
+            let ours = shaded(&format!("--method {method} --format {format}"));
+            assert_eq!(ours.len(), truth.len());
+            ours.iter().zip(&truth).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs())) / peak
+        };
+        of_method("polynomial").max(of_method("eigen"))
+    })
+}
+
+fn assert_near(what: &str, [double, single]: [f64; 2]) {
+    println!("{what}: {double:.1e}, f32 {single:.1e}");
+    assert!(double <= tolerances::ALL_COMPONENTS, "{what}: {double}");
+    assert!(single <= tolerances::ALL_COMPONENTS_F32, "{what}, f32: {single}");
+}
+
+/// The scene of the small folder with other degrees.
+fn scene_of(criterion: &str, degree: usize, order: usize) -> String {
+    scene(criterion, 10_000, "[]")
+        .replace("degree = 4", &format!("degree = {degree}"))
+        .replace("order = 3", &format!("order = {order}"))
+}
+
+fn table(folder: &Folder) -> Table {
+    decode(&fs::read(folder.path("b.bin")).unwrap()).unwrap()
+}
+
+#[test]
+fn any_degree_and_order_serve() {
+    for criterion in ["image-centered", "standard"] {
+        for (degree, order) in [(0, 0), (0, 3), (4, 0), (2, 5), (7, 1)] {
+            let folder = Folder::new();
+            folder.write("lights.csv", lights(degree, 3));
+            folder.write("materials.csv", materials(order, 4));
+            folder.write("scene.toml", scene_of(criterion, degree, order));
+            folder.ok("basis --scene scene.toml --out b.bin");
+            folder.ok("basis --scene scene.toml --check b.bin");
+            assert_near(&format!("{criterion} {degree} {order}"), errors(&folder, PAIR));
+        }
+    }
+}
+
+/// One material, one light; light that has no directions; no variance at all, of
+/// which rounding is no component.
+#[test]
+fn the_smallest_databases_serve() {
+    let folder = Folder::new();
+    folder.write("lights.csv", lights(4, 1));
+    folder.write("materials.csv", materials(3, 1));
+    folder.ok("basis --scene scene.toml --out b.bin");
+    assert_near("one of each", errors(&folder, PAIR));
+
+    let uniform: String = lights(4, 2)
+        .lines()
+        .map(|line| match line.split(',').collect::<Vec<_>>()[..] {
+            [name, l, m, ..] if l != "0" && l != "l" => format!("{name},{l},{m},0,0,0\n"),
+            _ => format!("{line}\n"),
+        })
+        .collect();
+    folder.write("lights.csv", uniform);
+    folder.ok("basis --scene scene.toml --out b.bin");
+    assert_eq!(table(&folder).components.len(), 2);
+    assert_near("uniform light", errors(&folder, PAIR));
+
+    folder.write("lights.csv", lights(0, 3));
+    folder.write("materials.csv", materials(0, 4));
+    folder.write("scene.toml", scene_of("image-centered", 0, 0));
+    folder.ok("basis --scene scene.toml --out b.bin");
+    assert_eq!(table(&folder).components.len(), 1, "a constant image is the constant");
+    assert_near("constant images", errors(&folder, PAIR));
+    folder.write("materials.csv", materials(0, 1));
+    folder.write("scene.toml", scene_of("standard", 0, 0));
+    folder.ok("basis --scene scene.toml --out b.bin");
+    let table = table(&folder);
+    assert_eq!((table.components.len(), table.spectrum.len()), (0, 0), "all is the mean");
+    folder.ok(&format!("shade b.bin {PAIR}"));
+    folder.ok("info b.bin");
+}
+
+/// Three of the shipped lights, to degree 16.
+fn shipped_lights(degree: usize) -> String {
+    let text = fs::read_to_string(repository().join("tables/inputs/lights.csv")).unwrap();
+    let wanted = |line: &&str| {
+        let fields: Vec<&str> = line.split(',').collect();
+        fields[0] == "name"
+            || ["park", "studio", "blender-courtyard"].contains(&fields[0])
+                && fields[1].parse::<usize>().is_ok_and(|l| l <= degree)
+    };
+    text.lines().filter(wanted).map(|line| format!("{line}\n")).collect()
+}
+
+#[test]
+fn degree_16_and_order_12_serve() {
+    let folder = Folder::new();
+    folder.write("lights.csv", shipped_lights(16));
+    folder.write("materials.csv", materials(12, 30));
+    folder.write("scene.toml", scene_of("image-centered", 16, 12));
+    folder.ok("basis --scene scene.toml --out b.bin");
+    folder.write("materials.csv", materials(12, 3));
+    assert_near("degree 16, order 12", errors(&folder, PAIR));
+
+    // Less than the table's is taken as it is, also where the table is made of more;
+    // the runtime refuses more, and the program leaves it out.
+    let low = PAIR.replace("lights.csv", "low.csv").replace("materials.csv", "seven.csv");
+    folder.write("low.csv", shipped_lights(5));
+    folder.write("seven.csv", materials(7, 2));
+    assert_near("degree 5, order 7", errors(&folder, &low));
+    folder.write("high.csv", materials(13, 2));
+    assert_near("order 13 of 12", errors(&folder, &PAIR.replace("materials.csv", "high.csv")));
+    let table = table(&folder);
+    let owned = OwnedBasis::<f32>::new(&table);
+    let mut shader = Shader::new(owned.basis().unwrap(), 1);
+    let mut refused = |degree: usize, order: usize| {
+        let light = vec![0.0; light::count(degree)];
+        let material = vec![0.0; eigenshade_index::material::count(order)];
+        shader.project((degree, &light), (order, &material)).unwrap_err().to_string()
+    };
+    assert!(refused(17, 12).contains("17") && refused(16, 13).contains("13"));
+
+    // But a table is not made of less.
+    folder.write("materials.csv", materials(7, 2));
+    assert_fails(&folder, "basis --scene scene.toml --out new.bin", &["materials.csv", "order 7"]);
+}
+
+/// The shipped scene, changed, and a part of its inputs.
+fn shipped(criterion: Criterion, modes: usize) -> (Loaded, Table) {
+    let mut loaded = scene_file::load(&repository().join("tables/sphere.toml")).unwrap();
+    loaded.lights.entries.truncate(5);
+    loaded.materials.entries.truncate(20);
+    loaded.scene.basis.criterion = criterion;
+    loaded.scene.basis.components = Some(120);
+    loaded.scene.basis.modes = modes;
+    let table = build(&loaded.scene, &loaded.lights, &loaded.materials).unwrap();
+    (loaded, table)
+}
+
+/// With a selection of modes and without: d is the dense product of the rows of UᵀM
+/// with c, and the rows are WᵀA on the modes that are kept, zero on others.
+#[test]
+fn projections_are_dense_products() {
+    for criterion in [Criterion::ImageCentered, Criterion::Standard] {
+        for modes in [0, 1000] {
+            let (loaded, table) = shipped(criterion, modes);
+            assert_rows(&table);
+            let owned = OwnedBasis::<f64>::new(&table);
+            let mut shader = Shader::new(owned.basis().unwrap(), usize::MAX);
+            let entries = loaded.lights.entries.iter().zip(&loaded.materials.entries);
+            for (light, material) in entries {
+                let (light, material) = (&light.rgb[2], &material.rgb[2]);
+                let ours = shader.project((9, light), (7, material)).unwrap();
+                let dense = dense(&table, light, material);
+                let largest = dense.iter().fold(0.0, |most: f64, d| most.max(d.abs()));
+                assert_eq!(ours.len(), 120);
+                for (ours, dense) in ours.iter().zip(&dense) {
+                    assert!((ours - dense).abs() <= tolerances::DENSE_PROJECTION * largest);
+                }
+            }
+        }
+    }
+}
+
+fn assert_rows(table: &Table) {
+    let mut kept = vec![0; table.gram.degree + 1];
+    for profile in &table.profiles {
+        let columns = table.gram.columns(profile.azimuth);
+        let modes = mode::indices(9, 7, profile.azimuth);
+        kept[profile.azimuth] = 0;
+        for (((l, o, p, q), column), entry) in modes.zip(columns).zip(table.gram_row(profile)) {
+            let product: f64 = column.iter().zip(&profile.node_values).map(|(a, w)| a * w).sum();
+            let keeps = table.keeps(profile.azimuth, l, o, p, q);
+            kept[profile.azimuth] += usize::from(keeps);
+            let expected = if keeps { product } else { 0.0 };
+            assert!((entry - expected).abs() <= tolerances::ORTHONORMAL_NODES);
+        }
+    }
+    let wanted = if table.scene.basis.modes == 0 { mode::total(9, 7) } else { 1000 };
+    let kept = kept[0] + 2 * kept[1..].iter().sum::<usize>();
+    assert!((wanted..wanted + 2).contains(&kept), "{kept} modes, a tie of ±m whole");
+}
+
+fn dense(table: &Table, light: &[f64], material: &[f64]) -> Vec<f64> {
+    let of_component = |(index, component): (usize, &eigenshade_table::Component)| {
+        let m = component.order as isize;
+        let profile = &table.profiles[component.profile];
+        let sign = if m < 0 && m % 2 != 0 { -1.0 } else { 1.0 };
+        let modes = mode::indices(9, 7, profile.azimuth).zip(table.gram_row(profile));
+        let sum: f64 = modes
+            .map(|((l, o, p, q), entry)| {
+                let b = material[eigenshade_index::material::position(o, p, q)];
+                entry * light[light::position(l, m)] * b
+            })
+            .sum();
+        sign * sum - table.mean.as_ref().map_or(0.0, |mean| mean.coefficients[index])
+    };
+    table.components.iter().enumerate().map(of_component).collect()
+}
+
+/// A tolerance takes the fewest components whose mean residual, relative to the mean
+/// square of the images' peaks, is within it.
+#[test]
+fn tolerances_take_as_few_components_as_they_can() {
+    for criterion in [Criterion::ImageCentered, Criterion::Standard] {
+        for tolerance in [3e-2, 1e-2, 1e-3] {
+            let (mut loaded, _) = shipped(criterion, 0);
+            loaded.scene.basis.components = None;
+            loaded.scene.basis.tolerance = Some(tolerance);
+            let table = build(&loaded.scene, &loaded.lights, &loaded.materials).unwrap();
+            let count = table.components.len();
+            let allowed = (tolerance * peak(&loaded)).powi(2);
+            println!("{criterion:?}, {tolerance}: {count}");
+            assert!(table.energy_left(count) <= allowed * (1.0 + tolerances::PEAK_GRID));
+            assert!(table.energy_left(count - 1) > allowed * (1.0 - tolerances::PEAK_GRID));
+        }
+    }
+}
+
+/// √mean(peak²) over all lights, scaled to L_0^0 = 1, and materials.
+fn peak(loaded: &Loaded) -> f64 {
+    let truth = Truth::new(9, 7);
+    let scaled = |entry: &Named| {
+        let light = entry.luminance();
+        let scale = exposure(&entry.name, light[0], loaded.scene.light.normalise).unwrap();
+        light.iter().map(|value| scale * value).collect::<Vec<_>>()
+    };
+    let lights: Vec<Vec<f64>> = loaded.lights.entries.iter().map(scaled).collect();
+    let materials: Vec<Vec<f64>> =
+        loaded.materials.entries.iter().map(Named::luminance).collect();
+    let mut peaks = vec![0.0f64; lights.len() * materials.len()];
+    for slant in 0..=36 {
+        let (sine, z) = (FRAC_PI_2 * f64::from(slant) / 36.0).sin_cos();
+        for tilt in 0..72 {
+            let (y, x) = (TAU * f64::from(tilt) / 72.0).sin_cos();
+            let modes = truth.at([sine * x, sine * y, z.max(0.0)]);
+            let scattered: Vec<_> = materials.iter().map(|one| modes.scatter(one)).collect();
+            let pairs = lights.iter().flat_map(|light| scattered.iter().map(move |of| (light, of)));
+            for (peak, (light, scattered)) in peaks.iter_mut().zip(pairs) {
+                *peak = peak.max(modes.irradiance(light, scattered).abs());
+            }
+        }
+    }
+    (peaks.iter().map(|peak| peak * peak).sum::<f64>() / peaks.len() as f64).sqrt()
+}

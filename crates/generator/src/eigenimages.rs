@@ -1,0 +1,133 @@
+//! The eigenimages that a table keeps: which, and all that it says of each.
+
+use crate::canonical::{self, Ranked};
+use crate::pca::{Block, Principal};
+use crate::profile;
+use eigenshade_index::pair;
+use eigenshade_table::{Component, GramFactor, Profile, Table};
+use faer::Mat;
+
+/// Everything known of one azimuth.
+pub(crate) struct Azimuth {
+    /// A, factored.
+    pub(crate) block: Block,
+    /// Its principal components.
+    pub(crate) principal: Principal,
+}
+
+/// The components that a table takes, and the profiles that they need.
+pub(crate) struct Selected {
+    components: Vec<Component>,
+    profiles: Vec<Ranked>,
+}
+
+impl Selected {
+    /// The first `count` of `ranked`.
+    pub(crate) fn new(azimuths: &[Azimuth], ranked: &[Ranked], count: usize) -> Self {
+        let mut profiles = Vec::new();
+        let mut taken: Vec<(Ranked, i32)> = Vec::new();
+        for profile in ranked {
+            if taken.len() >= count {
+                break;
+            }
+            profiles.push(*profile);
+            let orders = canonical::orders(profile.azimuth).iter();
+            taken.extend(
+                orders
+                    .take(count - taken.len())
+                    .map(|sign| (*profile, sign * profile.azimuth as i32)),
+            );
+        }
+        // Stable: within an azimuth the canonical order stays.
+        profiles.sort_by_key(|profile| profile.azimuth);
+        debug_assert!(profiles.iter().all(|profile| profile.azimuth < azimuths.len()));
+        let place = |wanted: &Ranked| {
+            profiles.iter().position(|profile| profile == wanted).expect("it was pushed above")
+        };
+        let components = taken
+            .iter()
+            .map(|(profile, order)| Component {
+                order: *order,
+                profile: place(profile),
+                eigenvalue: profile.eigenvalue,
+            })
+            .collect();
+        Self { components, profiles }
+    }
+
+    /// Writes components and profiles into the table.
+    pub(crate) fn write(self, table: &mut Table, azimuths: &[Azimuth], threshold: f64) {
+        let tolerance = table.scene.basis.profile_tolerance;
+        table.components = self.components;
+        table.profiles = self
+            .profiles
+            .iter()
+            .map(|ranked| {
+                let azimuth = &azimuths[ranked.azimuth];
+                let coordinates = coordinates(&table.gram, azimuth, ranked);
+                profile(&table.gram, &azimuth.block, &coordinates, tolerance, threshold)
+            })
+            .collect();
+    }
+}
+
+/// The coordinates of one ranked profile, a column, with canonical sign.
+fn coordinates(gram: &GramFactor, azimuth: &Azimuth, ranked: &Ranked) -> Mat<f64> {
+    let vector: Vec<f64> = match ranked.eigenvalue {
+        None => constant_coordinates(gram, &azimuth.block),
+        Some(_) => azimuth.principal.coordinates.col(ranked.number).iter().copied().collect(),
+    };
+    let column = Mat::from_fn(vector.len(), 1, |i, _| vector[i]);
+    let series = azimuth.block.space.chebyshev(&column);
+    let sign = canonical::sign(&series.col(0).iter().copied().collect::<Vec<_>>());
+    Mat::from_fn(vector.len(), 1, |i, _| sign * vector[i])
+}
+
+fn profile(
+    gram: &GramFactor,
+    block: &Block,
+    coordinates: &Mat<f64>,
+    tolerance: f64,
+    threshold: f64,
+) -> Profile {
+    let first = |matrix: Mat<f64>| matrix.col(0).iter().copied().collect::<Vec<f64>>();
+    let mut chebyshev = first(block.space.chebyshev(coordinates));
+    chebyshev.truncate(profile::trimmed_length(&chebyshev, block.azimuth, tolerance));
+    let node_values = first(block.space.node_values(coordinates));
+    Profile {
+        azimuth: block.azimuth,
+        factors: factors(gram, block.azimuth, &node_values),
+        modes: first(block.mode_coefficients(coordinates, threshold)),
+        chebyshev,
+        node_values,
+    }
+}
+
+/// UᵀM of one profile, factored: see [`Profile::factors`].
+fn factors(gram: &GramFactor, azimuth: usize, node_values: &[f64]) -> Vec<f64> {
+    let nodes = node_values.len();
+    let weighted: Vec<f64> =
+        node_values.iter().zip(&gram.root_weights).map(|(value, root)| value * root).collect();
+    let mut factors = Vec::new();
+    for l in azimuth..=gram.degree {
+        for (pair, (p, q)) in pair::indices(gram.order).enumerate() {
+            if q > l {
+                factors.push(0.0);
+                continue;
+            }
+            let radials = &gram.radials[pair * nodes..(pair + 1) * nodes];
+            let rotation = gram.rotation(azimuth, l, q);
+            let sum: f64 =
+                weighted.iter().zip(radials).zip(rotation).map(|((w, r), d)| w * r * d).sum();
+            let sign = if q % 2 == 0 { 1.0 } else { -1.0 };
+            factors.push(sign * ((p + 1) as f64).sqrt() * sum);
+        }
+    }
+    factors
+}
+
+/// Coordinates of the image that is 1 everywhere, a unit vector.
+pub(crate) fn constant_coordinates(gram: &GramFactor, block: &Block) -> Vec<f64> {
+    let ones = Mat::from_fn(gram.nodes.len(), 1, |k, _| gram.root_weights[k]);
+    block.space.coordinates(&ones).col(0).iter().copied().collect()
+}

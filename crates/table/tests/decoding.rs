@@ -1,0 +1,121 @@
+//! Decoding is total: any bytes give a table that holds together, or an error.
+
+use eigenshade_table::{FileError, Parts, Profile, Table, decode, encode, manifest, rust_source};
+
+fn shipped() -> Vec<u8> {
+    std::fs::read(concat!(env!("CARGO_MANIFEST_DIR"), "/../../tables/sphere.bin")).unwrap()
+}
+
+/// A file around this payload, its length and checksum right.
+fn sealed(payload: &[u8]) -> Vec<u8> {
+    let mut bytes = b"EIGSHADE\x01\0\0\0".to_vec();
+    bytes.extend((payload.len() as u64).to_le_bytes());
+    bytes.extend(crc32fast::hash(payload).to_le_bytes());
+    bytes.extend(payload);
+    bytes
+}
+
+#[test]
+fn what_is_written_is_read() {
+    let bytes = shipped();
+    let table = decode(&bytes).unwrap();
+    assert_eq!(encode(&table), bytes);
+    assert_eq!(sealed(&bytes[24..]), bytes);
+}
+
+#[test]
+fn headers_are_checked() {
+    let bytes = shipped();
+    let with = |at: usize, byte: u8| {
+        let mut bytes = bytes.clone();
+        bytes[at] ^= byte;
+        decode(&bytes).unwrap_err()
+    };
+    assert_eq!(with(0, 1), FileError::Foreign);
+    assert_eq!(with(8, 2), FileError::Version(3));
+    assert!(matches!(with(12, 1), FileError::Length { .. }));
+    assert_eq!(with(20, 1), FileError::Checksum);
+    assert_eq!(with(1000, 1), FileError::Checksum);
+    for length in (0..200).chain([bytes.len() - 1]) {
+        assert!(decode(&bytes[..length]).is_err());
+    }
+    let longer = sealed(&[&bytes[24..], b"\0"].concat());
+    assert!(matches!(decode(&longer), Err(FileError::Payload(_))));
+}
+
+/// The payload begins with a text; before its bytes stands how many there are.
+#[test]
+fn claimed_lengths_take_no_memory() {
+    let payload = &shipped()[24..];
+    assert_eq!(&payload[..7], b"\x06sphere");
+    for length in [u64::MAX, 1 << 60, 1 << 40, 1 << 32, 1 << 28] {
+        let claim = [b"\xfd".as_slice(), &length.to_le_bytes(), &payload[1..]].concat();
+        assert!(matches!(decode(&sealed(&claim)), Err(FileError::Payload(_))), "{length}");
+    }
+}
+
+/// Damage that the checksum does not show: an error, or a table that everything
+/// can be made of.
+#[test]
+fn no_damage_is_a_panic() {
+    let bytes = shipped();
+    let payload = &bytes[24..];
+    let mut read = 0;
+    let places = (0..200).chain((200..payload.len()).step_by(1009));
+    for place in places.chain(payload.len() - 100..payload.len()) {
+        for flipped in [0x01, 0x80, 0xff] {
+            let mut damaged = payload.to_vec();
+            damaged[place] ^= flipped;
+            if let Ok(table) = decode(&sealed(&damaged)) {
+                read += usize::from(Parts::new(&table).components == table.components.len());
+            }
+        }
+    }
+    assert!(read > 100, "{read}: the damage reaches the parts");
+}
+
+#[test]
+fn parts_that_contradict_each_other_are_refused() {
+    let table = decode(&shipped()).unwrap();
+    let refused = |change: &dyn Fn(&mut Table), what: &str| {
+        let mut table = table.clone();
+        change(&mut table);
+        let error = decode(&encode(&table)).unwrap_err().to_string();
+        assert!(error.contains(what), "{what}: {error}");
+    };
+    refused(&|table| table.gram.degree = usize::MAX, "beyond 256");
+    refused(&|table| table.gram.order = 6, "not those of the scene");
+    refused(&|table| table.gram.gains.truncate(39), "gains: 40 numbers expected, 39 found");
+    refused(&|table| table.gram.rotations.push(0.0), "rotations");
+    refused(&|table| table.selection = vec![true; 17], "selection");
+    refused(&|table| table.summary.ranks.truncate(3), "ranks");
+    refused(&|table| table.summary.ranks[0] = usize::MAX, "rank");
+    refused(&|table| table.summary.energy = f64::NAN, "figures");
+    refused(&|table| table.spectrum[4].1 = Some(f64::INFINITY), "eigenvalues");
+    refused(&|table| table.components[7].profile = 1 << 40, "component 7 has no profile");
+    refused(&|table| table.components[7].order = i32::MIN, "component 7");
+    refused(&|table| table.components[7] = table.components[6], "component 7 is there twice");
+    refused(&|table| table.components.clear(), "without a component");
+    refused(&|table| table.profiles.reverse(), "out of order");
+    let profile = |change: &dyn Fn(&mut Profile), what| {
+        refused(&|table| change(&mut table.profiles[2]), what);
+    };
+    profile(&|profile| profile.azimuth = 10, "azimuth 10");
+    profile(&|profile| profile.node_values.clear(), "node values");
+    profile(&|profile| profile.modes[3] = f64::NAN, "modes");
+    profile(&|profile| profile.factors.push(1.0), "factors");
+    profile(&|profile| profile.chebyshev.clear(), "polynomial: 1 to");
+    profile(&|profile| profile.chebyshev.resize(70_000, 0.0), "polynomial: 1 to");
+    let mean = eigenshade_table::MeanImage { chebyshev: vec![1.0], coefficients: vec![0.0; 50] };
+    refused(&|table| table.mean = Some(mean.clone()), "mean image");
+}
+
+/// The names of sections are part of the format of a manifest, and the first line
+/// of each output says what made it.
+#[test]
+fn outputs_name_what_made_them() {
+    let table = decode(&shipped()).unwrap();
+    let text = manifest::manifest(&table, "by hand");
+    assert!(text.starts_with("# by hand\nentry,value,bytes,crc32\nscene,,"));
+    assert!(rust_source::module(&table, "by hand").starts_with("// by hand\n// "));
+}
