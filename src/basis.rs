@@ -22,6 +22,8 @@ pub struct Parts<'a, S> {
     pub slots: &'a [u16],
     /// Number of polynomial terms for each |m|.
     pub lengths: &'a [u16],
+    /// Which coefficient of the material meets which pairs, by coefficient.
+    pub couplings: &'a [Coupling],
     /// √(o+1) N_l^q C_lo^q of (11): for each pair a row over l, `layout::groups`
     /// groups.
     pub polar: &'a [S],
@@ -84,6 +86,24 @@ impl Row {
     #[must_use]
     pub const fn new(start: u32, step: u32) -> Self {
         Self { start, step }
+    }
+}
+
+/// One term of the scattered material: the coefficient `mode` times the polar
+/// integrals of the pair `from`, into the pair `to`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Coupling {
+    pub(crate) mode: u16,
+    pub(crate) from: u16,
+    pub(crate) to: u16,
+}
+
+impl Coupling {
+    /// Coefficient number `mode`, of (o, p, q), couples the pairs (o, q) and
+    /// (p, q), each into the other.
+    #[must_use]
+    pub const fn new(mode: u16, from: u16, to: u16) -> Self {
+        Self { mode, from, to }
     }
 }
 

@@ -63,6 +63,8 @@ mod relight;
 
 mod projection;
 
+pub mod fixed;
+
 mod scene;
 
 mod shade;
@@ -72,7 +74,7 @@ mod error;
 #[cfg(feature = "baked")]
 pub mod sphere;
 
-pub use basis::{Basis, Parts, Pass, ProfilePlace, Row};
+pub use basis::{Basis, Coupling, Parts, Pass, ProfilePlace, Row};
 pub use error::{Error, What};
 pub use light::Light;
 pub use material::Material;

@@ -5,10 +5,10 @@
 //! with the eigenimages, stands in the basis's factors, so that
 //! T_i,l = Σ_pq factor_i,l,pq S_l,pq is the row of UᵀM with the material folded in.
 
-use crate::basis::Basis;
+use crate::basis::{Basis, Coupling};
 use crate::error::{Error, What};
 use crate::index::layout::LANES;
-use crate::index::{layout, material, pair};
+use crate::index::{layout, material};
 use crate::lanes;
 use crate::material::Material;
 use crate::scalar::Scalar;
@@ -51,8 +51,9 @@ impl<S: Scalar> Basis<'_, S> {
     fn scatter_rows<const G: usize>(&self, material: &Material<'_, S>, sums: &mut [S]) {
         let (polar, _) = self.parts.polar.as_chunks::<LANES>().0.as_chunks::<G>();
         let (sums, _) = sums.as_chunks_mut::<LANES>().0.as_chunks_mut::<G>();
-        couplings(material, |b, from, to, _| {
-            if let (Some(polar), Some(sums)) = (polar.get(from), sums.get_mut(to)) {
+        self.couple(material, |b, Coupling { from, to, .. }| {
+            let (polar, sums) = (polar.get(usize::from(from)), sums.get_mut(usize::from(to)));
+            if let (Some(polar), Some(sums)) = (polar, sums) {
                 for (sum, polar) in sums.iter_mut().zip(polar) {
                     *sum = lanes::multiply_add(*sum, &[b; LANES], polar);
                 }
@@ -65,9 +66,9 @@ impl<S: Scalar> Basis<'_, S> {
         let groups = layout::groups(self.degree());
         let (polar, _) = self.parts.polar.as_chunks::<LANES>();
         let (sums, _) = sums.as_chunks_mut::<LANES>();
-        couplings(material, |b, from, to, _| {
-            let polar = polar.get(from * groups..).unwrap_or_default();
-            let sums = sums.get_mut(to * groups..).unwrap_or_default();
+        self.couple(material, |b, Coupling { from, to, .. }| {
+            let polar = polar.get(usize::from(from) * groups..).unwrap_or_default();
+            let sums = sums.get_mut(usize::from(to) * groups..).unwrap_or_default();
             for (sum, polar) in sums.iter_mut().zip(polar).take(groups) {
                 *sum = lanes::multiply_add(*sum, &[b; LANES], polar);
             }
@@ -77,16 +78,28 @@ impl<S: Scalar> Basis<'_, S> {
     /// S along l, of the modes of one azimuth that a selection kept.
     fn scatter_selected(&self, material: &Material<'_, S>, azimuth: usize, sums: &mut [S]) {
         let length = LANES * layout::groups(self.degree());
-        couplings(material, |b, from, to, (o, p, q)| {
-            let polar = self.parts.polar.get(from * length..).unwrap_or_default();
-            let sums = sums.get_mut(to * length..).unwrap_or_default();
-            let row = azimuth * material::count(self.order()) + material::position(o, p, q);
+        self.couple(material, |b, Coupling { from, to, mode }| {
+            let polar = self.parts.polar.get(usize::from(from) * length..).unwrap_or_default();
+            let sums = sums.get_mut(usize::from(to) * length..).unwrap_or_default();
+            let row = azimuth * material::count(self.order()) + usize::from(mode);
             let kept = self.parts.selection.get(row * (self.degree() + 1)..).unwrap_or_default();
             let kept = kept.iter().take(self.degree() + 1);
             for ((sum, &polar), &kept) in sums.iter_mut().zip(polar).zip(kept) {
                 *sum += if kept { b * polar } else { S::ZERO };
             }
         });
+    }
+
+    /// Calls `add` with b, or b/√2 beside the diagonal, for every term of S.
+    #[inline(always)]
+    fn couple(&self, material: &Material<'_, S>, mut add: impl FnMut(S, Coupling)) {
+        let half = S::from_f64(core::f64::consts::FRAC_1_SQRT_2);
+        for &coupling in self.parts.couplings {
+            // Couplings stand by o: a lower order ends them.
+            let found = material.coefficients().get(usize::from(coupling.mode));
+            let Some(&b) = found else { return };
+            add(if coupling.from == coupling.to { b } else { half * b }, coupling);
+        }
     }
 
     /// From rows over l, a pair each, to rows over the pairs, an l each.
@@ -107,34 +120,6 @@ impl<S: Scalar> Basis<'_, S> {
                 let degrees = first.iter().zip(second).zip(third.iter().zip(fourth));
                 for (((&first, &second), (&third, &fourth)), place) in degrees.zip(&mut places) {
                     *place = [first, second, third, fourth];
-                }
-            }
-        }
-    }
-}
-
-/// Calls `add(b, from, to, (o, p, q))` for every term b Ĉ\[from\] of S\[to\].
-#[inline(always)]
-fn couplings<S: Scalar>(
-    material: &Material<'_, S>,
-    mut add: impl FnMut(S, usize, usize, (usize, usize, usize)),
-) {
-    let half = S::from_f64(core::f64::consts::FRAC_1_SQRT_2);
-    let mut coefficients = material.coefficients().iter();
-    // The loops of `material::indices`: the pairs of one o stand together.
-    for o in 0..=material.order() {
-        let lowest = o % 2;
-        let row_o = pair::position(o, lowest);
-        for p in (0..=o / 2).map(|k| 2 * k + lowest) {
-            let row_p = pair::position(p, lowest);
-            for k in 0..=p / 2 {
-                let Some(&b) = coefficients.next() else { return };
-                let (of_o, of_p, mode) = (row_o + k, row_p + k, (o, p, 2 * k + lowest));
-                if o == p {
-                    add(b, of_o, of_o, mode);
-                } else {
-                    add(half * b, of_o, of_p, mode);
-                    add(half * b, of_p, of_o, mode);
                 }
             }
         }

@@ -17,6 +17,14 @@ const LANES: usize = layout::LANES;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Transfer<S, const N: usize>(pub(crate) heapless::Vec<S, N>);
 
+impl<S, const N: usize> Transfer<S, N> {
+    /// The numbers, in the layout of [`index::layout`](crate::index::layout).
+    #[must_use]
+    pub fn as_slice(&self) -> &[S] {
+        &self.0
+    }
+}
+
 impl<S: Scalar> Basis<'_, S> {
     /// Folds a material into the basis.
     ///

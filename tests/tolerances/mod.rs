@@ -59,6 +59,8 @@ pub const RECORDED_FIGURE: f64 = 1e-6;
 pub const ALL_COMPONENTS: f64 = 1e-6;
 /// The same in f32: some ten roundings of 6e-8 that count, of the hundred in each sum.
 pub const ALL_COMPONENTS_F32: f64 = 2e-6;
+/// The same at degree 16 and order 12: the powers of 2z - 1 cancel, in the weakest profiles 1e5 to 1.
+pub const ALL_COMPONENTS_F32_HIGH: f64 = 2e-5;
 /// d = UᵀMc in f64 by the runtime's short sums against dense rows, of the largest d: sums of some
 /// thousand roundings.
 pub const DENSE_PROJECTION: f64 = 1e-12;

@@ -1,13 +1,6 @@
 //! Numbers as text.
 
-/// The shortest decimal text that reads back to the same number, to the last bit.
-///
-/// A number that was an f32 reads back to itself as f32 and as f64.
-#[must_use]
-pub fn exact(number: f64) -> String {
-    let (plain, scientific) = (format!("{number}"), format!("{number:e}"));
-    if scientific.len() < plain.len() { scientific } else { plain }
-}
+pub use eigenshade_generator::inputs::rounding::exact;
 
 /// A number of bytes for reading: three digits in each group.
 #[must_use]

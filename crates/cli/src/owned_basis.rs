@@ -1,6 +1,6 @@
 //! A table read at run time, as a basis of the runtime in a chosen number format.
 
-use eigenshade::{Basis, Parts, Pass, ProfilePlace, Row, Scalar};
+use eigenshade::{Basis, Coupling, Parts, Pass, ProfilePlace, Row, Scalar};
 use eigenshade_table::Table;
 use eigenshade_table::parts::{self, NONE};
 
@@ -13,6 +13,7 @@ pub struct OwnedBasis<S> {
     profiles: Vec<ProfilePlace>,
     passes: Vec<Pass>,
     slots: Vec<u16>,
+    couplings: Vec<Coupling>,
     lengths: Vec<u16>,
     polar: Vec<S>,
     factors: Vec<S>,
@@ -35,6 +36,7 @@ impl<S: Scalar> OwnedBasis<S> {
             profiles: parts.profiles.iter().map(place).collect(),
             passes: parts.passes.iter().map(|p| Pass::new(p.first, p.profiles)).collect(),
             slots: parts.slots,
+            couplings: parts.couplings.iter().map(coupling).collect(),
             polar: rounded(&parts.polar),
             factors: rounded(&parts.factors),
             terms: rounded(&parts.terms),
@@ -58,6 +60,7 @@ impl<S: Scalar> OwnedBasis<S> {
             profiles: &self.profiles,
             passes: &self.passes,
             slots: &self.slots,
+            couplings: &self.couplings,
             lengths: &self.lengths,
             polar: &self.polar,
             factors: &self.factors,
@@ -67,6 +70,10 @@ impl<S: Scalar> OwnedBasis<S> {
             selection: &self.selection,
         })
     }
+}
+
+fn coupling(&[mode, from, to]: &[u16; 3]) -> Coupling {
+    Coupling::new(mode, from, to)
 }
 
 fn place(place: &parts::ProfilePlace) -> ProfilePlace {

@@ -182,6 +182,7 @@ fn outputs_that_cannot_be() {
         }
     }
     assert_fails(&folder, "demo --size 16 --out lights.csv/demo", &["lights.csv/demo"]);
+    assert_fails(&folder, "demo --size 16 --out lights.csv", &["lights.csv", "mixed up"]);
     #[cfg(target_os = "linux")]
     assert_fails(&folder, "eigenvalues b.bin --out /proc/new.csv", &["/proc/new.csv"]);
 }

@@ -218,6 +218,7 @@ fn usage_errors_exit_with_2() {
         "shade b.bin --lights a --materials b --normals c --rotate 1,2",
         "evaluate no-such-function points.csv",
         "demo",
+        "render b.bin --light a --material b --out c.png --size 1",
     ] {
         assert_eq!(folder.run(arguments).status.code(), Some(2), "{arguments}");
     }

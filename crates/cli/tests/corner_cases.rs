@@ -39,10 +39,14 @@ fn errors(folder: &Folder, pair: &str) -> [f64; 2] {
     })
 }
 
-fn assert_near(what: &str, [double, single]: [f64; 2]) {
+fn assert_near(what: &str, errors: [f64; 2]) {
+    assert_within(what, errors, tolerances::ALL_COMPONENTS_F32);
+}
+
+fn assert_within(what: &str, [double, single]: [f64; 2], in_f32: f64) {
     println!("{what}: {double:.1e}, f32 {single:.1e}");
     assert!(double <= tolerances::ALL_COMPONENTS, "{what}: {double}");
-    assert!(single <= tolerances::ALL_COMPONENTS_F32, "{what}, f32: {single}");
+    assert!(single <= in_f32, "{what}, f32: {single}");
 }
 
 /// The scene of the small folder with other degrees.
@@ -128,16 +132,19 @@ fn degree_16_and_order_12_serve() {
     folder.write("scene.toml", scene_of("image-centered", 16, 12));
     folder.ok("basis --scene scene.toml --out b.bin");
     folder.write("materials.csv", materials(12, 3));
-    assert_near("degree 16, order 12", errors(&folder, PAIR));
+    let near = |what: &str, pair: &str| {
+        assert_within(what, errors(&folder, pair), tolerances::ALL_COMPONENTS_F32_HIGH);
+    };
+    near("degree 16, order 12", PAIR);
 
     // Less than the table's is taken as it is, also where the table is made of more;
     // the runtime refuses more, and the program leaves it out.
     let low = PAIR.replace("lights.csv", "low.csv").replace("materials.csv", "seven.csv");
     folder.write("low.csv", shipped_lights(5));
     folder.write("seven.csv", materials(7, 2));
-    assert_near("degree 5, order 7", errors(&folder, &low));
+    near("degree 5, order 7", &low);
     folder.write("high.csv", materials(13, 2));
-    assert_near("order 13 of 12", errors(&folder, &PAIR.replace("materials.csv", "high.csv")));
+    near("order 13 of 12", &PAIR.replace("materials.csv", "high.csv"));
     let table = table(&folder);
     let owned = OwnedBasis::<f32>::new(&table);
     let mut shader = Shader::new(owned.basis().unwrap(), 1);
@@ -254,8 +261,7 @@ fn peak(loaded: &Loaded) -> f64 {
         light.iter().map(|value| scale * value).collect::<Vec<_>>()
     };
     let lights: Vec<Vec<f64>> = loaded.lights.entries.iter().map(scaled).collect();
-    let materials: Vec<Vec<f64>> =
-        loaded.materials.entries.iter().map(Named::luminance).collect();
+    let materials: Vec<Vec<f64>> = loaded.materials.entries.iter().map(Named::luminance).collect();
     let mut peaks = vec![0.0f64; lights.len() * materials.len()];
     for slant in 0..=36 {
         let (sine, z) = (FRAC_PI_2 * f64::from(slant) / 36.0).sin_cos();

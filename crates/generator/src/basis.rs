@@ -44,7 +44,7 @@ pub fn build(scene: &Scene, lights: &Lights, materials: &Materials) -> Result<Ta
         .collect::<Result<_>>()?;
 
     let largest_of = |values: fn(&Azimuth) -> &[f64]| {
-        azimuths.iter().flat_map(|azimuth| values(azimuth)).copied().fold(0.0, f64::max)
+        azimuths.iter().flat_map(values).copied().fold(0.0, f64::max)
     };
     let largest = largest_of(|azimuth| &azimuth.block.singular_values);
     let cutoff = scene.basis.rank_cutoff;

@@ -11,12 +11,18 @@ pub struct Named {
     pub rgb: [Vec<f64>; 3],
 }
 
+/// 0.2126 R + 0.7152 G + 0.0722 B.
+#[must_use]
+pub fn luminance([r, g, b]: [f64; 3]) -> f64 {
+    0.2126 * r + 0.7152 * g + 0.0722 * b
+}
+
 impl Named {
-    /// 0.2126 R + 0.7152 G + 0.0722 B of every coefficient.
+    /// The [`luminance`] of every coefficient.
     #[must_use]
     pub fn luminance(&self) -> Vec<f64> {
         let [r, g, b] = &self.rgb;
-        r.iter().zip(g).zip(b).map(|((r, g), b)| 0.2126 * r + 0.7152 * g + 0.0722 * b).collect()
+        r.iter().zip(g).zip(b).map(|((&r, &g), &b)| luminance([r, g, b])).collect()
     }
 
     /// Whether all three channels are the same.

@@ -42,7 +42,7 @@ impl Error {
         let remedy = match error.kind() {
             ErrorKind::NotFound => "check the path, and that its folder exists",
             ErrorKind::PermissionDenied => "check who may read and write there",
-            ErrorKind::NotADirectory | ErrorKind::IsADirectory => {
+            ErrorKind::NotADirectory | ErrorKind::IsADirectory | ErrorKind::AlreadyExists => {
                 "a file and a folder are mixed up: check the path"
             }
             _ => "check the file and the disk",

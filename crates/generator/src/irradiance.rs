@@ -15,7 +15,7 @@ pub fn slant_rotation(degree: usize, m: isize, q: usize, alpha: f64) -> Vec<f64>
     if q == 0 {
         return plus;
     }
-    let sign = if q % 2 == 0 { 1.0 } else { -1.0 };
+    let sign = if q.is_multiple_of(2) { 1.0 } else { -1.0 };
     let minus = wigner::column(degree, m, -n, alpha);
     plus.iter()
         .zip(minus)
@@ -41,7 +41,6 @@ pub fn slant_radials(order: usize, alpha: f64) -> Vec<f64> {
 /// Domain: |m| <= l, q <= l, q <= p <= o of one parity, α in \[0, π/2\]; 0 if
 /// |m| > l or q > l. Absolute error below 1e-13 up to degree 9, 1e-11 up to 32.
 #[must_use]
-#[expect(clippy::too_many_arguments, reason = "notation follows (14)")]
 pub fn value(l: usize, m: isize, o: usize, p: usize, q: usize, alpha: f64, beta: f64) -> f64 {
     let Some(&rotation) = slant_rotation(l, m, q, alpha).last() else {
         return 0.0;

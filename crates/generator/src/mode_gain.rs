@@ -6,5 +6,5 @@
 pub fn gain(o: usize, p: usize, q: usize) -> f64 {
     let doubled = if o == p { 4.0 } else { 2.0 };
     let size = (((o + 1) * (p + 1)) as f64 / doubled).sqrt();
-    if q % 2 == 0 { size } else { -size }
+    if q.is_multiple_of(2) { size } else { -size }
 }

@@ -36,7 +36,7 @@ pub fn write_atomically(
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         _ => Path::new("."),
     };
-    let temporary = fill(path, temporary_in(folder).map_err(fault)?, write)?;
+    let temporary = fill(path, temporary_in(folder).map_err(unnamed).map_err(fault)?, write)?;
     temporary.as_file().sync_all().map_err(fault)?;
     temporary.persist(&target).map_err(|failed| fault(failed.error))?;
     Ok(())
@@ -52,6 +52,15 @@ fn temporary_in(folder: &Path) -> io::Result<NamedTempFile> {
         builder.permissions(fs::Permissions::from_mode(0o666));
     }
     builder.tempfile_in(folder)
+}
+
+/// Without the name of the temporary file, which `tempfile` puts behind the system's
+/// word.
+fn unnamed(error: io::Error) -> io::Error {
+    match error.to_string().split_once(" at path ") {
+        Some((word, _)) => io::Error::new(error.kind(), word),
+        None => error,
+    }
 }
 
 fn fill<W: Write>(

@@ -31,7 +31,7 @@ pub fn load(path: &Path) -> Result<Loaded> {
         None => error.in_file(path),
     })?;
     let folder = path.parent().unwrap_or(Path::new("."));
-    let lights = read_lights(&folder.join(&scene.light.database), Some(scene.light.degree))?;
+    let lights = read_lights(folder.join(&scene.light.database), Some(scene.light.degree))?;
     let database = folder.join(&scene.material.database);
     let mut materials = read_materials(&database, Some(scene.material.order))?;
     if !scene.material.names.is_empty() {

@@ -21,6 +21,8 @@ pub mod parts;
 
 pub mod passes;
 
+mod rust_kernels;
+
 pub mod rust_source;
 
 pub use file::{FileError, decode, encode};

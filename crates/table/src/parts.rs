@@ -4,7 +4,7 @@
 
 use crate::passes::{self, Pass};
 use crate::table::Table;
-use eigenshade_index::{layout, pair};
+use eigenshade_index::{layout, material, pair};
 
 /// Stands for "no such component" in [`ProfilePlace`].
 pub const NONE: u16 = u16::MAX;
@@ -23,6 +23,9 @@ pub struct Parts {
     pub profiles: Vec<ProfilePlace>,
     /// Number of polynomial terms for each |m|.
     pub lengths: Vec<u16>,
+    /// (mode, from, to): coefficient number `mode`, of (o, p, q), times the polar
+    /// integrals of the pair `from` goes into the pair `to`; by mode.
+    pub couplings: Vec<[u16; 3]>,
     /// √(o+1) N_l^q C_lo^q: for each pair a row over l in whole groups.
     pub polar: Vec<f64>,
     /// For each profile, each l from |m| on, a row of `layout::row(order)` numbers.
@@ -108,6 +111,7 @@ impl Parts {
             profiles,
             passes,
             slots,
+            couplings: couplings(order),
             polar,
             factors,
             terms,
@@ -119,6 +123,21 @@ impl Parts {
             lengths,
         }
     }
+}
+
+/// (o, p, q) couples the pairs (o, q) and (p, q), each into the other.
+fn couplings(order: usize) -> Vec<[u16; 3]> {
+    let short = |place: usize| u16::try_from(place).expect("orders are small");
+    let mut couplings = Vec::new();
+    for (mode, (o, p, q)) in material::indices(order).enumerate() {
+        let of_o = pair::position(o, q);
+        let of_p = pair::position(p, q);
+        couplings.push([mode, of_o, of_p].map(short));
+        if o != p {
+            couplings.push([mode, of_p, of_o].map(short));
+        }
+    }
+    couplings
 }
 
 /// For each pair a row over l in whole groups; 0 beyond the degree.

@@ -2,6 +2,7 @@
 
 use crate::parts::{NONE, Parts, ProfilePlace, Row};
 use crate::passes::Pass;
+use crate::rust_kernels;
 use crate::table::Table;
 use eigenshade_index::layout;
 use std::fmt::Write;
@@ -38,8 +39,13 @@ pub fn module(table: &Table, command: &str) -> String {
     let passes =
         passes.map(|pass| format!("eigenshade::Pass::new({}, {})", pass.first, pass.profiles));
     array(&mut text, "PASSES", "eigenshade::Pass", passes);
+    let couplings = parts.couplings.iter();
+    let couplings = couplings
+        .map(|[mode, from, to]| format!("eigenshade::Coupling::new({mode}, {from}, {to})"));
+    array(&mut text, "COUPLINGS", "eigenshade::Coupling", couplings);
     array(&mut text, "PROFILES", "eigenshade::ProfilePlace", parts.profiles.iter().map(place));
     text.push_str(FACE);
+    text.push_str(&rust_kernels::functions(&parts));
     text
 }
 
@@ -54,11 +60,12 @@ fn floats(parts: &Parts) -> [(&'static str, &[f64]); 5] {
     ]
 }
 
-/// Bytes of all statics: f32 and u16 arrays, bools, 4 bytes a pass, 28 a profile.
+/// Bytes of all statics: f32 and u16 arrays, bools, 4 bytes a pass, 6 a
+/// coupling, 28 a profile.
 fn bytes(parts: &Parts) -> usize {
     let floats: usize = floats(parts).iter().map(|(_, values)| values.len()).sum();
     let shorts = parts.lengths.len() + parts.slots.len();
-    let records = 4 * parts.passes.len() + 28 * parts.profiles.len();
+    let records = 4 * parts.passes.len() + 6 * parts.couplings.len() + 28 * parts.profiles.len();
     4 * floats + 2 * shorts + parts.selection.len() + records
 }
 
@@ -112,6 +119,7 @@ pub static BASIS: eigenshade::Basis<'static, f32> =
         profiles: &PROFILES,
         passes: &PASSES,
         slots: &SLOTS,
+        couplings: &COUPLINGS,
         lengths: &LENGTHS,
         polar: &POLAR,
         factors: &FACTORS,
@@ -129,17 +137,6 @@ pub type Coefficients = eigenshade::Coefficients<f32, COMPONENTS>;
 pub type Transfer = eigenshade::Transfer<f32, TRANSFER>;
 /// One image, ready to be shaded.
 pub type Scene = eigenshade::Scene<'static, eigenshade::SceneBuffer<f32, SCENE>>;
-/// d = UᵀMc: see [`eigenshade::Basis::project`].
-///
-/// # Errors
-///
-/// As there, but capacities cannot be too small.
-pub fn project(
-    light: &eigenshade::Light<'_, f32>,
-    material: &eigenshade::Material<'_, f32>,
-) -> Result<Coefficients, eigenshade::Error> {
-    BASIS.project::<WORKSPACE, COMPONENTS>(light, material)
-}
 /// Folds a material into the basis: see [`eigenshade::Basis::transfer`].
 ///
 /// # Errors
@@ -147,17 +144,6 @@ pub fn project(
 /// As there, but capacities cannot be too small.
 pub fn transfer(material: &eigenshade::Material<'_, f32>) -> Result<Transfer, eigenshade::Error> {
     BASIS.transfer::<WORKSPACE, TRANSFER>(material)
-}
-/// A new light on a folded material: see [`eigenshade::Basis::relight`].
-///
-/// # Errors
-///
-/// As there, but capacities cannot be too small.
-pub fn relight(
-    transfer: &Transfer,
-    light: &eigenshade::Light<'_, f32>,
-) -> Result<Coefficients, eigenshade::Error> {
-    BASIS.relight(transfer, light)
 }
 /// Sums the components of each azimuth: see [`eigenshade::Basis::collapse`].
 ///

@@ -115,7 +115,9 @@ fn default_profile_tolerance() -> f64 {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Criterion {
-    /// Variance over light and material, (17).
+    /// Variance over light and material, (17): images are the mean image and what
+    /// differs from it. What all of the database have in common, like the exposure
+    /// of one material, is then in no component.
     Standard,
     /// Variance in the image, (18); the constant is component 0.
     ImageCentered,

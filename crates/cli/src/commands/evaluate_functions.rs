@@ -5,7 +5,8 @@ use eigenshade_generator::special::{spherical_harmonic, wigner, zernike};
 use eigenshade_generator::{irradiance, polar_integral};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// The largest index that is served: what the functions are tested to.
+/// The largest index that is served: what the functions are tested to, the
+/// irradiance modes as products of them.
 const LARGEST: i64 = 64;
 
 /// How far beyond its end an angle may lie: files round π.

@@ -30,8 +30,8 @@ pub struct Render {
     /// Material CSV, and which of its materials
     #[arg(long, value_name = "FILE[:NAME]")]
     material: String,
-    /// Pixels across, 1 to 8192
-    #[arg(long, value_name = "N", default_value = "512", value_parser = count(1, 8192))]
+    /// Pixels across, 2 to 8192
+    #[arg(long, value_name = "N", default_value = "512", value_parser = count(2, 8192))]
     size: usize,
     /// Where the picture goes
     #[arg(long, value_name = "F.png")]

@@ -81,6 +81,7 @@ pub fn assert_fails(folder: &Folder, arguments: &str, words: &[&str]) {
     assert_eq!(output.status.code(), Some(1), "{arguments}: {line}");
     assert!(line.starts_with("error: ") && line.lines().count() == 1, "{arguments}: {line}");
     assert!(line.contains("; "), "no remedy: {line}");
+    assert!(!line.contains(".eigenshade-"), "a temporary name: {line}");
     for word in words {
         assert!(line.contains(word), "{arguments}: no `{word}` in {line}");
     }

@@ -11,6 +11,7 @@
 //! in which their names first appear.
 
 use super::coefficient_kind::{Kind, LIGHT, MATERIAL};
+use super::rounding::exact;
 use super::sheet::{Row, Sheet};
 use crate::database::{Lights, Materials, Named};
 use crate::error::{Error, Result};
@@ -201,28 +202,19 @@ fn write<const N: usize>(
             let mut fields = vec![entry.name.clone()];
             fields.extend(index.map(|i| i.to_string()));
             for channel in channels {
-                fields.push(shortest(channel[k]).ok_or_else(|| {
-                    Error::new(
-                        format!(
-                            "the {} `{}` is not finite at {}",
-                            kind.thing,
-                            entry.name,
-                            kind.spell(index)
-                        ),
+                if !channel[k].is_finite() {
+                    let (thing, name, place) = (kind.thing, &entry.name, kind.spell(index));
+                    return Err(Error::new(
+                        format!("the {thing} `{name}` is not finite at {place}"),
                         "look for the fault where it was made",
-                    )
-                })?);
+                    ));
+                }
+                fields.push(exact(channel[k]));
             }
             writer.write_record(&fields).map_err(output)?;
         }
     }
     writer.flush().map_err(|error| output(error.into()))
-}
-
-/// The shortest text that reads back to the same finite number.
-fn shortest(number: f64) -> Option<String> {
-    let (plain, scientific) = (format!("{number}"), format!("{number:e}"));
-    number.is_finite().then_some(if scientific.len() < plain.len() { scientific } else { plain })
 }
 
 fn output(error: csv::Error) -> Error {

@@ -6,6 +6,7 @@
 //! what the camera sees comes from the edges, +z.
 
 use super::{map_exr, map_hdr, map_pfm};
+use crate::database::luminance;
 use crate::error::{Error, Result};
 use std::f64::consts::{PI, TAU};
 use std::fs;
@@ -44,7 +45,6 @@ impl Integrals {
     /// Not a number if the map is black.
     #[must_use]
     pub fn negative_share(&self) -> f64 {
-        let luminance = |[r, g, b]: [f64; 3]| 0.2126 * r + 0.7152 * g + 0.0722 * b;
         -luminance(self.negative) / luminance(self.total)
     }
 }

@@ -17,4 +17,4 @@ mod map_pfm;
 pub mod measurements;
 pub mod normals;
 pub mod rounding;
-mod sheet;
+pub mod sheet;

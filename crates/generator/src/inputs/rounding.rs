@@ -1,4 +1,4 @@
-//! Fewer digits, where a file need not hold more.
+//! Numbers as text: all of their digits, or fewer where a file need not hold more.
 
 use crate::database::Lights;
 
@@ -23,4 +23,13 @@ pub fn rounded(lights: &Lights, digits: usize) -> Lights {
 /// writing and reading it keep it.
 fn significant(value: f64, digits: usize) -> f64 {
     format!("{value:.*e}", digits.saturating_sub(1)).parse().unwrap_or(value)
+}
+
+/// The shortest decimal text that reads back to the same number, to the last bit.
+///
+/// A number that was an f32 reads back to itself as f32 and as f64.
+#[must_use]
+pub fn exact(number: f64) -> String {
+    let (plain, scientific) = (format!("{number}"), format!("{number:e}"));
+    if scientific.len() < plain.len() { scientific } else { plain }
 }

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 ///
 /// Lines that begin with `#` and empty lines are skipped; blanks around a field
 /// do not count; the columns may stand in any order among others.
-pub(crate) struct Sheet {
+pub struct Sheet {
     path: PathBuf,
     text: Vec<u8>,
     header: StringRecord,
@@ -19,7 +19,12 @@ pub(crate) struct Sheet {
 impl Sheet {
     /// Reads the file. `columns` is the header that it should have, for the
     /// remedies.
-    pub(crate) fn read(path: &Path, columns: &str) -> Result<Self> {
+    ///
+    /// # Errors
+    ///
+    /// A file that cannot be read, is empty or no UTF-8, or has a row of another
+    /// length than its header.
+    pub fn read(path: &Path, columns: &str) -> Result<Self> {
         let text = fs::read(path).map_err(|error| Error::io(path, &error))?;
         let mut reader =
             ReaderBuilder::new().comment(Some(b'#')).trim(Trim::All).from_reader(text.as_slice());
@@ -36,14 +41,27 @@ impl Sheet {
         Ok(Self { path: path.to_owned(), header, records, text })
     }
 
+    /// The names of the columns.
+    pub fn header(&self) -> impl Iterator<Item = &str> {
+        self.header.iter()
+    }
+
+    /// Where a column stands, if it is there.
+    #[must_use]
+    pub fn column(&self, name: &str) -> Option<usize> {
+        self.header().position(|column| column == name)
+    }
+
     /// Where each of these columns stands, if all of them are there.
-    pub(crate) fn columns<const N: usize>(&self, names: [&str; N]) -> Option<[usize; N]> {
-        let places = names.map(|name| self.header.iter().position(|column| column == name));
+    #[must_use]
+    pub fn columns<const N: usize>(&self, names: [&str; N]) -> Option<[usize; N]> {
+        let places = names.map(|name| self.column(name));
         places.iter().all(Option::is_some).then(|| places.map(Option::unwrap_or_default))
     }
 
     /// The fault of a header without these columns.
-    pub(crate) fn wrong_header(&self, columns: &str) -> Error {
+    #[must_use]
+    pub fn wrong_header(&self, columns: &str) -> Error {
         let found: Vec<_> = self.header.iter().collect();
         Error::new(
             format!("its header is `{}`", found.join(",")),
@@ -53,26 +71,36 @@ impl Sheet {
     }
 
     /// The rows below the header.
-    pub(crate) fn rows(&self) -> impl Iterator<Item = Row<'_>> {
+    pub fn rows(&self) -> impl Iterator<Item = Row<'_>> {
         self.records.iter().map(|record| Row { sheet: self, record })
     }
 }
 
 /// One row of a [`Sheet`].
 #[derive(Clone, Copy)]
-pub(crate) struct Row<'a> {
+pub struct Row<'a> {
     sheet: &'a Sheet,
     record: &'a StringRecord,
 }
 
 impl<'a> Row<'a> {
+    /// The texts of all columns.
+    pub fn texts(self) -> impl Iterator<Item = &'a str> {
+        self.record.iter()
+    }
+
     /// The text of a column.
-    pub(crate) fn text(self, column: usize) -> &'a str {
+    #[must_use]
+    pub fn text(self, column: usize) -> &'a str {
         self.record.get(column).unwrap_or_default()
     }
 
     /// The finite number in a column.
-    pub(crate) fn number(self, column: usize) -> Result<f64> {
+    ///
+    /// # Errors
+    ///
+    /// A text that is none.
+    pub fn number(self, column: usize) -> Result<f64> {
         let text = self.text(column);
         let number: f64 = text.parse().map_err(|_| {
             self.fault(format!("`{text}` is no number"), "write it like 0.25 or 2.5e-1")
@@ -88,7 +116,11 @@ impl<'a> Row<'a> {
     }
 
     /// The whole number in a column.
-    pub(crate) fn integer(self, column: usize) -> Result<i64> {
+    ///
+    /// # Errors
+    ///
+    /// A text that is none.
+    pub fn integer(self, column: usize) -> Result<i64> {
         let text = self.text(column);
         text.parse().map_err(|_| {
             self.fault(format!("`{text}` is no index"), "write a small whole number, like 0 or -1")
@@ -96,7 +128,7 @@ impl<'a> Row<'a> {
     }
 
     /// A fault at this row.
-    pub(crate) fn fault(self, what: impl Into<String>, remedy: impl Into<String>) -> Error {
+    pub fn fault(self, what: impl Into<String>, remedy: impl Into<String>) -> Error {
         let line = line_of(&self.sheet.text, self.record.position());
         Error::new(what, remedy).at_line(&self.sheet.path, line)
     }

@@ -67,7 +67,7 @@ pub fn write(file_type: Type, map: &EnvironmentMap, folder: &Path) -> PathBuf {
         ),
         Type::ExrHalf => exr(map, &path, true, ["R", "G", "B"], Encoding::FAST_LOSSLESS),
         Type::ExrLayer => {
-            exr(map, &path, true, ["sky.R", "sky.G", "sky.B"], Encoding::SMALL_LOSSLESS)
+            exr(map, &path, true, ["sky.R", "sky.G", "sky.B"], Encoding::SMALL_LOSSLESS);
         }
         Type::Hdr => hdr(map, &path),
         Type::PfmLittle => pfm(map, &path, "PF", "-1.0", f32::to_le_bytes),

@@ -1,0 +1,140 @@
+//! Projection and relighting of one table as Rust source: calls of the kernels in
+//! `eigenshade::fixed`, every size and place a constant.
+
+use crate::parts::{NONE, Parts};
+use eigenshade_index::{layout, light};
+use std::fmt::Write;
+
+const LIGHT: &str = "light: &eigenshade::Light<'_, f32>";
+
+/// The functions `project` and `relight` of the generated module.
+///
+/// A table with a selection of modes takes the general way: its polar integrals
+/// differ from azimuth to azimuth.
+pub(crate) fn functions(parts: &Parts) -> String {
+    let fixed = parts.selection.is_empty();
+    let body = |body: String| if fixed { body } else { String::new() };
+    format!(
+        "/// d = UᵀMc: see [`eigenshade::Basis::project`].
+///
+/// # Errors
+///
+/// As there, but capacities cannot be too small.
+pub fn project(
+    {LIGHT},
+    material: &eigenshade::Material<'_, f32>,
+) -> Result<Coefficients, eigenshade::Error> {{
+{}    BASIS.project::<WORKSPACE, COMPONENTS>(light, material)
+}}
+/// A new light on a folded material: see [`eigenshade::Basis::relight`].
+///
+/// # Errors
+///
+/// As there, but capacities cannot be too small.
+pub fn relight(
+    transfer: &Transfer,
+    {LIGHT},
+) -> Result<Coefficients, eigenshade::Error> {{
+{}    BASIS.relight(transfer, light)
+}}
+",
+        body(project(parts)),
+        body(relight(parts)),
+    )
+}
+
+/// Two profiles of one azimuth at a time; an odd one goes with itself.
+fn project(parts: &Parts) -> String {
+    let (rows, groups) = (parts.degree + 1, layout::row(parts.order) / layout::LANES);
+    let sums = layout::row(parts.order) * layout::LANES * layout::groups(parts.degree);
+    let count = light::count(parts.degree);
+    let mut text = format!(
+        "    if let Some(light) = eigenshade::fixed::light::<f32, {count}>(light) {{
+        let scattered =
+            eigenshade::fixed::scattered::<f32, {groups}, {rows}, {sums}>(&BASIS, material)?;
+"
+    );
+    let mut components = vec![String::new(); parts.components];
+    let (mut start, mut call) = (0, 0);
+    for profiles in parts.profiles.chunk_by(|a, b| a.azimuth == b.azimuth) {
+        let azimuth = usize::from(profiles[0].azimuth);
+        let degrees = rows - azimuth;
+        let length = degrees * layout::row(parts.order);
+        put(
+            &mut text,
+            format_args!(
+                "        let of_azimuth = eigenshade::fixed::lights::<f32, {azimuth}, {degrees}, {count}>(light);"
+            ),
+        );
+        for pair in profiles.chunks(2) {
+            let second = start + (pair.len() - 1) * length;
+            put(
+                &mut text,
+                format_args!(
+                    "        let r{call} = eigenshade::fixed::rows::<f32, {start}, {second}, {azimuth}, {groups}, {degrees}>(&FACTORS, &scattered, &of_azimuth);"
+                ),
+            );
+            for (k, place) in pair.iter().enumerate() {
+                for (index, sum) in [(place.minus, 2 * k + 1), (place.plus, 2 * k)] {
+                    if index != NONE {
+                        components[usize::from(index)] =
+                            format!("eigenshade::fixed::sum(r{call}[{sum}])");
+                    }
+                }
+            }
+            start += pair.len() * length;
+            call += 1;
+        }
+    }
+    finish(&mut text, &components);
+    text
+}
+
+/// One call a pass.
+fn relight(parts: &Parts) -> String {
+    let count = light::count(parts.degree);
+    let mut text = format!(
+        "    if let Some(light) = eigenshade::fixed::light::<f32, {count}>(light) {{
+        let transfer = transfer.as_slice();
+"
+    );
+    let mut components = vec![String::new(); parts.components];
+    let (mut start, mut slots) = (0, parts.slots.as_slice());
+    for (call, pass) in parts.passes.iter().enumerate() {
+        let profiles = usize::from(pass.profiles);
+        let degrees = parts.degree + 1 - layout::lowest_degree(pass.first.into());
+        put(
+            &mut text,
+            format_args!(
+                "        let p{call} = eigenshade::fixed::pass::<f32, {start}, {}, {profiles}, {degrees}, {count}>(transfer, light);",
+                pass.first
+            ),
+        );
+        let (of_pass, rest) = slots.split_at(profiles * layout::LANES);
+        for (k, &slot) in of_pass.iter().enumerate() {
+            if slot != NONE {
+                components[usize::from(slot)] =
+                    format!("p{call}[{}][{}]", k / layout::LANES, k % layout::LANES);
+            }
+        }
+        slots = rest;
+        start += layout::LANES * profiles * degrees;
+    }
+    finish(&mut text, &components);
+    text
+}
+
+/// The answer, from the expressions of its components.
+fn finish(text: &mut String, components: &[String]) {
+    put(text, format_args!("        let coefficients = [{}];", components.join(", ")));
+    put(
+        text,
+        format_args!(
+            "        return Ok(eigenshade::fixed::coefficients(coefficients, &MEAN_COEFFICIENTS));\n    }}"
+        ),
+    );
+}
+
+fn put(text: &mut String, line: std::fmt::Arguments<'_>) {
+    writeln!(text, "{line}").expect("a string takes everything");
+}

@@ -1,0 +1,152 @@
+//! Kernels for shapes that are known when they are compiled: what the generated
+//! code of a table calls, one call for each part of the work.
+//!
+//! They compute what [`Basis::project`](crate::Basis::project) and
+//! [`Basis::relight`](crate::Basis::relight) compute, with every size and every
+//! place a constant. Where an argument does not have the expected shape they are
+//! not called; the general way takes it.
+
+use crate::basis::Basis;
+use crate::error::Error;
+use crate::index::layout::{LANES, lowest_degree};
+use crate::index::light::position;
+use crate::lanes;
+use crate::light::Light;
+use crate::material::Material;
+use crate::projection::Coefficients;
+use crate::scalar::Scalar;
+
+/// The coefficients of a light of exactly `N` coefficients.
+#[inline]
+pub fn light<'a, S: Scalar, const N: usize>(light: &Light<'a, S>) -> Option<&'a [S; N]> {
+    light.coefficients().try_into().ok()
+}
+
+/// The scattered material in `D` rows of `V` groups, by way of `N` sums.
+///
+/// # Errors
+///
+/// [`Error::Beyond`] if the material goes beyond the basis.
+#[inline]
+pub fn scattered<S: Scalar, const V: usize, const D: usize, const N: usize>(
+    basis: &Basis<'_, S>,
+    material: &Material<'_, S>,
+) -> Result<[[[S; LANES]; V]; D], Error> {
+    basis.accept_material(material)?;
+    let mut scattering = [[[S::ZERO; LANES]; V]; D];
+    let mut sums = [S::ZERO; N];
+    let rows = scattering.as_flattened_mut().as_flattened_mut();
+    basis.scatter(material, 0, &mut sums, rows);
+    Ok(scattering)
+}
+
+/// The coefficients of an image, less those of the mean image.
+#[inline(always)]
+pub fn coefficients<S: Scalar, const K: usize>(
+    mut coefficients: [S; K],
+    mean: &[S],
+) -> Coefficients<S, K> {
+    for (coefficient, &mean) in coefficients.iter_mut().zip(mean) {
+        *coefficient -= mean;
+    }
+    heapless::Vec::from_array(coefficients)
+}
+
+/// The sums of one pass of a transfer: the orders from `FIRST` on, `P` profiles of
+/// each, `L` degrees, whose rows start at `START`.
+///
+/// Apart from its caller: a compiler that sees single lanes read takes the groups
+/// apart.
+#[inline(never)]
+pub fn pass<
+    S: Scalar,
+    const START: usize,
+    const FIRST: isize,
+    const P: usize,
+    const L: usize,
+    const N: usize,
+>(
+    transfer: &[S],
+    light: &[S; N],
+) -> [[S; LANES]; P] {
+    let mut sums = [[S::ZERO; LANES]; P];
+    let (groups, _) = transfer.get(START..).unwrap_or_default().as_chunks::<LANES>();
+    let Some(rows) = groups.as_chunks::<P>().0.first_chunk::<L>() else { return sums };
+    for (l, row) in (lowest_degree(FIRST)..).zip(rows) {
+        let window = window(light, l, FIRST);
+        for (sum, row) in sums.iter_mut().zip(row) {
+            *sum = lanes::multiply_add(*sum, row, &window);
+        }
+    }
+    sums
+}
+
+/// L_l^m of the orders from `first` on. Orders beyond l read other coefficients,
+/// or zero: their rows are zero.
+#[inline(always)]
+fn window<S: Scalar, const N: usize>(light: &[S; N], l: usize, first: isize) -> [S; LANES] {
+    let start = position(l, first);
+    if let Some(window) = light.get(start..).and_then(|rest| rest.first_chunk()) {
+        return *window;
+    }
+    let at = |lane: usize| light.get(start.wrapping_add(lane)).copied().unwrap_or(S::ZERO);
+    [at(0), at(1), at(2), at(3)]
+}
+
+/// L_l^m and (-1)^m L_l^-m for the `L` degrees l from m = `M` on.
+#[inline(always)]
+pub fn lights<S: Scalar, const M: usize, const L: usize, const N: usize>(
+    light: &[S; N],
+) -> [[S; 2]; L] {
+    let mut lights = [[S::ZERO; 2]; L];
+    let order = M.cast_signed();
+    let at = |place: usize| light.get(place).copied().unwrap_or(S::ZERO);
+    for (l, lights) in (M..).zip(&mut lights) {
+        let minus = at(position(l, -order));
+        *lights = [at(position(l, order)), if M % 2 == 1 { -minus } else { minus }];
+    }
+    lights
+}
+
+/// The components of two profiles of azimuth `M`, each for both signs, not yet
+/// summed across the lanes: rows of `V` groups, `L` degrees, factors from `A` and
+/// from `B` on.
+///
+/// Apart from its caller, as [`pass`] is.
+#[inline(never)]
+pub fn rows<
+    S: Scalar,
+    const A: usize,
+    const B: usize,
+    const M: usize,
+    const V: usize,
+    const L: usize,
+>(
+    factors: &[S],
+    scattering: &[[[S; LANES]; V]],
+    lights: &[[S; 2]; L],
+) -> [[S; LANES]; 4] {
+    let of = |start: usize| {
+        let (groups, _) = factors.get(start..).unwrap_or_default().as_chunks::<LANES>();
+        groups.as_chunks::<V>().0
+    };
+    let scattering = scattering.get(M..).unwrap_or_default();
+    let zero = [S::ZERO; LANES];
+    let (mut a_plus, mut a_minus, mut b_plus, mut b_minus) = (zero, zero, zero, zero);
+    let rows = of(A).iter().zip(of(B)).zip(scattering).zip(lights);
+    for (((a, b), scattering), &[plus, minus]) in rows {
+        let a = lanes::product(a, scattering);
+        let b = lanes::product(b, scattering);
+        a_plus = lanes::multiply_add(a_plus, &a, &[plus; LANES]);
+        a_minus = lanes::multiply_add(a_minus, &a, &[minus; LANES]);
+        b_plus = lanes::multiply_add(b_plus, &b, &[plus; LANES]);
+        b_minus = lanes::multiply_add(b_minus, &b, &[minus; LANES]);
+    }
+    [a_plus, a_minus, b_plus, b_minus]
+}
+
+/// Sum across the lanes.
+#[inline(always)]
+pub fn sum<S: Scalar>(lanes: [S; LANES]) -> S {
+    lanes::sum(lanes)
+}
