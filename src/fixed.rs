@@ -110,7 +110,7 @@ pub fn lights<S: Scalar, const M: usize, const L: usize, const N: usize>(
 
 /// The components of two profiles of azimuth `M`, each for both signs, not yet
 /// summed across the lanes: rows of `V` groups, `L` degrees, factors from `A` and
-/// from `B` on.
+/// from `B` on, of `F` in all; `D` rows of scattered material.
 ///
 /// Apart from its caller, as [`pass`] is.
 #[inline(never)]
@@ -121,19 +121,24 @@ pub fn rows<
     const M: usize,
     const V: usize,
     const L: usize,
+    const D: usize,
+    const F: usize,
 >(
-    factors: &[S],
-    scattering: &[[[S; LANES]; V]],
+    factors: &[S; F],
+    scattering: &[[[S; LANES]; V]; D],
     lights: &[[S; 2]; L],
 ) -> [[S; LANES]; 4] {
     let of = |start: usize| {
         let (groups, _) = factors.get(start..).unwrap_or_default().as_chunks::<LANES>();
-        groups.as_chunks::<V>().0
+        groups.as_chunks::<V>().0.first_chunk::<L>()
     };
-    let scattering = scattering.get(M..).unwrap_or_default();
+    let scattering = scattering.get(M..).and_then(|rows| rows.first_chunk::<L>());
     let zero = [S::ZERO; LANES];
+    let (Some(a), Some(b), Some(scattering)) = (of(A), of(B), scattering) else {
+        return [zero; 4];
+    };
     let (mut a_plus, mut a_minus, mut b_plus, mut b_minus) = (zero, zero, zero, zero);
-    let rows = of(A).iter().zip(of(B)).zip(scattering).zip(lights);
+    let rows = a.iter().zip(b).zip(scattering).zip(lights);
     for (((a, b), scattering), &[plus, minus]) in rows {
         let a = lanes::product(a, scattering);
         let b = lanes::product(b, scattering);

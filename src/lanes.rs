@@ -13,7 +13,7 @@ pub(crate) fn multiply_add<S: Scalar>(
     b: &[S; LANES],
 ) -> [S; LANES] {
     let ([s0, s1, s2, s3], [a0, a1, a2, a3], [b0, b1, b2, b3]) = (sum, *a, *b);
-    [s0 + a0 * b0, s1 + a1 * b1, s2 + a2 * b2, s3 + a3 * b3]
+    [s0.add_product(a0, b0), s1.add_product(a1, b1), s2.add_product(a2, b2), s3.add_product(a3, b3)]
 }
 
 /// a + b, lane by lane.

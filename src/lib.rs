@@ -35,6 +35,11 @@
 #![no_std]
 #![deny(clippy::indexing_slicing, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+// `mul_add` is not in `core`. Where the target fuses and has an operating system,
+// it comes from `std`; no other build links that.
+#[cfg(all(target_feature = "fma", any(unix, windows)))]
+extern crate std;
+
 // The generated statics name the crate as their users would.
 #[cfg(feature = "baked")]
 extern crate self as eigenshade;

@@ -5,7 +5,7 @@ use crate::scalar::Scalar;
 /// A polynomial's value, by Horner's rule.
 #[inline]
 pub(crate) fn value<S: Scalar>(terms: &[S], t: S) -> S {
-    terms.iter().fold(S::ZERO, |sum, &term| sum * t + term)
+    terms.iter().fold(S::ZERO, |sum, &term| term.add_product(sum, t))
 }
 
 /// A polynomial's values at a block of arguments.
@@ -17,7 +17,7 @@ pub(crate) fn values<S: Scalar, const N: usize>(terms: &[S], t: &[S; N]) -> [S; 
     let mut sums = [first; N];
     for &term in rest {
         for (sum, &t) in sums.iter_mut().zip(t) {
-            *sum = *sum * t + term;
+            *sum = term.add_product(*sum, t);
         }
     }
     sums

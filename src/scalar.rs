@@ -24,6 +24,9 @@ pub trait Scalar:
     const ZERO: Self;
     /// 1.
     const ONE: Self;
+    /// self + a b, with one rounding where the target fuses (x86 with `fma`), two
+    /// elsewhere.
+    fn add_product(self, a: Self, b: Self) -> Self;
     /// Whether the number is neither infinite nor NaN.
     fn is_finite(self) -> bool;
     /// 1/√x for a positive x; set-up only, never called for a pixel.
@@ -41,6 +44,16 @@ mod sealed {
 impl Scalar for f32 {
     const ZERO: Self = 0.0;
     const ONE: Self = 1.0;
+    #[cfg(all(target_feature = "fma", any(unix, windows)))]
+    #[inline(always)]
+    fn add_product(self, a: Self, b: Self) -> Self {
+        a.mul_add(b, self)
+    }
+    #[cfg(not(all(target_feature = "fma", any(unix, windows))))]
+    #[inline(always)]
+    fn add_product(self, a: Self, b: Self) -> Self {
+        self + a * b
+    }
     #[inline]
     fn is_finite(self) -> bool {
         self.is_finite()
@@ -59,6 +72,16 @@ impl Scalar for f32 {
 impl Scalar for f64 {
     const ZERO: Self = 0.0;
     const ONE: Self = 1.0;
+    #[cfg(all(target_feature = "fma", any(unix, windows)))]
+    #[inline(always)]
+    fn add_product(self, a: Self, b: Self) -> Self {
+        a.mul_add(b, self)
+    }
+    #[cfg(not(all(target_feature = "fma", any(unix, windows))))]
+    #[inline(always)]
+    fn add_product(self, a: Self, b: Self) -> Self {
+        self + a * b
+    }
     #[inline]
     fn is_finite(self) -> bool {
         self.is_finite()

@@ -135,7 +135,7 @@ pub(crate) fn argument<S: Scalar>(z: S) -> S {
 /// (cosine + i sine)(x + i y).
 #[inline]
 pub(crate) fn turned<S: Scalar>(cosine: S, sine: S, x: S, y: S) -> (S, S) {
-    (cosine * x - sine * y, cosine * y + sine * x)
+    ((cosine * x).add_product(-sine, y), (cosine * y).add_product(sine, x))
 }
 
 impl<B> Scene<'_, B> {
@@ -170,7 +170,8 @@ impl<B> Scene<'_, B> {
         let (mut cosine, mut sine) = (S::ONE, S::ZERO);
         let mut sum = S::ZERO;
         for (plus, minus) in self.azimuths() {
-            sum += polynomial::value(plus, t) * cosine + polynomial::value(minus, t) * sine;
+            sum = sum.add_product(polynomial::value(plus, t), cosine);
+            sum = sum.add_product(polynomial::value(minus, t), sine);
             (cosine, sine) = turned(cosine, sine, normal.x, normal.y);
         }
         sum

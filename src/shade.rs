@@ -63,7 +63,7 @@ impl<B> Scene<'_, B> {
             let around = cosines.iter_mut().zip(&mut sines).zip(x.iter().zip(y));
             let values = plus.iter().zip(&minus).zip(&mut sums);
             for (((cosine, sine), (&x, &y)), ((&plus, &minus), sum)) in around.zip(values) {
-                *sum += plus * *cosine + minus * *sine;
+                *sum = sum.add_product(plus, *cosine).add_product(minus, *sine);
                 (*cosine, *sine) = turned(*cosine, *sine, x, y);
             }
         }

@@ -47,7 +47,7 @@ pub fn relight(
 fn project(parts: &Parts) -> String {
     let (rows, groups) = (parts.degree + 1, layout::row(parts.order) / layout::LANES);
     let sums = layout::row(parts.order) * layout::LANES * layout::groups(parts.degree);
-    let count = light::count(parts.degree);
+    let (count, factors) = (light::count(parts.degree), parts.factors.len());
     let mut text = format!(
         "    if let Some(light) = eigenshade::fixed::light::<f32, {count}>(light) {{
         let scattered =
@@ -71,7 +71,7 @@ fn project(parts: &Parts) -> String {
             put(
                 &mut text,
                 format_args!(
-                    "        let r{call} = eigenshade::fixed::rows::<f32, {start}, {second}, {azimuth}, {groups}, {degrees}>(&FACTORS, &scattered, &of_azimuth);"
+                    "        let r{call} = eigenshade::fixed::rows::<f32, {start}, {second}, {azimuth}, {groups}, {degrees}, {rows}, {factors}>(&FACTORS, &scattered, &of_azimuth);"
                 ),
             );
             for (k, place) in pair.iter().enumerate() {
