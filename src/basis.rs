@@ -22,13 +22,13 @@ pub struct Parts<'a, S> {
     pub slots: &'a [u16],
     /// Number of polynomial terms for each |m|.
     pub lengths: &'a [u16],
-    /// Which coefficient of the material meets which pairs, by coefficient.
+    /// Which pairs each coefficient of the material couples.
     pub couplings: &'a [Coupling],
     /// √(o+1) N_l^q C_lo^q of (11): for each pair a row over l, `layout::groups`
     /// groups.
     pub polar: &'a [S],
     /// Factors of UᵀM: for each profile, each l from |m| on, a row of `layout::row`
-    /// numbers.
+    /// numbers, two profiles of an azimuth group by group beside each other.
     pub factors: &'a [S],
     /// For each profile its polynomial in t = 2z - 1, highest power first, times
     /// √2 where m is not 0.
@@ -89,21 +89,19 @@ impl Row {
     }
 }
 
-/// One term of the scattered material: the coefficient `mode` times the polar
-/// integrals of the pair `from`, into the pair `to`.
+/// The pairs that one coefficient b_op^q couples: polar integrals of (o, q) go into
+/// the sum of (p, q), and the other way round.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Coupling {
-    pub(crate) mode: u16,
-    pub(crate) from: u16,
-    pub(crate) to: u16,
+    pub(crate) o: u16,
+    pub(crate) p: u16,
 }
 
 impl Coupling {
-    /// Coefficient number `mode`, of (o, p, q), couples the pairs (o, q) and
-    /// (p, q), each into the other.
+    /// The places of (o, q) and of (p, q) among the pairs.
     #[must_use]
-    pub const fn new(mode: u16, from: u16, to: u16) -> Self {
-        Self { mode, from, to }
+    pub const fn new(o: u16, p: u16) -> Self {
+        Self { o, p }
     }
 }
 
@@ -149,13 +147,17 @@ impl<'a, S> Basis<'a, S> {
     /// [`Error::Length`] or [`Error::Profile`] if they contradict each other.
     pub const fn new(parts: Parts<'a, S>) -> Result<Self, Error> {
         let (mut factors, mut terms, mut scene) = (0, 0, 0);
-        let (mut rest, mut before) = (parts.profiles, 0);
+        let (mut rest, mut before, mut run) = (parts.profiles, 0, 0);
         while let [place, tail @ ..] = rest {
             let azimuth = place.azimuth();
             if azimuth < before || !parts.serves(place) {
                 return Err(Error::Profile);
             }
-            factors += layout::row(parts.order) * (parts.degree + 1 - azimuth);
+            // The first of every two profiles of an azimuth brings the place of both.
+            run = if azimuth == before { run + 1 } else { 1 };
+            if run % 2 == 1 {
+                factors += layout::factors(parts.degree, parts.order, azimuth, 1);
+            }
             terms += parts.length(azimuth);
             (rest, before) = (tail, azimuth);
         }

@@ -36,7 +36,7 @@ pub fn scattered<S: Scalar, const V: usize, const D: usize, const N: usize>(
     let mut scattering = [[[S::ZERO; LANES]; V]; D];
     let mut sums = [S::ZERO; N];
     let rows = scattering.as_flattened_mut().as_flattened_mut();
-    basis.scatter(material, 0, &mut sums, rows);
+    basis.scatter_on(material, 0, &mut sums, rows);
     Ok(scattering)
 }
 
@@ -108,16 +108,15 @@ pub fn lights<S: Scalar, const M: usize, const L: usize, const N: usize>(
     lights
 }
 
-/// The components of two profiles of azimuth `M`, each for both signs, not yet
-/// summed across the lanes: rows of `V` groups, `L` degrees, factors from `A` and
-/// from `B` on, of `F` in all; `D` rows of scattered material.
+/// The components of two profiles of azimuth `M`, of +m and of -m, not yet summed
+/// across the lanes: rows of `V` groups, `L` degrees, factors from `START` on, of
+/// `F` in all; `D` rows of scattered material.
 ///
 /// Apart from its caller, as [`pass`] is.
 #[inline(never)]
 pub fn rows<
     S: Scalar,
-    const A: usize,
-    const B: usize,
+    const START: usize,
     const M: usize,
     const V: usize,
     const L: usize,
@@ -127,31 +126,32 @@ pub fn rows<
     factors: &[S; F],
     scattering: &[[[S; LANES]; V]; D],
     lights: &[[S; 2]; L],
-) -> [[S; LANES]; 4] {
-    let of = |start: usize| {
-        let (groups, _) = factors.get(start..).unwrap_or_default().as_chunks::<LANES>();
-        groups.as_chunks::<V>().0.first_chunk::<L>()
-    };
+) -> [[S; 2 * LANES]; 2] {
+    let (groups, _) = factors.get(START..).unwrap_or_default().as_chunks();
+    let factors = groups.as_chunks::<V>().0.first_chunk::<L>();
     let scattering = scattering.get(M..).and_then(|rows| rows.first_chunk::<L>());
-    let zero = [S::ZERO; LANES];
-    let (Some(a), Some(b), Some(scattering)) = (of(A), of(B), scattering) else {
-        return [zero; 4];
-    };
-    let (mut a_plus, mut a_minus, mut b_plus, mut b_minus) = (zero, zero, zero, zero);
-    let rows = a.iter().zip(b).zip(scattering).zip(lights);
-    for (((a, b), scattering), &[plus, minus]) in rows {
-        let a = lanes::product(a, scattering);
-        let b = lanes::product(b, scattering);
-        a_plus = lanes::multiply_add(a_plus, &a, &[plus; LANES]);
-        a_minus = lanes::multiply_add(a_minus, &a, &[minus; LANES]);
-        b_plus = lanes::multiply_add(b_plus, &b, &[plus; LANES]);
-        b_minus = lanes::multiply_add(b_minus, &b, &[minus; LANES]);
+    let mut sums = [[S::ZERO; 2 * LANES]; 2];
+    let (Some(factors), Some(scattering)) = (factors, scattering) else { return sums };
+    let [plus, minus] = &mut sums;
+    for ((factors, scattering), &[of_plus, of_minus]) in factors.iter().zip(scattering).zip(lights)
+    {
+        let row = lanes::product(factors, scattering);
+        *plus = lanes::multiply_add_two(*plus, &row, &[of_plus; LANES]);
+        *minus = lanes::multiply_add_two(*minus, &row, &[of_minus; LANES]);
     }
-    [a_plus, a_minus, b_plus, b_minus]
+    sums
 }
 
-/// Sum across the lanes.
+/// The sum across the lanes of the first profile.
 #[inline(always)]
-pub fn sum<S: Scalar>(lanes: [S; LANES]) -> S {
-    lanes::sum(lanes)
+pub fn first<S: Scalar>(lanes: [S; 2 * LANES]) -> S {
+    let [first, _] = lanes::sums(lanes);
+    first
+}
+
+/// The sum across the lanes of the second profile.
+#[inline(always)]
+pub fn second<S: Scalar>(lanes: [S; 2 * LANES]) -> S {
+    let [_, second] = lanes::sums(lanes);
+    second
 }

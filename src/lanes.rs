@@ -16,49 +16,41 @@ pub(crate) fn multiply_add<S: Scalar>(
     [s0.add_product(a0, b0), s1.add_product(a1, b1), s2.add_product(a2, b2), s3.add_product(a3, b3)]
 }
 
-/// a + b, lane by lane.
+/// Groups of two profiles beside each other.
+pub(crate) type Two<S> = [S; 2 * LANES];
+
+/// sum + a b, lane by lane, both groups of `a` times the same b.
 #[inline(always)]
-pub(crate) fn add<S: Scalar>(a: [S; LANES], b: [S; LANES]) -> [S; LANES] {
-    let ([a0, a1, a2, a3], [b0, b1, b2, b3]) = (a, b);
-    [a0 + b0, a1 + b1, a2 + b2, a3 + b3]
+pub(crate) fn multiply_add_two<S: Scalar>(sum: Two<S>, a: &Two<S>, b: &[S; LANES]) -> Two<S> {
+    let [s0, s1, s2, s3, s4, s5, s6, s7] = sum;
+    let ([a0, a1, a2, a3, a4, a5, a6, a7], [b0, b1, b2, b3]) = (*a, *b);
+    [
+        s0.add_product(a0, b0),
+        s1.add_product(a1, b1),
+        s2.add_product(a2, b2),
+        s3.add_product(a3, b3),
+        s4.add_product(a4, b0),
+        s5.add_product(a5, b1),
+        s6.add_product(a6, b2),
+        s7.add_product(a7, b3),
+    ]
 }
 
-/// Σ a b over groups, lane by lane, of a length known when it is compiled.
+/// Σ a b over groups, lane by lane, for two profiles.
 #[inline(always)]
-pub(crate) fn product<S: Scalar, const V: usize>(
-    a: &[[S; LANES]; V],
-    b: &[[S; LANES]; V],
-) -> [S; LANES] {
-    let mut sum = [S::ZERO; LANES];
-    for (a, b) in a.iter().zip(b) {
-        sum = multiply_add(sum, a, b);
+pub(crate) fn product<'a, S: Scalar>(
+    a: impl IntoIterator<Item = &'a Two<S>>,
+    b: impl IntoIterator<Item = &'a [S; LANES]>,
+) -> Two<S> {
+    let mut sum = [S::ZERO; 2 * LANES];
+    for (a, b) in a.into_iter().zip(b) {
+        sum = multiply_add_two(sum, a, b);
     }
     sum
 }
 
-/// Σ a b over groups, lane by lane; in four sums at a time, so that no sum waits
-/// for the one before.
-///
-/// Apart from its caller: a compiler that sees the lanes summed takes them apart.
-#[inline(never)]
-pub(crate) fn long_product<S: Scalar>(a: &[[S; LANES]], b: &[[S; LANES]]) -> [S; LANES] {
-    let zero = [S::ZERO; LANES];
-    let (mut first, mut second, mut third, mut fourth) = (zero, zero, zero, zero);
-    let ((a, a_rest), (b, b_rest)) = (a.as_chunks::<4>(), b.as_chunks::<4>());
-    for ([a0, a1, a2, a3], [b0, b1, b2, b3]) in a.iter().zip(b) {
-        first = multiply_add(first, a0, b0);
-        second = multiply_add(second, a1, b1);
-        third = multiply_add(third, a2, b2);
-        fourth = multiply_add(fourth, a3, b3);
-    }
-    for (a, b) in a_rest.iter().zip(b_rest) {
-        first = multiply_add(first, a, b);
-    }
-    add(add(first, second), add(third, fourth))
-}
-
-/// Sum across the lanes.
+/// The sum across the lanes of each profile.
 #[inline(always)]
-pub(crate) fn sum<S: Scalar>([a0, a1, a2, a3]: [S; LANES]) -> S {
-    (a0 + a1) + (a2 + a3)
+pub(crate) fn sums<S: Scalar>([a0, a1, a2, a3, b0, b1, b2, b3]: Two<S>) -> [S; 2] {
+    [(a0 + a1) + (a2 + a3), (b0 + b1) + (b2 + b3)]
 }

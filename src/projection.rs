@@ -81,13 +81,13 @@ impl<'a, S: Scalar> Basis<'a, S> {
         material: &Material<'_, S>,
         workspace: &mut [S],
         coefficients: &mut [S],
-        row: impl Fn(Row<'_, S>) -> [[S; LANES]; 2],
+        row: impl Fn(Row<'_, S>) -> [lanes::Two<S>; 2],
     ) {
         let width = layout::row(self.order()) / LANES;
         let Workspace { scattering, sums, lights } = self.divide(workspace);
         let mut gathered = None;
-        for (place, factors) in self.rows() {
-            let azimuth = place.azimuth();
+        for (places, factors) in self.rows() {
+            let azimuth = places.first().map_or(0, |place| place.azimuth());
             if gathered != Some(azimuth) {
                 if gathered.is_none() || !self.parts.selection.is_empty() {
                     self.scatter(material, azimuth, sums, scattering);
@@ -97,10 +97,13 @@ impl<'a, S: Scalar> Basis<'a, S> {
             }
             let scattering = self.scattered_from(azimuth, scattering);
             let [plus, minus] = row(Row { factors, scattering, lights, width });
-            for (index, lanes) in [(place.minus, minus), (place.plus, plus)] {
-                let place = index.and_then(|index| coefficients.get_mut(usize::from(index)));
-                if let Some(coefficient) = place {
-                    *coefficient = lanes::sum(lanes);
+            let sums = lanes::sums(plus).into_iter().zip(lanes::sums(minus));
+            for (place, (plus, minus)) in places.iter().zip(sums) {
+                for (index, value) in [(place.minus, minus), (place.plus, plus)] {
+                    let place = index.and_then(|index| coefficients.get_mut(usize::from(index)));
+                    if let Some(coefficient) = place {
+                        *coefficient = value;
+                    }
                 }
             }
         }
@@ -122,16 +125,18 @@ impl<'a, S: Scalar> Basis<'a, S> {
         scattering.get(azimuth * layout::row(self.order())..).unwrap_or_default()
     }
 
-    /// Each profile with its factors.
+    /// The profiles of each azimuth, two by two, with their factors.
     #[inline]
-    pub(crate) fn rows(&self) -> impl Iterator<Item = (&'a ProfilePlace, &'a [S])> + use<'a, S> {
-        let (mut factors, degree) = (self.parts.factors, self.degree());
-        let width = layout::row(self.order());
-        self.parts.profiles.iter().map(move |place| {
-            let length = (degree + 1).saturating_sub(place.azimuth()) * width;
-            let (row, rest) = factors.split_at_checked(length).unwrap_or((factors, &[]));
+    pub(crate) fn rows(&self) -> impl Iterator<Item = (&'a [ProfilePlace], &'a [S])> + use<'a, S> {
+        let (degree, order) = (self.degree(), self.order());
+        let mut factors = self.parts.factors;
+        let blocks = self.parts.profiles.chunk_by(|a, b| a.azimuth == b.azimuth);
+        blocks.flat_map(|block| block.chunks(2)).map(move |places| {
+            let azimuth = places.first().map_or(0, |place| place.azimuth());
+            let length = layout::factors(degree, order, azimuth, places.len());
+            let (rows, rest) = factors.split_at_checked(length).unwrap_or((factors, &[]));
             factors = rest;
-            (place, row)
+            (places, rows)
         })
     }
 
@@ -178,7 +183,7 @@ pub(crate) struct Workspace<'w, S> {
     lights: &'w mut [[S; 2]],
 }
 
-/// What the components of one profile are made of.
+/// What the components of two profiles are made of.
 struct Row<'a, S> {
     factors: &'a [S],
     scattering: &'a [S],
@@ -187,14 +192,14 @@ struct Row<'a, S> {
     width: usize,
 }
 
-/// Both components of one profile, from rows of `V` groups, not yet summed across
-/// the lanes.
+/// The components of two profiles, of +m and of -m, from rows of `V` groups, not
+/// yet summed across the lanes.
 ///
 /// Apart from its caller: a compiler that sees the sum across takes the lanes
 /// apart all the way up.
 #[inline(never)]
-fn row<S: Scalar, const V: usize>(row: Row<'_, S>) -> [[S; LANES]; 2] {
-    let (factors, _) = row.factors.as_chunks::<LANES>().0.as_chunks::<V>();
+fn row<S: Scalar, const V: usize>(row: Row<'_, S>) -> [lanes::Two<S>; 2] {
+    let (factors, _) = row.factors.as_chunks().0.as_chunks::<V>();
     let (scattering, _) = row.scattering.as_chunks::<LANES>().0.as_chunks::<V>();
     let rows = factors.iter().zip(scattering);
     lit(rows.map(|(factors, scattering)| lanes::product(factors, scattering)), row.lights)
@@ -202,22 +207,26 @@ fn row<S: Scalar, const V: usize>(row: Row<'_, S>) -> [[S; LANES]; 2] {
 
 /// [`row`] for rows of any length.
 #[inline(never)]
-fn long_row<S: Scalar>(row: Row<'_, S>) -> [[S; LANES]; 2] {
-    let factors = row.factors.as_chunks::<LANES>().0.chunks_exact(row.width);
+fn long_row<S: Scalar>(row: Row<'_, S>) -> [lanes::Two<S>; 2] {
+    let factors = row.factors.as_chunks().0.chunks_exact(row.width);
     let scattering = row.scattering.as_chunks::<LANES>().0.chunks_exact(row.width);
     let rows = factors.zip(scattering);
-    lit(rows.map(|(factors, scattering)| lanes::long_product(factors, scattering)), row.lights)
+    lit(rows.map(|(factors, scattering)| lanes::product(factors, scattering)), row.lights)
 }
 
 /// Sums of rows times the light.
 #[inline(always)]
-fn lit<S: Scalar>(rows: impl Iterator<Item = [S; LANES]>, lights: &[[S; 2]]) -> [[S; LANES]; 2] {
-    let (mut plus, mut minus) = ([S::ZERO; LANES], [S::ZERO; LANES]);
+fn lit<S: Scalar>(
+    rows: impl Iterator<Item = lanes::Two<S>>,
+    lights: &[[S; 2]],
+) -> [lanes::Two<S>; 2] {
+    let mut sums = [[S::ZERO; 2 * LANES]; 2];
+    let [plus, minus] = &mut sums;
     for (row, &[of_plus, of_minus]) in rows.zip(lights) {
-        plus = lanes::multiply_add(plus, &row, &[of_plus; LANES]);
-        minus = lanes::multiply_add(minus, &row, &[of_minus; LANES]);
+        *plus = lanes::multiply_add_two(*plus, &row, &[of_plus; LANES]);
+        *minus = lanes::multiply_add_two(*minus, &row, &[of_minus; LANES]);
     }
-    [plus, minus]
+    sums
 }
 
 /// A buffer of `needed` zeros.

@@ -5,7 +5,7 @@
 //! with the eigenimages, stands in the basis's factors, so that
 //! T_i,l = Σ_pq factor_i,l,pq S_l,pq is the row of UᵀM with the material folded in.
 
-use crate::basis::{Basis, Coupling};
+use crate::basis::Basis;
 use crate::error::{Error, What};
 use crate::index::layout::LANES;
 use crate::index::{layout, material};
@@ -35,14 +35,25 @@ impl<S: Scalar> Basis<'_, S> {
         scattering: &mut [S],
     ) {
         sums.fill(S::ZERO);
+        self.scatter_on(material, azimuth, sums, scattering);
+    }
+
+    /// [`scatter`](Self::scatter) with `sums` zero.
+    pub(crate) fn scatter_on(
+        &self,
+        material: &Material<'_, S>,
+        azimuth: usize,
+        sums: &mut [S],
+        scattering: &mut [S],
+    ) {
         // Rows of the usual degrees have kernels that know their length.
         match layout::groups(self.degree()) {
-            _ if !self.parts.selection.is_empty() => self.scatter_selected(material, azimuth, sums),
+            _ if !self.parts.selection.is_empty() => self.scatter_long(material, azimuth, sums),
             1 => self.scatter_rows::<1>(material, sums),
             2 => self.scatter_rows::<2>(material, sums),
             3 => self.scatter_rows::<3>(material, sums),
             4 => self.scatter_rows::<4>(material, sums),
-            _ => self.scatter_long(material, sums),
+            _ => self.scatter_long(material, azimuth, sums),
         }
         self.transpose(sums, scattering);
     }
@@ -51,9 +62,8 @@ impl<S: Scalar> Basis<'_, S> {
     fn scatter_rows<const G: usize>(&self, material: &Material<'_, S>, sums: &mut [S]) {
         let (polar, _) = self.parts.polar.as_chunks::<LANES>().0.as_chunks::<G>();
         let (sums, _) = sums.as_chunks_mut::<LANES>().0.as_chunks_mut::<G>();
-        self.couple(material, |b, Coupling { from, to, .. }| {
-            let (polar, sums) = (polar.get(usize::from(from)), sums.get_mut(usize::from(to)));
-            if let (Some(polar), Some(sums)) = (polar, sums) {
+        self.couple(material, |b, from, to, _| {
+            if let (Some(polar), Some(sums)) = (polar.get(from), sums.get_mut(to)) {
                 for (sum, polar) in sums.iter_mut().zip(polar) {
                     *sum = lanes::multiply_add(*sum, &[b; LANES], polar);
                 }
@@ -61,44 +71,39 @@ impl<S: Scalar> Basis<'_, S> {
         });
     }
 
-    /// S along l, in rows of any length.
-    fn scatter_long(&self, material: &Material<'_, S>, sums: &mut [S]) {
-        let groups = layout::groups(self.degree());
-        let (polar, _) = self.parts.polar.as_chunks::<LANES>();
-        let (sums, _) = sums.as_chunks_mut::<LANES>();
-        self.couple(material, |b, Coupling { from, to, .. }| {
-            let polar = polar.get(usize::from(from) * groups..).unwrap_or_default();
-            let sums = sums.get_mut(usize::from(to) * groups..).unwrap_or_default();
-            for (sum, polar) in sums.iter_mut().zip(polar).take(groups) {
-                *sum = lanes::multiply_add(*sum, &[b; LANES], polar);
-            }
-        });
-    }
-
-    /// S along l, of the modes of one azimuth that a selection kept.
-    fn scatter_selected(&self, material: &Material<'_, S>, azimuth: usize, sums: &mut [S]) {
+    /// S along l, in rows of any length; of a basis with a selection of modes that of
+    /// one azimuth.
+    fn scatter_long(&self, material: &Material<'_, S>, azimuth: usize, sums: &mut [S]) {
+        let degrees = self.degree() + 1;
         let length = LANES * layout::groups(self.degree());
-        self.couple(material, |b, Coupling { from, to, mode }| {
-            let polar = self.parts.polar.get(usize::from(from) * length..).unwrap_or_default();
-            let sums = sums.get_mut(usize::from(to) * length..).unwrap_or_default();
-            let row = azimuth * material::count(self.order()) + usize::from(mode);
-            let kept = self.parts.selection.get(row * (self.degree() + 1)..).unwrap_or_default();
-            let kept = kept.iter().take(self.degree() + 1);
-            for ((sum, &polar), &kept) in sums.iter_mut().zip(polar).zip(kept) {
-                *sum += if kept { b * polar } else { S::ZERO };
+        let selection = self.parts.selection;
+        let of_azimuth = selection.get(azimuth * material::count(self.order()) * degrees..);
+        self.couple(material, |b, from, to, mode| {
+            let polar = self.parts.polar.get(from * length..).unwrap_or_default();
+            let sums = sums.get_mut(to * length..).unwrap_or_default();
+            let kept = of_azimuth.and_then(|selection| selection.get(mode * degrees..));
+            // Without a selection every mode is kept.
+            let kept = kept.unwrap_or_default().iter().chain(core::iter::repeat(&true));
+            for ((sum, &polar), &kept) in sums.iter_mut().zip(polar).zip(kept).take(degrees) {
+                *sum = if kept { sum.add_product(b, polar) } else { *sum };
             }
         });
     }
 
-    /// Calls `add` with b, or b/√2 beside the diagonal, for every term of S.
+    /// Calls `add(b, from, to, mode)` for every term b Ĉ\[from\] of S\[to\]; b is
+    /// divided by √2 beside the diagonal.
     #[inline(always)]
-    fn couple(&self, material: &Material<'_, S>, mut add: impl FnMut(S, Coupling)) {
+    fn couple(&self, material: &Material<'_, S>, mut add: impl FnMut(S, usize, usize, usize)) {
         let half = S::from_f64(core::f64::consts::FRAC_1_SQRT_2);
-        for &coupling in self.parts.couplings {
-            // Couplings stand by o: a lower order ends them.
-            let found = material.coefficients().get(usize::from(coupling.mode));
-            let Some(&b) = found else { return };
-            add(if coupling.from == coupling.to { b } else { half * b }, coupling);
+        let couplings = material.coefficients().iter().zip(self.parts.couplings);
+        for (mode, (&b, coupling)) in couplings.enumerate() {
+            let (o, p) = (usize::from(coupling.o), usize::from(coupling.p));
+            if o == p {
+                add(b, o, p, mode);
+            } else {
+                add(half * b, o, p, mode);
+                add(half * b, p, o, mode);
+            }
         }
     }
 

@@ -70,8 +70,8 @@ impl<S: Scalar> Basis<'_, S> {
         let width = layout::row(self.order()) / LANES;
         let Workspace { scattering, sums, .. } = self.divide(workspace);
         let mut scattered = None;
-        for (place, factors) in self.rows() {
-            let azimuth = place.azimuth();
+        for (places, factors) in self.rows() {
+            let azimuth = places.first().map_or(0, |place| place.azimuth());
             // One scattering serves every azimuth, unless a selection of modes
             // makes them differ.
             if scattered.is_none()
@@ -80,32 +80,36 @@ impl<S: Scalar> Basis<'_, S> {
                 self.scatter(material, azimuth, sums, scattering);
                 scattered = Some(azimuth);
             }
-            let (factors, _) = factors.as_chunks::<LANES>();
+            let factors = factors.as_chunks().0.chunks_exact(width);
             let (rows, _) = self.scattered_from(azimuth, scattering).as_chunks::<LANES>();
-            let rows = factors.chunks_exact(width).zip(rows.chunks_exact(width));
-            let sums = rows.map(|(factors, row)| lanes::sum(lanes::long_product(factors, row)));
-            place.write(sums, transfer);
+            let rows = factors.zip(rows.chunks_exact(width));
+            for (row, (factors, scattering)) in rows.enumerate() {
+                let sums = lanes::sums(product(factors, scattering));
+                for (place, sum) in places.iter().zip(sums) {
+                    place.write(row, sum, transfer);
+                }
+            }
         }
         Ok(())
     }
 }
 
+/// Apart from its caller: a compiler that sees the lanes summed takes them apart.
+#[inline(never)]
+fn product<S: Scalar>(factors: &[lanes::Two<S>], scattering: &[[S; LANES]]) -> lanes::Two<S> {
+    lanes::product(factors, scattering)
+}
+
 impl ProfilePlace {
-    /// Writes T_l, l = |m|, |m| + 1, ..., into the rows of +m and -m.
+    /// Writes T_l of l = |m| + `row` into the rows of +m and -m.
     #[inline]
-    fn write<S: Scalar>(&self, sums: impl Iterator<Item = S>, transfer: &mut [S]) {
-        let sign = if self.azimuth % 2 == 1 { -S::ONE } else { S::ONE };
-        let (plus, minus) = (self.plus_row, self.minus_row);
-        let (mut to_plus, mut to_minus) = (plus.start as usize, minus.start as usize);
-        for sum in sums {
-            // For m = 0 both are the same place, and the sign is +.
-            for (to, value) in [(to_minus, sign * sum), (to_plus, sum)] {
-                if let Some(to) = transfer.get_mut(to) {
-                    *to = value;
-                }
+    fn write<S: Scalar>(&self, row: usize, sum: S, transfer: &mut [S]) {
+        let of_minus = if self.azimuth % 2 == 1 { -sum } else { sum };
+        // For m = 0 both are the same place, and the sign is +.
+        for (of, value) in [(self.minus_row, of_minus), (self.plus_row, sum)] {
+            if let Some(to) = transfer.get_mut(of.start as usize + row * of.step as usize) {
+                *to = value;
             }
-            to_plus += plus.step as usize;
-            to_minus += minus.step as usize;
         }
     }
 }

@@ -72,8 +72,8 @@ impl<S: Scalar> OwnedBasis<S> {
     }
 }
 
-fn coupling(&[mode, from, to]: &[u16; 3]) -> Coupling {
-    Coupling::new(mode, from, to)
+fn coupling(&[o, p]: &[u16; 2]) -> Coupling {
+    Coupling::new(o, p)
 }
 
 fn place(place: &parts::ProfilePlace) -> ProfilePlace {

@@ -3,7 +3,8 @@
 //!
 //! Polar integrals run along l: for each pair a row of [`groups`] groups, zero
 //! beyond the degree. Factors of UᵀM run along the pairs: for each l from |m|
-//! on a row of [`row`] numbers, zero-padded.
+//! on a row of [`row`] numbers, zero-padded. The profiles of an azimuth go two by
+//! two, group by group beside each other, the last of an odd number with zeros.
 //!
 //! Transfers run along m: a pass takes the orders m = first..first + [`LANES`],
 //! `first` a multiple of [`LANES`], and at most [`PASS`] profiles of each; for
@@ -27,6 +28,13 @@ pub const fn groups(degree: usize) -> usize {
 #[must_use]
 pub const fn row(order: usize) -> usize {
     crate::pair::count(order).next_multiple_of(LANES)
+}
+
+/// Number of factors of `profiles` profiles of `azimuth`. Domain: azimuth <= degree.
+#[inline]
+#[must_use]
+pub const fn factors(degree: usize, order: usize, azimuth: usize, profiles: usize) -> usize {
+    profiles.next_multiple_of(2) * (degree + 1 - azimuth) * row(order)
 }
 
 /// The least l of a pass whose orders start at `first`: the least |m| of them.

@@ -23,12 +23,12 @@ pub struct Parts {
     pub profiles: Vec<ProfilePlace>,
     /// Number of polynomial terms for each |m|.
     pub lengths: Vec<u16>,
-    /// (mode, from, to): coefficient number `mode`, of (o, p, q), times the polar
-    /// integrals of the pair `from` goes into the pair `to`; by mode.
-    pub couplings: Vec<[u16; 3]>,
+    /// For each coefficient (o, p, q) the places of the pairs (o, q) and (p, q).
+    pub couplings: Vec<[u16; 2]>,
     /// √(o+1) N_l^q C_lo^q: for each pair a row over l in whole groups.
     pub polar: Vec<f64>,
-    /// For each profile, each l from |m| on, a row of `layout::row(order)` numbers.
+    /// For each profile, each l from |m| on, a row of `layout::row(order)` numbers,
+    /// two profiles of an azimuth group by group beside each other.
     pub factors: Vec<f64>,
     /// For each profile its polynomial in t = 2z - 1, highest power first, times
     /// √2 where m is not 0.
@@ -85,15 +85,10 @@ impl Parts {
             roots[pair] * gram.polar_integrals[pair * (degree + 1) + l]
         });
         let lengths = lengths(table);
-        let mut factors = Vec::new();
+        let factors = factors(table, degree, order);
         let mut terms = Vec::new();
         for profile in &table.profiles {
             let azimuth = profile.azimuth;
-            for row in profile.factors.chunks_exact(pairs) {
-                let end = factors.len() + layout::row(order);
-                factors.extend_from_slice(row);
-                factors.resize(end, 0.0);
-            }
             let scale = if azimuth == 0 { 1.0 } else { std::f64::consts::SQRT_2 };
             let length = usize::from(lengths[azimuth]);
             terms.extend(powers(&profile.chebyshev, length).iter().map(|term| scale * term));
@@ -125,19 +120,12 @@ impl Parts {
     }
 }
 
-/// (o, p, q) couples the pairs (o, q) and (p, q), each into the other.
-fn couplings(order: usize) -> Vec<[u16; 3]> {
+/// The places of the pairs (o, q) and (p, q) for each (o, p, q).
+fn couplings(order: usize) -> Vec<[u16; 2]> {
     let short = |place: usize| u16::try_from(place).expect("orders are small");
-    let mut couplings = Vec::new();
-    for (mode, (o, p, q)) in material::indices(order).enumerate() {
-        let of_o = pair::position(o, q);
-        let of_p = pair::position(p, q);
-        couplings.push([mode, of_o, of_p].map(short));
-        if o != p {
-            couplings.push([mode, of_p, of_o].map(short));
-        }
-    }
-    couplings
+    material::indices(order)
+        .map(|(o, p, q)| [pair::position(o, q), pair::position(p, q)].map(short))
+        .collect()
 }
 
 /// For each pair a row over l in whole groups; 0 beyond the degree.
@@ -148,6 +136,27 @@ fn grouped(degree: usize, pairs: usize, value: impl Fn(usize, usize) -> f64) -> 
         values.extend(degrees.map(|l| if l <= degree { value(l, pair) } else { 0.0 }));
     }
     values
+}
+
+/// The factors of all profiles, two profiles of an azimuth beside each other.
+fn factors(table: &Table, degree: usize, order: usize) -> Vec<f64> {
+    let (pairs, lanes) = (pair::count(order), layout::LANES);
+    let mut factors = Vec::new();
+    for block in table.profiles.chunk_by(|a, b| a.azimuth == b.azimuth) {
+        for two in block.chunks(2) {
+            for l in 0..=degree - two[0].azimuth {
+                for group in (0..layout::row(order)).step_by(lanes) {
+                    for profile in 0..2 {
+                        factors.extend((group..group + lanes).map(|pair| {
+                            let found = two.get(profile).filter(|_| pair < pairs);
+                            found.map_or(0.0, |profile| profile.factors[l * pairs + pair])
+                        }));
+                    }
+                }
+            }
+        }
+    }
+    factors
 }
 
 /// Terms that each azimuth needs: those of its longest profile.

@@ -43,7 +43,7 @@ pub fn relight(
     )
 }
 
-/// Two profiles of one azimuth at a time; an odd one goes with itself.
+/// One call for two profiles of one azimuth.
 fn project(parts: &Parts) -> String {
     let (rows, groups) = (parts.degree + 1, layout::row(parts.order) / layout::LANES);
     let sums = layout::row(parts.order) * layout::LANES * layout::groups(parts.degree);
@@ -59,30 +59,28 @@ fn project(parts: &Parts) -> String {
     for profiles in parts.profiles.chunk_by(|a, b| a.azimuth == b.azimuth) {
         let azimuth = usize::from(profiles[0].azimuth);
         let degrees = rows - azimuth;
-        let length = degrees * layout::row(parts.order);
         put(
             &mut text,
             format_args!(
                 "        let of_azimuth = eigenshade::fixed::lights::<f32, {azimuth}, {degrees}, {count}>(light);"
             ),
         );
-        for pair in profiles.chunks(2) {
-            let second = start + (pair.len() - 1) * length;
+        for two in profiles.chunks(2) {
             put(
                 &mut text,
                 format_args!(
-                    "        let r{call} = eigenshade::fixed::rows::<f32, {start}, {second}, {azimuth}, {groups}, {degrees}, {rows}, {factors}>(&FACTORS, &scattered, &of_azimuth);"
+                    "        let r{call} = eigenshade::fixed::rows::<f32, {start}, {azimuth}, {groups}, {degrees}, {rows}, {factors}>(&FACTORS, &scattered, &of_azimuth);"
                 ),
             );
-            for (k, place) in pair.iter().enumerate() {
-                for (index, sum) in [(place.minus, 2 * k + 1), (place.plus, 2 * k)] {
+            for (half, place) in ["first", "second"].iter().zip(two) {
+                for (index, sign) in [(place.minus, 1), (place.plus, 0)] {
                     if index != NONE {
                         components[usize::from(index)] =
-                            format!("eigenshade::fixed::sum(r{call}[{sum}])");
+                            format!("eigenshade::fixed::{half}(r{call}[{sign}])");
                     }
                 }
             }
-            start += pair.len() * length;
+            start += layout::factors(parts.degree, parts.order, azimuth, two.len());
             call += 1;
         }
     }

@@ -40,8 +40,7 @@ pub fn module(table: &Table, command: &str) -> String {
         passes.map(|pass| format!("eigenshade::Pass::new({}, {})", pass.first, pass.profiles));
     array(&mut text, "PASSES", "eigenshade::Pass", passes);
     let couplings = parts.couplings.iter();
-    let couplings = couplings
-        .map(|[mode, from, to]| format!("eigenshade::Coupling::new({mode}, {from}, {to})"));
+    let couplings = couplings.map(|[o, p]| format!("eigenshade::Coupling::new({o}, {p})"));
     array(&mut text, "COUPLINGS", "eigenshade::Coupling", couplings);
     array(&mut text, "PROFILES", "eigenshade::ProfilePlace", parts.profiles.iter().map(place));
     text.push_str(FACE);
@@ -60,12 +59,12 @@ fn floats(parts: &Parts) -> [(&'static str, &[f64]); 5] {
     ]
 }
 
-/// Bytes of all statics: f32 and u16 arrays, bools, 4 bytes a pass, 6 a
+/// Bytes of all statics: f32 and u16 arrays, bools, 4 bytes a pass or a
 /// coupling, 28 a profile.
 fn bytes(parts: &Parts) -> usize {
     let floats: usize = floats(parts).iter().map(|(_, values)| values.len()).sum();
     let shorts = parts.lengths.len() + parts.slots.len();
-    let records = 4 * parts.passes.len() + 6 * parts.couplings.len() + 28 * parts.profiles.len();
+    let records = 4 * parts.passes.len() + 4 * parts.couplings.len() + 28 * parts.profiles.len();
     4 * floats + 2 * shorts + parts.selection.len() + records
 }
 
