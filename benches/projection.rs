@@ -168,8 +168,11 @@ fn benches(criterion: &mut Criterion) {
     });
 }
 
+/// One way to do a thing, by name.
+type Way<'a> = (&'a str, Box<dyn FnMut() + 'a>);
+
 /// Median seconds of one call of each, runs interleaved.
-fn medians(repeats: usize, ways: &mut [(&str, Box<dyn FnMut() + '_>)]) -> Vec<f64> {
+fn medians(repeats: usize, ways: &mut [Way<'_>]) -> Vec<f64> {
     let mut times = vec![Vec::new(); ways.len()];
     for _ in 0..41 {
         for ((_, way), times) in ways.iter_mut().zip(&mut times) {

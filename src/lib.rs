@@ -88,3 +88,8 @@ pub use projection::Coefficients;
 pub use scalar::Scalar;
 pub use scene::{Scene, SceneBuffer};
 pub use transfer::Transfer;
+
+// The README's example is a test.
+#[cfg(all(doctest, feature = "baked"))]
+#[doc = include_str!("../README.md")]
+struct Readme;

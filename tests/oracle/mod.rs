@@ -24,7 +24,7 @@ fn legendre_coefficients(l: usize, m: usize) -> Vec<f64> {
     }
     let normalisation =
         ((2 * l + 1) as f64 * factorial(l - m) / (4.0 * PI * factorial(l + m))).sqrt();
-    let sign = if m % 2 == 0 { 1.0 } else { -1.0 };
+    let sign = if m.is_multiple_of(2) { 1.0 } else { -1.0 };
     coefficients.iter().map(|c| sign * normalisation * c).collect()
 }
 

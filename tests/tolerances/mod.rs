@@ -67,3 +67,5 @@ pub const DENSE_PROJECTION: f64 = 1e-12;
 /// The largest |I| on one grid of normals against that on another, relative: both are a few degrees
 /// apart.
 pub const PEAK_GRID: f64 = 0.01;
+/// One f32 result by two orders of summation, of the largest: some twenty roundings.
+pub const SAME_SUM_F32: f32 = 1e-6;

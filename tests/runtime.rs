@@ -1,0 +1,141 @@
+//! The runtime on its shipped table: costs, errors, and that every way agrees.
+
+#[path = "tolerances/mod.rs"]
+mod tolerances;
+
+use eigenshade::sphere;
+use eigenshade_table::rust_source;
+
+#[test]
+fn costs_are_the_tables() {
+    let readme = include_str!("../README.md");
+    let bytes = std::fs::read("tables/sphere.bin").expect("the shipped table");
+    let table = eigenshade_table::decode(&bytes).expect("a table");
+    let module = rust_source::module(&table, "a test");
+    let flash = module.lines().nth(1).and_then(|line| line.split(' ').nth(1));
+    let flash: usize = flash.and_then(|bytes| bytes.parse().ok()).expect("a number of bytes");
+    for row in [
+        format!("| flash: tables | {} |", thousands(flash)),
+        format!("| {} | {};", thousands(4 * sphere::WORKSPACE), sphere::WORKSPACE),
+        // On a 32-bit machine: the numbers, a length, and for a scene a slice.
+        format!("| {} | {} |", 4 * sphere::COMPONENTS + 4, sphere::COMPONENTS),
+        format!("| {} | {} |", thousands(4 * sphere::TRANSFER + 4), sphere::TRANSFER),
+        format!("| {} | {} |", 4 * sphere::SCENE + 12, sphere::SCENE),
+    ] {
+        assert!(readme.contains(&row), "README.md lacks `{row}`");
+    }
+}
+
+fn thousands(number: usize) -> String {
+    if number < 1000 {
+        return number.to_string();
+    }
+    format!("{},{:03}", number / 1000, number % 1000)
+}
+
+/// The generated kernels give what the general way gives, bit for bit or as near as
+/// another order of summation allows.
+#[test]
+fn generated_kernels_agree_with_the_general_way() {
+    let numbers = |count: usize, seed: f32| -> Vec<f32> {
+        (0..count).map(|k| (seed * (k as f32 + 1.0)).sin() / (1.0 + 0.1 * k as f32)).collect()
+    };
+    for case in 1..40 {
+        let light = numbers(100, 1.3 * case as f32);
+        let material = numbers(40, 0.7 * case as f32);
+        let light = eigenshade::Light::new(9, &light).expect("100 coefficients");
+        let material = eigenshade::Material::new(7, &material).expect("40 coefficients");
+        let general: sphere::Coefficients = sphere::BASIS
+            .project::<{ sphere::WORKSPACE }, { sphere::COMPONENTS }>(&light, &material)
+            .expect("capacities are the table's");
+        let transfer = sphere::transfer(&material).expect("an order of 7");
+        let relit: sphere::Coefficients =
+            sphere::BASIS.relight(&transfer, &light).expect("capacities are the table's");
+        let largest = general.iter().fold(0.0f32, |most, d| most.max(d.abs()));
+        let fixed = sphere::project(&light, &material).expect("it fits");
+        let fixed_relit = sphere::relight(&transfer, &light).expect("it fits");
+        for k in 0..sphere::COMPONENTS {
+            for other in [relit[k], fixed[k], fixed_relit[k]] {
+                assert!(
+                    (general[k] - other).abs() <= tolerances::SAME_SUM_F32 * largest,
+                    "component {k}"
+                );
+            }
+        }
+        // Lower degrees take the general way and count as zero above.
+        let lower = light.truncated(case % 9);
+        let mut padded = vec![0.0; 100];
+        padded[..lower.coefficients().len()].copy_from_slice(lower.coefficients());
+        let padded = eigenshade::Light::new(9, &padded).expect("100 coefficients");
+        let (lower, padded) =
+            (sphere::relight(&transfer, &lower), sphere::relight(&transfer, &padded));
+        let (lower, padded) = (lower.expect("it fits"), padded.expect("it fits"));
+        assert!(
+            lower
+                .iter()
+                .zip(&padded)
+                .all(|(a, b)| (a - b).abs() <= tolerances::SAME_SUM_F32 * largest)
+        );
+    }
+}
+
+#[test]
+fn arguments_beyond_the_table_are_errors() {
+    use eigenshade::{Error, Light, Material, Normal, Normals, What};
+    let (many, few) = (vec![0.0f32; 121], vec![0.0f32; 55]);
+    assert!(matches!(
+        Light::new(9, &many),
+        Err(Error::Length { what: What::Light, expected: 100, found: 121 })
+    ));
+    let light = Light::new(10, &many).expect("121 coefficients");
+    let material = Material::new(8, &few).expect("55 coefficients");
+    let fine = material.truncated(7);
+    let beyond = |error| matches!(error, Some(Error::Beyond { .. }));
+    assert!(beyond(sphere::project(&light, &fine).err()));
+    assert!(beyond(sphere::project(&light.truncated(9), &material).err()));
+    assert!(beyond(sphere::transfer(&material).err()));
+    assert!(sphere::project(&light.truncated(9), &fine).is_ok());
+    assert!(matches!(sphere::BASIS.collapse::<9>(&[]), Err(Error::Capacity { .. })));
+    assert!(matches!(
+        sphere::BASIS.collapse::<{ sphere::SCENE }>(&many),
+        Err(Error::Length { .. })
+    ));
+    assert!(Normals::new(&many, &few, &many).is_err());
+    assert_eq!(Normal::new(0.0f32, 0.0, 0.0), Err(Error::Normal));
+    assert_eq!(Normal::new(f32::NAN, 0.0, 1.0), Err(Error::Normal));
+    assert_eq!(Normal::new(0.0f32, 1.0, -0.5), Err(Error::Hidden));
+    let rim = Normal::new(2.0f32, 0.0, -0.001).expect("laid on the rim").components();
+    assert_eq!(rim, [1.0, 0.0, 0.0]);
+}
+
+/// A slice is shaded as its normals are, whatever its length.
+#[test]
+fn slices_are_shaded_as_their_normals() {
+    let light: Vec<f32> = (0..100).map(|k| 1.0 / (k as f32 + 1.0)).collect();
+    let material: Vec<f32> = (0..40).map(|k| 1.0 / (k as f32 + 1.0)).collect();
+    let light = eigenshade::Light::new(9, &light).expect("100 coefficients");
+    let material = eigenshade::Material::new(7, &material).expect("40 coefficients");
+    let d = sphere::project(&light, &material).expect("it fits");
+    let scene = sphere::collapse(&d).expect("it fits");
+    for count in [0, 1, 15, 16, 17, 63, 64, 65, 200] {
+        let normals: Vec<_> = (0..count)
+            .map(|k| {
+                let tilt = 0.7 * k as f32;
+                eigenshade::Normal::new(tilt.cos(), tilt.sin(), 0.01 * k as f32).expect("visible")
+            })
+            .collect();
+        let axis = |axis: usize| -> Vec<f32> {
+            normals.iter().map(|normal| normal.components()[axis]).collect()
+        };
+        let (x, y, z) = (axis(0), axis(1), axis(2));
+        let mut shaded = vec![0.0; count];
+        let slices = eigenshade::Normals::new(&x, &y, &z).expect("one length");
+        scene.shade_slice(slices, &mut shaded).expect("one length");
+        for (normal, shaded) in normals.iter().zip(&shaded) {
+            assert_eq!(scene.shade(*normal), *shaded);
+            let summed = sphere::BASIS.reconstruct(&d, *normal).expect("50 coefficients");
+            assert!((summed - shaded).abs() <= tolerances::SAME_SUM_F32 * d[0].abs());
+        }
+        assert!(scene.shade_slice(slices, &mut vec![0.0; count + 1]).is_err());
+    }
+}
