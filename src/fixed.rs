@@ -6,8 +6,7 @@
 //! place a constant. Where an argument does not have the expected shape they are
 //! not called; the general way takes it.
 
-use crate::basis::Basis;
-use crate::error::Error;
+use crate::index;
 use crate::index::layout::{LANES, lowest_degree};
 use crate::index::light::position;
 use crate::lanes;
@@ -22,22 +21,73 @@ pub fn light<'a, S: Scalar, const N: usize>(light: &Light<'a, S>) -> Option<&'a 
     light.coefficients().try_into().ok()
 }
 
-/// The scattered material in `D` rows of `V` groups, by way of `N` sums.
-///
-/// # Errors
-///
-/// [`Error::Beyond`] if the material goes beyond the basis.
+/// The coefficients of a material of exactly `N` coefficients.
 #[inline]
-pub fn scattered<S: Scalar, const V: usize, const D: usize, const N: usize>(
-    basis: &Basis<'_, S>,
-    material: &Material<'_, S>,
-) -> Result<[[[S; LANES]; V]; D], Error> {
-    basis.accept_material(material)?;
+pub fn material<'a, S: Scalar, const N: usize>(material: &Material<'a, S>) -> Option<&'a [S; N]> {
+    material.coefficients().try_into().ok()
+}
+
+/// The sums S_l,pq of one q, for its `P` pairs p = q, q + 2, ..., along l in rows of
+/// `G` groups: P x P products of a symmetric matrix B and rows of Ĉ.
+///
+/// Apart from its caller, so that the sums stay in registers.
+#[inline(never)]
+pub fn scatter<
+    S: Scalar,
+    const Q: usize,
+    const P: usize,
+    const G: usize,
+    const M: usize,
+    const R: usize,
+>(
+    material: &[S; M],
+    polar: &[[[S; LANES]; G]; R],
+    sums: &mut [[[S; LANES]; G]],
+) {
+    let half = S::from_f64(core::f64::consts::FRAC_1_SQRT_2);
+    for p in 0..P {
+        let mut sum = [[S::ZERO; LANES]; G];
+        for o in 0..P {
+            let mode = index::material::position(Q + 2 * p.max(o), Q + 2 * p.min(o), Q);
+            let row = polar.get(index::pair::position(Q + 2 * o, Q));
+            let (Some(&b), Some(row)) = (material.get(mode), row) else { continue };
+            let b = if o == p { b } else { half * b };
+            for (sum, row) in sum.iter_mut().zip(row) {
+                *sum = lanes::multiply_add(*sum, &[b; LANES], row);
+            }
+        }
+        if let Some(to) = sums.get_mut(index::pair::position(Q + 2 * p, Q)) {
+            *to = sum;
+        }
+    }
+}
+
+/// A table's numbers as `R` rows of `G` groups, if that is what they are.
+#[inline(always)]
+pub fn table_rows<S: Scalar, const G: usize, const R: usize>(
+    numbers: &[S],
+) -> Option<&[[[S; LANES]; G]; R]> {
+    let (groups, _) = numbers.as_chunks::<LANES>();
+    groups.as_chunks::<G>().0.first_chunk()
+}
+
+/// From rows over l, a pair each, to `D` rows over the pairs, an l each.
+#[inline(always)]
+pub fn transposed<S: Scalar, const V: usize, const D: usize, const G: usize, const R: usize>(
+    sums: &[[[S; LANES]; G]; R],
+) -> [[[S; LANES]; V]; D] {
     let mut scattering = [[[S::ZERO; LANES]; V]; D];
-    let mut sums = [S::ZERO; N];
-    let rows = scattering.as_flattened_mut().as_flattened_mut();
-    basis.scatter_on(material, 0, &mut sums, rows);
-    Ok(scattering)
+    let (columns, _) = sums.as_chunks::<LANES>();
+    for (column, [first, second, third, fourth]) in columns.iter().enumerate() {
+        let lanes = first.as_flattened().iter().zip(second.as_flattened());
+        let lanes = lanes.zip(third.as_flattened().iter().zip(fourth.as_flattened()));
+        for (row, ((&a, &b), (&c, &d))) in scattering.iter_mut().zip(lanes) {
+            if let Some(to) = row.get_mut(column) {
+                *to = [a, b, c, d];
+            }
+        }
+    }
+    scattering
 }
 
 /// The coefficients of an image, less those of the mean image.

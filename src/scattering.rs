@@ -35,17 +35,6 @@ impl<S: Scalar> Basis<'_, S> {
         scattering: &mut [S],
     ) {
         sums.fill(S::ZERO);
-        self.scatter_on(material, azimuth, sums, scattering);
-    }
-
-    /// [`scatter`](Self::scatter) with `sums` zero.
-    pub(crate) fn scatter_on(
-        &self,
-        material: &Material<'_, S>,
-        azimuth: usize,
-        sums: &mut [S],
-        scattering: &mut [S],
-    ) {
         // Rows of the usual degrees have kernels that know their length.
         match layout::groups(self.degree()) {
             _ if !self.parts.selection.is_empty() => self.scatter_long(material, azimuth, sums),

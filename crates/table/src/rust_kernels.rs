@@ -2,7 +2,7 @@
 //! `eigenshade::fixed`, every size and place a constant.
 
 use crate::parts::{NONE, Parts};
-use eigenshade_index::{layout, light};
+use eigenshade_index::{layout, light, material, pair};
 use std::fmt::Write;
 
 const LIGHT: &str = "light: &eigenshade::Light<'_, f32>";
@@ -46,13 +46,33 @@ pub fn relight(
 /// One call for two profiles of one azimuth.
 fn project(parts: &Parts) -> String {
     let (rows, groups) = (parts.degree + 1, layout::row(parts.order) / layout::LANES);
-    let sums = layout::row(parts.order) * layout::LANES * layout::groups(parts.degree);
+    let (along, padded) = (layout::groups(parts.degree), layout::row(parts.order));
+    let (pairs, modes) = (pair::count(parts.order), material::count(parts.order));
     let (count, factors) = (light::count(parts.degree), parts.factors.len());
     let mut text = format!(
-        "    if let Some(light) = eigenshade::fixed::light::<f32, {count}>(light) {{
-        let scattered =
-            eigenshade::fixed::scattered::<f32, {groups}, {rows}, {sums}>(&BASIS, material)?;
-"
+        "    if let (Some(light), Some(material), Some(polar)) = (
+        eigenshade::fixed::light::<f32, {count}>(light),
+        eigenshade::fixed::material::<f32, {modes}>(material),
+        eigenshade::fixed::table_rows::<f32, {along}, {pairs}>(&POLAR),
+    ) {{
+        let mut sums = [[[0.0; {lanes}]; {along}]; {padded}];
+",
+        lanes = layout::LANES
+    );
+    for q in 0..=parts.order {
+        let of_q = (parts.order - q) / 2 + 1;
+        put(
+            &mut text,
+            format_args!(
+                "        eigenshade::fixed::scatter::<f32, {q}, {of_q}, {along}, {modes}, {pairs}>(material, polar, &mut sums);"
+            ),
+        );
+    }
+    put(
+        &mut text,
+        format_args!(
+            "        let scattered = eigenshade::fixed::transposed::<f32, {groups}, {rows}, {along}, {padded}>(&sums);"
+        ),
     );
     let mut components = vec![String::new(); parts.components];
     let (mut start, mut call) = (0, 0);
