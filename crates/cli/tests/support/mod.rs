@@ -1,5 +1,5 @@
 //! The program on small scenes in folders of their own.
-#![allow(dead_code, reason = "each test takes the helpers that it needs")]
+#![allow(dead_code, reason = "each test takes what it needs")]
 
 use eigenshade_index::{light, material};
 use std::fmt::Write;
