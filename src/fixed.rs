@@ -192,6 +192,42 @@ pub fn rows<
     sums
 }
 
+/// [`rows`] of four profiles at once, factors from `A` and from `B` on: the
+/// scattered material is read once for all.
+#[inline(never)]
+pub fn more_rows<
+    S: Scalar,
+    const A: usize,
+    const B: usize,
+    const M: usize,
+    const V: usize,
+    const L: usize,
+    const D: usize,
+    const F: usize,
+>(
+    factors: &[S; F],
+    scattering: &[[[S; LANES]; V]; D],
+    lights: &[[S; 2]; L],
+) -> [[S; 2 * LANES]; 4] {
+    let of = |start: usize| {
+        let (groups, _) = factors.get(start..).unwrap_or_default().as_chunks();
+        groups.as_chunks::<V>().0.first_chunk::<L>()
+    };
+    let scattering = scattering.get(M..).and_then(|rows| rows.first_chunk::<L>());
+    let mut sums = [[S::ZERO; 2 * LANES]; 4];
+    let (Some(a), Some(b), Some(scattering)) = (of(A), of(B), scattering) else { return sums };
+    let [a_plus, a_minus, b_plus, b_minus] = &mut sums;
+    let rows = a.iter().zip(b).zip(scattering).zip(lights);
+    for (((a, b), scattering), &[plus, minus]) in rows {
+        let (a, b) = (lanes::product(a, scattering), lanes::product(b, scattering));
+        *a_plus = lanes::multiply_add_two(*a_plus, &a, &[plus; LANES]);
+        *a_minus = lanes::multiply_add_two(*a_minus, &a, &[minus; LANES]);
+        *b_plus = lanes::multiply_add_two(*b_plus, &b, &[plus; LANES]);
+        *b_minus = lanes::multiply_add_two(*b_minus, &b, &[minus; LANES]);
+    }
+    sums
+}
+
 /// The sum across the lanes of the first profile.
 #[inline(always)]
 pub fn first<S: Scalar>(lanes: [S; 2 * LANES]) -> S {

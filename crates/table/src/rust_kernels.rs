@@ -43,7 +43,7 @@ pub fn relight(
     )
 }
 
-/// One call for two profiles of one azimuth.
+/// One call for up to four profiles of one azimuth.
 fn project(parts: &Parts) -> String {
     let (rows, groups) = (parts.degree + 1, layout::row(parts.order) / layout::LANES);
     let (along, padded) = (layout::groups(parts.degree), layout::row(parts.order));
@@ -85,22 +85,29 @@ fn project(parts: &Parts) -> String {
                 "        let of_azimuth = eigenshade::fixed::lights::<f32, {azimuth}, {degrees}, {count}>(light);"
             ),
         );
-        for two in profiles.chunks(2) {
+        let length = layout::factors(parts.degree, parts.order, azimuth, 2);
+        for four in profiles.chunks(4) {
+            let shape = format!("{azimuth}, {groups}, {degrees}, {rows}, {factors}");
+            let kernel = match four.len() {
+                1 | 2 => format!("rows::<f32, {start}, {shape}>"),
+                _ => format!("more_rows::<f32, {start}, {}, {shape}>", start + length),
+            };
             put(
                 &mut text,
                 format_args!(
-                    "        let r{call} = eigenshade::fixed::rows::<f32, {start}, {azimuth}, {groups}, {degrees}, {rows}, {factors}>(&FACTORS, &scattered, &of_azimuth);"
+                    "        let r{call} = eigenshade::fixed::{kernel}(&FACTORS, &scattered, &of_azimuth);"
                 ),
             );
-            for (half, place) in ["first", "second"].iter().zip(two) {
-                for (index, sign) in [(place.minus, 1), (place.plus, 0)] {
+            for (k, place) in four.iter().enumerate() {
+                let half = if k % 2 == 0 { "first" } else { "second" };
+                for (index, sum) in [(place.minus, k / 2 * 2 + 1), (place.plus, k / 2 * 2)] {
                     if index != NONE {
                         components[usize::from(index)] =
-                            format!("eigenshade::fixed::{half}(r{call}[{sign}])");
+                            format!("eigenshade::fixed::{half}(r{call}[{sum}])");
                     }
                 }
             }
-            start += layout::factors(parts.degree, parts.order, azimuth, two.len());
+            start += length * four.len().div_ceil(2);
             call += 1;
         }
     }
