@@ -2,133 +2,7 @@
 
 use crate::error::{Error, What};
 use crate::index::{layout, material, pair};
-
-/// The arrays of a basis, as `eigenshade-table` writes them. [`Basis::new`]
-/// checks that they fit together.
-#[derive(Clone, Copy, Debug)]
-pub struct Parts<'a, S> {
-    /// Largest degree l of the light.
-    pub degree: usize,
-    /// Largest order o of the BRDF.
-    pub order: usize,
-    /// Number of components K.
-    pub components: usize,
-    /// Slant profiles, by |m|.
-    pub profiles: &'a [ProfilePlace],
-    /// How a transfer is laid out.
-    pub passes: &'a [Pass],
-    /// For each pass, profile and lane the number of its component, or one that
-    /// the basis does not have.
-    pub slots: &'a [u16],
-    /// Number of polynomial terms for each |m|.
-    pub lengths: &'a [u16],
-    /// Which pairs each coefficient of the material couples.
-    pub couplings: &'a [Coupling],
-    /// √(o+1) N_l^q C_lo^q of (11): for each pair a row over l, `layout::groups`
-    /// groups.
-    pub polar: &'a [S],
-    /// Factors of UᵀM: for each profile, each l from |m| on, a row of `layout::row`
-    /// numbers, two profiles of an azimuth group by group beside each other.
-    pub factors: &'a [S],
-    /// For each profile its polynomial in t = 2z - 1, highest power first, times
-    /// √2 where m is not 0.
-    pub terms: &'a [S],
-    /// The mean image's polynomial, or empty.
-    pub mean: &'a [S],
-    /// The mean image's coefficients, or empty.
-    pub mean_coefficients: &'a [S],
-    /// For each |m|, each (o, p, q), each l whether the mode is in; empty if all
-    /// are.
-    pub selection: &'a [bool],
-}
-
-/// A slant profile's azimuth, the components that it serves, and their rows in a
-/// transfer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct ProfilePlace {
-    pub(crate) azimuth: u16,
-    pub(crate) plus: Option<u16>,
-    pub(crate) minus: Option<u16>,
-    pub(crate) plus_row: Row,
-    pub(crate) minus_row: Row,
-}
-
-impl ProfilePlace {
-    /// The profile of `azimuth` |m| that serves component number `plus` with
-    /// order +m (or 0) and `minus` with -m.
-    #[must_use]
-    pub const fn new(
-        azimuth: u16,
-        plus: Option<u16>,
-        minus: Option<u16>,
-        plus_row: Row,
-        minus_row: Row,
-    ) -> Self {
-        Self { azimuth, plus, minus, plus_row, minus_row }
-    }
-
-    #[inline]
-    pub(crate) const fn azimuth(self) -> usize {
-        self.azimuth as usize
-    }
-}
-
-/// Where the numbers of l = |m|, |m| + 1, ... of one component stand in a
-/// transfer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Row {
-    pub(crate) start: u32,
-    pub(crate) step: u32,
-}
-
-impl Row {
-    /// From `start` on, `step` apart.
-    #[must_use]
-    pub const fn new(start: u32, step: u32) -> Self {
-        Self { start, step }
-    }
-}
-
-/// The pairs that one coefficient b_op^q couples: polar integrals of (o, q) go into
-/// the sum of (p, q), and the other way round.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Coupling {
-    pub(crate) o: u16,
-    pub(crate) p: u16,
-}
-
-impl Coupling {
-    /// The places of (o, q) and of (p, q) among the pairs.
-    #[must_use]
-    pub const fn new(o: u16, p: u16) -> Self {
-        Self { o, p }
-    }
-}
-
-/// Part of a transfer: `LANES` orders m from `first` on, `profiles` of each.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Pass {
-    pub(crate) first: i16,
-    pub(crate) profiles: u16,
-}
-
-impl Pass {
-    /// The orders from `first` on; at most [`layout::PASS`] profiles of each.
-    #[must_use]
-    pub const fn new(first: i16, profiles: u16) -> Self {
-        Self { first, profiles }
-    }
-
-    /// Numbers of this pass in a transfer, or none if it does not fit the degree.
-    const fn length(self, degree: usize) -> Option<usize> {
-        let lowest = layout::lowest_degree(self.first as isize);
-        let profiles = self.profiles as usize;
-        if lowest > degree || profiles == 0 || profiles > layout::PASS {
-            return None;
-        }
-        Some(layout::LANES * profiles * (degree + 1 - lowest))
-    }
-}
+use crate::parts::{Parts, ProfilePlace, Row};
 
 /// An eigenbasis: degree, order and number of components are values, the number
 /// format is a type.
@@ -142,10 +16,26 @@ pub struct Basis<'a, S> {
 impl<'a, S> Basis<'a, S> {
     /// The basis of these parts.
     ///
+    /// Checked are all lengths, and all places that one part has in another; not the
+    /// numbers, and not that no two profiles serve the same component.
+    ///
     /// # Errors
     ///
-    /// [`Error::Length`] or [`Error::Profile`] if they contradict each other.
+    /// [`Error::Length`], [`Error::Coupling`], [`Error::Profile`] or [`Error::Pass`] if
+    /// the parts contradict each other.
     pub const fn new(parts: Parts<'a, S>) -> Result<Self, Error> {
+        // First of all: they bound the counts below.
+        let (degrees, couplings) = (parts.degree.saturating_add(1), material::count(parts.order));
+        if let Err(error) = Error::check(What::Lengths, degrees, parts.lengths.len()) {
+            return Err(error);
+        }
+        if let Err(error) = Error::check(What::Couplings, couplings, parts.couplings.len()) {
+            return Err(error);
+        }
+        if !parts.couples() {
+            return Err(Error::Coupling);
+        }
+        let mut served = 0;
         let (mut factors, mut terms, mut scene) = (0, 0, 0);
         let (mut rest, mut before, mut run) = (parts.profiles, 0, 0);
         while let [place, tail @ ..] = rest {
@@ -159,16 +49,17 @@ impl<'a, S> Basis<'a, S> {
                 factors += layout::factors(parts.degree, parts.order, azimuth, 1);
             }
             terms += parts.length(azimuth);
+            served += place.plus.is_some() as usize + place.minus.is_some() as usize;
             (rest, before) = (tail, azimuth);
         }
         let (mut transfer, mut slots) = (0, 0);
         let mut rest = parts.passes;
         while let [pass, tail @ ..] = rest {
             let Some(length) = pass.length(parts.degree) else {
-                return Err(Error::Profile);
+                return Err(Error::Pass);
             };
             transfer += length;
-            slots += layout::LANES * pass.profiles as usize;
+            slots += pass.slots();
             rest = tail;
         }
         let mut azimuth = 0;
@@ -182,7 +73,6 @@ impl<'a, S> Basis<'a, S> {
         let mean_terms = if parts.mean.is_empty() { 0 } else { parts.length(0) };
         let checks = [
             Error::check(What::Slots, slots, parts.slots.len()),
-            Error::check(What::Lengths, parts.degree + 1, parts.lengths.len()),
             Error::check(What::Polar, group * layout::groups(parts.degree), parts.polar.len()),
             Error::check(What::Factors, factors, parts.factors.len()),
             Error::check(What::Terms, terms, parts.terms.len()),
@@ -197,7 +87,19 @@ impl<'a, S> Basis<'a, S> {
             }
             rest = tail;
         }
+        if served != parts.components {
+            return Err(Error::Profile);
+        }
+        if !parts.places() {
+            return Err(Error::Pass);
+        }
         Ok(Self { parts, transfer, scene })
+    }
+
+    /// What it was made of.
+    #[must_use]
+    pub const fn parts(&self) -> &Parts<'a, S> {
+        &self.parts
     }
 
     /// Largest degree l of the light.
@@ -258,12 +160,79 @@ impl<S> Parts<'_, S> {
         place.azimuth() <= self.degree && plus && minus
     }
 
-    /// Terms of the polynomials of an azimuth; 0 if it has none.
-    pub(crate) const fn length(&self, azimuth: usize) -> usize {
-        match self.lengths.split_at_checked(azimuth) {
-            Some((_, [length, ..])) => *length as usize,
-            _ => 0,
+    /// Whether the couplings are those of the order, coefficient by coefficient.
+    const fn couples(&self) -> bool {
+        let (mut o, mut p, mut q) = (0, 0, 0);
+        let mut rest = self.couplings;
+        while let [coupling, tail @ ..] = rest {
+            let places = (pair::position(o, q), pair::position(p, q));
+            if coupling.o as usize != places.0 || coupling.p as usize != places.1 {
+                return false;
+            }
+            (o, p, q) = match (q < p, p < o) {
+                (true, _) => (o, p, q + 2),
+                (false, true) => (o, p + 2, o % 2),
+                (false, false) => (o + 1, (o + 1) % 2, (o + 1) % 2),
+            };
+            rest = tail;
         }
+        true
+    }
+
+    /// Whether the slots give each component where its profile has its row, and no
+    /// component besides.
+    const fn places(&self) -> bool {
+        let (mut rest, mut given) = (self.slots, 0);
+        while let [slot, tail @ ..] = rest {
+            given += ((*slot as usize) < self.components) as usize;
+            rest = tail;
+        }
+        let mut rest = self.profiles;
+        while let [place, tail @ ..] = rest {
+            let order = place.azimuth().cast_signed();
+            let (plus, minus) = (place.plus_row, place.minus_row);
+            let of_minus = if order == 0 {
+                plus.start == minus.start && plus.step == minus.step
+            } else {
+                self.gives(minus, -order, place.minus)
+            };
+            if !of_minus || !self.gives(plus, order, place.plus) {
+                return false;
+            }
+            rest = tail;
+        }
+        given == self.components
+    }
+
+    /// Whether a row is one of this order, and its slot that of the component.
+    const fn gives(&self, row: Row, order: isize, component: Option<u16>) -> bool {
+        let (mut passes, mut slots, mut start) = (self.passes, self.slots, row.start as usize);
+        while let [pass, tail @ ..] = passes {
+            let (Some(length), Some((of_pass, others))) =
+                (pass.length(self.degree), slots.split_at_checked(pass.slots()))
+            else {
+                return false;
+            };
+            if start >= length {
+                (passes, slots, start) = (tail, others, start - length);
+                continue;
+            }
+            let (first, step) = (pass.first as isize, pass.slots());
+            if layout::first_order(order) != first || row.step as usize != step {
+                return false;
+            }
+            // The degree |m| is so many rows below the pass's first.
+            let skipped = step * (order.unsigned_abs() - layout::lowest_degree(first));
+            let Some(slot) = start.checked_sub(skipped) else { return false };
+            let in_lane = slot % layout::LANES == (order - first).unsigned_abs();
+            let Some((_, [found, ..])) = of_pass.split_at_checked(slot) else { return false };
+            return in_lane
+                && match component {
+                    Some(component) => *found == component,
+                    None => *found as usize >= self.components,
+                };
+        }
+        false
     }
 
     /// Length of a selection.

@@ -34,8 +34,14 @@ pub enum Error {
         found: usize,
     },
     /// A basis has a profile of an azimuth beyond its degree, out of order, or
-    /// serving a component that it does not have.
+    /// serving a component that it does not have, or a component without a profile.
     Profile,
+    /// A basis has a pass beyond its degree, one that is not laid out as
+    /// [`index::layout`](crate::index::layout) has it, or slots that do not give the
+    /// components where the profiles have their rows.
+    Pass,
+    /// A basis has a coupling that is not its order's.
+    Coupling,
     /// A normal has a component that is not finite, or length zero.
     Normal,
     /// A normal points away from the camera.
@@ -60,6 +66,8 @@ pub enum What {
     Scene,
     /// A slice of normals or of their irradiances.
     Normals,
+    /// Part of a basis: the pairs that each coefficient of a material couples.
+    Couplings,
     /// Part of a basis: polar integrals.
     Polar,
     /// Part of a basis: factors of UᵀM.
@@ -99,7 +107,16 @@ impl fmt::Display for Error {
                 "{what:?} up to {found}, the basis goes to {basis}; truncate it, or make a larger \
                  basis"
             ),
-            Self::Profile => f.write_str("the basis's profiles contradict each other"),
+            Self::Profile => f.write_str(
+                "the basis's profiles are not sorted by azimuth up to the degree, or do not serve \
+                 its components; take all parts from one table",
+            ),
+            Self::Pass => f.write_str(
+                "the basis's passes, slots and rows do not fit; take all parts from one table",
+            ),
+            Self::Coupling => f.write_str(
+                "the basis's couplings are not its order's; take all parts from one table",
+            ),
             Self::Normal => f.write_str("a normal needs finite components and a length"),
             Self::Hidden => f.write_str("a normal points away from the camera: z < -0.001"),
         }

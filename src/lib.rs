@@ -21,7 +21,7 @@
 //!
 //! // White light from everywhere and more from the camera; a matte white sphere.
 //! let light = Light::new(1, &[3.5, 0.0, 1.0, 0.0])?;
-//! let material = Material::new(0, &[core::f32::consts::FRAC_1_PI * 2.0 * 3.14159])?;
+//! let material = Material::new(0, &[2.0])?;
 //! let scene = sphere::collapse(&sphere::project(&light, &material)?)?;
 //! let facing = scene.shade(Normal::new(0.0, 0.0, 1.0)?);
 //! let rim = scene.shade(Normal::new(1.0, 0.0, 0.0)?);
@@ -58,6 +58,8 @@ mod normal;
 
 mod polynomial;
 
+mod parts;
+
 mod basis;
 
 mod scattering;
@@ -79,11 +81,12 @@ mod error;
 #[cfg(feature = "baked")]
 pub mod sphere;
 
-pub use basis::{Basis, Coupling, Parts, Pass, ProfilePlace, Row};
+pub use basis::Basis;
 pub use error::{Error, What};
 pub use light::Light;
 pub use material::Material;
 pub use normal::{Normal, Normals};
+pub use parts::{Coupling, Parts, Pass, ProfilePlace, Row};
 pub use projection::Coefficients;
 pub use scalar::Scalar;
 pub use scene::{Scene, SceneBuffer};

@@ -5,13 +5,14 @@
 //! d_±m = Σ_l (Σ_pq factor_l,pq S_l,pq) (±1)^m L_l^±m, in which +m and -m share
 //! the inner sum.
 
-use crate::basis::{Basis, ProfilePlace};
+use crate::basis::Basis;
 use crate::error::{Error, What};
 use crate::index::layout::LANES;
 use crate::index::{layout, light};
 use crate::lanes;
 use crate::light::Light;
 use crate::material::Material;
+use crate::parts::ProfilePlace;
 use crate::scalar::Scalar;
 
 /// The coefficients d of one image, component by component.
@@ -26,7 +27,8 @@ impl<'a, S: Scalar> Basis<'a, S> {
     /// order than the basis's counts as zero above.
     ///
     /// Cost: for each profile, each degree from its |m| on, one multiplication for
-    /// each pair (p, q) and two for the light.
+    /// each pair (p, q) and eight for the light; before that, for each q and degree
+    /// the square of the number of its pairs.
     ///
     /// # Errors
     ///

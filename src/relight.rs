@@ -4,11 +4,12 @@
 //! is gathered and nothing is summed across lanes. Lanes with |m| > l read
 //! coefficients of other degrees, and multiply them by zero.
 
-use crate::basis::{Basis, Pass};
+use crate::basis::Basis;
 use crate::error::{Error, What};
 use crate::index::{layout, light};
 use crate::lanes;
 use crate::light::Light;
+use crate::parts::Pass;
 use crate::projection::{Coefficients, zeros};
 use crate::scalar::Scalar;
 use crate::transfer::Transfer;
@@ -16,8 +17,8 @@ use crate::transfer::Transfer;
 const LANES: usize = layout::LANES;
 
 impl<S: Scalar> Basis<'_, S> {
-    /// d of a new light on a material that was folded in: about
-    /// components x (degree / 2) multiplications.
+    /// d of a new light on a material that was folded in: one multiplication for
+    /// each of the [`transfer_len`](Self::transfer_len) numbers.
     ///
     /// # Errors
     ///

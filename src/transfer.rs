@@ -3,11 +3,12 @@
 //!
 //! +m and -m share the sum; theirs differ by (-1)^m.
 
-use crate::basis::{Basis, ProfilePlace};
+use crate::basis::Basis;
 use crate::error::{Error, What};
 use crate::index::layout;
 use crate::lanes;
 use crate::material::Material;
+use crate::parts::ProfilePlace;
 use crate::projection::{Workspace, zeros};
 use crate::scalar::Scalar;
 
@@ -32,7 +33,8 @@ impl<S: Scalar> Basis<'_, S> {
     /// [`transfer_len`](Self::transfer_len).
     ///
     /// Cost: for each profile, each degree from its |m| on, one multiplication for
-    /// each pair (p, q).
+    /// each pair (p, q); before that, for each q and degree the square of the number
+    /// of its pairs.
     ///
     /// # Errors
     ///

@@ -80,6 +80,13 @@ fn generated_kernels_agree_with_the_general_way() {
 }
 
 #[test]
+fn capacities_are_the_basiss() {
+    assert_eq!(sphere::WORKSPACE, sphere::BASIS.workspace_len());
+    assert_eq!(sphere::TRANSFER, sphere::BASIS.transfer_len());
+    assert_eq!(sphere::SCENE, sphere::BASIS.scene_len());
+}
+
+#[test]
 fn arguments_beyond_the_table_are_errors() {
     use eigenshade::{Error, Light, Material, Normal, Normals, What};
     let (many, few) = (vec![0.0f32; 121], vec![0.0f32; 55]);
@@ -87,9 +94,13 @@ fn arguments_beyond_the_table_are_errors() {
         Light::new(9, &many),
         Err(Error::Length { what: What::Light, expected: 100, found: 121 })
     ));
+    assert!(Light::<f32>::new(usize::MAX, &[]).is_err());
+    assert!(Material::<f32>::new(usize::MAX, &[]).is_err());
     let light = Light::new(10, &many).expect("121 coefficients");
     let material = Material::new(8, &few).expect("55 coefficients");
     let fine = material.truncated(7);
+    assert_eq!(light.truncated(usize::MAX), light);
+    assert_eq!(material.truncated(usize::MAX), material);
     let beyond = |error| matches!(error, Some(Error::Beyond { .. }));
     assert!(beyond(sphere::project(&light, &fine).err()));
     assert!(beyond(sphere::project(&light.truncated(9), &material).err()));

@@ -38,6 +38,7 @@ pub const fn factors(degree: usize, order: usize, azimuth: usize, profiles: usiz
 }
 
 /// The least l of a pass whose orders start at `first`: the least |m| of them.
+/// Domain: `first` a multiple of [`LANES`].
 #[inline]
 #[must_use]
 pub const fn lowest_degree(first: isize) -> usize {

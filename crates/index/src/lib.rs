@@ -4,7 +4,7 @@
 //! * [`material`]: the Koenderink-van Doorn coefficient (o, p, q).
 //! * [`pair`]: one Zernike polynomial (p, q), the half of a scattering mode.
 //! * [`mode`]: the irradiance modes of one azimuth |m|.
-//! * [`layout`]: how the runtime pads its rows.
+//! * [`layout`]: how the runtime lays out its rows.
 //!
 //! Every order of coefficients has the prefix property: those of a lower degree
 //! or order are the first ones of a higher. "(n)" in these pages is equation n of

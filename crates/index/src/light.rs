@@ -3,11 +3,13 @@
 //! The order is 00, 1-1, 10, 11, 2-2, ...: degree l and order m stand at
 //! l² + l + m.
 
-/// Number of coefficients up to and including `degree`: (degree + 1)².
+/// Number of coefficients up to and including `degree`: (degree + 1)², or
+/// `usize::MAX` where that overflows.
 #[inline]
 #[must_use]
 pub const fn count(degree: usize) -> usize {
-    (degree + 1) * (degree + 1)
+    let orders = degree.saturating_add(1);
+    orders.saturating_mul(orders)
 }
 
 /// Position of the coefficient of `degree` l and `order` m.
@@ -45,6 +47,7 @@ mod tests {
     fn positions_count_up() {
         assert!(indices(12).enumerate().all(|(k, (l, m))| position(l, m) == k));
         assert_eq!(indices(12).count(), count(12));
+        assert_eq!(count(usize::MAX), usize::MAX);
     }
 
     #[test]

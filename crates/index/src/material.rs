@@ -1,13 +1,20 @@
-//! Material: Koenderink-van Doorn coefficients b_op^q of (8),
+//! Material: Koenderink-van Doorn coefficients b_op^q of (7),
 //! o >= p >= q >= 0, o - q and p - q even.
 //!
 //! The order is by o, then p, then q: 000, 111, 200, 220, 222,
 //! 311, 331, 333, ...
 
-/// Number of coefficients up to and including `order`.
+/// The largest order whose coefficients are counted: 32 bits hold their number.
+const MOST: usize = 2047;
+
+/// Number of coefficients up to and including `order`, or `usize::MAX` for an order
+/// above 2047.
 #[inline]
 #[must_use]
 pub const fn count(order: usize) -> usize {
+    if order > MOST {
+        return usize::MAX;
+    }
     position(order + 1, (order + 1) % 2, 0)
 }
 
@@ -43,5 +50,6 @@ mod tests {
             assert_eq!(indices(order).count(), count(order));
         }
         assert_eq!(count(7), 40);
+        assert_eq!(count(usize::MAX), usize::MAX);
     }
 }

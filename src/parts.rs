@@ -1,0 +1,151 @@
+//! The arrays that a basis is made of.
+
+use crate::index::layout;
+
+/// The arrays of a basis, as `eigenshade-table` writes them.
+/// [`Basis::new`](crate::Basis::new) checks that they fit together.
+#[derive(Clone, Copy, Debug)]
+pub struct Parts<'a, S> {
+    /// Largest degree l of the light.
+    pub degree: usize,
+    /// Largest order o of the BRDF.
+    pub order: usize,
+    /// Number of components K.
+    pub components: usize,
+    /// Slant profiles, by |m|.
+    pub profiles: &'a [ProfilePlace],
+    /// How a transfer is laid out.
+    pub passes: &'a [Pass],
+    /// For each pass, profile and lane the number of its component, or one that
+    /// the basis does not have.
+    pub slots: &'a [u16],
+    /// Number of polynomial terms for each |m|.
+    pub lengths: &'a [u16],
+    /// Which pairs each coefficient of the material couples, in the order of
+    /// [`index::material`](crate::index::material).
+    pub couplings: &'a [Coupling],
+    /// √(o+1) N_l^q C_lo^q of (11): for each pair a row over l, `layout::groups`
+    /// groups.
+    pub polar: &'a [S],
+    /// Factors of UᵀM: for each profile, each l from |m| on, a row of `layout::row`
+    /// numbers, two profiles of an azimuth group by group beside each other, the last
+    /// of an odd number beside zeros.
+    pub factors: &'a [S],
+    /// For each profile its polynomial in t = 2z - 1, highest power first, times
+    /// √2 where m is not 0.
+    pub terms: &'a [S],
+    /// The mean image's polynomial, or empty.
+    pub mean: &'a [S],
+    /// The mean image's coefficients, or empty.
+    pub mean_coefficients: &'a [S],
+    /// For each |m|, each (o, p, q), each l whether the mode is in; empty if all
+    /// are.
+    pub selection: &'a [bool],
+}
+
+/// A slant profile's azimuth, the components that it serves, and their rows in a
+/// transfer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ProfilePlace {
+    pub(crate) azimuth: u16,
+    pub(crate) plus: Option<u16>,
+    pub(crate) minus: Option<u16>,
+    pub(crate) plus_row: Row,
+    pub(crate) minus_row: Row,
+}
+
+impl ProfilePlace {
+    /// The profile of `azimuth` |m| that serves component number `plus` with
+    /// order +m (or 0) and `minus` with -m.
+    #[must_use]
+    pub const fn new(
+        azimuth: u16,
+        plus: Option<u16>,
+        minus: Option<u16>,
+        plus_row: Row,
+        minus_row: Row,
+    ) -> Self {
+        Self { azimuth, plus, minus, plus_row, minus_row }
+    }
+
+    #[inline]
+    pub(crate) const fn azimuth(self) -> usize {
+        self.azimuth as usize
+    }
+}
+
+/// Where the numbers of l = |m|, |m| + 1, ... of one component stand in a
+/// transfer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Row {
+    pub(crate) start: u32,
+    pub(crate) step: u32,
+}
+
+impl Row {
+    /// From `start` on, `step` apart.
+    #[must_use]
+    pub const fn new(start: u32, step: u32) -> Self {
+        Self { start, step }
+    }
+}
+
+/// The pairs that one coefficient b_op^q couples: polar integrals of (o, q) go into
+/// the sum of (p, q), and the other way round.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Coupling {
+    pub(crate) o: u16,
+    pub(crate) p: u16,
+}
+
+impl Coupling {
+    /// The places of (o, q) and of (p, q) among the pairs.
+    #[must_use]
+    pub const fn new(o: u16, p: u16) -> Self {
+        Self { o, p }
+    }
+}
+
+/// Part of a transfer: `LANES` orders m from `first` on, `profiles` of each.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Pass {
+    pub(crate) first: i16,
+    pub(crate) profiles: u16,
+}
+
+impl Pass {
+    /// The orders from `first` on, a multiple of [`layout::LANES`]; at most
+    /// [`layout::PASS`] profiles of each.
+    #[must_use]
+    pub const fn new(first: i16, profiles: u16) -> Self {
+        Self { first, profiles }
+    }
+
+    /// Number of its slots: as many as it has numbers for one degree.
+    pub(crate) const fn slots(self) -> usize {
+        layout::LANES * self.profiles as usize
+    }
+
+    /// Numbers of this pass in a transfer, or none if it does not fit the layout or
+    /// the degree.
+    pub(crate) const fn length(self, degree: usize) -> Option<usize> {
+        let first = self.first as isize;
+        let lowest = layout::lowest_degree(first);
+        let aligned = first == layout::first_order(first);
+        let profiles = self.profiles as usize;
+        if !aligned || lowest > degree || profiles == 0 || profiles > layout::PASS {
+            return None;
+        }
+        Some(self.slots() * (degree + 1 - lowest))
+    }
+}
+
+impl<S> Parts<'_, S> {
+    /// Terms of the polynomials of an azimuth; 0 if it has none.
+    pub(crate) const fn length(&self, azimuth: usize) -> usize {
+        match self.lengths.split_at_checked(azimuth) {
+            Some((_, [length, ..])) => *length as usize,
+            _ => 0,
+        }
+    }
+}

@@ -1,0 +1,116 @@
+//! A basis whose parts contradict each other is refused.
+
+use eigenshade::{Basis, Coupling, Error, Parts, Pass, ProfilePlace, Row, What, sphere};
+
+/// The shipped table's parts.
+fn shipped() -> Parts<'static, f32> {
+    *sphere::BASIS.parts()
+}
+
+fn refused(parts: Parts<'_, f32>) -> Error {
+    Basis::new(parts).expect_err("contradicting parts")
+}
+
+/// All but the last.
+fn short<T>(items: &[T]) -> &[T] {
+    items.split_last().expect("not empty").1
+}
+
+/// The same items, one of them another.
+fn with<T: Copy>(items: &[T], at: usize, item: T) -> Vec<T> {
+    let mut items = items.to_vec();
+    items[at] = item;
+    items
+}
+
+#[test]
+fn parts_of_one_table_fit() {
+    assert!(Basis::new(shipped()).is_ok());
+}
+
+#[test]
+fn lengths_are_checked() {
+    let parts = shipped();
+    let kept = vec![true; 4000];
+    for (wrong, expected) in [
+        (Parts { lengths: short(parts.lengths), ..parts }, What::Lengths),
+        (Parts { degree: usize::MAX, ..parts }, What::Lengths),
+        (Parts { order: usize::MAX, ..parts }, What::Couplings),
+        (Parts { couplings: short(parts.couplings), ..parts }, What::Couplings),
+        (Parts { slots: short(parts.slots), ..parts }, What::Slots),
+        (Parts { polar: short(parts.polar), ..parts }, What::Polar),
+        (Parts { factors: short(parts.factors), ..parts }, What::Factors),
+        (Parts { terms: short(parts.terms), ..parts }, What::Terms),
+        (Parts { mean: short(parts.terms), ..parts }, What::Mean),
+        (Parts { mean_coefficients: parts.terms, ..parts }, What::Mean),
+        (Parts { selection: short(&kept), ..parts }, What::Selection),
+    ] {
+        let error = refused(wrong);
+        assert!(matches!(error, Error::Length { what, .. } if what == expected), "{error}");
+    }
+    assert!(Basis::new(Parts { selection: &kept, ..parts }).is_ok());
+}
+
+#[test]
+fn profiles_serve_the_components() {
+    let parts = shipped();
+    assert_eq!(refused(Parts { components: 49, ..parts }), Error::Profile);
+    assert_eq!(refused(Parts { components: 51, ..parts }), Error::Profile);
+    let first = parts.profiles[0];
+    let last = parts.profiles.len() - 1;
+    let unsorted = with(parts.profiles, last, first);
+    assert_eq!(refused(Parts { profiles: &unsorted, ..parts }), Error::Profile);
+    let row = Row::new(256, 24);
+    let beyond = with(parts.profiles, last, ProfilePlace::new(10, Some(42), Some(43), row, row));
+    assert_eq!(refused(Parts { profiles: &beyond, ..parts }), Error::Profile);
+}
+
+#[test]
+fn couplings_are_the_orders() {
+    let parts = shipped();
+    let exchanged = with(parts.couplings, 3, Coupling::new(0, 2));
+    assert_ne!(parts.couplings[3], exchanged[3]);
+    assert_eq!(refused(Parts { couplings: &exchanged, ..parts }), Error::Coupling);
+}
+
+/// What `transfer` writes is what `relight` reads.
+#[test]
+fn rows_and_slots_agree() {
+    let parts = shipped();
+    for slot in 0..parts.slots.len() {
+        let (found, other) = (parts.slots[slot], (slot + 1) % parts.slots.len());
+        let mut slots = with(parts.slots, slot, if found == 7 { u16::MAX } else { 7 });
+        assert_eq!(refused(Parts { slots: &slots, ..parts }), Error::Pass);
+        slots.copy_from_slice(parts.slots);
+        slots.swap(slot, other);
+        assert!(slots == parts.slots || Basis::new(Parts { slots: &slots, ..parts }).is_err());
+    }
+    for (start, step) in [(260, 24), (257, 24), (255, 24), (0, 24), (568, 24), (256, 20), (256, 0)]
+    {
+        let row = Row::new(start, step);
+        let moved = ProfilePlace::new(0, Some(0), None, row, row);
+        let profiles = with(parts.profiles, 0, moved);
+        assert_eq!(refused(Parts { profiles: &profiles, ..parts }), Error::Pass, "{row:?}");
+    }
+    let halves = ProfilePlace::new(0, Some(0), None, Row::new(256, 24), Row::new(260, 24));
+    let profiles = with(parts.profiles, 0, halves);
+    assert_eq!(refused(Parts { profiles: &profiles, ..parts }), Error::Pass);
+}
+
+#[test]
+fn passes_are_those_of_the_layout() {
+    let parts = shipped();
+    for wrong in [
+        Pass::new(-7, 2),
+        Pass::new(-2, 2),
+        Pass::new(-16, 2),
+        Pass::new(12, 2),
+        Pass::new(i16::MIN, 2),
+        Pass::new(i16::MAX, 2),
+        Pass::new(-8, 0),
+        Pass::new(-8, 9),
+    ] {
+        let passes = with(parts.passes, 0, wrong);
+        assert_eq!(refused(Parts { passes: &passes, ..parts }), Error::Pass, "{wrong:?}");
+    }
+}
