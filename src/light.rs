@@ -16,7 +16,8 @@ pub struct Light<'a, S> {
 }
 
 impl<'a, S> Light<'a, S> {
-    /// The light of these coefficients.
+    /// The light of these coefficients. They are taken as they are: one that is not
+    /// finite spoils more of an image than its own mode.
     ///
     /// # Errors
     ///

@@ -12,7 +12,8 @@ pub struct Normal<S> {
 }
 
 impl<S: Scalar> Normal<S> {
-    /// The normal along (x, y, z), of any length.
+    /// The normal along (x, y, z), of any length whose square is a normal number of
+    /// the format: 1e-18 to 1e18 in f32.
     ///
     /// A normal that points away by no more than 1e-3 is laid on the rim.
     ///
