@@ -31,7 +31,7 @@ impl<S: Scalar> Basis<'_, S> {
         light: &Light<'_, S>,
     ) -> Result<Coefficients<S, K>, Error> {
         let mut coefficients = zeros::<S, K>(What::Coefficients, self.components())?;
-        self.relight_into(&transfer.0, light, &mut coefficients)?;
+        self.relight_into(transfer.as_slice(), light, &mut coefficients)?;
         Ok(coefficients)
     }
 
