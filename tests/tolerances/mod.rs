@@ -69,3 +69,17 @@ pub const DENSE_PROJECTION: f64 = 1e-12;
 pub const PEAK_GRID: f64 = 0.01;
 /// One f32 result by two orders of summation, of the largest: some twenty roundings.
 pub const SAME_SUM_F32: f32 = 1e-6;
+/// The general way on the sphere's own normals: profiles of one part in 1e3 of the strongest
+/// component are determined to 1e-13 or so; the rest is margin.
+pub const GENERAL_SPHERE: f64 = 1e-10;
+/// Singular values of an object's pictures, of the largest: two ways of summing the same
+/// modes.
+pub const GENERAL_EIGENVALUES: f64 = 1e-12;
+/// Eigenimages over an object's normals, times the length of their coordinates: each
+/// function of the span is good to some ten roundings.
+pub const GENERAL_ORTHONORMAL: f64 = 1e-14;
+/// Pictures of any object with all components in f64 against the direct sum, of the peak
+/// over the whole hemisphere: singular values below 1e-12 are cut off.
+pub const GENERAL_PICTURES: f64 = 1e-9;
+/// Second moments of light turned about the vertical axis, of the largest: exact sums.
+pub const MOMENTS: f64 = 1e-12;

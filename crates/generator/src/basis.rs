@@ -25,21 +25,12 @@ const ROUNDING: f64 = 1e-14;
 /// Empty databases or ones that do not reach the scene's degree and order, lights
 /// that cannot be normalised, numbers that are not finite.
 pub fn build(scene: &Scene, lights: &Lights, materials: &Materials) -> Result<Table> {
-    let (degree, order) = (scene.light.degree, scene.material.order);
-    if materials.entries.is_empty() {
-        return Err(Error::new("no materials", "give a material database with at least one"));
-    }
-    if lights.degree < degree || materials.order < order {
-        let (found, of) = (lights.degree, materials.order);
-        let what = format!("lights of degree {found} and materials of order {of}");
-        return Err(Error::new(what, format!("ask for no more than that: not {degree}, {order}")));
-    }
-    let (lights, materials) = (lights.truncated(degree), materials.truncated(order));
+    let (lights, materials) = fitted(scene, lights, materials)?;
     let criterion = scene.basis.criterion;
     let moments = LightMoments::new(&lights, scene.light.normalise)?;
-    let gram = gram::of_sphere(degree, order);
+    let gram = gram::of_sphere(scene.light.degree, scene.material.order);
     let kept = selection::highest(&gram, scene.basis.modes);
-    let azimuths: Vec<Azimuth> = (0..=degree)
+    let azimuths: Vec<Azimuth> = (0..=scene.light.degree)
         .map(|azimuth| analyse(&gram, &kept, &moments, &materials, criterion, azimuth))
         .collect::<Result<_>>()?;
 
@@ -54,11 +45,11 @@ pub fn build(scene: &Scene, lights: &Lights, materials: &Materials) -> Result<Ta
     let strongest = largest_of(|azimuth| &azimuth.principal.singular_values);
     let weakest = rounding.max(cutoff * strongest);
     let ranked = ranked(&azimuths, criterion, weakest);
-    let spectrum: Vec<(i32, Option<f64>)> = ranked
+    let spectrum: Vec<(Option<i32>, Option<f64>)> = ranked
         .iter()
         .flat_map(|profile| {
             let orders = canonical::orders(profile.azimuth).iter();
-            orders.map(|sign| (sign * profile.azimuth as i32, profile.eigenvalue))
+            orders.map(|sign| (Some(sign * profile.azimuth as i32), profile.eigenvalue))
         })
         .collect();
 
@@ -79,6 +70,7 @@ pub fn build(scene: &Scene, lights: &Lights, materials: &Materials) -> Result<Ta
         profiles: Vec::new(),
         mean: None,
         spectrum,
+        general: None,
     };
     let count = match (scene.basis.components, scene.basis.tolerance) {
         (Some(components), _) => components,
@@ -91,6 +83,28 @@ pub fn build(scene: &Scene, lights: &Lights, materials: &Materials) -> Result<Ta
     }
     summarise(&mut table, &azimuths);
     Ok(table)
+}
+
+/// The databases up to a scene's degree and order.
+///
+/// # Errors
+///
+/// If there are no materials, or they or the lights do not reach that far.
+pub(crate) fn fitted(
+    scene: &Scene,
+    lights: &Lights,
+    materials: &Materials,
+) -> Result<(Lights, Materials)> {
+    let (degree, order) = (scene.light.degree, scene.material.order);
+    if materials.entries.is_empty() {
+        return Err(Error::new("no materials", "give a material database with at least one"));
+    }
+    if lights.degree < degree || materials.order < order {
+        let (found, of) = (lights.degree, materials.order);
+        let what = format!("lights of degree {found} and materials of order {of}");
+        return Err(Error::new(what, format!("ask for no more than that: not {degree}, {order}")));
+    }
+    Ok((lights.truncated(degree), materials.truncated(order)))
 }
 
 fn analyse(

@@ -23,8 +23,15 @@ pub struct Scene {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Geometry {
-    /// `sphere`.
+    /// `sphere`; `slant-density`; or a path: normals as CSV, a mesh, a normal map.
     pub normals: String,
+    /// Of a normal map: an image of the same size, black where it is not to count.
+    #[serde(default)]
+    pub mask: Option<String>,
+    /// Of `slant-density`: a formula in the slant `a`, or a path to a CSV of it; per
+    /// solid angle, of any scale.
+    #[serde(default)]
+    pub density: Option<String>,
 }
 
 /// Which light falls on the object.
@@ -50,6 +57,8 @@ pub enum LightRotation {
     Any,
     /// As captured.
     None,
+    /// All rotations about the vertical axis y alike.
+    Vertical,
 }
 
 /// How the lights' exposures are made comparable, for the statistics alone.
