@@ -83,3 +83,15 @@ pub const GENERAL_ORTHONORMAL: f64 = 1e-14;
 pub const GENERAL_PICTURES: f64 = 1e-9;
 /// Second moments of light turned about the vertical axis, of the largest: exact sums.
 pub const MOMENTS: f64 = 1e-12;
+/// Eigenvalues of one mesh read two ways, of the largest: the same facets in f64.
+pub const SAME_MESH: f64 = 1e-12;
+/// The same where corners are f32.
+pub const SAME_MESH_F32: f64 = 1e-5;
+/// Eigenvalues of a sphere from a normal map of 64 x 64, of the largest: its rim is jagged, a
+/// pixel is 3 % of the radius.
+pub const NORMAL_MAP: f64 = 0.03;
+/// Eigenvalues over normals of 16 bits, of the largest.
+pub const SIXTEEN_BITS: f64 = 1e-4;
+/// Eigenvalues of a density that is linear between 401 slants, of the largest: the square of a step
+/// of 4e-3, an eighth of it at most.
+pub const TABULATED_DENSITY: f64 = 1e-5;

@@ -4,9 +4,9 @@ use crate::canonical::{self, Ranked};
 use crate::database::{Lights, Materials};
 use crate::eigenimages::{Azimuth, Selected, constant_coordinates};
 use crate::error::{Error, Result};
-use crate::moments::{self, LightMoments};
+use crate::moments::{self, LightMoments, MaterialMoments};
 use crate::pca::{Block, principal};
-use crate::{gram, peak, profile, selection};
+use crate::{database, gram, peak, profile, selection};
 use eigenshade_table::scene::Criterion;
 use eigenshade_table::{GramFactor, MeanImage, Scene, Summary, Table};
 
@@ -27,11 +27,14 @@ const ROUNDING: f64 = 1e-14;
 pub fn build(scene: &Scene, lights: &Lights, materials: &Materials) -> Result<Table> {
     let (lights, materials) = fitted(scene, lights, materials)?;
     let criterion = scene.basis.criterion;
-    let moments = LightMoments::new(&lights, scene.light.normalise)?;
+    let weights = database::weights(&lights.entries, &scene.light.weights)?;
+    let moments = LightMoments::weighted(&lights, scene.light.normalise, &weights)?;
+    let weights = database::weights(&materials.entries, &scene.material.weights)?;
+    let of_materials = MaterialMoments::weighted(&materials, weights);
     let gram = gram::of_sphere(scene.light.degree, scene.material.order);
     let kept = selection::highest(&gram, scene.basis.modes);
     let azimuths: Vec<Azimuth> = (0..=scene.light.degree)
-        .map(|azimuth| analyse(&gram, &kept, &moments, &materials, criterion, azimuth))
+        .map(|azimuth| analyse(&gram, &kept, &moments, &of_materials, criterion, azimuth))
         .collect::<Result<_>>()?;
 
     let largest_of = |values: fn(&Azimuth) -> &[f64]| {
@@ -40,7 +43,7 @@ pub fn build(scene: &Scene, lights: &Lights, materials: &Materials) -> Result<Ta
     let largest = largest_of(|azimuth| &azimuth.block.singular_values);
     let cutoff = scene.basis.rank_cutoff;
     let threshold = cutoff * largest;
-    let whole = moments::deviations(&moments, &materials, Criterion::ImageCentered, 0);
+    let whole = moments::deviations(&moments, &of_materials, Criterion::ImageCentered, 0);
     let rounding = ROUNDING * azimuths[0].block.images(&gram, &whole).norm_l2();
     let strongest = largest_of(|azimuth| &azimuth.principal.singular_values);
     let weakest = rounding.max(cutoff * strongest);
@@ -79,7 +82,7 @@ pub fn build(scene: &Scene, lights: &Lights, materials: &Materials) -> Result<Ta
     };
     Selected::new(&azimuths, &ranked, count).write(&mut table, &azimuths, threshold);
     if criterion == Criterion::Standard {
-        table.mean = Some(mean_image(&table, &azimuths[0], &moments, &materials));
+        table.mean = Some(mean_image(&table, &azimuths[0], &moments, &of_materials));
     }
     summarise(&mut table, &azimuths);
     Ok(table)
@@ -111,7 +114,7 @@ fn analyse(
     gram: &GramFactor,
     kept: &[bool],
     light: &LightMoments,
-    materials: &Materials,
+    materials: &MaterialMoments,
     criterion: Criterion,
     azimuth: usize,
 ) -> Result<Azimuth> {
@@ -149,9 +152,9 @@ fn mean_image(
     table: &Table,
     azimuth: &Azimuth,
     light: &LightMoments,
-    materials: &Materials,
+    materials: &MaterialMoments,
 ) -> MeanImage {
-    let mut material = moments::material_mean(materials);
+    let mut material = materials.mean.clone();
     material.iter_mut().for_each(|b| *b *= light.ambient_mean);
     let deviation = moments::Deviation { degree: 0, material };
     let coordinates = azimuth.block.images(&table.gram, &[deviation]);

@@ -8,15 +8,16 @@
 //! the database's images in y, U their pseudo-inverse, and a = Q S⁻¹ W the image of least
 //! norm that shows them.
 
-use crate::database::{Lights, Materials, Named};
+use crate::database::{Lights, Materials};
 use crate::eigenimages;
 use crate::error::{Error, Result};
 use crate::geometry::Geometry;
 use crate::light_statistics::LightStatistics;
+use crate::moments::MaterialMoments;
 use crate::pca::principal;
 use crate::settle::{Functions, settle};
 use crate::span::{Folded, Function, Span};
-use crate::{gram, moments, peak, selection};
+use crate::{database, gram, peak, selection};
 use eigenshade_table::scene::Criterion;
 use eigenshade_table::{Component, General, GramFactor, Profile, Scene, Summary, Table};
 use faer::Mat;
@@ -50,7 +51,15 @@ pub fn build(
     materials: &Materials,
 ) -> Result<Table> {
     let (lights, materials) = crate::basis::fitted(scene, lights, materials)?;
-    let light = LightStatistics::new(&lights, scene.light.normalise, scene.light.rotation)?;
+    let light = {
+        let weights = database::weights(&lights.entries, &scene.light.weights)?;
+        let (normalise, rotation) = (scene.light.normalise, scene.light.rotation);
+        LightStatistics::new(&lights, normalise, rotation, &weights)?
+    };
+    let material = {
+        let weights = database::weights(&materials.entries, &scene.material.weights)?;
+        MaterialMoments::weighted(&materials, weights)
+    };
     let gram = gram::of_sphere(scene.light.degree, scene.material.order);
     let kept = selection::highest(&gram, scene.basis.modes);
     let span = Span::new(&gram, &kept)?;
@@ -59,9 +68,7 @@ pub fn build(
     let observed = Observed { gram, span, directions, gains };
 
     let criterion = scene.basis.criterion;
-    let vectors: Vec<Vec<f64>> = materials.entries.iter().map(Named::luminance).collect();
-    let mean_material = moments::material_mean(&materials);
-    let images = observed.shown(&observed.deviations(&light, &vectors, &mean_material, criterion));
+    let images = observed.shown(&observed.deviations(&light, &material, criterion));
     let constant: Vec<f64> = {
         let coordinates = observed.span.constant(&observed.gram);
         let column = Mat::from_fn(coordinates.len(), 1, |k, _| coordinates[k]);
@@ -121,7 +128,7 @@ pub fn build(
     let (mean, mean_coefficients) = match criterion {
         Criterion::ImageCentered => (Vec::new(), Vec::new()),
         Criterion::Standard => {
-            let mean = observed.image(&observed.fold(&mean_material), &light.mean);
+            let mean = observed.image(&observed.fold(&material.mean), &light.mean);
             let column = Mat::from_fn(mean.len(), 1, |k, _| mean[k]);
             let coefficients = &projection * column;
             (mean, coefficients.col(0).iter().copied().collect())
@@ -194,14 +201,12 @@ impl Observed {
     fn deviations(
         &self,
         light: &LightStatistics,
-        materials: &[Vec<f64>],
-        mean: &[f64],
+        materials: &MaterialMoments,
         criterion: Criterion,
     ) -> Mat<f64> {
-        let root = (materials.len() as f64).sqrt();
         let mut columns = Vec::new();
-        for material in materials {
-            let scaled: Vec<f64> = material.iter().map(|b| b / root).collect();
+        for (material, root) in materials.rooted() {
+            let scaled: Vec<f64> = material.iter().map(|b| root * b).collect();
             let folded = self.fold(&scaled);
             let vectors = match criterion {
                 Criterion::ImageCentered => &light.second,
@@ -209,8 +214,8 @@ impl Observed {
             };
             columns.extend(vectors.iter().map(|vector| self.image(&folded, vector)));
             if criterion == Criterion::Standard {
-                let apart: Vec<f64> =
-                    material.iter().zip(mean).map(|(b, mean)| (b - mean) / root).collect();
+                let apart = material.iter().zip(&materials.mean);
+                let apart: Vec<f64> = apart.map(|(b, mean)| root * (b - mean)).collect();
                 columns.push(self.image(&self.fold(&apart), &light.mean));
             }
         }

@@ -3,7 +3,7 @@
 
 use crate::database::Lights;
 use crate::error::Result;
-use crate::moments::{LightMoments, exposure};
+use crate::moments::{LightMoments, comparable};
 use crate::rotation::Rotation;
 use eigenshade_index::light;
 use eigenshade_table::scene::{LightRotation, Normalise};
@@ -21,7 +21,7 @@ pub struct LightStatistics {
 }
 
 impl LightStatistics {
-    /// The statistics of the lights' luminance.
+    /// The statistics of the lights' luminance; the weights sum to 1.
     ///
     /// * `Any`: averaged over all rotations, (37)-(39).
     /// * `Vertical`: averaged over the rotations about y, the vertical axis of the
@@ -32,35 +32,36 @@ impl LightStatistics {
     /// # Errors
     ///
     /// As [`LightMoments::new`].
-    pub fn new(lights: &Lights, normalise: Normalise, rotation: LightRotation) -> Result<Self> {
-        let moments = LightMoments::new(lights, normalise)?;
+    pub fn new(
+        lights: &Lights,
+        normalise: Normalise,
+        rotation: LightRotation,
+        weights: &[f64],
+    ) -> Result<Self> {
         let degree = lights.degree;
-        if rotation == LightRotation::Any {
-            return Ok(isotropic(degree, &moments));
-        }
-        let mut samples = Vec::new();
-        for entry in &lights.entries {
-            let mut light = entry.luminance();
-            let scale = exposure(&entry.name, light[0], normalise)?;
-            light.iter_mut().for_each(|value| *value *= scale);
-            if rotation == LightRotation::None {
-                samples.push(light);
-                continue;
+        let angles = match rotation {
+            LightRotation::Any => {
+                let moments = LightMoments::weighted(lights, normalise, weights)?;
+                return Ok(isotropic(degree, &moments));
             }
-            let angles = 2 * degree + 1;
-            samples.extend((0..angles).map(|k| {
+            LightRotation::None => 1,
+            LightRotation::Vertical => 2 * degree + 1,
+        };
+        let mut samples = Vec::new();
+        for (light, weight) in comparable(lights, normalise, weights)? {
+            for k in 0..angles {
                 let alpha = std::f64::consts::TAU * k as f64 / angles as f64;
-                Rotation { alpha, beta: 0.0, gamma: 0.0 }.turn(degree, &light)
-            }));
+                let turned = Rotation { alpha, beta: 0.0, gamma: 0.0 }.turn(degree, &light);
+                samples.push((turned, weight / angles as f64));
+            }
         }
-        let count = samples.len() as f64;
         let mean: Vec<f64> = (0..light::count(degree))
-            .map(|place| samples.iter().map(|light| light[place]).sum::<f64>() / count)
+            .map(|place| samples.iter().map(|(light, weight)| weight * light[place]).sum())
             .collect();
         let about = |centre: Option<&[f64]>| -> Vec<Vec<f64>> {
-            let scaled = |light: &Vec<f64>| {
+            let scaled = |(light, weight): &(Vec<f64>, f64)| {
                 let place = |(k, value): (usize, &f64)| {
-                    (value - centre.map_or(0.0, |centre| centre[k])) / count.sqrt()
+                    weight.sqrt() * (value - centre.map_or(0.0, |centre| centre[k]))
                 };
                 light.iter().enumerate().map(place).collect()
             };

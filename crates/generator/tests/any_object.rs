@@ -9,6 +9,7 @@ use eigenshade_generator::geometry::{Geometry, WeightedNormals};
 use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_generator::inputs::density;
 use eigenshade_generator::light_statistics::LightStatistics;
+use eigenshade_generator::moments::equal;
 use eigenshade_generator::profile::evaluate;
 use eigenshade_generator::special::gauss_legendre;
 use eigenshade_generator::special::spherical_harmonic::{self, azimuth};
@@ -244,8 +245,13 @@ fn any_object_has_the_components_of_its_pictures() {
 #[test]
 fn vertical_statistics_are_those_of_turned_lights() {
     let (lights, _) = databases(4, 0);
-    let statistics = LightStatistics::new(&lights, Normalise::None, LightRotation::Vertical)
-        .expect("statistics");
+    let statistics = LightStatistics::new(
+        &lights,
+        Normalise::None,
+        LightRotation::Vertical,
+        &equal(lights.entries.len()),
+    )
+    .expect("statistics");
     let count = 25;
     let angles = 31;
     let mut samples = Vec::new();

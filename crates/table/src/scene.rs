@@ -1,6 +1,7 @@
 //! The scene file: what a basis is to be made for.
 
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 
 /// A whole scene file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -47,6 +48,9 @@ pub struct Light {
     /// How the lights' exposures are made comparable, for the statistics alone.
     #[serde(default)]
     pub normalise: Normalise,
+    /// How much lights count in the statistics, by name; 1 where nothing is said.
+    #[serde(default)]
+    pub weights: BTreeMap<String, f64>,
 }
 
 /// Which rotations of the captured light are to be expected.
@@ -83,6 +87,9 @@ pub struct Material {
     /// The materials that are meant; empty: all.
     #[serde(default)]
     pub names: Vec<String>,
+    /// How much materials count in the statistics, by name; 1 where nothing is said.
+    #[serde(default)]
+    pub weights: BTreeMap<String, f64>,
 }
 
 /// Which basis is wanted.
