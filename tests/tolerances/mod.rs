@@ -95,3 +95,6 @@ pub const SIXTEEN_BITS: f64 = 1e-4;
 /// Eigenvalues of a density that is linear between 401 slants, of the largest: the square of a step
 /// of 4e-3, an eighth of it at most.
 pub const TABULATED_DENSITY: f64 = 1e-5;
+/// Pictures of normals that weigh 1e-12 of others, of the peak: their images are cut off with the
+/// rank, at 1e-10 of what weighs 1, the root of their weight 1e-6 above that.
+pub const LIGHTEST_NORMALS: f64 = 1e-4;
