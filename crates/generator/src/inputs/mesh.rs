@@ -53,10 +53,8 @@ fn facet(&[a, b, c]: &[[f64; 3]; 3]) -> Option<([f64; 3], f64)> {
     let normal = [u1 * v2 - u2 * v1, u2 * v0 - u0 * v2, u0 * v1 - u1 * v0];
     let length = normal.iter().map(|x| x * x).sum::<f64>().sqrt();
     // Below rounding of the products the direction means nothing; NaN if all edges are 0.
-    if !(length > 4.0 * f64::EPSILON) || normal[2] <= 0.0 {
-        return None;
-    }
-    Some((normal, 0.5 * normal[2] * scale * scale))
+    let has_area = length > 4.0 * f64::EPSILON;
+    (has_area && normal[2] > 0.0).then_some((normal, 0.5 * normal[2] * scale * scale))
 }
 
 /// A fault of the file, to be exported anew.
