@@ -46,6 +46,8 @@ pub enum Error {
     Normal,
     /// A normal points away from the camera.
     Hidden,
+    /// The weights of an estimate's pixels have no sum that is finite and above zero.
+    Weight,
 }
 
 /// What an [`Error`] speaks of.
@@ -119,6 +121,9 @@ impl fmt::Display for Error {
             ),
             Self::Normal => f.write_str("a normal needs finite components and a length"),
             Self::Hidden => f.write_str("a normal points away from the camera: z < -0.001"),
+            Self::Weight => f.write_str(
+                "an estimate needs pixels whose weights have a finite sum above zero; add some",
+            ),
         }
     }
 }

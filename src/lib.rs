@@ -14,6 +14,7 @@
 //! 3. [`Basis::collapse`] sums the components of each azimuth: a [`Scene`].
 //! 4. [`Scene::shade`] gives the irradiance of one [`Normal`],
 //!    [`Scene::shade_slice`] that of many.
+//! 5. The way back: [`Basis::estimate`] takes pixels one by one and gives d.
 //!
 //! ```
 //! # #[cfg(feature = "baked")] {
@@ -76,6 +77,8 @@ mod scene;
 
 mod shade;
 
+mod estimate;
+
 mod error;
 
 #[cfg(feature = "baked")]
@@ -83,6 +86,7 @@ pub mod sphere;
 
 pub use basis::Basis;
 pub use error::{Error, What};
+pub use estimate::Estimate;
 pub use light::Light;
 pub use material::Material;
 pub use normal::{Normal, Normals};
