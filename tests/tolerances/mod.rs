@@ -99,3 +99,5 @@ pub const MILLION_PIXELS: f64 = 1e-6;
 /// Irradiances of coefficients at 2^-100 in f32, scaled back, of the peak: terms below 1e-8 of it
 /// are denormal and lose their last bits.
 pub const SCALED_F32: f64 = 1e-7;
+/// Coefficients that `light` writes, of the largest: nine digits.
+pub const WRITTEN_DIGITS: f64 = 5e-9;
