@@ -101,3 +101,9 @@ pub const MILLION_PIXELS: f64 = 1e-6;
 pub const SCALED_F32: f64 = 1e-7;
 /// Coefficients that `light` writes, of the largest: nine digits.
 pub const WRITTEN_DIGITS: f64 = 5e-9;
+/// UᵀMU over the cut-off: U has been divided by singular values down to it, each with the rounding
+/// of its matrix.
+pub const ORTHONORMAL_ROUNDING: f64 = 1e-15;
+/// |d|² + residual against the energy, relative: the orthonormality of W, twice, and polynomials
+/// that end at 1e-13.
+pub const PARSEVAL: f64 = 1e-11;
