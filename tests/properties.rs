@@ -9,7 +9,8 @@
 mod stability;
 
 use eigenshade_cli::owned_basis::OwnedBasis;
-use eigenshade_generator::database::{Lights, Materials};
+use eigenshade_generator::database::{Lights, Materials, Named};
+use eigenshade_generator::profile::evaluate;
 use eigenshade_generator::rotation::Rotation;
 use eigenshade_generator::scene_file::Loaded;
 use eigenshade_generator::special::gauss_legendre;
@@ -55,6 +56,8 @@ struct Sample {
     unit_ambient: bool,
     cutoff: f64,
     modes: usize,
+    /// Each material again, off by so much of itself: eigenvalues nearly zero, or zero.
+    copies: Option<f64>,
 }
 
 prop_compose! {
@@ -64,16 +67,17 @@ prop_compose! {
         lights in 1usize..5,
         materials in 1usize..6,
         seed in any::<u64>(),
-        spread in 0.0f64..8.0,
+        spread in prop_oneof![0.0f64..8.0, 0.0f64..60.0],
         empty in 0.0f64..0.9,
         standard in any::<bool>(),
         unit_ambient in any::<bool>(),
         cutoff in -12.0f64..-5.0,
         modes in prop_oneof![Just(0usize), 1usize..2000],
+        copies in prop_oneof![Just(None), Just(Some(0.0)), (-16.0f64..-4.0).prop_map(|e| Some(10f64.powf(e)))],
     ) -> Sample {
         let cutoff = 10f64.powf(cutoff);
         Sample {
-            degree, order, lights, materials, seed, spread, empty, standard, unit_ambient, cutoff, modes,
+            degree, order, lights, materials, seed, spread, empty, standard, unit_ambient, cutoff, modes, copies,
         }
     }
 }
@@ -95,9 +99,16 @@ impl Sample {
         let lights = (0..self.lights)
             .map(|k| entry(format!("light-{k}"), light::count(self.degree)))
             .collect();
-        let materials = (0..self.materials)
+        let mut materials: Vec<Named> = (0..self.materials)
             .map(|k| entry(format!("material-{k}"), material::count(self.order)))
             .collect();
+        if let Some(off) = self.copies {
+            for k in 0..materials.len() {
+                let values = materials[k].rgb[0].iter();
+                let copy = values.map(|value| value * (1.0 + off * numbers.next())).collect();
+                materials.push(named(format!("copy-{k}"), copy));
+            }
+        }
         let mut loaded = fixtures::scene(
             Lights { degree: self.degree, entries: lights },
             Materials { order: self.order, entries: materials },
@@ -366,6 +377,8 @@ proptest! {
             prop_assert_eq!((before.order, before.profile), (-one.order, one.profile));
         }
         prop_assert!(values.iter().all(|value| value.is_finite() && *value > 0.0));
+        let at_pole = table.profiles.iter().map(|profile| evaluate(&profile.chebyshev, 1.0));
+        prop_assert!(at_pole.min_by(f64::total_cmp).is_none_or(|least| least > 0.0));
         prop_assert_eq!(decode(&encode(&table)), Ok(table));
     }
 

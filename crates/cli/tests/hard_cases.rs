@@ -228,6 +228,25 @@ fn normals_that_are_not_unit() {
     }
 }
 
+/// Images whose squares are no numbers give no table.
+#[test]
+fn squares_out_of_range() {
+    for size in ["e155", "e-180", "e300"] {
+        let folder = Folder::new();
+        let line = |line: &str| match line.strip_suffix("value") {
+            Some(_) => format!("{line}\n"),
+            None => format!("{line}{size}\n"),
+        };
+        let materials: String = materials(3, 2).lines().map(line).collect();
+        folder.write("materials.csv", materials);
+        assert_fails(
+            &folder,
+            "basis --scene scene.toml --out b.bin",
+            &["scene.toml", "out of range"],
+        );
+    }
+}
+
 /// Linear in light and material, as far as f64 and f32 go.
 #[test]
 fn coefficients_tiny_and_huge() {

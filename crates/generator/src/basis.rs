@@ -17,13 +17,17 @@ const REPORTED: usize = 100;
 /// energy, the constant counted: forty columns of sums.
 const ROUNDING: f64 = 1e-14;
 
+/// Sizes of images whose squares f64 holds.
+const RANGE: std::ops::Range<f64> = 1e-120..1e140;
+
 /// Makes the table of a scene from its lights and materials, which hold at least
 /// the scene's degree and order.
 ///
 /// # Errors
 ///
 /// Empty databases or ones that do not reach the scene's degree and order, lights
-/// that cannot be normalised, numbers that are not finite.
+/// that cannot be normalised, numbers that are not finite, images below 1e-120 or
+/// above 1e140.
 pub fn build(scene: &Scene, lights: &Lights, materials: &Materials) -> Result<Table> {
     let (degree, order) = (scene.light.degree, scene.material.order);
     if materials.entries.is_empty() {
@@ -50,7 +54,9 @@ pub fn build(scene: &Scene, lights: &Lights, materials: &Materials) -> Result<Ta
     let cutoff = scene.basis.rank_cutoff;
     let threshold = cutoff * largest;
     let whole = moments::deviations(&moments, &materials, Criterion::ImageCentered, 0);
-    let rounding = ROUNDING * azimuths[0].block.images(&gram, &whole).norm_l2();
+    let size = azimuths[0].block.images(&gram, &whole).norm_l2();
+    in_range(size)?;
+    let rounding = ROUNDING * size;
     let strongest = largest_of(|azimuth| &azimuth.principal.singular_values);
     let weakest = rounding.max(cutoff * strongest);
     let ranked = ranked(&azimuths, criterion, weakest);
@@ -91,6 +97,17 @@ pub fn build(scene: &Scene, lights: &Lights, materials: &Materials) -> Result<Ta
     }
     summarise(&mut table, &azimuths);
     Ok(table)
+}
+
+/// Whether eigenvalues, squares of `size` down to those of its rounding, are numbers.
+fn in_range(size: f64) -> Result<()> {
+    if size == 0.0 || RANGE.contains(&size) {
+        return Ok(());
+    }
+    Err(Error::new(
+        format!("images of size {size:e}, whose squares are out of range"),
+        "scale the lights or the materials, towards 1",
+    ))
 }
 
 fn analyse(
