@@ -1,5 +1,5 @@
 //! Materials of high order: GGX lobes on a matte ground, projected onto (8) by a
-//! product rule.
+//! product rule, coarsely: what is wanted is their kind, not their last digit.
 //!
 //! The microfacet model of Walter and others, "Microfacet Models for Refraction
 //! through Rough Surfaces", 2007, with the height-correlated masking of Smith and
@@ -34,23 +34,29 @@ fn project(order: usize, alpha: f64, reflectance: f64) -> Vec<f64> {
     let nodes = gauss_legendre::rule(count, 0.0, 1.0);
     let radials: Vec<Vec<f64>> =
         nodes.iter().map(|(z, _)| slant_radials(order, z.acos())).collect();
-    let turns = 2 * count;
-    let cosines: Vec<f64> = (0..turns).map(|k| (TAU * k as f64 / turns as f64).cos()).collect();
+    let steps = gauss_legendre::rule(64, 0.0, 1.0);
     let mut coefficients = vec![0.0; material::count(order)];
     let mut waves = vec![0.0; order + 1];
     for (i, (z_i, w_i)) in nodes.iter().enumerate() {
         for (r, (z_r, w_r)) in nodes.iter().enumerate().take(i + 1) {
             waves.fill(0.0);
-            // cos qΔφ is even: half of the circle, its ends once.
-            for k in 0..=count {
-                let ends = if k == 0 || k == count { 1.0 } else { 2.0 };
-                let value = ends * ggx(*z_i, *z_r, cosines[k], alpha, reflectance);
-                for (q, wave) in waves.iter_mut().enumerate() {
-                    *wave += value * cosines[q * k % turns];
+            // The lobe is as narrow in azimuth as this, however wide it is in slant:
+            // Δφ = π - width sinh(s) finds it. Both halves of the circle are alike.
+            let width = alpha * (z_i + z_r) + (z_i - z_r).abs();
+            let last = (PI / width).asinh();
+            for (step, weight) in &steps {
+                let (sinh, cosh) = ((last * step).sinh(), (last * step).cosh());
+                let cosine = -(width * sinh).cos();
+                let value = 2.0 * weight * last * width * cosh;
+                let value = value * ggx(*z_i, *z_r, cosine, alpha, reflectance);
+                let (mut before, mut wave) = (cosine, 1.0);
+                for sum in &mut waves {
+                    *sum += value * wave;
+                    (before, wave) = (wave, 2.0 * cosine * wave - before);
                 }
             }
             let both = if i == r { 1.0 } else { 2.0 };
-            let area = both * w_i * w_r * TAU * TAU / turns as f64;
+            let area = both * w_i * w_r * TAU;
             for ((o, p, q), sum) in material::indices(order).zip(&mut coefficients) {
                 let (first, second) = (pair::position(o, q), pair::position(p, q));
                 let radial =

@@ -21,6 +21,16 @@ pub struct OwnedBasis<S> {
     mean: Vec<S>,
     mean_coefficients: Vec<S>,
     selection: Vec<bool>,
+    folded: Vec<Folded<S>>,
+}
+
+/// A material that a table has folded in.
+#[derive(Clone, Debug)]
+pub struct Folded<S> {
+    /// Of its coefficients, as [`eigenshade_table::transfer::fingerprint`] has it.
+    pub fingerprint: u64,
+    /// For [`Basis::relight_into`].
+    pub transfer: Vec<S>,
 }
 
 impl<S: Scalar> OwnedBasis<S> {
@@ -28,8 +38,15 @@ impl<S: Scalar> OwnedBasis<S> {
     #[must_use]
     pub fn new(table: &Table) -> Self {
         let parts = eigenshade_table::Parts::new(table);
-        let rounded = |values: &[f64]| values.iter().map(|&value| S::from_f64(value)).collect();
+        fn rounded<S: Scalar>(values: &[f64]) -> Vec<S> {
+            values.iter().map(|&value| S::from_f64(value)).collect()
+        }
+        let folded = table.transfers.iter().map(|one| Folded {
+            fingerprint: one.fingerprint,
+            transfer: rounded(&parts.transfer(&one.numbers)),
+        });
         Self {
+            folded: folded.collect(),
             degree: parts.degree,
             order: parts.order,
             components: parts.components,
@@ -45,6 +62,12 @@ impl<S: Scalar> OwnedBasis<S> {
             lengths: parts.lengths,
             selection: parts.selection,
         }
+    }
+
+    /// The materials that the table has folded in; none where it projects.
+    #[must_use]
+    pub fn folded(&self) -> &[Folded<S>] {
+        &self.folded
     }
 
     /// The basis itself.

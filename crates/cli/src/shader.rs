@@ -1,10 +1,12 @@
 //! From a light and a material to the irradiance of many normals, in a number
 //! format of the runtime.
 
+use crate::owned_basis::Folded;
 use eigenshade::{Basis, Light, Material, Normal, Normals, Scalar, Scene};
 use eigenshade_generator::database::{Lights, Materials, Named};
 use eigenshade_generator::error::{Error, Result};
 use eigenshade_table::Table;
+use eigenshade_table::transfer::fingerprint;
 
 /// Lights and materials without what lies above a table's degree and order.
 #[must_use]
@@ -20,6 +22,7 @@ pub struct Shader<'a, S> {
     workspace: Vec<S>,
     coefficients: Vec<S>,
     scene: Vec<S>,
+    folded: &'a [Folded<S>],
 }
 
 /// Normals component by component, in a number format.
@@ -65,7 +68,15 @@ impl<'a, S: Scalar> Shader<'a, S> {
             workspace: vec![S::ZERO; basis.workspace_len()],
             coefficients: vec![S::ZERO; basis.components()],
             scene: vec![S::ZERO; basis.scene_len()],
+            folded: &[],
         }
+    }
+
+    /// With the materials that the basis's table has folded in, where it takes in no
+    /// others.
+    #[must_use]
+    pub fn with_folded(self, folded: &'a [Folded<S>]) -> Self {
+        Self { folded, ..self }
     }
 
     /// d of one channel of a light on one of a material, of no higher degree and
@@ -74,14 +85,22 @@ impl<'a, S: Scalar> Shader<'a, S> {
     /// # Errors
     ///
     /// Coefficients that are of another degree or order than they claim, or beyond
-    /// the basis.
+    /// the basis; a material that a basis of transfers does not have.
     pub fn project(
         &mut self,
         (degree, light): (usize, &[f64]),
         (order, material): (usize, &[f64]),
     ) -> Result<&[S]> {
-        let (light, material) = (rounded::<S>(light), rounded::<S>(material));
+        let light = rounded::<S>(light);
         let light = Light::new(degree, &light).map_err(fault)?;
+        if !self.basis.projects() {
+            let fingerprint = fingerprint(material);
+            let of = self.folded.iter().find(|one| one.fingerprint == fingerprint);
+            let of = of.ok_or_else(not_folded)?;
+            self.basis.relight_into(&of.transfer, &light, &mut self.coefficients).map_err(fault)?;
+            return Ok(&self.coefficients[..self.components]);
+        }
+        let material = rounded::<S>(material);
         let material = Material::new(order, &material).map_err(fault)?;
         self.basis
             .project_into(&light, &material, &mut self.workspace, &mut self.coefficients)
@@ -149,6 +168,13 @@ impl<'a, S: Scalar> Shader<'a, S> {
             |c: usize| self.polynomial((degree, &light.rgb[c]), (order, &material.rgb[c]), normals);
         Ok([channel(0)?, channel(1)?, channel(2)?])
     }
+}
+
+fn not_folded() -> Error {
+    Error::new(
+        "the table has the transfers of its scene's materials, and a material is none of them",
+        "take the scene's material file, or make a table with store = \"projection\"",
+    )
 }
 
 fn rounded<S: Scalar>(values: &[f64]) -> Vec<S> {

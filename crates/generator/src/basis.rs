@@ -1,7 +1,7 @@
 //! The eigenbasis of one scene, from its databases to its table.
 
 use crate::canonical::{self, Ranked};
-use crate::database::{Lights, Materials};
+use crate::database::{Lights, Materials, Named};
 use crate::eigenimages::{Azimuth, Selected, constant_coordinates};
 use crate::error::{Error, Result};
 use crate::moments::{self, LightMoments};
@@ -85,6 +85,7 @@ pub fn build(scene: &Scene, lights: &Lights, materials: &Materials) -> Result<Ta
         profiles: Vec::new(),
         mean: None,
         spectrum,
+        transfers: Vec::new(),
     };
     let count = match (scene.basis.components, scene.basis.tolerance) {
         (Some(components), _) => components,
@@ -96,6 +97,7 @@ pub fn build(scene: &Scene, lights: &Lights, materials: &Materials) -> Result<Ta
         table.mean = Some(mean_image(&table, &azimuths[0], &moments, &materials));
     }
     summarise(&mut table, &azimuths);
+    table.keep(materials.entries.iter().map(named_channels));
     Ok(table)
 }
 
@@ -108,6 +110,10 @@ fn in_range(size: f64) -> Result<()> {
         format!("images of size {size:e}, whose squares are out of range"),
         "scale the lights or the materials, towards 1",
     ))
+}
+
+fn named_channels(one: &Named) -> (&str, [&[f64]; 3]) {
+    (&one.name, one.rgb.each_ref().map(Vec::as_slice))
 }
 
 fn analyse(
@@ -195,7 +201,7 @@ fn summarise(table: &mut Table, azimuths: &[Azimuth]) {
 }
 
 /// Largest |UᵀMU - I| over the first `count` components, through AU: M itself is
-/// never formed.
+/// never formed. Domain: a table that has U over modes.
 #[must_use]
 pub fn orthonormality(table: &Table, count: usize) -> f64 {
     let mut worst: f64 = 0.0;

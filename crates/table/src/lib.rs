@@ -11,6 +11,8 @@ pub mod gram;
 
 pub mod table;
 
+pub mod transfer;
+
 mod check;
 
 pub mod file;
@@ -30,3 +32,4 @@ pub use gram::GramFactor;
 pub use parts::Parts;
 pub use scene::Scene;
 pub use table::{Component, MeanImage, Profile, Summary, Table};
+pub use transfer::MaterialTransfer;

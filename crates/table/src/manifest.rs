@@ -30,6 +30,7 @@ pub fn manifest(table: &Table, command: &str) -> String {
         ("profiles.factors", of_profiles(|profile| &profile.factors)),
         ("mean", section(&table.mean)),
         ("spectrum", section(&table.spectrum)),
+        ("transfers", section(&table.transfers)),
         ("file", encode(table)),
     ];
     for (entry, bytes) in sections {
@@ -44,6 +45,7 @@ pub fn manifest(table: &Table, command: &str) -> String {
         ("order", gram.order.to_string()),
         ("lights", summary.lights.to_string()),
         ("materials", summary.materials.to_string()),
+        ("store", table.scene.basis.store.name().to_owned()),
         ("components", table.components.len().to_string()),
         ("rank", total.to_string()),
         ("rank of each |m|", per_azimuth.join(" ")),
