@@ -18,6 +18,11 @@ fn main() {
 fn bake(from: &str, to: &str) -> Result<(), String> {
     let bytes = fs::read(from).map_err(|error| format!("{from}: {error}"))?;
     let table = eigenshade_table::decode(&bytes).map_err(|error| format!("{from}: {error}"))?;
+    if !table.has_projection() {
+        return Err(format!(
+            "{from} keeps transfers alone; set store = \"projection\" in its scene"
+        ));
+    }
     let source = eigenshade_table::rust_source::module(&table, &format!("build.rs, from {from}"));
     let to = PathBuf::from(env::var_os("OUT_DIR").ok_or("OUT_DIR is not set")?).join(to);
     fs::write(&to, source).map_err(|error| format!("{}: {error}", to.display()))

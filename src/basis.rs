@@ -68,12 +68,16 @@ impl<'a, S> Basis<'a, S> {
             azimuth += 1;
         }
         let group = layout::LANES * pair::count(parts.order);
+        // A basis of transfers has neither.
+        let folded = parts.polar.is_empty() && parts.factors.is_empty();
+        let polar = if folded { 0 } else { group * layout::groups(parts.degree) };
+        let factors = if folded { 0 } else { factors };
         let selection = if parts.selection.is_empty() { 0 } else { parts.selection_length() };
         let mean = if parts.mean.is_empty() { 0 } else { parts.components };
         let mean_terms = if parts.mean.is_empty() { 0 } else { parts.length(0) };
         let checks = [
             Error::check(What::Slots, slots, parts.slots.len()),
-            Error::check(What::Polar, group * layout::groups(parts.degree), parts.polar.len()),
+            Error::check(What::Polar, polar, parts.polar.len()),
             Error::check(What::Factors, factors, parts.factors.len()),
             Error::check(What::Terms, terms, parts.terms.len()),
             Error::check(What::Mean, mean_terms, parts.mean.len()),
@@ -118,6 +122,13 @@ impl<'a, S> Basis<'a, S> {
     #[must_use]
     pub const fn components(&self) -> usize {
         self.parts.components
+    }
+
+    /// Whether it has what takes a material in. Without, it relights transfers that
+    /// came with it, and no others.
+    #[must_use]
+    pub const fn projects(&self) -> bool {
+        !self.parts.polar.is_empty()
     }
 
     /// Numbers that a projection needs room for: the material's polar integrals,

@@ -46,6 +46,10 @@ pub enum Error {
     Normal,
     /// A normal points away from the camera.
     Hidden,
+    /// A basis of transfers alone is to take in a material.
+    Folded,
+    /// The weights of an estimate's pixels have no sum that is finite and above zero.
+    Weight,
 }
 
 /// What an [`Error`] speaks of.
@@ -123,6 +127,13 @@ impl fmt::Display for Error {
             ),
             Self::Normal => f.write_str("a normal needs finite components and a length"),
             Self::Hidden => f.write_str("a normal points away from the camera: z < -0.001"),
+            Self::Folded => f.write_str(
+                "the basis has the transfers of some materials and takes in no others; make one \
+                 with store = \"projection\"",
+            ),
+            Self::Weight => f.write_str(
+                "an estimate needs pixels whose weights have a finite sum above zero; add some",
+            ),
         }
     }
 }

@@ -14,6 +14,7 @@
 //! 3. [`Basis::collapse`] sums the components of each azimuth: a [`Scene`].
 //! 4. [`Scene::shade`] gives the irradiance of one [`Normal`],
 //!    [`Scene::shade_slice`] that of many.
+//! 5. The way back: [`Basis::estimate`] takes pixels one by one and gives d.
 //!
 //! A [`GeneralBasis`] does the same for objects other than the sphere.
 //!
@@ -80,6 +81,8 @@ mod shade;
 
 mod general;
 
+mod estimate;
+
 mod error;
 
 #[cfg(feature = "baked")]
@@ -87,6 +90,7 @@ pub mod sphere;
 
 pub use basis::Basis;
 pub use error::{Error, What};
+pub use estimate::Estimate;
 pub use general::{GeneralBasis, GeneralParts};
 pub use light::Light;
 pub use material::Material;

@@ -25,7 +25,7 @@ pub struct Parts<'a, S> {
     /// [`index::material`](crate::index::material).
     pub couplings: &'a [Coupling],
     /// √(o+1) N_l^q C_lo^q of (11): for each pair a row over l, `layout::groups`
-    /// groups.
+    /// groups. This and `factors` are empty in a basis of transfers alone.
     pub polar: &'a [S],
     /// Factors of UᵀM: for each profile, each l from |m| on, a row of `layout::row`
     /// numbers, two profiles of an azimuth group by group beside each other, the last

@@ -31,6 +31,8 @@ pub trait Scalar:
     fn is_finite(self) -> bool;
     /// 1/√x for a positive x; set-up only, never called for a pixel.
     fn inverse_root(self) -> Self;
+    /// 1/x; never called for a pixel.
+    fn reciprocal(self) -> Self;
     /// The nearest number of this format.
     fn from_f64(value: f64) -> Self;
 }
@@ -63,6 +65,10 @@ impl Scalar for f32 {
         1.0 / libm::sqrtf(self)
     }
     #[inline]
+    fn reciprocal(self) -> Self {
+        1.0 / self
+    }
+    #[inline]
     #[expect(clippy::cast_possible_truncation, reason = "rounding is what is asked for")]
     fn from_f64(value: f64) -> Self {
         value as Self
@@ -89,6 +95,10 @@ impl Scalar for f64 {
     #[inline]
     fn inverse_root(self) -> Self {
         1.0 / libm::sqrt(self)
+    }
+    #[inline]
+    fn reciprocal(self) -> Self {
+        1.0 / self
     }
     #[inline]
     fn from_f64(value: f64) -> Self {

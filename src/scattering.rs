@@ -20,7 +20,7 @@ impl<S: Scalar> Basis<'_, S> {
         if found > basis {
             return Err(Error::Beyond { what: What::Material, basis, found });
         }
-        Ok(())
+        if self.projects() { Ok(()) } else { Err(Error::Folded) }
     }
 
     /// Writes S: for each l a row over the pairs (p, q), zero-padded. `sums` is

@@ -51,6 +51,39 @@ fn lengths_are_checked() {
     assert!(Basis::new(Parts { selection: &kept, ..parts }).is_ok());
 }
 
+/// A basis of transfers alone relights those, and takes in no material.
+#[test]
+fn a_basis_may_lack_what_projects() {
+    use eigenshade::{Light, Material};
+    let (whole, parts) = (sphere::BASIS, Parts { polar: &[], factors: &[], ..shipped() });
+    let basis = Basis::new(parts).expect("both are left out");
+    assert!(whole.projects() && !basis.projects());
+    let (light, material) = ([1.0; 100], [1.0; 40]);
+    let light = Light::new(9, &light).expect("100 coefficients");
+    let material = Material::new(7, &material).expect("40 coefficients");
+    let transfer = sphere::transfer(&material).expect("it fits");
+    let mut d = [0.0; sphere::COMPONENTS];
+    basis.relight_into(transfer.as_slice(), &light, &mut d).expect("sizes");
+    let expected: sphere::Coefficients = whole.relight(&transfer, &light).expect("sizes");
+    assert_eq!(expected.as_slice(), d);
+    let mut workspace = vec![0.0; basis.workspace_len()];
+    let refused = basis.project_into(&light, &material, &mut workspace, &mut d);
+    assert_eq!(refused, Err(Error::Folded));
+    let mut room = vec![0.0; basis.transfer_len()];
+    let refused = basis.transfer_into(&material, &mut workspace, &mut room);
+    assert_eq!(refused, Err(Error::Folded));
+    // One of the two alone is a mistake.
+    assert!(matches!(refused_length(Parts { polar: &[], ..shipped() }), What::Polar));
+    assert!(matches!(refused_length(Parts { factors: &[], ..shipped() }), What::Factors));
+}
+
+fn refused_length(parts: Parts<'_, f32>) -> What {
+    match refused(parts) {
+        Error::Length { what, .. } => what,
+        other => panic!("{other}"),
+    }
+}
+
 #[test]
 fn profiles_serve_the_components() {
     let parts = shipped();

@@ -76,7 +76,7 @@ impl ExplicitLight {
 }
 
 /// R_n^m(ρ) by the factorial sum.
-fn zernike(n: usize, m: usize, rho: f64) -> f64 {
+pub fn zernike(n: usize, m: usize, rho: f64) -> f64 {
     (0..=(n - m) / 2)
         .map(|k| {
             let sign = if k % 2 == 0 { 1.0 } else { -1.0 };

@@ -98,3 +98,41 @@ pub const TABULATED_DENSITY: f64 = 1e-5;
 /// Pictures of normals that weigh 1e-12 of others, of the peak: their images are cut off with the
 /// rank, at 1e-10 of what weighs 1, the root of their weight 1e-6 above that.
 pub const LIGHTEST_NORMALS: f64 = 1e-4;
+
+/// D(Q) D(R) against D(QR) to degree 64, of the largest coefficient: two sums of 129 terms, each
+/// with the error of [`SPECIAL_HIGH`].
+pub const TURNED: f64 = 1e-11;
+/// UᵀMU of the first hundred components at degree 32 and order 32: a cut-off of 1e-10 leaves 1e-13
+/// of them, sums of sixty thousand modes the rest.
+pub const ORTHONORMAL_HIGH: f64 = 1e-11;
+/// Singular values of A beyond the exact rank, of the largest: some roundings of sums of 47 nodes.
+pub const BEYOND_RANK: f64 = 1e-14;
+/// The weakest eigenvalue that is a component, of the largest: singular values above 1e-14 of the
+/// root of the energy, and the energy is ten times the largest eigenvalue at most.
+pub const WEAKEST: f64 = 1e-28;
+/// Eigenvalues after every input is moved by an ulp, of the largest: 1e-16 times the terms of a sum.
+pub const EIGENVALUE_ULP: f64 = 1e-14;
+/// Singular values that are known by design, of the largest: those of a matrix to the last bits.
+pub const SINGULAR_VALUE: f64 = 1e-13;
+/// A variance of 1e-12 of the squared mean, relative: exposures 1e-6 apart are known to 1e-10.
+pub const SMALL_VARIANCE: f64 = 1e-8;
+/// A map with a sun against explicit sums of degree 16, of the largest coefficient: those lose
+/// seven of sixteen digits.
+pub const SUN: f64 = 1e-9;
+/// A map of 8192 x 4096 with texels in f32, of the largest coefficient: roundings of 6e-8, which
+/// average out, and the midpoint rule's (1/4096)².
+pub const LARGE_MAP: f64 = 1e-7;
+/// d by a compensated sum of a million pixels in f32, of the largest d: eigenimages to 3e-7, whose
+/// errors average out, and two roundings.
+pub const MILLION_PIXELS: f64 = 1e-6;
+/// Irradiances of coefficients at 2^-100 in f32, scaled back, of the peak: terms below 1e-8 of it
+/// are denormal and lose their last bits.
+pub const SCALED_F32: f64 = 1e-7;
+/// Coefficients that `light` writes, of the largest: nine digits.
+pub const WRITTEN_DIGITS: f64 = 5e-9;
+/// UᵀMU over the cut-off: U has been divided by singular values down to it, each with the rounding
+/// of its matrix.
+pub const ORTHONORMAL_ROUNDING: f64 = 1e-15;
+/// |d|² + residual against the energy, relative: the orthonormality of W, twice, and polynomials
+/// that end at 1e-13.
+pub const PARSEVAL: f64 = 1e-11;

@@ -47,17 +47,6 @@ pub fn differences(table: &Table, fresh: &Table) -> Result<Vec<Difference>, Stri
     let both = [table, fresh];
     let [old_values, new_values] = both.map(component_eigenvalues);
     let [old_spectrum, new_spectrum] = both.map(|table| spectrum(table, longest_spectrum(both)));
-    let columns: Vec<_> =
-        (0..=fresh.gram.degree).map(|azimuth| fresh.gram.columns(azimuth)).collect();
-    let images = |profile: &Profile| {
-        let mut image = vec![0.0; profile.node_values.len()];
-        for (column, coefficient) in columns[profile.azimuth].iter().zip(&profile.modes) {
-            for (pixel, value) in image.iter_mut().zip(column) {
-                *pixel += coefficient * value;
-            }
-        }
-        image
-    };
     let of_profiles = |table: &Table, f: &dyn Fn(&Profile) -> Vec<f64>| -> Vec<f64> {
         table.profiles.iter().flat_map(f).collect()
     };
@@ -71,12 +60,9 @@ pub fn differences(table: &Table, fresh: &Table) -> Result<Vec<Difference>, Stri
         found: alone.iter().fold(0.0, |most: f64, value| most.max(value.abs())),
         allowed: 2.0 * fresh.scene.basis.profile_tolerance,
     };
-    let [old_rows, new_rows] =
-        both.map(|table| of_profiles(table, &|profile| table.gram_row(profile)));
     let [old_mean, new_mean] = both.map(mean_coefficients);
     if fresh.general.is_some() {
         let [old_rows, new_rows] = both.map(general_rows);
-        let [old_mean, new_mean] = both.map(mean_coefficients);
         return Ok(vec![
             difference("components' eigenvalues", &old_values, &new_values),
             difference("spectrum", &old_spectrum, &new_spectrum),
@@ -85,17 +71,46 @@ pub fn differences(table: &Table, fresh: &Table) -> Result<Vec<Difference>, Stri
             difference("coefficients of the mean", &old_mean, &new_mean),
         ]);
     }
-    Ok(vec![
+    let mut differences = vec![
         difference("components' eigenvalues", &old_values, &new_values),
         difference("spectrum", &old_spectrum, &new_spectrum),
         compared("profiles at the nodes", &|profile| profile.node_values.clone()),
         difference("polynomials", &old_series, &new_series),
         alone,
-        difference("mode means e", &table.gram.mode_means(), &fresh.gram.mode_means()),
-        difference("rows of U^T M", &old_rows, &new_rows),
-        compared("images A U", &images),
         difference("coefficients of the mean", &old_mean, &new_mean),
-    ])
+    ];
+    if fresh.has_projection() {
+        let [old_means, new_means] = both.map(|table| table.gram.mode_means());
+        differences.push(difference("mode means e", &old_means, &new_means));
+        let [old, new] = both.map(|table| of_profiles(table, &|one| table.gram_row(one)));
+        differences.push(difference("rows of U^T M", &old, &new));
+    } else {
+        let [old, new] = both.map(transfers);
+        differences.push(difference("transfers", &old, &new));
+    }
+    if fresh.has_modes() {
+        let columns: Vec<_> =
+            (0..=fresh.gram.degree).map(|azimuth| fresh.gram.columns(azimuth)).collect();
+        let image = |profile: &Profile| image(&columns[profile.azimuth], profile);
+        let [old, new] = both.map(|table| of_profiles(table, &image));
+        differences.push(difference("images A U", &old, &new));
+    }
+    Ok(differences)
+}
+
+/// A U: weighted values at the nodes.
+fn image(columns: &[Vec<f64>], profile: &Profile) -> Vec<f64> {
+    let mut image = vec![0.0; profile.node_values.len()];
+    for (column, coefficient) in columns.iter().zip(&profile.modes) {
+        for (pixel, value) in image.iter_mut().zip(column) {
+            *pixel += coefficient * value;
+        }
+    }
+    image
+}
+
+fn transfers(table: &Table) -> Vec<f64> {
+    table.transfers.iter().flat_map(|one| one.numbers.iter().copied()).collect()
 }
 
 fn same_shape(table: &Table, fresh: &Table) -> Result<(), String> {

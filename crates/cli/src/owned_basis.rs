@@ -24,6 +24,7 @@ pub struct OwnedBasis<S> {
     mean_coefficients: Vec<S>,
     selection: Vec<bool>,
     general: Option<OwnedGeneral<S>>,
+    folded: Vec<Folded<S>>,
 }
 
 /// The arrays of a general basis, owned.
@@ -36,13 +37,29 @@ struct OwnedGeneral<S> {
     mean_coefficients: Vec<S>,
 }
 
+/// A material that a table has folded in.
+#[derive(Clone, Debug)]
+pub struct Folded<S> {
+    /// Of its coefficients, as [`eigenshade_table::transfer::fingerprint`] has it.
+    pub fingerprint: u64,
+    /// For [`Basis::relight_into`].
+    pub transfer: Vec<S>,
+}
+
 impl<S: Scalar> OwnedBasis<S> {
     /// Rounds a table's numbers to the format.
     #[must_use]
     pub fn new(table: &Table) -> Self {
         let parts = eigenshade_table::Parts::new(table);
-        let rounded = |values: &[f64]| values.iter().map(|&value| S::from_f64(value)).collect();
+        fn rounded<S: Scalar>(values: &[f64]) -> Vec<S> {
+            values.iter().map(|&value| S::from_f64(value)).collect()
+        }
+        let folded = table.transfers.iter().map(|one| Folded {
+            fingerprint: one.fingerprint,
+            transfer: rounded(&parts.transfer(&one.numbers)),
+        });
         Self {
+            folded: folded.collect(),
             degree: parts.degree,
             order: parts.order,
             components: parts.components,
@@ -65,6 +82,12 @@ impl<S: Scalar> OwnedBasis<S> {
                 mean_coefficients: rounded(&general.mean_coefficients),
             }),
         }
+    }
+
+    /// The materials that the table has folded in; none where it projects.
+    #[must_use]
+    pub fn folded(&self) -> &[Folded<S>] {
+        &self.folded
     }
 
     /// The basis of the table's own kind.

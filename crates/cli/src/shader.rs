@@ -1,11 +1,12 @@
 //! From a light and a material to the irradiance of many normals, in a number
 //! format of the runtime.
 
-use crate::owned_basis::AnyBasis;
+use crate::owned_basis::{AnyBasis, Folded};
 use eigenshade::{Light, Material, Normal, Normals, Scalar, Scene};
 use eigenshade_generator::database::{Lights, Materials, Named};
 use eigenshade_generator::error::{Error, Result};
 use eigenshade_table::Table;
+use eigenshade_table::transfer::fingerprint;
 
 /// Lights and materials without what lies above a table's degree and order.
 #[must_use]
@@ -21,6 +22,7 @@ pub struct Shader<'a, S> {
     workspace: Vec<S>,
     coefficients: Vec<S>,
     scene: Vec<S>,
+    folded: &'a [Folded<S>],
 }
 
 /// Normals component by component, in a number format.
@@ -75,7 +77,15 @@ impl<'a, S: Scalar> Shader<'a, S> {
             workspace: vec![S::ZERO; workspace],
             coefficients: vec![S::ZERO; all],
             scene: vec![S::ZERO; scene],
+            folded: &[],
         }
+    }
+
+    /// With the materials that the basis's table has folded in, where it takes in no
+    /// others.
+    #[must_use]
+    pub fn with_folded(self, folded: &'a [Folded<S>]) -> Self {
+        Self { folded, ..self }
     }
 
     /// d of one channel of a light on one of a material, of no higher degree and
@@ -84,14 +94,24 @@ impl<'a, S: Scalar> Shader<'a, S> {
     /// # Errors
     ///
     /// Coefficients that are of another degree or order than they claim, or beyond
-    /// the basis.
+    /// the basis; a material that a basis of transfers does not have.
     pub fn project(
         &mut self,
         (degree, light): (usize, &[f64]),
         (order, material): (usize, &[f64]),
     ) -> Result<&[S]> {
-        let (light, material) = (rounded::<S>(light), rounded::<S>(material));
+        let light = rounded::<S>(light);
         let light = Light::new(degree, &light).map_err(fault)?;
+        if let AnyBasis::Sphere(basis) = &self.basis
+            && !basis.projects()
+        {
+            let fingerprint = fingerprint(material);
+            let of = self.folded.iter().find(|one| one.fingerprint == fingerprint);
+            let of = of.ok_or_else(not_folded)?;
+            basis.relight_into(&of.transfer, &light, &mut self.coefficients).map_err(fault)?;
+            return Ok(&self.coefficients[..self.components]);
+        }
+        let material = rounded::<S>(material);
         let material = Material::new(order, &material).map_err(fault)?;
         let (workspace, coefficients) = (&mut self.workspace, &mut self.coefficients);
         match &self.basis {
@@ -180,6 +200,13 @@ impl<'a, S: Scalar> Shader<'a, S> {
             |c: usize| self.polynomial((degree, &light.rgb[c]), (order, &material.rgb[c]), normals);
         Ok([channel(0)?, channel(1)?, channel(2)?])
     }
+}
+
+fn not_folded() -> Error {
+    Error::new(
+        "the table has the transfers of its scene's materials, and a material is none of them",
+        "take the scene's material file, or make a table with store = \"projection\"",
+    )
 }
 
 fn rounded<S: Scalar>(values: &[f64]) -> Vec<S> {

@@ -1,7 +1,7 @@
 //! The eigenbasis of one scene, from its databases to its table.
 
 use crate::canonical::{self, Ranked};
-use crate::database::{Lights, Materials};
+use crate::database::{Lights, Materials, Named};
 use crate::eigenimages::{Azimuth, Selected, constant_coordinates};
 use crate::error::{Error, Result};
 use crate::moments::{self, LightMoments, MaterialMoments};
@@ -17,13 +17,17 @@ const REPORTED: usize = 100;
 /// energy, the constant counted: forty columns of sums.
 const ROUNDING: f64 = 1e-14;
 
+/// Sizes of images whose squares f64 holds.
+const RANGE: std::ops::Range<f64> = 1e-120..1e140;
+
 /// Makes the table of a scene from its lights and materials, which hold at least
 /// the scene's degree and order.
 ///
 /// # Errors
 ///
 /// Empty databases or ones that do not reach the scene's degree and order, lights
-/// that cannot be normalised, numbers that are not finite.
+/// that cannot be normalised, numbers that are not finite, images below 1e-120 or
+/// above 1e140.
 pub fn build(scene: &Scene, lights: &Lights, materials: &Materials) -> Result<Table> {
     let (lights, materials) = fitted(scene, lights, materials)?;
     let criterion = scene.basis.criterion;
@@ -44,7 +48,9 @@ pub fn build(scene: &Scene, lights: &Lights, materials: &Materials) -> Result<Ta
     let cutoff = scene.basis.rank_cutoff;
     let threshold = cutoff * largest;
     let whole = moments::deviations(&moments, &of_materials, Criterion::ImageCentered, 0);
-    let rounding = ROUNDING * azimuths[0].block.images(&gram, &whole).norm_l2();
+    let size = azimuths[0].block.images(&gram, &whole).norm_l2();
+    in_range(size)?;
+    let rounding = ROUNDING * size;
     let strongest = largest_of(|azimuth| &azimuth.principal.singular_values);
     let weakest = rounding.max(cutoff * strongest);
     let ranked = ranked(&azimuths, criterion, weakest);
@@ -74,6 +80,7 @@ pub fn build(scene: &Scene, lights: &Lights, materials: &Materials) -> Result<Ta
         mean: None,
         spectrum,
         general: None,
+        transfers: Vec::new(),
     };
     let count = match (scene.basis.components, scene.basis.tolerance) {
         (Some(components), _) => components,
@@ -85,6 +92,7 @@ pub fn build(scene: &Scene, lights: &Lights, materials: &Materials) -> Result<Ta
         table.mean = Some(mean_image(&table, &azimuths[0], &moments, &of_materials));
     }
     summarise(&mut table, &azimuths);
+    table.keep(materials.entries.iter().map(named_channels));
     Ok(table)
 }
 
@@ -108,6 +116,21 @@ pub(crate) fn fitted(
         return Err(Error::new(what, format!("ask for no more than that: not {degree}, {order}")));
     }
     Ok((lights.truncated(degree), materials.truncated(order)))
+}
+
+/// Whether eigenvalues, squares of `size` down to those of its rounding, are numbers.
+fn in_range(size: f64) -> Result<()> {
+    if size == 0.0 || RANGE.contains(&size) {
+        return Ok(());
+    }
+    Err(Error::new(
+        format!("images of size {size:e}, whose squares are out of range"),
+        "scale the lights or the materials, towards 1",
+    ))
+}
+
+fn named_channels(one: &Named) -> (&str, [&[f64]; 3]) {
+    (&one.name, one.rgb.each_ref().map(Vec::as_slice))
 }
 
 fn analyse(
@@ -195,7 +218,7 @@ fn summarise(table: &mut Table, azimuths: &[Azimuth]) {
 }
 
 /// Largest |UᵀMU - I| over the first `count` components, through AU: M itself is
-/// never formed.
+/// never formed. Domain: a table that has U over modes.
 #[must_use]
 pub fn orthonormality(table: &Table, count: usize) -> f64 {
     let mut worst: f64 = 0.0;

@@ -18,7 +18,7 @@ use crate::pca::principal;
 use crate::settle::{Functions, settle};
 use crate::span::{Folded, Function, Span};
 use crate::{database, gram, peak, selection};
-use eigenshade_table::scene::Criterion;
+use eigenshade_table::scene::{Criterion, Store};
 use eigenshade_table::{Component, General, GramFactor, Profile, Scene, Summary, Table};
 use faer::Mat;
 
@@ -43,13 +43,22 @@ struct Observed {
 ///
 /// # Errors
 ///
-/// As [`basis::build`](crate::basis::build).
+/// As [`basis::build`](crate::basis::build); a scene whose `store` is not the whole.
 pub fn build(
     scene: &Scene,
     geometry: &Geometry,
     lights: &Lights,
     materials: &Materials,
 ) -> Result<Table> {
+    if scene.basis.store != Store::Modes {
+        return Err(Error::new(
+            format!(
+                "basis.store = \"{}\" is not served for this object or light",
+                scene.basis.store.name()
+            ),
+            "leave it out: such a table is made whole",
+        ));
+    }
     let (lights, materials) = crate::basis::fitted(scene, lights, materials)?;
     let light = {
         let weights = database::weights(&lights.entries, &scene.light.weights)?;
@@ -113,6 +122,7 @@ pub fn build(
         mean: None,
         spectrum: eigenvalues.iter().map(|value| (None, *value)).collect(),
         general: None,
+        transfers: Vec::new(),
         gram: observed.gram.clone(),
     };
     let wanted = match (scene.basis.components, scene.basis.tolerance) {

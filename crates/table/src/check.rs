@@ -34,10 +34,11 @@ impl Table {
         };
         numbers("nodes", &gram.nodes, nodes)?;
         numbers("root weights", &gram.root_weights, nodes)?;
-        numbers("gains", &gram.gains, material::count(order))?;
-        numbers("polar integrals", &gram.polar_integrals, pairs * (degree + 1))?;
-        numbers("radials", &gram.radials, pairs * nodes)?;
-        numbers("rotations", &gram.rotations, frequencies * nodes)?;
+        let projects = usize::from(self.has_projection());
+        numbers("gains", &gram.gains, projects * material::count(order))?;
+        numbers("polar integrals", &gram.polar_integrals, projects * pairs * (degree + 1))?;
+        numbers("radials", &gram.radials, projects * pairs * nodes)?;
+        numbers("rotations", &gram.rotations, projects * frequencies * nodes)?;
         length("selection", self.selection.len(), selection)?;
         self.check_summary(nodes)?;
         for profile in &self.profiles {
@@ -46,12 +47,20 @@ impl Table {
                 return Err(format!("a profile of azimuth {azimuth} at degree {degree}"));
             }
             numbers("profile's node values", &profile.node_values, nodes)?;
-            numbers("profile's modes", &profile.modes, mode::count(degree, order, azimuth))?;
-            numbers("profile's factors", &profile.factors, pairs * (degree - azimuth + 1))?;
+            let modes = if self.has_modes() { mode::count(degree, order, azimuth) } else { 0 };
+            numbers("profile's modes", &profile.modes, modes)?;
+            let factors = projects * pairs * (degree - azimuth + 1);
+            numbers("profile's factors", &profile.factors, factors)?;
             terms("profile's polynomial", &profile.chebyshev)?;
         }
         if !self.profiles.is_sorted_by_key(|profile| profile.azimuth) {
             return Err("profiles out of order".into());
+        }
+        if self.has_projection() {
+            length("transfers", self.transfers.len(), 0)?;
+        }
+        for transfer in &self.transfers {
+            numbers("a material's transfer", &transfer.numbers, self.transfer_length())?;
         }
         self.check_components()?;
         let standard = self.scene.basis.criterion == Criterion::Standard;

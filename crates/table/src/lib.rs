@@ -13,6 +13,8 @@ pub mod general;
 
 pub mod table;
 
+pub mod transfer;
+
 mod check;
 
 pub mod file;
@@ -33,3 +35,4 @@ pub use gram::GramFactor;
 pub use parts::Parts;
 pub use scene::Scene;
 pub use table::{Component, MeanImage, Profile, Summary, Table};
+pub use transfer::MaterialTransfer;

@@ -31,6 +31,7 @@ pub fn manifest(table: &Table, command: &str) -> String {
         ("mean", section(&table.mean)),
         ("spectrum", section(&table.spectrum)),
         ("general", section(&table.general)),
+        ("transfers", section(&table.transfers)),
         ("file", encode(table)),
     ];
     for (entry, bytes) in sections {
@@ -45,6 +46,7 @@ pub fn manifest(table: &Table, command: &str) -> String {
         ("order", gram.order.to_string()),
         ("lights", summary.lights.to_string()),
         ("materials", summary.materials.to_string()),
+        ("store", table.scene.basis.store.name().to_owned()),
         ("components", table.count().to_string()),
         ("span", table.general.as_ref().map_or(0, |_| table.components.len()).to_string()),
         ("rank", total.to_string()),

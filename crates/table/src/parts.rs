@@ -25,7 +25,8 @@ pub struct Parts {
     pub lengths: Vec<u16>,
     /// For each coefficient (o, p, q) the places of the pairs (o, q) and (p, q).
     pub couplings: Vec<[u16; 2]>,
-    /// √(o+1) N_l^q C_lo^q: for each pair a row over l in whole groups.
+    /// √(o+1) N_l^q C_lo^q: for each pair a row over l in whole groups. This and
+    /// `factors` are empty where the table keeps transfers instead.
     pub polar: Vec<f64>,
     /// For each profile, each l from |m| on, a row of `layout::row(order)` numbers,
     /// two profiles of an azimuth group by group beside each other.
@@ -81,11 +82,15 @@ impl Parts {
             ((o + 1) as f64).sqrt()
         };
         let roots: Vec<f64> = (0..pairs).map(root).collect();
-        let polar = grouped(degree, pairs, |l, pair| {
-            roots[pair] * gram.polar_integrals[pair * (degree + 1) + l]
-        });
         let lengths = lengths(table);
-        let factors = factors(table, degree, order);
+        let (polar, factors) = if table.has_projection() {
+            let polar = grouped(degree, pairs, |l, pair| {
+                roots[pair] * gram.polar_integrals[pair * (degree + 1) + l]
+            });
+            (polar, factors(table, degree, order))
+        } else {
+            (Vec::new(), Vec::new())
+        };
         let mut terms = Vec::new();
         for profile in &table.profiles {
             let azimuth = profile.azimuth;
@@ -117,6 +122,30 @@ impl Parts {
             selection: table.selection.clone(),
             lengths,
         }
+    }
+}
+
+impl Parts {
+    /// A transfer of the table's in the order in which the runtime has it.
+    #[must_use]
+    pub fn transfer(&self, numbers: &[f64]) -> Vec<f64> {
+        let rows = |pass: &Pass| {
+            let lowest = layout::lowest_degree(pass.first.into());
+            layout::LANES * usize::from(pass.profiles) * (self.degree + 1 - lowest)
+        };
+        let mut transfer = vec![0.0; self.passes.iter().map(rows).sum()];
+        let mut rest = numbers.iter();
+        for place in &self.profiles {
+            let sign = if place.azimuth % 2 == 1 { -1.0 } else { 1.0 };
+            let degrees = self.degree + 1 - usize::from(place.azimuth);
+            for (row, number) in rest.by_ref().take(degrees).enumerate() {
+                // For m = 0 both are the same place, and the sign is +.
+                for (of, value) in [(place.minus_row, sign * number), (place.plus_row, *number)] {
+                    transfer[of.start as usize + row * of.step as usize] = value;
+                }
+            }
+        }
+        transfer
     }
 }
 

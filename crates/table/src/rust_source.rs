@@ -11,7 +11,8 @@ use std::fmt::Write;
 /// The body of a module with the table's statics in f32, its capacities and its
 /// types; it names the runtime as `eigenshade`.
 ///
-/// `command` is what made it, for the first line.
+/// `command` is what made it, for the first line. Domain: a table that
+/// [projects](Table::has_projection).
 #[must_use]
 pub fn module(table: &Table, command: &str) -> String {
     let parts = Parts::new(table);

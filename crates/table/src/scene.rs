@@ -117,6 +117,9 @@ pub struct Basis {
     /// largest value; it sets the degrees.
     #[serde(default = "default_profile_tolerance")]
     pub profile_tolerance: f64,
+    /// How much of the basis the table keeps.
+    #[serde(default)]
+    pub store: Store,
 }
 
 fn default_rank_cutoff() -> f64 {
@@ -125,6 +128,32 @@ fn default_rank_cutoff() -> f64 {
 
 fn default_profile_tolerance() -> f64 {
     1e-7
+}
+
+/// How much of the basis a table keeps. What it does not keep, its scene makes again.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Store {
+    /// All of it: U over modes, the factors of UᵀM, the factor of M.
+    #[default]
+    Modes,
+    /// Without U over modes: what projects any material.
+    Projection,
+    /// The transfers of the scene's materials, instead of the factors of UᵀM and of M:
+    /// at high order far less, where materials are few.
+    Materials,
+}
+
+impl Store {
+    /// The name that the scene file uses.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Modes => "modes",
+            Self::Projection => "projection",
+            Self::Materials => "materials",
+        }
+    }
 }
 
 /// What the principal components maximise.

@@ -3,6 +3,7 @@
 use crate::general::General;
 use crate::gram::GramFactor;
 use crate::scene::Scene;
+use crate::transfer::MaterialTransfer;
 use eigenshade_index::pair;
 use serde::{Deserialize, Serialize};
 
@@ -31,6 +32,9 @@ pub struct Table {
     pub spectrum: Vec<(Option<i32>, Option<f64>)>,
     /// Eigenimages that are sums of the components, which are then but a span.
     pub general: Option<General>,
+    /// The scene's materials folded in, with [`Store::Materials`](crate::scene::Store);
+    /// the factors of M and of UᵀM are then empty.
+    pub transfers: Vec<MaterialTransfer>,
 }
 
 /// One eigenimage: U = u(α) Φ_m(β).
@@ -58,10 +62,12 @@ pub struct Profile {
     /// \[0, 1\]; h(1) > 0.
     pub chebyshev: Vec<f64>,
     /// Coefficients of the eigenimage over the modes of |m|, in the order of
-    /// `eigenshade_index::mode`: a column of U.
+    /// `eigenshade_index::mode`: a column of U. Empty unless
+    /// [`Table::has_modes`].
     pub modes: Vec<f64>,
     /// UᵀM, factored: for each l = |m|..=degree, for each pair (p, q),
-    /// (-1)^q √(p+1) Σ_k √w_k W_k R_p^q D_l^mq. See [`Table::gram_row`].
+    /// (-1)^q √(p+1) Σ_k √w_k W_k R_p^q D_l^mq. See [`Table::gram_row`]. Empty unless
+    /// [`Table::has_projection`].
     pub factors: Vec<f64>,
 }
 
@@ -100,7 +106,7 @@ impl Table {
     /// (Ĉ_lo^q g_pq + Ĉ_lp^q g_oq) / √2, for o = p Ĉ_lo^q g_oq, with
     /// Ĉ_lo^q = √(o+1) N_l^q C_lo^q and g the factors of l.
     ///
-    /// Modes that a selection dropped are 0.
+    /// Modes that a selection dropped are 0. Domain: [`Table::has_projection`].
     #[must_use]
     pub fn gram_row(&self, profile: &Profile) -> Vec<f64> {
         let gram = &self.gram;

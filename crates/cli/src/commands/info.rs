@@ -6,6 +6,7 @@ use eigenshade_cli::{destination, table_file};
 use eigenshade_generator::error::Result;
 use eigenshade_table::Table;
 use eigenshade_table::manifest::manifest;
+use eigenshade_table::scene::Store;
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -44,6 +45,7 @@ fn description(table: &Table) -> String {
         ("asked for", wanted),
         ("modes", eigenshade_index::mode::total(table.gram.degree, table.gram.order).to_string()),
         ("kept modes", kept_modes(table)),
+        ("store", stored(table).to_owned()),
         ("profiles", table.profiles.len().to_string()),
         ("spectrum", table.spectrum.len().to_string()),
         ("nodes", table.gram.nodes.len().to_string()),
@@ -64,6 +66,17 @@ fn description(table: &Table) -> String {
         };
     }
     text
+}
+
+/// What the table keeps of the basis.
+fn stored(table: &Table) -> &'static str {
+    match table.scene.basis.store {
+        Store::Modes => "U over modes, the factors of U^T M",
+        Store::Projection => "the factors of U^T M; U over modes is made again from the scene",
+        Store::Materials => {
+            "the transfers of the scene's materials; U and U^T M are made again from the scene"
+        }
+    }
 }
 
 fn kept_modes(table: &Table) -> String {

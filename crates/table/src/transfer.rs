@@ -1,0 +1,94 @@
+//! The transfers of a scene's materials: what a table keeps of UᵀM where it does not
+//! keep it for every material.
+//!
+//! T_i,l = Σ_opq (UᵀM)_i,(l,opq) b_op^q, so that d_i = Σ_l T_i,l L_l^m; for -m times
+//! (-1)^m.
+
+use crate::scene::Store;
+use crate::table::Table;
+use eigenshade_index::{material, mode};
+use serde::{Deserialize, Serialize};
+
+/// One channel of one material, folded into a basis.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct MaterialTransfer {
+    /// What the material is called.
+    pub name: String,
+    /// Which coefficients it was made of: see [`fingerprint`].
+    pub fingerprint: u64,
+    /// T for each profile, each l = |m|..=degree.
+    pub numbers: Vec<f64>,
+}
+
+/// A number that tells coefficients apart: FNV-1a of their bits, 64 of them.
+#[must_use]
+pub fn fingerprint(coefficients: &[f64]) -> u64 {
+    let bytes = coefficients.iter().flat_map(|value| value.to_bits().to_le_bytes());
+    bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
+    })
+}
+
+impl Table {
+    /// Whether it keeps U over modes.
+    #[must_use]
+    pub fn has_modes(&self) -> bool {
+        self.scene.basis.store == Store::Modes
+    }
+
+    /// Whether it keeps the factors of UᵀM and of M, and so projects any material.
+    #[must_use]
+    pub fn has_projection(&self) -> bool {
+        self.scene.basis.store != Store::Materials
+    }
+
+    /// Leaves what the scene's `store` says of a whole table; `materials` are the
+    /// scene's, channel by channel, coefficients of the table's order.
+    pub fn keep<'a>(&mut self, materials: impl IntoIterator<Item = (&'a str, [&'a [f64]; 3])>) {
+        if self.scene.basis.store == Store::Materials {
+            let rows: Vec<Vec<f64>> =
+                self.profiles.iter().map(|profile| self.gram_row(profile)).collect();
+            for (name, channels) in materials {
+                for coefficients in channels {
+                    let fingerprint = fingerprint(coefficients);
+                    let known = |one: &MaterialTransfer| one.fingerprint == fingerprint;
+                    if !self.transfers.iter().any(known) {
+                        let numbers = self.folded(&rows, coefficients);
+                        let name = name.to_owned();
+                        self.transfers.push(MaterialTransfer { name, fingerprint, numbers });
+                    }
+                }
+            }
+            let gram = &mut self.gram;
+            for part in
+                [&mut gram.gains, &mut gram.polar_integrals, &mut gram.radials, &mut gram.rotations]
+            {
+                *part = Vec::new();
+            }
+            self.profiles.iter_mut().for_each(|profile| profile.factors = Vec::new());
+        }
+        if self.scene.basis.store != Store::Modes {
+            self.profiles.iter_mut().for_each(|profile| profile.modes = Vec::new());
+        }
+    }
+
+    /// T of one channel of a material, from the rows of UᵀM.
+    fn folded(&self, rows: &[Vec<f64>], coefficients: &[f64]) -> Vec<f64> {
+        let (degree, order) = (self.gram.degree, self.gram.order);
+        let mut numbers = Vec::with_capacity(self.transfer_length());
+        for (profile, row) in self.profiles.iter().zip(rows) {
+            let mut sums = vec![0.0; degree + 1 - profile.azimuth];
+            let modes = mode::indices(degree, order, profile.azimuth);
+            for ((l, o, p, q), entry) in modes.zip(row) {
+                sums[l - profile.azimuth] += entry * coefficients[material::position(o, p, q)];
+            }
+            numbers.extend(sums);
+        }
+        numbers
+    }
+
+    /// Numbers of one transfer.
+    pub(crate) fn transfer_length(&self) -> usize {
+        self.profiles.iter().map(|profile| self.gram.degree + 1 - profile.azimuth).sum()
+    }
+}

@@ -1,0 +1,118 @@
+//! The coefficients d of an image by scalar product, pixel by pixel as they come:
+//! d_i = I • U_i, (19).
+//!
+//! A plain f32 sum of a million pixels is off by 1e-5 and may be off by 3e-2: each
+//! addition loses what is below the sum's last bit. Each sum here carries what it lost (Kahan's
+//! compensated summation), so its error is a rounding or two whatever the number of
+//! pixels.
+
+use crate::basis::Basis;
+use crate::error::{Error, What};
+use crate::normal::Normal;
+use crate::polynomial;
+use crate::projection::{Coefficients, zeros};
+use crate::scalar::Scalar;
+use crate::scene::{argument, turned};
+
+/// An estimate in the making: see [`Basis::estimate`].
+#[derive(Clone, Debug)]
+pub struct Estimate<'a, S, const K: usize> {
+    basis: Basis<'a, S>,
+    sums: heapless::Vec<Sum<S>, K>,
+    weight: Sum<S>,
+}
+
+impl<'a, S: Scalar> Basis<'a, S> {
+    /// An estimate of d from pixels, with no pixel so far.
+    ///
+    /// `K` is at least [`components`](Self::components); it keeps 2 K + 2 numbers.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Capacity`] if `K` is too small.
+    pub fn estimate<const K: usize>(&self) -> Result<Estimate<'a, S, K>, Error> {
+        let mut sums = heapless::Vec::new();
+        sums.resize_default(self.components()).map_err(|_| Error::Capacity {
+            what: What::Coefficients,
+            needed: self.components(),
+            capacity: K,
+        })?;
+        Ok(Estimate { basis: *self, sums, weight: Sum::default() })
+    }
+}
+
+impl<S: Scalar, const K: usize> Estimate<'_, S, K> {
+    /// Adds a pixel: its normal, the irradiance seen there, and its weight, the area
+    /// of the image that it stands for (1 where all are alike).
+    ///
+    /// Cost: one polynomial for each profile, five additions and a product for each
+    /// component; no root, no division.
+    #[inline]
+    pub fn add(&mut self, normal: Normal<S>, irradiance: S, weight: S) {
+        let parts = self.basis.parts();
+        let t = argument(normal.z);
+        let seen = weight * (irradiance - polynomial::value(parts.mean, t));
+        let mut terms = parts.terms;
+        let (mut cosine, mut sine, mut azimuth) = (S::ONE, S::ZERO, 0);
+        for place in parts.profiles {
+            while azimuth < place.azimuth() {
+                (cosine, sine) = turned(cosine, sine, normal.x, normal.y);
+                azimuth += 1;
+            }
+            let (of_profile, rest) =
+                terms.split_at_checked(parts.length(azimuth)).unwrap_or((terms, &[]));
+            terms = rest;
+            let profile = seen * polynomial::value(of_profile, t);
+            // Φ_-m = √2 sin(-mβ).
+            for (index, around) in [(place.plus, cosine), (place.minus, -sine)] {
+                let sum = index.and_then(|index| self.sums.get_mut(usize::from(index)));
+                if let Some(sum) = sum {
+                    sum.add(profile * around);
+                }
+            }
+        }
+        self.weight.add(weight);
+    }
+
+    /// d: the weighted mean over the pixels of (I - the mean image) U_i.
+    ///
+    /// It is I • U_i as far as the pixels, with their weights, are spread as the
+    /// normals of the basis are; for a sphere: all pixels of its disc, seen from afar.
+    /// Of a part of an object it is not; that takes least squares.
+    ///
+    /// Against the same mean in exact arithmetic the error is below 1e-6 of the largest
+    /// coefficient in f32, for a million pixels and the shipped table.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Weight`] unless the sum of the weights is finite and above zero.
+    pub fn coefficients(&self) -> Result<Coefficients<S, K>, Error> {
+        let mut coefficients = zeros::<S, K>(What::Coefficients, self.sums.len())?;
+        let weight = self.weight.sum;
+        if !(weight.is_finite() && weight > S::ZERO) {
+            return Err(Error::Weight);
+        }
+        let scale = weight.reciprocal();
+        for (coefficient, sum) in coefficients.iter_mut().zip(&self.sums) {
+            *coefficient = sum.sum * scale;
+        }
+        Ok(coefficients)
+    }
+}
+
+/// A sum and what its last addition rounded away.
+#[derive(Clone, Copy, Debug, Default)]
+struct Sum<S> {
+    sum: S,
+    excess: S,
+}
+
+impl<S: Scalar> Sum<S> {
+    #[inline]
+    fn add(&mut self, term: S) {
+        let owed = term - self.excess;
+        let next = self.sum + owed;
+        self.excess = (next - self.sum) - owed;
+        self.sum = next;
+    }
+}

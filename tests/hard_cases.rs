@@ -1,0 +1,52 @@
+//! The hard cases, each with its bounds: `docs/stability.md` has a line of each.
+
+#[path = "stability/mod.rs"]
+mod stability;
+
+use stability::{CASES, Case};
+
+/// Every figure of a case keeps to its bound.
+fn assert_holds(case: &Case) {
+    for figure in (case.measure)() {
+        println!("{}: {} {:e}, {:?}", case.name, figure.what, figure.found, figure.bound);
+        assert!(figure.holds(), "{}: {figure:?}", case.name);
+    }
+}
+
+macro_rules! cases {
+    ($($test:ident = $case:path;)*) => {
+        $(#[test]
+        fn $test() {
+            assert_holds(&$case);
+        })*
+
+        /// No case of the document is without its test.
+        #[test]
+        fn every_case_is_tested() {
+            assert_eq!([$($case.name),*].as_slice(), CASES.iter().map(|case| case.name).collect::<Vec<_>>());
+        }
+    };
+}
+
+cases! {
+    special_functions = stability::special::FUNCTIONS;
+    turned_frames = stability::rotations::COMPOSITION;
+    turned_together = stability::rotations::TOGETHER;
+    degree_32_and_order_32 = stability::high_degree::CASE;
+    a_root_of_the_singular = stability::singular::ROOT;
+    exact_ranks = stability::singular::RANKS;
+    more_components_than_rank = stability::singular::MORE_THAN_RANK;
+    the_same_order_and_sign = stability::spectra::SAME_ORDER;
+    nearly_equal_eigenvalues = stability::spectra::NEARLY_EQUAL;
+    pole_and_rim = stability::edges::POLE_AND_RIM;
+    few_lights_and_materials = stability::databases::FEW;
+    materials_all_alike = stability::databases::ALIKE;
+    zeros = stability::databases::ZEROS;
+    plain_lights_and_materials = stability::databases::PLAIN;
+    a_covariance_of_rank_one = stability::databases::RANK_ONE;
+    a_sun = stability::sun::TEXEL;
+    maps_of_odd_sizes = stability::sun::SIZES;
+    scales_in_f64 = stability::scales::DOUBLE;
+    scales_in_f32 = stability::scales::SINGLE;
+    a_million_pixels = stability::summation::MILLION;
+}

@@ -1,0 +1,116 @@
+//! The hard cases: what goes wrong naively, what is done about it, and how far off
+//! the answer is, measured against an oracle.
+//!
+//! `tests/hard_cases.rs` asserts every bound; the example `stability` writes the same
+//! figures to `docs/stability.md` and compares them.
+#![allow(dead_code, reason = "the tests and the example take different parts")]
+
+pub mod databases;
+pub mod edges;
+pub mod exact_rank;
+pub mod fixtures;
+pub mod glossy;
+pub mod high_degree;
+pub mod rotations;
+pub mod scales;
+pub mod singular;
+pub mod special;
+pub mod spectra;
+pub mod summation;
+pub mod sun;
+
+#[path = "../oracle/mod.rs"]
+pub mod oracle;
+#[path = "../tolerances/mod.rs"]
+pub mod tolerances;
+
+/// One measured number and what it has to keep to.
+#[derive(Clone, Debug)]
+pub struct Figure {
+    /// What was measured.
+    pub what: &'static str,
+    /// The number.
+    pub found: f64,
+    /// What it may be.
+    pub bound: Bound,
+}
+
+/// What a figure has to keep to.
+#[derive(Clone, Copy, Debug)]
+pub enum Bound {
+    /// Ours: an error of no more than this.
+    Most(f64),
+    /// The naive way's: an error of this at least, or the case is none.
+    Least(f64),
+    /// A count.
+    Exactly(f64),
+}
+
+impl Figure {
+    /// An error that may be no larger.
+    pub fn most(what: &'static str, found: f64, bound: f64) -> Self {
+        Self { what, found: found.abs(), bound: Bound::Most(bound) }
+    }
+
+    /// An error of the naive way.
+    pub fn least(what: &'static str, found: f64, bound: f64) -> Self {
+        Self { what, found, bound: Bound::Least(bound) }
+    }
+
+    /// A count.
+    pub fn exactly(what: &'static str, found: usize, bound: usize) -> Self {
+        Self { what, found: found as f64, bound: Bound::Exactly(bound as f64) }
+    }
+
+    /// Whether it keeps to it; a NaN keeps to nothing.
+    pub fn holds(&self) -> bool {
+        match self.bound {
+            Bound::Most(bound) => self.found <= bound,
+            Bound::Least(bound) => self.found >= bound,
+            Bound::Exactly(bound) => self.found == bound,
+        }
+    }
+}
+
+/// A line of `docs/stability.md`.
+pub struct Case {
+    /// What is hard.
+    pub name: &'static str,
+    /// What goes wrong naively.
+    pub naively: &'static str,
+    /// What is done here.
+    pub here: &'static str,
+    /// Measures.
+    pub measure: fn() -> Vec<Figure>,
+}
+
+/// All cases, in the order of the document.
+pub const CASES: &[Case] = &[
+    special::FUNCTIONS,
+    rotations::COMPOSITION,
+    rotations::TOGETHER,
+    high_degree::CASE,
+    singular::ROOT,
+    singular::RANKS,
+    singular::MORE_THAN_RANK,
+    spectra::SAME_ORDER,
+    spectra::NEARLY_EQUAL,
+    edges::POLE_AND_RIM,
+    databases::FEW,
+    databases::ALIKE,
+    databases::ZEROS,
+    databases::PLAIN,
+    databases::RANK_ONE,
+    sun::TEXEL,
+    sun::SIZES,
+    scales::DOUBLE,
+    scales::SINGLE,
+    summation::MILLION,
+];
+
+/// The largest |x|; NaN if there is one.
+pub fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
+    values.into_iter().fold(0.0, |most: f64, value| {
+        if value.is_nan() || value.abs() > most { value.abs() } else { most }
+    })
+}

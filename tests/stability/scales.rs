@@ -1,0 +1,111 @@
+//! Coefficients that are tiny or huge.
+
+use super::oracle::Numbers;
+use super::{Case, Figure, fixtures, largest, tolerances};
+use eigenshade::Scalar;
+use eigenshade_cli::owned_basis::OwnedBasis;
+use eigenshade_table::Table;
+
+pub const DOUBLE: Case = Case {
+    name: "coefficients at 1e-30 and 1e+30 in f64",
+    naively: "products of light and material, or squares, out of range",
+    here: "linear all the way, nothing squared: a power of two in light or material comes out to the last bit",
+    measure: double,
+};
+
+pub const SINGLE: Case = Case {
+    name: "coefficients at 1e-30 and 1e+30 in f32",
+    naively: "light times material, 1e+60, is infinite before the basis makes it small; 1e-45 stalls on denormals",
+    here: "the material is folded first: 1e+30 meets 1e-30 as late as can be; nothing finite becomes infinite",
+    measure: single,
+};
+
+/// 2^100 = 1.3e30.
+const FAR: i32 = 100;
+
+fn double() -> Vec<Figure> {
+    let found = measure::<f64>();
+    vec![
+        Figure::most("answers scaled, of the peak", found.apart, 0.0),
+        Figure::exactly("answers that are not finite", found.infinite, 0),
+    ]
+}
+
+fn single() -> Vec<Figure> {
+    let found = measure::<f32>();
+    vec![
+        Figure::most("answers scaled, of the peak", found.apart, tolerances::SCALED_F32),
+        Figure::exactly("answers that are not finite", found.infinite, 0),
+        Figure::exactly("answers of 1e-60 that are not 0", found.not_zero, 0),
+    ]
+}
+
+/// Irradiances of scaled inputs against the scaled irradiances.
+#[derive(Default)]
+struct Found {
+    apart: f64,
+    infinite: usize,
+    not_zero: usize,
+}
+
+fn measure<S: Scalar + Into<f64>>() -> Found {
+    let loaded = fixtures::shipped();
+    let table = fixtures::table(&loaded);
+    let mut numbers = Numbers(41);
+    let light = fixtures::lights(9, 1, &mut numbers).entries[0].luminance();
+    let material = fixtures::materials(7, 1, &mut numbers).entries[0].luminance();
+    let plain = images::<S>(&table, &light, &material);
+    let peak = largest(plain.iter().copied());
+    let mut all = Found::default();
+    for (of_light, of_material) in
+        [(FAR, 0), (-FAR, 0), (0, FAR), (0, -FAR), (FAR, -FAR), (-FAR, FAR), (-FAR, -FAR)]
+    {
+        let scaled = |values: &[f64], power: i32| -> Vec<f64> {
+            values.iter().map(|value| value * 2f64.powi(power)).collect()
+        };
+        let (light, material) = (scaled(&light, of_light), scaled(&material, of_material));
+        let start = std::time::Instant::now();
+        let found = images::<S>(&table, &light, &material);
+        println!("2^{of_light} on 2^{of_material}: {:.2} ms", start.elapsed().as_secs_f64() * 1e3);
+        let factor = 2f64.powi(of_light + of_material);
+        all.infinite += found.iter().filter(|value| !value.is_finite()).count();
+        // 1e-60 is nothing in f32.
+        if S::from_f64(factor).into() == 0.0 {
+            all.not_zero += found.iter().filter(|value| **value != 0.0).count();
+            continue;
+        }
+        let errors = found.iter().zip(&plain).map(|(a, b)| (a / factor - b) / peak);
+        all.apart = largest([all.apart, largest(errors)]);
+    }
+    all
+}
+
+/// Irradiances by all three ways: projection, transfer and new light, component by
+/// component.
+fn images<S: Scalar + Into<f64>>(table: &Table, light: &[f64], material: &[f64]) -> Vec<f64> {
+    let owned = OwnedBasis::<S>::new(table);
+    let basis = owned.basis().expect("a basis");
+    let narrow =
+        |values: &[f64]| values.iter().map(|&value| S::from_f64(value)).collect::<Vec<_>>();
+    let (light, material) = (narrow(light), narrow(material));
+    let light = eigenshade::Light::new(9, &light).expect("coefficients");
+    let material = eigenshade::Material::new(7, &material).expect("coefficients");
+    let mut d = vec![S::ZERO; basis.components()];
+    let mut relit = d.clone();
+    let mut workspace = vec![S::ZERO; basis.workspace_len()];
+    let mut transfer = vec![S::ZERO; basis.transfer_len()];
+    basis.project_into(&light, &material, &mut workspace, &mut d).expect("sizes");
+    basis.transfer_into(&material, &mut workspace, &mut transfer).expect("sizes");
+    basis.relight_into(&transfer, &light, &mut relit).expect("sizes");
+    let mut found = Vec::new();
+    for d in [d, relit] {
+        let scene = basis.collapse_into(&d, vec![S::ZERO; basis.scene_len()]).expect("sizes");
+        for [x, y, z] in fixtures::normals(&fixtures::SLANTS, 5) {
+            let normal = eigenshade::Normal::new(S::from_f64(x), S::from_f64(y), S::from_f64(z));
+            let normal = normal.expect("visible");
+            found.push(scene.shade(normal).into());
+            found.push(basis.reconstruct(&d, normal).expect("all components").into());
+        }
+    }
+    found
+}
