@@ -34,6 +34,12 @@ mod eigenimages;
 
 pub mod basis;
 
+pub mod node_image;
+
+pub mod representation;
+
+pub mod partial_sum;
+
 pub mod peak;
 
 pub mod scene_file;
