@@ -66,8 +66,7 @@ impl MaterialImages {
     pub fn new(gram: &GramFactor, kept: &[bool], materials: &[Vec<f64>]) -> Self {
         let nodes = gram.nodes.len();
         let empty = |azimuth: usize| vec![vec![0.0; nodes]; gram.degree + 1 - azimuth];
-        let mut harmonics =
-            vec![(0..=gram.degree).map(empty).collect::<Vec<_>>(); materials.len()];
+        let mut harmonics = vec![(0..=gram.degree).map(empty).collect::<Vec<_>>(); materials.len()];
         for azimuth in 0..=gram.degree {
             let columns = gram.columns(azimuth);
             let modes = mode::indices(gram.degree, gram.order, azimuth);

@@ -2,10 +2,13 @@
 
 use crate::canvas::Canvas;
 use crate::number::exact;
+use crate::rows::Rows;
 use crate::{destination, picture};
 use eigenshade_generator::error::{Error, Result};
 use std::path::Path;
 
+/// What makes these files; each text says so in its first line.
+pub const COMMAND: &str = "eigenshade paper";
 /// Significant digits of the figures' numbers.
 const DIGITS: usize = 6;
 
@@ -40,16 +43,25 @@ impl Artefact {
         Self { name: name.into(), content: Content::Picture(canvas) }
     }
 
-    /// CSV of these rows.
-    #[must_use]
-    pub fn csv(name: impl Into<String>, header: &str, rows: &[Vec<String>]) -> Self {
-        let mut text = format!("{header}\n");
+    /// CSV of these rows; the header's columns are separated by commas.
+    ///
+    /// # Errors
+    ///
+    /// None in truth: the rows are as long as the header.
+    pub fn csv(name: impl Into<String>, header: &str, rows: &[Vec<String>]) -> Result<Self> {
+        let mut bytes = format!("# {COMMAND}\n").into_bytes();
+        let mut sheet = Rows::new(&mut bytes, header.split(','))?;
         for row in rows {
-            debug_assert_eq!(row.len(), header.split(',').count());
-            text.push_str(&row.join(","));
-            text.push('\n');
+            sheet.row(row)?;
         }
-        Self::text(name, text)
+        sheet.finish()?;
+        Ok(Self::text(name, String::from_utf8_lossy(&bytes).into_owned()))
+    }
+
+    /// An SVG chart.
+    #[must_use]
+    pub fn chart(name: impl Into<String>, svg: &str) -> Self {
+        Self::text(name, format!("<!-- {COMMAND} -->\n{svg}"))
     }
 
     /// The same in a folder.

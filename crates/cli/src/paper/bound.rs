@@ -7,6 +7,8 @@ use super::study::{Modes, Study, Trial};
 use crate::parallel;
 use eigenshade_generator::error::Result;
 use eigenshade_generator::partial_sum::{PartialSum, Step};
+use eigenshade_generator::selection::variances;
+use eigenshade_table::GramFactor;
 use indicatif::ProgressBar;
 use plotters::prelude::SeriesLabelPosition;
 
@@ -15,7 +17,7 @@ pub const ACCURACIES: [f64; 6] = [0.3, 0.1, 1e-2, 1e-3, 1e-4, 1e-6];
 /// What the bound is allowed to miss for rounding, of the image's mean.
 pub const ROUNDING: f64 = 1e-13;
 /// The image whose course is drawn: light, material.
-const DRAWN: (&str, &str) = ("venice", "05-leather");
+const DRAWN: (&str, &str) = ("studio", "05-leather");
 
 /// What one accuracy takes, over all images that reach it.
 pub struct Row {
@@ -45,11 +47,12 @@ pub struct Row {
 pub struct Bounds {
     /// By modes, then by accuracy.
     pub rows: Vec<Row>,
-    /// The largest error less bound over all partial sums, of the image's mean: what
-    /// rounding leaves of "never".
-    pub violation: f64,
+    /// Number of partial sums whose error exceeds the bound by more than [`ROUNDING`].
+    pub violations: usize,
     /// Number of partial sums that were compared.
     pub compared: usize,
+    /// Modes that are zero: their polar integrals (11) are.
+    pub zero_modes: usize,
     /// Every partial sum of the drawn image, by all modes.
     drawn: Vec<Step>,
     /// Those of the selected modes.
@@ -70,7 +73,7 @@ impl Bounds {
     /// Sums every image at every number of terms.
     #[must_use]
     pub fn new(study: &Study, trials: &[Trial], progress: &ProgressBar) -> Self {
-        let (mut rows, mut violation, mut compared) = (Vec::new(), f64::NEG_INFINITY, 0);
+        let (mut rows, mut violations, mut compared) = (Vec::new(), 0, 0);
         let mut drawn = Vec::new();
         let drawn_trial = study.trial(trials, DRAWN.0, DRAWN.1).ok();
         for modes in Modes::BOTH {
@@ -81,13 +84,14 @@ impl Bounds {
             };
             let found = parallel::map(trials.len(), progress, |k| {
                 let (trial, steps) = (&trials[k], steps(&trials[k]));
-                let over = |step: &Step| (step.error - step.bound) / trial.mean;
-                let worst = steps.iter().map(over).fold(f64::NEG_INFINITY, f64::max);
+                // Written so that a NaN counts.
+                let holds = |step: &Step| step.error <= step.bound + ROUNDING * trial.mean;
+                let over = steps.iter().filter(|step| !holds(step)).count();
                 let reached = ACCURACIES.map(|accuracy| reach(&steps, trial.mean, accuracy));
-                (worst, steps.len(), reached)
+                (over, steps.len(), reached)
             });
-            for (worst, count, _) in &found {
-                violation = violation.max(*worst);
+            for (over, count, _) in &found {
+                violations += over;
                 compared += count;
             }
             for (place, accuracy) in ACCURACIES.into_iter().enumerate() {
@@ -99,7 +103,15 @@ impl Bounds {
         let drawn_selected = drawn.pop().unwrap_or_default();
         let drawn = drawn.pop().unwrap_or_default();
         let drawn_mean = drawn_trial.map_or(1.0, |trial| trial.mean);
-        Self { rows, violation, compared, drawn, drawn_selected, drawn_mean }
+        Self {
+            rows,
+            violations,
+            compared,
+            zero_modes: zero_modes(&study.gram),
+            drawn,
+            drawn_selected,
+            drawn_mean,
+        }
     }
 
     /// CSV and chart.
@@ -120,8 +132,8 @@ impl Bounds {
                       largest_error_over_bound,median_bound_over_triangle,\
                       exceeding_uncorrelated,largest_error_over_uncorrelated";
         Ok(vec![
-            Artefact::csv("bound.csv", header, &rows),
-            Artefact::text("bound.svg", self.chart()?),
+            Artefact::csv("bound.csv", header, &rows)?,
+            Artefact::chart("bound.svg", &self.chart()?),
         ])
     }
 
@@ -144,7 +156,7 @@ impl Bounds {
             horizontal: "terms summed, the strongest first",
             vertical: "rms left out, of the mean",
             columns: 0.0..3704.0,
-            rows: 1e-6..1e2,
+            rows: 1e-6..10.0,
             labels: 8,
             format: chart::percent,
             legend: SeriesLabelPosition::LowerLeft,
@@ -158,6 +170,15 @@ impl Bounds {
         let step = self.drawn_selected.first()?;
         Some([step.error, step.bound].map(|value| value / self.drawn_mean))
     }
+}
+
+/// Modes whose variance is nothing but rounding.
+fn zero_modes(gram: &GramFactor) -> usize {
+    let of = |azimuth: usize| {
+        let signs = if azimuth == 0 { 1 } else { 2 };
+        signs * variances(gram, azimuth).iter().filter(|value| **value < 1e-24).count()
+    };
+    (0..=gram.degree).map(of).sum()
 }
 
 /// The fewest terms whose bound is within the accuracy.
@@ -180,8 +201,7 @@ impl Row {
         let (middle, last) = (reached.len() / 2, reached.len().saturating_sub(1));
         let terms = sorted(&|one| one.step.terms as f64);
         let ratio = sorted(&|one| one.step.error / one.step.bound.max(f64::MIN_POSITIVE));
-        let excess =
-            sorted(&|one| one.step.error / one.step.uncorrelated.max(f64::MIN_POSITIVE));
+        let excess = sorted(&|one| one.step.error / one.step.uncorrelated.max(f64::MIN_POSITIVE));
         let over = excess.iter().filter(|ratio| **ratio > 1.0).count();
         Self {
             accuracy,

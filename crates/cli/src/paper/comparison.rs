@@ -26,10 +26,10 @@ pub fn compare(artefacts: &[Artefact], folder: &Path) -> Result<(usize, usize)> 
             continue;
         }
         let path = folder.join(&artefact.name);
-        let found =
-            std::fs::read_to_string(&path).map_err(|error| Error::io(&path, &error))?;
+        let found = std::fs::read_to_string(&path).map_err(|error| Error::io(&path, &error))?;
         numbers += compare_texts(&found, text).map_err(|(line, what)| {
-            let remedy = format!("make it again with `eigenshade paper --out {}`", folder.display());
+            let remedy =
+                format!("make it again with `eigenshade paper --out {}`", folder.display());
             Error::new(what, remedy).at_line(&path, line)
         })?;
         files += 1;

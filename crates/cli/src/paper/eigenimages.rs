@@ -14,6 +14,9 @@ const SHOWN: usize = 12;
 const COLUMNS: usize = 4;
 /// Pixels across each.
 const SIZE: usize = 180;
+/// The colours end at this value; an image whose square is 1 on average exceeds it in a
+/// thin ring at the rim alone.
+const SCALE: f64 = 3.0;
 /// Components whose eigenvalues are listed.
 const LISTED: usize = 100;
 
@@ -34,7 +37,7 @@ pub fn artefacts(study: &Study) -> Result<Vec<Artefact>> {
             rows.push(whole.into_iter().chain([value, share, digits(left)]).collect());
         }
         let header = "component,m,eigenvalue,share,left";
-        artefacts.push(Artefact::csv(format!("{name}.csv"), header, &rows));
+        artefacts.push(Artefact::csv(format!("{name}.csv"), header, &rows)?);
     }
     Ok(artefacts)
 }
@@ -55,11 +58,9 @@ fn plate(name: &str, table: &Table) -> Result<Artefact> {
         scene.shade_slice(normals, &mut image).map_err(fault)?;
         images.push(image);
     }
-    let largest = images.iter().flatten().fold(0.0, |most: f64, value| most.max(value.abs()));
-    let largest = (10.0 * largest).ceil() / 10.0;
     for (index, (image, component)) in images.iter().zip(&table.components).enumerate() {
         let (column, row) = (index % COLUMNS, index / COLUMNS);
-        let image: Vec<f64> = image.iter().map(|value| value / largest).collect();
+        let image: Vec<f64> = image.iter().map(|value| value / SCALE).collect();
         plate.signed(column, row, &image);
         let share = component.eigenvalue.map(|value| 100.0 * value / table.summary.energy);
         let words = match share {
@@ -69,5 +70,5 @@ fn plate(name: &str, table: &Table) -> Result<Artefact> {
         plate.below(column, row, 0, &format!("{index}: m = {}", component.order));
         plate.below(column, row, 1, &words);
     }
-    Ok(Artefact::picture(format!("{name}.png"), plate.scale(&format!("{largest:.1}"))))
+    Ok(Artefact::picture(format!("{name}.png"), plate.scale(&format!("{SCALE}"))))
 }

@@ -18,17 +18,15 @@ pub const SHOWN: usize = 100;
 /// Criteria in the order of [`Study::tables`].
 pub const CRITERIA: [Criterion; 2] = [Criterion::ImageCentered, Criterion::Standard];
 /// Materials that Fig. 6 names.
-const NAMED: [(&str, plotters::style::RGBColor); 4] = [
-    ("11-plaster-b", GREEN),
-    ("07-velvet", PURPLE),
-    ("05-leather", ORANGE),
-    ("41-brick-b", BLUE),
-];
+const NAMED: [(&str, plotters::style::RGBColor); 4] =
+    [("11-plaster-b", GREEN), ("07-velvet", PURPLE), ("05-leather", ORANGE), ("41-brick-b", BLUE)];
 
 /// Mean errors, for 0 to [`SHOWN`] components.
 pub struct Errors {
     names: Vec<String>,
     lights: Vec<String>,
+    /// L_1^0 / L_0^0 of each light: positive where more comes from the front.
+    pub fronts: Vec<f64>,
     /// By basis, in the order of [`Study::tables`], then by K.
     pub mean: [Vec<f64>; 4],
     /// By basis, then by material, then by K: over all lights.
@@ -65,6 +63,7 @@ impl Errors {
                 let of = |k: usize| average(basis, &move |trial: &Trial| trial.light == k);
                 (0..lights.len()).map(of).collect()
             }),
+            fronts: study.luminances.iter().map(|light| light[2] / light[0]).collect(),
             names,
             lights,
         }
@@ -90,6 +89,20 @@ impl Errors {
         names.zip(self.by_material[0].iter().map(Vec::as_slice))
     }
 
+    /// Spearman's rank correlation over the lights: of [`fronts`](Self::fronts) with the mean
+    /// error by this number of components, all modes, image-centred.
+    #[must_use]
+    pub fn correlation(&self, count: usize) -> f64 {
+        let errors: Vec<f64> = self.lights().map(|(_, errors)| errors[count]).collect();
+        let [fronts, errors] = [&self.fronts, &errors].map(|values| {
+            let below = |value: &f64| values.iter().filter(|other| *other < value).count() as f64;
+            let middle = 0.5 * (values.len() as f64 - 1.0);
+            values.iter().map(|value| below(value) - middle).collect::<Vec<f64>>()
+        });
+        let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        product(&fronts, &errors) / product(&fronts, &fronts)
+    }
+
     /// CSV and charts.
     pub fn artefacts(&self) -> Result<Vec<Artefact>> {
         let mut rows = Vec::new();
@@ -99,23 +112,39 @@ impl Errors {
         }
         let header = "components,image_centered,standard,image_centered_1000,standard_1000";
         let mut artefacts = vec![
-            Artefact::csv("error.csv", header, &rows),
-            Artefact::text("error.svg", self.chart()?),
+            Artefact::csv("error.csv", header, &rows)?,
+            Artefact::chart("error.svg", &self.chart()?),
         ];
-        artefacts.push(self.sheet("error_by_material", &self.names, &self.by_material));
-        artefacts.push(self.sheet("error_by_light", &self.lights, &self.by_light));
+        artefacts.push(self.sheet(
+            "error_by_material",
+            &self.names,
+            &self.by_material,
+            &CRITERIA,
+        )?);
+        artefacts.push(self.sheet(
+            "error_by_light",
+            &self.lights,
+            &self.by_light,
+            &CRITERIA[..1],
+        )?);
         for modes in Modes::BOTH {
             let name = format!("error_by_material{}.svg", modes.suffix());
-            artefacts.push(Artefact::text(name, self.material_chart(modes)?));
+            artefacts.push(Artefact::chart(name, &self.material_chart(modes)?));
         }
         Ok(artefacts)
     }
 
     /// One row for each basis and K, one column for each name.
-    fn sheet(&self, name: &str, columns: &[String], errors: &[Vec<Vec<f64>>; 4]) -> Artefact {
+    fn sheet(
+        &self,
+        name: &str,
+        columns: &[String],
+        errors: &[Vec<Vec<f64>>; 4],
+        criteria: &[Criterion],
+    ) -> Result<Artefact> {
         let mut rows = Vec::new();
         for modes in Modes::BOTH {
-            for criterion in CRITERIA {
+            for &criterion in criteria {
                 for count in 0..=SHOWN {
                     let of_basis = &errors[place(criterion, modes)];
                     let first =

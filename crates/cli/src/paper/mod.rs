@@ -24,6 +24,10 @@ pub mod bound;
 
 pub mod selected;
 
+mod report_table;
+
+mod report_bound;
+
 pub mod report;
 
 pub mod comparison;
@@ -50,12 +54,14 @@ pub fn make(progress: &ProgressBar) -> Result<Vec<Artefact>> {
     let variance = variance::Variance::new(&study);
     let errors = error::Errors::new(&study, &trials);
     let bounds = bound::Bounds::new(&study, &trials, progress);
+    let reconstructions = reconstruction::Reconstructions::new(&study, &trials)?;
     let selected = selected::Selected::new(&study, &trials);
     let page = report::Report {
         study: &study,
         variance: &variance,
         errors: &errors,
         bounds: &bounds,
+        reconstructions: &reconstructions,
         selected: &selected,
     };
     let mut artefacts = vec![Artefact::text(PAGE, page.page())];
@@ -64,9 +70,9 @@ pub fn make(progress: &ProgressBar) -> Result<Vec<Artefact>> {
         eigenimages::artefacts(&study)?,
         spheres::artefacts(&study, progress)?,
         errors.artefacts()?,
-        reconstruction::artefacts(&study, &trials)?,
+        reconstructions.artefacts()?,
         bounds.artefacts()?,
-        selected.artefacts(),
+        selected.artefacts()?,
     ] {
         artefacts.extend(figure.into_iter().map(|artefact| artefact.below(FOLDER)));
     }

@@ -5,7 +5,7 @@ use crate::sphere_view::SphereView;
 use crate::tone::srgb;
 
 /// What stands behind.
-const PAPER: [u8; 3] = [255, 255, 255];
+const PAPER: [u8; 3] = [212, 214, 217];
 /// Letters.
 const INK: [u8; 3] = [40, 42, 46];
 /// The edge of a signed image, which may be as pale as the paper.
@@ -13,7 +13,7 @@ const EDGE: [u8; 3] = [120, 122, 126];
 /// Letters are so many times the font's.
 const SCALE: usize = 2;
 
-/// A plate, on white.
+/// A plate, on a grey that is neither the brightest of an image nor the zero of a signed one.
 pub struct Plate {
     canvas: Canvas,
     view: SphereView,
@@ -111,7 +111,7 @@ impl Plate {
         let extra = 4 * LETTER * SCALE;
         let top = self.canvas.height;
         self.canvas.height += extra;
-        self.canvas.bytes.resize(3 * self.canvas.width * self.canvas.height, PAPER[0]);
+        self.canvas.bytes.extend(PAPER.repeat(self.canvas.width * extra));
         let left = (self.canvas.width - width) / 2;
         for column in 0..width {
             let value = 2.0 * column as f64 / (width - 1) as f64 - 1.0;
@@ -120,9 +120,8 @@ impl Plate {
             }
         }
         let under = top + height + LETTER;
-        for (place, text) in [format!("-{largest}"), "0".into(), format!("+{largest}")]
-            .into_iter()
-            .enumerate()
+        for (place, text) in
+            [format!("-{largest}"), "0".into(), format!("+{largest}")].into_iter().enumerate()
         {
             self.centred(left + place * width / 2, under, &text);
         }

@@ -2,6 +2,7 @@
 
 use super::artefact::{Artefact, digits};
 use super::study::{Modes, Study, Trial, place};
+use eigenshade_generator::error::Result;
 use eigenshade_generator::selection::variances;
 use eigenshade_index::mode;
 use eigenshade_table::scene::Criterion;
@@ -80,8 +81,11 @@ impl Selected {
     }
 
     /// CSV.
-    #[must_use]
-    pub fn artefacts(&self) -> Vec<Artefact> {
+    ///
+    /// # Errors
+    ///
+    /// None in truth.
+    pub fn artefacts(&self) -> Result<Vec<Artefact>> {
         let mut rows: Vec<Vec<String>> = [
             ["modes_kept".into(), self.kept.to_string()],
             ["mode_variance_left_out".into(), digits(self.variance_left)],
@@ -101,6 +105,6 @@ impl Selected {
         for (l, count) in self.by_degree.iter().enumerate() {
             rows.push(vec![format!("modes_kept_of_degree_{l}"), count.to_string()]);
         }
-        vec![Artefact::csv("selected_modes.csv", "quantity,value", &rows)]
+        Ok(vec![Artefact::csv("selected_modes.csv", "quantity,value", &rows)?])
     }
 }

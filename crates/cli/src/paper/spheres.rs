@@ -14,7 +14,7 @@ use indicatif::ProgressBar;
 
 /// Material and light of each, as near to the paper's as the shipped lights come.
 pub const SHOWN: [(&str, &str); 3] =
-    [("07-velvet", "forest"), ("05-leather", "venice"), ("55-orange-peel", "blender-sunset")];
+    [("07-velvet", "forest"), ("05-leather", "studio"), ("55-orange-peel", "blender-sunset")];
 /// Pixels across each.
 const SIZE: usize = 288;
 /// The share of an image's values that its exposure leaves unclipped.
@@ -26,7 +26,7 @@ pub fn artefacts(study: &Study, progress: &ProgressBar) -> Result<Vec<Artefact>>
     let owned = OwnedBasis::<f64>::new(table);
     // All of its components span whatever the selected modes give.
     let mut shader = Shader::new(owned.basis().map_err(fault)?, usize::MAX);
-    let mut plate = Plate::new(SIZE, (SHOWN.len(), 2), (0, 6, 1));
+    let mut plate = Plate::new(SIZE, (SHOWN.len(), 2), (0, 6, 2));
     let normals = plate.normals().to_vec();
     let shaded = OwnedNormals::<f64>::new(&normals);
     for (column, (material, light)) in SHOWN.into_iter().enumerate() {
@@ -47,8 +47,8 @@ pub fn artefacts(study: &Study, progress: &ProgressBar) -> Result<Vec<Artefact>>
             let image: Vec<[f64; 3]> =
                 image.iter().map(|rgb| rgb.map(|value| scale * value)).collect();
             plate.light(column, row, &image);
-            let words = |name: &str| title(name);
-            plate.below(column, row, 0, &format!("{}, {}", words(&material.name), light.name));
+            plate.below(column, row, 0, &title(&material.name));
+            plate.below(column, row, 1, &light.name);
         }
     }
     plate.beside(0, &["3,704", "modes"]);

@@ -2,11 +2,11 @@
 //! the surface.
 
 use super::artefact::{Artefact, digits};
-use super::chart::{self, Axes, BLUE, GREEN, INK, LETTERS, Line, ORANGE, fault, letters};
+use super::chart::{self, Axes, BLUE, GREEN, INK, Line, ORANGE, fault, letters};
 use super::study::{DEGREE, ORDER, Study};
 use eigenshade_generator::error::Result;
 use eigenshade_generator::selection::variances;
-use eigenshade_index::{light, material, mode};
+use eigenshade_index::{material, mode};
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
@@ -17,7 +17,7 @@ pub const SURFACES: [(usize, usize, &str); 3] =
 
 /// Variances below this share of the largest are rounding: most are zero in truth.
 const ROUNDING: f64 = 1e-20;
-/// Decades that the colours span.
+/// Decades that the colours span: a millionth.
 const DECADES: f64 = 6.0;
 
 /// The variances, and what the paper's three surfaces make of them.
@@ -33,7 +33,8 @@ impl Variance {
     #[must_use]
     pub fn new(study: &Study) -> Self {
         let empty = vec![vec![0.0; DEGREE + 1]; material::count(ORDER)];
-        let mut variance = Self { by_mode: empty, selected: vec![vec![0; DEGREE + 1]; 40] };
+        let empty_counts = vec![vec![0; DEGREE + 1]; material::count(ORDER)];
+        let mut variance = Self { by_mode: empty, selected: empty_counts };
         for azimuth in 0..=DEGREE {
             let signs = if azimuth == 0 { 1 } else { 2 };
             let modes = mode::indices(DEGREE, ORDER, azimuth);
@@ -90,10 +91,10 @@ impl Variance {
             }
         }
         Ok(vec![
-            Artefact::csv("variance.csv", "l,o,p,q,variance,modes,selected", &rows),
-            Artefact::text("variance.svg", self.map()?),
-            Artefact::csv("variance_beyond.csv", "surface,degree,modes,beyond", &shares),
-            Artefact::text("variance_beyond.svg", self.shares()?),
+            Artefact::csv("variance.csv", "l,o,p,q,variance,modes,selected", &rows)?,
+            Artefact::chart("variance.svg", &self.map()?),
+            Artefact::csv("variance_beyond.csv", "surface,degree,modes,beyond", &shares)?,
+            Artefact::chart("variance_beyond.svg", &self.shares()?),
         ])
     }
 
@@ -180,7 +181,7 @@ impl Variance {
             let upright = centred(HPos::Center, VPos::Center).transform(FontTransform::Rotate270);
             write("degree l of the light".into(), (24, (top + bottom) / 2), upright)?;
             // The scale.
-            let scale = (left + 210, bottom + 82);
+            let scale = (left + 280, bottom + 82);
             for step in 0..60 {
                 let from = scale.0 + 6 * step;
                 let corners = [(from, scale.1), (from + 6, scale.1 + 16)];
@@ -188,13 +189,12 @@ impl Variance {
                 root.draw(&Rectangle::new(corners, shade.filled())).map_err(fault)?;
             }
             let beside = scale.1 + 8;
-            let least = format!("variance: 10^-{DECADES} or less");
+            let least = "variance: a millionth or less".to_owned();
             write(least, (scale.0 - 10, beside), centred(HPos::Right, VPos::Center))?;
             let most = "the largest".to_owned();
             write(most, (scale.0 + 370, beside), centred(HPos::Left, VPos::Center))?;
             root.present().map_err(fault)?;
         }
-        debug_assert!(LETTERS < 30 && light::count(DEGREE) == 100);
         Ok(svg)
     }
 }
