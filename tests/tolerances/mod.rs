@@ -69,3 +69,10 @@ pub const DENSE_PROJECTION: f64 = 1e-12;
 pub const PEAK_GRID: f64 = 0.01;
 /// One f32 result by two orders of summation, of the largest: some twenty roundings.
 pub const SAME_SUM_F32: f32 = 1e-6;
+/// Shares of the Lambertian modes' variance against the closed form: sums of ten numbers.
+pub const LAMBERTIAN_SHARES: f64 = 1e-12;
+/// Errors of representation and of partial sums, over nodes against pixels, of the image's
+/// energy: 36 intervals in cos α are exact, the rest is roundings of some thousand terms.
+pub const FIGURE_ERROR: f64 = 1e-12;
+/// A mean over the rotations of a light against (38), relative: roundings of some thousand terms.
+pub const MEAN_OVER_ROTATIONS: f64 = 1e-12;

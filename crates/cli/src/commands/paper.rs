@@ -38,6 +38,10 @@ impl Paper {
             let folder = out.join(FOLDER);
             fs::create_dir_all(&folder).map_err(|error| Error::io(&folder, &error))?;
         }
+        if let Some(folder) = &self.purpose.check {
+            let page = folder.join(PAGE);
+            fs::metadata(&page).map_err(|error| Error::io(&page, &error))?;
+        }
         let progress = spinner("figures");
         let made = make(&progress);
         progress.finish_and_clear();
