@@ -118,7 +118,7 @@ fn partial_sums_are_those_of_pixels_and_within_their_bound() {
 
     let mut terms = Vec::new();
     let top = DEGREE.cast_signed();
-    let mut sums = vec![0.0; 2 * DEGREE + 1];
+    let mut sums = [0.0; 2 * DEGREE + 1];
     for m in -top..=top {
         let azimuth = m.unsigned_abs();
         let modes = mode::indices(DEGREE, ORDER, azimuth);

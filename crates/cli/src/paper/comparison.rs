@@ -60,8 +60,8 @@ pub fn compare_texts(found: &str, expected: &str) -> std::result::Result<usize, 
             match (number(found), number(expected)) {
                 (Some((a, _)), Some((b, unit))) => {
                     let allowed = (ALLOWED * a.abs().max(b.abs())).max(FLOOR * largest).max(unit);
-                    // Written so that a NaN is a difference.
-                    if !((a - b).abs() <= allowed) {
+                    let is_near = (a - b).abs() <= allowed;
+                    if !is_near {
                         return Err((line, format!("{found} where {expected} belongs")));
                     }
                     numbers += 1;

@@ -24,10 +24,6 @@ pub mod bound;
 
 pub mod selected;
 
-mod report_table;
-
-mod report_bound;
-
 pub mod report;
 
 pub mod comparison;

@@ -1,9 +1,9 @@
 //! The page's section on section 4.4 of the paper.
 
-use super::bound::{ACCURACIES, Bounds, Row};
-use super::report_table::{percent, table};
-use super::study::Modes;
+use super::table::{percent, table};
 use crate::number::grouped;
+use crate::paper::bound::{ACCURACIES, Bounds, Row};
+use crate::paper::study::Modes;
 
 /// The section, in Markdown.
 pub fn section(bounds: &Bounds) -> String {

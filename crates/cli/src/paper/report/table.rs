@@ -27,6 +27,12 @@ pub fn percent(share: f64) -> String {
     format!("{value:.places$} %")
 }
 
+/// A number of components, or that there are not enough.
+#[must_use]
+pub fn components(count: Option<usize>) -> String {
+    count.map_or("more than 100".into(), |count| count.to_string())
+}
+
 /// From small to large.
 #[must_use]
 pub fn sorted(values: impl Iterator<Item = f64>) -> Vec<f64> {
