@@ -89,7 +89,7 @@ impl Artefact {
     }
 }
 
-/// A number of [`DIGITS`] significant digits.
+/// A number of six significant digits.
 #[must_use]
 pub fn digits(value: f64) -> String {
     exact(format!("{value:.*e}", DIGITS - 1).parse().unwrap_or(value))

@@ -18,7 +18,7 @@ pub fn section(report: &Report<'_>) -> String {
          thin ring at the rim is beyond the colours' end. Below stand its m and its share of the variance within images. The \
          constant, two slopes, a bowl, two saddles, then slopes again with a rim of the other sign. +m and -m have one \
          eigenvalue, so each pair may be turned at will. Beyond these twelve lie {} of the variance. With the 1,000 modes \
-         they look [the same](paper/eigenimages_1000.png); {} of the variance that these modes give lies beyond. Figures: \
+         the first eleven look [the same](paper/eigenimages_1000.png); {} of the variance that these modes give lies beyond. Figures: \
          [eigenimages.csv](paper/eigenimages.csv), [eigenimages_1000.csv](paper/eigenimages_1000.csv).\n",
         shares[0], shares[1]
     )
