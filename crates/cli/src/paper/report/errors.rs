@@ -63,7 +63,7 @@ pub fn materials(report: &Report<'_>) -> String {
          Components that it takes, over the 61 materials:\n\n{}\n\
          As in the paper, materials differ widely, and matte ones need fewer than glossy ones. They need more here than the \
          paper's five. Which light it is counts for more than which material: with five components the mean error over all \
-         materials is {} under `{}`, but {} under `{}`. Most of that is light from behind: the rank correlation of the \
+         materials is {} under `{}`, but {} under `{}`. Much of that goes with light from behind: the rank correlation of the \
          error with L_1^0 / L_0^0, which is positive where more light comes from the front, is {:.2} over the {} lights, \
          and {} of them come more from behind. What is left of the difference we cannot tell: the paper's maps are others, \
          it does not say at which error a material counts as represented, and its velvet is another fit of the same \
