@@ -103,7 +103,7 @@ pub fn brdf(terms: &[(usize, usize, usize, f64)], theta_i: f64, theta_r: f64, dp
 }
 
 /// Clenshaw-Curtis nodes and weights on [0, 1], `count` + 1 of them, `count` even.
-fn clenshaw_curtis(count: usize) -> Vec<(f64, f64)> {
+pub fn clenshaw_curtis(count: usize) -> Vec<(f64, f64)> {
     (0..=count)
         .map(|k| {
             let angle = PI * k as f64 / count as f64;

@@ -136,3 +136,10 @@ pub const ORTHONORMAL_ROUNDING: f64 = 1e-15;
 /// |d|² + residual against the energy, relative: the orthonormality of W, twice, and polynomials
 /// that end at 1e-13.
 pub const PARSEVAL: f64 = 1e-11;
+/// Shares of the Lambertian modes' variance against the closed form: sums of ten numbers.
+pub const LAMBERTIAN_SHARES: f64 = 1e-12;
+/// Errors of representation and of partial sums, over nodes against pixels, of the image's
+/// energy: 36 intervals in cos α are exact, the rest is roundings of some thousand terms.
+pub const FIGURE_ERROR: f64 = 1e-12;
+/// A mean over the rotations of a light against (38), relative: roundings of some thousand terms.
+pub const MEAN_OVER_ROTATIONS: f64 = 1e-12;

@@ -15,6 +15,8 @@ pub mod parallel;
 
 pub mod table_file;
 
+pub mod shipped;
+
 pub mod named;
 
 pub mod owned_basis;
@@ -32,3 +34,5 @@ pub mod tone;
 pub mod canvas;
 
 pub mod picture;
+
+pub mod paper;

@@ -44,6 +44,12 @@ pub mod basis;
 
 pub mod general;
 
+pub mod node_image;
+
+pub mod representation;
+
+pub mod partial_sum;
+
 pub mod peak;
 
 pub mod scene_file;

@@ -9,6 +9,7 @@ mod evaluate_functions;
 mod info;
 mod light;
 mod material;
+mod paper;
 mod project;
 mod render;
 mod shade;
@@ -29,6 +30,7 @@ pub enum Command {
     Shade(shade::Shade),
     Render(render::Render),
     Evaluate(evaluate::Evaluate),
+    Paper(paper::Paper),
 }
 
 impl Command {
@@ -45,6 +47,7 @@ impl Command {
             Self::Shade(command) => command.run(),
             Self::Render(command) => command.run(),
             Self::Evaluate(command) => command.run(),
+            Self::Paper(command) => command.run(),
         }
     }
 }

@@ -1,0 +1,62 @@
+//! `eigenshade paper`: the figures of the paper, on the shipped data.
+
+use clap::Args;
+use eigenshade_cli::message::{say, spinner};
+use eigenshade_cli::paper::comparison::compare;
+use eigenshade_cli::paper::{FOLDER, PAGE, make};
+use eigenshade_generator::error::{Error, Result};
+use std::fs;
+use std::path::PathBuf;
+
+/// The figures of Nillius and Eklundh (2003) and their numbers, on the shipped data
+///
+/// --out writes DIR/paper.md, and what it shows into DIR/paper: CSV, SVG charts and
+/// PNG pictures. --check makes the numbers anew and compares paper.md and every CSV:
+/// counts and words must be equal, other numbers within two units of six digits, or one
+/// of the last digit where there are fewer. Pictures are not compared.
+#[derive(Args, Debug)]
+pub struct Paper {
+    #[command(flatten)]
+    purpose: Purpose,
+}
+
+#[derive(Args, Debug)]
+#[group(required = true, multiple = false)]
+struct Purpose {
+    /// Folder for the files; it is made if need be
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Compares the files of this folder with what the program finds now
+    #[arg(long, value_name = "DIR")]
+    check: Option<PathBuf>,
+}
+
+impl Paper {
+    pub fn run(self) -> Result<()> {
+        if let Some(out) = &self.purpose.out {
+            // Before the work: a folder that cannot be made need not wait for it.
+            let folder = out.join(FOLDER);
+            fs::create_dir_all(&folder).map_err(|error| Error::io(&folder, &error))?;
+        }
+        if let Some(folder) = &self.purpose.check {
+            let page = folder.join(PAGE);
+            fs::metadata(&page).map_err(|error| Error::io(&page, &error))?;
+        }
+        let progress = spinner("figures");
+        let made = make(&progress);
+        progress.finish_and_clear();
+        let artefacts = made?;
+        if let Some(out) = &self.purpose.out {
+            for artefact in &artefacts {
+                artefact.write(out)?;
+            }
+            let page = out.join(PAGE);
+            say(format_args!("{} and {} figures' files", page.display(), artefacts.len() - 1));
+        }
+        if let Some(folder) = &self.purpose.check {
+            let (files, numbers) = compare(&artefacts, folder)?;
+            say(format_args!("{numbers} numbers of {files} files are what they should be"));
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,208 @@
+//! Fig. 5 and 6: how the error falls with the number of components, on the whole data
+//! set and for each material.
+//!
+//! The error of an image is the paper's: the variance within the residual over the
+//! variance within the image. The residual of K components is the image less its
+//! projection; standard PCA subtracts the mean image first, and its K does not count
+//! it, where image-centred PCA's K counts the constant.
+
+use super::artefact::{Artefact, digits};
+use super::chart::{self, Axes, BLUE, GREEN, Line, ORANGE, PALE, PURPLE};
+use super::study::{Modes, Study, Trial, place};
+use eigenshade_generator::error::Result;
+use eigenshade_table::scene::Criterion;
+use plotters::prelude::SeriesLabelPosition;
+
+/// Errors are given to so many components.
+pub const SHOWN: usize = 100;
+/// Criteria in the order of [`Study::tables`].
+pub const CRITERIA: [Criterion; 2] = [Criterion::ImageCentered, Criterion::Standard];
+/// Materials that Fig. 6 names.
+const NAMED: [(&str, plotters::style::RGBColor); 4] =
+    [("11-plaster-b", GREEN), ("07-velvet", PURPLE), ("05-leather", ORANGE), ("41-brick-b", BLUE)];
+
+/// Mean errors, for 0 to [`SHOWN`] components.
+pub struct Errors {
+    names: Vec<String>,
+    lights: Vec<String>,
+    /// L_1^0 / L_0^0 of each light: positive where more comes from the front.
+    pub fronts: Vec<f64>,
+    /// By basis, in the order of [`Study::tables`], then by K.
+    pub mean: [Vec<f64>; 4],
+    /// By basis, then by material, then by K: over all lights.
+    pub by_material: [Vec<Vec<f64>>; 4],
+    /// By basis, then by light, then by K: over all materials.
+    pub by_light: [Vec<Vec<f64>>; 4],
+}
+
+impl Errors {
+    /// Averages the errors of all images.
+    #[must_use]
+    pub fn new(study: &Study, trials: &[Trial]) -> Self {
+        let name = |entries: &[eigenshade_generator::database::Named]| {
+            entries.iter().map(|entry| entry.name.clone()).collect::<Vec<_>>()
+        };
+        let (names, lights) = (name(&study.materials.entries), name(&study.lights.entries));
+        let average = |basis: usize, of: &dyn Fn(&Trial) -> bool| -> Vec<f64> {
+            let chosen: Vec<&Trial> = trials.iter().filter(|trial| of(trial)).collect();
+            let error = |count: usize| {
+                let errors =
+                    chosen.iter().map(|trial| trial.fits[basis].variances[count] / trial.variance);
+                errors.sum::<f64>() / chosen.len() as f64
+            };
+            (0..=SHOWN).map(error).collect()
+        };
+        let bases = [0, 1, 2, 3];
+        Self {
+            mean: bases.map(|basis| average(basis, &|_| true)),
+            by_material: bases.map(|basis| {
+                let of = |k: usize| average(basis, &move |trial: &Trial| trial.material == k);
+                (0..names.len()).map(of).collect()
+            }),
+            by_light: bases.map(|basis| {
+                let of = |k: usize| average(basis, &move |trial: &Trial| trial.light == k);
+                (0..lights.len()).map(of).collect()
+            }),
+            fronts: study.luminances.iter().map(|light| light[2] / light[0]).collect(),
+            names,
+            lights,
+        }
+    }
+
+    /// The mean errors of one material, by K.
+    #[must_use]
+    pub fn of_material(&self, name: &str, criterion: Criterion, modes: Modes) -> &[f64] {
+        let found = self.names.iter().position(|other| other == name);
+        let errors = &self.by_material[place(criterion, modes)];
+        found.and_then(|k| errors.get(k)).map_or(&[], Vec::as_slice)
+    }
+
+    /// The mean errors of each light with its name, by all modes and image-centred.
+    pub fn lights(&self) -> impl Iterator<Item = (&str, &[f64])> {
+        let names = self.lights.iter().map(String::as_str);
+        names.zip(self.by_light[0].iter().map(Vec::as_slice))
+    }
+
+    /// The same of each material.
+    pub fn materials(&self) -> impl Iterator<Item = (&str, &[f64])> {
+        let names = self.names.iter().map(String::as_str);
+        names.zip(self.by_material[0].iter().map(Vec::as_slice))
+    }
+
+    /// Spearman's rank correlation over the lights: of [`fronts`](Self::fronts) with the mean
+    /// error by this number of components, all modes, image-centred.
+    #[must_use]
+    pub fn correlation(&self, count: usize) -> f64 {
+        let errors: Vec<f64> = self.lights().map(|(_, errors)| errors[count]).collect();
+        let [fronts, errors] = [&self.fronts, &errors].map(|values| {
+            let below = |value: &f64| values.iter().filter(|other| *other < value).count() as f64;
+            let middle = 0.5 * (values.len() as f64 - 1.0);
+            values.iter().map(|value| below(value) - middle).collect::<Vec<f64>>()
+        });
+        let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        product(&fronts, &errors) / product(&fronts, &fronts)
+    }
+
+    /// CSV and charts.
+    pub fn artefacts(&self) -> Result<Vec<Artefact>> {
+        let mut rows = Vec::new();
+        for count in 0..=SHOWN {
+            let errors = self.mean.each_ref().map(|errors| digits(errors[count]));
+            rows.push([count.to_string()].into_iter().chain(errors).collect());
+        }
+        let header = "components,image_centered,standard,image_centered_1000,standard_1000";
+        let mut artefacts = vec![
+            Artefact::csv("error.csv", header, &rows)?,
+            Artefact::chart("error.svg", &self.chart()?),
+        ];
+        artefacts.push(self.sheet(
+            "error_by_material",
+            &self.names,
+            &self.by_material,
+            &CRITERIA,
+        )?);
+        artefacts.push(self.sheet(
+            "error_by_light",
+            &self.lights,
+            &self.by_light,
+            &CRITERIA[..1],
+        )?);
+        for modes in Modes::BOTH {
+            let name = format!("error_by_material{}.svg", modes.suffix());
+            artefacts.push(Artefact::chart(name, &self.material_chart(modes)?));
+        }
+        Ok(artefacts)
+    }
+
+    /// One row for each basis and K, one column for each name.
+    fn sheet(
+        &self,
+        name: &str,
+        columns: &[String],
+        errors: &[Vec<Vec<f64>>; 4],
+        criteria: &[Criterion],
+    ) -> Result<Artefact> {
+        let mut rows = Vec::new();
+        for modes in Modes::BOTH {
+            for &criterion in criteria {
+                for count in 0..=SHOWN {
+                    let of_basis = &errors[place(criterion, modes)];
+                    let first =
+                        [modes.count().to_string(), criterion.name().into(), count.to_string()];
+                    let numbers = of_basis.iter().map(|errors| digits(errors[count]));
+                    rows.push(first.into_iter().chain(numbers).collect());
+                }
+            }
+        }
+        let header = format!("modes,criterion,components,{}", columns.join(","));
+        Artefact::csv(format!("{name}.csv"), &header, &rows)
+    }
+
+    fn chart(&self) -> Result<String> {
+        let line = |basis: usize, name, colour, dashed| Line {
+            dashed,
+            ..Line::new(name, colour, points(&self.mean[basis]))
+        };
+        let lines = [
+            line(0, "image-centred", BLUE, false),
+            line(1, "standard", ORANGE, true),
+            line(2, "image-centred, 1000 modes", GREEN, false),
+            line(3, "standard, 1000 modes", PURPLE, true),
+        ];
+        chart::lines(&axes(1e-5..3.0), &lines)
+    }
+
+    fn material_chart(&self, modes: Modes) -> Result<String> {
+        let mut lines = Vec::new();
+        for errors in &self.by_material[place(Criterion::ImageCentered, modes)] {
+            lines.push(Line { name: None, width: 1, ..Line::new("", PALE, points(errors)) });
+        }
+        for (name, colour) in NAMED {
+            let errors = self.of_material(name, Criterion::ImageCentered, modes);
+            lines.push(Line::new(&super::spheres::title(name), colour, points(errors)));
+        }
+        chart::lines(&axes(1e-5..3.0), &lines)
+    }
+}
+
+fn points(errors: &[f64]) -> Vec<(f64, f64)> {
+    (0u32..).map(f64::from).zip(errors.iter().copied()).collect()
+}
+
+fn axes(rows: std::ops::Range<f64>) -> Axes {
+    Axes {
+        horizontal: "components",
+        vertical: "mean error: variance left",
+        columns: 0.0..SHOWN as f64,
+        rows,
+        labels: 11,
+        format: chart::percent,
+        legend: SeriesLabelPosition::UpperRight,
+    }
+}
+
+/// The least number of components whose error is at most this, if there is one.
+#[must_use]
+pub fn needed(errors: &[f64], error: f64) -> Option<usize> {
+    errors.iter().position(|found| *found <= error)
+}

@@ -1,0 +1,76 @@
+//! The figures of Nillius and Eklundh, "Phenomenological Eigenfunctions for Image
+//! Irradiance", ICCV 2003, on the shipped databases: one figure a file, each giving
+//! what it shows as CSV and as a picture.
+
+pub mod study;
+
+pub mod artefact;
+
+mod chart;
+
+mod plate;
+
+pub mod variance;
+
+pub mod eigenimages;
+
+pub mod spheres;
+
+pub mod error;
+
+pub mod reconstruction;
+
+pub mod bound;
+
+pub mod selected;
+
+pub mod report;
+
+pub mod comparison;
+
+use artefact::Artefact;
+use eigenshade_generator::error::Result;
+use indicatif::ProgressBar;
+use study::Study;
+
+/// The folder of the figures, beside the page that shows them.
+pub const FOLDER: &str = "paper";
+/// The page.
+pub const PAGE: &str = "paper.md";
+
+/// Makes everything: the page, and below [`FOLDER`] its figures.
+///
+/// # Errors
+///
+/// The faults of the folder for temporary files, by way of which the shipped data
+/// are read.
+pub fn make(progress: &ProgressBar) -> Result<Vec<Artefact>> {
+    let study = Study::new(progress)?;
+    let trials = study.trials(progress);
+    let variance = variance::Variance::new(&study);
+    let errors = error::Errors::new(&study, &trials);
+    let bounds = bound::Bounds::new(&study, &trials, progress);
+    let reconstructions = reconstruction::Reconstructions::new(&study, &trials)?;
+    let selected = selected::Selected::new(&study, &trials);
+    let page = report::Report {
+        study: &study,
+        variance: &variance,
+        errors: &errors,
+        bounds: &bounds,
+        reconstructions: &reconstructions,
+        selected: &selected,
+    };
+    let mut artefacts = vec![Artefact::text(PAGE, page.page())];
+    for figure in [
+        variance.artefacts()?,
+        eigenimages::artefacts(&study)?,
+        spheres::artefacts(&study, progress)?,
+        errors.artefacts()?,
+        reconstructions.artefacts()?,
+        bounds.artefacts()?,
+        selected.artefacts()?,
+    ] {
+        artefacts.extend(figure.into_iter().map(|artefact| artefact.below(FOLDER)));
+    }
+    Ok(artefacts)
+}

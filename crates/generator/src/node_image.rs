@@ -1,0 +1,104 @@
+//! Images at the nodes of the slant, without any pixel: I = Σ_m u_m(α) Φ_m(β), kept
+//! as √w_k u_m(α_k) for each m. The scalar product (19) is then that of these numbers.
+
+use eigenshade_index::{light, material, mode};
+use eigenshade_table::GramFactor;
+
+/// One image: √w_k u_m(α_k) for m = -degree..=degree, each node k.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NodeImage {
+    /// The node values of each m, that of -degree first.
+    pub by_order: Vec<Vec<f64>>,
+}
+
+impl NodeImage {
+    /// I • I.
+    #[must_use]
+    pub fn energy(&self) -> f64 {
+        self.by_order.iter().flatten().map(|value| value * value).sum()
+    }
+
+    /// I • 1, (30).
+    #[must_use]
+    pub fn mean(&self, gram: &GramFactor) -> f64 {
+        let middle = &self.by_order[self.by_order.len() / 2];
+        middle.iter().zip(&gram.root_weights).map(|(value, root)| value * root).sum()
+    }
+
+    /// The variance within the image: I • I - (I • 1)², by way of the deviations, so
+    /// that images that are nearly constant lose nothing.
+    #[must_use]
+    pub fn variance(&self, gram: &GramFactor) -> f64 {
+        let mean = self.mean(gram);
+        let middle = self.by_order.len() / 2;
+        let mut sum = 0.0;
+        for (place, values) in self.by_order.iter().enumerate() {
+            let centre = if place == middle { mean } else { 0.0 };
+            let deviations = values.iter().zip(&gram.root_weights);
+            sum += deviations.map(|(value, root)| (value - centre * root).powi(2)).sum::<f64>();
+        }
+        sum
+    }
+
+    /// This image less another.
+    #[must_use]
+    pub fn minus(&self, other: &Self) -> Self {
+        let by_order = self.by_order.iter().zip(&other.by_order).map(|(ours, theirs)| {
+            ours.iter().zip(theirs).map(|(ours, theirs)| ours - theirs).collect()
+        });
+        Self { by_order: by_order.collect() }
+    }
+}
+
+/// Some materials, ready for any light: for each the image of every harmonic.
+#[derive(Clone, Debug)]
+pub struct MaterialImages {
+    degree: usize,
+    nodes: usize,
+    /// By material, then |m|, then l from |m|: the node values of Y_l^m.
+    harmonics: Vec<Vec<Vec<Vec<f64>>>>,
+}
+
+impl MaterialImages {
+    /// Of materials b_op^q of the order of `gram`; `kept` is a selection of modes in
+    /// the layout of `Table::selection`, empty for all.
+    #[must_use]
+    pub fn new(gram: &GramFactor, kept: &[bool], materials: &[Vec<f64>]) -> Self {
+        let nodes = gram.nodes.len();
+        let empty = |azimuth: usize| vec![vec![0.0; nodes]; gram.degree + 1 - azimuth];
+        let mut harmonics = vec![(0..=gram.degree).map(empty).collect::<Vec<_>>(); materials.len()];
+        for azimuth in 0..=gram.degree {
+            let columns = gram.columns(azimuth);
+            let modes = mode::indices(gram.degree, gram.order, azimuth);
+            for (column, (l, o, p, q)) in columns.iter().zip(modes) {
+                if !kept.is_empty() && !kept[gram.place(azimuth, l, o, p, q)] {
+                    continue;
+                }
+                for (material, images) in materials.iter().zip(&mut harmonics) {
+                    let b = material[material::position(o, p, q)];
+                    let image = &mut images[azimuth][l - azimuth];
+                    image.iter_mut().zip(column).for_each(|(value, a)| *value += b * a);
+                }
+            }
+        }
+        Self { degree: gram.degree, nodes, harmonics }
+    }
+
+    /// The image of a light L_l^m of that degree on one of the materials.
+    #[must_use]
+    pub fn image(&self, light: &[f64], material: usize) -> NodeImage {
+        let top = self.degree.cast_signed();
+        let of_order = |m: isize| {
+            let azimuth = m.unsigned_abs();
+            // f of -m is (-1)^m times that of m.
+            let sign = if m < 0 && m % 2 != 0 { -1.0 } else { 1.0 };
+            let mut values = vec![0.0; self.nodes];
+            for (l, harmonic) in (azimuth..).zip(&self.harmonics[material][azimuth]) {
+                let coefficient = sign * light[light::position(l, m)];
+                values.iter_mut().zip(harmonic).for_each(|(value, h)| *value += coefficient * h);
+            }
+            values
+        };
+        NodeImage { by_order: (-top..=top).map(of_order).collect() }
+    }
+}

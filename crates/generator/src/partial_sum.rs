@@ -1,0 +1,134 @@
+//! The direct sum (15) with its weakest terms left out, and what that can cost (4.4).
+//!
+//! A term c_s E_s has the size |c_s| √m_ss, the root of its variance (2.4). Leaving
+//! out a set D of terms costs the image Σ_D c_s E_s, of which the sizes alone tell
+//!
+//! * the triangle bound: its norm is at most the sum of the sizes;
+//! * the bound by azimuth: images of different m are orthogonal, so its square is at
+//!   most the sum over m of the squared sums of the sizes of that m. Never larger than the
+//!   former;
+//! * the root of the sum of the squared sizes, which is the norm if the terms were
+//!   orthogonal to each other. They are not: it is no bound.
+
+use eigenshade_index::{light, material, mode};
+use eigenshade_table::GramFactor;
+
+/// The modes with their sizes, ready for any light and material.
+#[derive(Clone, Debug)]
+pub struct PartialSum<'a> {
+    gram: &'a GramFactor,
+    /// By |m|: the columns of A.
+    columns: Vec<Vec<Vec<f64>>>,
+    /// By |m|: √m_ss.
+    roots: Vec<Vec<f64>>,
+    /// By |m|: whether a selection keeps the mode.
+    kept: Vec<Vec<bool>>,
+}
+
+/// What is known of one partial sum; norms are the root of the mean square over the
+/// normals.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Step {
+    /// Number of terms in the sum, both signs of m counted.
+    pub terms: usize,
+    /// The norm of what is left out.
+    pub error: f64,
+    /// The bound by azimuth.
+    pub bound: f64,
+    /// The triangle bound.
+    pub triangle: f64,
+    /// The root of the sum of the squared sizes.
+    pub uncorrelated: f64,
+}
+
+/// One term c_s E_s.
+struct Term {
+    order: isize,
+    mode: usize,
+    coefficient: f64,
+    size: f64,
+    is_kept: bool,
+}
+
+impl<'a> PartialSum<'a> {
+    /// `kept` is a selection of modes in the layout of `Table::selection`, empty for
+    /// all: the others are left out of every sum.
+    #[must_use]
+    pub fn new(gram: &'a GramFactor, kept: &[bool]) -> Self {
+        let azimuths = 0..=gram.degree;
+        let columns: Vec<Vec<Vec<f64>>> =
+            azimuths.clone().map(|azimuth| gram.columns(azimuth)).collect();
+        let norm = |column: &Vec<f64>| column.iter().map(|a| a * a).sum::<f64>().sqrt();
+        let keeps = |azimuth| {
+            mode::indices(gram.degree, gram.order, azimuth)
+                .map(|(l, o, p, q)| kept.is_empty() || kept[gram.place(azimuth, l, o, p, q)])
+                .collect()
+        };
+        Self {
+            gram,
+            roots: columns.iter().map(|columns| columns.iter().map(norm).collect()).collect(),
+            kept: azimuths.map(keeps).collect(),
+            columns,
+        }
+    }
+
+    /// Every partial sum of a light on a material, of the degree and order of the
+    /// factor of M: from all the terms that the selection keeps, the strongest first,
+    /// down to none.
+    ///
+    /// Terms of one size are left out in the order of m, then of the modes. Cost: each
+    /// mode's node values twice.
+    #[must_use]
+    pub fn steps(&self, light: &[f64], material: &[f64]) -> Vec<Step> {
+        let mut terms = self.terms(light, material);
+        // What no sum has first, then the weak before the strong.
+        terms.sort_by(|a, b| a.is_kept.cmp(&b.is_kept).then(a.size.total_cmp(&b.size)));
+        let orders = 2 * self.gram.degree + 1;
+        let mut missing = vec![vec![0.0; self.gram.nodes.len()]; orders];
+        let (mut squares, mut sums) = (vec![0.0; orders], vec![0.0; orders]);
+        let mut sum_of_squares = 0.0;
+        let mut left = terms.iter().filter(|term| term.is_kept).count();
+        let note = |terms: usize, squares: &[f64], sums: &[f64], sum_of_squares: f64| Step {
+            terms,
+            error: squares.iter().sum::<f64>().sqrt(),
+            bound: sums.iter().map(|sum| sum * sum).sum::<f64>().sqrt(),
+            triangle: sums.iter().sum(),
+            uncorrelated: sum_of_squares.sqrt(),
+        };
+        let mut steps = Vec::new();
+        for term in &terms {
+            if term.is_kept {
+                steps.push(note(left, &squares, &sums, sum_of_squares));
+                left -= 1;
+            }
+            let place = self.gram.degree.saturating_add_signed(term.order);
+            let column = &self.columns[term.order.unsigned_abs()][term.mode];
+            let values = &mut missing[place];
+            values.iter_mut().zip(column).for_each(|(value, a)| *value += term.coefficient * a);
+            squares[place] = values.iter().map(|value| value * value).sum();
+            sums[place] += term.size;
+            sum_of_squares += term.size * term.size;
+        }
+        steps.push(note(left, &squares, &sums, sum_of_squares));
+        steps
+    }
+
+    /// Every term, by m, then in the order of the modes.
+    fn terms(&self, light: &[f64], material: &[f64]) -> Vec<Term> {
+        let top = self.gram.degree.cast_signed();
+        let mut terms = Vec::new();
+        for order in -top..=top {
+            let azimuth = order.unsigned_abs();
+            let sign = if order < 0 && order % 2 != 0 { -1.0 } else { 1.0 };
+            let modes = mode::indices(self.gram.degree, self.gram.order, azimuth);
+            for (mode, (l, o, p, q)) in modes.enumerate() {
+                let b = material[material::position(o, p, q)];
+                let coefficient = sign * light[light::position(l, order)] * b;
+                let size = coefficient.abs() * self.roots[azimuth][mode];
+                let is_kept = self.kept[azimuth][mode];
+                terms.push(Term { order, mode, coefficient, size, is_kept });
+            }
+        }
+        terms
+    }
+}
