@@ -10,6 +10,8 @@ mod info;
 mod light;
 mod material;
 mod project;
+mod read;
+mod read_answer;
 mod render;
 mod shade;
 
@@ -28,6 +30,7 @@ pub enum Command {
     Project(project::Project),
     Shade(shade::Shade),
     Render(render::Render),
+    Read(read::Read),
     Evaluate(evaluate::Evaluate),
 }
 
@@ -44,6 +47,7 @@ impl Command {
             Self::Project(command) => command.run(),
             Self::Shade(command) => command.run(),
             Self::Render(command) => command.run(),
+            Self::Read(command) => command.run(),
             Self::Evaluate(command) => command.run(),
         }
     }
