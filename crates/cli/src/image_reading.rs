@@ -88,13 +88,8 @@ impl<'a> Reader<'a> {
             .map(|channel| self.channel(observation, &squares, &posterior, channel, noise))
             .collect::<Result<Vec<_>>>()?;
         let noises: Vec<f64> = channels.iter().map(|channel| channel.noise).collect();
-        let candidates = nearest::rank(
-            observation,
-            &self.prior,
-            &self.transfers,
-            self.materials,
-            &noises,
-        )?;
+        let candidates =
+            nearest::rank(observation, &self.prior, &self.transfers, self.materials, &noises)?;
         let (rank, condition) = (squares.rank(), squares.condition());
         Ok(Reading { channels, rank, condition, candidates })
     }

@@ -39,6 +39,10 @@ pub mod pixel_mask;
 
 pub mod image_reading;
 
+pub mod noise;
+
+pub mod damage;
+
 pub mod canvas;
 
 pub mod picture;

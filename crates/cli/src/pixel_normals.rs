@@ -22,7 +22,11 @@ const SHORTEST: f64 = 0.5;
 ///
 /// `sphere` for an image without size, a file of another size than the image, and the
 /// faults of the file.
-pub fn read(source: &Path, size: Option<[usize; 2]>, count: usize) -> Result<Vec<Option<[f64; 3]>>> {
+pub fn read(
+    source: &Path,
+    size: Option<[usize; 2]>,
+    count: usize,
+) -> Result<Vec<Option<[f64; 3]>>> {
     if source == Path::new("sphere") {
         return size.map(sphere).ok_or_else(|| {
             Error::new(

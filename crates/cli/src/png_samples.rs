@@ -61,9 +61,10 @@ fn decode(bytes: &[u8]) -> Result<PngSamples> {
     // The end is where a file that was cut short is found out.
     reader.finish().map_err(|error| fault(&error))?;
     let (samples, full) = match frame.bit_depth {
-        BitDepth::Sixteen => {
-            (buffer.as_chunks::<2>().0.iter().map(|pair| u16::from_be_bytes(*pair)).collect(), u16::MAX)
-        }
+        BitDepth::Sixteen => (
+            buffer.as_chunks::<2>().0.iter().map(|pair| u16::from_be_bytes(*pair)).collect(),
+            u16::MAX,
+        ),
         _ => (buffer.iter().map(|byte| u16::from(*byte)).collect::<Vec<u16>>(), u16::from(u8::MAX)),
     };
     let (channels, has_opacity) = match frame.color_type {

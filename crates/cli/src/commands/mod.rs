@@ -12,6 +12,8 @@ mod material;
 mod project;
 mod read;
 mod read_answer;
+mod read_report;
+mod read_score;
 mod render;
 mod shade;
 
@@ -31,6 +33,7 @@ pub enum Command {
     Shade(shade::Shade),
     Render(render::Render),
     Read(read::Read),
+    ReadReport(read_report::ReadReport),
     Evaluate(evaluate::Evaluate),
 }
 
@@ -48,6 +51,7 @@ impl Command {
             Self::Shade(command) => command.run(),
             Self::Render(command) => command.run(),
             Self::Read(command) => command.run(),
+            Self::ReadReport(command) => command.run(),
             Self::Evaluate(command) => command.run(),
         }
     }

@@ -151,10 +151,8 @@ impl Read {
         }
         let observation = observer.finish();
         if observation.pixels < components {
-            let what = format!(
-                "{} of its pixels count, for {components} components",
-                observation.pixels
-            );
+            let what =
+                format!("{} of its pixels count, for {components} components", observation.pixels);
             let remedy = "show more of the object, or ask for fewer by --components";
             return Err(Error::new(what, remedy).in_file(&self.image));
         }

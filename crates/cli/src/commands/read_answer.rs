@@ -30,9 +30,8 @@ impl Answer<'_> {
         let mut table = Tidy(Rows::new(out, ["quantity", "name", "index", "r", "g", "b"])?);
         let (reading, observation) = (self.reading, self.observation);
         let channels = &reading.channels;
-        let every = |value: &dyn Fn(&Channel) -> f64| -> Vec<f64> {
-            channels.iter().map(value).collect()
-        };
+        let every =
+            |value: &dyn Fn(&Channel) -> f64| -> Vec<f64> { channels.iter().map(value).collect() };
         for (name, value) in [
             ("pixels", observation.pixels as f64),
             ("components", observation.components() as f64),
@@ -61,7 +60,8 @@ impl Answer<'_> {
             channels.iter().map(|channel| channel.posterior.0.deviations.as_slice()).collect();
         table.all("d-deviation", "posterior", &deviations)?;
         if let Some(best) = reading.candidates.first() {
-            let lights: Vec<&[f64]> = best.channels.iter().map(|one| one.light.as_slice()).collect();
+            let lights: Vec<&[f64]> =
+                best.channels.iter().map(|one| one.light.as_slice()).collect();
             table.all("light", &self.materials.entries[best.index].name, &lights)?;
         }
         for (place, candidate) in reading.candidates.iter().enumerate() {
@@ -69,7 +69,10 @@ impl Answer<'_> {
             let each = |value: &dyn Fn(usize) -> f64| -> Vec<f64> {
                 (0..candidate.channels.len()).map(value).collect()
             };
-            let evidence = each(&|channel| candidate.channels[channel].evidence);
+            // Relative to the likeliest: the constant means nothing.
+            let best = &reading.candidates[0].channels;
+            let evidence =
+                each(&|channel| candidate.channels[channel].evidence - best[channel].evidence);
             table.row("material-evidence", name, place, &evidence)?;
             let residual = each(&|channel| candidate.channels[channel].residual_rms);
             table.row("material-residual-rms", name, place, &residual)?;
