@@ -69,3 +69,28 @@ pub const DENSE_PROJECTION: f64 = 1e-12;
 pub const PEAK_GRID: f64 = 0.01;
 /// One f32 result by two orders of summation, of the largest: some twenty roundings.
 pub const SAME_SUM_F32: f32 = 1e-6;
+/// d by the reduced rows against dense least squares over the pixels, of the largest: some
+/// thousand roundings, times a condition of 1e2.
+pub const READ_LEAST_SQUARES: f64 = 1e-10;
+/// Posterior mean, deviations, light and evidence against dense formulas over the pixels: the
+/// dense ones invert matrices of condition 1e6.
+pub const READ_POSTERIOR: f64 = 1e-8;
+/// V_d against the runtime's projections of every harmonic: sums of some thousand roundings.
+pub const READ_PRIOR: f64 = 1e-12;
+/// The image of modes against that of the components they come from, of the peak: the rank's
+/// cut-off of 1e-10 and the weakest components' rounding, 1e-14 of the database's energy's root.
+pub const READ_MODES: f64 = 1e-6;
+/// A product in exact modes comes back: turns stop when the error no longer falls.
+pub const READ_RANK_ONE: f64 = 1e-6;
+/// d and light of an image without noise, of the largest d or the peak: the least-squares cut-off
+/// of 1e-6 and the singular values above it.
+pub const READ_NOISELESS: f64 = 1e-6;
+/// d of an image and its normals in 16 bits against those in 8 bits of sRGB and exact, of the
+/// largest: half a step of 2^-16 in normals, steeper at the rim.
+pub const READ_SIXTEEN_BITS: f64 = 5e-3;
+/// Figures of a report of two digits, as a logarithm: a unit of the last digit, doubled.
+pub const REPORT: f64 = 0.2;
+/// The least of them that damage makes; below it they are rounding and the cut-off, amplified.
+pub const REPORT_FLOOR: f64 = 1e-3;
+/// Those, as a logarithm: hosts round differently.
+pub const REPORT_ROUNDING: f64 = 1.5;

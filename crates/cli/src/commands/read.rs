@@ -85,7 +85,7 @@ impl Read {
 
         let image = LinearImage::read(&self.image, self.transfer)?;
         let grey = image.is_grey();
-        let observation = self.observe(&table, components, &image, grey)?;
+        let (observation, told) = self.observe(&table, components, &image, grey)?;
         let reading = reader.read(&observation, self.noise)?;
 
         let answer = Answer { reading: &reading, observation: &observation, materials: &materials };
@@ -96,6 +96,7 @@ impl Read {
             destination::write(Some(path), |out| answer.write_modes(out))?;
         }
         destination::write(self.out.as_deref(), |out| answer.write(out))?;
+        say(told);
         read_answer::summarise(&answer);
         Ok(())
     }
@@ -121,14 +122,14 @@ impl Read {
         .in_file(path))
     }
 
-    /// The pixels that count, and on standard error which do not.
+    /// The pixels that count, and a line that says which do not.
     fn observe(
         &self,
         table: &Table,
         components: usize,
         image: &LinearImage,
         grey: bool,
-    ) -> Result<Observation> {
+    ) -> Result<(Observation, String)> {
         let count = image.pixels.len();
         let normals = pixel_normals::read(&self.normals, image.size, count)?;
         let mask = match &self.mask {
@@ -157,13 +158,13 @@ impl Read {
             return Err(Error::new(what, remedy).in_file(&self.image));
         }
         let (clipped, transparent) = (image.clipped, image.transparent);
-        say(format_args!(
+        let told = format!(
             "{}: {count} pixels, {} used; left out: {without_normal} without a normal, {masked} \
              masked, {unusable} clipped or transparent (of all: {clipped} clipped, {transparent} \
              transparent)",
             self.image.display(),
             observation.pixels,
-        ));
-        Ok(observation)
+        );
+        Ok((observation, told))
     }
 }

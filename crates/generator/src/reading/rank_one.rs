@@ -3,8 +3,8 @@
 //!
 //! Modes with q > l do not exist, so those entries of the matrix are missing, not
 //! zero: a singular value decomposition alone does not do. L and b are solved for in
-//! turn, each exactly, from the decomposition with zeros there; the error falls
-//! with each turn.
+//! turn, each exactly, which never raises the error. It may end in a minimum that is
+//! not the least: of two starts the better end is taken.
 //!
 //! L (x) b stays the same when L is multiplied by a number and b divided by it. Here
 //! b has length 1 and b_00^0 >= 0; [`RankOne::scaled_to`] gives it the scale of a
@@ -13,6 +13,8 @@
 use super::coefficients::decompose;
 use super::modes::ModeCoefficients;
 use crate::error::Result;
+use eigenshade_index::light;
+use faer::Mat;
 
 /// Turns at most.
 const TURNS: usize = 200;
@@ -35,29 +37,18 @@ impl RankOne {
     ///
     /// If the singular values of c do not converge (a number that is not finite).
     pub fn of(c: &ModeCoefficients) -> Result<Self> {
-        let svd = decompose(&c.values)?;
-        let exists = c.exists();
-        let (rows, columns) = (c.values.nrows(), c.values.ncols());
-        let mut material: Vec<f64> = svd.V().col(0).iter().copied().collect();
-        let mut light = vec![0.0; rows];
-        let mut before = f64::INFINITY;
-        for _ in 0..TURNS {
-            for (row, light) in light.iter_mut().enumerate() {
-                let pairs = (0..columns).filter(|&column| exists(row, column));
-                *light = ratio(pairs.map(|column| (c.values[(row, column)], material[column])));
-            }
-            for (column, material) in material.iter_mut().enumerate() {
-                let pairs = (0..rows).filter(|&row| exists(row, column));
-                *material = ratio(pairs.map(|row| (c.values[(row, column)], light[row])));
-            }
-            let left = left(c, &light, &material);
-            if before - left <= 1e-14 * before {
-                break;
-            }
-            before = left;
+        // From the whole with zeros, good where little is missing, and from the rows
+        // that lack nothing, right where c is a product.
+        let complete = light::count(c.order.saturating_sub(1)).min(c.values.nrows() - 1);
+        let mut best = solve(c, first_right(&c.values)?);
+        if c.order > 0 {
+            let rows = c.values.get(complete.., ..).to_owned();
+            let other = solve(c, first_right(&rows)?);
+            best = if other.2 < best.2 { other } else { best };
         }
+        let (light, material, left) = best;
         let whole = c.values.squared_norm_l2();
-        let share = if whole > 0.0 { left(c, &light, &material) / whole } else { 0.0 };
+        let share = if whole > 0.0 { left / whole } else { 0.0 };
         let length = material.iter().map(|b| b * b).sum::<f64>().sqrt();
         let sign = if material.first().is_some_and(|b| *b < 0.0) { -1.0 } else { 1.0 };
         let mut product = Self { light, material, left: share };
@@ -91,6 +82,35 @@ impl RankOne {
         self.material.iter_mut().for_each(|b| *b *= factor);
         self.light.iter_mut().for_each(|l| *l /= factor);
     }
+}
+
+/// The first right singular vector.
+fn first_right(matrix: &Mat<f64>) -> Result<Vec<f64>> {
+    Ok(decompose(matrix)?.V().col(0).iter().copied().collect())
+}
+
+/// L and b solved for in turn from this b, and the square of the error.
+fn solve(c: &ModeCoefficients, mut material: Vec<f64>) -> (Vec<f64>, Vec<f64>, f64) {
+    let exists = c.exists();
+    let (rows, columns) = (c.values.nrows(), c.values.ncols());
+    let mut light = vec![0.0; rows];
+    let mut before = f64::INFINITY;
+    for _ in 0..TURNS {
+        for (row, light) in light.iter_mut().enumerate() {
+            let pairs = (0..columns).filter(|&column| exists(row, column));
+            *light = ratio(pairs.map(|column| (c.values[(row, column)], material[column])));
+        }
+        for (column, material) in material.iter_mut().enumerate() {
+            let pairs = (0..rows).filter(|&row| exists(row, column));
+            *material = ratio(pairs.map(|row| (c.values[(row, column)], light[row])));
+        }
+        let left = left(c, &light, &material);
+        if before - left <= 1e-14 * before {
+            return (light, material, left);
+        }
+        before = left;
+    }
+    (light, material, before)
 }
 
 /// The x that minimises Σ (c - x b)² over pairs (c, b).

@@ -1,0 +1,93 @@
+//! The figures of `docs/reading.md`: what the command gives, and what they promise.
+
+#[path = "../../../tests/tolerances/mod.rs"]
+mod tolerances;
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+fn repository() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+/// Cells of every row of the tables with figures.
+fn cells(text: &str) -> Vec<Vec<String>> {
+    let row = |line: &str| -> Vec<String> {
+        line.trim_matches('|').split('|').map(|cell| cell.trim().to_owned()).collect()
+    };
+    text.lines()
+        .filter(|line| line.starts_with("| 50 |") || line.starts_with("| 218 |"))
+        .map(row)
+        .collect()
+}
+
+/// The numbers of a cell, `median, worst` or `first of all`.
+fn numbers(cell: &str) -> Vec<f64> {
+    cell.split([',', ' ']).filter_map(|word| word.parse().ok()).collect()
+}
+
+#[test]
+fn committed_figures_are_what_the_command_gives() {
+    let output = Command::new(env!("CARGO_BIN_EXE_eigenshade"))
+        .current_dir(repository())
+        .arg("read-report")
+        .output()
+        .expect("the program runs");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let fresh = String::from_utf8(output.stdout).expect("text");
+    let committed = std::fs::read_to_string(repository().join("docs/reading.md")).expect("a text");
+    let prose = |text: &str| -> Vec<String> {
+        text.lines().filter(|line| !line.starts_with('|')).map(str::to_owned).collect()
+    };
+    let remedy = "make it again: eigenshade read-report --out docs/reading.md";
+    assert_eq!(prose(&fresh), prose(&committed), "{remedy}");
+    let [fresh, committed] = [cells(&fresh), cells(&committed)];
+    assert_eq!(fresh.len(), 48);
+    assert_eq!(fresh.len(), committed.len(), "{remedy}");
+    for (fresh, committed) in fresh.iter().zip(&committed) {
+        assert_eq!(fresh[..2], committed[..2], "{remedy}");
+        for (a, b) in fresh.iter().zip(committed).skip(2) {
+            let (a, b) = (numbers(a), numbers(b));
+            assert_eq!(a.len(), b.len(), "{remedy}");
+            for (a, b) in a.iter().zip(&b) {
+                let noisy = a.min(*b) >= tolerances::REPORT_FLOOR;
+                let allowed = if noisy { tolerances::REPORT } else { tolerances::REPORT_ROUNDING };
+                let far = (a / b).ln().abs();
+                // Counts may be off by one.
+                let is_near = far <= allowed || (a.fract() == 0.0 && (a - b).abs() <= 1.0);
+                assert!(is_near, "{a} for {b} in {committed:?}; {remedy}");
+            }
+        }
+    }
+    promises(&committed);
+}
+
+/// What the text says of the figures.
+fn promises(committed: &[Vec<String>]) {
+    let row = |table: usize, components: &str, name: &str| -> Vec<Vec<f64>> {
+        let rows = &committed[24 * table..24 * (table + 1)];
+        let found = rows.iter().find(|row| row[0] == components && row[1] == name);
+        found.expect("a row").iter().skip(2).map(|cell| numbers(cell)).collect()
+    };
+    // On half a disc with noise the posterior mean is better than least squares, of d
+    // and of the hidden image, the median and the worst.
+    for components in ["50", "218"] {
+        for name in
+            ["half hidden, noise 1 %", "half hidden, noise 5 %", "unknown, half hidden, noise 1 %"]
+        {
+            let cells = row(0, components, name);
+            for (squares, posterior) in [(&cells[1], &cells[2]), (&cells[4], &cells[5])] {
+                for (squares, posterior) in squares.iter().zip(posterior) {
+                    assert!(3.0 * posterior < *squares, "{components} {name}: {cells:?}");
+                }
+            }
+            assert!(cells[5][0] < 0.08, "{cells:?}");
+        }
+    }
+    // Without noise, or in 8 bits, all components tell every material apart.
+    for name in ["as it is", "8 bits, linear", "8 bits, sRGB", "clipped, left out", "half hidden"] {
+        assert_eq!(row(1, "218", name)[0], [28.0, 28.0], "{name}");
+    }
+    assert!(row(1, "218", "noise 1 %")[0][0] >= 20.0);
+    assert!(row(1, "218", "half hidden, noise 1 %")[0][0] >= 12.0);
+}
