@@ -159,7 +159,7 @@ fn observe(table: &Table, images: &[(Vec<f64>, Vec<f64>)], normals: &[[f64; 3]])
 /// Median and worst of each estimate's d, then of its image where it was not seen.
 fn estimate_cells(score: &Score) -> String {
     let groups = [&score.coefficients, &score.images];
-    groups.iter().flat_map(|group| group.iter()).map(|errors| format!(" {} |", errors)).collect()
+    groups.iter().flat_map(|group| group.iter()).map(|errors| format!(" {errors} |")).collect()
 }
 
 /// Places of the true material, then errors of the light.

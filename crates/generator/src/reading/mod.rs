@@ -1,9 +1,9 @@
 //! Reading an image: from pixels and their normals back to the components d, the
 //! modes c, the light L and the material b.
 //!
-//! The pixels are taken into an [`Observation`] once, which then stands for them
-//! in every estimate: it has no more rows than a few above the number of
-//! components. One channel is one image; channels are read by themselves.
+//! The pixels are taken into an [`Observation`](observation::Observation) once, which
+//! then stands for them in every estimate: it has no more rows than a few above the
+//! number of components. One channel is one image; channels are read by themselves.
 //!
 //! The derivations are in `docs/reading.md`.
 

@@ -5,7 +5,7 @@
 //! Σ_k v_k g σ_k z_k / (g² σ_k² + noise²) over the singular values σ_k of √W E F,
 //! g = s: no inverse of V_d, which is singular where the rank ends.
 
-use super::coefficients::{column, decompose};
+use super::coefficients::decompose;
 use super::observation::Observation;
 use super::prior::Prior;
 use crate::error::Result;
@@ -120,10 +120,4 @@ impl<'a> Posterior<'a> {
             })
             .collect()
     }
-}
-
-/// Image residual of any d, as a column of the reduced rows.
-#[must_use]
-pub fn residual(observation: &Observation, channel: usize, d: &[f64]) -> Col<f64> {
-    observation.centred(channel) - &observation.design * column(d)
 }

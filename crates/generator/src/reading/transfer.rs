@@ -1,7 +1,7 @@
 //! T of a material: d = T L, the light's coefficients to the components.
 
 use eigenshade_index::{light, material, mode};
-use eigenshade_table::Table;
+use eigenshade_table::{Profile, Table};
 use faer::Mat;
 
 /// Transfers of any material into the first components of one table.
@@ -11,8 +11,8 @@ pub struct Transfers {
     order: usize,
     /// Order m of each component, and which of `rows` is its.
     components: Vec<(i32, usize)>,
-    /// Of each profile |m| and its row of UᵀM over the modes of |m|.
-    rows: Vec<(usize, Vec<f64>)>,
+    /// Of each profile its row of UᵀM: l, the place of (o, p, q), and the number.
+    rows: Vec<Vec<(usize, usize, f64)>>,
 }
 
 impl Transfers {
@@ -24,11 +24,7 @@ impl Transfers {
             degree: table.gram.degree,
             order: table.gram.order,
             components: taken.iter().map(|one| (one.order, one.profile)).collect(),
-            rows: table
-                .profiles
-                .iter()
-                .map(|profile| (profile.azimuth, table.gram_row(profile)))
-                .collect(),
+            rows: table.profiles.iter().map(|profile| placed(table, profile)).collect(),
         }
     }
 
@@ -58,12 +54,10 @@ impl Transfers {
         let folded: Vec<Vec<f64>> = self
             .rows
             .iter()
-            .map(|(azimuth, row)| {
+            .map(|row| {
                 let mut sums = vec![0.0; self.degree + 1];
-                let modes = mode::indices(self.degree, self.order, *azimuth);
-                for ((l, o, p, q), value) in modes.zip(row) {
-                    let b = coefficients.get(material::position(o, p, q)).copied();
-                    sums[l] += value * b.unwrap_or(0.0);
+                for &(l, place, value) in row {
+                    sums[l] += value * coefficients.get(place).copied().unwrap_or(0.0);
                 }
                 sums
             })
@@ -76,6 +70,14 @@ impl Transfers {
         }
         transfer
     }
+}
+
+/// A profile's row of UᵀM, with the places of its modes' coefficients.
+fn placed(table: &Table, profile: &Profile) -> Vec<(usize, usize, f64)> {
+    mode::indices(table.gram.degree, table.gram.order, profile.azimuth)
+        .zip(table.gram_row(profile))
+        .map(|((l, o, p, q), value)| (l, material::position(o, p, q), value))
+        .collect()
 }
 
 /// (-1)^m for m < 0, 1 else: mode coefficients of -m are (-1)^m times those of m.
