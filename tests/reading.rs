@@ -367,7 +367,7 @@ fn light_and_evidence_are_the_dense_formulas() {
         );
         let mut centre = DVector::zeros(light::count(4));
         centre[0] = moments.ambient_mean;
-        // log N(I; s E T L, s² E T P (E T)ᵀ + noise²) - log N(I; 0, noise²).
+        // log N(I; s E T L, s² E T P (E T)ᵀ + noise²), without that of white noise.
         let at = |s: f64| {
             let cross = s * s * DMatrix::from_diagonal(&spread) * images.transpose();
             let noise = NOISE * NOISE;
@@ -377,7 +377,7 @@ fn light_and_evidence_are_the_dense_formulas() {
             let solved = cholesky.solve(&left);
             let roots = cholesky.l();
             let logs: f64 = (0..COUNT).map(|k| 2.0 * roots[(k, k)].ln() - noise.ln()).sum();
-            let evidence = 0.5 * (target.norm_squared() / noise - left.dot(&solved) - logs);
+            let evidence = -0.5 * (left.dot(&solved) + logs);
             (s * &centre + cross * solved, evidence)
         };
         let (expected, evidence) = at(found.exposure);

@@ -16,6 +16,10 @@ use faer::{Col, Mat};
 /// Exposures tried around that of the image's energy, from 1/100 to 100 times.
 const TRIED: i32 = 80;
 
+/// Halvings of a step of that grid: to 1e-13 of the exposure, which is all of a light
+/// whose mean the database fixes.
+const HALVINGS: i32 = 40;
+
 /// One material, ready to be asked for the light.
 #[derive(Debug)]
 pub struct LightEstimate<'a> {
@@ -40,7 +44,7 @@ pub struct Explained {
     /// The exposure s of the light, that of largest evidence.
     pub exposure: f64,
     /// Logarithm of the image's probability density given the material, up to a
-    /// constant of image and noise.
+    /// constant of the noise.
     pub evidence: f64,
     /// Weighted rms of what image this light leaves.
     pub residual_rms: f64,
@@ -110,39 +114,36 @@ impl<'a> LightEstimate<'a> {
         }
         let at = |step: f64| {
             let exposure = middle * 10f64.powf(step / f64::from(TRIED / 4));
-            (exposure, self.evidence(split, exposure, noise))
+            (step, exposure, self.evidence(split, exposure, noise))
         };
-        let better = |a: f64, b: f64| at(a).1 >= at(b).1;
-        let grid = (-TRIED / 2..=TRIED / 2).map(f64::from);
-        let mut step = grid.reduce(|a, b| if better(a, b) { a } else { b }).unwrap_or(0.0);
-        let mut width = 0.5;
-        for _ in 0..20 {
-            for other in [step - width, step + width] {
-                if !better(step, other) {
-                    step = other;
-                }
-            }
-            width *= 0.5;
+        let grid = (-TRIED / 2..=TRIED / 2).map(|step| at(f64::from(step)));
+        let later = |a: (f64, f64, f64), b: (f64, f64, f64)| if b.2 > a.2 { b } else { a };
+        let mut best = grid.reduce(later).unwrap_or((0.0, middle, 0.0));
+        for halving in 1..=HALVINGS {
+            let width = 0.5f64.powi(halving);
+            let step = best.0;
+            best = later(later(best, at(step - width)), at(step + width));
         }
-        at(step)
+        (best.1, best.2)
     }
 
-    /// log p(I | material, s, noise) - log p(I | nothing but noise).
+    /// log p(I | material, s, noise) without the factor of white noise,
+    /// (√2π noise)^-pixels. All of it is a sum of squares: a difference of energies
+    /// would leave s but half of its digits.
     fn evidence(&self, split: &Split, exposure: f64, noise: f64) -> f64 {
         let floor = noise * noise;
         if floor <= 0.0 {
             return 0.0;
         }
         let beside = split.apart[0] - exposure * split.apart[1];
-        let mut sum = split.energy - split.rest - beside * beside;
-        let mut freedom = 0.0;
+        let (mut misfit, mut freedom) = (beside * beside, 0.0);
         for (k, singular) in self.svd.S().column_vector().iter().enumerate() {
             let spread = (exposure * singular).powi(2);
             let along = split.target[k] - exposure * split.mean[k];
-            sum -= along * along * floor / (floor + spread);
+            misfit += along * along * floor / (floor + spread);
             freedom += (spread / floor).ln_1p();
         }
-        0.5 * (sum / floor - freedom)
+        -0.5 * ((split.rest + misfit) / floor + freedom)
     }
 }
 
