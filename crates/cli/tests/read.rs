@@ -150,6 +150,55 @@ fn black_and_weighted_images() {
     assert_eq!(nearest(&with), "material-2");
 }
 
+#[test]
+fn any_unit_reads_alike() {
+    let folder = with_image();
+    let values = numbers(&rows(&folder.read("image.csv"), "light,material,normal,r,g,b"), 3);
+    let scaled = |scale: f64| {
+        let mut text = "r,g,b\n".to_owned();
+        for [r, g, b] in values.as_chunks::<3>().0 {
+            writeln!(text, "{:e},{:e},{:e}", scale * r, scale * g, scale * b).unwrap();
+        }
+        folder.write("scaled.csv", text);
+        "read scaled.csv --normals normals.csv --table b.bin".to_owned()
+    };
+    let expected = answer(&folder.ok(READ));
+    for scale in [1e-30, 1e30] {
+        let found = answer(&folder.ok(&scaled(scale)));
+        assert_eq!(nearest(&found), "material-2");
+        let [found, expected] = [&found, &expected].map(|answer| get(answer, "d", "posterior"));
+        for (found, expected) in found.iter().flatten().zip(expected.iter().flatten()) {
+            let far = (found / scale - expected).abs() / get_largest(&values);
+            assert!(far <= tolerances::READ_NOISELESS, "{scale:e}: {far:e}");
+        }
+    }
+    for scale in [1e-160, 1e160] {
+        let arguments = format!("{} --out new.csv", scaled(scale));
+        assert_fails(&folder, &arguments, &["scaled.csv", "largest", "scale it"]);
+    }
+}
+
+fn get_largest(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |most: f64, value| most.max(value.abs()))
+}
+
+/// Pixels of one normal determine one number, whatever the table has.
+#[test]
+fn a_flat_object() {
+    let folder = with_image();
+    folder.write("flat.csv", format!("x,y,z\n{}", "0.3,0.1,1\n".repeat(400)));
+    folder.write("grey.csv", format!("value\n{}", "0.5\n".repeat(400)));
+    let text = folder.ok("read grey.csv --normals flat.csv --table b.bin");
+    let value = |begins: &str| -> f64 {
+        let line = text.lines().find(|line| line.starts_with(begins)).expect("a line");
+        line.rsplit(',').next().unwrap().parse().expect("a number")
+    };
+    assert_eq!(value("fit,rank,"), 1.0);
+    assert!(value("residual-rms,least-squares,") < 1e-12);
+    assert!(value("residual-rms,posterior,") < 1e-3);
+    assert!(!text.contains("NaN"));
+}
+
 /// Pictures of the shipped velvet, by every way of giving them.
 #[test]
 fn pictures() {

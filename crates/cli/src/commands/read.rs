@@ -15,6 +15,9 @@ use eigenshade_generator::reading::observation::{Observation, Observer};
 use eigenshade_table::Table;
 use std::path::{Path, PathBuf};
 
+/// The largest value of an image: its square, times any number of pixels, is a number.
+const LARGEST: f64 = 1e100;
+
 /// Components, light and material from an image and its normals
 ///
 /// Writes the CSV `quantity,name,index,r,g,b`: the fit, the components d by scalar
@@ -140,6 +143,7 @@ impl Read {
         let values = EigenimageValues::new(table, components);
         let mut observer = Observer::new(values, channels);
         let (mut without_normal, mut masked, mut unusable) = (0, 0, 0);
+        let mut largest = 0.0f64;
         for (((pixel, weight), normal), mask) in
             image.pixels.iter().zip(&image.weights).zip(&normals).zip(&mask)
         {
@@ -147,10 +151,18 @@ impl Read {
                 None => without_normal += 1,
                 Some(_) if *mask == 0.0 => masked += 1,
                 Some(_) if *weight == 0.0 => unusable += 1,
-                Some(normal) => observer.see(*normal, &pixel[..channels], weight * mask),
+                Some(normal) => {
+                    largest = pixel.iter().fold(largest, |most, value| most.max(value.abs()));
+                    observer.see(*normal, &pixel[..channels], weight * mask);
+                }
             }
         }
         let observation = observer.finish();
+        if largest > LARGEST || (largest > 0.0 && largest < LARGEST.recip()) {
+            let what = format!("the largest of its values is {largest:e}");
+            let remedy = "scale it to between 1e-100 and 1e100, whose squares are numbers";
+            return Err(Error::new(what, remedy).in_file(&self.image));
+        }
         if observation.pixels < components {
             let what =
                 format!("{} of its pixels count, for {components} components", observation.pixels);

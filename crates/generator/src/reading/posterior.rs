@@ -12,6 +12,9 @@ use crate::error::Result;
 use faer::linalg::solvers::Svd;
 use faer::{Col, Mat};
 
+/// The least noise of a pixel, of the image's rms.
+const ROUNDING: f64 = 1e-16;
+
 /// The posterior of one image or more under one prior.
 #[derive(Debug)]
 pub struct Posterior<'a> {
@@ -47,11 +50,14 @@ impl<'a> Posterior<'a> {
     /// The noise that stands for all that is not in the components, the standard
     /// deviation of a pixel of weight 1: the stated noise and what the components
     /// leave of the database's images at this image's exposure; or, where none is
-    /// stated, the residual's own if that is larger than what they leave.
+    /// stated, the residual's own if that is larger than what they leave. At least
+    /// 1e-16 of the image's rms: no pixel is better than its rounding.
     #[must_use]
     pub fn noise(&self, channel: usize, stated: Option<f64>, of_residual: f64) -> f64 {
         let floor = self.exposure(channel, stated.unwrap_or(of_residual)) * self.prior.left.sqrt();
-        stated.map_or(of_residual.max(floor), |stated| stated.hypot(floor))
+        let noise = stated.map_or(of_residual.max(floor), |stated| stated.hypot(floor));
+        let energy = self.observation.channel(channel).squared_norm_l2();
+        noise.max(ROUNDING * (energy / self.observation.weight).sqrt())
     }
 
     /// The exposure of a channel: s² is what brings the database's mean energy at
