@@ -253,6 +253,10 @@ fn pictures() {
     let (masked, said) = read("linear.png --normals map.png --mask mask.png");
     let counts = [&mapped, &masked].map(|found| get(found, "fit", "pixels")[0][0]);
     assert!(counts[1] < 0.85 * counts[0] && counts[1] > 0.7 * counts[0], "{counts:?} {said}");
+    // A table by itself has its statistics with it.
+    fs::copy(repository().join("tables/sphere.bin"), folder.path("alone.bin")).unwrap();
+    let alone = answer(&folder.ok("read v.png --normals sphere --table alone.bin"));
+    assert_eq!(alone, sphere);
     // Taken for linear, 8 bits of sRGB are another image.
     let (wrong, _) = read("v.png --normals sphere --transfer linear");
     assert!((get(&wrong, "d", "posterior")[0][0] / largest - 1.0).abs() > 0.1);

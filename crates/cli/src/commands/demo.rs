@@ -12,16 +12,12 @@ use eigenshade_cli::sphere_view::SphereView;
 use eigenshade_cli::{destination, table_file, truth_image};
 use eigenshade_generator::database::{Lights, Materials, Named};
 use eigenshade_generator::error::{Error, Result};
-use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
 use std::fmt::Write as _;
 use std::fs;
-use std::io::Write as _;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Instant;
 
 const TABLE: &[u8] = include_bytes!("../../../../tables/sphere.bin");
-const LIGHTS: &str = include_str!("../../../../tables/inputs/lights.csv");
-const MATERIALS: &str = include_str!("../../../../tables/inputs/materials.csv");
 
 /// From matte to specular.
 const SHOWN_MATERIALS: [&str; 7] = [
@@ -97,20 +93,12 @@ impl Demo {
 
 /// The shipped lights and materials that are shown.
 fn shipped() -> Result<(Lights, Materials)> {
-    let lights = from_text(LIGHTS, |path| read_lights(path, None))?;
-    let materials = from_text(MATERIALS, |path| read_materials(path, None))?;
+    let (lights, materials) =
+        (eigenshade_cli::shipped::lights()?, eigenshade_cli::shipped::materials()?);
     let entries = chosen(lights.entries, &SHOWN_LIGHTS)?;
     let lights = Lights { degree: lights.degree, entries };
     let entries = chosen(materials.entries, &SHOWN_MATERIALS)?;
     Ok((lights, Materials { order: materials.order, entries }))
-}
-
-/// Reads a text that is not in a file by way of one.
-fn from_text<T>(text: &str, read: impl FnOnce(&Path) -> Result<T>) -> Result<T> {
-    let fault = |error: std::io::Error| Error::io(std::env::temp_dir(), &error);
-    let mut file = tempfile::NamedTempFile::new().map_err(fault)?;
-    file.write_all(text.as_bytes()).map_err(fault)?;
-    read(file.path())
 }
 
 fn chosen(entries: Vec<Named>, names: &[&str]) -> Result<Vec<Named>> {

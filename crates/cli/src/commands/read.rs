@@ -7,7 +7,8 @@ use eigenshade_cli::image_reading::Reader;
 use eigenshade_cli::linear_image::{LinearImage, Transfer};
 use eigenshade_cli::message::say;
 use eigenshade_cli::shader::fitted;
-use eigenshade_cli::{destination, pixel_mask, pixel_normals, table_file};
+use eigenshade_cli::{destination, pixel_mask, pixel_normals, shipped, table_file};
+use eigenshade_generator::database::{Lights, Materials};
 use eigenshade_generator::error::{Error, Result};
 use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_generator::reading::eigenimage_values::EigenimageValues;
@@ -50,7 +51,7 @@ pub struct Read {
     #[arg(long, value_enum)]
     transfer: Option<Transfer>,
     /// Light CSV of the statistics; without it, the one that the table's scene names,
-    /// looked for from the table's folder
+    /// looked for from the table's folder, or else the shipped one, if it has as many
     #[arg(long, value_name = "FILE")]
     lights: Option<PathBuf>,
     /// Material CSV of the statistics; without it, as for --lights
@@ -78,12 +79,9 @@ impl Read {
     pub fn run(self) -> Result<()> {
         let table = table_file::read(&self.table)?;
         let components = table_file::components(&table, self.components, &self.table)?;
-        let scene = &table.scene;
-        let lights = self.database(self.lights.as_deref(), &scene.light.database, "--lights")?;
-        let materials =
-            self.database(self.materials.as_deref(), &scene.material.database, "--materials")?;
-        let (lights, materials) =
-            fitted(&table, &read_lights(lights, None)?, &read_materials(materials, None)?);
+        let lights = self.lights(&table)?;
+        let materials = self.materials(&table)?;
+        let (lights, materials) = fitted(&table, &lights, &materials);
         let reader = Reader::new(&table, components, &lights, &materials)?;
 
         let image = LinearImage::read(&self.image, self.transfer)?;
@@ -109,20 +107,48 @@ impl Read {
         self.image.file_stem().unwrap_or_default().to_string_lossy().into_owned()
     }
 
-    /// The database that is given, or the scene's beside the table.
-    fn database(&self, given: Option<&Path>, of_scene: &str, option: &str) -> Result<PathBuf> {
-        if let Some(path) = given {
-            return Ok(path.to_owned());
+    /// The lights that are given, or those of the table's scene.
+    fn lights(&self, table: &Table) -> Result<Lights> {
+        let count = table.summary.lights;
+        match &self.lights {
+            Some(path) => read_lights(path, None),
+            None => match self.beside(&table.scene.light.database) {
+                Ok(path) => read_lights(path, None),
+                Err(missing) => shipped::lights()
+                    .ok()
+                    .filter(|lights| lights.entries.len() == count)
+                    .ok_or_else(|| without(missing, "--lights")),
+            },
         }
+    }
+
+    /// The materials that are given, or those that the table's scene means.
+    fn materials(&self, table: &Table) -> Result<Materials> {
+        if let Some(path) = &self.materials {
+            return read_materials(path, None);
+        }
+        let scene = &table.scene.material;
+        let beside = self.beside(&scene.database);
+        let Materials { order, mut entries } = match &beside {
+            Ok(path) => read_materials(path, None)?,
+            Err(_) => shipped::materials()?,
+        };
+        if !scene.names.is_empty() {
+            entries.retain(|entry| scene.names.contains(&entry.name));
+        }
+        match beside {
+            Err(missing) if entries.len() != table.summary.materials => {
+                Err(without(missing, "--materials"))
+            }
+            _ => Ok(Materials { order, entries }),
+        }
+    }
+
+    /// The file that the table's scene names, if it is there, from the table's folder;
+    /// else where it should be.
+    fn beside(&self, of_scene: &str) -> std::result::Result<PathBuf, PathBuf> {
         let path = self.table.parent().unwrap_or(Path::new("")).join(of_scene);
-        if path.exists() {
-            return Ok(path);
-        }
-        Err(Error::new(
-            "the database of the table's scene is not there",
-            format!("name it by {option}"),
-        )
-        .in_file(path))
+        if path.exists() { Ok(path) } else { Err(path) }
     }
 
     /// The pixels that count, and a line that says which do not.
@@ -179,4 +205,10 @@ impl Read {
         );
         Ok((observation, told))
     }
+}
+
+/// The fault of a database that is not there.
+fn without(path: PathBuf, option: &str) -> Error {
+    let what = "the database of the table's scene is not there";
+    Error::new(what, format!("name it by {option}")).in_file(path)
 }
