@@ -82,6 +82,10 @@ pub enum What {
     Mean,
     /// Part of a basis: the selection of modes.
     Selection,
+    /// Part of a general basis: d from coordinates in the span.
+    Projection,
+    /// Part of a general basis: the eigenimages in the span.
+    Synthesis,
 }
 
 impl Error {

@@ -15,6 +15,8 @@
 //! 4. [`Scene::shade`] gives the irradiance of one [`Normal`],
 //!    [`Scene::shade_slice`] that of many.
 //!
+//! A [`GeneralBasis`] does the same for objects other than the sphere.
+//!
 //! ```
 //! # #[cfg(feature = "baked")] {
 //! use eigenshade::{Light, Material, Normal, sphere};
@@ -76,6 +78,8 @@ mod scene;
 
 mod shade;
 
+mod general;
+
 mod error;
 
 #[cfg(feature = "baked")]
@@ -83,6 +87,7 @@ pub mod sphere;
 
 pub use basis::Basis;
 pub use error::{Error, What};
+pub use general::{GeneralBasis, GeneralParts};
 pub use light::Light;
 pub use material::Material;
 pub use normal::{Normal, Normals};

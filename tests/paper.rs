@@ -10,7 +10,7 @@ use eigenshade::index::{light, material, mode};
 use eigenshade_cli::owned_basis::OwnedBasis;
 use eigenshade_generator::database::Named;
 use eigenshade_generator::irradiance::slant_rotation;
-use eigenshade_generator::moments::{self, LightMoments};
+use eigenshade_generator::moments::{self, LightMoments, MaterialMoments};
 use eigenshade_generator::pca::{Block, principal};
 use eigenshade_generator::rotation::Rotation;
 use eigenshade_generator::scene_file::{self, Loaded};
@@ -181,7 +181,8 @@ fn signs_of_m_have_equal_eigenvalues() {
     let (mut worst, mut largest) = (0.0f64, 0.0f64);
     for azimuth in 1..=9 {
         let criterion = loaded.scene.basis.criterion;
-        let deviations = moments::deviations(&moments, materials, criterion, azimuth);
+        let deviations =
+            moments::deviations(&moments, &MaterialMoments::new(materials), criterion, azimuth);
         let values = |gram: &GramFactor| {
             let block = Block::new(gram, azimuth, |_, _, _, _| true).expect("finite");
             let images = block.images(gram, &deviations);

@@ -12,7 +12,7 @@ use eigenshade_cli::owned_basis::OwnedBasis;
 use eigenshade_generator::basis;
 use eigenshade_generator::database::Named;
 use eigenshade_generator::irradiance;
-use eigenshade_generator::moments::LightMoments;
+use eigenshade_generator::moments::{LightMoments, MaterialMoments};
 use eigenshade_generator::reading::coefficients::{LeastSquares, scalar_product};
 use eigenshade_generator::reading::eigenimage_values::EigenimageValues;
 use eigenshade_generator::reading::fit::fit;
@@ -110,7 +110,8 @@ fn dense(table: &Table, pixels: &Pixels) -> (DMatrix<f64>, DVector<f64>, DVector
 fn prior(loaded: &Loaded, table: &Table) -> (Transfers, Prior) {
     let transfers = Transfers::new(table, table.components.len());
     let moments = LightMoments::new(&loaded.lights, loaded.scene.light.normalise).expect("moments");
-    let prior = Prior::new(table, &transfers, moments, &loaded.materials).expect("a prior");
+    let prior = Prior::new(table, &transfers, moments, MaterialMoments::new(&loaded.materials))
+        .expect("a prior");
     (transfers, prior)
 }
 

@@ -93,3 +93,32 @@ pub const REPORT: f64 = 0.2;
 /// Those of images that nothing damages, as a logarithm: rounding amplified, which hosts do
 /// differently.
 pub const REPORT_ROUNDING: f64 = 1.5;
+/// The general way on the sphere's own normals: profiles of one part in 1e3 of the strongest
+/// component are determined to 1e-13 or so; the rest is margin.
+pub const GENERAL_SPHERE: f64 = 1e-10;
+/// Singular values of an object's pictures, of the largest: two ways of summing the same
+/// modes.
+pub const GENERAL_EIGENVALUES: f64 = 1e-12;
+/// Eigenimages over an object's normals, times the length of their coordinates: each
+/// function of the span is good to some ten roundings.
+pub const GENERAL_ORTHONORMAL: f64 = 1e-14;
+/// Pictures of any object with all components in f64 against the direct sum, of the peak
+/// over the whole hemisphere: singular values below 1e-12 are cut off.
+pub const GENERAL_PICTURES: f64 = 1e-9;
+/// Second moments of light turned about the vertical axis, of the largest: exact sums.
+pub const MOMENTS: f64 = 1e-12;
+/// Eigenvalues of one mesh read two ways, of the largest: the same facets in f64.
+pub const SAME_MESH: f64 = 1e-12;
+/// The same where corners are f32.
+pub const SAME_MESH_F32: f64 = 1e-5;
+/// Eigenvalues of a sphere from a normal map of 64 x 64, of the largest: its rim is jagged, a
+/// pixel is 3 % of the radius.
+pub const NORMAL_MAP: f64 = 0.03;
+/// Eigenvalues over normals of 16 bits, of the largest.
+pub const SIXTEEN_BITS: f64 = 1e-4;
+/// Eigenvalues of a density that is linear between 401 slants, of the largest: the square of a step
+/// of 4e-3, an eighth of it at most.
+pub const TABULATED_DENSITY: f64 = 1e-5;
+/// Pictures of normals that weigh 1e-12 of others, of the peak: their images are cut off with the
+/// rank, at 1e-10 of what weighs 1, the root of their weight 1e-6 above that.
+pub const LIGHTEST_NORMALS: f64 = 1e-4;

@@ -9,6 +9,7 @@
 //! the scene lets a polynomial be off.
 
 use eigenshade_generator::profile::evaluate;
+use eigenshade_index::mode;
 use eigenshade_table::{Profile, Table};
 
 /// What may differ, relative to the largest number of its kind.
@@ -73,6 +74,17 @@ pub fn differences(table: &Table, fresh: &Table) -> Result<Vec<Difference>, Stri
     let [old_rows, new_rows] =
         both.map(|table| of_profiles(table, &|profile| table.gram_row(profile)));
     let [old_mean, new_mean] = both.map(mean_coefficients);
+    if fresh.general.is_some() {
+        let [old_rows, new_rows] = both.map(general_rows);
+        let [old_mean, new_mean] = both.map(mean_coefficients);
+        return Ok(vec![
+            difference("components' eigenvalues", &old_values, &new_values),
+            difference("spectrum", &old_spectrum, &new_spectrum),
+            difference("mode means e", &table.gram.mode_means(), &fresh.gram.mode_means()),
+            difference("rows of U^T M", &old_rows, &new_rows),
+            difference("coefficients of the mean", &old_mean, &new_mean),
+        ]);
+    }
     Ok(vec![
         difference("components' eigenvalues", &old_values, &new_values),
         difference("spectrum", &old_spectrum, &new_spectrum),
@@ -97,11 +109,13 @@ fn same_shape(table: &Table, fresh: &Table) -> Result<(), String> {
     if table.scene != fresh.scene {
         return Err("it was made for another scene".into());
     }
-    if table.components.len() != fresh.components.len() {
-        let (found, expected) = (table.components.len(), fresh.components.len());
+    if table.count() != fresh.count() || table.general.is_some() != fresh.general.is_some() {
+        let (found, expected) = (table.count(), fresh.count());
         return Err(format!("it has {found} components where {expected} belong"));
     }
-    if orders(table) != orders(fresh) || azimuths(table) != azimuths(fresh) {
+    // Where a general table's span ends rounding decides; the span is no result.
+    let determined = fresh.general.is_none();
+    if determined && (orders(table) != orders(fresh) || azimuths(table) != azimuths(fresh)) {
         return Err("its components have other azimuths".into());
     }
     if table.selection != fresh.selection {
@@ -113,7 +127,35 @@ fn same_shape(table: &Table, fresh: &Table) -> Result<(), String> {
     Ok(())
 }
 
+/// Rows of UᵀM of a general table, for each eigenimage and each m of the span, from its
+/// projection. The span's own profiles end in rounding; these do not.
+fn general_rows(table: &Table) -> Vec<f64> {
+    let Some(general) = &table.general else { return Vec::new() };
+    let of_profiles: Vec<Vec<f64>> =
+        table.profiles.iter().map(|profile| table.gram_row(profile)).collect();
+    let degree = table.gram.degree as i32;
+    let mut rows = Vec::new();
+    for weights in general.projection.chunks(table.components.len().max(1)) {
+        for order in -degree..=degree {
+            let azimuth = order.unsigned_abs() as usize;
+            let mut row = vec![0.0; mode::count(table.gram.degree, table.gram.order, azimuth)];
+            for (component, weight) in table.components.iter().zip(weights) {
+                if component.order == order {
+                    for (sum, value) in row.iter_mut().zip(&of_profiles[component.profile]) {
+                        *sum += weight * value;
+                    }
+                }
+            }
+            rows.extend(row);
+        }
+    }
+    rows
+}
+
 fn component_eigenvalues(table: &Table) -> Vec<f64> {
+    if let Some(general) = &table.general {
+        return general.eigenvalues.iter().map(|value| value.unwrap_or(0.0)).collect();
+    }
     table.components.iter().map(|one| one.eigenvalue.unwrap_or(0.0)).collect()
 }
 
@@ -167,7 +209,10 @@ fn polynomial(azimuth: usize, chebyshev: &[f64]) -> Vec<f64> {
 }
 
 fn mean_coefficients(table: &Table) -> Vec<f64> {
-    table.mean.as_ref().map_or_else(Vec::new, |mean| mean.coefficients.clone())
+    match &table.general {
+        Some(general) => general.mean_coefficients.clone(),
+        None => table.mean.as_ref().map_or_else(Vec::new, |mean| mean.coefficients.clone()),
+    }
 }
 
 fn difference(what: &'static str, found: &[f64], expected: &[f64]) -> Difference {

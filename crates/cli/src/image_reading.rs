@@ -1,8 +1,8 @@
 //! All that is read from one image: d by each estimate, the light, the materials.
 
-use eigenshade_generator::database::{Lights, Materials};
+use eigenshade_generator::database::{self, Lights, Materials, Named};
 use eigenshade_generator::error::Result;
-use eigenshade_generator::moments::LightMoments;
+use eigenshade_generator::moments::{LightMoments, MaterialMoments, equal};
 use eigenshade_generator::reading::coefficients::{CUTOFF, LeastSquares, scalar_product};
 use eigenshade_generator::reading::fit::{Fit, fit};
 use eigenshade_generator::reading::modes::{self, ModeCoefficients};
@@ -13,6 +13,7 @@ use eigenshade_generator::reading::prior::Prior;
 use eigenshade_generator::reading::rank_one::RankOne;
 use eigenshade_generator::reading::transfer::Transfers;
 use eigenshade_table::Table;
+use std::collections::BTreeMap;
 
 /// What a table and its databases bring to every image.
 #[derive(Clone, Debug)]
@@ -70,8 +71,12 @@ impl<'a> Reader<'a> {
         materials: &'a Materials,
     ) -> Result<Self> {
         let transfers = Transfers::new(table, components);
-        let moments = LightMoments::new(lights, table.scene.light.normalise)?;
-        let prior = Prior::new(table, &transfers, moments, materials)?;
+        let scene = &table.scene;
+        let weights = weights(&lights.entries, &scene.light.weights)?;
+        let moments = LightMoments::weighted(lights, scene.light.normalise, &weights)?;
+        let weights = self::weights(&materials.entries, &scene.material.weights)?;
+        let of_materials = MaterialMoments::weighted(materials, weights);
+        let prior = Prior::new(table, &transfers, moments, of_materials)?;
         Ok(Self { table, materials, transfers, prior })
     }
 
@@ -112,7 +117,7 @@ impl<'a> Reader<'a> {
         let estimate = posterior.estimate(channel, noise);
         let modes = modes::posterior_mean(&self.transfers, &self.prior, &estimate);
         let mut product = RankOne::of(&modes)?;
-        let scale = product.scaled_to(&self.prior.materials);
+        let scale = product.scaled_to(&self.prior.materials.vectors);
         Ok(Channel {
             scalar_product: fitted(scalar_product(observation, channel)),
             least_norm: modes::least_norm(self.table, &least_squares.0),
@@ -126,5 +131,15 @@ impl<'a> Reader<'a> {
             product,
             scale,
         })
+    }
+}
+
+/// The weights of the table's scene; all alike in a database that is another.
+fn weights(entries: &[Named], by_name: &BTreeMap<String, f64>) -> Result<Vec<f64>> {
+    let is_there = |name: &String| entries.iter().any(|entry| entry.name == *name);
+    if by_name.keys().all(is_there) {
+        database::weights(entries, by_name)
+    } else {
+        Ok(equal(entries.len()))
     }
 }

@@ -1,6 +1,8 @@
 //! A table read at run time, as a basis of the runtime in a chosen number format.
 
-use eigenshade::{Basis, Coupling, Parts, Pass, ProfilePlace, Row, Scalar};
+use eigenshade::{
+    Basis, Coupling, GeneralBasis, GeneralParts, Parts, Pass, ProfilePlace, Row, Scalar,
+};
 use eigenshade_table::Table;
 use eigenshade_table::parts::{self, NONE};
 
@@ -21,6 +23,17 @@ pub struct OwnedBasis<S> {
     mean: Vec<S>,
     mean_coefficients: Vec<S>,
     selection: Vec<bool>,
+    general: Option<OwnedGeneral<S>>,
+}
+
+/// The arrays of a general basis, owned.
+#[derive(Clone, Debug)]
+struct OwnedGeneral<S> {
+    components: usize,
+    projection: Vec<S>,
+    synthesis: Vec<S>,
+    mean: Vec<S>,
+    mean_coefficients: Vec<S>,
 }
 
 impl<S: Scalar> OwnedBasis<S> {
@@ -44,10 +57,34 @@ impl<S: Scalar> OwnedBasis<S> {
             mean_coefficients: rounded(&parts.mean_coefficients),
             lengths: parts.lengths,
             selection: parts.selection,
+            general: table.general.as_ref().map(|general| OwnedGeneral {
+                components: general.eigenvalues.len(),
+                projection: rounded(&general.projection),
+                synthesis: rounded(&general.synthesis),
+                mean: rounded(&general.mean),
+                mean_coefficients: rounded(&general.mean_coefficients),
+            }),
         }
     }
 
-    /// The basis itself.
+    /// The basis of the table's own kind.
+    ///
+    /// # Errors
+    ///
+    /// As [`basis`](Self::basis).
+    pub fn any(&self) -> Result<AnyBasis<'_, S>, eigenshade::Error> {
+        let Some(general) = &self.general else { return self.basis().map(AnyBasis::Sphere) };
+        let parts = GeneralParts {
+            components: general.components,
+            projection: &general.projection,
+            synthesis: &general.synthesis,
+            mean: &general.mean,
+            mean_coefficients: &general.mean_coefficients,
+        };
+        GeneralBasis::new(self.basis()?, parts).map(AnyBasis::General)
+    }
+
+    /// The basis itself, or the span of a general one.
     ///
     /// # Errors
     ///
@@ -69,6 +106,21 @@ impl<S: Scalar> OwnedBasis<S> {
             mean_coefficients: &self.mean_coefficients,
             selection: &self.selection,
         })
+    }
+}
+
+/// A basis of either kind.
+#[derive(Clone, Copy, Debug)]
+pub enum AnyBasis<'a, S> {
+    /// Of eigenimages of one azimuth each.
+    Sphere(Basis<'a, S>),
+    /// Of eigenimages that are sums of several.
+    General(GeneralBasis<'a, S>),
+}
+
+impl<'a, S> From<Basis<'a, S>> for AnyBasis<'a, S> {
+    fn from(basis: Basis<'a, S>) -> Self {
+        Self::Sphere(basis)
     }
 }
 

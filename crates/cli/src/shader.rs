@@ -1,7 +1,8 @@
 //! From a light and a material to the irradiance of many normals, in a number
 //! format of the runtime.
 
-use eigenshade::{Basis, Light, Material, Normal, Normals, Scalar, Scene};
+use crate::owned_basis::AnyBasis;
+use eigenshade::{Light, Material, Normal, Normals, Scalar, Scene};
 use eigenshade_generator::database::{Lights, Materials, Named};
 use eigenshade_generator::error::{Error, Result};
 use eigenshade_table::Table;
@@ -15,7 +16,7 @@ pub fn fitted(table: &Table, lights: &Lights, materials: &Materials) -> (Lights,
 /// A basis with room to work in.
 #[derive(Clone, Debug)]
 pub struct Shader<'a, S> {
-    basis: Basis<'a, S>,
+    basis: AnyBasis<'a, S>,
     components: usize,
     workspace: Vec<S>,
     coefficients: Vec<S>,
@@ -58,13 +59,22 @@ impl<S: Scalar> OwnedNormals<S> {
 impl<'a, S: Scalar> Shader<'a, S> {
     /// A shader that uses the first `components` of the basis.
     #[must_use]
-    pub fn new(basis: Basis<'a, S>, components: usize) -> Self {
+    pub fn new(basis: impl Into<AnyBasis<'a, S>>, components: usize) -> Self {
+        let basis = basis.into();
+        let (all, workspace, scene) = match &basis {
+            AnyBasis::Sphere(basis) => {
+                (basis.components(), basis.workspace_len(), basis.scene_len())
+            }
+            AnyBasis::General(basis) => {
+                (basis.components(), basis.workspace_len(), basis.span().scene_len())
+            }
+        };
         Self {
             basis,
-            components: components.min(basis.components()),
-            workspace: vec![S::ZERO; basis.workspace_len()],
-            coefficients: vec![S::ZERO; basis.components()],
-            scene: vec![S::ZERO; basis.scene_len()],
+            components: components.min(all),
+            workspace: vec![S::ZERO; workspace],
+            coefficients: vec![S::ZERO; all],
+            scene: vec![S::ZERO; scene],
         }
     }
 
@@ -83,9 +93,16 @@ impl<'a, S: Scalar> Shader<'a, S> {
         let (light, material) = (rounded::<S>(light), rounded::<S>(material));
         let light = Light::new(degree, &light).map_err(fault)?;
         let material = Material::new(order, &material).map_err(fault)?;
-        self.basis
-            .project_into(&light, &material, &mut self.workspace, &mut self.coefficients)
-            .map_err(fault)?;
+        let (workspace, coefficients) = (&mut self.workspace, &mut self.coefficients);
+        match &self.basis {
+            AnyBasis::Sphere(basis) => {
+                basis.project_into(&light, &material, workspace, coefficients)
+            }
+            AnyBasis::General(basis) => {
+                basis.project_into(&light, &material, workspace, coefficients)
+            }
+        }
+        .map_err(fault)?;
         Ok(&self.coefficients[..self.components])
     }
 
@@ -96,7 +113,13 @@ impl<'a, S: Scalar> Shader<'a, S> {
     /// None in truth: the buffers have the basis's lengths.
     pub fn scene(&mut self) -> Result<Scene<'a, &mut Vec<S>>> {
         let coefficients = &self.coefficients[..self.components];
-        self.basis.collapse_into(coefficients, &mut self.scene).map_err(fault)
+        match &self.basis {
+            AnyBasis::Sphere(basis) => basis.collapse_into(coefficients, &mut self.scene),
+            AnyBasis::General(basis) => {
+                basis.collapse_into(coefficients, &mut self.workspace, &mut self.scene)
+            }
+        }
+        .map_err(fault)
     }
 
     /// One channel of the image, by the collapsed polynomials.
@@ -129,8 +152,16 @@ impl<'a, S: Scalar> Shader<'a, S> {
         normals: &[Normal<S>],
     ) -> Result<Vec<S>> {
         let basis = self.basis;
-        let coefficients = self.project(light, material)?;
-        let one = |&normal: &Normal<S>| basis.reconstruct(coefficients, normal).map_err(fault);
+        let coefficients = self.project(light, material)?.to_vec();
+        let one = |&normal: &Normal<S>| {
+            match &basis {
+                AnyBasis::Sphere(basis) => basis.reconstruct(&coefficients, normal),
+                AnyBasis::General(basis) => {
+                    basis.reconstruct(&coefficients, normal, &mut self.workspace)
+                }
+            }
+            .map_err(fault)
+        };
         normals.iter().map(one).collect()
     }
 

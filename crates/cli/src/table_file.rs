@@ -38,7 +38,7 @@ fn described(error: &FileError) -> Error {
 ///
 /// If more are asked for than the table at `path` has.
 pub fn components(table: &Table, asked: Option<usize>, path: &Path) -> Result<usize> {
-    let all = table.components.len();
+    let all = table.count();
     match asked {
         Some(count) if count > all => Err(Error::new(
             format!("it has {all} components, asked for are {count}"),

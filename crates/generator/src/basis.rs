@@ -4,9 +4,9 @@ use crate::canonical::{self, Ranked};
 use crate::database::{Lights, Materials};
 use crate::eigenimages::{Azimuth, Selected, constant_coordinates};
 use crate::error::{Error, Result};
-use crate::moments::{self, LightMoments};
+use crate::moments::{self, LightMoments, MaterialMoments};
 use crate::pca::{Block, principal};
-use crate::{gram, peak, profile, selection};
+use crate::{database, gram, peak, profile, selection};
 use eigenshade_table::scene::Criterion;
 use eigenshade_table::{GramFactor, MeanImage, Scene, Summary, Table};
 
@@ -25,22 +25,16 @@ const ROUNDING: f64 = 1e-14;
 /// Empty databases or ones that do not reach the scene's degree and order, lights
 /// that cannot be normalised, numbers that are not finite.
 pub fn build(scene: &Scene, lights: &Lights, materials: &Materials) -> Result<Table> {
-    let (degree, order) = (scene.light.degree, scene.material.order);
-    if materials.entries.is_empty() {
-        return Err(Error::new("no materials", "give a material database with at least one"));
-    }
-    if lights.degree < degree || materials.order < order {
-        let (found, of) = (lights.degree, materials.order);
-        let what = format!("lights of degree {found} and materials of order {of}");
-        return Err(Error::new(what, format!("ask for no more than that: not {degree}, {order}")));
-    }
-    let (lights, materials) = (lights.truncated(degree), materials.truncated(order));
+    let (lights, materials) = fitted(scene, lights, materials)?;
     let criterion = scene.basis.criterion;
-    let moments = LightMoments::new(&lights, scene.light.normalise)?;
-    let gram = gram::of_sphere(degree, order);
+    let weights = database::weights(&lights.entries, &scene.light.weights)?;
+    let moments = LightMoments::weighted(&lights, scene.light.normalise, &weights)?;
+    let weights = database::weights(&materials.entries, &scene.material.weights)?;
+    let of_materials = MaterialMoments::weighted(&materials, weights);
+    let gram = gram::of_sphere(scene.light.degree, scene.material.order);
     let kept = selection::highest(&gram, scene.basis.modes);
-    let azimuths: Vec<Azimuth> = (0..=degree)
-        .map(|azimuth| analyse(&gram, &kept, &moments, &materials, criterion, azimuth))
+    let azimuths: Vec<Azimuth> = (0..=scene.light.degree)
+        .map(|azimuth| analyse(&gram, &kept, &moments, &of_materials, criterion, azimuth))
         .collect::<Result<_>>()?;
 
     let largest_of = |values: fn(&Azimuth) -> &[f64]| {
@@ -49,16 +43,16 @@ pub fn build(scene: &Scene, lights: &Lights, materials: &Materials) -> Result<Ta
     let largest = largest_of(|azimuth| &azimuth.block.singular_values);
     let cutoff = scene.basis.rank_cutoff;
     let threshold = cutoff * largest;
-    let whole = moments::deviations(&moments, &materials, Criterion::ImageCentered, 0);
+    let whole = moments::deviations(&moments, &of_materials, Criterion::ImageCentered, 0);
     let rounding = ROUNDING * azimuths[0].block.images(&gram, &whole).norm_l2();
     let strongest = largest_of(|azimuth| &azimuth.principal.singular_values);
     let weakest = rounding.max(cutoff * strongest);
     let ranked = ranked(&azimuths, criterion, weakest);
-    let spectrum: Vec<(i32, Option<f64>)> = ranked
+    let spectrum: Vec<(Option<i32>, Option<f64>)> = ranked
         .iter()
         .flat_map(|profile| {
             let orders = canonical::orders(profile.azimuth).iter();
-            orders.map(|sign| (sign * profile.azimuth as i32, profile.eigenvalue))
+            orders.map(|sign| (Some(sign * profile.azimuth as i32), profile.eigenvalue))
         })
         .collect();
 
@@ -79,6 +73,7 @@ pub fn build(scene: &Scene, lights: &Lights, materials: &Materials) -> Result<Ta
         profiles: Vec::new(),
         mean: None,
         spectrum,
+        general: None,
     };
     let count = match (scene.basis.components, scene.basis.tolerance) {
         (Some(components), _) => components,
@@ -87,17 +82,39 @@ pub fn build(scene: &Scene, lights: &Lights, materials: &Materials) -> Result<Ta
     };
     Selected::new(&azimuths, &ranked, count).write(&mut table, &azimuths, threshold);
     if criterion == Criterion::Standard {
-        table.mean = Some(mean_image(&table, &azimuths[0], &moments, &materials));
+        table.mean = Some(mean_image(&table, &azimuths[0], &moments, &of_materials));
     }
     summarise(&mut table, &azimuths);
     Ok(table)
+}
+
+/// The databases up to a scene's degree and order.
+///
+/// # Errors
+///
+/// If there are no materials, or they or the lights do not reach that far.
+pub(crate) fn fitted(
+    scene: &Scene,
+    lights: &Lights,
+    materials: &Materials,
+) -> Result<(Lights, Materials)> {
+    let (degree, order) = (scene.light.degree, scene.material.order);
+    if materials.entries.is_empty() {
+        return Err(Error::new("no materials", "give a material database with at least one"));
+    }
+    if lights.degree < degree || materials.order < order {
+        let (found, of) = (lights.degree, materials.order);
+        let what = format!("lights of degree {found} and materials of order {of}");
+        return Err(Error::new(what, format!("ask for no more than that: not {degree}, {order}")));
+    }
+    Ok((lights.truncated(degree), materials.truncated(order)))
 }
 
 fn analyse(
     gram: &GramFactor,
     kept: &[bool],
     light: &LightMoments,
-    materials: &Materials,
+    materials: &MaterialMoments,
     criterion: Criterion,
     azimuth: usize,
 ) -> Result<Azimuth> {
@@ -135,9 +152,9 @@ fn mean_image(
     table: &Table,
     azimuth: &Azimuth,
     light: &LightMoments,
-    materials: &Materials,
+    materials: &MaterialMoments,
 ) -> MeanImage {
-    let mut material = moments::material_mean(materials);
+    let mut material = materials.mean.clone();
     material.iter_mut().for_each(|b| *b *= light.ambient_mean);
     let deviation = moments::Deviation { degree: 0, material };
     let coordinates = azimuth.block.images(&table.gram, &[deviation]);

@@ -1,6 +1,8 @@
 //! Lights and materials by name, as coefficients of three colour channels.
 
+use crate::error::{Error, Result};
 use eigenshade_index::{light, material};
+use std::collections::BTreeMap;
 
 /// The coefficients of one light or one material, channel by channel (r, g, b).
 #[derive(Clone, Debug, PartialEq)]
@@ -68,6 +70,34 @@ impl Materials {
         let order = order.min(self.order);
         Self { order, entries: prefix(&self.entries, material::count(order)) }
     }
+}
+
+/// How much each entry counts: what `by_name` says of it, 1 where it says nothing,
+/// scaled so that they sum to 1.
+///
+/// # Errors
+///
+/// A name that no entry has, a weight that is negative or not finite, none above zero.
+pub fn weights(entries: &[Named], by_name: &BTreeMap<String, f64>) -> Result<Vec<f64>> {
+    for (name, weight) in by_name {
+        if !entries.iter().any(|entry| entry.name == *name) {
+            let what = format!("weights has `{name}`, which the database lacks");
+            return Err(Error::new(what, "take a name that it holds"));
+        }
+        if !(*weight >= 0.0 && weight.is_finite()) {
+            let what = format!("weights has {weight} for `{name}`");
+            return Err(Error::new(what, "give it a finite weight of zero or more"));
+        }
+    }
+    let of = |entry: &Named| by_name.get(&entry.name).copied().unwrap_or(1.0);
+    let weights: Vec<f64> = entries.iter().map(of).collect();
+    let largest = weights.iter().copied().fold(0.0, f64::max);
+    if largest == 0.0 {
+        return Err(Error::new("all entries have weight 0", "give one a weight above zero"));
+    }
+    // Scaled by the largest first: the sum of finite weights need not be finite.
+    let sum: f64 = weights.iter().map(|weight| weight / largest).sum();
+    Ok(weights.iter().map(|weight| weight / largest / sum).collect())
 }
 
 fn prefix(entries: &[Named], count: usize) -> Vec<Named> {

@@ -83,12 +83,33 @@ fn coordinates(gram: &GramFactor, azimuth: &Azimuth, ranked: &Ranked) -> Mat<f64
     Mat::from_fn(vector.len(), 1, |i, _| sign * vector[i])
 }
 
+/// The first `rank` left singular vectors of a block, with canonical signs.
+pub(crate) fn signed_left(block: &Block, rank: usize) -> Mat<f64> {
+    let left = block.left(rank);
+    let series = block.space.chebyshev(&left);
+    let of = |k: usize| canonical::sign(&series.col(k).iter().copied().collect::<Vec<_>>());
+    let signs: Vec<f64> = (0..rank).map(of).collect();
+    Mat::from_fn(left.nrows(), rank, |i, k| signs[k] * left[(i, k)])
+}
+
 fn profile(
     gram: &GramFactor,
     block: &Block,
     coordinates: &Mat<f64>,
     tolerance: f64,
     threshold: f64,
+) -> Profile {
+    let modes = block.mode_coefficients(coordinates, threshold);
+    let modes = modes.col(0).iter().copied().collect();
+    Profile { modes, ..image(gram, block, coordinates, tolerance) }
+}
+
+/// A profile from its coordinates, a column, without its mode coefficients.
+pub(crate) fn image(
+    gram: &GramFactor,
+    block: &Block,
+    coordinates: &Mat<f64>,
+    tolerance: f64,
 ) -> Profile {
     let first = |matrix: Mat<f64>| matrix.col(0).iter().copied().collect::<Vec<f64>>();
     let mut chebyshev = first(block.space.chebyshev(coordinates));
@@ -97,7 +118,7 @@ fn profile(
     Profile {
         azimuth: block.azimuth,
         factors: factors(gram, block.azimuth, &node_values),
-        modes: first(block.mode_coefficients(coordinates, threshold)),
+        modes: Vec::new(),
         chebyshev,
         node_values,
     }

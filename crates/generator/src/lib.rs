@@ -32,7 +32,17 @@ pub mod canonical;
 
 mod eigenimages;
 
+pub mod span;
+
+pub mod geometry;
+
+pub mod light_statistics;
+
+mod settle;
+
 pub mod basis;
+
+pub mod general;
 
 pub mod peak;
 

@@ -23,31 +23,106 @@ pub struct LightMoments {
 }
 
 impl LightMoments {
-    /// The moments of the lights' luminance.
+    /// The moments of the lights' luminance, all lights alike.
     ///
     /// # Errors
     ///
     /// No lights; or, where they are to be normalised, one whose L_0^0 is not
     /// positive.
     pub fn new(lights: &Lights, normalise: Normalise) -> Result<Self> {
-        if lights.entries.is_empty() {
-            return Err(Error::new("no lights", "give a light database with at least one light"));
-        }
-        let count = lights.entries.len() as f64;
+        Self::weighted(lights, normalise, &equal(lights.entries.len()))
+    }
+
+    /// The moments of the lights' luminance, each with its weight; the weights sum to
+    /// 1.
+    ///
+    /// # Errors
+    ///
+    /// As [`new`](Self::new); lights of weight 0 are not looked at.
+    pub fn weighted(lights: &Lights, normalise: Normalise, weights: &[f64]) -> Result<Self> {
         let mut ambients = Vec::new();
         let mut power = vec![0.0; lights.degree + 1];
-        for entry in &lights.entries {
-            let coefficients = entry.luminance();
-            let scale = exposure(&entry.name, coefficients[0], normalise)?;
-            ambients.push(scale * coefficients[0]);
-            for ((l, _), value) in light::indices(lights.degree).zip(&coefficients) {
-                power[l] += (scale * value).powi(2) / (count * (2 * l + 1) as f64);
+        for (light, weight) in comparable(lights, normalise, weights)? {
+            ambients.push((light[0], weight));
+            for ((l, _), value) in light::indices(lights.degree).zip(&light) {
+                power[l] += weight * value.powi(2) / (2 * l + 1) as f64;
             }
         }
-        let ambient_mean = ambients.iter().sum::<f64>() / count;
-        let squares = ambients.iter().map(|ambient| (ambient - ambient_mean).powi(2));
-        let ambient_variance = squares.sum::<f64>() / count;
+        let ambient_mean = ambients.iter().map(|(ambient, weight)| weight * ambient).sum::<f64>();
+        let squares =
+            ambients.iter().map(|(ambient, weight)| weight * (ambient - ambient_mean).powi(2));
+        let ambient_variance = squares.sum::<f64>();
         Ok(Self { ambient_mean, ambient_variance, power })
+    }
+}
+
+/// `count` weights, all alike.
+#[must_use]
+pub fn equal(count: usize) -> Vec<f64> {
+    vec![1.0 / count as f64; count]
+}
+
+/// The lights' luminance, exposures made comparable, with their weights; those of
+/// weight 0 left out.
+///
+/// # Errors
+///
+/// As [`LightMoments::new`].
+pub fn comparable(
+    lights: &Lights,
+    normalise: Normalise,
+    weights: &[f64],
+) -> Result<Vec<(Vec<f64>, f64)>> {
+    if lights.entries.is_empty() {
+        return Err(Error::new("no lights", "give a light database with at least one light"));
+    }
+    let weighted = lights.entries.iter().zip(weights).filter(|(_, weight)| **weight > 0.0);
+    weighted
+        .map(|(entry, weight)| {
+            let mut light = entry.luminance();
+            let scale = exposure(&entry.name, light[0], normalise)?;
+            light.iter_mut().for_each(|value| *value *= scale);
+            Ok((light, *weight))
+        })
+        .collect()
+}
+
+/// What is known of the materials.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MaterialMoments {
+    /// b of each, luminance.
+    pub vectors: Vec<Vec<f64>>,
+    /// Their weights, which sum to 1.
+    pub weights: Vec<f64>,
+    /// E{b_op^q}, (41).
+    pub mean: Vec<f64>,
+}
+
+impl MaterialMoments {
+    /// The moments of the materials' luminance, all materials alike.
+    #[must_use]
+    pub fn new(materials: &Materials) -> Self {
+        Self::weighted(materials, equal(materials.entries.len()))
+    }
+
+    /// The moments of the materials' luminance, each with its weight; the weights sum
+    /// to 1.
+    #[must_use]
+    pub fn weighted(materials: &Materials, weights: Vec<f64>) -> Self {
+        let vectors: Vec<Vec<f64>> =
+            materials.entries.iter().map(crate::database::Named::luminance).collect();
+        let mut mean = vec![0.0; vectors.first().map_or(0, Vec::len)];
+        for (vector, weight) in vectors.iter().zip(&weights) {
+            for (mean, value) in mean.iter_mut().zip(vector) {
+                *mean += weight * value;
+            }
+        }
+        Self { vectors, weights, mean }
+    }
+
+    /// Each material's coefficients and the root of its weight.
+    pub fn rooted(&self) -> impl Iterator<Item = (&Vec<f64>, f64)> {
+        self.vectors.iter().zip(self.weights.iter().map(|weight| weight.sqrt()))
     }
 }
 
@@ -82,14 +157,10 @@ pub struct Deviation {
 #[must_use]
 pub fn deviations(
     light: &LightMoments,
-    materials: &Materials,
+    materials: &MaterialMoments,
     criterion: Criterion,
     azimuth: usize,
 ) -> Vec<Deviation> {
-    let vectors: Vec<Vec<f64>> =
-        materials.entries.iter().map(crate::database::Named::luminance).collect();
-    let root = (vectors.len() as f64).sqrt();
-    let mean = mean(&vectors);
     let mut deviations = Vec::new();
     for (degree, &power) in light.power.iter().enumerate().skip(azimuth) {
         // Only L_0^0 has a mean to be subtracted.
@@ -98,33 +169,17 @@ pub fn deviations(
         } else {
             (0.0, power.sqrt())
         };
-        for vector in &vectors {
+        for (vector, root) in materials.rooted() {
             if spread > 0.0 {
-                let material = vector.iter().map(|b| spread * b / root).collect();
+                let material = vector.iter().map(|b| root * spread * b).collect();
                 deviations.push(Deviation { degree, material });
             }
             if centre != 0.0 {
-                let material =
-                    vector.iter().zip(&mean).map(|(b, mean)| centre * (b - mean) / root).collect();
+                let apart = vector.iter().zip(&materials.mean);
+                let material = apart.map(|(b, mean)| root * centre * (b - mean)).collect();
                 deviations.push(Deviation { degree, material });
             }
         }
     }
     deviations
-}
-
-/// E{b_op^q}, (41), of the materials' luminance.
-#[must_use]
-pub fn material_mean(materials: &Materials) -> Vec<f64> {
-    mean(&materials.entries.iter().map(crate::database::Named::luminance).collect::<Vec<_>>())
-}
-
-fn mean(vectors: &[Vec<f64>]) -> Vec<f64> {
-    let mut mean = vec![0.0; vectors.first().map_or(0, Vec::len)];
-    for vector in vectors {
-        for (mean, value) in mean.iter_mut().zip(vector) {
-            *mean += value / vectors.len() as f64;
-        }
-    }
-    mean
 }

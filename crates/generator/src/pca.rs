@@ -62,6 +62,12 @@ impl Block {
         })
     }
 
+    /// The first `rank` left singular vectors of `factor`.
+    #[must_use]
+    pub fn left(&self, rank: usize) -> Mat<f64> {
+        self.left.get(.., ..rank).to_owned()
+    }
+
     /// Numerical rank: singular values above `threshold`.
     #[must_use]
     pub fn rank(&self, threshold: f64) -> usize {

@@ -2,9 +2,12 @@
 
 use crate::database::{Lights, Materials, Named};
 use crate::error::{Error, Result};
+use crate::geometry::Geometry;
 use crate::inputs::coefficient_csv::{read_lights, read_materials};
-use eigenshade_table::Scene;
+use crate::inputs::object;
+use crate::{basis, general};
 use eigenshade_table::scene::{Effect, LightRotation};
+use eigenshade_table::{Scene, Table};
 use std::path::Path;
 
 /// A scene with the databases that it names.
@@ -16,6 +19,24 @@ pub struct Loaded {
     pub lights: Lights,
     /// Its materials, of its order.
     pub materials: Materials,
+    /// The normals of its object.
+    pub geometry: Geometry,
+}
+
+impl Loaded {
+    /// The scene's table: azimuth by azimuth where normals and light allow it.
+    ///
+    /// # Errors
+    ///
+    /// As [`basis::build`].
+    pub fn build(&self) -> Result<Table> {
+        let Self { scene, lights, materials, geometry } = self;
+        if *geometry == Geometry::Sphere && scene.light.rotation == LightRotation::Any {
+            basis::build(scene, lights, materials)
+        } else {
+            general::build(scene, geometry, lights, materials)
+        }
+    }
 }
 
 /// Reads a scene file; its paths are relative to it.
@@ -37,7 +58,8 @@ pub fn load(path: &Path) -> Result<Loaded> {
     if !scene.material.names.is_empty() {
         materials.entries = named(&materials, &scene.material.names, &database)?;
     }
-    Ok(Loaded { scene, lights, materials })
+    let geometry = object::read(&scene.geometry, scene.light.degree, folder)?;
+    Ok(Loaded { scene, lights, materials, geometry })
 }
 
 fn named(materials: &Materials, names: &[String], database: &Path) -> Result<Vec<Named>> {
@@ -66,18 +88,6 @@ fn parse(text: &str) -> std::result::Result<Scene, (Error, Option<u64>)> {
 fn check(scene: &Scene) -> Result<()> {
     let basis = &scene.basis;
     let fail = |what: String, remedy: &str| Err(Error::new(what, remedy));
-    if scene.geometry.normals != "sphere" {
-        return fail(
-            format!("geometry.normals = \"{}\" is not served", scene.geometry.normals),
-            "this version makes bases of the sphere: set normals = \"sphere\"",
-        );
-    }
-    if scene.light.rotation != LightRotation::Any {
-        return fail(
-            "light.rotation = \"none\" is not served".into(),
-            "this version averages over all rotations: set rotation = \"any\"",
-        );
-    }
     let effects = &scene.effects;
     let all = Effect::ALL.iter().all(|effect| effects.wanted.contains(effect));
     if !(all && effects.colour && effects.rotation) {

@@ -1,5 +1,6 @@
 //! Whether the parts of a table fit together: decoding is total.
 
+use crate::general::General;
 use crate::parts::NONE;
 use crate::scene::Criterion;
 use crate::table::Table;
@@ -53,8 +54,16 @@ impl Table {
             return Err("profiles out of order".into());
         }
         self.check_components()?;
-        if self.mean.is_some() != (self.scene.basis.criterion == Criterion::Standard) {
+        let standard = self.scene.basis.criterion == Criterion::Standard;
+        let mean = match &self.general {
+            Some(general) => !general.mean.is_empty(),
+            None => self.mean.is_some(),
+        };
+        if mean != standard {
             return Err("a mean image belongs to the criterion standard, and to no other".into());
+        }
+        if let Some(general) = &self.general {
+            self.check_general(general)?;
         }
         if let Some(mean) = &self.mean {
             terms("mean image", &mean.chebyshev)?;
@@ -80,6 +89,24 @@ impl Table {
         let components = self.components.iter().map(|component| component.eigenvalue);
         let values: Vec<f64> = spectrum.chain(components).flatten().collect();
         numbers("eigenvalues", &values, values.len())
+    }
+
+    fn check_general(&self, general: &General) -> Result<(), String> {
+        let (count, span) = (general.eigenvalues.len(), self.components.len());
+        if count > usize::from(NONE) {
+            return Err(format!("{count} eigenimages, more than {NONE}"));
+        }
+        if self.mean.is_some() {
+            return Err("a span with a mean image of its own".into());
+        }
+        let values: Vec<f64> = general.eigenvalues.iter().flatten().copied().collect();
+        numbers("eigenvalues", &values, values.len())?;
+        let (mean, coefficients) = if general.mean.is_empty() { (0, 0) } else { (span, count) };
+        numbers("projection", &general.projection, count * span)?;
+        numbers("synthesis", &general.synthesis, count * span)?;
+        numbers("modes of the eigenimages", &general.modes, count * span)?;
+        numbers("mean image", &general.mean, mean)?;
+        numbers("mean's coefficients", &general.mean_coefficients, coefficients)
     }
 
     /// Each component has a profile of its own azimuth, and each sign of a profile

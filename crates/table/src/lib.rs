@@ -9,6 +9,8 @@ pub mod scene;
 
 pub mod gram;
 
+pub mod general;
+
 pub mod table;
 
 mod check;
@@ -26,6 +28,7 @@ mod rust_kernels;
 pub mod rust_source;
 
 pub use file::{FileError, decode, encode};
+pub use general::General;
 pub use gram::GramFactor;
 pub use parts::Parts;
 pub use scene::Scene;

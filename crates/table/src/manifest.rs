@@ -30,6 +30,7 @@ pub fn manifest(table: &Table, command: &str) -> String {
         ("profiles.factors", of_profiles(|profile| &profile.factors)),
         ("mean", section(&table.mean)),
         ("spectrum", section(&table.spectrum)),
+        ("general", section(&table.general)),
         ("file", encode(table)),
     ];
     for (entry, bytes) in sections {
@@ -44,7 +45,8 @@ pub fn manifest(table: &Table, command: &str) -> String {
         ("order", gram.order.to_string()),
         ("lights", summary.lights.to_string()),
         ("materials", summary.materials.to_string()),
-        ("components", table.components.len().to_string()),
+        ("components", table.count().to_string()),
+        ("span", table.general.as_ref().map_or(0, |_| table.components.len()).to_string()),
         ("rank", total.to_string()),
         ("rank of each |m|", per_azimuth.join(" ")),
         ("largest singular value", format!("{:.6e}", summary.largest_singular_value)),

@@ -1,5 +1,6 @@
 //! A table as Rust source: typed statics for the runtime.
 
+use crate::general::General;
 use crate::parts::{NONE, Parts, ProfilePlace, Row};
 use crate::passes::Pass;
 use crate::rust_kernels;
@@ -18,12 +19,17 @@ pub fn module(table: &Table, command: &str) -> String {
     let degrees = parts.degree + 1;
     let along = layout::LANES * layout::groups(parts.degree);
     let workspace = degrees * (row + 2) + row * along;
-    let mut text = format!("// {command}\n// {} bytes of tables\n", bytes(&parts));
+    let span = match &table.general {
+        Some(_) => parts.components,
+        None => 0,
+    };
+    let mut text =
+        format!("// {command}\n// {} bytes of tables\n", bytes(&parts) + general_bytes(table));
     for (name, what, value) in [
         ("DEGREE", "Largest degree l of the light.", parts.degree),
         ("ORDER", "Largest order o of the BRDF.", parts.order),
-        ("COMPONENTS", "Number of components K.", parts.components),
-        ("WORKSPACE", "Numbers that a projection needs room for.", workspace),
+        ("COMPONENTS", "Number of components K.", table.count()),
+        ("WORKSPACE", "Numbers that a projection needs room for.", workspace + span),
         ("TRANSFER", "Numbers in a [`Transfer`].", transfer_length(&parts)),
         ("SCENE", "Numbers in a [`Scene`].", scene_length(&parts)),
     ] {
@@ -43,8 +49,22 @@ pub fn module(table: &Table, command: &str) -> String {
     let couplings = couplings.map(|[o, p]| format!("eigenshade::Coupling::new({o}, {p})"));
     array(&mut text, "COUPLINGS", "eigenshade::Coupling", couplings);
     array(&mut text, "PROFILES", "eigenshade::ProfilePlace", parts.profiles.iter().map(place));
-    text.push_str(FACE);
-    text.push_str(&rust_kernels::functions(&parts));
+    text.push_str(TYPES);
+    match &table.general {
+        None => {
+            basis(&mut text, "BASIS", "The basis", parts.components);
+            text.push_str(SPHERE);
+            text.push_str(&rust_kernels::functions(&parts));
+        }
+        Some(general) => {
+            basis(&mut text, "SPAN", "The span of the basis", parts.components);
+            for (name, values) in general_floats(general) {
+                let values = values.iter().map(|&value| format!("{:?}", value as f32));
+                array(&mut text, name, "f32", values);
+            }
+            text.push_str(GENERAL);
+        }
+    }
     text
 }
 
@@ -66,6 +86,21 @@ fn bytes(parts: &Parts) -> usize {
     let shorts = parts.lengths.len() + parts.slots.len();
     let records = 4 * parts.passes.len() + 4 * parts.couplings.len() + 28 * parts.profiles.len();
     4 * floats + 2 * shorts + parts.selection.len() + records
+}
+
+/// The arrays of a general basis.
+fn general_floats(general: &General) -> [(&'static str, &[f64]); 4] {
+    [
+        ("PROJECTION", &general.projection),
+        ("SYNTHESIS", &general.synthesis),
+        ("SPAN_MEAN", &general.mean),
+        ("IMAGE_MEAN", &general.mean_coefficients),
+    ]
+}
+
+fn general_bytes(table: &Table) -> usize {
+    let Some(general) = &table.general else { return 0 };
+    general_floats(general).iter().map(|(_, values)| 4 * values.len()).sum()
 }
 
 fn transfer_length(parts: &Parts) -> usize {
@@ -108,13 +143,17 @@ fn line(text: &mut String, line: std::fmt::Arguments<'_>) {
     writeln!(text, "{line}").expect("a string takes everything");
 }
 
-/// What follows the numbers: the same for every table.
-const FACE: &str = "/// The basis; its shape was checked when it was compiled.
-pub static BASIS: eigenshade::Basis<'static, f32> =
-    match eigenshade::Basis::new(eigenshade::Parts {
+/// The static of the basis, or of a general one's span.
+fn basis(text: &mut String, name: &str, what: &str, components: usize) {
+    line(
+        text,
+        format_args!(
+            "/// {what}; its shape was checked when it was compiled.
+pub static {name}: eigenshade::Basis<'static, f32> =
+    match eigenshade::Basis::new(eigenshade::Parts {{
         degree: DEGREE,
         order: ORDER,
-        components: COMPONENTS,
+        components: {components},
         profiles: &PROFILES,
         passes: &PASSES,
         slots: &SLOTS,
@@ -126,17 +165,25 @@ pub static BASIS: eigenshade::Basis<'static, f32> =
         mean: &MEAN,
         mean_coefficients: &MEAN_COEFFICIENTS,
         selection: &SELECTION,
-    }) {
+    }}) {{
         Ok(basis) => basis,
         Err(_) => panic!(\"the table's parts do not fit together\"),
-    };
-/// The coefficients d of one image.
+    }};"
+        ),
+    );
+}
+
+/// The types of every table.
+const TYPES: &str = "/// The coefficients d of one image.
 pub type Coefficients = eigenshade::Coefficients<f32, COMPONENTS>;
 /// One material, folded into the basis.
 pub type Transfer = eigenshade::Transfer<f32, TRANSFER>;
 /// One image, ready to be shaded.
 pub type Scene = eigenshade::Scene<'static, eigenshade::SceneBuffer<f32, SCENE>>;
-/// Folds a material into the basis: see [`eigenshade::Basis::transfer`].
+";
+
+/// The functions of a sphere's table, but those with kernels of their own.
+const SPHERE: &str = "/// Folds a material into the basis: see [`eigenshade::Basis::transfer`].
 ///
 /// # Errors
 ///
@@ -151,5 +198,59 @@ pub fn transfer(material: &eigenshade::Material<'_, f32>) -> Result<Transfer, ei
 /// As there, but capacities cannot be too small.
 pub fn collapse(coefficients: &Coefficients) -> Result<Scene, eigenshade::Error> {
     BASIS.collapse::<SCENE>(coefficients)
+}
+";
+
+/// The basis and the functions of a general table.
+const GENERAL: &str = "/// The basis; its shape was checked when it was compiled.
+pub static BASIS: eigenshade::GeneralBasis<'static, f32> =
+    match eigenshade::GeneralBasis::new(SPAN, eigenshade::GeneralParts {
+        components: COMPONENTS,
+        projection: &PROJECTION,
+        synthesis: &SYNTHESIS,
+        mean: &SPAN_MEAN,
+        mean_coefficients: &IMAGE_MEAN,
+    }) {
+        Ok(basis) => basis,
+        Err(_) => panic!(\"the table's parts do not fit together\"),
+    };
+/// d = UᵀMc: see [`eigenshade::GeneralBasis::project`].
+///
+/// # Errors
+///
+/// As there, but capacities cannot be too small.
+pub fn project(
+    light: &eigenshade::Light<'_, f32>,
+    material: &eigenshade::Material<'_, f32>,
+) -> Result<Coefficients, eigenshade::Error> {
+    BASIS.project::<WORKSPACE, COMPONENTS>(light, material)
+}
+/// Folds a material into the span: see [`eigenshade::Basis::transfer`].
+///
+/// # Errors
+///
+/// As there, but capacities cannot be too small.
+pub fn transfer(material: &eigenshade::Material<'_, f32>) -> Result<Transfer, eigenshade::Error> {
+    SPAN.transfer::<WORKSPACE, TRANSFER>(material)
+}
+/// A new light on a folded material: see [`eigenshade::GeneralBasis::relight`].
+///
+/// # Errors
+///
+/// As there, but capacities cannot be too small.
+pub fn relight(
+    transfer: &Transfer,
+    light: &eigenshade::Light<'_, f32>,
+) -> Result<Coefficients, eigenshade::Error> {
+    BASIS.relight::<TRANSFER, WORKSPACE, COMPONENTS>(transfer, light)
+}
+/// Sums the eigenimages azimuth by azimuth: see
+/// [`eigenshade::GeneralBasis::collapse`].
+///
+/// # Errors
+///
+/// As there, but capacities cannot be too small.
+pub fn collapse(coefficients: &Coefficients) -> Result<Scene, eigenshade::Error> {
+    BASIS.collapse::<WORKSPACE, SCENE>(coefficients)
 }
 ";

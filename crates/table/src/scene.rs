@@ -1,6 +1,7 @@
 //! The scene file: what a basis is to be made for.
 
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 
 /// A whole scene file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -23,8 +24,15 @@ pub struct Scene {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Geometry {
-    /// `sphere`.
+    /// `sphere`; `slant-density`; or a path: normals as CSV, a mesh, a normal map.
     pub normals: String,
+    /// Of a normal map: an image of the same size, black where it is not to count.
+    #[serde(default)]
+    pub mask: Option<String>,
+    /// Of `slant-density`: a formula in the slant `a`, or a path to a CSV of it; per
+    /// solid angle, of any scale.
+    #[serde(default)]
+    pub density: Option<String>,
 }
 
 /// Which light falls on the object.
@@ -40,6 +48,9 @@ pub struct Light {
     /// How the lights' exposures are made comparable, for the statistics alone.
     #[serde(default)]
     pub normalise: Normalise,
+    /// How much lights count in the statistics, by name; 1 where nothing is said.
+    #[serde(default)]
+    pub weights: BTreeMap<String, f64>,
 }
 
 /// Which rotations of the captured light are to be expected.
@@ -50,6 +61,8 @@ pub enum LightRotation {
     Any,
     /// As captured.
     None,
+    /// All rotations about the vertical axis y alike.
+    Vertical,
 }
 
 /// How the lights' exposures are made comparable, for the statistics alone.
@@ -74,6 +87,9 @@ pub struct Material {
     /// The materials that are meant; empty: all.
     #[serde(default)]
     pub names: Vec<String>,
+    /// How much materials count in the statistics, by name; 1 where nothing is said.
+    #[serde(default)]
+    pub weights: BTreeMap<String, f64>,
 }
 
 /// Which basis is wanted.

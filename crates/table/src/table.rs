@@ -1,5 +1,6 @@
 //! A table: the eigenbasis of one scene.
 
+use crate::general::General;
 use crate::gram::GramFactor;
 use crate::scene::Scene;
 use eigenshade_index::pair;
@@ -26,8 +27,10 @@ pub struct Table {
     /// subtracts.
     pub mean: Option<MeanImage>,
     /// Order m and eigenvalue of every component found, kept or not, in
-    /// canonical order.
-    pub spectrum: Vec<(i32, Option<f64>)>,
+    /// canonical order; no m where components are sums of several.
+    pub spectrum: Vec<(Option<i32>, Option<f64>)>,
+    /// Eigenimages that are sums of the components, which are then but a span.
+    pub general: Option<General>,
 }
 
 /// One eigenimage: U = u(α) Φ_m(β).
@@ -128,6 +131,12 @@ impl Table {
     #[must_use]
     pub fn keeps(&self, azimuth: usize, l: usize, o: usize, p: usize, q: usize) -> bool {
         self.selection.is_empty() || self.selection[self.gram.place(azimuth, l, o, p, q)]
+    }
+
+    /// Number of eigenimages K.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.general.as_ref().map_or(self.components.len(), |general| general.eigenvalues.len())
     }
 
     /// Energy that the first `count` components leave, from the eigenvalues.

@@ -5,7 +5,6 @@ use eigenshade_cli::compare::{Difference, differences};
 use eigenshade_cli::message::spinner;
 use eigenshade_cli::number::grouped;
 use eigenshade_cli::{destination, invocation, table_file};
-use eigenshade_generator::basis::build;
 use eigenshade_generator::error::{Error, Result};
 use eigenshade_generator::output::write_atomically;
 use eigenshade_generator::scene_file;
@@ -51,7 +50,7 @@ impl Basis {
         let start = Instant::now();
         let progress = spinner("eigenimages");
         let loaded = scene_file::load(&self.scene)?;
-        let table = build(&loaded.scene, &loaded.lights, &loaded.materials);
+        let table = loaded.build();
         progress.finish_and_clear();
         let table = table.map_err(|error| error.in_file(&self.scene))?;
         if let Some((path, old)) = old {
@@ -77,7 +76,7 @@ fn report(table: &Table, bytes: usize, time: Duration) -> String {
     let summary = &table.summary;
     let both_signs = |(azimuth, rank): (usize, &usize)| if azimuth == 0 { *rank } else { 2 * rank };
     let rank: usize = summary.ranks.iter().enumerate().map(both_signs).sum();
-    let (found, asked) = (table.components.len(), table.scene.basis.components);
+    let (found, asked) = (table.count(), table.scene.basis.components);
     let fewer = match asked {
         Some(asked) if asked > found => format!(" of {asked} asked for: there are no more"),
         _ => String::new(),

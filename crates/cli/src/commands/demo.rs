@@ -63,8 +63,8 @@ impl Demo {
         progress.finish_and_clear();
 
         let basis = OwnedBasis::<f32>::new(&table);
-        let components = table.components.len();
-        let mut shader = Shader::new(basis.basis().map_err(fault)?, components);
+        let components = table.count();
+        let mut shader = Shader::new(basis.any().map_err(fault)?, components);
         let normals = OwnedNormals::new(&view.normals);
         let mut trials = Vec::new();
         for light in &lights.entries {

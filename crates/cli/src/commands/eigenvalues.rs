@@ -29,7 +29,8 @@ impl Eigenvalues {
             let mut rows = Rows::new(out, ["criterion", "index", "m", "eigenvalue"])?;
             for (index, (m, value)) in table.spectrum.iter().enumerate() {
                 let value = value.map(exact).unwrap_or_default();
-                rows.row([criterion, &index.to_string(), &m.to_string(), &value])?;
+                let m = m.map(|m| m.to_string()).unwrap_or_default();
+                rows.row([criterion, &index.to_string(), &m, &value])?;
             }
             rows.finish()
         })

@@ -45,7 +45,7 @@ impl Project {
             &read_materials(&self.materials, None)?,
         );
         let basis = OwnedBasis::<f64>::new(&table);
-        let mut shader = Shader::new(basis.basis().map_err(fault)?, components);
+        let mut shader = Shader::new(basis.any().map_err(fault)?, components);
         destination::write(self.out.as_deref(), |out| {
             let header = ["light", "material", "component", "r", "g", "b"];
             let mut rows = Rows::new(out, header)?;

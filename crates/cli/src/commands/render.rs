@@ -48,7 +48,7 @@ impl Render {
         let materials = Materials { order, entries: vec![material.of(entries)?] };
         let (lights, materials) = fitted(&table, &lights, &materials);
         let basis = OwnedBasis::<f32>::new(&table);
-        let mut shader = Shader::new(basis.basis().map_err(fault)?, table.components.len());
+        let mut shader = Shader::new(basis.any().map_err(fault)?, table.count());
         let view = SphereView::new(self.size);
         let normals = OwnedNormals::new(&view.normals);
         let light = (lights.degree, &lights.entries[0]);

@@ -141,7 +141,7 @@ impl Work {
 
     fn shade<S: Scalar + Into<f64>>(&self, method: Method, out: &mut dyn Write) -> Result<()> {
         let basis = OwnedBasis::<S>::new(&self.table);
-        let mut shader = Shader::new(basis.basis().map_err(fault)?, self.components);
+        let mut shader = Shader::new(basis.any().map_err(fault)?, self.components);
         let normals = OwnedNormals::<S>::new(&self.normals);
         let each = normals.each()?;
         let mut rows = header(out)?;

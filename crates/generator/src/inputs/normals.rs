@@ -19,16 +19,31 @@ pub const RIM: f64 = 1e-3;
 /// If the file cannot be read or holds no normal, or a row is ragged, not
 /// finite, of length zero, or points away from the camera.
 pub fn read_normals(path: impl AsRef<Path>) -> Result<Vec<[f64; 3]>> {
+    Ok(read_weighted_normals(path)?.into_iter().map(|(normal, _)| normal).collect())
+}
+
+/// [`read_normals`] with the weights of a column `weight`, 1 where there is none.
+///
+/// # Errors
+///
+/// As there; or a weight that is negative or not finite.
+pub fn read_weighted_normals(path: impl AsRef<Path>) -> Result<Vec<([f64; 3], f64)>> {
     let path = path.as_ref();
     let sheet = Sheet::read(path, "x,y,z")?;
     let columns = sheet.columns(["x", "y", "z"]).ok_or_else(|| sheet.wrong_header("`x,y,z`"))?;
+    let weight = sheet.column("weight");
     let mut normals = Vec::new();
     for row in sheet.rows() {
         let mut vector = [0.0; 3];
         for (component, column) in vector.iter_mut().zip(columns) {
             *component = row.number(column)?;
         }
-        normals.push(visible(vector).map_err(|(what, remedy)| row.fault(what, remedy))?);
+        let normal = visible(vector).map_err(|(what, remedy)| row.fault(what, remedy))?;
+        let weight = weight.map_or(Ok(1.0), |column| row.number(column))?;
+        if weight < 0.0 {
+            return Err(row.fault(format!("weight {weight} is negative"), "give it zero or more"));
+        }
+        normals.push((normal, weight));
     }
     if normals.is_empty() {
         return Err(Error::new("there is no normal in it", "add rows below the header `x,y,z`")

@@ -67,8 +67,8 @@ pub fn posterior_mean(
     let order = transfers.order();
     let mut c = ModeCoefficients::zeros(transfers.degree(), order);
     let x = prior.dual(&estimate.coordinates);
-    let share = estimate.exposure / prior.materials.len() as f64;
-    for vector in &prior.materials {
+    for (vector, root) in prior.materials.rooted() {
+        let share = estimate.exposure * root * root;
         let along = transfers.of(vector).transpose() * &x;
         for (row, (l, _)) in light::indices(transfers.degree()).enumerate() {
             let power = prior.light.power.get(l).copied().unwrap_or(0.0);

@@ -10,9 +10,8 @@
 use super::coefficients::decompose;
 use super::reduction::Reduction;
 use super::transfer::Transfers;
-use crate::database::{Materials, Named};
 use crate::error::{Error, Result};
-use crate::moments::{LightMoments, material_mean};
+use crate::moments::{LightMoments, MaterialMoments};
 use eigenshade_index::light;
 use eigenshade_table::Table;
 use eigenshade_table::scene::Criterion;
@@ -32,8 +31,8 @@ pub struct Prior {
     pub left: f64,
     /// The moments of the light.
     pub light: LightMoments,
-    /// The materials' luminance coefficients.
-    pub materials: Vec<Vec<f64>>,
+    /// The materials' luminance coefficients and their weights.
+    pub materials: MaterialMoments,
 }
 
 impl Prior {
@@ -46,17 +45,15 @@ impl Prior {
         table: &Table,
         transfers: &Transfers,
         light: LightMoments,
-        materials: &Materials,
+        materials: MaterialMoments,
     ) -> Result<Self> {
-        if materials.entries.is_empty() {
+        if materials.vectors.is_empty() {
             return Err(Error::new("no materials", "give a material database with at least one"));
         }
         let (components, criterion) = (transfers.components(), table.scene.basis.criterion);
-        let mean_transfer = transfers.of(&material_mean(materials));
-        let vectors: Vec<Vec<f64>> = materials.entries.iter().map(Named::luminance).collect();
-        let share = (vectors.len() as f64).sqrt().recip();
+        let mean_transfer = transfers.of(&materials.mean);
         let mut reduction = Reduction::new(components);
-        for vector in &vectors {
+        for (vector, share) in materials.rooted() {
             let transfer = transfers.of(vector);
             for ((l, _), column) in light::indices(transfers.degree()).zip(transfer.col_iter()) {
                 let power = light.power.get(l).copied().unwrap_or(0.0);
@@ -80,7 +77,7 @@ impl Prior {
         let mut mean = table.mean.as_ref().map_or_else(Vec::new, |mean| mean.coefficients.clone());
         mean.resize(components, 0.0);
         let left = table.energy_left(components);
-        Ok(Self { factor, mean, left, light, materials: vectors })
+        Ok(Self { factor, mean, left, light, materials })
     }
 
     /// x with V_d x = F a: F over its squared lengths times a, columns below rounding

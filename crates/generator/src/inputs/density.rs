@@ -1,0 +1,114 @@
+//! A density of slants, as a formula or a CSV, as weighted normals.
+
+use super::sheet::Sheet;
+use crate::error::{Error, Result};
+use crate::special::gauss_legendre;
+use exmex::{Express, FlatEx};
+use std::f64::consts::{FRAC_PI_2, TAU};
+use std::path::Path;
+
+/// Panels of a formula, and nodes of all panels together at least.
+const PANELS: usize = 8;
+const NODES: usize = 192;
+
+/// Normals of an object whose normals have this density per solid angle over the
+/// visible hemisphere, of any scale, the same for all tilts.
+///
+/// `density` is a formula in the slant `a` in radians (`cos(a)` is the sphere), or the
+/// name of a CSV `slant,density` in `folder`: linear between its rows, zero beyond them.
+/// Quadrature is by Gauss and Legendre in the slant and evenly in the tilt, exact for
+/// images of light up to `degree` where the density is smooth within a panel, an eighth
+/// of the hemisphere or an interval of the CSV.
+///
+/// # Errors
+///
+/// A formula that does not parse or has other variables than `a`; a CSV that is broken
+/// or whose slants do not rise within \[0, π/2\]; a density that is negative or not finite.
+pub fn read(density: &str, folder: &Path, degree: usize) -> Result<Vec<([f64; 3], f64)>> {
+    if Path::new(density).extension().is_some_and(|extension| extension == "csv") {
+        let path = folder.join(density);
+        let rows = slants(&path)?;
+        let panels = rows.windows(2).map(|two| (two[0].0, two[1].0)).collect::<Vec<_>>();
+        let linear = |a: f64| {
+            let after = rows.partition_point(|row| row.0 <= a).clamp(1, rows.len() - 1);
+            let ((low, first), (high, second)) = (rows[after - 1], rows[after]);
+            Ok(first + (second - first) * (a - low) / (high - low))
+        };
+        return ring(&panels, degree, linear).map_err(|error| error.in_file(path));
+    }
+    let formula = formula(density)?;
+    let width = FRAC_PI_2 / PANELS as f64;
+    let panels: Vec<(f64, f64)> =
+        (0..PANELS).map(|k| (k as f64 * width, (k + 1) as f64 * width)).collect();
+    ring(&panels, degree, |a| {
+        let variables: &[f64] = if formula.var_names().is_empty() { &[] } else { &[a] };
+        formula.eval(variables).map_err(|error| wrong(density, &error.to_string()))
+    })
+}
+
+fn formula(text: &str) -> Result<FlatEx<f64>> {
+    let formula = FlatEx::<f64>::parse(text).map_err(|error| wrong(text, &error.to_string()))?;
+    match formula.var_names().iter().find(|name| *name != "a") {
+        Some(name) => Err(wrong(text, &format!("it has a variable `{name}`"))),
+        None => Ok(formula),
+    }
+}
+
+fn wrong(text: &str, why: &str) -> Error {
+    Error::new(
+        format!("geometry.density = \"{text}\": {why}"),
+        "write a formula in the slant `a`, like \"cos(a)\", or name a .csv",
+    )
+}
+
+fn slants(path: &Path) -> Result<Vec<(f64, f64)>> {
+    let sheet = Sheet::read(path, "slant,density")?;
+    let [slant, density] =
+        sheet.columns(["slant", "density"]).ok_or_else(|| sheet.wrong_header("`slant,density`"))?;
+    let mut rows: Vec<(f64, f64)> = Vec::new();
+    for row in sheet.rows() {
+        let a = row.number(slant)?;
+        if !(0.0..=FRAC_PI_2 + 1e-9).contains(&a) {
+            return Err(row.fault(
+                format!("slant {a} is not in [0, π/2]"),
+                "give slants in radians, from 0 at the camera to π/2 at the rim",
+            ));
+        }
+        if rows.last().is_some_and(|last| a <= last.0) {
+            return Err(row.fault(format!("slant {a} does not rise"), "sort the rows by slant"));
+        }
+        rows.push((a.min(FRAC_PI_2), row.number(density)?));
+    }
+    if rows.len() < 2 {
+        return Err(Error::new("fewer than two slants", "give two at least").in_file(path));
+    }
+    Ok(rows)
+}
+
+/// Rings of normals on the nodes of all panels.
+fn ring(
+    panels: &[(f64, f64)],
+    degree: usize,
+    density: impl Fn(f64) -> Result<f64>,
+) -> Result<Vec<([f64; 3], f64)>> {
+    let nodes = (NODES / panels.len()).max(4);
+    let tilts = 2 * degree + 1;
+    let mut pairs = Vec::new();
+    for &(low, high) in panels {
+        for (a, weight) in gauss_legendre::rule(nodes, low, high) {
+            let density = density(a)?;
+            if !(density >= 0.0 && density.is_finite()) {
+                return Err(Error::new(
+                    format!("the density at slant {a:.6} is {density}"),
+                    "make it finite and not negative over all slants from 0 to π/2",
+                ));
+            }
+            let (sine, z) = a.sin_cos();
+            for k in 0..tilts {
+                let (y, x) = (TAU * k as f64 / tilts as f64).sin_cos();
+                pairs.push(([sine * x, sine * y, z], weight * sine * density));
+            }
+        }
+    }
+    Ok(pairs)
+}

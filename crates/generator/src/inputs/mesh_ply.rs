@@ -1,0 +1,70 @@
+//! Polygon files (.ply), text or binary.
+
+use super::mesh::broken;
+use crate::error::Result;
+use ply_rs_bw::parser::{ParseError, Parser, Reader};
+use ply_rs_bw::ply::{DefaultElement, Property};
+use std::io::Cursor;
+
+/// The triangles of a polygon file; polygons are cut into fans.
+pub(crate) fn read(bytes: &[u8]) -> Result<Vec<[[f64; 3]; 3]>> {
+    let fault = |error: ParseError| {
+        let text = error.to_string();
+        broken(format!("it is no whole PLY ({})", text.lines().next().unwrap_or_default()))
+    };
+    let parser = Parser::<DefaultElement>::new();
+    let mut reader = Reader::new(Cursor::new(bytes));
+    let header = parser.read_header(&mut reader).map_err(fault)?;
+    for (name, element) in &header.elements {
+        // An element takes a byte at least.
+        if element.count > bytes.len() {
+            return Err(broken(format!(
+                "{} of element `{name}` promised in {} bytes",
+                element.count,
+                bytes.len()
+            )));
+        }
+    }
+    let payload = parser.read_payload(&mut reader, &header).map_err(fault)?;
+    let of = |name: &str| payload.get(name).map(Vec::as_slice).unwrap_or_default();
+    let corners = of("vertex").iter().map(corner).collect::<Result<Vec<_>>>()?;
+    let mut triangles = Vec::new();
+    for face in of("face") {
+        let places = indices(face)?;
+        let at = |place: usize| {
+            corners
+                .get(place)
+                .copied()
+                .ok_or_else(|| broken(format!("corner {place} does not exist")))
+        };
+        for two in places.get(1..).unwrap_or_default().windows(2) {
+            triangles.push([at(places[0])?, at(two[0])?, at(two[1])?]);
+        }
+    }
+    Ok(triangles)
+}
+
+fn corner(vertex: &DefaultElement) -> Result<[f64; 3]> {
+    let axis = |name: &str| match vertex.get(name) {
+        Some(Property::Float(value)) => Ok(f64::from(*value)),
+        Some(Property::Double(value)) => Ok(*value),
+        Some(Property::Int(value)) => Ok(f64::from(*value)),
+        Some(Property::Short(value)) => Ok(f64::from(*value)),
+        _ => Err(broken(format!("a vertex has no number `{name}`"))),
+    };
+    Ok([axis("x")?, axis("y")?, axis("z")?])
+}
+
+fn indices(face: &DefaultElement) -> Result<Vec<usize>> {
+    let list = face.get("vertex_indices").or_else(|| face.get("vertex_index"));
+    let signed = |value: i64| usize::try_from(value).map_err(|_| broken("a negative corner"));
+    match list {
+        Some(Property::ListInt(list)) => list.iter().map(|&one| signed(one.into())).collect(),
+        Some(Property::ListShort(list)) => list.iter().map(|&one| signed(one.into())).collect(),
+        Some(Property::ListChar(list)) => list.iter().map(|&one| signed(one.into())).collect(),
+        Some(Property::ListUInt(list)) => list.iter().map(|&one| Ok(one as usize)).collect(),
+        Some(Property::ListUShort(list)) => list.iter().map(|&one| Ok(one.into())).collect(),
+        Some(Property::ListUChar(list)) => list.iter().map(|&one| Ok(one.into())).collect(),
+        _ => Err(broken("a face has no list `vertex_indices`")),
+    }
+}

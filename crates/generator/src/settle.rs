@@ -1,0 +1,141 @@
+//! The one order and sign of eigenimages that are sums of several azimuths.
+//!
+//! Components of equal eigenvalue are only determined up to a rotation among them.
+//! Each such set is turned so that its strongest function of the span is in one
+//! component alone, then the strongest of the rest in the next, and so on: where the
+//! normals are the sphere's, these are the products u(α) Φ_m(β) again. Within a set the
+//! order is |m| rising, +m before -m, by each component's strongest m; its sign
+//! makes the polynomial of that m positive at the pole.
+
+use faer::Mat;
+
+/// Singular values that differ by less, relative to themselves, are equal.
+const EQUAL: f64 = 1e-9;
+
+/// ... or by less than this, relative to the largest: that is rounding.
+const ROUNDING: f64 = 1e-14;
+
+/// What is known of the functions of the span, in their order.
+pub(crate) struct Functions {
+    /// m, signed.
+    pub(crate) orders: Vec<i32>,
+    /// h(1) of the profile.
+    pub(crate) poles: Vec<f64>,
+}
+
+/// Turns, sorts and signs columns of `shown`, whose coordinates in the span are the
+/// columns of `coordinates`; `eigenvalues` fall, the constant's is none.
+pub(crate) fn settle(
+    shown: &mut Mat<f64>,
+    coordinates: &mut Mat<f64>,
+    eigenvalues: &[Option<f64>],
+    functions: &Functions,
+) {
+    let values: Vec<Option<f64>> = eigenvalues.iter().map(|value| value.map(f64::sqrt)).collect();
+    let largest = values.iter().flatten().copied().fold(0.0, f64::max);
+    let mut start = 0;
+    while start < values.len() {
+        let mut end = start + 1;
+        while let (Some(value), Some(Some(next))) = (values[end - 1], values.get(end)) {
+            if value - next > EQUAL * value + ROUNDING * largest {
+                break;
+            }
+            end += 1;
+        }
+        if values[start].is_some() {
+            separate(shown, coordinates, start, end);
+            sort(shown, coordinates, start, end, functions);
+            for column in start..end {
+                if at_pole(coordinates, column, functions) < 0.0 {
+                    for matrix in [&mut *shown, &mut *coordinates] {
+                        matrix.col_mut(column).iter_mut().for_each(|value| *value = -*value);
+                    }
+                }
+            }
+        }
+        start = end;
+    }
+}
+
+/// Rotates the columns so that one function after the other, the strongest first, is
+/// in one column alone.
+fn separate(shown: &mut Mat<f64>, coordinates: &mut Mat<f64>, start: usize, end: usize) {
+    for first in start..end.saturating_sub(1) {
+        let strength =
+            |k: usize| -> f64 { (first..end).map(|column| coordinates[(k, column)].powi(2)).sum() };
+        let strengths: Vec<f64> = (0..coordinates.nrows()).map(strength).collect();
+        let most = strengths.iter().copied().fold(0.0, f64::max);
+        // Equal up to rounding: the first of them.
+        let Some(strongest) = strengths.iter().position(|one| *one >= most * (1.0 - 1e-6)) else {
+            continue;
+        };
+        for column in first + 1..end {
+            let (a, b) = (coordinates[(strongest, first)], coordinates[(strongest, column)]);
+            let length = a.hypot(b);
+            if length == 0.0 {
+                continue;
+            }
+            for matrix in [&mut *shown, &mut *coordinates] {
+                rotate(matrix, first, column, a / length, b / length);
+            }
+        }
+    }
+}
+
+/// (u, v) -> (c u + s v, c v - s u) for two columns.
+fn rotate(matrix: &mut Mat<f64>, first: usize, second: usize, c: f64, s: f64) {
+    for row in 0..matrix.nrows() {
+        let (u, v) = (matrix[(row, first)], matrix[(row, second)]);
+        matrix[(row, first)] = c * u + s * v;
+        matrix[(row, second)] = c * v - s * u;
+    }
+}
+
+fn sort(
+    shown: &mut Mat<f64>,
+    coordinates: &mut Mat<f64>,
+    start: usize,
+    end: usize,
+    functions: &Functions,
+) {
+    let mut ranked: Vec<(u32, bool, usize)> = (start..end)
+        .map(|column| {
+            let order = strongest_order(coordinates, column, functions);
+            (order.unsigned_abs(), order < 0, column)
+        })
+        .collect();
+    ranked.sort_unstable();
+    for matrix in [shown, coordinates] {
+        let copy = matrix.get(.., start..end).to_owned();
+        for (to, (_, _, from)) in (start..end).zip(&ranked) {
+            matrix.col_mut(to).copy_from(copy.col(from - start));
+        }
+    }
+}
+
+/// The m whose functions hold most of a component; of equals the lowest |m|, and +m.
+fn strongest_order(coordinates: &Mat<f64>, column: usize, functions: &Functions) -> i32 {
+    let top = functions.orders.iter().copied().max().unwrap_or(0);
+    let share = |order: i32| -> f64 {
+        let of = functions.orders.iter().enumerate().filter(|(_, found)| **found == order);
+        of.map(|(k, _)| coordinates[(k, column)].powi(2)).sum()
+    };
+    let orders = (0..=top).flat_map(|m| [m, -m]);
+    let (mut best, mut most) = (0, 0.0);
+    for order in orders {
+        let share = share(order);
+        if share > most * (1.0 + 1e-6) {
+            (best, most) = (order, share);
+        }
+    }
+    best
+}
+
+/// The polynomial of a component's strongest m at the pole.
+fn at_pole(coordinates: &Mat<f64>, column: usize, functions: &Functions) -> f64 {
+    let order = strongest_order(coordinates, column, functions);
+    let of = functions.orders.iter().zip(&functions.poles).enumerate();
+    of.filter(|(_, (found, _))| **found == order)
+        .map(|(k, (_, pole))| coordinates[(k, column)] * pole)
+        .sum()
+}

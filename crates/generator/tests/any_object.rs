@@ -1,0 +1,305 @@
+//! Bases of any object: against the sphere's own way, and against principal
+//! components of the pictures themselves, pixel by pixel.
+
+#[path = "../../../tests/tolerances/mod.rs"]
+mod tolerances;
+
+use eigenshade_generator::database::{Lights, Materials};
+use eigenshade_generator::geometry::{Geometry, WeightedNormals};
+use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
+use eigenshade_generator::inputs::density;
+use eigenshade_generator::light_statistics::LightStatistics;
+use eigenshade_generator::moments::equal;
+use eigenshade_generator::profile::evaluate;
+use eigenshade_generator::special::gauss_legendre;
+use eigenshade_generator::special::spherical_harmonic::{self, azimuth};
+use eigenshade_generator::truth::Truth;
+use eigenshade_generator::{basis, general};
+use eigenshade_table::Table;
+use eigenshade_table::scene::{Criterion, LightRotation, Normalise, Scene};
+use faer::Mat;
+use std::path::Path;
+
+const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tables");
+
+fn databases(degree: usize, order: usize) -> (Lights, Materials) {
+    let file = |name: &str| Path::new(FOLDER).join("inputs").join(name);
+    let lights = read_lights(file("lights.csv"), Some(degree)).expect("lights");
+    let materials = read_materials(file("materials.csv"), Some(order)).expect("materials");
+    (lights, materials)
+}
+
+fn scene(degree: usize, order: usize, criterion: Criterion, rotation: LightRotation) -> Scene {
+    let text = std::fs::read_to_string(Path::new(FOLDER).join("sphere.toml")).expect("a scene");
+    let mut scene: Scene = toml::from_str(&text).expect("a scene");
+    (scene.light.degree, scene.material.order) = (degree, order);
+    (scene.basis.criterion, scene.light.rotation) = (criterion, rotation);
+    // Whole polynomials: what is compared is the basis, not how it is rounded.
+    scene.basis.profile_tolerance = 1e-15;
+    scene
+}
+
+/// The eigenimages at these normals: a row a normal.
+fn eigenimages(table: &Table, normals: &[[f64; 3]]) -> Mat<f64> {
+    let span = |[x, y, z]: [f64; 3]| -> Vec<f64> {
+        let of = |component: &eigenshade_table::Component| {
+            let profile = &table.profiles[component.profile];
+            let sine = x.hypot(y).powi(profile.azimuth as i32);
+            evaluate(&profile.chebyshev, z) * sine * azimuth(component.order as isize, y.atan2(x))
+        };
+        table.components.iter().map(of).collect()
+    };
+    let values: Vec<Vec<f64>> = normals.iter().map(|normal| span(*normal)).collect();
+    let count = table.components.len();
+    match &table.general {
+        None => Mat::from_fn(normals.len(), count, |k, i| values[k][i]),
+        Some(general) => Mat::from_fn(normals.len(), table.count(), |k, i| {
+            let row = &general.synthesis[i * count..(i + 1) * count];
+            row.iter().zip(&values[k]).map(|(a, b)| a * b).sum()
+        }),
+    }
+}
+
+/// Normals of a sphere by quadrature.
+fn sphere(degree: usize) -> WeightedNormals {
+    let pairs = density::read("cos(a)", Path::new(""), degree).expect("a formula");
+    WeightedNormals::new(pairs).expect("normals")
+}
+
+#[test]
+fn the_sphere_by_quadrature_is_the_sphere() {
+    let (lights, materials) = databases(9, 7);
+    for criterion in [Criterion::ImageCentered, Criterion::Standard] {
+        let scene = scene(9, 7, criterion, LightRotation::Any);
+        let own = basis::build(&scene, &lights, &materials).expect("a basis");
+        let listed = Geometry::Listed(sphere(9));
+        let general = general::build(&scene, &listed, &lights, &materials).expect("a basis");
+        assert_eq!(own.count(), general.count());
+        let largest = own.spectrum.iter().filter_map(|(_, value)| *value).fold(0.0, f64::max);
+        for ((_, own), (_, general)) in own.spectrum.iter().zip(&general.spectrum) {
+            let apart = (own.unwrap_or(0.0) - general.unwrap_or(0.0)).abs();
+            assert!(apart <= tolerances::GENERAL_SPHERE * largest, "{own:?} {general:?}");
+        }
+        let normals: Vec<[f64; 3]> = sphere(3).normals().to_vec();
+        let (a, b) = (eigenimages(&own, &normals), eigenimages(&general, &normals));
+        let mut worst: f64 = 0.0;
+        for i in 0..own.count() {
+            for k in 0..normals.len() {
+                worst = worst.max((a[(k, i)] - b[(k, i)]).abs());
+            }
+        }
+        println!("{criterion:?}: eigenimages {worst:.1e}");
+        assert!(worst <= tolerances::GENERAL_SPHERE, "{worst:e}");
+    }
+}
+
+/// The images of every pair of the database at these normals, by the direct sum: a
+/// column a pair, a row a normal, each times the root of its weight and over the root
+/// of the number of pairs.
+fn pictures(lights: &Lights, materials: &Materials, listed: &WeightedNormals) -> Mat<f64> {
+    let truth = Truth::new(lights.degree, materials.order);
+    let lights: Vec<Vec<f64>> = lights
+        .entries
+        .iter()
+        .map(|entry| {
+            let light = entry.luminance();
+            light.iter().map(|value| value / light[0]).collect()
+        })
+        .collect();
+    let materials: Vec<Vec<f64>> =
+        materials.entries.iter().map(eigenshade_generator::database::Named::luminance).collect();
+    let count = lights.len() * materials.len();
+    let mut pictures = Mat::zeros(listed.normals().len(), count);
+    for (k, (normal, weight)) in listed.normals().iter().zip(listed.weights()).enumerate() {
+        let modes = truth.at(*normal);
+        let scale = (weight / count as f64).sqrt();
+        for (j, material) in materials.iter().enumerate() {
+            let scattered = modes.scatter(material);
+            for (i, light) in lights.iter().enumerate() {
+                pictures[(k, j * lights.len() + i)] = scale * modes.irradiance(light, &scattered);
+            }
+        }
+    }
+    pictures
+}
+
+/// Each column less its mean over the normals, where the weights' roots are `roots`.
+fn centred(pictures: &Mat<f64>, roots: &[f64]) -> Mat<f64> {
+    let means: Vec<f64> = (0..pictures.ncols())
+        .map(|j| (0..pictures.nrows()).map(|k| roots[k] * pictures[(k, j)]).sum())
+        .collect();
+    Mat::from_fn(pictures.nrows(), pictures.ncols(), |k, j| pictures[(k, j)] - roots[k] * means[j])
+}
+
+/// Each row less its mean over the pairs.
+fn less_mean_image(pictures: &Mat<f64>) -> Mat<f64> {
+    let count = pictures.ncols() as f64;
+    let means: Vec<f64> = (0..pictures.nrows())
+        .map(|k| (0..pictures.ncols()).map(|j| pictures[(k, j)]).sum::<f64>() / count)
+        .collect();
+    Mat::from_fn(pictures.nrows(), pictures.ncols(), |k, j| pictures[(k, j)] - means[k])
+}
+
+/// Objects of many kinds.
+fn objects() -> Vec<(&'static str, WeightedNormals)> {
+    let listed = |pairs: Vec<([f64; 3], f64)>| WeightedNormals::new(pairs).expect("normals");
+    let whole = sphere(3);
+    let half = whole.normals().iter().zip(whole.weights());
+    let half = half.filter(|(normal, _)| normal[0] > 0.0).map(|(n, w)| (*n, *w)).collect();
+    let around = |k: u32| std::f64::consts::TAU * f64::from(k) / 60.0;
+    let cylinder = (0..60).map(|k| {
+        let (sine, cosine) = (around(k) / 4.0).sin_cos();
+        ([sine, 0.0, cosine], cosine)
+    });
+    let cone = (0..60).map(|k| {
+        let (sine, cosine) = around(k).sin_cos();
+        ([0.6 * sine, 0.6 * cosine, 0.8], 1.0)
+    });
+    // A height field of a few bumps, like a face: normals along (-h_x, -h_y, 1).
+    let face = (0..30 * 30).map(|k| {
+        let (x, y) = (f64::from(k % 30) / 10.0 - 1.5, f64::from(k / 30) / 10.0 - 1.5);
+        let bump = |cx: f64, cy: f64, height: f64, width: f64| {
+            let (dx, dy) = ((x - cx) / width, (y - cy) / width);
+            let value = height * (-0.5 * (dx * dx + dy * dy)).exp();
+            [value * dx / width, value * dy / width]
+        };
+        let bumps = [
+            bump(0.0, 0.0, 1.5, 1.2),
+            bump(0.0, -0.1, 0.4, 0.2),
+            bump(-0.5, 0.4, -0.2, 0.25),
+            bump(0.5, 0.4, -0.2, 0.25),
+        ];
+        let sum = |axis: usize| bumps.iter().map(|bump| bump[axis]).sum::<f64>();
+        ([sum(0), sum(1), 1.0], 1.0)
+    });
+    vec![
+        ("half a sphere", listed(half)),
+        ("a cylinder", listed(cylinder.collect())),
+        ("a cone", listed(cone.collect())),
+        ("a face", listed(face.collect())),
+    ]
+}
+
+/// |a| of each eigenimage's coordinates in the span.
+fn lengths(table: &Table) -> Vec<f64> {
+    let synthesis = &table.general.as_ref().expect("a general table").synthesis;
+    let length = |row: &[f64]| row.iter().map(|a| a * a).sum::<f64>().sqrt();
+    synthesis.chunks(table.components.len()).map(length).collect()
+}
+
+/// The general way against principal components of the pictures.
+#[test]
+fn any_object_has_the_components_of_its_pictures() {
+    let (lights, mut materials) = databases(5, 4);
+    materials.entries.truncate(20);
+    for (name, listed) in objects() {
+        let pictures = pictures(&lights, &materials, &listed);
+        let roots: Vec<f64> = listed.weights().iter().map(|weight| weight.sqrt()).collect();
+        for criterion in [Criterion::ImageCentered, Criterion::Standard] {
+            let mut scene = scene(5, 4, criterion, LightRotation::None);
+            scene.basis.components = Some(usize::MAX);
+            scene.basis.rank_cutoff = 1e-12;
+            let geometry = Geometry::Listed(listed.clone());
+            let table = general::build(&scene, &geometry, &lights, &materials).expect("a basis");
+            let images = match criterion {
+                Criterion::ImageCentered => centred(&pictures, &roots),
+                Criterion::Standard => less_mean_image(&pictures),
+            };
+            let svd = images.thin_svd().expect("an SVD");
+            let expected: Vec<f64> = svd.S().column_vector().iter().copied().collect();
+            let found: Vec<f64> =
+                table.spectrum.iter().filter_map(|(_, value)| value.map(f64::sqrt)).collect();
+            let eigenvalues = expected
+                .iter()
+                .zip(&found)
+                .fold(0.0, |most: f64, (a, b)| most.max((a - b).abs() / expected[0]));
+            // Orthonormal over the object's normals, as far as polynomials of such length,
+            // which cancel there, can be.
+            let values = eigenimages(&table, listed.normals());
+            let weighted =
+                Mat::from_fn(values.nrows(), values.ncols(), |k, i| roots[k] * values[(k, i)]);
+            let products = weighted.transpose() * &weighted;
+            let lengths = lengths(&table);
+            let mut orthonormal: f64 = 0.0;
+            for i in 0..products.nrows() {
+                for j in 0..products.ncols() {
+                    let unit = f64::from(u8::from(i == j));
+                    let apart = (products[(i, j)] - unit).abs();
+                    orthonormal = orthonormal.max(apart / (1.0 + lengths[i] + lengths[j]));
+                }
+            }
+            println!(
+                "{name}, {criterion:?}: {} of {}: eigenvalues {eigenvalues:.1e}, \
+                 orthonormal {orthonormal:.1e}",
+                found.len(),
+                expected.len()
+            );
+            assert!(eigenvalues <= tolerances::GENERAL_EIGENVALUES, "{name}: {eigenvalues:e}");
+            assert!(orthonormal <= tolerances::GENERAL_ORTHONORMAL, "{name}: {orthonormal:e}");
+        }
+    }
+}
+
+/// Turning about the vertical axis: the light's second moments, by turning each light
+/// through more angles than needed and other ones.
+#[test]
+fn vertical_statistics_are_those_of_turned_lights() {
+    let (lights, _) = databases(4, 0);
+    let statistics = LightStatistics::new(
+        &lights,
+        Normalise::None,
+        LightRotation::Vertical,
+        &equal(lights.entries.len()),
+    )
+    .expect("statistics");
+    let count = 25;
+    let angles = 31;
+    let mut samples = Vec::new();
+    for entry in &lights.entries {
+        let light = entry.luminance();
+        for k in 0..angles {
+            let angle = std::f64::consts::TAU * (f64::from(k) + 0.3) / f64::from(angles);
+            samples.push(turned_about_y(&light, 4, angle));
+        }
+    }
+    let of = |i: usize, j: usize| {
+        samples.iter().map(|light| light[i] * light[j]).sum::<f64>() / samples.len() as f64
+    };
+    let largest = (0..count).map(|i| of(i, i)).fold(0.0, f64::max);
+    for i in 0..count {
+        let mean = samples.iter().map(|light| light[i]).sum::<f64>() / samples.len() as f64;
+        assert!((mean - statistics.mean[i]).abs() < tolerances::MOMENTS * largest.sqrt());
+        for j in 0..count {
+            let found: f64 = statistics.second.iter().map(|v| v[i] * v[j]).sum();
+            let apart = (found - of(i, j)).abs() / largest;
+            assert!(apart < tolerances::MOMENTS, "{i} {j}: {apart:e}");
+            let found: f64 = statistics.centred.iter().map(|v| v[i] * v[j]).sum();
+            let expected = of(i, j) - statistics.mean[i] * statistics.mean[j];
+            assert!((found - expected).abs() / largest < tolerances::MOMENTS, "{i} {j}");
+        }
+    }
+}
+
+/// The coefficients of a light turned about y, by evaluating it in turned directions: a
+/// quadrature that is exact for harmonics up to the degree.
+fn turned_about_y(light: &[f64], degree: usize, angle: f64) -> Vec<f64> {
+    let mut turned = vec![0.0; light.len()];
+    let (sine, cosine) = angle.sin_cos();
+    let tilts = 2 * degree + 2;
+    for (z, weight) in gauss_legendre::rule(degree + 1, -1.0, 1.0) {
+        for k in 0..tilts {
+            let (y, x) = (std::f64::consts::TAU * k as f64 / tilts as f64).sin_cos();
+            let radius = (1.0 - z * z).sqrt();
+            let to = [radius * x, radius * y, z];
+            // R takes z toward x: light comes to ω from R⁻¹ω.
+            let from = [cosine * to[0] - sine * to[2], to[1], sine * to[0] + cosine * to[2]];
+            let harmonics = spherical_harmonic::all(degree, from);
+            let value: f64 = harmonics.iter().zip(light).map(|(y, l)| y * l).sum();
+            let area = weight * std::f64::consts::TAU / tilts as f64;
+            for (sum, y) in turned.iter_mut().zip(spherical_harmonic::all(degree, to)) {
+                *sum += area * value * y;
+            }
+        }
+    }
+    turned
+}

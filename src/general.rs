@@ -1,0 +1,260 @@
+//! The eigenbasis of any normals: eigenimages that are sums of several azimuths.
+//!
+//! Each is a sum of the functions of a span, which is a [`Basis`] of its own: an image's
+//! coordinates a in the span give its coefficients d = P a, and coefficients give the
+//! image of coordinates Σ d_i a_i. From there on all is as for the sphere: a pixel of
+//! the collapsed scene costs the same.
+
+use crate::basis::Basis;
+use crate::error::{Error, What};
+use crate::light::Light;
+use crate::material::Material;
+use crate::normal::Normal;
+use crate::projection::{Coefficients, zeros};
+use crate::scalar::Scalar;
+use crate::scene::{Scene, SceneBuffer};
+use crate::transfer::Transfer;
+
+/// The arrays of a general basis, as `eigenshade-table` writes them.
+///
+/// Matrices are row by row, a row an eigenimage, a column a component of the span.
+#[derive(Clone, Copy, Debug)]
+pub struct GeneralParts<'a, S> {
+    /// Number of eigenimages K.
+    pub components: usize,
+    /// d from coordinates in the span.
+    pub projection: &'a [S],
+    /// Each eigenimage's coordinates in the span.
+    pub synthesis: &'a [S],
+    /// The mean image's coordinates in the span, or empty.
+    pub mean: &'a [S],
+    /// The mean image's coefficients, or empty.
+    pub mean_coefficients: &'a [S],
+}
+
+/// An eigenbasis over any normals.
+#[derive(Clone, Copy, Debug)]
+pub struct GeneralBasis<'a, S> {
+    span: Basis<'a, S>,
+    parts: GeneralParts<'a, S>,
+}
+
+impl<'a, S> GeneralBasis<'a, S> {
+    /// The basis of these parts over a span, whose components are its functions.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] if a part has not the length that the others ask for.
+    pub const fn new(span: Basis<'a, S>, parts: GeneralParts<'a, S>) -> Result<Self, Error> {
+        let functions = span.components();
+        let Some(length) = functions.checked_mul(parts.components) else {
+            return Err(Error::Length {
+                what: What::Projection,
+                expected: usize::MAX,
+                found: parts.projection.len(),
+            });
+        };
+        let has_mean = !parts.mean.is_empty();
+        let (mean, coefficients) = if has_mean { (functions, parts.components) } else { (0, 0) };
+        let checks = [
+            Error::check(What::Projection, length, parts.projection.len()),
+            Error::check(What::Synthesis, length, parts.synthesis.len()),
+            Error::check(What::Mean, mean, parts.mean.len()),
+            Error::check(What::Mean, coefficients, parts.mean_coefficients.len()),
+        ];
+        let mut rest = checks.as_slice();
+        while let [check, tail @ ..] = rest {
+            if let Err(error) = *check {
+                return Err(error);
+            }
+            rest = tail;
+        }
+        Ok(Self { span, parts })
+    }
+
+    /// The span.
+    #[must_use]
+    pub const fn span(&self) -> &Basis<'a, S> {
+        &self.span
+    }
+
+    /// Number of eigenimages K.
+    #[must_use]
+    pub const fn components(&self) -> usize {
+        self.parts.components
+    }
+
+    /// Numbers that [`project`](Self::project) and [`collapse`](Self::collapse) need
+    /// room for: the span's, and an image's coordinates in it.
+    #[must_use]
+    pub const fn workspace_len(&self) -> usize {
+        self.span.workspace_len() + self.span.components()
+    }
+}
+
+impl<'a, S: Scalar> GeneralBasis<'a, S> {
+    /// d of a light on a material: as [`Basis::project`], with one multiplication
+    /// more for each eigenimage and function of the span.
+    ///
+    /// `N` is at least [`workspace_len`](Self::workspace_len), `K` at least
+    /// [`components`](Self::components).
+    ///
+    /// # Errors
+    ///
+    /// As [`Basis::project`].
+    pub fn project<const N: usize, const K: usize>(
+        &self,
+        light: &Light<'_, S>,
+        material: &Material<'_, S>,
+    ) -> Result<Coefficients<S, K>, Error> {
+        let mut workspace = zeros::<S, N>(What::Workspace, self.workspace_len())?;
+        let mut coefficients = zeros::<S, K>(What::Coefficients, self.components())?;
+        self.project_into(light, material, &mut workspace, &mut coefficients)?;
+        Ok(coefficients)
+    }
+
+    /// [`project`](Self::project) with slices.
+    ///
+    /// # Errors
+    ///
+    /// As [`Basis::project_into`].
+    pub fn project_into(
+        &self,
+        light: &Light<'_, S>,
+        material: &Material<'_, S>,
+        workspace: &mut [S],
+        coefficients: &mut [S],
+    ) -> Result<(), Error> {
+        Error::check(What::Workspace, self.workspace_len(), workspace.len())?;
+        let split = workspace.split_at_mut_checked(self.span.workspace_len());
+        let (workspace, coordinates) = split.unwrap_or_default();
+        self.span.project_into(light, material, workspace, coordinates)?;
+        self.coefficients(coordinates, coefficients)
+    }
+
+    /// d of a new light on a material that the span's
+    /// [`transfer_into`](Basis::transfer_into) folded in; `workspace` as for
+    /// [`project_into`](Self::project_into).
+    ///
+    /// # Errors
+    ///
+    /// As [`Basis::relight_into`], and for `workspace` as there for the transfer.
+    pub fn relight_into(
+        &self,
+        transfer: &[S],
+        light: &Light<'_, S>,
+        workspace: &mut [S],
+        coefficients: &mut [S],
+    ) -> Result<(), Error> {
+        Error::check(What::Workspace, self.workspace_len(), workspace.len())?;
+        let split = workspace.split_at_mut_checked(self.span.workspace_len());
+        let (_, coordinates) = split.unwrap_or_default();
+        self.span.relight_into(transfer, light, coordinates)?;
+        self.coefficients(coordinates, coefficients)
+    }
+
+    /// [`relight_into`](Self::relight_into) with buffers of fixed capacity.
+    ///
+    /// # Errors
+    ///
+    /// As there; [`Error::Capacity`] if `N` or `K` is too small.
+    pub fn relight<const T: usize, const N: usize, const K: usize>(
+        &self,
+        transfer: &Transfer<S, T>,
+        light: &Light<'_, S>,
+    ) -> Result<Coefficients<S, K>, Error> {
+        let mut workspace = zeros::<S, N>(What::Workspace, self.workspace_len())?;
+        let mut coefficients = zeros::<S, K>(What::Coefficients, self.components())?;
+        self.relight_into(transfer.as_slice(), light, &mut workspace, &mut coefficients)?;
+        Ok(coefficients)
+    }
+
+    /// d from an image's coordinates in the span, less the mean image's.
+    fn coefficients(&self, coordinates: &[S], coefficients: &mut [S]) -> Result<(), Error> {
+        Error::check(What::Coefficients, self.components(), coefficients.len())?;
+        let functions = self.span.components().max(1);
+        let rows = self.parts.projection.chunks(functions);
+        for (coefficient, row) in coefficients.iter_mut().zip(rows) {
+            let products = row.iter().zip(coordinates);
+            *coefficient = products.fold(S::ZERO, |sum, (&p, &a)| sum.add_product(p, a));
+        }
+        for (coefficient, &mean) in coefficients.iter_mut().zip(self.parts.mean_coefficients) {
+            *coefficient -= mean;
+        }
+        Ok(())
+    }
+
+    /// Sums the eigenimages azimuth by azimuth: as [`Basis::collapse`].
+    ///
+    /// `N` is at least [`workspace_len`](Self::workspace_len), `C` at least the span's
+    /// [`scene_len`](Basis::scene_len).
+    ///
+    /// # Errors
+    ///
+    /// As there.
+    pub fn collapse<const N: usize, const C: usize>(
+        &self,
+        coefficients: &[S],
+    ) -> Result<Scene<'a, SceneBuffer<S, C>>, Error> {
+        let mut workspace = zeros::<S, N>(What::Workspace, self.workspace_len())?;
+        let scene = zeros::<S, C>(What::Scene, self.span.scene_len())?;
+        self.collapse_into(coefficients, &mut workspace, scene)
+    }
+
+    /// [`collapse`](Self::collapse) into buffers of one's own.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] if there are more coefficients than eigenimages, or a buffer
+    /// has another length.
+    pub fn collapse_into<B: AsMut<[S]>>(
+        &self,
+        coefficients: &[S],
+        workspace: &mut [S],
+        buffer: B,
+    ) -> Result<Scene<'a, B>, Error> {
+        let coordinates = self.coordinates(coefficients, workspace)?;
+        self.span.collapse_into(coordinates, buffer)
+    }
+
+    /// The irradiance of one normal without collapsing: as [`Basis::reconstruct`].
+    ///
+    /// # Errors
+    ///
+    /// As [`collapse_into`](Self::collapse_into).
+    pub fn reconstruct(
+        &self,
+        coefficients: &[S],
+        normal: Normal<S>,
+        workspace: &mut [S],
+    ) -> Result<S, Error> {
+        let coordinates = self.coordinates(coefficients, workspace)?;
+        self.span.reconstruct(coordinates, normal)
+    }
+
+    /// An image's coordinates in the span, in the workspace.
+    fn coordinates<'w>(
+        &self,
+        coefficients: &[S],
+        workspace: &'w mut [S],
+    ) -> Result<&'w [S], Error> {
+        Error::check(What::Workspace, self.workspace_len(), workspace.len())?;
+        if coefficients.len() > self.components() {
+            let (expected, found) = (self.components(), coefficients.len());
+            return Err(Error::Length { what: What::Coefficients, expected, found });
+        }
+        let split = workspace.split_at_mut_checked(self.span.workspace_len());
+        let (_, coordinates) = split.unwrap_or_default();
+        coordinates.fill(S::ZERO);
+        for (coordinate, &mean) in coordinates.iter_mut().zip(self.parts.mean) {
+            *coordinate = mean;
+        }
+        let rows = self.parts.synthesis.chunks(self.span.components().max(1));
+        for (&coefficient, row) in coefficients.iter().zip(rows) {
+            for (coordinate, &part) in coordinates.iter_mut().zip(row) {
+                *coordinate = coordinate.add_product(coefficient, part);
+            }
+        }
+        Ok(coordinates)
+    }
+}
