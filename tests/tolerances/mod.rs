@@ -69,6 +69,30 @@ pub const DENSE_PROJECTION: f64 = 1e-12;
 pub const PEAK_GRID: f64 = 0.01;
 /// One f32 result by two orders of summation, of the largest: some twenty roundings.
 pub const SAME_SUM_F32: f32 = 1e-6;
+/// d by the reduced rows against dense least squares over the pixels, of the largest: some
+/// thousand roundings, times a condition of some tens.
+pub const READ_LEAST_SQUARES: f64 = 1e-12;
+/// Posterior mean, deviations, light and evidence against dense formulas over the pixels: the
+/// dense deviations are roots of differences of numbers 1e4 times as large.
+pub const READ_POSTERIOR: f64 = 1e-8;
+/// V_d against the runtime's projections of every harmonic: sums of some thousand roundings.
+pub const READ_PRIOR: f64 = 1e-12;
+/// The image of modes against that of the components they come from, of the peak: the rank's
+/// cut-off of 1e-10 in mode coefficients a few times as large as the light's.
+pub const READ_MODES: f64 = 1e-8;
+/// A product in exact modes comes back: some hundred roundings.
+pub const READ_RANK_ONE: f64 = 1e-12;
+/// d of an image without noise, and the image of its light, of the largest: polynomials of 1e-12,
+/// times a condition of some hundreds.
+pub const READ_NOISELESS: f64 = 1e-9;
+/// d of an image and its normals in 16 bits against those in 8 bits of sRGB and exact, of the
+/// largest: half a step of 2^-16 in normals, steeper at the rim.
+pub const READ_SIXTEEN_BITS: f64 = 5e-3;
+/// Figures of a report of two digits, as a logarithm: a unit of the last digit, doubled.
+pub const REPORT: f64 = 0.2;
+/// Those of images that nothing damages, as a logarithm: rounding amplified, which hosts do
+/// differently.
+pub const REPORT_ROUNDING: f64 = 1.5;
 /// The general way on the sphere's own normals: profiles of one part in 1e3 of the strongest
 /// component are determined to 1e-13 or so; the rest is margin.
 pub const GENERAL_SPHERE: f64 = 1e-10;

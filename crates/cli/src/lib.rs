@@ -31,6 +31,20 @@ pub mod sphere_view;
 
 pub mod tone;
 
+pub mod png_samples;
+
+pub mod linear_image;
+
+pub mod pixel_normals;
+
+pub mod pixel_mask;
+
+pub mod image_reading;
+
+pub mod noise;
+
+pub mod damage;
+
 pub mod canvas;
 
 pub mod picture;

@@ -60,4 +60,6 @@ pub mod error;
 
 pub mod inputs;
 
+pub mod reading;
+
 pub mod output;

@@ -11,6 +11,10 @@ mod light;
 mod material;
 mod paper;
 mod project;
+mod read;
+mod read_answer;
+mod read_report;
+mod read_score;
 mod render;
 mod shade;
 
@@ -29,6 +33,8 @@ pub enum Command {
     Project(project::Project),
     Shade(shade::Shade),
     Render(render::Render),
+    Read(read::Read),
+    ReadReport(read_report::ReadReport),
     Evaluate(evaluate::Evaluate),
     Paper(paper::Paper),
 }
@@ -46,6 +52,8 @@ impl Command {
             Self::Project(command) => command.run(),
             Self::Shade(command) => command.run(),
             Self::Render(command) => command.run(),
+            Self::Read(command) => command.run(),
+            Self::ReadReport(command) => command.run(),
             Self::Evaluate(command) => command.run(),
             Self::Paper(command) => command.run(),
         }

@@ -1,0 +1,220 @@
+//! `eigenshade read`: components, light and material from an image.
+
+use super::count;
+use super::read_answer::{self, Answer};
+use clap::Args;
+use eigenshade_cli::image_reading::Reader;
+use eigenshade_cli::linear_image::{LinearImage, Transfer};
+use eigenshade_cli::message::say;
+use eigenshade_cli::shader::fitted;
+use eigenshade_cli::{destination, pixel_mask, pixel_normals, shipped, table_file};
+use eigenshade_generator::database::{Lights, Materials};
+use eigenshade_generator::error::{Error, Result};
+use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
+use eigenshade_generator::reading::eigenimage_values::EigenimageValues;
+use eigenshade_generator::reading::observation::{Observation, Observer};
+use eigenshade_table::Table;
+use std::path::{Path, PathBuf};
+
+/// The largest value of an image: its square, times any number of pixels, is a number.
+const LARGEST: f64 = 1e100;
+
+/// Components, light and material from an image and its normals
+///
+/// Writes the CSV `quantity,name,index,r,g,b`: the fit, the components d by scalar
+/// product, by weighted least squares and as posterior mean under the database's
+/// statistics, the best light, and the database's materials, the likeliest first.
+/// A summary goes to standard error. Units are those of the image, linear; the full
+/// scale of a PNG is 1.
+#[derive(Args, Debug)]
+pub struct Read {
+    /// The image: .png, .exr, .hdr, .pfm, or a CSV `r,g,b` or `value`, a row a pixel
+    #[arg(value_name = "IMAGE")]
+    image: PathBuf,
+    /// Its normals: `sphere`, a normal map (.png), or a CSV `x,y,z`, a row a pixel
+    #[arg(long, value_name = "NORMALS")]
+    normals: PathBuf,
+    /// What each pixel counts: a grey PNG, or a CSV `weight`, a row a pixel
+    #[arg(long, value_name = "FILE")]
+    mask: Option<PathBuf>,
+    /// The table
+    #[arg(long, value_name = "B.bin")]
+    table: PathBuf,
+    /// Only the first K components
+    #[arg(long, value_name = "K", value_parser = count(1, u64::from(u16::MAX)))]
+    components: Option<usize>,
+    /// Standard deviation of a pixel's noise, in units of the image; without it, the
+    /// residual's
+    #[arg(long, value_name = "S", value_parser = positive)]
+    noise: Option<f64>,
+    /// What a PNG's samples are; without it, sRGB if it says so or has 8 bits, else linear
+    #[arg(long, value_enum)]
+    transfer: Option<Transfer>,
+    /// Light CSV of the statistics; without it, the one that the table's scene names,
+    /// looked for from the table's folder, or else the shipped one, if it has as many
+    #[arg(long, value_name = "FILE")]
+    lights: Option<PathBuf>,
+    /// Material CSV of the statistics; without it, as for --lights
+    #[arg(long, value_name = "FILE")]
+    materials: Option<PathBuf>,
+    /// Where the CSV goes, instead of standard output
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+    /// The best light as light CSV
+    #[arg(long, value_name = "FILE")]
+    light_out: Option<PathBuf>,
+    /// The modes c as CSV `estimate,l,m,o,p,q,r,g,b`
+    #[arg(long, value_name = "FILE")]
+    modes_out: Option<PathBuf>,
+}
+
+fn positive(text: &str) -> std::result::Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(number) if number > 0.0 && number.is_finite() => Ok(number),
+        _ => Err("a number above zero is wanted".to_owned()),
+    }
+}
+
+impl Read {
+    pub fn run(self) -> Result<()> {
+        let table = table_file::read(&self.table)?;
+        if table.general.is_some() {
+            let what = "its eigenimages are not those of a sphere under light that turns freely";
+            let remedy = "read with a table of normals = \"sphere\" and rotation = \"any\"; the \
+                          image may show any object";
+            return Err(Error::new(what, remedy).in_file(&self.table));
+        }
+        let components = table_file::components(&table, self.components, &self.table)?;
+        let lights = self.lights(&table)?;
+        let materials = self.materials(&table)?;
+        let (lights, materials) = fitted(&table, &lights, &materials);
+        let reader = Reader::new(&table, components, &lights, &materials)?;
+
+        let image = LinearImage::read(&self.image, self.transfer)?;
+        let grey = image.is_grey();
+        let (observation, told) = self.observe(&table, components, &image, grey)?;
+        let reading = reader.read(&observation, self.noise)?;
+
+        let answer = Answer { reading: &reading, observation: &observation, materials: &materials };
+        if let Some(path) = &self.light_out {
+            answer.write_light(path, &self.name())?;
+        }
+        if let Some(path) = &self.modes_out {
+            destination::write(Some(path), |out| answer.write_modes(out))?;
+        }
+        destination::write(self.out.as_deref(), |out| answer.write(out))?;
+        say(told);
+        read_answer::summarise(&answer);
+        Ok(())
+    }
+
+    /// What the light is called: as the image.
+    fn name(&self) -> String {
+        self.image.file_stem().unwrap_or_default().to_string_lossy().into_owned()
+    }
+
+    /// The lights that are given, or those of the table's scene.
+    fn lights(&self, table: &Table) -> Result<Lights> {
+        let count = table.summary.lights;
+        match &self.lights {
+            Some(path) => read_lights(path, None),
+            None => match self.beside(&table.scene.light.database) {
+                Ok(path) => read_lights(path, None),
+                Err(missing) => shipped::lights()
+                    .ok()
+                    .filter(|lights| lights.entries.len() == count)
+                    .ok_or_else(|| without(missing, "--lights")),
+            },
+        }
+    }
+
+    /// The materials that are given, or those that the table's scene means.
+    fn materials(&self, table: &Table) -> Result<Materials> {
+        if let Some(path) = &self.materials {
+            return read_materials(path, None);
+        }
+        let scene = &table.scene.material;
+        let beside = self.beside(&scene.database);
+        let Materials { order, mut entries } = match &beside {
+            Ok(path) => read_materials(path, None)?,
+            Err(_) => shipped::materials()?,
+        };
+        if !scene.names.is_empty() {
+            entries.retain(|entry| scene.names.contains(&entry.name));
+        }
+        match beside {
+            Err(missing) if entries.len() != table.summary.materials => {
+                Err(without(missing, "--materials"))
+            }
+            _ => Ok(Materials { order, entries }),
+        }
+    }
+
+    /// The file that the table's scene names, if it is there, from the table's folder;
+    /// else where it should be.
+    fn beside(&self, of_scene: &str) -> std::result::Result<PathBuf, PathBuf> {
+        let path = self.table.parent().unwrap_or(Path::new("")).join(of_scene);
+        if path.exists() { Ok(path) } else { Err(path) }
+    }
+
+    /// The pixels that count, and a line that says which do not.
+    fn observe(
+        &self,
+        table: &Table,
+        components: usize,
+        image: &LinearImage,
+        grey: bool,
+    ) -> Result<(Observation, String)> {
+        let count = image.pixels.len();
+        let normals = pixel_normals::read(&self.normals, image.size, count)?;
+        let mask = match &self.mask {
+            Some(path) => pixel_mask::read(path, image.size, count)?,
+            None => vec![1.0; count],
+        };
+        let channels = if grey { 1 } else { 3 };
+        let values = EigenimageValues::new(table, components);
+        let mut observer = Observer::new(values, channels);
+        let (mut without_normal, mut masked, mut unusable) = (0, 0, 0);
+        let mut largest = 0.0f64;
+        for (((pixel, weight), normal), mask) in
+            image.pixels.iter().zip(&image.weights).zip(&normals).zip(&mask)
+        {
+            match normal {
+                None => without_normal += 1,
+                Some(_) if *mask == 0.0 => masked += 1,
+                Some(_) if *weight == 0.0 => unusable += 1,
+                Some(normal) => {
+                    largest = pixel.iter().fold(largest, |most, value| most.max(value.abs()));
+                    observer.see(*normal, &pixel[..channels], weight * mask);
+                }
+            }
+        }
+        let observation = observer.finish();
+        if largest > LARGEST || (largest > 0.0 && largest < LARGEST.recip()) {
+            let what = format!("the largest of its values is {largest:e}");
+            let remedy = "scale it to between 1e-100 and 1e100, whose squares are numbers";
+            return Err(Error::new(what, remedy).in_file(&self.image));
+        }
+        if observation.pixels < components {
+            let what =
+                format!("{} of its pixels count, for {components} components", observation.pixels);
+            let remedy = "show more of the object, or ask for fewer by --components";
+            return Err(Error::new(what, remedy).in_file(&self.image));
+        }
+        let (clipped, transparent) = (image.clipped, image.transparent);
+        let told = format!(
+            "{}: {count} pixels, {} used; left out: {without_normal} without a normal, {masked} \
+             masked, {unusable} clipped or transparent (of all: {clipped} clipped, {transparent} \
+             transparent)",
+            self.image.display(),
+            observation.pixels,
+        );
+        Ok((observation, told))
+    }
+}
+
+/// The fault of a database that is not there.
+fn without(path: PathBuf, option: &str) -> Error {
+    let what = "the database of the table's scene is not there";
+    Error::new(what, format!("name it by {option}")).in_file(path)
+}

@@ -1,0 +1,185 @@
+//! What `eigenshade read` writes.
+
+use eigenshade_cli::destination;
+use eigenshade_cli::image_reading::{Channel, Reading};
+use eigenshade_cli::message::say;
+use eigenshade_cli::number::exact;
+use eigenshade_cli::rows::Rows;
+use eigenshade_generator::database::{Lights, Materials, Named};
+use eigenshade_generator::error::Result;
+use eigenshade_generator::inputs::coefficient_csv::write_lights;
+use eigenshade_generator::reading::modes::ModeCoefficients;
+use eigenshade_generator::reading::observation::Observation;
+use eigenshade_index::{light, material};
+use std::io::Write;
+use std::path::Path;
+
+/// Materials that the summary names.
+const NAMED: usize = 3;
+
+/// A reading with what it was made from.
+pub struct Answer<'a> {
+    pub reading: &'a Reading,
+    pub observation: &'a Observation,
+    pub materials: &'a Materials,
+}
+
+impl Answer<'_> {
+    /// The CSV `quantity,name,index,r,g,b`.
+    pub fn write(&self, out: &mut dyn Write) -> Result<()> {
+        let mut table = Tidy(Rows::new(out, ["quantity", "name", "index", "r", "g", "b"])?);
+        let (reading, observation) = (self.reading, self.observation);
+        let channels = &reading.channels;
+        let every =
+            |value: &dyn Fn(&Channel) -> f64| -> Vec<f64> { channels.iter().map(value).collect() };
+        for (name, value) in [
+            ("pixels", observation.pixels as f64),
+            ("components", observation.components() as f64),
+            ("rank", reading.rank as f64),
+            ("condition", reading.condition),
+        ] {
+            table.row("fit", name, 0, &[value])?;
+        }
+        table.row("fit", "noise", 0, &every(&|channel| channel.noise))?;
+        table.row("fit", "exposure", 0, &every(&|channel| channel.posterior.0.exposure))?;
+        let estimates = [
+            ("scalar-product", every_d(channels, |c| (&c.scalar_product.0, c.scalar_product.1))),
+            ("least-squares", every_d(channels, |c| (&c.least_squares.0, c.least_squares.1))),
+            ("posterior", every_d(channels, |c| (&c.posterior.0.d, c.posterior.1))),
+        ];
+        for (name, (_, fits)) in &estimates {
+            let rms: Vec<f64> = fits.iter().map(|fit| fit.residual_rms).collect();
+            let relative: Vec<f64> = fits.iter().map(|fit| fit.relative_residual).collect();
+            table.row("residual-rms", name, 0, &rms)?;
+            table.row("relative-residual", name, 0, &relative)?;
+        }
+        for (name, (d, _)) in &estimates {
+            table.all("d", name, d)?;
+        }
+        let deviations: Vec<&[f64]> =
+            channels.iter().map(|channel| channel.posterior.0.deviations.as_slice()).collect();
+        table.all("d-deviation", "posterior", &deviations)?;
+        if let Some(best) = reading.candidates.first() {
+            let lights: Vec<&[f64]> =
+                best.channels.iter().map(|one| one.light.as_slice()).collect();
+            table.all("light", &self.materials.entries[best.index].name, &lights)?;
+        }
+        for (place, candidate) in reading.candidates.iter().enumerate() {
+            let name = &self.materials.entries[candidate.index].name;
+            let each = |value: &dyn Fn(usize) -> f64| -> Vec<f64> {
+                (0..candidate.channels.len()).map(value).collect()
+            };
+            // Relative to the likeliest: the constant means nothing.
+            let best = &reading.candidates[0].channels;
+            let evidence =
+                each(&|channel| candidate.channels[channel].evidence - best[channel].evidence);
+            table.row("material-evidence", name, place, &evidence)?;
+            let residual = each(&|channel| candidate.channels[channel].residual_rms);
+            table.row("material-residual-rms", name, place, &residual)?;
+        }
+        table.row("fit", "product-left", 0, &every(&|channel| channel.product.left))?;
+        let of = |part: &dyn Fn(&Channel) -> Vec<f64>| channels.iter().map(part).collect();
+        let lights: Vec<Vec<f64>> = of(&|channel| channel.product.light.clone());
+        table.all("product-light", "", &lights)?;
+        let materials: Vec<Vec<f64>> = of(&|channel| channel.product.material.clone());
+        table.all("product-material", "", &materials)?;
+        table.0.finish()
+    }
+
+    /// The light CSV of the best light, under this name.
+    pub fn write_light(&self, path: &Path, name: &str) -> Result<()> {
+        let Some(best) = self.reading.candidates.first() else { return Ok(()) };
+        let channel = |c: usize| best.channels[c.min(best.channels.len() - 1)].light.clone();
+        let rgb = [channel(0), channel(1), channel(2)];
+        let degree = rgb[0].len().isqrt().saturating_sub(1);
+        let lights = Lights { degree, entries: vec![Named { name: name.to_owned(), rgb }] };
+        destination::write(Some(path), |out| write_lights(&lights, out))
+    }
+
+    /// The CSV `estimate,l,m,o,p,q,r,g,b` of the modes that exist.
+    pub fn write_modes(&self, out: &mut dyn Write) -> Result<()> {
+        let header = ["estimate", "l", "m", "o", "p", "q", "r", "g", "b"];
+        let mut rows = Rows::new(out, header)?;
+        let channels = &self.reading.channels;
+        let estimates: [(&str, Vec<&ModeCoefficients>); 2] = [
+            ("least-norm", channels.iter().map(|channel| &channel.least_norm).collect()),
+            ("posterior", channels.iter().map(|channel| &channel.modes).collect()),
+        ];
+        for (name, c) in estimates {
+            let (degree, order) = (c[0].degree, c[0].order);
+            for (row, (l, m)) in light::indices(degree).enumerate() {
+                for (column, (o, p, q)) in material::indices(order).enumerate() {
+                    if q > l {
+                        continue;
+                    }
+                    let value = |channel: usize| c[channel.min(c.len() - 1)].values[(row, column)];
+                    let mut fields = vec![name.to_owned(), l.to_string(), m.to_string()];
+                    fields.extend([o, p, q].map(|index| index.to_string()));
+                    fields.extend([0, 1, 2].map(|channel| exact(value(channel))));
+                    rows.row(&fields)?;
+                }
+            }
+        }
+        rows.finish()
+    }
+}
+
+type Fits = Vec<eigenshade_generator::reading::fit::Fit>;
+
+fn every_d<'a>(
+    channels: &'a [Channel],
+    part: impl Fn(&'a Channel) -> (&'a Vec<f64>, eigenshade_generator::reading::fit::Fit),
+) -> (Vec<&'a Vec<f64>>, Fits) {
+    channels.iter().map(part).unzip()
+}
+
+/// Rows of one number or three.
+struct Tidy<'a>(Rows<'a>);
+
+impl Tidy<'_> {
+    /// One value for each channel, or one for all.
+    fn row(&mut self, quantity: &str, name: &str, index: usize, values: &[f64]) -> Result<()> {
+        let value = |channel: usize| exact(values[channel.min(values.len() - 1)]);
+        let [r, g, b] = [0, 1, 2].map(value);
+        self.0.row([quantity, name, &index.to_string(), &r, &g, &b])
+    }
+
+    /// A list for each channel, or one for all.
+    fn all<T: AsRef<[f64]>>(&mut self, quantity: &str, name: &str, lists: &[T]) -> Result<()> {
+        for index in 0..lists[0].as_ref().len() {
+            let values: Vec<f64> = lists.iter().map(|list| list.as_ref()[index]).collect();
+            self.row(quantity, name, index, &values)?;
+        }
+        Ok(())
+    }
+}
+
+/// A few lines on standard error.
+pub fn summarise(answer: &Answer<'_>) {
+    let (reading, observation) = (answer.reading, answer.observation);
+    let components = observation.components();
+    say(format_args!(
+        "{components} components, rank {}, condition {:.1e}",
+        reading.rank, reading.condition
+    ));
+    let names: &[&str] = if reading.channels.len() == 1 { &["grey"] } else { &["r", "g", "b"] };
+    for (name, channel) in names.iter().zip(&reading.channels) {
+        let (squares, posterior) = (channel.least_squares.1, channel.posterior.1);
+        say(format_args!(
+            "{name}: noise {:.2e}; left of the image's variance: {:.2e} by least squares, {:.2e} by \
+             the posterior mean",
+            channel.noise, squares.relative_residual, posterior.relative_residual
+        ));
+    }
+    let best = reading.candidates.first().map_or(0.0, |candidate| candidate.evidence);
+    let nearest: Vec<String> = reading
+        .candidates
+        .iter()
+        .take(NAMED)
+        .map(|candidate| {
+            let name = &answer.materials.entries[candidate.index].name;
+            format!("{name} ({:.1})", candidate.evidence - best)
+        })
+        .collect();
+    say(format_args!("nearest materials (log evidence): {}", nearest.join(", ")));
+}

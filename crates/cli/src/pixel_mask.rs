@@ -1,0 +1,58 @@
+//! How much each pixel of an image counts.
+
+use crate::png_samples;
+use eigenshade_generator::error::{Error, Result};
+use eigenshade_generator::inputs::sheet::Sheet;
+use std::path::Path;
+
+/// Reads a weight for each pixel: from a PNG of the image's size, its luminance times
+/// its opacity, 0 to 1; or from a CSV with the column `weight`, 0 or more.
+///
+/// # Errors
+///
+/// A file of another size than the image, a negative weight, and the faults of the
+/// file.
+pub fn read(path: &Path, size: Option<[usize; 2]>, count: usize) -> Result<Vec<f64>> {
+    let is_png = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png"));
+    let weights = if is_png { of_png(path, size)? } else { of_csv(path)? };
+    if weights.len() != count {
+        return Err(Error::new(
+            format!("it holds {} weights, the image {count} pixels", weights.len()),
+            "give one weight for each pixel, row by row from the top",
+        )
+        .in_file(path));
+    }
+    Ok(weights)
+}
+
+fn of_png(path: &Path, size: Option<[usize; 2]>) -> Result<Vec<f64>> {
+    let png = png_samples::read(path)?;
+    if let Some([width, height]) = size
+        && (width, height) != (png.width, png.height)
+    {
+        return Err(Error::new(
+            format!("it is {} x {} pixels, the image {width} x {height}", png.width, png.height),
+            "give a mask of the image's size",
+        )
+        .in_file(path));
+    }
+    let full = f64::from(png.full);
+    let weight = |(colour, opacity): (&[u16; 3], &u16)| {
+        let share = colour.map(|sample| f64::from(sample) / full);
+        eigenshade_generator::database::luminance(share) * f64::from(*opacity) / full
+    };
+    Ok(png.colours.iter().zip(&png.opacities).map(weight).collect())
+}
+
+fn of_csv(path: &Path) -> Result<Vec<f64>> {
+    let sheet = Sheet::read(path, "weight")?;
+    let [column] = sheet.columns(["weight"]).ok_or_else(|| sheet.wrong_header("`weight`"))?;
+    let weight = |row: eigenshade_generator::inputs::sheet::Row<'_>| {
+        let weight = row.number(column)?;
+        if weight < 0.0 {
+            return Err(row.fault(format!("the weight is {weight}"), "give weights of 0 or more"));
+        }
+        Ok(weight)
+    };
+    sheet.rows().map(weight).collect()
+}

@@ -1,0 +1,61 @@
+//! The eigenimages of a table at given normals.
+
+use crate::profile;
+use eigenshade_table::Table;
+use std::f64::consts::SQRT_2;
+
+/// The first components of a table, and its mean image, normal by normal.
+#[derive(Clone, Copy, Debug)]
+pub struct EigenimageValues<'a> {
+    table: &'a Table,
+    components: usize,
+}
+
+impl<'a> EigenimageValues<'a> {
+    /// The first `components` of the table; all, if it has fewer.
+    #[must_use]
+    pub fn new(table: &'a Table, components: usize) -> Self {
+        Self { table, components: components.min(table.components.len()) }
+    }
+
+    /// Number of components.
+    #[must_use]
+    pub fn components(&self) -> usize {
+        self.components
+    }
+
+    /// U_i = u_i(α) Φ_m(β) of every component, then the mean image (0 where the
+    /// table has none), at a unit normal with z >= 0; `values` has room for both.
+    ///
+    /// Error: what the scene's `profile_tolerance` allows, of each profile's largest.
+    pub fn at(&self, [x, y, z]: [f64; 3], values: &mut [f64]) {
+        let table = self.table;
+        let mut previous = None;
+        for (value, component) in values.iter_mut().zip(&table.components[..self.components]) {
+            // +m and -m stand beside each other and share h.
+            let h = match previous {
+                Some((profile, h)) if profile == component.profile => h,
+                _ => profile::evaluate(&table.profiles[component.profile].chebyshev, z),
+            };
+            previous = Some((component.profile, h));
+            *value = h * azimuth(component.order, x, y);
+        }
+        if let Some(mean) = values.get_mut(self.components) {
+            *mean = table.mean.as_ref().map_or(0.0, |mean| profile::evaluate(&mean.chebyshev, z));
+        }
+    }
+}
+
+/// sin^|m|(α) Φ_m(β) of the normal (x, y, ..): Re or -Im of (x + i y)^|m|, times √2
+/// where m is not 0.
+fn azimuth(order: i32, x: f64, y: f64) -> f64 {
+    let (mut re, mut im) = (1.0, 0.0);
+    for _ in 0..order.unsigned_abs() {
+        (re, im) = (re * x - im * y, re * y + im * x);
+    }
+    match order {
+        0 => 1.0,
+        1.. => SQRT_2 * re,
+        _ => -SQRT_2 * im,
+    }
+}

@@ -1,0 +1,104 @@
+//! What the database expects of d before any pixel is seen.
+//!
+//! By (28) and (33) the components of U are uncorrelated over the database, with
+//! the eigenvalues as variances, but for the constant of image-centred PCA: its
+//! coefficient, the mean of an image, has E{d_0²} = eᵀ V_c e and is correlated with
+//! the other components of m = 0, since bright images are shaded more. So the second
+//! moments are taken whole, V_d = Uᵀ M V_c M U (Σ_c for the standard criterion),
+//! kept as a factor like all others: V_d = F Fᵀ.
+
+use super::coefficients::decompose;
+use super::reduction::Reduction;
+use super::transfer::Transfers;
+use crate::error::{Error, Result};
+use crate::moments::{LightMoments, MaterialMoments};
+use eigenshade_index::light;
+use eigenshade_table::Table;
+use eigenshade_table::scene::Criterion;
+use faer::{Col, Mat};
+
+/// Columns of F shorter than this, of the longest, are rounding.
+const ROUNDING: f64 = 1e-13;
+
+/// The statistics of d, at exposure 1: that of the database's own light.
+#[derive(Clone, Debug)]
+pub struct Prior {
+    /// F: a row a component, falling columns.
+    pub factor: Mat<f64>,
+    /// d of the table's mean image; zeros where it has none.
+    pub mean: Vec<f64>,
+    /// Mean energy of the database's images that the components leave.
+    pub left: f64,
+    /// The moments of the light.
+    pub light: LightMoments,
+    /// The materials' luminance coefficients and their weights.
+    pub materials: MaterialMoments,
+}
+
+impl Prior {
+    /// The statistics of these materials under light of these moments.
+    ///
+    /// # Errors
+    ///
+    /// No materials, or numbers that are not finite.
+    pub fn new(
+        table: &Table,
+        transfers: &Transfers,
+        light: LightMoments,
+        materials: MaterialMoments,
+    ) -> Result<Self> {
+        if materials.vectors.is_empty() {
+            return Err(Error::new("no materials", "give a material database with at least one"));
+        }
+        let (components, criterion) = (transfers.components(), table.scene.basis.criterion);
+        let mean_transfer = transfers.of(&materials.mean);
+        let mut reduction = Reduction::new(components);
+        for (vector, share) in materials.rooted() {
+            let transfer = transfers.of(vector);
+            for ((l, _), column) in light::indices(transfers.degree()).zip(transfer.col_iter()) {
+                let power = light.power.get(l).copied().unwrap_or(0.0);
+                let spread = match criterion {
+                    Criterion::Standard if l == 0 => light.ambient_variance,
+                    _ => power,
+                };
+                let row: Vec<f64> = column.iter().map(|t| spread.sqrt() * share * t).collect();
+                reduction.push(&row);
+            }
+            if criterion == Criterion::Standard {
+                let apart = transfer.col(0) - mean_transfer.col(0);
+                let row: Vec<f64> = apart.iter().map(|t| light.ambient_mean * share * t).collect();
+                reduction.push(&row);
+            }
+        }
+        let svd = decompose(&reduction.finish())?;
+        let singular = svd.S().column_vector();
+        let factor =
+            Mat::from_fn(components, singular.nrows(), |i, j| svd.V()[(i, j)] * singular[j]);
+        let mut mean = table.mean.as_ref().map_or_else(Vec::new, |mean| mean.coefficients.clone());
+        mean.resize(components, 0.0);
+        let left = table.energy_left(components);
+        Ok(Self { factor, mean, left, light, materials })
+    }
+
+    /// x with V_d x = F a: F over its squared lengths times a, columns below rounding
+    /// left out.
+    #[must_use]
+    pub fn dual(&self, coordinates: &[f64]) -> Col<f64> {
+        let squares: Vec<f64> = self.factor.col_iter().map(|f| f.squared_norm_l2()).collect();
+        let largest = squares.first().copied().unwrap_or(0.0);
+        let scaled = Col::from_fn(squares.len(), |k| {
+            if squares[k] > ROUNDING * ROUNDING * largest {
+                coordinates[k] / squares[k]
+            } else {
+                0.0
+            }
+        });
+        &self.factor * scaled
+    }
+
+    /// V_d.
+    #[must_use]
+    pub fn second_moment(&self) -> Mat<f64> {
+        &self.factor * self.factor.transpose()
+    }
+}
