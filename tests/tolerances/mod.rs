@@ -107,3 +107,8 @@ pub const ORTHONORMAL_ROUNDING: f64 = 1e-15;
 /// |d|² + residual against the energy, relative: the orthonormality of W, twice, and polynomials
 /// that end at 1e-13.
 pub const PARSEVAL: f64 = 1e-11;
+/// Pixels at degree 32 and order 32 in f64, of the peak: profiles end at 1e-13 of their largest
+/// value, and h = u / sin^|m| is up to 1e4 times u.
+pub const HIGH_PIXELS: f64 = 1e-8;
+/// The same in f32: 6e-8 times what h is larger than u.
+pub const HIGH_PIXELS_F32: f64 = 1e-2;
