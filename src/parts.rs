@@ -31,8 +31,9 @@ pub struct Parts<'a, S> {
     /// numbers, two profiles of an azimuth group by group beside each other, the last
     /// of an odd number beside zeros.
     pub factors: &'a [S],
-    /// For each profile its polynomial in t = 2z - 1, highest power first, times
-    /// √2 where m is not 0.
+    /// For each profile its polynomial in t = 2z - 1, highest term first, times
+    /// √2 where m is not 0: powers, or a Chebyshev series if longer than
+    /// [`layout::POWERS`].
     pub terms: &'a [S],
     /// The mean image's polynomial, or empty.
     pub mean: &'a [S],

@@ -1,16 +1,25 @@
-//! Profile polynomials in t = 2z - 1, highest power first.
+//! Profile polynomials in t = 2z - 1, highest term first: powers, or Chebyshev series
+//! if they are longer than [`POWERS`].
 
+use crate::index::layout::POWERS;
 use crate::scalar::Scalar;
 
-/// A polynomial's value, by Horner's rule.
+/// A polynomial's value, by Horner's rule or Clenshaw's recurrence.
 #[inline]
 pub(crate) fn value<S: Scalar>(terms: &[S], t: S) -> S {
-    terms.iter().fold(S::ZERO, |sum, &term| term.add_product(sum, t))
+    if terms.len() <= POWERS {
+        return terms.iter().fold(S::ZERO, |sum, &term| term.add_product(sum, t));
+    }
+    let [value] = series(terms, &[t]);
+    value
 }
 
 /// A polynomial's values at a block of arguments.
 #[inline]
 pub(crate) fn values<S: Scalar, const N: usize>(terms: &[S], t: &[S; N]) -> [S; N] {
+    if terms.len() > POWERS {
+        return series(terms, t);
+    }
     let Some((&first, rest)) = terms.split_first() else {
         return [S::ZERO; N];
     };
@@ -21,4 +30,20 @@ pub(crate) fn values<S: Scalar, const N: usize>(terms: &[S], t: &[S; N]) -> [S; 
         }
     }
     sums
+}
+
+/// A Chebyshev series at a block of arguments.
+fn series<S: Scalar, const N: usize>(terms: &[S], t: &[S; N]) -> [S; N] {
+    let (mut next, mut after) = ([S::ZERO; N], [S::ZERO; N]);
+    let Some((&last, higher)) = terms.split_last() else { return next };
+    for &term in higher {
+        for ((next, after), &t) in next.iter_mut().zip(&mut after).zip(t) {
+            let sum = (term - *after).add_product(t + t, *next);
+            (*after, *next) = (*next, sum);
+        }
+    }
+    for ((next, after), &t) in next.iter_mut().zip(&after).zip(t) {
+        *next = (last - *after).add_product(t, *next);
+    }
+    next
 }

@@ -167,3 +167,8 @@ pub const LAMBERTIAN_SHARES: f64 = 1e-12;
 pub const FIGURE_ERROR: f64 = 1e-12;
 /// A mean over the rotations of a light against (38), relative: roundings of some thousand terms.
 pub const MEAN_OVER_ROTATIONS: f64 = 1e-12;
+/// Pixels at degree 32 and order 32 in f64, of the peak: profiles end at 1e-13 of their largest
+/// value, and h = u / sin^|m| is up to 1e4 times u.
+pub const HIGH_PIXELS: f64 = 1e-8;
+/// The same in f32: 6e-8 times what h is larger than u.
+pub const HIGH_PIXELS_F32: f64 = 1e-2;

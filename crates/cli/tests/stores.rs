@@ -10,6 +10,7 @@ use std::fs;
 use support::{Folder, assert_fails, materials, numbers, rows, scene};
 
 const PAIR: &str = "--lights lights.csv --materials materials.csv";
+const RENDER: &str = "render materials.bin --light lights.csv:light-0 --material materials.csv:material-1 --size 8 --out r.png";
 const STORES: [&str; 3] = ["modes", "projection", "materials"];
 
 /// A folder with a table of each store, the materials in colour.
@@ -71,7 +72,7 @@ fn every_store_gives_the_same_images() {
         for (found, expected) in of_materials.iter().zip(&expected) {
             assert!((found - expected).abs() <= tolerances::DENSE_PROJECTION * largest);
         }
-        folder.ok(&format!("render materials.bin --light lights.csv:light-0 --material materials.csv:material-1 --size 8 --out r.png"));
+        folder.ok(RENDER);
     }
 }
 

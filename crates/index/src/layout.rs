@@ -10,6 +10,11 @@
 //! `first` a multiple of [`LANES`], and at most [`PASS`] profiles of each; for
 //! each l from [`lowest_degree`] on, for each of its profiles, one group.
 
+/// Most terms of a profile's polynomial in powers of t = 2z - 1. A longer one is a
+/// Chebyshev series in t: that takes an addition more a term, but powers of t cancel,
+/// of n terms up to (1 + √2)^n to one.
+pub const POWERS: usize = 16;
+
 /// Numbers in one group.
 pub const LANES: usize = 4;
 

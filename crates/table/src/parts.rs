@@ -31,8 +31,9 @@ pub struct Parts {
     /// For each profile, each l from |m| on, a row of `layout::row(order)` numbers,
     /// two profiles of an azimuth group by group beside each other.
     pub factors: Vec<f64>,
-    /// For each profile its polynomial in t = 2z - 1, highest power first, times
-    /// √2 where m is not 0.
+    /// For each profile its polynomial in t = 2z - 1, highest term first, times
+    /// √2 where m is not 0: powers, or a Chebyshev series if longer than
+    /// `layout::POWERS`.
     pub terms: Vec<f64>,
     /// How a transfer is laid out.
     pub passes: Vec<Pass>,
@@ -96,7 +97,7 @@ impl Parts {
             let azimuth = profile.azimuth;
             let scale = if azimuth == 0 { 1.0 } else { std::f64::consts::SQRT_2 };
             let length = usize::from(lengths[azimuth]);
-            terms.extend(powers(&profile.chebyshev, length).iter().map(|term| scale * term));
+            terms.extend(stable(&profile.chebyshev, length).iter().map(|term| scale * term));
         }
         let mean = table.mean.as_ref();
         let mut profiles = places(table);
@@ -116,7 +117,7 @@ impl Parts {
             factors,
             terms,
             mean: mean
-                .map(|mean| powers(&mean.chebyshev, usize::from(lengths[0])))
+                .map(|mean| stable(&mean.chebyshev, usize::from(lengths[0])))
                 .unwrap_or_default(),
             mean_coefficients: mean.map(|mean| mean.coefficients.clone()).unwrap_or_default(),
             selection: table.selection.clone(),
@@ -216,6 +217,18 @@ fn places(table: &Table) -> Vec<ProfilePlace> {
         *(if component.order < 0 { &mut place.minus } else { &mut place.plus }) = index;
     }
     places
+}
+
+/// A Chebyshev series, highest term first, `length` of them, in the form that its
+/// length asks for: see [`layout::POWERS`].
+fn stable(chebyshev: &[f64], length: usize) -> Vec<f64> {
+    if length <= layout::POWERS {
+        return powers(chebyshev, length);
+    }
+    let mut series = chebyshev.to_vec();
+    series.resize(length, 0.0);
+    series.reverse();
+    series
 }
 
 /// A Chebyshev series as powers of its argument, highest first, `length` of them
