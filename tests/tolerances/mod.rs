@@ -99,9 +99,9 @@ pub const GENERAL_SPHERE: f64 = 1e-10;
 /// Singular values of an object's pictures, of the largest: two ways of summing the same
 /// modes.
 pub const GENERAL_EIGENVALUES: f64 = 1e-12;
-/// Eigenimages over an object's normals, times the length of their coordinates: each
-/// function of the span is good to some ten roundings.
-pub const GENERAL_ORTHONORMAL: f64 = 1e-14;
+/// Eigenimages over an object's normals, times the weaker one's share in a picture: modes whose
+/// images are below 1e-13 of the largest are left out of them.
+pub const GENERAL_ORTHONORMAL: f64 = 1e-13;
 /// Pictures of any object with all components in f64 against the direct sum, of the peak
 /// over the whole hemisphere: singular values below 1e-12 are cut off.
 pub const GENERAL_PICTURES: f64 = 1e-9;

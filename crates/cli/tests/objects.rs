@@ -5,6 +5,7 @@ mod support;
 #[path = "../../../tests/tolerances/mod.rs"]
 mod tolerances;
 
+use eigenshade_cli::owned_basis::OwnedBasis;
 use std::f64::consts::{PI, TAU};
 use std::fmt::Write;
 use support::{Folder, assert_fails, numbers, rows, scene};
@@ -266,6 +267,28 @@ fn every_object_shades_as_the_direct_sum() {
         }
         folder.ok("basis --scene scene.toml --check b.bin");
     }
+}
+
+/// A pixel of an object costs what one of a sphere with as many azimuths costs: the
+/// polynomials are no longer.
+#[test]
+fn a_pixel_costs_what_it_costs_on_a_sphere() {
+    let length = |geometry: &str, files: &[(&str, Vec<u8>)]| {
+        let folder = Folder::new();
+        for (name, bytes) in files {
+            folder.write(name, bytes);
+        }
+        let text = with_geometry(geometry).replace("1e-12", "1e-7");
+        folder.write("scene.toml", text);
+        folder.ok("basis --scene scene.toml --out b.bin");
+        let bytes = std::fs::read(folder.path("b.bin")).expect("a table");
+        let owned = OwnedBasis::<f32>::new(&eigenshade_table::decode(&bytes).expect("a table"));
+        owned.basis().expect("a basis").scene_len()
+    };
+    let sphere = length("normals = \"sphere\"\n", &[]);
+    let object = length("normals = \"facets.csv\"\n", &[("facets.csv", facets().into())]);
+    println!("{object} numbers, of a sphere {sphere}");
+    assert!(object <= sphere, "{object} numbers, of a sphere {sphere}");
 }
 
 /// Light that does not turn, or turns about the vertical axis, has its own components,

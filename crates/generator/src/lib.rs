@@ -34,6 +34,10 @@ mod eigenimages;
 
 pub mod span;
 
+mod span_table;
+
+mod observed;
+
 pub mod geometry;
 
 pub mod light_statistics;

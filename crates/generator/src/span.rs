@@ -98,6 +98,13 @@ impl Span {
         })
     }
 
+    /// The largest singular value of all azimuths.
+    #[must_use]
+    pub fn largest(&self) -> f64 {
+        let first = self.azimuths.iter().filter_map(|of| of.block.singular_values.first());
+        first.copied().fold(0.0, f64::max)
+    }
+
     /// Number of functions.
     #[must_use]
     pub fn dimension(&self) -> usize {
