@@ -14,6 +14,8 @@ pub mod mode_gain;
 
 pub mod scattering;
 
+pub mod brdf;
+
 pub mod irradiance;
 
 pub mod truth;
@@ -43,5 +45,7 @@ pub mod database;
 pub mod error;
 
 pub mod inputs;
+
+pub mod direct;
 
 pub mod output;

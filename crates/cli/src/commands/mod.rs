@@ -9,6 +9,7 @@ mod evaluate_functions;
 mod info;
 mod light;
 mod material;
+mod material_formula;
 mod project;
 mod render;
 mod shade;

@@ -1,0 +1,162 @@
+//! Irradiance (3) under environment maps as they are, with BRDFs as functions: no
+//! harmonics, no degree, no order.
+//!
+//! Every texel is a patch of constant radiance. Its weight, the integral of
+//! f cos θ_i over its solid angle, is the midpoint rule on k x k equal parts, with the
+//! exact solid angle of each. k grows where f changes within the texel: with the
+//! texel's size over the lobe's width at the half-way direction, and over the height
+//! above the horizon.
+
+use crate::brdf::{Brdf, Geometry};
+use crate::error::{Error, Result};
+use crate::inputs::environment::EnvironmentMap;
+use faer::linalg::matmul::matmul;
+use faer::{Accum, Mat, Par};
+use std::f64::consts::{PI, TAU};
+
+/// Texels whose weights are held at a time.
+const BLOCK: usize = 4096;
+/// Most parts of a texel along a side.
+const MOST_PARTS: f64 = 32.0;
+
+/// Maps of one size, beside each other.
+pub struct Surroundings {
+    width: usize,
+    height: usize,
+    /// Unit directions of the texels' centres, row by row.
+    directions: Vec<[f64; 3]>,
+    /// Blocks of [`BLOCK`] texels: a row for each texel, r, g, b of each map.
+    radiance: Vec<Mat<f64>>,
+    maps: usize,
+}
+
+impl Surroundings {
+    /// Of these maps.
+    ///
+    /// # Errors
+    ///
+    /// No map, or maps of different sizes.
+    pub fn new(maps: &[EnvironmentMap]) -> Result<Self> {
+        let Some(first) = maps.first() else {
+            return Err(Error::new("there is no map to read", "name a map, or a folder of maps"));
+        };
+        let (width, height) = (first.width, first.height);
+        if let Some(other) = maps.iter().find(|map| (map.width, map.height) != (width, height)) {
+            return Err(Error::new(
+                format!("maps of {width} x {height} and {} x {}", other.width, other.height),
+                "give maps of one size",
+            ));
+        }
+        let count = width * height;
+        let directions = (0..count).map(|k| first.direction(k % width, k / width)).collect();
+        let radiance = (0..count)
+            .step_by(BLOCK)
+            .map(|start| {
+                Mat::from_fn(BLOCK.min(count - start), 3 * maps.len(), |texel, column| {
+                    f64::from(maps[column / 3].texels[start + texel][column % 3])
+                })
+            })
+            .collect();
+        Ok(Self { width, height, directions, radiance, maps: maps.len() })
+    }
+
+    /// Number of maps.
+    #[must_use]
+    pub fn maps(&self) -> usize {
+        self.maps
+    }
+
+    /// The irradiance of unit normals with z > 0 seen along z: by normal, within it by
+    /// BRDF, within it by map, r, g and b.
+    ///
+    /// `fineness` says how many parts a texel has for each width of what changes
+    /// within it: 1 is rough, twice as many show how far it has converged.
+    #[must_use]
+    pub fn irradiance(
+        &self,
+        brdfs: &[&dyn Brdf],
+        normals: &[[f64; 3]],
+        fineness: f64,
+    ) -> Vec<Vec<Vec<[f64; 3]>>> {
+        let rows = normals.len() * brdfs.len();
+        let mut sums = Mat::<f64>::zeros(3 * self.maps, rows);
+        let mut weights = Mat::<f64>::zeros(BLOCK, rows);
+        for (block, radiance) in self.radiance.iter().enumerate() {
+            let texels = radiance.nrows();
+            for (n, &normal) in normals.iter().enumerate() {
+                for (b, &brdf) in brdfs.iter().enumerate() {
+                    let column = weights.col_mut(n * brdfs.len() + b).subrows_mut(0, texels);
+                    for (texel, weight) in (block * BLOCK..).zip(column.iter_mut()) {
+                        *weight = self.weight(brdf, texel, normal, fineness);
+                    }
+                }
+            }
+            let weights = weights.subrows(0, texels);
+            matmul(&mut sums, Accum::Add, radiance.transpose(), weights, 1.0, Par::Seq);
+        }
+        let value = |row: usize, map: usize| [0, 1, 2].map(|c| sums[(3 * map + c, row)]);
+        (0..normals.len())
+            .map(|n| {
+                let rows = n * brdfs.len()..(n + 1) * brdfs.len();
+                rows.map(|row| (0..self.maps).map(|map| value(row, map)).collect()).collect()
+            })
+            .collect()
+    }
+
+    /// ∫ f cos θ_i dω over a texel.
+    fn weight(&self, brdf: &dyn Brdf, texel: usize, normal: [f64; 3], fineness: f64) -> f64 {
+        let direction = self.directions[texel];
+        let cosine = dot(direction, normal);
+        let size = PI / self.height as f64;
+        if cosine < -size {
+            return 0.0;
+        }
+        let at = Geometry {
+            incident: cosine.max(0.0),
+            reflected: normal[2],
+            between: direction[2],
+        };
+        let width = brdf.width();
+        let (_, sine) = at.half_squared();
+        // The half-way direction moves by 1 / 2 cos θ_d of what the light's does.
+        let half = 2.0 * at.difference_cosine().max(1e-3) * sine.sqrt().max(width);
+        let narrowest = half.min(at.incident.max(width)).min(1.0);
+        let parts = (fineness * size / narrowest).ceil().clamp(1.0, MOST_PARTS) as usize;
+        let (row, column) = (texel / self.width, texel % self.width);
+        if parts == 1 {
+            if cosine <= 0.0 {
+                return 0.0;
+            }
+            return brdf.value(at) * cosine * self.solid_angle(row as f64, 1.0);
+        }
+        let step = 1.0 / parts as f64;
+        let mut sum = 0.0;
+        for i in 0..parts {
+            let top = row as f64 + i as f64 * step;
+            let (sin_polar, cos_polar) = (size * (top + 0.5 * step)).sin_cos();
+            let solid_angle = self.solid_angle(top, step);
+            for j in 0..parts {
+                let along = column as f64 + (j as f64 + 0.5) * step;
+                let (sin_t, cos_t) = (TAU * (along / self.width as f64 - 0.5)).sin_cos();
+                let direction = [sin_t * sin_polar, cos_polar, -cos_t * sin_polar];
+                let cosine = dot(direction, normal);
+                if cosine > 0.0 {
+                    let at = Geometry { incident: cosine, between: direction[2], ..at };
+                    sum += brdf.value(at) * cosine * solid_angle;
+                }
+            }
+        }
+        sum
+    }
+
+    /// Of a part that begins at a row and is `step` texels high and wide.
+    fn solid_angle(&self, top: f64, step: f64) -> f64 {
+        let half = 0.5 * step * PI / self.height as f64;
+        let middle = (top + 0.5 * step) * PI / self.height as f64;
+        TAU * step / self.width as f64 * 2.0 * middle.sin() * half.sin()
+    }
+}
+
+fn dot([a, b, c]: [f64; 3], [x, y, z]: [f64; 3]) -> f64 {
+    a * x + b * y + c * z
+}
