@@ -25,6 +25,8 @@ pub struct Surroundings {
     height: usize,
     /// Unit directions of the texels' centres, row by row.
     directions: Vec<[f64; 3]>,
+    /// Exact solid angle of a texel of each row.
+    solid_angles: Vec<f64>,
     /// Blocks of [`BLOCK`] texels: a row for each texel, r, g, b of each map.
     radiance: Vec<Mat<f64>>,
     maps: usize,
@@ -57,7 +59,8 @@ impl Surroundings {
                 })
             })
             .collect();
-        Ok(Self { width, height, directions, radiance, maps: maps.len() })
+        let solid_angles = (0..height).map(|row| first.solid_angle(row)).collect();
+        Ok(Self { width, height, directions, solid_angles, radiance, maps: maps.len() })
     }
 
     /// Number of maps.
@@ -86,8 +89,9 @@ impl Surroundings {
             for (n, &normal) in normals.iter().enumerate() {
                 for (b, &brdf) in brdfs.iter().enumerate() {
                     let column = weights.col_mut(n * brdfs.len() + b).subrows_mut(0, texels);
+                    let lobe = Lobe { brdf, width: brdf.width(), fineness };
                     for (texel, weight) in (block * BLOCK..).zip(column.iter_mut()) {
-                        *weight = self.weight(brdf, texel, normal, fineness);
+                        *weight = self.weight(&lobe, texel, normal);
                     }
                 }
             }
@@ -104,31 +108,24 @@ impl Surroundings {
     }
 
     /// ∫ f cos θ_i dω over a texel.
-    fn weight(&self, brdf: &dyn Brdf, texel: usize, normal: [f64; 3], fineness: f64) -> f64 {
+    fn weight(&self, lobe: &Lobe<'_>, texel: usize, normal: [f64; 3]) -> f64 {
         let direction = self.directions[texel];
         let cosine = dot(direction, normal);
         let size = PI / self.height as f64;
         if cosine < -size {
             return 0.0;
         }
-        let at = Geometry {
-            incident: cosine.max(0.0),
-            reflected: normal[2],
-            between: direction[2],
-        };
-        let width = brdf.width();
-        let (_, sine) = at.half_squared();
-        // The half-way direction moves by 1 / 2 cos θ_d of what the light's does.
-        let half = 2.0 * at.difference_cosine().max(1e-3) * sine.sqrt().max(width);
-        let narrowest = half.min(at.incident.max(width)).min(1.0);
-        let parts = (fineness * size / narrowest).ceil().clamp(1.0, MOST_PARTS) as usize;
-        let (row, column) = (texel / self.width, texel % self.width);
+        let at =
+            Geometry { incident: cosine.max(0.0), reflected: normal[2], between: direction[2] };
+        let parts = lobe.parts(at, size);
+        let row = texel / self.width;
         if parts == 1 {
             if cosine <= 0.0 {
                 return 0.0;
             }
-            return brdf.value(at) * cosine * self.solid_angle(row as f64, 1.0);
+            return lobe.brdf.value(at) * cosine * self.solid_angles[row];
         }
+        let column = texel % self.width;
         let step = 1.0 / parts as f64;
         let mut sum = 0.0;
         for i in 0..parts {
@@ -142,7 +139,7 @@ impl Surroundings {
                 let cosine = dot(direction, normal);
                 if cosine > 0.0 {
                     let at = Geometry { incident: cosine, between: direction[2], ..at };
-                    sum += brdf.value(at) * cosine * solid_angle;
+                    sum += lobe.brdf.value(at) * cosine * solid_angle;
                 }
             }
         }
@@ -154,6 +151,30 @@ impl Surroundings {
         let half = 0.5 * step * PI / self.height as f64;
         let middle = (top + 0.5 * step) * PI / self.height as f64;
         TAU * step / self.width as f64 * 2.0 * middle.sin() * half.sin()
+    }
+}
+
+/// A BRDF and how finely texels are divided for it.
+struct Lobe<'a> {
+    brdf: &'a dyn Brdf,
+    width: f64,
+    fineness: f64,
+}
+
+impl Lobe<'_> {
+    /// Parts along each side of a texel of this size, radians.
+    fn parts(&self, at: Geometry, size: f64) -> usize {
+        let wanted = self.fineness * size;
+        // Both distances are at least the width times the cosine of θ_d.
+        let difference = at.difference_cosine().max(1e-3);
+        if wanted <= self.width * difference {
+            return 1;
+        }
+        // The half-way direction moves by 1 / 2 cos θ_d of what the light's does.
+        let (_, sine) = at.half_squared();
+        let half = 2.0 * difference * sine.sqrt().max(self.width);
+        let narrowest = half.min(at.incident.max(self.width));
+        (wanted / narrowest).ceil().clamp(1.0, MOST_PARTS) as usize
     }
 }
 

@@ -1,11 +1,11 @@
 //! `eigenshade material`: BRDFs, measured, tabulated or formulas, to coefficients.
 
 use super::count;
-use super::material_formula::Formula;
+use super::material_formula::{Formula, Nearness};
 use clap::Args;
 use eigenshade_cli::message::{bar, say};
 use eigenshade_cli::{destination, invocation, parallel};
-use eigenshade_generator::brdf::{Projected, Surface};
+use eigenshade_generator::brdf::{Measure, Projected};
 use eigenshade_generator::database::{Materials, Named};
 use eigenshade_generator::error::{Error, Result};
 use eigenshade_generator::inputs::coefficient_csv::write_materials;
@@ -37,6 +37,9 @@ pub struct Material {
     /// Largest order o of the coefficients, 0 to 64
     #[arg(long, value_name = "O", value_parser = count(0, 64), required = true)]
     order: Option<usize>,
+    /// Under what projected coefficients are nearest to the function
+    #[arg(long, value_enum, default_value_t)]
+    measure: Nearness,
     /// Where the CSV goes, instead of standard output
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
@@ -48,20 +51,20 @@ pub struct Material {
 
 impl Material {
     pub fn run(self) -> Result<()> {
-        let (sources, order, out) = match self.formula {
+        let (sources, order, measure, out) = match self.formula {
             Some(formula) => {
-                let (surface, order, out) = formula.surface()?;
-                (vec![Source::Surface(surface)], order, out)
+                let (surface, answer) = formula.surface()?;
+                (vec![Source::Surface(surface)], answer.order, answer.measure, answer.out)
             }
             None => {
                 let mut sources = Vec::new();
                 for path in &self.paths {
                     sources.extend(material_files::read(path)?);
                 }
-                (sources, self.order.unwrap_or_default(), self.out)
+                (sources, self.order.unwrap_or_default(), self.measure, self.out)
             }
         };
-        let (materials, fits) = coefficients(sources, order)?;
+        let (materials, fits) = coefficients(sources, order, measure.into())?;
         let by_command = |out: &mut dyn Write, is_file: bool| {
             if is_file {
                 writeln!(out, "# {}", invocation::command_line())
@@ -83,7 +86,11 @@ impl Material {
 }
 
 /// The coefficients of all, in their order, and the fits among them.
-fn coefficients(sources: Vec<Source>, order: usize) -> Result<(Materials, Vec<Fit>)> {
+fn coefficients(
+    sources: Vec<Source>,
+    order: usize,
+    measure: Measure,
+) -> Result<(Materials, Vec<Fit>)> {
     let (mut measured, mut surfaces, mut places) = (Vec::new(), Vec::new(), Vec::new());
     for source in sources {
         places.push(matches!(source, Source::Measured(_)));
@@ -97,7 +104,7 @@ fn coefficients(sources: Vec<Source>, order: usize) -> Result<(Materials, Vec<Fi
     progress.finish_and_clear();
     let progress = bar("projections", surfaces.len());
     let projected: Vec<Projected> =
-        parallel::map(surfaces.len(), &progress, |k| Surface::project(&surfaces[k], order));
+        parallel::map(surfaces.len(), &progress, |k| surfaces[k].project(order, measure));
     progress.finish_and_clear();
     for fit in &fits {
         say(fit_line(fit));

@@ -1,8 +1,8 @@
 //! Materials that are formulas, on the command line.
 
 use super::count;
-use clap::{Args, Subcommand};
-use eigenshade_generator::brdf::Surface;
+use clap::{Args, Subcommand, ValueEnum};
+use eigenshade_generator::brdf::{Measure, Surface};
 use eigenshade_generator::error::Result;
 use eigenshade_generator::inputs::analytic::{Analytic, Model, Shares};
 use std::path::PathBuf;
@@ -34,7 +34,7 @@ pub enum Formula {
     /// A dielectric has f0 0.04 and its base colour as albedo; a metal has its base
     /// colour as f0 and no albedo.
     Ggx {
-        /// Perceptual roughness, 0.01 to 1; alpha is its square
+        /// Perceptual roughness, 0.03 to 1; alpha is its square
         #[arg(long, value_name = "R")]
         roughness: f64,
         /// Reflectance at normal incidence: a number, or r,g,b
@@ -53,22 +53,44 @@ pub enum Formula {
 pub struct Answer {
     /// Largest order o of the coefficients, 0 to 64
     #[arg(long, value_name = "O", value_parser = count(0, 64))]
-    order: usize,
+    pub order: usize,
     /// What the material is called, instead of after its model
     #[arg(long, value_name = "NAME")]
     name: Option<String>,
+    /// Under what the coefficients are nearest to the function
+    #[arg(long, value_enum, default_value_t)]
+    pub measure: Nearness,
     /// Where the CSV goes, instead of standard output
     #[arg(long, value_name = "FILE")]
-    out: Option<PathBuf>,
+    pub out: Option<PathBuf>,
+}
+
+/// Under what coefficients are nearest to a function.
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+pub enum Nearness {
+    /// cos theta_i cos theta_r dw_i dw_r, as the irradiance of a sphere sees it
+    #[default]
+    Projected,
+    /// dw_i dw_r, in which the modes are orthonormal
+    SolidAngle,
+}
+
+impl From<Nearness> for Measure {
+    fn from(nearness: Nearness) -> Self {
+        match nearness {
+            Nearness::Projected => Self::Projected,
+            Nearness::SolidAngle => Self::SolidAngle,
+        }
+    }
 }
 
 impl Formula {
-    /// The material as functions, the order, and where the answer goes.
+    /// The material as functions, and what is wanted of it.
     ///
     /// # Errors
     ///
     /// A parameter out of range.
-    pub fn surface(self) -> Result<(Surface, usize, Option<PathBuf>)> {
+    pub fn surface(self) -> Result<(Surface, Answer)> {
         let of = |model, name: &str| Analytic {
             name: name.to_owned(),
             model,
@@ -92,9 +114,9 @@ impl Formula {
                 (Analytic { albedo: Some(albedo), roughness, f0: Some(f0), ..base }, answer)
             }
         };
-        let name = answer.name.unwrap_or_else(|| analytic.name.clone());
+        let name = answer.name.clone().unwrap_or_else(|| analytic.name.clone());
         let surface = Analytic { name, ..analytic }.surface()?;
-        Ok((surface, answer.order, answer.out))
+        Ok((surface, answer))
     }
 }
 

@@ -4,6 +4,7 @@ mod basis;
 mod demo;
 mod demo_sheet;
 mod eigenvalues;
+mod errors;
 mod evaluate;
 mod evaluate_functions;
 mod info;
@@ -24,6 +25,7 @@ pub enum Command {
     Light(light::Light),
     Material(material::Material),
     Basis(basis::Basis),
+    Errors(errors::Errors),
     Info(info::Info),
     Eigenvalues(eigenvalues::Eigenvalues),
     Project(project::Project),
@@ -40,6 +42,7 @@ impl Command {
             Self::Light(command) => command.run(),
             Self::Material(command) => command.run(),
             Self::Basis(command) => command.run(),
+            Self::Errors(command) => command.run(),
             Self::Info(command) => command.run(),
             Self::Eigenvalues(command) => command.run(),
             Self::Project(command) => command.run(),

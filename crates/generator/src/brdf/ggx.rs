@@ -23,8 +23,8 @@ pub struct Ggx {
     albedo: f64,
 }
 
-/// The smoothest surface that is served: its lobe is 1e-4 rad wide.
-const SMOOTHEST: f64 = 0.01;
+/// The smoothest surface that is served: its lobe is 1e-3 rad wide.
+const SMOOTHEST: f64 = 0.03;
 
 impl Ggx {
     /// Of this roughness, reflectance `f0` at normal incidence, and albedo of the matte
@@ -32,7 +32,7 @@ impl Ggx {
     ///
     /// # Errors
     ///
-    /// A roughness outside \[0.01, 1\]; `f0` or an albedo outside \[0, 1\].
+    /// A roughness outside \[0.03, 1\]; `f0` or an albedo outside \[0, 1\].
     pub fn new(roughness: f64, f0: f64, albedo: f64) -> Result<Self> {
         if !(SMOOTHEST..=1.0).contains(&roughness) {
             return Err(Error::new(

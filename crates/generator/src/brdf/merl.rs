@@ -39,7 +39,12 @@ impl Merl {
         count as f64 / self.values.len() as f64
     }
 
-    fn interpolated(&self, half: [(usize, f64); 2], difference: [(usize, f64); 2], phi: f64) -> f64 {
+    fn interpolated(
+        &self,
+        half: [(usize, f64); 2],
+        difference: [(usize, f64); 2],
+        phi: f64,
+    ) -> f64 {
         let (mut sum, mut weights) = (0.0, 0.0);
         let azimuth = around(phi / PI * BINS[2] as f64, BINS[2]);
         for (h, of_half) in half {

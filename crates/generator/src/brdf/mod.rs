@@ -8,6 +8,7 @@ mod ggx;
 mod lambertian;
 mod merl;
 mod oren_nayar;
+mod overlaps;
 pub mod projection;
 mod surface;
 
@@ -16,6 +17,7 @@ pub use ggx::Ggx;
 pub use lambertian::Lambertian;
 pub use merl::{BINS, Merl};
 pub use oren_nayar::OrenNayar;
+pub use projection::Measure;
 pub use surface::{Projected, Surface};
 
 /// One channel of an isotropic, reciprocal BRDF.

@@ -45,8 +45,7 @@ impl OrenNayar {
 
 impl Brdf for OrenNayar {
     fn value(&self, at: Geometry) -> f64 {
-        let (flatter, steeper) =
-            (at.incident.min(at.reflected), at.incident.max(at.reflected));
+        let (flatter, steeper) = (at.incident.min(at.reflected), at.incident.max(at.reflected));
         let sine = |cosine: f64| (1.0 - cosine * cosine).max(0.0).sqrt();
         let lobe = at.azimuth_cosine().max(0.0) * sine(flatter) * sine(steeper) / steeper;
         self.albedo / PI * (self.flat + self.rough * lobe)

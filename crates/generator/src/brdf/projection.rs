@@ -1,20 +1,23 @@
 //! BRDFs as functions to coefficients b_op^q of (7), by quadrature.
 //!
-//! The modes (8) are orthonormal under dω_i dω_r, so
-//! b_op^q = ∫∫ f I_op^q dω_i dω_r. f does not change when the directions are turned
-//! together, exchanged or mirrored: what is left is Δφ in \[0, π\] and θ_r <= θ_i. First
-//! come the integrals over Δφ with cos qΔφ, then the polar angles with R_o^q R_p^q. All
-//! three rules are composite ones of Gauss and Legendre whose panels shrink towards the
-//! mirror direction, where a narrow lobe stands, and towards grazing angles
-//! ([`graded`]); about the mirror's plane they shrink with the distance from its
-//! direction. So a lobe of 1e-4 rad costs a few times what a matte surface does.
+//! Of all sums Σ b I the coefficients give the one nearest to f, in a [`Measure`]. Under
+//! dω_i dω_r the modes (8) are orthonormal, and b_op^q = ∫∫ f I_op^q dω_i dω_r. Under
+//! cos θ_i cos θ_r dω_i dω_r the same integrals, with the cosines, are the right-hand side
+//! of normal equations that fall apart into small ones ([`Overlaps`]).
+//!
+//! f does not change when the directions are turned together, exchanged or mirrored: what
+//! is left to integrate is Δφ in \[0, π\] and θ_r <= θ_i. First come the integrals over Δφ
+//! with cos qΔφ, then the polar angles with R_o^q R_p^q. All three rules are composite
+//! ones of Gauss and Legendre whose panels shrink towards the mirror direction, where a
+//! narrow lobe stands, and towards grazing angles ([`graded`]). So a lobe of 1e-3 rad costs
+//! a few times what a matte surface does.
 
+use super::overlaps::Overlaps;
 use super::{Brdf, Geometry};
 use crate::irradiance::slant_radials;
 use crate::scattering::norm;
 use crate::special::gauss_legendre;
 use crate::special::graded::{self, Feature};
-use crate::special::zernike;
 use eigenshade_index::{material, pair};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_8, PI};
 
@@ -26,6 +29,21 @@ const GRAZING: f64 = 1e-5;
 /// No panel need be narrower, radians.
 const NARROWEST: f64 = 1e-9;
 
+/// How far f and Σ b I are apart: the integral of (f - Σ b I)² under this.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Measure {
+    /// cos θ_i cos θ_r dω_i dω_r: as the irradiance of a sphere sees f, the first cosine
+    /// being that of (3), the second the density of the normals. Coefficients of a lower
+    /// order are others, not the first of these.
+    #[default]
+    Projected,
+    /// dω_i dω_r, in which the modes are orthonormal: b = ∫∫ f I. f of GGX and of Oren and
+    /// Nayar is not square-integrable here, since it grows as 1 / (cos θ_i + cos θ_r)
+    /// where both directions graze; the coefficients exist, but serve what grazes at the
+    /// cost of the rest.
+    SolidAngle,
+}
+
 /// A BRDF as far as an order describes it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Projection {
@@ -33,50 +51,44 @@ pub struct Projection {
     pub coefficients: Vec<f64>,
     /// ∫∫ f² cos θ_i cos θ_r dω_i dω_r.
     pub energy: f64,
-    /// ∫∫ (f - Σ b I)² cos θ_i cos θ_r dω_i dω_r as a share of the energy: what the
-    /// order leaves out. 0 where the energy is; rounding leaves some 1e-15.
-    ///
-    /// Not 1 - Σ b² / ∫∫ f² dω_i dω_r, the share under the measure in which the modes
-    /// are orthonormal: f of GGX and of Oren and Nayar is not square-integrable there,
-    /// since it grows as 1 / (cos θ_i + cos θ_r) where both directions graze. The two cosines
-    /// are the irradiance's own and that of the normals of a sphere under its density.
+    /// ∫∫ (f - Σ b I)² cos θ_i cos θ_r dω_i dω_r as a share of the energy, whatever the
+    /// measure: what the order leaves out. 0 where the energy is; rounding leaves 1e-14.
     pub left_out: f64,
 }
 
-/// The nodes a panel has for an order: enough for 1e-9 of the largest coefficient of
-/// smooth BRDFs at any order.
+/// The nodes that [`project`] gives a panel.
 #[must_use]
 pub fn nodes(order: usize) -> usize {
     10 + order / 4
 }
 
-/// Projects up to `order` with [`nodes`] nodes a panel.
+/// Projects up to `order`.
 ///
-/// To 1e-9 of the largest coefficient for GGX from α = 1e-4 on; to 1e-5 for models with kinks (Oren
-/// and Nayar) and tables. Time: some 0.1 s at order 12 and 3 s at 64 for α = 0.01.
+/// In [`Measure::Projected`] to 1e-7 of the largest coefficient, for GGX of roughness 0.03
+/// and more and for the matte models, in [`Measure::SolidAngle`] to 1e-5. Time: some 0.3 s
+/// at order 12, 2 s at 32.
 #[must_use]
-pub fn project(brdf: &dyn Brdf, order: usize) -> Projection {
-    project_with(brdf, order, nodes(order))
+pub fn project(brdf: &dyn Brdf, order: usize, measure: Measure) -> Projection {
+    project_with(brdf, order, measure, nodes(order))
 }
 
 /// The same with `count` nodes a panel: twice as many show how far it has converged.
 #[must_use]
-pub fn project_with(brdf: &dyn Brdf, order: usize, count: usize) -> Projection {
+pub fn project_with(brdf: &dyn Brdf, order: usize, measure: Measure, count: usize) -> Projection {
     let unit = gauss_legendre::rule(count, 0.0, 1.0);
     let width = brdf.width();
-    let ends = [Feature { at: 0.0, scale: width }, Feature { at: FRAC_PI_2, scale: GRAZING }];
+    let grazing = Feature { at: FRAC_PI_2, scale: GRAZING };
+    let pole = Feature { at: 0.0, scale: width };
     let mut sums = Sums::new(order);
-    for (theta_i, weight_i) in graded::spread(&unit, 0.0, FRAC_PI_2, &ends, WIDEST) {
+    for (theta_i, weight_i) in graded::spread(&unit, 0.0, FRAC_PI_2, &[pole, grazing], WIDEST) {
         let ridge = Feature { at: theta_i, scale: width.min(FRAC_PI_2 - theta_i) };
         let mut row = Row::new(order);
-        for (theta_r, weight_r) in
-            graded::spread(&unit, 0.0, theta_i, &[ends[0], ridge], WIDEST)
-        {
+        for (theta_r, weight_r) in graded::spread(&unit, 0.0, theta_i, &[pole, ridge], WIDEST) {
             row.add(brdf, &unit, [theta_i, theta_r], weight_r * theta_r.sin());
         }
         sums.add(&row, theta_i, weight_i * theta_i.sin());
     }
-    sums.finish()
+    sums.finish(measure)
 }
 
 /// Integrals over Δφ and θ_r for one θ_i.
@@ -96,7 +108,13 @@ impl Row {
         Self { order, plain: zeros.clone(), projected: zeros, energy: 0.0 }
     }
 
-    fn add(&mut self, brdf: &dyn Brdf, unit: &[(f64, f64)], [theta_i, theta_r]: [f64; 2], weight: f64) {
+    fn add(
+        &mut self,
+        brdf: &dyn Brdf,
+        unit: &[(f64, f64)],
+        [theta_i, theta_r]: [f64; 2],
+        weight: f64,
+    ) {
         let (waves, square) = azimuth_integrals(brdf, self.order, unit, theta_i, theta_r);
         let cosine = theta_r.cos();
         self.energy += weight * cosine * square;
@@ -175,7 +193,7 @@ impl Sums {
     }
 
     /// 8π: the turn of both directions, the mirrored half of Δφ, the exchange.
-    fn finish(mut self) -> Projection {
+    fn finish(mut self, measure: Measure) -> Projection {
         let factor = 8.0 * PI;
         for (place, (o, p, q)) in material::indices(self.order).enumerate() {
             let norm = factor * norm(o, p, q);
@@ -183,87 +201,14 @@ impl Sums {
             self.projected[place] *= norm;
         }
         let energy = factor * self.energy;
-        if std::env::var("WEIGHTED").is_ok() {
-            let b = weighted(self.order, &self.projected);
-            let product: f64 = b.iter().zip(&self.projected).map(|(b, g)| b * g).sum();
-            let own = projected_square(self.order, &b);
-            let left_out = (energy - 2.0 * product + own) / energy;
-            return Projection { coefficients: b, energy, left_out };
-        }
-        let product: f64 = self.plain.iter().zip(&self.projected).map(|(b, g)| b * g).sum();
-        let own = projected_square(self.order, &self.plain);
-        let left = energy - 2.0 * product + own;
-        let left_out = if energy > 0.0 { (left / energy).max(0.0) } else { 0.0 };
-        Projection { coefficients: self.plain, energy, left_out }
-    }
-}
-
-/// ∫∫ (Σ b I)² cos θ_i cos θ_r dω_i dω_r.
-///
-/// For each q, Σ b I = Σ_op B_op R_o R_p cos qΔφ with symmetric B, and the integral is
-/// the trace of (B A)², A_op = ∫ R_o R_p cos θ sin θ dθ, times 2π and the integral of
-/// cos² over the turn.
-fn projected_square(order: usize, coefficients: &[f64]) -> f64 {
-    let nodes = gauss_legendre::rule(order + 2, 0.0, 1.0);
-    let mut total = 0.0;
-    for q in 0..=order {
-        let count = (order - q) / 2 + 1;
-        let mut overlap = vec![0.0; count * count];
-        for &(z, weight) in &nodes {
-            let radials = zernike::column(order, q, (1.0 - z).sqrt());
-            for (row, first) in overlap.chunks_exact_mut(count).zip(&radials) {
-                for (entry, second) in row.iter_mut().zip(&radials) {
-                    *entry += weight * z * first * second;
-                }
-            }
-        }
-        let b = |j: usize, k: usize| {
-            let (o, p) = (q + 2 * j.max(k), q + 2 * j.min(k));
-            let twice = if o == p { 2.0 } else { 1.0 };
-            twice * norm(o, p, q) * coefficients[material::position(o, p, q)]
+        let overlaps = Overlaps::new(self.order);
+        let coefficients = match measure {
+            Measure::SolidAngle => self.plain,
+            Measure::Projected => overlaps.nearest(&self.projected),
         };
-        let mut product = vec![0.0; count * count];
-        for j in 0..count {
-            for k in 0..count {
-                product[j * count + k] = (0..count).map(|n| b(j, n) * overlap[n * count + k]).sum();
-            }
-        }
-        let trace: f64 = (0..count)
-            .flat_map(|j| (0..count).map(move |k| (j, k)))
-            .map(|(j, k)| product[j * count + k] * product[k * count + j])
-            .sum();
-        let turn = if q == 0 { 2.0 * PI } else { PI };
-        total += 2.0 * PI * turn * trace;
+        let product: f64 = coefficients.iter().zip(&self.projected).map(|(b, g)| b * g).sum();
+        let left = energy - 2.0 * product + overlaps.energy(&coefficients);
+        let left_out = if energy > 0.0 { (left / energy).max(0.0) } else { 0.0 };
+        Projection { coefficients, energy, left_out }
     }
-    total
-}
-
-fn weighted(order: usize, projected: &[f64]) -> Vec<f64> {
-    use faer::Mat;
-    use faer::linalg::solvers::Solve;
-    let nodes = gauss_legendre::rule(order + 2, 0.0, 1.0);
-    let mut out = vec![0.0; projected.len()];
-    for q in 0..=order {
-        let count = (order - q) / 2 + 1;
-        let mut overlap = Mat::<f64>::zeros(count, count);
-        for &(z, weight) in &nodes {
-            let radials = zernike::column(order, q, (1.0 - z).sqrt());
-            for j in 0..count { for k in 0..count { overlap[(j,k)] += weight * z * radials[j] * radials[k]; } }
-        }
-        let turn = if q == 0 { 2.0 * PI } else { PI };
-        let g = Mat::from_fn(count, count, |j, k| {
-            let (o, p) = (q + 2 * j.max(k), q + 2 * j.min(k));
-            let pairs = 2.0;
-            projected[material::position(o, p, q)] / (pairs * norm(o, p, q)) / (2.0 * PI * turn)
-        });
-        let lu = overlap.partial_piv_lu();
-        let half = lu.solve(&g);
-        let b = lu.solve(half.transpose().to_owned());
-        for j in 0..count { for k in 0..=j {
-            let (o, p) = (q + 2 * j, q + 2 * k);
-            let twice = if o == p { 2.0 } else { 1.0 };
-            out[material::position(o, p, q)] = b[(j, k)] / (twice * norm(o, p, q));
-        }}
-    }
-    out
 }

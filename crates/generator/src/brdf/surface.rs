@@ -1,7 +1,7 @@
 //! A material as functions, by name.
 
 use super::Brdf;
-use super::projection::{Projection, project};
+use super::projection::{Measure, Projection, project};
 use crate::database::Named;
 
 /// One BRDF for all three channels, or one for each.
@@ -47,9 +47,9 @@ impl Surface {
 
     /// The projection of every channel; equal ones are done once.
     #[must_use]
-    pub fn project(&self, order: usize) -> Projected {
+    pub fn project(&self, order: usize, measure: Measure) -> Projected {
         let channels: Vec<Projection> =
-            self.channels.iter().map(|brdf| project(&**brdf, order)).collect();
+            self.channels.iter().map(|brdf| project(&**brdf, order, measure)).collect();
         let rgb = [0, 1, 2]
             .map(|channel: usize| channels[channel.min(channels.len() - 1)].coefficients.clone());
         let left_out = channels.iter().map(|channel| channel.left_out).fold(0.0, f64::max);

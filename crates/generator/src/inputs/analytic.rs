@@ -160,9 +160,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<Vec<Surface>> {
         let what = error.message().lines().next().unwrap_or("no list of materials").to_owned();
         let fault = Error::new(what, "see tables/README.md for the fields of a material");
         match error.span() {
-            Some(span) => {
-                fault.at_line(path, 1 + text[..span.start].matches('\n').count() as u64)
-            }
+            Some(span) => fault.at_line(path, 1 + text[..span.start].matches('\n').count() as u64),
             None => fault.in_file(path),
         }
     })?;
@@ -177,8 +175,9 @@ pub fn read(path: impl AsRef<Path>) -> Result<Vec<Surface>> {
         }
     }
     if file.material.is_empty() {
-        return Err(Error::new("there is no material in it", "add a table [[material]]")
-            .in_file(path));
+        return Err(
+            Error::new("there is no material in it", "add a table [[material]]").in_file(path)
+        );
     }
     file.material.iter().map(|one| one.surface().map_err(|error| error.in_file(path))).collect()
 }

@@ -19,7 +19,13 @@ pub struct Feature {
 /// A pole at the distance of the scale from its feature leaves some 5^(-2 count) of
 /// the function's size.
 #[must_use]
-pub fn rule(count: usize, low: f64, high: f64, features: &[Feature], widest: f64) -> Vec<(f64, f64)> {
+pub fn rule(
+    count: usize,
+    low: f64,
+    high: f64,
+    features: &[Feature],
+    widest: f64,
+) -> Vec<(f64, f64)> {
     let unit = gauss_legendre::rule(count, 0.0, 1.0);
     spread(&unit, low, high, features, widest)
 }
@@ -40,9 +46,9 @@ pub fn spread(
     stops.dedup();
     // The widest panel that may begin or end at a place.
     let allowed = |place: f64| {
-        features.iter().fold(widest, |most, feature| {
-            most.min((place - feature.at).abs().max(feature.scale))
-        })
+        features
+            .iter()
+            .fold(widest, |most, feature| most.min((place - feature.at).abs().max(feature.scale)))
     };
     let mut nodes = Vec::new();
     for pair in stops.windows(2) {
@@ -63,7 +69,8 @@ pub fn spread(
                 panels.push((left, next));
                 left = next;
             } else {
-                let next = if gap < 2.0 * from_right { left + 0.5 * gap } else { right - from_right };
+                let next =
+                    if gap < 2.0 * from_right { left + 0.5 * gap } else { right - from_right };
                 mirrored.push((next, right));
                 right = next;
             }
