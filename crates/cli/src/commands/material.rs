@@ -91,6 +91,13 @@ fn coefficients(
     order: usize,
     measure: Measure,
 ) -> Result<(Materials, Vec<Fit>)> {
+    let mut names = HashSet::new();
+    if let Some(source) = sources.iter().find(|source| !names.insert(source.name())) {
+        return Err(Error::new(
+            format!("two materials are called `{}`", source.name()),
+            "rename one of the two",
+        ));
+    }
     let (mut measured, mut surfaces, mut places) = (Vec::new(), Vec::new(), Vec::new());
     for source in sources {
         places.push(matches!(source, Source::Measured(_)));
@@ -121,13 +128,6 @@ fn coefficients(
         .into_iter()
         .filter_map(|is_fit| if is_fit { fitted.next() } else { others.next() })
         .collect();
-    let mut names = HashSet::new();
-    if let Some(entry) = entries.iter().find(|entry| !names.insert(&entry.name)) {
-        return Err(Error::new(
-            format!("two materials are called `{}`", entry.name),
-            "rename one of the two",
-        ));
-    }
     Ok((Materials { order, entries }, fits))
 }
 

@@ -15,6 +15,17 @@ pub enum Source {
     Surface(Surface),
 }
 
+impl Source {
+    /// What the material is called.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        match self {
+            Self::Measured(measured) => &measured.name,
+            Self::Surface(surface) => &surface.name,
+        }
+    }
+}
+
 /// Reads a `.binary` file as MERL's ([`merl::read`]), a `.toml` file as formulas
 /// ([`analytic::read`]), any other as measurements ([`measurements::read`]); a folder
 /// with an `abrdf.dat` as CUReT ([`curet::read`]), any other as all its `.binary`,
