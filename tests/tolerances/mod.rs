@@ -99,11 +99,9 @@ pub const DIRECT_WHITE: f64 = 1e-3;
 /// Irradiance by texels against midpoints in the normal's frame, relative: 800 midpoints meet the
 /// edges of a window thrice as bright as the sky to 1/800 of each angle.
 pub const DIRECT_FRAMES: f64 = 5e-3;
-/// Texels in parts against parts four times as fine, rms of the peak: a fifth of what degree 24
-/// leaves at roughness 0.2.
+/// Texels in parts against parts four times as fine, rms of the peak, for lobes of 0.01 rad and more
+/// on texels of 0.0123: a tenth of what degree 24 leaves at such a lobe.
 pub const DIRECT_PARTS: f64 = 1e-3;
-/// The same for a lobe of 0.01 rad, narrower than the texels of 0.0123, under a map with a sun.
-pub const DIRECT_PARTS_NARROW: f64 = 0.01;
 /// An error's figure by other normals and nodes, relative: a hundred normals of a sphere do not meet
 /// the peak.
 pub const ERROR_FIGURE: f64 = 0.1;

@@ -70,8 +70,14 @@ impl<'a> Reference<'a> {
             (0..maps.maps()).map(of).collect()
         })
         .collect();
+        // A narrow lobe has its peak where it mirrors the sun, between the rings' normals.
+        let mirrors: Vec<[f64; 3]> = (0..maps.maps()).map(|map| maps.mirror(map)).collect();
+        let at_mirrors = maps.irradiance(&brdfs, &mirrors, fineness);
         let largest = |map: usize| {
-            images.iter().flat_map(|maps| maps[map]).fold(0.0, |most: f64, i| most.max(i.abs()))
+            let channels = &at_mirrors[map];
+            let mirrored = [0, 1, 2].map(|c: usize| channels[c.min(channels.len() - 1)][map][c]);
+            let images = images.iter().flat_map(|maps| maps[map]);
+            images.chain(mirrored).fold(0.0, |most: f64, i| most.max(i.abs()))
         };
         let peaks = (0..maps.maps()).map(largest).collect();
         Self { surface, rings, images, peaks }

@@ -139,30 +139,46 @@ fn texels_and_the_normals_own_frame_agree() {
     assert!(worst <= tolerances::DIRECT_FRAMES, "{worst}");
 }
 
-/// A lobe narrower than a texel: parts twice as fine change little of the peak.
+/// The normal that mirrors the brightest texel to the camera.
+fn mirror_of_the_brightest(map: &EnvironmentMap) -> [f64; 3] {
+    let direction = |k: usize| map.direction(k % map.width, k / map.width);
+    let brightest = (0..map.texels.len())
+        .max_by(|&a, &b| map.texels[a][1].total_cmp(&map.texels[b][1]))
+        .unwrap();
+    let [x, y, z] = direction(brightest);
+    let length = (2.0 + 2.0 * z).sqrt();
+    [x / length, y / length, (z + 1.0) / length]
+}
+
+/// A lobe narrower than a texel: parts twice and four times as fine change little of the
+/// peak.
 #[test]
 fn narrow_lobes_converge() {
-    let maps = Surroundings::new(&[shipped("studio"), shipped("park")]).unwrap();
-    for (roughness, allowed) in [
-        (0.1, tolerances::DIRECT_PARTS_NARROW),
-        (0.2, tolerances::DIRECT_PARTS),
-        (0.5, tolerances::DIRECT_PARTS),
+    for (name, roughness, allowed) in [
+        ("studio", 0.1, tolerances::DIRECT_PARTS),
+        ("park", 0.1, tolerances::DIRECT_PARTS),
+        ("park", 0.2, tolerances::DIRECT_PARTS),
+        ("park", 0.5, tolerances::DIRECT_PARTS),
     ] {
+        let map = shipped(name);
+        let mut normals = spiral(60);
+        normals.push(mirror_of_the_brightest(&map));
+        let maps = Surroundings::new(&[map]).unwrap();
         let metal = Ggx::new(roughness, 0.9, 0.0).unwrap();
-        let normals = spiral(60);
-        let images = [1.0, 2.0, 4.0].map(|fine| maps.irradiance(&[&metal], &normals, fine));
-        for map in 0..2 {
-            let peak =
-                images[2].iter().fold(0.0, |most: f64, image| most.max(image[0][map][1].abs()));
-            let apart = |k: usize| {
-                let squares = images[k].iter().zip(&images[2]);
-                let sum: f64 = squares.map(|(a, b)| (a[0][map][1] - b[0][map][1]).powi(2)).sum();
-                (sum / 60.0).sqrt() / peak
-            };
-            println!("roughness {roughness}: {:.1e}, {:.1e}", apart(0), apart(1));
-            assert!(apart(0) <= allowed, "{}", apart(0));
-            assert!(apart(1) <= 0.5 * allowed, "{}", apart(1));
-        }
+        let images = [1.0, 2.0, 4.0].map(|fine| -> Vec<f64> {
+            let images = maps.irradiance(&[&metal], &normals, fine);
+            images.iter().map(|image| image[0][0][1]).collect()
+        });
+        let peak = images[2].iter().fold(0.0, |most: f64, i| most.max(i.abs()));
+        let apart = |k: usize| {
+            let squares = images[k].iter().zip(&images[2]).map(|(a, b)| (a - b).powi(2));
+            (squares.take(60).sum::<f64>() / 60.0).sqrt() / peak
+        };
+        println!("{name}, roughness {roughness}: {:.1e}, {:.1e}", apart(0), apart(1));
+        let at_peak = (images[0][60] / images[2][60] - 1.0).abs();
+        println!("at the mirror of the sun {at_peak:.1e}");
+        assert!(apart(0) <= allowed, "{name}, {roughness}: {}", apart(0));
+        assert!(apart(1) <= 0.7 * allowed, "{name}, {roughness}: {}", apart(1));
     }
 }
 
@@ -195,13 +211,14 @@ fn error(
 fn shipped_errors_are_what_another_quadrature_finds() {
     let text = fs::read_to_string(repository().join("tables/pbr.errors.csv")).unwrap();
     let rows = rows(&text, HEADER);
-    for (name, material) in [("lambertian", MATTE), ("metal-0.5", METAL)] {
+    let glossy = Explicit { roughness: Some(0.3), ..METAL };
+    for (name, material) in [("metal-0.3", glossy), ("metal-0.5", METAL)] {
         let row = rows
             .iter()
             .find(|row| row[0] == name && row[1] == "12" && row[3].is_empty())
             .expect("a row");
         let recorded: f64 = row[5].parse().unwrap();
-        let found = error(material, &shipped(&row[6]), (12, 12), (100, 500));
+        let found = error(material, &shipped(&row[6]), (12, 12), (100, 800));
         println!("{name} under {}: {recorded} recorded, {found:.6} found", row[6]);
         assert!((found / recorded - 1.0).abs() <= tolerances::ERROR_FIGURE, "{name}: {found}");
     }

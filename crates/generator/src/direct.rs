@@ -8,6 +8,7 @@
 //! above the horizon.
 
 use crate::brdf::{Brdf, Geometry};
+use crate::database::luminance;
 use crate::error::{Error, Result};
 use crate::inputs::environment::EnvironmentMap;
 use faer::linalg::matmul::matmul;
@@ -18,6 +19,9 @@ use std::f64::consts::{PI, TAU};
 const BLOCK: usize = 4096;
 /// Most parts of a texel along a side.
 const MOST_PARTS: f64 = 32.0;
+
+/// z of a direction so nearly opposite to the camera that no visible normal mirrors it.
+const OPPOSITE: f64 = -0.9999;
 
 /// Maps of one size, beside each other.
 pub struct Surroundings {
@@ -67,6 +71,25 @@ impl Surroundings {
     #[must_use]
     pub fn maps(&self) -> usize {
         self.maps
+    }
+
+    /// The unit normal that mirrors the brightest texel of a map towards z.
+    ///
+    /// # Panics
+    ///
+    /// If there is no such map.
+    #[must_use]
+    pub fn mirror(&self, map: usize) -> [f64; 3] {
+        let brightness = |texel: usize| {
+            let radiance = &self.radiance[texel / BLOCK];
+            luminance([0, 1, 2].map(|c| radiance[(texel % BLOCK, 3 * map + c)]))
+        };
+        let brightest = (0..self.directions.len())
+            .filter(|&texel| self.directions[texel][2] > OPPOSITE)
+            .max_by(|&a, &b| brightness(a).total_cmp(&brightness(b)));
+        let [x, y, z] = brightest.map_or([0.0, 0.0, 1.0], |texel| self.directions[texel]);
+        let length = (2.0 + 2.0 * z).sqrt();
+        [x / length, y / length, (z + 1.0) / length]
     }
 
     /// The irradiance of unit normals with z > 0 seen along z: by normal, within it by
