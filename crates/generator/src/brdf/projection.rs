@@ -3,7 +3,7 @@
 //! Of all sums Σ b I the coefficients give the one nearest to f, in a [`Measure`]. Under
 //! dω_i dω_r the modes (8) are orthonormal, and b_op^q = ∫∫ f I_op^q dω_i dω_r. Under
 //! cos θ_i cos θ_r dω_i dω_r the same integrals, with the cosines, are the right-hand side
-//! of normal equations that fall apart into small ones ([`Overlaps`]).
+//! of normal equations that fall apart into small ones, one for each q.
 //!
 //! f does not change when the directions are turned together, exchanged or mirrored: what
 //! is left to integrate is Δφ in \[0, π\] and θ_r <= θ_i. First come the integrals over Δφ
