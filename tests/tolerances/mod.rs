@@ -172,3 +172,39 @@ pub const MEAN_OVER_ROTATIONS: f64 = 1e-12;
 pub const HIGH_PIXELS: f64 = 1e-8;
 /// The same in f32: 6e-8 times what h is larger than u.
 pub const HIGH_PIXELS_F32: f64 = 1e-2;
+
+/// BRDF models by three cosines against the literature's vectors, relative: α² = 1e-4 under
+/// cancellation of 1 - (n h)² near the mirror leaves twelve digits of sixteen.
+pub const BRDF_MODEL: f64 = 1e-10;
+/// Coefficients of a matte material at order 64: sums of some 1e7 roundings, and normal
+/// equations of condition 1e4.
+pub const MATTE_PROJECTION: f64 = 1e-10;
+/// Coefficients with twice the nodes, of the largest: 20^-12 and less but for the lobe of 1e-3 rad
+/// at grazing angles.
+pub const PROJECTION_NODES: f64 = 1e-7;
+/// The same without cosines: f grows without bound to the last panel before π/2.
+pub const PROJECTION_NODES_GRAZING: f64 = 1e-5;
+/// Coefficients against 400 midpoints an angle, of the largest: midpoints are off by 1/400² and,
+/// where f grows, by ten times that.
+pub const PROJECTION_MIDPOINT: f64 = 1e-4;
+/// Energy left out against 64 midpoints in azimuth, relative: a small difference, half of it at
+/// grazing angles.
+pub const LEFT_OUT_MIDPOINT: f64 = 0.005;
+/// A tabulated lobe of 9 degrees between the centres of bins, relative: linear interpolation over a
+/// degree in θ_d and up to two in θ_h.
+pub const MERL_VALUE: f64 = 0.01;
+/// Coefficients of the same table, of the largest: the last centre is half a degree from grazing,
+/// beyond which the table is constant and the formula grows.
+pub const MERL_PROJECTION: f64 = 0.01;
+/// A matte sphere under radiance 1 on 128 x 64 texels, relative: the horizon cuts texels of three
+/// degrees, where the cosine is that of their centre.
+pub const DIRECT_WHITE: f64 = 1e-3;
+/// Irradiance by texels against midpoints in the normal's frame, relative: 800 midpoints meet the
+/// edges of a window thrice as bright as the sky to 1/800 of each angle.
+pub const DIRECT_FRAMES: f64 = 5e-3;
+/// Texels in parts against parts four times as fine, rms of the peak, for lobes of 0.01 rad and more
+/// on texels of 0.0123: a tenth of what degree 24 leaves at such a lobe.
+pub const DIRECT_PARTS: f64 = 1e-3;
+/// An error's figure by other normals and nodes, relative: their peak, at the rim or
+/// a window, is that of the nearest.
+pub const ERROR_FIGURE: f64 = 0.1;

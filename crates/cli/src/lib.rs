@@ -27,6 +27,10 @@ pub mod truth_image;
 
 pub mod compare;
 
+pub mod sphere_rings;
+
+pub mod accuracy;
+
 pub mod sphere_view;
 
 pub mod tone;

@@ -14,6 +14,8 @@ pub mod mode_gain;
 
 pub mod scattering;
 
+pub mod brdf;
+
 pub mod irradiance;
 
 pub mod truth;
@@ -65,5 +67,7 @@ pub mod error;
 pub mod inputs;
 
 pub mod reading;
+
+pub mod direct;
 
 pub mod output;

@@ -80,9 +80,15 @@ impl Modes<'_> {
     /// The irradiance (15) of a light of the truth's degree on this material.
     #[must_use]
     pub fn irradiance(&self, light: &[f64], scattered: &Scattered) -> f64 {
+        self.azimuths.iter().zip(self.profile(light, scattered)).map(|(a, b)| a * b).sum()
+    }
+
+    /// The irradiance azimuth by azimuth: times Φ_m of the tilt, summed over
+    /// m = -degree..=degree, it is the irradiance of every normal of this slant.
+    #[must_use]
+    pub fn profile(&self, light: &[f64], scattered: &Scattered) -> Vec<f64> {
         let top = self.truth.degree.cast_signed();
-        let mut sum = 0.0;
-        for (m, azimuth) in (-top..=top).zip(&self.azimuths) {
+        let of_azimuth = |m: isize| {
             let mut of_order = 0.0;
             for (q, (rotation, scattered)) in
                 self.rotations[m.unsigned_abs()].iter().zip(&scattered.0).enumerate()
@@ -93,9 +99,8 @@ impl Modes<'_> {
                     of_order += light[light::position(l, m)] * rotation * scattered;
                 }
             }
-            let sign = if m < 0 && m % 2 != 0 { -1.0 } else { 1.0 };
-            sum += sign * azimuth * of_order;
-        }
-        sum
+            if m < 0 && m % 2 != 0 { -of_order } else { of_order }
+        };
+        (-top..=top).map(of_azimuth).collect()
     }
 }

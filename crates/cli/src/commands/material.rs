@@ -1,33 +1,45 @@
-//! `eigenshade material`: measured BRDFs to coefficients.
+//! `eigenshade material`: BRDFs, measured, tabulated or formulas, to coefficients.
 
 use super::count;
+use super::material_formula::{Formula, Nearness};
 use clap::Args;
 use eigenshade_cli::message::{bar, say};
-use eigenshade_cli::{destination, invocation};
-use eigenshade_generator::error::Result;
+use eigenshade_cli::{destination, invocation, parallel};
+use eigenshade_generator::brdf::{Measure, Projected};
+use eigenshade_generator::database::{Materials, Named};
+use eigenshade_generator::error::{Error, Result};
 use eigenshade_generator::inputs::coefficient_csv::write_materials;
 use eigenshade_generator::inputs::fit::{Fit, fit, write_figures};
-use eigenshade_generator::inputs::measurements::read_material_path;
+use eigenshade_generator::inputs::material_files::{self, Source};
+use std::collections::HashSet;
 use std::io::Write;
 use std::path::PathBuf;
 
-/// Material coefficients fitted to measured BRDFs
+/// Material coefficients of BRDFs: measurements, tables or formulas
 ///
-/// Writes the CSV `name,o,p,q,r,g,b` (`name,o,p,q,value` if all are grey). On
-/// standard error stands how good each fit is: the residual relative to the
-/// measurements, the range of the fitted values relative to the largest measured
-/// one, and the condition number. A file that --out or --report names begins with a
-/// comment line, `#` and the command.
+/// Writes the CSV `name,o,p,q,r,g,b` (`name,o,p,q,value` if all are grey).
+/// Measurements are fitted; on standard error stands how good each fit is: the
+/// residual relative to the measurements, the range of the fitted values relative to
+/// the largest measured one, and the condition number. MERL files and formulas are
+/// projected by quadrature; on standard error stands the share of the energy,
+/// f^2 cos theta_i cos theta_r over both hemispheres, that the order leaves out. A file
+/// that --out or --report names begins with a comment line, `#` and the command.
 #[derive(Args, Debug)]
+#[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
 pub struct Material {
+    #[command(subcommand)]
+    formula: Option<Formula>,
     /// A CUReT folder (abrdf.dat, table.txt), a CSV
-    /// `theta_i,phi_i,theta_r,phi_r,r,g,b`, or a folder of such CSVs; several are
-    /// put together
+    /// `theta_i,phi_i,theta_r,phi_r,r,g,b`, a MERL .binary, a .toml of formulas, or a
+    /// folder of such files; several are put together
     #[arg(value_name = "PATH", required = true)]
     paths: Vec<PathBuf>,
     /// Largest order o of the coefficients, 0 to 64
-    #[arg(long, value_name = "O", value_parser = count(0, 64))]
-    order: usize,
+    #[arg(long, value_name = "O", value_parser = count(0, 64), required = true)]
+    order: Option<usize>,
+    /// Under what projected coefficients are nearest to the function
+    #[arg(long, value_enum, default_value_t)]
+    measure: Nearness,
     /// Where the CSV goes, instead of standard output
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
@@ -39,17 +51,20 @@ pub struct Material {
 
 impl Material {
     pub fn run(self) -> Result<()> {
-        let mut measured = Vec::new();
-        for path in &self.paths {
-            measured.extend(read_material_path(path)?);
-        }
-        let progress = bar("fits", measured.len());
-        let (materials, fits) =
-            fit(&measured, self.order, &mut |done, _| progress.set_position(done as u64))?;
-        progress.finish_and_clear();
-        for fit in &fits {
-            say(line(fit));
-        }
+        let (sources, order, measure, out) = match self.formula {
+            Some(formula) => {
+                let (surface, answer) = formula.surface()?;
+                (vec![Source::Surface(surface)], answer.order, answer.measure, answer.out)
+            }
+            None => {
+                let mut sources = Vec::new();
+                for path in &self.paths {
+                    sources.extend(material_files::read(path)?);
+                }
+                (sources, self.order.unwrap_or_default(), self.measure, self.out)
+            }
+        };
+        let (materials, fits) = coefficients(sources, order, measure.into())?;
         let by_command = |out: &mut dyn Write, is_file: bool| {
             if is_file {
                 writeln!(out, "# {}", invocation::command_line())
@@ -57,9 +72,9 @@ impl Material {
             }
             Ok(())
         };
-        destination::write(self.out.as_deref(), |out| {
-            by_command(out, self.out.is_some())?;
-            write_materials(&materials, out)
+        destination::write(out.as_deref(), |to| {
+            by_command(to, out.is_some())?;
+            write_materials(&materials, to)
         })?;
         self.report.as_deref().map_or(Ok(()), |path| {
             destination::write(Some(path), |out| {
@@ -70,7 +85,53 @@ impl Material {
     }
 }
 
-fn line(fit: &Fit) -> String {
+/// The coefficients of all, in their order, and the fits among them.
+fn coefficients(
+    sources: Vec<Source>,
+    order: usize,
+    measure: Measure,
+) -> Result<(Materials, Vec<Fit>)> {
+    let mut names = HashSet::new();
+    if let Some(source) = sources.iter().find(|source| !names.insert(source.name())) {
+        return Err(Error::new(
+            format!("two materials are called `{}`", source.name()),
+            "rename one of the two",
+        ));
+    }
+    let (mut measured, mut surfaces, mut places) = (Vec::new(), Vec::new(), Vec::new());
+    for source in sources {
+        places.push(matches!(source, Source::Measured(_)));
+        match source {
+            Source::Measured(samples) => measured.push(samples),
+            Source::Surface(surface) => surfaces.push(surface),
+        }
+    }
+    let progress = bar("fits", measured.len());
+    let (_, fits) = fit(&measured, order, &mut |done, _| progress.set_position(done as u64))?;
+    progress.finish_and_clear();
+    let progress = bar("projections", surfaces.len());
+    let projected: Vec<Projected> =
+        parallel::map(surfaces.len(), &progress, |k| surfaces[k].project(order, measure));
+    progress.finish_and_clear();
+    for fit in &fits {
+        say(fit_line(fit));
+    }
+    for one in &projected {
+        let (name, left) = (&one.material.name, one.left_out);
+        say(format_args!("{name}: order {order} leaves out {left:.2e} of the energy"));
+    }
+    let (mut fitted, mut others) = (
+        fits.iter().map(|fit| fit.material.clone()),
+        projected.into_iter().map(|one| one.material),
+    );
+    let entries: Vec<Named> = places
+        .into_iter()
+        .filter_map(|is_fit| if is_fit { fitted.next() } else { others.next() })
+        .collect();
+    Ok((Materials { order, entries }, fits))
+}
+
+fn fit_line(fit: &Fit) -> String {
     format!(
         "{}: {} samples, residual {:.4}, range {:.3} to {:.3}, condition {:.1}",
         fit.material.name, fit.samples, fit.residual, fit.lowest, fit.highest, fit.condition

@@ -4,11 +4,13 @@ mod basis;
 mod demo;
 mod demo_sheet;
 mod eigenvalues;
+mod errors;
 mod evaluate;
 mod evaluate_functions;
 mod info;
 mod light;
 mod material;
+mod material_formula;
 mod paper;
 mod project;
 mod read;
@@ -28,6 +30,7 @@ pub enum Command {
     Light(light::Light),
     Material(material::Material),
     Basis(basis::Basis),
+    Errors(errors::Errors),
     Info(info::Info),
     Eigenvalues(eigenvalues::Eigenvalues),
     Project(project::Project),
@@ -47,6 +50,7 @@ impl Command {
             Self::Light(command) => command.run(),
             Self::Material(command) => command.run(),
             Self::Basis(command) => command.run(),
+            Self::Errors(command) => command.run(),
             Self::Info(command) => command.run(),
             Self::Eigenvalues(command) => command.run(),
             Self::Project(command) => command.run(),

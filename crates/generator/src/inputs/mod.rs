@@ -1,5 +1,6 @@
 //! What comes in from the world, and goes out to it as text.
 
+pub mod analytic;
 pub mod coefficient_csv;
 mod coefficient_kind;
 pub mod convention;
@@ -15,7 +16,9 @@ mod map_exr;
 mod map_exr_check;
 mod map_hdr;
 mod map_pfm;
+pub mod material_files;
 pub mod measurements;
+pub mod merl;
 pub mod mesh;
 mod mesh_ply;
 pub mod normal_map;

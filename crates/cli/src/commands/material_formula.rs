@@ -1,0 +1,132 @@
+//! Materials that are formulas, on the command line.
+
+use super::count;
+use clap::{Args, Subcommand, ValueEnum};
+use eigenshade_generator::brdf::{Measure, Surface};
+use eigenshade_generator::error::Result;
+use eigenshade_generator::inputs::analytic::{Analytic, Model, Shares};
+use std::path::PathBuf;
+
+/// One formula and its parameters.
+#[derive(Debug, Subcommand)]
+pub enum Formula {
+    /// Perfectly matte: albedo / pi
+    Lambertian {
+        /// Share of the light that is reflected: a number, or r,g,b
+        #[arg(long, value_name = "A", value_parser = shares)]
+        albedo: Shares,
+        #[command(flatten)]
+        answer: Answer,
+    },
+    /// Rough and matte: the qualitative model of Oren and Nayar, 1994
+    OrenNayar {
+        /// Deviation of the facets' angle, radians, 0 to pi/2
+        #[arg(long, value_name = "S")]
+        sigma: f64,
+        /// Albedo: a number, or r,g,b
+        #[arg(long, value_name = "A", default_value = "1", value_parser = shares)]
+        albedo: Shares,
+        #[command(flatten)]
+        answer: Answer,
+    },
+    /// What a glTF metallic-roughness material says: a GGX lobe over a matte base
+    ///
+    /// A dielectric has f0 0.04 and its base colour as albedo; a metal has its base
+    /// colour as f0 and no albedo.
+    Ggx {
+        /// Perceptual roughness, 0.03 to 1; alpha is its square
+        #[arg(long, value_name = "R")]
+        roughness: f64,
+        /// Reflectance at normal incidence: a number, or r,g,b
+        #[arg(long, value_name = "F", value_parser = shares)]
+        f0: Shares,
+        /// Albedo of the matte base: a number, or r,g,b
+        #[arg(long, value_name = "A", default_value = "0", value_parser = shares)]
+        albedo: Shares,
+        #[command(flatten)]
+        answer: Answer,
+    },
+}
+
+/// What is wanted of it.
+#[derive(Args, Debug)]
+pub struct Answer {
+    /// Largest order o of the coefficients, 0 to 64
+    #[arg(long, value_name = "O", value_parser = count(0, 64))]
+    pub order: usize,
+    /// What the material is called, instead of after its model
+    #[arg(long, value_name = "NAME")]
+    name: Option<String>,
+    /// Under what the coefficients are nearest to the function
+    #[arg(long, value_enum, default_value_t)]
+    pub measure: Nearness,
+    /// Where the CSV goes, instead of standard output
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+}
+
+/// Under what coefficients are nearest to a function.
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+pub enum Nearness {
+    /// cos theta_i cos theta_r dw_i dw_r, as the irradiance of a sphere sees it
+    #[default]
+    Projected,
+    /// dw_i dw_r, in which the modes are orthonormal
+    SolidAngle,
+}
+
+impl From<Nearness> for Measure {
+    fn from(nearness: Nearness) -> Self {
+        match nearness {
+            Nearness::Projected => Self::Projected,
+            Nearness::SolidAngle => Self::SolidAngle,
+        }
+    }
+}
+
+impl Formula {
+    /// The material as functions, and what is wanted of it.
+    ///
+    /// # Errors
+    ///
+    /// A parameter out of range.
+    pub fn surface(self) -> Result<(Surface, Answer)> {
+        let of = |model, name: &str| Analytic {
+            name: name.to_owned(),
+            model,
+            albedo: None,
+            sigma: None,
+            roughness: None,
+            f0: None,
+        };
+        let (analytic, answer) = match self {
+            Self::Lambertian { albedo, answer } => {
+                let base = of(Model::Lambertian, "lambertian");
+                (Analytic { albedo: Some(albedo), ..base }, answer)
+            }
+            Self::OrenNayar { sigma, albedo, answer } => {
+                let base = of(Model::OrenNayar, "oren-nayar");
+                (Analytic { albedo: Some(albedo), sigma: Some(sigma), ..base }, answer)
+            }
+            Self::Ggx { roughness, f0, albedo, answer } => {
+                let base = of(Model::Ggx, "ggx");
+                let roughness = Some(roughness);
+                (Analytic { albedo: Some(albedo), roughness, f0: Some(f0), ..base }, answer)
+            }
+        };
+        let name = answer.name.clone().unwrap_or_else(|| analytic.name.clone());
+        let surface = Analytic { name, ..analytic }.surface()?;
+        Ok((surface, answer))
+    }
+}
+
+/// Clap's reader of a number, or of three with commas between.
+fn shares(text: &str) -> std::result::Result<Shares, String> {
+    let numbers: std::result::Result<Vec<f64>, _> =
+        text.split(',').map(|field| field.trim().parse::<f64>()).collect();
+    match numbers.as_deref() {
+        Ok(&[grey]) => Ok(Shares::Grey(grey)),
+        Ok(&[r, g, b]) => Ok(Shares::Rgb([r, g, b])),
+        _ => Err("a number is wanted, or three: r,g,b".to_owned()),
+    }
+}

@@ -1,0 +1,148 @@
+//! `material` on formulas, tables and folders of everything; faults of each.
+
+mod support;
+
+use std::f64::consts::{FRAC_PI_2, PI};
+use support::{Folder, assert_fails, numbers, rows};
+
+#[path = "../../../tests/tolerances/mod.rs"]
+mod tolerances;
+
+const GREY: &str = "name,o,p,q,value";
+
+#[test]
+fn formulas_on_the_command_line() {
+    let folder = Folder::new();
+    let text = folder.ok("material lambertian --albedo 0.8 --order 12");
+    let found = rows(&text, GREY);
+    assert_eq!((found.len(), found[0][0].as_str()), (140, "lambertian"));
+    let values = numbers(&found, 1);
+    assert!((values[0] - 1.6).abs() <= tolerances::MATTE_PROJECTION);
+    assert!(values[1..].iter().all(|value| value.abs() <= tolerances::MATTE_PROJECTION));
+
+    let text = folder.ok("material ggx --roughness 0.5 --f0 0.04 --albedo 0.5,0.1,0 --order 3");
+    let channels = numbers(&rows(&text, "name,o,p,q,r,g,b"), 3);
+    assert!(channels[0] > channels[1] && channels[1] > channels[2] && channels[2] > 0.0);
+    let output = folder.run("material oren-nayar --sigma 0.3 --order 4 --name chalk --out c.csv");
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(said.starts_with("chalk: order 4 leaves out ") && said.lines().count() == 1, "{said}");
+    let text = folder.read("c.csv");
+    assert!(text.starts_with("# eigenshade material oren-nayar --sigma 0.3"));
+    assert_eq!(rows(&text, GREY)[0][0], "chalk");
+    // Without roughness it is the matte material.
+    let smooth = folder.ok("material oren-nayar --sigma 0 --albedo 0.8 --order 4");
+    assert!((numbers(&rows(&smooth, GREY), 1)[0] - 1.6).abs() <= tolerances::MATTE_PROJECTION);
+    // The other measure is another answer.
+    let graze = folder.ok("material ggx --roughness 0.5 --f0 1 --order 2 --measure solid-angle");
+    assert_ne!(graze, folder.ok("material ggx --roughness 0.5 --f0 1 --order 2"));
+}
+
+/// A constant table of 1/π.
+fn table() -> Vec<u8> {
+    let mut bytes: Vec<u8> = [90, 90, 180i32].iter().flat_map(|bins| bins.to_le_bytes()).collect();
+    for scale in [1.0, 1.15, 1.66] {
+        let value = 1500.0 / scale / PI;
+        bytes.extend(std::iter::repeat_n(value.to_le_bytes(), 90 * 90 * 180).flatten());
+    }
+    bytes
+}
+
+fn measured() -> String {
+    let mut text = String::from("theta_i,phi_i,theta_r,phi_r,value\n");
+    for i in 0..6 {
+        for r in 0..6 {
+            for k in 0..4 {
+                let angle = |step: i32| FRAC_PI_2 * f64::from(step) / 5.5;
+                text += &format!("{},{},{},0,0.2\n", angle(i), 0.8 * f64::from(k), angle(r));
+            }
+        }
+    }
+    text
+}
+
+#[test]
+fn a_folder_of_everything() {
+    let folder = Folder::new();
+    std::fs::create_dir(folder.path("all")).unwrap();
+    folder.write("all/a-table.binary", table());
+    folder.write("all/b-fit.csv", measured());
+    folder.write(
+        "all/c.toml",
+        "[[material]]\nname = \"gold\"\nmodel = \"ggx\"\nroughness = 0.6\nf0 = [1.0, 0.7, 0.3]\n\
+         [[material]]\nname = \"chalk\"\nmodel = \"oren-nayar\"\nsigma = 0.5\nalbedo = 0.9\n",
+    );
+    folder.write("all/notes.txt", "none");
+    let found = rows(&folder.ok("material all --order 2"), "name,o,p,q,r,g,b");
+    let names: Vec<&str> = found.iter().step_by(5).map(|row| row[0].as_str()).collect();
+    assert_eq!(names, ["a-table", "b-fit", "gold", "chalk"]);
+    let first = numbers(&found[..5], 3);
+    for (k, value) in first.iter().enumerate() {
+        let expected = if k < 3 { 2.0 } else { 0.0 };
+        assert!((value - expected).abs() <= tolerances::MATTE_PROJECTION, "{k}: {value}");
+    }
+    folder.write("all/d.csv", measured());
+    folder.write("all/d.toml", "[[material]]\nname=\"d\"\nmodel=\"lambertian\"\nalbedo=1\n");
+    assert_fails(&folder, "material all --order 2 --out new.csv", &["`d`"]);
+}
+
+#[test]
+fn tables_that_are_none() {
+    let folder = Folder::new();
+    let good = table();
+    folder.write("old.csv", "old");
+    let mut dims = good.clone();
+    dims[4..8].copy_from_slice(&i32::MAX.to_le_bytes());
+    let mut nan = good.clone();
+    nan[12..20].copy_from_slice(&f64::NAN.to_le_bytes());
+    let cases: [(&[u8], &str); 5] = [
+        (&good[..good.len() / 2], "bytes"),
+        (&good[..3], "3 bytes"),
+        (&dims, "2147483647"),
+        (&nan, "not finite"),
+        (b"", "0 bytes"),
+    ];
+    for (bytes, word) in cases {
+        folder.write("t.binary", bytes);
+        assert_fails(&folder, "material t.binary --order 2 --out old.csv", &["t.binary", word]);
+    }
+    assert_eq!(folder.read("old.csv"), "old");
+}
+
+#[test]
+fn formulas_that_are_none() {
+    let folder = Folder::new();
+    for (arguments, words) in [
+        ("lambertian --albedo 1.5", ["albedo = 1.5", "[0, 1]"]),
+        ("lambertian --albedo 0.5,nan,0.5", ["albedo = NaN", "[0, 1]"]),
+        ("oren-nayar --sigma 20", ["sigma = 20", "radians"]),
+        ("ggx --roughness 0 --f0 0.04", ["roughness = 0 ", "[0.03, 1]"]),
+        ("ggx --roughness 1.01 --f0 0.04", ["roughness = 1.01", "[0.03, 1]"]),
+        ("ggx --roughness inf --f0 0.04", ["roughness = inf", "[0.03, 1]"]),
+        ("ggx --roughness 0.5 --f0=-0.1", ["f0 = -0.1", "[0, 1]"]),
+    ] {
+        assert_fails(&folder, &format!("material {arguments} --order 2 --out new.csv"), &words);
+    }
+    for usage in
+        ["ggx --f0 0.04 --order 2", "lambertian --albedo 1", "lambertian --albedo 1,2 --order 2"]
+    {
+        assert_eq!(folder.run(&format!("material {usage}")).status.code(), Some(2), "{usage}");
+    }
+    let good = "[[material]]\nname = \"a\"\nmodel = \"ggx\"\nroughness = 0.5\nf0 = 0.04\n";
+    for (text, word) in [
+        (good.replace("0.5", "0.0"), "`a`: roughness = 0 "),
+        (good.replace("0.04", "nan"), "f0 = NaN"),
+        (good.replace("roughness", "rough"), "m.toml:4:"),
+        (good.replace("\"ggx\"", "\"phong\""), "m.toml:3:"),
+        (good.replace("f0 = 0.04\n", ""), "`f0`"),
+        (format!("{good}sigma = 0.1\n"), "`sigma`"),
+        (format!("{good}{good}"), "twice"),
+        (good.replace("\"a\"", "\"\""), "empty"),
+        (String::new(), "no material"),
+        (good.replace("0.04", "[0.04, 0.1]"), "m.toml:5:"),
+    ] {
+        folder.write("m.toml", text);
+        assert_fails(&folder, "material m.toml --order 2 --out new.csv", &["m.toml", word]);
+    }
+    std::fs::create_dir(folder.path("nothing")).unwrap();
+    assert_fails(&folder, "material nothing --order 2", &["nothing", "no materials"]);
+}

@@ -1,0 +1,68 @@
+//! The two directions of a BRDF, as far as an isotropic one can tell.
+
+/// Cosines of the light's and of the view's polar angle, and of the angle between
+/// light and view.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Geometry {
+    /// cos θ_i, in \[0, 1\].
+    pub incident: f64,
+    /// cos θ_r, in \[0, 1\].
+    pub reflected: f64,
+    /// sin θ_i sin θ_r cos Δφ + cos θ_i cos θ_r, in \[-1, 1\].
+    pub between: f64,
+}
+
+impl Geometry {
+    /// From polar angles in \[0, π/2\] and Δφ = φ_i - φ_r, radians: zero is
+    /// backscatter, π the plane of the mirror.
+    #[must_use]
+    pub fn from_angles(theta_i: f64, theta_r: f64, delta_phi: f64) -> Self {
+        let ((sin_i, cos_i), (sin_r, cos_r)) = (theta_i.sin_cos(), theta_r.sin_cos());
+        // cos Δφ = 2 cos²(Δφ/2) - 1 keeps the digits where the two are opposite.
+        let half = (0.5 * delta_phi).cos();
+        let opposite = cos_i * cos_r - sin_i * sin_r;
+        Self {
+            incident: cos_i.max(0.0),
+            reflected: cos_r.max(0.0),
+            between: opposite + 2.0 * sin_i * sin_r * half * half,
+        }
+    }
+
+    /// |i + r|², the square of twice the half-way vector: 2 + 2 cos of the angle
+    /// between.
+    #[must_use]
+    pub fn sum_squared(self) -> f64 {
+        (2.0 + 2.0 * self.between).max(0.0)
+    }
+
+    /// cos θ_d: of the angle between either direction and the half-way one.
+    #[must_use]
+    pub fn difference_cosine(self) -> f64 {
+        (0.5 * self.sum_squared().sqrt()).min(1.0)
+    }
+
+    /// cos² θ_h and sin² θ_h: of the angle between the normal and the half-way
+    /// direction. (0, 1) where the two directions are opposite.
+    #[must_use]
+    pub fn half_squared(self) -> (f64, f64) {
+        let (sum, up) = (self.sum_squared(), self.incident + self.reflected);
+        if sum <= 0.0 {
+            return (0.0, 1.0);
+        }
+        let cosine = (up * up / sum).min(1.0);
+        (cosine, ((sum - up * up) / sum).max(0.0))
+    }
+
+    /// cos Δφ; 1 where a direction stands upright and Δφ means nothing.
+    #[must_use]
+    pub fn azimuth_cosine(self) -> f64 {
+        let sines = ((1.0 - self.incident * self.incident)
+            * (1.0 - self.reflected * self.reflected))
+            .max(0.0)
+            .sqrt();
+        if sines <= 0.0 {
+            return 1.0;
+        }
+        ((self.between - self.incident * self.reflected) / sines).clamp(-1.0, 1.0)
+    }
+}

@@ -1,0 +1,206 @@
+//! Irradiance (3) under environment maps as they are, with BRDFs as functions: no
+//! harmonics, no degree, no order.
+//!
+//! Every texel is a patch of constant radiance. Its weight, the integral of
+//! f cos θ_i over its solid angle, is the midpoint rule on k x k equal parts, with the
+//! exact solid angle of each. k grows where f changes within the texel: with the
+//! texel's size over the lobe's width at the half-way direction, and over the height
+//! above the horizon.
+
+use crate::brdf::{Brdf, Geometry};
+use crate::database::luminance;
+use crate::error::{Error, Result};
+use crate::inputs::environment::EnvironmentMap;
+use faer::linalg::matmul::matmul;
+use faer::{Accum, Mat, Par};
+use std::f64::consts::{PI, TAU};
+
+/// Texels whose weights are held at a time.
+const BLOCK: usize = 4096;
+/// Most parts of a texel along a side.
+const MOST_PARTS: f64 = 32.0;
+
+/// z of a direction so nearly opposite to the camera that no visible normal mirrors it.
+const OPPOSITE: f64 = -0.9999;
+
+/// Maps of one size, beside each other.
+pub struct Surroundings {
+    width: usize,
+    height: usize,
+    /// Unit directions of the texels' centres, row by row.
+    directions: Vec<[f64; 3]>,
+    /// Exact solid angle of a texel of each row.
+    solid_angles: Vec<f64>,
+    /// Blocks of [`BLOCK`] texels: a row for each texel, r, g, b of each map.
+    radiance: Vec<Mat<f64>>,
+    maps: usize,
+}
+
+impl Surroundings {
+    /// Of these maps.
+    ///
+    /// # Errors
+    ///
+    /// No map, or maps of different sizes.
+    pub fn new(maps: &[EnvironmentMap]) -> Result<Self> {
+        let Some(first) = maps.first() else {
+            return Err(Error::new("there is no map to read", "name a map, or a folder of maps"));
+        };
+        let (width, height) = (first.width, first.height);
+        if let Some(other) = maps.iter().find(|map| (map.width, map.height) != (width, height)) {
+            return Err(Error::new(
+                format!("maps of {width} x {height} and {} x {}", other.width, other.height),
+                "give maps of one size",
+            ));
+        }
+        let count = width * height;
+        let directions = (0..count).map(|k| first.direction(k % width, k / width)).collect();
+        let radiance = (0..count)
+            .step_by(BLOCK)
+            .map(|start| {
+                Mat::from_fn(BLOCK.min(count - start), 3 * maps.len(), |texel, column| {
+                    f64::from(maps[column / 3].texels[start + texel][column % 3])
+                })
+            })
+            .collect();
+        let solid_angles = (0..height).map(|row| first.solid_angle(row)).collect();
+        Ok(Self { width, height, directions, solid_angles, radiance, maps: maps.len() })
+    }
+
+    /// Number of maps.
+    #[must_use]
+    pub fn maps(&self) -> usize {
+        self.maps
+    }
+
+    /// The unit normal that mirrors the brightest texel of a map towards z.
+    ///
+    /// # Panics
+    ///
+    /// If there is no such map.
+    #[must_use]
+    pub fn mirror(&self, map: usize) -> [f64; 3] {
+        let brightness = |texel: usize| {
+            let radiance = &self.radiance[texel / BLOCK];
+            luminance([0, 1, 2].map(|c| radiance[(texel % BLOCK, 3 * map + c)]))
+        };
+        let brightest = (0..self.directions.len())
+            .filter(|&texel| self.directions[texel][2] > OPPOSITE)
+            .max_by(|&a, &b| brightness(a).total_cmp(&brightness(b)));
+        let [x, y, z] = brightest.map_or([0.0, 0.0, 1.0], |texel| self.directions[texel]);
+        let length = (2.0 + 2.0 * z).sqrt();
+        [x / length, y / length, (z + 1.0) / length]
+    }
+
+    /// The irradiance of unit normals with z > 0 seen along z: by normal, within it by
+    /// BRDF, within it by map, r, g and b.
+    ///
+    /// `fineness` says how many parts a texel has for each width of what changes
+    /// within it: 1 is rough, twice as many show how far it has converged.
+    #[must_use]
+    pub fn irradiance(
+        &self,
+        brdfs: &[&dyn Brdf],
+        normals: &[[f64; 3]],
+        fineness: f64,
+    ) -> Vec<Vec<Vec<[f64; 3]>>> {
+        let rows = normals.len() * brdfs.len();
+        let mut sums = Mat::<f64>::zeros(3 * self.maps, rows);
+        let mut weights = Mat::<f64>::zeros(BLOCK, rows);
+        for (block, radiance) in self.radiance.iter().enumerate() {
+            let texels = radiance.nrows();
+            for (n, &normal) in normals.iter().enumerate() {
+                for (b, &brdf) in brdfs.iter().enumerate() {
+                    let column = weights.col_mut(n * brdfs.len() + b).subrows_mut(0, texels);
+                    let lobe = Lobe { brdf, width: brdf.width(), fineness };
+                    for (texel, weight) in (block * BLOCK..).zip(column.iter_mut()) {
+                        *weight = self.weight(&lobe, texel, normal);
+                    }
+                }
+            }
+            let weights = weights.subrows(0, texels);
+            matmul(&mut sums, Accum::Add, radiance.transpose(), weights, 1.0, Par::Seq);
+        }
+        let value = |row: usize, map: usize| [0, 1, 2].map(|c| sums[(3 * map + c, row)]);
+        (0..normals.len())
+            .map(|n| {
+                let rows = n * brdfs.len()..(n + 1) * brdfs.len();
+                rows.map(|row| (0..self.maps).map(|map| value(row, map)).collect()).collect()
+            })
+            .collect()
+    }
+
+    /// ∫ f cos θ_i dω over a texel.
+    fn weight(&self, lobe: &Lobe<'_>, texel: usize, normal: [f64; 3]) -> f64 {
+        let direction = self.directions[texel];
+        let cosine = dot(direction, normal);
+        let size = PI / self.height as f64;
+        if cosine < -size {
+            return 0.0;
+        }
+        let at =
+            Geometry { incident: cosine.max(0.0), reflected: normal[2], between: direction[2] };
+        let parts = lobe.parts(at, size);
+        let row = texel / self.width;
+        if parts == 1 {
+            if cosine <= 0.0 {
+                return 0.0;
+            }
+            return lobe.brdf.value(at) * cosine * self.solid_angles[row];
+        }
+        let column = texel % self.width;
+        let step = 1.0 / parts as f64;
+        let mut sum = 0.0;
+        for i in 0..parts {
+            let top = row as f64 + i as f64 * step;
+            let (sin_polar, cos_polar) = (size * (top + 0.5 * step)).sin_cos();
+            let solid_angle = self.solid_angle(top, step);
+            for j in 0..parts {
+                let along = column as f64 + (j as f64 + 0.5) * step;
+                let (sin_t, cos_t) = (TAU * (along / self.width as f64 - 0.5)).sin_cos();
+                let direction = [sin_t * sin_polar, cos_polar, -cos_t * sin_polar];
+                let cosine = dot(direction, normal);
+                if cosine > 0.0 {
+                    let at = Geometry { incident: cosine, between: direction[2], ..at };
+                    sum += lobe.brdf.value(at) * cosine * solid_angle;
+                }
+            }
+        }
+        sum
+    }
+
+    /// Of a part that begins at a row and is `step` texels high and wide.
+    fn solid_angle(&self, top: f64, step: f64) -> f64 {
+        let half = 0.5 * step * PI / self.height as f64;
+        let middle = (top + 0.5 * step) * PI / self.height as f64;
+        TAU * step / self.width as f64 * 2.0 * middle.sin() * half.sin()
+    }
+}
+
+/// A BRDF and how finely texels are divided for it.
+struct Lobe<'a> {
+    brdf: &'a dyn Brdf,
+    width: f64,
+    fineness: f64,
+}
+
+impl Lobe<'_> {
+    /// Parts along each side of a texel of this size, radians.
+    fn parts(&self, at: Geometry, size: f64) -> usize {
+        let wanted = self.fineness * size;
+        // Both distances are at least the width times the cosine of θ_d.
+        let difference = at.difference_cosine().max(1e-3);
+        if wanted <= self.width * difference {
+            return 1;
+        }
+        // The half-way direction moves by 1 / 2 cos θ_d of what the light's does.
+        let (_, sine) = at.half_squared();
+        let half = 2.0 * difference * sine.sqrt().max(self.width);
+        let narrowest = half.min(at.incident.max(self.width));
+        (wanted / narrowest).ceil().clamp(1.0, MOST_PARTS) as usize
+    }
+}
+
+fn dot([a, b, c]: [f64; 3], [x, y, z]: [f64; 3]) -> f64 {
+    a * x + b * y + c * z
+}

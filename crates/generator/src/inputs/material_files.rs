@@ -1,0 +1,67 @@
+//! Whatever a path holds of materials: measurements, tables, formulas.
+
+use super::environment::extension;
+use super::measurements::{self, Measured};
+use super::{analytic, curet, merl};
+use crate::brdf::Surface;
+use crate::error::{Error, Result};
+use std::path::{Path, PathBuf};
+
+/// A material before it has coefficients.
+pub enum Source {
+    /// Samples, to be fitted.
+    Measured(Measured),
+    /// Functions, to be projected.
+    Surface(Surface),
+}
+
+impl Source {
+    /// What the material is called.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        match self {
+            Self::Measured(measured) => &measured.name,
+            Self::Surface(surface) => &surface.name,
+        }
+    }
+}
+
+/// Reads a `.binary` file as MERL's ([`merl::read`]), a `.toml` file as formulas
+/// ([`analytic::read`]), any other as measurements ([`measurements::read`]); a folder
+/// with an `abrdf.dat` as CUReT ([`curet::read`]), any other as all its `.binary`,
+/// `.toml` and `.csv` files by name.
+///
+/// # Errors
+///
+/// What the readers find, and a folder with nothing to read.
+pub fn read(path: impl AsRef<Path>) -> Result<Vec<Source>> {
+    let path = path.as_ref();
+    if !path.is_dir() {
+        return read_file(path);
+    }
+    if path.join("abrdf.dat").is_file() {
+        return Ok(curet::read(path)?.into_iter().map(Source::Measured).collect());
+    }
+    let mut files: Vec<PathBuf> = std::fs::read_dir(path)
+        .and_then(|entries| entries.map(|entry| Ok(entry?.path())).collect())
+        .map_err(|error| Error::io(path, &error))?;
+    files.retain(|file| matches!(extension(file).as_deref(), Some("binary" | "toml" | "csv")));
+    files.sort();
+    if files.is_empty() {
+        return Err(Error::new(
+            "no materials in this folder",
+            "give a folder with an abrdf.dat (CUReT) or with .csv, .binary or .toml files",
+        )
+        .in_file(path));
+    }
+    let read: Vec<Vec<Source>> = files.iter().map(|file| read_file(file)).collect::<Result<_>>()?;
+    Ok(read.into_iter().flatten().collect())
+}
+
+fn read_file(path: &Path) -> Result<Vec<Source>> {
+    Ok(match extension(path).as_deref() {
+        Some("binary") => vec![Source::Surface(merl::read(path)?)],
+        Some("toml") => analytic::read(path)?.into_iter().map(Source::Surface).collect(),
+        _ => vec![Source::Measured(measurements::read(path)?)],
+    })
+}

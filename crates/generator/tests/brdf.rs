@@ -1,0 +1,242 @@
+//! BRDFs as functions, and their projection, against what shares no code with it.
+
+use eigenshade_generator::brdf::projection::{Projection, nodes, project, project_with};
+use eigenshade_generator::brdf::{Brdf, Geometry, Ggx, Lambertian, Measure, OrenNayar};
+use eigenshade_generator::scattering;
+use eigenshade_index::material;
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+#[path = "../../../tests/tolerances/mod.rs"]
+mod tolerances;
+
+fn ggx(roughness: f64, f0: f64, albedo: f64) -> Ggx {
+    Ggx::new(roughness, f0, albedo).unwrap()
+}
+
+fn at(brdf: &dyn Brdf, theta_i: f64, theta_r: f64, delta_phi: f64) -> f64 {
+    brdf.value(Geometry::from_angles(theta_i, theta_r, delta_phi))
+}
+
+/// f by vectors, as the literature has it: nothing of [`Geometry`] is used.
+fn ggx_by_vectors(roughness: f64, f0: f64, albedo: f64, angles: [f64; 3]) -> f64 {
+    let [theta_i, theta_r, delta_phi] = angles;
+    let i = [theta_i.sin() * delta_phi.cos(), theta_i.sin() * delta_phi.sin(), theta_i.cos()];
+    let r = [theta_r.sin(), 0.0, theta_r.cos()];
+    let sum = [0, 1, 2].map(|k| i[k] + r[k]);
+    let length = sum.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let h = sum.map(|x| x / length);
+    let v_h: f64 = (0..3).map(|k| r[k] * h[k]).sum();
+    let alpha2 = roughness.powi(4);
+    let d = alpha2 / (PI * (h[2] * h[2] * (alpha2 - 1.0) + 1.0).powi(2));
+    // Λ of Smith; V = G / 4 cos cos.
+    let lambda = |z: f64| ((1.0 + alpha2 * (1.0 - z * z) / (z * z)).sqrt() - 1.0) / 2.0;
+    let g = 1.0 / (1.0 + lambda(i[2]) + lambda(r[2]));
+    let fresnel = f0 + (1.0 - f0) * (1.0 - v_h).powi(5);
+    (1.0 - fresnel) * albedo / PI + fresnel * d * g / (4.0 * i[2] * r[2])
+}
+
+#[test]
+fn models_are_those_of_the_literature() {
+    let mut worst: f64 = 0.0;
+    for theta_i in [0.0, 0.3, 0.9, 1.5] {
+        for theta_r in [0.0, 0.31, 1.2, 1.56] {
+            for delta_phi in [0.0, 0.7, 2.0, 3.0, PI] {
+                let angles = [theta_i, theta_r, delta_phi];
+                for (roughness, f0, albedo) in [(0.1, 0.9, 0.0), (0.5, 0.04, 0.5), (1.0, 0.3, 1.0)]
+                {
+                    let ours = at(&ggx(roughness, f0, albedo), theta_i, theta_r, delta_phi);
+                    let theirs = ggx_by_vectors(roughness, f0, albedo, angles);
+                    worst = worst.max((ours / theirs - 1.0).abs());
+                }
+                let (square, albedo) = (0.3f64 * 0.3, 0.7);
+                let (a, b) =
+                    (1.0 - 0.5 * square / (square + 0.33), 0.45 * square / (square + 0.09));
+                let lobe = delta_phi.cos().max(0.0)
+                    * theta_i.max(theta_r).sin()
+                    * theta_i.min(theta_r).tan();
+                let ours = at(&OrenNayar::new(albedo, 0.3).unwrap(), theta_i, theta_r, delta_phi);
+                worst = worst.max((ours / (albedo / PI * (a + b * lobe)) - 1.0).abs());
+            }
+        }
+    }
+    println!("models: {worst:.1e}");
+    assert!(worst <= tolerances::BRDF_MODEL, "{worst}");
+}
+
+#[test]
+fn models_are_reciprocal() {
+    let models: [&dyn Brdf; 3] =
+        [&ggx(0.2, 0.04, 0.5), &OrenNayar::new(0.8, 0.5).unwrap(), &Lambertian::new(0.3).unwrap()];
+    for model in models {
+        for (a, b, delta) in [(0.1, 1.5, 3.1), (0.7, 0.71, PI), (0.0, 1.0, 0.4), (1.2, 0.3, 1.0)] {
+            let (there, back) = (at(model, a, b, delta), at(model, b, a, -delta));
+            assert!((there - back).abs() <= tolerances::BRDF_MODEL * there, "{there} {back}");
+        }
+    }
+}
+
+/// b_00^0 = 2 albedo and nothing else, in both measures, to order 64.
+#[test]
+fn a_matte_material_has_one_coefficient() {
+    let matte = Lambertian::new(0.8).unwrap();
+    for (order, measure) in
+        [(0, Measure::Projected), (64, Measure::Projected), (12, Measure::SolidAngle)]
+    {
+        let found = project(&matte, order, measure);
+        assert_eq!(found.coefficients.len(), material::count(order));
+        let worst = found
+            .coefficients
+            .iter()
+            .enumerate()
+            .map(|(k, b)| (b - if k == 0 { 1.6 } else { 0.0 }).abs())
+            .fold(0.0, f64::max);
+        println!("order {order}: {worst:.1e}, left out {:.1e}", found.left_out);
+        assert!(worst <= tolerances::MATTE_PROJECTION, "{order}: {worst}");
+        assert!(found.left_out <= tolerances::MATTE_PROJECTION);
+        // ∫∫ f² cos cos dω dω = (0.8/π)² π².
+        assert!((found.energy / 0.64 - 1.0).abs() <= tolerances::MATTE_PROJECTION);
+    }
+}
+
+fn largest(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |most, value| most.max(value.abs()))
+}
+
+fn apart(a: &Projection, b: &Projection) -> f64 {
+    let difference: Vec<f64> =
+        a.coefficients.iter().zip(&b.coefficients).map(|(a, b)| a - b).collect();
+    largest(&difference) / largest(&b.coefficients)
+}
+
+/// Half as many nodes again change nothing: not even for a lobe of 1e-3 rad.
+#[test]
+fn the_quadrature_has_converged() {
+    let matte = OrenNayar::new(0.8, 0.5).unwrap();
+    let (projected, grazing) = (Measure::Projected, Measure::SolidAngle);
+    let cases: [(&str, &dyn Brdf, usize, Measure); 6] = [
+        ("ggx 0.03", &ggx(0.03, 0.9, 0.0), 12, projected),
+        ("ggx 0.1", &ggx(0.1, 0.04, 0.5), 12, projected),
+        ("ggx 0.5", &ggx(0.5, 0.9, 0.0), 32, projected),
+        ("oren-nayar", &matte, 12, projected),
+        ("ggx 0.5", &ggx(0.5, 0.9, 0.0), 12, grazing),
+        ("oren-nayar", &matte, 12, grazing),
+    ];
+    for (name, brdf, order, measure) in cases {
+        let coarse = project(brdf, order, measure);
+        let fine = project_with(brdf, order, measure, nodes(order) * 3 / 2);
+        let found = apart(&coarse, &fine);
+        println!("{name}, {order}, {measure:?}: {found:.1e}");
+        let allowed = match measure {
+            Measure::Projected => tolerances::PROJECTION_NODES,
+            Measure::SolidAngle => tolerances::PROJECTION_NODES_GRAZING,
+        };
+        assert!(found <= allowed, "{name}, {order}, {measure:?}: {found}");
+        assert!((coarse.left_out - fine.left_out).abs() <= allowed);
+    }
+}
+
+/// b = ∫∫ f I by a plain product of midpoint rules in cos θ and Δφ.
+#[test]
+fn coefficients_are_the_integrals_of_the_definition() {
+    let (order, count) = (4, 400);
+    let brdf = OrenNayar::new(0.8, 0.6).unwrap();
+    let found = project(&brdf, order, Measure::SolidAngle);
+    let mut expected = vec![0.0; material::count(order)];
+    let node = |k: usize| (k as f64 + 0.5) / count as f64;
+    for i in 0..count {
+        for r in 0..count {
+            // z = s², which keeps nodes for the growth at grazing angles.
+            let (theta_i, theta_r) = (node(i).powi(2).acos(), node(r).powi(2).acos());
+            let polar = scattering::polar_parts(order, theta_i, theta_r);
+            let weight = 4.0 * node(i) * node(r) / (count * count) as f64;
+            for k in 0..64 {
+                let delta_phi = PI * (f64::from(k) + 0.5) / 64.0;
+                let value = weight * TAU * TAU / 64.0 * at(&brdf, theta_i, theta_r, delta_phi);
+                for ((sum, polar), (_, _, q)) in
+                    expected.iter_mut().zip(&polar).zip(material::indices(order))
+                {
+                    *sum += value * polar * (q as f64 * delta_phi).cos();
+                }
+            }
+        }
+    }
+    let difference: Vec<f64> =
+        expected.iter().zip(&found.coefficients).map(|(a, b)| a - b).collect();
+    let found = largest(&difference) / largest(&expected);
+    println!("against midpoints: {found:.1e}");
+    assert!(found <= tolerances::PROJECTION_MIDPOINT, "{found}");
+}
+
+/// The coefficients are nearest: no step along any of them is nearer. And the energy left
+/// out is what midpoints find, between f and the sum of modes.
+#[test]
+fn projected_coefficients_are_nearest() {
+    assert_nearest(&OrenNayar::new(0.8, 0.6).unwrap());
+    assert_nearest(&ggx(0.8, 0.04, 0.5));
+}
+
+fn assert_nearest(brdf: &dyn Brdf) {
+    let (order, count) = (5, 160);
+    let found = project(brdf, order, Measure::Projected);
+    let node = |k: usize| (k as f64 + 0.5) / count as f64;
+    let (mut energy, mut left) = (0.0, 0.0);
+    let mut gradient = vec![0.0; material::count(order)];
+    for i in 0..count {
+        for r in 0..count {
+            // z = s², which keeps nodes for grazing angles.
+            let (theta_i, theta_r) = (node(i).powi(2).acos(), node(r).powi(2).acos());
+            let polar = scattering::polar_parts(order, theta_i, theta_r);
+            let weight =
+                4.0 * (node(i) * node(r)).powi(3) * TAU * TAU / (count * count * 64) as f64;
+            for k in 0..64 {
+                // δ = π s², for the narrow azimuths of lobes at grazing angles.
+                let share = (f64::from(k) + 0.5) / 64.0;
+                let delta_phi = PI * (1.0 - share * share);
+                let weight = weight * 2.0 * share;
+                let value = at(brdf, theta_i, theta_r, delta_phi);
+                let modes: Vec<f64> = polar
+                    .iter()
+                    .zip(material::indices(order))
+                    .map(|(polar, (_, _, q))| polar * (q as f64 * delta_phi).cos())
+                    .collect();
+                let sum: f64 = modes.iter().zip(&found.coefficients).map(|(a, b)| a * b).sum();
+                energy += weight * value * value;
+                left += weight * (value - sum) * (value - sum);
+                for (gradient, mode) in gradient.iter_mut().zip(&modes) {
+                    *gradient += weight * (value - sum) * mode;
+                }
+            }
+        }
+    }
+    println!("left {} {}, gradient {:.1e}", left / energy, found.left_out, largest(&gradient));
+    assert!(largest(&gradient) <= tolerances::PROJECTION_MIDPOINT * energy.sqrt());
+    assert!((left / energy / found.left_out - 1.0).abs() <= tolerances::LEFT_OUT_MIDPOINT);
+    let plain = project(brdf, order, Measure::SolidAngle);
+    assert!(found.left_out < plain.left_out, "{} {}", found.left_out, plain.left_out);
+}
+
+/// More orders leave out less, down to what a kink or a narrow lobe leaves.
+#[test]
+fn orders_leave_out_less_and_less() {
+    for brdf in [ggx(0.3, 0.04, 0.5), ggx(1.0, 0.9, 0.0)] {
+        let left: Vec<f64> =
+            [0, 4, 8, 16].map(|order| project(&brdf, order, Measure::Projected).left_out).into();
+        assert!(left.windows(2).all(|pair| pair[1] < pair[0]), "{left:?}");
+        assert!(left.iter().all(|left| (0.0..=1.0).contains(left)));
+    }
+}
+
+#[test]
+fn parameters_out_of_range_are_faults() {
+    for bad in [-0.1, 1.1, f64::NAN, f64::INFINITY] {
+        assert!(Lambertian::new(bad).is_err());
+        assert!(OrenNayar::new(bad, 0.3).is_err());
+        assert!(Ggx::new(0.5, bad, 0.5).is_err());
+        assert!(Ggx::new(0.5, 0.5, bad).is_err());
+        assert!(Ggx::new(bad, 0.5, 0.5).is_err());
+    }
+    for bad in [-1e-9, FRAC_PI_2 + 0.1, f64::NAN] {
+        assert!(OrenNayar::new(0.5, bad).is_err());
+    }
+    assert!(Ggx::new(0.0, 0.5, 0.5).unwrap_err().to_string().contains("[0.03, 1]"));
+}
