@@ -136,7 +136,7 @@ impl<'a> Reference<'a> {
             channel.truncate(material::count(order));
         }
         let basis = OwnedBasis::<f64>::new(table);
-        let mut shader = Shader::new(basis.basis().map_err(fault)?, table.components.len());
+        let mut shader = Shader::new(basis.any().map_err(fault)?, table.count());
         let normals: Vec<[f64; 3]> = self.rings.iter().flat_map(Ring::normals).collect();
         let normals = OwnedNormals::new(&normals);
         let mut images: Images = vec![Vec::new(); self.images.len()];

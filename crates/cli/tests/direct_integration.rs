@@ -262,6 +262,26 @@ fn shipped_errors_are_what_another_quadrature_finds() {
 }
 
 /// The figures that the documentation states.
+/// The manifest repeats what was recorded.
+#[test]
+fn the_manifest_holds_the_errors() {
+    let errors = fs::read_to_string(repository().join("tables/pbr.errors.csv")).unwrap();
+    let manifest = fs::read_to_string(repository().join("tables/pbr.manifest.csv")).unwrap();
+    let rows = rows(&errors, "material,degree,order,components,median,worst,map,normals");
+    let mut found = 0;
+    for row in rows {
+        let of = if row[3].is_empty() { "direct sum" } else { "table" };
+        let entry = format!("error of {} {}/{} {of}", row[0], row[1], row[2]);
+        assert!(manifest.contains(&format!("\n{entry} median,{},,\n", row[4])), "{entry}");
+        assert!(
+            manifest.contains(&format!("\n{entry} worst,{} {},,\n", row[5], row[6])),
+            "{entry}"
+        );
+        found += 2;
+    }
+    assert_eq!(manifest.lines().filter(|line| line.starts_with("error of ")).count(), found);
+}
+
 #[test]
 fn shipped_errors_are_small_from_roughness_one_half() {
     let text = fs::read_to_string(repository().join("tables/pbr.errors.csv")).unwrap();

@@ -6,6 +6,7 @@ use eigenshade_cli::message::spinner;
 use eigenshade_cli::number::grouped;
 use eigenshade_cli::{destination, invocation, table_file};
 use eigenshade_generator::error::{Error, Result};
+use eigenshade_generator::inputs::sheet::Sheet;
 use eigenshade_generator::output::write_atomically;
 use eigenshade_generator::scene_file;
 use eigenshade_table::manifest::manifest;
@@ -16,7 +17,8 @@ use std::time::{Duration, Instant};
 
 /// The table of a scene: its eigenimages
 ///
-/// --out writes the table and beside it B.manifest.csv, what is in it. --check
+/// --out writes the table and beside it B.manifest.csv, what is in it; errors that
+/// `errors` has recorded in B.errors.csv are repeated there. --check
 /// makes the table anew and compares: eigenvalues, profiles, mode means, rows of
 /// U^T M and the images A U, each to 1e-9 of its largest number. Terms that only one
 /// of two polynomials has may be as large as profile_tolerance lets them be.
@@ -65,10 +67,30 @@ impl Basis {
             };
             put(path, &bytes)?;
             let text = manifest(&table, &invocation::command_line());
+            let text = text + &recorded_errors(&path.with_extension("errors.csv"))?;
             put(&path.with_extension("manifest.csv"), text.as_bytes())?;
         }
         destination::write_text(None, &report(&table, bytes.len(), start.elapsed()))
     }
+}
+
+/// Rows of a manifest for the errors of a table that were recorded at `path`, if any were.
+fn recorded_errors(path: &Path) -> Result<String> {
+    let mut text = String::new();
+    if !path.exists() {
+        return Ok(text);
+    }
+    let names = ["material", "degree", "order", "components", "median", "worst", "map"];
+    let sheet = Sheet::read(path, &names.join(","))?;
+    let columns = sheet.columns(names).ok_or_else(|| sheet.wrong_header(&names.join(",")))?;
+    for row in sheet.rows() {
+        let [material, degree, order, components, median, worst, map] =
+            columns.map(|column| row.text(column));
+        let of = if components.is_empty() { "direct sum" } else { "table" };
+        let entry = format!("error of {material} {degree}/{order} {of}");
+        let _ = writeln!(text, "{entry} median,{median},,\n{entry} worst,{worst} {map},,");
+    }
+    Ok(text)
 }
 
 /// What came out, for reading.

@@ -109,7 +109,7 @@ impl Errors {
                         reference.normals().to_string(),
                     ])
                 };
-                let components = table.components.len().to_string();
+                let components = table.count().to_string();
                 row(degree, order, components, &reference.of_table(&lights, &table)?)?;
                 for &(degree, order) in &sums {
                     row(degree, order, String::new(), &reference.of_sum(&lights, degree, order))?;
