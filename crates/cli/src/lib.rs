@@ -35,8 +35,6 @@ pub mod sphere_view;
 
 pub mod tone;
 
-pub mod png_samples;
-
 pub mod linear_image;
 
 pub mod pixel_normals;

@@ -1,9 +1,9 @@
 //! A photograph or rendering as irradiance: linear, with a weight for each pixel.
 
-use crate::png_samples;
 use crate::tone;
 use eigenshade_generator::error::{Error, Result};
 use eigenshade_generator::inputs::environment::EnvironmentMap;
+use eigenshade_generator::inputs::png_samples;
 use eigenshade_generator::inputs::sheet::Sheet;
 use std::path::Path;
 

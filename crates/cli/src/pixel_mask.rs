@@ -1,7 +1,7 @@
 //! How much each pixel of an image counts.
 
-use crate::png_samples;
 use eigenshade_generator::error::{Error, Result};
+use eigenshade_generator::inputs::png_samples;
 use eigenshade_generator::inputs::sheet::Sheet;
 use std::path::Path;
 

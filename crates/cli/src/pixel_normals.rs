@@ -1,9 +1,9 @@
 //! The normal of each pixel of an image.
 
-use crate::png_samples;
 use crate::sphere_view::SphereView;
 use eigenshade_generator::error::{Error, Result};
 use eigenshade_generator::inputs::normals::{read_normals, visible};
+use eigenshade_generator::inputs::png_samples;
 use std::path::Path;
 
 /// A normal map's vector below this length is background: real ones have length 1,

@@ -24,5 +24,6 @@ mod mesh_ply;
 pub mod normal_map;
 pub mod normals;
 pub mod object;
+pub mod png_samples;
 pub mod rounding;
 pub mod sheet;

@@ -2,9 +2,7 @@
 
 use crate::error::{Error, Result};
 use crate::inputs::normals::RIM;
-use image::codecs::png::PngDecoder;
-use image::{DynamicImage, GenericImageView, ImageDecoder, Limits};
-use std::io::Cursor;
+use crate::inputs::png_samples;
 use std::path::Path;
 
 /// The normal of each pixel that counts, all of the same weight: under orthographic
@@ -19,30 +17,22 @@ use std::path::Path;
 /// A file that is no PNG or broken, a mask of another size, a pixel that counts and points
 /// away from the camera by more than [`RIM`] or has no direction, no pixel that counts.
 pub fn read(path: &Path, mask: Option<&Path>) -> Result<Vec<([f64; 3], f64)>> {
-    let map = decode(path)?;
+    let map = png_samples::read(path)?;
     let mask = match mask {
-        Some(mask_path) => {
-            let mask = decode(mask_path)?;
-            if mask.dimensions() != map.dimensions() {
-                let ((w, h), (width, height)) = (mask.dimensions(), map.dimensions());
-                let what = format!("the mask is {w} x {h}, the normal map {width} x {height}");
-                return Err(Error::new(what, "make them alike").in_file(mask_path));
-            }
-            Some(mask.to_luma16())
-        }
+        Some(mask_path) => Some(mask_of(mask_path, [map.width, map.height])?),
         None => None,
     };
-    let pixels = map.to_rgba16();
+    let full = f64::from(map.full);
     let mut pairs = Vec::new();
-    for (column, row, pixel) in pixels.enumerate_pixels() {
-        let masked = mask.as_ref().is_some_and(|mask| mask.get_pixel(column, row).0[0] == 0);
-        let [r, g, b, alpha] = pixel.0;
-        if masked || alpha < 1 << 15 {
+    for (number, (colour, opacity)) in map.colours.iter().zip(&map.opacities).enumerate() {
+        let is_masked = mask.as_ref().is_some_and(|mask| !mask[number]);
+        if is_masked || 2.0 * f64::from(*opacity) < full {
             continue;
         }
-        let normal = [r, g, b].map(|c| 2.0 * f64::from(c) / f64::from(u16::MAX) - 1.0);
+        let normal = colour.map(|c| 2.0 * f64::from(c) / full - 1.0);
         let length = normal.iter().map(|c| c * c).sum::<f64>().sqrt();
         if normal[2] < -RIM * length {
+            let (column, row) = (number % map.width, number / map.width);
             return Err(Error::new(
                 format!(
                     "the normal of pixel {column}, {row} (from 0) points away, z = {:.3}",
@@ -57,25 +47,13 @@ pub fn read(path: &Path, mask: Option<&Path>) -> Result<Vec<([f64; 3], f64)>> {
     Ok(pairs)
 }
 
-/// A PNG, its size believed only as far as its bytes go.
-fn decode(path: &Path) -> Result<DynamicImage> {
-    let bytes = std::fs::read(path).map_err(|error| Error::io(path, &error))?;
-    let broken = |error: image::ImageError| {
-        Error::new(format!("it is no whole PNG ({error})"), "export it again").in_file(path)
-    };
-    let mut decoder = PngDecoder::new(Cursor::new(&bytes)).map_err(broken)?;
-    let (width, height) = decoder.dimensions();
-    // Deflate packs at most 1032 bytes in one.
-    let most = 1032 * bytes.len() as u64;
-    if u64::from(width) * u64::from(height) / 8 > most {
-        return Err(Error::new(
-            format!("{width} x {height} pixels in {} bytes", bytes.len()),
-            "its header is damaged: export it again",
-        )
-        .in_file(path));
+/// Whether each pixel counts: where the mask is not black.
+fn mask_of(path: &Path, [width, height]: [usize; 2]) -> Result<Vec<bool>> {
+    let mask = png_samples::read(path)?;
+    if (mask.width, mask.height) != (width, height) {
+        let (w, h) = (mask.width, mask.height);
+        let what = format!("the mask is {w} x {h}, the normal map {width} x {height}");
+        return Err(Error::new(what, "make them alike").in_file(path));
     }
-    let mut limits = Limits::default();
-    limits.max_alloc = Some(1 << 30);
-    decoder.set_limits(limits).map_err(broken)?;
-    DynamicImage::from_decoder(decoder).map_err(broken)
+    Ok(mask.colours.iter().map(|colour| colour.iter().any(|&c| c > 0)).collect())
 }

@@ -1,6 +1,6 @@
 //! A PNG as the numbers that it stores, without any reading of what they mean.
 
-use eigenshade_generator::error::{Error, Result};
+use crate::error::{Error, Result};
 use png::{BitDepth, ColorType, Decoder, DecodingError, Limits, Transformations};
 use std::io::Cursor;
 use std::path::Path;
