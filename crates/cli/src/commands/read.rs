@@ -78,12 +78,6 @@ fn positive(text: &str) -> std::result::Result<f64, String> {
 impl Read {
     pub fn run(self) -> Result<()> {
         let table = table_file::read(&self.table)?;
-        if table.general.is_some() {
-            let what = "its eigenimages are not those of a sphere under light that turns freely";
-            let remedy = "read with a table of normals = \"sphere\" and rotation = \"any\"; the \
-                          image may show any object";
-            return Err(Error::new(what, remedy).in_file(&self.table));
-        }
         let components = table_file::components(&table, self.components, &self.table)?;
         let lights = self.lights(&table)?;
         let materials = self.materials(&table)?;
