@@ -357,11 +357,6 @@ fn what_does_not_fit_together() {
     ] {
         assert_fails(&folder, &format!("{arguments} --out new.csv"), &words);
     }
-    let scene = folder.read("scene.toml").replace("\"any\"", "\"none\"");
-    folder.write("captured.toml", scene);
-    folder.ok("basis --scene captured.toml --out captured.bin");
-    let captured = "read image.csv --normals normals.csv --table captured.bin --out new.csv";
-    assert_fails(&folder, captured, &["captured.bin", "rotation = \"any\""]);
     fs::rename(folder.path("lights.csv"), folder.path("elsewhere.csv")).unwrap();
     assert_fails(&folder, READ, &["lights.csv", "--lights"]);
     folder.ok(&format!("{READ} --lights elsewhere.csv"));
