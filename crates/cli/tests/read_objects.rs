@@ -138,3 +138,22 @@ fn light_about_the_vertical_comes_back() {
         comes_back(&folder, "object.csv");
     }
 }
+
+/// Where one light and one material alone count, nothing but the exposure is open.
+#[test]
+fn weights_of_the_scene_count() {
+    for geometry in ["object.csv", "sphere"] {
+        let folder = folder("image-centered", geometry, "none", &grey_light());
+        let text = folder
+            .read("scene.toml")
+            .replace("[material]", "weights = { light-0 = 0, light-2 = 0 }\n[material]")
+            .replace(
+                "[basis]",
+                "weights = { material-0 = 0, material-1 = 0, material-3 = 0 }\n[basis]",
+            );
+        folder.write("scene.toml", text);
+        let answer = comes_back(&folder, "object.csv");
+        let light = numbers(&rows(&folder.read("light.csv"), "name,l,m,value"), 1);
+        assert_near("exposure", &get(&answer, "fit", "exposure")[..1], &light[..1]);
+    }
+}
