@@ -12,7 +12,8 @@ use eigenshade_cli::owned_basis::OwnedBasis;
 use eigenshade_generator::basis;
 use eigenshade_generator::database::Named;
 use eigenshade_generator::irradiance;
-use eigenshade_generator::moments::{LightMoments, MaterialMoments};
+use eigenshade_generator::light_statistics::LightStatistics;
+use eigenshade_generator::moments::{LightMoments, MaterialMoments, equal};
 use eigenshade_generator::reading::coefficients::{LeastSquares, scalar_product};
 use eigenshade_generator::reading::eigenimage_values::EigenimageValues;
 use eigenshade_generator::reading::fit::fit;
@@ -109,8 +110,11 @@ fn dense(table: &Table, pixels: &Pixels) -> (DMatrix<f64>, DVector<f64>, DVector
 
 fn prior(loaded: &Loaded, table: &Table) -> (Transfers, Prior) {
     let transfers = Transfers::new(table, table.components.len());
-    let moments = LightMoments::new(&loaded.lights, loaded.scene.light.normalise).expect("moments");
-    let prior = Prior::new(table, &transfers, moments, MaterialMoments::new(&loaded.materials))
+    let light = &loaded.scene.light;
+    let weights = equal(loaded.lights.entries.len());
+    let light = LightStatistics::new(&loaded.lights, light.normalise, light.rotation, &weights)
+        .expect("statistics");
+    let prior = Prior::new(table, &transfers, &light, MaterialMoments::new(&loaded.materials))
         .expect("a prior");
     (transfers, prior)
 }
@@ -358,7 +362,8 @@ fn light_and_evidence_are_the_dense_formulas() {
         let d_mean = DVector::from_column_slice(&prior.mean);
         let target = image - mean + &design * d_mean;
         let images = &design * to_dense(&transfer);
-        let moments = &prior.light;
+        let normalise = loaded.scene.light.normalise;
+        let moments = LightMoments::new(&loaded.lights, normalise).expect("moments");
         let spread = DVector::from_iterator(
             light::count(4),
             light::indices(4).map(|(l, _)| match l {

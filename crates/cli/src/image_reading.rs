@@ -2,7 +2,8 @@
 
 use eigenshade_generator::database::{self, Lights, Materials, Named};
 use eigenshade_generator::error::Result;
-use eigenshade_generator::moments::{LightMoments, MaterialMoments, equal};
+use eigenshade_generator::light_statistics::LightStatistics;
+use eigenshade_generator::moments::{MaterialMoments, equal};
 use eigenshade_generator::reading::coefficients::{CUTOFF, LeastSquares, scalar_product};
 use eigenshade_generator::reading::fit::{Fit, fit};
 use eigenshade_generator::reading::modes::{self, ModeCoefficients};
@@ -73,10 +74,11 @@ impl<'a> Reader<'a> {
         let transfers = Transfers::new(table, components);
         let scene = &table.scene;
         let weights = weights(&lights.entries, &scene.light.weights)?;
-        let moments = LightMoments::weighted(lights, scene.light.normalise, &weights)?;
+        let (normalise, rotation) = (scene.light.normalise, scene.light.rotation);
+        let statistics = LightStatistics::new(lights, normalise, rotation, &weights)?;
         let weights = self::weights(&materials.entries, &scene.material.weights)?;
         let of_materials = MaterialMoments::weighted(materials, weights);
-        let prior = Prior::new(table, &transfers, moments, of_materials)?;
+        let prior = Prior::new(table, &transfers, &statistics, of_materials)?;
         Ok(Self { table, materials, transfers, prior })
     }
 

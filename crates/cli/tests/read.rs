@@ -357,11 +357,13 @@ fn what_does_not_fit_together() {
     ] {
         assert_fails(&folder, &format!("{arguments} --out new.csv"), &words);
     }
-    let scene = folder.read("scene.toml").replace("\"any\"", "\"none\"");
-    folder.write("captured.toml", scene);
-    folder.ok("basis --scene captured.toml --out captured.bin");
-    let captured = "read image.csv --normals normals.csv --table captured.bin --out new.csv";
-    assert_fails(&folder, captured, &["captured.bin", "rotation = \"any\""]);
+    for (store, arguments) in [("materials", ""), ("projection", "--modes-out m.csv")] {
+        let scene = folder.read("scene.toml") + &format!("store = \"{store}\"\n");
+        folder.write("kept.toml", scene);
+        folder.ok("basis --scene kept.toml --out kept.bin");
+        let read = "read image.csv --normals normals.csv --table kept.bin --out new.csv";
+        assert_fails(&folder, &format!("{read} {arguments}"), &["kept.bin", "basis.store"]);
+    }
     fs::rename(folder.path("lights.csv"), folder.path("elsewhere.csv")).unwrap();
     assert_fails(&folder, READ, &["lights.csv", "--lights"]);
     folder.ok(&format!("{READ} --lights elsewhere.csv"));

@@ -78,12 +78,7 @@ fn positive(text: &str) -> std::result::Result<f64, String> {
 impl Read {
     pub fn run(self) -> Result<()> {
         let table = table_file::read(&self.table)?;
-        if table.general.is_some() {
-            let what = "its eigenimages are not those of a sphere under light that turns freely";
-            let remedy = "read with a table of normals = \"sphere\" and rotation = \"any\"; the \
-                          image may show any object";
-            return Err(Error::new(what, remedy).in_file(&self.table));
-        }
+        self.served(&table)?;
         let components = table_file::components(&table, self.components, &self.table)?;
         let lights = self.lights(&table)?;
         let materials = self.materials(&table)?;
@@ -106,6 +101,21 @@ impl Read {
         say(told);
         read_answer::summarise(&answer);
         Ok(())
+    }
+
+    /// Whether the table holds what is asked for.
+    fn served(&self, table: &Table) -> Result<()> {
+        let store = table.scene.basis.store.name();
+        let what = if !table.has_projection() {
+            "light and material cannot be read"
+        } else if self.modes_out.is_some() && !table.has_modes() {
+            "its eigenimages' modes are not there"
+        } else {
+            return Ok(());
+        };
+        let what = format!("it was made with store = \"{store}\": {what}");
+        let remedy = "make it again with basis.store = \"modes\"";
+        Err(Error::new(what, remedy).in_file(&self.table))
     }
 
     /// What the light is called: as the image.

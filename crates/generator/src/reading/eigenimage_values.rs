@@ -15,7 +15,7 @@ impl<'a> EigenimageValues<'a> {
     /// The first `components` of the table; all, if it has fewer.
     #[must_use]
     pub fn new(table: &'a Table, components: usize) -> Self {
-        Self { table, components: components.min(table.components.len()) }
+        Self { table, components: components.min(table.count()) }
     }
 
     /// Number of components.
@@ -24,14 +24,36 @@ impl<'a> EigenimageValues<'a> {
         self.components
     }
 
-    /// U_i = u_i(α) Φ_m(β) of every component, then the mean image (0 where the
+    /// U_i of every component, then the mean image (0 where the
     /// table has none), at a unit normal with z >= 0; `values` has room for both.
     ///
-    /// Error: what the scene's `profile_tolerance` allows, of each profile's largest.
-    pub fn at(&self, [x, y, z]: [f64; 3], values: &mut [f64]) {
+    /// U_i = u_i(α) Φ_m(β), or a sum of such products where the components are but a
+    /// span: K multiplications more for each function of the span.
+    ///
+    /// Error: what the scene's `profile_tolerance` allows, of each profile's largest,
+    /// times the sizes in the sum.
+    pub fn at(&self, normal: [f64; 3], values: &mut [f64]) {
+        let table = self.table;
+        let (values, mean) = values.split_at_mut(self.components.min(values.len()));
+        let of_mean = if let Some(general) = &table.general {
+            let mut span = vec![0.0; table.components.len()];
+            self.products(normal, &mut span);
+            let sum = |row: &[f64]| row.iter().zip(&span).map(|(a, value)| a * value).sum::<f64>();
+            let rows = general.synthesis.chunks_exact(span.len());
+            values.iter_mut().zip(rows).for_each(|(value, row)| *value = sum(row));
+            sum(&general.mean)
+        } else {
+            self.products(normal, values);
+            table.mean.as_ref().map_or(0.0, |mean| profile::evaluate(&mean.chebyshev, normal[2]))
+        };
+        mean.iter_mut().take(1).for_each(|mean| *mean = of_mean);
+    }
+
+    /// u(α) Φ_m(β) of the table's first products.
+    fn products(&self, [x, y, z]: [f64; 3], values: &mut [f64]) {
         let table = self.table;
         let mut previous = None;
-        for (value, component) in values.iter_mut().zip(&table.components[..self.components]) {
+        for (value, component) in values.iter_mut().zip(&table.components) {
             // +m and -m stand beside each other and share h.
             let h = match previous {
                 Some((profile, h)) if profile == component.profile => h,
@@ -39,9 +61,6 @@ impl<'a> EigenimageValues<'a> {
             };
             previous = Some((component.profile, h));
             *value = h * azimuth(component.order, x, y);
-        }
-        if let Some(mean) = values.get_mut(self.components) {
-            *mean = table.mean.as_ref().map_or(0.0, |mean| profile::evaluate(&mean.chebyshev, z));
         }
     }
 }

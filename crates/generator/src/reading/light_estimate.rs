@@ -1,15 +1,15 @@
 //! The light of an image whose material is known: linear, d = T L.
 //!
 //! Before any pixel is seen, L is s times a light of the database's statistics, s
-//! its exposure: mean zero and variance (38) for l > 0, and for L_0^0 the mean (39)
-//! and its variance. Degrees that the material damps below the noise come out near
+//! its exposure. Where light turns freely that is mean zero and variance (38) for
+//! l > 0, and for L_0^0 the mean (39) and its variance; else the mean and covariance
+//! of the lights, which have no more directions than there are lights. Degrees that the material damps below the noise come out near
 //! zero rather than as noise.
 
 use super::coefficients::{column, decompose};
 use super::observation::Observation;
 use super::prior::Prior;
 use crate::error::Result;
-use eigenshade_index::light;
 use faer::linalg::solvers::Svd;
 use faer::{Col, Mat};
 
@@ -29,9 +29,7 @@ pub struct LightEstimate<'a> {
     images: Mat<f64>,
     /// √W E T of the mean light.
     mean_image: Col<f64>,
-    /// Root of the variance of each coefficient of the light.
-    roots: Vec<f64>,
-    /// Of √W E T √power.
+    /// Of √W E T V, V the factor of the light's covariance.
     svd: Svd<f64>,
 }
 
@@ -61,14 +59,10 @@ impl<'a> LightEstimate<'a> {
         prior: &'a Prior,
         transfer: &Mat<f64>,
     ) -> Result<Self> {
-        let power = |l: usize| prior.light.power.get(l).copied().unwrap_or(0.0);
-        let degree = transfer.ncols().isqrt().saturating_sub(1);
-        let spread = |l: usize| if l == 0 { prior.light.ambient_variance } else { power(l) };
-        let roots: Vec<f64> = light::indices(degree).map(|(l, _)| spread(l).sqrt()).collect();
         let images = &observation.design * transfer;
-        let mean_image = prior.light.ambient_mean * images.col(0);
-        let scaled = Mat::from_fn(images.nrows(), images.ncols(), |i, j| images[(i, j)] * roots[j]);
-        Ok(Self { observation, prior, svd: decompose(&scaled)?, images, mean_image, roots })
+        let mean_image = &images * &prior.light.mean;
+        let svd = decompose(&(&images * &prior.light.centred))?;
+        Ok(Self { observation, prior, images, mean_image, svd })
     }
 
     /// What the light has to explain: √W (I - m + E d_m), with d_m the mean image's
@@ -93,13 +87,10 @@ impl<'a> LightEstimate<'a> {
                 _ => 0.0,
             }
         });
-        let scaled = self.svd.V() * shrunk;
-        let mut light: Vec<f64> =
-            scaled.iter().zip(&self.roots).map(|(x, root)| x * root).collect();
-        if let Some(ambient) = light.first_mut() {
-            *ambient += exposure * self.prior.light.ambient_mean;
-        }
-        let left = target - &self.images * column(&light);
+        let prior = &self.prior.light;
+        let light = exposure * &prior.mean + &prior.centred * (self.svd.V() * shrunk);
+        let left = target - &self.images * &light;
+        let light = light.iter().copied().collect();
         let residual_rms = (left.squared_norm_l2() / self.observation.weight).sqrt();
         Explained { light, exposure, evidence, residual_rms }
     }

@@ -5,6 +5,9 @@
 //! then stands for them in every estimate: it has no more rows than a few above the
 //! number of components. One channel is one image; channels are read by themselves.
 //!
+//! Tables of any object and any rotation of the light are read alike: where components
+//! are sums over a span, so are their images, transfers and modes.
+//!
 //! The derivations are in `docs/reading.md`.
 
 pub mod eigenimage_values;
@@ -18,6 +21,8 @@ pub mod coefficients;
 pub mod fit;
 
 pub mod transfer;
+
+pub mod light_prior;
 
 pub mod prior;
 

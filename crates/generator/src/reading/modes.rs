@@ -5,7 +5,8 @@ use super::prior::Prior;
 use super::transfer::{Transfers, sign};
 use eigenshade_index::{light, material};
 use eigenshade_table::Table;
-use faer::Mat;
+use eigenshade_table::scene::Criterion;
+use faer::{Col, Mat};
 
 /// c of every mode: a row a light coefficient (l, m), a column a material
 /// coefficient (o, p, q). Entries with q > l are zero: those modes do not exist.
@@ -41,6 +42,19 @@ impl ModeCoefficients {
 pub fn least_norm(table: &Table, d: &[f64]) -> ModeCoefficients {
     let (degree, order) = (table.gram.degree, table.gram.order);
     let mut c = ModeCoefficients::zeros(degree, order);
+    let of_span;
+    let d = match &table.general {
+        Some(general) => {
+            let rows = general.modes.chunks_exact(table.components.len());
+            let mut sums = vec![0.0; table.components.len()];
+            for (row, d) in rows.zip(d) {
+                sums.iter_mut().zip(row).for_each(|(sum, u)| *sum += d * u);
+            }
+            of_span = sums;
+            of_span.as_slice()
+        }
+        None => d,
+    };
     for (component, d) in table.components.iter().zip(d) {
         let profile = &table.profiles[component.profile];
         let modes = eigenshade_index::mode::indices(degree, order, profile.azimuth);
@@ -52,30 +66,43 @@ pub fn least_norm(table: &Table, d: &[f64]) -> ModeCoefficients {
     c
 }
 
-/// The posterior mean of c under V_c: c = V_c M U x with V_d x the posterior of d.
+/// The posterior mean of c: s c̄ + s Σ_c M U x with V_d x the posterior of d, c̄ and Σ_c
+/// mean and covariance of c, s the estimate's exposure; for image-centred PCA, which
+/// subtracts no mean image, s V_c M U x.
 ///
 /// Each material of the database takes part with the light that the image makes
 /// likely for it; where pixels say nothing, the statistics speak. The components
-/// beyond the observation's are taken for noise. For the standard criterion this is
-/// the deviation from the mean of c, at the estimate's exposure.
+/// beyond the observation's are taken for noise.
 #[must_use]
 pub fn posterior_mean(
     transfers: &Transfers,
     prior: &Prior,
     estimate: &Estimate,
 ) -> ModeCoefficients {
-    let order = transfers.order();
-    let mut c = ModeCoefficients::zeros(transfers.degree(), order);
-    let x = prior.dual(&estimate.coordinates);
-    for (vector, root) in prior.materials.rooted() {
-        let share = estimate.exposure * root * root;
-        let along = transfers.of(vector).transpose() * &x;
-        for (row, (l, _)) in light::indices(transfers.degree()).enumerate() {
-            let power = prior.light.power.get(l).copied().unwrap_or(0.0);
-            for (column, b) in vector.iter().enumerate().take(c.values.ncols()) {
-                c.values[(row, column)] += share * power * along[row] * b;
+    let mut c = ModeCoefficients::zeros(transfers.degree(), transfers.order());
+    let mut add = |light: &Col<f64>, material: &[f64], share: f64| {
+        for (column, b) in material.iter().enumerate().take(c.values.ncols()) {
+            for (row, light) in light.iter().enumerate() {
+                c.values[(row, column)] += share * light * b;
             }
         }
+    };
+    let (light, materials) = (&prior.light, &prior.materials);
+    let vectors = light.vectors(prior.criterion);
+    let x = prior.dual(&estimate.coordinates);
+    let mean_along = transfers.of(&materials.mean).transpose() * &x;
+    for (vector, root) in materials.rooted() {
+        let share = estimate.exposure * root * root;
+        let along = transfers.of(vector).transpose() * &x;
+        add(&(vectors * (vectors.transpose() * &along)), vector, share);
+        if prior.criterion == Criterion::Standard {
+            let apart: Vec<f64> = vector.iter().zip(&materials.mean).map(|(b, m)| b - m).collect();
+            let likely = light.mean.transpose() * (along - &mean_along);
+            add(&light.mean, &apart, share * likely);
+        }
+    }
+    if prior.criterion == Criterion::Standard {
+        add(&light.mean, &materials.mean, estimate.exposure);
     }
     let exists = c.exists();
     for column in 0..c.values.ncols() {

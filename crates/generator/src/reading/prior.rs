@@ -8,14 +8,15 @@
 //! kept as a factor like all others: V_d = F Fᵀ.
 
 use super::coefficients::decompose;
+use super::light_prior::LightPrior;
 use super::reduction::Reduction;
 use super::transfer::Transfers;
 use crate::error::{Error, Result};
-use crate::moments::{LightMoments, MaterialMoments};
-use eigenshade_index::light;
+use crate::light_statistics::LightStatistics;
+use crate::moments::MaterialMoments;
 use eigenshade_table::Table;
 use eigenshade_table::scene::Criterion;
-use faer::{Col, Mat};
+use faer::{Col, ColRef, Mat};
 
 /// Columns of F shorter than this, of the longest, are rounding.
 const ROUNDING: f64 = 1e-13;
@@ -29,14 +30,16 @@ pub struct Prior {
     pub mean: Vec<f64>,
     /// Mean energy of the database's images that the components leave.
     pub left: f64,
+    /// Of which deviations these are: from zero, or from the mean.
+    pub criterion: Criterion,
     /// The moments of the light.
-    pub light: LightMoments,
+    pub light: LightPrior,
     /// The materials' luminance coefficients and their weights.
     pub materials: MaterialMoments,
 }
 
 impl Prior {
-    /// The statistics of these materials under light of these moments.
+    /// The statistics of these materials under light of these statistics.
     ///
     /// # Errors
     ///
@@ -44,40 +47,39 @@ impl Prior {
     pub fn new(
         table: &Table,
         transfers: &Transfers,
-        light: LightMoments,
+        light: &LightStatistics,
         materials: MaterialMoments,
     ) -> Result<Self> {
         if materials.vectors.is_empty() {
             return Err(Error::new("no materials", "give a material database with at least one"));
         }
         let (components, criterion) = (transfers.components(), table.scene.basis.criterion);
+        let light = LightPrior::new(light, transfers.degree());
         let mean_transfer = transfers.of(&materials.mean);
         let mut reduction = Reduction::new(components);
+        let mut push = |d: ColRef<'_, f64>, share: f64| {
+            let row: Vec<f64> = d.iter().map(|d| share * d).collect();
+            reduction.push(&row);
+        };
         for (vector, share) in materials.rooted() {
             let transfer = transfers.of(vector);
-            for ((l, _), column) in light::indices(transfers.degree()).zip(transfer.col_iter()) {
-                let power = light.power.get(l).copied().unwrap_or(0.0);
-                let spread = match criterion {
-                    Criterion::Standard if l == 0 => light.ambient_variance,
-                    _ => power,
-                };
-                let row: Vec<f64> = column.iter().map(|t| spread.sqrt() * share * t).collect();
-                reduction.push(&row);
-            }
+            (&transfer * light.vectors(criterion)).col_iter().for_each(|d| push(d, share));
             if criterion == Criterion::Standard {
-                let apart = transfer.col(0) - mean_transfer.col(0);
-                let row: Vec<f64> = apart.iter().map(|t| light.ambient_mean * share * t).collect();
-                reduction.push(&row);
+                push(((transfer - &mean_transfer) * &light.mean).as_ref(), share);
             }
         }
         let svd = decompose(&reduction.finish())?;
         let singular = svd.S().column_vector();
         let factor =
             Mat::from_fn(components, singular.nrows(), |i, j| svd.V()[(i, j)] * singular[j]);
-        let mut mean = table.mean.as_ref().map_or_else(Vec::new, |mean| mean.coefficients.clone());
+        let mut mean = match (&table.general, &table.mean) {
+            (Some(general), _) => general.mean_coefficients.clone(),
+            (None, Some(mean)) => mean.coefficients.clone(),
+            (None, None) => Vec::new(),
+        };
         mean.resize(components, 0.0);
         let left = table.energy_left(components);
-        Ok(Self { factor, mean, left, light, materials })
+        Ok(Self { factor, mean, left, criterion, light, materials })
     }
 
     /// x with V_d x = F a: F over its squared lengths times a, columns below rounding

@@ -9,8 +9,11 @@ use faer::Mat;
 pub struct Transfers {
     degree: usize,
     order: usize,
-    /// Order m of each component, and which of `rows` is its.
+    /// Order m of each component, and which of `rows` is its; of each function
+    /// of the span where components are sums of such.
     components: Vec<(i32, usize)>,
+    /// d from these components, where they are but a span.
+    projection: Option<Mat<f64>>,
     /// Of each profile its row of UᵀM: l, the place of (o, p, q), and the number.
     rows: Vec<Vec<(usize, usize, f64)>>,
 }
@@ -19,10 +22,17 @@ impl Transfers {
     /// The first `components` of the table.
     #[must_use]
     pub fn new(table: &Table, components: usize) -> Self {
-        let taken = &table.components[..components.min(table.components.len())];
+        let span = table.components.len();
+        let count = components.min(table.count());
+        let projection = table
+            .general
+            .as_ref()
+            .map(|general| Mat::from_fn(count, span, |i, k| general.projection[i * span + k]));
+        let taken = &table.components[..if projection.is_some() { span } else { count }];
         Self {
             degree: table.gram.degree,
             order: table.gram.order,
+            projection,
             components: taken.iter().map(|one| (one.order, one.profile)).collect(),
             rows: table.profiles.iter().map(|profile| placed(table, profile)).collect(),
         }
@@ -43,7 +53,7 @@ impl Transfers {
     /// Number of components.
     #[must_use]
     pub fn components(&self) -> usize {
-        self.components.len()
+        self.projection.as_ref().map_or(self.components.len(), Mat::nrows)
     }
 
     /// T_i,lm = Σ_opq (UᵀM)_i,lmopq b_op^q: a row a component, a column a
@@ -68,7 +78,10 @@ impl Transfers {
                 transfer[(i, light::position(l, m as isize))] = sign(m) * folded[profile][l];
             }
         }
-        transfer
+        match &self.projection {
+            Some(projection) => projection * transfer,
+            None => transfer,
+        }
     }
 }
 
