@@ -149,6 +149,12 @@ impl<'a> Reference<'a> {
         Ok(self.errors(&images))
     }
 
+    /// The first map under which nothing is seen of the material.
+    #[must_use]
+    pub fn black(&self) -> Option<usize> {
+        self.peaks.iter().position(|peak| *peak == 0.0)
+    }
+
     /// Rms over the normals and channels, of the peak, by map.
     fn errors(&self, images: &[Vec<[f64; 3]>]) -> Vec<f64> {
         let weights =

@@ -10,10 +10,14 @@
 
 use eigenshade_generator::profile::evaluate;
 use eigenshade_index::mode;
-use eigenshade_table::{Profile, Table};
+use eigenshade_table::{General, Profile, Table};
 
 /// What may differ, relative to the largest number of its kind.
 pub const ALLOWED: f64 = 1e-9;
+
+/// How far what a general table draws may be off, in its profiles' tolerance: the sum of
+/// what is left out of some hundred profiles.
+const DRAWN: f64 = 100.0;
 
 /// Arguments at which polynomials are compared.
 const ARGUMENTS: u32 = 64;
@@ -63,7 +67,16 @@ pub fn differences(table: &Table, fresh: &Table) -> Result<Vec<Difference>, Stri
     let [old_mean, new_mean] = both.map(mean_coefficients);
     if fresh.general.is_some() {
         let [old_rows, new_rows] = both.map(general_rows);
+        let [old_images, new_images] = both.map(|table| projected(table, |one| &one.synthesis));
+        let [old_modes, new_modes] = both.map(|table| projected(table, |one| &one.modes));
+        let [old_drawn, new_drawn] = both.map(drawn);
         return Ok(vec![
+            Difference {
+                allowed: DRAWN * fresh.scene.basis.profile_tolerance,
+                ..difference("eigenimages drawn", &old_drawn, &new_drawn)
+            },
+            difference("d of the eigenimages", &old_images, &new_images),
+            difference("d of their modes", &old_modes, &new_modes),
             difference("components' eigenvalues", &old_values, &new_values),
             difference("spectrum", &old_spectrum, &new_spectrum),
             difference("mode means e", &table.gram.mode_means(), &fresh.gram.mode_means()),
@@ -165,6 +178,44 @@ fn general_rows(table: &Table) -> Vec<f64> {
         }
     }
     rows
+}
+
+/// d of images that a general table gives in the span, row by row: of its eigenimages
+/// themselves.
+fn projected(table: &Table, of: fn(&General) -> &Vec<f64>) -> Vec<f64> {
+    let Some(general) = &table.general else { return Vec::new() };
+    let functions = table.components.len().max(1);
+    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let rows = general.projection.chunks(functions);
+    rows.flat_map(|row| of(general).chunks(functions).map(move |image| dot(row, image))).collect()
+}
+
+/// The eigenimages of a general table and its mean image, as the polynomials of its span
+/// draw them, for each order m on slants from the pole to the rim.
+fn drawn(table: &Table) -> Vec<f64> {
+    let Some(general) = &table.general else { return Vec::new() };
+    let of_profiles: Vec<Vec<f64>> = table
+        .profiles
+        .iter()
+        .map(|profile| polynomial(profile.azimuth, &profile.chebyshev))
+        .collect();
+    let degree = table.gram.degree as i32;
+    let functions = table.components.len().max(1);
+    let mut values = Vec::new();
+    for weights in general.synthesis.chunks(functions).chain(general.mean.chunks(functions)) {
+        for order in -degree..=degree {
+            let mut sum = vec![0.0; ARGUMENTS as usize + 1];
+            for (component, weight) in table.components.iter().zip(weights) {
+                if component.order == order {
+                    for (sum, value) in sum.iter_mut().zip(&of_profiles[component.profile]) {
+                        *sum += weight * value;
+                    }
+                }
+            }
+            values.extend(sum);
+        }
+    }
+    values
 }
 
 fn component_eigenvalues(table: &Table) -> Vec<f64> {

@@ -2,7 +2,7 @@
 
 mod support;
 
-use eigenshade_table::{MeanImage, Table, decode, encode};
+use eigenshade_table::{General, MeanImage, Table, decode, encode};
 use std::fs;
 use support::{Folder, assert_fails, scene};
 
@@ -100,4 +100,26 @@ fn another_scene_is_told() {
     folder.write("scene.toml", scene("image-centered", 9, "[]"));
     let arguments = "basis --scene scene.toml --check b.bin";
     assert_fails(&folder, arguments, &["b.bin", "another scene"]);
+}
+
+/// A table of an object: its eigenimages, their modes and what projects.
+#[test]
+fn an_object_whose_eigenimages_are_moved() {
+    for (change, what) in [
+        (|one: &mut General| one.synthesis[3] += 0.1, "eigenimages drawn"),
+        (|one: &mut General| one.synthesis[3] += 0.1, "d of the eigenimages"),
+        (|one: &mut General| one.modes[3] += 0.1, "d of their modes"),
+        (|one: &mut General| one.projection[3] += 0.1, "rows of U^T M"),
+    ] as [(fn(&mut General), &str); 4]
+    {
+        let folder = Folder::new();
+        let scene = scene("image-centered", 12, "[]").replace("\"any\"", "\"vertical\"");
+        folder.write("scene.toml", scene);
+        folder.ok("basis --scene scene.toml --out b.bin");
+        folder.ok("basis --scene scene.toml --check b.bin");
+        let mut table = decode(&fs::read(folder.path("b.bin")).unwrap()).unwrap();
+        change(table.general.as_mut().unwrap());
+        folder.write("b.bin", encode(&table));
+        assert_differs(&folder, what);
+    }
 }

@@ -205,29 +205,50 @@ fn a_normal_map_of_a_sphere_is_nearly_the_sphere() {
     }
 }
 
-/// A mask takes half of it away: as much as a list of the other half.
+/// A mask leaves a piece to the right and above, as unlike its mirror images as can be:
+/// under light that does not turn, as a list of those normals.
 #[test]
 fn a_mask_hides_normals() {
+    let counts = |row: i32, column: i32| column >= 32 && row < 24;
     let map = normal_map(png::BitDepth::Sixteen);
-    let mask: Vec<f64> = (0..64 * 64).map(|k| f64::from(u8::from(k % 64 >= 32))).collect();
+    let mask: Vec<f64> =
+        (0..64 * 64).map(|k| f64::from(u8::from(counts(k / 64, k % 64)))).collect();
     let mask = encode(64, png::ColorType::Grayscale, png::BitDepth::Eight, &mask);
-    let masked =
-        table("normals = \"n.png\"\nmask = \"mask.png\"\n", &[("n.png", map), ("mask.png", mask)]);
-    let mut text = "x,y,z\n".to_owned();
-    for row in 0..64 {
-        for column in 32..64 {
-            let at = |k: i32| (f64::from(k) + 0.5) / 32.0 - 1.0;
-            let (x, y) = (at(column), -at(row));
-            let square = 1.0 - x * x - y * y;
-            if square > 0.0 {
-                writeln!(text, "{x},{y},{}", square.sqrt()).expect("text");
+    let captured = |geometry: &str, files: &[(&str, Vec<u8>)]| {
+        let folder = Folder::new();
+        for (name, bytes) in files {
+            folder.write(name, bytes);
+        }
+        let text = with_geometry(geometry).replace("\"any\"", "\"none\"");
+        folder.write("scene.toml", text);
+        folder.ok("basis --scene scene.toml --out b.bin");
+        eigenvalues(&folder)
+    };
+    let list = |[sx, sy]: [f64; 2]| {
+        let mut text = "x,y,z\n".to_owned();
+        for row in 0..64 {
+            for column in 0..64 {
+                let at = |k: i32| (f64::from(k) + 0.5) / 32.0 - 1.0;
+                let (x, y) = (at(column), -at(row));
+                let square = 1.0 - x * x - y * y;
+                if square > 0.0 && counts(row, column) {
+                    writeln!(text, "{},{},{}", sx * x, sy * y, square.sqrt()).expect("text");
+                }
             }
         }
-    }
-    let listed = table("normals = \"half.csv\"\n", &[("half.csv", text.into())]);
-    let found = apart(&eigenvalues(&masked), &eigenvalues(&listed));
+        captured("normals = \"piece.csv\"\n", &[("piece.csv", text.into())])
+    };
+    let masked = captured(
+        "normals = \"n.png\"\nmask = \"mask.png\"\n",
+        &[("n.png", map), ("mask.png", mask)],
+    );
+    let found = apart(&masked, &list([1.0, 1.0]));
     println!("{found:e}");
     assert!(found < tolerances::SIXTEEN_BITS, "{found:e}");
+    for mirrored in [[-1.0, 1.0], [1.0, -1.0], [-1.0, -1.0]] {
+        let found = apart(&masked, &list(mirrored));
+        assert!(found > 100.0 * tolerances::SIXTEEN_BITS, "{mirrored:?}: {found:e}");
+    }
 }
 
 /// The sphere's density as a formula and as a table is the sphere; all components give
@@ -289,6 +310,20 @@ fn a_pixel_costs_what_it_costs_on_a_sphere() {
     let object = length("normals = \"facets.csv\"\n", &[("facets.csv", facets().into())]);
     println!("{object} numbers, of a sphere {sphere}");
     assert!(object <= sphere, "{object} numbers, of a sphere {sphere}");
+}
+
+/// A leading minus is weaker than a power.
+#[test]
+fn formulas_are_read_as_written() {
+    let of = |density: &str| {
+        eigenvalues(&table(&format!("normals = \"slant-density\"\ndensity = \"{density}\"\n"), &[]))
+    };
+    for (short, explicit) in [("exp(-a^2)", "exp(0-a*a)"), ("2 - -a^2", "2+a*a")] {
+        let found = apart(&of(short), &of(explicit));
+        assert!(found < tolerances::SAME_MESH, "{short}: {found:e}");
+    }
+    let found = apart(&of("exp(-a^2)"), &of("exp(a^2)"));
+    assert!(found > tolerances::NORMAL_MAP, "{found:e}");
 }
 
 /// Light that does not turn, or turns about the vertical axis, has its own components,
@@ -376,6 +411,7 @@ fn bad_objects() {
         ("normals = \"slant-density\"\ndensity = \"cos(\"", &["cos("]),
         ("normals = \"slant-density\"\ndensity = \"cos(b)\"", &["variable `b`"]),
         ("normals = \"slant-density\"\ndensity = \"-1\"", &["density"]),
+        ("normals = \"slant-density\"\ndensity = \"2^-a\"", &["parentheses"]),
         ("normals = \"slant-density\"\ndensity = \"1/(a-a)\"", &["density"]),
         ("normals = \"slant-density\"\ndensity = \"falls.csv\"", &["falls.csv:3:"]),
         ("normals = \"slant-density\"\ndensity = \"beyond.csv\"", &["beyond.csv:3:"]),

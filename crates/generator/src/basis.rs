@@ -119,7 +119,7 @@ pub(crate) fn fitted(
 }
 
 /// Whether eigenvalues, squares of `size` down to those of its rounding, are numbers.
-fn in_range(size: f64) -> Result<()> {
+pub(crate) fn in_range(size: f64) -> Result<()> {
     if size == 0.0 || RANGE.contains(&size) {
         return Ok(());
     }

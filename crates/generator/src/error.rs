@@ -20,6 +20,13 @@ impl Error {
         Self { place: None, what: what.into(), remedy: remedy.into() }
     }
 
+    /// The same fault with another remedy.
+    #[must_use]
+    pub fn with_remedy(mut self, remedy: impl Into<String>) -> Self {
+        self.remedy = remedy.into();
+        self
+    }
+
     /// The same fault, in this file.
     #[must_use]
     pub fn in_file(mut self, path: impl AsRef<Path>) -> Self {

@@ -14,7 +14,7 @@ use crate::observed::Observed;
 use crate::pca::principal;
 use crate::settle::{Functions, settle};
 use crate::span::{Function, Span};
-use crate::{database, gram, peak, selection};
+use crate::{basis, database, gram, peak, selection};
 use eigenshade_table::scene::{Criterion, Store};
 use eigenshade_table::{General, GramFactor, Scene, Summary, Table};
 use faer::Mat;
@@ -25,6 +25,9 @@ const REPORTED: usize = 100;
 /// Singular values below this, relative to the root of the database's energy, are
 /// rounding.
 const ROUNDING: f64 = 1e-14;
+
+/// How far from 1 the root mean square of the constant image may be: the cut-offs.
+const CONSTANT: f64 = 1e-8;
 
 /// Makes the table of a scene whose normals or light have no symmetry to use.
 ///
@@ -46,7 +49,7 @@ pub fn build(
             "leave it out: such a table is made whole",
         ));
     }
-    let (lights, materials) = crate::basis::fitted(scene, lights, materials)?;
+    let (lights, materials) = basis::fitted(scene, lights, materials)?;
     let light = {
         let weights = database::weights(&lights.entries, &scene.light.weights)?;
         let (normalise, rotation) = (scene.light.normalise, scene.light.rotation);
@@ -64,8 +67,9 @@ pub fn build(
 
     let criterion = scene.basis.criterion;
     let images = observed.shown(&deviations(&span, &gram, &light, &material, criterion));
-    let constant = constant(&span, &observed, &gram);
+    basis::in_range(images.norm_l2())?;
     let centred = criterion == Criterion::ImageCentered;
+    let constant = if centred { constant(&span, &observed, &gram)? } else { Vec::new() };
     let found = principal(&images, centred.then_some(constant.as_slice()), 0)?;
     let strongest = found.singular_values.first().copied().unwrap_or(0.0);
     let weakest = (ROUNDING * images.norm_l2()).max(cutoff * strongest);
@@ -77,8 +81,10 @@ pub fn build(
     for (column, _) in eigenvalues.iter().enumerate() {
         let number = column.checked_sub(usize::from(centred));
         for row in 0..shown.nrows() {
-            shown[(row, column)] =
-                number.map_or(constant[row], |number| found.coordinates[(row, number)]);
+            shown[(row, column)] = match number {
+                Some(number) => found.coordinates[(row, number)],
+                None => constant[row],
+            };
         }
     }
     let shown = settled(&span, &observed, shown, &eigenvalues);
@@ -164,11 +170,21 @@ fn settled(
 }
 
 /// The constant image in y, a unit vector.
-fn constant(span: &Span, observed: &Observed, gram: &GramFactor) -> Vec<f64> {
+///
+/// # Errors
+///
+/// If the modes do not make it.
+fn constant(span: &Span, observed: &Observed, gram: &GramFactor) -> Result<Vec<f64>> {
     let coordinates = span.constant(gram);
     let shown = observed.shown(&column(&coordinates));
     let norm = shown.norm_l2();
-    shown.col(0).iter().map(|value| value / norm).collect()
+    if (norm - 1.0).abs() > CONSTANT {
+        return Err(Error::new(
+            "the constant image is no sum of the modes that are kept",
+            "keep more of them, or take criterion = \"standard\"",
+        ));
+    }
+    Ok(shown.col(0).iter().map(|value| value / norm).collect())
 }
 
 fn column(values: &[f64]) -> Mat<f64> {

@@ -5,9 +5,9 @@
 //! over the database's lights as captured and its materials, of each image's
 //! largest |I|.
 
-use crate::database::{Lights, Materials};
+use crate::database::{self, Lights, Materials};
 use crate::error::Result;
-use crate::moments::exposure;
+use crate::moments::{MaterialMoments, comparable};
 use crate::truth::Truth;
 use eigenshade_table::Table;
 use std::f64::consts::PI;
@@ -30,19 +30,17 @@ pub fn components_for(
     Ok((first..all).find(|&count| table.energy_left(count) <= allowed).unwrap_or(all))
 }
 
-/// Mean over all pairs of the square of the largest |I|, on 24 slants by 48 tilts,
+/// Weighted mean over all pairs of the square of the largest |I|, on 24 slants by 48 tilts,
 /// pole and rim included.
 fn mean_square_peak(table: &Table, lights: &Lights, materials: &Materials) -> Result<f64> {
     let truth = Truth::new(lights.degree, materials.order);
-    let mut scaled = Vec::new();
-    for entry in &lights.entries {
-        let mut light = entry.luminance();
-        let scale = exposure(&entry.name, light[0], table.scene.light.normalise)?;
-        light.iter_mut().for_each(|value| *value *= scale);
-        scaled.push(light);
-    }
-    let materials: Vec<Vec<f64>> =
-        materials.entries.iter().map(crate::database::Named::luminance).collect();
+    let scene = &table.scene;
+    let weights = database::weights(&lights.entries, &scene.light.weights)?;
+    let (scaled, of_lights): (Vec<Vec<f64>>, Vec<f64>) =
+        comparable(lights, scene.light.normalise, &weights)?.into_iter().unzip();
+    let weights = database::weights(&materials.entries, &scene.material.weights)?;
+    let MaterialMoments { vectors: materials, weights: of_materials, .. } =
+        MaterialMoments::weighted(materials, weights);
     let mut peaks = vec![0.0f64; scaled.len() * materials.len()];
     for slant in 0..24 {
         let (sine, z) = (0.5 * PI * f64::from(slant) / 23.0).sin_cos();
@@ -58,5 +56,6 @@ fn mean_square_peak(table: &Table, lights: &Lights, materials: &Materials) -> Re
             }
         }
     }
-    Ok(peaks.iter().map(|peak| peak * peak).sum::<f64>() / peaks.len() as f64)
+    let weights = of_materials.iter().flat_map(|b| of_lights.iter().map(move |l| b * l));
+    Ok(peaks.iter().zip(weights).map(|(peak, weight)| weight * peak * peak).sum())
 }

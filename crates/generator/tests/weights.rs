@@ -8,7 +8,8 @@ use eigenshade_generator::database::{Lights, Materials, Named};
 use eigenshade_generator::geometry::Geometry;
 use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_generator::{basis, general};
-use eigenshade_table::scene::{Criterion, LightRotation, Scene};
+use eigenshade_table::Table;
+use eigenshade_table::scene::{Criterion, LightRotation, Normalise, Scene};
 use std::path::Path;
 
 const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tables");
@@ -30,12 +31,20 @@ fn scene(criterion: Criterion, rotation: LightRotation) -> Scene {
     scene
 }
 
-fn eigenvalues(scene: &Scene, lights: &Lights, materials: &Materials) -> Vec<f64> {
+fn table(scene: &Scene, lights: &Lights, materials: &Materials) -> Table {
     let table = match scene.light.rotation {
         LightRotation::Any => basis::build(scene, lights, materials),
         _ => general::build(scene, &Geometry::Sphere, lights, materials),
     };
-    table.expect("a basis").spectrum.iter().filter_map(|(_, value)| *value).collect()
+    table.expect("a basis")
+}
+
+fn kept(scene: &Scene, lights: &Lights, materials: &Materials) -> usize {
+    table(scene, lights, materials).count()
+}
+
+fn eigenvalues(scene: &Scene, lights: &Lights, materials: &Materials) -> Vec<f64> {
+    table(scene, lights, materials).spectrum.iter().filter_map(|(_, value)| *value).collect()
 }
 
 /// The second entry once more under another name, the third taken out.
@@ -73,6 +82,14 @@ fn weights_are_repetitions() {
                 pairs.fold(0.0, |most: f64, (a, b)| most.max((a - b).abs())) / weighted[0]
             };
             assert!(apart(&repeated) < tolerances::MOMENTS, "{criterion:?} {rotation:?}");
+            // The peak of a tolerance is of the same statistics.
+            let mut tolerant = scene.clone();
+            (tolerant.basis.components, tolerant.basis.tolerance) = (None, Some(1e-2));
+            let mut loud = lights.clone();
+            loud.entries[2].rgb.iter_mut().flatten().for_each(|value| *value *= 1e3);
+            tolerant.light.normalise = Normalise::None;
+            let counts = [&lights, &loud].map(|lights| kept(&tolerant, lights, &materials));
+            assert_eq!(counts[0], counts[1], "a light of weight 0 counts");
             assert!(apart(&plain) > 1e-3, "weights change nothing: {criterion:?} {rotation:?}");
         }
     }

@@ -49,7 +49,7 @@ pub fn manifest(table: &Table, command: &str) -> String {
         ("store", table.scene.basis.store.name().to_owned()),
         ("components", table.count().to_string()),
         ("span", table.general.as_ref().map_or(0, |_| table.components.len()).to_string()),
-        ("rank", total.to_string()),
+        ("rank", table.general.as_ref().map_or(total, |general| general.rank).to_string()),
         ("rank of each |m|", per_azimuth.join(" ")),
         ("largest singular value", format!("{:.6e}", summary.largest_singular_value)),
         ("energy kept", format!("{:.9}", summary.energy_kept)),

@@ -58,6 +58,10 @@ impl Basis {
         if let Some((path, old)) = old {
             return check(&self.scene, path, &old, &table);
         }
+        let errors = match &self.purpose.out {
+            Some(path) => recorded_errors(&path.with_extension("errors.csv"), &table)?,
+            None => String::new(),
+        };
         let bytes = encode(&table);
         if let Some(path) = &self.purpose.out {
             let put = |path: &Path, bytes: &[u8]| {
@@ -67,15 +71,20 @@ impl Basis {
             };
             put(path, &bytes)?;
             let text = manifest(&table, &invocation::command_line());
-            let text = text + &recorded_errors(&path.with_extension("errors.csv"))?;
+            let text = text + &errors;
             put(&path.with_extension("manifest.csv"), text.as_bytes())?;
         }
         destination::write_text(None, &report(&table, bytes.len(), start.elapsed()))
     }
 }
 
-/// Rows of a manifest for the errors of a table that were recorded at `path`, if any were.
-fn recorded_errors(path: &Path) -> Result<String> {
+/// Rows of a manifest for the errors of this table that were recorded at `path`, if any
+/// were.
+///
+/// # Errors
+///
+/// If they are of a table of another degree, order or number of components.
+fn recorded_errors(path: &Path, table: &Table) -> Result<String> {
     let mut text = String::new();
     if !path.exists() {
         return Ok(text);
@@ -86,6 +95,12 @@ fn recorded_errors(path: &Path) -> Result<String> {
     for row in sheet.rows() {
         let [material, degree, order, components, median, worst, map] =
             columns.map(|column| row.text(column));
+        let own = [table.gram.degree, table.gram.order, table.count()].map(|n| n.to_string());
+        if !components.is_empty() && [degree, order, components] != own.each_ref() {
+            let what = format!("errors of {degree}/{order} with {components} components");
+            let remedy = "take the file away, or record this table's errors with `errors`";
+            return Err(row.fault(what, remedy));
+        }
         let of = if components.is_empty() { "direct sum" } else { "table" };
         let entry = format!("error of {material} {degree}/{order} {of}");
         let _ = writeln!(text, "{entry} median,{median},,\n{entry} worst,{worst} {map},,");
@@ -97,7 +112,8 @@ fn recorded_errors(path: &Path) -> Result<String> {
 fn report(table: &Table, bytes: usize, time: Duration) -> String {
     let summary = &table.summary;
     let both_signs = |(azimuth, rank): (usize, &usize)| if azimuth == 0 { *rank } else { 2 * rank };
-    let rank: usize = summary.ranks.iter().enumerate().map(both_signs).sum();
+    let of_sphere: usize = summary.ranks.iter().enumerate().map(both_signs).sum();
+    let rank = table.general.as_ref().map_or(of_sphere, |general| general.rank);
     let (found, asked) = (table.count(), table.scene.basis.components);
     let fewer = match asked {
         Some(asked) if asked > found => format!(" of {asked} asked for: there are no more"),

@@ -51,6 +51,13 @@ impl Errors {
     pub fn run(self) -> Result<()> {
         let table = table_file::read(&self.table)?;
         let (degree, order) = (table.gram.degree, table.gram.order);
+        if table.general.is_some() || !table.has_projection() {
+            return Err(Error::new(
+                "it is not a whole table of a sphere, under light that turns freely",
+                "make one: only such tables are set against direct integration",
+            )
+            .in_file(&self.table));
+        }
         let named = named_maps(&self.maps)?;
         let lights = self.lights_of(&named)?;
         if lights.degree < degree {
@@ -89,6 +96,10 @@ impl Errors {
                 let reference =
                     Reference::new(surface, &maps, spacing(surface), self.fineness, &progress);
                 progress.finish_and_clear();
+                if let Some(black) = reference.black() {
+                    let what = format!("`{}` is black under `{}`", surface.name, named[black].0);
+                    return Err(Error::new(what, "take it out: an error of its peak says nothing"));
+                }
                 let mut row = |degree: usize, order: usize, components: String, errors: &[f64]| {
                     let worst = (0..errors.len()).max_by(|&a, &b| errors[a].total_cmp(&errors[b]));
                     let worst = worst.unwrap_or_default();

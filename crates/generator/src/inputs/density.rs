@@ -11,6 +11,9 @@ use std::path::Path;
 const PANELS: usize = 8;
 const NODES: usize = 192;
 
+/// Slants of a CSV at most: a hundredth of a degree.
+const MOST_SLANTS: usize = 9001;
+
 /// Normals of an object whose normals have this density per solid angle over the
 /// visible hemisphere, of any scale, the same for all tilts.
 ///
@@ -25,7 +28,7 @@ const NODES: usize = 192;
 /// A formula that does not parse or has other variables than `a`; a CSV that is broken
 /// or whose slants do not rise within \[0, π/2\]; a density that is negative or not finite.
 pub fn read(density: &str, folder: &Path, degree: usize) -> Result<Vec<([f64; 3], f64)>> {
-    if Path::new(density).extension().is_some_and(|extension| extension == "csv") {
+    if Path::new(density).extension().is_some_and(|end| end.eq_ignore_ascii_case("csv")) {
         let path = folder.join(density);
         let rows = slants(&path)?;
         let panels = rows.windows(2).map(|two| (two[0].0, two[1].0)).collect::<Vec<_>>();
@@ -47,11 +50,35 @@ pub fn read(density: &str, folder: &Path, degree: usize) -> Result<Vec<([f64; 3]
 }
 
 fn formula(text: &str) -> Result<FlatEx<f64>> {
-    let formula = FlatEx::<f64>::parse(text).map_err(|error| wrong(text, &error.to_string()))?;
+    let written = signed(text)?;
+    let formula =
+        FlatEx::<f64>::parse(&written).map_err(|error| wrong(text, &error.to_string()))?;
     match formula.var_names().iter().find(|name| *name != "a") {
         Some(name) => Err(wrong(text, &format!("it has a variable `{name}`"))),
         None => Ok(formula),
     }
+}
+
+/// A formula with each leading minus as a factor -1: `-a^2` is -(a^2), as everyone writes
+/// it; the parser takes it for (-a)^2.
+fn signed(text: &str) -> Result<String> {
+    let mut written = String::new();
+    let mut before = '(';
+    for letter in text.chars() {
+        if letter == '-' && "(,+-*/^%".contains(before) {
+            if "/^%".contains(before) {
+                let why = format!("a minus right after `{before}`");
+                return Err(wrong(text, &why).with_remedy("put what follows in parentheses"));
+            }
+            written.push_str("(0-1)*");
+        } else {
+            written.push(letter);
+        }
+        if !letter.is_whitespace() {
+            before = letter;
+        }
+    }
+    Ok(written)
 }
 
 fn wrong(text: &str, why: &str) -> Error {
@@ -77,10 +104,16 @@ fn slants(path: &Path) -> Result<Vec<(f64, f64)>> {
         if rows.last().is_some_and(|last| a <= last.0) {
             return Err(row.fault(format!("slant {a} does not rise"), "sort the rows by slant"));
         }
-        rows.push((a.min(FRAC_PI_2), row.number(density)?));
+        let value = row.number(density)?;
+        if value < 0.0 {
+            return Err(row.fault(format!("density {value}"), "give it zero or more"));
+        }
+        rows.push((a.min(FRAC_PI_2), value));
     }
-    if rows.len() < 2 {
-        return Err(Error::new("fewer than two slants", "give two at least").in_file(path));
+    if !(2..=MOST_SLANTS).contains(&rows.len()) {
+        let what = format!("{} slants", rows.len());
+        let remedy = format!("give 2 to {MOST_SLANTS}: between them the density is linear");
+        return Err(Error::new(what, remedy).in_file(path));
     }
     Ok(rows)
 }

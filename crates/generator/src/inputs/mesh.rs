@@ -30,21 +30,24 @@ pub fn read(path: &Path) -> Result<Vec<([f64; 3], f64)>> {
     if triangles.is_empty() {
         return Err(broken("there is no triangle in it").in_file(path));
     }
-    let mut pairs = Vec::new();
+    let mut largest: f64 = 0.0;
     for (number, corners) in triangles.iter().enumerate() {
         if !corners.iter().flatten().all(|value| value.is_finite()) {
             return Err(
                 broken(format!("facet {number} has a corner that is not finite")).in_file(path)
             );
         }
-        pairs.extend(facet(corners));
+        largest = corners.iter().flatten().fold(largest, |most, value| most.max(value.abs()));
     }
+    // In its own size, so that areas of small and of large meshes are numbers.
+    let scaled = triangles.iter().map(|corners| corners.map(|corner| corner.map(|x| x / largest)));
+    let pairs = scaled.filter_map(|corners| facet(&corners)).collect();
     Ok(pairs)
 }
 
 /// The normal of a facet and its projected area, if it faces the camera.
 ///
-/// Edges are scaled by the largest first, so that small and large meshes lose nothing.
+/// Edges are scaled by the largest first, so that small facets keep their direction.
 fn facet(&[a, b, c]: &[[f64; 3]; 3]) -> Option<([f64; 3], f64)> {
     let edge = |to: [f64; 3]| [to[0] - a[0], to[1] - a[1], to[2] - a[2]];
     let (u, v) = (edge(b), edge(c));

@@ -15,9 +15,12 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Vec<[[f64; 3]; 3]>> {
     let parser = Parser::<DefaultElement>::new();
     let mut reader = Reader::new(Cursor::new(bytes));
     let header = parser.read_header(&mut reader).map_err(fault)?;
+    let mut least = 0usize;
     for (name, element) in &header.elements {
-        // An element takes a byte at least.
-        if element.count > bytes.len() {
+        // A number takes a byte at least, a face four: how many corners, and three of them.
+        let row = element.properties.len() + if name == "face" { 3 } else { 0 };
+        least = least.saturating_add(element.count.saturating_mul(row));
+        if least > bytes.len() || element.properties.is_empty() {
             return Err(broken(format!(
                 "{} of element `{name}` promised in {} bytes",
                 element.count,

@@ -29,7 +29,11 @@ pub fn read(path: &Path, mask: Option<&Path>) -> Result<Vec<([f64; 3], f64)>> {
         if is_masked || 2.0 * f64::from(*opacity) < full {
             continue;
         }
-        let normal = colour.map(|c| 2.0 * f64::from(c) / full - 1.0);
+        let mut normal = colour.map(|c| 2.0 * f64::from(c) / full - 1.0);
+        // No sample is 0: a z less than a step below it is the rim, rounded.
+        if normal[2] < 0.0 && normal[2] > -2.0 / full {
+            normal[2] = 0.0;
+        }
         let length = normal.iter().map(|c| c * c).sum::<f64>().sqrt();
         if normal[2] < -RIM * length {
             let (column, row) = (number % map.width, number / map.width);
