@@ -155,8 +155,7 @@ fn slices_are_shaded_as_their_normals() {
 #[cfg(target_pointer_width = "64")]
 #[test]
 fn a_transfer_starts_a_cache_line() {
-    let material = numbers(40, 0.3);
-    let material = eigenshade::Material::new(7, &material).expect("40 coefficients");
+    let material = eigenshade::Material::new(7, &[0.3; 40]).expect("40 coefficients");
     let transfer = sphere::transfer(&material).expect("an order of 7");
     assert_eq!(transfer.as_slice().as_ptr().addr() % 64, 0);
 }
