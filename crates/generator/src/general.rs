@@ -2,7 +2,7 @@
 //! nor V_c falls apart into azimuths.
 //!
 //! Images are taken in the coordinates a of the sphere's [`Span`], energies over the
-//! object's normals in the coordinates y of [`Observed`]. The eigenimages W are the left
+//! object's normals in the coordinates y of `observed`. The eigenimages W are the left
 //! singular vectors of the database's images in y, U = A⁺W.
 
 use crate::database::{Lights, Materials};
@@ -33,7 +33,7 @@ const CONSTANT: f64 = 1e-8;
 ///
 /// # Errors
 ///
-/// As [`basis::build`](crate::basis::build); a scene whose `store` is not the whole.
+/// As [`basis::build`]; a scene whose `store` is not the whole.
 pub fn build(
     scene: &Scene,
     geometry: &Geometry,
@@ -104,7 +104,7 @@ pub fn build(
         scene: scene.clone(),
         selection: kept,
         components: span.components(),
-        profiles: span.table_profiles(&gram, scene.basis.profile_tolerance),
+        profiles: Vec::new(),
         mean: None,
         spectrum: eigenvalues.iter().map(|value| (None, *value)).collect(),
         general: None,
@@ -129,6 +129,9 @@ pub fn build(
             (mean, coefficients.col(0).iter().copied().collect())
         }
     };
+    let images = observed.images(&shown);
+    table.profiles =
+        span.table_profiles(&table.gram, scene.basis.profile_tolerance, &images, &mean);
     table.summary.orthonormality = observed.orthonormality(&shown, rank, REPORTED);
     if energy > 0.0 {
         table.summary.energy_kept = (1.0 - table.energy_left(kept) / energy).max(0.0);
@@ -141,7 +144,7 @@ pub fn build(
         rank,
         eigenvalues,
         projection: rows(&projection),
-        synthesis: columns(&observed.images(&shown)),
+        synthesis: columns(&images),
         modes: columns(&observed.modes(&shown, rank)),
         mean,
         mean_coefficients,

@@ -7,7 +7,7 @@
 
 use crate::error::{Error, Result};
 use crate::geometry::Geometry;
-use crate::span::{Function, ROUNDING, Span};
+use crate::span::{Function, Span};
 use faer::Mat;
 
 /// What an object shows of a span.
@@ -60,12 +60,14 @@ impl Observed {
         Mat::from_fn(along.nrows(), along.ncols(), |i, j| self.gains[i] * along[(i, j)])
     }
 
-    /// a, column by column, of the images that show y and have the modes of least norm.
+    /// a, column by column, of the images of least norm that show y: Q S⁻¹ y.
     ///
-    /// Of the images that look alike on the object these have the least of what modes
-    /// hardly make: their polynomials stay short.
+    /// Of the images that look alike on the object these cancel least in what their
+    /// polynomials add up.
     pub(crate) fn images(&self, shown: &Mat<f64>) -> Mat<f64> {
-        self.scaled(&self.solution(shown, self.rank(ROUNDING)))
+        let scaled =
+            Mat::from_fn(shown.nrows(), shown.ncols(), |i, j| shown[(i, j)] / self.gains[i]);
+        &self.directions * scaled
     }
 
     /// d from coordinates in the span: Wᵀ S Qᵀ.

@@ -3,6 +3,7 @@
 use crate::eigenimages;
 use crate::span::{Function, Span};
 use eigenshade_table::{Component, GramFactor, Profile};
+use faer::Mat;
 
 impl Span {
     /// Its functions as components, without eigenvalues.
@@ -22,18 +23,30 @@ impl Span {
             .collect()
     }
 
-    /// Its profiles; polynomials are off by at most `tolerance` of what the strongest
-    /// profile is in an image.
+    /// Its profiles for these images, columns of coordinates, and a mean image, or none.
     ///
-    /// Of an image of modes c the coordinate in a profile is at most s |c|, s its singular
-    /// value: a weak profile may be off by as much more as it is weaker.
-    pub(crate) fn table_profiles(&self, gram: &GramFactor, tolerance: f64) -> Vec<Profile> {
-        let largest = self.largest();
+    /// The polynomial of a profile is off by at most `tolerance` over the largest
+    /// coordinate that an image has in it: so much of it is in no image.
+    pub(crate) fn table_profiles(
+        &self,
+        gram: &GramFactor,
+        tolerance: f64,
+        images: &Mat<f64>,
+        mean: &[f64],
+    ) -> Vec<Profile> {
+        let largest = |function: usize| -> f64 {
+            let of_images = (0..images.ncols()).map(|image| images[(function, image)]);
+            let of_mean = mean.get(function).copied();
+            of_images.chain(of_mean).fold(0.0, |most, value| most.max(value.abs()))
+        };
         let mut profiles = Vec::new();
-        for of in &self.azimuths {
+        let mut functions = 0..;
+        for (azimuth, of) in self.azimuths.iter().enumerate() {
             for (profile, singular) in of.singular_values.iter().enumerate() {
+                let signs = if azimuth == 0 { 1 } else { 2 };
+                let weight = functions.by_ref().take(signs).map(largest).fold(0.0, f64::max);
                 let coordinates = of.profiles.get(.., profile..profile + 1).to_owned();
-                let tolerance = (tolerance * largest / singular).min(1.0);
+                let tolerance = (tolerance / weight).min(1.0);
                 let image = eigenimages::image(gram, &of.block, &coordinates, tolerance);
                 // The span's own U: V / s, where `modes` is s V.
                 let modes = of.modes.row(profile).iter();

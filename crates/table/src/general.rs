@@ -20,7 +20,7 @@ pub struct General {
     pub eigenvalues: Vec<Option<f64>>,
     /// d from an image's coordinates in the span.
     pub projection: Vec<f64>,
-    /// An eigenimage's coordinates in the span: its image of the modes of least norm.
+    /// An eigenimage's coordinates in the span: the image of least norm that shows it.
     pub synthesis: Vec<f64>,
     /// U over the span's own U: an eigenimage's mode coefficients are this row times the
     /// mode coefficients of the span's components.
