@@ -16,6 +16,10 @@ use eigenshade_generator::reading::transfer::Transfers;
 use eigenshade_table::Table;
 use std::collections::BTreeMap;
 
+/// Variances of d against the table's eigenvalues, of the largest: two ways of summing
+/// the same squares.
+const SAME_STATISTICS: f64 = 1e-9;
+
 /// What a table and its databases bring to every image.
 #[derive(Clone, Debug)]
 pub struct Reader<'a> {
@@ -80,6 +84,19 @@ impl<'a> Reader<'a> {
         let of_materials = MaterialMoments::weighted(materials, weights);
         let prior = Prior::new(table, &transfers, &statistics, of_materials)?;
         Ok(Self { table, materials, transfers, prior })
+    }
+
+    /// Whether the databases are those that the table was made of: V_d has the table's
+    /// eigenvalues.
+    #[must_use]
+    pub fn is_of_the_database(&self) -> bool {
+        let eigenvalues = self.table.spectrum.iter().map(|(_, value)| *value);
+        let moments = self.prior.second_moment();
+        let largest =
+            self.table.spectrum.iter().filter_map(|(_, value)| *value).fold(0.0, f64::max);
+        (0..moments.nrows()).zip(eigenvalues).all(|(k, value)| {
+            value.is_none_or(|value| (moments[(k, k)] - value).abs() <= SAME_STATISTICS * largest)
+        })
     }
 
     /// Reads an image of one grey channel or three colours; `noise` is the standard

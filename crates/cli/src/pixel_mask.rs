@@ -5,6 +5,9 @@ use eigenshade_generator::inputs::png_samples;
 use eigenshade_generator::inputs::sheet::Sheet;
 use std::path::Path;
 
+/// The largest weight: its square, times any number of pixels, is a number.
+const LARGEST: f64 = 1e100;
+
 /// Reads a weight for each pixel: from a PNG of the image's size, its luminance times
 /// its opacity, 0 to 1; or from a CSV with the column `weight`, 0 or more.
 ///
@@ -49,8 +52,9 @@ fn of_csv(path: &Path) -> Result<Vec<f64>> {
     let [column] = sheet.columns(["weight"]).ok_or_else(|| sheet.wrong_header("`weight`"))?;
     let weight = |row: eigenshade_generator::inputs::sheet::Row<'_>| {
         let weight = row.number(column)?;
-        if weight < 0.0 {
-            return Err(row.fault(format!("the weight is {weight}"), "give weights of 0 or more"));
+        if weight != 0.0 && !(1.0 / LARGEST..=LARGEST).contains(&weight) {
+            let remedy = "give 0, or weights from 1e-100 to 1e100";
+            return Err(row.fault(format!("the weight is {weight}"), remedy));
         }
         Ok(weight)
     };

@@ -3,7 +3,7 @@
 use crate::sphere_view::SphereView;
 use eigenshade_generator::error::{Error, Result};
 use eigenshade_generator::inputs::normals::{read_normals, visible};
-use eigenshade_generator::inputs::png_samples;
+use eigenshade_generator::inputs::{normal_map, png_samples};
 use std::path::Path;
 
 /// A normal map's vector below this length is background: real ones have length 1,
@@ -75,9 +75,8 @@ fn of_png(path: &Path, size: Option<[usize; 2]>) -> Result<Vec<Option<[f64; 3]>>
         )
         .in_file(path));
     }
-    let component = |sample: u16| 2.0 * f64::from(sample) / f64::from(png.full) - 1.0;
     let normal = |(colour, opacity): (&[u16; 3], &u16)| {
-        let vector = colour.map(component);
+        let vector = normal_map::vector(*colour, png.full);
         let length = vector.iter().map(|c| c * c).sum::<f64>().sqrt();
         let is_there = *opacity > 0 && length >= SHORTEST;
         is_there.then(|| visible(vector).ok()).flatten()

@@ -12,6 +12,20 @@ pub const TABLE: &[u8] = include_bytes!("../../../tables/sphere.bin");
 const LIGHTS: &str = include_str!("../../../tables/inputs/lights.csv");
 const MATERIALS: &str = include_str!("../../../tables/inputs/materials.csv");
 
+/// Materials of the shipped set that pictures and reports show, from matte to specular.
+pub const SHOWN_MATERIALS: [&str; 7] = [
+    "ptfe-633nm",
+    "10-plaster-a",
+    "07-velvet",
+    "13-artificial-grass",
+    "05-leather",
+    "15-aluminum-foil",
+    "34-slate-b",
+];
+
+/// Lights of the shipped set that pictures and reports show.
+pub const SHOWN_LIGHTS: [&str; 4] = ["esplanade", "park", "blender-courtyard", "studio"];
+
 /// `tables/inputs/lights.csv`.
 ///
 /// # Errors

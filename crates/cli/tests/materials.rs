@@ -94,11 +94,14 @@ fn tables_that_are_none() {
     dims[4..8].copy_from_slice(&i32::MAX.to_le_bytes());
     let mut nan = good.clone();
     nan[12..20].copy_from_slice(&f64::NAN.to_le_bytes());
-    let cases: [(&[u8], &str); 5] = [
+    let mut huge = good.clone();
+    huge[12..20].copy_from_slice(&1e200f64.to_le_bytes());
+    let cases: [(&[u8], &str); 6] = [
         (&good[..good.len() / 2], "bytes"),
         (&good[..3], "3 bytes"),
         (&dims, "2147483647"),
         (&nan, "not finite"),
+        (&huge, "beyond 1e100"),
         (b"", "0 bytes"),
     ];
     for (bytes, word) in cases {

@@ -138,6 +138,7 @@ fn leathers_highlight_takes_thirty_to_fifty() {
     assert!(leather.brightest[50] > 0.95 && leather.errors[10] < 0.05);
     let velvet = &found.courses[0];
     assert!(velvet.errors[10] < 0.02 && velvet.brightest[30] < 0.9);
+    assert!(velvet.brightest[50] < leather.brightest[50], "its rim takes more");
 }
 
 /// With five components the light matters more than the material, and light from behind

@@ -131,11 +131,8 @@ fn both_criteria_read_alike() {
 }
 
 #[test]
-fn black_and_weighted_images() {
+fn weighted_images() {
     let folder = with_image();
-    folder.write("black.csv", format!("value\n{}", "0\n".repeat(400)));
-    let found = answer(&folder.ok("read black.csv --normals normals.csv --table b.bin"));
-    assert!(get(&found, "d", "posterior").iter().flatten().all(|d| *d == 0.0));
     // A pixel that weighs nothing may show anything.
     let text = folder.read("image.csv");
     let last = text.trim_end().rfind('\n').unwrap();
@@ -264,6 +261,38 @@ fn pictures() {
     let (fewer, _) = read("v.png --normals sphere --components 9 --noise 0.01");
     assert_eq!(get(&fewer, "d", "posterior").len(), 9);
     assert!(get(&fewer, "fit", "noise")[0][0] > 0.01);
+}
+
+/// What would be read without a fault and mean nothing.
+#[test]
+fn nothing_is_read_from_nothing() {
+    let folder = with_image();
+    folder.write("black.csv", format!("value\n{}", "0\n".repeat(400)));
+    let read = "--normals normals.csv --table b.bin --out new.csv";
+    assert_fails(&folder, &format!("read black.csv {read}"), &["black.csv", "black"]);
+    let twice = format!("read image.csv {read} --modes-out new.csv");
+    assert_fails(&folder, &twice, &["new.csv", "two outputs"]);
+    for noise in ["1e300", "1e-300", "0", "nan"] {
+        let output = folder.run(&format!("read image.csv {read} --noise {noise}"));
+        assert_eq!(output.status.code(), Some(2), "{noise}");
+    }
+    folder.write("heavy.csv", format!("weight\n{}", "1e300\n".repeat(400)));
+    assert_fails(&folder, &format!("read image.csv {read} --mask heavy.csv"), &["heavy.csv:2:"]);
+}
+
+/// As many lights and materials as are shipped, but others, and not there any more.
+#[test]
+fn shipped_databases_stand_in_for_themselves_only() {
+    let folder = with_image();
+    let shipped = repository().join("tables/inputs");
+    fs::copy(shipped.join("materials.csv"), folder.path("materials.csv")).unwrap();
+    folder.write("lights.csv", lights(support::DEGREE, 26));
+    folder.ok("basis --scene scene.toml --out other.bin");
+    fs::remove_file(folder.path("lights.csv")).unwrap();
+    let read = "read image.csv --normals normals.csv --table other.bin --components 9";
+    assert_fails(&folder, &format!("{read} --out new.csv"), &["other.bin", "--lights"]);
+    folder.write("lights.csv", lights(support::DEGREE, 26));
+    folder.ok(read);
 }
 
 #[test]

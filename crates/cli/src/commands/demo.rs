@@ -17,18 +17,6 @@ use std::fs;
 use std::path::PathBuf;
 use std::time::Instant;
 
-/// From matte to specular.
-const SHOWN_MATERIALS: [&str; 7] = [
-    "ptfe-633nm",
-    "10-plaster-a",
-    "07-velvet",
-    "13-artificial-grass",
-    "05-leather",
-    "15-aluminum-foil",
-    "34-slate-b",
-];
-const SHOWN_LIGHTS: [&str; 4] = ["esplanade", "park", "blender-courtyard", "studio"];
-
 /// Timings of which the shortest counts.
 const TIMINGS: usize = 5;
 
@@ -93,9 +81,9 @@ impl Demo {
 fn shown() -> Result<(Lights, Materials)> {
     let lights = shipped::lights()?;
     let materials = shipped::materials()?;
-    let entries = chosen(lights.entries, &SHOWN_LIGHTS)?;
+    let entries = chosen(lights.entries, &shipped::SHOWN_LIGHTS)?;
     let lights = Lights { degree: lights.degree, entries };
-    let entries = chosen(materials.entries, &SHOWN_MATERIALS)?;
+    let entries = chosen(materials.entries, &shipped::SHOWN_MATERIALS)?;
     Ok((lights, Materials { order: materials.order, entries }))
 }
 

@@ -55,7 +55,7 @@ pub struct Answer {
     #[arg(long, value_name = "O", value_parser = count(0, 64))]
     pub order: usize,
     /// What the material is called, instead of after its model
-    #[arg(long, value_name = "NAME")]
+    #[arg(long, value_name = "NAME", value_parser = clap::builder::NonEmptyStringValueParser::new())]
     name: Option<String>,
     /// Under what the coefficients are nearest to the function
     #[arg(long, value_enum, default_value_t)]

@@ -70,20 +70,26 @@ pub struct Read {
 
 fn positive(text: &str) -> std::result::Result<f64, String> {
     match text.parse::<f64>() {
-        Ok(number) if number > 0.0 && number.is_finite() => Ok(number),
-        _ => Err("a number above zero is wanted".to_owned()),
+        Ok(number) if (LARGEST.recip()..=LARGEST).contains(&number) => Ok(number),
+        _ => Err("a number from 1e-100 to 1e100 is wanted".to_owned()),
     }
 }
 
 impl Read {
     pub fn run(self) -> Result<()> {
+        self.outputs_differ()?;
         let table = table_file::read(&self.table)?;
         self.served(&table)?;
         let components = table_file::components(&table, self.components, &self.table)?;
-        let lights = self.lights(&table)?;
-        let materials = self.materials(&table)?;
+        let (lights, lights_stand_in) = self.lights(&table)?;
+        let (materials, materials_stand_in) = self.materials(&table)?;
         let (lights, materials) = fitted(&table, &lights, &materials);
         let reader = Reader::new(&table, components, &lights, &materials)?;
+        if (lights_stand_in || materials_stand_in) && !reader.is_of_the_database() {
+            let what = "the databases of its scene are not there, and the shipped ones are others";
+            let remedy = "name them by --lights and --materials";
+            return Err(Error::new(what, remedy).in_file(&self.table));
+        }
 
         let image = LinearImage::read(&self.image, self.transfer)?;
         let grey = image.is_grey();
@@ -101,6 +107,18 @@ impl Read {
         say(told);
         read_answer::summarise(&answer);
         Ok(())
+    }
+
+    /// Whether each output is a file of its own.
+    fn outputs_differ(&self) -> Result<()> {
+        let outputs = [&self.out, &self.light_out, &self.modes_out];
+        let named: Vec<&PathBuf> = outputs.into_iter().flatten().collect();
+        match (1..named.len()).find(|&k| named[..k].contains(&named[k])) {
+            Some(k) => {
+                Err(Error::new("two outputs go there", "give each its own file").in_file(named[k]))
+            }
+            None => Ok(()),
+        }
     }
 
     /// Whether the table holds what is asked for.
@@ -123,25 +141,28 @@ impl Read {
         self.image.file_stem().unwrap_or_default().to_string_lossy().into_owned()
     }
 
-    /// The lights that are given, or those of the table's scene.
-    fn lights(&self, table: &Table) -> Result<Lights> {
+    /// The lights that are given, or those of the table's scene; and whether shipped ones
+    /// stand in for these.
+    fn lights(&self, table: &Table) -> Result<(Lights, bool)> {
         let count = table.summary.lights;
-        match &self.lights {
-            Some(path) => read_lights(path, None),
-            None => match self.beside(&table.scene.light.database) {
-                Ok(path) => read_lights(path, None),
-                Err(missing) => shipped::lights()
-                    .ok()
-                    .filter(|lights| lights.entries.len() == count)
-                    .ok_or_else(|| without(missing, "--lights")),
-            },
+        if let Some(path) = &self.lights {
+            return Ok((read_lights(path, None)?, false));
+        }
+        match self.beside(&table.scene.light.database) {
+            Ok(path) => Ok((read_lights(path, None)?, false)),
+            Err(missing) => shipped::lights()
+                .ok()
+                .filter(|lights| lights.entries.len() == count)
+                .map(|lights| (lights, true))
+                .ok_or_else(|| without(missing, "--lights")),
         }
     }
 
-    /// The materials that are given, or those that the table's scene means.
-    fn materials(&self, table: &Table) -> Result<Materials> {
+    /// The materials that are given, or those that the table's scene means; and whether
+    /// shipped ones stand in for these.
+    fn materials(&self, table: &Table) -> Result<(Materials, bool)> {
         if let Some(path) = &self.materials {
-            return read_materials(path, None);
+            return Ok((read_materials(path, None)?, false));
         }
         let scene = &table.scene.material;
         let beside = self.beside(&scene.database);
@@ -156,7 +177,7 @@ impl Read {
             Err(missing) if entries.len() != table.summary.materials => {
                 Err(without(missing, "--materials"))
             }
-            _ => Ok(Materials { order, entries }),
+            _ => Ok((Materials { order, entries }, beside.is_err())),
         }
     }
 
@@ -203,6 +224,11 @@ impl Read {
         if largest > LARGEST || (largest > 0.0 && largest < LARGEST.recip()) {
             let what = format!("the largest of its values is {largest:e}");
             let remedy = "scale it to between 1e-100 and 1e100, whose squares are numbers";
+            return Err(Error::new(what, remedy).in_file(&self.image));
+        }
+        if largest == 0.0 && observation.pixels > 0 {
+            let what = "every pixel that counts is black";
+            let remedy = "give an image that shows something: no light or material can be read";
             return Err(Error::new(what, remedy).in_file(&self.image));
         }
         if observation.pixels < components {

@@ -6,7 +6,7 @@ use eigenshade_cli::damage::{self, Damage};
 use eigenshade_cli::image_reading::{Reader, Reading};
 use eigenshade_cli::message::bar;
 use eigenshade_cli::sphere_view::SphereView;
-use eigenshade_cli::{destination, parallel, table_file};
+use eigenshade_cli::{destination, parallel, shipped, table_file};
 use eigenshade_generator::basis;
 use eigenshade_generator::database::{Lights, Materials, Named};
 use eigenshade_generator::error::Result;
@@ -18,16 +18,6 @@ use std::fmt::Write as _;
 use std::path::PathBuf;
 
 const TEXT: &str = include_str!("read_report.md");
-const SHOWN_LIGHTS: [&str; 4] = ["esplanade", "park", "blender-courtyard", "studio"];
-const SHOWN_MATERIALS: [&str; 7] = [
-    "ptfe-633nm",
-    "10-plaster-a",
-    "07-velvet",
-    "13-artificial-grass",
-    "05-leather",
-    "15-aluminum-foil",
-    "34-slate-b",
-];
 
 /// Pixels across each image.
 const SIZE: usize = 64;
@@ -59,7 +49,10 @@ impl ReadReport {
         let inside = view.pixels.iter().zip(&view.normals).filter(|(pixel, _)| pixel.is_inside);
         let normals: Vec<[f64; 3]> = inside.map(|(_, normal)| *normal).collect();
         let truths = Truths::new(
-            [chosen(&lights.entries, &SHOWN_LIGHTS), chosen(&materials.entries, &SHOWN_MATERIALS)],
+            [
+                chosen(&lights.entries, &shipped::SHOWN_LIGHTS),
+                chosen(&materials.entries, &shipped::SHOWN_MATERIALS),
+            ],
             [degree, order],
             normals,
         );
@@ -68,8 +61,9 @@ impl ReadReport {
             lights: &lights,
             materials: &materials,
         });
-        let other_lights = Lights { degree, entries: others(&lights.entries, &SHOWN_LIGHTS) };
-        let entries = others(&materials.entries, &SHOWN_MATERIALS);
+        let other_lights =
+            Lights { degree, entries: others(&lights.entries, &shipped::SHOWN_LIGHTS) };
+        let entries = others(&materials.entries, &shipped::SHOWN_MATERIALS);
         let other_materials = Materials { order, entries };
         let unknown = known.map(|known| Database {
             lights: &other_lights,

@@ -23,13 +23,16 @@ pub struct Merl {
     values: Vec<f64>,
 }
 
+/// The largest value that means anything: sums of its squares are numbers.
+const LARGEST: f64 = 1e100;
+
 impl Merl {
     /// Of these values, 1/sr; below zero where there is none. None if they are not as
-    /// many as there are bins, or one is not finite.
+    /// many as there are bins, or one is not finite or beyond 1e100, whose squares are none.
     #[must_use]
     pub fn new(values: Vec<f64>) -> Option<Self> {
         let fits = values.len() == BINS.iter().product::<usize>();
-        (fits && values.iter().all(|value| value.is_finite())).then_some(Self { values })
+        (fits && values.iter().all(|value| value.abs() <= LARGEST)).then_some(Self { values })
     }
 
     /// Bins without a value, as a share of all.

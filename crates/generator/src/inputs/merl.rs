@@ -59,7 +59,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<Surface> {
         let values = bytes.as_chunks().0.iter().map(|&eight| scale * f64::from_le_bytes(eight));
         let fault = |what: &str| Error::new(format!("{what} in its {name} part"), REMEDY);
         let channel = Merl::new(values.collect())
-            .ok_or_else(|| fault("a number is not finite").in_file(path))?;
+            .ok_or_else(|| fault("a number is not finite, or beyond 1e100").in_file(path))?;
         if channel.missing() >= 1.0 {
             return Err(fault("no bin has a value").in_file(path));
         }

@@ -29,11 +29,7 @@ pub fn read(path: &Path, mask: Option<&Path>) -> Result<Vec<([f64; 3], f64)>> {
         if is_masked || 2.0 * f64::from(*opacity) < full {
             continue;
         }
-        let mut normal = colour.map(|c| 2.0 * f64::from(c) / full - 1.0);
-        // No sample is 0: a z less than a step below it is the rim, rounded.
-        if normal[2] < 0.0 && normal[2] > -2.0 / full {
-            normal[2] = 0.0;
-        }
+        let normal = vector(*colour, map.full);
         let length = normal.iter().map(|c| c * c).sum::<f64>().sqrt();
         if normal[2] < -RIM * length {
             let (column, row) = (number % map.width, number / map.width);
@@ -49,6 +45,17 @@ pub fn read(path: &Path, mask: Option<&Path>) -> Result<Vec<([f64; 3], f64)>> {
         pairs.push((normal, 1.0));
     }
     Ok(pairs)
+}
+
+/// What a sample of red, green and blue says: 2c - 1 of each channel c = sample / `full`,
+/// not normalised.
+///
+/// No sample says 0; a z less than a step below it is the rim, rounded.
+#[must_use]
+pub fn vector(colour: [u16; 3], full: u16) -> [f64; 3] {
+    let full = f64::from(full);
+    let [x, y, z] = colour.map(|c| 2.0 * f64::from(c) / full - 1.0);
+    [x, y, if z < 0.0 && z > -2.0 / full { 0.0 } else { z }]
 }
 
 /// Whether each pixel counts: where the mask is not black.

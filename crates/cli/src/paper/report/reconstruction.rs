@@ -30,7 +30,7 @@ pub fn section(report: &Report<'_>) -> String {
          largest value; the number is the error. [The same by the 1,000 modes](paper/reconstruction_1000.png). Brightest \
          point: the reconstruction there, of the truth.\n\n{}\n\
          Leather's shading is there with a few components, its highlight takes 30 to 50, as in the paper. Velvet's rim is \
-         narrow: its shading is right with ten, the last of the rim's brightness takes as many as leather's highlight. \
+         narrow: its shading is right with ten, the last of the rim's brightness takes more than leather's highlight. \
          Figures: [reconstruction.csv](paper/reconstruction.csv).\n",
         table(header, &rows)
     )
