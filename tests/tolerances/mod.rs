@@ -208,3 +208,22 @@ pub const DIRECT_PARTS: f64 = 1e-3;
 /// An error's figure by other normals and nodes, relative: their peak, at the rim or
 /// a window, is that of the nearest.
 pub const ERROR_FIGURE: f64 = 0.1;
+
+/// Area of facets that nothing hides, in a picture of a few units: the same products, in another
+/// order.
+pub const WHOLE_FACETS: f64 = 1e-12;
+/// Area seen of facets partly hidden, of the longer side of the box times the length of their
+/// outlines and cuts: the diagonal of a sample of 1/1024.
+pub const VISIBLE_AREA: f64 = 1.4 / 1024.0;
+/// A torus of 200 x 100 facets against the smooth one, of its picture: chords of a circle of 100,
+/// (2π/100)²/6, and of 200; samples where it hides itself.
+pub const FACETED_TORUS: f64 = 1.5e-3;
+/// Moments of visible normals against 200 x 200 rays, of the picture: edges of length
+/// some tens in 200, their errors of both signs.
+pub const RAYS: f64 = 3e-3;
+/// Slivers that are all cut alike, of their area: sixteen points stand for each, a tenth
+/// of its area apart at most.
+pub const SLIVERS_ALIKE: f64 = 0.1;
+/// Slivers cut along a diagonal, of their area: the errors of each one's points sum to nothing
+/// over its length, and the cut is 1.4 long, with a sample of 2/1024 in width.
+pub const SLIVERS: f64 = 3e-3;
