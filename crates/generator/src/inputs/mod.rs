@@ -8,6 +8,7 @@ pub mod curet;
 pub mod density;
 pub mod environment;
 pub mod facet;
+mod facet_samples;
 pub mod fit;
 mod fit_channel;
 pub mod fit_constraints;
