@@ -11,8 +11,12 @@ pub trait Integer: Fixed {
     const FORMAT: Format;
     /// The mantissa of this number, which has no more bits.
     fn of(mantissa: i32) -> Self;
-    /// The normal of these components.
-    fn normal(components: [Self; 3]) -> Normal<Self>;
+    /// The nearest normal.
+    ///
+    /// # Errors
+    ///
+    /// One that is no visible unit vector.
+    fn normal(components: [f64; 3]) -> Result<Normal<Self>, Error>;
     /// The basis of these parts.
     ///
     /// # Errors
@@ -26,8 +30,9 @@ impl Integer for Q15 {
     fn of(mantissa: i32) -> Self {
         Self(mantissa as i16)
     }
-    fn normal([x, y, z]: [Self; 3]) -> Normal<Self> {
-        Normal::<Self>::new(x, y, z).expect("normal")
+    fn normal(components: [f64; 3]) -> Result<Normal<Self>, Error> {
+        let [x, y, z] = components.map(rounded);
+        Normal::<Self>::new(x, y, z)
     }
     fn basis(parts: Parts<'_, Self>) -> Result<Basis<'_, Self>, Error> {
         Basis::<Self>::new(parts)
@@ -39,12 +44,19 @@ impl Integer for Q31 {
     fn of(mantissa: i32) -> Self {
         Self(mantissa)
     }
-    fn normal([x, y, z]: [Self; 3]) -> Normal<Self> {
-        Normal::<Self>::new(x, y, z).expect("normal")
+    fn normal(components: [f64; 3]) -> Result<Normal<Self>, Error> {
+        let [x, y, z] = components.map(rounded);
+        Normal::<Self>::new(x, y, z)
     }
     fn basis(parts: Parts<'_, Self>) -> Result<Basis<'_, Self>, Error> {
         Basis::<Self>::new(parts)
     }
+}
+
+/// The nearest fraction of 2^BITS; 1 is the largest mantissa.
+fn rounded<Q: Integer>(component: f64) -> Q {
+    let one = 2f64.powi(Q::FORMAT.bits());
+    Q::of((one * component).round().clamp(1.0 - one, one - 1.0) as i32)
 }
 
 /// The arrays of a basis in integers, owned.
@@ -81,12 +93,6 @@ impl<Q: Integer> OwnedQuantised<Q> {
         })
     }
 
-    pub fn place(&self, k: usize) -> eigenshade_table::quantise::Place {
-        self.parts.profiles[k]
-    }
-    pub fn term(&self, k: usize) -> f64 {
-        self.parts.terms[k].into()
-    }
     /// The basis.
     ///
     /// # Errors
