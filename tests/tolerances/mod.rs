@@ -227,3 +227,23 @@ pub const SLIVERS_ALIKE: f64 = 0.1;
 /// Slivers cut along a diagonal, of their area: the errors of each one's points sum to nothing
 /// over its length, and the cut is 1.4 long, with a sample of 2/1024 in width.
 pub const SLIVERS: f64 = 3e-3;
+/// Signal to error of f32 over the database, in decibels, and of its worst pair: 24 bits
+/// are 150, and polynomials are trimmed to 1e-7, 140.
+pub const F32_ALL: f64 = 130.0;
+/// See [`F32_ALL`]; d of a dark image is small beside its addends.
+pub const F32_WORST: f64 = 120.0;
+/// Signal to error of mantissas of 31 bits: polynomials are trimmed to 1e-8, 160.
+pub const Q31_ALL: f64 = 140.0;
+/// See [`Q31_ALL`].
+pub const Q31_WORST: f64 = 115.0;
+/// Signal to error of mantissas of 15 bits: 96 less what a pixel of 17 bits loses to its
+/// headroom (Σ|d| max|U| is up to four times the peak) and to 13 polynomials' rounding.
+pub const Q15_ALL: f64 = 80.0;
+/// See [`Q15_ALL`]; a narrow peak has little energy for its height.
+pub const Q15_WORST: f64 = 65.0;
+/// Signal to error of one component over the database: the addends of UᵀM cancel, to a
+/// thirtieth in the weakest.
+pub const Q15_COMPONENT: f64 = 64.0;
+/// Figures in decibels on a page are rounded to a tenth; a fused target moves f32 by
+/// less than the other half.
+pub const DECIBELS_STATED: f64 = 0.1;

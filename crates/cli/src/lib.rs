@@ -21,6 +21,8 @@ pub mod named;
 
 pub mod owned_basis;
 
+pub mod owned_quantised;
+
 pub mod shader;
 
 pub mod truth_image;
