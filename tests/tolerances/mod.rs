@@ -208,6 +208,6 @@ pub const DIRECT_FRAMES: f64 = 5e-3;
 /// Texels in parts against parts four times as fine, rms of the peak, for lobes of 0.01 rad and more
 /// on texels of 0.0123: a tenth of what degree 24 leaves at such a lobe.
 pub const DIRECT_PARTS: f64 = 1e-3;
-/// An error's figure by other normals and nodes, relative: their peak, at the rim or
-/// a window, is that of the nearest.
+/// An error's figure by other normals and nodes, relative: 320 normals, for lobes of 0.04 rad 2,000,
+/// sample it to some per cent, and their peak, at the rim or a window, is that of the nearest.
 pub const ERROR_FIGURE: f64 = 0.1;

@@ -78,7 +78,7 @@ fn carried(variance: &Variance, (order, degree, name): (usize, usize, &str)) -> 
         paper,
         condition: format!(
             "l = {degree} is the first beyond which lies less than {}",
-            percent(CARRIED)
+            whole(CARRIED)
         ),
         holds: found == Some(degree),
         found: format!(
@@ -113,7 +113,7 @@ fn many(errors: &Errors, plaster: &[f64]) -> Claim {
         paper: "about five components for many materials, the matte among them".into(),
         condition: format!(
             "with {ABOUT_FIVE} half of the materials are within {}",
-            percent(REPRESENTED)
+            whole(REPRESENTED)
         ),
         holds: 2 * within(ABOUT_FIVE) >= all,
         found: format!(
@@ -133,7 +133,7 @@ fn velvet(errors: &[f64]) -> Claim {
     let count = needed(errors, REPRESENTED);
     Claim {
         paper: "about five for velvet".into(),
-        condition: format!("{ABOUT_FIVE} leave at most {}", percent(REPRESENTED)),
+        condition: format!("{ABOUT_FIVE} components leave at most {}", whole(REPRESENTED)),
         holds: count.is_some_and(|count| count <= ABOUT_FIVE),
         found: format!(
             "that takes {}; five leave {}, nine {}: component 8, counted from 0, is a ring along the rim",
@@ -149,7 +149,7 @@ fn leather(errors: &[f64], highlight: Option<usize>) -> Claim {
         paper: "30 to 50 for leather's specularity".into(),
         condition: format!(
             "in the studio its brightest point is right to {} from 30 to 50 components on",
-            percent(HIGHLIGHT)
+            whole(HIGHLIGHT)
         ),
         holds: is_thirty_to_fifty(highlight),
         found: format!(
@@ -174,6 +174,11 @@ pub fn highlight(reconstructions: &Reconstructions) -> Option<usize> {
     let wrong = |share: &f64| (share - 1.0).abs() > HIGHLIGHT;
     let first = course.brightest.iter().rposition(wrong).map_or(0, |last| last + 1);
     (first < course.brightest.len()).then_some(first)
+}
+
+/// A limit in per cent.
+fn whole(share: f64) -> String {
+    format!("{} %", 100.0 * share)
 }
 
 /// Whether this is what the paper says of leather.
