@@ -165,6 +165,9 @@ pub const LAMBERTIAN_SHARES: f64 = 1e-12;
 /// Errors of representation and of partial sums, over nodes against pixels, of the image's
 /// energy: 36 intervals in cos α are exact, the rest is roundings of some thousand terms.
 pub const FIGURE_ERROR: f64 = 1e-12;
+/// The rms of a residual over a picture's pixels against that over quadrature nodes, relative:
+/// 176 pixels across, those of the rim, where it is largest, covered in part and shaded as the rim.
+pub const PIXEL_ERROR: f64 = 0.05;
 /// A mean over the rotations of a light against (38), relative: roundings of some thousand terms.
 pub const MEAN_OVER_ROTATIONS: f64 = 1e-12;
 /// Pixels at degree 32 and order 32 in f64, of the peak: profiles end at 1e-13 of their largest
@@ -205,8 +208,8 @@ pub const DIRECT_FRAMES: f64 = 5e-3;
 /// Texels in parts against parts four times as fine, rms of the peak, for lobes of 0.01 rad and more
 /// on texels of 0.0123: a tenth of what degree 24 leaves at such a lobe.
 pub const DIRECT_PARTS: f64 = 1e-3;
-/// An error's figure by other normals and nodes, relative: their peak, at the rim or
-/// a window, is that of the nearest.
+/// An error's figure by other normals and nodes, relative: 320 normals, for lobes of 0.04 rad 2,000,
+/// sample it to some per cent, and their peak, at the rim or a window, is that of the nearest.
 pub const ERROR_FIGURE: f64 = 0.1;
 
 /// Area of facets that nothing hides, in a picture of a few units: the same products, in another

@@ -33,6 +33,8 @@ pub mod sphere_rings;
 
 pub mod accuracy;
 
+pub mod recorded_errors;
+
 pub mod sphere_view;
 
 pub mod tone;
