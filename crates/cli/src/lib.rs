@@ -29,6 +29,8 @@ pub mod compare;
 
 pub mod sphere_rings;
 
+pub mod median;
+
 pub mod accuracy;
 
 pub mod sphere_view;
@@ -42,8 +44,6 @@ pub mod pixel_normals;
 pub mod pixel_mask;
 
 pub mod image_reading;
-
-pub mod noise;
 
 pub mod damage;
 
