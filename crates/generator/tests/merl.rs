@@ -74,7 +74,7 @@ fn a_file_comes_back_as_the_function_it_holds() {
                 let exchanged = Geometry { incident: at.reflected, reflected: at.incident, ..at };
                 let (there, back) =
                     (surface.channel(0).value(at), surface.channel(0).value(exchanged));
-                assert!((there - back).abs() <= 1e-12 * there);
+                assert!((there - back).abs() <= tolerances::MERL_ROUNDING * there);
             }
         }
     }
@@ -109,7 +109,10 @@ fn bins_without_a_value_are_left_to_their_neighbours() {
     assert!(table.missing() > 0.2, "{}", table.missing());
     for (theta_i, theta_r, delta_phi) in [(0.0, 0.0, 0.0), (1.5, 1.5, PI), (1.5, 0.2, 1.0)] {
         let found = table.value(Geometry::from_angles(theta_i, theta_r, delta_phi));
-        assert!((found - 0.25).abs() < 1e-12, "{theta_i} {theta_r} {delta_phi}: {found}");
+        assert!(
+            (found - 0.25).abs() < tolerances::MERL_ROUNDING,
+            "{theta_i} {theta_r} {delta_phi}: {found}"
+        );
     }
 }
 
