@@ -141,7 +141,8 @@ fn damaged_files_are_faults() {
     assert!(fault(&changed(8, &360i32.to_le_bytes())).contains("360"));
     assert!(fault(&changed(0, &i32::MAX.to_le_bytes())).contains("2147483647"));
     assert!(fault(&changed(0, &(-90i32).to_le_bytes())).contains("-90"));
-    assert!(fault(&changed(12, &f64::NAN.to_le_bytes())).contains("not finite in its red part"));
+    let red = fault(&changed(12, &f64::NAN.to_le_bytes()));
+    assert!(red.contains("not finite") && red.contains("red part"), "{red}");
     let last = good.len() - 8;
     assert!(fault(&changed(last, &f64::INFINITY.to_le_bytes())).contains("blue"));
     let empty = good[..12].iter().copied().chain((-1f64).to_le_bytes().into_iter().cycle());
