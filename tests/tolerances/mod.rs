@@ -52,6 +52,8 @@ pub const CURET_RESIDUAL: f64 = 0.09;
 pub const LOBE_RESIDUAL: f64 = 0.03;
 /// Residual of more coefficients than measurements: what holding the fit in range costs.
 pub const FREE_RESIDUAL: f64 = 0.005;
+/// b_00^0 of a matte surface measured without error, relative: the small term of the fit.
+pub const MATTE_FIT: f64 = 5e-5;
 /// Figures of fits, recorded with six decimals.
 pub const RECORDED_FIGURE: f64 = 1e-6;
 /// All components in f64 against the direct sum, of the peak: the rank's cut-off of 1e-10 and the
@@ -88,6 +90,21 @@ pub const READ_NOISELESS: f64 = 1e-9;
 /// d of an image and its normals in 16 bits against those in 8 bits of sRGB and exact, of the
 /// largest: half a step of 2^-16 in normals, steeper at the rim.
 pub const READ_SIXTEEN_BITS: f64 = 5e-3;
+/// Singular values that least squares leave out, of the largest, where none is meant to be: the
+/// condition is some tens.
+pub const READ_CUT_OFF: f64 = 1e-12;
+/// Energy beside the largest singular value, of its square, by which a matrix is no product.
+pub const READ_NO_PRODUCT: f64 = 1e-3;
+/// Share of the energy, or rms, that least squares leave of an image that its components make:
+/// roundings of files of full digits, and profiles that end at 1e-12.
+pub const READ_RESIDUAL: f64 = 1e-12;
+/// The same where one pixel of 400 shows something else: more than this.
+pub const READ_SPOILT: f64 = 1e-6;
+/// Rms that the posterior mean leaves of a flat grey of 1/2: held toward the statistics by a
+/// millionth of the image.
+pub const READ_FLAT: f64 = 1e-3;
+/// Share of the energy that 50 components leave of a picture in 8 bits: 3 % in amplitude.
+pub const READ_PICTURE: f64 = 1e-3;
 /// Figures of a report of two digits, as a logarithm: a unit of the last digit, doubled.
 pub const REPORT: f64 = 0.2;
 /// Those of images that nothing damages, as a logarithm: rounding amplified, which hosts do
@@ -122,6 +139,15 @@ pub const TABULATED_DENSITY: f64 = 1e-5;
 /// Pictures of normals that weigh 1e-12 of others, of the peak: their images are cut off with the
 /// rank, at 1e-10 of what weighs 1, the root of their weight 1e-6 above that.
 pub const LIGHTEST_NORMALS: f64 = 1e-4;
+
+/// Components that show in pictures, as singular values of the largest: well above the roundings of
+/// [`GENERAL_EIGENVALUES`].
+pub const GENERAL_SEEN: f64 = 1e-9;
+/// What changes a result on purpose changes it by more than this: far above any rounding.
+pub const NO_ACCIDENT: f64 = 1e-3;
+/// Pictures under a light turned with its normals against those as they were, of the peak: sums of
+/// 25 terms, and angles of 16 digits.
+pub const ROTATED_LIGHT: f64 = 1e-12;
 
 /// D(Q) D(R) against D(QR) to degree 64, of the largest coefficient: two sums of 129 terms, each
 /// with the error of [`SPECIAL_HIGH`].
@@ -199,6 +225,9 @@ pub const MERL_VALUE: f64 = 0.01;
 /// Coefficients of the same table, of the largest: the last centre is half a degree from grazing,
 /// beyond which the table is constant and the formula grows.
 pub const MERL_PROJECTION: f64 = 0.01;
+/// A tabulated BRDF of a constant, or with light and view exchanged, relative: weighted means of
+/// eight numbers.
+pub const MERL_ROUNDING: f64 = 1e-12;
 /// A matte sphere under radiance 1 on 128 x 64 texels, relative: the horizon cuts texels of three
 /// degrees, where the cosine is that of their centre.
 pub const DIRECT_WHITE: f64 = 1e-3;
@@ -250,3 +279,15 @@ pub const Q15_COMPONENT: f64 = 64.0;
 /// Figures in decibels on a page are rounded to a tenth; a fused target moves f32 by
 /// less than the other half.
 pub const DECIBELS_STATED: f64 = 0.1;
+/// Figures of the shipped components against those of all, relative: what 250 leave out hardly shows
+/// beside what the degree does.
+pub const ERROR_OF_COMPONENTS: f64 = 0.01;
+/// Median error over the maps at degree 12 for rough materials, of the peak: what is promised of
+/// them.
+pub const ERROR_WHERE_ROUGH: f64 = 0.01;
+/// Sums of the shares of a disc's rings: 1, and the mean cosine by midpoints 0.02 apart.
+pub const RING_SHARES: f64 = 1e-12;
+/// See [`RING_SHARES`]: a quarter of the square of the step.
+pub const RING_MIDPOINTS: f64 = 1e-4;
+/// Squared length of a unit normal: some roundings.
+pub const UNIT_LENGTH: f64 = 1e-12;

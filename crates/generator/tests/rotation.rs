@@ -101,6 +101,6 @@ fn turning_back_undoes_turning() {
         assert!(worst <= tolerances::SPECIAL_LOW, "{worst}");
         // Not the identity by mistake.
         let moved = light.iter().zip(&turned).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-        assert!(moved > 1e-3);
+        assert!(moved > tolerances::NO_ACCIDENT);
     }
 }
