@@ -3,8 +3,12 @@
 
 /// Special functions up to degree 9: a few hundred roundings of numbers of order one.
 pub const SPECIAL_LOW: f64 = 1e-13;
-/// Special functions up to degree 64: some 64 recurrence steps whose errors add.
-pub const SPECIAL_HIGH: f64 = 1e-11;
+/// Special functions up to degree 64: some 64 recurrence steps whose errors add, each of an ulp of
+/// values up to 5.
+pub const SPECIAL_HIGH: f64 = 5e-13;
+/// N_l^q C_lo^q up to degree and order 64: 90 positive weights that sum to 1, harmonics whose errors
+/// average out.
+pub const POLAR_INTEGRAL: f64 = 2e-14;
 
 /// Projection of a map, separable against texel by texel, of the largest coefficient: roundings of
 /// some 1e5 terms, and of one rotation.
@@ -123,8 +127,8 @@ pub const TABULATED_DENSITY: f64 = 1e-5;
 /// rank, at 1e-10 of what weighs 1, the root of their weight 1e-6 above that.
 pub const LIGHTEST_NORMALS: f64 = 1e-4;
 
-/// D(Q) D(R) against D(QR) to degree 64, of the largest coefficient: two sums of 129 terms, each
-/// with the error of [`SPECIAL_HIGH`].
+/// D(Q) D(R) against D(QR) to degree 64, of the largest coefficient, and harmonics turned by D: sums
+/// of 129 terms, each with the error of [`SPECIAL_HIGH`].
 pub const TURNED: f64 = 1e-11;
 /// UᵀMU of the first hundred components at degree 32 and order 32: a cut-off of 1e-10 leaves 1e-13
 /// of them, sums of sixty thousand modes the rest.
@@ -140,9 +144,9 @@ pub const EIGENVALUE_ULP: f64 = 1e-14;
 pub const SINGULAR_VALUE: f64 = 1e-13;
 /// A variance of 1e-12 of the squared mean, relative: exposures 1e-6 apart are known to 1e-10.
 pub const SMALL_VARIANCE: f64 = 1e-8;
-/// A map with a sun against explicit sums of degree 16, of the largest coefficient: those lose
-/// seven of sixteen digits.
-pub const SUN: f64 = 1e-9;
+/// A map with a sun against explicit sums of degree 16, of the largest coefficient: the terms of those
+/// are up to a hundred times their sum at the sun's height, and a hundred roundings.
+pub const SUN: f64 = 3e-13;
 /// A map of 8192 x 4096 with texels in f32, of the largest coefficient: roundings of 6e-8, which
 /// average out, and the midpoint rule's (1/4096)².
 pub const LARGE_MAP: f64 = 1e-7;
