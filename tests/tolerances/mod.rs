@@ -124,8 +124,20 @@ pub const SIXTEEN_BITS: f64 = 1e-4;
 /// of 4e-3, an eighth of it at most.
 pub const TABULATED_DENSITY: f64 = 1e-5;
 /// Pictures of normals that weigh 1e-12 of others, of the peak: their images are cut off with the
-/// rank, at 1e-10 of what weighs 1, the root of their weight 1e-6 above that.
-pub const LIGHTEST_NORMALS: f64 = 1e-4;
+/// rank, at 1e-10 of what weighs 1, the root of their weight 1e-6 above that, and a third at most of what is
+/// cut off is in one of them.
+pub const LIGHTEST_NORMALS: f64 = 3e-5;
+/// The same, each times the root of its weight over the heaviest's: what is cut off, at 1e-10, in ten
+/// times as many directions as count.
+pub const WEIGHTED_PICTURES: f64 = 1e-9;
+/// Eigenvalues of flat objects against those of their pictures, of the largest: modes whose images over the
+/// sphere are below 1e-13 are left out, and at the rim alone they are a thousand times that.
+pub const FLAT_EIGENVALUES: f64 = 2e-10;
+/// Pictures of flat objects, of their own peak: what is cut off, at 1e-10, over the root of the weight of
+/// one normal of a hundred.
+pub const FLAT_PICTURES: f64 = 3e-9;
+/// Normals and weights of facets with corners of two digits: some ten roundings.
+pub const FACETS: f64 = 1e-15;
 
 /// D(Q) D(R) against D(QR) to degree 64, of the largest coefficient, and harmonics turned by D: sums
 /// of 129 terms, each with the error of [`SPECIAL_HIGH`].
@@ -134,7 +146,7 @@ pub const TURNED: f64 = 1e-11;
 /// of them, sums of sixty thousand modes the rest.
 pub const ORTHONORMAL_HIGH: f64 = 1e-11;
 /// Singular values of A beyond the exact rank, of the largest: some roundings of sums of 47 nodes.
-pub const BEYOND_RANK: f64 = 1e-14;
+pub const BEYOND_RANK: f64 = 1e-15;
 /// The weakest eigenvalue that is a component, of the largest: singular values above 1e-14 of the
 /// root of the energy, and the energy is ten times the largest eigenvalue at most.
 pub const WEAKEST: f64 = 1e-28;
@@ -153,9 +165,12 @@ pub const LARGE_MAP: f64 = 1e-7;
 /// d by a compensated sum of a million pixels in f32, of the largest d: eigenimages to 3e-7, whose
 /// errors average out, and two roundings.
 pub const MILLION_PIXELS: f64 = 1e-6;
-/// Irradiances of coefficients at 2^-100 in f32, scaled back, of the peak: terms below 1e-8 of it
-/// are denormal and lose their last bits.
-pub const SCALED_F32: f64 = 1e-7;
+/// Exact sums over the million pixels against d, of the largest d: a jagged rim of 3550 pixels, each half
+/// in, half out; errors average as the root of their number.
+pub const RASTER: f64 = 1e-4;
+/// d of coefficients at 2^-100 in f32, scaled back, of the largest d: products below 1e-8 of it are
+/// denormal and lose up to 1e-15 of it, some thousand of them in a sum.
+pub const SCALED_F32: f64 = 2e-12;
 /// Coefficients that `light` writes, of the largest: nine digits.
 pub const WRITTEN_DIGITS: f64 = 5e-9;
 /// UᵀMU over the cut-off: U has been divided by singular values down to it, each with the rounding
