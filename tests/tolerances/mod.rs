@@ -165,9 +165,9 @@ pub const LARGE_MAP: f64 = 1e-7;
 /// d by a compensated sum of a million pixels in f32, of the largest d: eigenimages to 3e-7, whose
 /// errors average out, and two roundings.
 pub const MILLION_PIXELS: f64 = 1e-6;
-/// Exact sums over the million pixels against d, of the largest d: a jagged rim of 3550 pixels, each half
-/// in, half out; errors average as the root of their number.
-pub const RASTER: f64 = 1e-4;
+/// Exact sums over the million pixels against d, of the largest d: 3550 pixels of the rim are half in, half
+/// out, and the root of that number is 6e-5 of all; at the rim images are several times their mean.
+pub const RASTER: f64 = 1e-3;
 /// d of coefficients at 2^-100 in f32, scaled back, of the largest d: products below 1e-8 of it are
 /// denormal and lose up to 1e-15 of it, some thousand of them in a sum.
 pub const SCALED_F32: f64 = 2e-12;
@@ -227,3 +227,6 @@ pub const DIRECT_PARTS: f64 = 1e-3;
 /// An error's figure by other normals and nodes, relative: their peak, at the rim or
 /// a window, is that of the nearest.
 pub const ERROR_FIGURE: f64 = 0.1;
+/// |d|² + residual against the energy over an object, relative: directions below 1e-5 of the most are cut
+/// off in both.
+pub const OBJECT_PARSEVAL: f64 = 1e-9;
