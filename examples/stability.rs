@@ -53,10 +53,14 @@ const TAIL: &str = "
 
 ## Properties
 
-`tests/properties.rs` draws scenes at random: degrees to 8, orders to 7, sizes of lights and materials over up to 120 decades, empty and copied
+`tests/properties` draws scenes at random: degrees to 8, orders to 7, sizes of lights and materials over up to 120 decades, empty and copied
 materials, selections of modes, cut-offs from 1e-12 to 1e-5. Of each it asserts WᵀW = I and UᵀMU = I (that to what the cut-off may
 take), |d|² + residual = cᵀMc, linearity, that turning light and normals about the view changes nothing, that fewer components or a coarser cut-off give a
-prefix, the order and sign of components, and reciprocity.
+prefix, the order and sign of components, and reciprocity. Light, view and normal turned by any rotation of SO(3), and the normal's frame by any γ, change nothing.
+
+So it does with objects: lists of normals with weights over up to six decades, half circles, rims, patches of 1e-9 to 0.1, densities of slants, under light
+that is turned freely, about the vertical axis, or not. UᵀMU = I over modes and pixel by pixel (to what the cut-offs may take), Parseval over the object's normals, linearity,
+prefixes, and that object and light turned about the view have the same eigenvalues.
 
 ## What is not covered
 

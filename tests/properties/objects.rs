@@ -7,6 +7,7 @@ use crate::stability::oracle::Numbers;
 use crate::stability::pictures::{Pictures, eigenvalues, table};
 use crate::stability::projector::Projector;
 use crate::stability::{largest, tolerances};
+use eigenshade_generator::database::Named;
 use eigenshade_generator::geometry::WeightedNormals;
 use eigenshade_generator::light_statistics::LightStatistics;
 use eigenshade_generator::rotation::Rotation;
@@ -54,7 +55,7 @@ fn size(loaded: &Loaded) -> f64 {
         LightStatistics::new(&loaded.lights, scene.light.normalise, scene.light.rotation, &weights);
     let of_light: f64 = light.expect("positive").second.iter().flatten().map(|v| v * v).sum();
     let of_materials: f64 =
-        loaded.materials.entries.iter().flat_map(|one| one.luminance()).map(|b| b * b).sum();
+        loaded.materials.entries.iter().flat_map(Named::luminance).map(|b| b * b).sum();
     (of_light * of_materials / loaded.materials.entries.len() as f64).sqrt()
 }
 
