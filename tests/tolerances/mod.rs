@@ -3,8 +3,12 @@
 
 /// Special functions up to degree 9: a few hundred roundings of numbers of order one.
 pub const SPECIAL_LOW: f64 = 1e-13;
-/// Special functions up to degree 64: some 64 recurrence steps whose errors add.
-pub const SPECIAL_HIGH: f64 = 1e-11;
+/// Special functions up to degree 64: some 64 recurrence steps whose errors add, each of an ulp of
+/// values up to 5.
+pub const SPECIAL_HIGH: f64 = 5e-13;
+/// N_l^q C_lo^q up to degree and order 64: 90 positive weights that sum to 1, harmonics whose errors
+/// average out.
+pub const POLAR_INTEGRAL: f64 = 2e-14;
 
 /// Projection of a map, separable against texel by texel, of the largest coefficient: roundings of
 /// some 1e5 terms, and of one rotation.
@@ -137,8 +141,20 @@ pub const SIXTEEN_BITS: f64 = 1e-4;
 /// of 4e-3, an eighth of it at most.
 pub const TABULATED_DENSITY: f64 = 1e-5;
 /// Pictures of normals that weigh 1e-12 of others, of the peak: their images are cut off with the
-/// rank, at 1e-10 of what weighs 1, the root of their weight 1e-6 above that.
-pub const LIGHTEST_NORMALS: f64 = 1e-4;
+/// rank, at 1e-10 of what weighs 1, the root of their weight 1e-6 above that, and a third at most of what is
+/// cut off is in one of them.
+pub const LIGHTEST_NORMALS: f64 = 3e-5;
+/// The same, each times the root of its weight over the heaviest's: what is cut off, at 1e-10, in ten
+/// times as many directions as count.
+pub const WEIGHTED_PICTURES: f64 = 1e-9;
+/// Eigenvalues of flat objects against those of their pictures, of the largest: modes whose images over the
+/// sphere are below 1e-13 are left out, and at the rim alone they are a thousand times that.
+pub const FLAT_EIGENVALUES: f64 = 2e-10;
+/// Pictures of flat objects, of their own peak: what is cut off, at 1e-10, over the root of the weight of
+/// one normal of a hundred.
+pub const FLAT_PICTURES: f64 = 3e-9;
+/// Normals and weights of facets with corners of two digits: some ten roundings.
+pub const FACETS: f64 = 1e-15;
 
 /// Components that show in pictures, as singular values of the largest: well above the roundings of
 /// [`GENERAL_EIGENVALUES`].
@@ -149,14 +165,14 @@ pub const NO_ACCIDENT: f64 = 1e-3;
 /// 25 terms, and angles of 16 digits.
 pub const ROTATED_LIGHT: f64 = 1e-12;
 
-/// D(Q) D(R) against D(QR) to degree 64, of the largest coefficient: two sums of 129 terms, each
-/// with the error of [`SPECIAL_HIGH`].
+/// D(Q) D(R) against D(QR) to degree 64, of the largest coefficient, and harmonics turned by D: sums
+/// of 129 terms, each with the error of [`SPECIAL_HIGH`].
 pub const TURNED: f64 = 1e-11;
 /// UᵀMU of the first hundred components at degree 32 and order 32: a cut-off of 1e-10 leaves 1e-13
 /// of them, sums of sixty thousand modes the rest.
 pub const ORTHONORMAL_HIGH: f64 = 1e-11;
 /// Singular values of A beyond the exact rank, of the largest: some roundings of sums of 47 nodes.
-pub const BEYOND_RANK: f64 = 1e-14;
+pub const BEYOND_RANK: f64 = 1e-15;
 /// The weakest eigenvalue that is a component, of the largest: singular values above 1e-14 of the
 /// root of the energy, and the energy is ten times the largest eigenvalue at most.
 pub const WEAKEST: f64 = 1e-28;
@@ -166,18 +182,21 @@ pub const EIGENVALUE_ULP: f64 = 1e-14;
 pub const SINGULAR_VALUE: f64 = 1e-13;
 /// A variance of 1e-12 of the squared mean, relative: exposures 1e-6 apart are known to 1e-10.
 pub const SMALL_VARIANCE: f64 = 1e-8;
-/// A map with a sun against explicit sums of degree 16, of the largest coefficient: those lose
-/// seven of sixteen digits.
-pub const SUN: f64 = 1e-9;
+/// A map with a sun against explicit sums of degree 16, of the largest coefficient: the terms of those
+/// are up to a hundred times their sum at the sun's height, and a hundred roundings.
+pub const SUN: f64 = 3e-13;
 /// A map of 8192 x 4096 with texels in f32, of the largest coefficient: roundings of 6e-8, which
 /// average out, and the midpoint rule's (1/4096)².
 pub const LARGE_MAP: f64 = 1e-7;
 /// d by a compensated sum of a million pixels in f32, of the largest d: eigenimages to 3e-7, whose
 /// errors average out, and two roundings.
 pub const MILLION_PIXELS: f64 = 1e-6;
-/// Irradiances of coefficients at 2^-100 in f32, scaled back, of the peak: terms below 1e-8 of it
-/// are denormal and lose their last bits.
-pub const SCALED_F32: f64 = 1e-7;
+/// Exact sums over the million pixels against d, of the largest d: 3550 pixels of the rim are half in, half
+/// out, and the root of that number is 6e-5 of all; at the rim images are several times their mean.
+pub const RASTER: f64 = 1e-3;
+/// d of coefficients at 2^-100 in f32, scaled back, of the largest d: products below 1e-8 of it are
+/// denormal and lose up to 1e-15 of it, some thousand of them in a sum.
+pub const SCALED_F32: f64 = 2e-12;
 /// Coefficients that `light` writes, of the largest: nine digits.
 pub const WRITTEN_DIGITS: f64 = 5e-9;
 /// UᵀMU over the cut-off: U has been divided by singular values down to it, each with the rounding
@@ -291,3 +310,6 @@ pub const RING_SHARES: f64 = 1e-12;
 pub const RING_MIDPOINTS: f64 = 1e-4;
 /// Squared length of a unit normal: some roundings.
 pub const UNIT_LENGTH: f64 = 1e-12;
+/// |d|² + residual against the energy over an object, relative: modes whose images over the sphere are below
+/// 1e-13 are in no span, and at one normal of the rim they are a thousand times that, and the image dark.
+pub const OBJECT_PARSEVAL: f64 = 1e-9;
