@@ -85,7 +85,10 @@ pub fn normals<Q: Integer>(input: &mut Reader<'_>) -> Vec<Normal<Q>> {
         let length = (x * x + y * y + z * z).sqrt();
         let size = 1.0 + 0.000_499 * f64::from(input.byte().cast_signed()) / 128.0;
         if length > 0.0 {
-            found_unit(&mut found, [x, y, z.abs()].map(|component| one * size * component / length));
+            found_unit(
+                &mut found,
+                [x, y, z.abs()].map(|component| one * size * component / length),
+            );
         }
         found.extend(Q::normal(raw));
     }

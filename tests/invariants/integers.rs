@@ -4,8 +4,8 @@ use super::integer::{Integer, normals};
 use super::shipped::shipped;
 use super::{Reader, pixel};
 use crate::tolerances;
-use eigenshade::{Error, Wide as _};
 use eigenshade::quantised::{Light, Material, Transfer};
+use eigenshade::{Error, Wide as _};
 use eigenshade_index::{light, material};
 use eigenshade_table::quantise::Format;
 
