@@ -18,9 +18,8 @@ pub struct Shipped {
 pub fn shipped() -> &'static Shipped {
     static SHIPPED: OnceLock<Shipped> = OnceLock::new();
     SHIPPED.get_or_init(|| {
-        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tables/sphere.bin");
-        let bytes = std::fs::read(path).expect("the shipped table");
-        let table = eigenshade_table::decode(&bytes).expect("a table");
+        let bytes = include_bytes!("../../tables/sphere.bin");
+        let table = eigenshade_table::decode(bytes).expect("a table");
         let parts = |format: Format| {
             QuantisedParts::new(&table, format, format.tolerance()).expect("a sphere's table")
         };
