@@ -314,22 +314,23 @@ pub const UNIT_LENGTH: f64 = 1e-12;
 /// 1e-13 are in no span, and at one normal of the rim they are a thousand times that, and the image dark.
 pub const OBJECT_PARSEVAL: f64 = 1e-9;
 /// d of any light and material, of what its addends could be, all of the largest size and of one
-/// sign: some roundings of 24 bits.
-pub const ANY_D_F32: f64 = 1e-6;
+/// sign: some roundings of 24 bits, of addends far smaller.
+pub const ANY_D_F32: f64 = 2e-8;
 /// See [`ANY_D_F32`]: light, material, Ĉ, S, factors and T are each rounded to 15 bits of the largest
 /// of their row.
-pub const ANY_D_Q15: f64 = 1e-4;
-/// See [`ANY_D_Q15`], with 31 bits.
-pub const ANY_D_Q31: f64 = 1e-9;
-/// d has 30 bits of its largest component.
+pub const ANY_D_Q15: f64 = 2e-5;
+/// See [`ANY_D_Q15`], with 16 bits more.
+pub const ANY_D_Q31: f64 = 3e-10;
+/// d has 30 bits of its largest component, and rounds twice.
 pub const ANY_D_COMMON: f64 = 2e-9;
-/// A pixel of any coefficients in integers, of the range of 17 bits.
-pub const ANY_PIXEL_Q15: f64 = 1e-3;
-/// See [`ANY_PIXEL_Q15`], of 30 bits.
-pub const ANY_PIXEL_Q31: f64 = 1e-6;
-/// A pixel of d in f32, of the sizes of all its terms.
+/// A pixel of any coefficients against f64 on the same mantissas, of the range of 17 bits: (n_x + i
+/// n_y)^m has 14, and each step of some fifty rounds by one unit.
+pub const ANY_PIXEL_Q15: f64 = 3e-4;
+/// See [`ANY_PIXEL_Q15`]: 30 bits, of which weights and (n_x + i n_y)^m have as many.
+pub const ANY_PIXEL_Q31: f64 = 5e-7;
+/// A pixel of d in f32, of the sizes of all its terms: roundings of 24 bits.
 pub const ANY_PIXEL_F32: f64 = 1e-6;
-/// A pixel of d, of the sizes of all its terms: 17 bits, and what is trimmed of the polynomials.
+/// A pixel of d, of the sizes of all its terms: 15 bits, and what is trimmed of the polynomials.
 pub const ANY_IMAGE_Q15: f64 = 1e-3;
-/// See [`ANY_IMAGE_Q15`].
+/// See [`ANY_IMAGE_Q15`]: less is trimmed.
 pub const ANY_IMAGE_Q31: f64 = 1e-6;
