@@ -64,8 +64,10 @@ impl<'a, Q: Fixed> Basis<'a, Q> {
         }
         sums.fill(0);
         let weight = |index: u16| mantissas.get(usize::from(index)).copied().unwrap_or(0);
-        let weights = self.parts.profiles.iter().flat_map(|profile| {
-            [profile.plus, profile.minus].map(|index| (weight(index), i32::from(profile.exponent)))
+        let weights = (0..2 * self.profiles()).filter_map(|k| {
+            let profile = self.parts.profiles.get(k / 2)?;
+            let index = if k % 2 == 0 { profile.plus } else { profile.minus };
+            Some((weight(index), i32::from(profile.exponent)))
         });
         // The weights' sum is bounded, so that of weighed terms is.
         let common = common_exponent(weights, Q::WEIGHT_BITS, Q::WEIGHT_BITS);

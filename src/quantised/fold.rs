@@ -187,20 +187,20 @@ pub(crate) fn common_exponent<W: Wide>(
     each: u32,
 ) -> i32 {
     let (mut top, mut count) = (None, 0);
-    for (number, exponent) in numbers.clone() {
+    numbers.clone().for_each(|(number, exponent)| {
         count += 1;
         if number != W::default() {
             top = top.max(Some(number.bits().cast_signed() + exponent));
         }
-    }
+    });
     let Some(top) = top else { return 0 };
     let room = W::SIZE.cast_signed() - W::of(count).bits().cast_signed() - 2;
     let base = top - room;
     let mut sum = W::default();
-    for (number, exponent) in numbers {
+    numbers.for_each(|(number, exponent)| {
         let aligned = number.shifted(exponent - base);
         sum += if aligned < W::default() { -aligned } else { aligned };
-    }
+    });
     sum += sum.shifted(-8);
     (base + sum.bits().cast_signed() - all.cast_signed()).max(top - each.cast_signed())
 }

@@ -20,8 +20,14 @@ pub const fn position(p: usize, q: usize) -> usize {
 }
 
 /// All pairs (p, q) up to `order`, in storage order.
+#[inline]
 pub fn indices(order: usize) -> impl Iterator<Item = (usize, usize)> {
-    (0..=order).flat_map(|p| (p % 2..=p).step_by(2).map(move |q| (p, q)))
+    let mut next = (0, 0);
+    core::iter::from_fn(move || {
+        let (p, q) = next;
+        next = if q < p { (p, q + 2) } else { (p + 1, (p + 1) % 2) };
+        (p <= order).then_some((p, q))
+    })
 }
 
 #[cfg(test)]
