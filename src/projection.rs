@@ -39,10 +39,9 @@ impl<'a, S: Scalar> Basis<'a, S> {
         light: &Light<'_, S>,
         material: &Material<'_, S>,
     ) -> Result<Coefficients<S, K>, Error> {
-        let mut workspace = zeros::<S, N>(What::Workspace, self.workspace_len())?;
-        let mut coefficients = zeros::<S, K>(What::Coefficients, self.components())?;
-        self.project_into(light, material, &mut workspace, &mut coefficients)?;
-        Ok(coefficients)
+        buffered::<S, N, K>(self.workspace_len(), self.components(), |workspace, d| {
+            self.project_into(light, material, workspace, d)
+        })
     }
 
     /// [`project`](Self::project) with slices: room for
@@ -131,14 +130,16 @@ impl<'a, S: Scalar> Basis<'a, S> {
     #[inline]
     pub(crate) fn rows(&self) -> impl Iterator<Item = (&'a [ProfilePlace], &'a [S])> + use<'a, S> {
         let (degree, order) = (self.degree(), self.order());
-        let mut factors = self.parts.factors;
-        let blocks = self.parts.profiles.chunk_by(|a, b| a.azimuth == b.azimuth);
-        blocks.flat_map(|block| block.chunks(2)).map(move |places| {
-            let azimuth = places.first().map_or(0, |place| place.azimuth());
-            let length = layout::factors(degree, order, azimuth, places.len());
+        let (mut places, mut factors) = (self.parts.profiles, self.parts.factors);
+        // By hand: `chunk_by` may panic, as far as a compiler sees.
+        core::iter::from_fn(move || {
+            let azimuth = places.first()?.azimuth();
+            let same = places.iter().take(2).take_while(|place| place.azimuth() == azimuth);
+            let (two, others) = places.split_at_checked(same.count())?;
+            let length = layout::factors(degree, order, azimuth, two.len());
             let (rows, rest) = factors.split_at_checked(length).unwrap_or((factors, &[]));
-            factors = rest;
-            (places, rows)
+            (places, factors) = (others, rest);
+            Some((two, rows))
         })
     }
 
@@ -210,8 +211,8 @@ fn row<S: Scalar, const V: usize>(row: Row<'_, S>) -> [lanes::Two<S>; 2] {
 /// [`row`] for rows of any length.
 #[inline(never)]
 fn long_row<S: Scalar>(row: Row<'_, S>) -> [lanes::Two<S>; 2] {
-    let factors = row.factors.as_chunks().0.chunks_exact(row.width);
-    let scattering = row.scattering.as_chunks::<LANES>().0.chunks_exact(row.width);
+    let factors = row.factors.as_chunks().0.chunks_exact(row.width.max(1));
+    let scattering = row.scattering.as_chunks::<LANES>().0.chunks_exact(row.width.max(1));
     let rows = factors.zip(scattering);
     lit(rows.map(|(factors, scattering)| lanes::product(factors, scattering)), row.lights)
 }
@@ -229,6 +230,20 @@ fn lit<S: Scalar>(
         *minus = lanes::multiply_add_two(*minus, &row, &[of_minus; LANES]);
     }
     sums
+}
+
+/// Coefficients that `project` fills in, with a workspace; both of capacities that are
+/// known at compile time.
+#[inline]
+pub(crate) fn buffered<S: Scalar, const N: usize, const K: usize>(
+    workspace: usize,
+    components: usize,
+    project: impl FnOnce(&mut [S], &mut [S]) -> Result<(), Error>,
+) -> Result<Coefficients<S, K>, Error> {
+    let mut workspace = zeros::<S, N>(What::Workspace, workspace)?;
+    let mut coefficients = zeros::<S, K>(What::Coefficients, components)?;
+    project(&mut workspace, &mut coefficients)?;
+    Ok(coefficients)
 }
 
 /// A buffer of `needed` zeros.

@@ -5,15 +5,9 @@ use eigenshade_wasm_setup::floats::COLLAPSED;
 use eigenshade_wasm_setup::inputs::NORMALS;
 use eigenshade_wasm_setup::shared::Shared;
 
-/// Normals to shade.
-#[unsafe(export_name = "f32_x")]
-pub static X: Shared<[f32; NORMALS]> = Shared::new([0.0; NORMALS]);
-/// See [`X`].
-#[unsafe(export_name = "f32_y")]
-pub static Y: Shared<[f32; NORMALS]> = Shared::new([0.0; NORMALS]);
-/// See [`X`].
-#[unsafe(export_name = "f32_z")]
-pub static Z: Shared<[f32; NORMALS]> = Shared::new([0.0; NORMALS]);
+/// Normals to shade: all x, all y, all z.
+#[unsafe(export_name = "f32_normals")]
+pub static AXES: Shared<[[f32; NORMALS]; 3]> = Shared::new([[0.0; NORMALS]; 3]);
 /// Their irradiances.
 #[unsafe(export_name = "f32_irradiance")]
 pub static IRRADIANCE: Shared<[f32; NORMALS]> = Shared::new([0.0; NORMALS]);
@@ -23,9 +17,8 @@ pub static IRRADIANCE: Shared<[f32; NORMALS]> = Shared::new([0.0; NORMALS]);
 #[unsafe(no_mangle)]
 extern "C" fn f32_shade(count: usize) -> usize {
     // SAFETY: each place once, and no other function runs.
-    let (scene, x, y, z, irradiance) = unsafe {
-        (COLLAPSED.borrow(), X.borrow(), Y.borrow(), Z.borrow(), IRRADIANCE.borrow())
-    };
+    let (scene, [x, y, z], irradiance) =
+        unsafe { (COLLAPSED.borrow(), AXES.borrow(), IRRADIANCE.borrow()) };
     let (Some(scene), Some(x), Some(y), Some(z), Some(irradiance)) =
         (scene, x.get(..count), y.get(..count), z.get(..count), irradiance.get_mut(..count))
     else {

@@ -1,7 +1,7 @@
 //! The nine-term formula (Ramamoorthi and Hanrahan 2001) as a polynomial of the normal,
 //! to compare times with.
 
-use crate::floats::{IRRADIANCE, X, Y, Z};
+use crate::floats::{AXES, IRRADIANCE};
 use eigenshade_wasm_setup::inputs::NORMALS;
 use eigenshade_wasm_setup::shared::Shared;
 
@@ -13,8 +13,8 @@ static NINE: Shared<[f32; 9]> = Shared::new([0.0; 9]);
 #[unsafe(no_mangle)]
 extern "C" fn nine_terms(count: usize) -> usize {
     // SAFETY: each place once, and no other function runs.
-    let (nine, x, y, z, irradiance) =
-        unsafe { (NINE.borrow(), X.borrow(), Y.borrow(), Z.borrow(), IRRADIANCE.borrow()) };
+    let (nine, [x, y, z], irradiance) =
+        unsafe { (NINE.borrow(), AXES.borrow(), IRRADIANCE.borrow()) };
     let &mut [a, b, c, d, e, f, g, h, i] = nine;
     let normals = x.iter().zip(y.iter()).zip(z.iter());
     for (((&x, &y), &z), irradiance) in normals.zip(irradiance).take(count) {

@@ -20,14 +20,13 @@ struct State<Q: Format, const T: usize, const P: usize, const N: usize> {
 macro_rules! exports {
     (
         $module:ident, $format:ident, $mantissa:ty, $fold:ident, $relight:ident, $collapse:ident,
-        $shade:ident, $d:literal, $exponents:literal, $x:literal, $y:literal, $z:literal,
-        $irradiance:literal
+        $shade:ident, $d:literal, $exponents:literal, $normals:literal, $irradiance:literal
     ) => {
         /// One format.
         pub mod $module {
             use super::*;
-            use eigenshade::$format;
             use eigenshade::sphere::$module::{BASIS, PROFILES, SCENE, TRANSFER, WORKSPACE};
+            use eigenshade::$format;
 
             /// The coefficients d.
             #[unsafe(export_name = $d)]
@@ -97,13 +96,9 @@ macro_rules! exports {
                 1
             }
 
-            /// Normals to shade.
-            #[unsafe(export_name = $x)]
-            static X: Shared<[$mantissa; NORMALS]> = Shared::new([0; NORMALS]);
-            #[unsafe(export_name = $y)]
-            static Y: Shared<[$mantissa; NORMALS]> = Shared::new([0; NORMALS]);
-            #[unsafe(export_name = $z)]
-            static Z: Shared<[$mantissa; NORMALS]> = Shared::new([0; NORMALS]);
+            /// Normals to shade: all x, all y, all z.
+            #[unsafe(export_name = $normals)]
+            static AXES: Shared<[[$mantissa; NORMALS]; 3]> = Shared::new([[0; NORMALS]; 3]);
             /// Their irradiances.
             #[unsafe(export_name = $irradiance)]
             static IRRADIANCE: Shared<[i32; NORMALS]> = Shared::new([0; NORMALS]);
@@ -113,9 +108,8 @@ macro_rules! exports {
             #[unsafe(no_mangle)]
             extern "C" fn $shade(count: usize) -> usize {
                 // SAFETY: each place once, and no other function runs.
-                let (scene, x, y, z, irradiance) = unsafe {
-                    (COLLAPSED.borrow(), X.borrow(), Y.borrow(), Z.borrow(), IRRADIANCE.borrow())
-                };
+                let (scene, [x, y, z], irradiance) =
+                    unsafe { (COLLAPSED.borrow(), AXES.borrow(), IRRADIANCE.borrow()) };
                 let Some(scene) = scene else { return 0 };
                 let normals = x.iter().zip(y.iter()).zip(z.iter());
                 let mut done = 0;
@@ -133,11 +127,29 @@ macro_rules! exports {
 
 #[cfg(feature = "q15")]
 exports!(
-    q15, Q15, i16, q15_fold, q15_relight, q15_collapse, q15_shade, "q15_d", "q15_exponents",
-    "q15_x", "q15_y", "q15_z", "q15_irradiance"
+    q15,
+    Q15,
+    i16,
+    q15_fold,
+    q15_relight,
+    q15_collapse,
+    q15_shade,
+    "q15_d",
+    "q15_exponents",
+    "q15_normals",
+    "q15_irradiance"
 );
 #[cfg(feature = "q31")]
 exports!(
-    q31, Q31, i32, q31_fold, q31_relight, q31_collapse, q31_shade, "q31_d", "q31_exponents",
-    "q31_x", "q31_y", "q31_z", "q31_irradiance"
+    q31,
+    Q31,
+    i32,
+    q31_fold,
+    q31_relight,
+    q31_collapse,
+    q31_shade,
+    "q31_d",
+    "q31_exponents",
+    "q31_normals",
+    "q31_irradiance"
 );
