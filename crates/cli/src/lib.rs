@@ -23,6 +23,8 @@ pub mod owned_basis;
 
 pub mod owned_quantised;
 
+pub mod integer_shader;
+
 pub mod shader;
 
 pub mod truth_image;
