@@ -314,7 +314,7 @@ pub const UNIT_LENGTH: f64 = 1e-12;
 /// 1e-13 are in no span, and at one normal of the rim they are a thousand times that, and the image dark.
 pub const OBJECT_PARSEVAL: f64 = 1e-9;
 /// d from pixels in mantissas of 15 bits, of the largest: the images of weak components are trimmed to
-/// 1e-5 over their share of the database's rms, 2e-3 in the weakest.
+/// 1e-5 over their share of the database's rms, some 1e-3 in the weakest.
 pub const ESTIMATE_Q15: f64 = 5e-3;
 /// The same in 31 bits, trimmed to 1e-8.
 pub const ESTIMATE_Q31: f64 = 1e-6;
