@@ -23,6 +23,8 @@ pub mod owned_basis;
 
 pub mod owned_quantised;
 
+pub mod integer_shader;
+
 pub mod shader;
 
 pub mod truth_image;
@@ -30,6 +32,8 @@ pub mod truth_image;
 pub mod compare;
 
 pub mod sphere_rings;
+
+pub mod median;
 
 pub mod accuracy;
 
@@ -46,8 +50,6 @@ pub mod pixel_normals;
 pub mod pixel_mask;
 
 pub mod image_reading;
-
-pub mod noise;
 
 pub mod damage;
 

@@ -50,8 +50,9 @@ macro_rules! exports {
             /// Folds in the material, of this order.
             #[unsafe(no_mangle)]
             extern "C" fn $fold(order: usize) -> u32 {
-                // SAFETY: each place once, and no other function runs.
-                let (from, state) = unsafe { (MATERIAL.borrow(), STATE.borrow()) };
+                let (from, state) =
+                    // SAFETY: each place once, and no other function runs.
+                    unsafe { (MATERIAL.borrow(), STATE.borrow()) };
                 let count = index::material::count(order);
                 let from = from.get(..count).unwrap_or_default();
                 let (Some(to), Some(exponents)) =
@@ -69,8 +70,8 @@ macro_rules! exports {
             /// Puts the folded material under the light, of this degree: gives d.
             #[unsafe(no_mangle)]
             extern "C" fn $relight(degree: usize) -> u32 {
-                // SAFETY: each place once, and no other function runs.
                 let (from, state, d, exponents) =
+                    // SAFETY: each place once, and no other function runs.
                     unsafe { (LIGHT.borrow(), STATE.borrow(), D.borrow(), EXPONENTS.borrow()) };
                 let count = index::light::count(degree);
                 let from = from.get(..count).unwrap_or_default();
@@ -86,8 +87,8 @@ macro_rules! exports {
             /// Makes a scene of d.
             #[unsafe(no_mangle)]
             extern "C" fn $collapse() -> u32 {
-                // SAFETY: each place once, and no other function runs.
                 let (collapsed, d, exponents) =
+                    // SAFETY: each place once, and no other function runs.
                     unsafe { (COLLAPSED.borrow(), D.borrow(), EXPONENTS.borrow()) };
                 let [of_d, of_irradiance] = exponents;
                 *collapsed = BASIS.collapse_into(d, *of_d, [0; SCENE]).ok();
@@ -107,8 +108,8 @@ macro_rules! exports {
             /// visible unit normal: gives how many they are, 0 if there is no scene.
             #[unsafe(no_mangle)]
             extern "C" fn $shade(count: usize) -> usize {
-                // SAFETY: each place once, and no other function runs.
                 let (scene, [x, y, z], irradiance) =
+                    // SAFETY: each place once, and no other function runs.
                     unsafe { (COLLAPSED.borrow(), AXES.borrow(), IRRADIANCE.borrow()) };
                 let Some(scene) = scene else { return 0 };
                 let normals = x.iter().zip(y.iter()).zip(z.iter());
