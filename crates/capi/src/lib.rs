@@ -44,4 +44,4 @@ pub use sizes::{
     EIGENSHADE_WORKSPACE_F32,
 };
 pub use status::{Status, eigenshade_message};
-pub use version::{EIGENSHADE_VERSION, eigenshade_version};
+pub use version::eigenshade_version;
