@@ -84,6 +84,17 @@ impl<'a, S: Scalar> Basis<'a, S> {
         Ok(Scene { lengths: self.parts.lengths, buffer })
     }
 
+    /// The scene of polynomials that were collapsed before, from wherever they were kept.
+    /// Others give meaningless irradiances.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] unless there are [`scene_len`](Self::scene_len) of them.
+    pub fn scene<B: AsRef<[S]>>(&self, buffer: B) -> Result<Scene<'a, B>, Error> {
+        Error::check(What::Scene, self.scene_len(), buffer.as_ref().len())?;
+        Ok(Scene { lengths: self.parts.lengths, buffer })
+    }
+
     /// The irradiance of one normal as Σ d_i U_i, component by component, without
     /// collapsing: what [`Scene::shade`] is compared with.
     ///

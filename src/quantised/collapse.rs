@@ -94,6 +94,21 @@ impl<'a, Q: Fixed> Basis<'a, Q> {
         Ok(Scene { lengths: self.parts.lengths, exponent: to, buffer, format: PhantomData })
     }
 
+    /// The scene of polynomials and an exponent that were collapsed before, from wherever
+    /// they were kept. Others give meaningless irradiances.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] unless there are [`scene_len`](Self::scene_len) of them.
+    pub fn scene<B: AsRef<[i32]>>(
+        &self,
+        exponent: i32,
+        buffer: B,
+    ) -> Result<Scene<'a, Q, B>, Error> {
+        Error::check(What::Scene, self.scene_len(), buffer.as_ref().len())?;
+        Ok(Scene { lengths: self.parts.lengths, exponent, buffer, format: PhantomData })
+    }
+
     /// The least n of: neither a step of a pixel's polynomials nor an irradiance goes
     /// beyond 2^n, in units of these coefficients, less a sixty-fourth for rounding.
     ///

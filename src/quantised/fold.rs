@@ -88,7 +88,8 @@ impl<Q: Fixed> Basis<'_, Q> {
         Error::check(What::Workspace, self.workspace_len(), workspace.len())?;
         Error::check(What::Transfer, self.transfer_len(), numbers.len())?;
         Error::check(What::Transfer, self.profiles(), exponents.len())?;
-        let pairs = pair::count(self.order());
+        // Not 0, which a compiler may not see: chunks of 0 would panic.
+        let pairs = pair::count(self.order()).max(1);
         let degrees = self.degree() + 1;
         let (sums, rest) = workspace.split_at_mut_checked(degrees * pairs).unwrap_or_default();
         let (of_sums, row) = rest.split_at_mut_checked(degrees).unwrap_or_default();
@@ -124,7 +125,8 @@ impl<Q: Fixed> Basis<'_, Q> {
     /// Writes S: for each l a row over the pairs (p, q), each below 2^BITS, and the
     /// row's exponent.
     fn scatter(&self, material: &Material<'_, Q>, sums: &mut [Q::Wide], exponents: &mut [Q::Wide]) {
-        let pairs = pair::count(self.order());
+        // Not 0, which a compiler may not see: chunks of 0 would panic.
+        let pairs = pair::count(self.order()).max(1);
         // The addends of one sum are one for each o of a parity.
         let room = Q::Wide::of((self.order() / 2 + 1) as i32).bits().cast_signed() - 1;
         let polar = self.parts.polar.chunks_exact(pairs);
