@@ -118,6 +118,8 @@ pub trait Wide:
     const SIZE: u32;
     /// self + other, modulo 2^(SIZE + 1).
     fn wrapping_plus(self, other: Self) -> Self;
+    /// -self, modulo 2^(SIZE + 1).
+    fn wrapping_minus(self) -> Self;
     /// This number.
     fn of(number: i32) -> Self;
     /// Bits of |self|: the least n of |self| < 2^n.
@@ -135,6 +137,10 @@ impl Wide for i32 {
         self.wrapping_add(other)
     }
     #[inline(always)]
+    fn wrapping_minus(self) -> Self {
+        self.wrapping_neg()
+    }
+    #[inline(always)]
     fn of(number: i32) -> Self {
         number
     }
@@ -145,8 +151,11 @@ impl Wide for i32 {
     #[inline]
     fn shifted(self, by: i32) -> Self {
         match by {
-            0.. => self << by.min(31),
-            -31.. => ((self >> (-by - 1)) + 1) >> 1,
+            0.. => {
+                debug_assert!(self == 0 || self.bits().cast_signed() + by <= 31, "out of domain");
+                self << by.min(31)
+            }
+            -31.. => (self >> -by) + ((self >> (-by - 1)) & 1),
             _ => 0,
         }
     }
@@ -163,6 +172,10 @@ impl Wide for i64 {
         self.wrapping_add(other)
     }
     #[inline(always)]
+    fn wrapping_minus(self) -> Self {
+        self.wrapping_neg()
+    }
+    #[inline(always)]
     fn of(number: i32) -> Self {
         number.into()
     }
@@ -173,8 +186,11 @@ impl Wide for i64 {
     #[inline]
     fn shifted(self, by: i32) -> Self {
         match by {
-            0.. => self << by.min(63),
-            -63.. => ((self >> (-by - 1)) + 1) >> 1,
+            0.. => {
+                debug_assert!(self == 0 || self.bits().cast_signed() + by <= 63, "out of domain");
+                self << by.min(63)
+            }
+            -63.. => (self >> -by) + ((self >> (-by - 1)) & 1),
             _ => 0,
         }
     }
@@ -211,7 +227,7 @@ impl Fixed for Q15 {
     }
     #[inline(always)]
     fn argument_times(sum: i32, argument: i32) -> i32 {
-        (sum * argument) >> 14
+        sum.wrapping_mul(argument) >> 14
     }
     #[inline(always)]
     fn nearest_argument_times(sum: i32, argument: i32) -> i32 {
@@ -231,7 +247,7 @@ impl Fixed for Q15 {
     }
     #[inline(always)]
     fn product(value: i32, fraction: i32) -> i32 {
-        value * fraction
+        value.wrapping_mul(fraction)
     }
     #[inline(always)]
     fn of_value(value: i32) -> i32 {

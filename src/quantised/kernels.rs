@@ -60,13 +60,14 @@ impl<Q: Fixed> Pixel<Q> {
     }
 }
 
-/// A polynomial's value by Horner's rule, each step rounded down.
+/// A polynomial's value by Horner's rule, each step rounded down. No step of a table's
+/// leaves its bits; those of one that states its sizes too small may wrap.
 #[inline(always)]
 pub(crate) fn value<Q: Fixed>(terms: &[i32], t: i32) -> i32 {
     let Some((&first, rest)) = terms.split_first() else { return 0 };
     let mut sum = first;
     for &term in rest {
-        sum = Q::argument_times(sum, t) + term;
+        sum = Q::argument_times(sum, t).wrapping_add(term);
     }
     sum
 }

@@ -321,3 +321,23 @@ pub const ESTIMATE_Q31: f64 = 1e-6;
 /// d and irradiances in f32 against those in f64, of the largest of their array: some forty
 /// roundings of 6e-8 that count, in any order, fused or not.
 pub const GOLDEN_F32: f32 = 2e-6;
+/// d of any light and material, of what its addends could be, all of the largest size and of one
+/// sign: some roundings of 24 bits.
+pub const ANY_D_F32: f64 = 1e-6;
+/// See [`ANY_D_F32`]: light, material, Ĉ, S, factors and T are each rounded to 15 bits of the largest
+/// of their row.
+pub const ANY_D_Q15: f64 = 1e-4;
+/// See [`ANY_D_Q15`], with 31 bits.
+pub const ANY_D_Q31: f64 = 1e-9;
+/// d has 30 bits of its largest component.
+pub const ANY_D_COMMON: f64 = 2e-9;
+/// A pixel of any coefficients in integers, of the range of 17 bits.
+pub const ANY_PIXEL_Q15: f64 = 1e-3;
+/// See [`ANY_PIXEL_Q15`], of 30 bits.
+pub const ANY_PIXEL_Q31: f64 = 1e-6;
+/// A pixel of d in f32, of the sizes of all its terms.
+pub const ANY_PIXEL_F32: f64 = 1e-6;
+/// A pixel of d, of the sizes of all its terms: 17 bits, and what is trimmed of the polynomials.
+pub const ANY_IMAGE_Q15: f64 = 1e-3;
+/// See [`ANY_IMAGE_Q15`].
+pub const ANY_IMAGE_Q31: f64 = 1e-6;

@@ -2,10 +2,17 @@
 //!
 //! The order is 00, 11, 20, 22, 31, 33, ...: by p, then by q.
 
-/// Number of pairs up to and including `order`.
+/// The largest order whose pairs are counted: 32 bits hold their number.
+const MOST: usize = 65_535;
+
+/// Number of pairs up to and including `order`, or `usize::MAX` for an order above
+/// 65,535.
 #[inline]
 #[must_use]
 pub const fn count(order: usize) -> usize {
+    if order > MOST {
+        return usize::MAX;
+    }
     position(order + 1, 0)
 }
 
@@ -40,5 +47,6 @@ mod tests {
             assert!(indices(order).enumerate().all(|(k, (p, q))| position(p, q) == k));
             assert_eq!(indices(order).count(), count(order));
         }
+        assert_eq!(count(usize::MAX), usize::MAX);
     }
 }
