@@ -87,6 +87,8 @@ mod general;
 
 mod estimate;
 
+pub mod wire;
+
 mod error;
 
 #[cfg(feature = "baked")]

@@ -152,7 +152,11 @@ impl Truth {
 }
 
 fn chebyshev(terms: &[f64], t: f64) -> f64 {
-    terms.iter().enumerate().map(|(k, term)| term * (k as f64 * t.clamp(-1.0, 1.0).acos()).cos()).sum()
+    terms
+        .iter()
+        .enumerate()
+        .map(|(k, term)| term * (k as f64 * t.clamp(-1.0, 1.0).acos()).cos())
+        .sum()
 }
 
 struct Floats<'a> {
@@ -213,9 +217,7 @@ impl<Q: Integer> Measured for Integers<'_, Q> {
         let mut workspace = vec![Default::default(); basis.workspace_len()];
         let mut numbers = vec![Q::default(); basis.transfer_len()];
         let mut exponents = vec![0; basis.profiles()];
-        basis
-            .fold_into(&material, &mut workspace, &mut numbers, &mut exponents)
-            .expect("it fits");
+        basis.fold_into(&material, &mut workspace, &mut numbers, &mut exponents).expect("it fits");
         let transfer = Transfer::new(&numbers, &exponents);
         let mut d = vec![0; basis.components()];
         let exponent = basis.relight_into(&transfer, &light, &mut d).expect("it fits");

@@ -38,19 +38,19 @@ impl<'a, Q> Parts<'a, Q> {
                 }
                 orders = others;
             }
-            rows += degrees - azimuth;
-            terms += self.length(azimuth);
+            rows = usize::saturating_add(rows, degrees - azimuth);
+            terms = usize::saturating_add(terms, self.length(azimuth));
             (rest, before) = (tail, azimuth);
         }
         if served != self.components {
             return Err(Error::Profile);
         }
         let folded = self.polar.is_empty() && self.factors.is_empty();
-        let (polar, rows) = if folded { (0, 0) } else { (degrees * pairs, rows) };
+        let (polar, rows) = if folded { (0, 0) } else { (degrees.saturating_mul(pairs), rows) };
         let checks = [
             Error::check(What::Polar, polar, self.polar.len()),
             Error::check(What::Polar, polar, self.polar_exponents.len()),
-            Error::check(What::Factors, rows * pairs, self.factors.len()),
+            Error::check(What::Factors, usize::saturating_mul(rows, pairs), self.factors.len()),
             Error::check(What::Factors, rows, self.factor_exponents.len()),
             Error::check(What::Terms, terms, self.terms.len()),
         ];
@@ -150,7 +150,8 @@ impl<'a, Q> Basis<'a, Q> {
     pub const fn transfer_len(&self) -> usize {
         let (mut sum, mut rest) = (0, self.parts.profiles);
         while let [profile, tail @ ..] = rest {
-            sum += self.parts.degree + 1 - profile.azimuth as usize;
+            let degrees = self.parts.degree + 1 - profile.azimuth as usize;
+            sum = usize::saturating_add(sum, degrees);
             rest = tail;
         }
         sum
