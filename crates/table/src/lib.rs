@@ -33,6 +33,8 @@ pub mod rust_quantised;
 
 pub mod rust_source;
 
+pub mod statics;
+
 pub mod wire;
 
 pub use file::{FileError, decode, encode};
