@@ -204,7 +204,8 @@ impl Fixed for Q15 {
     }
     #[inline(always)]
     fn argument_times(sum: i32, argument: i32) -> i32 {
-        (sum * argument) >> 14
+        // A forged table may leave the domain; it is not to panic.
+        sum.wrapping_mul(argument) >> 14
     }
     #[inline(always)]
     fn halved(self) -> i32 {
@@ -216,7 +217,7 @@ impl Fixed for Q15 {
     }
     #[inline(always)]
     fn product(value: i32, fraction: i32) -> i32 {
-        value * fraction
+        value.wrapping_mul(fraction)
     }
     #[inline(always)]
     fn of_value(value: i32) -> i32 {

@@ -5,7 +5,7 @@
 mod tolerances;
 
 use eigenshade::wire::{Aligned, Header, WireError, WireFormat, aligned};
-use eigenshade::{Basis, Fixed, GeneralBasis, Normal, Q15, Q31, Wide, quantised, sphere};
+use eigenshade::{Basis, Fixed, GeneralBasis, Normal, Q15, Q31, quantised, sphere};
 use eigenshade_table::quantise;
 use eigenshade_table::wire::{Endian, Format, encode};
 use proptest::prelude::*;
@@ -222,7 +222,8 @@ fn no_part_is_the_whole() {
 
 /// Its checksum made right.
 fn sealed(mut bytes: Vec<u8>) -> Vec<u8> {
-    let (file, sum) = bytes.split_at_mut(bytes.len() - 4);
+    let end = bytes.len() - 4;
+    let (file, sum) = bytes.split_at_mut(end);
     sum.copy_from_slice(&crc32fast::hash(file).to_le_bytes());
     bytes
 }

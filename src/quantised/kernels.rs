@@ -66,7 +66,7 @@ pub(crate) fn value<Q: Fixed>(terms: &[i32], t: i32) -> i32 {
     let Some((&first, rest)) = terms.split_first() else { return 0 };
     let mut sum = first;
     for &term in rest {
-        sum = Q::argument_times(sum, t) + term;
+        sum = Q::argument_times(sum, t).wrapping_add(term);
     }
     sum
 }
