@@ -1,8 +1,8 @@
 //! The number formats: floats, and integers whose scale stands beside them.
 
-use bytemuck::AnyBitPattern;
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Mul, Neg, Sub};
+use zerocopy::{FromBytes, Immutable, KnownLayout};
 
 /// A number format of the runtime: `f32`, `f64`, [`Q15`] or [`Q31`].
 ///
@@ -19,12 +19,16 @@ pub trait Format:
 
 /// A mantissa of 15 bits and a sign: the number is it times 2^exponent, the exponent
 /// that of the array it stands in.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, AnyBitPattern)]
+#[derive(
+    Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, FromBytes, Immutable, KnownLayout,
+)]
 #[repr(transparent)]
 pub struct Q15(pub i16);
 
 /// A mantissa of 31 bits and a sign: see [`Q15`].
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, AnyBitPattern)]
+#[derive(
+    Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, FromBytes, Immutable, KnownLayout,
+)]
 #[repr(transparent)]
 pub struct Q31(pub i32);
 

@@ -1,7 +1,7 @@
 //! The arrays that a basis is made of.
 
 use crate::index::layout;
-use bytemuck::AnyBitPattern;
+use zerocopy::{FromBytes, Immutable, KnownLayout};
 
 /// The arrays of a basis, as `eigenshade-table` writes them.
 /// [`Basis::new`](crate::Basis::new) checks that they fit together.
@@ -47,7 +47,7 @@ pub struct Parts<'a, S> {
 
 /// A slant profile's azimuth, the components that it serves, and their rows in a
 /// transfer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, AnyBitPattern)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, FromBytes, Immutable, KnownLayout)]
 #[repr(C)]
 pub struct ProfilePlace {
     pub(crate) azimuth: u16,
@@ -108,7 +108,7 @@ impl ProfilePlace {
 
 /// Where the numbers of l = |m|, |m| + 1, ... of one component stand in a
 /// transfer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, AnyBitPattern)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, FromBytes, Immutable, KnownLayout)]
 #[repr(C)]
 pub struct Row {
     pub(crate) start: u32,
@@ -125,7 +125,7 @@ impl Row {
 
 /// The pairs that one coefficient b_op^q couples: polar integrals of (o, q) go into
 /// the sum of (p, q), and the other way round.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, AnyBitPattern)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, FromBytes, Immutable, KnownLayout)]
 #[repr(C)]
 pub struct Coupling {
     pub(crate) o: u16,
@@ -141,7 +141,7 @@ impl Coupling {
 }
 
 /// Part of a transfer: `LANES` orders m from `first` on, `profiles` of each.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, AnyBitPattern)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, FromBytes, Immutable, KnownLayout)]
 #[repr(C)]
 pub struct Pass {
     pub(crate) first: i16,

@@ -2,6 +2,7 @@
 
 use super::WireError;
 use crate::index::wire::ALIGNMENT;
+use zerocopy::IntoBytes;
 
 /// Bytes that are compiled in, at a multiple of four:
 /// `static TABLE: &Aligned<[u8]> = &Aligned(*include_bytes!("table.esw"));`.
@@ -19,8 +20,7 @@ const _: () = assert!(align_of::<Aligned<u8>>() == ALIGNMENT && align_of::<u32>(
 /// [`WireError::Room`] if there is too little of it.
 pub fn aligned<'r>(bytes: &[u8], room: &'r mut [u32]) -> Result<&'r [u8], WireError> {
     let (needed, found) = (bytes.len().div_ceil(ALIGNMENT), room.len());
-    let all: &mut [u8] = bytemuck::must_cast_slice_mut(room);
-    let to = all.get_mut(..bytes.len()).ok_or(WireError::Room { needed, found })?;
+    let to = room.as_mut_bytes().get_mut(..bytes.len()).ok_or(WireError::Room { needed, found })?;
     for (to, &from) in to.iter_mut().zip(bytes) {
         *to = from;
     }

@@ -4,7 +4,7 @@ use super::WireError;
 use super::checksum::checksum;
 use super::header::{Header, WireFormat, long};
 use crate::index::wire::{ALIGNMENT, CHECKSUM, ENTRY, HEADER};
-use bytemuck::CheckedBitPattern;
+use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
 /// A wire file, its sections taken one after the other.
 pub(super) struct File<'a> {
@@ -40,7 +40,10 @@ impl<'a> File<'a> {
     }
 
     /// The next section.
-    pub(super) fn section<T: CheckedBitPattern>(&mut self) -> Result<&'a [T], WireError> {
+    pub(super) fn section<T>(&mut self) -> Result<&'a [T], WireError>
+    where
+        T: TryFromBytes + KnownLayout + Immutable,
+    {
         let number = self.taken;
         let fault = WireError::Section { number };
         if number >= self.header.sections {
@@ -52,7 +55,7 @@ impl<'a> File<'a> {
         let length = long(self.bytes, entry + ENTRY / 2) as usize;
         let rest = self.bytes.get(start..).ok_or(fault)?;
         let section = rest.get(..length).ok_or(fault)?;
-        bytemuck::checked::try_cast_slice(section).map_err(|_| fault)
+        <[T]>::try_ref_from_bytes(section).map_err(|_| fault)
     }
 
     /// No section is left.

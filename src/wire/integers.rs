@@ -5,7 +5,7 @@ use super::file::File;
 use super::header::WireFormat;
 use crate::format::{Q15, Q31};
 use crate::quantised::{Basis, Parts};
-use bytemuck::AnyBitPattern;
+use zerocopy::{FromBytes, Immutable, KnownLayout};
 
 macro_rules! from_bytes {
     ($format:ident) => {
@@ -29,7 +29,10 @@ from_bytes!(Q15);
 from_bytes!(Q31);
 
 /// The arrays in a file.
-fn read<Q: AnyBitPattern>(bytes: &[u8], format: WireFormat) -> Result<Parts<'_, Q>, WireError> {
+fn read<Q>(bytes: &[u8], format: WireFormat) -> Result<Parts<'_, Q>, WireError>
+where
+    Q: FromBytes + KnownLayout + Immutable,
+{
     let mut file = File::open(bytes, format)?;
     let header = file.header;
     if header.images != 0 {
