@@ -2,6 +2,7 @@
 
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Mul, Neg, Sub};
+use zerocopy::{FromBytes, Immutable, KnownLayout};
 
 /// A number format of the runtime: `f32`, `f64`, [`Q15`] or [`Q31`].
 ///
@@ -18,12 +19,16 @@ pub trait Format:
 
 /// A mantissa of 15 bits and a sign: the number is it times 2^exponent, the exponent
 /// that of the array it stands in.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(
+    Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, FromBytes, Immutable, KnownLayout,
+)]
 #[repr(transparent)]
 pub struct Q15(pub i16);
 
 /// A mantissa of 31 bits and a sign: see [`Q15`].
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(
+    Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, FromBytes, Immutable, KnownLayout,
+)]
 #[repr(transparent)]
 pub struct Q31(pub i32);
 

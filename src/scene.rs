@@ -73,11 +73,11 @@ impl<'a, S: Scalar> Basis<'a, S> {
             let length = self.parts.length(azimuth);
             let (of_profile, rest) = terms.split_at_checked(length).unwrap_or((terms, &[]));
             terms = rest;
-            if let Some(weight) = weight(place.plus) {
+            if let Some(weight) = weight(place.plus()) {
                 add(weight, of_profile, sums);
             }
             // Φ_-m = √2 sin(-mβ) = -√2 Im (n_x + i n_y)^m / sin^m.
-            if let Some(weight) = weight(place.minus) {
+            if let Some(weight) = weight(place.minus()) {
                 add(-weight, of_profile, sums.get_mut(length..).unwrap_or_default());
             }
         }
@@ -122,7 +122,7 @@ impl<'a, S: Scalar> Basis<'a, S> {
             let (of_profile, rest) =
                 terms.split_at_checked(self.parts.length(azimuth)).unwrap_or((terms, &[]));
             terms = rest;
-            let around = weight(place.plus) * cosine - weight(place.minus) * sine;
+            let around = weight(place.plus()) * cosine - weight(place.minus()) * sine;
             sum += polynomial::value(of_profile, t) * around;
         }
         Ok(sum)

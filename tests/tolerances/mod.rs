@@ -341,3 +341,18 @@ pub const ANY_PIXEL_F32: f64 = 1e-6;
 pub const ANY_IMAGE_Q15: f64 = 1e-3;
 /// See [`ANY_IMAGE_Q15`].
 pub const ANY_IMAGE_Q31: f64 = 1e-6;
+
+/// d from a wire file in f32, of the largest: 2^-24 times some twenty roundings.
+pub const WIRE_F32: f32 = 1e-6;
+/// d from a wire file in 15 bits, of the largest: a few roundings of 2^-15.
+pub const WIRE_Q15: f32 = 2e-4;
+/// d from a wire file in 31 bits, of the largest: the comparison itself is in f32.
+pub const WIRE_Q31: f32 = 2e-7;
+/// Statics in f32 of a table that another host made, of the largest of their kind: 2^-23,
+/// a rounding the other way.
+pub const STATICS: f32 = 1.2e-7;
+/// Images of forty components in f32 against direct quadrature, of the peak: what the other
+/// components have.
+pub const OWN_TABLE_F32: f64 = 1e-5;
+/// The same in 15 bits: 65 dB and more below the image, at a single normal.
+pub const OWN_TABLE_Q15: f64 = 2e-3;
