@@ -44,7 +44,7 @@
 extern crate std;
 
 // The generated statics name the crate as their users would.
-#[cfg(feature = "baked")]
+#[cfg(any(feature = "baked", feature = "generate"))]
 extern crate self as eigenshade;
 
 pub use eigenshade_index as index;
@@ -87,10 +87,15 @@ mod general;
 
 mod estimate;
 
+pub mod wire;
+
 mod error;
 
 #[cfg(feature = "baked")]
 pub mod sphere;
+
+#[cfg(feature = "generate")]
+pub mod generated;
 
 pub use basis::Basis;
 pub use error::{Error, What};

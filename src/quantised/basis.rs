@@ -43,8 +43,8 @@ impl<'a, Q> Parts<'a, Q> {
                 }
                 orders = others;
             }
-            rows += degrees - azimuth;
-            terms += self.length(azimuth);
+            rows = usize::saturating_add(rows, degrees - azimuth);
+            terms = usize::saturating_add(terms, self.length(azimuth));
             (rest, before) = (tail, azimuth);
         }
         if served != self.components {
@@ -194,7 +194,8 @@ impl<'a, Q> Basis<'a, Q> {
     pub const fn transfer_len(&self) -> usize {
         let (mut sum, mut rest) = (0, self.parts.profiles);
         while let [profile, tail @ ..] = rest {
-            sum += self.parts.degree + 1 - profile.azimuth as usize;
+            let degrees = self.parts.degree + 1 - profile.azimuth as usize;
+            sum = usize::saturating_add(sum, degrees);
             rest = tail;
         }
         sum

@@ -69,8 +69,10 @@ impl<'a, Q: Fixed> Basis<'a, Q> {
         }
         sums.fill(0);
         let weight = |index: u16| mantissas.get(usize::from(index)).copied().unwrap_or(0);
-        let weights = self.parts.profiles.iter().flat_map(|profile| {
-            [profile.plus, profile.minus].map(|index| (weight(index), i32::from(profile.exponent)))
+        let weights = (0..2 * self.profiles()).filter_map(|k| {
+            let profile = self.parts.profiles.get(k / 2)?;
+            let index = if k % 2 == 0 { profile.plus } else { profile.minus };
+            Some((weight(index), i32::from(profile.exponent)))
         });
         // The weights' sum is bounded, so that of weighed terms is.
         let common = common_exponent(weights, Q::WEIGHT_BITS, Q::WEIGHT_BITS);
@@ -97,6 +99,21 @@ impl<'a, Q: Fixed> Basis<'a, Q> {
         Ok(Scene { lengths: self.parts.lengths, exponent: to, buffer, format: PhantomData })
     }
 
+    /// The scene of polynomials and an exponent that were collapsed before, from wherever
+    /// they were kept. Others give meaningless irradiances.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] unless there are [`scene_len`](Self::scene_len) of them.
+    pub fn scene<B: AsRef<[i32]>>(
+        &self,
+        exponent: i32,
+        buffer: B,
+    ) -> Result<Scene<'a, Q, B>, Error> {
+        Error::check(What::Scene, self.scene_len(), buffer.as_ref().len())?;
+        Ok(Scene { lengths: self.parts.lengths, exponent, buffer, format: PhantomData })
+    }
+
     /// The least n of: neither a step of a pixel's polynomials nor an irradiance goes
     /// beyond 2^n, in units of these coefficients, less a sixty-fourth for rounding.
     ///
@@ -108,15 +125,16 @@ impl<'a, Q: Fixed> Basis<'a, Q> {
             found.map_or(0, |d| (d.unsigned_abs() >> UNIT) + u32::from(*d != 0))
         };
         let (mut image, mut largest) = (0_u64, 0_u64);
-        for profiles in self.parts.profiles.chunk_by(|a, b| a.azimuth == b.azimuth) {
-            let (mut of_plus, mut of_minus) = (0_u64, 0_u64);
-            for profile in profiles {
-                let [plus, minus] = [size(profile.plus), size(profile.minus)];
-                let times = |size: u32, of_profile: u16| u64::from(size * u32::from(of_profile));
-                of_plus += times(plus, profile.step);
-                of_minus += times(minus, profile.step);
-                image += times(plus, profile.size) + times(minus, profile.size);
+        let (mut azimuth, mut of_plus, mut of_minus) = (0, 0_u64, 0_u64);
+        for profile in self.parts.profiles {
+            if profile.azimuth != azimuth {
+                (azimuth, of_plus, of_minus) = (profile.azimuth, 0, 0);
             }
+            let [plus, minus] = [size(profile.plus), size(profile.minus)];
+            let times = |size: u32, of_profile: u16| u64::from(size * u32::from(of_profile));
+            of_plus += times(plus, profile.step);
+            of_minus += times(minus, profile.step);
+            image += times(plus, profile.size) + times(minus, profile.size);
             largest = largest.max(of_plus).max(of_minus);
         }
         largest = largest.max(image);

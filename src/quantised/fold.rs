@@ -91,7 +91,8 @@ impl<Q: Fixed> Basis<'_, Q> {
         Error::check(What::Workspace, self.workspace_len(), workspace.len())?;
         Error::check(What::Transfer, self.transfer_len(), numbers.len())?;
         Error::check(What::Transfer, self.profiles(), exponents.len())?;
-        let pairs = pair::count(self.order());
+        // Not 0, which a compiler may not see: chunks of 0 would panic.
+        let pairs = pair::count(self.order()).max(1);
         let degrees = self.degree() + 1;
         let (sums, rest) = workspace.split_at_mut_checked(degrees * pairs).unwrap_or_default();
         let (of_sums, row) = rest.split_at_mut_checked(degrees).unwrap_or_default();
@@ -127,7 +128,8 @@ impl<Q: Fixed> Basis<'_, Q> {
     /// Writes S: for each l a row over the pairs (p, q), each below 2^BITS, and the
     /// row's exponent.
     fn scatter(&self, material: &Material<'_, Q>, sums: &mut [Q::Wide], exponents: &mut [Q::Wide]) {
-        let pairs = pair::count(self.order());
+        // Not 0, which a compiler may not see: chunks of 0 would panic.
+        let pairs = pair::count(self.order()).max(1);
         // The addends of one sum are one for each o of a parity.
         let room = Q::Wide::of((self.order() / 2 + 1) as i32).bits().cast_signed() - 1;
         let polar = self.parts.polar.chunks_exact(pairs);
@@ -201,20 +203,20 @@ pub(crate) fn common_exponent<W: Wide>(
     each: u32,
 ) -> i32 {
     let (mut top, mut count) = (None, 0);
-    for (number, exponent) in numbers.clone() {
+    numbers.clone().for_each(|(number, exponent)| {
         count += 1;
         if number != W::default() {
             top = top.max(Some(number.bits().cast_signed() + exponent));
         }
-    }
+    });
     let Some(top) = top else { return 0 };
     let room = W::SIZE.cast_signed() - W::of(count).bits().cast_signed() - 2;
     let base = top - room;
     let mut sum = W::default();
-    for (number, exponent) in numbers {
+    numbers.for_each(|(number, exponent)| {
         let aligned = number.shifted(exponent - base);
         sum += if aligned < W::default() { -aligned } else { aligned };
-    }
+    });
     sum += sum.shifted(-8);
     (base + sum.bits().cast_signed() - all.cast_signed()).max(top - each.cast_signed())
 }

@@ -16,6 +16,7 @@
 mod basis;
 mod coefficients;
 mod collapse;
+mod estimate;
 mod fold;
 mod inputs;
 #[doc(hidden)]
@@ -28,6 +29,7 @@ mod shade;
 pub use basis::Basis;
 pub use coefficients::Coefficients;
 pub use collapse::{Scene, SceneBuffer};
+pub use estimate::Estimate;
 pub use fold::{Transfer, TransferBuffer};
 pub use inputs::{Light, Material};
 pub use normal::Normal;

@@ -313,6 +313,14 @@ pub const UNIT_LENGTH: f64 = 1e-12;
 /// |d|² + residual against the energy over an object, relative: modes whose images over the sphere are below
 /// 1e-13 are in no span, and at one normal of the rim they are a thousand times that, and the image dark.
 pub const OBJECT_PARSEVAL: f64 = 1e-9;
+/// d from pixels in mantissas of 15 bits, of the largest: the images of weak components are trimmed to
+/// 1e-5 over their share of the database's rms, some 1e-3 in the weakest.
+pub const ESTIMATE_Q15: f64 = 5e-3;
+/// The same in 31 bits, trimmed to 1e-8.
+pub const ESTIMATE_Q31: f64 = 1e-6;
+/// d and irradiances in f32 against those in f64, of the largest of their array: some forty
+/// roundings of 6e-8 that count, in any order, fused or not.
+pub const GOLDEN_F32: f32 = 2e-6;
 /// d of any light and material, of what its addends could be, all of the largest size and of one
 /// sign: some roundings of 24 bits, of addends far smaller.
 pub const ANY_D_F32: f64 = 2e-8;
@@ -334,3 +342,18 @@ pub const ANY_PIXEL_F32: f64 = 1e-6;
 pub const ANY_IMAGE_Q15: f64 = 1e-3;
 /// See [`ANY_IMAGE_Q15`]: less is trimmed.
 pub const ANY_IMAGE_Q31: f64 = 1e-6;
+
+/// d from a wire file in f32, of the largest: 2^-24 times some twenty roundings.
+pub const WIRE_F32: f32 = 1e-6;
+/// d from a wire file in 15 bits, of the largest: a few roundings of 2^-15.
+pub const WIRE_Q15: f32 = 2e-4;
+/// d from a wire file in 31 bits, of the largest: the comparison itself is in f32.
+pub const WIRE_Q31: f32 = 2e-7;
+/// Statics in f32 of a table that another host made, of the largest of their kind: 2^-23,
+/// a rounding the other way.
+pub const STATICS: f32 = 1.2e-7;
+/// Images of forty components in f32 against direct quadrature, of the peak: what the other
+/// components have.
+pub const OWN_TABLE_F32: f64 = 1e-5;
+/// The same in 15 bits: 65 dB and more below the image, at a single normal.
+pub const OWN_TABLE_Q15: f64 = 2e-3;

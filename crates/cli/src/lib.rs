@@ -15,6 +15,8 @@ pub mod parallel;
 
 pub mod table_file;
 
+pub mod wire_file;
+
 pub mod shipped;
 
 pub mod named;
@@ -22,6 +24,8 @@ pub mod named;
 pub mod owned_basis;
 
 pub mod owned_quantised;
+
+pub mod integer_shader;
 
 pub mod shader;
 

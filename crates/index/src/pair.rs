@@ -2,15 +2,12 @@
 //!
 //! The order is 00, 11, 20, 22, 31, 33, ...: by p, then by q.
 
-/// The largest order whose pairs are counted: 32 bits hold their number.
-const MOST: usize = 65_535;
-
 /// Number of pairs up to and including `order`, or `usize::MAX` for an order above
-/// 65,535.
+/// 2047, as [`material::count`](crate::material::count) has it.
 #[inline]
 #[must_use]
 pub const fn count(order: usize) -> usize {
-    if order > MOST {
+    if order > crate::material::MOST {
         return usize::MAX;
     }
     position(order + 1, 0)

@@ -28,6 +28,15 @@ impl Format {
         }
     }
 
+    /// Its name on a command line, and of its module.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Q15 => "q15",
+            Self::Q31 => "q31",
+        }
+    }
+
     /// What the polynomials of this format may leave out, of the database's rms: less
     /// than what the format's rounding costs.
     #[must_use]
