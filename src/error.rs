@@ -34,7 +34,8 @@ pub enum Error {
         found: usize,
     },
     /// A basis has a profile of an azimuth beyond its degree, out of order, or
-    /// serving a component that it does not have, or a component without a profile.
+    /// serving a component that it does not have, or a component without a profile, or in
+    /// integers with two.
     Profile,
     /// A basis has a pass beyond its degree, one that is not laid out as
     /// [`index::layout`](crate::index::layout) has it, or slots that do not give the

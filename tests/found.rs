@@ -180,3 +180,16 @@ fn bases_out_of_all_proportion() {
     let folded = Basis::<Q15>::new(Parts { order: usize::MAX, ..of(1) }).expect("of transfers");
     assert_eq!(folded.workspace_len(), usize::MAX);
 }
+
+/// Two profiles of one component, and another without: d was scaled twice.
+#[test]
+fn a_component_of_two_profiles() {
+    let of = |places: [Profile; 2]| {
+        let parts = of_transfers(&[Q15(1), Q15(1)]);
+        Basis::<Q15>::new(Parts { profiles: &places, ..parts }).err()
+    };
+    let first = Profile::new(0, 0, [0, NONE], [16, 16]);
+    assert_eq!(of([first, Profile::new(1, 0, [1, 0], [16, 16])]), Some(Error::Profile));
+    assert_eq!(of([first, Profile::new(1, 0, [1, 1], [16, 16])]), Some(Error::Profile));
+    assert_eq!(of([first, Profile::new(1, 0, [2, 1], [16, 16])]), None);
+}

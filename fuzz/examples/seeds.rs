@@ -7,7 +7,8 @@ use std::path::Path;
 /// Where a target's seeds stand, and what makes them.
 type Corpus = (&'static str, fn() -> Vec<(String, Vec<u8>)>);
 
-const CORPORA: [Corpus; 2] = [("shade_any", shade_any), ("project_reconstruct", reconstruct)];
+const CORPORA: [Corpus; 3] =
+    [("shade_any", shade_any), ("project_reconstruct", reconstruct), ("from_bytes", tables)];
 
 fn main() -> std::io::Result<()> {
     for (target, seeds) in CORPORA {
@@ -97,4 +98,16 @@ fn reconstruct() -> Vec<(String, Vec<u8>)> {
         (format!("{degree}-{order}"), bytes)
     };
     [(0, 0), (1, 0), (2, 2), (5, 4), (9, 7)].map(seed).to_vec()
+}
+
+/// The wire files of the tests.
+fn tables() -> Vec<(String, Vec<u8>)> {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/wire");
+    let seed = |name: &str| {
+        let path = Path::new(folder).join(format!("{name}.esw"));
+        (name.to_owned(), std::fs::read(path).expect("a wire file of the tests"))
+    };
+    ["v1.sphere.f32", "v1.mean.f32", "v1.general.f32", "v1.sphere.q15", "v1.sphere.q31"]
+        .map(seed)
+        .to_vec()
 }

@@ -36,7 +36,8 @@ impl<'a, Q> Parts<'a, Q> {
             let mut orders = orders.as_slice();
             while let [component, others @ ..] = orders {
                 if *component != Profile::NONE {
-                    if *component as usize >= self.components {
+                    let of_others = profile.plus == profile.minus || served_by(tail, *component);
+                    if *component as usize >= self.components || of_others {
                         return Err(Error::Profile);
                     }
                     served += 1;
@@ -77,6 +78,17 @@ impl<'a, Q> Parts<'a, Q> {
             _ => 0,
         }
     }
+}
+
+/// Whether one of these profiles serves this component.
+const fn served_by(mut profiles: &[Profile], component: u16) -> bool {
+    while let [profile, others @ ..] = profiles {
+        if profile.plus == component || profile.minus == component {
+            return true;
+        }
+        profiles = others;
+    }
+    false
 }
 
 macro_rules! bounded {

@@ -2,7 +2,11 @@
 //!
 //! Each function panics if it does not hold. The crate that includes this has a module
 //! `tolerances`.
-#![allow(dead_code, reason = "each test and each target takes the parts that it needs")]
+#![allow(
+    dead_code,
+    unused_imports,
+    reason = "each test and each target takes the parts that it needs"
+)]
 
 mod floats;
 mod integer;
@@ -11,11 +15,13 @@ mod pixel;
 mod reader;
 mod reconstruction;
 mod shipped;
+mod tables;
 
 pub use floats::shade_floats;
 pub use integers::{shade_coefficients, shade_integers, shade_transfer};
 pub use reader::Reader;
 pub use reconstruction::reconstruct;
+pub use tables::from_bytes;
 
 use eigenshade::{Q15, Q31};
 

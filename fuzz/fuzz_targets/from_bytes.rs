@@ -1,0 +1,19 @@
+//! Any bytes as a table: an error, or a basis that projects and shades, and never a panic.
+#![cfg_attr(fuzzing, no_main)]
+
+#[path = "../../tests/invariants/mod.rs"]
+mod invariants;
+#[path = "../../tests/tolerances/mod.rs"]
+mod tolerances;
+
+#[cfg(fuzzing)]
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| invariants::from_bytes(bytes));
+
+/// Without libFuzzer: the files that are named.
+#[cfg(not(fuzzing))]
+fn main() -> std::io::Result<()> {
+    for path in std::env::args_os().skip(1) {
+        invariants::from_bytes(&std::fs::read(path)?);
+    }
+    Ok(())
+}

@@ -1,0 +1,110 @@
+//! Tables from any bytes: an error, or a basis that projects and shades.
+
+use eigenshade::index::{light, material, wire};
+use eigenshade::quantised::{self, Transfer};
+use eigenshade::{Basis, Fixed, Format, GeneralBasis, Light, Material, Normal, Q15, Q31};
+
+/// These bytes as they are, and with length and checksum made right.
+pub fn from_bytes(bytes: &[u8]) {
+    read(bytes);
+    let mut sealed = bytes.to_vec();
+    if sealed.len() < wire::HEADER + wire::CHECKSUM || sealed.len() > 1 << 20 {
+        return;
+    }
+    sealed[..wire::LABEL.len()].copy_from_slice(&wire::LABEL);
+    let length = sealed.len() as u32;
+    sealed[wire::place::LENGTH..][..4].copy_from_slice(&length.to_ne_bytes());
+    let end = sealed.len() - wire::CHECKSUM;
+    let sum = checksum(&sealed[..end]);
+    sealed[end..].copy_from_slice(&sum.to_ne_bytes());
+    read(&sealed);
+}
+
+fn read(bytes: &[u8]) {
+    let mut room = vec![0; bytes.len().div_ceil(wire::ALIGNMENT)];
+    let bytes = eigenshade::wire::aligned(bytes, &mut room).expect("room for all");
+    if let Ok(basis) = Basis::<f32>::from_bytes(bytes) {
+        floats(&basis);
+    }
+    if let Ok(basis) = GeneralBasis::<f32>::from_bytes(bytes) {
+        floats(basis.span());
+        let (degree, order) = (basis.span().degree(), basis.span().order());
+        let ones = vec![1.0; light::count(degree)];
+        let light = Light::new(degree, &ones).expect("a light");
+        let ones = vec![1.0; material::count(order)];
+        let material = Material::new(order, &ones).expect("a material");
+        let mut workspace = vec![0.0; basis.workspace_len()];
+        let mut d = vec![0.0; basis.components()];
+        // A basis of transfers alone takes in no material.
+        let _ = basis.project_into(&light, &material, &mut workspace, &mut d);
+    }
+    if let Ok(basis) = quantised::Basis::<Q15>::from_bytes(bytes) {
+        let normals = [(19_661, 0, 26_214), (0, 32_767, 0), (0, 0, 32_767)];
+        let normals =
+            normals.map(|(x, y, z)| quantised::Normal::<Q15>::new(Q15(x), Q15(y), Q15(z)));
+        integers(&basis, &normals.map(|normal| normal.expect("a unit vector")), Q15);
+    }
+    if let Ok(basis) = quantised::Basis::<Q31>::from_bytes(bytes) {
+        let normals = [(1_288_490_189, 0, 1_717_986_918), (0, i32::MAX, 0), (0, 0, i32::MAX)];
+        let normals =
+            normals.map(|(x, y, z)| quantised::Normal::<Q31>::new(Q31(x), Q31(y), Q31(z)));
+        let own = |mantissa: i16| Q31(i32::from(mantissa) << 16);
+        integers(&basis, &normals.map(|normal| normal.expect("a unit vector")), own);
+    }
+}
+
+fn floats(basis: &Basis<'_, f32>) {
+    let ones = vec![1.0; light::count(basis.degree())];
+    let light = Light::new(basis.degree(), &ones).expect("a light");
+    let ones = vec![1.0; material::count(basis.order())];
+    let material = Material::new(basis.order(), &ones).expect("a material");
+    let mut workspace = vec![0.0; basis.workspace_len()];
+    let mut d = vec![1.0; basis.components()];
+    let mut transfer = vec![1.0; basis.transfer_len()];
+    if basis.project_into(&light, &material, &mut workspace, &mut d).is_ok() {
+        basis.transfer_into(&material, &mut workspace, &mut transfer).expect("sizes");
+    }
+    basis.relight_into(&transfer, &light, &mut d).expect("sizes");
+    let scene = basis.collapse_into(&d, vec![0.0; basis.scene_len()]).expect("sizes");
+    let normal = Normal::new(0.6, 0.0, 0.8).expect("a normal");
+    let _ = scene.shade(normal);
+    basis.reconstruct(&d, normal).expect("as many as components");
+}
+
+fn integers<Q: Fixed>(
+    basis: &quantised::Basis<'_, Q>,
+    normals: &[quantised::Normal<Q>],
+    own: impl Fn(i16) -> Q,
+) {
+    let numbers = |count: usize| -> Vec<Q> {
+        (0..count).map(|k| own(if k % 3 == 1 { i16::MIN } else { i16::MAX })).collect()
+    };
+    let (degree, order) = (basis.degree(), basis.order());
+    let mantissas = numbers(light::count(degree));
+    let light = quantised::Light::new(degree, 0, &mantissas).expect("a light");
+    let mut transfer = vec![own(1); basis.transfer_len()];
+    let mut exponents = vec![0; basis.profiles()];
+    if !basis.parts().polar.is_empty() {
+        let (mantissas, of_orders) = (numbers(material::count(order)), vec![0; order + 1]);
+        let material = quantised::Material::new(order, &of_orders, &mantissas).expect("a material");
+        let mut workspace = vec![<Q as Format>::Wide::default(); basis.workspace_len()];
+        basis.fold_into(&material, &mut workspace, &mut transfer, &mut exponents).expect("sizes");
+    }
+    let mut d = vec![0; basis.components()];
+    let transfer = Transfer::new(&transfer, &exponents);
+    let exponent = basis.relight_into(&transfer, &light, &mut d).expect("a folded material");
+    let scene = basis.collapse_into(&d, exponent, vec![0; basis.scene_len()]).expect("sizes");
+    for &normal in normals {
+        // Of a forged table it may mean nothing.
+        let _ = scene.shade(normal);
+    }
+}
+
+/// CRC-32 of ISO 3309, bit by bit.
+fn checksum(bytes: &[u8]) -> u32 {
+    !bytes.iter().fold(u32::MAX, |sum, &byte| {
+        (0..8).fold(sum ^ u32::from(byte), |sum, _| {
+            (sum >> 1) ^ if sum & 1 == 1 { 0xedb8_8320 } else { 0 }
+        })
+    })
+}
