@@ -51,6 +51,8 @@ pub use eigenshade_index as index;
 
 mod scalar;
 
+pub mod mathematics;
+
 mod lanes;
 
 mod light;

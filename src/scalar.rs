@@ -8,6 +8,7 @@ use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 /// Sealed: a format that computes otherwise (fixed point) brings its own path.
 pub trait Scalar:
     sealed::Sealed
+    + crate::mathematics::ByLibm
     + Copy
     + PartialOrd
     + core::fmt::Debug
@@ -29,8 +30,6 @@ pub trait Scalar:
     fn add_product(self, a: Self, b: Self) -> Self;
     /// Whether the number is neither infinite nor NaN.
     fn is_finite(self) -> bool;
-    /// 1/√x for a positive x; set-up only, never called for a pixel.
-    fn inverse_root(self) -> Self;
     /// 1/x; never called for a pixel.
     fn reciprocal(self) -> Self;
     /// The nearest number of this format.
@@ -61,10 +60,6 @@ impl Scalar for f32 {
         self.is_finite()
     }
     #[inline]
-    fn inverse_root(self) -> Self {
-        1.0 / libm::sqrtf(self)
-    }
-    #[inline]
     fn reciprocal(self) -> Self {
         1.0 / self
     }
@@ -91,10 +86,6 @@ impl Scalar for f64 {
     #[inline]
     fn is_finite(self) -> bool {
         self.is_finite()
-    }
-    #[inline]
-    fn inverse_root(self) -> Self {
-        1.0 / libm::sqrt(self)
     }
     #[inline]
     fn reciprocal(self) -> Self {

@@ -208,3 +208,16 @@ pub const DIRECT_PARTS: f64 = 1e-3;
 /// An error's figure by other normals and nodes, relative: their peak, at the rim or
 /// a window, is that of the nearest.
 pub const ERROR_FIGURE: f64 = 0.1;
+
+/// One rounding to f32, relative.
+pub const ROUNDING_F32: f64 = 6.1e-8;
+/// Roots in f32 by Newton's method, relative: a few roundings.
+pub const SINGLE_ROOT: f64 = 2e-7;
+/// Sines and cosines in f32 to 1,000 rad: roundings of a polynomial and of the angle's rest.
+pub const SINGLE_ANGLE: f64 = 1e-7;
+/// `micromath`'s roots, relative: the exponent halved, its bits as a straight line.
+pub const MICROMATH_ROOT: f64 = 0.061;
+/// Its reciprocal roots, relative: the same line with a better offset.
+pub const MICROMATH_INVERSE_ROOT: f64 = 0.035;
+/// Its sines and cosines within 10 rad: two parabolas.
+pub const MICROMATH_ANGLE: f64 = 1.1e-3;
