@@ -50,6 +50,11 @@ pub enum Error {
     Folded,
     /// The weights of an estimate's pixels have no sum that is finite and above zero.
     Weight,
+    /// A baked map is to have so many texels a side, which is not 2 to 4096.
+    Size {
+        /// Texels a side.
+        found: usize,
+    },
 }
 
 /// What an [`Error`] speaks of.
@@ -70,6 +75,8 @@ pub enum What {
     Scene,
     /// A slice of normals or of their irradiances.
     Normals,
+    /// Texels of a baked map.
+    Texels,
     /// Part of a basis: the pairs that each coefficient of a material couples.
     Couplings,
     /// Part of a basis: polar integrals.
@@ -134,6 +141,9 @@ impl fmt::Display for Error {
             Self::Weight => f.write_str(
                 "an estimate needs pixels whose weights have a finite sum above zero; add some",
             ),
+            Self::Size { found } => {
+                write!(f, "a map of {found} texels a side; take 2 to 4096")
+            }
         }
     }
 }

@@ -81,6 +81,12 @@ mod scene;
 
 mod shade;
 
+mod paraboloid;
+
+mod bake;
+
+mod bake_integer;
+
 mod general;
 
 mod estimate;
@@ -90,6 +96,8 @@ mod error;
 #[cfg(feature = "baked")]
 pub mod sphere;
 
+pub use bake::{BakedMap, MapBuffer};
+pub use bake_integer::IntegerMap;
 pub use basis::Basis;
 pub use error::{Error, What};
 pub use estimate::Estimate;
@@ -97,6 +105,7 @@ pub use general::{GeneralBasis, GeneralParts};
 pub use light::Light;
 pub use material::Material;
 pub use normal::{Normal, Normals};
+pub use paraboloid::MapPoint;
 pub use parts::{Coupling, Parts, Pass, ProfilePlace, Row};
 pub use projection::Coefficients;
 pub use scalar::Scalar;

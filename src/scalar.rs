@@ -32,6 +32,10 @@ pub trait Scalar:
     fn is_finite(self) -> bool;
     /// 1/x; never called for a pixel.
     fn reciprocal(self) -> Self;
+    /// The whole part of a number; 0 below zero or of NaN.
+    fn to_whole(self) -> usize;
+    /// A small whole number.
+    fn from_whole(value: usize) -> Self;
     /// The nearest number of this format.
     fn from_f64(value: f64) -> Self;
 }
@@ -64,6 +68,20 @@ impl Scalar for f32 {
         1.0 / self
     }
     #[inline]
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a saturating cast is what is asked for"
+    )]
+    fn to_whole(self) -> usize {
+        self as usize
+    }
+    #[inline]
+    #[expect(clippy::cast_precision_loss, reason = "small numbers are exact")]
+    fn from_whole(value: usize) -> Self {
+        value as Self
+    }
+    #[inline]
     #[expect(clippy::cast_possible_truncation, reason = "rounding is what is asked for")]
     fn from_f64(value: f64) -> Self {
         value as Self
@@ -90,6 +108,20 @@ impl Scalar for f64 {
     #[inline]
     fn reciprocal(self) -> Self {
         1.0 / self
+    }
+    #[inline]
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a saturating cast is what is asked for"
+    )]
+    fn to_whole(self) -> usize {
+        self as usize
+    }
+    #[inline]
+    #[expect(clippy::cast_precision_loss, reason = "small numbers are exact")]
+    fn from_whole(value: usize) -> Self {
+        value as Self
     }
     #[inline]
     fn from_f64(value: f64) -> Self {

@@ -221,3 +221,16 @@ pub const MICROMATH_ROOT: f64 = 0.061;
 pub const MICROMATH_INVERSE_ROOT: f64 = 0.035;
 /// Its sines and cosines within 10 rad: two parabolas.
 pub const MICROMATH_ANGLE: f64 = 1.1e-3;
+
+/// Baked maps of N texels a side: N, rms of bilinear and of nearest look-ups, of the peak, each of the
+/// median image and of the worst: bilinear falls by four where nearest falls by two.
+pub const BAKED: [(usize, [f64; 2], [f64; 2]); 3] = [
+    (32, [4e-4, 2e-3], [1.2e-2, 3e-2]),
+    (64, [1e-4, 5e-4], [6e-3, 1.5e-2]),
+    (128, [2.5e-5, 1.3e-4], [3e-3, 7e-3]),
+];
+/// What integers may add to that: three roundings to 2^-15, and normals of 2^-16.
+pub const BAKED_INTEGERS: f64 = 4e-5;
+/// Map coordinates from Q15 normals, in units of 2^-15: their own rounding and that of the
+/// quotient, which is good to 2^-16.
+pub const MAP_POINT_Q15: f64 = 1.1;

@@ -1,0 +1,91 @@
+//! The paraboloid map: a normal n stands at (n_x, n_y) / (1 + n_z).
+//!
+//! The visible hemisphere is the unit disc, the normal toward the camera its centre.
+//! The map is conformal and its scale changes by no more than a factor of two, so
+//! texels are used evenly; in (n_x, n_y) itself they crowd at the centre and are
+//! missing at the rim.
+
+use crate::normal::Normal;
+use crate::scalar::Scalar;
+
+/// A normal in map coordinates: u to the right, v up, the visible ones in the unit
+/// disc. In `f32` or `f64` as it is, in `i16` times 2^15.
+///
+/// A buffer of normals may as well hold these: they are two numbers instead of three,
+/// and looking them up takes no division.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct MapPoint<S> {
+    pub(crate) u: S,
+    pub(crate) v: S,
+}
+
+impl<S> MapPoint<S> {
+    /// The point (u, v). It is taken as it is: one outside the disc looks up a meaningless
+    /// texel.
+    #[inline]
+    #[must_use]
+    pub const fn new(u: S, v: S) -> Self {
+        Self { u, v }
+    }
+
+    /// u and v.
+    #[inline]
+    #[must_use]
+    pub fn coordinates(self) -> [S; 2] {
+        [self.u, self.v]
+    }
+}
+
+impl<S: Scalar> MapPoint<S> {
+    /// Where a normal stands. One division.
+    #[inline]
+    #[must_use]
+    pub fn of(normal: Normal<S>) -> Self {
+        let scale = (S::ONE + normal.z).reciprocal();
+        Self { u: normal.x * scale, v: normal.y * scale }
+    }
+
+    /// The unit vector that stands here, (2u, 2v, 1 - r²) / (1 + r²) with r² = u² + v²: a normal inside
+    /// the unit disc, a hidden one outside. One division.
+    #[must_use]
+    pub fn direction(self) -> [S; 3] {
+        let square = self.u * self.u + self.v * self.v;
+        let scale = (S::ONE + square).reciprocal();
+        let twice = scale + scale;
+        [twice * self.u, twice * self.v, (S::ONE - square) * scale]
+    }
+}
+
+impl MapPoint<i16> {
+    /// Where a normal stands whose components are in Q15, i16 times 2^-15; z >= 0, below counts as
+    /// zero. No division; within 1.1 units of 2^-15 of the quotient.
+    ///
+    /// 1 / (1 + z) by one step of Newton's method from the cubic with the smallest largest
+    /// relative error on \[0, 1\], (18 - 17 z + 12 z² - 4 z³) 32/577, which is off by 1/577.
+    #[inline]
+    #[must_use]
+    pub fn of_q15([x, y, z]: [i16; 3]) -> Self {
+        let z = i32::from(z).max(0);
+        // In Q11, from 9 to 18: products with z stay below 2^31.
+        let cubic = (12 << 11) - (z >> 2);
+        let cubic = (17 << 11) - ((cubic * z) >> 15);
+        let cubic = (18 << 11) - ((cubic * z) >> 15);
+        // 32/577 from Q11 to Q15 is 58,154 / 2^16.
+        #[expect(clippy::cast_possible_wrap, reason = "at most 2^15")]
+        let guess = ((cubic.unsigned_abs() * 58_154) >> 16) as i32;
+        // 1 - (1 + z) guess in Q30, at most 2^21.
+        let error = (1 << 30) - ((1 << 15) + z) * guess;
+        // Q23 times Q15 to Q16.
+        let scale = 2 * guess + (((error >> 7) * guess) >> 22);
+        let place = |component: i16| narrowed((i32::from(component) * scale + (1 << 15)) >> 16);
+        Self { u: place(x), v: place(y) }
+    }
+}
+
+/// The nearest i16.
+#[inline]
+#[expect(clippy::cast_possible_truncation, reason = "it was clamped")]
+pub(crate) fn narrowed(value: i32) -> i16 {
+    value.clamp(i16::MIN.into(), i16::MAX.into()) as i16
+}

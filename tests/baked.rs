@@ -1,0 +1,245 @@
+//! Baked maps against the polynomials they were baked from, on the shipped lights and
+//! materials.
+
+#[path = "stability/mod.rs"]
+mod stability;
+
+use eigenshade::{BakedMap, Error, IntegerMap, MapPoint, Normal, Scene, SceneBuffer, sphere};
+use stability::{fixtures, largest, tolerances};
+
+type Shipped = Scene<'static, SceneBuffer<f32, { sphere::SCENE }>>;
+
+/// Every `step`-th light on every `step`-th material.
+fn scenes(step: usize) -> Vec<Shipped> {
+    let loaded = fixtures::shipped();
+    let single = |values: Vec<f64>| values.iter().map(|&value| value as f32).collect::<Vec<_>>();
+    let mut scenes = Vec::new();
+    for light in loaded.lights.entries.iter().step_by(step) {
+        let light = single(light.luminance());
+        let light = eigenshade::Light::new(9, &light).expect("coefficients");
+        for material in loaded.materials.entries.iter().step_by(step) {
+            let material = single(material.luminance());
+            let material = eigenshade::Material::new(7, &material).expect("coefficients");
+            let d = sphere::project(&light, &material).expect("it fits");
+            scenes.push(sphere::collapse(&d).expect("it fits"));
+        }
+    }
+    scenes
+}
+
+/// Normals as a picture of a sphere has them, `across` pixels across.
+fn normals(across: i32) -> Vec<Normal<f32>> {
+    let place = |k: i32| f64::from(2 * k + 1) / f64::from(across) - 1.0;
+    let pixels = (0..across).flat_map(|j| (0..across).map(move |k| (place(k), place(j))));
+    let visible = pixels.filter(|(x, y)| x * x + y * y <= 1.0);
+    let normal = |(x, y): (f64, f64)| {
+        let z = (1.0 - x * x - y * y).sqrt();
+        Normal::new(x as f32, y as f32, z as f32).expect("visible")
+    };
+    visible.map(normal).collect()
+}
+
+/// Rms and largest error, of the peak, of each scene.
+fn errors(
+    scenes: &[Shipped],
+    normals: &[Normal<f32>],
+    mut image: impl FnMut(&Shipped) -> Vec<f32>,
+) -> Vec<[f64; 2]> {
+    let one = |scene: &Shipped| {
+        let truth: Vec<f64> = normals.iter().map(|&n| f64::from(scene.shade(n))).collect();
+        let peak = largest(truth.iter().copied());
+        let image = image(scene);
+        let apart: Vec<f64> = image.iter().zip(&truth).map(|(&a, b)| f64::from(a) - b).collect();
+        let rms = (apart.iter().map(|e| e * e).sum::<f64>() / apart.len() as f64).sqrt();
+        [rms / peak, largest(apart) / peak]
+    };
+    scenes.iter().map(one).collect()
+}
+
+fn middle(errors: &[[f64; 2]], which: usize) -> [f64; 2] {
+    let mut values: Vec<f64> = errors.iter().map(|error| error[which]).collect();
+    values.sort_by(f64::total_cmp);
+    [values[values.len() / 2], values[values.len() - 1]]
+}
+
+fn assert_within(what: &str, errors: &[[f64; 2]], [rms, worst]: [f64; 2]) {
+    let found = middle(errors, 0);
+    println!("{what}: rms {found:?}, largest {:?}", middle(errors, 1));
+    assert!(found[0] <= rms && found[1] <= worst, "{what}: {found:?} of {rms}, {worst}");
+}
+
+/// A component in Q15.
+fn q15(x: f32) -> i16 {
+    (f64::from(x) * 32_768.0).round().min(32_767.0) as i16
+}
+
+#[test]
+fn maps_are_as_exact_as_documented() {
+    let (scenes, normals) = (scenes(1), normals(64));
+    let points: Vec<_> = normals.iter().map(|&normal| MapPoint::of(normal)).collect();
+    for (size, bilinear, nearest) in tolerances::BAKED {
+        let mut looked_up = Vec::new();
+        let found = errors(&scenes, &normals, |scene| {
+            let map = scene.bake_into(size, vec![0.0f32; size * size]).expect("room");
+            looked_up.push(points.iter().map(|&point| map.nearest(point)).collect());
+            points.iter().map(|&point| map.bilinear(point)).collect()
+        });
+        assert_within(&format!("{size}, bilinear"), &found, bilinear);
+        let mut looked_up = looked_up.into_iter();
+        let found = errors(&scenes, &normals, |_| looked_up.next().expect("one for each"));
+        assert_within(&format!("{size}, nearest"), &found, nearest);
+    }
+}
+
+/// Integers add their rounding: of the texels, of two steps of a look-up, of the normals.
+#[test]
+fn integer_maps_are_as_exact_as_documented() {
+    let scenes: Vec<_> = scenes(3);
+    let normals = normals(64);
+    for (size, bilinear, _) in tolerances::BAKED {
+        let of_normals: Vec<_> =
+            normals.iter().map(|n| MapPoint::of_q15(n.components().map(q15))).collect();
+        let given: Vec<_> = normals
+            .iter()
+            .map(|&n| MapPoint::of(n).coordinates().map(q15))
+            .map(|[u, v]| MapPoint::new(u, v))
+            .collect();
+        for points in [of_normals, given] {
+            let found = errors(&scenes, &normals, |scene| {
+                let map = scene.bake_integers_into(size, vec![0; size * size]).expect("room");
+                let unit = f32::powi(2.0, map.exponent().into());
+                points.iter().map(|&point| f32::from(map.bilinear(point)) * unit).collect()
+            });
+            let most = bilinear.map(|rms| rms + tolerances::BAKED_INTEGERS);
+            assert_within(&format!("{size}, integers"), &found, most);
+        }
+    }
+}
+
+/// What integers alone add to a map of the same texels.
+#[test]
+fn integers_round_and_no_more() {
+    let normals = normals(40);
+    let scene = &scenes(9)[5];
+    let map = scene.bake_into(64, vec![0.0f32; 4096]).expect("room");
+    let integers = scene.bake_integers_into(64, vec![0; 4096]).expect("room");
+    let unit = f32::powi(2.0, integers.exponent().into());
+    let most = integers.texels().iter().map(|texel| texel.unsigned_abs()).max();
+    assert!(most.is_some_and(|most| (1 << 14..1 << 15).contains(&most)), "{most:?}");
+    for (texel, integer) in map.texels().iter().zip(integers.texels()) {
+        assert!((texel / unit - f32::from(*integer)).abs() <= 0.5 + 1e-3);
+    }
+    for normal in normals {
+        let [u, v] = MapPoint::of(normal).coordinates().map(q15);
+        let exact = MapPoint::new(f32::from(u) / 32_768.0, f32::from(v) / 32_768.0);
+        let apart = map.bilinear(exact) / unit - f32::from(integers.bilinear(MapPoint::new(u, v)));
+        // Half a unit of each of: texels, the step along u, the step along v.
+        assert!(apart.abs() <= 1.51, "{apart}");
+        // Here a texel is nearest in both or on an edge.
+        let apart = map.nearest(exact) / unit - f32::from(integers.nearest(MapPoint::new(u, v)));
+        assert!(apart.abs() <= 0.51, "{apart}");
+    }
+}
+
+/// Texels at their points, in the order that is documented; none read that is not there.
+#[test]
+fn texels_stand_where_documented() {
+    // I = x in the middle, whatever the fit takes off: no second differences to speak of.
+    let texels: Vec<f32> =
+        (0..25).map(|texel| (texel % 5) as f32 + 10.0 * (texel / 5) as f32).collect();
+    let map = BakedMap::new(5, texels.as_slice()).expect("25 texels");
+    for (u, v, bilinear, nearest) in [
+        (-1.0, -1.0, 0.0, 0.0),
+        (1.0, -1.0, 4.0, 4.0),
+        (-1.0, 1.0, 40.0, 40.0),
+        (1.0, 1.0, 44.0, 44.0),
+        (0.0, 0.0, 22.0, 22.0),
+        (0.1, -0.2, 18.2, 22.0),
+        (0.3, 0.4, 30.6, 33.0),
+    ] {
+        let point = MapPoint::new(u, v);
+        assert!((map.bilinear(point) - bilinear).abs() < 1e-5, "{point:?}");
+        assert_eq!(map.nearest(point), nearest, "{point:?}");
+    }
+    let texels: Vec<i16> = texels.iter().map(|&texel| 100 * texel as i16).collect();
+    let map = IntegerMap::new(5, 0, texels).expect("25 texels");
+    assert_eq!(map.bilinear(MapPoint::new(-32_768, -32_768)), 0);
+    assert_eq!(map.bilinear(MapPoint::new(0, 0)), 2_200);
+    assert_eq!(map.bilinear(MapPoint::new(3_277, -6_554)), 1_820);
+    assert_eq!(map.bilinear(MapPoint::new(32_767, 32_767)), 4_400);
+    assert_eq!(map.nearest(MapPoint::new(32_767, -32_768)), 400);
+    // The far corners of i16 neither wrap nor panic.
+    let map = IntegerMap::new(2, 0, [i16::MIN, i16::MAX, i16::MAX, i16::MIN]).expect("4 texels");
+    for u in [i16::MIN, -1, 0, i16::MAX] {
+        for v in [i16::MIN, -1, 0, i16::MAX] {
+            let exact = |x: i16| (f64::from(x) + 32_768.0) / 65_536.0;
+            let (across, up) = (exact(u), exact(v));
+            let weight = across + up - 2.0 * across * up;
+            let expected = -32_768.0 + 65_535.0 * weight;
+            let found = f64::from(map.bilinear(MapPoint::new(u, v)));
+            assert!((found - expected).abs() < 3.0, "{u} {v}: {found} {expected}");
+        }
+    }
+}
+
+/// Normals go to the map and back; integers without a division come as near as their
+/// digits.
+#[test]
+fn normals_go_to_the_map_and_back() {
+    let mut worst = 0.0f64;
+    for normal in normals(200) {
+        let [x, y, z] = normal.components();
+        let point = MapPoint::of(normal);
+        let back = point.direction();
+        let apart = [back[0] - x, back[1] - y, back[2] - z];
+        assert!(apart.iter().all(|apart| apart.abs() <= 3e-7), "{apart:?}");
+        let components = [x, y, z].map(q15);
+        let found = MapPoint::of_q15(components).coordinates();
+        let [x, y, z] = components.map(|q| f64::from(q) / 32_768.0);
+        for (found, exact) in found.into_iter().zip([x / (1.0 + z), y / (1.0 + z)]) {
+            worst = worst.max((f64::from(found) - 32_768.0 * exact).abs());
+        }
+    }
+    println!("{worst}");
+    assert!(worst <= tolerances::MAP_POINT_Q15, "{worst}");
+    // Every slant, at the largest component that it leaves.
+    for z in 0..=i16::MAX {
+        let slant = f64::from(z) / 32_768.0;
+        for x in [1.0, -1.0].map(|sign| (sign * 32_768.0 * (1.0 - slant * slant).sqrt()) as i16) {
+            let [u, v] = MapPoint::of_q15([x, 0, z]).coordinates();
+            let exact = f64::from(x) / (1.0 + slant);
+            assert!(
+                (f64::from(u) - exact).abs() <= tolerances::MAP_POINT_Q15 && v == 0,
+                "{x} {z} {u}"
+            );
+        }
+    }
+}
+
+#[test]
+fn sizes_that_do_not_fit_are_errors() {
+    let scene = &scenes(9)[0];
+    for size in [0, 1, 4097, usize::MAX] {
+        assert_eq!(scene.bake_into(size, [0.0f32; 4]).err(), Some(Error::Size { found: size }));
+        assert_eq!(
+            BakedMap::<f32, _>::new(size, [0.0f32; 4]).err(),
+            Some(Error::Size { found: size })
+        );
+        assert_eq!(IntegerMap::new(size, 0, [0; 4]).err(), Some(Error::Size { found: size }));
+    }
+    assert!(matches!(scene.bake::<f32, 15>(4), Err(Error::Capacity { needed: 16, .. })));
+    assert!(matches!(scene.bake_into(4, [0.0f32; 15]), Err(Error::Length { expected: 16, .. })));
+    assert!(matches!(scene.bake_integers_into::<f32, _>(4, [0; 15]), Err(Error::Length { .. })));
+    assert!(scene.bake::<f32, 16>(4).is_ok());
+    // A black image has no scale.
+    let black = sphere::collapse(
+        &sphere::project(
+            &eigenshade::Light::new(0, &[0.0]).expect("a light"),
+            &eigenshade::Material::new(0, &[0.0]).expect("a material"),
+        )
+        .expect("it fits"),
+    )
+    .expect("it fits");
+    let map = black.bake_integers_into::<f32, _>(4, [1; 16]).expect("16 texels");
+    assert!(map.texels().iter().all(|&texel| texel == 0));
+}
