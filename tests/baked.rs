@@ -108,7 +108,7 @@ fn integer_maps_are_as_exact_as_documented() {
             let found = errors(&scenes, &normals, |scene| {
                 let map = scene.bake_integers_into(size, vec![0; size * size]).expect("room");
                 let unit = f32::powi(2.0, map.exponent().into());
-                points.iter().map(|&point| f32::from(map.bilinear(point)) * unit).collect()
+                points.iter().map(|&point| map.bilinear(point) as f32 * unit).collect()
             });
             let most = bilinear.map(|rms| rms + tolerances::BAKED_INTEGERS);
             assert_within(&format!("{size}, integers"), &found, most);
@@ -132,11 +132,11 @@ fn integers_round_and_no_more() {
     for normal in normals {
         let [u, v] = MapPoint::of(normal).coordinates().map(q15);
         let exact = MapPoint::new(f32::from(u) / 32_768.0, f32::from(v) / 32_768.0);
-        let apart = map.bilinear(exact) / unit - f32::from(integers.bilinear(MapPoint::new(u, v)));
+        let apart = map.bilinear(exact) / unit - integers.bilinear(MapPoint::new(u, v)) as f32;
         // Half a unit of each of: texels, the step along u, the step along v.
         assert!(apart.abs() <= 1.51, "{apart}");
         // Here a texel is nearest in both or on an edge.
-        let apart = map.nearest(exact) / unit - f32::from(integers.nearest(MapPoint::new(u, v)));
+        let apart = map.nearest(exact) / unit - integers.nearest(MapPoint::new(u, v)) as f32;
         assert!(apart.abs() <= 0.51, "{apart}");
     }
 }

@@ -232,5 +232,5 @@ pub const BAKED: [(usize, [f64; 2], [f64; 2]); 3] = [
 /// What integers may add to that: three roundings to 2^-15, and normals of 2^-16.
 pub const BAKED_INTEGERS: f64 = 4e-5;
 /// Map coordinates from Q15 normals, in units of 2^-15: their own rounding and that of the
-/// quotient, which is good to 2^-16.
-pub const MAP_POINT_Q15: f64 = 1.1;
+/// quotient, whose scale is cut to 2^-16.
+pub const MAP_POINT_Q15: f64 = 1.3;
