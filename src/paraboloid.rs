@@ -72,7 +72,8 @@ impl MapPoint<i16> {
         let cubic = CUBIC[2] - ((cubic * z) >> 15);
         let guess = CUBIC[3] - ((cubic * z) >> 15);
         // 2 - (1 + z) guess in Q30, then Q16: 1 to within 1/577, as is its product with guess.
-        let correction = ((1 << 31) - ((1 << 15) + z).unsigned_abs() * guess.unsigned_abs()) >> 14;
+        let correction =
+            ((1 << 31) + (1 << 13) - ((1 << 15) + z).unsigned_abs() * guess.unsigned_abs()) >> 14;
         #[expect(clippy::cast_possible_wrap, reason = "at most 2^16")]
         let scale = ((correction * guess.unsigned_abs()) >> 15) as i32;
         let place = |component: i16| narrowed((i32::from(component) * scale + (1 << 15)) >> 16);

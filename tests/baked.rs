@@ -158,7 +158,8 @@ fn texels_stand_where_documented() {
         (0.3, 0.4, 30.6, 33.0),
     ] {
         let point = MapPoint::new(u, v);
-        assert!((map.bilinear(point) - bilinear).abs() < 1e-5, "{point:?}");
+        // The rim is taken 1e-6 inward.
+        assert!((map.bilinear(point) - bilinear).abs() < 1e-4, "{point:?}");
         assert_eq!(map.nearest(point), nearest, "{point:?}");
     }
     let texels: Vec<i16> = texels.iter().map(|&texel| 100 * texel as i16).collect();
@@ -200,20 +201,18 @@ fn normals_go_to_the_map_and_back() {
             worst = worst.max((f64::from(found) - 32_768.0 * exact).abs());
         }
     }
-    println!("{worst}");
-    assert!(worst <= tolerances::MAP_POINT_Q15, "{worst}");
     // Every slant, at the largest component that it leaves.
     for z in 0..=i16::MAX {
         let slant = f64::from(z) / 32_768.0;
         for x in [1.0, -1.0].map(|sign| (sign * 32_768.0 * (1.0 - slant * slant).sqrt()) as i16) {
             let [u, v] = MapPoint::of_q15([x, 0, z]).coordinates();
             let exact = f64::from(x) / (1.0 + slant);
-            assert!(
-                (f64::from(u) - exact).abs() <= tolerances::MAP_POINT_Q15 && v == 0,
-                "{x} {z} {u}"
-            );
+            worst = worst.max((f64::from(u) - exact).abs());
+            assert_eq!(v, 0);
         }
     }
+    println!("Q15: {worst}");
+    assert!(worst <= tolerances::MAP_POINT_Q15, "{worst}");
 }
 
 #[test]
