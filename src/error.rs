@@ -55,6 +55,11 @@ pub enum Error {
         /// Texels a side.
         found: usize,
     },
+    /// A look-up is to have so many knots, which is not 8 to 65,536.
+    Knots {
+        /// Knots.
+        found: usize,
+    },
 }
 
 /// What an [`Error`] speaks of.
@@ -77,6 +82,8 @@ pub enum What {
     Normals,
     /// Texels of a baked map.
     Texels,
+    /// Samples of a look-up.
+    Samples,
     /// Part of a basis: the pairs that each coefficient of a material couples.
     Couplings,
     /// Part of a basis: polar integrals.
@@ -141,6 +148,7 @@ impl fmt::Display for Error {
             Self::Weight => f.write_str(
                 "an estimate needs pixels whose weights have a finite sum above zero; add some",
             ),
+            Self::Knots { found } => write!(f, "a look-up of {found} knots; take 8 to 65536"),
             Self::Size { found } => {
                 write!(f, "a map of {found} texels a side; take 2 to 4096")
             }

@@ -81,6 +81,8 @@ mod scene;
 
 mod shade;
 
+mod lookup;
+
 mod paraboloid;
 
 mod bake;
@@ -103,6 +105,7 @@ pub use error::{Error, What};
 pub use estimate::Estimate;
 pub use general::{GeneralBasis, GeneralParts};
 pub use light::Light;
+pub use lookup::{Lookup, LookupBuffer};
 pub use material::Material;
 pub use normal::{Normal, Normals};
 pub use paraboloid::MapPoint;

@@ -234,3 +234,12 @@ pub const BAKED_INTEGERS: f64 = 4e-5;
 /// Map coordinates from Q15 normals, in units of 2^-15: their own rounding and that of the
 /// quotient, whose scale is cut to 2^-16.
 pub const MAP_POINT_Q15: f64 = 1.3;
+
+/// Look-ups with so many knots: knots, rms of linear and of cubic ones, of the peak, each of the median
+/// image and of the worst: linear falls by four, cubic by sixteen at best, down to the rounding of f32.
+pub const LOOKUP: [(usize, [f64; 2], [f64; 2]); 4] = [
+    (16, [6e-4, 5e-3], [7e-5, 8e-4]),
+    (32, [1.4e-4, 1.1e-3], [6e-6, 7e-5]),
+    (64, [3.5e-5, 2.6e-4], [7e-7, 8e-6]),
+    (128, [8e-6, 6.5e-5], [1.2e-7, 1e-6]),
+];
