@@ -55,6 +55,8 @@ pub enum Error {
         /// Texels a side.
         found: usize,
     },
+    /// Angles, a quaternion or a matrix are no rotation.
+    Rotation,
     /// A look-up is to have so many knots, which is not 8 to 65,536.
     Knots {
         /// Knots.
@@ -147,6 +149,10 @@ impl fmt::Display for Error {
             ),
             Self::Weight => f.write_str(
                 "an estimate needs pixels whose weights have a finite sum above zero; add some",
+            ),
+            Self::Rotation => f.write_str(
+                "a rotation needs finite angles, a quaternion that is not zero, or an orthonormal \
+                 right-handed matrix",
             ),
             Self::Knots { found } => write!(f, "a look-up of {found} knots; take 8 to 65536"),
             Self::Size { found } => {

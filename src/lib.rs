@@ -57,6 +57,10 @@ mod lanes;
 
 mod light;
 
+mod rotation;
+
+mod turn;
+
 mod material;
 
 mod normal;
@@ -111,9 +115,11 @@ pub use normal::{Normal, Normals};
 pub use paraboloid::MapPoint;
 pub use parts::{Coupling, Parts, Pass, ProfilePlace, Row};
 pub use projection::Coefficients;
+pub use rotation::Rotation;
 pub use scalar::Scalar;
 pub use scene::{Scene, SceneBuffer};
 pub use transfer::Transfer;
+pub use turn::TurnedLight;
 
 // The README's example is a test.
 #[cfg(all(doctest, feature = "baked"))]
