@@ -97,7 +97,9 @@ impl<C> Scene<'_, C> {
         here + (S::from_f64(4.0) * here - around) * S::from_f64(1.0 / 12.0)
     }
 
-    /// The irradiance at a point, also outside the disc.
+    /// The irradiance at a point, also outside the disc. Apart from its caller, which names
+    /// it five times.
+    #[inline(never)]
     pub(crate) fn continued<S: Scalar>(&self, point: MapPoint<S>) -> S
     where
         C: AsRef<[S]>,
@@ -125,8 +127,9 @@ fn within<S: Scalar>(size: usize) -> S {
 pub(crate) fn points<S: Scalar>(size: usize) -> impl Iterator<Item = Option<MapPoint<S>>> {
     let step = half::<S>(size).reciprocal();
     let place = move |k: usize| S::from_whole(k) * step - S::ONE;
-    (0..size * size).map(move |texel| {
-        let (u, v) = (place(texel % size), place(texel / size));
+    let texels = (0..size).flat_map(move |row| (0..size).map(move |column| (column, row)));
+    texels.map(move |(column, row)| {
+        let (u, v) = (place(column), place(row));
         // The point nearest to the centre that reads this texel.
         let (near_u, near_v) = (toward_zero(u, step), toward_zero(v, step));
         let read = near_u * near_u + near_v * near_v <= S::from_f64(1.001);

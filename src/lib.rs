@@ -61,6 +61,8 @@ mod rotation;
 
 mod turn;
 
+mod window;
+
 mod material;
 
 mod normal;
@@ -84,6 +86,8 @@ pub mod fixed;
 mod scene;
 
 mod shade;
+
+mod negatives;
 
 mod lookup;
 
@@ -111,6 +115,7 @@ pub use general::{GeneralBasis, GeneralParts};
 pub use light::Light;
 pub use lookup::{Lookup, LookupBuffer};
 pub use material::Material;
+pub use negatives::Negatives;
 pub use normal::{Normal, Normals};
 pub use paraboloid::MapPoint;
 pub use parts::{Coupling, Parts, Pass, ProfilePlace, Row};
@@ -119,7 +124,8 @@ pub use rotation::Rotation;
 pub use scalar::Scalar;
 pub use scene::{Scene, SceneBuffer};
 pub use transfer::Transfer;
-pub use turn::TurnedLight;
+pub use turn::LightBuffer;
+pub use window::Window;
 
 // The README's example is a test.
 #[cfg(all(doctest, feature = "baked"))]

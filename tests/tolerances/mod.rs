@@ -249,3 +249,9 @@ pub const LOOKUP: [(usize, [f64; 2], [f64; 2]); 4] = [
 pub const TURNED_F32: f64 = 2e-6;
 /// The same turned and turned back.
 pub const TURNED_BACK_F32: f64 = 1e-6;
+
+/// A factor of a window in f32: a sine, a division, two squares.
+pub const WINDOW_F32: f64 = 5e-7;
+/// How far a point of light to degree 9 goes below zero through a window of width 10, of its peak; without
+/// one it is 0.13 or more.
+pub const WINDOW_RINGING: f64 = 0.01;
