@@ -4,6 +4,7 @@ use core::fmt;
 
 /// A fault in an argument: what was expected, what was found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Error {
     /// A slice has the wrong length.
@@ -66,6 +67,7 @@ pub enum Error {
 
 /// What an [`Error`] speaks of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum What {
     /// Coefficients of a light.

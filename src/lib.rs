@@ -103,6 +103,9 @@ mod estimate;
 
 mod error;
 
+#[cfg(feature = "mint")]
+mod mint;
+
 #[cfg(feature = "baked")]
 pub mod sphere;
 

@@ -6,6 +6,7 @@ use crate::scalar::Scalar;
 
 /// One visible unit normal: x to the right, y up, z toward the camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Normal<S> {
     pub(crate) x: S,
     pub(crate) y: S,
@@ -64,6 +65,7 @@ impl<S: Scalar> Normal<S> {
 /// They are taken as they are: each must be a unit vector with z in \[0, 1\]. One
 /// that is not gives a meaningless irradiance for itself alone.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Normals<'a, S> {
     pub(crate) x: &'a [S],
     pub(crate) y: &'a [S],

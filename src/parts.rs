@@ -5,6 +5,7 @@ use crate::index::layout;
 /// The arrays of a basis, as `eigenshade-table` writes them.
 /// [`Basis::new`](crate::Basis::new) checks that they fit together.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Parts<'a, S> {
     /// Largest degree l of the light.
     pub degree: usize,
@@ -47,6 +48,7 @@ pub struct Parts<'a, S> {
 /// A slant profile's azimuth, the components that it serves, and their rows in a
 /// transfer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ProfilePlace {
     pub(crate) azimuth: u16,
     pub(crate) plus: Option<u16>,
@@ -78,6 +80,7 @@ impl ProfilePlace {
 /// Where the numbers of l = |m|, |m| + 1, ... of one component stand in a
 /// transfer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Row {
     pub(crate) start: u32,
     pub(crate) step: u32,
@@ -94,6 +97,7 @@ impl Row {
 /// The pairs that one coefficient b_op^q couples: polar integrals of (o, q) go into
 /// the sum of (p, q), and the other way round.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Coupling {
     pub(crate) o: u16,
     pub(crate) p: u16,
@@ -109,6 +113,7 @@ impl Coupling {
 
 /// Part of a transfer: `LANES` orders m from `first` on, `profiles` of each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Pass {
     pub(crate) first: i16,
     pub(crate) profiles: u16,
