@@ -3,12 +3,13 @@
 
 use crate::bake::{check_size, four, points};
 use crate::error::{Error, What};
+use crate::format::Q15;
 use crate::paraboloid::MapPoint;
 use crate::scalar::Scalar;
 use crate::scene::Scene;
 
 /// Exponents that maps have: 2^-60 is no light, 2^60 no irradiance.
-const EXPONENTS: core::ops::RangeInclusive<i8> = -75..=45;
+const EXPONENTS: core::ops::RangeInclusive<i32> = -75..=45;
 
 /// One image baked on N x N integers: irradiance = texel x 2^exponent, texels as those of
 /// a [`BakedMap`](crate::BakedMap).
@@ -19,7 +20,7 @@ const EXPONENTS: core::ops::RangeInclusive<i8> = -75..=45;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct IntegerMap<B> {
     size: usize,
-    exponent: i8,
+    exponent: i32,
     texels: B,
 }
 
@@ -59,7 +60,7 @@ impl<C> Scene<'_, C> {
 }
 
 /// The least exponent with which a number fits into i16, and 2^-exponent.
-fn scale<S: Scalar>(largest: S) -> (i8, S) {
+fn scale<S: Scalar>(largest: S) -> (i32, S) {
     let (half, most) = (S::from_f64(0.5), S::from_whole(32_767));
     let (mut exponent, mut scale) = (0, S::ONE);
     while largest * scale > most && exponent < *EXPONENTS.end() {
@@ -84,7 +85,7 @@ impl<B: AsRef<[i16]>> IntegerMap<B> {
     /// # Errors
     ///
     /// [`Error::Size`] unless N is 2 to 4096, [`Error::Length`] unless there are N² texels.
-    pub fn new(size: usize, exponent: i8, texels: B) -> Result<Self, Error> {
+    pub fn new(size: usize, exponent: i32, texels: B) -> Result<Self, Error> {
         check_size(size)?;
         Error::check(What::Texels, size * size, texels.as_ref().len())?;
         Ok(Self { size, exponent, texels })
@@ -98,7 +99,7 @@ impl<B: AsRef<[i16]>> IntegerMap<B> {
 
     /// Irradiance = value x 2^exponent.
     #[must_use]
-    pub const fn exponent(&self) -> i8 {
+    pub const fn exponent(&self) -> i32 {
         self.exponent
     }
 
@@ -114,21 +115,22 @@ impl<B: AsRef<[i16]>> IntegerMap<B> {
     /// at most. Cost on a Cortex-M0: some 65 instructions, 105 from a Q15 normal.
     #[inline]
     #[must_use]
-    pub fn bilinear(&self, point: MapPoint<i16>) -> i32 {
+    pub fn bilinear(&self, point: MapPoint<Q15>) -> i32 {
         let (column, across) = self.cell(point.u);
         let (row, up) = self.cell(point.v);
         let Some(&[a, b, .., c, d]) = four(self.texels.as_ref(), self.size, row, column) else {
             return 0;
         };
         let below = between(a.into(), b.into(), across);
-        between(below, between(c.into(), d.into(), across), up)
+        let above = between(c.into(), d.into(), across);
+        between(below, above, up)
     }
 
     /// The texel nearest to a point, times 2^-exponent.
     #[inline]
     #[must_use]
-    pub fn nearest(&self, point: MapPoint<i16>) -> i32 {
-        let place = |x: i16| ((self.place(x) + (1 << 15)) >> 16) as usize;
+    pub fn nearest(&self, point: MapPoint<Q15>) -> i32 {
+        let place = |x: Q15| ((self.place(x) + (1 << 15)) >> 16) as usize;
         let (column, row) = (place(point.u), place(point.v));
         let texel = row.wrapping_mul(self.size).wrapping_add(column);
         self.texels.as_ref().get(texel).copied().unwrap_or(0).into()
@@ -137,7 +139,7 @@ impl<B: AsRef<[i16]>> IntegerMap<B> {
     /// The number of the texel before a coordinate, and the way from it to the next in
     /// Q15.
     #[inline]
-    fn cell(&self, x: i16) -> (usize, i32) {
+    fn cell(&self, x: Q15) -> (usize, i32) {
         let place = self.place(x);
         #[expect(clippy::cast_possible_wrap, reason = "below 2^15")]
         let way = ((place & 0xffff) >> 1) as i32;
@@ -146,15 +148,16 @@ impl<B: AsRef<[i16]>> IntegerMap<B> {
 
     /// A coordinate in texels, times 2^16: below (N - 1) 2^16, below 2^28.
     #[inline]
-    fn place(&self, x: i16) -> u32 {
+    fn place(&self, x: Q15) -> u32 {
         #[expect(clippy::cast_possible_truncation, reason = "4096 at most")]
         let intervals = (self.size as u32).wrapping_sub(1);
         // x + 2^15 without a sign.
-        u32::from(x.cast_unsigned() ^ 0x8000).wrapping_mul(intervals)
+        u32::from(x.0.cast_unsigned() ^ 0x8000).wrapping_mul(intervals)
     }
 }
 
-/// a + (b - a) way, way in Q15, rounded; a and b in 16 bits, so that no product passes 2^31.
+/// a + (b - a) way, way in Q15, rounded; a and b in 16 bits, so that no product passes
+/// 2^31 - 2^16.
 #[inline]
 fn between(a: i32, b: i32, way: i32) -> i32 {
     a + (((b - a) * way + (1 << 14)) >> 15)

@@ -49,6 +49,8 @@ extern crate self as eigenshade;
 
 pub use eigenshade_index as index;
 
+mod format;
+
 mod scalar;
 
 pub mod mathematics;
@@ -97,6 +99,8 @@ mod bake;
 
 mod bake_integer;
 
+pub mod quantised;
+
 mod general;
 
 mod estimate;
@@ -114,6 +118,7 @@ pub use bake_integer::IntegerMap;
 pub use basis::Basis;
 pub use error::{Error, What};
 pub use estimate::Estimate;
+pub use format::{Fixed, Format, Q15, Q31, Wide};
 pub use general::{GeneralBasis, GeneralParts};
 pub use light::Light;
 pub use lookup::{Lookup, LookupBuffer};

@@ -5,11 +5,13 @@
 //! texels are used evenly; in (n_x, n_y) itself they crowd at the centre and are
 //! missing at the rim.
 
+use crate::format::Q15;
 use crate::normal::Normal;
+use crate::quantised;
 use crate::scalar::Scalar;
 
 /// A normal in map coordinates: u to the right, v up, the visible ones in the unit
-/// disc. In `f32` or `f64` as it is, in `i16` times 2^15.
+/// disc. In `f32` or `f64` as it is, in [`Q15`] as a fraction of 2^15.
 ///
 /// A buffer of normals may as well hold these: they are two numbers instead of three,
 /// and looking them up takes no division.
@@ -57,16 +59,17 @@ impl<S: Scalar> MapPoint<S> {
     }
 }
 
-impl MapPoint<i16> {
-    /// Where a normal stands whose components are in Q15, i16 times 2^-15; z >= 0, below counts as
-    /// zero. No division; within 1.3 units of 2^-15 of the quotient.
+impl MapPoint<Q15> {
+    /// Where a normal stands. No division; within 1.3 units of 2^-15 of the quotient.
     ///
     /// 1 / (1 + z) by one step of Newton's method from the cubic with the smallest largest
     /// relative error on \[0, 1\], (18 - 17 z + 12 z² - 4 z³) 32/577, which is off by 1/577.
     #[inline]
     #[must_use]
-    pub fn of_q15([x, y, z]: [i16; 3]) -> Self {
-        let z = i32::from(z).max(0);
+    pub fn of_quantised(normal: quantised::Normal<Q15>) -> Self {
+        let [x, y, z] = normal.components();
+        // It is none below zero, which a compiler has to see.
+        let z = i32::from(z.0).max(0);
         // Q15 throughout: products stay below 2^31.
         let cubic = CUBIC[1] - ((CUBIC[0] * z) >> 15);
         let cubic = CUBIC[2] - ((cubic * z) >> 15);
@@ -76,17 +79,15 @@ impl MapPoint<i16> {
             ((1 << 31) + (1 << 13) - ((1 << 15) + z).unsigned_abs() * guess.unsigned_abs()) >> 14;
         #[expect(clippy::cast_possible_wrap, reason = "at most 2^16")]
         let scale = ((correction * guess.unsigned_abs()) >> 15) as i32;
-        let place = |component: i16| narrowed((i32::from(component) * scale + (1 << 15)) >> 16);
+        // Rounded, and moved by 2^15 and back: a look-up moves it again, and neither is left.
+        let place = |component: Q15| {
+            let product = (i32::from(component.0) * scale).cast_unsigned();
+            let [_, _, low, high] = product.wrapping_add(0x8000_8000).to_le_bytes();
+            Q15((u16::from_le_bytes([low, high]) ^ 0x8000).cast_signed())
+        };
         Self { u: place(x), v: place(y) }
     }
 }
 
 /// (4, 12, 17, 18) 32/577 in Q15.
 const CUBIC: [i32; 4] = [7_269, 21_808, 30_894, 32_711];
-
-/// The nearest i16.
-#[inline]
-#[expect(clippy::cast_possible_truncation, reason = "it was clamped")]
-pub(crate) fn narrowed(value: i32) -> i16 {
-    value.clamp(i16::MIN.into(), i16::MAX.into()) as i16
-}

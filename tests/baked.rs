@@ -6,12 +6,18 @@ mod shipped;
 #[path = "tolerances/mod.rs"]
 mod tolerances;
 
-use eigenshade::{BakedMap, Error, IntegerMap, MapPoint, sphere};
+use eigenshade::{BakedMap, Error, IntegerMap, MapPoint, Q15, quantised, sphere};
 use shipped::{assert_within, errors, normals, scenes};
 
 /// A component in Q15.
-fn q15(x: f32) -> i16 {
-    (f64::from(x) * 32_768.0).round().min(32_767.0) as i16
+fn q15(x: f32) -> Q15 {
+    Q15((f64::from(x) * 32_768.0).round().min(32_767.0) as i16)
+}
+
+/// A normal in Q15, on the map.
+fn on_map(components: [Q15; 3]) -> MapPoint<Q15> {
+    let [x, y, z] = components;
+    MapPoint::of_quantised(quantised::Normal::<Q15>::new(x, y, z).expect("a unit normal"))
 }
 
 #[test]
@@ -38,8 +44,7 @@ fn integer_maps_are_as_exact_as_documented() {
     let scenes: Vec<_> = scenes(3);
     let normals = normals(64);
     for (size, bilinear, _) in tolerances::BAKED {
-        let of_normals: Vec<_> =
-            normals.iter().map(|n| MapPoint::of_q15(n.components().map(q15))).collect();
+        let of_normals: Vec<_> = normals.iter().map(|n| on_map(n.components().map(q15))).collect();
         let given: Vec<_> = normals
             .iter()
             .map(|&n| MapPoint::of(n).coordinates().map(q15))
@@ -48,7 +53,7 @@ fn integer_maps_are_as_exact_as_documented() {
         for points in [of_normals, given] {
             let found = errors(&scenes, &normals, |scene| {
                 let map = scene.bake_integers_into(size, vec![0; size * size]).expect("room");
-                let unit = f32::powi(2.0, map.exponent().into());
+                let unit = f32::powi(2.0, map.exponent());
                 points.iter().map(|&point| map.bilinear(point) as f32 * unit).collect()
             });
             let most = bilinear.map(|rms| rms + tolerances::BAKED_INTEGERS);
@@ -64,7 +69,7 @@ fn integers_round_and_no_more() {
     let scene = &scenes(9)[5];
     let map = scene.bake_into(64, vec![0.0f32; 4096]).expect("room");
     let integers = scene.bake_integers_into(64, vec![0; 4096]).expect("room");
-    let unit = f32::powi(2.0, integers.exponent().into());
+    let unit = f32::powi(2.0, integers.exponent());
     let most = integers.texels().iter().map(|texel| texel.unsigned_abs()).max();
     assert!(most.is_some_and(|most| (1 << 14..1 << 15).contains(&most)), "{most:?}");
     for (texel, integer) in map.texels().iter().zip(integers.texels()) {
@@ -72,7 +77,7 @@ fn integers_round_and_no_more() {
     }
     for normal in normals {
         let [u, v] = MapPoint::of(normal).coordinates().map(q15);
-        let exact = MapPoint::new(f32::from(u) / 32_768.0, f32::from(v) / 32_768.0);
+        let exact = MapPoint::new(f32::from(u.0) / 32_768.0, f32::from(v.0) / 32_768.0);
         let apart = map.bilinear(exact) / unit - integers.bilinear(MapPoint::new(u, v)) as f32;
         // Half a unit of each of: texels, the step along u, the step along v.
         assert!(apart.abs() <= 1.51, "{apart}");
@@ -105,11 +110,11 @@ fn texels_stand_where_documented() {
     }
     let texels: Vec<i16> = texels.iter().map(|&texel| 100 * texel as i16).collect();
     let map = IntegerMap::new(5, 0, texels).expect("25 texels");
-    assert_eq!(map.bilinear(MapPoint::new(-32_768, -32_768)), 0);
-    assert_eq!(map.bilinear(MapPoint::new(0, 0)), 2_200);
-    assert_eq!(map.bilinear(MapPoint::new(3_277, -6_554)), 1_820);
-    assert_eq!(map.bilinear(MapPoint::new(32_767, 32_767)), 4_400);
-    assert_eq!(map.nearest(MapPoint::new(32_767, -32_768)), 400);
+    assert_eq!(map.bilinear(MapPoint::new(Q15(-32_768), Q15(-32_768))), 0);
+    assert_eq!(map.bilinear(MapPoint::new(Q15(0), Q15(0))), 2_200);
+    assert_eq!(map.bilinear(MapPoint::new(Q15(3_277), Q15(-6_554))), 1_820);
+    assert_eq!(map.bilinear(MapPoint::new(Q15(32_767), Q15(32_767))), 4_400);
+    assert_eq!(map.nearest(MapPoint::new(Q15(32_767), Q15(-32_768))), 400);
     // The far corners of i16 neither wrap nor panic.
     let map = IntegerMap::new(2, 0, [i16::MIN, i16::MAX, i16::MAX, i16::MIN]).expect("4 texels");
     for u in [i16::MIN, -1, 0, i16::MAX] {
@@ -118,7 +123,7 @@ fn texels_stand_where_documented() {
             let (across, up) = (exact(u), exact(v));
             let weight = across + up - 2.0 * across * up;
             let expected = -32_768.0 + 65_535.0 * weight;
-            let found = f64::from(map.bilinear(MapPoint::new(u, v)));
+            let found = f64::from(map.bilinear(MapPoint::new(Q15(u), Q15(v))));
             assert!((found - expected).abs() < 3.0, "{u} {v}: {found} {expected}");
         }
     }
@@ -136,20 +141,20 @@ fn normals_go_to_the_map_and_back() {
         let apart = [back[0] - x, back[1] - y, back[2] - z];
         assert!(apart.iter().all(|apart| apart.abs() <= 3e-7), "{apart:?}");
         let components = [x, y, z].map(q15);
-        let found = MapPoint::of_q15(components).coordinates();
-        let [x, y, z] = components.map(|q| f64::from(q) / 32_768.0);
+        let found = on_map(components).coordinates();
+        let [x, y, z] = components.map(|q| f64::from(q.0) / 32_768.0);
         for (found, exact) in found.into_iter().zip([x / (1.0 + z), y / (1.0 + z)]) {
-            worst = worst.max((f64::from(found) - 32_768.0 * exact).abs());
+            worst = worst.max((f64::from(found.0) - 32_768.0 * exact).abs());
         }
     }
     // Every slant, at the largest component that it leaves.
     for z in 0..=i16::MAX {
         let slant = f64::from(z) / 32_768.0;
         for x in [1.0, -1.0].map(|sign| (sign * 32_768.0 * (1.0 - slant * slant).sqrt()) as i16) {
-            let [u, v] = MapPoint::of_q15([x, 0, z]).coordinates();
+            let [u, v] = on_map([x, 0, z].map(Q15)).coordinates();
             let exact = f64::from(x) / (1.0 + slant);
-            worst = worst.max((f64::from(u) - exact).abs());
-            assert_eq!(v, 0);
+            worst = worst.max((f64::from(u.0) - exact).abs());
+            assert_eq!(v, Q15(0));
         }
     }
     println!("Q15: {worst}");

@@ -21,6 +21,10 @@ pub mod named;
 
 pub mod owned_basis;
 
+pub mod owned_quantised;
+
+pub mod integer_shader;
+
 pub mod shader;
 
 pub mod truth_image;
@@ -29,7 +33,11 @@ pub mod compare;
 
 pub mod sphere_rings;
 
+pub mod median;
+
 pub mod accuracy;
+
+pub mod recorded_errors;
 
 pub mod sphere_view;
 
@@ -42,8 +50,6 @@ pub mod pixel_normals;
 pub mod pixel_mask;
 
 pub mod image_reading;
-
-pub mod noise;
 
 pub mod damage;
 

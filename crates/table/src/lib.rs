@@ -25,7 +25,11 @@ pub mod parts;
 
 pub mod passes;
 
+pub mod quantise;
+
 mod rust_kernels;
+
+pub mod rust_quantised;
 
 pub mod rust_source;
 
