@@ -360,3 +360,15 @@ pub const UNIT_LENGTH: f64 = 1e-12;
 /// |d|² + residual against the energy over an object, relative: modes whose images over the sphere are below
 /// 1e-13 are in no span, and at one normal of the rim they are a thousand times that, and the image dark.
 pub const OBJECT_PARSEVAL: f64 = 1e-9;
+
+/// Ways of `shade` to a pixel, all components of a scene of degree 4 and order 3 against the direct sum, rms of
+/// the largest irradiance of all: what each leaves of so smooth images; cubics come down to the rounding of f32.
+pub const WAYS: [(&str, f64); 7] = [
+    ("--method table --knots 32 --interpolation linear", 1.5e-5),
+    ("--method table --knots 128 --interpolation linear", 8e-7),
+    ("--method table --knots 128 --interpolation cubic", 1e-7),
+    ("--method baked --size 32 --interpolation linear", 1.2e-4),
+    ("--method baked --size 64 --interpolation linear", 2.5e-5),
+    ("--method baked --size 128 --interpolation linear", 7e-6),
+    ("--method baked --size 64 --interpolation nearest", 3e-3),
+];
