@@ -41,7 +41,8 @@ impl<S: Scalar> Window<S> {
         if degree == S::ZERO {
             return S::ONE;
         }
-        if !(degree < width) {
+        let inside = degree < width;
+        if !inside {
             return S::ZERO;
         }
         let x = S::from_f64(core::f64::consts::PI) * degree * width.reciprocal();

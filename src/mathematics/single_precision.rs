@@ -13,11 +13,11 @@ pub struct SinglePrecision;
 
 /// π/2 in three parts: the first two have so few bits that their products with a
 /// small whole number are exact.
-const QUARTER: [f32; 3] = [1.570_312_5, 4.837_513e-4, 7.549_790_3e-8];
+const QUARTER: [f32; 3] = [1.570_312_5, 4.837_513e-4, 7.549_79e-8];
 
 /// Highest term first, in x²: (sin x - x) / x³ and (cos x - 1 + x²/2) / x⁴ at three
 /// Chebyshev nodes of [0, (π/4)²].
-const SINE: [f32; 3] = [-1.958_789_1e-4, 8.332_748e-3, -1.666_666_7e-1];
+const SINE: [f32; 3] = [-1.958_789e-4, 8.332_748e-3, -1.666_666_7e-1];
 const COSINE: [f32; 3] = [2.454_794_2e-5, -1.388_830_3e-3, 4.166_666_5e-2];
 
 impl Mathematics<f32> for SinglePrecision {
