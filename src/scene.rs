@@ -15,6 +15,7 @@ pub type SceneBuffer<S, const N: usize> = heapless::Vec<S, N>;
 ///
 /// A pixel costs 2 degree + 1 polynomials whatever the number of components.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Scene<'a, B> {
     lengths: &'a [u16],
     buffer: B,

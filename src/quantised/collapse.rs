@@ -17,6 +17,7 @@ const UNIT: u32 = 16;
 /// One image: for each azimuth |m| the polynomials of +m and -m in `buffer`, all times
 /// 2^exponent.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Scene<'a, Q, B> {
     pub(crate) lengths: &'a [u8],
     pub(crate) exponent: i32,

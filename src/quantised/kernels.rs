@@ -6,6 +6,7 @@ use crate::format::{Fixed, Wide as _};
 
 /// A pixel on its way: the sum so far, and (n_x + i n_y)^m.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Pixel<Q: Fixed> {
     normal: Normal<Q>,
     t: i32,
