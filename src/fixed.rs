@@ -1,10 +1,15 @@
 //! Kernels for shapes that are known when they are compiled: what the generated
 //! code of a table calls, one call for each part of the work.
 //!
-//! They compute what [`Basis::project`](crate::Basis::project) and
-//! [`Basis::relight`](crate::Basis::relight) compute, with every size and every
+//! They compute what [`Basis::project`](crate::Basis::project),
+//! [`Basis::relight`](crate::Basis::relight), [`Basis::collapse`](crate::Basis::collapse)
+//! and [`Scene::shade`](crate::Scene::shade) compute, with every size and every
 //! place a constant. Where an argument does not have the expected shape they are
 //! not called; the general way takes it.
+
+mod pixel;
+
+pub use pixel::{azimuth, pole, scene};
 
 use crate::index;
 use crate::index::layout::{LANES, lowest_degree};

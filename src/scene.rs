@@ -139,6 +139,21 @@ pub(crate) fn turned<S: Scalar>(cosine: S, sine: S, x: S, y: S) -> (S, S) {
 }
 
 impl<B> Scene<'_, B> {
+    /// Number of terms for each |m|.
+    #[inline]
+    pub(crate) fn lengths(&self) -> &[u16] {
+        self.lengths
+    }
+
+    /// The terms of all polynomials.
+    #[inline]
+    pub(crate) fn numbers<S: Scalar>(&self) -> &[S]
+    where
+        B: AsRef<[S]>,
+    {
+        self.buffer.as_ref()
+    }
+
     /// The polynomials azimuth by azimuth: of +m, and of -m (none for m = 0).
     #[inline]
     pub(crate) fn azimuths<S: Scalar>(&self) -> impl Iterator<Item = (&[S], &[S])>

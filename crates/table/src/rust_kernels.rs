@@ -1,4 +1,4 @@
-//! Projection and relighting of one table as Rust source: calls of the kernels in
+//! Projection, relighting and shading of one table as Rust source: calls of the kernels in
 //! `eigenshade::fixed`, every size and place a constant.
 
 use crate::parts::{NONE, Parts};
@@ -7,7 +7,7 @@ use std::fmt::Write;
 
 const LIGHT: &str = "light: &eigenshade::Light<'_, f32>";
 
-/// The functions `project` and `relight` of the generated module.
+/// The functions `project`, `relight` and `shade` of the generated module.
 ///
 /// A table with a selection of modes takes the general way: its polar integrals
 /// differ from azimuth to azimuth.
@@ -37,10 +37,44 @@ pub fn relight(
 ) -> Result<Coefficients, eigenshade::Error> {{
 {}    BASIS.relight(transfer, light)
 }}
-",
+{}",
         body(project(parts)),
         body(relight(parts)),
+        shade(parts),
     )
+}
+
+/// The function `shade` alone, which serves the scenes of any table.
+pub(crate) fn shade(parts: &Parts) -> String {
+    let mut text = String::from(
+        "/// The irradiance of one normal: see [`eigenshade::Scene::shade`].
+#[inline]
+#[must_use]
+pub fn shade(scene: &Scene, normal: eigenshade::Normal<f32>) -> f32 {
+    let Some(terms) = eigenshade::fixed::scene::<f32, _, SCENE>(scene, &LENGTHS) else {
+        return scene.shade(normal);
+    };
+    let sum = [0.0; 2];
+",
+    );
+    let lengths: Vec<usize> = parts.lengths.iter().map(|&length| length.into()).collect();
+    let (first, others) = lengths.split_first().map_or((0, &[][..]), |(&first, rest)| (first, rest));
+    let mut start = first + 2 * others.iter().sum::<usize>();
+    // Azimuths above the highest that any profile has need nothing.
+    for &length in others.iter().rev().skip_while(|&&length| length == 0) {
+        start -= 2 * length;
+        put(
+            &mut text,
+            format_args!(
+                "    let sum = eigenshade::fixed::azimuth::<f32, {start}, {length}, SCENE>(terms, normal, sum);"
+            ),
+        );
+    }
+    put(
+        &mut text,
+        format_args!("    eigenshade::fixed::pole::<f32, {first}, SCENE>(terms, normal, sum)\n}}"),
+    );
+    text
 }
 
 /// One call for up to four profiles of one azimuth.

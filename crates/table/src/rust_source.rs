@@ -64,6 +64,7 @@ pub fn module(table: &Table, command: &str) -> String {
                 array(&mut text, name, "f32", values);
             }
             text.push_str(GENERAL);
+            text.push_str(&rust_kernels::shade(&parts));
         }
     }
     text

@@ -1,0 +1,55 @@
+//! A pixel of a scene whose polynomials have known lengths, by Horner's rule twice:
+//! each polynomial in t = 2z - 1, and the azimuths, from the highest down, in
+//! w = n_x + i n_y. I(n) = Re Σ_m (P_m + i Q_m) w̄^m.
+
+use crate::normal::Normal;
+use crate::polynomial;
+use crate::scalar::Scalar;
+use crate::scene::{Scene, argument};
+
+/// The numbers of a scene whose azimuths have these lengths, `N` in all.
+///
+/// `None` for a scene of another basis: lengths of equal numbers at another place count
+/// as others, since comparing them takes longer than a pixel may.
+#[inline(always)]
+pub fn scene<'s, S: Scalar, B: AsRef<[S]>, const N: usize>(
+    scene: &'s Scene<'_, B>,
+    lengths: &[u16],
+) -> Option<&'s [S; N]> {
+    let same = core::ptr::eq(scene.lengths(), lengths);
+    scene.numbers().try_into().ok().filter(|_| same)
+}
+
+/// P_m + i Q_m + w̄ `above`, of the azimuth m > 0 whose polynomials of `L` terms each
+/// stand at `START`.
+#[inline(always)]
+pub fn azimuth<S: Scalar, const START: usize, const L: usize, const N: usize>(
+    terms: &[S; N],
+    normal: Normal<S>,
+    [real, imaginary]: [S; 2],
+) -> [S; 2] {
+    let t = argument(normal.z);
+    let of = |start: usize| match terms.get(start..).and_then(<[S]>::first_chunk::<L>) {
+        Some(terms) => polynomial::value(terms, t),
+        None => S::ZERO,
+    };
+    let Normal { x, y, .. } = normal;
+    [
+        of(START).add_product(real, x).add_product(imaginary, y),
+        of(START + L).add_product(imaginary, x).add_product(-real, y),
+    ]
+}
+
+/// The irradiance: P_0, whose `L` terms are the first, + Re w̄ `above`.
+#[inline(always)]
+pub fn pole<S: Scalar, const L: usize, const N: usize>(
+    terms: &[S; N],
+    normal: Normal<S>,
+    [real, imaginary]: [S; 2],
+) -> S {
+    let value = match terms.first_chunk::<L>() {
+        Some(terms) => polynomial::value(terms, argument(normal.z)),
+        None => S::ZERO,
+    };
+    value.add_product(real, normal.x).add_product(imaginary, normal.y)
+}
