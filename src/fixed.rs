@@ -9,7 +9,7 @@
 
 mod pixel;
 
-pub use pixel::{azimuth, pole, scene};
+pub use pixel::{azimuth, pole, scene, shade};
 
 use crate::index;
 use crate::index::layout::{LANES, lowest_degree};

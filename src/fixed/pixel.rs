@@ -53,3 +53,11 @@ pub fn pole<S: Scalar, const L: usize, const N: usize>(
     };
     value.add_product(real, normal.x).add_product(imaginary, normal.y)
 }
+
+/// A pixel of any other scene, apart from its caller: what it needs of the stack and the
+/// registers is not to be paid for where it is not called.
+#[cold]
+#[inline(never)]
+pub fn shade<S: Scalar, B: AsRef<[S]>>(scene: &Scene<'_, B>, normal: Normal<S>) -> S {
+    scene.shade(normal)
+}

@@ -25,6 +25,8 @@ pub mod parts;
 
 pub mod passes;
 
+pub mod trim;
+
 mod rust_kernels;
 
 pub mod rust_source;

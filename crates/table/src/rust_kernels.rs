@@ -52,7 +52,7 @@ pub(crate) fn shade(parts: &Parts) -> String {
 #[must_use]
 pub fn shade(scene: &Scene, normal: eigenshade::Normal<f32>) -> f32 {
     let Some(terms) = eigenshade::fixed::scene::<f32, _, SCENE>(scene, &LENGTHS) else {
-        return scene.shade(normal);
+        return eigenshade::fixed::shade(scene, normal);
     };
     let sum = [0.0; 2];
 ",

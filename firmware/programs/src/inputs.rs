@@ -1,13 +1,15 @@
 //! Inputs of the measured operations. What they are does not change the counts: no
 //! operation branches on its numbers.
 
+use core::hint::black_box;
 use eigenshade::{Light, Material, Normal};
 
 /// 16 visible normals.
 #[must_use]
 pub fn normals() -> [Normal<f32>; 16] {
+    let step = black_box(0.4);
     let along = |k: usize| {
-        let (x, y) = ((k % 4) as f32 * 0.4 - 0.6, (k / 4) as f32 * 0.4 - 0.6);
+        let (x, y) = ((k % 4) as f32 * step - 0.6, (k / 4) as f32 * step - 0.6);
         Normal::new(x, y, 0.7).ok()
     };
     let facing = Normal::new(0.0, 0.0, 1.0).ok();
@@ -21,7 +23,8 @@ pub fn normals() -> [Normal<f32>; 16] {
 /// Numbers of both signs between -1 and 1, always the same.
 #[must_use]
 pub fn numbers<const N: usize>() -> [f32; N] {
-    let mut state = 1_u32;
+    // Not to be computed by the compiler: the program would hold all of them.
+    let mut state = black_box(1_u32);
     core::array::from_fn(|_| {
         state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
         f32::from((state >> 16) as u16 as i16) / 32768.0
