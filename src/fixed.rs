@@ -7,9 +7,13 @@
 //! place a constant. Where an argument does not have the expected shape they are
 //! not called; the general way takes it.
 
+mod collapse;
+mod component;
 mod pixel;
 
-pub use pixel::{azimuth, pole, scene, shade};
+pub use collapse::{collapse, collapsed};
+pub use component::{GROUPS, component, light_of_order};
+pub use pixel::{azimuth, highest, pole, scene, shade};
 
 use crate::index;
 use crate::index::layout::{LANES, lowest_degree};

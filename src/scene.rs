@@ -138,7 +138,13 @@ pub(crate) fn turned<S: Scalar>(cosine: S, sine: S, x: S, y: S) -> (S, S) {
     ((cosine * x).add_product(-sine, y), (cosine * y).add_product(sine, x))
 }
 
-impl<B> Scene<'_, B> {
+impl<'a, B> Scene<'a, B> {
+    /// The scene of polynomials of these lengths.
+    #[inline]
+    pub(crate) fn of(lengths: &'a [u16], buffer: B) -> Self {
+        Self { lengths, buffer }
+    }
+
     /// Number of terms for each |m|.
     #[inline]
     pub(crate) fn lengths(&self) -> &[u16] {

@@ -9,34 +9,44 @@ use crate::scene::{Scene, argument};
 
 /// The numbers of a scene whose azimuths have these lengths, `N` in all.
 ///
-/// `None` for a scene of another basis: lengths of equal numbers at another place count
-/// as others, since comparing them takes longer than a pixel may.
+/// `None` for a scene of another basis. It is known by the place of its lengths, since
+/// comparing the numbers takes longer than a pixel may; as many terms in all leave
+/// no terms for lengths beyond these.
 #[inline(always)]
 pub fn scene<'s, S: Scalar, B: AsRef<[S]>, const N: usize>(
     scene: &'s Scene<'_, B>,
     lengths: &[u16],
 ) -> Option<&'s [S; N]> {
-    let same = core::ptr::eq(scene.lengths(), lengths);
+    let same = core::ptr::eq(scene.lengths().as_ptr(), lengths.as_ptr());
     scene.numbers().try_into().ok().filter(|_| same)
 }
 
-/// P_m + i Q_m + w̄ `above`, of the azimuth m > 0 whose polynomials of `L` terms each
-/// stand at `START`.
+/// P_m + i Q_m of the highest azimuth m > 0, whose polynomials of `L` terms each stand at
+/// `START`.
+#[inline(always)]
+pub fn highest<S: Scalar, const START: usize, const L: usize, const N: usize>(
+    terms: &[S; N],
+    normal: Normal<S>,
+) -> [S; 2] {
+    let t = argument(normal.z);
+    [START, START + L].map(|start| match terms.get(start..).and_then(<[S]>::first_chunk::<L>) {
+        Some(terms) => polynomial::value(terms, t),
+        None => S::ZERO,
+    })
+}
+
+/// P_m + i Q_m + w̄ `above` of a lower azimuth m > 0.
 #[inline(always)]
 pub fn azimuth<S: Scalar, const START: usize, const L: usize, const N: usize>(
     terms: &[S; N],
     normal: Normal<S>,
     [real, imaginary]: [S; 2],
 ) -> [S; 2] {
-    let t = argument(normal.z);
-    let of = |start: usize| match terms.get(start..).and_then(<[S]>::first_chunk::<L>) {
-        Some(terms) => polynomial::value(terms, t),
-        None => S::ZERO,
-    };
+    let [plus, minus] = highest::<S, START, L, N>(terms, normal);
     let Normal { x, y, .. } = normal;
     [
-        of(START).add_product(real, x).add_product(imaginary, y),
-        of(START + L).add_product(imaginary, x).add_product(-real, y),
+        plus.add_product(real, x).add_product(imaginary, y),
+        minus.add_product(imaginary, x).add_product(-real, y),
     ]
 }
 

@@ -29,6 +29,8 @@ pub mod trim;
 
 mod rust_kernels;
 
+mod rust_scene;
+
 pub mod rust_source;
 
 pub use file::{FileError, decode, encode};

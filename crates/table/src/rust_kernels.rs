@@ -1,13 +1,13 @@
-//! Projection, relighting and shading of one table as Rust source: calls of the kernels in
+//! Projection and relighting of one table as Rust source: calls of the kernels in
 //! `eigenshade::fixed`, every size and place a constant.
 
-use crate::parts::{NONE, Parts};
+use crate::parts::{NONE, Parts, ProfilePlace};
 use eigenshade_index::{layout, light, material, pair};
 use std::fmt::Write;
 
 const LIGHT: &str = "light: &eigenshade::Light<'_, f32>";
 
-/// The functions `project`, `relight` and `shade` of the generated module.
+/// The functions `project` and `relight` of the generated module.
 ///
 /// A table with a selection of modes takes the general way: its polar integrals
 /// differ from azimuth to azimuth.
@@ -37,44 +37,10 @@ pub fn relight(
 ) -> Result<Coefficients, eigenshade::Error> {{
 {}    BASIS.relight(transfer, light)
 }}
-{}",
+",
         body(project(parts)),
         body(relight(parts)),
-        shade(parts),
     )
-}
-
-/// The function `shade` alone, which serves the scenes of any table.
-pub(crate) fn shade(parts: &Parts) -> String {
-    let mut text = String::from(
-        "/// The irradiance of one normal: see [`eigenshade::Scene::shade`].
-#[inline]
-#[must_use]
-pub fn shade(scene: &Scene, normal: eigenshade::Normal<f32>) -> f32 {
-    let Some(terms) = eigenshade::fixed::scene::<f32, _, SCENE>(scene, &LENGTHS) else {
-        return eigenshade::fixed::shade(scene, normal);
-    };
-    let sum = [0.0; 2];
-",
-    );
-    let lengths: Vec<usize> = parts.lengths.iter().map(|&length| length.into()).collect();
-    let (first, others) = lengths.split_first().map_or((0, &[][..]), |(&first, rest)| (first, rest));
-    let mut start = first + 2 * others.iter().sum::<usize>();
-    // Azimuths above the highest that any profile has need nothing.
-    for &length in others.iter().rev().skip_while(|&&length| length == 0) {
-        start -= 2 * length;
-        put(
-            &mut text,
-            format_args!(
-                "    let sum = eigenshade::fixed::azimuth::<f32, {start}, {length}, SCENE>(terms, normal, sum);"
-            ),
-        );
-    }
-    put(
-        &mut text,
-        format_args!("    eigenshade::fixed::pole::<f32, {first}, SCENE>(terms, normal, sum)\n}}"),
-    );
-    text
 }
 
 /// One call for up to four profiles of one azimuth.
@@ -146,26 +112,43 @@ fn project(parts: &Parts) -> String {
         }
     }
     finish(&mut text, &components);
+    put(&mut text, format_args!("    }}"));
     text
 }
 
-/// One call a pass.
+/// One call a pass where numbers are taken in groups, one for each component elsewhere.
 fn relight(parts: &Parts) -> String {
     let count = light::count(parts.degree);
     let mut text = format!(
         "    if let Some(light) = eigenshade::fixed::light::<f32, {count}>(light) {{
         let transfer = transfer.as_slice();
+        if eigenshade::fixed::GROUPS {{
 "
     );
+    by_passes(&mut text, parts, count);
+    put(
+        &mut text,
+        format_args!(
+            "        }}
+        if let Ok(transfer) = transfer.try_into() {{
+            let transfer: &[f32; TRANSFER] = transfer;"
+        ),
+    );
+    by_components(&mut text, parts, count);
+    put(&mut text, format_args!("        }}\n    }}"));
+    text
+}
+
+fn by_passes(text: &mut String, parts: &Parts, count: usize) {
     let mut components = vec![String::new(); parts.components];
     let (mut start, mut slots) = (0, parts.slots.as_slice());
     for (call, pass) in parts.passes.iter().enumerate() {
         let profiles = usize::from(pass.profiles);
         let degrees = parts.degree + 1 - layout::lowest_degree(pass.first.into());
         put(
-            &mut text,
+            text,
             format_args!(
-                "        let p{call} = eigenshade::fixed::pass::<f32, {start}, {}, {profiles}, {degrees}, {count}>(transfer, light);",
+                "            let p{call} = eigenshade::fixed::pass::<f32, {start}, {}, {profiles}, {degrees}, {count}>(transfer, light);",
                 pass.first
             ),
         );
@@ -179,8 +162,45 @@ fn relight(parts: &Parts) -> String {
         slots = rest;
         start += layout::LANES * profiles * degrees;
     }
-    finish(&mut text, &components);
-    text
+    finish(text, &components);
+}
+
+/// The light of one order is read once for all components of that order.
+fn by_components(text: &mut String, parts: &Parts, count: usize) {
+    let mut components = vec![String::new(); parts.components];
+    for (of, profiles) in parts.profiles.chunk_by(|a, b| a.azimuth == b.azimuth).enumerate() {
+        let azimuth = usize::from(profiles[0].azimuth);
+        let degrees = parts.degree + 1 - azimuth;
+        for (sign, name) in [(1, "plus"), (-1, "minus")] {
+            let served = |place: &ProfilePlace| match sign {
+                1 => (place.plus, place.plus_row),
+                _ => (place.minus, place.minus_row),
+            };
+            let mut served: Vec<_> = profiles.iter().map(served).collect();
+            served.retain(|&(component, _)| component != NONE);
+            if served.is_empty() {
+                continue;
+            }
+            let order = sign * azimuth.cast_signed();
+            put(
+                text,
+                format_args!(
+                    "            let {name}{of} = eigenshade::fixed::light_of_order::<f32, {order}, {degrees}, {count}>(light);"
+                ),
+            );
+            for (component, row) in served {
+                let (start, step) = (row.start, row.step);
+                put(
+                    text,
+                    format_args!(
+                        "            let d{component} = eigenshade::fixed::component::<f32, {start}, {step}, {degrees}, TRANSFER>(transfer, &{name}{of});"
+                    ),
+                );
+                components[usize::from(component)] = format!("d{component}");
+            }
+        }
+    }
+    finish(text, &components);
 }
 
 /// The answer, from the expressions of its components.
@@ -189,11 +209,11 @@ fn finish(text: &mut String, components: &[String]) {
     put(
         text,
         format_args!(
-            "        return Ok(eigenshade::fixed::coefficients(coefficients, &MEAN_COEFFICIENTS));\n    }}"
+            "        return Ok(eigenshade::fixed::coefficients(coefficients, &MEAN_COEFFICIENTS));"
         ),
     );
 }
 
-fn put(text: &mut String, line: std::fmt::Arguments<'_>) {
+pub(crate) fn put(text: &mut String, line: std::fmt::Arguments<'_>) {
     writeln!(text, "{line}").expect("a string takes everything");
 }

@@ -14,7 +14,7 @@ fn main() {
     measure(&normals, Passes(64), |normal| pixel(&coefficients, normal));
 }
 
-#[inline(never)]
+#[inline]
 fn pixel(coefficients: &[f32; 8], normal: &[f32; 3]) -> f32 {
     nine_terms::shade(coefficients, *normal)
 }

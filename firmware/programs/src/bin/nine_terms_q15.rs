@@ -14,7 +14,7 @@ fn main() {
     measure(&normals, Passes(256), |normal| pixel(&coefficients, normal));
 }
 
-#[inline(never)]
+#[inline]
 fn pixel(coefficients: &[i16; 8], normal: &[i16; 3]) -> i32 {
     nine_terms::shade_q15(coefficients, *normal)
 }

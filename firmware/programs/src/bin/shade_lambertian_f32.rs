@@ -19,7 +19,7 @@ fn main() {
     measure(&inputs::normals(), Passes(64), |normal| pixel(&scene, normal));
 }
 
-#[inline(never)]
+#[inline]
 fn pixel(scene: &Scene, normal: &Normal<f32>) -> f32 {
     lambertian::shade(scene, *normal)
 }
