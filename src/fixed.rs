@@ -8,11 +8,11 @@
 //! not called; the general way takes it.
 
 mod collapse;
-mod component;
+mod orders;
 mod pixel;
 
-pub use collapse::{collapse, collapsed};
-pub use component::{GROUPS, component, light_of_order};
+pub use collapse::{blank_scene, collapse, scene_mut};
+pub use orders::{GROUPS, blank_coefficients, coefficients_mut, order, transfer};
 pub use pixel::{azimuth, highest, pole, scene, shade};
 
 use crate::index;
@@ -105,10 +105,16 @@ pub fn coefficients<S: Scalar, const K: usize>(
     mut coefficients: [S; K],
     mean: &[S],
 ) -> Coefficients<S, K> {
+    subtract(&mut coefficients, mean);
+    heapless::Vec::from_array(coefficients)
+}
+
+/// Takes the coefficients of the mean image from those of an image.
+#[inline(always)]
+pub fn subtract<S: Scalar, const K: usize>(coefficients: &mut [S; K], mean: &[S]) {
     for (coefficient, &mean) in coefficients.iter_mut().zip(mean) {
         *coefficient -= mean;
     }
-    heapless::Vec::from_array(coefficients)
 }
 
 /// The sums of one pass of a transfer: the orders from `FIRST` on, `P` profiles of

@@ -151,6 +151,16 @@ impl<'a, B> Scene<'a, B> {
         self.lengths
     }
 
+    /// The terms of all polynomials, to be written for polynomials of these lengths.
+    #[inline]
+    pub(crate) fn rewritten<S: Scalar>(&mut self, lengths: &'a [u16]) -> &mut [S]
+    where
+        B: AsMut<[S]>,
+    {
+        self.lengths = lengths;
+        self.buffer.as_mut()
+    }
+
     /// The terms of all polynomials.
     #[inline]
     pub(crate) fn numbers<S: Scalar>(&self) -> &[S]

@@ -1,7 +1,7 @@
 //! Projection and relighting of one table as Rust source: calls of the kernels in
 //! `eigenshade::fixed`, every size and place a constant.
 
-use crate::parts::{NONE, Parts, ProfilePlace};
+use crate::parts::{NONE, Parts, ProfilePlace, Row};
 use eigenshade_index::{layout, light, material, pair};
 use std::fmt::Write;
 
@@ -35,11 +35,36 @@ pub fn relight(
     transfer: &Transfer,
     {LIGHT},
 ) -> Result<Coefficients, eigenshade::Error> {{
-{}    BASIS.relight(transfer, light)
+{}    let mut coefficients = eigenshade::fixed::blank_coefficients();
+    relight_into(transfer, light, &mut coefficients)?;
+    Ok(coefficients)
+}}
+/// [`relight`] in the place of other coefficients: nothing is moved.
+///
+/// # Errors
+///
+/// As there; what the coefficients are then is not said.
+pub fn relight_into(
+    transfer: &Transfer,
+    {LIGHT},
+    coefficients: &mut Coefficients,
+) -> Result<(), eigenshade::Error> {{
+{}    relight_generally(transfer, light, coefficients)
+}}
+#[cold]
+#[inline(never)]
+fn relight_generally(
+    transfer: &Transfer,
+    {LIGHT},
+    coefficients: &mut Coefficients,
+) -> Result<(), eigenshade::Error> {{
+    *coefficients = BASIS.relight(transfer, light)?;
+    Ok(())
 }}
 ",
         body(project(parts)),
-        body(relight(parts)),
+        body(by_passes(parts)),
+        body(by_orders(parts)),
     )
 }
 
@@ -116,39 +141,25 @@ fn project(parts: &Parts) -> String {
     text
 }
 
-/// One call a pass where numbers are taken in groups, one for each component elsewhere.
-fn relight(parts: &Parts) -> String {
+/// One call a pass, where numbers are taken in groups.
+fn by_passes(parts: &Parts) -> String {
     let count = light::count(parts.degree);
     let mut text = format!(
-        "    if let Some(light) = eigenshade::fixed::light::<f32, {count}>(light) {{
+        "    if let (true, Some(light)) =
+        (eigenshade::fixed::GROUPS, eigenshade::fixed::light::<f32, {count}>(light))
+    {{
         let transfer = transfer.as_slice();
-        if eigenshade::fixed::GROUPS {{
 "
     );
-    by_passes(&mut text, parts, count);
-    put(
-        &mut text,
-        format_args!(
-            "        }}
-        if let Ok(transfer) = transfer.try_into() {{
-            let transfer: &[f32; TRANSFER] = transfer;"
-        ),
-    );
-    by_components(&mut text, parts, count);
-    put(&mut text, format_args!("        }}\n    }}"));
-    text
-}
-
-fn by_passes(text: &mut String, parts: &Parts, count: usize) {
     let mut components = vec![String::new(); parts.components];
     let (mut start, mut slots) = (0, parts.slots.as_slice());
     for (call, pass) in parts.passes.iter().enumerate() {
         let profiles = usize::from(pass.profiles);
         let degrees = parts.degree + 1 - layout::lowest_degree(pass.first.into());
         put(
-            text,
+            &mut text,
             format_args!(
-                "            let p{call} = eigenshade::fixed::pass::<f32, {start}, {}, {profiles}, {degrees}, {count}>(transfer, light);",
+                "        let p{call} = eigenshade::fixed::pass::<f32, {start}, {}, {profiles}, {degrees}, {count}>(transfer, light);",
                 pass.first
             ),
         );
@@ -162,45 +173,56 @@ fn by_passes(text: &mut String, parts: &Parts, count: usize) {
         slots = rest;
         start += layout::LANES * profiles * degrees;
     }
-    finish(text, &components);
+    finish(&mut text, &components);
+    put(&mut text, format_args!("    }}"));
+    text
 }
 
-/// The light of one order is read once for all components of that order.
-fn by_components(text: &mut String, parts: &Parts, count: usize) {
-    let mut components = vec![String::new(); parts.components];
-    for (of, profiles) in parts.profiles.chunk_by(|a, b| a.azimuth == b.azimuth).enumerate() {
+/// One call for each order and pass, elsewhere.
+fn by_orders(parts: &Parts) -> String {
+    let count = light::count(parts.degree);
+    let mut text = format!(
+        "    if let (Some(transfer), Some(light), Some(coefficients)) = (
+        eigenshade::fixed::transfer::<f32, TRANSFER>(transfer),
+        eigenshade::fixed::light::<f32, {count}>(light),
+        eigenshade::fixed::coefficients_mut(coefficients),
+    ) {{
+"
+    );
+    for profiles in parts.profiles.chunk_by(|a, b| a.azimuth == b.azimuth) {
         let azimuth = usize::from(profiles[0].azimuth);
         let degrees = parts.degree + 1 - azimuth;
-        for (sign, name) in [(1, "plus"), (-1, "minus")] {
+        let signs = if azimuth == 0 { &[1][..] } else { &[1, -1] };
+        for sign in signs {
             let served = |place: &ProfilePlace| match sign {
                 1 => (place.plus, place.plus_row),
                 _ => (place.minus, place.minus_row),
             };
-            let mut served: Vec<_> = profiles.iter().map(served).collect();
-            served.retain(|&(component, _)| component != NONE);
-            if served.is_empty() {
-                continue;
-            }
-            let order = sign * azimuth.cast_signed();
-            put(
-                text,
-                format_args!(
-                    "            let {name}{of} = eigenshade::fixed::light_of_order::<f32, {order}, {degrees}, {count}>(light);"
-                ),
-            );
-            for (component, row) in served {
-                let (start, step) = (row.start, row.step);
+            let served: Vec<_> = profiles.iter().map(served).collect();
+            // Rows of one pass stand side by side.
+            for rows in served.chunk_by(|(_, a), (_, b)| {
+                b.step == a.step && b.start == a.start + layout::LANES as u32
+            }) {
+                let (order, Row { start, step }) = (sign * azimuth.cast_signed(), rows[0].1);
+                let components: Vec<String> = rows.iter().map(|(one, _)| one.to_string()).collect();
                 put(
-                    text,
+                    &mut text,
                     format_args!(
-                        "            let d{component} = eigenshade::fixed::component::<f32, {start}, {step}, {degrees}, TRANSFER>(transfer, &{name}{of});"
+                        "        eigenshade::fixed::order::<f32, {order}, {start}, {step}, {}, {degrees}, TRANSFER, {count}, COMPONENTS>(transfer, light, &[{}], coefficients);",
+                        rows.len(),
+                        components.join(", ")
                     ),
                 );
-                components[usize::from(component)] = format!("d{component}");
             }
         }
     }
-    finish(text, &components);
+    text.push_str(
+        "        eigenshade::fixed::subtract(coefficients, &MEAN_COEFFICIENTS);
+        return Ok(());
+    }
+",
+    );
+    text
 }
 
 /// The answer, from the expressions of its components.

@@ -1,42 +1,57 @@
 //! Collapsing and shading of one table as Rust source: calls of the kernels in
 //! `eigenshade::fixed`, every size and place a constant.
 
-use crate::parts::{NONE, Parts};
+use crate::parts::Parts;
 use crate::rust_kernels::put;
 
-/// The function `collapse` of a sphere's module.
+/// The functions `collapse` and `collapse_into` of a sphere's module.
 pub(crate) fn collapse(parts: &Parts) -> String {
-    let mut text = String::from(
+    // A mean image is one summand more; the general way takes it.
+    let sums = if parts.mean.is_empty() { sums(parts) } else { String::new() };
+    format!(
         "/// Sums the components of each azimuth: see [`eigenshade::Basis::collapse`].
 ///
 /// # Errors
 ///
 /// As there, but capacities cannot be too small.
-#[inline]
-pub fn collapse(coefficients: &Coefficients) -> Result<Scene, eigenshade::Error> {
-",
-    );
-    // A mean image is one summand more; the general way takes it.
-    if parts.mean.is_empty() {
-        text.push_str(&sums(parts));
-    }
-    text.push_str("    BASIS.collapse::<SCENE>(coefficients)\n}\n");
-    text
+pub fn collapse(coefficients: &Coefficients) -> Result<Scene, eigenshade::Error> {{
+    let mut scene = eigenshade::fixed::blank_scene(&LENGTHS);
+    collapse_into(coefficients, &mut scene)?;
+    Ok(scene)
+}}
+/// [`collapse`] in the place of another scene: nothing is moved.
+///
+/// # Errors
+///
+/// As there; the scene then stays as it is.
+pub fn collapse_into(
+    coefficients: &Coefficients,
+    scene: &mut Scene,
+) -> Result<(), eigenshade::Error> {{
+{sums}    collapse_generally(coefficients, scene)
+}}
+#[cold]
+#[inline(never)]
+fn collapse_generally(
+    coefficients: &Coefficients,
+    scene: &mut Scene,
+) -> Result<(), eigenshade::Error> {{
+    *scene = BASIS.collapse::<SCENE>(coefficients)?;
+    Ok(())
+}}
+"
+    )
 }
 
 /// One call for each azimuth.
 fn sums(parts: &Parts) -> String {
     let (components, terms) = (parts.components, parts.terms.len());
-    let mut text = format!(
-        "    if let Ok(d) = coefficients.as_slice().try_into() {{
-        let d: &[f32; {components}] = d;
-        let mut numbers = [0.0; SCENE];
-"
+    let mut text = String::from(
+        "    if let (Ok(d), Some(numbers)) =
+        (coefficients.as_slice().try_into(), eigenshade::fixed::scene_mut(scene, &LENGTHS))
+    {
+",
     );
-    let weight = |component: u16, sign: &str| match component {
-        NONE => "0.0".into(),
-        _ => format!("{sign}d[{component}]"),
-    };
     let (mut start, mut to, mut azimuth) = (0, 0, 0);
     for profiles in parts.profiles.chunk_by(|a, b| a.azimuth == b.azimuth) {
         while azimuth < usize::from(profiles[0].azimuth) {
@@ -44,26 +59,22 @@ fn sums(parts: &Parts) -> String {
             azimuth += 1;
         }
         let (count, length) = (profiles.len(), parts.lengths[azimuth]);
-        let weights = profiles.iter().map(|place| match azimuth {
-            0 => format!("[{}]", weight(place.plus, "")),
-            // Φ_-m = √2 sin(-mβ) = -√2 Im (n_x + i n_y)^m / sin^m.
-            _ => format!("[{}, {}]", weight(place.plus, ""), weight(place.minus, "-")),
+        let of_profile = profiles.iter().map(|place| match azimuth {
+            0 => format!("[{}]", place.plus),
+            _ => format!("[{}, {}]", place.plus, place.minus),
         });
         let signs = if azimuth == 0 { 1 } else { 2 };
-        let weights: Vec<String> = weights.collect();
+        let of_profiles: Vec<String> = of_profile.collect();
         put(
             &mut text,
             format_args!(
-                "        eigenshade::fixed::collapse::<f32, {start}, {to}, {count}, {signs}, {length}, {terms}, SCENE>(&TERMS, &[{}], &mut numbers);",
-                weights.join(", ")
+                "        eigenshade::fixed::collapse::<f32, {start}, {to}, {count}, {signs}, {length}, {terms}, {components}, SCENE>(&TERMS, &[{}], d, numbers);",
+                of_profiles.join(", ")
             ),
         );
         start += count * usize::from(length);
     }
-    put(
-        &mut text,
-        format_args!("        return Ok(eigenshade::fixed::collapsed(&LENGTHS, numbers));\n    }}"),
-    );
+    text.push_str("        return Ok(());\n    }\n");
     text
 }
 

@@ -3,17 +3,16 @@
 #![no_main]
 
 use board::{Passes, measure, program};
-use eigenshade::sphere::{self, Coefficients, Scene};
+use eigenshade::sphere;
 use programs::inputs;
+use core::hint::black_box;
 
 program!(main);
 
 fn main() {
     let coefficients = eigenshade::fixed::coefficients(inputs::numbers(), &[]);
-    measure(&[coefficients], Passes(256), collapsed);
-}
-
-#[inline(never)]
-fn collapsed(coefficients: &Coefficients) -> Scene {
-    sphere::collapse(coefficients).unwrap_or_else(|_| board::exit(false))
+    let Ok(mut scene) = sphere::collapse(&coefficients) else { board::exit(false) };
+    measure(&[coefficients], Passes(256), |coefficients| {
+        sphere::collapse_into(coefficients, black_box(&mut scene)).is_ok()
+    });
 }

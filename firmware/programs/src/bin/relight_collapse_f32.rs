@@ -4,7 +4,8 @@
 
 use board::{Passes, measure, program};
 use core::hint::black_box;
-use eigenshade::sphere::{self, DEGREE, ORDER, Scene, Transfer};
+use eigenshade::Light;
+use eigenshade::sphere::{self, COMPONENTS, DEGREE, ORDER};
 use programs::inputs;
 
 program!(main);
@@ -15,12 +16,11 @@ fn main() {
         board::exit(false)
     };
     let transfer = black_box(transfer);
-    measure(&[inputs::numbers::<100>()], Passes(256), |light| relit(&transfer, light));
-}
-
-#[inline(never)]
-fn relit(transfer: &Transfer, light: &[f32; 100]) -> Scene {
-    let coefficients = sphere::relight(transfer, &inputs::light(light, DEGREE));
-    let scene = coefficients.and_then(|coefficients| sphere::collapse(&coefficients));
-    scene.unwrap_or_else(|_| board::exit(false))
+    let mut coefficients = eigenshade::fixed::coefficients(inputs::numbers::<COMPONENTS>(), &[]);
+    let Ok(mut scene) = sphere::collapse(&coefficients) else { board::exit(false) };
+    measure(&[inputs::numbers::<100>()], Passes(256), |light| {
+        let light = Light::new(DEGREE, light)?;
+        sphere::relight_into(&transfer, &light, &mut coefficients)?;
+        sphere::collapse_into(&coefficients, black_box(&mut scene))
+    });
 }

@@ -4,7 +4,7 @@
 
 use board::{Passes, measure, program};
 use core::hint::black_box;
-use eigenshade::sphere::{self, Coefficients, DEGREE, ORDER, Transfer};
+use eigenshade::sphere::{self, Coefficients, DEGREE, ORDER};
 use programs::inputs;
 
 program!(main);
@@ -15,11 +15,10 @@ fn main() {
         board::exit(false)
     };
     let transfer = black_box(transfer);
-    measure(&[inputs::numbers::<100>()], Passes(256), |light| relit(&transfer, light));
-}
-
-#[inline(never)]
-fn relit(transfer: &Transfer, light: &[f32; 100]) -> Coefficients {
-    let light = inputs::light(light, DEGREE);
-    sphere::relight(transfer, &light).unwrap_or_else(|_| board::exit(false))
+    let mut coefficients = Coefficients::new();
+    let _ = coefficients.resize_default(sphere::COMPONENTS);
+    measure(&[inputs::numbers::<100>()], Passes(256), |light| {
+        let light = inputs::light(light, DEGREE);
+        sphere::relight_into(&transfer, &light, black_box(&mut coefficients)).is_ok()
+    });
 }
