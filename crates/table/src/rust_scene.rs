@@ -91,7 +91,8 @@ pub fn shade(scene: &Scene, normal: eigenshade::Normal<f32>) -> f32 {
 ",
     );
     let lengths: Vec<usize> = parts.lengths.iter().map(|&length| length.into()).collect();
-    let (first, others) = lengths.split_first().map_or((0, &[][..]), |(&first, rest)| (first, rest));
+    let (first, others) =
+        lengths.split_first().map_or((0, &[][..]), |(&first, rest)| (first, rest));
     let mut start = first + 2 * others.iter().sum::<usize>();
     let mut kernel = "highest";
     // Azimuths above the highest that any profile has need nothing.
@@ -110,7 +111,9 @@ pub fn shade(scene: &Scene, normal: eigenshade::Normal<f32>) -> f32 {
     let above = if kernel == "highest" { "[0.0; 2]" } else { "sum" };
     put(
         &mut text,
-        format_args!("    eigenshade::fixed::pole::<f32, {first}, SCENE>(terms, normal, {above})\n}}"),
+        format_args!(
+            "    eigenshade::fixed::pole::<f32, {first}, SCENE>(terms, normal, {above})\n}}"
+        ),
     );
     text
 }

@@ -3,8 +3,8 @@
 use crate::general::General;
 use crate::parts::{NONE, Parts, ProfilePlace, Row};
 use crate::passes::Pass;
-use crate::{rust_kernels, rust_scene};
 use crate::table::Table;
+use crate::{rust_kernels, rust_scene};
 use eigenshade_index::layout;
 use std::fmt::Write;
 
