@@ -1,5 +1,7 @@
 //! Decodes the shipped table into typed statics.
 
+use eigenshade_table::quantise::{Format, QuantisedParts};
+use eigenshade_table::{rust_quantised, rust_source};
 use std::path::PathBuf;
 use std::{env, fs, process};
 
@@ -8,14 +10,15 @@ fn main() {
     if env::var_os("CARGO_FEATURE_BAKED").is_none() {
         return;
     }
-    if let Err(error) = bake("tables/sphere.bin", "sphere.rs") {
+    if let Err(error) = bake("tables/sphere.bin", "sphere") {
         println!("cargo::error={error}");
         process::exit(1);
     }
 }
 
-/// Writes the statics of the table at `from` to `to` in the output folder.
-fn bake(from: &str, to: &str) -> Result<(), String> {
+/// Writes the statics of the table at `from` to the output folder: in floats to
+/// `name`.rs, in integers to `name`_q15.rs and `name`_q31.rs.
+fn bake(from: &str, name: &str) -> Result<(), String> {
     let bytes = fs::read(from).map_err(|error| format!("{from}: {error}"))?;
     let table = eigenshade_table::decode(&bytes).map_err(|error| format!("{from}: {error}"))?;
     if !table.has_projection() {
@@ -23,7 +26,18 @@ fn bake(from: &str, to: &str) -> Result<(), String> {
             "{from} keeps transfers alone; set store = \"projection\" in its scene"
         ));
     }
-    let source = eigenshade_table::rust_source::module(&table, &format!("build.rs, from {from}"));
-    let to = PathBuf::from(env::var_os("OUT_DIR").ok_or("OUT_DIR is not set")?).join(to);
-    fs::write(&to, source).map_err(|error| format!("{}: {error}", to.display()))
+    let command = format!("build.rs, from {from}");
+    write(&format!("{name}.rs"), &rust_source::module(&table, &command))?;
+    for (format, suffix) in [(Format::Q15, "q15"), (Format::Q31, "q31")] {
+        let parts = QuantisedParts::new(&table, format, format.tolerance())
+            .map_err(|error| format!("{from}: {error}"))?;
+        write(&format!("{name}_{suffix}.rs"), &rust_quantised::module(&parts, &command))?;
+    }
+    Ok(())
+}
+
+/// Writes a file of the output folder.
+fn write(name: &str, text: &str) -> Result<(), String> {
+    let to = PathBuf::from(env::var_os("OUT_DIR").ok_or("OUT_DIR is not set")?).join(name);
+    fs::write(&to, text).map_err(|error| format!("{}: {error}", to.display()))
 }

@@ -49,6 +49,8 @@ extern crate self as eigenshade;
 
 pub use eigenshade_index as index;
 
+mod format;
+
 mod scalar;
 
 mod lanes;
@@ -79,6 +81,8 @@ mod scene;
 
 mod shade;
 
+pub mod quantised;
+
 mod general;
 
 mod estimate;
@@ -91,6 +95,7 @@ pub mod sphere;
 pub use basis::Basis;
 pub use error::{Error, What};
 pub use estimate::Estimate;
+pub use format::{Fixed, Format, Q15, Q31, Wide};
 pub use general::{GeneralBasis, GeneralParts};
 pub use light::Light;
 pub use material::Material;

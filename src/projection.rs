@@ -235,14 +235,14 @@ fn lit<S: Scalar>(
 
 /// A buffer of `needed` zeros.
 #[inline]
-pub(crate) fn zeros<S: Scalar, const N: usize>(
+pub(crate) fn zeros<S: Copy + Default, const N: usize>(
     what: What,
     needed: usize,
 ) -> Result<heapless::Vec<S, N>, Error> {
     if needed > N {
         return Err(Error::Capacity { what, needed, capacity: N });
     }
-    let mut buffer = heapless::Vec::from_array([S::ZERO; N]);
+    let mut buffer = heapless::Vec::from_array([S::default(); N]);
     buffer.truncate(needed);
     Ok(buffer)
 }

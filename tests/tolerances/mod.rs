@@ -165,6 +165,9 @@ pub const LAMBERTIAN_SHARES: f64 = 1e-12;
 /// Errors of representation and of partial sums, over nodes against pixels, of the image's
 /// energy: 36 intervals in cos α are exact, the rest is roundings of some thousand terms.
 pub const FIGURE_ERROR: f64 = 1e-12;
+/// The rms of a residual over a picture's pixels against that over quadrature nodes, relative:
+/// 176 pixels across, those of the rim, where it is largest, covered in part and shaded as the rim.
+pub const PIXEL_ERROR: f64 = 0.05;
 /// A mean over the rotations of a light against (38), relative: roundings of some thousand terms.
 pub const MEAN_OVER_ROTATIONS: f64 = 1e-12;
 /// Pixels at degree 32 and order 32 in f64, of the peak: profiles end at 1e-13 of their largest
@@ -205,6 +208,45 @@ pub const DIRECT_FRAMES: f64 = 5e-3;
 /// Texels in parts against parts four times as fine, rms of the peak, for lobes of 0.01 rad and more
 /// on texels of 0.0123: a tenth of what degree 24 leaves at such a lobe.
 pub const DIRECT_PARTS: f64 = 1e-3;
-/// An error's figure by other normals and nodes, relative: their peak, at the rim or
-/// a window, is that of the nearest.
+/// An error's figure by other normals and nodes, relative: 320 normals, for lobes of 0.04 rad 2,000,
+/// sample it to some per cent, and their peak, at the rim or a window, is that of the nearest.
 pub const ERROR_FIGURE: f64 = 0.1;
+
+/// Area of facets that nothing hides, in a picture of a few units: the same products, in another
+/// order.
+pub const WHOLE_FACETS: f64 = 1e-12;
+/// Area seen of facets partly hidden, of the longer side of the box times the length of their
+/// outlines and cuts: the diagonal of a sample of 1/1024.
+pub const VISIBLE_AREA: f64 = 1.4 / 1024.0;
+/// A torus of 200 x 100 facets against the smooth one, of its picture: chords of a circle of 100,
+/// (2π/100)²/6, and of 200; samples where it hides itself.
+pub const FACETED_TORUS: f64 = 1.5e-3;
+/// Moments of visible normals against 200 x 200 rays, of the picture: edges of length
+/// some tens in 200, their errors of both signs.
+pub const RAYS: f64 = 3e-3;
+/// Slivers that are all cut alike, of their area: sixteen points stand for each, a tenth
+/// of its area apart at most.
+pub const SLIVERS_ALIKE: f64 = 0.1;
+/// Slivers cut along a diagonal, of their area: the errors of each one's points sum to nothing
+/// over its length, and the cut is 1.4 long, with a sample of 2/1024 in width.
+pub const SLIVERS: f64 = 3e-3;
+/// Signal to error of f32 over the database, in decibels, and of its worst pair: 24 bits
+/// are 150, and polynomials are trimmed to 1e-7, 140.
+pub const F32_ALL: f64 = 130.0;
+/// See [`F32_ALL`]; d of a dark image is small beside its addends.
+pub const F32_WORST: f64 = 120.0;
+/// Signal to error of mantissas of 31 bits: polynomials are trimmed to 1e-8, 160.
+pub const Q31_ALL: f64 = 140.0;
+/// See [`Q31_ALL`].
+pub const Q31_WORST: f64 = 115.0;
+/// Signal to error of mantissas of 15 bits: 96 less what a pixel of 17 bits loses to its
+/// headroom (Σ|d| max|U| is up to four times the peak) and to 13 polynomials' rounding.
+pub const Q15_ALL: f64 = 80.0;
+/// See [`Q15_ALL`]; a narrow peak has little energy for its height.
+pub const Q15_WORST: f64 = 65.0;
+/// Signal to error of one component over the database: the addends of UᵀM cancel, to a
+/// thirtieth in the weakest.
+pub const Q15_COMPONENT: f64 = 64.0;
+/// Figures in decibels on a page are rounded to a tenth; a fused target moves f32 by
+/// less than the other half.
+pub const DECIBELS_STATED: f64 = 0.1;

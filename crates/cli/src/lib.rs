@@ -21,6 +21,10 @@ pub mod named;
 
 pub mod owned_basis;
 
+pub mod owned_quantised;
+
+pub mod integer_shader;
+
 pub mod shader;
 
 pub mod truth_image;
@@ -30,6 +34,8 @@ pub mod compare;
 pub mod sphere_rings;
 
 pub mod accuracy;
+
+pub mod recorded_errors;
 
 pub mod sphere_view;
 

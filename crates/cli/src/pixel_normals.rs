@@ -2,21 +2,17 @@
 
 use crate::sphere_view::SphereView;
 use eigenshade_generator::error::{Error, Result};
-use eigenshade_generator::inputs::normals::{read_normals, visible};
+use eigenshade_generator::inputs::normals::read_normals;
 use eigenshade_generator::inputs::{normal_map, png_samples};
 use std::path::Path;
 
-/// A normal map's vector below this length is background: real ones have length 1,
-/// up to rounding and filtering.
-const SHORTEST: f64 = 0.5;
-
-/// Reads the unit normal, z >= 0, of each pixel of an image of this size (`count`
-/// pixels); none where there is no object.
+/// Reads the unit normal, z >= 0, of each pixel of an image of this size; none where there
+/// is no object.
 ///
 /// `source` is the word `sphere`, a sphere whose disc the image encloses as
-/// [`SphereView`] has it, centred; or a PNG of the image's size with
-/// (n + 1)/2 in r, g and b; or a CSV `x,y,z` with a row for each pixel, row by row.
-/// In a PNG what is transparent, shorter than 1/2 or turned away is background.
+/// [`SphereView`] has it, centred; or a PNG of the image's size, a [`normal_map`]; or a CSV
+/// `x,y,z` with a row for each pixel, row by row. `counts` says of each pixel whether it is
+/// to be used: one of a normal map that is not may point away.
 ///
 /// # Errors
 ///
@@ -25,7 +21,7 @@ const SHORTEST: f64 = 0.5;
 pub fn read(
     source: &Path,
     size: Option<[usize; 2]>,
-    count: usize,
+    counts: &[bool],
 ) -> Result<Vec<Option<[f64; 3]>>> {
     if source == Path::new("sphere") {
         return size.map(sphere).ok_or_else(|| {
@@ -37,13 +33,13 @@ pub fn read(
     }
     let is_png = source.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png"));
     let normals = if is_png {
-        of_png(source, size)?
+        of_png(source, size, counts)?
     } else {
         read_normals(source)?.into_iter().map(Some).collect()
     };
-    if normals.len() != count {
+    if normals.len() != counts.len() {
         return Err(Error::new(
-            format!("it holds {} normals, the image {count} pixels", normals.len()),
+            format!("it holds {} normals, the image {} pixels", normals.len(), counts.len()),
             "give one normal for each pixel, row by row from the top",
         )
         .in_file(source));
@@ -64,22 +60,14 @@ fn sphere([width, height]: [usize; 2]) -> Vec<Option<[f64; 3]>> {
     normals
 }
 
-fn of_png(path: &Path, size: Option<[usize; 2]>) -> Result<Vec<Option<[f64; 3]>>> {
+fn of_png(path: &Path, size: Option<[usize; 2]>, counts: &[bool]) -> Result<Vec<Option<[f64; 3]>>> {
     let png = png_samples::read(path)?;
-    if let Some([width, height]) = size
-        && (width, height) != (png.width, png.height)
-    {
-        return Err(Error::new(
-            format!("it is {} x {} pixels, the image {width} x {height}", png.width, png.height),
-            "give a normal map of the image's size",
-        )
-        .in_file(path));
-    }
-    let normal = |(colour, opacity): (&[u16; 3], &u16)| {
-        let vector = normal_map::vector(*colour, png.full);
-        let length = vector.iter().map(|c| c * c).sum::<f64>().sqrt();
-        let is_there = *opacity > 0 && length >= SHORTEST;
-        is_there.then(|| visible(vector).ok()).flatten()
+    let (width, height) = (png.width, png.height);
+    let what = match size {
+        Some([w, h]) if [w, h] != [width, height] => format!("the image {w} x {h}"),
+        None if counts.len() != width * height => format!("the image has {}", counts.len()),
+        _ => return normal_map::normals(&png, counts).map_err(|error| error.in_file(path)),
     };
-    Ok(png.colours.iter().zip(&png.opacities).map(normal).collect())
+    let what = format!("it is {width} x {height} pixels, {what}");
+    Err(Error::new(what, "give a normal map of the image's size").in_file(path))
 }

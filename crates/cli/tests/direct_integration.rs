@@ -74,44 +74,6 @@ impl Explicit {
     }
 }
 
-impl Explicit {
-    /// Two by two nodes of Gauss in each texel, in cos θ and t: for maps whose lamps are
-    /// single texels.
-    fn over_texels(self, map: &EnvironmentMap, normal: [f64; 3]) -> [f64; 3] {
-        let mut sum = [0.0; 3];
-        let (width, height) = (map.width as f64, map.height as f64);
-        let gauss = [0.5 - 0.5 / 3f64.sqrt(), 0.5 + 0.5 / 3f64.sqrt()];
-        for row in 0..map.height {
-            let (top, bottom) =
-                ((PI * row as f64 / height).cos(), (PI * (row + 1) as f64 / height).cos());
-            let weight = (top - bottom) * TAU / width / 4.0;
-            for column in 0..map.width {
-                for (a, b) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
-                    let up = top + (bottom - top) * gauss[a];
-                    let across = (1.0 - up * up).sqrt();
-                    let t = TAU * ((column as f64 + gauss[b]) / width - 0.5);
-                    let light = [t.sin() * across, up, -t.cos() * across];
-                    let cosine: f64 = (0..3).map(|k| light[k] * normal[k]).sum();
-                    if cosine > 0.0 {
-                        // The normal's frame, with the view in its x-z plane.
-                        let sine = normal[0].hypot(normal[1]);
-                        let between = light[2];
-                        let x = (between - cosine * normal[2]) / sine;
-                        let y = (1.0 - x * x - cosine * cosine).max(0.0).sqrt();
-                        let factor =
-                            self.value([x, y, cosine], [sine, 0.0, normal[2]]) * cosine * weight;
-                        let texel = map.texels[row * map.width + column];
-                        for (sum, radiance) in sum.iter_mut().zip(texel) {
-                            *sum += factor * f64::from(radiance);
-                        }
-                    }
-                }
-            }
-        }
-        sum
-    }
-}
-
 /// Spread evenly over the disc.
 fn spiral(count: usize) -> Vec<[f64; 3]> {
     let at = |k: usize| {
@@ -245,65 +207,7 @@ fn error(
     (square / count as f64).sqrt() / peak
 }
 
-/// A row of the shipped errors, under the map that is worst: the table's 250 components
-/// against all, and this quadrature.
-#[test]
-fn shipped_errors_are_what_another_quadrature_finds() {
-    let text = fs::read_to_string(repository().join("tables/pbr.errors.csv")).unwrap();
-    let rows = rows(&text, HEADER);
-    let is_meant = |row: &&Vec<String>| row[0] == "metal-0.5" && row[1] == "12";
-    let row = rows.iter().find(is_meant).expect("a row");
-    let map = shipped(&row[6]);
-    let recorded: f64 = row[5].parse().unwrap();
-    // Many normals, for its peak stands at the rim.
-    let found = error(METAL, &map, (12, 12), 1600, |normal| METAL.over_texels(&map, normal));
-    println!("metal-0.5 under {}: {recorded} recorded, {found:.6} found", row[6]);
-    assert!((found / recorded - 1.0).abs() <= tolerances::ERROR_FIGURE, "{found}");
-}
-
-/// The figures that the documentation states.
-/// The manifest repeats what was recorded.
-#[test]
-fn the_manifest_holds_the_errors() {
-    let errors = fs::read_to_string(repository().join("tables/pbr.errors.csv")).unwrap();
-    let manifest = fs::read_to_string(repository().join("tables/pbr.manifest.csv")).unwrap();
-    let rows = rows(&errors, "material,degree,order,components,median,worst,map,normals");
-    let mut found = 0;
-    for row in rows {
-        let of = if row[3].is_empty() { "direct sum" } else { "table" };
-        let entry = format!("error of {} {}/{} {of}", row[0], row[1], row[2]);
-        assert!(manifest.contains(&format!("\n{entry} median,{},,\n", row[4])), "{entry}");
-        assert!(
-            manifest.contains(&format!("\n{entry} worst,{} {},,\n", row[5], row[6])),
-            "{entry}"
-        );
-        found += 2;
-    }
-    assert_eq!(manifest.lines().filter(|line| line.starts_with("error of ")).count(), found);
-}
-
-#[test]
-fn shipped_errors_are_small_from_roughness_one_half() {
-    let text = fs::read_to_string(repository().join("tables/pbr.errors.csv")).unwrap();
-    let rows = rows(&text, HEADER);
-    assert_eq!(rows.len(), 24 * 4);
-    let number = |row: &Vec<String>, k: usize| row[k].parse::<f64>().unwrap();
-    for pair in rows.chunks(4) {
-        // The table's components are enough: its figures are those of all.
-        for k in [4, 5] {
-            let (table, all) = (number(&pair[0], k), number(&pair[1], k));
-            assert!((table / all - 1.0).abs() < 0.01, "{pair:?}");
-        }
-    }
-    for row in rows.iter().filter(|row| row[1] == "12") {
-        let roughness: f64 = row[0].rsplit_once('-').map_or(1.0, |(_, r)| r.parse().unwrap());
-        let rough = roughness >= 0.5 || row[0].starts_with("oren") || row[0] == "lambertian";
-        assert!(!rough || number(row, 4) < 0.01, "{row:?}");
-        assert!(number(row, 4) <= number(row, 5), "{row:?}");
-    }
-}
-
-const HEADER: &str = "material,degree,order,components,median,worst,map,normals";
+const HEADER: &str = "material,degree,order,components,median,worst,map,normals,scene,energy";
 
 /// A portable float map, rows from the bottom.
 fn pfm(map: &EnvironmentMap) -> Vec<u8> {

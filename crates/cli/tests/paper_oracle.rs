@@ -8,6 +8,7 @@ mod tolerances;
 
 use eigenshade::Normal;
 use eigenshade_cli::owned_basis::OwnedBasis;
+use eigenshade_cli::paper::bound_spheres::Renderings;
 use eigenshade_cli::paper::study::{DEGREE, ORDER, Study};
 use eigenshade_generator::irradiance;
 use eigenshade_generator::partial_sum::PartialSum;
@@ -146,4 +147,50 @@ fn partial_sums_are_those_of_pixels_and_within_their_bound() {
     assert!(off.abs() <= tolerances::FIGURE_ERROR * energy, "{} {error}", step.error);
     assert!(of.abs() <= tolerances::FIGURE_ERROR, "{} {bound}", step.bound);
     assert!(error < bound && error > 0.01 * bound);
+}
+
+/// Pixels of a rendered sphere: each degree and order of the light by quadrature of (3), on
+/// the part of the material that its strongest terms leave.
+#[test]
+fn rendered_spheres_are_sums_of_integrals() {
+    let study = Study::new(&ProgressBar::hidden()).expect("the shipped data");
+    let trials = study.trials(&ProgressBar::hidden());
+    let found = Renderings::new(&study, &trials, &ProgressBar::hidden()).expect("the shipped data");
+    let one = found.all.iter().find(|one| one.names[0] == "05-leather").expect("it is there");
+    let trial = study.trial(&trials, one.names[1], one.names[0]).expect("it is there");
+    let (light, material) = (&study.luminances[trial.light], &study.greys[trial.material]);
+    let mut terms = Vec::new();
+    let top = DEGREE.cast_signed();
+    for m in -top..=top {
+        let azimuth = m.unsigned_abs();
+        let modes = mode::indices(DEGREE, ORDER, azimuth);
+        for ((l, o, p, q), variance) in modes.zip(variances(&study.gram, azimuth)) {
+            let b = material[material::position(o, p, q)];
+            let size = (light[light::position(l, m)] * b).abs() * variance.sqrt();
+            terms.push((size, (light::position(l, m), (o, p, q, b))));
+        }
+    }
+    terms.sort_by(|a, b| b.0.total_cmp(&a.0));
+    terms.truncate(one.terms);
+    let peak = found.truths[1].iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+    let mut least: f64 = f64::INFINITY;
+    for k in [2000, 11_000, 17_500] {
+        let mut expected = 0.0;
+        for (place, coefficient) in light.iter().enumerate() {
+            let of_place = terms.iter().filter(|(_, (other, _))| *other == place);
+            let part: Vec<_> = of_place.map(|(_, (_, term))| *term).collect();
+            let mut alone = vec![0.0; light.len()];
+            alone[place] = *coefficient;
+            let alone = oracle::ExplicitLight::new(&alone);
+            if !part.is_empty() {
+                expected += oracle::irradiance(&alone, &part, found.normals[k]);
+            }
+        }
+        let off = (one.image[k] - expected).abs() / peak;
+        println!("pixel {k}: {off:.1e} of the peak");
+        assert!(off <= tolerances::DIRECT_SUM, "{k}: {} {expected}", one.image[k]);
+        least = least.min((found.truths[1][k] - expected).abs() / peak);
+    }
+    // What was left out shows.
+    assert!(least > 1e-5, "{least}");
 }

@@ -1,6 +1,8 @@
 //! What the page of the paper's figures says, in words and with "holds", on the shipped
 //! data.
 
+mod support;
+
 #[path = "../../../tests/tolerances/mod.rs"]
 mod tolerances;
 
@@ -8,6 +10,7 @@ use eigenshade_cli::paper::bound::Bounds;
 use eigenshade_cli::paper::error::{Errors, needed};
 use eigenshade_cli::paper::reconstruction::Reconstructions;
 use eigenshade_cli::paper::report::ALIKE_FROM;
+use eigenshade_cli::paper::report::claims::{Claim, claims, section};
 use eigenshade_cli::paper::selected::Selected;
 use eigenshade_cli::paper::study::{Modes, Study, Trial, place};
 use eigenshade_cli::paper::variance::{SURFACES, Variance};
@@ -19,6 +22,7 @@ use eigenshade_table::scene::Criterion;
 use indicatif::ProgressBar;
 use std::f64::consts::PI;
 use std::sync::OnceLock;
+use support::{numbers, repository, rows};
 
 fn study() -> &'static (Study, Vec<Trial>) {
     static STUDY: OnceLock<(Study, Vec<Trial>)> = OnceLock::new();
@@ -224,4 +228,61 @@ fn on_average_over_rotations_degrees_and_orders_add() {
     assert!((mean / expected - 1.0).abs() <= tolerances::MEAN_OVER_ROTATIONS, "{mean} {expected}");
     // Only on average: single rotations exceed it.
     assert!(most > 1.2 * expected, "{most} {expected}");
+}
+
+/// Spheres rendered to a stated accuracy, from the file that the page shows.
+#[test]
+fn rendered_spheres_are_as_accurate_as_stated() {
+    let path = repository().join("docs/paper/bound_spheres.csv");
+    let text = std::fs::read_to_string(path).expect("a text");
+    let header = "light,material,terms,accuracy,bound,error,pixel_error,largest_pixel_error";
+    let rows = rows(&text, header);
+    assert_eq!(rows.len(), 3 * 4);
+    for sphere in rows.chunks(4) {
+        for (row, stated) in sphere.iter().zip([0.1, 0.03, 0.01, 0.003]) {
+            let numbers = numbers(std::slice::from_ref(row), 5);
+            let [accuracy, bound, error, pixel_error, largest] = numbers[..] else { panic!() };
+            assert_eq!(accuracy, stated);
+            // The fewest terms: one less would be worth seeing.
+            assert!(bound <= accuracy && bound > 0.95 * accuracy, "{row:?}");
+            assert!(error <= bound && pixel_error <= bound && error > 0.0, "{row:?}");
+            assert!((pixel_error / error - 1.0).abs() <= tolerances::PIXEL_ERROR, "{row:?}");
+            assert!(largest > pixel_error, "{row:?}");
+        }
+        let terms: Vec<usize> = sphere.iter().map(|row| row[2].parse().unwrap()).collect();
+        assert!(terms.is_sorted_by(|a, b| a < b) && terms[3] < 3646, "{terms:?}");
+    }
+}
+
+/// The word follows the figures: with others it is another.
+#[test]
+fn verdicts_are_those_of_the_figures() {
+    let (study, trials) = study();
+    let new = || {
+        let errors = Errors::new(study, trials);
+        (Variance::new(study), errors, Reconstructions::new(study, trials).expect("the data"))
+    };
+    let verdicts = |(variance, errors, courses): &(Variance, Errors, Reconstructions)| {
+        let claims = claims(variance, errors, courses);
+        let words = section(&claims);
+        let expected = |claim: &Claim| {
+            let word = if claim.holds { "holds" } else { "differs" };
+            words.contains(&format!("| {word}: {} |", claim.found))
+        };
+        assert!(claims.iter().all(expected));
+        claims.iter().map(|claim| claim.holds).collect::<Vec<_>>()
+    };
+    let shipped = new();
+    assert_eq!(verdicts(&shipped), [true, true, true, true, false, false, true]);
+    let (mut variance, mut errors, mut courses) = shipped;
+    for by_degree in &mut variance.by_mode {
+        by_degree[9] += 1.0;
+    }
+    errors.mean[1].iter_mut().for_each(|error| *error *= 1.1);
+    for errors in &mut errors.by_material[0] {
+        errors[6] = 0.09;
+    }
+    courses.courses[1].brightest[60] = 0.8;
+    let doctored = (variance, errors, courses);
+    assert_eq!(verdicts(&doctored), [false, false, false, false, true, true, false]);
 }

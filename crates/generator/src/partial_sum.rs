@@ -42,11 +42,16 @@ pub struct Step {
 }
 
 /// One term c_s E_s.
-struct Term {
-    order: isize,
-    mode: usize,
-    coefficient: f64,
-    size: f64,
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Term {
+    /// l, m, o, p, q.
+    pub mode: (usize, isize, usize, usize, usize),
+    /// c_s, L_l^m times b_op^q.
+    pub coefficient: f64,
+    /// |c_s| √m_ss.
+    pub size: f64,
+    /// Among the modes of its |m|.
+    place: usize,
     is_kept: bool,
 }
 
@@ -80,9 +85,7 @@ impl<'a> PartialSum<'a> {
     /// mode's node values twice.
     #[must_use]
     pub fn steps(&self, light: &[f64], material: &[f64]) -> Vec<Step> {
-        let mut terms = self.terms(light, material);
-        // What no sum has first, then the weak before the strong.
-        terms.sort_by(|a, b| a.is_kept.cmp(&b.is_kept).then(a.size.total_cmp(&b.size)));
+        let terms = self.terms(light, material);
         let orders = 2 * self.gram.degree + 1;
         let mut missing = vec![vec![0.0; self.gram.nodes.len()]; orders];
         let (mut squares, mut sums) = (vec![0.0; orders], vec![0.0; orders]);
@@ -101,10 +104,14 @@ impl<'a> PartialSum<'a> {
                 steps.push(note(left, &squares, &sums, sum_of_squares));
                 left -= 1;
             }
-            let place = self.gram.degree.saturating_add_signed(term.order);
-            let column = &self.columns[term.order.unsigned_abs()][term.mode];
+            let m = term.mode.1;
+            let place = self.gram.degree.saturating_add_signed(m);
+            let column = &self.columns[m.unsigned_abs()][term.place];
+            // f of -m is (-1)^m times that of m.
+            let coefficient =
+                if m < 0 && m % 2 != 0 { -term.coefficient } else { term.coefficient };
             let values = &mut missing[place];
-            values.iter_mut().zip(column).for_each(|(value, a)| *value += term.coefficient * a);
+            values.iter_mut().zip(column).for_each(|(value, a)| *value += coefficient * a);
             squares[place] = values.iter().map(|value| value * value).sum();
             sums[place] += term.size;
             sum_of_squares += term.size * term.size;
@@ -113,22 +120,31 @@ impl<'a> PartialSum<'a> {
         steps
     }
 
-    /// Every term, by m, then in the order of the modes.
+    /// The terms that the selection keeps, the strongest first: the first n of them are
+    /// the sum of [`steps`](Self::steps) with n terms.
+    #[must_use]
+    pub fn strongest(&self, light: &[f64], material: &[f64]) -> Vec<Term> {
+        let terms = self.terms(light, material);
+        terms.into_iter().rev().take_while(|term| term.is_kept).collect()
+    }
+
+    /// Every term: what no sum has first, then the weak before the strong; those of one
+    /// size by m, then in the order of the modes.
     fn terms(&self, light: &[f64], material: &[f64]) -> Vec<Term> {
         let top = self.gram.degree.cast_signed();
         let mut terms = Vec::new();
-        for order in -top..=top {
-            let azimuth = order.unsigned_abs();
-            let sign = if order < 0 && order % 2 != 0 { -1.0 } else { 1.0 };
+        for m in -top..=top {
+            let azimuth = m.unsigned_abs();
             let modes = mode::indices(self.gram.degree, self.gram.order, azimuth);
-            for (mode, (l, o, p, q)) in modes.enumerate() {
+            for (place, (l, o, p, q)) in modes.enumerate() {
                 let b = material[material::position(o, p, q)];
-                let coefficient = sign * light[light::position(l, order)] * b;
-                let size = coefficient.abs() * self.roots[azimuth][mode];
-                let is_kept = self.kept[azimuth][mode];
-                terms.push(Term { order, mode, coefficient, size, is_kept });
+                let coefficient = light[light::position(l, m)] * b;
+                let size = coefficient.abs() * self.roots[azimuth][place];
+                let is_kept = self.kept[azimuth][place];
+                terms.push(Term { mode: (l, m, o, p, q), coefficient, size, place, is_kept });
             }
         }
+        terms.sort_by(|a, b| a.is_kept.cmp(&b.is_kept).then(a.size.total_cmp(&b.size)));
         terms
     }
 }

@@ -77,6 +77,24 @@ impl Modes<'_> {
         Scattered(sums)
     }
 
+    /// One mode, E_lop^mq (14); 0 if |m| > l or q > l.
+    ///
+    /// Domain: indices within the truth's degree and order.
+    #[must_use]
+    pub fn value(&self, l: usize, m: isize, o: usize, p: usize, q: usize) -> f64 {
+        let lowest = q.max(m.unsigned_abs());
+        if l < lowest {
+            return 0.0;
+        }
+        let integrals = &self.truth.integrals;
+        let scattered = integrals.row(o, q)[l] * self.radials[pair::position(p, q)]
+            + integrals.row(p, q)[l] * self.radials[pair::position(o, q)];
+        let rotation = self.rotations[m.unsigned_abs()][q][l - lowest];
+        let sign = if m < 0 && m % 2 != 0 { -1.0 } else { 1.0 };
+        let azimuth = self.azimuths[self.truth.degree.saturating_add_signed(m)];
+        sign * gain(o, p, q) * rotation * scattered * azimuth
+    }
+
     /// The irradiance (15) of a light of the truth's degree on this material.
     #[must_use]
     pub fn irradiance(&self, light: &[f64], scattered: &Scattered) -> f64 {

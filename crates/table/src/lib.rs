@@ -27,9 +27,13 @@ pub mod passes;
 
 pub mod trim;
 
+pub mod quantise;
+
 mod rust_kernels;
 
 mod rust_scene;
+
+pub mod rust_quantised;
 
 pub mod rust_source;
 

@@ -2,6 +2,7 @@
 //! diff that can be read.
 
 use crate::file::{encode, section};
+use crate::scene::Scene;
 use crate::table::Table;
 use std::fmt::Write;
 
@@ -60,6 +61,12 @@ pub fn manifest(table: &Table, command: &str) -> String {
         row(&mut text, format_args!("{entry},{value},,"));
     }
     text
+}
+
+/// The checksum that a manifest gives for a scene; the same on every host.
+#[must_use]
+pub fn scene_checksum(scene: &Scene) -> u32 {
+    crc32fast::hash(&section(scene))
 }
 
 fn row(text: &mut String, line: std::fmt::Arguments<'_>) {

@@ -233,7 +233,7 @@ fn stable(chebyshev: &[f64], length: usize) -> Vec<f64> {
 
 /// A Chebyshev series as powers of its argument, highest first, `length` of them
 /// (`length` >= the series').
-fn powers(chebyshev: &[f64], length: usize) -> Vec<f64> {
+pub(crate) fn powers(chebyshev: &[f64], length: usize) -> Vec<f64> {
     let mut powers = vec![0.0; length];
     // T_0 = 1, T_1 = t, T_k+1 = 2 t T_k - T_k-1; lowest power first.
     let mut before = vec![0.0; length];

@@ -4,9 +4,9 @@ use clap::Args;
 use eigenshade_cli::compare::{Difference, differences};
 use eigenshade_cli::message::spinner;
 use eigenshade_cli::number::grouped;
+use eigenshade_cli::recorded_errors::manifest_rows;
 use eigenshade_cli::{destination, invocation, table_file};
 use eigenshade_generator::error::{Error, Result};
-use eigenshade_generator::inputs::sheet::Sheet;
 use eigenshade_generator::output::write_atomically;
 use eigenshade_generator::scene_file;
 use eigenshade_table::manifest::manifest;
@@ -18,7 +18,8 @@ use std::time::{Duration, Instant};
 /// The table of a scene: its eigenimages
 ///
 /// --out writes the table and beside it B.manifest.csv, what is in it; errors that
-/// `errors` has recorded in B.errors.csv are repeated there. --check
+/// `errors` has recorded in B.errors.csv are repeated there, and refused if they are of
+/// another table. --check
 /// makes the table anew and compares: eigenvalues, profiles, mode means, rows of
 /// U^T M and the images A U, each to 1e-9 of its largest number. Terms that only one
 /// of two polynomials has may be as large as profile_tolerance lets them be.
@@ -59,7 +60,7 @@ impl Basis {
             return check(&self.scene, path, &old, &table);
         }
         let errors = match &self.purpose.out {
-            Some(path) => recorded_errors(&path.with_extension("errors.csv"), &table)?,
+            Some(path) => manifest_rows(&path.with_extension("errors.csv"), &table, &loaded)?,
             None => String::new(),
         };
         let bytes = encode(&table);
@@ -76,36 +77,6 @@ impl Basis {
         }
         destination::write_text(None, &report(&table, bytes.len(), start.elapsed()))
     }
-}
-
-/// Rows of a manifest for the errors of this table that were recorded at `path`, if any
-/// were.
-///
-/// # Errors
-///
-/// If they are of a table of another degree, order or number of components.
-fn recorded_errors(path: &Path, table: &Table) -> Result<String> {
-    let mut text = String::new();
-    if !path.exists() {
-        return Ok(text);
-    }
-    let names = ["material", "degree", "order", "components", "median", "worst", "map"];
-    let sheet = Sheet::read(path, &names.join(","))?;
-    let columns = sheet.columns(names).ok_or_else(|| sheet.wrong_header(&names.join(",")))?;
-    for row in sheet.rows() {
-        let [material, degree, order, components, median, worst, map] =
-            columns.map(|column| row.text(column));
-        let own = [table.gram.degree, table.gram.order, table.count()].map(|n| n.to_string());
-        if !components.is_empty() && [degree, order, components] != own.each_ref() {
-            let what = format!("errors of {degree}/{order} with {components} components");
-            let remedy = "take the file away, or record this table's errors with `errors`";
-            return Err(row.fault(what, remedy));
-        }
-        let of = if components.is_empty() { "direct sum" } else { "table" };
-        let entry = format!("error of {material} {degree}/{order} {of}");
-        let _ = writeln!(text, "{entry} median,{median},,\n{entry} worst,{worst} {map},,");
-    }
-    Ok(text)
 }
 
 /// What came out, for reading.

@@ -3,6 +3,7 @@
 use clap::Args;
 use eigenshade_cli::accuracy::{Reference, median, spacing};
 use eigenshade_cli::message::{bar, say};
+use eigenshade_cli::recorded_errors::{COLUMNS, Stamp};
 use eigenshade_cli::rows::Rows;
 use eigenshade_cli::{destination, invocation, table_file};
 use eigenshade_generator::database::Lights;
@@ -24,7 +25,9 @@ const OTHERS: [usize; 2] = [16, 24];
 /// normals and the channels, of the largest irradiance. Writes, for each material, the
 /// median and the worst over the maps: of the table with all its components, of the
 /// direct sum at its degree and order, and at 16, 16 and 24, 24 as far as the lights
-/// reach. Narrow lobes need many normals: roughness 0.1 takes minutes.
+/// reach. Narrow lobes need many normals: roughness 0.1 takes minutes. Figures below
+/// 0.001 are below what the integration is shown to be good for. The last two columns
+/// say which table it was, so that `basis` knows errors of another.
 #[derive(Args, Debug)]
 pub struct Errors {
     /// Table
@@ -83,14 +86,13 @@ impl Errors {
         let maps = Surroundings::new(&maps)?;
         let mut sums = vec![(degree, order)];
         sums.extend(OTHERS.iter().filter(|&&size| size <= lights.degree).map(|&s| (s, s)));
-        let header =
-            ["material", "degree", "order", "components", "median", "worst", "map", "normals"];
+        let stamp = Stamp::of(&table);
         destination::write(self.out.as_deref(), |out| {
             if self.out.is_some() {
                 writeln!(out, "# {}", invocation::command_line())
                     .map_err(|error| destination::fault(&error))?;
             }
-            let mut rows = Rows::new(out, header)?;
+            let mut rows = Rows::new(out, COLUMNS)?;
             for surface in &surfaces {
                 let progress = bar("batches of normals", 0);
                 let reference =
@@ -118,6 +120,8 @@ impl Errors {
                         format!("{most:.6}"),
                         map.clone(),
                         reference.normals().to_string(),
+                        stamp.scene.clone(),
+                        stamp.energy.clone(),
                     ])
                 };
                 let components = table.count().to_string();

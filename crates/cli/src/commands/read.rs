@@ -197,11 +197,13 @@ impl Read {
         grey: bool,
     ) -> Result<(Observation, String)> {
         let count = image.pixels.len();
-        let normals = pixel_normals::read(&self.normals, image.size, count)?;
         let mask = match &self.mask {
             Some(path) => pixel_mask::read(path, image.size, count)?,
             None => vec![1.0; count],
         };
+        let counts: Vec<bool> =
+            image.weights.iter().zip(&mask).map(|(weight, mask)| weight * mask > 0.0).collect();
+        let normals = pixel_normals::read(&self.normals, image.size, &counts)?;
         let channels = if grey { 1 } else { 3 };
         let values = EigenimageValues::new(table, components);
         let mut observer = Observer::new(values, channels);

@@ -2,6 +2,7 @@
 
 use super::count;
 use clap::Args;
+use eigenshade_cli::message::say;
 use eigenshade_cli::named::Choice;
 use eigenshade_cli::owned_basis::OwnedBasis;
 use eigenshade_cli::shader::{OwnedNormals, Shader, fault, fitted};
@@ -11,14 +12,16 @@ use eigenshade_cli::{picture, table_file};
 use eigenshade_generator::database::{Lights, Materials};
 use eigenshade_generator::error::Result;
 use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
-use std::path::PathBuf;
+use eigenshade_table::scene::Geometry;
+use std::path::{Path, PathBuf};
 
 /// The share of the picture's values that the exposure leaves unclipped.
 const UNCLIPPED: f64 = 0.99;
 
 /// A sphere as PNG: sRGB, transparent around it
 ///
-/// The exposure is the picture's own: one in a hundred of its values clips.
+/// The exposure is the picture's own: one in a hundred of its values clips. The picture is of
+/// a sphere's normals whatever the table is of; a note says so where that is another object.
 #[derive(Args, Debug)]
 pub struct Render {
     /// The table
@@ -64,6 +67,25 @@ impl Render {
             }
             bytes[start + 3] = (255.0 * pixel.coverage).round() as u8;
         }
-        picture::write(&self.out, self.size, self.size, &bytes)
+        picture::write(&self.out, self.size, self.size, &bytes)?;
+        if let Some(note) = note(&self.table, &table.scene.geometry) {
+            say(note);
+        }
+        Ok(())
     }
+}
+
+/// What a picture of a sphere leaves unsaid if the table at `path` is of another object.
+fn note(path: &Path, geometry: &Geometry) -> Option<String> {
+    if geometry.normals == "sphere" {
+        return None;
+    }
+    let density = geometry.density.as_ref().map(|density| format!(" {density}"));
+    Some(format!(
+        "note: the picture is of a sphere's normals; {} is of the object `{}{}`, and its components \
+         are the best for that object, not for a sphere: `shade` gives the irradiance of any normals",
+        path.display(),
+        geometry.normals,
+        density.unwrap_or_default(),
+    ))
 }

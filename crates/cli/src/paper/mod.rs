@@ -22,6 +22,8 @@ pub mod reconstruction;
 
 pub mod bound;
 
+pub mod bound_spheres;
+
 pub mod selected;
 
 pub mod report;
@@ -50,6 +52,7 @@ pub fn make(progress: &ProgressBar) -> Result<Vec<Artefact>> {
     let variance = variance::Variance::new(&study);
     let errors = error::Errors::new(&study, &trials);
     let bounds = bound::Bounds::new(&study, &trials, progress);
+    let renderings = bound_spheres::Renderings::new(&study, &trials, progress)?;
     let reconstructions = reconstruction::Reconstructions::new(&study, &trials)?;
     let selected = selected::Selected::new(&study, &trials);
     let page = report::Report {
@@ -57,6 +60,7 @@ pub fn make(progress: &ProgressBar) -> Result<Vec<Artefact>> {
         variance: &variance,
         errors: &errors,
         bounds: &bounds,
+        renderings: &renderings,
         reconstructions: &reconstructions,
         selected: &selected,
     };
@@ -68,6 +72,7 @@ pub fn make(progress: &ProgressBar) -> Result<Vec<Artefact>> {
         errors.artefacts()?,
         reconstructions.artefacts()?,
         bounds.artefacts()?,
+        renderings.artefacts()?,
         selected.artefacts()?,
     ] {
         artefacts.extend(figure.into_iter().map(|artefact| artefact.below(FOLDER)));

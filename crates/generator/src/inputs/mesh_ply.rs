@@ -1,13 +1,13 @@
 //! Polygon files (.ply), text or binary.
 
-use super::mesh::broken;
+use super::mesh::{Triangles, broken};
 use crate::error::Result;
 use ply_rs_bw::parser::{ParseError, Parser, Reader};
 use ply_rs_bw::ply::{DefaultElement, Property};
 use std::io::Cursor;
 
 /// The triangles of a polygon file; polygons are cut into fans.
-pub(crate) fn read(bytes: &[u8]) -> Result<Vec<[[f64; 3]; 3]>> {
+pub(crate) fn read(bytes: &[u8]) -> Result<Triangles> {
     let fault = |error: ParseError| {
         let text = error.to_string();
         broken(format!("it is no whole PLY ({})", text.lines().next().unwrap_or_default()))

@@ -1,58 +1,76 @@
 //! Normal maps: PNG of 8 or 16 bits a channel.
 
 use crate::error::{Error, Result};
-use crate::inputs::normals::RIM;
-use crate::inputs::png_samples;
+use crate::inputs::normals::visible;
+use crate::inputs::png_samples::{self, PngSamples};
+use std::ops::RangeInclusive;
 use std::path::Path;
+
+/// Lengths that the vector of a normal may have: it is 1 up to rounding and filtering, of
+/// black and of white it is √3.
+pub const LENGTHS: RangeInclusive<f64> = 0.5..=1.5;
 
 /// The normal of each pixel that counts, all of the same weight: under orthographic
 /// view a pixel is a piece of projected area.
 ///
-/// A channel c of 0..=1 says 2c - 1: red x to the right, green y up, blue z toward the
-/// camera. Pixels that are transparent (alpha below one half), or black in the mask, do not
-/// count. Lengths are normalised.
+/// Pixels without a normal, as [`normals`] has it, and those that are black in the mask do
+/// not count.
 ///
 /// # Errors
 ///
 /// A file that is no PNG or broken, a mask of another size, a pixel that counts and points
-/// away from the camera by more than [`RIM`] or has no direction, no pixel that counts.
+/// away.
 pub fn read(path: &Path, mask: Option<&Path>) -> Result<Vec<([f64; 3], f64)>> {
     let map = png_samples::read(path)?;
     let mask = match mask {
-        Some(mask_path) => Some(mask_of(mask_path, [map.width, map.height])?),
-        None => None,
+        Some(mask_path) => mask_of(mask_path, [map.width, map.height])?,
+        None => vec![true; map.width * map.height],
     };
+    let normals = normals(&map, &mask).map_err(|error| error.in_file(path))?;
+    let seen = normals.into_iter().zip(mask).filter(|(_, counts)| *counts);
+    Ok(seen.filter_map(|(normal, _)| Some((normal?, 1.0))).collect())
+}
+
+/// The unit normal, z >= 0, of each pixel of a map; none where there is no object.
+///
+/// A channel c of 0..=1 says 2c - 1: red x to the right, green y up, blue z toward the
+/// camera. A pixel is background if its opacity is below one half, or if its vector's length
+/// is not within [`LENGTHS`], as that of grey, black and white is not.
+///
+/// # Errors
+///
+/// The first pixel that is no background, `counts`, and points away from the camera by more
+/// than [`RIM`](crate::inputs::normals::RIM) beyond rounding; one that does not count has no
+/// normal then.
+pub fn normals(map: &PngSamples, counts: &[bool]) -> Result<Vec<Option<[f64; 3]>>> {
     let full = f64::from(map.full);
-    let mut pairs = Vec::new();
-    for (number, (colour, opacity)) in map.colours.iter().zip(&map.opacities).enumerate() {
-        let is_masked = mask.as_ref().is_some_and(|mask| !mask[number]);
-        if is_masked || 2.0 * f64::from(*opacity) < full {
-            continue;
+    let pixels = map.colours.iter().zip(&map.opacities).zip(counts).enumerate();
+    let normal = |(number, ((colour, opacity), counts)): (usize, ((&[u16; 3], &u16), &bool))| {
+        let vector = vector(*colour, map.full);
+        let length = vector.iter().map(|c| c * c).sum::<f64>().sqrt();
+        if 2.0 * f64::from(*opacity) < full || !LENGTHS.contains(&length) {
+            return Ok(None);
         }
-        let normal = vector(*colour, map.full);
-        let length = normal.iter().map(|c| c * c).sum::<f64>().sqrt();
-        if normal[2] < -RIM * length {
-            let (column, row) = (number % map.width, number / map.width);
-            return Err(Error::new(
-                format!(
-                    "the normal of pixel {column}, {row} (from 0) points away, z = {:.3}",
-                    normal[2]
-                ),
-                "mask it, or make it transparent: only pixels that show the object may count",
-            )
-            .in_file(path));
+        match visible(vector) {
+            Ok(normal) => Ok(Some(normal)),
+            Err(_) if !counts => Ok(None),
+            Err((what, _)) => {
+                let (column, row) = (number % map.width, number / map.width);
+                Err(Error::new(
+                    format!("pixel {column}, {row} (from 0): {what}"),
+                    "mask it, or make it transparent: only pixels that show the object may count",
+                ))
+            }
         }
-        pairs.push((normal, 1.0));
-    }
-    Ok(pairs)
+    };
+    pixels.map(normal).collect()
 }
 
 /// What a sample of red, green and blue says: 2c - 1 of each channel c = sample / `full`,
 /// not normalised.
 ///
 /// No sample says 0; a z less than a step below it is the rim, rounded.
-#[must_use]
-pub fn vector(colour: [u16; 3], full: u16) -> [f64; 3] {
+fn vector(colour: [u16; 3], full: u16) -> [f64; 3] {
     let full = f64::from(full);
     let [x, y, z] = colour.map(|c| 2.0 * f64::from(c) / full - 1.0);
     [x, y, if z < 0.0 && z > -2.0 / full { 0.0 } else { z }]

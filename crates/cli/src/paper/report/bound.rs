@@ -2,11 +2,13 @@
 
 use super::table::{percent, table};
 use crate::number::grouped;
-use crate::paper::bound::{ACCURACIES, Bounds, Row};
+use crate::paper::bound::{Bounds, Row};
+use crate::paper::bound_spheres::{Rendering, Renderings};
+use crate::paper::spheres::title;
 use crate::paper::study::Modes;
 
 /// The section, in Markdown.
-pub fn section(bounds: &Bounds) -> String {
+pub fn section(bounds: &Bounds, renderings: &Renderings) -> String {
     let rows: Vec<[String; 8]> =
         bounds.rows.iter().filter(|row| row.modes == Modes::All).map(fields).collect();
     let header = [
@@ -61,13 +63,64 @@ pub fn section(bounds: &Bounds) -> String {
          are all that there are.\n\n\
          With the 1,000 modes of the highest variance, what the selection drops counts as left out too; then the bound of \
          few images comes down to an accuracy at all:\n\n{}\n\
-         Figures: [bound.csv](paper/bound.csv).\n",
+         {}\n\
+         Figures: [bound.csv](paper/bound.csv), [bound_spheres.csv](paper/bound_spheres.csv).\n",
         grouped(all),
         table(header, &rows),
         bounds.zero_modes,
         grouped(3704 - bounds.zero_modes),
-        table(["accuracy", "images that reach it", "terms, median"], &reached)
+        table(["accuracy", "images that reach it", "terms, median"], &reached),
+        rendered(renderings)
     )
+}
+
+/// The spheres that are rendered to a stated accuracy.
+fn rendered(renderings: &Renderings) -> String {
+    let rows: Vec<[String; 7]> = renderings
+        .all
+        .iter()
+        .map(|one| {
+            let [material, light] = one.names;
+            [
+                format!("{}, {light}", title(material)),
+                share(one.accuracy),
+                grouped(one.terms),
+                percent(one.bound),
+                percent(one.error),
+                percent(one.pixel_error),
+                percent(one.largest),
+            ]
+        })
+        .collect();
+    let header = [
+        "sphere",
+        "stated",
+        "terms",
+        "bound",
+        "error",
+        "error over the pixels",
+        "largest of a pixel",
+    ];
+    let over = renderings.all.iter().filter(|one| !is_within(one)).count();
+    let verdict = match over {
+        0 => "Every error is within its bound, every bound within what was stated.".into(),
+        some => format!("**{some} of them exceed their bound: that is a defect.**"),
+    };
+    format!(
+        "**Rendered so.** Each sphere is the sum of its strongest terms, the fewest whose bound is within the accuracy stated \
+         above it:\n\n\
+         ![Spheres rendered to a stated accuracy](paper/bound_spheres.png)\n\n\
+         Below each image what it lacks (truth less sum), red and blue ending at half of what was stated; the numbers are the \
+         bound and the error, of the mean. The truth is the sum of all 3,704, degree by degree instead of term by term. The error \
+         is that of the quadrature's nodes, beside it that of the picture's own pixels; rms, so that a single pixel may \
+         lack more.\n\n{}\n{verdict}\n",
+        table(header, &rows)
+    )
+}
+
+/// Whether a rendering lacks no more than its bound and its accuracy say.
+fn is_within(one: &Rendering) -> bool {
+    one.error <= one.bound && one.bound <= one.accuracy && one.pixel_error <= one.accuracy
 }
 
 fn fields(row: &Row) -> [String; 8] {
@@ -86,7 +139,6 @@ fn fields(row: &Row) -> [String; 8] {
 
 /// An accuracy, in per cent without needless digits.
 fn share(accuracy: f64) -> String {
-    debug_assert!(ACCURACIES.contains(&accuracy));
     let value = format!("{:.6}", 100.0 * accuracy);
     format!("{} %", value.trim_end_matches('0').trim_end_matches('.'))
 }

@@ -1,81 +1,188 @@
-//! The paper's statements beside ours.
+//! The paper's statements beside ours. Whether one holds is found from the figures.
 
+use super::ALIKE_FROM;
 use super::table::{components, percent, table};
-use super::{ALIKE_FROM, Report};
 use crate::number::grouped;
-use crate::paper::error::needed;
+use crate::paper::error::{Errors, needed};
+use crate::paper::reconstruction::Reconstructions;
 use crate::paper::study::Modes;
-use crate::paper::variance::SURFACES;
+use crate::paper::variance::{SURFACES, Variance};
 use eigenshade_index::mode;
 use eigenshade_table::scene::Criterion;
 
-/// The section, in Markdown.
-pub fn section(report: &Report<'_>) -> String {
-    let beyond = SURFACES.map(|(order, degree, _)| report.variance.beyond(order)[degree]);
-    let modes = SURFACES.map(|(order, degree, _)| grouped(mode::total(degree, order)));
-    let [low, high] = criteria_ratio(report);
-    let of = |name: &str| report.errors.of_material(name, Criterion::ImageCentered, Modes::All);
-    let (plaster, velvet, leather) = (of("11-plaster-b"), of("07-velvet"), of("05-leather"));
-    let within = |count: usize, error: f64| {
-        report.errors.materials().filter(|(_, errors)| errors[count] <= error).count()
-    };
-    let rows = [
-        [
-            format!("degrees to l = 2 carry the Lambertian variance, {} modes", modes[0]),
-            format!("holds: {} lies beyond", percent(beyond[0])),
-        ],
-        [
-            format!("o <= 4 needs l to about 5, {} modes", modes[1]),
-            format!("holds: {} lies beyond", percent(beyond[1])),
-        ],
-        [
-            format!("o <= 7 needs l to 7, {} modes", modes[2]),
-            format!("holds: {} lies beyond", percent(beyond[2])),
-        ],
-        [
-            "standard and image-centred PCA give similar errors".into(),
-            format!(
-                "holds: from {ALIKE_FROM} components on, the mean error by standard is {low:.3} to {high:.3} times \
-                 that by image-centred"
-            ),
-        ],
-        [
-            "about five components for many materials, the matte among them".into(),
-            format!(
-                "not in these lights: five leave {} of plaster b, the mattest, and {} of all; within 10 % are {} of \
-                 61 materials with five, {} with eight, {} with ten",
-                percent(plaster[5]),
-                percent(report.errors.mean[0][5]),
-                within(5, 0.1),
-                within(8, 0.1),
-                within(10, 0.1)
-            ),
-        ],
-        [
-            "about five for velvet".into(),
-            format!(
-                "differs: five leave {}, nine {}: it takes component 8, counted from 0, a ring along the rim",
-                percent(velvet[5]),
-                percent(velvet[9])
-            ),
-        ],
-        [
-            "30 to 50 for leather's specularity".into(),
-            format!(
-                "holds: {} left with 30, {} with 50; 1 % takes {}, 0.1 % takes {}",
-                percent(leather[30]),
-                percent(leather[50]),
-                components(needed(leather, 0.01)),
-                components(needed(leather, 0.001))
-            ),
-        ],
-    ];
-    format!("## In short\n\n{}", table(["the paper", "ours"], &rows))
+/// The variance is carried by the degrees beyond which lies less than this.
+const CARRIED: f64 = 0.01;
+/// Two mean errors are alike if neither is more than so many times the other.
+const ALIKE: f64 = 1.05;
+/// An image is represented if its error is at most this.
+const REPRESENTED: f64 = 0.1;
+/// About five components are at most so many.
+const ABOUT_FIVE: usize = 6;
+/// The highlight is there if its brightest point is off by at most this.
+const HIGHLIGHT: f64 = 0.1;
+
+/// A statement of the paper, and what became of it.
+pub struct Claim {
+    /// What the paper says.
+    pub paper: String,
+    /// When it counts as holding here.
+    pub condition: String,
+    /// Whether it does.
+    pub holds: bool,
+    /// What was found.
+    pub found: String,
 }
 
-/// The least and the largest ratio of the mean errors, standard over image-centred.
-fn criteria_ratio(report: &Report<'_>) -> [f64; 2] {
-    let [centred, standard] = [0, 1].map(|basis| &report.errors.mean[basis]);
+/// The section, in Markdown.
+#[must_use]
+pub fn section(claims: &[Claim]) -> String {
+    let row = |claim: &Claim| {
+        let verdict = if claim.holds { "holds" } else { "differs" };
+        let found = format!("{verdict}: {}", claim.found);
+        [claim.paper.clone(), claim.condition.clone(), found]
+    };
+    let rows: Vec<[String; 3]> = claims.iter().map(row).collect();
+    format!("## In short\n\n{}", table(["the paper", "holds if", "ours"], &rows))
+}
+
+/// All of them, in the paper's order.
+#[must_use]
+pub fn claims(
+    variance: &Variance,
+    errors: &Errors,
+    reconstructions: &Reconstructions,
+) -> Vec<Claim> {
+    let mut claims: Vec<Claim> =
+        SURFACES.iter().map(|surface| carried(variance, *surface)).collect();
+    let of = |name: &str| errors.of_material(name, Criterion::ImageCentered, Modes::All);
+    claims.extend([
+        alike(errors),
+        many(errors, of("11-plaster-b")),
+        velvet(of("07-velvet")),
+        leather(of("05-leather"), highlight(reconstructions)),
+    ]);
+    claims
+}
+
+fn carried(variance: &Variance, (order, degree, name): (usize, usize, &str)) -> Claim {
+    let beyond = variance.beyond(order);
+    let modes = grouped(mode::total(degree, order));
+    let found = beyond.iter().position(|beyond| *beyond < CARRIED);
+    let paper = match order {
+        0 => format!("degrees to l = {degree} carry the {name} variance, {modes} modes"),
+        4 => format!("{name} needs l to about {degree}, {modes} modes"),
+        _ => format!("{name} needs l to {degree}, {modes} modes"),
+    };
+    let less = beyond[degree - 1];
+    Claim {
+        paper,
+        condition: format!(
+            "l = {degree} is the first beyond which lies less than {}",
+            whole(CARRIED)
+        ),
+        holds: found == Some(degree),
+        found: format!(
+            "{} lies beyond, {} beyond one degree less",
+            percent(beyond[degree]),
+            percent(less)
+        ),
+    }
+}
+
+fn alike(errors: &Errors) -> Claim {
+    let [centred, standard] = [0, 1].map(|basis| &errors.mean[basis]);
     let ratios = centred.iter().zip(standard).skip(ALIKE_FROM).map(|(a, b)| b / a);
-    ratios.fold([f64::INFINITY, 0.0], |[low, high], ratio| [ratio.min(low), ratio.max(high)])
+    let [low, high] = ratios
+        .fold([f64::INFINITY, 0.0f64], |[low, high], ratio| [ratio.min(low), ratio.max(high)]);
+    Claim {
+        paper: "standard and image-centred PCA give similar errors".into(),
+        condition: format!(
+            "from {ALIKE_FROM} components on the mean errors are within {ALIKE} times of each other"
+        ),
+        holds: low >= 1.0 / ALIKE && high <= ALIKE,
+        found: format!("by standard it is {low:.3} to {high:.3} times that by image-centred"),
+    }
+}
+
+fn many(errors: &Errors, plaster: &[f64]) -> Claim {
+    let within = |count: usize| {
+        errors.materials().filter(|(_, errors)| errors[count] <= REPRESENTED).count()
+    };
+    let all = errors.materials().count();
+    Claim {
+        paper: "about five components for many materials, the matte among them".into(),
+        condition: format!(
+            "with {ABOUT_FIVE} half of the materials are within {}",
+            whole(REPRESENTED)
+        ),
+        holds: 2 * within(ABOUT_FIVE) >= all,
+        found: format!(
+            "within are {} of {all} with five, {} with six, {} with eight, {} with ten; five leave {} of plaster b, \
+             the mattest, and {} of all",
+            within(5),
+            within(6),
+            within(8),
+            within(10),
+            percent(plaster[5]),
+            percent(errors.mean[0][5])
+        ),
+    }
+}
+
+fn velvet(errors: &[f64]) -> Claim {
+    let count = needed(errors, REPRESENTED);
+    Claim {
+        paper: "about five for velvet".into(),
+        condition: format!("{ABOUT_FIVE} components leave at most {}", whole(REPRESENTED)),
+        holds: count.is_some_and(|count| count <= ABOUT_FIVE),
+        found: format!(
+            "that takes {}; five leave {}, nine {}: component 8, counted from 0, is a ring along the rim",
+            components(count),
+            percent(errors[5]),
+            percent(errors[9])
+        ),
+    }
+}
+
+fn leather(errors: &[f64], highlight: Option<usize>) -> Claim {
+    Claim {
+        paper: "30 to 50 for leather's specularity".into(),
+        condition: format!(
+            "in the studio its brightest point is right to {} from 30 to 50 components on",
+            whole(HIGHLIGHT)
+        ),
+        holds: is_thirty_to_fifty(highlight),
+        found: format!(
+            "from {} on; {} left with 30, {} with 50 over all lights; 1 % takes {}, 0.1 % takes {}",
+            components(highlight),
+            percent(errors[30]),
+            percent(errors[50]),
+            components(needed(errors, 0.01)),
+            components(needed(errors, 0.001))
+        ),
+    }
+}
+
+/// The number of components from which leather's highlight is there, and stays.
+#[must_use]
+pub fn highlight(reconstructions: &Reconstructions) -> Option<usize> {
+    let is_leather = |names: [&str; 2]| names[0] == "05-leather";
+    let course = reconstructions
+        .courses
+        .iter()
+        .find(|course| is_leather(course.names) && course.modes == Modes::All)?;
+    let wrong = |share: &f64| (share - 1.0).abs() > HIGHLIGHT;
+    let first = course.brightest.iter().rposition(wrong).map_or(0, |last| last + 1);
+    (first < course.brightest.len()).then_some(first)
+}
+
+/// A limit in per cent.
+fn whole(share: f64) -> String {
+    format!("{} %", 100.0 * share)
+}
+
+/// Whether this is what the paper says of leather.
+#[must_use]
+pub fn is_thirty_to_fifty(count: Option<usize>) -> bool {
+    count.is_some_and(|count| (30..=50).contains(&count))
 }

@@ -2,7 +2,7 @@
 
 mod table;
 
-mod claims;
+pub mod claims;
 
 mod variance;
 
@@ -18,6 +18,7 @@ mod selected;
 
 use super::artefact::COMMAND;
 use super::bound::Bounds;
+use super::bound_spheres::Renderings;
 use super::error::Errors;
 use super::reconstruction::Reconstructions;
 use super::selected::Selected;
@@ -43,6 +44,8 @@ pub struct Report<'a> {
     pub reconstructions: &'a Reconstructions,
     /// Section 4.4.
     pub bounds: &'a Bounds,
+    /// Its spheres.
+    pub renderings: &'a Renderings,
     /// The paper's truncation.
     pub selected: &'a Selected,
 }
@@ -53,14 +56,14 @@ impl Report<'_> {
     pub fn page(&self) -> String {
         let sections = [
             self.head(),
-            claims::section(self),
+            claims::section(&claims::claims(self.variance, self.errors, self.reconstructions)),
             variance::section(self),
             eigenimages::section(self),
             spheres(),
             errors::all_images(self),
             errors::materials(self),
             reconstruction::section(self),
-            bound::section(self.bounds),
+            bound::section(self.bounds, self.renderings),
             selected::section(self),
         ];
         sections.join("\n")

@@ -24,7 +24,9 @@ pub fn section(report: &Report<'_>) -> String {
     format!(
         "## Fig. 2: the variance of the modes\n\n\
          ![Variance of each mode](paper/variance.svg)\n\n\
-         Summed over m. The outlines are the paper's three surfaces with their numbers of modes. A material of order o \
+         One chart where the paper has three, one for each of its surfaces: they are outlined, with their numbers of modes. As \
+         there, the variance is that of E_lop^mq itself over the sphere's normals, summed over m: no coefficient enters, of \
+         neither the lights nor the materials. A material of order o \
          passes degrees up to about o; beyond, the variance falls by orders of magnitude.\n\n\
          ![Variance beyond each degree](paper/variance_beyond.svg)\n\n{}\n\
          All three of the paper's cuts leave out the same share. Figures: [variance.csv](paper/variance.csv), \

@@ -1,0 +1,100 @@
+//! Errors against direct integration, as `errors` records them beside a table, and what
+//! the table's manifest repeats of them.
+
+use eigenshade_generator::error::Result;
+use eigenshade_generator::inputs::sheet::Sheet;
+use eigenshade_generator::scene_file::Loaded;
+use eigenshade_table::Table;
+use eigenshade_table::manifest::scene_checksum;
+use std::fmt::Write as _;
+use std::path::Path;
+
+/// The columns of the file.
+pub const COLUMNS: [&str; 10] = [
+    "material",
+    "degree",
+    "order",
+    "components",
+    "median",
+    "worst",
+    "map",
+    "normals",
+    "scene",
+    "energy",
+];
+/// What the recorded energy may differ by from the table's, relative: it has nine
+/// digits, and hosts agree to 1e-9.
+const ENERGY: f64 = 1e-8;
+
+/// What a table is recognised by on any host: its scene, and the mean energy of its
+/// images, in which every coefficient of its databases has a share.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Stamp {
+    /// Checksum of the scene, as in the manifest.
+    pub scene: String,
+    /// The energy, of nine digits.
+    pub energy: String,
+}
+
+impl Stamp {
+    /// Of this table.
+    #[must_use]
+    pub fn of(table: &Table) -> Self {
+        Self {
+            scene: format!("{:08x}", scene_checksum(&table.scene)),
+            energy: format!("{:.8e}", table.summary.energy),
+        }
+    }
+}
+
+/// Rows of the manifest for the errors of this table that were recorded at `path`; none
+/// if there is no such file.
+///
+/// # Errors
+///
+/// Errors of another table: of another degree, order, number of components or scene, of
+/// other databases, or of materials and lights that these do not have.
+pub fn manifest_rows(path: &Path, table: &Table, loaded: &Loaded) -> Result<String> {
+    let mut text = String::new();
+    if !path.exists() {
+        return Ok(text);
+    }
+    let header = COLUMNS.join(",");
+    let sheet = Sheet::read(path, &header)?;
+    let columns = sheet.columns(COLUMNS).ok_or_else(|| sheet.wrong_header(&header))?;
+    let stamp = Stamp::of(table);
+    let own = [table.gram.degree, table.gram.order, table.count()].map(|n| n.to_string());
+    for row in sheet.rows() {
+        let [material, degree, order, components, median, worst, map, _, scene, energy] =
+            columns.map(|column| row.text(column));
+        let of_another = |what: String| {
+            let remedy = "take the file away, make the table, record its errors with `errors`, \
+                          then make the table once more";
+            Err(row.fault(what, remedy))
+        };
+        if !components.is_empty() && [degree, order, components] != own.each_ref() {
+            let what = format!("errors of {degree}/{order} with {components} components");
+            return of_another(format!("{what}, the table is another"));
+        }
+        if scene != stamp.scene {
+            let own = stamp.scene;
+            return of_another(format!("errors of a scene `{scene}`, this one is `{own}`"));
+        }
+        let recorded = row.number(columns[9])?;
+        if (recorded - table.summary.energy).abs() > ENERGY * table.summary.energy {
+            let own = stamp.energy;
+            let what = format!("errors of a table of energy {energy}, this one has {own}");
+            return of_another(format!("{what}: its lights or materials are others"));
+        }
+        if !loaded.materials.entries.iter().any(|entry| entry.name == material) {
+            return of_another(format!("the scene has no material `{material}`"));
+        }
+        if !loaded.lights.entries.iter().any(|entry| entry.name == map) {
+            return of_another(format!("the scene has no light `{map}`"));
+        }
+        let of = if components.is_empty() { "direct sum" } else { "table" };
+        let entry = format!("error of {material} {degree}/{order} {of}");
+        let _ = writeln!(text, "{entry} median,{median},,\n{entry} worst,{worst} {map},,");
+    }
+    Ok(text)
+}

@@ -1,0 +1,164 @@
+//! The samples of a picture that a facet covers, and its depth there.
+
+use super::facet::Facet;
+
+/// How near another surface may come to a facet's plane and not hide it, of the longest
+/// side of the mesh's box: corners in f32 are that coarse.
+pub const CONTACT: f64 = 1e-6;
+
+/// A facet in units of samples: those of column i and row k stand at i + 1/2, k + 1/2.
+pub(super) struct Placed {
+    /// x and y in samples, z in the mesh's unit above its least.
+    corners: [[f64; 3]; 3],
+    pub(super) faces_camera: bool,
+    /// How far along z something in contact may be.
+    pub(super) contact: f64,
+}
+
+/// The facets over `samples` x `samples` points of the box around their projection.
+pub(super) fn placed(facets: &[Facet], samples: usize) -> Vec<Placed> {
+    let (mut least, mut most) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+    for corner in facets.iter().flat_map(|facet| &facet.corners) {
+        for axis in 0..3 {
+            least[axis] = least[axis].min(corner[axis]);
+            most[axis] = most[axis].max(corner[axis]);
+        }
+    }
+    let sides = [0, 1, 2].map(|axis| most[axis] - least[axis]);
+    let longest = sides.iter().copied().fold(0.0, f64::max);
+    let place = |corner: [f64; 3]| {
+        let across = |axis: usize| {
+            // A box without width has no facet with a projection.
+            let side = if sides[axis] > 0.0 { sides[axis] } else { 1.0 };
+            (corner[axis] - least[axis]) / side * samples as f64
+        };
+        [across(0), across(1), corner[2] - least[2]]
+    };
+    let facet = |facet: &Facet| Placed {
+        corners: facet.corners.map(place),
+        faces_camera: facet.projected_area > 0.0,
+        // Of a plane at a distance CONTACT; infinite if it is seen edge on.
+        contact: CONTACT * longest / facet.normal[2].abs(),
+    };
+    facets.iter().map(facet).collect()
+}
+
+impl Placed {
+    /// In how many parts each edge is cut for points of its own: 1, 2 or 4.
+    pub(super) fn parts(&self) -> usize {
+        let longest = [0, 1].map(|axis| self.range(axis)).map(|[low, high]| high - low);
+        match longest[0].max(longest[1]) {
+            ..=2.0 => 1,
+            ..=4.0 => 2,
+            _ => 4,
+        }
+    }
+
+    /// The centroids of the facets that it is cut into, `parts` along each edge.
+    pub(super) fn centroids(&self, parts: usize) -> Vec<[f64; 3]> {
+        let [a, b, c] = self.corners;
+        let mut points = Vec::new();
+        // In thirds of a part: upright ones stand at 1, 1, inverted ones at 2, 2.
+        for (i, j, third) in (0..parts)
+            .flat_map(|i| (0..parts - i).map(move |j| (i, j)))
+            .flat_map(|(i, j)| [(i, j, 1), (i, j, 2)])
+            .filter(|(i, j, third)| i + j + third <= parts)
+        {
+            let [u, v] = [i, j].map(|k| (3 * k + third) as f64 / (3 * parts) as f64);
+            points.push([0, 1, 2].map(|k| a[k] + u * (b[k] - a[k]) + v * (c[k] - a[k])));
+        }
+        points
+    }
+
+    /// Least and largest coordinate.
+    pub(super) fn range(&self, axis: usize) -> [f64; 2] {
+        let [a, b, c] = self.corners.map(|corner| corner[axis]);
+        [a.min(b).min(c), a.max(b).max(c)]
+    }
+
+    /// Least and largest x where y is in this range, a little widened for rounding.
+    pub(super) fn band(&self, [low, high]: [f64; 2]) -> [f64; 2] {
+        let [a, b, c] = self.corners;
+        let (mut left, mut right) = (f64::INFINITY, f64::NEG_INFINITY);
+        for [from, to] in [[a, b], [b, c], [c, a]] {
+            let [from, to] = if from[1] <= to[1] { [from, to] } else { [to, from] };
+            if to[1] < low || from[1] > high {
+                continue;
+            }
+            for y in [from[1].max(low), to[1].min(high)] {
+                let share = (y - from[1]) / (to[1] - from[1]);
+                // An edge along the row: both of its ends.
+                let ends = if share.is_finite() { [share, share] } else { [0.0, 1.0] };
+                for share in ends {
+                    let x = from[0] + share * (to[0] - from[0]);
+                    (left, right) = (left.min(x), right.max(x));
+                }
+            }
+        }
+        [left - 1e-6, right + 1e-6]
+    }
+
+    /// Each sample that the facet covers: its place row by row, and the depth there.
+    pub(super) fn visit(&self, samples: usize, mut with: impl FnMut(usize, f64)) {
+        let plane = Plane::new(self);
+        // Samples from..to lie in a range; casts take what is negative for 0.
+        let within = |[low, high]: [f64; 2]| {
+            let (from, to) = ((low - 0.5).ceil() as usize, (high + 0.5).floor() as usize);
+            from..to.min(samples)
+        };
+        for row in within(self.range(1)) {
+            let y = row as f64 + 0.5;
+            for column in within(self.band([y, y])) {
+                if let Some(depth) = plane.depth(column as f64 + 0.5, y) {
+                    with(row * samples + column, depth);
+                }
+            }
+        }
+    }
+}
+
+/// A facet's depth, and where it has any.
+pub(super) struct Plane {
+    /// Opposite each corner: x and y of a point of the edge, and the edge's run, by which its
+    /// inner side is positive.
+    edges: [[f64; 4]; 3],
+    /// Of each corner, over twice the projected area.
+    depths: [f64; 3],
+    range: [f64; 2],
+}
+
+impl Plane {
+    pub(super) fn new(facet: &Placed) -> Self {
+        let [a, b, c] = facet.corners;
+        let edges = [edge(b, c), edge(c, a), edge(a, b)];
+        let area = side(&edges[2], c[0], c[1]);
+        let edges = edges.map(|[x, y, u, v]| [x, y, u * area.signum(), v * area.signum()]);
+        let depths = facet.corners.map(|corner| corner[2] / area.abs());
+        Self { edges, depths, range: facet.range(2) }
+    }
+
+    /// The depth at a point, if the facet's projection has it, edges included.
+    pub(super) fn depth(&self, x: f64, y: f64) -> Option<f64> {
+        let sides = self.edges.each_ref().map(|edge| side(edge, x, y));
+        let is_inside = sides[0] >= 0.0 && sides[1] >= 0.0 && sides[2] >= 0.0;
+        let [a, b, c] = self.depths;
+        let depth = sides[0] * a + sides[1] * b + sides[2] * c;
+        // Of a sliver the sides are rounding; and no number if it has no area at all.
+        (is_inside && !depth.is_nan()).then(|| depth.max(self.range[0]).min(self.range[1]))
+    }
+}
+
+/// An edge's point and run. Those of the way back are exactly the same but for the run's sign:
+/// a point on the edge of two facets is in one of them at least.
+fn edge(from: [f64; 3], to: [f64; 3]) -> [f64; 4] {
+    if (from[0], from[1]) < (to[0], to[1]) {
+        [from[0], from[1], to[0] - from[0], to[1] - from[1]]
+    } else {
+        [to[0], to[1], to[0] - from[0], to[1] - from[1]]
+    }
+}
+
+/// Twice the area between an edge and a point, positive on its left.
+fn side(&[from_x, from_y, run_x, run_y]: &[f64; 4], x: f64, y: f64) -> f64 {
+    run_x * (y - from_y) - run_y * (x - from_x)
+}

@@ -1,0 +1,342 @@
+//! Meshes: which part of each facet the camera sees, against known areas and against rays
+//! through every facet.
+
+#[path = "../../../tests/tolerances/mod.rs"]
+mod tolerances;
+
+use eigenshade_generator::inputs::facet::Facet;
+use eigenshade_generator::inputs::mesh;
+use eigenshade_generator::inputs::visibility::seen_shares;
+use std::f64::consts::{PI, TAU};
+use std::fmt::Write;
+
+type Triangle = [[f64; 3]; 3];
+
+/// Samples across, as the reader takes them.
+const SAMPLES: usize = 1024;
+
+/// Visible area of each triangle's projection.
+fn seen(triangles: &[Triangle]) -> Vec<f64> {
+    let facets: Vec<Facet> = triangles.iter().filter_map(|corners| Facet::new(*corners)).collect();
+    assert_eq!(facets.len(), triangles.len(), "a triangle without area");
+    let shares = seen_shares(&facets, SAMPLES);
+    shares.iter().zip(&facets).map(|(share, facet)| share * facet.projected_area).collect()
+}
+
+/// The projection of each triangle that faces the camera, 0 for others.
+fn whole(triangles: &[Triangle]) -> Vec<f64> {
+    let area = |[a, b, c]: &Triangle| {
+        0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))
+    };
+    triangles.iter().map(|corners| area(corners).max(0.0)).collect()
+}
+
+/// A rectangle, toward the camera, at z = height + slope x.
+fn rectangle(x: [f64; 2], y: [f64; 2], height: f64, slope: f64) -> [Triangle; 2] {
+    let at = |x: f64, y: f64| [x, y, height + slope * x];
+    let [a, b, c, d] = [at(x[0], y[0]), at(x[1], y[0]), at(x[1], y[1]), at(x[0], y[1])];
+    [[a, b, c], [a, c, d]]
+}
+
+/// A surface over two cyclic or open parameters; the outside is where d/du x d/dv points.
+fn surface(
+    [nu, nv]: [usize; 2],
+    [cyclic_u, cyclic_v]: [bool; 2],
+    at: impl Fn(f64, f64) -> [f64; 3],
+) -> Vec<Triangle> {
+    let step =
+        |k: usize, n: usize, cyclic: bool| (if cyclic { k % n } else { k }) as f64 / n as f64;
+    let corner = |i: usize, j: usize| at(step(i, nu, cyclic_u), step(j, nv, cyclic_v));
+    let mut triangles = Vec::new();
+    for i in 0..nu {
+        for j in 0..nv {
+            let (a, b) = (corner(i, j), corner(i + 1, j));
+            let (c, d) = (corner(i + 1, j + 1), corner(i, j + 1));
+            let distinct = |[p, q, r]: &Triangle| p != q && q != r && r != p;
+            triangles.extend([[a, b, c], [a, c, d]].into_iter().filter(distinct));
+        }
+    }
+    triangles
+}
+
+/// Turned about x, then about y.
+fn turned(triangles: Vec<Triangle>, [first, second]: [f64; 2]) -> Vec<Triangle> {
+    let ((s, c), (t, d)) = (first.sin_cos(), second.sin_cos());
+    let turn = |[x, y, z]: [f64; 3]| {
+        let (y, z) = (c * y - s * z, s * y + c * z);
+        [d * x + t * z, y, d * z - t * x]
+    };
+    triangles.into_iter().map(|corners| corners.map(turn)).collect()
+}
+
+/// A torus about z of radii 1 and r.
+fn torus(n: [usize; 2], r: f64) -> Vec<Triangle> {
+    surface(n, [true, true], |u, v| {
+        let ((t, p), (b, a)) = ((TAU * u).sin_cos(), (TAU * v).sin_cos());
+        [(1.0 + r * a) * p, (1.0 + r * a) * t, r * b]
+    })
+}
+
+/// A cup about z, open above, with a wall and a bottom: a closed profile turned about z.
+fn cup(around: usize) -> Vec<Triangle> {
+    let profile = [[0.0, -1.0], [0.7, -1.0], [1.0, 1.0], [0.8, 1.0], [0.55, -0.8], [0.0, -0.8]];
+    surface([around, 5], [true, false], |u, v| {
+        let (y, x) = (TAU * u).sin_cos();
+        let [r, z] = profile[(5.0 * v).round() as usize];
+        // One point at the axis, whatever the angle.
+        if r > 0.0 { [r * x, r * y, z] } else { [0.0, 0.0, z] }
+    })
+}
+
+fn ellipsoid(n: [usize; 2]) -> Vec<Triangle> {
+    surface(n, [false, true], |u, v| {
+        let ((s, c), (y, x)) = ((PI * u).sin_cos(), (TAU * v).sin_cos());
+        if u == 0.0 || u == 1.0 { [0.0, 0.0, 1.3 * c] } else { [s * x, 0.7 * s * y, 1.3 * c] }
+    })
+}
+
+fn cone(around: usize) -> Vec<Triangle> {
+    let profile = [[0.0, -1.0], [0.7, -1.0], [0.0, 1.0]];
+    surface([around, 2], [true, false], |u, v| {
+        let (y, x) = (TAU * u).sin_cos();
+        let [r, z] = profile[(2.0 * v).round() as usize];
+        if r > 0.0 { [r * x, r * y, z] } else { [0.0, 0.0, z] }
+    })
+}
+
+/// 1, n and the products of n's components, summed with these areas.
+fn moments(triangles: &[Triangle], areas: &[f64]) -> Vec<f64> {
+    let mut sums = vec![0.0; 10];
+    for ([a, b, c], area) in triangles.iter().zip(areas) {
+        let (u, v) = ([0, 1, 2].map(|k| b[k] - a[k]), [0, 1, 2].map(|k| c[k] - a[k]));
+        let cross = |i: usize, j: usize| u[i] * v[j] - u[j] * v[i];
+        let n = [cross(1, 2), cross(2, 0), cross(0, 1)];
+        let length = n.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let [x, y, z] = n.map(|x| x / length);
+        let values = [1.0, x, y, z, x * x, x * y, x * z, y * y, y * z, z * z];
+        sums.iter_mut().zip(values).for_each(|(sum, value)| *sum += area * value);
+    }
+    sums
+}
+
+/// The visible area of each triangle by rays along -z, `count` across the box: the first
+/// facet that each meets, if it faces the camera (Möller and Trumbore).
+fn by_rays(triangles: &[Triangle], count: usize) -> Vec<f64> {
+    let all = || triangles.iter().flatten();
+    let [left, right] = [0, 1].map(|axis| all().map(|p| p[axis]).fold(f64::INFINITY, f64::min));
+    let [x_side, y_side] = [(0, left), (1, right)]
+        .map(|(axis, least)| all().map(|p| p[axis]).fold(f64::NEG_INFINITY, f64::max) - least);
+    let cross = |u: [f64; 3], v: [f64; 3]| {
+        [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
+    };
+    let dot = |u: [f64; 3], v: [f64; 3]| u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+    let less = |u: [f64; 3], v: [f64; 3]| [u[0] - v[0], u[1] - v[1], u[2] - v[2]];
+    let along = [0.0, 0.0, -1.0];
+    let mut areas = vec![0.0; triangles.len()];
+    for k in 0..count * count {
+        // Rows are shifted against each other, so that edges along them do not beat.
+        let row = (k / count) as f64;
+        let shift = (row * 0.618_033_988_75).fract();
+        let x = left + x_side * ((k % count) as f64 + shift) / count as f64;
+        let origin = [x, right + y_side * (row + 0.5) / count as f64, 1e3];
+        let mut first = (f64::INFINITY, None);
+        for (number, [a, b, c]) in triangles.iter().enumerate() {
+            let (one, two) = (less(*b, *a), less(*c, *a));
+            let p = cross(along, two);
+            let determinant = dot(one, p);
+            let from = less(origin, *a);
+            let u = dot(from, p) / determinant;
+            let q = cross(from, one);
+            let v = dot(along, q) / determinant;
+            let distance = dot(two, q) / determinant;
+            if u >= 0.0 && v >= 0.0 && u + v <= 1.0 && distance < first.0 {
+                first = (distance, Some((number, determinant > 0.0)));
+            }
+        }
+        if let (_, Some((number, true))) = first {
+            areas[number] += x_side * y_side / (count * count) as f64;
+        }
+    }
+    areas
+}
+
+/// Largest difference of the moments, of the visible area.
+fn apart(triangles: &[Triangle], ours: &[f64], theirs: &[f64]) -> f64 {
+    let (ours, theirs) = (moments(triangles, ours), moments(triangles, theirs));
+    let most = ours.iter().zip(&theirs).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()));
+    most / theirs[0]
+}
+
+#[test]
+fn a_square_before_another() {
+    for slope in [0.0, 0.3, -2.0] {
+        let mut triangles = rectangle([0.0, 1.0], [0.0, 1.0], 0.0, 0.0).to_vec();
+        triangles.extend(rectangle([0.3, 1.4], [0.2, 1.25], 5.0, slope));
+        let seen = seen(&triangles);
+        let (behind, before) = (seen[0] + seen[1], seen[2] + seen[3]);
+        let expected = 1.0 - 0.7 * 0.8;
+        println!("{slope}: {:e}", (behind - expected) / 1.4);
+        assert!((before - 1.1 * 1.05).abs() < tolerances::WHOLE_FACETS, "{before}");
+        // 1.5 of cuts, twice an outline of 3.4, in a box of 1.4.
+        let allowed = tolerances::VISIBLE_AREA * 8.3;
+        assert!((behind - expected).abs() < allowed, "{behind} for {expected}");
+    }
+}
+
+/// What faces away hides, and what is coincident or touches does not.
+#[test]
+fn back_faces_hide_and_sheets_do_not() {
+    let back = |triangles: [Triangle; 2]| triangles.map(|[a, b, c]| [a, c, b]);
+    let below = rectangle([0.0, 1.0], [0.0, 1.0], 0.0, 0.2);
+    let lid = back(rectangle([-0.5, 1.5], [-0.5, 1.5], 1.0, -0.1));
+    assert_eq!(seen(&[below, lid].concat()), [0.0; 4]);
+    let sheet = seen(&[below, back(below)].concat());
+    assert_eq!(sheet, whole(&[below, back(below)].concat()));
+    // The corners of the other side in another order and rounded otherwise.
+    let near = back(below).map(|[a, b, c]| [b, c, a].map(|p| p.map(|x| f64::from(x as f32))));
+    let sheet = seen(&[below, near].concat());
+    assert_eq!(sheet, whole(&[below, near].concat()));
+}
+
+/// Nothing of a convex object is hidden: every facet keeps its exact area.
+#[test]
+fn convex_objects_are_seen_whole() {
+    let single = |triangles: Vec<Triangle>| -> Vec<Triangle> {
+        let round = |p: [f64; 3]| p.map(|x| f64::from(x as f32));
+        triangles.into_iter().map(|corners| corners.map(round)).collect()
+    };
+    for angles in [[0.0, 0.0], [0.5 * PI, 0.0], [0.4, 1.1], [2.0, 1e-9]] {
+        for (name, triangles) in [
+            ("ellipsoid", turned(ellipsoid([24, 48]), angles)),
+            ("fine ellipsoid", turned(ellipsoid([60, 120]), angles)),
+            ("in f32", single(turned(ellipsoid([24, 48]), angles))),
+            ("cone", turned(cone(64), angles)),
+            ("needle", turned(cone(500), angles)),
+        ] {
+            let ours = seen(&triangles);
+            for (number, (ours, whole)) in ours.iter().zip(whole(&triangles)).enumerate() {
+                let apart = (ours - whole).abs();
+                let what = format!("{name}, {angles:?}: {number}: {ours} of {whole}");
+                assert!(apart < tolerances::WHOLE_FACETS, "{what}");
+            }
+        }
+    }
+}
+
+/// A torus seen from the side: its picture is a stadium.
+#[test]
+fn a_torus_from_the_side() {
+    let r = 0.4;
+    let triangles = turned(torus([200, 100], r), [0.5 * PI, 0.0]);
+    let ours: f64 = seen(&triangles).iter().sum();
+    let whole: f64 = whole(&triangles).iter().sum();
+    let stadium = 4.0 * r + PI * r * r;
+    println!("{:e}, all facets {:e}", ours / stadium - 1.0, whole / stadium - 1.0);
+    assert!((ours / stadium - 1.0).abs() < tolerances::FACETED_TORUS, "{ours} {stadium}");
+    assert!(whole > 1.1 * stadium, "{whole}: nothing to hide");
+}
+
+/// A torus and a cup from several sides, by rays through every facet.
+#[test]
+fn what_rays_meet() {
+    for (name, triangles) in [
+        ("torus", turned(torus([40, 20], 0.4), [1.2, 0.3])),
+        ("torus from the side", turned(torus([40, 20], 0.4), [0.5 * PI, 0.2])),
+        ("cup", turned(cup(48), [-0.7, 0.4])),
+        ("cup from below", turned(cup(48), [-2.3, 0.4])),
+    ] {
+        let rays = by_rays(&triangles, 200);
+        let ours = apart(&triangles, &seen(&triangles), &rays);
+        let all = apart(&triangles, &whole(&triangles), &rays);
+        println!("{name}: {ours:.1e}, all facets {all:.1e}");
+        assert!(ours < tolerances::RAYS, "{name}: {ours:e}");
+        let hides = name != "cup from below";
+        assert!(!hides || all > 10.0 * tolerances::RAYS, "{name}: {all:e} without");
+    }
+}
+
+#[test]
+fn the_order_of_facets_means_nothing() {
+    let triangles = turned(torus([60, 30], 0.4), [1.2, 0.3]);
+    let expected = seen(&triangles);
+    let count = triangles.len();
+    // 7 and 3600 have no factor in common.
+    let order: Vec<usize> = (0..count).map(|k| (7 * k + 11) % count).collect();
+    let shuffled: Vec<Triangle> = order.iter().map(|&k| triangles[k]).collect();
+    let found = seen(&shuffled);
+    assert!(order.iter().zip(&found).all(|(&k, found)| *found == expected[k]));
+    // Corners from another one on: to rounding.
+    let rolled: Vec<Triangle> = triangles.iter().map(|[a, b, c]| [*c, *a, *b]).collect();
+    let largest = expected.iter().copied().fold(0.0, f64::max);
+    let apart = |(a, b): (&f64, &f64)| (a - b).abs() > tolerances::WHOLE_FACETS * largest;
+    assert_eq!(seen(&rolled).iter().zip(&expected).filter(|pair| apart(*pair)).count(), 0);
+}
+
+/// Facets thinner than a sample, along the rows, across and aslant, half of them behind
+/// something.
+#[test]
+fn slivers() {
+    let slivers = 5000;
+    let square = rectangle([0.0, 1.0], [0.0, 1.0], 0.0, 0.0);
+    let strips = |at: &dyn Fn(f64, f64) -> [f64; 3]| {
+        let of = |k: usize| {
+            let [low, high] = [k, k + 1].map(|k| k as f64 / slivers as f64);
+            let (a, b, c, d) = (at(0.0, low), at(1.0, low), at(1.0, high), at(0.0, high));
+            [[a, b, c], [a, c, d]]
+        };
+        (0..slivers).flat_map(of).collect::<Vec<Triangle>>()
+    };
+    let along = strips(&|u, v| [u, v, 0.0]);
+    let across = strips(&|u, v| [1.0 - v, u, 0.0]);
+    let aslant = strips(&|u, v| [u, 0.5 * (u + v), 0.1 * u]);
+    for (name, strips) in [("along", along), ("across", across), ("aslant", aslant)] {
+        let alone = seen(&strips);
+        assert_eq!(alone, whole(&strips), "{name}: nothing hides them");
+        let total: f64 = alone.iter().sum();
+        // Cut alike by upright edges; or along the diagonal, each elsewhere.
+        for (left, right, slant, allowed) in
+            [(0.1, 0.6, 0.0, tolerances::SLIVERS_ALIKE), (-1.0, 0.0, 1.0, tolerances::SLIVERS)]
+        {
+            let over = |x: f64, y: f64| [x + slant * y, y, 1.0];
+            let (a, b) = (over(left, -0.01), over(right, -0.01));
+            let (c, d) = (over(right, 1.01), over(left, 1.01));
+            let both = [&strips[..], &[[a, b, c], [a, c, d]]].concat();
+            let left: f64 = seen(&both)[..strips.len()].iter().sum();
+            let apart = left / total - 0.5;
+            println!("{name}, slant {slant}: {apart:e}");
+            assert!(apart.abs() < allowed, "{name}, slant {slant}: {apart:e}");
+        }
+        // All behind a square, but for what stands out of it.
+        let both = [&strips[..], &square.map(|t| t.map(|[x, y, _]| [x, y, 1.0]))].concat();
+        let hidden: f64 = seen(&both)[..strips.len()].iter().sum();
+        assert_eq!(hidden, 0.0, "{name}");
+    }
+}
+
+/// The reader leaves out what is hidden: the same facets from a file.
+#[test]
+fn a_mesh_file_has_visible_normals() {
+    let triangles = turned(torus([40, 20], 0.4), [1.2, 0.3]);
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("torus.obj");
+    let mut text = String::new();
+    for [x, y, z] in triangles.iter().flatten() {
+        writeln!(text, "v {x} {y} {z}\nvn 0 0 1").expect("text");
+    }
+    for k in 0..triangles.len() {
+        let [a, b, c] = [3 * k + 1, 3 * k + 2, 3 * k + 3];
+        writeln!(text, "f {a}//{a} {b}//{b} {c}//{c}").expect("text");
+    }
+    std::fs::write(&path, text).expect("a file");
+    let pairs = mesh::read(&path).expect("a mesh");
+    let ours = seen(&triangles);
+    assert_eq!(pairs.len(), ours.iter().filter(|area| **area > 0.0).count());
+    let total: f64 = ours.iter().sum();
+    let read: f64 = pairs.iter().map(|(_, weight)| weight).sum();
+    let sum = |axis: usize| pairs.iter().map(|(n, w)| w / read * n[axis]).sum::<f64>();
+    let expected = moments(&triangles, &ours);
+    for axis in 0..3 {
+        let apart = (sum(axis) - expected[axis + 1] / total).abs();
+        assert!(apart < tolerances::WHOLE_FACETS, "{axis}: {apart:e}");
+    }
+}

@@ -1,0 +1,306 @@
+//! A table in integers: mantissas of 15 or 31 bits, a power of two for each row.
+//!
+//! Rounding is to nearest, ties away from zero. A row of factors is scaled so that no
+//! sum over it, of products with mantissas, can leave an accumulator of twice as many
+//! bits and one: Σ |mantissa| < 2^(bits + 1).
+
+use crate::parts::{NONE, powers};
+use crate::table::{Profile, Table};
+use eigenshade_index::{layout, material, pair};
+use std::fmt;
+
+/// An integer format.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// 15 bits and a sign.
+    Q15,
+    /// 31 bits and a sign.
+    Q31,
+}
+
+impl Format {
+    /// Bits of a mantissa's size.
+    #[must_use]
+    pub const fn bits(self) -> i32 {
+        match self {
+            Self::Q15 => 15,
+            Self::Q31 => 31,
+        }
+    }
+
+    /// What the polynomials of this format may leave out, of the database's rms: less
+    /// than what the format's rounding costs.
+    #[must_use]
+    pub const fn tolerance(self) -> f64 {
+        match self {
+            Self::Q15 => 1e-5,
+            Self::Q31 => 1e-8,
+        }
+    }
+}
+
+/// The runtime's arrays in integers; each field is the one of the same name in
+/// `eigenshade::quantised::Parts`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct QuantisedParts {
+    /// The format.
+    pub format: Format,
+    /// Largest degree l of the light.
+    pub degree: usize,
+    /// Largest order o of the BRDF.
+    pub order: usize,
+    /// Number of components.
+    pub components: usize,
+    /// Slant profiles, by |m|.
+    pub profiles: Vec<Place>,
+    /// Number of polynomial terms for each |m|.
+    pub lengths: Vec<u8>,
+    /// Polar integrals: for each l a row over the pairs.
+    pub polar: Vec<i32>,
+    /// An exponent for each of them.
+    pub polar_exponents: Vec<i8>,
+    /// Factors: for each profile, each l, a row over the pairs.
+    pub factors: Vec<i32>,
+    /// An exponent for each row.
+    pub factor_exponents: Vec<i8>,
+    /// Polynomials in powers of t, highest first.
+    pub terms: Vec<i32>,
+}
+
+/// A profile's azimuth, the exponent of its terms, and its components.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// |m|.
+    pub azimuth: u8,
+    /// Of its terms.
+    pub exponent: i8,
+    /// Component of +m (or 0), or 65,535.
+    pub plus: u16,
+    /// Component of -m, or 65,535.
+    pub minus: u16,
+    /// Its largest value, in sixteenths, rounded up.
+    pub size: u16,
+    /// The largest step of Horner's rule on the way there.
+    pub step: u16,
+}
+
+/// Why a table has no integer form.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum QuantiseError {
+    /// It is of the criterion that subtracts a mean image.
+    Mean,
+    /// It keeps a selection of modes.
+    Selection,
+    /// Its object is not a sphere.
+    General,
+    /// It keeps transfers alone.
+    Folded,
+    /// A polynomial is longer than [`layout::POWERS`].
+    Long {
+        /// Its |m|.
+        azimuth: usize,
+        /// Its number of terms.
+        terms: usize,
+    },
+}
+
+impl fmt::Display for QuantiseError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Mean => f.write_str(
+                "integers take no mean image; make the table with criterion = \"image-centered\"",
+            ),
+            Self::Selection => {
+                f.write_str("integers take no selection of modes; make the table with modes = 0")
+            }
+            Self::General => f.write_str("integers take the sphere's tables alone"),
+            Self::Folded => {
+                f.write_str("the table keeps transfers alone; make it with store = \"projection\"")
+            }
+            Self::Long { azimuth, terms } => write!(
+                f,
+                "a polynomial of |m| = {azimuth} has {terms} terms, integers take {}; make the \
+                 table with a larger profile_tolerance or a lower degree",
+                layout::POWERS
+            ),
+        }
+    }
+}
+
+impl std::error::Error for QuantiseError {}
+
+impl QuantisedParts {
+    /// A table in this format, its polynomials trimmed to `tolerance` (of the rms of the
+    /// database's images, which the eigenvalues tell).
+    ///
+    /// # Errors
+    ///
+    /// A table that integers do not serve.
+    pub fn new(table: &Table, format: Format, tolerance: f64) -> Result<Self, QuantiseError> {
+        for (fault, error) in [
+            (table.mean.is_some(), QuantiseError::Mean),
+            (!table.selection.is_empty(), QuantiseError::Selection),
+            (table.general.is_some(), QuantiseError::General),
+            (!table.has_projection(), QuantiseError::Folded),
+        ] {
+            if fault {
+                return Err(error);
+            }
+        }
+        let gram = &table.gram;
+        let (degree, order) = (gram.degree, gram.order);
+        let pairs = pair::count(order);
+        let bits = format.bits();
+        let lengths = lengths(table, tolerance)?;
+        let (mut polar, mut polar_exponents) = (Vec::new(), Vec::new());
+        for l in 0..=degree {
+            for (k, (o, _)) in pair::indices(order).enumerate() {
+                let value = gram.polar_integrals[k * (degree + 1) + l] * ((o + 1) as f64).sqrt();
+                let (mantissas, exponent) = row(&[value], bits, i64::MAX);
+                polar.extend(mantissas);
+                polar_exponents.push(exponent);
+            }
+        }
+        let (mut factors, mut factor_exponents) = (Vec::new(), Vec::new());
+        let (mut terms, mut profiles) = (Vec::new(), Vec::new());
+        for (k, profile) in table.profiles.iter().enumerate() {
+            for numbers in profile.factors.chunks_exact(pairs) {
+                let (mantissas, exponent) = row(numbers, bits, 1 << (bits + 1));
+                factors.extend(mantissas);
+                factor_exponents.push(exponent);
+            }
+            let azimuth = profile.azimuth;
+            let scale = if azimuth == 0 { 1.0 } else { std::f64::consts::SQRT_2 };
+            let length = usize::from(lengths[azimuth]);
+            let kept = &profile.chebyshev[..length.min(profile.chebyshev.len())];
+            let powers: Vec<f64> = powers(kept, length).iter().map(|term| scale * term).collect();
+            let (mantissas, exponent) = row(&powers, bits, i64::MAX);
+            let [size, step] = sizes(&mantissas, exponent, azimuth);
+            terms.extend(mantissas);
+            let of = |is_minus: bool| {
+                let mut components = table.components.iter();
+                let found =
+                    components.position(|one| one.profile == k && (one.order < 0) == is_minus);
+                found.map_or(NONE, |index| u16::try_from(index).expect("few components"))
+            };
+            profiles.push(Place {
+                azimuth: u8::try_from(azimuth).expect("a small degree"),
+                exponent,
+                plus: of(false),
+                minus: of(true),
+                size,
+                step,
+            });
+        }
+        Ok(Self {
+            format,
+            degree,
+            order,
+            components: table.components.len(),
+            polar,
+            polar_exponents,
+            factors,
+            factor_exponents,
+            profiles,
+            lengths,
+            terms,
+        })
+    }
+}
+
+/// Mantissas of these numbers and their exponent: each below 2^`bits`, their sizes' sum
+/// below `sum`.
+#[must_use]
+pub fn row(numbers: &[f64], bits: i32, sum: i64) -> (Vec<i32>, i8) {
+    let largest = numbers.iter().fold(0.0f64, |most, number| most.max(number.abs()));
+    if largest == 0.0 {
+        return (vec![0; numbers.len()], i8::MIN);
+    }
+    // From the least exponent that may do.
+    let least = largest.log2().floor() as i32 - bits;
+    (least..)
+        .find_map(|exponent| {
+            let rounded = numbers.iter().map(|number| (number * 2f64.powi(-exponent)).round());
+            let rounded: Vec<i64> = rounded.map(|number| number as i64).collect();
+            let fits = rounded.iter().all(|number| number.abs() < 1 << bits);
+            let fits = fits && rounded.iter().map(|number| number.abs()).sum::<i64>() < sum;
+            let mantissas = rounded.iter().map(|&number| number as i32).collect();
+            fits.then(|| (mantissas, exponent.clamp(-128, 127) as i8))
+        })
+        .expect("a large enough exponent leaves zeros")
+}
+
+/// Terms of each azimuth: as many as leave out no more than the tolerance of the
+/// database's rms.
+fn lengths(table: &Table, tolerance: f64) -> Result<Vec<u8>, QuantiseError> {
+    let values = table.spectrum.iter().filter_map(|(_, value)| *value);
+    let energy: f64 = values.sum();
+    let mut lengths = vec![0; table.gram.degree + 1];
+    for (k, profile) in table.profiles.iter().enumerate() {
+        let served = table.components.iter().filter(|component| component.profile == k);
+        // The constant's coefficient is the mean: as large as all the rest.
+        let weight = served
+            .map(|component| component.eigenvalue.map_or(1.0, |value| (value / energy).sqrt()))
+            .fold(0.0, f64::max);
+        let needed = needed(profile, tolerance / weight);
+        let length = &mut lengths[profile.azimuth];
+        *length = needed.max(*length);
+    }
+    for (azimuth, &terms) in lengths.iter().enumerate() {
+        if terms > layout::POWERS {
+            return Err(QuantiseError::Long { azimuth, terms });
+        }
+    }
+    Ok(lengths.into_iter().map(|length| length as u8).collect())
+}
+
+/// The least number of terms whose rest is at most `tolerance` everywhere.
+fn needed(profile: &Profile, tolerance: f64) -> usize {
+    let mut rest = 0.0;
+    let count = profile.chebyshev.len();
+    let kept = profile.chebyshev.iter().rev().take_while(|term| {
+        rest += term.abs();
+        rest <= tolerance
+    });
+    count - kept.count()
+}
+
+/// Mantissas of a material's coefficients, an exponent for each o.
+#[must_use]
+pub fn material(order: usize, coefficients: &[f64], format: Format) -> (Vec<i32>, Vec<i8>) {
+    let (mut mantissas, mut exponents) = (Vec::new(), Vec::new());
+    for o in 0..=order {
+        let of_order = &coefficients[material::position(o, o % 2, o % 2)..material::count(o)];
+        let (of_order, exponent) = row(of_order, format.bits(), i64::MAX);
+        mantissas.extend(of_order);
+        exponents.push(exponent);
+    }
+    (mantissas, exponents)
+}
+
+/// Points for each degree of a polynomial whose largest value is sought: the largest on
+/// a grid of so many Chebyshev points is at least cos(π / 2 POINTS) of it.
+const POINTS: usize = 16;
+
+/// The largest |u| of a profile, and the largest step of Horner's rule for its
+/// polynomial, in sixteenths, rounded up.
+fn sizes(terms: &[i32], exponent: i8, azimuth: usize) -> [u16; 2] {
+    let scale = 2f64.powi(exponent.into());
+    // Squares, times powers of 1 - z².
+    let count = POINTS * 2 * (terms.len() + azimuth).max(1);
+    let (mut size, mut largest) = (0.0f64, 0.0f64);
+    for k in 0..=count {
+        let t = (std::f64::consts::PI * k as f64 / count as f64).cos();
+        let mut step = 0.0;
+        for &term in terms {
+            step = step * t + scale * f64::from(term);
+            largest = largest.max(step.abs());
+        }
+        let z = 0.5 * (t + 1.0);
+        size = size.max(step * step * (1.0 - z * z).powi(azimuth as i32));
+    }
+    let missed = (std::f64::consts::PI / (2 * POINTS) as f64).cos();
+    [size.sqrt(), largest]
+        .map(|value| (16.0 * value / missed).ceil().min(f64::from(u16::MAX)) as u16)
+}

@@ -1,0 +1,283 @@
+//! The number formats: floats, and integers whose scale stands beside them.
+
+use core::fmt::Debug;
+use core::ops::{Add, AddAssign, Mul, Neg, Sub};
+
+/// A number format of the runtime: `f32`, `f64`, [`Q15`] or [`Q31`].
+///
+/// Sealed. What computes in floats is written over [`Scalar`](crate::Scalar), what
+/// computes in integers over [`Fixed`].
+pub trait Format:
+    sealed::Sealed + Copy + Debug + Default + PartialEq + PartialOrd + 'static
+{
+    /// The format of a sum of products.
+    type Wide: Copy;
+    /// Its name on a command line.
+    const NAME: &'static str;
+}
+
+/// A mantissa of 15 bits and a sign: the number is it times 2^exponent, the exponent
+/// that of the array it stands in.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+#[repr(transparent)]
+pub struct Q15(pub i16);
+
+/// A mantissa of 31 bits and a sign: see [`Q15`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+#[repr(transparent)]
+pub struct Q31(pub i32);
+
+impl Format for f32 {
+    type Wide = Self;
+    const NAME: &'static str = "f32";
+}
+
+impl Format for f64 {
+    type Wide = Self;
+    const NAME: &'static str = "f64";
+}
+
+impl Format for Q15 {
+    type Wide = i32;
+    const NAME: &'static str = "q15";
+}
+
+impl Format for Q31 {
+    type Wide = i64;
+    const NAME: &'static str = "q31";
+}
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for f32 {}
+    impl Sealed for f64 {}
+    impl Sealed for super::Q15 {}
+    impl Sealed for super::Q31 {}
+    impl Sealed for i32 {}
+    impl Sealed for i64 {}
+}
+
+/// An integer format.
+pub trait Fixed: Format<Wide: Wide> {
+    /// Bits of a mantissa's size.
+    const BITS: u32;
+    /// Bits of the sum of a scene's weights |d|: see [`weigh`](Self::weigh).
+    const WEIGHT_BITS: u32;
+    /// By how much a weighed number is less than the product.
+    const WEIGHT_SHIFT: u32;
+    /// Bits of every step of a pixel's polynomials, and of its irradiance.
+    const TERM_BITS: u32;
+    /// The mantissa as a factor of a [`Wide`] product.
+    fn widen(self) -> Self::Wide;
+    /// The nearest mantissa; beyond the largest it is that.
+    fn narrow(number: Self::Wide) -> Self;
+    /// This / √2, rounded.
+    fn over_root_two(self) -> Self;
+    /// `weight` times this, rounded after [`WEIGHT_SHIFT`](Self::WEIGHT_SHIFT) bits.
+    /// Domain: |weight| < 2^[`WEIGHT_BITS`](Self::WEIGHT_BITS).
+    fn weigh(self, weight: i32) -> i32;
+    /// floor(sum t): t is this as a fraction of 2^(BITS - 1).
+    /// Domain: |sum| < 2^[`TERM_BITS`](Self::TERM_BITS), |t| <= 1.
+    fn argument_times(sum: i32, argument: i32) -> i32;
+    /// This as a fraction of 2^(BITS - 1).
+    fn halved(self) -> i32;
+    /// a x + b y, rounded: a and b fractions of 2^(BITS - 1). Domain: a² + b² and
+    /// x² + y² at most 1.
+    fn dot(a: i32, x: Self, b: i32, y: Self) -> i32;
+    /// `value` times a fraction of 2^(BITS - 1).
+    fn product(value: i32, fraction: i32) -> Self::Wide;
+    /// `value` as such a product.
+    fn of_value(value: i32) -> Self::Wide;
+    /// A sum of such products, rounded. Sums may wrap on their way, if the last fits.
+    fn sum(sum: Self::Wide) -> i32;
+    /// 2z - 1 as a fraction of 2^(BITS - 1). Domain: z >= 0.
+    fn argument(z: Self) -> i32;
+}
+
+/// A sum of products of an integer format.
+pub trait Wide:
+    sealed::Sealed
+    + Copy
+    + Debug
+    + Default
+    + Ord
+    + Add<Output = Self>
+    + AddAssign
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Neg<Output = Self>
+{
+    /// Bits of the largest size.
+    const SIZE: u32;
+    /// self + other, modulo 2^(SIZE + 1).
+    fn wrapping_plus(self, other: Self) -> Self;
+    /// This number.
+    fn of(number: i32) -> Self;
+    /// Bits of |self|: the least n of |self| < 2^n.
+    fn bits(self) -> u32;
+    /// The nearest number to self 2^`by`. Domain: it fits.
+    fn shifted(self, by: i32) -> Self;
+    /// The nearest `i32`.
+    fn saturated(self) -> i32;
+}
+
+impl Wide for i32 {
+    const SIZE: u32 = 31;
+    #[inline(always)]
+    fn wrapping_plus(self, other: Self) -> Self {
+        self.wrapping_add(other)
+    }
+    #[inline(always)]
+    fn of(number: i32) -> Self {
+        number
+    }
+    #[inline]
+    fn bits(self) -> u32 {
+        Self::SIZE + 1 - self.unsigned_abs().leading_zeros()
+    }
+    #[inline]
+    fn shifted(self, by: i32) -> Self {
+        match by {
+            0.. => self << by.min(31),
+            -31.. => ((self >> (-by - 1)) + 1) >> 1,
+            _ => 0,
+        }
+    }
+    #[inline(always)]
+    fn saturated(self) -> i32 {
+        self
+    }
+}
+
+impl Wide for i64 {
+    const SIZE: u32 = 63;
+    #[inline(always)]
+    fn wrapping_plus(self, other: Self) -> Self {
+        self.wrapping_add(other)
+    }
+    #[inline(always)]
+    fn of(number: i32) -> Self {
+        number.into()
+    }
+    #[inline]
+    fn bits(self) -> u32 {
+        Self::SIZE + 1 - self.unsigned_abs().leading_zeros()
+    }
+    #[inline]
+    fn shifted(self, by: i32) -> Self {
+        match by {
+            0.. => self << by.min(63),
+            -63.. => ((self >> (-by - 1)) + 1) >> 1,
+            _ => 0,
+        }
+    }
+    #[inline]
+    fn saturated(self) -> i32 {
+        self.clamp((-i32::MAX).into(), i32::MAX.into()) as i32
+    }
+}
+
+impl Fixed for Q15 {
+    const BITS: u32 = 15;
+    const WEIGHT_BITS: u32 = 21;
+    const WEIGHT_SHIFT: u32 = 6;
+    const TERM_BITS: u32 = 17;
+    #[inline(always)]
+    fn widen(self) -> i32 {
+        i32::from(self.0)
+    }
+    #[inline(always)]
+    fn narrow(number: i32) -> Self {
+        Self(number.clamp(-32_767, 32_767) as i16)
+    }
+    #[inline]
+    fn over_root_two(self) -> Self {
+        Self::narrow((self.widen() * 23_170 + (1 << 14)) >> 15)
+    }
+    #[inline(always)]
+    fn weigh(self, weight: i32) -> i32 {
+        // Two products of 31 bits instead of one of 36.
+        let high = (weight + 32) >> 6;
+        let low = weight - (high << 6);
+        high * self.widen() + ((low * self.widen() + 32) >> 6)
+    }
+    #[inline(always)]
+    fn argument_times(sum: i32, argument: i32) -> i32 {
+        (sum * argument) >> 14
+    }
+    #[inline(always)]
+    fn halved(self) -> i32 {
+        (self.widen() + 1) >> 1
+    }
+    #[inline(always)]
+    fn dot(a: i32, x: Self, b: i32, y: Self) -> i32 {
+        (a * x.widen() + b * y.widen() + (1 << 14)) >> 15
+    }
+    #[inline(always)]
+    fn product(value: i32, fraction: i32) -> i32 {
+        value * fraction
+    }
+    #[inline(always)]
+    fn of_value(value: i32) -> i32 {
+        value << 14
+    }
+    #[inline(always)]
+    fn sum(sum: i32) -> i32 {
+        ((sum >> 13) + 1) >> 1
+    }
+    #[inline(always)]
+    fn argument(z: Self) -> i32 {
+        z.widen() - (1 << 14)
+    }
+}
+
+impl Fixed for Q31 {
+    const BITS: u32 = 31;
+    const WEIGHT_BITS: u32 = 30;
+    const WEIGHT_SHIFT: u32 = 31;
+    const TERM_BITS: u32 = 30;
+    #[inline(always)]
+    fn widen(self) -> i64 {
+        i64::from(self.0)
+    }
+    #[inline(always)]
+    fn narrow(number: i64) -> Self {
+        Self(number.saturated())
+    }
+    #[inline]
+    fn over_root_two(self) -> Self {
+        Self::narrow((self.widen() * 1_518_500_250 + (1 << 30)) >> 31)
+    }
+    #[inline(always)]
+    fn weigh(self, weight: i32) -> i32 {
+        ((i64::from(weight) * self.widen() + (1 << 30)) >> 31) as i32
+    }
+    #[inline(always)]
+    fn argument_times(sum: i32, argument: i32) -> i32 {
+        ((i64::from(sum) * i64::from(argument)) >> 30) as i32
+    }
+    #[inline(always)]
+    fn halved(self) -> i32 {
+        ((self.widen() + 1) >> 1) as i32
+    }
+    #[inline(always)]
+    fn dot(a: i32, x: Self, b: i32, y: Self) -> i32 {
+        ((i64::from(a) * x.widen() + i64::from(b) * y.widen() + (1 << 30)) >> 31) as i32
+    }
+    #[inline(always)]
+    fn product(value: i32, fraction: i32) -> i64 {
+        i64::from(value) * i64::from(fraction)
+    }
+    #[inline(always)]
+    fn of_value(value: i32) -> i64 {
+        i64::from(value) << 30
+    }
+    #[inline(always)]
+    fn sum(sum: i64) -> i32 {
+        (((sum >> 29) + 1) >> 1) as i32
+    }
+    #[inline(always)]
+    fn argument(z: Self) -> i32 {
+        z.0 - (1 << 30)
+    }
+}

@@ -1,0 +1,23 @@
+//! The coefficients d of one image, in integers.
+
+/// The coefficients d of one image, component by component: mantissas below 2^30, times
+/// 2^exponent.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Coefficients<const K: usize> {
+    pub(crate) mantissas: heapless::Vec<i32, K>,
+    pub(crate) exponent: i32,
+}
+
+impl<const K: usize> Coefficients<K> {
+    /// The mantissas, component by component.
+    #[must_use]
+    pub fn mantissas(&self) -> &[i32] {
+        &self.mantissas
+    }
+
+    /// The exponent of all of them.
+    #[must_use]
+    pub const fn exponent(&self) -> i32 {
+        self.exponent
+    }
+}

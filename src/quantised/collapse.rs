@@ -1,0 +1,158 @@
+//! One image in integers, its components summed azimuth by azimuth:
+//! I(n) = Σ_m Re/Im (n_x + i n_y)^m H_m(n_z).
+
+use super::Basis;
+use super::fold::common_exponent;
+use crate::error::{Error, What};
+use crate::format::{Fixed, Wide as _};
+use crate::projection::zeros;
+use core::marker::PhantomData;
+
+/// Room for a collapsed scene.
+pub type SceneBuffer<const N: usize> = heapless::Vec<i32, N>;
+
+/// Bits of d that its size leaves out: twice ten and sixteen are 32.
+const UNIT: u32 = 16;
+
+/// One image: for each azimuth |m| the polynomials of +m and -m in `buffer`, all times
+/// 2^exponent.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scene<'a, Q, B> {
+    pub(crate) lengths: &'a [u8],
+    pub(crate) exponent: i32,
+    pub(crate) buffer: B,
+    format: PhantomData<Q>,
+}
+
+impl<'a, Q: Fixed> Basis<'a, Q> {
+    /// Sums the components of each azimuth.
+    ///
+    /// `N` is at least [`scene_len`](Self::scene_len). `mantissas` and `exponent` are
+    /// those of the first components; those that are missing count as zero.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] if there are more coefficients than components,
+    /// [`Error::Capacity`] if `N` is too small.
+    pub fn collapse<const N: usize>(
+        &self,
+        mantissas: &[i32],
+        exponent: i32,
+    ) -> Result<Scene<'a, Q, SceneBuffer<N>>, Error> {
+        let buffer = zeros::<i32, N>(What::Scene, self.scene_len())?;
+        self.collapse_into(mantissas, exponent, buffer)
+    }
+
+    /// [`collapse`](Self::collapse) into a buffer of one's own, of length
+    /// [`scene_len`](Self::scene_len).
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] if there are more coefficients than components, or the buffer
+    /// has another length.
+    pub fn collapse_into<B: AsMut<[i32]>>(
+        &self,
+        mantissas: &[i32],
+        exponent: i32,
+        mut buffer: B,
+    ) -> Result<Scene<'a, Q, B>, Error> {
+        let sums = buffer.as_mut();
+        Error::check(What::Scene, self.scene_len(), sums.len())?;
+        if mantissas.len() > self.components() {
+            let (expected, found) = (self.components(), mantissas.len());
+            return Err(Error::Length { what: What::Coefficients, expected, found });
+        }
+        sums.fill(0);
+        let weight = |index: u16| mantissas.get(usize::from(index)).copied().unwrap_or(0);
+        let weights = self.parts.profiles.iter().flat_map(|profile| {
+            [profile.plus, profile.minus].map(|index| (weight(index), i32::from(profile.exponent)))
+        });
+        // The weights' sum is bounded, so that of weighed terms is.
+        let common = common_exponent(weights, Q::WEIGHT_BITS, Q::WEIGHT_BITS);
+        let (mut terms, mut rest, mut azimuth) = (self.parts.terms, &mut *sums, 0);
+        for profile in self.parts.profiles {
+            while azimuth < usize::from(profile.azimuth) {
+                let passed = self.parts.length(azimuth) * if azimuth == 0 { 1 } else { 2 };
+                rest = rest.get_mut(passed..).unwrap_or_default();
+                azimuth += 1;
+            }
+            let length = self.parts.length(azimuth);
+            let (of_profile, after) = terms.split_at_checked(length).unwrap_or((terms, &[]));
+            terms = after;
+            let by = i32::from(profile.exponent) - common;
+            add(weight(profile.plus).shifted(by), of_profile, rest);
+            // Φ_-m = √2 sin(-mβ) = -√2 Im (n_x + i n_y)^m / sin^m.
+            let of_minus = -weight(profile.minus).shifted(by);
+            add(of_minus, of_profile, rest.get_mut(length..).unwrap_or_default());
+        }
+        let exponent_of_d = exponent;
+        let exponent = exponent + common + Q::WEIGHT_SHIFT.cast_signed();
+        let to = exponent_of_d + self.size(mantissas) - Q::TERM_BITS.cast_signed();
+        self.round(exponent - to, sums);
+        Ok(Scene { lengths: self.parts.lengths, exponent: to, buffer, format: PhantomData })
+    }
+
+    /// The least n of: neither a step of a pixel's polynomials nor an irradiance goes
+    /// beyond 2^n, in units of these coefficients, less a sixty-fourth for rounding.
+    ///
+    /// Either is a sum over components, each at most |d| times what the table states of
+    /// its profile.
+    fn size(&self, mantissas: &[i32]) -> i32 {
+        let size = |index: u16| {
+            let found = mantissas.get(usize::from(index));
+            found.map_or(0, |d| (d.unsigned_abs() >> UNIT) + u32::from(*d != 0))
+        };
+        let (mut image, mut largest) = (0_u64, 0_u64);
+        for profiles in self.parts.profiles.chunk_by(|a, b| a.azimuth == b.azimuth) {
+            let (mut of_plus, mut of_minus) = (0_u64, 0_u64);
+            for profile in profiles {
+                let [plus, minus] = [size(profile.plus), size(profile.minus)];
+                of_plus += u64::from(plus * u32::from(profile.step));
+                of_minus += u64::from(minus * u32::from(profile.step));
+                image += u64::from((plus + minus) * u32::from(profile.size));
+            }
+            largest = largest.max(of_plus).max(of_minus);
+        }
+        largest = largest.max(image);
+        largest += largest >> 6;
+        let bits = 64 - largest.leading_zeros();
+        bits.cast_signed() - 4 + UNIT.cast_signed()
+    }
+
+    /// Scales the terms by 2^`by`.
+    ///
+    /// A step of Horner's rule rounds down, half a unit on average; so every term that
+    /// is added to such a step is rounded up, by as much. The first is added to none,
+    /// and the last of m = 0 to one that is not rounded.
+    fn round(&self, by: i32, sums: &mut [i32]) {
+        let mut rest = sums;
+        for (azimuth, &length) in self.parts.lengths.iter().enumerate() {
+            for _ in 0..if azimuth == 0 { 1 } else { 2 } {
+                let (polynomial, after) =
+                    rest.split_at_mut_checked(usize::from(length)).unwrap_or_default();
+                rest = after;
+                let (last, mut above) = (polynomial.len().saturating_sub(1), 0);
+                for (k, term) in polynomial.iter_mut().enumerate() {
+                    let nearest = above == 0 || (azimuth == 0 && k == last);
+                    above |= *term;
+                    *term = match by {
+                        0.. => *term << by.min(31),
+                        _ if nearest => term.shifted(by),
+                        _ => (*term >> (-by).min(31)) + 1,
+                    };
+                }
+            }
+        }
+    }
+}
+
+/// sums += weight terms.
+#[inline]
+fn add<Q: Fixed>(weight: i32, terms: &[Q], sums: &mut [i32]) {
+    if weight == 0 {
+        return;
+    }
+    for (sum, term) in sums.iter_mut().zip(terms) {
+        *sum += term.weigh(weight);
+    }
+}

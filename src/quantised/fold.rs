@@ -1,0 +1,206 @@
+//! A material folded into a basis, in integers: T_i,l = Σ_pq factor_i,l,pq S_l,pq with
+//! S_l,pq = Σ_o B_op^q Ĉ_lo^q, so that d_i = Σ_l T_i,l L_l^m.
+
+use super::{Basis, Material};
+use crate::error::{Error, What};
+use crate::format::{Fixed, Wide};
+use crate::index::{material, pair};
+use crate::projection::zeros;
+
+/// A material folded into a basis: for each profile a row over l from |m| on, times 2
+/// to the profile's exponent.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Transfer<'a, Q> {
+    pub(crate) numbers: &'a [Q],
+    pub(crate) exponents: &'a [i16],
+}
+
+impl<'a, Q> Transfer<'a, Q> {
+    /// The transfer of these numbers. [`Basis::relight`] checks that they are as many as
+    /// it needs.
+    #[must_use]
+    pub const fn new(numbers: &'a [Q], exponents: &'a [i16]) -> Self {
+        Self { numbers, exponents }
+    }
+}
+
+/// Room for a [`Transfer`] of `T` numbers and `P` profiles.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TransferBuffer<Q, const T: usize, const P: usize> {
+    numbers: heapless::Vec<Q, T>,
+    exponents: heapless::Vec<i16, P>,
+}
+
+impl<Q, const T: usize, const P: usize> TransferBuffer<Q, T, P> {
+    /// The transfer in it.
+    #[must_use]
+    pub fn view(&self) -> Transfer<'_, Q> {
+        Transfer { numbers: &self.numbers, exponents: &self.exponents }
+    }
+}
+
+impl<Q: Fixed> Basis<'_, Q> {
+    /// Folds a material into the basis.
+    ///
+    /// `N` is at least [`workspace_len`](Self::workspace_len), `T` at least
+    /// [`transfer_len`](Self::transfer_len), `P` at least [`profiles`](Self::profiles).
+    ///
+    /// # Errors
+    ///
+    /// As [`fold_into`](Self::fold_into), and [`Error::Capacity`] if `N`, `T` or `P` is
+    /// too small.
+    pub fn fold<const N: usize, const T: usize, const P: usize>(
+        &self,
+        material: &Material<'_, Q>,
+    ) -> Result<TransferBuffer<Q, T, P>, Error> {
+        let mut workspace = zeros::<Q::Wide, N>(What::Workspace, self.workspace_len())?;
+        let mut transfer = TransferBuffer {
+            numbers: zeros::<Q, T>(What::Transfer, self.transfer_len())?,
+            exponents: zeros::<i16, P>(What::Transfer, self.profiles())?,
+        };
+        let TransferBuffer { numbers, exponents } = &mut transfer;
+        self.fold_into(material, &mut workspace, numbers, exponents)?;
+        Ok(transfer)
+    }
+
+    /// [`fold`](Self::fold) with slices.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Beyond`] if the material goes beyond the basis, [`Error::Folded`] if the
+    /// basis takes in none, [`Error::Length`] if a slice is not as long as
+    /// [`workspace_len`](Self::workspace_len), [`transfer_len`](Self::transfer_len) and
+    /// [`profiles`](Self::profiles) say.
+    pub fn fold_into(
+        &self,
+        material: &Material<'_, Q>,
+        workspace: &mut [Q::Wide],
+        numbers: &mut [Q],
+        exponents: &mut [i16],
+    ) -> Result<(), Error> {
+        let (basis, found) = (self.order(), material.order);
+        if found > basis {
+            return Err(Error::Beyond { what: What::Material, basis, found });
+        }
+        if self.parts.polar.is_empty() {
+            return Err(Error::Folded);
+        }
+        Error::check(What::Workspace, self.workspace_len(), workspace.len())?;
+        Error::check(What::Transfer, self.transfer_len(), numbers.len())?;
+        Error::check(What::Transfer, self.profiles(), exponents.len())?;
+        let pairs = pair::count(self.order());
+        let degrees = self.degree() + 1;
+        let (sums, rest) = workspace.split_at_mut_checked(degrees * pairs).unwrap_or_default();
+        let (of_sums, row) = rest.split_at_mut_checked(degrees).unwrap_or_default();
+        self.scatter(material, sums, of_sums);
+        let (row, _) = row.as_chunks_mut::<2>();
+        let mut factors = self.parts.factors.chunks_exact(pairs);
+        let mut of_factors = self.parts.factor_exponents.iter();
+        let mut numbers = numbers;
+        for (profile, exponent) in self.parts.profiles.iter().zip(exponents) {
+            let azimuth = usize::from(profile.azimuth);
+            let (of_profile, after) =
+                numbers.split_at_mut_checked(degrees - azimuth).unwrap_or_default();
+            numbers = after;
+            let rows = sums.chunks_exact(pairs).zip(&*of_sums).skip(azimuth);
+            for ([sum, of_sum], (sums, &of_sums)) in row.iter_mut().zip(rows) {
+                let (Some(factors), Some(&of_factors)) = (factors.next(), of_factors.next()) else {
+                    break;
+                };
+                (*sum, *of_sum) =
+                    (product(factors, sums), of_sums + Q::Wide::of(of_factors.into()));
+            }
+            let row = row.iter().take(degrees - azimuth);
+            let found = row.map(|&[sum, exponent]| (sum, exponent.saturated()));
+            let common = common_exponent(found.clone(), Q::BITS + 1, Q::BITS);
+            *exponent = common as i16;
+            for (to, (sum, exponent)) in of_profile.iter_mut().zip(found) {
+                *to = Q::narrow(sum.shifted(exponent - common));
+            }
+        }
+        Ok(())
+    }
+
+    /// Writes S: for each l a row over the pairs (p, q), each below 2^BITS, and the
+    /// row's exponent.
+    fn scatter(&self, material: &Material<'_, Q>, sums: &mut [Q::Wide], exponents: &mut [Q::Wide]) {
+        let pairs = pair::count(self.order());
+        // The addends of one sum are one for each o of a parity.
+        let room = Q::Wide::of((self.order() / 2 + 1) as i32).bits().cast_signed() - 1;
+        let polar = self.parts.polar.chunks_exact(pairs);
+        let rows = polar.zip(self.parts.polar_exponents.chunks_exact(pairs));
+        for ((polar, of_polar), (sums, exponent)) in
+            rows.zip(sums.chunks_exact_mut(pairs).zip(exponents))
+        {
+            let mut top = i32::MIN;
+            for ((o, _), &of_polar) in pair::indices(self.order()).zip(of_polar) {
+                if let Some(&of_order) = material.exponents.get(o) {
+                    top = top.max(i32::from(of_order) + i32::from(of_polar));
+                }
+            }
+            let common = top + room;
+            sums.fill(Q::Wide::default());
+            for ((o, p, q), &b) in material::indices(material.order).zip(material.mantissas) {
+                let of_order = material.exponents.get(o).copied().unwrap_or_default();
+                let (of_o, of_p) = (pair::position(o, q), pair::position(p, q));
+                let b = if o == p { b } else { b.over_root_two() };
+                let mut add = |from: usize, to: usize| {
+                    let (Some(&polar), Some(&of_polar), Some(sum)) =
+                        (polar.get(from), of_polar.get(from), sums.get_mut(to))
+                    else {
+                        return;
+                    };
+                    let by = i32::from(of_order) + i32::from(of_polar) - common;
+                    *sum += (b.widen() * polar.widen()).shifted(by);
+                };
+                add(of_o, of_p);
+                if o != p {
+                    add(of_p, of_o);
+                }
+            }
+            let largest = sums.iter().map(|sum| sum.bits()).max().unwrap_or_default();
+            let by = Q::BITS.cast_signed() - largest.cast_signed();
+            for sum in sums.iter_mut() {
+                // A number that rounding brings to 2^BITS is one less.
+                *sum = Q::narrow(sum.shifted(by)).widen();
+            }
+            *exponent = Q::Wide::of(if largest == 0 { 0 } else { common - by });
+        }
+    }
+}
+
+/// Σ a b: the factors' row sums to less than 2^(BITS + 1), so it fits.
+#[inline]
+fn product<Q: Fixed>(factors: &[Q], sums: &[Q::Wide]) -> Q::Wide {
+    let mut sum = Q::Wide::default();
+    for (factor, &scattered) in factors.iter().zip(sums) {
+        sum += factor.widen() * scattered;
+    }
+    sum
+}
+
+/// The least exponent with which mantissas are below 2^`each`, and their sizes' sum,
+/// after rounding, below 2^`all`, of at most 2^(BITS - 8) numbers with an exponent each.
+pub(crate) fn common_exponent<W: Wide>(
+    numbers: impl Iterator<Item = (W, i32)> + Clone,
+    all: u32,
+    each: u32,
+) -> i32 {
+    let (mut top, mut count) = (None, 0);
+    for (number, exponent) in numbers.clone() {
+        count += 1;
+        if number != W::default() {
+            top = top.max(Some(number.bits().cast_signed() + exponent));
+        }
+    }
+    let Some(top) = top else { return 0 };
+    let room = W::SIZE.cast_signed() - W::of(count).bits().cast_signed() - 2;
+    let base = top - room;
+    let mut sum = W::default();
+    for (number, exponent) in numbers {
+        let aligned = number.shifted(exponent - base);
+        sum += if aligned < W::default() { -aligned } else { aligned };
+    }
+    sum += sum.shifted(-8);
+    (base + sum.bits().cast_signed() - all.cast_signed()).max(top - each.cast_signed())
+}

@@ -1,0 +1,131 @@
+//! Light and material in integers.
+
+use crate::error::{Error, What};
+use crate::format::{Fixed, Wide as _};
+use crate::index::{light, material};
+
+/// One channel of distant light: mantissas in the order of
+/// [`index::light`](crate::index::light), all times 2^exponent.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Light<'a, Q> {
+    pub(crate) degree: usize,
+    pub(crate) exponent: i32,
+    pub(crate) mantissas: &'a [Q],
+}
+
+/// One channel of an isotropic BRDF: mantissas in the order of
+/// [`index::material`](crate::index::material), those of each o times 2 to its exponent.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Material<'a, Q> {
+    pub(crate) order: usize,
+    pub(crate) exponents: &'a [i8],
+    pub(crate) mantissas: &'a [Q],
+}
+
+impl<'a, Q> Light<'a, Q> {
+    /// The light of these mantissas; |exponent| <= 128.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] unless there are (degree + 1)² of them,
+    /// [`Error::Exponent`] if the exponent is beyond.
+    pub const fn new(degree: usize, exponent: i32, mantissas: &'a [Q]) -> Result<Self, Error> {
+        if exponent.unsigned_abs() > 128 {
+            return Err(Error::Exponent);
+        }
+        match Error::check(What::Light, light::count(degree), mantissas.len()) {
+            Ok(()) => Ok(Self { degree, exponent, mantissas }),
+            Err(error) => Err(error),
+        }
+    }
+}
+
+impl<'a, Q> Material<'a, Q> {
+    /// The material of these mantissas.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] unless there are as many as
+    /// [`index::material::count`](crate::index::material::count) says, and an exponent
+    /// for each o.
+    pub const fn new(order: usize, exponents: &'a [i8], mantissas: &'a [Q]) -> Result<Self, Error> {
+        let checks = [
+            Error::check(What::Material, material::count(order), mantissas.len()),
+            Error::check(What::Material, order.saturating_add(1), exponents.len()),
+        ];
+        match checks {
+            [Ok(()), Ok(())] => Ok(Self { order, exponents, mantissas }),
+            [Err(error), _] | [_, Err(error)] => Err(error),
+        }
+    }
+}
+
+impl<'a, Q: Fixed> Light<'a, Q> {
+    /// Writes a light's mantissas into `to`. Integer arithmetic throughout; a number
+    /// that is not finite counts as the largest.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] unless both have (degree + 1)² numbers.
+    pub fn quantise(degree: usize, from: &[f32], to: &'a mut [Q]) -> Result<Self, Error> {
+        Error::check(What::Light, light::count(degree), from.len())?;
+        Error::check(What::Light, from.len(), to.len())?;
+        let exponent = quantise(from, to);
+        Self::new(degree, exponent, to)
+    }
+}
+
+impl<'a, Q: Fixed> Material<'a, Q> {
+    /// Writes a material's mantissas into `to` and its exponents into `exponents`:
+    /// see [`Light::quantise`].
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] unless both have
+    /// [`index::material::count`](crate::index::material::count) numbers, and `exponents`
+    /// order + 1.
+    pub fn quantise(
+        order: usize,
+        from: &[f32],
+        to: &'a mut [Q],
+        exponents: &'a mut [i8],
+    ) -> Result<Self, Error> {
+        Error::check(What::Material, material::count(order), from.len())?;
+        Error::check(What::Material, from.len(), to.len())?;
+        Error::check(What::Material, order.saturating_add(1), exponents.len())?;
+        let (mut from, mut rest) = (from, &mut *to);
+        for (o, exponent) in exponents.iter_mut().enumerate() {
+            let count = (o / 2 + 1) * (o / 2 + 2) / 2;
+            let (of_order, after) = from.split_at_checked(count).unwrap_or((from, &[]));
+            let (places, places_after) = rest.split_at_mut_checked(count).unwrap_or_default();
+            *exponent = quantise(of_order, places).clamp(-127, 127) as i8;
+            (from, rest) = (after, places_after);
+        }
+        Self::new(order, exponents, to)
+    }
+}
+
+/// The sign and the 24 bits of a number, and their exponent.
+fn decoded(number: f32) -> (i32, i32) {
+    let bits = number.to_bits();
+    let (biased, fraction) = ((bits >> 23) & 0xff, bits & 0x7f_ffff);
+    let (size, exponent) = match biased {
+        0 => (fraction, -149),
+        255 => (0xff_ffff, 104),
+        _ => (fraction | 0x80_0000, biased.cast_signed() - 150),
+    };
+    let size = size.cast_signed();
+    (if bits >> 31 == 1 { -size } else { size }, exponent)
+}
+
+/// Mantissas of these numbers, and their exponent.
+fn quantise<Q: Fixed>(from: &[f32], to: &mut [Q]) -> i32 {
+    let tops = from.iter().map(|&number| decoded(number)).filter(|(size, _)| *size != 0);
+    let top = tops.map(|(size, exponent)| size.bits().cast_signed() + exponent).max();
+    let exponent = top.unwrap_or(0).max(-96) - Q::BITS.cast_signed();
+    for (to, &number) in to.iter_mut().zip(from) {
+        let (size, of_number) = decoded(number);
+        *to = Q::narrow(Q::Wide::of(size).shifted(of_number - exponent));
+    }
+    exponent
+}

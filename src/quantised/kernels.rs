@@ -1,0 +1,72 @@
+//! A pixel with every length known when it is compiled, for the generated modules of
+//! `eigenshade-table`: the steps of [`Scene::shade`](super::Scene::shade), unrolled.
+
+use super::Normal;
+use crate::format::{Fixed, Wide as _};
+
+/// A pixel on its way: the sum so far, and (n_x + i n_y)^m.
+#[derive(Clone, Copy, Debug)]
+pub struct Pixel<Q: Fixed> {
+    normal: Normal<Q>,
+    t: i32,
+    cosine: i32,
+    sine: i32,
+    sum: Q::Wide,
+}
+
+impl<Q: Fixed> Pixel<Q> {
+    /// m = 0: the first `LENGTH` of the terms.
+    #[inline(always)]
+    #[must_use]
+    pub fn new<const LENGTH: usize, const N: usize>(terms: &[i32; N], normal: Normal<Q>) -> Self {
+        let t = Q::argument(normal.z);
+        let first = terms.get(..LENGTH).unwrap_or_default();
+        let (last, first) = first.split_last().unwrap_or((&0, &[]));
+        let sum = Q::product(value::<Q>(first, t), t).wrapping_plus(Q::of_value(*last));
+        Self { normal, t, cosine: normal.x.halved(), sine: normal.y.halved(), sum }
+    }
+
+    /// The next m: +m from `START` on, -m after it; none if `LENGTH` is 0.
+    #[inline(always)]
+    #[must_use]
+    pub fn azimuth<const START: usize, const LENGTH: usize, const N: usize>(
+        self,
+        terms: &[i32; N],
+    ) -> Self {
+        let plus = terms.get(START..START + LENGTH).unwrap_or_default();
+        let minus = terms.get(START + LENGTH..START + 2 * LENGTH).unwrap_or_default();
+        let plus = Q::product(value::<Q>(plus, self.t), self.cosine);
+        let minus = Q::product(value::<Q>(minus, self.t), self.sine);
+        Self { sum: self.sum.wrapping_plus(plus).wrapping_plus(minus), ..self }
+    }
+
+    /// From m to m + 1.
+    #[inline(always)]
+    #[must_use]
+    pub fn turned(self) -> Self {
+        let (x, y) = (self.normal.x, self.normal.y);
+        Self {
+            cosine: Q::dot(self.cosine, x, -self.sine, y),
+            sine: Q::dot(self.cosine, y, self.sine, x),
+            ..self
+        }
+    }
+
+    /// The irradiance.
+    #[inline(always)]
+    #[must_use]
+    pub fn irradiance(self) -> i32 {
+        Q::sum(self.sum)
+    }
+}
+
+/// A polynomial's value by Horner's rule, each step rounded down.
+#[inline(always)]
+pub(crate) fn value<Q: Fixed>(terms: &[i32], t: i32) -> i32 {
+    let Some((&first, rest)) = terms.split_first() else { return 0 };
+    let mut sum = first;
+    for &term in rest {
+        sum = Q::argument_times(sum, t) + term;
+    }
+    sum
+}

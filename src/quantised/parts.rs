@@ -1,0 +1,60 @@
+//! The arrays that a basis in integers is made of.
+
+/// The arrays of a basis in an integer format, as `eigenshade-table` writes them: a
+/// mantissa times 2 to its exponent is the number.
+#[derive(Clone, Copy, Debug)]
+pub struct Parts<'a, Q> {
+    /// Largest degree l of the light.
+    pub degree: usize,
+    /// Largest order o of the BRDF.
+    pub order: usize,
+    /// Number of components K.
+    pub components: usize,
+    /// Slant profiles, by |m|.
+    pub profiles: &'a [Profile],
+    /// Number of polynomial terms for each |m|.
+    pub lengths: &'a [u8],
+    /// √(o+1) N_l^q C_lo^q of (11): for each l a row over the pairs (o, q). Empty in a
+    /// basis of transfers alone, as the next three are.
+    pub polar: &'a [Q],
+    /// An exponent for each of them.
+    pub polar_exponents: &'a [i8],
+    /// Factors of UᵀM: for each profile, each l from |m| on, a row over the pairs.
+    pub factors: &'a [Q],
+    /// An exponent for each row.
+    pub factor_exponents: &'a [i8],
+    /// For each profile its polynomial in t = 2z - 1, highest power first, times √2
+    /// where m is not 0.
+    pub terms: &'a [Q],
+}
+
+/// A slant profile: its azimuth, the components that it serves, the exponent of its
+/// terms, and how large it gets.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Profile {
+    pub(crate) azimuth: u8,
+    pub(crate) exponent: i8,
+    pub(crate) plus: u16,
+    pub(crate) minus: u16,
+    pub(crate) size: u16,
+    pub(crate) step: u16,
+}
+
+impl Profile {
+    /// Stands for no component.
+    pub const NONE: u16 = u16::MAX;
+
+    /// The profile of `azimuth` |m| that serves component number `plus` with order +m
+    /// (or 0) and `minus` with -m, either of which may be [`NONE`](Self::NONE).
+    /// `size` is its largest value, `step` the largest step of Horner's rule on the way
+    /// there, in sixteenths.
+    #[must_use]
+    pub const fn new(
+        azimuth: u8,
+        exponent: i8,
+        [plus, minus]: [u16; 2],
+        [size, step]: [u16; 2],
+    ) -> Self {
+        Self { azimuth, exponent, plus, minus, size, step }
+    }
+}

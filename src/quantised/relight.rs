@@ -1,0 +1,100 @@
+//! A new light on a folded material, in integers: d_i = Σ_l T_i,l L_l^m.
+
+use super::{Basis, Coefficients, Light, Transfer};
+use crate::error::{Error, What};
+use crate::format::{Fixed, Wide};
+use crate::index::light;
+use crate::projection::zeros;
+
+/// Bits of a mantissa of d.
+const BITS: i32 = 30;
+
+impl<Q: Fixed> Basis<'_, Q> {
+    /// d of a new light on a folded material.
+    ///
+    /// `K` is at least [`components`](Self::components).
+    ///
+    /// # Errors
+    ///
+    /// As [`relight_into`](Self::relight_into), and [`Error::Capacity`] if `K` is too
+    /// small.
+    pub fn relight<const K: usize>(
+        &self,
+        transfer: &Transfer<'_, Q>,
+        light: &Light<'_, Q>,
+    ) -> Result<Coefficients<K>, Error> {
+        let mut mantissas = zeros::<i32, K>(What::Coefficients, self.components())?;
+        let exponent = self.relight_into(transfer, light, &mut mantissas)?;
+        Ok(Coefficients { mantissas, exponent })
+    }
+
+    /// [`relight`](Self::relight) into a slice of [`components`](Self::components)
+    /// mantissas; gives their exponent.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Beyond`] if the light goes beyond the basis, [`Error::Length`] if
+    /// transfer or slice are not the basis's.
+    pub fn relight_into(
+        &self,
+        transfer: &Transfer<'_, Q>,
+        light: &Light<'_, Q>,
+        mantissas: &mut [i32],
+    ) -> Result<i32, Error> {
+        let (basis, found) = (self.degree(), light.degree);
+        if found > basis {
+            return Err(Error::Beyond { what: What::Light, basis, found });
+        }
+        Error::check(What::Transfer, self.transfer_len(), transfer.numbers.len())?;
+        Error::check(What::Transfer, self.profiles(), transfer.exponents.len())?;
+        Error::check(What::Coefficients, self.components(), mantissas.len())?;
+        let mut numbers = transfer.numbers;
+        let mut top = None;
+        let mut note = |place: Option<&mut i32>, sum: Q::Wide, exponent: i16| {
+            let Some(place) = place else { return };
+            // The upper 31 bits.
+            *place = sum.shifted(31 - Q::Wide::SIZE.cast_signed()).saturated();
+            if *place != 0 {
+                top = top.max(Some(place.bits().cast_signed() + i32::from(exponent)));
+            }
+        };
+        for (profile, &exponent) in self.parts.profiles.iter().zip(transfer.exponents) {
+            let azimuth = usize::from(profile.azimuth);
+            let (row, after) =
+                numbers.split_at_checked(basis + 1 - azimuth).unwrap_or((numbers, &[]));
+            numbers = after;
+            let [plus, minus] = sums(row, light.mantissas, azimuth);
+            note(mantissas.get_mut(usize::from(profile.plus)), plus, exponent);
+            note(mantissas.get_mut(usize::from(profile.minus)), minus, exponent);
+        }
+        let common = top.map_or(0, |top| top - BITS);
+        for (profile, &exponent) in self.parts.profiles.iter().zip(transfer.exponents) {
+            for component in [profile.plus, profile.minus] {
+                if let Some(place) = mantissas.get_mut(usize::from(component)) {
+                    *place = place.shifted(i32::from(exponent) - common);
+                }
+            }
+        }
+        Ok(common + light.exponent + Q::Wide::SIZE.cast_signed() - 31)
+    }
+}
+
+/// Σ_l T_l L_l^±m, that of -m times (-1)^m. A row of a transfer sums to less than
+/// 2^(BITS + 1), so both fit.
+#[inline]
+fn sums<Q: Fixed>(row: &[Q], light: &[Q], azimuth: usize) -> [Q::Wide; 2] {
+    let mut sums = [Q::Wide::default(); 2];
+    let order = azimuth.cast_signed();
+    for (l, number) in (azimuth..).zip(row) {
+        let (Some(plus), Some(minus)) =
+            (light.get(light::position(l, order)), light.get(light::position(l, -order)))
+        else {
+            break;
+        };
+        let [of_plus, of_minus] = &mut sums;
+        *of_plus += number.widen() * plus.widen();
+        *of_minus += number.widen() * minus.widen();
+    }
+    let [plus, minus] = sums;
+    [plus, if azimuth % 2 == 1 { -minus } else { minus }]
+}

@@ -1,0 +1,229 @@
+//! Every number format against the f64 sum of the same components, over every light on
+//! every material of the database, all channels.
+//!
+//! The truth is summed mode by mode from the table's rows of UᵀM, and its Chebyshev
+//! series; nothing of it is the runtime's.
+
+#[path = "tolerances/mod.rs"]
+mod tolerances;
+
+use eigenshade::{Q15, Q31};
+use eigenshade_cli::integer_shader::{self, IntegerShader};
+use eigenshade_cli::owned_basis::OwnedBasis;
+use eigenshade_cli::owned_quantised::Integer;
+use eigenshade_cli::shader::{OwnedNormals, Shader};
+use eigenshade_cli::shipped;
+use eigenshade_generator::database::{Lights, Materials};
+use eigenshade_index::{light, material, mode};
+use eigenshade_table::Table;
+
+/// Normals at which images are compared, of equal projected areas.
+const NORMALS: usize = 400;
+
+/// Energies of what should be and of what is wrong.
+#[derive(Clone, Copy, Default)]
+struct Ratio {
+    signal: f64,
+    noise: f64,
+}
+
+impl Ratio {
+    fn add(&mut self, truth: f64, found: f64) {
+        self.signal += truth * truth;
+        self.noise += (found - truth).powi(2);
+    }
+
+    fn decibels(self) -> f64 {
+        10.0 * (self.signal / self.noise).log10()
+    }
+}
+
+/// Signal to error: over all, of the worst pair, of the weakest component.
+struct Score {
+    all: f64,
+    worst: f64,
+    component: f64,
+}
+
+/// Degree or order, and coefficients.
+type Channel<'a> = (usize, &'a [f64]);
+/// d, and the irradiance of some normals.
+type Image = (Vec<f64>, Vec<f64>);
+
+/// One channel's d and image in the format that is measured.
+trait Measured {
+    fn image(&mut self, light: Channel<'_>, material: Channel<'_>, normals: &[[f64; 3]]) -> Image;
+}
+
+struct Truth {
+    table: Table,
+    lights: Lights,
+    materials: Materials,
+    normals: Vec<[f64; 3]>,
+    /// For each component, each normal.
+    images: Vec<Vec<f64>>,
+    /// For each profile its row of UᵀM.
+    rows: Vec<Vec<f64>>,
+}
+
+impl Truth {
+    fn new() -> Self {
+        let bytes = std::fs::read("tables/sphere.bin").expect("the shipped table");
+        let table = eigenshade_table::decode(&bytes).expect("a table");
+        let normals: Vec<[f64; 3]> = (0..NORMALS)
+            .map(|k| {
+                let z = ((k as f64 + 0.5) / NORMALS as f64).sqrt();
+                let (sine, tilt) = ((1.0 - z * z).sqrt(), 2.399_963 * k as f64);
+                [sine * tilt.cos(), sine * tilt.sin(), z]
+            })
+            .collect();
+        let image = |component: &eigenshade_table::Component| {
+            let profile = &table.profiles[component.profile];
+            let one = |[x, y, z]: &[f64; 3]| {
+                let (slant, tilt) = (x.hypot(*y), y.atan2(*x));
+                let order = f64::from(component.order);
+                let around = match component.order {
+                    0 => 1.0,
+                    1.. => std::f64::consts::SQRT_2 * (order * tilt).cos(),
+                    // Φ_-m = √2 sin(-mβ).
+                    _ => std::f64::consts::SQRT_2 * (order * tilt).sin(),
+                };
+                chebyshev(&profile.chebyshev, 2.0 * z - 1.0)
+                    * slant.powi(profile.azimuth as i32)
+                    * around
+            };
+            normals.iter().map(one).collect()
+        };
+        let images = table.components.iter().map(image).collect();
+        let rows = table.profiles.iter().map(|profile| table.gram_row(profile)).collect();
+        Self {
+            images,
+            rows,
+            normals,
+            lights: shipped::lights().expect("lights").truncated(table.gram.degree),
+            materials: shipped::materials().expect("materials").truncated(table.gram.order),
+            table,
+        }
+    }
+
+    /// d = UᵀMc, mode by mode.
+    fn project(&self, light: &[f64], material: &[f64]) -> Vec<f64> {
+        let (degree, order) = (self.table.gram.degree, self.table.gram.order);
+        let of = |component: &eigenshade_table::Component| {
+            let azimuth = component.order.unsigned_abs() as usize;
+            let sign = if component.order < 0 && azimuth % 2 == 1 { -1.0 } else { 1.0 };
+            let modes = mode::indices(degree, order, azimuth).zip(&self.rows[component.profile]);
+            let one = |((l, o, p, q), weight): ((usize, usize, usize, usize), &f64)| {
+                weight
+                    * light[light::position(l, component.order as isize)]
+                    * material[material::position(o, p, q)]
+            };
+            sign * modes.map(one).sum::<f64>()
+        };
+        self.table.components.iter().map(of).collect()
+    }
+
+    fn score(&self, measured: &mut impl Measured) -> Score {
+        let mut all = Ratio::default();
+        let mut components = vec![Ratio::default(); self.table.count()];
+        let mut worst = f64::INFINITY;
+        for material in &self.materials.entries {
+            for light in &self.lights.entries {
+                let mut pair = Ratio::default();
+                for (light, material) in light.rgb.iter().zip(&material.rgb) {
+                    let d = self.project(light, material);
+                    let (light, material) =
+                        ((self.lights.degree, &light[..]), (self.materials.order, &material[..]));
+                    let (found, image) = measured.image(light, material, &self.normals);
+                    for ((ratio, truth), found) in components.iter_mut().zip(&d).zip(found) {
+                        ratio.add(*truth, found);
+                    }
+                    for (k, found) in image.into_iter().enumerate() {
+                        let truth = d.iter().zip(&self.images).map(|(d, image)| d * image[k]).sum();
+                        pair.add(truth, found);
+                    }
+                }
+                all.signal += pair.signal;
+                all.noise += pair.noise;
+                worst = worst.min(pair.decibels());
+            }
+        }
+        let component = components.into_iter().map(Ratio::decibels).fold(f64::INFINITY, f64::min);
+        Score { all: all.decibels(), worst, component }
+    }
+}
+
+fn chebyshev(terms: &[f64], t: f64) -> f64 {
+    terms
+        .iter()
+        .enumerate()
+        .map(|(k, term)| term * (k as f64 * t.clamp(-1.0, 1.0).acos()).cos())
+        .sum()
+}
+
+impl Measured for Shader<'_, f32> {
+    fn image(&mut self, light: Channel<'_>, material: Channel<'_>, normals: &[[f64; 3]]) -> Image {
+        let normals = OwnedNormals::new(normals);
+        let image = self.polynomial(light, material, &normals).expect("it fits");
+        let d = self.project(light, material).expect("it fits");
+        let wide = |values: &[f32]| values.iter().copied().map(f64::from).collect();
+        (wide(d), wide(&image))
+    }
+}
+
+impl<Q: Integer> Measured for IntegerShader<Q> {
+    fn image(&mut self, light: Channel<'_>, material: Channel<'_>, normals: &[[f64; 3]]) -> Image {
+        let normals = integer_shader::normals(normals).expect("unit normals");
+        let image = self.polynomial(light, material, &normals).expect("it fits");
+        (self.project(light, material).expect("it fits"), image)
+    }
+}
+
+/// The page states what this finds, to a tenth of a decibel.
+fn stated(name: &str, score: &Score) {
+    let row = format!(
+        "| {name} | {:.1} dB | {:.1} dB | {:.1} dB |",
+        score.all, score.worst, score.component
+    );
+    println!("{row}");
+    let page = include_str!("../docs/formats.md");
+    let found = page.lines().find(|line| line.starts_with(&format!("| {name} |")));
+    let numbers = |row: &str| -> Vec<f64> {
+        row.split(" dB").filter_map(|part| part.rsplit(' ').next()?.parse().ok()).collect()
+    };
+    let (stated, found) = (numbers(found.unwrap_or_default()), numbers(&row));
+    assert_eq!(stated.len(), found.len(), "docs/formats.md lacks `{row}`");
+    for (stated, found) in stated.iter().zip(&found) {
+        assert!((stated - found).abs() <= tolerances::DECIBELS_STATED, "docs/formats.md: `{row}`");
+    }
+}
+
+#[test]
+fn floats_are_as_good_as_stated() {
+    let truth = Truth::new();
+    let basis = OwnedBasis::<f32>::new(&truth.table);
+    let score = truth.score(&mut Shader::new(basis.any().expect("a basis"), usize::MAX));
+    assert!(score.all >= tolerances::F32_ALL && score.worst >= tolerances::F32_WORST);
+    stated("`f32`", &score);
+}
+
+fn integers<Q: Integer>() -> Score {
+    let truth = Truth::new();
+    let shader = IntegerShader::<Q>::new(&truth.table, usize::MAX);
+    truth.score(&mut shader.expect("a sphere's table"))
+}
+
+#[test]
+fn q31_is_as_good_as_stated() {
+    let score = integers::<Q31>();
+    assert!(score.all >= tolerances::Q31_ALL && score.worst >= tolerances::Q31_WORST);
+    stated("`Q31`", &score);
+}
+
+#[test]
+fn q15_is_as_good_as_stated() {
+    let score = integers::<Q15>();
+    assert!(score.all >= tolerances::Q15_ALL && score.worst >= tolerances::Q15_WORST);
+    assert!(score.component >= tolerances::Q15_COMPONENT);
+    stated("`Q15`", &score);
+}
