@@ -103,14 +103,15 @@ impl<'a, Q: Fixed> Basis<'a, Q> {
             found.map_or(0, |d| (d.unsigned_abs() >> UNIT) + u32::from(*d != 0))
         };
         let (mut image, mut largest) = (0_u64, 0_u64);
-        for profiles in self.parts.profiles.chunk_by(|a, b| a.azimuth == b.azimuth) {
-            let (mut of_plus, mut of_minus) = (0_u64, 0_u64);
-            for profile in profiles {
-                let [plus, minus] = [size(profile.plus), size(profile.minus)];
-                of_plus += u64::from(plus * u32::from(profile.step));
-                of_minus += u64::from(minus * u32::from(profile.step));
-                image += u64::from((plus + minus) * u32::from(profile.size));
+        let (mut azimuth, mut of_plus, mut of_minus) = (0, 0_u64, 0_u64);
+        for profile in self.parts.profiles {
+            if profile.azimuth != azimuth {
+                (azimuth, of_plus, of_minus) = (profile.azimuth, 0, 0);
             }
+            let [plus, minus] = [size(profile.plus), size(profile.minus)];
+            of_plus += u64::from(plus * u32::from(profile.step));
+            of_minus += u64::from(minus * u32::from(profile.step));
+            image += u64::from((plus + minus) * u32::from(profile.size));
             largest = largest.max(of_plus).max(of_minus);
         }
         largest = largest.max(image);

@@ -11,6 +11,14 @@ const CALIBRATION: u32 = 1 << 20;
 #[derive(Clone, Copy, Debug)]
 pub struct Passes(pub u32);
 
+/// Says how many bytes of RAM an operation's inputs and answers take, where they are not
+/// statics.
+pub fn holds(bytes: usize) {
+    say("holds");
+    say_number(bytes as u32);
+    say("\n");
+}
+
 /// Measures an operation on each of the inputs, so many times each, and says
 ///
 /// ```text

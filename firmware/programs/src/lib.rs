@@ -1,18 +1,41 @@
 //! What the programs share: tables, inputs, and baselines to compare with.
 #![no_std]
 
-
 /// A full scene: degree 9, order 7, images to 1e-4 of the peak.
 pub mod full {
     include!(concat!(env!("OUT_DIR"), "/full.rs"));
+
+    /// In mantissas of 15 bits.
+    pub mod q15 {
+        include!(concat!(env!("OUT_DIR"), "/full_q15.rs"));
+    }
+
+    /// In mantissas of 31 bits.
+    pub mod q31 {
+        include!(concat!(env!("OUT_DIR"), "/full_q31.rs"));
+    }
 }
 
-/// A white matte under light of degree 2.
+/// Any Lambertian material under light of degree 2.
 pub mod lambertian {
     include!(concat!(env!("OUT_DIR"), "/lambertian.rs"));
+
+    /// In mantissas of 15 bits.
+    pub mod q15 {
+        include!(concat!(env!("OUT_DIR"), "/lambertian_q15.rs"));
+    }
+
+    /// In mantissas of 31 bits.
+    pub mod q31 {
+        include!(concat!(env!("OUT_DIR"), "/lambertian_q31.rs"));
+    }
 }
 
 pub mod inputs;
+
+pub mod integer_inputs;
+
+mod operations;
 
 pub mod nine_terms;
 

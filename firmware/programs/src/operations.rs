@@ -1,0 +1,91 @@
+//! The measured operations in integers, once for each format: a table's modules in two
+//! formats share names, not types.
+
+/// A pixel of a scene of the module `$table`.
+#[macro_export]
+macro_rules! shade {
+    ($table:path) => {
+        use $table as table;
+
+        board::program!(main);
+
+        fn main() {
+            let mantissas = [0; table::COMPONENTS].map(|_: i32| core::hint::black_box(123_456_789));
+            let Ok(scene) = table::BASIS.collapse::<{ table::SCENE }>(&mantissas, -30) else {
+                board::exit(false)
+            };
+            let scene = core::hint::black_box(scene);
+            board::holds(size_of_val(&scene));
+            board::measure(&$crate::integer_inputs::normals(), board::Passes(256), |normal| {
+                table::shade(&scene, *normal)
+            });
+        }
+    };
+}
+
+/// A new light on a fixed material, with the module `$table`; up to the scene with
+/// `collapse`.
+#[macro_export]
+macro_rules! relight {
+    ($table:path $(, $collapse:ident)?) => {
+        use $crate::integer_inputs as inputs;
+        use $table as table;
+
+        board::program!(main);
+
+        fn main() {
+            let material = inputs::mantissas::<_, 40>();
+            let Ok(transfer) = table::fold(&inputs::material(&material, table::ORDER)) else {
+                board::exit(false)
+            };
+            let transfer = core::hint::black_box(transfer);
+            board::holds(size_of_val(&transfer) + size_of::<table::Coefficients>());
+            board::measure(&[inputs::mantissas::<_, 100>()], board::Passes(64), |light| {
+                let light = inputs::light(light, table::DEGREE);
+                let relit = table::relight(&transfer.view(), &light);
+                $(let relit = relit.and_then(|relit| table::$collapse(&relit));)?
+                relit
+            });
+        }
+    };
+}
+
+/// The coefficients of an image to its scene, with the module `$table`.
+#[macro_export]
+macro_rules! collapse {
+    ($table:path) => {
+        use $crate::integer_inputs as inputs;
+        use $table as table;
+
+        board::program!(main);
+
+        fn main() {
+            let material = inputs::mantissas::<_, 40>();
+            let light = inputs::mantissas::<_, 100>();
+            let light = inputs::light(&light, table::DEGREE);
+            let relit = table::fold(&inputs::material(&material, table::ORDER))
+                .and_then(|transfer| table::relight(&transfer.view(), &light));
+            let Ok(relit) = relit else { board::exit(false) };
+            board::holds(size_of::<table::Scene>());
+            board::measure(&[relit], board::Passes(64), table::collapse);
+        }
+    };
+}
+
+/// A new material, folded into the basis of the module `$table`.
+#[macro_export]
+macro_rules! fold {
+    ($table:path) => {
+        use $crate::integer_inputs as inputs;
+        use $table as table;
+
+        board::program!(main);
+
+        fn main() {
+            board::holds(size_of::<table::Transfer>());
+            board::measure(&[inputs::mantissas::<_, 40>()], board::Passes(16), |material| {
+                table::fold(&inputs::material(material, table::ORDER))
+            });
+        }
+    };
+}
