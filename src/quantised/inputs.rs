@@ -40,6 +40,14 @@ impl<'a, Q> Light<'a, Q> {
     }
 }
 
+impl<Q> Light<'_, Q> {
+    /// The exponent of all mantissas.
+    #[must_use]
+    pub const fn exponent(&self) -> i32 {
+        self.exponent
+    }
+}
+
 impl<'a, Q> Material<'a, Q> {
     /// The material of these mantissas.
     ///
