@@ -1,10 +1,9 @@
 //! The coefficients d of an image by scalar product, pixel by pixel as they come:
 //! d_i = I • U_i, (19).
 //!
-//! A plain f32 sum of a million pixels is off by 1e-5 and may be off by 3e-2: each
-//! addition loses what is below the sum's last bit. Each sum here carries what it lost (Kahan's
-//! compensated summation), so its error is a rounding or two whatever the number of
-//! pixels.
+//! Each addition to a plain sum loses what is below the sum's last bit: a million times 0.1
+//! in f32 is off by almost 1 %. Each sum here carries what it lost (Kahan's compensated
+//! summation), so its error is a rounding or two whatever the number of pixels.
 
 use crate::basis::Basis;
 use crate::error::{Error, What};
@@ -44,6 +43,9 @@ impl<'a, S: Scalar> Basis<'a, S> {
 impl<S: Scalar, const K: usize> Estimate<'_, S, K> {
     /// Adds a pixel: its normal, the irradiance seen there, and its weight, the area
     /// of the image that it stands for (1 where all are alike).
+    ///
+    /// An irradiance that is not finite leaves no coefficient finite, whatever its weight:
+    /// leave such a pixel out.
     ///
     /// Cost: one polynomial for each profile, five additions and a product for each
     /// component; no root, no division.

@@ -10,7 +10,7 @@ use crate::error::{Error, What};
 use crate::light::Light;
 use crate::material::Material;
 use crate::normal::Normal;
-use crate::projection::{Coefficients, zeros};
+use crate::projection::{Coefficients, buffered, zeros};
 use crate::scalar::Scalar;
 use crate::scene::{Scene, SceneBuffer};
 use crate::transfer::Transfer;
@@ -107,10 +107,9 @@ impl<'a, S: Scalar> GeneralBasis<'a, S> {
         light: &Light<'_, S>,
         material: &Material<'_, S>,
     ) -> Result<Coefficients<S, K>, Error> {
-        let mut workspace = zeros::<S, N>(What::Workspace, self.workspace_len())?;
-        let mut coefficients = zeros::<S, K>(What::Coefficients, self.components())?;
-        self.project_into(light, material, &mut workspace, &mut coefficients)?;
-        Ok(coefficients)
+        buffered::<S, N, K>(self.workspace_len(), self.components(), |workspace, d| {
+            self.project_into(light, material, workspace, d)
+        })
     }
 
     /// [`project`](Self::project) with slices.
@@ -163,10 +162,9 @@ impl<'a, S: Scalar> GeneralBasis<'a, S> {
         transfer: &Transfer<S, T>,
         light: &Light<'_, S>,
     ) -> Result<Coefficients<S, K>, Error> {
-        let mut workspace = zeros::<S, N>(What::Workspace, self.workspace_len())?;
-        let mut coefficients = zeros::<S, K>(What::Coefficients, self.components())?;
-        self.relight_into(transfer.as_slice(), light, &mut workspace, &mut coefficients)?;
-        Ok(coefficients)
+        buffered::<S, N, K>(self.workspace_len(), self.components(), |workspace, d| {
+            self.relight_into(transfer.as_slice(), light, workspace, d)
+        })
     }
 
     /// d from an image's coordinates in the span, less the mean image's.

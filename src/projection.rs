@@ -39,10 +39,9 @@ impl<'a, S: Scalar> Basis<'a, S> {
         light: &Light<'_, S>,
         material: &Material<'_, S>,
     ) -> Result<Coefficients<S, K>, Error> {
-        let mut workspace = zeros::<S, N>(What::Workspace, self.workspace_len())?;
-        let mut coefficients = zeros::<S, K>(What::Coefficients, self.components())?;
-        self.project_into(light, material, &mut workspace, &mut coefficients)?;
-        Ok(coefficients)
+        buffered::<S, N, K>(self.workspace_len(), self.components(), |workspace, d| {
+            self.project_into(light, material, workspace, d)
+        })
     }
 
     /// [`project`](Self::project) with slices: room for
@@ -231,6 +230,20 @@ fn lit<S: Scalar>(
         *minus = lanes::multiply_add_two(*minus, &row, &[of_minus; LANES]);
     }
     sums
+}
+
+/// Coefficients that `project` fills in, with a workspace; both of capacities that are
+/// known at compile time.
+#[inline]
+pub(crate) fn buffered<S: Scalar, const N: usize, const K: usize>(
+    workspace: usize,
+    components: usize,
+    project: impl FnOnce(&mut [S], &mut [S]) -> Result<(), Error>,
+) -> Result<Coefficients<S, K>, Error> {
+    let mut workspace = zeros::<S, N>(What::Workspace, workspace)?;
+    let mut coefficients = zeros::<S, K>(What::Coefficients, components)?;
+    project(&mut workspace, &mut coefficients)?;
+    Ok(coefficients)
 }
 
 /// A buffer of `needed` zeros.

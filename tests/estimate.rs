@@ -59,3 +59,35 @@ fn estimates_without_pixels_or_room_are_errors() {
     // Component 0 is the constant image.
     assert!((d[0] - 1.0).abs() <= tolerances::SAME_SUM_F32, "{}", d[0]);
 }
+
+#[test]
+fn a_million_tenths_are_a_tenth_on_average() {
+    let normal = Normal::new(0.0, 0.0, 1.0).expect("visible");
+    let mut estimate = sphere::BASIS.estimate::<50>().expect("room");
+    let mut plain = 0.0f32;
+    for _ in 0..1_000_000 {
+        estimate.add(normal, 0.1, 1.0);
+        plain += 0.1;
+    }
+    let off = (plain / 1e5 - 1.0).abs();
+    println!("plain: {off:.1e}");
+    assert!((0.009..0.01).contains(&off), "{off}");
+    let d = estimate.coefficients().expect("pixels");
+    assert!((d[0] / 0.1 - 1.0).abs() <= tolerances::SAME_SUM_F32, "{}", d[0]);
+}
+
+#[test]
+fn an_irradiance_that_is_not_finite_spoils_every_coefficient() {
+    for (seen, weight) in [(f32::NAN, 1.0), (f32::INFINITY, 1.0), (f32::NEG_INFINITY, 0.0)] {
+        for normal in [[0.0, 0.0, 1.0], [0.3, -0.2, 0.5]] {
+            let mut estimate = sphere::BASIS.estimate::<50>().expect("room");
+            let good = Normal::new(0.1, 0.2, 0.9).expect("visible");
+            estimate.add(good, 1.0, 1.0);
+            let [x, y, z] = normal;
+            estimate.add(Normal::new(x, y, z).expect("visible"), seen, weight);
+            estimate.add(good, 1.0, 1.0);
+            let d = estimate.coefficients().expect("weights");
+            assert!(d.iter().all(|value| !value.is_finite()), "{seen} {weight}: {d:?}");
+        }
+    }
+}

@@ -7,15 +7,15 @@
 #[path = "tolerances/mod.rs"]
 mod tolerances;
 
-use eigenshade::quantised::{Light, Material, Transfer};
 use eigenshade::{Q15, Q31};
-use eigenshade_cli::owned_basis::{AnyBasis, OwnedBasis};
-use eigenshade_cli::owned_quantised::{Integer, OwnedQuantised};
+use eigenshade_cli::integer_shader::{self, IntegerShader};
+use eigenshade_cli::owned_basis::OwnedBasis;
+use eigenshade_cli::owned_quantised::Integer;
+use eigenshade_cli::shader::{OwnedNormals, Shader};
 use eigenshade_cli::shipped;
 use eigenshade_generator::database::{Lights, Materials};
 use eigenshade_index::{light, material, mode};
 use eigenshade_table::Table;
-use eigenshade_table::quantise;
 
 /// Normals at which images are compared, of equal projected areas.
 const NORMALS: usize = 400;
@@ -45,14 +45,14 @@ struct Score {
     component: f64,
 }
 
-/// One channel's d, and its image of some normals, in the format that is measured.
+/// Degree or order, and coefficients.
+type Channel<'a> = (usize, &'a [f64]);
+/// d, and the irradiance of some normals.
+type Image = (Vec<f64>, Vec<f64>);
+
+/// One channel's d and image in the format that is measured.
 trait Measured {
-    fn image(
-        &mut self,
-        light: &[f64],
-        material: &[f64],
-        normals: &[[f64; 3]],
-    ) -> (Vec<f64>, Vec<f64>);
+    fn image(&mut self, light: Channel<'_>, material: Channel<'_>, normals: &[[f64; 3]]) -> Image;
 }
 
 struct Truth {
@@ -132,6 +132,8 @@ impl Truth {
                 let mut pair = Ratio::default();
                 for (light, material) in light.rgb.iter().zip(&material.rgb) {
                     let d = self.project(light, material);
+                    let (light, material) =
+                        ((self.lights.degree, &light[..]), (self.materials.order, &material[..]));
                     let (found, image) = measured.image(light, material, &self.normals);
                     for ((ratio, truth), found) in components.iter_mut().zip(&d).zip(found) {
                         ratio.add(*truth, found);
@@ -159,77 +161,21 @@ fn chebyshev(terms: &[f64], t: f64) -> f64 {
         .sum()
 }
 
-struct Floats<'a> {
-    truth: &'a Truth,
-    basis: &'a OwnedBasis<f32>,
-}
-
-impl Measured for Floats<'_> {
-    fn image(
-        &mut self,
-        light: &[f64],
-        material: &[f64],
-        normals: &[[f64; 3]],
-    ) -> (Vec<f64>, Vec<f64>) {
-        let AnyBasis::Sphere(basis) = self.basis.any().expect("a basis") else {
-            panic!("a sphere's table");
-        };
-        let rounded = |values: &[f64]| values.iter().map(|&value| value as f32).collect::<Vec<_>>();
-        let (light, material) = (rounded(light), rounded(material));
-        let (degree, order) = (self.truth.table.gram.degree, self.truth.table.gram.order);
-        let light = eigenshade::Light::new(degree, &light).expect("a light");
-        let material = eigenshade::Material::new(order, &material).expect("a material");
-        let mut workspace = vec![0.0; basis.workspace_len()];
-        let mut d = vec![0.0; basis.components()];
-        basis.project_into(&light, &material, &mut workspace, &mut d).expect("it fits");
-        let scene = basis.collapse_into(&d, vec![0.0; basis.scene_len()]).expect("it fits");
-        let shade = |n: &[f64; 3]| {
-            let [x, y, z] = n.map(|component| component as f32);
-            f64::from(scene.shade(eigenshade::Normal::new(x, y, z).expect("a normal")))
-        };
-        let image = normals.iter().map(shade).collect();
-        (d.into_iter().map(f64::from).collect(), image)
+impl Measured for Shader<'_, f32> {
+    fn image(&mut self, light: Channel<'_>, material: Channel<'_>, normals: &[[f64; 3]]) -> Image {
+        let normals = OwnedNormals::new(normals);
+        let image = self.polynomial(light, material, &normals).expect("it fits");
+        let d = self.project(light, material).expect("it fits");
+        let wide = |values: &[f32]| values.iter().copied().map(f64::from).collect();
+        (wide(d), wide(&image))
     }
 }
 
-struct Integers<'a, Q> {
-    truth: &'a Truth,
-    basis: &'a OwnedQuantised<Q>,
-}
-
-impl<Q: Integer> Measured for Integers<'_, Q> {
-    fn image(
-        &mut self,
-        light: &[f64],
-        material: &[f64],
-        normals: &[[f64; 3]],
-    ) -> (Vec<f64>, Vec<f64>) {
-        let basis = self.basis.view().expect("a basis");
-        let own = |mantissas: Vec<i32>| mantissas.into_iter().map(Q::of).collect::<Vec<_>>();
-        let (mantissas, exponents) = quantise::material(basis.order(), material, Q::FORMAT);
-        let material = own(mantissas);
-        let material = Material::new(basis.order(), &exponents, &material).expect("a material");
-        let (mantissas, exponent) = quantise::row(light, Q::FORMAT.bits(), i64::MAX);
-        let light = own(mantissas);
-        let light = Light::new(self.truth.table.gram.degree, exponent.into(), &light);
-        let light = light.expect("a light");
-
-        let mut workspace = vec![Default::default(); basis.workspace_len()];
-        let mut numbers = vec![Q::default(); basis.transfer_len()];
-        let mut exponents = vec![0; basis.profiles()];
-        basis.fold_into(&material, &mut workspace, &mut numbers, &mut exponents).expect("it fits");
-        let transfer = Transfer::new(&numbers, &exponents);
-        let mut d = vec![0; basis.components()];
-        let exponent = basis.relight_into(&transfer, &light, &mut d).expect("it fits");
-        let scene = basis.collapse_into(&d, exponent, vec![0; basis.scene_len()]);
-        let scene = scene.expect("it fits");
-        let scaled = |mantissa: i32, exponent: i32| f64::from(mantissa) * 2f64.powi(exponent);
-        let shade = |n: &[f64; 3]| {
-            let normal = Q::normal(*n).expect("a normal");
-            scaled(scene.shade(normal), scene.exponent())
-        };
-        let image = normals.iter().map(shade).collect();
-        (d.into_iter().map(|d| scaled(d, exponent)).collect(), image)
+impl<Q: Integer> Measured for IntegerShader<Q> {
+    fn image(&mut self, light: Channel<'_>, material: Channel<'_>, normals: &[[f64; 3]]) -> Image {
+        let normals = integer_shader::normals(normals).expect("unit normals");
+        let image = self.polynomial(light, material, &normals).expect("it fits");
+        (self.project(light, material).expect("it fits"), image)
     }
 }
 
@@ -256,15 +202,15 @@ fn stated(name: &str, score: &Score) {
 fn floats_are_as_good_as_stated() {
     let truth = Truth::new();
     let basis = OwnedBasis::<f32>::new(&truth.table);
-    let score = truth.score(&mut Floats { truth: &truth, basis: &basis });
+    let score = truth.score(&mut Shader::new(basis.any().expect("a basis"), usize::MAX));
     assert!(score.all >= tolerances::F32_ALL && score.worst >= tolerances::F32_WORST);
     stated("`f32`", &score);
 }
 
 fn integers<Q: Integer>() -> Score {
     let truth = Truth::new();
-    let basis = OwnedQuantised::<Q>::new(&truth.table, Q::FORMAT.tolerance());
-    truth.score(&mut Integers { truth: &truth, basis: &basis.expect("a sphere's table") })
+    let shader = IntegerShader::<Q>::new(&truth.table, usize::MAX);
+    truth.score(&mut shader.expect("a sphere's table"))
 }
 
 #[test]

@@ -1,7 +1,12 @@
 //! Tables and golden vectors as statics, and the linker script of the start-up code.
 
+#[path = "../../tests/golden/record.rs"]
+#[expect(dead_code, reason = "it writes such files as well")]
+mod record;
+
 use eigenshade_table::quantise::{Format, QuantisedParts};
 use eigenshade_table::{rust_quantised, rust_source};
+use record::{Golden, Row};
 use std::path::PathBuf;
 use std::{env, fs, process};
 
@@ -13,13 +18,14 @@ fn main() {
     if env::var("CARGO_CFG_TARGET_OS").is_ok_and(|os| os == "none") {
         println!("cargo::rustc-link-arg-bins=-Tlink.x");
     }
-    for (name, tolerance) in TABLES {
+    let tables = TABLES.into_iter().try_for_each(|(name, tolerance)| {
         let from = format!("../tables/{name}.bin");
         println!("cargo::rerun-if-changed={from}");
-        if let Err(error) = bake(&from, name, tolerance) {
-            println!("cargo::error={error}");
-            process::exit(1);
-        }
+        bake(&from, name, tolerance)
+    });
+    if let Err(error) = tables.and_then(|()| golden("../../tests/golden/sphere.csv")) {
+        println!("cargo::error={error}");
+        process::exit(1);
     }
 }
 
@@ -36,6 +42,53 @@ fn bake(from: &str, name: &str, tolerance: f64) -> Result<(), String> {
     }
     eigenshade_table::trim::trim(&mut table, tolerance);
     write(&format!("{name}.rs"), &rust_source::module(&table, &command))
+}
+
+/// Writes the golden vectors as statics, a module for each format.
+fn golden(from: &str) -> Result<(), String> {
+    println!("cargo::rerun-if-changed={from}");
+    let text = fs::read_to_string(from).map_err(|error| format!("{from}: {error}"))?;
+    let golden = Golden::parse(&text).map_err(|fault| format!("{from}: {fault}"))?;
+    for (format, kind) in [("f32", "f32"), ("q15", "eigenshade::Q15"), ("q31", "eigenshade::Q31")] {
+        let number = |text: &String| match format {
+            "f32" => format!("{text}_f32"),
+            _ => format!("{kind}({text})"),
+        };
+        let list = |row: &Row| row.numbers.iter().map(number).collect::<Vec<_>>().join(", ");
+        let plain = |row: &Row| {
+            if format == "f32" { list(row) } else { row.numbers.join(", ") }
+        };
+        let exponents = |row: &Row| format!("{:?}", row.exponents);
+        let one = |row: &Row| row.exponents.first().copied().unwrap_or(0);
+        let answer = if format == "f32" { "f32" } else { "i32" };
+        let mut pairs = Vec::new();
+        for pair in golden.pairs() {
+            let row = |array| golden.find(format, pair, array);
+            let (light, material) = (row("light")?, row("material")?);
+            let (d, irradiance) = (row("d")?, row("irradiance")?);
+            pairs.push(format!(
+                "super::Pair {{ light: &[{}], of_light: {}, material: &[{}], of_material: &{}, \
+                 d: &[{}], of_d: {}, irradiance: &[{}], of_irradiance: {} }}",
+                list(light), one(light), list(material), exponents(material),
+                plain(d), one(d), plain(irradiance), one(irradiance),
+            ));
+        }
+        let normals = golden.find(format, [""; 3], "normals")?;
+        let mut text = format!(
+            "pub static NORMALS: [{kind}; {}] = [{}];\n\
+             pub static PAIRS: [super::Pair<{kind}, {answer}>; {}] = [{}];\n",
+            normals.numbers.len(),
+            list(normals),
+            pairs.len(),
+            pairs.join(",\n"),
+        );
+        if format == "f32" {
+            let tolerance = golden.find(format, [""; 3], "tolerance")?;
+            text += &format!("pub const TOLERANCE: f32 = {};\n", tolerance.numbers.join(""));
+        }
+        write(&format!("golden_{format}.rs"), &text)?;
+    }
+    Ok(())
 }
 
 /// Writes a file of the output folder.

@@ -8,9 +8,13 @@
 pub mod databases;
 pub mod edges;
 pub mod exact_rank;
+pub mod facets;
 pub mod fixtures;
+pub mod flat;
 pub mod glossy;
 pub mod high_degree;
+pub mod pictures;
+pub mod projector;
 pub mod rotations;
 pub mod scales;
 pub mod singular;
@@ -28,7 +32,7 @@ pub mod tolerances;
 #[derive(Clone, Debug)]
 pub struct Figure {
     /// What was measured.
-    pub what: &'static str,
+    pub what: String,
     /// The number.
     pub found: f64,
     /// What it may be.
@@ -48,18 +52,18 @@ pub enum Bound {
 
 impl Figure {
     /// An error that may be no larger.
-    pub fn most(what: &'static str, found: f64, bound: f64) -> Self {
-        Self { what, found: found.abs(), bound: Bound::Most(bound) }
+    pub fn most(what: impl Into<String>, found: f64, bound: f64) -> Self {
+        Self { what: what.into(), found: found.abs(), bound: Bound::Most(bound) }
     }
 
     /// An error of the naive way.
-    pub fn least(what: &'static str, found: f64, bound: f64) -> Self {
-        Self { what, found, bound: Bound::Least(bound) }
+    pub fn least(what: impl Into<String>, found: f64, bound: f64) -> Self {
+        Self { what: what.into(), found, bound: Bound::Least(bound) }
     }
 
     /// A count.
-    pub fn exactly(what: &'static str, found: usize, bound: usize) -> Self {
-        Self { what, found: found as f64, bound: Bound::Exactly(bound as f64) }
+    pub fn exactly(what: impl Into<String>, found: usize, bound: usize) -> Self {
+        Self { what: what.into(), found: found as f64, bound: Bound::Exactly(bound as f64) }
     }
 
     /// Whether it keeps to it; a NaN keeps to nothing.
@@ -103,6 +107,9 @@ pub const CASES: &[Case] = &[
     databases::RANK_ONE,
     sun::TEXEL,
     sun::SIZES,
+    flat::FLAT,
+    flat::WEIGHTS,
+    facets::DEGENERATE,
     scales::DOUBLE,
     scales::SINGLE,
     summation::MILLION,

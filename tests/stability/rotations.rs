@@ -85,7 +85,7 @@ fn third_angle() -> Vec<Figure> {
 }
 
 /// ∫ L f cos θ_i dω_i in the local frame: f of (8), the view at (θ_r, φ_r).
-fn irradiance(
+pub fn irradiance(
     integrals: &PolarIntegrals,
     local: &[f64],
     (order, coefficients): (usize, &[f64]),
@@ -121,17 +121,17 @@ fn irradiance(
     sum
 }
 
-fn rotation([alpha, beta, gamma]: [f64; 3]) -> Rotation {
+pub fn rotation([alpha, beta, gamma]: [f64; 3]) -> Rotation {
     Rotation { alpha, beta, gamma }
 }
 
-fn product(a: [[f64; 3]; 3], b: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
+pub fn product(a: [[f64; 3]; 3], b: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
     a.map(|row| [0, 1, 2].map(|k| (0..3).map(|i| row[i] * b[i][k]).sum()))
 }
 
 /// The angles of a rotation matrix; where the first and the last turn about the same
 /// axis, the last is 0.
-fn euler(matrix: [[f64; 3]; 3]) -> Rotation {
+pub fn euler(matrix: [[f64; 3]; 3]) -> Rotation {
     let [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] = matrix;
     let sine = xz.hypot(yz);
     if sine < 1e-6 {

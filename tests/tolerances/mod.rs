@@ -3,8 +3,12 @@
 
 /// Special functions up to degree 9: a few hundred roundings of numbers of order one.
 pub const SPECIAL_LOW: f64 = 1e-13;
-/// Special functions up to degree 64: some 64 recurrence steps whose errors add.
-pub const SPECIAL_HIGH: f64 = 1e-11;
+/// Special functions up to degree 64: some 64 recurrence steps whose errors add, each of an ulp of
+/// values up to 5.
+pub const SPECIAL_HIGH: f64 = 5e-13;
+/// N_l^q C_lo^q up to degree and order 64: 90 positive weights that sum to 1, harmonics whose errors
+/// average out.
+pub const POLAR_INTEGRAL: f64 = 2e-14;
 
 /// Projection of a map, separable against texel by texel, of the largest coefficient: roundings of
 /// some 1e5 terms, and of one rotation.
@@ -52,6 +56,8 @@ pub const CURET_RESIDUAL: f64 = 0.09;
 pub const LOBE_RESIDUAL: f64 = 0.03;
 /// Residual of more coefficients than measurements: what holding the fit in range costs.
 pub const FREE_RESIDUAL: f64 = 0.005;
+/// b_00^0 of a matte surface measured without error, relative: the small term of the fit.
+pub const MATTE_FIT: f64 = 5e-5;
 /// Figures of fits, recorded with six decimals.
 pub const RECORDED_FIGURE: f64 = 1e-6;
 /// All components in f64 against the direct sum, of the peak: the rank's cut-off of 1e-10 and the
@@ -88,6 +94,21 @@ pub const READ_NOISELESS: f64 = 1e-9;
 /// d of an image and its normals in 16 bits against those in 8 bits of sRGB and exact, of the
 /// largest: half a step of 2^-16 in normals, steeper at the rim.
 pub const READ_SIXTEEN_BITS: f64 = 5e-3;
+/// Singular values that least squares leave out, of the largest, where none is meant to be: the
+/// condition is some tens.
+pub const READ_CUT_OFF: f64 = 1e-12;
+/// Energy beside the largest singular value, of its square, by which a matrix is no product.
+pub const READ_NO_PRODUCT: f64 = 1e-3;
+/// Share of the energy, or rms, that least squares leave of an image that its components make:
+/// roundings of files of full digits, and profiles that end at 1e-12.
+pub const READ_RESIDUAL: f64 = 1e-12;
+/// The same where one pixel of 400 shows something else: more than this.
+pub const READ_SPOILT: f64 = 1e-6;
+/// Rms that the posterior mean leaves of a flat grey of 1/2: held toward the statistics by a
+/// millionth of the image.
+pub const READ_FLAT: f64 = 1e-3;
+/// Share of the energy that 50 components leave of a picture in 8 bits: 3 % in amplitude.
+pub const READ_PICTURE: f64 = 1e-3;
 /// Figures of a report of two digits, as a logarithm: a unit of the last digit, doubled.
 pub const REPORT: f64 = 0.2;
 /// Those of images that nothing damages, as a logarithm: rounding amplified, which hosts do
@@ -120,17 +141,38 @@ pub const SIXTEEN_BITS: f64 = 1e-4;
 /// of 4e-3, an eighth of it at most.
 pub const TABULATED_DENSITY: f64 = 1e-5;
 /// Pictures of normals that weigh 1e-12 of others, of the peak: their images are cut off with the
-/// rank, at 1e-10 of what weighs 1, the root of their weight 1e-6 above that.
-pub const LIGHTEST_NORMALS: f64 = 1e-4;
+/// rank, at 1e-10 of what weighs 1, the root of their weight 1e-6 above that, and a third at most of what is
+/// cut off is in one of them.
+pub const LIGHTEST_NORMALS: f64 = 3e-5;
+/// The same, each times the root of its weight over the heaviest's: what is cut off, at 1e-10, in ten
+/// times as many directions as count.
+pub const WEIGHTED_PICTURES: f64 = 1e-9;
+/// Eigenvalues of flat objects against those of their pictures, of the largest: modes whose images over the
+/// sphere are below 1e-13 are left out, and at the rim alone they are a thousand times that.
+pub const FLAT_EIGENVALUES: f64 = 2e-10;
+/// Pictures of flat objects, of their own peak: what is cut off, at 1e-10, over the root of the weight of
+/// one normal of a hundred.
+pub const FLAT_PICTURES: f64 = 3e-9;
+/// Normals and weights of facets with corners of two digits: some ten roundings.
+pub const FACETS: f64 = 1e-15;
 
-/// D(Q) D(R) against D(QR) to degree 64, of the largest coefficient: two sums of 129 terms, each
-/// with the error of [`SPECIAL_HIGH`].
+/// Components that show in pictures, as singular values of the largest: well above the roundings of
+/// [`GENERAL_EIGENVALUES`].
+pub const GENERAL_SEEN: f64 = 1e-9;
+/// What changes a result on purpose changes it by more than this: far above any rounding.
+pub const NO_ACCIDENT: f64 = 1e-3;
+/// Pictures under a light turned with its normals against those as they were, of the peak: sums of
+/// 25 terms, and angles of 16 digits.
+pub const ROTATED_LIGHT: f64 = 1e-12;
+
+/// D(Q) D(R) against D(QR) to degree 64, of the largest coefficient, and harmonics turned by D: sums
+/// of 129 terms, each with the error of [`SPECIAL_HIGH`].
 pub const TURNED: f64 = 1e-11;
 /// UᵀMU of the first hundred components at degree 32 and order 32: a cut-off of 1e-10 leaves 1e-13
 /// of them, sums of sixty thousand modes the rest.
 pub const ORTHONORMAL_HIGH: f64 = 1e-11;
 /// Singular values of A beyond the exact rank, of the largest: some roundings of sums of 47 nodes.
-pub const BEYOND_RANK: f64 = 1e-14;
+pub const BEYOND_RANK: f64 = 1e-15;
 /// The weakest eigenvalue that is a component, of the largest: singular values above 1e-14 of the
 /// root of the energy, and the energy is ten times the largest eigenvalue at most.
 pub const WEAKEST: f64 = 1e-28;
@@ -140,18 +182,21 @@ pub const EIGENVALUE_ULP: f64 = 1e-14;
 pub const SINGULAR_VALUE: f64 = 1e-13;
 /// A variance of 1e-12 of the squared mean, relative: exposures 1e-6 apart are known to 1e-10.
 pub const SMALL_VARIANCE: f64 = 1e-8;
-/// A map with a sun against explicit sums of degree 16, of the largest coefficient: those lose
-/// seven of sixteen digits.
-pub const SUN: f64 = 1e-9;
+/// A map with a sun against explicit sums of degree 16, of the largest coefficient: the terms of those
+/// are up to a hundred times their sum at the sun's height, and a hundred roundings.
+pub const SUN: f64 = 3e-13;
 /// A map of 8192 x 4096 with texels in f32, of the largest coefficient: roundings of 6e-8, which
 /// average out, and the midpoint rule's (1/4096)².
 pub const LARGE_MAP: f64 = 1e-7;
 /// d by a compensated sum of a million pixels in f32, of the largest d: eigenimages to 3e-7, whose
 /// errors average out, and two roundings.
 pub const MILLION_PIXELS: f64 = 1e-6;
-/// Irradiances of coefficients at 2^-100 in f32, scaled back, of the peak: terms below 1e-8 of it
-/// are denormal and lose their last bits.
-pub const SCALED_F32: f64 = 1e-7;
+/// Exact sums over the million pixels against d, of the largest d: 3550 pixels of the rim are half in, half
+/// out, and the root of that number is 6e-5 of all; at the rim images are several times their mean.
+pub const RASTER: f64 = 1e-3;
+/// d of coefficients at 2^-100 in f32, scaled back, of the largest d: products below 1e-8 of it are
+/// denormal and lose up to 1e-15 of it, some thousand of them in a sum.
+pub const SCALED_F32: f64 = 2e-12;
 /// Coefficients that `light` writes, of the largest: nine digits.
 pub const WRITTEN_DIGITS: f64 = 5e-9;
 /// UᵀMU over the cut-off: U has been divided by singular values down to it, each with the rounding
@@ -199,6 +244,9 @@ pub const MERL_VALUE: f64 = 0.01;
 /// Coefficients of the same table, of the largest: the last centre is half a degree from grazing,
 /// beyond which the table is constant and the formula grows.
 pub const MERL_PROJECTION: f64 = 0.01;
+/// A tabulated BRDF of a constant, or with light and view exchanged, relative: weighted means of
+/// eight numbers.
+pub const MERL_ROUNDING: f64 = 1e-12;
 /// A matte sphere under radiance 1 on 128 x 64 texels, relative: the horizon cuts texels of three
 /// degrees, where the cosine is that of their centre.
 pub const DIRECT_WHITE: f64 = 1e-3;
@@ -253,3 +301,18 @@ pub const DECIBELS_STATED: f64 = 0.1;
 /// d and irradiances in f32 against those in f64, of the largest of their array: some forty
 /// roundings of 6e-8 that count, in any order, fused or not.
 pub const GOLDEN_F32: f32 = 2e-6;
+/// Figures of the shipped components against those of all, relative: what 250 leave out hardly shows
+/// beside what the degree does.
+pub const ERROR_OF_COMPONENTS: f64 = 0.01;
+/// Median error over the maps at degree 12 for rough materials, of the peak: what is promised of
+/// them.
+pub const ERROR_WHERE_ROUGH: f64 = 0.01;
+/// Sums of the shares of a disc's rings: 1, and the mean cosine by midpoints 0.02 apart.
+pub const RING_SHARES: f64 = 1e-12;
+/// See [`RING_SHARES`]: a quarter of the square of the step.
+pub const RING_MIDPOINTS: f64 = 1e-4;
+/// Squared length of a unit normal: some roundings.
+pub const UNIT_LENGTH: f64 = 1e-12;
+/// |d|² + residual against the energy over an object, relative: modes whose images over the sphere are below
+/// 1e-13 are in no span, and at one normal of the rim they are a thousand times that, and the image dark.
+pub const OBJECT_PARSEVAL: f64 = 1e-9;

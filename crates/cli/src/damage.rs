@@ -1,7 +1,9 @@
 //! What cameras do to an image of peak 1: noise, few bits, clipping, hidden parts.
 
-use crate::noise::Noise;
 use crate::tone;
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::SeedableRng;
+use rand_distr::{Distribution, StandardNormal};
 
 /// One way to spoil an image.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -64,10 +66,11 @@ pub const ALL: [Damage; 12] = [
 ];
 
 impl Damage {
-    /// The damaged image, and the weight of each pixel. `seed` picks the noise.
+    /// The damaged image, and the weight of each pixel. `seed` picks the noise, which is
+    /// the same on every host and run.
     #[must_use]
     pub fn apply(&self, image: &[f64], normals: &[[f64; 3]], seed: u64) -> (Vec<f64>, Vec<f64>) {
-        let mut noise = Noise::new(seed);
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
         let mean = image.iter().sum::<f64>() / image.len() as f64;
         let clip = 0.5 * (1.0 + mean);
         let full = 255.0;
@@ -75,7 +78,8 @@ impl Damage {
         let mut weights = Vec::new();
         let mut pixels = Vec::new();
         for (value, normal) in image.iter().zip(normals) {
-            let value = value + self.noise * noise.normal();
+            let noise: f64 = StandardNormal.sample(&mut random);
+            let value = value + self.noise * noise;
             let is_hidden = self.is_half_hidden && normal[0] < 0.0;
             let is_out = self.storage == Storage::Clipped && value >= clip;
             weights.push(if is_hidden || is_out { 0.0 } else { 1.0 });

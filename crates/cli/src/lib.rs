@@ -33,6 +33,8 @@ pub mod compare;
 
 pub mod sphere_rings;
 
+pub mod median;
+
 pub mod accuracy;
 
 pub mod recorded_errors;
@@ -48,8 +50,6 @@ pub mod pixel_normals;
 pub mod pixel_mask;
 
 pub mod image_reading;
-
-pub mod noise;
 
 pub mod damage;
 

@@ -41,7 +41,7 @@ struct OwnedGeneral<S> {
 #[derive(Clone, Debug)]
 pub struct Folded<S> {
     /// Of its coefficients, as [`eigenshade_table::transfer::fingerprint`] has it.
-    pub fingerprint: u64,
+    pub fingerprint: u32,
     /// For [`Basis::relight_into`].
     pub transfer: Vec<S>,
 }

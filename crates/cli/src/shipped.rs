@@ -2,10 +2,8 @@
 //! files that lie about.
 
 use eigenshade_generator::database::{Lights, Materials};
-use eigenshade_generator::error::{Error, Result};
-use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
-use std::io::Write;
-use std::path::Path;
+use eigenshade_generator::error::Result;
+use eigenshade_generator::inputs::coefficient_csv::{parse_lights, parse_materials};
 
 /// `tables/sphere.bin`.
 pub const TABLE: &[u8] = include_bytes!("../../../tables/sphere.bin");
@@ -30,24 +28,16 @@ pub const SHOWN_LIGHTS: [&str; 4] = ["esplanade", "park", "blender-courtyard", "
 ///
 /// # Errors
 ///
-/// The faults of the folder for temporary files.
+/// As [`parse_lights`], of a file that was compiled in.
 pub fn lights() -> Result<Lights> {
-    from_text(LIGHTS, |path| read_lights(path, None))
+    parse_lights(LIGHTS, "tables/inputs/lights.csv", None)
 }
 
 /// `tables/inputs/materials.csv`.
 ///
 /// # Errors
 ///
-/// The faults of the folder for temporary files.
+/// As [`parse_materials`], of a file that was compiled in.
 pub fn materials() -> Result<Materials> {
-    from_text(MATERIALS, |path| read_materials(path, None))
-}
-
-/// Reads a text that is not in a file by way of one.
-fn from_text<T>(text: &str, read: impl FnOnce(&Path) -> Result<T>) -> Result<T> {
-    let fault = |error: std::io::Error| Error::io(std::env::temp_dir(), &error);
-    let mut file = tempfile::NamedTempFile::new().map_err(fault)?;
-    file.write_all(text.as_bytes()).map_err(fault)?;
-    read(file.path())
+    parse_materials(MATERIALS, "tables/inputs/materials.csv", None)
 }

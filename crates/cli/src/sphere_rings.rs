@@ -45,19 +45,3 @@ impl Ring {
         self.tilts.iter().map(move |tilt| [sine * tilt.cos(), sine * tilt.sin(), cosine])
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::rings;
-
-    /// ∫ cos α cos(α)/π dω = 2/3 over the disc.
-    #[test]
-    fn shares_are_those_of_the_disc() {
-        let rings = rings(0.02);
-        let sum = |of: fn(f64) -> f64| -> f64 {
-            rings.iter().map(|ring| ring.weight * ring.tilts.len() as f64 * of(ring.slant)).sum()
-        };
-        assert!((sum(|_| 1.0) - 1.0).abs() < 1e-12);
-        assert!((sum(f64::cos) - 2.0 / 3.0).abs() < 1e-4);
-    }
-}

@@ -51,19 +51,3 @@ impl SphereView {
         view
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::SphereView;
-
-    #[test]
-    fn normals_are_unit_and_up_is_y() {
-        let view = SphereView::new(33);
-        for n in &view.normals {
-            assert!((n.iter().map(|c| c * c).sum::<f64>() - 1.0).abs() < 1e-12 && n[2] >= 0.0);
-        }
-        assert!(view.normals[0][1] > 0.9 && view.pixels[0].row == 0);
-        let middle = view.pixels.iter().position(|p| (p.column, p.row) == (16, 16)).unwrap();
-        assert_eq!(view.normals[middle], [0.0, 0.0, 1.0]);
-    }
-}

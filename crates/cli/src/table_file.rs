@@ -1,7 +1,7 @@
 //! Tables from files.
 
 use eigenshade_generator::error::{Error, Result};
-use eigenshade_table::{FileError, Table};
+use eigenshade_table::Table;
 use std::path::Path;
 
 /// Reads a table.
@@ -20,16 +20,7 @@ pub fn read(path: &Path) -> Result<Table> {
 ///
 /// If they are no table, of another version, or damaged.
 pub fn decode(bytes: &[u8]) -> Result<Table> {
-    eigenshade_table::decode(bytes).map_err(|error| described(&error))
-}
-
-/// What is wrong and what to do, which the one line of [`FileError`] has both.
-fn described(error: &FileError) -> Error {
-    let line = error.to_string();
-    match line.rsplit_once("; ") {
-        Some((what, remedy)) => Error::new(what, remedy),
-        None => Error::new(line, "make it again with `eigenshade basis`"),
-    }
+    eigenshade_table::decode(bytes).map_err(|error| Error::table(&error))
 }
 
 /// The number of components to use: those that are asked for, or all.

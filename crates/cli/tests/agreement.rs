@@ -69,7 +69,7 @@ fn the_light_turns() {
         let command = format!("shade b.bin {PAIR} --method modes --rotate {rotation}");
         let command = command.replace("normals.csv", "turned.csv");
         let turned = numbers(&rows(&folder.ok(&command), HEADER), 3);
-        assert!(apart(&turned, &straight) < 1e-12, "{rotation}");
+        assert!(apart(&turned, &straight) < tolerances::ROTATED_LIGHT, "{rotation}");
     }
     // A light of degree 1, L_1^1 alone, is -x; Ry(pi/2) brings x to -z, so it is z: L_1^0 = -1.
     let light =
@@ -77,7 +77,7 @@ fn the_light_turns() {
     folder.write("lights.csv", light(0.0, 1.0));
     let turned = shaded(&folder, "--rotate 0,1.5707963267948966,0 --method modes");
     folder.write("lights.csv", light(1.0, 0.0));
-    assert!(apart(&turned, &shaded(&folder, "--method modes")) < 1e-12);
+    assert!(apart(&turned, &shaded(&folder, "--method modes")) < tolerances::ROTATED_LIGHT);
 }
 
 /// `evaluate` against 25-digit values; a column `value` is replaced.

@@ -16,6 +16,9 @@ use support::{Folder, assert_fails, repository, rows};
 #[path = "../../../tests/tolerances/mod.rs"]
 mod tolerances;
 
+#[path = "../../../tests/oracle/ggx.rs"]
+mod oracle;
+
 /// GGX by vectors, or the matte material where roughness is not.
 #[derive(Clone, Copy)]
 struct Explicit {
@@ -27,15 +30,7 @@ struct Explicit {
 impl Explicit {
     fn value(self, i: [f64; 3], r: [f64; 3]) -> f64 {
         let Some(roughness) = self.roughness else { return self.albedo / PI };
-        let sum = [0, 1, 2].map(|k| i[k] + r[k]);
-        let length = sum.iter().map(|x| x * x).sum::<f64>().sqrt();
-        let (h_z, v_h) = (sum[2] / length, (0..3).map(|k| r[k] * sum[k]).sum::<f64>() / length);
-        let alpha2 = roughness.powi(4);
-        let d = alpha2 / (PI * (h_z * h_z * (alpha2 - 1.0) + 1.0).powi(2));
-        let lambda = |z: f64| ((1.0 + alpha2 * (1.0 - z * z) / (z * z)).sqrt() - 1.0) / 2.0;
-        let g = 1.0 / (1.0 + lambda(i[2]) + lambda(r[2]));
-        let fresnel = self.f0 + (1.0 - self.f0) * (1.0 - v_h).powi(5);
-        (1.0 - fresnel) * self.albedo / PI + fresnel * d * g / (4.0 * i[2] * r[2])
+        oracle::ggx(roughness, self.f0, self.albedo, i, r)
     }
 
     fn function(self) -> Box<dyn Brdf> {

@@ -278,13 +278,13 @@ fn shipped_errors_are_small_from_roughness_one_half() {
         // The table's components are enough: its figures are those of all.
         for k in [4, 5] {
             let (table, all) = (number(&pair[0], k), number(&pair[1], k));
-            assert!((table / all - 1.0).abs() < 0.01, "{pair:?}");
+            assert!((table / all - 1.0).abs() < tolerances::ERROR_OF_COMPONENTS, "{pair:?}");
         }
     }
     for row in rows.iter().filter(|row| row[1] == "12") {
         let roughness: f64 = row[0].rsplit_once('-').map_or(1.0, |(_, r)| r.parse().unwrap());
         let rough = roughness >= 0.5 || row[0].starts_with("oren") || row[0] == "lambertian";
-        assert!(!rough || number(row, 4) < 0.01, "{row:?}");
+        assert!(!rough || number(row, 4) < tolerances::ERROR_WHERE_ROUGH, "{row:?}");
         assert!(number(row, 4) <= number(row, 5), "{row:?}");
     }
 }

@@ -88,7 +88,7 @@ fn comes_back(folder: &Folder, normals: &str) -> String {
     for estimate in ["least-squares", "posterior"] {
         assert_near(estimate, &get(&answer, "d", estimate), &expected);
     }
-    assert!(get(&answer, "relative-residual", "least-squares")[0] < 1e-12);
+    assert!(get(&answer, "relative-residual", "least-squares")[0] < tolerances::READ_RESIDUAL);
     assert_eq!(nearest(&answer), "material-2");
     // The light that was read makes the image again.
     let again = folder.ok(&format!(

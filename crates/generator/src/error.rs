@@ -1,5 +1,6 @@
 //! What a person reads when an input is bad: what, where, what to do.
 
+use eigenshade_table::FileError;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
@@ -27,6 +28,13 @@ impl Error {
         self
     }
 
+    /// The same fault, said of one thing among several.
+    #[must_use]
+    pub fn of(mut self, subject: impl fmt::Display) -> Self {
+        self.what = format!("{subject}: {}", self.what);
+        self
+    }
+
     /// The same fault, in this file.
     #[must_use]
     pub fn in_file(mut self, path: impl AsRef<Path>) -> Self {
@@ -40,6 +48,12 @@ impl Error {
     pub fn at_line(mut self, path: impl AsRef<Path>, line: u64) -> Self {
         self.place = Some((path.as_ref().to_owned(), Some(line)));
         self
+    }
+
+    /// The fault of bytes that are no table.
+    #[must_use]
+    pub fn table(error: &FileError) -> Self {
+        Self::new(error.what(), error.remedy())
     }
 
     /// The fault of the operating system in reading or writing a file.

@@ -39,7 +39,7 @@ pub fn slant_radials(order: usize, alpha: f64) -> Vec<f64> {
 /// E_lop^mq(α, β) of (14).
 ///
 /// Domain: |m| <= l, q <= l, q <= p <= o of one parity, α in \[0, π/2\]; 0 if
-/// |m| > l or q > l. Absolute error below 1e-13 up to degree 9, 1e-11 up to 32.
+/// |m| > l or q > l. Absolute error below 1e-13 up to degree 9, 5e-13 up to 32.
 #[must_use]
 pub fn value(l: usize, m: isize, o: usize, p: usize, q: usize, alpha: f64, beta: f64) -> f64 {
     let Some(&rotation) = slant_rotation(l, m, q, alpha).last() else {

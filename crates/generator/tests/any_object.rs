@@ -202,7 +202,10 @@ fn any_object_has_the_components_of_its_pictures() {
             let expected: Vec<f64> = svd.S().column_vector().iter().copied().collect();
             let found: Vec<f64> =
                 table.spectrum.iter().filter_map(|(_, value)| value.map(f64::sqrt)).collect();
-            let seen = expected.iter().filter(|value| **value > 1e-9 * expected[0]).count();
+            let seen = expected
+                .iter()
+                .filter(|value| **value > tolerances::GENERAL_SEEN * expected[0])
+                .count();
             assert!(found.len() >= seen, "{name}: {} of {seen} components", found.len());
             let eigenvalues = expected
                 .iter()

@@ -9,6 +9,9 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 #[path = "../../../tests/tolerances/mod.rs"]
 mod tolerances;
 
+#[path = "../../../tests/oracle/ggx.rs"]
+mod oracle;
+
 fn ggx(roughness: f64, f0: f64, albedo: f64) -> Ggx {
     Ggx::new(roughness, f0, albedo).unwrap()
 }
@@ -17,22 +20,12 @@ fn at(brdf: &dyn Brdf, theta_i: f64, theta_r: f64, delta_phi: f64) -> f64 {
     brdf.value(Geometry::from_angles(theta_i, theta_r, delta_phi))
 }
 
-/// f by vectors, as the literature has it: nothing of [`Geometry`] is used.
+/// The oracle at (θ_i, θ_r, Δφ).
 fn ggx_by_vectors(roughness: f64, f0: f64, albedo: f64, angles: [f64; 3]) -> f64 {
     let [theta_i, theta_r, delta_phi] = angles;
     let i = [theta_i.sin() * delta_phi.cos(), theta_i.sin() * delta_phi.sin(), theta_i.cos()];
     let r = [theta_r.sin(), 0.0, theta_r.cos()];
-    let sum = [0, 1, 2].map(|k| i[k] + r[k]);
-    let length = sum.iter().map(|x| x * x).sum::<f64>().sqrt();
-    let h = sum.map(|x| x / length);
-    let v_h: f64 = (0..3).map(|k| r[k] * h[k]).sum();
-    let alpha2 = roughness.powi(4);
-    let d = alpha2 / (PI * (h[2] * h[2] * (alpha2 - 1.0) + 1.0).powi(2));
-    // Λ of Smith; V = G / 4 cos cos.
-    let lambda = |z: f64| ((1.0 + alpha2 * (1.0 - z * z) / (z * z)).sqrt() - 1.0) / 2.0;
-    let g = 1.0 / (1.0 + lambda(i[2]) + lambda(r[2]));
-    let fresnel = f0 + (1.0 - f0) * (1.0 - v_h).powi(5);
-    (1.0 - fresnel) * albedo / PI + fresnel * d * g / (4.0 * i[2] * r[2])
+    oracle::ggx(roughness, f0, albedo, i, r)
 }
 
 #[test]

@@ -4,7 +4,7 @@
 use eigenshade_generator::database::{Lights, Materials, Named};
 use eigenshade_generator::error::{Error, Result};
 use eigenshade_generator::inputs::coefficient_csv::{
-    read_lights, read_materials, write_lights, write_materials,
+    parse_lights, parse_materials, read_lights, read_materials, write_lights, write_materials,
 };
 use eigenshade_generator::inputs::normals::read_normals;
 use eigenshade_generator::output::write_atomically;
@@ -300,4 +300,15 @@ fn output_keeps_links_devices_and_plain_rights() {
     let null = std::path::Path::new("/dev/null");
     write(null).unwrap();
     assert!(fs::metadata(null).unwrap().file_type().is_char_device());
+}
+
+/// A text that is in no file reads as the file would, and faults name it as they are told.
+#[test]
+fn texts_read_as_files() {
+    let lights = parse_lights("name,l,m,value\na,0,0,2.5\n", "there.csv", None).unwrap();
+    assert_eq!((lights.degree, &lights.entries[0].rgb[1]), (0, &vec![2.5]));
+    let error = parse_lights("name,l,m,value\na,0,1,2.5\n", "there.csv", None).unwrap_err();
+    assert!(error.to_string().starts_with("there.csv:2: "), "{error}");
+    let error = parse_materials("name,o,p,q,value\n", "here.csv", None).unwrap_err();
+    assert!(error.to_string().starts_with("here.csv: there is no material"), "{error}");
 }

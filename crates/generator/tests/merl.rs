@@ -74,7 +74,7 @@ fn a_file_comes_back_as_the_function_it_holds() {
                 let exchanged = Geometry { incident: at.reflected, reflected: at.incident, ..at };
                 let (there, back) =
                     (surface.channel(0).value(at), surface.channel(0).value(exchanged));
-                assert!((there - back).abs() <= 1e-12 * there);
+                assert!((there - back).abs() <= tolerances::MERL_ROUNDING * there);
             }
         }
     }
@@ -109,7 +109,10 @@ fn bins_without_a_value_are_left_to_their_neighbours() {
     assert!(table.missing() > 0.2, "{}", table.missing());
     for (theta_i, theta_r, delta_phi) in [(0.0, 0.0, 0.0), (1.5, 1.5, PI), (1.5, 0.2, 1.0)] {
         let found = table.value(Geometry::from_angles(theta_i, theta_r, delta_phi));
-        assert!((found - 0.25).abs() < 1e-12, "{theta_i} {theta_r} {delta_phi}: {found}");
+        assert!(
+            (found - 0.25).abs() < tolerances::MERL_ROUNDING,
+            "{theta_i} {theta_r} {delta_phi}: {found}"
+        );
     }
 }
 
@@ -138,7 +141,8 @@ fn damaged_files_are_faults() {
     assert!(fault(&changed(8, &360i32.to_le_bytes())).contains("360"));
     assert!(fault(&changed(0, &i32::MAX.to_le_bytes())).contains("2147483647"));
     assert!(fault(&changed(0, &(-90i32).to_le_bytes())).contains("-90"));
-    assert!(fault(&changed(12, &f64::NAN.to_le_bytes())).contains("not finite in its red part"));
+    let red = fault(&changed(12, &f64::NAN.to_le_bytes()));
+    assert!(red.contains("not finite") && red.contains("red part"), "{red}");
     let last = good.len() - 8;
     assert!(fault(&changed(last, &f64::INFINITY.to_le_bytes())).contains("blue"));
     let empty = good[..12].iter().copied().chain((-1f64).to_le_bytes().into_iter().cycle());

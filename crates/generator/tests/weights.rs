@@ -90,7 +90,10 @@ fn weights_are_repetitions() {
             tolerant.light.normalise = Normalise::None;
             let counts = [&lights, &loud].map(|lights| kept(&tolerant, lights, &materials));
             assert_eq!(counts[0], counts[1], "a light of weight 0 counts");
-            assert!(apart(&plain) > 1e-3, "weights change nothing: {criterion:?} {rotation:?}");
+            assert!(
+                apart(&plain) > tolerances::NO_ACCIDENT,
+                "weights change nothing: {criterion:?} {rotation:?}"
+            );
         }
     }
 }

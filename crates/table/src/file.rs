@@ -40,20 +40,33 @@ pub enum FileError {
     Payload(String),
 }
 
-impl fmt::Display for FileError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        const REMAKE: &str = "make it again with `eigenshade basis`";
+impl FileError {
+    /// What is wrong.
+    #[must_use]
+    pub fn what(&self) -> String {
         match self {
-            Self::Foreign => write!(f, "not an eigenshade table; {REMAKE}"),
+            Self::Foreign => "not an eigenshade table".to_owned(),
             Self::Version(found) => {
-                write!(f, "table version {found}, this program reads {VERSION}; {REMAKE}")
+                format!("table version {found}, this program reads {VERSION}")
             }
             Self::Length { expected, found } => {
-                write!(f, "damaged table: {expected} bytes promised, {found} found; {REMAKE}")
+                format!("damaged table: {expected} bytes promised, {found} found")
             }
-            Self::Checksum => write!(f, "damaged table: the checksum does not fit; {REMAKE}"),
-            Self::Payload(why) => write!(f, "damaged table: {why}; {REMAKE}"),
+            Self::Checksum => "damaged table: the checksum does not fit".to_owned(),
+            Self::Payload(why) => format!("damaged table: {why}"),
         }
+    }
+
+    /// What to do about it.
+    #[must_use]
+    pub const fn remedy(&self) -> &'static str {
+        "make it again with `eigenshade basis`"
+    }
+}
+
+impl fmt::Display for FileError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}; {}", self.what(), self.remedy())
     }
 }
 

@@ -31,9 +31,13 @@ pub mod lambertian {
     }
 }
 
+pub mod golden;
+
 pub mod inputs;
 
 pub mod integer_inputs;
+
+pub mod drawing;
 
 mod operations;
 

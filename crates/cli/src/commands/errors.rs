@@ -1,7 +1,8 @@
 //! `eigenshade errors`: a table against direct integration.
 
 use clap::Args;
-use eigenshade_cli::accuracy::{Reference, median, spacing};
+use eigenshade_cli::accuracy::{Reference, spacing};
+use eigenshade_cli::median::median;
 use eigenshade_cli::message::{bar, say};
 use eigenshade_cli::recorded_errors::{COLUMNS, Stamp};
 use eigenshade_cli::rows::Rows;

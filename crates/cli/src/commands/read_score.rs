@@ -2,6 +2,7 @@
 
 use eigenshade_cli::damage::Damage;
 use eigenshade_cli::image_reading::Reading;
+use eigenshade_cli::median::median;
 use eigenshade_generator::database::{Materials, Named};
 use eigenshade_generator::reading::eigenimage_values::EigenimageValues;
 use eigenshade_generator::reading::rank_one::RankOne;
@@ -29,11 +30,9 @@ pub struct Errors(Vec<f64>);
 
 impl fmt::Display for Errors {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut sorted = self.0.clone();
-        sorted.sort_by(f64::total_cmp);
-        match (sorted.get(sorted.len() / 2), sorted.last()) {
-            (Some(median), Some(worst)) => write!(f, "{median:.1e}, {worst:.1e}"),
-            _ => write!(f, "-"),
+        match self.0.iter().copied().max_by(f64::total_cmp) {
+            Some(worst) => write!(f, "{:.1e}, {worst:.1e}", median(&self.0)),
+            None => write!(f, "-"),
         }
     }
 }

@@ -1,6 +1,10 @@
 //! The program on small scenes in folders of their own.
 #![allow(dead_code, reason = "each test takes what it needs")]
 
+pub mod objects;
+
+pub mod reading;
+
 use eigenshade_index::{light, material};
 use std::fmt::Write;
 use std::fs;

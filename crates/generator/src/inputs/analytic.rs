@@ -103,13 +103,8 @@ impl Analytic {
                 remedy,
             ));
         }
-        let of = |channel| {
-            self.channel(channel).map_err(|error| {
-                let text = error.to_string();
-                let (what, remedy) = text.split_once("; ").unwrap_or((&text, "change it"));
-                Error::new(format!("`{name}`: {what}"), remedy)
-            })
-        };
+        let of =
+            |channel| self.channel(channel).map_err(|error| error.of(format_args!("`{name}`")));
         let grey = [self.albedo, self.f0].into_iter().flatten().all(Shares::is_grey);
         if grey {
             return Ok(Surface::grey(name.clone(), of(0)?));

@@ -26,7 +26,20 @@ use std::path::Path;
 /// If the file cannot be read, holds no light, or less than `degree`, if a row
 /// is missing, doubled, ragged or out of range, or a number is not finite.
 pub fn read_lights(path: impl AsRef<Path>, degree: Option<usize>) -> Result<Lights> {
-    let (degree, entries) = read(&LIGHT, path.as_ref(), degree)?;
+    lights(&Sheet::read(path.as_ref(), &LIGHT.header("r,g,b"))?, degree)
+}
+
+/// [`read_lights`] of a file's text; `path` is what faults call it.
+///
+/// # Errors
+///
+/// As there.
+pub fn parse_lights(text: &str, path: impl AsRef<Path>, degree: Option<usize>) -> Result<Lights> {
+    lights(&Sheet::parse(text.into(), path.as_ref(), &LIGHT.header("r,g,b"))?, degree)
+}
+
+fn lights(sheet: &Sheet, degree: Option<usize>) -> Result<Lights> {
+    let (degree, entries) = entries(&LIGHT, sheet, degree)?;
     Ok(Lights { degree, entries })
 }
 
@@ -36,7 +49,24 @@ pub fn read_lights(path: impl AsRef<Path>, degree: Option<usize>) -> Result<Ligh
 ///
 /// As [`read_lights`].
 pub fn read_materials(path: impl AsRef<Path>, order: Option<usize>) -> Result<Materials> {
-    let (order, entries) = read(&MATERIAL, path.as_ref(), order)?;
+    materials(&Sheet::read(path.as_ref(), &MATERIAL.header("r,g,b"))?, order)
+}
+
+/// [`read_materials`] of a file's text; `path` is what faults call it.
+///
+/// # Errors
+///
+/// As there.
+pub fn parse_materials(
+    text: &str,
+    path: impl AsRef<Path>,
+    order: Option<usize>,
+) -> Result<Materials> {
+    materials(&Sheet::parse(text.into(), path.as_ref(), &MATERIAL.header("r,g,b"))?, order)
+}
+
+fn materials(sheet: &Sheet, order: Option<usize>) -> Result<Materials> {
+    let (order, entries) = entries(&MATERIAL, sheet, order)?;
     Ok(Materials { order, entries })
 }
 
@@ -66,30 +96,25 @@ struct Found<'a> {
     rows: Vec<(usize, [f64; 3], Row<'a>)>,
 }
 
-fn read<const N: usize>(
+fn entries<const N: usize>(
     kind: &Kind<N>,
-    path: &Path,
+    sheet: &Sheet,
     asked: Option<usize>,
 ) -> Result<(usize, Vec<Named>)> {
-    let thing = kind.thing;
-    let columns = kind.header("r,g,b");
-    let sheet = Sheet::read(path, &columns)?;
-    let (largest, found) = gather(kind, &sheet)?;
+    let (largest, found) = gather(kind, sheet)?;
     if found.is_empty() {
-        return Err(Error::new(
-            format!("there is no {thing} in it"),
-            format!("add rows below the header `{columns}`"),
-        )
-        .in_file(path));
+        return Err(sheet.fault(
+            format!("there is no {} in it", kind.thing),
+            format!("add rows below the header `{}`", kind.header("r,g,b")),
+        ));
     }
     let size = asked.unwrap_or(largest);
     if size > largest {
         let word = kind.size;
-        return Err(Error::new(
+        return Err(sheet.fault(
             format!("it holds {word} {largest}, asked for is {size}"),
             format!("ask for {word} {largest} at most, or make the file anew"),
-        )
-        .in_file(path));
+        ));
     }
     let entries =
         found.into_iter().map(|found| complete(kind, size, found)).collect::<Result<_>>()?;

@@ -26,6 +26,15 @@ impl Sheet {
     /// length than its header.
     pub fn read(path: &Path, columns: &str) -> Result<Self> {
         let text = fs::read(path).map_err(|error| Error::io(path, &error))?;
+        Self::parse(text, path, columns)
+    }
+
+    /// [`read`](Self::read) of a file's text; `path` is what faults call it.
+    ///
+    /// # Errors
+    ///
+    /// As there.
+    pub fn parse(text: Vec<u8>, path: &Path, columns: &str) -> Result<Self> {
         let mut reader =
             ReaderBuilder::new().comment(Some(b'#')).trim(Trim::All).from_reader(text.as_slice());
         let fault = |error: csv::Error| csv_fault(path, &text, columns, &error);
@@ -68,6 +77,11 @@ impl Sheet {
             format!("give it the columns {columns}"),
         )
         .at_line(&self.path, 1 + skipped(&self.text))
+    }
+
+    /// A fault of the file as a whole.
+    pub fn fault(&self, what: impl Into<String>, remedy: impl Into<String>) -> Error {
+        Error::new(what, remedy).in_file(&self.path)
     }
 
     /// The rows below the header.

@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 ///
 /// Domain: z in \[-1, 1\] and `sine` = √(1 - z²) in \[0, 1\], given apart so that
 /// nothing is lost near the poles. Absolute error below 1e-13 up to degree 9,
-/// 1e-11 up to 64. Empty if m > degree.
+/// 5e-13 up to 64. Empty if m > degree.
 ///
 /// The three-term recurrence in l runs on the normalised functions, from
 /// N_m^m P_m^m = (-1)^m √((2m+1)!! / (4π (2m)!!)) sin^m.

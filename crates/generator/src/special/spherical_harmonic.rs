@@ -22,7 +22,7 @@ fn reflection(m: isize) -> f64 {
 
 /// Y_l^m(θ, φ) of degree l and order m, |m| <= l.
 ///
-/// Absolute error below 1e-13 up to degree 9, 1e-11 up to 64.
+/// Absolute error below 1e-13 up to degree 9, 5e-13 up to 64.
 ///
 /// # Panics
 ///

@@ -3,7 +3,7 @@
 
 /// d^l_mn(α) for l = max(|m|, |n|)..=degree.
 ///
-/// Absolute error below 1e-13 up to degree 9, 1e-11 up to 64, for α in \[0, π\].
+/// Absolute error below 1e-13 up to degree 9, 5e-13 up to 64, for α in \[0, π\].
 /// Empty if max(|m|, |n|) > degree.
 ///
 /// The recurrence in l starts from the closed form at l = max(|m|, |n|), whose

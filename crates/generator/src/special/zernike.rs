@@ -2,7 +2,7 @@
 
 /// R_o^q(ρ) for o = q, q + 2, ..., <= order.
 ///
-/// Domain: ρ in \[0, 1\]. Absolute error below 1e-13 up to order 9, 1e-11 up to
+/// Domain: ρ in \[0, 1\]. Absolute error below 1e-13 up to order 9, 5e-13 up to
 /// 64. Empty if q > order.
 ///
 /// R_{q+2k}^q = (-1)^k ρ^q P_k^(q,0)(1 - 2ρ²), by the three-term recurrence of

@@ -1,0 +1,245 @@
+//! What holds for every object under every statistics of the light.
+
+use crate::config;
+use crate::samples::{Sample, samples, strangers};
+use crate::shapes::{Shape, shapes};
+use crate::stability::oracle::Numbers;
+use crate::stability::pictures::{Pictures, eigenvalues, table};
+use crate::stability::projector::Projector;
+use crate::stability::{largest, tolerances};
+use eigenshade_generator::database::Named;
+use eigenshade_generator::geometry::WeightedNormals;
+use eigenshade_generator::light_statistics::LightStatistics;
+use eigenshade_generator::rotation::Rotation;
+use eigenshade_generator::scene_file::Loaded;
+use eigenshade_generator::span::Span;
+use eigenshade_generator::truth::Truth;
+use eigenshade_generator::{gram, moments};
+use eigenshade_index::{light, material, mode};
+use eigenshade_table::Table;
+use eigenshade_table::scene::LightRotation;
+use nalgebra::DMatrix;
+use proptest::prelude::*;
+use std::f64::consts::PI;
+
+/// A small scene of the sample, of all modes, whose light turns like this.
+fn scene(sample: &Sample, rotation: LightRotation) -> (Sample, Loaded) {
+    let (degree, order) = (sample.degree % 5, sample.order % 5);
+    // Of a degree and an order of one each, the modes do not make the constant.
+    let small = Sample { degree, order, spread: sample.spread.min(8.0), ..sample.clone() };
+    let mut loaded = small.whole();
+    loaded.scene.light.rotation = rotation;
+    (small, loaded)
+}
+
+fn rotations() -> impl Strategy<Value = LightRotation> {
+    use LightRotation::{Any, None, Vertical};
+    prop_oneof![Just(Any), Just(None), Just(Vertical)]
+}
+
+/// An upper bound of what the cut-offs take of the pictures: modes below `rank_cutoff` of
+/// the largest singular value, over the object and over the span.
+fn cut(loaded: &Loaded, listed: &WeightedNormals, modes: &DMatrix<f64>) -> f64 {
+    let (degree, order) = (loaded.lights.degree, loaded.materials.order);
+    let span = Span::new(&gram::of_sphere(degree, order), &[]).expect("finite");
+    let shown = listed.factor(&span).norm_l2();
+    let cutoff = loaded.scene.basis.rank_cutoff;
+    (cutoff + tolerances::ORTHONORMAL_ROUNDING) * (modes.norm() + shown * span.largest())
+}
+
+/// The root of the trace of V_c.
+fn size(loaded: &Loaded) -> f64 {
+    let scene = &loaded.scene;
+    let weights = moments::equal(loaded.lights.entries.len());
+    let light =
+        LightStatistics::new(&loaded.lights, scene.light.normalise, scene.light.rotation, &weights);
+    let of_light: f64 = light.expect("positive").second.iter().flatten().map(|v| v * v).sum();
+    let of_materials: f64 =
+        loaded.materials.entries.iter().flat_map(Named::luminance).map(|b| b * b).sum();
+    (of_light * of_materials / loaded.materials.entries.len() as f64).sqrt()
+}
+
+/// U over modes: a row a mode in the order of [`Pictures::modes`], a column an eigenimage.
+fn over_modes(table: &Table) -> DMatrix<f64> {
+    let (degree, order) = (table.gram.degree, table.gram.order);
+    let places: Vec<_> = light::indices(degree)
+        .flat_map(|(l, m)| material::indices(order).map(move |(o, p, q)| (l, m, o, p, q)))
+        .filter(|&(l, _, _, _, q)| q <= l)
+        .collect();
+    let general = table.general.as_ref().expect("a general table");
+    let mut u = DMatrix::zeros(places.len(), general.eigenvalues.len());
+    for (f, function) in table.components.iter().enumerate() {
+        let profile = &table.profiles[function.profile];
+        let sign = if function.order < 0 && function.order % 2 != 0 { -1.0 } else { 1.0 };
+        let indices = mode::indices(degree, order, profile.azimuth);
+        for ((l, o, p, q), value) in indices.zip(&profile.modes) {
+            let at = (l, function.order as isize, o, p, q);
+            let row = places.iter().position(|place| *place == at).expect("a mode");
+            for i in 0..u.ncols() {
+                u[(row, i)] += sign * value * general.modes[i * table.components.len() + f];
+            }
+        }
+    }
+    u
+}
+
+proptest! {
+    #![proptest_config(config())]
+
+    /// UᵀMU = I, and Σ w U_i U_j over the normals, by the runtime.
+    #[test]
+    fn eigenimages_are_orthonormal(
+        sample in samples(), shape in shapes(), rotation in rotations()
+    ) {
+        let (small, loaded) = scene(&sample, rotation);
+        let listed = shape.normals(small.degree, &mut Numbers(sample.seed ^ 7));
+        prop_assume!(listed.normals().len() < 100);
+        let table = table(&loaded, &listed);
+        let pictures = Pictures::new(&loaded, &listed);
+        let modes = pictures.modes(small.degree, small.order);
+        let cut = cut(&loaded, &listed, &modes);
+        let size = size(&loaded);
+        // How much of each eigenimage the cut-offs may take.
+        let general = table.general.as_ref().expect("a general table");
+        let lost: Vec<f64> = general
+            .eigenvalues
+            .iter()
+            .map(|value| value.map_or(4.0 * cut, |value| cut * size / value.sqrt()))
+            .collect();
+        let by_modes = &modes * over_modes(&table);
+        // Without the mean image, beside which an eigenimage may be nothing.
+        let mut bare = table.clone();
+        if let Some(general) = &mut bare.general {
+            general.mean.clear();
+            general.mean_coefficients.clear();
+        }
+        let projector = Projector::new(&bare);
+        let mut seen = by_modes.clone();
+        for i in 0..seen.ncols() {
+            for (k, value) in projector.eigenimage(i, &pictures.normals).iter().enumerate() {
+                seen[(k, i)] = pictures.weights[k].sqrt() * value;
+            }
+        }
+        for (images, of) in [(by_modes, "U over modes"), (seen, "pixels")] {
+            let products = images.tr_mul(&images);
+            for i in 0..products.nrows() {
+                for j in 0..=i {
+                    let off = (products[(i, j)] - f64::from(u8::from(i == j))).abs();
+                    let allowed = lost[i] + lost[j]
+                        + tolerances::ORTHONORMAL_ROUNDING / loaded.scene.basis.rank_cutoff
+                        + tolerances::ORTHONORMAL_NODES;
+                    prop_assert!(off <= allowed, "{of}: {off:e} of {allowed:e} at {i}, {j}");
+                }
+            }
+        }
+    }
+
+    /// |d|² + residual = Σ w (I - mean)², which is cᵀMc where there is no mean image.
+    #[test]
+    fn energy_over_an_object_is_kept_or_left(
+        sample in samples(), shape in shapes(), rotation in rotations()
+    ) {
+        let (small, loaded) = scene(&sample, rotation);
+        let listed = shape.normals(small.degree, &mut Numbers(sample.seed ^ 7));
+        let table = table(&loaded, &listed);
+        let projector = Projector::new(&table);
+        let truth = Truth::new(small.degree, small.order);
+        let ([stranger, _], [other, _]) = strangers(&small);
+        let of_database = (loaded.lights.entries[0].luminance(), loaded.materials.entries[0].luminance());
+        for (light, on) in [(stranger, other), of_database] {
+            let d = projector.project(&light, &on);
+            let (image, mean) =
+                (projector.shade(&d, listed.normals()), projector.shade(&[], listed.normals()));
+            let (mut residual, mut about_mean, mut energy) = (0.0, 0.0, 0.0);
+            for (k, weight) in listed.weights().iter().enumerate() {
+                let modes = truth.at(listed.normals()[k]);
+                let seen = modes.irradiance(&light, &modes.scatter(&on));
+                residual += weight * (seen - image[k]).powi(2);
+                about_mean += weight * (seen - mean[k]).powi(2);
+                energy += weight * seen * seen;
+            }
+            let kept: f64 = d.iter().map(|d| d * d).sum();
+            let apart = (kept + residual - about_mean).abs();
+            let scale = about_mean.max(kept);
+            // Of an image that is the mean but for rounding, rounding is left.
+            let allowed = tolerances::OBJECT_PARSEVAL * scale + tolerances::ORTHONORMAL_NODES * energy;
+            prop_assert!(apart <= allowed, "{apart:e} of {scale:e}");
+        }
+    }
+
+    /// Affine, for the mean image is subtracted: weights sum to 1.
+    #[test]
+    fn projection_over_an_object_is_linear(
+        sample in samples(), shape in shapes(), rotation in rotations(), weight in -3.0f64..3.0
+    ) {
+        let (small, loaded) = scene(&sample, rotation);
+        let listed = shape.normals(small.degree, &mut Numbers(sample.seed ^ 7));
+        let projector = Projector::new(&table(&loaded, &listed));
+        let ([light, other], [on, _]) = strangers(&small);
+        let mix = |a: &[f64], b: &[f64]| -> Vec<f64> {
+            a.iter().zip(b).map(|(a, b)| weight * a + (1.0 - weight) * b).collect()
+        };
+        let mixed = projector.project(&mix(&light, &other), &on);
+        let (first, second) = (projector.project(&light, &on), projector.project(&other, &on));
+        let scale = largest(first.iter().chain(&second).copied()) * (1.0 + weight.abs());
+        let apart = largest(mixed.iter().zip(mix(&first, &second)).map(|(a, b)| a - b));
+        // A mean image that is far brighter than the strangers is subtracted from both.
+        let mean = largest(projector.project(&vec![0.0; light.len()], &on));
+        prop_assert!(apart <= tolerances::DENSE_PROJECTION * (scale + mean), "{apart:e} of {scale:e}");
+    }
+
+    /// Fewer components are the first of more.
+    #[test]
+    fn fewer_components_of_an_object_are_a_prefix(
+        sample in samples(), shape in shapes(), rotation in rotations(), share in 0.0f64..1.0
+    ) {
+        let (small, mut loaded) = scene(&sample, rotation);
+        let listed = shape.normals(small.degree, &mut Numbers(sample.seed ^ 7));
+        let all = table(&loaded, &listed);
+        let count = 1 + (share * all.count() as f64) as usize;
+        loaded.scene.basis.components = Some(count);
+        let few = table(&loaded, &listed);
+        prop_assert_eq!(few.count(), count.min(all.count()));
+        let (a, b) = (few.general.as_ref().expect("general"), all.general.as_ref().expect("general"));
+        prop_assert_eq!(&a.eigenvalues[..], &b.eigenvalues[..few.count()]);
+        // U is divided by singular values down to the cut-off.
+        let rounding = tolerances::ORTHONORMAL_NODES
+            + tolerances::ORTHONORMAL_ROUNDING / loaded.scene.basis.rank_cutoff;
+        // The same sums, in the order that a matrix of another size asks for.
+        for (a, b) in [(&a.projection, &b.projection), (&a.synthesis, &b.synthesis), (&a.modes, &b.modes)] {
+            let apart = largest(a.iter().zip(b).map(|(a, b)| a - b));
+            let scale = largest(a.iter().copied());
+            prop_assert!(apart <= rounding * scale, "{apart:e} of {scale:e}");
+        }
+        prop_assert!(eigenvalues(&all).is_sorted_by(|a, b| a >= b));
+    }
+
+    /// Object and light turned about the view, statistics and all: the same eigenvalues.
+    #[test]
+    fn an_object_and_its_light_turn_together(
+        sample in samples(), shape in shapes(), angle in -PI..PI
+    ) {
+        let (small, loaded) = scene(&sample, LightRotation::None);
+        prop_assume!(!matches!(shape, Shape::Slants(_)));
+        let listed = shape.normals(small.degree, &mut Numbers(sample.seed ^ 7));
+        let turn = Rotation { alpha: 0.0, beta: angle, gamma: 0.0 };
+        let mut turned = loaded.clone();
+        for light in &mut turned.lights.entries {
+            light.rgb = light.rgb.each_ref().map(|channel| turn.turn(small.degree, channel));
+        }
+        let (sine, cosine) = angle.sin_cos();
+        let with = |&[x, y, z]: &[f64; 3]| [cosine * x - sine * y, sine * x + cosine * y, z];
+        let normals = listed.normals().iter().map(with).zip(listed.weights().iter().copied());
+        let (before, after) = (
+            table(&loaded, &listed),
+            table(&turned, &crate::stability::pictures::listed(normals)),
+        );
+        let (before, after) = (eigenvalues(&before), eigenvalues(&after));
+        let apart = crate::stability::pictures::apart(&after, &before);
+        // Of what is constant but for rounding, nothing is left to compare.
+        let size = size(&loaded).powi(2);
+        let scale = largest(before.iter().copied());
+        prop_assert!(apart * scale <= tolerances::FLAT_EIGENVALUES * scale + 1e-13 * size,
+            "{apart:e} of {scale:e}");
+    }
+}

@@ -1,0 +1,113 @@
+//! Light, material and modes of an image of a sphere: against dense formulas over the
+//! pixels, by another library, and against the images of modes.
+
+#[path = "reading/mod.rs"]
+mod reading;
+
+use eigenshade::index::light;
+use eigenshade_generator::database::Named;
+use eigenshade_generator::moments::LightMoments;
+use eigenshade_generator::reading::eigenimage_values::EigenimageValues;
+use eigenshade_generator::reading::light_estimate::LightEstimate;
+use eigenshade_generator::reading::modes::{self, ModeCoefficients};
+use eigenshade_generator::reading::posterior::Posterior;
+use eigenshade_generator::reading::rank_one::RankOne;
+use eigenshade_table::scene::Criterion;
+use nalgebra::{DMatrix, DVector};
+use reading::oracle::Numbers;
+use reading::sphere::{dense, observe, pixels, prior, small};
+use reading::{
+    CRITERIA, LitImage, NOISE, apart, assert_likeliest, assert_near, image_of_modes, to_dense,
+    tolerances,
+};
+
+#[test]
+fn modes_have_the_image_that_they_were_read_from() {
+    let (loaded, table) = small(Criterion::ImageCentered, usize::MAX);
+    let pixels = pixels(&loaded, 7);
+    let observation = observe(&table, &pixels);
+    let (transfers, prior) = prior(&loaded, &table);
+    let posterior = Posterior::new(&observation, &prior).expect("singular values");
+    let estimate = posterior.estimate(0, NOISE);
+    let least_norm = modes::least_norm(&table, &estimate.d);
+    let likely = modes::posterior_mean(&transfers, &prior, &estimate);
+    let values = EigenimageValues::new(&table, table.components.len());
+    let mut row = vec![0.0; table.components.len() + 1];
+    let (mut numbers, mut far, mut peak) = (Numbers(9), [0.0f64; 2], 0.0f64);
+    for _ in 0..20 {
+        let normal = numbers.normal();
+        values.at(normal, &mut row);
+        let expected: f64 = row.iter().zip(&estimate.d).map(|(u, d)| u * d).sum();
+        peak = peak.max(expected.abs());
+        for (far, c) in far.iter_mut().zip([&least_norm, &likely]) {
+            *far = far.max((image_of_modes(c, normal) - expected).abs());
+        }
+    }
+    assert_near("image of the least-norm modes", far[0] / peak, tolerances::READ_MODES);
+    assert_near("image of the posterior modes", far[1] / peak, tolerances::READ_MODES);
+    // Of the same image, the one is of least norm.
+    let length = |c: &ModeCoefficients| c.values.norm_l2();
+    println!("norms {} and {}", length(&least_norm), length(&likely));
+    assert!(length(&least_norm) < length(&likely));
+}
+
+#[test]
+fn products_come_back_from_the_modes_that_exist() {
+    let (loaded, _) = small(Criterion::ImageCentered, 1);
+    let of = |entry: &Named| entry.luminance();
+    let (light, material) = (of(&loaded.lights.entries[2]), of(&loaded.materials.entries[14]));
+    let mut c = ModeCoefficients::zeros(4, 3);
+    let exists = c.exists();
+    for (row, l) in light.iter().enumerate() {
+        for (column, b) in material.iter().enumerate() {
+            if exists(row, column) {
+                c.values[(row, column)] = l * b;
+            }
+        }
+    }
+    let known: Vec<Vec<f64>> = loaded.materials.entries.iter().map(of).collect();
+    let mut product = RankOne::of(&c).expect("singular values");
+    assert_near("left", product.left, tolerances::READ_RANK_ONE);
+    let square: f64 = product.material.iter().map(|b| b * b).sum();
+    assert_near("scale", (square - 1.0).abs(), tolerances::READ_RANK_ONE);
+    assert_eq!(product.scaled_to(&known), Some(14));
+    assert_near("light", apart(&product.light, &light), tolerances::READ_RANK_ONE);
+    assert_near("material", apart(&product.material, &material), tolerances::READ_RANK_ONE);
+    // Zeros for the missing modes would be a part of the matrix: no product at all.
+    let svd = to_dense(&c.values).svd(false, false);
+    let rest: f64 = svd.singular_values.iter().skip(1).map(|x| x * x).sum();
+    assert!(rest > tolerances::READ_NO_PRODUCT * svd.singular_values[0].powi(2), "{rest}");
+}
+
+#[test]
+fn light_and_evidence_are_the_dense_formulas() {
+    for criterion in CRITERIA {
+        let (loaded, table) = small(criterion, usize::MAX);
+        let pixels = pixels(&loaded, 11);
+        let observation = observe(&table, &pixels);
+        let (transfers, prior) = prior(&loaded, &table);
+        let material = loaded.materials.entries[6].luminance();
+        let transfer = transfers.of(&material);
+        let estimate = LightEstimate::new(&observation, &prior, &transfer).expect("values");
+        let found = estimate.explain(0, NOISE);
+
+        let (design, mean, image) = dense(&table, &pixels);
+        let d_mean = DVector::from_column_slice(&prior.mean);
+        let target = image - mean + &design * d_mean;
+        let images = &design * to_dense(&transfer);
+        let normalise = loaded.scene.light.normalise;
+        let moments = LightMoments::new(&loaded.lights, normalise).expect("moments");
+        let spread = DVector::from_iterator(
+            light::count(4),
+            light::indices(4).map(|(l, _)| match l {
+                0 => moments.ambient_variance,
+                _ => moments.power[l],
+            }),
+        );
+        let mut centre = DVector::zeros(light::count(4));
+        centre[0] = moments.ambient_mean;
+        let covariance = DMatrix::from_diagonal(&spread);
+        let image = LitImage { images, target, mean: centre, covariance, noise: NOISE };
+        assert_likeliest(&image, &found);
+    }
+}
