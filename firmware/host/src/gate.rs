@@ -47,7 +47,7 @@ fn is_formatting(name: &str) -> bool {
 }
 
 fn is_heap(name: &str) -> bool {
-    ["__rust_alloc", "__rustc::__rust_alloc", "malloc", "alloc::alloc"]
+    ["__rust_alloc", "__rust_no_alloc_shim", "GlobalAlloc", "malloc", "alloc::alloc"]
         .iter()
         .any(|part| name.contains(part))
 }

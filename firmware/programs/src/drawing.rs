@@ -39,7 +39,8 @@ pub fn draw(shade: impl Fn(i32, i32, i32) -> Option<i32>) {
 }
 
 /// The square root, rounded down.
-fn root(number: u32) -> u32 {
+#[must_use]
+pub fn root(number: u32) -> u32 {
     let (mut root, mut bit) = (0_u32, 1 << 15);
     while bit > 0 {
         let next = root | bit;

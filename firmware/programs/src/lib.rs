@@ -39,6 +39,8 @@ pub mod integer_inputs;
 
 pub mod drawing;
 
+pub mod picture;
+
 mod operations;
 
 pub mod nine_terms;
