@@ -14,6 +14,9 @@ use std::{env, fs, process};
 /// is the runtime's own.
 const TABLES: [(&str, f64); 2] = [("full", 1e-4), ("lambertian", 1e-4)];
 
+/// The golden vectors.
+const GOLDEN: &str = "../../tests/golden/sphere.csv";
+
 fn main() {
     if env::var("CARGO_CFG_TARGET_OS").is_ok_and(|os| os == "none") {
         println!("cargo::rustc-link-arg-bins=-Tlink.x");
@@ -23,7 +26,7 @@ fn main() {
         println!("cargo::rerun-if-changed={from}");
         bake(&from, name, tolerance)
     });
-    if let Err(error) = tables.and_then(|()| golden("../../tests/golden/sphere.csv")) {
+    if let Err(error) = tables.and_then(|()| golden(GOLDEN)).and_then(|()| one_material()) {
         println!("cargo::error={error}");
         process::exit(1);
     }
@@ -61,22 +64,32 @@ fn golden(from: &str) -> Result<(), String> {
         let exponents = |row: &Row| format!("{:?}", row.exponents);
         let one = |row: &Row| row.exponents.first().copied().unwrap_or(0);
         let answer = if format == "f32" { "f32" } else { "i32" };
-        let mut pairs = Vec::new();
-        for pair in golden.pairs() {
+        let (mut pairs, mut inputs) = (Vec::new(), String::new());
+        for (number, pair) in golden.pairs().into_iter().enumerate() {
             let row = |array| golden.find(format, pair, array);
             let (light, material) = (row("light")?, row("material")?);
             let (d, irradiance) = (row("d")?, row("irradiance")?);
             pairs.push(format!(
-                "super::Pair {{ light: &[{}], of_light: {}, material: &[{}], of_material: &{}, \
-                 d: &[{}], of_d: {}, irradiance: &[{}], of_irradiance: {} }}",
-                list(light), one(light), list(material), exponents(material),
-                plain(d), one(d), plain(irradiance), one(irradiance),
+                "super::Pair {{ light: &LIGHT_{number}, material: &MATERIAL_{number}, \
+                 d: (&[{}], {}), irradiance: (&[{}], {}) }}",
+                plain(d),
+                one(d),
+                plain(irradiance),
+                one(irradiance),
             ));
+            inputs += &format!(
+                "pub static LIGHT_{number}: (&[{kind}], i32) = (&[{}], {});\n\
+                 pub static MATERIAL_{number}: (&[{kind}], &[i8]) = (&[{}], &{});\n",
+                list(light),
+                one(light),
+                list(material),
+                exponents(material),
+            );
         }
         let normals = golden.find(format, [""; 3], "normals")?;
         let mut text = format!(
             "pub static NORMALS: [{kind}; {}] = [{}];\n\
-             pub static PAIRS: [super::Pair<{kind}, {answer}>; {}] = [{}];\n",
+             {inputs}pub static PAIRS: [super::Pair<{kind}, {answer}>; {}] = [{}];\n",
             normals.numbers.len(),
             list(normals),
             pairs.len(),
@@ -89,6 +102,41 @@ fn golden(from: &str) -> Result<(), String> {
         write(&format!("golden_{format}.rs"), &text)?;
     }
     Ok(())
+}
+
+/// Writes the shipped table in Q15 for the golden file's first material alone: the
+/// material is folded in here, and what takes materials in is left out.
+fn one_material() -> Result<(), String> {
+    use eigenshade::sphere::q15::{BASIS, ORDER, PROFILES, TRANSFER, WORKSPACE};
+    let from = "../../tables/sphere.bin";
+    println!("cargo::rerun-if-changed={from}");
+    let bytes = fs::read(from).map_err(|error| format!("{from}: {error}"))?;
+    let table = eigenshade_table::decode(&bytes).map_err(|error| format!("{from}: {error}"))?;
+    let mut parts = QuantisedParts::new(&table, Format::Q15, Format::Q15.tolerance())
+        .map_err(|error| format!("{from}: {error}"))?;
+    for numbers in [&mut parts.polar, &mut parts.factors] {
+        numbers.clear();
+    }
+    for exponents in [&mut parts.polar_exponents, &mut parts.factor_exponents] {
+        exponents.clear();
+    }
+    let golden = fs::read_to_string(GOLDEN).map_err(|error| format!("{GOLDEN}: {error}"))?;
+    let golden = Golden::parse(&golden)?;
+    let pair = *golden.pairs().first().ok_or("no pair")?;
+    let row = golden.find("q15", pair, "material")?;
+    let mantissas: Vec<eigenshade::Q15> =
+        row.integers()?.into_iter().map(|one| eigenshade::Q15(one as i16)).collect();
+    let exponents: Vec<i8> = row.exponents.iter().map(|&one| one as i8).collect();
+    let (mut numbers, mut of_profiles) = ([eigenshade::Q15(0); TRANSFER], [0; PROFILES]);
+    eigenshade::quantised::Material::new(ORDER, &exponents, &mantissas)
+        .and_then(|material| {
+            BASIS.fold_into(&material, &mut [0; WORKSPACE], &mut numbers, &mut of_profiles)
+        })
+        .map_err(|error| error.to_string())?;
+    let numbers = numbers.map(|eigenshade::Q15(number)| i32::from(number));
+    let text = rust_quantised::module(&parts, "build.rs, of one material")
+        + &rust_quantised::transfer(Format::Q15, &numbers, &of_profiles);
+    write("one_material.rs", &text)
 }
 
 /// Writes a file of the output folder.

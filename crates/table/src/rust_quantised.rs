@@ -91,7 +91,7 @@ fn numbers(text: &mut String, name: &str, format: &str, values: &[i32]) {
     put(
         text,
         format_args!(
-            "static {name}: [eigenshade::{format}; {}] = {{ const fn q(mantissa: {inner}) -> \
+            "static {name}: [eigenshade::{format}; {}] = {{ #[allow(dead_code, reason = \"some arrays are empty\")] const fn q(mantissa: {inner}) -> \
              eigenshade::{format} {{ eigenshade::{format}(mantissa) }} [{}] }};",
             values.len(),
             values.join(", ")

@@ -8,19 +8,26 @@ pub fn say(text: &str) {
     text.bytes().for_each(sys_writec);
 }
 
+/// The powers of ten.
+const UNITS: [u32; 10] =
+    [1_000_000_000, 100_000_000, 10_000_000, 1_000_000, 100_000, 10_000, 1_000, 100, 10, 1];
+
 /// Says a number, after a space.
 pub fn say_number(number: u32) {
     sys_writec(b' ');
-    let mut unit = 1;
-    while number / unit >= 10 {
-        unit *= 10;
-    }
     let mut rest = number;
-    while unit > 0 {
-        // One digit each time: below 10.
-        sys_writec(b'0' + (rest / unit) as u8);
-        rest %= unit;
-        unit /= 10;
+    let mut started = false;
+    for unit in UNITS {
+        // Small machines do not divide.
+        let mut digit = b'0';
+        while rest >= unit {
+            rest -= unit;
+            digit += 1;
+        }
+        started |= digit > b'0' || unit == 1;
+        if started {
+            sys_writec(digit);
+        }
     }
 }
 

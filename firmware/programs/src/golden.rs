@@ -4,23 +4,20 @@
 /// formats.
 #[derive(Clone, Copy, Debug)]
 pub struct Pair<S: 'static, A: 'static> {
-    /// Coefficients of the light.
-    pub light: &'static [S],
-    /// Their exponent.
-    pub of_light: i32,
-    /// Coefficients of the material.
-    pub material: &'static [S],
-    /// Their exponents.
-    pub of_material: &'static [i8],
-    /// Coefficients of the image.
-    pub d: &'static [A],
-    /// Their exponent.
-    pub of_d: i32,
-    /// Irradiances of the normals.
-    pub irradiance: &'static [A],
-    /// Their exponent.
-    pub of_irradiance: i32,
+    /// Coefficients of the light, and their exponent.
+    pub light: &'static Light<S>,
+    /// Coefficients of the material, and their exponents.
+    pub material: &'static Material<S>,
+    /// Coefficients of the image, and their exponent.
+    pub d: (&'static [A], i32),
+    /// Irradiances of the normals, and their exponent.
+    pub irradiance: (&'static [A], i32),
 }
+
+/// Coefficients of a light, and their exponent.
+pub type Light<S> = (&'static [S], i32);
+/// Coefficients of a material, and the exponents of each o.
+pub type Material<S> = (&'static [S], &'static [i8]);
 
 /// In f32.
 #[expect(missing_docs, reason = "generated: normals, pairs and the tolerance")]
@@ -77,19 +74,20 @@ macro_rules! golden {
             all: &mut u32,
         ) -> Result<(), eigenshade::Error> {
             use eigenshade::quantised::{Light, Material, Normal};
-            let light = Light::new(table::DEGREE, pair.of_light, pair.light)?;
-            let material = Material::new(table::ORDER, pair.of_material, pair.material)?;
+            let light = Light::new(table::DEGREE, pair.light.1, pair.light.0)?;
+            let material = Material::new(table::ORDER, pair.material.1, pair.material.0)?;
             let d = table::relight(&table::fold(&material)?.view(), &light)?;
             let scene = table::collapse(&d)?;
             let mut check = |holds: bool| {
                 *all += 1;
                 *right += u32::from(holds);
             };
-            check(d.mantissas() == pair.d && d.exponent() == pair.of_d);
-            check(scene.exponent() == pair.of_irradiance);
+            let (irradiances, exponent) = pair.irradiance;
+            check((d.mantissas(), d.exponent()) == pair.d);
+            check(scene.exponent() == exponent);
             let (normals, _) = vectors::NORMALS.as_chunks::<3>();
-            check(normals.len() == pair.irradiance.len());
-            for (&[x, y, z], &expected) in normals.iter().zip(pair.irradiance) {
+            check(normals.len() == irradiances.len());
+            for (&[x, y, z], &expected) in normals.iter().zip(irradiances) {
                 let normal = Normal::<$format>::new(x, y, z)?;
                 check(table::shade(&scene, normal) == expected && scene.shade(normal) == expected);
             }
@@ -117,8 +115,8 @@ macro_rules! sphere {
             use $crate::integer_inputs::Input;
             use eigenshade::quantised::{Light, Material};
             let [pair, ..] = &vectors::PAIRS;
-            let light = Light::new(table::DEGREE, pair.of_light, pair.light)?;
-            let material = Material::new(table::ORDER, pair.of_material, pair.material)?;
+            let light = Light::new(table::DEGREE, pair.light.1, pair.light.0)?;
+            let material = Material::new(table::ORDER, pair.material.1, pair.material.0)?;
             let d = table::relight(&table::fold(&material)?.view(), &light)?;
             let scene = table::collapse(&d)?;
             $crate::drawing::draw(|x, y, z| {

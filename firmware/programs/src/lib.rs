@@ -31,6 +31,11 @@ pub mod lambertian {
     }
 }
 
+/// The shipped table in Q15 for one material, folded in beforehand.
+pub mod one_material {
+    include!(concat!(env!("OUT_DIR"), "/one_material.rs"));
+}
+
 pub mod golden;
 
 pub mod inputs;

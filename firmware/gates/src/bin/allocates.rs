@@ -16,7 +16,7 @@ struct Nothing;
 unsafe impl GlobalAlloc for Nothing {
     #[inline(never)]
     unsafe fn alloc(&self, _: Layout) -> *mut u8 {
-        core::ptr::null_mut()
+        black_box(core::ptr::null_mut())
     }
     unsafe fn dealloc(&self, _: *mut u8, _: Layout) {}
 }

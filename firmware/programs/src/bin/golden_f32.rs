@@ -25,20 +25,21 @@ fn check(found: f32, expected: f32, all_expected: &[f32]) -> u32 {
 }
 
 fn compare(pair: &Pair<f32, f32>, right: &mut u32, all: &mut u32) -> Result<(), Error> {
-    let light = Light::new(sphere::DEGREE, pair.light)?;
-    let material = Material::new(sphere::ORDER, pair.material)?;
+    let light = Light::new(sphere::DEGREE, pair.light.0)?;
+    let material = Material::new(sphere::ORDER, pair.material.0)?;
     let projected = sphere::project(&light, &material)?;
     let relit = sphere::relight(&sphere::transfer(&material)?, &light)?;
-    for (&expected, (&projected, &relit)) in pair.d.iter().zip(projected.iter().zip(&relit)) {
-        *right += check(projected, expected, pair.d) + check(relit, expected, pair.d);
+    let ((d, _), (irradiances, _)) = (pair.d, pair.irradiance);
+    for (&expected, (&projected, &relit)) in d.iter().zip(projected.iter().zip(&relit)) {
+        *right += check(projected, expected, d) + check(relit, expected, d);
         *all += 2;
     }
     let scene = sphere::collapse(&relit)?;
     let (normals, _) = NORMALS.as_chunks::<3>();
-    for (&[x, y, z], &expected) in normals.iter().zip(pair.irradiance) {
+    for (&[x, y, z], &expected) in normals.iter().zip(irradiances) {
         let normal = Normal::new(x, y, z)?;
-        *right += check(sphere::shade(&scene, normal), expected, pair.irradiance);
-        *right += check(scene.shade(normal), expected, pair.irradiance);
+        *right += check(sphere::shade(&scene, normal), expected, irradiances);
+        *right += check(scene.shade(normal), expected, irradiances);
         *all += 2;
     }
     Ok(())
