@@ -9,7 +9,7 @@ pub fn say(text: &str) {
 }
 
 /// The powers of ten.
-const UNITS: [u32; 10] =
+static UNITS: [u32; 10] =
     [1_000_000_000, 100_000_000, 10_000_000, 1_000_000, 100_000, 10_000, 1_000, 100, 10, 1];
 
 /// Says a number, after a space.
@@ -17,7 +17,7 @@ pub fn say_number(number: u32) {
     sys_writec(b' ');
     let mut rest = number;
     let mut started = false;
-    for unit in UNITS {
+    for &unit in &UNITS {
         // Small machines do not divide.
         let mut digit = b'0';
         while rest >= unit {

@@ -5,7 +5,7 @@
 #![no_main]
 
 use board::{exit, program, say, say_number, stack};
-use eigenshade::quantised::{Light, Scene};
+use eigenshade::quantised::{Light, Normal, Scene};
 use eigenshade::{Error, Q15};
 use programs::golden::q15::{LIGHT_0, LIGHT_1, LIGHT_2};
 use programs::one_material::{BASIS, COMPONENTS, DEGREE, MATERIAL, SCENE};
@@ -28,16 +28,26 @@ fn main() {
 fn run() -> Result<(), Error> {
     let mut numbers = [[0; SCENE]; 3];
     let [red, green, blue] = numbers.each_mut();
-    let channels = [scene(&LIGHT_0, red)?, scene(&LIGHT_1, green)?, scene(&LIGHT_2, blue)?];
-    picture::draw(|normal| channels.each_ref().map(|scene| scene.shade(normal)));
+    let red = scene(&LIGHT_0, red)?;
+    let green = scene(&LIGHT_1, green)?;
+    let blue = scene(&LIGHT_2, blue)?;
+    picture::draw(|normal| [pixel(&red, normal), pixel(&green, normal), pixel(&blue, normal)]);
     Ok(())
+}
+
+type Channel<'a> = Scene<'static, Q15, &'a mut [i32]>;
+
+/// Once for all channels.
+#[inline(never)]
+fn pixel(channel: &Channel<'_>, normal: Normal<Q15>) -> i32 {
+    channel.shade(normal)
 }
 
 #[inline(never)]
 fn scene<'a>(
     &(light, of_light): &programs::golden::Light<Q15>,
     numbers: &'a mut [i32],
-) -> Result<Scene<'static, Q15, &'a mut [i32]>, Error> {
+) -> Result<Channel<'a>, Error> {
     let mut d = [0; COMPONENTS];
     let light = Light::new(DEGREE, of_light, light)?;
     let exponent = BASIS.relight_into(&MATERIAL, &light, &mut d)?;
