@@ -40,6 +40,8 @@ pub fn module(parts: &QuantisedParts, command: &str) -> String {
     array(&mut text, "PLACES", "eigenshade::quantised::Profile", &profiles);
     put(&mut text, format_args!("{}", basis(format)));
     text.push_str(&types(format));
+    text.push_str(&relight(parts, format));
+    text.push_str(&collapse(parts, format));
     text.push_str(&shade(parts, format));
     text
 }
@@ -144,6 +146,26 @@ pub fn fold(
 ) -> Result<Transfer, eigenshade::Error> {{
     BASIS.fold::<WORKSPACE, TRANSFER, PROFILES>(material)
 }}
+"
+    )
+}
+
+/// The profiles of each azimuth, and where they start among all.
+fn azimuths(parts: &QuantisedParts) -> impl Iterator<Item = (usize, &[Place])> {
+    let mut first = 0;
+    parts.profiles.chunk_by(|a, b| a.azimuth == b.azimuth).map(move |block| {
+        first += block.len();
+        (first - block.len(), block)
+    })
+}
+
+/// A new light, one call for each azimuth.
+fn relight(parts: &QuantisedParts, format: &str) -> String {
+    let pair = |place: &Place| format!("[{}, {}]", place.plus, place.minus);
+    let pairs: Vec<String> = parts.profiles.iter().map(pair).collect();
+    let count = (parts.degree + 1) * (parts.degree + 1);
+    let mut text = format!(
+        "static PAIRS: [[u16; 2]; PROFILES] = [{}];
 /// A new light on a folded material: see [`eigenshade::quantised::Basis::relight`].
 ///
 /// # Errors
@@ -153,18 +175,127 @@ pub fn relight(
     transfer: &eigenshade::quantised::Transfer<'_, eigenshade::{format}>,
     light: &eigenshade::quantised::Light<'_, eigenshade::{format}>,
 ) -> Result<Coefficients, eigenshade::Error> {{
-    BASIS.relight::<COMPONENTS>(transfer, light)
+    let mut coefficients = Coefficients::default();
+    relight_into(transfer, light, &mut coefficients)?;
+    Ok(coefficients)
 }}
-/// Sums the components of each azimuth: see [`eigenshade::quantised::Basis::collapse`].
+/// [`relight`] in the place of other coefficients: nothing is moved.
+///
+/// # Errors
+///
+/// As there; what the coefficients are then is not said.
+pub fn relight_into(
+    transfer: &eigenshade::quantised::Transfer<'_, eigenshade::{format}>,
+    light: &eigenshade::quantised::Light<'_, eigenshade::{format}>,
+    coefficients: &mut Coefficients,
+) -> Result<(), eigenshade::Error> {{
+    use eigenshade::quantised::kernels::relight as kernels;
+    if let (Some(inputs), Some(d)) =
+        (kernels::inputs::<_, TRANSFER, PROFILES, {count}>(transfer, light), kernels::mantissas(coefficients))
+    {{
+        let top = kernels::NONE;
+",
+        pairs.join(", ")
+    );
+    let mut start = 0;
+    for (first, block) in azimuths(parts) {
+        let (azimuth, profiles) = (usize::from(block[0].azimuth), block.len());
+        let degrees = parts.degree + 1 - azimuth;
+        let of_block: Vec<String> = block.iter().map(pair).collect();
+        put(
+            &mut text,
+            format_args!(
+                "        let top = kernels::azimuth::<_, {azimuth}, {start}, {first}, {profiles}, {degrees}, TRANSFER, PROFILES, {count}, COMPONENTS>(inputs, &[{}], d, top);",
+                of_block.join(", ")
+            ),
+        );
+        start += profiles * degrees;
+    }
+    put(
+        &mut text,
+        format_args!(
+            "        kernels::align::<eigenshade::{format}, PROFILES, COMPONENTS>(inputs.1, &PAIRS, top, light.exponent(), coefficients);
+        return Ok(());
+    }}
+    relight_generally(transfer, light, coefficients)
+}}
+#[cold]
+#[inline(never)]
+fn relight_generally(
+    transfer: &eigenshade::quantised::Transfer<'_, eigenshade::{format}>,
+    light: &eigenshade::quantised::Light<'_, eigenshade::{format}>,
+    coefficients: &mut Coefficients,
+) -> Result<(), eigenshade::Error> {{
+    *coefficients = BASIS.relight::<COMPONENTS>(transfer, light)?;
+    Ok(())
+}}"
+        ),
+    );
+    text
+}
+
+/// A scene, one call for each azimuth.
+fn collapse(parts: &QuantisedParts, format: &str) -> String {
+    let mut text = String::from(
+        "/// Sums the components of each azimuth: see [`eigenshade::quantised::Basis::collapse`].
 ///
 /// # Errors
 ///
 /// As there, but capacities cannot be too small.
-pub fn collapse(coefficients: &Coefficients) -> Result<Scene, eigenshade::Error> {{
-    BASIS.collapse::<SCENE>(coefficients.mantissas(), coefficients.exponent())
-}}
-"
-    )
+pub fn collapse(coefficients: &Coefficients) -> Result<Scene, eigenshade::Error> {
+    let mut scene = Scene::default();
+    collapse_into(coefficients, &mut scene)?;
+    Ok(scene)
+}
+/// [`collapse`] in the place of another scene: nothing is moved.
+///
+/// # Errors
+///
+/// As there; what the scene is then is not said.
+pub fn collapse_into(
+    coefficients: &Coefficients,
+    scene: &mut Scene,
+) -> Result<(), eigenshade::Error> {
+    use eigenshade::quantised::kernels::collapse as kernels;
+    if let (Some(d), Some(terms)) = (kernels::mantissas(coefficients), kernels::terms(&BASIS, scene)) {
+        let common = BASIS.common_exponent(d);
+",
+    );
+    let total = parts.terms.len();
+    let (mut start, mut to, mut azimuth) = (0, 0, 0);
+    for (first, block) in azimuths(parts) {
+        while azimuth < usize::from(block[0].azimuth) {
+            to += usize::from(parts.lengths[azimuth]) * if azimuth == 0 { 1 } else { 2 };
+            azimuth += 1;
+        }
+        let (profiles, length) = (block.len(), usize::from(parts.lengths[azimuth]));
+        let signs = if azimuth == 0 { 1 } else { 2 };
+        put(
+            &mut text,
+            format_args!(
+                "        kernels::azimuth::<eigenshade::{format}, {first}, {start}, {to}, {profiles}, {signs}, {length}, {total}, PROFILES, COMPONENTS, SCENE>(&TERMS, &PLACES, common, d, terms);"
+            ),
+        );
+        start += profiles * length;
+    }
+    text.push_str(
+        "        kernels::finish(&BASIS, coefficients, common, scene);
+        return Ok(());
+    }
+    collapse_generally(coefficients, scene)
+}
+#[cold]
+#[inline(never)]
+fn collapse_generally(
+    coefficients: &Coefficients,
+    scene: &mut Scene,
+) -> Result<(), eigenshade::Error> {
+    *scene = BASIS.collapse::<SCENE>(coefficients.mantissas(), coefficients.exponent())?;
+    Ok(())
+}
+",
+    );
+    text
 }
 
 /// The pixel, unrolled.

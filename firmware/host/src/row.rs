@@ -44,7 +44,8 @@ impl Row {
         // To the nearest.
         let doubled = (count[1].saturating_sub(count[2])) * half_instructions * program.times;
         let instructions = (doubled + count[0]) / (2 * count[0]);
-        let held = numbers("holds", 1).map_or(0, |held| held[0]);
+        let held = said.lines().filter_map(|line| line.strip_prefix("holds "));
+        let held: u64 = held.filter_map(|bytes| bytes.parse::<u64>().ok()).sum();
         Ok(Self {
             key: key(board, program),
             numbers: [

@@ -24,10 +24,10 @@ macro_rules! shade {
 }
 
 /// A new light on a fixed material, with the module `$table`; up to the scene with
-/// `collapse`.
+/// `collapse_into`.
 #[macro_export]
 macro_rules! relight {
-    ($table:path $(, $collapse:ident)?) => {
+    ($table:path $(, $collapse_into:ident)?) => {
         use $crate::integer_inputs as inputs;
         use $table as table;
 
@@ -39,12 +39,21 @@ macro_rules! relight {
                 board::exit(false)
             };
             let transfer = core::hint::black_box(transfer);
-            board::holds(size_of_val(&transfer) + size_of::<table::Coefficients>());
+            let mut d = table::Coefficients::default();
+            // Not linked where it is not used.
+            let mut scene = table::Scene::default();
+            let of_scene = [$(stringify!($collapse_into))?].map(|_: &str| size_of_val(&scene));
+            board::holds(of_scene.into_iter().sum());
+            board::holds(size_of_val(&transfer) + size_of_val(&d));
             board::measure(&[inputs::mantissas::<_, 100>()], board::Passes(64), |light| {
                 let light = inputs::light(light, table::DEGREE);
-                let relit = table::relight(&transfer.view(), &light);
-                $(let relit = relit.and_then(|relit| table::$collapse(&relit));)?
-                relit
+                let done =
+                    table::relight_into(&transfer.view(), &light, core::hint::black_box(&mut d));
+                let _ = &mut scene;
+                $(let done = done.and_then(|()| {
+                    table::$collapse_into(&d, core::hint::black_box(&mut scene))
+                });)?
+                done
             });
         }
     };
@@ -66,8 +75,11 @@ macro_rules! collapse {
             let relit = table::fold(&inputs::material(&material, table::ORDER))
                 .and_then(|transfer| table::relight(&transfer.view(), &light));
             let Ok(relit) = relit else { board::exit(false) };
-            board::holds(size_of::<table::Scene>());
-            board::measure(&[relit], board::Passes(64), table::collapse);
+            let mut scene = table::Scene::default();
+            board::holds(size_of_val(&relit) + size_of_val(&scene));
+            board::measure(&[relit], board::Passes(64), |relit| {
+                table::collapse_into(relit, core::hint::black_box(&mut scene))
+            });
         }
     };
 }

@@ -2,4 +2,4 @@
 #![no_std]
 #![no_main]
 
-programs::relight!(eigenshade::sphere::q15, collapse);
+programs::relight!(eigenshade::sphere::q15, collapse_into);
