@@ -117,6 +117,8 @@ pub trait Wide:
     fn bits(self) -> u32;
     /// The nearest number to self 2^`by`. Domain: it fits.
     fn shifted(self, by: i32) -> Self;
+    /// Whether self >= 2^`by`. Domain: self >= 0, 0 <= by < [`SIZE`](Self::SIZE).
+    fn reaches(self, by: i32) -> bool;
     /// The nearest `i32`.
     fn saturated(self) -> i32;
 }
@@ -142,6 +144,10 @@ impl Wide for i32 {
             -31.. => ((self >> (-by - 1)) + 1) >> 1,
             _ => 0,
         }
+    }
+    #[inline(always)]
+    fn reaches(self, by: i32) -> bool {
+        self >> (by & 31) != 0
     }
     #[inline(always)]
     fn saturated(self) -> i32 {
@@ -170,6 +176,10 @@ impl Wide for i64 {
             -63.. => ((self >> (-by - 1)) + 1) >> 1,
             _ => 0,
         }
+    }
+    #[inline(always)]
+    fn reaches(self, by: i32) -> bool {
+        self >> (by & 63) != 0
     }
     #[inline]
     fn saturated(self) -> i32 {

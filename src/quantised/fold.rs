@@ -25,10 +25,10 @@ impl<'a, Q> Transfer<'a, Q> {
 }
 
 /// Room for a [`Transfer`] of `T` numbers and `P` profiles.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct TransferBuffer<Q, const T: usize, const P: usize> {
-    numbers: heapless::Vec<Q, T>,
-    exponents: heapless::Vec<i16, P>,
+    pub(crate) numbers: heapless::Vec<Q, T>,
+    pub(crate) exponents: heapless::Vec<i16, P>,
 }
 
 impl<Q, const T: usize, const P: usize> TransferBuffer<Q, T, P> {

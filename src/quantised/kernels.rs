@@ -2,6 +2,7 @@
 //! `eigenshade-table`: the steps of [`Scene::shade`](super::Scene::shade), unrolled.
 
 pub mod collapse;
+pub mod fold;
 pub mod relight;
 
 use super::Normal;

@@ -2,7 +2,7 @@
 //! are checked when they are compiled, and functions with every size a constant.
 
 use crate::quantise::{Format, Place, QuantisedParts};
-use eigenshade_index::pair;
+use eigenshade_index::{material, pair};
 use std::fmt::Write;
 
 /// The module's text. `command` is what made it, for the first line.
@@ -40,6 +40,7 @@ pub fn module(parts: &QuantisedParts, command: &str) -> String {
     array(&mut text, "PLACES", "eigenshade::quantised::Profile", &profiles);
     put(&mut text, format_args!("{}", basis(format)));
     text.push_str(&types(format));
+    text.push_str(&fold(parts, format));
     text.push_str(&relight(parts, format));
     text.push_str(&collapse(parts, format));
     text.push_str(&shade(parts, format));
@@ -136,16 +137,6 @@ pub type Coefficients = eigenshade::quantised::Coefficients<COMPONENTS>;
 pub type Transfer = eigenshade::quantised::TransferBuffer<eigenshade::{format}, TRANSFER, PROFILES>;
 /// One image, ready to be shaded.
 pub type Scene = eigenshade::quantised::Scene<'static, eigenshade::{format}, eigenshade::quantised::SceneBuffer<SCENE>>;
-/// Folds a material into the basis: see [`eigenshade::quantised::Basis::fold`].
-///
-/// # Errors
-///
-/// As there, but capacities cannot be too small.
-pub fn fold(
-    material: &eigenshade::quantised::Material<'_, eigenshade::{format}>,
-) -> Result<Transfer, eigenshade::Error> {{
-    BASIS.fold::<WORKSPACE, TRANSFER, PROFILES>(material)
-}}
 "
     )
 }
@@ -157,6 +148,80 @@ fn azimuths(parts: &QuantisedParts) -> impl Iterator<Item = (usize, &[Place])> {
         first += block.len();
         (first - block.len(), block)
     })
+}
+
+/// A new material, one call for its scattering and one for each azimuth.
+fn fold(parts: &QuantisedParts, format: &str) -> String {
+    let pairs = pair::count(parts.order);
+    let (degrees, orders, modes) = (parts.degree + 1, parts.order + 1, material::count(parts.order));
+    let (polar, rows) = (parts.polar.len(), parts.factor_exponents.len());
+    let mut text = format!(
+        "/// Folds a material into the basis: see [`eigenshade::quantised::Basis::fold`].
+///
+/// # Errors
+///
+/// As there, but capacities cannot be too small.
+pub fn fold(
+    material: &eigenshade::quantised::Material<'_, eigenshade::{format}>,
+) -> Result<Transfer, eigenshade::Error> {{
+    let mut transfer = Transfer::default();
+    fold_into(material, &mut transfer)?;
+    Ok(transfer)
+}}
+/// [`fold`] in the place of another transfer: nothing is moved.
+///
+/// # Errors
+///
+/// As there; what the transfer is then is not said.
+pub fn fold_into(
+    material: &eigenshade::quantised::Material<'_, eigenshade::{format}>,
+    transfer: &mut Transfer,
+) -> Result<(), eigenshade::Error> {{
+"
+    );
+    if polar > 0 {
+        text.push_str(&format!(
+            "    use eigenshade::quantised::kernels::fold as kernels;
+    if let (Some(inputs), Some((numbers, exponents))) =
+        (kernels::inputs::<_, {modes}, {orders}>(material), kernels::numbers(transfer))
+    {{
+        let (mut sums, mut of_sums) = ([[0; {pairs}]; {degrees}], [0; {degrees}]);
+        kernels::scatter::<eigenshade::{format}, {pairs}, {modes}, {orders}, {polar}, {degrees}>(inputs, &POLAR, &POLAR_EXPONENTS, &mut sums, &mut of_sums);
+"
+        ));
+        let (mut row, mut start) = (0, 0);
+        for (first, block) in azimuths(parts) {
+            let (azimuth, profiles) = (usize::from(block[0].azimuth), block.len());
+            let length = degrees - azimuth;
+            put(
+                &mut text,
+                format_args!(
+                    "        kernels::azimuth::<eigenshade::{format}, {azimuth}, {profiles}, {length}, {row}, {start}, {first}, {pairs}, {degrees}, {}, {rows}, TRANSFER, PROFILES>(&FACTORS, &FACTOR_EXPONENTS, &sums, &of_sums, (&mut *numbers, &mut *exponents));",
+                    parts.factors.len()
+                ),
+            );
+            row += profiles * length;
+            start += profiles * length;
+        }
+        text.push_str("        return Ok(());\n    }\n");
+    }
+    put(
+        &mut text,
+        format_args!(
+            "    fold_generally(material, transfer)
+}}
+#[cold]
+#[inline(never)]
+fn fold_generally(
+    material: &eigenshade::quantised::Material<'_, eigenshade::{format}>,
+    transfer: &mut Transfer,
+) -> Result<(), eigenshade::Error> {{
+    *transfer = BASIS.fold::<WORKSPACE, TRANSFER, PROFILES>(material)?;
+    Ok(())
+}}"
+        ),
+    );
+    text
 }
 
 /// A new light, one call for each azimuth.

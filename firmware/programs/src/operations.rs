@@ -94,9 +94,11 @@ macro_rules! fold {
         board::program!(main);
 
         fn main() {
-            board::holds(size_of::<table::Transfer>());
+            let mut transfer = table::Transfer::default();
+            board::holds(size_of_val(&transfer));
             board::measure(&[inputs::mantissas::<_, 40>()], board::Passes(16), |material| {
-                table::fold(&inputs::material(material, table::ORDER))
+                let material = inputs::material(material, table::ORDER);
+                table::fold_into(&material, core::hint::black_box(&mut transfer))
             });
         }
     };
