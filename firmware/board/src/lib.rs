@@ -20,7 +20,7 @@ pub mod measure;
 mod panic;
 
 pub use measure::{Passes, holds, measure};
-pub use voice::{exit, say, say_number};
+pub use voice::{exit, say, say_character, say_number};
 
 /// Makes the function of this name the program.
 #[macro_export]

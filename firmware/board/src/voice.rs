@@ -8,6 +8,11 @@ pub fn say(text: &str) {
     text.bytes().for_each(sys_writec);
 }
 
+/// Says one character.
+pub fn say_character(character: u8) {
+    sys_writec(character);
+}
+
 /// The powers of ten.
 static UNITS: [u32; 10] =
     [1_000_000_000, 100_000_000, 10_000_000, 1_000_000, 100_000, 10_000, 1_000, 100, 10, 1];

@@ -31,10 +31,9 @@ pub fn draw(shade: impl Fn(i32, i32, i32) -> Option<i32>) {
                 let share = (value.max(0) / (peak / 256 + 1)).cast_unsigned();
                 (root(share << 8) * 10 / 257) as usize
             });
-            let character = SHADES.get(shade).copied().unwrap_or(b'@');
-            board::say(core::str::from_utf8(&[character]).unwrap_or(" "));
+            board::say_character(SHADES.get(shade).copied().unwrap_or(b'@'));
         }
-        board::say("\n");
+        board::say_character(b'\n');
     }
 }
 

@@ -20,9 +20,10 @@ pub fn draw(shade: impl Fn(Normal<Q15>) -> [i32; 3]) {
                 let [x, y, z] = [x, y, z.min(32767)].map(|one| Q15(one as i16));
                 pixel = Normal::<Q15>::new(x, y, z).map_or(pixel, &shade);
             }
-            let letters = pixel.map(|value| b'a' + (value.max(0) >> 14).min(15) as u8);
-            board::say(core::str::from_utf8(&letters).unwrap_or(" "));
+            for value in pixel {
+                board::say_character(b'a' + (value.max(0) >> 14).min(15) as u8);
+            }
         }
-        board::say("\n");
+        board::say_character(b'\n');
     }
 }
