@@ -1,9 +1,9 @@
 //! One image in integers, its components summed azimuth by azimuth:
 //! I(n) = Σ_m Re/Im (n_x + i n_y)^m H_m(n_z).
 
-use super::{Basis, Profile};
 #[cfg(doc)]
 use super::fold::common_exponent;
+use super::{Basis, Profile};
 use crate::error::{Error, What};
 use crate::format::{Fixed, Wide as _};
 use crate::projection::zeros;

@@ -153,10 +153,13 @@ fn azimuths(parts: &QuantisedParts) -> impl Iterator<Item = (usize, &[Place])> {
 /// A new material, one call for its scattering and one for each azimuth.
 fn fold(parts: &QuantisedParts, format: &str) -> String {
     let pairs = pair::count(parts.order);
-    let (degrees, orders, modes) = (parts.degree + 1, parts.order + 1, material::count(parts.order));
+    let (degrees, orders, modes) =
+        (parts.degree + 1, parts.order + 1, material::count(parts.order));
     let (polar, rows) = (parts.polar.len(), parts.factor_exponents.len());
-    let mut text = format!(
-        "/// Folds a material into the basis: see [`eigenshade::quantised::Basis::fold`].
+    let scatter = if polar > 0 { scatter(parts, format) } else { String::new() };
+    let mut text = scatter
+        + &format!(
+            "/// Folds a material into the basis: see [`eigenshade::quantised::Basis::fold`].
 ///
 /// # Errors
 ///
@@ -178,7 +181,7 @@ pub fn fold_into(
     transfer: &mut Transfer,
 ) -> Result<(), eigenshade::Error> {{
 "
-    );
+        );
     if polar > 0 {
         text.push_str(&format!(
             "    use eigenshade::quantised::kernels::fold as kernels;
@@ -186,7 +189,13 @@ pub fn fold_into(
         (kernels::inputs::<_, {modes}, {orders}>(material), kernels::numbers(transfer))
     {{
         let (mut sums, mut of_sums) = ([[0; {pairs}]; {degrees}], [0; {degrees}]);
-        kernels::scatter::<eigenshade::{format}, {pairs}, {modes}, {orders}, {polar}, {degrees}>(inputs, &POLAR, &POLAR_EXPONENTS, &mut sums, &mut of_sums);
+        let b = kernels::coefficients::<_, {modes}, {orders}>(inputs.0);
+        for (l, (sums, exponent)) in sums.iter_mut().zip(&mut of_sums).enumerate() {{
+            let degree = kernels::Degree::new(l, &POLAR, &POLAR_EXPONENTS, inputs.1);
+            let Some(degree) = degree else {{ continue }};
+            scatter(&degree, &b, sums);
+            *exponent = degree.normalise(sums);
+        }}
 "
         ));
         let (mut row, mut start) = (0, 0);
@@ -221,6 +230,36 @@ fn fold_generally(
 }}"
         ),
     );
+    text
+}
+
+/// The sums S of one degree, one line for each pair (p, q): over all o.
+fn scatter(parts: &QuantisedParts, format: &str) -> String {
+    let (pairs, modes) = (pair::count(parts.order), material::count(parts.order));
+    let wide = if format == "Q15" { "i32" } else { "i64" };
+    let mut text = format!(
+        "#[inline(never)]
+fn scatter(
+    degree: &eigenshade::quantised::kernels::fold::Degree<eigenshade::{format}, {pairs}, {}>,
+    b: &[{wide}; {modes}],
+    sums: &mut [{wide}; {pairs}],
+) {{
+",
+        parts.order + 1
+    );
+    for (to, (p, q)) in pair::indices(parts.order).enumerate() {
+        put(&mut text, format_args!("    let sum = 0;"));
+        for o in (q..=parts.order).step_by(2) {
+            let (from, mode) = (pair::position(o, q), material::position(o.max(p), o.min(p), q));
+            let of = o.max(p);
+            put(
+                &mut text,
+                format_args!("    let sum = degree.add::<{from}, {mode}, {of}, {modes}>(sum, b);"),
+            );
+        }
+        put(&mut text, format_args!("    if let Some(to) = sums.get_mut({to}) {{ *to = sum; }}"));
+    }
+    text.push_str("}\n");
     text
 }
 

@@ -2,7 +2,7 @@
 //! [`Basis::fold_into`](crate::quantised::Basis::fold_into).
 
 use crate::format::{Fixed, Wide};
-use crate::index::{material, pair};
+use crate::index::material;
 use crate::quantised::{Material, TransferBuffer};
 
 /// A material's mantissas and exponents of exactly these lengths.
@@ -21,68 +21,78 @@ pub fn numbers<Q: Fixed, const T: usize, const E: usize>(
 ) -> Option<(&mut [Q; T], &mut [i16; E])> {
     let TransferBuffer { numbers, exponents } = transfer;
     let _ = (numbers.resize_default(T), exponents.resize_default(E));
-    Some((
-        numbers.as_mut_slice().try_into().ok()?,
-        exponents.as_mut_slice().try_into().ok()?,
-    ))
+    Some((numbers.as_mut_slice().try_into().ok()?, exponents.as_mut_slice().try_into().ok()?))
 }
 
-/// S, an exponent for each of `D` degrees: `P` pairs, `B` coefficients, `O` orders, from
-/// `R` = P D polar integrals.
+/// The coefficients as they are multiplied: those of o and p that differ over √2.
 #[inline(never)]
-pub fn scatter<
-    Q: Fixed,
-    const P: usize,
-    const B: usize,
-    const O: usize,
-    const R: usize,
-    const D: usize,
->(
-    (mantissas, of_orders): (&[Q; B], &[i8; O]),
-    polar: &'static [Q; R],
-    polar_exponents: &'static [i8; R],
-    sums: &mut [[Q::Wide; P]; D],
-    exponents: &mut [i32; D],
-) {
-    // The addends of one sum are one for each o of a parity.
-    let room = Q::Wide::of((O as i32 - 1) / 2 + 1).bits().cast_signed() - 1;
+pub fn coefficients<Q: Fixed, const B: usize, const O: usize>(mantissas: &[Q; B]) -> [Q::Wide; B] {
     let mut coefficients = [Q::Wide::default(); B];
     let modes = material::indices(O - 1).zip(mantissas);
     for (((o, p, _), &mantissa), to) in modes.zip(&mut coefficients) {
         *to = if o == p { mantissa } else { mantissa.over_root_two() }.widen();
     }
-    let polar = polar.as_chunks::<P>().0.iter().zip(polar_exponents.as_chunks::<P>().0);
-    for ((polar, of_polar), (sums, exponent)) in polar.zip(sums.iter_mut().zip(exponents)) {
-        // What each pair's polar integral is shifted by, but for the common exponent.
-        let mut shifts = [0; P];
+    coefficients
+}
+
+/// One degree's polar integrals of `P` pairs, and for each o what they are shifted
+/// by, less their own exponents and one.
+#[derive(Clone, Copy, Debug)]
+pub struct Degree<Q: 'static, const P: usize, const O: usize> {
+    polar: &'static [Q; P],
+    exponents: &'static [i8; P],
+    shifts: [i32; O],
+    common: i32,
+}
+
+impl<Q: Fixed, const P: usize, const O: usize> Degree<Q, P, O> {
+    /// The degree `l`.
+    #[inline(never)]
+    #[must_use]
+    pub fn new(
+        l: usize,
+        polar: &'static [Q],
+        exponents: &'static [i8],
+        of_orders: &[i8; O],
+    ) -> Option<Self> {
+        let polar = polar.as_chunks::<P>().0.get(l)?;
+        let exponents = exponents.as_chunks::<P>().0.get(l)?;
+        // The addends of one sum are one for each o of a parity.
+        let room = Q::Wide::of((O as i32 - 1) / 2 + 1).bits().cast_signed() - 1;
+        let mut rest = exponents.as_slice();
         let mut top = i32::MIN;
-        let of_pairs = pair::indices(O - 1).zip(of_polar);
-        for (((o, _), &of_polar), shift) in of_pairs.zip(&mut shifts) {
-            *shift = i32::from(of_orders.get(o).copied().unwrap_or(0)) + i32::from(of_polar);
-            top = top.max(*shift);
+        for (o, &of_order) in of_orders.iter().enumerate() {
+            let (of_o, after) = rest.split_at_checked(o / 2 + 1)?;
+            rest = after;
+            let largest = of_o.iter().copied().max().unwrap_or(i8::MIN);
+            top = top.max(i32::from(of_order) + i32::from(largest));
         }
         let common = top + room;
-        *sums = [Q::Wide::default(); P];
-        let mut rest = coefficients.as_slice();
-        let mut of_o = 0;
-        for o in 0..O {
-            let mut of_p = first(o % 2);
-            for p in (o % 2..=o).step_by(2) {
-                for half in 0..=p / 2 {
-                    let [b, after @ ..] = rest else { break };
-                    rest = after;
-                    let of_order = of_orders.get(o).copied().unwrap_or(0);
-                    let by = i32::from(of_order) - common;
-                    add(sums, (*b, by), polar, of_polar, of_o + half, of_p + half);
-                    if o != p {
-                        add(sums, (*b, by), polar, of_polar, of_p + half, of_o + half);
-                    }
-                }
-                // The pairs of p and of p + 1.
-                of_p += p / 2 + 1 + (p + 1) / 2 + 1;
-            }
-            of_o += o / 2 + 1;
+        let shifts = of_orders.map(|of_order| common - i32::from(of_order) - 1);
+        Some(Self { polar, exponents, shifts, common })
+    }
+
+    /// sum + b Ĉ: of the pair `FROM` and the coefficient `MODE`, whose o is `ORDER`.
+    #[inline(always)]
+    #[must_use]
+    pub fn add<const FROM: usize, const MODE: usize, const ORDER: usize, const B: usize>(
+        &self,
+        sum: Q::Wide,
+        b: &[Q::Wide; B],
+    ) -> Q::Wide {
+        let Self { polar, exponents, shifts, .. } = self;
+        if let (Some(&b), Some(polar), Some(&exponent), Some(&shift)) =
+            (b.get(MODE), polar.get(FROM), exponents.get(FROM), shifts.get(ORDER))
+        {
+            // Not negative: an addend has room.
+            return sum + (b * polar.widen()).lowered(shift - i32::from(exponent));
         }
+        sum
+    }
+
+    /// Brings the sums to full size, and gives their exponent.
+    #[inline(never)]
+    pub fn normalise(&self, sums: &mut [Q::Wide; P]) -> i32 {
         let mut either = Q::Wide::default();
         for &sum in sums.iter() {
             either = either.max(sum).max(-sum);
@@ -93,29 +103,7 @@ pub fn scatter<
             // A number that rounding brings to 2^BITS is one less.
             *sum = Q::narrow(sum.shifted(by)).widen();
         }
-        *exponent = if largest == 0 { 0 } else { common - by };
-    }
-}
-
-/// The place of the first pair of o.
-const fn first(o: usize) -> usize {
-    pair::position(o, o % 2)
-}
-
-/// sums\[to\] += b Ĉ\[from\], shifted.
-#[inline(always)]
-fn add<Q: Fixed, const P: usize>(
-    sums: &mut [Q::Wide; P],
-    (b, by): (Q::Wide, i32),
-    polar: &[Q; P],
-    of_polar: &[i8; P],
-    from: usize,
-    to: usize,
-) {
-    if let (Some(polar), Some(&of_polar), Some(sum)) =
-        (polar.get(from), of_polar.get(from), sums.get_mut(to))
-    {
-        *sum += (b * polar.widen()).shifted(by + i32::from(of_polar));
+        if largest == 0 { 0 } else { self.common - by }
     }
 }
 
