@@ -316,3 +316,6 @@ pub const UNIT_LENGTH: f64 = 1e-12;
 /// |d|² + residual against the energy over an object, relative: modes whose images over the sphere are below
 /// 1e-13 are in no span, and at one normal of the rim they are a thousand times that, and the image dark.
 pub const OBJECT_PARSEVAL: f64 = 1e-9;
+/// Rms error of the firmware's full scene over the rms peak: what its components and terms are
+/// chosen for.
+pub const FULL_SCENE: f64 = 1e-4;
