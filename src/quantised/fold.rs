@@ -29,11 +29,11 @@ impl<'a, Q> Transfer<'a, Q> {
 }
 
 /// Room for a [`Transfer`] of `T` numbers and `P` profiles.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct TransferBuffer<Q, const T: usize, const P: usize> {
-    numbers: heapless::Vec<Q, T>,
-    exponents: heapless::Vec<i16, P>,
+    pub(crate) numbers: heapless::Vec<Q, T>,
+    pub(crate) exponents: heapless::Vec<i16, P>,
 }
 
 impl<Q, const T: usize, const P: usize> TransferBuffer<Q, T, P> {

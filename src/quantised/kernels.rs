@@ -1,6 +1,10 @@
 //! A pixel with every length known when it is compiled, for the generated modules of
 //! `eigenshade-table`: the steps of [`Scene::shade`](super::Scene::shade), unrolled.
 
+pub mod collapse;
+pub mod fold;
+pub mod relight;
+
 use super::Normal;
 use crate::format::{Fixed, Wide as _};
 

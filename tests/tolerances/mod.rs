@@ -415,3 +415,6 @@ pub const WAYS: [(&str, f64); 7] = [
     ("--method baked --size 128 --interpolation linear", 7e-6),
     ("--method baked --size 64 --interpolation nearest", 3e-3),
 ];
+/// Rms error of the firmware's full scene over the rms peak: what its components and terms are
+/// chosen for.
+pub const FULL_SCENE: f64 = 1e-4;
