@@ -7,6 +7,7 @@ use crate::parts::{Parts, ProfilePlace, Row};
 /// An eigenbasis: degree, order and number of components are values, the number
 /// format is a type.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Basis<'a, S> {
     pub(crate) parts: Parts<'a, S>,
     transfer: usize,

@@ -4,6 +4,7 @@ use core::fmt;
 
 /// A fault in an argument: what was expected, what was found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Error {
     /// A slice has the wrong length.
@@ -56,10 +57,23 @@ pub enum Error {
     Bound,
     /// The weights of an estimate's pixels have no sum that is finite and above zero.
     Weight,
+    /// A baked map is to have so many texels a side, which is not 2 to 4096.
+    Size {
+        /// Texels a side.
+        found: usize,
+    },
+    /// Angles, a quaternion or a matrix are no rotation.
+    Rotation,
+    /// A look-up is to have so many knots, which is not 8 to 65,536.
+    Knots {
+        /// Knots.
+        found: usize,
+    },
 }
 
 /// What an [`Error`] speaks of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum What {
     /// Coefficients of a light.
@@ -76,6 +90,10 @@ pub enum What {
     Scene,
     /// A slice of normals or of their irradiances.
     Normals,
+    /// Texels of a baked map.
+    Texels,
+    /// Samples of a look-up.
+    Samples,
     /// Part of a basis: the pairs that each coefficient of a material couples.
     Couplings,
     /// Part of a basis: polar integrals.
@@ -147,6 +165,14 @@ impl fmt::Display for Error {
             Self::Weight => f.write_str(
                 "an estimate needs pixels whose weights have a finite sum above zero; add some",
             ),
+            Self::Rotation => f.write_str(
+                "a rotation needs finite angles, a quaternion that is not zero, or an orthonormal \
+                 right-handed matrix",
+            ),
+            Self::Knots { found } => write!(f, "a look-up of {found} knots; take 8 to 65536"),
+            Self::Size { found } => {
+                write!(f, "a map of {found} texels a side; take 2 to 4096")
+            }
         }
     }
 }

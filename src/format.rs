@@ -22,6 +22,7 @@ pub trait Format:
 #[derive(
     Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, FromBytes, Immutable, KnownLayout,
 )]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[repr(transparent)]
 pub struct Q15(pub i16);
 
@@ -29,6 +30,7 @@ pub struct Q15(pub i16);
 #[derive(
     Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, FromBytes, Immutable, KnownLayout,
 )]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[repr(transparent)]
 pub struct Q31(pub i32);
 
@@ -131,6 +133,10 @@ pub trait Wide:
     fn bits(self) -> u32;
     /// The nearest number to self 2^`by`. Domain: it fits.
     fn shifted(self, by: i32) -> Self;
+    /// The nearest number to self / 2^(`by` + 1). Domain: `by` >= 0.
+    fn lowered(self, by: i32) -> Self;
+    /// Whether self >= 2^`by`. Domain: self >= 0, 0 <= by < [`SIZE`](Self::SIZE).
+    fn reaches(self, by: i32) -> bool;
     /// The nearest `i32`.
     fn saturated(self) -> i32;
 }
@@ -163,6 +169,15 @@ impl Wide for i32 {
             -31.. => (self >> -by) + ((self >> (-by - 1)) & 1),
             _ => 0,
         }
+    }
+    #[inline(always)]
+    fn lowered(self, by: i32) -> Self {
+        // Shifted by all its bits it is 0 or -1, which rounds to 0.
+        ((self >> by.cast_unsigned().min(31)) + 1) >> 1
+    }
+    #[inline(always)]
+    fn reaches(self, by: i32) -> bool {
+        self >> (by & 31) != 0
     }
     #[inline(always)]
     fn saturated(self) -> i32 {
@@ -198,6 +213,15 @@ impl Wide for i64 {
             -63.. => (self >> -by) + ((self >> (-by - 1)) & 1),
             _ => 0,
         }
+    }
+    #[inline(always)]
+    fn lowered(self, by: i32) -> Self {
+        // Shifted by all its bits it is 0 or -1, which rounds to 0.
+        ((self >> by.cast_unsigned().min(63)) + 1) >> 1
+    }
+    #[inline(always)]
+    fn reaches(self, by: i32) -> bool {
+        self >> (by & 63) != 0
     }
     #[inline]
     fn saturated(self) -> i32 {

@@ -6,6 +6,7 @@ use zerocopy::{FromBytes, Immutable, KnownLayout};
 /// The arrays of a basis, as `eigenshade-table` writes them.
 /// [`Basis::new`](crate::Basis::new) checks that they fit together.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Parts<'a, S> {
     /// Largest degree l of the light.
     pub degree: usize,
@@ -49,6 +50,7 @@ pub struct Parts<'a, S> {
 /// transfer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, FromBytes, Immutable, KnownLayout)]
 #[repr(C)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ProfilePlace {
     pub(crate) azimuth: u16,
     plus: u16,
@@ -110,6 +112,7 @@ impl ProfilePlace {
 /// transfer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, FromBytes, Immutable, KnownLayout)]
 #[repr(C)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Row {
     pub(crate) start: u32,
     pub(crate) step: u32,
@@ -127,6 +130,7 @@ impl Row {
 /// the sum of (p, q), and the other way round.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, FromBytes, Immutable, KnownLayout)]
 #[repr(C)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Coupling {
     pub(crate) o: u16,
     pub(crate) p: u16,
@@ -143,6 +147,7 @@ impl Coupling {
 /// Part of a transfer: `LANES` orders m from `first` on, `profiles` of each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, FromBytes, Immutable, KnownLayout)]
 #[repr(C)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Pass {
     pub(crate) first: i16,
     pub(crate) profiles: u16,

@@ -8,6 +8,7 @@ use crate::index::pair;
 
 /// An eigenbasis in an integer format.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Basis<'a, Q> {
     pub(crate) parts: Parts<'a, Q>,
 }

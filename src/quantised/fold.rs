@@ -10,6 +10,7 @@ use crate::projection::zeros;
 /// A material folded into a basis: for each profile a row over l from |m| on, times 2
 /// to the profile's exponent.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Transfer<'a, Q> {
     pub(crate) numbers: &'a [Q],
     pub(crate) exponents: &'a [i16],
@@ -28,10 +29,11 @@ impl<'a, Q> Transfer<'a, Q> {
 }
 
 /// Room for a [`Transfer`] of `T` numbers and `P` profiles.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct TransferBuffer<Q, const T: usize, const P: usize> {
-    numbers: heapless::Vec<Q, T>,
-    exponents: heapless::Vec<i16, P>,
+    pub(crate) numbers: heapless::Vec<Q, T>,
+    pub(crate) exponents: heapless::Vec<i16, P>,
 }
 
 impl<Q, const T: usize, const P: usize> TransferBuffer<Q, T, P> {

@@ -7,6 +7,7 @@ use crate::index::{light, material};
 /// One channel of distant light: mantissas in the order of
 /// [`index::light`](crate::index::light), all times 2^exponent.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Light<'a, Q> {
     pub(crate) degree: usize,
     pub(crate) exponent: i32,
@@ -19,6 +20,7 @@ pub struct Light<'a, Q> {
 /// What is lost of small coefficients follows the exponents: the largest mantissa of each
 /// o is to have all bits, and where all are zero the exponent is to be the least.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Material<'a, Q> {
     pub(crate) order: usize,
     pub(crate) exponents: &'a [i8],

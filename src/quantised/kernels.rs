@@ -1,11 +1,16 @@
 //! A pixel with every length known when it is compiled, for the generated modules of
 //! `eigenshade-table`: the steps of [`Scene::shade`](super::Scene::shade), unrolled.
 
+pub mod collapse;
+pub mod fold;
+pub mod relight;
+
 use super::Normal;
 use crate::format::{Fixed, Wide as _};
 
 /// A pixel on its way: the sum so far, and (n_x + i n_y)^m.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Pixel<Q: Fixed> {
     normal: Normal<Q>,
     t: i32,

@@ -5,6 +5,7 @@ use zerocopy::{FromBytes, Immutable, KnownLayout};
 /// The arrays of a basis in an integer format, as `eigenshade-table` writes them: a
 /// mantissa times 2 to its exponent is the number.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Parts<'a, Q> {
     /// Largest degree l of the light.
     pub degree: usize,
@@ -34,6 +35,7 @@ pub struct Parts<'a, Q> {
 /// terms, and how large it gets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, FromBytes, Immutable, KnownLayout)]
 #[repr(C)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Profile {
     pub(crate) azimuth: u8,
     pub(crate) exponent: i8,

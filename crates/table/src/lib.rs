@@ -25,9 +25,13 @@ pub mod parts;
 
 pub mod passes;
 
+pub mod trim;
+
 pub mod quantise;
 
 mod rust_kernels;
+
+mod rust_scene;
 
 pub mod rust_quantised;
 
