@@ -12,8 +12,8 @@
 //! `include!(concat!(env!("OUT_DIR"), "/table.rs"));`: what `eigenshade::sphere` is of the
 //! shipped scene, its integers in `table::q15`.
 //!
-//! Cargo does not optimise build scripts, which makes the generator some twenty times
-//! slower; this in the crate's `Cargo.toml` makes it:
+//! Cargo does not optimise build scripts unless it is asked to, and the generator is much
+//! slower so; this in the crate's `Cargo.toml` asks for it:
 //!
 //! ```toml
 //! [profile.dev.build-override]

@@ -99,7 +99,7 @@ fn floats(table: &Table, endian: Endian) -> Result<Vec<u8>, WireError> {
     let of = |part: fn(&General) -> &Vec<f64>| general.map_or(&[][..], |general| part(general));
     let section = || Bytes::new(endian);
     let sections: [Bytes; FLOATS.len()] = [
-        parts.profiles.iter().fold(section(), |bytes, one| bytes.profile(one)),
+        parts.profiles.iter().fold(section(), Bytes::profile),
         parts.passes.iter().fold(section(), |bytes, one| {
             bytes.short(one.first.cast_unsigned()).short(one.profiles)
         }),
@@ -123,15 +123,17 @@ fn floats(table: &Table, endian: Endian) -> Result<Vec<u8>, WireError> {
 }
 
 fn integers(parts: &QuantisedParts, endian: Endian) -> Result<Vec<u8>, WireError> {
-    let (number, mantissas): (u16, fn(Bytes, &[i32]) -> Bytes) = match parts.format {
-        quantise::Format::Q15 => (format::Q15, |bytes, numbers| {
-            numbers.iter().fold(bytes, |bytes, &one| bytes.short((one as i16).cast_unsigned()))
-        }),
-        quantise::Format::Q31 => (format::Q31, |bytes, numbers| {
-            numbers.iter().fold(bytes, |bytes, one| bytes.long(one.cast_unsigned()))
-        }),
+    let number = match parts.format {
+        quantise::Format::Q15 => format::Q15,
+        quantise::Format::Q31 => format::Q31,
     };
     let section = || Bytes::new(endian);
+    let mantissas = |numbers: &[i32]| {
+        numbers.iter().fold(section(), |bytes, &one| match parts.format {
+            quantise::Format::Q15 => bytes.short((one as i16).cast_unsigned()),
+            quantise::Format::Q31 => bytes.long(one.cast_unsigned()),
+        })
+    };
     let small = |numbers: &[i8]| {
         numbers.iter().fold(section(), |bytes, number| bytes.byte(number.cast_unsigned()))
     };
@@ -142,11 +144,11 @@ fn integers(parts: &QuantisedParts, endian: Endian) -> Result<Vec<u8>, WireError
     let sections: [Bytes; INTEGERS.len()] = [
         profiles,
         parts.lengths.iter().fold(section(), |bytes, &length| bytes.byte(length)),
-        mantissas(section(), &parts.polar),
+        mantissas(&parts.polar),
         small(&parts.polar_exponents),
-        mantissas(section(), &parts.factors),
+        mantissas(&parts.factors),
         small(&parts.factor_exponents),
-        mantissas(section(), &parts.terms),
+        mantissas(&parts.terms),
     ];
     file(endian, number, [parts.degree, parts.order, parts.components, 0], &sections)
 }
