@@ -60,7 +60,7 @@ function hemisphere(count) {
 async function times(variant) {
   const { f32, q15, q31, exports } = await load(bytes("all", variant));
   const count = f32.shape.normals;
-  const pixels = 64 * count;
+  const pixels = 4 * count;
   const many = hemisphere(pixels);
   const few = hemisphere(count);
   for (const format of [f32, q15, q31]) {
