@@ -9,6 +9,8 @@
 //! Nothing wraps. The tables are scaled so that no sum over them can leave its
 //! accumulator, which [`Basis::new`] checks when it is compiled; what depends on light
 //! and material is scaled by what it is, and what cannot be represented saturates.
+//! Transfers made by hand are checked, coefficients may be any. What a profile states of
+//! its size is believed: where that is too small a pixel is wrong, but never a panic.
 //! The answers are the same bits on every machine.
 
 mod basis;

@@ -5,7 +5,7 @@
 //! 311, 331, 333, ...
 
 /// The largest order whose coefficients are counted: 32 bits hold their number.
-const MOST: usize = 2047;
+pub(crate) const MOST: usize = 2047;
 
 /// Number of coefficients up to and including `order`, or `usize::MAX` for an order
 /// above 2047.

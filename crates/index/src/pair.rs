@@ -2,10 +2,14 @@
 //!
 //! The order is 00, 11, 20, 22, 31, 33, ...: by p, then by q.
 
-/// Number of pairs up to and including `order`.
+/// Number of pairs up to and including `order`, or `usize::MAX` for an order above
+/// 2047, as [`material::count`](crate::material::count) has it.
 #[inline]
 #[must_use]
 pub const fn count(order: usize) -> usize {
+    if order > crate::material::MOST {
+        return usize::MAX;
+    }
     position(order + 1, 0)
 }
 
@@ -20,14 +24,8 @@ pub const fn position(p: usize, q: usize) -> usize {
 }
 
 /// All pairs (p, q) up to `order`, in storage order.
-#[inline]
 pub fn indices(order: usize) -> impl Iterator<Item = (usize, usize)> {
-    let mut next = (0, 0);
-    core::iter::from_fn(move || {
-        let (p, q) = next;
-        next = if q < p { (p, q + 2) } else { (p + 1, (p + 1) % 2) };
-        (p <= order).then_some((p, q))
-    })
+    (0..=order).flat_map(|p| (p % 2..=p).step_by(2).map(move |q| (p, q)))
 }
 
 #[cfg(test)]
@@ -40,5 +38,6 @@ mod tests {
             assert!(indices(order).enumerate().all(|(k, (p, q))| position(p, q) == k));
             assert_eq!(indices(order).count(), count(order));
         }
+        assert_eq!(count(usize::MAX), usize::MAX);
     }
 }
