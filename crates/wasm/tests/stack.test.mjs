@@ -1,0 +1,40 @@
+// How much stack a call takes.
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { PAIRS, normals, row } from "./support/golden.mjs";
+import { VARIANTS, bytes } from "./support/modules.mjs";
+import { load } from "../eigenshade.mjs";
+
+/** What `build` links: the stack is the first part of memory and grows down. */
+const STACK = 8192;
+
+const MARK = 0xa5;
+
+/** Bytes of the stack that this call writes to. */
+function depth(exports, call) {
+  const stack = new Uint8Array(exports.memory.buffer, 0, STACK).fill(MARK);
+  call();
+  const lowest = stack.findIndex((byte) => byte !== MARK);
+  return lowest < 0 ? 0 : STACK - lowest;
+}
+
+for (const variant of VARIANTS) {
+  test(`every call of all${variant}.wasm takes at most half of the stack`, async () => {
+    const { exports, ...formats } = await load(bytes("all", variant));
+    assert.ok(exports.light.value >= STACK, "the stack is no longer what lies first");
+    assert.ok(exports.memory.buffer.byteLength <= 2 * 65536, "README.md says two pages");
+    for (const name of ["f32", "q15", "q31"]) {
+      const format = formats[name];
+      format.light(row("f32", "light", PAIRS[0]).numbers);
+      format.material(row("f32", "material", PAIRS[0]).numbers);
+      const depths = [
+        depth(exports, () => format.project()),
+        depth(exports, () => format.collapse()),
+        depth(exports, () => format.shade(...normals("f32", Float32Array))),
+      ];
+      assert.ok(Math.max(...depths) > 0, "a collapsed scene passes over the stack");
+      assert.ok(Math.max(...depths) <= STACK / 2, `${name}: ${depths} bytes`);
+    }
+  });
+}
