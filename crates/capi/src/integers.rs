@@ -2,6 +2,7 @@
 #![expect(unsafe_code, reason = "arrays come from C")]
 
 use crate::boundary::{Plain, apart, slice, slice_to_write};
+use crate::folded;
 use crate::sizes::{EIGENSHADE_DEGREE, EIGENSHADE_ORDER};
 use crate::status::Status;
 use eigenshade::index::{light, material};
@@ -14,13 +15,19 @@ const EXPONENT: u32 = 2_048;
 
 /// An integer format and its shipped basis.
 pub(crate) trait Shipped: Fixed + Plain {
+    /// What folds a material in.
     fn basis() -> &'static Basis<'static, Self>;
+    /// What needs no factors.
+    fn folded() -> &'static Basis<'static, Self>;
     fn normal(x: Self, y: Self, z: Self) -> Result<Normal<Self>, Error>;
 }
 
 impl Shipped for Q15 {
     fn basis() -> &'static Basis<'static, Self> {
         &sphere::q15::BASIS
+    }
+    fn folded() -> &'static Basis<'static, Self> {
+        &folded::BASIS_Q15
     }
     #[inline]
     fn normal(x: Self, y: Self, z: Self) -> Result<Normal<Self>, Error> {
@@ -31,6 +38,9 @@ impl Shipped for Q15 {
 impl Shipped for Q31 {
     fn basis() -> &'static Basis<'static, Self> {
         &sphere::q31::BASIS
+    }
+    fn folded() -> &'static Basis<'static, Self> {
+        &folded::BASIS_Q31
     }
     #[inline]
     fn normal(x: Self, y: Self, z: Self) -> Result<Normal<Self>, Error> {
@@ -99,7 +109,7 @@ pub(crate) fn relight<Q: Shipped>(
     light: &Light<'_, Q>,
     mantissas: &mut [i32],
 ) -> Result<i32, Status> {
-    Ok(Q::basis().relight_into(&Transfer::new(numbers, exponents), light, mantissas)?)
+    Ok(Q::folded().relight_into(&Transfer::new(numbers, exponents), light, mantissas)?)
 }
 
 /// The first components of d, if there are so many and their exponent is in range.
@@ -116,13 +126,13 @@ pub(crate) fn collapse<Q: Shipped>(
     exponent: i32,
     terms: &mut [i32],
 ) -> Result<i32, Status> {
-    Ok(Q::basis().collapse_into(mantissas, exponent, terms)?.exponent())
+    Ok(Q::folded().collapse_into(mantissas, exponent, terms)?.exponent())
 }
 
 /// The irradiance of one normal.
 pub(crate) fn shade<Q: Shipped>(terms: &[i32], [x, y, z]: [Q; 3]) -> Result<i32, Status> {
     let normal = Q::normal(x, y, z)?;
-    Ok(Q::basis().scene(0, terms)?.shade(normal))
+    Ok(Q::folded().scene(0, terms)?.shade(normal))
 }
 
 /// The irradiance of many.
@@ -142,7 +152,7 @@ pub(crate) unsafe fn shade_many<Q: Shipped>(
     let (x, y, z, irradiance) = unsafe {
         (slice(x, count)?, slice(y, count)?, slice(z, count)?, slice_to_write(irradiance, count)?)
     };
-    let scene = Q::basis().scene(0, terms)?;
+    let scene = Q::folded().scene(0, terms)?;
     for (((irradiance, &x), &y), &z) in irradiance.iter_mut().zip(x).zip(y).zip(z) {
         *irradiance = scene.shade(Q::normal(x, y, z)?);
     }

@@ -26,6 +26,8 @@ mod version;
 
 mod boundary;
 
+mod folded;
+
 pub mod float;
 
 mod integers;
