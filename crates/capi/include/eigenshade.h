@@ -252,6 +252,28 @@ typedef struct eigenshade_scene_f32 {
 } eigenshade_scene_f32;
 
 /**
+ * One channel of distant light: as `eigenshade_light_f32`, in mantissas times 2^exponent.
+ */
+typedef struct eigenshade_light_q15 {
+  /**
+   * Largest l, at most EIGENSHADE_DEGREE; above it the light is zero.
+   */
+  size_t degree;
+  /**
+   * Number of mantissas: (degree + 1)^2.
+   */
+  size_t length;
+  /**
+   * The mantissas; the caller's. The more bits the largest has, the better.
+   */
+  const int16_t *mantissas;
+  /**
+   * The exponent of all of them, from -128 to 128.
+   */
+  int32_t exponent;
+} eigenshade_light_q15;
+
+/**
  * One channel of an isotropic material: as `eigenshade_material_f32`, in mantissas times
  * 2^exponent, an exponent for each o.
  */
@@ -303,28 +325,6 @@ typedef struct eigenshade_transfer_q15 {
 } eigenshade_transfer_q15;
 
 /**
- * One channel of distant light: as `eigenshade_light_f32`, in mantissas times 2^exponent.
- */
-typedef struct eigenshade_light_q15 {
-  /**
-   * Largest l, at most EIGENSHADE_DEGREE; above it the light is zero.
-   */
-  size_t degree;
-  /**
-   * Number of mantissas: (degree + 1)^2.
-   */
-  size_t length;
-  /**
-   * The mantissas; the caller's. The more bits the largest has, the better.
-   */
-  const int16_t *mantissas;
-  /**
-   * The exponent of all of them, from -128 to 128.
-   */
-  int32_t exponent;
-} eigenshade_light_q15;
-
-/**
  * The coefficients d of one image, component by component: mantissas times 2^exponent.
  */
 typedef struct eigenshade_coefficients_q15 {
@@ -351,6 +351,28 @@ typedef struct eigenshade_scene_q15 {
    */
   int32_t exponent;
 } eigenshade_scene_q15;
+
+/**
+ * One channel of distant light: as `eigenshade_light_f32`, in mantissas times 2^exponent.
+ */
+typedef struct eigenshade_light_q31 {
+  /**
+   * Largest l, at most EIGENSHADE_DEGREE; above it the light is zero.
+   */
+  size_t degree;
+  /**
+   * Number of mantissas: (degree + 1)^2.
+   */
+  size_t length;
+  /**
+   * The mantissas; the caller's. The more bits the largest has, the better.
+   */
+  const int32_t *mantissas;
+  /**
+   * The exponent of all of them, from -128 to 128.
+   */
+  int32_t exponent;
+} eigenshade_light_q31;
 
 /**
  * One channel of an isotropic material: as `eigenshade_material_f32`, in mantissas times
@@ -402,28 +424,6 @@ typedef struct eigenshade_transfer_q31 {
    */
   int16_t exponents[EIGENSHADE_PROFILES];
 } eigenshade_transfer_q31;
-
-/**
- * One channel of distant light: as `eigenshade_light_f32`, in mantissas times 2^exponent.
- */
-typedef struct eigenshade_light_q31 {
-  /**
-   * Largest l, at most EIGENSHADE_DEGREE; above it the light is zero.
-   */
-  size_t degree;
-  /**
-   * Number of mantissas: (degree + 1)^2.
-   */
-  size_t length;
-  /**
-   * The mantissas; the caller's. The more bits the largest has, the better.
-   */
-  const int32_t *mantissas;
-  /**
-   * The exponent of all of them, from -128 to 128.
-   */
-  int32_t exponent;
-} eigenshade_light_q31;
 
 /**
  * The coefficients d of one image, component by component: mantissas times 2^exponent.
@@ -557,6 +557,39 @@ eigenshade_status eigenshade_shade_many_f32(const struct eigenshade_scene_f32 *s
                                             float *irradiance);
 
 /**
+ * A light in these mantissas from one in float, in integer arithmetic throughout.
+ *
+ * Writes `length` mantissas, as many as `from` has coefficients, and the light that they
+ * make; they stay the caller's, and the light points to them. A number that is not finite
+ * counts as the largest. On an error nothing is written, but that `to` is at fault.
+ *
+ * Pointers that are neither NULL nor unaligned point to what their types say, `mantissas`
+ * to room for `length` numbers, and it and `to` to nothing else's memory.
+ */
+eigenshade_status eigenshade_quantise_light_q15(const struct eigenshade_light_f32 *from,
+                                                int16_t *mantissas,
+                                                size_t length,
+                                                struct eigenshade_light_q15 *to);
+
+/**
+ * A material in these mantissas from one in float, in integer arithmetic throughout.
+ *
+ * Writes `length` mantissas, as many as `from` has coefficients, `exponents_length`
+ * exponents, one for each o, and the material that they make; they stay the caller's, and
+ * the material points to them. A number that is not finite counts as the largest. On an
+ * error of `from`, `mantissas` or a length nothing is written.
+ *
+ * Pointers that are neither NULL nor unaligned point to what their types say, `mantissas`
+ * and `exponents` to room for as many numbers, and they and `to` to nothing else's memory.
+ */
+eigenshade_status eigenshade_quantise_material_q15(const struct eigenshade_material_f32 *from,
+                                                   int16_t *mantissas,
+                                                   size_t length,
+                                                   int8_t *exponents,
+                                                   size_t exponents_length,
+                                                   struct eigenshade_material_q15 *to);
+
+/**
  * Folds a material in, for lights to follow.
  *
  * Cost: a multiplication for each of the table's 4,000 factors. On an error `transfer`
@@ -643,6 +676,39 @@ eigenshade_status eigenshade_shade_many_q15(const struct eigenshade_scene_q15 *s
                                             const int16_t *y,
                                             const int16_t *z,
                                             int32_t *irradiance);
+
+/**
+ * A light in these mantissas from one in float, in integer arithmetic throughout.
+ *
+ * Writes `length` mantissas, as many as `from` has coefficients, and the light that they
+ * make; they stay the caller's, and the light points to them. A number that is not finite
+ * counts as the largest. On an error nothing is written, but that `to` is at fault.
+ *
+ * Pointers that are neither NULL nor unaligned point to what their types say, `mantissas`
+ * to room for `length` numbers, and it and `to` to nothing else's memory.
+ */
+eigenshade_status eigenshade_quantise_light_q31(const struct eigenshade_light_f32 *from,
+                                                int32_t *mantissas,
+                                                size_t length,
+                                                struct eigenshade_light_q31 *to);
+
+/**
+ * A material in these mantissas from one in float, in integer arithmetic throughout.
+ *
+ * Writes `length` mantissas, as many as `from` has coefficients, `exponents_length`
+ * exponents, one for each o, and the material that they make; they stay the caller's, and
+ * the material points to them. A number that is not finite counts as the largest. On an
+ * error of `from`, `mantissas` or a length nothing is written.
+ *
+ * Pointers that are neither NULL nor unaligned point to what their types say, `mantissas`
+ * and `exponents` to room for as many numbers, and they and `to` to nothing else's memory.
+ */
+eigenshade_status eigenshade_quantise_material_q31(const struct eigenshade_material_f32 *from,
+                                                   int32_t *mantissas,
+                                                   size_t length,
+                                                   int8_t *exponents,
+                                                   size_t exponents_length,
+                                                   struct eigenshade_material_q31 *to);
 
 /**
  * Folds a material in, for lights to follow.

@@ -88,7 +88,7 @@ impl LightF32 {
     /// # Safety
     ///
     /// As [`slice`] asks.
-    unsafe fn view<'a>(&self) -> Result<Light<'a, f32>, Status> {
+    pub(crate) unsafe fn view<'a>(&self) -> Result<Light<'a, f32>, Status> {
         if self.degree > EIGENSHADE_DEGREE {
             return Err(Status::LightBeyond);
         }
@@ -105,7 +105,7 @@ impl MaterialF32 {
     /// # Safety
     ///
     /// As [`slice`] asks.
-    unsafe fn view<'a>(&self) -> Result<Material<'a, f32>, Status> {
+    pub(crate) unsafe fn view<'a>(&self) -> Result<Material<'a, f32>, Status> {
         if self.order > EIGENSHADE_ORDER {
             return Err(Status::MaterialBeyond);
         }

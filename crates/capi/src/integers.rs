@@ -2,6 +2,7 @@
 #![expect(unsafe_code, reason = "arrays come from C")]
 
 use crate::boundary::{Plain, apart, slice, slice_to_write};
+use crate::float::{LightF32, MaterialF32};
 use crate::folded;
 use crate::sizes::{EIGENSHADE_DEGREE, EIGENSHADE_ORDER};
 use crate::status::Status;
@@ -90,6 +91,48 @@ pub(crate) unsafe fn material_of<'a, Q: Shipped>(
     let (mantissas, exponents) =
         unsafe { (slice(mantissas, length)?, slice(exponents, of_exponents)?) };
     Ok(Material::new(order, exponents, mantissas)?)
+}
+
+/// Writes a light's mantissas, and gives their exponent.
+///
+/// # Safety
+///
+/// As [`slice`] asks, of the light's array, and [`slice_to_write`] of the mantissas.
+pub(crate) unsafe fn quantise_light<Q: Shipped>(
+    from: &LightF32,
+    mantissas: *mut Q,
+    length: usize,
+) -> Result<i32, Status> {
+    if length != from.length {
+        return Err(Status::LightLength);
+    }
+    apart(mantissas, [from.coefficients], length)?;
+    // SAFETY: this function's caller promises as much, and they do not overlap.
+    let (from, mantissas) = unsafe { (from.view()?, slice_to_write(mantissas, length)?) };
+    Ok(Light::quantise(from.degree(), from.coefficients(), mantissas)?.exponent())
+}
+
+/// Writes a material's mantissas and exponents.
+///
+/// # Safety
+///
+/// As [`slice`] asks, of the material's array, and [`slice_to_write`] of the others.
+pub(crate) unsafe fn quantise_material<Q: Shipped>(
+    from: &MaterialF32,
+    (mantissas, length): (*mut Q, usize),
+    (exponents, of_exponents): (*mut i8, usize),
+) -> Result<(), Status> {
+    if length != from.length || of_exponents.wrapping_sub(1) != from.order {
+        return Err(Status::MaterialLength);
+    }
+    apart(mantissas, [from.coefficients], length)?;
+    // SAFETY: this function's caller promises as much, and they do not overlap.
+    let (from, mantissas, exponents) = unsafe {
+        let from = from.view()?;
+        (from, slice_to_write(mantissas, length)?, slice_to_write(exponents, of_exponents)?)
+    };
+    Material::quantise(from.order(), from.coefficients(), mantissas, exponents)?;
+    Ok(())
 }
 
 /// Folds a material in.
