@@ -5,17 +5,6 @@
 
 static uint32_t found_faults;
 
-static void say_number(uint32_t number) {
-  char digits[11];
-  char *digit = digits + sizeof digits;
-  *--digit = '\0';
-  do {
-    *--digit = (char)('0' + number % 10);
-    number /= 10;
-  } while (number != 0);
-  say(digit);
-}
-
 void check(int holds, const char *format, const char *what, uint32_t number) {
   if (holds) {
     return;
@@ -224,7 +213,7 @@ static void checks_f32(void) {
 CHECKS_OF_INTEGERS(Q15, q15, "q15", int16_t)
 CHECKS_OF_INTEGERS(Q31, q31, "q31", int32_t)
 
-uint32_t checks(void) {
+uint32_t program(void) {
   found_faults = 0;
   check(same_text(eigenshade_version(), EIGENSHADE_VERSION), "any", "version", 0);
   checks_f32();

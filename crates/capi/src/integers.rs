@@ -7,7 +7,7 @@ use crate::folded;
 use crate::sizes::{EIGENSHADE_DEGREE, EIGENSHADE_ORDER};
 use crate::status::Status;
 use eigenshade::index::{light, material};
-use eigenshade::quantised::{Basis, Light, Material, Normal, Transfer};
+use eigenshade::quantised::{Basis, Light, Material, Normal, Scene, Transfer};
 use eigenshade::{Error, Fixed, Q15, Q31, sphere};
 
 /// The largest exponent of d or of a scene: what light and material can bring about is a
@@ -21,6 +21,8 @@ pub(crate) trait Shipped: Fixed + Plain {
     /// What needs no factors.
     fn folded() -> &'static Basis<'static, Self>;
     fn normal(x: Self, y: Self, z: Self) -> Result<Normal<Self>, Error>;
+    /// The irradiance, with every size a constant.
+    fn irradiance(scene: &Scene<'_, Self, &[i32]>, normal: Normal<Self>) -> i32;
 }
 
 impl Shipped for Q15 {
@@ -34,6 +36,11 @@ impl Shipped for Q15 {
     fn normal(x: Self, y: Self, z: Self) -> Result<Normal<Self>, Error> {
         Normal::<Self>::new(x, y, z)
     }
+    // Once for one normal and for many.
+    #[inline(never)]
+    fn irradiance(scene: &Scene<'_, Self, &[i32]>, normal: Normal<Self>) -> i32 {
+        sphere::q15::shade(scene, normal)
+    }
 }
 
 impl Shipped for Q31 {
@@ -46,6 +53,11 @@ impl Shipped for Q31 {
     #[inline]
     fn normal(x: Self, y: Self, z: Self) -> Result<Normal<Self>, Error> {
         Normal::<Self>::new(x, y, z)
+    }
+    // Once for one normal and for many.
+    #[inline(never)]
+    fn irradiance(scene: &Scene<'_, Self, &[i32]>, normal: Normal<Self>) -> i32 {
+        sphere::q31::shade(scene, normal)
     }
 }
 
@@ -175,7 +187,7 @@ pub(crate) fn collapse<Q: Shipped>(
 /// The irradiance of one normal.
 pub(crate) fn shade<Q: Shipped>(terms: &[i32], [x, y, z]: [Q; 3]) -> Result<i32, Status> {
     let normal = Q::normal(x, y, z)?;
-    Ok(Q::folded().scene(0, terms)?.shade(normal))
+    Ok(Q::irradiance(&Q::folded().scene(0, terms)?, normal))
 }
 
 /// The irradiance of many.
@@ -197,7 +209,7 @@ pub(crate) unsafe fn shade_many<Q: Shipped>(
     };
     let scene = Q::folded().scene(0, terms)?;
     for (((irradiance, &x), &y), &z) in irradiance.iter_mut().zip(x).zip(y).zip(z) {
-        *irradiance = scene.shade(Q::normal(x, y, z)?);
+        *irradiance = Q::irradiance(&scene, Q::normal(x, y, z)?);
     }
     Ok(())
 }

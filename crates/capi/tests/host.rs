@@ -46,7 +46,7 @@ fn compiled(name: &str, sources: &[&Path], flags: &[&str]) -> PathBuf {
 #[test]
 fn the_checks_hold_under_sanitizers() {
     let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("example");
-    let sources = ["host.c", "checks.c", "faults.c"].map(|name| example.join(name));
+    let sources = ["host.c", "say.c", "checks.c", "faults.c"].map(|name| example.join(name));
     let sources: Vec<&Path> = sources.iter().map(PathBuf::as_path).collect();
     let sanitizers = "-fsanitize=address,undefined";
     let program = compiled("checks", &sources, &[sanitizers, "-fno-sanitize-recover=all"]);
