@@ -5,15 +5,16 @@ shipped table: degree 9, order 7, fifty components.
 
 A material is folded in, a light relights it, the coefficients are collapsed to a scene, the
 scene gives the irradiance of normals; in float (f32) and in integers (q15, q31). An integer
-stands for itself times 2 to an exponent that stands beside it. Colour is three channels, one
-after the other.
+stands for itself times 2 to an exponent that stands beside it; the quantise functions bring
+lights and materials in float to integers, without a float unit. Colour is three channels,
+one after the other.
 
 The caller owns every array and structure; none has to be written before the library writes
 it. No function allocates, keeps a pointer, or has a state: all may be called from interrupts
 and threads at once, on arguments of their own. No pointer may be NULL, and each has the
 alignment of its type: both are checked. What a function writes to may not overlap its other
-arguments; where both are arrays of normals and irradiances this is checked. Lengths are
-counts of numbers, not bytes.
+arguments; of irradiances and normals, and of mantissas and coefficients, this is checked.
+Lengths are counts of numbers, not bytes.
 
 Integers give the same bits on every machine. */
 
@@ -473,8 +474,8 @@ const char *eigenshade_message(int32_t status);
 /**
  * Folds a material in, for lights to follow.
  *
- * Cost: a multiplication for each of the table's 4,000 factors. On an error `transfer`
- * is as it was.
+ * Cost: a multiplication for each of the table's factors. On an error `transfer` is as it
+ * was.
  *
  * Pointers that are neither NULL nor unaligned point to what their types say, and
  * `workspace` and `transfer` to nothing else's memory.
@@ -561,7 +562,7 @@ eigenshade_status eigenshade_shade_many_f32(const struct eigenshade_scene_f32 *s
  *
  * Writes `length` mantissas, as many as `from` has coefficients, and the light that they
  * make; they stay the caller's, and the light points to them. A number that is not finite
- * counts as the largest. On an error nothing is written, but that `to` is at fault.
+ * counts as the largest. On an error nothing is written, unless it is `to` that is at fault.
  *
  * Pointers that are neither NULL nor unaligned point to what their types say, `mantissas`
  * to room for `length` numbers, and it and `to` to nothing else's memory.
@@ -592,8 +593,8 @@ eigenshade_status eigenshade_quantise_material_q15(const struct eigenshade_mater
 /**
  * Folds a material in, for lights to follow.
  *
- * Cost: a multiplication for each of the table's 4,000 factors. On an error `transfer`
- * is as it was.
+ * Cost: a multiplication for each of the table's factors. On an error `transfer` is as it
+ * was.
  *
  * Pointers that are neither NULL nor unaligned point to what their types say, and
  * `workspace` and `transfer` to nothing else's memory.
@@ -682,7 +683,7 @@ eigenshade_status eigenshade_shade_many_q15(const struct eigenshade_scene_q15 *s
  *
  * Writes `length` mantissas, as many as `from` has coefficients, and the light that they
  * make; they stay the caller's, and the light points to them. A number that is not finite
- * counts as the largest. On an error nothing is written, but that `to` is at fault.
+ * counts as the largest. On an error nothing is written, unless it is `to` that is at fault.
  *
  * Pointers that are neither NULL nor unaligned point to what their types say, `mantissas`
  * to room for `length` numbers, and it and `to` to nothing else's memory.
@@ -713,8 +714,8 @@ eigenshade_status eigenshade_quantise_material_q31(const struct eigenshade_mater
 /**
  * Folds a material in, for lights to follow.
  *
- * Cost: a multiplication for each of the table's 4,000 factors. On an error `transfer`
- * is as it was.
+ * Cost: a multiplication for each of the table's factors. On an error `transfer` is as it
+ * was.
  *
  * Pointers that are neither NULL nor unaligned point to what their types say, and
  * `workspace` and `transfer` to nothing else's memory.

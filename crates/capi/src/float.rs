@@ -120,8 +120,8 @@ impl MaterialF32 {
 
 /// Folds a material in, for lights to follow.
 ///
-/// Cost: a multiplication for each of the table's 4,000 factors. On an error `transfer`
-/// is as it was.
+/// Cost: a multiplication for each of the table's factors. On an error `transfer` is as it
+/// was.
 ///
 /// # Safety
 ///

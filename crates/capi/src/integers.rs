@@ -10,8 +10,8 @@ use eigenshade::index::{light, material};
 use eigenshade::quantised::{Basis, Light, Material, Normal, Scene, Transfer};
 use eigenshade::{Error, Fixed, Q15, Q31, sphere};
 
-/// The largest exponent of d or of a scene: what light and material can bring about is a
-/// quarter of it.
+/// The largest exponent of d: what light and material can bring about is less than half of
+/// it.
 const EXPONENT: u32 = 2_048;
 
 /// An integer format and its shipped basis.

@@ -120,7 +120,7 @@ impl MaterialQ15 {
 ///
 /// Writes `length` mantissas, as many as `from` has coefficients, and the light that they
 /// make; they stay the caller's, and the light points to them. A number that is not finite
-/// counts as the largest. On an error nothing is written, but that `to` is at fault.
+/// counts as the largest. On an error nothing is written, unless it is `to` that is at fault.
 ///
 /// # Safety
 ///
@@ -181,8 +181,8 @@ pub unsafe extern "C" fn eigenshade_quantise_material_q15(
 
 /// Folds a material in, for lights to follow.
 ///
-/// Cost: a multiplication for each of the table's 4,000 factors. On an error `transfer`
-/// is as it was.
+/// Cost: a multiplication for each of the table's factors. On an error `transfer` is as it
+/// was.
 ///
 /// # Safety
 ///
