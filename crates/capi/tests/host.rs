@@ -30,10 +30,11 @@ fn run(command: &mut Command) -> String {
 /// The program of these sources.
 fn compiled(name: &str, sources: &[&Path], flags: &[&str]) -> PathBuf {
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let to = Path::new(env!("CARGO_TARGET_TMPDIR"));
+    let to = &Path::new(env!("CARGO_TARGET_TMPDIR")).join("capi").join(name);
+    fs::create_dir_all(to).expect("a directory of its own");
     let golden = golden_header::text().expect("the golden file");
     fs::write(to.join("golden.h"), golden).expect("the header is written");
-    let program = to.join(name);
+    let program = to.join("program");
     let compiler = env::var_os("CC").unwrap_or_else(|| OsString::from("cc"));
     let mut command = Command::new(compiler);
     command.args(["-std=c11", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-g", "-O1"]);
