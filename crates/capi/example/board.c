@@ -1,6 +1,6 @@
-/* The checks on a Cortex-M4F without an operating system: start-up, a voice by semihosting, an
+/* A Cortex-M4F without an operating system: start-up, a voice by semihosting, an
  * exit that a script can see. Freestanding C11; for QEMU's mps2-an386. */
-#include "checks.h"
+#include "say.h"
 
 /* From the linker script. */
 extern uint32_t stack_top[], data_start[], data_end[], data_stored[], bss_start[], bss_end[];
@@ -49,7 +49,7 @@ _Noreturn static void start(void) {
   for (uint32_t *to = bss_start; to != bss_end; to++) {
     *to = 0;
   }
-  leave(checks() == 0 ? 0 : 1);
+  leave(program() == 0 ? 0 : 1);
 }
 
 void reset(void) {

@@ -5,17 +5,6 @@
 
 static uint32_t found_faults;
 
-static void say_number(uint32_t number) {
-  char digits[11];
-  char *digit = digits + sizeof digits;
-  *--digit = '\0';
-  do {
-    *--digit = (char)('0' + number % 10);
-    number /= 10;
-  } while (number != 0);
-  say(digit);
-}
-
 void check(int holds, const char *format, const char *what, uint32_t number) {
   if (holds) {
     return;
@@ -123,7 +112,31 @@ static void checks_f32(void) {
 }
 
 /* The same in an integer format: Q15 and Q31 differ by their types alone. */
-#define CHECKS_OF_INTEGERS(FORMAT, format, name)                                              \
+#define CHECKS_OF_INTEGERS(FORMAT, format, name, mantissa)                                    \
+  static int same_light_##format(const eigenshade_light_##format *a,                          \
+                                 const eigenshade_light_##format *b) {                        \
+    for (size_t k = 0; k < EIGENSHADE_LIGHT; k++) {                                           \
+      if (a->mantissas[k] != b->mantissas[k]) {                                               \
+        return 0;                                                                             \
+      }                                                                                       \
+    }                                                                                         \
+    return a->degree == b->degree && a->length == b->length && a->exponent == b->exponent;    \
+  }                                                                                           \
+  static int same_material_##format(const eigenshade_material_##format *a,                    \
+                                    const eigenshade_material_##format *b) {                  \
+    for (size_t k = 0; k < EIGENSHADE_MATERIAL; k++) {                                        \
+      if (a->mantissas[k] != b->mantissas[k]) {                                               \
+        return 0;                                                                             \
+      }                                                                                       \
+    }                                                                                         \
+    for (size_t o = 0; o <= EIGENSHADE_ORDER; o++) {                                          \
+      if (a->exponents[o] != b->exponents[o]) {                                               \
+        return 0;                                                                             \
+      }                                                                                       \
+    }                                                                                         \
+    return a->order == b->order && a->length == b->length &&                                  \
+           a->exponents_length == b->exponents_length;                                        \
+  }                                                                                           \
   static void checks_##format(void) {                                                         \
     static eigenshade_workspace_##format workspace;                                           \
     static eigenshade_transfer_##format transfer;                                             \
@@ -144,6 +157,24 @@ static void checks_f32(void) {
           .exponents_length = EIGENSHADE_ORDER + 1,                                           \
           .exponents = golden_material_exponents_##format[pair],                              \
       };                                                                                      \
+      const eigenshade_light_f32 light_in_floats = {                                          \
+          EIGENSHADE_DEGREE, EIGENSHADE_LIGHT, golden_light_f32[pair]};                       \
+      const eigenshade_material_f32 material_in_floats = {                                    \
+          EIGENSHADE_ORDER, EIGENSHADE_MATERIAL, golden_material_f32[pair]};                  \
+      static mantissa numbers[EIGENSHADE_LIGHT];                                              \
+      int8_t exponents[EIGENSHADE_ORDER + 1];                                                 \
+      eigenshade_light_##format own_light;                                                    \
+      eigenshade_material_##format own_material;                                              \
+      check_status(eigenshade_quantise_light_##format(&light_in_floats, numbers,              \
+                                                      EIGENSHADE_LIGHT, &own_light),          \
+                   EIGENSHADE_STATUS_OK, name, "quantise_light");                             \
+      check(same_light_##format(&own_light, &light), name, "quantise_light", pair);           \
+      check_status(eigenshade_quantise_material_##format(                                     \
+                       &material_in_floats, numbers, EIGENSHADE_MATERIAL, exponents,          \
+                       EIGENSHADE_ORDER + 1, &own_material),                                  \
+                   EIGENSHADE_STATUS_OK, name, "quantise_material");                          \
+      check(same_material_##format(&own_material, &material), name, "quantise_material",      \
+            pair);                                                                            \
       const int32_t *golden_d = golden_d_##format[pair];                                      \
       const int32_t of_d = golden_d_exponents_##format[pair][0];                              \
       const int32_t *golden = golden_irradiance_##format[pair];                               \
@@ -179,10 +210,10 @@ static void checks_f32(void) {
     }                                                                                         \
   }
 
-CHECKS_OF_INTEGERS(Q15, q15, "q15")
-CHECKS_OF_INTEGERS(Q31, q31, "q31")
+CHECKS_OF_INTEGERS(Q15, q15, "q15", int16_t)
+CHECKS_OF_INTEGERS(Q31, q31, "q31", int32_t)
 
-uint32_t checks(void) {
+uint32_t program(void) {
   found_faults = 0;
   check(same_text(eigenshade_version(), EIGENSHADE_VERSION), "any", "version", 0);
   checks_f32();

@@ -3,15 +3,9 @@
 #ifndef CHECKS_H
 #define CHECKS_H
 
-#include "eigenshade.h"
+#include "say.h"
 
-/* The program's voice: part of a line, without an end of its own. The machine's. */
-void say(const char *text);
-
-/* Runs all checks, says what it finds, and gives the number of faults. */
-uint32_t checks(void);
-
-/* The part of them that hands over arguments at fault. */
+/* The part of the checks that hands over arguments at fault. */
 void checks_of_faults(void);
 
 /* One check, named by format, function and number. */

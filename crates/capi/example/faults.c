@@ -86,7 +86,7 @@ static void faults_f32(void) {
     static eigenshade_scene_##format scene;                                                   \
     static mantissa zeros[3], z[3] = {one, -one, one};                                        \
     static int32_t irradiances[3] = {7, 7, 7};                                                \
-    const eigenshade_light_##format ambient = {.degree = 0, .length = 1, .mantissas = largest}; \
+    const eigenshade_light_##format ambient = {.degree = 0, .length = 1, .mantissas = largest};\
     const eigenshade_material_##format matte = {.order = 0,                                   \
                                                 .length = 1,                                  \
                                                 .mantissas = largest,                         \
@@ -99,6 +99,17 @@ static void faults_f32(void) {
                  EIGENSHADE_STATUS_OK, name, "ambient");                                      \
     check_status(eigenshade_collapse_##format(&d, EIGENSHADE_COMPONENTS, &scene),             \
                  EIGENSHADE_STATUS_OK, name, "ambient");                                      \
+    const eigenshade_light_f32 of_floats = {.degree = 0, .length = 1, .coefficients = bright};\
+    mantissa quantised[1] = {7};                                                              \
+    check_status(eigenshade_quantise_light_##format(&of_floats, NULL, 1, &light),             \
+                 EIGENSHADE_STATUS_NULL_POINTER, name, "no mantissas");                       \
+    check_status(eigenshade_quantise_light_##format(&of_floats, quantised, 4, &light),        \
+                 EIGENSHADE_STATUS_LIGHT_LENGTH, name, "room for another light");             \
+    check(quantised[0] == 7, name, "mantissas are as they were", 0);                          \
+    check_status(eigenshade_quantise_light_##format(&of_floats, quantised, 1, &light),        \
+                 EIGENSHADE_STATUS_OK, name, "light of floats");                              \
+    check(light.mantissas == quantised, name, "the light's mantissas", 0);                    \
+    light = ambient;                                                                          \
     d.mantissas[0] = 7;                                                                       \
     check_status(eigenshade_fold_##format(NULL, &workspace, &transfer),                       \
                  EIGENSHADE_STATUS_NULL_POINTER, name, "no material");                        \

@@ -1,7 +1,7 @@
 /* One image in one format, FORMAT (f32, q15, q31): what a program links that needs no more.
  * WAY 0 folds the material in on the board; WAY 1 has it folded in flash; without FORMAT it is
  * an empty program, to compare with. */
-#include "checks.h"
+#include "say.h"
 
 #ifdef FORMAT
 
@@ -35,7 +35,7 @@ static int8_t exponents[EIGENSHADE_ORDER + 1];
 static const MY(transfer_) transfer = {.numbers = {1}};
 #endif
 
-uint32_t checks(void) {
+uint32_t program(void) {
   MY(light_) light = {.degree = EIGENSHADE_DEGREE, .length = EIGENSHADE_LIGHT,
                       .NUMBERS = light_numbers};
   irradiance found = 0;
@@ -62,6 +62,6 @@ uint32_t checks(void) {
 
 #else
 
-uint32_t checks(void) { return 0; }
+uint32_t program(void) { return 0; }
 
 #endif

@@ -5,15 +5,16 @@ shipped table: degree 9, order 7, fifty components.
 
 A material is folded in, a light relights it, the coefficients are collapsed to a scene, the
 scene gives the irradiance of normals; in float (f32) and in integers (q15, q31). An integer
-stands for itself times 2 to an exponent that stands beside it. Colour is three channels, one
-after the other.
+stands for itself times 2 to an exponent that stands beside it; the quantise functions bring
+lights and materials in float to integers, without a float unit. Colour is three channels,
+one after the other.
 
 The caller owns every array and structure; none has to be written before the library writes
 it. No function allocates, keeps a pointer, or has a state: all may be called from interrupts
 and threads at once, on arguments of their own. No pointer may be NULL, and each has the
 alignment of its type: both are checked. What a function writes to may not overlap its other
-arguments; where both are arrays of normals and irradiances this is checked. Lengths are
-counts of numbers, not bytes.
+arguments; of irradiances and normals, and of mantissas and coefficients, this is checked.
+Lengths are counts of numbers, not bytes.
 
 Integers give the same bits on every machine. */
 
@@ -252,6 +253,28 @@ typedef struct eigenshade_scene_f32 {
 } eigenshade_scene_f32;
 
 /**
+ * One channel of distant light: as `eigenshade_light_f32`, in mantissas times 2^exponent.
+ */
+typedef struct eigenshade_light_q15 {
+  /**
+   * Largest l, at most EIGENSHADE_DEGREE; above it the light is zero.
+   */
+  size_t degree;
+  /**
+   * Number of mantissas: (degree + 1)^2.
+   */
+  size_t length;
+  /**
+   * The mantissas; the caller's. The more bits the largest has, the better.
+   */
+  const int16_t *mantissas;
+  /**
+   * The exponent of all of them, from -128 to 128.
+   */
+  int32_t exponent;
+} eigenshade_light_q15;
+
+/**
  * One channel of an isotropic material: as `eigenshade_material_f32`, in mantissas times
  * 2^exponent, an exponent for each o.
  */
@@ -303,28 +326,6 @@ typedef struct eigenshade_transfer_q15 {
 } eigenshade_transfer_q15;
 
 /**
- * One channel of distant light: as `eigenshade_light_f32`, in mantissas times 2^exponent.
- */
-typedef struct eigenshade_light_q15 {
-  /**
-   * Largest l, at most EIGENSHADE_DEGREE; above it the light is zero.
-   */
-  size_t degree;
-  /**
-   * Number of mantissas: (degree + 1)^2.
-   */
-  size_t length;
-  /**
-   * The mantissas; the caller's. The more bits the largest has, the better.
-   */
-  const int16_t *mantissas;
-  /**
-   * The exponent of all of them, from -128 to 128.
-   */
-  int32_t exponent;
-} eigenshade_light_q15;
-
-/**
  * The coefficients d of one image, component by component: mantissas times 2^exponent.
  */
 typedef struct eigenshade_coefficients_q15 {
@@ -351,6 +352,28 @@ typedef struct eigenshade_scene_q15 {
    */
   int32_t exponent;
 } eigenshade_scene_q15;
+
+/**
+ * One channel of distant light: as `eigenshade_light_f32`, in mantissas times 2^exponent.
+ */
+typedef struct eigenshade_light_q31 {
+  /**
+   * Largest l, at most EIGENSHADE_DEGREE; above it the light is zero.
+   */
+  size_t degree;
+  /**
+   * Number of mantissas: (degree + 1)^2.
+   */
+  size_t length;
+  /**
+   * The mantissas; the caller's. The more bits the largest has, the better.
+   */
+  const int32_t *mantissas;
+  /**
+   * The exponent of all of them, from -128 to 128.
+   */
+  int32_t exponent;
+} eigenshade_light_q31;
 
 /**
  * One channel of an isotropic material: as `eigenshade_material_f32`, in mantissas times
@@ -404,28 +427,6 @@ typedef struct eigenshade_transfer_q31 {
 } eigenshade_transfer_q31;
 
 /**
- * One channel of distant light: as `eigenshade_light_f32`, in mantissas times 2^exponent.
- */
-typedef struct eigenshade_light_q31 {
-  /**
-   * Largest l, at most EIGENSHADE_DEGREE; above it the light is zero.
-   */
-  size_t degree;
-  /**
-   * Number of mantissas: (degree + 1)^2.
-   */
-  size_t length;
-  /**
-   * The mantissas; the caller's. The more bits the largest has, the better.
-   */
-  const int32_t *mantissas;
-  /**
-   * The exponent of all of them, from -128 to 128.
-   */
-  int32_t exponent;
-} eigenshade_light_q31;
-
-/**
  * The coefficients d of one image, component by component: mantissas times 2^exponent.
  */
 typedef struct eigenshade_coefficients_q31 {
@@ -473,8 +474,8 @@ const char *eigenshade_message(int32_t status);
 /**
  * Folds a material in, for lights to follow.
  *
- * Cost: a multiplication for each of the table's 4,000 factors. On an error `transfer`
- * is as it was.
+ * Cost: a multiplication for each of the table's factors. On an error `transfer` is as it
+ * was.
  *
  * Pointers that are neither NULL nor unaligned point to what their types say, and
  * `workspace` and `transfer` to nothing else's memory.
@@ -557,10 +558,43 @@ eigenshade_status eigenshade_shade_many_f32(const struct eigenshade_scene_f32 *s
                                             float *irradiance);
 
 /**
+ * A light in these mantissas from one in float, in integer arithmetic throughout.
+ *
+ * Writes `length` mantissas, as many as `from` has coefficients, and the light that they
+ * make; they stay the caller's, and the light points to them. A number that is not finite
+ * counts as the largest. On an error nothing is written, unless it is `to` that is at fault.
+ *
+ * Pointers that are neither NULL nor unaligned point to what their types say, `mantissas`
+ * to room for `length` numbers, and it and `to` to nothing else's memory.
+ */
+eigenshade_status eigenshade_quantise_light_q15(const struct eigenshade_light_f32 *from,
+                                                int16_t *mantissas,
+                                                size_t length,
+                                                struct eigenshade_light_q15 *to);
+
+/**
+ * A material in these mantissas from one in float, in integer arithmetic throughout.
+ *
+ * Writes `length` mantissas, as many as `from` has coefficients, `exponents_length`
+ * exponents, one for each o, and the material that they make; they stay the caller's, and
+ * the material points to them. A number that is not finite counts as the largest. On an
+ * error of `from`, `mantissas` or a length nothing is written.
+ *
+ * Pointers that are neither NULL nor unaligned point to what their types say, `mantissas`
+ * and `exponents` to room for as many numbers, and they and `to` to nothing else's memory.
+ */
+eigenshade_status eigenshade_quantise_material_q15(const struct eigenshade_material_f32 *from,
+                                                   int16_t *mantissas,
+                                                   size_t length,
+                                                   int8_t *exponents,
+                                                   size_t exponents_length,
+                                                   struct eigenshade_material_q15 *to);
+
+/**
  * Folds a material in, for lights to follow.
  *
- * Cost: a multiplication for each of the table's 4,000 factors. On an error `transfer`
- * is as it was.
+ * Cost: a multiplication for each of the table's factors. On an error `transfer` is as it
+ * was.
  *
  * Pointers that are neither NULL nor unaligned point to what their types say, and
  * `workspace` and `transfer` to nothing else's memory.
@@ -645,10 +679,43 @@ eigenshade_status eigenshade_shade_many_q15(const struct eigenshade_scene_q15 *s
                                             int32_t *irradiance);
 
 /**
+ * A light in these mantissas from one in float, in integer arithmetic throughout.
+ *
+ * Writes `length` mantissas, as many as `from` has coefficients, and the light that they
+ * make; they stay the caller's, and the light points to them. A number that is not finite
+ * counts as the largest. On an error nothing is written, unless it is `to` that is at fault.
+ *
+ * Pointers that are neither NULL nor unaligned point to what their types say, `mantissas`
+ * to room for `length` numbers, and it and `to` to nothing else's memory.
+ */
+eigenshade_status eigenshade_quantise_light_q31(const struct eigenshade_light_f32 *from,
+                                                int32_t *mantissas,
+                                                size_t length,
+                                                struct eigenshade_light_q31 *to);
+
+/**
+ * A material in these mantissas from one in float, in integer arithmetic throughout.
+ *
+ * Writes `length` mantissas, as many as `from` has coefficients, `exponents_length`
+ * exponents, one for each o, and the material that they make; they stay the caller's, and
+ * the material points to them. A number that is not finite counts as the largest. On an
+ * error of `from`, `mantissas` or a length nothing is written.
+ *
+ * Pointers that are neither NULL nor unaligned point to what their types say, `mantissas`
+ * and `exponents` to room for as many numbers, and they and `to` to nothing else's memory.
+ */
+eigenshade_status eigenshade_quantise_material_q31(const struct eigenshade_material_f32 *from,
+                                                   int32_t *mantissas,
+                                                   size_t length,
+                                                   int8_t *exponents,
+                                                   size_t exponents_length,
+                                                   struct eigenshade_material_q31 *to);
+
+/**
  * Folds a material in, for lights to follow.
  *
- * Cost: a multiplication for each of the table's 4,000 factors. On an error `transfer`
- * is as it was.
+ * Cost: a multiplication for each of the table's factors. On an error `transfer` is as it
+ * was.
  *
  * Pointers that are neither NULL nor unaligned point to what their types say, and
  * `workspace` and `transfer` to nothing else's memory.

@@ -2,6 +2,7 @@
 #![expect(unsafe_code, reason = "exported symbols and C's pointers")]
 
 use crate::boundary::{Plain, apart, exclusive, shared, slice, slice_to_write};
+use crate::folded;
 use crate::sizes::{
     EIGENSHADE_COMPONENTS, EIGENSHADE_DEGREE, EIGENSHADE_ORDER, EIGENSHADE_SCENE_F32,
     EIGENSHADE_TRANSFER_F32, EIGENSHADE_WORKSPACE_F32,
@@ -87,7 +88,7 @@ impl LightF32 {
     /// # Safety
     ///
     /// As [`slice`] asks.
-    unsafe fn view<'a>(&self) -> Result<Light<'a, f32>, Status> {
+    pub(crate) unsafe fn view<'a>(&self) -> Result<Light<'a, f32>, Status> {
         if self.degree > EIGENSHADE_DEGREE {
             return Err(Status::LightBeyond);
         }
@@ -104,7 +105,7 @@ impl MaterialF32 {
     /// # Safety
     ///
     /// As [`slice`] asks.
-    unsafe fn view<'a>(&self) -> Result<Material<'a, f32>, Status> {
+    pub(crate) unsafe fn view<'a>(&self) -> Result<Material<'a, f32>, Status> {
         if self.order > EIGENSHADE_ORDER {
             return Err(Status::MaterialBeyond);
         }
@@ -119,8 +120,8 @@ impl MaterialF32 {
 
 /// Folds a material in, for lights to follow.
 ///
-/// Cost: a multiplication for each of the table's 4,000 factors. On an error `transfer`
-/// is as it was.
+/// Cost: a multiplication for each of the table's factors. On an error `transfer` is as it
+/// was.
 ///
 /// # Safety
 ///
@@ -161,7 +162,7 @@ pub unsafe extern "C" fn eigenshade_relight_f32(
         let (transfer, light, coefficients) =
             unsafe { (shared(transfer)?, shared(light)?.view()?, exclusive(coefficients)?) };
         let (transfer, coefficients) = (&transfer.numbers, &mut coefficients.numbers);
-        Ok(sphere::BASIS.relight_into(transfer, &light, coefficients)?)
+        Ok(folded::BASIS_F32.relight_into(transfer, &light, coefficients)?)
     })
 }
 
@@ -212,7 +213,7 @@ pub unsafe extern "C" fn eigenshade_collapse_f32(
         let first = coefficients.numbers.get(..components).ok_or(Status::Components)?;
         // SAFETY: as this function asks of its caller.
         let scene = unsafe { exclusive(scene) }?;
-        sphere::BASIS.collapse_into(first, &mut scene.terms[..])?;
+        folded::BASIS_F32.collapse_into(first, &mut scene.terms[..])?;
         Ok(())
     })
 }
@@ -239,7 +240,7 @@ pub unsafe extern "C" fn eigenshade_shade_f32(
     Status::of(|| {
         // SAFETY: as this function asks of its caller.
         let scene = unsafe { shared(scene) }?;
-        let (normal, scene) = (Normal::new(x, y, z)?, sphere::BASIS.scene(&scene.terms[..])?);
+        let (normal, scene) = (Normal::new(x, y, z)?, folded::BASIS_F32.scene(&scene.terms[..])?);
         // SAFETY: as this function asks of its caller.
         *unsafe { exclusive(irradiance) }? = scene.shade(normal);
         Ok(())
@@ -273,7 +274,7 @@ pub unsafe extern "C" fn eigenshade_shade_many_f32(
         let (x, y, z) = unsafe { (slice(x, count)?, slice(y, count)?, slice(z, count)?) };
         // SAFETY: as this function asks of its caller; it overlaps no other.
         let irradiance = unsafe { slice_to_write(irradiance, count) }?;
-        let scene = sphere::BASIS.scene(&scene.terms[..])?;
+        let scene = folded::BASIS_F32.scene(&scene.terms[..])?;
         Ok(scene.shade_slice(Normals::new(x, y, z)?, irradiance)?)
     })
 }

@@ -2,29 +2,44 @@
 #![expect(unsafe_code, reason = "arrays come from C")]
 
 use crate::boundary::{Plain, apart, slice, slice_to_write};
+use crate::float::{LightF32, MaterialF32};
+use crate::folded;
 use crate::sizes::{EIGENSHADE_DEGREE, EIGENSHADE_ORDER};
 use crate::status::Status;
 use eigenshade::index::{light, material};
-use eigenshade::quantised::{Basis, Light, Material, Normal, Transfer};
+use eigenshade::quantised::{Basis, Light, Material, Normal, Scene, Transfer};
 use eigenshade::{Error, Fixed, Q15, Q31, sphere};
 
-/// The largest exponent of d or of a scene: what light and material can bring about is a
-/// quarter of it.
+/// The largest exponent of d: what light and material can bring about is less than half of
+/// it.
 const EXPONENT: u32 = 2_048;
 
 /// An integer format and its shipped basis.
 pub(crate) trait Shipped: Fixed + Plain {
+    /// What folds a material in.
     fn basis() -> &'static Basis<'static, Self>;
+    /// What needs no factors.
+    fn folded() -> &'static Basis<'static, Self>;
     fn normal(x: Self, y: Self, z: Self) -> Result<Normal<Self>, Error>;
+    /// The irradiance, with every size a constant.
+    fn irradiance(scene: &Scene<'_, Self, &[i32]>, normal: Normal<Self>) -> i32;
 }
 
 impl Shipped for Q15 {
     fn basis() -> &'static Basis<'static, Self> {
         &sphere::q15::BASIS
     }
+    fn folded() -> &'static Basis<'static, Self> {
+        &folded::BASIS_Q15
+    }
     #[inline]
     fn normal(x: Self, y: Self, z: Self) -> Result<Normal<Self>, Error> {
         Normal::<Self>::new(x, y, z)
+    }
+    // Once for one normal and for many.
+    #[inline(never)]
+    fn irradiance(scene: &Scene<'_, Self, &[i32]>, normal: Normal<Self>) -> i32 {
+        sphere::q15::shade(scene, normal)
     }
 }
 
@@ -32,9 +47,17 @@ impl Shipped for Q31 {
     fn basis() -> &'static Basis<'static, Self> {
         &sphere::q31::BASIS
     }
+    fn folded() -> &'static Basis<'static, Self> {
+        &folded::BASIS_Q31
+    }
     #[inline]
     fn normal(x: Self, y: Self, z: Self) -> Result<Normal<Self>, Error> {
         Normal::<Self>::new(x, y, z)
+    }
+    // Once for one normal and for many.
+    #[inline(never)]
+    fn irradiance(scene: &Scene<'_, Self, &[i32]>, normal: Normal<Self>) -> i32 {
+        sphere::q31::shade(scene, normal)
     }
 }
 
@@ -82,6 +105,48 @@ pub(crate) unsafe fn material_of<'a, Q: Shipped>(
     Ok(Material::new(order, exponents, mantissas)?)
 }
 
+/// Writes a light's mantissas, and gives their exponent.
+///
+/// # Safety
+///
+/// As [`slice`] asks, of the light's array, and [`slice_to_write`] of the mantissas.
+pub(crate) unsafe fn quantise_light<Q: Shipped>(
+    from: &LightF32,
+    mantissas: *mut Q,
+    length: usize,
+) -> Result<i32, Status> {
+    if length != from.length {
+        return Err(Status::LightLength);
+    }
+    apart(mantissas, [from.coefficients], length)?;
+    // SAFETY: this function's caller promises as much, and they do not overlap.
+    let (from, mantissas) = unsafe { (from.view()?, slice_to_write(mantissas, length)?) };
+    Ok(Light::quantise(from.degree(), from.coefficients(), mantissas)?.exponent())
+}
+
+/// Writes a material's mantissas and exponents.
+///
+/// # Safety
+///
+/// As [`slice`] asks, of the material's array, and [`slice_to_write`] of the others.
+pub(crate) unsafe fn quantise_material<Q: Shipped>(
+    from: &MaterialF32,
+    (mantissas, length): (*mut Q, usize),
+    (exponents, of_exponents): (*mut i8, usize),
+) -> Result<(), Status> {
+    if length != from.length || of_exponents.wrapping_sub(1) != from.order {
+        return Err(Status::MaterialLength);
+    }
+    apart(mantissas, [from.coefficients], length)?;
+    // SAFETY: this function's caller promises as much, and they do not overlap.
+    let (from, mantissas, exponents) = unsafe {
+        let from = from.view()?;
+        (from, slice_to_write(mantissas, length)?, slice_to_write(exponents, of_exponents)?)
+    };
+    Material::quantise(from.order(), from.coefficients(), mantissas, exponents)?;
+    Ok(())
+}
+
 /// Folds a material in.
 pub(crate) fn fold<Q: Shipped>(
     material: &Material<'_, Q>,
@@ -99,7 +164,7 @@ pub(crate) fn relight<Q: Shipped>(
     light: &Light<'_, Q>,
     mantissas: &mut [i32],
 ) -> Result<i32, Status> {
-    Ok(Q::basis().relight_into(&Transfer::new(numbers, exponents), light, mantissas)?)
+    Ok(Q::folded().relight_into(&Transfer::new(numbers, exponents), light, mantissas)?)
 }
 
 /// The first components of d, if there are so many and their exponent is in range.
@@ -116,13 +181,13 @@ pub(crate) fn collapse<Q: Shipped>(
     exponent: i32,
     terms: &mut [i32],
 ) -> Result<i32, Status> {
-    Ok(Q::basis().collapse_into(mantissas, exponent, terms)?.exponent())
+    Ok(Q::folded().collapse_into(mantissas, exponent, terms)?.exponent())
 }
 
 /// The irradiance of one normal.
 pub(crate) fn shade<Q: Shipped>(terms: &[i32], [x, y, z]: [Q; 3]) -> Result<i32, Status> {
     let normal = Q::normal(x, y, z)?;
-    Ok(Q::basis().scene(0, terms)?.shade(normal))
+    Ok(Q::irradiance(&Q::folded().scene(0, terms)?, normal))
 }
 
 /// The irradiance of many.
@@ -142,9 +207,9 @@ pub(crate) unsafe fn shade_many<Q: Shipped>(
     let (x, y, z, irradiance) = unsafe {
         (slice(x, count)?, slice(y, count)?, slice(z, count)?, slice_to_write(irradiance, count)?)
     };
-    let scene = Q::basis().scene(0, terms)?;
+    let scene = Q::folded().scene(0, terms)?;
     for (((irradiance, &x), &y), &z) in irradiance.iter_mut().zip(x).zip(y).zip(z) {
-        *irradiance = scene.shade(Q::normal(x, y, z)?);
+        *irradiance = Q::irradiance(&scene, Q::normal(x, y, z)?);
     }
     Ok(())
 }

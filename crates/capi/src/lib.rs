@@ -8,8 +8,8 @@
 //! The caller owns every array. No function allocates, keeps a pointer, or has a state:
 //! all of them may be called from interrupts and threads at once, on arguments of their
 //! own. Pointers may not be NULL and have the alignment of what they point to, which is
-//! checked; an argument that is written to may not overlap another, which is checked where
-//! both are arrays of one format.
+//! checked; an argument that is written to may not overlap another, which is checked of
+//! irradiances and normals, and of mantissas and coefficients.
 //!
 //! On bare metal the static library has a panic handler: see `panic.rs`.
 #![no_std]
@@ -25,6 +25,8 @@ mod status;
 mod version;
 
 mod boundary;
+
+mod folded;
 
 pub mod float;
 

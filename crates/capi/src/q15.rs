@@ -2,6 +2,7 @@
 #![expect(unsafe_code, reason = "exported symbols and C's pointers")]
 
 use crate::boundary::{Plain, exclusive, shared};
+use crate::float::{LightF32, MaterialF32};
 use crate::integers;
 use crate::sizes::{
     EIGENSHADE_COMPONENTS, EIGENSHADE_PROFILES, EIGENSHADE_SCENE_Q15, EIGENSHADE_TRANSFER,
@@ -80,6 +81,10 @@ pub struct SceneQ15 {
     pub exponent: i32,
 }
 
+// SAFETY: of integers and a pointer that nothing is read through before it is checked.
+unsafe impl Plain for LightQ15 {}
+// SAFETY: as above, of two pointers.
+unsafe impl Plain for MaterialQ15 {}
 // SAFETY: of integers alone.
 unsafe impl Plain for WorkspaceQ15 {}
 // SAFETY: of integers alone.
@@ -111,10 +116,73 @@ impl MaterialQ15 {
     }
 }
 
+/// A light in these mantissas from one in float, in integer arithmetic throughout.
+///
+/// Writes `length` mantissas, as many as `from` has coefficients, and the light that they
+/// make; they stay the caller's, and the light points to them. A number that is not finite
+/// counts as the largest. On an error nothing is written, unless it is `to` that is at fault.
+///
+/// # Safety
+///
+/// Pointers that are neither NULL nor unaligned point to what their types say, `mantissas`
+/// to room for `length` numbers, and it and `to` to nothing else's memory.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn eigenshade_quantise_light_q15(
+    from: *const LightF32,
+    mantissas: *mut Q15,
+    length: usize,
+    to: *mut LightQ15,
+) -> Status {
+    Status::of(|| {
+        // SAFETY: as this function asks of its caller.
+        let from = unsafe { shared(from) }?;
+        // SAFETY: as this function asks of its caller.
+        let exponent = unsafe { integers::quantise_light(from, mantissas, length) }?;
+        // SAFETY: as this function asks of its caller.
+        let to = unsafe { exclusive(to) }?;
+        *to = LightQ15 { degree: from.degree, length, mantissas, exponent };
+        Ok(())
+    })
+}
+
+/// A material in these mantissas from one in float, in integer arithmetic throughout.
+///
+/// Writes `length` mantissas, as many as `from` has coefficients, `exponents_length`
+/// exponents, one for each o, and the material that they make; they stay the caller's, and
+/// the material points to them. A number that is not finite counts as the largest. On an
+/// error of `from`, `mantissas` or a length nothing is written.
+///
+/// # Safety
+///
+/// Pointers that are neither NULL nor unaligned point to what their types say, `mantissas`
+/// and `exponents` to room for as many numbers, and they and `to` to nothing else's memory.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn eigenshade_quantise_material_q15(
+    from: *const MaterialF32,
+    mantissas: *mut Q15,
+    length: usize,
+    exponents: *mut i8,
+    exponents_length: usize,
+    to: *mut MaterialQ15,
+) -> Status {
+    Status::of(|| {
+        // SAFETY: as this function asks of its caller.
+        let from = unsafe { shared(from) }?;
+        let (numbers, powers) = ((mantissas, length), (exponents, exponents_length));
+        // SAFETY: as this function asks of its caller.
+        unsafe { integers::quantise_material(from, numbers, powers) }?;
+        // SAFETY: as this function asks of its caller.
+        let to = unsafe { exclusive(to) }?;
+        let order = from.order;
+        *to = MaterialQ15 { order, length, mantissas, exponents_length, exponents };
+        Ok(())
+    })
+}
+
 /// Folds a material in, for lights to follow.
 ///
-/// Cost: a multiplication for each of the table's 4,000 factors. On an error `transfer`
-/// is as it was.
+/// Cost: a multiplication for each of the table's factors. On an error `transfer` is as it
+/// was.
 ///
 /// # Safety
 ///

@@ -414,8 +414,8 @@ fn shade(parts: &QuantisedParts, format: &str) -> String {
 /// for bit.
 #[inline]
 #[must_use]
-pub fn shade(
-    scene: &Scene,
+pub fn shade<B: AsRef<[i32]>>(
+    scene: &eigenshade::quantised::Scene<'_, eigenshade::{format}, B>,
     normal: eigenshade::quantised::Normal<eigenshade::{format}>,
 ) -> i32 {{
     let Some(terms) = scene.terms().first_chunk::<SCENE>() else {{ return 0 }};

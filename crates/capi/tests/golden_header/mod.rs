@@ -1,7 +1,7 @@
 //! The golden file as a C header of constant arrays.
 
 #[path = "../../../../tests/golden/record.rs"]
-#[allow(dead_code, reason = "what writes the file is not needed here")]
+#[expect(dead_code, reason = "what writes the file is not needed here")]
 mod record;
 
 use record::{Golden, Row};

@@ -1,0 +1,94 @@
+/* What the functions cost on the board, in instructions: CSV `operation,format,instructions`.
+ * Under QEMU's -icount shift=0 time goes by instruction by instruction; a loop of known length
+ * tells how many of them a tick of SysTick is. */
+#include "golden.h"
+#include "say.h"
+
+#define PASSES 100u
+#define SYST_CSR (*(volatile uint32_t *)0xe000e010u)
+#define SYST_RVR (*(volatile uint32_t *)0xe000e014u)
+#define SYST_CVR (*(volatile uint32_t *)0xe000e018u)
+#define TOP 0xffffffu
+
+/* Instructions in 1024 ticks. */
+static uint32_t calibrated;
+
+static uint32_t start(void) {
+  SYST_RVR = TOP;
+  SYST_CVR = 0;
+  SYST_CSR = 5;
+  return SYST_CVR;
+}
+
+static uint32_t since(uint32_t before) { return (before - SYST_CVR) & TOP; }
+
+static void calibrate(void) {
+  uint32_t left = 2000000u;
+  const uint32_t before = start();
+  __asm__ volatile("1: subs %0, #1\n\tbne 1b" : "+r"(left) : : "cc");
+  calibrated = (uint32_t)(4000000ull * 1024u / since(before));
+}
+
+static void report(const char *operation, const char *format, uint32_t ticks, uint32_t each) {
+  say(operation);
+  say(",");
+  say(format);
+  say(",");
+  say_number((uint32_t)((uint64_t)ticks * calibrated / 1024u / PASSES / each));
+  say("\n");
+}
+
+#define MEASURED(operation, name, each, call)                                                 \
+  do {                                                                                        \
+    const uint32_t before = start();                                                          \
+    for (uint32_t pass = 0; pass < PASSES; pass++) {                                          \
+      faults += (uint32_t)(call);                                                             \
+    }                                                                                         \
+    report(operation, name, since(before), each);                                             \
+  } while (0)
+
+#define COSTS(FORMAT, format, name, answer)                                                   \
+  static uint32_t costs_##format(void) {                                                      \
+    static eigenshade_workspace_##format workspace;                                           \
+    static eigenshade_transfer_##format transfer;                                             \
+    static eigenshade_coefficients_##format d;                                                \
+    static eigenshade_scene_##format scene;                                                   \
+    static answer irradiance[GOLDEN_NORMALS_##FORMAT];                                        \
+    const eigenshade_light_##format light = LIGHT_##FORMAT;                                   \
+    const eigenshade_material_##format material = MATERIAL_##FORMAT;                          \
+    uint32_t faults = 0;                                                                      \
+    MEASURED("fold", name, 1, eigenshade_fold_##format(&material, &workspace, &transfer));    \
+    MEASURED("relight", name, 1, eigenshade_relight_##format(&transfer, &light, &d));         \
+    MEASURED("collapse", name, 1,                                                             \
+             eigenshade_collapse_##format(&d, EIGENSHADE_COMPONENTS, &scene));                \
+    MEASURED("shade", name, 1,                                                                \
+             eigenshade_shade_##format(&scene, golden_x_##format[3], golden_y_##format[3],    \
+                                       golden_z_##format[3], irradiance));                    \
+    MEASURED("shade_many", name, 16,                                                          \
+             eigenshade_shade_many_##format(&scene, 16, golden_x_##format, golden_y_##format, \
+                                            golden_z_##format, irradiance));                  \
+    return faults;                                                                            \
+  }
+
+#define LIGHT_F32 {EIGENSHADE_DEGREE, EIGENSHADE_LIGHT, golden_light_f32[0]}
+#define LIGHT_OF_INTEGERS(format)                                                             \
+  {EIGENSHADE_DEGREE, EIGENSHADE_LIGHT, golden_light_##format[0],                             \
+   golden_light_exponents_##format[0][0]}
+#define LIGHT_Q15 LIGHT_OF_INTEGERS(q15)
+#define LIGHT_Q31 LIGHT_OF_INTEGERS(q31)
+#define MATERIAL_F32 {EIGENSHADE_ORDER, EIGENSHADE_MATERIAL, golden_material_f32[0]}
+#define MATERIAL_OF_INTEGERS(format)                                                          \
+  {EIGENSHADE_ORDER, EIGENSHADE_MATERIAL, golden_material_##format[0], EIGENSHADE_ORDER + 1,  \
+   golden_material_exponents_##format[0]}
+#define MATERIAL_Q15 MATERIAL_OF_INTEGERS(q15)
+#define MATERIAL_Q31 MATERIAL_OF_INTEGERS(q31)
+
+COSTS(F32, f32, "f32", float)
+COSTS(Q15, q15, "q15", int32_t)
+COSTS(Q31, q31, "q31", int32_t)
+
+uint32_t program(void) {
+  calibrate();
+  say("operation,format,instructions\n");
+  return costs_f32() + costs_q15() + costs_q31();
+}
