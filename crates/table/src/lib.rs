@@ -33,6 +33,8 @@ pub mod rust_quantised;
 
 pub mod rust_source;
 
+mod version_2;
+
 pub use file::{FileError, decode, encode};
 pub use general::General;
 pub use gram::GramFactor;
