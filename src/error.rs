@@ -49,9 +49,10 @@ pub enum Error {
     Hidden,
     /// A basis of transfers alone is to take in a material.
     Folded,
-    /// An exponent of an integer format is beyond ±128.
+    /// An exponent of an integer format is beyond ±128, or that of coefficients beyond
+    /// ±2^16.
     Exponent,
-    /// A table in integers has a row whose sum could leave its accumulator.
+    /// A table or a transfer in integers has a row whose sum could leave its accumulator.
     Bound,
     /// The weights of an estimate's pixels have no sum that is finite and above zero.
     Weight,
@@ -153,9 +154,12 @@ impl fmt::Display for Error {
                 "the basis has the transfers of some materials and takes in no others; make one \
                  with store = \"projection\"",
             ),
-            Self::Exponent => f.write_str("an exponent is beyond 128; scale the numbers"),
+            Self::Exponent => f.write_str(
+                "an exponent is beyond 128, or beyond 65536 of coefficients; scale the numbers",
+            ),
             Self::Bound => f.write_str(
-                "a row of a table in integers could overflow its sum; take a table as it was made",
+                "a row of a table or a transfer in integers could overflow its sum; take it as it \
+                 was made",
             ),
             Self::Weight => f.write_str(
                 "an estimate needs pixels whose weights have a finite sum above zero; add some",

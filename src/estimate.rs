@@ -67,7 +67,7 @@ impl<S: Scalar, const K: usize> Estimate<'_, S, K> {
             terms = rest;
             let profile = seen * polynomial::value(of_profile, t);
             // Φ_-m = √2 sin(-mβ).
-            for (index, around) in [(place.plus, cosine), (place.minus, -sine)] {
+            for (index, around) in [(place.plus(), cosine), (place.minus(), -sine)] {
                 let sum = index.and_then(|index| self.sums.get_mut(usize::from(index)));
                 if let Some(sum) = sum {
                     sum.add(profile * around);

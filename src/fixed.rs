@@ -1,10 +1,19 @@
 //! Kernels for shapes that are known when they are compiled: what the generated
 //! code of a table calls, one call for each part of the work.
 //!
-//! They compute what [`Basis::project`](crate::Basis::project) and
-//! [`Basis::relight`](crate::Basis::relight) compute, with every size and every
+//! They compute what [`Basis::project`](crate::Basis::project),
+//! [`Basis::relight`](crate::Basis::relight), [`Basis::collapse`](crate::Basis::collapse)
+//! and [`Scene::shade`](crate::Scene::shade) compute, with every size and every
 //! place a constant. Where an argument does not have the expected shape they are
 //! not called; the general way takes it.
+
+mod collapse;
+mod orders;
+mod pixel;
+
+pub use collapse::{blank_scene, collapse, scene_mut};
+pub use orders::{GROUPS, blank_coefficients, coefficients_mut, order, transfer};
+pub use pixel::{azimuth, highest, pole, scene, shade};
 
 use crate::index;
 use crate::index::layout::{LANES, lowest_degree};
@@ -96,10 +105,16 @@ pub fn coefficients<S: Scalar, const K: usize>(
     mut coefficients: [S; K],
     mean: &[S],
 ) -> Coefficients<S, K> {
+    subtract(&mut coefficients, mean);
+    heapless::Vec::from_array(coefficients)
+}
+
+/// Takes the coefficients of the mean image from those of an image.
+#[inline(always)]
+pub fn subtract<S: Scalar, const K: usize>(coefficients: &mut [S; K], mean: &[S]) {
     for (coefficient, &mean) in coefficients.iter_mut().zip(mean) {
         *coefficient -= mean;
     }
-    heapless::Vec::from_array(coefficients)
 }
 
 /// The sums of one pass of a transfer: the orders from `FIRST` on, `P` profiles of

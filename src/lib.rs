@@ -48,7 +48,7 @@
 extern crate std;
 
 // The generated statics name the crate as their users would.
-#[cfg(feature = "baked")]
+#[cfg(any(feature = "baked", feature = "generate"))]
 extern crate self as eigenshade;
 
 pub use eigenshade_index as index;
@@ -109,6 +109,8 @@ mod general;
 
 mod estimate;
 
+pub mod wire;
+
 mod error;
 
 #[cfg(feature = "mint")]
@@ -116,6 +118,9 @@ mod mint;
 
 #[cfg(feature = "baked")]
 pub mod sphere;
+
+#[cfg(feature = "generate")]
+pub mod generated;
 
 pub use bake::{BakedMap, MapBuffer};
 pub use bake_integer::IntegerMap;

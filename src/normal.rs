@@ -14,16 +14,14 @@ pub struct Normal<S> {
 }
 
 impl<S: Scalar> Normal<S> {
-    /// The normal along (x, y, z), of any length whose square is a normal number of
-    /// the format: 1e-18 to 1e18 in f32.
+    /// The normal along (x, y, z), of any length from 1e-18 to 1e18.
     ///
     /// A normal that points away by no more than 1e-3 is laid on the rim.
     ///
     /// # Errors
     ///
-    /// [`Error::Normal`] if a component is not finite, or the length is zero (or
-    /// so extreme that its square is); [`Error::Hidden`] if z < -1e-3 after
-    /// scaling.
+    /// [`Error::Normal`] if a component is not finite, or the square of the length is
+    /// below 1e-37 or not finite; [`Error::Hidden`] if z < -1e-3 after scaling.
     pub fn new(x: S, y: S, z: S) -> Result<Self, Error> {
         Self::with_mathematics::<Libm>(x, y, z)
     }
@@ -46,7 +44,8 @@ impl<S: Scalar> Normal<S> {
 
     fn scaled<M: Mathematics<S>>(self) -> Result<Self, Error> {
         let square = self.x * self.x + self.y * self.y + self.z * self.z;
-        if !(square.is_finite() && square > S::ZERO) {
+        // The square of a smaller one has too few bits left.
+        if !(square.is_finite() && square >= S::from_f64(1e-37)) {
             return Err(Error::Normal);
         }
         let scale = M::inverse_root(square);

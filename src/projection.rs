@@ -100,7 +100,7 @@ impl<'a, S: Scalar> Basis<'a, S> {
             let [plus, minus] = row(Row { factors, scattering, lights, width });
             let sums = lanes::sums(plus).into_iter().zip(lanes::sums(minus));
             for (place, (plus, minus)) in places.iter().zip(sums) {
-                for (index, value) in [(place.minus, minus), (place.plus, plus)] {
+                for (index, value) in [(place.minus(), minus), (place.plus(), plus)] {
                     let place = index.and_then(|index| coefficients.get_mut(usize::from(index)));
                     if let Some(coefficient) = place {
                         *coefficient = value;
@@ -130,14 +130,16 @@ impl<'a, S: Scalar> Basis<'a, S> {
     #[inline]
     pub(crate) fn rows(&self) -> impl Iterator<Item = (&'a [ProfilePlace], &'a [S])> + use<'a, S> {
         let (degree, order) = (self.degree(), self.order());
-        let mut factors = self.parts.factors;
-        let blocks = self.parts.profiles.chunk_by(|a, b| a.azimuth == b.azimuth);
-        blocks.flat_map(|block| block.chunks(2)).map(move |places| {
-            let azimuth = places.first().map_or(0, |place| place.azimuth());
-            let length = layout::factors(degree, order, azimuth, places.len());
+        let (mut places, mut factors) = (self.parts.profiles, self.parts.factors);
+        // By hand: `chunk_by` may panic, as far as a compiler sees.
+        core::iter::from_fn(move || {
+            let azimuth = places.first()?.azimuth();
+            let same = places.iter().take(2).take_while(|place| place.azimuth() == azimuth);
+            let (two, others) = places.split_at_checked(same.count())?;
+            let length = layout::factors(degree, order, azimuth, two.len());
             let (rows, rest) = factors.split_at_checked(length).unwrap_or((factors, &[]));
-            factors = rest;
-            (places, rows)
+            (places, factors) = (others, rest);
+            Some((two, rows))
         })
     }
 
@@ -209,8 +211,8 @@ fn row<S: Scalar, const V: usize>(row: Row<'_, S>) -> [lanes::Two<S>; 2] {
 /// [`row`] for rows of any length.
 #[inline(never)]
 fn long_row<S: Scalar>(row: Row<'_, S>) -> [lanes::Two<S>; 2] {
-    let factors = row.factors.as_chunks().0.chunks_exact(row.width);
-    let scattering = row.scattering.as_chunks::<LANES>().0.chunks_exact(row.width);
+    let factors = row.factors.as_chunks().0.chunks_exact(row.width.max(1));
+    let scattering = row.scattering.as_chunks::<LANES>().0.chunks_exact(row.width.max(1));
     let rows = factors.zip(scattering);
     lit(rows.map(|(factors, scattering)| lanes::product(factors, scattering)), row.lights)
 }

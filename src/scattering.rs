@@ -99,11 +99,11 @@ impl<S: Scalar> Basis<'_, S> {
     /// From rows over l, a pair each, to rows over the pairs, an l each.
     fn transpose(&self, sums: &[S], scattering: &mut [S]) {
         let width = layout::row(self.order()) / LANES;
-        let groups = layout::groups(self.degree());
+        let groups = layout::groups(self.degree()).max(1);
         let (sums, _) = sums.as_chunks::<LANES>();
         let (scattering, _) = scattering.as_chunks_mut::<LANES>();
         // Four pairs by four degrees at a time.
-        for (column, pairs) in sums.chunks_exact(LANES * groups).enumerate() {
+        for (column, pairs) in sums.chunks_exact((LANES * groups).max(1)).enumerate() {
             let (first, rest) = pairs.split_at_checked(groups).unwrap_or_default();
             let (second, rest) = rest.split_at_checked(groups).unwrap_or_default();
             let (third, fourth) = rest.split_at_checked(groups).unwrap_or_default();

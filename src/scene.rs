@@ -74,14 +74,25 @@ impl<'a, S: Scalar> Basis<'a, S> {
             let length = self.parts.length(azimuth);
             let (of_profile, rest) = terms.split_at_checked(length).unwrap_or((terms, &[]));
             terms = rest;
-            if let Some(weight) = weight(place.plus) {
+            if let Some(weight) = weight(place.plus()) {
                 add(weight, of_profile, sums);
             }
             // Φ_-m = √2 sin(-mβ) = -√2 Im (n_x + i n_y)^m / sin^m.
-            if let Some(weight) = weight(place.minus) {
+            if let Some(weight) = weight(place.minus()) {
                 add(-weight, of_profile, sums.get_mut(length..).unwrap_or_default());
             }
         }
+        Ok(Scene { lengths: self.parts.lengths, buffer })
+    }
+
+    /// The scene of polynomials that were collapsed before, from wherever they were kept.
+    /// Others give meaningless irradiances.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] unless there are [`scene_len`](Self::scene_len) of them.
+    pub fn scene<B: AsRef<[S]>>(&self, buffer: B) -> Result<Scene<'a, B>, Error> {
+        Error::check(What::Scene, self.scene_len(), buffer.as_ref().len())?;
         Ok(Scene { lengths: self.parts.lengths, buffer })
     }
 
@@ -112,7 +123,7 @@ impl<'a, S: Scalar> Basis<'a, S> {
             let (of_profile, rest) =
                 terms.split_at_checked(self.parts.length(azimuth)).unwrap_or((terms, &[]));
             terms = rest;
-            let around = weight(place.plus) * cosine - weight(place.minus) * sine;
+            let around = weight(place.plus()) * cosine - weight(place.minus()) * sine;
             sum += polynomial::value(of_profile, t) * around;
         }
         Ok(sum)
@@ -139,7 +150,38 @@ pub(crate) fn turned<S: Scalar>(cosine: S, sine: S, x: S, y: S) -> (S, S) {
     ((cosine * x).add_product(-sine, y), (cosine * y).add_product(sine, x))
 }
 
-impl<B> Scene<'_, B> {
+impl<'a, B> Scene<'a, B> {
+    /// The scene of polynomials of these lengths.
+    #[inline]
+    pub(crate) fn of(lengths: &'a [u16], buffer: B) -> Self {
+        Self { lengths, buffer }
+    }
+
+    /// Number of terms for each |m|.
+    #[inline]
+    pub(crate) fn lengths(&self) -> &[u16] {
+        self.lengths
+    }
+
+    /// The terms of all polynomials, to be written for polynomials of these lengths.
+    #[inline]
+    pub(crate) fn rewritten<S: Scalar>(&mut self, lengths: &'a [u16]) -> &mut [S]
+    where
+        B: AsMut<[S]>,
+    {
+        self.lengths = lengths;
+        self.buffer.as_mut()
+    }
+
+    /// The terms of all polynomials.
+    #[inline]
+    pub(crate) fn numbers<S: Scalar>(&self) -> &[S]
+    where
+        B: AsRef<[S]>,
+    {
+        self.buffer.as_ref()
+    }
+
     /// The polynomials azimuth by azimuth: of +m, and of -m (none for m = 0).
     #[inline]
     pub(crate) fn azimuths<S: Scalar>(&self) -> impl Iterator<Item = (&[S], &[S])>

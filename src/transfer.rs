@@ -85,7 +85,8 @@ impl<S: Scalar> Basis<'_, S> {
         Error::check(What::Transfer, self.transfer_len(), transfer.len())?;
         // Lanes with |m| > l stay zero.
         transfer.fill(S::ZERO);
-        let width = layout::row(self.order()) / LANES;
+        // Not 0, which a compiler may not see: chunks of 0 would panic.
+        let width = (layout::row(self.order()) / LANES).max(1);
         let Workspace { scattering, sums, .. } = self.divide(workspace);
         let mut scattered = None;
         for (places, factors) in self.rows() {

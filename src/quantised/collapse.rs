@@ -1,8 +1,9 @@
 //! One image in integers, its components summed azimuth by azimuth:
 //! I(n) = Σ_m Re/Im (n_x + i n_y)^m H_m(n_z).
 
-use super::Basis;
+#[cfg(doc)]
 use super::fold::common_exponent;
+use super::{Basis, Profile};
 use crate::error::{Error, What};
 use crate::format::{Fixed, Wide as _};
 use crate::projection::zeros;
@@ -16,7 +17,7 @@ const UNIT: u32 = 16;
 
 /// One image: for each azimuth |m| the polynomials of +m and -m in `buffer`, all times
 /// 2^exponent.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Scene<'a, Q, B> {
     pub(crate) lengths: &'a [u8],
@@ -29,12 +30,14 @@ impl<'a, Q: Fixed> Basis<'a, Q> {
     /// Sums the components of each azimuth.
     ///
     /// `N` is at least [`scene_len`](Self::scene_len). `mantissas` and `exponent` are
-    /// those of the first components; those that are missing count as zero.
+    /// those of the first components; those that are missing count as zero. They may be
+    /// any: but the scene's resolution is what 2^16 of them are.
     ///
     /// # Errors
     ///
     /// [`Error::Length`] if there are more coefficients than components,
-    /// [`Error::Capacity`] if `N` is too small.
+    /// [`Error::Exponent`] if |exponent| is above 2^16, which that of no light on a
+    /// material is, [`Error::Capacity`] if `N` is too small.
     pub fn collapse<const N: usize>(
         &self,
         mantissas: &[i32],
@@ -50,7 +53,7 @@ impl<'a, Q: Fixed> Basis<'a, Q> {
     /// # Errors
     ///
     /// [`Error::Length`] if there are more coefficients than components, or the buffer
-    /// has another length.
+    /// has another length; [`Error::Exponent`] as there.
     pub fn collapse_into<B: AsMut<[i32]>>(
         &self,
         mantissas: &[i32],
@@ -63,13 +66,13 @@ impl<'a, Q: Fixed> Basis<'a, Q> {
             let (expected, found) = (self.components(), mantissas.len());
             return Err(Error::Length { what: What::Coefficients, expected, found });
         }
+        if exponent.unsigned_abs() > 1 << 16 {
+            return Err(Error::Exponent);
+        }
         sums.fill(0);
         let weight = |index: u16| mantissas.get(usize::from(index)).copied().unwrap_or(0);
-        let weights = self.parts.profiles.iter().flat_map(|profile| {
-            [profile.plus, profile.minus].map(|index| (weight(index), i32::from(profile.exponent)))
-        });
         // The weights' sum is bounded, so that of weighed terms is.
-        let common = common_exponent(weights, Q::WEIGHT_BITS, Q::WEIGHT_BITS);
+        let common = self.common_exponent(mantissas);
         let (mut terms, mut rest, mut azimuth) = (self.parts.terms, &mut *sums, 0);
         for profile in self.parts.profiles {
             while azimuth < usize::from(profile.azimuth) {
@@ -86,11 +89,70 @@ impl<'a, Q: Fixed> Basis<'a, Q> {
             let of_minus = -weight(profile.minus).shifted(by);
             add(of_minus, of_profile, rest.get_mut(length..).unwrap_or_default());
         }
-        let exponent_of_d = exponent;
-        let exponent = exponent + common + Q::WEIGHT_SHIFT.cast_signed();
-        let to = exponent_of_d + self.size(mantissas) - Q::TERM_BITS.cast_signed();
-        self.round(exponent - to, sums);
+        let to = self.finish(mantissas, exponent, common, sums);
         Ok(Scene { lengths: self.parts.lengths, exponent: to, buffer, format: PhantomData })
+    }
+
+    /// The scene of polynomials and an exponent that were collapsed before, from wherever
+    /// they were kept. Others give meaningless irradiances.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] unless there are [`scene_len`](Self::scene_len) of them.
+    pub fn scene<B: AsRef<[i32]>>(
+        &self,
+        exponent: i32,
+        buffer: B,
+    ) -> Result<Scene<'a, Q, B>, Error> {
+        Error::check(What::Scene, self.scene_len(), buffer.as_ref().len())?;
+        Ok(Scene { lengths: self.parts.lengths, exponent, buffer, format: PhantomData })
+    }
+
+    /// Scales the sums of weighed terms; gives their exponent.
+    pub(crate) fn finish(
+        &self,
+        mantissas: &[i32],
+        exponent: i32,
+        common: i32,
+        sums: &mut [i32],
+    ) -> i32 {
+        let to = exponent + self.size(mantissas) - Q::TERM_BITS.cast_signed();
+        self.round(exponent + common + Q::WEIGHT_SHIFT.cast_signed() - to, sums);
+        to
+    }
+
+    /// [`common_exponent`] of the weights d, each times its profile's exponent, of the
+    /// components of +m and -m together: one count of bits for both.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn common_exponent(&self, mantissas: &[i32]) -> i32 {
+        let mut top = i32::MIN;
+        let pair = |profile: &Profile| {
+            [profile.plus, profile.minus]
+                .map(|index| mantissas.get(usize::from(index)).copied().unwrap_or(0))
+        };
+        for profile in self.parts.profiles {
+            let [plus, minus] = pair(profile);
+            let either = plus.unsigned_abs() | minus.unsigned_abs();
+            if either != 0 {
+                let bits = u32::BITS - either.leading_zeros();
+                top = top.max(bits.cast_signed() + i32::from(profile.exponent));
+            }
+        }
+        if top == i32::MIN {
+            return 0;
+        }
+        let count = 2 * self.parts.profiles.len() as i32;
+        let base = top - (i32::SIZE.cast_signed() - count.bits().cast_signed() - 2);
+        let mut sum = 0;
+        for profile in self.parts.profiles {
+            let by = i32::from(profile.exponent) - base;
+            let [plus, minus] = pair(profile);
+            sum += plus.shifted(by).abs() + minus.shifted(by).abs();
+        }
+        sum += sum.shifted(-8);
+        let bits = Q::WEIGHT_BITS.cast_signed();
+        (base + sum.bits().cast_signed() - bits).max(top - bits)
     }
 
     /// The least n of: neither a step of a pixel's polynomials nor an irradiance goes
@@ -104,14 +166,16 @@ impl<'a, Q: Fixed> Basis<'a, Q> {
             found.map_or(0, |d| (d.unsigned_abs() >> UNIT) + u32::from(*d != 0))
         };
         let (mut image, mut largest) = (0_u64, 0_u64);
-        for profiles in self.parts.profiles.chunk_by(|a, b| a.azimuth == b.azimuth) {
-            let (mut of_plus, mut of_minus) = (0_u64, 0_u64);
-            for profile in profiles {
-                let [plus, minus] = [size(profile.plus), size(profile.minus)];
-                of_plus += u64::from(plus * u32::from(profile.step));
-                of_minus += u64::from(minus * u32::from(profile.step));
-                image += u64::from((plus + minus) * u32::from(profile.size));
+        let (mut azimuth, mut of_plus, mut of_minus) = (0, 0_u64, 0_u64);
+        for profile in self.parts.profiles {
+            if profile.azimuth != azimuth {
+                (azimuth, of_plus, of_minus) = (profile.azimuth, 0, 0);
             }
+            let [plus, minus] = [size(profile.plus), size(profile.minus)];
+            let times = |size: u32, of_profile: u16| u64::from(size * u32::from(of_profile));
+            of_plus += times(plus, profile.step);
+            of_minus += times(minus, profile.step);
+            image += times(plus, profile.size) + times(minus, profile.size);
             largest = largest.max(of_plus).max(of_minus);
         }
         largest = largest.max(image);

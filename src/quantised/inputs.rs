@@ -16,6 +16,9 @@ pub struct Light<'a, Q> {
 
 /// One channel of an isotropic BRDF: mantissas in the order of
 /// [`index::material`](crate::index::material), those of each o times 2 to its exponent.
+///
+/// What is lost of small coefficients follows the exponents: the largest mantissa of each
+/// o is to have all bits, and where all are zero the exponent is to be the least.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Material<'a, Q> {
@@ -39,6 +42,14 @@ impl<'a, Q> Light<'a, Q> {
             Ok(()) => Ok(Self { degree, exponent, mantissas }),
             Err(error) => Err(error),
         }
+    }
+}
+
+impl<Q> Light<'_, Q> {
+    /// The exponent of all mantissas.
+    #[must_use]
+    pub const fn exponent(&self) -> i32 {
+        self.exponent
     }
 }
 
@@ -124,7 +135,8 @@ fn decoded(number: f32) -> (i32, i32) {
 fn quantise<Q: Fixed>(from: &[f32], to: &mut [Q]) -> i32 {
     let tops = from.iter().map(|&number| decoded(number)).filter(|(size, _)| *size != 0);
     let top = tops.map(|(size, exponent)| size.bits().cast_signed() + exponent).max();
-    let exponent = top.unwrap_or(0).max(-96) - Q::BITS.cast_signed();
+    // Zeros take the least, for an exponent tells what its numbers could be.
+    let exponent = top.unwrap_or(-96).max(-96) - Q::BITS.cast_signed();
     for (to, &number) in to.iter_mut().zip(from) {
         let (size, of_number) = decoded(number);
         *to = Q::narrow(Q::Wide::of(size).shifted(of_number - exponent));

@@ -1,6 +1,10 @@
 //! A pixel with every length known when it is compiled, for the generated modules of
 //! `eigenshade-table`: the steps of [`Scene::shade`](super::Scene::shade), unrolled.
 
+pub mod collapse;
+pub mod fold;
+pub mod relight;
+
 use super::Normal;
 use crate::format::{Fixed, Wide as _};
 
@@ -61,13 +65,14 @@ impl<Q: Fixed> Pixel<Q> {
     }
 }
 
-/// A polynomial's value by Horner's rule, each step rounded down.
+/// A polynomial's value by Horner's rule, each step rounded down. No step of a table's
+/// leaves its bits; those of one that states its sizes too small may wrap.
 #[inline(always)]
 pub(crate) fn value<Q: Fixed>(terms: &[i32], t: i32) -> i32 {
     let Some((&first, rest)) = terms.split_first() else { return 0 };
     let mut sum = first;
     for &term in rest {
-        sum = Q::argument_times(sum, t) + term;
+        sum = Q::argument_times(sum, t).wrapping_add(term);
     }
     sum
 }

@@ -360,6 +360,49 @@ pub const UNIT_LENGTH: f64 = 1e-12;
 /// |d|² + residual against the energy over an object, relative: modes whose images over the sphere are below
 /// 1e-13 are in no span, and at one normal of the rim they are a thousand times that, and the image dark.
 pub const OBJECT_PARSEVAL: f64 = 1e-9;
+/// d from pixels in mantissas of 15 bits, of the largest: the images of weak components are trimmed to
+/// 1e-5 over their share of the database's rms, some 1e-3 in the weakest.
+pub const ESTIMATE_Q15: f64 = 5e-3;
+/// The same in 31 bits, trimmed to 1e-8.
+pub const ESTIMATE_Q31: f64 = 1e-6;
+/// d and irradiances in f32 against those in f64, of the largest of their array: some forty
+/// roundings of 6e-8 that count, in any order, fused or not.
+pub const GOLDEN_F32: f32 = 2e-6;
+/// d of any light and material, of what its addends could be, all of the largest size and of one
+/// sign: some roundings of 24 bits.
+pub const ANY_D_F32: f64 = 1e-6;
+/// See [`ANY_D_F32`]: light, material, Ĉ, S, factors and T are each rounded to 15 bits of the largest
+/// of their row.
+pub const ANY_D_Q15: f64 = 1e-4;
+/// See [`ANY_D_Q15`], with 31 bits.
+pub const ANY_D_Q31: f64 = 1e-9;
+/// d has 30 bits of its largest component.
+pub const ANY_D_COMMON: f64 = 2e-9;
+/// A pixel of any coefficients in integers, of the range of 17 bits.
+pub const ANY_PIXEL_Q15: f64 = 1e-3;
+/// See [`ANY_PIXEL_Q15`], of 30 bits.
+pub const ANY_PIXEL_Q31: f64 = 1e-6;
+/// A pixel of d in f32, of the sizes of all its terms.
+pub const ANY_PIXEL_F32: f64 = 1e-6;
+/// A pixel of d, of the sizes of all its terms: 17 bits, and what is trimmed of the polynomials.
+pub const ANY_IMAGE_Q15: f64 = 1e-3;
+/// See [`ANY_IMAGE_Q15`].
+pub const ANY_IMAGE_Q31: f64 = 1e-6;
+
+/// d from a wire file in f32, of the largest: 2^-24 times some twenty roundings.
+pub const WIRE_F32: f32 = 1e-6;
+/// d from a wire file in 15 bits, of the largest: a few roundings of 2^-15.
+pub const WIRE_Q15: f32 = 2e-4;
+/// d from a wire file in 31 bits, of the largest: the comparison itself is in f32.
+pub const WIRE_Q31: f32 = 2e-7;
+/// Statics in f32 of a table that another host made, of the largest of their kind: 2^-23,
+/// a rounding the other way.
+pub const STATICS: f32 = 1.2e-7;
+/// Images of forty components in f32 against direct quadrature, of the peak: what the other
+/// components have.
+pub const OWN_TABLE_F32: f64 = 1e-5;
+/// The same in 15 bits: 65 dB and more below the image, at a single normal.
+pub const OWN_TABLE_Q15: f64 = 2e-3;
 
 /// Ways of `shade` to a pixel, all components of a scene of degree 4 and order 3 against the direct sum, rms of
 /// the largest irradiance of all: what each leaves of so smooth images; cubics come down to the rounding of f32.
@@ -375,3 +418,7 @@ pub const WAYS: [(&str, f64); 7] = [
 /// Cubics through 48 knots of images to degree 17, of the first coefficient: those to degree 9 are off by 1e-5 of the
 /// peak.
 pub const SAMPLED_CUBIC: f64 = 1e-2;
+
+/// Rms error of the firmware's full scene over the rms peak: what its components and terms are
+/// chosen for.
+pub const FULL_SCENE: f64 = 1e-4;

@@ -25,13 +25,21 @@ pub mod parts;
 
 pub mod passes;
 
+pub mod trim;
+
 pub mod quantise;
 
 mod rust_kernels;
 
+mod rust_scene;
+
 pub mod rust_quantised;
 
 pub mod rust_source;
+
+pub mod statics;
+
+pub mod wire;
 
 mod version_2;
 

@@ -1,7 +1,7 @@
 //! Projection and relighting of one table as Rust source: calls of the kernels in
 //! `eigenshade::fixed`, every size and place a constant.
 
-use crate::parts::{NONE, Parts};
+use crate::parts::{NONE, Parts, ProfilePlace, Row};
 use eigenshade_index::{layout, light, material, pair};
 use std::fmt::Write;
 
@@ -35,11 +35,36 @@ pub fn relight(
     transfer: &Transfer,
     {LIGHT},
 ) -> Result<Coefficients, eigenshade::Error> {{
-{}    BASIS.relight(transfer, light)
+{}    let mut coefficients = eigenshade::fixed::blank_coefficients();
+    relight_into(transfer, light, &mut coefficients)?;
+    Ok(coefficients)
+}}
+/// [`relight`] in the place of other coefficients: nothing is moved.
+///
+/// # Errors
+///
+/// As there; what the coefficients are then is not said.
+pub fn relight_into(
+    transfer: &Transfer,
+    {LIGHT},
+    coefficients: &mut Coefficients,
+) -> Result<(), eigenshade::Error> {{
+{}    relight_generally(transfer, light, coefficients)
+}}
+#[cold]
+#[inline(never)]
+fn relight_generally(
+    transfer: &Transfer,
+    {LIGHT},
+    coefficients: &mut Coefficients,
+) -> Result<(), eigenshade::Error> {{
+    *coefficients = BASIS.relight(transfer, light)?;
+    Ok(())
 }}
 ",
         body(project(parts)),
-        body(relight(parts)),
+        body(by_passes(parts)),
+        body(by_orders(parts)),
     )
 }
 
@@ -112,14 +137,17 @@ fn project(parts: &Parts) -> String {
         }
     }
     finish(&mut text, &components);
+    put(&mut text, format_args!("    }}"));
     text
 }
 
-/// One call a pass.
-fn relight(parts: &Parts) -> String {
+/// One call a pass, where numbers are taken in groups.
+fn by_passes(parts: &Parts) -> String {
     let count = light::count(parts.degree);
     let mut text = format!(
-        "    if let Some(light) = eigenshade::fixed::light::<f32, {count}>(light) {{
+        "    if let (true, Some(light)) =
+        (eigenshade::fixed::GROUPS, eigenshade::fixed::light::<f32, {count}>(light))
+    {{
         let transfer = transfer.as_slice();
 "
     );
@@ -146,6 +174,54 @@ fn relight(parts: &Parts) -> String {
         start += layout::LANES * profiles * degrees;
     }
     finish(&mut text, &components);
+    put(&mut text, format_args!("    }}"));
+    text
+}
+
+/// One call for each order and pass, elsewhere.
+fn by_orders(parts: &Parts) -> String {
+    let count = light::count(parts.degree);
+    let mut text = format!(
+        "    if let (Some(transfer), Some(light), Some(coefficients)) = (
+        eigenshade::fixed::transfer::<f32, TRANSFER>(transfer),
+        eigenshade::fixed::light::<f32, {count}>(light),
+        eigenshade::fixed::coefficients_mut(coefficients),
+    ) {{
+"
+    );
+    for profiles in parts.profiles.chunk_by(|a, b| a.azimuth == b.azimuth) {
+        let azimuth = usize::from(profiles[0].azimuth);
+        let degrees = parts.degree + 1 - azimuth;
+        let signs = if azimuth == 0 { &[1][..] } else { &[1, -1] };
+        for sign in signs {
+            let served = |place: &ProfilePlace| match sign {
+                1 => (place.plus, place.plus_row),
+                _ => (place.minus, place.minus_row),
+            };
+            let served: Vec<_> = profiles.iter().map(served).collect();
+            // Rows of one pass stand side by side.
+            for rows in served.chunk_by(|(_, a), (_, b)| {
+                b.step == a.step && b.start == a.start + layout::LANES as u32
+            }) {
+                let (order, Row { start, step }) = (sign * azimuth.cast_signed(), rows[0].1);
+                let components: Vec<String> = rows.iter().map(|(one, _)| one.to_string()).collect();
+                put(
+                    &mut text,
+                    format_args!(
+                        "        eigenshade::fixed::order::<f32, {order}, {start}, {step}, {}, {degrees}, TRANSFER, {count}, COMPONENTS>(transfer, light, &[{}], coefficients);",
+                        rows.len(),
+                        components.join(", ")
+                    ),
+                );
+            }
+        }
+    }
+    text.push_str(
+        "        eigenshade::fixed::subtract(coefficients, &MEAN_COEFFICIENTS);
+        return Ok(());
+    }
+",
+    );
     text
 }
 
@@ -155,11 +231,11 @@ fn finish(text: &mut String, components: &[String]) {
     put(
         text,
         format_args!(
-            "        return Ok(eigenshade::fixed::coefficients(coefficients, &MEAN_COEFFICIENTS));\n    }}"
+            "        return Ok(eigenshade::fixed::coefficients(coefficients, &MEAN_COEFFICIENTS));"
         ),
     );
 }
 
-fn put(text: &mut String, line: std::fmt::Arguments<'_>) {
+pub(crate) fn put(text: &mut String, line: std::fmt::Arguments<'_>) {
     writeln!(text, "{line}").expect("a string takes everything");
 }

@@ -2,7 +2,7 @@
 //! are checked when they are compiled, and functions with every size a constant.
 
 use crate::quantise::{Format, Place, QuantisedParts};
-use eigenshade_index::pair;
+use eigenshade_index::{material, pair};
 use std::fmt::Write;
 
 /// The module's text. `command` is what made it, for the first line.
@@ -40,11 +40,15 @@ pub fn module(parts: &QuantisedParts, command: &str) -> String {
     array(&mut text, "PLACES", "eigenshade::quantised::Profile", &profiles);
     put(&mut text, format_args!("{}", basis(format)));
     text.push_str(&types(format));
+    text.push_str(&fold(parts, format));
+    text.push_str(&relight(parts, format));
+    text.push_str(&collapse(parts, format));
     text.push_str(&shade(parts, format));
     text
 }
 
-/// The statics of a material folded into such a table, as `transfer` gives it.
+/// The statics of a material folded into such a table, as `transfer` gives it, to stand
+/// where its `BASIS` is in scope. Its bounds are checked when it is compiled.
 #[must_use]
 pub fn transfer(format: Format, mantissas: &[i32], exponents: &[i16]) -> String {
     let format = name(format);
@@ -54,9 +58,12 @@ pub fn transfer(format: Format, mantissas: &[i32], exponents: &[i16]) -> String 
     put(
         &mut text,
         format_args!(
-            "/// The folded material.\npub static MATERIAL: eigenshade::quantised::Transfer<'static, \
-             eigenshade::{format}> =\n    eigenshade::quantised::Transfer::new(&FOLDED, \
-             &FOLDED_EXPONENTS);"
+            "/// The folded material.
+pub static MATERIAL: eigenshade::quantised::Transfer<'static, eigenshade::{format}> =
+    match BASIS.transfer(&FOLDED, &FOLDED_EXPONENTS) {{
+        Ok(transfer) => transfer,
+        Err(_) => panic!(\"the transfer is not of this basis\"),
+    }};"
         ),
     );
     text
@@ -91,7 +98,7 @@ fn numbers(text: &mut String, name: &str, format: &str, values: &[i32]) {
     put(
         text,
         format_args!(
-            "static {name}: [eigenshade::{format}; {}] = {{ const fn q(mantissa: {inner}) -> \
+            "static {name}: [eigenshade::{format}; {}] = {{ #[allow(dead_code, reason = \"some arrays are empty\")] const fn q(mantissa: {inner}) -> \
              eigenshade::{format} {{ eigenshade::{format}(mantissa) }} [{}] }};",
             values.len(),
             values.join(", ")
@@ -134,7 +141,29 @@ pub type Coefficients = eigenshade::quantised::Coefficients<COMPONENTS>;
 pub type Transfer = eigenshade::quantised::TransferBuffer<eigenshade::{format}, TRANSFER, PROFILES>;
 /// One image, ready to be shaded.
 pub type Scene = eigenshade::quantised::Scene<'static, eigenshade::{format}, eigenshade::quantised::SceneBuffer<SCENE>>;
-/// Folds a material into the basis: see [`eigenshade::quantised::Basis::fold`].
+"
+    )
+}
+
+/// The profiles of each azimuth, and where they start among all.
+fn azimuths(parts: &QuantisedParts) -> impl Iterator<Item = (usize, &[Place])> {
+    let mut first = 0;
+    parts.profiles.chunk_by(|a, b| a.azimuth == b.azimuth).map(move |block| {
+        first += block.len();
+        (first - block.len(), block)
+    })
+}
+
+/// A new material, one call for its scattering and one for each azimuth.
+fn fold(parts: &QuantisedParts, format: &str) -> String {
+    let pairs = pair::count(parts.order);
+    let (degrees, orders, modes) =
+        (parts.degree + 1, parts.order + 1, material::count(parts.order));
+    let (polar, rows) = (parts.polar.len(), parts.factor_exponents.len());
+    let scatter = if polar > 0 { scatter(parts, format) } else { String::new() };
+    let mut text = scatter
+        + &format!(
+            "/// Folds a material into the basis: see [`eigenshade::quantised::Basis::fold`].
 ///
 /// # Errors
 ///
@@ -142,8 +171,109 @@ pub type Scene = eigenshade::quantised::Scene<'static, eigenshade::{format}, eig
 pub fn fold(
     material: &eigenshade::quantised::Material<'_, eigenshade::{format}>,
 ) -> Result<Transfer, eigenshade::Error> {{
-    BASIS.fold::<WORKSPACE, TRANSFER, PROFILES>(material)
+    let mut transfer = Transfer::default();
+    fold_into(material, &mut transfer)?;
+    Ok(transfer)
 }}
+/// [`fold`] in the place of another transfer: nothing is moved.
+///
+/// # Errors
+///
+/// As there; what the transfer is then is not said.
+pub fn fold_into(
+    material: &eigenshade::quantised::Material<'_, eigenshade::{format}>,
+    transfer: &mut Transfer,
+) -> Result<(), eigenshade::Error> {{
+"
+        );
+    if polar > 0 {
+        text.push_str(&format!(
+            "    use eigenshade::quantised::kernels::fold as kernels;
+    if let (Some(inputs), Some((numbers, exponents))) =
+        (kernels::inputs::<_, {modes}, {orders}>(material), kernels::numbers(transfer))
+    {{
+        let (mut sums, mut of_sums) = ([[0; {pairs}]; {degrees}], [0; {degrees}]);
+        let b = kernels::coefficients::<_, {modes}, {orders}>(inputs.0);
+        for (l, (sums, exponent)) in sums.iter_mut().zip(&mut of_sums).enumerate() {{
+            let degree = kernels::Degree::new(l, &POLAR, &POLAR_EXPONENTS, inputs.1);
+            let Some(degree) = degree else {{ continue }};
+            scatter(&degree, &b, sums);
+            *exponent = degree.normalise(sums);
+        }}
+"
+        ));
+        let (mut row, mut start) = (0, 0);
+        for (first, block) in azimuths(parts) {
+            let (azimuth, profiles) = (usize::from(block[0].azimuth), block.len());
+            let length = degrees - azimuth;
+            put(
+                &mut text,
+                format_args!(
+                    "        kernels::azimuth::<eigenshade::{format}, {azimuth}, {profiles}, {length}, {row}, {start}, {first}, {pairs}, {degrees}, {}, {rows}, TRANSFER, PROFILES>(&FACTORS, &FACTOR_EXPONENTS, &sums, &of_sums, (&mut *numbers, &mut *exponents));",
+                    parts.factors.len()
+                ),
+            );
+            row += profiles * length;
+            start += profiles * length;
+        }
+        text.push_str("        return Ok(());\n    }\n");
+    }
+    put(
+        &mut text,
+        format_args!(
+            "    fold_generally(material, transfer)
+}}
+#[cold]
+#[inline(never)]
+fn fold_generally(
+    material: &eigenshade::quantised::Material<'_, eigenshade::{format}>,
+    transfer: &mut Transfer,
+) -> Result<(), eigenshade::Error> {{
+    *transfer = BASIS.fold::<WORKSPACE, TRANSFER, PROFILES>(material)?;
+    Ok(())
+}}"
+        ),
+    );
+    text
+}
+
+/// The sums S of one degree, one line for each pair (p, q): over all o.
+fn scatter(parts: &QuantisedParts, format: &str) -> String {
+    let (pairs, modes) = (pair::count(parts.order), material::count(parts.order));
+    let wide = if format == "Q15" { "i32" } else { "i64" };
+    let mut text = format!(
+        "#[inline(never)]
+fn scatter(
+    degree: &eigenshade::quantised::kernels::fold::Degree<eigenshade::{format}, {pairs}, {}>,
+    b: &[{wide}; {modes}],
+    sums: &mut [{wide}; {pairs}],
+) {{
+",
+        parts.order + 1
+    );
+    for (to, (p, q)) in pair::indices(parts.order).enumerate() {
+        put(&mut text, format_args!("    let sum = 0;"));
+        for o in (q..=parts.order).step_by(2) {
+            let (from, mode) = (pair::position(o, q), material::position(o.max(p), o.min(p), q));
+            let of = o.max(p);
+            put(
+                &mut text,
+                format_args!("    let sum = degree.add::<{from}, {mode}, {of}, {modes}>(sum, b);"),
+            );
+        }
+        put(&mut text, format_args!("    if let Some(to) = sums.get_mut({to}) {{ *to = sum; }}"));
+    }
+    text.push_str("}\n");
+    text
+}
+
+/// A new light, one call for each azimuth.
+fn relight(parts: &QuantisedParts, format: &str) -> String {
+    let pair = |place: &Place| format!("[{}, {}]", place.plus, place.minus);
+    let pairs: Vec<String> = parts.profiles.iter().map(pair).collect();
+    let count = (parts.degree + 1) * (parts.degree + 1);
+    let mut text = format!(
+        "static PAIRS: [[u16; 2]; PROFILES] = [{}];
 /// A new light on a folded material: see [`eigenshade::quantised::Basis::relight`].
 ///
 /// # Errors
@@ -153,18 +283,127 @@ pub fn relight(
     transfer: &eigenshade::quantised::Transfer<'_, eigenshade::{format}>,
     light: &eigenshade::quantised::Light<'_, eigenshade::{format}>,
 ) -> Result<Coefficients, eigenshade::Error> {{
-    BASIS.relight::<COMPONENTS>(transfer, light)
+    let mut coefficients = Coefficients::default();
+    relight_into(transfer, light, &mut coefficients)?;
+    Ok(coefficients)
 }}
-/// Sums the components of each azimuth: see [`eigenshade::quantised::Basis::collapse`].
+/// [`relight`] in the place of other coefficients: nothing is moved.
+///
+/// # Errors
+///
+/// As there; what the coefficients are then is not said.
+pub fn relight_into(
+    transfer: &eigenshade::quantised::Transfer<'_, eigenshade::{format}>,
+    light: &eigenshade::quantised::Light<'_, eigenshade::{format}>,
+    coefficients: &mut Coefficients,
+) -> Result<(), eigenshade::Error> {{
+    use eigenshade::quantised::kernels::relight as kernels;
+    if let (Some(inputs), Some(d)) =
+        (kernels::inputs::<_, TRANSFER, PROFILES, {count}>(transfer, light), kernels::mantissas(coefficients))
+    {{
+        let top = kernels::NONE;
+",
+        pairs.join(", ")
+    );
+    let mut start = 0;
+    for (first, block) in azimuths(parts) {
+        let (azimuth, profiles) = (usize::from(block[0].azimuth), block.len());
+        let degrees = parts.degree + 1 - azimuth;
+        let of_block: Vec<String> = block.iter().map(pair).collect();
+        put(
+            &mut text,
+            format_args!(
+                "        let top = kernels::azimuth::<_, {azimuth}, {start}, {first}, {profiles}, {degrees}, TRANSFER, PROFILES, {count}, COMPONENTS>(inputs, &[{}], d, top);",
+                of_block.join(", ")
+            ),
+        );
+        start += profiles * degrees;
+    }
+    put(
+        &mut text,
+        format_args!(
+            "        kernels::align::<eigenshade::{format}, PROFILES, COMPONENTS>(inputs.1, &PAIRS, top, light.exponent(), coefficients);
+        return Ok(());
+    }}
+    relight_generally(transfer, light, coefficients)
+}}
+#[cold]
+#[inline(never)]
+fn relight_generally(
+    transfer: &eigenshade::quantised::Transfer<'_, eigenshade::{format}>,
+    light: &eigenshade::quantised::Light<'_, eigenshade::{format}>,
+    coefficients: &mut Coefficients,
+) -> Result<(), eigenshade::Error> {{
+    *coefficients = BASIS.relight::<COMPONENTS>(transfer, light)?;
+    Ok(())
+}}"
+        ),
+    );
+    text
+}
+
+/// A scene, one call for each azimuth.
+fn collapse(parts: &QuantisedParts, format: &str) -> String {
+    let mut text = String::from(
+        "/// Sums the components of each azimuth: see [`eigenshade::quantised::Basis::collapse`].
 ///
 /// # Errors
 ///
 /// As there, but capacities cannot be too small.
-pub fn collapse(coefficients: &Coefficients) -> Result<Scene, eigenshade::Error> {{
-    BASIS.collapse::<SCENE>(coefficients.mantissas(), coefficients.exponent())
-}}
-"
-    )
+pub fn collapse(coefficients: &Coefficients) -> Result<Scene, eigenshade::Error> {
+    let mut scene = Scene::default();
+    collapse_into(coefficients, &mut scene)?;
+    Ok(scene)
+}
+/// [`collapse`] in the place of another scene: nothing is moved.
+///
+/// # Errors
+///
+/// As there; what the scene is then is not said.
+pub fn collapse_into(
+    coefficients: &Coefficients,
+    scene: &mut Scene,
+) -> Result<(), eigenshade::Error> {
+    use eigenshade::quantised::kernels::collapse as kernels;
+    if let (Some(d), Some(terms)) = (kernels::mantissas(coefficients), kernels::terms(&BASIS, scene)) {
+        let common = BASIS.common_exponent(d);
+",
+    );
+    let total = parts.terms.len();
+    let (mut start, mut to, mut azimuth) = (0, 0, 0);
+    for (first, block) in azimuths(parts) {
+        while azimuth < usize::from(block[0].azimuth) {
+            to += usize::from(parts.lengths[azimuth]) * if azimuth == 0 { 1 } else { 2 };
+            azimuth += 1;
+        }
+        let (profiles, length) = (block.len(), usize::from(parts.lengths[azimuth]));
+        let signs = if azimuth == 0 { 1 } else { 2 };
+        put(
+            &mut text,
+            format_args!(
+                "        kernels::azimuth::<eigenshade::{format}, {first}, {start}, {to}, {profiles}, {signs}, {length}, {total}, PROFILES, COMPONENTS, SCENE>(&TERMS, &PLACES, common, d, terms);"
+            ),
+        );
+        start += profiles * length;
+    }
+    text.push_str(
+        "        kernels::finish(&BASIS, coefficients, common, scene);
+        return Ok(());
+    }
+    collapse_generally(coefficients, scene)
+}
+#[cold]
+#[inline(never)]
+fn collapse_generally(
+    coefficients: &Coefficients,
+    scene: &mut Scene,
+) -> Result<(), eigenshade::Error> {
+    *scene = BASIS.collapse::<SCENE>(coefficients.mantissas(), coefficients.exponent())?;
+    Ok(())
+}
+",
+    );
+    text
 }
 
 /// The pixel, unrolled.

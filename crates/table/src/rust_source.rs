@@ -3,8 +3,8 @@
 use crate::general::General;
 use crate::parts::{NONE, Parts, ProfilePlace, Row};
 use crate::passes::Pass;
-use crate::rust_kernels;
 use crate::table::Table;
+use crate::{rust_kernels, rust_scene};
 use eigenshade_index::layout;
 use std::fmt::Write;
 
@@ -59,6 +59,8 @@ pub fn module(table: &Table, command: &str) -> String {
             basis(&mut text, "BASIS", "The basis", parts.components);
             text.push_str(SPHERE);
             text.push_str(&rust_kernels::functions(&parts));
+            text.push_str(&rust_scene::collapse(&parts));
+            text.push_str(&rust_scene::shade(&parts));
         }
         Some(general) => {
             basis(&mut text, "SPAN", "The span of the basis", parts.components);
@@ -67,6 +69,7 @@ pub fn module(table: &Table, command: &str) -> String {
                 array(&mut text, name, "f32", values);
             }
             text.push_str(GENERAL);
+            text.push_str(&rust_scene::shade(&parts));
         }
     }
     text
@@ -84,11 +87,11 @@ fn floats(parts: &Parts) -> [(&'static str, &[f64]); 5] {
 }
 
 /// Bytes of all statics: f32 and u16 arrays, bools, 4 bytes a pass or a
-/// coupling, 28 a profile.
+/// coupling, 24 a profile.
 fn bytes(parts: &Parts) -> usize {
     let floats: usize = floats(parts).iter().map(|(_, values)| values.len()).sum();
     let shorts = parts.lengths.len() + parts.slots.len();
-    let records = 4 * parts.passes.len() + 4 * parts.couplings.len() + 28 * parts.profiles.len();
+    let records = 4 * parts.passes.len() + 4 * parts.couplings.len() + 24 * parts.profiles.len();
     4 * floats + 2 * shorts + parts.selection.len() + records
 }
 
@@ -219,14 +222,6 @@ const SPHERE: &str = "/// Folds a material into the basis: see [`eigenshade::Bas
 /// As there, but capacities cannot be too small.
 pub fn transfer(material: &eigenshade::Material<'_, f32>) -> Result<Transfer, eigenshade::Error> {
     BASIS.transfer::<WORKSPACE, TRANSFER>(material)
-}
-/// Sums the components of each azimuth: see [`eigenshade::Basis::collapse`].
-///
-/// # Errors
-///
-/// As there, but capacities cannot be too small.
-pub fn collapse(coefficients: &Coefficients) -> Result<Scene, eigenshade::Error> {
-    BASIS.collapse::<SCENE>(coefficients)
 }
 ";
 

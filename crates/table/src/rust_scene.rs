@@ -1,0 +1,119 @@
+//! Collapsing and shading of one table as Rust source: calls of the kernels in
+//! `eigenshade::fixed`, every size and place a constant.
+
+use crate::parts::Parts;
+use crate::rust_kernels::put;
+
+/// The functions `collapse` and `collapse_into` of a sphere's module.
+pub(crate) fn collapse(parts: &Parts) -> String {
+    // A mean image is one summand more; the general way takes it.
+    let sums = if parts.mean.is_empty() { sums(parts) } else { String::new() };
+    format!(
+        "/// Sums the components of each azimuth: see [`eigenshade::Basis::collapse`].
+///
+/// # Errors
+///
+/// As there, but capacities cannot be too small.
+pub fn collapse(coefficients: &Coefficients) -> Result<Scene, eigenshade::Error> {{
+    let mut scene = eigenshade::fixed::blank_scene(&LENGTHS);
+    collapse_into(coefficients, &mut scene)?;
+    Ok(scene)
+}}
+/// [`collapse`] in the place of another scene: nothing is moved.
+///
+/// # Errors
+///
+/// As there; the scene then stays as it is.
+pub fn collapse_into(
+    coefficients: &Coefficients,
+    scene: &mut Scene,
+) -> Result<(), eigenshade::Error> {{
+{sums}    collapse_generally(coefficients, scene)
+}}
+#[cold]
+#[inline(never)]
+fn collapse_generally(
+    coefficients: &Coefficients,
+    scene: &mut Scene,
+) -> Result<(), eigenshade::Error> {{
+    *scene = BASIS.collapse::<SCENE>(coefficients)?;
+    Ok(())
+}}
+"
+    )
+}
+
+/// One call for each azimuth.
+fn sums(parts: &Parts) -> String {
+    let (components, terms) = (parts.components, parts.terms.len());
+    let mut text = String::from(
+        "    if let (Ok(d), Some(numbers)) =
+        (coefficients.as_slice().try_into(), eigenshade::fixed::scene_mut(scene, &LENGTHS))
+    {
+",
+    );
+    let (mut start, mut to, mut azimuth) = (0, 0, 0);
+    for profiles in parts.profiles.chunk_by(|a, b| a.azimuth == b.azimuth) {
+        while azimuth < usize::from(profiles[0].azimuth) {
+            to += usize::from(parts.lengths[azimuth]) * if azimuth == 0 { 1 } else { 2 };
+            azimuth += 1;
+        }
+        let (count, length) = (profiles.len(), parts.lengths[azimuth]);
+        let of_profile = profiles.iter().map(|place| match azimuth {
+            0 => format!("[{}]", place.plus),
+            _ => format!("[{}, {}]", place.plus, place.minus),
+        });
+        let signs = if azimuth == 0 { 1 } else { 2 };
+        let of_profiles: Vec<String> = of_profile.collect();
+        put(
+            &mut text,
+            format_args!(
+                "        eigenshade::fixed::collapse::<f32, {start}, {to}, {count}, {signs}, {length}, {terms}, {components}, SCENE>(&TERMS, &[{}], d, numbers);",
+                of_profiles.join(", ")
+            ),
+        );
+        start += count * usize::from(length);
+    }
+    text.push_str("        return Ok(());\n    }\n");
+    text
+}
+
+/// The function `shade`, which serves the scenes of any table.
+pub(crate) fn shade(parts: &Parts) -> String {
+    let mut text = String::from(
+        "/// The irradiance of one normal: see [`eigenshade::Scene::shade`].
+#[inline]
+#[must_use]
+pub fn shade(scene: &Scene, normal: eigenshade::Normal<f32>) -> f32 {
+    let Some(terms) = eigenshade::fixed::scene::<f32, _, SCENE>(scene, &LENGTHS) else {
+        return eigenshade::fixed::shade(scene, normal);
+    };
+",
+    );
+    let lengths: Vec<usize> = parts.lengths.iter().map(|&length| length.into()).collect();
+    let (first, others) =
+        lengths.split_first().map_or((0, &[][..]), |(&first, rest)| (first, rest));
+    let mut start = first + 2 * others.iter().sum::<usize>();
+    let mut kernel = "highest";
+    // Azimuths above the highest that any profile has need nothing.
+    for &length in others.iter().rev().skip_while(|&&length| length == 0) {
+        start -= 2 * length;
+        let shape = format!("{start}, {length}, SCENE");
+        let above = if kernel == "highest" { "" } else { ", sum" };
+        put(
+            &mut text,
+            format_args!(
+                "    let sum = eigenshade::fixed::{kernel}::<f32, {shape}>(terms, normal{above});"
+            ),
+        );
+        kernel = "azimuth";
+    }
+    let above = if kernel == "highest" { "[0.0; 2]" } else { "sum" };
+    put(
+        &mut text,
+        format_args!(
+            "    eigenshade::fixed::pole::<f32, {first}, SCENE>(terms, normal, {above})\n}}"
+        ),
+    );
+    text
+}

@@ -1,0 +1,54 @@
+//! What operations may take at most: `budgets.csv`, in the CSV's own columns, empty where
+//! there is no limit.
+
+use crate::Result;
+use crate::row::{self, Row};
+
+const BUDGETS: &str = "budgets.csv";
+const NAMES: [&str; 4] = ["instructions", "bytes of flash", "bytes of RAM", "bytes of stack"];
+
+/// Checks rows against the budgets of the boards that they are of.
+///
+/// # Errors
+///
+/// A budget that is exceeded, or of an operation that was not measured.
+pub fn within(rows: &[Row]) -> Result<()> {
+    let (_, budgets) = row::read(BUDGETS)?;
+    let faults = over(rows, &budgets);
+    if faults.is_empty() { Ok(()) } else { Err(faults.join("\n")) }
+}
+
+fn over(rows: &[Row], budgets: &[Row]) -> Vec<String> {
+    let measured = |budget: &&Row| rows.iter().any(|row| row.key[0] == budget.key[0]);
+    let mut faults = Vec::new();
+    for budget in budgets.iter().filter(measured) {
+        let name = budget.key.join(",");
+        let Some(row) = rows.iter().find(|row| row.key == budget.key) else {
+            faults.push(format!("{BUDGETS}: nothing was measured of {name}"));
+            continue;
+        };
+        for ((limit, found), what) in budget.numbers.iter().zip(row.numbers).zip(NAMES) {
+            let (Some(limit), found) = (limit, found.unwrap_or(u64::MAX)) else { continue };
+            if found > *limit {
+                faults.push(format!("{name}: {found} {what}, at most {limit} are in {BUDGETS}"));
+            }
+        }
+    }
+    faults
+}
+
+#[cfg(test)]
+mod tests {
+    use super::over;
+
+    #[test]
+    fn budgets_fail_when_exceeded_or_not_measured() {
+        let rows = |text: &str| text.lines().map(|line| line.parse().unwrap()).collect::<Vec<_>>();
+        let budgets = rows("b,shade,q15,100,,50,\nb,fold,q15,9,,,\nother,shade,q15,1,,,");
+        let within = rows("b,shade,q15,100,9999,50,9999\nb,fold,q15,9,1,1,1");
+        assert_eq!(over(&within, &budgets), [""; 0]);
+        let found = over(&rows("b,shade,q15,101,1,51,1"), &budgets);
+        assert_eq!(found.len(), 3, "{found:?}");
+        assert!(found[0].contains("101 instructions") && found[2].contains("nothing was measured"));
+    }
+}

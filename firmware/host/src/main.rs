@@ -1,0 +1,102 @@
+//! Builds the programs of the emulated boards, runs them, checks what was linked, and
+//! counts: see `firmware/README.md`.
+
+mod board;
+mod program;
+
+mod compiler;
+mod emulator;
+mod linked;
+
+mod gate;
+mod gate_test;
+
+mod row;
+mod budget;
+
+use board::Board;
+use program::{Kind, Program};
+use row::Row;
+use std::collections::BTreeMap;
+use std::process::ExitCode;
+
+const USAGE: &str = "usage: firmware/run BOARD... | all [--check] [--update], firmware/run gates, \
+                     firmware/run table
+boards: microbit mps2-an385 mps2-an386 riscv32";
+
+/// What went wrong, and what to do.
+type Result<T> = std::result::Result<T, String>;
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let (options, names): (Vec<&str>, Vec<&str>) =
+        arguments.iter().map(String::as_str).partition(|word| word.starts_with("--"));
+    if names.is_empty() || options.iter().any(|option| !["--check", "--update"].contains(option)) {
+        eprintln!("{USAGE}");
+        return ExitCode::from(2);
+    }
+    let done = match names[..] {
+        ["gates"] => gate_test::run(),
+        ["table"] => row::recorded().map(|(_, rows)| print!("{}", row::markdown(&rows))),
+        ["all"] => boards(&Board::ALL, &options),
+        _ => names
+            .iter()
+            .map(|name| Board::named(name).ok_or(format!("no board {name}\n{USAGE}")))
+            .collect::<Result<Vec<_>>>()
+            .and_then(|chosen| boards(&chosen, &options)),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(fault) => {
+            eprintln!("error: {fault}");
+            ExitCode::from(1)
+        }
+    }
+}
+
+/// Builds, runs, checks; the counts as CSV.
+fn boards(boards: &[Board], options: &[&str]) -> Result<()> {
+    let mut rows = Vec::new();
+    let mut compilers = BTreeMap::new();
+    println!("{}", row::HEADER);
+    for &board in boards {
+        let compiler = compiler::for_target(board.target())?;
+        for row in of_board(board, &compiler)? {
+            println!("{row}");
+            rows.push(row);
+        }
+        compilers.insert(board.name(), compiler.version()?);
+    }
+    budget::within(&rows)?;
+    if options.contains(&"--update") {
+        row::record(&rows, &compilers)?;
+    }
+    if options.contains(&"--check") {
+        row::same_as_recorded(&rows, &compilers)?;
+    }
+    Ok(())
+}
+
+fn of_board(board: Board, compiler: &compiler::Compiler) -> Result<Vec<Row>> {
+    let programs: Vec<Program> = program::of_board(board).collect();
+    for profile in ["fast", "small"] {
+        let of_profile = programs.iter().filter(|program| program.profile() == profile);
+        compiler.build("programs", &of_profile.map(|one| one.binary()).collect::<Vec<_>>(), profile)?;
+    }
+    let path = |program: &Program| compiler.binary(program.profile(), &program.binary());
+    let mut empty = linked::Sizes::default();
+    let mut rows = Vec::new();
+    for program in &programs {
+        let linked = linked::Linked::read(&path(program))?;
+        gate::check(board, &program.binary(), &linked)?;
+        let said = emulator::run(board, &path(program))?;
+        let sizes = linked.sizes();
+        match program.kind {
+            Kind::Nothing => empty = sizes,
+            Kind::Demonstration => eprint!("{}: {}\n{said}", board.name(), program.binary()),
+            Kind::Operation => rows.push(Row::of_operation(board, program, &said, sizes, empty)?),
+            Kind::Whole => rows.push(Row::of_whole(board, program, &said, sizes)?),
+        }
+    }
+    Ok(rows)
+}

@@ -1,0 +1,71 @@
+//! The programs.
+
+use crate::board::Board;
+
+/// What a program is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// All that the measured programs have, but no operation.
+    Nothing,
+    /// One operation, measured.
+    Operation,
+    /// A whole program, whose size has a budget.
+    Whole,
+    /// Shows something, or fails.
+    Demonstration,
+}
+
+/// A program: `OPERATION_FORMAT` in `programs/src/bin`.
+#[derive(Clone, Copy, Debug)]
+pub struct Program {
+    /// What it does.
+    pub operation: &'static str,
+    /// In which number format.
+    pub format: &'static str,
+    /// What it is for.
+    pub kind: Kind,
+    /// How often the operation is done: rows of a matrix of which the program has one.
+    pub times: u64,
+}
+
+impl Program {
+    /// The name of its binary.
+    pub fn binary(&self) -> String {
+        match self.kind {
+            Kind::Nothing => self.operation.into(),
+            _ => format!("{}_{}", self.operation, self.format),
+        }
+    }
+
+    /// The profile that it is built with.
+    pub const fn profile(&self) -> &'static str {
+        match self.kind {
+            Kind::Whole => "small",
+            _ => "fast",
+        }
+    }
+}
+
+/// Operations that exist in all three formats.
+const OPERATIONS: [&str; 6] =
+    ["shade", "shade_lambertian", "relight", "collapse", "relight_collapse", "transfer"];
+
+/// Components K of the shipped table.
+const COMPONENTS: u64 = 50;
+
+/// The programs that run on a board, the empty one first.
+pub fn of_board(board: Board) -> impl Iterator<Item = Program> {
+    let one = |operation, format, kind| Program { operation, format, kind, times: 1 };
+    let mut all = vec![one("empty", "none", Kind::Nothing)];
+    for format in ["f32", "q15", "q31"] {
+        all.push(one("golden", format, Kind::Demonstration));
+        all.push(one("sphere", format, Kind::Demonstration));
+        all.extend(OPERATIONS.map(|operation| one(operation, format, Kind::Operation)));
+    }
+    all.extend(["project", "nine_terms"].map(|name| one(name, "f32", Kind::Operation)));
+    all.push(one("nine_terms", "q15", Kind::Operation));
+    all.push(Program { times: COMPONENTS, ..one("dense_row", "q15", Kind::Operation) });
+    all.push(one("any_material", "q15", Kind::Whole));
+    all.push(one("one_material", "q15", Kind::Whole));
+    all.into_iter().filter(move |program| board.takes_floats() || program.format != "f32")
+}

@@ -1,0 +1,186 @@
+//! Rows of the CSV, and those that were recorded.
+
+use crate::Result;
+use crate::board::Board;
+use crate::linked::Sizes;
+use crate::program::Program;
+use std::collections::BTreeMap;
+use std::fmt;
+use std::str::FromStr;
+
+/// The CSV's first line.
+pub const HEADER: &str = "board,operation,format,instructions,flash_bytes,ram_bytes,stack_bytes";
+
+/// The recorded counts.
+const RECORD: &str = "counts.csv";
+
+/// What an operation takes on a board. Empty places are not measured.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Row {
+    /// Board, operation and format.
+    pub key: [String; 3],
+    /// Instructions, bytes of flash, of RAM, of stack.
+    pub numbers: [Option<u64>; 4],
+}
+
+impl Row {
+    /// Of a measured operation: flash and RAM beyond those of a program without it.
+    pub fn of_operation(
+        board: Board,
+        program: &Program,
+        said: &str,
+        sizes: Sizes,
+        empty: Sizes,
+    ) -> Result<Self> {
+        let numbers = |word: &str, count: usize| numbers(said, word, count);
+        let tick = numbers("tick", 2)?;
+        let half_instructions = board.half_instructions_in_a_tick();
+        let expected = 2 * tick[0] / half_instructions;
+        if tick[1].abs_diff(expected) > 2 {
+            let (found, name) = (tick[1], board.name());
+            return Err(format!("{name}: {expected} ticks expected of its clock, {found} found"));
+        }
+        let count = numbers("count", 3)?;
+        // To the nearest.
+        let doubled = (count[1].saturating_sub(count[2])) * half_instructions * program.times;
+        let instructions = (doubled + count[0]) / (2 * count[0]);
+        let held = said.lines().filter_map(|line| line.strip_prefix("holds "));
+        let held: u64 = held.filter_map(|bytes| bytes.parse::<u64>().ok()).sum();
+        Ok(Self {
+            key: key(board, program),
+            numbers: [
+                Some(instructions),
+                Some(sizes.flash.saturating_sub(empty.flash)),
+                Some(sizes.ram - empty.ram + held),
+                Some(numbers("stack", 1)?[0]),
+            ],
+        })
+    }
+
+    /// Of a whole program: RAM with the stack in it.
+    pub fn of_whole(board: Board, program: &Program, said: &str, sizes: Sizes) -> Result<Self> {
+        let stack = numbers(said, "stack", 1)?[0];
+        let numbers = [None, Some(sizes.flash), Some(sizes.ram + stack), Some(stack)];
+        Ok(Self { key: key(board, program), numbers })
+    }
+}
+
+fn key(board: Board, program: &Program) -> [String; 3] {
+    let operation = match program.times {
+        1 => program.operation.into(),
+        times => format!("{} x {times}", program.operation),
+    };
+    [board.name().into(), operation, program.format.into()]
+}
+
+/// The numbers after a word that starts a line.
+fn numbers(said: &str, word: &str, count: usize) -> Result<Vec<u64>> {
+    let line = said.lines().find_map(|line| line.strip_prefix(word));
+    let numbers: Option<Vec<u64>> =
+        line.map(|line| line.split_whitespace().filter_map(|one| one.parse().ok()).collect());
+    numbers
+        .filter(|numbers| numbers.len() == count)
+        .ok_or(format!("no {count} numbers after `{word}` in what the program said:\n{said}"))
+}
+
+impl fmt::Display for Row {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.key.join(","))?;
+        for number in self.numbers {
+            match number {
+                Some(number) => write!(f, ",{number}")?,
+                None => f.write_str(",")?,
+            }
+        }
+        Ok(())
+    }
+}
+
+impl FromStr for Row {
+    type Err = String;
+
+    fn from_str(line: &str) -> Result<Self> {
+        let fault = || format!("`{line}` is not a row of {HEADER}");
+        let fields: Vec<&str> = line.split(',').collect();
+        let [board, operation, format, numbers @ ..] = &fields[..] else { return Err(fault()) };
+        let numbers: Vec<Option<u64>> = numbers
+            .iter()
+            .map(|one| if one.is_empty() { Ok(None) } else { one.parse().map(Some) })
+            .collect::<std::result::Result<_, _>>()
+            .map_err(|_| fault())?;
+        let numbers = numbers.try_into().map_err(|_| fault())?;
+        Ok(Self { key: [board, operation, format].map(|field| (*field).into()), numbers })
+    }
+}
+
+/// The rows of a CSV file, and its comments.
+pub fn read(path: &str) -> Result<(Vec<String>, Vec<Row>)> {
+    let text = std::fs::read_to_string(path).map_err(|error| format!("{path}: {error}"))?;
+    let (comments, lines): (Vec<&str>, Vec<&str>) =
+        text.lines().partition(|line| line.starts_with('#'));
+    let rows = lines.into_iter().filter(|line| *line != HEADER);
+    let rows = rows.map(|line| line.parse().map_err(|fault| format!("{path}: {fault}")));
+    Ok((comments.into_iter().map(Into::into).collect(), rows.collect::<Result<_>>()?))
+}
+
+/// The recorded counts, and with which compiler each board's were taken.
+pub fn recorded() -> Result<(Vec<String>, Vec<Row>)> {
+    read(RECORD)
+}
+
+fn comment(board: &str, compiler: &str) -> String {
+    format!("# {board}: {compiler}")
+}
+
+/// Records counts, in the place of those of the same boards.
+pub fn record(rows: &[Row], compilers: &BTreeMap<&str, String>) -> Result<()> {
+    let (mut comments, mut all) = recorded().unwrap_or_default();
+    comments.retain(|one| !compilers.keys().any(|board| one.starts_with(&comment(board, ""))));
+    comments.extend(compilers.iter().map(|(board, compiler)| comment(board, compiler)));
+    comments.sort();
+    all.retain(|row| !compilers.contains_key(row.key[0].as_str()));
+    all.extend(rows.iter().cloned());
+    all.sort_by_key(|row| Board::ALL.iter().position(|board| board.name() == row.key[0]));
+    let lines = comments.into_iter().chain([HEADER.into()]).chain(all.iter().map(Row::to_string));
+    let text: String = lines.map(|line| line + "\n").collect();
+    std::fs::write(RECORD, text).map_err(|error| format!("{RECORD}: {error}"))
+}
+
+/// Compares counts with those recorded, where the compiler is the same.
+pub fn same_as_recorded(rows: &[Row], compilers: &BTreeMap<&str, String>) -> Result<()> {
+    let (comments, recorded) = recorded()?;
+    for (board, compiler) in compilers {
+        if !comments.contains(&comment(board, compiler)) {
+            eprintln!("{board}: counts are not compared, they were recorded with another compiler than {compiler}");
+            continue;
+        }
+        let of_board = |row: &&Row| row.key[0] == *board;
+        let (now, then): (Vec<_>, Vec<_>) =
+            (rows.iter().filter(of_board).collect(), recorded.iter().filter(of_board).collect());
+        if let Some(row) = now.iter().find(|row| !then.contains(row)) {
+            let record = then.iter().find(|one| one.key == row.key);
+            let record = record.map_or("nothing".into(), ToString::to_string);
+            return Err(format!(
+                "counts differ from {RECORD}: {row} where it says {record}; if that is meant: \
+                 firmware/run {board} --update"
+            ));
+        }
+        if now.len() != then.len() {
+            return Err(format!("{RECORD} has rows of {board} that no program gives: firmware/run {board} --update"));
+        }
+    }
+    Ok(())
+}
+
+/// The counts as a Markdown table.
+pub fn markdown(rows: &[Row]) -> String {
+    let mut text = String::from(
+        "| board | operation | format | instructions | flash | RAM | stack |\n\
+         |---|---|---|---:|---:|---:|---:|\n",
+    );
+    for row in rows {
+        let numbers = row.numbers.map(|one| one.map_or(String::new(), |one| one.to_string()));
+        text += &format!("| {} | {} |\n", row.key.join(" | "), numbers.join(" | "));
+    }
+    text
+}

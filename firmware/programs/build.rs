@@ -1,0 +1,146 @@
+//! Tables and golden vectors as statics, and the linker script of the start-up code.
+
+#[path = "../../tests/golden/record.rs"]
+#[expect(dead_code, reason = "it writes such files as well")]
+mod record;
+
+use eigenshade_table::quantise::{Format, QuantisedParts};
+use eigenshade_table::{rust_quantised, rust_source};
+use record::{Golden, Row};
+use std::path::PathBuf;
+use std::{env, fs, process};
+
+/// The tables by name of the module, and how far their polynomials are trimmed; `sphere`
+/// is the runtime's own.
+const TABLES: [(&str, f64); 2] = [("full", 2e-4), ("lambertian", 2e-4)];
+
+/// The golden vectors.
+const GOLDEN: &str = "../../tests/golden/sphere.csv";
+
+fn main() {
+    if env::var("CARGO_CFG_TARGET_OS").is_ok_and(|os| os == "none") {
+        println!("cargo::rustc-link-arg-bins=-Tlink.x");
+    }
+    let tables = TABLES.into_iter().try_for_each(|(name, tolerance)| {
+        let from = format!("../tables/{name}.bin");
+        println!("cargo::rerun-if-changed={from}");
+        bake(&from, name, tolerance)
+    });
+    if let Err(error) = tables.and_then(|()| golden(GOLDEN)).and_then(|()| one_material()) {
+        println!("cargo::error={error}");
+        process::exit(1);
+    }
+}
+
+/// Writes the statics of the table at `from`, trimmed, to the output folder: `name`.rs,
+/// `name`_q15.rs and `name`_q31.rs.
+fn bake(from: &str, name: &str, tolerance: f64) -> Result<(), String> {
+    let bytes = fs::read(from).map_err(|error| format!("{from}: {error}"))?;
+    let mut table = eigenshade_table::decode(&bytes).map_err(|error| format!("{from}: {error}"))?;
+    eigenshade_table::trim::trim(&mut table, tolerance);
+    let command = format!("build.rs, from {from}");
+    for (format, suffix) in [(Format::Q15, "q15"), (Format::Q31, "q31")] {
+        let parts = QuantisedParts::new(&table, format, format.tolerance())
+            .map_err(|error| format!("{from}: {error}"))?;
+        write(&format!("{name}_{suffix}.rs"), &rust_quantised::module(&parts, &command))?;
+    }
+    write(&format!("{name}.rs"), &rust_source::module(&table, &command))
+}
+
+/// Writes the golden vectors as statics, a module for each format.
+fn golden(from: &str) -> Result<(), String> {
+    println!("cargo::rerun-if-changed={from}");
+    let text = fs::read_to_string(from).map_err(|error| format!("{from}: {error}"))?;
+    let golden = Golden::parse(&text).map_err(|fault| format!("{from}: {fault}"))?;
+    for (format, kind) in [("f32", "f32"), ("q15", "eigenshade::Q15"), ("q31", "eigenshade::Q31")] {
+        let number = |text: &String| match format {
+            "f32" => format!("{text}_f32"),
+            _ => format!("{kind}({text})"),
+        };
+        let list = |row: &Row| row.numbers.iter().map(number).collect::<Vec<_>>().join(", ");
+        let plain = |row: &Row| {
+            if format == "f32" { list(row) } else { row.numbers.join(", ") }
+        };
+        let exponents = |row: &Row| format!("{:?}", row.exponents);
+        let one = |row: &Row| row.exponents.first().copied().unwrap_or(0);
+        let answer = if format == "f32" { "f32" } else { "i32" };
+        let (mut pairs, mut inputs) = (Vec::new(), String::new());
+        for (number, pair) in golden.pairs().into_iter().enumerate() {
+            let row = |array| golden.find(format, pair, array);
+            let (light, material) = (row("light")?, row("material")?);
+            let (d, irradiance) = (row("d")?, row("irradiance")?);
+            pairs.push(format!(
+                "super::Pair {{ light: &LIGHT_{number}, material: &MATERIAL_{number}, \
+                 d: (&[{}], {}), irradiance: (&[{}], {}) }}",
+                plain(d),
+                one(d),
+                plain(irradiance),
+                one(irradiance),
+            ));
+            inputs += &format!(
+                "pub static LIGHT_{number}: (&[{kind}], i32) = (&[{}], {});\n\
+                 pub static MATERIAL_{number}: (&[{kind}], &[i8]) = (&[{}], &{});\n",
+                list(light),
+                one(light),
+                list(material),
+                exponents(material),
+            );
+        }
+        let normals = golden.find(format, [""; 3], "normals")?;
+        let mut text = format!(
+            "pub static NORMALS: [{kind}; {}] = [{}];\n\
+             {inputs}pub static PAIRS: [super::Pair<{kind}, {answer}>; {}] = [{}];\n",
+            normals.numbers.len(),
+            list(normals),
+            pairs.len(),
+            pairs.join(",\n"),
+        );
+        if format == "f32" {
+            let tolerance = golden.find(format, [""; 3], "tolerance")?;
+            text += &format!("pub const TOLERANCE: f32 = {};\n", tolerance.numbers.join(""));
+        }
+        write(&format!("golden_{format}.rs"), &text)?;
+    }
+    Ok(())
+}
+
+/// Writes the shipped table in Q15 for the golden file's first material alone: the
+/// material is folded in here, and what takes materials in is left out.
+fn one_material() -> Result<(), String> {
+    use eigenshade::sphere::q15::{BASIS, ORDER, PROFILES, TRANSFER, WORKSPACE};
+    let from = "../../tables/sphere.bin";
+    println!("cargo::rerun-if-changed={from}");
+    let bytes = fs::read(from).map_err(|error| format!("{from}: {error}"))?;
+    let table = eigenshade_table::decode(&bytes).map_err(|error| format!("{from}: {error}"))?;
+    let mut parts = QuantisedParts::new(&table, Format::Q15, Format::Q15.tolerance())
+        .map_err(|error| format!("{from}: {error}"))?;
+    for numbers in [&mut parts.polar, &mut parts.factors] {
+        numbers.clear();
+    }
+    for exponents in [&mut parts.polar_exponents, &mut parts.factor_exponents] {
+        exponents.clear();
+    }
+    let golden = fs::read_to_string(GOLDEN).map_err(|error| format!("{GOLDEN}: {error}"))?;
+    let golden = Golden::parse(&golden)?;
+    let pair = *golden.pairs().first().ok_or("no pair")?;
+    let row = golden.find("q15", pair, "material")?;
+    let mantissas: Vec<eigenshade::Q15> =
+        row.integers()?.into_iter().map(|one| eigenshade::Q15(one as i16)).collect();
+    let exponents: Vec<i8> = row.exponents.iter().map(|&one| one as i8).collect();
+    let (mut numbers, mut of_profiles) = ([eigenshade::Q15(0); TRANSFER], [0; PROFILES]);
+    eigenshade::quantised::Material::new(ORDER, &exponents, &mantissas)
+        .and_then(|material| {
+            BASIS.fold_into(&material, &mut [0; WORKSPACE], &mut numbers, &mut of_profiles)
+        })
+        .map_err(|error| error.to_string())?;
+    let numbers = numbers.map(|eigenshade::Q15(number)| i32::from(number));
+    let text = rust_quantised::module(&parts, "build.rs, of one material")
+        + &rust_quantised::transfer(Format::Q15, &numbers, &of_profiles);
+    write("one_material.rs", &text)
+}
+
+/// Writes a file of the output folder.
+fn write(name: &str, text: &str) -> Result<(), String> {
+    let to = PathBuf::from(env::var_os("OUT_DIR").ok_or("OUT_DIR is not set")?).join(name);
+    fs::write(&to, text).map_err(|error| format!("{}: {error}", to.display()))
+}

@@ -1,0 +1,18 @@
+//! The coefficients of an image to its scene, K = 50.
+#![no_std]
+#![no_main]
+
+use board::{Passes, measure, program};
+use eigenshade::sphere;
+use programs::inputs;
+use core::hint::black_box;
+
+program!(main);
+
+fn main() {
+    let coefficients = eigenshade::fixed::coefficients(inputs::numbers(), &[]);
+    let Ok(mut scene) = sphere::collapse(&coefficients) else { board::exit(false) };
+    measure(&[coefficients], Passes(256), |coefficients| {
+        sphere::collapse_into(coefficients, black_box(&mut scene)).is_ok()
+    });
+}

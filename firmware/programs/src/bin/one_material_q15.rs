@@ -1,0 +1,57 @@
+//! A scene in colour with fifty components of one material, which was folded in when the
+//! program was compiled: any light. Everything that it takes is in it; tables, start-up,
+//! and a picture as text.
+#![no_std]
+#![no_main]
+
+use board::{exit, program, say, say_number, stack};
+use eigenshade::quantised::{Light, Normal, Scene};
+use eigenshade::{Error, Q15};
+use programs::golden::q15::{LIGHT_0, LIGHT_1, LIGHT_2};
+use programs::one_material::{BASIS, COMPONENTS, DEGREE, MATERIAL, SCENE};
+use programs::picture;
+
+program!(main);
+
+fn main() {
+    let bytes = stack::taken(|| {
+        if !run() {
+            exit(false);
+        }
+    });
+    say("stack");
+    say_number(bytes);
+    say("\n");
+}
+
+/// Another light for each channel.
+fn run() -> bool {
+    let mut numbers = [[0; SCENE]; 3];
+    let [red, green, blue] = numbers.each_mut();
+    // Looked at where they are: moving takes code.
+    let channels = (scene(&LIGHT_0, red), scene(&LIGHT_1, green), scene(&LIGHT_2, blue));
+    let (Ok(red), Ok(green), Ok(blue)) = (&channels.0, &channels.1, &channels.2) else {
+        return false;
+    };
+    picture::draw(|normal| [pixel(red, normal), pixel(green, normal), pixel(blue, normal)]);
+    true
+}
+
+type Channel<'a> = Scene<'static, Q15, &'a mut [i32]>;
+
+/// Once for all channels.
+#[inline(never)]
+fn pixel(channel: &Channel<'_>, normal: Normal<Q15>) -> i32 {
+    channel.shade(normal)
+}
+
+#[inline(never)]
+fn scene<'a>(
+    &(light, of_light): &programs::golden::Light<Q15>,
+    numbers: &'a mut [i32],
+) -> Result<Channel<'a>, Error> {
+    let mut d = [0; COMPONENTS];
+    let light = Light::new(DEGREE, of_light, light)?;
+    let exponent = BASIS.relight_into(&MATERIAL, &light, &mut d)?;
+    BASIS.collapse_into(&d, exponent, numbers)
+}

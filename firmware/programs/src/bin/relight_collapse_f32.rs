@@ -1,0 +1,26 @@
+//! A new light on a fixed material, up to the scene, K = 50.
+#![no_std]
+#![no_main]
+
+use board::{Passes, measure, program};
+use core::hint::black_box;
+use eigenshade::Light;
+use eigenshade::sphere::{self, COMPONENTS, DEGREE, ORDER};
+use programs::inputs;
+
+program!(main);
+
+fn main() {
+    let material = inputs::numbers::<40>();
+    let Ok(transfer) = sphere::transfer(&inputs::material(&material, ORDER)) else {
+        board::exit(false)
+    };
+    let transfer = black_box(transfer);
+    let mut coefficients = eigenshade::fixed::coefficients(inputs::numbers::<COMPONENTS>(), &[]);
+    let Ok(mut scene) = sphere::collapse(&coefficients) else { board::exit(false) };
+    measure(&[inputs::numbers::<100>()], Passes(256), |light| {
+        let light = Light::new(DEGREE, light)?;
+        sphere::relight_into(&transfer, &light, &mut coefficients)?;
+        sphere::collapse_into(&coefficients, black_box(&mut scene))
+    });
+}

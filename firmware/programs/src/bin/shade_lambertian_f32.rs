@@ -1,0 +1,25 @@
+//! A pixel of a Lambertian scene.
+#![no_std]
+#![no_main]
+
+use board::{Passes, measure, program};
+use core::hint::black_box;
+use eigenshade::Normal;
+use programs::inputs;
+use programs::lambertian::{self, COMPONENTS, Scene};
+
+program!(main);
+
+fn main() {
+    let coefficients = inputs::numbers::<COMPONENTS>();
+    let Ok(scene) = lambertian::collapse(&eigenshade::fixed::coefficients(coefficients, &[])) else {
+        board::exit(false)
+    };
+    let scene = black_box(scene);
+    measure(&inputs::normals(), Passes(64), |normal| pixel(&scene, normal));
+}
+
+#[inline]
+fn pixel(scene: &Scene, normal: &Normal<f32>) -> f32 {
+    lambertian::shade(scene, *normal)
+}

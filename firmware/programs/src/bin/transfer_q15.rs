@@ -1,0 +1,5 @@
+//! A new material, folded into the basis, K = 50, in Q15.
+#![no_std]
+#![no_main]
+
+programs::fold!(eigenshade::sphere::q15);

@@ -1,0 +1,5 @@
+//! A new material, folded into the basis, K = 50, in Q31.
+#![no_std]
+#![no_main]
+
+programs::fold!(eigenshade::sphere::q31);

@@ -1,0 +1,69 @@
+//! Inputs of the measured operations in integers.
+
+use core::hint::black_box;
+use eigenshade::quantised::{Light, Material, Normal};
+use eigenshade::{Q15, Q31};
+
+/// A format that these inputs can be given in.
+pub trait Input: Sized {
+    /// From a fraction of 2^31.
+    fn of(fraction: i32) -> Self;
+    /// The normal of these components.
+    fn normal(x: Self, y: Self, z: Self) -> Option<Normal<Self>>;
+}
+
+impl Input for Q15 {
+    fn of(fraction: i32) -> Self {
+        Self((fraction >> 16) as i16)
+    }
+    fn normal(x: Self, y: Self, z: Self) -> Option<Normal<Self>> {
+        Normal::<Self>::new(x, y, z).ok()
+    }
+}
+
+impl Input for Q31 {
+    fn of(fraction: i32) -> Self {
+        Self(fraction)
+    }
+    fn normal(x: Self, y: Self, z: Self) -> Option<Normal<Self>> {
+        Normal::<Self>::new(x, y, z).ok()
+    }
+}
+
+/// Four visible normals.
+#[must_use]
+pub fn normals<Q: Input>() -> [Normal<Q>; 4] {
+    // 3, 4 and 5 are the sides of a right triangle.
+    const FIFTH: i32 = i32::MAX / 5;
+    [[0, 0, 5], [3, 0, 4], [0, -4, 3], [-3, 4, 0]].map(|fifths| {
+        let [x, y, z] = fifths.map(|count| Q::of(count * black_box(FIFTH)));
+        Q::normal(x, y, z).unwrap_or_else(|| board::exit(false))
+    })
+}
+
+/// Mantissas of both signs, always the same.
+#[must_use]
+pub fn mantissas<Q: Input, const N: usize>() -> [Q; N] {
+    let mut state = black_box(1_u32);
+    core::array::from_fn(|_| {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        // Half of the largest, so that its bits are those of a light's.
+        Q::of(state.cast_signed() >> 1)
+    })
+}
+
+/// A light of these mantissas.
+#[must_use]
+pub fn light<Q>(mantissas: &[Q], degree: usize) -> Light<'_, Q> {
+    Light::new(degree, -15, mantissas).unwrap_or_else(|_| board::exit(false))
+}
+
+/// A material of these mantissas.
+#[must_use]
+pub fn material<Q>(mantissas: &[Q], order: usize) -> Material<'_, Q> {
+    let exponents = EXPONENTS.get(..=order).unwrap_or_default();
+    Material::new(order, exponents, mantissas).unwrap_or_else(|_| board::exit(false))
+}
+
+/// Exponents of a material of order 7.
+static EXPONENTS: [i8; 8] = [-15; 8];

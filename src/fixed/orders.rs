@@ -1,0 +1,76 @@
+//! A new light, order by order, for machines that take numbers one by one: nothing is
+//! multiplied that is zero, and a coefficient of the light is read once.
+
+use crate::index::light::position;
+use crate::scalar::Scalar;
+
+/// Whether the target takes numbers in groups, as [`pass`](super::pass) does.
+pub const GROUPS: bool = cfg!(any(
+    target_arch = "x86",
+    target_arch = "x86_64",
+    target_arch = "aarch64",
+    target_arch = "wasm32",
+    target_feature = "neon",
+    target_feature = "v"
+));
+
+/// d_i = Σ_l T_i,l L_l^m for the components of `P` profiles of order `M`, `D` degrees from
+/// |m| on: rows of `T` numbers from `START` on, `STEP` apart from one degree to the next,
+/// four from one profile to the next. Written to the places that `components` names.
+///
+/// Apart from its caller: a compiler that sees several orders at once runs out of
+/// registers.
+#[inline(never)]
+pub fn order<
+    S: Scalar,
+    const M: isize,
+    const START: usize,
+    const STEP: usize,
+    const P: usize,
+    const D: usize,
+    const T: usize,
+    const N: usize,
+    const K: usize,
+>(
+    transfer: &[S; T],
+    light: &[S; N],
+    components: &'static [u16; P],
+    coefficients: &mut [S; K],
+) {
+    let mut sums = [S::ZERO; P];
+    for l in 0..D {
+        let degree = M.unsigned_abs() + l;
+        let light = light.get(position(degree, M)).copied().unwrap_or(S::ZERO);
+        for (profile, sum) in sums.iter_mut().enumerate() {
+            if let Some(&number) = transfer.get(START + l * STEP + 4 * profile) {
+                *sum = if l == 0 { number * light } else { sum.add_product(number, light) };
+            }
+        }
+    }
+    for (&component, sum) in components.iter().zip(sums) {
+        if let Some(coefficient) = coefficients.get_mut(usize::from(component)) {
+            *coefficient = sum;
+        }
+    }
+}
+
+/// Room for the coefficients of an image.
+#[inline(always)]
+#[must_use]
+pub fn blank_coefficients<S: Scalar, const K: usize>() -> crate::Coefficients<S, K> {
+    heapless::Vec::from_array([S::ZERO; K])
+}
+
+/// The numbers of the coefficients of an image, to be written.
+#[inline(always)]
+pub fn coefficients_mut<S: Scalar, const K: usize>(
+    coefficients: &mut crate::Coefficients<S, K>,
+) -> Option<&mut [S; K]> {
+    coefficients.as_mut_slice().try_into().ok()
+}
+
+/// The numbers of a transfer of exactly `T` numbers.
+#[inline(always)]
+pub fn transfer<S: Scalar, const T: usize>(transfer: &crate::Transfer<S, T>) -> Option<&[S; T]> {
+    transfer.as_slice().try_into().ok()
+}

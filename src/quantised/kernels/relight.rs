@@ -1,0 +1,105 @@
+//! A new light with every size a constant: the steps of
+//! [`Basis::relight_into`](crate::quantised::Basis::relight_into), azimuth by azimuth.
+
+use crate::format::{Fixed, Wide as _};
+use crate::index::light::position;
+use crate::quantised::{Coefficients, Light, Transfer};
+
+/// No size: that of a sum of nothing.
+pub const NONE: i32 = i32::MIN;
+
+/// The numbers of a transfer and of a light of exactly these lengths.
+#[inline(always)]
+#[must_use]
+pub fn inputs<'a, Q, const T: usize, const P: usize, const N: usize>(
+    transfer: &Transfer<'a, Q>,
+    light: &Light<'a, Q>,
+) -> Option<(&'a [Q; T], &'a [i16; P], &'a [Q; N])> {
+    Some((
+        transfer.numbers.try_into().ok()?,
+        transfer.exponents.try_into().ok()?,
+        light.mantissas.try_into().ok()?,
+    ))
+}
+
+/// The mantissas of an image's coefficients, to be written.
+#[inline(always)]
+pub fn mantissas<const K: usize>(coefficients: &mut Coefficients<K>) -> Option<&mut [i32; K]> {
+    let _ = coefficients.mantissas.resize_default(K);
+    coefficients.mantissas.as_mut_slice().try_into().ok()
+}
+
+/// The sums of `P` profiles of azimuth `M`, each a row of `D` numbers from `START` on, for
+/// the components of +m and -m; gives the larger of `top` and their largest size, with
+/// the exponents from `FIRST` on.
+///
+/// Apart from its caller: several at once have too many addresses.
+#[inline(never)]
+pub fn azimuth<
+    Q: Fixed,
+    const M: usize,
+    const START: usize,
+    const FIRST: usize,
+    const P: usize,
+    const D: usize,
+    const T: usize,
+    const E: usize,
+    const N: usize,
+    const K: usize,
+>(
+    (numbers, exponents, light): (&[Q; T], &[i16; E], &[Q; N]),
+    components: &'static [[u16; 2]; P],
+    mantissas: &mut [i32; K],
+    top: i32,
+) -> i32 {
+    let mut top = top;
+    let rows = numbers.get(START..).unwrap_or_default().as_chunks::<D>().0;
+    let exponents = exponents.get(FIRST..).unwrap_or_default();
+    for ((row, &[of_plus, of_minus]), &exponent) in rows.iter().zip(components).zip(exponents) {
+        let (mut plus, mut minus) = (Q::Wide::default(), Q::Wide::default());
+        for (l, number) in (M..).zip(row) {
+            let order = M.cast_signed();
+            let at = |order| light.get(position(l, order)).copied().unwrap_or_default().widen();
+            let number = number.widen();
+            plus += number * at(order);
+            if M > 0 {
+                minus += number * at(-order);
+            }
+        }
+        let minus = if M % 2 == 1 { -minus } else { minus };
+        let mut either = 0;
+        for (component, sum) in [(of_plus, plus), (of_minus, minus)] {
+            if let Some(place) = mantissas.get_mut(usize::from(component)) {
+                // The upper 31 bits.
+                *place = sum.shifted(31 - Q::Wide::SIZE.cast_signed()).saturated();
+                either |= place.unsigned_abs();
+            }
+        }
+        if either != 0 {
+            let bits = u32::BITS - either.leading_zeros();
+            top = top.max(bits.cast_signed() + i32::from(exponent));
+        }
+    }
+    top
+}
+
+/// Brings the components of all profiles to one exponent, and writes it.
+#[inline(never)]
+pub fn align<Q: Fixed, const E: usize, const K: usize>(
+    exponents: &[i16; E],
+    components: &'static [[u16; 2]; E],
+    top: i32,
+    of_light: i32,
+    coefficients: &mut Coefficients<K>,
+) {
+    let common = if top == NONE { 0 } else { top - 30 };
+    for (&exponent, components) in exponents.iter().zip(components) {
+        let by = i32::from(exponent) - common;
+        for &component in components {
+            if let Some(place) = coefficients.mantissas.get_mut(usize::from(component)) {
+                *place = place.shifted(by);
+            }
+        }
+    }
+    coefficients.exponent = common + of_light + Q::Wide::SIZE.cast_signed() - 31;
+}

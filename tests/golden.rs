@@ -1,0 +1,171 @@
+//! The golden file on the host: bit for bit in integers, by every way that the runtime
+//! has; floats to the tolerance that the file states.
+
+#[path = "golden/mod.rs"]
+mod golden;
+
+use eigenshade::quantised::{Light, Material, Normal};
+use eigenshade::{Normals, Q15, Q31, sphere};
+use golden::answers::{Answer, Shipped, answer, checksum};
+use golden::record::{Golden, Row};
+use golden::tolerances;
+
+fn recorded() -> Golden {
+    Golden::parse(include_str!("golden/sphere.csv")).expect("tests/golden/sphere.csv")
+}
+
+/// One pair's rows in an integer format.
+struct Pair<Q> {
+    light: Vec<Q>,
+    of_light: i32,
+    material: Vec<Q>,
+    of_material: Vec<i8>,
+    answer: Answer,
+}
+
+fn integers(row: &Row) -> Vec<i32> {
+    row.integers().expect("integers")
+}
+
+fn mantissas<Q: Shipped>(row: &Row) -> Vec<Q> {
+    integers(row).into_iter().map(Q::of).collect()
+}
+
+fn pair<Q: Shipped>(golden: &Golden, pair: [&str; 3]) -> Pair<Q> {
+    let row = |array| golden.find(Q::FORMAT, pair, array).expect("a row");
+    let exponents = &row("material").exponents;
+    Pair {
+        light: mantissas(row("light")),
+        of_light: row("light").exponents[0],
+        material: mantissas(row("material")),
+        of_material: exponents.iter().map(|&exponent| exponent as i8).collect(),
+        answer: ["d", "irradiance"].map(|array| (integers(row(array)), row(array).exponents[0])),
+    }
+}
+
+fn normals<Q: Shipped>(golden: &Golden) -> Vec<Normal<Q>> {
+    let numbers: Vec<Q> = mantissas(golden.find(Q::FORMAT, [""; 3], "normals").expect("a row"));
+    let normals = numbers.as_chunks::<3>().0.iter();
+    normals.map(|&components| Q::normal(components).expect("a visible normal")).collect()
+}
+
+/// From the file's own mantissas to its answers and their checksum; the mantissas from
+/// the file's floats.
+fn holds<Q: Shipped>() {
+    let golden = recorded();
+    let normals = normals::<Q>(&golden);
+    let mut answers = Vec::new();
+    for name in golden.pairs() {
+        let given = pair::<Q>(&golden, name);
+        let floats =
+            |array| golden.find("f32", name, array).and_then(Row::floats).expect("a row of floats");
+        let mut light = vec![Q::default(); given.light.len()];
+        let mut material = vec![Q::default(); given.material.len()];
+        let mut exponents = vec![0; given.of_material.len()];
+        let quantised = Light::quantise(sphere::DEGREE, &floats("light"), &mut light);
+        assert_eq!(quantised.expect("a light").exponent(), given.of_light, "{name:?}");
+        Material::quantise(sphere::ORDER, &floats("material"), &mut material, &mut exponents)
+            .expect("a material");
+        assert_eq!((&light, &material), (&given.light, &given.material), "{name:?}");
+        assert_eq!(exponents, given.of_material, "{name:?}");
+
+        let light = Light::new(sphere::DEGREE, given.of_light, &given.light).expect("a light");
+        let material = Material::new(sphere::ORDER, &given.of_material, &given.material);
+        let found = answer(&light, &material.expect("a material"), &normals).expect("they fit");
+        assert_eq!(found, given.answer, "{name:?}");
+        answers.push(found);
+    }
+    let recorded = golden.find(Q::FORMAT, [""; 3], "crc32").expect("a row");
+    assert_eq!(recorded.numbers, [checksum(&answers).to_string()]);
+}
+
+#[test]
+fn q15_is_the_same_bits() {
+    holds::<Q15>();
+}
+
+#[test]
+fn q31_is_the_same_bits() {
+    holds::<Q31>();
+}
+
+macro_rules! generated {
+    ($name:ident, $format:ident, $module:ident) => {
+        #[test]
+        fn $name() {
+            let golden = recorded();
+            let normals = normals::<$format>(&golden);
+            for name in golden.pairs() {
+                let given = pair::<$format>(&golden, name);
+                let material = Material::new(sphere::ORDER, &given.of_material, &given.material);
+                let transfer = sphere::$module::fold(&material.expect("a material"));
+                let light = Light::new(sphere::DEGREE, given.of_light, &given.light);
+                let light = light.expect("a light");
+                let transfer = transfer.expect("it fits");
+                let d = sphere::$module::relight(&transfer.view(), &light).expect("it fits");
+                let scene = sphere::$module::collapse(&d).expect("it fits");
+                let shade = |&normal| sphere::$module::shade(&scene, normal);
+                let irradiances = normals.iter().map(shade).collect();
+                let found =
+                    [(d.mantissas().to_vec(), d.exponent()), (irradiances, scene.exponent())];
+                assert_eq!(found, given.answer, "{name:?}");
+            }
+        }
+    };
+}
+generated!(generated_q15_is_the_same_bits, Q15, q15);
+generated!(generated_q31_is_the_same_bits, Q31, q31);
+
+fn assert_near(what: &str, found: &[f32], recorded: &[f32]) {
+    assert_eq!(found.len(), recorded.len(), "{what}");
+    let largest = recorded.iter().fold(0.0f32, |most, number| most.max(number.abs()));
+    for (k, (a, b)) in found.iter().zip(recorded).enumerate() {
+        assert!((a - b).abs() <= tolerances::GOLDEN_F32 * largest, "{what}, {k}: {a} for {b}");
+    }
+}
+
+#[test]
+fn floats_are_within_the_tolerance() {
+    let golden = recorded();
+    let all = |array| golden.find("f32", [""; 3], array).and_then(Row::floats).expect("floats");
+    assert_eq!(all("tolerance"), [tolerances::GOLDEN_F32]);
+    let normals = all("normals");
+    let of_axis = |axis| normals.iter().skip(axis).step_by(3).copied().collect::<Vec<f32>>();
+    let [x, y, z] = [0, 1, 2].map(of_axis);
+    let normals = Normals::new(&x, &y, &z).expect("one length");
+    for name in golden.pairs() {
+        let row = |array| golden.find("f32", name, array).and_then(Row::floats).expect("floats");
+        let (light, material) = (row("light"), row("material"));
+        let light = eigenshade::Light::new(sphere::DEGREE, &light).expect("a light");
+        let material = eigenshade::Material::new(sphere::ORDER, &material).expect("a material");
+        let d = sphere::project(&light, &material).expect("it fits");
+        assert_near(&format!("{name:?} d"), &d, &row("d"));
+        let scene = sphere::collapse(&d).expect("it fits");
+        let mut irradiances = vec![0.0; normals.len()];
+        scene.shade_slice(normals, &mut irradiances).expect("one length");
+        assert_near(&format!("{name:?} irradiance"), &irradiances, &row("irradiance"));
+    }
+}
+
+/// The integers stand for the same images as the floats.
+#[test]
+fn formats_agree() {
+    let golden = recorded();
+    for (format, decibels) in [("q15", tolerances::Q15_WORST), ("q31", tolerances::Q31_WORST)] {
+        for name in golden.pairs() {
+            for array in ["light", "d", "irradiance"] {
+                let row = golden.find(format, name, array).expect("a row");
+                let of_floats = golden.find("f32", name, array).and_then(Row::floats);
+                let scale = 2f64.powi(row.exponents[0]);
+                let (mut signal, mut noise) = (0.0, 0.0);
+                for (number, float) in integers(row).into_iter().zip(of_floats.expect("floats")) {
+                    let float = f64::from(float);
+                    signal += float * float;
+                    noise += (scale * f64::from(number) - float).powi(2);
+                }
+                let found = 10.0 * (signal / noise).log10();
+                assert!(found >= decibels, "{format} {name:?} {array}: {found} dB");
+            }
+        }
+    }
+}

@@ -1,0 +1,144 @@
+//! The golden file, read and written.
+//!
+//! After lines that start with `#`, a header and one row for each array:
+//! `format,light,material,channel,array,exponents,numbers`, exponents and numbers each
+//! separated by spaces, no quotes. What an array is, docs/formats.md says.
+//!
+//! Needs nothing but the standard library: build scripts of other workspaces take it.
+
+use std::fmt::{Display, Write};
+
+const HEADER: &str = "format,light,material,channel,array,exponents,numbers";
+
+/// One array.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    /// `f32`, `q15` or `q31`.
+    pub format: String,
+    /// Light, material and channel; empty where an array belongs to all pairs.
+    pub pair: [String; 3],
+    /// Which array.
+    pub array: String,
+    /// Of the whole array one exponent, of a material one for each o; none of floats.
+    pub exponents: Vec<i32>,
+    /// The numbers.
+    pub numbers: Vec<String>,
+}
+
+impl Row {
+    /// A row of these numbers.
+    pub fn new<T: Display>(
+        format: &str,
+        pair: [&str; 3],
+        array: &str,
+        exponents: &[i32],
+        numbers: &[T],
+    ) -> Self {
+        Self {
+            format: format.into(),
+            pair: pair.map(Into::into),
+            array: array.into(),
+            exponents: exponents.into(),
+            numbers: numbers.iter().map(ToString::to_string).collect(),
+        }
+    }
+
+    /// The numbers as integers.
+    ///
+    /// # Errors
+    ///
+    /// One that is none.
+    pub fn integers(&self) -> Result<Vec<i32>, String> {
+        self.parsed()
+    }
+
+    /// The numbers as floats.
+    ///
+    /// # Errors
+    ///
+    /// One that is none.
+    pub fn floats(&self) -> Result<Vec<f32>, String> {
+        self.parsed()
+    }
+
+    fn parsed<T: std::str::FromStr>(&self) -> Result<Vec<T>, String> {
+        let one = |text: &String| {
+            let fault = || format!("`{text}` in {} {} is no such number", self.format, self.array);
+            text.parse().map_err(|_| fault())
+        };
+        self.numbers.iter().map(one).collect()
+    }
+}
+
+/// All of the file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Golden {
+    /// Its rows.
+    pub rows: Vec<Row>,
+}
+
+impl Golden {
+    /// The file of this text.
+    ///
+    /// # Errors
+    ///
+    /// A line that is no row, with its number.
+    pub fn parse(text: &str) -> Result<Self, String> {
+        let lines = text.lines().enumerate().filter(|(_, line)| !line.starts_with('#'));
+        let mut rows = Vec::new();
+        for (number, line) in lines.filter(|(_, line)| *line != HEADER) {
+            let fault = || format!("line {}: it is no row `{HEADER}`", number + 1);
+            let fields: Vec<&str> = line.split(',').collect();
+            let &[format, light, material, channel, array, exponents, numbers] = &fields[..] else {
+                return Err(fault());
+            };
+            let exponents = exponents.split_whitespace().map(str::parse).collect::<Result<_, _>>();
+            rows.push(Row {
+                exponents: exponents.map_err(|_| fault())?,
+                numbers: numbers.split_whitespace().map(Into::into).collect(),
+                ..Row::new::<i32>(format, [light, material, channel], array, &[], &[])
+            });
+        }
+        Ok(Self { rows })
+    }
+
+    /// The text of the file, `head` as its first lines.
+    pub fn text(&self, head: &[&str]) -> String {
+        let mut text = String::new();
+        for line in head {
+            writeln!(text, "# {line}").expect("a string takes everything");
+        }
+        writeln!(text, "{HEADER}").expect("a string takes everything");
+        for row in &self.rows {
+            let exponents: Vec<String> = row.exponents.iter().map(ToString::to_string).collect();
+            let pair = row.pair.join(",");
+            let (exponents, numbers) = (exponents.join(" "), row.numbers.join(" "));
+            writeln!(text, "{},{pair},{},{exponents},{numbers}", row.format, row.array)
+                .expect("a string takes everything");
+        }
+        text
+    }
+
+    /// An array of a pair, or of all of them.
+    ///
+    /// # Errors
+    ///
+    /// One that the file does not have.
+    pub fn find(&self, format: &str, pair: [&str; 3], array: &str) -> Result<&Row, String> {
+        let found = |row: &&Row| row.format == format && row.pair == pair && row.array == array;
+        let fault = || format!("no row {format},{},{array}", pair.join(","));
+        self.rows.iter().find(found).ok_or_else(fault)
+    }
+
+    /// The pairs of light, material and channel, in the order of the file.
+    pub fn pairs(&self) -> Vec<[&str; 3]> {
+        let mut pairs: Vec<[&str; 3]> = Vec::new();
+        for row in self.rows.iter().filter(|row| row.array == "light") {
+            let pair = [&row.pair[0][..], &row.pair[1], &row.pair[2]];
+            if !pairs.contains(&pair) {
+                pairs.push(pair);
+            }
+        }
+        pairs
+    }
+}

@@ -1,0 +1,110 @@
+//! The generated functions of known sizes against the general ones.
+#![cfg(feature = "baked")]
+
+#[path = "tolerances/mod.rs"]
+mod tolerances;
+
+use eigenshade::sphere::{self, BASIS};
+use eigenshade::{Light, Material, Normal};
+
+/// Numbers of both signs between -1 and 1.
+fn numbers(count: usize, seed: u32) -> Vec<f32> {
+    let mut state = seed;
+    let mut next = || {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        (f64::from(state) / 2_147_483_648.0 - 1.0) as f32
+    };
+    (0..count).map(|_| next()).collect()
+}
+
+fn largest(values: &[f32]) -> f32 {
+    values.iter().fold(0.0, |most, value| most.max(value.abs()))
+}
+
+fn coefficients(seed: u32) -> sphere::Coefficients {
+    numbers(sphere::COMPONENTS, seed).iter().copied().collect()
+}
+
+#[test]
+fn relighting_order_by_order() {
+    for seed in 1..20 {
+        let (light, material) = (numbers(100, seed), numbers(40, seed + 100));
+        let material = Material::new(sphere::ORDER, &material).unwrap();
+        let transfer = sphere::transfer(&material).unwrap();
+        let light = Light::new(sphere::DEGREE, &light).unwrap();
+        let expected = BASIS
+            .relight::<{ sphere::TRANSFER }, { sphere::COMPONENTS }>(&transfer, &light)
+            .unwrap();
+        let mut found = coefficients(seed);
+        sphere::relight_into(&transfer, &light, &mut found).unwrap();
+        let allowed = tolerances::SAME_SUM_F32 * largest(&expected);
+        for (found, expected) in found.iter().zip(&expected) {
+            assert!((found - expected).abs() <= allowed, "{seed}: {found} {expected}");
+        }
+    }
+}
+
+#[test]
+fn collapsing_azimuth_by_azimuth() {
+    for seed in 1..20 {
+        let d = coefficients(seed);
+        let expected = BASIS.collapse::<{ sphere::SCENE }>(&d).unwrap();
+        let mut found = sphere::collapse(&coefficients(seed + 1)).unwrap();
+        sphere::collapse_into(&d, &mut found).unwrap();
+        let normals = normals();
+        let images: Vec<[f32; 2]> =
+            normals.iter().map(|&n| [found.shade(n), expected.shade(n)]).collect();
+        let peak = images.iter().fold(0.0f32, |most, [_, value]| most.max(value.abs()));
+        for [found, expected] in images {
+            assert!(
+                (found - expected).abs() <= tolerances::SAME_SUM_F32 * peak,
+                "{found} {expected}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_pixel_from_the_highest_azimuth_down() {
+    for seed in 1..20 {
+        let scene = sphere::collapse(&coefficients(seed)).unwrap();
+        let images: Vec<[f32; 2]> =
+            normals().iter().map(|&n| [sphere::shade(&scene, n), scene.shade(n)]).collect();
+        let peak = images.iter().fold(0.0f32, |most, [_, value]| most.max(value.abs()));
+        for [found, expected] in images {
+            assert!(
+                (found - expected).abs() <= tolerances::SAME_SUM_F32 * peak,
+                "{found} {expected}"
+            );
+        }
+    }
+}
+
+/// Fewer coefficients, and lights of a lower degree, take the general way.
+#[test]
+fn other_sizes_are_served() {
+    let short: sphere::Coefficients = numbers(7, 3).iter().copied().collect();
+    let expected = BASIS.collapse::<{ sphere::SCENE }>(&short).unwrap();
+    assert_eq!(sphere::collapse(&short).unwrap(), expected);
+    let (light, material) = (numbers(9, 1), numbers(40, 2));
+    let transfer = sphere::transfer(&Material::new(sphere::ORDER, &material).unwrap()).unwrap();
+    let light = Light::new(2, &light).unwrap();
+    let mut found = coefficients(1);
+    sphere::relight_into(&transfer, &light, &mut found).unwrap();
+    assert_eq!(found, sphere::relight(&transfer, &light).unwrap());
+    let beyond = numbers(121, 1);
+    let beyond = Light::new(10, &beyond).unwrap();
+    assert!(sphere::relight_into(&transfer, &beyond, &mut found).is_err());
+    let none = sphere::Coefficients::new();
+    let mut scene = sphere::collapse(&none).unwrap();
+    sphere::collapse_into(&coefficients(5), &mut scene).unwrap();
+    assert_eq!(scene, sphere::collapse(&coefficients(5)).unwrap());
+}
+
+fn normals() -> Vec<Normal<f32>> {
+    let along = |k: i32| {
+        let (x, y) = ((k % 9 - 4) as f32 * 0.3, (k / 9 - 4) as f32 * 0.3);
+        Normal::new(x, y, 0.2 + (k % 5) as f32 * 0.2).unwrap()
+    };
+    (0..81).map(along).chain([Normal::new(0.0, 0.0, 1.0).unwrap()]).collect()
+}
