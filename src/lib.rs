@@ -14,7 +14,11 @@
 //! 3. [`Basis::collapse`] sums the components of each azimuth: a [`Scene`].
 //! 4. [`Scene::shade`] gives the irradiance of one [`Normal`],
 //!    [`Scene::shade_slice`] that of many.
-//! 5. The way back: [`Basis::estimate`] takes pixels one by one and gives d.
+//! 5. Cheaper ways to a pixel: [`Scene::lookup`] samples the image's azimuths,
+//!    [`Scene::bake`] the image itself.
+//! 6. The light may turn: [`Light::turned`] by a [`Rotation`]. A [`Window`] keeps it from
+//!    ringing, [`Negatives`] says what becomes of irradiance below zero.
+//! 7. The way back: [`Basis::estimate`] takes pixels one by one and gives d.
 //!
 //! A [`GeneralBasis`] does the same for objects other than the sphere.
 //!

@@ -6,7 +6,7 @@
 //! |---|---|---|---|---|
 //! | [`Libm`] | f32, f64 | last bit | last bit | f32 angles compute in f64: in software on most microcontrollers |
 //! | [`SinglePrecision`] | f32 | 2e-7 | 1e-7 to 1,000 rad | nothing |
-//! | [`Micromath`] | f32 | 6.1 %, its reciprocal 3.5 % | 1.1e-3 to 10 rad | nothing; wants the feature `micromath` |
+//! | `Micromath` | f32 | 6.1 %, its reciprocal 3.5 % | 1.1e-3 to 10 rad | nothing; wants the feature `micromath` |
 
 mod by_libm;
 #[cfg(feature = "micromath")]

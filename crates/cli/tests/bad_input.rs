@@ -128,6 +128,7 @@ fn bad_scenes() {
         (good.replace("components = 10000\n", ""), "tolerance"),
         (good.replace("profile_tolerance = 1e-12", "tolerance = 1e-3"), "not both"),
         (good.replace("1e-12", "0.0"), "profile_tolerance"),
+        (good.replace("profile_tolerance = 1e-12", "knots = 7"), "basis.knots"),
         (good.replace("\"any\"", "\"sideways\""), "sideways"),
         (good.replace("[]", "[\"material-0\", \"material-0\"]"), "material-0"),
     ] {

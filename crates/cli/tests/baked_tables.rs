@@ -43,7 +43,7 @@ fn table(folder: &Folder, kind: &Kind) -> (Table, Lights, Materials) {
             "[geometry]\nnormals = \"{normals}\"\n\
              [light]\ndegree = {degree}\ndatabase = \"lights.csv\"\nrotation = \"{rotation}\"\n\
              [material]\norder = {order}\ndatabase = \"materials.csv\"\n\
-             [basis]\ncriterion = \"{criterion}\"\ncomponents = {components}\nmodes = {modes}\n"
+             [basis]\ncriterion = \"{criterion}\"\ncomponents = {components}\nmodes = {modes}\nknots = 48\n"
         ),
     );
     let file = format!("{name}.bin");
@@ -77,12 +77,18 @@ fn program(names: &[&str], numbers: &[(Vec<f64>, Vec<f64>)]) -> String {
     assert_eq!(d.len(), {name}::COMPONENTS);
     let normals: [[f32; 3]; {}] = {NORMALS:?};
     for value in d.iter().chain(&relit) {{ print!(\"{{value:?}} \"); }}
+    let sampled = {name}::lookup(&scene).unwrap();
+    assert_eq!({name}::KNOTS, 48);
     for [x, y, z] in normals {{
+        let normal = eigenshade::Normal::new(x, y, z).unwrap();
+        let apart = sampled.cubic(normal) - scene.shade(normal);
+        assert!(apart.abs() <= {} * d[0].abs(), \"{name}: {{apart}}\");
         print!(\"{{:?}} \", scene.shade(eigenshade::Normal::new(x, y, z).unwrap()));
     }}
     println!();
 }}",
-            NORMALS.len()
+            NORMALS.len(),
+            tolerances::SAMPLED_CUBIC
         )
         .expect("text");
     }

@@ -37,7 +37,12 @@ fn ways_are_as_exact_as_they_can_be() {
             assert!(found >= 0.25 * most, "{options}: {found:e} is too good");
         }
     }
-    // What is left out is the default.
+    // What is left out is the scene's, or the default.
+    let scene = folder.read("scene.toml").replace("[basis]", "[basis]\nknots = 32");
+    folder.write("knots.toml", scene);
+    folder.ok("basis --scene knots.toml --out knots.bin");
+    let of_scene = folder.ok(&format!("shade knots.bin {PAIR} --method table"));
+    assert_eq!(of_scene, folder.ok(&format!("shade b.bin {PAIR} --method table --knots 32")));
     for (short, long) in [
         ("--method table", "--method table --knots 128 --interpolation cubic"),
         ("--method baked", "--method baked --size 64 --interpolation linear"),

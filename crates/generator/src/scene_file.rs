@@ -6,7 +6,7 @@ use crate::geometry::Geometry;
 use crate::inputs::coefficient_csv::{read_lights, read_materials};
 use crate::inputs::{density, object};
 use crate::{basis, general};
-use eigenshade_table::scene::{Effect, LightRotation};
+use eigenshade_table::scene::{Effect, KNOTS, LightRotation};
 use eigenshade_table::{Scene, Table};
 use std::path::{Path, PathBuf};
 
@@ -142,6 +142,14 @@ fn check(scene: &Scene) -> Result<()> {
             return fail(format!("basis.tolerance = {tolerance}"), "set it between 0 and 1");
         }
         _ => {}
+    }
+    if let Some(knots) = basis.knots
+        && !KNOTS.contains(&knots)
+    {
+        return fail(
+            format!("basis.knots = {knots}"),
+            "set it between 8 and 65536, or leave it out",
+        );
     }
     for (name, value) in
         [("rank_cutoff", basis.rank_cutoff), ("profile_tolerance", basis.profile_tolerance)]

@@ -2,7 +2,7 @@
 
 use crate::general::General;
 use crate::parts::NONE;
-use crate::scene::Criterion;
+use crate::scene::{Criterion, KNOTS};
 use crate::table::Table;
 use eigenshade_index::{material, mode, pair};
 
@@ -24,6 +24,11 @@ impl Table {
         }
         if (degree, order) != (self.scene.light.degree, self.scene.material.order) {
             return Err(format!("degree {degree} and order {order} are not those of the scene"));
+        }
+        if let Some(knots) = self.scene.basis.knots
+            && !KNOTS.contains(&knots)
+        {
+            return Err(format!("{knots} knots"));
         }
         let nodes = gram.nodes.len();
         let pairs = pair::count(order);

@@ -9,14 +9,19 @@
 //! | rest | [`Table`] by bincode 2.0.1, standard configuration |
 
 use crate::table::Table;
+use crate::version_2;
 use bincode::error::DecodeError;
 use bincode::serde::decode_from_slice;
+use serde::de::DeserializeOwned;
 use std::fmt;
 
 /// The first bytes of every table file.
 pub const LABEL: [u8; 8] = *b"EIGSHADE";
-/// The version that this crate reads and writes.
-pub const VERSION: u32 = 2;
+/// The newest version that this crate reads and writes: of tables whose scenes have
+/// `knots`.
+pub const VERSION: u32 = 3;
+/// The version of all others, so that programs that know no later one read them.
+pub const VERSION_WITHOUT_KNOTS: u32 = 2;
 const HEADER: usize = 24;
 
 /// Why bytes are not a table.
@@ -47,7 +52,9 @@ impl FileError {
         match self {
             Self::Foreign => "not an eigenshade table".to_owned(),
             Self::Version(found) => {
-                format!("table version {found}, this program reads {VERSION}")
+                format!(
+                    "table version {found}, this program reads {VERSION_WITHOUT_KNOTS} and {VERSION}"
+                )
             }
             Self::Length { expected, found } => {
                 format!("damaged table: {expected} bytes promised, {found} found")
@@ -78,7 +85,9 @@ pub fn encode(table: &Table) -> Vec<u8> {
     let payload = section(table);
     let mut bytes = Vec::with_capacity(HEADER + payload.len());
     bytes.extend(LABEL);
-    bytes.extend(VERSION.to_le_bytes());
+    let knots = table.scene.basis.knots.is_some();
+    let version = if knots { VERSION } else { VERSION_WITHOUT_KNOTS };
+    bytes.extend(version.to_le_bytes());
     bytes.extend((payload.len() as u64).to_le_bytes());
     bytes.extend(crc32fast::hash(&payload).to_le_bytes());
     bytes.extend(payload);
@@ -104,7 +113,7 @@ pub fn decode(bytes: &[u8]) -> Result<Table, FileError> {
     }
     let word = |at: usize| u32::from_le_bytes(std::array::from_fn(|k| header[at + k]));
     let version = word(8);
-    if version != VERSION {
+    if ![VERSION_WITHOUT_KNOTS, VERSION].contains(&version) {
         return Err(FileError::Version(version));
     }
     let expected = u64::from_le_bytes(std::array::from_fn(|k| header[12 + k]));
@@ -116,7 +125,11 @@ pub fn decode(bytes: &[u8]) -> Result<Table, FileError> {
         return Err(FileError::Checksum);
     }
     let broken = |why: String| FileError::Payload(why);
-    let (table, read) = unpack(payload).map_err(|error| broken(error.to_string()))?;
+    let unpacked = match version {
+        VERSION => unpack(payload),
+        _ => unpack::<version_2::Table>(payload).map(|(table, read)| (table.into(), read)),
+    };
+    let (table, read): (Table, usize) = unpacked.map_err(|error| broken(error.to_string()))?;
     if read != payload.len() {
         return Err(broken(format!("{} bytes after the end", payload.len() - read)));
     }
@@ -129,7 +142,7 @@ pub fn decode(bytes: &[u8]) -> Result<Table, FileError> {
 /// bincode makes room for as long a text as the bytes claim before it looks whether
 /// they are there; a limit, which has to be a constant, keeps that in bounds. It
 /// counts at most eight bytes for each that is read.
-fn unpack(payload: &[u8]) -> Result<(Table, usize), DecodeError> {
+fn unpack<T: DeserializeOwned>(payload: &[u8]) -> Result<(T, usize), DecodeError> {
     const STEPS: [usize; 3] = [1 << 20, 1 << 25, 1 << 30];
     let standard = bincode::config::standard();
     match payload.len() {

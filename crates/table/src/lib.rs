@@ -41,6 +41,8 @@ pub mod statics;
 
 pub mod wire;
 
+mod version_2;
+
 pub use file::{FileError, decode, encode};
 pub use general::General;
 pub use gram::GramFactor;

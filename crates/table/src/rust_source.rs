@@ -51,6 +51,9 @@ pub fn module(table: &Table, command: &str) -> String {
     array(&mut text, "COUPLINGS", "eigenshade::Coupling", couplings);
     array(&mut text, "PROFILES", "eigenshade::ProfilePlace", parts.profiles.iter().map(place));
     text.push_str(TYPES);
+    if let Some(knots) = table.scene.basis.knots {
+        lookups(&mut text, &parts, knots);
+    }
     match &table.general {
         None => {
             basis(&mut text, "BASIS", "The basis", parts.components);
@@ -145,6 +148,31 @@ fn array(text: &mut String, name: &str, kind: &str, items: impl Iterator<Item = 
 
 fn line(text: &mut String, line: std::fmt::Arguments<'_>) {
     writeln!(text, "{line}").expect("a string takes everything");
+}
+
+/// What samples an image at the scene's knots.
+fn lookups(text: &mut String, parts: &Parts, knots: usize) {
+    let last = parts.lengths.iter().rposition(|&length| length > 0).unwrap_or(0);
+    let room = (2 * last + 1) * (knots + 2);
+    line(
+        text,
+        format_args!(
+            "/// Knots of a [`Lookup`].
+pub const KNOTS: usize = {knots};
+/// Numbers in a [`Lookup`].
+pub const LOOKUP: usize = {room};
+/// One image, sampled.
+pub type Lookup = eigenshade::Lookup<f32, eigenshade::LookupBuffer<f32, LOOKUP>>;
+/// Samples an image: see [`eigenshade::Scene::lookup`].
+///
+/// # Errors
+///
+/// None in truth: the capacity is this table's.
+pub fn lookup(scene: &Scene) -> Result<Lookup, eigenshade::Error> {{
+    scene.lookup::<f32, LOOKUP>(KNOTS)
+}}"
+        ),
+    );
 }
 
 /// The static of the basis, or of a general one's span.

@@ -120,7 +120,15 @@ pub struct Basis {
     /// How much of the basis the table keeps.
     #[serde(default)]
     pub store: Store,
+    /// Knots of look-ups: what the generated code samples an image at. None: it has no look-ups.
+    ///
+    /// Last, and not written where there is none: such tables are of version 2.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub knots: Option<usize>,
 }
+
+/// What `knots` may be, as in the runtime.
+pub const KNOTS: std::ops::RangeInclusive<usize> = 8..=65_536;
 
 fn default_rank_cutoff() -> f64 {
     1e-10

@@ -23,6 +23,31 @@ fn what_is_written_is_read() {
     assert_eq!(sealed(&bytes[24..]), bytes);
 }
 
+/// The shipped table is of version 2, and with knots it is of version 3 and one number
+/// longer.
+#[test]
+fn both_versions_are_read() {
+    let bytes = shipped();
+    assert_eq!(bytes[8], 2);
+    let mut table = decode(&bytes).unwrap();
+    assert_eq!(table.scene.basis.knots, None);
+    table.scene.basis.knots = Some(64);
+    let with_knots = encode(&table);
+    assert_eq!((with_knots[8], with_knots.len()), (3, bytes.len() + 2));
+    assert_eq!(decode(&with_knots), Ok(table.clone()));
+    // Neither is the other's.
+    for (bytes, version) in [(&bytes, 3), (&with_knots, 2)] {
+        let mut other = (*bytes).clone();
+        other[8] = version;
+        assert!(matches!(decode(&other), Err(FileError::Payload(_))), "{version}");
+    }
+    assert_eq!(rust_source::module(&table, "a test").matches("pub fn lookup(").count(), 1);
+    for knots in [0, 7, 65_537] {
+        table.scene.basis.knots = Some(knots);
+        assert!(matches!(decode(&encode(&table)), Err(FileError::Payload(_))), "{knots}");
+    }
+}
+
 #[test]
 fn headers_are_checked() {
     let bytes = shipped();

@@ -49,7 +49,7 @@ pub struct Shade {
     /// Turns the light by Rz(A) Ry(B) Rz(C), radians
     #[arg(long, value_name = "A,B,C", value_parser = angles, allow_hyphen_values = true)]
     rotate: Option<Rotation>,
-    /// Of the method table: knots of each azimuth, 8 to 65536 [default: 128]
+    /// Of the method table: knots of each azimuth, 8 to 65536 [default: the scene's, or 128]
     #[arg(long, value_name = "N", value_parser = count(8, 65_536))]
     knots: Option<usize>,
     /// Of the method baked: texels a side, 2 to 4096 [default: 64]
@@ -132,8 +132,8 @@ impl Shade {
             let what = "the method modes is in f64 only";
             return Err(Error::new(what, "leave --format out, or choose another method"));
         }
-        let way = self.way()?;
         let table = table_file::read(&self.table)?;
+        let way = self.way(table.scene.basis.knots)?;
         let components = table_file::components(&table, self.components, &self.table)?;
         let (mut lights, materials) = fitted(
             &table,
@@ -172,7 +172,7 @@ impl Shade {
     }
 
     /// How a pixel is had: options that belong to another method are errors.
-    fn way(&self) -> Result<Way> {
+    fn way(&self, of_scene: Option<usize>) -> Result<Way> {
         let (table, baked) = (self.method == Method::Table, self.method == Method::Baked);
         let stray = |option: &str, method: &str| {
             let what = format!("{option} is of the method {method}, which is not asked for");
@@ -187,7 +187,7 @@ impl Shade {
         if self.interpolation.is_some() && !(table || baked) {
             return stray("--interpolation", "table");
         }
-        let (knots, size) = (self.knots.unwrap_or(128), self.size.unwrap_or(64));
+        let (knots, size) = (self.knots.or(of_scene).unwrap_or(128), self.size.unwrap_or(64));
         match (self.method, self.interpolation) {
             (Method::Eigen, _) => Ok(Way::Eigen),
             (Method::Table, Some(Interpolation::Linear)) => {

@@ -218,6 +218,7 @@ fn scene(criterion: Criterion, modes: usize) -> Scene {
             store: Store::Modes,
             rank_cutoff: 1e-10,
             profile_tolerance: 1e-13,
+            knots: None,
         },
         effects: Effects::default(),
     }
