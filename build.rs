@@ -1,4 +1,5 @@
-//! Decodes the shipped table into typed statics.
+//! Decodes the shipped table into typed statics, and makes the table of a scene if the
+//! feature `generate` asks for it.
 
 use eigenshade_table::quantise::{Format, QuantisedParts};
 use eigenshade_table::{rust_quantised, rust_source};
@@ -7,6 +8,8 @@ use std::{env, fs, process};
 
 fn main() {
     println!("cargo::rerun-if-changed=tables/sphere.bin");
+    #[cfg(feature = "generate")]
+    generate();
     if env::var_os("CARGO_FEATURE_BAKED").is_none() {
         return;
     }
@@ -14,6 +17,26 @@ fn main() {
         println!("cargo::error={error}");
         process::exit(1);
     }
+}
+
+/// Writes the statics of the scene that `EIGENSHADE_SCENE` names, or of the shipped one,
+/// to the output folder, as generated.rs.
+#[cfg(feature = "generate")]
+fn generate() {
+    use eigenshade_generator::build::{self, Format};
+
+    println!("cargo::rerun-if-env-changed=EIGENSHADE_SCENE");
+    let scene = env::var_os("EIGENSHADE_SCENE").map(PathBuf::from);
+    if let Some(path) = scene.as_ref().filter(|path| !path.is_absolute()) {
+        println!(
+            "cargo::error=EIGENSHADE_SCENE: `{}` is not absolute, and where a build script runs \
+             is not where you are; give the whole path of the scene file",
+            path.display()
+        );
+        process::exit(1);
+    }
+    let scene = scene.unwrap_or_else(|| "tables/sphere.toml".into());
+    build::statics(scene, "generated.rs", &[Format::Q15, Format::Q31]);
 }
 
 /// Writes the statics of the table at `from` to the output folder: in floats to

@@ -7,6 +7,7 @@ use crate::parts::{Parts, ProfilePlace, Row};
 /// An eigenbasis: degree, order and number of components are values, the number
 /// format is a type.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Basis<'a, S> {
     pub(crate) parts: Parts<'a, S>,
     transfer: usize,
@@ -46,10 +47,11 @@ impl<'a, S> Basis<'a, S> {
             // The first of every two profiles of an azimuth brings the place of both.
             run = if azimuth == before { run + 1 } else { 1 };
             if run % 2 == 1 {
-                factors += layout::factors(parts.degree, parts.order, azimuth, 1);
+                let more = layout::factors(parts.degree, parts.order, azimuth, 1);
+                factors = usize::saturating_add(factors, more);
             }
-            terms += parts.length(azimuth);
-            served += place.plus.is_some() as usize + place.minus.is_some() as usize;
+            terms = usize::saturating_add(terms, parts.length(azimuth));
+            served += place.plus().is_some() as usize + place.minus().is_some() as usize;
             (rest, before) = (tail, azimuth);
         }
         let (mut transfer, mut slots) = (0, 0);
@@ -58,13 +60,14 @@ impl<'a, S> Basis<'a, S> {
             let Some(length) = pass.length(parts.degree) else {
                 return Err(Error::Pass);
             };
-            transfer += length;
+            transfer = usize::saturating_add(transfer, length);
             slots += pass.slots();
             rest = tail;
         }
         let mut azimuth = 0;
         while azimuth <= parts.degree {
-            scene += parts.length(azimuth) * if azimuth == 0 { 1 } else { 2 };
+            let signs = if azimuth == 0 { 1 } else { 2 };
+            scene = usize::saturating_add(scene, signs * parts.length(azimuth));
             azimuth += 1;
         }
         let group = layout::LANES * pair::count(parts.order);
@@ -160,12 +163,12 @@ impl<'a, S> Basis<'a, S> {
 impl<S> Parts<'_, S> {
     /// Whether a place's azimuth and components exist.
     const fn serves(&self, place: &ProfilePlace) -> bool {
-        let plus = match place.plus {
+        let plus = match place.plus() {
             Some(index) => (index as usize) < self.components,
             None => true,
         };
-        let minus = match place.minus {
-            Some(index) => (index as usize) < self.components && place.azimuth > 0,
+        let minus = match place.minus() {
+            Some(index) => (index as usize) < self.components && place.azimuth() > 0,
             None => true,
         };
         place.azimuth() <= self.degree && plus && minus
@@ -205,9 +208,9 @@ impl<S> Parts<'_, S> {
             let of_minus = if order == 0 {
                 plus.start == minus.start && plus.step == minus.step
             } else {
-                self.gives(minus, -order, place.minus)
+                self.gives(minus, -order, place.minus())
             };
-            if !of_minus || !self.gives(plus, order, place.plus) {
+            if !of_minus || !self.gives(plus, order, place.plus()) {
                 return false;
             }
             rest = tail;

@@ -4,6 +4,7 @@ use core::fmt;
 
 /// A fault in an argument: what was expected, what was found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Error {
     /// A slice has the wrong length.
@@ -48,16 +49,30 @@ pub enum Error {
     Hidden,
     /// A basis of transfers alone is to take in a material.
     Folded,
-    /// An exponent of an integer format is beyond ±128.
+    /// An exponent of an integer format is beyond ±128, or that of coefficients beyond
+    /// ±2^16.
     Exponent,
-    /// A table in integers has a row whose sum could leave its accumulator.
+    /// A table or a transfer in integers has a row whose sum could leave its accumulator.
     Bound,
     /// The weights of an estimate's pixels have no sum that is finite and above zero.
     Weight,
+    /// A baked map is to have so many texels a side, which is not 2 to 4096.
+    Size {
+        /// Texels a side.
+        found: usize,
+    },
+    /// Angles, a quaternion or a matrix are no rotation.
+    Rotation,
+    /// A look-up is to have so many knots, which is not 8 to 65,536.
+    Knots {
+        /// Knots.
+        found: usize,
+    },
 }
 
 /// What an [`Error`] speaks of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum What {
     /// Coefficients of a light.
@@ -74,6 +89,10 @@ pub enum What {
     Scene,
     /// A slice of normals or of their irradiances.
     Normals,
+    /// Texels of a baked map.
+    Texels,
+    /// Samples of a look-up.
+    Samples,
     /// Part of a basis: the pairs that each coefficient of a material couples.
     Couplings,
     /// Part of a basis: polar integrals.
@@ -135,13 +154,24 @@ impl fmt::Display for Error {
                 "the basis has the transfers of some materials and takes in no others; make one \
                  with store = \"projection\"",
             ),
-            Self::Exponent => f.write_str("an exponent is beyond 128; scale the numbers"),
+            Self::Exponent => f.write_str(
+                "an exponent is beyond 128, or beyond 65536 of coefficients; scale the numbers",
+            ),
             Self::Bound => f.write_str(
-                "a row of a table in integers could overflow its sum; take a table as it was made",
+                "a row of a table or a transfer in integers could overflow its sum; take it as it \
+                 was made",
             ),
             Self::Weight => f.write_str(
                 "an estimate needs pixels whose weights have a finite sum above zero; add some",
             ),
+            Self::Rotation => f.write_str(
+                "a rotation needs finite angles, a quaternion that is not zero, or an orthonormal \
+                 right-handed matrix",
+            ),
+            Self::Knots { found } => write!(f, "a look-up of {found} knots; take 8 to 65536"),
+            Self::Size { found } => {
+                write!(f, "a map of {found} texels a side; take 2 to 4096")
+            }
         }
     }
 }

@@ -15,6 +15,7 @@ use crate::scene::{argument, turned};
 
 /// An estimate in the making: see [`Basis::estimate`].
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Estimate<'a, S, const K: usize> {
     basis: Basis<'a, S>,
     sums: heapless::Vec<Sum<S>, K>,
@@ -66,7 +67,7 @@ impl<S: Scalar, const K: usize> Estimate<'_, S, K> {
             terms = rest;
             let profile = seen * polynomial::value(of_profile, t);
             // Φ_-m = √2 sin(-mβ).
-            for (index, around) in [(place.plus, cosine), (place.minus, -sine)] {
+            for (index, around) in [(place.plus(), cosine), (place.minus(), -sine)] {
                 let sum = index.and_then(|index| self.sums.get_mut(usize::from(index)));
                 if let Some(sum) = sum {
                     sum.add(profile * around);
@@ -104,6 +105,7 @@ impl<S: Scalar, const K: usize> Estimate<'_, S, K> {
 
 /// A sum and what its last addition rounded away.
 #[derive(Clone, Copy, Debug, Default)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 struct Sum<S> {
     sum: S,
     excess: S,

@@ -2,6 +2,7 @@
 
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Mul, Neg, Sub};
+use zerocopy::{FromBytes, Immutable, KnownLayout};
 
 /// A number format of the runtime: `f32`, `f64`, [`Q15`] or [`Q31`].
 ///
@@ -18,12 +19,18 @@ pub trait Format:
 
 /// A mantissa of 15 bits and a sign: the number is it times 2^exponent, the exponent
 /// that of the array it stands in.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(
+    Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, FromBytes, Immutable, KnownLayout,
+)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[repr(transparent)]
 pub struct Q15(pub i16);
 
 /// A mantissa of 31 bits and a sign: see [`Q15`].
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(
+    Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, FromBytes, Immutable, KnownLayout,
+)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[repr(transparent)]
 pub struct Q31(pub i32);
 
@@ -67,6 +74,8 @@ pub trait Fixed: Format<Wide: Wide> {
     const WEIGHT_SHIFT: u32;
     /// Bits of every step of a pixel's polynomials, and of its irradiance.
     const TERM_BITS: u32;
+    /// By how many bits an irradiance times an eigenimage is less than the product.
+    const SEEN_SHIFT: u32;
     /// The mantissa as a factor of a [`Wide`] product.
     fn widen(self) -> Self::Wide;
     /// The nearest mantissa; beyond the largest it is that.
@@ -79,6 +88,11 @@ pub trait Fixed: Format<Wide: Wide> {
     /// floor(sum t): t is this as a fraction of 2^(BITS - 1).
     /// Domain: |sum| < 2^[`TERM_BITS`](Self::TERM_BITS), |t| <= 1.
     fn argument_times(sum: i32, argument: i32) -> i32;
+    /// The same to the nearest.
+    fn nearest_argument_times(sum: i32, argument: i32) -> i32;
+    /// An irradiance times the value of an eigenimage, rounded after
+    /// [`SEEN_SHIFT`](Self::SEEN_SHIFT) bits.
+    fn seen(irradiance: Self, image: i32) -> i64;
     /// This as a fraction of 2^(BITS - 1).
     fn halved(self) -> i32;
     /// a x + b y, rounded: a and b fractions of 2^(BITS - 1). Domain: a² + b² and
@@ -111,6 +125,8 @@ pub trait Wide:
     const SIZE: u32;
     /// self + other, modulo 2^(SIZE + 1).
     fn wrapping_plus(self, other: Self) -> Self;
+    /// -self, modulo 2^(SIZE + 1).
+    fn wrapping_minus(self) -> Self;
     /// This number.
     fn of(number: i32) -> Self;
     /// Bits of |self|: the least n of |self| < 2^n.
@@ -132,6 +148,10 @@ impl Wide for i32 {
         self.wrapping_add(other)
     }
     #[inline(always)]
+    fn wrapping_minus(self) -> Self {
+        self.wrapping_neg()
+    }
+    #[inline(always)]
     fn of(number: i32) -> Self {
         number
     }
@@ -142,8 +162,11 @@ impl Wide for i32 {
     #[inline]
     fn shifted(self, by: i32) -> Self {
         match by {
-            0.. => self << by.min(31),
-            -31.. => ((self >> (-by - 1)) + 1) >> 1,
+            0.. => {
+                debug_assert!(self == 0 || self.bits().cast_signed() + by <= 31, "out of domain");
+                self << by.min(31)
+            }
+            -31.. => (self >> -by) + ((self >> (-by - 1)) & 1),
             _ => 0,
         }
     }
@@ -169,6 +192,10 @@ impl Wide for i64 {
         self.wrapping_add(other)
     }
     #[inline(always)]
+    fn wrapping_minus(self) -> Self {
+        self.wrapping_neg()
+    }
+    #[inline(always)]
     fn of(number: i32) -> Self {
         number.into()
     }
@@ -179,8 +206,11 @@ impl Wide for i64 {
     #[inline]
     fn shifted(self, by: i32) -> Self {
         match by {
-            0.. => self << by.min(63),
-            -63.. => ((self >> (-by - 1)) + 1) >> 1,
+            0.. => {
+                debug_assert!(self == 0 || self.bits().cast_signed() + by <= 63, "out of domain");
+                self << by.min(63)
+            }
+            -63.. => (self >> -by) + ((self >> (-by - 1)) & 1),
             _ => 0,
         }
     }
@@ -204,6 +234,7 @@ impl Fixed for Q15 {
     const WEIGHT_BITS: u32 = 21;
     const WEIGHT_SHIFT: u32 = 6;
     const TERM_BITS: u32 = 17;
+    const SEEN_SHIFT: u32 = 0;
     #[inline(always)]
     fn widen(self) -> i32 {
         i32::from(self.0)
@@ -225,7 +256,15 @@ impl Fixed for Q15 {
     }
     #[inline(always)]
     fn argument_times(sum: i32, argument: i32) -> i32 {
-        (sum * argument) >> 14
+        sum.wrapping_mul(argument) >> 14
+    }
+    #[inline(always)]
+    fn nearest_argument_times(sum: i32, argument: i32) -> i32 {
+        (sum * argument + (1 << 13)) >> 14
+    }
+    #[inline(always)]
+    fn seen(irradiance: Self, image: i32) -> i64 {
+        i64::from(irradiance.0) * i64::from(image)
     }
     #[inline(always)]
     fn halved(self) -> i32 {
@@ -237,7 +276,7 @@ impl Fixed for Q15 {
     }
     #[inline(always)]
     fn product(value: i32, fraction: i32) -> i32 {
-        value * fraction
+        value.wrapping_mul(fraction)
     }
     #[inline(always)]
     fn of_value(value: i32) -> i32 {
@@ -258,6 +297,7 @@ impl Fixed for Q31 {
     const WEIGHT_BITS: u32 = 30;
     const WEIGHT_SHIFT: u32 = 31;
     const TERM_BITS: u32 = 30;
+    const SEEN_SHIFT: u32 = 30;
     #[inline(always)]
     fn widen(self) -> i64 {
         i64::from(self.0)
@@ -277,6 +317,14 @@ impl Fixed for Q31 {
     #[inline(always)]
     fn argument_times(sum: i32, argument: i32) -> i32 {
         ((i64::from(sum) * i64::from(argument)) >> 30) as i32
+    }
+    #[inline(always)]
+    fn nearest_argument_times(sum: i32, argument: i32) -> i32 {
+        ((i64::from(sum) * i64::from(argument) + (1 << 29)) >> 30) as i32
+    }
+    #[inline(always)]
+    fn seen(irradiance: Self, image: i32) -> i64 {
+        (irradiance.widen() * i64::from(image) + (1 << 29)) >> 30
     }
     #[inline(always)]
     fn halved(self) -> i32 {

@@ -19,6 +19,7 @@ use crate::transfer::Transfer;
 ///
 /// Matrices are row by row, a row an eigenimage, a column a component of the span.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct GeneralParts<'a, S> {
     /// Number of eigenimages K.
     pub components: usize,
@@ -34,6 +35,7 @@ pub struct GeneralParts<'a, S> {
 
 /// An eigenbasis over any normals.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct GeneralBasis<'a, S> {
     span: Basis<'a, S>,
     parts: GeneralParts<'a, S>,

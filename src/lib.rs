@@ -44,7 +44,7 @@
 extern crate std;
 
 // The generated statics name the crate as their users would.
-#[cfg(feature = "baked")]
+#[cfg(any(feature = "baked", feature = "generate"))]
 extern crate self as eigenshade;
 
 pub use eigenshade_index as index;
@@ -53,9 +53,17 @@ mod format;
 
 mod scalar;
 
+pub mod mathematics;
+
 mod lanes;
 
 mod light;
+
+mod rotation;
+
+mod turn;
+
+mod window;
 
 mod material;
 
@@ -81,30 +89,56 @@ mod scene;
 
 mod shade;
 
+mod negatives;
+
+mod lookup;
+
+mod paraboloid;
+
+mod bake;
+
+mod bake_integer;
+
 pub mod quantised;
 
 mod general;
 
 mod estimate;
 
+pub mod wire;
+
 mod error;
+
+#[cfg(feature = "mint")]
+mod mint;
 
 #[cfg(feature = "baked")]
 pub mod sphere;
 
+#[cfg(feature = "generate")]
+pub mod generated;
+
+pub use bake::{BakedMap, MapBuffer};
+pub use bake_integer::IntegerMap;
 pub use basis::Basis;
 pub use error::{Error, What};
 pub use estimate::Estimate;
 pub use format::{Fixed, Format, Q15, Q31, Wide};
 pub use general::{GeneralBasis, GeneralParts};
 pub use light::Light;
+pub use lookup::{Lookup, LookupBuffer};
 pub use material::Material;
+pub use negatives::Negatives;
 pub use normal::{Normal, Normals};
+pub use paraboloid::MapPoint;
 pub use parts::{Coupling, Parts, Pass, ProfilePlace, Row};
 pub use projection::Coefficients;
+pub use rotation::Rotation;
 pub use scalar::Scalar;
 pub use scene::{Scene, SceneBuffer};
 pub use transfer::Transfer;
+pub use turn::LightBuffer;
+pub use window::Window;
 
 // The README's example is a test.
 #[cfg(all(doctest, feature = "baked"))]

@@ -10,6 +10,7 @@ use crate::index::light;
 /// the right, y up. Coefficients in the graphics convention are these times
 /// [`graphics_sign`](crate::index::light::graphics_sign).
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Light<'a, S> {
     degree: usize,
     coefficients: &'a [S],

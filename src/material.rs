@@ -8,6 +8,7 @@ use crate::index::material;
 ///
 /// The azimuth of (8) is φ_i - φ_r: zero is backscatter.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Material<'a, S> {
     order: usize,
     coefficients: &'a [S],

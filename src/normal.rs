@@ -1,10 +1,12 @@
 //! Normals: unit vectors toward the camera's side, z >= 0.
 
 use crate::error::{Error, What};
+use crate::mathematics::{Libm, Mathematics};
 use crate::scalar::Scalar;
 
 /// One visible unit normal: x to the right, y up, z toward the camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Normal<S> {
     pub(crate) x: S,
     pub(crate) y: S,
@@ -12,33 +14,41 @@ pub struct Normal<S> {
 }
 
 impl<S: Scalar> Normal<S> {
-    /// The normal along (x, y, z), of any length whose square is a normal number of
-    /// the format: 1e-18 to 1e18 in f32.
+    /// The normal along (x, y, z), of any length from 1e-18 to 1e18.
     ///
     /// A normal that points away by no more than 1e-3 is laid on the rim.
     ///
     /// # Errors
     ///
-    /// [`Error::Normal`] if a component is not finite, or the length is zero (or
-    /// so extreme that its square is); [`Error::Hidden`] if z < -1e-3 after
-    /// scaling.
+    /// [`Error::Normal`] if a component is not finite, or the square of the length is
+    /// below 1e-37 or not finite; [`Error::Hidden`] if z < -1e-3 after scaling.
     pub fn new(x: S, y: S, z: S) -> Result<Self, Error> {
-        let unit = Self { x, y, z }.scaled()?;
+        Self::with_mathematics::<Libm>(x, y, z)
+    }
+
+    /// [`new`](Self::new) with a root of one's choice.
+    ///
+    /// # Errors
+    ///
+    /// As there.
+    pub fn with_mathematics<M: Mathematics<S>>(x: S, y: S, z: S) -> Result<Self, Error> {
+        let unit = Self { x, y, z }.scaled::<M>()?;
         if unit.z >= S::ZERO {
             Ok(unit)
         } else if unit.z >= -S::from_f64(1e-3) {
-            Self { z: S::ZERO, ..unit }.scaled()
+            Self { z: S::ZERO, ..unit }.scaled::<M>()
         } else {
             Err(Error::Hidden)
         }
     }
 
-    fn scaled(self) -> Result<Self, Error> {
+    fn scaled<M: Mathematics<S>>(self) -> Result<Self, Error> {
         let square = self.x * self.x + self.y * self.y + self.z * self.z;
-        if !(square.is_finite() && square > S::ZERO) {
+        // The square of a smaller one has too few bits left.
+        if !(square.is_finite() && square >= S::from_f64(1e-37)) {
             return Err(Error::Normal);
         }
-        let scale = square.inverse_root();
+        let scale = M::inverse_root(square);
         Ok(Self { x: self.x * scale, y: self.y * scale, z: self.z * scale })
     }
 
@@ -54,6 +64,7 @@ impl<S: Scalar> Normal<S> {
 /// They are taken as they are: each must be a unit vector with z in \[0, 1\]. One
 /// that is not gives a meaningless irradiance for itself alone.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Normals<'a, S> {
     pub(crate) x: &'a [S],
     pub(crate) y: &'a [S],

@@ -1,10 +1,12 @@
 //! The arrays that a basis is made of.
 
 use crate::index::layout;
+use zerocopy::{FromBytes, Immutable, KnownLayout};
 
 /// The arrays of a basis, as `eigenshade-table` writes them.
 /// [`Basis::new`](crate::Basis::new) checks that they fit together.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Parts<'a, S> {
     /// Largest degree l of the light.
     pub degree: usize,
@@ -46,18 +48,39 @@ pub struct Parts<'a, S> {
 
 /// A slant profile's azimuth, the components that it serves, and their rows in a
 /// transfer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, FromBytes, Immutable, KnownLayout)]
+#[repr(C)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ProfilePlace {
     pub(crate) azimuth: u16,
-    pub(crate) plus: Option<u16>,
-    pub(crate) minus: Option<u16>,
+    plus: u16,
+    minus: u16,
     pub(crate) plus_row: Row,
     pub(crate) minus_row: Row,
 }
 
+/// Stands for no component.
+const NONE: u16 = u16::MAX;
+
+/// The number of a component; none is so many.
+const fn number(component: Option<u16>) -> u16 {
+    match component {
+        Some(component) => component,
+        None => NONE,
+    }
+}
+
+/// The component of this number.
+const fn component(number: u16) -> Option<u16> {
+    match number {
+        NONE => None,
+        component => Some(component),
+    }
+}
+
 impl ProfilePlace {
     /// The profile of `azimuth` |m| that serves component number `plus` with
-    /// order +m (or 0) and `minus` with -m.
+    /// order +m (or 0) and `minus` with -m. Component number 65,535 is none.
     #[must_use]
     pub const fn new(
         azimuth: u16,
@@ -66,7 +89,17 @@ impl ProfilePlace {
         plus_row: Row,
         minus_row: Row,
     ) -> Self {
-        Self { azimuth, plus, minus, plus_row, minus_row }
+        Self { azimuth, plus: number(plus), minus: number(minus), plus_row, minus_row }
+    }
+
+    #[inline]
+    pub(crate) const fn plus(self) -> Option<u16> {
+        component(self.plus)
+    }
+
+    #[inline]
+    pub(crate) const fn minus(self) -> Option<u16> {
+        component(self.minus)
     }
 
     #[inline]
@@ -77,7 +110,9 @@ impl ProfilePlace {
 
 /// Where the numbers of l = |m|, |m| + 1, ... of one component stand in a
 /// transfer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, FromBytes, Immutable, KnownLayout)]
+#[repr(C)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Row {
     pub(crate) start: u32,
     pub(crate) step: u32,
@@ -93,7 +128,9 @@ impl Row {
 
 /// The pairs that one coefficient b_op^q couples: polar integrals of (o, q) go into
 /// the sum of (p, q), and the other way round.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, FromBytes, Immutable, KnownLayout)]
+#[repr(C)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Coupling {
     pub(crate) o: u16,
     pub(crate) p: u16,
@@ -108,7 +145,9 @@ impl Coupling {
 }
 
 /// Part of a transfer: `LANES` orders m from `first` on, `profiles` of each.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, FromBytes, Immutable, KnownLayout)]
+#[repr(C)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Pass {
     pub(crate) first: i16,
     pub(crate) profiles: u16,

@@ -100,7 +100,7 @@ impl<'a, S: Scalar> Basis<'a, S> {
             let [plus, minus] = row(Row { factors, scattering, lights, width });
             let sums = lanes::sums(plus).into_iter().zip(lanes::sums(minus));
             for (place, (plus, minus)) in places.iter().zip(sums) {
-                for (index, value) in [(place.minus, minus), (place.plus, plus)] {
+                for (index, value) in [(place.minus(), minus), (place.plus(), plus)] {
                     let place = index.and_then(|index| coefficients.get_mut(usize::from(index)));
                     if let Some(coefficient) = place {
                         *coefficient = value;

@@ -8,6 +8,7 @@ use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 /// Sealed: a format that computes otherwise (fixed point) brings its own path.
 pub trait Scalar:
     sealed::Sealed
+    + crate::mathematics::ByLibm
     + Copy
     + PartialOrd
     + core::fmt::Debug
@@ -29,10 +30,12 @@ pub trait Scalar:
     fn add_product(self, a: Self, b: Self) -> Self;
     /// Whether the number is neither infinite nor NaN.
     fn is_finite(self) -> bool;
-    /// 1/√x for a positive x; set-up only, never called for a pixel.
-    fn inverse_root(self) -> Self;
     /// 1/x; never called for a pixel.
     fn reciprocal(self) -> Self;
+    /// The whole part of a number; 0 below zero or of NaN.
+    fn to_whole(self) -> usize;
+    /// A small whole number.
+    fn from_whole(value: usize) -> Self;
     /// The nearest number of this format.
     fn from_f64(value: f64) -> Self;
 }
@@ -61,12 +64,22 @@ impl Scalar for f32 {
         self.is_finite()
     }
     #[inline]
-    fn inverse_root(self) -> Self {
-        1.0 / libm::sqrtf(self)
-    }
-    #[inline]
     fn reciprocal(self) -> Self {
         1.0 / self
+    }
+    #[inline]
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a saturating cast is what is asked for"
+    )]
+    fn to_whole(self) -> usize {
+        self as usize
+    }
+    #[inline]
+    #[expect(clippy::cast_precision_loss, reason = "small numbers are exact")]
+    fn from_whole(value: usize) -> Self {
+        value as Self
     }
     #[inline]
     #[expect(clippy::cast_possible_truncation, reason = "rounding is what is asked for")]
@@ -93,12 +106,22 @@ impl Scalar for f64 {
         self.is_finite()
     }
     #[inline]
-    fn inverse_root(self) -> Self {
-        1.0 / libm::sqrt(self)
-    }
-    #[inline]
     fn reciprocal(self) -> Self {
         1.0 / self
+    }
+    #[inline]
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a saturating cast is what is asked for"
+    )]
+    fn to_whole(self) -> usize {
+        self as usize
+    }
+    #[inline]
+    #[expect(clippy::cast_precision_loss, reason = "small numbers are exact")]
+    fn from_whole(value: usize) -> Self {
+        value as Self
     }
     #[inline]
     fn from_f64(value: f64) -> Self {

@@ -103,7 +103,7 @@ impl<S: Scalar> Basis<'_, S> {
         let (sums, _) = sums.as_chunks::<LANES>();
         let (scattering, _) = scattering.as_chunks_mut::<LANES>();
         // Four pairs by four degrees at a time.
-        for (column, pairs) in sums.chunks_exact(LANES * groups).enumerate() {
+        for (column, pairs) in sums.chunks_exact((LANES * groups).max(1)).enumerate() {
             let (first, rest) = pairs.split_at_checked(groups).unwrap_or_default();
             let (second, rest) = rest.split_at_checked(groups).unwrap_or_default();
             let (third, fourth) = rest.split_at_checked(groups).unwrap_or_default();

@@ -15,6 +15,7 @@ pub type SceneBuffer<S, const N: usize> = heapless::Vec<S, N>;
 ///
 /// A pixel costs 2 degree + 1 polynomials whatever the number of components.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Scene<'a, B> {
     lengths: &'a [u16],
     buffer: B,
@@ -73,14 +74,25 @@ impl<'a, S: Scalar> Basis<'a, S> {
             let length = self.parts.length(azimuth);
             let (of_profile, rest) = terms.split_at_checked(length).unwrap_or((terms, &[]));
             terms = rest;
-            if let Some(weight) = weight(place.plus) {
+            if let Some(weight) = weight(place.plus()) {
                 add(weight, of_profile, sums);
             }
             // Φ_-m = √2 sin(-mβ) = -√2 Im (n_x + i n_y)^m / sin^m.
-            if let Some(weight) = weight(place.minus) {
+            if let Some(weight) = weight(place.minus()) {
                 add(-weight, of_profile, sums.get_mut(length..).unwrap_or_default());
             }
         }
+        Ok(Scene { lengths: self.parts.lengths, buffer })
+    }
+
+    /// The scene of polynomials that were collapsed before, from wherever they were kept.
+    /// Others give meaningless irradiances.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] unless there are [`scene_len`](Self::scene_len) of them.
+    pub fn scene<B: AsRef<[S]>>(&self, buffer: B) -> Result<Scene<'a, B>, Error> {
+        Error::check(What::Scene, self.scene_len(), buffer.as_ref().len())?;
         Ok(Scene { lengths: self.parts.lengths, buffer })
     }
 
@@ -111,7 +123,7 @@ impl<'a, S: Scalar> Basis<'a, S> {
             let (of_profile, rest) =
                 terms.split_at_checked(self.parts.length(azimuth)).unwrap_or((terms, &[]));
             terms = rest;
-            let around = weight(place.plus) * cosine - weight(place.minus) * sine;
+            let around = weight(place.plus()) * cosine - weight(place.minus()) * sine;
             sum += polynomial::value(of_profile, t) * around;
         }
         Ok(sum)

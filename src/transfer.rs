@@ -23,6 +23,7 @@ const BEFORE: usize = if cfg!(target_pointer_width = "64") { 64 - size_of::<usiz
 /// A vector keeps its length before its numbers. On 64-bit machines it is placed so
 /// that no group of numbers straddles two cache lines: relighting takes a tenth less.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[repr(C)]
 #[cfg_attr(target_pointer_width = "64", repr(align(64)))]
 pub struct Transfer<S, const N: usize> {

@@ -1,12 +1,14 @@
 //! An eigenbasis in integers, its shape and its bounds checked.
 
-use super::Parts;
+use super::fold::{MOST, Transfer};
+use super::{Parts, Profile};
 use crate::error::{Error, What};
 use crate::format::{Q15, Q31};
 use crate::index::pair;
 
 /// An eigenbasis in an integer format.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Basis<'a, Q> {
     pub(crate) parts: Parts<'a, Q>,
 }
@@ -18,19 +20,23 @@ impl<'a, Q> Parts<'a, Q> {
         if let Err(error) = Error::check(What::Lengths, degrees, self.lengths.len()) {
             return Err(error);
         }
+        // A weight for +m and one for -m; a row of a transfer.
+        if 2 * self.profiles.len() > MOST || degrees > MOST / 2 {
+            return Err(Error::Bound);
+        }
         let pairs = pair::count(self.order);
         let (mut rows, mut terms, mut served, mut before) = (0, 0, 0, 0);
         let mut rest = self.profiles;
         while let [profile, tail @ ..] = rest {
             let azimuth = profile.azimuth as usize;
-            let of_minus = profile.minus != super::Profile::NONE;
+            let of_minus = profile.minus != Profile::NONE;
             if azimuth < before || azimuth > self.degree || (azimuth == 0 && of_minus) {
                 return Err(Error::Profile);
             }
             let orders = [profile.plus, profile.minus];
             let mut orders = orders.as_slice();
             while let [component, others @ ..] = orders {
-                if *component != super::Profile::NONE {
+                if *component != Profile::NONE {
                     if *component as usize >= self.components {
                         return Err(Error::Profile);
                     }
@@ -38,19 +44,20 @@ impl<'a, Q> Parts<'a, Q> {
                 }
                 orders = others;
             }
-            rows += degrees - azimuth;
-            terms += self.length(azimuth);
+            rows = usize::saturating_add(rows, degrees - azimuth);
+            terms = usize::saturating_add(terms, self.length(azimuth));
             (rest, before) = (tail, azimuth);
         }
         if served != self.components {
             return Err(Error::Profile);
         }
         let folded = self.polar.is_empty() && self.factors.is_empty();
-        let (polar, rows) = if folded { (0, 0) } else { (degrees * pairs, rows) };
+        let (degrees, rows) = if folded { (0, 0) } else { (degrees, rows) };
+        let polar = pairs.saturating_mul(degrees);
         let checks = [
             Error::check(What::Polar, polar, self.polar.len()),
             Error::check(What::Polar, polar, self.polar_exponents.len()),
-            Error::check(What::Factors, rows * pairs, self.factors.len()),
+            Error::check(What::Factors, pairs.saturating_mul(rows), self.factors.len()),
             Error::check(What::Factors, rows, self.factor_exponents.len()),
             Error::check(What::Terms, terms, self.terms.len()),
         ];
@@ -84,7 +91,8 @@ macro_rules! bounded {
             /// # Errors
             ///
             /// [`Error::Length`] or [`Error::Profile`] if the parts contradict each
-            /// other, [`Error::Bound`] if a row of factors sums to 2^(BITS + 1) or more.
+            /// other, [`Error::Bound`] if a row of factors sums to 2^(BITS + 1) or more,
+            /// or there are more than 511 profiles, or degrees beyond 510.
             pub const fn new(parts: Parts<'a, $format>) -> Result<Self, Error> {
                 if let Err(error) = parts.fits() {
                     return Err(error);
@@ -92,12 +100,7 @@ macro_rules! bounded {
                 let pairs = pair::count(parts.order);
                 let mut rest = parts.factors;
                 while let Some((row, tail)) = rest.split_at_checked(pairs) {
-                    let (mut sum, mut numbers) = (0_u64, row);
-                    while let [$format(number), others @ ..] = numbers {
-                        sum += number.unsigned_abs() as u64;
-                        numbers = others;
-                    }
-                    if sum >> ($bits + 1) != 0 {
+                    if !Self::bounds(row) {
                         return Err(Error::Bound);
                     }
                     if tail.is_empty() {
@@ -106,6 +109,48 @@ macro_rules! bounded {
                     rest = tail;
                 }
                 Ok(Self { parts })
+            }
+
+            /// The transfer of these numbers, checked for this basis once and for all:
+            /// what a static is made by.
+            ///
+            /// # Errors
+            ///
+            /// [`Error::Length`] if there are not [`transfer_len`](Self::transfer_len)
+            /// numbers and [`profiles`](Self::profiles) exponents, [`Error::Bound`] if a
+            /// row sums to 2^(BITS + 1) or more.
+            pub const fn transfer<'t>(
+                &self,
+                numbers: &'t [$format],
+                exponents: &'t [i16],
+            ) -> Result<Transfer<'t, $format>, Error> {
+                let lengths = [
+                    Error::check(What::Transfer, self.transfer_len(), numbers.len()),
+                    Error::check(What::Transfer, self.profiles(), exponents.len()),
+                ];
+                if let [Err(error), _] | [_, Err(error)] = lengths {
+                    return Err(error);
+                }
+                let (mut rest, mut profiles) = (numbers, self.parts.profiles);
+                while let [profile, others @ ..] = profiles {
+                    let length = self.parts.degree + 1 - profile.azimuth as usize;
+                    let Some((row, tail)) = rest.split_at_checked(length) else { break };
+                    if !Self::bounds(row) {
+                        return Err(Error::Bound);
+                    }
+                    (rest, profiles) = (tail, others);
+                }
+                Ok(Transfer { numbers, exponents, bounded: true })
+            }
+
+            /// Whether the sizes of a row sum to less than 2^(BITS + 1).
+            const fn bounds(row: &[$format]) -> bool {
+                let (mut sum, mut numbers) = (0_u64, row);
+                while let [$format(number), others @ ..] = numbers {
+                    sum += number.unsigned_abs() as u64;
+                    numbers = others;
+                }
+                sum >> ($bits + 1) == 0
             }
         }
     };
@@ -142,7 +187,7 @@ impl<'a, Q> Basis<'a, Q> {
     /// with exponents.
     #[must_use]
     pub const fn workspace_len(&self) -> usize {
-        (self.parts.degree + 1) * (pair::count(self.parts.order) + 3)
+        pair::count(self.parts.order).saturating_add(3).saturating_mul(self.parts.degree + 1)
     }
 
     /// Numbers in a transfer: for each profile one for each l from |m| on.
@@ -150,7 +195,8 @@ impl<'a, Q> Basis<'a, Q> {
     pub const fn transfer_len(&self) -> usize {
         let (mut sum, mut rest) = (0, self.parts.profiles);
         while let [profile, tail @ ..] = rest {
-            sum += self.parts.degree + 1 - profile.azimuth as usize;
+            let degrees = self.parts.degree + 1 - profile.azimuth as usize;
+            sum = usize::saturating_add(sum, degrees);
             rest = tail;
         }
         sum

@@ -3,6 +3,7 @@
 /// The coefficients d of one image, component by component: mantissas below 2^30, times
 /// 2^exponent.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Coefficients<const K: usize> {
     pub(crate) mantissas: heapless::Vec<i32, K>,
     pub(crate) exponent: i32,

@@ -18,6 +18,7 @@ const UNIT: u32 = 16;
 /// One image: for each azimuth |m| the polynomials of +m and -m in `buffer`, all times
 /// 2^exponent.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Scene<'a, Q, B> {
     pub(crate) lengths: &'a [u8],
     pub(crate) exponent: i32,
@@ -29,12 +30,14 @@ impl<'a, Q: Fixed> Basis<'a, Q> {
     /// Sums the components of each azimuth.
     ///
     /// `N` is at least [`scene_len`](Self::scene_len). `mantissas` and `exponent` are
-    /// those of the first components; those that are missing count as zero.
+    /// those of the first components; those that are missing count as zero. They may be
+    /// any: but the scene's resolution is what 2^16 of them are.
     ///
     /// # Errors
     ///
     /// [`Error::Length`] if there are more coefficients than components,
-    /// [`Error::Capacity`] if `N` is too small.
+    /// [`Error::Exponent`] if |exponent| is above 2^16, which that of no light on a
+    /// material is, [`Error::Capacity`] if `N` is too small.
     pub fn collapse<const N: usize>(
         &self,
         mantissas: &[i32],
@@ -50,7 +53,7 @@ impl<'a, Q: Fixed> Basis<'a, Q> {
     /// # Errors
     ///
     /// [`Error::Length`] if there are more coefficients than components, or the buffer
-    /// has another length.
+    /// has another length; [`Error::Exponent`] as there.
     pub fn collapse_into<B: AsMut<[i32]>>(
         &self,
         mantissas: &[i32],
@@ -62,6 +65,9 @@ impl<'a, Q: Fixed> Basis<'a, Q> {
         if mantissas.len() > self.components() {
             let (expected, found) = (self.components(), mantissas.len());
             return Err(Error::Length { what: What::Coefficients, expected, found });
+        }
+        if exponent.unsigned_abs() > 1 << 16 {
+            return Err(Error::Exponent);
         }
         sums.fill(0);
         let weight = |index: u16| mantissas.get(usize::from(index)).copied().unwrap_or(0);
@@ -85,6 +91,21 @@ impl<'a, Q: Fixed> Basis<'a, Q> {
         }
         let to = self.finish(mantissas, exponent, common, sums);
         Ok(Scene { lengths: self.parts.lengths, exponent: to, buffer, format: PhantomData })
+    }
+
+    /// The scene of polynomials and an exponent that were collapsed before, from wherever
+    /// they were kept. Others give meaningless irradiances.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] unless there are [`scene_len`](Self::scene_len) of them.
+    pub fn scene<B: AsRef<[i32]>>(
+        &self,
+        exponent: i32,
+        buffer: B,
+    ) -> Result<Scene<'a, Q, B>, Error> {
+        Error::check(What::Scene, self.scene_len(), buffer.as_ref().len())?;
+        Ok(Scene { lengths: self.parts.lengths, exponent, buffer, format: PhantomData })
     }
 
     /// Scales the sums of weighed terms; gives their exponent.
@@ -151,9 +172,10 @@ impl<'a, Q: Fixed> Basis<'a, Q> {
                 (azimuth, of_plus, of_minus) = (profile.azimuth, 0, 0);
             }
             let [plus, minus] = [size(profile.plus), size(profile.minus)];
-            of_plus += u64::from(plus * u32::from(profile.step));
-            of_minus += u64::from(minus * u32::from(profile.step));
-            image += u64::from((plus + minus) * u32::from(profile.size));
+            let times = |size: u32, of_profile: u16| u64::from(size * u32::from(of_profile));
+            of_plus += times(plus, profile.step);
+            of_minus += times(minus, profile.step);
+            image += times(plus, profile.size) + times(minus, profile.size);
             largest = largest.max(of_plus).max(of_minus);
         }
         largest = largest.max(image);

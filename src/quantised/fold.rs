@@ -10,22 +10,27 @@ use crate::projection::zeros;
 /// A material folded into a basis: for each profile a row over l from |m| on, times 2
 /// to the profile's exponent.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Transfer<'a, Q> {
     pub(crate) numbers: &'a [Q],
     pub(crate) exponents: &'a [i16],
+    /// Whether every row's sizes are known to sum to less than 2^(BITS + 1).
+    pub(crate) bounded: bool,
 }
 
 impl<'a, Q> Transfer<'a, Q> {
-    /// The transfer of these numbers. [`Basis::relight`] checks that they are as many as
-    /// it needs.
+    /// The transfer of these numbers. [`Basis::relight`] checks each time that they are
+    /// as many as it needs, and that no sum can leave its accumulator;
+    /// [`Basis::transfer`] does so once.
     #[must_use]
     pub const fn new(numbers: &'a [Q], exponents: &'a [i16]) -> Self {
-        Self { numbers, exponents }
+        Self { numbers, exponents, bounded: false }
     }
 }
 
 /// Room for a [`Transfer`] of `T` numbers and `P` profiles.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct TransferBuffer<Q, const T: usize, const P: usize> {
     pub(crate) numbers: heapless::Vec<Q, T>,
     pub(crate) exponents: heapless::Vec<i16, P>,
@@ -35,7 +40,7 @@ impl<Q, const T: usize, const P: usize> TransferBuffer<Q, T, P> {
     /// The transfer in it.
     #[must_use]
     pub fn view(&self) -> Transfer<'_, Q> {
-        Transfer { numbers: &self.numbers, exponents: &self.exponents }
+        Transfer { numbers: &self.numbers, exponents: &self.exponents, bounded: true }
     }
 }
 
@@ -88,7 +93,8 @@ impl<Q: Fixed> Basis<'_, Q> {
         Error::check(What::Workspace, self.workspace_len(), workspace.len())?;
         Error::check(What::Transfer, self.transfer_len(), numbers.len())?;
         Error::check(What::Transfer, self.profiles(), exponents.len())?;
-        let pairs = pair::count(self.order());
+        // Not 0, which a compiler may not see: chunks of 0 would panic.
+        let pairs = pair::count(self.order()).max(1);
         let degrees = self.degree() + 1;
         let (sums, rest) = workspace.split_at_mut_checked(degrees * pairs).unwrap_or_default();
         let (of_sums, row) = rest.split_at_mut_checked(degrees).unwrap_or_default();
@@ -124,7 +130,8 @@ impl<Q: Fixed> Basis<'_, Q> {
     /// Writes S: for each l a row over the pairs (p, q), each below 2^BITS, and the
     /// row's exponent.
     fn scatter(&self, material: &Material<'_, Q>, sums: &mut [Q::Wide], exponents: &mut [Q::Wide]) {
-        let pairs = pair::count(self.order());
+        // Not 0, which a compiler may not see: chunks of 0 would panic.
+        let pairs = pair::count(self.order()).max(1);
         // The addends of one sum are one for each o of a parity.
         let room = Q::Wide::of((self.order() / 2 + 1) as i32).bits().cast_signed() - 1;
         let polar = self.parts.polar.chunks_exact(pairs);
@@ -132,11 +139,17 @@ impl<Q: Fixed> Basis<'_, Q> {
         for ((polar, of_polar), (sums, exponent)) in
             rows.zip(sums.chunks_exact_mut(pairs).zip(exponents))
         {
-            let mut top = i32::MIN;
-            for ((o, _), &of_polar) in pair::indices(self.order()).zip(of_polar) {
-                if let Some(&of_order) = material.exponents.get(o) {
-                    top = top.max(i32::from(of_order) + i32::from(of_polar));
+            // Ĉ of (o, q) meets coefficients of o and of all above it, of its parity.
+            let (mut above, mut of_others, mut top, mut rest) = (None, None, i32::MIN, of_polar);
+            for o in (0..=self.order()).rev() {
+                let (below, of_o) =
+                    rest.split_at_checked(pair::position(o, 0)).unwrap_or((rest, &[]));
+                rest = below;
+                above = above.max(material.exponents.get(o));
+                if let (Some(&above), Some(&of_polar)) = (above, of_o.iter().max()) {
+                    top = top.max(i32::from(above) + i32::from(of_polar));
                 }
+                (above, of_others) = (of_others, above);
             }
             let common = top + room;
             sums.fill(Q::Wide::default());
@@ -179,28 +192,33 @@ fn product<Q: Fixed>(factors: &[Q], sums: &[Q::Wide]) -> Q::Wide {
     sum
 }
 
+/// Numbers whose rounding a common exponent leaves room for: in 31 bits their alignment
+/// is off by half of it units at most, of 2^18 or more, and a 256th is added.
+pub(crate) const MOST: usize = 1023;
+
 /// The least exponent with which mantissas are below 2^`each`, and their sizes' sum,
-/// after rounding, below 2^`all`, of at most 2^(BITS - 8) numbers with an exponent each.
+/// after rounding, below 2^`all`, of at most [`MOST`] numbers with an exponent each.
+/// Domain: `all` is at least 16.
 pub(crate) fn common_exponent<W: Wide>(
     numbers: impl Iterator<Item = (W, i32)> + Clone,
     all: u32,
     each: u32,
 ) -> i32 {
     let (mut top, mut count) = (None, 0);
-    for (number, exponent) in numbers.clone() {
+    numbers.clone().for_each(|(number, exponent)| {
         count += 1;
         if number != W::default() {
             top = top.max(Some(number.bits().cast_signed() + exponent));
         }
-    }
+    });
     let Some(top) = top else { return 0 };
     let room = W::SIZE.cast_signed() - W::of(count).bits().cast_signed() - 2;
     let base = top - room;
     let mut sum = W::default();
-    for (number, exponent) in numbers {
+    numbers.for_each(|(number, exponent)| {
         let aligned = number.shifted(exponent - base);
         sum += if aligned < W::default() { -aligned } else { aligned };
-    }
+    });
     sum += sum.shifted(-8);
     (base + sum.bits().cast_signed() - all.cast_signed()).max(top - each.cast_signed())
 }

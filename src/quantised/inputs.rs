@@ -7,6 +7,7 @@ use crate::index::{light, material};
 /// One channel of distant light: mantissas in the order of
 /// [`index::light`](crate::index::light), all times 2^exponent.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Light<'a, Q> {
     pub(crate) degree: usize,
     pub(crate) exponent: i32,
@@ -15,7 +16,11 @@ pub struct Light<'a, Q> {
 
 /// One channel of an isotropic BRDF: mantissas in the order of
 /// [`index::material`](crate::index::material), those of each o times 2 to its exponent.
+///
+/// What is lost of small coefficients follows the exponents: the largest mantissa of each
+/// o is to have all bits, and where all are zero the exponent is to be the least.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Material<'a, Q> {
     pub(crate) order: usize,
     pub(crate) exponents: &'a [i8],
@@ -130,7 +135,8 @@ fn decoded(number: f32) -> (i32, i32) {
 fn quantise<Q: Fixed>(from: &[f32], to: &mut [Q]) -> i32 {
     let tops = from.iter().map(|&number| decoded(number)).filter(|(size, _)| *size != 0);
     let top = tops.map(|(size, exponent)| size.bits().cast_signed() + exponent).max();
-    let exponent = top.unwrap_or(0).max(-96) - Q::BITS.cast_signed();
+    // Zeros take the least, for an exponent tells what its numbers could be.
+    let exponent = top.unwrap_or(-96).max(-96) - Q::BITS.cast_signed();
     for (to, &number) in to.iter_mut().zip(from) {
         let (size, of_number) = decoded(number);
         *to = Q::narrow(Q::Wide::of(size).shifted(of_number - exponent));

@@ -10,6 +10,7 @@ use crate::format::{Fixed, Wide as _};
 
 /// A pixel on its way: the sum so far, and (n_x + i n_y)^m.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Pixel<Q: Fixed> {
     normal: Normal<Q>,
     t: i32,
@@ -64,13 +65,14 @@ impl<Q: Fixed> Pixel<Q> {
     }
 }
 
-/// A polynomial's value by Horner's rule, each step rounded down.
+/// A polynomial's value by Horner's rule, each step rounded down. No step of a table's
+/// leaves its bits; those of one that states its sizes too small may wrap.
 #[inline(always)]
 pub(crate) fn value<Q: Fixed>(terms: &[i32], t: i32) -> i32 {
     let Some((&first, rest)) = terms.split_first() else { return 0 };
     let mut sum = first;
     for &term in rest {
-        sum = Q::argument_times(sum, t) + term;
+        sum = Q::argument_times(sum, t).wrapping_add(term);
     }
     sum
 }

@@ -6,6 +6,7 @@ use crate::format::{Fixed, Q15, Q31};
 /// One visible unit normal, its components fractions of 2^BITS: x to the right, y up,
 /// z >= 0 toward the camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Normal<Q> {
     pub(crate) x: Q,
     pub(crate) y: Q,

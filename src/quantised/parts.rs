@@ -1,8 +1,11 @@
 //! The arrays that a basis in integers is made of.
 
+use zerocopy::{FromBytes, Immutable, KnownLayout};
+
 /// The arrays of a basis in an integer format, as `eigenshade-table` writes them: a
 /// mantissa times 2 to its exponent is the number.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Parts<'a, Q> {
     /// Largest degree l of the light.
     pub degree: usize,
@@ -30,7 +33,9 @@ pub struct Parts<'a, Q> {
 
 /// A slant profile: its azimuth, the components that it serves, the exponent of its
 /// terms, and how large it gets.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, FromBytes, Immutable, KnownLayout)]
+#[repr(C)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Profile {
     pub(crate) azimuth: u8,
     pub(crate) exponent: i8,

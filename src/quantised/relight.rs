@@ -34,7 +34,8 @@ impl<Q: Fixed> Basis<'_, Q> {
     /// # Errors
     ///
     /// [`Error::Beyond`] if the light goes beyond the basis, [`Error::Length`] if
-    /// transfer or slice are not the basis's.
+    /// transfer or slice are not the basis's, [`Error::Bound`] if a row of a transfer
+    /// made by [`Transfer::new`] sums to 2^(BITS + 1) or more.
     pub fn relight_into(
         &self,
         transfer: &Transfer<'_, Q>,
@@ -48,6 +49,9 @@ impl<Q: Fixed> Basis<'_, Q> {
         Error::check(What::Transfer, self.transfer_len(), transfer.numbers.len())?;
         Error::check(What::Transfer, self.profiles(), transfer.exponents.len())?;
         Error::check(What::Coefficients, self.components(), mantissas.len())?;
+        if !transfer.bounded && !self.has_bounded(transfer.numbers) {
+            return Err(Error::Bound);
+        }
         let mut numbers = transfer.numbers;
         let mut top = None;
         let mut note = |place: Option<&mut i32>, sum: Q::Wide, exponent: i16| {
@@ -79,8 +83,26 @@ impl<Q: Fixed> Basis<'_, Q> {
     }
 }
 
-/// Σ_l T_l L_l^±m, that of -m times (-1)^m. A row of a transfer sums to less than
-/// 2^(BITS + 1), so both fit.
+impl<Q: Fixed> Basis<'_, Q> {
+    /// Whether the sizes of each row sum to less than 2^(BITS + 1).
+    fn has_bounded(&self, mut numbers: &[Q]) -> bool {
+        self.parts.profiles.iter().all(|profile| {
+            let length = self.degree() + 1 - usize::from(profile.azimuth);
+            let (row, after) = numbers.split_at_checked(length).unwrap_or((numbers, &[]));
+            numbers = after;
+            let mut sum = Q::Wide::default();
+            for number in row {
+                let number = number.widen();
+                sum += if number < Q::Wide::default() { -number } else { number };
+            }
+            sum.bits() <= Q::BITS + 1
+        })
+    }
+}
+
+/// Σ_l T_l L_l^±m, that of -m times (-1)^m. A row of a transfer of this basis sums to
+/// less than 2^(BITS + 1), so both fit; that of another basis's, whose rows have other
+/// lengths, may wrap.
 #[inline]
 fn sums<Q: Fixed>(row: &[Q], light: &[Q], azimuth: usize) -> [Q::Wide; 2] {
     let mut sums = [Q::Wide::default(); 2];
@@ -92,9 +114,10 @@ fn sums<Q: Fixed>(row: &[Q], light: &[Q], azimuth: usize) -> [Q::Wide; 2] {
             break;
         };
         let [of_plus, of_minus] = &mut sums;
-        *of_plus += number.widen() * plus.widen();
-        *of_minus += number.widen() * minus.widen();
+        *of_plus = of_plus.wrapping_plus(number.widen() * plus.widen());
+        *of_minus = of_minus.wrapping_plus(number.widen() * minus.widen());
     }
     let [plus, minus] = sums;
-    [plus, if azimuth % 2 == 1 { -minus } else { minus }]
+    let odd = azimuth % 2 == 1;
+    [plus, if odd { minus.wrapping_minus() } else { minus }]
 }

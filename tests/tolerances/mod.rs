@@ -260,6 +260,53 @@ pub const DIRECT_PARTS: f64 = 1e-3;
 /// sample it to some per cent, and their peak, at the rim or a window, is that of the nearest.
 pub const ERROR_FIGURE: f64 = 0.1;
 
+/// One rounding to f32, relative.
+pub const ROUNDING_F32: f64 = 6.1e-8;
+/// Roots in f32 by Newton's method, relative: a few roundings.
+pub const SINGLE_ROOT: f64 = 2e-7;
+/// Sines and cosines in f32 to 1,000 rad: roundings of a polynomial and of the angle's rest.
+pub const SINGLE_ANGLE: f64 = 1e-7;
+/// `micromath`'s roots, relative: the exponent halved, its bits as a straight line.
+pub const MICROMATH_ROOT: f64 = 0.061;
+/// Its reciprocal roots, relative: the same line with a better offset.
+pub const MICROMATH_INVERSE_ROOT: f64 = 0.035;
+/// Its sines and cosines within 10 rad: two parabolas.
+pub const MICROMATH_ANGLE: f64 = 1.1e-3;
+
+/// Baked maps of N texels a side: N, rms of bilinear and of nearest look-ups, of the peak, each of the
+/// median image and of the worst: bilinear falls by four where nearest falls by two.
+pub const BAKED: [(usize, [f64; 2], [f64; 2]); 3] = [
+    (32, [4e-4, 2e-3], [1.2e-2, 3e-2]),
+    (64, [1e-4, 5e-4], [6e-3, 1.5e-2]),
+    (128, [2.5e-5, 1.3e-4], [3e-3, 7e-3]),
+];
+/// What integers may add to that: three roundings to 2^-15, and normals of 2^-16.
+pub const BAKED_INTEGERS: f64 = 4e-5;
+/// Map coordinates from Q15 normals, in units of 2^-15: their own rounding and that of the
+/// quotient, whose scale is cut to 2^-16.
+pub const MAP_POINT_Q15: f64 = 1.3;
+
+/// Look-ups with so many knots: knots, rms of linear and of cubic ones, of the peak, each of the median
+/// image and of the worst: linear falls by four, cubic by sixteen at best, down to the rounding of f32.
+pub const LOOKUP: [(usize, [f64; 2], [f64; 2]); 4] = [
+    (16, [6e-4, 5e-3], [7e-5, 8e-4]),
+    (32, [1.4e-4, 1.1e-3], [6e-6, 7e-5]),
+    (64, [3.5e-5, 2.6e-4], [7e-7, 8e-6]),
+    (128, [8e-6, 6.5e-5], [1.2e-7, 1e-6]),
+];
+
+/// A light of degree 9 turned in f32, of its largest coefficient: nine steps of a recurrence, and
+/// sums of 19 products.
+pub const TURNED_F32: f64 = 2e-6;
+/// The same turned and turned back.
+pub const TURNED_BACK_F32: f64 = 1e-6;
+
+/// A factor of a window in f32: a sine, a division, two squares.
+pub const WINDOW_F32: f64 = 5e-7;
+/// How far a point of light to degree 9 goes below zero through a window of width 10, of its peak; without
+/// one it is 0.13 or more.
+pub const WINDOW_RINGING: f64 = 0.01;
+
 /// Area of facets that nothing hides, in a picture of a few units: the same products, in another
 /// order.
 pub const WHOLE_FACETS: f64 = 1e-12;
@@ -298,9 +345,6 @@ pub const Q15_COMPONENT: f64 = 64.0;
 /// Figures in decibels on a page are rounded to a tenth; a fused target moves f32 by
 /// less than the other half.
 pub const DECIBELS_STATED: f64 = 0.1;
-/// d and irradiances in f32 against those in f64, of the largest of their array: some forty
-/// roundings of 6e-8 that count, in any order, fused or not.
-pub const GOLDEN_F32: f32 = 2e-6;
 /// Figures of the shipped components against those of all, relative: what 250 leave out hardly shows
 /// beside what the degree does.
 pub const ERROR_OF_COMPONENTS: f64 = 0.01;
@@ -316,6 +360,61 @@ pub const UNIT_LENGTH: f64 = 1e-12;
 /// |d|² + residual against the energy over an object, relative: modes whose images over the sphere are below
 /// 1e-13 are in no span, and at one normal of the rim they are a thousand times that, and the image dark.
 pub const OBJECT_PARSEVAL: f64 = 1e-9;
+/// d from pixels in mantissas of 15 bits, of the largest: the images of weak components are trimmed to
+/// 1e-5 over their share of the database's rms, some 1e-3 in the weakest.
+pub const ESTIMATE_Q15: f64 = 5e-3;
+/// The same in 31 bits, trimmed to 1e-8.
+pub const ESTIMATE_Q31: f64 = 1e-6;
+/// d and irradiances in f32 against those in f64, of the largest of their array: some forty
+/// roundings of 6e-8 that count, in any order, fused or not.
+pub const GOLDEN_F32: f32 = 2e-6;
+/// d of any light and material, of what its addends could be, all of the largest size and of one
+/// sign: some roundings of 24 bits.
+pub const ANY_D_F32: f64 = 1e-6;
+/// See [`ANY_D_F32`]: light, material, Ĉ, S, factors and T are each rounded to 15 bits of the largest
+/// of their row.
+pub const ANY_D_Q15: f64 = 1e-4;
+/// See [`ANY_D_Q15`], with 31 bits.
+pub const ANY_D_Q31: f64 = 1e-9;
+/// d has 30 bits of its largest component.
+pub const ANY_D_COMMON: f64 = 2e-9;
+/// A pixel of any coefficients in integers, of the range of 17 bits.
+pub const ANY_PIXEL_Q15: f64 = 1e-3;
+/// See [`ANY_PIXEL_Q15`], of 30 bits.
+pub const ANY_PIXEL_Q31: f64 = 1e-6;
+/// A pixel of d in f32, of the sizes of all its terms.
+pub const ANY_PIXEL_F32: f64 = 1e-6;
+/// A pixel of d, of the sizes of all its terms: 17 bits, and what is trimmed of the polynomials.
+pub const ANY_IMAGE_Q15: f64 = 1e-3;
+/// See [`ANY_IMAGE_Q15`].
+pub const ANY_IMAGE_Q31: f64 = 1e-6;
+
+/// d from a wire file in f32, of the largest: 2^-24 times some twenty roundings.
+pub const WIRE_F32: f32 = 1e-6;
+/// d from a wire file in 15 bits, of the largest: a few roundings of 2^-15.
+pub const WIRE_Q15: f32 = 2e-4;
+/// d from a wire file in 31 bits, of the largest: the comparison itself is in f32.
+pub const WIRE_Q31: f32 = 2e-7;
+/// Statics in f32 of a table that another host made, of the largest of their kind: 2^-23,
+/// a rounding the other way.
+pub const STATICS: f32 = 1.2e-7;
+/// Images of forty components in f32 against direct quadrature, of the peak: what the other
+/// components have.
+pub const OWN_TABLE_F32: f64 = 1e-5;
+/// The same in 15 bits: 65 dB and more below the image, at a single normal.
+pub const OWN_TABLE_Q15: f64 = 2e-3;
+
+/// Ways of `shade` to a pixel, all components of a scene of degree 4 and order 3 against the direct sum, rms of
+/// the largest irradiance of all: what each leaves of so smooth images; cubics come down to the rounding of f32.
+pub const WAYS: [(&str, f64); 7] = [
+    ("--method table --knots 32 --interpolation linear", 1.5e-5),
+    ("--method table --knots 128 --interpolation linear", 8e-7),
+    ("--method table --knots 128 --interpolation cubic", 1e-7),
+    ("--method baked --size 32 --interpolation linear", 1.2e-4),
+    ("--method baked --size 64 --interpolation linear", 2.5e-5),
+    ("--method baked --size 128 --interpolation linear", 7e-6),
+    ("--method baked --size 64 --interpolation nearest", 3e-3),
+];
 /// Rms error of the firmware's full scene over the rms peak: what its components and terms are
 /// chosen for.
 pub const FULL_SCENE: f64 = 1e-4;

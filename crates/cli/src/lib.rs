@@ -15,6 +15,8 @@ pub mod parallel;
 
 pub mod table_file;
 
+pub mod wire_file;
+
 pub mod shipped;
 
 pub mod named;

@@ -2,7 +2,7 @@
 //! format of the runtime.
 
 use crate::owned_basis::{AnyBasis, Folded};
-use eigenshade::{Light, Material, Normal, Normals, Scalar, Scene};
+use eigenshade::{BakedMap, Light, MapPoint, Material, Normal, Normals, Scalar, Scene};
 use eigenshade_generator::database::{Lights, Materials, Named};
 use eigenshade_generator::error::{Error, Result};
 use eigenshade_table::Table;
@@ -12,6 +12,42 @@ use eigenshade_table::transfer::fingerprint;
 #[must_use]
 pub fn fitted(table: &Table, lights: &Lights, materials: &Materials) -> (Lights, Materials) {
     (lights.truncated(table.gram.degree), materials.truncated(table.gram.order))
+}
+
+/// Ways to a pixel that look it up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LookUp {
+    /// Straight lines between knots of each azimuth.
+    Linear {
+        /// How many.
+        knots: usize,
+    },
+    /// Cubics between them.
+    Cubic {
+        /// How many.
+        knots: usize,
+    },
+    /// Between four texels of a baked map.
+    Bilinear {
+        /// Texels a side.
+        size: usize,
+    },
+    /// The nearest of them.
+    Nearest {
+        /// Texels a side.
+        size: usize,
+    },
+}
+
+fn sampled<S: Scalar>(
+    scene: &Scene<'_, &mut Vec<S>>,
+    knots: usize,
+) -> Result<eigenshade::Lookup<S, Vec<S>>> {
+    scene.lookup_into(knots, vec![S::ZERO; scene.lookup_len(knots)]).map_err(fault)
+}
+
+fn baked<S: Scalar>(scene: &Scene<'_, &mut Vec<S>>, size: usize) -> Result<BakedMap<S, Vec<S>>> {
+    scene.bake_into(size, vec![S::ZERO; size * size]).map_err(fault)
 }
 
 /// A basis with room to work in.
@@ -158,6 +194,41 @@ impl<'a, S: Scalar> Shader<'a, S> {
         let mut irradiance = vec![S::ZERO; normals.len()];
         self.scene()?.shade_slice(normals, &mut irradiance).map_err(fault)?;
         Ok(irradiance)
+    }
+
+    /// One channel of the image, looked up.
+    ///
+    /// # Errors
+    ///
+    /// As [`project`](Self::project), or knots or texels that the runtime does not have.
+    pub fn looked_up(
+        &mut self,
+        light: (usize, &[f64]),
+        material: (usize, &[f64]),
+        normals: &[Normal<S>],
+        way: LookUp,
+    ) -> Result<Vec<S>> {
+        self.project(light, material)?;
+        let scene = self.scene()?;
+        let each = normals.iter();
+        Ok(match way {
+            LookUp::Linear { knots } => {
+                let table = sampled(&scene, knots)?;
+                each.map(|&normal| table.linear(normal)).collect()
+            }
+            LookUp::Cubic { knots } => {
+                let table = sampled(&scene, knots)?;
+                each.map(|&normal| table.cubic(normal)).collect()
+            }
+            LookUp::Bilinear { size } => {
+                let map = baked(&scene, size)?;
+                each.map(|&normal| map.bilinear(MapPoint::of(normal))).collect()
+            }
+            LookUp::Nearest { size } => {
+                let map = baked(&scene, size)?;
+                each.map(|&normal| map.nearest(MapPoint::of(normal))).collect()
+            }
+        })
     }
 
     /// One channel of the image, component by component.

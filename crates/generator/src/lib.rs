@@ -71,3 +71,5 @@ pub mod reading;
 pub mod direct;
 
 pub mod output;
+
+pub mod build;

@@ -4,11 +4,11 @@ use crate::database::{Lights, Materials, Named};
 use crate::error::{Error, Result};
 use crate::geometry::Geometry;
 use crate::inputs::coefficient_csv::{read_lights, read_materials};
-use crate::inputs::object;
+use crate::inputs::{density, object};
 use crate::{basis, general};
 use eigenshade_table::scene::{Effect, LightRotation};
 use eigenshade_table::{Scene, Table};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// A scene with the databases that it names.
 #[derive(Clone, Debug, PartialEq)]
@@ -60,6 +60,27 @@ pub fn load(path: &Path) -> Result<Loaded> {
     }
     let geometry = object::read(&scene.geometry, scene.light.degree, folder)?;
     Ok(Loaded { scene, lights, materials, geometry })
+}
+
+/// The files that the table of a scene file is made of, itself first, whether they are
+/// there or not. Of a file that is no scene, itself alone.
+#[must_use]
+pub fn inputs(path: &Path) -> Vec<PathBuf> {
+    let text = std::fs::read_to_string(path).unwrap_or_default();
+    let folder = path.parent().unwrap_or(Path::new("."));
+    let mut inputs = vec![path.to_owned()];
+    if let Ok(scene) = toml::from_str::<Scene>(&text) {
+        let geometry = &scene.geometry;
+        let object = match geometry.normals.as_str() {
+            "sphere" => None,
+            "slant-density" => geometry.density.as_ref().filter(|one| density::is_file(one)),
+            _ => Some(&geometry.normals),
+        };
+        let databases = [&scene.light.database, &scene.material.database];
+        let files = databases.into_iter().chain(object).chain(&geometry.mask);
+        inputs.extend(files.map(|file| folder.join(file)));
+    }
+    inputs
 }
 
 fn named(materials: &Materials, names: &[String], database: &Path) -> Result<Vec<Named>> {

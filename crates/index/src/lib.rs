@@ -5,6 +5,7 @@
 //! * [`pair`]: one Zernike polynomial (p, q), the half of a scattering mode.
 //! * [`mode`]: the irradiance modes of one azimuth |m|.
 //! * [`layout`]: how the runtime lays out its rows.
+//! * [`wire`]: a table as bytes that the runtime reads where they lie.
 //!
 //! Every order of coefficients has the prefix property: those of a lower degree
 //! or order are the first ones of a higher. "(n)" in these pages is equation n of
@@ -17,3 +18,4 @@ pub mod light;
 pub mod material;
 pub mod mode;
 pub mod pair;
+pub mod wire;

@@ -5,7 +5,7 @@
 //! 311, 331, 333, ...
 
 /// The largest order whose coefficients are counted: 32 bits hold their number.
-const MOST: usize = 2047;
+pub(crate) const MOST: usize = 2047;
 
 /// Number of coefficients up to and including `order`, or `usize::MAX` for an order
 /// above 2047.
@@ -33,9 +33,17 @@ pub const fn position(o: usize, p: usize, q: usize) -> usize {
 }
 
 /// All (o, p, q) up to `order`, in storage order.
+#[inline]
 pub fn indices(order: usize) -> impl Iterator<Item = (usize, usize, usize)> {
-    (0..=order).flat_map(|o| {
-        (o % 2..=o).step_by(2).flat_map(move |p| (o % 2..=p).step_by(2).map(move |q| (o, p, q)))
+    let mut next = (0, 0, 0);
+    core::iter::from_fn(move || {
+        let (o, p, q) = next;
+        next = match (q < p, p < o) {
+            (true, _) => (o, p, q + 2),
+            (false, true) => (o, p + 2, o % 2),
+            (false, false) => (o + 1, (o + 1) % 2, (o + 1) % 2),
+        };
+        (o <= order).then_some((o, p, q))
     })
 }
 

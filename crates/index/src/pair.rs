@@ -2,10 +2,14 @@
 //!
 //! The order is 00, 11, 20, 22, 31, 33, ...: by p, then by q.
 
-/// Number of pairs up to and including `order`.
+/// Number of pairs up to and including `order`, or `usize::MAX` for an order above
+/// 2047, as [`material::count`](crate::material::count) has it.
 #[inline]
 #[must_use]
 pub const fn count(order: usize) -> usize {
+    if order > crate::material::MOST {
+        return usize::MAX;
+    }
     position(order + 1, 0)
 }
 
@@ -34,5 +38,6 @@ mod tests {
             assert!(indices(order).enumerate().all(|(k, (p, q))| position(p, q) == k));
             assert_eq!(indices(order).count(), count(order));
         }
+        assert_eq!(count(usize::MAX), usize::MAX);
     }
 }

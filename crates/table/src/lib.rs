@@ -37,6 +37,10 @@ pub mod rust_quantised;
 
 pub mod rust_source;
 
+pub mod statics;
+
+pub mod wire;
+
 pub use file::{FileError, decode, encode};
 pub use general::General;
 pub use gram::GramFactor;

@@ -28,6 +28,15 @@ impl Format {
         }
     }
 
+    /// Its name on a command line, and of its module.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Q15 => "q15",
+            Self::Q31 => "q31",
+        }
+    }
+
     /// What the polynomials of this format may leave out, of the database's rms: less
     /// than what the format's rounding costs.
     #[must_use]
@@ -103,6 +112,11 @@ pub enum QuantiseError {
         /// Its number of terms.
         terms: usize,
     },
+    /// A profile or a step of its polynomial exceeds 4,095.
+    Large {
+        /// Its |m|.
+        azimuth: usize,
+    },
 }
 
 impl fmt::Display for QuantiseError {
@@ -123,6 +137,11 @@ impl fmt::Display for QuantiseError {
                 "a polynomial of |m| = {azimuth} has {terms} terms, integers take {}; make the \
                  table with a larger profile_tolerance or a lower degree",
                 layout::POWERS
+            ),
+            Self::Large { azimuth } => write!(
+                f,
+                "a profile of |m| = {azimuth} is beyond 4095; make the table with fewer components \
+                 or a lower degree"
             ),
         }
     }
@@ -176,7 +195,8 @@ impl QuantisedParts {
             let kept = &profile.chebyshev[..length.min(profile.chebyshev.len())];
             let powers: Vec<f64> = powers(kept, length).iter().map(|term| scale * term).collect();
             let (mantissas, exponent) = row(&powers, bits, i64::MAX);
-            let [size, step] = sizes(&mantissas, exponent, azimuth);
+            let sizes = sizes(&mantissas, exponent, azimuth);
+            let [size, step] = sizes.ok_or(QuantiseError::Large { azimuth })?;
             terms.extend(mantissas);
             let of = |is_minus: bool| {
                 let mut components = table.components.iter();
@@ -210,7 +230,8 @@ impl QuantisedParts {
 }
 
 /// Mantissas of these numbers and their exponent: each below 2^`bits`, their sizes' sum
-/// below `sum`.
+/// below `sum`. Numbers below 2^-128 of the format are lost; beyond 2^127 they are as
+/// large as can be.
 #[must_use]
 pub fn row(numbers: &[f64], bits: i32, sum: i64) -> (Vec<i32>, i8) {
     let largest = numbers.iter().fold(0.0f64, |most, number| most.max(number.abs()));
@@ -218,17 +239,18 @@ pub fn row(numbers: &[f64], bits: i32, sum: i64) -> (Vec<i32>, i8) {
         return (vec![0; numbers.len()], i8::MIN);
     }
     // From the least exponent that may do.
-    let least = largest.log2().floor() as i32 - bits;
-    (least..)
-        .find_map(|exponent| {
-            let rounded = numbers.iter().map(|number| (number * 2f64.powi(-exponent)).round());
-            let rounded: Vec<i64> = rounded.map(|number| number as i64).collect();
-            let fits = rounded.iter().all(|number| number.abs() < 1 << bits);
-            let fits = fits && rounded.iter().map(|number| number.abs()).sum::<i64>() < sum;
-            let mantissas = rounded.iter().map(|&number| number as i32).collect();
-            fits.then(|| (mantissas, exponent.clamp(-128, 127) as i8))
-        })
-        .expect("a large enough exponent leaves zeros")
+    let least = (largest.log2().floor() as i32 - bits).clamp(-128, 127);
+    for exponent in least..=127 {
+        let scale = 2f64.powi(-exponent);
+        let rounded = numbers.iter().map(|number| (number * scale).round() as i64);
+        let sizes = rounded.clone().map(i64::saturating_abs);
+        if sizes.clone().all(|size| size < 1 << bits) && sizes.fold(0, i64::saturating_add) < sum {
+            return (rounded.map(|number| number as i32).collect(), exponent as i8);
+        }
+    }
+    let most = ((1 << bits) - 1).min((sum - 1) / numbers.len() as i64) as f64;
+    let saturated = numbers.iter().map(|number| (number * 2f64.powi(-127)).clamp(-most, most));
+    (saturated.map(|number| number as i32).collect(), 127)
 }
 
 /// Terms of each azimuth: as many as leave out no more than the tolerance of the
@@ -284,8 +306,8 @@ pub fn material(order: usize, coefficients: &[f64], format: Format) -> (Vec<i32>
 const POINTS: usize = 16;
 
 /// The largest |u| of a profile, and the largest step of Horner's rule for its
-/// polynomial, in sixteenths, rounded up.
-fn sizes(terms: &[i32], exponent: i8, azimuth: usize) -> [u16; 2] {
+/// polynomial, in sixteenths, rounded up; none if they are beyond 16 bits.
+fn sizes(terms: &[i32], exponent: i8, azimuth: usize) -> Option<[u16; 2]> {
     let scale = 2f64.powi(exponent.into());
     // Squares, times powers of 1 - z².
     let count = POINTS * 2 * (terms.len() + azimuth).max(1);
@@ -301,6 +323,30 @@ fn sizes(terms: &[i32], exponent: i8, azimuth: usize) -> [u16; 2] {
         size = size.max(step * step * (1.0 - z * z).powi(azimuth as i32));
     }
     let missed = (std::f64::consts::PI / (2 * POINTS) as f64).cos();
-    [size.sqrt(), largest]
-        .map(|value| (16.0 * value / missed).ceil().min(f64::from(u16::MAX)) as u16)
+    let sizes = [size.sqrt(), largest].map(|value| (16.0 * value / missed).ceil());
+    sizes.iter().all(|&size| size <= u16::MAX.into()).then(|| sizes.map(|size| size as u16))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_beyond_the_exponents_are_lost_or_saturate() {
+        for bits in [15, 31] {
+            let sum = 1 << (bits + 1);
+            assert_eq!(row(&[1e-60, -1e-70], bits, i64::MAX), (vec![0, 0], -128));
+            let (mantissas, exponent) = row(&[1e60, -1e300, 1.0], bits, sum);
+            assert_eq!((mantissas[2], exponent), (0, 127));
+            assert!(mantissas[0] > 0 && mantissas[1] == -mantissas[0]);
+            assert!(mantissas.iter().map(|one| i64::from(one.abs())).sum::<i64>() < sum);
+            assert_eq!(row(&[1.0], bits, i64::MAX), (vec![1 << (bits - 1)], (1 - bits) as i8));
+        }
+    }
+
+    #[test]
+    fn profiles_beyond_sixteen_bits_have_no_size() {
+        assert_eq!(sizes(&[1, 0, 0], 0, 0), Some([17, 17]));
+        assert_eq!(sizes(&[30_000, 0, 0], 0, 0), None);
+    }
 }

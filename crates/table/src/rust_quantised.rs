@@ -47,7 +47,8 @@ pub fn module(parts: &QuantisedParts, command: &str) -> String {
     text
 }
 
-/// The statics of a material folded into such a table, as `transfer` gives it.
+/// The statics of a material folded into such a table, as `transfer` gives it, to stand
+/// where its `BASIS` is in scope. Its bounds are checked when it is compiled.
 #[must_use]
 pub fn transfer(format: Format, mantissas: &[i32], exponents: &[i16]) -> String {
     let format = name(format);
@@ -57,9 +58,12 @@ pub fn transfer(format: Format, mantissas: &[i32], exponents: &[i16]) -> String 
     put(
         &mut text,
         format_args!(
-            "/// The folded material.\npub static MATERIAL: eigenshade::quantised::Transfer<'static, \
-             eigenshade::{format}> =\n    eigenshade::quantised::Transfer::new(&FOLDED, \
-             &FOLDED_EXPONENTS);"
+            "/// The folded material.
+pub static MATERIAL: eigenshade::quantised::Transfer<'static, eigenshade::{format}> =
+    match BASIS.transfer(&FOLDED, &FOLDED_EXPONENTS) {{
+        Ok(transfer) => transfer,
+        Err(_) => panic!(\"the transfer is not of this basis\"),
+    }};"
         ),
     );
     text

@@ -84,11 +84,11 @@ fn floats(parts: &Parts) -> [(&'static str, &[f64]); 5] {
 }
 
 /// Bytes of all statics: f32 and u16 arrays, bools, 4 bytes a pass or a
-/// coupling, 28 a profile.
+/// coupling, 24 a profile.
 fn bytes(parts: &Parts) -> usize {
     let floats: usize = floats(parts).iter().map(|(_, values)| values.len()).sum();
     let shorts = parts.lengths.len() + parts.slots.len();
-    let records = 4 * parts.passes.len() + 4 * parts.couplings.len() + 28 * parts.profiles.len();
+    let records = 4 * parts.passes.len() + 4 * parts.couplings.len() + 24 * parts.profiles.len();
     4 * floats + 2 * shorts + parts.selection.len() + records
 }
 

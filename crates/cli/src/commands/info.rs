@@ -2,8 +2,8 @@
 
 use clap::Args;
 use eigenshade_cli::number::grouped;
-use eigenshade_cli::{destination, table_file};
-use eigenshade_generator::error::Result;
+use eigenshade_cli::{destination, table_file, wire_file};
+use eigenshade_generator::error::{Error, Result};
 use eigenshade_table::Table;
 use eigenshade_table::manifest::manifest;
 use eigenshade_table::scene::Store;
@@ -11,17 +11,26 @@ use std::fmt::Write;
 use std::path::PathBuf;
 
 /// What is in a table: scene, orders, components, rank, energy, sections and bytes
+///
+/// Of a wire file, which `pack` writes: version, format, orders, components, sections
+/// and bytes.
 #[derive(Args, Debug)]
 pub struct Info {
-    /// The table
+    /// The table, or a wire file of one
     #[arg(value_name = "B.bin")]
     table: PathBuf,
 }
 
 impl Info {
     pub fn run(self) -> Result<()> {
-        let table = table_file::read(&self.table)?;
-        destination::write_text(None, &description(&table))
+        let bytes = std::fs::read(&self.table).map_err(|error| Error::io(&self.table, &error))?;
+        let text = if wire_file::is_one(&bytes) {
+            wire_file::description(&bytes)
+        } else {
+            table_file::decode(&bytes).map(|table| description(&table))
+        };
+        let text = text.map_err(|error| error.in_file(&self.table))?;
+        destination::write_text(None, &text)
     }
 }
 

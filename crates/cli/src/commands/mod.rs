@@ -11,6 +11,7 @@ mod info;
 mod light;
 mod material;
 mod material_formula;
+mod pack;
 mod paper;
 mod project;
 mod read;
@@ -31,6 +32,7 @@ pub enum Command {
     Material(material::Material),
     Basis(basis::Basis),
     Errors(errors::Errors),
+    Pack(pack::Pack),
     Info(info::Info),
     Eigenvalues(eigenvalues::Eigenvalues),
     Project(project::Project),
@@ -51,6 +53,7 @@ impl Command {
             Self::Material(command) => command.run(),
             Self::Basis(command) => command.run(),
             Self::Errors(command) => command.run(),
+            Self::Pack(command) => command.run(),
             Self::Info(command) => command.run(),
             Self::Eigenvalues(command) => command.run(),
             Self::Project(command) => command.run(),

@@ -2,12 +2,13 @@
 
 use super::count;
 use clap::{Args, ValueEnum};
-use eigenshade::Scalar;
-use eigenshade_cli::message::bar;
+use eigenshade::mathematics::Libm;
+use eigenshade::{Negatives, Scalar, Window};
+use eigenshade_cli::message::{bar, say};
 use eigenshade_cli::number::exact;
 use eigenshade_cli::owned_basis::OwnedBasis;
 use eigenshade_cli::rows::Rows;
-use eigenshade_cli::shader::{OwnedNormals, Shader, fault, fitted};
+use eigenshade_cli::shader::{LookUp, OwnedNormals, Shader, fault, fitted};
 use eigenshade_cli::{destination, table_file, truth_image};
 use eigenshade_generator::database::{Lights, Materials, Named};
 use eigenshade_generator::error::{Error, Result};
@@ -48,6 +49,23 @@ pub struct Shade {
     /// Turns the light by Rz(A) Ry(B) Rz(C), radians
     #[arg(long, value_name = "A,B,C", value_parser = angles, allow_hyphen_values = true)]
     rotate: Option<Rotation>,
+    /// Of the method table: knots of each azimuth, 8 to 65536 [default: 128]
+    #[arg(long, value_name = "N", value_parser = count(8, 65_536))]
+    knots: Option<usize>,
+    /// Of the method baked: texels a side, 2 to 4096 [default: 64]
+    #[arg(long, value_name = "N", value_parser = count(2, 4_096))]
+    size: Option<usize>,
+    /// Between knots or texels: of table linear or cubic [default: cubic], of baked nearest
+    /// or linear [default: linear]
+    #[arg(long, value_enum)]
+    interpolation: Option<Interpolation>,
+    /// Weakens degree l of the light by sinc^4, (sin x / x)^4 with x = pi l / W; nothing is
+    /// left from degree W on
+    #[arg(long, value_name = "W", value_parser = width)]
+    window: Option<f64>,
+    /// Irradiance below zero becomes zero; the least that was there is told on standard error
+    #[arg(long)]
+    clamp: bool,
     /// Where the CSV goes, instead of standard output
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
@@ -67,6 +85,24 @@ enum Method {
     Eigen,
     /// One polynomial for each azimuth, as on a device
     Polynomial,
+    /// Those polynomials sampled at --knots, and looked up
+    Table,
+    /// The image baked on a paraboloid map of --size, and looked up
+    Baked,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Interpolation {
+    Nearest,
+    Linear,
+    Cubic,
+}
+
+fn width(text: &str) -> std::result::Result<f64, String> {
+    match text.parse() {
+        Ok(width) if width > 0.0 && f64::is_finite(width) => Ok(width),
+        _ => Err("a width in degrees above 0 is wanted, as in 12".to_owned()),
+    }
 }
 
 fn angles(text: &str) -> std::result::Result<Rotation, String> {
@@ -96,6 +132,7 @@ impl Shade {
             let what = "the method modes is in f64 only";
             return Err(Error::new(what, "leave --format out, or choose another method"));
         }
+        let way = self.way()?;
         let table = table_file::read(&self.table)?;
         let components = table_file::components(&table, self.components, &self.table)?;
         let (mut lights, materials) = fitted(
@@ -109,14 +146,89 @@ impl Shade {
                 *channel = rotation.turn(degree, channel);
             }
         }
+        if let Some(width) = self.window {
+            let window = Window::SincFourth { width };
+            for channel in lights.entries.iter_mut().flat_map(|entry| &mut entry.rgb) {
+                window.apply::<Libm>(channel);
+            }
+        }
         let normals = read_normals(&self.normals)?;
         let work = Work { table, lights, materials, normals, components };
-        destination::write(self.out.as_deref(), |out| match (self.method, self.format) {
-            (Method::Modes, _) => work.modes(out),
-            (method, Some(Format::F64)) => work.shade::<f64>(method, out),
-            (method, _) => work.shade::<f32>(method, out),
-        })
+        let negatives = if self.clamp { Negatives::Clamped } else { Negatives::Kept };
+        let mut least = f64::INFINITY;
+        destination::write(self.out.as_deref(), |out| {
+            let mut rows = Output { rows: header(out)?, negatives, least: &mut least };
+            match (self.method, self.format) {
+                (Method::Modes, _) => work.modes(&mut rows),
+                (_, Some(Format::F64)) => work.shade::<f64>(way, &mut rows),
+                (_, _) => work.shade::<f32>(way, &mut rows),
+            }?;
+            rows.rows.finish()
+        })?;
+        if self.clamp && least < 0.0 {
+            say(format_args!("least irradiance {}, clamped", exact(least)));
+        }
+        Ok(())
     }
+
+    /// How a pixel is had: options that belong to another method are errors.
+    fn way(&self) -> Result<Way> {
+        let (table, baked) = (self.method == Method::Table, self.method == Method::Baked);
+        let stray = |option: &str, method: &str| {
+            let what = format!("{option} is of the method {method}, which is not asked for");
+            Err(Error::new(what, format!("leave {option} out, or ask for --method {method}")))
+        };
+        if self.knots.is_some() && !table {
+            return stray("--knots", "table");
+        }
+        if self.size.is_some() && !baked {
+            return stray("--size", "baked");
+        }
+        if self.interpolation.is_some() && !(table || baked) {
+            return stray("--interpolation", "table");
+        }
+        let (knots, size) = (self.knots.unwrap_or(128), self.size.unwrap_or(64));
+        match (self.method, self.interpolation) {
+            (Method::Eigen, _) => Ok(Way::Eigen),
+            (Method::Table, Some(Interpolation::Linear)) => {
+                Ok(Way::LookUp(LookUp::Linear { knots }))
+            }
+            (Method::Table, None | Some(Interpolation::Cubic)) => {
+                Ok(Way::LookUp(LookUp::Cubic { knots }))
+            }
+            (Method::Table, Some(Interpolation::Nearest)) => Err(Error::new(
+                "the method table has no interpolation nearest",
+                "take linear or cubic",
+            )),
+            (Method::Baked, Some(Interpolation::Nearest)) => {
+                Ok(Way::LookUp(LookUp::Nearest { size }))
+            }
+            (Method::Baked, None | Some(Interpolation::Linear)) => {
+                Ok(Way::LookUp(LookUp::Bilinear { size }))
+            }
+            (Method::Baked, Some(Interpolation::Cubic)) => Err(Error::new(
+                "the method baked has no interpolation cubic",
+                "take nearest or linear",
+            )),
+            (Method::Modes | Method::Polynomial, _) => Ok(Way::Polynomial),
+        }
+    }
+}
+
+/// How the runtime comes to a pixel.
+#[derive(Clone, Copy, Debug)]
+enum Way {
+    Eigen,
+    Polynomial,
+    LookUp(LookUp),
+}
+
+/// Where irradiance goes.
+struct Output<'a, 'b> {
+    rows: Rows<'b>,
+    negatives: Negatives,
+    /// The least so far, before it was clamped.
+    least: &'a mut f64,
 }
 
 impl Work {
@@ -126,44 +238,43 @@ impl Work {
         lights.flat_map(move |light| materials.iter().map(move |material| (light, material)))
     }
 
-    fn modes(&self, out: &mut dyn Write) -> Result<()> {
+    fn modes(&self, out: &mut Output<'_, '_>) -> Result<()> {
         let progress = bar("normals", self.normals.len());
         let images = truth_image::images(&self.lights, &self.materials, &self.normals, &progress);
         progress.finish_and_clear();
-        let mut rows = header(out)?;
         for (pair, names) in self.pairs().enumerate() {
             for (normal, of_pairs) in images.iter().enumerate() {
-                row(&mut rows, names, normal, of_pairs[pair])?;
+                out.row(names, normal, of_pairs[pair])?;
             }
         }
-        rows.finish()
+        Ok(())
     }
 
-    fn shade<S: Scalar + Into<f64>>(&self, method: Method, out: &mut dyn Write) -> Result<()> {
+    fn shade<S: Scalar + Into<f64>>(&self, way: Way, out: &mut Output<'_, '_>) -> Result<()> {
         let basis = OwnedBasis::<S>::new(&self.table);
         let mut shader =
             Shader::new(basis.any().map_err(fault)?, self.components).with_folded(basis.folded());
         let normals = OwnedNormals::<S>::new(&self.normals);
         let each = normals.each()?;
-        let mut rows = header(out)?;
         let progress = bar("images", self.lights.entries.len() * self.materials.entries.len());
         for (light, material) in self.pairs() {
             let mut channel = |c: usize| {
                 let of_light = (self.lights.degree, light.rgb[c].as_slice());
                 let of_material = (self.materials.order, material.rgb[c].as_slice());
-                match method {
-                    Method::Eigen => shader.eigen(of_light, of_material, &each),
-                    _ => shader.polynomial(of_light, of_material, &normals),
+                match way {
+                    Way::Eigen => shader.eigen(of_light, of_material, &each),
+                    Way::Polynomial => shader.polynomial(of_light, of_material, &normals),
+                    Way::LookUp(way) => shader.looked_up(of_light, of_material, &each, way),
                 }
             };
             let (red, green, blue) = (channel(0)?, channel(1)?, channel(2)?);
             for (normal, ((&r, &g), &b)) in red.iter().zip(&green).zip(&blue).enumerate() {
-                row(&mut rows, (light, material), normal, [r.into(), g.into(), b.into()])?;
+                out.row((light, material), normal, [r.into(), g.into(), b.into()])?;
             }
             progress.inc(1);
         }
         progress.finish_and_clear();
-        rows.finish()
+        Ok(())
     }
 }
 
@@ -171,12 +282,17 @@ fn header(out: &mut dyn Write) -> Result<Rows<'_>> {
     Rows::new(out, ["light", "material", "normal", "r", "g", "b"])
 }
 
-fn row(
-    rows: &mut Rows<'_>,
-    (light, material): (&Named, &Named),
-    normal: usize,
-    rgb: [f64; 3],
-) -> Result<()> {
-    let [r, g, b] = rgb.map(exact);
-    rows.row([&light.name, &material.name, &normal.to_string(), &r, &g, &b])
+impl Output<'_, '_> {
+    fn row(
+        &mut self,
+        (light, material): (&Named, &Named),
+        normal: usize,
+        mut rgb: [f64; 3],
+    ) -> Result<()> {
+        if let Some(least) = self.negatives.apply(&mut rgb) {
+            *self.least = self.least.min(least);
+        }
+        let [r, g, b] = rgb.map(exact);
+        self.rows.row([&light.name, &material.name, &normal.to_string(), &r, &g, &b])
+    }
 }

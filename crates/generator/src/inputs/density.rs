@@ -14,6 +14,11 @@ const NODES: usize = 192;
 /// Slants of a CSV at most: a hundredth of a degree.
 const MOST_SLANTS: usize = 9001;
 
+/// Whether a density is the name of a file, and not a formula.
+pub(crate) fn is_file(density: &str) -> bool {
+    Path::new(density).extension().is_some_and(|end| end.eq_ignore_ascii_case("csv"))
+}
+
 /// Normals of an object whose normals have this density per solid angle over the
 /// visible hemisphere, of any scale, the same for all tilts.
 ///
@@ -28,7 +33,7 @@ const MOST_SLANTS: usize = 9001;
 /// A formula that does not parse or has other variables than `a`; a CSV that is broken
 /// or whose slants do not rise within \[0, π/2\]; a density that is negative or not finite.
 pub fn read(density: &str, folder: &Path, degree: usize) -> Result<Vec<([f64; 3], f64)>> {
-    if Path::new(density).extension().is_some_and(|end| end.eq_ignore_ascii_case("csv")) {
+    if is_file(density) {
         let path = folder.join(density);
         let rows = slants(&path)?;
         let panels = rows.windows(2).map(|two| (two[0].0, two[1].0)).collect::<Vec<_>>();

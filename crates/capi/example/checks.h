@@ -1,0 +1,24 @@
+/* What every machine has to find: the golden vectors (checks.c), and what the library answers
+ * to arguments at fault (faults.c). */
+#ifndef CHECKS_H
+#define CHECKS_H
+
+#include "eigenshade.h"
+
+/* The program's voice: part of a line, without an end of its own. The machine's. */
+void say(const char *text);
+
+/* Runs all checks, says what it finds, and gives the number of faults. */
+uint32_t checks(void);
+
+/* The part of them that hands over arguments at fault. */
+void checks_of_faults(void);
+
+/* One check, named by format, function and number. */
+void check(int holds, const char *format, const char *what, uint32_t number);
+
+/* Whether a function answered what it should have. */
+void check_status(eigenshade_status found, eigenshade_status expected, const char *format,
+                  const char *what);
+
+#endif

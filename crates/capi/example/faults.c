@@ -1,0 +1,162 @@
+/* What the library answers to arguments at fault, and that it then leaves alone what it was
+ * to write. */
+#include "checks.h"
+
+static const float bright[1] = {1.0f};
+static const float white[1] = {2.0f};
+
+static void faults_f32(void) {
+  static eigenshade_workspace_f32 workspace;
+  static eigenshade_transfer_f32 transfer;
+  static eigenshade_coefficients_f32 d;
+  static eigenshade_scene_f32 scene;
+  static float numbers[4];
+  const char *const name = "f32";
+  const eigenshade_light_f32 ambient = {.degree = 0, .length = 1, .coefficients = bright};
+  const eigenshade_material_f32 matte = {.order = 0, .length = 1, .coefficients = white};
+  eigenshade_light_f32 light = ambient;
+  eigenshade_material_f32 material = matte;
+  float irradiance = 0.0f;
+
+  /* A matte sphere in light from everywhere: pi times its radiance Y_0^0 over pi. */
+  check_status(eigenshade_project_f32(&light, &material, &workspace, &d),
+               EIGENSHADE_STATUS_OK, name, "ambient");
+  check_status(eigenshade_collapse_f32(&d, EIGENSHADE_COMPONENTS, &scene),
+               EIGENSHADE_STATUS_OK, name, "ambient");
+  check_status(eigenshade_shade_f32(&scene, 0.0f, 0.0f, 2.0f, &irradiance),
+               EIGENSHADE_STATUS_OK, name, "ambient");
+  check(irradiance > 0.2820f && irradiance < 0.2822f, name, "ambient", 0);
+
+  d.numbers[0] = 7.0f;
+  check_status(eigenshade_project_f32(NULL, &material, &workspace, &d),
+               EIGENSHADE_STATUS_NULL_POINTER, name, "no light");
+  check_status(eigenshade_project_f32(&light, NULL, &workspace, &d),
+               EIGENSHADE_STATUS_NULL_POINTER, name, "no material");
+  check_status(eigenshade_project_f32(&light, &material, NULL, &d),
+               EIGENSHADE_STATUS_NULL_POINTER, name, "no workspace");
+  check_status(eigenshade_project_f32(&light, &material, &workspace, NULL),
+               EIGENSHADE_STATUS_NULL_POINTER, name, "no d");
+  light.coefficients = NULL;
+  check_status(eigenshade_relight_f32(&transfer, &light, &d), EIGENSHADE_STATUS_NULL_POINTER,
+               name, "no coefficients");
+  light.coefficients = (const float *)(const void *)((const char *)numbers + 1);
+  check_status(eigenshade_relight_f32(&transfer, &light, &d), EIGENSHADE_STATUS_UNALIGNED,
+               name, "odd address");
+  light = ambient;
+  light.degree = EIGENSHADE_DEGREE + 1;
+  check_status(eigenshade_relight_f32(&transfer, &light, &d), EIGENSHADE_STATUS_LIGHT_BEYOND,
+               name, "degree");
+  light.degree = 1;
+  check_status(eigenshade_relight_f32(&transfer, &light, &d), EIGENSHADE_STATUS_LIGHT_LENGTH,
+               name, "length of light");
+  material.order = (size_t)-1;
+  check_status(eigenshade_fold_f32(&material, &workspace, &transfer),
+               EIGENSHADE_STATUS_MATERIAL_BEYOND, name, "order");
+  material.order = 1;
+  check_status(eigenshade_fold_f32(&material, &workspace, &transfer),
+               EIGENSHADE_STATUS_MATERIAL_LENGTH, name, "length of material");
+  check(d.numbers[0] == 7.0f, name, "d is as it was", 0);
+
+  check_status(eigenshade_collapse_f32(&d, EIGENSHADE_COMPONENTS + 1, &scene),
+               EIGENSHADE_STATUS_COMPONENTS, name, "components");
+  irradiance = 7.0f;
+  check_status(eigenshade_shade_f32(&scene, 0.0f, 0.0f, 0.0f, &irradiance),
+               EIGENSHADE_STATUS_NORMAL, name, "no direction");
+  check_status(eigenshade_shade_f32(&scene, 0.0f, 0.0f, -1.0f, &irradiance),
+               EIGENSHADE_STATUS_HIDDEN, name, "away");
+  check(irradiance == 7.0f, name, "irradiance is as it was", 0);
+  check_status(eigenshade_shade_many_f32(&scene, 2, numbers, numbers, numbers, numbers + 1),
+               EIGENSHADE_STATUS_OVERLAP, name, "overlap");
+  check_status(eigenshade_shade_many_f32(&scene, (size_t)-1, numbers, numbers, numbers, numbers),
+               EIGENSHADE_STATUS_COUNT, name, "count");
+  check_status(eigenshade_shade_many_f32(&scene, 2, numbers, NULL, numbers, numbers + 2),
+               EIGENSHADE_STATUS_NULL_POINTER, name, "no y");
+  check_status(eigenshade_shade_many_f32(&scene, 0, NULL, NULL, NULL, NULL),
+               EIGENSHADE_STATUS_OK, name, "no normals");
+}
+
+/* The same in an integer format of type `mantissa`, its largest `one`. */
+#define FAULTS_OF_INTEGERS(FORMAT, format, name, mantissa, one)                               \
+  static void faults_##format(void) {                                                         \
+    static const mantissa largest[1] = {one};                                                 \
+    static const int8_t exponents[1] = {0};                                                   \
+    static eigenshade_workspace_##format workspace;                                           \
+    static eigenshade_transfer_##format transfer;                                             \
+    static eigenshade_coefficients_##format d;                                                \
+    static eigenshade_scene_##format scene;                                                   \
+    static mantissa zeros[3], z[3] = {one, -one, one};                                        \
+    static int32_t irradiances[3] = {7, 7, 7};                                                \
+    const eigenshade_light_##format ambient = {.degree = 0, .length = 1, .mantissas = largest}; \
+    const eigenshade_material_##format matte = {.order = 0,                                   \
+                                                .length = 1,                                  \
+                                                .mantissas = largest,                         \
+                                                .exponents_length = 1,                        \
+                                                .exponents = exponents};                      \
+    eigenshade_light_##format light = ambient;                                                \
+    eigenshade_material_##format material = matte;                                            \
+    int32_t irradiance = 7;                                                                   \
+    check_status(eigenshade_project_##format(&light, &material, &workspace, &transfer, &d),   \
+                 EIGENSHADE_STATUS_OK, name, "ambient");                                      \
+    check_status(eigenshade_collapse_##format(&d, EIGENSHADE_COMPONENTS, &scene),             \
+                 EIGENSHADE_STATUS_OK, name, "ambient");                                      \
+    d.mantissas[0] = 7;                                                                       \
+    check_status(eigenshade_fold_##format(NULL, &workspace, &transfer),                       \
+                 EIGENSHADE_STATUS_NULL_POINTER, name, "no material");                        \
+    check_status(eigenshade_fold_##format(&material, NULL, &transfer),                        \
+                 EIGENSHADE_STATUS_NULL_POINTER, name, "no workspace");                       \
+    check_status(eigenshade_fold_##format(&material, &workspace, NULL),                       \
+                 EIGENSHADE_STATUS_NULL_POINTER, name, "no transfer");                        \
+    material.exponents = NULL;                                                                \
+    check_status(eigenshade_fold_##format(&material, &workspace, &transfer),                  \
+                 EIGENSHADE_STATUS_NULL_POINTER, name, "no exponents");                       \
+    material = matte;                                                                         \
+    material.exponents_length = 2;                                                            \
+    check_status(eigenshade_fold_##format(&material, &workspace, &transfer),                  \
+                 EIGENSHADE_STATUS_MATERIAL_LENGTH, name, "exponents");                       \
+    material.order = EIGENSHADE_ORDER + 1;                                                    \
+    check_status(eigenshade_fold_##format(&material, &workspace, &transfer),                  \
+                 EIGENSHADE_STATUS_MATERIAL_BEYOND, name, "order");                           \
+    light.exponent = 129;                                                                     \
+    check_status(eigenshade_relight_##format(&transfer, &light, &d),                          \
+                 EIGENSHADE_STATUS_EXPONENT, name, "exponent of light");                      \
+    light.degree = EIGENSHADE_DEGREE + 1;                                                     \
+    check_status(eigenshade_relight_##format(&transfer, &light, &d),                          \
+                 EIGENSHADE_STATUS_LIGHT_BEYOND, name, "degree");                             \
+    light.degree = 1;                                                                         \
+    check_status(eigenshade_relight_##format(&transfer, &light, &d),                          \
+                 EIGENSHADE_STATUS_LIGHT_LENGTH, name, "length of light");                    \
+    check(d.mantissas[0] == 7, name, "d is as it was", 0);                                    \
+    check_status(eigenshade_collapse_##format(&d, EIGENSHADE_COMPONENTS + 1, &scene),         \
+                 EIGENSHADE_STATUS_COMPONENTS, name, "components");                           \
+    d.exponent = INT32_MIN;                                                                   \
+    check_status(eigenshade_collapse_##format(&d, EIGENSHADE_COMPONENTS, &scene),             \
+                 EIGENSHADE_STATUS_EXPONENT, name, "exponent of d");                          \
+    check_status(eigenshade_shade_##format(&scene, 0, 0, one / 2, &irradiance),               \
+                 EIGENSHADE_STATUS_NORMAL, name, "no unit vector");                           \
+    check_status(eigenshade_shade_##format(&scene, 0, 0, -one, &irradiance),                  \
+                 EIGENSHADE_STATUS_HIDDEN, name, "away");                                     \
+    check(irradiance == 7, name, "irradiance is as it was", 0);                               \
+    check_status(eigenshade_shade_##format(&scene, 0, 0, one, &irradiance),                   \
+                 EIGENSHADE_STATUS_OK, name, "toward");                                       \
+    check_status(eigenshade_shade_many_##format(&scene, 3, zeros, NULL, z, irradiances),      \
+                 EIGENSHADE_STATUS_NULL_POINTER, name, "no y");                               \
+    check(irradiances[0] == 7, name, "irradiances are as they were", 0);                      \
+    /* The second normal points away. */                                                      \
+    check_status(eigenshade_shade_many_##format(&scene, 3, zeros, zeros, z, irradiances),     \
+                 EIGENSHADE_STATUS_HIDDEN, name, "one away");                                 \
+    check(irradiances[0] == irradiance && irradiances[1] == 0 && irradiances[2] == 0, name,   \
+          "what stands before it", 0);                                                        \
+    check_status(                                                                             \
+        eigenshade_shade_many_##format(&scene, 1, zeros, zeros, z, (int32_t *)(void *)z),     \
+        EIGENSHADE_STATUS_OVERLAP, name, "overlap");                                          \
+  }
+
+FAULTS_OF_INTEGERS(Q15, q15, "q15", int16_t, 32767)
+FAULTS_OF_INTEGERS(Q31, q31, "q31", int32_t, 2147483647)
+
+void checks_of_faults(void) {
+  faults_f32();
+  faults_q15();
+  faults_q31();
+  check(eigenshade_message(EIGENSHADE_STATUS_OK) != eigenshade_message(-1), "any", "message", 0);
+}

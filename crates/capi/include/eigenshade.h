@@ -1,0 +1,739 @@
+/* cargo run -p eigenshade-capi --example header
+
+eigenshade: image irradiance of any isotropic material under any distant light, from the
+shipped table: degree 9, order 7, fifty components.
+
+A material is folded in, a light relights it, the coefficients are collapsed to a scene, the
+scene gives the irradiance of normals; in float (f32) and in integers (q15, q31). An integer
+stands for itself times 2 to an exponent that stands beside it. Colour is three channels, one
+after the other.
+
+The caller owns every array and structure; none has to be written before the library writes
+it. No function allocates, keeps a pointer, or has a state: all may be called from interrupts
+and threads at once, on arguments of their own. No pointer may be NULL, and each has the
+alignment of its type: both are checked. What a function writes to may not overlap its other
+arguments; where both are arrays of normals and irradiances this is checked. Lengths are
+counts of numbers, not bytes.
+
+Integers give the same bits on every machine. */
+
+#ifndef EIGENSHADE_H
+#define EIGENSHADE_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+/**
+ * The version of this header: compare it with `eigenshade_version()`.
+ */
+#define EIGENSHADE_VERSION "0.1.0"
+
+/**
+ * Largest degree l of a light.
+ */
+#define EIGENSHADE_DEGREE 9
+
+/**
+ * Largest order o of a material.
+ */
+#define EIGENSHADE_ORDER 7
+
+/**
+ * Coefficients of a light of that degree.
+ */
+#define EIGENSHADE_LIGHT 100
+
+/**
+ * Coefficients of a material of that order.
+ */
+#define EIGENSHADE_MATERIAL 40
+
+/**
+ * Components d of an image.
+ */
+#define EIGENSHADE_COMPONENTS 50
+
+/**
+ * Profiles of a table in integers.
+ */
+#define EIGENSHADE_PROFILES 28
+
+/**
+ * Numbers of a folded material in float.
+ */
+#define EIGENSHADE_TRANSFER_F32 568
+
+/**
+ * Numbers of a folded material in integers.
+ */
+#define EIGENSHADE_TRANSFER 218
+
+/**
+ * Numbers of a scene in float.
+ */
+#define EIGENSHADE_SCENE_F32 166
+
+/**
+ * Numbers of a scene in Q15.
+ */
+#define EIGENSHADE_SCENE_Q15 126
+
+/**
+ * Numbers of a scene in Q31.
+ */
+#define EIGENSHADE_SCENE_Q31 160
+
+/**
+ * Numbers that folding or projecting in float needs room for.
+ */
+#define EIGENSHADE_WORKSPACE_F32 460
+
+/**
+ * Numbers that folding in integers needs room for.
+ */
+#define EIGENSHADE_WORKSPACE 230
+
+/**
+ * What every function that can fail answers: 0, or why it did nothing.
+ */
+enum eigenshade_status
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : int32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+  /**
+   * All is well.
+   */
+  EIGENSHADE_STATUS_OK = 0,
+  /**
+   * A pointer is NULL.
+   */
+  EIGENSHADE_STATUS_NULL_POINTER = 1,
+  /**
+   * A pointer is not aligned to what it points to.
+   */
+  EIGENSHADE_STATUS_UNALIGNED = 2,
+  /**
+   * An array that is written to overlaps another.
+   */
+  EIGENSHADE_STATUS_OVERLAP = 3,
+  /**
+   * A light's degree is beyond EIGENSHADE_DEGREE.
+   */
+  EIGENSHADE_STATUS_LIGHT_BEYOND = 4,
+  /**
+   * A light does not have (degree + 1)^2 coefficients.
+   */
+  EIGENSHADE_STATUS_LIGHT_LENGTH = 5,
+  /**
+   * A material's order is beyond EIGENSHADE_ORDER.
+   */
+  EIGENSHADE_STATUS_MATERIAL_BEYOND = 6,
+  /**
+   * A material does not have the coefficients of its order, or an exponent for each o.
+   */
+  EIGENSHADE_STATUS_MATERIAL_LENGTH = 7,
+  /**
+   * More than EIGENSHADE_COMPONENTS components.
+   */
+  EIGENSHADE_STATUS_COMPONENTS = 8,
+  /**
+   * An exponent is out of its range.
+   */
+  EIGENSHADE_STATUS_EXPONENT = 9,
+  /**
+   * A normal has a component that is not finite, length zero, or in integers another
+   * length than 1.
+   */
+  EIGENSHADE_STATUS_NORMAL = 10,
+  /**
+   * A normal points away from the camera.
+   */
+  EIGENSHADE_STATUS_HIDDEN = 11,
+  /**
+   * More normals than memory can hold.
+   */
+  EIGENSHADE_STATUS_COUNT = 12,
+  /**
+   * A fault of the library.
+   */
+  EIGENSHADE_STATUS_INTERNAL = 13,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum eigenshade_status eigenshade_status;
+#else
+typedef int32_t eigenshade_status;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * One channel of an isotropic material: Koenderink-van Doorn coefficients b_op^q of its
+ * BRDF in 1/sr, by o, then p, then q: 000, 111, 200, 220, 222, 311, ... White matte is
+ * the one coefficient 2.
+ *
+ * Take them finite: one that is not spoils the image.
+ */
+typedef struct eigenshade_material_f32 {
+  /**
+   * Largest o, at most EIGENSHADE_ORDER; above it the material is zero.
+   */
+  size_t order;
+  /**
+   * Number of coefficients: 1, 2, 5, 8, 14, 20, 30, 40 for orders 0 to 7.
+   */
+  size_t length;
+  /**
+   * The coefficients; the caller's.
+   */
+  const float *coefficients;
+} eigenshade_material_f32;
+
+/**
+ * Room to work in; holds nothing between two calls.
+ */
+typedef struct eigenshade_workspace_f32 {
+  /**
+   * Scratch.
+   */
+  float numbers[EIGENSHADE_WORKSPACE_F32];
+} eigenshade_workspace_f32;
+
+/**
+ * A material folded in, as `eigenshade_fold_f32` writes it. May be kept in flash.
+ */
+typedef struct eigenshade_transfer_f32 {
+  /**
+   * Its numbers.
+   */
+  float numbers[EIGENSHADE_TRANSFER_F32];
+} eigenshade_transfer_f32;
+
+/**
+ * One channel of distant light: spherical harmonic coefficients L_l^m in radiance, l from
+ * 0, m from -l to l, that of l and m at l*l + l + m.
+ *
+ * The harmonics carry the Condon-Shortley phase, x points to the right, y up, z to the
+ * camera. Take them finite: one that is not spoils the image.
+ */
+typedef struct eigenshade_light_f32 {
+  /**
+   * Largest l, at most EIGENSHADE_DEGREE; above it the light is zero.
+   */
+  size_t degree;
+  /**
+   * Number of coefficients: (degree + 1)^2.
+   */
+  size_t length;
+  /**
+   * The coefficients; the caller's.
+   */
+  const float *coefficients;
+} eigenshade_light_f32;
+
+/**
+ * The coefficients d of one image, component by component.
+ */
+typedef struct eigenshade_coefficients_f32 {
+  /**
+   * d.
+   */
+  float numbers[EIGENSHADE_COMPONENTS];
+} eigenshade_coefficients_f32;
+
+/**
+ * One image, as `eigenshade_collapse_f32` writes it. May be kept in flash.
+ */
+typedef struct eigenshade_scene_f32 {
+  /**
+   * Its polynomials.
+   */
+  float terms[EIGENSHADE_SCENE_F32];
+} eigenshade_scene_f32;
+
+/**
+ * One channel of an isotropic material: as `eigenshade_material_f32`, in mantissas times
+ * 2^exponent, an exponent for each o.
+ */
+typedef struct eigenshade_material_q15 {
+  /**
+   * Largest o, at most EIGENSHADE_ORDER; above it the material is zero.
+   */
+  size_t order;
+  /**
+   * Number of mantissas: 1, 2, 5, 8, 14, 20, 30, 40 for orders 0 to 7.
+   */
+  size_t length;
+  /**
+   * The mantissas; the caller's. The more bits the largest of each o has, the better.
+   */
+  const int16_t *mantissas;
+  /**
+   * Number of exponents: order + 1.
+   */
+  size_t exponents_length;
+  /**
+   * For each o the exponent of its mantissas; the caller's.
+   */
+  const int8_t *exponents;
+} eigenshade_material_q15;
+
+/**
+ * Room to work in; holds nothing between two calls.
+ */
+typedef struct eigenshade_workspace_q15 {
+  /**
+   * Scratch.
+   */
+  int32_t numbers[EIGENSHADE_WORKSPACE];
+} eigenshade_workspace_q15;
+
+/**
+ * A material folded in, as `eigenshade_fold_q15` writes it. May be kept in flash.
+ */
+typedef struct eigenshade_transfer_q15 {
+  /**
+   * Its mantissas.
+   */
+  int16_t numbers[EIGENSHADE_TRANSFER];
+  /**
+   * Its exponents.
+   */
+  int16_t exponents[EIGENSHADE_PROFILES];
+} eigenshade_transfer_q15;
+
+/**
+ * One channel of distant light: as `eigenshade_light_f32`, in mantissas times 2^exponent.
+ */
+typedef struct eigenshade_light_q15 {
+  /**
+   * Largest l, at most EIGENSHADE_DEGREE; above it the light is zero.
+   */
+  size_t degree;
+  /**
+   * Number of mantissas: (degree + 1)^2.
+   */
+  size_t length;
+  /**
+   * The mantissas; the caller's. The more bits the largest has, the better.
+   */
+  const int16_t *mantissas;
+  /**
+   * The exponent of all of them, from -128 to 128.
+   */
+  int32_t exponent;
+} eigenshade_light_q15;
+
+/**
+ * The coefficients d of one image, component by component: mantissas times 2^exponent.
+ */
+typedef struct eigenshade_coefficients_q15 {
+  /**
+   * Mantissas of at most 30 bits.
+   */
+  int32_t mantissas[EIGENSHADE_COMPONENTS];
+  /**
+   * The exponent of all of them.
+   */
+  int32_t exponent;
+} eigenshade_coefficients_q15;
+
+/**
+ * One image, as `eigenshade_collapse_q15` writes it. May be kept in flash.
+ */
+typedef struct eigenshade_scene_q15 {
+  /**
+   * Its polynomials.
+   */
+  int32_t terms[EIGENSHADE_SCENE_Q15];
+  /**
+   * The exponent of every irradiance.
+   */
+  int32_t exponent;
+} eigenshade_scene_q15;
+
+/**
+ * One channel of an isotropic material: as `eigenshade_material_f32`, in mantissas times
+ * 2^exponent, an exponent for each o.
+ */
+typedef struct eigenshade_material_q31 {
+  /**
+   * Largest o, at most EIGENSHADE_ORDER; above it the material is zero.
+   */
+  size_t order;
+  /**
+   * Number of mantissas: 1, 2, 5, 8, 14, 20, 30, 40 for orders 0 to 7.
+   */
+  size_t length;
+  /**
+   * The mantissas; the caller's. The more bits the largest of each o has, the better.
+   */
+  const int32_t *mantissas;
+  /**
+   * Number of exponents: order + 1.
+   */
+  size_t exponents_length;
+  /**
+   * For each o the exponent of its mantissas; the caller's.
+   */
+  const int8_t *exponents;
+} eigenshade_material_q31;
+
+/**
+ * Room to work in; holds nothing between two calls.
+ */
+typedef struct eigenshade_workspace_q31 {
+  /**
+   * Scratch.
+   */
+  int64_t numbers[EIGENSHADE_WORKSPACE];
+} eigenshade_workspace_q31;
+
+/**
+ * A material folded in, as `eigenshade_fold_q31` writes it. May be kept in flash.
+ */
+typedef struct eigenshade_transfer_q31 {
+  /**
+   * Its mantissas.
+   */
+  int32_t numbers[EIGENSHADE_TRANSFER];
+  /**
+   * Its exponents.
+   */
+  int16_t exponents[EIGENSHADE_PROFILES];
+} eigenshade_transfer_q31;
+
+/**
+ * One channel of distant light: as `eigenshade_light_f32`, in mantissas times 2^exponent.
+ */
+typedef struct eigenshade_light_q31 {
+  /**
+   * Largest l, at most EIGENSHADE_DEGREE; above it the light is zero.
+   */
+  size_t degree;
+  /**
+   * Number of mantissas: (degree + 1)^2.
+   */
+  size_t length;
+  /**
+   * The mantissas; the caller's. The more bits the largest has, the better.
+   */
+  const int32_t *mantissas;
+  /**
+   * The exponent of all of them, from -128 to 128.
+   */
+  int32_t exponent;
+} eigenshade_light_q31;
+
+/**
+ * The coefficients d of one image, component by component: mantissas times 2^exponent.
+ */
+typedef struct eigenshade_coefficients_q31 {
+  /**
+   * Mantissas of at most 30 bits.
+   */
+  int32_t mantissas[EIGENSHADE_COMPONENTS];
+  /**
+   * The exponent of all of them.
+   */
+  int32_t exponent;
+} eigenshade_coefficients_q31;
+
+/**
+ * One image, as `eigenshade_collapse_q31` writes it. May be kept in flash.
+ */
+typedef struct eigenshade_scene_q31 {
+  /**
+   * Its polynomials.
+   */
+  int32_t terms[EIGENSHADE_SCENE_Q31];
+  /**
+   * The exponent of every irradiance.
+   */
+  int32_t exponent;
+} eigenshade_scene_q31;
+
+#ifdef __cplusplus
+extern "C" {
+#endif // __cplusplus
+
+/**
+ * The library's version, a static string: compare it with EIGENSHADE_VERSION of the header.
+ * Never fails.
+ */
+const char *eigenshade_version(void);
+
+/**
+ * What a status says, and what to do: a static string in English, without a line's end.
+ *
+ * Never fails: of a number that is no status it says so.
+ */
+const char *eigenshade_message(int32_t status);
+
+/**
+ * Folds a material in, for lights to follow.
+ *
+ * Cost: a multiplication for each of the table's 4,000 factors. On an error `transfer`
+ * is as it was.
+ *
+ * Pointers that are neither NULL nor unaligned point to what their types say, and
+ * `workspace` and `transfer` to nothing else's memory.
+ */
+eigenshade_status eigenshade_fold_f32(const struct eigenshade_material_f32 *material,
+                                      struct eigenshade_workspace_f32 *workspace,
+                                      struct eigenshade_transfer_f32 *transfer);
+
+/**
+ * d of a new light on a folded material.
+ *
+ * Cost: a multiplication for each number of the transfer. On an error `coefficients` is
+ * as it was.
+ *
+ * Pointers that are neither NULL nor unaligned point to what their types say, and
+ * `coefficients` to nothing else's memory.
+ */
+eigenshade_status eigenshade_relight_f32(const struct eigenshade_transfer_f32 *transfer,
+                                         const struct eigenshade_light_f32 *light,
+                                         struct eigenshade_coefficients_f32 *coefficients);
+
+/**
+ * d of a light on a material, without a transfer: what to take if both are new each time.
+ *
+ * Cost: as `eigenshade_fold_f32`. On an error `coefficients` is as it was.
+ *
+ * Pointers that are neither NULL nor unaligned point to what their types say, and
+ * `workspace` and `coefficients` to nothing else's memory.
+ */
+eigenshade_status eigenshade_project_f32(const struct eigenshade_light_f32 *light,
+                                         const struct eigenshade_material_f32 *material,
+                                         struct eigenshade_workspace_f32 *workspace,
+                                         struct eigenshade_coefficients_f32 *coefficients);
+
+/**
+ * Sums the components of each azimuth: what a pixel is shaded from.
+ *
+ * Of d the first `components` count, at most EIGENSHADE_COMPONENTS; the others are taken
+ * as zero. On an error `scene` is as it was.
+ *
+ * Pointers that are neither NULL nor unaligned point to what their types say, and
+ * `scene` to nothing else's memory.
+ */
+eigenshade_status eigenshade_collapse_f32(const struct eigenshade_coefficients_f32 *coefficients,
+                                          size_t components,
+                                          struct eigenshade_scene_f32 *scene);
+
+/**
+ * The irradiance of the normal along (x, y, z), in the light's radiance times sr times the
+ * material's 1/sr.
+ *
+ * The normal may have any length from 1e-9 to 1e9; it is scaled, which costs a root. One
+ * that points away by no more than 1e-3 is laid on the rim. On an error `irradiance` is as
+ * it was.
+ *
+ * Pointers that are neither NULL nor unaligned point to what their types say, and
+ * `irradiance` to nothing else's memory.
+ */
+eigenshade_status eigenshade_shade_f32(const struct eigenshade_scene_f32 *scene,
+                                       float x,
+                                       float y,
+                                       float z,
+                                       float *irradiance);
+
+/**
+ * The irradiances of `count` unit normals with z from 0 to 1, into `irradiance`.
+ *
+ * Neither scaled nor checked: a normal that is not such has a meaningless irradiance, and
+ * no other suffers. Of no normals the pointers do not matter. On an error `irradiance` is
+ * as it was.
+ *
+ * Pointers that are neither NULL nor unaligned point to what their types say, the last
+ * four to `count` numbers each.
+ */
+eigenshade_status eigenshade_shade_many_f32(const struct eigenshade_scene_f32 *scene,
+                                            size_t count,
+                                            const float *x,
+                                            const float *y,
+                                            const float *z,
+                                            float *irradiance);
+
+/**
+ * Folds a material in, for lights to follow.
+ *
+ * Cost: a multiplication for each of the table's 4,000 factors. On an error `transfer`
+ * is as it was.
+ *
+ * Pointers that are neither NULL nor unaligned point to what their types say, and
+ * `workspace` and `transfer` to nothing else's memory.
+ */
+eigenshade_status eigenshade_fold_q15(const struct eigenshade_material_q15 *material,
+                                      struct eigenshade_workspace_q15 *workspace,
+                                      struct eigenshade_transfer_q15 *transfer);
+
+/**
+ * d of a new light on a folded material.
+ *
+ * A transfer that `eigenshade_fold_q15` did not write gives meaningless numbers. Cost: two
+ * multiplications for each number of the transfer. On an error `coefficients` is as it was.
+ *
+ * Pointers that are neither NULL nor unaligned point to what their types say, and
+ * `coefficients` to nothing else's memory.
+ */
+eigenshade_status eigenshade_relight_q15(const struct eigenshade_transfer_q15 *transfer,
+                                         const struct eigenshade_light_q15 *light,
+                                         struct eigenshade_coefficients_q15 *coefficients);
+
+/**
+ * d of a light on a material: folds the material into `transfer`, and relights it.
+ *
+ * Cost: as `eigenshade_fold_q15` and `eigenshade_relight_q15`. On an error `coefficients`
+ * is as it was; `transfer` may have changed.
+ *
+ * Pointers that are neither NULL nor unaligned point to what their types say, and
+ * `workspace`, `transfer` and `coefficients` to nothing else's memory.
+ */
+eigenshade_status eigenshade_project_q15(const struct eigenshade_light_q15 *light,
+                                         const struct eigenshade_material_q15 *material,
+                                         struct eigenshade_workspace_q15 *workspace,
+                                         struct eigenshade_transfer_q15 *transfer,
+                                         struct eigenshade_coefficients_q15 *coefficients);
+
+/**
+ * Sums the components of each azimuth: what a pixel is shaded from.
+ *
+ * Of d the first `components` count, at most EIGENSHADE_COMPONENTS; the others are taken
+ * as zero. Coefficients that `eigenshade_relight_q15` did not write have to keep to 30
+ * bits and to exponents of at most 2048. On an error `scene` is as it was.
+ *
+ * Pointers that are neither NULL nor unaligned point to what their types say, and
+ * `scene` to nothing else's memory.
+ */
+eigenshade_status eigenshade_collapse_q15(const struct eigenshade_coefficients_q15 *coefficients,
+                                          size_t components,
+                                          struct eigenshade_scene_q15 *scene);
+
+/**
+ * The irradiance of the unit normal (x, y, z), in fractions of 2^15 (1 as 2^15 - 1):
+ * `irradiance` times 2 to the scene's exponent, in the light's radiance times sr times the
+ * material's 1/sr.
+ *
+ * A scene that `eigenshade_collapse_q15` did not write gives meaningless numbers. On an
+ * error `irradiance` is as it was.
+ *
+ * Pointers that are neither NULL nor unaligned point to what their types say, and
+ * `irradiance` to nothing else's memory.
+ */
+eigenshade_status eigenshade_shade_q15(const struct eigenshade_scene_q15 *scene,
+                                       int16_t x,
+                                       int16_t y,
+                                       int16_t z,
+                                       int32_t *irradiance);
+
+/**
+ * The irradiances of `count` such normals, into `irradiance`.
+ *
+ * Of no normals the pointers do not matter. On an error `irradiance` is as it was, but
+ * that a normal is at fault: then those before it are written, and zeros from it on.
+ *
+ * Pointers that are neither NULL nor unaligned point to what their types say, the last
+ * four to `count` numbers each.
+ */
+eigenshade_status eigenshade_shade_many_q15(const struct eigenshade_scene_q15 *scene,
+                                            size_t count,
+                                            const int16_t *x,
+                                            const int16_t *y,
+                                            const int16_t *z,
+                                            int32_t *irradiance);
+
+/**
+ * Folds a material in, for lights to follow.
+ *
+ * Cost: a multiplication for each of the table's 4,000 factors. On an error `transfer`
+ * is as it was.
+ *
+ * Pointers that are neither NULL nor unaligned point to what their types say, and
+ * `workspace` and `transfer` to nothing else's memory.
+ */
+eigenshade_status eigenshade_fold_q31(const struct eigenshade_material_q31 *material,
+                                      struct eigenshade_workspace_q31 *workspace,
+                                      struct eigenshade_transfer_q31 *transfer);
+
+/**
+ * d of a new light on a folded material.
+ *
+ * A transfer that `eigenshade_fold_q31` did not write gives meaningless numbers. Cost: two
+ * multiplications for each number of the transfer. On an error `coefficients` is as it was.
+ *
+ * Pointers that are neither NULL nor unaligned point to what their types say, and
+ * `coefficients` to nothing else's memory.
+ */
+eigenshade_status eigenshade_relight_q31(const struct eigenshade_transfer_q31 *transfer,
+                                         const struct eigenshade_light_q31 *light,
+                                         struct eigenshade_coefficients_q31 *coefficients);
+
+/**
+ * d of a light on a material: folds the material into `transfer`, and relights it.
+ *
+ * Cost: as `eigenshade_fold_q31` and `eigenshade_relight_q31`. On an error `coefficients`
+ * is as it was; `transfer` may have changed.
+ *
+ * Pointers that are neither NULL nor unaligned point to what their types say, and
+ * `workspace`, `transfer` and `coefficients` to nothing else's memory.
+ */
+eigenshade_status eigenshade_project_q31(const struct eigenshade_light_q31 *light,
+                                         const struct eigenshade_material_q31 *material,
+                                         struct eigenshade_workspace_q31 *workspace,
+                                         struct eigenshade_transfer_q31 *transfer,
+                                         struct eigenshade_coefficients_q31 *coefficients);
+
+/**
+ * Sums the components of each azimuth: what a pixel is shaded from.
+ *
+ * Of d the first `components` count, at most EIGENSHADE_COMPONENTS; the others are taken
+ * as zero. Coefficients that `eigenshade_relight_q31` did not write have to keep to 30
+ * bits and to exponents of at most 2048. On an error `scene` is as it was.
+ *
+ * Pointers that are neither NULL nor unaligned point to what their types say, and
+ * `scene` to nothing else's memory.
+ */
+eigenshade_status eigenshade_collapse_q31(const struct eigenshade_coefficients_q31 *coefficients,
+                                          size_t components,
+                                          struct eigenshade_scene_q31 *scene);
+
+/**
+ * The irradiance of the unit normal (x, y, z), in fractions of 2^31 (1 as 2^31 - 1):
+ * `irradiance` times 2 to the scene's exponent, in the light's radiance times sr times the
+ * material's 1/sr.
+ *
+ * A scene that `eigenshade_collapse_q31` did not write gives meaningless numbers. On an
+ * error `irradiance` is as it was.
+ *
+ * Pointers that are neither NULL nor unaligned point to what their types say, and
+ * `irradiance` to nothing else's memory.
+ */
+eigenshade_status eigenshade_shade_q31(const struct eigenshade_scene_q31 *scene,
+                                       int32_t x,
+                                       int32_t y,
+                                       int32_t z,
+                                       int32_t *irradiance);
+
+/**
+ * The irradiances of `count` such normals, into `irradiance`.
+ *
+ * Of no normals the pointers do not matter. On an error `irradiance` is as it was, but
+ * that a normal is at fault: then those before it are written, and zeros from it on.
+ *
+ * Pointers that are neither NULL nor unaligned point to what their types say, the last
+ * four to `count` numbers each.
+ */
+eigenshade_status eigenshade_shade_many_q31(const struct eigenshade_scene_q31 *scene,
+                                            size_t count,
+                                            const int32_t *x,
+                                            const int32_t *y,
+                                            const int32_t *z,
+                                            int32_t *irradiance);
+
+#ifdef __cplusplus
+}  // extern "C"
+#endif  // __cplusplus
+
+#endif  /* EIGENSHADE_H */

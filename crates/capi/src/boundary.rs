@@ -1,0 +1,132 @@
+//! From C's pointers to references: the only place where one becomes the other.
+#![expect(unsafe_code, reason = "pointers come from C")]
+
+use crate::status::Status;
+use eigenshade::{Q15, Q31};
+
+/// Types of which any bytes are a value, zeros among them: C may hand over arrays that it
+/// has not written yet.
+///
+/// # Safety
+///
+/// No bytes of such a type may be invalid.
+pub(crate) unsafe trait Plain {}
+
+// SAFETY: numbers, all of whose bits count.
+unsafe impl Plain for f32 {}
+// SAFETY: as above.
+unsafe impl Plain for i8 {}
+// SAFETY: as above.
+unsafe impl Plain for i16 {}
+// SAFETY: as above.
+unsafe impl Plain for i32 {}
+// SAFETY: a transparent i16.
+unsafe impl Plain for Q15 {}
+// SAFETY: a transparent i32.
+unsafe impl Plain for Q31 {}
+
+fn usable<T>(pointer: *const T) -> Result<(), Status> {
+    if pointer.is_null() {
+        Err(Status::NullPointer)
+    } else if !pointer.is_aligned() {
+        Err(Status::Unaligned)
+    } else {
+        Ok(())
+    }
+}
+
+/// What a pointer points to.
+///
+/// # Safety
+///
+/// A pointer that is neither NULL nor unaligned points to a `T` that no one writes to
+/// while it is borrowed.
+pub(crate) unsafe fn shared<'a, T>(pointer: *const T) -> Result<&'a T, Status> {
+    usable(pointer)?;
+    // SAFETY: not NULL, aligned, the rest is the caller's promise.
+    Ok(unsafe { &*pointer })
+}
+
+/// What a pointer points to, filled with zeros, to be written to.
+///
+/// # Safety
+///
+/// A pointer that is neither NULL nor unaligned points to room for a `T` that no one else
+/// reads or writes while it is borrowed.
+pub(crate) unsafe fn exclusive<'a, T: Plain>(pointer: *mut T) -> Result<&'a mut T, Status> {
+    usable(pointer)?;
+    // SAFETY: not NULL, aligned, zeros are a `T`, the rest is the caller's promise.
+    Ok(unsafe {
+        pointer.write_bytes(0, 1);
+        &mut *pointer
+    })
+}
+
+/// Bytes of so many `T`, or `None` if memory cannot hold them.
+fn bytes<T>(count: usize) -> Option<usize> {
+    count.checked_mul(size_of::<T>()).filter(|&bytes| bytes <= isize::MAX.unsigned_abs())
+}
+
+/// An array of numbers; of none for any pointer if `count` is 0.
+///
+/// # Safety
+///
+/// A pointer that is neither NULL nor unaligned points to `count` numbers that no one
+/// writes to while they are borrowed.
+pub(crate) unsafe fn slice<'a, T: Plain>(
+    pointer: *const T,
+    count: usize,
+) -> Result<&'a [T], Status> {
+    if count == 0 {
+        return Ok(&[]);
+    }
+    usable(pointer)?;
+    bytes::<T>(count).ok_or(Status::Count)?;
+    // SAFETY: not NULL, aligned, not beyond what an object may have, the rest is the
+    // caller's promise.
+    Ok(unsafe { core::slice::from_raw_parts(pointer, count) })
+}
+
+/// An array of numbers, filled with zeros, to be written to.
+///
+/// # Safety
+///
+/// A pointer that is neither NULL nor unaligned points to room for `count` numbers that no
+/// one else reads or writes while they are borrowed.
+pub(crate) unsafe fn slice_to_write<'a, T: Plain>(
+    pointer: *mut T,
+    count: usize,
+) -> Result<&'a mut [T], Status> {
+    if count == 0 {
+        return Ok(&mut []);
+    }
+    usable(pointer)?;
+    bytes::<T>(count).ok_or(Status::Count)?;
+    // SAFETY: not NULL, aligned, not beyond what an object may have, zeros are numbers, the
+    // rest is the caller's promise.
+    Ok(unsafe {
+        pointer.write_bytes(0, count);
+        core::slice::from_raw_parts_mut(pointer, count)
+    })
+}
+
+/// Whether an array that is written to overlaps none of these, all of `count` numbers.
+pub(crate) fn apart<T, U, const N: usize>(
+    written: *mut T,
+    others: [*const U; N],
+    count: usize,
+) -> Result<(), Status> {
+    let (Some(of_written), Some(of_others)) = (bytes::<T>(count), bytes::<U>(count)) else {
+        return Err(Status::Count);
+    };
+    let start = written.addr();
+    for other in others {
+        let other = other.addr();
+        let (gap, room) =
+            if start < other { (other - start, of_written) } else { (start - other, of_others) };
+        if gap < room {
+            return Err(Status::Overlap);
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,279 @@
+//! In float: `f32`, for machines with a float unit.
+#![expect(unsafe_code, reason = "exported symbols and C's pointers")]
+
+use crate::boundary::{Plain, apart, exclusive, shared, slice, slice_to_write};
+use crate::sizes::{
+    EIGENSHADE_COMPONENTS, EIGENSHADE_DEGREE, EIGENSHADE_ORDER, EIGENSHADE_SCENE_F32,
+    EIGENSHADE_TRANSFER_F32, EIGENSHADE_WORKSPACE_F32,
+};
+use crate::status::Status;
+use eigenshade::index::{light, material};
+use eigenshade::{Light, Material, Normal, Normals, sphere};
+
+/// One channel of distant light: spherical harmonic coefficients L_l^m in radiance, l from
+/// 0, m from -l to l, that of l and m at l*l + l + m.
+///
+/// The harmonics carry the Condon-Shortley phase, x points to the right, y up, z to the
+/// camera. Take them finite: one that is not spoils the image.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct LightF32 {
+    /// Largest l, at most EIGENSHADE_DEGREE; above it the light is zero.
+    pub degree: usize,
+    /// Number of coefficients: (degree + 1)^2.
+    pub length: usize,
+    /// The coefficients; the caller's.
+    pub coefficients: *const f32,
+}
+
+/// One channel of an isotropic material: Koenderink-van Doorn coefficients b_op^q of its
+/// BRDF in 1/sr, by o, then p, then q: 000, 111, 200, 220, 222, 311, ... White matte is
+/// the one coefficient 2.
+///
+/// Take them finite: one that is not spoils the image.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct MaterialF32 {
+    /// Largest o, at most EIGENSHADE_ORDER; above it the material is zero.
+    pub order: usize,
+    /// Number of coefficients: 1, 2, 5, 8, 14, 20, 30, 40 for orders 0 to 7.
+    pub length: usize,
+    /// The coefficients; the caller's.
+    pub coefficients: *const f32,
+}
+
+/// Room to work in; holds nothing between two calls.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct WorkspaceF32 {
+    /// Scratch.
+    pub numbers: [f32; EIGENSHADE_WORKSPACE_F32],
+}
+
+/// A material folded in, as `eigenshade_fold_f32` writes it. May be kept in flash.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct TransferF32 {
+    /// Its numbers.
+    pub numbers: [f32; EIGENSHADE_TRANSFER_F32],
+}
+
+/// The coefficients d of one image, component by component.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct CoefficientsF32 {
+    /// d.
+    pub numbers: [f32; EIGENSHADE_COMPONENTS],
+}
+
+/// One image, as `eigenshade_collapse_f32` writes it. May be kept in flash.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct SceneF32 {
+    /// Its polynomials.
+    pub terms: [f32; EIGENSHADE_SCENE_F32],
+}
+
+// SAFETY: of floats alone.
+unsafe impl Plain for WorkspaceF32 {}
+// SAFETY: of floats alone.
+unsafe impl Plain for TransferF32 {}
+// SAFETY: of floats alone.
+unsafe impl Plain for CoefficientsF32 {}
+// SAFETY: of floats alone.
+unsafe impl Plain for SceneF32 {}
+
+impl LightF32 {
+    /// # Safety
+    ///
+    /// As [`slice`] asks.
+    unsafe fn view<'a>(&self) -> Result<Light<'a, f32>, Status> {
+        if self.degree > EIGENSHADE_DEGREE {
+            return Err(Status::LightBeyond);
+        }
+        if self.length != light::count(self.degree) {
+            return Err(Status::LightLength);
+        }
+        // SAFETY: this function's caller promises as much.
+        let coefficients = unsafe { slice(self.coefficients, self.length) }?;
+        Ok(Light::new(self.degree, coefficients)?)
+    }
+}
+
+impl MaterialF32 {
+    /// # Safety
+    ///
+    /// As [`slice`] asks.
+    unsafe fn view<'a>(&self) -> Result<Material<'a, f32>, Status> {
+        if self.order > EIGENSHADE_ORDER {
+            return Err(Status::MaterialBeyond);
+        }
+        if self.length != material::count(self.order) {
+            return Err(Status::MaterialLength);
+        }
+        // SAFETY: this function's caller promises as much.
+        let coefficients = unsafe { slice(self.coefficients, self.length) }?;
+        Ok(Material::new(self.order, coefficients)?)
+    }
+}
+
+/// Folds a material in, for lights to follow.
+///
+/// Cost: a multiplication for each of the table's 4,000 factors. On an error `transfer`
+/// is as it was.
+///
+/// # Safety
+///
+/// Pointers that are neither NULL nor unaligned point to what their types say, and
+/// `workspace` and `transfer` to nothing else's memory.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn eigenshade_fold_f32(
+    material: *const MaterialF32,
+    workspace: *mut WorkspaceF32,
+    transfer: *mut TransferF32,
+) -> Status {
+    Status::of(|| {
+        // SAFETY: as this function asks of its caller.
+        let (material, workspace, transfer) =
+            unsafe { (shared(material)?.view()?, exclusive(workspace)?, exclusive(transfer)?) };
+        let (workspace, transfer) = (&mut workspace.numbers, &mut transfer.numbers);
+        Ok(sphere::BASIS.transfer_into(&material, workspace, transfer)?)
+    })
+}
+
+/// d of a new light on a folded material.
+///
+/// Cost: a multiplication for each number of the transfer. On an error `coefficients` is
+/// as it was.
+///
+/// # Safety
+///
+/// Pointers that are neither NULL nor unaligned point to what their types say, and
+/// `coefficients` to nothing else's memory.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn eigenshade_relight_f32(
+    transfer: *const TransferF32,
+    light: *const LightF32,
+    coefficients: *mut CoefficientsF32,
+) -> Status {
+    Status::of(|| {
+        // SAFETY: as this function asks of its caller.
+        let (transfer, light, coefficients) =
+            unsafe { (shared(transfer)?, shared(light)?.view()?, exclusive(coefficients)?) };
+        let (transfer, coefficients) = (&transfer.numbers, &mut coefficients.numbers);
+        Ok(sphere::BASIS.relight_into(transfer, &light, coefficients)?)
+    })
+}
+
+/// d of a light on a material, without a transfer: what to take if both are new each time.
+///
+/// Cost: as `eigenshade_fold_f32`. On an error `coefficients` is as it was.
+///
+/// # Safety
+///
+/// Pointers that are neither NULL nor unaligned point to what their types say, and
+/// `workspace` and `coefficients` to nothing else's memory.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn eigenshade_project_f32(
+    light: *const LightF32,
+    material: *const MaterialF32,
+    workspace: *mut WorkspaceF32,
+    coefficients: *mut CoefficientsF32,
+) -> Status {
+    Status::of(|| {
+        // SAFETY: as this function asks of its caller.
+        let (light, material) = unsafe { (shared(light)?.view()?, shared(material)?.view()?) };
+        // SAFETY: as this function asks of its caller.
+        let (workspace, coefficients) =
+            unsafe { (exclusive(workspace)?, exclusive(coefficients)?) };
+        let (workspace, coefficients) = (&mut workspace.numbers, &mut coefficients.numbers);
+        Ok(sphere::BASIS.project_into(&light, &material, workspace, coefficients)?)
+    })
+}
+
+/// Sums the components of each azimuth: what a pixel is shaded from.
+///
+/// Of d the first `components` count, at most EIGENSHADE_COMPONENTS; the others are taken
+/// as zero. On an error `scene` is as it was.
+///
+/// # Safety
+///
+/// Pointers that are neither NULL nor unaligned point to what their types say, and
+/// `scene` to nothing else's memory.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn eigenshade_collapse_f32(
+    coefficients: *const CoefficientsF32,
+    components: usize,
+    scene: *mut SceneF32,
+) -> Status {
+    Status::of(|| {
+        // SAFETY: as this function asks of its caller.
+        let coefficients = unsafe { shared(coefficients) }?;
+        let first = coefficients.numbers.get(..components).ok_or(Status::Components)?;
+        // SAFETY: as this function asks of its caller.
+        let scene = unsafe { exclusive(scene) }?;
+        sphere::BASIS.collapse_into(first, &mut scene.terms[..])?;
+        Ok(())
+    })
+}
+
+/// The irradiance of the normal along (x, y, z), in the light's radiance times sr times the
+/// material's 1/sr.
+///
+/// The normal may have any length from 1e-9 to 1e9; it is scaled, which costs a root. One
+/// that points away by no more than 1e-3 is laid on the rim. On an error `irradiance` is as
+/// it was.
+///
+/// # Safety
+///
+/// Pointers that are neither NULL nor unaligned point to what their types say, and
+/// `irradiance` to nothing else's memory.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn eigenshade_shade_f32(
+    scene: *const SceneF32,
+    x: f32,
+    y: f32,
+    z: f32,
+    irradiance: *mut f32,
+) -> Status {
+    Status::of(|| {
+        // SAFETY: as this function asks of its caller.
+        let scene = unsafe { shared(scene) }?;
+        let (normal, scene) = (Normal::new(x, y, z)?, sphere::BASIS.scene(&scene.terms[..])?);
+        // SAFETY: as this function asks of its caller.
+        *unsafe { exclusive(irradiance) }? = scene.shade(normal);
+        Ok(())
+    })
+}
+
+/// The irradiances of `count` unit normals with z from 0 to 1, into `irradiance`.
+///
+/// Neither scaled nor checked: a normal that is not such has a meaningless irradiance, and
+/// no other suffers. Of no normals the pointers do not matter. On an error `irradiance` is
+/// as it was.
+///
+/// # Safety
+///
+/// Pointers that are neither NULL nor unaligned point to what their types say, the last
+/// four to `count` numbers each.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn eigenshade_shade_many_f32(
+    scene: *const SceneF32,
+    count: usize,
+    x: *const f32,
+    y: *const f32,
+    z: *const f32,
+    irradiance: *mut f32,
+) -> Status {
+    Status::of(|| {
+        apart(irradiance, [x, y, z], count)?;
+        // SAFETY: as this function asks of its caller.
+        let scene = unsafe { shared(scene) }?;
+        // SAFETY: as this function asks of its caller.
+        let (x, y, z) = unsafe { (slice(x, count)?, slice(y, count)?, slice(z, count)?) };
+        // SAFETY: as this function asks of its caller; it overlaps no other.
+        let irradiance = unsafe { slice_to_write(irradiance, count) }?;
+        let scene = sphere::BASIS.scene(&scene.terms[..])?;
+        Ok(scene.shade_slice(Normals::new(x, y, z)?, irradiance)?)
+    })
+}

@@ -1,0 +1,275 @@
+//! In integers: mantissas of 31 bits, for machines without a float unit and with time for
+//! products of 64 bits.
+#![expect(unsafe_code, reason = "exported symbols and C's pointers")]
+
+use crate::boundary::{Plain, exclusive, shared};
+use crate::integers;
+use crate::sizes::{
+    EIGENSHADE_COMPONENTS, EIGENSHADE_PROFILES, EIGENSHADE_SCENE_Q31, EIGENSHADE_TRANSFER,
+    EIGENSHADE_WORKSPACE,
+};
+use crate::status::Status;
+use eigenshade::Q31;
+use eigenshade::quantised::{Light, Material};
+
+/// One channel of distant light: as `eigenshade_light_f32`, in mantissas times 2^exponent.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct LightQ31 {
+    /// Largest l, at most EIGENSHADE_DEGREE; above it the light is zero.
+    pub degree: usize,
+    /// Number of mantissas: (degree + 1)^2.
+    pub length: usize,
+    /// The mantissas; the caller's. The more bits the largest has, the better.
+    pub mantissas: *const Q31,
+    /// The exponent of all of them, from -128 to 128.
+    pub exponent: i32,
+}
+
+/// One channel of an isotropic material: as `eigenshade_material_f32`, in mantissas times
+/// 2^exponent, an exponent for each o.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct MaterialQ31 {
+    /// Largest o, at most EIGENSHADE_ORDER; above it the material is zero.
+    pub order: usize,
+    /// Number of mantissas: 1, 2, 5, 8, 14, 20, 30, 40 for orders 0 to 7.
+    pub length: usize,
+    /// The mantissas; the caller's. The more bits the largest of each o has, the better.
+    pub mantissas: *const Q31,
+    /// Number of exponents: order + 1.
+    pub exponents_length: usize,
+    /// For each o the exponent of its mantissas; the caller's.
+    pub exponents: *const i8,
+}
+
+/// Room to work in; holds nothing between two calls.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct WorkspaceQ31 {
+    /// Scratch.
+    pub numbers: [i64; EIGENSHADE_WORKSPACE],
+}
+
+/// A material folded in, as `eigenshade_fold_q31` writes it. May be kept in flash.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct TransferQ31 {
+    /// Its mantissas.
+    pub numbers: [Q31; EIGENSHADE_TRANSFER],
+    /// Its exponents.
+    pub exponents: [i16; EIGENSHADE_PROFILES],
+}
+
+/// The coefficients d of one image, component by component: mantissas times 2^exponent.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct CoefficientsQ31 {
+    /// Mantissas of at most 30 bits.
+    pub mantissas: [i32; EIGENSHADE_COMPONENTS],
+    /// The exponent of all of them.
+    pub exponent: i32,
+}
+
+/// One image, as `eigenshade_collapse_q31` writes it. May be kept in flash.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct SceneQ31 {
+    /// Its polynomials.
+    pub terms: [i32; EIGENSHADE_SCENE_Q31],
+    /// The exponent of every irradiance.
+    pub exponent: i32,
+}
+
+// SAFETY: of integers alone.
+unsafe impl Plain for WorkspaceQ31 {}
+// SAFETY: of integers alone.
+unsafe impl Plain for TransferQ31 {}
+// SAFETY: of integers alone.
+unsafe impl Plain for CoefficientsQ31 {}
+// SAFETY: of integers alone.
+unsafe impl Plain for SceneQ31 {}
+
+impl LightQ31 {
+    /// # Safety
+    ///
+    /// As [`integers::light_of`] asks.
+    unsafe fn view<'a>(&self) -> Result<Light<'a, Q31>, Status> {
+        // SAFETY: this function's caller promises as much.
+        unsafe { integers::light_of(self.degree, self.exponent, self.mantissas, self.length) }
+    }
+}
+
+impl MaterialQ31 {
+    /// # Safety
+    ///
+    /// As [`integers::material_of`] asks.
+    unsafe fn view<'a>(&self) -> Result<Material<'a, Q31>, Status> {
+        let mantissas = (self.mantissas, self.length);
+        let exponents = (self.exponents, self.exponents_length);
+        // SAFETY: this function's caller promises as much.
+        unsafe { integers::material_of(self.order, mantissas, exponents) }
+    }
+}
+
+/// Folds a material in, for lights to follow.
+///
+/// Cost: a multiplication for each of the table's 4,000 factors. On an error `transfer`
+/// is as it was.
+///
+/// # Safety
+///
+/// Pointers that are neither NULL nor unaligned point to what their types say, and
+/// `workspace` and `transfer` to nothing else's memory.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn eigenshade_fold_q31(
+    material: *const MaterialQ31,
+    workspace: *mut WorkspaceQ31,
+    transfer: *mut TransferQ31,
+) -> Status {
+    Status::of(|| {
+        // SAFETY: as this function asks of its caller.
+        let (material, workspace, transfer) =
+            unsafe { (shared(material)?.view()?, exclusive(workspace)?, exclusive(transfer)?) };
+        let TransferQ31 { numbers, exponents } = transfer;
+        integers::fold(&material, &mut workspace.numbers, numbers, exponents)
+    })
+}
+
+/// d of a new light on a folded material.
+///
+/// A transfer that `eigenshade_fold_q31` did not write gives meaningless numbers. Cost: two
+/// multiplications for each number of the transfer. On an error `coefficients` is as it was.
+///
+/// # Safety
+///
+/// Pointers that are neither NULL nor unaligned point to what their types say, and
+/// `coefficients` to nothing else's memory.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn eigenshade_relight_q31(
+    transfer: *const TransferQ31,
+    light: *const LightQ31,
+    coefficients: *mut CoefficientsQ31,
+) -> Status {
+    Status::of(|| {
+        // SAFETY: as this function asks of its caller.
+        let (transfer, light, coefficients) =
+            unsafe { (shared(transfer)?, shared(light)?.view()?, exclusive(coefficients)?) };
+        let CoefficientsQ31 { mantissas, exponent } = coefficients;
+        *exponent = integers::relight(&transfer.numbers, &transfer.exponents, &light, mantissas)?;
+        Ok(())
+    })
+}
+
+/// d of a light on a material: folds the material into `transfer`, and relights it.
+///
+/// Cost: as `eigenshade_fold_q31` and `eigenshade_relight_q31`. On an error `coefficients`
+/// is as it was; `transfer` may have changed.
+///
+/// # Safety
+///
+/// Pointers that are neither NULL nor unaligned point to what their types say, and
+/// `workspace`, `transfer` and `coefficients` to nothing else's memory.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn eigenshade_project_q31(
+    light: *const LightQ31,
+    material: *const MaterialQ31,
+    workspace: *mut WorkspaceQ31,
+    transfer: *mut TransferQ31,
+    coefficients: *mut CoefficientsQ31,
+) -> Status {
+    Status::of(|| {
+        // SAFETY: as this function asks of its caller.
+        let (light, material) = unsafe { (shared(light)?.view()?, shared(material)?.view()?) };
+        // SAFETY: as this function asks of its caller.
+        let (workspace, transfer, coefficients) =
+            unsafe { (exclusive(workspace)?, exclusive(transfer)?, exclusive(coefficients)?) };
+        let TransferQ31 { numbers, exponents } = transfer;
+        integers::fold(&material, &mut workspace.numbers, numbers, exponents)?;
+        let CoefficientsQ31 { mantissas, exponent } = coefficients;
+        *exponent = integers::relight(numbers, exponents, &light, mantissas)?;
+        Ok(())
+    })
+}
+
+/// Sums the components of each azimuth: what a pixel is shaded from.
+///
+/// Of d the first `components` count, at most EIGENSHADE_COMPONENTS; the others are taken
+/// as zero. Coefficients that `eigenshade_relight_q31` did not write have to keep to 30
+/// bits and to exponents of at most 2048. On an error `scene` is as it was.
+///
+/// # Safety
+///
+/// Pointers that are neither NULL nor unaligned point to what their types say, and
+/// `scene` to nothing else's memory.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn eigenshade_collapse_q31(
+    coefficients: *const CoefficientsQ31,
+    components: usize,
+    scene: *mut SceneQ31,
+) -> Status {
+    Status::of(|| {
+        // SAFETY: as this function asks of its caller.
+        let CoefficientsQ31 { mantissas, exponent } = unsafe { shared(coefficients) }?;
+        let first = integers::first(mantissas, *exponent, components)?;
+        // SAFETY: as this function asks of its caller.
+        let scene = unsafe { exclusive(scene) }?;
+        scene.exponent = integers::collapse::<Q31>(first, *exponent, &mut scene.terms)?;
+        Ok(())
+    })
+}
+
+/// The irradiance of the unit normal (x, y, z), in fractions of 2^31 (1 as 2^31 - 1):
+/// `irradiance` times 2 to the scene's exponent, in the light's radiance times sr times the
+/// material's 1/sr.
+///
+/// A scene that `eigenshade_collapse_q31` did not write gives meaningless numbers. On an
+/// error `irradiance` is as it was.
+///
+/// # Safety
+///
+/// Pointers that are neither NULL nor unaligned point to what their types say, and
+/// `irradiance` to nothing else's memory.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn eigenshade_shade_q31(
+    scene: *const SceneQ31,
+    x: Q31,
+    y: Q31,
+    z: Q31,
+    irradiance: *mut i32,
+) -> Status {
+    Status::of(|| {
+        // SAFETY: as this function asks of its caller.
+        let scene = unsafe { shared(scene) }?;
+        let found = integers::shade(&scene.terms, [x, y, z])?;
+        // SAFETY: as this function asks of its caller.
+        *unsafe { exclusive(irradiance) }? = found;
+        Ok(())
+    })
+}
+
+/// The irradiances of `count` such normals, into `irradiance`.
+///
+/// Of no normals the pointers do not matter. On an error `irradiance` is as it was, but
+/// that a normal is at fault: then those before it are written, and zeros from it on.
+///
+/// # Safety
+///
+/// Pointers that are neither NULL nor unaligned point to what their types say, the last
+/// four to `count` numbers each.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn eigenshade_shade_many_q31(
+    scene: *const SceneQ31,
+    count: usize,
+    x: *const Q31,
+    y: *const Q31,
+    z: *const Q31,
+    irradiance: *mut i32,
+) -> Status {
+    Status::of(|| {
+        // SAFETY: as this function asks of its caller.
+        let scene = unsafe { shared(scene) }?;
+        // SAFETY: as this function asks of its caller.
+        unsafe { integers::shade_many(&scene.terms, count, [x, y, z], irradiance) }
+    })
+}

@@ -1,0 +1,57 @@
+//! `eigenshade pack`: a table as a wire file.
+
+use clap::{Args, ValueEnum};
+use eigenshade_cli::number::grouped;
+use eigenshade_cli::{destination, table_file};
+use eigenshade_generator::error::{Error, Result};
+use eigenshade_table::quantise;
+use eigenshade_table::wire::{self, Endian};
+use std::path::PathBuf;
+
+/// A table as a wire file, which the runtime reads where it lies
+///
+/// For tables that arrive at run time, from a page of flash or a fetch:
+/// `Basis::from_bytes` takes them. `eigenshade info` says what is in one.
+#[derive(Args, Debug)]
+pub struct Pack {
+    /// The table
+    #[arg(value_name = "B.bin")]
+    table: PathBuf,
+    /// Numbers of the file
+    #[arg(long, value_enum, default_value_t = Format::F32)]
+    format: Format,
+    /// For a machine whose numbers have their greatest byte first
+    #[arg(long)]
+    big_endian: bool,
+    /// Writes the wire file here
+    #[arg(long, value_name = "W.esw")]
+    out: PathBuf,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Format {
+    F32,
+    Q15,
+    Q31,
+}
+
+impl Pack {
+    pub fn run(self) -> Result<()> {
+        let table = table_file::read(&self.table)?;
+        let format = match self.format {
+            Format::F32 => wire::Format::F32,
+            Format::Q15 => wire::Format::Integer(quantise::Format::Q15),
+            Format::Q31 => wire::Format::Integer(quantise::Format::Q31),
+        };
+        let endian = if self.big_endian { Endian::Big } else { Endian::Little };
+        let bytes = wire::encode(&table, format, endian).map_err(|error| {
+            let line = error.to_string();
+            let (what, remedy) = line.rsplit_once("; ").unwrap_or((&line, "pack it as f32"));
+            Error::new(what, remedy).in_file(&self.table)
+        })?;
+        destination::write(Some(&self.out), |out| {
+            out.write_all(&bytes).map_err(|error| destination::fault(&error))
+        })?;
+        destination::write_text(None, &format!("{:<12} {}\n", "bytes", grouped(bytes.len())))
+    }
+}

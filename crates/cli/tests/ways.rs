@@ -1,0 +1,106 @@
+//! The ways to a pixel against the direct sum over modes, and what is done to a light
+//! before and to irradiance after.
+
+mod support;
+
+#[path = "../../../tests/tolerances/mod.rs"]
+mod tolerances;
+
+use support::{Folder, assert_fails, numbers, rows};
+
+const PAIR: &str = "--lights lights.csv --materials materials.csv --normals normals.csv";
+const HEADER: &str = "light,material,normal,r,g,b";
+
+fn shaded(folder: &Folder, options: &str) -> Vec<f64> {
+    numbers(&rows(&folder.ok(&format!("shade b.bin {PAIR} {options}")), HEADER), 3)
+}
+
+/// Rms of a - b, of the largest |b|.
+fn rms(a: &[f64], b: &[f64]) -> f64 {
+    assert_eq!(a.len(), b.len());
+    let peak = b.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+    let square: f64 = a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum();
+    (square / a.len() as f64).sqrt() / peak
+}
+
+/// All components are the truth, so all that is left is the way's error.
+#[test]
+fn ways_are_as_exact_as_they_can_be() {
+    let folder = Folder::with_table();
+    let truth = shaded(&folder, "--method modes");
+    for (options, most) in tolerances::WAYS {
+        for format in ["f32", "f64"] {
+            let found = rms(&shaded(&folder, &format!("{options} --format {format}")), &truth);
+            println!("{options}, {format}: {found:e}");
+            assert!(found <= most, "{options}, {format}: {found:e}");
+            // Another way than the polynomials, or nothing is tested.
+            assert!(found >= 0.25 * most, "{options}: {found:e} is too good");
+        }
+    }
+    // What is left out is the default.
+    for (short, long) in [
+        ("--method table", "--method table --knots 128 --interpolation cubic"),
+        ("--method baked", "--method baked --size 64 --interpolation linear"),
+    ] {
+        assert_eq!(shaded(&folder, short), shaded(&folder, long));
+    }
+}
+
+/// A light through a window is that light with its coefficients weakened.
+#[test]
+fn windows_weaken_the_light() {
+    let folder = Folder::with_table();
+    let windowed = shaded(&folder, "--method modes --window 5.5");
+    let text = folder.read("lights.csv");
+    let weakened = text.lines().enumerate().map(|(line, text)| {
+        if line == 0 {
+            return format!("{text}\n");
+        }
+        let fields: Vec<&str> = text.split(',').collect();
+        let x = std::f64::consts::PI * fields[1].parse::<f64>().expect("a degree") / 5.5;
+        let factor = if x == 0.0 { 1.0 } else { (x.sin() / x).powi(4) };
+        let values = fields[3..]
+            .iter()
+            .map(|value| format!(",{:?}", factor * value.parse::<f64>().expect("a number")));
+        format!("{},{},{}{}\n", fields[0], fields[1], fields[2], values.collect::<String>())
+    });
+    let weakened: String = weakened.collect();
+    folder.write("lights.csv", weakened);
+    let expected = shaded(&folder, "--method modes");
+    assert!(rms(&windowed, &expected) <= tolerances::DENSE_PROJECTION);
+}
+
+/// Clamped to zero, and the least is told.
+#[test]
+fn irradiance_below_zero_is_clamped_where_asked() {
+    let folder = Folder::with_table();
+    // Much more light from behind than from everywhere.
+    folder.write("lights.csv", "name,l,m,value\na,0,0,1\na,1,-1,0\na,1,0,-3\na,1,1,0\n");
+    let kept = shaded(&folder, "");
+    let least = kept.iter().copied().fold(f64::INFINITY, f64::min);
+    assert!(least < 0.0, "nothing to clamp");
+    for method in ["polynomial", "modes"] {
+        let kept = shaded(&folder, &format!("--method {method}"));
+        let clamped = shaded(&folder, &format!("--method {method} --clamp"));
+        assert!(kept.iter().zip(&clamped).all(|(kept, clamped)| *clamped == kept.max(0.0)));
+        assert!(kept.iter().any(|kept| *kept < 0.0), "{method}");
+    }
+    let output = folder.run(&format!("shade b.bin {PAIR} --clamp"));
+    let told = String::from_utf8(output.stderr).expect("text");
+    assert_eq!(told, format!("least irradiance {least:?}, clamped\n"));
+}
+
+#[test]
+fn options_of_other_methods_are_errors() {
+    let folder = Folder::with_table();
+    for (options, words) in [
+        ("--knots 64", ["--knots", "--method table"]),
+        ("--method baked --knots 64", ["--knots", "--method table"]),
+        ("--method table --size 64", ["--size", "--method baked"]),
+        ("--interpolation linear", ["--interpolation", "--method table"]),
+        ("--method table --interpolation nearest", ["nearest", "linear or cubic"]),
+        ("--method baked --interpolation cubic", ["cubic", "nearest or linear"]),
+    ] {
+        assert_fails(&folder, &format!("shade b.bin {PAIR} {options}"), &words);
+    }
+}

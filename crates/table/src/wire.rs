@@ -1,0 +1,240 @@
+//! A table as bytes that the runtime reads where they lie: the wire format of
+//! [`eigenshade_index::wire`].
+
+use crate::general::General;
+use crate::parts::{Parts, ProfilePlace};
+use crate::quantise::{self, QuantiseError, QuantisedParts};
+use crate::table::Table;
+use eigenshade_index::wire::{
+    ALIGNMENT, CHECKSUM, ENTRY, FLOATS, HEADER, INTEGERS, LABEL, MARK, MOST, VERSION, format,
+};
+use std::fmt;
+
+/// The numbers of a wire file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// `f32`.
+    F32,
+    /// An integer format.
+    Integer(quantise::Format),
+}
+
+/// The byte order of a wire file: that of the machine that will read it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Endian {
+    /// The least byte first.
+    Little,
+    /// The greatest byte first.
+    Big,
+}
+
+/// Why a table has no wire file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum WireError {
+    /// It keeps transfers alone.
+    Folded,
+    /// Its degree or order is beyond [`MOST`].
+    Shape {
+        /// The degree.
+        degree: usize,
+        /// The order.
+        order: usize,
+    },
+    /// The file would have more bytes than 32 bits count.
+    Long,
+    /// Integers do not serve it.
+    Quantise(QuantiseError),
+}
+
+impl fmt::Display for WireError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Folded => QuantiseError::Folded.fmt(f),
+            Self::Shape { degree, order } => write!(
+                f,
+                "degree {degree} and order {order}, a wire file has {MOST} at most; make the table \
+                 with less"
+            ),
+            Self::Long => f.write_str(
+                "more than 4 GB, which a wire file cannot have; make the table with fewer \
+                 components",
+            ),
+            Self::Quantise(error) => error.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for WireError {}
+
+impl From<QuantiseError> for WireError {
+    fn from(error: QuantiseError) -> Self {
+        Self::Quantise(error)
+    }
+}
+
+/// The bytes of a table's wire file.
+///
+/// # Errors
+///
+/// A table that keeps transfers alone, or one that integers do not serve.
+pub fn encode(table: &Table, format: Format, endian: Endian) -> Result<Vec<u8>, WireError> {
+    let (degree, order) = (table.gram.degree, table.gram.order);
+    if degree > MOST || order > MOST {
+        return Err(WireError::Shape { degree, order });
+    }
+    match format {
+        Format::F32 if !table.has_projection() => Err(WireError::Folded),
+        Format::F32 => floats(table, endian),
+        Format::Integer(format) => {
+            let parts = QuantisedParts::new(table, format, format.tolerance())?;
+            integers(&parts, endian)
+        }
+    }
+}
+
+fn floats(table: &Table, endian: Endian) -> Result<Vec<u8>, WireError> {
+    let parts = Parts::new(table);
+    let general = table.general.as_ref();
+    let of = |part: fn(&General) -> &Vec<f64>| general.map_or(&[][..], |general| part(general));
+    let section = || Bytes::new(endian);
+    let sections: [Bytes; FLOATS.len()] = [
+        parts.profiles.iter().fold(section(), |bytes, one| bytes.profile(one)),
+        parts.passes.iter().fold(section(), |bytes, one| {
+            bytes.short(one.first.cast_unsigned()).short(one.profiles)
+        }),
+        section().shorts(&parts.slots),
+        section().shorts(parts.couplings.as_flattened()),
+        section().shorts(&parts.lengths),
+        section().floats(&parts.polar),
+        section().floats(&parts.factors),
+        section().floats(&parts.terms),
+        section().floats(&parts.mean),
+        section().floats(&parts.mean_coefficients),
+        parts.selection.iter().fold(section(), |bytes, &kept| bytes.byte(u8::from(kept))),
+        section().floats(of(|general| &general.projection)),
+        section().floats(of(|general| &general.synthesis)),
+        section().floats(of(|general| &general.mean)),
+        section().floats(of(|general| &general.mean_coefficients)),
+    ];
+    let images = general.map_or(0, |general| general.eigenvalues.len());
+    let shape = [parts.degree, parts.order, parts.components, images];
+    file(endian, format::F32, shape, &sections)
+}
+
+fn integers(parts: &QuantisedParts, endian: Endian) -> Result<Vec<u8>, WireError> {
+    let (number, mantissas): (u16, fn(Bytes, &[i32]) -> Bytes) = match parts.format {
+        quantise::Format::Q15 => (format::Q15, |bytes, numbers| {
+            numbers.iter().fold(bytes, |bytes, &one| bytes.short((one as i16).cast_unsigned()))
+        }),
+        quantise::Format::Q31 => (format::Q31, |bytes, numbers| {
+            numbers.iter().fold(bytes, |bytes, one| bytes.long(one.cast_unsigned()))
+        }),
+    };
+    let section = || Bytes::new(endian);
+    let small = |numbers: &[i8]| {
+        numbers.iter().fold(section(), |bytes, number| bytes.byte(number.cast_unsigned()))
+    };
+    let profiles = parts.profiles.iter().fold(section(), |bytes, place| {
+        let bytes = bytes.byte(place.azimuth).byte(place.exponent.cast_unsigned());
+        bytes.shorts(&[place.plus, place.minus, place.size, place.step])
+    });
+    let sections: [Bytes; INTEGERS.len()] = [
+        profiles,
+        parts.lengths.iter().fold(section(), |bytes, &length| bytes.byte(length)),
+        mantissas(section(), &parts.polar),
+        small(&parts.polar_exponents),
+        mantissas(section(), &parts.factors),
+        small(&parts.factor_exponents),
+        mantissas(section(), &parts.terms),
+    ];
+    file(endian, number, [parts.degree, parts.order, parts.components, 0], &sections)
+}
+
+/// Header, entries, sections, checksum.
+fn file(
+    endian: Endian,
+    format: u16,
+    shape: [usize; 4],
+    sections: &[Bytes],
+) -> Result<Vec<u8>, WireError> {
+    let long = |number: usize| u32::try_from(number).map_err(|_| WireError::Long);
+    let short = |number: usize| u16::try_from(number).expect("small shapes");
+    let start = HEADER + ENTRY * sections.len();
+    let padded: usize = sections.iter().map(Bytes::padded).sum();
+    let mut file = Bytes { endian, bytes: LABEL.to_vec() }
+        .long(MARK)
+        .short(VERSION)
+        .short(format)
+        .long(long(start + padded + CHECKSUM)?)
+        .shorts(&shape.map(short))
+        .short(short(sections.len()))
+        .short(0);
+    let mut next = start;
+    for section in sections {
+        file = file.long(long(next)?).long(long(section.bytes.len())?);
+        next += section.padded();
+    }
+    for section in sections {
+        file.bytes.extend(&section.bytes);
+        file.bytes.resize(file.bytes.len().next_multiple_of(ALIGNMENT), 0);
+    }
+    let checksum = crc32fast::hash(&file.bytes);
+    Ok(file.long(checksum).bytes)
+}
+
+/// Bytes in some order.
+struct Bytes {
+    endian: Endian,
+    bytes: Vec<u8>,
+}
+
+impl Bytes {
+    fn new(endian: Endian) -> Self {
+        Self { endian, bytes: Vec::new() }
+    }
+
+    /// Their number, with what fills them up to the next section's start.
+    fn padded(&self) -> usize {
+        self.bytes.len().next_multiple_of(ALIGNMENT)
+    }
+
+    fn byte(mut self, byte: u8) -> Self {
+        self.bytes.push(byte);
+        self
+    }
+
+    fn short(mut self, number: u16) -> Self {
+        self.bytes.extend(match self.endian {
+            Endian::Little => number.to_le_bytes(),
+            Endian::Big => number.to_be_bytes(),
+        });
+        self
+    }
+
+    fn long(mut self, number: u32) -> Self {
+        self.bytes.extend(match self.endian {
+            Endian::Little => number.to_le_bytes(),
+            Endian::Big => number.to_be_bytes(),
+        });
+        self
+    }
+
+    fn shorts(self, numbers: &[u16]) -> Self {
+        numbers.iter().fold(self, |bytes, &number| bytes.short(number))
+    }
+
+    fn floats(self, numbers: &[f64]) -> Self {
+        numbers.iter().fold(self, |bytes, &number| bytes.long((number as f32).to_bits()))
+    }
+
+    /// Two bytes of zero after the three shorts, so that the rows are aligned.
+    fn profile(self, place: &ProfilePlace) -> Self {
+        let (plus, minus) = (place.plus_row, place.minus_row);
+        self.shorts(&[place.azimuth, place.plus, place.minus, 0])
+            .long(plus.start)
+            .long(plus.step)
+            .long(minus.start)
+            .long(minus.step)
+    }
+}

@@ -1,0 +1,230 @@
+// The WebAssembly module of eigenshade, for Node and browsers: memory wrapped, input checked.
+//
+//     const { f32 } = await load("f32.simd.wasm");
+//     f32.light(light).material(material);
+//     f32.project();
+//     f32.collapse();
+//     const irradiance = f32.shade(x, y, z);
+//
+// Signs, axes and the order of coefficients are those of docs/conventions.md.
+
+/** Loads the module: from a URL by fetch, or from bytes, a Response or a WebAssembly.Module. */
+export async function load(source) {
+  const instance = await instantiate(source);
+  const { exports } = instance;
+  const view = (name, array, length) =>
+    new array(exports.memory.buffer, exports[name].value, length);
+  const [degree, order, components, normals] = view("shape", Uint32Array, 4);
+  const shape = { degree, order, components, normals };
+  const formats = {};
+  for (const [name, kind, mantissas, bits] of [
+    ["f32", Floats, Float32Array, 0],
+    ["q15", Integers, Int16Array, 15],
+    ["q31", Integers, Int32Array, 31],
+  ]) {
+    if (exports[`${name}_collapse`]) {
+      formats[name] = new kind(exports, name, view, shape, mantissas, bits);
+    }
+  }
+  return Object.freeze({ degree, order, components, ...formats, exports });
+}
+
+async function instantiate(source) {
+  if (source instanceof WebAssembly.Module) return WebAssembly.instantiate(source);
+  let bytes = source;
+  if (typeof source === "string" || source instanceof URL) bytes = await fetch(source);
+  if (typeof Response !== "undefined" && bytes instanceof Response) {
+    if (!bytes.ok) throw new Error(`${bytes.url}: ${bytes.status} ${bytes.statusText}`);
+    bytes = await bytes.arrayBuffer();
+  }
+  return (await WebAssembly.instantiate(bytes)).instance;
+}
+
+/** Coefficients of a light up to this degree. */
+const lightCount = (degree) => (degree + 1) ** 2;
+
+/** Coefficients of a material up to this order. */
+function materialCount(order) {
+  let count = 0;
+  for (let o = 0; o <= order; o++) {
+    const half = Math.floor(o / 2);
+    count += ((half + 1) * (half + 2)) / 2;
+  }
+  return count;
+}
+
+/** The coefficients in f32, and the largest degree or order that they belong to. */
+function checked(what, coefficients, count, most) {
+  if (!(Array.isArray(coefficients) || ArrayBuffer.isView(coefficients))) {
+    throw new TypeError(`${what}: an array of numbers expected, ${typeof coefficients} found`);
+  }
+  const counts = Array.from({ length: most + 1 }, (_, largest) => count(largest));
+  const largest = counts.indexOf(coefficients.length);
+  if (largest < 0) {
+    const beyond = coefficients.length > counts[most] ? "; leave out what is beyond" : "";
+    throw new RangeError(
+      `${what}: ${coefficients.length} coefficients, this table takes ${counts.join(", ")}${beyond}`,
+    );
+  }
+  const numbers = Float32Array.from(coefficients);
+  const bad = numbers.findIndex((number) => !Number.isFinite(number));
+  if (bad >= 0) {
+    throw new RangeError(`${what}: coefficient ${bad} is ${coefficients[bad]}, which no f32 holds`);
+  }
+  return { numbers, largest };
+}
+
+/** What the formats have in common. */
+class Format {
+  constructor(exports, name, view, shape, array, bits) {
+    Object.assign(this, { exports, name, shape, array, bits });
+    const buffer = (what, kind, length) => view(`${name}_${what}`, kind, length);
+    this.inputs = {
+      light: view("light", Float32Array, lightCount(shape.degree)),
+      material: view("material", Float32Array, materialCount(shape.order)),
+    };
+    this.normals = buffer("normals", array, 3 * shape.normals);
+    const answer = bits ? Int32Array : Float32Array;
+    this.answers = {
+      d: buffer("d", answer, shape.components),
+      irradiance: buffer("irradiance", answer, shape.normals),
+    };
+    if (bits) this.exponents = buffer("exponents", Int32Array, 2);
+    this.ready = { light: null, material: null, d: false, scene: false };
+  }
+
+  /** One channel of light: (degree + 1)² coefficients in radiance. */
+  light(coefficients) {
+    this.ready.light = checked("light", coefficients, lightCount, this.shape.degree);
+    return this;
+  }
+
+  /** One channel of a BRDF: its coefficients in 1/sr. */
+  material(coefficients) {
+    this.ready.material = checked("material", coefficients, materialCount, this.shape.order);
+    this.folded = false;
+    return this;
+  }
+
+  /** Copies an input to where the module reads it; gives its degree or order. */
+  put(what) {
+    const given = this.ready[what];
+    if (!given) throw new Error(`project: there is no ${what} yet; give one first`);
+    this.inputs[what].set(given.numbers);
+    return given.largest;
+  }
+
+  /** Calls a function of the module. */
+  call(step, ...args) {
+    if (!this.exports[`${this.name}_${step}`](...args)) {
+      throw new Error(`${this.name}: the module refuses to ${step}`);
+    }
+  }
+
+  /** Sums the components of each azimuth: an image that can be shaded. */
+  collapse() {
+    if (!this.ready.d) throw new Error("collapse: there are no coefficients d yet; project first");
+    this.call("collapse");
+    this.ready.scene = true;
+    return this;
+  }
+
+  /**
+   * The irradiances of visible unit normals, given component by component. `irradiance`
+   * takes them if it is given.
+   */
+  shade(x, y, z, irradiance) {
+    if (!this.ready.scene) throw new Error("shade: there is no scene yet; collapse first");
+    const count = x.length;
+    irradiance ??= new this.answers.irradiance.constructor(count);
+    for (const [what, array] of Object.entries({ y, z, irradiance })) {
+      if (array.length !== count) {
+        throw new RangeError(`shade: x has ${count} numbers, ${what} has ${array.length}`);
+      }
+    }
+    const bad = this.firstBad(x, y, z);
+    if (bad >= 0) throw this.badNormal(bad, x, y, z);
+    for (let start = 0; start < count; start += this.shape.normals) {
+      const end = Math.min(start + this.shape.normals, count);
+      [x, y, z].forEach((from, axis) => this.write(from, start, end, axis * this.shape.normals));
+      const done = this.exports[`${this.name}_shade`](end - start);
+      if (done < end - start) throw this.badNormal(start + done, x, y, z);
+      irradiance.set(this.answers.irradiance.subarray(0, end - start), start);
+    }
+    return irradiance;
+  }
+
+  badNormal(k, x, y, z) {
+    return new RangeError(
+      `shade: normal ${k} is (${x[k]}, ${y[k]}, ${z[k]}), no unit vector with z >= 0`,
+    );
+  }
+
+  /** The first normal that is no unit vector, to a part in 2,000, or hidden; -1 for none. */
+  firstBad(x, y, z) {
+    const one = x instanceof this.array ? 2 ** this.bits : 1;
+    const [least, most, hidden] = [0.999 * one * one, 1.001 * one * one, this.hidden(one)];
+    for (let k = 0; k < x.length; k++) {
+      const square = x[k] * x[k] + y[k] * y[k] + z[k] * z[k];
+      if (!(square >= least && square <= most && z[k] >= hidden)) return k;
+    }
+    return -1;
+  }
+}
+
+/** The way in floats. */
+class Floats extends Format {
+  /** The coefficients d of the light on the material. */
+  project() {
+    this.call("project", this.put("light"), this.put("material"));
+    Object.assign(this.ready, { d: true, scene: false });
+    return this.answers.d.slice();
+  }
+
+  /** Copies normals to where the module reads them. */
+  write(from, start, end, to) {
+    if (ArrayBuffer.isView(from)) this.normals.set(from.subarray(start, end), to);
+    else for (let k = start; k < end; k++) this.normals[to + k - start] = from[k];
+  }
+
+  /** A normal that points away by less than this is as good as one at the rim. */
+  hidden() {
+    return -1e-3;
+  }
+}
+
+/** The way in integers: a number is its mantissa times 2 to the exponent of its array. */
+class Integers extends Format {
+  /** The coefficients d of the light on the material: mantissas and their exponent. */
+  project() {
+    const degree = this.put("light");
+    if (!this.folded) {
+      this.call("fold", this.put("material"));
+      this.folded = true;
+    }
+    this.call("relight", degree);
+    Object.assign(this.ready, { d: true, scene: false });
+    return { mantissas: this.answers.d.slice(), exponent: this.exponents[0] };
+  }
+
+  /** The exponent of every irradiance of the scene. */
+  get exponent() {
+    return this.exponents[1];
+  }
+
+  /** Mantissas as they are, other numbers to the nearest. */
+  write(from, start, end, to) {
+    if (from instanceof this.array) {
+      this.normals.set(from.subarray(start, end), to);
+      return;
+    }
+    const one = 2 ** this.bits;
+    for (let k = start; k < end; k++) {
+      this.normals[to + k - start] = Math.max(1 - one, Math.min(one - 1, Math.round(one * from[k])));
+    }
+  }
+
+  hidden() {
+    return 0;
+  }
+}

@@ -1,0 +1,38 @@
+//! The way in floats. Every function gives 1, or 0 if its arguments are beyond the
+//! buffers.
+
+use crate::inputs::{LIGHT, MATERIAL};
+use crate::shared::Shared;
+use eigenshade::sphere::{BASIS, COMPONENTS, SCENE, WORKSPACE};
+use eigenshade::{Light, Material, Scene, index};
+
+/// The coefficients d.
+#[unsafe(export_name = "f32_d")]
+static D: Shared<[f32; COMPONENTS]> = Shared::new([0.0; COMPONENTS]);
+static ROOM: Shared<[f32; WORKSPACE]> = Shared::new([0.0; WORKSPACE]);
+/// The scene, if there is one.
+pub static COLLAPSED: Shared<Option<Scene<'static, [f32; SCENE]>>> = Shared::new(None);
+
+/// The light, of this degree, on the material, of this order: gives d.
+#[unsafe(no_mangle)]
+extern "C" fn f32_project(degree: usize, order: usize) -> u32 {
+    // SAFETY: each place once, and no other function runs.
+    let (light, material, room, d) =
+        unsafe { (LIGHT.borrow(), MATERIAL.borrow(), ROOM.borrow(), D.borrow()) };
+    let light = light.get(..index::light::count(degree)).unwrap_or_default();
+    let material = material.get(..index::material::count(order)).unwrap_or_default();
+    let (Ok(light), Ok(material)) = (Light::new(degree, light), Material::new(order, material))
+    else {
+        return 0;
+    };
+    BASIS.project_into(&light, &material, room, d).is_ok().into()
+}
+
+/// Makes a scene of d.
+#[unsafe(no_mangle)]
+extern "C" fn f32_collapse() -> u32 {
+    // SAFETY: each place once, and no other function runs.
+    let (d, scene) = unsafe { (D.borrow(), COLLAPSED.borrow()) };
+    *scene = BASIS.collapse_into(d, [0.0; SCENE]).ok();
+    scene.is_some().into()
+}

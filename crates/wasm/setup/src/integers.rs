@@ -1,0 +1,156 @@
+//! The way in integers. Every function gives 1, or 0 if its arguments are beyond the
+//! buffers.
+
+use crate::inputs::{LIGHT, LIGHT_COUNT, MATERIAL, MATERIAL_COUNT, NORMALS};
+use crate::shared::Shared;
+use eigenshade::quantised::{Light, Material, Normal, Scene, Transfer};
+use eigenshade::sphere::{COMPONENTS, ORDER};
+use eigenshade::{Format, index};
+
+/// What a format keeps between calls.
+struct State<Q: Format, const T: usize, const P: usize, const N: usize> {
+    light: [Q; LIGHT_COUNT],
+    material: [Q; MATERIAL_COUNT],
+    of_material: [i8; ORDER + 1],
+    room: [Q::Wide; N],
+    transfer: [Q; T],
+    of_transfer: [i16; P],
+}
+
+macro_rules! exports {
+    (
+        $module:ident, $format:ident, $mantissa:ty, $fold:ident, $relight:ident, $collapse:ident,
+        $shade:ident, $d:literal, $exponents:literal, $normals:literal, $irradiance:literal
+    ) => {
+        /// One format.
+        pub mod $module {
+            use super::*;
+            use eigenshade::sphere::$module::{BASIS, PROFILES, SCENE, TRANSFER, WORKSPACE};
+            use eigenshade::$format;
+
+            /// The coefficients d.
+            #[unsafe(export_name = $d)]
+            static D: Shared<[i32; COMPONENTS]> = Shared::new([0; COMPONENTS]);
+            /// The exponents of d and of irradiances.
+            #[unsafe(export_name = $exponents)]
+            static EXPONENTS: Shared<[i32; 2]> = Shared::new([0; 2]);
+            static COLLAPSED: Shared<Option<Scene<'static, $format, [i32; SCENE]>>> =
+                Shared::new(None);
+
+            static STATE: Shared<State<$format, TRANSFER, PROFILES, WORKSPACE>> =
+                Shared::new(State {
+                    light: [$format(0); LIGHT_COUNT],
+                    material: [$format(0); MATERIAL_COUNT],
+                    of_material: [0; ORDER + 1],
+                    room: [0; WORKSPACE],
+                    transfer: [$format(0); TRANSFER],
+                    of_transfer: [0; PROFILES],
+                });
+
+            /// Folds in the material, of this order.
+            #[unsafe(no_mangle)]
+            extern "C" fn $fold(order: usize) -> u32 {
+                let (from, state) =
+                    // SAFETY: each place once, and no other function runs.
+                    unsafe { (MATERIAL.borrow(), STATE.borrow()) };
+                let count = index::material::count(order);
+                let from = from.get(..count).unwrap_or_default();
+                let (Some(to), Some(exponents)) =
+                    (state.material.get_mut(..count), state.of_material.get_mut(..=order))
+                else {
+                    return 0;
+                };
+                let Ok(material) = Material::quantise(order, from, to, exponents) else {
+                    return 0;
+                };
+                let State { room, transfer, of_transfer, .. } = state;
+                BASIS.fold_into(&material, room, transfer, of_transfer).is_ok().into()
+            }
+
+            /// Puts the folded material under the light, of this degree: gives d.
+            #[unsafe(no_mangle)]
+            extern "C" fn $relight(degree: usize) -> u32 {
+                let (from, state, d, exponents) =
+                    // SAFETY: each place once, and no other function runs.
+                    unsafe { (LIGHT.borrow(), STATE.borrow(), D.borrow(), EXPONENTS.borrow()) };
+                let count = index::light::count(degree);
+                let from = from.get(..count).unwrap_or_default();
+                let Some(to) = state.light.get_mut(..count) else { return 0 };
+                let Ok(light) = Light::quantise(degree, from, to) else { return 0 };
+                let transfer = Transfer::new(&state.transfer, &state.of_transfer);
+                let Ok(exponent) = BASIS.relight_into(&transfer, &light, d) else { return 0 };
+                let [of_d, _] = exponents;
+                *of_d = exponent;
+                1
+            }
+
+            /// Makes a scene of d.
+            #[unsafe(no_mangle)]
+            extern "C" fn $collapse() -> u32 {
+                let (collapsed, d, exponents) =
+                    // SAFETY: each place once, and no other function runs.
+                    unsafe { (COLLAPSED.borrow(), D.borrow(), EXPONENTS.borrow()) };
+                let [of_d, of_irradiance] = exponents;
+                *collapsed = BASIS.collapse_into(d, *of_d, [0; SCENE]).ok();
+                let Some(scene) = collapsed else { return 0 };
+                *of_irradiance = scene.exponent();
+                1
+            }
+
+            /// Normals to shade: all x, all y, all z.
+            #[unsafe(export_name = $normals)]
+            static AXES: Shared<[[$mantissa; NORMALS]; 3]> = Shared::new([[0; NORMALS]; 3]);
+            /// Their irradiances.
+            #[unsafe(export_name = $irradiance)]
+            static IRRADIANCE: Shared<[i32; NORMALS]> = Shared::new([0; NORMALS]);
+
+            /// The irradiances of the first `count` normals, up to the first that is no
+            /// visible unit normal: gives how many they are, 0 if there is no scene.
+            #[unsafe(no_mangle)]
+            extern "C" fn $shade(count: usize) -> usize {
+                let (scene, [x, y, z], irradiance) =
+                    // SAFETY: each place once, and no other function runs.
+                    unsafe { (COLLAPSED.borrow(), AXES.borrow(), IRRADIANCE.borrow()) };
+                let Some(scene) = scene else { return 0 };
+                let normals = x.iter().zip(y.iter()).zip(z.iter());
+                let mut done = 0;
+                for (((&x, &y), &z), irradiance) in normals.zip(irradiance).take(count) {
+                    let normal = Normal::<$format>::new($format(x), $format(y), $format(z));
+                    let Ok(normal) = normal else { break };
+                    *irradiance = scene.shade(normal);
+                    done += 1;
+                }
+                done
+            }
+        }
+    };
+}
+
+#[cfg(feature = "q15")]
+exports!(
+    q15,
+    Q15,
+    i16,
+    q15_fold,
+    q15_relight,
+    q15_collapse,
+    q15_shade,
+    "q15_d",
+    "q15_exponents",
+    "q15_normals",
+    "q15_irradiance"
+);
+#[cfg(feature = "q31")]
+exports!(
+    q31,
+    Q31,
+    i32,
+    q31_fold,
+    q31_relight,
+    q31_collapse,
+    q31_shade,
+    "q31_d",
+    "q31_exponents",
+    "q31_normals",
+    "q31_irradiance"
+);

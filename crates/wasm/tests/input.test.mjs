@@ -1,0 +1,82 @@
+// What the page gets wrong is told in one line.
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { normals, row } from "./support/golden.mjs";
+import { bytes } from "./support/modules.mjs";
+import { load } from "../eigenshade.mjs";
+
+const { f32, q15, q31 } = await load(bytes("all", ""));
+const LIGHT = row("f32", "light", "park 07-velvet g").numbers;
+const MATERIAL = row("f32", "material", "park 07-velvet g").numbers;
+
+const fails = (what, kind, message) => assert.throws(what, { name: kind, message });
+
+test("coefficients", () => {
+  for (const format of [f32, q15, q31]) {
+    fails(() => format.light(LIGHT.slice(1)), "RangeError",
+      "light: 99 coefficients, this table takes 1, 4, 9, 16, 25, 36, 49, 64, 81, 100");
+    fails(() => format.light([...LIGHT, ...LIGHT]), "RangeError",
+      "light: 200 coefficients, this table takes 1, 4, 9, 16, 25, 36, 49, 64, 81, 100; leave out what is beyond");
+    fails(() => format.material([]), "RangeError",
+      "material: 0 coefficients, this table takes 1, 2, 5, 8, 14, 20, 30, 40");
+    fails(() => format.material("red"), "TypeError",
+      "material: an array of numbers expected, string found");
+    for (const bad of [NaN, Infinity, 1e300, undefined, "red"]) {
+      fails(() => format.light(LIGHT.with(7, bad)), "RangeError",
+        `light: coefficient 7 is ${bad}, which no f32 holds`);
+    }
+  }
+});
+
+test("an order of steps", async () => {
+  const fresh = await load(bytes("all", ""));
+  for (const format of [fresh.f32, fresh.q15, fresh.q31]) {
+    fails(() => format.project(), "Error", "project: there is no light yet; give one first");
+    format.light(LIGHT);
+    fails(() => format.project(), "Error", "project: there is no material yet; give one first");
+    fails(() => format.collapse(), "Error",
+      "collapse: there are no coefficients d yet; project first");
+    format.material(MATERIAL).project();
+    fails(() => format.shade([0], [0], [1]), "Error", "shade: there is no scene yet; collapse first");
+  }
+});
+
+test("normals", () => {
+  for (const format of [f32, q15, q31]) {
+    format.light(LIGHT).material(MATERIAL).project();
+    format.collapse();
+    fails(() => format.shade([0, 0], [0], [1, 1]), "RangeError", "shade: x has 2 numbers, y has 1");
+    fails(() => format.shade([0], [0], [1], new Int32Array(2)), "RangeError",
+      "shade: x has 1 numbers, irradiance has 2");
+    for (const bad of [[NaN, 0, 1], [0, Infinity, 1], [0, 0, 2], [0, 0, -1], [0, 0, 0]]) {
+      const at = (axis) => [0, 0, bad[axis]].with(0, axis === 2 ? 1 : 0).with(1, axis === 2 ? 1 : 0);
+      fails(() => format.shade(at(0), at(1), at(2)), "RangeError",
+        `shade: normal 2 is (${bad.join(", ")}), no unit vector with z >= 0`);
+    }
+    assert.equal(format.shade([], [], []).length, 0);
+  }
+  const [x, y, z] = normals("q15", Int16Array);
+  fails(() => q15.shade(x.with(1, 0), y.with(1, 0), z), "RangeError",
+    "shade: normal 1 is (0, 0, 0), no unit vector with z >= 0");
+});
+
+test("the module itself refuses what is beyond its buffers", () => {
+  const { exports } = f32;
+  for (const name of ["q15", "q31"]) {
+    for (const most of [10, 2048, 0xffffffff]) {
+      assert.equal(exports[`${name}_fold`](most), 0);
+      assert.equal(exports[`${name}_relight`](most), 0);
+    }
+    assert.equal(exports[`${name}_shade`](0xffffffff), 0);
+  }
+  assert.equal(exports.f32_project(10, 7), 0);
+  assert.equal(exports.f32_project(9, 8), 0);
+  assert.equal(exports.f32_project(0xffffffff, 0xffffffff), 0);
+  assert.equal(exports.f32_shade(0xffffffff), 0);
+  assert.equal(exports.nine_terms(0xffffffff), 1024);
+});
+
+test("a source that is no module", async () => {
+  await assert.rejects(load(new Uint8Array([1, 2, 3])), WebAssembly.CompileError);
+});

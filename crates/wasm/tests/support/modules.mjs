@@ -1,0 +1,44 @@
+// The modules that `crates/wasm/build` makes.
+
+import { readFileSync } from "node:fs";
+import { gzipSync } from "node:zlib";
+
+const FOLDER = new URL("../../../../target/modules/", import.meta.url);
+
+/** Variants of each module. */
+export const VARIANTS = ["", ".simd"];
+
+/** The bytes of a module, `f32`, `q15`, `q31` or `all`. */
+export function bytes(name, variant) {
+  try {
+    return readFileSync(new URL(`${name}${variant}.wasm`, FOLDER));
+  } catch (fault) {
+    throw new Error(`${fault.message}; run crates/wasm/build first`);
+  }
+}
+
+/** Id and bytes of each section, its head included. */
+function sections(module) {
+  const found = [];
+  for (let at = 8; at < module.length; ) {
+    let [place, length, shift] = [at + 1, 0, 0];
+    do {
+      length += (module[place] & 127) * 2 ** shift;
+      shift += 7;
+    } while (module[place++] & 128);
+    found.push({ id: module[at], bytes: module.subarray(at, place + length) });
+    at = place + length;
+  }
+  return found;
+}
+
+const DATA = 11;
+
+/** Bytes of the module, of its data, and of all but its data: as they are and by gzip -9. */
+export function sizes(module) {
+  const all = sections(module);
+  const parts = all.filter(({ id }) => id !== DATA).map((section) => section.bytes);
+  const rest = Buffer.concat([module.subarray(0, 8), ...parts]);
+  const data = module.length - rest.length;
+  return { module: module.length, data, rest: rest.length, zipped: gzipSync(rest, { level: 9 }).length };
+}

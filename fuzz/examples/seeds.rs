@@ -1,0 +1,100 @@
+//! Writes the seed corpora: `cargo run --example seeds`. Lights and materials of the kinds
+//! that there are, in the order in which `tests/invariants` reads them.
+
+use eigenshade_index::{light, material};
+use std::path::Path;
+
+/// Where a target's seeds stand, and what makes them.
+type Corpus = (&'static str, fn() -> Vec<(String, Vec<u8>)>);
+
+const CORPORA: [Corpus; 2] = [("shade_any", shade_any), ("project_reconstruct", reconstruct)];
+
+fn main() -> std::io::Result<()> {
+    for (target, seeds) in CORPORA {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("seeds").join(target);
+        if folder.exists() {
+            std::fs::remove_dir_all(&folder)?;
+        }
+        std::fs::create_dir_all(&folder)?;
+        for (name, bytes) in seeds() {
+            std::fs::write(folder.join(name), bytes)?;
+        }
+    }
+    Ok(())
+}
+
+/// A mantissa of 31 bits that falls with its place, of either sign.
+fn mantissa(place: usize) -> i32 {
+    let size = i32::MAX / (place as i32 + 1);
+    if place % 3 == 1 { -size } else { size }
+}
+
+/// A mantissa in `bytes` bytes, little-endian.
+fn put(to: &mut Vec<u8>, mantissa: i32, bytes: usize) {
+    to.extend(&mantissa.to_le_bytes()[4 - bytes..]);
+}
+
+fn put_normals(to: &mut Vec<u8>, bytes: usize) {
+    for (x, y, z) in [(0.0, 0.0, 1.0), (1.0, 0.0, 0.0), (0.6, 0.0, 0.8), (-0.36, 0.48, 0.8)] {
+        for component in [x, y, z] {
+            put(to, (component * f64::from(i32::MAX)) as i32, bytes);
+        }
+        to.push(0);
+    }
+}
+
+fn shade_any() -> Vec<(String, Vec<u8>)> {
+    let mut seeds = Vec::new();
+    for (degree, order) in [(0, 0), (1, 0), (2, 1), (4, 4), (9, 7)] {
+        let counts = [light::count(degree), material::count(order)];
+        let mut floats = vec![0, degree as u8];
+        for (count, next) in counts.into_iter().zip([Some(order as u8), None]) {
+            let values = (0..count).map(|k| (mantissa(k) as f32 / i32::MAX as f32).to_le_bytes());
+            floats.extend(values.flatten());
+            floats.extend(next);
+        }
+        floats.extend([0.0f32, 0.6, 0.8].map(f32::to_le_bytes).concat());
+        seeds.push((format!("f32-{degree}-{order}"), floats));
+        for (kind, bytes) in [(1, 2), (2, 4)] {
+            let mut from_material = vec![kind, 0xf1, degree as u8];
+            (0..counts[0]).for_each(|k| put(&mut from_material, mantissa(k), bytes));
+            from_material.push(order as u8);
+            from_material.extend((0..=order).map(|o| 0u8.wrapping_sub(15 + o as u8)));
+            (0..counts[1]).for_each(|k| put(&mut from_material, mantissa(k), bytes));
+            put_normals(&mut from_material, bytes);
+            seeds.push((format!("q{}-{degree}-{order}", 8 * bytes - 1), from_material));
+        }
+    }
+    for (format, (bytes, bits)) in [(2, 15), (4, 31)].into_iter().enumerate() {
+        let mut transfer = vec![3 + format as u8, 0xf1, 9];
+        (0..100).for_each(|k| put(&mut transfer, mantissa(k), bytes));
+        transfer.push(4);
+        transfer.extend([0xf0, 0xff].repeat(28));
+        (0..250).for_each(|k| put(&mut transfer, mantissa(k % 10), bytes));
+        put_normals(&mut transfer, bytes);
+        seeds.push((format!("q{bits}-transfer"), transfer));
+        let mut coefficients = vec![5 + format as u8];
+        put(&mut coefficients, -30, 4);
+        coefficients.push(50);
+        (0..50).for_each(|k| put(&mut coefficients, mantissa(k) >> 1, 4));
+        put_normals(&mut coefficients, bytes);
+        seeds.push((format!("q{bits}-coefficients"), coefficients));
+    }
+    seeds
+}
+
+fn reconstruct() -> Vec<(String, Vec<u8>)> {
+    let seed = |(degree, order): (usize, usize)| {
+        let mut bytes = Vec::new();
+        for (most, count) in [(degree, light::count(degree)), (order, material::count(order))] {
+            bytes.push(most as u8);
+            for k in 0..count {
+                put(&mut bytes, mantissa(k), 2);
+                bytes.push(40);
+            }
+        }
+        put_normals(&mut bytes, 4);
+        (format!("{degree}-{order}"), bytes)
+    };
+    [(0, 0), (1, 0), (2, 2), (5, 4), (9, 7)].map(seed).to_vec()
+}

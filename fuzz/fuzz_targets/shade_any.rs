@@ -1,0 +1,20 @@
+//! Any light on any material under any normals, any transfer, any coefficients: f32 stays
+//! finite, integers stay in range and never wrap.
+#![cfg_attr(fuzzing, no_main)]
+
+#[path = "../../tests/invariants/mod.rs"]
+mod invariants;
+#[path = "../../tests/tolerances/mod.rs"]
+mod tolerances;
+
+#[cfg(fuzzing)]
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| invariants::shade_any(bytes));
+
+/// Without libFuzzer: the files that are named.
+#[cfg(not(fuzzing))]
+fn main() -> std::io::Result<()> {
+    for path in std::env::args_os().skip(1) {
+        invariants::shade_any(&std::fs::read(path)?);
+    }
+    Ok(())
+}

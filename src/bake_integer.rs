@@ -1,0 +1,164 @@
+//! Baked maps of i16, for machines without floating-point hardware: looked up with
+//! integers alone.
+
+use crate::bake::{check_size, four, points};
+use crate::error::{Error, What};
+use crate::format::Q15;
+use crate::paraboloid::MapPoint;
+use crate::scalar::Scalar;
+use crate::scene::Scene;
+
+/// Exponents that maps have: 2^-60 is no light, 2^60 no irradiance.
+const EXPONENTS: core::ops::RangeInclusive<i32> = -75..=45;
+
+/// One image baked on N x N integers: irradiance = texel x 2^exponent, texels as those of
+/// a [`BakedMap`](crate::BakedMap).
+///
+/// The exponent is the least with which the largest texel fits: texels are rounded to
+/// 2^-15 to 2^-16 of it, and look-ups twice more.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct IntegerMap<B> {
+    size: usize,
+    exponent: i32,
+    texels: B,
+}
+
+impl<C> Scene<'_, C> {
+    /// Bakes the scene on N x N integers, in a buffer of length N².
+    ///
+    /// Cost: twice that of [`bake`](Self::bake), for their scale has to be known first.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Size`] unless N is 2 to 4096, [`Error::Length`] if the buffer has another
+    /// length.
+    pub fn bake_integers_into<S: Scalar, B: AsMut<[i16]>>(
+        &self,
+        size: usize,
+        mut texels: B,
+    ) -> Result<IntegerMap<B>, Error>
+    where
+        C: AsRef<[S]>,
+    {
+        check_size(size)?;
+        let to = texels.as_mut();
+        Error::check(What::Texels, size * size, to.len())?;
+        let values = || {
+            points::<S>(size).map(|point| point.map_or(S::ZERO, |point| self.fitted(point, size)))
+        };
+        let largest = values().fold(S::ZERO, |most, value| {
+            let value = if value < S::ZERO { -value } else { value };
+            if value > most { value } else { most }
+        });
+        let (exponent, scale) = scale(largest);
+        for (texel, value) in to.iter_mut().zip(values()) {
+            *texel = rounded(value * scale);
+        }
+        Ok(IntegerMap { size, exponent, texels })
+    }
+}
+
+/// The least exponent with which a number fits into i16, and 2^-exponent.
+fn scale<S: Scalar>(largest: S) -> (i32, S) {
+    let (half, most) = (S::from_f64(0.5), S::from_whole(32_767));
+    let (mut exponent, mut scale) = (0, S::ONE);
+    while largest * scale > most && exponent < *EXPONENTS.end() {
+        (exponent, scale) = (exponent + 1, scale * half);
+    }
+    while (largest + largest) * scale <= most && exponent > *EXPONENTS.start() {
+        (exponent, scale) = (exponent - 1, scale + scale);
+    }
+    (exponent, scale)
+}
+
+/// The nearest i16; 0 of NaN.
+fn rounded<S: Scalar>(value: S) -> i16 {
+    let half = S::from_f64(0.5);
+    let size = |value: S| i16::try_from((value + half).to_whole()).unwrap_or(i16::MAX);
+    if value < S::ZERO { -size(-value) } else { size(value) }
+}
+
+impl<B: AsRef<[i16]>> IntegerMap<B> {
+    /// A map of texels that were baked before, N x N of them.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Size`] unless N is 2 to 4096, [`Error::Length`] unless there are N² texels.
+    pub fn new(size: usize, exponent: i32, texels: B) -> Result<Self, Error> {
+        check_size(size)?;
+        Error::check(What::Texels, size * size, texels.as_ref().len())?;
+        Ok(Self { size, exponent, texels })
+    }
+
+    /// N.
+    #[must_use]
+    pub const fn size(&self) -> usize {
+        self.size
+    }
+
+    /// Irradiance = value x 2^exponent.
+    #[must_use]
+    pub const fn exponent(&self) -> i32 {
+        self.exponent
+    }
+
+    /// The texels, row by row from v = -1 up, each from u = -1 to the right.
+    #[must_use]
+    pub fn texels(&self) -> &[i16] {
+        self.texels.as_ref()
+    }
+
+    /// The irradiance between the four texels around a point, times 2^-exponent.
+    ///
+    /// Against a [`BakedMap`](crate::BakedMap) of as many texels the error grows by 4e-5 of the peak, rms,
+    /// at most. Cost on a Cortex-M0: some 65 instructions, 105 from a Q15 normal.
+    #[inline]
+    #[must_use]
+    pub fn bilinear(&self, point: MapPoint<Q15>) -> i32 {
+        let (column, across) = self.cell(point.u);
+        let (row, up) = self.cell(point.v);
+        let Some(&[a, b, .., c, d]) = four(self.texels.as_ref(), self.size, row, column) else {
+            return 0;
+        };
+        let below = between(a.into(), b.into(), across);
+        let above = between(c.into(), d.into(), across);
+        between(below, above, up)
+    }
+
+    /// The texel nearest to a point, times 2^-exponent.
+    #[inline]
+    #[must_use]
+    pub fn nearest(&self, point: MapPoint<Q15>) -> i32 {
+        let place = |x: Q15| ((self.place(x) + (1 << 15)) >> 16) as usize;
+        let (column, row) = (place(point.u), place(point.v));
+        let texel = row.wrapping_mul(self.size).wrapping_add(column);
+        self.texels.as_ref().get(texel).copied().unwrap_or(0).into()
+    }
+
+    /// The number of the texel before a coordinate, and the way from it to the next in
+    /// Q15.
+    #[inline]
+    fn cell(&self, x: Q15) -> (usize, i32) {
+        let place = self.place(x);
+        #[expect(clippy::cast_possible_wrap, reason = "below 2^15")]
+        let way = ((place & 0xffff) >> 1) as i32;
+        ((place >> 16) as usize, way)
+    }
+
+    /// A coordinate in texels, times 2^16: below (N - 1) 2^16, below 2^28.
+    #[inline]
+    fn place(&self, x: Q15) -> u32 {
+        #[expect(clippy::cast_possible_truncation, reason = "4096 at most")]
+        let intervals = (self.size as u32).wrapping_sub(1);
+        // x + 2^15 without a sign.
+        u32::from(x.0.cast_unsigned() ^ 0x8000).wrapping_mul(intervals)
+    }
+}
+
+/// a + (b - a) way, way in Q15, rounded; a and b in 16 bits, so that no product passes
+/// 2^31 - 2^16.
+#[inline]
+fn between(a: i32, b: i32, way: i32) -> i32 {
+    a + (((b - a) * way + (1 << 14)) >> 15)
+}

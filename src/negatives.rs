@@ -1,0 +1,41 @@
+//! Irradiance below zero: what becomes of it.
+
+use crate::scalar::Scalar;
+
+/// What becomes of irradiance below zero, which no light gives: it comes of lights and materials
+/// that end at some degree and order, of fits, and of few components.
+///
+/// Nothing is clamped unasked: negative values are how an image shows that it is at its limits,
+/// and what is read from pixels needs them.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum Negatives {
+    /// They stay.
+    #[default]
+    Kept,
+    /// They become zero.
+    Clamped,
+}
+
+impl Negatives {
+    /// One irradiance; NaN stays.
+    #[inline]
+    #[must_use]
+    pub fn of<S: Scalar>(self, irradiance: S) -> S {
+        if self == Self::Clamped && irradiance < S::ZERO { S::ZERO } else { irradiance }
+    }
+
+    /// Many where they are; gives the least that was there before, none of no pixels. A NaN is
+    /// passed over.
+    pub fn apply<S: Scalar>(self, irradiance: &mut [S]) -> Option<S> {
+        let mut least = None;
+        for value in irradiance {
+            if least.is_none_or(|least| *value < least) && value.is_finite() {
+                least = Some(*value);
+            }
+            *value = self.of(*value);
+        }
+        least
+    }
+}

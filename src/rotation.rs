@@ -1,0 +1,129 @@
+//! Rotations of three-space: by a quaternion, by Euler angles, by a matrix.
+
+use crate::error::Error;
+use crate::mathematics::Mathematics;
+use crate::scalar::Scalar;
+
+/// A rotation R of light: what came from ω then comes from Rω.
+///
+/// R is kept as its matrix, orthonormal to a few roundings.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Rotation<S> {
+    pub(crate) matrix: [[S; 3]; 3],
+}
+
+impl<S: Scalar> Rotation<S> {
+    /// The rotation that leaves everything as it is.
+    pub const NONE: Self = Self {
+        matrix: [
+            [S::ONE, S::ZERO, S::ZERO],
+            [S::ZERO, S::ONE, S::ZERO],
+            [S::ZERO, S::ZERO, S::ONE],
+        ],
+    };
+
+    /// R = Rz(`beta`) Ry(`alpha`) Rz(`gamma`), radians: first about z by γ, then about y by α, then
+    /// about z by β.
+    ///
+    /// In f32, [`SinglePrecision`](crate::mathematics::SinglePrecision) computes without f64.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Rotation`] if an angle is not finite.
+    pub fn from_euler<M: Mathematics<S>>(beta: S, alpha: S, gamma: S) -> Result<Self, Error> {
+        let (sb, cb) = M::sine_and_cosine(beta);
+        let (sa, ca) = M::sine_and_cosine(alpha);
+        let (sg, cg) = M::sine_and_cosine(gamma);
+        let rotation = Self {
+            matrix: [
+                [cb * ca * cg - sb * sg, -cb * ca * sg - sb * cg, cb * sa],
+                [sb * ca * cg + cb * sg, -sb * ca * sg + cb * cg, sb * sa],
+                [-sa * cg, sa * sg, ca],
+            ],
+        };
+        let finite = [beta, alpha, gamma].into_iter().all(S::is_finite);
+        if finite { Ok(rotation) } else { Err(Error::Rotation) }
+    }
+
+    /// The rotation of a quaternion x i + y j + z k + w, of any length whose square is a
+    /// normal number of the format. No root, no angle.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Rotation`] if it has no such length.
+    pub fn from_quaternion([x, y, z, w]: [S; 4]) -> Result<Self, Error> {
+        let square = x * x + y * y + z * z + w * w;
+        let scale = square.reciprocal();
+        if !(square > S::ZERO && square.is_finite() && scale.is_finite()) {
+            return Err(Error::Rotation);
+        }
+        let twice = scale + scale;
+        let (sx, sy, sz) = (twice * x, twice * y, twice * z);
+        let (xx, yy, zz) = (sx * x, sy * y, sz * z);
+        let (xy, yz, zx) = (sx * y, sy * z, sz * x);
+        let (xw, yw, zw) = (sx * w, sy * w, sz * w);
+        Ok(Self {
+            matrix: [
+                [S::ONE - (yy + zz), xy - zw, zx + yw],
+                [xy + zw, S::ONE - (zz + xx), yz - xw],
+                [zx - yw, yz + xw, S::ONE - (xx + yy)],
+            ],
+        })
+    }
+
+    /// The rotation of a matrix, row by row.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Rotation`] unless its rows are orthonormal and right-handed within 1e-3.
+    pub fn from_matrix(matrix: [[S; 3]; 3]) -> Result<Self, Error> {
+        let [x, y, z] = matrix;
+        let [a, b, c] = cross(x, y);
+        let pairs = [
+            dot(x, x) - S::ONE,
+            dot(y, y) - S::ONE,
+            dot(x, y),
+            a - dot(z, [S::ONE, S::ZERO, S::ZERO]),
+            b - dot(z, [S::ZERO, S::ONE, S::ZERO]),
+            c - dot(z, [S::ZERO, S::ZERO, S::ONE]),
+        ];
+        let most = S::from_f64(1e-3);
+        let fits = pairs.into_iter().all(|apart| apart <= most && -apart <= most);
+        if fits { Ok(Self { matrix }) } else { Err(Error::Rotation) }
+    }
+
+    /// R as a matrix, row by row.
+    #[must_use]
+    pub const fn matrix(self) -> [[S; 3]; 3] {
+        self.matrix
+    }
+
+    /// The rotation back.
+    #[must_use]
+    pub fn inverse(self) -> Self {
+        let [[a, b, c], [d, e, f], [g, h, i]] = self.matrix;
+        Self { matrix: [[a, d, g], [b, e, h], [c, f, i]] }
+    }
+
+    /// This rotation after another: their product, this one on the left.
+    #[must_use]
+    pub fn after(self, first: Self) -> Self {
+        let columns = first.inverse().matrix;
+        Self { matrix: self.matrix.map(|row| columns.map(|column| dot(row, column))) }
+    }
+
+    /// Where a direction comes to.
+    #[must_use]
+    pub fn turn_direction(self, direction: [S; 3]) -> [S; 3] {
+        self.matrix.map(|row| dot(row, direction))
+    }
+}
+
+fn dot<S: Scalar>([a, b, c]: [S; 3], [x, y, z]: [S; 3]) -> S {
+    a * x + b * y + c * z
+}
+
+fn cross<S: Scalar>([a, b, c]: [S; 3], [x, y, z]: [S; 3]) -> [S; 3] {
+    [b * z - c * y, c * x - a * z, a * y - b * x]
+}

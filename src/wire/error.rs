@@ -1,0 +1,145 @@
+//! Why bytes are not a wire file that can be read here.
+
+use super::header::WireFormat;
+use crate::error::Error;
+use crate::index::wire::{ALIGNMENT, MOST, VERSION};
+use core::fmt;
+
+/// The first fault of some bytes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum WireError {
+    /// They do not begin with the label.
+    Foreign,
+    /// A file of the other byte order.
+    Endianness,
+    /// Another version, with its number.
+    Version(u16),
+    /// Numbers of another format.
+    Format {
+        /// What was to be read.
+        expected: WireFormat,
+        /// The number in the file; see [`WireFormat::of`].
+        found: u16,
+    },
+    /// A table of eigenimages over a span, read as one of components alone, or the
+    /// other way round.
+    Images {
+        /// How many eigenimages it has over its span.
+        found: usize,
+    },
+    /// Fewer bytes than the file has.
+    Length {
+        /// How many it has.
+        expected: usize,
+        /// How many there are.
+        found: usize,
+    },
+    /// The bytes do not start at a multiple of four.
+    Alignment {
+        /// So many beyond one.
+        beyond: usize,
+    },
+    /// The checksum does not fit.
+    Checksum {
+        /// That in the file.
+        expected: u32,
+        /// That of the bytes.
+        found: u32,
+    },
+    /// A degree or order beyond what a file may have.
+    Shape {
+        /// The degree.
+        degree: usize,
+        /// The order.
+        order: usize,
+    },
+    /// A section lies outside the file or is no array of its kind, or is missing; or
+    /// there is one too many.
+    Section {
+        /// Its number, from 0.
+        number: usize,
+    },
+    /// [`aligned`](super::aligned) has too little room.
+    Room {
+        /// How many numbers it takes.
+        needed: usize,
+        /// How many there are.
+        found: usize,
+    },
+    /// The parts contradict each other.
+    Parts(Error),
+}
+
+impl From<Error> for WireError {
+    fn from(error: Error) -> Self {
+        Self::Parts(error)
+    }
+}
+
+impl fmt::Display for WireError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Foreign => f.write_str(
+                "EIGSWIRE expected, other bytes found: not a wire file; make one with \
+                 `eigenshade pack`",
+            ),
+            Self::Endianness => f.write_str(
+                "this machine's byte order expected, the other found; pack the table for this \
+                 machine: --big-endian or without",
+            ),
+            Self::Version(found) => write!(
+                f,
+                "wire version {VERSION} expected, {found} found; pack the table with the version \
+                 of eigenshade that reads it"
+            ),
+            Self::Format { expected, found } => {
+                let name = WireFormat::of(*found).map_or("an unknown one", WireFormat::name);
+                let expected = expected.name();
+                write!(
+                    f,
+                    "numbers in {expected} expected, {name} found; pack the table with --format \
+                     {expected}, or read it as what it is"
+                )
+            }
+            Self::Images { found: 0 } => f.write_str(
+                "eigenimages over a span expected, none found; read it with Basis::from_bytes",
+            ),
+            Self::Images { found } => write!(
+                f,
+                "components alone expected, {found} eigenimages over them found; read it with \
+                 GeneralBasis::from_bytes"
+            ),
+            Self::Length { expected, found } => write!(
+                f,
+                "wire file: {expected} bytes expected, {found} found; take all of the file"
+            ),
+            Self::Alignment { beyond } => write!(
+                f,
+                "wire file: a start at a multiple of {ALIGNMENT} expected, {beyond} beyond one \
+                 found; put the bytes into wire::Aligned, or copy them with wire::aligned"
+            ),
+            Self::Checksum { expected, found } => write!(
+                f,
+                "damaged wire file: checksum {expected:08x} expected, {found:08x} found; bring it \
+                 here again"
+            ),
+            Self::Shape { degree, order } => write!(
+                f,
+                "wire file: degree and order up to {MOST} expected, {degree} and {order} found; \
+                 pack the table again"
+            ),
+            Self::Section { number } => write!(
+                f,
+                "wire file: section {number} is not within it, not an array of its kind, or not \
+                 expected; pack the table again"
+            ),
+            Self::Room { needed, found } => {
+                write!(f, "room for {needed} numbers expected, for {found} found; give more")
+            }
+            Self::Parts(error) => write!(f, "wire file: {error}"),
+        }
+    }
+}
+
+impl core::error::Error for WireError {}

@@ -1,0 +1,69 @@
+//! A wire file whose checksum fits, and its sections.
+
+use super::WireError;
+use super::checksum::checksum;
+use super::header::{Header, WireFormat, long};
+use crate::index::wire::{ALIGNMENT, CHECKSUM, ENTRY, HEADER};
+use zerocopy::{Immutable, KnownLayout, TryFromBytes};
+
+/// A wire file, its sections taken one after the other.
+pub(super) struct File<'a> {
+    pub(super) header: Header,
+    /// All but the checksum.
+    bytes: &'a [u8],
+    taken: usize,
+}
+
+impl<'a> File<'a> {
+    /// The file at the start of these bytes, of this format.
+    pub(super) fn open(bytes: &'a [u8], expected: WireFormat) -> Result<Self, WireError> {
+        let header = Header::read(bytes)?;
+        if WireFormat::of(header.format) != Some(expected) {
+            return Err(WireError::Format { expected, found: header.format });
+        }
+        // Whatever length is claimed, there are sections and a checksum.
+        let least = HEADER + ENTRY * header.sections + CHECKSUM;
+        let expected = header.length.max(least);
+        let Some(file) = bytes.get(..expected) else {
+            return Err(WireError::Length { expected, found: bytes.len() });
+        };
+        let beyond = file.as_ptr().addr() % ALIGNMENT;
+        if beyond != 0 {
+            return Err(WireError::Alignment { beyond });
+        }
+        let (bytes, sum) = file.split_at_checked(expected - CHECKSUM).unwrap_or_default();
+        let (expected, found) = (long(sum, 0), checksum(bytes));
+        if expected != found {
+            return Err(WireError::Checksum { expected, found });
+        }
+        Ok(Self { header, bytes, taken: 0 })
+    }
+
+    /// The next section.
+    pub(super) fn section<T>(&mut self) -> Result<&'a [T], WireError>
+    where
+        T: TryFromBytes + KnownLayout + Immutable,
+    {
+        let number = self.taken;
+        let fault = WireError::Section { number };
+        if number >= self.header.sections {
+            return Err(fault);
+        }
+        self.taken += 1;
+        let entry = HEADER + ENTRY * number;
+        let start = long(self.bytes, entry) as usize;
+        let length = long(self.bytes, entry + ENTRY / 2) as usize;
+        let rest = self.bytes.get(start..).ok_or(fault)?;
+        let section = rest.get(..length).ok_or(fault)?;
+        <[T]>::try_ref_from_bytes(section).map_err(|_| fault)
+    }
+
+    /// No section is left.
+    pub(super) fn end(&self) -> Result<(), WireError> {
+        if self.taken == self.header.sections {
+            Ok(())
+        } else {
+            Err(WireError::Section { number: self.taken })
+        }
+    }
+}

@@ -1,0 +1,72 @@
+//! Bases in floats.
+
+use super::WireError;
+use super::file::File;
+use super::header::WireFormat;
+use crate::basis::Basis;
+use crate::general::{GeneralBasis, GeneralParts};
+use crate::parts::Parts;
+
+impl<'a> Basis<'a, f32> {
+    /// The basis in a [wire](crate::wire) file, which lies at a multiple of four.
+    ///
+    /// Cost: the checksum, two look-ups a byte, and the checks of [`new`](Self::new).
+    ///
+    /// # Errors
+    ///
+    /// A [`WireError`] for any bytes that are no such file.
+    pub fn from_bytes(bytes: &'a [u8]) -> Result<Self, WireError> {
+        let (basis, general) = read(bytes)?;
+        match general.components {
+            0 => Ok(basis),
+            found => Err(WireError::Images { found }),
+        }
+    }
+}
+
+impl<'a> GeneralBasis<'a, f32> {
+    /// The basis in a [wire](crate::wire) file of another object than the sphere:
+    /// otherwise as [`Basis::from_bytes`].
+    ///
+    /// # Errors
+    ///
+    /// A [`WireError`] for any bytes that are no such file.
+    pub fn from_bytes(bytes: &'a [u8]) -> Result<Self, WireError> {
+        let (span, parts) = read(bytes)?;
+        if parts.components == 0 {
+            return Err(WireError::Images { found: 0 });
+        }
+        Ok(Self::new(span, parts)?)
+    }
+}
+
+/// The basis or span of a file, and its eigenimages over that.
+fn read(bytes: &[u8]) -> Result<(Basis<'_, f32>, GeneralParts<'_, f32>), WireError> {
+    let mut file = File::open(bytes, WireFormat::F32)?;
+    let header = file.header;
+    let parts = Parts {
+        degree: header.degree,
+        order: header.order,
+        components: header.components,
+        profiles: file.section()?,
+        passes: file.section()?,
+        slots: file.section()?,
+        couplings: file.section()?,
+        lengths: file.section()?,
+        polar: file.section()?,
+        factors: file.section()?,
+        terms: file.section()?,
+        mean: file.section()?,
+        mean_coefficients: file.section()?,
+        selection: file.section()?,
+    };
+    let general = GeneralParts {
+        components: header.images,
+        projection: file.section()?,
+        synthesis: file.section()?,
+        mean: file.section()?,
+        mean_coefficients: file.section()?,
+    };
+    file.end()?;
+    Ok((Basis::new(parts)?, general))
+}

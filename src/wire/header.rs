@@ -1,0 +1,115 @@
+//! What a wire file says of itself.
+
+use super::WireError;
+use crate::index::wire::{HEADER, LABEL, MARK, MOST, VERSION, format, place};
+
+/// The number format of a wire file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum WireFormat {
+    /// `f32`.
+    F32,
+    /// [`Q15`](crate::Q15).
+    Q15,
+    /// [`Q31`](crate::Q31).
+    Q31,
+}
+
+impl WireFormat {
+    /// The format of this number in a file.
+    #[must_use]
+    pub const fn of(number: u16) -> Option<Self> {
+        match number {
+            format::F32 => Some(Self::F32),
+            format::Q15 => Some(Self::Q15),
+            format::Q31 => Some(Self::Q31),
+            _ => None,
+        }
+    }
+
+    /// Its name on a command line.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::F32 => "f32",
+            Self::Q15 => "q15",
+            Self::Q31 => "q31",
+        }
+    }
+}
+
+/// The header of a wire file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Header {
+    /// The file's version.
+    pub version: u16,
+    /// Its number format: see [`WireFormat::of`].
+    pub format: u16,
+    /// Bytes of the whole file.
+    pub length: usize,
+    /// Largest degree l of the light.
+    pub degree: usize,
+    /// Largest order o of the BRDF.
+    pub order: usize,
+    /// Number of components, of the span where there are eigenimages.
+    pub components: usize,
+    /// Number of eigenimages over the span, or 0.
+    pub images: usize,
+    /// Number of sections.
+    pub sections: usize,
+}
+
+impl Header {
+    /// The header of a file. It need not be aligned, nor be all there; its checksum is
+    /// not looked at.
+    ///
+    /// # Errors
+    ///
+    /// [`WireError::Foreign`], [`WireError::Endianness`], [`WireError::Version`],
+    /// [`WireError::Length`] if not even the header is there, [`WireError::Shape`].
+    pub fn read(bytes: &[u8]) -> Result<Self, WireError> {
+        if !bytes.starts_with(&LABEL) {
+            return Err(WireError::Foreign);
+        }
+        let Some(header) = bytes.first_chunk::<HEADER>() else {
+            return Err(WireError::Length { expected: HEADER, found: bytes.len() });
+        };
+        let mark = long(header, place::MARK);
+        if mark != MARK {
+            let other = mark == MARK.swap_bytes();
+            return Err(if other { WireError::Endianness } else { WireError::Foreign });
+        }
+        let version = short(header, place::VERSION);
+        if version != VERSION {
+            return Err(WireError::Version(version));
+        }
+        let size = |at| usize::from(short(header, at));
+        let (degree, order) = (size(place::DEGREE), size(place::ORDER));
+        if degree > MOST || order > MOST {
+            return Err(WireError::Shape { degree, order });
+        }
+        Ok(Self {
+            version,
+            format: short(header, place::FORMAT),
+            length: long(header, place::LENGTH) as usize,
+            degree,
+            order,
+            components: size(place::COMPONENTS),
+            images: size(place::IMAGES),
+            sections: size(place::SECTIONS),
+        })
+    }
+}
+
+/// The u16 at `at`, or 0 where there is none.
+fn short(bytes: &[u8], at: usize) -> u16 {
+    let found = bytes.get(at..).and_then(|rest| rest.first_chunk());
+    found.copied().map_or(0, u16::from_ne_bytes)
+}
+
+/// The u32 at `at`, or 0 where there is none.
+pub(super) fn long(bytes: &[u8], at: usize) -> u32 {
+    let found = bytes.get(at..).and_then(|rest| rest.first_chunk());
+    found.copied().map_or(0, u32::from_ne_bytes)
+}

@@ -1,0 +1,55 @@
+//! Bases in integers.
+
+use super::WireError;
+use super::file::File;
+use super::header::WireFormat;
+use crate::format::{Q15, Q31};
+use crate::quantised::{Basis, Parts};
+use zerocopy::{FromBytes, Immutable, KnownLayout};
+
+macro_rules! from_bytes {
+    ($format:ident) => {
+        impl<'a> Basis<'a, $format> {
+            /// The basis in a [wire](crate::wire) file, which lies at a multiple of four.
+            ///
+            /// Cost: the checksum, two look-ups a byte, and the checks of
+            /// [`new`](Self::new). Not checked is what a profile says of its own largest
+            /// values: a file that was not damaged but forged may make a pixel wrap.
+            ///
+            /// # Errors
+            ///
+            /// A [`WireError`] for any bytes that are no such file.
+            pub fn from_bytes(bytes: &'a [u8]) -> Result<Self, WireError> {
+                Ok(Self::new(read(bytes, WireFormat::$format)?)?)
+            }
+        }
+    };
+}
+from_bytes!(Q15);
+from_bytes!(Q31);
+
+/// The arrays in a file.
+fn read<Q>(bytes: &[u8], format: WireFormat) -> Result<Parts<'_, Q>, WireError>
+where
+    Q: FromBytes + KnownLayout + Immutable,
+{
+    let mut file = File::open(bytes, format)?;
+    let header = file.header;
+    if header.images != 0 {
+        return Err(WireError::Images { found: header.images });
+    }
+    let parts = Parts {
+        degree: header.degree,
+        order: header.order,
+        components: header.components,
+        profiles: file.section()?,
+        lengths: file.section()?,
+        polar: file.section()?,
+        polar_exponents: file.section()?,
+        factors: file.section()?,
+        factor_exponents: file.section()?,
+        terms: file.section()?,
+    };
+    file.end()?;
+    Ok(parts)
+}

@@ -1,0 +1,24 @@
+//! Every public type can be logged by `defmt`: that this compiles is the test.
+#![cfg(feature = "defmt")]
+
+use eigenshade::mathematics::{Libm, SinglePrecision};
+use eigenshade::{
+    BakedMap, Basis, Coupling, Error, Estimate, GeneralBasis, GeneralParts, IntegerMap, Light,
+    Lookup, MapPoint, Material, Negatives, Normal, Normals, Parts, Pass, ProfilePlace, Rotation,
+    Row, Scene, SceneBuffer, Transfer, What, Window,
+};
+
+fn can_be_logged<T: defmt::Format>() {}
+
+#[test]
+fn public_types_can_be_logged() {
+    type Buffer = SceneBuffer<f32, 8>;
+    can_be_logged::<(Light<'_, f32>, Material<'_, f32>, Normal<f32>, Normals<'_, f32>)>();
+    can_be_logged::<(Basis<'_, f32>, GeneralBasis<'_, f32>, Parts<'_, f32>, GeneralParts<'_, f32>)>(
+    );
+    can_be_logged::<(Coupling, Pass, ProfilePlace, Row, Error, What)>();
+    can_be_logged::<(Transfer<f32, 8>, Estimate<'_, f32, 8>, Scene<'_, Buffer>)>();
+    can_be_logged::<(BakedMap<f32, Buffer>, IntegerMap<&[i16]>, Lookup<f32, Buffer>)>();
+    can_be_logged::<(MapPoint<i16>, Rotation<f32>, Window<f32>, Negatives, Libm, SinglePrecision)>(
+    );
+}

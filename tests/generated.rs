@@ -1,0 +1,76 @@
+//! The feature `generate`: with `EIGENSHADE_SCENE` naming tests/scenes/generate.toml, and
+//! without.
+#![cfg(feature = "generate")]
+
+mod oracle;
+#[path = "tolerances/mod.rs"]
+mod tolerances;
+
+use eigenshade::{Light, Material, Normal, generated, index, sphere};
+
+const SCENE: Option<&str> = option_env!("EIGENSHADE_SCENE");
+
+/// Numbers that are all of one size, by the largest.
+fn assert_near(what: &str, found: &[f32], expected: &[f32]) {
+    assert_eq!(found.len(), expected.len(), "{what}");
+    let largest = expected.iter().fold(0.0f32, |most, number| most.max(number.abs()));
+    for (found, expected) in found.iter().zip(expected) {
+        let apart = (found - expected).abs();
+        assert!(apart <= tolerances::STATICS * largest, "{what}: {found}, {expected}");
+    }
+}
+
+/// Made anew, the shipped table is the shipped table.
+#[test]
+fn the_shipped_scene_gives_the_shipped_statics() {
+    if SCENE.is_some() {
+        return;
+    }
+    let (found, expected) = (*generated::BASIS.parts(), *sphere::BASIS.parts());
+    assert_near("polar", found.polar, expected.polar);
+    assert_near("factors", found.factors, expected.factors);
+    assert_near("terms", found.terms, expected.terms);
+    let without = |parts| eigenshade::Parts { polar: &[], factors: &[], terms: &[], ..parts };
+    assert_eq!(format!("{:?}", without(found)), format!("{:?}", without(expected)));
+    let (found, expected) = (generated::q15::BASIS.parts(), sphere::q15::BASIS.parts());
+    assert_eq!(found.profiles.len(), expected.profiles.len());
+    for (found, expected) in found.factors.iter().zip(expected.factors) {
+        assert!(found.0.abs_diff(expected.0) <= 1, "{found:?}, {expected:?}");
+    }
+    assert_eq!(generated::q31::COMPONENTS, sphere::q31::COMPONENTS);
+}
+
+/// All components of a small scene are its images, by direct quadrature.
+#[test]
+fn a_scene_of_ones_own_is_its_images() {
+    let Some(scene) = SCENE else { return };
+    assert!(scene.ends_with("tests/scenes/generate.toml"), "made for another scene: {scene}");
+    assert_eq!((generated::DEGREE, generated::ORDER), (3, 2));
+    assert_eq!((generated::q15::DEGREE, generated::q31::ORDER), (3, 2));
+    let mut numbers = oracle::Numbers(5);
+    let coefficients: Vec<f64> = (0..index::light::count(3)).map(|_| numbers.next()).collect();
+    let indices: Vec<_> = index::material::indices(2).collect();
+    let brdf: Vec<_> = indices.iter().map(|&(o, p, q)| (o, p, q, numbers.next())).collect();
+    let rounded = |values: &[f64]| values.iter().map(|&value| value as f32).collect::<Vec<_>>();
+    let light = rounded(&coefficients);
+    let material = rounded(&brdf.iter().map(|&(.., b)| b).collect::<Vec<_>>());
+    let light = Light::new(3, &light).expect("sixteen coefficients");
+    let material = Material::new(2, &material).expect("five coefficients");
+    let d = generated::project(&light, &material).expect("it fits");
+    let image = generated::collapse(&d).expect("it fits");
+    let truth = oracle::ExplicitLight::new(&coefficients);
+    let normals: Vec<_> = (0..50).map(|_| numbers.normal()).collect();
+    let pairs: Vec<_> = normals
+        .iter()
+        .map(|&normal| {
+            let [x, y, z] = normal.map(|component| component as f32);
+            let found = image.shade(Normal::new(x, y, z).expect("a normal"));
+            (f64::from(found), oracle::irradiance(&truth, &brdf, normal))
+        })
+        .collect();
+    let peak = pairs.iter().fold(0.0f64, |most, (_, expected)| most.max(expected.abs()));
+    for (found, expected) in pairs {
+        let apart = (found - expected).abs() / peak;
+        assert!(apart <= tolerances::POLYNOMIAL_F32, "{found}, {expected}");
+    }
+}

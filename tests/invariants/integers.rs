@@ -1,0 +1,181 @@
+//! Integers: in range, never wrapping, each step as exact arithmetic has it.
+
+use super::integer::{Integer, normals};
+use super::shipped::shipped;
+use super::{Reader, pixel};
+use crate::tolerances;
+use eigenshade::quantised::{Light, Material, Transfer};
+use eigenshade::{Error, Wide as _};
+use eigenshade_index::{light, material};
+use eigenshade_table::quantise::Format;
+
+/// Any mantissas and exponents of light and material, up to the table's degree and
+/// order: d near the f64 sum, the image as of any coefficients.
+pub fn shade_integers<Q: Integer>(input: &mut Reader<'_>) {
+    let basis = Q::basis();
+    let (degree, exponent, mantissas) = any_light::<Q>(input);
+    let light = Light::new(degree, exponent, &mantissas).expect("a light");
+    let order = input.up_to(basis.order());
+    let exponents: Vec<i8> = (0..=order).map(|_| input.byte().cast_signed()).collect();
+    let of_material: Vec<Q> = (0..material::count(order)).map(|_| Q::read(input)).collect();
+    let material = Material::new(order, &exponents, &of_material).expect("a material");
+
+    let mut workspace = vec![Q::Wide::default(); basis.workspace_len()];
+    let mut numbers = vec![Q::default(); basis.transfer_len()];
+    let mut of_profiles = vec![0; basis.profiles()];
+    basis.fold_into(&material, &mut workspace, &mut numbers, &mut of_profiles).expect("it fits");
+    let transfer = Transfer::new(&numbers, &of_profiles);
+    let mut d = vec![0; basis.components()];
+    let of_d = basis.relight_into(&transfer, &light, &mut d).expect("a transfer within bounds");
+    relit::<Q>(&numbers, &of_profiles, &light_numbers(&mantissas), exponent, &d, of_d);
+
+    let scaled = |mantissa: Q, exponent: i32| mantissa.mantissa() as f64 * 2f64.powi(exponent);
+    let of_order = |(&b, (o, _, _)): (&Q, (usize, usize, usize))| scaled(b, exponents[o].into());
+    let of_material: Vec<f64> =
+        of_material.iter().zip(material::indices(order)).map(of_order).collect();
+    let of_light: Vec<f64> = mantissas.iter().map(|&one| scaled(one, exponent)).collect();
+    // What is lost follows from the exponents, which may be far apart.
+    let most = |exponent: i32| 2f64.powi(exponent + Q::FORMAT.bits());
+    let of_order: Vec<f64> = exponents.iter().map(|&one| most(one.into())).collect();
+    let scales = shipped().scales(most(exponent), &of_order);
+    near::<Q>(&shipped().project(&of_light, &of_material), &scales, &d, of_d);
+    seen::<Q>(&d, of_d, &normals(input));
+}
+
+/// Any transfer: refused, or relit as exact arithmetic has it.
+pub fn shade_transfer<Q: Integer>(input: &mut Reader<'_>) {
+    let basis = Q::basis();
+    let (degree, exponent, mantissas) = any_light::<Q>(input);
+    let light = Light::new(degree, exponent, &mantissas).expect("a light");
+    let shift = u32::from(input.byte()) % (Q::BITS + 1);
+    let narrower = |number: Q| Q::nearest(((number.mantissa()) >> shift) as f64);
+    let exponents: Vec<i16> =
+        (0..basis.profiles()).map(|_| i16::from_le_bytes(input.bytes())).collect();
+    let numbers: Vec<Q> = (0..basis.transfer_len()).map(|_| narrower(Q::read(input))).collect();
+    let mut d = vec![0; basis.components()];
+    match basis.relight_into(&Transfer::new(&numbers, &exponents), &light, &mut d) {
+        Ok(of_d) => {
+            relit::<Q>(&numbers, &exponents, &light_numbers(&mantissas), exponent, &d, of_d);
+            seen::<Q>(&d, of_d, &normals(input));
+        }
+        Err(error) => {
+            assert_eq!(error, Error::Bound);
+            assert!(!within_bounds::<Q>(&numbers), "refused for nothing");
+        }
+    }
+}
+
+/// Any coefficients: as many as there are components, or fewer.
+pub fn shade_coefficients<Q: Integer>(input: &mut Reader<'_>) {
+    let exponent = input.i32();
+    let count = input.up_to(Q::basis().components());
+    let d: Vec<i32> = (0..count).map(|_| input.i32()).collect();
+    seen::<Q>(&d, exponent, &normals(input));
+}
+
+fn any_light<Q: Integer>(input: &mut Reader<'_>) -> (usize, i32, Vec<Q>) {
+    let exponent = i32::from(input.byte().cast_signed());
+    let degree = input.up_to(Q::basis().degree());
+    (degree, exponent, (0..light::count(degree)).map(|_| Q::read(input)).collect())
+}
+
+fn light_numbers<Q: Integer>(mantissas: &[Q]) -> Vec<i128> {
+    mantissas.iter().map(|&mantissa| mantissa.mantissa()).collect()
+}
+
+/// Rows over l, with the azimuth and the components of each.
+fn rows<Q: Integer>(numbers: &[Q]) -> impl Iterator<Item = (usize, [u16; 2], &[Q])> {
+    let parts = shipped().parts::<Q>();
+    let mut rest = numbers;
+    parts.profiles.iter().map(move |place| {
+        let azimuth = usize::from(place.azimuth);
+        let (row, after) = rest.split_at(parts.degree + 1 - azimuth);
+        rest = after;
+        (azimuth, [place.plus, place.minus], row)
+    })
+}
+
+fn within_bounds<Q: Integer>(numbers: &[Q]) -> bool {
+    rows(numbers).all(|(_, _, row)| {
+        row.iter().map(|number| number.mantissa().abs()).sum::<i128>() < 2 << Q::BITS
+    })
+}
+
+/// d is Σ_l T_i,l L_l^m to one unit, and its mantissas have at most 30 bits.
+fn relit<Q: Integer>(
+    numbers: &[Q],
+    exponents: &[i16],
+    light: &[i128],
+    of_light: i32,
+    d: &[i32],
+    of_d: i32,
+) {
+    assert!(within_bounds::<Q>(numbers), "a row of a transfer");
+    assert!(d.iter().all(|d| d.unsigned_abs() <= 1 << 30), "more than 30 bits");
+    for ((azimuth, components, row), &exponent) in rows(numbers).zip(exponents) {
+        let order = azimuth.cast_signed();
+        for (component, m) in components.into_iter().zip([order, -order]) {
+            let Some(&found) = d.get(usize::from(component)) else { continue };
+            let product = |(l, number): (usize, &Q)| {
+                number.mantissa() * light.get(light::position(l, m)).copied().unwrap_or(0)
+            };
+            let sum: i128 = (azimuth..).zip(row).map(product).sum();
+            let sum = if m < 0 && azimuth % 2 == 1 { -sum } else { sum };
+            if sum == 0 {
+                assert_eq!(found, 0, "component {component}");
+                continue;
+            }
+            // In units of d; of a sum the upper 31 bits are taken.
+            let by = i32::from(exponent) + of_light - of_d;
+            let expected = sum as f64 * 2f64.powi(by);
+            let cut = 2f64.powi(by + Q::Wide::SIZE as i32 - 32);
+            let off = (f64::from(found) - expected).abs();
+            assert!(off <= 0.5 + cut, "component {component}: {found}, not {expected}");
+        }
+    }
+}
+
+/// d is near the f64 sum, of what its addends could be.
+fn near<Q: Integer>(truth: &[f64], scales: &[f64], d: &[i32], of_d: i32) {
+    let largest = scales.iter().copied().fold(0.0, f64::max);
+    let part = match Q::FORMAT {
+        Format::Q15 => tolerances::ANY_D_Q15,
+        Format::Q31 => tolerances::ANY_D_Q31,
+    };
+    for (k, (truth, scale)) in truth.iter().zip(scales).enumerate() {
+        let found = f64::from(d[k]) * 2f64.powi(of_d);
+        let allowed = part * scale + tolerances::ANY_D_COMMON * largest;
+        assert!((found - truth).abs() <= allowed, "component {k}: {found}, not {truth}; {allowed}");
+    }
+}
+
+/// The image: every step within the format's bits, both ways to a pixel the same bits,
+/// near the f64 sum.
+fn seen<Q: Integer>(d: &[i32], exponent: i32, normals: &[eigenshade::quantised::Normal<Q>]) {
+    let image = match Q::image(d, exponent, normals) {
+        Ok(image) => image,
+        Err(error) => {
+            assert_eq!(error, Error::Exponent);
+            assert!(exponent.unsigned_abs() > 1 << 16, "refused for nothing");
+            return;
+        }
+    };
+    let lengths = Q::basis().parts().lengths;
+    let one = 2f64.powi(Q::FORMAT.bits());
+    let part = match Q::FORMAT {
+        Format::Q15 => tolerances::ANY_PIXEL_Q15,
+        Format::Q31 => tolerances::ANY_PIXEL_Q31,
+    };
+    // In units of the scene.
+    let scale = 2f64.powi(exponent.saturating_sub(image.exponent));
+    let floats: Vec<f64> = d.iter().map(|&d| scale * f64::from(d)).collect();
+    for (normal, [general, kernel]) in normals.iter().zip(&image.pixels) {
+        assert_eq!(general, kernel, "two ways to a pixel");
+        let exact = pixel::exact(lengths, &image.terms, *normal);
+        assert_eq!(i128::from(*general), exact, "a pixel");
+        let at = normal.components().map(|component| component.mantissa() as f64 / one);
+        let expected = shipped().reconstruct_quantised::<Q>(&floats, at);
+        let off = (f64::from(*general) - expected).abs() / 2f64.powi(Q::TERM_BITS as i32);
+        assert!(off <= part, "a pixel of {general}, not {expected}: {off} of the range");
+    }
+}

@@ -1,0 +1,40 @@
+//! What holds of any input, read from any bytes: property tests and fuzz targets share it.
+//!
+//! Each function panics if it does not hold. The crate that includes this has a module
+//! `tolerances`.
+#![allow(dead_code, reason = "each test and each target takes the parts that it needs")]
+
+mod floats;
+mod integer;
+mod integers;
+mod pixel;
+mod reader;
+mod reconstruction;
+mod shipped;
+
+pub use floats::shade_floats;
+pub use integers::{shade_coefficients, shade_integers, shade_transfer};
+pub use reader::Reader;
+pub use reconstruction::reconstruct;
+
+use eigenshade::{Q15, Q31};
+
+/// Any light on any material under any normals, or any transfer, or any coefficients,
+/// in any format.
+pub fn shade_any(bytes: &[u8]) {
+    let mut input = Reader::new(bytes);
+    match input.byte() % 7 {
+        0 => shade_floats(&mut input),
+        1 => shade_integers::<Q15>(&mut input),
+        2 => shade_integers::<Q31>(&mut input),
+        3 => shade_transfer::<Q15>(&mut input),
+        4 => shade_transfer::<Q31>(&mut input),
+        5 => shade_coefficients::<Q15>(&mut input),
+        _ => shade_coefficients::<Q31>(&mut input),
+    }
+}
+
+/// Any light and material of moderate size: every format's d and image against f64.
+pub fn project_reconstruct(bytes: &[u8]) {
+    reconstruct(&mut Reader::new(bytes));
+}

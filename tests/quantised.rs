@@ -1,0 +1,206 @@
+//! The integer path: that its ways agree, and what it refuses.
+
+#[path = "tolerances/mod.rs"]
+mod tolerances;
+
+use eigenshade::quantised::{Basis, Light, Material, Normal, Parts, Transfer};
+use eigenshade::sphere::{q15, q31};
+use eigenshade::{Error, Q15, Q31, What};
+use eigenshade_cli::owned_quantised::Integer;
+use eigenshade_table::quantise::{self, Format};
+use std::f64::consts::SQRT_2;
+
+const DEGREE: usize = 9;
+const ORDER: usize = 7;
+
+/// Coefficients that fall with the degree or order.
+fn numbers(count: usize, seed: f32) -> Vec<f32> {
+    (0..count).map(|k| (seed * (k as f32 + 1.0)).sin() / (1.0 + 0.2 * k as f32)).collect()
+}
+
+/// Unit normals over the hemisphere, the pole and the rim among them.
+fn normals<Q: Integer>() -> Vec<Normal<Q>> {
+    let mut normals = Vec::new();
+    for k in 0..300 {
+        let z = 1.0 - f64::from(k) / 299.0;
+        let (sine, tilt) = ((1.0 - z * z).sqrt(), 2.4 * f64::from(k));
+        normals.push(Q::normal([sine * tilt.cos(), sine * tilt.sin(), z]).expect("a normal"));
+    }
+    normals
+}
+
+macro_rules! in_format {
+    ($name:ident, $format:ident, $module:ident) => {
+        /// The unrolled pixel, the stored slices and the vectors on the stack give the same
+        /// bits; fewer coefficients are as if the others were zero.
+        #[test]
+        fn $name() {
+            for seed in [0.3, 0.7, 1.1, 1.9] {
+                let mut mantissas = [$format::default(); 100];
+                let light = numbers(100, seed);
+                let light = Light::quantise(DEGREE, &light, &mut mantissas).expect("a light");
+                let (mut mantissas, mut exponents) = ([$format::default(); 40], [0; 8]);
+                let material = numbers(40, 1.0 + seed);
+                let material = Material::quantise(ORDER, &material, &mut mantissas, &mut exponents)
+                    .expect("a material");
+                let transfer = $module::fold(&material).expect("it fits");
+                let d = $module::relight(&transfer.view(), &light).expect("it fits");
+                let scene = $module::collapse(&d).expect("it fits");
+                let mut few = d.mantissas().to_vec();
+                few[20..].fill(0);
+                let zeros = $module::BASIS
+                    .collapse_into(&few, d.exponent(), vec![0; $module::SCENE])
+                    .expect("it fits");
+                let few = $module::BASIS
+                    .collapse_into(&few[..20], d.exponent(), vec![0; $module::SCENE])
+                    .expect("it fits");
+                assert_eq!(few.exponent(), zeros.exponent());
+                for normal in normals() {
+                    assert_eq!($module::shade(&scene, normal), scene.shade(normal));
+                    assert_eq!(few.shade(normal), zeros.shade(normal));
+                }
+            }
+        }
+    };
+}
+in_format!(q15_agrees_with_itself, Q15, q15);
+in_format!(q31_agrees_with_itself, Q31, q31);
+
+/// Mantissas made on the device from f32 are those made on the host.
+#[test]
+fn inputs_are_quantised_alike() {
+    for seed in [0.1, 0.5, 2.0, 1e-20, 1e20] {
+        let values: Vec<f32> = numbers(100, 1.7).into_iter().map(|value| value * seed).collect();
+        let wide: Vec<f64> = values.iter().copied().map(f64::from).collect();
+        let (host, exponent) = quantise::row(&wide, 15, i64::MAX);
+        let mut mantissas = [Q15::default(); 100];
+        let light = Light::quantise(DEGREE, &values, &mut mantissas).expect("a light");
+        let expected: Vec<Q15> = host.into_iter().map(Q15::of).collect();
+        assert_eq!(Light::new(DEGREE, exponent.into(), &expected), Ok(light));
+        let (host, exponents) = quantise::material(ORDER, &wide[..40], Format::Q31);
+        let (mut mantissas, mut found) = ([Q31::default(); 40], [0; 8]);
+        let material =
+            Material::quantise(ORDER, &values[..40], &mut mantissas, &mut found).expect("one");
+        let expected: Vec<Q31> = host.into_iter().map(Q31::of).collect();
+        assert_eq!(Material::new(ORDER, &exponents, &expected), Ok(material));
+    }
+}
+
+/// Nothing in is nothing out, and a power of two comes out as it went in.
+#[test]
+fn zero_and_powers_of_two() {
+    let (zeros, mantissas) = ([Q15(0); 100], numbers(100, 0.9));
+    let mut light = [Q15::default(); 100];
+    let light = Light::quantise(DEGREE, &mantissas, &mut light).expect("a light");
+    let (mut material, mut exponents) = ([Q15::default(); 40], [0; 8]);
+    let material = Material::quantise(ORDER, &mantissas[..40], &mut material, &mut exponents);
+    let material = material.expect("a material");
+    let dark = Light::new(DEGREE, 5, &zeros).expect("a light");
+    let black = Material::new(ORDER, &[0; 8], &zeros[..40]).expect("a material");
+    for (light, material) in [(&dark, &material), (&light, &black), (&dark, &black)] {
+        let transfer = q15::fold(material).expect("it fits");
+        let d = q15::relight(&transfer.view(), light).expect("it fits");
+        assert!(d.mantissas().iter().all(|d| *d == 0));
+        let scene = q15::collapse(&d).expect("it fits");
+        assert!(normals().into_iter().all(|normal| scene.shade(normal) == 0));
+    }
+    let transfer = q15::fold(&material).expect("it fits");
+    let once = q15::relight(&transfer.view(), &light).expect("it fits");
+    let mut scaled = [Q15::default(); 100];
+    let values: Vec<f32> = mantissas.iter().map(|value| value * 1024.0).collect();
+    let scaled = Light::quantise(DEGREE, &values, &mut scaled).expect("a light");
+    let more = q15::relight(&transfer.view(), &scaled).expect("it fits");
+    assert_eq!(more.mantissas(), once.mantissas());
+    assert_eq!(more.exponent(), once.exponent() + 10);
+}
+
+#[test]
+fn what_does_not_fit_is_refused() {
+    let numbers = [Q15(1); 121];
+    let short = Error::Length { what: What::Light, expected: 100, found: 99 };
+    assert_eq!(Light::new(9, 0, &numbers[..99]), Err(short));
+    assert_eq!(Light::new(9, 129, &numbers[..100]), Err(Error::Exponent));
+    let light = Light::new(10, 0, &numbers).expect("a light");
+    let material = Material::new(8, &[0; 9], &numbers[..55]).expect("a material");
+    let beyond = Error::Beyond { what: What::Material, basis: 7, found: 8 };
+    assert_eq!(q15::fold(&material), Err(beyond));
+    let transfer = ([Q15(0); q15::TRANSFER], [0; q15::PROFILES]);
+    let transfer = Transfer::new(&transfer.0, &transfer.1);
+    let beyond = Error::Beyond { what: What::Light, basis: 9, found: 10 };
+    assert_eq!(q15::relight(&transfer, &light), Err(beyond));
+    assert!(q15::BASIS.collapse_into(&[0; 51], 0, [0; q15::SCENE]).is_err());
+    assert!(q15::BASIS.collapse_into(&[0; 50], 0, [0; 3]).is_err());
+    for (x, y, z, error) in [
+        (32_767, 32_767, 0, Error::Normal),
+        (0, 0, 0, Error::Normal),
+        (0, 32_767, -1, Error::Hidden),
+        (i16::MIN, i16::MIN, i16::MIN, Error::Normal),
+    ] {
+        assert_eq!(Normal::<Q15>::new(Q15(x), Q15(y), Q15(z)), Err(error));
+    }
+    assert!(Normal::<Q15>::new(Q15(i16::MIN), Q15(0), Q15(0)).is_ok());
+    // A row of factors whose sum can leave its accumulator.
+    let parts = *q15::BASIS.parts();
+    let mut factors = parts.factors.to_vec();
+    factors[..3].fill(Q15(i16::MAX));
+    assert!(matches!(Basis::<Q15>::new(Parts { factors: &factors, ..parts }), Err(Error::Bound)));
+    let folded =
+        Parts { polar: &[], polar_exponents: &[], factors: &[], factor_exponents: &[], ..parts };
+    let folded = Basis::<Q15>::new(folded).expect("a basis of transfers");
+    let material = Material::new(0, &[0], &numbers[..1]).expect("a material");
+    let error = folded.fold::<{ q15::WORKSPACE }, { q15::TRANSFER }, { q15::PROFILES }>(&material);
+    assert_eq!(error, Err(Error::Folded));
+}
+
+/// d from pixels one by one, against the mean in f64 of the same pixels and the table's
+/// Chebyshev series.
+#[test]
+fn estimates_are_means() {
+    let table = std::fs::read("tables/sphere.bin").expect("the shipped table");
+    let table = eigenshade_table::decode(&table).expect("a table");
+    fn far<Q: Integer>(
+        table: &eigenshade_table::Table,
+        basis: &Basis<'_, Q>,
+        irradiance: impl Fn(f64) -> Q,
+        size: impl Fn(Q) -> f64,
+    ) -> f64 {
+        let mut estimate = basis.estimate::<50>().expect("fifty components");
+        let (mut sums, mut weights) = (vec![0.0; 50], 0.0);
+        for k in 0..5000_i32 {
+            let z = (1.0 - (f64::from(k) + 0.5) / 5000.0).sqrt();
+            let (sine, tilt) = ((1.0 - z * z).sqrt(), 2.399_963 * f64::from(k));
+            let normal = [sine * tilt.cos(), sine * tilt.sin(), z];
+            let seen = irradiance(0.6 * z * z + 0.3 * normal[0] * z - 0.2 * normal[1]);
+            let weight = (k % 3 * 7) as u16;
+            estimate.add(Q::normal(normal).expect("a normal"), seen, weight);
+            let seen = size(seen) * f64::from(weight);
+            weights += f64::from(weight);
+            for (sum, component) in sums.iter_mut().zip(&table.components) {
+                let series = &table.profiles[component.profile].chebyshev;
+                let angle = (2.0 * z - 1.0).acos();
+                let terms = series.iter().enumerate();
+                let profile: f64 = terms.map(|(n, term)| term * (n as f64 * angle).cos()).sum();
+                let order = f64::from(component.order);
+                let around = match component.order {
+                    0 => 1.0,
+                    1.. => SQRT_2 * (order * tilt).cos(),
+                    _ => SQRT_2 * (order * tilt).sin(),
+                };
+                *sum += seen * profile * sine.powf(order.abs()) * around;
+            }
+        }
+        let found = estimate.coefficients(0).expect("there is a weight");
+        let largest = sums.iter().fold(0.0f64, |most, sum| most.max((sum / weights).abs()));
+        let found = found.mantissas().iter().map(|&d| f64::from(d) * 2f64.powi(found.exponent()));
+        found
+            .zip(sums)
+            .fold(0.0, |most: f64, (d, sum)| most.max((d - sum / weights).abs() / largest))
+    }
+    let short = far(&table, &q15::BASIS, |x| Q15((16_384.0 * x) as i16), |q| f64::from(q.0));
+    let long = far(&table, &q31::BASIS, |x| Q31((1e9 * x) as i32), |q| f64::from(q.0));
+    println!("d from pixels: {short:.1e} in Q15, {long:.1e} in Q31");
+    assert!(short <= tolerances::ESTIMATE_Q15 && long <= tolerances::ESTIMATE_Q31);
+    let empty = q15::BASIS.estimate::<50>().expect("fifty components").coefficients(0);
+    assert_eq!(empty, Err(Error::Weight));
+    assert!(q15::BASIS.estimate::<49>().is_err());
+}

@@ -1,0 +1,211 @@
+//! Light turned on the device: against the harmonics at turned directions, against the
+//! generator's Wigner functions, and back again.
+
+#[path = "oracle/mod.rs"]
+mod oracle;
+#[path = "tolerances/mod.rs"]
+mod tolerances;
+
+use eigenshade::mathematics::{Libm, SinglePrecision};
+use eigenshade::{Error, Light, Rotation, Scalar};
+use oracle::{ExplicitLight, Numbers};
+use std::f64::consts::PI;
+
+/// A light of white noise.
+fn noise(degree: usize, numbers: &mut Numbers) -> Vec<f64> {
+    (0..(degree + 1) * (degree + 1)).map(|_| numbers.next()).collect()
+}
+
+fn single(values: &[f64]) -> Vec<f32> {
+    values.iter().map(|&value| value as f32).collect()
+}
+
+fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
+    values.into_iter().fold(0.0, |most: f64, value| {
+        if value.is_nan() || value.abs() > most { value.abs() } else { most }
+    })
+}
+
+/// A light turned with roots by libm.
+fn turned<S: Scalar>(degree: usize, light: &[S], rotation: &Rotation<S>) -> Vec<S> {
+    let mut workspace = vec![S::ONE; Light::<S>::turn_len(degree)];
+    let mut turned = vec![S::ONE; light.len()];
+    let light = Light::new(degree, light).expect("coefficients");
+    light.turn_into::<Libm>(rotation, &mut workspace, &mut turned).expect("room");
+    turned
+}
+
+/// Angles in general, and those at which Euler angles are not unique.
+fn angles() -> Vec<[f64; 3]> {
+    let mut numbers = Numbers(11);
+    let mut angles: Vec<_> = (0..200).map(|_| [0; 3].map(|_| PI * numbers.next())).collect();
+    let special = [0.0, 1e-7, 0.5 * PI, PI - 1e-6, PI];
+    angles.extend(special.iter().flat_map(|&a| [[0.3, a, -0.7], [a, 0.0, a], [0.0, -a, 0.0]]));
+    angles
+}
+
+/// L'(Rω) = L(ω), the harmonics by their explicit sums.
+#[test]
+fn turned_light_comes_from_turned_directions() {
+    let mut numbers = Numbers(5);
+    let light = noise(9, &mut numbers);
+    let before = ExplicitLight::new(&light);
+    let directions: Vec<_> = (0..40)
+        .map(|k| {
+            let [x, y, z] = numbers.normal();
+            [x, y, if k % 2 == 0 { z } else { -z }]
+        })
+        .collect();
+    for [a, b, c] in angles().into_iter().step_by(5) {
+        let rotation = Rotation::from_euler::<Libm>(a, b, c).expect("a rotation");
+        let after = ExplicitLight::new(&turned(9, &light, &rotation));
+        for &direction in &directions {
+            let seen = after.radiance(rotation.turn_direction(direction));
+            let expected = before.radiance(direction);
+            assert!((seen - expected).abs() <= tolerances::DIRECT_SUM * 10.0, "{seen} {expected}");
+        }
+    }
+}
+
+/// The generator has them from Wigner's d by another recurrence; degrees beyond 9 too.
+#[test]
+fn turned_light_is_the_generators() {
+    let mut numbers = Numbers(6);
+    for (degree, most) in [
+        (0, 0.0),
+        (1, tolerances::SPECIAL_LOW),
+        (9, tolerances::SPECIAL_LOW),
+        (32, tolerances::SPECIAL_HIGH),
+    ] {
+        let light = noise(degree, &mut numbers);
+        let step = if degree > 9 { 40 } else { 1 };
+        let (mut worst, mut worst_single) = (0.0f64, 0.0f64);
+        for [a, b, c] in angles().into_iter().step_by(step) {
+            let of_generator =
+                eigenshade_generator::rotation::Rotation { alpha: b, beta: a, gamma: c };
+            let expected = of_generator.turn(degree, &light);
+            let scale = largest(light.iter().copied());
+            let rotation = Rotation::from_euler::<Libm>(a, b, c).expect("a rotation");
+            let found = turned(degree, &light, &rotation);
+            worst = worst.max(largest(found.iter().zip(&expected).map(|(a, b)| a - b)) / scale);
+            // f32 from beginning to end.
+            let [a, b, c] = [a, b, c].map(|angle| angle as f32);
+            let rotation = Rotation::from_euler::<SinglePrecision>(a, b, c).expect("a rotation");
+            let found = turned(degree, &single(&light), &rotation);
+            let apart = found.iter().zip(&expected).map(|(&a, b)| f64::from(a) - b);
+            worst_single = worst_single.max(largest(apart) / scale);
+        }
+        println!("degree {degree}: {worst:e}, f32 {worst_single:e}");
+        assert!(worst <= most, "degree {degree}: {worst:e}");
+        assert!(worst_single <= tolerances::TURNED_F32 || degree > 9, "{worst_single:e}");
+    }
+}
+
+/// Turned and turned back in f32, by quaternions and by angles.
+#[test]
+fn turning_back_is_exact() {
+    let mut numbers = Numbers(7);
+    let mut worst = [0.0f64; 4];
+    for round in 0..2_000 {
+        let degree = 1 + round % 9;
+        let light = single(&noise(degree, &mut numbers));
+        let quaternion = [0; 4].map(|_| numbers.next() as f32);
+        let [x, y, z, w] = quaternion;
+        let [a, b, c] = [x, y, z].map(|x| 3.2 * x);
+        let of_quaternion = |quaternion| Rotation::from_quaternion(quaternion).expect("a rotation");
+        let of_angles =
+            |a, b, c| Rotation::from_euler::<SinglePrecision>(a, b, c).expect("a rotation");
+        let pairs = [
+            (of_quaternion(quaternion), of_quaternion(quaternion).inverse()),
+            (of_quaternion(quaternion), of_quaternion([x, y, z, -w])),
+            (of_angles(a, b, c), of_angles(a, b, c).inverse()),
+            (of_angles(a, b, c), of_angles(-c, -b, -a)),
+        ];
+        for ((rotation, inverse), worst) in pairs.into_iter().zip(&mut worst) {
+            let there = turned(degree, &light, &rotation);
+            let back = turned(degree, &there, &inverse);
+            let apart = back.iter().zip(&light).map(|(&a, &b)| f64::from(a) - f64::from(b));
+            let scale = largest(light.iter().map(|&x| f64::from(x)));
+            *worst = worst.max(largest(apart) / scale);
+        }
+    }
+    println!("back: {worst:?}");
+    assert!(worst.iter().all(|&worst| worst <= tolerances::TURNED_BACK_F32), "{worst:?}");
+}
+
+/// Half turns are their own inverses, and turns by nothing change nothing.
+#[test]
+fn half_turns_and_none() {
+    let mut numbers = Numbers(8);
+    for degree in 0..=9 {
+        let light = single(&noise(degree, &mut numbers));
+        let [x, y, z] = numbers.normal().map(|x| x as f32);
+        let half = Rotation::from_quaternion([x, y, z, 0.0]).expect("a rotation");
+        for rotation in [half, Rotation::NONE] {
+            let back = turned(degree, &turned(degree, &light, &rotation), &rotation);
+            let apart = back.iter().zip(&light).map(|(&a, &b)| f64::from(a) - f64::from(b));
+            assert!(largest(apart) <= tolerances::TURNED_BACK_F32);
+        }
+        assert_eq!(turned(degree, &light, &Rotation::NONE), light);
+    }
+}
+
+/// One rotation by a quaternion, by angles, by its matrix; one after another.
+#[test]
+fn rotations_are_one_however_given() {
+    let apart = |a: Rotation<f64>, b: Rotation<f64>| {
+        let (a, b) = (a.matrix(), b.matrix());
+        largest(a.as_flattened().iter().zip(b.as_flattened()).map(|(a, b)| a - b))
+    };
+    for [a, b, c] in angles() {
+        let rotation = Rotation::from_euler::<Libm>(a, b, c).expect("a rotation");
+        // Products of quaternions about z, y and z.
+        let (sb, cb) = (0.5 * b).sin_cos();
+        let (sum, difference) = (0.5 * (a + c), 0.5 * (c - a));
+        let quaternion =
+            [sb * difference.sin(), sb * difference.cos(), cb * sum.sin(), cb * sum.cos()];
+        let of_quaternion =
+            Rotation::from_quaternion(quaternion.map(|x| -3.0 * x)).expect("a rotation");
+        assert!(apart(rotation, of_quaternion) <= tolerances::SPECIAL_LOW);
+        let of_matrix = Rotation::from_matrix(rotation.matrix()).expect("a rotation");
+        assert_eq!(rotation, of_matrix);
+        assert!(
+            apart(rotation.after(rotation.inverse()), Rotation::NONE) <= tolerances::SPECIAL_LOW
+        );
+        let about_z = |angle| Rotation::from_euler::<Libm>(angle, 0.0, 0.0).expect("a rotation");
+        let about_y = Rotation::from_euler::<Libm>(0.0, b, 0.0).expect("a rotation");
+        let product = about_z(a).after(about_y).after(about_z(c));
+        assert!(apart(rotation, product) <= tolerances::SPECIAL_LOW);
+        // The generator's angles are these.
+        let of_generator = eigenshade_generator::rotation::Rotation { alpha: b, beta: a, gamma: c };
+        let of_generator = Rotation::from_matrix(of_generator.matrix()).expect("a rotation");
+        assert!(apart(rotation, of_generator) <= tolerances::SPECIAL_LOW);
+    }
+    // Rz(π/2) brings x to y, Ry(π/2) brings z to x.
+    let quarter = Rotation::from_euler::<Libm>(0.5 * PI, 0.0, 0.0).expect("a rotation");
+    assert!(quarter.turn_direction([1.0, 0.0, 0.0])[1] > 0.999);
+    let quarter = Rotation::from_euler::<Libm>(0.0, 0.5 * PI, 0.0).expect("a rotation");
+    assert!(quarter.turn_direction([0.0, 0.0, 1.0])[0] > 0.999);
+}
+
+#[test]
+fn what_is_no_rotation_is_an_error() {
+    let no = Err(Error::Rotation);
+    assert_eq!(Rotation::from_quaternion([0.0f32; 4]), no);
+    assert_eq!(Rotation::from_quaternion([f32::MAX, 0.0, 0.0, 0.0]), no);
+    assert_eq!(Rotation::from_quaternion([f32::NAN, 0.0, 0.0, 1.0]), no);
+    assert_eq!(Rotation::from_euler::<SinglePrecision>(0.0, f32::INFINITY, 0.0), no);
+    let mirrored = [[1.0f32, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, -1.0]];
+    assert_eq!(Rotation::from_matrix(mirrored), no);
+    assert_eq!(Rotation::from_matrix([[2.0f32, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 2.0]]), no);
+    assert_eq!(Rotation::from_matrix([[f32::NAN; 3]; 3]), no);
+    let light = [0.5f32; 16];
+    let light = Light::new(3, &light).expect("16 coefficients");
+    const ROOM: usize = Light::<f32>::turn_len(3);
+    assert!(light.turned::<16, ROOM>(&Rotation::NONE).is_ok());
+    assert!(matches!(light.turned::<15, ROOM>(&Rotation::NONE), Err(Error::Capacity { .. })));
+    assert!(matches!(light.turned::<16, 10>(&Rotation::NONE), Err(Error::Capacity { .. })));
+    let (mut few, mut room) = ([0.0; 9], [0.0; ROOM]);
+    let error = light.turn_into::<Libm>(&Rotation::NONE, &mut room, &mut few);
+    assert!(matches!(error, Err(Error::Length { expected: 16, found: 9, .. })));
+}
