@@ -93,14 +93,18 @@ fn profile(place: &Place) -> String {
 }
 
 fn numbers(text: &mut String, name: &str, format: &str, values: &[i32]) {
+    let count = values.len();
+    if values.is_empty() {
+        put(text, format_args!("static {name}: [eigenshade::{format}; 0] = [];"));
+        return;
+    }
     let values: Vec<String> = values.iter().map(|value| format!("q({value})")).collect();
     let inner = if format == "Q15" { "i16" } else { "i32" };
     put(
         text,
         format_args!(
-            "static {name}: [eigenshade::{format}; {}] = {{ #[allow(dead_code, reason = \"some arrays are empty\")] const fn q(mantissa: {inner}) -> \
+            "static {name}: [eigenshade::{format}; {count}] = {{ const fn q(mantissa: {inner}) -> \
              eigenshade::{format} {{ eigenshade::{format}(mantissa) }} [{}] }};",
-            values.len(),
             values.join(", ")
         ),
     );

@@ -22,7 +22,10 @@ impl Clock {
     #[cfg(target_arch = "arm")]
     #[must_use]
     pub fn start() -> Self {
-        #[expect(unsafe_code, reason = "a program has one clock, and nothing else takes peripherals")]
+        #[expect(
+            unsafe_code,
+            reason = "a program has one clock, and nothing else takes peripherals"
+        )]
         let mut counter = unsafe { cortex_m::Peripherals::steal() }.SYST;
         counter.set_clock_source(cortex_m::peripheral::syst::SystClkSource::Core);
         counter.set_reload(MASK);

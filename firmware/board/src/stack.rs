@@ -25,7 +25,10 @@ pub fn taken(something: impl FnMut()) -> u32 {
     let lowest = ((&raw const END_OF_STATICS) as usize).max(top - REACH).next_multiple_of(4);
     let mut address = lowest;
     while address < top {
-        #[expect(unsafe_code, reason = "below the stack pointer and above the statics nothing lives")]
+        #[expect(
+            unsafe_code,
+            reason = "below the stack pointer and above the statics nothing lives"
+        )]
         // SAFETY: RAM, aligned, and no interrupt is on that might use it.
         unsafe {
             (address as *mut u32).write_volatile(PAINT);

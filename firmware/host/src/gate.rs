@@ -4,8 +4,10 @@ use crate::Result;
 use crate::board::Board;
 use crate::linked::Linked;
 
-/// The checks: what is kept out, and its names.
-const GATES: [(&str, fn(&str) -> bool); 4] = [
+/// What is kept out, and whether a name is one of it.
+type Gate = (&'static str, fn(&str) -> bool);
+
+const GATES: [Gate; 4] = [
     ("panic machinery", is_panic),
     ("core::fmt", is_formatting),
     ("a heap", is_heap),
@@ -72,9 +74,8 @@ fn is_f64(name: &str) -> bool {
 fn is_f32(name: &str) -> bool {
     let name = last(name);
     let arm = name.strip_prefix("__aeabi_");
-    arm.is_some_and(|rest| {
-        rest.starts_with('f') || rest.starts_with("cf") || rest.ends_with("2f")
-    }) || gcc(name, "sf")
+    arm.is_some_and(|rest| rest.starts_with('f') || rest.starts_with("cf") || rest.ends_with("2f"))
+        || gcc(name, "sf")
         || name == "sqrtf"
 }
 
@@ -83,9 +84,9 @@ fn gcc(name: &str, mode: &str) -> bool {
     let Some(rest) = name.strip_prefix("__") else { return false };
     let operation = rest.trim_end_matches(|c: char| c.is_ascii_digit());
     operation.ends_with(mode)
-        || ["fix", "trunc", "extend"].iter().any(|kind| {
-            operation.starts_with(kind) && operation.contains(mode)
-        })
+        || ["fix", "trunc", "extend"]
+            .iter()
+            .any(|kind| operation.starts_with(kind) && operation.contains(mode))
 }
 
 #[cfg(test)]

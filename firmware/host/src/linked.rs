@@ -39,7 +39,8 @@ impl Linked {
             let has = |flag: elf::SectionFlags| sh_flags.0 & flag.0 != 0;
             let (allocated, written) = (has(elf::SHF_ALLOC), has(elf::SHF_WRITE));
             // Reserved for the stack or a heap, not used by statics.
-            let reserved = matches!(section.name(), Ok(".stack" | ".heap" | ".uninit" | ".text.dummy"));
+            let reserved =
+                matches!(section.name(), Ok(".stack" | ".heap" | ".uninit" | ".text.dummy"));
             if !allocated || reserved {
                 continue;
             }

@@ -11,8 +11,8 @@ mod linked;
 mod gate;
 mod gate_test;
 
-mod row;
 mod budget;
+mod row;
 
 use board::Board;
 use program::{Kind, Program};
@@ -81,7 +81,11 @@ fn of_board(board: Board, compiler: &compiler::Compiler) -> Result<Vec<Row>> {
     let programs: Vec<Program> = program::of_board(board).collect();
     for profile in ["fast", "small"] {
         let of_profile = programs.iter().filter(|program| program.profile() == profile);
-        compiler.build("programs", &of_profile.map(|one| one.binary()).collect::<Vec<_>>(), profile)?;
+        compiler.build(
+            "programs",
+            &of_profile.map(Program::binary).collect::<Vec<_>>(),
+            profile,
+        )?;
     }
     let path = |program: &Program| compiler.binary(program.profile(), &program.binary());
     let mut empty = linked::Sizes::default();

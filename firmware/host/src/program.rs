@@ -64,6 +64,9 @@ pub fn of_board(board: Board) -> impl Iterator<Item = Program> {
     }
     all.extend(["project", "nine_terms"].map(|name| one(name, "f32", Kind::Operation)));
     all.push(one("nine_terms", "q15", Kind::Operation));
+    for format in ["f32", "q15"] {
+        all.extend(["baked", "baked_point"].map(|name| one(name, format, Kind::Operation)));
+    }
     all.push(Program { times: COMPONENTS, ..one("dense_row", "q15", Kind::Operation) });
     all.push(one("any_material", "q15", Kind::Whole));
     all.push(one("one_material", "q15", Kind::Whole));

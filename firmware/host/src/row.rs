@@ -151,7 +151,9 @@ pub fn same_as_recorded(rows: &[Row], compilers: &BTreeMap<&str, String>) -> Res
     let (comments, recorded) = recorded()?;
     for (board, compiler) in compilers {
         if !comments.contains(&comment(board, compiler)) {
-            eprintln!("{board}: counts are not compared, they were recorded with another compiler than {compiler}");
+            eprintln!(
+                "{board}: counts are not compared, they were recorded with another compiler than {compiler}"
+            );
             continue;
         }
         let of_board = |row: &&Row| row.key[0] == *board;
@@ -166,7 +168,9 @@ pub fn same_as_recorded(rows: &[Row], compilers: &BTreeMap<&str, String>) -> Res
             ));
         }
         if now.len() != then.len() {
-            return Err(format!("{RECORD} has rows of {board} that no program gives: firmware/run {board} --update"));
+            return Err(format!(
+                "{RECORD} has rows of {board} that no program gives: firmware/run {board} --update"
+            ));
         }
     }
     Ok(())

@@ -112,8 +112,8 @@ macro_rules! sphere {
         }
 
         fn draw() -> Result<(), eigenshade::Error> {
-            use $crate::integer_inputs::Input;
             use eigenshade::quantised::{Light, Material};
+            use $crate::integer_inputs::Input;
             let [pair, ..] = &vectors::PAIRS;
             let light = Light::new(table::DEGREE, pair.light.1, pair.light.0)?;
             let material = Material::new(table::ORDER, pair.material.1, pair.material.0)?;

@@ -17,5 +17,5 @@ impl Write for Voice {
 }
 
 fn main() {
-    let _ = write!(Voice, "{}\n", black_box(7_u32));
+    let _ = writeln!(Voice, "{}", black_box(7_u32));
 }

@@ -30,7 +30,11 @@ fn run() -> bool {
     let mut numbers = [[0; SCENE]; 3];
     let [red, green, blue] = numbers.each_mut();
     // Looked at where they are: moving takes code.
-    let channels = (scene(&LIGHT_0, &MATERIAL_0, red), scene(&LIGHT_1, &MATERIAL_1, green), scene(&LIGHT_2, &MATERIAL_2, blue));
+    let channels = (
+        scene(&LIGHT_0, &MATERIAL_0, red),
+        scene(&LIGHT_1, &MATERIAL_1, green),
+        scene(&LIGHT_2, &MATERIAL_2, blue),
+    );
     let (Ok(red), Ok(green), Ok(blue)) = (&channels.0, &channels.1, &channels.2) else {
         return false;
     };

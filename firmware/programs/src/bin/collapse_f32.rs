@@ -3,9 +3,9 @@
 #![no_main]
 
 use board::{Passes, measure, program};
+use core::hint::black_box;
 use eigenshade::sphere;
 use programs::inputs;
-use core::hint::black_box;
 
 program!(main);
 

@@ -1,0 +1,18 @@
+//! A look-up in a baked map of 32 x 32 in Q15, bilinear, of map coordinates.
+#![no_std]
+#![no_main]
+
+use board::{Passes, holds, measure, program};
+use eigenshade::{IntegerMap, MapPoint, Q15};
+use programs::integer_inputs as inputs;
+
+program!(main);
+
+fn main() {
+    let texels = inputs::mantissas::<Q15, 1024>().map(|texel| texel.0);
+    let Ok(map) = IntegerMap::new(32, 0, texels) else { board::exit(false) };
+    let map = core::hint::black_box(map);
+    holds(size_of_val(&map));
+    let points = inputs::normals::<Q15>().map(MapPoint::of_quantised);
+    measure(&points, Passes(256), |point| map.bilinear(*point));
+}
