@@ -2,9 +2,9 @@
 
 use crate::inputs::{LIGHT, LIGHT_COUNT, MATERIAL, MATERIAL_COUNT, NORMALS};
 use crate::shared::Shared;
+use eigenshade::Format;
 use eigenshade::quantised::{Light, Material, Normal, Scene, Transfer};
 use eigenshade::sphere::{COMPONENTS, DEGREE, ORDER};
-use eigenshade::Format;
 
 /// What a format keeps between calls.
 struct State<Q: Format, const T: usize, const P: usize, const N: usize> {
