@@ -53,14 +53,13 @@ function materialCount(order) {
   return count;
 }
 
-/** The coefficients in f32, and the largest degree or order that they belong to. */
+/** The coefficients in f32. */
 function checked(what, coefficients, count, most) {
   if (!(Array.isArray(coefficients) || ArrayBuffer.isView(coefficients))) {
     throw new TypeError(`${what}: an array of numbers expected, ${typeof coefficients} found`);
   }
   const counts = Array.from({ length: most + 1 }, (_, largest) => count(largest));
-  const largest = counts.indexOf(coefficients.length);
-  if (largest < 0) {
+  if (!counts.includes(coefficients.length)) {
     const beyond = coefficients.length > counts[most] ? "; leave out what is beyond" : "";
     throw new RangeError(
       `${what}: ${coefficients.length} coefficients, this table takes ${counts.join(", ")}${beyond}`,
@@ -71,7 +70,7 @@ function checked(what, coefficients, count, most) {
   if (bad >= 0) {
     throw new RangeError(`${what}: coefficient ${bad} is ${coefficients[bad]}, which no f32 holds`);
   }
-  return { numbers, largest };
+  return numbers;
 }
 
 /** What the formats have in common. */
@@ -106,17 +105,16 @@ class Format {
     return this;
   }
 
-  /** Copies an input to where the module reads it; gives its degree or order. */
+  /** Copies an input to where the module reads it, zeros above its degree or order. */
   put(what) {
     const given = this.ready[what];
     if (!given) throw new Error(`project: there is no ${what} yet; give one first`);
-    this.inputs[what].set(given.numbers);
-    return given.largest;
+    this.inputs[what].fill(0).set(given);
   }
 
   /** Calls a function of the module. */
-  call(step, ...args) {
-    if (!this.exports[`${this.name}_${step}`](...args)) {
+  call(step) {
+    if (!this.exports[`${this.name}_${step}`]()) {
       throw new Error(`${this.name}: the module refuses to ${step}`);
     }
   }
@@ -176,7 +174,9 @@ class Format {
 class Floats extends Format {
   /** The coefficients d of the light on the material. */
   project() {
-    this.call("project", this.put("light"), this.put("material"));
+    this.put("light");
+    this.put("material");
+    this.call("project");
     Object.assign(this.ready, { d: true, scene: false });
     return this.answers.d.slice();
   }
@@ -197,12 +197,13 @@ class Floats extends Format {
 class Integers extends Format {
   /** The coefficients d of the light on the material: mantissas and their exponent. */
   project() {
-    const degree = this.put("light");
+    this.put("light");
     if (!this.folded) {
-      this.call("fold", this.put("material"));
+      this.put("material");
+      this.call("fold");
       this.folded = true;
     }
-    this.call("relight", degree);
+    this.call("relight");
     Object.assign(this.ready, { d: true, scene: false });
     return { mantissas: this.answers.d.slice(), exponent: this.exponents[0] };
   }

@@ -63,16 +63,7 @@ test("normals", () => {
 
 test("the module itself refuses what is beyond its buffers", () => {
   const { exports } = f32;
-  for (const name of ["q15", "q31"]) {
-    for (const most of [10, 2048, 0xffffffff]) {
-      assert.equal(exports[`${name}_fold`](most), 0);
-      assert.equal(exports[`${name}_relight`](most), 0);
-    }
-    assert.equal(exports[`${name}_shade`](0xffffffff), 0);
-  }
-  assert.equal(exports.f32_project(10, 7), 0);
-  assert.equal(exports.f32_project(9, 8), 0);
-  assert.equal(exports.f32_project(0xffffffff, 0xffffffff), 0);
+  for (const name of ["q15", "q31"]) assert.equal(exports[`${name}_shade`](0xffffffff), 0);
   assert.equal(exports.f32_shade(0xffffffff), 0);
   assert.equal(exports.nine_terms(0xffffffff), 1024);
 });

@@ -1,10 +1,9 @@
-//! The way in floats. Every function gives 1, or 0 if its arguments are beyond the
-//! buffers.
+//! The way in floats. Every function gives 1, or 0 if there is nothing to do it with.
 
 use crate::inputs::{LIGHT, MATERIAL};
 use crate::shared::Shared;
-use eigenshade::sphere::{BASIS, COMPONENTS, SCENE, WORKSPACE};
-use eigenshade::{Light, Material, Scene, index};
+use eigenshade::sphere::{BASIS, COMPONENTS, DEGREE, ORDER, SCENE, WORKSPACE};
+use eigenshade::{Light, Material, Scene};
 
 /// The coefficients d.
 #[unsafe(export_name = "f32_d")]
@@ -13,15 +12,13 @@ static ROOM: Shared<[f32; WORKSPACE]> = Shared::new([0.0; WORKSPACE]);
 /// The scene, if there is one.
 pub static COLLAPSED: Shared<Option<Scene<'static, [f32; SCENE]>>> = Shared::new(None);
 
-/// The light, of this degree, on the material, of this order: gives d.
+/// The light on the material: gives d.
 #[unsafe(no_mangle)]
-extern "C" fn f32_project(degree: usize, order: usize) -> u32 {
+extern "C" fn f32_project() -> u32 {
     // SAFETY: each place once, and no other function runs.
     let (light, material, room, d) =
         unsafe { (LIGHT.borrow(), MATERIAL.borrow(), ROOM.borrow(), D.borrow()) };
-    let light = light.get(..index::light::count(degree)).unwrap_or_default();
-    let material = material.get(..index::material::count(order)).unwrap_or_default();
-    let (Ok(light), Ok(material)) = (Light::new(degree, light), Material::new(order, material))
+    let (Ok(light), Ok(material)) = (Light::new(DEGREE, light), Material::new(ORDER, material))
     else {
         return 0;
     };

@@ -1,11 +1,10 @@
-//! The way in integers. Every function gives 1, or 0 if its arguments are beyond the
-//! buffers.
+//! The way in integers. Every function gives 1, or 0 if there is nothing to do it with.
 
 use crate::inputs::{LIGHT, LIGHT_COUNT, MATERIAL, MATERIAL_COUNT, NORMALS};
 use crate::shared::Shared;
+use eigenshade::Format;
 use eigenshade::quantised::{Light, Material, Normal, Scene, Transfer};
-use eigenshade::sphere::{COMPONENTS, ORDER};
-use eigenshade::{Format, index};
+use eigenshade::sphere::{COMPONENTS, DEGREE, ORDER};
 
 /// What a format keeps between calls.
 struct State<Q: Format, const T: usize, const P: usize, const N: usize> {
@@ -47,36 +46,26 @@ macro_rules! exports {
                     of_transfer: [0; PROFILES],
                 });
 
-            /// Folds in the material, of this order.
+            /// Folds in the material.
             #[unsafe(no_mangle)]
-            extern "C" fn $fold(order: usize) -> u32 {
+            extern "C" fn $fold() -> u32 {
                 let (from, state) =
                     // SAFETY: each place once, and no other function runs.
                     unsafe { (MATERIAL.borrow(), STATE.borrow()) };
-                let count = index::material::count(order);
-                let from = from.get(..count).unwrap_or_default();
-                let (Some(to), Some(exponents)) =
-                    (state.material.get_mut(..count), state.of_material.get_mut(..=order))
-                else {
+                let State { material, of_material, room, transfer, of_transfer, .. } = state;
+                let Ok(material) = Material::quantise(ORDER, from, material, of_material) else {
                     return 0;
                 };
-                let Ok(material) = Material::quantise(order, from, to, exponents) else {
-                    return 0;
-                };
-                let State { room, transfer, of_transfer, .. } = state;
                 BASIS.fold_into(&material, room, transfer, of_transfer).is_ok().into()
             }
 
-            /// Puts the folded material under the light, of this degree: gives d.
+            /// Puts the folded material under the light: gives d.
             #[unsafe(no_mangle)]
-            extern "C" fn $relight(degree: usize) -> u32 {
+            extern "C" fn $relight() -> u32 {
                 let (from, state, d, exponents) =
                     // SAFETY: each place once, and no other function runs.
                     unsafe { (LIGHT.borrow(), STATE.borrow(), D.borrow(), EXPONENTS.borrow()) };
-                let count = index::light::count(degree);
-                let from = from.get(..count).unwrap_or_default();
-                let Some(to) = state.light.get_mut(..count) else { return 0 };
-                let Ok(light) = Light::quantise(degree, from, to) else { return 0 };
+                let Ok(light) = Light::quantise(DEGREE, from, &mut state.light) else { return 0 };
                 let transfer = Transfer::new(&state.transfer, &state.of_transfer);
                 let Ok(exponent) = BASIS.relight_into(&transfer, &light, d) else { return 0 };
                 let [of_d, _] = exponents;
