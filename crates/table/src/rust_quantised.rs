@@ -197,14 +197,18 @@ pub fn fold_into(
         (kernels::inputs::<_, {modes}, {orders}>(material), kernels::numbers(transfer))
     {{
         let (mut sums, mut of_sums) = ([[0; {pairs}]; {degrees}], [0; {degrees}]);
-        let b = kernels::coefficients::<_, {modes}, {orders}>(inputs.0);
+        let b = kernels::coefficients::<_, {modes}>(inputs.0, &[{}]);
         for (l, (sums, exponent)) in sums.iter_mut().zip(&mut of_sums).enumerate() {{
             let degree = kernels::Degree::new(l, &POLAR, &POLAR_EXPONENTS, inputs.1);
             let Some(degree) = degree else {{ continue }};
             scatter(&degree, &b, sums);
             *exponent = degree.normalise(sums);
         }}
-"
+",
+            material::indices(parts.order)
+                .map(|(o, p, _)| (o == p).to_string())
+                .collect::<Vec<_>>()
+                .join(", ")
         ));
         let (mut row, mut start) = (0, 0);
         for (first, block) in azimuths(parts) {

@@ -2,7 +2,6 @@
 //! [`Basis::fold_into`](crate::quantised::Basis::fold_into).
 
 use crate::format::{Fixed, Wide};
-use crate::index::material;
 use crate::quantised::{Material, TransferBuffer};
 
 /// A material's mantissas and exponents of exactly these lengths.
@@ -24,13 +23,15 @@ pub fn numbers<Q: Fixed, const T: usize, const E: usize>(
     Some((numbers.as_mut_slice().try_into().ok()?, exponents.as_mut_slice().try_into().ok()?))
 }
 
-/// The coefficients as they are multiplied: those of o and p that differ over √2.
+/// The coefficients as they are multiplied: those whose o and p are not the `same` over √2.
 #[inline(never)]
-pub fn coefficients<Q: Fixed, const B: usize, const O: usize>(mantissas: &[Q; B]) -> [Q::Wide; B] {
+pub fn coefficients<Q: Fixed, const B: usize>(
+    mantissas: &[Q; B],
+    same: &'static [bool; B],
+) -> [Q::Wide; B] {
     let mut coefficients = [Q::Wide::default(); B];
-    let modes = material::indices(O - 1).zip(mantissas);
-    for (((o, p, _), &mantissa), to) in modes.zip(&mut coefficients) {
-        *to = if o == p { mantissa } else { mantissa.over_root_two() }.widen();
+    for ((&mantissa, &same), to) in mantissas.iter().zip(same).zip(&mut coefficients) {
+        *to = if same { mantissa } else { mantissa.over_root_two() }.widen();
     }
     coefficients
 }
@@ -157,17 +158,19 @@ pub fn azimuth<
 
 /// The same as that of the general way, bits counted where a number may be the largest.
 fn common_exponent<W: Wide, const L: usize>(row: &[(W, i32); L], all: u32, each: u32) -> i32 {
-    let mut top = i32::MIN;
+    // Less than any exponent, and no difference overflows.
+    const NONE: i32 = -1 << 20;
+    let mut top = NONE;
     for &(number, exponent) in row {
         let size = number.max(-number);
         // Below 2^(top - exponent) it is not the largest.
-        let room = top.saturating_sub(exponent);
+        let room = top - exponent;
         let known = room >= W::SIZE.cast_signed() || (room >= 0 && !size.reaches(room));
         if size != W::default() && !known {
             top = top.max(size.bits().cast_signed() + exponent);
         }
     }
-    if top == i32::MIN {
+    if top == NONE {
         return 0;
     }
     let room = W::SIZE.cast_signed() - W::of(L as i32).bits().cast_signed() - 2;
