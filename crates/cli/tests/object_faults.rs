@@ -12,6 +12,8 @@ fn bad_objects() {
     folder.write("short.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 2 3\n");
     let mut wide = normal_map(png::BitDepth::Eight);
     wide[16..24].copy_from_slice(&[0, 0, 0x40, 0, 0, 0, 0x40, 0]);
+    // The header's checksum.
+    wide[29..33].copy_from_slice(&[0xa9, 0xc8, 0x10, 0x84]);
     folder.write("wide.png", &wide);
     folder.write("empty.obj", "# nothing\n");
     folder.write("nan.obj", "v 0 0 0\nv 1 0 0\nv 0 nan 0\nf 1 2 3\n");
