@@ -260,7 +260,7 @@ impl Fixed for Q15 {
     }
     #[inline(always)]
     fn nearest_argument_times(sum: i32, argument: i32) -> i32 {
-        (sum * argument + (1 << 13)) >> 14
+        sum.wrapping_mul(argument).wrapping_add(1 << 13) >> 14
     }
     #[inline(always)]
     fn seen(irradiance: Self, image: i32) -> i64 {

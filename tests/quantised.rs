@@ -114,6 +114,34 @@ fn zero_and_powers_of_two() {
     assert_eq!(more.exponent(), once.exponent() + 10);
 }
 
+/// A material whose exponents rise with the order, and a transfer by hand: the generated
+/// functions give what the general ones give, bit for bit.
+#[test]
+fn generated_ways_are_the_general_ones() {
+    let mantissas = quantise::row(
+        &numbers(40, 1.3).into_iter().map(f64::from).collect::<Vec<_>>(),
+        15,
+        i64::MAX,
+    )
+    .0;
+    let mantissas: Vec<Q15> = mantissas.into_iter().map(Q15::of).collect();
+    for exponents in [[0_i8; 8], [0, 0, -3, 1, 9, 2, 14, 20], [9, 7, 5, 3, 1, 0, -1, -2]] {
+        let material = Material::new(ORDER, &exponents, &mantissas).expect("a material");
+        let generated = q15::fold(&material).expect("it fits");
+        let general = q15::BASIS
+            .fold::<{ q15::WORKSPACE }, { q15::TRANSFER }, { q15::PROFILES }>(&material)
+            .expect("it fits");
+        assert_eq!(generated, general, "{exponents:?}");
+    }
+    let numbers = [Q15(i16::MIN); q15::TRANSFER];
+    let transfer = Transfer::new(&numbers, &[0; q15::PROFILES]);
+    let light = [Q15(i16::MIN); 100];
+    let light = Light::new(DEGREE, 0, &light).expect("a light");
+    assert_eq!(q15::relight(&transfer, &light), Err(Error::Bound));
+    let estimate = q15::BASIS.estimate::<50>().expect("fifty components");
+    assert_eq!(estimate.coefficients(i32::MAX), Err(Error::Exponent));
+}
+
 #[test]
 fn what_does_not_fit_is_refused() {
     let numbers = [Q15(1); 121];

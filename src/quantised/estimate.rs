@@ -80,8 +80,12 @@ impl<Q: Fixed, const K: usize> Estimate<'_, Q, K> {
     ///
     /// # Errors
     ///
-    /// [`Error::Weight`] unless there is a weight.
+    /// [`Error::Weight`] unless there is a weight, [`Error::Exponent`] if the exponent is
+    /// beyond ±2^15.
     pub fn coefficients(&self, exponent: i32) -> Result<Coefficients<K>, Error> {
+        if exponent.unsigned_abs() > 1 << 15 {
+            return Err(Error::Exponent);
+        }
         let mut mantissas = zeros::<i32, K>(What::Coefficients, self.sums.len())?;
         let profiles = self.basis.parts.profiles;
         let mut top = None;
@@ -130,6 +134,7 @@ impl Profile {
     fn value<Q: Fixed>(&self, terms: &[Q], t: i32) -> i32 {
         let by = -self.excess::<Q>();
         let term = |term: &Q| term.widen().shifted(by).saturated();
-        terms.iter().fold(0, |sum, of| Q::nearest_argument_times(sum, t) + term(of))
+        // A forged table may state too small a step; it is not to panic.
+        terms.iter().fold(0, |sum, of| Q::nearest_argument_times(sum, t).wrapping_add(term(of)))
     }
 }

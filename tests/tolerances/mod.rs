@@ -423,3 +423,8 @@ pub const SAMPLED_CUBIC: f64 = 1e-2;
 /// Rms error of the firmware's full scene over the rms peak: what its components and terms are
 /// chosen for.
 pub const FULL_SCENE: f64 = 1e-4;
+/// `shade` in mantissas of 31 bits, all components against the direct sum, rms of the largest irradiance:
+/// polynomials trimmed to 1e-8 of the database's rms.
+pub const SHADED_Q31: f64 = 1e-7;
+/// The same in 15 bits: 68 dB, as the worst pair of the shipped set.
+pub const SHADED_Q15: f64 = 4e-4;

@@ -9,6 +9,12 @@ use support::{Folder, assert_fails, scene};
 fn bad_objects() {
     let folder = Folder::new();
     folder.write("cut.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
+    folder.write("short.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 2 3\n");
+    let mut wide = normal_map(png::BitDepth::Eight);
+    wide[16..24].copy_from_slice(&[0, 0, 0x40, 0, 0, 0, 0x40, 0]);
+    // The header's checksum.
+    wide[29..33].copy_from_slice(&[0xa9, 0xc8, 0x10, 0x84]);
+    folder.write("wide.png", &wide);
     folder.write("empty.obj", "# nothing\n");
     folder.write("nan.obj", "v 0 0 0\nv 1 0 0\nv 0 nan 0\nf 1 2 3\n");
     folder.write("back.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 3 2 1\n");
@@ -38,6 +44,8 @@ fn bad_objects() {
     for (geometry, words) in [
         ("normals = \"none.obj\"", &["none.obj"][..]),
         ("normals = \"cut.obj\"", &["cut.obj"]),
+        ("normals = \"short.obj\"", &["short.obj", "line 5", "corners"]),
+        ("normals = \"wide.png\"", &["wide.png", "16384 x 16384"]),
         ("normals = \"empty.obj\"", &["empty.obj", "no triangle"]),
         ("normals = \"nan.obj\"", &["nan.obj"]),
         ("normals = \"back.obj\"", &["back.obj", "no normal is seen"]),

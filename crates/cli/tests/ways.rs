@@ -51,6 +51,23 @@ fn ways_are_as_exact_as_they_can_be() {
     }
 }
 
+/// Integers shade as the direct sum does, and by polynomials alone.
+#[test]
+fn integers_are_a_format() {
+    let folder = Folder::with_table();
+    let truth = shaded(&folder, "--method modes");
+    for (format, most) in [("q31", tolerances::SHADED_Q31), ("q15", tolerances::SHADED_Q15)] {
+        let found = rms(&shaded(&folder, &format!("--format {format}")), &truth);
+        println!("{format}: {found:e}");
+        assert!(found <= most, "{format}: {found:e}");
+        let shade = format!("shade b.bin {PAIR} --format {format} --out new.csv --method");
+        for method in ["eigen", "table", "baked"] {
+            assert_fails(&folder, &format!("{shade} {method}"), &["polynomial"]);
+        }
+        assert_fails(&folder, &format!("{shade} modes"), &["f64"]);
+    }
+}
+
 /// A light through a window is that light with its coefficients weakened.
 #[test]
 fn windows_weaken_the_light() {

@@ -16,10 +16,14 @@ pub fn terms<'s, 'a, Q: Fixed, const N: usize>(
     scene.buffer.as_mut_slice().try_into().ok()
 }
 
-/// The mantissas of exactly `K` coefficients.
+/// The mantissas of exactly `K` coefficients, if their exponent is one that
+/// [`Basis::collapse_into`](crate::quantised::Basis::collapse_into) takes.
 #[inline(always)]
 #[must_use]
 pub fn mantissas<const K: usize>(coefficients: &Coefficients<K>) -> Option<&[i32; K]> {
+    if coefficients.exponent.unsigned_abs() > 1 << 16 {
+        return None;
+    }
     coefficients.mantissas.as_slice().try_into().ok()
 }
 

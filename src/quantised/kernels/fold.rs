@@ -4,13 +4,18 @@
 use crate::format::{Fixed, Wide};
 use crate::quantised::{Material, TransferBuffer};
 
-/// A material's mantissas and exponents of exactly these lengths.
+/// A material's mantissas and exponents of exactly these lengths, if no exponent is above
+/// that of a lower o of its parity: then an addend is never larger than the scale that
+/// [`Degree::new`] takes from each o by itself.
 #[inline(always)]
 #[must_use]
 pub fn inputs<'a, Q, const B: usize, const O: usize>(
     material: &Material<'a, Q>,
 ) -> Option<(&'a [Q; B], &'a [i8; O])> {
-    Some((material.mantissas.try_into().ok()?, material.exponents.try_into().ok()?))
+    let exponents: &[i8; O] = material.exponents.try_into().ok()?;
+    let above = exponents.get(2..).unwrap_or_default();
+    let falls = exponents.iter().zip(above).all(|(lower, higher)| higher <= lower);
+    if falls { Some((material.mantissas.try_into().ok()?, exponents)) } else { None }
 }
 
 /// A transfer's numbers and exponents, to be written.

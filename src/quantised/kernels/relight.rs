@@ -8,13 +8,17 @@ use crate::quantised::{Coefficients, Light, Transfer};
 /// No size: that of a sum of nothing.
 pub const NONE: i32 = i32::MIN;
 
-/// The numbers of a transfer and of a light of exactly these lengths.
+/// The numbers of a transfer whose rows are known to fit their accumulators, and of a
+/// light, of exactly these lengths.
 #[inline(always)]
 #[must_use]
 pub fn inputs<'a, Q, const T: usize, const P: usize, const N: usize>(
     transfer: &Transfer<'a, Q>,
     light: &Light<'a, Q>,
 ) -> Option<(&'a [Q; T], &'a [i16; P], &'a [Q; N])> {
+    if !transfer.bounded {
+        return None;
+    }
     Some((
         transfer.numbers.try_into().ok()?,
         transfer.exponents.try_into().ok()?,
@@ -61,12 +65,13 @@ pub fn azimuth<
             let order = M.cast_signed();
             let at = |order| light.get(position(l, order)).copied().unwrap_or_default().widen();
             let number = number.widen();
-            plus += number * at(order);
+            // A transfer of another basis may wrap; it is not to panic.
+            plus = plus.wrapping_plus(number * at(order));
             if M > 0 {
-                minus += number * at(-order);
+                minus = minus.wrapping_plus(number * at(-order));
             }
         }
-        let minus = if M % 2 == 1 { -minus } else { minus };
+        let minus = if M % 2 == 1 { minus.wrapping_minus() } else { minus };
         let mut either = 0;
         for (component, sum) in [(of_plus, plus), (of_minus, minus)] {
             if let Some(place) = mantissas.get_mut(usize::from(component)) {

@@ -3,10 +3,12 @@
 use super::count;
 use clap::{Args, ValueEnum};
 use eigenshade::mathematics::Libm;
-use eigenshade::{Negatives, Scalar, Window};
+use eigenshade::{Negatives, Q15, Q31, Scalar, Window};
+use eigenshade_cli::integer_shader::{self, IntegerShader};
 use eigenshade_cli::message::{bar, say};
 use eigenshade_cli::number::exact;
 use eigenshade_cli::owned_basis::OwnedBasis;
+use eigenshade_cli::owned_quantised::Integer;
 use eigenshade_cli::rows::Rows;
 use eigenshade_cli::shader::{LookUp, OwnedNormals, Shader, fault, fitted};
 use eigenshade_cli::{destination, table_file, truth_image};
@@ -75,6 +77,10 @@ pub struct Shade {
 enum Format {
     F64,
     F32,
+    /// Integers: mantissas of 31 bits
+    Q31,
+    /// Integers: mantissas of 15 bits
+    Q15,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -128,9 +134,14 @@ struct Work {
 
 impl Shade {
     pub fn run(self) -> Result<()> {
-        if self.method == Method::Modes && self.format == Some(Format::F32) {
+        let is_integer = matches!(self.format, Some(Format::Q31 | Format::Q15));
+        if self.method == Method::Modes && !matches!(self.format, None | Some(Format::F64)) {
             let what = "the method modes is in f64 only";
             return Err(Error::new(what, "leave --format out, or choose another method"));
+        }
+        if is_integer && self.method != Method::Polynomial {
+            let what = "integers shade by polynomials only";
+            return Err(Error::new(what, "take --method polynomial, or --format f32"));
         }
         let table = table_file::read(&self.table)?;
         let way = self.way(table.scene.basis.knots)?;
@@ -161,6 +172,8 @@ impl Shade {
             match (self.method, self.format) {
                 (Method::Modes, _) => work.modes(&mut rows),
                 (_, Some(Format::F64)) => work.shade::<f64>(way, &mut rows),
+                (_, Some(Format::Q31)) => work.integers::<Q31>(&mut rows),
+                (_, Some(Format::Q15)) => work.integers::<Q15>(&mut rows),
                 (_, _) => work.shade::<f32>(way, &mut rows),
             }?;
             rows.rows.finish()
@@ -250,22 +263,36 @@ impl Work {
         Ok(())
     }
 
+    fn integers<Q: Integer>(&self, out: &mut Output<'_, '_>) -> Result<()> {
+        let mut shader = IntegerShader::<Q>::new(&self.table, self.components)?;
+        let normals = integer_shader::normals(&self.normals)?;
+        self.channels(out, |light, material| shader.polynomial(light, material, &normals))
+    }
+
     fn shade<S: Scalar + Into<f64>>(&self, way: Way, out: &mut Output<'_, '_>) -> Result<()> {
         let basis = OwnedBasis::<S>::new(&self.table);
         let mut shader =
             Shader::new(basis.any().map_err(fault)?, self.components).with_folded(basis.folded());
         let normals = OwnedNormals::<S>::new(&self.normals);
         let each = normals.each()?;
+        self.channels(out, |light, material| match way {
+            Way::Eigen => shader.eigen(light, material, &each),
+            Way::Polynomial => shader.polynomial(light, material, &normals),
+            Way::LookUp(way) => shader.looked_up(light, material, &each, way),
+        })
+    }
+
+    /// Writes every light on every material, `irradiance` of one channel at a time.
+    fn channels<S: Copy + Into<f64>>(
+        &self,
+        out: &mut Output<'_, '_>,
+        mut irradiance: impl FnMut((usize, &[f64]), (usize, &[f64])) -> Result<Vec<S>>,
+    ) -> Result<()> {
         let progress = bar("images", self.lights.entries.len() * self.materials.entries.len());
         for (light, material) in self.pairs() {
             let mut channel = |c: usize| {
                 let of_light = (self.lights.degree, light.rgb[c].as_slice());
-                let of_material = (self.materials.order, material.rgb[c].as_slice());
-                match way {
-                    Way::Eigen => shader.eigen(of_light, of_material, &each),
-                    Way::Polynomial => shader.polynomial(of_light, of_material, &normals),
-                    Way::LookUp(way) => shader.looked_up(of_light, of_material, &each, way),
-                }
+                irradiance(of_light, (self.materials.order, material.rgb[c].as_slice()))
             };
             let (red, green, blue) = (channel(0)?, channel(1)?, channel(2)?);
             for (normal, ((&r, &g), &b)) in red.iter().zip(&green).zip(&blue).enumerate() {

@@ -61,6 +61,17 @@ pub(crate) fn broken(what: impl Into<String>) -> Error {
 }
 
 fn obj(bytes: &[u8]) -> Result<Triangles> {
+    // The library takes faces of fewer corners for lines and points, and leaves them out.
+    for (number, line) in bytes.split(|&byte| byte == b'\n').enumerate() {
+        let line = String::from_utf8_lossy(line);
+        let mut words = line.split_whitespace();
+        if words.next() == Some("f") && !line.contains('\\') && words.count() < 3 {
+            return Err(broken(format!(
+                "line {} has a face of fewer than three corners",
+                number + 1
+            )));
+        }
+    }
     let options = tobj::LoadOptions { triangulate: true, ..Default::default() };
     let (models, _) = tobj::load_obj_buf(&mut Cursor::new(bytes), &options, |_| {
         // Materials are not wanted.

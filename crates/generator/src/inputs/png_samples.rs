@@ -5,6 +5,9 @@ use png::{BitDepth, ColorType, Decoder, DecodingError, Limits, Transformations};
 use std::io::Cursor;
 use std::path::Path;
 
+/// The most pixels: expanded they take twelve bytes each, which a small file can claim.
+const MOST_PIXELS: u64 = 1 << 26;
+
 /// Deflate packs no more bytes than this into one.
 const MOST_BYTES_PER_BYTE: u64 = 1032;
 
@@ -42,6 +45,12 @@ fn decode(bytes: &[u8]) -> Result<PngSamples> {
     let (width, height) = (u64::from(header.width), u64::from(header.height));
     let bits = (header.bits_per_pixel() as u64).max(1);
     let most = (bytes.len() as u64).saturating_mul(MOST_BYTES_PER_BYTE);
+    if width * height > MOST_PIXELS {
+        return Err(Error::new(
+            format!("its header claims {width} x {height} pixels"),
+            "give a picture of at most 67 million pixels, 8192 x 8192",
+        ));
+    }
     if width * height / 8 * bits > most {
         return Err(Error::new(
             format!(
