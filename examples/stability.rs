@@ -25,8 +25,8 @@ const HEAD: &str = "\
 
 Cases in which arithmetic goes wrong if nobody looks: what goes wrong, what is done about it, and how far off the answer is, measured
 against an oracle. Images are measured against the direct sum (15), and that in `tests/paper.rs` against quadrature of (3). `tests/hard_cases.rs`
-asserts every bound; the bounds and their reasons stand in `tests/tolerances/mod.rs`. An error of the naive way has to be at least its bound, or
-the case is none; a count has to be exact.
+asserts every bound; ours and their reasons stand in `tests/tolerances/mod.rs`. An error of the naive way has to be at least its bound, which stands
+beside the case, or the case is none; a count has to be exact.
 
 | case | naively | here | measured (bound) |
 |---|---|---|---|
@@ -59,8 +59,8 @@ take), |d|² + residual = cᵀMc, linearity, that turning light and normals abou
 prefix, the order and sign of components, and reciprocity. Light, view and normal turned by any rotation of SO(3), and the normal's frame by any γ, change nothing.
 
 So it does with objects: lists of normals with weights over up to six decades, half circles, rims, patches of 1e-9 to 0.1, densities of slants, under light
-that is turned freely, about the vertical axis, or not. UᵀMU = I over modes and pixel by pixel (to what the cut-offs may take), Parseval over the object's normals, linearity,
-prefixes, and that object and light turned about the view have the same eigenvalues.
+that is turned freely, about the vertical axis, or not. Parseval over the object's normals, linearity in the light, prefixes; of all but densities, which are hundreds of
+normals, UᵀMU = I over modes and pixel by pixel (to what the cut-offs may take), and that object and light turned about the view have the same eigenvalues.
 
 ## What is not covered
 

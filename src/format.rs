@@ -95,8 +95,8 @@ pub trait Fixed: Format<Wide: Wide> {
     fn seen(irradiance: Self, image: i32) -> i64;
     /// This as a fraction of 2^(BITS - 1).
     fn halved(self) -> i32;
-    /// a x + b y, rounded: a and b fractions of 2^(BITS - 1). Domain: a² + b² and
-    /// x² + y² at most 1.
+    /// a x + b y, rounded: a and b fractions of 2^(BITS - 1). Domain: a² + b² at most 2,
+    /// x² + y² at most 1.001, as a [`Normal`](crate::quantised::Normal) has it.
     fn dot(a: i32, x: Self, b: i32, y: Self) -> i32;
     /// `value` times a fraction of 2^(BITS - 1).
     fn product(value: i32, fraction: i32) -> Self::Wide;
@@ -133,7 +133,7 @@ pub trait Wide:
     fn bits(self) -> u32;
     /// The nearest number to self 2^`by`. Domain: it fits.
     fn shifted(self, by: i32) -> Self;
-    /// The nearest number to self / 2^(`by` + 1). Domain: `by` >= 0.
+    /// The nearest number to self / 2^(`by` + 1). Domain: `by` >= 0, |self| < 2^SIZE - 1.
     fn lowered(self, by: i32) -> Self;
     /// Whether self >= 2^`by`. Domain: self >= 0, 0 <= by < [`SIZE`](Self::SIZE).
     fn reaches(self, by: i32) -> bool;
@@ -141,93 +141,57 @@ pub trait Wide:
     fn saturated(self) -> i32;
 }
 
-impl Wide for i32 {
-    const SIZE: u32 = 31;
-    #[inline(always)]
-    fn wrapping_plus(self, other: Self) -> Self {
-        self.wrapping_add(other)
-    }
-    #[inline(always)]
-    fn wrapping_minus(self) -> Self {
-        self.wrapping_neg()
-    }
-    #[inline(always)]
-    fn of(number: i32) -> Self {
-        number
-    }
-    #[inline]
-    fn bits(self) -> u32 {
-        Self::SIZE + 1 - self.unsigned_abs().leading_zeros()
-    }
-    #[inline]
-    fn shifted(self, by: i32) -> Self {
-        match by {
-            0.. => {
-                debug_assert!(self == 0 || self.bits().cast_signed() + by <= 31, "out of domain");
-                self << by.min(31)
+macro_rules! wide {
+    ($wide:ident, $size:literal, |$number:ident| $saturated:expr) => {
+        impl Wide for $wide {
+            const SIZE: u32 = $size;
+            #[inline(always)]
+            fn wrapping_plus(self, other: Self) -> Self {
+                self.wrapping_add(other)
             }
-            -31.. => (self >> -by) + ((self >> (-by - 1)) & 1),
-            _ => 0,
-        }
-    }
-    #[inline(always)]
-    fn lowered(self, by: i32) -> Self {
-        // Shifted by all its bits it is 0 or -1, which rounds to 0.
-        ((self >> by.cast_unsigned().min(31)) + 1) >> 1
-    }
-    #[inline(always)]
-    fn reaches(self, by: i32) -> bool {
-        self >> (by & 31) != 0
-    }
-    #[inline(always)]
-    fn saturated(self) -> i32 {
-        self
-    }
-}
-
-impl Wide for i64 {
-    const SIZE: u32 = 63;
-    #[inline(always)]
-    fn wrapping_plus(self, other: Self) -> Self {
-        self.wrapping_add(other)
-    }
-    #[inline(always)]
-    fn wrapping_minus(self) -> Self {
-        self.wrapping_neg()
-    }
-    #[inline(always)]
-    fn of(number: i32) -> Self {
-        number.into()
-    }
-    #[inline]
-    fn bits(self) -> u32 {
-        Self::SIZE + 1 - self.unsigned_abs().leading_zeros()
-    }
-    #[inline]
-    fn shifted(self, by: i32) -> Self {
-        match by {
-            0.. => {
-                debug_assert!(self == 0 || self.bits().cast_signed() + by <= 63, "out of domain");
-                self << by.min(63)
+            #[inline(always)]
+            fn wrapping_minus(self) -> Self {
+                self.wrapping_neg()
             }
-            -63.. => (self >> -by) + ((self >> (-by - 1)) & 1),
-            _ => 0,
+            #[inline(always)]
+            fn of(number: i32) -> Self {
+                number.into()
+            }
+            #[inline]
+            fn bits(self) -> u32 {
+                Self::SIZE + 1 - self.unsigned_abs().leading_zeros()
+            }
+            #[inline]
+            fn shifted(self, by: i32) -> Self {
+                match by {
+                    0.. => {
+                        let fits = self == 0 || self.bits().cast_signed() + by <= $size;
+                        debug_assert!(fits, "out of domain");
+                        self << by.min($size)
+                    }
+                    _ if by >= -$size => (self >> -by) + ((self >> (-by - 1)) & 1),
+                    _ => 0,
+                }
+            }
+            #[inline(always)]
+            fn lowered(self, by: i32) -> Self {
+                // Shifted by all its bits it is 0 or -1, which rounds to 0.
+                ((self >> by.cast_unsigned().min($size)) + 1) >> 1
+            }
+            #[inline(always)]
+            fn reaches(self, by: i32) -> bool {
+                self >> (by & $size) != 0
+            }
+            #[inline]
+            fn saturated(self) -> i32 {
+                let $number = self;
+                $saturated
+            }
         }
-    }
-    #[inline(always)]
-    fn lowered(self, by: i32) -> Self {
-        // Shifted by all its bits it is 0 or -1, which rounds to 0.
-        ((self >> by.cast_unsigned().min(63)) + 1) >> 1
-    }
-    #[inline(always)]
-    fn reaches(self, by: i32) -> bool {
-        self >> (by & 63) != 0
-    }
-    #[inline]
-    fn saturated(self) -> i32 {
-        self.clamp((-i32::MAX).into(), i32::MAX.into()) as i32
-    }
+    };
 }
+wide!(i32, 31, |number| number);
+wide!(i64, 63, |number| number.clamp((-i32::MAX).into(), i32::MAX.into()) as i32);
 
 impl Fixed for Q15 {
     const BITS: u32 = 15;

@@ -46,85 +46,43 @@ mod sealed {
     impl Sealed for f64 {}
 }
 
-impl Scalar for f32 {
-    const ZERO: Self = 0.0;
-    const ONE: Self = 1.0;
-    #[cfg(all(target_feature = "fma", any(unix, windows)))]
-    #[inline(always)]
-    fn add_product(self, a: Self, b: Self) -> Self {
-        a.mul_add(b, self)
-    }
-    #[cfg(not(all(target_feature = "fma", any(unix, windows))))]
-    #[inline(always)]
-    fn add_product(self, a: Self, b: Self) -> Self {
-        self + a * b
-    }
-    #[inline]
-    fn is_finite(self) -> bool {
-        self.is_finite()
-    }
-    #[inline]
-    fn reciprocal(self) -> Self {
-        1.0 / self
-    }
-    #[inline]
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "a saturating cast is what is asked for"
-    )]
-    fn to_whole(self) -> usize {
-        self as usize
-    }
-    #[inline]
-    #[expect(clippy::cast_precision_loss, reason = "small numbers are exact")]
-    fn from_whole(value: usize) -> Self {
-        value as Self
-    }
-    #[inline]
-    #[expect(clippy::cast_possible_truncation, reason = "rounding is what is asked for")]
-    fn from_f64(value: f64) -> Self {
-        value as Self
-    }
+macro_rules! scalar {
+    ($float:ident, |$value:ident| $nearest:expr) => {
+        impl Scalar for $float {
+            const ZERO: Self = 0.0;
+            const ONE: Self = 1.0;
+            #[cfg(all(target_feature = "fma", any(unix, windows)))]
+            #[inline(always)]
+            fn add_product(self, a: Self, b: Self) -> Self {
+                a.mul_add(b, self)
+            }
+            #[cfg(not(all(target_feature = "fma", any(unix, windows))))]
+            #[inline(always)]
+            fn add_product(self, a: Self, b: Self) -> Self {
+                self + a * b
+            }
+            #[inline]
+            fn is_finite(self) -> bool {
+                self.is_finite()
+            }
+            #[inline]
+            fn reciprocal(self) -> Self {
+                1.0 / self
+            }
+            #[inline]
+            fn to_whole(self) -> usize {
+                self as usize
+            }
+            #[inline]
+            fn from_whole(value: usize) -> Self {
+                value as Self
+            }
+            #[inline]
+            fn from_f64($value: f64) -> Self {
+                $nearest
+            }
+        }
+    };
 }
-
-impl Scalar for f64 {
-    const ZERO: Self = 0.0;
-    const ONE: Self = 1.0;
-    #[cfg(all(target_feature = "fma", any(unix, windows)))]
-    #[inline(always)]
-    fn add_product(self, a: Self, b: Self) -> Self {
-        a.mul_add(b, self)
-    }
-    #[cfg(not(all(target_feature = "fma", any(unix, windows))))]
-    #[inline(always)]
-    fn add_product(self, a: Self, b: Self) -> Self {
-        self + a * b
-    }
-    #[inline]
-    fn is_finite(self) -> bool {
-        self.is_finite()
-    }
-    #[inline]
-    fn reciprocal(self) -> Self {
-        1.0 / self
-    }
-    #[inline]
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "a saturating cast is what is asked for"
-    )]
-    fn to_whole(self) -> usize {
-        self as usize
-    }
-    #[inline]
-    #[expect(clippy::cast_precision_loss, reason = "small numbers are exact")]
-    fn from_whole(value: usize) -> Self {
-        value as Self
-    }
-    #[inline]
-    fn from_f64(value: f64) -> Self {
-        value
-    }
-}
+scalar!(f32, |value| value as f32);
+scalar!(f64, |value| value);

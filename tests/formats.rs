@@ -227,3 +227,36 @@ fn q15_is_as_good_as_stated() {
     assert!(score.component >= tolerances::Q15_COMPONENT);
     stated("`Q15`", &score);
 }
+
+/// What a scene's scale leaves free: Σ |d_i| max |U_i| over the peak, both at the normals here.
+#[test]
+fn headroom_is_as_stated() {
+    let truth = Truth::new();
+    let largest: Vec<f64> = truth
+        .images
+        .iter()
+        .map(|image| image.iter().fold(0.0, |most: f64, value| most.max(value.abs())))
+        .collect();
+    let (mut sum, mut count, mut most) = (0.0, 0.0, 0.0f64);
+    for material in &truth.materials.entries {
+        for light in &truth.lights.entries {
+            for (light, material) in light.rgb.iter().zip(&material.rgb) {
+                let d = truth.project(light, material);
+                let at =
+                    |k: usize| d.iter().zip(&truth.images).map(|(d, image)| d * image[k]).sum();
+                let peak =
+                    (0..NORMALS).map(at).fold(0.0, |most: f64, value: f64| most.max(value.abs()));
+                let bound: f64 = d.iter().zip(&largest).map(|(d, size)| d.abs() * size).sum();
+                (sum, count, most) = (sum + bound / peak, count + 1.0, most.max(bound / peak));
+            }
+        }
+    }
+    let page = include_str!("../docs/formats.md");
+    for (name, found) in [("mean", sum / count), ("most", most)] {
+        println!("| {name} | {found:.2} |");
+        let row = page.lines().find_map(|line| line.strip_prefix(&format!("| {name} | ")));
+        let stated = row.and_then(|row| row.trim_end_matches(" |").parse::<f64>().ok());
+        let stated = stated.expect("docs/formats.md states it");
+        assert!((stated - found).abs() <= tolerances::HEADROOM_STATED, "{name}: {found:.2}");
+    }
+}

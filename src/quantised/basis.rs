@@ -1,10 +1,10 @@
 //! An eigenbasis in integers, its shape and its bounds checked.
 
-use super::fold::{MOST, Transfer};
+use super::fold::Transfer;
 use super::{Parts, Profile};
 use crate::error::{Error, What};
 use crate::format::{Q15, Q31};
-use crate::index::pair;
+use crate::index::{layout, pair};
 
 /// An eigenbasis in an integer format.
 #[derive(Clone, Copy, Debug)]
@@ -21,7 +21,7 @@ impl<'a, Q> Parts<'a, Q> {
             return Err(error);
         }
         // A weight for +m and one for -m; a row of a transfer.
-        if 2 * self.profiles.len() > MOST || degrees > MOST / 2 {
+        if 2 * self.profiles.len() > layout::MOST_WEIGHTS || degrees > layout::MOST_WEIGHTS / 2 {
             return Err(Error::Bound);
         }
         let pairs = pair::count(self.order);

@@ -1,6 +1,6 @@
 //! The coefficients d of one image, in integers.
 
-/// The coefficients d of one image, component by component: mantissas below 2^30, times
+/// The coefficients d of one image, component by component: mantissas of at most 2^30, times
 /// 2^exponent.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

@@ -156,7 +156,8 @@ impl<'a, Q: Fixed> Basis<'a, Q> {
     }
 
     /// The least n of: neither a step of a pixel's polynomials nor an irradiance goes
-    /// beyond 2^n, in units of these coefficients, less a sixty-fourth for rounding.
+    /// beyond 2^n, in units of these coefficients, less a sixty-fourth for rounding and
+    /// normals that are not quite of unit length.
     ///
     /// Either is a sum over components, each at most |d| times what the table states of
     /// its profile.
@@ -179,7 +180,10 @@ impl<'a, Q: Fixed> Basis<'a, Q> {
             largest = largest.max(of_plus).max(of_minus);
         }
         largest = largest.max(image);
-        largest += largest >> 6;
+        // A normal may be a two-thousandth too long, and (n_x + i n_y)^m its mth power: to
+        // m = 24 that is in the sixty-fourth.
+        let beyond = (self.degree() as u64).saturating_sub(24);
+        largest += (largest >> 6) + beyond * (largest >> 10);
         let bits = 64 - largest.leading_zeros();
         bits.cast_signed() - 4 + UNIT.cast_signed()
     }

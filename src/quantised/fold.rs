@@ -192,12 +192,8 @@ fn product<Q: Fixed>(factors: &[Q], sums: &[Q::Wide]) -> Q::Wide {
     sum
 }
 
-/// Numbers whose rounding a common exponent leaves room for: in 31 bits their alignment
-/// is off by half of it units at most, of 2^18 or more, and a 256th is added.
-pub(crate) const MOST: usize = 1023;
-
 /// The least exponent with which mantissas are below 2^`each`, and their sizes' sum,
-/// after rounding, below 2^`all`, of at most [`MOST`] numbers with an exponent each.
+/// after rounding, below 2^`all`, of at most [`layout::MOST_WEIGHTS`](crate::index::layout::MOST_WEIGHTS) numbers with an exponent each.
 /// Domain: `all` is at least 16.
 pub(crate) fn common_exponent<W: Wide>(
     numbers: impl Iterator<Item = (W, i32)> + Clone,

@@ -93,7 +93,8 @@ proptest! {
     ) {
         let (small, loaded) = scene(&sample, rotation);
         let listed = shape.normals(small.degree, &mut Numbers(sample.seed ^ 7));
-        prop_assume!(listed.normals().len() < 100);
+        // A density is hundreds of normals, and every mode is summed at each.
+        prop_assume!(!matches!(shape, Shape::Slants(_)));
         let table = table(&loaded, &listed);
         let pictures = Pictures::new(&loaded, &listed);
         let modes = pictures.modes(small.degree, small.order);
@@ -239,7 +240,7 @@ proptest! {
         // Of what is constant but for rounding, nothing is left to compare.
         let size = size(&loaded).powi(2);
         let scale = largest(before.iter().copied());
-        prop_assert!(apart * scale <= tolerances::FLAT_EIGENVALUES * scale + 1e-13 * size,
+        prop_assert!(apart * scale <= tolerances::FLAT_EIGENVALUES * scale + tolerances::ORTHONORMAL_NODES * size,
             "{apart:e} of {scale:e}");
     }
 }

@@ -335,7 +335,7 @@ pub const Q31_ALL: f64 = 140.0;
 /// See [`Q31_ALL`].
 pub const Q31_WORST: f64 = 115.0;
 /// Signal to error of mantissas of 15 bits: 96 less what a pixel of 17 bits loses to its
-/// headroom (Σ|d| max|U| is up to four times the peak) and to 13 polynomials' rounding.
+/// headroom (docs/formats.md) and to 13 polynomials' rounding.
 pub const Q15_ALL: f64 = 80.0;
 /// See [`Q15_ALL`]; a narrow peak has little energy for its height.
 pub const Q15_WORST: f64 = 65.0;
@@ -428,3 +428,5 @@ pub const FULL_SCENE: f64 = 1e-4;
 pub const SHADED_Q31: f64 = 1e-7;
 /// The same in 15 bits: 68 dB, as the worst pair of the shipped set.
 pub const SHADED_Q15: f64 = 4e-4;
+/// A headroom on a page is rounded to a hundredth.
+pub const HEADROOM_STATED: f64 = 0.006;

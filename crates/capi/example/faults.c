@@ -137,6 +137,11 @@ static void faults_f32(void) {
     check_status(eigenshade_relight_##format(&transfer, &light, &d),                          \
                  EIGENSHADE_STATUS_LIGHT_LENGTH, name, "length of light");                    \
     check(d.mantissas[0] == 7, name, "d is as it was", 0);                                    \
+    light = ambient;                                                                          \
+    transfer.numbers[0] = transfer.numbers[1] = transfer.numbers[2] = one;                    \
+    check_status(eigenshade_relight_##format(&transfer, &light, &d),                          \
+                 EIGENSHADE_STATUS_TRANSFER, name, "transfer");                               \
+    check(d.mantissas[0] == 0, name, "d is zero", 0);                                         \
     check_status(eigenshade_collapse_##format(&d, EIGENSHADE_COMPONENTS + 1, &scene),         \
                  EIGENSHADE_STATUS_COMPONENTS, name, "components");                           \
     d.exponent = INT32_MIN;                                                                   \

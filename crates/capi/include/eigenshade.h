@@ -159,6 +159,11 @@ enum eigenshade_status
    * A fault of the library.
    */
   EIGENSHADE_STATUS_INTERNAL = 13,
+  /**
+   * A row of a transfer is so large that its sum with a light could overflow: no
+   * material was folded into it.
+   */
+  EIGENSHADE_STATUS_TRANSFER = 14,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -330,7 +335,7 @@ typedef struct eigenshade_transfer_q15 {
  */
 typedef struct eigenshade_coefficients_q15 {
   /**
-   * Mantissas of at most 30 bits.
+   * Mantissas of at most 2^30.
    */
   int32_t mantissas[EIGENSHADE_COMPONENTS];
   /**
@@ -431,7 +436,7 @@ typedef struct eigenshade_transfer_q31 {
  */
 typedef struct eigenshade_coefficients_q31 {
   /**
-   * Mantissas of at most 30 bits.
+   * Mantissas of at most 2^30.
    */
   int32_t mantissas[EIGENSHADE_COMPONENTS];
   /**
@@ -606,8 +611,10 @@ eigenshade_status eigenshade_fold_q15(const struct eigenshade_material_q15 *mate
 /**
  * d of a new light on a folded material.
  *
- * A transfer that `eigenshade_fold_q15` did not write gives meaningless numbers. Cost: two
- * multiplications for each number of the transfer. On an error `coefficients` is as it was.
+ * A transfer that `eigenshade_fold_q15` did not write is refused if its rows could overflow
+ * their sums, and gives meaningless numbers otherwise. Cost: two multiplications for each
+ * number of the transfer. On an error `coefficients` is as it was, but that the transfer
+ * is refused: then it is zero.
  *
  * Pointers that are neither NULL nor unaligned point to what their types say, and
  * `coefficients` to nothing else's memory.
@@ -635,8 +642,8 @@ eigenshade_status eigenshade_project_q15(const struct eigenshade_light_q15 *ligh
  * Sums the components of each azimuth: what a pixel is shaded from.
  *
  * Of d the first `components` count, at most EIGENSHADE_COMPONENTS; the others are taken
- * as zero. Coefficients that `eigenshade_relight_q15` did not write have to keep to 30
- * bits and to exponents of at most 2048. On an error `scene` is as it was.
+ * as zero. Of coefficients that `eigenshade_relight_q15` did not write the exponent has to be
+ * 2048 at most, either way. On an error `scene` is as it was.
  *
  * Pointers that are neither NULL nor unaligned point to what their types say, and
  * `scene` to nothing else's memory.
@@ -665,7 +672,7 @@ eigenshade_status eigenshade_shade_q15(const struct eigenshade_scene_q15 *scene,
 /**
  * The irradiances of `count` such normals, into `irradiance`.
  *
- * Of no normals the pointers do not matter. On an error `irradiance` is as it was, but
+ * Of no normals the pointers to numbers do not matter. On an error `irradiance` is as it was, but
  * that a normal is at fault: then those before it are written, and zeros from it on.
  *
  * Pointers that are neither NULL nor unaligned point to what their types say, the last
@@ -727,8 +734,10 @@ eigenshade_status eigenshade_fold_q31(const struct eigenshade_material_q31 *mate
 /**
  * d of a new light on a folded material.
  *
- * A transfer that `eigenshade_fold_q31` did not write gives meaningless numbers. Cost: two
- * multiplications for each number of the transfer. On an error `coefficients` is as it was.
+ * A transfer that `eigenshade_fold_q31` did not write is refused if its rows could overflow
+ * their sums, and gives meaningless numbers otherwise. Cost: two multiplications for each
+ * number of the transfer. On an error `coefficients` is as it was, but that the transfer
+ * is refused: then it is zero.
  *
  * Pointers that are neither NULL nor unaligned point to what their types say, and
  * `coefficients` to nothing else's memory.
@@ -756,8 +765,8 @@ eigenshade_status eigenshade_project_q31(const struct eigenshade_light_q31 *ligh
  * Sums the components of each azimuth: what a pixel is shaded from.
  *
  * Of d the first `components` count, at most EIGENSHADE_COMPONENTS; the others are taken
- * as zero. Coefficients that `eigenshade_relight_q31` did not write have to keep to 30
- * bits and to exponents of at most 2048. On an error `scene` is as it was.
+ * as zero. Of coefficients that `eigenshade_relight_q31` did not write the exponent has to be
+ * 2048 at most, either way. On an error `scene` is as it was.
  *
  * Pointers that are neither NULL nor unaligned point to what their types say, and
  * `scene` to nothing else's memory.
@@ -786,7 +795,7 @@ eigenshade_status eigenshade_shade_q31(const struct eigenshade_scene_q31 *scene,
 /**
  * The irradiances of `count` such normals, into `irradiance`.
  *
- * Of no normals the pointers do not matter. On an error `irradiance` is as it was, but
+ * Of no normals the pointers to numbers do not matter. On an error `irradiance` is as it was, but
  * that a normal is at fault: then those before it are written, and zeros from it on.
  *
  * Pointers that are neither NULL nor unaligned point to what their types say, the last

@@ -66,7 +66,7 @@ pub struct TransferQ31 {
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct CoefficientsQ31 {
-    /// Mantissas of at most 30 bits.
+    /// Mantissas of at most 2^30.
     pub mantissas: [i32; EIGENSHADE_COMPONENTS],
     /// The exponent of all of them.
     pub exponent: i32,
@@ -206,8 +206,10 @@ pub unsafe extern "C" fn eigenshade_fold_q31(
 
 /// d of a new light on a folded material.
 ///
-/// A transfer that `eigenshade_fold_q31` did not write gives meaningless numbers. Cost: two
-/// multiplications for each number of the transfer. On an error `coefficients` is as it was.
+/// A transfer that `eigenshade_fold_q31` did not write is refused if its rows could overflow
+/// their sums, and gives meaningless numbers otherwise. Cost: two multiplications for each
+/// number of the transfer. On an error `coefficients` is as it was, but that the transfer
+/// is refused: then it is zero.
 ///
 /// # Safety
 ///
@@ -263,8 +265,8 @@ pub unsafe extern "C" fn eigenshade_project_q31(
 /// Sums the components of each azimuth: what a pixel is shaded from.
 ///
 /// Of d the first `components` count, at most EIGENSHADE_COMPONENTS; the others are taken
-/// as zero. Coefficients that `eigenshade_relight_q31` did not write have to keep to 30
-/// bits and to exponents of at most 2048. On an error `scene` is as it was.
+/// as zero. Of coefficients that `eigenshade_relight_q31` did not write the exponent has to be
+/// 2048 at most, either way. On an error `scene` is as it was.
 ///
 /// # Safety
 ///
@@ -318,7 +320,7 @@ pub unsafe extern "C" fn eigenshade_shade_q31(
 
 /// The irradiances of `count` such normals, into `irradiance`.
 ///
-/// Of no normals the pointers do not matter. On an error `irradiance` is as it was, but
+/// Of no normals the pointers to numbers do not matter. On an error `irradiance` is as it was, but
 /// that a normal is at fault: then those before it are written, and zeros from it on.
 ///
 /// # Safety

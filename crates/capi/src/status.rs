@@ -36,6 +36,9 @@ pub enum Status {
     Count = 12,
     /// A fault of the library.
     Internal = 13,
+    /// A row of a transfer is so large that its sum with a light could overflow: no
+    /// material was folded into it.
+    Transfer = 14,
 }
 
 impl Status {
@@ -59,6 +62,7 @@ impl From<Error> for Status {
             Error::Exponent => Self::Exponent,
             Error::Normal => Self::Normal,
             Error::Hidden => Self::Hidden,
+            Error::Bound => Self::Transfer,
             // The arrays are the table's own, their lengths constants.
             _ => Self::Internal,
         }
@@ -90,6 +94,7 @@ fn message(status: i32) -> &'static CStr {
         11 => c"a normal points away from the camera; leave it out",
         12 => c"more normals than memory can hold; check their number",
         13 => c"a fault of the library; please report it",
+        14 => c"a transfer could overflow its sums; take one that a material was folded into",
         _ => c"a number that is no status of this version; compare header and library",
     }
 }

@@ -15,6 +15,11 @@
 /// of n terms up to (1 + √2)^n to one.
 pub const POWERS: usize = 16;
 
+/// Most numbers whose rounding a common exponent leaves room for in integers, a weight
+/// for +m and one for -m of each profile: in 31 bits their alignment is off by half of it
+/// units at most, of 2^18 or more, and a 256th is added.
+pub const MOST_WEIGHTS: usize = 1023;
+
 /// Numbers in one group.
 pub const LANES: usize = 4;
 

@@ -93,6 +93,9 @@ pub struct Place {
     pub step: u16,
 }
 
+/// The most profiles, and degrees, of `eigenshade::quantised::Basis`.
+const MOST_PROFILES: usize = layout::MOST_WEIGHTS / 2;
+
 /// Why a table has no integer form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
@@ -112,6 +115,8 @@ pub enum QuantiseError {
         /// Its number of terms.
         terms: usize,
     },
+    /// It has more profiles or degrees than the runtime's sums have room for.
+    Many,
     /// A profile or a step of its polynomial exceeds 4,095.
     Large {
         /// Its |m|.
@@ -138,6 +143,11 @@ impl fmt::Display for QuantiseError {
                  table with a larger profile_tolerance or a lower degree",
                 layout::POWERS
             ),
+            Self::Many => write!(
+                f,
+                "integers take at most {MOST_PROFILES} profiles and degrees below that; make the \
+                 table with fewer components or a lower degree"
+            ),
             Self::Large { azimuth } => write!(
                 f,
                 "a profile of |m| = {azimuth} is beyond 4095; make the table with fewer components \
@@ -150,8 +160,9 @@ impl fmt::Display for QuantiseError {
 impl std::error::Error for QuantiseError {}
 
 impl QuantisedParts {
-    /// A table in this format, its polynomials trimmed to `tolerance` (of the rms of the
-    /// database's images, which the eigenvalues tell).
+    /// A table in this format, its polynomials trimmed so that of each component no
+    /// more than `tolerance` is left out (of the rms of the database's images, which the
+    /// eigenvalues tell).
     ///
     /// # Errors
     ///
@@ -162,6 +173,7 @@ impl QuantisedParts {
             (!table.selection.is_empty(), QuantiseError::Selection),
             (table.general.is_some(), QuantiseError::General),
             (!table.has_projection(), QuantiseError::Folded),
+            (table.profiles.len().max(table.gram.degree + 1) > MOST_PROFILES, QuantiseError::Many),
         ] {
             if fault {
                 return Err(error);
@@ -253,8 +265,8 @@ pub fn row(numbers: &[f64], bits: i32, sum: i64) -> (Vec<i32>, i8) {
     (saturated.map(|number| number as i32).collect(), 127)
 }
 
-/// Terms of each azimuth: as many as leave out no more than the tolerance of the
-/// database's rms.
+/// Terms of each azimuth: as many as leave out of each component no more than the
+/// tolerance of the database's rms, at any normal.
 fn lengths(table: &Table, tolerance: f64) -> Result<Vec<u8>, QuantiseError> {
     let values = table.spectrum.iter().filter_map(|(_, value)| *value);
     let energy: f64 = values.sum();
