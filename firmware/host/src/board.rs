@@ -32,6 +32,16 @@ impl Board {
         }
     }
 
+    /// Its processor, as the pages call it.
+    pub const fn processor(self) -> &'static str {
+        match self {
+            Self::Microbit => "M0",
+            Self::An385 => "M3",
+            Self::An386 => "M4F",
+            Self::Riscv32 => "RV32",
+        }
+    }
+
     /// The compiler's target.
     pub const fn target(self) -> &'static str {
         match self {

@@ -12,6 +12,7 @@ mod gate;
 mod gate_test;
 
 mod budget;
+mod page;
 mod row;
 
 use board::Board;
@@ -21,7 +22,7 @@ use std::collections::BTreeMap;
 use std::process::ExitCode;
 
 const USAGE: &str = "usage: firmware/run BOARD... | all [--check] [--update], firmware/run gates, \
-                     firmware/run table
+                     firmware/run pages
 boards: microbit mps2-an385 mps2-an386 riscv32";
 
 /// What went wrong, and what to do.
@@ -37,7 +38,7 @@ fn main() -> ExitCode {
     }
     let done = match names[..] {
         ["gates"] => gate_test::run(),
-        ["table"] => row::recorded().map(|(_, rows)| print!("{}", row::markdown(&rows))),
+        ["pages"] => page::write(),
         ["all"] => boards(&Board::ALL, &options),
         _ => names
             .iter()
@@ -69,10 +70,12 @@ fn boards(boards: &[Board], options: &[&str]) -> Result<()> {
     }
     if options.contains(&"--update") {
         row::record(&rows, &compilers)?;
+        page::write()?;
     }
     budget::within(&rows)?;
     if options.contains(&"--check") {
         row::same_as_recorded(&rows, &compilers)?;
+        page::check()?;
     }
     Ok(())
 }

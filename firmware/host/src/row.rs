@@ -189,19 +189,6 @@ fn same(row: &Row, record: &Row) -> bool {
     apart <= PADDING && [instructions, ram, stack] == [instructions_then, ram_then, stack_then]
 }
 
-/// The counts as a Markdown table.
-pub fn markdown(rows: &[Row]) -> String {
-    let mut text = String::from(
-        "| board | operation | format | instructions | flash | RAM | stack |\n\
-         |---|---|---|---:|---:|---:|---:|\n",
-    );
-    for row in rows {
-        let numbers = row.numbers.map(|one| one.map_or(String::new(), |one| one.to_string()));
-        text += &format!("| {} | {} |\n", row.key.join(" | "), numbers.join(" | "));
-    }
-    text
-}
-
 #[cfg(test)]
 mod tests {
     use super::{Row, same};

@@ -2,7 +2,7 @@
 #![no_std]
 #![no_main]
 
-use board::{Passes, measure, program};
+use board::{Passes, holds, measure, program};
 use core::hint::black_box;
 use eigenshade::Light;
 use eigenshade::sphere::{self, COMPONENTS, DEGREE, ORDER};
@@ -18,6 +18,7 @@ fn main() {
     let transfer = black_box(transfer);
     let mut coefficients = eigenshade::fixed::coefficients(inputs::numbers::<COMPONENTS>(), &[]);
     let Ok(mut scene) = sphere::collapse(&coefficients) else { board::exit(false) };
+    holds(size_of_val(&transfer) + size_of_val(&coefficients) + size_of_val(&scene));
     measure(&[inputs::numbers::<100>()], Passes(256), |light| {
         let light = Light::new(DEGREE, light)?;
         sphere::relight_into(&transfer, &light, &mut coefficients)?;

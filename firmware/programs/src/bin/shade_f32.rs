@@ -2,7 +2,7 @@
 #![no_std]
 #![no_main]
 
-use board::{Passes, measure, program};
+use board::{Passes, holds, measure, program};
 use core::hint::black_box;
 use eigenshade::Normal;
 use programs::full::{self, COMPONENTS, Scene};
@@ -16,6 +16,7 @@ fn main() {
         board::exit(false)
     };
     let scene = black_box(scene);
+    holds(size_of_val(&scene));
     measure(&inputs::normals(), Passes(64), |normal| pixel(&scene, normal));
 }
 

@@ -1,0 +1,121 @@
+//! The tables of counts in README pages: written between two marks, compared by `--check`.
+
+use crate::Result;
+use crate::board::Board;
+use crate::row::{self, Row};
+
+const START: &str = "<!-- counts: firmware/run all --update writes them -->\n";
+const END: &str = "<!-- end of counts -->\n";
+
+/// The pages, and the formats that each shows.
+const PAGES: [(&str, &[&str]); 2] =
+    [("../README.md", &["f32", "q15"]), ("README.md", &["f32", "q15", "q31"])];
+
+/// The boards of which memory is shown: without a float unit, and with one.
+const MEMORY: [Board; 2] = [Board::Microbit, Board::An386];
+
+/// Writes the recorded counts into the pages.
+pub fn write() -> Result<()> {
+    let (_, rows) = row::recorded()?;
+    for (path, formats) in PAGES {
+        let text = with_counts(path, &read(path)?, &rows, formats)?;
+        std::fs::write(path, text).map_err(|error| format!("{path}: {error}"))?;
+    }
+    Ok(())
+}
+
+/// Compares the pages with the recorded counts.
+///
+/// # Errors
+///
+/// A page that says otherwise.
+pub fn check() -> Result<()> {
+    let (_, rows) = row::recorded()?;
+    for (path, formats) in PAGES {
+        let page = read(path)?;
+        if with_counts(path, &page, &rows, formats)? != page {
+            return Err(format!(
+                "{path}: its counts are not those of counts.csv; firmware/run pages"
+            ));
+        }
+    }
+    Ok(())
+}
+
+fn read(path: &str) -> Result<String> {
+    std::fs::read_to_string(path).map_err(|error| format!("{path}: {error}"))
+}
+
+fn with_counts(path: &str, page: &str, rows: &[Row], formats: &[&str]) -> Result<String> {
+    let parts = page
+        .split_once(START)
+        .and_then(|(before, rest)| rest.split_once(END).map(|(_, after)| (before, after)));
+    let (before, after) = parts.ok_or(format!("{path}: the marks of the counts are missing"))?;
+    Ok(format!("{before}{START}{}{END}{after}", table(rows, formats)))
+}
+
+/// A line for each operation and format: its instructions on each board, and what it takes
+/// of memory.
+fn table(rows: &[Row], formats: &[&str]) -> String {
+    let mut text = String::from("| operation | format |");
+    for board in Board::ALL {
+        text += &format!(" {} |", board.processor());
+    }
+    text += " flash | RAM | stack |\n|---|---|---:|---:|---:|---:|---:|---:|---:|\n";
+    let mut keys: Vec<&[String]> = Vec::new();
+    for row in rows.iter().filter(|row| formats.contains(&row.key[2].as_str())) {
+        if !keys.contains(&&row.key[1..]) {
+            keys.push(&row.key[1..]);
+        }
+    }
+    keys.sort_by_key(|key| formats.iter().position(|format| *format == key[1]));
+    for key in keys {
+        let on = |board: Board| {
+            rows.iter().find(|row| row.key[0] == board.name() && row.key[1..] == *key)
+        };
+        text += &format!("| `{}` | `{}` |", key[0], key[1]);
+        for board in Board::ALL {
+            text += &cell(on(board).and_then(|row| row.numbers[0]));
+        }
+        let memory = MEMORY.into_iter().find_map(on).map_or([None; 4], |row| row.numbers);
+        text += &memory[1..].iter().map(|number| cell(*number)).collect::<String>();
+        text += "\n";
+    }
+    text
+}
+
+/// A number with commas between thousands.
+fn cell(number: Option<u64>) -> String {
+    let digits = number.map_or(String::new(), |number| number.to_string());
+    let mut text = String::new();
+    for (place, digit) in digits.chars().enumerate() {
+        if place > 0 && (digits.len() - place).is_multiple_of(3) {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    format!(" {text} |")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{END, START, table, with_counts};
+    use crate::row::Row;
+
+    #[test]
+    fn a_line_holds_each_board_and_memory_of_the_smallest() {
+        let rows: Vec<Row> =
+            ["microbit,shade,q15,811,9928,604,224", "riscv32,shade,q15,1873,8196,5,6"]
+                .map(|line| line.parse().unwrap())
+                .into();
+        let page = with_counts("page", &format!("a\n{START}old\n{END}b\n"), &rows, &["q15"]);
+        let page = page.unwrap();
+        assert!(
+            page.contains("| `shade` | `q15` | 811 |  |  | 1,873 | 9,928 | 604 | 224 |\n"),
+            "{page}"
+        );
+        assert!(page.starts_with("a\n") && page.ends_with("b\n") && !page.contains("old"));
+        assert_eq!(table(&rows, &["f32"]).lines().count(), 2);
+        assert!(with_counts("page", "no marks", &rows, &["q15"]).unwrap_err().contains("page"));
+    }
+}
