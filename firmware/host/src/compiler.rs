@@ -15,27 +15,13 @@ pub struct Compiler {
     debian: bool,
 }
 
-/// The compiler for this target. `EIGENSHADE_CI_DEBIAN=1` asks for Debian's.
-pub fn for_target(target: &'static str) -> Result<Compiler> {
-    let debian = std::env::var_os("EIGENSHADE_CI_DEBIAN").is_some() || !has_target(target)?;
-    if debian && !Path::new(DEBIAN[0]).exists() {
-        let remedy = "apt-get install rustc-web rust-web-src lld-22, or rustup target add";
-        return Err(format!("neither rustup nor Debian can build for {target}: {remedy} {target}"));
-    }
-    Ok(Compiler { target, debian })
-}
-
-/// Whether rustup has the target, or can get it.
-fn has_target(target: &str) -> Result<bool> {
-    let sysroot = said(Command::new("rustc").args(["--print", "sysroot"]))?;
-    if Path::new(sysroot.trim()).join("lib/rustlib").join(target).exists() {
-        return Ok(true);
-    }
-    let status = Command::new("timeout").args(["300", "rustup", "target", "add", target]).status();
-    Ok(status.is_ok_and(|status| status.success()))
-}
-
 impl Compiler {
+    /// The compiler for this target: rustup's, or with `EIGENSHADE_CI_DEBIAN=1`, which
+    /// `firmware/run` sets where that has no targets, Debian's.
+    pub fn new(target: &'static str) -> Self {
+        Self { target, debian: std::env::var_os("EIGENSHADE_CI_DEBIAN").is_some() }
+    }
+
     /// Builds programs of a package.
     ///
     /// # Errors

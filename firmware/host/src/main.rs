@@ -61,7 +61,7 @@ fn boards(boards: &[Board], options: &[&str]) -> Result<()> {
     let mut compilers = BTreeMap::new();
     println!("{}", row::HEADER);
     for &board in boards {
-        let compiler = compiler::for_target(board.target())?;
+        let compiler = compiler::Compiler::new(board.target());
         for row in of_board(board, &compiler)? {
             println!("{row}");
             rows.push(row);
