@@ -430,3 +430,8 @@ pub const SHADED_Q31: f64 = 1e-7;
 pub const SHADED_Q15: f64 = 4e-4;
 /// A headroom on a page is rounded to a hundredth.
 pub const HEADROOM_STATED: f64 = 0.006;
+/// A figure that a page gives with two digits, relative: half a unit of the second is at
+/// most a twentieth.
+pub const STATED: f64 = 0.051;
+/// The same of what f32 rounds, which is another half where multiplication and addition are fused.
+pub const STATED_ROUNDING: f64 = 0.5;
