@@ -153,6 +153,12 @@ impl<'a, S> Basis<'a, S> {
         self.transfer
     }
 
+    /// Number of azimuths |m| of a scene, 0 among them.
+    #[must_use]
+    pub const fn azimuths(&self) -> usize {
+        self.parts.lengths.len()
+    }
+
     /// Numbers in a collapsed scene.
     #[must_use]
     pub const fn scene_len(&self) -> usize {

@@ -64,6 +64,8 @@ pub enum Error {
     },
     /// Angles, a quaternion or a matrix are no rotation.
     Rotation,
+    /// A tolerance is not above zero, or not finite.
+    Tolerance,
     /// A look-up is to have so many knots, which is not 8 to 65,536.
     Knots {
         /// Knots.
@@ -165,6 +167,7 @@ impl fmt::Display for Error {
             Self::Weight => f.write_str(
                 "an estimate needs pixels whose weights have a finite sum above zero; add some",
             ),
+            Self::Tolerance => f.write_str("a tolerance is not above zero and finite"),
             Self::Rotation => f.write_str(
                 "a rotation needs finite angles, a quaternion that is not zero, or an orthonormal \
                  right-handed matrix",

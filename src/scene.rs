@@ -159,7 +159,7 @@ impl<'a, B> Scene<'a, B> {
 
     /// Number of terms for each |m|.
     #[inline]
-    pub(crate) fn lengths(&self) -> &[u16] {
+    pub(crate) fn lengths(&self) -> &'a [u16] {
         self.lengths
     }
 
@@ -171,6 +171,21 @@ impl<'a, B> Scene<'a, B> {
     {
         self.lengths = lengths;
         self.buffer.as_mut()
+    }
+
+    /// The terms of all polynomials, to be changed.
+    #[inline]
+    pub(crate) fn numbers_mut<S: Scalar>(&mut self) -> &mut [S]
+    where
+        B: AsMut<[S]>,
+    {
+        self.buffer.as_mut()
+    }
+
+    /// What the terms lie in.
+    #[inline]
+    pub(crate) fn into_buffer(self) -> B {
+        self.buffer
     }
 
     /// The terms of all polynomials.

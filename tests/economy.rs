@@ -1,0 +1,222 @@
+//! Scenes within a tolerance: the bound holds and is near the error, and what an image does
+//! not need costs nothing.
+
+#[path = "tolerances/mod.rs"]
+mod tolerances;
+
+use eigenshade::{Economy, Error, Light, Material, Normal, Scene, Tolerance, sphere};
+use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
+use eigenshade_generator::special::gauss_legendre;
+use proptest::prelude::*;
+use std::f64::consts::TAU;
+
+const METHOD: &str = include_str!("../docs/method.md");
+
+type Numbers = [f32; sphere::SCENE];
+
+fn economized<'l>(
+    d: &[f32],
+    tolerance: Tolerance<f32>,
+    lengths: &'l mut [u16],
+) -> (Scene<'l, Numbers>, Economy<f32>) {
+    sphere::BASIS.collapse_within(d, tolerance, lengths, [0.0; sphere::SCENE]).expect("it fits")
+}
+
+fn coefficients(light: &[f32], material: &[f32]) -> sphere::Coefficients {
+    let (degree, order) = (light.len().isqrt() - 1, (0..).find(|&o| count(o) == material.len()));
+    let light = Light::new(degree, light).expect("coefficients");
+    let material = Material::new(order.expect("an order"), material).expect("coefficients");
+    sphere::project(&light, &material).expect("it fits")
+}
+
+fn count(order: usize) -> usize {
+    eigenshade::index::material::count(order)
+}
+
+/// Normals and weights that integrate squares of images over a sphere.
+fn rule() -> Vec<(Normal<f32>, f64)> {
+    let around = 2 * sphere::DEGREE + 2;
+    let mut rule = Vec::new();
+    for (z, weight) in gauss_legendre::rule(24, 0.0, 1.0) {
+        let sine = (1.0 - z * z).sqrt();
+        for k in 0..around {
+            let (y, x) = (TAU * k as f64 / around as f64).sin_cos();
+            let normal = Normal::new((sine * x) as f32, (sine * y) as f32, z as f32);
+            rule.push((normal.expect("visible"), 2.0 * z * weight / around as f64));
+        }
+    }
+    rule
+}
+
+/// The image of all components, summed component by component, and its peak.
+struct Image {
+    values: Vec<f64>,
+    peak: f64,
+}
+
+impl Image {
+    fn new(d: &[f32], rule: &[(Normal<f32>, f64)]) -> Self {
+        let at = |normal| f64::from(sphere::BASIS.reconstruct(d, normal).expect("components"));
+        let values: Vec<f64> = rule.iter().map(|&(normal, _)| at(normal)).collect();
+        // The rule has neither the pole nor the rim.
+        let rim = (0..64).map(|k| (TAU / 64.0 * f64::from(k)).sin_cos());
+        let ends = rim.map(|(y, x)| [x, y, 0.0]).chain([[0.0, 0.0, 1.0]]);
+        let ends =
+            ends.map(|n| at(Normal::new(n[0] as f32, n[1] as f32, n[2] as f32).expect("visible")));
+        let peak =
+            values.iter().copied().chain(ends).fold(0.0, |most: f64, value| most.max(value.abs()));
+        Self { values, peak }
+    }
+
+    /// Root mean square of another image's difference.
+    fn apart(&self, scene: &Scene<'_, Numbers>, rule: &[(Normal<f32>, f64)]) -> f64 {
+        let squares = rule.iter().zip(&self.values).map(|(&(normal, weight), value)| {
+            weight * (f64::from(scene.shade(normal)) - value).powi(2)
+        });
+        squares.sum::<f64>().sqrt()
+    }
+}
+
+/// Checks one image; gives the bound over the error, and the terms.
+fn checked(d: &[f32], share: f32, image: &Image, rule: &[(Normal<f32>, f64)]) -> (f64, usize) {
+    let mut lengths = [0; 16];
+    let (scene, economy) = economized(d, Tolerance::OfPeak(share), &mut lengths);
+    let error = image.apart(&scene, rule);
+    let bound = f64::from(economy.bound);
+    let rounding = tolerances::ECONOMY_ROUNDING * image.peak;
+    assert!(error <= bound + rounding, "{error:e} of {bound:e} at {share}");
+    assert!(economy.bound <= share * economy.peak * 1.000_01, "{economy:?}");
+    assert!(
+        f64::from(economy.peak) <= image.peak * tolerances::ECONOMY_PEAK,
+        "{economy:?}, {}",
+        image.peak
+    );
+    (bound / error, economy.terms)
+}
+
+#[test]
+fn bounds_hold_and_are_near_over_the_shipped_set() {
+    let lights = read_lights("tables/inputs/lights.csv", Some(9)).expect("the shipped lights");
+    let materials = read_materials("tables/inputs/materials.csv", Some(7)).expect("materials");
+    let single = |values: Vec<f64>| values.iter().map(|&value| value as f32).collect::<Vec<_>>();
+    let rule = rule();
+    let shares = [0.1, 1e-2, 1e-3, 1e-4];
+    let mut found = shares.map(|_| (Vec::new(), Vec::new()));
+    for light in &lights.entries {
+        for material in &materials.entries {
+            let d = coefficients(&single(light.luminance()), &single(material.luminance()));
+            let image = Image::new(&d, &rule);
+            for (share, (ratios, terms)) in shares.into_iter().zip(&mut found) {
+                let (ratio, count) = checked(&d, share, &image, &rule);
+                ratios.push(ratio);
+                terms.push(count);
+            }
+        }
+    }
+    for (share, (mut ratios, mut terms)) in shares.into_iter().zip(found) {
+        ratios.sort_by(f64::total_cmp);
+        terms.sort_unstable();
+        let middle = ratios.len() / 2;
+        let last = ratios.len() - 1;
+        let found = [terms[middle] as f64, terms[last] as f64, ratios[middle], ratios[last]];
+        println!("{share}: {found:.2?}");
+        let line = METHOD.lines().find_map(|line| line.strip_prefix(&format!("| {share} | ")));
+        let line = line.expect("docs/method.md has it");
+        let stated = line.split('|').filter_map(|one| one.trim().parse::<f64>().ok());
+        for (stated, found) in stated.zip(found) {
+            assert!((stated - found).abs() <= tolerances::STATED * found, "{line}: {found}");
+        }
+        assert!(ratios[middle] <= tolerances::ECONOMY_MEDIAN, "{share}: {}", ratios[middle]);
+    }
+}
+
+/// Σ |b| = 2 f, f = 1/π.
+const MATTE: [f32; 1] = [2.0];
+
+#[test]
+fn a_matte_costs_nine_terms() {
+    let light: Vec<f32> = (0..9).map(|k| 3.5 / (1.0 + k as f32)).collect();
+    let d = coefficients(&light, &MATTE);
+    let mut lengths = [0; 16];
+    let (scene, economy) = economized(&d, Tolerance::OfPeak(1e-2), &mut lengths);
+    println!("{economy:?}");
+    assert!(economy.terms <= 9 && economy.azimuths <= 3, "{economy:?}");
+    let rule = rule();
+    let image = Image::new(&d, &rule);
+    assert!(image.apart(&scene, &rule) <= 1e-2 * image.peak);
+}
+
+#[test]
+fn ambient_light_on_a_matte_is_a_constant() {
+    let d = coefficients(&[3.5], &MATTE);
+    let mut lengths = [0; 16];
+    let (_, economy) = economized(&d, Tolerance::Decibels(60), &mut lengths);
+    assert_eq!((economy.azimuths, economy.terms), (1, 1), "{economy:?}");
+}
+
+#[test]
+fn decibels_are_shares() {
+    let d = coefficients(&[3.5, 0.5, 1.0, 0.2], &MATTE);
+    let (mut one, mut other) = ([0; 16], [0; 16]);
+    let (_, decibels) = economized(&d, Tolerance::Decibels(40), &mut one);
+    let (_, share) = economized(&d, Tolerance::OfPeak(0.01), &mut other);
+    assert_eq!(decibels, share);
+    let (_, irradiance) = economized(&d, Tolerance::Irradiance(0.01 * share.peak), &mut other);
+    assert_eq!(irradiance, share);
+}
+
+#[test]
+fn faults_are_named() {
+    let d = coefficients(&[3.5], &MATTE);
+    let within = |tolerance, lengths: &mut [u16]| {
+        let done = sphere::BASIS.collapse_within(&d, tolerance, lengths, [0.0f32; sphere::SCENE]);
+        done.map(|_| ())
+    };
+    for wrong in [0.0, -1.0, f32::NAN, f32::INFINITY] {
+        let error = within(Tolerance::OfPeak(wrong), &mut [0; 16]);
+        assert_eq!(error, Err(Error::Tolerance), "{wrong}");
+    }
+    let short = within(Tolerance::OfPeak(0.1), &mut [0; 2]);
+    assert!(matches!(short, Err(Error::Length { .. })), "{short:?}");
+}
+
+/// No light: nothing is left, and nothing is wrong.
+#[test]
+fn a_black_image_costs_nothing() {
+    let mut lengths = [0; 16];
+    let black = [0.0; sphere::COMPONENTS];
+    let (scene, economy) = economized(&black, Tolerance::OfPeak(0.1), &mut lengths);
+    assert_eq!((economy.terms, economy.azimuths, economy.components), (0, 0, 0));
+    assert_eq!(scene.shade(Normal::new(0.0, 0.6, 0.8).expect("visible")), 0.0);
+}
+
+/// What the bound takes for granted: the mean of T_k² under sin^2m is 0.64 at most.
+#[test]
+fn chebyshev_polynomials_are_as_small_as_stated() {
+    let rule = gauss_legendre::rule(200, 0.0, 1.0);
+    let mut most: f64 = 0.0;
+    for m in 0..=64 {
+        let under = |z: f64, weight: f64| weight * 2.0 * z * (1.0 - z * z).powi(m);
+        let whole: f64 = rule.iter().map(|&(z, weight)| under(z, weight)).sum();
+        for k in 1..=64 {
+            let square = |z: f64| (f64::from(k) * (2.0 * z - 1.0).acos()).cos().powi(2);
+            let mean = rule.iter().map(|&(z, weight)| under(z, weight) * square(z)).sum::<f64>();
+            most = most.max(mean / whole);
+        }
+    }
+    println!("{most:.4}");
+    assert!(most <= 0.64, "{most}");
+}
+
+proptest! {
+    #[test]
+    fn bounds_hold_of_anything(
+        light in prop::collection::vec(-1.0f32..1.0, 100),
+        material in prop::collection::vec(-1.0f32..1.0, 40),
+        exponent in 0.3f32..5.0,
+    ) {
+        let rule = rule();
+        let d = coefficients(&light, &material);
+        checked(&d, 10f32.powf(-exponent), &Image::new(&d, &rule), &rule);
+    }
+}
