@@ -3,7 +3,7 @@
 use crate::error::{Error, What};
 use crate::index::light;
 use crate::light::Light;
-use crate::mathematics::{Libm, Mathematics};
+use crate::mathematics::Mathematics;
 use crate::projection::zeros;
 use crate::scalar::Scalar;
 use crate::turn::LightBuffer;
@@ -69,17 +69,21 @@ impl<S: Scalar> Window<S> {
 }
 
 impl<S: Scalar> Light<'_, S> {
-    /// The coefficients of this light through a window; `N` is at least (degree + 1)².
+    /// The coefficients of this light through a window; `N` is at least (degree + 1)². `M`
+    /// computes a sine for each degree: of f32 `SinglePrecision` links nothing of f64.
     ///
     /// # Errors
     ///
     /// [`Error::Capacity`] if `N` is too small.
-    pub fn windowed<const N: usize>(&self, window: Window<S>) -> Result<LightBuffer<S, N>, Error> {
+    pub fn windowed<M: Mathematics<S>, const N: usize>(
+        &self,
+        window: Window<S>,
+    ) -> Result<LightBuffer<S, N>, Error> {
         let mut windowed = zeros::<S, N>(What::Light, light::count(self.degree()))?;
         for (to, &from) in windowed.iter_mut().zip(self.coefficients()) {
             *to = from;
         }
-        window.apply::<Libm>(&mut windowed);
+        window.apply::<M>(&mut windowed);
         Ok(windowed)
     }
 }

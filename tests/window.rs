@@ -46,13 +46,13 @@ fn lights_pass_windows_degree_by_degree() {
     let coefficients: Vec<f64> = (0..100).map(|k| 1.0 + f64::from(k)).collect();
     let light = Light::new(9, &coefficients).expect("100 coefficients");
     let window = Window::SincFourth { width: 11.0 };
-    let windowed = light.windowed::<100>(window).expect("room");
+    let windowed = light.windowed::<Libm, 100>(window).expect("room");
     let places = eigenshade::index::light::indices(9);
     for ((l, _), (found, given)) in places.zip(windowed.iter().zip(&coefficients)) {
         assert_eq!(*found, given * window.factor::<Libm>(l));
     }
-    assert_eq!(light.windowed::<100>(Window::Open).expect("room").as_slice(), coefficients);
-    assert!(matches!(light.windowed::<99>(window), Err(Error::Capacity { needed: 100, .. })));
+    assert_eq!(light.windowed::<Libm, 100>(Window::Open).expect("room").as_slice(), coefficients);
+    assert!(matches!(light.windowed::<Libm, 99>(window), Err(Error::Capacity { needed: 100, .. })));
 }
 
 /// A sun to degree 9 rings below zero; through a window of that degree hardly.
@@ -80,7 +80,7 @@ fn a_window_takes_the_ringing() {
         (-1000..=1000).map(radiance).fold(f64::INFINITY, f64::min) / radiance(1000)
     };
     let light = Light::new(9, &sun).expect("100 coefficients");
-    let windowed = light.windowed::<100>(Window::SincFourth { width: 10.0 }).expect("room");
+    let windowed = light.windowed::<Libm, 100>(Window::SincFourth { width: 10.0 }).expect("room");
     let (before, after) = (least(&sun), least(&windowed));
     println!("{before} {after}");
     assert!(before < -0.1 && after > -tolerances::WINDOW_RINGING, "{before} {after}");

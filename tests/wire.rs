@@ -1,28 +1,19 @@
-//! Wire files: what is written is read, version 1 for ever, and any bytes give a basis or
-//! an error.
+//! Wire files: what is written is read, and any bytes give a basis or an error.
 
+#[path = "wire_files/mod.rs"]
+mod files;
 #[path = "tolerances/mod.rs"]
 mod tolerances;
 
-use eigenshade::wire::{Aligned, Header, WireError, WireFormat, aligned};
-use eigenshade::{Basis, Fixed, GeneralBasis, Normal, Q15, Q31, quantised, sphere};
+use eigenshade::wire::{Header, WireError, WireFormat, aligned};
+use eigenshade::{Basis, GeneralBasis, Q15, Q31, quantised, sphere};
 use eigenshade_table::quantise;
 use eigenshade_table::wire::{Endian, Format, encode};
+use files::{ALL, GENERAL, INTEGERS_15, SPHERE, facing_15, facing_31, floats, integers, room};
 use proptest::prelude::*;
-
-const SPHERE: &Aligned<[u8]> = &Aligned(*include_bytes!("wire/v1.sphere.f32.esw"));
-const MEAN: &Aligned<[u8]> = &Aligned(*include_bytes!("wire/v1.mean.f32.esw"));
-const GENERAL: &Aligned<[u8]> = &Aligned(*include_bytes!("wire/v1.general.f32.esw"));
-const INTEGERS_15: &Aligned<[u8]> = &Aligned(*include_bytes!("wire/v1.sphere.q15.esw"));
-const INTEGERS_31: &Aligned<[u8]> = &Aligned(*include_bytes!("wire/v1.sphere.q31.esw"));
-const ALL: [&[u8]; 5] = [&SPHERE.0, &MEAN.0, &GENERAL.0, &INTEGERS_15.0, &INTEGERS_31.0];
 
 const Q15_FORMAT: Format = Format::Integer(quantise::Format::Q15);
 const Q31_FORMAT: Format = Format::Integer(quantise::Format::Q31);
-
-fn room(bytes: &[u8]) -> Vec<u32> {
-    vec![0; bytes.len().div_ceil(4)]
-}
 
 fn shipped(format: Format) -> Vec<u8> {
     let bytes = std::fs::read("tables/sphere.bin").expect("the shipped table");
@@ -46,108 +37,6 @@ fn the_shipped_table_comes_back() {
     let integers = quantised::Basis::<Q31>::from_bytes(aligned(&bytes, &mut c).expect("room"));
     let integers = integers.expect("a wire file");
     assert_eq!(format!("{:?}", integers.parts()), format!("{:?}", sphere::q31::BASIS.parts()));
-}
-
-/// The last column of a CSV, of the rows that begin with `name`.
-fn column(text: &str, name: &str) -> Vec<f32> {
-    let rows = text.lines().filter(|line| line.starts_with(name));
-    rows.map(|row| row.rsplit(',').next().expect("a field").parse().expect("a number")).collect()
-}
-
-fn light() -> Vec<f32> {
-    column(include_str!("wire/light.csv"), "one,")
-}
-
-fn material() -> Vec<f32> {
-    column(include_str!("wire/material.csv"), "one,")
-}
-
-/// Against d as it was when the files were made, of the largest.
-fn assert_same(table: &str, found: &[f32], tolerance: f32) {
-    let expected = column(include_str!("wire/v1.csv"), &format!("{table},"));
-    assert_eq!(found.len(), expected.len());
-    let largest = expected.iter().fold(0.0f32, |most, d| most.max(d.abs()));
-    for (found, expected) in found.iter().zip(&expected) {
-        assert!((found - expected).abs() <= tolerance * largest, "{table}: {found}, {expected}");
-    }
-}
-
-/// d of the test's light on its material, and some pixel.
-fn floats(basis: &Basis<'_, f32>) -> (Vec<f32>, f32) {
-    let (light, material) = (light(), material());
-    let light = eigenshade::Light::new(2, &light).expect("nine coefficients");
-    let material = eigenshade::Material::new(2, &material).expect("five coefficients");
-    let (light, material) = (light.truncated(basis.degree()), material.truncated(basis.order()));
-    let mut workspace = vec![0.0; basis.workspace_len()];
-    let mut d = vec![0.0; basis.components()];
-    if !basis.projects() {
-        return (d, 0.0);
-    }
-    basis.project_into(&light, &material, &mut workspace, &mut d).expect("sizes");
-    let mut transfer = vec![0.0; basis.transfer_len()];
-    basis.transfer_into(&material, &mut workspace, &mut transfer).expect("sizes");
-    basis.relight_into(&transfer, &light, &mut d).expect("sizes");
-    let scene = basis.collapse_into(&d, vec![0.0; basis.scene_len()]).expect("sizes");
-    (d, scene.shade(Normal::new(0.6, 0.0, 0.8).expect("a normal")))
-}
-
-fn general(basis: &GeneralBasis<'_, f32>) -> Vec<f32> {
-    let (light, material) = (light(), material());
-    let light = eigenshade::Light::new(2, &light).expect("nine coefficients");
-    let material = eigenshade::Material::new(2, &material).expect("five coefficients");
-    let mut workspace = vec![0.0; basis.workspace_len()];
-    let mut d = vec![0.0; basis.components()];
-    basis.project_into(&light, &material, &mut workspace, &mut d).expect("sizes");
-    d
-}
-
-/// The same in integers.
-fn integers<Q: Fixed>(basis: &quantised::Basis<'_, Q>, normal: quantised::Normal<Q>) -> Vec<f32> {
-    let (light, material) = (light(), material());
-    let (degree, order) = (basis.degree().min(2), basis.order().min(2));
-    let light = &light[..(degree + 1) * (degree + 1)];
-    let material = &material[..eigenshade::index::material::count(order)];
-    let mut mantissas = vec![Q::default(); light.len()];
-    let light = quantised::Light::quantise(degree, light, &mut mantissas).expect("sizes");
-    let (mut mantissas, mut exponents) = (vec![Q::default(); material.len()], vec![0; order + 1]);
-    let material = quantised::Material::quantise(order, material, &mut mantissas, &mut exponents);
-    let material = material.expect("sizes");
-    let mut workspace = vec![<Q as eigenshade::Format>::Wide::default(); basis.workspace_len()];
-    let mut numbers = vec![Q::default(); basis.transfer_len()];
-    let mut exponents = vec![0; basis.profiles()];
-    let mut d = vec![0; basis.components()];
-    if basis.fold_into(&material, &mut workspace, &mut numbers, &mut exponents).is_err() {
-        return Vec::new();
-    }
-    let transfer = quantised::Transfer::new(&numbers, &exponents);
-    let exponent = basis.relight_into(&transfer, &light, &mut d).expect("sizes");
-    let scene = basis.collapse_into(&d, exponent, vec![0; basis.scene_len()]).expect("sizes");
-    let _ = scene.shade(normal);
-    d.into_iter().map(|d| d as f32 * (exponent as f32).exp2()).collect()
-}
-
-fn facing_15() -> quantised::Normal<Q15> {
-    quantised::Normal::<Q15>::new(Q15(19_661), Q15(0), Q15(26_214)).expect("a unit vector")
-}
-
-fn facing_31() -> quantised::Normal<Q31> {
-    let (x, z) = (Q31(1_288_490_189), Q31(1_717_986_918));
-    quantised::Normal::<Q31>::new(x, Q31(0), z).expect("a unit vector")
-}
-
-/// These files stay; so does what they give.
-#[test]
-fn version_1_is_read() {
-    for (table, bytes) in [("sphere", &SPHERE.0), ("mean", &MEAN.0)] {
-        let basis = Basis::<f32>::from_bytes(bytes).expect("a wire file");
-        assert_same(table, &floats(&basis).0, tolerances::WIRE_F32);
-    }
-    let basis = GeneralBasis::<f32>::from_bytes(&GENERAL.0).expect("a wire file");
-    assert_same("general", &general(&basis), tolerances::WIRE_F32);
-    let basis = quantised::Basis::<Q15>::from_bytes(&INTEGERS_15.0).expect("a wire file");
-    assert_same("sphere", &integers(&basis, facing_15()), tolerances::WIRE_Q15);
-    let basis = quantised::Basis::<Q31>::from_bytes(&INTEGERS_31.0).expect("a wire file");
-    assert_same("sphere", &integers(&basis, facing_31()), tolerances::WIRE_Q31);
 }
 
 /// The first bytes, as `tables/README.md` has them.
@@ -294,22 +183,6 @@ fn errors_say_which_they_are() {
     for error in found.iter().map(|(found, _)| found).chain(&more) {
         let line = error.to_string();
         assert!(line.contains("; ") && !line.contains('\n'), "no remedy: {line}");
-    }
-}
-
-/// At every place but multiples of four, and put right.
-#[test]
-fn alignment_is_asked_for() {
-    let mut places = vec![0_u32; SPHERE.0.len() / 4 + 1];
-    for beyond in 1..4 {
-        let bytes: Vec<u8> = [&vec![0; beyond], &SPHERE.0, &vec![0; 4 - beyond]].concat();
-        let bytes = aligned(&bytes, &mut places).expect("room");
-        let refused = Basis::<f32>::from_bytes(&bytes[beyond..]).expect_err("not aligned");
-        assert_eq!(refused, WireError::Alignment { beyond });
-        assert!(refused.to_string().contains("wire::aligned"));
-        let mut room = room(&SPHERE.0);
-        let copied = aligned(&bytes[beyond..][..SPHERE.0.len()], &mut room).expect("room");
-        assert!(Basis::<f32>::from_bytes(copied).is_ok());
     }
 }
 

@@ -102,7 +102,7 @@ fn reconstruct() -> Vec<(String, Vec<u8>)> {
 
 /// The wire files of the tests.
 fn tables() -> Vec<(String, Vec<u8>)> {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/wire");
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/wire_files");
     let seed = |name: &str| {
         let path = Path::new(folder).join(format!("{name}.esw"));
         (name.to_owned(), std::fs::read(path).expect("a wire file of the tests"))

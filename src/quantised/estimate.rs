@@ -8,6 +8,7 @@ use crate::projection::zeros;
 
 /// An estimate in the making: see [`Basis::estimate`].
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Estimate<'a, Q, const K: usize> {
     basis: Basis<'a, Q>,
     sums: heapless::Vec<i64, K>,

@@ -7,6 +7,7 @@ use zerocopy::IntoBytes;
 /// Bytes that are compiled in, at a multiple of four:
 /// `static TABLE: &Aligned<[u8]> = &Aligned(*include_bytes!("table.esw"));`.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[repr(C, align(4))]
 pub struct Aligned<T: ?Sized>(pub T);
 

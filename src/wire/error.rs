@@ -7,6 +7,7 @@ use core::fmt;
 
 /// The first fault of some bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum WireError {
     /// They do not begin with the label.

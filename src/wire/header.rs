@@ -5,6 +5,7 @@ use crate::index::wire::{HEADER, LABEL, MARK, MOST, VERSION, format, place};
 
 /// The number format of a wire file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum WireFormat {
     /// `f32`.
@@ -40,6 +41,7 @@ impl WireFormat {
 
 /// The header of a wire file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub struct Header {
     /// The file's version.

@@ -1,0 +1,108 @@
+//! Wire files of version 1, and what they gave when they were made.
+#![allow(dead_code, reason = "each test takes what it needs")]
+
+use eigenshade::wire::Aligned;
+use eigenshade::{Basis, Fixed, GeneralBasis, Normal, Q15, Q31, quantised};
+
+pub const SPHERE: &Aligned<[u8]> = &Aligned(*include_bytes!("v1.sphere.f32.esw"));
+pub const MEAN: &Aligned<[u8]> = &Aligned(*include_bytes!("v1.mean.f32.esw"));
+pub const GENERAL: &Aligned<[u8]> = &Aligned(*include_bytes!("v1.general.f32.esw"));
+pub const INTEGERS_15: &Aligned<[u8]> = &Aligned(*include_bytes!("v1.sphere.q15.esw"));
+pub const INTEGERS_31: &Aligned<[u8]> = &Aligned(*include_bytes!("v1.sphere.q31.esw"));
+pub const ALL: [&[u8]; 5] = [&SPHERE.0, &MEAN.0, &GENERAL.0, &INTEGERS_15.0, &INTEGERS_31.0];
+
+pub fn room(bytes: &[u8]) -> Vec<u32> {
+    vec![0; bytes.len().div_ceil(4)]
+}
+
+/// The last column of a CSV, of the rows that begin with `name`.
+pub fn column(text: &str, name: &str) -> Vec<f32> {
+    let rows = text.lines().filter(|line| line.starts_with(name));
+    rows.map(|row| row.rsplit(',').next().expect("a field").parse().expect("a number")).collect()
+}
+
+pub fn light() -> Vec<f32> {
+    column(include_str!("light.csv"), "one,")
+}
+
+pub fn material() -> Vec<f32> {
+    column(include_str!("material.csv"), "one,")
+}
+
+/// Against d as it was when the files were made, of the largest.
+pub fn assert_same(table: &str, found: &[f32], tolerance: f32) {
+    let expected = column(include_str!("v1.csv"), &format!("{table},"));
+    assert_eq!(found.len(), expected.len());
+    let largest = expected.iter().fold(0.0f32, |most, d| most.max(d.abs()));
+    for (found, expected) in found.iter().zip(&expected) {
+        assert!((found - expected).abs() <= tolerance * largest, "{table}: {found}, {expected}");
+    }
+}
+
+/// d of the test's light on its material, and some pixel.
+pub fn floats(basis: &Basis<'_, f32>) -> (Vec<f32>, f32) {
+    let (light, material) = (light(), material());
+    let light = eigenshade::Light::new(2, &light).expect("nine coefficients");
+    let material = eigenshade::Material::new(2, &material).expect("five coefficients");
+    let (light, material) = (light.truncated(basis.degree()), material.truncated(basis.order()));
+    let mut workspace = vec![0.0; basis.workspace_len()];
+    let mut d = vec![0.0; basis.components()];
+    if !basis.projects() {
+        return (d, 0.0);
+    }
+    basis.project_into(&light, &material, &mut workspace, &mut d).expect("sizes");
+    let mut transfer = vec![0.0; basis.transfer_len()];
+    basis.transfer_into(&material, &mut workspace, &mut transfer).expect("sizes");
+    basis.relight_into(&transfer, &light, &mut d).expect("sizes");
+    let scene = basis.collapse_into(&d, vec![0.0; basis.scene_len()]).expect("sizes");
+    (d, scene.shade(Normal::new(0.6, 0.0, 0.8).expect("a normal")))
+}
+
+pub fn general(basis: &GeneralBasis<'_, f32>) -> Vec<f32> {
+    let (light, material) = (light(), material());
+    let light = eigenshade::Light::new(2, &light).expect("nine coefficients");
+    let material = eigenshade::Material::new(2, &material).expect("five coefficients");
+    let mut workspace = vec![0.0; basis.workspace_len()];
+    let mut d = vec![0.0; basis.components()];
+    basis.project_into(&light, &material, &mut workspace, &mut d).expect("sizes");
+    d
+}
+
+/// The same in integers.
+pub fn integers<Q: Fixed>(
+    basis: &quantised::Basis<'_, Q>,
+    normal: quantised::Normal<Q>,
+) -> Vec<f32> {
+    let (light, material) = (light(), material());
+    let (degree, order) = (basis.degree().min(2), basis.order().min(2));
+    let light = &light[..(degree + 1) * (degree + 1)];
+    let material = &material[..eigenshade::index::material::count(order)];
+    let mut mantissas = vec![Q::default(); light.len()];
+    let light = quantised::Light::quantise(degree, light, &mut mantissas).expect("sizes");
+    let (mut mantissas, mut exponents) = (vec![Q::default(); material.len()], vec![0; order + 1]);
+    let material = quantised::Material::quantise(order, material, &mut mantissas, &mut exponents);
+    let material = material.expect("sizes");
+    let mut workspace = vec![<Q as eigenshade::Format>::Wide::default(); basis.workspace_len()];
+    let mut numbers = vec![Q::default(); basis.transfer_len()];
+    let mut exponents = vec![0; basis.profiles()];
+    let mut d = vec![0; basis.components()];
+    if basis.fold_into(&material, &mut workspace, &mut numbers, &mut exponents).is_err() {
+        return Vec::new();
+    }
+    let transfer = quantised::Transfer::new(&numbers, &exponents);
+    let exponent = basis.relight_into(&transfer, &light, &mut d).expect("sizes");
+    let scene = basis.collapse_into(&d, exponent, vec![0; basis.scene_len()]).expect("sizes");
+    let _ = scene.shade(normal);
+    // Exactly 2^exponent.
+    let unit = f32::from_bits(((127 + exponent) << 23).cast_unsigned());
+    d.into_iter().map(|d| d as f32 * unit).collect()
+}
+
+pub fn facing_15() -> quantised::Normal<Q15> {
+    quantised::Normal::<Q15>::new(Q15(19_661), Q15(0), Q15(26_214)).expect("a unit vector")
+}
+
+pub fn facing_31() -> quantised::Normal<Q31> {
+    let (x, z) = (Q31(1_288_490_189), Q31(1_717_986_918));
+    quantised::Normal::<Q31>::new(x, Q31(0), z).expect("a unit vector")
+}

@@ -1,0 +1,44 @@
+//! Wire files of version 1 are read, wherever they lie.
+
+#[path = "wire_files/mod.rs"]
+mod files;
+#[path = "tolerances/mod.rs"]
+mod tolerances;
+
+use eigenshade::wire::{WireError, aligned};
+use eigenshade::{Basis, GeneralBasis, Q15, Q31, quantised};
+use files::{
+    GENERAL, INTEGERS_15, INTEGERS_31, MEAN, SPHERE, assert_same, facing_15, facing_31, floats,
+    general, integers, room,
+};
+
+/// These files stay; so does what they give.
+#[test]
+fn version_1_is_read() {
+    for (table, bytes) in [("sphere", &SPHERE.0), ("mean", &MEAN.0)] {
+        let basis = Basis::<f32>::from_bytes(bytes).expect("a wire file");
+        assert_same(table, &floats(&basis).0, tolerances::WIRE_F32);
+    }
+    let basis = GeneralBasis::<f32>::from_bytes(&GENERAL.0).expect("a wire file");
+    assert_same("general", &general(&basis), tolerances::WIRE_F32);
+    let basis = quantised::Basis::<Q15>::from_bytes(&INTEGERS_15.0).expect("a wire file");
+    assert_same("sphere", &integers(&basis, facing_15()), tolerances::WIRE_Q15);
+    let basis = quantised::Basis::<Q31>::from_bytes(&INTEGERS_31.0).expect("a wire file");
+    assert_same("sphere", &integers(&basis, facing_31()), tolerances::WIRE_Q31);
+}
+
+/// At every place but multiples of four, and put right.
+#[test]
+fn alignment_is_asked_for() {
+    let mut places = vec![0_u32; SPHERE.0.len() / 4 + 1];
+    for beyond in 1..4 {
+        let bytes: Vec<u8> = [&vec![0; beyond], &SPHERE.0, &vec![0; 4 - beyond]].concat();
+        let bytes = aligned(&bytes, &mut places).expect("room");
+        let refused = Basis::<f32>::from_bytes(&bytes[beyond..]).expect_err("not aligned");
+        assert_eq!(refused, WireError::Alignment { beyond });
+        assert!(refused.to_string().contains("wire::aligned"));
+        let mut room = room(&SPHERE.0);
+        let copied = aligned(&bytes[beyond..][..SPHERE.0.len()], &mut room).expect("room");
+        assert!(Basis::<f32>::from_bytes(copied).is_ok());
+    }
+}
