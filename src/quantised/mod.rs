@@ -1,9 +1,9 @@
 //! The way from light to pixel in integers, for machines without a float unit.
 //!
-//! The same mathematics as in floats, and the same names: a [`Basis`] folds a
-//! [`Material`] in ([`Basis::fold`]), takes each new [`Light`] ([`Basis::relight`]) and
-//! sums the components of each azimuth ([`Basis::collapse`]); a [`Scene`] gives the
-//! irradiance of a [`Normal`]. A number is a mantissa times 2^exponent; arrays share
+//! The same mathematics as in floats: a [`Basis`] folds a [`Material`] in
+//! ([`Basis::fold`], which floats call `transfer`), takes each new [`Light`]
+//! ([`Basis::relight`]) and sums the components of each azimuth ([`Basis::collapse`]); a
+//! [`Scene`] gives the irradiance of a [`Normal`]. A number is a mantissa times 2^exponent; arrays share
 //! exponents, and every answer brings its own.
 //!
 //! Nothing wraps. The tables are scaled so that no sum over them can leave its
@@ -12,6 +12,30 @@
 //! Transfers made by hand are checked, coefficients may be any. What a profile states of
 //! its size is believed: where that is too small a pixel is wrong, but never a panic.
 //! The answers are the same bits on every machine.
+//!
+//! Maps are baked, and lights turned and windowed, in floats, on the host or where there is a
+//! float unit; [`IntegerMap`](crate::IntegerMap) is looked up in integers.
+//!
+//! ```
+//! # #[cfg(feature = "baked")]
+//! # fn main() -> Result<(), eigenshade::Error> {
+//! use eigenshade::quantised::{Light, Material, Normal};
+//! use eigenshade::{Q15, sphere::q15};
+//!
+//! // Mantissas times 2^exponent: b_00^0 = 2, a white matte; light 3.5, 0, 1, 0.
+//! let matte = Material::new(0, &[-13], &[Q15(16_384)])?;
+//! let light = Light::new(1, -12, &[Q15(14_336), Q15(0), Q15(4_096), Q15(0)])?;
+//! let folded = q15::fold(&matte)?;
+//! let scene = q15::collapse(&q15::relight(&folded.view(), &light)?)?;
+//! let normal = Normal::<Q15>::new(Q15(0), Q15(19_661), Q15(26_214))?; // (0, 0.6, 0.8)
+//! let mantissa = q15::shade(&scene, normal); // times 2^scene.exponent()
+//! let irradiance = f64::from(mantissa) * f64::from(scene.exponent()).exp2();
+//! assert!((irradiance - 1.249).abs() < 0.01, "{irradiance}");
+//! # Ok(())
+//! # }
+//! # #[cfg(not(feature = "baked"))]
+//! # fn main() {}
+//! ```
 
 mod basis;
 mod coefficients;
