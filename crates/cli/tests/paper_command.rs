@@ -63,7 +63,7 @@ fn the_committed_page_is_what_the_command_writes() {
         let line = lines[place].replacen(from, to, 1);
         folder.write(name, good.replacen(lines[place], &line, 1));
         found(name, &[words, &[&format!("{name}:{}: ", place + 1)]].concat());
-        folder.write(name, &good[..good.len() / 2]);
+        folder.write(name, lines[..lines.len() / 2].join("\n"));
         found(name, words.get(1..).unwrap_or_default());
         fs::remove_file(folder.path(name)).unwrap();
         found(name, &["missing", "paper --out"]);

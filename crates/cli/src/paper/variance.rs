@@ -129,7 +129,8 @@ impl Variance {
             horizontal: "light up to degree l",
             vertical: "share of the variance beyond",
             columns: 0.0..8.0,
-            rows: 1e-4..1.0,
+            // A little lower, so that the last power of ten has its number.
+            rows: 0.99e-4..1.0,
             labels: 9,
             format: chart::percent,
             legend: SeriesLabelPosition::LowerLeft,
