@@ -92,11 +92,10 @@ fn the_committed_page_is_what_the_command_writes() {
     }
     folder.write("paper/old.svg", "<svg/>");
     found("paper/old.svg", &["no such figure", "remove"]);
-    // Through the command line.
-    assert_fails(&folder, "paper --check .", &["paper/old.svg", "no such figure"]);
     fs::remove_file(folder.path("paper/old.svg")).unwrap();
-    assert_eq!(folder.ok("paper --check ."), "");
     check().expect("all is whole again");
+    // Through the command line.
+    assert_eq!(folder.ok("paper --check ."), "");
     fs::copy(folder.path("paper/eigenimages_1000.png"), folder.path("paper/eigenimages.png"))
         .unwrap();
     assert_fails(&folder, "paper --check .", &["paper/eigenimages.png", "pixel (", "paper --out"]);

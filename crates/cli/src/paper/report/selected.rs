@@ -25,7 +25,7 @@ pub fn section(report: &Report<'_>) -> String {
     let as_bad = all.iter().take_while(|error| **error >= selected.image_error[1]).count();
     let times = selected.image_error[1] / selected.floor;
     let costs = |count: &usize| some[*count] > FREE * all[*count];
-    let free = (0..all.len()).find(costs).map_or(all.len(), |first| first) - 1;
+    let free = (0..all.len()).find(costs).unwrap_or(all.len()).saturating_sub(1);
     let ties = match selected.kept.checked_sub(SELECTED) {
         Some(more) if more > 0 => {
             format!("Ties stay whole, so {} modes are kept", grouped(selected.kept))
