@@ -14,8 +14,8 @@ pub const SHARE: f64 = 1e-3;
 ///
 /// # Errors
 ///
-/// Another size or format; a pixel that is off by more than [`LEVELS`], named by its
-/// column and row; more than [`SHARE`] of all pixels off.
+/// Another size or format; a pixel with a channel off by more than one of 255 levels, named by its
+/// column and row; more than a thousandth of the pixels off at all.
 pub fn compare_pictures(found: &PngSamples, expected: &Canvas) -> Result<usize, String> {
     let (width, height) = (expected.width, expected.height);
     if (found.width, found.height) != (width, height) {
@@ -60,14 +60,15 @@ mod tests {
             colours: vec![[10, 20, 30]; 2000],
             opacities: vec![255; 2000],
         };
-        let with = |change: &dyn Fn(&mut PngSamples)| {
+        type Change<'a> = &'a dyn Fn(&mut PngSamples);
+        let with = |change: Change<'_>| {
             let mut changed = same.clone();
             change(&mut changed);
             compare_pictures(&changed, &canvas)
         };
         assert_eq!(with(&|_| ()), Ok(2000));
         assert_eq!(with(&|one| one.colours[..2].fill([11, 19, 30])), Ok(2000));
-        let wrong: [(&dyn Fn(&mut PngSamples), &str); 5] = [
+        let wrong: [(Change<'_>, &str); 5] = [
             (&|one| one.colours[..3].fill([11, 19, 30]), "3 of its pixels"),
             (&|one| one.colours[52][2] = 32, "pixel (2, 1)"),
             (&|one| one.opacities[7] = 254, "opaque"),
