@@ -215,6 +215,9 @@ pub const FIGURE_ERROR: f64 = 1e-12;
 pub const PIXEL_ERROR: f64 = 0.05;
 /// A mean over the rotations of a light against (38), relative: roundings of some thousand terms.
 pub const MEAN_OVER_ROTATIONS: f64 = 1e-12;
+/// Irradiances in a list of six digits, of the peak: half a unit of the last, and sums that are off
+/// by 1e-10.
+pub const LISTED: f64 = 6e-6;
 /// Pixels at degree 32 and order 32 in f64, of the peak: profiles end at 1e-13 of their largest
 /// value, and h = u / sin^|m| is up to 1e4 times u.
 pub const HIGH_PIXELS: f64 = 1e-8;

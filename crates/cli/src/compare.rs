@@ -68,21 +68,24 @@ pub fn differences(table: &Table, fresh: &Table) -> Result<Vec<Difference>, Stri
     if fresh.general.is_some() {
         let [old_rows, new_rows] = both.map(general_rows);
         let [old_images, new_images] = both.map(|table| projected(table, |one| &one.synthesis));
-        let [old_modes, new_modes] = both.map(|table| projected(table, |one| &one.modes));
         let [old_drawn, new_drawn] = both.map(drawn);
-        return Ok(vec![
+        let mut differences = vec![
             Difference {
                 allowed: DRAWN * fresh.scene.basis.profile_tolerance,
                 ..difference("eigenimages drawn", &old_drawn, &new_drawn)
             },
             difference("d of the eigenimages", &old_images, &new_images),
-            difference("d of their modes", &old_modes, &new_modes),
             difference("components' eigenvalues", &old_values, &new_values),
             difference("spectrum", &old_spectrum, &new_spectrum),
             difference("mode means e", &table.gram.mode_means(), &fresh.gram.mode_means()),
             difference("rows of U^T M", &old_rows, &new_rows),
             difference("coefficients of the mean", &old_mean, &new_mean),
-        ]);
+        ];
+        if fresh.has_modes() {
+            let [old_modes, new_modes] = both.map(|table| projected(table, |one| &one.modes));
+            differences.push(difference("d of their modes", &old_modes, &new_modes));
+        }
+        return Ok(differences);
     }
     let mut differences = vec![
         difference("components' eigenvalues", &old_values, &new_values),

@@ -1,6 +1,8 @@
 //! The figures' errors against pixels whose light is summed by direct quadrature of (3),
 //! which shares no code with them.
 
+mod support;
+
 #[path = "../../../tests/oracle/mod.rs"]
 mod oracle;
 #[path = "../../../tests/tolerances/mod.rs"]
@@ -16,6 +18,7 @@ use eigenshade_generator::selection::variances;
 use eigenshade_index::{light, material, mode};
 use indicatif::ProgressBar;
 use std::f64::consts::PI;
+use support::{repository, rows};
 
 /// Intervals in cos α, and steps in β: images of degree 9 have |m| up to 9.
 const INTERVALS: usize = 36;
@@ -193,4 +196,49 @@ fn rendered_spheres_are_sums_of_integrals() {
     }
     // What was left out shows.
     assert!(least > 1e-5, "{least}");
+}
+
+/// Irradiances that Fig. 4 lists, each channel by quadrature of (3) on coefficients as they
+/// are shipped; of the 1,000 modes the sum of theirs, each by (14).
+#[test]
+fn listed_irradiances_are_integrals() {
+    let path = repository().join("docs/paper/spheres_values.csv");
+    let text = std::fs::read_to_string(path).expect("a text");
+    let rows = rows(&text, "light,material,modes,x,y,z,r,g,b");
+    assert_eq!(rows.len(), 3 * 2 * 49);
+    let study = Study::new(&ProgressBar::hidden()).expect("the shipped data");
+    let summary = std::fs::read_to_string(repository().join("docs/paper/spheres.csv"));
+    let summary = summary.expect("a text");
+    for pair in rows.chunks(2 * 49) {
+        let (light, material) = (&pair[0][0], &pair[0][1]);
+        let of_pair = |line: &&str| line.starts_with(&format!("{light},{material},3704,"));
+        let line: Vec<&str> = summary.lines().find(of_pair).expect("a row").split(',').collect();
+        let peak: f64 = line[7].parse().expect("the peak");
+        let light = study.light(light).expect("it is there");
+        let material = study.material(material).expect("it is there");
+        for (row, channel) in [(3, 0), (24, 1), (37, 2), (45, 0)] {
+            let [whole, selected] = [&pair[row], &pair[49 + row]];
+            let at: Vec<f64> = whole[3..].iter().map(|field| field.parse().unwrap()).collect();
+            let normal = [at[0], at[1], at[2]];
+            let explicit = oracle::ExplicitLight::new(&light.rgb[channel]);
+            let indices = material::indices(ORDER).zip(&material.rgb[channel]);
+            let terms: Vec<_> = indices.map(|((o, p, q), b)| (o, p, q, *b)).collect();
+            let expected = oracle::irradiance(&explicit, &terms, normal);
+            let off = (at[3 + channel] - expected).abs() / peak;
+            assert!(off <= tolerances::LISTED, "{whole:?}: {expected}");
+            // And of the selected modes.
+            let (alpha, beta) = (at[0].hypot(at[1]).atan2(at[2]), at[1].atan2(at[0]));
+            let mut sum = 0.0;
+            for (l, m) in light::indices(DEGREE) {
+                for &(o, p, q, b) in terms.iter().filter(|(_, _, q, _)| *q <= l) {
+                    if study.selection[study.gram.place(m.unsigned_abs(), l, o, p, q)] {
+                        let c = light.rgb[channel][light::position(l, m)] * b;
+                        sum += c * irradiance::value(l, m, o, p, q, alpha, beta);
+                    }
+                }
+            }
+            let listed: f64 = selected[6 + channel].parse().expect("a number");
+            assert!((listed - sum).abs() <= tolerances::LISTED * peak, "{selected:?}: {sum}");
+        }
+    }
 }

@@ -136,3 +136,41 @@ fn contradictions_are_damage() {
     assert_eq!(output.status.code(), Some(1));
     assert!(String::from_utf8_lossy(&output.stderr).contains("transfers differ"));
 }
+
+/// Objects' tables, too, leave U out where they are told to; what they shade is the same.
+#[test]
+fn tables_of_objects_leave_modes_out() {
+    for (criterion, rotation) in [("image-centered", "any"), ("standard", "none")] {
+        let folder = Folder::new();
+        let whole = scene(criterion, 12, "[]")
+            .replace("normals = \"sphere\"", "normals = \"normals.csv\"")
+            .replace("rotation = \"any\"", &format!("rotation = \"{rotation}\""));
+        for store in STORES {
+            let text = whole.clone() + &format!("store = \"{store}\"\n");
+            folder.write(&format!("{store}.toml"), text);
+        }
+        for store in ["modes", "projection"] {
+            folder.ok(&format!("basis --scene {store}.toml --out {store}.bin"));
+            folder.ok(&format!("basis --scene {store}.toml --check {store}.bin"));
+        }
+        let [modes, projection] = ["modes", "projection"].map(|store| table(&folder, store));
+        let general = |table: &Table| table.general.clone().expect("an object's");
+        assert!(general(&projection).modes.is_empty() && !general(&modes).modes.is_empty());
+        assert!(projection.profiles.iter().all(|profile| profile.modes.is_empty()));
+        assert!(encode(&projection).len() < encode(&modes).len());
+        // Nothing else is another.
+        let mut emptied = modes.clone();
+        emptied.scene = projection.scene.clone();
+        emptied.keep(std::iter::empty());
+        assert_eq!(emptied, projection);
+        let broken = Table { scene: projection.scene.clone(), ..modes };
+        assert!(decode(&encode(&broken)).is_err());
+
+        let shade = |store: &str| {
+            folder.ok(&format!("shade {store}.bin {PAIR} --normals normals.csv --format f64"))
+        };
+        assert_eq!(shade("projection"), shade("modes"));
+        let basis = "basis --scene materials.toml --out new.bin";
+        assert_fails(&folder, basis, &["store = \"materials\"", "store = \"projection\""]);
+    }
+}

@@ -66,6 +66,7 @@ impl Error {
             ErrorKind::NotADirectory | ErrorKind::IsADirectory | ErrorKind::AlreadyExists => {
                 "a file and a folder are mixed up: check the path"
             }
+            ErrorKind::InvalidData => "save it as a UTF-8 text file",
             _ => "check the file and the disk",
         };
         Self::new(error.to_string(), remedy).in_file(path)

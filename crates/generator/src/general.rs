@@ -33,20 +33,20 @@ const CONSTANT: f64 = 1e-8;
 ///
 /// # Errors
 ///
-/// As [`basis::build`]; a scene whose `store` is not the whole.
+/// As [`basis::build`]; a scene whose `store` is "materials".
 pub fn build(
     scene: &Scene,
     geometry: &Geometry,
     lights: &Lights,
     materials: &Materials,
 ) -> Result<Table> {
-    if scene.basis.store != Store::Modes {
+    if scene.basis.store == Store::Materials {
         return Err(Error::new(
             format!(
                 "basis.store = \"{}\" is not served for this object or light",
                 scene.basis.store.name()
             ),
-            "leave it out: such a table is made whole",
+            "leave it out, or set store = \"projection\"",
         ));
     }
     let (lights, materials) = basis::fitted(scene, lights, materials)?;
@@ -149,6 +149,8 @@ pub fn build(
         mean,
         mean_coefficients,
     });
+    // No transfers are kept, so no materials are needed.
+    table.keep(std::iter::empty());
     Ok(table)
 }
 

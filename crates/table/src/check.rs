@@ -118,7 +118,8 @@ impl Table {
         let (mean, coefficients) = if general.mean.is_empty() { (0, 0) } else { (span, count) };
         numbers("projection", &general.projection, count * span)?;
         numbers("synthesis", &general.synthesis, count * span)?;
-        numbers("modes of the eigenimages", &general.modes, count * span)?;
+        let modes = if self.has_modes() { count * span } else { 0 };
+        numbers("modes of the eigenimages", &general.modes, modes)?;
         numbers("mean image", &general.mean, mean)?;
         numbers("mean's coefficients", &general.mean_coefficients, coefficients)
     }

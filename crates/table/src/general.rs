@@ -23,7 +23,8 @@ pub struct General {
     /// An eigenimage's coordinates in the span: the image of least norm that shows it.
     pub synthesis: Vec<f64>,
     /// U over the span's own U: an eigenimage's mode coefficients are this row times the
-    /// mode coefficients of the span's components.
+    /// mode coefficients of the span's components. Empty unless
+    /// [`Table::has_modes`](crate::Table::has_modes).
     pub modes: Vec<f64>,
     /// Coordinates of the mean image in the span, or empty.
     pub mean: Vec<f64>,

@@ -70,6 +70,9 @@ impl Table {
         }
         if self.scene.basis.store != Store::Modes {
             self.profiles.iter_mut().for_each(|profile| profile.modes = Vec::new());
+            if let Some(general) = &mut self.general {
+                general.modes = Vec::new();
+            }
         }
     }
 

@@ -2,7 +2,7 @@
 
 use clap::Args;
 use eigenshade_cli::message::{say, spinner};
-use eigenshade_cli::paper::comparison::compare;
+use eigenshade_cli::paper::comparison::{Compared, compare};
 use eigenshade_cli::paper::{FOLDER, PAGE, make};
 use eigenshade_generator::error::{Error, Result};
 use std::fs;
@@ -11,9 +11,11 @@ use std::path::PathBuf;
 /// The figures of Nillius and Eklundh (2003) and their numbers, on the shipped data
 ///
 /// --out writes DIR/paper.md, and what it shows into DIR/paper: CSV, SVG charts and
-/// PNG pictures. --check makes the numbers anew and compares paper.md and every CSV:
-/// counts and words must be equal, other numbers within two units of six digits, or one
-/// of the last digit where there are fewer. Pictures are not compared.
+/// PNG pictures. --check makes everything anew and compares every file: counts and
+/// words must be equal, other numbers within two units of six digits, or one of the last
+/// digit where there are fewer; coordinates of charts within a pixel; pictures within one
+/// of 255 levels, and in no more than a thousandth of their pixels. A figure that is
+/// missing and a file that is no figure are errors too.
 #[derive(Args, Debug)]
 pub struct Paper {
     #[command(flatten)]
@@ -54,8 +56,11 @@ impl Paper {
             say(format_args!("{} and {} figures' files", page.display(), artefacts.len() - 1));
         }
         if let Some(folder) = &self.purpose.check {
-            let (files, numbers) = compare(&artefacts, folder)?;
-            say(format_args!("{numbers} numbers of {files} files are what they should be"));
+            let Compared { files, numbers, marks, pixels } = compare(&artefacts, folder)?;
+            say(format_args!(
+                "{files} files are what they should be: {numbers} numbers, {marks} coordinates \
+                 and colours of charts, {pixels} pixels"
+            ));
         }
         Ok(())
     }

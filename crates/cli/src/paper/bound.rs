@@ -156,7 +156,8 @@ impl Bounds {
             horizontal: "terms summed, the strongest first",
             vertical: "rms left out, of the mean",
             columns: 0.0..3704.0,
-            rows: 1e-6..10.0,
+            // A little lower, so that the last power of ten has its number.
+            rows: 0.99e-6..10.0,
             labels: 8,
             format: chart::percent,
             legend: SeriesLabelPosition::LowerLeft,

@@ -8,8 +8,11 @@
 
 use super::artefact::{Artefact, digits};
 use super::chart::{self, Axes, BLUE, GREEN, Line, ORANGE, PALE, PURPLE};
+use super::rank_correlation::rank_correlation;
+use super::shape::Shape;
 use super::study::{Modes, Study, Trial, place};
 use eigenshade_generator::error::Result;
+use eigenshade_index::material;
 use eigenshade_table::scene::Criterion;
 use plotters::prelude::SeriesLabelPosition;
 
@@ -17,9 +20,14 @@ use plotters::prelude::SeriesLabelPosition;
 pub const SHOWN: usize = 100;
 /// Criteria in the order of [`Study::tables`].
 pub const CRITERIA: [Criterion; 2] = [Criterion::ImageCentered, Criterion::Standard];
-/// Materials that Fig. 6 names.
-const NAMED: [(&str, plotters::style::RGBColor); 4] =
-    [("11-plaster-b", GREEN), ("07-velvet", PURPLE), ("05-leather", ORANGE), ("41-brick-b", BLUE)];
+/// Materials that Fig. 6 names, and whether their lines are dashed: told apart in print
+/// without colours too.
+const NAMED: [(&str, plotters::style::RGBColor, bool); 4] = [
+    ("07-velvet", PURPLE, true),
+    ("41-brick-b", BLUE, true),
+    ("05-leather", ORANGE, false),
+    ("11-plaster-b", GREEN, false),
+];
 
 /// Mean errors, for 0 to [`SHOWN`] components.
 pub struct Errors {
@@ -27,6 +35,10 @@ pub struct Errors {
     lights: Vec<String>,
     /// L_1^0 / L_0^0 of each light: positive where more comes from the front.
     pub fronts: Vec<f64>,
+    /// The share of each material's squared coefficients that has o >= 4.
+    pub glosses: Vec<f64>,
+    /// The share of standard PCA's first component that is constant over the sphere.
+    pub first_constant: f64,
     /// By basis, in the order of [`Study::tables`], then by K.
     pub mean: [Vec<f64>; 4],
     /// By basis, then by material, then by K: over all lights.
@@ -63,6 +75,9 @@ impl Errors {
                 let of = |k: usize| average(basis, &move |trial: &Trial| trial.light == k);
                 (0..lights.len()).map(of).collect()
             }),
+            glosses: study.greys.iter().map(|material| gloss(material)).collect(),
+            first_constant: Shape::new(&study.tables[place(Criterion::Standard, Modes::All)], 0)
+                .map_or(0.0, |shape| shape.constant),
             fronts: study.luminances.iter().map(|light| light[2] / light[0]).collect(),
             names,
             lights,
@@ -89,18 +104,19 @@ impl Errors {
         names.zip(self.by_material[0].iter().map(Vec::as_slice))
     }
 
-    /// Spearman's rank correlation over the lights: of [`fronts`](Self::fronts) with the mean
-    /// error by this number of components, all modes, image-centred.
+    /// Rank correlation over the lights: of [`fronts`](Self::fronts) with the mean error by
+    /// this number of components, all modes, image-centred.
     #[must_use]
     pub fn correlation(&self, count: usize) -> f64 {
         let errors: Vec<f64> = self.lights().map(|(_, errors)| errors[count]).collect();
-        let [fronts, errors] = [&self.fronts, &errors].map(|values| {
-            let below = |value: &f64| values.iter().filter(|other| *other < value).count() as f64;
-            let middle = 0.5 * (values.len() as f64 - 1.0);
-            values.iter().map(|value| below(value) - middle).collect::<Vec<f64>>()
-        });
-        let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-        product(&fronts, &errors) / product(&fronts, &fronts)
+        rank_correlation(&self.fronts, &errors)
+    }
+
+    /// The same over the materials: of [`glosses`](Self::glosses).
+    #[must_use]
+    pub fn gloss_correlation(&self, count: usize) -> f64 {
+        let errors: Vec<f64> = self.materials().map(|(_, errors)| errors[count]).collect();
+        rank_correlation(&self.glosses, &errors)
     }
 
     /// CSV and charts.
@@ -177,12 +193,19 @@ impl Errors {
         for errors in &self.by_material[place(Criterion::ImageCentered, modes)] {
             lines.push(Line { name: None, width: 1, ..Line::new("", PALE, points(errors)) });
         }
-        for (name, colour) in NAMED {
+        for (name, colour, dashed) in NAMED {
             let errors = self.of_material(name, Criterion::ImageCentered, modes);
-            lines.push(Line::new(&super::spheres::title(name), colour, points(errors)));
+            let line = Line::new(&super::spheres::title(name), colour, points(errors));
+            lines.push(Line { dashed, ..line });
         }
         chart::lines(&axes(1e-5..3.0), &lines)
     }
+}
+
+/// The share of a BRDF's squared coefficients from o = 4 on.
+fn gloss(coefficients: &[f64]) -> f64 {
+    let square = |values: &[f64]| values.iter().map(|value| value * value).sum::<f64>();
+    square(&coefficients[material::count(3)..]) / square(coefficients)
 }
 
 fn points(errors: &[f64]) -> Vec<(f64, f64)> {

@@ -12,11 +12,17 @@ mod plate;
 
 pub mod variance;
 
+pub mod shape;
+
 pub mod eigenimages;
 
 pub mod spheres;
 
+mod rank_correlation;
+
 pub mod error;
+
+pub mod rotated;
 
 pub mod reconstruction;
 
@@ -50,7 +56,10 @@ pub fn make(progress: &ProgressBar) -> Result<Vec<Artefact>> {
     let study = Study::new(progress)?;
     let trials = study.trials(progress);
     let variance = variance::Variance::new(&study);
+    let eigenimages = eigenimages::Eigenimages::new(&study)?;
+    let spheres = spheres::Spheres::new(&study, &trials, progress)?;
     let errors = error::Errors::new(&study, &trials);
+    let rotated = rotated::Rotated::new(&study, progress);
     let bounds = bound::Bounds::new(&study, &trials, progress);
     let renderings = bound_spheres::Renderings::new(&study, &trials, progress)?;
     let reconstructions = reconstruction::Reconstructions::new(&study, &trials)?;
@@ -58,7 +67,10 @@ pub fn make(progress: &ProgressBar) -> Result<Vec<Artefact>> {
     let page = report::Report {
         study: &study,
         variance: &variance,
+        eigenimages: &eigenimages,
+        spheres: &spheres,
         errors: &errors,
+        rotated: &rotated,
         bounds: &bounds,
         renderings: &renderings,
         reconstructions: &reconstructions,
@@ -67,9 +79,10 @@ pub fn make(progress: &ProgressBar) -> Result<Vec<Artefact>> {
     let mut artefacts = vec![Artefact::text(PAGE, page.page())];
     for figure in [
         variance.artefacts()?,
-        eigenimages::artefacts(&study)?,
-        spheres::artefacts(&study, progress)?,
+        eigenimages.artefacts(),
+        spheres.artefacts()?,
         errors.artefacts()?,
+        rotated.artefacts()?,
         reconstructions.artefacts()?,
         bounds.artefacts()?,
         renderings.artefacts()?,

@@ -5,6 +5,7 @@ use super::artefact::{Artefact, digits};
 use super::chart::{self, Axes, BLUE, GREEN, INK, Line, ORANGE, fault, letters};
 use super::study::{DEGREE, ORDER, Study};
 use eigenshade_generator::error::Result;
+use eigenshade_generator::gram;
 use eigenshade_generator::selection::variances;
 use eigenshade_index::{material, mode};
 use plotters::prelude::*;
@@ -17,6 +18,8 @@ pub const SURFACES: [(usize, usize, &str); 3] =
 
 /// Variances below this share of the largest are rounding: most are zero in truth.
 const ROUNDING: f64 = 1e-20;
+/// The degree to which it is looked for variance beyond [`DEGREE`].
+pub const FURTHER: usize = 24;
 /// Decades that the colours span: a millionth.
 const DECADES: f64 = 6.0;
 
@@ -24,6 +27,9 @@ const DECADES: f64 = 6.0;
 pub struct Variance {
     /// By mode of the surface, in the order of [`material`], then by l: summed over m.
     pub by_mode: Vec<Vec<f64>>,
+    /// Of each of [`SURFACES`]: the share of the variance to degree [`FURTHER`] that lies
+    /// beyond [`DEGREE`].
+    pub further: [f64; 3],
     /// The number of m of each that are among the selected modes.
     selected: Vec<Vec<usize>>,
 }
@@ -34,7 +40,8 @@ impl Variance {
     pub fn new(study: &Study) -> Self {
         let empty = vec![vec![0.0; DEGREE + 1]; material::count(ORDER)];
         let empty_counts = vec![vec![0; DEGREE + 1]; material::count(ORDER)];
-        let mut variance = Self { by_mode: empty, selected: empty_counts };
+        let further = further();
+        let mut variance = Self { by_mode: empty, further, selected: empty_counts };
         for azimuth in 0..=DEGREE {
             let signs = if azimuth == 0 { 1 } else { 2 };
             let modes = mode::indices(DEGREE, ORDER, azimuth);
@@ -69,6 +76,15 @@ impl Variance {
         };
         let all: f64 = (0..=DEGREE).map(of_degree).sum();
         (0..=DEGREE).map(|l| (l + 1..=DEGREE).map(of_degree).sum::<f64>() / all).collect()
+    }
+
+    /// The share of the variance of the modes of one o that lies beyond degree l.
+    #[must_use]
+    pub fn of_order_beyond(&self, o: usize, l: usize) -> f64 {
+        let first = o.checked_sub(1).map_or(0, material::count);
+        let modes = || self.by_mode.iter().take(material::count(o)).skip(first);
+        let all: f64 = modes().flatten().sum();
+        modes().flat_map(|by_degree| by_degree.iter().skip(l + 1)).sum::<f64>() / all
     }
 
     /// CSV and charts.
@@ -111,9 +127,10 @@ impl Variance {
         }
         let axes = Axes {
             horizontal: "light up to degree l",
-            vertical: "variance beyond",
+            vertical: "share of the variance beyond",
             columns: 0.0..8.0,
-            rows: 1e-4..1.0,
+            // A little lower, so that the last power of ten has its number.
+            rows: 0.99e-4..1.0,
             labels: 9,
             format: chart::percent,
             legend: SeriesLabelPosition::LowerLeft,
@@ -180,23 +197,42 @@ impl Variance {
             write(text.into(), below, centred(HPos::Center, VPos::Top))?;
             let upright = centred(HPos::Center, VPos::Center).transform(FontTransform::Rotate270);
             write("degree l of the light".into(), (24, (top + bottom) / 2), upright)?;
-            // The scale.
-            let scale = (left + 280, bottom + 82);
+            // The scale, logarithmic.
+            let scale = (left + 280, bottom + 76);
             for step in 0..60 {
                 let from = scale.0 + 6 * step;
                 let corners = [(from, scale.1), (from + 6, scale.1 + 16)];
                 let shade = colour(f64::from(step) / 59.0);
                 root.draw(&Rectangle::new(corners, shade.filled())).map_err(fault)?;
             }
-            let beside = scale.1 + 8;
-            let least = "variance: a millionth or less".to_owned();
-            write(least, (scale.0 - 10, beside), centred(HPos::Right, VPos::Center))?;
-            let most = "the largest".to_owned();
-            write(most, (scale.0 + 370, beside), centred(HPos::Left, VPos::Center))?;
+            let beside = (scale.0 - 10, scale.1 + 8);
+            let what = "variance, of the largest".to_owned();
+            write(what, beside, centred(HPos::Right, VPos::Center))?;
+            for (third, text) in ["≤ 1e-6", "1e-4", "1e-2", "1"].into_iter().enumerate() {
+                let at = (scale.0 + 120 * third as i32, scale.1 + 20);
+                write(text.into(), at, centred(HPos::Center, VPos::Top))?;
+            }
             root.present().map_err(fault)?;
         }
         Ok(svg)
     }
+}
+
+fn further() -> [f64; 3] {
+    let gram = gram::of_sphere(FURTHER, ORDER);
+    let mut sums = [[0.0; 2]; 3];
+    for azimuth in 0..=FURTHER {
+        let signs = if azimuth == 0 { 1.0 } else { 2.0 };
+        let modes = mode::indices(FURTHER, ORDER, azimuth);
+        for ((l, o, _, _), value) in modes.zip(variances(&gram, azimuth)) {
+            for ((order, _, _), [all, beyond]) in SURFACES.iter().zip(&mut sums) {
+                let value = if o <= *order { signs * value } else { 0.0 };
+                *all += value;
+                *beyond += if l > DEGREE { value } else { 0.0 };
+            }
+        }
+    }
+    sums.map(|[all, beyond]| beyond / all)
 }
 
 /// Pale for 0, dark for 1; as dark in print without colours.

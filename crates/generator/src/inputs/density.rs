@@ -11,6 +11,9 @@ use std::path::Path;
 const PANELS: usize = 8;
 const NODES: usize = 192;
 
+/// Letters of a formula at most: the parser's time grows with their square.
+const MOST_LETTERS: usize = 1000;
+
 /// Slants of a CSV at most: a hundredth of a degree.
 const MOST_SLANTS: usize = 9001;
 
@@ -30,7 +33,8 @@ pub(crate) fn is_file(density: &str) -> bool {
 ///
 /// # Errors
 ///
-/// A formula that does not parse or has other variables than `a`; a CSV that is broken
+/// A formula that does not parse, has other variables than `a` or more than a thousand
+/// letters; a CSV that is broken
 /// or whose slants do not rise within \[0, π/2\]; a density that is negative or not finite.
 pub fn read(density: &str, folder: &Path, degree: usize) -> Result<Vec<([f64; 3], f64)>> {
     if is_file(density) {
@@ -55,6 +59,11 @@ pub fn read(density: &str, folder: &Path, degree: usize) -> Result<Vec<([f64; 3]
 }
 
 fn formula(text: &str) -> Result<FlatEx<f64>> {
+    if text.len() > MOST_LETTERS {
+        let what = format!("geometry.density is a formula of {} letters", text.len());
+        let remedy = format!("write it with at most {MOST_LETTERS}, or give a CSV `slant,density`");
+        return Err(Error::new(what, remedy));
+    }
     let written = signed(text)?;
     let formula =
         FlatEx::<f64>::parse(&written).map_err(|error| wrong(text, &error.to_string()))?;

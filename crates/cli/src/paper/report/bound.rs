@@ -5,10 +5,10 @@ use crate::number::grouped;
 use crate::paper::bound::{Bounds, Row};
 use crate::paper::bound_spheres::{Rendering, Renderings};
 use crate::paper::spheres::title;
-use crate::paper::study::Modes;
+use crate::paper::study::{Modes, Study};
 
 /// The section, in Markdown.
-pub fn section(bounds: &Bounds, renderings: &Renderings) -> String {
+pub fn section(study: &Study, bounds: &Bounds, renderings: &Renderings) -> String {
     let rows: Vec<[String; 8]> =
         bounds.rows.iter().filter(|row| row.modes == Modes::All).map(fields).collect();
     let header = [
@@ -27,10 +27,18 @@ pub fn section(bounds: &Bounds, renderings: &Renderings) -> String {
         .filter(|row| row.modes == Modes::Selected)
         .map(|row| [share(row.accuracy), grouped(row.reached), percent_or_none(row)])
         .collect();
-    let all = bounds.rows.first().map_or(0, |row| row.reached);
+    let of_all = || bounds.rows.iter().filter(|row| row.modes == Modes::All);
+    let images = study.luminances.len() * study.greys.len();
+    let fewest = of_all().map(|row| row.reached).min().unwrap_or(0);
+    let reached_all = if fewest == images {
+        format!("all {} images reach every accuracy", grouped(images))
+    } else {
+        format!("of {} images {} reach every accuracy", grouped(images), grouped(fewest))
+    };
+    let floor = bounds.selected().unwrap_or_default();
     let worst = bounds.rows.iter().map(|row| row.excess).fold(0.0, f64::max);
     let of_percent = bounds.rows.iter().find(|row| row.accuracy == 0.01);
-    let dear = of_percent.map_or(0.0, |row| row.terms[1] as f64 / row.sufficient as f64);
+    let dear = of_percent.map_or(0.0, |row| row.terms[1] as f64 / row.sufficient.max(1) as f64);
     let never = match bounds.violations {
         0 => format!(
             "Of all {} partial sums of all images, none has an error above its bound.",
@@ -53,22 +61,24 @@ pub fn section(bounds: &Bounds, renderings: &Renderings) -> String {
          * **On average only.** Over all rotations of the light, and for a set that does not depend on the light, terms of \
          different (l, m) are uncorrelated, (37), and their mean squares add; inside one (l, m) the triangle inequality \
          remains.\n\
-         * **No bound.** The root of the summed variances: terms of one (l, m) overlap, M is nearly singular. It tells the \
-         size of the error well, and is exceeded, by up to {worst:.2} times.\n\n\
+         * **No bound.** The root of the summed variances: terms of one (l, m) overlap, M is nearly singular. At the accuracies \
+         below the error is at most {worst:.2} times that.\n\n\
          ![Bound and error against the number of terms](paper/bound.svg)\n\n\
          Leather in the studio. The accuracy is relative to the image's mean, (30), which is known before anything is rendered. \
-         For each image the weakest terms are left out as long as the bound allows; all {} images reach every accuracy:\n\n{}\n\
-         {never} It is safe and dear: at an accuracy of 1 % it asks for {dear:.1} times as many terms as would do, in the \
+         For each image the weakest terms are left out as long as the bound allows; {reached_all}:\n\n{}\n\
+         {never} At an accuracy of 1 % the bound asks for {dear:.1} times as many terms as would do, in the \
          median. Where error / bound is 1, what is left out is one term for each m. {} of the 3,704 modes are zero, so {} terms \
          are all that there are.\n\n\
-         With the 1,000 modes of the highest variance, what the selection drops counts as left out too; then the bound of \
-         few images comes down to an accuracy at all:\n\n{}\n\
+         With the 1,000 modes of the highest variance, what the selection drops counts as left out too: no sum has a smaller \
+         bound than that of the dropped terms. In the drawn image it is {} of the mean, and the error there {}; the images whose \
+         bound comes down to an accuracy:\n\n{}\n\
          {}\n\
          Figures: [bound.csv](paper/bound.csv), [bound_spheres.csv](paper/bound_spheres.csv).\n",
-        grouped(all),
         table(header, &rows),
         bounds.zero_modes,
         grouped(3704 - bounds.zero_modes),
+        percent(floor[1]),
+        percent(floor[0]),
         table(["accuracy", "images that reach it", "terms, median"], &reached),
         rendered(renderings)
     )

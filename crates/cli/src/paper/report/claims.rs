@@ -3,8 +3,11 @@
 use super::ALIKE_FROM;
 use super::table::{components, percent, table};
 use crate::number::grouped;
+use crate::paper::eigenimages::Eigenimages;
 use crate::paper::error::{Errors, needed};
 use crate::paper::reconstruction::Reconstructions;
+use crate::paper::rotated::Rotated;
+use crate::paper::spheres::title;
 use crate::paper::study::Modes;
 use crate::paper::variance::{SURFACES, Variance};
 use eigenshade_index::mode;
@@ -15,7 +18,7 @@ const CARRIED: f64 = 0.01;
 /// Two mean errors are alike if neither is more than so many times the other.
 const ALIKE: f64 = 1.05;
 /// An image is represented if its error is at most this.
-const REPRESENTED: f64 = 0.1;
+pub const REPRESENTED: f64 = 0.1;
 /// About five components are at most so many.
 const ABOUT_FIVE: usize = 6;
 /// The highlight is there if its brightest point is off by at most this.
@@ -49,7 +52,9 @@ pub fn section(claims: &[Claim]) -> String {
 #[must_use]
 pub fn claims(
     variance: &Variance,
+    eigenimages: &Eigenimages,
     errors: &Errors,
+    rotated: &Rotated,
     reconstructions: &Reconstructions,
 ) -> Vec<Claim> {
     let mut claims: Vec<Claim> =
@@ -57,9 +62,9 @@ pub fn claims(
     let of = |name: &str| errors.of_material(name, Criterion::ImageCentered, Modes::All);
     claims.extend([
         alike(errors),
-        many(errors, of("11-plaster-b")),
-        velvet(of("07-velvet")),
-        leather(of("05-leather"), highlight(reconstructions)),
+        many(errors, rotated),
+        velvet(of("07-velvet"), rotated.of_material("07-velvet"), eigenimages),
+        leather(of("05-leather"), highlight(reconstructions, "05-leather")),
     ]);
     claims
 }
@@ -104,11 +109,14 @@ fn alike(errors: &Errors) -> Claim {
     }
 }
 
-fn many(errors: &Errors, plaster: &[f64]) -> Claim {
+fn many(errors: &Errors, rotated: &Rotated) -> Claim {
     let within = |count: usize| {
         errors.materials().filter(|(_, errors)| errors[count] <= REPRESENTED).count()
     };
+    let turned = rotated.by_material.iter().filter(|errors| errors[ABOUT_FIVE] <= REPRESENTED);
     let all = errors.materials().count();
+    let least = errors.materials().min_by(|a, b| a.1[5].total_cmp(&b.1[5]));
+    let (least, left) = least.map_or(("", 0.0), |(name, errors)| (name, errors[5]));
     Claim {
         paper: "about five components for many materials, the matte among them".into(),
         condition: format!(
@@ -117,31 +125,51 @@ fn many(errors: &Errors, plaster: &[f64]) -> Claim {
         ),
         holds: 2 * within(ABOUT_FIVE) >= all,
         found: format!(
-            "within are {} of {all} with five, {} with six, {} with eight, {} with ten; five leave {} of plaster b, \
-             the mattest, and {} of all",
+            "within are {} of {all} with five, {} with six, {} with eight, {} with ten; five leave {} of {}, the least of \
+             any, and {} of all; with every light turned every way {} are within with six",
             within(5),
             within(6),
             within(8),
             within(10),
-            percent(plaster[5]),
-            percent(errors.mean[0][5])
+            percent(left),
+            title(least),
+            percent(errors.mean[0][5]),
+            turned.count()
         ),
     }
 }
 
-fn velvet(errors: &[f64]) -> Claim {
+fn velvet(errors: &[f64], turned: &[f64], eigenimages: &Eigenimages) -> Claim {
     let count = needed(errors, REPRESENTED);
     Claim {
         paper: "about five for velvet".into(),
         condition: format!("{ABOUT_FIVE} components leave at most {}", whole(REPRESENTED)),
         holds: count.is_some_and(|count| count <= ABOUT_FIVE),
         found: format!(
-            "that takes {}; five leave {}, nine {}: component 8, counted from 0, is a ring along the rim",
+            "that takes {}; five leave {}{}; with every light turned every way {}, and five leave {}",
             components(count),
             percent(errors[5]),
-            percent(errors[9])
+            step(errors, eigenimages).unwrap_or_default(),
+            components(needed(turned, REPRESENTED)),
+            percent(turned[5])
         ),
     }
+}
+
+/// The component beyond the fifth, of those that Fig. 3 shows, that takes the most of an
+/// error away, and what it looks like.
+fn step(errors: &[f64], eigenimages: &Eigenimages) -> Option<String> {
+    let taken = |component: usize| errors[component] - errors[component + 1];
+    let shown = 5..eigenimages.shapes.len();
+    let component = shown.max_by(|a, b| taken(*a).total_cmp(&taken(*b)))?;
+    let shape = eigenimages.shapes.get(component)?;
+    Some(format!(
+        ", and component {component}, counted from 0, takes {} off, more than any other of Fig. 3 from 5 on: m = {}, {} of \
+         its square in the outer tenth of the disc",
+        percent(taken(component)),
+        shape.order,
+        percent(shape.rim)
+    ))
 }
 
 fn leather(errors: &[f64], highlight: Option<usize>) -> Claim {
@@ -163,21 +191,23 @@ fn leather(errors: &[f64], highlight: Option<usize>) -> Claim {
     }
 }
 
-/// The number of components from which leather's highlight is there, and stays.
+/// The number of components from which a material's brightest point is right, and stays,
+/// by all modes.
 #[must_use]
-pub fn highlight(reconstructions: &Reconstructions) -> Option<usize> {
-    let is_leather = |names: [&str; 2]| names[0] == "05-leather";
+pub fn highlight(reconstructions: &Reconstructions, material: &str) -> Option<usize> {
+    let is_it = |names: [&str; 2]| names[0] == material;
     let course = reconstructions
         .courses
         .iter()
-        .find(|course| is_leather(course.names) && course.modes == Modes::All)?;
+        .find(|course| is_it(course.names) && course.modes == Modes::All)?;
     let wrong = |share: &f64| (share - 1.0).abs() > HIGHLIGHT;
     let first = course.brightest.iter().rposition(wrong).map_or(0, |last| last + 1);
     (first < course.brightest.len()).then_some(first)
 }
 
 /// A limit in per cent.
-fn whole(share: f64) -> String {
+#[must_use]
+pub fn whole(share: f64) -> String {
     format!("{} %", 100.0 * share)
 }
 

@@ -8,6 +8,8 @@ mod variance;
 
 mod eigenimages;
 
+mod spheres;
+
 mod errors;
 
 mod reconstruction;
@@ -19,9 +21,12 @@ mod selected;
 use super::artefact::COMMAND;
 use super::bound::Bounds;
 use super::bound_spheres::Renderings;
+use super::eigenimages::Eigenimages;
 use super::error::Errors;
 use super::reconstruction::Reconstructions;
+use super::rotated::Rotated;
 use super::selected::Selected;
+use super::spheres::Spheres;
 use super::study::{Modes, Study};
 use super::variance::Variance;
 use crate::number::grouped;
@@ -38,8 +43,14 @@ pub struct Report<'a> {
     pub study: &'a Study,
     /// Fig. 2.
     pub variance: &'a Variance,
+    /// Fig. 3.
+    pub eigenimages: &'a Eigenimages,
+    /// Fig. 4.
+    pub spheres: &'a Spheres,
     /// Fig. 5 and 6.
     pub errors: &'a Errors,
+    /// Beside Fig. 6.
+    pub rotated: &'a Rotated,
     /// Fig. 7.
     pub reconstructions: &'a Reconstructions,
     /// Section 4.4.
@@ -56,14 +67,20 @@ impl Report<'_> {
     pub fn page(&self) -> String {
         let sections = [
             self.head(),
-            claims::section(&claims::claims(self.variance, self.errors, self.reconstructions)),
+            claims::section(&claims::claims(
+                self.variance,
+                self.eigenimages,
+                self.errors,
+                self.rotated,
+                self.reconstructions,
+            )),
             variance::section(self),
             eigenimages::section(self),
-            spheres(),
+            spheres::section(self.spheres),
             errors::all_images(self),
             errors::materials(self),
             reconstruction::section(self),
-            bound::section(self.bounds, self.renderings),
+            bound::section(self.study, self.bounds, self.renderings),
             selected::section(self),
         ];
         sections.join("\n")
@@ -76,7 +93,7 @@ impl Report<'_> {
              # The paper's figures on our data\n\n\
              P. Nillius and J.-O. Eklundh, *Phenomenological Eigenfunctions for Image Irradiance*, ICCV 2003, \
              against what the shipped data give. `eigenshade paper --out docs` writes this page with its numbers and \
-             [its figures](paper); `eigenshade paper --check docs` makes the numbers again and compares.\n\n\
+             [its figures](paper); `eigenshade paper --check docs` makes all of it again and compares.\n\n\
              **Data.** {lights} captured lights to degree 9, in luminance, each with L_0^0 = 1, in the pose in which they were \
              captured; the {materials} CUReT materials to order 7, grey. That is {} images of a sphere, with all {} modes. The \
              paper has other maps (Debevec's), its own fits of CUReT, and the {} modes of the highest variance; Fig. 3 to 7 \
@@ -89,13 +106,4 @@ impl Report<'_> {
             grouped(Modes::Selected.count()),
         )
     }
-}
-
-fn spheres() -> String {
-    "## Fig. 4: rendered spheres\n\n\
-     ![Velvet, leather and orange peel](paper/spheres.png)\n\n\
-     The direct sum (15) in three channels: velvet with its bright rim in a forest, leather with its specularity in a \
-     studio, orange peel at sunset. The materials are grey, the colours are the lights'. Above by all modes, below by the \
-     1,000 of the highest variance.\n"
-        .into()
 }

@@ -4,7 +4,9 @@
 #[must_use]
 pub fn table<const N: usize>(header: [&str; N], rows: &[[String; N]]) -> String {
     let line = |fields: &[String]| format!("| {} |\n", fields.join(" | "));
-    let is_number = |field: &String| field.starts_with(|letter: char| letter.is_ascii_digit());
+    let is_number = |field: &String| {
+        field.trim_start_matches('-').starts_with(|letter: char| letter.is_ascii_digit())
+    };
     let rules: Vec<String> = (0..N)
         .map(|column| {
             let right = rows.iter().all(|row| is_number(&row[column]) && row[column].len() < 20);
@@ -22,7 +24,7 @@ pub fn table<const N: usize>(header: [&str; N], rows: &[[String; N]]) -> String 
 #[must_use]
 pub fn percent(share: f64) -> String {
     let value = 100.0 * share;
-    let magnitude = if value > 0.0 { value.log10().floor() as i32 } else { 0 };
+    let magnitude = if value == 0.0 { 0 } else { value.abs().log10().floor() as i32 };
     let places = usize::try_from(2 - magnitude).unwrap_or(0).min(6);
     format!("{value:.places$} %")
 }
@@ -47,8 +49,8 @@ mod tests {
 
     #[test]
     fn shares_have_three_digits() {
-        let texts = [0.0, 1e-5, 0.00744, 0.0744, 0.174, 0.9926, 1.0].map(percent);
-        let expected = ["0.00 %", "0.00100 %", "0.744 %", "7.44 %", "17.4 %", "99.3 %", "100 %"];
+        let texts = [0.0, 1e-5, 0.00744, -0.0744, 0.174, 0.9926, 1.0].map(percent);
+        let expected = ["0.00 %", "0.00100 %", "0.744 %", "-7.44 %", "17.4 %", "99.3 %", "100 %"];
         assert_eq!(texts, expected);
     }
 }

@@ -1,10 +1,5 @@
-//! Whether a folder of figures says what the program finds now: words must be equal,
-//! numbers nearly so, since hosts differ in the last digits. Pictures are not compared:
-//! they show the numbers that are.
-
-use super::artefact::{Artefact, Content};
-use eigenshade_generator::error::{Error, Result};
-use std::path::Path;
+//! The page and the CSV files: words must be equal, numbers nearly so, since hosts differ
+//! in the last digits.
 
 /// What two numbers of a CSV may differ by, of the larger one: two units of the six
 /// digits.
@@ -12,38 +7,13 @@ pub const ALLOWED: f64 = 2e-5;
 /// What they may differ by at least, of the largest number of their file: rounding.
 pub const FLOOR: f64 = 1e-13;
 
-/// Compares every CSV and Markdown file with what stands in `folder`; gives the number
-/// of files and of numbers that were compared.
-///
-/// # Errors
-///
-/// The first file that is missing or differs, with its line.
-pub fn compare(artefacts: &[Artefact], folder: &Path) -> Result<(usize, usize)> {
-    let (mut files, mut numbers) = (0, 0);
-    for artefact in artefacts {
-        let Content::Text(text) = &artefact.content else { continue };
-        if artefact.name.ends_with(".svg") {
-            continue;
-        }
-        let path = folder.join(&artefact.name);
-        let found = std::fs::read_to_string(&path).map_err(|error| Error::io(&path, &error))?;
-        numbers += compare_texts(&found, text).map_err(|(line, what)| {
-            let remedy =
-                format!("make it again with `eigenshade paper --out {}`", folder.display());
-            Error::new(what, remedy).at_line(&path, line)
-        })?;
-        files += 1;
-    }
-    Ok((files, numbers))
-}
-
 /// Compares two texts; gives how many numbers they have, or the line, from 1, where they
 /// differ, and how.
 ///
 /// # Errors
 ///
 /// The first difference.
-pub fn compare_texts(found: &str, expected: &str) -> std::result::Result<usize, (u64, String)> {
+pub fn compare_texts(found: &str, expected: &str) -> Result<usize, (u64, String)> {
     let largest = expected
         .split(separates)
         .filter_map(|word| number(word).map(|(value, _)| value.abs()))
@@ -75,7 +45,7 @@ pub fn compare_texts(found: &str, expected: &str) -> std::result::Result<usize, 
 }
 
 /// Two sequences side by side, to the end of the longer one.
-struct Pairs<A, B>(A, B);
+pub struct Pairs<A, B>(pub A, pub B);
 
 impl<A: Iterator, B: Iterator> Iterator for Pairs<A, B> {
     type Item = (Option<A::Item>, Option<B::Item>);
@@ -104,7 +74,8 @@ fn number(word: &str) -> Option<(f64, f64)> {
     Some((value, 1.000_001 * unit))
 }
 
-fn shown(line: &str) -> &str {
+/// The beginning of a line, for a message.
+pub fn shown(line: &str) -> &str {
     let end = line.char_indices().nth(60).map_or(line.len(), |(end, _)| end);
     &line[..end]
 }
