@@ -363,6 +363,11 @@ pub const RING_SHARES: f64 = 1e-12;
 pub const RING_MIDPOINTS: f64 = 1e-4;
 /// Squared length of a unit normal: some roundings.
 pub const UNIT_LENGTH: f64 = 1e-12;
+/// Projection and synthesis of the first components of an object, made alone or with all, of the largest number: the
+/// same sums in another order.
+pub const PREFIX: f64 = 1e-13;
+/// U over modes of them: divided by singular values down to the cut-off of 8e-11, which few pictures call for.
+pub const PREFIX_MODES: f64 = 1e-10;
 /// Images over an object by d against the direct sum, in amplitude, of |L| |b|: modes whose images over the sphere are below
 /// 1e-13 are in no span, at one normal of the rim they are a thousand times that, and an image has a tenth
 /// of them; 1.5e-13 was the most in a thousand random objects. What the rank's cut-off takes comes on top.
@@ -423,9 +428,12 @@ pub const WAYS: [(&str, f64); 7] = [
     ("--method baked --size 128 --interpolation linear", 7e-6),
     ("--method baked --size 64 --interpolation nearest", 3e-3),
 ];
-/// Cubics through 48 knots of images to degree 17, of the first coefficient: those to degree 9 are off by 1e-5 of the
-/// peak.
-pub const SAMPLED_CUBIC: f64 = 1e-2;
+/// Cubics through 48 knots, of the largest irradiance of four normals: the fourth power of 1/48, 2e-7, times some fourth
+/// derivative, and roundings of f32; twice what was measured, 1e-6 at degree 17.
+pub const SAMPLED_CUBIC: f32 = 2e-6;
+/// The same of an object's image: it is summed over the whole span, whose weakest polynomials are steep
+/// and cancel; twice what was measured.
+pub const SAMPLED_CUBIC_OBJECT: f32 = 5e-4;
 
 /// Rms error of the firmware's full scene over the rms peak: what its components and terms are
 /// chosen for.
