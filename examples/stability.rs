@@ -76,8 +76,8 @@ the mean image, and of a dark rim, which are right against their coefficients an
 * Components whose eigenvalues differ by less than their rounding, 1e-16 of the largest, in one azimuth: their span is right, each alone is
   as the host's arithmetic has it.
 * f32 pixels at high degree: see degree 32 above, and [method.md](method.md#limits).
-* Time is told and not asserted: ×1.0 is what this page's host took, one that has no long way for subnormal numbers. Others may take a hundred
-  times as long for each of those that are counted above. Whoever lights in f32 at 1e-30 keeps the light near 1 and scales the image.
+* Ratios of times are told and not asserted: those above are of a Zen 5, which hardly slows down for subnormal numbers. Others may take a hundred times
+  as long for each of those that are counted there, one product of a pixel. Whoever lights in f32 at 1e-30 keeps the light near 1 and scales the image.
 ";
 
 fn main() -> ExitCode {

@@ -198,7 +198,7 @@ pub const RASTER: f64 = 1e-3;
 /// denormal and lose up to 1e-15 of it, some thousand of them in a sum.
 pub const SCALED_F32: f64 = 2e-12;
 /// Products of a pixel at 2^-100 in f32 that are subnormal, of those that are not 0: the highest terms are 1e-7
-/// of the strongest, and t and n_x are small somewhere; one in a hundred pixels' products, doubled.
+/// of the strongest, and t and n_x are small somewhere: 0.7 %.
 pub const SUBNORMAL_PRODUCTS: f64 = 0.02;
 /// Coefficients at 2^-100 in f32 that are subnormal, of all components: those weaker than 1e-8 of the
 /// strongest, in amplitude.
@@ -465,7 +465,8 @@ pub const NAIVE_NOT_A_NUMBER: f64 = 0.99;
 pub const NAIVE_ROOT: f64 = 0.1;
 /// Blocks whose rank at 1e-17 is more than the exact one: one at least counts rounding.
 pub const NAIVE_RANK: f64 = 1.0;
-/// WᵀW by eigenvectors of squares, divided by roots of 1e-9 and less: 1e-16 over 1e-9, a tenth of it.
+/// WᵀW by eigenvectors of squares: an image of 1e-9 has a square of 1e-18, far below the rounding of the largest,
+/// 1e-16; divided by its root it leans on the others.
 pub const NAIVE_SQUARES: f64 = 1e-8;
 /// A slant of 1e-9 from acos(z), relative: 1 - 5e-19 is 1, and acos(1) is 0.
 pub const NAIVE_SLANT: f64 = 0.5;
@@ -477,11 +478,11 @@ pub const NAIVE_PICTURES: f64 = 1e-3;
 /// Facets of `degenerate.obj` whose cross product has no length: those with two corners alike, and
 /// those on a line of two digits.
 pub const NAIVE_FACETS: f64 = 5.0;
-/// d by a plain sum of a million pixels in f32, of the largest d: 6e-8 times the root of a million would
-/// be 6e-5 if all roundings were as large as the last ones; a tenth of that is seen, and a fifth of it asked for.
+/// d by a plain sum of a million pixels in f32, of the largest d: an addition near its end loses up to 6e-8 of the
+/// sum, and runs of pixels lose alike: 1e-5, of which a fifth is asked for.
 pub const NAIVE_SUM: f64 = 2e-6;
-/// Components whose order and sign are compared: those whose eigenvalue is above 1e-24 of the largest are
-/// 240 or so.
+/// Components whose order and sign are compared: those with eigenvalues above 1e-24 of the largest, of 395
+/// that there are in exact arithmetic.
 pub const LEAST_COMPARED: f64 = 200.0;
 
 // What `docs/reading.md` says of its figures: those said in whole per cent are within half of one.
