@@ -77,7 +77,7 @@ the mean image, and of a dark rim, which are right against their coefficients an
   as the host's arithmetic has it.
 * f32 pixels at high degree: see degree 32 above, and [method.md](method.md#limits).
 * Ratios of times are told and not asserted: those above are of a Zen 5, which hardly slows down for subnormal numbers. Others may take a hundred times
-  as long for each of those that are counted there, one product of a pixel. Whoever lights in f32 at 1e-30 keeps the light near 1 and scales the image.
+  as long for each, and a pixel at 1e-30 has about one. So in f32 a light is kept near 1, and the image scaled.
 ";
 
 fn main() -> ExitCode {

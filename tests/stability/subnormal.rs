@@ -10,9 +10,9 @@ use std::time::{Duration, Instant};
 pub const TINY: Case = Case {
     name: "light at 1e-30 in f32: what becomes subnormal, and what it takes in time",
     naively: "products below 1e-38 are subnormal: some processors take a hundred times as long for each",
-    here: "with the shipped table no coefficient, term or pixel is, nor any product on the way but a few of pixels where \
-           polynomials are nearly zero; of all components the weakest are, and pixels by powers of n_x + i n_y. \
-           Images are linear: light scaled by a power of two to about 1, and the pixels back, gives the same bits",
+    here: "with the shipped table no coefficient, term or pixel is, nor any product on the way but less than one in a \
+           hundred of a pixel's; of all components the weakest are. Images are linear: light scaled by a power of two \
+           to about 1, and the pixels back, gives the same bits",
     measure,
 };
 
