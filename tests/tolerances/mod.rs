@@ -481,8 +481,7 @@ pub const NAIVE_FACETS: f64 = 5.0;
 /// d by a plain sum of a million pixels in f32, of the largest d: an addition near its end loses up to 6e-8 of the
 /// sum, and runs of pixels lose alike: 1e-5, of which a fifth is asked for.
 pub const NAIVE_SUM: f64 = 2e-6;
-/// Components whose order and sign are compared: those with eigenvalues above 1e-24 of the largest, of 395
-/// that there are in exact arithmetic.
+/// Components whose order and sign are compared: some 240 have eigenvalues above 1e-24 of the largest.
 pub const LEAST_COMPARED: f64 = 200.0;
 
 // What `docs/reading.md` says of its figures: those said in whole per cent are within half of one.

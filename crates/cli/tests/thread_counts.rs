@@ -10,8 +10,9 @@ use support::{Folder, repository};
 const VARIABLE: &str = "RAYON_NUM_THREADS";
 
 /// Every component of the shipped scene, order, sign and last bit: two runs with each number of
-/// threads. As it is built the generator has one thread whatever the variable says; this is what
-/// would find out if that changed.
+/// threads. As it is built the generator has one thread whatever the variable says. Built with
+/// faer's `rayon` it heeds it, and this test fails: the last bits differ then, though of the 242
+/// components above 1e-24 of the largest eigenvalue none in its order.
 #[test]
 fn tables_are_the_same_to_the_byte() {
     let folder = Folder::new();
