@@ -25,8 +25,8 @@ const HEAD: &str = "\
 
 Cases in which arithmetic goes wrong if nobody looks: what goes wrong, what is done about it, and how far off the answer is, measured
 against an oracle. Images are measured against the direct sum (15), and that in `tests/paper.rs` against quadrature of (3). `tests/hard_cases.rs`
-asserts every bound; ours and their reasons stand in `tests/tolerances/mod.rs`. An error of the naive way has to be at least its bound, which stands
-beside the case, or the case is none; a count has to be exact.
+asserts every bound; they stand with their reasons in `tests/tolerances/mod.rs`. An error of the naive way has to be at least its bound, or the
+case is none; a count has to be exact.
 
 | case | naively | here | measured (bound) |
 |---|---|---|---|
@@ -35,7 +35,7 @@ beside the case, or the case is none; a count has to be exact.
 const TAIL: &str = "
 ## Through the command line
 
-`crates/cli/tests/hard_cases.rs` asserts these; the bounds stand in the same file.
+`crates/cli/tests/hard_cases.rs` asserts these, or the file that is named; the bounds stand in the same place.
 
 | case | naively | here |
 |---|---|---|
@@ -49,6 +49,11 @@ const TAIL: &str = "
 | coefficients at 1e-30 and 1e+30, light against material | infinity from a finite answer | linear to rounding in f64 and f32 |
 | flat objects, a patch of 2e-4, two normals within 1e-9, weights over twelve decades (`flat_objects.rs`) | components of rounding; pictures of light normals lost | as many as the normals can tell apart; both criteria give the pictures |
 | a mesh with degenerate triangles (`flat_objects.rs`) | NaN | the same eigenvalues, to the digit, as without them |
+| a sun: one texel of 64 x 32 a million times the rest (`hard_databases.rs`) | coefficients without the sky | the sums of its texels' harmonics to the digits written; pictures under it against quadrature of (3) |
+| all materials alike; Lambertian materials only; a covariance of rank one (`hard_databases.rs`) | components of rounding | as many as there are; eigenvalues, variance and pictures by other ways |
+| the same scene again, and with 1, 2 and 3 threads (`thread_counts.rs`) | another order, another sign | the same bytes; the linear algebra is built for one thread |
+| ten thousand facets that fill the picture (`visible_facets.rs` of the generator) | every sample of every facet: minutes | what lies behind whole tiles of samples is settled at once |
+| a PNG with a colour profile or a text that unpacks to a thousand times its size (`png_memory.rs` of the generator) | it is unpacked before it is refused | what is not the picture stays packed |
 | images of 1e155 or 1e-180 | eigenvalues, squares, infinite or all zero: a table that cannot be read | refused, before a table is written |
 
 ## Properties
@@ -59,16 +64,20 @@ take), |d|² + residual = cᵀMc, linearity, that turning light and normals abou
 prefix, the order and sign of components, and reciprocity. Light, view and normal turned by any rotation of SO(3), and the normal's frame by any γ, change nothing.
 
 So it does with objects: lists of normals with weights over up to six decades, half circles, rims, patches of 1e-9 to 0.1, densities of slants, under light
-that is turned freely, about the vertical axis, or not. Parseval over the object's normals, linearity in the light, prefixes; of all but densities, which are hundreds of
-normals, UᵀMU = I over modes and pixel by pixel (to what the cut-offs may take), and that object and light turned about the view have the same eigenvalues.
+that is turned freely, about the vertical axis, or not, with all modes or some. Parseval over the object's normals, linearity in light and material, prefixes; of all but densities, which are
+hundreds of normals, UᵀMU = I over modes and pixel by pixel (to what the cut-offs may take), that a coarser cut-off moves singular values by no more than it takes, and that object and
+light turned about the view have the same eigenvalues.
+
+What a thousand cases of each found are tests by name, in `tests/properties/found.rs`: a prefix whose U differs in the last bits at a cut-off of 8e-11; the energy of an image that is
+the mean image, and of a dark rim, which are right against their coefficients and not against themselves; a cut-off that takes a part of the constant, refused by its name.
 
 ## What is not covered
 
 * Components whose eigenvalues differ by less than their rounding, 1e-16 of the largest, in one azimuth: their span is right, each alone is
   as the host's arithmetic has it.
 * f32 pixels at high degree: see degree 32 above, and [method.md](method.md#limits).
-* Nothing is asserted of time. In f32, components that the shipped table has not, weaker than 1e-8 of the strongest, have denormal products at
-  1e-30: no pixel shows it; what it costs in time is not measured.
+* Ratios of times are told and not asserted: those above are of a Zen 5, which hardly slows down for subnormal numbers. Others may take a hundred times
+  as long for each, and a pixel at 1e-30 has about one. So in f32 a light is kept near 1, and the image scaled.
 ";
 
 fn main() -> ExitCode {
@@ -136,6 +145,7 @@ fn page(measured: &[(&Case, Vec<Figure>)]) -> String {
 fn cell(figure: &Figure) -> String {
     let found = match figure.bound {
         Bound::Exactly(_) => figure.found.to_string(),
+        Bound::Told => format!("×{:.1}", figure.found),
         _ => format!("{:.0e}", figure.found),
     };
     format!("{}: {found} ({})", figure.what, bound(figure))
@@ -146,11 +156,12 @@ fn bound(figure: &Figure) -> String {
         Bound::Most(bound) => format!("≤ {bound:e}"),
         Bound::Least(bound) => format!("≥ {bound:e}"),
         Bound::Exactly(bound) => format!("= {bound}"),
+        Bound::Told => "not asserted".to_owned(),
     }
 }
 
 /// Word by word; where both words are numbers with an exponent, they may differ by
-/// [`FACTOR`], or both be [`ROUNDING`].
+/// [`FACTOR`], or both be [`ROUNDING`]; ratios of times are not compared.
 fn compare(path: &str, recorded: &str, page: &str) -> Result<(), String> {
     let (old, new): (Vec<_>, Vec<_>) = (recorded.lines().collect(), page.lines().collect());
     for (line, (old, new)) in old.iter().zip(&new).enumerate() {
@@ -171,6 +182,6 @@ fn near(old: &str, new: &str) -> bool {
             let within = old / new <= FACTOR && new / old <= FACTOR;
             within || old.max(new) < ROUNDING
         }
-        _ => false,
+        _ => old.starts_with('×') && new.starts_with('×'),
     }
 }

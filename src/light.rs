@@ -9,6 +9,11 @@ use crate::index::light;
 /// The harmonics carry the Condon-Shortley phase, z points to the camera, x to
 /// the right, y up. Coefficients in the graphics convention are these times
 /// [`graphics_sign`](crate::index::light::graphics_sign).
+///
+/// An image is linear in its light. In `f32` keep coefficients near 1, and scale the image
+/// where it is shown: with a light at 1e-30 the shipped table's coefficients and pixels are
+/// as exact, but products of its pixels, and components weaker than 1e-8 of the strongest,
+/// are subnormal, which many processors take long for. A power of two changes no bit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Light<'a, S> {

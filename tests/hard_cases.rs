@@ -54,5 +54,6 @@ cases! {
     degenerate_triangles = stability::facets::DEGENERATE;
     scales_in_f64 = stability::scales::DOUBLE;
     scales_in_f32 = stability::scales::SINGLE;
+    light_at_1e_30_in_f32 = stability::subnormal::TINY;
     a_million_pixels = stability::summation::MILLION;
 }

@@ -3,8 +3,9 @@
 //!
 //! The same few scenes each time. To search further:
 //! `PROPTEST_CASES=1000 PROPTEST_RNG_SEED=7 cargo test --test properties`. What such a
-//! search finds becomes a test by name.
+//! search finds becomes a test by name, in `found`.
 
+mod found;
 mod objects;
 mod over_modes;
 mod samples;

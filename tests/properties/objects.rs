@@ -22,14 +22,20 @@ use nalgebra::DMatrix;
 use proptest::prelude::*;
 use std::f64::consts::PI;
 
-/// A small scene of the sample, of all modes, whose light turns like this.
-fn scene(sample: &Sample, rotation: LightRotation) -> (Sample, Loaded) {
+/// A small scene of the sample, with its selection of modes, whose light turns like this.
+pub fn scene(sample: &Sample, rotation: LightRotation) -> (Sample, Loaded) {
     let (degree, order) = (sample.degree % 5, sample.order % 5);
-    // Of a degree and an order of one each, the modes do not make the constant.
-    let small = Sample { degree, order, spread: sample.spread.min(8.0), ..sample.clone() };
-    let mut loaded = small.whole();
+    // Fewer than there are, of most degrees and orders.
+    let modes = sample.modes % 300;
+    let small = Sample { degree, order, modes, spread: sample.spread.min(8.0), ..sample.clone() };
+    let mut loaded = small.scene();
     loaded.scene.light.rotation = rotation;
     (small, loaded)
+}
+
+/// The same, of all modes.
+fn whole(sample: &Sample, rotation: LightRotation) -> (Sample, Loaded) {
+    scene(&Sample { modes: 0, ..sample.clone() }, rotation)
 }
 
 fn rotations() -> impl Strategy<Value = LightRotation> {
@@ -59,6 +65,10 @@ fn size(loaded: &Loaded) -> f64 {
     (of_light * of_materials / loaded.materials.entries.len() as f64).sqrt()
 }
 
+fn norm(values: &[f64]) -> f64 {
+    values.iter().map(|value| value * value).sum::<f64>().sqrt()
+}
+
 /// U over modes: a row a mode in the order of [`Pictures::modes`], a column an eigenimage.
 fn over_modes(table: &Table) -> DMatrix<f64> {
     let (degree, order) = (table.gram.degree, table.gram.order);
@@ -81,6 +91,85 @@ fn over_modes(table: &Table) -> DMatrix<f64> {
         }
     }
     u
+}
+
+/// |d|² + residual against Σ w (I - mean)² over an object's normals, which is cᵀMc where there is no mean
+/// image.
+#[derive(Clone, Copy, Debug)]
+pub struct Energy {
+    /// Their difference.
+    pub apart: f64,
+    /// The larger of |d|² and the energy.
+    pub scale: f64,
+    /// |L| |b|, and that of the mean image that was subtracted.
+    size: f64,
+    cutoff: f64,
+}
+
+impl Energy {
+    /// What amplitudes that are right to a share of `size` leave.
+    pub fn allowed(&self) -> f64 {
+        let amplitude = (tolerances::OBJECT_PARSEVAL + self.cutoff) * self.size;
+        amplitude * (self.scale.sqrt() + amplitude)
+    }
+
+    pub fn holds(&self) -> bool {
+        self.apart <= self.allowed()
+    }
+}
+
+/// Those of a pair that is not of the database, and of one that is.
+pub fn energies(sample: &Sample, shape: &Shape, rotation: LightRotation) -> [Energy; 2] {
+    let (small, loaded) = whole(sample, rotation);
+    let listed = shape.normals(small.degree, &mut Numbers(sample.seed ^ 7));
+    let table = table(&loaded, &listed);
+    let projector = Projector::new(&table);
+    let truth = Truth::new(small.degree, small.order);
+    let ([stranger, _], [other, _]) = strangers(&small);
+    let of_database =
+        (loaded.lights.entries[0].luminance(), loaded.materials.entries[0].luminance());
+    [(stranger, other), of_database].map(|(light, on)| {
+        let d = projector.project(&light, &on);
+        let (image, mean) =
+            (projector.shade(&d, listed.normals()), projector.shade(&[], listed.normals()));
+        let (mut residual, mut about_mean) = (0.0, 0.0);
+        for (k, weight) in listed.weights().iter().enumerate() {
+            let modes = truth.at(listed.normals()[k]);
+            let seen = modes.irradiance(&light, &modes.scatter(&on));
+            residual += weight * (seen - image[k]).powi(2);
+            about_mean += weight * (seen - mean[k]).powi(2);
+        }
+        let kept: f64 = d.iter().map(|d| d * d).sum();
+        let of_mean = if small.standard { size(&loaded) } else { 0.0 };
+        Energy {
+            apart: (kept + residual - about_mean).abs(),
+            scale: about_mean.max(kept),
+            size: norm(&light) * norm(&on) + of_mean,
+            cutoff: loaded.scene.basis.rank_cutoff,
+        }
+    })
+}
+
+/// How far a table of a share of the components is from the beginning of the whole one, of the largest
+/// number: its projection, its synthesis, and U over modes. Eigenvalues are the same.
+pub fn prefix(sample: &Sample, shape: &Shape, rotation: LightRotation, share: f64) -> [f64; 3] {
+    let (small, mut loaded) = scene(sample, rotation);
+    let listed = shape.normals(small.degree, &mut Numbers(sample.seed ^ 7));
+    let all = table(&loaded, &listed);
+    let count = 1 + (share * all.count() as f64) as usize;
+    loaded.scene.basis.components = Some(count);
+    let few = table(&loaded, &listed);
+    assert_eq!(few.count(), count.min(all.count()));
+    let (a, b) = (few.general.as_ref().expect("general"), all.general.as_ref().expect("general"));
+    assert_eq!(&a.eigenvalues[..], &b.eigenvalues[..few.count()]);
+    assert!(eigenvalues(&all).is_sorted_by(|a, b| a >= b));
+    // The same sums, in the order that a matrix of another size asks for.
+    [(&a.projection, &b.projection), (&a.synthesis, &b.synthesis), (&a.modes, &b.modes)].map(
+        |(a, b)| {
+            let apart = largest(a.iter().zip(b).map(|(a, b)| a - b));
+            if apart > 0.0 { apart / largest(a.iter().copied()) } else { 0.0 }
+        },
+    )
 }
 
 proptest! {
@@ -135,36 +224,13 @@ proptest! {
         }
     }
 
-    /// |d|² + residual = Σ w (I - mean)², which is cᵀMc where there is no mean image.
+    /// |d|² + residual = Σ w (I - mean)².
     #[test]
     fn energy_over_an_object_is_kept_or_left(
         sample in samples(), shape in shapes(), rotation in rotations()
     ) {
-        let (small, loaded) = scene(&sample, rotation);
-        let listed = shape.normals(small.degree, &mut Numbers(sample.seed ^ 7));
-        let table = table(&loaded, &listed);
-        let projector = Projector::new(&table);
-        let truth = Truth::new(small.degree, small.order);
-        let ([stranger, _], [other, _]) = strangers(&small);
-        let of_database = (loaded.lights.entries[0].luminance(), loaded.materials.entries[0].luminance());
-        for (light, on) in [(stranger, other), of_database] {
-            let d = projector.project(&light, &on);
-            let (image, mean) =
-                (projector.shade(&d, listed.normals()), projector.shade(&[], listed.normals()));
-            let (mut residual, mut about_mean, mut energy) = (0.0, 0.0, 0.0);
-            for (k, weight) in listed.weights().iter().enumerate() {
-                let modes = truth.at(listed.normals()[k]);
-                let seen = modes.irradiance(&light, &modes.scatter(&on));
-                residual += weight * (seen - image[k]).powi(2);
-                about_mean += weight * (seen - mean[k]).powi(2);
-                energy += weight * seen * seen;
-            }
-            let kept: f64 = d.iter().map(|d| d * d).sum();
-            let apart = (kept + residual - about_mean).abs();
-            let scale = about_mean.max(kept);
-            // Of an image that is the mean but for rounding, rounding is left.
-            let allowed = tolerances::OBJECT_PARSEVAL * scale + tolerances::ORTHONORMAL_NODES * energy;
-            prop_assert!(apart <= allowed, "{apart:e} of {scale:e}");
+        for energy in energies(&sample, &shape, rotation) {
+            prop_assert!(energy.holds(), "{energy:?}");
         }
     }
 
@@ -176,17 +242,22 @@ proptest! {
         let (small, loaded) = scene(&sample, rotation);
         let listed = shape.normals(small.degree, &mut Numbers(sample.seed ^ 7));
         let projector = Projector::new(&table(&loaded, &listed));
-        let ([light, other], [on, _]) = strangers(&small);
+        let ([light, other], [material, on]) = strangers(&small);
         let mix = |a: &[f64], b: &[f64]| -> Vec<f64> {
             a.iter().zip(b).map(|(a, b)| weight * a + (1.0 - weight) * b).collect()
         };
-        let mixed = projector.project(&mix(&light, &other), &on);
-        let (first, second) = (projector.project(&light, &on), projector.project(&other, &on));
-        let scale = largest(first.iter().chain(&second).copied()) * (1.0 + weight.abs());
-        let apart = largest(mixed.iter().zip(mix(&first, &second)).map(|(a, b)| a - b));
-        // A mean image that is far brighter than the strangers is subtracted from both.
+        // A mean image that is far brighter than the strangers is subtracted from each.
         let mean = largest(projector.project(&vec![0.0; light.len()], &on));
-        prop_assert!(apart <= tolerances::DENSE_PROJECTION * (scale + mean), "{apart:e} of {scale:e}");
+        for (mixed, first, second) in [
+            (projector.project(&mix(&light, &other), &material), (&light, &material), (&other, &material)),
+            (projector.project(&light, &mix(&material, &on)), (&light, &material), (&light, &on)),
+        ] {
+            let first = projector.project(first.0, first.1);
+            let second = projector.project(second.0, second.1);
+            let scale = largest(first.iter().chain(&second).copied()) * (1.0 + weight.abs()) + mean;
+            let apart = largest(mixed.iter().zip(mix(&first, &second)).map(|(a, b)| a - b));
+            prop_assert!(apart <= tolerances::DENSE_PROJECTION * scale, "{apart:e} of {scale:e}");
+        }
     }
 
     /// Fewer components are the first of more.
@@ -194,25 +265,32 @@ proptest! {
     fn fewer_components_of_an_object_are_a_prefix(
         sample in samples(), shape in shapes(), rotation in rotations(), share in 0.0f64..1.0
     ) {
-        let (small, mut loaded) = scene(&sample, rotation);
-        let listed = shape.normals(small.degree, &mut Numbers(sample.seed ^ 7));
-        let all = table(&loaded, &listed);
-        let count = 1 + (share * all.count() as f64) as usize;
-        loaded.scene.basis.components = Some(count);
-        let few = table(&loaded, &listed);
-        prop_assert_eq!(few.count(), count.min(all.count()));
-        let (a, b) = (few.general.as_ref().expect("general"), all.general.as_ref().expect("general"));
-        prop_assert_eq!(&a.eigenvalues[..], &b.eigenvalues[..few.count()]);
         // U is divided by singular values down to the cut-off.
-        let rounding = tolerances::ORTHONORMAL_NODES
-            + tolerances::ORTHONORMAL_ROUNDING / loaded.scene.basis.rank_cutoff;
-        // The same sums, in the order that a matrix of another size asks for.
-        for (a, b) in [(&a.projection, &b.projection), (&a.synthesis, &b.synthesis), (&a.modes, &b.modes)] {
-            let apart = largest(a.iter().zip(b).map(|(a, b)| a - b));
-            let scale = largest(a.iter().copied());
-            prop_assert!(apart <= rounding * scale, "{apart:e} of {scale:e}");
-        }
-        prop_assert!(eigenvalues(&all).is_sorted_by(|a, b| a >= b));
+        let rounding = tolerances::ORTHONORMAL_NODES + tolerances::ORTHONORMAL_ROUNDING / sample.cutoff;
+        let apart = prefix(&sample, &shape, rotation, share);
+        prop_assert!(largest(apart) <= rounding, "{apart:?} of {rounding:e}");
+    }
+
+    /// A coarser cut-off moves singular values of the pictures by no more than it takes of them.
+    #[test]
+    fn a_coarser_cutoff_of_an_object_takes_what_it_says(
+        sample in samples(), shape in shapes(), rotation in rotations(), coarser in 0.0f64..4.0
+    ) {
+        let (small, loaded) = scene(&sample, rotation);
+        prop_assume!(!matches!(shape, Shape::Slants(_)));
+        let listed = shape.normals(small.degree, &mut Numbers(sample.seed ^ 7));
+        let fine = table(&loaded, &listed);
+        let mut coarse = loaded.clone();
+        // Beyond, the constant image may be lost, which is refused.
+        coarse.scene.basis.rank_cutoff = (sample.cutoff * 10f64.powf(coarser)).min(1e-5);
+        let modes = Pictures::new(&loaded, &listed).modes(small.degree, small.order);
+        let allowed = size(&loaded) * (cut(&loaded, &listed, &modes) + cut(&coarse, &listed, &modes));
+        let coarse = table(&coarse, &listed);
+        let (fine, coarse) = (eigenvalues(&fine), eigenvalues(&coarse));
+        let count = fine.len().max(coarse.len());
+        let root = |values: &[f64], k: usize| values.get(k).copied().unwrap_or(0.0).sqrt();
+        let apart = largest((0..count).map(|k| root(&fine, k) - root(&coarse, k)));
+        prop_assert!(apart <= allowed, "{apart:e} of {allowed:e}");
     }
 
     /// Object and light turned about the view, statistics and all: the same eigenvalues.

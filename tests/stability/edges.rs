@@ -34,7 +34,7 @@ fn measure() -> Vec<Figure> {
     }
     let naive = |alpha: f64| (alpha.cos().acos() - alpha) / alpha;
     vec![
-        Figure::least("slant 1e-9 by acos, relative", naive(1e-9).abs(), 0.5),
+        Figure::least("slant 1e-9 by acos, relative", naive(1e-9).abs(), tolerances::NAIVE_SLANT),
         Figure::most("f64 against quadrature, of the peak", double, tolerances::ALL_COMPONENTS),
         Figure::most("f32, of the peak", single, tolerances::POLYNOMIAL_F32),
     ]

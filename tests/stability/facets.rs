@@ -41,7 +41,11 @@ fn measure() -> Vec<Figure> {
     let values = apart(&eigenvalues(&table), &of_pictures);
     let text = std::fs::read_to_string(path).expect("a mesh");
     vec![
-        Figure::least("normals by dividing by their length: NaN", naive(&text), 5.0),
+        Figure::least(
+            "normals by dividing by their length: NaN",
+            naive(&text),
+            tolerances::NAIVE_FACETS,
+        ),
         Figure::exactly("facets seen", found.normals().len(), SEEN.len()),
         Figure::most("their normals", normals, tolerances::FACETS),
         Figure::most("their weights", weights, tolerances::FACETS),

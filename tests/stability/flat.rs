@@ -95,8 +95,8 @@ fn flat() -> Vec<Figure> {
         }
     }
     let mut figures = vec![
-        Figure::least("negative eigenvalues of M, share", negative, 0.25),
-        Figure::least("|UᵀMU - I| with |λ|", naive, 0.1),
+        Figure::least("negative eigenvalues of M, share", negative, tolerances::NAIVE_NEGATIVE),
+        Figure::least("|UᵀMU - I| with |λ|", naive, tolerances::NAIVE_ROOT),
     ];
     figures.extend(counts);
     figures.extend([
@@ -149,7 +149,11 @@ fn weights() -> Vec<Figure> {
         seen = largest([seen, largest(errors)]);
     }
     vec![
-        Figure::least("pictures by squares, of the peak", by_squares(&pictures, cutoff), 1e-3),
+        Figure::least(
+            "pictures by squares, of the peak",
+            by_squares(&pictures, cutoff),
+            tolerances::NAIVE_PICTURES,
+        ),
         Figure::exactly("bases of another number than their pictures", other, 0),
         Figure::most("eigenvalues, of the largest", values, tolerances::FLAT_EIGENVALUES),
         Figure::most(

@@ -29,7 +29,11 @@ fn measure() -> Vec<Figure> {
             basis::orthonormality(&table, 100),
             tolerances::ORTHONORMAL_HIGH,
         ),
-        Figure::least("a profile by powers, of its largest value", by_powers(&table), 1e-6),
+        Figure::least(
+            "a profile by powers, of its largest value",
+            by_powers(&table),
+            tolerances::NAIVE_POWERS,
+        ),
         Figure::most(
             "pixels in f64, of the peak",
             shaded::<f64>(&loaded, &table),

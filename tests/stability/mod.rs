@@ -20,6 +20,7 @@ pub mod scales;
 pub mod singular;
 pub mod special;
 pub mod spectra;
+pub mod subnormal;
 pub mod summation;
 pub mod sun;
 
@@ -48,6 +49,8 @@ pub enum Bound {
     Least(f64),
     /// A count.
     Exactly(f64),
+    /// None: a ratio of times, which hosts decide.
+    Told,
 }
 
 impl Figure {
@@ -66,12 +69,18 @@ impl Figure {
         Self { what: what.into(), found: found as f64, bound: Bound::Exactly(bound as f64) }
     }
 
+    /// A ratio of times.
+    pub fn told(what: impl Into<String>, found: f64) -> Self {
+        Self { what: what.into(), found, bound: Bound::Told }
+    }
+
     /// Whether it keeps to it; a NaN keeps to nothing.
     pub fn holds(&self) -> bool {
         match self.bound {
             Bound::Most(bound) => self.found <= bound,
             Bound::Least(bound) => self.found >= bound,
             Bound::Exactly(bound) => self.found == bound,
+            Bound::Told => self.found > 0.0,
         }
     }
 }
@@ -112,6 +121,7 @@ pub const CASES: &[Case] = &[
     facets::DEGENERATE,
     scales::DOUBLE,
     scales::SINGLE,
+    subnormal::TINY,
     summation::MILLION,
 ];
 

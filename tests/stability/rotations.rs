@@ -79,7 +79,7 @@ fn third_angle() -> Vec<Figure> {
         still = largest([still, without - expected]);
     }
     vec![
-        Figure::least("γ in the light alone, of the peak", still / peak, 0.01),
+        Figure::least("γ in the light alone, of the peak", still / peak, tolerances::NAIVE_FRAME),
         Figure::most("γ in both, of the peak", worst / peak, tolerances::TURNED),
     ]
 }

@@ -73,9 +73,17 @@ fn root() -> Vec<Figure> {
     let table = fixtures::table(&fixtures::shipped());
     let ours = basis::orthonormality(&table, 100);
     vec![
-        Figure::least("negative eigenvalues of M, share", negative as f64 / modes as f64, 0.25),
-        Figure::least("NaN in M^(-1/2), share", not_numbers as f64 / numbers as f64, 0.99),
-        Figure::least("|UᵀMU - I| with |λ|", worst, 0.1),
+        Figure::least(
+            "negative eigenvalues of M, share",
+            negative as f64 / modes as f64,
+            tolerances::NAIVE_NEGATIVE,
+        ),
+        Figure::least(
+            "NaN in M^(-1/2), share",
+            not_numbers as f64 / numbers as f64,
+            tolerances::NAIVE_NOT_A_NUMBER,
+        ),
+        Figure::least("|UᵀMU - I| with |λ|", worst, tolerances::NAIVE_ROOT),
         Figure::most("ours, of 100 components", ours, tolerances::ORTHONORMAL_MODES),
     ]
 }
@@ -135,7 +143,11 @@ fn ranks() -> Vec<Figure> {
         ranks_seen(1e-13, SEEN[2]),
         Figure::exactly("|m| seen whole above 1e-15", whole, 0),
         Figure::most("|m| with more than the exact rank at 1e-15", over(1e-15), 0.0),
-        Figure::least("|m| with more than the exact rank at 1e-17", over(1e-17), 1.0),
+        Figure::least(
+            "|m| with more than the exact rank at 1e-17",
+            over(1e-17),
+            tolerances::NAIVE_RANK,
+        ),
         Figure::most(
             "largest singular value beyond the exact rank",
             largest(beyond.copied()),

@@ -36,7 +36,7 @@ fn functions() -> Vec<Figure> {
         super::oracle::zernike(o as usize, q as usize, rho) - value
     });
     vec![
-        Figure::least("R by its factorial sum", naive, 1.0),
+        Figure::least("R by its factorial sum", naive, tolerances::NAIVE_FACTORIALS),
         Figure::most("Y", harmonic, tolerances::SPECIAL_HIGH),
         Figure::most("d", wigner, tolerances::SPECIAL_HIGH),
         Figure::most("R", radial, tolerances::SPECIAL_HIGH),

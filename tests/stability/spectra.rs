@@ -62,7 +62,7 @@ fn same_order() -> Vec<Figure> {
     let signs = table.profiles.iter().filter(|one| evaluate(&one.chebyshev, 1.0) <= 0.0).count();
     vec![
         Figure::exactly("runs that differ in a byte", usize::from(!again), 0),
-        Figure::least("components compared", count as f64, 200.0),
+        Figure::least("components compared", count as f64, tolerances::LEAST_COMPARED),
         Figure::exactly("components of another order or sign after an ulp", moved, 0),
         Figure::exactly("profiles not positive at the pole", signs, 0),
         Figure::most("eigenvalues after an ulp, of the largest", apart, tolerances::EIGENVALUE_ULP),
@@ -130,7 +130,7 @@ fn nearly_equal() -> Vec<Figure> {
         squared = squared.max(off(&(largest_five.transpose() * &largest_five), sizes.len()));
     }
     vec![
-        Figure::least("|WᵀW - I| from squares", squared, 1e-8),
+        Figure::least("|WᵀW - I| from squares", squared, tolerances::NAIVE_SQUARES),
         Figure::most("|WᵀW - I|", orthogonality, tolerances::ORTHONORMAL_NODES),
         Figure::most("singular values, of the largest", values, tolerances::SINGULAR_VALUE),
         Figure::exactly("singular values that are not zero", found, 5),

@@ -62,7 +62,7 @@ fn measure() -> Vec<Figure> {
     // The pixels' own raster is no quadrature: of that this is the error, whoever sums.
     let raster = largest(exact.iter().zip(&d).map(|(a, b)| a - f64::from(*b))) / scale;
     vec![
-        Figure::least("plain sum, of the largest d", error(&plain), 2e-6),
+        Figure::least("plain sum, of the largest d", error(&plain), tolerances::NAIVE_SUM),
         Figure::most("compensated, of the largest d", error(&ours), tolerances::MILLION_PIXELS),
         Figure::most("the raster's own, of the largest d", raster, tolerances::RASTER),
     ]

@@ -96,7 +96,7 @@ fn sizes() -> Vec<Figure> {
     let of_large = largest(found.iter().zip(&expected).map(|(a, b)| a - b)) / ambient;
     let naive = 2.0 * PI * PI * 1.0 / (4.0 * PI) - 1.0;
     vec![
-        Figure::least("2 x 1 weighed with sin θ", naive, 0.5),
+        Figure::least("2 x 1 weighed with sin θ", naive, tolerances::NAIVE_ROWS),
         Figure::most("2 x 1: the mean", of_small, tolerances::LIGHT_PROJECTION),
         Figure::most("8192 x 4096, of the largest", of_large, tolerances::LARGE_MAP),
     ]

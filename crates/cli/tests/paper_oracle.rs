@@ -149,7 +149,7 @@ fn partial_sums_are_those_of_pixels_and_within_their_bound() {
     println!("error {:.1e} of the energy, bound {of:.1e}, {}", off / energy, error / bound);
     assert!(off.abs() <= tolerances::FIGURE_ERROR * energy, "{} {error}", step.error);
     assert!(of.abs() <= tolerances::FIGURE_ERROR, "{} {bound}", step.bound);
-    assert!(error < bound && error > 0.01 * bound);
+    assert!(error < bound && error > tolerances::BOUND_AT_WORK * bound);
 }
 
 /// Pixels of a rendered sphere: each degree and order of the light by quadrature of (3), on
@@ -195,7 +195,7 @@ fn rendered_spheres_are_sums_of_integrals() {
         least = least.min((found.truths[1][k] - expected).abs() / peak);
     }
     // What was left out shows.
-    assert!(least > 1e-5, "{least}");
+    assert!(least > tolerances::LEFT_OUT, "{least}");
 }
 
 /// Irradiances that Fig. 4 lists, each channel by quadrature of (3) on coefficients as they

@@ -186,7 +186,7 @@ fn constant(span: &Span, observed: &Observed, gram: &GramFactor) -> Result<Vec<f
     if (norm - 1.0).abs() > CONSTANT {
         return Err(Error::new(
             "the constant image is no sum of the modes that are kept",
-            "keep more of them, or take criterion = \"standard\"",
+            "keep more of them, take a lower rank_cutoff, or criterion = \"standard\"",
         ));
     }
     Ok(shown.col(0).iter().map(|value| value / norm).collect())

@@ -9,11 +9,15 @@ use eigenshade_generator::inputs::mesh;
 use eigenshade_generator::inputs::visibility::seen_shares;
 use std::f64::consts::{PI, TAU};
 use std::fmt::Write;
+use std::time::{Duration, Instant};
 
 type Triangle = [[f64; 3]; 3];
 
 /// Samples across, as the reader takes them.
 const SAMPLES: usize = 1024;
+
+/// What a stack of ten thousand facets may take: some ten times what it takes.
+const STACK: Duration = Duration::from_secs(20);
 
 /// Visible area of each triangle's projection.
 fn seen(triangles: &[Triangle]) -> Vec<f64> {
@@ -310,6 +314,29 @@ fn slivers() {
         let both = [&strips[..], &square.map(|t| t.map(|[x, y, _]| [x, y, 1.0]))].concat();
         let hidden: f64 = seen(&both)[..strips.len()].iter().sum();
         assert_eq!(hidden, 0.0, "{name}");
+    }
+}
+
+/// Thousands of sheets that fill the picture, one behind the other and in any order, level or
+/// aslant: what lies behind takes no time to speak of.
+#[test]
+fn stacks_of_large_facets() {
+    let sheets = 5000;
+    for slope in [0.0, 0.5] {
+        // 1999 and 5000 have no factor in common.
+        let level = |k: usize| f64::from((k * 1999 % sheets) as u32) / 100.0;
+        let stack: Vec<Triangle> =
+            (0..sheets).flat_map(|k| rectangle([0.0, 1.0], [0.0, 1.0], level(k), slope)).collect();
+        let start = Instant::now();
+        let seen = seen(&stack);
+        let taken = start.elapsed();
+        println!("slope {slope}: {taken:.1?}");
+        let top = (0..sheets).position(|k| k * 1999 % sheets == sheets - 1).expect("a sheet");
+        for (number, (seen, whole)) in seen.iter().zip(whole(&stack)).enumerate() {
+            assert_eq!(*seen, if number / 2 == top { whole } else { 0.0 }, "facet {number}");
+        }
+        // Sample by sample, a minute.
+        assert!(taken < STACK, "{taken:?}");
     }
 }
 

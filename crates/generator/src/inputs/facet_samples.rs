@@ -1,6 +1,7 @@
 //! The samples of a picture that a facet covers, and its depth there.
 
 use super::facet::Facet;
+use std::ops::Range;
 
 /// How near another surface may come to a facet's plane and not hide it, of the longest
 /// side of the mesh's box: corners in f32 are that coarse.
@@ -98,23 +99,30 @@ impl Placed {
         [left - 1e-6, right + 1e-6]
     }
 
-    /// Each sample that the facet covers: its place row by row, and the depth there.
-    pub(super) fn visit(&self, samples: usize, mut with: impl FnMut(usize, f64)) {
-        let plane = Plane::new(self);
-        // Samples from..to lie in a range; casts take what is negative for 0.
-        let within = |[low, high]: [f64; 2]| {
-            let (from, to) = ((low - 0.5).ceil() as usize, (high + 0.5).floor() as usize);
-            from..to.min(samples)
-        };
-        for row in within(self.range(1)) {
+    /// Each of these samples that the facet covers: row, column, and the depth there.
+    pub(super) fn visit(
+        &self,
+        plane: &Plane,
+        [rows, columns]: [Range<usize>; 2],
+        mut with: impl FnMut(usize, usize, f64),
+    ) {
+        for row in rows {
             let y = row as f64 + 0.5;
-            for column in within(self.band([y, y])) {
+            let band = samples_within(self.band([y, y]), columns.end);
+            for column in band.start.max(columns.start)..band.end {
                 if let Some(depth) = plane.depth(column as f64 + 0.5, y) {
-                    with(row * samples + column, depth);
+                    with(row, column, depth);
                 }
             }
         }
     }
+}
+
+/// The samples, of so many, that lie in a range of coordinates.
+pub(super) fn samples_within([low, high]: [f64; 2], samples: usize) -> Range<usize> {
+    // Casts take what is negative for 0.
+    let (from, to) = ((low - 0.5).ceil() as usize, (high + 0.5).floor() as usize);
+    from..to.min(samples)
 }
 
 /// A facet's depth, and where it has any.
@@ -124,7 +132,8 @@ pub(super) struct Plane {
     edges: [[f64; 4]; 3],
     /// Of each corner, over twice the projected area.
     depths: [f64; 3],
-    range: [f64; 2],
+    /// Least and largest depth.
+    pub(super) range: [f64; 2],
 }
 
 impl Plane {
@@ -139,12 +148,39 @@ impl Plane {
 
     /// The depth at a point, if the facet's projection has it, edges included.
     pub(super) fn depth(&self, x: f64, y: f64) -> Option<f64> {
-        let sides = self.edges.each_ref().map(|edge| side(edge, x, y));
+        let sides = self.sides(x, y);
         let is_inside = sides[0] >= 0.0 && sides[1] >= 0.0 && sides[2] >= 0.0;
         let [a, b, c] = self.depths;
         let depth = sides[0] * a + sides[1] * b + sides[2] * c;
         // Of a sliver the sides are rounding; and no number if it has no area at all.
         (is_inside && !depth.is_nan()).then(|| depth.max(self.range[0]).min(self.range[1]))
+    }
+
+    /// Twice the area between each edge and a point, positive where the facet lies. Rounded as
+    /// it is, it never falls and rises again along a row or a column.
+    pub(super) fn sides(&self, x: f64, y: f64) -> [f64; 3] {
+        self.edges.each_ref().map(|edge| side(edge, x, y))
+    }
+
+    /// Between points at these corners of a box no depth is greater.
+    pub(super) fn nearest(&self, corners: [[f64; 2]; 4]) -> f64 {
+        let mut nearest = f64::NEG_INFINITY;
+        let mut rounding = 0.0f64;
+        for [x, y] in corners {
+            let (mut depth, mut size) = (0.0, 0.0);
+            for (edge, of_corner) in self.edges.iter().zip(self.depths) {
+                let [from_x, from_y, run_x, run_y] = edge;
+                let products = (run_x * (y - from_y)).abs() + (run_y * (x - from_x)).abs();
+                depth += side(edge, x, y) * of_corner;
+                size += products * of_corner.abs();
+            }
+            nearest = nearest.max(depth);
+            rounding = rounding.max(size);
+        }
+        // Some eight roundings of each product.
+        let nearest = nearest + 8.0 * f64::EPSILON * rounding;
+        let [least, most] = self.range;
+        if nearest.is_finite() { nearest.max(least).min(most) } else { most }
     }
 }
 

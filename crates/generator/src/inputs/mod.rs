@@ -6,6 +6,7 @@ mod coefficient_kind;
 pub mod convention;
 pub mod curet;
 pub mod density;
+mod depth_buffer;
 pub mod environment;
 pub mod facet;
 mod facet_samples;

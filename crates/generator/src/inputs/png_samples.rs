@@ -8,6 +8,12 @@ use std::path::Path;
 /// The most pixels: expanded they take twelve bytes each, which a small file can claim.
 const MOST_PIXELS: u64 = 1 << 26;
 
+/// Four channels of 16 bits.
+const MOST_BYTES_PER_PIXEL: u64 = 8;
+
+/// Bytes for what is small.
+const BESIDE: u64 = 1 << 16;
+
 /// Deflate packs no more bytes than this into one.
 const MOST_BYTES_PER_BYTE: u64 = 1032;
 
@@ -40,7 +46,10 @@ pub fn read(path: &Path) -> Result<PngSamples> {
 }
 
 fn decode(bytes: &[u8]) -> Result<PngSamples> {
-    let mut decoder = Decoder::new_with_limits(Cursor::new(bytes), Limits { bytes: usize::MAX });
+    let mut decoder = Decoder::new(Cursor::new(bytes));
+    // A colour profile or a text may unpack to a thousand times its size, and neither is wanted.
+    decoder.set_ignore_iccp_chunk(true);
+    decoder.set_ignore_text_chunk(true);
     let header = decoder.read_header_info().map_err(|error| fault(&error))?;
     let (width, height) = (u64::from(header.width), u64::from(header.height));
     let bits = (header.bits_per_pixel() as u64).max(1);
@@ -60,6 +69,9 @@ fn decode(bytes: &[u8]) -> Result<PngSamples> {
             "export the picture again",
         ));
     }
+    // A row of the picture, and buffers of other chunks, which are doubled as they are read.
+    let limit = (MOST_BYTES_PER_PIXEL * width).saturating_add(4 * bytes.len() as u64);
+    decoder.set_limits(Limits { bytes: usize::try_from(limit + BESIDE).unwrap_or(usize::MAX) });
     decoder.set_transformations(Transformations::EXPAND);
     let mut reader = decoder.read_info().map_err(|error| fault(&error))?;
     let says_srgb = reader.info().srgb.is_some();
