@@ -19,7 +19,7 @@ const EXPONENTS: core::ops::RangeInclusive<i32> = -75..=45;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct IntegerMap<B> {
-    size: usize,
+    size: u16,
     exponent: i32,
     texels: B,
 }
@@ -55,7 +55,7 @@ impl<C> Scene<'_, C> {
         for (texel, value) in to.iter_mut().zip(values()) {
             *texel = rounded(value * scale);
         }
-        Ok(IntegerMap { size, exponent, texels })
+        Ok(IntegerMap { size: size as u16, exponent, texels })
     }
 }
 
@@ -88,13 +88,13 @@ impl<B: AsRef<[i16]>> IntegerMap<B> {
     pub fn new(size: usize, exponent: i32, texels: B) -> Result<Self, Error> {
         check_size(size)?;
         Error::check(What::Texels, size * size, texels.as_ref().len())?;
-        Ok(Self { size, exponent, texels })
+        Ok(Self { size: size as u16, exponent, texels })
     }
 
     /// N.
     #[must_use]
     pub const fn size(&self) -> usize {
-        self.size
+        self.size as usize
     }
 
     /// Irradiance = value x 2^exponent.
@@ -119,7 +119,8 @@ impl<B: AsRef<[i16]>> IntegerMap<B> {
     pub fn bilinear(&self, point: MapPoint<Q15>) -> i32 {
         let (column, across) = self.cell(point.u);
         let (row, up) = self.cell(point.v);
-        let Some(&[a, b, .., c, d]) = four(self.texels.as_ref(), self.size, row, column) else {
+        let Some(texels) = four(self.texels.as_ref(), self.size(), row, column) else { return 0 };
+        let (Some(&[a, b]), Some(&[c, d])) = (texels.first_chunk(), texels.last_chunk()) else {
             return 0;
         };
         let below = between(a.into(), b.into(), across);
@@ -133,7 +134,7 @@ impl<B: AsRef<[i16]>> IntegerMap<B> {
     pub fn nearest(&self, point: MapPoint<Q15>) -> i32 {
         let place = |x: Q15| ((self.place(x) + (1 << 15)) >> 16) as usize;
         let (column, row) = (place(point.u), place(point.v));
-        let texel = row.wrapping_mul(self.size).wrapping_add(column);
+        let texel = row.wrapping_mul(self.size()).wrapping_add(column);
         self.texels.as_ref().get(texel).copied().unwrap_or(0).into()
     }
 
@@ -143,17 +144,15 @@ impl<B: AsRef<[i16]>> IntegerMap<B> {
     fn cell(&self, x: Q15) -> (usize, i32) {
         let place = self.place(x);
         #[expect(clippy::cast_possible_wrap, reason = "below 2^15")]
-        let way = ((place & 0xffff) >> 1) as i32;
+        let way = (u32::from(place as u16) >> 1) as i32;
         ((place >> 16) as usize, way)
     }
 
     /// A coordinate in texels, times 2^16: below (N - 1) 2^16, below 2^28.
     #[inline]
     fn place(&self, x: Q15) -> u32 {
-        #[expect(clippy::cast_possible_truncation, reason = "4096 at most")]
-        let intervals = (self.size as u32).wrapping_sub(1);
-        // x + 2^15 without a sign.
-        u32::from(x.0.cast_unsigned() ^ 0x8000).wrapping_mul(intervals)
+        let place = (i32::from(x.0) + (1 << 15)).cast_unsigned();
+        place.wrapping_mul(u32::from(self.size).wrapping_sub(1))
     }
 }
 

@@ -1,7 +1,7 @@
 //! The number formats: floats, and integers whose scale stands beside them.
 
 use core::fmt::Debug;
-use core::ops::{Add, AddAssign, Mul, Neg, Sub};
+use core::ops::{Add, AddAssign, BitOr, Mul, Neg, Sub};
 use zerocopy::{FromBytes, Immutable, KnownLayout};
 
 /// A number format of the runtime: `f32`, `f64`, [`Q15`] or [`Q31`].
@@ -68,10 +68,10 @@ mod sealed {
 pub trait Fixed: Format<Wide: Wide> {
     /// Bits of a mantissa's size.
     const BITS: u32;
-    /// Bits of the sum of a scene's weights |d|: see [`weigh`](Self::weigh).
+    /// Bits by which a scene's weights are finer than its terms.
     const WEIGHT_BITS: u32;
-    /// By how much a weighed number is less than the product.
-    const WEIGHT_SHIFT: u32;
+    /// Bits by which a sum of weighed numbers is finer than a scene's terms.
+    const SUM_SHIFT: u32;
     /// Bits of every step of a pixel's polynomials, and of its irradiance.
     const TERM_BITS: u32;
     /// By how many bits an irradiance times an eigenimage is less than the product.
@@ -82,8 +82,8 @@ pub trait Fixed: Format<Wide: Wide> {
     fn narrow(number: Self::Wide) -> Self;
     /// This / √2, rounded.
     fn over_root_two(self) -> Self;
-    /// `weight` times this, rounded after [`WEIGHT_SHIFT`](Self::WEIGHT_SHIFT) bits.
-    /// Domain: |weight| < 2^[`WEIGHT_BITS`](Self::WEIGHT_BITS).
+    /// `weight` times this, [`SUM_SHIFT`](Self::SUM_SHIFT) bits finer than a term,
+    /// rounded; modulo 2^32.
     fn weigh(self, weight: i32) -> i32;
     /// floor(sum t): t is this as a fraction of 2^(BITS - 1).
     /// Domain: |sum| < 2^[`TERM_BITS`](Self::TERM_BITS), |t| <= 1.
@@ -120,6 +120,7 @@ pub trait Wide:
     + Sub<Output = Self>
     + Mul<Output = Self>
     + Neg<Output = Self>
+    + BitOr<Output = Self>
 {
     /// Bits of the largest size.
     const SIZE: u32;
@@ -133,10 +134,10 @@ pub trait Wide:
     fn bits(self) -> u32;
     /// The nearest number to self 2^`by`. Domain: it fits.
     fn shifted(self, by: i32) -> Self;
+    /// floor(self 2^`by`). Domain: it fits.
+    fn floored(self, by: i32) -> Self;
     /// The nearest number to self / 2^(`by` + 1). Domain: `by` >= 0, |self| < 2^SIZE - 1.
     fn lowered(self, by: i32) -> Self;
-    /// Whether self >= 2^`by`. Domain: self >= 0, 0 <= by < [`SIZE`](Self::SIZE).
-    fn reaches(self, by: i32) -> bool;
     /// The nearest `i32`.
     fn saturated(self) -> i32;
 }
@@ -174,13 +175,13 @@ macro_rules! wide {
                 }
             }
             #[inline(always)]
+            fn floored(self, by: i32) -> Self {
+                if by >= 0 { self << by.min($size) } else { self >> (-by).min($size) }
+            }
+            #[inline(always)]
             fn lowered(self, by: i32) -> Self {
                 // Shifted by all its bits it is 0 or -1, which rounds to 0.
                 ((self >> by.cast_unsigned().min($size)) + 1) >> 1
-            }
-            #[inline(always)]
-            fn reaches(self, by: i32) -> bool {
-                self >> (by & $size) != 0
             }
             #[inline]
             fn saturated(self) -> i32 {
@@ -195,8 +196,8 @@ wide!(i64, 63, |number| number.clamp((-i32::MAX).into(), i32::MAX.into()) as i32
 
 impl Fixed for Q15 {
     const BITS: u32 = 15;
-    const WEIGHT_BITS: u32 = 21;
-    const WEIGHT_SHIFT: u32 = 6;
+    const WEIGHT_BITS: u32 = 14;
+    const SUM_SHIFT: u32 = 14;
     const TERM_BITS: u32 = 17;
     const SEEN_SHIFT: u32 = 0;
     #[inline(always)]
@@ -213,10 +214,7 @@ impl Fixed for Q15 {
     }
     #[inline(always)]
     fn weigh(self, weight: i32) -> i32 {
-        // Two products of 31 bits instead of one of 36.
-        let high = (weight + 32) >> 6;
-        let low = weight - (high << 6);
-        high * self.widen() + ((low * self.widen() + 32) >> 6)
+        weight.wrapping_mul(self.widen())
     }
     #[inline(always)]
     fn argument_times(sum: i32, argument: i32) -> i32 {
@@ -259,7 +257,7 @@ impl Fixed for Q15 {
 impl Fixed for Q31 {
     const BITS: u32 = 31;
     const WEIGHT_BITS: u32 = 30;
-    const WEIGHT_SHIFT: u32 = 31;
+    const SUM_SHIFT: u32 = 1;
     const TERM_BITS: u32 = 30;
     const SEEN_SHIFT: u32 = 30;
     #[inline(always)]
@@ -276,7 +274,7 @@ impl Fixed for Q31 {
     }
     #[inline(always)]
     fn weigh(self, weight: i32) -> i32 {
-        ((i64::from(weight) * self.widen() + (1 << 30)) >> 31) as i32
+        ((i64::from(weight) * self.widen() + (1 << 28)) >> 29) as i32
     }
     #[inline(always)]
     fn argument_times(sum: i32, argument: i32) -> i32 {

@@ -10,8 +10,8 @@ const NONE: u16 = Profile::NONE;
 /// one of +m and one of -m.
 fn of_transfers<Q>(terms: &[Q]) -> Parts<'_, Q> {
     const PLACES: [Profile; 2] = [
-        Profile::new(0, 0, [0, NONE], [u16::MAX, u16::MAX]),
-        Profile::new(1, 0, [1, 2], [u16::MAX, u16::MAX]),
+        Profile::new(0, -3, [0, NONE], [u16::MAX, u16::MAX]),
+        Profile::new(1, -3, [1, 2], [u16::MAX, u16::MAX]),
     ];
     Parts {
         degree: 1,

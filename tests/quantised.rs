@@ -3,7 +3,7 @@
 #[path = "tolerances/mod.rs"]
 mod tolerances;
 
-use eigenshade::quantised::{Basis, Light, Material, Normal, Parts, Transfer};
+use eigenshade::quantised::{Basis, Light, Material, Normal, Parts, Profile, Transfer};
 use eigenshade::sphere::{q15, q31};
 use eigenshade::{Error, Q15, Q31, What};
 use eigenshade_cli::owned_quantised::Integer;
@@ -66,6 +66,49 @@ macro_rules! in_format {
 in_format!(q15_agrees_with_itself, Q15, q15);
 in_format!(q31_agrees_with_itself, Q31, q31);
 
+macro_rules! sparse {
+    ($name:ident, $format:ident, $module:ident) => {
+        /// One coefficient of a light on a material with few of them, large and small: the
+        /// generated functions give what the general ones give, bit for bit.
+        #[test]
+        fn $name() {
+            use $module::{BASIS, COMPONENTS, PROFILES, SCENE, TRANSFER, WORKSPACE};
+            let most = $format::default().0.wrapping_sub(1).cast_unsigned() >> 1;
+            let few = |count: usize, start: usize, step: usize| {
+                let mut mantissas = vec![$format::default(); count];
+                for (k, mantissa) in mantissas.iter_mut().skip(start).step_by(step).enumerate() {
+                    mantissa.0 = (most >> (3 * k % 14)) as _;
+                    if k % 2 == 1 {
+                        mantissa.0 = -mantissa.0;
+                    }
+                }
+                mantissas
+            };
+            for (start, step) in [(0, 40), (0, 1), (1, 7), (5, 11), (12, 40), (20, 13), (39, 1)] {
+                let mantissas = few(40, start, step);
+                for exponents in [[-15_i8; 8], [0, 1, -2, -3, -30, -40, -60, -50]] {
+                    let material = Material::new(ORDER, &exponents, &mantissas).expect("one");
+                    let transfer = $module::fold(&material).expect("it fits");
+                    let general = BASIS.fold::<WORKSPACE, TRANSFER, PROFILES>(&material);
+                    assert_eq!(Ok(&transfer), general.as_ref());
+                    for (start, step) in [(0, 1), (0, 100), (2, 3), (3, 100), (50, 9), (98, 100)] {
+                        let mantissas = few(100, start, step);
+                        let light = Light::new(DEGREE, 3, &mantissas).expect("a light");
+                        let d = $module::relight(&transfer.view(), &light).expect("it fits");
+                        let general = BASIS.relight::<COMPONENTS>(&transfer.view(), &light);
+                        assert_eq!(Ok(&d), general.as_ref());
+                        let scene = $module::collapse(&d).expect("it fits");
+                        let general = BASIS.collapse::<SCENE>(d.mantissas(), d.exponent());
+                        assert_eq!(Ok(scene), general);
+                    }
+                }
+            }
+        }
+    };
+}
+sparse!(q15_agrees_of_few_coefficients, Q15, q15);
+sparse!(q31_agrees_of_few_coefficients, Q31, q31);
+
 /// Mantissas made on the device from f32 are those made on the host.
 #[test]
 fn inputs_are_quantised_alike() {
@@ -112,6 +155,26 @@ fn zero_and_powers_of_two() {
     let more = q15::relight(&transfer.view(), &scaled).expect("it fits");
     assert_eq!(more.mantissas(), once.mantissas());
     assert_eq!(more.exponent(), once.exponent() + 10);
+}
+
+/// Sums of light that need all their bits, and round beyond them.
+#[test]
+fn generated_ways_saturate_like_the_general_ones() {
+    let mut numbers = [Q31(0); q31::TRANSFER];
+    numbers[..2].fill(Q31(-i32::MAX));
+    let light = [Q31(i32::MIN); 100];
+    let light = Light::new(DEGREE, 0, &light).expect("a light");
+    let transfer = q31::BASIS.transfer(&numbers, &[0; q31::PROFILES]).expect("it fits");
+    let d = q31::relight(&transfer, &light).expect("it fits");
+    assert_eq!(d.mantissas()[0], 1 << 30);
+    assert_eq!(Ok(d), q31::BASIS.relight(&transfer, &light));
+    let mut numbers = [Q15(0); q15::TRANSFER];
+    numbers[..2].fill(Q15(-i16::MAX));
+    let light = [Q15(i16::MIN); 100];
+    let light = Light::new(DEGREE, 0, &light).expect("a light");
+    let transfer = q15::BASIS.transfer(&numbers, &[0; q15::PROFILES]).expect("it fits");
+    let d = q15::relight(&transfer, &light).expect("it fits");
+    assert_eq!(Ok(d), q15::BASIS.relight(&transfer, &light));
 }
 
 /// A material whose exponents rise with the order, and a transfer by hand: the generated
@@ -172,6 +235,10 @@ fn what_does_not_fit_is_refused() {
     let mut factors = parts.factors.to_vec();
     factors[..3].fill(Q15(i16::MAX));
     assert!(matches!(Basis::<Q15>::new(Parts { factors: &factors, ..parts }), Err(Error::Bound)));
+    // A profile whose terms are larger than it states.
+    let mut profiles = parts.profiles.to_vec();
+    profiles[5] = Profile::new(0, 0, [41, Profile::NONE], [142, 1091]);
+    assert!(matches!(Basis::<Q15>::new(Parts { profiles: &profiles, ..parts }), Err(Error::Bound)));
     let folded =
         Parts { polar: &[], polar_exponents: &[], factors: &[], factor_exponents: &[], ..parts };
     let folded = Basis::<Q15>::new(folded).expect("a basis of transfers");

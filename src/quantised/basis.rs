@@ -97,14 +97,16 @@ macro_rules! bounded {
         impl<'a> Basis<'a, $format> {
             /// The basis of these parts.
             ///
-            /// Checked are all lengths, all places that one part has in another, and that
-            /// no sum over a row of factors can leave its accumulator.
+            /// Checked are all lengths, all places that one part has in another, that no
+            /// sum over a row of factors can leave its accumulator, and that no profile
+            /// has a term beyond the step that it states: then no sum of weighed terms
+            /// can leave its accumulator either.
             ///
             /// # Errors
             ///
             /// [`Error::Length`] or [`Error::Profile`] if the parts contradict each
-            /// other, [`Error::Bound`] if a row of factors sums to 2^(BITS + 1) or more,
-            /// or there are more than 511 profiles, or degrees beyond 510.
+            /// other, [`Error::Bound`] if a row of factors sums to 2^(BITS + 1) or more, a
+            /// term is larger than the largest step that its profile states, or there are more than 511 profiles, or degrees beyond 510.
             pub const fn new(parts: Parts<'a, $format>) -> Result<Self, Error> {
                 if let Err(error) = parts.fits() {
                     return Err(error);
@@ -119,6 +121,15 @@ macro_rules! bounded {
                         break;
                     }
                     rest = tail;
+                }
+                let (mut terms, mut profiles) = (parts.terms, parts.profiles);
+                while let [profile, others @ ..] = profiles {
+                    let length = parts.length(profile.azimuth as usize);
+                    let Some((row, tail)) = terms.split_at_checked(length) else { break };
+                    if !profile.states(Self::largest(row)) {
+                        return Err(Error::Bound);
+                    }
+                    (terms, profiles) = (tail, others);
                 }
                 Ok(Self { parts })
             }
@@ -153,6 +164,17 @@ macro_rules! bounded {
                     (rest, profiles) = (tail, others);
                 }
                 Ok(Transfer { numbers, exponents, bounded: true })
+            }
+
+            /// The largest size in a row.
+            const fn largest(row: &[$format]) -> u64 {
+                let (mut largest, mut numbers) = (0, row);
+                while let [$format(number), others @ ..] = numbers {
+                    let size = number.unsigned_abs() as u64;
+                    largest = if size > largest { size } else { largest };
+                    numbers = others;
+                }
+                largest
             }
 
             /// Whether the sizes of a row sum to less than 2^(BITS + 1).

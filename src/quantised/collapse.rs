@@ -1,13 +1,12 @@
 //! One image in integers, its components summed azimuth by azimuth:
 //! I(n) = Σ_m Re/Im (n_x + i n_y)^m H_m(n_z).
 
-#[cfg(doc)]
-use super::fold::common_exponent;
 use super::{Basis, Profile};
 use crate::error::{Error, What};
 use crate::format::{Fixed, Wide as _};
 use crate::projection::zeros;
 use core::marker::PhantomData;
+use core::ops::{Add, Mul, Shr};
 
 /// Room for a collapsed scene.
 pub type SceneBuffer<const N: usize> = heapless::Vec<i32, N>;
@@ -70,26 +69,41 @@ impl<'a, Q: Fixed> Basis<'a, Q> {
             return Err(Error::Exponent);
         }
         sums.fill(0);
-        let weight = |index: u16| mantissas.get(usize::from(index)).copied().unwrap_or(0);
-        // The weights' sum is bounded, so that of weighed terms is.
-        let common = self.common_exponent(mantissas);
-        let (mut terms, mut rest, mut azimuth) = (self.parts.terms, &mut *sums, 0);
-        for profile in self.parts.profiles {
-            while azimuth < usize::from(profile.azimuth) {
-                let passed = self.parts.length(azimuth) * if azimuth == 0 { 1 } else { 2 };
-                rest = rest.get_mut(passed..).unwrap_or_default();
-                azimuth += 1;
+        let bits = self.size(mantissas);
+        let (mut terms, mut profiles, mut rest) = (self.parts.terms, self.parts.profiles, sums);
+        for (azimuth, &length) in self.parts.lengths.iter().enumerate() {
+            let (block, others) = split(profiles, azimuth);
+            profiles = others;
+            let finer = finer(bits, self.bits(step(mantissas, block)));
+            let (base, mut rows) = (base::<Q>(bits) + finer.cast_signed(), terms);
+            for is_minus in [false, true] {
+                if is_minus && azimuth == 0 {
+                    continue;
+                }
+                let length = usize::from(length);
+                let (polynomial, after) = rest.split_at_mut_checked(length).unwrap_or_default();
+                (rest, rows) = (after, terms);
+                let mut either = 0;
+                for profile in block {
+                    let (row, after) = rows.split_at_checked(length).unwrap_or_default();
+                    rows = after;
+                    let component = if is_minus { profile.minus } else { profile.plus };
+                    let d = mantissas.get(usize::from(component)).copied().unwrap_or(0);
+                    let weight = weight(d, base + i32::from(profile.exponent));
+                    either |= weight;
+                    // Φ_-m = √2 sin(-mβ) = -√2 Im (n_x + i n_y)^m / sin^m.
+                    let weight = if is_minus { weight.wrapping_neg() } else { weight };
+                    for (sum, term) in polynomial.iter_mut().zip(row) {
+                        *sum = sum.wrapping_add(term.weigh(weight));
+                    }
+                }
+                if either != 0 {
+                    round(polynomial, Q::SUM_SHIFT + finer, azimuth == 0);
+                }
             }
-            let length = self.parts.length(azimuth);
-            let (of_profile, after) = terms.split_at_checked(length).unwrap_or((terms, &[]));
-            terms = after;
-            let by = i32::from(profile.exponent) - common;
-            add(weight(profile.plus).shifted(by), of_profile, rest);
-            // Φ_-m = √2 sin(-mβ) = -√2 Im (n_x + i n_y)^m / sin^m.
-            let of_minus = -weight(profile.minus).shifted(by);
-            add(of_minus, of_profile, rest.get_mut(length..).unwrap_or_default());
+            terms = rows;
         }
-        let to = self.finish(mantissas, exponent, common, sums);
+        let to = exponent + bits - Q::TERM_BITS.cast_signed();
         Ok(Scene { lengths: self.parts.lengths, exponent: to, buffer, format: PhantomData })
     }
 
@@ -108,120 +122,126 @@ impl<'a, Q: Fixed> Basis<'a, Q> {
         Ok(Scene { lengths: self.parts.lengths, exponent, buffer, format: PhantomData })
     }
 
-    /// Scales the sums of weighed terms; gives their exponent.
-    pub(crate) fn finish(
-        &self,
-        mantissas: &[i32],
-        exponent: i32,
-        common: i32,
-        sums: &mut [i32],
-    ) -> i32 {
-        let to = exponent + self.size(mantissas) - Q::TERM_BITS.cast_signed();
-        self.round(exponent + common + Q::WEIGHT_SHIFT.cast_signed() - to, sums);
-        to
-    }
-
-    /// [`common_exponent`] of the weights d, each times its profile's exponent, of the
-    /// components of +m and -m together: one count of bits for both.
-    #[doc(hidden)]
-    #[must_use]
-    pub fn common_exponent(&self, mantissas: &[i32]) -> i32 {
-        let mut top = i32::MIN;
-        let pair = |profile: &Profile| {
-            [profile.plus, profile.minus]
-                .map(|index| mantissas.get(usize::from(index)).copied().unwrap_or(0))
-        };
-        for profile in self.parts.profiles {
-            let [plus, minus] = pair(profile);
-            let either = plus.unsigned_abs() | minus.unsigned_abs();
-            if either != 0 {
-                let bits = u32::BITS - either.leading_zeros();
-                top = top.max(bits.cast_signed() + i32::from(profile.exponent));
-            }
-        }
-        if top == i32::MIN {
-            return 0;
-        }
-        let count = 2 * self.parts.profiles.len() as i32;
-        let base = top - (i32::SIZE.cast_signed() - count.bits().cast_signed() - 2);
-        let mut sum = 0;
-        for profile in self.parts.profiles {
-            let by = i32::from(profile.exponent) - base;
-            let [plus, minus] = pair(profile);
-            sum += plus.shifted(by).abs() + minus.shifted(by).abs();
-        }
-        sum += sum.shifted(-8);
-        let bits = Q::WEIGHT_BITS.cast_signed();
-        (base + sum.bits().cast_signed() - bits).max(top - bits)
-    }
-
-    /// The least n of: neither a step of a pixel's polynomials nor an irradiance goes
-    /// beyond 2^n, in units of these coefficients, less a sixty-fourth for rounding and
-    /// normals that are not quite of unit length.
+    /// The least n of: neither a step of a pixel's polynomials nor one of their terms nor
+    /// an irradiance goes beyond 2^n, in units of these coefficients, less a sixty-fourth
+    /// for rounding and normals that are not quite of unit length.
     ///
-    /// Either is a sum over components, each at most |d| times what the table states of
+    /// Each is a sum over components, each at most |d| times what the table states of
     /// its profile.
     fn size(&self, mantissas: &[i32]) -> i32 {
-        let size = |index: u16| {
-            let found = mantissas.get(usize::from(index));
-            found.map_or(0, |d| (d.unsigned_abs() >> UNIT) + u32::from(*d != 0))
-        };
-        let (mut image, mut largest) = (0_u64, 0_u64);
-        let (mut azimuth, mut of_plus, mut of_minus) = (0, 0_u64, 0_u64);
-        for profile in self.parts.profiles {
-            if profile.azimuth != azimuth {
-                (azimuth, of_plus, of_minus) = (profile.azimuth, 0, 0);
-            }
-            let [plus, minus] = [size(profile.plus), size(profile.minus)];
-            let times = |size: u32, of_profile: u16| u64::from(size * u32::from(of_profile));
-            of_plus += times(plus, profile.step);
-            of_minus += times(minus, profile.step);
-            image += times(plus, profile.size) + times(minus, profile.size);
-            largest = largest.max(of_plus).max(of_minus);
+        let mut profiles = self.parts.profiles;
+        let [plus, minus] = SIGNS.map(|sign| sum(mantissas, profiles, sign, |one| one.size));
+        let mut largest = plus + minus;
+        for azimuth in 0..=self.degree() {
+            let (block, others) = split(profiles, azimuth);
+            largest = largest.max(step(mantissas, block));
+            profiles = others;
         }
-        largest = largest.max(image);
-        // A normal may be a two-thousandth too long, and (n_x + i n_y)^m its mth power: to
-        // m = 24 that is in the sixty-fourth.
-        let beyond = (self.degree() as u64).saturating_sub(24);
-        largest += (largest >> 6) + beyond * (largest >> 10);
-        let bits = 64 - largest.leading_zeros();
-        bits.cast_signed() - 4 + UNIT.cast_signed()
+        self.bits(largest)
     }
 
-    /// Scales the terms by 2^`by`.
-    ///
-    /// A step of Horner's rule rounds down, half a unit on average; so every term that
-    /// is added to such a step is rounded up, by as much. The first is added to none,
-    /// and the last of m = 0 to one that is not rounded.
-    fn round(&self, by: i32, sums: &mut [i32]) {
-        let mut rest = sums;
-        for (azimuth, &length) in self.parts.lengths.iter().enumerate() {
-            for _ in 0..if azimuth == 0 { 1 } else { 2 } {
-                let (polynomial, after) =
-                    rest.split_at_mut_checked(usize::from(length)).unwrap_or_default();
-                rest = after;
-                let (last, mut above) = (polynomial.len().saturating_sub(1), 0);
-                for (k, term) in polynomial.iter_mut().enumerate() {
-                    let nearest = above == 0 || (azimuth == 0 && k == last);
-                    above |= *term;
-                    *term = match by {
-                        0.. => *term << by.min(31),
-                        _ if nearest => term.shifted(by),
-                        _ => (*term >> (-by).min(31)) + 1,
-                    };
-                }
-            }
-        }
+    /// [`bits`] of this basis.
+    fn bits(&self, largest: u64) -> i32 {
+        bits(largest, self.degree())
     }
 }
 
-/// sums += weight terms.
+/// The profiles of this azimuth, which come first, and the others.
+fn split(profiles: &[Profile], azimuth: usize) -> (&[Profile], &[Profile]) {
+    let of_azimuth = |profile: &&Profile| usize::from(profile.azimuth) == azimuth;
+    let count = profiles.iter().take_while(of_azimuth).count();
+    profiles.split_at_checked(count).unwrap_or((profiles, &[]))
+}
+
+/// The component of +m of a profile, and of -m.
+const SIGNS: [fn(&Profile) -> u16; 2] = [|profile| profile.plus, |profile| profile.minus];
+
+/// The largest term or step of the polynomials of one azimuth.
+fn step(mantissas: &[i32], profiles: &[Profile]) -> u64 {
+    let [plus, minus] = SIGNS.map(|sign| sum(mantissas, profiles, sign, |profile| profile.step));
+    plus.max(minus)
+}
+
+/// Sizes of d times what profiles state.
+fn sum(
+    mantissas: &[i32],
+    profiles: &[Profile],
+    component: impl Fn(&Profile) -> u16,
+    stated: impl Fn(&Profile) -> u16,
+) -> u64 {
+    let products = profiles.iter().map(|profile| {
+        let d = mantissas.get(usize::from(component(profile))).copied().unwrap_or(0);
+        u64::from(size(d) * u32::from(stated(profile)))
+    });
+    products.sum()
+}
+
+/// By how many bits the weights of an azimuth are finer than those of all: its terms have
+/// less bits.
+#[inline(always)]
+pub(crate) fn finer(bits: i32, of_azimuth: i32) -> u32 {
+    (bits - of_azimuth).cast_unsigned().min(FINEST)
+}
+
+/// The most that it is worth.
+pub(crate) const FINEST: u32 = 2;
+
+/// |d|, of which a size is made: in units of 2^[`UNIT`], rounded up.
+#[inline(always)]
+pub(crate) fn size(d: i32) -> u32 {
+    (d.unsigned_abs() + ((1 << UNIT) - 1)) >> UNIT
+}
+
+/// Bits of a largest step, term or irradiance: `largest` is in sixteenths of
+/// 2^[`UNIT`].
 #[inline]
-fn add<Q: Fixed>(weight: i32, terms: &[Q], sums: &mut [i32]) {
-    if weight == 0 {
-        return;
+pub(crate) fn bits(largest: u64, degree: usize) -> i32 {
+    let bits = u64::BITS - with_margin(largest, degree).leading_zeros();
+    bits.cast_signed() - 4 + UNIT.cast_signed()
+}
+
+/// A largest step, term or irradiance and what it may be too small by.
+#[inline(always)]
+pub(crate) fn with_margin<N>(largest: N, degree: usize) -> N
+where
+    N: Copy + From<u16> + Add<Output = N> + Mul<Output = N> + Shr<u32, Output = N>,
+{
+    // A normal may be a two-thousandth too long, and (n_x + i n_y)^m its mth power: to
+    // m = 24 that is in the sixty-fourth. The degree is at most 510.
+    let beyond = N::from(degree.saturating_sub(24) as u16);
+    largest + (largest >> 6) + beyond * (largest >> 10)
+}
+
+/// By how many bits a component's weight is more than d, less its profile's exponent,
+/// where a scene's terms have `bits` bits in units of d.
+#[inline(always)]
+pub(crate) fn base<Q: Fixed>(bits: i32) -> i32 {
+    (Q::WEIGHT_BITS + Q::TERM_BITS).cast_signed() - bits
+}
+
+/// d 2^`by`, rounded.
+#[inline]
+pub(crate) fn weight(d: i32, by: i32) -> i32 {
+    // That of a profile of no size may be any.
+    if by >= 0 { d << by.min(31) } else { d.shifted(by) }
+}
+
+/// Scales the sums of weighed terms.
+///
+/// A step of Horner's rule rounds down, half a unit on average; so every term that is
+/// added to such a step is rounded up, by as much. The first is added to none, and the
+/// last of m = 0 to one that is not rounded.
+#[inline]
+fn round(polynomial: &mut [i32], by: u32, is_constant: bool) {
+    let last = polynomial.len().saturating_sub(1);
+    for (k, sum) in polynomial.iter_mut().enumerate() {
+        let nearest = k == 0 || (is_constant && k == last);
+        *sum = sum.wrapping_add(half_or_one(nearest, by)) >> by;
     }
-    for (sum, term) in sums.iter_mut().zip(terms) {
-        *sum += term.weigh(weight);
-    }
+}
+
+/// What is added before a sum's shift: half a unit to round it to the nearest, else one.
+#[inline(always)]
+pub(crate) fn half_or_one(nearest: bool, by: u32) -> i32 {
+    (1 << by) >> u32::from(nearest)
 }

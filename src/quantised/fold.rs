@@ -118,7 +118,7 @@ impl<Q: Fixed> Basis<'_, Q> {
             }
             let row = row.iter().take(degrees - azimuth);
             let found = row.map(|&[sum, exponent]| (sum, exponent.saturated()));
-            let common = common_exponent(found.clone(), Q::BITS + 1, Q::BITS);
+            let common = common_exponent(found.clone(), Q::BITS);
             *exponent = common as i16;
             for (to, (sum, exponent)) in of_profile.iter_mut().zip(found) {
                 *to = Q::narrow(sum.shifted(exponent - common));
@@ -127,8 +127,8 @@ impl<Q: Fixed> Basis<'_, Q> {
         Ok(())
     }
 
-    /// Writes S: for each l a row over the pairs (p, q), each below 2^BITS, and the
-    /// row's exponent.
+    /// Writes S: for each l a row over the pairs (p, q), each at most 2^BITS, and
+    /// the row's exponent.
     fn scatter(&self, material: &Material<'_, Q>, sums: &mut [Q::Wide], exponents: &mut [Q::Wide]) {
         // Not 0, which a compiler may not see: chunks of 0 would panic.
         let pairs = pair::count(self.order()).max(1);
@@ -174,10 +174,9 @@ impl<Q: Fixed> Basis<'_, Q> {
             let largest = sums.iter().map(|sum| sum.bits()).max().unwrap_or_default();
             let by = Q::BITS.cast_signed() - largest.cast_signed();
             for sum in sums.iter_mut() {
-                // A number that rounding brings to 2^BITS is one less.
-                *sum = Q::narrow(sum.shifted(by)).widen();
+                *sum = sum.shifted(by);
             }
-            *exponent = Q::Wide::of(if largest == 0 { 0 } else { common - by });
+            *exponent = Q::Wide::of(if largest == 0 { NOTHING } else { common - by });
         }
     }
 }
@@ -192,29 +191,63 @@ fn product<Q: Fixed>(factors: &[Q], sums: &[Q::Wide]) -> Q::Wide {
     sum
 }
 
-/// The least exponent with which mantissas are below 2^`each`, and their sizes' sum,
-/// after rounding, below 2^`all`, of at most [`layout::MOST_WEIGHTS`](crate::index::layout::MOST_WEIGHTS) numbers with an exponent each.
-/// Domain: `all` is at least 16.
+/// The exponent of zeros: less than that of any number.
+pub(crate) const NOTHING: i32 = -1 << 12;
+
+/// By how many bits the larger of a row's sizes have to exceed those that are kept, where
+/// they are aligned to the largest exponent.
+pub(crate) const ENOUGH: u32 = 5;
+
+/// An exponent with which mantissas are below 2^`bits`, and their sizes' sum, after
+/// rounding, below 2^(`bits` + 1), of at most 511 numbers with an exponent each. It is the
+/// least, but for the 256th that rounding may add.
 pub(crate) fn common_exponent<W: Wide>(
     numbers: impl Iterator<Item = (W, i32)> + Clone,
-    all: u32,
-    each: u32,
+    bits: u32,
 ) -> i32 {
-    let (mut top, mut count) = (None, 0);
+    let (mut largest, mut top, mut count) = (i32::MIN, None, 0);
     numbers.clone().for_each(|(number, exponent)| {
         count += 1;
+        largest = largest.max(exponent);
         if number != W::default() {
             top = top.max(Some(number.bits().cast_signed() + exponent));
         }
     });
     let Some(top) = top else { return 0 };
-    let room = W::SIZE.cast_signed() - W::of(count).bits().cast_signed() - 2;
-    let base = top - room;
-    let mut sum = W::default();
-    numbers.for_each(|(number, exponent)| {
-        let aligned = number.shifted(exponent - base);
-        sum += if aligned < W::default() { -aligned } else { aligned };
-    });
-    sum += sum.shifted(-8);
-    (base + sum.bits().cast_signed() - all.cast_signed()).max(top - each.cast_signed())
+    let guard = guard::<W>(count);
+    let at = |reference: i32| {
+        let (mut most, mut sum) = (W::default(), W::default());
+        numbers.clone().for_each(|(number, exponent)| {
+            let aligned = number.max(-number).floored(exponent - reference);
+            most = most.max(aligned);
+            sum += aligned.floored(-guard.cast_signed());
+        });
+        row_bits(most, sum, count, guard)
+    };
+    // Where no number of the largest exponent is large, all are aligned to fill their bits.
+    let found = at(largest);
+    let (reference, found) = if found >= bits + ENOUGH {
+        (largest, found)
+    } else {
+        let reference = top - W::SIZE.cast_signed();
+        (reference, at(reference))
+    };
+    reference + found.cast_signed() - bits.cast_signed()
+}
+
+/// Bits by which sizes are lowered, so that the sum of so many and a 256th of it fit.
+#[inline(always)]
+pub(crate) fn guard<W: Wide>(count: i32) -> u32 {
+    W::of(count + (count >> 8)).bits()
+}
+
+/// The least n of: sizes are below 2^n, their sum and what rounding adds to it below
+/// 2^(n + 1). Given the largest or the bits of all, and the sum of `count` sizes, each
+/// lowered by [`guard`].
+#[inline(always)]
+pub(crate) fn row_bits<W: Wide>(either: W, sum: W, count: i32, guard: u32) -> u32 {
+    // Each was rounded down.
+    let sum = sum + sum.floored(-8) + W::of(count);
+    let half = guard - 1;
+    sum.max(either.floored(-half.cast_signed())).bits() + half
 }

@@ -51,8 +51,8 @@ impl Profile {
 
     /// The profile of `azimuth` |m| that serves component number `plus` with order +m
     /// (or 0) and `minus` with -m, either of which may be [`NONE`](Self::NONE).
-    /// `size` is its largest value, `step` the largest step of Horner's rule on the way
-    /// there, in sixteenths.
+    /// `size` is its largest value, `step` the largest term of its polynomial or step of
+    /// Horner's rule on the way there, in sixteenths.
     #[must_use]
     pub const fn new(
         azimuth: u8,
@@ -61,5 +61,16 @@ impl Profile {
         [size, step]: [u16; 2],
     ) -> Self {
         Self { azimuth, exponent, plus, minus, size, step }
+    }
+
+    /// Whether a term of this mantissa, below 2^32, is not beyond the largest step.
+    pub(crate) const fn states(&self, mantissa: u64) -> bool {
+        let (by, step) = (self.exponent as i32 + 4, self.step as u64);
+        match by {
+            _ if mantissa == 0 => true,
+            0..32 => mantissa << by <= step,
+            -47..0 => mantissa <= step << -by,
+            _ => by < 0 && step > 0,
+        }
     }
 }

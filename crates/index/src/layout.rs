@@ -15,9 +15,10 @@
 /// of n terms up to (1 + √2)^n to one.
 pub const POWERS: usize = 16;
 
-/// Most numbers whose rounding a common exponent leaves room for in integers, a weight
-/// for +m and one for -m of each profile: in 31 bits their alignment is off by half of it
-/// units at most, of 2^18 or more, and a 256th is added.
+/// Most numbers whose rounding sums in integers leave room for, a weight for +m and one for
+/// -m of each profile: the half units that a scene's weights are off are 2^23 in its sums of
+/// 31 bits at most, and these keep a 64th free; those of a transfer's row of half as many
+/// numbers are a 256th of what they may sum to.
 pub const MOST_WEIGHTS: usize = 1023;
 
 /// Numbers in one group.

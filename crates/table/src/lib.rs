@@ -34,6 +34,7 @@ mod rust_kernels;
 mod rust_scene;
 
 pub mod rust_quantised;
+mod rust_quantised_functions;
 
 pub mod rust_source;
 

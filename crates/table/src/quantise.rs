@@ -89,7 +89,7 @@ pub struct Place {
     pub minus: u16,
     /// Its largest value, in sixteenths, rounded up.
     pub size: u16,
-    /// The largest step of Horner's rule on the way there.
+    /// Its polynomial's largest term or step of Horner's rule on the way there.
     pub step: u16,
 }
 
@@ -117,7 +117,7 @@ pub enum QuantiseError {
     },
     /// It has more profiles or degrees than the runtime's sums have room for.
     Many,
-    /// A profile or a step of its polynomial exceeds 4,095.
+    /// A profile, a term of its polynomial or a step of it exceeds 4,095.
     Large {
         /// Its |m|.
         azimuth: usize,
@@ -317,8 +317,8 @@ pub fn material(order: usize, coefficients: &[f64], format: Format) -> (Vec<i32>
 /// a grid of so many Chebyshev points is at least cos(π / 2 POINTS) of it.
 const POINTS: usize = 16;
 
-/// The largest |u| of a profile, and the largest step of Horner's rule for its
-/// polynomial, in sixteenths, rounded up; none if they are beyond 16 bits.
+/// The largest |u| of a profile, and the largest term of its polynomial or step of
+/// Horner's rule, in sixteenths, rounded up; none if they are beyond 16 bits.
 fn sizes(terms: &[i32], exponent: i8, azimuth: usize) -> Option<[u16; 2]> {
     let scale = 2f64.powi(exponent.into());
     // Squares, times powers of 1 - z².
@@ -327,9 +327,9 @@ fn sizes(terms: &[i32], exponent: i8, azimuth: usize) -> Option<[u16; 2]> {
     for k in 0..=count {
         let t = (std::f64::consts::PI * k as f64 / count as f64).cos();
         let mut step = 0.0;
-        for &term in terms {
-            step = step * t + scale * f64::from(term);
-            largest = largest.max(step.abs());
+        for term in terms.iter().map(|&term| scale * f64::from(term)) {
+            step = step * t + term;
+            largest = largest.max(step.abs()).max(term.abs());
         }
         let z = 0.5 * (t + 1.0);
         size = size.max(step * step * (1.0 - z * z).powi(azimuth as i32));

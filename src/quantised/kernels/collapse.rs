@@ -1,9 +1,11 @@
 //! A scene with every size a constant: the steps of
 //! [`Basis::collapse_into`](crate::quantised::Basis::collapse_into), azimuth by azimuth.
 
-use crate::format::{Fixed, Wide as _};
-use crate::quantised::collapse::{Scene, SceneBuffer};
-use crate::quantised::{Basis, Coefficients, Profile};
+use crate::format::Fixed;
+use crate::quantised::collapse::{
+    self, FINEST, Scene, SceneBuffer, bits, half_or_one, size, weight, with_margin,
+};
+use crate::quantised::{Basis, Coefficients};
 
 /// A scene's terms, to be written as those of this basis.
 #[inline(always)]
@@ -27,62 +29,177 @@ pub fn mantissas<const K: usize>(coefficients: &Coefficients<K>) -> Option<&[i32
     coefficients.mantissas.as_slice().try_into().ok()
 }
 
-/// The polynomials of one azimuth: `P` profiles from `FIRST` on, of `L` terms from `START`
-/// on, times the coefficients of their components, of +m alone (`W` = 1) or of +m and -m,
-/// into the scene's terms from `TO` on.
+/// How large a scene's terms, steps and irradiances can get: sums of |d| times what the
+/// table states of its profile, of `A` azimuths. Domain: what the table states sums to less
+/// than 2^16, sizes over all components, steps over those of an azimuth.
+#[derive(Clone, Copy, Debug)]
+pub struct Size<const A: usize> {
+    image: u32,
+    plus: u32,
+    minus: u32,
+    steps: [u32; A],
+}
+
+/// How many bits a scene has, and the shifts of its weights.
+#[derive(Clone, Copy, Debug)]
+pub struct Shifts<const A: usize> {
+    bits: i32,
+    base: i32,
+    finer: [u32; A],
+}
+
+impl<const A: usize> Size<A> {
+    /// That of a black image.
+    #[inline(always)]
+    #[must_use]
+    pub const fn of_nothing() -> Self {
+        Self { image: 0, plus: 0, minus: 0, steps: [0; A] }
+    }
+
+    /// With the components `PLUS` and `MINUS` of a profile.
+    #[inline(always)]
+    #[must_use]
+    pub fn profile<
+        const PLUS: usize,
+        const MINUS: usize,
+        const SIZE: u32,
+        const STEP: u32,
+        const K: usize,
+    >(
+        self,
+        d: &[i32; K],
+    ) -> Self {
+        let size = |index: usize| d.get(index).copied().map_or(0, size);
+        let (plus, minus) = (size(PLUS), size(MINUS));
+        Self {
+            image: self.image.wrapping_add((plus + minus).wrapping_mul(SIZE)),
+            plus: self.plus.wrapping_add(plus.wrapping_mul(STEP)),
+            minus: self.minus.wrapping_add(minus.wrapping_mul(STEP)),
+            ..self
+        }
+    }
+
+    /// At the end of the azimuth number `M` of those that have profiles.
+    #[inline(always)]
+    #[must_use]
+    pub fn azimuth<const M: usize>(mut self) -> Self {
+        if let Some(step) = self.steps.get_mut(M) {
+            *step = self.plus.max(self.minus);
+        }
+        Self { plus: 0, minus: 0, ..self }
+    }
+
+    /// The shifts of a table of this degree, whose profiles' exponents are at least
+    /// `least` and at most `largest`; none if there is hardly an image, or if weights that
+    /// are coarser than d are to be shifted to the left, or by more bits than there are.
+    #[inline(never)]
+    #[must_use]
+    pub fn shifts<Q: Fixed>(&self, degree: usize, [least, largest]: [i32; 2]) -> Option<Shifts<A>> {
+        let most = self.steps.iter().copied().fold(self.image, u32::max);
+        let bits = bits(most.into(), degree);
+        let base = -collapse::base::<Q>(bits);
+        let most_finer = FINEST.cast_signed();
+        let beyond = base - most_finer <= largest || base - least > 31;
+        if bits < 20 || (is_coarse::<Q>() && beyond) {
+            return None;
+        }
+        let finer = self.steps.map(|step| {
+            // Its bits, or more than `FINEST` fewer: the same as of `bits`.
+            let upper = with_margin(step, degree) >> (bits - 12 - most_finer);
+            FINEST.saturating_sub(upper)
+        });
+        Some(Shifts { bits, base, finer })
+    }
+}
+
+impl<const A: usize> Shifts<A> {
+    /// By how many bits the weights of the azimuth number `M` are finer.
+    #[inline(always)]
+    #[must_use]
+    pub fn finer<const M: usize>(&self) -> u32 {
+        self.finer.get(M).copied().unwrap_or(0)
+    }
+
+    /// The weight of a component, its profile's exponent `EXPONENT`: rounded.
+    #[inline(always)]
+    #[must_use]
+    pub fn weight<Q: Fixed, const COMPONENT: usize, const EXPONENT: i32, const K: usize>(
+        &self,
+        d: &[i32; K],
+        finer: u32,
+    ) -> i32 {
+        let d = d.get(COMPONENT).copied().unwrap_or(0);
+        if !is_coarse::<Q>() {
+            return weight(d, EXPONENT - self.base + finer.cast_signed());
+        }
+        let by = (self.base - EXPONENT - 1).cast_unsigned().wrapping_sub(finer) & 31;
+        (d >> by).wrapping_add(1) >> 1
+    }
+}
+
+/// Whether weights have no more bits than d.
+#[inline(always)]
+const fn is_coarse<Q: Fixed>() -> bool {
+    Q::WEIGHT_BITS + Q::TERM_BITS <= 31
+}
+
+/// The polynomials of one azimuth: `P` profiles of `L` terms from `START` on, times the
+/// weights of their components, `finer` by so many bits, of +m alone (`W` = 1) or of +m and
+/// -m, into the scene's terms from `TO` on.
 #[inline(never)]
 pub fn azimuth<
     Q: Fixed,
-    const FIRST: usize,
     const START: usize,
     const TO: usize,
     const P: usize,
     const W: usize,
     const L: usize,
     const T: usize,
-    const E: usize,
-    const K: usize,
     const N: usize,
 >(
     terms: &'static [Q; T],
-    profiles: &'static [Profile; E],
-    common: i32,
-    mantissas: &[i32; K],
+    weights: &[[i32; W]; P],
+    finer: u32,
     scene: &mut [i32; N],
 ) {
-    let profiles = profiles.get(FIRST..).unwrap_or_default();
-    let mut weights = [[0; W]; P];
-    for (weights, profile) in weights.iter_mut().zip(profiles) {
-        let by = i32::from(profile.exponent) - common;
-        let components = [profile.plus, profile.minus];
-        for (sign, (weight, component)) in weights.iter_mut().zip(components).enumerate() {
-            let found = mantissas.get(usize::from(component)).copied().unwrap_or(0);
-            let found = found.shifted(by);
-            // Φ_-m = √2 sin(-mβ) = -√2 Im (n_x + i n_y)^m / sin^m.
-            *weight = if sign == 0 { found } else { -found };
+    let by = Q::SUM_SHIFT + finer;
+    let rows = terms.get(START..).unwrap_or_default().as_chunks::<L>().0;
+    let Some(rows) = rows.first_chunk::<P>() else { return };
+    let polynomials = scene.get_mut(TO..).unwrap_or_default().as_chunks_mut::<L>().0;
+    let Some(polynomials) = polynomials.first_chunk_mut::<W>() else { return };
+    for k in 0..L {
+        let mut sums = [half_or_one(k == 0 || (W == 1 && k == L - 1), by); W];
+        for (row, weights) in rows.iter().zip(weights) {
+            let term = row.get(k).copied().unwrap_or_default();
+            for (sum, &weight) in sums.iter_mut().zip(weights) {
+                *sum = sum.wrapping_add(term.weigh(weight));
+            }
+        }
+        for (polynomial, sum) in polynomials.iter_mut().zip(sums) {
+            if let Some(place) = polynomial.get_mut(k) {
+                *place = sum >> (by & 31);
+            }
         }
     }
-    let rows = terms.get(START..).unwrap_or_default().as_chunks::<L>().0;
-    let sums = scene.get_mut(TO..).unwrap_or_default().as_chunks_mut::<L>().0;
-    for (sign, sums) in sums.iter_mut().take(W).enumerate() {
-        sums.fill(0);
-        for (row, weights) in rows.iter().zip(&weights) {
-            let weight = weights.get(sign).copied().unwrap_or(0);
-            for (sum, term) in sums.iter_mut().zip(row) {
-                *sum += term.weigh(weight);
-            }
+    let mut either = [0; W];
+    for weights in weights {
+        for (either, weight) in either.iter_mut().zip(weights) {
+            *either |= weight;
+        }
+    }
+    for (polynomial, either) in polynomials.iter_mut().zip(either) {
+        if either == 0 {
+            polynomial.fill(0);
         }
     }
 }
 
-/// Scales a scene's terms, and writes their exponent.
+/// Writes a scene's exponent.
 #[inline(always)]
-pub fn finish<'a, Q: Fixed, const K: usize, const N: usize>(
-    basis: &Basis<'a, Q>,
+pub fn finish<'a, Q: Fixed, const K: usize, const N: usize, const A: usize>(
     coefficients: &Coefficients<K>,
-    common: i32,
+    shifts: &Shifts<A>,
     scene: &mut Scene<'a, Q, SceneBuffer<N>>,
 ) {
-    let (mantissas, exponent) = (coefficients.mantissas.as_slice(), coefficients.exponent);
-    scene.exponent = basis.finish(mantissas, exponent, common, scene.buffer.as_mut_slice());
+    scene.exponent = coefficients.exponent + shifts.bits - Q::TERM_BITS.cast_signed();
 }

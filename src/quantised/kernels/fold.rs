@@ -2,6 +2,7 @@
 //! [`Basis::fold_into`](crate::quantised::Basis::fold_into).
 
 use crate::format::{Fixed, Wide};
+use crate::quantised::fold::{ENOUGH, NOTHING, common_exponent, guard, row_bits};
 use crate::quantised::{Material, TransferBuffer};
 
 /// A material's mantissas and exponents of exactly these lengths, if no exponent is above
@@ -101,15 +102,23 @@ impl<Q: Fixed, const P: usize, const O: usize> Degree<Q, P, O> {
     pub fn normalise(&self, sums: &mut [Q::Wide; P]) -> i32 {
         let mut either = Q::Wide::default();
         for &sum in sums.iter() {
-            either = either.max(sum).max(-sum);
+            either = either | sum.max(-sum);
         }
         let largest = either.bits();
         let by = Q::BITS.cast_signed() - largest.cast_signed();
-        for sum in sums.iter_mut() {
-            // A number that rounding brings to 2^BITS is one less.
-            *sum = Q::narrow(sum.shifted(by)).widen();
+        if largest == 0 {
+            return NOTHING;
         }
-        if largest == 0 { 0 } else { self.common - by }
+        if by < 0 {
+            for sum in sums.iter_mut() {
+                *sum = sum.lowered(-by - 1);
+            }
+        } else {
+            for sum in sums.iter_mut() {
+                *sum = sum.floored(by);
+            }
+        }
+        self.common - by
     }
 }
 
@@ -137,54 +146,81 @@ pub fn azimuth<
     of_sums: &[i32; D],
     (numbers, exponents): (&mut [Q; T], &mut [i16; E]),
 ) {
-    let mut rows = factors.as_chunks::<P>().0.get(ROW..).unwrap_or_default().iter();
-    let mut of_rows = factor_exponents.get(ROW..).unwrap_or_default().iter();
+    let rows = factors.as_chunks::<P>().0.get(ROW..).unwrap_or_default().as_chunks::<L>().0;
+    let of_rows = factor_exponents.get(ROW..).unwrap_or_default().as_chunks::<L>().0;
     let numbers = numbers.get_mut(START..).unwrap_or_default().as_chunks_mut::<L>().0;
     let exponents = exponents.get_mut(FIRST..).unwrap_or_default();
+    let (Some(rows), Some(of_rows), Some(numbers), Some(exponents)) = (
+        rows.first_chunk::<N>(),
+        of_rows.first_chunk::<N>(),
+        numbers.first_chunk_mut::<N>(),
+        exponents.first_chunk_mut::<N>(),
+    ) else {
+        return;
+    };
     let sums = sums.get(M..).unwrap_or_default();
     let of_sums = of_sums.get(M..).unwrap_or_default();
-    for (numbers, exponent) in numbers.iter_mut().zip(exponents).take(N) {
-        let mut row = [(Q::Wide::default(), 0); L];
-        let given = rows.by_ref().zip(of_rows.by_ref()).zip(sums.iter().zip(of_sums));
-        for (to, ((factors, &of_factors), (sums, &of_sums))) in row.iter_mut().zip(given) {
-            let mut sum = Q::Wide::default();
-            for (factor, &scattered) in factors.iter().zip(sums) {
-                sum += factor.widen() * scattered;
-            }
-            *to = (sum, i32::from(of_factors) + of_sums);
+    for (((rows, of_rows), numbers), exponent) in
+        rows.iter().zip(of_rows).zip(numbers).zip(exponents)
+    {
+        let mut row = [Q::Wide::default(); L];
+        for ((place, factors), sums) in row.iter_mut().zip(rows).zip(sums) {
+            *place = product(factors, sums);
         }
-        let common = common_exponent(&row, Q::BITS + 1, Q::BITS);
-        *exponent = common as i16;
-        for (to, (sum, exponent)) in numbers.iter_mut().zip(row) {
-            *to = Q::narrow(sum.shifted(exponent - common));
-        }
+        *exponent = settle(&row, of_rows, of_sums, numbers);
     }
 }
 
-/// The same as that of the general way, bits counted where a number may be the largest.
-fn common_exponent<W: Wide, const L: usize>(row: &[(W, i32); L], all: u32, each: u32) -> i32 {
-    // Less than any exponent, and no difference overflows.
-    const NONE: i32 = -1 << 20;
-    let mut top = NONE;
-    for &(number, exponent) in row {
-        let size = number.max(-number);
-        // Below 2^(top - exponent) it is not the largest.
-        let room = top - exponent;
-        let known = room >= W::SIZE.cast_signed() || (room >= 0 && !size.reaches(room));
-        if size != W::default() && !known {
-            top = top.max(size.bits().cast_signed() + exponent);
-        }
+/// Σ factor S.
+#[inline(never)]
+fn product<Q: Fixed, const P: usize>(factors: &[Q; P], sums: &[Q::Wide; P]) -> Q::Wide {
+    let mut sum = Q::Wide::default();
+    for (factor, &scattered) in factors.iter().zip(sums) {
+        sum += factor.widen() * scattered;
     }
-    if top == NONE {
-        return 0;
+    sum
+}
+
+/// Narrows a row, as the general way does; gives its exponent.
+#[inline(never)]
+fn settle<Q: Fixed, const L: usize>(
+    row: &[Q::Wide; L],
+    of_factors: &[i8; L],
+    of_sums: &[i32],
+    numbers: &mut [Q; L],
+) -> i16 {
+    let mut exponents = [0; L];
+    let mut largest = i32::MIN;
+    for ((exponent, &of_factors), of_sums) in exponents.iter_mut().zip(of_factors).zip(of_sums) {
+        *exponent = i32::from(of_factors) + of_sums;
+        largest = largest.max(*exponent);
     }
-    let room = W::SIZE.cast_signed() - W::of(L as i32).bits().cast_signed() - 2;
-    let base = top - room;
-    let mut sum = W::default();
-    for &(number, exponent) in row {
-        let aligned = number.shifted(exponent - base);
-        sum += aligned.max(-aligned);
+    let guard = guard::<Q::Wide>(L as i32);
+    let (mut either, mut sum) = (Q::Wide::default(), Q::Wide::default());
+    for (&number, exponent) in row.iter().zip(exponents) {
+        let aligned = number.max(-number).floored((exponent - largest).min(0));
+        either = either | aligned;
+        sum += aligned.floored(-guard.cast_signed());
     }
-    sum += sum.shifted(-8);
-    (base + sum.bits().cast_signed() - all.cast_signed()).max(top - each.cast_signed())
+    let found = row_bits(either, sum, L as i32, guard);
+    if found < Q::BITS + ENOUGH {
+        return settle_small(row, &exponents, numbers);
+    }
+    let common = largest + found.cast_signed() - Q::BITS.cast_signed();
+    for ((to, number), exponent) in numbers.iter_mut().zip(row).zip(exponents) {
+        *to = Q::narrow(number.lowered(common - exponent - 1));
+    }
+    common as i16
+}
+
+/// [`settle`] of a row that has no large number where its exponent is the largest.
+#[cold]
+#[inline(never)]
+fn settle_small<Q: Fixed>(row: &[Q::Wide], exponents: &[i32], numbers: &mut [Q]) -> i16 {
+    let row = row.iter().copied().zip(exponents.iter().copied());
+    let common = common_exponent(row.clone(), Q::BITS);
+    for (to, (number, exponent)) in numbers.iter_mut().zip(row) {
+        *to = Q::narrow(number.shifted(exponent - common));
+    }
+    common as i16
 }

@@ -5,8 +5,8 @@ use crate::format::{Fixed, Wide as _};
 use crate::index::light::position;
 use crate::quantised::{Coefficients, Light, Transfer};
 
-/// No size: that of a sum of nothing.
-pub const NONE: i32 = i32::MIN;
+/// No size: that of a sum of nothing. Less than any, and no difference overflows.
+pub const NONE: i32 = -1 << 20;
 
 /// The numbers of a transfer whose rows are known to fit their accumulators, and of a
 /// light, of exactly these lengths.
@@ -80,31 +80,61 @@ pub fn azimuth<
                 either |= place.unsigned_abs();
             }
         }
-        if either != 0 {
-            let bits = u32::BITS - either.leading_zeros();
-            top = top.max(bits.cast_signed() + i32::from(exponent));
+        // Bits are counted where they may be the most.
+        let room = top - i32::from(exponent);
+        if room < 0 || (room < 31 && either >> (room & 31) != 0) {
+            top = counted(either, exponent).max(top);
         }
     }
     top
 }
 
-/// Brings the components of all profiles to one exponent, and writes it.
+/// The size of a profile's sums.
 #[inline(never)]
-pub fn align<Q: Fixed, const E: usize, const K: usize>(
+fn counted(either: u32, exponent: i16) -> i32 {
+    if either == 0 {
+        return NONE;
+    }
+    let bits = u32::BITS - either.leading_zeros();
+    bits.cast_signed() + i32::from(exponent)
+}
+
+/// The exponent of all components.
+#[inline(always)]
+#[must_use]
+pub const fn common(top: i32) -> i32 {
+    if top == NONE { 0 } else { top - 30 }
+}
+
+/// Brings the components of the profile number `AT` to the common exponent.
+#[inline(always)]
+pub fn align<
+    const AT: usize,
+    const PLUS: usize,
+    const MINUS: usize,
+    const E: usize,
+    const K: usize,
+>(
     exponents: &[i16; E],
-    components: &'static [[u16; 2]; E],
-    top: i32,
-    of_light: i32,
-    coefficients: &mut Coefficients<K>,
+    common: i32,
+    d: &mut [i32; K],
 ) {
-    let common = if top == NONE { 0 } else { top - 30 };
-    for (&exponent, components) in exponents.iter().zip(components) {
-        let by = i32::from(exponent) - common;
-        for &component in components {
-            if let Some(place) = coefficients.mantissas.get_mut(usize::from(component)) {
-                *place = place.shifted(by);
-            }
+    let by = i32::from(exponents.get(AT).copied().unwrap_or(0)) - common;
+    for component in [PLUS, MINUS] {
+        if let Some(place) = d.get_mut(component) {
+            let twice = *place >> (-by - 1).clamp(0, 31);
+            let lowered = (twice >> 1) + (twice & 1);
+            *place = if by < 0 { lowered } else { *place << by.min(31) };
         }
     }
+}
+
+/// Writes the exponent of an image's coefficients.
+#[inline(always)]
+pub fn finish<Q: Fixed, const K: usize>(
+    coefficients: &mut Coefficients<K>,
+    common: i32,
+    of_light: i32,
+) {
     coefficients.exponent = common + of_light + Q::Wide::SIZE.cast_signed() - 31;
 }
