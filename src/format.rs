@@ -180,6 +180,7 @@ macro_rules! wide {
             }
             #[inline(always)]
             fn lowered(self, by: i32) -> Self {
+                debug_assert!(by >= 0, "out of domain");
                 // Shifted by all its bits it is 0 or -1, which rounds to 0.
                 ((self >> by.cast_unsigned().min($size)) + 1) >> 1
             }

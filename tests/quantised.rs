@@ -299,3 +299,14 @@ fn estimates_are_means() {
     assert_eq!(empty, Err(Error::Weight));
     assert!(q15::BASIS.estimate::<49>().is_err());
 }
+
+/// However much may be left out, a profile that serves a component keeps a term: generated
+/// functions have no blocks of none.
+#[test]
+fn profiles_keep_a_term() {
+    let bytes = std::fs::read("tables/sphere.bin").expect("the shipped table");
+    let table = eigenshade_table::decode(&bytes).expect("a table");
+    let parts = quantise::QuantisedParts::new(&table, Format::Q15, 1e9).expect("parts");
+    let served = table.profiles.iter().map(|profile| profile.azimuth).max().expect("profiles");
+    assert_eq!(parts.lengths[..=served], vec![1; served + 1]);
+}

@@ -132,8 +132,7 @@ impl<Q: Fixed> Basis<'_, Q> {
     fn scatter(&self, material: &Material<'_, Q>, sums: &mut [Q::Wide], exponents: &mut [Q::Wide]) {
         // Not 0, which a compiler may not see: chunks of 0 would panic.
         let pairs = pair::count(self.order()).max(1);
-        // The addends of one sum are one for each o of a parity.
-        let room = Q::Wide::of((self.order() / 2 + 1) as i32).bits().cast_signed() - 1;
+        let room = room::<Q::Wide>(self.order());
         let polar = self.parts.polar.chunks_exact(pairs);
         let rows = polar.zip(self.parts.polar_exponents.chunks_exact(pairs));
         for ((polar, of_polar), (sums, exponent)) in
@@ -179,6 +178,13 @@ impl<Q: Fixed> Basis<'_, Q> {
             *exponent = Q::Wide::of(if largest == 0 { NOTHING } else { common - by });
         }
     }
+}
+
+/// Bits by which the addends of S are lowered, so that their sum fits: one for each o of a
+/// parity. At least one, for the generated way lowers by no less.
+#[inline(always)]
+pub(crate) fn room<W: Wide>(order: usize) -> i32 {
+    (W::of((order / 2 + 1) as i32).bits().cast_signed() - 1).max(1)
 }
 
 /// Σ a b: the factors' row sums to less than 2^(BITS + 1), so it fits.

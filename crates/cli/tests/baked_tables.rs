@@ -13,8 +13,7 @@ use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials}
 use eigenshade_table::{Table, decode, rust_source};
 use std::fmt::Write;
 use std::fs;
-use std::process::Command;
-use support::{Folder, lights, materials, repository};
+use support::{Folder, compiled, lights, materials};
 
 const NORMALS: [[f64; 3]; 4] =
     [[0.0, 0.0, 1.0], [0.6, 0.0, 0.8], [-0.48, 0.6, 0.64], [0.28, -0.96, 0.0]];
@@ -123,25 +122,7 @@ fn compiled_tables_give_what_tables_read_give() {
     }
     let names: Vec<&str> = KINDS.iter().map(|kind| kind.0).collect();
     fs::write(folder.path("src/main.rs"), program(&names, &numbers)).expect("a file");
-    // The lock file keeps the dependencies at those that are there.
-    fs::copy(repository().join("Cargo.lock"), folder.path("Cargo.lock")).expect("a lock file");
-    folder.write(
-        "Cargo.toml",
-        format!(
-            "[package]\nname = \"baked\"\nversion = \"0.1.0\"\nedition = \"2024\"\n[workspace]\n\
-             [dependencies]\neigenshade = {{ path = {:?}, default-features = false }}\n",
-            repository().canonicalize().expect("a path")
-        ),
-    );
-    let output = Command::new(env!("CARGO"))
-        .args(["run", "--quiet", "--offline"])
-        .current_dir(folder.path("."))
-        .env("CARGO_TARGET_DIR", folder.path("target"))
-        .output()
-        .expect("cargo runs");
-    let errors = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{errors}");
-    let text = String::from_utf8(output.stdout).expect("text");
+    let text = compiled(&folder);
     assert_eq!(text.lines().count(), KINDS.len());
     for ((line, (d, image)), name) in text.lines().zip(&expected).zip(names) {
         let mut found: Vec<f32> =

@@ -289,7 +289,7 @@ fn lengths(table: &Table, tolerance: f64) -> Result<Vec<u8>, QuantiseError> {
     Ok(lengths.into_iter().map(|length| length as u8).collect())
 }
 
-/// The least number of terms whose rest is at most `tolerance` everywhere.
+/// The least number of terms, one at least, whose rest is at most `tolerance` everywhere.
 fn needed(profile: &Profile, tolerance: f64) -> usize {
     let mut rest = 0.0;
     let count = profile.chebyshev.len();
@@ -297,7 +297,7 @@ fn needed(profile: &Profile, tolerance: f64) -> usize {
         rest += term.abs();
         rest <= tolerance
     });
-    count - kept.count()
+    (count - kept.count()).max(1)
 }
 
 /// Mantissas of a material's coefficients, an exponent for each o.

@@ -2,7 +2,7 @@
 //! [`Basis::fold_into`](crate::quantised::Basis::fold_into).
 
 use crate::format::{Fixed, Wide};
-use crate::quantised::fold::{ENOUGH, NOTHING, common_exponent, guard, row_bits};
+use crate::quantised::fold::{ENOUGH, NOTHING, common_exponent, guard, room, row_bits};
 use crate::quantised::{Material, TransferBuffer};
 
 /// A material's mantissas and exponents of exactly these lengths, if no exponent is above
@@ -64,8 +64,7 @@ impl<Q: Fixed, const P: usize, const O: usize> Degree<Q, P, O> {
     ) -> Option<Self> {
         let polar = polar.as_chunks::<P>().0.get(l)?;
         let exponents = exponents.as_chunks::<P>().0.get(l)?;
-        // The addends of one sum are one for each o of a parity.
-        let room = Q::Wide::of((O as i32 - 1) / 2 + 1).bits().cast_signed() - 1;
+        let room = room::<Q::Wide>(O - 1);
         let mut rest = exponents.as_slice();
         let mut top = i32::MIN;
         for (o, &of_order) in of_orders.iter().enumerate() {
@@ -91,7 +90,7 @@ impl<Q: Fixed, const P: usize, const O: usize> Degree<Q, P, O> {
         if let (Some(&b), Some(polar), Some(&exponent), Some(&shift)) =
             (b.get(MODE), polar.get(FROM), exponents.get(FROM), shifts.get(ORDER))
         {
-            // Not negative: an addend has room.
+            // Not negative: an addend has room of a bit.
             return sum + (b * polar.widen()).lowered(shift - i32::from(exponent));
         }
         sum

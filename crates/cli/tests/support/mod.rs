@@ -165,3 +165,26 @@ pub fn scene(criterion: &str, components: usize, names: &str) -> String {
 pub fn repository() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
+
+/// What the program in `src/main.rs` of this folder prints, once it is compiled.
+pub fn compiled(folder: &Folder) -> String {
+    // The lock file keeps the dependencies at those that are there.
+    fs::copy(repository().join("Cargo.lock"), folder.path("Cargo.lock")).expect("a lock file");
+    folder.write(
+        "Cargo.toml",
+        format!(
+            "[package]\nname = \"baked\"\nversion = \"0.1.0\"\nedition = \"2024\"\n[workspace]\n\
+             [dependencies]\neigenshade = {{ path = {:?}, default-features = false }}\n",
+            repository().canonicalize().expect("a path")
+        ),
+    );
+    let output = Command::new(env!("CARGO"))
+        .args(["run", "--quiet", "--offline"])
+        .current_dir(folder.path("."))
+        .env("CARGO_TARGET_DIR", folder.path("target"))
+        .output()
+        .expect("cargo runs");
+    let errors = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{errors}");
+    String::from_utf8(output.stdout).expect("text")
+}
