@@ -76,7 +76,7 @@ the mean image, and of a dark rim, which are right against their coefficients an
 * Components whose eigenvalues differ by less than their rounding, 1e-16 of the largest, in one azimuth: their span is right, each alone is
   as the host's arithmetic has it.
 * f32 pixels at high degree: see degree 32 above, and [method.md](method.md#limits).
-* Ratios of times are told and not asserted: those above are of a Zen 5, which hardly slows down for subnormal numbers. Others may take a hundred times
+* Ratios of times are told and not asserted: those above are of an x86-64 processor that hardly slows down for subnormal numbers. Others may take a hundred times
   as long for each, and a pixel at 1e-30 has about one. So in f32 a light is kept near 1, and the image scaled.
 ";
 

@@ -55,7 +55,7 @@ fn same_order() -> Vec<Figure> {
     for (a, b) in table.components.iter().zip(&other.components).take(count) {
         let (u, v) = (&table.profiles[a.profile], &other.profiles[b.profile]);
         let product: f64 = u.node_values.iter().zip(&v.node_values).map(|(u, v)| u * v).sum();
-        moved += usize::from(a.order != b.order || product < 0.0);
+        moved += usize::from(a.order != b.order || product < tolerances::SAME_COMPONENT);
         let (Some(a), Some(b)) = (a.eigenvalue, b.eigenvalue) else { continue };
         apart = largest([apart, (a - b) / most]);
     }

@@ -583,3 +583,6 @@ pub const PAPER_SINGLE_ROTATION: f64 = 1.2;
 /// The bound of a rendered sphere, of its accuracy: one term less would be above it, and no term is a
 /// twentieth of it.
 pub const PAPER_BOUND_USED: f64 = 0.95;
+/// Least product of a component and itself from another run, of unit length both; of another
+/// or its negative it is near 0 or -1.
+pub const SAME_COMPONENT: f64 = 0.5;

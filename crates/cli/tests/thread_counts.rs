@@ -10,9 +10,8 @@ use support::{Folder, repository};
 const VARIABLE: &str = "RAYON_NUM_THREADS";
 
 /// Every component of the shipped scene, order, sign and last bit: two runs with each number of
-/// threads. As it is built the generator has one thread whatever the variable says. Built with
-/// faer's `rayon` it heeds it, and this test fails: the last bits differ then, though of the 242
-/// components above 1e-24 of the largest eigenvalue none in its order.
+/// threads. As it is built the generator has one thread whatever the variable says; built with
+/// faer's `rayon` it would heed it, and its last bits would follow.
 #[test]
 fn tables_are_the_same_to_the_byte() {
     let folder = Folder::new();
