@@ -7,7 +7,7 @@ use eigenshade_cli::image_reading::Reader;
 use eigenshade_cli::linear_image::{LinearImage, Transfer};
 use eigenshade_cli::message::say;
 use eigenshade_cli::shader::fitted;
-use eigenshade_cli::{destination, pixel_mask, pixel_normals, shipped, table_file};
+use eigenshade_cli::{collision, destination, pixel_mask, pixel_normals, shipped, table_file};
 use eigenshade_generator::database::{Lights, Materials};
 use eigenshade_generator::error::{Error, Result};
 use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
@@ -77,8 +77,8 @@ fn positive(text: &str) -> std::result::Result<f64, String> {
 
 impl Read {
     pub fn run(self) -> Result<()> {
-        self.outputs_differ()?;
         let table = table_file::read(&self.table)?;
+        self.outputs_are_apart(&table)?;
         self.served(&table)?;
         let components = table_file::components(&table, self.components, &self.table)?;
         let (lights, lights_stand_in) = self.lights(&table)?;
@@ -109,16 +109,19 @@ impl Read {
         Ok(())
     }
 
-    /// Whether each output is a file of its own.
-    fn outputs_differ(&self) -> Result<()> {
+    /// Whether each output is a file of its own, and none of the files that are read.
+    fn outputs_are_apart(&self, table: &Table) -> Result<()> {
+        let of_scene = |given: &Option<PathBuf>, database: &str| {
+            given.clone().or_else(|| self.beside(database).ok())
+        };
+        let is_file = self.normals != Path::new("sphere");
+        let mut inputs = vec![self.image.clone(), self.table.clone()];
+        inputs.extend(is_file.then(|| self.normals.clone()));
+        inputs.extend(self.mask.clone());
+        inputs.extend(of_scene(&self.lights, &table.scene.light.database));
+        inputs.extend(of_scene(&self.materials, &table.scene.material.database));
         let outputs = [&self.out, &self.light_out, &self.modes_out];
-        let named: Vec<&PathBuf> = outputs.into_iter().flatten().collect();
-        match (1..named.len()).find(|&k| named[..k].contains(&named[k])) {
-            Some(k) => {
-                Err(Error::new("two outputs go there", "give each its own file").in_file(named[k]))
-            }
-            None => Ok(()),
-        }
+        collision::refuse(outputs.into_iter().flatten(), inputs)
     }
 
     /// Whether the table holds what is asked for.
