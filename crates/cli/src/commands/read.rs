@@ -97,16 +97,28 @@ impl Read {
         let reading = reader.read(&observation, self.noise)?;
 
         let answer = Answer { reading: &reading, observation: &observation, materials: &materials };
-        if let Some(path) = &self.light_out {
-            answer.write_light(path, &self.name())?;
-        }
-        if let Some(path) = &self.modes_out {
-            destination::write(Some(path), |out| answer.write_modes(out))?;
-        }
-        destination::write(self.out.as_deref(), |out| answer.write(out))?;
+        self.write(&answer)?;
         say(told);
         read_answer::summarise(&answer);
         Ok(())
+    }
+
+    /// All outputs, or none if one cannot be written. Standard output comes last: whoever
+    /// listens there may go early, and the files are to stand all the same.
+    fn write(&self, answer: &Answer<'_>) -> Result<()> {
+        let light = || match &self.light_out {
+            Some(path) => answer.write_light(path, &self.name()),
+            None => Ok(()),
+        };
+        let modes = || {
+            let path = self.modes_out.as_deref();
+            destination::write_before(path, |out| answer.write_modes(out), light)
+        };
+        destination::write_before(self.out.as_deref(), |out| answer.write(out), modes)?;
+        match self.out {
+            Some(_) => Ok(()),
+            None => destination::write(None, |out| answer.write(out)),
+        }
     }
 
     /// Whether each output is a file of its own, and none of the files that are read.
