@@ -47,7 +47,9 @@ pub struct Read {
     /// residual's
     #[arg(long, value_name = "S", value_parser = positive)]
     noise: Option<f64>,
-    /// What a PNG's samples are; without it, sRGB if it says so or has 8 bits, else linear
+    /// What a PNG's samples are; without it, what the PNG says (sRGB, gAMA, cICP), or else
+    /// sRGB of 8 bits and linear of 16. One with a colour profile instead, or another gamma,
+    /// needs it
     #[arg(long, value_enum)]
     transfer: Option<Transfer>,
     /// Light CSV of the statistics; without it, the one that the table's scene names,
