@@ -19,6 +19,27 @@ pub fn write(out: Option<&Path>, write: impl FnOnce(&mut dyn Write) -> Result<()
     }
 }
 
+/// Writes to the file and does `then` when all is written but does not stand under its name
+/// yet: unless both succeed, the file is as it was. Without a file does `then` alone.
+///
+/// # Errors
+///
+/// What `write` and `then` return, and the faults of the file, its folder or the disk.
+pub fn write_before(
+    file: Option<&Path>,
+    write: impl FnOnce(&mut dyn Write) -> Result<()>,
+    then: impl FnOnce() -> Result<()>,
+) -> Result<()> {
+    match file {
+        Some(path) => write_atomically(path, |out| {
+            write(out)?;
+            out.flush().map_err(|error| fault(&error))?;
+            then()
+        }),
+        None => then(),
+    }
+}
+
 /// [`write`](fn@write) of a text that is ready.
 ///
 /// # Errors

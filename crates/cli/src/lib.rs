@@ -5,6 +5,8 @@ pub mod invocation;
 
 pub mod destination;
 
+pub mod collision;
+
 pub mod rows;
 
 pub mod number;

@@ -3,6 +3,7 @@
 use crate::tone;
 use eigenshade_generator::error::{Error, Result};
 use eigenshade_generator::inputs::environment::EnvironmentMap;
+use eigenshade_generator::inputs::png_curve::Curve;
 use eigenshade_generator::inputs::png_samples;
 use eigenshade_generator::inputs::sheet::Sheet;
 use std::path::Path;
@@ -35,15 +36,15 @@ impl LinearImage {
     /// Reads a `.png`, an environment map's file types (`.exr`, `.hdr`, `.pfm`), or a
     /// CSV with the columns `r,g,b` or `value`, a row a pixel.
     ///
-    /// Without a `transfer` a PNG is taken for sRGB if it says so or has 8 bits, which
-    /// is how cameras and programs write such files, and for linear if it has 16. The
-    /// other types are linear. What a clipped pixel showed nobody knows: it weighs
-    /// nothing.
+    /// Without a `transfer` a PNG is taken for what it says it is ([`Curve`]); one that says
+    /// nothing for sRGB if it has 8 bits, which is how cameras and programs write such files,
+    /// and for linear if it has 16. The other types are linear. What a clipped pixel showed
+    /// nobody knows: it weighs nothing.
     ///
     /// # Errors
     ///
     /// A file of another type, one that cannot be read or is broken, a transfer for a
-    /// type that has none, numbers that are not finite.
+    /// type that has none, none for a PNG that says it is something else, numbers that are not finite.
     pub fn read(path: &Path, transfer: Option<Transfer>) -> Result<Self> {
         let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
         let ending = ending.to_ascii_lowercase();
@@ -76,12 +77,19 @@ impl LinearImage {
     fn of_png(path: &Path, transfer: Option<Transfer>) -> Result<Self> {
         let png = png_samples::read(path)?;
         let full = f64::from(png.full);
-        let by_file = if png.says_srgb || png.full == u16::from(u8::MAX) {
-            Transfer::Srgb
-        } else {
-            Transfer::Linear
+        let transfer = match (transfer, &png.curve) {
+            (Some(transfer), _) => transfer,
+            (None, Curve::Linear) => Transfer::Linear,
+            (None, Curve::Srgb) => Transfer::Srgb,
+            (None, Curve::Unsaid) if png.full == u16::from(u8::MAX) => Transfer::Srgb,
+            (None, Curve::Unsaid) => Transfer::Linear,
+            (None, Curve::Other(what)) => {
+                let what = format!("{what}, by which samples are not read");
+                let remedy = "say what they are by --transfer linear or --transfer srgb";
+                return Err(Error::new(what, remedy).in_file(path));
+            }
         };
-        let value = |sample: u16| match transfer.unwrap_or(by_file) {
+        let value = |sample: u16| match transfer {
             Transfer::Linear => f64::from(sample) / full,
             Transfer::Srgb => tone::linear(f64::from(sample) / full),
         };

@@ -39,6 +39,30 @@ fn shipped_databases_stand_in_for_themselves_only() {
     folder.ok(read);
 }
 
+/// One of three cannot be written: the others are not, either, and what was there stays.
+#[test]
+fn all_outputs_or_none() {
+    let folder = with_image();
+    fs::create_dir(folder.path("taken")).unwrap();
+    folder.write("old.csv", "old");
+    let places = [("out", "a.csv"), ("light-out", "old.csv"), ("modes-out", "c.csv")];
+    for bad in [
+        "none/new.csv",
+        "taken",
+        #[cfg(target_os = "linux")]
+        "/dev/full",
+    ] {
+        for broken in 0..places.len() {
+            let options = places.iter().enumerate().map(|(place, (option, file))| {
+                format!(" --{option} {}", if place == broken { bad } else { file })
+            });
+            let arguments = format!("{READ}{}", options.collect::<String>());
+            assert_fails(&folder, &arguments, &[bad]);
+            assert_eq!(folder.read("old.csv"), "old", "{arguments}");
+        }
+    }
+}
+
 #[test]
 fn bad_images() {
     let folder = with_image();

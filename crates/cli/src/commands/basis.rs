@@ -5,7 +5,7 @@ use eigenshade_cli::compare::{Difference, differences};
 use eigenshade_cli::message::spinner;
 use eigenshade_cli::number::grouped;
 use eigenshade_cli::recorded_errors::manifest_rows;
-use eigenshade_cli::{destination, invocation, table_file};
+use eigenshade_cli::{collision, destination, invocation, table_file};
 use eigenshade_generator::error::{Error, Result};
 use eigenshade_generator::output::write_atomically;
 use eigenshade_generator::scene_file;
@@ -14,6 +14,12 @@ use eigenshade_table::{Table, encode};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
+
+/// The ending of the file beside a table that says what is in it.
+const MANIFEST: &str = "manifest.csv";
+
+/// The ending of the file beside a table that holds its errors.
+const ERRORS: &str = "errors.csv";
 
 /// The table of a scene: its eigenimages
 ///
@@ -45,6 +51,11 @@ struct Purpose {
 
 impl Basis {
     pub fn run(self) -> Result<()> {
+        if let Some(path) = &self.purpose.out {
+            let mut inputs = scene_file::inputs(&self.scene);
+            inputs.push(path.with_extension(ERRORS));
+            collision::refuse([path, &path.with_extension(MANIFEST)], inputs)?;
+        }
         // Read first: a broken table need not wait for a good one.
         let old = match &self.purpose.check {
             Some(path) => Some((path, table_file::read(path)?)),
@@ -60,7 +71,7 @@ impl Basis {
             return check(&self.scene, path, &old, &table);
         }
         let errors = match &self.purpose.out {
-            Some(path) => manifest_rows(&path.with_extension("errors.csv"), &table, &loaded)?,
+            Some(path) => manifest_rows(&path.with_extension(ERRORS), &table, &loaded)?,
             None => String::new(),
         };
         let bytes = encode(&table);
@@ -73,7 +84,7 @@ impl Basis {
             put(path, &bytes)?;
             let text = manifest(&table, &invocation::command_line());
             let text = text + &errors;
-            put(&path.with_extension("manifest.csv"), text.as_bytes())?;
+            put(&path.with_extension(MANIFEST), text.as_bytes())?;
         }
         destination::write_text(None, &report(&table, bytes.len(), start.elapsed()))
     }

@@ -3,7 +3,7 @@
 use clap::Args;
 use eigenshade_cli::number::exact;
 use eigenshade_cli::rows::Rows;
-use eigenshade_cli::{destination, table_file};
+use eigenshade_cli::{collision, destination, table_file};
 use eigenshade_generator::error::Result;
 use std::path::PathBuf;
 
@@ -23,6 +23,7 @@ pub struct Eigenvalues {
 
 impl Eigenvalues {
     pub fn run(self) -> Result<()> {
+        collision::refuse(&self.out, [&self.table])?;
         let table = table_file::read(&self.table)?;
         let criterion = table.scene.basis.criterion.name();
         destination::write(self.out.as_deref(), |out| {

@@ -6,7 +6,7 @@ use eigenshade_cli::median::median;
 use eigenshade_cli::message::{bar, say};
 use eigenshade_cli::recorded_errors::{COLUMNS, Stamp};
 use eigenshade_cli::rows::Rows;
-use eigenshade_cli::{destination, invocation, table_file};
+use eigenshade_cli::{collision, destination, invocation, table_file};
 use eigenshade_generator::database::Lights;
 use eigenshade_generator::direct::Surroundings;
 use eigenshade_generator::error::{Error, Result};
@@ -53,6 +53,11 @@ pub struct Errors {
 
 impl Errors {
     pub fn run(self) -> Result<()> {
+        let named = named_maps(&self.maps)?;
+        let of_materials = self.materials.iter().flat_map(|path| material_files::files(path));
+        let files = named.iter().map(|(_, map)| map.clone()).chain(of_materials);
+        let inputs = [self.table.clone(), self.lights.clone()].into_iter().chain(files);
+        collision::refuse(&self.out, inputs)?;
         let table = table_file::read(&self.table)?;
         let (degree, order) = (table.gram.degree, table.gram.order);
         if table.general.is_some() || !table.has_projection() {
@@ -62,7 +67,6 @@ impl Errors {
             )
             .in_file(&self.table));
         }
-        let named = named_maps(&self.maps)?;
         let lights = self.lights_of(&named)?;
         if lights.degree < degree {
             let found = lights.degree;

@@ -2,9 +2,9 @@
 
 use super::evaluate_functions::Function;
 use clap::Args;
-use eigenshade_cli::destination;
 use eigenshade_cli::number::exact;
 use eigenshade_cli::rows::Rows;
+use eigenshade_cli::{collision, destination};
 use eigenshade_generator::error::Result;
 use eigenshade_generator::inputs::sheet::{Row, Sheet};
 use std::path::PathBuf;
@@ -29,6 +29,7 @@ pub struct Evaluate {
 
 impl Evaluate {
     pub fn run(self) -> Result<()> {
+        collision::refuse(&self.out, [&self.points])?;
         let function = self.function;
         let (indices, arguments) = function.columns();
         let columns = [indices, arguments].concat().join(",");

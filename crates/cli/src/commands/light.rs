@@ -3,7 +3,7 @@
 use super::count;
 use clap::{Args, ValueEnum};
 use eigenshade_cli::message::{bar, say};
-use eigenshade_cli::{destination, invocation};
+use eigenshade_cli::{collision, destination, invocation};
 use eigenshade_generator::database::{Lights, Named};
 use eigenshade_generator::error::{Error, Result};
 use eigenshade_generator::inputs::coefficient_csv::{read_lights, write_lights};
@@ -51,9 +51,14 @@ enum Convention {
 impl Light {
     pub fn run(self) -> Result<()> {
         let lights = match self.maps.as_slice() {
-            [file] if is_csv(file) => exchanged(&read_lights(file, Some(self.degree))?),
+            [file] if is_csv(file) => {
+                collision::refuse(&self.out, [file])?;
+                exchanged(&read_lights(file, Some(self.degree))?)
+            }
             maps => {
-                let lights = projected(maps, self.degree)?;
+                let files = files(maps)?;
+                collision::refuse(&self.out, files.iter().map(|(_, path)| path))?;
+                let lights = projected(files, self.degree)?;
                 match self.convention {
                     Convention::Paper => lights,
                     Convention::Graphics => exchanged(&lights),
@@ -74,13 +79,17 @@ fn is_csv(path: &Path) -> bool {
     path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"))
 }
 
-/// The lights of the maps, as the shipped files hold them.
-fn projected(maps: &[PathBuf], degree: usize) -> Result<Lights> {
+/// The maps with their names.
+fn files(maps: &[PathBuf]) -> Result<Vec<(String, PathBuf)>> {
     if let Some(file) = maps.iter().find(|file| is_csv(file)) {
         let what = "a light CSV among other inputs";
         return Err(Error::new(what, "convert one CSV at a time, maps apart").in_file(file));
     }
-    let files = named_maps(maps)?;
+    named_maps(maps)
+}
+
+/// The lights of the maps, as the shipped files hold them.
+fn projected(files: Vec<(String, PathBuf)>, degree: usize) -> Result<Lights> {
     let progress = bar("maps", files.len());
     let mut entries = Vec::new();
     for (name, path) in files {

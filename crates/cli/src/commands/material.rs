@@ -4,7 +4,7 @@ use super::count;
 use super::material_formula::{Formula, Nearness};
 use clap::Args;
 use eigenshade_cli::message::{bar, say};
-use eigenshade_cli::{destination, invocation, parallel};
+use eigenshade_cli::{collision, destination, invocation, parallel};
 use eigenshade_generator::brdf::{Measure, Projected};
 use eigenshade_generator::database::{Materials, Named};
 use eigenshade_generator::error::{Error, Result};
@@ -57,6 +57,8 @@ impl Material {
                 (vec![Source::Surface(surface)], answer.order, answer.measure, answer.out)
             }
             None => {
+                let inputs = self.paths.iter().flat_map(|path| material_files::files(path));
+                collision::refuse([&self.out, &self.report].into_iter().flatten(), inputs)?;
                 let mut sources = Vec::new();
                 for path in &self.paths {
                     sources.extend(material_files::read(path)?);

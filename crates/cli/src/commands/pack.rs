@@ -2,7 +2,7 @@
 
 use clap::{Args, ValueEnum};
 use eigenshade_cli::number::grouped;
-use eigenshade_cli::{destination, table_file};
+use eigenshade_cli::{collision, destination, table_file};
 use eigenshade_generator::error::{Error, Result};
 use eigenshade_table::quantise;
 use eigenshade_table::wire::{self, Endian};
@@ -37,6 +37,7 @@ enum Format {
 
 impl Pack {
     pub fn run(self) -> Result<()> {
+        collision::refuse([&self.out], [&self.table])?;
         let table = table_file::read(&self.table)?;
         let format = match self.format {
             Format::F32 => wire::Format::F32,

@@ -6,7 +6,7 @@ use eigenshade_cli::number::exact;
 use eigenshade_cli::owned_basis::OwnedBasis;
 use eigenshade_cli::rows::Rows;
 use eigenshade_cli::shader::{Shader, fault, fitted};
-use eigenshade_cli::{destination, table_file};
+use eigenshade_cli::{collision, destination, table_file};
 use eigenshade_generator::error::Result;
 use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
 use std::path::PathBuf;
@@ -37,6 +37,7 @@ pub struct Project {
 
 impl Project {
     pub fn run(self) -> Result<()> {
+        collision::refuse(&self.out, [&self.table, &self.lights, &self.materials])?;
         let table = table_file::read(&self.table)?;
         let components = table_file::components(&table, self.components, &self.table)?;
         let (lights, materials) = fitted(

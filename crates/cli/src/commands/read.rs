@@ -7,7 +7,7 @@ use eigenshade_cli::image_reading::Reader;
 use eigenshade_cli::linear_image::{LinearImage, Transfer};
 use eigenshade_cli::message::say;
 use eigenshade_cli::shader::fitted;
-use eigenshade_cli::{destination, pixel_mask, pixel_normals, shipped, table_file};
+use eigenshade_cli::{collision, destination, pixel_mask, pixel_normals, shipped, table_file};
 use eigenshade_generator::database::{Lights, Materials};
 use eigenshade_generator::error::{Error, Result};
 use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
@@ -47,7 +47,9 @@ pub struct Read {
     /// residual's
     #[arg(long, value_name = "S", value_parser = positive)]
     noise: Option<f64>,
-    /// What a PNG's samples are; without it, sRGB if it says so or has 8 bits, else linear
+    /// What a PNG's samples are; without it, what the PNG says (sRGB, gAMA, cICP), or else
+    /// sRGB of 8 bits and linear of 16. One with a colour profile instead, or another gamma,
+    /// needs it
     #[arg(long, value_enum)]
     transfer: Option<Transfer>,
     /// Light CSV of the statistics; without it, the one that the table's scene names,
@@ -77,8 +79,8 @@ fn positive(text: &str) -> std::result::Result<f64, String> {
 
 impl Read {
     pub fn run(self) -> Result<()> {
-        self.outputs_differ()?;
         let table = table_file::read(&self.table)?;
+        self.outputs_are_apart(&table)?;
         self.served(&table)?;
         let components = table_file::components(&table, self.components, &self.table)?;
         let (lights, lights_stand_in) = self.lights(&table)?;
@@ -97,28 +99,43 @@ impl Read {
         let reading = reader.read(&observation, self.noise)?;
 
         let answer = Answer { reading: &reading, observation: &observation, materials: &materials };
-        if let Some(path) = &self.light_out {
-            answer.write_light(path, &self.name())?;
-        }
-        if let Some(path) = &self.modes_out {
-            destination::write(Some(path), |out| answer.write_modes(out))?;
-        }
-        destination::write(self.out.as_deref(), |out| answer.write(out))?;
+        self.write(&answer)?;
         say(told);
         read_answer::summarise(&answer);
         Ok(())
     }
 
-    /// Whether each output is a file of its own.
-    fn outputs_differ(&self) -> Result<()> {
-        let outputs = [&self.out, &self.light_out, &self.modes_out];
-        let named: Vec<&PathBuf> = outputs.into_iter().flatten().collect();
-        match (1..named.len()).find(|&k| named[..k].contains(&named[k])) {
-            Some(k) => {
-                Err(Error::new("two outputs go there", "give each its own file").in_file(named[k]))
-            }
+    /// All outputs, or none if one cannot be written. Standard output comes last: whoever
+    /// listens there may go early, and the files are to stand all the same.
+    fn write(&self, answer: &Answer<'_>) -> Result<()> {
+        let light = || match &self.light_out {
+            Some(path) => answer.write_light(path, &self.name()),
             None => Ok(()),
+        };
+        let modes = || {
+            let path = self.modes_out.as_deref();
+            destination::write_before(path, |out| answer.write_modes(out), light)
+        };
+        destination::write_before(self.out.as_deref(), |out| answer.write(out), modes)?;
+        match self.out {
+            Some(_) => Ok(()),
+            None => destination::write(None, |out| answer.write(out)),
         }
+    }
+
+    /// Whether each output is a file of its own, and none of the files that are read.
+    fn outputs_are_apart(&self, table: &Table) -> Result<()> {
+        let of_scene = |given: &Option<PathBuf>, database: &str| {
+            given.clone().or_else(|| self.beside(database).ok())
+        };
+        let is_file = self.normals != Path::new("sphere");
+        let mut inputs = vec![self.image.clone(), self.table.clone()];
+        inputs.extend(is_file.then(|| self.normals.clone()));
+        inputs.extend(self.mask.clone());
+        inputs.extend(of_scene(&self.lights, &table.scene.light.database));
+        inputs.extend(of_scene(&self.materials, &table.scene.material.database));
+        let outputs = [&self.out, &self.light_out, &self.modes_out];
+        collision::refuse(outputs.into_iter().flatten(), inputs)
     }
 
     /// Whether the table holds what is asked for.

@@ -8,7 +8,7 @@ use eigenshade_cli::owned_basis::OwnedBasis;
 use eigenshade_cli::shader::{OwnedNormals, Shader, fault, fitted};
 use eigenshade_cli::sphere_view::SphereView;
 use eigenshade_cli::tone::{exposure, srgb};
-use eigenshade_cli::{picture, table_file};
+use eigenshade_cli::{collision, picture, table_file};
 use eigenshade_generator::database::{Lights, Materials};
 use eigenshade_generator::error::Result;
 use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
@@ -43,8 +43,9 @@ pub struct Render {
 
 impl Render {
     pub fn run(self) -> Result<()> {
-        let table = table_file::read(&self.table)?;
         let (light, material) = (Choice::new(&self.light), Choice::new(&self.material));
+        collision::refuse([&self.out], [&self.table, &light.path, &material.path])?;
+        let table = table_file::read(&self.table)?;
         let Lights { degree, entries } = read_lights(&light.path, None)?;
         let lights = Lights { degree, entries: vec![light.of(entries)?] };
         let Materials { order, entries } = read_materials(&material.path, None)?;

@@ -11,7 +11,7 @@ use eigenshade_cli::owned_basis::OwnedBasis;
 use eigenshade_cli::owned_quantised::Integer;
 use eigenshade_cli::rows::Rows;
 use eigenshade_cli::shader::{LookUp, OwnedNormals, Shader, fault, fitted};
-use eigenshade_cli::{destination, table_file, truth_image};
+use eigenshade_cli::{collision, destination, table_file, truth_image};
 use eigenshade_generator::database::{Lights, Materials, Named};
 use eigenshade_generator::error::{Error, Result};
 use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
@@ -143,6 +143,8 @@ impl Shade {
             let what = "integers shade by polynomials only";
             return Err(Error::new(what, "take --method polynomial, or --format f32"));
         }
+        let inputs = [&self.table, &self.lights, &self.materials, &self.normals];
+        collision::refuse(&self.out, inputs)?;
         let table = table_file::read(&self.table)?;
         let way = self.way(table.scene.basis.knots)?;
         let components = table_file::components(&table, self.components, &self.table)?;

@@ -14,6 +14,9 @@ use super::measurements::{Measured, Measurement, POLAR_REMEDY, outside, polar_an
 use super::sheet::Sheet;
 use crate::error::{Error, Result};
 
+/// The files of a folder of materials: the values, the directions and the names.
+pub const FILES: [&str; 3] = ["abrdf.dat", "table.txt", "samples.csv"];
+
 /// Reads all materials of a folder, by the order of `abrdf.dat`.
 ///
 /// They are called `01-felt`: the id of two digits and the name in lower case,
@@ -28,9 +31,9 @@ use crate::error::{Error, Result};
 /// than `id,name`.
 pub fn read(folder: impl AsRef<Path>) -> Result<Vec<Measured>> {
     let folder = folder.as_ref();
-    let directions = read_directions(&folder.join("table.txt"))?;
-    let names = read_names(&folder.join("samples.csv"))?;
-    let path = folder.join("abrdf.dat");
+    let [path, directions, names] = FILES.map(|file| folder.join(file));
+    let directions = read_directions(&directions)?;
+    let names = read_names(&names)?;
     let mut taken = BTreeMap::new();
     let mut materials = Vec::new();
     for (line, row) in rows(&path)? {

@@ -42,11 +42,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<Vec<Source>> {
     if path.join("abrdf.dat").is_file() {
         return Ok(curet::read(path)?.into_iter().map(Source::Measured).collect());
     }
-    let mut files: Vec<PathBuf> = std::fs::read_dir(path)
-        .and_then(|entries| entries.map(|entry| Ok(entry?.path())).collect())
-        .map_err(|error| Error::io(path, &error))?;
-    files.retain(|file| matches!(extension(file).as_deref(), Some("binary" | "toml" | "csv")));
-    files.sort();
+    let files = files_in(path)?;
     if files.is_empty() {
         return Err(Error::new(
             "no materials in this folder",
@@ -56,6 +52,29 @@ pub fn read(path: impl AsRef<Path>) -> Result<Vec<Source>> {
     }
     let read: Vec<Vec<Source>> = files.iter().map(|file| read_file(file)).collect::<Result<_>>()?;
     Ok(read.into_iter().flatten().collect())
+}
+
+/// The files that [`read`](fn@read) would read, whether they are there or not; none of a
+/// folder that cannot be listed.
+#[must_use]
+pub fn files(path: &Path) -> Vec<PathBuf> {
+    if !path.is_dir() {
+        return vec![path.to_owned()];
+    }
+    if path.join("abrdf.dat").is_file() {
+        return curet::FILES.map(|file| path.join(file)).to_vec();
+    }
+    files_in(path).unwrap_or_default()
+}
+
+/// The files of a folder whose endings are those of materials, by name.
+fn files_in(folder: &Path) -> Result<Vec<PathBuf>> {
+    let mut files: Vec<PathBuf> = std::fs::read_dir(folder)
+        .and_then(|entries| entries.map(|entry| Ok(entry?.path())).collect())
+        .map_err(|error| Error::io(folder, &error))?;
+    files.retain(|file| matches!(extension(file).as_deref(), Some("binary" | "toml" | "csv")));
+    files.sort();
+    Ok(files)
 }
 
 fn read_file(path: &Path) -> Result<Vec<Source>> {

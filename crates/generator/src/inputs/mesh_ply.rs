@@ -52,7 +52,11 @@ fn corner(vertex: &DefaultElement) -> Result<[f64; 3]> {
         Some(Property::Float(value)) => Ok(f64::from(*value)),
         Some(Property::Double(value)) => Ok(*value),
         Some(Property::Int(value)) => Ok(f64::from(*value)),
+        Some(Property::UInt(value)) => Ok(f64::from(*value)),
         Some(Property::Short(value)) => Ok(f64::from(*value)),
+        Some(Property::UShort(value)) => Ok(f64::from(*value)),
+        Some(Property::Char(value)) => Ok(f64::from(*value)),
+        Some(Property::UChar(value)) => Ok(f64::from(*value)),
         _ => Err(broken(format!("a vertex has no number `{name}`"))),
     };
     Ok([axis("x")?, axis("y")?, axis("z")?])
@@ -69,5 +73,23 @@ fn indices(face: &DefaultElement) -> Result<Vec<usize>> {
         Some(Property::ListUShort(list)) => list.iter().map(|&one| Ok(one.into())).collect(),
         Some(Property::ListUChar(list)) => list.iter().map(|&one| Ok(one.into())).collect(),
         _ => Err(broken("a face has no list `vertex_indices`")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn corners_are_of_any_type() {
+        for kind in ["char", "uchar", "short", "ushort", "int", "uint", "float", "double"] {
+            let text = format!(
+                "ply\nformat ascii 1.0\nelement vertex 3\nproperty {kind} x\nproperty {kind} y\n\
+                 property {kind} z\nelement face 1\nproperty list uchar int vertex_indices\n\
+                 end_header\n0 0 1\n100 0 2\n0 120 3\n3 0 1 2\n"
+            );
+            let corners = [[0.0, 0.0, 1.0], [100.0, 0.0, 2.0], [0.0, 120.0, 3.0]];
+            assert_eq!(read(text.as_bytes()), Ok(vec![corners]), "{kind}");
+        }
     }
 }

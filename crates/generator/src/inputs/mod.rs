@@ -28,6 +28,7 @@ mod mesh_stl;
 pub mod normal_map;
 pub mod normals;
 pub mod object;
+pub mod png_curve;
 pub mod png_samples;
 pub mod rounding;
 pub mod sheet;

@@ -1,5 +1,6 @@
 //! A PNG as the numbers that it stores, without any reading of what they mean.
 
+use super::png_curve::Curve;
 use crate::error::{Error, Result};
 use png::{BitDepth, ColorType, Decoder, DecodingError, Limits, Transformations};
 use std::io::Cursor;
@@ -26,8 +27,8 @@ pub struct PngSamples {
     pub height: usize,
     /// The largest sample that the file can hold: 255 or 65535.
     pub full: u16,
-    /// Whether the file itself says that it is in sRGB.
-    pub says_srgb: bool,
+    /// What the file itself says of how samples stand for light.
+    pub curve: Curve,
     /// Red, green and blue of each pixel; three times the same in a grey file.
     pub colours: Vec<[u16; 3]>,
     /// Opacity of each pixel; `full` everywhere in a file without.
@@ -74,7 +75,7 @@ fn decode(bytes: &[u8]) -> Result<PngSamples> {
     decoder.set_limits(Limits { bytes: usize::try_from(limit + BESIDE).unwrap_or(usize::MAX) });
     decoder.set_transformations(Transformations::EXPAND);
     let mut reader = decoder.read_info().map_err(|error| fault(&error))?;
-    let says_srgb = reader.info().srgb.is_some();
+    let curve = Curve::of(reader.info(), bytes);
     let size = reader.output_buffer_size().ok_or_else(|| fault(&DecodingError::LimitsExceeded))?;
     let mut buffer = vec![0; size];
     let frame = reader.next_frame(&mut buffer).map_err(|error| fault(&error))?;
@@ -99,7 +100,7 @@ fn decode(bytes: &[u8]) -> Result<PngSamples> {
         width: frame.width as usize,
         height: frame.height as usize,
         full,
-        says_srgb,
+        curve,
         colours: pixels()
             .map(|pixel| match pixel {
                 [r, g, b, ..] => [*r, *g, *b],

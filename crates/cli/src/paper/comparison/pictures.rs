@@ -48,6 +48,7 @@ pub fn compare_pictures(found: &PngSamples, expected: &Canvas) -> Result<usize, 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use eigenshade_generator::inputs::png_curve::Curve;
 
     #[test]
     fn a_level_here_and_there_may_differ_and_nothing_else() {
@@ -56,7 +57,7 @@ mod tests {
             width: 50,
             height: 40,
             full: 255,
-            says_srgb: true,
+            curve: Curve::Srgb,
             colours: vec![[10, 20, 30]; 2000],
             opacities: vec![255; 2000],
         };
