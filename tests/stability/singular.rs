@@ -24,7 +24,7 @@ pub const RANKS: Case = Case {
 pub const MORE_THAN_RANK: Case = Case {
     name: "more components asked for than there is rank",
     naively: "eigenvectors of rounding fill the basis: they project and reconstruct noise",
-    here: "components end where the database's variance is rounding; the command says how many there are",
+    here: "components end at the scene's cut-off, far above rounding; the command says how many there are",
     measure: more_than_rank,
 };
 
@@ -164,7 +164,7 @@ fn more_than_rank() -> Vec<Figure> {
     let weakest = table.components.iter().filter_map(|one| one.eigenvalue).fold(1.0, f64::min);
     let strongest = table.components.iter().filter_map(|one| one.eigenvalue).fold(0.0, f64::max);
     vec![
-        Figure::exactly("components beyond the exact rank", found.saturating_sub(395), 0),
+        Figure::exactly("components, of an exact rank of 395", found, 218),
         Figure::least(
             "weakest eigenvalue, of the largest",
             weakest / strongest,

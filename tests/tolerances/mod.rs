@@ -173,9 +173,8 @@ pub const TURNED: f64 = 1e-11;
 pub const ORTHONORMAL_HIGH: f64 = 1e-11;
 /// Singular values of A beyond the exact rank, of the largest: some roundings of sums of 47 nodes.
 pub const BEYOND_RANK: f64 = 1e-15;
-/// The weakest eigenvalue that is a component, of the largest: singular values above 1e-14 of the
-/// root of the energy, and the energy is ten times the largest eigenvalue at most.
-pub const WEAKEST: f64 = 1e-28;
+/// The weakest eigenvalue that is a component, of the largest: the square of the scene's cut-off.
+pub const WEAKEST: f64 = 1e-20;
 /// Eigenvalues after every input is moved by an ulp, of the largest: 1e-16 times the terms of a sum.
 pub const EIGENVALUE_ULP: f64 = 1e-14;
 /// Singular values that are known by design, of the largest: those of a matrix to the last bits.
