@@ -583,3 +583,7 @@ pub const PAPER_SINGLE_ROTATION: f64 = 1.2;
 /// The bound of a rendered sphere, of its accuracy: one term less would be above it, and no term is a
 /// twentieth of it.
 pub const PAPER_BOUND_USED: f64 = 0.95;
+
+/// Posterior deviations over those of least squares, less one, at noises of 1e-3, 1e-6 and 1e-9: half the
+/// noise's variance over the prior's, 6e-3 at the first, falls with its square, to rounding.
+pub const READ_DEVIATIONS: [f64; 3] = [1e-2, 1e-8, 1e-11];
