@@ -63,7 +63,8 @@ impl<'a> Posterior<'a> {
     /// The exposure of a channel: s² is what brings the database's mean energy at
     /// these pixels to that of the image, less the noise's.
     ///
-    /// 0 for an image that is no more than noise.
+    /// 0 for an image that is no more than noise, and where the database's images are
+    /// black at all of these pixels.
     #[must_use]
     pub fn exposure(&self, channel: usize, noise: f64) -> f64 {
         let observation = self.observation;
@@ -71,7 +72,7 @@ impl<'a> Posterior<'a> {
         let of_noise = observation.pixels as f64 * noise * noise;
         let spread: f64 = self.svd.S().column_vector().iter().rev().map(|s| s * s).sum();
         let expected = spread + observation.mean.squared_norm_l2();
-        ((found - of_noise).max(0.0) / expected).sqrt()
+        if expected > 0.0 { ((found - of_noise).max(0.0) / expected).sqrt() } else { 0.0 }
     }
 
     /// The posterior of a channel whose pixels of weight 1 have noise of this
