@@ -90,6 +90,64 @@ fn posterior_is_the_dense_formula() {
     }
 }
 
+/// Where pixels determine d, its deviations are those of least squares, noise times the
+/// roots of the diagonal of (EᵀWE)⁻¹, however small the noise: the prior adds nothing.
+#[test]
+fn posterior_deviations_are_in_proportion_to_a_small_noise() {
+    for criterion in CRITERIA {
+        let (loaded, table) = small(criterion, 20);
+        let pixels = pixels(&loaded, 5);
+        let observation = observe(&table, &pixels);
+        let (_, prior) = prior(&loaded, &table);
+        let posterior = Posterior::new(&observation, &prior).expect("singular values");
+        let (design, ..) = dense(&table, &pixels);
+        let normal = (design.transpose() * &design).cholesky().expect("a positive matrix");
+        let expected = normal.inverse().diagonal().map(f64::sqrt);
+        // The prior's share is the square of noise over its own spread.
+        for (noise, allowed) in [1e-3, 1e-6, 1e-9].into_iter().zip(tolerances::READ_DEVIATIONS) {
+            let found = posterior.estimate(0, noise).deviations;
+            let far = found
+                .iter()
+                .zip(&expected)
+                .fold(0.0f64, |most, (found, one)| most.max((found / (noise * one) - 1.0).abs()));
+            assert_near("deviations over the noise's", far, allowed);
+        }
+        // All components: some are not determined, but none is known without error.
+        let (loaded, table) = small(criterion, usize::MAX);
+        let observation = observe(&table, &pixels);
+        let (_, prior) = self::prior(&loaded, &table);
+        let posterior = Posterior::new(&observation, &prior).expect("singular values");
+        for noise in [1e-3, 1e-6, 1e-9] {
+            let found = posterior.estimate(0, noise).deviations;
+            assert!(found.iter().all(|deviation| *deviation > 0.0), "{noise:e}: {found:?}");
+        }
+    }
+}
+
+/// Fewer pixels than components: what they do not see keeps the prior's spread.
+#[test]
+fn posterior_deviations_of_few_pixels_are_the_dense_formula() {
+    for criterion in CRITERIA {
+        let (loaded, table) = small(criterion, 20);
+        let mut pixels = pixels(&loaded, 5);
+        pixels.weights[8..].fill(0.0);
+        let observation = observe(&table, &pixels);
+        assert_eq!(observation.pixels, 8);
+        let (_, prior) = prior(&loaded, &table);
+        let posterior = Posterior::new(&observation, &prior).expect("singular values");
+        let found = posterior.estimate(0, NOISE);
+        let (design, ..) = dense(&table, &pixels);
+        let (s, moment) = (found.exposure, to_dense(&prior.second_moment()));
+        let cross = s * s * &moment * design.transpose();
+        let total = &design * &cross + DMatrix::identity(COUNT, COUNT) * NOISE * NOISE;
+        let inverse = total.cholesky().expect("a positive matrix").inverse();
+        let covariance = s * s * &moment - &cross * &inverse * cross.transpose();
+        let expected = covariance.diagonal().map(f64::sqrt);
+        let far = apart(&found.deviations, &expected);
+        assert_near("posterior deviations", far, tolerances::READ_POSTERIOR);
+    }
+}
+
 /// d of every material under every harmonic alone, by the runtime, and its power.
 fn second_moment(loaded: &Loaded, table: &Table) -> DMatrix<f64> {
     let owned = OwnedBasis::<f64>::new(table);

@@ -79,6 +79,41 @@ fn products_come_back_from_the_modes_that_exist() {
     assert!(rest > tolerances::READ_NO_PRODUCT * svd.singular_values[0].powi(2), "{rest}");
 }
 
+/// Modes that are no product: what was found is the best light for its material, and the
+/// best material for its light.
+#[test]
+fn the_best_product_of_any_modes_is_where_no_turn_makes_it_better() {
+    for seed in 0..30 {
+        let mut numbers = Numbers(seed);
+        let mut c = ModeCoefficients::zeros(4, 3);
+        let exists = c.exists();
+        let (rows, columns) = (c.values.nrows(), c.values.ncols());
+        let pairs: Vec<(usize, usize)> = (0..rows)
+            .flat_map(|row| (0..columns).map(move |column| (row, column)))
+            .filter(|&(row, column)| exists(row, column))
+            .collect();
+        for pair in &pairs {
+            c.values[*pair] = numbers.next();
+        }
+        let product = RankOne::of(&c).expect("singular values");
+        assert!(product.has_converged, "seed {seed}");
+        // The derivatives of the error by every L and every b.
+        let (mut by_light, mut by_material) = (vec![0.0; rows], vec![0.0; columns]);
+        for &(row, column) in &pairs {
+            let left = c.values[(row, column)] - product.light[row] * product.material[column];
+            by_light[row] += left * product.material[column];
+            by_material[column] += left * product.light[row];
+        }
+        let steepest =
+            by_light.iter().chain(&by_material).fold(0.0f64, |most, x| most.max(x.abs()));
+        let scale = product.light.iter().fold(0.0f64, |most, l| most.max(l.abs()));
+        assert_near("slope", steepest / scale, tolerances::READ_RANK_ONE_SLOPE);
+        // A limit that cuts it short is said, and the product is no better for it.
+        let short = RankOne::within(&c, 2).expect("singular values");
+        assert!(!short.has_converged && short.left > product.left, "seed {seed}");
+    }
+}
+
 #[test]
 fn light_and_evidence_are_the_dense_formulas() {
     for criterion in CRITERIA {

@@ -99,6 +99,12 @@ impl<'a> Reader<'a> {
         })
     }
 
+    /// Whether all images of the databases are black: nothing can be read with them.
+    #[must_use]
+    pub fn is_black(&self) -> bool {
+        self.prior.is_black()
+    }
+
     /// Reads an image of one grey channel or three colours; `noise` is the standard
     /// deviation of a pixel of weight 1, if it is known.
     ///

@@ -27,6 +27,7 @@ fn components_and_material_come_back() {
     assert_eq!(get(&found, "fit", "pixels")[0][0], 400.0);
     assert!(get(&found, "relative-residual", "least-squares")[0][0] < tolerances::READ_RESIDUAL);
     assert_eq!(nearest(&found), "material-2");
+    assert_eq!(get(&found, "fit", "product-converged"), [[1.0; 3]]);
 
     // The light that was read makes the image again.
     let shade = "shade b.bin --materials material.csv --normals normals.csv --format f64";
@@ -122,5 +123,7 @@ fn a_flat_object() {
     assert_eq!(value("fit,rank,"), 1.0);
     assert!(value("residual-rms,least-squares,") < tolerances::READ_RESIDUAL);
     assert!(value("residual-rms,posterior,") < tolerances::READ_FLAT, "{text}");
+    // Without variance there is no share of it.
+    assert_eq!(value("relative-residual,scalar-product,"), f64::INFINITY);
     assert!(!text.contains("NaN"));
 }

@@ -4,7 +4,7 @@ mod support;
 
 use png::{BitDepth, ColorType};
 use std::fs;
-use support::reading::{READ, png, with_image};
+use support::reading::{READ, answer, get, nearest, png, with_image};
 use support::{assert_fails, lights, repository};
 
 /// What would be read without a fault and mean nothing.
@@ -22,6 +22,33 @@ fn nothing_is_read_from_nothing() {
     }
     folder.write("heavy.csv", format!("weight\n{}", "1e300\n".repeat(400)));
     assert_fails(&folder, &format!("read image.csv {read} --mask heavy.csv"), &["heavy.csv:2:"]);
+}
+
+/// A soot that reflects nothing: alone it explains nothing, among others it is the last.
+#[test]
+fn black_materials() {
+    let folder = with_image();
+    let all = folder.read("materials.csv");
+    let first = all.lines().filter_map(|line| line.strip_prefix("material-0"));
+    let zeros: String =
+        first.map(|line| format!("soot{},0\n", line.rsplit_once(',').unwrap().0)).collect();
+    let soot = format!("name,o,p,q,value\n{zeros}");
+    folder.write("soot.csv", &soot);
+    let read = "read image.csv --normals normals.csv --out new.csv";
+    for criterion in ["image-centered", "standard"] {
+        folder.write("scene.toml", support::scene(criterion, 10_000, "[]"));
+        folder.write("materials.csv", &soot);
+        folder.ok("basis --scene scene.toml --out night.bin");
+        assert_fails(&folder, &format!("{read} --table night.bin"), &["night.bin", "black"]);
+        folder.write("materials.csv", &all);
+        folder.ok("basis --scene scene.toml --out b.bin");
+        let with_soot = format!("{read} --table b.bin --materials soot.csv");
+        assert_fails(&folder, &with_soot, &["b.bin", "black", "--materials"]);
+    }
+    folder.write("both.csv", format!("{all}{zeros}"));
+    let found = answer(&folder.ok(&format!("{READ} --materials both.csv")));
+    assert_eq!(nearest(&found), "material-2");
+    assert_eq!(get(&found, "material-evidence", "soot")[0][0], 4.0);
 }
 
 /// As many lights and materials as are shipped, but others, and not there any more.

@@ -92,6 +92,11 @@ impl Read {
             let remedy = "name them by --lights and --materials";
             return Err(Error::new(what, remedy).in_file(&self.table));
         }
+        if reader.is_black() {
+            let what = "with these materials all its images are black";
+            let remedy = "read with a table and --materials of which some reflect light";
+            return Err(Error::new(what, remedy).in_file(&self.table));
+        }
 
         let image = LinearImage::read(&self.image, self.transfer)?;
         let grey = image.is_grey();

@@ -78,6 +78,8 @@ impl Answer<'_> {
             table.row("material-residual-rms", name, place, &residual)?;
         }
         table.row("fit", "product-left", 0, &every(&|channel| channel.product.left))?;
+        let converged = |channel: &Channel| f64::from(u8::from(channel.product.has_converged));
+        table.row("fit", "product-converged", 0, &every(&converged))?;
         let of = |part: &dyn Fn(&Channel) -> Vec<f64>| channels.iter().map(part).collect();
         let lights: Vec<Vec<f64>> = of(&|channel| channel.product.light.clone());
         table.all("product-light", "", &lights)?;
@@ -170,6 +172,9 @@ pub fn summarise(answer: &Answer<'_>) {
              the posterior mean",
             channel.noise, squares.relative_residual, posterior.relative_residual
         ));
+        if !channel.product.has_converged {
+            say(format_args!("{name}: the product in the modes is not the best: no end of turns"));
+        }
     }
     let best = reading.candidates.first().map_or(0.0, |candidate| candidate.evidence);
     let nearest: Vec<String> = reading

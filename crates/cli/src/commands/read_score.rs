@@ -12,6 +12,10 @@ use eigenshade_index::light;
 use eigenshade_table::Table;
 use std::fmt;
 
+/// Turns for a product in least-norm modes: they are far from any product, and many have none that
+/// settles in 10,000.
+const LEAST_NORM_TURNS: usize = 200;
+
 /// Images of known lights on known materials.
 pub struct Truths {
     /// Light and material of each.
@@ -145,7 +149,7 @@ pub fn scores(
             score.lights[3].0.push(error(known, light.len()));
         }
         score.lights[4].0.push(error(&found.product.light, low));
-        if let Ok(product) = RankOne::of(&found.least_norm) {
+        if let Ok(product) = RankOne::within(&found.least_norm, LEAST_NORM_TURNS) {
             score.lights[5].0.push(error(&product.light, low));
         }
     }

@@ -101,7 +101,8 @@ impl<'a> LightEstimate<'a> {
         let spread: f64 = self.svd.S().column_vector().iter().rev().map(|s| s * s).sum();
         let middle = (split.energy / (spread + self.mean_image.squared_norm_l2())).sqrt();
         if !(middle > 0.0 && middle.is_finite()) {
-            return (0.0, 0.0);
+            // A black material, or a black image: no light is better than any other.
+            return (0.0, self.evidence(split, 0.0, noise));
         }
         let at = |step: f64| {
             let exposure = middle * 10f64.powf(step / f64::from(TRIED / 4));

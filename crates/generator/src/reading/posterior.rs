@@ -63,7 +63,8 @@ impl<'a> Posterior<'a> {
     /// The exposure of a channel: s² is what brings the database's mean energy at
     /// these pixels to that of the image, less the noise's.
     ///
-    /// 0 for an image that is no more than noise.
+    /// 0 for an image that is no more than noise, and where the database's images are
+    /// black at all of these pixels.
     #[must_use]
     pub fn exposure(&self, channel: usize, noise: f64) -> f64 {
         let observation = self.observation;
@@ -71,7 +72,7 @@ impl<'a> Posterior<'a> {
         let of_noise = observation.pixels as f64 * noise * noise;
         let spread: f64 = self.svd.S().column_vector().iter().rev().map(|s| s * s).sum();
         let expected = spread + observation.mean.squared_norm_l2();
-        ((found - of_noise).max(0.0) / expected).sqrt()
+        if expected > 0.0 { ((found - of_noise).max(0.0) / expected).sqrt() } else { 0.0 }
     }
 
     /// The posterior of a channel whose pixels of weight 1 have noise of this
@@ -105,24 +106,28 @@ impl<'a> Posterior<'a> {
         }
     }
 
-    /// Roots of the diagonal of s² F (1 + s² (√W E F)ᵀ(√W E F) / noise²)⁻¹ Fᵀ.
+    /// Roots of the diagonal of s² F (1 + s² (√W E F)ᵀ(√W E F) / noise²)⁻¹ Fᵀ: s² times
+    /// Σ_k (F v_k)² noise² / (s² σ_k² + noise²), and the squares of the rows of F beside
+    /// all v_k, which exist where there are fewer pixels than columns of F. Sums of
+    /// squares: what the pixels fix to many digits is no difference from the prior.
     fn deviations(&self, exposure: f64, noise: f64) -> Vec<f64> {
         let factor = &self.prior.factor;
         let singular = self.svd.S().column_vector();
-        let right: Mat<f64> = factor * self.svd.V();
+        let seen: Mat<f64> = factor * self.svd.V();
+        let is_whole = self.svd.V().ncols() == self.svd.V().nrows();
+        let unseen = (!is_whole).then(|| factor - &seen * self.svd.V().transpose());
+        let shares: Vec<f64> = singular
+            .iter()
+            .map(|value| match (exposure * value).hypot(noise) {
+                total if total > 0.0 => noise / total,
+                _ => 1.0,
+            })
+            .collect();
         (0..factor.nrows())
             .map(|i| {
-                // What the pixels do not see keeps the prior's spread.
-                let whole: f64 = factor.row(i).squared_norm_l2();
-                let seen: f64 = (0..singular.nrows())
-                    .map(|k| {
-                        let spread = exposure * singular[k];
-                        let total = spread * spread + noise * noise;
-                        let share = if total > 0.0 { spread * spread / total } else { 0.0 };
-                        share * right[(i, k)] * right[(i, k)]
-                    })
-                    .sum();
-                exposure * (whole - seen).max(0.0).sqrt()
+                let along = seen.row(i).iter().zip(&shares).map(|(value, share)| value * share);
+                let rest = unseen.as_ref().map_or(0.0, |unseen| unseen.row(i).squared_norm_l2());
+                exposure * (along.map(|value| value * value).sum::<f64>() + rest).sqrt()
             })
             .collect()
     }

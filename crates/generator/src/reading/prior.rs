@@ -82,6 +82,15 @@ impl Prior {
         Ok(Self { factor, mean, left, criterion, light, materials })
     }
 
+    /// Whether all images are black: then none is like one that has light in it, and no
+    /// exposure brings it there.
+    #[must_use]
+    pub fn is_black(&self) -> bool {
+        let is_zero = |values: &Vec<f64>| values.iter().all(|value| *value == 0.0);
+        let no_images = self.factor.norm_max() == 0.0 && is_zero(&self.mean);
+        no_images || self.materials.vectors.iter().all(is_zero)
+    }
+
     /// x with V_d x = F a: F over its squared lengths times a, columns below rounding
     /// left out.
     #[must_use]

@@ -17,7 +17,10 @@ use eigenshade_index::light;
 use faer::Mat;
 
 /// Turns at most.
-const TURNS: usize = 200;
+const TURNS: usize = 10_000;
+
+/// It has converged where a turn lowers the error by less than this share of it.
+const SETTLED: f64 = 1e-14;
 
 /// A light and a material whose product is near c.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,6 +31,9 @@ pub struct RankOne {
     pub material: Vec<f64>,
     /// |c - L (x) b|² / |c|², over the modes that exist; 0 for c = 0.
     pub left: f64,
+    /// Whether the turns came to an end: the last lowered the error by less than 1e-14
+    /// of it. If not, the product is as near as the turns bring it.
+    pub has_converged: bool,
 }
 
 impl RankOne {
@@ -37,21 +43,30 @@ impl RankOne {
     ///
     /// If the singular values of c do not converge (a number that is not finite).
     pub fn of(c: &ModeCoefficients) -> Result<Self> {
+        Self::within(c, TURNS)
+    }
+
+    /// The same with another limit than 10,000 turns.
+    ///
+    /// # Errors
+    ///
+    /// As of [`RankOne::of`].
+    pub fn within(c: &ModeCoefficients, turns: usize) -> Result<Self> {
         // From the whole with zeros, good where little is missing, and from the rows
         // that lack nothing, right where c is a product.
         let complete = light::count(c.order.saturating_sub(1)).min(c.values.nrows() - 1);
-        let mut best = solve(c, first_right(&c.values)?);
+        let mut best = solve(c, first_right(&c.values)?, turns);
         if c.order > 0 {
             let rows = c.values.get(complete.., ..).to_owned();
-            let other = solve(c, first_right(&rows)?);
+            let other = solve(c, first_right(&rows)?, turns);
             best = if other.2 < best.2 { other } else { best };
         }
-        let (light, material, left) = best;
+        let (light, material, left, has_converged) = best;
         let whole = c.values.squared_norm_l2();
         let share = if whole > 0.0 { left / whole } else { 0.0 };
         let length = material.iter().map(|b| b * b).sum::<f64>().sqrt();
         let sign = if material.first().is_some_and(|b| *b < 0.0) { -1.0 } else { 1.0 };
-        let mut product = Self { light, material, left: share };
+        let mut product = Self { light, material, left: share, has_converged };
         product.rescale(if length > 0.0 { sign / length } else { 1.0 });
         Ok(product)
     }
@@ -89,13 +104,16 @@ fn first_right(matrix: &Mat<f64>) -> Result<Vec<f64>> {
     Ok(decompose(matrix)?.V().col(0).iter().copied().collect())
 }
 
-/// L and b solved for in turn from this b, and the square of the error.
-fn solve(c: &ModeCoefficients, mut material: Vec<f64>) -> (Vec<f64>, Vec<f64>, f64) {
+/// L, b, the square of the error, and whether the turns came to an end.
+type Found = (Vec<f64>, Vec<f64>, f64, bool);
+
+/// L and b solved for in turn from this b, so many times at most.
+fn solve(c: &ModeCoefficients, mut material: Vec<f64>, turns: usize) -> Found {
     let exists = c.exists();
     let (rows, columns) = (c.values.nrows(), c.values.ncols());
     let mut light = vec![0.0; rows];
     let mut before = f64::INFINITY;
-    for _ in 0..TURNS {
+    for _ in 0..turns {
         for (row, light) in light.iter_mut().enumerate() {
             let pairs = (0..columns).filter(|&column| exists(row, column));
             *light = ratio(pairs.map(|column| (c.values[(row, column)], material[column])));
@@ -105,12 +123,13 @@ fn solve(c: &ModeCoefficients, mut material: Vec<f64>) -> (Vec<f64>, Vec<f64>, f
             *material = ratio(pairs.map(|row| (c.values[(row, column)], light[row])));
         }
         let left = left(c, &light, &material);
-        if before - left <= 1e-14 * before {
-            return (light, material, left);
+        // Of no number before the first, an infinite one, no share is reached.
+        if left >= (1.0 - SETTLED) * before {
+            return (light, material, left, true);
         }
         before = left;
     }
-    (light, material, before)
+    (light, material, before, false)
 }
 
 /// The x that minimises Σ (c - x b)² over pairs (c, b).
