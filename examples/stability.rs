@@ -8,17 +8,11 @@
 #[path = "../tests/stability/mod.rs"]
 mod stability;
 
-use stability::{Bound, CASES, Case, Figure};
+use stability::{Bound, CASES, Case, Figure, tolerances};
 use std::fmt::Write;
 use std::process::ExitCode;
 
 const COMMAND: &str = "cargo run --release --example stability -- --out docs/stability.md";
-
-/// Factor by which a figure may differ from the recorded one.
-const FACTOR: f64 = 8.0;
-
-/// Errors below this are a few last bits, which one host may have and another not.
-const ROUNDING: f64 = 1e-13;
 
 const HEAD: &str = "\
 # Stability
@@ -161,7 +155,7 @@ fn bound(figure: &Figure) -> String {
 }
 
 /// Word by word; where both words are numbers with an exponent, they may differ by
-/// [`FACTOR`], or both be [`ROUNDING`]; ratios of times are not compared.
+/// [`tolerances::PAGE_FACTOR`], or both be [`tolerances::PAGE_ROUNDING`]; ratios of times are not compared.
 fn compare(path: &str, recorded: &str, page: &str) -> Result<(), String> {
     let (old, new): (Vec<_>, Vec<_>) = (recorded.lines().collect(), page.lines().collect());
     for (line, (old, new)) in old.iter().zip(&new).enumerate() {
@@ -179,8 +173,9 @@ fn near(old: &str, new: &str) -> bool {
     let number = |word: &str| word.contains('e').then(|| word.parse::<f64>().ok()).flatten();
     match (number(old), number(new)) {
         (Some(old), Some(new)) => {
-            let within = old / new <= FACTOR && new / old <= FACTOR;
-            within || old.max(new) < ROUNDING
+            let within =
+                old / new <= tolerances::PAGE_FACTOR && new / old <= tolerances::PAGE_FACTOR;
+            within || old.max(new) < tolerances::PAGE_ROUNDING
         }
         _ => old.starts_with('×') && new.starts_with('×'),
     }

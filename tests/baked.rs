@@ -73,7 +73,7 @@ fn integers_round_and_no_more() {
     let most = integers.texels().iter().map(|texel| texel.unsigned_abs()).max();
     assert!(most.is_some_and(|most| (1 << 14..1 << 15).contains(&most)), "{most:?}");
     for (texel, integer) in map.texels().iter().zip(integers.texels()) {
-        assert!((texel / unit - f32::from(*integer)).abs() <= 0.5 + 1e-3);
+        assert!((texel / unit - f32::from(*integer)).abs() <= tolerances::TEXEL_ROUNDED);
     }
     for normal in normals {
         let [u, v] = MapPoint::of(normal).coordinates().map(q15);
@@ -105,7 +105,7 @@ fn texels_stand_where_documented() {
     ] {
         let point = MapPoint::new(u, v);
         // The rim is taken 1e-6 inward.
-        assert!((map.bilinear(point) - bilinear).abs() < 1e-4, "{point:?}");
+        assert!((map.bilinear(point) - bilinear).abs() < tolerances::RIM_INWARD, "{point:?}");
         assert_eq!(map.nearest(point), nearest, "{point:?}");
     }
     let texels: Vec<i16> = texels.iter().map(|&texel| 100 * texel as i16).collect();

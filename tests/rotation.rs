@@ -183,9 +183,9 @@ fn rotations_are_one_however_given() {
     }
     // Rz(π/2) brings x to y, Ry(π/2) brings z to x.
     let quarter = Rotation::from_euler::<Libm>(0.5 * PI, 0.0, 0.0).expect("a rotation");
-    assert!(quarter.turn_direction([1.0, 0.0, 0.0])[1] > 0.999);
+    assert!(quarter.turn_direction([1.0, 0.0, 0.0])[1] > tolerances::QUARTER_TURN);
     let quarter = Rotation::from_euler::<Libm>(0.0, 0.5 * PI, 0.0).expect("a rotation");
-    assert!(quarter.turn_direction([0.0, 0.0, 1.0])[0] > 0.999);
+    assert!(quarter.turn_direction([0.0, 0.0, 1.0])[0] > tolerances::QUARTER_TURN);
 }
 
 #[test]

@@ -105,7 +105,8 @@ fn ranks() -> Vec<Figure> {
     let integrals = PolarIntegrals::new(9, 7);
     for q in 0..=7 {
         for l in q..=9 {
-            let couples = (q..=7).step_by(2).any(|o| integrals.row(o, q)[l].abs() > 1e-4);
+            let couples =
+                (q..=7).step_by(2).any(|o| integrals.row(o, q)[l].abs() > tolerances::COUPLES);
             assert!(couples, "degree {l} and q = {q} do not couple");
         }
     }
