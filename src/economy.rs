@@ -1,12 +1,12 @@
-//! A scene no better than asked for: the fewest components, azimuths and terms within a
-//! tolerance.
+//! A scene no better than asked for: components, azimuths and terms are left out as long as
+//! a tolerance holds.
 //!
-//! Components are orthonormal, so leaving some out costs Σ d_i², root mean square over the
+//! Components are orthonormal, so leaving some out costs Σ d_i², the mean square over the
 //! normals. What a polynomial loses is read off its Chebyshev series in t. Azimuths are
 //! orthogonal over a sphere, and in the mean of sin^2m T_k² a T_k² counts 0.64 at most, so
 //! terms that are left out cost at most Σ_m w_m ((Σ s_k |c_m,k|)² + (Σ s_k |c_-m,k|)²) squared,
 //! s_0 = 1, s_k = 0.8, w_0 = 1 and w_m = 1 / (2 (m + 1)), the mean of sin^2m cos². Terms are
-//! left out one by one, always that which adds the least.
+//! left out one by one, always that which adds the least: few are left, not provably the fewest.
 
 use crate::basis::Basis;
 use crate::error::{Error, What};
@@ -64,7 +64,7 @@ const SLANTS: [(f64, f64); 5] = [
 ];
 
 impl<S: Scalar> Basis<'_, S> {
-    /// The cheapest scene within a tolerance of that of all `coefficients`:
+    /// A cheaper scene within a tolerance of that of all `coefficients`:
     /// [`collapse_into`](Self::collapse_into), then fewer components, azimuths and terms. A
     /// quarter of the tolerance is for components, the rest for terms.
     ///
@@ -158,8 +158,8 @@ fn weight<S: Scalar>(azimuth: usize) -> S {
     }
 }
 
-/// The scene with the fewest terms whose image is at most `tolerance` off, how many these
-/// are, and the square of what they lack.
+/// The scene without the terms that `tolerance` spares, how many are left, and the square of
+/// what they lack.
 fn shortened<'l, S: Scalar, B: AsMut<[S]>>(
     mut scene: Scene<'_, B>,
     tolerance: S,

@@ -10,6 +10,7 @@ use eigenshade_generator::special::gauss_legendre;
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 
+const README: &str = include_str!("../README.md");
 const METHOD: &str = include_str!("../docs/method.md");
 
 type Numbers = [f32; sphere::SCENE];
@@ -120,6 +121,8 @@ fn bounds_hold_and_are_near_over_the_shipped_set() {
         let last = ratios.len() - 1;
         let found = [terms[middle] as f64, terms[last] as f64, ratios[middle], ratios[last]];
         println!("{share}: {found:.2?}");
+        let in_readme = format!("at 1 % of the peak {} of {} terms", terms[middle], sphere::SCENE);
+        assert!(share != 1e-2 || README.contains(&in_readme), "README.md lacks `{in_readme}`");
         let line = METHOD.lines().find_map(|line| line.strip_prefix(&format!("| {share} | ")));
         let line = line.expect("docs/method.md has it");
         let stated = line.split('|').filter_map(|one| one.trim().parse::<f64>().ok());
