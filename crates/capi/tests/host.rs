@@ -69,3 +69,17 @@ fn the_readme_is_right() {
     let said = format!("{facing:.2} facing, {rim:.2} at the rim\n");
     assert_eq!(run(&mut Command::new(program)), said);
 }
+
+/// The two faces of integers are one text: what reads them for the header expands no macros,
+/// so they stand twice, and may differ where their formats do and nowhere else.
+#[test]
+fn the_faces_of_integers_are_one_text() {
+    let short = include_str!("../src/q15.rs");
+    let renamed = short.replace("Q15", "Q31").replace("q15", "q31").replace("i16", "i32");
+    let apart = |line: &&str| {
+        !line.starts_with("//") && !line.contains("numbers: [i") && !line.contains("exponents: [i")
+    };
+    let lines =
+        |text: &str| -> Vec<String> { text.lines().filter(apart).map(Into::into).collect() };
+    assert_eq!(lines(&renamed), lines(include_str!("../src/q31.rs")));
+}
