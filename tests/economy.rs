@@ -5,8 +5,11 @@
 mod tolerances;
 
 use eigenshade::{Economy, Error, Light, Material, Normal, Scene, Tolerance, sphere};
+use eigenshade_cli::owned_basis::{AnyBasis, OwnedBasis};
+use eigenshade_generator::basis::build;
 use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_generator::special::gauss_legendre;
+use eigenshade_table::decode;
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 
@@ -209,6 +212,54 @@ fn chebyshev_polynomials_are_as_small_as_stated() {
     }
     println!("{most:.4}");
     assert!(most <= 0.64, "{most}");
+}
+
+/// Profiles of more than 16 terms are Chebyshev series, and stay so.
+#[test]
+fn bounds_hold_of_long_series() {
+    let lights = read_lights("tables/inputs/lights.csv", None).expect("the shipped lights");
+    let materials = read_materials("tables/inputs/materials.csv", Some(7)).expect("materials");
+    let mut scene = decode(include_bytes!("../tables/sphere.bin")).expect("a table").scene;
+    (scene.light.degree, scene.basis.components) = (20, Some(120));
+    let table = build(&scene, &lights, &materials).expect("a table");
+    let owned = OwnedBasis::<f64>::new(&table);
+    let Ok(AnyBasis::Sphere(basis)) = owned.any() else { panic!("a sphere's") };
+    let light = lights.entries[3].luminance();
+    let light = Light::new(20, &light[..441]).expect("coefficients");
+    let material = materials.entries[5].luminance();
+    let material = Material::new(7, &material).expect("coefficients");
+    let mut d = vec![0.0; basis.components()];
+    let mut workspace = vec![0.0; basis.workspace_len()];
+    basis.project_into(&light, &material, &mut workspace, &mut d).expect("sizes");
+    let room = || vec![0.0; basis.scene_len()];
+    let whole = basis.collapse_into(&d, room()).expect("sizes");
+    let mut fewer = usize::MAX;
+    for share in [1e-1, 1e-2, 1e-3, 1e-4, 1e-6] {
+        let mut lengths = [0; 32];
+        let within = basis.collapse_within(&d, Tolerance::OfPeak(share), &mut lengths, room());
+        let (scene, economy) = within.expect("sizes");
+        let squares = gauss_legendre::rule(40, 0.0, 1.0).into_iter().flat_map(|(z, weight)| {
+            let sine = (1.0 - z * z).sqrt();
+            let (scene, whole) = (&scene, &whole);
+            (0..50).map(move |k| {
+                let (y, x) = (TAU * f64::from(k) / 50.0).sin_cos();
+                let normal = Normal::new(sine * x, sine * y, z).expect("visible");
+                2.0 * z * weight / 50.0 * (scene.shade(normal) - whole.shade(normal)).powi(2)
+            })
+        });
+        let error = squares.sum::<f64>().sqrt();
+        println!(
+            "{share}: {error:e} of {:e}, {} of {}",
+            economy.bound,
+            economy.terms,
+            basis.scene_len()
+        );
+        assert!(error <= economy.bound && economy.bound <= 1.000_01 * share * economy.peak);
+        assert!(economy.terms < basis.scene_len());
+        fewer = fewer.min(economy.terms);
+    }
+    // Series keep 17 terms, so no tolerance is as cheap as with powers.
+    assert!(fewer >= 17, "{fewer}");
 }
 
 proptest! {
