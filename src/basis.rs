@@ -1,8 +1,9 @@
 //! The eigenbasis of one scene, as the runtime holds it.
 
 use crate::error::{Error, What};
+use crate::index::effect::Effects;
 use crate::index::{layout, material, pair};
-use crate::parts::{Parts, ProfilePlace, Row};
+use crate::parts::{Coupling, Parts, ProfilePlace, Row};
 
 /// An eigenbasis: degree, order and number of components are values, the number
 /// format is a type.
@@ -26,7 +27,8 @@ impl<'a, S> Basis<'a, S> {
     /// the parts contradict each other.
     pub const fn new(parts: Parts<'a, S>) -> Result<Self, Error> {
         // First of all: they bound the counts below.
-        let (degrees, couplings) = (parts.degree.saturating_add(1), material::count(parts.order));
+        let (degrees, factored) = (parts.degree.saturating_add(1), parts.factored_order());
+        let couplings = material::count(factored);
         if let Err(error) = Error::check(What::Lengths, degrees, parts.lengths.len()) {
             return Err(error);
         }
@@ -36,7 +38,7 @@ impl<'a, S> Basis<'a, S> {
         if !parts.couples() {
             return Err(Error::Coupling);
         }
-        let mut served = 0;
+        let (mut served, mut zonal) = (0, 0);
         let (mut factors, mut terms, mut scene) = (0, 0, 0);
         let (mut rest, mut before, mut run) = (parts.profiles, 0, 0);
         while let [place, tail @ ..] = rest {
@@ -47,10 +49,11 @@ impl<'a, S> Basis<'a, S> {
             // The first of every two profiles of an azimuth brings the place of both.
             run = if azimuth == before { run + 1 } else { 1 };
             if run % 2 == 1 {
-                let more = layout::factors(parts.degree, parts.order, azimuth, 1);
+                let more = layout::factors(parts.degree, factored, azimuth, 1);
                 factors = usize::saturating_add(factors, more);
             }
             terms = usize::saturating_add(terms, parts.length(azimuth));
+            zonal += (azimuth == 0) as usize;
             served += place.plus().is_some() as usize + place.minus().is_some() as usize;
             (rest, before) = (tail, azimuth);
         }
@@ -70,11 +73,12 @@ impl<'a, S> Basis<'a, S> {
             scene = usize::saturating_add(scene, signs * parts.length(azimuth));
             azimuth += 1;
         }
-        let group = layout::LANES * pair::count(parts.order);
+        let group = layout::LANES * pair::count(factored);
         // A basis of transfers has neither.
         let folded = parts.polar.is_empty() && parts.factors.is_empty();
         let polar = if folded { 0 } else { group * layout::groups(parts.degree) };
         let factors = if folded { 0 } else { factors };
+        let apart = if folded { 0 } else { parts.apart() };
         let selection = if parts.selection.is_empty() { 0 } else { parts.selection_length() };
         let mean = if parts.mean.is_empty() { 0 } else { parts.components };
         let mean_terms = if parts.mean.is_empty() { 0 } else { parts.length(0) };
@@ -82,6 +86,7 @@ impl<'a, S> Basis<'a, S> {
             Error::check(What::Slots, slots, parts.slots.len()),
             Error::check(What::Polar, polar, parts.polar.len()),
             Error::check(What::Factors, factors, parts.factors.len()),
+            Error::check(What::Ambient, zonal * apart, parts.ambient.len()),
             Error::check(What::Terms, terms, parts.terms.len()),
             Error::check(What::Mean, mean_terms, parts.mean.len()),
             Error::check(What::Mean, mean, parts.mean_coefficients.len()),
@@ -121,6 +126,12 @@ impl<'a, S> Basis<'a, S> {
         self.parts.order
     }
 
+    /// The effects that it is for.
+    #[must_use]
+    pub const fn effects(&self) -> Effects {
+        self.parts.effects
+    }
+
     /// Number of components K.
     #[must_use]
     pub const fn components(&self) -> usize {
@@ -139,12 +150,17 @@ impl<'a, S> Basis<'a, S> {
     /// each l.
     #[must_use]
     pub const fn workspace_len(&self) -> usize {
-        (self.parts.degree + 1) * (layout::row(self.parts.order) + 2) + self.sums_len()
+        (self.parts.degree + 1) * (self.row() + 2) + self.sums_len()
     }
 
     /// Numbers of the polar integrals along l, the pairs padded.
     pub(crate) const fn sums_len(&self) -> usize {
-        layout::row(self.parts.order) * layout::LANES * layout::groups(self.parts.degree)
+        self.row() * layout::LANES * layout::groups(self.parts.degree)
+    }
+
+    /// Length of a row over the pairs.
+    pub(crate) const fn row(&self) -> usize {
+        layout::row(self.parts.factored_order())
     }
 
     /// Numbers in a transfer.
@@ -167,6 +183,16 @@ impl<'a, S> Basis<'a, S> {
 }
 
 impl<S> Parts<'_, S> {
+    /// The largest order o of the factors: that of the basis unless effects are left out.
+    pub(crate) const fn factored_order(&self) -> usize {
+        self.effects.factored_order(self.order)
+    }
+
+    /// Number of coefficients that stand apart.
+    pub(crate) const fn apart(&self) -> usize {
+        self.effects.apart_count(self.order)
+    }
+
     /// Whether a place's azimuth and components exist.
     const fn serves(&self, place: &ProfilePlace) -> bool {
         let plus = match place.plus() {
@@ -185,8 +211,10 @@ impl<S> Parts<'_, S> {
         let (mut o, mut p, mut q) = (0, 0, 0);
         let mut rest = self.couplings;
         while let [coupling, tail @ ..] = rest {
-            let places = (pair::position(o, q), pair::position(p, q));
-            if coupling.o as usize != places.0 || coupling.p as usize != places.1 {
+            let none = coupling.o == Coupling::NONE.o && coupling.p == Coupling::NONE.p;
+            let same = coupling.o as usize == pair::position(o, q)
+                && coupling.p as usize == pair::position(p, q);
+            if if self.effects.factored(o) { !same } else { !none } {
                 return false;
             }
             (o, p, q) = match (q < p, p < o) {

@@ -42,7 +42,7 @@ pub enum Error {
     /// [`index::layout`](crate::index::layout) has it, or slots that do not give the
     /// components where the profiles have their rows.
     Pass,
-    /// A basis has a coupling that is not its order's.
+    /// A basis has a coupling that is not its order's, or effects that do not fit its order.
     Coupling,
     /// A normal has a component that is not finite, or length zero.
     Normal,
@@ -102,6 +102,8 @@ pub enum What {
     Polar,
     /// Part of a basis: factors of UᵀM.
     Factors,
+    /// Part of a basis: UᵀM of coefficients that stand apart.
+    Ambient,
     /// Part of a basis: the components of a transfer's lanes.
     Slots,
     /// Part of a basis: polynomial terms.
@@ -149,7 +151,8 @@ impl fmt::Display for Error {
                 "the basis's passes, slots and rows do not fit; take all parts from one table",
             ),
             Self::Coupling => f.write_str(
-                "the basis's couplings are not its order's; take all parts from one table",
+                "the basis's couplings or effects are not its order's; take all parts from one \
+                 table",
             ),
             Self::Normal => f.write_str("a normal needs finite components and a length"),
             Self::Hidden => f.write_str("a normal points away from the camera: z < -0.001"),

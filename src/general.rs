@@ -7,6 +7,7 @@
 
 use crate::basis::Basis;
 use crate::error::{Error, What};
+use crate::index::effect::Effects;
 use crate::light::Light;
 use crate::material::Material;
 use crate::normal::Normal;
@@ -74,6 +75,12 @@ impl<'a, S> GeneralBasis<'a, S> {
         Ok(Self { span, parts })
     }
 
+    /// What it was made of, beside the span.
+    #[must_use]
+    pub const fn parts(&self) -> &GeneralParts<'a, S> {
+        &self.parts
+    }
+
     /// The span.
     #[must_use]
     pub const fn span(&self) -> &Basis<'a, S> {
@@ -126,10 +133,27 @@ impl<'a, S: Scalar> GeneralBasis<'a, S> {
         workspace: &mut [S],
         coefficients: &mut [S],
     ) -> Result<(), Error> {
+        self.project_effects_into(light, material, Effects::ALL, workspace, coefficients)
+    }
+
+    /// [`project_into`](Self::project_into) of some effects alone: see
+    /// [`Basis::project_effects_into`].
+    ///
+    /// # Errors
+    ///
+    /// As [`Basis::project_into`].
+    pub fn project_effects_into(
+        &self,
+        light: &Light<'_, S>,
+        material: &Material<'_, S>,
+        effects: Effects,
+        workspace: &mut [S],
+        coefficients: &mut [S],
+    ) -> Result<(), Error> {
         Error::check(What::Workspace, self.workspace_len(), workspace.len())?;
         let split = workspace.split_at_mut_checked(self.span.workspace_len());
         let (workspace, coordinates) = split.unwrap_or_default();
-        self.span.project_into(light, material, workspace, coordinates)?;
+        self.span.project_effects_into(light, material, effects, workspace, coordinates)?;
         self.coefficients(coordinates, coefficients)
     }
 

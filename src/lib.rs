@@ -132,6 +132,7 @@ pub use error::{Error, What};
 pub use estimate::Estimate;
 pub use format::{Fixed, Format, Q15, Q31, Wide};
 pub use general::{GeneralBasis, GeneralParts};
+pub use index::effect::{Effect, Effects};
 pub use light::Light;
 pub use lookup::{Lookup, LookupBuffer};
 pub use material::Material;

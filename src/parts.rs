@@ -1,5 +1,6 @@
 //! The arrays that a basis is made of.
 
+use crate::index::effect::Effects;
 use crate::index::layout;
 use zerocopy::{FromBytes, Immutable, KnownLayout};
 
@@ -12,6 +13,8 @@ pub struct Parts<'a, S> {
     pub degree: usize,
     /// Largest order o of the BRDF.
     pub order: usize,
+    /// The effects that it is for.
+    pub effects: Effects,
     /// Number of components K.
     pub components: usize,
     /// Slant profiles, by |m|.
@@ -24,7 +27,8 @@ pub struct Parts<'a, S> {
     /// Number of polynomial terms for each |m|.
     pub lengths: &'a [u16],
     /// Which pairs each coefficient of the material couples, in the order of
-    /// [`index::material`](crate::index::material).
+    /// [`index::material`](crate::index::material), up to the largest order that the effects
+    /// factor; [`Coupling::NONE`] for coefficients that they do not.
     pub couplings: &'a [Coupling],
     /// √(o+1) N_l^q C_lo^q of (11): for each pair a row over l, `layout::groups`
     /// groups. This and `factors` are empty in a basis of transfers alone.
@@ -33,6 +37,9 @@ pub struct Parts<'a, S> {
     /// numbers, two profiles of an azimuth group by group beside each other, the last
     /// of an odd number beside zeros.
     pub factors: &'a [S],
+    /// For each profile of m = 0 a row of UᵀM over the coefficients that
+    /// [stand apart](crate::index::effect::Effects::apart); empty if none do.
+    pub ambient: &'a [S],
     /// For each profile its polynomial in t = 2z - 1, highest term first, times
     /// √2 where m is not 0: powers, or a Chebyshev series if longer than
     /// [`layout::POWERS`].
@@ -137,6 +144,9 @@ pub struct Coupling {
 }
 
 impl Coupling {
+    /// That of a coefficient which the basis's effects do not factor.
+    pub const NONE: Self = Self { o: u16::MAX, p: u16::MAX };
+
     /// The places of (o, q) and of (p, q) among the pairs.
     #[must_use]
     pub const fn new(o: u16, p: u16) -> Self {

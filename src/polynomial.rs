@@ -8,7 +8,8 @@ use crate::scalar::Scalar;
 #[inline]
 pub(crate) fn value<S: Scalar>(terms: &[S], t: S) -> S {
     if terms.len() <= POWERS {
-        return terms.iter().fold(S::ZERO, |sum, &term| term.add_product(sum, t));
+        let Some((&first, rest)) = terms.split_first() else { return S::ZERO };
+        return rest.iter().fold(first, |sum, &term| term.add_product(sum, t));
     }
     let [value] = series(terms, &[t]);
     value

@@ -7,6 +7,9 @@
 
 use crate::basis::Basis;
 use crate::error::{Error, What};
+#[cfg(doc)]
+use crate::index::effect::Effect;
+use crate::index::effect::Effects;
 use crate::index::layout::LANES;
 use crate::index::{layout, light};
 use crate::lanes;
@@ -59,18 +62,46 @@ impl<'a, S: Scalar> Basis<'a, S> {
         workspace: &mut [S],
         coefficients: &mut [S],
     ) -> Result<(), Error> {
+        self.project_effects_into(light, material, Effects::ALL, workspace, coefficients)
+    }
+
+    /// [`project_into`](Self::project_into) of some effects alone: d of the image that they
+    /// make. The images of [all effects](Effect::ALL) sum to the whole.
+    ///
+    /// With a mean image, which is ambient, that of other effects is what this gives less
+    /// what it gives without any.
+    ///
+    /// # Errors
+    ///
+    /// As [`project_into`](Self::project_into).
+    pub fn project_effects_into(
+        &self,
+        light: &Light<'_, S>,
+        material: &Material<'_, S>,
+        effects: Effects,
+        workspace: &mut [S],
+        coefficients: &mut [S],
+    ) -> Result<(), Error> {
         self.accept_light(light)?;
         self.accept_material(material)?;
         Error::check(What::Workspace, self.workspace_len(), workspace.len())?;
         Error::check(What::Coefficients, self.components(), coefficients.len())?;
         // Rows of the usual orders have kernels that know their length.
-        match layout::row(self.order()) / LANES {
-            1 => self.project_rows(light, material, workspace, coefficients, row::<S, 1>),
-            2 => self.project_rows(light, material, workspace, coefficients, row::<S, 2>),
-            3 => self.project_rows(light, material, workspace, coefficients, row::<S, 3>),
-            4 => self.project_rows(light, material, workspace, coefficients, row::<S, 4>),
-            5 => self.project_rows(light, material, workspace, coefficients, row::<S, 5>),
-            _ => self.project_rows(light, material, workspace, coefficients, long_row),
+        let lit = (light, material, effects);
+        match self.row() / LANES {
+            1 => self.project_rows(lit, workspace, coefficients, row::<S, 1>),
+            2 => self.project_rows(lit, workspace, coefficients, row::<S, 2>),
+            3 => self.project_rows(lit, workspace, coefficients, row::<S, 3>),
+            4 => self.project_rows(lit, workspace, coefficients, row::<S, 4>),
+            5 => self.project_rows(lit, workspace, coefficients, row::<S, 5>),
+            _ => self.project_rows(lit, workspace, coefficients, long_row),
+        }
+        let ambient = light.coefficients().first().copied().unwrap_or(S::ZERO);
+        for (place, apart) in self.parts.profiles.iter().zip(self.apart(material, effects)) {
+            let place = place.plus().and_then(|index| coefficients.get_mut(usize::from(index)));
+            if let Some(coefficient) = place {
+                *coefficient = coefficient.add_product(ambient, apart);
+            }
         }
         self.subtract_mean(coefficients);
         Ok(())
@@ -78,20 +109,19 @@ impl<'a, S: Scalar> Basis<'a, S> {
 
     fn project_rows(
         &self,
-        light: &Light<'_, S>,
-        material: &Material<'_, S>,
+        (light, material, effects): (&Light<'_, S>, &Material<'_, S>, Effects),
         workspace: &mut [S],
         coefficients: &mut [S],
         row: impl Fn(Row<'_, S>) -> [lanes::Two<S>; 2],
     ) {
-        let width = layout::row(self.order()) / LANES;
+        let width = self.row() / LANES;
         let Workspace { scattering, sums, lights } = self.divide(workspace);
         let mut gathered = None;
         for (places, factors) in self.rows() {
             let azimuth = places.first().map_or(0, |place| place.azimuth());
             if gathered != Some(azimuth) {
                 if gathered.is_none() || !self.parts.selection.is_empty() {
-                    self.scatter(material, azimuth, sums, scattering);
+                    self.scatter(material, effects, azimuth, sums, scattering);
                 }
                 gather(light, azimuth, lights);
                 gathered = Some(azimuth);
@@ -113,7 +143,7 @@ impl<'a, S: Scalar> Basis<'a, S> {
     /// A workspace's parts.
     #[inline]
     pub(crate) fn divide<'w>(&self, workspace: &'w mut [S]) -> Workspace<'w, S> {
-        let rows = (self.degree() + 1) * layout::row(self.order());
+        let rows = (self.degree() + 1) * self.row();
         let (scattering, rest) = workspace.split_at_mut_checked(rows).unwrap_or_default();
         let sums = self.sums_len();
         let (sums, lights) = rest.split_at_mut_checked(sums).unwrap_or_default();
@@ -123,13 +153,13 @@ impl<'a, S: Scalar> Basis<'a, S> {
     /// The rows of S from l = `azimuth` on.
     #[inline]
     pub(crate) fn scattered_from<'w>(&self, azimuth: usize, scattering: &'w [S]) -> &'w [S] {
-        scattering.get(azimuth * layout::row(self.order())..).unwrap_or_default()
+        scattering.get(azimuth * self.row()..).unwrap_or_default()
     }
 
     /// The profiles of each azimuth, two by two, with their factors.
     #[inline]
     pub(crate) fn rows(&self) -> impl Iterator<Item = (&'a [ProfilePlace], &'a [S])> + use<'a, S> {
-        let (degree, order) = (self.degree(), self.order());
+        let (degree, order) = (self.degree(), self.parts.factored_order());
         let (mut places, mut factors) = (self.parts.profiles, self.parts.factors);
         // By hand: `chunk_by` may panic, as far as a compiler sees.
         core::iter::from_fn(move || {

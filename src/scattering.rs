@@ -7,6 +7,7 @@
 
 use crate::basis::Basis;
 use crate::error::{Error, What};
+use crate::index::effect::{Effect, Effects};
 use crate::index::layout::LANES;
 use crate::index::{layout, material};
 use crate::lanes;
@@ -26,10 +27,12 @@ impl<S: Scalar> Basis<'_, S> {
     /// Writes S: for each l a row over the pairs (p, q), zero-padded. `sums` is
     /// room for it along l.
     ///
-    /// Of a basis with a selection of modes only those of `azimuth` are summed.
+    /// Only modes of these effects are summed, of a basis with a selection of modes only
+    /// those of `azimuth`.
     pub(crate) fn scatter(
         &self,
         material: &Material<'_, S>,
+        effects: Effects,
         azimuth: usize,
         sums: &mut [S],
         scattering: &mut [S],
@@ -37,12 +40,14 @@ impl<S: Scalar> Basis<'_, S> {
         sums.fill(S::ZERO);
         // Rows of the usual degrees have kernels that know their length.
         match layout::groups(self.degree()) {
-            _ if !self.parts.selection.is_empty() => self.scatter_long(material, azimuth, sums),
+            _ if !self.parts.selection.is_empty() || !effects.is_all() => {
+                self.scatter_long(material, effects, azimuth, sums);
+            }
             1 => self.scatter_rows::<1>(material, sums),
             2 => self.scatter_rows::<2>(material, sums),
             3 => self.scatter_rows::<3>(material, sums),
             4 => self.scatter_rows::<4>(material, sums),
-            _ => self.scatter_long(material, azimuth, sums),
+            _ => self.scatter_long(material, effects, azimuth, sums),
         }
         self.transpose(sums, scattering);
     }
@@ -51,7 +56,7 @@ impl<S: Scalar> Basis<'_, S> {
     fn scatter_rows<const G: usize>(&self, material: &Material<'_, S>, sums: &mut [S]) {
         let (polar, _) = self.parts.polar.as_chunks::<LANES>().0.as_chunks::<G>();
         let (sums, _) = sums.as_chunks_mut::<LANES>().0.as_chunks_mut::<G>();
-        self.couple(material, |b, from, to, _| {
+        self.couple(material, |b, from, to, _, _| {
             if let (Some(polar), Some(sums)) = (polar.get(from), sums.get_mut(to)) {
                 for (sum, polar) in sums.iter_mut().zip(polar) {
                     *sum = lanes::multiply_add(*sum, &[b; LANES], polar);
@@ -60,45 +65,76 @@ impl<S: Scalar> Basis<'_, S> {
         });
     }
 
-    /// S along l, in rows of any length; of a basis with a selection of modes that of
-    /// one azimuth.
-    fn scatter_long(&self, material: &Material<'_, S>, azimuth: usize, sums: &mut [S]) {
+    /// S along l, in rows of any length; of some effects; of a basis with a selection of
+    /// modes that of one azimuth.
+    fn scatter_long(
+        &self,
+        material: &Material<'_, S>,
+        effects: Effects,
+        azimuth: usize,
+        sums: &mut [S],
+    ) {
         let degrees = self.degree() + 1;
         let length = LANES * layout::groups(self.degree());
         let selection = self.parts.selection;
         let of_azimuth = selection.get(azimuth * material::count(self.order()) * degrees..);
-        self.couple(material, |b, from, to, mode| {
+        self.couple(material, |b, from, to, mode, o| {
             let polar = self.parts.polar.get(from * length..).unwrap_or_default();
             let sums = sums.get_mut(to * length..).unwrap_or_default();
             let kept = of_azimuth.and_then(|selection| selection.get(mode * degrees..));
             // Without a selection every mode is kept.
             let kept = kept.unwrap_or_default().iter().chain(core::iter::repeat(&true));
-            for ((sum, &polar), &kept) in sums.iter_mut().zip(polar).zip(kept).take(degrees) {
+            let rows = sums.iter_mut().zip(polar).zip(kept).take(degrees);
+            for (l, ((sum, &polar), &kept)) in rows.enumerate() {
+                let kept = kept && effects.keeps(l, o);
                 *sum = if kept { sum.add_product(b, polar) } else { *sum };
             }
         });
     }
 
-    /// Calls `add(b, from, to, mode)` for every term b Ĉ\[from\] of S\[to\]; b is
+    /// Calls `add(b, from, to, mode, o)` for every term b Ĉ\[from\] of S\[to\]; b is
     /// divided by √2 beside the diagonal.
     #[inline(always)]
-    fn couple(&self, material: &Material<'_, S>, mut add: impl FnMut(S, usize, usize, usize)) {
+    fn couple(
+        &self,
+        material: &Material<'_, S>,
+        mut add: impl FnMut(S, usize, usize, usize, usize),
+    ) {
         let half = S::from_f64(core::f64::consts::FRAC_1_SQRT_2);
         let couplings = material.coefficients().iter().zip(self.parts.couplings);
-        for (mode, (&b, coupling)) in couplings.enumerate() {
+        let orders = material::indices(material.order()).map(|(o, _, _)| o);
+        for (mode, ((&b, coupling), order)) in couplings.zip(orders).enumerate() {
             let (o, p) = (usize::from(coupling.o), usize::from(coupling.p));
             if o == p {
-                add(b, o, p, mode);
+                add(b, o, p, mode, order);
             } else {
-                add(half * b, o, p, mode);
-                add(half * b, p, o, mode);
+                add(half * b, o, p, mode, order);
+                add(half * b, p, o, mode, order);
             }
         }
     }
 
+    /// For each profile of m = 0 what the coefficients that stand apart add to T_i,0; nothing
+    /// if none do, or without the effect ambient.
+    pub(crate) fn apart(
+        &self,
+        material: &Material<'_, S>,
+        effects: Effects,
+    ) -> impl Iterator<Item = S> {
+        let wanted = effects.has(Effect::Ambient);
+        let numbers = if wanted { self.parts.ambient } else { &[] };
+        let (order, of_basis) = (material.order(), self.effects());
+        let rows = numbers.chunks_exact(self.parts.apart().max(1));
+        rows.map(move |row| {
+            let all = material::indices(order).zip(material.coefficients());
+            let apart = all.filter(move |&((o, _, q), _)| of_basis.is_apart(o, q));
+            row.iter().zip(apart).fold(S::ZERO, |sum, (&a, (_, &b))| sum.add_product(a, b))
+        })
+    }
+
     /// From rows over l, a pair each, to rows over the pairs, an l each.
     fn transpose(&self, sums: &[S], scattering: &mut [S]) {
-        let width = layout::row(self.order()) / LANES;
+        let width = self.row() / LANES;
         let groups = layout::groups(self.degree()).max(1);
         let (sums, _) = sums.as_chunks::<LANES>();
         let (scattering, _) = scattering.as_chunks_mut::<LANES>();

@@ -5,6 +5,7 @@
 
 use crate::basis::Basis;
 use crate::error::{Error, What};
+use crate::index::effect::Effects;
 use crate::index::layout;
 use crate::lanes;
 use crate::material::Material;
@@ -80,13 +81,29 @@ impl<S: Scalar> Basis<'_, S> {
         workspace: &mut [S],
         transfer: &mut [S],
     ) -> Result<(), Error> {
+        self.transfer_effects_into(material, Effects::ALL, workspace, transfer)
+    }
+
+    /// [`transfer_into`](Self::transfer_into) of some effects alone: see
+    /// [`project_effects_into`](Self::project_effects_into).
+    ///
+    /// # Errors
+    ///
+    /// As [`transfer_into`](Self::transfer_into).
+    pub fn transfer_effects_into(
+        &self,
+        material: &Material<'_, S>,
+        effects: Effects,
+        workspace: &mut [S],
+        transfer: &mut [S],
+    ) -> Result<(), Error> {
         self.accept_material(material)?;
         Error::check(What::Workspace, self.workspace_len(), workspace.len())?;
         Error::check(What::Transfer, self.transfer_len(), transfer.len())?;
         // Lanes with |m| > l stay zero.
         transfer.fill(S::ZERO);
         // Not 0, which a compiler may not see: chunks of 0 would panic.
-        let width = (layout::row(self.order()) / LANES).max(1);
+        let width = (self.row() / LANES).max(1);
         let Workspace { scattering, sums, .. } = self.divide(workspace);
         let mut scattered = None;
         for (places, factors) in self.rows() {
@@ -96,7 +113,7 @@ impl<S: Scalar> Basis<'_, S> {
             if scattered.is_none()
                 || (scattered != Some(azimuth) && !self.parts.selection.is_empty())
             {
-                self.scatter(material, azimuth, sums, scattering);
+                self.scatter(material, effects, azimuth, sums, scattering);
                 scattered = Some(azimuth);
             }
             let factors = factors.as_chunks().0.chunks_exact(width);
@@ -107,6 +124,11 @@ impl<S: Scalar> Basis<'_, S> {
                 for (place, sum) in places.iter().zip(sums) {
                     place.write(row, sum, transfer);
                 }
+            }
+        }
+        for (place, apart) in self.parts.profiles.iter().zip(self.apart(material, effects)) {
+            if let Some(to) = transfer.get_mut(place.plus_row.start as usize) {
+                *to += apart;
             }
         }
         Ok(())

@@ -62,13 +62,15 @@ impl Image {
     fn new(d: &[f32], rule: &[(Normal<f32>, f64)]) -> Self {
         let at = |normal| f64::from(sphere::BASIS.reconstruct(d, normal).expect("components"));
         let values: Vec<f64> = rule.iter().map(|&(normal, _)| at(normal)).collect();
-        // The rule has neither the pole nor the rim.
-        let rim = (0..64).map(|k| (TAU / 64.0 * f64::from(k)).sin_cos());
-        let ends = rim.map(|(y, x)| [x, y, 0.0]).chain([[0.0, 0.0, 1.0]]);
-        let ends =
-            ends.map(|n| at(Normal::new(n[0] as f32, n[1] as f32, n[2] as f32).expect("visible")));
-        let peak =
-            values.iter().copied().chain(ends).fold(0.0, |most: f64, value| most.max(value.abs()));
+        // The rule has neither the pole nor the rim, and is too coarse for a peak.
+        let scene = sphere::BASIS.collapse::<{ sphere::SCENE }>(d).expect("it fits");
+        let slants = (0..=48).map(|k| (TAU / 4.0 / 48.0 * f64::from(k)).sin_cos());
+        let finer = slants.flat_map(|(sine, z)| {
+            let around = (0..64).map(|k| (TAU / 64.0 * f64::from(k)).sin_cos());
+            around.map(move |(y, x)| [sine * x, sine * y, z.max(0.0)].map(|one| one as f32))
+        });
+        let finer = finer.map(|[x, y, z]| scene.shade(Normal::new(x, y, z).expect("visible")));
+        let peak = finer.fold(0.0, |most: f64, value| most.max(f64::from(value).abs()));
         Self { values, peak }
     }
 

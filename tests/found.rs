@@ -16,6 +16,7 @@ fn of_transfers<Q>(terms: &[Q]) -> Parts<'_, Q> {
     Parts {
         degree: 1,
         order: 0,
+        effects: eigenshade::Effects::ALL,
         components: 3,
         profiles: &PLACES,
         lengths: &[1, 1],

@@ -6,6 +6,7 @@ mod oracle;
 #[path = "tolerances/mod.rs"]
 mod tolerances;
 
+use eigenshade::Effects;
 use eigenshade::index::{light, material, mode};
 use eigenshade_cli::owned_basis::OwnedBasis;
 use eigenshade_generator::database::Named;
@@ -181,8 +182,13 @@ fn signs_of_m_have_equal_eigenvalues() {
     let (mut worst, mut largest) = (0.0f64, 0.0f64);
     for azimuth in 1..=9 {
         let criterion = loaded.scene.basis.criterion;
-        let deviations =
-            moments::deviations(&moments, &MaterialMoments::new(materials), criterion, azimuth);
+        let deviations = moments::deviations(
+            &moments,
+            &MaterialMoments::new(materials),
+            Effects::ALL,
+            criterion,
+            azimuth,
+        );
         let values = |gram: &GramFactor| {
             let block = Block::new(gram, azimuth, |_, _, _, _| true).expect("finite");
             let images = block.images(gram, &deviations);

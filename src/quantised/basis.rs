@@ -4,6 +4,7 @@ use super::fold::Transfer;
 use super::{Parts, Profile};
 use crate::error::{Error, What};
 use crate::format::{Q15, Q31};
+use crate::index::effect::Effects;
 use crate::index::{layout, pair};
 
 /// An eigenbasis in an integer format.
@@ -23,6 +24,11 @@ impl<'a, Q> Parts<'a, Q> {
         // A weight for +m and one for -m; a row of a transfer.
         if 2 * self.profiles.len() > layout::MOST_WEIGHTS || degrees > layout::MOST_WEIGHTS / 2 {
             return Err(Error::Bound);
+        }
+        if self.effects.apart_count(self.order) > 0
+            || self.effects.factored_order(self.order) != self.order
+        {
+            return Err(Error::Coupling);
         }
         let pairs = pair::count(self.order);
         let (mut rows, mut terms, mut served, mut before) = (0, 0, 0, 0);
@@ -209,6 +215,12 @@ impl<'a, Q> Basis<'a, Q> {
     #[must_use]
     pub const fn order(&self) -> usize {
         self.parts.order
+    }
+
+    /// The effects that it is for.
+    #[must_use]
+    pub const fn effects(&self) -> Effects {
+        self.parts.effects
     }
 
     /// Number of components K.

@@ -152,7 +152,10 @@ impl<Q: Fixed> Basis<'_, Q> {
             }
             let common = top + room;
             sums.fill(Q::Wide::default());
-            for ((o, p, q), &b) in material::indices(material.order).zip(material.mantissas) {
+            let coefficients = material::indices(material.order).zip(material.mantissas);
+            for ((o, p, q), &b) in
+                coefficients.filter(|&((o, _, _), _)| self.parts.effects.factored(o))
+            {
                 let of_order = material.exponents.get(o).copied().unwrap_or_default();
                 let (of_o, of_p) = (pair::position(o, q), pair::position(p, q));
                 let b = if o == p { b } else { b.over_root_two() };

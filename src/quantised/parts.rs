@@ -1,5 +1,6 @@
 //! The arrays that a basis in integers is made of.
 
+use crate::index::effect::Effects;
 use zerocopy::{FromBytes, Immutable, KnownLayout};
 
 /// The arrays of a basis in an integer format, as `eigenshade-table` writes them: a
@@ -11,6 +12,8 @@ pub struct Parts<'a, Q> {
     pub degree: usize,
     /// Largest order o of the BRDF.
     pub order: usize,
+    /// The effects that it is for; no coefficient stands apart.
+    pub effects: Effects,
     /// Number of components K.
     pub components: usize,
     /// Slant profiles, by |m|.

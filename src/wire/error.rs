@@ -2,7 +2,7 @@
 
 use super::header::WireFormat;
 use crate::error::Error;
-use crate::index::wire::{ALIGNMENT, MOST, VERSION};
+use crate::index::wire::{ALIGNMENT, MOST, VERSION, VERSION_OF_EFFECTS};
 use core::fmt;
 
 /// The first fault of some bytes.
@@ -55,6 +55,11 @@ pub enum WireError {
         /// The order.
         order: usize,
     },
+    /// A set of effects that there is not.
+    Effects {
+        /// Its bits.
+        bits: u16,
+    },
     /// A section lies outside the file or is no array of its kind, or is missing; or
     /// there is one too many.
     Section {
@@ -91,7 +96,7 @@ impl fmt::Display for WireError {
             ),
             Self::Version(found) => write!(
                 f,
-                "wire version {VERSION} expected, {found} found; pack the table with the version \
+                "wire version {VERSION} or {VERSION_OF_EFFECTS} expected, {found} found; pack the table with the version \
                  of eigenshade that reads it"
             ),
             Self::Format { expected, found } => {
@@ -129,6 +134,10 @@ impl fmt::Display for WireError {
                 f,
                 "wire file: degree and order up to {MOST} expected, {degree} and {order} found; \
                  pack the table again"
+            ),
+            Self::Effects { bits } => write!(
+                f,
+                "wire file: bits of effects from 1 to 15 expected, {bits} found; pack the table again"
             ),
             Self::Section { number } => write!(
                 f,

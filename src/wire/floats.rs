@@ -5,6 +5,7 @@ use super::file::File;
 use super::header::WireFormat;
 use crate::basis::Basis;
 use crate::general::{GeneralBasis, GeneralParts};
+use crate::index::wire::VERSION;
 use crate::parts::Parts;
 
 impl<'a> Basis<'a, f32> {
@@ -47,6 +48,7 @@ fn read(bytes: &[u8]) -> Result<(Basis<'_, f32>, GeneralParts<'_, f32>), WireErr
     let parts = Parts {
         degree: header.degree,
         order: header.order,
+        effects: header.effects,
         components: header.components,
         profiles: file.section()?,
         passes: file.section()?,
@@ -59,6 +61,7 @@ fn read(bytes: &[u8]) -> Result<(Basis<'_, f32>, GeneralParts<'_, f32>), WireErr
         mean: file.section()?,
         mean_coefficients: file.section()?,
         selection: file.section()?,
+        ambient: &[],
     };
     let general = GeneralParts {
         components: header.images,
@@ -67,6 +70,7 @@ fn read(bytes: &[u8]) -> Result<(Basis<'_, f32>, GeneralParts<'_, f32>), WireErr
         mean: file.section()?,
         mean_coefficients: file.section()?,
     };
+    let ambient = if header.version == VERSION { &[] } else { file.section()? };
     file.end()?;
-    Ok((Basis::new(parts)?, general))
+    Ok((Basis::new(Parts { ambient, ..parts })?, general))
 }

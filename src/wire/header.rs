@@ -1,7 +1,9 @@
 //! What a wire file says of itself.
 
 use super::WireError;
-use crate::index::wire::{HEADER, LABEL, MARK, MOST, VERSION, format, place};
+use crate::index::effect::Effects;
+use crate::index::wire::{HEADER, LABEL, MARK, MOST, format, place};
+use crate::index::wire::{VERSION, VERSION_OF_EFFECTS};
 
 /// The number format of a wire file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,6 +56,8 @@ pub struct Header {
     pub degree: usize,
     /// Largest order o of the BRDF.
     pub order: usize,
+    /// The effects that the table is for.
+    pub effects: Effects,
     /// Number of components, of the span where there are eigenimages.
     pub components: usize,
     /// Number of eigenimages over the span, or 0.
@@ -83,9 +87,13 @@ impl Header {
             return Err(if other { WireError::Endianness } else { WireError::Foreign });
         }
         let version = short(header, place::VERSION);
-        if version != VERSION {
-            return Err(WireError::Version(version));
-        }
+        let bits = short(header, place::EFFECTS);
+        let effects = match version {
+            VERSION => Some(Effects::ALL),
+            VERSION_OF_EFFECTS => Effects::from_bits(bits).filter(|&one| one != Effects::NONE),
+            _ => return Err(WireError::Version(version)),
+        };
+        let Some(effects) = effects else { return Err(WireError::Effects { bits }) };
         let size = |at| usize::from(short(header, at));
         let (degree, order) = (size(place::DEGREE), size(place::ORDER));
         if degree > MOST || order > MOST {
@@ -97,6 +105,7 @@ impl Header {
             length: long(header, place::LENGTH) as usize,
             degree,
             order,
+            effects,
             components: size(place::COMPONENTS),
             images: size(place::IMAGES),
             sections: size(place::SECTIONS),

@@ -41,6 +41,7 @@ where
     let parts = Parts {
         degree: header.degree,
         order: header.order,
+        effects: header.effects,
         components: header.components,
         profiles: file.section()?,
         lengths: file.section()?,

@@ -12,9 +12,11 @@ use eigenshade_generator::geometry::WeightedNormals;
 use eigenshade_generator::light_statistics::LightStatistics;
 use eigenshade_generator::rotation::Rotation;
 use eigenshade_generator::scene_file::Loaded;
+use eigenshade_generator::selection::Kept;
 use eigenshade_generator::span::Span;
 use eigenshade_generator::truth::Truth;
 use eigenshade_generator::{gram, moments};
+use eigenshade_index::effect::Effects;
 use eigenshade_index::{light, material, mode};
 use eigenshade_table::Table;
 use eigenshade_table::scene::LightRotation;
@@ -47,7 +49,11 @@ fn rotations() -> impl Strategy<Value = LightRotation> {
 /// the largest singular value, over the object and over the span.
 fn cut(loaded: &Loaded, listed: &WeightedNormals, modes: &DMatrix<f64>) -> f64 {
     let (degree, order) = (loaded.lights.degree, loaded.materials.order);
-    let span = Span::new(&gram::of_sphere(degree, order), &[]).expect("finite");
+    let span = Span::new(
+        &gram::of_sphere(degree, order),
+        &Kept { effects: Effects::ALL, selection: vec![] },
+    )
+    .expect("finite");
     let shown = listed.factor(&span).norm_l2();
     let cutoff = loaded.scene.basis.rank_cutoff;
     (cutoff + tolerances::ORTHONORMAL_ROUNDING) * (modes.norm() + shown * span.largest())

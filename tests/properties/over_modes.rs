@@ -3,6 +3,7 @@
 use crate::stability::tolerances;
 use eigenshade_generator::moments;
 use eigenshade_generator::scene_file::Loaded;
+use eigenshade_index::effect::Effects;
 use eigenshade_index::{light, material, mode};
 use eigenshade_table::Table;
 
@@ -31,7 +32,8 @@ pub fn assert_orthonormal(loaded: &Loaded, table: &Table) {
         // at most cut-off |A| |F| / σ_k.
         let criterion = table.scene.basis.criterion;
         let of_materials = moments::MaterialMoments::new(&loaded.materials);
-        let deviations = moments::deviations(&moments, &of_materials, criterion, azimuth);
+        let deviations =
+            moments::deviations(&moments, &of_materials, Effects::ALL, criterion, azimuth);
         let squares = deviations.iter().flat_map(|one| &one.material).map(|b| b * b);
         let factor = squares.sum::<f64>().sqrt();
         let cut = table.scene.basis.rank_cutoff;

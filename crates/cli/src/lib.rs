@@ -5,6 +5,8 @@ pub mod invocation;
 
 pub mod destination;
 
+pub mod economy;
+
 pub mod collision;
 
 pub mod rows;

@@ -3,6 +3,7 @@
 use eigenshade::{
     Basis, Coupling, GeneralBasis, GeneralParts, Parts, Pass, ProfilePlace, Row, Scalar,
 };
+use eigenshade_index::effect::Effects;
 use eigenshade_table::Table;
 use eigenshade_table::parts::{self, NONE};
 
@@ -11,6 +12,8 @@ use eigenshade_table::parts::{self, NONE};
 pub struct OwnedBasis<S> {
     degree: usize,
     order: usize,
+    effects: Effects,
+    ambient: Vec<S>,
     components: usize,
     profiles: Vec<ProfilePlace>,
     passes: Vec<Pass>,
@@ -62,6 +65,8 @@ impl<S: Scalar> OwnedBasis<S> {
             folded: folded.collect(),
             degree: parts.degree,
             order: parts.order,
+            effects: parts.effects,
+            ambient: rounded(&parts.ambient),
             components: parts.components,
             profiles: parts.profiles.iter().map(place).collect(),
             passes: parts.passes.iter().map(|p| Pass::new(p.first, p.profiles)).collect(),
@@ -116,6 +121,8 @@ impl<S: Scalar> OwnedBasis<S> {
         Basis::new(Parts {
             degree: self.degree,
             order: self.order,
+            effects: self.effects,
+            ambient: &self.ambient,
             components: self.components,
             profiles: &self.profiles,
             passes: &self.passes,

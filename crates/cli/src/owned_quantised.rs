@@ -102,6 +102,7 @@ impl<Q: Integer> OwnedQuantised<Q> {
         Q::basis(Parts {
             degree: self.parts.degree,
             order: self.parts.order,
+            effects: self.parts.effects,
             components: self.parts.components,
             profiles: &self.profiles,
             lengths: &self.parts.lengths,

@@ -3,15 +3,26 @@
 
 use crate::owned_basis::{AnyBasis, Folded};
 use eigenshade::{BakedMap, Light, MapPoint, Material, Normal, Normals, Scalar, Scene};
+use eigenshade::{Economy, Tolerance};
 use eigenshade_generator::database::{Lights, Materials, Named};
 use eigenshade_generator::error::{Error, Result};
+use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_table::Table;
 use eigenshade_table::transfer::fingerprint;
 
-/// Lights and materials without what lies above a table's degree and order.
+/// Lights and materials without what lies above a table's degree and order, and of a table
+/// without colour their luminance.
 #[must_use]
 pub fn fitted(table: &Table, lights: &Lights, materials: &Materials) -> (Lights, Materials) {
-    (lights.truncated(table.gram.degree), materials.truncated(table.gram.order))
+    let (mut lights, mut materials) =
+        (lights.truncated(table.gram.degree), materials.truncated(table.gram.order));
+    if !table.scene.effects.colour {
+        for one in lights.entries.iter_mut().chain(&mut materials.entries) {
+            let luminance = one.luminance();
+            one.rgb = [luminance.clone(), luminance.clone(), luminance];
+        }
+    }
+    (lights, materials)
 }
 
 /// Ways to a pixel that look it up.
@@ -59,6 +70,9 @@ pub struct Shader<'a, S> {
     coefficients: Vec<S>,
     scene: Vec<S>,
     folded: &'a [Folded<S>],
+    effects: Effects,
+    /// d of no light at all, where the mean image is no part of the effects.
+    dark: Vec<S>,
 }
 
 /// Normals component by component, in a number format.
@@ -114,7 +128,38 @@ impl<'a, S: Scalar> Shader<'a, S> {
             coefficients: vec![S::ZERO; all],
             scene: vec![S::ZERO; scene],
             folded: &[],
+            effects: Effects::ALL,
+            dark: Vec::new(),
         }
+    }
+
+    /// Of some effects alone.
+    ///
+    /// # Errors
+    ///
+    /// A basis of transfers: they are of all its effects.
+    pub fn with_effects(mut self, effects: Effects) -> Result<Self> {
+        let (all, projects, mean) = match &self.basis {
+            AnyBasis::Sphere(basis) => {
+                (basis.effects(), basis.projects(), basis.parts().mean_coefficients)
+            }
+            AnyBasis::General(basis) => {
+                let span = basis.span();
+                (span.effects(), span.projects(), basis.parts().mean_coefficients)
+            }
+        };
+        self.effects = effects;
+        if effects.and(all) != all && !projects {
+            return Err(Error::new(
+                "the table has transfers, which are of all its effects",
+                "leave --effects out, or make a table with store = \"projection\"",
+            ));
+        }
+        // The mean image is ambient.
+        if !effects.has(Effect::Ambient) {
+            self.dark = mean.iter().take(self.components).map(|&d| -d).collect();
+        }
+        Ok(self)
     }
 
     /// With the materials that the basis's table has folded in, where it takes in no
@@ -150,12 +195,13 @@ impl<'a, S: Scalar> Shader<'a, S> {
         let material = rounded::<S>(material);
         let material = Material::new(order, &material).map_err(fault)?;
         let (workspace, coefficients) = (&mut self.workspace, &mut self.coefficients);
+        let effects = self.effects;
         match &self.basis {
             AnyBasis::Sphere(basis) => {
-                basis.project_into(&light, &material, workspace, coefficients)
+                basis.project_effects_into(&light, &material, effects, workspace, coefficients)
             }
             AnyBasis::General(basis) => {
-                basis.project_into(&light, &material, workspace, coefficients)
+                basis.project_effects_into(&light, &material, effects, workspace, coefficients)
             }
         }
         .map_err(fault)?;
@@ -169,11 +215,23 @@ impl<'a, S: Scalar> Shader<'a, S> {
     /// None in truth: the buffers have the basis's lengths.
     pub fn scene(&mut self) -> Result<Scene<'a, &mut Vec<S>>> {
         let coefficients = &self.coefficients[..self.components];
-        match &self.basis {
-            AnyBasis::Sphere(basis) => basis.collapse_into(coefficients, &mut self.scene),
-            AnyBasis::General(basis) => {
-                basis.collapse_into(coefficients, &mut self.workspace, &mut self.scene)
+        let (basis, workspace) = (&self.basis, &mut self.workspace);
+        let collapse = |d: &[S], workspace: &mut Vec<S>, scene: &mut Vec<S>| {
+            match basis {
+                AnyBasis::Sphere(basis) => basis.collapse_into(d, scene).map(drop),
+                AnyBasis::General(basis) => basis.collapse_into(d, workspace, scene).map(drop),
             }
+            .map_err(fault)
+        };
+        collapse(coefficients, workspace, &mut self.scene)?;
+        if !self.dark.is_empty() {
+            let mut dark = vec![S::ZERO; self.scene.len()];
+            collapse(&self.dark, workspace, &mut dark)?;
+            self.scene.iter_mut().zip(dark).for_each(|(number, dark)| *number -= dark);
+        }
+        match &self.basis {
+            AnyBasis::Sphere(basis) => basis.scene(&mut self.scene),
+            AnyBasis::General(basis) => basis.span().scene(&mut self.scene),
         }
         .map_err(fault)
     }
@@ -194,6 +252,43 @@ impl<'a, S: Scalar> Shader<'a, S> {
         let mut irradiance = vec![S::ZERO; normals.len()];
         self.scene()?.shade_slice(normals, &mut irradiance).map_err(fault)?;
         Ok(irradiance)
+    }
+
+    /// One channel of the image, by the fewest polynomial terms that a tolerance asks for, and
+    /// what was chosen.
+    ///
+    /// # Errors
+    ///
+    /// As [`project`](Self::project); a basis of another object than a sphere, or one whose
+    /// mean image is no part of the effects.
+    pub fn within(
+        &mut self,
+        light: (usize, &[f64]),
+        material: (usize, &[f64]),
+        normals: &OwnedNormals<S>,
+        tolerance: Tolerance<S>,
+    ) -> Result<(Vec<S>, Economy<S>)> {
+        self.project(light, material)?;
+        let refused = |what: &str| Error::new(what, "leave --tolerance out");
+        let AnyBasis::Sphere(basis) = &self.basis else {
+            return Err(refused(
+                "a tolerance is of a sphere's normals, the table is of another object",
+            ));
+        };
+        if !self.dark.is_empty() {
+            return Err(refused(
+                "a tolerance needs the effect ambient, to which the mean image belongs",
+            ));
+        }
+        let mut lengths = vec![0; basis.azimuths()];
+        let coefficients = &self.coefficients[..self.components];
+        let (scene, economy) = basis
+            .collapse_within(coefficients, tolerance, &mut lengths, &mut self.scene)
+            .map_err(fault)?;
+        let normals = normals.view()?;
+        let mut irradiance = vec![S::ZERO; normals.len()];
+        scene.shade_slice(normals, &mut irradiance).map_err(fault)?;
+        Ok((irradiance, economy))
     }
 
     /// One channel of the image, looked up.
@@ -244,14 +339,20 @@ impl<'a, S: Scalar> Shader<'a, S> {
     ) -> Result<Vec<S>> {
         let basis = self.basis;
         let coefficients = self.project(light, material)?.to_vec();
-        let one = |&normal: &Normal<S>| {
+        let mut reconstruct = |d: &[S], normal: Normal<S>| {
             match &basis {
-                AnyBasis::Sphere(basis) => basis.reconstruct(&coefficients, normal),
-                AnyBasis::General(basis) => {
-                    basis.reconstruct(&coefficients, normal, &mut self.workspace)
-                }
+                AnyBasis::Sphere(basis) => basis.reconstruct(d, normal),
+                AnyBasis::General(basis) => basis.reconstruct(d, normal, &mut self.workspace),
             }
             .map_err(fault)
+        };
+        let one = |&normal: &Normal<S>| {
+            let whole = reconstruct(&coefficients, normal)?;
+            let dark = match self.dark.as_slice() {
+                [] => S::ZERO,
+                dark => reconstruct(dark, normal)?,
+            };
+            Ok(whole - dark)
         };
         normals.iter().map(one).collect()
     }

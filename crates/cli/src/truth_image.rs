@@ -1,8 +1,10 @@
 //! Images by the direct sum (15), in f64: what the rest is measured against.
 
 use crate::parallel;
-use eigenshade_generator::database::{Lights, Materials, Named};
+use eigenshade_generator::database::{Lights, Materials};
+use eigenshade_generator::effects;
 use eigenshade_generator::truth::Truth;
+use eigenshade_index::effect::Effects;
 use indicatif::ProgressBar;
 
 /// The irradiance, r, g and b, of every light on every material at every normal:
@@ -17,7 +19,24 @@ pub fn images(
     normals: &[[f64; 3]],
     progress: &ProgressBar,
 ) -> Vec<Vec<[f64; 3]>> {
+    images_of_effects(lights, materials, Effects::ALL, normals, progress)
+}
+
+/// [`images`] of some effects alone.
+#[must_use]
+pub fn images_of_effects(
+    lights: &Lights,
+    materials: &Materials,
+    wanted: Effects,
+    normals: &[[f64; 3]],
+    progress: &ProgressBar,
+) -> Vec<Vec<[f64; 3]>> {
     let truth = Truth::new(lights.degree, materials.order);
+    let lit: Vec<[Vec<Vec<f64>>; 3]> = lights
+        .entries
+        .iter()
+        .map(|light| [0, 1, 2].map(|c| effects::lights(lights.degree, &light.rgb[c], wanted)))
+        .collect();
     parallel::map(normals.len(), progress, |k| {
         let modes = truth.at(normals[k]);
         let scattered: Vec<_> = materials
@@ -26,16 +45,20 @@ pub fn images(
             .map(|material| {
                 let channels = if material.is_grey() { 1 } else { 3 };
                 let channels = material.rgb.iter().take(channels);
-                channels.map(|channel| modes.scatter(channel)).collect::<Vec<_>>()
+                let of_effects = |channel| effects::materials(materials.order, channel, wanted);
+                let scatter = |one: Vec<Vec<f64>>| -> Vec<_> {
+                    one.iter().map(|material| modes.scatter(material)).collect()
+                };
+                channels.map(|one| scatter(of_effects(one))).collect::<Vec<_>>()
             })
             .collect();
-        let of = |light: &Named, channel: usize, material: usize| {
+        let of = |light: &[Vec<Vec<f64>>; 3], channel: usize, material: usize| -> f64 {
             let scattered = &scattered[material];
             let scattered = &scattered[channel.min(scattered.len() - 1)];
-            modes.irradiance(&light.rgb[channel], scattered)
+            let products = light[channel].iter().zip(scattered);
+            products.map(|(light, scattered)| modes.irradiance(light, scattered)).sum()
         };
-        let pairs = lights
-            .entries
+        let pairs = lit
             .iter()
             .flat_map(|light| (0..materials.entries.len()).map(move |material| (light, material)));
         pairs.map(|(light, material)| [0, 1, 2].map(|c| of(light, c, material))).collect()

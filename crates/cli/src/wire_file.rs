@@ -4,7 +4,8 @@ use crate::number::grouped;
 use eigenshade::wire::{Header, WireError, WireFormat, aligned};
 use eigenshade::{Basis, GeneralBasis, Q15, Q31, quantised};
 use eigenshade_generator::error::{Error, Result};
-use eigenshade_index::wire::{ENTRY, FLOATS, HEADER, INTEGERS, LABEL};
+use eigenshade_index::effect::{Effect, Effects};
+use eigenshade_index::wire::{AMBIENT, ENTRY, FLOATS, HEADER, INTEGERS, LABEL};
 use std::fmt::Write;
 
 /// Whether bytes begin as a wire file does.
@@ -30,19 +31,28 @@ pub fn description(bytes: &[u8]) -> Result<String> {
         ("format", format.name().to_owned()),
         ("degree", header.degree.to_string()),
         ("order", header.order.to_string()),
+        ("effects", named(header.effects)),
         ("components", header.images.max(header.components).to_string()),
         ("span", if header.images == 0 { 0 } else { header.components }.to_string()),
     ];
     for (what, value) in lines {
         let _ = writeln!(text, "{what:<24} {value}");
     }
-    for (number, name) in names.iter().enumerate() {
+    let names = names.iter().chain([&AMBIENT]).take(header.sections);
+    for (number, name) in names.enumerate() {
         let at = HEADER + ENTRY * number + ENTRY / 2;
         let length = u32::from_ne_bytes(std::array::from_fn(|k| bytes[at + k]));
         let _ = writeln!(text, "{name:<24} {:>9} bytes", grouped(length as usize));
     }
     let _ = writeln!(text, "{:<24} {:>9} bytes", "file", grouped(header.length));
     Ok(text)
+}
+
+/// The names of effects.
+#[must_use]
+pub fn named(effects: Effects) -> String {
+    let names = Effect::ALL.into_iter().filter(|&effect| effects.has(effect)).map(Effect::name);
+    names.collect::<Vec<_>>().join(" ")
 }
 
 /// The header of a file that the runtime takes.

@@ -6,7 +6,8 @@ use crate::eigenimages::{Azimuth, Selected, constant_coordinates};
 use crate::error::{Error, Result};
 use crate::moments::{self, LightMoments, MaterialMoments};
 use crate::pca::{Block, principal};
-use crate::{database, gram, peak, profile, selection};
+use crate::selection::{self, Kept};
+use crate::{database, gram, peak, profile};
 use eigenshade_table::scene::Criterion;
 use eigenshade_table::{GramFactor, MeanImage, Scene, Summary, Table};
 
@@ -35,9 +36,10 @@ pub fn build(scene: &Scene, lights: &Lights, materials: &Materials) -> Result<Ta
     let moments = LightMoments::weighted(&lights, scene.light.normalise, &weights)?;
     let weights = database::weights(&materials.entries, &scene.material.weights)?;
     let of_materials = MaterialMoments::weighted(&materials, weights);
-    let gram = gram::of_sphere(scene.light.degree, scene.material.order);
-    let kept = selection::highest(&gram, scene.basis.modes);
-    let azimuths: Vec<Azimuth> = (0..=scene.light.degree)
+    let gram = gram::of_sphere(scene.degree(), scene.order());
+    let effects = scene.effects.set();
+    let kept = Kept { effects, selection: selection::highest(&gram, effects, scene.basis.modes) };
+    let azimuths: Vec<Azimuth> = (0..=gram.degree)
         .map(|azimuth| analyse(&gram, &kept, &moments, &of_materials, criterion, azimuth))
         .collect::<Result<_>>()?;
 
@@ -47,7 +49,7 @@ pub fn build(scene: &Scene, lights: &Lights, materials: &Materials) -> Result<Ta
     let largest = largest_of(|azimuth| &azimuth.block.singular_values);
     let cutoff = scene.basis.rank_cutoff;
     let threshold = cutoff * largest;
-    let whole = moments::deviations(&moments, &of_materials, Criterion::ImageCentered, 0);
+    let whole = moments::deviations(&moments, &of_materials, effects, Criterion::ImageCentered, 0);
     let size = azimuths[0].block.images(&gram, &whole).norm_l2();
     in_range(size)?;
     let rounding = ROUNDING * size;
@@ -74,7 +76,7 @@ pub fn build(scene: &Scene, lights: &Lights, materials: &Materials) -> Result<Ta
         },
         scene: scene.clone(),
         gram,
-        selection: kept,
+        selection: kept.selection,
         components: Vec::new(),
         profiles: Vec::new(),
         mean: None,
@@ -106,7 +108,7 @@ pub(crate) fn fitted(
     lights: &Lights,
     materials: &Materials,
 ) -> Result<(Lights, Materials)> {
-    let (degree, order) = (scene.light.degree, scene.material.order);
+    let (degree, order) = (scene.degree(), scene.order());
     if materials.entries.is_empty() {
         return Err(Error::new("no materials", "give a material database with at least one"));
     }
@@ -135,16 +137,14 @@ fn named_channels(one: &Named) -> (&str, [&[f64]; 3]) {
 
 fn analyse(
     gram: &GramFactor,
-    kept: &[bool],
+    kept: &Kept,
     light: &LightMoments,
     materials: &MaterialMoments,
     criterion: Criterion,
     azimuth: usize,
 ) -> Result<Azimuth> {
-    let block = Block::new(gram, azimuth, |l, o, p, q| {
-        kept.is_empty() || kept[gram.place(azimuth, l, o, p, q)]
-    })?;
-    let deviations = moments::deviations(light, materials, criterion, azimuth);
+    let block = Block::new(gram, azimuth, |l, o, p, q| kept.keeps(gram, azimuth, (l, o, p, q)))?;
+    let deviations = moments::deviations(light, materials, kept.effects, criterion, azimuth);
     let images = block.images(gram, &deviations);
     let constant = (criterion == Criterion::ImageCentered && azimuth == 0)
         .then(|| constant_coordinates(gram, &block));
@@ -179,7 +179,8 @@ fn mean_image(
 ) -> MeanImage {
     let mut material = materials.mean.clone();
     material.iter_mut().for_each(|b| *b *= light.ambient_mean);
-    let deviation = moments::Deviation { degree: 0, material };
+    let mut deviation = moments::Deviation { degree: 0, material };
+    deviation.leave(table.effects());
     let coordinates = azimuth.block.images(&table.gram, &[deviation]);
     let series: Vec<f64> =
         azimuth.block.space.chebyshev(&coordinates).col(0).iter().copied().collect();

@@ -3,9 +3,11 @@
 use crate::canonical::{self, Ranked};
 use crate::pca::{Block, Principal};
 use crate::profile;
+use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_index::pair;
 use eigenshade_table::{Component, GramFactor, Profile, Table};
 use faer::Mat;
+use std::f64::consts::FRAC_1_SQRT_2;
 
 /// Everything known of one azimuth.
 pub(crate) struct Azimuth {
@@ -57,7 +59,7 @@ impl Selected {
 
     /// Writes components and profiles into the table.
     pub(crate) fn write(self, table: &mut Table, azimuths: &[Azimuth], threshold: f64) {
-        let tolerance = table.scene.basis.profile_tolerance;
+        let (tolerance, effects) = (table.scene.basis.profile_tolerance, table.effects());
         table.components = self.components;
         table.profiles = self
             .profiles
@@ -65,7 +67,8 @@ impl Selected {
             .map(|ranked| {
                 let azimuth = &azimuths[ranked.azimuth];
                 let coordinates = coordinates(&table.gram, azimuth, ranked);
-                profile(&table.gram, &azimuth.block, &coordinates, tolerance, threshold)
+                let of = (&table.gram, effects);
+                profile(of, &azimuth.block, &coordinates, tolerance, threshold)
             })
             .collect();
     }
@@ -93,7 +96,7 @@ pub(crate) fn signed_left(block: &Block, rank: usize) -> Mat<f64> {
 }
 
 fn profile(
-    gram: &GramFactor,
+    of: (&GramFactor, Effects),
     block: &Block,
     coordinates: &Mat<f64>,
     tolerance: f64,
@@ -101,12 +104,12 @@ fn profile(
 ) -> Profile {
     let modes = block.mode_coefficients(coordinates, threshold);
     let modes = modes.col(0).iter().copied().collect();
-    Profile { modes, ..image(gram, block, coordinates, tolerance) }
+    Profile { modes, ..image(of, block, coordinates, tolerance) }
 }
 
 /// A profile from its coordinates, a column, without its mode coefficients.
 pub(crate) fn image(
-    gram: &GramFactor,
+    of: (&GramFactor, Effects),
     block: &Block,
     coordinates: &Mat<f64>,
     tolerance: f64,
@@ -117,7 +120,7 @@ pub(crate) fn image(
     let node_values = first(block.space.node_values(coordinates));
     Profile {
         azimuth: block.azimuth,
-        factors: factors(gram, block.azimuth, &node_values),
+        factors: factors(of, block.azimuth, &node_values),
         modes: Vec::new(),
         chebyshev,
         node_values,
@@ -125,26 +128,50 @@ pub(crate) fn image(
 }
 
 /// UᵀM of one profile, factored: see [`Profile::factors`].
-fn factors(gram: &GramFactor, azimuth: usize, node_values: &[f64]) -> Vec<f64> {
-    let nodes = node_values.len();
+fn factors(
+    (gram, effects): (&GramFactor, Effects),
+    azimuth: usize,
+    node_values: &[f64],
+) -> Vec<f64> {
     let weighted: Vec<f64> =
         node_values.iter().zip(&gram.root_weights).map(|(value, root)| value * root).collect();
     let mut factors = Vec::new();
     for l in azimuth..=gram.degree {
-        for (pair, (p, q)) in pair::indices(gram.order).enumerate() {
-            if q > l {
-                factors.push(0.0);
-                continue;
-            }
-            let radials = &gram.radials[pair * nodes..(pair + 1) * nodes];
-            let rotation = gram.rotation(azimuth, l, q);
-            let sum: f64 =
-                weighted.iter().zip(radials).zip(rotation).map(|((w, r), d)| w * r * d).sum();
-            let sign = if q % 2 == 0 { 1.0 } else { -1.0 };
-            factors.push(sign * ((p + 1) as f64).sqrt() * sum);
+        let kept = l > 0 || effects.has(Effect::Ambient);
+        for (p, q) in pair::indices(effects.factored_order(gram.order)) {
+            let kept = kept && q <= l;
+            factors.push(if kept { factor(gram, azimuth, &weighted, l, [p, q]) } else { 0.0 });
         }
     }
+    if azimuth == 0 {
+        let polar = |o: usize| {
+            let row = pair::position(o, 0) * (gram.degree + 1);
+            gram.polar_integrals[row] * ((o + 1) as f64).sqrt()
+        };
+        let factor = |p: usize| factor(gram, 0, &weighted, 0, [p, 0]);
+        factors.extend(effects.apart(gram.order).map(|(o, p)| match o == p {
+            true => polar(o) * factor(o),
+            false => (polar(o) * factor(p) + polar(p) * factor(o)) * FRAC_1_SQRT_2,
+        }));
+    }
     factors
+}
+
+/// (-1)^q √(p+1) Σ_k √w_k W_k R_p^q D_l^mq.
+fn factor(
+    gram: &GramFactor,
+    azimuth: usize,
+    weighted: &[f64],
+    l: usize,
+    [p, q]: [usize; 2],
+) -> f64 {
+    let nodes = weighted.len();
+    let pair = pair::position(p, q);
+    let radials = &gram.radials[pair * nodes..(pair + 1) * nodes];
+    let rotation = gram.rotation(azimuth, l, q);
+    let sum: f64 = weighted.iter().zip(radials).zip(rotation).map(|((w, r), d)| w * r * d).sum();
+    let sign = if q % 2 == 0 { 1.0 } else { -1.0 };
+    sign * ((p + 1) as f64).sqrt() * sum
 }
 
 /// Coordinates of the image that is 1 everywhere, a unit vector.

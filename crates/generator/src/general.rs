@@ -12,9 +12,10 @@ use crate::light_statistics::LightStatistics;
 use crate::moments::MaterialMoments;
 use crate::observed::Observed;
 use crate::pca::principal;
+use crate::selection::{self, Kept};
 use crate::settle::{Functions, settle};
 use crate::span::{Function, Span};
-use crate::{basis, database, gram, peak, selection};
+use crate::{basis, database, gram, peak};
 use eigenshade_table::scene::{Criterion, Store};
 use eigenshade_table::{General, GramFactor, Scene, Summary, Table};
 use faer::Mat;
@@ -59,8 +60,9 @@ pub fn build(
         let weights = database::weights(&materials.entries, &scene.material.weights)?;
         MaterialMoments::weighted(&materials, weights)
     };
-    let gram = gram::of_sphere(scene.light.degree, scene.material.order);
-    let kept = selection::highest(&gram, scene.basis.modes);
+    let gram = gram::of_sphere(scene.degree(), scene.order());
+    let effects = scene.effects.set();
+    let kept = Kept { effects, selection: selection::highest(&gram, effects, scene.basis.modes) };
     let span = Span::new(&gram, &kept)?;
     let cutoff = scene.basis.rank_cutoff;
     let observed = Observed::new(&span, geometry, cutoff)?;
@@ -102,7 +104,7 @@ pub fn build(
             orthonormality: 0.0,
         },
         scene: scene.clone(),
-        selection: kept,
+        selection: kept.selection,
         components: span.components(),
         profiles: Vec::new(),
         mean: None,
@@ -131,7 +133,7 @@ pub fn build(
     };
     let images = observed.images(&shown);
     table.profiles =
-        span.table_profiles(&table.gram, scene.basis.profile_tolerance, &images, &mean);
+        span.table_profiles((&table.gram, effects), scene.basis.profile_tolerance, &images, &mean);
     table.summary.orthonormality = observed.orthonormality(&shown, rank, REPORTED);
     if energy > 0.0 {
         table.summary.energy_kept = (1.0 - table.energy_left(kept) / energy).max(0.0);

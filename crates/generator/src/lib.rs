@@ -56,6 +56,8 @@ pub mod representation;
 
 pub mod partial_sum;
 
+pub mod effects;
+
 pub mod peak;
 
 pub mod scene_file;

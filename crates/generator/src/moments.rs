@@ -7,7 +7,8 @@
 
 use crate::database::{Lights, Materials};
 use crate::error::{Error, Result};
-use eigenshade_index::light;
+use eigenshade_index::effect::Effects;
+use eigenshade_index::{light, material};
 use eigenshade_table::scene::{Criterion, Normalise};
 
 /// What is known of the light, averaged over all rotations.
@@ -152,12 +153,24 @@ pub struct Deviation {
     pub material: Vec<f64>,
 }
 
+impl Deviation {
+    /// Leaves what belongs to these effects.
+    pub fn leave(&mut self, effects: Effects) {
+        let order = (0..).find(|&order| material::count(order) >= self.material.len());
+        let modes = material::indices(order.unwrap_or(0));
+        for (b, (o, _, _)) in self.material.iter_mut().zip(modes) {
+            *b = if effects.keeps(self.degree, o) { *b } else { 0.0 };
+        }
+    }
+}
+
 /// The factor of V_c ([`Criterion::ImageCentered`]) or of Σ_c, (34)
-/// ([`Criterion::Standard`]), for the modes of one azimuth.
+/// ([`Criterion::Standard`]), for the modes of one azimuth and some effects.
 #[must_use]
 pub fn deviations(
     light: &LightMoments,
     materials: &MaterialMoments,
+    effects: Effects,
     criterion: Criterion,
     azimuth: usize,
 ) -> Vec<Deviation> {
@@ -181,5 +194,6 @@ pub fn deviations(
             }
         }
     }
+    deviations.iter_mut().for_each(|deviation| deviation.leave(effects));
     deviations
 }

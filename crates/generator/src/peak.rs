@@ -6,6 +6,7 @@
 //! largest |I|.
 
 use crate::database::{self, Lights, Materials};
+use crate::effects;
 use crate::error::Result;
 use crate::moments::{MaterialMoments, comparable};
 use crate::truth::Truth;
@@ -30,17 +31,22 @@ pub fn components_for(
     Ok((first..all).find(|&count| table.energy_left(count) <= allowed).unwrap_or(all))
 }
 
-/// Weighted mean over all pairs of the square of the largest |I|, on 24 slants by 48 tilts,
-/// pole and rim included.
+/// Weighted mean over all pairs of the square of the largest |I| of the scene's effects, on
+/// 24 slants by 48 tilts, pole and rim included.
 fn mean_square_peak(table: &Table, lights: &Lights, materials: &Materials) -> Result<f64> {
     let truth = Truth::new(lights.degree, materials.order);
-    let scene = &table.scene;
+    let (scene, wanted) = (&table.scene, table.effects());
     let weights = database::weights(&lights.entries, &scene.light.weights)?;
     let (scaled, of_lights): (Vec<Vec<f64>>, Vec<f64>) =
         comparable(lights, scene.light.normalise, &weights)?.into_iter().unzip();
     let weights = database::weights(&materials.entries, &scene.material.weights)?;
-    let MaterialMoments { vectors: materials, weights: of_materials, .. } =
+    let MaterialMoments { vectors, weights: of_materials, .. } =
         MaterialMoments::weighted(materials, weights);
+    let (degree, order) = (lights.degree, materials.order);
+    let scaled: Vec<_> =
+        scaled.iter().map(|light| effects::lights(degree, light, wanted)).collect();
+    let materials: Vec<_> =
+        vectors.iter().map(|material| effects::materials(order, material, wanted)).collect();
     let mut peaks = vec![0.0f64; scaled.len() * materials.len()];
     for slant in 0..24 {
         let (sine, z) = (0.5 * PI * f64::from(slant) / 23.0).sin_cos();
@@ -49,9 +55,12 @@ fn mean_square_peak(table: &Table, lights: &Lights, materials: &Materials) -> Re
             let modes = truth.at([sine * x, sine * y, z.max(0.0)]);
             let mut peak = peaks.iter_mut();
             for material in &materials {
-                let scattered = modes.scatter(material);
+                let scattered: Vec<_> = material.iter().map(|one| modes.scatter(one)).collect();
                 for (light, peak) in scaled.iter().zip(&mut peak) {
-                    *peak = peak.max(modes.irradiance(light, &scattered).abs());
+                    let products = light.iter().zip(&scattered);
+                    let irradiance: f64 =
+                        products.map(|(light, scattered)| modes.irradiance(light, scattered)).sum();
+                    *peak = peak.max(irradiance.abs());
                 }
             }
         }

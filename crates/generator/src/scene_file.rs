@@ -6,7 +6,8 @@ use crate::geometry::Geometry;
 use crate::inputs::coefficient_csv::{read_lights, read_materials};
 use crate::inputs::{density, object};
 use crate::{basis, general};
-use eigenshade_table::scene::{Effect, KNOTS, LightRotation};
+use eigenshade_index::effect::Effects;
+use eigenshade_table::scene::{KNOTS, LightRotation};
 use eigenshade_table::{Scene, Table};
 use std::path::{Path, PathBuf};
 
@@ -109,13 +110,8 @@ fn parse(text: &str) -> std::result::Result<Scene, (Error, Option<u64>)> {
 fn check(scene: &Scene) -> Result<()> {
     let basis = &scene.basis;
     let fail = |what: String, remedy: &str| Err(Error::new(what, remedy));
-    let effects = &scene.effects;
-    let all = Effect::ALL.iter().all(|effect| effects.wanted.contains(effect));
-    if !(all && effects.colour && effects.rotation) {
-        return fail(
-            "a choice of effects is not served".into(),
-            "this version makes tables of all effects: leave [effects] out",
-        );
+    if scene.effects.set() == Effects::NONE {
+        return fail("effects.use = []".into(), "name one at least, or leave it out for all");
     }
     let names = &scene.material.names;
     if let Some(place) = (1..names.len()).find(|&place| names[..place].contains(&names[place])) {

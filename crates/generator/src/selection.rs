@@ -1,8 +1,33 @@
 //! The variance of each irradiance mode (2.4), and the selection of those of the
 //! highest (2.5).
 
+use eigenshade_index::effect::Effects;
 use eigenshade_index::mode;
 use eigenshade_table::GramFactor;
+
+/// The modes of a scene: those of its effects that a selection kept.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Kept {
+    /// The effects.
+    pub effects: Effects,
+    /// A `Table::selection`: empty for all.
+    pub selection: Vec<bool>,
+}
+
+impl Kept {
+    /// Whether the mode (l, o, p, q) of this |m| is in.
+    #[must_use]
+    pub fn keeps(
+        &self,
+        gram: &GramFactor,
+        azimuth: usize,
+        mode: (usize, usize, usize, usize),
+    ) -> bool {
+        let (l, o, p, q) = mode;
+        self.effects.keeps(l, o)
+            && (self.selection.is_empty() || self.selection[gram.place(azimuth, l, o, p, q)])
+    }
+}
 
 /// The variance of every mode of one azimuth |m|, in the order of [`mode`]: the
 /// integral of E² under the density of the normals, a diagonal element of M.
@@ -12,22 +37,32 @@ pub fn variances(gram: &GramFactor, azimuth: usize) -> Vec<f64> {
     gram.columns(azimuth).iter().map(|column| column.iter().map(|a| a * a).sum()).collect()
 }
 
-/// Keeps the `count` modes of the highest variance, both signs of m counted; ties
-/// stay whole, so it may keep a few more.
+/// Keeps the `count` modes of the highest variance among those of the effects, both signs
+/// of m counted; ties stay whole, so it may keep a few more.
 ///
 /// The answer has the layout of `Table::selection`; it is empty if `count` is 0
 /// or all modes are kept.
 #[must_use]
-pub fn highest(gram: &GramFactor, count: usize) -> Vec<bool> {
+pub fn highest(gram: &GramFactor, effects: Effects, count: usize) -> Vec<bool> {
     let (degree, order) = (gram.degree, gram.order);
     if count == 0 || count >= mode::total(degree, order) {
         return Vec::new();
     }
     let mut ranked: Vec<(f64, usize)> = Vec::new();
-    let by_azimuth: Vec<Vec<f64>> = (0..=degree).map(|azimuth| variances(gram, azimuth)).collect();
+    let of_effects = |azimuth: usize| {
+        let modes = mode::indices(degree, order, azimuth).zip(variances(gram, azimuth));
+        let kept = modes.map(
+            |((l, o, _, _), variance)| {
+                if effects.keeps(l, o) { variance } else { f64::NEG_INFINITY }
+            },
+        );
+        kept.collect()
+    };
+    let by_azimuth: Vec<Vec<f64>> = (0..=degree).map(of_effects).collect();
     for (azimuth, variances) in by_azimuth.iter().enumerate() {
         let signs = if azimuth == 0 { 1 } else { 2 };
-        ranked.extend(variances.iter().map(|&variance| (variance, signs)));
+        let kept = variances.iter().filter(|variance| variance.is_finite());
+        ranked.extend(kept.map(|&variance| (variance, signs)));
     }
     ranked.sort_by(|a, b| b.0.total_cmp(&a.0));
     let mut kept = 0;

@@ -8,6 +8,7 @@ use crate::eigenimages::{constant_coordinates, signed_left};
 use crate::error::Result;
 use crate::pca::Block;
 use crate::profile::chebyshev_values;
+use crate::selection::Kept;
 use crate::special::spherical_harmonic::azimuth as phi;
 use eigenshade_index::{light, material, mode};
 use eigenshade_table::GramFactor;
@@ -55,17 +56,15 @@ pub struct Function {
 pub struct Folded(Vec<Mat<f64>>);
 
 impl Span {
-    /// The span of the modes of `gram` that `kept` (a `Table::selection`) keeps.
+    /// The span of the modes of `gram` that are kept.
     ///
     /// # Errors
     ///
     /// If singular values do not converge.
-    pub fn new(gram: &GramFactor, kept: &[bool]) -> Result<Self> {
+    pub fn new(gram: &GramFactor, kept: &Kept) -> Result<Self> {
         let blocks: Vec<Block> = (0..=gram.degree)
             .map(|azimuth| {
-                Block::new(gram, azimuth, |l, o, p, q| {
-                    kept.is_empty() || kept[gram.place(azimuth, l, o, p, q)]
-                })
+                Block::new(gram, azimuth, |l, o, p, q| kept.keeps(gram, azimuth, (l, o, p, q)))
             })
             .collect::<Result<_>>()?;
         let largest =

@@ -2,6 +2,7 @@
 
 use crate::eigenimages;
 use crate::span::{Function, Span};
+use eigenshade_index::effect::Effects;
 use eigenshade_table::{Component, GramFactor, Profile};
 use faer::Mat;
 
@@ -29,7 +30,7 @@ impl Span {
     /// coordinate that an image has in it: so much of it is in no image.
     pub(crate) fn table_profiles(
         &self,
-        gram: &GramFactor,
+        of_table: (&GramFactor, Effects),
         tolerance: f64,
         images: &Mat<f64>,
         mean: &[f64],
@@ -47,7 +48,7 @@ impl Span {
                 let weight = functions.by_ref().take(signs).map(largest).fold(0.0, f64::max);
                 let coordinates = of.profiles.get(.., profile..profile + 1).to_owned();
                 let tolerance = (tolerance / weight).min(1.0);
-                let image = eigenimages::image(gram, &of.block, &coordinates, tolerance);
+                let image = eigenimages::image(of_table, &of.block, &coordinates, tolerance);
                 // The span's own U: V / s, where `modes` is s V.
                 let modes = of.modes.row(profile).iter();
                 let modes = modes.map(|mode| mode / singular.powi(2)).collect();

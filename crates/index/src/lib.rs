@@ -4,6 +4,7 @@
 //! * [`material`]: the Koenderink-van Doorn coefficient (o, p, q).
 //! * [`pair`]: one Zernike polynomial (p, q), the half of a scattering mode.
 //! * [`mode`]: the irradiance modes of one azimuth |m|.
+//! * [`effect`]: sets of irradiance modes that a person can see.
 //! * [`layout`]: how the runtime lays out its rows.
 //! * [`wire`]: a table as bytes that the runtime reads where they lie.
 //!
@@ -13,6 +14,7 @@
 //! ICCV 2003.
 #![no_std]
 
+pub mod effect;
 pub mod layout;
 pub mod light;
 pub mod material;

@@ -9,8 +9,11 @@ pub const LABEL: [u8; 8] = *b"EIGSWIRE";
 /// The number that stands behind the label in the byte order of all that follows.
 pub const MARK: u32 = 0x0102_0304;
 
-/// The version that is written.
+/// The version of tables of all effects.
 pub const VERSION: u16 = 1;
+
+/// The version of tables that leave effects out.
+pub const VERSION_OF_EFFECTS: u16 = 2;
 
 /// A file, and each of its sections, starts at a multiple of so many bytes.
 pub const ALIGNMENT: usize = 4;
@@ -48,6 +51,8 @@ pub mod place {
     pub const IMAGES: usize = 26;
     /// u16: number of sections.
     pub const SECTIONS: usize = 28;
+    /// u16: the bits of the effects that the table is for; 0 in files of version 1.
+    pub const EFFECTS: usize = 30;
 }
 
 /// Number formats.
@@ -60,7 +65,8 @@ pub mod format {
     pub const Q31: u16 = 3;
 }
 
-/// The sections of floats, by their place in the file.
+/// The sections of floats, by their place in the file. In files of version 2 one more follows,
+/// [`AMBIENT`].
 pub const FLOATS: [&str; 15] = [
     "profiles",
     "passes",
@@ -78,6 +84,9 @@ pub const FLOATS: [&str; 15] = [
     "span mean",
     "image mean",
 ];
+
+/// What stands apart: see [`Effects`](crate::effect::Effects).
+pub const AMBIENT: &str = "ambient";
 
 /// The sections of integers, by their place in the file.
 pub const INTEGERS: [&str; 7] =

@@ -4,6 +4,7 @@ use crate::general::General;
 use crate::parts::NONE;
 use crate::scene::{Criterion, KNOTS};
 use crate::table::Table;
+use eigenshade_index::effect::Effects;
 use eigenshade_index::{material, mode, pair};
 
 /// Beyond these nothing of a table can be meant; they keep every count below
@@ -22,7 +23,11 @@ impl Table {
         if degree > MOST || order > MOST {
             return Err(format!("degree {degree} or order {order} beyond {MOST}"));
         }
-        if (degree, order) != (self.scene.light.degree, self.scene.material.order) {
+        let effects = self.effects();
+        if effects == Effects::NONE {
+            return Err("a scene of no effect".into());
+        }
+        if (degree, order) != (self.scene.degree(), self.scene.order()) {
             return Err(format!("degree {degree} and order {order} are not those of the scene"));
         }
         if let Some(knots) = self.scene.basis.knots
@@ -54,7 +59,9 @@ impl Table {
             numbers("profile's node values", &profile.node_values, nodes)?;
             let modes = if self.has_modes() { mode::count(degree, order, azimuth) } else { 0 };
             numbers("profile's modes", &profile.modes, modes)?;
-            let factors = projects * pairs * (degree - azimuth + 1);
+            let factored = pair::count(effects.factored_order(order)) * (degree - azimuth + 1);
+            let apart = if azimuth == 0 { effects.apart_count(order) } else { 0 };
+            let factors = projects * (factored + apart);
             numbers("profile's factors", &profile.factors, factors)?;
             terms("profile's polynomial", &profile.chebyshev)?;
         }

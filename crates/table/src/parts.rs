@@ -4,6 +4,7 @@
 
 use crate::passes::{self, Pass};
 use crate::table::Table;
+use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_index::{layout, material, pair};
 
 /// Stands for "no such component" in [`ProfilePlace`].
@@ -17,20 +18,25 @@ pub struct Parts {
     pub degree: usize,
     /// Largest order o of the BRDF.
     pub order: usize,
+    /// The effects that it is for.
+    pub effects: Effects,
     /// Number of components.
     pub components: usize,
     /// Whose the rows below are.
     pub profiles: Vec<ProfilePlace>,
     /// Number of polynomial terms for each |m|.
     pub lengths: Vec<u16>,
-    /// For each coefficient (o, p, q) the places of the pairs (o, q) and (p, q).
+    /// For each coefficient (o, p, q) the places of the pairs (o, q) and (p, q), or twice
+    /// [`NONE`] if the effects do not factor it; up to the largest order that they factor.
     pub couplings: Vec<[u16; 2]>,
     /// √(o+1) N_l^q C_lo^q: for each pair a row over l in whole groups. This and
     /// `factors` are empty where the table keeps transfers instead.
     pub polar: Vec<f64>,
-    /// For each profile, each l from |m| on, a row of `layout::row(order)` numbers,
-    /// two profiles of an azimuth group by group beside each other.
+    /// For each profile, each l from |m| on, a row of `layout::row` numbers, two profiles of
+    /// an azimuth group by group beside each other.
     pub factors: Vec<f64>,
+    /// UᵀM of the coefficients that stand apart: a row for each profile of m = 0.
+    pub ambient: Vec<f64>,
     /// For each profile its polynomial in t = 2z - 1, highest term first, times
     /// √2 where m is not 0: powers, or a Chebyshev series if longer than
     /// `layout::POWERS`.
@@ -76,19 +82,22 @@ impl Parts {
     #[must_use]
     pub fn new(table: &Table) -> Self {
         let gram = &table.gram;
+        let effects = table.effects();
         let (degree, order) = (gram.degree, gram.order);
-        let pairs = pair::count(order);
+        let factored = effects.factored_order(order);
+        let pairs = pair::count(factored);
         let root = |pair: usize| {
-            let (o, _) = pair::indices(order).nth(pair).expect("a pair of this order");
+            let (o, _) = pair::indices(factored).nth(pair).expect("a pair of this order");
             ((o + 1) as f64).sqrt()
         };
         let roots: Vec<f64> = (0..pairs).map(root).collect();
         let lengths = lengths(table);
         let (polar, factors) = if table.has_projection() {
-            let polar = grouped(degree, pairs, |l, pair| {
-                roots[pair] * gram.polar_integrals[pair * (degree + 1) + l]
+            let polar = grouped(degree, pairs, |l, pair| match (l, effects.has(Effect::Ambient)) {
+                (0, false) => 0.0,
+                _ => roots[pair] * gram.polar_integrals[pair * (degree + 1) + l],
             });
-            (polar, factors(table, degree, order))
+            (polar, factors(table, degree, factored))
         } else {
             (Vec::new(), Vec::new())
         };
@@ -108,11 +117,13 @@ impl Parts {
         Self {
             degree,
             order,
+            effects,
             components: table.components.len(),
             profiles,
             passes,
             slots,
-            couplings: couplings(order),
+            couplings: couplings(effects, factored),
+            ambient: ambient(table, degree, pairs),
             polar,
             factors,
             terms,
@@ -150,11 +161,14 @@ impl Parts {
     }
 }
 
-/// The places of the pairs (o, q) and (p, q) for each (o, p, q).
-fn couplings(order: usize) -> Vec<[u16; 2]> {
+/// The places of the pairs (o, q) and (p, q) for each (o, p, q) that is factored.
+fn couplings(effects: Effects, order: usize) -> Vec<[u16; 2]> {
     let short = |place: usize| u16::try_from(place).expect("orders are small");
     material::indices(order)
-        .map(|(o, p, q)| [pair::position(o, q), pair::position(p, q)].map(short))
+        .map(|(o, p, q)| match effects.factored(o) {
+            true => [pair::position(o, q), pair::position(p, q)].map(short),
+            false => [NONE; 2],
+        })
         .collect()
 }
 
@@ -187,6 +201,12 @@ fn factors(table: &Table, degree: usize, order: usize) -> Vec<f64> {
         }
     }
     factors
+}
+
+/// What stands apart, for each profile of m = 0.
+fn ambient(table: &Table, degree: usize, pairs: usize) -> Vec<f64> {
+    let zonal = table.profiles.iter().filter(|profile| profile.azimuth == 0);
+    zonal.flat_map(|profile| profile.factors.iter().skip(pairs * (degree + 1))).copied().collect()
 }
 
 /// Terms that each azimuth needs: those of its longest profile.

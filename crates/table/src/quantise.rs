@@ -6,6 +6,7 @@
 
 use crate::parts::{NONE, powers};
 use crate::table::{Profile, Table};
+use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_index::{layout, material, pair};
 use std::fmt;
 
@@ -58,6 +59,8 @@ pub struct QuantisedParts {
     pub degree: usize,
     /// Largest order o of the BRDF.
     pub order: usize,
+    /// The effects that it is for.
+    pub effects: Effects,
     /// Number of components.
     pub components: usize,
     /// Slant profiles, by |m|.
@@ -108,6 +111,8 @@ pub enum QuantiseError {
     General,
     /// It keeps transfers alone.
     Folded,
+    /// Its effect ambient takes orders that no other of its effects does.
+    Apart,
     /// A polynomial is longer than [`layout::POWERS`].
     Long {
         /// Its |m|.
@@ -137,6 +142,10 @@ impl fmt::Display for QuantiseError {
             Self::Folded => {
                 f.write_str("the table keeps transfers alone; make it with store = \"projection\"")
             }
+            Self::Apart => f.write_str(
+                "integers take ambient only where another effect takes all its orders; make the \
+                 table without ambient, with gloss, or with a lower material.order",
+            ),
             Self::Long { azimuth, terms } => write!(
                 f,
                 "a polynomial of |m| = {azimuth} has {terms} terms, integers take {}; make the \
@@ -173,13 +182,14 @@ impl QuantisedParts {
             (!table.selection.is_empty(), QuantiseError::Selection),
             (table.general.is_some(), QuantiseError::General),
             (!table.has_projection(), QuantiseError::Folded),
+            (table.effects().apart_count(table.gram.order) > 0, QuantiseError::Apart),
             (table.profiles.len().max(table.gram.degree + 1) > MOST_PROFILES, QuantiseError::Many),
         ] {
             if fault {
                 return Err(error);
             }
         }
-        let gram = &table.gram;
+        let (gram, effects) = (&table.gram, table.effects());
         let (degree, order) = (gram.degree, gram.order);
         let pairs = pair::count(order);
         let bits = format.bits();
@@ -187,7 +197,9 @@ impl QuantisedParts {
         let (mut polar, mut polar_exponents) = (Vec::new(), Vec::new());
         for l in 0..=degree {
             for (k, (o, _)) in pair::indices(order).enumerate() {
+                let kept = l > 0 || effects.has(Effect::Ambient);
                 let value = gram.polar_integrals[k * (degree + 1) + l] * ((o + 1) as f64).sqrt();
+                let value = if kept { value } else { 0.0 };
                 let (mantissas, exponent) = row(&[value], bits, i64::MAX);
                 polar.extend(mantissas);
                 polar_exponents.push(exponent);
@@ -229,6 +241,7 @@ impl QuantisedParts {
             format,
             degree,
             order,
+            effects,
             components: table.components.len(),
             polar,
             polar_exponents,

@@ -9,10 +9,12 @@ const LIGHT: &str = "light: &eigenshade::Light<'_, f32>";
 
 /// The functions `project` and `relight` of the generated module.
 ///
-/// A table with a selection of modes takes the general way: its polar integrals
-/// differ from azimuth to azimuth.
+/// A table with a selection of modes takes the general way, since its polar integrals
+/// differ from azimuth to azimuth; so does one of effects that leave out orders between
+/// others, or whose ambient stands apart.
 pub(crate) fn functions(parts: &Parts) -> String {
-    let fixed = parts.selection.is_empty();
+    let whole = parts.ambient.is_empty() && !parts.couplings.contains(&[NONE; 2]);
+    let fixed = parts.selection.is_empty() && whole;
     let body = |body: String| if fixed { body } else { String::new() };
     format!(
         "/// d = UᵀMc: see [`eigenshade::Basis::project`].

@@ -3,6 +3,7 @@
 
 use crate::quantise::{Format, Place, QuantisedParts};
 use crate::rust_quantised_functions as functions;
+use crate::rust_source;
 use eigenshade_index::pair;
 use std::fmt::Write;
 
@@ -39,7 +40,7 @@ pub fn module(parts: &QuantisedParts, command: &str) -> String {
     array(&mut text, "LENGTHS", "u8", &parts.lengths);
     let profiles: Vec<String> = parts.profiles.iter().map(profile).collect();
     array(&mut text, "PLACES", "eigenshade::quantised::Profile", &profiles);
-    put(&mut text, format_args!("{}", basis(format)));
+    put(&mut text, format_args!("{}", basis(format, &rust_source::effects(parts.effects))));
     text.push_str(&types(format));
     text.push_str(&functions::fold(parts, format));
     text.push_str(&functions::relight(parts, format));
@@ -116,13 +117,14 @@ fn array(text: &mut String, name: &str, kind: &str, values: &[impl ToString]) {
     put(text, format_args!("static {name}: [{kind}; {}] = [{}];", values.len(), values.join(", ")));
 }
 
-fn basis(format: &str) -> String {
+fn basis(format: &str, effects: &str) -> String {
     format!(
         "/// The basis; its shape and its bounds were checked when it was compiled.
 pub static BASIS: eigenshade::quantised::Basis<'static, eigenshade::{format}> =
     match eigenshade::quantised::Basis::<eigenshade::{format}>::new(eigenshade::quantised::Parts {{
         degree: DEGREE,
         order: ORDER,
+        effects: {effects},
         components: COMPONENTS,
         profiles: &PLACES,
         lengths: &LENGTHS,

@@ -117,7 +117,8 @@ fn scatter(
     );
     for (to, (p, q)) in pair::indices(parts.order).enumerate() {
         put(&mut text, format_args!("    let sum = 0;"));
-        for o in (q..=parts.order).step_by(2) {
+        let coupled = |o: &usize| parts.effects.factored(p.max(*o));
+        for o in (q..=parts.order).step_by(2).filter(coupled) {
             let (from, mode) = (pair::position(o, q), material::position(o.max(p), o.min(p), q));
             let of = o.max(p);
             put(

@@ -78,16 +78,30 @@ fn sums(parts: &Parts) -> String {
     text
 }
 
-/// The function `shade`, which serves the scenes of any table.
+/// The function `shade`, which serves the scenes of any table, and its half for those of
+/// this one.
 pub(crate) fn shade(parts: &Parts) -> String {
     let mut text = String::from(
         "/// The irradiance of one normal: see [`eigenshade::Scene::shade`].
 #[inline]
 #[must_use]
 pub fn shade(scene: &Scene, normal: eigenshade::Normal<f32>) -> f32 {
-    let Some(terms) = eigenshade::fixed::scene::<f32, _, SCENE>(scene, &LENGTHS) else {
-        return eigenshade::fixed::shade(scene, normal);
-    };
+    match terms(scene) {
+        Some(terms) => shade_terms(terms, normal),
+        None => eigenshade::fixed::shade(scene, normal),
+    }
+}
+/// The polynomials of an image, for [`shade_terms`]: asked for once, whose scene it is need
+/// not be asked at each pixel. `None` of a scene of another basis.
+#[inline]
+#[must_use]
+pub fn terms(scene: &Scene) -> Option<&[f32; SCENE]> {
+    eigenshade::fixed::scene::<f32, _, SCENE>(scene, &LENGTHS)
+}
+/// The irradiance of one normal from the [`terms`] of a scene: bit for bit what [`shade`] gives.
+#[inline]
+#[must_use]
+pub fn shade_terms(terms: &[f32; SCENE], normal: eigenshade::Normal<f32>) -> f32 {
 ",
     );
     let lengths: Vec<usize> = parts.lengths.iter().map(|&length| length.into()).collect();

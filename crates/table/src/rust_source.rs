@@ -5,6 +5,7 @@ use crate::parts::{NONE, Parts, ProfilePlace, Row};
 use crate::passes::Pass;
 use crate::table::Table;
 use crate::{rust_kernels, rust_scene};
+use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_index::layout;
 use std::fmt::Write;
 
@@ -16,7 +17,7 @@ use std::fmt::Write;
 #[must_use]
 pub fn module(table: &Table, command: &str) -> String {
     let parts = Parts::new(table);
-    let row = layout::row(parts.order);
+    let row = layout::row(parts.effects.factored_order(parts.order));
     let degrees = parts.degree + 1;
     let along = layout::LANES * layout::groups(parts.degree);
     let workspace = degrees * (row + 2) + row * along;
@@ -56,14 +57,15 @@ pub fn module(table: &Table, command: &str) -> String {
     }
     match &table.general {
         None => {
-            basis(&mut text, "BASIS", "The basis", parts.components);
+            basis(&mut text, "BASIS", "The basis", parts.components, &effects(parts.effects));
             text.push_str(SPHERE);
             text.push_str(&rust_kernels::functions(&parts));
             text.push_str(&rust_scene::collapse(&parts));
             text.push_str(&rust_scene::shade(&parts));
         }
         Some(general) => {
-            basis(&mut text, "SPAN", "The span of the basis", parts.components);
+            let effects = effects(parts.effects);
+            basis(&mut text, "SPAN", "The span of the basis", parts.components, &effects);
             for (name, values) in general_floats(general) {
                 let values = values.iter().map(|&value| format!("{:?}", value as f32));
                 array(&mut text, name, "f32", values);
@@ -76,10 +78,11 @@ pub fn module(table: &Table, command: &str) -> String {
 }
 
 /// The arrays of the number format.
-fn floats(parts: &Parts) -> [(&'static str, &[f64]); 5] {
+fn floats(parts: &Parts) -> [(&'static str, &[f64]); 6] {
     [
         ("POLAR", &parts.polar),
         ("FACTORS", &parts.factors),
+        ("AMBIENT", &parts.ambient),
         ("TERMS", &parts.terms),
         ("MEAN", &parts.mean),
         ("MEAN_COEFFICIENTS", &parts.mean_coefficients),
@@ -175,8 +178,20 @@ pub fn lookup(scene: &Scene) -> Result<Lookup, eigenshade::Error> {{
     );
 }
 
+/// A set of effects as an expression.
+pub(crate) fn effects(effects: Effects) -> String {
+    let mut text = String::from("eigenshade::Effects::NONE");
+    if effects.is_all() {
+        return "eigenshade::Effects::ALL".into();
+    }
+    for effect in Effect::ALL.into_iter().filter(|&effect| effects.has(effect)) {
+        let _ = write!(text, ".with(eigenshade::Effect::{effect:?})");
+    }
+    text
+}
+
 /// The static of the basis, or of a general one's span.
-fn basis(text: &mut String, name: &str, what: &str, components: usize) {
+fn basis(text: &mut String, name: &str, what: &str, components: usize, effects: &str) {
     line(
         text,
         format_args!(
@@ -185,6 +200,7 @@ pub static {name}: eigenshade::Basis<'static, f32> =
     match eigenshade::Basis::new(eigenshade::Parts {{
         degree: DEGREE,
         order: ORDER,
+        effects: {effects},
         components: {components},
         profiles: &PROFILES,
         passes: &PASSES,
@@ -193,6 +209,7 @@ pub static {name}: eigenshade::Basis<'static, f32> =
         lengths: &LENGTHS,
         polar: &POLAR,
         factors: &FACTORS,
+        ambient: &AMBIENT,
         terms: &TERMS,
         mean: &MEAN,
         mean_coefficients: &MEAN_COEFFICIENTS,

@@ -1,5 +1,7 @@
 //! The scene file: what a basis is to be made for.
 
+use eigenshade_index::effect;
+pub use eigenshade_index::effect::Effect;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -18,6 +20,20 @@ pub struct Scene {
     /// Which effects are wanted.
     #[serde(default)]
     pub effects: Effects,
+}
+
+impl Scene {
+    /// The largest degree l of the light that the scene's effects take.
+    #[must_use]
+    pub fn degree(&self) -> usize {
+        self.effects.set().degree(self.light.degree)
+    }
+
+    /// The largest order o of the BRDF that the scene's effects take.
+    #[must_use]
+    pub fn order(&self) -> usize {
+        self.effects.set().order(self.material.order)
+    }
 }
 
 /// Which normals the object shows.
@@ -200,23 +216,12 @@ pub struct Effects {
     pub rotation: bool,
 }
 
-/// A set of irradiance modes that a person can see.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Effect {
-    /// l = 0.
-    Ambient,
-    /// l >= 1, (o, p, q) = (0, 0, 0).
-    Diffuse,
-    /// l >= 1, 1 <= o <= 3.
-    Broad,
-    /// l >= 1, o >= 4.
-    Gloss,
-}
-
-impl Effect {
-    /// Every effect.
-    pub const ALL: [Self; 4] = [Self::Ambient, Self::Diffuse, Self::Broad, Self::Gloss];
+impl Effects {
+    /// The wanted effects as a set.
+    #[must_use]
+    pub fn set(&self) -> effect::Effects {
+        self.wanted.iter().copied().collect()
+    }
 }
 
 impl Default for Effects {

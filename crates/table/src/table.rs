@@ -4,6 +4,7 @@ use crate::general::General;
 use crate::gram::GramFactor;
 use crate::scene::Scene;
 use crate::transfer::MaterialTransfer;
+use eigenshade_index::effect::Effects;
 use eigenshade_index::pair;
 use serde::{Deserialize, Serialize};
 
@@ -65,8 +66,10 @@ pub struct Profile {
     /// `eigenshade_index::mode`: a column of U. Empty unless
     /// [`Table::has_modes`].
     pub modes: Vec<f64>,
-    /// UᵀM, factored: for each l = |m|..=degree, for each pair (p, q),
-    /// (-1)^q √(p+1) Σ_k √w_k W_k R_p^q D_l^mq. See [`Table::gram_row`]. Empty unless
+    /// UᵀM, factored: for each l = |m|..=degree, for each pair (p, q) up to the order that the
+    /// scene's effects factor, (-1)^q √(p+1) Σ_k √w_k W_k R_p^q D_l^mq; 0 for l = 0 without
+    /// ambient. Behind them, where m = 0, UᵀM of the coefficients of l = 0 that
+    /// [stand apart](eigenshade_index::effect::Effects). See [`Table::gram_row`]. Empty unless
     /// [`Table::has_projection`].
     pub factors: Vec<f64>,
 }
@@ -106,11 +109,18 @@ impl Table {
     /// (Ĉ_lo^q g_pq + Ĉ_lp^q g_oq) / √2, for o = p Ĉ_lo^q g_oq, with
     /// Ĉ_lo^q = √(o+1) N_l^q C_lo^q and g the factors of l.
     ///
-    /// Modes that a selection dropped are 0. Domain: [`Table::has_projection`].
+    /// Modes that a selection dropped, or that belong to no effect of the scene's, are 0.
+    /// Domain: [`Table::has_projection`].
     #[must_use]
     pub fn gram_row(&self, profile: &Profile) -> Vec<f64> {
         let gram = &self.gram;
-        let pairs = pair::count(gram.order);
+        let effects = self.effects();
+        let pairs = pair::count(effects.factored_order(gram.order));
+        let apart = &profile.factors[pairs * (gram.degree + 1 - profile.azimuth)..];
+        let of_apart = |o, p| {
+            let place = effects.apart(gram.order).position(|one| one == (o, p));
+            apart[place.expect("a coefficient that stands apart")]
+        };
         let polar = |l: usize, o: usize, q: usize| {
             gram.polar_integrals[pair::position(o, q) * (gram.degree + 1) + l]
                 * ((o + 1) as f64).sqrt()
@@ -119,6 +129,9 @@ impl Table {
             .map(|(l, o, p, q)| {
                 if !self.keeps(profile.azimuth, l, o, p, q) {
                     return 0.0;
+                }
+                if !effects.factored(o) {
+                    return of_apart(o, p);
                 }
                 let factor = |p: usize| {
                     profile.factors[(l - profile.azimuth) * pairs + pair::position(p, q)]
@@ -133,10 +146,17 @@ impl Table {
             .collect()
     }
 
-    /// Whether the selection kept a mode.
+    /// The effects that it is made for.
+    #[must_use]
+    pub fn effects(&self) -> Effects {
+        self.scene.effects.set()
+    }
+
+    /// Whether a mode belongs to the scene's effects and the selection kept it.
     #[must_use]
     pub fn keeps(&self, azimuth: usize, l: usize, o: usize, p: usize, q: usize) -> bool {
-        self.selection.is_empty() || self.selection[self.gram.place(azimuth, l, o, p, q)]
+        self.effects().keeps(l, o)
+            && (self.selection.is_empty() || self.selection[self.gram.place(azimuth, l, o, p, q)])
     }
 
     /// Number of eigenimages K.

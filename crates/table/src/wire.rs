@@ -5,8 +5,10 @@ use crate::general::General;
 use crate::parts::{Parts, ProfilePlace};
 use crate::quantise::{self, QuantiseError, QuantisedParts};
 use crate::table::Table;
+use eigenshade_index::effect::Effects;
 use eigenshade_index::wire::{
-    ALIGNMENT, CHECKSUM, ENTRY, FLOATS, HEADER, INTEGERS, LABEL, MARK, MOST, VERSION, format,
+    ALIGNMENT, CHECKSUM, ENTRY, FLOATS, HEADER, INTEGERS, LABEL, MARK, MOST, VERSION,
+    VERSION_OF_EFFECTS, format,
 };
 use std::fmt;
 
@@ -98,7 +100,7 @@ fn floats(table: &Table, endian: Endian) -> Result<Vec<u8>, WireError> {
     let general = table.general.as_ref();
     let of = |part: fn(&General) -> &Vec<f64>| general.map_or(&[][..], |general| part(general));
     let section = || Bytes::new(endian);
-    let sections: [Bytes; FLOATS.len()] = [
+    let mut sections: Vec<Bytes> = vec![
         parts.profiles.iter().fold(section(), Bytes::profile),
         parts.passes.iter().fold(section(), |bytes, one| {
             bytes.short(one.first.cast_unsigned()).short(one.profiles)
@@ -117,9 +119,13 @@ fn floats(table: &Table, endian: Endian) -> Result<Vec<u8>, WireError> {
         section().floats(of(|general| &general.mean)),
         section().floats(of(|general| &general.mean_coefficients)),
     ];
+    debug_assert_eq!(sections.len(), FLOATS.len());
+    if !parts.effects.is_all() {
+        sections.push(section().floats(&parts.ambient));
+    }
     let images = general.map_or(0, |general| general.eigenvalues.len());
     let shape = [parts.degree, parts.order, parts.components, images];
-    file(endian, format::F32, shape, &sections)
+    file(endian, format::F32, shape, parts.effects, &sections)
 }
 
 fn integers(parts: &QuantisedParts, endian: Endian) -> Result<Vec<u8>, WireError> {
@@ -150,7 +156,8 @@ fn integers(parts: &QuantisedParts, endian: Endian) -> Result<Vec<u8>, WireError
         small(&parts.factor_exponents),
         mantissas(&parts.terms),
     ];
-    file(endian, number, [parts.degree, parts.order, parts.components, 0], &sections)
+    let shape = [parts.degree, parts.order, parts.components, 0];
+    file(endian, number, shape, parts.effects, &sections)
 }
 
 /// Header, entries, sections, checksum.
@@ -158,20 +165,25 @@ fn file(
     endian: Endian,
     format: u16,
     shape: [usize; 4],
+    effects: Effects,
     sections: &[Bytes],
 ) -> Result<Vec<u8>, WireError> {
     let long = |number: usize| u32::try_from(number).map_err(|_| WireError::Long);
     let short = |number: usize| u16::try_from(number).expect("small shapes");
+    let (version, bits) = match effects.is_all() {
+        true => (VERSION, 0),
+        false => (VERSION_OF_EFFECTS, effects.bits()),
+    };
     let start = HEADER + ENTRY * sections.len();
     let padded: usize = sections.iter().map(Bytes::padded).sum();
     let mut file = Bytes { endian, bytes: LABEL.to_vec() }
         .long(MARK)
-        .short(VERSION)
+        .short(version)
         .short(format)
         .long(long(start + padded + CHECKSUM)?)
         .shorts(&shape.map(short))
         .short(short(sections.len()))
-        .short(0);
+        .short(bits);
     let mut next = start;
     for section in sections {
         file = file.long(long(next)?).long(long(section.bytes.len())?);

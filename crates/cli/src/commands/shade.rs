@@ -3,7 +3,7 @@
 use super::count;
 use clap::{Args, ValueEnum};
 use eigenshade::mathematics::Libm;
-use eigenshade::{Negatives, Q15, Q31, Scalar, Window};
+use eigenshade::{Economy, Effect, Effects, Negatives, Q15, Q31, Scalar, Tolerance, Window};
 use eigenshade_cli::integer_shader::{self, IntegerShader};
 use eigenshade_cli::message::{bar, say};
 use eigenshade_cli::number::exact;
@@ -11,7 +11,7 @@ use eigenshade_cli::owned_basis::OwnedBasis;
 use eigenshade_cli::owned_quantised::Integer;
 use eigenshade_cli::rows::Rows;
 use eigenshade_cli::shader::{LookUp, OwnedNormals, Shader, fault, fitted};
-use eigenshade_cli::{collision, destination, table_file, truth_image};
+use eigenshade_cli::{collision, destination, economy, table_file, truth_image, wire_file};
 use eigenshade_generator::database::{Lights, Materials, Named};
 use eigenshade_generator::error::{Error, Result};
 use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
@@ -61,6 +61,14 @@ pub struct Shade {
     /// or linear [default: linear]
     #[arg(long, value_enum)]
     interpolation: Option<Interpolation>,
+    /// Only these effects, of ambient, diffuse, broad and gloss: their pictures sum to the
+    /// whole [default: all]
+    #[arg(long, value_name = "A,B", value_delimiter = ',', value_parser = effect)]
+    effects: Vec<Effect>,
+    /// Of the method polynomial in f32 or f64: the fewest terms whose rms error over a sphere is
+    /// at most this share of the peak, or so many decibels below it, as in 1e-3 or 60dB
+    #[arg(long, value_name = "T", value_parser = tolerance)]
+    tolerance: Option<Tolerance<f64>>,
     /// Weakens degree l of the light by sinc^4, (sin x / x)^4 with x = pi l / W; nothing is
     /// left from degree W on
     #[arg(long, value_name = "W", value_parser = width)]
@@ -104,6 +112,20 @@ enum Interpolation {
     Cubic,
 }
 
+fn effect(text: &str) -> std::result::Result<Effect, String> {
+    let found = Effect::ALL.into_iter().find(|effect| effect.name() == text.trim());
+    found.ok_or_else(|| "ambient, diffuse, broad and gloss are the effects".to_owned())
+}
+
+fn tolerance(text: &str) -> std::result::Result<Tolerance<f64>, String> {
+    let decibels = text.strip_suffix("dB").map(|number| number.trim().parse::<u8>());
+    match (decibels, text.parse::<f64>()) {
+        (Some(Ok(decibels)), _) => Ok(Tolerance::Decibels(decibels)),
+        (None, Ok(share)) if share > 0.0 && share.is_finite() => Ok(Tolerance::OfPeak(share)),
+        _ => Err("a share above 0 or whole decibels are wanted, as in 1e-3 or 60dB".to_owned()),
+    }
+}
+
 fn width(text: &str) -> std::result::Result<f64, String> {
     match text.parse() {
         Ok(width) if width > 0.0 && f64::is_finite(width) => Ok(width),
@@ -130,6 +152,8 @@ struct Work {
     materials: Materials,
     normals: Vec<[f64; 3]>,
     components: usize,
+    effects: Effects,
+    tolerance: Option<Tolerance<f64>>,
 }
 
 impl Shade {
@@ -143,9 +167,25 @@ impl Shade {
             let what = "integers shade by polynomials only";
             return Err(Error::new(what, "take --method polynomial, or --format f32"));
         }
+        if self.tolerance.is_some() && (is_integer || self.method != Method::Polynomial) {
+            let what = "--tolerance is of the method polynomial in f32 or f64";
+            return Err(Error::new(what, "leave it out, or ask for those"));
+        }
         let inputs = [&self.table, &self.lights, &self.materials, &self.normals];
         collision::refuse(&self.out, inputs)?;
         let table = table_file::read(&self.table)?;
+        let effects = self.wanted(&table)?;
+        if self.rotate.is_some() && !table.scene.effects.rotation {
+            let what = "the table is for light that does not turn: effects.rotation = false";
+            return Err(Error::new(
+                what,
+                "leave --rotate out, or make a table for light that does",
+            ));
+        }
+        if is_integer && effects != table.effects() {
+            let what = "integers shade all effects of their table";
+            return Err(Error::new(what, "make a table of those effects, or take --format f32"));
+        }
         let way = self.way(table.scene.basis.knots)?;
         let components = table_file::components(&table, self.components, &self.table)?;
         let (mut lights, materials) = fitted(
@@ -166,7 +206,8 @@ impl Shade {
             }
         }
         let normals = read_normals(&self.normals)?;
-        let work = Work { table, lights, materials, normals, components };
+        let tolerance = self.tolerance;
+        let work = Work { table, lights, materials, normals, components, effects, tolerance };
         let negatives = if self.clamp { Negatives::Clamped } else { Negatives::Kept };
         let mut least = f64::INFINITY;
         destination::write(self.out.as_deref(), |out| {
@@ -184,6 +225,18 @@ impl Shade {
             say(format_args!("least irradiance {}, clamped", exact(least)));
         }
         Ok(())
+    }
+
+    /// The effects that are asked for and that the table has.
+    fn wanted(&self, table: &Table) -> Result<Effects> {
+        let asked: Effects = self.effects.iter().copied().collect();
+        let all = table.effects();
+        let missing = |effect: &&Effect| !all.has(**effect);
+        if let Some(effect) = self.effects.iter().find(missing) {
+            let what = format!("the table has no {}", effect.name());
+            return Err(Error::new(what, format!("it has {}", wire_file::named(all))));
+        }
+        Ok(if self.effects.is_empty() { all } else { asked })
     }
 
     /// How a pixel is had: options that belong to another method are errors.
@@ -255,7 +308,9 @@ impl Work {
 
     fn modes(&self, out: &mut Output<'_, '_>) -> Result<()> {
         let progress = bar("normals", self.normals.len());
-        let images = truth_image::images(&self.lights, &self.materials, &self.normals, &progress);
+        let (lights, materials) = (&self.lights, &self.materials);
+        let (effects, normals) = (self.effects, &self.normals);
+        let images = truth_image::images_of_effects(lights, materials, effects, normals, &progress);
         progress.finish_and_clear();
         for (pair, names) in self.pairs().enumerate() {
             for (normal, of_pairs) in images.iter().enumerate() {
@@ -273,8 +328,12 @@ impl Work {
 
     fn shade<S: Scalar + Into<f64>>(&self, way: Way, out: &mut Output<'_, '_>) -> Result<()> {
         let basis = OwnedBasis::<S>::new(&self.table);
-        let mut shader =
-            Shader::new(basis.any().map_err(fault)?, self.components).with_folded(basis.folded());
+        let mut shader = Shader::new(basis.any().map_err(fault)?, self.components)
+            .with_folded(basis.folded())
+            .with_effects(self.effects)?;
+        if let Some(tolerance) = self.tolerance {
+            return self.within(&mut shader, tolerance, out);
+        }
         let normals = OwnedNormals::<S>::new(&self.normals);
         let each = normals.each()?;
         self.channels(out, |light, material| match way {
@@ -282,6 +341,31 @@ impl Work {
             Way::Polynomial => shader.polynomial(light, material, &normals),
             Way::LookUp(way) => shader.looked_up(light, material, &each, way),
         })
+    }
+
+    /// Polynomials within a tolerance; says what was chosen.
+    fn within<S: Scalar + Into<f64>>(
+        &self,
+        shader: &mut Shader<'_, S>,
+        tolerance: Tolerance<f64>,
+        out: &mut Output<'_, '_>,
+    ) -> Result<()> {
+        let normals = OwnedNormals::<S>::new(&self.normals);
+        let tolerance = match tolerance {
+            Tolerance::OfPeak(share) => Tolerance::OfPeak(S::from_f64(share)),
+            Tolerance::Decibels(decibels) => Tolerance::Decibels(decibels),
+            other => unreachable!("{other:?} is no option"),
+        };
+        let mut chosen: Vec<Economy<S>> = Vec::new();
+        self.channels(out, |light, material| {
+            let (irradiance, economy) = shader.within(light, material, &normals, tolerance)?;
+            chosen.push(economy);
+            Ok(irradiance)
+        })?;
+        for line in economy::lines(&chosen, self.components) {
+            say(line);
+        }
+        Ok(())
     }
 
     /// Writes every light on every material, `irradiance` of one channel at a time.

@@ -8,7 +8,7 @@ use eigenshade_generator::moments::exposure;
 use eigenshade_generator::node_image::{MaterialImages, NodeImage};
 use eigenshade_generator::representation::{Fit, fit};
 use eigenshade_generator::{basis, gram, selection};
-use eigenshade_index::mode;
+use eigenshade_index::{effect, mode};
 use eigenshade_table::scene::{self, Criterion, Effects, LightRotation, Normalise, Store};
 use eigenshade_table::{GramFactor, Scene, Table};
 use indicatif::ProgressBar;
@@ -125,7 +125,7 @@ impl Study {
         }
         let gram = gram::of_sphere(DEGREE, ORDER);
         Ok(Self {
-            selection: selection::highest(&gram, SELECTED),
+            selection: selection::highest(&gram, effect::Effects::ALL, SELECTED),
             greys: materials.entries.iter().map(Named::luminance).collect(),
             gram,
             luminances,

