@@ -214,7 +214,8 @@ impl<S> Parts<'_, S> {
             let none = coupling.o == Coupling::NONE.o && coupling.p == Coupling::NONE.p;
             let same = coupling.o as usize == pair::position(o, q)
                 && coupling.p as usize == pair::position(p, q);
-            if if self.effects.factored(o) { !same } else { !none } {
+            let fits = if self.effects.factored(o) { same } else { none };
+            if !fits {
                 return false;
             }
             (o, p, q) = match (q < p, p < o) {

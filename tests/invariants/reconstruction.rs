@@ -5,7 +5,7 @@ use super::integer::{Integer, normals};
 use super::shipped::shipped;
 use crate::tolerances;
 use eigenshade::quantised::{Light, Material, Transfer};
-use eigenshade::{Normal, Q15, Q31, sphere};
+use eigenshade::{Effect, Effects, Normal, Q15, Q31, sphere};
 use eigenshade_index::{light, material};
 use eigenshade_table::quantise::Format;
 
@@ -75,6 +75,7 @@ impl Case {
         let d = sphere::project(&light, &material).expect("it fits");
         let wide: Vec<f64> = d.iter().map(|&d| d.into()).collect();
         self.projected(&wide, tolerances::ANY_D_F32, 0.0);
+        self.projected(&self.of_effects(&light, &material), tolerances::ANY_D_F32, 0.0);
         let scene = sphere::collapse(&d).expect("it fits");
         for normal in normals {
             let [x, y, z] = normal.components().map(|one| one.mantissa() as f32);
@@ -82,6 +83,25 @@ impl Case {
             let at = normal.components().map(f64::from);
             Self::image(&wide, at, scene.shade(normal).into(), tolerances::ANY_PIXEL_F32);
         }
+    }
+
+    /// d, the sum of that of each effect.
+    fn of_effects(
+        &self,
+        light: &eigenshade::Light<'_, f32>,
+        material: &eigenshade::Material<'_, f32>,
+    ) -> Vec<f64> {
+        let (basis, mut sum) = (&sphere::BASIS, vec![0.0; sphere::COMPONENTS]);
+        let mut workspace = vec![0.0; basis.workspace_len()];
+        let mut d = vec![0.0; basis.components()];
+        for effect in Effect::ALL {
+            let effects = Effects::NONE.with(effect);
+            basis
+                .project_effects_into(light, material, effects, &mut workspace, &mut d)
+                .expect("it fits");
+            sum.iter_mut().zip(&d).for_each(|(sum, &d)| *sum += f64::from(d));
+        }
+        sum
     }
 
     fn in_integers<Q: Integer>(&self, normals: &[eigenshade::quantised::Normal<Q>]) {

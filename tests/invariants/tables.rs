@@ -2,7 +2,9 @@
 
 use eigenshade::index::{light, material, wire};
 use eigenshade::quantised::{self, Transfer};
-use eigenshade::{Basis, Fixed, Format, GeneralBasis, Light, Material, Normal, Q15, Q31};
+use eigenshade::{
+    Basis, Effect, Effects, Fixed, Format, GeneralBasis, Light, Material, Normal, Q15, Q31,
+};
 
 /// These bytes as they are, and with length and checksum made right.
 pub fn from_bytes(bytes: &[u8]) {
@@ -63,6 +65,15 @@ fn floats(basis: &Basis<'_, f32>) {
     let mut transfer = vec![1.0; basis.transfer_len()];
     if basis.project_into(&light, &material, &mut workspace, &mut d).is_ok() {
         basis.transfer_into(&material, &mut workspace, &mut transfer).expect("sizes");
+        for effect in Effect::ALL {
+            let effects = Effects::NONE.with(effect);
+            basis
+                .project_effects_into(&light, &material, effects, &mut workspace, &mut d)
+                .expect("sizes");
+            basis
+                .transfer_effects_into(&material, effects, &mut workspace, &mut transfer)
+                .expect("sizes");
+        }
     }
     basis.relight_into(&transfer, &light, &mut d).expect("sizes");
     let scene = basis.collapse_into(&d, vec![0.0; basis.scene_len()]).expect("sizes");

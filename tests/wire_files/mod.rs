@@ -1,4 +1,4 @@
-//! Wire files of version 1, and what they gave when they were made.
+//! Wire files of versions 1 and 2, and what they gave when they were made.
 #![allow(dead_code, reason = "each test takes what it needs")]
 
 use eigenshade::wire::Aligned;
@@ -9,7 +9,21 @@ pub const MEAN: &Aligned<[u8]> = &Aligned(*include_bytes!("v1.mean.f32.esw"));
 pub const GENERAL: &Aligned<[u8]> = &Aligned(*include_bytes!("v1.general.f32.esw"));
 pub const INTEGERS_15: &Aligned<[u8]> = &Aligned(*include_bytes!("v1.sphere.q15.esw"));
 pub const INTEGERS_31: &Aligned<[u8]> = &Aligned(*include_bytes!("v1.sphere.q31.esw"));
-pub const ALL: [&[u8]; 5] = [&SPHERE.0, &MEAN.0, &GENERAL.0, &INTEGERS_15.0, &INTEGERS_31.0];
+/// Of version 2: of the effects ambient and diffuse.
+pub const EFFECTS: &Aligned<[u8]> = &Aligned(*include_bytes!("v2.effects.f32.esw"));
+/// Of version 2: of the effects diffuse and broad.
+pub const TURNED: &Aligned<[u8]> = &Aligned(*include_bytes!("v2.turned.f32.esw"));
+pub const TURNED_15: &Aligned<[u8]> = &Aligned(*include_bytes!("v2.turned.q15.esw"));
+pub const ALL: [&[u8]; 8] = [
+    &SPHERE.0,
+    &MEAN.0,
+    &GENERAL.0,
+    &INTEGERS_15.0,
+    &INTEGERS_31.0,
+    &EFFECTS.0,
+    &TURNED.0,
+    &TURNED_15.0,
+];
 
 pub fn room(bytes: &[u8]) -> Vec<u32> {
     vec![0; bytes.len().div_ceil(4)]
@@ -31,7 +45,8 @@ pub fn material() -> Vec<f32> {
 
 /// Against d as it was when the files were made, of the largest.
 pub fn assert_same(table: &str, found: &[f32], tolerance: f32) {
-    let expected = column(include_str!("v1.csv"), &format!("{table},"));
+    let text = concat!(include_str!("v1.csv"), include_str!("v2.csv"));
+    let expected = column(text, &format!("{table},"));
     assert_eq!(found.len(), expected.len());
     let largest = expected.iter().fold(0.0f32, |most, d| most.max(d.abs()));
     for (found, expected) in found.iter().zip(&expected) {

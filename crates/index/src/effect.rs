@@ -151,11 +151,13 @@ impl Effects {
     /// The largest order o, of those up to `order`, that a basis of these effects factors;
     /// 0 if there is none.
     #[must_use]
-    pub const fn factored_order(self, mut order: usize) -> usize {
-        while order > 0 && !self.factored(order) {
-            order -= 1;
+    pub const fn factored_order(self, order: usize) -> usize {
+        match order {
+            0..=3 if self.has(Effect::Broad) => order,
+            0..=3 => 0,
+            _ if self.has(Effect::Gloss) => order,
+            _ => self.factored_order(3),
         }
-        order
     }
 
     /// Whether the coefficient (o, p, q) stands apart.
@@ -171,9 +173,16 @@ impl Effects {
         all.filter(move |&(o, _, q)| self.is_apart(o, q)).map(|(o, p, _)| (o, p))
     }
 
-    /// Number of coefficients up to `order` that stand apart.
+    /// Number of coefficients up to `order` that stand apart; `usize::MAX` if some do and the
+    /// order is above 2047, as [`material::count`](crate::material::count) has it.
     #[must_use]
     pub const fn apart_count(self, order: usize) -> usize {
+        if !self.has(Effect::Ambient) || self.is_all() {
+            return 0;
+        }
+        if order > crate::material::MOST {
+            return usize::MAX;
+        }
         let (mut count, mut o) = (0, 0);
         while o <= order {
             // p = 0, 2, ..., o.
@@ -219,6 +228,10 @@ mod tests {
                 assert!(effects.factored(o) != effects.is_apart(o, q), "{effects:?} {o}");
             }
             assert_eq!(effects.apart(9).count(), effects.apart_count(9), "{effects:?}");
+        }
+        for (effects, order) in every().flat_map(|one| (0..9).map(move |order| (one, order))) {
+            let largest = (0..=order).rev().find(|&o| effects.factored(o)).unwrap_or(0);
+            assert_eq!(effects.factored_order(order), largest, "{effects:?} {order}");
         }
         let matte: Effects = [Effect::Ambient, Effect::Diffuse].into_iter().collect();
         assert_eq!((matte.order(7), matte.factored_order(7), matte.apart_count(7)), (7, 0, 9));

@@ -1,4 +1,4 @@
-//! Wire files of version 1 are read, wherever they lie.
+//! Wire files of versions 1 and 2 are read, wherever they lie.
 
 #[path = "wire_files/mod.rs"]
 mod files;
@@ -8,8 +8,8 @@ mod tolerances;
 use eigenshade::wire::{WireError, aligned};
 use eigenshade::{Basis, GeneralBasis, Q15, Q31, quantised};
 use files::{
-    GENERAL, INTEGERS_15, INTEGERS_31, MEAN, SPHERE, assert_same, facing_15, facing_31, floats,
-    general, integers, room,
+    EFFECTS, GENERAL, INTEGERS_15, INTEGERS_31, MEAN, SPHERE, TURNED, TURNED_15, assert_same,
+    facing_15, facing_31, floats, general, integers, room,
 };
 
 /// These files stay; so does what they give.
@@ -25,6 +25,19 @@ fn version_1_is_read() {
     assert_same("sphere", &integers(&basis, facing_15()), tolerances::WIRE_Q15);
     let basis = quantised::Basis::<Q31>::from_bytes(&INTEGERS_31.0).expect("a wire file");
     assert_same("sphere", &integers(&basis, facing_31()), tolerances::WIRE_Q31);
+}
+
+/// Nor do these change.
+#[test]
+fn version_2_is_read() {
+    for (table, bytes) in [("effects", &EFFECTS.0), ("turned", &TURNED.0)] {
+        let basis = Basis::<f32>::from_bytes(bytes).expect("a wire file");
+        assert!(!basis.effects().is_all());
+        assert_same(table, &floats(&basis).0, tolerances::WIRE_F32);
+    }
+    let basis = quantised::Basis::<Q15>::from_bytes(&TURNED_15.0).expect("a wire file");
+    assert!(!basis.effects().is_all());
+    assert_same("turned", &integers(&basis, facing_15()), tolerances::WIRE_Q15);
 }
 
 /// At every place but multiples of four, and put right.
