@@ -632,3 +632,7 @@ pub const RIM_INWARD: f32 = 1e-4;
 pub const QUARTER_TURN: f64 = 0.999;
 /// A polar integral of degree 9 and order 7 that is not zero, far above its rounding.
 pub const COUPLES: f64 = 1e-4;
+
+/// An error that is rounding, of what the page of peers states for it: their sums run in the order
+/// of the processor's width, ours with fused products or without.
+pub const PEERS_ROUNDING: f64 = 3.0;
