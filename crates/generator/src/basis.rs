@@ -9,6 +9,7 @@ use crate::pca::{Block, principal};
 use crate::{database, gram, peak, profile, selection};
 use eigenshade_table::scene::Criterion;
 use eigenshade_table::{GramFactor, MeanImage, Scene, Summary, Table};
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 /// Components whose orthonormality is reported.
 const REPORTED: usize = 100;
@@ -37,9 +38,12 @@ pub fn build(scene: &Scene, lights: &Lights, materials: &Materials) -> Result<Ta
     let of_materials = MaterialMoments::weighted(&materials, weights);
     let gram = gram::of_sphere(scene.light.degree, scene.material.order);
     let kept = selection::highest(&gram, scene.basis.modes);
-    let azimuths: Vec<Azimuth> = (0..=scene.light.degree)
+    let azimuths: Vec<Result<Azimuth>> = (0..=scene.light.degree)
+        .into_par_iter()
         .map(|azimuth| analyse(&gram, &kept, &moments, &of_materials, criterion, azimuth))
-        .collect::<Result<_>>()?;
+        .collect();
+    // Of several faults the first, whichever was found first.
+    let azimuths = azimuths.into_iter().collect::<Result<Vec<_>>>()?;
 
     let largest_of = |values: fn(&Azimuth) -> &[f64]| {
         azimuths.iter().flat_map(values).copied().fold(0.0, f64::max)

@@ -6,6 +6,7 @@ use crate::profile;
 use eigenshade_index::pair;
 use eigenshade_table::{Component, GramFactor, Profile, Table};
 use faer::Mat;
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
 /// Everything known of one azimuth.
 pub(crate) struct Azimuth {
@@ -61,7 +62,7 @@ impl Selected {
         table.components = self.components;
         table.profiles = self
             .profiles
-            .iter()
+            .par_iter()
             .map(|ranked| {
                 let azimuth = &azimuths[ranked.azimuth];
                 let coordinates = coordinates(&table.gram, azimuth, ranked);
