@@ -1,6 +1,6 @@
 //! All real spherical harmonics of a direction, against the crate `sphrs`.
 
-use crate::interleaved::{Way, times};
+use crate::interleaved::{Way, ratios};
 use crate::report::{Row, Table, standing};
 use crate::shipped::root;
 use eigenshade_generator::special::spherical_harmonic;
@@ -49,9 +49,9 @@ pub fn table(measured: bool) -> Result<Table, Box<dyn Error>> {
         let set = HarmonicsSet::new(degree, RealSH::Spherical);
         let theirs = |[x, y, z]: [f64; 3]| set.eval(&Coordinates::cartesian(x, y, z));
         let ours = |xyz| spherical_harmonic::all(degree, xyz);
-        let times = measured.then(|| {
+        let ratios = measured.then(|| {
             let run = |round: usize| black_box(directions[round]);
-            times(
+            ratios(
                 ROUNDS,
                 &mut [
                     Way::new(|round| drop(black_box(ours(run(round))))),
@@ -67,7 +67,7 @@ pub fn table(measured: bool) -> Result<Table, Box<dyn Error>> {
             let sign = f64::from(graphics_sign(value.m));
             of_theirs = larger(of_theirs, sign * theirs(xyz)[place] - value.value);
         }
-        let ratio = |k: usize| times.as_ref().map(|times| times[k].ratio);
+        let ratio = |k: usize| ratios.as_ref().map(|ratios| ratios[k]);
         table.rows.push(Row {
             way: format!("degree {degree}, ours"),
             ratio: ratio(0),

@@ -33,26 +33,8 @@ impl<'a> Way<'a> {
     }
 }
 
-/// What a way takes.
-#[derive(Clone, Copy, Debug)]
-pub struct Time {
-    /// Seconds of one call, median over the rounds.
-    pub seconds: f64,
-    /// In calls of the first way, median over the rounds of what each round gives.
-    pub ratio: f64,
-}
-
-impl Time {
-    /// To the time of so many pieces, where `done` were done.
-    pub fn scale(&mut self, pieces: usize, done: usize) {
-        let factor = pieces as f64 / done as f64;
-        self.seconds *= factor;
-        self.ratio *= factor;
-    }
-}
-
-/// Times each way once a round.
-pub fn times(rounds: usize, ways: &mut [Way<'_>]) -> Vec<Time> {
+/// What each way takes, in calls of the first: the median over the rounds of what each gives.
+pub fn ratios(rounds: usize, ways: &mut [Way<'_>]) -> Vec<f64> {
     let calls: Vec<usize> = ways.iter_mut().map(Way::calls).collect();
     let mut seconds = vec![Vec::with_capacity(rounds); ways.len()];
     for round in 0..rounds {
@@ -63,11 +45,8 @@ pub fn times(rounds: usize, ways: &mut [Way<'_>]) -> Vec<Time> {
         }
     }
     let first = seconds[0].clone();
-    let time = |of: Vec<f64>| Time {
-        ratio: median(of.iter().zip(&first).map(|(one, first)| one / first)),
-        seconds: median(of.iter().copied()),
-    };
-    seconds.into_iter().map(time).collect()
+    let ratio = |of: Vec<f64>| median(of.iter().zip(&first).map(|(one, first)| one / first));
+    seconds.into_iter().map(ratio).collect()
 }
 
 /// The middle of some numbers, the upper of two.

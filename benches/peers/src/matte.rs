@@ -1,6 +1,6 @@
 //! A pixel of a white matte, against the formula of nine terms, which was made for it.
 
-use crate::interleaved::times;
+use crate::interleaved::ratios;
 use crate::pixels::PIXELS;
 use crate::report::{Row, Table, standing};
 use crate::shipped::{Shipped, View};
@@ -26,7 +26,7 @@ pub fn table(shipped: &Shipped, measured: bool) -> Table {
         .map(|(degree, lengths)| subjects(&shipped.on_matte(degree), &at, lengths))
         .collect();
     let picture = Picture::new(PIXELS);
-    let times = measured.then(|| {
+    let ratios = measured.then(|| {
         let mut ways = Vec::new();
         for set in &sets {
             ways.push(picture.nine_terms(set));
@@ -34,7 +34,7 @@ pub fn table(shipped: &Shipped, measured: bool) -> Table {
             ways.push(picture.shade(set, |subject| &subject.within[1]));
             ways.push(picture.shade(set, |subject| &subject.full));
         }
-        times(ROUNDS, &mut ways)
+        ratios(ROUNDS, &mut ways)
     });
 
     let mut table = Table {
@@ -51,7 +51,7 @@ pub fn table(shipped: &Shipped, measured: bool) -> Table {
         rows: Vec::new(),
     };
     for ((degree, set), first) in DEGREES.into_iter().zip(&sets).zip([0, 4]) {
-        let ratio = |k: usize| times.as_ref().map(|times| times[first + k].ratio);
+        let ratio = |k: usize| ratios.as_ref().map(|ratios| ratios[first + k]);
         let mut row = |way: String, ratio: Option<f64>, is_ours: bool, errors: Vec<Option<f64>>| {
             let way = format!("{way}, light to degree {degree}");
             let ahead = |ratio: f64| standing("the scene", "the formula", 1.0 / ratio);

@@ -31,12 +31,6 @@ pub fn coefficients(light: &[f64]) -> [f64; 9] {
     ]
 }
 
-/// One normal in f64.
-pub fn value(c: &[f64; 9], [x, y, z]: [f64; 3]) -> f64 {
-    let square = c[4] * (x * x - y * y) + c[5] * (x * y) + (c[6] * x + c[7] * y) * z;
-    c[0] + c[1] * x + c[2] * y + c[3] * z + square + c[8] * (z * z)
-}
-
 /// Many normals in f32: all x, all y, all z.
 pub fn slice(c: &[f32; 9], [x, y, z]: [&[f32]; 3], out: &mut [f32]) {
     for (((out, &x), &y), &z) in out.iter_mut().zip(x).zip(y).zip(z) {

@@ -2,7 +2,7 @@
 //! paper's 1,000 modes.
 
 use crate::dense::{Dense, Vector, WAYS};
-use crate::interleaved::{Time, Way, times};
+use crate::interleaved::{Way, ratios};
 use crate::modes::{self, Mode};
 use crate::nine_terms::with_best_albedo;
 use crate::report::{Row, Table, standing};
@@ -40,7 +40,7 @@ pub fn table(shipped: &Shipped, measured: bool) -> Table {
     let dot = |row: &[f64], c: &[f64]| row.iter().zip(c).map(|(a, b)| a * b).sum::<f64>();
     let seen: Vec<Vec<f64>> = at.iter().map(values).collect();
 
-    let times = measured.then(|| {
+    let ratios = measured.then(|| {
         let picture = Picture::new(PIXELS);
         let held = Picture::new(HELD);
         let single = |values: Vec<f64>| -> Vec<f32> {
@@ -74,15 +74,14 @@ pub fn table(shipped: &Shipped, measured: bool) -> Table {
                 dense.multiply(way, &by[round % PAIRS], black_box(out));
             }));
         }
-        let mut times = times(3 * PAIRS, &mut ways);
+        let mut ratios = ratios(3 * PAIRS, &mut ways);
         // Of a pixel.
-        times[4].scale(PIXELS, EVALUATED);
-        times[5..].iter_mut().for_each(|time| time.scale(PIXELS, HELD));
-        times
+        ratios[4] *= PIXELS as f64 / EVALUATED as f64;
+        ratios[5..].iter_mut().for_each(|ratio| *ratio *= PIXELS as f64 / HELD as f64);
+        ratios
     });
-    let best =
-        |times: &Vec<Time>| times[5..].iter().map(|time| time.ratio).fold(f64::INFINITY, f64::min);
-    let ratio = |k: usize| times.as_ref().map(|times| times[k].ratio);
+    let best = |ratios: &Vec<f64>| ratios[5..].iter().copied().fold(f64::INFINITY, f64::min);
+    let ratio = |k: usize| ratios.as_ref().map(|ratios| ratios[k]);
 
     let mut table = Table {
         title: "A pixel of a measured material",
@@ -120,7 +119,7 @@ pub fn table(shipped: &Shipped, measured: bool) -> Table {
     let of_modes =
         errors(&view, &subjects, |k, _| seen.iter().map(|row| dot(row, &c[k])).collect());
     let full = ratio(1).unwrap_or(1.0);
-    for (way, ratio) in [("held ready", times.as_ref().map(best)), ("evaluated", ratio(4))] {
+    for (way, ratio) in [("held ready", ratios.as_ref().map(best)), ("evaluated", ratio(4))] {
         let standing = ratio
             .map_or(String::new(), |ratio| standing("the full scene", "the sum", ratio / full));
         row(format!("1,000 modes, {way}"), ratio, standing, of_modes.clone());

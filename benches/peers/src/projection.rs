@@ -1,7 +1,7 @@
 //! A light on a material to 50 coefficients, against dense products.
 
 use crate::dense::{Dense, Vector, WAYS};
-use crate::interleaved::{Way, median_and_worst, times};
+use crate::interleaved::{Way, median_and_worst, ratios};
 use crate::modes;
 use crate::report::{Row, Table, standing};
 use crate::shipped::{Pair, Shipped, View};
@@ -76,7 +76,7 @@ pub fn table(shipped: &Shipped, measured: bool) -> Table {
     let mut room = [0.0f32; sphere::SCENE];
     let mut outs: Vec<Vector> =
         (0..2 * WAYS.len()).map(|_| Vector::zeros(sphere::COMPONENTS)).collect();
-    let measures = measured.then(|| {
+    let ratios = measured.then(|| {
         let mut ways = vec![
             Way::new(|round| drop(black_box(black_box(&pairs[round % PAIRS]).project()))),
             Way::new(|round| drop(black_box(relit(black_box(round % PAIRS))))),
@@ -96,9 +96,9 @@ pub fn table(shipped: &Shipped, measured: bool) -> Table {
             let (product, way) = (if k < WAYS.len() { &all } else { &thousand }, k % WAYS.len());
             ways.push(Way::new(move |round| product.run(way, round, d)));
         }
-        times(ROUNDS, &mut ways)
+        ratios(ROUNDS, &mut ways)
     });
-    let ratio = |k: usize| measures.as_ref().map(|times| times[k].ratio);
+    let ratio = |k: usize| ratios.as_ref().map(|ratios| ratios[k]);
     let none = vec![None; 3];
 
     let mut table = Table {

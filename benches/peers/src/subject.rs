@@ -16,8 +16,7 @@ pub type Lengths = [[u16; 16]; WITHIN.len()];
 
 /// A pair's scenes and true image.
 pub struct Subject<'l> {
-    pub nine: [f64; 9],
-    pub nine_single: [f32; 9],
+    pub nine: [f32; 9],
     pub full: sphere::Scene,
     pub within: Vec<Scene<'l, [f32; sphere::SCENE]>>,
     pub truth: Vec<f64>,
@@ -35,10 +34,8 @@ pub fn subjects<'l>(
             let (share, room) = (Tolerance::OfPeak(share), [0.0; sphere::SCENE]);
             sphere::BASIS.collapse_within(&d, share, lengths, room).expect("it fits").0
         };
-        let nine = nine_terms::coefficients(&pair.light);
         Subject {
-            nine,
-            nine_single: nine.map(|value| value as f32),
+            nine: nine_terms::coefficients(&pair.light).map(|value| value as f32),
             full: sphere::collapse(&d).expect("it fits"),
             within: WITHIN.into_iter().zip(lengths).map(scene).collect(),
             truth: View::image(modes, pair),
@@ -76,7 +73,7 @@ impl Picture {
     pub fn nine_terms<'a>(&'a self, subjects: &'a [Subject<'_>]) -> Way<'a> {
         let mut out = self.out();
         Way::new(move |round| {
-            let nine = &subjects[round % subjects.len()].nine_single;
+            let nine = &subjects[round % subjects.len()].nine;
             nine_terms::slice(black_box(nine), self.axes(), black_box(&mut out));
         })
     }
@@ -109,7 +106,11 @@ pub fn errors<'l>(
     median_and_worst(&errors).to_vec()
 }
 
-/// The formula's image, in f64.
+/// The formula's image.
 pub fn nine_terms_image(view: &View, subject: &Subject<'_>) -> Vec<f64> {
-    view.normals.iter().map(|&normal| nine_terms::value(&subject.nine, normal)).collect()
+    let axes: [Vec<f32>; 3] =
+        [0, 1, 2].map(|axis| view.normals.iter().map(|normal| normal[axis] as f32).collect());
+    let mut image = vec![0.0; view.normals.len()];
+    nine_terms::slice(&subject.nine, axes.each_ref().map(Vec::as_slice), &mut image);
+    image.into_iter().map(f64::from).collect()
 }
