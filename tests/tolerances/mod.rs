@@ -641,3 +641,7 @@ pub const OBJECT_OF_EFFECTS: f64 = 1e-6;
 pub const EFFECTS_Q31: f64 = 1e-6;
 /// See [`EFFECTS_Q31`].
 pub const EFFECTS_Q15: f64 = 2e-3;
+
+/// An error that is rounding, of what the page of peers states for it: their sums run in the order
+/// of the processor's width, ours with fused products or without.
+pub const PEERS_ROUNDING: f64 = 3.0;

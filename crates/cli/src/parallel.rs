@@ -1,39 +1,17 @@
 //! Independent work on every core.
 
 use indicatif::ProgressBar;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::thread;
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
-/// Numbers that a thread takes at a time.
-const SHARE: usize = 16;
-
-/// f(k) for k = 0..count, in order; `progress` hears of each.
+/// f(k) for k = 0..count, in order; `progress` hears of each. The answers do not depend on the
+/// number of threads, which `RAYON_NUM_THREADS` sets.
 pub fn map<T: Send>(count: usize, progress: &ProgressBar, f: impl Fn(usize) -> T + Sync) -> Vec<T> {
-    let next = AtomicUsize::new(0);
-    let work = || {
-        let mut done = Vec::new();
-        loop {
-            let start = next.fetch_add(SHARE, Ordering::Relaxed);
-            let share = start..count.min(start.saturating_add(SHARE));
-            if share.is_empty() {
-                return done;
-            }
-            let taken = share.len();
-            done.push((start, share.map(&f).collect::<Vec<T>>()));
-            progress.inc(taken as u64);
-        }
+    let one = |k| {
+        let value = f(k);
+        progress.inc(1);
+        value
     };
-    let threads = thread::available_parallelism().map_or(1, usize::from);
-    let mut parts: Vec<(usize, Vec<T>)> = thread::scope(|scope| {
-        let workers: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
-        let joined = workers.into_iter().map(|worker| match worker.join() {
-            Ok(done) => done,
-            Err(panic) => std::panic::resume_unwind(panic),
-        });
-        joined.flatten().collect()
-    });
-    parts.sort_by_key(|(start, _)| *start);
-    parts.into_iter().flat_map(|(_, values)| values).collect()
+    (0..count).into_par_iter().map(one).collect()
 }
 
 #[cfg(test)]

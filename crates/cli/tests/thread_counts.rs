@@ -6,12 +6,12 @@ use std::fs;
 use std::process::Command;
 use support::{Folder, repository};
 
-/// What the linear algebra takes for the number of threads, where it is built with threads.
+/// What gives the number of threads.
 const VARIABLE: &str = "RAYON_NUM_THREADS";
 
 /// Every component of the shipped scene, order, sign and last bit: two runs with each number of
-/// threads. As it is built the generator has one thread whatever the variable says; built with
-/// faer's `rayon` it would heed it, and its last bits would follow.
+/// threads. Each azimuth and each profile is one thread's; built with faer's `rayon` a sum would be
+/// several threads', and its last bits would follow their number.
 #[test]
 fn tables_are_the_same_to_the_byte() {
     let folder = Folder::new();

@@ -10,6 +10,7 @@ use crate::selection::{self, Kept};
 use crate::{database, gram, peak, profile};
 use eigenshade_table::scene::Criterion;
 use eigenshade_table::{GramFactor, MeanImage, Scene, Summary, Table};
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 /// Components whose orthonormality is reported.
 const REPORTED: usize = 100;
@@ -39,9 +40,12 @@ pub fn build(scene: &Scene, lights: &Lights, materials: &Materials) -> Result<Ta
     let gram = gram::of_sphere(scene.degree(), scene.order());
     let effects = scene.effects.set();
     let kept = Kept { effects, selection: selection::highest(&gram, effects, scene.basis.modes) };
-    let azimuths: Vec<Azimuth> = (0..=gram.degree)
+    let azimuths: Vec<Result<Azimuth>> = (0..=gram.degree)
+        .into_par_iter()
         .map(|azimuth| analyse(&gram, &kept, &moments, &of_materials, criterion, azimuth))
-        .collect::<Result<_>>()?;
+        .collect();
+    // Of several faults the first, whichever was found first.
+    let azimuths = azimuths.into_iter().collect::<Result<Vec<_>>>()?;
 
     let largest_of = |values: fn(&Azimuth) -> &[f64]| {
         azimuths.iter().flat_map(values).copied().fold(0.0, f64::max)

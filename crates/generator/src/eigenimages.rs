@@ -7,6 +7,7 @@ use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_index::pair;
 use eigenshade_table::{Component, GramFactor, Profile, Table};
 use faer::Mat;
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::f64::consts::FRAC_1_SQRT_2;
 
 /// Everything known of one azimuth.
@@ -63,7 +64,7 @@ impl Selected {
         table.components = self.components;
         table.profiles = self
             .profiles
-            .iter()
+            .par_iter()
             .map(|ranked| {
                 let azimuth = &azimuths[ranked.azimuth];
                 let coordinates = coordinates(&table.gram, azimuth, ranked);

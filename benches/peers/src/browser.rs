@@ -1,0 +1,135 @@
+//! Pixels in Node: our WebAssembly module against three.js. `node/three.mjs` measures; its
+//! scenes and their truth come from here.
+
+use crate::interleaved::median_and_worst;
+use crate::report::{Row, Table, standing};
+use crate::shipped::{Shipped, View, root, white_matte};
+use eigenshade::sphere;
+use eigenshade_generator::database::Named;
+use eigenshade_generator::truth::{Modes, Truth};
+use serde::{Deserialize, Serialize};
+use std::error::Error;
+use std::io::Write;
+use std::process::{Command, Stdio};
+
+/// Pairs of measured materials.
+const PAIRS: usize = 16;
+
+/// What Node is asked.
+#[derive(Serialize)]
+struct Task {
+    measured: bool,
+    /// x, y and z of each normal, with its weight in squares.
+    normals: Vec<[f64; 3]>,
+    weights: Vec<f64>,
+    mattes: Vec<Case>,
+    measured_materials: Vec<Case>,
+}
+
+/// A picture in colour.
+#[derive(Serialize)]
+struct Case {
+    light: [Vec<f64>; 3],
+    material: [Vec<f64>; 3],
+    truth: [Vec<f64>; 3],
+}
+
+/// What it answers.
+#[derive(Deserialize)]
+struct Answer {
+    versions: String,
+    ways: Vec<Way>,
+}
+
+#[derive(Deserialize)]
+struct Way {
+    name: String,
+    /// Of `getIrradianceAt`.
+    ratio: Option<f64>,
+    is_ours: bool,
+    /// Of each case, rms of the peak.
+    mattes: Vec<f64>,
+    measured_materials: Vec<f64>,
+}
+
+impl Case {
+    fn new(light: &Named, material: [Vec<f64>; 3], at: &[Modes<'_>]) -> Self {
+        let light = light.rgb.clone();
+        let image = |channel: usize| -> Vec<f64> {
+            let value = |modes: &Modes<'_>| {
+                modes.irradiance(&light[channel], &modes.scatter(&material[channel]))
+            };
+            at.iter().map(value).collect()
+        };
+        Self { truth: [0, 1, 2].map(image), light, material }
+    }
+}
+
+/// The comparison; times only if `measured`.
+pub fn table(shipped: &Shipped, measured: bool) -> Result<Table, Box<dyn Error>> {
+    let view = View::new();
+    let truth = Truth::new(sphere::DEGREE, sphere::ORDER);
+    let at = view.modes(&truth);
+    let (lights, materials) = (&shipped.lights, &shipped.materials);
+    let mattes = lights
+        .iter()
+        .map(|light| Case::new(light, [0, 1, 2].map(|_| white_matte()), &at))
+        .collect();
+    let pair = |k: usize| {
+        let place = (2 * k + 1) * lights.len() * materials.len() / (2 * PAIRS);
+        let material = &materials[place / lights.len()];
+        Case::new(&lights[place % lights.len()], material.rgb.clone(), &at)
+    };
+    let measured_materials = (0..PAIRS).map(pair).collect();
+    let View { normals, weights } = view;
+    let answer = asked(&Task { measured, normals, weights, mattes, measured_materials })?;
+
+    let mut table = Table {
+        title: "A pixel in Node",
+        note: format!(
+            "Three channels, one normal after the other. three.js's `SphericalHarmonics3.getIrradianceAt` takes a `Vector3` and fills \
+             one, in f64; our module with SIMD takes all x, y and z in f32, channel by channel: the formula of nine terms as it has it to compare \
+             with, and the full scene, by the bare export and by `shade`, which checks and copies. Errors: rms of the peak, against \
+             the direct sum (15) over all modes, of the {} lights on a white matte and of {PAIRS} on measured materials, three.js \
+             with the albedo that brings each picture nearest to the truth. {}",
+            lights.len(),
+            answer.versions
+        ),
+        heads: ["time of three.js", "who is ahead", "mattes", "at worst", "measured", "at worst"]
+            .map(String::from)
+            .to_vec(),
+        rows: Vec::new(),
+    };
+    for way in answer.ways {
+        let ahead = |ratio: f64| standing(&way.name, "three.js", 1.0 / ratio);
+        let mattes = median_and_worst(&way.mattes);
+        table.rows.push(Row {
+            standing: way.ratio.filter(|_| way.is_ours).map_or(String::new(), ahead),
+            ratio: way.ratio,
+            errors: [mattes, median_and_worst(&way.measured_materials)].concat(),
+            way: way.name,
+        });
+    }
+    Ok(table)
+}
+
+fn asked(task: &Task) -> Result<Answer, Box<dyn Error>> {
+    let script = root().join("benches/peers/node/three.mjs");
+    let mut node = Command::new("node")
+        .arg(script)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .map_err(|error| format!("node: {error}; install Node 20 or later"))?;
+    let mut input = node.stdin.take().ok_or("node takes no input")?;
+    let text = serde_json::to_vec(task)?;
+    // A script that failed has said why by itself.
+    let written = input.write_all(&text);
+    drop(input);
+    let output = node.wait_with_output()?;
+    if !output.status.success() {
+        return Err("benches/peers/node/three.mjs failed, see above".into());
+    }
+    written?;
+    Ok(serde_json::from_slice(&output.stdout)?)
+}

@@ -1,0 +1,90 @@
+//! All real spherical harmonics of a direction, against the crate `sphrs`.
+
+use crate::interleaved::{Way, ratios};
+use crate::report::{Row, Table, standing};
+use crate::shipped::root;
+use eigenshade_generator::special::spherical_harmonic;
+use eigenshade_index::light::{graphics_sign, position};
+use serde::Deserialize;
+use sphrs::{Coordinates, HarmonicsSet, RealSH};
+use std::error::Error;
+use std::hint::black_box;
+
+/// The paper's, and the highest that scenes are made for.
+const DEGREES: [usize; 2] = [9, 32];
+const ROUNDS: usize = 99;
+
+/// A value to 25 digits.
+#[derive(Deserialize)]
+struct Value {
+    l: usize,
+    m: isize,
+    theta: f64,
+    phi: f64,
+    value: f64,
+}
+
+fn direction(theta: f64, phi: f64) -> [f64; 3] {
+    [theta.sin() * phi.cos(), theta.sin() * phi.sin(), theta.cos()]
+}
+
+/// The comparison; times only if `measured`.
+pub fn table(measured: bool) -> Result<Table, Box<dyn Error>> {
+    let path = root().join("crates/generator/tests/vectors/spherical_harmonic.csv");
+    let values: Vec<Value> =
+        csv::Reader::from_path(path)?.deserialize().collect::<Result<_, _>>()?;
+    let mut table = Table {
+        title: "Spherical harmonics",
+        note: "All values up to a degree in one direction, f64: `spherical_harmonic::all` of the generator, and `HarmonicsSet::eval` of sphrs; \
+               both take a unit vector and give a `Vec`. Errors are the largest, against values of 25 digits at poles, near \
+               them and elsewhere. sphrs takes factorials in 64 bits, which overflow where l + abs(m) > 20: its \
+               values of higher degrees are wrong, so its time there is that of wrong values."
+            .into(),
+        heads: ["time of ours", "who is ahead", "error"].map(String::from).to_vec(),
+        rows: Vec::new(),
+    };
+    let directions: Vec<[f64; 3]> =
+        (0..ROUNDS).map(|k| direction(0.07 * k as f64, 2.4 * k as f64)).collect();
+    for degree in DEGREES {
+        let set = HarmonicsSet::new(degree, RealSH::Spherical);
+        let theirs = |[x, y, z]: [f64; 3]| set.eval(&Coordinates::cartesian(x, y, z));
+        let ours = |xyz| spherical_harmonic::all(degree, xyz);
+        let ratios = measured.then(|| {
+            let run = |round: usize| black_box(directions[round]);
+            ratios(
+                ROUNDS,
+                &mut [
+                    Way::new(|round| drop(black_box(ours(run(round))))),
+                    Way::new(|round| drop(black_box(theirs(run(round))))),
+                ],
+            )
+        });
+        let (mut of_ours, mut of_theirs) = (0.0, 0.0);
+        for value in values.iter().filter(|value| value.l <= degree) {
+            let xyz = direction(value.theta, value.phi);
+            let place = position(value.l, value.m);
+            of_ours = larger(of_ours, ours(xyz)[place] - value.value);
+            let sign = f64::from(graphics_sign(value.m));
+            of_theirs = larger(of_theirs, sign * theirs(xyz)[place] - value.value);
+        }
+        let ratio = |k: usize| ratios.as_ref().map(|ratios| ratios[k]);
+        table.rows.push(Row {
+            way: format!("degree {degree}, ours"),
+            ratio: ratio(0),
+            standing: String::new(),
+            errors: vec![Some(of_ours)],
+        });
+        table.rows.push(Row {
+            way: format!("degree {degree}, sphrs"),
+            ratio: ratio(1),
+            standing: ratio(1).map_or(String::new(), |ratio| standing("ours", "sphrs", ratio)),
+            errors: vec![Some(of_theirs)],
+        });
+    }
+    Ok(table)
+}
+
+/// The larger of a size and that of a difference, NaN once there was one.
+fn larger(most: f64, difference: f64) -> f64 {
+    if most.is_finite() && difference.is_finite() { most.max(difference.abs()) } else { f64::NAN }
+}

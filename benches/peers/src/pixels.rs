@@ -1,0 +1,128 @@
+//! A pixel of measured materials, against the formula of nine terms and the direct sum of the
+//! paper's 1,000 modes.
+
+use crate::dense::{Dense, Vector, WAYS};
+use crate::interleaved::{Way, ratios};
+use crate::modes::{self, Mode};
+use crate::nine_terms::with_best_albedo;
+use crate::report::{Row, Table, standing};
+use crate::shipped::{Shipped, View};
+use crate::subject::{Picture, WITHIN, errors, nine_terms_image, subjects};
+use eigenshade::sphere;
+use eigenshade_generator::truth::Truth;
+use std::hint::black_box;
+
+/// Normals of a picture.
+pub const PIXELS: usize = 65_536;
+/// Normals whose 1,000 modes are held.
+const HELD: usize = 4096;
+/// Normals at which 1,000 modes are evaluated.
+const EVALUATED: usize = 32;
+/// Pairs, one a round.
+const PAIRS: usize = 45;
+
+/// The comparison; times only if `measured`.
+pub fn table(shipped: &Shipped, measured: bool) -> Table {
+    let pairs = shipped.pairs(PAIRS);
+    let view = View::new();
+    let truth = Truth::new(sphere::DEGREE, sphere::ORDER);
+    let at = view.modes(&truth);
+    let mut lengths = vec![Default::default(); PAIRS];
+    let subjects = subjects(&pairs, &at, &mut lengths);
+
+    let kept = modes::selected(shipped);
+    let names: Vec<Mode> = modes::only(&modes::all(), &kept);
+    let c: Vec<Vec<f64>> =
+        pairs.iter().map(|pair| modes::only(&modes::coefficients(pair), &kept)).collect();
+    let values = |at: &eigenshade_generator::truth::Modes<'_>| -> Vec<f64> {
+        names.iter().map(|&(l, m, o, p, q)| at.value(l, m, o, p, q)).collect()
+    };
+    let dot = |row: &[f64], c: &[f64]| row.iter().zip(c).map(|(a, b)| a * b).sum::<f64>();
+    let seen: Vec<Vec<f64>> = at.iter().map(values).collect();
+
+    let ratios = measured.then(|| {
+        let picture = Picture::new(PIXELS);
+        let held = Picture::new(HELD);
+        let single = |values: Vec<f64>| -> Vec<f32> {
+            values.into_iter().map(|value| value as f32).collect()
+        };
+        let [x, y, z] = held.axes();
+        let normals: Vec<[f64; 3]> = (0..HELD).map(|k| [x[k], y[k], z[k]].map(f64::from)).collect();
+        let rows: Vec<Vec<f32>> =
+            normals.iter().map(|&normal| single(values(&truth.at(normal)))).collect();
+        let dense = Dense::new(&rows);
+        let by: Vec<Vector> = c.iter().map(|c| Vector::new(&single(c.clone()))).collect();
+        let mut outs: Vec<Vector> = WAYS.iter().map(|_| Vector::zeros(HELD)).collect();
+        let mut ways = vec![
+            picture.nine_terms(&subjects),
+            picture.shade(&subjects, |subject| &subject.full),
+            picture.shade(&subjects, |subject| &subject.within[0]),
+            picture.shade(&subjects, |subject| &subject.within[1]),
+            Way::new(|round| {
+                for &normal in normals.iter().step_by(HELD / EVALUATED) {
+                    let at = truth.at(black_box(normal));
+                    let mode = names.iter().zip(&c[round % PAIRS]);
+                    let sum: f64 =
+                        mode.map(|(&(l, m, o, p, q), c)| c * at.value(l, m, o, p, q)).sum();
+                    black_box(sum);
+                }
+            }),
+        ];
+        for (way, out) in outs.iter_mut().enumerate() {
+            let (dense, by) = (&dense, &by);
+            ways.push(Way::new(move |round| {
+                dense.multiply(way, &by[round % PAIRS], black_box(out));
+            }));
+        }
+        let mut ratios = ratios(3 * PAIRS, &mut ways);
+        // Of a pixel.
+        ratios[4] *= PIXELS as f64 / EVALUATED as f64;
+        ratios[5..].iter_mut().for_each(|ratio| *ratio *= PIXELS as f64 / HELD as f64);
+        ratios
+    });
+    let best = |ratios: &Vec<f64>| ratios[5..].iter().copied().fold(f64::INFINITY, f64::min);
+    let ratio = |k: usize| ratios.as_ref().map(|ratios| ratios[k]);
+
+    let mut table = Table {
+        title: "A pixel of a measured material",
+        note: format!(
+            "One channel, f32, over {PIXELS} normals held ready, set-up not counted. The formula of nine terms (Ramamoorthi and Hanrahan \
+             2001) takes each material for a matte, of the albedo that brings that very picture nearest to the truth. The modes' sum \
+             over the {} of the highest variance is a dense product of the modes of {HELD} normals held ready, 4 KB a normal, the best of \
+             the six ways above; or evaluates the modes at each normal, by the generator in f64, not made for speed. A scene within a tolerance \
+             differs from picture to picture: each round takes another of {PAIRS} pairs. Errors: rms of the peak, against the direct \
+             sum (15) over all modes in f64, median and worst of those pairs.",
+            names.len()
+        ),
+        heads: ["time of nine terms", "who is ahead", "rms error", "at worst"]
+            .map(String::from)
+            .to_vec(),
+        rows: Vec::new(),
+    };
+    let mut row = |way: String, ratio: Option<f64>, standing: String, errors: Vec<Option<f64>>| {
+        table.rows.push(Row { way, ratio, standing, errors });
+    };
+    let ahead = |ratio: Option<f64>, ours: &str| {
+        ratio.map_or(String::new(), |ratio| standing(ours, "the formula", 1.0 / ratio))
+    };
+    let of_nine = errors(&view, &subjects, |_, subject| {
+        with_best_albedo(&nine_terms_image(&view, subject), &subject.truth, &view.weights)
+    });
+    row("nine terms".into(), ratio(0), String::new(), of_nine);
+    let of_full = errors(&view, &subjects, |_, subject| view.shade(&subject.full));
+    row("full scene".into(), ratio(1), ahead(ratio(1), "the full scene"), of_full);
+    for (k, share) in WITHIN.into_iter().enumerate() {
+        let of_scene = errors(&view, &subjects, |_, subject| view.shade(&subject.within[k]));
+        let standing = ahead(ratio(2 + k), "the scene");
+        row(format!("scene within {share:e}"), ratio(2 + k), standing, of_scene);
+    }
+    let of_modes =
+        errors(&view, &subjects, |k, _| seen.iter().map(|row| dot(row, &c[k])).collect());
+    let full = ratio(1).unwrap_or(1.0);
+    for (way, ratio) in [("held ready", ratios.as_ref().map(best)), ("evaluated", ratio(4))] {
+        let standing = ratio
+            .map_or(String::new(), |ratio| standing("the full scene", "the sum", ratio / full));
+        row(format!("1,000 modes, {way}"), ratio, standing, of_modes.clone());
+    }
+    table
+}

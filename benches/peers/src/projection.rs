@@ -1,0 +1,163 @@
+//! A light on a material to 50 coefficients, against dense products.
+
+use crate::dense::{Dense, Vector, WAYS};
+use crate::interleaved::{Way, median_and_worst, ratios};
+use crate::modes;
+use crate::report::{Row, Table, standing};
+use crate::shipped::{Pair, Shipped, View};
+use eigenshade::{Tolerance, sphere};
+use eigenshade_generator::truth::Truth;
+use std::hint::black_box;
+
+/// A dense product takes up to a quarter longer with where its matrix lies: rounds take these
+/// in turn.
+const PLACES: usize = 5;
+const ROUNDS: usize = 27 * PLACES;
+/// Pairs for the errors.
+const PAIRS: usize = 45;
+
+/// Rows of UᵀM over some modes and c over the same, in single precision.
+struct Product {
+    places: Vec<Dense>,
+    c: Vec<Vector>,
+}
+
+impl Product {
+    fn new(rows: &[Vec<f64>], c: &[Vec<f64>], kept: &[bool]) -> Self {
+        let single = |values: &Vec<f64>| -> Vec<f32> {
+            modes::only(values, kept).into_iter().map(|value| value as f32).collect()
+        };
+        let rows: Vec<Vec<f32>> = rows.iter().map(single).collect();
+        Self {
+            places: (0..PLACES).map(|_| Dense::new(&rows)).collect(),
+            c: c.iter().map(|c| Vector::new(&single(c))).collect(),
+        }
+    }
+
+    fn run(&self, way: usize, round: usize, d: &mut Vector) {
+        self.places[round % PLACES].multiply(way, &self.c[round % self.c.len()], black_box(d));
+    }
+}
+
+/// The comparison; times only if `measured`.
+pub fn table(shipped: &Shipped, measured: bool) -> Table {
+    let pairs = shipped.pairs(PAIRS);
+    let c: Vec<Vec<f64>> = pairs.iter().map(modes::coefficients).collect();
+    let rows = modes::rows(shipped);
+    let kept = modes::selected(shipped);
+    let all = Product::new(&rows, &c, &vec![true; kept.len()]);
+    let thousand = Product::new(&rows, &c, &kept);
+
+    let view = View::new();
+    let truth = Truth::new(sphere::DEGREE, sphere::ORDER);
+    let at = view.modes(&truth);
+    let images: Vec<Vec<f64>> = pairs.iter().map(|pair| View::image(&at, pair)).collect();
+    // Of d, of its largest, the worst; of the image, of the peak, median and worst.
+    let errors = |d: &mut dyn FnMut(usize) -> Vec<f32>| {
+        let (mut of_d, mut of_image) = (0.0f64, Vec::new());
+        for (k, (c, image)) in c.iter().zip(&images).enumerate() {
+            let d = d(k);
+            let dot = |row: &Vec<f64>| row.iter().zip(c).map(|(a, b)| a * b).sum::<f64>();
+            let exact: Vec<f64> = rows.iter().map(dot).collect();
+            let largest = exact.iter().fold(0.0, |most: f64, d| most.max(d.abs()));
+            let off = exact.iter().zip(&d).map(|(exact, &d)| (exact - f64::from(d)).abs());
+            of_d = of_d.max(off.fold(0.0, f64::max) / largest);
+            of_image.push(view.error(image, &shaded(&view, &d)));
+        }
+        [&[Some(of_d)], &median_and_worst(&of_image)[..]].concat()
+    };
+
+    let transfers: Vec<sphere::Transfer> = pairs
+        .iter()
+        .map(|pair| sphere::transfer(&pair.material_single()).expect("it fits"))
+        .collect();
+    let ds: Vec<sphere::Coefficients> = pairs.iter().map(Pair::project).collect();
+    let relit = |k: usize| sphere::relight(&transfers[k], &pairs[k].light_single());
+    let mut room = [0.0f32; sphere::SCENE];
+    let mut outs: Vec<Vector> =
+        (0..2 * WAYS.len()).map(|_| Vector::zeros(sphere::COMPONENTS)).collect();
+    let ratios = measured.then(|| {
+        let mut ways = vec![
+            Way::new(|round| drop(black_box(black_box(&pairs[round % PAIRS]).project()))),
+            Way::new(|round| drop(black_box(relit(black_box(round % PAIRS))))),
+            Way::new(|round| drop(black_box(sphere::collapse(black_box(&ds[round % PAIRS]))))),
+            Way::new(|round| {
+                let mut lengths = [0; 16];
+                let within = sphere::BASIS.collapse_within(
+                    black_box(&ds[round % PAIRS]),
+                    Tolerance::OfPeak(1e-2),
+                    &mut lengths,
+                    black_box(&mut room[..]),
+                );
+                within.map(drop).expect("it fits");
+            }),
+        ];
+        for (k, d) in outs.iter_mut().enumerate() {
+            let (product, way) = (if k < WAYS.len() { &all } else { &thousand }, k % WAYS.len());
+            ways.push(Way::new(move |round| product.run(way, round, d)));
+        }
+        ratios(ROUNDS, &mut ways)
+    });
+    let ratio = |k: usize| ratios.as_ref().map(|ratios| ratios[k]);
+    let none = vec![None; 3];
+
+    let mut table = Table {
+        title: "A light on a material: d = UᵀMc",
+        note: format!(
+            "One channel, f32, {} components. The dense products have UᵀM over all {} modes, or over the {} of the \
+             highest variance, and c ready made; `project` starts from the light and the material. `relight` has the material folded \
+             in before. Error of d: largest, of the largest d, against the dense product in f64; of the image: rms of the peak, against the \
+             direct sum (15) over all modes in f64, where it is what {} components leave. Of {PAIRS} shipped lights on shipped materials: the worst d, the median \
+             and the worst image.",
+            sphere::COMPONENTS,
+            kept.len(),
+            kept.iter().filter(|&&is_kept| is_kept).count(),
+            sphere::COMPONENTS,
+        ),
+        heads: ["time of `project`", "who is ahead", "error of d", "of the image", "at worst"]
+            .map(String::from)
+            .to_vec(),
+        rows: Vec::new(),
+    };
+    let mut row = |way: String, ratio: Option<f64>, standing: String, errors: Vec<Option<f64>>| {
+        table.rows.push(Row { way, ratio, standing, errors });
+    };
+    let project = errors(&mut |k| ds[k].iter().copied().collect());
+    row("`project`".into(), ratio(0), String::new(), project);
+    let relight = errors(&mut |k| relit(k).expect("it fits").iter().copied().collect());
+    row("`relight`".into(), ratio(1), String::new(), relight);
+    let ahead = |ratio: Option<f64>, theirs: &str| {
+        ratio.map_or(String::new(), |ratio| standing("`project`", theirs, ratio))
+    };
+    for (way, name) in WAYS.iter().enumerate() {
+        let ratio = ratio(4 + way);
+        let library = name.split(',').next().unwrap_or(name);
+        let errors = errors(&mut |k| product(&all, way, k));
+        row(format!("dense, {name}"), ratio, ahead(ratio, library), errors);
+    }
+    let best = (0..WAYS.len()).filter_map(|way| Some((ratio(4 + WAYS.len() + way)?, way)));
+    let best = best.min_by(|a, b| a.0.total_cmp(&b.0));
+    let (ratio_of_best, way) = best.map_or((None, 1), |(ratio, way)| (Some(ratio), way));
+    let errors_of_best = errors(&mut |k| product(&thousand, way, k));
+    row(
+        "dense, 1,000 modes, the best of the six".into(),
+        ratio_of_best,
+        ahead(ratio_of_best, "the dense product"),
+        errors_of_best,
+    );
+    row("`collapse`, which both need".into(), ratio(2), String::new(), none.clone());
+    row("`collapse_within` 1e-2 in its place".into(), ratio(3), String::new(), none);
+    table
+}
+
+fn product(product: &Product, way: usize, k: usize) -> Vec<f32> {
+    let mut d = Vector::zeros(sphere::COMPONENTS);
+    product.places[0].multiply(way, &product.c[k], &mut d);
+    d.of(way).to_vec()
+}
+
+/// The image of coefficients at every normal.
+fn shaded(view: &View, d: &[f32]) -> Vec<f64> {
+    let scene = sphere::BASIS.collapse::<{ sphere::SCENE }>(d).expect("it fits");
+    view.shade(&scene)
+}

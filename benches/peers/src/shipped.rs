@@ -1,0 +1,151 @@
+//! The shipped table, lights and materials, and a sample of their pairs with the truth of
+//! each: the direct sum (15) over all 3,704 modes in f64.
+
+use eigenshade::{Light, Material, Normal, Scene, sphere};
+use eigenshade_generator::database::Named;
+use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
+use eigenshade_generator::special::gauss_legendre;
+use eigenshade_generator::truth::{Modes, Truth};
+use eigenshade_table::Table;
+use std::error::Error;
+use std::f64::consts::TAU;
+use std::path::{Path, PathBuf};
+
+/// The project's folder.
+pub fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+/// Lights and materials in f64: luminance, of the table's degree and order.
+pub struct Shipped {
+    pub table: Table,
+    pub lights: Vec<Named>,
+    pub materials: Vec<Named>,
+}
+
+impl Shipped {
+    pub fn read() -> Result<Self, Box<dyn Error>> {
+        let tables = root().join("tables");
+        let lights = read_lights(tables.join("inputs/lights.csv"), Some(sphere::DEGREE))?;
+        let materials = read_materials(tables.join("inputs/materials.csv"), Some(sphere::ORDER))?;
+        let table = eigenshade_table::decode(&std::fs::read(tables.join("sphere.bin"))?)?;
+        Ok(Self { table, lights: lights.entries, materials: materials.entries })
+    }
+
+    /// `count` pairs spread over all of them.
+    pub fn pairs(&self, count: usize) -> Vec<Pair> {
+        let all = self.lights.len() * self.materials.len();
+        let pair = |k: usize| {
+            let place = (2 * k + 1) * all / (2 * count);
+            let light = &self.lights[place % self.lights.len()];
+            let material = &self.materials[place / self.lights.len()];
+            Pair::new(light.luminance(), material.luminance())
+        };
+        (0..count).map(pair).collect()
+    }
+
+    /// Every light, as far as a degree, on a white matte.
+    pub fn on_matte(&self, degree: usize) -> Vec<Pair> {
+        let pair = |light: &Named| {
+            let mut light = light.luminance();
+            light[eigenshade_index::light::count(degree)..].fill(0.0);
+            Pair::new(light, white_matte())
+        };
+        self.lights.iter().map(pair).collect()
+    }
+}
+
+/// f = 1/π.
+pub fn white_matte() -> Vec<f64> {
+    let mut matte = vec![0.0; eigenshade_index::material::count(sphere::ORDER)];
+    matte[0] = 2.0;
+    matte
+}
+
+/// One channel of a light and a material.
+pub struct Pair {
+    pub light: Vec<f64>,
+    pub material: Vec<f64>,
+    light_single: Vec<f32>,
+    material_single: Vec<f32>,
+}
+
+impl Pair {
+    fn new(light: Vec<f64>, material: Vec<f64>) -> Self {
+        let single = |of: &[f64]| of.iter().map(|&value| value as f32).collect();
+        let (light_single, material_single) = (single(&light), single(&material));
+        Self { light, material, light_single, material_single }
+    }
+
+    pub fn light_single(&self) -> Light<'_, f32> {
+        Light::new(sphere::DEGREE, &self.light_single).expect("coefficients of its degree")
+    }
+
+    pub fn material_single(&self) -> Material<'_, f32> {
+        Material::new(sphere::ORDER, &self.material_single).expect("coefficients of its order")
+    }
+
+    pub fn project(&self) -> sphere::Coefficients {
+        sphere::project(&self.light_single(), &self.material_single()).expect("it fits")
+    }
+}
+
+/// Normals at which images are compared.
+pub struct View {
+    /// Unit, z >= 0.
+    pub normals: Vec<[f64; 3]>,
+    /// That integrate squares over a sphere's disc; 0 of the pole and the rim, where only a
+    /// peak may be.
+    pub weights: Vec<f64>,
+}
+
+/// Normals of the rim.
+const RIM: usize = 64;
+
+impl View {
+    pub fn new() -> Self {
+        let around = 2 * sphere::DEGREE + 2;
+        let (mut normals, mut weights) = (Vec::new(), Vec::new());
+        for (z, weight) in gauss_legendre::rule(24, 0.0, 1.0) {
+            let sine = (1.0 - z * z).sqrt();
+            for k in 0..around {
+                let (y, x) = (TAU * k as f64 / around as f64).sin_cos();
+                normals.push([sine * x, sine * y, z]);
+                weights.push(2.0 * z * weight / around as f64);
+            }
+        }
+        normals.push([0.0, 0.0, 1.0]);
+        normals.extend((0..RIM).map(|k| {
+            let (y, x) = (TAU * k as f64 / RIM as f64).sin_cos();
+            [x, y, 0.0]
+        }));
+        weights.resize(normals.len(), 0.0);
+        Self { normals, weights }
+    }
+
+    pub fn modes<'a>(&self, truth: &'a Truth) -> Vec<Modes<'a>> {
+        self.normals.iter().map(|&normal| truth.at(normal)).collect()
+    }
+
+    /// The true image of a pair.
+    pub fn image(modes: &[Modes<'_>], pair: &Pair) -> Vec<f64> {
+        let at = |modes: &Modes<'_>| modes.irradiance(&pair.light, &modes.scatter(&pair.material));
+        modes.iter().map(at).collect()
+    }
+
+    /// The image of a scene.
+    pub fn shade(&self, scene: &Scene<'_, impl AsRef<[f32]>>) -> Vec<f64> {
+        let at = |&[x, y, z]: &[f64; 3]| {
+            let normal = Normal::new(x as f32, y as f32, z as f32).expect("visible");
+            f64::from(scene.shade(normal))
+        };
+        self.normals.iter().map(at).collect()
+    }
+
+    /// Root mean square of the difference over a sphere, of the peak of the truth.
+    pub fn error(&self, truth: &[f64], image: &[f64]) -> f64 {
+        let peak = truth.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+        let squares = truth.iter().zip(image).zip(&self.weights);
+        squares.map(|((a, b), weight)| weight * (a - b).powi(2)).sum::<f64>().sqrt() / peak
+    }
+}

@@ -1,0 +1,116 @@
+//! Pairs of light and material made ready for pixels: by the formula of nine terms, as a full
+//! scene, and as scenes within a tolerance.
+
+use crate::interleaved::{Way, median_and_worst};
+use crate::nine_terms;
+use crate::shipped::{Pair, View};
+use eigenshade::{Normals, Scene, Tolerance, sphere};
+use eigenshade_generator::truth::Modes;
+use std::hint::black_box;
+
+/// Tolerances, of the peak.
+pub const WITHIN: [f32; 2] = [1e-3, 1e-2];
+
+/// What scenes within the tolerances borrow.
+pub type Lengths = [[u16; 16]; WITHIN.len()];
+
+/// A pair's scenes and true image.
+pub struct Subject<'l> {
+    pub nine: [f32; 9],
+    pub full: sphere::Scene,
+    pub within: Vec<Scene<'l, [f32; sphere::SCENE]>>,
+    pub truth: Vec<f64>,
+}
+
+/// One for each pair; `lengths` has a place for each.
+pub fn subjects<'l>(
+    pairs: &[Pair],
+    modes: &[Modes<'_>],
+    lengths: &'l mut [Lengths],
+) -> Vec<Subject<'l>> {
+    let subject = |(pair, lengths): (&Pair, &'l mut Lengths)| {
+        let d = pair.project();
+        let scene = |(share, lengths): (f32, &'l mut [u16; 16])| {
+            let (share, room) = (Tolerance::OfPeak(share), [0.0; sphere::SCENE]);
+            sphere::BASIS.collapse_within(&d, share, lengths, room).expect("it fits").0
+        };
+        Subject {
+            nine: nine_terms::coefficients(&pair.light).map(|value| value as f32),
+            full: sphere::collapse(&d).expect("it fits"),
+            within: WITHIN.into_iter().zip(lengths).map(scene).collect(),
+            truth: View::image(modes, pair),
+        }
+    };
+    pairs.iter().zip(lengths).map(subject).collect()
+}
+
+/// A picture's normals and room for its pixels.
+pub struct Picture {
+    axes: [Vec<f32>; 3],
+}
+
+impl Picture {
+    /// Of normals over the visible hemisphere.
+    pub fn new(pixels: usize) -> Self {
+        let normal = |k: usize| {
+            let z = (k as f64 + 0.5) / pixels as f64;
+            let (sine, tilt) = ((1.0 - z * z).sqrt(), 2.399_963 * k as f64);
+            [sine * tilt.cos(), sine * tilt.sin(), z].map(|value| value as f32)
+        };
+        let axes = std::array::from_fn(|axis| (0..pixels).map(|k| normal(k)[axis]).collect());
+        Self { axes }
+    }
+
+    pub fn axes(&self) -> [&[f32]; 3] {
+        std::array::from_fn(|axis| &self.axes[axis][..])
+    }
+
+    fn out(&self) -> Vec<f32> {
+        vec![0.0; self.axes[0].len()]
+    }
+
+    /// The formula of nine terms of the round's subject.
+    pub fn nine_terms<'a>(&'a self, subjects: &'a [Subject<'_>]) -> Way<'a> {
+        let mut out = self.out();
+        Way::new(move |round| {
+            let nine = &subjects[round % subjects.len()].nine;
+            nine_terms::slice(black_box(nine), self.axes(), black_box(&mut out));
+        })
+    }
+
+    /// The scene that `of` takes of the round's subject.
+    pub fn shade<'a, B: AsRef<[f32]> + 'a>(
+        &'a self,
+        subjects: &'a [Subject<'a>],
+        of: impl Fn(&'a Subject<'a>) -> &'a Scene<'a, B> + 'a,
+    ) -> Way<'a> {
+        let mut out = self.out();
+        Way::new(move |round| {
+            let [x, y, z] = self.axes();
+            let normals = Normals::new(x, y, z).expect("one length");
+            let scene = of(&subjects[round % subjects.len()]);
+            black_box(scene).shade_slice(black_box(normals), black_box(&mut out)).expect("room");
+        })
+    }
+}
+
+/// Errors of an image of each subject, of the peak: median and worst.
+pub fn errors<'l>(
+    view: &View,
+    subjects: &[Subject<'l>],
+    image: impl Fn(usize, &Subject<'l>) -> Vec<f64>,
+) -> Vec<Option<f64>> {
+    let error =
+        |(k, subject): (usize, &Subject<'l>)| view.error(&subject.truth, &image(k, subject));
+    let errors: Vec<f64> = subjects.iter().enumerate().map(error).collect();
+    median_and_worst(&errors).to_vec()
+}
+
+/// The formula's image.
+pub fn nine_terms_image(view: &View, subject: &Subject<'_>) -> Vec<f64> {
+    let axes: [Vec<f32>; 3] =
+        [0, 1, 2].map(|axis| view.normals.iter().map(|normal| normal[axis] as f32).collect());
+    let mut image = vec![0.0; view.normals.len()];
+    nine_terms::slice(&subject.nine, axes.each_ref().map(Vec::as_slice), &mut image);
+    image.into_iter().map(f64::from).collect()
+}
