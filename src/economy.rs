@@ -4,16 +4,17 @@
 //! Components are orthonormal, so leaving some out costs Σ d_i², the mean square over the
 //! normals; what terms cost is in [`terms`].
 
-mod series;
+mod basis;
+mod density;
 mod terms;
 
 use crate::basis::Basis;
-use crate::error::Error;
+use crate::error::{Error, What};
 use crate::mathematics::{Libm, Mathematics};
 use crate::normal::Normal;
 use crate::scalar::Scalar;
 use crate::scene::Scene;
-use terms::shortened;
+use terms::{from_orthonormal, spared, to_orthonormal};
 
 /// What an image may be off, root mean square over a sphere's normals.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -94,15 +95,27 @@ impl<S: Scalar> Basis<'_, S> {
                 break;
             }
         }
-        let scene = match components {
-            all if all == coefficients.len() => scene,
-            some => self
-                .collapse_into(coefficients.get(..some).unwrap_or_default(), scene.into_buffer())?,
-        };
-        let of_components = Libm::square_root(energy);
-        let (scene, terms, squares) = shortened(scene, tolerance - of_components, lengths)?;
-        let azimuths = scene.lengths().len();
-        let bound = of_components + Libm::square_root(squares);
+        let originals = scene.lengths();
+        let found = lengths.len();
+        let lengths = lengths.get_mut(..originals.len()).ok_or(Error::Length {
+            what: What::Lengths,
+            expected: originals.len(),
+            found,
+        })?;
+        lengths.copy_from_slice(originals);
+        // Components that are left out have no part in terms that are, so the squares add.
+        let mut buffer = scene.into_buffer();
+        to_orthonormal(originals, buffer.as_mut());
+        let squares = energy + spared(originals, lengths, buffer.as_ref(), tolerance * tolerance - energy);
+        if components < coefficients.len() {
+            let some = coefficients.get(..components).unwrap_or_default();
+            buffer = self.collapse_into(some, buffer)?.into_buffer();
+            to_orthonormal(originals, buffer.as_mut());
+        }
+        let terms = from_orthonormal(originals, lengths, buffer.as_mut());
+        let azimuths = lengths.iter().rposition(|&length| length > 0).map_or(0, |last| last + 1);
+        let bound = Libm::square_root(squares);
+        let scene = Scene::of(lengths.get(..azimuths).unwrap_or_default(), buffer);
         Ok((scene, Economy { components, azimuths, terms, bound, peak }))
     }
 }
