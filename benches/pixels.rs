@@ -4,14 +4,24 @@
 //!
 //! With `-- --write` the figures go into that page, between the marks of the target.
 
-use eigenshade::{Economy, Light, Material, Normals, Scene, Tolerance, sphere};
+use eigenshade::{
+    BakedMap, Economy, Light, Lookup, MapPoint, Material, Normal, Normals, Scene, Tolerance, sphere,
+};
 use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
+use std::fmt::Write as _;
 use std::hint::black_box;
 use std::path::Path;
 use std::time::Instant;
 
 /// Few enough that normals and irradiances stay in the second cache.
 const PIXELS: usize = 16_384;
+const PAGE: &str = "docs/performance.md";
+/// What the page calls the target.
+const TARGET: &str = if cfg!(target_feature = "fma") { "native" } else { "default" };
+/// Lengths of the shipped table's polynomials.
+const FULL: [u16; 7] = [14, 14, 13, 12, 12, 13, 12];
+const NINE: [f32; 9] = [0.9, 0.2, -0.1, 0.5, 0.05, 0.02, -0.03, 0.01, 0.07];
+const REPEATS: usize = 400;
 const ROUNDS: usize = 41;
 /// Independent sums that hide the latency of a multiplication and an addition.
 const CHAINS: usize = 12;
@@ -139,24 +149,59 @@ fn mattes() -> Vec<Vec<f32>> {
     lights.entries.iter().map(|light| coefficients(&single(light.luminance()), 0, &[2.0])).collect()
 }
 
-/// What is timed: it is called so often in a round, for so many pixels each.
+/// What is timed.
 struct Way<'a> {
     name: String,
-    /// Multiply-adds a pixel.
+    /// Multiply-adds of a call.
     arithmetic: usize,
+    /// Numbers that one instruction of the way takes.
+    lanes: usize,
+    /// Pixels of a call; none of what makes no pixels.
+    pixels: Option<usize>,
     run: Box<dyn FnMut() + 'a>,
     times: Vec<f64>,
 }
 
+impl<'a> Way<'a> {
+    fn new(name: impl Into<String>, arithmetic: usize, run: impl FnMut() + 'a) -> Self {
+        let (name, run) = (name.into(), Box::new(run));
+        Self { name, arithmetic, lanes: LANES, pixels: None, run, times: Vec::new() }
+    }
+
+    /// What shades all normals, at so many multiply-adds a pixel.
+    fn pixels(name: impl Into<String>, arithmetic: usize, run: impl FnMut() + 'a) -> Self {
+        Self { pixels: Some(PIXELS), ..Self::new(name, arithmetic, run) }
+    }
+
+    fn scene(name: &str, image: &'a Trimmed, slices: Normals<'a, f32>) -> Self {
+        let mut out = vec![0.0; PIXELS];
+        let name = format!("{name}: {}", lengths(&image.lengths));
+        Self::pixels(name, image.cost(), move || {
+            let scene = black_box(&image.scene);
+            scene.shade_slice(black_box(slices), black_box(&mut out)).expect("one length");
+        })
+    }
+
+    /// What takes one normal after the other, a number an instruction.
+    fn one_by_one(self) -> Self {
+        Self { lanes: 1, ..self }
+    }
+}
+
+fn lengths(lengths: &[u16]) -> String {
+    lengths.iter().map(ToString::to_string).collect::<Vec<_>>().join(" ")
+}
+
 /// Seconds of each way, medians of interleaved rounds.
-fn interleaved(ways: &mut [Way<'_>], repeats: usize) -> Vec<f64> {
+fn interleaved(ways: &mut [Way<'_>]) -> Vec<f64> {
     for _ in 0..ROUNDS {
         for way in &mut *ways {
+            let repeats = if way.pixels.is_some() { 4 } else { 500 };
             let start = Instant::now();
             for _ in 0..repeats {
                 (way.run)();
             }
-            way.times.push(start.elapsed().as_secs_f64() / repeats as f64);
+            way.times.push(start.elapsed().as_secs_f64() / f64::from(repeats));
         }
     }
     let middle = |way: &mut Way<'_>| {
@@ -166,54 +211,119 @@ fn interleaved(ways: &mut [Way<'_>], repeats: usize) -> Vec<f64> {
     ways.iter_mut().map(middle).collect()
 }
 
-fn main() {
-    // `cargo test --benches` only checks that it compiles.
-    if !std::env::args().any(|argument| argument == "--bench") {
-        return;
-    }
+/// The page's table.
+fn report() -> String {
     let xyz = normals();
     let axes = [&xyz[0][..], &xyz[1], &xyz[2]];
     let slices = Normals::new(axes[0], axes[1], axes[2]).expect("one length");
-    let shaded = |scene: &Image| {
-        let (scene, mut out) = (*scene, vec![0.0; PIXELS]);
-        Box::new(move || black_box(&scene).shade_slice(black_box(slices), &mut out).expect("one length"))
-    };
-    let way = |name: &str, arithmetic, run| Way { name: name.into(), arithmetic, run, times: Vec::new() };
+    let each: Vec<_> = (0..PIXELS)
+        .map(|k| Normal::new(axes[0][k], axes[1][k], axes[2][k]).expect("visible"))
+        .collect();
     let database = database();
-    let full = Trimmed {
-        scene: sphere::BASIS.collapse_into(&database[database.len() / 2], [0.0; sphere::SCENE]).expect("sizes"),
-        lengths: vec![14, 14, 13, 12, 12, 13, 12],
-    };
-    let repeats = PIXELS / CHAINS / LANES * 64;
-    let (mut nine, c) = (vec![0.0; PIXELS], [0.9, 0.2, -0.1, 0.5, 0.05, 0.02, -0.03, 0.01, 0.07]);
-    let mut ways = vec![
-        way("limit", 64, Box::new(move || drop(black_box(multiply_adds(repeats, black_box(0.3), black_box(0.5)))))),
-        way("nine terms", 11, Box::new(move || nine_terms(black_box(&c), black_box(axes), &mut nine))),
-        way("full", full.cost(), shaded(&full.scene)),
-    ];
-    for share in [1e-4, 1e-3, 1e-2] {
-        let image = median(&database, share);
-        println!("{share}: {:?}", image.lengths);
-        ways.push(way(&format!("{share}"), image.cost(), shaded(&image.scene)));
-    }
+    let image = &database[database.len() / 2];
+    let full = sphere::BASIS.collapse_into(image, [0.0; sphere::SCENE]).expect("sizes");
+    let full = Trimmed { scene: full, lengths: FULL.to_vec() };
+    let trimmed = [1e-4, 1e-3, 1e-2].map(|share| (share, median(&database, share)));
     let mut mattes: Vec<_> = mattes().iter().map(|d| Trimmed::new(d, 1e-2)).collect();
     mattes.sort_by_key(Trimmed::cost);
-    for image in [&mattes[0], &mattes[mattes.len() / 2], &mattes[mattes.len() - 1]] {
-        println!("matte: {:?}", image.lengths);
-        ways.push(way("matte", image.cost(), shaded(&image.scene)));
-    }
     let light: Vec<f32> = (0..9).map(|k| 3.5 / (1.0 + k as f32)).collect();
-    let image = Trimmed::new(&coefficients(&light, 0, &[2.0]), 1e-2);
-    println!("matte2: {:?}", image.lengths);
-    ways.push(way("matte2", image.cost(), shaded(&image.scene)));
-    let image = Trimmed::new(&coefficients(&[3.5], 0, &[2.0]), 1e-2);
-    println!("ambient: {:?}", image.lengths);
-    ways.push(way("ambient", image.cost(), shaded(&image.scene)));
-    let times = interleaved(&mut ways, 4);
-    let pixel = |time: f64| 1e9 * time / PIXELS as f64;
-    let product = times[0] / (repeats * CHAINS * LANES) as f64 * 1e9;
-    println!("{product:.5} ns");
-    for (way, time) in ways.iter().zip(&times) {
-        println!("{:10} {:4} {:.4} ns {:.1} % {:.2}", way.name, way.arithmetic, pixel(*time), 100.0 * product * way.arithmetic as f64 / pixel(*time), time / times[1]);
+    let matte = Trimmed::new(&coefficients(&light, 0, &[2.0]), 1e-3);
+    let ambient = Trimmed::new(&coefficients(&[3.5], 0, &[2.0]), 1e-3);
+    let lookup: Lookup<f32, Vec<f32>> =
+        full.scene.lookup_into(32, vec![0.0; full.scene.lookup_len::<f32>(32)]).expect("sizes");
+    let baked: BakedMap<f32, Vec<f32>> =
+        full.scene.bake_into(64, vec![0.0; 64 * 64]).expect("sizes");
+    let (light, material) = (vec![0.1; 100], vec![0.1; 40]);
+    let light = Light::new(9, &light).expect("a light");
+    let material = Material::new(7, &material).expect("a material");
+    let transfer = sphere::transfer(&material).expect("it fits");
+
+    let mut nine = vec![0.0; PIXELS];
+    let [mut by_knots, mut by_texels] = [(); 2].map(|()| vec![0.0; PIXELS]);
+    let mut ways = vec![
+        Way::new("limit", REPEATS * CHAINS * LANES, || {
+            black_box(multiply_adds(black_box(REPEATS), black_box(0.3), black_box(0.5)));
+        }),
+        Way::pixels("nine-term formula", 11, || {
+            nine_terms(black_box(&NINE), black_box(axes), black_box(&mut nine));
+        }),
+        Way::scene("full scene", &full, slices),
+    ];
+    for (share, image) in &trimmed {
+        ways.push(Way::scene(&format!("median image within {share:e}"), image, slices));
+    }
+    for (which, image) in [("least", 0), ("median", mattes.len() / 2), ("most", mattes.len() - 1)] {
+        ways.push(Way::scene(&format!("matte within 1e-2, {which}"), &mattes[image], slices));
+    }
+    ways.extend([
+        Way::scene("matte, light of degree 2, within 1e-3", &matte, slices),
+        Way::scene("matte, ambient light, within 1e-3", &ambient, slices),
+        Way::pixels("look-up, 32 knots, cubic", 91, || {
+            for (out, &normal) in by_knots.iter_mut().zip(black_box(&each)) {
+                *out = lookup.cubic(normal);
+            }
+            black_box(&by_knots);
+        })
+        .one_by_one(),
+        Way::pixels("baked, 64 x 64, bilinear", 9, || {
+            for (out, &normal) in by_texels.iter_mut().zip(black_box(&each)) {
+                *out = baked.bilinear(MapPoint::of(normal));
+            }
+            black_box(&by_texels);
+        })
+        .one_by_one(),
+        Way::new("`relight`", 570, || {
+            black_box(sphere::relight(black_box(&transfer), black_box(&light)).expect("it fits"));
+        }),
+        Way::new("`collapse`", 650, || {
+            let d = black_box(image).as_slice().try_into().expect("50 coefficients");
+            black_box(sphere::collapse(&d).expect("it fits"));
+        }),
+        Way::new("`project`", 7200, || {
+            black_box(sphere::project(black_box(&light), black_box(&material)).expect("it fits"));
+        }),
+    ]);
+    let times = interleaved(&mut ways);
+    let product = times[0] / (REPEATS * CHAINS * LANES) as f64;
+    let mut page = format!(
+        "A multiply-add takes {:.4} ns of {LANES} numbers at once.\n\n\
+         | path: terms of azimuths 0, 1, ... | multiply-adds | limit, ns | found, ns | of the limit | nine-term pixels |\n\
+         |---|---:|---:|---:|---:|---:|\n",
+        1e9 * product * LANES as f64
+    );
+    for (way, time) in ways.iter().zip(&times).skip(1) {
+        let time = time / way.pixels.unwrap_or(1) as f64;
+        let limit = way.arithmetic as f64 * product * (LANES / way.lanes) as f64;
+        let nine = times[1] / PIXELS as f64;
+        let of_nine = way.pixels.map_or(String::new(), |_| format!("{:.2}", time / nine));
+        let (share, limit, found) = (100.0 * limit / time, 1e9 * limit, 1e9 * time);
+        let Way { name, arithmetic, .. } = way;
+        let _ = writeln!(
+            page,
+            "| {name} | {arithmetic} | {limit:.3} | {found:.3} | {share:.0} % | {of_nine} |"
+        );
+    }
+    page
+}
+
+/// Puts the table between the marks of the target.
+fn write(table: &str) {
+    let page = std::fs::read_to_string(PAGE).expect("the page");
+    let (start, end) = (format!("<!-- {TARGET} -->\n"), format!("<!-- end of {TARGET} -->"));
+    let from = page.find(&start).expect("a mark") + start.len();
+    let to = page.find(&end).expect("a mark");
+    let page = format!("{}{table}{}", &page[..from], &page[to..]);
+    std::fs::write(PAGE, page).expect("the page");
+}
+
+fn main() {
+    // `cargo test --benches` only checks that it compiles.
+    let asked = |what: &str| std::env::args().any(|argument| argument == what);
+    if asked("--bench") {
+        let table = report();
+        println!("{table}");
+        if asked("--write") {
+            write(&table);
+        }
     }
 }

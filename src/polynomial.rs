@@ -34,10 +34,7 @@ pub(crate) fn values<S: Scalar, const N: usize>(terms: &[S], t: &[S; N]) -> [S; 
 
 /// Two polynomials' values, of as many terms, at a block of arguments.
 #[inline(always)]
-pub(crate) fn pairs<S: Scalar, const N: usize>(
-    [one, other]: [&[S]; 2],
-    t: &[S; N],
-) -> [[S; N]; 2] {
+pub(crate) fn pairs<S: Scalar, const N: usize>([one, other]: [&[S]; 2], t: &[S; N]) -> [[S; N]; 2] {
     let (Some((&first, rest)), Some((&second, others))) = (one.split_first(), other.split_first())
     else {
         return [[S::ZERO; N]; 2];

@@ -75,10 +75,12 @@ impl<S: Scalar> Density<S> {
     pub(super) fn sizes(&self) -> impl Iterator<Item = S> {
         let mut square = self.weight();
         let four = S::from_whole(4);
-        core::iter::once(square).chain(self.below.iter().skip(1).map(move |&below| {
-            square = four * below * square;
-            square
-        })).map(Libm::square_root)
+        core::iter::once(square)
+            .chain(self.below.iter().skip(1).map(move |&below| {
+                square = four * below * square;
+                square
+            }))
+            .map(Libm::square_root)
     }
 }
 

@@ -100,7 +100,8 @@ fn cheapest<S: Scalar>(
                 some => usize::from(some),
             };
             let saved = S::from_whole(signs(azimuth) * products);
-            let better = best.as_ref().is_none_or(|best| squares * best.saved < best.squares * saved);
+            let better =
+                best.as_ref().is_none_or(|best| squares * best.saved < best.squares * saved);
             if better && (saved > S::ZERO || squares == S::ZERO) {
                 best = Some(Cut { azimuth, terms, squares, saved });
             }
