@@ -232,7 +232,7 @@ impl<'a, B> Scene<'a, B> {
         B: AsRef<[S]>,
     {
         let Normal { x, y, z } = normal;
-        let [irradiance] = shade::block(self.descent(), &[x], &[y], &[z]);
+        let [irradiance] = shade::block::<S, true, 1>(self.descent(), &[x], &[y], &[z]);
         irradiance
     }
 }
@@ -244,6 +244,13 @@ pub(crate) struct Descent<'s, S> {
     pub(crate) lengths: &'s [u16],
     pub(crate) pole: &'s [S],
     around: &'s [S],
+}
+
+impl<S> Descent<'_, S> {
+    /// Whether some polynomial has more terms.
+    pub(crate) fn any_longer_than(&self, terms: usize) -> bool {
+        self.pole.len() > terms || self.lengths.iter().any(|&length| usize::from(length) > terms)
+    }
 }
 
 impl<'s, S> Iterator for Descent<'s, S> {

@@ -4,6 +4,7 @@ mod nine;
 mod tile;
 
 use crate::error::{Error, What};
+use crate::index::layout::POWERS;
 use crate::normal::Normals;
 use crate::polynomial;
 use crate::scalar::Scalar;
@@ -54,23 +55,31 @@ impl<B> Scene<'_, B> {
             for (((x, y), z), out) in x.iter().zip(y).zip(z).zip(out) {
                 tile::tile(polynomials, [x, y, z], out);
             }
-            blocks(polynomials, [x_rest, y_rest, z_rest], out_rest);
+            blocks::<S, false>(polynomials, [x_rest, y_rest, z_rest], out_rest);
+        } else if polynomials.any_longer_than(POWERS) {
+            blocks::<S, true>(polynomials, [normals.x, normals.y, normals.z], irradiance);
         } else {
-            blocks(polynomials, [normals.x, normals.y, normals.z], irradiance);
+            blocks::<S, false>(polynomials, [normals.x, normals.y, normals.z], irradiance);
         }
         Ok(())
     }
 }
 
 /// The irradiances of normals of these components, block by block.
-fn blocks<S: Scalar>(polynomials: Descent<'_, S>, axes: [&[S]; 3], irradiance: &mut [S]) {
+#[inline(never)]
+fn blocks<S: Scalar, const LONG: bool>(
+    polynomials: Descent<'_, S>,
+    axes: [&[S]; 3],
+    irradiance: &mut [S],
+) {
     let [(x, x_rest), (y, y_rest), (z, z_rest)] = axes.map(<[S]>::as_chunks::<BLOCK>);
     let (out, out_rest) = irradiance.as_chunks_mut::<BLOCK>();
     for (((x, y), z), out) in x.iter().zip(y).zip(z).zip(out) {
-        *out = block(polynomials, x, y, z);
+        *out = block::<S, LONG, BLOCK>(polynomials, x, y, z);
     }
     if !out_rest.is_empty() {
-        let block = block(polynomials, &padded(x_rest), &padded(y_rest), &padded(z_rest));
+        let [x, y, z] = [padded(x_rest), padded(y_rest), padded(z_rest)];
+        let block = block::<S, LONG, BLOCK>(polynomials, &x, &y, &z);
         for (out, value) in out_rest.iter_mut().zip(block) {
             *out = value;
         }
@@ -78,9 +87,9 @@ fn blocks<S: Scalar>(polynomials: Descent<'_, S>, axes: [&[S]; 3], irradiance: &
 }
 
 /// The irradiances of a block of normals: Re Σ_m (P_m + i Q_m) w̄^m, w = n_x + i n_y, by
-/// Horner's rule from the highest azimuth down.
+/// Horner's rule from the highest azimuth down. `LONG` as for [`polynomial::values`].
 #[inline(always)]
-pub(crate) fn block<S: Scalar, const N: usize>(
+pub(crate) fn block<S: Scalar, const LONG: bool, const N: usize>(
     mut polynomials: Descent<'_, S>,
     x: &[S; N],
     y: &[S; N],
@@ -88,11 +97,11 @@ pub(crate) fn block<S: Scalar, const N: usize>(
 ) -> [S; N] {
     let t = z.map(argument);
     let Some((plus, minus)) = polynomials.next() else {
-        return polynomial::values(polynomials.pole, &t);
+        return polynomial::values::<S, LONG, N>(polynomials.pole, &t);
     };
-    let [mut real, mut imaginary] = polynomial::pairs([plus, minus], &t);
+    let [mut real, mut imaginary] = polynomial::pairs::<S, LONG, N>([plus, minus], &t);
     for (plus, minus) in polynomials.by_ref() {
-        let [plus, minus] = polynomial::pairs([plus, minus], &t);
+        let [plus, minus] = polynomial::pairs::<S, LONG, N>([plus, minus], &t);
         let above = real.iter_mut().zip(&mut imaginary);
         let here = plus.iter().zip(&minus).zip(x.iter().zip(y));
         for ((real, imaginary), ((&plus, &minus), (&x, &y))) in above.zip(here) {
@@ -102,7 +111,7 @@ pub(crate) fn block<S: Scalar, const N: usize>(
             );
         }
     }
-    let mut sums = polynomial::values(polynomials.pole, &t);
+    let mut sums = polynomial::values::<S, LONG, N>(polynomials.pole, &t);
     let above = real.iter().zip(&imaginary).zip(x.iter().zip(y));
     for (sum, ((&real, &imaginary), (&x, &y))) in sums.iter_mut().zip(above) {
         *sum = sum.add_product(real, x).add_product(imaginary, y);

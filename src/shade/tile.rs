@@ -13,13 +13,12 @@ use crate::scene::{Descent, argument};
 pub(super) const TILE: usize = 64;
 
 /// Most terms of a polynomial: of longer ones blocks are faster.
-const MOST: u16 = 8;
+const MOST: usize = 8;
 
 /// Whether tiles are faster than blocks for these polynomials, on this target.
 pub(super) fn fits<S>(polynomials: &Descent<'_, S>) -> bool {
     cfg!(all(target_arch = "x86_64", not(target_feature = "avx512f")))
-        && polynomials.pole.len() <= usize::from(MOST)
-        && polynomials.lengths.iter().all(|&length| length <= MOST)
+        && !polynomials.any_longer_than(MOST)
 }
 
 /// P_m + i Q_m of the azimuths above, summed by Horner's rule in w̄, at a tile's normals.
