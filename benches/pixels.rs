@@ -192,7 +192,8 @@ fn lengths(lengths: &[u16]) -> String {
     lengths.iter().map(ToString::to_string).collect::<Vec<_>>().join(" ")
 }
 
-/// Seconds of each way, medians of interleaved rounds.
+/// Seconds of each way, the least of interleaved rounds: what another program on the machine
+/// took is not in it.
 fn interleaved(ways: &mut [Way<'_>]) -> Vec<f64> {
     for _ in 0..ROUNDS {
         for way in &mut *ways {
@@ -204,11 +205,8 @@ fn interleaved(ways: &mut [Way<'_>]) -> Vec<f64> {
             way.times.push(start.elapsed().as_secs_f64() / f64::from(repeats));
         }
     }
-    let middle = |way: &mut Way<'_>| {
-        way.times.sort_by(f64::total_cmp);
-        way.times[ROUNDS / 2]
-    };
-    ways.iter_mut().map(middle).collect()
+    let least = |way: &Way<'_>| way.times.iter().copied().fold(f64::INFINITY, f64::min);
+    ways.iter().map(least).collect()
 }
 
 /// The page's table.

@@ -18,7 +18,7 @@ const BLOCK: usize = if cfg!(target_feature = "avx512f") {
 } else if cfg!(target_feature = "avx2") {
     32
 } else if cfg!(target_arch = "x86_64") {
-    24
+    20
 } else if cfg!(all(target_arch = "wasm32", not(target_feature = "simd128"))) {
     8
 } else {
