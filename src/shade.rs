@@ -25,6 +25,9 @@ const BLOCK: usize = if cfg!(target_feature = "avx512f") {
     16
 };
 
+/// Whether the loop is there twice, with long series and without: where code may be large.
+const TWICE: bool = cfg!(any(target_arch = "x86_64", target_arch = "aarch64"));
+
 impl<B> Scene<'_, B> {
     /// The irradiance of each normal, into `irradiance`.
     ///
@@ -56,7 +59,7 @@ impl<B> Scene<'_, B> {
                 tile::tile(polynomials, [x, y, z], out);
             }
             blocks::<S, false>(polynomials, [x_rest, y_rest, z_rest], out_rest);
-        } else if polynomials.any_longer_than(POWERS) {
+        } else if !TWICE || polynomials.any_longer_than(POWERS) {
             blocks::<S, true>(polynomials, [normals.x, normals.y, normals.z], irradiance);
         } else {
             blocks::<S, false>(polynomials, [normals.x, normals.y, normals.z], irradiance);
