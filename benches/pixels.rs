@@ -117,8 +117,8 @@ fn within<'l>(
 /// d of each light on each material of the database.
 fn database() -> Vec<Vec<f32>> {
     let inputs = Path::new("tables/inputs");
-    let lights = read_lights(&inputs.join("lights.csv"), Some(9)).expect("lights");
-    let materials = read_materials(&inputs.join("materials.csv"), Some(7)).expect("materials");
+    let lights = read_lights(inputs.join("lights.csv"), Some(9)).expect("lights");
+    let materials = read_materials(inputs.join("materials.csv"), Some(7)).expect("materials");
     let single = |values: Vec<f64>| values.iter().map(|&value| value as f32).collect::<Vec<_>>();
     let pairs = lights.entries.iter().flat_map(|light| {
         materials.entries.iter().map(|material| {

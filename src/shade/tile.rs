@@ -58,7 +58,7 @@ pub(super) fn tile<S: Scalar>(
     if let Some((plus, minus)) = polynomials.next() {
         of_known_length!(plus.len(), highest(plus, minus, &mut sums));
     }
-    while let Some((plus, minus)) = polynomials.next() {
+    for (plus, minus) in polynomials.by_ref() {
         of_known_length!(plus.len(), azimuth(plus, minus, &mut sums));
     }
     of_known_length!(polynomials.pole.len(), pole(polynomials.pole, &sums, out));
