@@ -2,18 +2,20 @@
 //! a tolerance holds.
 //!
 //! Components are orthonormal, so leaving some out costs Σ d_i², the mean square over the
-//! normals; what terms cost is in [`terms`].
+//! normals; what terms cost is in [`terms`]. What components lack lies within the terms that
+//! stay, what terms lack outside them: the squares add.
 
-mod series;
+mod basis;
+mod density;
 mod terms;
 
 use crate::basis::Basis;
-use crate::error::Error;
+use crate::error::{Error, What};
 use crate::mathematics::{Libm, Mathematics};
 use crate::normal::Normal;
 use crate::scalar::Scalar;
 use crate::scene::Scene;
-use terms::shortened;
+use terms::{from_orthonormal, spared, to_orthonormal};
 
 /// What an image may be off, root mean square over a sphere's normals.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,8 +38,8 @@ pub struct Economy<S> {
     pub components: usize,
     /// Azimuths |m| from 0 on that are left.
     pub azimuths: usize,
-    /// Terms of all polynomials: a pixel costs a multiplication for each, and six for each
-    /// azimuth but the first.
+    /// Terms of all polynomials: a pixel costs a multiplication for each but a polynomial's
+    /// first, and four for each azimuth but the first.
     pub terms: usize,
     /// At most so far is the image off that of all components, root mean square over a
     /// sphere's normals; rounding apart.
@@ -46,7 +48,8 @@ pub struct Economy<S> {
     pub peak: S,
 }
 
-/// What of the tolerance is for components: terms are what a pixel costs.
+/// What of the tolerance is for components, a sixteenth of its square: terms are what a pixel
+/// costs.
 const COMPONENTS: f64 = 0.25;
 
 /// Where the peak is looked for: toward the camera, and slants of these cosines and sines,
@@ -61,13 +64,13 @@ const SLANTS: [(f64, f64); 5] = [
 
 impl<S: Scalar> Basis<'_, S> {
     /// A cheaper scene within a tolerance of that of all `coefficients`:
-    /// [`collapse_into`](Self::collapse_into), then fewer components, azimuths and terms. A
-    /// quarter of the tolerance is for components, the rest for terms.
+    /// [`collapse_into`](Self::collapse_into), then fewer components, azimuths and terms.
     ///
     /// The scene's polynomials lie at the beginning of `buffer`, of length
     /// [`scene_len`](Self::scene_len); their lengths in `lengths`, which has room for
-    /// [`azimuths`](Self::azimuths). Set-up cost: two collapses, 41 pixels, and for each term
-    /// that goes a look at each azimuth.
+    /// [`azimuths`](Self::azimuths). Polynomials of more than 64 terms stay as they are. Set-up
+    /// cost: two collapses, 41 pixels, four products for each pair of terms of a polynomial
+    /// three times over, and for each cut a look at all terms. Stack: some 460 numbers.
     ///
     /// # Errors
     ///
@@ -94,15 +97,28 @@ impl<S: Scalar> Basis<'_, S> {
                 break;
             }
         }
-        let scene = match components {
-            all if all == coefficients.len() => scene,
-            some => self
-                .collapse_into(coefficients.get(..some).unwrap_or_default(), scene.into_buffer())?,
-        };
-        let of_components = Libm::square_root(energy);
-        let (scene, terms, squares) = shortened(scene, tolerance - of_components, lengths)?;
-        let azimuths = scene.lengths().len();
-        let bound = of_components + Libm::square_root(squares);
+        let originals = scene.lengths();
+        let found = lengths.len();
+        let lengths = lengths.get_mut(..originals.len()).ok_or(Error::Length {
+            what: What::Lengths,
+            expected: originals.len(),
+            found,
+        })?;
+        lengths.copy_from_slice(originals);
+        // Components that are left out have no part in terms that are, so the squares add.
+        let mut buffer = scene.into_buffer();
+        to_orthonormal(originals, buffer.as_mut());
+        let squares =
+            energy + spared(originals, lengths, buffer.as_ref(), tolerance * tolerance - energy);
+        if components < coefficients.len() {
+            let some = coefficients.get(..components).unwrap_or_default();
+            buffer = self.collapse_into(some, buffer)?.into_buffer();
+            to_orthonormal(originals, buffer.as_mut());
+        }
+        let terms = from_orthonormal(originals, lengths, buffer.as_mut());
+        let azimuths = lengths.iter().rposition(|&length| length > 0).map_or(0, |last| last + 1);
+        let bound = Libm::square_root(squares);
+        let scene = Scene::of(lengths.get(..azimuths).unwrap_or_default(), buffer);
         Ok((scene, Economy { components, azimuths, terms, bound, peak }))
     }
 }

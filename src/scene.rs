@@ -7,6 +7,7 @@ use crate::normal::Normal;
 use crate::polynomial;
 use crate::projection::zeros;
 use crate::scalar::Scalar;
+use crate::shade;
 
 /// Room for a collapsed scene.
 pub type SceneBuffer<S, const N: usize> = heapless::Vec<S, N>;
@@ -173,15 +174,6 @@ impl<'a, B> Scene<'a, B> {
         self.buffer.as_mut()
     }
 
-    /// The terms of all polynomials, to be changed.
-    #[inline]
-    pub(crate) fn numbers_mut<S: Scalar>(&mut self) -> &mut [S]
-    where
-        B: AsMut<[S]>,
-    {
-        self.buffer.as_mut()
-    }
-
     /// What the terms lie in.
     #[inline]
     pub(crate) fn into_buffer(self) -> B {
@@ -216,6 +208,21 @@ impl<'a, B> Scene<'a, B> {
         })
     }
 
+    /// The polynomials, from the highest azimuth down.
+    #[inline]
+    pub(crate) fn descent<S: Scalar>(&self) -> Descent<'_, S>
+    where
+        B: AsRef<[S]>,
+    {
+        let last = self.lengths.iter().rposition(|&length| length > 0);
+        let lengths = self.lengths.get(..=last.unwrap_or(0)).unwrap_or_default();
+        let terms = self.buffer.as_ref();
+        let (&pole, lengths) = lengths.split_first().unwrap_or((&0, &[]));
+        let (pole, around) = terms.split_at_checked(usize::from(pole)).unwrap_or_default();
+        let len = lengths.iter().map(|&length| 2 * usize::from(length)).sum();
+        Descent { lengths, pole, around: around.get(..len).unwrap_or_default() }
+    }
+
     /// The irradiance of one normal, in the light's radiance times steradian
     /// times the material's 1/sr.
     #[inline]
@@ -224,14 +231,37 @@ impl<'a, B> Scene<'a, B> {
     where
         B: AsRef<[S]>,
     {
-        let t = argument(normal.z);
-        let (mut cosine, mut sine) = (S::ONE, S::ZERO);
-        let mut sum = S::ZERO;
-        for (plus, minus) in self.azimuths() {
-            sum = sum.add_product(polynomial::value(plus, t), cosine);
-            sum = sum.add_product(polynomial::value(minus, t), sine);
-            (cosine, sine) = turned(cosine, sine, normal.x, normal.y);
-        }
-        sum
+        let Normal { x, y, z } = normal;
+        let [irradiance] = shade::block::<S, true, 1>(self.descent(), &[x], &[y], &[z]);
+        irradiance
+    }
+}
+
+/// A scene's polynomials, from the highest azimuth that has any down: of +m and -m together.
+#[derive(Clone, Copy)]
+pub(crate) struct Descent<'s, S> {
+    /// Of m = 1, 2, ...
+    pub(crate) lengths: &'s [u16],
+    pub(crate) pole: &'s [S],
+    around: &'s [S],
+}
+
+impl<S> Descent<'_, S> {
+    /// Whether some polynomial has more terms.
+    pub(crate) fn any_longer_than(&self, terms: usize) -> bool {
+        self.pole.len() > terms || self.lengths.iter().any(|&length| usize::from(length) > terms)
+    }
+}
+
+impl<'s, S> Iterator for Descent<'s, S> {
+    type Item = (&'s [S], &'s [S]);
+
+    #[inline]
+    fn next(&mut self) -> Option<Self::Item> {
+        let (&length, lower) = self.lengths.split_last()?;
+        let length = usize::from(length);
+        let (rest, of_both) = self.around.split_at_checked(self.around.len() - 2 * length)?;
+        (self.lengths, self.around) = (lower, rest);
+        of_both.split_at_checked(length)
     }
 }

@@ -1,21 +1,32 @@
 //! Shading of many normals at a time, written so that the compiler vectorises it.
 
+mod nine;
+mod tile;
+
 use crate::error::{Error, What};
+use crate::index::layout::POWERS;
 use crate::normal::Normals;
 use crate::polynomial;
 use crate::scalar::Scalar;
-use crate::scene::{Scene, argument, turned};
+use crate::scene::{Descent, Scene, argument};
+use nine::Nine;
+use tile::TILE;
 
 /// Normals in one block: as many as keep a target's vector registers busy.
 const BLOCK: usize = if cfg!(target_feature = "avx512f") {
     64
 } else if cfg!(target_feature = "avx2") {
     32
+} else if cfg!(target_arch = "x86_64") {
+    20
 } else if cfg!(all(target_arch = "wasm32", not(target_feature = "simd128"))) {
     8
 } else {
     16
 };
+
+/// Whether the loop is there twice, with long series and without: where code may be large.
+const TWICE: bool = cfg!(any(target_arch = "x86_64", target_arch = "aarch64"));
 
 impl<B> Scene<'_, B> {
     /// The irradiance of each normal, into `irradiance`.
@@ -35,42 +46,80 @@ impl<B> Scene<'_, B> {
         B: AsRef<[S]>,
     {
         Error::check(What::Normals, normals.len(), irradiance.len())?;
-        let (x, x_rest) = normals.x.as_chunks::<BLOCK>();
-        let (y, y_rest) = normals.y.as_chunks::<BLOCK>();
-        let (z, z_rest) = normals.z.as_chunks::<BLOCK>();
-        let (out, out_rest) = irradiance.as_chunks_mut::<BLOCK>();
-        for (((x, y), z), out) in x.iter().zip(y).zip(z).zip(out) {
-            *out = self.shade_block(x, y, z);
-        }
-        if !out_rest.is_empty() {
-            let block = self.shade_block(&padded(x_rest), &padded(y_rest), &padded(z_rest));
-            for (out, value) in out_rest.iter_mut().zip(block) {
-                *out = value;
+        let polynomials = self.descent();
+        if let ([], [] | [_]) = (polynomials.lengths, polynomials.pole) {
+            irradiance.fill(polynomials.pole.first().copied().unwrap_or(S::ZERO));
+        } else if let Some(nine) = Nine::new(polynomials) {
+            nine.shade(normals, irradiance);
+        } else if tile::fits(&polynomials) {
+            let [(x, x_rest), (y, y_rest), (z, z_rest)] =
+                [normals.x, normals.y, normals.z].map(<[S]>::as_chunks::<TILE>);
+            let (out, out_rest) = irradiance.as_chunks_mut::<TILE>();
+            for (((x, y), z), out) in x.iter().zip(y).zip(z).zip(out) {
+                tile::tile(polynomials, [x, y, z], out);
             }
+            blocks::<S, false>(polynomials, [x_rest, y_rest, z_rest], out_rest);
+        } else if !TWICE || polynomials.any_longer_than(POWERS) {
+            blocks::<S, true>(polynomials, [normals.x, normals.y, normals.z], irradiance);
+        } else {
+            blocks::<S, false>(polynomials, [normals.x, normals.y, normals.z], irradiance);
         }
         Ok(())
     }
+}
 
-    #[inline]
-    fn shade_block<S: Scalar>(&self, x: &[S; BLOCK], y: &[S; BLOCK], z: &[S; BLOCK]) -> [S; BLOCK]
-    where
-        B: AsRef<[S]>,
-    {
-        let t = z.map(argument);
-        let (mut cosines, mut sines) = ([S::ONE; BLOCK], [S::ZERO; BLOCK]);
-        let mut sums = [S::ZERO; BLOCK];
-        for (plus, minus) in self.azimuths() {
-            let plus = polynomial::values(plus, &t);
-            let minus = polynomial::values(minus, &t);
-            let around = cosines.iter_mut().zip(&mut sines).zip(x.iter().zip(y));
-            let values = plus.iter().zip(&minus).zip(&mut sums);
-            for (((cosine, sine), (&x, &y)), ((&plus, &minus), sum)) in around.zip(values) {
-                *sum = sum.add_product(plus, *cosine).add_product(minus, *sine);
-                (*cosine, *sine) = turned(*cosine, *sine, x, y);
-            }
-        }
-        sums
+/// The irradiances of normals of these components, block by block.
+#[inline(never)]
+fn blocks<S: Scalar, const LONG: bool>(
+    polynomials: Descent<'_, S>,
+    axes: [&[S]; 3],
+    irradiance: &mut [S],
+) {
+    let [(x, x_rest), (y, y_rest), (z, z_rest)] = axes.map(<[S]>::as_chunks::<BLOCK>);
+    let (out, out_rest) = irradiance.as_chunks_mut::<BLOCK>();
+    for (((x, y), z), out) in x.iter().zip(y).zip(z).zip(out) {
+        *out = block::<S, LONG, BLOCK>(polynomials, x, y, z);
     }
+    if !out_rest.is_empty() {
+        let [x, y, z] = [padded(x_rest), padded(y_rest), padded(z_rest)];
+        let block = block::<S, LONG, BLOCK>(polynomials, &x, &y, &z);
+        for (out, value) in out_rest.iter_mut().zip(block) {
+            *out = value;
+        }
+    }
+}
+
+/// The irradiances of a block of normals: Re Σ_m (P_m + i Q_m) w̄^m, w = n_x + i n_y, by
+/// Horner's rule from the highest azimuth down. `LONG` as for [`polynomial::values`].
+#[inline(always)]
+pub(crate) fn block<S: Scalar, const LONG: bool, const N: usize>(
+    mut polynomials: Descent<'_, S>,
+    x: &[S; N],
+    y: &[S; N],
+    z: &[S; N],
+) -> [S; N] {
+    let t = z.map(argument);
+    let Some((plus, minus)) = polynomials.next() else {
+        return polynomial::values::<S, LONG, N>(polynomials.pole, &t);
+    };
+    let [mut real, mut imaginary] = polynomial::pairs::<S, LONG, N>([plus, minus], &t);
+    for (plus, minus) in polynomials.by_ref() {
+        let [plus, minus] = polynomial::pairs::<S, LONG, N>([plus, minus], &t);
+        let above = real.iter_mut().zip(&mut imaginary);
+        let here = plus.iter().zip(&minus).zip(x.iter().zip(y));
+        for ((real, imaginary), ((&plus, &minus), (&x, &y))) in above.zip(here) {
+            (*real, *imaginary) = (
+                plus.add_product(*real, x).add_product(*imaginary, y),
+                minus.add_product(*imaginary, x).add_product(-*real, y),
+            );
+        }
+    }
+    let mut sums = polynomial::values::<S, LONG, N>(polynomials.pole, &t);
+    let above = real.iter().zip(&imaginary).zip(x.iter().zip(y));
+    for (sum, ((&real, &imaginary), (&x, &y))) in sums.iter_mut().zip(above) {
+        *sum = sum.add_product(real, x).add_product(imaginary, y);
+    }
+    sums
 }
 
 /// The rest of a slice, filled up to a block with zeros.

@@ -1,143 +1,149 @@
 //! The terms of a scene's polynomials that a tolerance spares.
 //!
-//! What a polynomial loses is read off its Chebyshev series in t. Azimuths are orthogonal over
-//! a sphere, and in the mean of sin^2m T_k² a T_k² counts 0.64 at most, so terms that are left
-//! out cost at most Σ_m w_m ((Σ s_k |c_m,k|)² + (Σ s_k |c_-m,k|)²) squared, s_0 = 1, s_k = 0.8,
-//! w_0 = 1 and w_m = 1 / (2 (m + 1)), the mean of sin^2m cos². Terms are left out one by one,
-//! always that which adds the least: few are left, not provably the fewest.
+//! Written in polynomials that are orthogonal over a sphere's normals, as azimuths are, terms
+//! cost what Parseval says when they are left out: the sum of their squares, no more; and those
+//! that stay are the nearest image that so many terms can show. They go from the highest of an
+//! azimuth down, of +m and -m together, always those that add the least for what a pixel saves:
+//! few are left, not provably the fewest.
 
-use super::series::{to_chebyshev, to_powers};
-use super::size;
-use crate::error::{Error, What};
+use super::basis::{Chebyshev, Powers, rewrite};
+use super::density::{Density, longest};
 use crate::index::layout::POWERS;
 use crate::scalar::Scalar;
-use crate::scene::Scene;
 
-/// At most so large is the root mean square of T_k, k > 0, under sin^2m over a sphere, m <= 64.
-const ROOT_MEAN_SQUARE: f64 = 0.8;
-
-/// The mean over a sphere of sin^2m, times that of cos² mβ.
-fn weight<S: Scalar>(azimuth: usize) -> S {
-    match azimuth {
-        0 => S::ONE,
-        m => S::from_whole(2 * m + 2).reciprocal(),
-    }
-}
-
-/// The scene without the terms that `tolerance` spares, how many are left, and the square of
-/// what they lack.
-pub(super) fn shortened<'l, S: Scalar, B: AsMut<[S]>>(
-    mut scene: Scene<'_, B>,
-    tolerance: S,
-    lengths: &'l mut [u16],
-) -> Result<(Scene<'l, B>, usize, S), Error> {
-    let originals = scene.lengths();
-    let found = lengths.len();
-    let lengths = lengths.get_mut(..originals.len()).ok_or(Error::Length {
-        what: What::Lengths,
-        expected: originals.len(),
-        found,
-    })?;
-    lengths.copy_from_slice(originals);
-    let numbers = scene.numbers_mut();
-    each(originals, |start, length, _| {
-        with(numbers, start, length, |terms| to_chebyshev(terms));
-    });
-    let squares = drop_terms(originals, lengths, numbers, tolerance * tolerance);
-    let mut end = 0;
-    each(originals, |start, original, azimuth| {
-        let length = lengths.get(azimuth).copied().map_or(0, usize::from);
-        let first = start + original - length;
-        // It moves toward the beginning, never past what is still to move.
-        for k in 0..length {
-            let term = numbers.get(first + k).copied().unwrap_or_default();
-            if let Some(place) = numbers.get_mut(end + k) {
-                *place = term;
-            }
-        }
-        with(numbers, end, length, |terms| to_powers(terms));
-        end += length;
-    });
-    let left = lengths.iter().rposition(|&length| length > 0).map_or(0, |last| last + 1);
-    let lengths = lengths.get(..left).unwrap_or_default();
-    Ok((Scene::of(lengths, scene.into_buffer()), end, squares))
-}
-
-/// Each polynomial's start, length and azimuth.
-fn each(lengths: &[u16], mut visit: impl FnMut(usize, usize, usize)) {
-    let mut start = 0;
-    for (azimuth, &length) in lengths.iter().enumerate() {
-        let length = usize::from(length);
-        for _ in 0..signs(azimuth) {
-            visit(start, length, azimuth);
-            start += length;
-        }
-    }
-}
-
-fn signs(azimuth: usize) -> usize {
+/// Polynomials of an azimuth.
+const fn signs(azimuth: usize) -> usize {
     if azimuth == 0 { 1 } else { 2 }
 }
 
-fn with<S>(numbers: &mut [S], start: usize, length: usize, change: impl FnOnce(&mut [S])) {
-    if let Some(terms) = numbers.get_mut(start..start + length) {
-        change(terms);
+/// Rewrites a scene's polynomials in orthonormal ones; those that are too long stay.
+pub(super) fn to_orthonormal<S: Scalar>(lengths: &[u16], mut numbers: &mut [S]) {
+    let mut density = Density::new(lengths);
+    for (azimuth, &length) in lengths.iter().enumerate() {
+        let length = usize::from(length);
+        let both = numbers.split_at_mut_checked(signs(azimuth) * length);
+        let Some((both, rest)) = both else { return };
+        numbers = rest;
+        if length <= longest(azimuth) {
+            for terms in both.chunks_exact_mut(length.max(1)) {
+                if length > POWERS {
+                    rewrite(terms, &Chebyshev, &density);
+                } else {
+                    rewrite(terms, &Powers, &density);
+                }
+                for (term, size) in terms.iter_mut().rev().zip(density.sizes()) {
+                    *term = *term * size;
+                }
+            }
+        }
+        density.next();
     }
 }
 
-/// Leaves out terms while what they cost, squared, is allowed. In the place of a term that
-/// is left out stands the sum of the sizes of it and those before it.
-fn drop_terms<S: Scalar>(
+/// Shortens `lengths`, at first the polynomials' own, as long as what is left out is within
+/// `allowed`; gives what that is, squared.
+pub(super) fn spared<S: Scalar>(
     originals: &[u16],
     lengths: &mut [u16],
-    numbers: &mut [S],
+    numbers: &[S],
     allowed: S,
 ) -> S {
     let mut squares = S::ZERO;
-    loop {
-        let mut least: Option<(usize, usize, S)> = None;
-        let mut start = 0;
-        for (azimuth, (&original, &length)) in originals.iter().zip(lengths.iter()).enumerate() {
-            let (original, length) = (usize::from(original), usize::from(length));
-            if length > shortest(original) {
-                let mut more = S::ZERO;
-                for sign in 0..signs(azimuth) {
-                    let place = start + sign * original + original - length;
-                    let (before, term) = sums(numbers, place, length, original);
-                    more = more.add_product(term, term + before + before);
-                }
-                more = more * weight(azimuth);
-                if least.is_none_or(|(_, _, least)| more < least) {
-                    least = Some((azimuth, start, more));
-                }
-            }
-            start += signs(azimuth) * original;
+    while let Some(cut) = cheapest(originals, lengths, numbers, allowed - squares) {
+        squares += cut.squares;
+        if let Some(length) = lengths.get_mut(cut.azimuth) {
+            *length -= cut.terms;
         }
-        let least = least.filter(|(_, _, more)| squares + *more <= allowed);
-        let Some((azimuth, start, more)) = least else { return squares };
-        squares += more;
-        let original = originals.get(azimuth).copied().map_or(0, usize::from);
-        let Some(length) = lengths.get_mut(azimuth) else { return squares };
-        for sign in 0..signs(azimuth) {
-            let place = start + sign * original + original - usize::from(*length);
-            let (before, term) = sums(numbers, place, usize::from(*length), original);
-            if let Some(place) = numbers.get_mut(place) {
-                *place = before + term;
-            }
-        }
-        *length -= 1;
     }
+    squares
 }
 
-/// What was left out before a place, and what the last of `length` terms, there, would add.
-fn sums<S: Scalar>(numbers: &[S], place: usize, length: usize, original: usize) -> (S, S) {
-    let at = |place: usize| numbers.get(place).copied().unwrap_or_default();
-    let before = if length < original { at(place - 1) } else { S::ZERO };
-    let scale = if length == 1 { S::ONE } else { S::from_f64(ROOT_MEAN_SQUARE) };
-    (before, scale * size(at(place)))
+/// Terms of an azimuth to be left out: of +m and of -m so many.
+struct Cut<S> {
+    azimuth: usize,
+    terms: u16,
+    squares: S,
+    /// Products that a pixel saves.
+    saved: S,
 }
 
-/// How short a polynomial may become: what is a Chebyshev series stays one.
-fn shortest(original: usize) -> usize {
-    if original > POWERS { POWERS + 1 } else { 0 }
+/// What saves most for what it costs, of all that costs no more than allowed.
+fn cheapest<S: Scalar>(
+    originals: &[u16],
+    lengths: &[u16],
+    numbers: &[S],
+    allowed: S,
+) -> Option<Cut<S>> {
+    let highest = lengths.iter().rposition(|&length| length > 0)?;
+    let (mut best, mut rest): (Option<Cut<S>>, _) = (None, numbers);
+    for (azimuth, (&original, &length)) in originals.iter().zip(lengths).enumerate() {
+        let (plus, after) = rest.split_at_checked(usize::from(original))?;
+        let of_minus = (signs(azimuth) - 1) * usize::from(original);
+        let (minus, after) = after.split_at_checked(of_minus)?;
+        rest = after;
+        if usize::from(original) > longest(azimuth) {
+            continue;
+        }
+        let gone = usize::from(original - length);
+        let left = plus.iter().enumerate().skip(gone);
+        let mut squares = S::ZERO;
+        for ((place, &plus), terms) in left.zip(1..=length) {
+            let minus = minus.get(place).copied().unwrap_or_default();
+            squares = squares.add_product(plus, plus).add_product(minus, minus);
+            if squares > allowed {
+                break;
+            }
+            // The first term of a polynomial is no product; an azimuth is four.
+            let products = match terms {
+                all if all == length && azimuth == highest => usize::from(all) + 1,
+                all if all == length => usize::from(all) - 1,
+                some => usize::from(some),
+            };
+            let saved = S::from_whole(signs(azimuth) * products);
+            let better =
+                best.as_ref().is_none_or(|best| squares * best.saved < best.squares * saved);
+            if better && (saved > S::ZERO || squares == S::ZERO) {
+                best = Some(Cut { azimuth, terms, squares, saved });
+            }
+        }
+    }
+    best
+}
+
+/// Moves what is left of the polynomials to the beginning, as powers or series of these
+/// lengths; gives how many terms they are.
+pub(super) fn from_orthonormal<S: Scalar>(
+    originals: &[u16],
+    lengths: &[u16],
+    numbers: &mut [S],
+) -> usize {
+    let mut density = Density::<S>::new(originals);
+    let (mut start, mut end) = (0, 0);
+    for (azimuth, (&original, &length)) in originals.iter().zip(lengths).enumerate() {
+        let (original, length) = (usize::from(original), usize::from(length));
+        for _ in 0..signs(azimuth) {
+            let first = start + original - length;
+            // It moves toward the beginning, never past what is still to move.
+            for k in 0..length {
+                let term = numbers.get(first + k).copied().unwrap_or_default();
+                if let Some(place) = numbers.get_mut(end + k) {
+                    *place = term;
+                }
+            }
+            let terms = numbers.get_mut(end..end + length).unwrap_or_default();
+            if original <= longest(azimuth) {
+                for (term, size) in terms.iter_mut().rev().zip(density.sizes()) {
+                    *term = *term * size.reciprocal();
+                }
+                if length > POWERS {
+                    rewrite(terms, &density, &Chebyshev);
+                } else {
+                    rewrite(terms, &density, &Powers);
+                }
+            }
+            (start, end) = (start + original, end + length);
+        }
+        density.next();
+    }
+    end
 }
