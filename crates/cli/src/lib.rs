@@ -62,3 +62,5 @@ pub mod canvas;
 pub mod picture;
 
 pub mod paper;
+
+pub mod accuracy_cost;

@@ -9,12 +9,30 @@ const SHARE: usize = 16;
 
 /// f(k) for k = 0..count, in order; `progress` hears of each.
 pub fn map<T: Send>(count: usize, progress: &ProgressBar, f: impl Fn(usize) -> T + Sync) -> Vec<T> {
+    shared(SHARE, count, progress, f)
+}
+
+/// [`map`] of few long works: a thread takes one at a time.
+pub fn map_each<T: Send>(
+    count: usize,
+    progress: &ProgressBar,
+    f: impl Fn(usize) -> T + Sync,
+) -> Vec<T> {
+    shared(1, count, progress, f)
+}
+
+fn shared<T: Send>(
+    share: usize,
+    count: usize,
+    progress: &ProgressBar,
+    f: impl Fn(usize) -> T + Sync,
+) -> Vec<T> {
     let next = AtomicUsize::new(0);
     let work = || {
         let mut done = Vec::new();
         loop {
-            let start = next.fetch_add(SHARE, Ordering::Relaxed);
-            let share = start..count.min(start.saturating_add(SHARE));
+            let start = next.fetch_add(share, Ordering::Relaxed);
+            let share = start..count.min(start.saturating_add(share));
             if share.is_empty() {
                 return done;
             }
