@@ -10,10 +10,10 @@ use eigenshade_generator::truth::Truth;
 use indicatif::ProgressBar;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-/// Widest spacing of the normals, radians, and in wavelengths of the highest degree.
+/// Widest spacing of the normals, radians, and in radians over the highest degree.
 const WIDEST: f64 = 0.08;
 /// See [`WIDEST`].
-const IN_DEGREES: f64 = 0.9;
+const IN_DEGREES: f64 = 1.5;
 /// Normals at the very rim: they count for the largest error, not for the rms.
 const RIM: usize = 64;
 

@@ -11,8 +11,13 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Roughnesses of GGX.
 const ROUGH: [f64; 10] = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0];
-/// Roughnesses between those, for bases that were made of those.
-const BETWEEN: [f64; 5] = [0.15, 0.25, 0.45, 0.65, 0.85];
+/// Roughnesses of the formulas of which bases beyond the measured order are made, and such
+/// between them.
+const EVEN: [f64; 5] = [0.2, 0.4, 0.6, 0.8, 1.0];
+/// See [`EVEN`].
+const BETWEEN: [f64; 3] = [0.25, 0.45, 0.85];
+/// Of the lights every so-manieth shines on them.
+const STEP: usize = 3;
 
 /// What a basis of a degree and an order is made of and measured with.
 pub struct Scope {
@@ -29,6 +34,23 @@ pub struct Scope {
 }
 
 impl Scope {
+    /// A scope without materials that its basis never saw: of the measured materials as far
+    /// as they reach, above that of a few formulas.
+    ///
+    /// # Errors
+    ///
+    /// None in truth.
+    pub fn seen(degree: usize, order: usize) -> Result<Self> {
+        let measured = shipped::materials()?;
+        let seen = if order <= measured.order {
+            measured.truncated(order)
+        } else {
+            projected(&ggx(&EVEN, &[0.04, 0.9])?, order)
+        };
+        let unseen = Materials { order, entries: Vec::new() };
+        Ok(Self { degree, order, lights: shipped::lights()?.truncated(degree), seen, unseen })
+    }
+
     /// Of the measured materials as far as they reach, and GGX beside them; above that of
     /// formulas, and other formulas beside them.
     ///
@@ -37,16 +59,18 @@ impl Scope {
     /// None in truth.
     pub fn new(degree: usize, order: usize) -> Result<Self> {
         let measured = shipped::materials()?;
+        let mut lights = shipped::lights()?.truncated(degree);
         let (seen, mut others) = if order <= measured.order {
             (measured.truncated(order), ggx(&ROUGH, &[0.04, 0.9])?)
         } else {
-            let mut formulas = ggx(&ROUGH, &[0.04, 0.9])?;
+            let mut formulas = ggx(&EVEN, &[0.04, 0.9])?;
             formulas.extend(matte()?);
+            lights.entries = lights.entries.into_iter().step_by(STEP).collect();
             (projected(&formulas, order), ggx(&BETWEEN, &[0.04, 0.5])?)
         };
         others.extend(merl_like()?);
         let unseen = projected(&others, order);
-        Ok(Self { degree, order, lights: shipped::lights()?.truncated(degree), seen, unseen })
+        Ok(Self { degree, order, lights, seen, unseen })
     }
 }
 
@@ -63,13 +87,12 @@ fn ggx(roughness: &[f64], f0: &[f64]) -> Result<Vec<Surface>> {
     Ok(surfaces)
 }
 
+/// Matte surfaces.
 fn matte() -> Result<Vec<Surface>> {
-    let mut surfaces = vec![Surface::grey("lambertian".into(), Box::new(Lambertian::new(0.8)?))];
-    for sigma in [0.2, 0.35, 0.5] {
-        let brdf = OrenNayar::new(0.8, sigma)?;
-        surfaces.push(Surface::grey(format!("oren-nayar-{sigma}"), Box::new(brdf)));
-    }
-    Ok(surfaces)
+    Ok(vec![
+        Surface::grey("lambertian".into(), Box::new(Lambertian::new(0.8)?)),
+        Surface::grey("oren-nayar-0.35".into(), Box::new(OrenNayar::new(0.8, 0.35)?)),
+    ])
 }
 
 /// The surfaces whose model's error is measured, from matte to glossy.
@@ -78,12 +101,9 @@ fn matte() -> Result<Vec<Surface>> {
 ///
 /// None in truth.
 pub fn modelled() -> Result<Vec<Surface>> {
-    let mut surfaces = vec![
-        Surface::grey("lambertian".into(), Box::new(Lambertian::new(0.8)?)),
-        Surface::grey("oren-nayar-0.35".into(), Box::new(OrenNayar::new(0.8, 0.35)?)),
-    ];
-    surfaces.extend(ggx(&[0.7, 0.5, 0.3], &[0.04])?);
-    surfaces.extend(ggx(&[0.7, 0.5, 0.3], &[0.9])?);
+    let mut surfaces = matte()?;
+    surfaces.extend(ggx(&[0.5, 0.3], &[0.04])?);
+    surfaces.extend(ggx(&[0.7, 0.4], &[0.9])?);
     Ok(surfaces)
 }
 
@@ -137,8 +157,8 @@ impl Brdf for Coarse {
 fn projected(surfaces: &[Surface], order: usize) -> Materials {
     let hidden = ProgressBar::hidden();
     // One at a time, so that every core has some.
-    let entries: Vec<Vec<Named>> = parallel::map_each(surfaces.len(), &hidden, |k| {
-        vec![surfaces[k].project(order, Measure::Projected).material]
+    let entries: Vec<Named> = parallel::map_each(surfaces.len(), &hidden, |k| {
+        surfaces[k].project(order, Measure::Projected).material
     });
-    Materials { order, entries: entries.into_iter().flatten().collect() }
+    Materials { order, entries }
 }

@@ -1,5 +1,6 @@
 //! Every setting with its errors, bytes and prices.
 
+use super::Extent;
 use super::bases::Bases;
 use super::boards::Boards;
 use super::images::Images;
@@ -39,14 +40,13 @@ pub struct Point {
     pub prices: BTreeMap<Machine, Price>,
 }
 
-/// Measures every setting; with `timed` also what it takes.
+/// Measures every setting, or a part of them.
 ///
 /// # Errors
 ///
 /// None in truth.
 pub fn measure(
-    quick: bool,
-    timed: bool,
+    Extent { quick, timed }: Extent,
     models: &[Row],
     progress: &ProgressBar,
 ) -> Result<Vec<Point>> {

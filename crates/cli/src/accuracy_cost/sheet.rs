@@ -1,6 +1,7 @@
 //! The files of numbers: every point, and every surface of the model.
 
 use super::COMMAND;
+use super::growth::Growth;
 use super::machine::Machine;
 use super::method::Spread;
 use super::model::{MAPS, Row};
@@ -13,6 +14,8 @@ use eigenshade_generator::error::Result;
 pub const POINTS: &str = "accuracy-cost.csv";
 /// The file of the model's errors.
 pub const MODEL: &str = "model.csv";
+/// The file of what grows.
+pub const GROWTH: &str = "growth.csv";
 /// Significant digits of errors and costs.
 const DIGITS: usize = 4;
 
@@ -135,6 +138,27 @@ pub fn model(rows: &[Row]) -> Result<String> {
         fields
     };
     text(&model_columns(), rows.iter().map(row))
+}
+
+/// What grows as CSV: bytes and nanoseconds in columns of their own.
+///
+/// # Errors
+///
+/// None in truth.
+pub fn growth(growths: &[Growth]) -> Result<String> {
+    let columns = ["quantity", "measure", "unit", "size", "bytes", "host_ns"].map(str::to_owned);
+    let rows = growths.iter().flat_map(|growth| {
+        growth.points.iter().map(|&(size, value)| {
+            let is_time = growth.unit == "ns";
+            let names = [growth.quantity, growth.measure, growth.unit].map(str::to_owned);
+            let [bytes, time] = match is_time {
+                true => [String::new(), digits(value)],
+                false => [value.to_string(), String::new()],
+            };
+            names.into_iter().chain([size.to_string(), bytes, time]).collect()
+        })
+    });
+    text(&columns, rows)
 }
 
 /// CSV below the command's line.
