@@ -632,3 +632,19 @@ pub const RIM_INWARD: f32 = 1e-4;
 pub const QUARTER_TURN: f64 = 0.999;
 /// A polar integral of degree 9 and order 7 that is not zero, far above its rounding.
 pub const COUPLES: f64 = 1e-4;
+
+// What `eigenshade accuracy-cost --check` allows, and what its tests ask of its files.
+
+/// An error of a setting, relative: hosts round differently, and rounding may end a polynomial a term
+/// earlier or later, which moves the error of one cut short by a per cent.
+pub const COST_ERROR: f64 = 0.02;
+/// The same in any case: errors below that are roundings of f32, which fused multiplications halve.
+pub const COST_ROUNDING: f64 = 1e-6;
+/// Bytes, relative: such a term in all profiles of an azimuth.
+pub const COST_BYTES: f64 = 0.02;
+/// A fitted exponent of bytes, beside that of theory: lower powers are still there at the largest
+/// sizes, (24 / 2 + 1)² of the order, and rows of larger |m| are shorter.
+pub const COST_EXPONENT: f64 = 0.25;
+/// The rms of a setting's error on other normals, relative: a thousand rings' normals against two
+/// thousand spread evenly, with an error that stands at the rim.
+pub const COST_NORMALS: f64 = 0.05;

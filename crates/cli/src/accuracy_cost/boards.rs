@@ -56,7 +56,8 @@ impl Boards {
                 if text.is_empty() { Ok(None) } else { text.parse().map(Some).map_err(fault) }
             };
             let key = [board, operation, format].map(|column| row.text(column).to_owned());
-            let used = whole(ram)?.zip(whole(stack)?).map(|(ram, stack): (usize, usize)| ram + stack);
+            let used =
+                whole(ram)?.zip(whole(stack)?).map(|(ram, stack): (usize, usize)| ram + stack);
             let price = Price {
                 pixel: whole(instructions)?.map(|count: usize| count as f64),
                 light: None,
@@ -80,9 +81,6 @@ impl Boards {
             self.0.get(&[board.to_owned(), operation.to_owned(), format])
         };
         let [pixel, light] = operations(setting).map(|operation| operation.and_then(find));
-        Price {
-            light: light.and_then(|light| light.pixel),
-            ..pixel.copied().unwrap_or_default()
-        }
+        Price { light: light.and_then(|light| light.pixel), ..pixel.copied().unwrap_or_default() }
     }
 }

@@ -1,6 +1,6 @@
 //! Charts of two logarithmic axes, as SVG: large letters, and no label upon another.
 
-use crate::paper::chart::{BLUE, GREEN, INK, LETTERS, ORANGE, PALE, PURPLE, SIZE, fault, letters};
+use crate::paper::chart::{BLUE, GREEN, INK, LETTERS, ORANGE, PALE, SIZE, fault, letters};
 use eigenshade_generator::error::Result;
 use plotters::coord::Shift;
 use plotters::coord::combinators::LogCoord;
@@ -12,7 +12,7 @@ use std::ops::Range;
 /// Width of a letter, of the chart's letters' height, on average.
 const LETTER_WIDTH: f64 = 0.42;
 /// Lines of a chart, in their order.
-const COLOURS: [RGBColor; 4] = [BLUE, ORANGE, GREEN, PURPLE];
+const COLOURS: [RGBColor; 3] = [BLUE, ORANGE, GREEN];
 
 /// Points, their front, and lines to compare with.
 pub struct Scatter {
@@ -36,8 +36,18 @@ pub struct Lines {
     pub horizontal: String,
     /// At the left.
     pub vertical: &'static str,
-    /// Each with its legend, its points, and the ends of the line that was fitted.
-    pub lines: Vec<(String, Vec<(f64, f64)>, [(f64, f64); 2])>,
+    /// The lines.
+    pub lines: Vec<Line>,
+}
+
+/// One line.
+pub struct Line {
+    /// Its legend.
+    pub name: String,
+    /// What it joins.
+    pub points: Vec<(f64, f64)>,
+    /// The ends of the straight line that was fitted.
+    pub fitted: [(f64, f64); 2],
 }
 
 type Drawing<'a> = DrawingArea<SVGBackend<'a>, Shift>;
@@ -167,7 +177,8 @@ pub fn scatter(scatter: &Scatter) -> Result<String> {
         let corners = [pixel((columns.start, rows.end)), pixel((columns.end, rows.start))];
         let within = [corners[0].0, corners[0].1, corners[1].0, corners[1].1];
         let mut labels = Labels { taken: Vec::new(), within };
-        let places: Vec<(i32, i32)> = scatter.front.iter().map(|(point, _)| pixel(*point)).collect();
+        let places: Vec<(i32, i32)> =
+            scatter.front.iter().map(|(point, _)| pixel(*point)).collect();
         let upright = scatter.upright.as_ref().map(|(cost, _)| pixel((*cost, rows.start)));
         let level = scatter.level.as_ref().map(|(error, _)| pixel((columns.start, *error)));
         labels.taken.extend(places.iter().map(|&(x, y)| [x - 7, y - 7, x + 7, y + 7]));
@@ -218,14 +229,14 @@ pub fn growth(lines: &Lines) -> Result<String> {
     let mut svg = String::new();
     {
         let root = SVGBackend::with_string(&mut svg, SIZE).into_drawing_area();
-        let all = || lines.lines.iter().flat_map(|(_, points, _)| points.iter().copied());
+        let all = || lines.lines.iter().flat_map(|line| line.points.iter().copied());
         let columns = range(all().map(|point| point.0), 0.06);
         let mut rows = range(all().map(|point| point.1), 0.06);
         // Room for the legend.
         rows.end *= (rows.end / rows.start).powf(0.12 * lines.lines.len() as f64);
         let axes = [&*lines.horizontal, lines.vertical];
         let mut chart = framed(&root, [columns, rows], axes, plain)?;
-        for ((name, points, fitted), colour) in lines.lines.iter().zip(COLOURS) {
+        for (Line { name, points, fitted }, colour) in lines.lines.iter().zip(COLOURS) {
             let style = colour.stroke_width(3);
             chart
                 .draw_series(LineSeries::new(points.clone(), style))

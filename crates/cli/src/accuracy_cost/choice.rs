@@ -49,9 +49,8 @@ pub fn cheapest(
     limit: f64,
 ) -> Option<usize> {
     let able = points.iter().enumerate().filter(|(_, point)| suffices(point, limit));
-    let priced = able.filter_map(|(k, point)| frame(point, machine, lighting).map(|cost| (k, cost)));
+    let priced =
+        able.filter_map(|(k, point)| frame(point, machine, lighting).map(|cost| (k, cost)));
     let key = |k: usize| points[k].method.seen.rms.median;
-    priced
-        .min_by(|a, b| a.1.total_cmp(&b.1).then(key(a.0).total_cmp(&key(b.0))))
-        .map(|(k, _)| k)
+    priced.min_by(|a, b| a.1.total_cmp(&b.1).then(key(a.0).total_cmp(&key(b.0)))).map(|(k, _)| k)
 }

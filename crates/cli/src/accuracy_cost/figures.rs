@@ -1,7 +1,7 @@
 //! The charts: a front for each machine, what degrees and orders cost, what grows how.
 
+use super::chart::{Line, Lines, Scatter, growth, scatter};
 use super::choice::{FRAME, LIMITS, Lighting, cheapest, frame};
-use super::chart::{Lines, Scatter, growth, scatter};
 use super::exponent;
 use super::front::front;
 use super::growth::Growth;
@@ -10,7 +10,7 @@ use super::machine::Machine;
 use super::points::Point;
 use super::setting::{Cut, Format, Scaling, Setting, Way};
 use super::words::per_cent;
-use super::{COMMAND, model::Row, model};
+use super::{COMMAND, model, model::Row};
 use eigenshade_generator::error::Result;
 
 /// A chart's file and its text.
@@ -27,10 +27,8 @@ pub fn all(points: &[Point], models: &[Row], growths: &[Growth]) -> Result<Vec<F
         figures.push((format!("{}.svg", machine.key()), of_machine(points, machine)?));
     }
     figures.push(("degrees.svg".into(), degrees(points, models)?));
-    let mut quantities: Vec<&str> = growths.iter().map(|growth| growth.quantity).collect();
-    quantities.dedup();
-    for quantity in quantities {
-        figures.push((format!("growth-{quantity}.svg"), growing(growths, quantity)?));
+    for (quantity, unit) in kinds(growths) {
+        figures.push((growth_file(quantity, unit), growing(growths, quantity, unit)?));
     }
     let signed = |(name, svg): Figure| (name, format!("<!-- {COMMAND} -->\n{svg}"));
     Ok(figures.into_iter().map(signed).collect())
@@ -100,9 +98,14 @@ fn of_machine(points: &[Point], machine: Machine) -> Result<String> {
         points: places,
         upright: nine.map(|cost| {
             let each = cost / FRAME as f64;
-            (each, if machine.counts() { format!("nine terms: {each}") } else { "nine terms".into() })
+            (
+                each,
+                if machine.counts() { format!("nine terms: {each}") } else { "nine terms".into() },
+            )
         }),
-        level: model.map(|one| (one.median, format!("degree {DEGREE}, order {ORDER}: {}", per_cent(one.median)))),
+        level: model.map(|one| {
+            (one.median, format!("degree {DEGREE}, order {ORDER}: {}", per_cent(one.median)))
+        }),
     })
 }
 
@@ -113,7 +116,8 @@ fn degrees(points: &[Point], models: &[Row]) -> Result<String> {
     for (degree, order) in model::sizes() {
         let of_size = |point: &&Point| {
             let recipe = point.setting.recipe;
-            (recipe.degree, recipe.order) == (degree, order) && point.setting.scaling == Scaling::None
+            (recipe.degree, recipe.order) == (degree, order)
+                && point.setting.scaling == Scaling::None
         };
         let Some(model) = model::spread(models, degree, order) else { continue };
         let able = points.iter().filter(of_size);
@@ -136,9 +140,29 @@ fn degrees(points: &[Point], models: &[Row]) -> Result<String> {
     })
 }
 
-fn growing(growths: &[Growth], quantity: &str) -> Result<String> {
+/// What grows, and the units in which it is measured: a chart for each.
+#[must_use]
+pub fn kinds(growths: &[Growth]) -> Vec<(&'static str, &'static str)> {
+    let mut kinds: Vec<_> = growths.iter().map(|one| (one.quantity, one.unit)).collect();
+    kinds.dedup();
+    kinds
+}
+
+/// The chart's file.
+#[must_use]
+pub fn growth_file(quantity: &str, unit: &str) -> String {
+    let measure = if unit == "ns" { "times" } else { unit };
+    format!("growth-{quantity}-{measure}.svg")
+}
+
+/// The chart of one quantity in one unit.
+///
+/// # Errors
+///
+/// None in truth.
+pub fn growing(growths: &[Growth], quantity: &str, unit: &str) -> Result<String> {
     let mut lines = Vec::new();
-    for growth in growths.iter().filter(|growth| growth.quantity == quantity) {
+    for growth in growths.iter().filter(|one| (one.quantity, one.unit) == (quantity, unit)) {
         let (Some(first), Some((a, b))) = (growth.points.first(), exponent::fit(&growth.points))
         else {
             continue;
@@ -147,8 +171,10 @@ fn growing(growths: &[Growth], quantity: &str) -> Result<String> {
             growth.points.iter().map(|&(x, y)| (x, y / first.1)).collect();
         let ends = [points[points.len() / 2], points[points.len() - 1]];
         let fitted = ends.map(|(x, _)| (x, a * x.powf(b) / first.1));
-        let name = format!("{}, {}: {b:.2} ({})", growth.measure, growth.unit, growth.theory);
-        lines.push((name, points, fitted));
+        let name = format!("{}: {b:.2} ({})", growth.measure, growth.theory);
+        lines.push(Line { name, points, fitted });
     }
-    growth(&Lines { horizontal: quantity.into(), vertical: "times the first", lines })
+    let horizontal = format!("{quantity}; exponents fitted (theory)");
+    let vertical = if unit == "ns" { "time, of the first" } else { "bytes, of the first" };
+    growth(&Lines { horizontal, vertical, lines })
 }

@@ -28,8 +28,15 @@ mod tests {
 
     #[test]
     fn nothing_beats_a_point_of_the_front_and_something_every_other() {
-        let points =
-            [(3.0, 0.5), (1.0, 1.0), (2.0, 1.0), (3.0, 0.4), (4.0, 0.4), (9.0, 0.1), (f64::NAN, 0.0)];
+        let points = [
+            (3.0, 0.5),
+            (1.0, 1.0),
+            (2.0, 1.0),
+            (3.0, 0.4),
+            (4.0, 0.4),
+            (9.0, 0.1),
+            (f64::NAN, 0.0),
+        ];
         assert_eq!(front(&points), [1, 3, 5]);
         assert!(front(&[]).is_empty());
     }

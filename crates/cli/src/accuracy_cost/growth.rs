@@ -90,7 +90,11 @@ const THEORY: [Theory; 6] = [
         measure: "rows of the components",
         unit: "bytes",
         exponents: [1.0, 2.0, 1.0],
-        reasons: ["a row of pairs for each component and each l from \\|m\\| on", PAIRS, "rows for each"],
+        reasons: [
+            "a row of pairs for each component and each l from \\|m\\| on",
+            PAIRS,
+            "rows for each",
+        ],
     },
     Theory {
         measure: "polar integrals",
@@ -118,7 +122,11 @@ const THEORY: [Theory; 6] = [
         measure: "a new light",
         unit: "ns",
         exponents: [1.0, 0.0, 1.0],
-        reasons: ["as its folded material, once that outweighs the collapse", FOLDED, "rows for each"],
+        reasons: [
+            "as its folded material, once that outweighs the collapse",
+            FOLDED,
+            "rows for each",
+        ],
     },
     Theory {
         measure: "a new material",
@@ -128,11 +136,7 @@ const THEORY: [Theory; 6] = [
     },
 ];
 
-fn of_bases(
-    quantity: &'static str,
-    sizes: &[(usize, usize)],
-    timed: bool,
-) -> Result<Vec<Growth>> {
+fn of_bases(quantity: &'static str, sizes: &[(usize, usize)], timed: bool) -> Result<Vec<Growth>> {
     let mut tables = Vec::new();
     for &(degree, order) in sizes {
         let scope = Scope::seen(degree, order)?;
@@ -177,7 +181,7 @@ fn measured(
     timed: bool,
 ) -> Result<Vec<Growth>> {
     let mut points = [const { Vec::new() }; THEORY.len()];
-    for (size, recipe, table, _) in tables {
+    for (size, _, table, _) in tables {
         let parts = Parts::new(table);
         let owned = OwnedBasis::<f32>::new(table);
         let folded = owned.basis().map_err(fault)?.transfer_len();
@@ -221,9 +225,7 @@ fn folding(table: &Table, image: &Image, count: usize) -> Result<f64> {
     for _ in 0..ROUNDS {
         let start = Instant::now();
         for transfer in &mut transfers {
-            basis
-                .transfer_into(black_box(&material), &mut workspace, transfer)
-                .map_err(fault)?;
+            basis.transfer_into(black_box(&material), &mut workspace, transfer).map_err(fault)?;
         }
         times.push(1e9 * start.elapsed().as_secs_f64());
         black_box(&transfers);
@@ -245,13 +247,15 @@ fn of_materials(timed: bool) -> Result<Vec<Growth>> {
         times.push((count as f64, folding(&table, &image, count)?));
     }
     let reason = "each has a transfer of its own";
-    let growth = |measure, unit, points| {
-        Growth { quantity: "materials", measure, unit, points, theory: 1.0, reason }
+    let growth = |measure, unit, points| Growth {
+        quantity: "materials",
+        measure,
+        unit,
+        points,
+        theory: 1.0,
+        reason,
     };
-    Ok(vec![
-        growth("transfers", "bytes", held.to_vec()),
-        growth("folding", "ns", times),
-    ])
+    Ok(vec![growth("transfers", "bytes", held.to_vec()), growth("folding", "ns", times)])
 }
 
 fn of_pixels(timed: bool) -> Result<Vec<Growth>> {
@@ -283,8 +287,13 @@ fn of_pixels(timed: bool) -> Result<Vec<Growth>> {
         }
     }
     let reason = "each pixel is its own";
-    let growth = |measure, unit, points| {
-        Growth { quantity: "pixels", measure, unit, points, theory: 1.0, reason }
+    let growth = |measure, unit, points| Growth {
+        quantity: "pixels",
+        measure,
+        unit,
+        points,
+        theory: 1.0,
+        reason,
     };
     Ok(vec![growth("a picture's f32", "bytes", held.to_vec()), growth("shading", "ns", times)])
 }
@@ -312,8 +321,13 @@ fn of_maps(timed: bool) -> Vec<Growth> {
         }
     }
     let reason = "each map is projected by itself";
-    let growth = |measure, unit, points| {
-        Growth { quantity: "maps", measure, unit, points, theory: 1.0, reason }
+    let growth = |measure, unit, points| Growth {
+        quantity: "maps",
+        measure,
+        unit,
+        points,
+        theory: 1.0,
+        reason,
     };
     vec![growth("coefficients", "bytes", held.to_vec()), growth("projection", "ns", times)]
 }

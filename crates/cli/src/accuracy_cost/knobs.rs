@@ -57,14 +57,18 @@ pub fn settings(quick: bool) -> Vec<Knob> {
         let recipe = first(130).cut(Cut::Trimmed(2e-4));
         add("polynomials", Setting::of(recipe).in_format(format));
     }
-    let trims: &[f64] = if quick { &[0.1, 1e-2] } else { &[0.3, 0.1, 0.03, 1e-2, 3e-3, 1e-3, 1e-4] };
+    let trims: &[f64] =
+        if quick { &[0.1, 1e-2] } else { &[0.3, 0.1, 0.03, 1e-2, 3e-3, 1e-3, 1e-4] };
     for count in few(&[4, 9, 16, 25, 50, 100, 130], &[25, 50]) {
         for &tolerance in trims {
             add("polynomials", Setting::of(first(count).cut(Cut::Trimmed(tolerance))));
         }
     }
-    let within: &[f64] =
-        if quick { &[0.1, 1e-2, 1e-4] } else { &[0.3, 0.1, 0.03, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 1e-5] };
+    let within: &[f64] = if quick {
+        &[0.1, 1e-2, 1e-4]
+    } else {
+        &[0.3, 0.1, 0.03, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 1e-5]
+    };
     // Polynomials of more than 16 terms are not shortened, so that those of all components are
     // none that a tolerance makes cheap.
     let trimmed = first(130).cut(Cut::Trimmed(2e-4));

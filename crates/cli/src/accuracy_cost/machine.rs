@@ -32,8 +32,7 @@ pub struct Price {
 
 impl Machine {
     /// All.
-    pub const ALL: [Self; 6] =
-        [Self::Host, Self::M0, Self::M3, Self::M4f, Self::Rv32, Self::Wasm];
+    pub const ALL: [Self; 6] = [Self::Host, Self::M0, Self::M3, Self::M4f, Self::Rv32, Self::Wasm];
     /// Those whose instructions are counted.
     pub const BOARDS: [Self; 4] = [Self::M0, Self::M3, Self::M4f, Self::Rv32];
 

@@ -21,9 +21,13 @@ impl Spread {
     /// Of these.
     #[must_use]
     pub fn of(values: &[f64]) -> Self {
-        let worst = values.iter().fold(0.0, |most: f64, &value| {
-            if value.is_nan() || value > most { value } else { most }
-        });
+        let worst =
+            values.iter().fold(
+                0.0,
+                |most: f64, &value| {
+                    if value.is_nan() || value > most { value } else { most }
+                },
+            );
         Self { median: median::median(values), worst }
     }
 }

@@ -1,6 +1,7 @@
 //! The page: what to take, what it costs, and how it grows.
 
 use super::choice::{FRAME, LIMITS, Lighting, cheapest, frame};
+use super::figures::{growth_file, kinds};
 use super::growth::Growth;
 use super::knobs::{DEGREE, ORDER};
 use super::machine::Machine;
@@ -156,7 +157,11 @@ fn row(points: &[Point], machine: Machine, lighting: Lighting, limit: f64) -> Ve
 /// A limit as it is written at the beginning of a row.
 #[must_use]
 pub fn per_cent_limit(limit: f64) -> String {
-    if limit < 0.99e-3 { format!("{limit:e}") } else { format!("{} %", (1e5 * limit).round() / 1e3) }
+    if limit < 0.99e-3 {
+        format!("{limit:e}")
+    } else {
+        format!("{} %", (1e5 * limit).round() / 1e3)
+    }
 }
 
 fn degrees(models: &[Row]) -> String {
@@ -170,9 +175,9 @@ fn degrees(models: &[Row]) -> String {
                 row.extend([per_cent(median), per_cent(worst)]);
             }
             let of = |name: &String| {
-                let found = models.iter().find(|one| {
-                    (&one.surface, one.degree, one.order) == (name, degree, order)
-                });
+                let found = models
+                    .iter()
+                    .find(|one| (&one.surface, one.degree, one.order) == (name, degree, order));
                 found.map_or("—".into(), |one| per_cent(Spread::of(&one.errors).median))
             };
             row.extend(names.iter().map(of));
@@ -233,7 +238,9 @@ fn growing(growths: &[Growth]) -> String {
             vec![
                 format!("{}, {}", growth.measure, growth.unit),
                 growth.quantity.to_owned(),
-                sizes.map_or(String::new(), |(a, b)| format!("{} to {}", cost_of(a.0), cost_of(b.0))),
+                sizes.map_or(String::new(), |(a, b)| {
+                    format!("{} to {}", cost_of(a.0), cost_of(b.0))
+                }),
                 growth.exponent().map_or("—".into(), |exponent| format!("{exponent:.2}")),
                 growth.theory.to_string(),
                 growth.reason.to_owned(),
@@ -242,11 +249,10 @@ fn growing(growths: &[Growth]) -> String {
         .collect();
     let header = ["what", "against", "sizes", "fitted", "theory", "because"].map(str::to_owned);
     text.push_str(&table(&header, &rows));
-    let mut quantities: Vec<&str> = growths.iter().map(|growth| growth.quantity).collect();
-    quantities.dedup();
     text.push('\n');
-    for quantity in quantities {
-        text.push_str(&format!("![growth with {quantity}](growth-{quantity}.svg)\n"));
+    for (quantity, unit) in kinds(growths) {
+        let file = growth_file(quantity, unit);
+        text.push_str(&format!("![growth with {quantity}, {unit}]({file})\n"));
     }
     text
 }

@@ -136,9 +136,8 @@ impl<S: Scalar + Into<f64>> Floats<S> {
                 let mut lengths = vec![0; basis.azimuths()];
                 let tolerance = Tolerance::OfPeak(S::from_f64(share));
                 let buffer = vec![S::ZERO; basis.scene_len()];
-                let (scene, economy) = basis
-                    .collapse_within(&d, tolerance, &mut lengths, buffer)
-                    .map_err(fault)?;
+                let (scene, economy) =
+                    basis.collapse_within(&d, tolerance, &mut lengths, buffer).map_err(fault)?;
                 let mut values = vec![S::ZERO; self.each.len()];
                 scene.shade_slice(self.normals.view()?, &mut values).map_err(fault)?;
                 (values, economy.terms)

@@ -104,9 +104,13 @@ fn fields(point: &Point) -> Vec<String> {
     fields.extend(spread(&seen.rms));
     fields.extend([decibels(seen.rms.median), decibels(seen.rms.worst)]);
     fields.extend([&seen.largest, &unseen.rms, &unseen.largest].into_iter().flat_map(spread));
-    fields.extend([number(point.model.map(|one| one.median)), number(point.model.map(|one| one.worst))]);
+    fields.extend([
+        number(point.model.map(|one| one.median)),
+        number(point.model.map(|one| one.worst)),
+    ]);
     fields.extend([point.bytes.table.to_string(), point.bytes.state.to_string()]);
-    fields.extend([number(point.cost.map(|one| one.pixel)), number(point.cost.map(|one| one.light))]);
+    fields
+        .extend([number(point.cost.map(|one| one.pixel)), number(point.cost.map(|one| one.light))]);
     for machine in Machine::ALL {
         let price = point.prices.get(&machine).copied().unwrap_or_default();
         fields.extend([number(price.pixel), number(price.light)]);

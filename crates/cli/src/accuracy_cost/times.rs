@@ -9,7 +9,9 @@ use crate::median::median;
 use crate::owned_basis::OwnedBasis;
 use crate::owned_quantised::{Integer, OwnedQuantised};
 use crate::shader::{OwnedNormals, fault};
-use eigenshade::{Basis, Light, MapPoint, Material, Normal, Q15, Q31, Scalar, Tolerance, quantised};
+use eigenshade::{
+    Basis, Light, MapPoint, Material, Normal, Q15, Q31, Scalar, Tolerance, quantised,
+};
 use eigenshade_generator::error::{Error, Result};
 use eigenshade_table::{Table, quantise};
 use std::hint::black_box;
@@ -213,14 +215,14 @@ impl<S: Scalar> Floats<S> {
                     let tolerance = Tolerance::OfPeak(S::from_f64(share));
                     basis
                         .collapse_within(&d, tolerance, &mut lengths, &mut buffer[..])
-                        .map(|(scene, economy)| drop(black_box((scene, economy))))
+                        .map(|found| seen(&found))
                 }
                 _ => basis.collapse_into(&d, &mut buffer[..]).and_then(|scene| match way {
                     Way::Linear(knots) | Way::Cubic(knots) => {
-                        scene.lookup_into(knots, &mut more[..]).map(|table| drop(black_box(table)))
+                        scene.lookup_into(knots, &mut more[..]).map(|table| seen(&table))
                     }
                     Way::Bilinear(size) | Way::Nearest(size) => {
-                        scene.bake_into(size, &mut more[..]).map(|map| drop(black_box(map)))
+                        scene.bake_into(size, &mut more[..]).map(|map| seen(&map))
                     }
                     _ => {
                         black_box(scene);
@@ -248,8 +250,7 @@ impl Floats<f32> {
 
     fn scaled(&self, scaling: Scaling) -> Result<Work<'_>> {
         let basis = self.basis()?;
-        let scene =
-            basis.collapse_into(&self.d, vec![0.0; basis.scene_len()]).map_err(fault)?;
+        let scene = basis.collapse_into(&self.d, vec![0.0; basis.scene_len()]).map_err(fault)?;
         let lengths = LENGTHS.iter().cycle();
         let raw = self.each.iter().zip(lengths);
         let raw: Vec<[f32; 3]> =
@@ -282,8 +283,7 @@ impl Floats<f32> {
             return Err(Error::new("maps of 16 bits are bilinear", "report it"));
         };
         let basis = self.basis()?;
-        let scene =
-            basis.collapse_into(&self.d, vec![0.0; basis.scene_len()]).map_err(fault)?;
+        let scene = basis.collapse_into(&self.d, vec![0.0; basis.scene_len()]).map_err(fault)?;
         let map = scene.bake_integers_into(size, vec![0i16; size * size]).map_err(fault)?;
         let mut out = vec![0; PIXELS];
         let pixels = Box::new(move || {
@@ -347,8 +347,7 @@ impl<Q: Integer> Integers<Q> {
         let mut buffer = vec![0; view.scene_len()];
         let light = Box::new(move || {
             let transfer = quantised::Transfer::new(&self.transfer.0, &self.transfer.1);
-            let light =
-                quantised::Light::new(self.degree, self.light.1, black_box(&self.light.0));
+            let light = quantised::Light::new(self.degree, self.light.1, black_box(&self.light.0));
             let done = light
                 .and_then(|light| view.relight_into(&transfer, &light, &mut d))
                 .and_then(|exponent| view.collapse_into(&d, exponent, &mut buffer[..]).map(|_| ()));
@@ -356,6 +355,11 @@ impl<Q: Integer> Integers<Q> {
         });
         Ok([pixels, light])
     }
+}
+
+/// What has been looked at is not optimised away.
+fn seen<T>(found: &T) {
+    black_box(found);
 }
 
 /// Medians over interleaved rounds, of each case.
@@ -387,9 +391,8 @@ pub fn costs(cases: &mut [Case], rounds: usize) -> Result<Vec<Cost>> {
             of_light.push(1e9 * start.elapsed().as_secs_f64() / f64::from(*repeats));
         }
     }
-    let costs = works.iter().map(|(_, _, _, [pixel, light])| Cost {
-        pixel: median(pixel),
-        light: median(light),
-    });
+    let costs = works
+        .iter()
+        .map(|(_, _, _, [pixel, light])| Cost { pixel: median(pixel), light: median(light) });
     Ok(costs.collect())
 }

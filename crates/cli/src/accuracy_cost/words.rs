@@ -39,7 +39,10 @@ pub fn setting(setting: &Setting, terms: usize) -> String {
         Way::Bilinear(size) => format!("baked map {size} x {size}, bilinear"),
         Way::Nearest(size) => format!("baked map {size} x {size}, nearest"),
     };
-    text.push_str(&format!(", `{}`; degree {}, order {}, ", setting.format, recipe.degree, recipe.order));
+    text.push_str(&format!(
+        ", `{}`; degree {}, order {}, ",
+        setting.format, recipe.degree, recipe.order
+    ));
     match recipe.components {
         Some(count) => text.push_str(&format!("{count} components")),
         None => text.push_str("all components"),
@@ -65,9 +68,11 @@ pub fn setting(setting: &Setting, terms: usize) -> String {
 #[must_use]
 pub fn table(header: &[String], rows: &[Vec<String>]) -> String {
     let line = |fields: &[String]| format!("| {} |\n", fields.join(" | "));
-    let is_number = |field: &String| field.starts_with(|c: char| c.is_ascii_digit()) || field == "—";
+    let is_number =
+        |field: &String| field.starts_with(|c: char| c.is_ascii_digit()) || field == "—";
     let rule = |column: usize| {
-        let right = column > 0 && rows.iter().all(|row| is_number(&row[column]) && row[column].len() < 20);
+        let right =
+            column > 0 && rows.iter().all(|row| is_number(&row[column]) && row[column].len() < 20);
         if right { "---:".to_owned() } else { "---".to_owned() }
     };
     let rules: Vec<String> = (0..header.len()).map(rule).collect();

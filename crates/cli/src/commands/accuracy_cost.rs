@@ -77,6 +77,11 @@ fn write(measured: &Measured, out: &Path) -> Result<()> {
     for ((_, text), path) in files.iter().zip(&paths) {
         destination::write_text(Some(path), text)?;
     }
-    say(format_args!("{} settings, {} files in {}", measured.points.len(), files.len(), out.display()));
+    say(format_args!(
+        "{} settings, {} files in {}",
+        measured.points.len(),
+        files.len(),
+        out.display()
+    ));
     Ok(())
 }
