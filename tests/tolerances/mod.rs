@@ -643,8 +643,9 @@ pub const COST_ROUNDING: f64 = 1e-6;
 /// Bytes, relative: such a term in all profiles of an azimuth.
 pub const COST_BYTES: f64 = 0.02;
 /// A fitted exponent of bytes, beside that of theory: lower powers are still there at the largest
-/// sizes, (24 / 2 + 1)² of the order, and rows of larger |m| are shorter.
-pub const COST_EXPONENT: f64 = 0.25;
+/// sizes, (24 / 2 + 1)² of the order; and azimuths grow as the root of the components, so that rows of
+/// 10 - |m| numbers shrink from 8 to 5 over three octaves, which is 0.23.
+pub const COST_EXPONENT: f64 = 0.3;
 /// The rms of a setting's error on other normals, relative: a thousand rings' normals against two
 /// thousand spread evenly, with an error that stands at the rim.
 pub const COST_NORMALS: f64 = 0.05;

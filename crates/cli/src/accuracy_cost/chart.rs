@@ -130,9 +130,9 @@ struct Labels {
 }
 
 impl Labels {
-    /// Writes a label beside a pixel, where none has been written; where there is no room,
-    /// none.
-    fn write(&mut self, root: &Drawing<'_>, (x, y): (i32, i32), text: &str) -> Result<()> {
+    /// Writes a label beside a pixel, where nothing is; where there is no room, none. Tells
+    /// whether it did.
+    fn write(&mut self, root: &Drawing<'_>, (x, y): (i32, i32), text: &str) -> Result<bool> {
         let width = (LETTER_WIDTH * f64::from(LETTERS) * text.chars().count() as f64) as i32;
         let height = LETTERS.cast_signed();
         let places = [
@@ -150,10 +150,15 @@ impl Labels {
                 self.taken.push(frame);
                 let style = letters().pos(Pos::new(HPos::Left, VPos::Top));
                 root.draw(&Text::new(text.to_owned(), (left, top), style)).map_err(fault)?;
-                return Ok(());
+                return Ok(true);
             }
         }
-        Ok(())
+        Ok(false)
+    }
+
+    /// Nothing is written upon this straight line.
+    fn keep_off(&mut self, (a, b): (i32, i32), (c, d): (i32, i32)) {
+        self.taken.push([a.min(c) - 2, b.min(d) - 2, a.max(c) + 2, b.max(d) + 2]);
     }
 }
 
@@ -202,13 +207,20 @@ pub fn scatter(scatter: &Scatter) -> Result<String> {
             }
             stairs.push(*point);
         }
+        for pair in stairs.windows(2) {
+            labels.keep_off(chart.backend_coord(&pair[0]), chart.backend_coord(&pair[1]));
+        }
         chart.draw_series(LineSeries::new(stairs, BLUE.stroke_width(3))).map_err(fault)?;
         let dots = scatter.front.iter().map(|(point, _)| Circle::new(*point, 6, BLUE.filled()));
         chart.draw_series(dots).map_err(fault)?;
         if let Some(((_, text), (x, y))) = scatter.level.as_ref().zip(level) {
-            labels.write(&root, (x, y), text)?;
+            labels.keep_off((x, y), (within[2], y));
+            // At its beginning, or at its end.
+            let _ =
+                labels.write(&root, (x, y), text)? || labels.write(&root, (within[2], y), text)?;
         }
         if let Some(((_, text), (x, y))) = scatter.upright.as_ref().zip(upright) {
+            labels.keep_off((x, y), (x, within[1]));
             labels.write(&root, (x, y - 6), text)?;
         }
         let front = places.iter().zip(&scatter.front);

@@ -15,9 +15,10 @@ pub const ERROR: f64 = 0.02;
 pub const ROUNDING: f64 = 1e-6;
 /// What bytes may differ by, relative: such a term of all profiles of an azimuth.
 pub const BYTES: f64 = 0.02;
-/// What a fitted exponent of bytes may be off the one that theory says: at the largest sizes
-/// lower powers are still there, (24 / 2 + 1)² of the order, and rows of larger |m| are shorter.
-pub const EXPONENT: f64 = 0.25;
+/// What a fitted exponent of bytes may be off the one that theory says. Lower powers are still
+/// there at the largest sizes, (24 / 2 + 1)² of the order; and azimuths grow as the root of the
+/// components, so that a row lacks two of ten numbers among the first, five among the last.
+pub const EXPONENT: f64 = 0.3;
 
 /// How a column is compared.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -106,7 +106,10 @@ pub fn settings(quick: bool) -> Vec<Knob> {
     let lower: &[(usize, usize)] = if quick { &[(2, 0), (4, 3)] } else { &LOWER };
     for &(degree, order) in lower {
         add("degree and order", Setting::of(Recipe::all(degree, order)));
-        add("degree and order", Setting::of(Recipe::all(degree, order)).by(Way::Within(0.01)));
+        for tolerance in [1e-2, 1e-3] {
+            let recipe = Recipe::all(degree, order).cut(Cut::Trimmed(tolerance));
+            add("degree and order", Setting::of(recipe));
+        }
     }
     let higher: &[(usize, usize)] = if quick { &HIGHER[..0] } else { &HIGHER };
     for &(degree, order) in higher {
@@ -114,7 +117,9 @@ pub fn settings(quick: bool) -> Vec<Knob> {
         for format in [Format::F32, Format::F64] {
             add("degree and order", Setting::of(recipe).in_format(format));
         }
-        for tolerance in [0.01, 1e-3] {
+        for tolerance in [1e-2, 1e-3] {
+            let recipe = recipe.cut(Cut::Trimmed(tolerance));
+            add("degree and order", Setting::of(recipe));
             add("degree and order", Setting::of(recipe).by(Way::Within(tolerance)));
         }
     }

@@ -9,7 +9,7 @@ use super::model::{self, MAPS, Row};
 use super::points::Point;
 use super::setting::{Scaling, Way};
 use super::sheet::{MODEL, POINTS};
-use super::words::{cost, per_cent, setting, table};
+use super::words::{cost, limit as per_cent_limit, per_cent, setting, table};
 use super::{COMMAND, method::Spread};
 use crate::number::grouped;
 
@@ -46,7 +46,7 @@ fn head(points: &[Point], models: &[Row]) -> String {
          **A pixel** takes instructions on emulated boards, which do not wait as silicon does, and on x86-64 and WebAssembly times, \
          given as multiples of a pixel of the nine-term formula (Ramamoorthi and Hanrahan 2001) in the same run. They are of one machine; the \
          formula's own time there is in [{POINTS}]({POINTS}). **A new light** is the way from its coefficients to the first \
-         pixel, on a material that is folded in already. Where nothing was counted stands a dash. **Bytes** are of the table as `pack` writes it, and of what one \
+         pixel, on a material that is folded in already; the module of WebAssembly folds it in each time. Where nothing was counted stands a dash. **Bytes** are of the table as `pack` writes it, and of what one \
          channel of an image holds from light to light: the folded material, d, and what a pixel reads. All is for one channel; colour takes three.\n\n\
          Each row of the tables below is the cheapest setting whose method is below the limit in the median over the database. Settings \
          below degree {DEGREE} and order {ORDER} are taken only where their model is below the limit too.\n",
@@ -152,16 +152,6 @@ fn row(points: &[Point], machine: Machine, lighting: Lighting, limit: f64) -> Ve
         grouped(point.bytes.table),
         grouped(point.bytes.state),
     ]
-}
-
-/// A limit as it is written at the beginning of a row.
-#[must_use]
-pub fn per_cent_limit(limit: f64) -> String {
-    if limit < 0.99e-3 {
-        format!("{limit:e}")
-    } else {
-        format!("{} %", (1e5 * limit).round() / 1e3)
-    }
 }
 
 fn degrees(models: &[Row]) -> String {

@@ -17,6 +17,16 @@ pub fn per_cent(error: f64) -> String {
     format!("{value:.places$} %")
 }
 
+/// A limit as someone would ask for it.
+#[must_use]
+pub fn limit(limit: f64) -> String {
+    if limit < 0.99e-3 {
+        format!("{limit:e}")
+    } else {
+        format!("{} %", (1e5 * limit).round() / 1e3)
+    }
+}
+
 /// A cost of two digits, or whole from 100 on.
 #[must_use]
 pub fn cost(value: f64) -> String {
@@ -32,7 +42,7 @@ pub fn setting(setting: &Setting, terms: usize) -> String {
         Way::Eigen => "component by component".into(),
         Way::Polynomial => format!("polynomials, {terms} terms"),
         Way::Within(share) => {
-            format!("polynomials within {}, {terms} terms in the median", per_cent(share))
+            format!("polynomials within {}, {terms} terms in the median", limit(share))
         }
         Way::Linear(knots) => format!("{knots} knots, linear"),
         Way::Cubic(knots) => format!("{knots} knots, cubic"),
