@@ -23,7 +23,8 @@ pub struct Knob {
     pub setting: Setting,
 }
 
-/// The settings; with `quick` a part of them.
+/// The settings; with `quick` a part of them. A knob that is not here yet is a field of
+/// [`Setting`] or its recipe, and a row here.
 #[must_use]
 pub fn settings(quick: bool) -> Vec<Knob> {
     let mut found: Vec<Knob> = Vec::new();

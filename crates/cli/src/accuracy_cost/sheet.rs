@@ -51,6 +51,8 @@ pub fn columns() -> Vec<String> {
         "rms_worst_db",
         "largest_median",
         "largest_worst",
+        "largest_median_db",
+        "largest_worst_db",
         "unseen_rms_median",
         "unseen_rms_worst",
         "unseen_largest_median",
@@ -101,9 +103,11 @@ fn fields(point: &Point) -> Vec<String> {
         setting.format.to_string(),
         point.method.terms.to_string(),
     ];
-    fields.extend(spread(&seen.rms));
-    fields.extend([decibels(seen.rms.median), decibels(seen.rms.worst)]);
-    fields.extend([&seen.largest, &unseen.rms, &unseen.largest].into_iter().flat_map(spread));
+    for errors in [&seen.rms, &seen.largest] {
+        fields.extend(spread(errors));
+        fields.extend([decibels(errors.median), decibels(errors.worst)]);
+    }
+    fields.extend([&unseen.rms, &unseen.largest].into_iter().flat_map(spread));
     fields.extend([
         number(point.model.map(|one| one.median)),
         number(point.model.map(|one| one.worst)),
