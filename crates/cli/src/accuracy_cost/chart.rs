@@ -213,15 +213,15 @@ pub fn scatter(scatter: &Scatter) -> Result<String> {
         chart.draw_series(LineSeries::new(stairs, BLUE.stroke_width(3))).map_err(fault)?;
         let dots = scatter.front.iter().map(|(point, _)| Circle::new(*point, 6, BLUE.filled()));
         chart.draw_series(dots).map_err(fault)?;
+        if let Some(((_, text), (x, y))) = scatter.upright.as_ref().zip(upright) {
+            labels.keep_off((x, y), (x, within[1]));
+            labels.write(&root, (x, y - 6), text)?;
+        }
         if let Some(((_, text), (x, y))) = scatter.level.as_ref().zip(level) {
             labels.keep_off((x, y), (within[2], y));
             // At its beginning, or at its end.
             let _ =
                 labels.write(&root, (x, y), text)? || labels.write(&root, (within[2], y), text)?;
-        }
-        if let Some(((_, text), (x, y))) = scatter.upright.as_ref().zip(upright) {
-            labels.keep_off((x, y), (x, within[1]));
-            labels.write(&root, (x, y - 6), text)?;
         }
         let front = places.iter().zip(&scatter.front);
         for (place, (_, text)) in front.filter(|(_, (_, text))| !text.is_empty()) {

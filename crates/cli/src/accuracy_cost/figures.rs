@@ -109,26 +109,34 @@ fn of_machine(points: &[Point], machine: Machine) -> Result<String> {
     })
 }
 
-/// The model's error against the cost of a pixel whose method adds little to it.
+/// What a pixel of a degree and an order costs, and the error of its model: by the cheapest
+/// setting whose method is three times nearer than that.
+#[must_use]
+pub fn of_degree(
+    points: &[Point],
+    models: &[Row],
+    (degree, order): (usize, usize),
+) -> Option<(f64, f64)> {
+    let model = model::spread(models, degree, order)?;
+    let able = points.iter().filter(|point| {
+        let recipe = point.setting.recipe;
+        (recipe.degree, recipe.order) == (degree, order)
+            && point.setting.scaling == Scaling::None
+            && point.method.seen.rms.median <= model.median / 3.0
+    });
+    let costs = able.filter_map(|point| frame(point, Machine::Host, Lighting::Still));
+    let least = costs.min_by(f64::total_cmp)?;
+    Some((least / FRAME as f64, model.median))
+}
+
+/// The model's error against the cost of a pixel.
 fn degrees(points: &[Point], models: &[Row]) -> Result<String> {
-    let mut places = Vec::new();
-    let mut labels = Vec::new();
-    for (degree, order) in model::sizes() {
-        let of_size = |point: &&Point| {
-            let recipe = point.setting.recipe;
-            (recipe.degree, recipe.order) == (degree, order)
-                && point.setting.scaling == Scaling::None
-        };
-        let Some(model) = model::spread(models, degree, order) else { continue };
-        let able = points.iter().filter(of_size);
-        let able = able.filter(|point| point.method.seen.rms.median <= 0.3 * model.median);
-        let costs = able.filter_map(|point| frame(point, Machine::Host, Lighting::Still));
-        let least = costs.fold(f64::INFINITY, f64::min);
-        if least.is_finite() {
-            places.push((least / FRAME as f64, model.median));
-            labels.push(format!("{degree}, {order}"));
-        }
-    }
+    let sizes = model::sizes();
+    let priced = sizes.iter().filter_map(|&(degree, order)| {
+        let place = of_degree(points, models, (degree, order))?;
+        Some((place, format!("{degree}, {order}")))
+    });
+    let (places, labels): (Vec<_>, Vec<String>) = priced.unzip();
     let front = front(&places);
     scatter(&Scatter {
         horizontal: format!("a pixel, in {}", Machine::Host.unit()),

@@ -1,9 +1,9 @@
 //! The page: what to take, what it costs, and how it grows.
 
 use super::choice::{FRAME, LIMITS, Lighting, cheapest, frame};
-use super::figures::{growth_file, kinds};
+use super::figures::{growth_file, kinds, of_degree};
 use super::growth::Growth;
-use super::knobs::{DEGREE, ORDER};
+use super::knobs::{DEGREE, HIGH_COMPONENTS, ORDER};
 use super::machine::Machine;
 use super::model::{self, MAPS, Row};
 use super::points::Point;
@@ -21,7 +21,7 @@ pub const PAGE: &str = "accuracy-cost.md";
 pub fn page(points: &[Point], models: &[Row], growths: &[Growth]) -> String {
     let mut sections = vec![head(points, models), example(points)];
     sections.extend(Machine::ALL.map(|machine| of_machine(points, machine)));
-    sections.push(degrees(models));
+    sections.push(degrees(points, models));
     sections.push(mathematics(points));
     sections.push(growing(growths));
     sections.join("\n")
@@ -156,7 +156,7 @@ fn row(points: &[Point], machine: Machine, lighting: Lighting, limit: f64) -> Ve
     ]
 }
 
-fn degrees(models: &[Row]) -> String {
+fn degrees(points: &[Point], models: &[Row]) -> String {
     let mut names: Vec<String> = models.iter().map(|row| row.surface.clone()).collect();
     names.dedup();
     let rows: Vec<Vec<String>> = model::sizes()
@@ -176,13 +176,21 @@ fn degrees(models: &[Row]) -> String {
             row
         })
         .collect();
+    let dear = model::sizes().into_iter().filter(|&size| of_degree(points, models, size).is_none());
+    let dear: Vec<String> = dear.map(|(degree, order)| format!("{degree}, {order}")).collect();
+    let missing = match dear.join(" and ") {
+        names if names.is_empty() => String::new(),
+        names => {
+            format!(" Of {names} no setting is: {HIGH_COMPONENTS} components leave more than that.")
+        }
+    };
     let mut header = vec!["degree, order".to_owned(), "median".into(), "worst".into()];
     header.extend(names);
     format!(
         "## Degree and order: the error of the model\n\n\
          ![the model's error against the cost of a pixel](degrees.svg)\n\n\
          Against direct integration under {}: rms of the peak, over all surfaces and maps, and each surface's median over the maps. In the chart a \
-         degree and order costs what its cheapest setting does whose method is three times nearer than its model.\n\n{}",
+         degree and order costs what its cheapest setting does whose method is three times nearer than its model.{missing}\n\n{}",
         MAPS.join(", "),
         table(&header, &rows)
     )
