@@ -412,6 +412,33 @@ fn damage_is_found() {
     compared(&good).expect("all is whole again");
 }
 
+/// What a run without times finds: it is compared with the committed files, rows of times apart.
+#[test]
+fn a_run_without_times_is_compared_whole() {
+    let untimed = |name: &str| -> String {
+        let text = read(name);
+        let header: Vec<&str> = text.lines().nth(1).expect("a header").split(',').collect();
+        let keep = |line: &&str| !line.contains(",ns,");
+        let blank = |line: &str| -> String {
+            let fields = line.split(',').zip(&header);
+            let kept = fields.map(|(field, column)| match column.starts_with("host_") {
+                true if field != *column => "",
+                _ => field,
+            });
+            kept.collect::<Vec<_>>().join(",")
+        };
+        text.lines().filter(keep).map(|line| blank(line) + "\n").collect()
+    };
+    let names = ["accuracy-cost.csv", "model.csv", "growth.csv"];
+    let fresh = names.map(|name| (name, untimed(name)));
+    assert!(fresh[2].1.lines().count() < read(names[2]).lines().count());
+    let found = compare(&fresh, &[], &docs(), true).unwrap_or_else(|error| panic!("{error}"));
+    assert!(found.rows > 300, "{found:?}");
+    let short = fresh[2].1.lines().take(20).map(|line| format!("{line}\n")).collect();
+    let error = compare(&[(names[2], short)], &[], &docs(), true).expect_err("rows are missing");
+    assert!(error.to_string().contains("rows where 18 belong"), "{error}");
+}
+
 #[test]
 fn bad_input_is_told_before_the_work() {
     let folder = Folder::new();
