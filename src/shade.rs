@@ -20,13 +20,14 @@ const BLOCK: usize = if cfg!(target_feature = "avx512f") {
 } else if cfg!(target_arch = "x86_64") {
     20
 } else if cfg!(all(target_arch = "wasm32", not(target_feature = "simd128"))) {
-    8
+    4
 } else {
     16
 };
 
-/// Whether the loop is there twice, with long series and without: where code may be large.
-const TWICE: bool = cfg!(any(target_arch = "x86_64", target_arch = "aarch64"));
+/// Whether there are loops for few terms, and one without long series: where code may be
+/// large.
+const SPECIAL: bool = cfg!(any(target_arch = "x86_64", target_arch = "aarch64"));
 
 impl<B> Scene<'_, B> {
     /// The irradiance of each normal, into `irradiance`.
@@ -47,7 +48,9 @@ impl<B> Scene<'_, B> {
     {
         Error::check(What::Normals, normals.len(), irradiance.len())?;
         let polynomials = self.descent();
-        if let ([], [] | [_]) = (polynomials.lengths, polynomials.pole) {
+        if !SPECIAL {
+            blocks::<S, true>(polynomials, [normals.x, normals.y, normals.z], irradiance);
+        } else if let ([], [] | [_]) = (polynomials.lengths, polynomials.pole) {
             irradiance.fill(polynomials.pole.first().copied().unwrap_or(S::ZERO));
         } else if let Some(nine) = Nine::new(polynomials) {
             nine.shade(normals, irradiance);
@@ -59,7 +62,7 @@ impl<B> Scene<'_, B> {
                 tile::tile(polynomials, [x, y, z], out);
             }
             blocks::<S, false>(polynomials, [x_rest, y_rest, z_rest], out_rest);
-        } else if !TWICE || polynomials.any_longer_than(POWERS) {
+        } else if polynomials.any_longer_than(POWERS) {
             blocks::<S, true>(polynomials, [normals.x, normals.y, normals.z], irradiance);
         } else {
             blocks::<S, false>(polynomials, [normals.x, normals.y, normals.z], irradiance);
@@ -77,16 +80,28 @@ fn blocks<S: Scalar, const LONG: bool>(
 ) {
     let [(x, x_rest), (y, y_rest), (z, z_rest)] = axes.map(<[S]>::as_chunks::<BLOCK>);
     let (out, out_rest) = irradiance.as_chunks_mut::<BLOCK>();
+    let block = if SPECIAL { block::<S, LONG, BLOCK> } else { apart::<S, LONG> };
     for (((x, y), z), out) in x.iter().zip(y).zip(z).zip(out) {
-        *out = block::<S, LONG, BLOCK>(polynomials, x, y, z);
+        *out = block(polynomials, x, y, z);
     }
     if !out_rest.is_empty() {
         let [x, y, z] = [padded(x_rest), padded(y_rest), padded(z_rest)];
-        let block = block::<S, LONG, BLOCK>(polynomials, &x, &y, &z);
+        let block = block(polynomials, &x, &y, &z);
         for (out, value) in out_rest.iter_mut().zip(block) {
             *out = value;
         }
     }
+}
+
+/// [`block`], once in a program: where code is to be small.
+#[inline(never)]
+fn apart<S: Scalar, const LONG: bool>(
+    polynomials: Descent<'_, S>,
+    x: &[S; BLOCK],
+    y: &[S; BLOCK],
+    z: &[S; BLOCK],
+) -> [S; BLOCK] {
+    block::<S, LONG, BLOCK>(polynomials, x, y, z)
 }
 
 /// The irradiances of a block of normals: Re Σ_m (P_m + i Q_m) w̄^m, w = n_x + i n_y, by

@@ -2,6 +2,7 @@
 //
 //     node crates/wasm/measure.mjs            prints the tables, fails if a bound is exceeded
 //     node crates/wasm/measure.mjs --write    puts them into crates/wasm/README.md
+//     node crates/wasm/measure.mjs --times    puts the times into crates/wasm/times.csv
 
 import { readFileSync, writeFileSync } from "node:fs";
 import { load } from "./eigenshade.mjs";
@@ -13,6 +14,7 @@ const MOST = 14 / 0.4;
 
 const PAIR = "park 07-velvet g";
 const README = new URL("README.md", import.meta.url);
+const TIMES = new URL("times.csv", import.meta.url);
 const MARKS = ["<!-- node crates/wasm/measure.mjs --write -->", "<!-- end -->"];
 
 const thousands = (number) => number.toLocaleString("en-US");
@@ -73,19 +75,19 @@ async function times(variant) {
   nine.set([0.9, 0.2, -0.1, 0.5, 0.05, 0.02, -0.03, 0.01, 0.07]);
   const out = new Float32Array(pixels);
   const tasks = [
-    { name: "nine terms, a pixel", work: () => exports.nine_terms(count), repeat: 400, count },
-    { name: "`f32`, a pixel", work: () => exports.f32_shade(count), repeat: 20, count },
+    { name: "nine terms, a pixel", file: "nine_terms,f32", work: () => exports.nine_terms(count), repeat: 400, count },
+    { name: "`f32`, a pixel", file: "pixel,f32", work: () => exports.f32_shade(count), repeat: 20, count },
     { name: "`f32` by `shade`, a pixel", work: () => f32.shade(...many, out), repeat: 1, count: pixels },
-    { name: "`f32` `project` and `collapse`", work: () => f32.project() && f32.collapse(), repeat: 50, count: 1 },
-    { name: "`q15`, a pixel", work: () => exports.q15_shade(count), repeat: 4, count },
-    { name: "`q31`, a pixel", work: () => exports.q31_shade(count), repeat: 4, count },
+    { name: "`f32` `project` and `collapse`", file: "light,f32", work: () => f32.project() && f32.collapse(), repeat: 50, count: 1 },
+    { name: "`q15`, a pixel", file: "pixel,q15", work: () => exports.q15_shade(count), repeat: 4, count },
+    { name: "`q31`, a pixel", file: "pixel,q31", work: () => exports.q31_shade(count), repeat: 4, count },
   ];
   // Engines compile in the background what runs often.
   for (let turn = 0; turn < 20; turn++) {
     for (const { work, repeat } of tasks) for (let k = 0; k < repeat; k++) work();
     await new Promise((resolve) => setTimeout(resolve, 50));
   }
-  return medians(tasks).map((time, k) => ({ name: tasks[k].name, time }));
+  return medians(tasks).map((time, k) => ({ ...tasks[k], time }));
 }
 
 const all = [];
@@ -103,6 +105,13 @@ if (process.argv.includes("--write")) {
   const text = readFileSync(README, "utf8");
   const [start, end] = [text.indexOf(MARKS[0]) + MARKS[0].length, text.indexOf(MARKS[1])];
   writeFileSync(README, `${text.slice(0, start)}\n${tables}${text.slice(end)}`);
+}
+if (process.argv.includes("--times")) {
+  const found = all.flatMap((rows, simd) =>
+    rows.filter(({ file }) => file).map(({ file, time }) => `${simd},${file},${time.toPrecision(3)}`),
+  );
+  const head = ["# node crates/wasm/measure.mjs --times", "simd,operation,format,ns"];
+  writeFileSync(TIMES, `${[...head, ...found].join("\n")}\n`);
 }
 if (ratios[1] > MOST) {
   console.error(`error: a full pixel costs ${ratios[1].toFixed(1)} nine-term pixels, ${MOST} at most`);

@@ -653,3 +653,20 @@ pub const EFFECTS_Q15: f64 = 2e-3;
 /// An error that is rounding, of what the page of peers states for it: their sums run in the order
 /// of the processor's width, ours with fused products or without.
 pub const PEERS_ROUNDING: f64 = 3.0;
+
+// What `eigenshade accuracy-cost --check` allows, and what its tests ask of its files.
+
+/// An error of a setting, relative: hosts round differently, and rounding may end a polynomial a term
+/// earlier or later, which moves the error of one cut short by a per cent.
+pub const COST_ERROR: f64 = 0.02;
+/// The same in any case: errors below that are roundings of f32, which fused multiplications halve.
+pub const COST_ROUNDING: f64 = 1e-6;
+/// Bytes, relative: such a term in all profiles of an azimuth.
+pub const COST_BYTES: f64 = 0.02;
+/// A fitted exponent of bytes, beside that of theory: lower powers are still there at the largest
+/// sizes, (24 / 2 + 1)² of the order; and azimuths grow as the root of the components, so that rows of
+/// 10 - |m| numbers shrink from 8 to 5 over three octaves, which is 0.23.
+pub const COST_EXPONENT: f64 = 0.3;
+/// The rms of a setting's error on other normals, relative: a thousand rings' normals against two
+/// thousand spread evenly, with an error that stands at the rim.
+pub const COST_NORMALS: f64 = 0.05;

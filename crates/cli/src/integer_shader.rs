@@ -43,6 +43,12 @@ impl<Q: Integer> IntegerShader<Q> {
         })
     }
 
+    /// Terms of a scene's polynomials.
+    #[must_use]
+    pub fn terms(&self) -> usize {
+        self.scene.len()
+    }
+
     /// d of one channel of a light on one of a material, of no higher degree and order
     /// than the table.
     ///

@@ -64,3 +64,5 @@ pub mod canvas;
 pub mod picture;
 
 pub mod paper;
+
+pub mod accuracy_cost;

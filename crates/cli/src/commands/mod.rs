@@ -1,5 +1,6 @@
 //! One command a file.
 
+mod accuracy_cost;
 mod basis;
 mod demo;
 mod demo_sheet;
@@ -42,6 +43,7 @@ pub enum Command {
     ReadReport(read_report::ReadReport),
     Evaluate(evaluate::Evaluate),
     Paper(paper::Paper),
+    AccuracyCost(accuracy_cost::AccuracyCost),
 }
 
 impl Command {
@@ -63,6 +65,7 @@ impl Command {
             Self::ReadReport(command) => command.run(),
             Self::Evaluate(command) => command.run(),
             Self::Paper(command) => command.run(),
+            Self::AccuracyCost(command) => command.run(),
         }
     }
 }

@@ -6,7 +6,7 @@ pub mod study;
 
 pub mod artefact;
 
-mod chart;
+pub(crate) mod chart;
 
 mod plate;
 

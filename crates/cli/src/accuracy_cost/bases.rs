@@ -1,0 +1,116 @@
+//! The bases of the settings, each made once.
+
+use super::materials::Scope;
+use super::setting::{Cut, Recipe};
+use eigenshade_generator::basis;
+use eigenshade_generator::error::Result;
+use eigenshade_table::scene::{self, Criterion, Effects, LightRotation, Normalise, Store};
+use eigenshade_table::trim::trim;
+use eigenshade_table::{Component, Scene, Table};
+use std::collections::BTreeMap;
+
+/// All components of a scope, and those of selected modes.
+pub struct Bases {
+    /// By number of modes, 0 for all.
+    tables: BTreeMap<usize, Table>,
+}
+
+impl Bases {
+    /// Makes the bases that these recipes of one scope start from.
+    ///
+    /// # Errors
+    ///
+    /// None in truth: the databases reach the scope's degree and order.
+    pub fn new(scope: &Scope, recipes: impl IntoIterator<Item = Recipe>) -> Result<Self> {
+        let mut tables = BTreeMap::new();
+        let mut most: BTreeMap<usize, Option<usize>> = BTreeMap::new();
+        for recipe in recipes {
+            let known = most.entry(recipe.modes.unwrap_or(0)).or_insert(Some(0));
+            *known = (*known).zip(recipe.components).map(|(a, b)| a.max(b));
+        }
+        for (modes, components) in most {
+            let scene = scene(scope, modes, components);
+            tables.insert(modes, basis::build(&scene, &scope.lights, &scope.seen)?);
+        }
+        Ok(Self { tables })
+    }
+
+    /// The table of a recipe.
+    #[must_use]
+    pub fn table(&self, recipe: &Recipe) -> Option<Table> {
+        let whole = self.tables.get(&recipe.modes.unwrap_or(0))?;
+        let count = recipe.components.unwrap_or(usize::MAX);
+        let largest = recipe.azimuths.unwrap_or(usize::MAX);
+        let mut table = kept(whole, |number, component| {
+            number < count && component.order.unsigned_abs() as usize <= largest
+        });
+        match recipe.cut {
+            Cut::Whole => {}
+            Cut::Terms(terms) => {
+                for profile in &mut table.profiles {
+                    profile.chebyshev.truncate(terms);
+                }
+            }
+            Cut::Trimmed(tolerance) => {
+                trim(&mut table, tolerance);
+            }
+        }
+        Some(table)
+    }
+}
+
+/// A table with some of its components.
+fn kept(whole: &Table, keep: impl Fn(usize, &Component) -> bool) -> Table {
+    let chosen = whole.components.iter().enumerate().filter(|(k, one)| keep(*k, one));
+    let mut components: Vec<Component> = chosen.map(|(_, one)| *one).collect();
+    let mut used: Vec<usize> = components.iter().map(|one| one.profile).collect();
+    used.sort_unstable();
+    used.dedup();
+    for component in &mut components {
+        component.profile = used.partition_point(|&profile| profile < component.profile);
+    }
+    let profiles = used.iter().map(|&profile| whole.profiles[profile].clone()).collect();
+    let summary = whole.summary.clone();
+    Table {
+        components,
+        profiles,
+        summary,
+        scene: whole.scene.clone(),
+        gram: whole.gram.clone(),
+        selection: whole.selection.clone(),
+        mean: whole.mean.clone(),
+        spectrum: whole.spectrum.clone(),
+        general: None,
+        transfers: Vec::new(),
+    }
+}
+
+fn scene(scope: &Scope, modes: usize, components: Option<usize>) -> Scene {
+    Scene {
+        geometry: scene::Geometry { normals: "sphere".into(), mask: None, density: None },
+        light: scene::Light {
+            degree: scope.degree,
+            database: "inputs/lights.csv".into(),
+            rotation: LightRotation::Any,
+            normalise: Normalise::UnitAmbient,
+            weights: BTreeMap::new(),
+        },
+        material: scene::Material {
+            order: scope.order,
+            database: "inputs/materials.csv".into(),
+            names: Vec::new(),
+            weights: BTreeMap::new(),
+        },
+        basis: scene::Basis {
+            criterion: Criterion::ImageCentered,
+            components: Some(components.unwrap_or(usize::MAX)),
+            tolerance: None,
+            modes,
+            store: Store::Projection,
+            rank_cutoff: 1e-10,
+            profile_tolerance: 1e-7,
+            knots: None,
+        },
+        effects: Effects::default(),
+    }
+}

@@ -1,0 +1,56 @@
+//! If you need an error below this, take that.
+
+use super::knobs::{DEGREE, ORDER};
+use super::machine::Machine;
+use super::points::Point;
+use super::setting::Scaling;
+
+/// The errors that are asked for.
+pub const LIMITS: [f64; 7] = [0.1, 0.05, 0.01, 3e-3, 1e-3, 1e-4, 1e-5];
+/// Pixels of the picture in which costs are summed.
+pub const FRAME: usize = 96 * 96;
+
+/// When the light changes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Lighting {
+    /// Never: only pixels count.
+    Still,
+    /// For each picture of [`FRAME`] pixels.
+    Moving,
+}
+
+/// What a picture costs; none where that is not known.
+#[must_use]
+pub fn frame(point: &Point, machine: Machine, lighting: Lighting) -> Option<f64> {
+    let price = point.prices.get(&machine)?;
+    let pixels = FRAME as f64 * price.pixel?;
+    match lighting {
+        Lighting::Still => Some(pixels),
+        Lighting::Moving => price.light.map(|light| pixels + light),
+    }
+}
+
+/// Whether a setting's error is below a limit: that of the method, in the median, and below
+/// the paper's degree and order that of the model too.
+#[must_use]
+pub fn suffices(point: &Point, limit: f64) -> bool {
+    let recipe = point.setting.recipe;
+    let models = (recipe.degree, recipe.order) == (DEGREE, ORDER)
+        || point.model.is_some_and(|model| model.median <= limit);
+    point.setting.scaling == Scaling::None && point.method.seen.rms.median <= limit && models
+}
+
+/// The cheapest setting whose error is below a limit, by its place.
+#[must_use]
+pub fn cheapest(
+    points: &[Point],
+    machine: Machine,
+    lighting: Lighting,
+    limit: f64,
+) -> Option<usize> {
+    let able = points.iter().enumerate().filter(|(_, point)| suffices(point, limit));
+    let priced =
+        able.filter_map(|(k, point)| frame(point, machine, lighting).map(|cost| (k, cost)));
+    let key = |k: usize| points[k].method.seen.rms.median;
+    priced.min_by(|a, b| a.1.total_cmp(&b.1).then(key(a.0).total_cmp(&key(b.0)))).map(|(k, _)| k)
+}

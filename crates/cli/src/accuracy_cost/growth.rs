@@ -1,0 +1,337 @@
+//! How times and bytes grow with degree, order, components, pixels, materials and maps.
+
+use super::bases::Bases;
+use super::exponent;
+use super::images::Image;
+use super::knobs::{DEGREE, ORDER};
+use super::materials::Scope;
+use super::setting::{Recipe, Setting};
+use super::times::{Case, costs};
+use crate::owned_basis::OwnedBasis;
+use crate::shader::fault;
+use eigenshade::Material;
+use eigenshade_generator::error::Result;
+use eigenshade_generator::inputs::environment::EnvironmentMap;
+use eigenshade_generator::inputs::light_projection;
+use eigenshade_index::light;
+use eigenshade_table::{Parts, Table};
+use std::hint::black_box;
+use std::time::Instant;
+
+/// Components where they are not what grows.
+const COMPONENTS: usize = 50;
+/// Rounds of the timed runs.
+const ROUNDS: usize = 15;
+/// Texels of a map, across and down, where maps are counted.
+const MAP: (usize, usize) = (64, 32);
+
+/// What is measured against what grows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Growth {
+    /// What grows.
+    pub quantity: &'static str,
+    /// What is measured.
+    pub measure: &'static str,
+    /// "ns" or "bytes".
+    pub unit: &'static str,
+    /// The measured ones.
+    pub points: Vec<(f64, f64)>,
+    /// The exponent that theory says.
+    pub theory: f64,
+    /// Why.
+    pub reason: &'static str,
+}
+
+impl Growth {
+    /// The fitted exponent; none of fewer than two points.
+    #[must_use]
+    pub fn exponent(&self) -> Option<f64> {
+        exponent::fit(&self.points).map(|(_, exponent)| exponent)
+    }
+}
+
+/// All that grows; times only if `timed`.
+///
+/// # Errors
+///
+/// None in truth.
+pub fn all(quick: bool, timed: bool) -> Result<Vec<Growth>> {
+    let mut growths = Vec::new();
+    let degrees: &[usize] = if quick { &[4, 6, 9, 12, 16] } else { &[4, 6, 9, 12, 16, 24, 32] };
+    let sizes: Vec<(usize, usize)> = degrees.iter().map(|&degree| (degree, ORDER)).collect();
+    growths.extend(of_bases("degree", &sizes, timed)?);
+    let orders: &[usize] = if quick { &[8, 12] } else { &[8, 12, 16, 24] };
+    let sizes: Vec<(usize, usize)> = orders.iter().map(|&order| (DEGREE, order)).collect();
+    growths.extend(of_bases("order", &sizes, timed)?);
+    growths.extend(of_components(timed)?);
+    growths.extend(of_materials(timed)?);
+    growths.extend(of_pixels(timed)?);
+    growths.extend(of_maps(timed));
+    growths.retain(|growth| !growth.points.is_empty());
+    Ok(growths)
+}
+
+/// A measure, its unit, and what theory says of it in degree, order and components.
+struct Theory {
+    measure: &'static str,
+    unit: &'static str,
+    exponents: [f64; 3],
+    reasons: [&'static str; 3],
+}
+
+const EACH_DEGREE: &str = "a number for each component and each l from \\|m\\| on";
+const PAIRS: &str = "pairs (p, q): (order / 2 + 1)²";
+const FOLDED: &str = "the material is folded in: nothing of the order is left";
+
+/// Bytes first, then times.
+const THEORY: [Theory; 6] = [
+    Theory {
+        measure: "rows of the components",
+        unit: "bytes",
+        exponents: [1.0, 2.0, 1.0],
+        reasons: [
+            "a row of pairs for each component and each l from \\|m\\| on",
+            PAIRS,
+            "rows for each",
+        ],
+    },
+    Theory {
+        measure: "polar integrals",
+        unit: "bytes",
+        exponents: [1.0, 2.0, 0.0],
+        reasons: ["one for each l and pair", PAIRS, "they are the light's and the material's"],
+    },
+    Theory {
+        measure: "a folded material",
+        unit: "bytes",
+        exponents: [1.0, 0.0, 1.0],
+        reasons: [EACH_DEGREE, FOLDED, EACH_DEGREE],
+    },
+    Theory {
+        measure: "a pixel",
+        unit: "ns",
+        exponents: [1.0, 1.0, 0.5],
+        reasons: [
+            "a power of n_x + i n_y for each \\|m\\| up to the degree",
+            "polynomials at most as long as the order",
+            "those of an azimuth are summed; azimuths grow as the root",
+        ],
+    },
+    Theory {
+        measure: "a new light",
+        unit: "ns",
+        exponents: [1.0, 0.0, 1.0],
+        reasons: [
+            "as its folded material, once that outweighs the collapse",
+            FOLDED,
+            "rows for each",
+        ],
+    },
+    Theory {
+        measure: "a new material",
+        unit: "ns",
+        exponents: [1.0, 2.0, 1.0],
+        reasons: [EACH_DEGREE, PAIRS, "rows for each"],
+    },
+];
+
+fn of_bases(quantity: &'static str, sizes: &[(usize, usize)], timed: bool) -> Result<Vec<Growth>> {
+    let mut tables = Vec::new();
+    for &(degree, order) in sizes {
+        let scope = Scope::seen(degree, order)?;
+        let recipe = Recipe::first(degree, order, COMPONENTS);
+        let bases = Bases::new(&scope, [recipe])?;
+        let size = if quantity == "degree" { degree } else { order };
+        if let Some(table) = bases.table(&recipe) {
+            tables.push((size, recipe, table, image(&scope)));
+        }
+    }
+    measured(quantity, usize::from(quantity != "degree"), &tables, timed)
+}
+
+fn of_components(timed: bool) -> Result<Vec<Growth>> {
+    let scope = Scope::seen(DEGREE, ORDER)?;
+    let recipes = [10, 25, 50, 100, 200].map(|count| Recipe::first(DEGREE, ORDER, count));
+    let bases = Bases::new(&scope, recipes)?;
+    let tables = recipes.iter().filter_map(|recipe| {
+        let table = bases.table(recipe)?;
+        Some((recipe.components?, *recipe, table, image(&scope)))
+    });
+    measured("components", 2, &tables.collect::<Vec<_>>(), timed)
+}
+
+/// Of the first light on the first material.
+fn image(scope: &Scope) -> Image {
+    Image {
+        light: scope.lights.entries[0].luminance(),
+        material: scope.seen.entries[0].luminance(),
+        seen: true,
+        truth: Vec::new(),
+        peak: 0.0,
+    }
+}
+
+type Made = (usize, Recipe, Table, Image);
+
+fn measured(
+    quantity: &'static str,
+    place: usize,
+    tables: &[Made],
+    timed: bool,
+) -> Result<Vec<Growth>> {
+    let mut points = [const { Vec::new() }; THEORY.len()];
+    for (size, _, table, _) in tables {
+        let parts = Parts::new(table);
+        let owned = OwnedBasis::<f32>::new(table);
+        let folded = owned.basis().map_err(fault)?.transfer_len();
+        let rows = parts.factors.len() + parts.terms.len();
+        for (points, numbers) in points.iter_mut().zip([rows, parts.polar.len(), folded]) {
+            points.push((*size as f64, (numbers * size_of::<f32>()) as f64));
+        }
+    }
+    if timed {
+        let mut cases = Vec::new();
+        for (_, recipe, table, image) in tables {
+            cases.push(Case::new(&Setting::of(*recipe), table, image)?);
+        }
+        for ((size, _, table, image), cost) in tables.iter().zip(costs(&mut cases, ROUNDS)?) {
+            let times = [cost.pixel, cost.light, folding(table, image, 1)?];
+            for (points, time) in points.iter_mut().skip(3).zip(times) {
+                points.push((*size as f64, time));
+            }
+        }
+    }
+    let growth = |(theory, points): (&Theory, Vec<(f64, f64)>)| Growth {
+        quantity,
+        measure: theory.measure,
+        unit: theory.unit,
+        points,
+        theory: theory.exponents[place],
+        reason: theory.reasons[place],
+    };
+    Ok(THEORY.iter().zip(points).map(growth).collect())
+}
+
+/// The least of some times: what else the machine does only adds.
+fn least(times: &[f64]) -> f64 {
+    times.iter().copied().fold(f64::INFINITY, f64::min)
+}
+
+/// Nanoseconds that so many materials take to be folded in.
+fn folding(table: &Table, image: &Image, count: usize) -> Result<f64> {
+    let owned = OwnedBasis::<f32>::new(table);
+    let basis = owned.basis().map_err(fault)?;
+    let material: Vec<f32> = image.material.iter().map(|&value| value as f32).collect();
+    let material = Material::new(table.gram.order, &material).map_err(fault)?;
+    let mut workspace = vec![0.0; basis.workspace_len()];
+    let mut transfers = vec![vec![0.0; basis.transfer_len()]; count];
+    let mut times = Vec::new();
+    for _ in 0..ROUNDS {
+        let start = Instant::now();
+        for transfer in &mut transfers {
+            basis.transfer_into(black_box(&material), &mut workspace, transfer).map_err(fault)?;
+        }
+        times.push(1e9 * start.elapsed().as_secs_f64());
+        black_box(&transfers);
+    }
+    Ok(least(&times))
+}
+
+fn of_materials(timed: bool) -> Result<Vec<Growth>> {
+    let scope = Scope::seen(DEGREE, ORDER)?;
+    let recipe = Recipe::first(DEGREE, ORDER, COMPONENTS);
+    let Some(table) = Bases::new(&scope, [recipe])?.table(&recipe) else { return Ok(Vec::new()) };
+    let image = image(&scope);
+    let owned = OwnedBasis::<f32>::new(&table);
+    let length = owned.basis().map_err(fault)?.transfer_len();
+    let counts = [1usize, 4, 16, 64, 256];
+    let held = counts.map(|n| (n as f64, (n * length * size_of::<f32>()) as f64));
+    let mut times = Vec::new();
+    for count in counts.into_iter().filter(|_| timed) {
+        times.push((count as f64, folding(&table, &image, count)?));
+    }
+    let reason = "each has a transfer of its own";
+    let growth = |measure, unit, points| Growth {
+        quantity: "materials",
+        measure,
+        unit,
+        points,
+        theory: 1.0,
+        reason,
+    };
+    Ok(vec![growth("transfers", "bytes", held.to_vec()), growth("folding", "ns", times)])
+}
+
+fn of_pixels(timed: bool) -> Result<Vec<Growth>> {
+    let scope = Scope::seen(DEGREE, ORDER)?;
+    let recipe = Recipe::first(DEGREE, ORDER, COMPONENTS);
+    let Some(table) = Bases::new(&scope, [recipe])?.table(&recipe) else { return Ok(Vec::new()) };
+    let across = [16usize, 32, 64, 128, 256];
+    let pixels = across.map(|n| n * n);
+    let held = pixels.map(|n| (n as f64, (n * size_of::<f32>()) as f64));
+    let mut times = Vec::new();
+    if timed {
+        let owned = OwnedBasis::<f32>::new(&table);
+        let image = image(&scope);
+        let mut shader = crate::shader::Shader::new(owned.basis().map_err(fault)?, usize::MAX);
+        shader.project((DEGREE, &image.light), (ORDER, &image.material))?;
+        let scene = shader.scene()?;
+        for count in pixels {
+            let normals = super::shading::hemisphere(count);
+            let normals = crate::shader::OwnedNormals::<f32>::new(&normals);
+            let mut out = vec![0.0; count];
+            let mut found = Vec::new();
+            for _ in 0..ROUNDS {
+                let start = Instant::now();
+                scene.shade_slice(black_box(normals.view()?), &mut out).map_err(fault)?;
+                found.push(1e9 * start.elapsed().as_secs_f64());
+                black_box(&out);
+            }
+            times.push((count as f64, least(&found)));
+        }
+    }
+    let reason = "each pixel is its own";
+    let growth = |measure, unit, points| Growth {
+        quantity: "pixels",
+        measure,
+        unit,
+        points,
+        theory: 1.0,
+        reason,
+    };
+    Ok(vec![growth("a picture's f32", "bytes", held.to_vec()), growth("shading", "ns", times)])
+}
+
+fn of_maps(timed: bool) -> Vec<Growth> {
+    let counts = [1usize, 2, 4, 8, 16];
+    let numbers = 3 * light::count(DEGREE) * size_of::<f64>();
+    let held = counts.map(|n| (n as f64, (n * numbers) as f64));
+    let (width, height) = MAP;
+    let texels = (0..width * height).map(|k| [1.0 + (k % 7) as f32, 1.0, (k % 3) as f32]);
+    let mut times = Vec::new();
+    if let Ok(map) = EnvironmentMap::new(width, height, texels.collect())
+        && timed
+    {
+        for count in counts {
+            let mut found = Vec::new();
+            for _ in 0..ROUNDS {
+                let start = Instant::now();
+                for _ in 0..count {
+                    black_box(light_projection::project(black_box(&map), DEGREE));
+                }
+                found.push(1e9 * start.elapsed().as_secs_f64());
+            }
+            times.push((count as f64, least(&found)));
+        }
+    }
+    let reason = "each map is projected by itself";
+    let growth = |measure, unit, points| Growth {
+        quantity: "maps",
+        measure,
+        unit,
+        points,
+        theory: 1.0,
+        reason,
+    };
+    vec![growth("coefficients", "bytes", held.to_vec()), growth("projection", "ns", times)]
+}

@@ -1,0 +1,103 @@
+//! Images by the direct sum (15), of every light on every material: what a method is
+//! measured against.
+
+use super::materials::Scope;
+use crate::parallel;
+use crate::sphere_rings::{Ring, rings};
+use eigenshade_generator::database::Named;
+use eigenshade_generator::special::spherical_harmonic::azimuth;
+use eigenshade_generator::truth::Truth;
+use indicatif::ProgressBar;
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+/// Widest spacing of the normals, radians, and in radians over the highest degree.
+const WIDEST: f64 = 0.08;
+/// See [`WIDEST`].
+const IN_DEGREES: f64 = 1.5;
+/// Normals at the very rim: they count for the largest error, not for the rms.
+const RIM: usize = 64;
+
+/// One image.
+pub struct Image {
+    /// Luminance of the light.
+    pub light: Vec<f64>,
+    /// Luminance of the material.
+    pub material: Vec<f64>,
+    /// Whether the basis was made of this material.
+    pub seen: bool,
+    /// By normal.
+    pub truth: Vec<f64>,
+    /// The largest |I|.
+    pub peak: f64,
+}
+
+/// Every light on every material.
+pub struct Images {
+    /// Degree of the lights.
+    pub degree: usize,
+    /// Order of the materials.
+    pub order: usize,
+    /// Unit normals of a sphere.
+    pub normals: Vec<[f64; 3]>,
+    /// The share of each, under the density cos α / π.
+    pub weights: Vec<f64>,
+    /// The images.
+    pub images: Vec<Image>,
+}
+
+impl Images {
+    /// Sums.
+    #[must_use]
+    pub fn new(scope: &Scope) -> Self {
+        let (degree, order) = (scope.degree, scope.order);
+        let mut rings = rings(WIDEST.min(IN_DEGREES / degree.max(1) as f64));
+        let tilts = (0..RIM).map(|k| TAU * k as f64 / RIM as f64).collect();
+        rings.push(Ring { slant: FRAC_PI_2, tilts, weight: 0.0 });
+        rings.push(Ring { slant: 0.0, tilts: vec![0.0], weight: 0.0 });
+        let normals: Vec<[f64; 3]> = rings.iter().flat_map(Ring::normals).collect();
+        let weights = rings.iter().flat_map(|one| std::iter::repeat_n(one.weight, one.tilts.len()));
+        let weights = weights.collect();
+        let truth = Truth::new(degree, order);
+        let lights: Vec<Vec<f64>> = scope.lights.entries.iter().map(Named::luminance).collect();
+        let entries = scope.seen.entries.iter().chain(&scope.unseen.entries);
+        let materials: Vec<Vec<f64>> = entries.map(Named::luminance).collect();
+        let hidden = ProgressBar::hidden();
+        // By ring, then material, then light: a coefficient for each azimuth.
+        let profiles = parallel::map(rings.len(), &hidden, |k| {
+            let (sine, cosine) = rings[k].slant.sin_cos();
+            // At the rim cos(π/2) is not quite zero.
+            let modes = truth.at([sine, 0.0, cosine.max(0.0)]);
+            let of = |material: &Vec<f64>| {
+                let scattered = modes.scatter(material);
+                lights.iter().map(|light| modes.profile(light, &scattered)).collect::<Vec<_>>()
+            };
+            materials.iter().map(of).collect::<Vec<_>>()
+        });
+        let top = degree.cast_signed();
+        let waves: Vec<Vec<Vec<f64>>> = rings
+            .iter()
+            .map(|ring| {
+                let of = |tilt: &f64| (-top..=top).map(|m| azimuth(m, *tilt)).collect();
+                ring.tilts.iter().map(of).collect()
+            })
+            .collect();
+        let images = parallel::map(lights.len() * materials.len(), &hidden, |k| {
+            let (material, light) = (k / lights.len(), k % lights.len());
+            let mut values = Vec::with_capacity(normals.len());
+            for (profiles, waves) in profiles.iter().zip(&waves) {
+                let profile = &profiles[material][light];
+                let sum = |waves: &Vec<f64>| waves.iter().zip(profile).map(|(a, b)| a * b).sum();
+                values.extend(waves.iter().map(sum).collect::<Vec<f64>>());
+            }
+            let peak = values.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+            Image {
+                light: lights[light].clone(),
+                material: materials[material].clone(),
+                seen: material < scope.seen.entries.len(),
+                truth: values,
+                peak,
+            }
+        });
+        Self { degree, order, normals, weights, images }
+    }
+}

@@ -1,0 +1,146 @@
+//! The settings that are measured: each knob turned by itself, and those that go together.
+
+use super::setting::{Cut, Format, Recipe, Scaling, Setting, Way};
+
+/// Degree and order of the shipped set, at which all knobs but those two are turned.
+pub const DEGREE: usize = 9;
+/// See [`DEGREE`].
+pub const ORDER: usize = 7;
+/// Degrees and orders of the measured materials, below the shipped ones.
+pub const LOWER: [(usize, usize); 8] =
+    [(1, 0), (2, 0), (2, 2), (3, 2), (4, 3), (5, 4), (6, 5), (7, 6)];
+/// Degrees and orders above, of formulas.
+pub const HIGHER: [(usize, usize); 4] = [(12, 12), (16, 16), (24, 24), (32, 32)];
+/// Components that a basis beyond the shipped order keeps, at most.
+pub const HIGH_COMPONENTS: usize = 400;
+
+/// Which knob a setting turns.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Knob {
+    /// What it is called in the file.
+    pub knob: &'static str,
+    /// The setting.
+    pub setting: Setting,
+}
+
+/// The settings; with `quick` a part of them. A knob that is not here yet is a field of
+/// [`Setting`] or its recipe, and a row here.
+#[must_use]
+pub fn settings(quick: bool) -> Vec<Knob> {
+    let mut found: Vec<Knob> = Vec::new();
+    let mut add = |knob: &'static str, setting: Setting| {
+        if !found.iter().any(|other| other.setting == setting) {
+            found.push(Knob { knob, setting });
+        }
+    };
+    let all = Recipe::all(DEGREE, ORDER);
+    let first = |count: usize| Recipe::first(DEGREE, ORDER, count);
+    let few = |values: &[usize], taken: &[usize]| -> Vec<usize> {
+        if quick { taken.to_vec() } else { values.to_vec() }
+    };
+    add("nine terms", Setting::of(Recipe::all(2, 0)).by(Way::NineTerms));
+    for format in [Format::F32, Format::Q31, Format::Q15] {
+        add("degree and order", Setting::of(Recipe::all(2, 0)).in_format(format));
+    }
+    for count in few(&[1, 4, 9, 16, 25, 36, 50, 75, 100, 130, 160], &[9, 25, 50, 130]) {
+        add("components", Setting::of(first(count)));
+    }
+    add("components", Setting::of(all));
+    add("format", Setting::of(all).in_format(Format::F64));
+    // Beyond that the weakest profiles are larger than integers state.
+    for count in few(&[25, 50, 100, 130], &[50]) {
+        for format in [Format::F64, Format::Q31, Format::Q15] {
+            add("format", Setting::of(first(count)).in_format(format));
+        }
+    }
+    // What firmware/tables/full.toml and its build script make.
+    for format in [Format::F32, Format::Q31, Format::Q15] {
+        let recipe = first(130).cut(Cut::Trimmed(2e-4));
+        add("polynomials", Setting::of(recipe).in_format(format));
+    }
+    let trims: &[f64] =
+        if quick { &[0.1, 1e-2] } else { &[0.3, 0.1, 0.03, 1e-2, 3e-3, 1e-3, 1e-4] };
+    for count in few(&[4, 9, 16, 25, 50, 100, 130], &[25, 50]) {
+        for &tolerance in trims {
+            add("polynomials", Setting::of(first(count).cut(Cut::Trimmed(tolerance))));
+        }
+    }
+    let within: &[f64] = if quick {
+        &[0.1, 1e-2, 1e-4]
+    } else {
+        &[0.3, 0.1, 0.03, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 1e-5]
+    };
+    // Polynomials of more than 16 terms are not shortened, so that those of all components are
+    // none that a tolerance makes cheap.
+    let trimmed = first(130).cut(Cut::Trimmed(2e-4));
+    for recipe in if quick { vec![trimmed] } else { vec![first(50), trimmed] } {
+        for &tolerance in within {
+            add("tolerance", Setting::of(recipe).by(Way::Within(tolerance)));
+        }
+    }
+    for count in few(&[2, 3, 4, 6, 8, 10, 12, 16], &[4, 8]) {
+        add("degree of polynomials", Setting::of(all.cut(Cut::Terms(count))));
+    }
+    for azimuths in few(&[0, 1, 2, 3, 4, 5, 6, 7, 8], &[1, 4]) {
+        add("azimuths", Setting::of(Recipe { azimuths: Some(azimuths), ..all }));
+    }
+    for modes in few(&[250, 500, 1000, 2000], &[1000]) {
+        add("modes", Setting::of(Recipe { modes: Some(modes), ..all }));
+    }
+    for knots in few(&[8, 16, 32, 64, 128], &[16, 64]) {
+        for way in [Way::Linear(knots), Way::Cubic(knots)] {
+            add("look-ups", Setting::of(all).by(way));
+            add("look-ups", Setting::of(first(50)).by(way));
+        }
+    }
+    for size in few(&[8, 16, 32, 64, 128], &[16, 32]) {
+        for way in [Way::Bilinear(size), Way::Nearest(size)] {
+            add("baked maps", Setting::of(all).by(way));
+        }
+        add("baked maps", Setting::of(first(50)).by(Way::Bilinear(size)));
+        add("baked maps", Setting::of(first(50)).by(Way::Bilinear(size)).in_format(Format::Q15));
+    }
+    add("component by component", Setting::of(first(50)).by(Way::Eigen));
+    for scaling in [Scaling::Libm, Scaling::Single, Scaling::Micromath] {
+        add("mathematics", Setting { scaling, ..Setting::of(first(50)) });
+    }
+    let lower: &[(usize, usize)] = if quick { &[(2, 0), (4, 3)] } else { &LOWER };
+    for &(degree, order) in lower {
+        add("degree and order", Setting::of(Recipe::all(degree, order)));
+        for tolerance in [1e-2, 1e-3] {
+            let recipe = Recipe::all(degree, order).cut(Cut::Trimmed(tolerance));
+            add("degree and order", Setting::of(recipe));
+        }
+    }
+    let higher: &[(usize, usize)] = if quick { &HIGHER[..0] } else { &HIGHER };
+    for &(degree, order) in higher {
+        let recipe = Recipe::first(degree, order, HIGH_COMPONENTS);
+        for format in [Format::F32, Format::F64] {
+            add("degree and order", Setting::of(recipe).in_format(format));
+        }
+        for tolerance in [1e-2, 1e-3] {
+            let recipe = recipe.cut(Cut::Trimmed(tolerance));
+            add("degree and order", Setting::of(recipe));
+            add("degree and order", Setting::of(recipe).by(Way::Within(tolerance)));
+        }
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::settings;
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn each_setting_is_there_once_and_quick_ones_are_among_all() {
+        let names = |quick| -> Vec<String> {
+            settings(quick).iter().map(|knob| knob.setting.to_string()).collect()
+        };
+        let (quick, all) = (names(true), names(false));
+        let set: BTreeSet<&String> = all.iter().collect();
+        assert_eq!(set.len(), all.len());
+        assert!(quick.iter().all(|name| set.contains(name)), "{quick:?}");
+        assert!(quick.len() < all.len() / 2);
+    }
+}
