@@ -4,15 +4,22 @@ use super::materials::Scope;
 use super::setting::{Cut, Recipe};
 use eigenshade_generator::basis;
 use eigenshade_generator::error::Result;
-use eigenshade_table::scene::{self, Criterion, Effects, LightRotation, Normalise, Store};
+use eigenshade_index::effect::{Effect, Effects};
+use eigenshade_table::scene::{self, Criterion, LightRotation, Normalise, Store};
 use eigenshade_table::trim::trim;
 use eigenshade_table::{Component, Scene, Table};
 use std::collections::BTreeMap;
 
+/// Which modes: how many of the highest variance, 0 for all, and the bits of the effects.
+type Modes = (usize, u16);
+
+fn modes(recipe: &Recipe) -> Modes {
+    (recipe.modes.unwrap_or(0), recipe.effects.bits())
+}
+
 /// All components of a scope, and those of selected modes.
 pub struct Bases {
-    /// By number of modes, 0 for all.
-    tables: BTreeMap<usize, Table>,
+    tables: BTreeMap<Modes, Table>,
 }
 
 impl Bases {
@@ -23,9 +30,9 @@ impl Bases {
     /// None in truth: the databases reach the scope's degree and order.
     pub fn new(scope: &Scope, recipes: impl IntoIterator<Item = Recipe>) -> Result<Self> {
         let mut tables = BTreeMap::new();
-        let mut most: BTreeMap<usize, Option<usize>> = BTreeMap::new();
+        let mut most: BTreeMap<Modes, Option<usize>> = BTreeMap::new();
         for recipe in recipes {
-            let known = most.entry(recipe.modes.unwrap_or(0)).or_insert(Some(0));
+            let known = most.entry(modes(&recipe)).or_insert(Some(0));
             *known = (*known).zip(recipe.components).map(|(a, b)| a.max(b));
         }
         for (modes, components) in most {
@@ -38,7 +45,7 @@ impl Bases {
     /// The table of a recipe.
     #[must_use]
     pub fn table(&self, recipe: &Recipe) -> Option<Table> {
-        let whole = self.tables.get(&recipe.modes.unwrap_or(0))?;
+        let whole = self.tables.get(&modes(recipe))?;
         let count = recipe.components.unwrap_or(usize::MAX);
         let largest = recipe.azimuths.unwrap_or(usize::MAX);
         let mut table = kept(whole, |number, component| {
@@ -85,7 +92,8 @@ fn kept(whole: &Table, keep: impl Fn(usize, &Component) -> bool) -> Table {
     }
 }
 
-fn scene(scope: &Scope, modes: usize, components: Option<usize>) -> Scene {
+fn scene(scope: &Scope, (modes, effects): Modes, components: Option<usize>) -> Scene {
+    let wanted = Effects::from_bits(effects).unwrap_or(Effects::ALL);
     Scene {
         geometry: scene::Geometry { normals: "sphere".into(), mask: None, density: None },
         light: scene::Light {
@@ -111,6 +119,9 @@ fn scene(scope: &Scope, modes: usize, components: Option<usize>) -> Scene {
             profile_tolerance: 1e-7,
             knots: None,
         },
-        effects: Effects::default(),
+        effects: scene::Effects {
+            wanted: Effect::ALL.into_iter().filter(|&effect| wanted.has(effect)).collect(),
+            ..scene::Effects::default()
+        },
     }
 }

@@ -7,6 +7,7 @@ use crate::sphere_rings::{Ring, rings};
 use eigenshade_generator::database::Named;
 use eigenshade_generator::special::spherical_harmonic::azimuth;
 use eigenshade_generator::truth::Truth;
+use eigenshade_index::{light, material};
 use indicatif::ProgressBar;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -29,6 +30,15 @@ pub struct Image {
     pub truth: Vec<f64>,
     /// The largest |I|.
     pub peak: f64,
+}
+
+impl Image {
+    /// Its light and material up to a degree and an order, no more than its own.
+    #[must_use]
+    pub fn within(&self, degree: usize, order: usize) -> ((usize, &[f64]), (usize, &[f64])) {
+        let light = &self.light[..light::count(degree)];
+        ((degree, light), (order, &self.material[..material::count(order)]))
+    }
 }
 
 /// Every light on every material.

@@ -1,6 +1,7 @@
 //! The settings that are measured: each knob turned by itself, and those that go together.
 
 use super::setting::{Cut, Format, Recipe, Scaling, Setting, Way};
+use eigenshade_index::effect::{Effect, Effects};
 
 /// Degree and order of the shipped set, at which all knobs but those two are turned.
 pub const DEGREE: usize = 9;
@@ -86,6 +87,16 @@ pub fn settings(quick: bool) -> Vec<Knob> {
     }
     for modes in few(&[250, 500, 1000, 2000], &[1000]) {
         add("modes", Setting::of(Recipe { modes: Some(modes), ..all }));
+    }
+    // Without highlights; without rim and roughness besides; light from all around alone.
+    let matte = Effects::NONE.with(Effect::Ambient).with(Effect::Diffuse);
+    for effects in [
+        matte.with(Effect::Broad),
+        matte,
+        Effects::NONE.with(Effect::Ambient),
+        Effects::ALL.without(Effect::Ambient),
+    ] {
+        add("effects", Setting::of(Recipe { effects, ..all }));
     }
     for knots in few(&[8, 16, 32, 64, 128], &[16, 64]) {
         for way in [Way::Linear(knots), Way::Cubic(knots)] {

@@ -1,5 +1,7 @@
 //! One setting of all knobs: which basis, which way to a pixel, which numbers.
 
+use crate::wire_file;
+use eigenshade_index::effect::Effects;
 use std::fmt;
 
 /// What of a basis is kept.
@@ -15,6 +17,8 @@ pub struct Recipe {
     pub modes: Option<usize>,
     /// Largest azimuth |m| that is kept; none: all.
     pub azimuths: Option<usize>,
+    /// The effects that it is for.
+    pub effects: Effects,
     /// Where its polynomials end.
     pub cut: Cut,
 }
@@ -95,7 +99,8 @@ impl Recipe {
     #[must_use]
     pub const fn all(degree: usize, order: usize) -> Self {
         let (components, modes, azimuths) = (None, None, None);
-        Self { degree, order, components, modes, azimuths, cut: Cut::Whole }
+        let effects = Effects::ALL;
+        Self { degree, order, components, modes, azimuths, effects, cut: Cut::Whole }
     }
 
     /// The first components of a degree and an order.
@@ -143,6 +148,9 @@ impl fmt::Display for Recipe {
         }
         if let Some(azimuths) = self.azimuths {
             write!(f, " m{azimuths}")?;
+        }
+        if !self.effects.is_all() {
+            write!(f, " {}", wire_file::named(self.effects).replace(' ', "+"))?;
         }
         match self.cut {
             Cut::Whole => Ok(()),

@@ -63,7 +63,7 @@ impl Shading {
                 Numbers::Q15(IntegerShader::new(table, usize::MAX)?, normals)
             }
         };
-        Ok(Self { setting: *setting, degree: images.degree, order: images.order, numbers })
+        Ok(Self { setting: *setting, degree: table.gram.degree, order: table.gram.order, numbers })
     }
 
     /// The irradiance of every normal, and the terms of the polynomials.
@@ -72,8 +72,7 @@ impl Shading {
     ///
     /// None in truth: lights and materials are those of the basis's degree and order.
     pub fn image(&self, image: &Image) -> Result<(Vec<f64>, usize)> {
-        let (light, material) =
-            ((self.degree, &image.light[..]), (self.order, &image.material[..]));
+        let (light, material) = image.within(self.degree, self.order);
         match &self.numbers {
             Numbers::Double(floats) => floats.image(self.setting.way, light, material),
             Numbers::Single(floats) => match (self.setting.way, self.setting.scaling) {

@@ -8,6 +8,7 @@ use super::model::{MAPS, Row};
 use super::points::Point;
 use crate::number::exact;
 use crate::rows::Rows;
+use crate::wire_file;
 use eigenshade_generator::error::Result;
 
 /// The file of all points.
@@ -41,6 +42,7 @@ pub fn columns() -> Vec<String> {
         "order",
         "components",
         "modes",
+        "effects",
         "azimuths",
         "way",
         "format",
@@ -98,6 +100,7 @@ fn fields(point: &Point) -> Vec<String> {
         setting.recipe.order.to_string(),
         optional(setting.recipe.components),
         optional(setting.recipe.modes),
+        wire_file::named(setting.recipe.effects),
         optional(setting.recipe.azimuths),
         setting.way.to_string(),
         setting.format.to_string(),

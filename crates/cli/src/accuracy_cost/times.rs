@@ -120,7 +120,8 @@ impl<S: Scalar> Floats<S> {
     fn new(table: &Table, image: &Image) -> Result<Self> {
         let rounded = |values: &[f64]| values.iter().map(|&v| S::from_f64(v)).collect::<Vec<S>>();
         let (degree, order) = (table.gram.degree, table.gram.order);
-        let (light, material) = (rounded(&image.light), rounded(&image.material));
+        let ((_, light), (_, material)) = image.within(degree, order);
+        let (light, material) = (rounded(light), rounded(material));
         let owned = OwnedBasis::new(table);
         let basis = owned.basis().map_err(fault)?;
         let mut transfer = vec![S::ZERO; basis.transfer_len()];
@@ -314,10 +315,11 @@ impl<Q: Integer> Integers<Q> {
         let basis = OwnedQuantised::new(table, Q::FORMAT.tolerance())
             .map_err(|error| Error::new(error.to_string(), "take another format"))?;
         let view = basis.view().map_err(fault)?;
-        let (mantissas, exponents) = quantise::material(order, &image.material, Q::FORMAT);
+        let ((_, light), (_, material)) = image.within(degree, order);
+        let (mantissas, exponents) = quantise::material(order, material, Q::FORMAT);
         let mantissas = own(&mantissas);
         let material = quantised::Material::new(order, &exponents, &mantissas).map_err(fault)?;
-        let (mantissas, exponent) = quantise::row(&image.light, Q::FORMAT.bits(), i64::MAX);
+        let (mantissas, exponent) = quantise::row(light, Q::FORMAT.bits(), i64::MAX);
         let light = (own(&mantissas), i32::from(exponent));
         let mut workspace = vec![Q::Wide::default(); view.workspace_len()];
         let mut transfer = (vec![Q::default(); view.transfer_len()], vec![0; view.profiles()]);

@@ -2,6 +2,7 @@
 
 use super::setting::{Cut, Format, Setting, Way};
 use crate::number::grouped;
+use crate::wire_file;
 
 /// An error in per cent of two digits, below 0.01 % as a power of ten.
 #[must_use]
@@ -62,6 +63,10 @@ pub fn setting(setting: &Setting, terms: usize) -> String {
     }
     if let Some(azimuths) = recipe.azimuths {
         text.push_str(&format!(", azimuths to {azimuths}"));
+    }
+    if !recipe.effects.is_all() {
+        let names = wire_file::named(recipe.effects).replace(' ', ", ");
+        text.push_str(&format!(", of {names} alone"));
     }
     match recipe.cut {
         Cut::Whole => {}
