@@ -641,8 +641,8 @@ pub const OBJECT_OF_EFFECTS: f64 = 1e-6;
 pub const EFFECTS_Q31: f64 = 1e-6;
 /// See [`EFFECTS_Q31`].
 pub const EFFECTS_Q15: f64 = 2e-3;
-/// Root mean square errors over 24 random rotations of each light and 150 normals, over those of
-/// all rotations and normals, either way: seven lights, most energy in the three of the sharpest.
+/// Root mean square errors over 24 random rotations of each of seven lights and 150 normals, over
+/// those of all rotations and normals, either way: 4 % at most of errors that are known.
 pub const CHOICE_SAMPLED: f64 = 1.1;
 /// The real error of a table that is chosen for a tolerance, of it, at least: the triangle
 /// inequality for orders, and whole components; 0.797 with five.
