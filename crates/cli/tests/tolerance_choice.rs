@@ -266,12 +266,12 @@ fn energies(lights: &Lights, materials: &Materials) -> Vec<Vec<f64>> {
                     let kept = each.map(|((o, _, _), b)| if o < first { 0.0 } else { b });
                     at.scatter(&kept.collect::<Vec<_>>())
                 };
-                for first in 0..=order {
-                    let scattered = of_orders(first);
-                    for (place, (l, _)) in light::indices(degree).enumerate() {
-                        let mut unit = vec![0.0; light::count(degree)];
-                        unit[place] = 1.0;
-                        left[l][first] += share * at.irradiance(&unit, &scattered).powi(2);
+                let scattered: Vec<_> = (0..=order).map(of_orders).collect();
+                for (place, (l, _)) in light::indices(degree).enumerate() {
+                    let mut unit = vec![0.0; light::count(degree)];
+                    unit[place] = 1.0;
+                    for (energy, scattered) in left[l].iter_mut().zip(&scattered) {
+                        *energy += share * at.irradiance(&unit, scattered).powi(2);
                     }
                 }
             }

@@ -8,7 +8,7 @@ use std::fmt;
 pub struct Choice {
     /// The tolerance.
     pub tolerance: f64,
-    /// The database's peak: see [`peak`].
+    /// The database's peak: see [`crate::peak`].
     pub peak: f64,
     /// Degree and order.
     pub reach: Reach,
