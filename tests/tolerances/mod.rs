@@ -670,3 +670,11 @@ pub const COST_EXPONENT: f64 = 0.3;
 /// The rms of a setting's error on other normals, relative: a thousand rings' normals against two
 /// thousand spread evenly, with an error that stands at the rim.
 pub const COST_NORMALS: f64 = 0.05;
+/// Root mean square errors over 24 random rotations of each of seven lights and 150 normals, over
+/// those of all rotations and normals, either way: 4 % at most of errors that are known.
+pub const CHOICE_SAMPLED: f64 = 1.1;
+/// The real error of a table that is chosen for a tolerance, of it, at least: the triangle
+/// inequality for orders, and whole components; 0.797 with five.
+pub const CHOICE_USED: f64 = 0.75;
+/// What components leave against what is said of them: the same eigenvalues.
+pub const CHOICE_SAID: f64 = 1e-9;

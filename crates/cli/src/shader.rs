@@ -17,10 +17,7 @@ pub fn fitted(table: &Table, lights: &Lights, materials: &Materials) -> (Lights,
     let (mut lights, mut materials) =
         (lights.truncated(table.gram.degree), materials.truncated(table.gram.order));
     if !table.scene.effects.colour {
-        for one in lights.entries.iter_mut().chain(&mut materials.entries) {
-            let luminance = one.luminance();
-            one.rgb = [luminance.clone(), luminance.clone(), luminance];
-        }
+        lights.entries.iter_mut().chain(&mut materials.entries).for_each(Named::lose_colour);
     }
     (lights, materials)
 }

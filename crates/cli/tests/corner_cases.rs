@@ -8,6 +8,7 @@ mod tolerances;
 use eigenshade_cli::owned_basis::OwnedBasis;
 use eigenshade_cli::shader::Shader;
 use eigenshade_generator::basis::build;
+use eigenshade_generator::choice::Reach;
 use eigenshade_generator::database::Named;
 use eigenshade_generator::moments::exposure;
 use eigenshade_generator::scene_file::{self, Loaded};
@@ -234,7 +235,7 @@ fn dense(table: &Table, light: &[f64], material: &[f64]) -> Vec<f64> {
 }
 
 /// A tolerance takes the fewest components whose mean residual, relative to the mean
-/// square of the images' peaks, is within it.
+/// square of the images' peaks, is within nine tenths of what degree and order leave it.
 #[test]
 fn tolerances_take_as_few_components_as_they_can() {
     for criterion in [Criterion::ImageCentered, Criterion::Standard] {
@@ -242,10 +243,12 @@ fn tolerances_take_as_few_components_as_they_can() {
             let (mut loaded, _) = shipped(criterion, 0);
             loaded.scene.basis.components = None;
             loaded.scene.basis.tolerance = Some(tolerance);
-            let table = build(&loaded.scene, &loaded.lights, &loaded.materials).unwrap();
+            let (table, choice) = loaded.chosen().unwrap();
+            let Reach::Chosen { degree, order } = choice.unwrap().reach else { panic!("as asked") };
             let count = table.components.len();
-            let allowed = (tolerance * peak(&loaded)).powi(2);
             println!("{criterion:?}, {tolerance}: {count}");
+            let rest = (tolerance.powi(2) - degree.leaves.powi(2)).sqrt() - order.leaves;
+            let allowed = 0.9 * (rest * peak(&loaded)).powi(2);
             assert!(table.energy_left(count) <= allowed * (1.0 + tolerances::PEAK_GRID));
             assert!(table.energy_left(count - 1) > allowed * (1.0 - tolerances::PEAK_GRID));
         }

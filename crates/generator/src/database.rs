@@ -27,6 +27,14 @@ impl Named {
         r.iter().zip(g).zip(b).map(|((&r, &g), &b)| luminance([r, g, b])).collect()
     }
 
+    /// Leaves its luminance, in all three channels; one that has no colour stays as it is.
+    pub fn lose_colour(&mut self) {
+        if !self.is_grey() {
+            let luminance = self.luminance();
+            self.rgb = [luminance.clone(), luminance.clone(), luminance];
+        }
+    }
+
     /// Whether all three channels are the same.
     #[must_use]
     pub fn is_grey(&self) -> bool {

@@ -2,7 +2,7 @@
 
 use crate::canonical::{self, Ranked};
 use crate::pca::{Block, Principal};
-use crate::profile;
+use crate::profile::{self, ProfileSpace};
 use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_index::pair;
 use eigenshade_table::{Component, GramFactor, Profile, Table};
@@ -58,9 +58,16 @@ impl Selected {
         Self { components, profiles }
     }
 
-    /// Writes components and profiles into the table.
-    pub(crate) fn write(self, table: &mut Table, azimuths: &[Azimuth], threshold: f64) {
-        let (tolerance, effects) = (table.scene.basis.profile_tolerance, table.effects());
+    /// Writes components and profiles into the table; a profile's polynomial is within
+    /// `tolerance` of the profile's largest value.
+    pub(crate) fn write(
+        self,
+        table: &mut Table,
+        azimuths: &[Azimuth],
+        threshold: f64,
+        tolerance: f64,
+    ) {
+        let effects = table.effects();
         table.components = self.components;
         table.profiles = self
             .profiles
@@ -78,7 +85,7 @@ impl Selected {
 /// The coordinates of one ranked profile, a column, with canonical sign.
 fn coordinates(gram: &GramFactor, azimuth: &Azimuth, ranked: &Ranked) -> Mat<f64> {
     let vector: Vec<f64> = match ranked.eigenvalue {
-        None => constant_coordinates(gram, &azimuth.block),
+        None => constant_coordinates(gram, &azimuth.block.space),
         Some(_) => azimuth.principal.coordinates.col(ranked.number).iter().copied().collect(),
     };
     let column = Mat::from_fn(vector.len(), 1, |i, _| vector[i]);
@@ -176,7 +183,7 @@ fn factor(
 }
 
 /// Coordinates of the image that is 1 everywhere, a unit vector.
-pub(crate) fn constant_coordinates(gram: &GramFactor, block: &Block) -> Vec<f64> {
+pub(crate) fn constant_coordinates(gram: &GramFactor, space: &ProfileSpace) -> Vec<f64> {
     let ones = Mat::from_fn(gram.nodes.len(), 1, |k, _| gram.root_weights[k]);
-    block.space.coordinates(&ones).col(0).iter().copied().collect()
+    space.coordinates(&ones).col(0).iter().copied().collect()
 }

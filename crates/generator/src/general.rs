@@ -5,6 +5,7 @@
 //! object's normals in the coordinates y of `observed`. The eigenimages W are the left
 //! singular vectors of the database's images in y, U = A⁺W.
 
+use crate::choice::{Below, Choice};
 use crate::database::{Lights, Materials};
 use crate::error::{Error, Result};
 use crate::geometry::Geometry;
@@ -41,6 +42,20 @@ pub fn build(
     lights: &Lights,
     materials: &Materials,
 ) -> Result<Table> {
+    chosen(scene, geometry, lights, materials).map(|(table, _)| table)
+}
+
+/// The same, and how many components were chosen where the scene gives a tolerance.
+///
+/// # Errors
+///
+/// As [`build`].
+pub fn chosen(
+    scene: &Scene,
+    geometry: &Geometry,
+    lights: &Lights,
+    materials: &Materials,
+) -> Result<(Table, Option<Choice>)> {
     if scene.basis.store == Store::Materials {
         return Err(Error::new(
             format!(
@@ -113,10 +128,16 @@ pub fn build(
         transfers: Vec::new(),
         gram,
     };
-    let wanted = match (scene.basis.components, scene.basis.tolerance) {
-        (Some(components), _) => components,
-        (None, None) => eigenvalues.len(),
-        (None, Some(tolerance)) => peak::components_for(&table, &lights, &materials, tolerance)?,
+    let choice = match (scene.basis.components, scene.basis.tolerance) {
+        (None, Some(tolerance)) => {
+            let peak = peak::of(scene, &lights, &materials)?;
+            Some(Choice::of_components(tolerance, peak, &Below::new(&table.spectrum, 0.0)))
+        }
+        _ => None,
+    };
+    let wanted = match &choice {
+        Some(choice) => choice.components.kept,
+        None => scene.basis.components.unwrap_or(usize::MAX),
     };
     let kept = wanted.min(eigenvalues.len());
     let shown = shown.get(.., ..kept).to_owned();
@@ -153,7 +174,7 @@ pub fn build(
     });
     // No transfers are kept, so no materials are needed.
     table.keep(std::iter::empty());
-    Ok(table)
+    Ok((table, choice))
 }
 
 /// Puts the eigenimages into their one order and sign.

@@ -46,6 +46,10 @@ pub mod light_statistics;
 
 mod settle;
 
+mod analysis;
+
+pub mod choice;
+
 pub mod basis;
 
 pub mod general;

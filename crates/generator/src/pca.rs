@@ -41,16 +41,7 @@ impl Block {
         azimuth: usize,
         keeps: impl Fn(usize, usize, usize, usize) -> bool,
     ) -> Result<Self> {
-        let space = ProfileSpace::new(gram, azimuth);
-        let mut columns = gram.columns(azimuth);
-        let modes = mode::indices(gram.degree, gram.order, azimuth);
-        for (column, (l, o, p, q)) in columns.iter_mut().zip(modes) {
-            if !keeps(l, o, p, q) {
-                column.fill(0.0);
-            }
-        }
-        let nodes = Mat::from_fn(gram.nodes.len(), columns.len(), |k, s| columns[s][k]);
-        let factor = space.coordinates(&nodes);
+        let (space, factor) = factor(gram, azimuth, keeps);
         let svd = factor.thin_svd().map_err(|_| not_converged(azimuth))?;
         Ok(Self {
             azimuth,
@@ -107,6 +98,25 @@ impl Block {
         }
         images
     }
+}
+
+/// The space of an azimuth's profiles and A in its coordinates: see [`Block::factor`].
+pub(crate) fn factor(
+    gram: &GramFactor,
+    azimuth: usize,
+    keeps: impl Fn(usize, usize, usize, usize) -> bool,
+) -> (ProfileSpace, Mat<f64>) {
+    let space = ProfileSpace::new(gram, azimuth);
+    let mut columns = gram.columns(azimuth);
+    let modes = mode::indices(gram.degree, gram.order, azimuth);
+    for (column, (l, o, p, q)) in columns.iter_mut().zip(modes) {
+        if !keeps(l, o, p, q) {
+            column.fill(0.0);
+        }
+    }
+    let nodes = Mat::from_fn(gram.nodes.len(), columns.len(), |k, s| columns[s][k]);
+    let factor = space.coordinates(&nodes);
+    (space, factor)
 }
 
 /// The principal components of a set of images.

@@ -1,42 +1,24 @@
-//! How many components a tolerance asks for.
-//!
-//! The tolerance is an rms error over a peak. The mean energy that K components
-//! leave is known from the eigenvalues; the peak is the root of the mean square,
-//! over the database's lights as captured and its materials, of each image's
-//! largest |I|.
+//! The peak of a scene's database, of which tolerances are: the root of the mean square, over
+//! its lights as captured and its materials, of each image's largest |I|.
 
 use crate::database::{self, Lights, Materials};
 use crate::effects;
 use crate::error::Result;
 use crate::moments::{MaterialMoments, comparable};
 use crate::truth::Truth;
-use eigenshade_table::Table;
+use eigenshade_table::Scene;
 use std::f64::consts::PI;
 
-/// The least number of components whose mean residual is at most `tolerance`
-/// times the database's peak.
+/// The peak of the scene's effects at the databases' degree and order, weights and
+/// exposures as the scene has them; on 24 slants by 48 tilts, pole and rim included.
 ///
 /// # Errors
 ///
-/// A light that cannot be normalised.
-pub fn components_for(
-    table: &Table,
-    lights: &Lights,
-    materials: &Materials,
-    tolerance: f64,
-) -> Result<usize> {
-    let allowed = tolerance * tolerance * mean_square_peak(table, lights, materials)?;
-    let all = table.spectrum.len();
-    let first = usize::from(table.spectrum.first().is_some_and(|(_, value)| value.is_none()));
-    Ok((first..all).find(|&count| table.energy_left(count) <= allowed).unwrap_or(all))
-}
-
-/// Weighted mean over all pairs of the square of the largest |I| of the scene's effects, on
-/// 24 slants by 48 tilts, pole and rim included.
-fn mean_square_peak(table: &Table, lights: &Lights, materials: &Materials) -> Result<f64> {
+/// Weights that are none, a light that cannot be normalised.
+pub fn of(scene: &Scene, lights: &Lights, materials: &Materials) -> Result<f64> {
     let truth = Truth::new(lights.degree, materials.order);
-    let (scene, wanted) = (&table.scene, table.effects());
-    let weights = database::weights(&lights.entries, &scene.light.weights)?;
+    let (wanted, weights) =
+        (scene.effects.set(), database::weights(&lights.entries, &scene.light.weights)?);
     let (scaled, of_lights): (Vec<Vec<f64>>, Vec<f64>) =
         comparable(lights, scene.light.normalise, &weights)?.into_iter().unzip();
     let weights = database::weights(&materials.entries, &scene.material.weights)?;
@@ -66,5 +48,6 @@ fn mean_square_peak(table: &Table, lights: &Lights, materials: &Materials) -> Re
         }
     }
     let weights = of_materials.iter().flat_map(|b| of_lights.iter().map(move |l| b * l));
-    Ok(peaks.iter().zip(weights).map(|(peak, weight)| weight * peak * peak).sum())
+    let squares = peaks.iter().zip(weights).map(|(peak, weight)| weight * peak * peak);
+    Ok(squares.sum::<f64>().sqrt())
 }

@@ -1,5 +1,6 @@
 //! Reads a scene file and its databases.
 
+use crate::choice::Choice;
 use crate::database::{Lights, Materials, Named};
 use crate::error::{Error, Result};
 use crate::geometry::Geometry;
@@ -31,11 +32,20 @@ impl Loaded {
     ///
     /// As [`basis::build`].
     pub fn build(&self) -> Result<Table> {
+        self.chosen().map(|(table, _)| table)
+    }
+
+    /// The same, and what was chosen where the scene gives a tolerance.
+    ///
+    /// # Errors
+    ///
+    /// As [`basis::build`].
+    pub fn chosen(&self) -> Result<(Table, Option<Choice>)> {
         let Self { scene, lights, materials, geometry } = self;
         if *geometry == Geometry::Sphere && scene.light.rotation == LightRotation::Any {
-            basis::build(scene, lights, materials)
+            basis::chosen(scene, lights, materials)
         } else {
-            general::build(scene, geometry, lights, materials)
+            general::chosen(scene, geometry, lights, materials)
         }
     }
 }

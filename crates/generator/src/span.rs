@@ -184,7 +184,7 @@ impl Span {
     #[must_use]
     pub fn constant(&self, gram: &GramFactor) -> Vec<f64> {
         let zonal = &self.azimuths[0];
-        let one = constant_coordinates(gram, &zonal.block);
+        let one = constant_coordinates(gram, &zonal.block.space);
         let profiles = zonal.profiles.ncols();
         let along = |k: usize| (0..one.len()).map(|i| zonal.profiles[(i, k)] * one[i]).sum();
         let mut coordinates: Vec<f64> = (0..profiles).map(along).collect();

@@ -2,7 +2,7 @@
 
 use clap::Args;
 use eigenshade_cli::compare::{Difference, differences};
-use eigenshade_cli::message::spinner;
+use eigenshade_cli::message::{say, spinner};
 use eigenshade_cli::number::grouped;
 use eigenshade_cli::recorded_errors::manifest_rows;
 use eigenshade_cli::{collision, destination, invocation, table_file};
@@ -23,6 +23,7 @@ const ERRORS: &str = "errors.csv";
 
 /// The table of a scene: its eigenimages
 ///
+/// Where the scene gives a tolerance, what is chosen for it is told on standard error.
 /// --out writes the table and beside it B.manifest.csv, what is in it; errors that
 /// `errors` has recorded in B.errors.csv are repeated there, and refused if they are of
 /// another table. --check
@@ -64,9 +65,10 @@ impl Basis {
         let start = Instant::now();
         let progress = spinner("eigenimages");
         let loaded = scene_file::load(&self.scene)?;
-        let table = loaded.build();
+        let chosen = loaded.chosen();
         progress.finish_and_clear();
-        let table = table.map_err(|error| error.in_file(&self.scene))?;
+        let (table, choice) = chosen.map_err(|error| error.in_file(&self.scene))?;
+        choice.iter().for_each(say);
         if let Some((path, old)) = old {
             return check(&self.scene, path, &old, &table);
         }
