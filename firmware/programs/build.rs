@@ -14,6 +14,19 @@ use std::{env, fs, process};
 /// is the runtime's own.
 const TABLES: [(&str, f64); 2] = [("full", 2e-4), ("lambertian", 2e-4)];
 
+/// The tables of `../scenes`, trimmed to the tolerance that the scene names. Colour and
+/// rotation change no number of a table: three scenes share the last.
+const SCENES: [(&str, f64); 8] = [
+    ("ambient_lambertian", 1e-3),
+    ("ambient_velvet", 1e-3),
+    ("sky_lambertian", 1e-3),
+    ("park_lambertian", 1e-2),
+    ("park_lambertian_fine", 1e-3),
+    ("studio_plaster", 1e-3),
+    ("studio_velvet", 1e-3),
+    ("sun_leather", 1e-3),
+];
+
 /// The golden vectors.
 const GOLDEN: &str = "../../tests/golden/sphere.csv";
 
@@ -21,8 +34,10 @@ fn main() {
     if env::var("CARGO_CFG_TARGET_OS").is_ok_and(|os| os == "none") {
         println!("cargo::rustc-link-arg-bins=-Tlink.x");
     }
-    let tables = TABLES.into_iter().try_for_each(|(name, tolerance)| {
-        let from = format!("../tables/{name}.bin");
+    let tables = TABLES.map(|one| ("tables", one)).into_iter();
+    let tables = tables.chain(SCENES.map(|one| ("scenes", one)));
+    let tables = { tables }.try_for_each(|(folder, (name, tolerance))| {
+        let from = format!("../{folder}/{name}.bin");
         println!("cargo::rerun-if-changed={from}");
         bake(&from, name, tolerance)
     });

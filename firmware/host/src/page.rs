@@ -63,7 +63,8 @@ fn table(rows: &[Row], formats: &[&str]) -> String {
     }
     text += " flash | RAM | stack |\n|---|---|---:|---:|---:|---:|---:|---:|---:|\n";
     let mut keys: Vec<&[String]> = Vec::new();
-    for row in rows.iter().filter(|row| formats.contains(&row.key[2].as_str())) {
+    let shown = |row: &&Row| !row.is_of_scene() && formats.contains(&row.key[2].as_str());
+    for row in rows.iter().filter(shown) {
         if !keys.contains(&&row.key[1..]) {
             keys.push(&row.key[1..]);
         }
