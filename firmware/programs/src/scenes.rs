@@ -85,7 +85,7 @@ pub mod sun_leather {
 /// and a turned light where it `turns`. The material is folded in when it starts.
 #[macro_export]
 macro_rules! scene_f32 {
-    ($table:path, $channels:literal $(, $turns:ident)?) => {
+    ($table:path, $channels:tt $(, $turns:ident)?) => {
         use $crate::inputs;
         use $table as table;
 
@@ -120,11 +120,21 @@ macro_rules! scene_f32 {
                 Some(terms) => terms,
                 None => board::exit(false),
             });
-            board::measure_named("pixel", &inputs::normals(), board::Passes(64), |normal| {
-                terms.map(|terms| table::shade_terms(terms, *normal))
-            });
+            $crate::scene_f32!(@pixel $channels, terms);
             $($crate::scene_f32!(@$turns lights);)?
         }
+    };
+    // One number, where there is one.
+    (@pixel 1, $terms:ident) => {
+        let [terms] = $terms;
+        board::measure_named("pixel", &inputs::normals(), board::Passes(64), |normal| {
+            table::shade_terms(terms, *normal)
+        });
+    };
+    (@pixel $channels:tt, $terms:ident) => {
+        board::measure_named("pixel", &inputs::normals(), board::Passes(64), |normal| {
+            $terms.map(|terms| table::shade_terms(terms, *normal))
+        });
     };
     (@turns $lights:ident) => {
         const ROOM: usize = eigenshade::Light::<f32>::turn_len(table::DEGREE);
@@ -142,7 +152,7 @@ macro_rules! scene_f32 {
 /// The same in Q15.
 #[macro_export]
 macro_rules! scene_q15 {
-    ($table:path, $channels:literal) => {
+    ($table:path, $channels:tt) => {
         use $crate::integer_inputs as inputs;
         use $table as table;
 
