@@ -21,7 +21,8 @@ pub struct Scene {
     pub channels: usize,
     /// Whether its light turns.
     pub turns: bool,
-    /// What its table may cost, of the peak; its polynomials are trimmed to as much.
+    /// What table, terms and format may cost under its light, of the peak: twice the file's
+    /// tolerance where that is of many materials' lobes.
     pub tolerance: f64,
 }
 
@@ -67,7 +68,8 @@ impl Scene {
     /// Its table with polynomials as short as on the boards.
     pub fn trimmed_table(&self) -> Table {
         let mut table = self.whole_table();
-        trim::trim(&mut table, self.tolerance);
+        let tolerance = table.scene.basis.tolerance.expect("scenes name a tolerance");
+        trim::trim(&mut table, tolerance);
         table
     }
 

