@@ -6,7 +6,7 @@
 #[path = "../tests/ablation/mod.rs"]
 mod ablation;
 
-use ablation::{page, speed};
+use ablation::{compare, page, speed};
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
@@ -26,7 +26,9 @@ fn main() -> ExitCode {
         std::fs::write(path, text).map_err(|error| format!("{path}: {error}"))
     } else {
         std::fs::read_to_string(path).map_err(|error| format!("{path}: {error}")).and_then(
-            |recorded| page::compare(&recorded, &text).map_err(|fault| format!("{path}: {fault}")),
+            |recorded| {
+                compare::compare(&recorded, &text).map_err(|fault| format!("{path}: {fault}"))
+            },
         )
     };
     match answer {

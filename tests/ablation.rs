@@ -7,7 +7,7 @@ mod ablation;
 use ablation::counts::{Counts, M0, M4F};
 use ablation::pictures::{Sphere, peak};
 use ablation::scenes::{self, SCENES, Scene};
-use ablation::{errors, nine_terms, page, shares, tolerances};
+use ablation::{compare, errors, nine_terms, page, shares, tolerances};
 use eigenshade_cli::compare::differences;
 use eigenshade_cli::owned_basis::OwnedBasis;
 use eigenshade_cli::shader::{OwnedNormals, Shader};
@@ -38,6 +38,9 @@ fn tables_are_of_their_scenes() {
     }
 }
 
+/// Whether a mode of degree l and order o does.
+type Belongs = fn(usize, usize) -> bool;
+
 /// The picture of each effect, mode by mode: (14) times L times b, of the modes that the effect
 /// is said to have.
 #[test]
@@ -50,7 +53,7 @@ fn pictures_of_effects_are_sums_over_their_modes() {
         let light = scene.light(degree);
         let material = scenes::material(&table, order);
         let truth = Truth::new(degree, order);
-        let by_hand = |belongs: &dyn Fn(usize, usize) -> bool| -> Vec<f64> {
+        let by_hand = |belongs: Belongs| -> Vec<f64> {
             let of = |normal: &[f64; 3]| {
                 let modes = truth.at(*normal);
                 let mut sum = 0.0;
@@ -65,12 +68,12 @@ fn pictures_of_effects_are_sums_over_their_modes() {
             };
             sphere.normals.iter().map(of).collect()
         };
-        let whole = peak(&vec![by_hand(&|_, _| true)]);
-        let effects: [(Effect, &dyn Fn(usize, usize) -> bool); 4] = [
-            (Effect::Ambient, &|l, _| l == 0),
-            (Effect::Diffuse, &|l, o| l > 0 && o == 0),
-            (Effect::Broad, &|l, o| l > 0 && o > 0 && o < 4),
-            (Effect::Gloss, &|l, o| l > 0 && o > 3),
+        let whole = peak(&vec![by_hand(|_, _| true)]);
+        let effects: [(Effect, Belongs); 4] = [
+            (Effect::Ambient, |l, _| l == 0),
+            (Effect::Diffuse, |l, o| l > 0 && o == 0),
+            (Effect::Broad, |l, o| l > 0 && o > 0 && o < 4),
+            (Effect::Gloss, |l, o| l > 0 && o > 3),
         ];
         for (effect, belongs) in effects {
             let wanted = Effects::NONE.with(effect);
@@ -163,7 +166,7 @@ fn ambient_light_on_a_lambertian_material_is_a_constant() {
 fn the_page_says_what_is_counted_and_computed() {
     let recorded = include_str!("../docs/ablation.md");
     let now = page::page(|scene| vec![0.0; if scene.is_some() { 1 } else { 4 }]);
-    if let Err(fault) = page::compare(recorded, &now) {
+    if let Err(fault) = compare::compare(recorded, &now) {
         panic!("docs/ablation.md: {fault}; make it again with `{}`", page::COMMAND);
     }
 }

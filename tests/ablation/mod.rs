@@ -4,13 +4,16 @@
 //! `tests/ablation.rs` asserts what `docs/ablation.md` says; the example `ablation` writes it.
 #![allow(dead_code, reason = "the test and the example take different parts")]
 
+pub mod cells;
 pub mod changes;
+pub mod compare;
 pub mod counts;
 pub mod errors;
 pub mod nine_terms;
 pub mod page;
 pub mod pictures;
 pub mod scenes;
+pub mod sentences;
 pub mod shares;
 pub mod speed;
 

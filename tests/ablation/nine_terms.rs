@@ -5,6 +5,7 @@ use super::pictures::{Sphere, difference, peak};
 use super::scenes::{self, Scene};
 use super::shares::SPACING;
 use eigenshade_index::effect::Effects;
+use nalgebra::{DMatrix, DVector};
 
 /// Coefficients of 1, x, y, z, xy, yz, xz, 3 z² - 1, x² - y² for the white Lambertian, f = 1/π:
 /// Σ (A_l / π) L_lm Y_lm, A = π, 2π/3, π/4, in this project's signs.
@@ -40,17 +41,27 @@ pub fn shade(c: &[f64; 9], [x, y, z]: [f64; 3]) -> f64 {
         + c[8] * (x * x - y * y)
 }
 
-/// How far it is from the direct sum of degree 9 under each shipped light, root mean square
-/// over the sphere, of the peak.
-pub fn errors() -> Vec<f64> {
+/// How far nine terms are from the direct sum of degree 9 under each shipped light, root mean
+/// square over the sphere, of the peak: the formula's, and the nine coefficients that are
+/// nearest.
+pub fn errors() -> Vec<[f64; 2]> {
     let scene = Scene::named("park_lambertian");
     let sphere = Sphere::new(SPACING);
     let material = scenes::material(&scene.whole_table(), 0);
+    let root = |k: usize| sphere.weights[k].sqrt();
+    let unit = |term: usize| std::array::from_fn(|k| f64::from(u8::from(k == term)));
+    let of_term = |k: usize, term: usize| root(k) * shade(&unit(term), sphere.normals[k]);
+    let terms = DMatrix::from_fn(sphere.normals.len(), 9, of_term).svd(true, true);
     let error = |light: &Vec<f64>| {
         let whole = sphere.direct((9, std::slice::from_ref(light)), (0, &material), Effects::ALL);
-        let c = coefficients(light);
-        let nine = vec![sphere.normals.iter().map(|&normal| shade(&c, normal)).collect()];
-        sphere.rms(&difference(&nine, &whole)) / peak(&whole)
+        let expected = DVector::from_fn(sphere.normals.len(), |k, _| root(k) * whole[0][k]);
+        // Nothing is cut off: the nine are independent.
+        let best = terms.solve(&expected, 0.0).expect("both sides of the decomposition");
+        let best = std::array::from_fn(|term| best[term]);
+        [coefficients(light), best].map(|c| {
+            let nine = vec![sphere.normals.iter().map(|&normal| shade(&c, normal)).collect()];
+            sphere.rms(&difference(&nine, &whole)) / peak(&whole)
+        })
     };
     scenes::lights(9).entries.iter().map(|light| error(&light.luminance())).collect()
 }

@@ -1,6 +1,6 @@
 //! Pictures of a sphere by the direct sum (15), and how large they are.
 
-use eigenshade_cli::sphere_rings::rings;
+use eigenshade_cli::sphere_rings::{Ring, rings};
 use eigenshade_generator::effects;
 use eigenshade_generator::truth::Truth;
 use eigenshade_index::effect::Effects;
@@ -22,10 +22,7 @@ impl Sphere {
     pub fn new(spacing: f64) -> Self {
         let rings = rings(spacing);
         let weights = rings.iter().flat_map(|ring| vec![ring.weight; ring.tilts.len()]);
-        Self {
-            weights: weights.collect(),
-            normals: rings.iter().flat_map(|ring| ring.normals()).collect(),
-        }
+        Self { weights: weights.collect(), normals: rings.iter().flat_map(Ring::normals).collect() }
     }
 
     /// The root mean square over normals and channels.

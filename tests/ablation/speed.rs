@@ -67,7 +67,6 @@ pub fn of_scene(scene: &Scene) -> f64 {
     let mut shader = Shader::new(basis, table.count());
     let mut channels = Vec::new();
     for light in scene.light(degree) {
-        shader.project((degree, &light), (order, &material)).expect("it fits");
         let mut numbers = vec![0.0; basis.scene_len()];
         let d = shader.project((degree, &light), (order, &material)).expect("it fits");
         basis.collapse_into(d, &mut numbers).expect("room");
