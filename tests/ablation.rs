@@ -114,8 +114,10 @@ fn scenes_keep_what_they_are_asked_for() {
 fn a_lambertian_material_under_light_of_degree_two_is_the_nine_term_formula() {
     let counts = Counts::recorded();
     for on in [M0, M4F] {
-        let found = counts.of_nine_terms(on, "shade_lambertian");
-        assert!(found <= tolerances::OF_NINE_TERMS, "{on:?}: {found}");
+        for operation in ["shade_lambertian", "sky_lambertian/pixel"] {
+            let found = counts.of_nine_terms(on, operation);
+            assert!(found <= tolerances::OF_NINE_TERMS, "{operation} {on:?}: {found}");
+        }
     }
     let scene = Scene::named("sky_lambertian");
     assert_eq!(page::terms(&scene), 9);
