@@ -117,6 +117,8 @@ mod tests {
         );
         assert!(page.starts_with("a\n") && page.ends_with("b\n") && !page.contains("old"));
         assert_eq!(table(&rows, &["f32"]).lines().count(), 2);
+        let of_scene = ["microbit,sun/pixel,q15,811,,,224".parse().unwrap()];
+        assert_eq!(table(&of_scene, &["q15"]).lines().count(), 2);
         assert!(with_counts("page", "no marks", &rows, &["q15"]).unwrap_err().contains("page"));
     }
 }

@@ -243,6 +243,9 @@ fn same(row: &Row, record: &Row) -> bool {
 #[cfg(test)]
 mod tests {
     use super::{Row, same};
+    use crate::board::Board;
+    use crate::linked::Sizes;
+    use crate::program::{Kind, Program};
 
     #[test]
     fn counts_are_compared_but_for_padding_and_ticks() {
@@ -254,5 +257,24 @@ mod tests {
         {
             assert!(!same(&row(&format!("b,shade,q15,{other}")), &record), "{other}");
         }
+    }
+
+    #[test]
+    fn a_scene_has_a_row_for_each_operation_and_one_of_its_memory() {
+        let program = Program { operation: "sun", format: "f32", kind: Kind::Scene, times: 1 };
+        let sizes = |flash, ram| Sizes { flash, ram, initialised: 0 };
+        let of = |operation: &str, ticks: u32, stack: u32| {
+            format!(
+                "operation {operation}\ntick 1048576 26214\ncount 10 {ticks} 5\nstack {stack}\n"
+            )
+        };
+        let said = format!("holds 8\n{}{}", of("light", 105, 90), of("pixel", 15, 30));
+        let rows = Row::of_scene(Board::An386, &program, &said, sizes(900, 50), sizes(100, 40));
+        let rows: Vec<String> = rows.unwrap().iter().map(ToString::to_string).collect();
+        let board = "mps2-an386,sun";
+        assert_eq!(rows[0], format!("{board}/light,f32,400,,,90"));
+        assert_eq!(rows[1], format!("{board}/pixel,f32,40,,,30"));
+        assert_eq!(rows[2], format!("{board}/scene,f32,,800,18,90"));
+        assert!(rows.iter().all(|row| row.parse::<Row>().unwrap().is_of_scene()));
     }
 }
