@@ -113,7 +113,7 @@ polynomials; host times are in nine-term pixels, of calls that return their answ
     {
         let mut cells = vec![what.into(), redone.into(), kept.into(), products];
         cells.extend(counts);
-        cells.push(format!("×{:.1}", host[k]));
+        cells.push(format!("×{}", number(Some(host[k].round() as u64))));
         line(&mut text, &cells);
     }
     text += "
