@@ -6,6 +6,7 @@ mod ablation;
 
 use ablation::counts::{Counts, M0, M4F};
 use ablation::pictures::{Sphere, peak};
+use ablation::savings::size;
 use ablation::scenes::{self, SCENES, Scene};
 use ablation::{compare, errors, nine_terms, page, shares, tolerances};
 use eigenshade_cli::compare::differences;
@@ -140,6 +141,19 @@ fn a_lambertian_material_under_light_of_degree_two_is_the_nine_term_formula() {
     }
     // To 1e-2, whatever the light of degree 2.
     assert!(errors::terms_within(&scene, 1e-2).iter().all(|&terms| terms <= 9));
+}
+
+/// Gloss is what costs: without it fewer components and terms, and less than half of the
+/// numbers.
+#[test]
+fn a_scene_without_gloss_costs_less() {
+    for name in ["studio_velvet", "sun_leather"] {
+        let scene = Scene::named(name);
+        let all = size(&scene, None).expect("the scene");
+        let less = size(&scene, Some(Effect::Gloss)).expect("an effect of the scene");
+        assert!(less.components < all.components && less.terms < all.terms, "{less:?} {all:?}");
+        assert!(2 * less.numbers < all.numbers, "{less:?} of {all:?}");
+    }
 }
 
 #[test]

@@ -12,6 +12,7 @@ pub mod errors;
 pub mod nine_terms;
 pub mod page;
 pub mod pictures;
+pub mod savings;
 pub mod scenes;
 pub mod sentences;
 pub mod shares;

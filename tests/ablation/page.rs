@@ -4,6 +4,7 @@ use super::cells::{line, number, percent};
 use super::changes::changes;
 use super::counts::{Column, Counts, M0, M4F};
 use super::errors::errors;
+use super::savings::savings;
 use super::scenes::{SCENES, Scene};
 use super::sentences::sentences;
 use super::shares::shares;
@@ -56,6 +57,7 @@ pub fn page(host: impl Fn(Option<&Scene>) -> Vec<f64>) -> String {
     for scene in &SCENES {
         line(&mut text, &costs(scene, &counts, host(Some(scene))[0]));
     }
+    text += &savings();
     text += ERRORS;
     for scene in &SCENES {
         line(&mut text, &worth(scene));
