@@ -1,5 +1,8 @@
 //! Tables and golden vectors as statics, and the linker script of the start-up code.
 
+#[path = "build/folded.rs"]
+mod folded;
+
 #[path = "../../tests/golden/record.rs"]
 #[expect(dead_code, reason = "it writes such files as well")]
 mod record;
@@ -14,6 +17,19 @@ use std::{env, fs, process};
 /// is the runtime's own.
 const TABLES: [(&str, f64); 2] = [("full", 2e-4), ("lambertian", 2e-4)];
 
+/// The tables of `../scenes`, trimmed to the tolerance that the scene names of components.
+/// Colour and rotation change no number of a table: three scenes share the last.
+const SCENES: [&str; 8] = [
+    "ambient_lambertian",
+    "ambient_velvet",
+    "sky_lambertian",
+    "park_lambertian",
+    "park_lambertian_fine",
+    "studio_plaster",
+    "studio_velvet",
+    "sun_leather",
+];
+
 /// The golden vectors.
 const GOLDEN: &str = "../../tests/golden/sphere.csv";
 
@@ -26,6 +42,7 @@ fn main() {
         println!("cargo::rerun-if-changed={from}");
         bake(&from, name, tolerance)
     });
+    let tables = tables.and_then(|()| SCENES.into_iter().try_for_each(scene));
     if let Err(error) = tables.and_then(|()| golden(GOLDEN)).and_then(|()| one_material()) {
         println!("cargo::error={error}");
         process::exit(1);
@@ -44,6 +61,22 @@ fn bake(from: &str, name: &str, tolerance: f64) -> Result<(), String> {
             .map_err(|error| format!("{from}: {error}"))?;
         write(&format!("{name}_{suffix}.rs"), &rust_quantised::module(&parts, &command))?;
     }
+    write(&format!("{name}.rs"), &rust_source::module(&table, &command))
+}
+
+/// Writes the statics of a scene to the output folder: `name`.rs, and `name`_q15.rs with its
+/// material folded in.
+fn scene(name: &str) -> Result<(), String> {
+    let from = format!("../scenes/{name}.bin");
+    println!("cargo::rerun-if-changed={from}");
+    let bytes = fs::read(&from).map_err(|error| format!("{from}: {error}"))?;
+    let mut table = eigenshade_table::decode(&bytes).map_err(|error| format!("{from}: {error}"))?;
+    let tolerance = table.scene.basis.tolerance.ok_or(format!("{from}: it names no tolerance"))?;
+    eigenshade_table::trim::trim(&mut table, tolerance);
+    let command = format!("build.rs, from {from}");
+    let database = format!("../scenes/{}", table.scene.material.database);
+    let in_q15 = folded::module(&table, &database, &command);
+    write(&format!("{name}_q15.rs"), &in_q15.map_err(|error| format!("{from}: {error}"))?)?;
     write(&format!("{name}.rs"), &rust_source::module(&table, &command))
 }
 

@@ -19,7 +19,7 @@ pub mod measure;
 
 mod panic;
 
-pub use measure::{Passes, holds, measure};
+pub use measure::{Passes, holds, measure, measure_named};
 pub use voice::{exit, say, say_character, say_number};
 
 /// Makes the function of this name the program.

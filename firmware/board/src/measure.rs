@@ -47,6 +47,19 @@ pub fn measure<I, O>(inputs: &[I], Passes(passes): Passes, mut operation: impl F
     say("\n");
 }
 
+/// [`measure`] of one of several operations of a program: it says `operation NAME` first.
+pub fn measure_named<I, O>(
+    name: &str,
+    inputs: &[I],
+    passes: Passes,
+    operation: impl FnMut(&I) -> O,
+) {
+    say("operation ");
+    say(name);
+    say("\n");
+    measure(inputs, passes, operation);
+}
+
 /// Each input so many times; not seen by its callers, so that it exists once.
 #[inline(never)]
 fn run<I, O>(inputs: &[I], passes: u32, operation: &mut impl FnMut(&I) -> O) {

@@ -102,6 +102,7 @@ fn of_board(board: Board, compiler: &compiler::Compiler) -> Result<Vec<Row>> {
             Kind::Nothing => empty = sizes,
             Kind::Demonstration => eprint!("{}: {}\n{said}", board.name(), program.binary()),
             Kind::Operation => rows.push(Row::of_operation(board, program, &said, sizes, empty)?),
+            Kind::Scene => rows.extend(Row::of_scene(board, program, &said, sizes, empty)?),
             Kind::Whole => rows.push(Row::of_whole(board, program, &said, sizes)?),
         }
     }

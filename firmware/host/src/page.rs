@@ -63,7 +63,8 @@ fn table(rows: &[Row], formats: &[&str]) -> String {
     }
     text += " flash | RAM | stack |\n|---|---|---:|---:|---:|---:|---:|---:|---:|\n";
     let mut keys: Vec<&[String]> = Vec::new();
-    for row in rows.iter().filter(|row| formats.contains(&row.key[2].as_str())) {
+    let shown = |row: &&Row| !row.is_of_scene() && formats.contains(&row.key[2].as_str());
+    for row in rows.iter().filter(shown) {
         if !keys.contains(&&row.key[1..]) {
             keys.push(&row.key[1..]);
         }
@@ -116,6 +117,8 @@ mod tests {
         );
         assert!(page.starts_with("a\n") && page.ends_with("b\n") && !page.contains("old"));
         assert_eq!(table(&rows, &["f32"]).lines().count(), 2);
+        let of_scene = ["microbit,sun/pixel,q15,811,,,224".parse().unwrap()];
+        assert_eq!(table(&of_scene, &["q15"]).lines().count(), 2);
         assert!(with_counts("page", "no marks", &rows, &["q15"]).unwrap_err().contains("page"));
     }
 }

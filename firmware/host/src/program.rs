@@ -9,6 +9,8 @@ pub enum Kind {
     Nothing,
     /// One operation, measured.
     Operation,
+    /// A scene of the ablation: several operations of one program, and what it takes in all.
+    Scene,
     /// A whole program, whose size has a budget.
     Whole,
     /// Shows something, or fails.
@@ -50,6 +52,23 @@ impl Program {
 const OPERATIONS: [&str; 6] =
     ["shade", "shade_lambertian", "relight", "collapse", "relight_collapse", "transfer"];
 
+/// The scenes of `firmware/scenes`, in the order of `docs/ablation.md`.
+const SCENES: [&str; 10] = [
+    "ambient_lambertian",
+    "ambient_velvet",
+    "sky_lambertian",
+    "park_lambertian",
+    "park_lambertian_fine",
+    "studio_plaster",
+    "studio_velvet",
+    "sun_leather",
+    "sun_leather_colour",
+    "sun_leather_turning",
+];
+
+/// The scene that integers, which do not turn lights, have no program of.
+const TURNING: &str = "sun_leather_turning";
+
 /// Components K of the shipped table.
 const COMPONENTS: u64 = 50;
 
@@ -70,5 +89,14 @@ pub fn of_board(board: Board) -> impl Iterator<Item = Program> {
     all.push(Program { times: COMPONENTS, ..one("dense_row", "q15", Kind::Operation) });
     all.push(one("any_material", "q15", Kind::Whole));
     all.push(one("one_material", "q15", Kind::Whole));
+    // On the processor without a float unit, and on the one with it.
+    match board {
+        Board::Microbit => {
+            let still = SCENES.into_iter().filter(|name| *name != TURNING);
+            all.extend(still.map(|name| one(name, "q15", Kind::Scene)));
+        }
+        Board::An386 => all.extend(SCENES.map(|name| one(name, "f32", Kind::Scene))),
+        _ => {}
+    }
     all.into_iter().filter(move |program| board.takes_floats() || program.format != "f32")
 }

@@ -11,6 +11,9 @@ use std::str::FromStr;
 /// The CSV's first line.
 pub const HEADER: &str = "board,operation,format,instructions,flash_bytes,ram_bytes,stack_bytes";
 
+/// Between the name of a scene and that of an operation.
+const SCENE: char = '/';
+
 /// The recorded counts.
 const RECORD: &str = "counts.csv";
 
@@ -36,29 +39,49 @@ impl Row {
         sizes: Sizes,
         empty: Sizes,
     ) -> Result<Self> {
-        let numbers = |word: &str, count: usize| numbers(said, word, count);
-        let tick = numbers("tick", 2)?;
-        let half_instructions = board.half_instructions_in_a_tick();
-        let expected = 2 * tick[0] / half_instructions;
-        if tick[1].abs_diff(expected) > 2 {
-            let (found, name) = (tick[1], board.name());
-            return Err(format!("{name}: {expected} ticks expected of its clock, {found} found"));
-        }
-        let count = numbers("count", 3)?;
-        // To the nearest.
-        let doubled = (count[1].saturating_sub(count[2])) * half_instructions * program.times;
-        let instructions = (doubled + count[0]) / (2 * count[0]);
-        let held = said.lines().filter_map(|line| line.strip_prefix("holds "));
-        let held: u64 = held.filter_map(|bytes| bytes.parse::<u64>().ok()).sum();
+        let (instructions, stack) = measured(board, program, said)?;
         Ok(Self {
             key: key(board, program),
             numbers: [
                 Some(instructions),
                 Some(sizes.flash.saturating_sub(empty.flash)),
-                Some(sizes.ram - empty.ram + held),
-                Some(numbers("stack", 1)?[0]),
+                Some(sizes.ram - empty.ram + held(said)),
+                Some(stack),
             ],
         })
+    }
+
+    /// Of a scene: `NAME/scene` with its memory, and a row with the instructions of each of
+    /// its operations, `NAME/pixel` and the like.
+    pub fn of_scene(
+        board: Board,
+        program: &Program,
+        said: &str,
+        sizes: Sizes,
+        empty: Sizes,
+    ) -> Result<Vec<Self>> {
+        let named = |operation: &str| {
+            let [board, scene, format] = key(board, program);
+            [board, format!("{scene}{SCENE}{operation}"), format]
+        };
+        let mut rows = Vec::new();
+        let mut most = 0;
+        for part in said.split("operation ").skip(1) {
+            let (operation, said) = part.split_once('\n').unwrap_or((part, ""));
+            let (instructions, stack) = measured(board, program, said)?;
+            most = most.max(stack);
+            let numbers = [Some(instructions), None, None, Some(stack)];
+            rows.push(Self { key: named(operation), numbers });
+        }
+        let flash = sizes.flash.saturating_sub(empty.flash);
+        let numbers = [None, Some(flash), Some(sizes.ram - empty.ram + held(said)), Some(most)];
+        rows.push(Self { key: named("scene"), numbers });
+        Ok(rows)
+    }
+
+    /// Whether it is of a scene.
+    pub fn is_of_scene(&self) -> bool {
+        self.key[1].contains(SCENE)
     }
 
     /// Of a whole program: RAM with the stack in it.
@@ -75,6 +98,27 @@ fn key(board: Board, program: &Program) -> [String; 3] {
         times => format!("{} x {times}", program.operation),
     };
     [board.name().into(), operation, program.format.into()]
+}
+
+/// Instructions of an operation, to the nearest, and bytes of stack.
+fn measured(board: Board, program: &Program, said: &str) -> Result<(u64, u64)> {
+    let numbers = |word: &str, count: usize| numbers(said, word, count);
+    let tick = numbers("tick", 2)?;
+    let half_instructions = board.half_instructions_in_a_tick();
+    let expected = 2 * tick[0] / half_instructions;
+    if tick[1].abs_diff(expected) > 2 {
+        let (found, name) = (tick[1], board.name());
+        return Err(format!("{name}: {expected} ticks expected of its clock, {found} found"));
+    }
+    let count = numbers("count", 3)?;
+    let doubled = (count[1].saturating_sub(count[2])) * half_instructions * program.times;
+    Ok(((doubled + count[0]) / (2 * count[0]), numbers("stack", 1)?[0]))
+}
+
+/// Bytes of RAM that a program says it holds.
+fn held(said: &str) -> u64 {
+    let held = said.lines().filter_map(|line| line.strip_prefix("holds "));
+    held.filter_map(|bytes| bytes.parse::<u64>().ok()).sum()
 }
 
 /// The numbers after a word that starts a line.
@@ -199,6 +243,9 @@ fn same(row: &Row, record: &Row) -> bool {
 #[cfg(test)]
 mod tests {
     use super::{Row, same};
+    use crate::board::Board;
+    use crate::linked::Sizes;
+    use crate::program::{Kind, Program};
 
     #[test]
     fn counts_are_compared_but_for_padding_and_ticks() {
@@ -210,5 +257,24 @@ mod tests {
         {
             assert!(!same(&row(&format!("b,shade,q15,{other}")), &record), "{other}");
         }
+    }
+
+    #[test]
+    fn a_scene_has_a_row_for_each_operation_and_one_of_its_memory() {
+        let program = Program { operation: "sun", format: "f32", kind: Kind::Scene, times: 1 };
+        let sizes = |flash, ram| Sizes { flash, ram, initialised: 0 };
+        let of = |operation: &str, ticks: u32, stack: u32| {
+            format!(
+                "operation {operation}\ntick 1048576 26214\ncount 10 {ticks} 5\nstack {stack}\n"
+            )
+        };
+        let said = format!("holds 8\n{}{}", of("light", 105, 90), of("pixel", 15, 30));
+        let rows = Row::of_scene(Board::An386, &program, &said, sizes(900, 50), sizes(100, 40));
+        let rows: Vec<String> = rows.unwrap().iter().map(ToString::to_string).collect();
+        let board = "mps2-an386,sun";
+        assert_eq!(rows[0], format!("{board}/light,f32,400,,,90"));
+        assert_eq!(rows[1], format!("{board}/pixel,f32,40,,,30"));
+        assert_eq!(rows[2], format!("{board}/scene,f32,,800,18,90"));
+        assert!(rows.iter().all(|row| row.parse::<Row>().unwrap().is_of_scene()));
     }
 }

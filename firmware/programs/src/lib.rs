@@ -36,6 +36,8 @@ pub mod one_material {
     include!(concat!(env!("OUT_DIR"), "/one_material.rs"));
 }
 
+pub mod scenes;
+
 pub mod golden;
 
 pub mod inputs;

@@ -1,0 +1,67 @@
+//! The nine-term formula of Ramamoorthi and Hanrahan: what a Lambertian material shows of
+//! light to degree 2, and how far that is from what it shows of all degrees.
+
+use super::pictures::{Sphere, difference, peak};
+use super::scenes::{self, Scene};
+use super::shares::SPACING;
+use eigenshade_index::effect::Effects;
+use nalgebra::{DMatrix, DVector};
+
+/// Coefficients of 1, x, y, z, xy, yz, xz, 3 z² - 1, x² - y² for the white Lambertian, f = 1/π:
+/// Σ (A_l / π) L_lm Y_lm, A = π, 2π/3, π/4, in this project's signs.
+pub fn coefficients(light: &[f64]) -> [f64; 9] {
+    let pi = std::f64::consts::PI;
+    let constant = (1.0 / (4.0 * pi)).sqrt();
+    let linear = 2.0 / 3.0 * (3.0 / (4.0 * pi)).sqrt();
+    let square = 0.25 * (15.0 / (4.0 * pi)).sqrt();
+    let pole = 0.25 * (5.0 / (16.0 * pi)).sqrt();
+    // Degree 1 in the order y, z, x; degree 2 in the order xy, yz, z², xz, x² - y².
+    [
+        constant * light[0],
+        -linear * light[3],
+        -linear * light[1],
+        linear * light[2],
+        -square * light[4],
+        -square * light[5],
+        -square * light[7],
+        pole * light[6],
+        0.5 * square * light[8],
+    ]
+}
+
+/// The irradiance of a normal.
+pub fn shade(c: &[f64; 9], [x, y, z]: [f64; 3]) -> f64 {
+    c[0] + c[1] * x
+        + c[2] * y
+        + c[3] * z
+        + c[4] * x * y
+        + c[5] * y * z
+        + c[6] * x * z
+        + c[7] * (3.0 * z * z - 1.0)
+        + c[8] * (x * x - y * y)
+}
+
+/// How far nine terms are from the direct sum of degree 9 under each shipped light, root mean
+/// square over the sphere, of the peak: the formula's, and the nine coefficients that are
+/// nearest.
+pub fn errors() -> Vec<[f64; 2]> {
+    let scene = Scene::named("park_lambertian");
+    let sphere = Sphere::new(SPACING);
+    let material = scenes::material(&scene.whole_table(), 0);
+    let root = |k: usize| sphere.weights[k].sqrt();
+    let unit = |term: usize| std::array::from_fn(|k| f64::from(u8::from(k == term)));
+    let of_term = |k: usize, term: usize| root(k) * shade(&unit(term), sphere.normals[k]);
+    let terms = DMatrix::from_fn(sphere.normals.len(), 9, of_term).svd(true, true);
+    let error = |light: &Vec<f64>| {
+        let whole = sphere.direct((9, std::slice::from_ref(light)), (0, &material), Effects::ALL);
+        let expected = DVector::from_fn(sphere.normals.len(), |k, _| root(k) * whole[0][k]);
+        // Nothing is cut off: the nine are independent.
+        let best = terms.solve(&expected, 0.0).expect("both sides of the decomposition");
+        let best = std::array::from_fn(|term| best[term]);
+        [coefficients(light), best].map(|c| {
+            let nine = vec![sphere.normals.iter().map(|&normal| shade(&c, normal)).collect()];
+            sphere.rms(&difference(&nine, &whole)) / peak(&whole)
+        })
+    };
+    scenes::lights(9).entries.iter().map(|light| error(&light.luminance())).collect()
+}
