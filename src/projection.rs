@@ -62,7 +62,7 @@ impl<'a, S: Scalar> Basis<'a, S> {
         workspace: &mut [S],
         coefficients: &mut [S],
     ) -> Result<(), Error> {
-        self.project_effects_into(light, material, Effects::ALL, workspace, coefficients)
+        self.image((light, material, Effects::ALL), workspace, coefficients)
     }
 
     /// [`project_into`](Self::project_into) of some effects alone: d of the image that they
@@ -82,12 +82,22 @@ impl<'a, S: Scalar> Basis<'a, S> {
         workspace: &mut [S],
         coefficients: &mut [S],
     ) -> Result<(), Error> {
+        self.image((light, material, effects), workspace, coefficients)
+    }
+
+    #[inline(always)]
+    fn image(
+        &self,
+        lit: (&Light<'_, S>, &Material<'_, S>, Effects),
+        workspace: &mut [S],
+        coefficients: &mut [S],
+    ) -> Result<(), Error> {
+        let (light, material, effects) = lit;
         self.accept_light(light)?;
         self.accept_material(material)?;
         Error::check(What::Workspace, self.workspace_len(), workspace.len())?;
         Error::check(What::Coefficients, self.components(), coefficients.len())?;
         // Rows of the usual orders have kernels that know their length.
-        let lit = (light, material, effects);
         match self.row() / LANES {
             1 => self.project_rows(lit, workspace, coefficients, row::<S, 1>),
             2 => self.project_rows(lit, workspace, coefficients, row::<S, 2>),
@@ -107,6 +117,7 @@ impl<'a, S: Scalar> Basis<'a, S> {
         Ok(())
     }
 
+    #[inline(always)]
     fn project_rows(
         &self,
         (light, material, effects): (&Light<'_, S>, &Material<'_, S>, Effects),

@@ -28,7 +28,8 @@ impl<S: Scalar> Basis<'_, S> {
     /// room for it along l.
     ///
     /// Only modes of these effects are summed, of a basis with a selection of modes only
-    /// those of `azimuth`.
+    /// those of `azimuth`. Where all effects are meant a compiler sees it.
+    #[inline(always)]
     pub(crate) fn scatter(
         &self,
         material: &Material<'_, S>,
@@ -56,7 +57,7 @@ impl<S: Scalar> Basis<'_, S> {
     fn scatter_rows<const G: usize>(&self, material: &Material<'_, S>, sums: &mut [S]) {
         let (polar, _) = self.parts.polar.as_chunks::<LANES>().0.as_chunks::<G>();
         let (sums, _) = sums.as_chunks_mut::<LANES>().0.as_chunks_mut::<G>();
-        self.couple(material, |b, from, to, _, _| {
+        self.couple(material, core::iter::repeat(()), |b, from, to, _, ()| {
             if let (Some(polar), Some(sums)) = (polar.get(from), sums.get_mut(to)) {
                 for (sum, polar) in sums.iter_mut().zip(polar) {
                     *sum = lanes::multiply_add(*sum, &[b; LANES], polar);
@@ -78,7 +79,8 @@ impl<S: Scalar> Basis<'_, S> {
         let length = LANES * layout::groups(self.degree());
         let selection = self.parts.selection;
         let of_azimuth = selection.get(azimuth * material::count(self.order()) * degrees..);
-        self.couple(material, |b, from, to, mode, o| {
+        let orders = material::indices(material.order()).map(|(o, _, _)| o);
+        self.couple(material, orders, |b, from, to, mode, o| {
             let polar = self.parts.polar.get(from * length..).unwrap_or_default();
             let sums = sums.get_mut(to * length..).unwrap_or_default();
             let kept = of_azimuth.and_then(|selection| selection.get(mode * degrees..));
@@ -92,24 +94,24 @@ impl<S: Scalar> Basis<'_, S> {
         });
     }
 
-    /// Calls `add(b, from, to, mode, o)` for every term b Ĉ\[from\] of S\[to\]; b is
-    /// divided by √2 beside the diagonal.
+    /// Calls `add(b, from, to, mode, more)` for every term b Ĉ\[from\] of S\[to\], with what
+    /// more there is of each coefficient; b is divided by √2 beside the diagonal.
     #[inline(always)]
-    fn couple(
+    fn couple<M: Copy>(
         &self,
         material: &Material<'_, S>,
-        mut add: impl FnMut(S, usize, usize, usize, usize),
+        more: impl Iterator<Item = M>,
+        mut add: impl FnMut(S, usize, usize, usize, M),
     ) {
         let half = S::from_f64(core::f64::consts::FRAC_1_SQRT_2);
         let couplings = material.coefficients().iter().zip(self.parts.couplings);
-        let orders = material::indices(material.order()).map(|(o, _, _)| o);
-        for (mode, ((&b, coupling), order)) in couplings.zip(orders).enumerate() {
+        for (mode, ((&b, coupling), more)) in couplings.zip(more).enumerate() {
             let (o, p) = (usize::from(coupling.o), usize::from(coupling.p));
             if o == p {
-                add(b, o, p, mode, order);
+                add(b, o, p, mode, more);
             } else {
-                add(half * b, o, p, mode, order);
-                add(half * b, p, o, mode, order);
+                add(half * b, o, p, mode, more);
+                add(half * b, p, o, mode, more);
             }
         }
     }

@@ -81,7 +81,7 @@ impl<S: Scalar> Basis<'_, S> {
         workspace: &mut [S],
         transfer: &mut [S],
     ) -> Result<(), Error> {
-        self.transfer_effects_into(material, Effects::ALL, workspace, transfer)
+        self.fold(material, Effects::ALL, workspace, transfer)
     }
 
     /// [`transfer_into`](Self::transfer_into) of some effects alone: see
@@ -91,6 +91,17 @@ impl<S: Scalar> Basis<'_, S> {
     ///
     /// As [`transfer_into`](Self::transfer_into).
     pub fn transfer_effects_into(
+        &self,
+        material: &Material<'_, S>,
+        effects: Effects,
+        workspace: &mut [S],
+        transfer: &mut [S],
+    ) -> Result<(), Error> {
+        self.fold(material, effects, workspace, transfer)
+    }
+
+    #[inline(always)]
+    fn fold(
         &self,
         material: &Material<'_, S>,
         effects: Effects,
@@ -126,12 +137,21 @@ impl<S: Scalar> Basis<'_, S> {
                 }
             }
         }
+        if !self.parts.ambient.is_empty() {
+            self.add_apart(material, effects, transfer);
+        }
+        Ok(())
+    }
+
+    /// What stands apart is of l = 0.
+    #[cold]
+    #[inline(never)]
+    fn add_apart(&self, material: &Material<'_, S>, effects: Effects, transfer: &mut [S]) {
         for (place, apart) in self.parts.profiles.iter().zip(self.apart(material, effects)) {
             if let Some(to) = transfer.get_mut(place.plus_row.start as usize) {
                 *to += apart;
             }
         }
-        Ok(())
     }
 }
 

@@ -122,7 +122,7 @@ fn a_lambertian_material_under_light_of_degree_two_is_the_nine_term_formula() {
     }
     let scene = Scene::named("sky_lambertian");
     assert_eq!(page::terms(&scene), 9);
-    let table = scene.trimmed_table();
+    let table = scene.whole_table();
     let basis = OwnedBasis::<f32>::new(&table);
     let mut shader = Shader::new(basis.basis().expect("a basis"), table.count());
     let sphere = Sphere::new(0.2);

@@ -17,7 +17,7 @@ use std::{env, fs, process};
 /// is the runtime's own.
 const TABLES: [(&str, f64); 2] = [("full", 2e-4), ("lambertian", 2e-4)];
 
-/// The tables of `../scenes`, trimmed to the tolerance that the scene names of components.
+/// The tables of `../scenes`, whose polynomials are as short as the scene's tolerance allows.
 /// Colour and rotation change no number of a table: three scenes share the last.
 const SCENES: [&str; 8] = [
     "ambient_lambertian",
@@ -70,9 +70,7 @@ fn scene(name: &str) -> Result<(), String> {
     let from = format!("../scenes/{name}.bin");
     println!("cargo::rerun-if-changed={from}");
     let bytes = fs::read(&from).map_err(|error| format!("{from}: {error}"))?;
-    let mut table = eigenshade_table::decode(&bytes).map_err(|error| format!("{from}: {error}"))?;
-    let tolerance = table.scene.basis.tolerance.ok_or(format!("{from}: it names no tolerance"))?;
-    eigenshade_table::trim::trim(&mut table, tolerance);
+    let table = eigenshade_table::decode(&bytes).map_err(|error| format!("{from}: {error}"))?;
     let command = format!("build.rs, from {from}");
     let database = format!("../scenes/{}", table.scene.material.database);
     let in_q15 = folded::module(&table, &database, &command);

@@ -22,7 +22,7 @@ pub struct Errors {
 
 /// Those of a scene, with the polynomials of the boards.
 pub fn errors(scene: &Scene) -> Errors {
-    let table = scene.trimmed_table();
+    let table = scene.whole_table();
     let sphere = Sphere::new(SPACING);
     let (degree, order) = (table.gram.degree, table.gram.order);
     let material = scenes::material(&table, order);

@@ -46,7 +46,7 @@ while its light turns by 30 degrees about the vertical. *The scene leaves out* i
 const OWN: &str = "
 And what table, terms and format lose of that: against the direct sum of the scene's own effects, degree and order.
 
-| scene | asked for | f32, its light | f32, the worst of 26 lights | Q15, its light |
+| scene | within | f32, its light | f32, the worst of 26 lights | Q15, its light |
 |---|---:|---:|---:|---:|
 ";
 
@@ -102,7 +102,7 @@ fn costs(scene: &Scene, counts: &Counts, host: f64) -> Vec<String> {
 
 /// Terms of a channel's polynomials on the boards.
 pub fn terms(scene: &Scene) -> usize {
-    let lengths = Parts::new(&scene.trimmed_table()).lengths;
+    let lengths = Parts::new(&scene.whole_table()).lengths;
     let both: usize = lengths.iter().map(|&length| 2 * usize::from(length)).sum();
     both - lengths.first().map_or(0, |&length| usize::from(length))
 }

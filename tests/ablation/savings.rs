@@ -5,7 +5,7 @@ use super::cells::{line, number};
 use super::scenes::Scene;
 use eigenshade_generator::scene_file;
 use eigenshade_index::effect::Effect;
-use eigenshade_table::{Parts, Table, trim};
+use eigenshade_table::{Parts, Table};
 use std::path::Path;
 
 /// The scenes of several effects.
@@ -23,11 +23,9 @@ pub struct Size {
 }
 
 impl Size {
-    /// That of a table, trimmed to its tolerance.
-    fn of(mut table: Table) -> Self {
-        let tolerance = table.scene.basis.tolerance.expect("scenes name a tolerance");
-        trim::trim(&mut table, tolerance);
-        let parts = Parts::new(&table);
+    /// That of a table.
+    fn of(table: &Table) -> Self {
+        let parts = Parts::new(table);
         let both: usize = parts.lengths.iter().map(|&length| 2 * usize::from(length)).sum();
         let constant = parts.lengths.first().map_or(0, |&length| usize::from(length));
         let arrays = [&parts.polar, &parts.factors, &parts.ambient, &parts.terms];
@@ -48,7 +46,7 @@ pub fn size(scene: &Scene, without: Option<Effect>) -> Option<Size> {
         return None;
     }
     wanted.retain(|&one| Some(one) != without);
-    Some(Size::of(loaded.build().expect("a table")))
+    Some(Size::of(&loaded.build().expect("a table")))
 }
 
 /// The table of the page.

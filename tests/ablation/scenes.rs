@@ -3,7 +3,7 @@
 use eigenshade_cli::shipped;
 use eigenshade_generator::database::{Lights, Named};
 use eigenshade_index::material;
-use eigenshade_table::{Table, decode, trim};
+use eigenshade_table::{Table, decode};
 use std::path::Path;
 
 /// A scene of `firmware/scenes`.
@@ -21,8 +21,8 @@ pub struct Scene {
     pub channels: usize,
     /// Whether its light turns.
     pub turns: bool,
-    /// What table, terms and format may cost under its light, of the peak: twice the file's
-    /// tolerance where that is of many materials' lobes.
+    /// What table, terms and format may cost under its light, of the peak. The file's own
+    /// tolerance is of the mean peak of all lights, and lower where this one's is.
     pub tolerance: f64,
 }
 
@@ -63,14 +63,6 @@ impl Scene {
         let path = format!("firmware/scenes/{}.bin", self.table);
         let bytes = std::fs::read(Path::new(env!("CARGO_MANIFEST_DIR")).join(&path)).expect(&path);
         decode(&bytes).expect("a table")
-    }
-
-    /// Its table with polynomials as short as on the boards.
-    pub fn trimmed_table(&self) -> Table {
-        let mut table = self.whole_table();
-        let tolerance = table.scene.basis.tolerance.expect("scenes name a tolerance");
-        trim::trim(&mut table, tolerance);
-        table
     }
 
     /// Its light to a degree, by channel.

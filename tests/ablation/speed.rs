@@ -59,7 +59,7 @@ fn ratio(operations: usize, mut operation: impl FnMut()) -> f64 {
 
 /// A pixel of a scene, all channels.
 pub fn of_scene(scene: &Scene) -> f64 {
-    let table = scene.trimmed_table();
+    let table = scene.whole_table();
     let (degree, order) = (table.gram.degree, table.gram.order);
     let material = scenes::material(&table, order);
     let basis = OwnedBasis::<f32>::new(&table);

@@ -26,7 +26,7 @@ pub fn all() -> Vec<Mode> {
 /// Which of [`all`] the paper's selection keeps; ties stay whole.
 pub fn selected(shipped: &Shipped) -> Vec<bool> {
     let gram = &shipped.table.gram;
-    let kept = selection::highest(gram, SELECTED);
+    let kept = selection::highest(gram, eigenshade::Effects::ALL, SELECTED);
     let keeps = |(l, m, o, p, q): Mode| kept[gram.place(m.unsigned_abs(), l, o, p, q)];
     all().into_iter().map(keeps).collect()
 }

@@ -25,6 +25,9 @@ pub fn lines<S: Scalar + Into<f64>>(chosen: &[Economy<S>], components: usize) ->
             span(|one| one.azimuths),
             span(|one| one.terms),
         ),
-        format!("left out, rms over a sphere: at most {worst:.1e} of the peak"),
+        format!(
+            "left out of the image of {components} components, rms over a sphere: at most {worst:.1e} \
+             of the peak"
+        ),
     ]
 }

@@ -458,3 +458,23 @@ fn bad_input_is_told_before_the_work() {
     assert!(start.elapsed().as_secs() < 5);
     assert!(Path::new(&folder.path("docs/accuracy-cost.csv")).exists());
 }
+
+/// The README's tables are the page's.
+#[test]
+fn the_readme_has_the_pages_rows() {
+    let readme = fs::read_to_string(repository().join("README.md")).expect("a README");
+    let start = readme.find("<!-- accuracy:").expect("the mark");
+    let end = readme.find("<!-- end of accuracy -->").expect("the other");
+    let page = read("accuracy-cost.md");
+    let rows: Vec<&str> = readme[start..end].lines().filter(|line| line.starts_with('|')).collect();
+    assert!(rows.len() >= 2 * (2 + LIMITS.len()), "{}", rows.len());
+    for row in rows {
+        assert!(page.lines().any(|line| line == row), "{row}");
+    }
+    let minute = "A Cortex-M4F of 64 MHz has";
+    let of = |text: &str| {
+        let line = text.lines().find(|line| line.starts_with(minute)).expect("the sentence");
+        line.split(" ([").next().map(str::to_owned)
+    };
+    assert_eq!(of(&readme), of(&page));
+}

@@ -6,11 +6,14 @@ mod support;
 #[path = "../../../tests/tolerances/mod.rs"]
 mod tolerances;
 
+use eigenshade_cli::owned_basis::OwnedBasis;
+use eigenshade_cli::shader::Shader;
 use eigenshade_index::effect::{Effect, Effects};
+use eigenshade_index::{light, material, mode};
 use eigenshade_table::parts::Parts;
 use eigenshade_table::{Table, decode};
 use std::fs;
-use support::{Folder, assert_fails, lights, materials, numbers, rows, scene};
+use support::{Folder, assert_fails, materials, numbers, rows, scene};
 
 const PAIR: &str = "--lights lights.csv --materials materials.csv --normals normals.csv";
 const HEADER: &str = "light,material,normal,r,g,b";
@@ -18,7 +21,7 @@ const HEADER: &str = "light,material,normal,r,g,b";
 /// Degree 4 and order 6: every effect has modes, ambient some of each order.
 fn folder(criterion: &str) -> Folder {
     let folder = Folder::new();
-    folder.write("lights.csv", lights(4, 2));
+    folder.write("lights.csv", support::lights(4, 2));
     folder.write("materials.csv", materials(6, 40));
     let scene = scene(criterion, 10_000, "[]").replace("order = 3", "order = 6");
     folder.write("scene.toml", scene);
@@ -128,25 +131,51 @@ fn selections_and_objects_have_effects() {
         let truth = of("sphere.bin", &format!("--method modes {wanted}"));
         let found = difference(&of("object.bin", "--format f64"), &truth);
         assert!(found <= tolerances::OBJECT_OF_EFFECTS, "{:?}: {found}", names(effects));
-        // Few modes: of those that are kept none is of another effect.
+        // Few modes: d of a coefficient is the sum over those that are kept, of these effects.
         folder.write(
             "scene.toml",
             sphere.replace("profile_tolerance", "modes = 60\nprofile_tolerance"),
         );
         let table = make(&folder, effects, "few.bin");
-        for profile in &table.profiles {
-            let modes = eigenshade_index::mode::indices(
-                table.gram.degree,
-                table.gram.order,
-                profile.azimuth,
-            );
-            for ((l, o, _, _), entry) in modes.zip(table.gram_row(profile)) {
-                assert!(entry == 0.0 || effects.keeps(l, o), "{:?} {l} {o}", names(effects));
-            }
-        }
+        assert_projects_kept_modes(&table, effects);
         assert!(table.count() > 0);
     }
     folder.write("scene.toml", sphere);
+}
+
+/// Each coefficient of the material by itself under one light: `project` against the sum of
+/// the rows of UᵀM, made here from the table's nodes, over the modes that are in.
+fn assert_projects_kept_modes(table: &Table, effects: Effects) {
+    let (degree, order) = (table.gram.degree, table.gram.order);
+    let owned = OwnedBasis::<f64>::new(table);
+    let mut shader = Shader::new(owned.any().unwrap(), usize::MAX);
+    let light: Vec<f64> = (0..light::count(degree)).map(|k| 1.0 / (1.0 + k as f64)).collect();
+    let dark = shader
+        .project((degree, &vec![0.0; light.len()]), (order, &vec![0.0; material::count(order)]));
+    let dark = dark.unwrap().to_vec();
+    for (j, coefficient) in material::indices(order).enumerate() {
+        let mut one = vec![0.0; material::count(order)];
+        one[j] = 1.0;
+        let found = shader.project((degree, &light), (order, &one)).unwrap().to_vec();
+        for (k, component) in table.components.iter().enumerate() {
+            let profile = &table.profiles[component.profile];
+            let m = component.order as isize;
+            let sign = if m < 0 && m % 2 != 0 { -1.0 } else { 1.0 };
+            let modes = mode::indices(degree, order, profile.azimuth);
+            let mut sum = 0.0;
+            for ((l, o, p, q), column) in modes.zip(table.gram.columns(profile.azimuth)) {
+                let place = table.gram.place(profile.azimuth, l, o, p, q);
+                let kept = table.selection.is_empty() || table.selection[place];
+                if (o, p, q) == coefficient && kept && effects.keeps(l, o) {
+                    let row: f64 =
+                        column.iter().zip(&profile.node_values).map(|(a, w)| a * w).sum();
+                    sum += sign * row * light[light::position(l, m)];
+                }
+            }
+            let off = (found[k] - dark[k] - sum).abs();
+            assert!(off <= tolerances::ORTHONORMAL_NODES, "{effects:?} {coefficient:?} {k}: {off}");
+        }
+    }
 }
 
 /// Rows, columns, azimuths and degrees of what is left out are in no table. Gloss takes the

@@ -203,10 +203,15 @@ fn factors(table: &Table, degree: usize, order: usize) -> Vec<f64> {
     factors
 }
 
-/// What stands apart, for each profile of m = 0.
+/// What stands apart, for each profile of m = 0; 0 where a selection dropped the mode.
 fn ambient(table: &Table, degree: usize, pairs: usize) -> Vec<f64> {
     let zonal = table.profiles.iter().filter(|profile| profile.azimuth == 0);
-    zonal.flat_map(|profile| profile.factors.iter().skip(pairs * (degree + 1))).copied().collect()
+    let apart = || table.effects().apart(table.gram.order);
+    let kept = |(o, p), number: f64| if table.keeps(0, 0, o, p, 0) { number } else { 0.0 };
+    zonal
+        .flat_map(|profile| apart().zip(profile.factors.iter().skip(pairs * (degree + 1))))
+        .map(|(mode, &number)| kept(mode, number))
+        .collect()
 }
 
 /// Terms that each azimuth needs: those of its longest profile.

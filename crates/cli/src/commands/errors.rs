@@ -67,6 +67,13 @@ impl Errors {
             )
             .in_file(&self.table));
         }
+        if !table.effects().is_all() || !table.scene.effects.colour {
+            return Err(Error::new(
+                "it leaves out effects or colour, which direct integration has",
+                "take a table of all effects, in colour",
+            )
+            .in_file(&self.table));
+        }
         let lights = self.lights_of(&named)?;
         if lights.degree < degree {
             let found = lights.degree;

@@ -54,6 +54,7 @@ fn description(table: &Table) -> String {
         ("asked for", wanted),
         ("modes", eigenshade_index::mode::total(table.gram.degree, table.gram.order).to_string()),
         ("kept modes", kept_modes(table)),
+        ("effects", effects(table)),
         ("store", stored(table).to_owned()),
         ("profiles", table.profiles.len().to_string()),
         ("spectrum", table.spectrum.len().to_string()),
@@ -77,6 +78,14 @@ fn description(table: &Table) -> String {
     text
 }
 
+/// The effects, and what of colour and turning is left out.
+fn effects(table: &Table) -> String {
+    let wanted = &table.scene.effects;
+    let colour = if wanted.colour { "" } else { ", no colour" };
+    let rotation = if wanted.rotation { "" } else { ", light that stays" };
+    wire_file::named(table.effects()) + colour + rotation
+}
+
 /// What the table keeps of the basis.
 fn stored(table: &Table) -> &'static str {
     match table.scene.basis.store {
@@ -89,12 +98,13 @@ fn stored(table: &Table) -> &'static str {
 }
 
 fn kept_modes(table: &Table) -> String {
-    if table.selection.is_empty() {
+    if table.selection.is_empty() && table.effects().is_all() {
         return "all".to_owned();
     }
-    let of_azimuth = table.selection.len() / (table.gram.degree + 1);
-    let kept = table.selection.chunks(of_azimuth).enumerate().map(|(azimuth, kept)| {
-        let count = kept.iter().filter(|&&kept| kept).count();
+    let (degree, order) = (table.gram.degree, table.gram.order);
+    let kept = (0..=degree).map(|azimuth| {
+        let modes = eigenshade_index::mode::indices(degree, order, azimuth);
+        let count = modes.filter(|&(l, o, p, q)| table.keeps(azimuth, l, o, p, q)).count();
         if azimuth == 0 { count } else { 2 * count }
     });
     kept.sum::<usize>().to_string()

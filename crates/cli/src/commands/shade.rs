@@ -65,8 +65,9 @@ pub struct Shade {
     /// whole [default: all]
     #[arg(long, value_name = "A,B", value_delimiter = ',', value_parser = effect)]
     effects: Vec<Effect>,
-    /// Of the method polynomial in f32 or f64: the fewest terms whose rms error over a sphere is
-    /// at most this share of the peak, or so many decibels below it, as in 1e-3 or 60dB
+    /// Of the method polynomial in f32 or f64: the fewest terms within this share of the peak,
+    /// rms over a sphere, or so many decibels below it, as in 1e-3 or 60dB, of the image of the
+    /// components in use; what those lack comes besides
     #[arg(long, value_name = "T", value_parser = tolerance)]
     tolerance: Option<Tolerance<f64>>,
     /// Weakens degree l of the light by sinc^4, (sin x / x)^4 with x = pi l / W; nothing is
@@ -120,9 +121,12 @@ fn effect(text: &str) -> std::result::Result<Effect, String> {
 fn tolerance(text: &str) -> std::result::Result<Tolerance<f64>, String> {
     let decibels = text.strip_suffix("dB").map(|number| number.trim().parse::<u8>());
     match (decibels, text.parse::<f64>()) {
-        (Some(Ok(decibels)), _) => Ok(Tolerance::Decibels(decibels)),
-        (None, Ok(share)) if share > 0.0 && share.is_finite() => Ok(Tolerance::OfPeak(share)),
-        _ => Err("a share above 0 or whole decibels are wanted, as in 1e-3 or 60dB".to_owned()),
+        (Some(Ok(decibels @ 1..)), _) => Ok(Tolerance::Decibels(decibels)),
+        (None, Ok(share)) if (1e-30..1.0).contains(&share) => Ok(Tolerance::OfPeak(share)),
+        _ => {
+            Err("a share of 1e-30 to 1, or 1 to 255 whole decibels are wanted, as in 1e-3 or 60dB"
+                .to_owned())
+        }
     }
 }
 
