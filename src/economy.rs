@@ -68,8 +68,8 @@ impl<S: Scalar> Basis<'_, S> {
     ///
     /// The scene's polynomials lie at the beginning of `buffer`, of length
     /// [`scene_len`](Self::scene_len); their lengths in `lengths`, which has room for
-    /// [`azimuths`](Self::azimuths). Polynomials of more than 64 terms stay as they are. Set-up
-    /// cost: two collapses, 41 pixels, four products for each pair of terms of a polynomial
+    /// [`azimuths`](Self::azimuths). Polynomials of more than 64 terms stay as they are, of
+    /// azimuths m above 32 those of more than 128 - 2 m. Set-up cost: two collapses, 41 pixels, four products for each pair of terms of a polynomial
     /// three times over, and for each cut a look at all terms. Stack: some 460 numbers.
     ///
     /// # Errors

@@ -32,10 +32,13 @@ pub struct Image {
     pub peak: f64,
 }
 
+/// Degree or order, and coefficients.
+pub type Channel<'a> = (usize, &'a [f64]);
+
 impl Image {
     /// Its light and material up to a degree and an order, no more than its own.
     #[must_use]
-    pub fn within(&self, degree: usize, order: usize) -> ((usize, &[f64]), (usize, &[f64])) {
+    pub fn within(&self, degree: usize, order: usize) -> (Channel<'_>, Channel<'_>) {
         let light = &self.light[..light::count(degree)];
         ((degree, light), (order, &self.material[..material::count(order)]))
     }

@@ -71,8 +71,7 @@ pub fn settings(quick: bool) -> Vec<Knob> {
     } else {
         &[0.3, 0.1, 0.03, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 1e-5]
     };
-    // Polynomials of more than 16 terms are not shortened, so that those of all components are
-    // none that a tolerance makes cheap.
+    // Where a tolerance starts from.
     let trimmed = first(130).cut(Cut::Trimmed(2e-4));
     for recipe in if quick { vec![trimmed] } else { vec![first(50), trimmed] } {
         for &tolerance in within {
