@@ -256,13 +256,50 @@ fn what_a_scene_does_not_call_for_is_refused() {
     let text = fs::read_to_string(folder.path("effects.toml")).unwrap();
     folder.write("none.toml", text.replace("[\"ambient\", \"diffuse\"]", "[]"));
     assert_fails(&folder, "basis --scene none.toml --out n.bin", &["effects.use", "all"]);
-    folder.write("still.toml", text.clone() + "rotation = false\n");
+    folder.write("still.toml", text + "rotation = false\n");
     folder.ok("basis --scene still.toml --out still.bin");
     let turned = format!("shade still.bin {PAIR} --rotate 1,2,3");
     assert_fails(&folder, &turned, &["does not turn", "--rotate"]);
-    // Without colour: luminance, three times.
-    folder.write("grey.toml", text + "colour = false\n");
-    folder.ok("basis --scene grey.toml --out grey.bin");
-    let grey = shaded(&folder, "grey.bin", "--format f64");
-    assert!(grey.chunks(3).all(|rgb| rgb[0] == rgb[1] && rgb[1] == rgb[2]));
+}
+
+/// Without colour a picture is that of the luminance of light and material, also of a table
+/// that keeps its materials folded in.
+#[test]
+fn without_colour_there_is_luminance() {
+    let folder = folder("image-centered");
+    let coloured: String = materials(6, 40)
+        .lines()
+        .map(|line| match line.rsplit_once(',') {
+            Some((places, "value")) => format!("{places},r,g,b\n"),
+            Some((places, value)) => {
+                let value: f64 = value.parse().unwrap();
+                format!("{places},{value},{},{}\n", 0.5 * value, 0.25 * value)
+            }
+            None => panic!("a row"),
+        })
+        .collect();
+    folder.write("coloured.csv", coloured);
+    let scene = fs::read_to_string(folder.path("scene.toml")).unwrap();
+    let scene = scene.replace("materials.csv", "coloured.csv");
+    let luminance = 0.2126 + 0.7152 * 0.5 + 0.0722 * 0.25;
+    for store in ["projection", "materials"] {
+        let text = format!("{scene}store = \"{store}\"\n[effects]\ncolour = false\n");
+        folder.write("grey.toml", text);
+        folder.ok("basis --scene grey.toml --out grey.bin");
+        assert!(folder.ok("info grey.bin").contains("no colour"));
+        let of = |table: &str, materials: &str| {
+            let pair = PAIR.replace("materials.csv", materials);
+            let text = folder.ok(&format!("shade {table} {pair} --format f64"));
+            numbers(&rows(&text, HEADER), 3)
+        };
+        let found = of("grey.bin", "coloured.csv");
+        make(&folder, Effects::ALL, "whole.bin");
+        // On a material without colour a picture has the light's.
+        let pictures = of("whole.bin", "materials.csv");
+        let of_light = |rgb: &[f64]| 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2];
+        let expected: Vec<f64> =
+            pictures.chunks(3).flat_map(|rgb| [luminance * of_light(rgb); 3]).collect();
+        let off = difference(&found, &expected);
+        assert!(off <= tolerances::ALL_COMPONENTS, "{store}: {off}");
+    }
 }
