@@ -19,10 +19,10 @@ const BLOCK: usize = if cfg!(target_feature = "avx512f") {
     32
 } else if cfg!(target_arch = "x86_64") {
     20
-} else if cfg!(all(target_arch = "wasm32", not(target_feature = "simd128"))) {
-    4
-} else {
+} else if cfg!(any(target_arch = "aarch64", target_feature = "simd128")) {
     16
+} else {
+    4
 };
 
 /// Whether there are loops for few terms, and one without long series: where code may be

@@ -133,6 +133,7 @@ impl<Q: Fixed> Basis<'_, Q> {
         // Not 0, which a compiler may not see: chunks of 0 would panic.
         let pairs = pair::count(self.order()).max(1);
         let room = room::<Q::Wide>(self.order());
+        let all = self.parts.effects.is_all();
         let polar = self.parts.polar.chunks_exact(pairs);
         let rows = polar.zip(self.parts.polar_exponents.chunks_exact(pairs));
         for ((polar, of_polar), (sums, exponent)) in
@@ -153,9 +154,10 @@ impl<Q: Fixed> Basis<'_, Q> {
             let common = top + room;
             sums.fill(Q::Wide::default());
             let coefficients = material::indices(material.order).zip(material.mantissas);
-            for ((o, p, q), &b) in
-                coefficients.filter(|&((o, _, _), _)| self.parts.effects.factored(o))
-            {
+            for ((o, p, q), &b) in coefficients {
+                if !all && !self.parts.effects.factored(o) {
+                    continue;
+                }
                 let of_order = material.exponents.get(o).copied().unwrap_or_default();
                 let (of_o, of_p) = (pair::position(o, q), pair::position(p, q));
                 let b = if o == p { b } else { b.over_root_two() };

@@ -1,5 +1,6 @@
 //! Cells of the page's tables.
 
+use eigenshade_cli::number::grouped;
 use std::fmt::Write;
 
 /// A row of a table.
@@ -9,16 +10,7 @@ pub fn line(text: &mut String, cells: &[String]) {
 
 /// With commas between thousands; a dash for nothing.
 pub fn number(number: Option<u64>) -> String {
-    let Some(number) = number else { return "-".into() };
-    let digits = number.to_string();
-    let mut text = String::new();
-    for (place, digit) in digits.chars().enumerate() {
-        if place > 0 && (digits.len() - place).is_multiple_of(3) {
-            text.push(',');
-        }
-        text.push(digit);
-    }
-    text
+    number.map_or_else(|| "-".into(), |number| grouped(number as usize))
 }
 
 /// Two digits.

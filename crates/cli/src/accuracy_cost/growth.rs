@@ -290,16 +290,16 @@ fn of_pixels(timed: bool) -> Result<Vec<Growth>> {
             times.push((count as f64, least(&found)));
         }
     }
-    let reason = "each pixel is its own";
-    let growth = |measure, unit, points| Growth {
-        quantity: "pixels",
-        measure,
-        unit,
-        points,
-        theory: 1.0,
-        reason,
-    };
+    let growth = proportional("pixels", "each pixel is its own");
     Ok(vec![growth("a picture's f32", "bytes", held.to_vec()), growth("shading", "ns", times)])
+}
+
+/// What grows as a quantity does.
+fn proportional(
+    quantity: &'static str,
+    reason: &'static str,
+) -> impl Fn(&'static str, &'static str, Vec<(f64, f64)>) -> Growth {
+    move |measure, unit, points| Growth { quantity, measure, unit, points, theory: 1.0, reason }
 }
 
 fn of_maps(timed: bool) -> Vec<Growth> {
@@ -324,14 +324,6 @@ fn of_maps(timed: bool) -> Vec<Growth> {
             times.push((count as f64, least(&found)));
         }
     }
-    let reason = "each map is projected by itself";
-    let growth = |measure, unit, points| Growth {
-        quantity: "maps",
-        measure,
-        unit,
-        points,
-        theory: 1.0,
-        reason,
-    };
+    let growth = proportional("maps", "each map is projected by itself");
     vec![growth("coefficients", "bytes", held.to_vec()), growth("projection", "ns", times)]
 }

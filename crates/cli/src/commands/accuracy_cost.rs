@@ -1,5 +1,6 @@
 //! `eigenshade accuracy-cost`: the error of every setting beside what it takes.
 
+use super::purpose::Purpose;
 use clap::Args;
 use eigenshade_cli::accuracy_cost::check::{Compared, compare};
 use eigenshade_cli::accuracy_cost::sheet::POINTS;
@@ -29,17 +30,6 @@ pub struct AccuracyCost {
     /// Folder of the project's environment maps
     #[arg(long, value_name = "DIR", default_value = "tables/inputs/maps")]
     maps: PathBuf,
-}
-
-#[derive(Args, Debug)]
-#[group(required = true, multiple = false)]
-struct Purpose {
-    /// Folder for the files; it is made if need be
-    #[arg(long, value_name = "DIR")]
-    out: Option<PathBuf>,
-    /// Compares the files of this folder with what the program finds now
-    #[arg(long, value_name = "DIR")]
-    check: Option<PathBuf>,
 }
 
 impl AccuracyCost {

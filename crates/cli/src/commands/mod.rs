@@ -15,12 +15,14 @@ mod material_formula;
 mod pack;
 mod paper;
 mod project;
+mod purpose;
 mod read;
 mod read_answer;
 mod read_report;
 mod read_score;
 mod render;
 mod shade;
+mod shade_options;
 
 use clap::Subcommand;
 use eigenshade_generator::error::Result;

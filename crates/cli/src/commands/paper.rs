@@ -1,12 +1,12 @@
 //! `eigenshade paper`: the figures of the paper, on the shipped data.
 
+use super::purpose::Purpose;
 use clap::Args;
 use eigenshade_cli::message::{say, spinner};
 use eigenshade_cli::paper::comparison::{Compared, compare};
 use eigenshade_cli::paper::{FOLDER, PAGE, make};
 use eigenshade_generator::error::{Error, Result};
 use std::fs;
-use std::path::PathBuf;
 
 /// The figures of Nillius and Eklundh (2003) and their numbers, on the shipped data
 ///
@@ -20,17 +20,6 @@ use std::path::PathBuf;
 pub struct Paper {
     #[command(flatten)]
     purpose: Purpose,
-}
-
-#[derive(Args, Debug)]
-#[group(required = true, multiple = false)]
-struct Purpose {
-    /// Folder for the files; it is made if need be
-    #[arg(long, value_name = "DIR")]
-    out: Option<PathBuf>,
-    /// Compares the files of this folder with what the program finds now
-    #[arg(long, value_name = "DIR")]
-    check: Option<PathBuf>,
 }
 
 impl Paper {
