@@ -265,3 +265,50 @@ impl<'s, S> Iterator for Descent<'s, S> {
         of_both.split_at_checked(length)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::normal::Normals;
+
+    /// Each way that a slice is shaded, among them polynomials of azimuth 0 alone.
+    #[test]
+    fn slices_of_any_shape_are_shaded_as_their_normals() {
+        let mut numbers = [0.0f32; 200];
+        for (k, number) in numbers.iter_mut().enumerate() {
+            *number = ((7 * k % 19) as f32 - 9.0) / (1 + k % 5) as f32;
+        }
+        let [mut x, mut y, mut z] = [[0.0f32; 300]; 3];
+        for (k, ((x, y), z)) in x.iter_mut().zip(&mut y).zip(&mut z).enumerate() {
+            *z = (k as f32 + 0.5) / 300.0;
+            let sine = libm::sqrtf(1.0 - *z * *z);
+            (*x, *y) = (sine * libm::cosf(2.4 * k as f32), sine * libm::sinf(2.4 * k as f32));
+        }
+        for lengths in [
+            &[][..],
+            &[1],
+            &[5],
+            &[9],
+            &[20],
+            &[3, 2],
+            &[2, 3, 1, 1],
+            &[8, 8, 8],
+            &[0, 0, 4],
+            &[9, 1],
+            &[14, 14, 13, 12],
+            &[20, 18, 3],
+        ] {
+            let scene = Scene { lengths, buffer: &numbers };
+            for count in [0, 1, 63, 64, 127, 128, 300] {
+                let normals = Normals::new(&x[..count], &y[..count], &z[..count]);
+                let mut irradiance = [f32::NAN; 300];
+                let shaded = scene.shade_slice(normals.unwrap(), &mut irradiance[..count]);
+                assert_eq!(shaded, Ok(()));
+                for k in 0..count {
+                    let normal = Normal { x: x[k], y: y[k], z: z[k] };
+                    assert_eq!(scene.shade(normal), irradiance[k], "{lengths:?}, {k} of {count}");
+                }
+            }
+        }
+    }
+}

@@ -10,7 +10,7 @@ use crate::polynomial;
 use crate::scalar::Scalar;
 use crate::scene::{Descent, Scene, argument};
 use nine::Nine;
-use tile::TILE;
+use tile::{Room, TILE};
 
 /// Normals in one block: as many as keep a target's vector registers busy.
 const BLOCK: usize = if cfg!(target_feature = "avx512f") {
@@ -58,8 +58,9 @@ impl<B> Scene<'_, B> {
             let [(x, x_rest), (y, y_rest), (z, z_rest)] =
                 [normals.x, normals.y, normals.z].map(<[S]>::as_chunks::<TILE>);
             let (out, out_rest) = irradiance.as_chunks_mut::<TILE>();
+            let mut room = Room::new();
             for (((x, y), z), out) in x.iter().zip(y).zip(z).zip(out) {
-                tile::tile(polynomials, [x, y, z], out);
+                tile::tile(polynomials, [x, y, z], &mut room, out);
             }
             blocks::<S, false>(polynomials, [x_rest, y_rest, z_rest], out_rest);
         } else if polynomials.any_longer_than(POWERS) {
@@ -113,7 +114,10 @@ pub(crate) fn block<S: Scalar, const LONG: bool, const N: usize>(
     y: &[S; N],
     z: &[S; N],
 ) -> [S; N] {
-    let t = z.map(argument);
+    let mut t = [S::ZERO; N];
+    for (t, &z) in t.iter_mut().zip(z) {
+        *t = argument(z);
+    }
     let Some((plus, minus)) = polynomials.next() else {
         return polynomial::values::<S, LONG, N>(polynomials.pole, &t);
     };

@@ -9,25 +9,33 @@
 use crate::scalar::Scalar;
 use crate::scene::{Descent, argument};
 
-/// Normals in one tile.
-pub(super) const TILE: usize = 64;
+/// Normals in one tile: sixteen vectors, so that what begins and ends a loop weighs little.
+pub(super) const TILE: usize = if cfg!(target_feature = "avx") { 128 } else { 64 };
 
 /// Most terms of a polynomial: of longer ones blocks are faster.
 const MOST: usize = 8;
 
-/// Whether tiles are faster than blocks for these polynomials, on this target.
+/// Whether tiles are faster than blocks for these polynomials, on this target: never where
+/// there is but the azimuth 0.
 pub(super) fn fits<S>(polynomials: &Descent<'_, S>) -> bool {
     cfg!(all(target_arch = "x86_64", not(target_feature = "avx512f")))
+        && !polynomials.lengths.is_empty()
         && !polynomials.any_longer_than(MOST)
 }
 
-/// P_m + i Q_m of the azimuths above, summed by Horner's rule in w̄, at a tile's normals.
-struct Tile<'n, S> {
+/// What a tile needs beside its normals: t, and P_m + i Q_m of the azimuths above, summed by
+/// Horner's rule in w̄. Each tile finds what the one before it left.
+#[repr(align(64))]
+pub(super) struct Room<S> {
     t: [S; TILE],
-    x: &'n [S; TILE],
-    y: &'n [S; TILE],
     real: [S; TILE],
     imaginary: [S; TILE],
+}
+
+impl<S: Scalar> Room<S> {
+    pub(super) const fn new() -> Self {
+        Self { t: [S::ZERO; TILE], real: [S::ZERO; TILE], imaginary: [S::ZERO; TILE] }
+    }
 }
 
 /// Runs a function for polynomials whose number of terms is known.
@@ -51,17 +59,18 @@ macro_rules! of_known_length {
 pub(super) fn tile<S: Scalar>(
     mut polynomials: Descent<'_, S>,
     [x, y, z]: [&[S; TILE]; 3],
+    room: &mut Room<S>,
     out: &mut [S; TILE],
 ) {
-    let (real, imaginary) = ([S::ZERO; TILE], [S::ZERO; TILE]);
-    let mut sums = Tile { t: z.map(argument), x, y, real, imaginary };
-    if let Some((plus, minus)) = polynomials.next() {
-        of_known_length!(plus.len(), highest(plus, minus, &mut sums));
+    for (t, &z) in room.t.iter_mut().zip(z) {
+        *t = argument(z);
     }
+    let Some((plus, minus)) = polynomials.next() else { return };
+    of_known_length!(plus.len(), highest(plus, minus, room));
     for (plus, minus) in polynomials.by_ref() {
-        of_known_length!(plus.len(), azimuth(plus, minus, &mut sums));
+        of_known_length!(plus.len(), azimuth([plus, minus], [x, y], room));
     }
-    of_known_length!(polynomials.pole.len(), pole(polynomials.pole, &sums, out));
+    of_known_length!(polynomials.pole.len(), pole(polynomials.pole, [x, y], room, out));
 }
 
 /// By Horner's rule, as [`crate::polynomial::values`].
@@ -72,23 +81,27 @@ fn value<S: Scalar, const L: usize>(terms: &[S; L], t: S) -> S {
 }
 
 #[inline(never)]
-fn highest<S: Scalar, const L: usize>(plus: &[S], minus: &[S], sums: &mut Tile<'_, S>) {
+fn highest<S: Scalar, const L: usize>(plus: &[S], minus: &[S], room: &mut Room<S>) {
     let (Some(plus), Some(minus)) = (plus.first_chunk::<L>(), minus.first_chunk::<L>()) else {
         return;
     };
-    let both = sums.real.iter_mut().zip(&mut sums.imaginary);
-    for ((real, imaginary), &t) in both.zip(&sums.t) {
+    let both = room.real.iter_mut().zip(&mut room.imaginary);
+    for ((real, imaginary), &t) in both.zip(&room.t) {
         (*real, *imaginary) = (value(plus, t), value(minus, t));
     }
 }
 
 #[inline(never)]
-fn azimuth<S: Scalar, const L: usize>(plus: &[S], minus: &[S], sums: &mut Tile<'_, S>) {
+fn azimuth<S: Scalar, const L: usize>(
+    [plus, minus]: [&[S]; 2],
+    [x, y]: [&[S; TILE]; 2],
+    room: &mut Room<S>,
+) {
     let (Some(plus), Some(minus)) = (plus.first_chunk::<L>(), minus.first_chunk::<L>()) else {
         return;
     };
-    let both = sums.real.iter_mut().zip(&mut sums.imaginary);
-    let at = sums.t.iter().zip(sums.x.iter().zip(sums.y));
+    let both = room.real.iter_mut().zip(&mut room.imaginary);
+    let at = room.t.iter().zip(x.iter().zip(y));
     for ((real, imaginary), (&t, (&x, &y))) in both.zip(at) {
         (*real, *imaginary) = (
             value(plus, t).add_product(*real, x).add_product(*imaginary, y),
@@ -98,10 +111,15 @@ fn azimuth<S: Scalar, const L: usize>(plus: &[S], minus: &[S], sums: &mut Tile<'
 }
 
 #[inline(never)]
-fn pole<S: Scalar, const L: usize>(terms: &[S], sums: &Tile<'_, S>, out: &mut [S; TILE]) {
+fn pole<S: Scalar, const L: usize>(
+    terms: &[S],
+    [x, y]: [&[S; TILE]; 2],
+    room: &Room<S>,
+    out: &mut [S; TILE],
+) {
     let Some(terms) = terms.first_chunk::<L>() else { return };
-    let both = sums.real.iter().zip(&sums.imaginary);
-    let at = sums.t.iter().zip(sums.x.iter().zip(sums.y));
+    let both = room.real.iter().zip(&room.imaginary);
+    let at = room.t.iter().zip(x.iter().zip(y));
     for ((out, (&real, &imaginary)), (&t, (&x, &y))) in out.iter_mut().zip(both).zip(at) {
         *out = value(terms, t).add_product(real, x).add_product(imaginary, y);
     }

@@ -1,0 +1,106 @@
+//! Instructions of a pixel, counted by callgrind: the same in every run.
+
+use crate::images::{Image, scene};
+use crate::inputs::{PIXELS, irradiances, normals};
+use crate::limit::{INSTRUCTIONS, LANES};
+use crate::nine_terms;
+use crate::place::Placed;
+use eigenshade::Normals;
+use std::hint::black_box;
+use std::process::Command;
+
+/// What is asked of a program that runs under callgrind, before a tolerance and coefficients.
+pub const SHADE: &str = "shade";
+const NINE: &str = "nine";
+
+/// Instructions of a pixel beside those that it cannot do without.
+pub struct Count {
+    /// What was counted.
+    pub name: String,
+    /// Terms of its polynomials, by azimuth.
+    pub lengths: Vec<u16>,
+    /// Multiply-adds that it cannot do without.
+    pub necessary: usize,
+    /// Instructions in which it does all.
+    pub found: f64,
+}
+
+impl Count {
+    /// Instructions that it cannot do without.
+    pub fn limit(&self) -> f64 {
+        (self.necessary * INSTRUCTIONS) as f64 / LANES as f64
+    }
+
+    /// How near it is to that.
+    pub fn share(&self) -> f64 {
+        self.limit() / self.found
+    }
+}
+
+/// The formula of nine terms and all images.
+pub fn counted(images: &[Image]) -> Vec<Count> {
+    let mut counts = vec![Count {
+        name: "nine-term formula".to_owned(),
+        lengths: Vec::new(),
+        necessary: nine_terms::MULTIPLY_ADDS,
+        found: of_a_pixel(&[NINE.to_owned()]),
+    }];
+    for image in images {
+        let share = image.share.map_or_else(|| "all".to_owned(), |share| share.to_string());
+        let arguments: Vec<_> =
+            std::iter::once(share).chain(image.d.iter().map(ToString::to_string)).collect();
+        counts.push(Count {
+            name: image.name.clone(),
+            lengths: image.lengths.clone(),
+            necessary: image.necessary(),
+            found: of_a_pixel(&arguments),
+        });
+    }
+    counts
+}
+
+/// Those of a picture less those of none: what sets up is in both.
+fn of_a_pixel(what: &[String]) -> f64 {
+    let [once, thrice] = [1, 3].map(|pictures| instructions(pictures, what) as f64);
+    (thrice - once) / (2 * PIXELS) as f64
+}
+
+fn instructions(pictures: usize, what: &[String]) -> u64 {
+    let program = std::env::current_exe().expect("this program");
+    let run = Command::new("valgrind")
+        .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])
+        .arg(program)
+        .args([SHADE, &pictures.to_string()])
+        .args(what)
+        .output()
+        .expect("valgrind: install it");
+    let said = String::from_utf8_lossy(&run.stderr);
+    assert!(run.status.success(), "callgrind failed: {said}");
+    let line = said.lines().find_map(|line| line.split_once("Collected :"));
+    let (_, number) = line.unwrap_or_else(|| panic!("callgrind told no count: {said}"));
+    number.trim().parse().expect("a count")
+}
+
+/// What runs under callgrind: so many pictures of one image.
+pub fn shade(mut arguments: impl Iterator<Item = String>) {
+    let pictures: usize = arguments.next().and_then(|text| text.parse().ok()).expect("a number");
+    let what = arguments.next().expect("a tolerance");
+    let d: Vec<f32> = arguments.map(|text| text.parse().expect("a coefficient")).collect();
+    let xyz = normals();
+    let [x, y, z] = xyz.each_ref().map(Placed::all);
+    let mut room = irradiances();
+    let out = room.all_mut();
+    if what == NINE {
+        for _ in 0..pictures {
+            let axes = black_box([x, y, z]);
+            nine_terms::shade(black_box(&nine_terms::COEFFICIENTS), axes, black_box(&mut *out));
+        }
+        return;
+    }
+    let mut lengths = [0; 16];
+    let (scene, _) = scene(&d, what.parse().ok(), &mut lengths);
+    let normals = Normals::new(x, y, z).expect("one length");
+    for _ in 0..pictures {
+        black_box(&scene).shade_slice(black_box(normals), black_box(&mut *out)).expect("lengths");
+    }
+}

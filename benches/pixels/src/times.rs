@@ -1,0 +1,158 @@
+//! Times of each path, the least of interleaved rounds: what another program on the machine
+//! took is not in them.
+
+use crate::images::{Image, scene};
+use crate::inputs::{PIXELS, irradiances, normals};
+use crate::limit::{CHAINS, LANES, multiply_adds};
+use crate::nine_terms;
+use crate::place::Placed;
+use eigenshade::{BakedMap, Light, Lookup, MapPoint, Material, Normal, Normals, sphere};
+use std::hint::black_box;
+use std::time::Instant;
+
+const ROUNDS: usize = 41;
+const REPEATS: usize = 400;
+
+/// What was timed.
+pub struct Time {
+    /// What the page calls it.
+    pub name: String,
+    /// Terms of its polynomials, by azimuth.
+    pub lengths: Vec<u16>,
+    /// Multiply-adds of a pixel, or of a call of what makes none.
+    pub necessary: usize,
+    /// Of what takes one number an instruction there is no limit here.
+    pub vectors: bool,
+    /// Nanoseconds of a pixel or a call.
+    pub found: f64,
+    /// Whether it makes pixels.
+    pub pixels: bool,
+}
+
+/// Times, and nanoseconds of a multiply-add of [`LANES`] numbers at once.
+pub struct Times {
+    /// The formula of nine terms first.
+    pub ways: Vec<Time>,
+    /// See there.
+    pub multiply_add: f64,
+}
+
+struct Way<'a> {
+    time: Time,
+    run: Box<dyn FnMut() + 'a>,
+}
+
+impl<'a> Way<'a> {
+    fn new(name: &str, necessary: usize, run: impl FnMut() + 'a) -> Self {
+        let (name, run) = (name.to_owned(), Box::new(run));
+        let (lengths, found) = (Vec::new(), f64::INFINITY);
+        let time = Time { name, lengths, necessary, vectors: true, found, pixels: false };
+        Self { time, run }
+    }
+
+    fn pixels(mut self) -> Self {
+        self.time.pixels = true;
+        self
+    }
+
+    fn one_by_one(mut self) -> Self {
+        self.time.vectors = false;
+        self
+    }
+
+    /// One round.
+    fn round(&mut self) {
+        let (repeats, each) = if self.time.pixels { (4, PIXELS) } else { (500, 1) };
+        let start = Instant::now();
+        for _ in 0..repeats {
+            (self.run)();
+        }
+        let found = 1e9 * start.elapsed().as_secs_f64() / (repeats * each) as f64;
+        self.time.found = self.time.found.min(found);
+    }
+}
+
+fn limit<'a, const N: usize>() -> Way<'a> {
+    Way::new("limit", REPEATS * N, || {
+        black_box(multiply_adds::<N>(black_box(REPEATS), black_box(0.3), black_box(0.5)));
+    })
+}
+
+/// Times all paths.
+pub fn timed(images: &[Image]) -> Times {
+    let xyz = normals();
+    let axes = xyz.each_ref().map(Placed::all);
+    let slices = Normals::new(axes[0], axes[1], axes[2]).expect("one length");
+    let each: Vec<_> = (0..PIXELS)
+        .map(|k| Normal::new(axes[0][k], axes[1][k], axes[2][k]).expect("visible"))
+        .collect();
+    let image = &images[0].d;
+    let full = sphere::BASIS.collapse_into(image, [0.0; sphere::SCENE]).expect("sizes");
+    let lookup: Lookup<f32, Vec<f32>> =
+        full.lookup_into(32, vec![0.0; full.lookup_len::<f32>(32)]).expect("sizes");
+    let baked: BakedMap<f32, Vec<f32>> = full.bake_into(64, vec![0.0; 64 * 64]).expect("sizes");
+    let (light, material) = (vec![0.1; 100], vec![0.1; 40]);
+    let light = Light::new(9, &light).expect("a light");
+    let material = Material::new(7, &material).expect("a material");
+    let transfer = sphere::transfer(&material).expect("it fits");
+
+    let mut rooms = vec![[0; 16]; images.len()];
+    let [mut nine, mut by_knots, mut by_texels] = [(); 3].map(|()| irradiances());
+    let mut ways = vec![
+        limit::<{ CHAINS[0] * LANES }>(),
+        limit::<{ CHAINS[1] * LANES }>(),
+        limit::<{ CHAINS[2] * LANES }>(),
+        limit::<{ CHAINS[3] * LANES }>(),
+        Way::new("nine-term formula", nine_terms::MULTIPLY_ADDS, || {
+            let formula = black_box(&nine_terms::COEFFICIENTS);
+            nine_terms::shade(formula, black_box(axes), black_box(nine.all_mut()));
+        })
+        .pixels(),
+    ];
+    for (image, room) in images.iter().zip(&mut rooms) {
+        let (scene, lengths) = scene(&image.d, image.share, room);
+        let mut out = irradiances();
+        let way = Way::new(&image.name, image.necessary(), move || {
+            let scene = black_box(&scene);
+            scene.shade_slice(black_box(slices), black_box(out.all_mut())).expect("one length");
+        });
+        let mut way = way.pixels();
+        way.time.lengths = lengths;
+        ways.push(way);
+    }
+    ways.extend([
+        Way::new("look-up, 32 knots, cubic", 91, || {
+            for (out, &normal) in by_knots.all_mut().iter_mut().zip(black_box(&each)) {
+                *out = lookup.cubic(normal);
+            }
+            black_box(by_knots.all());
+        })
+        .pixels()
+        .one_by_one(),
+        Way::new("baked, 64 x 64, bilinear", 9, || {
+            for (out, &normal) in by_texels.all_mut().iter_mut().zip(black_box(&each)) {
+                *out = baked.bilinear(MapPoint::of(normal));
+            }
+            black_box(by_texels.all());
+        })
+        .pixels()
+        .one_by_one(),
+        Way::new("`relight`", 570, || {
+            black_box(sphere::relight(black_box(&transfer), black_box(&light)).expect("it fits"));
+        }),
+        Way::new("`collapse`", 650, || {
+            let d = black_box(image).as_slice().try_into().expect("50 coefficients");
+            black_box(sphere::collapse(&d).expect("it fits"));
+        }),
+        Way::new("`project`", 7200, || {
+            black_box(sphere::project(black_box(&light), black_box(&material)).expect("it fits"));
+        }),
+    ]);
+    for _ in 0..ROUNDS {
+        ways.iter_mut().for_each(Way::round);
+    }
+    let mut times = ways.into_iter().map(|way| way.time);
+    let of_one = |time: Time| time.found * LANES as f64 / time.necessary as f64;
+    let multiply_add = times.by_ref().take(CHAINS.len()).map(of_one).fold(f64::INFINITY, f64::min);
+    Times { ways: times.collect(), multiply_add }
+}
