@@ -228,7 +228,7 @@ fn a_set_of_one_is_that_image_within_its_tolerance() {
             let (scene, economy) = sphere::BASIS
                 .collapse_within(&d, tolerance, &mut lengths, [0.0f32; sphere::SCENE])
                 .expect("sizes");
-            let set = Chosen::new(&[d.clone()], 1, tolerance);
+            let set = Chosen::new(std::slice::from_ref(&d), 1, tolerance);
             assert_eq!(set.economies, [economy]);
             assert_eq!(set.lengths.len(), economy.azimuths);
             let of_set = set.shape().scene(&set.buffer).expect("enough");
