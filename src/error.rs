@@ -92,6 +92,8 @@ pub enum What {
     Scene,
     /// A slice of normals or of their irradiances.
     Normals,
+    /// Images of a set, and what is told of each.
+    Images,
     /// Texels of a baked map.
     Texels,
     /// Samples of a look-up.

@@ -127,7 +127,7 @@ pub mod generated;
 pub use bake::{BakedMap, MapBuffer};
 pub use bake_integer::IntegerMap;
 pub use basis::Basis;
-pub use economy::{Economy, Tolerance};
+pub use economy::{Economy, Shape, Tolerance};
 pub use error::{Error, What};
 pub use estimate::Estimate;
 pub use format::{Fixed, Format, Q15, Q31, Wide};

@@ -6,7 +6,7 @@ use eigenshade::wire::{Aligned, Header, WireError, WireFormat};
 use eigenshade::{
     BakedMap, Basis, Coupling, Economy, Error, Estimate, GeneralBasis, GeneralParts, IntegerMap,
     Light, Lookup, MapPoint, Material, Negatives, Normal, Normals, Parts, Pass, ProfilePlace, Q15,
-    Q31, Rotation, Row, Scene, SceneBuffer, Tolerance, Transfer, What, Window, quantised,
+    Q31, Rotation, Row, Scene, SceneBuffer, Shape, Tolerance, Transfer, What, Window, quantised,
 };
 
 fn can_be_logged<T: defmt::Format>() {}
@@ -20,7 +20,15 @@ fn public_types_can_be_logged() {
     can_be_logged::<(Coupling, Pass, ProfilePlace, Row, Error, What)>();
     can_be_logged::<(Transfer<f32, 8>, Estimate<'_, f32, 8>, Scene<'_, Buffer>)>();
     can_be_logged::<(BakedMap<f32, Buffer>, IntegerMap<&[i16]>, Lookup<f32, Buffer>)>();
-    can_be_logged::<(Tolerance<f32>, Economy<f32>, WireError, WireFormat, Header, Aligned<u8>)>();
+    can_be_logged::<(
+        Tolerance<f32>,
+        Economy<f32>,
+        Shape<'_>,
+        WireError,
+        WireFormat,
+        Header,
+        Aligned<u8>,
+    )>();
     can_be_logged::<(quantised::Basis<'_, Q15>, quantised::Parts<'_, Q15>, quantised::Profile)>();
     can_be_logged::<(quantised::Light<'_, Q31>, quantised::Material<'_, Q31>)>();
     can_be_logged::<(quantised::Normal<Q15>, quantised::Coefficients<8>)>();

@@ -1,6 +1,7 @@
 //! Scenes within a tolerance: the bound holds and is near the error, and what an image does
 //! not need costs nothing.
 
+mod images;
 #[path = "tolerances/mod.rs"]
 mod tolerances;
 
@@ -9,7 +10,9 @@ use eigenshade_cli::owned_basis::{AnyBasis, OwnedBasis};
 use eigenshade_generator::basis::build;
 use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_generator::special::gauss_legendre;
+use eigenshade_generator::truth::Truth;
 use eigenshade_table::decode;
+use images::{Image, coefficients, products, rule, single, vectors};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 
@@ -24,63 +27,6 @@ fn economized<'l>(
     lengths: &'l mut [u16],
 ) -> (Scene<'l, Numbers>, Economy<f32>) {
     sphere::BASIS.collapse_within(d, tolerance, lengths, [0.0; sphere::SCENE]).expect("it fits")
-}
-
-fn coefficients(light: &[f32], material: &[f32]) -> sphere::Coefficients {
-    let (degree, order) = (light.len().isqrt() - 1, (0..).find(|&o| count(o) == material.len()));
-    let light = Light::new(degree, light).expect("coefficients");
-    let material = Material::new(order.expect("an order"), material).expect("coefficients");
-    sphere::project(&light, &material).expect("it fits")
-}
-
-fn count(order: usize) -> usize {
-    eigenshade::index::material::count(order)
-}
-
-/// Normals and weights that integrate squares of images over a sphere.
-fn rule() -> Vec<(Normal<f32>, f64)> {
-    let around = 2 * sphere::DEGREE + 2;
-    let mut rule = Vec::new();
-    for (z, weight) in gauss_legendre::rule(24, 0.0, 1.0) {
-        let sine = (1.0 - z * z).sqrt();
-        for k in 0..around {
-            let (y, x) = (TAU * k as f64 / around as f64).sin_cos();
-            let normal = Normal::new((sine * x) as f32, (sine * y) as f32, z as f32);
-            rule.push((normal.expect("visible"), 2.0 * z * weight / around as f64));
-        }
-    }
-    rule
-}
-
-/// The image of all components, summed component by component, and its peak.
-struct Image {
-    values: Vec<f64>,
-    peak: f64,
-}
-
-impl Image {
-    fn new(d: &[f32], rule: &[(Normal<f32>, f64)]) -> Self {
-        let at = |normal| f64::from(sphere::BASIS.reconstruct(d, normal).expect("components"));
-        let values: Vec<f64> = rule.iter().map(|&(normal, _)| at(normal)).collect();
-        // The rule has neither the pole nor the rim, and is too coarse for a peak.
-        let scene = sphere::BASIS.collapse::<{ sphere::SCENE }>(d).expect("it fits");
-        let slants = (0..=48).map(|k| (TAU / 4.0 / 48.0 * f64::from(k)).sin_cos());
-        let finer = slants.flat_map(|(sine, z)| {
-            let around = (0..64).map(|k| (TAU / 64.0 * f64::from(k)).sin_cos());
-            around.map(move |(y, x)| [sine * x, sine * y, z.max(0.0)].map(|one| one as f32))
-        });
-        let finer = finer.map(|[x, y, z]| scene.shade(Normal::new(x, y, z).expect("visible")));
-        let peak = finer.fold(0.0, |most: f64, value| most.max(f64::from(value).abs()));
-        Self { values, peak }
-    }
-
-    /// Root mean square of another image's difference.
-    fn apart(&self, scene: &Scene<'_, Numbers>, rule: &[(Normal<f32>, f64)]) -> f64 {
-        let squares = rule.iter().zip(&self.values).map(|(&(normal, weight), value)| {
-            weight * (f64::from(scene.shade(normal)) - value).powi(2)
-        });
-        squares.sum::<f64>().sqrt()
-    }
 }
 
 /// Checks one image; gives the bound over the error, and the terms.
@@ -104,7 +50,6 @@ fn checked(d: &[f32], share: f32, image: &Image, rule: &[(Normal<f32>, f64)]) ->
 fn bounds_hold_and_are_near_over_the_shipped_set() {
     let lights = read_lights("tables/inputs/lights.csv", Some(9)).expect("the shipped lights");
     let materials = read_materials("tables/inputs/materials.csv", Some(7)).expect("materials");
-    let single = |values: Vec<f64>| values.iter().map(|&value| value as f32).collect::<Vec<_>>();
     let rule = rule();
     let shares = [0.1, 1e-2, 1e-3, 1e-4];
     let mut found = shares.map(|_| (Vec::new(), Vec::new()));
@@ -187,6 +132,35 @@ fn a_matte_is_shaded_as_by_the_nine_term_formula() {
     println!("{economy:?}, {:e}", worst / f64::from(economy.peak));
     assert!(economy.terms <= 9 && economy.azimuths <= 3, "{economy:?}");
     assert!(worst <= tolerances::NINE_TERMS * f64::from(economy.peak), "{worst}");
+}
+
+/// Where the formula is near enough, a pixel costs no more than by the formula.
+#[test]
+fn a_matte_costs_no_more_than_nine_terms_where_they_are_enough() {
+    let lights = read_lights("tables/inputs/lights.csv", Some(9)).expect("the shipped lights");
+    let (vectors, rule) = (vectors(), rule());
+    let truth = Truth::new(9, 0);
+    let mut dearer = Vec::new();
+    for entry in &lights.entries {
+        let light = single(entry.luminance());
+        let d = coefficients(&light, &MATTE);
+        let image = Image::new(&d, &rule);
+        let squares = vectors.iter().map(|&(at, weight)| {
+            let modes = truth.at(at);
+            let direct = modes.irradiance(&entry.luminance(), &modes.scatter(&[2.0]));
+            weight * (nine_terms(&light, at) - direct).powi(2)
+        });
+        let formula = squares.sum::<f64>().sqrt() / image.peak;
+        let share = formula.max(1e-2);
+        let mut lengths = [0; 16];
+        let (_, economy) = economized(&d, Tolerance::OfPeak(share as f32), &mut lengths);
+        let cost = products(&lengths[..economy.azimuths]);
+        println!("{}: {share:.4}, {cost}: {:?}", entry.name, &lengths[..economy.azimuths]);
+        if cost > products(&[3, 2, 1]) {
+            dearer.push((&entry.name, share, cost));
+        }
+    }
+    assert!(dearer.is_empty(), "{dearer:?}");
 }
 
 /// Constants, nine terms, tiles and blocks: a slice is shaded as its normals are.

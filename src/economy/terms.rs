@@ -1,12 +1,20 @@
-//! The terms of a scene's polynomials that a tolerance spares.
+//! The terms of scenes' polynomials that tolerances spare.
 //!
 //! Written in polynomials that are orthogonal over a sphere's normals, as azimuths are, terms
 //! cost what Parseval says when they are left out: the sum of their squares, no more; and those
 //! that stay are the nearest image that so many terms can show. They go from the highest of an
-//! azimuth down, of +m and -m together, always those that add the least for what a pixel saves:
-//! few are left, not provably the fewest.
+//! azimuth down, of +m and -m together, always those that add the least for what a pixel saves;
+//! at the end one may come back if others can then go that save more. Few are left, not provably
+//! the fewest.
+//!
+//! Of several images each keeps its own account: terms go if every image can pay for them, and
+//! cost the share of what is left to the one that they cost most. So each image's bound is exact,
+//! and what all could pay for goes. One account for all, of the largest number that any image
+//! has in each place, would need room for no image, but pays for each term what the worst image
+//! pays, whichever that is.
 
-use super::basis::{Chebyshev, Powers, rewrite};
+use super::Economy;
+use super::basis::{Chebyshev, MOST, Powers, rewrite};
 use super::density::{Density, longest};
 use crate::index::layout::POWERS;
 use crate::scalar::Scalar;
@@ -16,8 +24,9 @@ const fn signs(azimuth: usize) -> usize {
     if azimuth == 0 { 1 } else { 2 }
 }
 
-/// Rewrites a scene's polynomials in orthonormal ones; those that are too long stay.
-pub(super) fn to_orthonormal<S: Scalar>(lengths: &[u16], mut numbers: &mut [S]) {
+/// Rewrites a scene's polynomials, times `scale`, in orthonormal ones; those that are too long
+/// stay, unscaled.
+pub(super) fn to_orthonormal<S: Scalar>(lengths: &[u16], mut numbers: &mut [S], scale: S) {
     let mut density = Density::new(lengths);
     for (azimuth, &length) in lengths.iter().enumerate() {
         let length = usize::from(length);
@@ -32,7 +41,7 @@ pub(super) fn to_orthonormal<S: Scalar>(lengths: &[u16], mut numbers: &mut [S]) 
                     rewrite(terms, &Powers, &density);
                 }
                 for (term, size) in terms.iter_mut().rev().zip(density.sizes()) {
-                    *term = *term * size;
+                    *term = *term * (size * scale);
                 }
             }
         }
@@ -40,82 +49,225 @@ pub(super) fn to_orthonormal<S: Scalar>(lengths: &[u16], mut numbers: &mut [S]) 
     }
 }
 
-/// Shortens `lengths`, at first the polynomials' own, as long as what is left out is within
-/// `allowed`; gives what that is, squared.
-pub(super) fn spared<S: Scalar>(
-    originals: &[u16],
-    lengths: &mut [u16],
-    numbers: &[S],
-    allowed: S,
-) -> S {
-    let mut squares = S::ZERO;
-    while let Some(cut) = cheapest(originals, lengths, numbers, allowed - squares) {
-        squares += cut.squares;
-        if let Some(length) = lengths.get_mut(cut.azimuth) {
-            *length -= cut.terms;
+/// Where an azimuth's polynomials lie.
+#[derive(Clone, Copy)]
+struct Place {
+    azimuth: usize,
+    start: usize,
+    /// Terms of either.
+    original: usize,
+}
+
+impl Place {
+    /// Each azimuth's.
+    fn all(originals: &[u16]) -> impl Iterator<Item = Self> {
+        let mut start = 0;
+        originals.iter().enumerate().map(move |(azimuth, &original)| {
+            let original = usize::from(original);
+            let place = Self { azimuth, start, original };
+            start += signs(azimuth) * original;
+            place
+        })
+    }
+
+    /// Of the terms from the highest of `length` down: the squares of +m's and -m's.
+    fn squares<S: Scalar>(self, numbers: &[S], length: usize) -> impl Iterator<Item = S> {
+        let of = |start: usize| {
+            let terms = numbers.get(start..start + self.original).unwrap_or_default();
+            terms.get(self.original.saturating_sub(length)..).unwrap_or_default()
+        };
+        let plus = of(self.start);
+        let (minus, some) = match self.azimuth {
+            0 => (plus, S::ZERO),
+            _ => (of(self.start + self.original), S::ONE),
+        };
+        let both = plus.iter().zip(minus);
+        both.map(move |(&plus, &minus)| (plus * plus).add_product(some * minus, minus))
+    }
+}
+
+/// Sum of the squares of the terms that lengths leave out.
+pub(super) fn left_out<S: Scalar>(originals: &[u16], lengths: &[u16], numbers: &[S]) -> S {
+    let mut sum = S::ZERO;
+    let lengths = lengths.iter().copied().chain(core::iter::repeat(0));
+    for (place, length) in Place::all(originals).zip(lengths) {
+        let gone = place.original.saturating_sub(usize::from(length));
+        place.squares(numbers, place.original).take(gone).for_each(|square| sum += square);
+    }
+    sum
+}
+
+/// Whether polynomials of these lengths can be made of those of `originals`: none is longer,
+/// and none shorter that stays as it is.
+pub(super) fn can_be(originals: &[u16], lengths: &[u16]) -> bool {
+    let padded = lengths.iter().copied().chain(core::iter::repeat(0));
+    lengths.len() <= originals.len()
+        && originals.iter().zip(padded).enumerate().all(|(azimuth, (&original, length))| {
+            length == original || length < original && usize::from(original) <= longest(azimuth)
+        })
+}
+
+/// Multiply-adds of a pixel: of polynomials by Horner's rule, of the complex products by which
+/// azimuths are summed, of t = 2z - 1.
+fn products(lengths: impl Iterator<Item = u16>) -> usize {
+    let (mut polynomials, mut highest) = (0, 0);
+    for (azimuth, length) in lengths.enumerate() {
+        polynomials += signs(azimuth) * usize::from(length).saturating_sub(1);
+        if length > 0 {
+            highest = azimuth;
         }
     }
-    squares
+    polynomials + usize::from(polynomials > 0) + (4 * highest).saturating_sub(2)
+}
+
+/// Images in orthonormal polynomials, and what is told of each: by now squares, in `bound` of
+/// what it may be off.
+pub(super) struct Accounts<'s, S> {
+    pub(super) originals: &'s [u16],
+    /// `len` of each image.
+    pub(super) numbers: &'s [S],
+    pub(super) len: usize,
+    pub(super) told: &'s mut [Economy<S>],
 }
 
 /// Terms of an azimuth to be left out: of +m and of -m so many.
 struct Cut<S> {
-    azimuth: usize,
+    place: Place,
     terms: u16,
-    squares: S,
+    /// The largest share of what is left to an image.
+    share: S,
     /// Products that a pixel saves.
     saved: S,
 }
 
-/// What saves most for what it costs, of all that costs no more than allowed.
-fn cheapest<S: Scalar>(
-    originals: &[u16],
-    lengths: &[u16],
-    numbers: &[S],
-    allowed: S,
-) -> Option<Cut<S>> {
-    let highest = lengths.iter().rposition(|&length| length > 0)?;
-    let (mut best, mut rest): (Option<Cut<S>>, _) = (None, numbers);
-    for (azimuth, (&original, &length)) in originals.iter().zip(lengths).enumerate() {
-        let (plus, after) = rest.split_at_checked(usize::from(original))?;
-        let of_minus = (signs(azimuth) - 1) * usize::from(original);
-        let (minus, after) = after.split_at_checked(of_minus)?;
-        rest = after;
-        if usize::from(original) > longest(azimuth) {
-            continue;
-        }
-        let gone = usize::from(original - length);
-        let left = plus.iter().enumerate().skip(gone);
-        let mut squares = S::ZERO;
-        for ((place, &plus), terms) in left.zip(1..=length) {
-            let minus = minus.get(place).copied().unwrap_or_default();
-            squares = squares.add_product(plus, plus).add_product(minus, minus);
-            if squares > allowed {
-                break;
+impl<S: Scalar> Accounts<'_, S> {
+    /// Shortens `lengths`, at first the polynomials' own, as long as no image is off by more
+    /// than it may be.
+    pub(super) fn spare(&mut self, lengths: &mut [u16]) {
+        loop {
+            while let Some(cut) = self.cheapest(lengths, 0, None) {
+                self.shorten(lengths, &cut);
             }
-            // The first term of a polynomial is no product; an azimuth is four.
-            let products = match terms {
-                all if all == length && azimuth == highest => usize::from(all) + 1,
-                all if all == length => usize::from(all) - 1,
-                some => usize::from(some),
-            };
-            let saved = S::from_whole(signs(azimuth) * products);
-            let better =
-                best.as_ref().is_none_or(|best| squares * best.saved < best.squares * saved);
-            if better && (saved > S::ZERO || squares == S::ZERO) {
-                best = Some(Cut { azimuth, terms, squares, saved });
+            let better = Place::all(self.originals).find_map(|more| self.exchange(lengths, more));
+            let Some((azimuth, cut)) = better else { return };
+            if let Some(length) = lengths.get_mut(azimuth) {
+                *length += 1;
+            }
+            self.shorten(lengths, &cut);
+            // Nothing is left of what rounding did to a term that came back.
+            for (numbers, told) in self.numbers.chunks_exact(self.len.max(1)).zip(&mut *self.told) {
+                told.left_out_by_terms = left_out(self.originals, lengths, numbers);
             }
         }
     }
-    best
+
+    fn shorten(&mut self, lengths: &mut [u16], cut: &Cut<S>) {
+        let Some(length) = lengths.get_mut(cut.place.azimuth) else { return };
+        for (numbers, told) in self.numbers.chunks_exact(self.len.max(1)).zip(&mut *self.told) {
+            let squares = cut.place.squares(numbers, usize::from(*length));
+            squares.take(cut.terms.into()).for_each(|square| told.left_out_by_terms += square);
+        }
+        *length -= cut.terms;
+    }
+
+    /// Terms of other azimuths that could go if this one had a term more, and a pixel would
+    /// save by it.
+    fn exchange(&self, lengths: &[u16], more: Place) -> Option<(usize, Cut<S>)> {
+        let azimuth = more.azimuth;
+        let &length = lengths.get(azimuth).filter(|&&length| length > 0)?;
+        if usize::from(length) == more.original {
+            return None;
+        }
+        let longer = lengths.iter().enumerate();
+        let longer = longer.map(|(m, &length)| if m == azimuth { length + 1 } else { length });
+        let dearer = products(longer) - products(lengths.iter().copied());
+        let cut = self.cheapest(lengths, dearer + 1, Some((more, usize::from(length) + 1)))?;
+        Some((azimuth, cut))
+    }
+
+    /// Of all cuts that leave every image off by no more than it may be, and save so many
+    /// products at least, the one that saves most for what it costs. What saves none goes if it
+    /// costs nothing. An azimuth may be given back a term, to become so long.
+    fn cheapest(
+        &self,
+        lengths: &[u16],
+        least: usize,
+        back: Option<(Place, usize)>,
+    ) -> Option<Cut<S>> {
+        let whole = products(lengths.iter().copied());
+        let (mut best, mut shares): (Option<Cut<S>>, _) = (None, [S::ZERO; MOST]);
+        for (place, &length) in Place::all(self.originals).zip(lengths) {
+            let azimuth = place.azimuth;
+            if place.original > longest(azimuth)
+                || back.is_some_and(|(of, _)| of.azimuth == azimuth)
+            {
+                continue;
+            }
+            let most = self.shares(place, length, back, &mut shares);
+            for (&share, terms) in shares.iter().zip(1..=most) {
+                let saved = if terms == length {
+                    let others = lengths.iter().enumerate();
+                    let others = others.map(|(m, &length)| if m == azimuth { 0 } else { length });
+                    whole - products(others)
+                } else {
+                    signs(azimuth) * usize::from(terms)
+                };
+                let enough = saved >= least && (saved > 0 || share == S::ZERO);
+                let saved = S::from_whole(saved);
+                let better =
+                    best.as_ref().is_none_or(|best| share * best.saved < best.share * saved);
+                if better && enough {
+                    best = Some(Cut { place, terms, share, saved });
+                }
+            }
+        }
+        best
+    }
+
+    /// What 1, 2, ... terms of an azimuth cost the image that they cost most, as `shares` of what
+    /// it has left; gives how many terms all can pay for.
+    fn shares(
+        &self,
+        place: Place,
+        length: u16,
+        back: Option<(Place, usize)>,
+        shares: &mut [S; MOST],
+    ) -> u16 {
+        let mut most = length;
+        shares.iter_mut().take(length.into()).for_each(|share| *share = S::ZERO);
+        for (numbers, told) in self.numbers.chunks_exact(self.len.max(1)).zip(&*self.told) {
+            let back = back.and_then(|(place, length)| place.squares(numbers, length).next());
+            let left = told.bound - told.left_out_by_components - told.left_out_by_terms;
+            let left = left + back.unwrap_or_default();
+            let left = if left > S::ZERO { left } else { S::ZERO };
+            let of_left = left.reciprocal();
+            let (mut sum, mut paid) = (S::ZERO, 0);
+            let squares = place.squares(numbers, length.into()).take(most.into());
+            for (share, square) in shares.iter_mut().zip(squares) {
+                sum += square;
+                let within = sum <= left;
+                if !within {
+                    break;
+                }
+                paid += 1;
+                // Nothing is no share of nothing.
+                if sum > S::ZERO && sum * of_left > *share {
+                    *share = sum * of_left;
+                }
+            }
+            most = paid;
+        }
+        most
+    }
 }
 
 /// Moves what is left of the polynomials to the beginning, as powers or series of these
-/// lengths; gives how many terms they are.
+/// lengths, times `unit`; gives how many terms they are.
 pub(super) fn from_orthonormal<S: Scalar>(
     originals: &[u16],
     lengths: &[u16],
     numbers: &mut [S],
+    unit: S,
 ) -> usize {
     let mut density = Density::<S>::new(originals);
     let (mut start, mut end) = (0, 0);
@@ -133,7 +285,7 @@ pub(super) fn from_orthonormal<S: Scalar>(
             let terms = numbers.get_mut(end..end + length).unwrap_or_default();
             if original <= longest(azimuth) {
                 for (term, size) in terms.iter_mut().rev().zip(density.sizes()) {
-                    *term = *term * size.reciprocal();
+                    *term = *term * (size.reciprocal() * unit);
                 }
                 if length > POWERS {
                     rewrite(terms, &density, &Chebyshev);

@@ -466,6 +466,15 @@ pub const NINE_TERMS: f64 = 3e-5;
 /// What the bound of such a scene is at most, in the median, in errors: it is exact but for
 /// components that are left out, of which terms that are left out take a part along.
 pub const ECONOMY_MEDIAN: f64 = 1.1;
+/// The same of the images of a set in one shape, most of which are off by less than they may be:
+/// their bounds are of what they lack all the same.
+pub const ECONOMY_SET_MEDIAN: f64 = 1.1;
+/// Products of a pixel within a tolerance, over the fewest that any lengths need: in the mean, and of
+/// any image. The choice goes by what each cut saves for what it costs, and one exchange at a time.
+pub const ECONOMY_FEWEST: [f64; 2] = [1.005, 1.25];
+/// A bound against its parts, and what components are said to leave out against the sum of their
+/// squares, of the bound: roundings of f32 of sums of some hundred squares.
+pub const ECONOMY_PARTS: f64 = 1e-5;
 /// The largest of its 41 pixels, of the largest of some 3,100 others, 2 and 6 degrees apart: an
 /// image of degree 9 changes by no more between them.
 pub const ECONOMY_PEAK: f64 = 1.02;

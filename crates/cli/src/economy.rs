@@ -14,10 +14,12 @@ pub fn lines<S: Scalar + Into<f64>>(chosen: &[Economy<S>], components: usize) ->
         }
     };
     let share = |one: &Economy<S>| {
-        let (bound, peak): (f64, f64) = (one.bound.into(), one.peak.into());
-        if peak > 0.0 { bound / peak } else { 0.0 }
+        let peak: f64 = one.peak.into();
+        let of = |part: S| if peak > 0.0 { part.into() / peak } else { 0.0 };
+        [one.bound, one.left_out_by_components, one.left_out_by_terms].map(of)
     };
-    let worst = chosen.iter().map(share).fold(0.0, f64::max);
+    let worst = chosen.iter().map(share).max_by(|a, b| a[0].total_cmp(&b[0]));
+    let [worst, by_components, by_terms] = worst.unwrap_or_default();
     vec![
         format!(
             "kept: {} of {components} components, {} azimuths, {} polynomial terms",
@@ -27,7 +29,7 @@ pub fn lines<S: Scalar + Into<f64>>(chosen: &[Economy<S>], components: usize) ->
         ),
         format!(
             "left out of the image of {components} components, rms over a sphere: at most {worst:.1e} \
-             of the peak"
+             of the peak, {by_components:.1e} by components and {by_terms:.1e} by terms"
         ),
     ]
 }

@@ -1,0 +1,276 @@
+//! One loop for several images: as many components, polynomials of the same lengths.
+
+use super::peak::peak;
+use super::terms::{Accounts, can_be, from_orthonormal, left_out, to_orthonormal};
+use super::{Economy, Tolerance};
+use crate::basis::Basis;
+use crate::error::{Error, What};
+use crate::mathematics::{Libm, Mathematics};
+use crate::scalar::Scalar;
+use crate::scene::Scene;
+
+/// What of the tolerance is for components, a sixteenth of its square: terms are what a pixel
+/// costs.
+const COMPONENTS: f64 = 0.0625;
+
+/// What scenes of one shape have in common: a loop over pixels that serves one serves all.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Shape<'l> {
+    /// The first so many components are in it.
+    pub components: usize,
+    /// Terms of the polynomials of azimuths |m| = 0, 1, ...
+    pub lengths: &'l [u16],
+}
+
+impl<'l> Shape<'l> {
+    /// Terms of all polynomials, of +m and of -m.
+    #[must_use]
+    pub fn terms(&self) -> usize {
+        let both = self.lengths.iter().map(|&length| 2 * usize::from(length)).sum::<usize>();
+        both - self.lengths.first().map_or(0, |&length| usize::from(length))
+    }
+
+    /// Azimuths |m| from 0 on that it has.
+    #[must_use]
+    pub fn azimuths(&self) -> usize {
+        self.lengths.iter().rposition(|&length| length > 0).map_or(0, |last| last + 1)
+    }
+
+    /// The scene of polynomials that were made in this shape; others give meaningless
+    /// irradiances.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] if there are fewer than [`terms`](Self::terms).
+    pub fn scene<S: Scalar, B: AsRef<[S]>>(self, buffer: B) -> Result<Scene<'l, B>, Error> {
+        let (expected, found) = (self.terms(), buffer.as_ref().len());
+        let enough = expected.min(found);
+        Error::check(What::Scene, expected, enough)?;
+        Ok(Scene::of(self.lengths, buffer))
+    }
+}
+
+impl<S: Scalar> Basis<'_, S> {
+    /// Scenes of one shape, each within a tolerance of its image: a set of materials under one
+    /// light, a material under several, a colour's channels.
+    ///
+    /// `images` are coefficients, one slice for each image. `channels` images one after the
+    /// other are those of one colour, whose peak is the largest of all of them: 3, or 1 where
+    /// each image's peak is its own. Each channel is off by no more than the tolerance, and so
+    /// is the root mean square over all.
+    ///
+    /// The k-th scene's polynomials lie at the beginning of the k-th
+    /// [`scene_len`](Self::scene_len) numbers of `buffer`, for [`Shape::scene`]; what it costs
+    /// and its peak in the k-th of `economies`. Lengths lie in `lengths`, which has room for
+    /// [`azimuths`](Self::azimuths). One [`Shape`] has as many components as the image that
+    /// needs most, and the polynomials of any azimuth can lose no more terms, if a pixel saves
+    /// by it, unless some image is then off by more than its tolerance.
+    ///
+    /// Set-up cost: that of [`collapse_within`](Self::collapse_within) for each image.
+    ///
+    /// ```
+    /// # #[cfg(feature = "baked")] {
+    /// use eigenshade::{Economy, Light, Material, Normal, Tolerance, sphere};
+    ///
+    /// let matte = Material::new(0, &[2.0])?;
+    /// let of = |light: &[f32]| sphere::project(&Light::new(1, light)?, &matte);
+    /// let colour = [of(&[3.5, 0.0, 1.0, 0.0])?, of(&[3.0, 0.2, 1.0, 0.0])?, of(&[2.0; 4])?];
+    /// let (mut lengths, mut told) = ([0; sphere::DEGREE + 1], [Economy::default(); 3]);
+    /// let mut buffer = [0.0; 3 * sphere::SCENE];
+    /// let tolerance = Tolerance::OfPeak(1e-2);
+    /// let basis = sphere::BASIS;
+    /// let shape =
+    ///     basis.collapse_set_within(&colour, 3, tolerance, &mut lengths, &mut buffer, &mut told)?;
+    /// for (numbers, told) in buffer.chunks_exact(sphere::SCENE).zip(told) {
+    ///     let channel = shape.scene(numbers)?;
+    ///     assert!(channel.shade(Normal::new(0.0, 0.0, 1.0)?) > 0.0 && told.bound < 1e-2 * told.peak);
+    /// }
+    /// # }
+    /// # Ok::<(), eigenshade::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// As [`collapse_within`](Self::collapse_within), where `buffer` has to have
+    /// [`scene_len`](Self::scene_len) numbers for each image; [`Error::Length`] unless images
+    /// are a multiple of `channels` and `economies` as many as they.
+    pub fn collapse_set_within<'l, C: AsRef<[S]>>(
+        &self,
+        images: &[C],
+        channels: usize,
+        tolerance: Tolerance<S>,
+        lengths: &'l mut [u16],
+        buffer: &mut [S],
+        economies: &mut [Economy<S>],
+    ) -> Result<Shape<'l>, Error> {
+        let (count, len) = (images.len(), self.scene_len());
+        let whole = count.checked_next_multiple_of(channels).unwrap_or_default();
+        Error::check(What::Images, whole, count)?;
+        Error::check(What::Images, count, economies.len())?;
+        Error::check(What::Scene, count.saturating_mul(len), buffer.len())?;
+        // Of no images too.
+        tolerance.irradiance(S::ONE)?;
+        economies.fill(Economy::default());
+        for (image, numbers, economy) in each(images, buffer, len, economies) {
+            economy.peak = peak(&self.collapse_into(image, numbers)?);
+        }
+        for channels in economies.chunks_exact_mut(channels.max(1)) {
+            let larger = |most: S, one: &Economy<S>| if one.peak > most { one.peak } else { most };
+            let peak = channels.iter().fold(S::ZERO, larger);
+            channels.iter_mut().for_each(|economy| economy.peak = peak);
+        }
+        let mut components = 0;
+        for (image, _, economy) in each(images, buffer, len, economies) {
+            let account = Account::new(economy.peak);
+            // Of the bound's square, until that is known.
+            economy.bound = account.allowed(tolerance.irradiance(economy.peak)?);
+            components = components.max(account.components(image, economy.bound));
+        }
+        let (originals, found) = (self.parts.lengths, lengths.len());
+        let expected = originals.len();
+        let lengths = lengths.get_mut(..expected);
+        let lengths = lengths.ok_or(Error::Length { what: What::Lengths, expected, found })?;
+        lengths.copy_from_slice(originals);
+        for (image, numbers, economy) in each(images, buffer, len, economies) {
+            let account = Account::new(economy.peak);
+            to_orthonormal(originals, numbers, account.scale);
+            economy.left_out_by_components = account.spent(image, components);
+        }
+        Accounts { originals, numbers: buffer, len, told: economies }.spare(lengths);
+        let lengths = &*lengths;
+        let azimuths = Shape { components, lengths }.azimuths();
+        let shape = Shape { components, lengths: lengths.get(..azimuths).unwrap_or_default() };
+        for (image, numbers, economy) in each(images, buffer, len, economies) {
+            let account = Account::new(economy.peak);
+            self.shaped(image, shape, account, numbers)?;
+            account.settle(image, shape, economy);
+        }
+        Ok(shape)
+    }
+
+    /// The scene of `coefficients` in a shape that was chosen for others or before, and what
+    /// that costs: [`collapse_into`](Self::collapse_into), then what the shape leaves out is
+    /// left out, in the polynomials that are orthogonal over a sphere's normals, so that the
+    /// nearest image of so many terms stays.
+    ///
+    /// The scene's polynomials lie at the beginning of `buffer`, of length
+    /// [`scene_len`](Self::scene_len). Set-up cost: that of
+    /// [`collapse_within`](Self::collapse_within) without its cuts.
+    ///
+    /// # Errors
+    ///
+    /// As [`collapse_into`](Self::collapse_into); [`Error::Length`] if the shape has more
+    /// azimuths or terms than the basis, or fewer terms of a polynomial that
+    /// [`collapse_within`](Self::collapse_within) leaves as it is.
+    pub fn collapse_as<'l, B: AsMut<[S]> + AsRef<[S]>>(
+        &self,
+        coefficients: &[S],
+        shape: Shape<'l>,
+        buffer: B,
+    ) -> Result<(Scene<'l, B>, Economy<S>), Error> {
+        let originals = self.parts.lengths;
+        if !can_be(originals, shape.lengths) {
+            let (expected, found) = (self.scene_len(), shape.terms());
+            return Err(Error::Length { what: What::Lengths, expected, found });
+        }
+        let scene = self.collapse_into(coefficients, buffer)?;
+        let mut economy = Economy { peak: peak(&scene), ..Economy::default() };
+        let mut buffer = scene.into_buffer();
+        let numbers = buffer.as_mut();
+        let account = Account::new(economy.peak);
+        to_orthonormal(originals, numbers, account.scale);
+        economy.left_out_by_components = account.spent(coefficients, shape.components);
+        economy.left_out_by_terms = left_out(originals, shape.lengths, numbers);
+        self.shaped(coefficients, shape, account, numbers)?;
+        account.settle(coefficients, shape, &mut economy);
+        Ok((Scene::of(shape.lengths, buffer), economy))
+    }
+
+    /// The scene of a shape, of numbers that are all components' in orthonormal polynomials.
+    fn shaped(
+        &self,
+        image: &[S],
+        shape: Shape<'_>,
+        account: Account<S>,
+        numbers: &mut [S],
+    ) -> Result<(), Error> {
+        let originals = self.parts.lengths;
+        // Components that are left out have no part in terms that are, so the squares add.
+        if let Some((some, [_, ..])) = image.split_at_checked(shape.components) {
+            self.collapse_into(some, &mut *numbers)?;
+            to_orthonormal(originals, numbers, account.scale);
+        }
+        from_orthonormal(originals, shape.lengths, numbers, account.unit);
+        Ok(())
+    }
+}
+
+/// Each image, its scene and what is told of it.
+fn each<'s, S, C: AsRef<[S]>>(
+    images: &'s [C],
+    buffer: &'s mut [S],
+    len: usize,
+    economies: &'s mut [Economy<S>],
+) -> impl Iterator<Item = (&'s [S], &'s mut [S], &'s mut Economy<S>)> {
+    let scenes = buffer.chunks_exact_mut(len.max(1)).zip(economies);
+    let images = images.iter().map(AsRef::as_ref);
+    images.zip(scenes).map(|(image, (numbers, economy))| (image, numbers, economy))
+}
+
+/// What an image's numbers are counted in, its peak: no square is too small or too large.
+#[derive(Clone, Copy)]
+struct Account<S> {
+    unit: S,
+    /// 1 / unit.
+    scale: S,
+}
+
+/// The unit of what is black where its peak is looked for.
+const DARK: f64 = 1e-19;
+
+impl<S: Scalar> Account<S> {
+    fn new(peak: S) -> Self {
+        let (dark, scale) = (S::from_f64(DARK), peak.reciprocal());
+        match (peak.is_finite(), peak > S::ZERO && scale.is_finite()) {
+            (true, true) => Self { unit: peak, scale },
+            (true, false) => Self { unit: dark, scale: dark.reciprocal() },
+            (false, _) => Self { unit: S::ONE, scale: S::ONE },
+        }
+    }
+
+    /// Sum of squares that an image may be off.
+    fn allowed(&self, tolerance: S) -> S {
+        let share = tolerance * self.scale;
+        share * share
+    }
+
+    /// The fewest components that leave out no more than their part of what is allowed.
+    fn components(&self, image: &[S], allowed: S) -> usize {
+        let mut sum = S::ZERO;
+        let last = image.iter().rposition(|&d| {
+            sum = sum.add_product(d * self.scale, d * self.scale);
+            let within = sum <= S::from_f64(COMPONENTS) * allowed;
+            !within
+        });
+        last.map_or(0, |last| last + 1)
+    }
+
+    /// What is spent when so many components stay: squares.
+    fn spent(&self, image: &[S], components: usize) -> S {
+        let gone = image.iter().skip(components).map(|&d| d * self.scale);
+        gone.fold(S::ZERO, |sum, d| sum.add_product(d, d))
+    }
+
+    /// Squares of what is spent become irradiances.
+    fn settle(&self, image: &[S], shape: Shape<'_>, economy: &mut Economy<S>) {
+        let (components, terms) = (economy.left_out_by_components, economy.left_out_by_terms);
+        let irradiance = |square| Libm::square_root(square) * self.unit;
+        economy.components = image.len().min(shape.components);
+        economy.azimuths = shape.azimuths();
+        economy.terms = shape.terms();
+        economy.left_out_by_components = irradiance(components);
+        economy.left_out_by_terms = irradiance(terms);
+        economy.bound = irradiance(components + terms);
+    }
+}
