@@ -263,7 +263,8 @@ fn a_reader_finds_a_setting_for_a_board() {
         assert!(instructions <= 64e6 / 60.0 && error <= 0.01, "{row:?}");
         let light = if moves { stated(&row[7]) } else { 0.0 };
         assert_eq!(instructions, 9216.0 * stated(&row[6]) + light, "{row:?}");
-        let share = format!("{}: {:.0} % of the cycles", row[8], 100.0 * instructions * 60.0 / 64e6);
+        let share =
+            format!("{}: {:.0} % of the cycles", row[8], 100.0 * instructions * 60.0 / 64e6);
         assert!(minute.contains(&row[1]) && minute.contains(&share), "{share}: {minute}");
     }
 }

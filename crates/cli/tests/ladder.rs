@@ -9,7 +9,7 @@ mod support;
 use eigenshade_cli::accuracy_cost::bases::Bases;
 use eigenshade_cli::accuracy_cost::knobs::settings;
 use eigenshade_cli::accuracy_cost::materials::Scope;
-use eigenshade_cli::accuracy_cost::setting::{Format, Setting};
+use eigenshade_cli::accuracy_cost::setting::Setting;
 use eigenshade_cli::compare::differences;
 use eigenshade_table::components::with_components;
 use eigenshade_table::trim::trim;
@@ -120,17 +120,16 @@ fn programs_hold_what_the_settings_say() {
 #[test]
 fn tables_of_the_firmware_are_those_of_the_settings() {
     let knobs = settings(false);
+    let setting_of = |rung: &Row, format: &str| -> Setting {
+        let name = name(rung, format);
+        let found = knobs.iter().find(|knob| knob.setting.to_string() == name);
+        found.unwrap_or_else(|| panic!("no setting {name}")).setting
+    };
     let rungs: Vec<(Row, Setting)> = rungs()
         .into_iter()
         .map(|rung| {
-            let called = |setting: &Setting, format| setting.to_string() == name(&rung, format);
-            let of = |format: Format| {
-                let format = format.to_string();
-                let found = knobs.iter().find(|knob| called(&knob.setting, &format));
-                found.unwrap_or_else(|| panic!("no setting {}", name(&rung, &format))).setting
-            };
-            assert_eq!(of(Format::F32).recipe, of(Format::Q15).recipe);
-            let setting = of(Format::F32);
+            let setting = setting_of(&rung, "f32");
+            assert_eq!(setting.recipe, setting_of(&rung, "q15").recipe);
             (rung, setting)
         })
         .collect();
@@ -150,11 +149,31 @@ fn tables_of_the_firmware_are_those_of_the_settings() {
             let terms: usize = table.profiles.iter().map(|one| one.chebyshev.len()).sum();
             assert!(terms < untrimmed, "{setting}");
         }
-        let mut expected = bases.table(&setting.recipe).expect("a basis");
-        // A setting's scene is not read from a file.
-        expected.scene.clone_from(&table.scene);
+        let expected = bases.table(&setting.recipe).expect("a basis");
+        // A file may keep modes besides.
+        table.scene.clone_from(&expected.scene);
         for difference in differences(&table, &expected).expect("two tables of one recipe") {
             assert!(!difference.is_over(), "{setting}: {difference:?}");
         }
     }
+}
+
+/// A table that ends with +m has passes that serve nothing: its module must not compute them,
+/// or a user's build warns.
+#[test]
+fn modules_use_every_pass_that_they_compute() {
+    let path = repository().join("firmware/tables/full.bin");
+    let whole = eigenshade_table::decode(&fs::read(path).expect("a file")).expect("a table");
+    let mut odd = 0;
+    for components in [1, 8, 9, 25, 50, 130] {
+        let table = with_components(&whole, |number, _| number < components);
+        let text = eigenshade_table::rust_source::module(&table, "a test");
+        let passes = text.lines().filter_map(|line| line.trim().strip_prefix("let p"));
+        let names = passes.filter_map(|rest| rest.split_once(" = eigenshade::fixed::pass::<"));
+        let names: Vec<String> = names.map(|(number, _)| format!("p{number}[")).collect();
+        assert!(!names.is_empty(), "{components}");
+        assert!(names.iter().all(|name| text.contains(name.as_str())), "{components}: {names:?}");
+        odd += usize::from(eigenshade_table::Parts::new(&table).passes.len() > names.len());
+    }
+    assert!(odd > 0, "no table has such a pass");
 }
