@@ -3,6 +3,9 @@
 #[path = "build/folded.rs"]
 mod folded;
 
+#[path = "build/ladder.rs"]
+mod ladder;
+
 #[path = "../../tests/golden/record.rs"]
 #[expect(dead_code, reason = "it writes such files as well")]
 mod record;
@@ -13,9 +16,8 @@ use record::{Golden, Row};
 use std::path::PathBuf;
 use std::{env, fs, process};
 
-/// The tables by name of the module, and how far their polynomials are trimmed; `sphere`
-/// is the runtime's own.
-const TABLES: [(&str, f64); 2] = [("full", 2e-4), ("lambertian", 2e-4)];
+/// The table of light of degree 2 on Lambertian materials, and how far its polynomials are trimmed.
+const LAMBERTIAN: (&str, f64) = ("../tables/lambertian.bin", 2e-4);
 
 /// The tables of `../scenes`, whose polynomials are as short as the scene's tolerance allows.
 /// Colour and rotation change no number of a table: three scenes share the last.
@@ -37,11 +39,7 @@ fn main() {
     if env::var("CARGO_CFG_TARGET_OS").is_ok_and(|os| os == "none") {
         println!("cargo::rustc-link-arg-bins=-Tlink.x");
     }
-    let tables = TABLES.into_iter().try_for_each(|(name, tolerance)| {
-        let from = format!("../tables/{name}.bin");
-        println!("cargo::rerun-if-changed={from}");
-        bake(&from, name, tolerance)
-    });
+    let tables = lambertian().and_then(|()| ladder::all()?.iter().try_for_each(rung));
     let tables = tables.and_then(|()| SCENES.into_iter().try_for_each(scene));
     if let Err(error) = tables.and_then(|()| golden(GOLDEN)).and_then(|()| one_material()) {
         println!("cargo::error={error}");
@@ -49,28 +47,43 @@ fn main() {
     }
 }
 
-/// Writes the statics of the table at `from`, trimmed, to the output folder: `name`.rs,
-/// `name`_q15.rs and `name`_q31.rs.
-fn bake(from: &str, name: &str, tolerance: f64) -> Result<(), String> {
-    let bytes = fs::read(from).map_err(|error| format!("{from}: {error}"))?;
-    let mut table = eigenshade_table::decode(&bytes).map_err(|error| format!("{from}: {error}"))?;
+/// Writes the statics of the Lambertian table.
+fn lambertian() -> Result<(), String> {
+    let (from, tolerance) = LAMBERTIAN;
+    let mut table = decoded(from)?;
     eigenshade_table::trim::trim(&mut table, tolerance);
+    bake(&table, "lambertian", from)
+}
+
+/// Writes the statics of a table of the ladder.
+fn rung(rung: &ladder::Rung) -> Result<(), String> {
+    bake(&rung.of(&decoded(&rung.from)?), &rung.name, &rung.from)
+}
+
+/// The table at `from`.
+fn decoded(from: &str) -> Result<eigenshade_table::Table, String> {
+    println!("cargo::rerun-if-changed={from}");
+    let bytes = fs::read(from).map_err(|error| format!("{from}: {error}"))?;
+    eigenshade_table::decode(&bytes).map_err(|error| format!("{from}: {error}"))
+}
+
+/// Writes the statics of a table made from the one at `from` to the output folder: `name`.rs,
+/// `name`_q15.rs and `name`_q31.rs.
+fn bake(table: &eigenshade_table::Table, name: &str, from: &str) -> Result<(), String> {
     let command = format!("build.rs, from {from}");
     for (format, suffix) in [(Format::Q15, "q15"), (Format::Q31, "q31")] {
-        let parts = QuantisedParts::new(&table, format, format.tolerance())
+        let parts = QuantisedParts::new(table, format, format.tolerance())
             .map_err(|error| format!("{from}: {error}"))?;
         write(&format!("{name}_{suffix}.rs"), &rust_quantised::module(&parts, &command))?;
     }
-    write(&format!("{name}.rs"), &rust_source::module(&table, &command))
+    write(&format!("{name}.rs"), &rust_source::module(table, &command))
 }
 
 /// Writes the statics of a scene to the output folder: `name`.rs, and `name`_q15.rs with its
 /// material folded in.
 fn scene(name: &str) -> Result<(), String> {
     let from = format!("../scenes/{name}.bin");
-    println!("cargo::rerun-if-changed={from}");
-    let bytes = fs::read(&from).map_err(|error| format!("{from}: {error}"))?;
-    let table = eigenshade_table::decode(&bytes).map_err(|error| format!("{from}: {error}"))?;
+    let table = decoded(&from)?;
     let command = format!("build.rs, from {from}");
     let database = format!("../scenes/{}", table.scene.material.database);
     let in_q15 = folded::module(&table, &database, &command);
@@ -140,9 +153,7 @@ fn golden(from: &str) -> Result<(), String> {
 fn one_material() -> Result<(), String> {
     use eigenshade::sphere::q15::{BASIS, ORDER, PROFILES, TRANSFER, WORKSPACE};
     let from = "../../tables/sphere.bin";
-    println!("cargo::rerun-if-changed={from}");
-    let bytes = fs::read(from).map_err(|error| format!("{from}: {error}"))?;
-    let table = eigenshade_table::decode(&bytes).map_err(|error| format!("{from}: {error}"))?;
+    let table = decoded(from)?;
     let mut parts = QuantisedParts::new(&table, Format::Q15, Format::Q15.tolerance())
         .map_err(|error| format!("{from}: {error}"))?;
     for numbers in [&mut parts.polar, &mut parts.factors] {

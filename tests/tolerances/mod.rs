@@ -702,3 +702,9 @@ pub const EFFECT_BY_HAND: f64 = 1e-12;
 pub const ABLATION_PAGE: f64 = 0.1;
 /// Errors on that page below this are roundings of f32, another number on another host.
 pub const ABLATION_ROUNDING: f64 = 1e-6;
+/// Counts in the settings' file, of four digits, against those of the firmware, relative: half of the
+/// last digit of 1,000.
+pub const COUNTED: f64 = 5e-4;
+/// Words that a program holds besides a setting's folded material, d and scene: lengths and exponents
+/// of each, and in 15 bits the room of a row that is padded.
+pub const HELD_WORDS: f64 = 16.0;

@@ -251,13 +251,41 @@ fn the_page_takes_the_cheapest_that_suffices() {
 #[test]
 fn a_reader_finds_a_setting_for_a_board() {
     let page = read("accuracy-cost.md");
-    let table = &tables(section(&page, "Cortex-M4F"))[0];
-    let header = table[0].join(" ");
-    assert!(header.contains("instructions") && header.contains("96 x 96 pixels"));
-    let row = table.iter().find(|row| row[0] == "1 %").expect("a row");
-    let (instructions, error) = (stated(&row[8]), stated(&row[2]));
-    assert!(instructions <= 64e6 / 60.0 && error <= 0.01, "{row:?}");
-    assert!(page.contains("1,066,667") && page.contains(&row[8]));
+    let tables = tables(section(&page, "Cortex-M4F"));
+    assert_eq!(tables.len(), 2);
+    let minute = section(&page, "In a minute");
+    assert!(minute.contains("1,066,667"));
+    for (table, moves) in tables.iter().zip([false, true]) {
+        let header = table[0].join(" ");
+        assert!(header.contains("instructions") && header.contains("96 x 96 pixels"));
+        let row = table.iter().find(|row| row[0] == "1 %").expect("a row");
+        let (instructions, error) = (stated(&row[8]), stated(&row[2]));
+        assert!(instructions <= 64e6 / 60.0 && error <= 0.01, "{row:?}");
+        let light = if moves { stated(&row[7]) } else { 0.0 };
+        assert_eq!(instructions, 9216.0 * stated(&row[6]) + light, "{row:?}");
+        let share =
+            format!("{}: {:.0} % of the cycles", row[8], 100.0 * instructions * 60.0 / 64e6);
+        assert!(minute.contains(&row[1]) && minute.contains(&share), "{share}: {minute}");
+    }
+}
+
+/// Every board has an answer for light that changes with every picture, and says what the
+/// program takes.
+#[test]
+fn boards_have_rows_for_moving_light() {
+    let page = read("accuracy-cost.md");
+    for (title, _) in &MACHINES[1..5] {
+        let table = &tables(section(&page, title))[1];
+        assert_eq!(table[0][11..], ["program: flash", "RAM and stack"], "{title}");
+        for row in &table[2..] {
+            let is_there = row[7] != "—";
+            assert!(is_there || row[0] == "1e-5", "{title}: {row:?}");
+            if is_there {
+                let [light, flash, ram] = [7, 11, 12].map(|column| stated(&row[column]));
+                assert!(light > 100.0 && flash > 1e4 && ram > 300.0, "{title}: {row:?}");
+            }
+        }
+    }
 }
 
 /// Bytes grow as theory says, by a fit of our own.
@@ -467,7 +495,7 @@ fn the_readme_has_the_pages_rows() {
     let end = readme.find("<!-- end of accuracy -->").expect("the other");
     let page = read("accuracy-cost.md");
     let rows: Vec<&str> = readme[start..end].lines().filter(|line| line.starts_with('|')).collect();
-    assert!(rows.len() >= 2 * (2 + LIMITS.len()), "{}", rows.len());
+    assert!(rows.len() >= 3 * (2 + LIMITS.len()), "{}", rows.len());
     for row in rows {
         assert!(page.lines().any(|line| line == row), "{row}");
     }

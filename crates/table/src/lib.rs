@@ -25,6 +25,8 @@ pub mod parts;
 
 pub mod passes;
 
+pub mod components;
+
 pub mod trim;
 
 pub mod quantise;

@@ -158,14 +158,17 @@ fn by_passes(parts: &Parts) -> String {
     for (call, pass) in parts.passes.iter().enumerate() {
         let profiles = usize::from(pass.profiles);
         let degrees = parts.degree + 1 - layout::lowest_degree(pass.first.into());
-        put(
-            &mut text,
-            format_args!(
-                "        let p{call} = eigenshade::fixed::pass::<f32, {start}, {}, {profiles}, {degrees}, {count}>(transfer, light);",
-                pass.first
-            ),
-        );
         let (of_pass, rest) = slots.split_at(profiles * layout::LANES);
+        // Its profiles may serve other orders alone, where +m is the last component.
+        if of_pass.iter().any(|&slot| slot != NONE) {
+            put(
+                &mut text,
+                format_args!(
+                    "        let p{call} = eigenshade::fixed::pass::<f32, {start}, {}, {profiles}, {degrees}, {count}>(transfer, light);",
+                    pass.first
+                ),
+            );
+        }
         for (k, &slot) in of_pass.iter().enumerate() {
             if slot != NONE {
                 components[usize::from(slot)] =

@@ -76,4 +76,9 @@ impl Board {
     pub const fn takes_floats(self) -> bool {
         !matches!(self, Self::Microbit)
     }
+
+    /// Whether it computes floats in hardware.
+    pub const fn has_float_unit(self) -> bool {
+        matches!(self, Self::An386)
+    }
 }

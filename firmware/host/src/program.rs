@@ -9,7 +9,8 @@ pub enum Kind {
     Nothing,
     /// One operation, measured.
     Operation,
-    /// A scene of the ablation: several operations of one program, and what it takes in all.
+    /// A scene of the ablation, or a table of the ladder: several operations of one program,
+    /// and what it takes in all.
     Scene,
     /// A whole program, whose size has a budget.
     Whole,
@@ -69,8 +70,17 @@ const SCENES: [&str; 10] = [
 /// The scene that integers, which do not turn lights, have no program of.
 const TURNING: &str = "sun_leather_turning";
 
+/// The list of the tables of which a pixel and a new light are counted.
+const LADDER: &str = include_str!("../../tables/ladder.csv");
+
 /// Components K of the shipped table.
 const COMPONENTS: u64 = 50;
+
+/// The names of the ladder's tables.
+fn ladder() -> impl Iterator<Item = &'static str> {
+    let rows = LADDER.lines().filter(|line| !line.starts_with('#')).skip(1);
+    rows.filter_map(|row| row.split(',').next())
+}
 
 /// The programs that run on a board, the empty one first.
 pub fn of_board(board: Board) -> impl Iterator<Item = Program> {
@@ -89,6 +99,13 @@ pub fn of_board(board: Board) -> impl Iterator<Item = Program> {
     all.push(Program { times: COMPONENTS, ..one("dense_row", "q15", Kind::Operation) });
     all.push(one("any_material", "q15", Kind::Whole));
     all.push(one("one_material", "q15", Kind::Whole));
+    for name in ladder() {
+        // Without a float unit integers take a twentieth of the instructions.
+        if board.has_float_unit() {
+            all.push(one(name, "f32", Kind::Scene));
+        }
+        all.push(one(name, "q15", Kind::Scene));
+    }
     // On the processor without a float unit, and on the one with it.
     match board {
         Board::Microbit => {

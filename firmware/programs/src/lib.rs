@@ -38,6 +38,8 @@ pub mod one_material {
 
 pub mod scenes;
 
+pub mod ladder;
+
 pub mod golden;
 
 pub mod inputs;

@@ -5,9 +5,10 @@ use super::setting::{Cut, Recipe};
 use eigenshade_generator::basis;
 use eigenshade_generator::error::Result;
 use eigenshade_index::effect::{Effect, Effects};
+use eigenshade_table::components::with_components;
 use eigenshade_table::scene::{self, Criterion, LightRotation, Normalise, Store};
 use eigenshade_table::trim::trim;
-use eigenshade_table::{Component, Scene, Table};
+use eigenshade_table::{Scene, Table};
 use std::collections::BTreeMap;
 
 /// Which modes: how many of the highest variance, 0 for all, and the bits of the effects.
@@ -48,7 +49,7 @@ impl Bases {
         let whole = self.tables.get(&modes(recipe))?;
         let count = recipe.components.unwrap_or(usize::MAX);
         let largest = recipe.azimuths.unwrap_or(usize::MAX);
-        let mut table = kept(whole, |number, component| {
+        let mut table = with_components(whole, |number, component| {
             number < count && component.order.unsigned_abs() as usize <= largest
         });
         match recipe.cut {
@@ -63,32 +64,6 @@ impl Bases {
             }
         }
         Some(table)
-    }
-}
-
-/// A table with some of its components.
-fn kept(whole: &Table, keep: impl Fn(usize, &Component) -> bool) -> Table {
-    let chosen = whole.components.iter().enumerate().filter(|(k, one)| keep(*k, one));
-    let mut components: Vec<Component> = chosen.map(|(_, one)| *one).collect();
-    let mut used: Vec<usize> = components.iter().map(|one| one.profile).collect();
-    used.sort_unstable();
-    used.dedup();
-    for component in &mut components {
-        component.profile = used.partition_point(|&profile| profile < component.profile);
-    }
-    let profiles = used.iter().map(|&profile| whole.profiles[profile].clone()).collect();
-    let summary = whole.summary.clone();
-    Table {
-        components,
-        profiles,
-        summary,
-        scene: whole.scene.clone(),
-        gram: whole.gram.clone(),
-        selection: whole.selection.clone(),
-        mean: whole.mean.clone(),
-        spectrum: whole.spectrum.clone(),
-        general: None,
-        transfers: Vec::new(),
     }
 }
 

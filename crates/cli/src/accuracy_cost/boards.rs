@@ -1,8 +1,9 @@
 //! Counted instructions of emulated boards, from `firmware/counts.csv`: of the settings that
 //! a program there measures, and of no others.
 
+use super::ladder::{Rung, rungs};
 use super::machine::{Machine, Price};
-use super::setting::{Cut, Format, Recipe, Setting, Way};
+use super::setting::{Cut, Format, Recipe, Scaling, Setting, Way};
 use eigenshade_generator::error::{Error, Result};
 use eigenshade_generator::inputs::sheet::Sheet;
 use std::collections::BTreeMap;
@@ -13,10 +14,24 @@ const COUNTS: &str = include_str!("../../../../firmware/counts.csv");
 const COLUMNS: [&str; 6] =
     ["board", "operation", "format", "instructions", "flash_bytes", "stack_bytes"];
 
-/// Counts by board, operation and format.
-pub struct Boards(BTreeMap<[String; 3], Price>);
+/// Counts by board, operation and format, and the tables of which a program has both a pixel
+/// and a new light.
+pub struct Boards {
+    counts: BTreeMap<[String; 3], Count>,
+    rungs: Vec<Rung>,
+}
 
-/// The operations that are the pixel and the new light of a setting.
+/// A row of the counts.
+#[derive(Clone, Copy, Default)]
+struct Count {
+    instructions: Option<f64>,
+    flash: Option<usize>,
+    /// RAM and stack.
+    ram: Option<usize>,
+}
+
+/// The operations that are the pixel and the new light of a setting, where programs of their
+/// own measure them.
 fn operations(setting: &Setting) -> [Option<&'static str>; 2] {
     let Setting { recipe, way, format, .. } = *setting;
     let full = Recipe::first(9, 7, 130).cut(Cut::Trimmed(2e-4));
@@ -56,31 +71,48 @@ impl Boards {
                 if text.is_empty() { Ok(None) } else { text.parse().map(Some).map_err(fault) }
             };
             let key = [board, operation, format].map(|column| row.text(column).to_owned());
-            let used =
-                whole(ram)?.zip(whole(stack)?).map(|(ram, stack): (usize, usize)| ram + stack);
-            let price = Price {
-                pixel: whole(instructions)?.map(|count: usize| count as f64),
-                light: None,
+            let used = whole(ram)?.zip(whole(stack)?);
+            let count = Count {
+                instructions: whole(instructions)?.map(|count: usize| count as f64),
                 flash: whole(flash)?,
-                ram: used,
+                ram: used.map(|(ram, stack)| ram + stack),
             };
-            counts.insert(key, price);
+            counts.insert(key, count);
         }
         if counts.is_empty() {
             return Err(Error::new("no counts", "run `firmware/run all --update`").in_file(path));
         }
-        Ok(Self(counts))
+        Ok(Self { counts, rungs: rungs()? })
     }
 
-    /// What a setting takes on a board, as far as it was counted.
+    /// What a setting takes on a board, as far as it was counted: by the program that has both
+    /// its pixel and its new light, or by those of one operation each.
     #[must_use]
     pub fn price(&self, machine: Machine, setting: &Setting) -> Price {
         let Some(board) = machine.board() else { return Price::default() };
+        // No program scales its normals.
+        if setting.scaling != Scaling::None {
+            return Price::default();
+        }
+        let format = setting.format.to_string();
         let find = |operation: &str| {
-            let format = setting.format.to_string();
-            self.0.get(&[board.to_owned(), operation.to_owned(), format])
+            self.counts.get(&[board.to_owned(), operation.to_owned(), format.clone()]).copied()
         };
-        let [pixel, light] = operations(setting).map(|operation| operation.and_then(find));
-        Price { light: light.and_then(|light| light.pixel), ..pixel.copied().unwrap_or_default() }
+        let is_it = |rung: &&Rung| (rung.recipe, Way::Polynomial) == (setting.recipe, setting.way);
+        let whole = self.rungs.iter().find(is_it).and_then(|rung| {
+            let [pixel, light, program] = ["pixel", "light", "scene"]
+                .map(|operation| find(&format!("{}/{operation}", rung.name)));
+            Some((pixel?, light?, program?))
+        });
+        let [pixel, light, program] = match whole {
+            Some((pixel, light, program)) => [pixel, light, program],
+            None => {
+                let [pixel, light] = operations(setting)
+                    .map(|operation| operation.and_then(find).unwrap_or_default());
+                [pixel, light, pixel]
+            }
+        };
+        let (pixel, light) = (pixel.instructions, light.instructions);
+        Price { pixel, light, flash: program.flash, ram: program.ram }
     }
 }

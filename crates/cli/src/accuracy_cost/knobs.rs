@@ -66,6 +66,13 @@ pub fn settings(quick: bool) -> Vec<Knob> {
             add("polynomials", Setting::of(first(count).cut(Cut::Trimmed(tolerance))));
         }
     }
+    // What boards without a float unit count a pixel and a new light of, beside those above:
+    // firmware/tables/ladder.csv.
+    let counted = [(9, 0.1), (25, 0.03), (50, 1e-2), (100, 1e-2), (130, 1e-3)];
+    for (count, tolerance) in if quick { &counted[1..2] } else { &counted[..] }.iter().copied() {
+        let recipe = first(count).cut(Cut::Trimmed(tolerance));
+        add("polynomials", Setting::of(recipe).in_format(Format::Q15));
+    }
     let within: &[f64] = if quick {
         &[0.1, 1e-2, 1e-4]
     } else {

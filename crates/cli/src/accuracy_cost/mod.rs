@@ -24,6 +24,8 @@ pub mod model;
 
 pub mod machine;
 
+pub mod ladder;
+
 pub mod boards;
 
 pub mod wasm;

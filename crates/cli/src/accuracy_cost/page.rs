@@ -1,6 +1,6 @@
 //! The page: what to take, what it costs, and how it grows.
 
-use super::choice::{FRAME, LIMITS, Lighting, cheapest, frame};
+use super::choice::{LIMITS, Lighting, cheapest, frame};
 use super::figures::{growth_file, kinds, of_degree};
 use super::growth::Growth;
 use super::knobs::{DEGREE, HIGH_COMPONENTS, ORDER};
@@ -59,22 +59,33 @@ fn head(points: &[Point], models: &[Row]) -> String {
 /// How to read it, on the machine that is most asked for.
 fn example(points: &[Point]) -> String {
     let machine = Machine::M4f;
-    let Some(place) = cheapest(points, machine, Lighting::Still, 0.01) else {
+    let taken = |lighting| {
+        let point = &points[cheapest(points, machine, lighting, 0.01)?];
+        let price = point.prices.get(&machine)?;
+        let whole = frame(point, machine, lighting)?;
+        let counts = [price.pixel, price.light, Some(whole)];
+        let [pixel, light, sum] =
+            counts.map(|one| grouped(one.unwrap_or_default().round() as usize));
+        let share = format!("{:.0} % of the cycles", 100.0 * whole / (64e6 / 60.0));
+        Some((point, setting(&point.setting, point.method.terms), [pixel, light, sum, share]))
+    };
+    let Some((point, name, [pixel, _, sum, share])) = taken(Lighting::Still) else {
         return String::new();
     };
-    let point = &points[place];
-    let whole = frame(point, machine, Lighting::Still).unwrap_or(f64::NAN);
-    let each = whole / FRAME as f64;
+    let moving = taken(Lighting::Moving).map(|(_, name, [pixel, light, sum, share])| {
+        format!(
+            "Where it changes with every picture: {name}. A pixel takes {pixel} instructions, a new light {light}, a picture \
+             9,216 x {pixel} + {light} = {sum}: {share}. "
+        )
+    });
     format!(
         "## In a minute\n\n\
-         A Cortex-M4F of 64 MHz has 64,000,000 / 60 = 1,066,667 cycles for each of 60 pictures a second. For an error below 1 % its table \
-         says: {}. A pixel takes {} instructions, a picture of 96 x 96 pixels 9,216 times as many, {}: {:.0} % of the cycles if each \
-         instruction took one. Multiply by the cycles that an instruction takes on the chip at hand. The error of the model comes beside it: at \
-         degree {DEGREE} and order {ORDER} it is {} in the median, less on matte surfaces and more on gloss ([below](#degree-and-order-the-error-of-the-model)).\n",
-        setting(&point.setting, point.method.terms),
-        grouped(each.round() as usize),
-        grouped(whole.round() as usize),
-        100.0 * whole / (64e6 / 60.0),
+         A Cortex-M4F of 64 MHz has 64,000,000 / 60 = 1,066,667 cycles for each of 60 pictures a second. For an error below 1 % its tables \
+         say, where the light stands still: {name}. A pixel takes {pixel} instructions, a picture of 96 x 96 pixels 9,216 times as many, {sum}: \
+         {share} if each instruction took one. {}Multiply by the cycles that an instruction takes on the chip at hand. The error of the model \
+         comes beside it: at degree {DEGREE} and order {ORDER} it is {} in the median, less on matte surfaces and more on gloss \
+         ([below](#degree-and-order-the-error-of-the-model)).\n",
+        moving.unwrap_or_default(),
         point.model.map_or("not known".into(), |model| per_cent(model.median)),
     )
 }
@@ -97,19 +108,31 @@ fn of_machine(points: &[Point], machine: Machine) -> String {
             text.push_str(NOT_COUNTED);
             continue;
         }
-        let header = header(machine);
+        let header = header(machine, lighting);
         text.push_str(&format!("\n{what}\n\n{}", table(&header, &rows)));
+    }
+    if machine.counts() {
+        text.push_str(BAKING);
     }
     text
 }
 
 /// Instead of a table for moving light.
 const NOT_COUNTED: &str = "\nOf no setting there both a pixel and a new light have been counted, so there is no table for \
-                           moving light. Baking a map of N x N takes 5 N² pixels of its polynomials.\n";
+                           moving light.\n";
 
-fn header(machine: Machine) -> Vec<String> {
+/// What boards have not counted.
+const BAKING: &str = "\nFlash, and RAM with the stack, are of the program that was counted: any material is folded in when it starts. A new light of a \
+                      baked map of N x N has not been counted: it takes that of its polynomials, and 5 N² of their pixels.\n";
+
+/// Whether a table says what the counted program takes of memory.
+fn has_program(machine: Machine, lighting: Lighting) -> bool {
+    machine.counts() && lighting == Lighting::Moving
+}
+
+fn header(machine: Machine, lighting: Lighting) -> Vec<String> {
     let unit = machine.unit();
-    [
+    let mut header = [
         "error below",
         "take",
         "method: median",
@@ -123,7 +146,11 @@ fn header(machine: Machine) -> Vec<String> {
         "RAM, bytes",
     ]
     .map(str::to_owned)
-    .to_vec()
+    .to_vec();
+    if has_program(machine, lighting) {
+        header.extend(["program: flash", "RAM and stack"].map(str::to_owned));
+    }
+    header
 }
 
 fn row(points: &[Point], machine: Machine, lighting: Lighting, limit: f64) -> Vec<String> {
@@ -131,7 +158,7 @@ fn row(points: &[Point], machine: Machine, lighting: Lighting, limit: f64) -> Ve
     let limit = per_cent_limit(limit);
     let Some(point) = found.map(|k| &points[k]) else {
         let mut row = vec![limit, "nothing that has been counted".to_owned()];
-        row.resize(header(machine).len(), "—".to_owned());
+        row.resize(header(machine, lighting).len(), "—".to_owned());
         return row;
     };
     let price = point.prices.get(&machine).copied().unwrap_or_default();
@@ -141,7 +168,7 @@ fn row(points: &[Point], machine: Machine, lighting: Lighting, limit: f64) -> Ve
         Some(value) => cost(value),
     };
     let errors = &point.method;
-    vec![
+    let mut row = vec![
         limit,
         setting(&point.setting, errors.terms),
         per_cent(errors.seen.rms.median),
@@ -153,7 +180,12 @@ fn row(points: &[Point], machine: Machine, lighting: Lighting, limit: f64) -> Ve
         number(frame(point, machine, lighting)),
         grouped(point.bytes.table),
         grouped(point.bytes.state),
-    ]
+    ];
+    if has_program(machine, lighting) {
+        let bytes = [price.flash, price.ram];
+        row.extend(bytes.map(|bytes| bytes.map_or("—".to_owned(), grouped)));
+    }
+    row
 }
 
 fn degrees(points: &[Point], models: &[Row]) -> String {
