@@ -87,6 +87,15 @@ impl<'a, S> Normals<'a, S> {
         }
     }
 
+    /// One by one.
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = Normal<S>> + use<'a, S>
+    where
+        S: Copy,
+    {
+        let components = self.x.iter().zip(self.y).zip(self.z);
+        components.map(|((&x, &y), &z)| Normal { x, y, z })
+    }
+
     /// How many they are.
     #[must_use]
     pub const fn len(&self) -> usize {

@@ -1,7 +1,7 @@
 //! Every public type can be logged by `defmt`: that this compiles is the test.
 #![cfg(feature = "defmt")]
 
-use eigenshade::mathematics::{Libm, SinglePrecision};
+use eigenshade::mathematics::{Libm, SinglePrecision, Tabled};
 use eigenshade::wire::{Aligned, Header, WireError, WireFormat};
 use eigenshade::{
     BakedMap, Basis, Coupling, Economy, Error, Estimate, GeneralBasis, GeneralParts, IntegerMap,
@@ -33,6 +33,6 @@ fn public_types_can_be_logged() {
     can_be_logged::<(quantised::Light<'_, Q31>, quantised::Material<'_, Q31>)>();
     can_be_logged::<(quantised::Normal<Q15>, quantised::Coefficients<8>)>();
     can_be_logged::<(quantised::Transfer<'_, Q15>, quantised::Estimate<'_, Q31, 8>)>();
-    can_be_logged::<(MapPoint<i16>, Rotation<f32>, Window<f32>, Negatives, Libm, SinglePrecision)>(
-    );
+    can_be_logged::<(MapPoint<i16>, Rotation<f32>, Window<f32>, Negatives)>();
+    can_be_logged::<(Libm, SinglePrecision, Tabled)>();
 }

@@ -3,7 +3,7 @@
 #[path = "tolerances/mod.rs"]
 mod tolerances;
 
-use eigenshade::mathematics::{Libm, Mathematics, SinglePrecision};
+use eigenshade::mathematics::{Libm, Mathematics, SinglePrecision, Tabled};
 use eigenshade::{Error, Normal};
 
 /// The largest relative errors of roots and of their reciprocals.
@@ -50,6 +50,18 @@ fn single_precision_is_nearly_so() {
     assert!(roots::<SinglePrecision>().iter().all(|&worst| worst <= tolerances::SINGLE_ROOT));
     assert!(angles::<SinglePrecision>(1_000.0) <= tolerances::SINGLE_ANGLE);
     assert_eq!(SinglePrecision::square_root(0.0), 0.0);
+}
+
+#[test]
+fn tables_are_as_good() {
+    assert!(roots::<Tabled>().iter().all(|&worst| worst <= tolerances::TABLED_ROOT));
+    assert!(angles::<Tabled>(1_000.0) <= tolerances::TABLED_ANGLE);
+    assert!(angles::<Tabled>(0.1) <= tolerances::TABLED_ANGLE);
+    assert_eq!((Tabled::square_root(0.0), Tabled::sine_and_cosine(0.0)), (0.0, (0.0, 1.0)));
+    for none in [f32::NAN, f32::INFINITY, -f32::INFINITY] {
+        let (sine, cosine) = Tabled::sine_and_cosine(none);
+        assert!(!sine.is_finite() && !cosine.is_finite(), "{none}: {sine}, {cosine}");
+    }
 }
 
 /// As bad as documented, and no worse.

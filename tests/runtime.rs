@@ -141,6 +141,7 @@ fn slices_are_shaded_as_their_normals() {
         let (x, y, z) = (axis(0), axis(1), axis(2));
         let mut shaded = vec![0.0; count];
         let slices = eigenshade::Normals::new(&x, &y, &z).expect("one length");
+        assert!(slices.iter().eq(normals.iter().copied()) && slices.iter().len() == count);
         scene.shade_slice(slices, &mut shaded).expect("one length");
         for (normal, shaded) in normals.iter().zip(&shaded) {
             assert_eq!(scene.shade(*normal), *shaded);

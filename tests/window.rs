@@ -3,7 +3,7 @@
 #[path = "tolerances/mod.rs"]
 mod tolerances;
 
-use eigenshade::mathematics::{Libm, SinglePrecision};
+use eigenshade::mathematics::{Libm, SinglePrecision, Tabled};
 use eigenshade::{Error, Light, Negatives, Window};
 
 /// sin(x) / x by its product over doubled angles: cos(x/2) cos(x/4) ...
@@ -24,7 +24,12 @@ fn factors_are_fourth_powers_of_sinc() {
             let found = window.factor::<Libm>(degree);
             assert!((found - expected).abs() <= tolerances::SPECIAL_LOW, "{degree}, {width}");
             let single = Window::SincFourth { width: width as f32 };
-            for found in [single.factor::<Libm>(degree), single.factor::<SinglePrecision>(degree)] {
+            let factors = [
+                single.factor::<Libm>(degree),
+                single.factor::<SinglePrecision>(degree),
+                single.factor::<Tabled>(degree),
+            ];
+            for found in factors {
                 let apart = (f64::from(found) - expected).abs();
                 assert!(apart <= tolerances::WINDOW_F32, "{degree}, {width}: {apart:e}");
             }

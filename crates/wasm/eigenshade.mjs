@@ -106,9 +106,9 @@ class Format {
   }
 
   /** Copies an input to where the module reads it, zeros above its degree or order. */
-  put(what) {
+  put(what, step = "project") {
     const given = this.ready[what];
-    if (!given) throw new Error(`project: there is no ${what} yet; give one first`);
+    if (!given) throw new Error(`${step}: there is no ${what} yet; give one first`);
     this.inputs[what].fill(0).set(given);
   }
 
@@ -133,28 +133,33 @@ class Format {
    */
   shade(x, y, z, irradiance) {
     if (!this.ready.scene) throw new Error("shade: there is no scene yet; collapse first");
+    return this.pixels("shade", "shade", [x, y, z], irradiance);
+  }
+
+  /** The irradiances by a function of the module, as many at a time as it takes. */
+  pixels(name, step, [x, y, z], irradiance) {
     const count = x.length;
     irradiance ??= new this.answers.irradiance.constructor(count);
     for (const [what, array] of Object.entries({ y, z, irradiance })) {
       if (array.length !== count) {
-        throw new RangeError(`shade: x has ${count} numbers, ${what} has ${array.length}`);
+        throw new RangeError(`${name}: x has ${count} numbers, ${what} has ${array.length}`);
       }
     }
     const bad = this.firstBad(x, y, z);
-    if (bad >= 0) throw this.badNormal(bad, x, y, z);
+    if (bad >= 0) throw this.badNormal(name, bad, x, y, z);
     for (let start = 0; start < count; start += this.shape.normals) {
       const end = Math.min(start + this.shape.normals, count);
       [x, y, z].forEach((from, axis) => this.write(from, start, end, axis * this.shape.normals));
-      const done = this.exports[`${this.name}_shade`](end - start);
-      if (done < end - start) throw this.badNormal(start + done, x, y, z);
+      const done = this.exports[`${this.name}_${step}`](end - start);
+      if (done < end - start) throw this.badNormal(name, start + done, x, y, z);
       irradiance.set(this.answers.irradiance.subarray(0, end - start), start);
     }
     return irradiance;
   }
 
-  badNormal(k, x, y, z) {
+  badNormal(name, k, x, y, z) {
     return new RangeError(
-      `shade: normal ${k} is (${x[k]}, ${y[k]}, ${z[k]}), no unit vector with z >= 0`,
+      `${name}: normal ${k} is (${x[k]}, ${y[k]}, ${z[k]}), no unit vector with z >= 0`,
     );
   }
 
@@ -177,8 +182,49 @@ class Floats extends Format {
     this.put("light");
     this.put("material");
     this.call("project");
-    Object.assign(this.ready, { d: true, scene: false });
+    this.got();
     return this.answers.d.slice();
+  }
+
+  /** There are new coefficients d, and nothing of them yet. */
+  got() {
+    Object.assign(this.ready, { d: true, scene: false, map: false });
+  }
+
+  /** `project` in two parts, if the module has them: a material is folded in once. */
+  relight() {
+    this.has("relight");
+    this.put("light", "relight");
+    if (!this.folded) {
+      this.put("material", "relight");
+      this.call("fold");
+      this.folded = true;
+    }
+    this.call("relight");
+    this.got();
+    return this.answers.d.slice();
+  }
+
+  /** Bakes the scene on a map of 32 x 32, if the module can. */
+  bake() {
+    this.has("bake");
+    if (!this.ready.scene) throw new Error("bake: there is no scene yet; collapse first");
+    this.call("bake");
+    this.ready.map = true;
+    return this;
+  }
+
+  /** `shade` by the baked map. */
+  lookUp(x, y, z, irradiance) {
+    this.has("look_up");
+    if (!this.ready.map) throw new Error("lookUp: there is no map yet; bake first");
+    return this.pixels("lookUp", "look_up", [x, y, z], irradiance);
+  }
+
+  has(step) {
+    if (!this.exports[`f32_${step}`]) {
+      throw new Error(`f32: this module has no f32_${step}; take floats.wasm`);
+    }
   }
 
   /** Copies normals to where the module reads them. */

@@ -1,6 +1,6 @@
 //! Roots and angles in f32 from beginning to end.
 
-use super::Mathematics;
+use super::{Mathematics, quarters};
 
 /// Roots and angles in f32 from beginning to end: no f64 anywhere, no division, no
 /// table.
@@ -10,10 +10,6 @@ use super::Mathematics;
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SinglePrecision;
-
-/// π/2 in three parts: the first two have so few bits that their products with a
-/// small whole number are exact.
-const QUARTER: [f32; 3] = [1.570_312_5, 4.837_513e-4, 7.549_79e-8];
 
 /// Highest term first, in x²: (sin x - x) / x³ and (cos x - 1 + x²/2) / x⁴ at three
 /// Chebyshev nodes of [0, (π/4)²].
@@ -40,21 +36,11 @@ impl Mathematics<f32> for SinglePrecision {
 
     #[inline]
     fn sine_and_cosine(angle: f32) -> (f32, f32) {
-        let turns = angle * core::f32::consts::FRAC_2_PI;
-        #[expect(clippy::cast_possible_truncation, reason = "whole quarter turns are wanted")]
-        let quarters = (turns + if turns < 0.0 { -0.5 } else { 0.5 }) as i32;
-        #[expect(clippy::cast_precision_loss, reason = "few turns are meant")]
-        let whole = quarters as f32;
-        let rest = QUARTER.iter().fold(angle, |rest, part| rest - whole * part);
+        let (number, rest) = quarters::nearest::<1>(angle);
         let square = rest * rest;
         let polynomial = |terms: [f32; 3]| terms.iter().fold(0.0, |sum, term| sum * square + term);
         let sine = rest + rest * (square * polynomial(SINE));
         let cosine = 1.0 - (0.5 * square - square * square * polynomial(COSINE));
-        match quarters & 3 {
-            0 => (sine, cosine),
-            1 => (cosine, -sine),
-            2 => (-sine, -cosine),
-            _ => (-cosine, sine),
-        }
+        quarters::turned(number, (sine, cosine))
     }
 }

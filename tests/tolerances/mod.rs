@@ -274,6 +274,11 @@ pub const ROUNDING_F32: f64 = 6.1e-8;
 pub const SINGLE_ROOT: f64 = 2e-7;
 /// Sines and cosines in f32 to 1,000 rad: roundings of a polynomial and of the angle's rest.
 pub const SINGLE_ANGLE: f64 = 1e-7;
+/// Roots in f32 from a table of 64, relative: two steps of Newton's method leave two roundings.
+pub const TABLED_ROOT: f64 = 1.1e-7;
+/// Sines and cosines in f32 to 1,000 rad from a table of 33: roundings of its numbers, of the sum and of the angle's
+/// rest.
+pub const TABLED_ANGLE: f64 = 8e-8;
 /// `micromath`'s roots, relative: the exponent halved, its bits as a straight line.
 pub const MICROMATH_ROOT: f64 = 0.061;
 /// Its reciprocal roots, relative: the same line with a better offset.

@@ -9,6 +9,9 @@
 #[cfg(feature = "f32")]
 mod floats;
 
+#[cfg(feature = "map")]
+mod map;
+
 #[cfg(feature = "nine-terms")]
 mod nine_terms;
 

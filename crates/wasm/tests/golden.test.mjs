@@ -29,7 +29,7 @@ function floats(format) {
 }
 
 for (const variant of VARIANTS) {
-  for (const name of ["f32", "all"]) {
+  for (const name of ["f32", "floats", "all"]) {
     test(`f32 of ${name}${variant}.wasm is within the tolerance`, async () => {
       const { f32 } = await load(bytes(name, variant));
       const found = floats(f32);
@@ -68,6 +68,39 @@ test("f32 gives the same bits with SIMD and without", async () => {
   const [plain, simd] = await Promise.all(VARIANTS.map((variant) => load(bytes("f32", variant))));
   assert.deepEqual(floats(plain.f32), floats(simd.f32));
 });
+
+for (const variant of VARIANTS) {
+  test(`a material folded in once, and a baked map, of floats${variant}.wasm`, async () => {
+    const { f32 } = await load(bytes("floats", variant));
+    const [tolerance] = row("f32", "tolerance").numbers;
+    const normal = normals("f32", Float32Array);
+    let folds = 0;
+    const count = { get: (exports, name) => (name === "f32_fold" && folds++, exports[name]) };
+    f32.exports = new Proxy({ ...f32.exports }, count);
+    let last;
+    for (const pair of PAIRS) {
+      const material = row("f32", "material", pair).numbers;
+      f32.light(row("f32", "light", pair).numbers);
+      if (String(material) !== last) f32.material(material);
+      last = String(material);
+      const d = f32.relight();
+      assertNear(d, row("f32", "d", pair).numbers, `${pair} d`);
+      const shaded = f32.collapse().shade(...normal);
+      assertNear(shaded, row("f32", "irradiance", pair).numbers, `${pair} irradiance`);
+      // docs/method.md: 2e-3 rms of the worst image; single normals are off by more.
+      const looked = f32.bake().lookUp(...normal);
+      const peak = largest([...shaded]);
+      const off = [...looked].map((value, k) => (value - shaded[k]) / peak);
+      const rms = Math.sqrt(off.reduce((sum, one) => sum + one * one, 0) / off.length);
+      assert.ok(rms > tolerance && rms <= 4e-3, `${pair}: ${rms}`);
+      // The material is in already: once more is the same, and folds nothing.
+      const before = folds;
+      assert.deepEqual(f32.relight(), d);
+      assert.equal(folds, before);
+    }
+    assert.ok(folds > 0);
+  });
+}
 
 test("more normals than one call takes, in every kind of array", async () => {
   for (const variant of VARIANTS) {

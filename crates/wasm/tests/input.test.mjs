@@ -42,6 +42,27 @@ test("an order of steps", async () => {
   }
 });
 
+test("an order of steps with more in floats", async () => {
+  const { f32: more } = await load(bytes("floats", ""));
+  fails(() => more.relight(), "Error", "relight: there is no light yet; give one first");
+  fails(() => more.light(LIGHT).relight(), "Error", "relight: there is no material yet; give one first");
+  fails(() => more.bake(), "Error", "bake: there is no scene yet; collapse first");
+  more.material(MATERIAL).relight();
+  more.collapse();
+  fails(() => more.lookUp([0], [0], [1]), "Error", "lookUp: there is no map yet; bake first");
+  more.bake();
+  fails(() => more.lookUp([0], [0], [2]), "RangeError", "lookUp: normal 0 is (0, 0, 2), no unit vector with z >= 0");
+  assert.equal(more.exports.f32_look_up(0xffffffff), 0);
+  // d of a new light: the map is still that of the old.
+  more.relight();
+  fails(() => more.lookUp([0], [0], [1]), "Error", "lookUp: there is no map yet; bake first");
+  const fresh = await load(bytes("floats", ""));
+  assert.equal(fresh.exports.f32_bake(), 0);
+  fails(() => f32.relight(), "Error", "f32: this module has no f32_relight; take floats.wasm");
+  fails(() => f32.bake(), "Error", "f32: this module has no f32_bake; take floats.wasm");
+  fails(() => f32.lookUp([0], [0], [1]), "Error", "f32: this module has no f32_look_up; take floats.wasm");
+});
+
 test("normals", () => {
   for (const format of [f32, q15, q31]) {
     format.light(LIGHT).material(MATERIAL).project();

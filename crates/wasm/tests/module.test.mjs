@@ -22,14 +22,14 @@ for (const variant of VARIANTS) {
   }
 
   // A panic that the compiler cannot rule out would be an import: see src/lib.rs.
-  for (const name of ["f32", "q15", "q31", "all"]) {
+  for (const name of ["f32", "q15", "q31", "floats", "all"]) {
     test(`${name}${variant}.wasm cannot panic and needs nothing from outside`, () => {
       const module = new WebAssembly.Module(bytes(name, variant));
       assert.deepEqual(WebAssembly.Module.imports(module), []);
     });
   }
 
-  for (const name of ["f32", "q15", "q31", "all"]) {
+  for (const name of ["f32", "q15", "q31", "floats", "all"]) {
     test(`README.md states the size of ${name}${variant}.wasm`, () => {
       const { zipped } = sizes(bytes(name, variant));
       const simd = variant ? "with" : "without";

@@ -20,6 +20,21 @@ function depth(exports, call) {
 }
 
 for (const variant of VARIANTS) {
+  test(`every call of floats${variant}.wasm takes at most half of the stack`, async () => {
+    const { exports, f32 } = await load(bytes("floats", variant));
+    assert.ok(exports.memory.buffer.byteLength <= 2 * 65536, "README.md says two pages");
+    f32.light(row("f32", "light", PAIRS[0]).numbers);
+    f32.material(row("f32", "material", PAIRS[0]).numbers);
+    const depths = [
+      depth(exports, () => f32.relight()),
+      depth(exports, () => f32.collapse()),
+      depth(exports, () => f32.bake()),
+      depth(exports, () => f32.lookUp(...normals("f32", Float32Array))),
+    ];
+    assert.ok(Math.max(...depths) > 0, "a collapsed scene passes over the stack");
+    assert.ok(Math.max(...depths) <= STACK / 2, `${depths} bytes`);
+  });
+
   test(`every call of all${variant}.wasm takes at most half of the stack`, async () => {
     const { exports, ...formats } = await load(bytes("all", variant));
     assert.ok(exports.light.value >= STACK, "the stack is no longer what lies first");

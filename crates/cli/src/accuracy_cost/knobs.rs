@@ -118,7 +118,7 @@ pub fn settings(quick: bool) -> Vec<Knob> {
         add("baked maps", Setting::of(first(50)).by(Way::Bilinear(size)).in_format(Format::Q15));
     }
     add("component by component", Setting::of(first(50)).by(Way::Eigen));
-    for scaling in [Scaling::Libm, Scaling::Single, Scaling::Micromath] {
+    for scaling in [Scaling::Libm, Scaling::Single, Scaling::Tabled, Scaling::Micromath] {
         add("mathematics", Setting { scaling, ..Setting::of(first(50)) });
     }
     let lower: &[(usize, usize)] = if quick { &[(2, 0), (4, 3)] } else { &LOWER };
@@ -159,5 +159,9 @@ mod tests {
         assert_eq!(set.len(), all.len());
         assert!(quick.iter().all(|name| set.contains(name)), "{quick:?}");
         assert!(quick.len() < all.len() / 2);
+        for mathematics in ["libm", "single", "tabled", "micromath"] {
+            let name = format!("9/7 K50 polynomial f32 {mathematics}");
+            assert!(quick.contains(&name), "{name}");
+        }
     }
 }

@@ -45,8 +45,8 @@ fn head(points: &[Point], models: &[Row]) -> String {
          setting of a degree and order can be nearer to a measured surface than that.\n\n\
          **A pixel** takes instructions on emulated boards, which do not wait as silicon does, and on x86-64 and WebAssembly times, \
          given as multiples of a pixel of the nine-term formula (Ramamoorthi and Hanrahan 2001) in the same run. They are of one machine; the \
-         formula's own time there is in [{POINTS}]({POINTS}). **A new light** is the way from its coefficients to the first \
-         pixel, on a material that is folded in already; the module of WebAssembly folds it in each time. Where nothing was counted stands a dash. **Bytes** are of the table as `pack` writes it, and of what one \
+         formula's own time there is in [{POINTS}]({POINTS}). Those of WebAssembly are with SIMD in Node, of modules of ten tables ([times.csv](../../crates/wasm/times.csv)). **A new light** is the way from its coefficients to the first \
+         pixel, on a material that is folded in already. Where nothing was counted stands a dash. **Bytes** are of the table as `pack` writes it, and of what one \
          channel of an image holds from light to light: the folded material, d, and what a pixel reads. All is for one channel; colour takes three.\n\n\
          Each row of the tables below is the cheapest setting whose method is below the limit in the median over the database. Settings \
          below degree {DEGREE} and order {ORDER} are taken only where their model is below the limit too.\n",
@@ -247,7 +247,8 @@ fn mathematics(points: &[Point]) -> String {
     format!(
         "## Mathematics of set-up\n\n\
          Normals of lengths 0.37 to 2.3, scaled before they are shaded, 50 components in `f32` on x86-64. No pixel calls anything else of \
-         it. `libm` takes the processor's own root; `single` is Newton's method in f32, without any table, for processors that have none; \
+         it. `libm` takes the processor's own root; `single` is Newton's method in f32, without any table, for processors that have none, `tabled` the same \
+         from 64 numbers, a step less; \
          `micromath`'s roots are off by some per cent, and so are the normals.\n\n{}",
         table(&header, &rows)
     )

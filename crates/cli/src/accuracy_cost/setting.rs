@@ -77,6 +77,8 @@ pub enum Scaling {
     Libm,
     /// `SinglePrecision`.
     Single,
+    /// `Tabled`.
+    Tabled,
     /// `micromath`.
     Micromath,
 }
@@ -192,6 +194,7 @@ impl fmt::Display for Scaling {
             Self::None => "",
             Self::Libm => "libm",
             Self::Single => "single",
+            Self::Tabled => "tabled",
             Self::Micromath => "micromath",
         })
     }

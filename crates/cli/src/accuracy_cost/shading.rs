@@ -6,7 +6,7 @@ use super::setting::{Format, Scaling, Setting, Way};
 use crate::integer_shader::{self, IntegerShader};
 use crate::owned_basis::OwnedBasis;
 use crate::shader::{LookUp, OwnedNormals, Shader, fault};
-use eigenshade::mathematics::{Libm, Micromath, SinglePrecision};
+use eigenshade::mathematics::{Libm, Micromath, SinglePrecision, Tabled};
 use eigenshade::{Basis, MapPoint, Normal, Q15, Q31, Scalar, Tolerance, quantised};
 use eigenshade_generator::error::Result;
 use eigenshade_table::Table;
@@ -193,6 +193,7 @@ pub fn scaled(scaling: Scaling, x: f32, y: f32, z: f32) -> Result<Normal<f32>> {
     match scaling {
         Scaling::None | Scaling::Libm => Normal::with_mathematics::<Libm>(x, y, z),
         Scaling::Single => Normal::with_mathematics::<SinglePrecision>(x, y, z),
+        Scaling::Tabled => Normal::with_mathematics::<Tabled>(x, y, z),
         Scaling::Micromath => Normal::with_mathematics::<Micromath>(x, y, z),
     }
     .map_err(fault)

@@ -105,6 +105,7 @@ impl Case {
                     (way, Scaling::None) => floats.pixels(way, lengths)?,
                     (_, Scaling::Libm) => floats.scaled(Scaling::Libm)?,
                     (_, Scaling::Single) => floats.scaled(Scaling::Single)?,
+                    (_, Scaling::Tabled) => floats.scaled(Scaling::Tabled)?,
                     (_, Scaling::Micromath) => floats.scaled(Scaling::Micromath)?,
                 };
                 Ok([pixels, floats.relit(self.way)?])

@@ -1,17 +1,63 @@
-//! Times of the WebAssembly module in Node, from `crates/wasm/times.csv`, which
-//! `node crates/wasm/measure.mjs --times` writes.
+//! Times of the WebAssembly module in Node, from `crates/wasm/times.csv`: of the tables that
+//! `crates/wasm/ladder` puts into modules.
 
+use super::knobs::{DEGREE, ORDER};
 use super::machine::Price;
-use super::setting::{Recipe, Setting, Way};
+use super::setting::{Cut, Format, Recipe, Setting, Way};
 use eigenshade_generator::error::{Error, Result};
 use eigenshade_generator::inputs::sheet::Sheet;
+use std::collections::BTreeMap;
 use std::path::Path;
 
 const TIMES: &str = include_str!("../../../wasm/times.csv");
-const COLUMNS: [&str; 4] = ["simd", "operation", "format", "ns"];
+const COLUMNS: [&str; 3] = ["setting", "pixel_ns", "light_ns"];
+/// Texels along a side of the module's map.
+const MAP: usize = 32;
 
-/// Nanoseconds with SIMD, by operation and format.
-pub struct Wasm(Vec<(String, String, f64)>);
+/// The tables that are put into modules.
+#[must_use]
+pub fn tables() -> Vec<Recipe> {
+    let first = |count| Recipe::first(DEGREE, ORDER, count);
+    let trimmed = |count, tolerance| first(count).cut(Cut::Trimmed(tolerance));
+    vec![
+        Recipe::all(2, 0),
+        trimmed(9, 1e-1),
+        trimmed(25, 3e-2),
+        first(50),
+        trimmed(50, 1e-2),
+        trimmed(100, 1e-2),
+        trimmed(130, 1e-3),
+        trimmed(130, 2e-4),
+        Recipe::all(DEGREE, ORDER).cut(Cut::Terms(12)),
+        Recipe::all(DEGREE, ORDER),
+    ]
+}
+
+/// The settings that are timed of a table, of those that are measured at all.
+pub fn settings<'a>(table: &Recipe, all: &'a [Setting]) -> impl Iterator<Item = &'a Setting> {
+    let table = *table;
+    all.iter().filter(move |setting| {
+        let is_timed = match setting.way {
+            Way::Polynomial => setting.format != Format::F64,
+            Way::Bilinear(size) => size == MAP && setting.format == Format::F32,
+            _ => false,
+        };
+        is_timed && setting.recipe == table && **setting == bare(setting)
+    })
+}
+
+/// Without anything that normals take.
+fn bare(setting: &Setting) -> Setting {
+    Setting::of(setting.recipe).by(setting.way).in_format(setting.format)
+}
+
+/// The nine-term formula.
+fn nine_terms() -> Setting {
+    Setting::of(Recipe::all(2, 0)).by(Way::NineTerms)
+}
+
+/// Nanoseconds of a pixel and of a new light with SIMD, by setting.
+pub struct Wasm(BTreeMap<String, [Option<f64>; 2]>);
 
 impl Wasm {
     /// Reads the times that were compiled in.
@@ -24,52 +70,55 @@ impl Wasm {
         let header = COLUMNS.join(",");
         let sheet = Sheet::parse(TIMES.as_bytes().to_vec(), path, &header)?;
         let columns = sheet.columns(COLUMNS).ok_or_else(|| sheet.wrong_header(&header))?;
-        let mut times = Vec::new();
+        let mut times = BTreeMap::new();
         for row in sheet.rows() {
-            let [simd, operation, format, ns] = columns;
-            if row.text(simd) == "1" {
-                times.push((
-                    row.text(operation).to_owned(),
-                    row.text(format).to_owned(),
-                    row.number(ns)?,
-                ));
-            }
+            let [setting, pixel, light] = columns;
+            let light = if row.text(light).is_empty() { None } else { Some(row.number(light)?) };
+            times.insert(row.text(setting).to_owned(), [Some(row.number(pixel)?), light]);
         }
-        let found = Self(times);
-        found.nine_terms().map_or_else(
-            || {
-                let remedy = "run `node crates/wasm/measure.mjs --times`";
-                Err(Error::new("no nine-term pixel", remedy).in_file(path))
-            },
-            |_| Ok(()),
-        )?;
-        Ok(found)
+        if !times.contains_key(&nine_terms().to_string()) {
+            let remedy = "run `crates/wasm/ladder && node crates/wasm/measure.mjs --times`";
+            return Err(Error::new("no nine-term pixel", remedy).in_file(path));
+        }
+        Ok(Self(times))
     }
 
-    fn find(&self, operation: &str, format: &str) -> Option<f64> {
-        let found = self.0.iter().find(|(o, f, _)| (o.as_str(), f.as_str()) == (operation, format));
-        found.map(|(_, _, ns)| *ns)
+    fn find(&self, setting: &Setting) -> [Option<f64>; 2] {
+        self.0.get(&setting.to_string()).copied().unwrap_or_default()
     }
 
-    fn nine_terms(&self) -> Option<f64> {
-        self.find("nine_terms", "f32")
-    }
-
-    /// What a setting takes, in nine-term pixels; the module has the shipped table.
+    /// What a setting takes, in nine-term pixels of the same run.
     #[must_use]
     pub fn price(&self, setting: &Setting) -> Price {
-        let format = setting.format.to_string();
-        let [pixel, light] = if setting.way == Way::NineTerms {
-            [self.nine_terms(), None]
-        } else if setting.recipe == Recipe::first(9, 7, 50)
-            && setting.way == Way::Polynomial
-            && setting.scaling == super::setting::Scaling::None
-        {
-            [self.find("pixel", &format), self.find("light", &format)]
-        } else {
-            [None, None]
-        };
-        let in_pixels = |ns: Option<f64>| ns.zip(self.nine_terms()).map(|(ns, nine)| ns / nine);
-        Price { pixel: in_pixels(pixel), light: in_pixels(light), ..Price::default() }
+        let [nine, _] = self.find(&nine_terms());
+        let [pixel, light] = self.find(setting).map(|ns| ns.zip(nine).map(|(ns, nine)| ns / nine));
+        Price { pixel, light, ..Price::default() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::knobs;
+    use super::{Setting, Wasm, nine_terms, settings, tables};
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn what_was_timed_is_the_ladder_and_of_settings_that_are_measured() {
+        let all: Vec<Setting> = knobs::settings(false).iter().map(|knob| knob.setting).collect();
+        let tables = tables();
+        let mut expected = BTreeSet::from([nine_terms().to_string()]);
+        for table in &tables {
+            let of_table: Vec<String> = settings(table, &all).map(Setting::to_string).collect();
+            assert!(!of_table.is_empty(), "{table}");
+            expected.extend(of_table);
+        }
+        let names: BTreeSet<String> = all.iter().map(Setting::to_string).collect();
+        assert!(expected.is_subset(&names));
+        let wasm = Wasm::new().unwrap();
+        assert_eq!(wasm.0.keys().cloned().collect::<BTreeSet<String>>(), expected);
+        for (name, [pixel, light]) in &wasm.0 {
+            assert!(pixel.is_some_and(|ns| ns > 0.0), "{name}");
+            assert_eq!(light.is_some_and(|ns| ns > 0.0), *name != nine_terms().to_string());
+        }
     }
 }

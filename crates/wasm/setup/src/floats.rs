@@ -2,13 +2,13 @@
 
 use crate::inputs::{LIGHT, MATERIAL};
 use crate::shared::Shared;
-use eigenshade::sphere::{BASIS, COMPONENTS, DEGREE, ORDER, SCENE, WORKSPACE};
+use crate::table::{BASIS, COMPONENTS, DEGREE, ORDER, SCENE, WORKSPACE};
 use eigenshade::{Light, Material, Scene};
 
 /// The coefficients d.
 #[unsafe(export_name = "f32_d")]
-static D: Shared<[f32; COMPONENTS]> = Shared::new([0.0; COMPONENTS]);
-static ROOM: Shared<[f32; WORKSPACE]> = Shared::new([0.0; WORKSPACE]);
+pub(crate) static D: Shared<[f32; COMPONENTS]> = Shared::new([0.0; COMPONENTS]);
+pub(crate) static ROOM: Shared<[f32; WORKSPACE]> = Shared::new([0.0; WORKSPACE]);
 /// The scene, if there is one.
 pub static COLLAPSED: Shared<Option<Scene<'static, [f32; SCENE]>>> = Shared::new(None);
 

@@ -1,8 +1,8 @@
 //! Light and material as the page writes them, and the sizes of all buffers.
 
 use crate::shared::Shared;
+use crate::table::{COMPONENTS, DEGREE, ORDER};
 use eigenshade::index;
-use eigenshade::sphere::{COMPONENTS, DEGREE, ORDER};
 
 /// Coefficients of the largest light.
 pub const LIGHT_COUNT: usize = index::light::count(DEGREE);

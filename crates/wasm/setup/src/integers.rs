@@ -2,9 +2,9 @@
 
 use crate::inputs::{LIGHT, LIGHT_COUNT, MATERIAL, MATERIAL_COUNT, NORMALS};
 use crate::shared::Shared;
+use crate::table::{COMPONENTS, DEGREE, ORDER};
 use eigenshade::Format;
 use eigenshade::quantised::{Light, Material, Normal, Scene, Transfer};
-use eigenshade::sphere::{COMPONENTS, DEGREE, ORDER};
 
 /// What a format keeps between calls.
 struct State<Q: Format, const T: usize, const P: usize, const N: usize> {
@@ -24,7 +24,7 @@ macro_rules! exports {
         /// One format.
         pub mod $module {
             use super::*;
-            use eigenshade::sphere::$module::{BASIS, PROFILES, SCENE, TRANSFER, WORKSPACE};
+            use crate::table::$module::{BASIS, PROFILES, SCENE, TRANSFER, WORKSPACE};
             use eigenshade::$format;
 
             /// The coefficients d.

@@ -1,0 +1,60 @@
+//! The module's table: the shipped one, or that of the file which `EIGENSHADE_TABLE` names,
+//! as statics in the output folder.
+
+use eigenshade_table::quantise::{Format, QuantisedParts};
+use eigenshade_table::{Table, rust_quantised, rust_source};
+use std::path::{Path, PathBuf};
+use std::{env, fs, process};
+
+fn main() {
+    println!("cargo::rerun-if-env-changed=EIGENSHADE_TABLE");
+    println!("cargo::rustc-check-cfg=cfg(own_table)");
+    let Some(path) = env::var_os("EIGENSHADE_TABLE").map(PathBuf::from) else { return };
+    println!("cargo::rerun-if-changed={}", path.display());
+    println!("cargo::rustc-cfg=own_table");
+    if let Err(error) = bake(&path) {
+        println!("cargo::error=EIGENSHADE_TABLE: {}: {error}", path.display());
+        process::exit(1);
+    }
+}
+
+/// Writes the statics of a table in the formats that the module has: `table.rs`,
+/// `table_q15.rs` and `table_q31.rs`.
+fn bake(path: &Path) -> Result<(), String> {
+    if !path.is_absolute() {
+        return Err("a build script runs elsewhere than you; give the whole path".into());
+    }
+    let bytes = fs::read(path).map_err(|error| error.to_string())?;
+    let table = eigenshade_table::decode(&bytes).map_err(|error| error.to_string())?;
+    fits(&table)?;
+    let command = format!("build.rs, from {}", path.display());
+    write("table.rs", &rust_source::module(&table, &command))?;
+    for (format, name) in [(Format::Q15, "q15"), (Format::Q31, "q31")] {
+        if env::var_os(format!("CARGO_FEATURE_{}", name.to_uppercase())).is_none() {
+            continue;
+        }
+        let parts = QuantisedParts::new(&table, format, format.tolerance())
+            .map_err(|error| format!("{error}; build the module of `f32`"))?;
+        write(&format!("table_{name}.rs"), &rust_quantised::module(&parts, &command))?;
+    }
+    Ok(())
+}
+
+/// Whether the module can project with a table.
+fn fits(table: &Table) -> Result<(), String> {
+    if !table.has_projection() {
+        return Err("it keeps transfers alone; set store = \"projection\" in its scene".into());
+    }
+    if table.general.is_some() {
+        return Err("the module takes tables of a sphere's normals under light that turns \
+                    freely; set normals = \"sphere\" and rotation = \"any\" in its scene"
+            .into());
+    }
+    Ok(())
+}
+
+/// Writes a file of the output folder.
+fn write(name: &str, text: &str) -> Result<(), String> {
+    let to = PathBuf::from(env::var_os("OUT_DIR").ok_or("OUT_DIR is not set")?).join(name);
+    fs::write(&to, text).map_err(|error| format!("{}: {error}", to.display()))
+}
