@@ -10,7 +10,7 @@ use eigenshade::{BakedMap, Light, Lookup, MapPoint, Material, Normal, Normals, s
 use std::hint::black_box;
 use std::time::Instant;
 
-const ROUNDS: usize = 41;
+const ROUNDS: usize = 401;
 const REPEATS: usize = 400;
 
 /// What was timed.
