@@ -114,9 +114,14 @@ pub(crate) fn block<S: Scalar, const LONG: bool, const N: usize>(
     y: &[S; N],
     z: &[S; N],
 ) -> [S; N] {
+    // The loop is vectorised where the map is a call, and larger.
     let mut t = [S::ZERO; N];
-    for (t, &z) in t.iter_mut().zip(z) {
-        *t = argument(z);
+    if SPECIAL {
+        for (t, &z) in t.iter_mut().zip(z) {
+            *t = argument(z);
+        }
+    } else {
+        t = z.map(argument);
     }
     let Some((plus, minus)) = polynomials.next() else {
         return polynomial::values::<S, LONG, N>(polynomials.pole, &t);

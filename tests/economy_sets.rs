@@ -396,3 +396,16 @@ proptest! {
         checked(&set, channels, 10f32.powf(-exponent), &images);
     }
 }
+
+/// A number that is none is no peak of 0, nor is the peak of the channels beside it.
+#[test]
+fn what_is_not_finite_is_told() {
+    let good = [1.0f32; sphere::COMPONENTS];
+    let mut bad = good;
+    bad[3] = f32::NAN;
+    let of = |d: [f32; sphere::COMPONENTS]| d.into_iter().collect::<sphere::Coefficients>();
+    let apart = Chosen::new(&[good, bad].map(of), 1, Tolerance::OfPeak(1e-2));
+    assert!(apart.economies[0].peak.is_finite() && apart.economies[1].peak.is_nan());
+    let channels = Chosen::new(&[bad, good].map(of), 2, Tolerance::OfPeak(1e-2));
+    assert!(channels.economies.iter().all(|told| told.peak.is_nan()));
+}

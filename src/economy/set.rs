@@ -116,7 +116,11 @@ impl<S: Scalar> Basis<'_, S> {
             economy.peak = peak(&self.collapse_into(image, numbers)?);
         }
         for channels in economies.chunks_exact_mut(channels.max(1)) {
-            let larger = |most: S, one: &Economy<S>| if one.peak > most { one.peak } else { most };
+            // What is not finite stays.
+            let larger = |most: S, one: &Economy<S>| {
+                let more = !one.peak.is_finite() || one.peak > most;
+                if most.is_finite() && more { one.peak } else { most }
+            };
             let peak = channels.iter().fold(S::ZERO, larger);
             channels.iter_mut().for_each(|economy| economy.peak = peak);
         }

@@ -72,7 +72,7 @@ impl Image {
     }
 }
 
-/// Multiply-adds of a pixel of polynomials of these lengths, as benches/pixels.rs counts them:
+/// Multiply-adds of a pixel of polynomials of these lengths, as benches/pixels counts them:
 /// Horner's rule, complex products of azimuths, t = 2 z - 1.
 pub fn products(lengths: &[u16]) -> usize {
     let of = |length: u16| usize::from(length).saturating_sub(1);

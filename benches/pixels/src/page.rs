@@ -72,8 +72,9 @@ pub fn of_times(times: &Times) -> String {
     page
 }
 
-/// A path takes no more than this share of instructions beyond what the page says.
-const MORE: f64 = 1.02;
+/// A path takes no more than this times the instructions that the page says: other compilers
+/// write other code.
+const MORE: f64 = 1.1;
 
 /// Fails, by telling them, if paths take more instructions than the page says.
 pub fn check(counts: &[Count]) -> Result<(), String> {

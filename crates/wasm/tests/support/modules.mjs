@@ -8,7 +8,7 @@ const FOLDER = new URL("../../../../target/modules/", import.meta.url);
 /** Variants of each module. */
 export const VARIANTS = ["", ".simd"];
 
-/** The bytes of a module, `f32`, `q15`, `q31` or `all`. */
+/** The bytes of a module, `f32`, `q15`, `q31`, `floats` or `all`. */
 export function bytes(name, variant) {
   try {
     return readFileSync(new URL(`${name}${variant}.wasm`, FOLDER));
