@@ -114,15 +114,7 @@ pub(crate) fn block<S: Scalar, const LONG: bool, const N: usize>(
     y: &[S; N],
     z: &[S; N],
 ) -> [S; N] {
-    // The loop is vectorised where the map is a call, and larger.
-    let mut t = [S::ZERO; N];
-    if SPECIAL {
-        for (t, &z) in t.iter_mut().zip(z) {
-            *t = argument(z);
-        }
-    } else {
-        t = z.map(argument);
-    }
+    let t = if SPECIAL { vectorised(z) } else { z.map(argument) };
     let Some((plus, minus)) = polynomials.next() else {
         return polynomial::values::<S, LONG, N>(polynomials.pole, &t);
     };
@@ -144,6 +136,16 @@ pub(crate) fn block<S: Scalar, const LONG: bool, const N: usize>(
         *sum = sum.add_product(real, x).add_product(imaginary, y);
     }
     sums
+}
+
+/// t of each, as a loop: longer than a map, which may become a call.
+#[inline(always)]
+fn vectorised<S: Scalar, const N: usize>(z: &[S; N]) -> [S; N] {
+    let mut t = [S::ZERO; N];
+    for (t, &z) in t.iter_mut().zip(z) {
+        *t = argument(z);
+    }
+    t
 }
 
 /// The rest of a slice, filled up to a block with zeros.
