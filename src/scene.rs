@@ -267,6 +267,7 @@ impl<'s, S> Iterator for Descent<'s, S> {
 }
 
 #[cfg(test)]
+#[expect(clippy::indexing_slicing, clippy::unwrap_used, reason = "a test may panic")]
 mod tests {
     use super::*;
     use crate::normal::Normals;
