@@ -12,6 +12,7 @@
 mod by_libm;
 #[cfg(feature = "micromath")]
 mod by_micromath;
+mod newton;
 mod quarters;
 mod single_precision;
 mod tabled;

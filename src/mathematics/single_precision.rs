@@ -1,6 +1,6 @@
 //! Roots and angles in f32 from beginning to end.
 
-use super::{Mathematics, quarters};
+use super::{Mathematics, newton, quarters};
 
 /// Roots and angles in f32 from beginning to end: no f64 anywhere, no division, no
 /// table.
@@ -19,19 +19,14 @@ const COSINE: [f32; 3] = [2.454_794_2e-5, -1.388_830_3e-3, 4.166_666_5e-2];
 impl Mathematics<f32> for SinglePrecision {
     #[inline]
     fn square_root(x: f32) -> f32 {
-        let inverse = Self::inverse_root(x);
-        let root = x * inverse;
-        root + 0.5 * inverse * (x - root * root)
+        newton::square_root(x, Self::inverse_root(x))
     }
 
     /// Newton's method from the exponent halved.
     #[inline]
     fn inverse_root(x: f32) -> f32 {
-        let mut inverse = f32::from_bits(0x5f37_5a86_u32.wrapping_sub(x.to_bits() >> 1));
-        for _ in 0..3 {
-            inverse += 0.5 * inverse * (1.0 - x * inverse * inverse);
-        }
-        inverse
+        let first = f32::from_bits(0x5f37_5a86_u32.wrapping_sub(x.to_bits() >> 1));
+        newton::inverse_root::<3>(x, first)
     }
 
     #[inline]

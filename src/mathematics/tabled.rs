@@ -1,6 +1,6 @@
 //! Roots and angles by tables.
 
-use super::{Mathematics, quarters};
+use super::{Mathematics, newton, quarters};
 
 /// Roots and angles by two small tables, 388 bytes: no f64 anywhere, no division.
 ///
@@ -19,9 +19,7 @@ const INTERVALS: u8 = 32;
 impl Mathematics<f32> for Tabled {
     #[inline]
     fn square_root(x: f32) -> f32 {
-        let inverse = Self::inverse_root(x);
-        let root = x * inverse;
-        root + 0.5 * inverse * (x - root * root)
+        newton::square_root(x, Self::inverse_root(x))
     }
 
     #[inline]
@@ -31,11 +29,7 @@ impl Mathematics<f32> for Tabled {
         let place = (bits >> 18) as usize & 63;
         let of_mantissa = INVERSE_ROOTS.get(place).copied().unwrap_or(1.0);
         let of_exponent = f32::from_bits((190 - ((bits >> 24) & 127)) << 23);
-        let mut inverse = of_mantissa * of_exponent;
-        for _ in 0..2 {
-            inverse += 0.5 * inverse * (1.0 - x * inverse * inverse);
-        }
-        inverse
+        newton::inverse_root::<2>(x, of_mantissa * of_exponent)
     }
 
     #[inline]
