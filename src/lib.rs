@@ -115,6 +115,9 @@ pub mod wire;
 
 mod error;
 
+#[cfg(feature = "defmt")]
+mod logged;
+
 #[cfg(feature = "mint")]
 mod mint;
 

@@ -1,18 +1,16 @@
-//! Every public type can be logged by `defmt`: that this compiles is the test.
-#![cfg(feature = "defmt")]
+//! Every public type can be logged by `defmt`, or the feature does not compile.
 
-use eigenshade::mathematics::{Libm, SinglePrecision, Tabled};
-use eigenshade::wire::{Aligned, Header, WireError, WireFormat};
-use eigenshade::{
+use crate::mathematics::{Libm, SinglePrecision, Tabled};
+use crate::wire::{Aligned, Header, WireError, WireFormat};
+use crate::{
     BakedMap, Basis, Coupling, Economy, Error, Estimate, GeneralBasis, GeneralParts, IntegerMap,
     Light, Lookup, MapPoint, Material, Negatives, Normal, Normals, Parts, Pass, ProfilePlace, Q15,
     Q31, Rotation, Row, Scene, SceneBuffer, Shape, Tolerance, Transfer, What, Window, quantised,
 };
 
-fn can_be_logged<T: defmt::Format>() {}
+const fn can_be_logged<T: defmt::Format>() {}
 
-#[test]
-fn public_types_can_be_logged() {
+const _: () = {
     type Buffer = SceneBuffer<f32, 8>;
     can_be_logged::<(Light<'_, f32>, Material<'_, f32>, Normal<f32>, Normals<'_, f32>)>();
     can_be_logged::<(Basis<'_, f32>, GeneralBasis<'_, f32>, Parts<'_, f32>, GeneralParts<'_, f32>)>(
@@ -35,4 +33,4 @@ fn public_types_can_be_logged() {
     can_be_logged::<(quantised::Transfer<'_, Q15>, quantised::Estimate<'_, Q31, 8>)>();
     can_be_logged::<(MapPoint<i16>, Rotation<f32>, Window<f32>, Negatives)>();
     can_be_logged::<(Libm, SinglePrecision, Tabled)>();
-}
+};
