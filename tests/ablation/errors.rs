@@ -70,13 +70,10 @@ pub fn terms_within(scene: &Scene, tolerance: f32) -> Vec<usize> {
     let normals = OwnedNormals::new(&[[0.0, 0.0, 1.0]]);
     let lights = scenes::lights(degree).entries;
     let terms = lights.iter().map(|light| {
-        let within = shader.within(
-            (degree, &light.luminance()),
-            (order, &material),
-            &normals,
-            Tolerance::OfPeak(tolerance),
-        );
-        within.expect("a tolerance above zero").1.terms
+        let light = light.luminance();
+        let channel = ((degree, light.as_slice()), (order, material.as_slice()));
+        let within = shader.within(&[channel], &normals, Tolerance::OfPeak(tolerance));
+        within.expect("a tolerance above zero")[0].1.terms
     });
     terms.collect()
 }

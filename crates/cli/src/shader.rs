@@ -22,6 +22,9 @@ pub fn fitted(table: &Table, lights: &Lights, materials: &Materials) -> (Lights,
     (lights, materials)
 }
 
+/// One channel of a light and one of a material, each with its degree or order.
+pub type Lit<'a> = ((usize, &'a [f64]), (usize, &'a [f64]));
+
 /// Ways to a pixel that look it up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LookUp {
@@ -251,8 +254,8 @@ impl<'a, S: Scalar> Shader<'a, S> {
         Ok(irradiance)
     }
 
-    /// One channel of the image, by the fewest polynomial terms that a tolerance asks for, and
-    /// what was chosen.
+    /// Channels of one colour in one shape, by the fewest polynomial terms that a tolerance of
+    /// the brightest one's peak asks for; and of each what was chosen.
     ///
     /// # Errors
     ///
@@ -260,12 +263,14 @@ impl<'a, S: Scalar> Shader<'a, S> {
     /// mean image is no part of the effects.
     pub fn within(
         &mut self,
-        light: (usize, &[f64]),
-        material: (usize, &[f64]),
+        channels: &[Lit<'_>],
         normals: &OwnedNormals<S>,
         tolerance: Tolerance<S>,
-    ) -> Result<(Vec<S>, Economy<S>)> {
-        self.project(light, material)?;
+    ) -> Result<Vec<(Vec<S>, Economy<S>)>> {
+        let mut images = Vec::new();
+        for &(light, material) in channels {
+            images.push(self.project(light, material)?.to_vec());
+        }
         let refused = |what: &str| Error::new(what, "leave --tolerance out");
         let AnyBasis::Sphere(basis) = &self.basis else {
             return Err(refused(
@@ -277,15 +282,23 @@ impl<'a, S: Scalar> Shader<'a, S> {
                 "a tolerance needs the effect ambient, to which the mean image belongs",
             ));
         }
+        let (count, len) = (images.len(), basis.scene_len());
         let mut lengths = vec![0; basis.azimuths()];
-        let coefficients = &self.coefficients[..self.components];
-        let (scene, economy) = basis
-            .collapse_within(coefficients, tolerance, &mut lengths, &mut self.scene)
+        let mut buffer = vec![S::ZERO; count * len];
+        let mut economies = vec![Economy::default(); count];
+        let (room, told) = (&mut buffer, &mut economies);
+        let shape = basis
+            .collapse_set_within(&images, count, tolerance, &mut lengths, room, told)
             .map_err(fault)?;
         let normals = normals.view()?;
-        let mut irradiance = vec![S::ZERO; normals.len()];
-        scene.shade_slice(normals, &mut irradiance).map_err(fault)?;
-        Ok((irradiance, economy))
+        let mut shaded = Vec::new();
+        for (k, economy) in economies.into_iter().enumerate() {
+            let scene = shape.scene(&buffer[k * len..]).map_err(fault)?;
+            let mut irradiance = vec![S::ZERO; normals.len()];
+            scene.shade_slice(normals, &mut irradiance).map_err(fault)?;
+            shaded.push((irradiance, economy));
+        }
+        Ok(shaded)
     }
 
     /// One channel of the image, looked up.

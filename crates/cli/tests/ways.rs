@@ -6,7 +6,8 @@ mod support;
 #[path = "../../../tests/tolerances/mod.rs"]
 mod tolerances;
 
-use support::{Folder, assert_fails, numbers, rows};
+use std::f64::consts::TAU;
+use support::{DEGREE, Folder, assert_fails, lights, numbers, rows};
 
 const PAIR: &str = "--lights lights.csv --materials materials.csv --normals normals.csv";
 const HEADER: &str = "light,material,normal,r,g,b";
@@ -49,6 +50,54 @@ fn ways_are_as_exact_as_they_can_be() {
     ] {
         assert_eq!(shaded(&folder, short), shaded(&folder, long));
     }
+}
+
+/// Over a sphere each channel is within the tolerance of the brightest one's peak, and all have
+/// one shape.
+#[test]
+fn a_tolerance_is_of_the_brightest_channel() {
+    let folder = Folder::with_table();
+    let text = lights(DEGREE, 3).lines().skip(1).map(dimmed).collect::<String>();
+    folder.write("lights.csv", format!("name,l,m,r,g,b\n{text}"));
+    // Of equal shares of the disc.
+    let normal = |k: u32| {
+        let square = (f64::from(k) + 0.5) / 600.0;
+        let (y, x) = (TAU * 0.618_034 * f64::from(k)).sin_cos();
+        let radius = square.sqrt();
+        format!("{},{},{}\n", radius * x, radius * y, (1.0 - square).sqrt())
+    };
+    folder.write("normals.csv", "x,y,z\n".to_owned() + &(0..600).map(normal).collect::<String>());
+    let whole = shaded(&folder, "--format f64");
+    let images = 3 * 4;
+    for (option, share) in [("3e-2", 3e-2), ("40dB", 1e-2), ("1e-3", 1e-3)] {
+        let within = shaded(&folder, &format!("--format f64 --tolerance {option}"));
+        let mut most: f64 = 0.0;
+        for k in 0..images {
+            let of = |all: &[f64]| all[1800 * k..1800 * (k + 1)].to_vec();
+            let (whole, within) = (of(&whole), of(&within));
+            let peak = whole.iter().fold(0.0, |most: f64, value| most.max(*value));
+            for channel in 0..3 {
+                let pairs = whole.iter().zip(&within).skip(channel).step_by(3);
+                let square: f64 = pairs.map(|(a, b)| (a - b).powi(2)).sum();
+                most = most.max((square / 600.0).sqrt() / (share * peak));
+            }
+        }
+        println!("{option}: {most}");
+        let [least, allowed] = tolerances::SHADED_WITHIN;
+        assert!(most <= allowed && most >= least, "{option}: {most}");
+    }
+    let some = "name,o,p,q,value\nmatte,0,0,0,2\n";
+    folder.write("materials.csv", some);
+    folder.write("lights.csv", format!("name,l,m,r,g,b\n{}", &text[..text.len() / 3]));
+    let output = folder.run(&format!("shade b.bin {PAIR} --tolerance 1e-2"));
+    let told = String::from_utf8(output.stderr).expect("text");
+    assert!(told.starts_with("kept: ") && !told.contains(" to "), "{told}");
+}
+
+/// A row of a light whose blue is dim.
+fn dimmed(row: &str) -> String {
+    let (rest, blue) = row.rsplit_once(',').expect("fields");
+    format!("{rest},{}\n", 1e-2 * blue.parse::<f64>().expect("a number"))
 }
 
 /// Integers shade as the direct sum does, and by polynomials alone.

@@ -11,7 +11,7 @@ use eigenshade_cli::number::exact;
 use eigenshade_cli::owned_basis::OwnedBasis;
 use eigenshade_cli::owned_quantised::Integer;
 use eigenshade_cli::rows::Rows;
-use eigenshade_cli::shader::{LookUp, OwnedNormals, Shader, fault, fitted};
+use eigenshade_cli::shader::{Lit, LookUp, OwnedNormals, Shader, fault, fitted};
 use eigenshade_cli::{collision, destination, economy, table_file, truth_image, wire_file};
 use eigenshade_generator::database::{Lights, Materials, Named};
 use eigenshade_generator::error::{Error, Result};
@@ -68,7 +68,7 @@ pub struct Shade {
     effects: Vec<Effect>,
     /// Of the method polynomial in f32 or f64: the fewest terms within this share of the peak,
     /// rms over a sphere, or so many decibels below it, as in 1e-3 or 60dB, of the image of the
-    /// components in use; what those lack comes besides
+    /// components in use, its peak that of its brightest channel; what those lack comes besides
     #[arg(long, value_name = "T", value_parser = tolerance)]
     tolerance: Option<Tolerance<f64>>,
     /// Weakens degree l of the light by sinc^4, (sin x / x)^4 with x = pi l / W; nothing is
@@ -326,10 +326,11 @@ impl Work {
             other => unreachable!("{other:?} is no option"),
         };
         let mut chosen: Vec<Economy<S>> = Vec::new();
-        self.channels(out, |light, material| {
-            let (irradiance, economy) = shader.within(light, material, &normals, tolerance)?;
-            chosen.push(economy);
-            Ok(irradiance)
+        self.colours(out, |channels| {
+            let shaded = shader.within(&channels, &normals, tolerance)?;
+            let (colour, economies): (Vec<_>, Vec<_>) = shaded.into_iter().unzip();
+            chosen.extend(economies);
+            Ok(colour)
         })?;
         for line in economy::lines(&chosen, self.components) {
             say(line);
@@ -343,15 +344,25 @@ impl Work {
         out: &mut Output<'_, '_>,
         mut irradiance: impl FnMut((usize, &[f64]), (usize, &[f64])) -> Result<Vec<S>>,
     ) -> Result<()> {
+        self.colours(out, |channels| {
+            channels.into_iter().map(|(light, material)| irradiance(light, material)).collect()
+        })
+    }
+
+    /// Writes every light on every material, `irradiance` of all three channels.
+    fn colours<S: Copy + Into<f64>>(
+        &self,
+        out: &mut Output<'_, '_>,
+        mut irradiance: impl FnMut([Lit<'_>; 3]) -> Result<Vec<Vec<S>>>,
+    ) -> Result<()> {
         let progress = bar("images", self.lights.entries.len() * self.materials.entries.len());
+        let (degree, order) = (self.lights.degree, self.materials.order);
         for (light, material) in self.pairs() {
-            let mut channel = |c: usize| {
-                let of_light = (self.lights.degree, light.rgb[c].as_slice());
-                irradiance(of_light, (self.materials.order, material.rgb[c].as_slice()))
-            };
-            let (red, green, blue) = (channel(0)?, channel(1)?, channel(2)?);
-            for (normal, ((&r, &g), &b)) in red.iter().zip(&green).zip(&blue).enumerate() {
-                out.row((light, material), normal, [r.into(), g.into(), b.into()])?;
+            let channel =
+                |c: usize| ((degree, light.rgb[c].as_slice()), (order, material.rgb[c].as_slice()));
+            let rgb = irradiance([0, 1, 2].map(channel))?;
+            for normal in 0..self.normals.len() {
+                out.row((light, material), normal, [0, 1, 2].map(|c| rgb[c][normal].into()))?;
             }
             progress.inc(1);
         }
