@@ -29,9 +29,7 @@ pub fn coefficients(light: &[f64], matte: f64) -> [f64; 9] {
     ]
 }
 
-/// The formula over slices of one length. Never inlined: the compiler is to see that what is
-/// written is none of the coefficients, as it sees it of a scene's.
-#[inline(never)]
+/// The formula over slices of one length.
 pub fn shade(c: &[f32; 9], [x, y, z]: [&[f32]; 3], out: &mut [f32]) {
     for (((out, &x), &y), &z) in out.iter_mut().zip(x).zip(y).zip(z) {
         let linear = c[0] + c[1] * x + c[2] * y + c[3] * z;
