@@ -3,9 +3,10 @@
 use crate::mathematics::{Libm, SinglePrecision, Tabled};
 use crate::wire::{Aligned, Header, WireError, WireFormat};
 use crate::{
-    BakedMap, Basis, Coupling, Economy, Error, Estimate, GeneralBasis, GeneralParts, IntegerMap,
-    Light, Lookup, MapPoint, Material, Negatives, Normal, Normals, Parts, Pass, ProfilePlace, Q15,
-    Q31, Rotation, Row, Scene, SceneBuffer, Shape, Tolerance, Transfer, What, Window, quantised,
+    BakedMap, Basis, Coupling, Economy, Effect, Effects, Error, Estimate, GeneralBasis,
+    GeneralParts, IntegerMap, Light, Lookup, MapPoint, Material, Negatives, Normal, Normals, Parts,
+    Pass, ProfilePlace, Q15, Q31, Rotation, Row, Scene, SceneBuffer, Shape, Tolerance, Transfer,
+    What, Window, quantised,
 };
 
 const fn can_be_logged<T: defmt::Format>() {}
@@ -15,7 +16,7 @@ const _: () = {
     can_be_logged::<(Light<'_, f32>, Material<'_, f32>, Normal<f32>, Normals<'_, f32>)>();
     can_be_logged::<(Basis<'_, f32>, GeneralBasis<'_, f32>, Parts<'_, f32>, GeneralParts<'_, f32>)>(
     );
-    can_be_logged::<(Coupling, Pass, ProfilePlace, Row, Error, What)>();
+    can_be_logged::<(Coupling, Pass, ProfilePlace, Row, Error, What, Effect, Effects)>();
     can_be_logged::<(Transfer<f32, 8>, Estimate<'_, f32, 8>, Scene<'_, Buffer>)>();
     can_be_logged::<(BakedMap<f32, Buffer>, IntegerMap<&[i16]>, Lookup<f32, Buffer>)>();
     can_be_logged::<(
@@ -32,5 +33,8 @@ const _: () = {
     can_be_logged::<(quantised::Normal<Q15>, quantised::Coefficients<8>)>();
     can_be_logged::<(quantised::Transfer<'_, Q15>, quantised::Estimate<'_, Q31, 8>)>();
     can_be_logged::<(MapPoint<i16>, Rotation<f32>, Window<f32>, Negatives)>();
+    can_be_logged::<(quantised::Scene<'_, Q15, [i32; 8]>, quantised::TransferBuffer<Q15, 8, 8>)>();
     can_be_logged::<(Libm, SinglePrecision, Tabled)>();
+    #[cfg(feature = "micromath")]
+    can_be_logged::<crate::mathematics::Micromath>();
 };

@@ -47,6 +47,11 @@ proptest! {
     }
 
     #[test]
+    fn any_images_keep_their_bounds(bytes in bytes()) {
+        invariants::collapse_sets(&mut Reader::new(&bytes));
+    }
+
+    #[test]
     fn reconstructions_are_those_of_f64(bytes in bytes()) {
         invariants::project_reconstruct(&bytes);
     }

@@ -28,6 +28,9 @@ impl<S: Scalar> Tolerance<S> {
             }
             Self::Irradiance(irradiance) => (irradiance, S::ONE),
         };
+        // Of what is not finite there is no share, and no comparison with it holds: nothing is
+        // left out.
+        let of = if of.is_finite() { of } else { of - of };
         if share > S::ZERO && share.is_finite() { Ok(share * of) } else { Err(Error::Tolerance) }
     }
 }

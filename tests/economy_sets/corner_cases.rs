@@ -89,6 +89,12 @@ fn what_is_not_finite_is_told() {
     assert!(apart.economies[0].peak.is_finite() && apart.economies[1].peak.is_nan());
     let channels = Chosen::new(&[bad, good].map(of), 2, Tolerance::OfPeak(1e-2));
     assert!(channels.economies.iter().all(|told| told.peak.is_nan()));
+    // Too bright to be shaded: nothing is left out of it.
+    let bright = [f32::MAX; sphere::COMPONENTS];
+    let whole = Chosen::new(&[good, bright].map(of), 2, Tolerance::OfPeak(1e-2));
+    assert!(whole.economies.iter().all(|told| !told.peak.is_finite()));
+    let kept = (whole.components, whole.shape().terms());
+    assert_eq!(kept, (sphere::COMPONENTS, sphere::SCENE));
 }
 
 /// A dark channel of a bright colour may be off by as much as the others.

@@ -8,6 +8,7 @@
     reason = "each test and each target takes the parts that it needs"
 )]
 
+mod economies;
 mod floats;
 mod integer;
 mod integers;
@@ -17,6 +18,7 @@ mod reconstruction;
 mod shipped;
 mod tables;
 
+pub use economies::collapse_sets;
 pub use floats::shade_floats;
 pub use integers::{shade_coefficients, shade_integers, shade_transfer};
 pub use reader::Reader;
@@ -26,17 +28,18 @@ pub use tables::from_bytes;
 use eigenshade::{Q15, Q31};
 
 /// Any light on any material under any normals, or any transfer, or any coefficients,
-/// in any format.
+/// in any format; or any images within a tolerance.
 pub fn shade_any(bytes: &[u8]) {
     let mut input = Reader::new(bytes);
-    match input.byte() % 7 {
+    match input.byte() % 8 {
         0 => shade_floats(&mut input),
         1 => shade_integers::<Q15>(&mut input),
         2 => shade_integers::<Q31>(&mut input),
         3 => shade_transfer::<Q15>(&mut input),
         4 => shade_transfer::<Q31>(&mut input),
         5 => shade_coefficients::<Q15>(&mut input),
-        _ => shade_coefficients::<Q31>(&mut input),
+        6 => shade_coefficients::<Q31>(&mut input),
+        _ => collapse_sets(&mut input),
     }
 }
 

@@ -29,7 +29,7 @@ pub fn lines<S: Scalar + Into<f64>>(chosen: &[Economy<S>], components: usize) ->
         ),
         format!(
             "left out of the image of {components} components, rms over a sphere: at most {worst:.1e} \
-             of the peak, {by_components:.1e} by components and {by_terms:.1e} by terms"
+             of the brightest channel's peak, {by_components:.1e} by components and {by_terms:.1e} by terms"
         ),
     ]
 }

@@ -6,6 +6,7 @@ mod support;
 #[path = "../../../tests/tolerances/mod.rs"]
 mod tolerances;
 
+use eigenshade_index::light;
 use std::f64::consts::TAU;
 use support::{DEGREE, Folder, assert_fails, lights, numbers, rows};
 
@@ -86,12 +87,25 @@ fn a_tolerance_is_of_the_brightest_channel() {
         let [least, allowed] = tolerances::SHADED_WITHIN;
         assert!(most <= allowed && most >= least, "{option}: {most}");
     }
-    let some = "name,o,p,q,value\nmatte,0,0,0,2\n";
-    folder.write("materials.csv", some);
-    folder.write("lights.csv", format!("name,l,m,r,g,b\n{}", &text[..text.len() / 3]));
-    let output = folder.run(&format!("shade b.bin {PAIR} --tolerance 1e-2"));
-    let told = String::from_utf8(output.stderr).expect("text");
-    assert!(told.starts_with("kept: ") && !told.contains(" to "), "{told}");
+    // The dim channel asks for nothing: without it the shape is the same.
+    folder.write("materials.csv", "name,o,p,q,value\nmatte,0,0,0,2\n");
+    let kept = |of: &dyn Fn(&str) -> String| {
+        let rows = text.lines().take(light::count(DEGREE)).map(of).collect::<String>();
+        folder.write("lights.csv", format!("name,l,m,r,g,b\n{rows}"));
+        let output = folder.run(&format!("shade b.bin {PAIR} --tolerance 1e-2"));
+        let told = String::from_utf8(output.stderr).expect("text");
+        told.lines().find(|line| line.starts_with("kept: ")).expect("what was kept").to_owned()
+    };
+    let all = kept(&|row| format!("{row}\n"));
+    assert!(!all.contains(" to "), "{all}");
+    assert_eq!(all, kept(&|row| format!("{},0\n", row.rsplit_once(',').expect("fields").0)));
+    // By itself it would be off by no more than its own, smaller peak allows.
+    let alone = kept(&|row| {
+        let (rest, blue) = row.rsplit_once(',').expect("fields");
+        let names = rest.splitn(4, ',').take(3).collect::<Vec<_>>().join(",");
+        format!("{names},0,0,{blue}\n")
+    });
+    assert_ne!(all, alone);
 }
 
 /// A row of a light whose blue is dim.
@@ -159,6 +173,26 @@ fn irradiance_below_zero_is_clamped_where_asked() {
     let output = folder.run(&format!("shade b.bin {PAIR} --clamp"));
     let told = String::from_utf8(output.stderr).expect("text");
     assert_eq!(told, format!("least irradiance {least:?}, clamped\n"));
+}
+
+#[test]
+fn tolerances_are_refused_where_there_is_none() {
+    let folder = Folder::with_table();
+    for (name, from, to) in
+        [("object", "\"sphere\"", "\"normals.csv\""), ("mean", "image-centered", "standard")]
+    {
+        let other = folder.read("scene.toml").replace(from, to);
+        folder.write(&format!("{name}.toml"), other);
+        folder.ok(&format!("basis --scene {name}.toml --out {name}.bin"));
+    }
+    for (options, words) in [
+        ("mean.bin --tolerance 1e-2 --effects diffuse", ["ambient", "leave --tolerance out"]),
+        ("object.bin --tolerance 1e-2", ["sphere", "leave --tolerance out"]),
+        ("b.bin --tolerance 1e-2 --format q15", ["--tolerance", "polynomial in f32 or f64"]),
+        ("b.bin --tolerance 1e-2 --method eigen", ["--tolerance", "polynomial in f32 or f64"]),
+    ] {
+        assert_fails(&folder, &format!("shade {PAIR} {options}"), &words);
+    }
 }
 
 #[test]

@@ -10,6 +10,9 @@ pub const LIMITS: [f64; 7] = [0.1, 0.05, 0.01, 3e-3, 1e-3, 1e-4, 1e-5];
 /// Pixels of the picture in which costs are summed.
 pub const FRAME: usize = 96 * 96;
 
+/// Times apart by less than this factor are the same: runs differ by more.
+pub const TIE: f64 = 1.05;
+
 /// When the light changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Lighting {
@@ -40,7 +43,8 @@ pub fn suffices(point: &Point, limit: f64) -> bool {
     point.setting.scaling == Scaling::None && point.method.seen.rms.median <= limit && models
 }
 
-/// The cheapest setting whose error is below a limit, by its place.
+/// The cheapest setting whose error is below a limit, by its place. Times that differ by no more
+/// than [`TIE`] are one: of those, the one of the least error, of method or model, is taken.
 #[must_use]
 pub fn cheapest(
     points: &[Point],
@@ -49,8 +53,19 @@ pub fn cheapest(
     limit: f64,
 ) -> Option<usize> {
     let able = points.iter().enumerate().filter(|(_, point)| suffices(point, limit));
-    let priced =
-        able.filter_map(|(k, point)| frame(point, machine, lighting).map(|cost| (k, cost)));
-    let key = |k: usize| points[k].method.seen.rms.median;
-    priced.min_by(|a, b| a.1.total_cmp(&b.1).then(key(a.0).total_cmp(&key(b.0)))).map(|(k, _)| k)
+    let priced: Vec<_> = able
+        .filter_map(|(k, point)| frame(point, machine, lighting).map(|cost| (k, cost)))
+        .collect();
+    let least = priced.iter().map(|(_, cost)| *cost).fold(f64::INFINITY, f64::min);
+    let most = if machine.counts() { least } else { least * TIE };
+    let errors = |k: usize| {
+        let method = points[k].method.seen.rms.median;
+        let model = points[k].model.map_or(f64::INFINITY, |model| model.median);
+        [method.max(model), method]
+    };
+    let tied = priced.into_iter().filter(|(_, cost)| *cost <= most).map(|(k, _)| k);
+    tied.min_by(|&a, &b| {
+        let [[worse_a, a], [worse_b, b]] = [errors(a), errors(b)];
+        worse_a.total_cmp(&worse_b).then(a.total_cmp(&b))
+    })
 }

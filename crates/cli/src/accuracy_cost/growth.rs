@@ -6,7 +6,7 @@ use super::images::Image;
 use super::knobs::{DEGREE, ORDER};
 use super::materials::Scope;
 use super::setting::{Recipe, Setting};
-use super::times::{Case, costs};
+use super::times::{Case, Work, costs, interleaved};
 use crate::owned_basis::OwnedBasis;
 use crate::shader::fault;
 use eigenshade::Material;
@@ -16,7 +16,6 @@ use eigenshade_generator::inputs::light_projection;
 use eigenshade_index::light;
 use eigenshade_table::{Parts, Table};
 use std::hint::black_box;
-use std::time::Instant;
 
 /// Components where they are not what grows.
 const COMPONENTS: usize = 50;
@@ -194,8 +193,15 @@ fn measured(
         for (_, recipe, table, image) in tables {
             cases.push(Case::new(&Setting::of(*recipe), table, image)?);
         }
-        for ((size, _, table, image), cost) in tables.iter().zip(costs(&mut cases, ROUNDS)?) {
-            let times = [cost.pixel, cost.light, folding(table, image, 1)?];
+        let owned: Vec<_> = tables.iter().map(|made| OwnedBasis::<f32>::new(&made.2)).collect();
+        let mut folds = Vec::new();
+        for (owned, (.., image)) in owned.iter().zip(tables) {
+            folds.push(folding(owned, image, 1)?);
+        }
+        let folds = least(folds);
+        let costs = costs(&mut cases, ROUNDS)?;
+        for (((size, ..), cost), fold) in tables.iter().zip(costs).zip(folds) {
+            let times = [cost.pixel, cost.light, fold];
             for (points, time) in points.iter_mut().skip(3).zip(times) {
                 points.push((*size as f64, time));
             }
@@ -212,29 +218,28 @@ fn measured(
     Ok(THEORY.iter().zip(points).map(growth).collect())
 }
 
-/// The least of some times: what else the machine does only adds.
-fn least(times: &[f64]) -> f64 {
-    times.iter().copied().fold(f64::INFINITY, f64::min)
+/// Nanoseconds of each work, the least: what else the machine does only adds.
+fn least(works: Vec<Work<'_>>) -> Vec<f64> {
+    let least = |times: &Vec<f64>| times.iter().copied().fold(f64::INFINITY, f64::min);
+    interleaved(works, ROUNDS).iter().map(least).collect()
 }
 
-/// Nanoseconds that so many materials take to be folded in.
-fn folding(table: &Table, image: &Image, count: usize) -> Result<f64> {
-    let owned = OwnedBasis::<f32>::new(table);
+/// So many materials folded in.
+fn folding<'a>(owned: &'a OwnedBasis<f32>, image: &Image, count: usize) -> Result<Work<'a>> {
     let basis = owned.basis().map_err(fault)?;
     let material: Vec<f32> = image.material.iter().map(|&value| value as f32).collect();
-    let material = Material::new(table.gram.order, &material).map_err(fault)?;
+    let order = basis.order();
+    Material::new(order, &material).map_err(fault)?;
     let mut workspace = vec![0.0; basis.workspace_len()];
     let mut transfers = vec![vec![0.0; basis.transfer_len()]; count];
-    let mut times = Vec::new();
-    for _ in 0..ROUNDS {
-        let start = Instant::now();
+    Ok(Box::new(move || {
         for transfer in &mut transfers {
-            basis.transfer_into(black_box(&material), &mut workspace, transfer).map_err(fault)?;
+            let done = Material::new(order, black_box(&material))
+                .and_then(|material| basis.transfer_into(&material, &mut workspace, transfer));
+            black_box(done.is_ok());
         }
-        times.push(1e9 * start.elapsed().as_secs_f64());
         black_box(&transfers);
-    }
-    Ok(least(&times))
+    }))
 }
 
 fn of_materials(timed: bool) -> Result<Vec<Growth>> {
@@ -246,10 +251,11 @@ fn of_materials(timed: bool) -> Result<Vec<Growth>> {
     let length = owned.basis().map_err(fault)?.transfer_len();
     let counts = [1usize, 4, 16, 64, 256];
     let held = counts.map(|n| (n as f64, (n * length * size_of::<f32>()) as f64));
-    let mut times = Vec::new();
+    let mut folds = Vec::new();
     for count in counts.into_iter().filter(|_| timed) {
-        times.push((count as f64, folding(&table, &image, count)?));
+        folds.push(folding(&owned, &image, count)?);
     }
+    let times = counts.iter().map(|&n| n as f64).zip(least(folds)).collect();
     let reason = "each has a transfer of its own";
     let growth = |measure, unit, points| Growth {
         quantity: "materials",
@@ -276,19 +282,18 @@ fn of_pixels(timed: bool) -> Result<Vec<Growth>> {
         let mut shader = crate::shader::Shader::new(owned.basis().map_err(fault)?, usize::MAX);
         shader.project((DEGREE, &image.light), (ORDER, &image.material))?;
         let scene = shader.scene()?;
+        let mut works: Vec<Work<'_>> = Vec::new();
         for count in pixels {
-            let normals = super::shading::hemisphere(count);
-            let normals = crate::shader::OwnedNormals::<f32>::new(&normals);
-            let mut out = vec![0.0; count];
-            let mut found = Vec::new();
-            for _ in 0..ROUNDS {
-                let start = Instant::now();
-                scene.shade_slice(black_box(normals.view()?), &mut out).map_err(fault)?;
-                found.push(1e9 * start.elapsed().as_secs_f64());
-                black_box(&out);
-            }
-            times.push((count as f64, least(&found)));
+            let normals =
+                crate::shader::OwnedNormals::<f32>::new(&super::shading::hemisphere(count));
+            let (scene, mut out) = (&scene, vec![0.0; count]);
+            works.push(Box::new(move || {
+                let normals = black_box(&normals).view().ok();
+                let done = normals.map(|normals| scene.shade_slice(normals, &mut out));
+                black_box((done.is_some_and(|done| done.is_ok()), &out));
+            }));
         }
+        times = pixels.iter().map(|&n| n as f64).zip(least(works)).collect();
     }
     let growth = proportional("pixels", "each pixel is its own");
     Ok(vec![growth("a picture's f32", "bytes", held.to_vec()), growth("shading", "ns", times)])
@@ -312,17 +317,15 @@ fn of_maps(timed: bool) -> Vec<Growth> {
     if let Ok(map) = EnvironmentMap::new(width, height, texels.collect())
         && timed
     {
-        for count in counts {
-            let mut found = Vec::new();
-            for _ in 0..ROUNDS {
-                let start = Instant::now();
+        let works = counts.map(|count| -> Work<'_> {
+            let map = &map;
+            Box::new(move || {
                 for _ in 0..count {
-                    black_box(light_projection::project(black_box(&map), DEGREE));
+                    black_box(light_projection::project(black_box(map), DEGREE));
                 }
-                found.push(1e9 * start.elapsed().as_secs_f64());
-            }
-            times.push((count as f64, least(&found)));
-        }
+            })
+        });
+        times = counts.iter().map(|&n| n as f64).zip(least(works.into())).collect();
     }
     let growth = proportional("maps", "each map is projected by itself");
     vec![growth("coefficients", "bytes", held.to_vec()), growth("projection", "ns", times)]

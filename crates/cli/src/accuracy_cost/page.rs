@@ -44,11 +44,12 @@ fn head(points: &[Point], models: &[Row]) -> String {
          under captured maps without any truncation ({} maps on {} surfaces, Lambertian to GGX of roughness 0.3; [{MODEL}]({MODEL})). No \
          setting of a degree and order can be nearer to a measured surface than that.\n\n\
          **A pixel** takes instructions on emulated boards, which do not wait as silicon does, and on x86-64 and WebAssembly times, \
-         given as multiples of a pixel of the nine-term formula (Ramamoorthi and Hanrahan 2001) in the same run. They are of one machine; the \
+         given as multiples of a pixel of the nine-term formula (Ramamoorthi and Hanrahan 2001) in the same run, arrays in the cache. They are of one machine; the \
          formula's own time there is in [{POINTS}]({POINTS}). Those of WebAssembly are with SIMD in Node, of modules of ten tables ([times.csv](../../crates/wasm/times.csv)). **A new light** is the way from its coefficients to the first \
          pixel, on a material that is folded in already. Where nothing was counted stands a dash. **Bytes** are of the table as `pack` writes it, and of what one \
          channel of an image holds from light to light: the folded material, d, and what a pixel reads. All is for one channel; colour takes three.\n\n\
-         Each row of the tables below is the cheapest setting whose method is below the limit in the median over the database. Settings \
+         Each row of the tables below is the cheapest setting whose method is below the limit in the median over the database; of times \
+         within five per cent of the least, the setting with the least error. Settings \
          below degree {DEGREE} and order {ORDER} are taken only where their model is below the limit too.\n",
         points.len(),
         MAPS.len(),

@@ -31,7 +31,11 @@ pub fn limit(limit: f64) -> String {
 /// A cost of two digits, or whole from 100 on.
 #[must_use]
 pub fn cost(value: f64) -> String {
-    if value >= 100.0 { grouped(value.round() as usize) } else { format!("{value:.1}") }
+    match value {
+        100.0.. => grouped(value.round() as usize),
+        10.0.. => format!("{value:.1}"),
+        _ => format!("{value:.2}"),
+    }
 }
 
 /// A setting for someone who wants to use it.
@@ -106,6 +110,6 @@ mod tests {
     fn numbers_are_short() {
         let texts = [0.5, 0.0123, 0.00456, 2e-4, 3.21e-5].map(per_cent);
         assert_eq!(texts, ["50 %", "1.2 %", "0.46 %", "0.020 %", "3.2e-5"]);
-        assert_eq!([1.24, 99.0, 12345.6].map(cost), ["1.2", "99.0", "12,346"]);
+        assert_eq!([1.24, 99.0, 12345.6].map(cost), ["1.24", "99.0", "12,346"]);
     }
 }

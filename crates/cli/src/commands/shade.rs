@@ -66,9 +66,10 @@ pub struct Shade {
     /// whole [default: all]
     #[arg(long, value_name = "A,B", value_delimiter = ',', value_parser = effect)]
     effects: Vec<Effect>,
-    /// Of the method polynomial in f32 or f64: the fewest terms within this share of the peak,
-    /// rms over a sphere, or so many decibels below it, as in 1e-3 or 60dB, of the image of the
-    /// components in use, its peak that of its brightest channel; what those lack comes besides
+    /// Of the method polynomial in f32 or f64: the fewest terms, the same for a colour's channels,
+    /// that are within this share of the brightest channel's peak (1e-3), or so many decibels
+    /// below it (60dB), rms over a sphere. Of the image of the components in use: what those lack
+    /// comes besides
     #[arg(long, value_name = "T", value_parser = tolerance)]
     tolerance: Option<Tolerance<f64>>,
     /// Weakens degree l of the light by sinc^4, (sin x / x)^4 with x = pi l / W; nothing is

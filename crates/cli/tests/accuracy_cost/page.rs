@@ -41,8 +41,8 @@ fn stated(text: &str) -> f64 {
     scale * text.replace(',', "").parse::<f64>().unwrap_or_else(|_| panic!("{text}"))
 }
 
-/// Each row of the page's tables is in the file, its error is below the limit, and nothing in
-/// the file does it for less.
+/// Each row of the page's tables is in the file, its error is below the limit, nothing in the
+/// file does it for less, and nothing better for as much.
 #[test]
 fn the_page_takes_the_cheapest_that_suffices() {
     let (page, rows) = (read("accuracy-cost.md"), sheet("accuracy-cost.csv"));
@@ -74,14 +74,28 @@ fn the_page_takes_the_cheapest_that_suffices() {
                 };
                 // The file has four digits, the page two of errors.
                 let near = |a: f64, b: f64| (a / b - 1.0).abs() <= tolerances::STATED;
-                assert!((stated(&fields[8]) / cost - 1.0).abs() < 1e-3, "{title}: {fields:?}");
-                let holds = rows.iter().filter(suffices).any(|row| {
-                    frame(row).is_some_and(|other| (other / cost - 1.0).abs() < 1e-3)
+                let taken = rows.iter().filter(suffices).find(|row| {
+                    frame(row).is_some_and(|other| (stated(&fields[8]) / other - 1.0).abs() < 1e-3)
                         && near(stated(&fields[2]), number(row, "rms_median").expect("one"))
                         && near(stated(&fields[3]), number(row, "rms_worst").expect("one"))
                         && number(row, "table_bytes") == Some(stated(&fields[9]))
                 });
-                assert!(holds, "{title}: {fields:?}");
+                let taken = taken.unwrap_or_else(|| panic!("{title}: {fields:?}"));
+                // Times that are nearly the least are as good; the least error decides.
+                let tie = if ["host", "wasm"].contains(&key) { 1.05 } else { 1.0 };
+                assert!(frame(taken).expect("a cost") < tie * cost * 1.001, "{title}: {fields:?}");
+                let error = |row: &HashMap<String, String>| {
+                    let model = number(row, "model_median").unwrap_or(f64::INFINITY);
+                    model.max(number(row, "rms_median").expect("an error"))
+                };
+                for row in rows.iter().filter(suffices) {
+                    let ties = frame(row).is_some_and(|other| other < tie * cost / 1.001);
+                    assert!(
+                        !ties || error(row) > error(taken) * 0.999,
+                        "{title}: {}",
+                        row["setting"]
+                    );
+                }
                 assert!(stated(&fields[2]) <= limit * (1.0 + tolerances::STATED));
                 checked += 1;
             }

@@ -17,7 +17,7 @@ use std::time::Instant;
 
 /// Pixels of a run.
 const PIXELS: usize = 4096;
-/// A run of new lights is repeated to take at least so long, seconds.
+/// What is timed is repeated to take at least so long, seconds.
 const SHORTEST: f64 = 3e-5;
 
 /// Medians, nanoseconds.
@@ -100,31 +100,37 @@ impl Case {
 pub fn costs(cases: &mut [Case], rounds: usize) -> Result<Vec<Cost>> {
     let mut works = Vec::new();
     for case in cases.iter_mut() {
-        let [pixels, mut light] = case.works()?;
-        // Once to warm up, then to see how long it takes.
-        light();
-        let start = Instant::now();
-        light();
-        let once = start.elapsed().as_secs_f64().max(1e-9);
-        let repeats = (SHORTEST / once).ceil().clamp(1.0, 1e4) as u32;
-        works.push((pixels, light, repeats, [Vec::new(), Vec::new()]));
+        works.extend(case.works()?);
     }
+    let times = interleaved(works, rounds);
+    let medians: Vec<f64> = times.iter().map(|times| median(times)).collect();
+    let cost = |pair: &[f64]| Cost { pixel: pair[0] / PIXELS as f64, light: pair[1] };
+    Ok(medians.chunks_exact(2).map(cost).collect())
+}
+
+/// Nanoseconds of each work in each round, one after the other: what slows the machine for a
+/// while slows all of them. Each runs untimed first, as the others have taken the cache since.
+#[must_use]
+pub fn interleaved(works: Vec<Work<'_>>, rounds: usize) -> Vec<Vec<f64>> {
+    let timed = |work: &mut Work<'_>, repeats: u32| {
+        let start = Instant::now();
+        (0..repeats).for_each(|_| work());
+        start.elapsed().as_secs_f64() / f64::from(repeats)
+    };
+    let mut works: Vec<_> = works
+        .into_iter()
+        .map(|mut work| {
+            work();
+            let once = timed(&mut work, 1).max(1e-9);
+            let repeats = (SHORTEST / once).ceil().clamp(1.0, 1e4) as u32;
+            (work, repeats, Vec::new())
+        })
+        .collect();
     for _ in 0..rounds {
-        for (pixels, light, repeats, [of_pixel, of_light]) in &mut works {
-            // Once before: the other cases have taken the cache since.
-            pixels();
-            let start = Instant::now();
-            pixels();
-            of_pixel.push(1e9 * start.elapsed().as_secs_f64() / PIXELS as f64);
-            let start = Instant::now();
-            for _ in 0..*repeats {
-                light();
-            }
-            of_light.push(1e9 * start.elapsed().as_secs_f64() / f64::from(*repeats));
+        for (work, repeats, times) in &mut works {
+            work();
+            times.push(1e9 * timed(work, *repeats));
         }
     }
-    let costs = works
-        .iter()
-        .map(|(_, _, _, [pixel, light])| Cost { pixel: median(pixel), light: median(light) });
-    Ok(costs.collect())
+    works.into_iter().map(|(_, _, times)| times).collect()
 }
