@@ -46,7 +46,8 @@ fn head(points: &[Point], models: &[Row]) -> String {
          **A pixel** takes instructions on emulated boards, which do not wait as silicon does, and on x86-64 and WebAssembly times, \
          given as multiples of a pixel of the nine-term formula (Ramamoorthi and Hanrahan 2001) in the same run, arrays in the cache. They are of one machine; the \
          formula's own time there is in [{POINTS}]({POINTS}). Those of WebAssembly are with SIMD in Node, of modules of ten tables ([times.csv](../../crates/wasm/times.csv)). **A new light** is the way from its coefficients to the first \
-         pixel, on a material that is folded in already. Where nothing was counted stands a dash. **Bytes** are of the table as `pack` writes it, and of what one \
+         pixel, on a material that is folded in already; on x86-64 of a table that is read at run time, where one that is compiled in takes less than half of it \
+         ([performance.md](../performance.md)). Where nothing was counted stands a dash. **Bytes** are of the table as `pack` writes it, and of what one \
          channel of an image holds from light to light: the folded material, d, and what a pixel reads. All is for one channel; colour takes three.\n\n\
          Each row of the tables below is the cheapest setting whose method is below the limit in the median over the database; of times \
          within five per cent of the least, the setting with the least error. Settings \
