@@ -30,7 +30,7 @@ impl<S: Scalar> Tolerance<S> {
         };
         // Of what is not finite there is no share, and no comparison with it holds: nothing is
         // left out.
-        let of = if of.is_finite() { of } else { of - of };
+        let of = if of.is_finite() { of } else { of * S::ZERO };
         if share > S::ZERO && share.is_finite() { Ok(share * of) } else { Err(Error::Tolerance) }
     }
 }

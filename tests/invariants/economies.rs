@@ -10,7 +10,7 @@ pub fn collapse_sets(input: &mut Reader<'_>) {
     let channels = 1 + input.up_to(2);
     let count = channels * input.up_to(3);
     let share = 2f32.powi(-1 - input.up_to(20) as i32);
-    let is_moderate = input.byte() % 2 == 0;
+    let is_moderate = input.byte().is_multiple_of(2);
     let mut number = || match is_moderate {
         true => input.moderate(),
         false => f32::from_le_bytes(input.bytes()),
