@@ -114,7 +114,15 @@ fn tables() -> Vec<(String, Vec<u8>)> {
         let path = Path::new(folder).join(format!("{name}.esw"));
         (name.to_owned(), std::fs::read(path).expect("a wire file of the tests"))
     };
-    ["v1.sphere.f32", "v1.mean.f32", "v1.general.f32", "v1.sphere.q15", "v1.sphere.q31"]
-        .map(seed)
-        .to_vec()
+    [
+        "v1.sphere.f32",
+        "v1.mean.f32",
+        "v1.general.f32",
+        "v1.sphere.q15",
+        "v1.sphere.q31",
+        "v2.effects.f32",
+        "v2.turned.q15",
+    ]
+    .map(seed)
+    .to_vec()
 }

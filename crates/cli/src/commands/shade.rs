@@ -329,9 +329,12 @@ impl Work {
         let mut chosen: Vec<Economy<S>> = Vec::new();
         self.colours(out, |channels| {
             let shaded = shader.within(&channels, &normals, tolerance)?;
-            let (colour, economies): (Vec<_>, Vec<_>) = shaded.into_iter().unzip();
-            chosen.extend(economies);
-            Ok(colour)
+            let mut rgb = [const { Vec::new() }; 3];
+            for (channel, (irradiance, economy)) in rgb.iter_mut().zip(shaded) {
+                *channel = irradiance;
+                chosen.push(economy);
+            }
+            Ok(rgb)
         })?;
         for line in economy::lines(&chosen, self.components) {
             say(line);
@@ -345,8 +348,9 @@ impl Work {
         out: &mut Output<'_, '_>,
         mut irradiance: impl FnMut((usize, &[f64]), (usize, &[f64])) -> Result<Vec<S>>,
     ) -> Result<()> {
-        self.colours(out, |channels| {
-            channels.into_iter().map(|(light, material)| irradiance(light, material)).collect()
+        self.colours(out, |[red, green, blue]| {
+            let mut channel = |(light, material): Lit<'_>| irradiance(light, material);
+            Ok([channel(red)?, channel(green)?, channel(blue)?])
         })
     }
 
@@ -354,16 +358,16 @@ impl Work {
     fn colours<S: Copy + Into<f64>>(
         &self,
         out: &mut Output<'_, '_>,
-        mut irradiance: impl FnMut([Lit<'_>; 3]) -> Result<Vec<Vec<S>>>,
+        mut irradiance: impl FnMut([Lit<'_>; 3]) -> Result<[Vec<S>; 3]>,
     ) -> Result<()> {
         let progress = bar("images", self.lights.entries.len() * self.materials.entries.len());
         let (degree, order) = (self.lights.degree, self.materials.order);
         for (light, material) in self.pairs() {
             let channel =
                 |c: usize| ((degree, light.rgb[c].as_slice()), (order, material.rgb[c].as_slice()));
-            let rgb = irradiance([0, 1, 2].map(channel))?;
-            for normal in 0..self.normals.len() {
-                out.row((light, material), normal, [0, 1, 2].map(|c| rgb[c][normal].into()))?;
+            let [red, green, blue] = irradiance([0, 1, 2].map(channel))?;
+            for (normal, ((&r, &g), &b)) in red.iter().zip(&green).zip(&blue).enumerate() {
+                out.row((light, material), normal, [r.into(), g.into(), b.into()])?;
             }
             progress.inc(1);
         }
