@@ -5,6 +5,8 @@
 
 #[path = "../tests/ablation/mod.rs"]
 mod ablation;
+#[path = "../tests/tolerances/mod.rs"]
+mod tolerances;
 
 use ablation::{compare, page, speed};
 use std::process::ExitCode;

@@ -6,6 +6,8 @@
 
 #[path = "../tests/golden/mod.rs"]
 mod golden;
+#[path = "../tests/tolerances/mod.rs"]
+mod tolerances;
 
 use golden::record::{Golden, Row};
 use std::process::ExitCode;

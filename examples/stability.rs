@@ -5,10 +5,14 @@
 //! Hosts differ in the last bits. So a figure that was recorded may be another by a
 //! factor of eight, or a rounding; all else has to be the same, and every bound has to hold.
 
+#[path = "../tests/oracle/mod.rs"]
+mod oracle;
 #[path = "../tests/stability/mod.rs"]
 mod stability;
+#[path = "../tests/tolerances/mod.rs"]
+mod tolerances;
 
-use stability::{Bound, CASES, Case, Figure, tolerances};
+use stability::{Bound, CASES, Case, Figure};
 use std::fmt::Write;
 use std::process::ExitCode;
 

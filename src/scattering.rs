@@ -42,13 +42,13 @@ impl<S: Scalar> Basis<'_, S> {
         // Rows of the usual degrees have kernels that know their length.
         match layout::groups(self.degree()) {
             _ if !self.parts.selection.is_empty() || !effects.is_all() => {
-                self.scatter_long(material, effects, azimuth, sums);
+                self.scatter_some(material, effects, azimuth, sums);
             }
             1 => self.scatter_rows::<1>(material, sums),
             2 => self.scatter_rows::<2>(material, sums),
             3 => self.scatter_rows::<3>(material, sums),
             4 => self.scatter_rows::<4>(material, sums),
-            _ => self.scatter_long(material, effects, azimuth, sums),
+            groups => self.scatter_long(groups, material, sums),
         }
         self.transpose(sums, scattering);
     }
@@ -66,9 +66,22 @@ impl<S: Scalar> Basis<'_, S> {
         });
     }
 
+    /// S along l, in rows of any number of groups.
+    fn scatter_long(&self, groups: usize, material: &Material<'_, S>, sums: &mut [S]) {
+        let (polar, _) = self.parts.polar.as_chunks::<LANES>();
+        let (sums, _) = sums.as_chunks_mut::<LANES>();
+        self.couple(material, core::iter::repeat(()), |b, from, to, _, ()| {
+            let polar = polar.get(from * groups..).unwrap_or_default();
+            let sums = sums.get_mut(to * groups..).unwrap_or_default();
+            for (sum, polar) in sums.iter_mut().zip(polar).take(groups) {
+                *sum = lanes::multiply_add(*sum, &[b; LANES], polar);
+            }
+        });
+    }
+
     /// S along l, in rows of any length; of some effects; of a basis with a selection of
     /// modes that of one azimuth.
-    fn scatter_long(
+    fn scatter_some(
         &self,
         material: &Material<'_, S>,
         effects: Effects,

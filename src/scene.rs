@@ -232,7 +232,7 @@ impl<'a, B> Scene<'a, B> {
         B: AsRef<[S]>,
     {
         let Normal { x, y, z } = normal;
-        let [irradiance] = shade::block::<S, true, 1>(self.descent(), &[x], &[y], &[z]);
+        let [irradiance] = shade::block::<S, { shade::ANY }, 1>(self.descent(), &[x], &[y], &[z]);
         irradiance
     }
 }
@@ -298,6 +298,7 @@ mod tests {
             &[9, 1],
             &[14, 14, 13, 12],
             &[20, 18, 3],
+            &[33, 18, 3],
         ] {
             let scene = Scene { lengths, buffer: &numbers };
             for count in [0, 1, 63, 64, 127, 128, 300] {

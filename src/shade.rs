@@ -4,7 +4,7 @@ mod nine;
 mod tile;
 
 use crate::error::{Error, What};
-use crate::index::layout::POWERS;
+use crate::index::layout::{HALVES, POWERS};
 use crate::normal::Normals;
 use crate::polynomial;
 use crate::scalar::Scalar;
@@ -24,6 +24,9 @@ const BLOCK: usize = if cfg!(target_feature = "avx512f") {
 } else {
     4
 };
+
+/// Of polynomials of any length.
+pub(crate) const ANY: usize = usize::MAX;
 
 /// Whether there are loops for few terms, and one without long series: where code may be
 /// large.
@@ -49,7 +52,7 @@ impl<B> Scene<'_, B> {
         Error::check(What::Normals, normals.len(), irradiance.len())?;
         let polynomials = self.descent();
         if !SPECIAL {
-            blocks::<S, true>(polynomials, [normals.x, normals.y, normals.z], irradiance);
+            blocks::<S, ANY>(polynomials, [normals.x, normals.y, normals.z], irradiance);
         } else if let ([], [] | [_]) = (polynomials.lengths, polynomials.pole) {
             irradiance.fill(polynomials.pole.first().copied().unwrap_or(S::ZERO));
         } else if let Some(nine) = Nine::new(polynomials) {
@@ -62,11 +65,13 @@ impl<B> Scene<'_, B> {
             for (((x, y), z), out) in x.iter().zip(y).zip(z).zip(out) {
                 tile::tile(polynomials, [x, y, z], &mut room, out);
             }
-            blocks::<S, false>(polynomials, [x_rest, y_rest, z_rest], out_rest);
+            blocks::<S, POWERS>(polynomials, [x_rest, y_rest, z_rest], out_rest);
+        } else if polynomials.any_longer_than(HALVES) {
+            blocks::<S, ANY>(polynomials, [normals.x, normals.y, normals.z], irradiance);
         } else if polynomials.any_longer_than(POWERS) {
-            blocks::<S, true>(polynomials, [normals.x, normals.y, normals.z], irradiance);
+            blocks::<S, HALVES>(polynomials, [normals.x, normals.y, normals.z], irradiance);
         } else {
-            blocks::<S, false>(polynomials, [normals.x, normals.y, normals.z], irradiance);
+            blocks::<S, POWERS>(polynomials, [normals.x, normals.y, normals.z], irradiance);
         }
         Ok(())
     }
@@ -74,14 +79,14 @@ impl<B> Scene<'_, B> {
 
 /// The irradiances of normals of these components, block by block.
 #[inline(never)]
-fn blocks<S: Scalar, const LONG: bool>(
+fn blocks<S: Scalar, const LONGEST: usize>(
     polynomials: Descent<'_, S>,
     axes: [&[S]; 3],
     irradiance: &mut [S],
 ) {
     let [(x, x_rest), (y, y_rest), (z, z_rest)] = axes.map(<[S]>::as_chunks::<BLOCK>);
     let (out, out_rest) = irradiance.as_chunks_mut::<BLOCK>();
-    let block = if SPECIAL { block::<S, LONG, BLOCK> } else { apart::<S, LONG> };
+    let block = if SPECIAL { block::<S, LONGEST, BLOCK> } else { apart::<S, LONGEST> };
     for (((x, y), z), out) in x.iter().zip(y).zip(z).zip(out) {
         *out = block(polynomials, x, y, z);
     }
@@ -96,31 +101,38 @@ fn blocks<S: Scalar, const LONG: bool>(
 
 /// [`block`], once in a program: where code is to be small.
 #[inline(never)]
-fn apart<S: Scalar, const LONG: bool>(
+fn apart<S: Scalar, const LONGEST: usize>(
     polynomials: Descent<'_, S>,
     x: &[S; BLOCK],
     y: &[S; BLOCK],
     z: &[S; BLOCK],
 ) -> [S; BLOCK] {
-    block::<S, LONG, BLOCK>(polynomials, x, y, z)
+    block::<S, LONGEST, BLOCK>(polynomials, x, y, z)
 }
 
 /// The irradiances of a block of normals: Re Σ_m (P_m + i Q_m) w̄^m, w = n_x + i n_y, by
-/// Horner's rule from the highest azimuth down. `LONG` as for [`polynomial::values`].
+/// Horner's rule from the highest azimuth down. `LONGEST` as for [`polynomial::values`].
 #[inline(always)]
-pub(crate) fn block<S: Scalar, const LONG: bool, const N: usize>(
+pub(crate) fn block<S: Scalar, const LONGEST: usize, const N: usize>(
     mut polynomials: Descent<'_, S>,
     x: &[S; N],
     y: &[S; N],
     z: &[S; N],
 ) -> [S; N] {
     let t = if SPECIAL { vectorised(z) } else { z.map(argument) };
+    let mut u = t;
+    if LONGEST == HALVES {
+        for u in &mut u {
+            *u = polynomial::doubled(*u);
+        }
+    }
+    let at = [&t, &u];
     let Some((plus, minus)) = polynomials.next() else {
-        return polynomial::values::<S, LONG, N>(polynomials.pole, &t);
+        return polynomial::values::<S, LONGEST, N>(polynomials.pole, at);
     };
-    let [mut real, mut imaginary] = polynomial::pairs::<S, LONG, N>([plus, minus], &t);
+    let [mut real, mut imaginary] = polynomial::pairs::<S, LONGEST, N>([plus, minus], at);
     for (plus, minus) in polynomials.by_ref() {
-        let [plus, minus] = polynomial::pairs::<S, LONG, N>([plus, minus], &t);
+        let [plus, minus] = polynomial::pairs::<S, LONGEST, N>([plus, minus], at);
         let above = real.iter_mut().zip(&mut imaginary);
         let here = plus.iter().zip(&minus).zip(x.iter().zip(y));
         for ((real, imaginary), ((&plus, &minus), (&x, &y))) in above.zip(here) {
@@ -130,7 +142,7 @@ pub(crate) fn block<S: Scalar, const LONG: bool, const N: usize>(
             );
         }
     }
-    let mut sums = polynomial::values::<S, LONG, N>(polynomials.pole, &t);
+    let mut sums = polynomial::values::<S, LONGEST, N>(polynomials.pole, at);
     let above = real.iter().zip(&imaginary).zip(x.iter().zip(y));
     for (sum, ((&real, &imaginary), (&x, &y))) in sums.iter_mut().zip(above) {
         *sum = sum.add_product(real, x).add_product(imaginary, y);

@@ -1,11 +1,8 @@
 //! Baked maps against the polynomials they were baked from, on the shipped lights and
 //! materials.
 
-#[path = "shipped/mod.rs"]
-mod shipped;
-#[path = "tolerances/mod.rs"]
-mod tolerances;
-
+use crate::shipped;
+use crate::tolerances;
 use eigenshade::{BakedMap, Error, IntegerMap, MapPoint, Q15, quantised, sphere};
 use shipped::{assert_within, errors, normals, scenes};
 

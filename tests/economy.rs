@@ -1,10 +1,8 @@
 //! Scenes within a tolerance: the bound holds and is near the error, and what an image does
 //! not need costs nothing.
 
-mod images;
-#[path = "tolerances/mod.rs"]
-mod tolerances;
-
+use crate::images;
+use crate::tolerances;
 use eigenshade::{Economy, Error, Light, Material, Normal, Normals, Scene, Tolerance, sphere};
 use eigenshade_cli::owned_basis::{AnyBasis, OwnedBasis};
 use eigenshade_generator::basis::build;
@@ -250,7 +248,7 @@ fn a_black_image_costs_nothing() {
     assert_eq!(scene.shade(Normal::new(0.0, 0.6, 0.8).expect("visible")), 0.0);
 }
 
-/// Profiles of more than 16 terms are Chebyshev series; what becomes shorter, powers.
+/// Profiles of more than 16 terms are halves or series; what becomes shorter, powers.
 #[test]
 fn bounds_hold_of_long_series() {
     let lights = read_lights("tables/inputs/lights.csv", None).expect("the shipped lights");

@@ -1,10 +1,8 @@
 //! What a scene within a tolerance costs a pixel, beside the least that any lengths could cost:
 //! found by trying all, azimuth by azimuth.
 
-mod images;
-#[path = "tolerances/mod.rs"]
-mod tolerances;
-
+use crate::images;
+use crate::tolerances;
 use eigenshade::{Normal, Shape, Tolerance, sphere};
 use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
 use images::{Image, coefficients, products, rule, single};

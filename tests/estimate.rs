@@ -1,8 +1,6 @@
 //! d from pixels is d from light and material, where the pixels are a quadrature.
 
-#[path = "stability/mod.rs"]
-mod stability;
-
+use crate::stability;
 use eigenshade::{Error, Normal, sphere};
 use eigenshade_cli::owned_basis::OwnedBasis;
 use eigenshade_generator::special::gauss_legendre;

@@ -4,9 +4,7 @@
 //! The truth is summed mode by mode from the table's rows of UᵀM, and its Chebyshev
 //! series; nothing of it is the runtime's.
 
-#[path = "tolerances/mod.rs"]
-mod tolerances;
-
+use crate::tolerances;
 use eigenshade::{Q15, Q31};
 use eigenshade_cli::integer_shader::{self, IntegerShader};
 use eigenshade_cli::owned_basis::OwnedBasis;

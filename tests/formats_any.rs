@@ -1,9 +1,6 @@
 //! Every format under any input: what the fuzz targets ask, on every toolchain.
 
-mod invariants;
-#[path = "tolerances/mod.rs"]
-mod tolerances;
-
+use crate::invariants;
 use eigenshade::{Q15, Q31};
 use invariants::Reader;
 use proptest::collection::vec;

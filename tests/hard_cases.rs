@@ -1,8 +1,6 @@
 //! The hard cases, each with its bounds: `docs/stability.md` has a line of each.
 
-#[path = "stability/mod.rs"]
-mod stability;
-
+use crate::stability;
 use stability::{CASES, Case};
 
 /// Every figure of a case keeps to its bound.

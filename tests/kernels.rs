@@ -1,9 +1,7 @@
 //! The generated functions of known sizes against the general ones.
 #![cfg(feature = "baked")]
 
-#[path = "tolerances/mod.rs"]
-mod tolerances;
-
+use crate::tolerances;
 use eigenshade::sphere::{self, BASIS};
 use eigenshade::{Light, Material, Normal};
 

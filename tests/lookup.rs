@@ -1,11 +1,8 @@
 //! Look-ups against the polynomials that they sample, on the shipped lights and
 //! materials.
 
-#[path = "shipped/mod.rs"]
-mod shipped;
-#[path = "tolerances/mod.rs"]
-mod tolerances;
-
+use crate::shipped;
+use crate::tolerances;
 use eigenshade::{Error, Normal};
 use shipped::{assert_within, errors, normals, scenes};
 

@@ -1,11 +1,8 @@
 //! What the paper promises, on the shipped databases: the direct sum, the
 //! principal components, and what their eigenvalues say.
 
-#[path = "oracle/mod.rs"]
-mod oracle;
-#[path = "tolerances/mod.rs"]
-mod tolerances;
-
+use crate::oracle;
+use crate::tolerances;
 use eigenshade::Effects;
 use eigenshade::index::{light, material, mode};
 use eigenshade_cli::owned_basis::OwnedBasis;

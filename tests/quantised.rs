@@ -1,8 +1,6 @@
 //! The integer path: that its ways agree, and what it refuses.
 
-#[path = "tolerances/mod.rs"]
-mod tolerances;
-
+use crate::tolerances;
 use eigenshade::quantised::{Basis, Light, Material, Normal, Parts, Profile, Transfer};
 use eigenshade::sphere::{q15, q31};
 use eigenshade::{Error, Q15, Q31, What};

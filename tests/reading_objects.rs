@@ -2,9 +2,7 @@
 //! turned freely: against dense formulas over the pixels, by another library, the
 //! direct sum, and the runtime.
 
-#[path = "reading/mod.rs"]
-mod reading;
-
+use crate::reading;
 use eigenshade::index::light;
 use eigenshade_generator::database::Named;
 use eigenshade_generator::reading::coefficients::{LeastSquares, scalar_product};

@@ -1,9 +1,7 @@
 //! Light, material and modes of an image of a sphere: against dense formulas over the
 //! pixels, by another library, and against the images of modes.
 
-#[path = "reading/mod.rs"]
-mod reading;
-
+use crate::reading;
 use eigenshade::index::light;
 use eigenshade_generator::database::Named;
 use eigenshade_generator::moments::LightMoments;

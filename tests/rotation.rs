@@ -1,11 +1,8 @@
 //! Light turned on the device: against the harmonics at turned directions, against the
 //! generator's Wigner functions, and back again.
 
-#[path = "oracle/mod.rs"]
-mod oracle;
-#[path = "tolerances/mod.rs"]
-mod tolerances;
-
+use crate::oracle;
+use crate::tolerances;
 use eigenshade::mathematics::{Libm, SinglePrecision};
 use eigenshade::{Error, Light, Rotation, Scalar};
 use oracle::{ExplicitLight, Numbers};

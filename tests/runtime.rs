@@ -1,8 +1,6 @@
 //! The runtime on its shipped table: costs, errors, and that every way agrees.
 
-#[path = "tolerances/mod.rs"]
-mod tolerances;
-
+use crate::tolerances;
 use eigenshade::sphere;
 use eigenshade_table::rust_source;
 

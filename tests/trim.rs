@@ -1,9 +1,7 @@
 //! Trimmed polynomials against the direct sum (15), over every light on every material of
 //! the database.
 
-#[path = "tolerances/mod.rs"]
-mod tolerances;
-
+use crate::tolerances;
 use eigenshade_cli::owned_basis::OwnedBasis;
 use eigenshade_cli::shader::{OwnedNormals, Shader};
 use eigenshade_cli::shipped;

@@ -1,8 +1,6 @@
 //! Windows on a light and clamping of what is below zero.
 
-#[path = "tolerances/mod.rs"]
-mod tolerances;
-
+use crate::tolerances;
 use eigenshade::mathematics::{Libm, SinglePrecision, Tabled};
 use eigenshade::{Error, Light, Negatives, Window};
 

@@ -1,15 +1,13 @@
 //! Wire files: what is written is read, and any bytes give a basis or an error.
 
-#[path = "wire_files/mod.rs"]
-mod files;
-#[path = "tolerances/mod.rs"]
-mod tolerances;
-
+use crate::wire_files as files;
 use eigenshade::wire::{Header, WireError, WireFormat, aligned};
 use eigenshade::{Basis, GeneralBasis, Q15, Q31, quantised, sphere};
 use eigenshade_table::quantise;
 use eigenshade_table::wire::{Endian, Format, encode};
-use files::{ALL, GENERAL, INTEGERS_15, SPHERE, facing_15, facing_31, floats, integers, room};
+use files::{
+    ALL, GENERAL, INTEGERS_15, LONG, SPHERE, facing_15, facing_31, floats, integers, room,
+};
 use proptest::prelude::*;
 
 const Q15_FORMAT: Format = Format::Integer(quantise::Format::Q15);
@@ -151,8 +149,10 @@ fn errors_say_which_they_are() {
         (of(b"EIGSHADE, another file altogether"), WireError::Foreign),
         (of(b"EIGSWIRE"), WireError::Length { expected: 32, found: 8 }),
         (of(&SPHERE.0[..100]), WireError::Length { expected: length, found: 100 }),
-        (with(&SPHERE.0, 12, 3), WireError::Version(3)),
+        (with(&SPHERE.0, 12, 4), WireError::Version(4)),
         (with(&SPHERE.0, 12, 2), WireError::Effects { bits: 0 }),
+        // There polynomials of as many terms were Chebyshev series.
+        (with(&LONG.0, 12, 2), WireError::Series { version: 2 }),
         (with(&SPHERE.0, 14, 7), WireError::Format { expected: WireFormat::F32, found: 7 }),
         (of(&INTEGERS_15.0), WireError::Format { expected: WireFormat::F32, found: 2 }),
         (of(&GENERAL.0), WireError::Images { found: 4 }),

@@ -1,14 +1,11 @@
-//! Wire files of versions 1 and 2 are read, wherever they lie.
+//! Wire files of versions 1 to 3 are read, wherever they lie.
 
-#[path = "wire_files/mod.rs"]
-mod files;
-#[path = "tolerances/mod.rs"]
-mod tolerances;
-
+use crate::tolerances;
+use crate::wire_files as files;
 use eigenshade::wire::{WireError, aligned};
 use eigenshade::{Basis, GeneralBasis, Q15, Q31, quantised};
 use files::{
-    EFFECTS, GENERAL, INTEGERS_15, INTEGERS_31, MEAN, SPHERE, TURNED, TURNED_15, assert_same,
+    EFFECTS, GENERAL, INTEGERS_15, INTEGERS_31, LONG, MEAN, SPHERE, TURNED, TURNED_15, assert_same,
     facing_15, facing_31, floats, general, integers, room,
 };
 
@@ -38,6 +35,16 @@ fn version_2_is_read() {
     let basis = quantised::Basis::<Q15>::from_bytes(&TURNED_15.0).expect("a wire file");
     assert!(!basis.effects().is_all());
     assert_same("turned", &integers(&basis, facing_15()), tolerances::WIRE_Q15);
+}
+
+/// Nor does this one, whose polynomials have two halves: its last number is an irradiance.
+#[test]
+fn version_3_is_read() {
+    let basis = Basis::<f32>::from_bytes(&LONG.0).expect("a wire file");
+    assert!(basis.parts().lengths.iter().any(|&length| length > 16));
+    let (mut found, irradiance) = floats(&basis);
+    found.push(irradiance);
+    assert_same("long", &found, tolerances::WIRE_F32);
 }
 
 /// At every place but multiples of four, and put right.

@@ -122,6 +122,7 @@ fn tables() -> Vec<(String, Vec<u8>)> {
         "v1.sphere.q31",
         "v2.effects.f32",
         "v2.turned.q15",
+        "v3.long.f32",
     ]
     .map(seed)
     .to_vec()

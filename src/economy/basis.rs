@@ -1,5 +1,6 @@
 //! A polynomial in one basis rewritten in another, both with a recurrence of three terms.
 
+use crate::index::layout::Form;
 use crate::scalar::Scalar;
 
 /// Most terms of what is rewritten.
@@ -11,25 +12,10 @@ pub(super) trait Recurrence<S> {
     fn term(&self, k: usize) -> [S; 3];
 }
 
-/// 1, t, t², ...
-pub(super) struct Powers;
-
-impl<S: Scalar> Recurrence<S> for Powers {
-    fn term(&self, _: usize) -> [S; 3] {
-        [S::ONE, S::ZERO, S::ZERO]
-    }
-}
-
-/// Chebyshev's polynomials.
-pub(super) struct Chebyshev;
-
-impl<S: Scalar> Recurrence<S> for Chebyshev {
+impl<S: Scalar> Recurrence<S> for Form {
     fn term(&self, k: usize) -> [S; 3] {
-        let half = S::from_f64(0.5);
-        match k {
-            0 => [S::ONE, S::ZERO, S::ZERO],
-            _ => [half, S::ZERO, half],
-        }
+        let [above, below] = self.recurrence(k).map(S::from_f64);
+        [above, S::ZERO, below]
     }
 }
 
@@ -79,12 +65,19 @@ mod tests {
     use super::*;
 
     #[test]
-    fn powers_become_a_series_and_powers_again() {
-        // t³ = (3 T_1 + T_3) / 4.
-        let mut terms = [1.0f64, 0.0, 0.0, 0.0];
-        rewrite(&mut terms, &Powers, &Chebyshev);
-        assert_eq!(terms, [0.25, 0.0, 0.75, 0.0]);
-        rewrite(&mut terms, &Chebyshev, &Powers);
-        assert_eq!(terms, [1.0, 0.0, 0.0, 0.0]);
+    fn powers_become_other_forms_and_powers_again() {
+        // t³ = (3 T_1 + T_3) / 4 = (t + tu) / 2; t² = (T_0 + T_2) / 2 = (1 + u) / 2.
+        let cubic = [1.0f64, 3.0, 0.0, 0.0];
+        for (form, other) in [
+            (Form::Powers, cubic),
+            (Form::Halves, [0.5, 1.5, 0.5, 1.5]),
+            (Form::Series, [0.25, 1.5, 0.75, 1.5]),
+        ] {
+            let mut terms = cubic;
+            rewrite(&mut terms, &Form::Powers, &form);
+            assert_eq!(terms, other);
+            rewrite(&mut terms, &form, &Form::Powers);
+            assert_eq!(terms, cubic);
+        }
     }
 }

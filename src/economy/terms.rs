@@ -14,9 +14,9 @@
 //! pays, whichever that is.
 
 use super::Economy;
-use super::basis::{Chebyshev, MOST, Powers, rewrite};
+use super::basis::{MOST, rewrite};
 use super::density::{Density, longest};
-use crate::index::layout::POWERS;
+use crate::index::layout::Form;
 use crate::scalar::Scalar;
 
 /// Polynomials of an azimuth.
@@ -35,11 +35,7 @@ pub(super) fn to_orthonormal<S: Scalar>(lengths: &[u16], mut numbers: &mut [S], 
         numbers = rest;
         if length <= longest(azimuth) {
             for terms in both.chunks_exact_mut(length.max(1)) {
-                if length > POWERS {
-                    rewrite(terms, &Chebyshev, &density);
-                } else {
-                    rewrite(terms, &Powers, &density);
-                }
+                rewrite(terms, &Form::of(length), &density);
                 for (term, size) in terms.iter_mut().rev().zip(density.sizes()) {
                     *term = *term * (size * scale);
                 }
@@ -261,7 +257,7 @@ impl<S: Scalar> Accounts<'_, S> {
     }
 }
 
-/// Moves what is left of the polynomials to the beginning, as powers or series of these
+/// Moves what is left of the polynomials to the beginning, in the form of these
 /// lengths, times `unit`; gives how many terms they are.
 pub(super) fn from_orthonormal<S: Scalar>(
     originals: &[u16],
@@ -287,11 +283,7 @@ pub(super) fn from_orthonormal<S: Scalar>(
                 for (term, size) in terms.iter_mut().rev().zip(density.sizes()) {
                     *term = *term * (size.reciprocal() * unit);
                 }
-                if length > POWERS {
-                    rewrite(terms, &density, &Chebyshev);
-                } else {
-                    rewrite(terms, &density, &Powers);
-                }
+                rewrite(terms, &density, &Form::of(length));
             }
             (start, end) = (start + original, end + length);
         }

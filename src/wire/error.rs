@@ -2,7 +2,8 @@
 
 use super::header::WireFormat;
 use crate::error::Error;
-use crate::index::wire::{ALIGNMENT, MOST, VERSION, VERSION_OF_EFFECTS};
+use crate::index::layout::{HALVES, POWERS};
+use crate::index::wire::{ALIGNMENT, MOST, VERSION, VERSION_OF_HALVES};
 use core::fmt;
 
 /// The first fault of some bytes.
@@ -16,6 +17,11 @@ pub enum WireError {
     Endianness,
     /// Another version, with its number.
     Version(u16),
+    /// Polynomials in a form that is no longer read.
+    Series {
+        /// The version that had it.
+        version: u16,
+    },
     /// Numbers of another format.
     Format {
         /// What was to be read.
@@ -96,8 +102,13 @@ impl fmt::Display for WireError {
             ),
             Self::Version(found) => write!(
                 f,
-                "wire version {VERSION} or {VERSION_OF_EFFECTS} expected, {found} found; pack the table with the version \
-                 of eigenshade that reads it"
+                "wire version {VERSION} to {VERSION_OF_HALVES} expected, {found} found; pack the \
+                 table with the version of eigenshade that reads it"
+            ),
+            Self::Series { version } => write!(
+                f,
+                "wire file: version {VERSION_OF_HALVES} expected of polynomials with more than \
+                 {POWERS} and at most {HALVES} terms, {version} found; pack the table again"
             ),
             Self::Format { expected, found } => {
                 let name = WireFormat::of(*found).map_or("an unknown one", WireFormat::name);

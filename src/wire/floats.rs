@@ -5,7 +5,8 @@ use super::file::File;
 use super::header::WireFormat;
 use crate::basis::Basis;
 use crate::general::{GeneralBasis, GeneralParts};
-use crate::index::wire::VERSION;
+use crate::index::layout::Form;
+use crate::index::wire::{VERSION, VERSION_OF_HALVES};
 use crate::parts::Parts;
 
 impl<'a> Basis<'a, f32> {
@@ -72,5 +73,9 @@ fn read(bytes: &[u8]) -> Result<(Basis<'_, f32>, GeneralParts<'_, f32>), WireErr
     };
     let ambient = if header.version == VERSION { &[] } else { file.section()? };
     file.end()?;
+    let halves = |&length: &u16| Form::of(usize::from(length)) == Form::Halves;
+    if header.version < VERSION_OF_HALVES && parts.lengths.iter().any(halves) {
+        return Err(WireError::Series { version: header.version });
+    }
     Ok((Basis::new(Parts { ambient, ..parts })?, general))
 }

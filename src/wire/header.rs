@@ -3,7 +3,7 @@
 use super::WireError;
 use crate::index::effect::Effects;
 use crate::index::wire::{HEADER, LABEL, MARK, MOST, format, place};
-use crate::index::wire::{VERSION, VERSION_OF_EFFECTS};
+use crate::index::wire::{VERSION, VERSION_OF_EFFECTS, VERSION_OF_HALVES};
 
 /// The number format of a wire file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -90,7 +90,9 @@ impl Header {
         let bits = short(header, place::EFFECTS);
         let effects = match version {
             VERSION => Some(Effects::ALL),
-            VERSION_OF_EFFECTS => Effects::from_bits(bits).filter(|&one| one != Effects::NONE),
+            VERSION_OF_EFFECTS | VERSION_OF_HALVES => {
+                Effects::from_bits(bits).filter(|&one| one != Effects::NONE)
+            }
             _ => return Err(WireError::Version(version)),
         };
         let Some(effects) = effects else { return Err(WireError::Effects { bits }) };

@@ -1,7 +1,7 @@
 //! The ablation: ten scenes of `firmware/scenes`, each of which adds an effect or a demand to
 //! the one before, what each costs, and what each effect is worth.
 //!
-//! `tests/ablation.rs` asserts what `docs/ablation.md` says; the example `ablation` writes it.
+//! `tests/ablation_page.rs` asserts what `docs/ablation.md` says; the example `ablation` writes it.
 #![allow(dead_code, reason = "the test and the example take different parts")]
 
 pub mod cells;
@@ -18,5 +18,4 @@ pub mod sentences;
 pub mod shares;
 pub mod speed;
 
-#[path = "../tolerances/mod.rs"]
-pub mod tolerances;
+pub(crate) use crate::tolerances;

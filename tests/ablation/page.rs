@@ -18,7 +18,7 @@ const HEAD: &str = "\
 # Only what a scene calls for
 
 Ten scenes of `firmware/scenes`, each of which asks for more than the one before: what each costs, and what its effects are worth. A scene has the modes, components, azimuths and terms
-that its file calls for; its neighbours tell what one effect more costs. `tests/ablation.rs` makes the tables again, computes the errors and asserts the sentences; counts are those of `firmware/counts.csv`.
+that its file calls for; its neighbours tell what one effect more costs. `tests/ablation_page.rs` makes the tables again, computes the errors and asserts the sentences; counts are those of `firmware/counts.csv`.
 
 ## What it costs
 

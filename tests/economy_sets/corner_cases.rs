@@ -1,6 +1,6 @@
 //! Sets that are black, empty, dim, bright, of wrong sizes, or not numbers.
 
-use crate::{Chosen, on, shipped};
+use super::{Chosen, on, shipped};
 use eigenshade::{Economy, Error, Shape, Tolerance, What, sphere};
 
 #[test]

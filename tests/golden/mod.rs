@@ -4,5 +4,4 @@
 pub mod answers;
 pub mod record;
 
-#[path = "../tolerances/mod.rs"]
-pub mod tolerances;
+pub(crate) use crate::tolerances;

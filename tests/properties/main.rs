@@ -13,8 +13,12 @@ mod shapes;
 mod sphere;
 mod symmetries;
 
+#[path = "../oracle/mod.rs"]
+mod oracle;
 #[path = "../stability/mod.rs"]
 mod stability;
+#[path = "../tolerances/mod.rs"]
+mod tolerances;
 
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;

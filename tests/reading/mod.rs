@@ -2,15 +2,11 @@
 //! lists of numbers are apart.
 #![allow(dead_code, reason = "each test takes the parts that it needs")]
 
-#[path = "../tolerances/mod.rs"]
-pub mod tolerances;
-
-#[path = "../oracle/mod.rs"]
-pub mod oracle;
-
 pub mod sphere;
 
 pub mod object;
+
+pub(crate) use crate::{oracle, tolerances};
 
 use eigenshade::index::{light, material};
 use eigenshade_generator::irradiance;

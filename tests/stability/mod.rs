@@ -24,10 +24,7 @@ pub mod subnormal;
 pub mod summation;
 pub mod sun;
 
-#[path = "../oracle/mod.rs"]
-pub mod oracle;
-#[path = "../tolerances/mod.rs"]
-pub mod tolerances;
+pub(crate) use crate::{oracle, tolerances};
 
 /// One measured number and what it has to keep to.
 #[derive(Clone, Debug)]

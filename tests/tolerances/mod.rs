@@ -67,6 +67,11 @@ pub const ALL_COMPONENTS: f64 = 1e-6;
 pub const ALL_COMPONENTS_F32: f64 = 2e-6;
 /// The same at degree 16 and order 12: the powers of 2z - 1 cancel, in the weakest profiles 1e5 to 1.
 pub const ALL_COMPONENTS_F32_HIGH: f64 = 2e-5;
+/// An eigenimage whose polynomial has an even and an odd half of ten terms, of its largest value:
+/// its powers of u cancel, up to (1 + √2)^10 = 6,700 to one, and are rounded to 2^-24.
+pub const HALVES_F32: f64 = 4e-4;
+/// The same, rounded to 2^-53, after what the table's series was rounded to.
+pub const HALVES_F64: f64 = 2e-12;
 /// d = UᵀMc in f64 by the runtime's short sums against dense rows, of the largest d: sums of some
 /// thousand roundings.
 pub const DENSE_PROJECTION: f64 = 1e-12;

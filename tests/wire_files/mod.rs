@@ -1,4 +1,4 @@
-//! Wire files of versions 1 and 2, and what they gave when they were made.
+//! Wire files of versions 1 to 3, and what they gave when they were made.
 #![allow(dead_code, reason = "each test takes what it needs")]
 
 use eigenshade::wire::Aligned;
@@ -14,7 +14,9 @@ pub const EFFECTS: &Aligned<[u8]> = &Aligned(*include_bytes!("v2.effects.f32.esw
 /// Of version 2: of the effects diffuse and broad.
 pub const TURNED: &Aligned<[u8]> = &Aligned(*include_bytes!("v2.turned.f32.esw"));
 pub const TURNED_15: &Aligned<[u8]> = &Aligned(*include_bytes!("v2.turned.q15.esw"));
-pub const ALL: [&[u8]; 8] = [
+/// Of version 3: of polynomials with more than 16 terms.
+pub const LONG: &Aligned<[u8]> = &Aligned(*include_bytes!("v3.long.f32.esw"));
+pub const ALL: [&[u8]; 9] = [
     &SPHERE.0,
     &MEAN.0,
     &GENERAL.0,
@@ -23,6 +25,7 @@ pub const ALL: [&[u8]; 8] = [
     &EFFECTS.0,
     &TURNED.0,
     &TURNED_15.0,
+    &LONG.0,
 ];
 
 pub fn room(bytes: &[u8]) -> Vec<u32> {
@@ -45,7 +48,7 @@ pub fn material() -> Vec<f32> {
 
 /// Against d as it was when the files were made, of the largest.
 pub fn assert_same(table: &str, found: &[f32], tolerance: f32) {
-    let text = concat!(include_str!("v1.csv"), include_str!("v2.csv"));
+    let text = concat!(include_str!("v1.csv"), include_str!("v2.csv"), include_str!("v3.csv"));
     let expected = column(text, &format!("{table},"));
     assert_eq!(found.len(), expected.len());
     let largest = expected.iter().fold(0.0f32, |most, d| most.max(d.abs()));

@@ -1,12 +1,8 @@
 //! What the commands give agrees with what it should be.
 
-mod support;
-
-#[path = "../../../tests/tolerances/mod.rs"]
-mod tolerances;
-
+use crate::support::{Folder, numbers, repository, rows, scene};
+use crate::tolerances;
 use std::fs;
-use support::{Folder, numbers, repository, rows, scene};
 
 const PAIR: &str = "--lights lights.csv --materials materials.csv --normals normals.csv";
 const HEADER: &str = "light,material,normal,r,g,b";

@@ -1,9 +1,8 @@
 //! Bad input: exit status 1, one line that names the file, and nothing written.
 
-mod support;
-
+use crate::support;
+use crate::support::{Folder, assert_fails, lights, materials, repository, scene};
 use std::fs;
-use support::{Folder, assert_fails, lights, materials, repository, scene};
 
 const PAIR: &str = "--lights lights.csv --materials materials.csv";
 

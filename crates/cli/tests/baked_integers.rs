@@ -1,13 +1,11 @@
 //! Tables of small orders as compiled code in integers: the generated functions give, bit
 //! for bit, what the general ones give.
 
-mod support;
-
+use crate::support::{Folder, compiled, lights, materials};
 use eigenshade_table::quantise::{Format, QuantisedParts};
 use eigenshade_table::{decode, rust_quantised};
 use std::fmt::Write;
 use std::fs;
-use support::{Folder, compiled, lights, materials};
 
 /// Degree and order.
 const SIZES: [(usize, usize); 6] = [(2, 0), (4, 0), (3, 1), (9, 1), (5, 2), (2, 3)];

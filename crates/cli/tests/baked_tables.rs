@@ -1,11 +1,8 @@
 //! Tables of many kinds as compiled code: the generated source of each is compiled and
 //! run, and gives what the table read at run time gives.
 
-mod support;
-
-#[path = "../../../tests/tolerances/mod.rs"]
-mod tolerances;
-
+use crate::support::{Folder, compiled, lights, materials};
+use crate::tolerances;
 use eigenshade_cli::owned_basis::OwnedBasis;
 use eigenshade_cli::shader::{OwnedNormals, Shader};
 use eigenshade_generator::database::{Lights, Materials};
@@ -13,7 +10,6 @@ use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials}
 use eigenshade_table::{Table, decode, rust_source};
 use std::fmt::Write;
 use std::fs;
-use support::{Folder, compiled, lights, materials};
 
 const NORMALS: [[f64; 3]; 4] =
     [[0.0, 0.0, 1.0], [0.6, 0.0, 0.8], [-0.48, 0.6, 0.64], [0.28, -0.96, 0.0]];

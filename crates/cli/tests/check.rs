@@ -1,10 +1,8 @@
 //! `basis --check` knows its own tables, and others from them.
 
-mod support;
-
+use crate::support::{Folder, assert_fails, scene};
 use eigenshade_table::{General, MeanImage, Table, decode, encode};
 use std::fs;
-use support::{Folder, assert_fails, scene};
 
 /// A table, changed.
 fn altered(change: impl FnOnce(&mut Table)) -> Folder {

@@ -1,11 +1,9 @@
 //! Outputs that would replace one another or an input: refused, and every file is as it was.
 
-mod support;
-
+use crate::support::reading::with_image;
+use crate::support::{Folder, assert_fails};
 use std::collections::BTreeMap;
 use std::fs;
-use support::reading::with_image;
-use support::{Folder, assert_fails};
 
 /// The bytes of all files.
 fn contents(folder: &Folder) -> BTreeMap<String, Vec<u8>> {

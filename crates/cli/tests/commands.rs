@@ -1,12 +1,8 @@
 //! Each command once: the shape of what it gives.
 
-mod support;
-
-#[path = "../../../tests/tolerances/mod.rs"]
-mod tolerances;
-
+use crate::support::{DEGREE, Folder, ORDER, materials, numbers, repository, rows};
+use crate::tolerances;
 use std::fs;
-use support::{DEGREE, Folder, ORDER, materials, numbers, repository, rows};
 
 /// A map in the portable float format, 8 x 4, of one grey.
 fn map(value: f32) -> Vec<u8> {

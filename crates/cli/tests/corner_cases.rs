@@ -1,10 +1,7 @@
 //! Tables of every shape that a scene can ask for agree with the direct sum.
 
-mod support;
-
-#[path = "../../../tests/tolerances/mod.rs"]
-mod tolerances;
-
+use crate::support::{Folder, assert_fails, lights, materials, numbers, repository, rows, scene};
+use crate::tolerances;
 use eigenshade_cli::owned_basis::OwnedBasis;
 use eigenshade_cli::shader::Shader;
 use eigenshade_generator::basis::build;
@@ -18,7 +15,6 @@ use eigenshade_table::scene::Criterion;
 use eigenshade_table::{Table, decode};
 use std::f64::consts::{FRAC_PI_2, TAU};
 use std::fs;
-use support::{Folder, assert_fails, lights, materials, numbers, repository, rows, scene};
 
 const PAIR: &str = "--lights lights.csv --materials materials.csv --normals normals.csv";
 

@@ -1,8 +1,9 @@
 //! Direct integration under maps, and the errors that `errors` finds by it, against
 //! quadrature in the normal's own frame: other nodes, other formulas.
 
-mod support;
-
+use crate::support;
+use crate::support::{Folder, assert_fails, repository, rows};
+use crate::tolerances;
 use eigenshade_generator::brdf::projection::project as project_brdf;
 use eigenshade_generator::brdf::{Brdf, Ggx, Lambertian, Measure};
 use eigenshade_generator::direct::Surroundings;
@@ -11,10 +12,6 @@ use eigenshade_generator::inputs::light_projection::project;
 use eigenshade_generator::truth::Truth;
 use std::f64::consts::{PI, TAU};
 use std::fs;
-use support::{Folder, assert_fails, repository, rows};
-
-#[path = "../../../tests/tolerances/mod.rs"]
-mod tolerances;
 
 #[path = "../../../tests/oracle/ggx.rs"]
 mod oracle;

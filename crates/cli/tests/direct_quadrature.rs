@@ -1,18 +1,13 @@
 //! `shade --method modes --format f64` on the shipped table against direct
 //! quadrature of (3), which shares no code with it.
 
-mod support;
-
-#[path = "../../../tests/oracle/mod.rs"]
-mod oracle;
-#[path = "../../../tests/tolerances/mod.rs"]
-mod tolerances;
-
+use crate::oracle;
+use crate::support::Folder;
+use crate::tolerances;
 use eigenshade_index::{light, material};
 use std::collections::HashMap;
 use std::f64::consts::FRAC_PI_2;
 use std::fmt::Write;
-use support::Folder;
 
 /// Random coefficients that fall with their degree.
 fn falling(count: usize, numbers: &mut oracle::Numbers) -> Vec<f64> {

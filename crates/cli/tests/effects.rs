@@ -1,11 +1,9 @@
 //! Effects: their pictures sum to the whole, tables of some of them show just those, and what
 //! is left out is in no table.
 
-mod support;
-
-#[path = "../../../tests/tolerances/mod.rs"]
-mod tolerances;
-
+use crate::support;
+use crate::support::{Folder, assert_fails, materials, numbers, rows, scene};
+use crate::tolerances;
 use eigenshade_cli::owned_basis::OwnedBasis;
 use eigenshade_cli::shader::Shader;
 use eigenshade_index::effect::{Effect, Effects};
@@ -13,7 +11,6 @@ use eigenshade_index::{light, material, mode};
 use eigenshade_table::parts::Parts;
 use eigenshade_table::{Table, decode};
 use std::fs;
-use support::{Folder, assert_fails, materials, numbers, rows, scene};
 
 const PAIR: &str = "--lights lights.csv --materials materials.csv --normals normals.csv";
 const HEADER: &str = "light,material,normal,r,g,b";

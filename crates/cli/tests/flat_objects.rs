@@ -1,14 +1,10 @@
 //! Objects that show too few normals for what is asked of them: each has the
 //! components that its normals can tell apart, and they give its pictures.
 
-mod support;
-
-#[path = "../../../tests/tolerances/mod.rs"]
-mod tolerances;
-
+use crate::support::{Folder, numbers, rows, scene};
+use crate::tolerances;
 use std::f64::consts::{FRAC_PI_2, TAU};
 use std::fmt::Write;
-use support::{Folder, numbers, rows, scene};
 
 const HEADER: &str = "light,material,normal,r,g,b";
 

@@ -1,12 +1,8 @@
 //! The hard cases that a user can meet, through the command line.
 
-mod support;
-
-#[path = "../../../tests/tolerances/mod.rs"]
-mod tolerances;
-
+use crate::support::{Folder, assert_fails, lights, materials, numbers, rows, scene};
+use crate::tolerances;
 use std::f64::consts::PI;
-use support::{Folder, assert_fails, lights, materials, numbers, rows, scene};
 
 const PAIR: &str = "--lights lights.csv --materials materials.csv";
 

@@ -1,17 +1,12 @@
 //! A sun, and databases that leave little to be learned, through the command line. Pictures
 //! with all components are compared with quadrature of (3), which shares no code with them.
 
-mod support;
-
-#[path = "../../../tests/oracle/mod.rs"]
-mod oracle;
-#[path = "../../../tests/tolerances/mod.rs"]
-mod tolerances;
-
+use crate::oracle;
+use crate::support::{Folder, numbers, rows, scene};
+use crate::tolerances;
 use eigenshade_index::{light, material};
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::fmt::Write;
-use support::{Folder, numbers, rows, scene};
 
 const DEGREE: usize = 4;
 const ORDER: usize = 3;

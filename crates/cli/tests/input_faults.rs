@@ -2,12 +2,10 @@
 //! it may be bad: cut short, of another kind, of an absurd size, with a number that is not
 //! finite. One line that names the file, and nothing written.
 
-mod support;
-
+use crate::support::objects::{normal_map, obj, ply, stl, with_geometry};
+use crate::support::{Folder, assert_fails};
 use png::BitDepth;
 use std::time::Instant;
-use support::objects::{normal_map, obj, ply, stl, with_geometry};
-use support::{Folder, assert_fails};
 
 /// What begins another kind of file.
 const FOREIGN: &[u8] = b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR\xff\xfe\xfd and more of it, \0 up to a facet's length and beyond \

@@ -1,11 +1,8 @@
 //! The tables that boards count a pixel and a new light of: each is a setting of
 //! `docs/accuracy-cost`, with its counts, and what the firmware builds is what that setting says.
 
-#[path = "../../../tests/tolerances/mod.rs"]
-mod tolerances;
-
-mod support;
-
+use crate::support::repository;
+use crate::tolerances;
 use eigenshade_cli::accuracy_cost::bases::Bases;
 use eigenshade_cli::accuracy_cost::knobs::settings;
 use eigenshade_cli::accuracy_cost::materials::Scope;
@@ -15,7 +12,6 @@ use eigenshade_table::components::with_components;
 use eigenshade_table::trim::trim;
 use std::collections::{BTreeSet, HashMap};
 use std::fs;
-use support::repository;
 
 type Row = HashMap<String, String>;
 

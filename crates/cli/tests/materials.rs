@@ -1,12 +1,8 @@
 //! `material` on formulas, tables and folders of everything; faults of each.
 
-mod support;
-
+use crate::support::{Folder, assert_fails, numbers, rows};
+use crate::tolerances;
 use std::f64::consts::{FRAC_PI_2, PI};
-use support::{Folder, assert_fails, numbers, rows};
-
-#[path = "../../../tests/tolerances/mod.rs"]
-mod tolerances;
 
 const GREY: &str = "name,o,p,q,value";
 

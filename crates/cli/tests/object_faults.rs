@@ -1,9 +1,7 @@
 //! Objects that are no objects, through the command line.
 
-mod support;
-
-use support::objects::{encode, normal_map, ply, stl, with_geometry};
-use support::{Folder, assert_fails, scene};
+use crate::support::objects::{encode, normal_map, ply, stl, with_geometry};
+use crate::support::{Folder, assert_fails, scene};
 
 #[test]
 fn bad_objects() {

@@ -1,14 +1,10 @@
 //! The inputs that an object may be given by, through the command line.
 
-mod support;
-
-#[path = "../../../tests/tolerances/mod.rs"]
-mod tolerances;
-
-use std::fmt::Write;
-use support::objects::{
+use crate::support::objects::{
     apart, built, eigenvalues, encode, facets, normal_map, obj, ply, stl, table, with_geometry,
 };
+use crate::tolerances;
+use std::fmt::Write;
 
 #[test]
 fn a_mesh_is_the_list_of_its_facets() {

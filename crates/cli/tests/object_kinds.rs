@@ -1,12 +1,11 @@
 //! Kinds of files that normals come in, through the command line, and what is said of
 //! an object's table.
 
-mod support;
-#[path = "../../../tests/tolerances/mod.rs"]
-mod tolerances;
-
-use support::objects::{apart, eigenvalues, ellipsoid, encode, facets, stl, table, with_geometry};
-use support::{Folder, assert_fails};
+use crate::support::objects::{
+    apart, eigenvalues, ellipsoid, encode, facets, stl, table, with_geometry,
+};
+use crate::support::{Folder, assert_fails};
+use crate::tolerances;
 
 /// A picture is of a sphere whatever the table is of, and that is said.
 #[test]

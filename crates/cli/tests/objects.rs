@@ -1,14 +1,10 @@
 //! Objects other than the sphere, through the command line.
 
-mod support;
-
-#[path = "../../../tests/tolerances/mod.rs"]
-mod tolerances;
-
+use crate::support::objects::{apart, built, eigenvalues, facets, shaded, table, with_geometry};
+use crate::support::scene;
+use crate::tolerances;
 use eigenshade_cli::owned_basis::OwnedBasis;
 use std::f64::consts::PI;
-use support::objects::{apart, built, eigenvalues, facets, shaded, table, with_geometry};
-use support::scene;
 
 fn luminance(colours: &[f64]) -> Vec<f64> {
     let of = |[r, g, b]: &[f64; 3]| 0.2126 * r + 0.7152 * g + 0.0722 * b;

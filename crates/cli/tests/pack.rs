@@ -1,9 +1,8 @@
 //! Wire files: written, told, refused.
 
-mod support;
-
+use crate::support;
+use crate::support::{Folder, assert_fails, scene};
 use std::fs;
-use support::{Folder, assert_fails, scene};
 
 #[test]
 fn pack_writes_what_info_tells() {
@@ -16,7 +15,7 @@ fn pack_writes_what_info_tells() {
         assert_eq!(said, format!("bytes        {length}\n"));
         let told = folder.ok("info w.esw");
         for line in [
-            "wire version             1".to_owned(),
+            "wire version             3".to_owned(),
             format!("format                   {format}"),
             format!("degree                   {}", support::DEGREE),
             format!("order                    {}", support::ORDER),

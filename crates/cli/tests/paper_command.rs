@@ -1,7 +1,6 @@
 //! `eigenshade paper`: what it writes, and what it says of a folder that is not so.
 
-mod support;
-
+use crate::support::{Folder, assert_fails, repository};
 use eigenshade_cli::paper::artefact::{Artefact, Content};
 use eigenshade_cli::paper::comparison::compare;
 use eigenshade_cli::paper::make;
@@ -9,7 +8,6 @@ use indicatif::ProgressBar;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
-use support::{Folder, assert_fails, repository};
 
 fn names(folder: &Path) -> BTreeSet<String> {
     let entries = fs::read_dir(folder).expect("a folder");

@@ -1,13 +1,9 @@
 //! The figures' errors against pixels whose light is summed by direct quadrature of (3),
 //! which shares no code with them.
 
-mod support;
-
-#[path = "../../../tests/oracle/mod.rs"]
-mod oracle;
-#[path = "../../../tests/tolerances/mod.rs"]
-mod tolerances;
-
+use crate::oracle;
+use crate::support::{repository, rows};
+use crate::tolerances;
 use eigenshade::Normal;
 use eigenshade_cli::owned_basis::OwnedBasis;
 use eigenshade_cli::paper::bound_spheres::Renderings;
@@ -18,7 +14,6 @@ use eigenshade_generator::selection::variances;
 use eigenshade_index::{light, material, mode};
 use indicatif::ProgressBar;
 use std::f64::consts::PI;
-use support::{repository, rows};
 
 /// Intervals in cos α, and steps in β: images of degree 9 have |m| up to 9.
 const INTERVALS: usize = 36;

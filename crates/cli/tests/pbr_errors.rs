@@ -2,18 +2,14 @@
 //! with the one that found them, in the manifest, in the README, and refused beside
 //! another table.
 
-mod support;
-
+use crate::support::{Folder, assert_fails, repository, rows};
+use crate::tolerances;
 use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_generator::inputs::environment::EnvironmentMap;
 use eigenshade_generator::truth::Truth;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::fs;
 use std::path::PathBuf;
-use support::{Folder, assert_fails, repository, rows};
-
-#[path = "../../../tests/tolerances/mod.rs"]
-mod tolerances;
 
 const HEADER: &str = "material,degree,order,components,median,worst,map,normals,scene,energy";
 

@@ -1,13 +1,10 @@
 //! `eigenshade read`: what is read from images that are known.
 
-mod support;
-
-#[path = "../../../tests/tolerances/mod.rs"]
-mod tolerances;
-
+use crate::support;
+use crate::support::reading::{READ, answer, get, nearest, with_image};
+use crate::support::{assert_fails, numbers, rows};
+use crate::tolerances;
 use std::fmt::Write;
-use support::reading::{READ, answer, get, nearest, with_image};
-use support::{assert_fails, numbers, rows};
 
 #[test]
 fn components_and_material_come_back() {

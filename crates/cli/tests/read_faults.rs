@@ -1,11 +1,10 @@
 //! `eigenshade read`: what is refused.
 
-mod support;
-
+use crate::support;
+use crate::support::reading::{READ, answer, get, nearest, png, with_image};
+use crate::support::{assert_fails, lights, repository};
 use png::{BitDepth, ColorType};
 use std::fs;
-use support::reading::{READ, answer, get, nearest, png, with_image};
-use support::{assert_fails, lights, repository};
 
 /// What would be read without a fault and mean nothing.
 #[test]

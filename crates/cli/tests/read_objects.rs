@@ -1,13 +1,10 @@
 //! `eigenshade read` with tables of objects other than the sphere, and of light that
 //! does not turn freely.
 
-mod support;
-
-#[path = "../../../tests/tolerances/mod.rs"]
-mod tolerances;
-
+use crate::support;
+use crate::support::{Folder, lights, materials, noise, numbers, rows, scene};
+use crate::tolerances;
 use std::fmt::Write;
-use support::{Folder, lights, materials, noise, numbers, rows, scene};
 
 /// Numbers of a quantity and name of an answer, in the order of the index.
 fn get(answer: &str, quantity: &str, name: &str) -> Vec<f64> {

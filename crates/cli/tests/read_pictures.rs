@@ -1,14 +1,10 @@
 //! `eigenshade read`: pictures, by every way of giving them.
 
-mod support;
-
-#[path = "../../../tests/tolerances/mod.rs"]
-mod tolerances;
-
+use crate::support::reading::{answer, get, nearest, png};
+use crate::support::{Folder, repository};
+use crate::tolerances;
 use png::{BitDepth, ColorType};
 use std::fs;
-use support::reading::{answer, get, nearest, png};
-use support::{Folder, repository};
 
 /// Pictures of the shipped velvet.
 #[test]

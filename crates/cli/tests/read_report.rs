@@ -1,8 +1,6 @@
 //! The figures of `docs/reading.md`: what the command gives, and what they promise.
 
-#[path = "../../../tests/tolerances/mod.rs"]
-mod tolerances;
-
+use crate::tolerances;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 

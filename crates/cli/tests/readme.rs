@@ -1,10 +1,7 @@
 //! The README's tables of errors: every figure is computed again.
 
-mod support;
-
-#[path = "../../../tests/tolerances/mod.rs"]
-mod tolerances;
-
+use crate::support::{Folder, rows};
+use crate::tolerances;
 use eigenshade_cli::owned_basis::OwnedBasis;
 use eigenshade_cli::shader::{OwnedNormals, Shader, fitted};
 use eigenshade_cli::sphere_view::SphereView;
@@ -12,7 +9,6 @@ use eigenshade_cli::{shipped, truth_image};
 use eigenshade_generator::basis::build;
 use eigenshade_generator::database::Named;
 use indicatif::ProgressBar;
-use support::{Folder, rows};
 
 const README: &str = include_str!("../../../README.md");
 

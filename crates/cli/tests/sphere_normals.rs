@@ -1,10 +1,8 @@
 //! The normals of a sphere, as rings and as pixels.
 
+use crate::tolerances;
 use eigenshade_cli::sphere_rings::rings;
 use eigenshade_cli::sphere_view::SphereView;
-
-#[path = "../../../tests/tolerances/mod.rs"]
-mod tolerances;
 
 /// ∫ cos α cos(α)/π dω = 2/3 over the disc.
 #[test]

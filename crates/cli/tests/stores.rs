@@ -1,13 +1,9 @@
 //! What a table keeps, by the scene's `store`: the same images from less and less.
 
-mod support;
-
-#[path = "../../../tests/tolerances/mod.rs"]
-mod tolerances;
-
+use crate::support::{Folder, assert_fails, materials, numbers, rows, scene};
+use crate::tolerances;
 use eigenshade_table::{Table, decode, encode};
 use std::fs;
-use support::{Folder, assert_fails, materials, numbers, rows, scene};
 
 const PAIR: &str = "--lights lights.csv --materials materials.csv";
 const RENDER: &str = "render materials.bin --light lights.csv:light-0 --material materials.csv:material-1 --size 8 --out r.png";

@@ -1,10 +1,8 @@
 //! A table does not depend on the run or on the number of threads.
 
-mod support;
-
+use crate::support::{Folder, repository};
 use std::fs;
 use std::process::Command;
-use support::{Folder, repository};
 
 /// What gives the number of threads.
 const VARIABLE: &str = "RAYON_NUM_THREADS";

@@ -1,14 +1,10 @@
 //! The ways to a pixel against the direct sum over modes, and what is done to a light
 //! before and to irradiance after.
 
-mod support;
-
-#[path = "../../../tests/tolerances/mod.rs"]
-mod tolerances;
-
+use crate::support::{DEGREE, Folder, assert_fails, lights, numbers, rows};
+use crate::tolerances;
 use eigenshade_index::light;
 use std::f64::consts::TAU;
-use support::{DEGREE, Folder, assert_fails, lights, numbers, rows};
 
 const PAIR: &str = "--lights lights.csv --materials materials.csv --normals normals.csv";
 const HEADER: &str = "light,material,normal,r,g,b";

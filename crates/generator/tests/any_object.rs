@@ -1,9 +1,7 @@
 //! Bases of any object: against the sphere's own way, and against principal
 //! components of the pictures themselves, pixel by pixel.
 
-#[path = "../../../tests/tolerances/mod.rs"]
-mod tolerances;
-
+use crate::tolerances;
 use eigenshade_generator::database::{Lights, Materials};
 use eigenshade_generator::geometry::{Geometry, WeightedNormals};
 use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};

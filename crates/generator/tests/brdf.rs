@@ -1,13 +1,11 @@
 //! BRDFs as functions, and their projection, against what shares no code with it.
 
+use crate::tolerances;
 use eigenshade_generator::brdf::projection::{Projection, nodes, project, project_with};
 use eigenshade_generator::brdf::{Brdf, Geometry, Ggx, Lambertian, Measure, OrenNayar};
 use eigenshade_generator::scattering;
 use eigenshade_index::material;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
-
-#[path = "../../../tests/tolerances/mod.rs"]
-mod tolerances;
 
 #[path = "../../../tests/oracle/ggx.rs"]
 mod oracle;

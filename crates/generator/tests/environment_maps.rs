@@ -1,16 +1,10 @@
 //! Environment maps of every file type to coefficients: closed forms, the sum
 //! texel by texel, the shipped maps, and every fault of a file.
 
-#[path = "../../../tests/tolerances/mod.rs"]
-mod tolerances;
+use crate::tolerances;
 
-#[path = "environment_maps/files.rs"]
-mod files;
-
-#[path = "environment_maps/faults.rs"]
 mod faults;
-
-#[path = "environment_maps/shipped.rs"]
+mod files;
 mod shipped;
 
 use eigenshade_generator::inputs::environment::EnvironmentMap;

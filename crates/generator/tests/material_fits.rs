@@ -1,5 +1,6 @@
 //! Fits of materials: in range everywhere, and true to what was measured.
 
+use crate::tolerances;
 use eigenshade_generator::inputs::coefficient_csv::read_materials;
 use eigenshade_generator::inputs::fit::{Fit, HIGHEST, LOWEST, fit, write_figures};
 use eigenshade_generator::inputs::fit_constraints::DirectionGrid;
@@ -10,9 +11,6 @@ use faer::linalg::solvers::SolveLstsq;
 use faer::{Col, Mat};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, PI};
 use std::path::PathBuf;
-
-#[path = "../../../tests/tolerances/mod.rs"]
-mod tolerances;
 
 fn path(name: &str) -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(name)

@@ -1,15 +1,13 @@
 //! Files in the format of the MERL database: written here from a formula, read back,
 //! projected.
 
+use crate::tolerances;
 use eigenshade_generator::brdf::projection::{project, project_with};
 use eigenshade_generator::brdf::{BINS, Brdf, Geometry, Ggx, Measure, Merl};
 use eigenshade_generator::inputs::merl::{BYTES, SCALES, read};
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::fs;
 use std::path::PathBuf;
-
-#[path = "../../../tests/tolerances/mod.rs"]
-mod tolerances;
 
 /// Cosines at half-way and difference angles, by rotating the difference vector to the
 /// half-way direction; none below the surface.

@@ -1,11 +1,9 @@
 //! The special functions against 25-digit values from explicit sums and
 //! quadrature in 60-digit arithmetic.
 
+use crate::tolerances;
 use eigenshade_generator::special::{spherical_harmonic, wigner, zernike};
 use eigenshade_generator::{irradiance, polar_integral};
-
-#[path = "../../../tests/tolerances/mod.rs"]
-mod tolerances;
 
 /// Asserts the worst absolute error of both degree ranges; `f` gives the
 /// degree, our value and the reference.

@@ -1,12 +1,10 @@
 //! The real rotation coefficients D against the harmonics themselves: all nine sign
 //! cases, general angles.
 
+use crate::tolerances;
 use eigenshade_generator::rotation::Rotation;
 use eigenshade_generator::special::spherical_harmonic;
 use eigenshade_index::light;
-
-#[path = "../../../tests/tolerances/mod.rs"]
-mod tolerances;
 
 const ROTATIONS: [Rotation; 6] = [
     Rotation { alpha: 0.7, beta: -2.1, gamma: 1.3 },

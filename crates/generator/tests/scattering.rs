@@ -1,12 +1,10 @@
 //! The scattering modes (8) against their defining properties.
 
+use crate::tolerances;
 use eigenshade_generator::scattering::{brdf, modes};
 use eigenshade_generator::special::gauss_legendre;
 use eigenshade_index::material;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
-
-#[path = "../../../tests/tolerances/mod.rs"]
-mod tolerances;
 
 /// ∫∫ I I' dω_i dω_r is 1 or 0. Radial products are polynomials in cos θ, and
 /// azimuths trigonometric polynomials: both rules are exact.

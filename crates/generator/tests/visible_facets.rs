@@ -1,9 +1,7 @@
 //! Meshes: which part of each facet the camera sees, against known areas and against rays
 //! through every facet.
 
-#[path = "../../../tests/tolerances/mod.rs"]
-mod tolerances;
-
+use crate::tolerances;
 use eigenshade_generator::inputs::facet::Facet;
 use eigenshade_generator::inputs::mesh;
 use eigenshade_generator::inputs::visibility::seen_shares;

@@ -1,9 +1,7 @@
 //! Weights of a database: twice the weight is being there twice, none is not being
 //! there.
 
-#[path = "../../../tests/tolerances/mod.rs"]
-mod tolerances;
-
+use crate::tolerances;
 use eigenshade_generator::database::{Lights, Materials, Named};
 use eigenshade_generator::geometry::Geometry;
 use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};

@@ -10,10 +10,52 @@
 //! `first` a multiple of [`LANES`], and at most [`PASS`] profiles of each; for
 //! each l from [`lowest_degree`] on, for each of its profiles, one group.
 
-/// Most terms of a profile's polynomial in powers of t = 2z - 1. A longer one is a
-/// Chebyshev series in t: that takes an addition more a term, but powers of t cancel,
-/// of n terms up to (1 + √2)^n to one.
+/// Most terms of a profile's polynomial in powers of t = 2z - 1: they cancel, of n terms up
+/// to (1 + √2)^n to one.
 pub const POWERS: usize = 16;
+
+/// Most terms in [`Form::Halves`], whose powers cancel as those of half as many terms do.
+pub const HALVES: usize = 2 * POWERS;
+
+/// How a polynomial in t is written, highest term first: its length says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// In 1, t, t², ...: a multiplication and an addition a term.
+    Powers,
+    /// In 1, t, u, tu, u², tu², ... of u = 2t² - 1, the even and the odd half by turns: as
+    /// many, and one more for u.
+    Halves,
+    /// In Chebyshev's polynomials T_0, T_1, ... of t: an addition more a term, but nothing
+    /// cancels.
+    Series,
+}
+
+impl Form {
+    /// That of a polynomial of so many terms.
+    #[inline]
+    #[must_use]
+    pub const fn of(terms: usize) -> Self {
+        if terms <= POWERS {
+            Self::Powers
+        } else if terms <= HALVES {
+            Self::Halves
+        } else {
+            Self::Series
+        }
+    }
+
+    /// above and below of t e_k = above e_k+1 + below e_k-1, of the polynomials e_k of this
+    /// form.
+    #[inline]
+    #[must_use]
+    pub const fn recurrence(self, k: usize) -> [f64; 2] {
+        match (self, k) {
+            (Self::Powers, _) | (Self::Series, 0) => [1.0, 0.0],
+            (Self::Halves, _) if k.is_multiple_of(2) => [1.0, 0.0],
+            (Self::Halves | Self::Series, _) => [0.5, 0.5],
+        }
+    }
+}
 
 /// Most numbers whose rounding sums in integers leave room for, a weight for +m and one for
 /// -m of each profile: the half units that a scene's weights are off are 2^23 in its sums of

@@ -15,6 +15,11 @@ pub const VERSION: u16 = 1;
 /// The version of tables that leave effects out.
 pub const VERSION_OF_EFFECTS: u16 = 2;
 
+/// The version of floats with polynomials in [halves](crate::layout::Form::Halves), whether or
+/// not they leave effects out. In earlier ones polynomials of as many terms were series, which
+/// are no longer read.
+pub const VERSION_OF_HALVES: u16 = 3;
+
 /// A file, and each of its sections, starts at a multiple of so many bytes.
 pub const ALIGNMENT: usize = 4;
 
@@ -65,8 +70,8 @@ pub mod format {
     pub const Q31: u16 = 3;
 }
 
-/// The sections of floats, by their place in the file. In files of version 2 one more follows,
-/// [`AMBIENT`].
+/// The sections of floats, by their place in the file. In files of versions 2 and 3 one more
+/// follows, [`AMBIENT`].
 pub const FLOATS: [&str; 15] = [
     "profiles",
     "passes",

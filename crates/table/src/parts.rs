@@ -5,6 +5,7 @@
 use crate::passes::{self, Pass};
 use crate::table::Table;
 use eigenshade_index::effect::{Effect, Effects};
+use eigenshade_index::layout::Form;
 use eigenshade_index::{layout, material, pair};
 
 /// Stands for "no such component" in [`ProfilePlace`].
@@ -38,8 +39,8 @@ pub struct Parts {
     /// UᵀM of the coefficients that stand apart: a row for each profile of m = 0.
     pub ambient: Vec<f64>,
     /// For each profile its polynomial in t = 2z - 1, highest term first, times
-    /// √2 where m is not 0: powers, or a Chebyshev series if longer than
-    /// `layout::POWERS`.
+    /// √2 where m is not 0: in the form that their length asks
+    /// for, [`Form::of`].
     pub terms: Vec<f64>,
     /// How a transfer is laid out.
     pub passes: Vec<Pass>,
@@ -106,7 +107,7 @@ impl Parts {
             let azimuth = profile.azimuth;
             let scale = if azimuth == 0 { 1.0 } else { std::f64::consts::SQRT_2 };
             let length = usize::from(lengths[azimuth]);
-            terms.extend(stable(&profile.chebyshev, length).iter().map(|term| scale * term));
+            terms.extend(polynomial(&profile.chebyshev, length).iter().map(|term| scale * term));
         }
         let mean = table.mean.as_ref();
         let mut profiles = places(table);
@@ -128,7 +129,7 @@ impl Parts {
             factors,
             terms,
             mean: mean
-                .map(|mean| stable(&mean.chebyshev, usize::from(lengths[0])))
+                .map(|mean| polynomial(&mean.chebyshev, usize::from(lengths[0])))
                 .unwrap_or_default(),
             mean_coefficients: mean.map(|mean| mean.coefficients.clone()).unwrap_or_default(),
             selection: table.selection.clone(),
@@ -244,50 +245,58 @@ fn places(table: &Table) -> Vec<ProfilePlace> {
     places
 }
 
-/// A Chebyshev series, highest term first, `length` of them, in the form that its
-/// length asks for: see [`layout::POWERS`].
-fn stable(chebyshev: &[f64], length: usize) -> Vec<f64> {
-    if length <= layout::POWERS {
-        return powers(chebyshev, length);
-    }
-    let mut series = chebyshev.to_vec();
-    series.resize(length, 0.0);
-    series.reverse();
-    series
-}
-
-/// A Chebyshev series as powers of its argument, highest first, `length` of them
-/// (`length` >= the series').
-pub(crate) fn powers(chebyshev: &[f64], length: usize) -> Vec<f64> {
-    let mut powers = vec![0.0; length];
-    // T_0 = 1, T_1 = t, T_k+1 = 2 t T_k - T_k-1; lowest power first.
+/// A Chebyshev series as a polynomial of `length` terms, highest first, in the form that this
+/// length asks for (`length` >= the series').
+pub(crate) fn polynomial(chebyshev: &[f64], length: usize) -> Vec<f64> {
+    let form = Form::of(length);
+    let mut terms = vec![0.0; length];
+    // T_0 = 1, T_1 = t, T_k+1 = 2 t T_k - T_k-1; lowest term first.
     let mut before = vec![0.0; length];
     let mut current = vec![0.0; length];
     current.first_mut().into_iter().for_each(|one| *one = 1.0);
     let mut factor = 1.0;
     for coefficient in chebyshev {
-        for (power, term) in powers.iter_mut().zip(&current) {
-            *power += coefficient * term;
+        for (sum, term) in terms.iter_mut().zip(&current) {
+            *sum += coefficient * term;
         }
-        let shifted = std::iter::once(0.0).chain(current.iter().copied());
-        let next: Vec<f64> =
-            shifted.zip(&before).map(|(shifted, before)| factor * shifted - before).collect();
+        let mut next: Vec<f64> = before.iter().map(|before| -before).collect();
+        for (k, term) in current.iter().enumerate() {
+            let [above, below] = form.recurrence(k).map(|share| factor * share * term);
+            if let Some(next) = next.get_mut(k + 1) {
+                *next += above;
+            }
+            if let Some(next) = k.checked_sub(1).and_then(|k| next.get_mut(k)) {
+                *next += below;
+            }
+        }
         before = std::mem::replace(&mut current, next);
         factor = 2.0;
     }
-    powers.reverse();
-    powers
+    terms.reverse();
+    terms
 }
 
 #[cfg(test)]
 mod tests {
-    use super::powers;
+    use super::polynomial;
 
     #[test]
-    fn chebyshev_series_become_powers() {
+    fn short_chebyshev_series_become_powers() {
         // T_0 + 2 T_1 + 3 T_2 + 4 T_3 = 1 + 2t + 3(2t² - 1) + 4(4t³ - 3t).
-        assert_eq!(powers(&[1.0, 2.0, 3.0, 4.0], 5), [0.0, 16.0, 6.0, -10.0, -2.0]);
-        assert_eq!(powers(&[7.0], 1), [7.0]);
-        assert_eq!(powers(&[], 2), [0.0, 0.0]);
+        assert_eq!(polynomial(&[1.0, 2.0, 3.0, 4.0], 5), [0.0, 16.0, 6.0, -10.0, -2.0]);
+        assert_eq!(polynomial(&[7.0], 1), [7.0]);
+        assert_eq!(polynomial(&[], 2), [0.0, 0.0]);
+    }
+
+    #[test]
+    fn longer_ones_become_halves_and_stay_series() {
+        // T_0 + 2 T_1 + 3 T_2 + 4 T_3 + 5 T_4 = 1 + 2t + 3u + 4(2tu - t) + 5(2u² - 1).
+        let series = [1.0, 2.0, 3.0, 4.0, 5.0];
+        let mut halves = [0.0; 17];
+        halves[12..].copy_from_slice(&[10.0, 8.0, 3.0, -2.0, -4.0]);
+        assert_eq!(polynomial(&series, 17), halves);
+        let mut same = [0.0; 33];
+        same[28..].copy_from_slice(&[5.0, 4.0, 3.0, 2.0, 1.0]);
+        assert_eq!(polynomial(&series, 33), same);
     }
 }

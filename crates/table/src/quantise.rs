@@ -4,7 +4,7 @@
 //! sum over it, of products with mantissas, can leave an accumulator of twice as many
 //! bits and one: Σ |mantissa| < 2^(bits + 1).
 
-use crate::parts::{NONE, powers};
+use crate::parts::{NONE, polynomial};
 use crate::table::{Profile, Table};
 use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_index::{layout, material, pair};
@@ -217,7 +217,8 @@ impl QuantisedParts {
             let scale = if azimuth == 0 { 1.0 } else { std::f64::consts::SQRT_2 };
             let length = usize::from(lengths[azimuth]);
             let kept = &profile.chebyshev[..length.min(profile.chebyshev.len())];
-            let powers: Vec<f64> = powers(kept, length).iter().map(|term| scale * term).collect();
+            let powers: Vec<f64> =
+                polynomial(kept, length).iter().map(|term| scale * term).collect();
             let (mantissas, exponent) = row(&powers, bits, i64::MAX);
             let sizes = sizes(&mantissas, exponent, azimuth);
             let [size, step] = sizes.ok_or(QuantiseError::Large { azimuth })?;

@@ -6,9 +6,10 @@ use crate::parts::{Parts, ProfilePlace};
 use crate::quantise::{self, QuantiseError, QuantisedParts};
 use crate::table::Table;
 use eigenshade_index::effect::Effects;
+use eigenshade_index::layout::Form;
 use eigenshade_index::wire::{
     ALIGNMENT, CHECKSUM, ENTRY, FLOATS, HEADER, INTEGERS, LABEL, MARK, MOST, VERSION,
-    VERSION_OF_EFFECTS, format,
+    VERSION_OF_EFFECTS, VERSION_OF_HALVES, format,
 };
 use std::fmt;
 
@@ -120,12 +121,18 @@ fn floats(table: &Table, endian: Endian) -> Result<Vec<u8>, WireError> {
         section().floats(of(|general| &general.mean_coefficients)),
     ];
     debug_assert_eq!(sections.len(), FLOATS.len());
-    if !parts.effects.is_all() {
+    let halves = |&length: &u16| Form::of(usize::from(length)) == Form::Halves;
+    let version = match parts.effects.is_all() {
+        _ if parts.lengths.iter().any(halves) => VERSION_OF_HALVES,
+        true => VERSION,
+        false => VERSION_OF_EFFECTS,
+    };
+    if version != VERSION {
         sections.push(section().floats(&parts.ambient));
     }
     let images = general.map_or(0, |general| general.eigenvalues.len());
     let shape = [parts.degree, parts.order, parts.components, images];
-    file(endian, format::F32, shape, parts.effects, &sections)
+    file(endian, version, format::F32, shape, parts.effects, &sections)
 }
 
 fn integers(parts: &QuantisedParts, endian: Endian) -> Result<Vec<u8>, WireError> {
@@ -157,12 +164,14 @@ fn integers(parts: &QuantisedParts, endian: Endian) -> Result<Vec<u8>, WireError
         mantissas(&parts.terms),
     ];
     let shape = [parts.degree, parts.order, parts.components, 0];
-    file(endian, number, shape, parts.effects, &sections)
+    let version = if parts.effects.is_all() { VERSION } else { VERSION_OF_EFFECTS };
+    file(endian, version, number, shape, parts.effects, &sections)
 }
 
 /// Header, entries, sections, checksum.
 fn file(
     endian: Endian,
+    version: u16,
     format: u16,
     shape: [usize; 4],
     effects: Effects,
@@ -170,10 +179,7 @@ fn file(
 ) -> Result<Vec<u8>, WireError> {
     let long = |number: usize| u32::try_from(number).map_err(|_| WireError::Long);
     let short = |number: usize| u16::try_from(number).expect("small shapes");
-    let (version, bits) = match effects.is_all() {
-        true => (VERSION, 0),
-        false => (VERSION_OF_EFFECTS, effects.bits()),
-    };
+    let bits = if version == VERSION { 0 } else { effects.bits() };
     let start = HEADER + ENTRY * sections.len();
     let padded: usize = sections.iter().map(Bytes::padded).sum();
     let mut file = Bytes { endian, bytes: LABEL.to_vec() }

@@ -1,8 +1,9 @@
 //! What the page shows: its tables against the file, its charts, its links, and its rows in the
 //! README.
 
+use super::{MACHINES, docs, number, read, sheet};
 use crate::support::repository;
-use crate::{MACHINES, docs, number, read, sheet, tolerances};
+use crate::tolerances;
 use std::collections::HashMap;
 use std::fs;
 

@@ -1,7 +1,8 @@
 //! Sums over rotations and partial sums: what is left, bounded and rendered.
 
+use super::{errors, study};
 use crate::support::{numbers, repository, rows};
-use crate::{errors, study, tolerances};
+use crate::tolerances;
 use eigenshade_cli::paper::bound::Bounds;
 use eigenshade_cli::paper::eigenimages::Eigenimages;
 use eigenshade_cli::paper::rotated::Rotated;

@@ -1,6 +1,7 @@
 //! The paper's statements on modes, components and materials.
 
-use crate::{errors, of, study, tolerances};
+use super::{errors, of, study};
+use crate::tolerances;
 use eigenshade_cli::paper::error::needed;
 use eigenshade_cli::paper::reconstruction::Reconstructions;
 use eigenshade_cli::paper::report::ALIKE_FROM;

@@ -1,6 +1,6 @@
 //! Verdicts and sentences follow from the figures.
 
-use crate::study;
+use super::study;
 use eigenshade_cli::paper::bound::Bounds;
 use eigenshade_cli::paper::bound_spheres::Renderings;
 use eigenshade_cli::paper::eigenimages::Eigenimages;

@@ -1,6 +1,6 @@
 //! Every fault of a map's file: one line, with a remedy, and no panic.
 
-use crate::files::{Type, exr_channels, map_of, write};
+use super::files::{Type, exr_channels, map_of, write};
 use eigenshade_generator::inputs::environment::EnvironmentMap;
 use eigenshade_generator::inputs::light_projection::{lights_from_paths, named_maps};
 use exr::prelude::FlatSamples;

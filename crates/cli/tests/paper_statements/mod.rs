@@ -1,11 +1,6 @@
 //! What the page of the paper's figures says, in words and with "holds", on the shipped
 //! data.
 
-#[path = "../support/mod.rs"]
-mod support;
-#[path = "../../../../tests/tolerances/mod.rs"]
-mod tolerances;
-
 mod averages;
 mod statements;
 mod words;

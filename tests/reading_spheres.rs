@@ -1,9 +1,7 @@
 //! Components of an image of a sphere: each estimate against dense formulas over the
 //! pixels, by another library, and against the runtime.
 
-#[path = "reading/mod.rs"]
-mod reading;
-
+use crate::reading;
 use eigenshade::index::{light, material};
 use eigenshade::{Light, Material};
 use eigenshade_cli::owned_basis::OwnedBasis;

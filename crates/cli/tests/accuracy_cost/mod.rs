@@ -1,15 +1,12 @@
 //! `eigenshade accuracy-cost`: its errors, its fronts, its page, and what it says of a folder
 //! that is not so.
 
-#[path = "../../../../tests/oracle/mod.rs"]
-mod oracle;
-#[path = "../support/mod.rs"]
-mod support;
-#[path = "../../../../tests/tolerances/mod.rs"]
-mod tolerances;
+use crate::oracle;
+use crate::tolerances;
 
 mod page;
 
+use crate::support::{Folder, assert_fails, repository};
 use eigenshade_cli::accuracy_cost::bases::Bases;
 use eigenshade_cli::accuracy_cost::check::{self, compare};
 use eigenshade_cli::accuracy_cost::front::front;
@@ -23,7 +20,6 @@ use eigenshade_index::material;
 use std::collections::HashMap;
 use std::fs;
 use std::path::{Path, PathBuf};
-use support::{Folder, assert_fails, repository};
 
 /// Titles of the machines and their columns.
 const MACHINES: [(&str, &str); 6] = [

@@ -1,9 +1,7 @@
 //! The golden file on the host: bit for bit in integers, by every way that the runtime
 //! has; floats to the tolerance that the file states.
 
-#[path = "golden/mod.rs"]
-mod golden;
-
+use crate::golden;
 use eigenshade::quantised::{Light, Material, Normal};
 use eigenshade::{Normals, Q15, Q31, sphere};
 use golden::answers::{Answer, Shipped, answer, checksum};

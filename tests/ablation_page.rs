@@ -1,9 +1,7 @@
 //! What `docs/ablation.md` says: the scenes' tables, the shares of their effects against sums
 //! over modes by hand, their errors, and the counts beside the nine-term formula.
 
-#[path = "ablation/mod.rs"]
-mod ablation;
-
+use crate::ablation;
 use ablation::counts::{Counts, M0, M4F};
 use ablation::pictures::{Sphere, peak};
 use ablation::savings::size;

@@ -1,13 +1,11 @@
 //! What `basis` chooses for a tolerance: degree, order, components and terms, against direct sums
 //! of the whole degree and order under lights that are turned at random.
 
-#[path = "../support/mod.rs"]
-mod support;
-#[path = "../../../../tests/tolerances/mod.rs"]
-mod tolerances;
+use crate::tolerances;
 
 mod commands;
 
+use crate::support::{noise, repository};
 use eigenshade_cli::owned_basis::OwnedBasis;
 use eigenshade_cli::shader::{OwnedNormals, Shader};
 use eigenshade_cli::shipped;
@@ -23,7 +21,6 @@ use eigenshade_index::{light, material};
 use eigenshade_table::scene::Criterion;
 use eigenshade_table::{Parts, Scene, Table};
 use std::f64::consts::{FRAC_PI_2, TAU};
-use support::{noise, repository};
 
 const DEGREE: usize = 8;
 const ORDER: usize = 7;

@@ -1,10 +1,8 @@
 //! Sets of images in one shape: each is within its tolerance, its bound holds and is near the
 //! error, and no azimuth could lose another term.
 
-#[path = "../images/mod.rs"]
-mod images;
-#[path = "../tolerances/mod.rs"]
-mod tolerances;
+use crate::images;
+use crate::tolerances;
 
 mod corner_cases;
 

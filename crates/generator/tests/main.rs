@@ -1,0 +1,19 @@
+//! Every test of the generator but one that weighs its process, in one binary: to link each file
+//! by itself takes longer than the tests do.
+
+#[path = "../../../tests/tolerances/mod.rs"]
+mod tolerances;
+
+mod any_object;
+mod brdf;
+mod build;
+mod environment_maps;
+mod light_csv;
+mod material_fits;
+mod measurements;
+mod merl;
+mod reference_values;
+mod rotation;
+mod scattering;
+mod visible_facets;
+mod weights;

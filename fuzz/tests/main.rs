@@ -1,0 +1,15 @@
+//! The runtime's tests that need nothing of the host's crates.
+
+#[path = "../../tests/tolerances/mod.rs"]
+mod tolerances;
+#[path = "../../tests/wire_files/mod.rs"]
+mod wire_files;
+
+#[path = "../../tests/found.rs"]
+mod found;
+#[path = "../../tests/parts.rs"]
+mod parts;
+#[path = "../../tests/runtime.rs"]
+mod runtime;
+#[path = "../../tests/wire_versions.rs"]
+mod wire_versions;

@@ -1,0 +1,40 @@
+//! Every test of the runtime but those of other features and the properties, in one binary: to
+//! link each file by itself takes longer than the tests do.
+
+mod ablation;
+mod golden;
+mod images;
+mod invariants;
+mod oracle;
+mod reading;
+mod shipped;
+mod stability;
+mod tolerances;
+mod wire_files;
+
+mod ablation_page;
+mod baked;
+mod economy;
+mod economy_fewest;
+mod economy_sets;
+mod estimate;
+mod formats;
+mod formats_any;
+mod found;
+mod golden_file;
+mod hard_cases;
+mod kernels;
+mod lookup;
+mod paper;
+mod parts;
+mod polynomials;
+mod quantised;
+mod reading_objects;
+mod reading_scenes;
+mod reading_spheres;
+mod rotation;
+mod runtime;
+mod trim;
+mod window;
+mod wire;
+mod wire_versions;
