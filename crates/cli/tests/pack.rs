@@ -7,7 +7,8 @@ use std::fs;
 #[test]
 fn pack_writes_what_info_tells() {
     let folder = Folder::with_table();
-    for format in ["f32", "q15", "q31"] {
+    // In floats some polynomials have more than 16 terms.
+    for (format, version) in [("f32", 3), ("q15", 1), ("q31", 1)] {
         let said = folder.ok(&format!("pack b.bin --format {format} --out w.esw"));
         let bytes = fs::read(folder.path("w.esw")).unwrap();
         assert!(bytes.starts_with(b"EIGSWIRE"));
@@ -15,7 +16,7 @@ fn pack_writes_what_info_tells() {
         assert_eq!(said, format!("bytes        {length}\n"));
         let told = folder.ok("info w.esw");
         for line in [
-            "wire version             3".to_owned(),
+            format!("wire version             {version}"),
             format!("format                   {format}"),
             format!("degree                   {}", support::DEGREE),
             format!("order                    {}", support::ORDER),
