@@ -41,8 +41,8 @@ pub struct Parts<'a, S> {
     /// [stand apart](crate::index::effect::Effects::apart); empty if none do.
     pub ambient: &'a [S],
     /// For each profile its polynomial in t = 2z - 1, highest term first, times
-    /// √2 where m is not 0: in the form that their length asks
-    /// for, [`layout::Form::of`].
+    /// √2 where m is not 0, in the form that its number of terms asks for:
+    /// [`layout::Form::of`].
     pub terms: &'a [S],
     /// The mean image's polynomial, or empty.
     pub mean: &'a [S],

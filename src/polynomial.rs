@@ -1,7 +1,7 @@
-//! Profile polynomials in t = 2z - 1, highest term first, in the [`Form`] that their length
-//! asks for.
+//! Profile polynomials in t = 2z - 1, highest term first, in the form that their length
+//! asks for: [`Form`](crate::index::layout::Form).
 
-use crate::index::layout::{Form, HALVES, POWERS};
+use crate::index::layout::{HALVES, POWERS};
 use crate::scalar::Scalar;
 
 /// A polynomial's value.
@@ -15,9 +15,11 @@ pub(crate) fn value<S: Scalar>(terms: &[S], t: S) -> S {
     value
 }
 
-/// A polynomial's values at a block of arguments. None has more terms than `LONGEST`: unless
-/// there may be series no call stands in a loop over azimuths, around which all registers
-/// were to be saved.
+/// A polynomial's values at a block of arguments t; u = 2t² - 1 is read where `LONGEST` is not
+/// beyond halves.
+///
+/// None has more terms than `LONGEST`. Only where there may be series does the loop over
+/// azimuths hold a call, around which all registers are saved.
 #[inline(always)]
 pub(crate) fn values<S: Scalar, const LONGEST: usize, const N: usize>(
     terms: &[S],
@@ -71,10 +73,7 @@ pub(crate) fn pairs<S: Scalar, const LONGEST: usize, const N: usize>(
 /// Of more than [`POWERS`] terms, apart from its caller.
 #[inline(never)]
 fn long<S: Scalar, const N: usize>(terms: &[S], t: &[S; N]) -> [S; N] {
-    match Form::of(terms.len()) {
-        Form::Series => series(terms, t),
-        Form::Powers | Form::Halves => halves(terms, [t, &t.map(doubled)]),
-    }
+    if terms.len() > HALVES { series(terms, t) } else { halves(terms, [t, &t.map(doubled)]) }
 }
 
 /// The argument u = 2t² - 1 = T_2(t).
@@ -122,6 +121,7 @@ fn series<S: Scalar, const N: usize>(terms: &[S], t: &[S; N]) -> [S; N] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::index::layout::Form;
 
     /// Against sums of cosines, t = cos θ: T_n = cos nθ, and u = cos 2θ.
     #[test]

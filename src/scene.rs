@@ -299,6 +299,7 @@ mod tests {
             &[14, 14, 13, 12],
             &[20, 18, 3],
             &[33, 18, 3],
+            &[19, 17, 3],
         ] {
             let scene = Scene { lengths, buffer: &numbers };
             for count in [0, 1, 63, 64, 127, 128, 300] {

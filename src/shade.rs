@@ -28,7 +28,7 @@ const BLOCK: usize = if cfg!(target_feature = "avx512f") {
 /// Of polynomials of any length.
 pub(crate) const ANY: usize = usize::MAX;
 
-/// Whether there are loops for few terms, and one without long series: where code may be
+/// Whether there are loops for few terms, and those without halves or series: where code may be
 /// large.
 const SPECIAL: bool = cfg!(any(target_arch = "x86_64", target_arch = "aarch64"));
 
@@ -121,7 +121,7 @@ pub(crate) fn block<S: Scalar, const LONGEST: usize, const N: usize>(
 ) -> [S; N] {
     let t = if SPECIAL { vectorised(z) } else { z.map(argument) };
     let mut u = t;
-    if LONGEST == HALVES {
+    if LONGEST > POWERS && LONGEST <= HALVES {
         for u in &mut u {
             *u = polynomial::doubled(*u);
         }

@@ -2,6 +2,7 @@
 //! link each file by itself takes longer than the tests do.
 
 mod ablation;
+mod every_file;
 mod golden;
 mod images;
 mod invariants;
@@ -38,3 +39,14 @@ mod trim;
 mod window;
 mod wire;
 mod wire_versions;
+
+#[test]
+fn every_file_is_compiled() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests");
+    let left_out = every_file::left_out(
+        folder,
+        include_str!("main.rs"),
+        &["generated", "mathematics", "mint"],
+    );
+    assert!(left_out.is_empty(), "no binary has {left_out:?}");
+}

@@ -47,7 +47,7 @@ fn farthest<S: Scalar + Into<f64>>() -> f64 {
 }
 
 #[test]
-fn halves_do_not_cancel() {
+fn halves_cancel_little() {
     let (single, double) = (farthest::<f32>(), farthest::<f64>());
     println!("of an eigenimage's largest value: {single:.1e} in f32, {double:.1e} in f64");
     assert!(single <= tolerances::HALVES_F32);

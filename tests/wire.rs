@@ -212,6 +212,8 @@ fn the_other_byte_order_is_told() {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
     #[test]
     fn random_bytes_are_refused(bytes in prop::collection::vec(any::<u8>(), 0..600)) {
         let mut places = room(&bytes);

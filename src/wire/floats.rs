@@ -73,8 +73,7 @@ fn read(bytes: &[u8]) -> Result<(Basis<'_, f32>, GeneralParts<'_, f32>), WireErr
     };
     let ambient = if header.version == VERSION { &[] } else { file.section()? };
     file.end()?;
-    let halves = |&length: &u16| Form::of(usize::from(length)) == Form::Halves;
-    if header.version < VERSION_OF_HALVES && parts.lengths.iter().any(halves) {
+    if header.version < VERSION_OF_HALVES && Form::any_halves(parts.lengths) {
         return Err(WireError::Series { version: header.version });
     }
     Ok((Basis::new(Parts { ambient, ..parts })?, general))

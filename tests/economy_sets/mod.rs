@@ -291,7 +291,7 @@ fn of_all_components_bounds_are_of_the_direct_sum() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(48))]
+    #![proptest_config(ProptestConfig { cases: 48, failure_persistence: None, ..ProptestConfig::default() })]
     #[test]
     fn bounds_hold_of_any_set(
         lights in prop::collection::vec(prop::collection::vec(-1.0f32..1.0, 100), 3),

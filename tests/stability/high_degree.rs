@@ -13,7 +13,7 @@ pub const CASE: Case = Case {
     name: "degree 32, order 32: 1.7 million modes, GGX of roughness 0.1 to 1",
     naively: "M has 3e12 numbers, A over modes 90 million; profiles as powers cancel, (1 + √2)^n to one",
     here: "blocks of |m|; A as products of one-dimensional tables; a space of 33 to 65 polynomials for each; \
-           long polynomials stay Chebyshev series",
+           long polynomials are halves in 2t² - 1 or Chebyshev series",
     measure,
 };
 

@@ -1,7 +1,6 @@
 //! Bad input: exit status 1, one line that names the file, and nothing written.
 
-use crate::support;
-use crate::support::{Folder, assert_fails, lights, materials, repository, scene};
+use crate::support::{self, Folder, assert_fails, lights, materials, repository, scene};
 use std::fs;
 
 const PAIR: &str = "--lights lights.csv --materials materials.csv";
@@ -128,6 +127,9 @@ fn bad_scenes() {
         (good.replace("profile_tolerance = 1e-12", "tolerance = 1e-3"), "not both"),
         (good.replace("1e-12", "0.0"), "profile_tolerance"),
         (good.replace("profile_tolerance = 1e-12", "knots = 7"), "basis.knots"),
+        (good.replace("profile_tolerance = 1e-12", "cut = { terms = 0 }"), "basis.cut.terms"),
+        (good.replace("profile_tolerance = 1e-12", "cut = { trim = 1.0 }"), "basis.cut.trim"),
+        (good.replace("profile_tolerance = 1e-12", "cut = { knots = 1 }"), "knots"),
         (good.replace("\"any\"", "\"sideways\""), "sideways"),
         (good.replace("[]", "[\"material-0\", \"material-0\"]"), "material-0"),
     ] {

@@ -1,8 +1,7 @@
 //! Direct integration under maps, and the errors that `errors` finds by it, against
 //! quadrature in the normal's own frame: other nodes, other formulas.
 
-use crate::support;
-use crate::support::{Folder, assert_fails, repository, rows};
+use crate::support::{self, Folder, assert_fails, repository, rows};
 use crate::tolerances;
 use eigenshade_generator::brdf::projection::project as project_brdf;
 use eigenshade_generator::brdf::{Brdf, Ggx, Lambertian, Measure};
@@ -14,7 +13,7 @@ use std::f64::consts::{PI, TAU};
 use std::fs;
 
 #[path = "../../../tests/oracle/ggx.rs"]
-mod oracle;
+mod ggx;
 
 /// GGX by vectors, or the matte material where roughness is not.
 #[derive(Clone, Copy)]
@@ -27,7 +26,7 @@ struct Explicit {
 impl Explicit {
     fn value(self, i: [f64; 3], r: [f64; 3]) -> f64 {
         let Some(roughness) = self.roughness else { return self.albedo / PI };
-        oracle::ggx(roughness, self.f0, self.albedo, i, r)
+        ggx::ggx(roughness, self.f0, self.albedo, i, r)
     }
 
     fn function(self) -> Box<dyn Brdf> {

@@ -1,8 +1,7 @@
 //! Effects: their pictures sum to the whole, tables of some of them show just those, and what
 //! is left out is in no table.
 
-use crate::support;
-use crate::support::{Folder, assert_fails, materials, numbers, rows, scene};
+use crate::support::{self, Folder, assert_fails, materials, numbers, rows, scene};
 use crate::tolerances;
 use eigenshade_cli::owned_basis::OwnedBasis;
 use eigenshade_cli::shader::Shader;

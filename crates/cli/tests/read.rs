@@ -1,8 +1,7 @@
 //! `eigenshade read`: what is read from images that are known.
 
-use crate::support;
 use crate::support::reading::{READ, answer, get, nearest, with_image};
-use crate::support::{assert_fails, numbers, rows};
+use crate::support::{self, assert_fails, numbers, rows};
 use crate::tolerances;
 use std::fmt::Write;
 

@@ -1,8 +1,7 @@
 //! `eigenshade read`: what is refused.
 
-use crate::support;
 use crate::support::reading::{READ, answer, get, nearest, png, with_image};
-use crate::support::{assert_fails, lights, repository};
+use crate::support::{self, assert_fails, lights, repository};
 use png::{BitDepth, ColorType};
 use std::fs;
 

@@ -1,8 +1,7 @@
 //! `eigenshade read` with tables of objects other than the sphere, and of light that
 //! does not turn freely.
 
-use crate::support;
-use crate::support::{Folder, lights, materials, noise, numbers, rows, scene};
+use crate::support::{self, Folder, lights, materials, noise, numbers, rows, scene};
 use crate::tolerances;
 use std::fmt::Write;
 

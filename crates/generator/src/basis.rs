@@ -4,6 +4,7 @@ use crate::analysis::Analysis;
 use crate::choice::{self, Choice};
 use crate::database::{Lights, Materials, Named};
 use crate::error::{Error, Result};
+use eigenshade_table::cut::cut;
 use eigenshade_table::{Scene, Table};
 
 /// Components whose orthonormality is reported.
@@ -45,7 +46,11 @@ pub fn chosen(
         (components, _) => {
             let analysis = Analysis::new(scene, &lights, &materials)?;
             let count = components.unwrap_or(usize::MAX);
-            (analysis.table(count, basis.profile_tolerance), None)
+            let mut table = analysis.table(count, basis.profile_tolerance);
+            if let Some(wanted) = basis.cut {
+                cut(&mut table, wanted);
+            }
+            (table, None)
         }
     };
     let mut materials = materials.truncated(table.gram.order);

@@ -35,7 +35,7 @@ const CONSTANT: f64 = 1e-8;
 ///
 /// # Errors
 ///
-/// As [`basis::build`]; a scene whose `store` is "materials".
+/// As [`basis::build`]; a scene whose `store` is "materials", or that has a `cut`.
 pub fn build(
     scene: &Scene,
     geometry: &Geometry,
@@ -64,6 +64,9 @@ pub fn chosen(
             ),
             "leave it out, or set store = \"projection\"",
         ));
+    }
+    if scene.basis.cut.is_some() {
+        return Err(Error::new("basis.cut is not served for this object or light", "leave it out"));
     }
     let (lights, materials) = basis::fitted(scene, lights, materials)?;
     let light = {

@@ -157,6 +157,14 @@ fn check(scene: &Scene) -> Result<()> {
             "set it between 8 and 65536, or leave it out",
         );
     }
+    if let Some(cut) = basis.cut {
+        if basis.tolerance.is_some() {
+            return fail("basis has tolerance and cut".into(), "leave one out: a tolerance cuts");
+        }
+        if let Some((what, remedy)) = cut.fault() {
+            return fail(what, remedy);
+        }
+    }
     for (name, value) in
         [("rank_cutoff", basis.rank_cutoff), ("profile_tolerance", basis.profile_tolerance)]
     {

@@ -23,7 +23,7 @@ pub enum Form {
     /// In 1, t, t², ...: a multiplication and an addition a term.
     Powers,
     /// In 1, t, u, tu, u², tu², ... of u = 2t² - 1, the even and the odd half by turns: as
-    /// many, and one more for u.
+    /// many, and one more of each for u.
     Halves,
     /// In Chebyshev's polynomials T_0, T_1, ... of t: an addition more a term, but nothing
     /// cancels.
@@ -42,6 +42,12 @@ impl Form {
         } else {
             Self::Series
         }
+    }
+
+    /// Whether one of these polynomials is in halves.
+    #[must_use]
+    pub fn any_halves(lengths: &[u16]) -> bool {
+        lengths.iter().any(|&length| Self::of(usize::from(length)) == Self::Halves)
     }
 
     /// above and below of t e_k = above e_k+1 + below e_k-1, of the polynomials e_k of this

@@ -35,6 +35,9 @@ impl Table {
         {
             return Err(format!("{knots} knots"));
         }
+        if let Some((what, _)) = self.scene.basis.cut.and_then(|cut| cut.fault()) {
+            return Err(what);
+        }
         let nodes = gram.nodes.len();
         let pairs = pair::count(order);
         let frequencies: usize = (0..=degree).map(|l| (l + 1) * (l.min(order) + 1)).sum();

@@ -27,6 +27,7 @@ pub mod passes;
 
 pub mod components;
 
+pub mod cut;
 pub mod trim;
 
 pub mod quantise;
@@ -44,7 +45,7 @@ pub mod statics;
 
 pub mod wire;
 
-mod version_2;
+mod versions;
 
 pub use file::{FileError, decode, encode};
 pub use general::General;

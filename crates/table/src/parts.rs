@@ -39,8 +39,8 @@ pub struct Parts {
     /// UᵀM of the coefficients that stand apart: a row for each profile of m = 0.
     pub ambient: Vec<f64>,
     /// For each profile its polynomial in t = 2z - 1, highest term first, times
-    /// √2 where m is not 0: in the form that their length asks
-    /// for, [`Form::of`].
+    /// √2 where m is not 0, in the form that its number of terms asks for:
+    /// [`Form::of`].
     pub terms: Vec<f64>,
     /// How a transfer is laid out.
     pub passes: Vec<Pass>,
@@ -250,6 +250,11 @@ fn places(table: &Table) -> Vec<ProfilePlace> {
 pub(crate) fn polynomial(chebyshev: &[f64], length: usize) -> Vec<f64> {
     let form = Form::of(length);
     let mut terms = vec![0.0; length];
+    if form == Form::Series {
+        terms[..chebyshev.len()].copy_from_slice(chebyshev);
+        terms.reverse();
+        return terms;
+    }
     // T_0 = 1, T_1 = t, T_k+1 = 2 t T_k - T_k-1; lowest term first.
     let mut before = vec![0.0; length];
     let mut current = vec![0.0; length];

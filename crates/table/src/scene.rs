@@ -138,9 +138,13 @@ pub struct Basis {
     pub store: Store,
     /// Knots of look-ups: what the generated code samples an image at. None: it has no look-ups.
     ///
-    /// Last, and not written where there is none: such tables are of version 2.
+    /// Not written where there is none: the file's version says whether there are some.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub knots: Option<usize>,
+    /// What the table does without, beside the components after the last; not with `tolerance`.
+    /// Last, and written as `knots` are.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cut: Option<Cut>,
 }
 
 /// What `knots` may be, as in the runtime.
@@ -152,6 +156,33 @@ fn default_rank_cutoff() -> f64 {
 
 fn default_profile_tolerance() -> f64 {
     1e-7
+}
+
+/// What a table does without, beside components after the last; nothing by default.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Cut {
+    /// Largest |m| of a component.
+    pub azimuths: Option<usize>,
+    /// Most terms of a polynomial: its Chebyshev series ends there.
+    pub terms: Option<usize>,
+    /// What the polynomials may lack in all, of the images' root mean square deviation from
+    /// their means: see [`trim`](crate::trim::trim).
+    pub trim: Option<f64>,
+}
+
+impl Cut {
+    /// What is out of range, and what to do about it, if anything is.
+    #[must_use]
+    pub fn fault(&self) -> Option<(String, &'static str)> {
+        match (self.terms, self.trim) {
+            (Some(0), _) => Some(("basis.cut.terms = 0".into(), "ask for at least one")),
+            (_, Some(share)) if !(share > 0.0 && share < 1.0) => {
+                Some((format!("basis.cut.trim = {share}"), "set it between 0 and 1"))
+            }
+            _ => None,
+        }
+    }
 }
 
 /// How much of the basis a table keeps. What it does not keep, its scene makes again.

@@ -121,11 +121,12 @@ fn floats(table: &Table, endian: Endian) -> Result<Vec<u8>, WireError> {
         section().floats(of(|general| &general.mean_coefficients)),
     ];
     debug_assert_eq!(sections.len(), FLOATS.len());
-    let halves = |&length: &u16| Form::of(usize::from(length)) == Form::Halves;
-    let version = match parts.effects.is_all() {
-        _ if parts.lengths.iter().any(halves) => VERSION_OF_HALVES,
-        true => VERSION,
-        false => VERSION_OF_EFFECTS,
+    let version = if Form::any_halves(&parts.lengths) {
+        VERSION_OF_HALVES
+    } else if parts.effects.is_all() {
+        VERSION
+    } else {
+        VERSION_OF_EFFECTS
     };
     if version != VERSION {
         sections.push(section().floats(&parts.ambient));

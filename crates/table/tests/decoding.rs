@@ -1,5 +1,6 @@
 //! Decoding is total: any bytes give a table that holds together, or an error.
 
+use eigenshade_table::scene::Cut;
 use eigenshade_table::{FileError, Parts, Profile, Table, decode, encode, manifest, rust_source};
 
 fn shipped() -> Vec<u8> {
@@ -23,28 +24,45 @@ fn what_is_written_is_read() {
     assert_eq!(sealed(&bytes[24..]), bytes);
 }
 
-/// The shipped table is of version 2, and with knots it is of version 3 and one number
-/// longer.
+/// The shipped table is of version 2; with knots, a cut, or both it has a version each, and as
+/// many bytes more as they take.
 #[test]
-fn both_versions_are_read() {
+fn each_version_is_read() {
     let bytes = shipped();
-    assert_eq!(bytes[8], 2);
     let mut table = decode(&bytes).unwrap();
-    assert_eq!(table.scene.basis.knots, None);
-    table.scene.basis.knots = Some(64);
-    let with_knots = encode(&table);
-    assert_eq!((with_knots[8], with_knots.len()), (3, bytes.len() + 2));
-    assert_eq!(decode(&with_knots), Ok(table.clone()));
-    // Neither is the other's.
-    for (bytes, version) in [(&bytes, 3), (&with_knots, 2)] {
-        let mut other = (*bytes).clone();
-        other[8] = version;
-        assert!(matches!(decode(&other), Err(FileError::Payload(_))), "{version}");
+    assert_eq!((table.scene.basis.knots, table.scene.basis.cut), (None, None));
+    let cut = Cut { azimuths: Some(3), terms: None, trim: Some(0.5) };
+    let mut files = Vec::new();
+    for (version, knots, cut, more) in [
+        (2, None, None, 0),
+        (3, Some(64), None, 2),
+        (4, None, Some(cut), 1 + 2 + 1 + 9),
+        (5, Some(64), Some(cut), 2 + 1 + 2 + 1 + 9),
+    ] {
+        (table.scene.basis.knots, table.scene.basis.cut) = (knots, cut);
+        let file = encode(&table);
+        assert_eq!((file[8], file.len()), (version, bytes.len() + more));
+        assert_eq!(decode(&file), Ok(table.clone()));
+        files.push(file);
     }
+    // None is another's.
+    for (k, file) in files.iter().enumerate() {
+        for version in (2..=5).filter(|&version| version != k as u8 + 2) {
+            let mut other = file.clone();
+            other[8] = version;
+            assert!(matches!(decode(&other), Err(FileError::Payload(_))), "{k} as {version}");
+        }
+    }
+    table.scene.basis.cut = None;
     assert_eq!(rust_source::module(&table, "a test").matches("pub fn lookup(").count(), 1);
     for knots in [0, 7, 65_537] {
         table.scene.basis.knots = Some(knots);
         assert!(matches!(decode(&encode(&table)), Err(FileError::Payload(_))), "{knots}");
+    }
+    table.scene.basis.knots = None;
+    for (terms, trim) in [(Some(0), None), (None, Some(0.0)), (None, Some(f64::NAN))] {
+        table.scene.basis.cut = Some(Cut { azimuths: None, terms, trim });
+        assert!(matches!(decode(&encode(&table)), Err(FileError::Payload(_))));
     }
 }
 

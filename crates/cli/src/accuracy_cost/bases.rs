@@ -1,13 +1,13 @@
 //! The bases of the settings, each made once.
 
 use super::materials::Scope;
-use super::setting::{Cut, Recipe};
+use super::setting::Recipe;
 use eigenshade_generator::basis;
 use eigenshade_generator::error::Result;
 use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_table::components::with_components;
+use eigenshade_table::cut::cut;
 use eigenshade_table::scene::{self, Criterion, LightRotation, Normalise, Store};
-use eigenshade_table::trim::trim;
 use eigenshade_table::{Scene, Table};
 use std::collections::BTreeMap;
 
@@ -48,21 +48,8 @@ impl Bases {
     pub fn table(&self, recipe: &Recipe) -> Option<Table> {
         let whole = self.tables.get(&modes(recipe))?;
         let count = recipe.components.unwrap_or(usize::MAX);
-        let largest = recipe.azimuths.unwrap_or(usize::MAX);
-        let mut table = with_components(whole, |number, component| {
-            number < count && component.order.unsigned_abs() as usize <= largest
-        });
-        match recipe.cut {
-            Cut::Whole => {}
-            Cut::Terms(terms) => {
-                for profile in &mut table.profiles {
-                    profile.chebyshev.truncate(terms);
-                }
-            }
-            Cut::Trimmed(tolerance) => {
-                trim(&mut table, tolerance);
-            }
-        }
+        let mut table = with_components(whole, |number, _| number < count);
+        cut(&mut table, recipe.cuts());
         Some(table)
     }
 }
@@ -93,6 +80,7 @@ fn scene(scope: &Scope, (modes, effects): Modes, components: Option<usize>) -> S
             rank_cutoff: 1e-10,
             profile_tolerance: 1e-7,
             knots: None,
+            cut: None,
         },
         effects: scene::Effects {
             wanted: Effect::ALL.into_iter().filter(|&effect| wanted.has(effect)).collect(),

@@ -51,7 +51,11 @@ fn head(points: &[Point], models: &[Row]) -> String {
          channel of an image holds from light to light: the folded material, d, and what a pixel reads. All is for one channel; colour takes three.\n\n\
          Each row of the tables below is the cheapest setting whose method is below the limit in the median over the database; of times \
          within five per cent of the least, the setting with the least error. Settings \
-         below degree {DEGREE} and order {ORDER} are taken only where their model is below the limit too.\n",
+         below degree {DEGREE} and order {ORDER} are taken only where their model is below the limit too.\n\n\
+         **To take a row** is to write its scene file ([tables/README.md](../../tables/README.md#scene-file)): a copy of `tables/sphere.toml` with the row's \
+         `light.degree`, `material.order` and `basis.components` (of all, 1000 are enough), with `basis.cut = {{ trim = 3e-2 }}` for \"trimmed to 3e-2\" and \
+         `{{ terms = 12 }}` for \"polynomials of 12 terms\". `eigenshade basis` makes the table, `pack` or a build script brings it to the device. \
+         \"Within 1 %\" is `Basis::collapse_within` when the program runs, a baked map `Scene::bake`.\n",
         points.len(),
         MAPS.len(),
         surfaces.len(),

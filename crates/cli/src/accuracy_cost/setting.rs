@@ -2,6 +2,7 @@
 
 use crate::wire_file;
 use eigenshade_index::effect::Effects;
+use eigenshade_table::scene;
 use std::fmt;
 
 /// What of a basis is kept.
@@ -21,6 +22,19 @@ pub struct Recipe {
     pub effects: Effects,
     /// Where its polynomials end.
     pub cut: Cut,
+}
+
+impl Recipe {
+    /// What a scene file says of it as `basis.cut`.
+    #[must_use]
+    pub fn cuts(&self) -> scene::Cut {
+        let (terms, trim) = match self.cut {
+            Cut::Whole => (None, None),
+            Cut::Terms(count) => (Some(count), None),
+            Cut::Trimmed(share) => (None, Some(share)),
+        };
+        scene::Cut { azimuths: self.azimuths, terms, trim }
+    }
 }
 
 /// Where a basis's polynomials end.

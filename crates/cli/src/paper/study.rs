@@ -219,6 +219,7 @@ fn scene(criterion: Criterion, modes: usize) -> Scene {
             rank_cutoff: 1e-10,
             profile_tolerance: 1e-13,
             knots: None,
+            cut: None,
         },
         effects: Effects::default(),
     }

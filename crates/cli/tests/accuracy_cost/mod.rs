@@ -304,6 +304,7 @@ fn bad_input_is_told_before_the_work() {
     fs::create_dir(folder.path("maps")).unwrap();
     folder.write("maps/esplanade.exr", "no map");
     assert_fails(&folder, "accuracy-cost --check docs --maps maps", &["esplanade.exr"]);
-    assert!(start.elapsed().as_secs() < 5);
+    // The work takes minutes.
+    assert!(start.elapsed().as_secs() < 30);
     assert!(Path::new(&folder.path("docs/accuracy-cost.csv")).exists());
 }
