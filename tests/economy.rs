@@ -255,8 +255,8 @@ fn bounds_hold_of_long_series() {
     let lights = read_lights("tables/inputs/lights.csv", None).expect("the shipped lights");
     let materials = read_materials("tables/inputs/materials.csv", Some(7)).expect("materials");
     let mut scene = decode(include_bytes!("../tables/sphere.bin")).expect("a table").scene;
-    (scene.light.degree, scene.basis.components) = (20, Some(120));
-    scene.basis.profile_tolerance = 1e-11;
+    (scene.light.degree, scene.basis.components) = (24, Some(200));
+    scene.basis.profile_tolerance = 1e-14;
     let table = build(&scene, &lights, &materials).expect("a table");
     let owned = OwnedBasis::<f64>::new(&table);
     let Ok(AnyBasis::Sphere(basis)) = owned.any() else { panic!("a sphere's") };
@@ -264,7 +264,7 @@ fn bounds_hold_of_long_series() {
     assert!(lengths.iter().any(|&length| length > 32), "{lengths:?}");
     assert!(lengths.iter().any(|length| (17..=32).contains(length)), "{lengths:?}");
     let light = lights.entries[3].luminance();
-    let light = Light::new(20, &light[..441]).expect("coefficients");
+    let light = Light::new(24, &light[..625]).expect("coefficients");
     let material = materials.entries[5].luminance();
     let material = Material::new(7, &material).expect("coefficients");
     let mut d = vec![0.0; basis.components()];

@@ -153,6 +153,7 @@ fn errors_say_which_they_are() {
         (with(&SPHERE.0, 12, 2), WireError::Effects { bits: 0 }),
         // There polynomials of as many terms were Chebyshev series.
         (with(&LONG.0, 12, 2), WireError::Series { version: 2 }),
+        (with(&INTEGERS_15.0, 12, 3), WireError::Version(3)),
         (with(&SPHERE.0, 14, 7), WireError::Format { expected: WireFormat::F32, found: 7 }),
         (of(&INTEGERS_15.0), WireError::Format { expected: WireFormat::F32, found: 2 }),
         (of(&GENERAL.0), WireError::Images { found: 4 }),

@@ -90,6 +90,9 @@ impl Header {
         let bits = short(header, place::EFFECTS);
         let effects = match version {
             VERSION => Some(Effects::ALL),
+            VERSION_OF_HALVES if short(header, place::FORMAT) != format::F32 => {
+                return Err(WireError::Version(version));
+            }
             VERSION_OF_EFFECTS | VERSION_OF_HALVES => {
                 Effects::from_bits(bits).filter(|&one| one != Effects::NONE)
             }

@@ -80,14 +80,14 @@ fn example(points: &[Point]) -> String {
     };
     let moving = taken(Lighting::Moving).map(|(_, name, [pixel, light, sum, share])| {
         format!(
-            "Where it changes with every picture: {name}. A pixel takes {pixel} instructions, a new light {light}, a picture \
+            "Where it changes with every picture, {name}. A pixel takes {pixel} instructions, a new light {light}, a picture \
              9,216 x {pixel} + {light} = {sum}: {share}. "
         )
     });
     format!(
         "## In a minute\n\n\
-         A Cortex-M4F of 64 MHz has 64,000,000 / 60 = 1,066,667 cycles for each of 60 pictures a second. For an error below 1 % its tables \
-         say, where the light stands still: {name}. A pixel takes {pixel} instructions, a picture of 96 x 96 pixels 9,216 times as many, {sum}: \
+         A Cortex-M4F of 64 MHz has 64,000,000 / 60 = 1,066,667 cycles for each of 60 pictures a second. Its tables say for an error of the \
+         method below 1 %: where the light stands still, {name}. A pixel takes {pixel} instructions, a picture of 96 x 96 pixels 9,216 times as many, {sum}: \
          {share} if each instruction took one. {}Multiply by the cycles that an instruction takes on the chip at hand. The error of the model \
          comes beside it: at degree {DEGREE} and order {ORDER} it is {} in the median, less on matte surfaces and more on gloss \
          ([below](#degree-and-order-the-error-of-the-model)).\n",
@@ -139,7 +139,7 @@ fn has_program(machine: Machine, lighting: Lighting) -> bool {
 fn header(machine: Machine, lighting: Lighting) -> Vec<String> {
     let unit = machine.unit();
     let mut header = [
-        "error below",
+        "method below",
         "take",
         "method: median",
         "worst",
