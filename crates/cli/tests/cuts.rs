@@ -63,6 +63,8 @@ fn cuts_go_together() {
         table.profiles.iter().map(|profile| profile.chebyshev.len()).sum()
     };
     assert!(terms(&trimmed) < terms(&both) && terms(&both) < terms(&short));
+    let told = "asked for                10000 components, azimuths to 2, polynomials of 5 terms, trimmed to 1e-1";
+    assert!(folder.ok("info b.bin").lines().any(|line| line == told));
 }
 
 #[test]

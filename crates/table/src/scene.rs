@@ -4,6 +4,7 @@ use eigenshade_index::effect;
 pub use eigenshade_index::effect::Effect;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
+use std::fmt;
 
 /// A whole scene file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -182,6 +183,18 @@ impl Cut {
             }
             _ => None,
         }
+    }
+}
+
+impl fmt::Display for Cut {
+    /// As `azimuths to 4, polynomials of 12 terms, trimmed to 3e-2`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let parts = [
+            self.azimuths.map(|azimuths| format!("azimuths to {azimuths}")),
+            self.terms.map(|terms| format!("polynomials of {terms} terms")),
+            self.trim.map(|share| format!("trimmed to {share:e}")),
+        ];
+        f.write_str(&parts.into_iter().flatten().collect::<Vec<_>>().join(", "))
     }
 }
 

@@ -1,8 +1,9 @@
 //! Numbers and settings as the page says them.
 
-use super::setting::{Cut, Format, Setting, Way};
+use super::setting::{Format, Setting, Way};
 use crate::number::grouped;
 use crate::wire_file;
+use eigenshade_table::scene;
 
 /// An error in per cent of two digits, below 0.01 % as a power of ten.
 #[must_use]
@@ -65,17 +66,13 @@ pub fn setting(setting: &Setting, terms: usize) -> String {
     if let Some(modes) = recipe.modes {
         text.push_str(&format!(" of {modes} modes"));
     }
-    if let Some(azimuths) = recipe.azimuths {
-        text.push_str(&format!(", azimuths to {azimuths}"));
-    }
     if !recipe.effects.is_all() {
         let names = wire_file::named(recipe.effects).replace(' ', ", ");
         text.push_str(&format!(", of {names} alone"));
     }
-    match recipe.cut {
-        Cut::Whole => {}
-        Cut::Terms(count) => text.push_str(&format!(", polynomials of {count} terms")),
-        Cut::Trimmed(tolerance) => text.push_str(&format!(", trimmed to {tolerance:e}")),
+    let cut = recipe.cuts();
+    if cut != scene::Cut::default() {
+        text.push_str(&format!(", {cut}"));
     }
     if setting.format == Format::Q15 && matches!(setting.way, Way::Bilinear(_)) {
         text.push_str(", texels of 16 bits");

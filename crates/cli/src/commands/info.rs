@@ -6,7 +6,7 @@ use eigenshade_cli::{destination, table_file, wire_file};
 use eigenshade_generator::error::{Error, Result};
 use eigenshade_table::Table;
 use eigenshade_table::manifest::manifest;
-use eigenshade_table::scene::Store;
+use eigenshade_table::scene::{Cut, Store};
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -40,11 +40,14 @@ fn description(table: &Table) -> String {
         0 => "all".to_owned(),
         _ => scene.material.names.join(" "),
     };
-    let wanted = match (scene.basis.components, scene.basis.tolerance) {
+    let mut wanted = match (scene.basis.components, scene.basis.tolerance) {
         (Some(count), _) => format!("{count} components"),
         (None, Some(tolerance)) => format!("tolerance {tolerance:e}"),
         (None, None) => "all components".to_owned(),
     };
+    if let Some(cut) = scene.basis.cut.filter(|&cut| cut != Cut::default()) {
+        wanted.push_str(&format!(", {cut}"));
+    }
     let lines = [
         ("normals", scene.geometry.normals.clone()),
         ("light", scene.light.database.clone()),
