@@ -99,17 +99,12 @@ fn halves<S: Scalar, const N: usize>(terms: &[S], [t, u]: [&[S; N]; 2]) -> [S; N
 /// A Chebyshev series at a block of arguments, by Clenshaw's recurrence.
 #[inline(always)]
 fn series<S: Scalar, const N: usize>(terms: &[S], t: &[S; N]) -> [S; N] {
-    // Twice at a time, so that what is next need not be moved.
     let (mut next, mut after) = ([S::ZERO; N], [S::ZERO; N]);
     let Some((&last, higher)) = terms.split_last() else { return next };
-    let (first, rest) = higher.split_at_checked(higher.len() % 2).unwrap_or_default();
-    if let [first] = first {
-        next = [*first; N];
-    }
-    for [one, two] in rest.as_chunks().0 {
+    for &term in higher {
         for ((next, after), &t) in next.iter_mut().zip(&mut after).zip(t) {
-            *after = (*one - *after).add_product(t + t, *next);
-            *next = (*two - *next).add_product(t + t, *after);
+            let sum = (term - *after).add_product(t + t, *next);
+            (*after, *next) = (*next, sum);
         }
     }
     for ((next, after), &t) in next.iter_mut().zip(&after).zip(t) {
