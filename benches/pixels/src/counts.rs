@@ -3,6 +3,7 @@
 use crate::images::{Image, scene};
 use crate::inputs::{PIXELS, irradiances, normals};
 use crate::limit::{INSTRUCTIONS, LANES};
+use crate::long;
 use crate::nine_terms;
 use crate::place::Placed;
 use eigenshade::Normals;
@@ -56,6 +57,9 @@ pub fn counted(images: &[Image]) -> Vec<Count> {
             found: of_a_pixel(&arguments),
         });
     }
+    let (lengths, necessary) = long::terms();
+    let found = of_a_pixel(&[long::NAME.to_owned()]);
+    counts.push(Count { name: long::NAME.to_owned(), lengths, necessary, found });
     counts
 }
 
@@ -97,9 +101,18 @@ pub fn shade(mut arguments: impl Iterator<Item = String>) {
         }
         return;
     }
+    let normals = Normals::new(x, y, z).expect("one length");
+    if what == long::NAME {
+        let scene = long::scene();
+        for _ in 0..pictures {
+            black_box(&scene)
+                .shade_slice(black_box(normals), black_box(&mut *out))
+                .expect("lengths");
+        }
+        return;
+    }
     let mut lengths = [0; 16];
     let (scene, _) = scene(&d, what.parse().ok(), &mut lengths);
-    let normals = Normals::new(x, y, z).expect("one length");
     for _ in 0..pictures {
         black_box(&scene).shade_slice(black_box(normals), black_box(&mut *out)).expect("lengths");
     }

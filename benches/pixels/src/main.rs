@@ -8,6 +8,7 @@ mod counts;
 mod images;
 mod inputs;
 mod limit;
+mod long;
 mod nine_terms;
 mod page;
 mod place;

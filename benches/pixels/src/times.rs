@@ -4,6 +4,7 @@
 use crate::images::{Image, scene};
 use crate::inputs::{PIXELS, irradiances, normals};
 use crate::limit::{CHAINS, LANES, multiply_adds};
+use crate::long;
 use crate::nine_terms;
 use crate::place::Placed;
 use eigenshade::{BakedMap, Light, Lookup, MapPoint, Material, Normal, Normals, sphere};
@@ -120,6 +121,16 @@ pub fn timed(images: &[Image]) -> Times {
         way.time.lengths = lengths;
         ways.push(way);
     }
+    let (lengths, necessary) = long::terms();
+    let scene = long::scene();
+    let mut out = irradiances();
+    let mut way = Way::new(long::NAME, necessary, move || {
+        let scene = black_box(&scene);
+        scene.shade_slice(black_box(slices), black_box(out.all_mut())).expect("one length");
+    })
+    .pixels();
+    way.time.lengths = lengths;
+    ways.push(way);
     ways.extend([
         Way::new("look-up, 32 knots, cubic", 91, || {
             for (out, &normal) in by_knots.all_mut().iter_mut().zip(black_box(&each)) {

@@ -2,6 +2,7 @@
 //! settings, and the sphere's alone are cut.
 
 use crate::support::{Folder, assert_fails, repository};
+use crate::tolerances;
 use eigenshade_table::decode;
 use std::collections::HashMap;
 use std::fs;
@@ -38,7 +39,7 @@ fn settings_are_scene_files() {
     }
 }
 
-/// Azimuths go before terms, and terms before what is within a share.
+/// Each cut leaves out more, and what is kept of the energy says so.
 #[test]
 fn cuts_go_together() {
     let folder = Folder::new();
@@ -58,6 +59,10 @@ fn cuts_go_together() {
     assert_eq!(all.components.len(), short.components.len());
     assert!(both.components.len() < all.components.len());
     assert!(both.components.iter().all(|one| one.order.abs() <= 2));
+    let eigenvalues = both.components.iter().filter_map(|one| one.eigenvalue);
+    let kept = eigenvalues.sum::<f64>() / both.summary.energy;
+    assert!(kept < short.summary.energy_kept, "{kept}");
+    assert!((both.summary.energy_kept - kept).abs() < tolerances::RESIDUAL_ENERGY);
     let trimmed = table("cut = { terms = 5, azimuths = 2, trim = 0.1 }");
     let terms = |table: &eigenshade_table::Table| -> usize {
         table.profiles.iter().map(|profile| profile.chebyshev.len()).sum()

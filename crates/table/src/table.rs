@@ -165,10 +165,23 @@ impl Table {
         self.general.as_ref().map_or(self.components.len(), |general| general.eigenvalues.len())
     }
 
-    /// Energy that the first `count` components leave, from the eigenvalues.
+    /// Energy that the first `count` components leave, from the eigenvalues; that of azimuths
+    /// which the scene cuts is left in any case.
     #[must_use]
     pub fn energy_left(&self, count: usize) -> f64 {
+        let largest = self.scene.basis.cut.and_then(|cut| cut.azimuths).unwrap_or(usize::MAX);
+        let mut passed = 0;
+        let left: Vec<f64> = self
+            .spectrum
+            .iter()
+            .filter(|(order, _)| {
+                let within = order.is_none_or(|order| order.unsigned_abs() as usize <= largest);
+                passed += usize::from(within);
+                !within || passed > count
+            })
+            .filter_map(|(_, value)| *value)
+            .collect();
         // Summed from the small end, so that nothing small is lost.
-        self.spectrum.iter().skip(count).rev().filter_map(|(_, value)| *value).sum()
+        left.iter().rev().sum()
     }
 }
