@@ -3,9 +3,12 @@
 //!
 //! After criterion's own figures it prints ratios of medians of interleaved runs.
 
+mod by_hand;
+
+use by_hand::{ByHand, padded};
 use criterion::{Criterion, criterion_group};
 use eigenshade::index::{light, material, mode};
-use eigenshade::{Light, Material, Normals, sphere};
+use eigenshade::{Light, Material, NineTerms, Normals, sphere};
 use eigenshade_generator::database::Named;
 use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
 use faer::linalg::matmul::matmul;
@@ -15,7 +18,8 @@ use std::hint::black_box;
 use std::path::Path;
 use std::time::Instant;
 
-/// UᵀM and c, formed in full, as a dense product needs them.
+/// A matrix and a vector, formed in full, as a dense product needs them: UᵀM and c, or UᵀM with
+/// a material folded in and a light.
 struct Dense {
     /// K x modes, a column after the other.
     faer_columns: Mat<f32>,
@@ -24,6 +28,9 @@ struct Dense {
     nalgebra_columns: DMatrix<f32>,
     nalgebra_rows: DMatrix<f32>,
     c: DVector<f32>,
+    by_hand: ByHand<{ padded(sphere::COMPONENTS) }>,
+    /// c, to whole vectors.
+    padded: Vec<f32>,
 }
 
 /// How often the dense matrices are held.
@@ -32,11 +39,13 @@ struct Dense {
 /// memory. The rounds take these in turn, so that a median does not hang on one place.
 const PLACES: usize = 5;
 
-/// A light and a material of the database, and UᵀM.
+/// A light and a material of the database, UᵀM, and the same with the material folded in: a
+/// column for each coefficient of the light.
 struct Setting {
     light: Vec<f32>,
     material: Vec<f32>,
     dense: [Dense; PLACES],
+    folded: [Dense; PLACES],
 }
 
 fn narrow(entry: &Named) -> Vec<f32> {
@@ -52,13 +61,12 @@ fn setting() -> Setting {
     let bytes = std::fs::read("tables/sphere.bin").expect("the shipped table");
     let table = eigenshade_table::decode(&bytes).expect("a table");
     let orders: Vec<i32> = (-9..=9).collect();
-    let c: Vec<f32> = orders
+    let places: Vec<[usize; 2]> = orders
         .iter()
         .flat_map(|&m| mode::indices(9, 7, m.unsigned_abs() as usize).map(move |mode| (m, mode)))
-        .map(|(m, (l, o, p, q))| {
-            light[light::position(l, m as isize)] * material[material::position(o, p, q)]
-        })
+        .map(|(m, (l, o, p, q))| [light::position(l, m as isize), material::position(o, p, q)])
         .collect();
+    let c: Vec<f32> = places.iter().map(|&[l, b]| light[l] * material[b]).collect();
     assert_eq!(c.len(), 3704);
     let mut rows = vec![vec![0.0f32; c.len()]; table.components.len()];
     for (row, component) in rows.iter_mut().zip(&table.components) {
@@ -75,18 +83,37 @@ fn setting() -> Setting {
             start += count;
         }
     }
-    let (k, n) = (rows.len(), c.len());
-    let dense = std::array::from_fn(|_| Dense {
-        faer_columns: Mat::from_fn(k, n, |i, j| rows[i][j]),
-        faer_rows: Mat::from_fn(n, k, |j, i| rows[i][j]),
-        nalgebra_columns: DMatrix::from_fn(k, n, |i, j| rows[i][j]),
-        nalgebra_rows: DMatrix::from_fn(n, k, |j, i| rows[i][j]),
-        c: DVector::from_vec(c.clone()),
-    });
-    Setting { light, material, dense }
+    let folded: Vec<Vec<f32>> = rows
+        .iter()
+        .map(|row| {
+            let mut folded = vec![0.0; light.len()];
+            for (&[l, b], value) in places.iter().zip(row) {
+                folded[l] += value * material[b];
+            }
+            folded
+        })
+        .collect();
+    let dense = std::array::from_fn(|_| Dense::new(&rows, &c));
+    let folded = std::array::from_fn(|_| Dense::new(&folded, &light));
+    Setting { light, material, dense, folded }
 }
 
 impl Dense {
+    fn new(rows: &[Vec<f32>], c: &[f32]) -> Self {
+        let (k, n) = (rows.len(), c.len());
+        let mut filled = c.to_vec();
+        filled.resize(padded(n), 0.0);
+        Self {
+            faer_columns: Mat::from_fn(k, n, |i, j| rows[i][j]),
+            faer_rows: Mat::from_fn(n, k, |j, i| rows[i][j]),
+            nalgebra_columns: DMatrix::from_fn(k, n, |i, j| rows[i][j]),
+            nalgebra_rows: DMatrix::from_fn(n, k, |j, i| rows[i][j]),
+            c: DVector::from_row_slice(c),
+            by_hand: ByHand::new(rows),
+            padded: filled,
+        }
+    }
+
     fn faer_columns(&self, d: &mut Mat<f32>) {
         let c = faer::ColRef::from_slice(black_box(self.c.as_slice())).as_mat();
         matmul(d.as_mut(), Accum::Replace, self.faer_columns.as_ref(), c, 1.0, Par::Seq);
@@ -119,37 +146,77 @@ impl Setting {
         sphere::project(black_box(&self.light()), black_box(&self.material())).expect("it fits")
     }
 
-    fn dense(&self, round: usize) -> &Dense {
-        &self.dense[round % PLACES]
-    }
-
     /// All ways give the same d, or the comparison means nothing.
     fn check(&self) {
         let ours = self.project();
-        let mut d = Mat::zeros(ours.len(), 1);
-        self.dense(0).faer_columns(&mut d);
         let largest = ours.iter().fold(0.0f32, |most, d| most.max(d.abs()));
-        let dense: Vec<f32> = d.col(0).iter().copied().collect();
-        self.dense(0).faer_rows(&mut d);
         let transfer = sphere::transfer(&self.material()).expect("it fits");
         let relit = sphere::relight(&transfer, &self.light()).expect("it fits");
-        for (k, ours) in ours.iter().enumerate() {
-            for other in [dense[k], d[(k, 0)], relit[k]] {
+        let mut others = vec![relit.to_vec()];
+        for dense in [&self.dense, &self.folded] {
+            let mut products = Products::new();
+            for (_, mut way) in products.ways("", dense) {
+                way(0);
+            }
+            others.extend(products.all());
+        }
+        for other in &others {
+            for (k, (ours, other)) in ours.iter().zip(other).enumerate() {
                 assert!((ours - other).abs() < 1e-5 * largest, "component {k}: {ours} {other}");
             }
         }
     }
 }
 
-/// The nine-term formula (Ramamoorthi and Hanrahan 2001), as a polynomial of the
-/// normal, over a slice.
-fn nine_terms(c: &[f32; 9], normals: &Normals<'_, f32>, xyz: [&[f32]; 3], out: &mut [f32]) {
-    assert_eq!(normals.len(), out.len());
-    let [x, y, z] = xyz;
-    for (((out, &x), &y), &z) in out.iter_mut().zip(x).zip(y).zip(z) {
-        let linear = c[0] + c[1] * x + c[2] * y + c[3] * z;
-        let square = c[4] * (x * x - y * y) + c[5] * (x * y) + (c[6] * x + c[7] * y) * z;
-        *out = linear + square + c[8] * (z * z);
+/// What each way to a dense product gave last.
+struct Products {
+    faer: [Mat<f32>; 2],
+    nalgebra: [DVector<f32>; 2],
+    by_hand: [[f32; padded(sphere::COMPONENTS)]; 2],
+}
+
+impl Products {
+    fn new() -> Self {
+        let k = sphere::COMPONENTS;
+        Self {
+            faer: [(); 2].map(|()| Mat::zeros(k, 1)),
+            nalgebra: [(); 2].map(|()| DVector::zeros(k)),
+            by_hand: [[0.0; _]; 2],
+        }
+    }
+
+    /// Every way, with the matrix in the round's place.
+    fn ways<'a>(&'a mut self, what: &str, dense: &'a [Dense; PLACES]) -> Vec<Way<'a>> {
+        let at = |round: usize| &dense[round % PLACES];
+        let [f1, f2] = &mut self.faer;
+        let [n1, n2] = &mut self.nalgebra;
+        let [h1, h2] = &mut self.by_hand;
+        let name = |way| format!("{what}, {way}");
+        vec![
+            (name("faer by columns"), Box::new(move |k| at(k).faer_columns(black_box(f1)))),
+            (name("faer by rows"), Box::new(move |k| at(k).faer_rows(black_box(f2)))),
+            (name("nalgebra by columns"), Box::new(move |k| at(k).nalgebra_columns(black_box(n1)))),
+            (name("nalgebra by rows"), Box::new(move |k| at(k).nalgebra_rows(black_box(n2)))),
+            (
+                name("by hand, by columns"),
+                Box::new(move |k| {
+                    *black_box(&mut *h1) = at(k).by_hand.by_columns(black_box(at(k).c.as_slice()));
+                }),
+            ),
+            (
+                name("by hand, by rows"),
+                Box::new(move |k| {
+                    *black_box(&mut *h2) = at(k).by_hand.by_rows(black_box(&at(k).padded));
+                }),
+            ),
+        ]
+    }
+
+    fn all(&self) -> Vec<Vec<f32>> {
+        let faer = self.faer.iter().map(|d| d.col(0).iter().copied().collect());
+        let nalgebra = self.nalgebra.iter().map(|d| d.as_slice().to_vec());
+        let by_hand = self.by_hand.iter().map(|d| d.to_vec());
+        faer.chain(nalgebra).chain(by_hand).collect()
     }
 }
 
@@ -164,7 +231,7 @@ fn normals(count: usize) -> [Vec<f32>; 3] {
 }
 
 const PIXELS: usize = 65_536;
-const NINE: [f32; 9] = [0.9, 0.2, -0.1, 0.5, 0.05, 0.02, -0.03, 0.01, 0.07];
+const NINE: NineTerms<f32> = NineTerms::new([0.9, 0.2, -0.1, 0.5, 0.05, 0.02, -0.03, 0.01, 0.07]);
 
 fn benches(criterion: &mut Criterion) {
     let setting = setting();
@@ -189,7 +256,7 @@ fn benches(criterion: &mut Criterion) {
 }
 
 /// One way to do a thing, by name; it is told the round.
-type Way<'a> = (&'a str, Box<dyn FnMut(usize) + 'a>);
+type Way<'a> = (String, Box<dyn FnMut(usize) + 'a>);
 
 /// Rounds in each place.
 const ROUNDS: usize = 9;
@@ -234,60 +301,59 @@ fn interleaved(repeats: usize, ways: &mut [Way<'_>]) -> Vec<Times> {
 fn ratios() {
     let setting = setting();
     let transfer = sphere::transfer(&setting.material()).expect("it fits");
-    let k = sphere::COMPONENTS;
-    let (mut d1, mut d2) = (Mat::zeros(k, 1), Mat::zeros(k, 1));
-    let (mut d3, mut d4) = (DVector::zeros(k), DVector::zeros(k));
-    let dense = |round| setting.dense(round);
-    println!("\nprojection, K = {k}, {} modes, medians:", dense(0).c.len());
-    let times = interleaved(
-        2000,
-        &mut [
-            ("project", Box::new(|_| drop(black_box(setting.project())))),
-            (
-                "relight",
-                Box::new(|_| {
-                    let d = sphere::relight(black_box(&transfer), black_box(&setting.light()));
-                    drop(black_box(d));
-                }),
-            ),
-            ("dense, faer by columns", Box::new(|at| dense(at).faer_columns(black_box(&mut d1)))),
-            ("dense, faer by rows", Box::new(|at| dense(at).faer_rows(black_box(&mut d2)))),
-            (
-                "dense, nalgebra by columns",
-                Box::new(|at| dense(at).nalgebra_columns(black_box(&mut d3))),
-            ),
-            ("dense, nalgebra by rows", Box::new(|at| dense(at).nalgebra_rows(black_box(&mut d4)))),
-        ],
+    println!(
+        "\nprojection, K = {}, {} modes, {} coefficients of the light, medians:",
+        sphere::COMPONENTS,
+        setting.dense[0].c.len(),
+        setting.folded[0].c.len(),
     );
+    let (mut products, mut folded) = (Products::new(), Products::new());
+    let relight: Way<'_> = (
+        "relight".into(),
+        Box::new(|_| {
+            let d = sphere::relight(black_box(&transfer), black_box(&setting.light()));
+            drop(black_box(d));
+        }),
+    );
+    let project: Way<'_> = ("project".into(), Box::new(|_| drop(black_box(setting.project()))));
+    let mut ways = vec![project, relight];
+    ways.extend(products.ways("dense", &setting.dense));
+    ways.extend(folded.ways("folded", &setting.folded));
+    let times = interleaved(2000, &mut ways);
     let (ours, dense) = times.split_at(2);
-    let least = |of: fn(&Times) -> f64| dense.iter().map(of).fold(f64::INFINITY, f64::min);
-    for (what, best) in [
-        ("the best dense product", least(|times| times.median)),
-        ("  in the best of its places", least(|times| times.best_place)),
-    ] {
-        let [project, relight] = [&ours[0], &ours[1]].map(|times| best / times.median);
-        println!("  {what}: {project:.1} times project, {relight:.0} times relight");
+    let (dense, folded) = dense.split_at(dense.len() / 2);
+    for (what, ways) in [("the best dense product", dense), ("the best folded one", folded)] {
+        let least = |of: fn(&Times) -> f64| ways.iter().map(of).fold(f64::INFINITY, f64::min);
+        for (what, best) in [
+            (what, least(|times| times.median)),
+            ("  in the best of its places", least(|times| times.best_place)),
+        ] {
+            let [project, relight] = [&ours[0], &ours[1]].map(|times| best / times.median);
+            println!("  {what}: {project:.1} times project, {relight:.1} times relight");
+        }
     }
 
     let scene = sphere::collapse(&setting.project()).expect("it fits");
     let xyz = normals(PIXELS);
     let slices = Normals::new(&xyz[0], &xyz[1], &xyz[2]).expect("one length");
     let (mut ours, mut nine) = (vec![0.0; PIXELS], vec![0.0; PIXELS]);
-    let [x, y, z] = [&xyz[0][..], &xyz[1], &xyz[2]];
     println!("shading {PIXELS} normals, medians:");
     let times = interleaved(
         10,
         &mut [
             (
-                "full scene",
+                "full scene".into(),
                 Box::new(|_| {
                     scene.shade_slice(black_box(slices), black_box(&mut ours)).expect("one length");
                 }),
             ),
             (
-                "nine terms",
+                "nine terms".into(),
                 Box::new(|_| {
-                    nine_terms(black_box(&NINE), &slices, [x, y, z], black_box(&mut nine));
+                    let formula = black_box(&NINE);
+                    formula
+                        .shade_slice(black_box(slices), black_box(&mut nine))
+                        .expect("one length");
                 }),
             ),
         ],

@@ -11,6 +11,9 @@ use crate::scene::Scene;
 /// Exponents that maps have: 2^-60 is no light, 2^60 no irradiance.
 const EXPONENTS: core::ops::RangeInclusive<i32> = -75..=45;
 
+/// The largest texel.
+const MOST: usize = 32_767;
+
 /// One image baked on N x N integers: irradiance = texel x 2^exponent, texels as those of
 /// a [`BakedMap`](crate::BakedMap).
 ///
@@ -32,7 +35,8 @@ impl<C> Scene<'_, C> {
     /// # Errors
     ///
     /// [`Error::Size`] unless N is 2 to 4096, [`Error::Length`] if the buffer has another
-    /// length.
+    /// length; [`Error::NotFinite`] of the first texel that is infinite or NaN,
+    /// [`Error::Saturated`] if one is 2^60 or more.
     pub fn bake_integers_into<S: Scalar, B: AsMut<[i16]>>(
         &self,
         size: usize,
@@ -47,11 +51,18 @@ impl<C> Scene<'_, C> {
         let values = || {
             points::<S>(size).map(|point| point.map_or(S::ZERO, |point| self.fitted(point, size)))
         };
-        let largest = values().fold(S::ZERO, |most, value| {
+        let mut largest = S::ZERO;
+        for (index, value) in values().enumerate() {
+            if !value.is_finite() {
+                return Err(Error::NotFinite { what: What::Texels, index });
+            }
             let value = if value < S::ZERO { -value } else { value };
-            if value > most { value } else { most }
-        });
+            largest = if value > largest { value } else { largest };
+        }
         let (exponent, scale) = scale(largest);
+        if largest * scale > S::from_whole(MOST) {
+            return Err(Error::Saturated { what: What::Texels });
+        }
         for (texel, value) in to.iter_mut().zip(values()) {
             *texel = rounded(value * scale);
         }
@@ -61,7 +72,7 @@ impl<C> Scene<'_, C> {
 
 /// The least exponent with which a number fits into i16, and 2^-exponent.
 fn scale<S: Scalar>(largest: S) -> (i32, S) {
-    let (half, most) = (S::from_f64(0.5), S::from_whole(32_767));
+    let (half, most) = (S::from_f64(0.5), S::from_whole(MOST));
     let (mut exponent, mut scale) = (0, S::ONE);
     while largest * scale > most && exponent < *EXPONENTS.end() {
         (exponent, scale) = (exponent + 1, scale * half);
@@ -72,7 +83,7 @@ fn scale<S: Scalar>(largest: S) -> (i32, S) {
     (exponent, scale)
 }
 
-/// The nearest i16; 0 of NaN.
+/// The nearest i16.
 fn rounded<S: Scalar>(value: S) -> i16 {
     let half = S::from_f64(0.5);
     let size = |value: S| i16::try_from((value + half).to_whole()).unwrap_or(i16::MAX);

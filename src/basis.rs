@@ -3,7 +3,7 @@
 use crate::error::{Error, What};
 use crate::index::effect::Effects;
 use crate::index::{layout, material, pair};
-use crate::parts::{Coupling, Parts, ProfilePlace, Row};
+use crate::parts::{Coupling, Parts, ProfilePlace, Recurrences, Row};
 
 /// An eigenbasis: degree, order and number of components are values, the number
 /// format is a type.
@@ -11,6 +11,7 @@ use crate::parts::{Coupling, Parts, ProfilePlace, Row};
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Basis<'a, S> {
     pub(crate) parts: Parts<'a, S>,
+    pub(crate) recurrences: Recurrences<'a>,
     transfer: usize,
     scene: usize,
 }
@@ -18,8 +19,9 @@ pub struct Basis<'a, S> {
 impl<'a, S> Basis<'a, S> {
     /// The basis of these parts.
     ///
-    /// Checked are all lengths, and all places that one part has in another; not the
-    /// numbers, and not that no two profiles serve the same component.
+    /// Checked are all lengths, that of an azimuth without a profile among them, which has to
+    /// be 0, and all places that one part has in another; not the numbers, and not that no two
+    /// profiles serve the same component.
     ///
     /// # Errors
     ///
@@ -38,6 +40,10 @@ impl<'a, S> Basis<'a, S> {
         if !parts.couples() {
             return Err(Error::Coupling);
         }
+        let recurrences = match Recurrences::new(parts.lengths, parts.recurrences) {
+            Ok(recurrences) => recurrences,
+            Err(error) => return Err(error),
+        };
         let (mut served, mut zonal) = (0, 0);
         let (mut factors, mut terms, mut scene) = (0, 0, 0);
         let (mut rest, mut before, mut run) = (parts.profiles, 0, 0);
@@ -67,10 +73,26 @@ impl<'a, S> Basis<'a, S> {
             slots += pass.slots();
             rest = tail;
         }
-        let mut azimuth = 0;
+        let (mut azimuth, mut rest) = (0, parts.profiles);
         while azimuth <= parts.degree {
-            let signs = if azimuth == 0 { 1 } else { 2 };
-            scene = usize::saturating_add(scene, signs * parts.length(azimuth));
+            let (signs, mut has_terms) =
+                if azimuth == 0 { (1, !parts.mean.is_empty()) } else { (2, false) };
+            while let [place, tail @ ..] = rest
+                && place.azimuth() == azimuth
+            {
+                (rest, has_terms) = (tail, true);
+            }
+            // The terms of the others bound their length.
+            if !has_terms && let Err(error) = Error::check(What::Lengths, 0, parts.length(azimuth))
+            {
+                return Err(error);
+            }
+            let found = parts.length(azimuth);
+            if found > layout::HALVES && azimuth < recurrences.first() {
+                let (what, expected) = (What::Lengths, layout::HALVES);
+                return Err(Error::Length { what, expected, found });
+            }
+            scene = usize::saturating_add(scene, signs * found);
             azimuth += 1;
         }
         let group = layout::LANES * pair::count(factored);
@@ -105,7 +127,7 @@ impl<'a, S> Basis<'a, S> {
         if !parts.places() {
             return Err(Error::Pass);
         }
-        Ok(Self { parts, transfer, scene })
+        Ok(Self { parts, recurrences, transfer, scene })
     }
 
     /// What it was made of.

@@ -1,5 +1,6 @@
 //! What can be wrong with what the runtime is given.
 
+use crate::scalar::Scalar;
 use core::fmt;
 
 /// A fault in an argument: what was expected, what was found.
@@ -44,8 +45,25 @@ pub enum Error {
     Pass,
     /// A basis has a coupling that is not its order's, or effects that do not fit its order.
     Coupling,
+    /// A number is not finite.
+    NotFinite {
+        /// Whose.
+        what: What,
+        /// Its place.
+        index: usize,
+    },
+    /// A number is beyond what an integer format can hold.
+    Saturated {
+        /// Whose.
+        what: What,
+    },
     /// A normal has a component that is not finite, or length zero.
     Normal,
+    /// One of many normals has no direction, or points away from the camera.
+    Normals {
+        /// Its place.
+        index: usize,
+    },
     /// A normal points away from the camera.
     Hidden,
     /// A basis of transfers alone is to take in a material.
@@ -64,6 +82,8 @@ pub enum Error {
     },
     /// Angles, a quaternion or a matrix are no rotation.
     Rotation,
+    /// A basis has polynomials in series, and the crate was built without the feature `series`.
+    Series,
     /// A tolerance is not above zero, or not finite.
     Tolerance,
     /// A look-up is to have so many knots, which is not 8 to 65,536.
@@ -112,6 +132,8 @@ pub enum What {
     Terms,
     /// Part of a basis: lengths of the polynomials.
     Lengths,
+    /// Part of a basis: recurrences of orthogonal polynomials.
+    Recurrences,
     /// Part of a basis: the mean image.
     Mean,
     /// Part of a basis: the selection of modes.
@@ -126,6 +148,14 @@ impl Error {
     /// `Ok` if the length is right.
     pub(crate) const fn check(what: What, expected: usize, found: usize) -> Result<(), Self> {
         if expected == found { Ok(()) } else { Err(Self::Length { what, expected, found }) }
+    }
+
+    /// `Ok` if all numbers are finite.
+    pub(crate) fn check_finite<S: Scalar>(what: What, numbers: &[S]) -> Result<(), Self> {
+        match numbers.iter().position(|number| !number.is_finite()) {
+            None => Ok(()),
+            Some(index) => Err(Self::NotFinite { what, index }),
+        }
     }
 }
 
@@ -156,8 +186,22 @@ impl fmt::Display for Error {
                 "the basis's couplings or effects are not its order's; take all parts from one \
                  table",
             ),
+            Self::NotFinite { what, index } => write!(
+                f,
+                "{what:?}: finite numbers expected, number {index} (from 0) is none; leave it out, \
+                 or scale the numbers down"
+            ),
+            Self::Saturated { what } => write!(
+                f,
+                "{what:?}: a number is beyond its integers; scale the light or the weights down"
+            ),
             Self::Normal => f.write_str("a normal needs finite components and a length"),
-            Self::Hidden => f.write_str("a normal points away from the camera: z < -0.001"),
+            Self::Normals { index } => write!(
+                f,
+                "normal {index} (from 0) has no direction or points away from the camera; leave it \
+                 out"
+            ),
+            Self::Hidden => f.write_str("a normal points away from the camera: z < -1/8"),
             Self::Folded => f.write_str(
                 "the basis has the transfers of some materials and takes in no others; make one \
                  with store = \"projection\"",
@@ -171,6 +215,9 @@ impl fmt::Display for Error {
             ),
             Self::Weight => f.write_str(
                 "an estimate needs pixels whose weights have a finite sum above zero; add some",
+            ),
+            Self::Series => f.write_str(
+                "the basis has polynomials in series; build eigenshade with the feature `series`",
             ),
             Self::Tolerance => f.write_str("a tolerance is not above zero and finite"),
             Self::Rotation => f.write_str(

@@ -52,9 +52,9 @@ impl<S: Scalar, const K: usize> Estimate<'_, S, K> {
     /// component; no root, no division.
     #[inline]
     pub fn add(&mut self, normal: Normal<S>, irradiance: S, weight: S) {
-        let parts = self.basis.parts();
+        let (parts, recurrences) = (self.basis.parts(), self.basis.recurrences);
         let t = argument(normal.z);
-        let seen = weight * (irradiance - polynomial::value(parts.mean, t));
+        let seen = weight * (irradiance - polynomial::value(parts.mean, t, recurrences.of(0)));
         let mut terms = parts.terms;
         let (mut cosine, mut sine, mut azimuth) = (S::ONE, S::ZERO, 0);
         for place in parts.profiles {
@@ -65,7 +65,7 @@ impl<S: Scalar, const K: usize> Estimate<'_, S, K> {
             let (of_profile, rest) =
                 terms.split_at_checked(parts.length(azimuth)).unwrap_or((terms, &[]));
             terms = rest;
-            let profile = seen * polynomial::value(of_profile, t);
+            let profile = seen * polynomial::value(of_profile, t, recurrences.of(azimuth));
             // Φ_-m = √2 sin(-mβ).
             for (index, around) in [(place.plus(), cosine), (place.minus(), -sine)] {
                 let sum = index.and_then(|index| self.sums.get_mut(usize::from(index)));

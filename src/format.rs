@@ -104,6 +104,10 @@ pub trait Fixed: Format<Wide: Wide> {
     fn of_value(value: i32) -> Self::Wide;
     /// A sum of such products, rounded. Sums may wrap on their way, if the last fits.
     fn sum(sum: Self::Wide) -> i32;
+    /// `value` times this mantissa, modulo 2^32 or 2^64.
+    fn times(self, value: i32) -> Self::Wide;
+    /// floor(sum / 2^BITS): the whole part of a sum of products with mantissas. Domain: it fits.
+    fn whole(sum: Self::Wide) -> i32;
     /// 2z - 1 as a fraction of 2^(BITS - 1). Domain: z >= 0.
     fn argument(z: Self) -> i32;
 }
@@ -250,6 +254,14 @@ impl Fixed for Q15 {
         ((sum >> 13) + 1) >> 1
     }
     #[inline(always)]
+    fn times(self, value: i32) -> i32 {
+        value.wrapping_mul(self.widen())
+    }
+    #[inline(always)]
+    fn whole(sum: i32) -> i32 {
+        sum >> 15
+    }
+    #[inline(always)]
     fn argument(z: Self) -> i32 {
         z.widen() - (1 << 14)
     }
@@ -308,6 +320,14 @@ impl Fixed for Q31 {
     #[inline(always)]
     fn sum(sum: i64) -> i32 {
         (((sum >> 29) + 1) >> 1) as i32
+    }
+    #[inline(always)]
+    fn times(self, value: i32) -> i64 {
+        i64::from(value) * self.widen()
+    }
+    #[inline(always)]
+    fn whole(sum: i64) -> i32 {
+        (sum >> 31) as i32
     }
     #[inline(always)]
     fn argument(z: Self) -> i32 {

@@ -61,6 +61,8 @@ pub mod mathematics;
 
 mod lanes;
 
+mod chunks;
+
 mod light;
 
 mod rotation;
@@ -88,6 +90,8 @@ mod relight;
 mod projection;
 
 pub mod fixed;
+
+mod nine_terms;
 
 mod scene;
 
@@ -140,9 +144,10 @@ pub use light::Light;
 pub use lookup::{Lookup, LookupBuffer};
 pub use material::Material;
 pub use negatives::Negatives;
+pub use nine_terms::NineTerms;
 pub use normal::{Normal, Normals};
 pub use paraboloid::MapPoint;
-pub use parts::{Coupling, Parts, Pass, ProfilePlace, Row};
+pub use parts::{Coupling, Parts, Pass, ProfilePlace, Recurrences, Row};
 pub use projection::Coefficients;
 pub use rotation::Rotation;
 pub use scalar::Scalar;

@@ -2,6 +2,7 @@
 
 use crate::error::{Error, What};
 use crate::index::light;
+use crate::scalar::Scalar;
 
 /// One channel of distant light: (degree + 1)² coefficients in radiance, in the
 /// order of [`index::light`](crate::index::light).
@@ -23,7 +24,7 @@ pub struct Light<'a, S> {
 
 impl<'a, S> Light<'a, S> {
     /// The light of these coefficients. They are taken as they are: one that is not
-    /// finite spoils more of an image than its own mode.
+    /// finite spoils more of an image than its own mode. [`checked`](Self::checked) refuses it.
     ///
     /// # Errors
     ///
@@ -33,6 +34,20 @@ impl<'a, S> Light<'a, S> {
             Ok(()) => Ok(Self { degree, coefficients }),
             Err(error) => Err(error),
         }
+    }
+
+    /// [`new`](Self::new), of finite coefficients alone: for what arrives at run time.
+    ///
+    /// # Errors
+    ///
+    /// As there; [`Error::NotFinite`] of the first coefficient that is infinite or NaN.
+    pub fn checked(degree: usize, coefficients: &'a [S]) -> Result<Self, Error>
+    where
+        S: Scalar,
+    {
+        let light = Self::new(degree, coefficients)?;
+        Error::check_finite(What::Light, coefficients)?;
+        Ok(light)
     }
 
     /// The same light without what lies above `degree`; a light of no more than

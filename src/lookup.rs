@@ -93,8 +93,9 @@ impl<C> Scene<'_, C> {
         for (knot, samples) in to.chunks_exact_mut(width.max(1)).enumerate() {
             let t = argument((S::from_whole(knot) - S::ONE) * step);
             let values = self.azimuths().enumerate().flat_map(|(azimuth, (plus, minus))| {
-                let of_minus = (azimuth > 0).then(|| polynomial::value(minus, t));
-                core::iter::once(polynomial::value(plus, t)).chain(of_minus)
+                let recurrence = self.recurrence(azimuth);
+                let of_minus = (azimuth > 0).then(|| polynomial::value(minus, t, recurrence));
+                core::iter::once(polynomial::value(plus, t, recurrence)).chain(of_minus)
             });
             for (sample, value) in samples.iter_mut().zip(values) {
                 *sample = value;
@@ -136,7 +137,7 @@ impl<S: Scalar, B: AsRef<[S]>> Lookup<S, B> {
     #[must_use]
     pub fn linear(&self, normal: Normal<S>) -> S {
         let (knot, way) = self.interval(normal.z);
-        let (from, to) = self.rows(knot + 1);
+        let (from, to) = self.rows(knot.wrapping_add(1));
         let samples = from.iter().zip(to).map(|(&from, &to)| from.add_product(to - from, way));
         around(samples, normal)
     }

@@ -2,6 +2,7 @@
 
 use crate::error::{Error, What};
 use crate::index::material;
+use crate::scalar::Scalar;
 
 /// One channel of an isotropic BRDF: its coefficients in 1/sr, in the order of
 /// [`index::material`](crate::index::material).
@@ -15,7 +16,8 @@ pub struct Material<'a, S> {
 }
 
 impl<'a, S> Material<'a, S> {
-    /// The material of these coefficients.
+    /// The material of these coefficients. They are taken as they are: one that is not
+    /// finite spoils more of an image than its own mode. [`checked`](Self::checked) refuses it.
     ///
     /// # Errors
     ///
@@ -26,6 +28,20 @@ impl<'a, S> Material<'a, S> {
             Ok(()) => Ok(Self { order, coefficients }),
             Err(error) => Err(error),
         }
+    }
+
+    /// [`new`](Self::new), of finite coefficients alone: for what arrives at run time.
+    ///
+    /// # Errors
+    ///
+    /// As there; [`Error::NotFinite`] of the first coefficient that is infinite or NaN.
+    pub fn checked(order: usize, coefficients: &'a [S]) -> Result<Self, Error>
+    where
+        S: Scalar,
+    {
+        let material = Self::new(order, coefficients)?;
+        Error::check_finite(What::Material, coefficients)?;
+        Ok(material)
     }
 
     /// The same material without what lies above `order`; a material of no more

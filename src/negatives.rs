@@ -1,7 +1,5 @@
 //! Irradiance below zero: what becomes of it.
 
-use crate::scalar::Scalar;
-
 /// What becomes of irradiance below zero, which no light gives: it comes of lights and materials
 /// that end at some degree and order, of fits, and of few components.
 ///
@@ -19,19 +17,21 @@ pub enum Negatives {
 }
 
 impl Negatives {
-    /// One irradiance; NaN stays.
+    /// One irradiance, in floats or integers; NaN stays.
     #[inline]
     #[must_use]
-    pub fn of<S: Scalar>(self, irradiance: S) -> S {
-        if self == Self::Clamped && irradiance < S::ZERO { S::ZERO } else { irradiance }
+    pub fn of<T: Copy + Default + PartialOrd>(self, irradiance: T) -> T {
+        let zero = T::default();
+        if self == Self::Clamped && irradiance < zero { zero } else { irradiance }
     }
 
     /// Many where they are; gives the least that was there before, none of no pixels. A NaN is
     /// passed over.
-    pub fn apply<S: Scalar>(self, irradiance: &mut [S]) -> Option<S> {
+    pub fn apply<T: Copy + Default + PartialOrd>(self, irradiance: &mut [T]) -> Option<T> {
         let mut least = None;
         for value in irradiance {
-            if least.is_none_or(|least| *value < least) && value.is_finite() {
+            let is_number = value.partial_cmp(&value).is_some();
+            if is_number && least.is_none_or(|least| *value < least) {
                 least = Some(*value);
             }
             *value = self.of(*value);

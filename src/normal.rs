@@ -1,4 +1,9 @@
 //! Normals: unit vectors toward the camera's side, z >= 0.
+//!
+//! A pixel's polynomials hold on z in \[0, 1\] and leave their range beyond, the faster the longer
+//! they are. Interpolated normals and those of 8-bit maps lie there along an object's outline.
+//! They are laid on the rim where they are scaled to length 1, once for each normal; loops over
+//! pixels take normals as they are.
 
 use crate::error::{Error, What};
 use crate::mathematics::{Libm, Mathematics};
@@ -16,12 +21,25 @@ pub struct Normal<S> {
 impl<S: Scalar> Normal<S> {
     /// The normal along (x, y, z), of any length from 1e-18 to 1e18.
     ///
-    /// A normal that points away by no more than 1e-3 is laid on the rim.
+    /// A normal that points away by no more than 1/8 is laid on the rim: z becomes 0, and x and
+    /// y are scaled to length 1.
+    ///
+    /// ```
+    /// use eigenshade::{Error, Normal};
+    ///
+    /// // A pixel of a normal map, of 8 bits a channel.
+    /// let [x, y, z] = [218, 127, 218u8].map(|c| 2.0 * f32::from(c) - 255.0);
+    /// let [x, y, z] = Normal::new(x, y, z)?.components();
+    /// assert!((x * x + y * y + z * z - 1.0).abs() < 1e-6);
+    /// assert_eq!(Normal::new(0.8, 0.6, -0.1)?.components(), [0.8, 0.6, 0.0]);
+    /// assert_eq!(Normal::new(0.8, 0.6, -0.2), Err(Error::Hidden));
+    /// # Ok::<(), Error>(())
+    /// ```
     ///
     /// # Errors
     ///
     /// [`Error::Normal`] if a component is not finite, or the square of the length is
-    /// below 1e-37 or not finite; [`Error::Hidden`] if z < -1e-3 after scaling.
+    /// below 1e-37 or not finite; [`Error::Hidden`] if z < -1/8 after scaling.
     pub fn new(x: S, y: S, z: S) -> Result<Self, Error> {
         Self::with_mathematics::<Libm>(x, y, z)
     }
@@ -35,7 +53,7 @@ impl<S: Scalar> Normal<S> {
         let unit = Self { x, y, z }.scaled::<M>()?;
         if unit.z >= S::ZERO {
             Ok(unit)
-        } else if unit.z >= -S::from_f64(1e-3) {
+        } else if unit.z >= -S::from_f64(0.125) {
             Self { z: S::ZERO, ..unit }.scaled::<M>()
         } else {
             Err(Error::Hidden)
@@ -62,7 +80,8 @@ impl<S: Scalar> Normal<S> {
 /// Many normals, component by component.
 ///
 /// They are taken as they are: each must be a unit vector with z in \[0, 1\]. One
-/// that is not gives a meaningless irradiance for itself alone.
+/// that is not gives a meaningless irradiance for itself alone. Those of a mesh or of a map pass
+/// through [`normalized`](Self::normalized) first.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Normals<'a, S> {
@@ -85,6 +104,37 @@ impl<'a, S> Normals<'a, S> {
             (Ok(()), Ok(())) => Ok(Self { x, y, z }),
             (Err(error), _) | (_, Err(error)) => Err(error),
         }
+    }
+
+    /// The normals along these vectors, each scaled where it is, and laid on the rim if it points
+    /// away by no more than 1/8: [`Normal::with_mathematics`] of each.
+    ///
+    /// A component rounded to 8 bits, as a normal map has it, is off by up to 0.4 %. Of the shipped
+    /// lights on the shipped materials the rounded directions cost 0.1 % of the peak in the
+    /// median, 0.22 % at worst (rms); without scaling it is 0.29 %.
+    ///
+    /// Cost: a root and nine products for each.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] unless all three have the same length; [`Error::Normals`] of the first
+    /// that [`Normal::new`] refuses: those before it are scaled, it and those after it as they
+    /// were.
+    pub fn normalized<M: Mathematics<S>>(
+        x: &'a mut [S],
+        y: &'a mut [S],
+        z: &'a mut [S],
+    ) -> Result<Self, Error>
+    where
+        S: Scalar,
+    {
+        Normals::new(&*x, &*y, &*z)?;
+        let vectors = x.iter_mut().zip(y.iter_mut()).zip(z.iter_mut());
+        for (index, ((x, y), z)) in vectors.enumerate() {
+            let unit = Normal::with_mathematics::<M>(*x, *y, *z);
+            (*x, *y, *z) = unit.map_err(|_| Error::Normals { index })?.components().into();
+        }
+        Ok(Self { x, y, z })
     }
 
     /// One by one.

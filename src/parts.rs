@@ -1,5 +1,6 @@
 //! The arrays that a basis is made of.
 
+use crate::error::{Error, What};
 use crate::index::effect::Effects;
 use crate::index::layout;
 use zerocopy::{FromBytes, Immutable, KnownLayout};
@@ -41,9 +42,11 @@ pub struct Parts<'a, S> {
     /// [stand apart](crate::index::effect::Effects::apart); empty if none do.
     pub ambient: &'a [S],
     /// For each profile its polynomial in t = 2z - 1, highest term first, times
-    /// √2 where m is not 0, in the form that its number of terms asks for:
-    /// [`layout::Form::of`].
+    /// √2 where m is not 0: in polynomials by their [recurrence](layout::Recurrence) where its
+    /// azimuth has one, else in the form of its length, [`layout::Form::of`].
     pub terms: &'a [S],
+    /// Recurrences of the last azimuths, see [`layout::recurrences`], or empty.
+    pub recurrences: &'a [layout::Recurrence],
     /// The mean image's polynomial, or empty.
     pub mean: &'a [S],
     /// The mean image's coefficients, or empty.
@@ -187,6 +190,62 @@ impl Pass {
             return None;
         }
         Some(self.slots() * (degree + 1 - lowest))
+    }
+}
+
+/// Recurrences by azimuth: see [`layout::recurrences`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Recurrences<'a> {
+    /// The first azimuth that has one.
+    first: usize,
+    /// Numbers of each.
+    stride: usize,
+    numbers: &'a [layout::Recurrence],
+}
+
+impl<'a> Recurrences<'a> {
+    /// Of no azimuth.
+    pub const NONE: Self = Self { first: usize::MAX, stride: 0, numbers: &[] };
+
+    /// Of the polynomials of these lengths.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] unless there are as many for each azimuth as the longest polynomial
+    /// has terms; [`Error::Series`] without the feature `series`.
+    pub const fn new(lengths: &[u16], numbers: &'a [layout::Recurrence]) -> Result<Self, Error> {
+        match layout::recurrences(lengths, numbers.len()) {
+            Some([_, _]) if numbers.is_empty() => Ok(Self::NONE),
+            Some(_) if !cfg!(feature = "series") => Err(Error::Series),
+            Some([first, stride]) => Ok(Self { first, stride, numbers }),
+            None => {
+                Err(Error::Length { what: What::Recurrences, expected: 0, found: numbers.len() })
+            }
+        }
+    }
+
+    /// The first azimuth that has one, or a number beyond all.
+    pub(crate) const fn first(&self) -> usize {
+        self.first
+    }
+
+    /// Whether no azimuth has one.
+    #[inline]
+    pub(crate) const fn is_empty(&self) -> bool {
+        !cfg!(feature = "series") || self.numbers.is_empty()
+    }
+
+    /// That of an azimuth, or empty.
+    #[inline]
+    pub(crate) fn of(&self, azimuth: usize) -> &'a [layout::Recurrence] {
+        if self.is_empty() {
+            return &[];
+        }
+        let row = azimuth.checked_sub(self.first);
+        let start = row.and_then(|row| row.checked_mul(self.stride));
+        let rest = start.and_then(|start| self.numbers.get(start..));
+        rest.and_then(|rest| rest.get(..self.stride)).unwrap_or_default()
     }
 }
 

@@ -1,12 +1,22 @@
-//! Profile polynomials in t = 2z - 1, highest term first, in the form that their length
-//! asks for: [`Form`](crate::index::layout::Form).
+//! Profile polynomials in t = 2z - 1, highest term first: in the form of their length,
+//! [`Form`](crate::index::layout::Form), or by the recurrence of their azimuth.
 
-use crate::index::layout::{HALVES, POWERS};
+use crate::index::layout::{HALVES, POWERS, Recurrence};
 use crate::scalar::Scalar;
 
-/// A polynomial's value.
+/// A polynomial's value; `recurrence` is that of its azimuth, or empty.
 #[inline]
-pub(crate) fn value<S: Scalar>(terms: &[S], t: S) -> S {
+pub(crate) fn value<S: Scalar>(terms: &[S], t: S, recurrence: &[Recurrence]) -> S {
+    if cfg!(feature = "series") && !recurrence.is_empty() {
+        let [[value], _] = orthogonal([terms, terms], &[t], recurrence);
+        return value;
+    }
+    short(terms, t)
+}
+
+/// A polynomial's value in the form of its length.
+#[inline]
+pub(crate) fn short<S: Scalar>(terms: &[S], t: S) -> S {
     if terms.len() <= POWERS {
         let Some((&first, rest)) = terms.split_first() else { return S::ZERO };
         return rest.iter().fold(first, |sum, &term| term.add_product(sum, t));
@@ -15,11 +25,11 @@ pub(crate) fn value<S: Scalar>(terms: &[S], t: S) -> S {
     value
 }
 
-/// A polynomial's values at a block of arguments t; u = 2t² - 1 is read where `LONGEST` is not
-/// beyond halves.
+/// A polynomial's values at a block of arguments t, in the form of its length; u = 2t² - 1 is
+/// read where `LONGEST` is [`HALVES`].
 ///
-/// None has more terms than `LONGEST`. Only where there may be series does the loop over
-/// azimuths hold a call, around which all registers are saved.
+/// None has more terms than `LONGEST`. Beyond [`HALVES`], where code is to be small, the loop
+/// over azimuths holds a call, around which all registers are saved.
 #[inline(always)]
 pub(crate) fn values<S: Scalar, const LONGEST: usize, const N: usize>(
     terms: &[S],
@@ -72,8 +82,8 @@ pub(crate) fn pairs<S: Scalar, const LONGEST: usize, const N: usize>(
 
 /// Of more than [`POWERS`] terms, apart from its caller.
 #[inline(never)]
-fn long<S: Scalar, const N: usize>(terms: &[S], t: &[S; N]) -> [S; N] {
-    if terms.len() > HALVES { series(terms, t) } else { halves(terms, [t, &t.map(doubled)]) }
+pub(crate) fn long<S: Scalar, const N: usize>(terms: &[S], t: &[S; N]) -> [S; N] {
+    halves(terms, [t, &t.map(doubled)])
 }
 
 /// The argument u = 2t² - 1 = T_2(t).
@@ -96,21 +106,28 @@ fn halves<S: Scalar, const N: usize>(terms: &[S], [t, u]: [&[S; N]; 2]) -> [S; N
     sums
 }
 
-/// A Chebyshev series at a block of arguments, by Clenshaw's recurrence.
+/// Two polynomials' values, of as many terms, at a block of arguments, by the recurrence of
+/// their azimuth: its polynomials e_k serve both.
 #[inline(always)]
-fn series<S: Scalar, const N: usize>(terms: &[S], t: &[S; N]) -> [S; N] {
-    let (mut next, mut after) = ([S::ZERO; N], [S::ZERO; N]);
-    let Some((&last, higher)) = terms.split_last() else { return next };
-    for &term in higher {
-        for ((next, after), &t) in next.iter_mut().zip(&mut after).zip(t) {
-            let sum = (term - *after).add_product(t + t, *next);
-            (*after, *next) = (*next, sum);
+pub(crate) fn orthogonal<S: Scalar, const N: usize>(
+    [one, other]: [&[S]; 2],
+    t: &[S; N],
+    recurrence: &[Recurrence],
+) -> [[S; N]; 2] {
+    let [mut sums, mut more] = [[S::ZERO; N]; 2];
+    let (mut element, mut before) = ([S::ONE; N], [S::ZERO; N]);
+    for ((&term, &another), &[at, below]) in one.iter().zip(other).rev().zip(recurrence) {
+        let (at, below) = (S::from_f32(at), S::from_f32(below));
+        let both = sums.iter_mut().zip(&mut more);
+        let elements = element.iter_mut().zip(&mut before);
+        for ((sum, more), ((element, before), &t)) in both.zip(elements.zip(t)) {
+            *sum = sum.add_product(term, *element);
+            *more = more.add_product(another, *element);
+            let next = ((t + t - at) * *element).add_product(-below, *before);
+            (*before, *element) = (*element, next);
         }
     }
-    for ((next, after), &t) in next.iter_mut().zip(&after).zip(t) {
-        *next = (last - *after).add_product(t, *next);
-    }
-    next
+    [sums, more]
 }
 
 #[cfg(test)]
@@ -118,31 +135,49 @@ mod tests {
     use super::*;
     use crate::index::layout::Form;
 
-    /// Against sums of cosines, t = cos θ: T_n = cos nθ, and u = cos 2θ. The sums are below 100,
-    /// and cos nθ is off by n roundings of 1e-16: some 1e-12 in all.
+    const TERMS: usize = 40;
+
+    fn terms() -> [f64; TERMS] {
+        core::array::from_fn(|k| (((7 * k) % 19) as f64 - 9.0) / (1 + k % 5) as f64)
+    }
+
+    /// Against powers of t and of u = cos 2θ. The sums are below 100.
     #[test]
     fn each_form_is_the_sum_that_it_stands_for() {
-        let mut terms = [0.0f64; 2 * HALVES];
-        for (k, term) in terms.iter_mut().enumerate() {
-            *term = (((7 * k) % 19) as f64 - 9.0) / (1 + k % 5) as f64;
-        }
-        for length in [0, 1, POWERS, POWERS + 1, POWERS + 2, HALVES, HALVES + 1, 2 * HALVES] {
-            let terms = terms.get(..length).unwrap_or_default();
+        let all = terms();
+        for length in [0, 1, POWERS, POWERS + 1, POWERS + 2, HALVES] {
+            let terms = all.get(..length).unwrap_or_default();
             for angle in [0.0, 0.3, 1.2, 1.6, 2.5, core::f64::consts::PI] {
                 let (t, u) = (libm::cos(angle), libm::cos(2.0 * angle));
                 let element = |k: usize| match Form::of(length) {
                     Form::Powers => libm::pow(t, k as f64),
                     Form::Halves if k.is_multiple_of(2) => libm::pow(u, (k / 2) as f64),
                     Form::Halves => t * libm::pow(u, (k / 2) as f64),
-                    Form::Series => libm::cos(k as f64 * angle),
                 };
                 let sum: f64 =
                     terms.iter().rev().enumerate().map(|(k, term)| term * element(k)).sum();
-                let found = value(terms, t);
+                let found = value(terms, t, &[]);
                 assert!((found - sum).abs() < 1e-11, "{length} at {angle}: {found}, {sum}");
                 let [one, other] =
                     pairs::<f64, { usize::MAX }, 1>([terms, terms], [&[t], &[doubled(t)]]);
                 assert_eq!((one, other), ([found], [found]));
+            }
+        }
+    }
+
+    /// With a_k = 0 and b_k = 1 they are Chebyshev's of the second kind, t = cos θ:
+    /// U_k = sin (k+1)θ / sin θ.
+    #[test]
+    fn recurrences_give_polynomials_of_the_second_kind() {
+        let (all, recurrence) = (terms(), [[0.0, 1.0]; TERMS]);
+        for length in [1, 2, 7, TERMS] {
+            let terms = all.get(..length).unwrap_or_default();
+            for angle in [0.3, 1.2, 1.6, 2.5] {
+                let element = |k: usize| libm::sin((k + 1) as f64 * angle) / libm::sin(angle);
+                let sum: f64 =
+                    terms.iter().rev().enumerate().map(|(k, term)| term * element(k)).sum();
+                let found = value(terms, libm::cos(angle), &recurrence);
+                assert!((found - sum).abs() < 1e-10, "{length} at {angle}: {found}, {sum}");
             }
         }
     }

@@ -6,7 +6,8 @@ use crate::scalar::Scalar;
 
 /// A rotation R of light: what came from ω then comes from Rω.
 ///
-/// R is kept as its matrix, orthonormal to a few roundings.
+/// R is kept as its matrix, orthonormal to sixteen roundings however many rotations follow each
+/// other.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Rotation<S> {
@@ -55,10 +56,11 @@ impl<S: Scalar> Rotation<S> {
     pub fn from_quaternion([x, y, z, w]: [S; 4]) -> Result<Self, Error> {
         let square = x * x + y * y + z * z + w * w;
         let scale = square.reciprocal();
-        if !(square > S::ZERO && square.is_finite() && scale.is_finite()) {
+        let twice = scale + scale;
+        // Infinite below the smallest normal number, 0 of an infinite square.
+        if !(twice > S::ZERO && twice.is_finite()) {
             return Err(Error::Rotation);
         }
-        let twice = scale + scale;
         let (sx, sy, sz) = (twice * x, twice * y, twice * z);
         let (xx, yy, zz) = (sx * x, sy * y, sz * z);
         let (xy, yz, zx) = (sx * y, sy * z, sz * x);
@@ -72,7 +74,8 @@ impl<S: Scalar> Rotation<S> {
         })
     }
 
-    /// The rotation of a matrix, row by row.
+    /// The rotation next to a matrix, row by row: that itself, if it is orthonormal to sixteen
+    /// roundings.
     ///
     /// # Errors
     ///
@@ -90,7 +93,35 @@ impl<S: Scalar> Rotation<S> {
         ];
         let most = S::from_f64(1e-3);
         let fits = pairs.into_iter().all(|apart| apart <= most && -apart <= most);
-        if fits { Ok(Self { matrix }) } else { Err(Error::Rotation) }
+        if fits { Ok(Self { matrix }.orthonormal()) } else { Err(Error::Rotation) }
+    }
+
+    /// The orthonormal matrix next to one that is almost, by Newton's method: R + (1 - RRᵀ) R / 2.
+    ///
+    /// The error of 1e-3 that [`from_matrix`](Self::from_matrix) takes is 1e-6, 1e-12 and nothing
+    /// after one, two and three steps.
+    fn orthonormal(mut self) -> Self {
+        for _ in 0..3 {
+            let rows = self.matrix;
+            let mut off = rows.map(|row| rows.map(|other| -dot(row, other)));
+            off[0][0] += S::ONE;
+            off[1][1] += S::ONE;
+            off[2][2] += S::ONE;
+            let is_rounding = |off: &S| {
+                let sixteenth = *off * S::from_f64(1.0 / 16.0);
+                S::ONE + sixteenth == S::ONE && S::ONE - sixteenth == S::ONE
+            };
+            if off.as_flattened().iter().all(is_rounding) {
+                break;
+            }
+            let columns = self.inverse().matrix;
+            for (row, off) in self.matrix.iter_mut().zip(off) {
+                for (element, column) in row.iter_mut().zip(columns) {
+                    *element += S::from_f64(0.5) * dot(off, column);
+                }
+            }
+        }
+        self
     }
 
     /// R as a matrix, row by row.
@@ -110,7 +141,8 @@ impl<S: Scalar> Rotation<S> {
     #[must_use]
     pub fn after(self, first: Self) -> Self {
         let columns = first.inverse().matrix;
-        Self { matrix: self.matrix.map(|row| columns.map(|column| dot(row, column))) }
+        let matrix = self.matrix.map(|row| columns.map(|column| dot(row, column)));
+        Self { matrix }.orthonormal()
     }
 
     /// Where a direction comes to.

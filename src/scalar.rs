@@ -38,6 +38,8 @@ pub trait Scalar:
     fn from_whole(value: usize) -> Self;
     /// The nearest number of this format.
     fn from_f64(value: f64) -> Self;
+    /// The same number in this format, which has every `f32`.
+    fn from_f32(value: f32) -> Self;
 }
 
 mod sealed {
@@ -80,6 +82,10 @@ macro_rules! scalar {
             #[inline]
             fn from_f64($value: f64) -> Self {
                 $nearest
+            }
+            #[inline(always)]
+            fn from_f32(value: f32) -> Self {
+                value.into()
             }
         }
     };

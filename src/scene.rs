@@ -3,7 +3,10 @@
 
 use crate::basis::Basis;
 use crate::error::{Error, What};
+use crate::index::layout::{LANES, Recurrence};
+use crate::lanes::multiply_add;
 use crate::normal::Normal;
+use crate::parts::Recurrences;
 use crate::polynomial;
 use crate::projection::zeros;
 use crate::scalar::Scalar;
@@ -19,6 +22,7 @@ pub type SceneBuffer<S, const N: usize> = heapless::Vec<S, N>;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Scene<'a, B> {
     lengths: &'a [u16],
+    recurrences: Recurrences<'a>,
     buffer: B,
 }
 
@@ -83,7 +87,7 @@ impl<'a, S: Scalar> Basis<'a, S> {
                 add(-weight, of_profile, sums.get_mut(length..).unwrap_or_default());
             }
         }
-        Ok(Scene { lengths: self.parts.lengths, buffer })
+        Ok(Scene::of(self.parts.lengths, self.recurrences, buffer))
     }
 
     /// The scene of polynomials that were collapsed before, from wherever they were kept.
@@ -94,7 +98,7 @@ impl<'a, S: Scalar> Basis<'a, S> {
     /// [`Error::Length`] unless there are [`scene_len`](Self::scene_len) of them.
     pub fn scene<B: AsRef<[S]>>(&self, buffer: B) -> Result<Scene<'a, B>, Error> {
         Error::check(What::Scene, self.scene_len(), buffer.as_ref().len())?;
-        Ok(Scene { lengths: self.parts.lengths, buffer })
+        Ok(Scene::of(self.parts.lengths, self.recurrences, buffer))
     }
 
     /// The irradiance of one normal as Σ d_i U_i, component by component, without
@@ -114,7 +118,7 @@ impl<'a, S: Scalar> Basis<'a, S> {
             found.copied().unwrap_or(S::ZERO)
         };
         let mut terms = self.parts.terms;
-        let mut sum = polynomial::value(self.parts.mean, t);
+        let mut sum = polynomial::value(self.parts.mean, t, self.recurrences.of(0));
         let (mut cosine, mut sine, mut azimuth) = (S::ONE, S::ZERO, 0);
         for place in self.parts.profiles {
             while azimuth < place.azimuth() {
@@ -125,7 +129,7 @@ impl<'a, S: Scalar> Basis<'a, S> {
                 terms.split_at_checked(self.parts.length(azimuth)).unwrap_or((terms, &[]));
             terms = rest;
             let around = weight(place.plus()) * cosine - weight(place.minus()) * sine;
-            sum += polynomial::value(of_profile, t) * around;
+            sum += polynomial::value(of_profile, t, self.recurrences.of(azimuth)) * around;
         }
         Ok(sum)
     }
@@ -134,8 +138,17 @@ impl<'a, S: Scalar> Basis<'a, S> {
 /// sums += weight terms.
 #[inline]
 fn add<S: Scalar>(weight: S, terms: &[S], sums: &mut [S]) {
-    for (sum, &term) in sums.iter_mut().zip(terms) {
-        *sum += weight * term;
+    // Where code is to be small: no lanes to fill.
+    if cfg!(target_pointer_width = "32") {
+        return sums.iter_mut().zip(terms).for_each(|(sum, &term)| *sum += weight * term);
+    }
+    let (terms, rest) = terms.as_chunks();
+    let (sums, others) = sums.split_at_mut_checked(LANES * terms.len()).unwrap_or_default();
+    for (sums, terms) in sums.as_chunks_mut().0.iter_mut().zip(terms) {
+        *sums = multiply_add(*sums, terms, &[weight; LANES]);
+    }
+    for (sum, &term) in others.iter_mut().zip(rest) {
+        *sum = sum.add_product(weight, term);
     }
 }
 
@@ -154,8 +167,14 @@ pub(crate) fn turned<S: Scalar>(cosine: S, sine: S, x: S, y: S) -> (S, S) {
 impl<'a, B> Scene<'a, B> {
     /// The scene of polynomials of these lengths.
     #[inline]
-    pub(crate) fn of(lengths: &'a [u16], buffer: B) -> Self {
-        Self { lengths, buffer }
+    pub(crate) fn of(lengths: &'a [u16], recurrences: Recurrences<'a>, buffer: B) -> Self {
+        Self { lengths, recurrences, buffer }
+    }
+
+    /// The recurrence of an azimuth, or empty.
+    #[inline]
+    pub(crate) fn recurrence(&self, azimuth: usize) -> &'a [Recurrence] {
+        self.recurrences.of(azimuth)
     }
 
     /// Number of terms for each |m|.
@@ -164,13 +183,14 @@ impl<'a, B> Scene<'a, B> {
         self.lengths
     }
 
-    /// The terms of all polynomials, to be written for polynomials of these lengths.
+    /// The terms of all polynomials, to be written for polynomials of these lengths, without
+    /// recurrences.
     #[inline]
     pub(crate) fn rewritten<S: Scalar>(&mut self, lengths: &'a [u16]) -> &mut [S]
     where
         B: AsMut<[S]>,
     {
-        self.lengths = lengths;
+        (self.lengths, self.recurrences) = (lengths, Recurrences::NONE);
         self.buffer.as_mut()
     }
 
@@ -220,7 +240,8 @@ impl<'a, B> Scene<'a, B> {
         let (&pole, lengths) = lengths.split_first().unwrap_or((&0, &[]));
         let (pole, around) = terms.split_at_checked(usize::from(pole)).unwrap_or_default();
         let len = lengths.iter().map(|&length| 2 * usize::from(length)).sum();
-        Descent { lengths, pole, around: around.get(..len).unwrap_or_default() }
+        let around = around.get(..len).unwrap_or_default();
+        Descent { lengths, pole, around, recurrences: self.recurrences }
     }
 
     /// The irradiance of one normal, in the light's radiance times steradian
@@ -231,8 +252,16 @@ impl<'a, B> Scene<'a, B> {
     where
         B: AsRef<[S]>,
     {
+        let polynomials = self.descent();
+        if let Some(nine_terms) = shade::nine_terms(polynomials) {
+            return nine_terms.shade(normal);
+        }
         let Normal { x, y, z } = normal;
-        let [irradiance] = shade::block::<S, { shade::ANY }, 1>(self.descent(), &[x], &[y], &[z]);
+        let [irradiance] = if polynomials.is_orthogonal() {
+            shade::orthogonal::<S, 1>(polynomials, &[x], &[y], &[z])
+        } else {
+            shade::block::<S, { shade::ANY }, 1>(polynomials, &[x], &[y], &[z])
+        };
         irradiance
     }
 }
@@ -244,9 +273,21 @@ pub(crate) struct Descent<'s, S> {
     pub(crate) lengths: &'s [u16],
     pub(crate) pole: &'s [S],
     around: &'s [S],
+    recurrences: Recurrences<'s>,
 }
 
-impl<S> Descent<'_, S> {
+impl<'s, S> Descent<'s, S> {
+    /// Whether some azimuths have recurrences.
+    #[inline]
+    pub(crate) fn is_orthogonal(&self) -> bool {
+        !self.recurrences.is_empty()
+    }
+
+    /// The recurrence of the azimuth that comes next, at the end that of the pole, or empty.
+    pub(crate) fn recurrence(&self) -> &'s [Recurrence] {
+        self.recurrences.of(self.lengths.len())
+    }
+
     /// Whether some polynomial has more terms.
     pub(crate) fn any_longer_than(&self, terms: usize) -> bool {
         self.pole.len() > terms || self.lengths.iter().any(|&length| usize::from(length) > terms)
@@ -298,10 +339,9 @@ mod tests {
             &[9, 1],
             &[14, 14, 13, 12],
             &[20, 18, 3],
-            &[33, 18, 3],
             &[19, 17, 3],
         ] {
-            let scene = Scene { lengths, buffer: &numbers };
+            let scene = Scene::of(lengths, Recurrences::NONE, &numbers);
             for count in [0, 1, 63, 64, 127, 128, 300] {
                 let normals = Normals::new(&x[..count], &y[..count], &z[..count]);
                 let mut irradiance = [f32::NAN; 300];

@@ -4,12 +4,12 @@ mod nine;
 mod tile;
 
 use crate::error::{Error, What};
-use crate::index::layout::{HALVES, POWERS};
+use crate::index::layout::{HALVES, POWERS, Recurrence};
 use crate::normal::Normals;
 use crate::polynomial;
 use crate::scalar::Scalar;
 use crate::scene::{Descent, Scene, argument};
-use nine::Nine;
+pub(crate) use nine::nine_terms;
 use tile::{Room, TILE};
 
 /// Normals in one block: as many as keep a target's vector registers busy.
@@ -28,8 +28,7 @@ const BLOCK: usize = if cfg!(target_feature = "avx512f") {
 /// Of polynomials of any length.
 pub(crate) const ANY: usize = usize::MAX;
 
-/// Whether there are loops for few terms, and those without halves or series: where code may be
-/// large.
+/// Whether there are loops for few terms, and those without halves: where code may be large.
 const SPECIAL: bool = cfg!(any(target_arch = "x86_64", target_arch = "aarch64"));
 
 impl<B> Scene<'_, B> {
@@ -51,12 +50,14 @@ impl<B> Scene<'_, B> {
     {
         Error::check(What::Normals, normals.len(), irradiance.len())?;
         let polynomials = self.descent();
-        if !SPECIAL {
+        if polynomials.is_orthogonal() {
+            stable(polynomials, normals, irradiance);
+        } else if let Some(nine_terms) = nine_terms(polynomials) {
+            nine_terms.shade_slice(normals, irradiance)?;
+        } else if !SPECIAL {
             blocks::<S, ANY>(polynomials, [normals.x, normals.y, normals.z], irradiance);
         } else if let ([], [] | [_]) = (polynomials.lengths, polynomials.pole) {
             irradiance.fill(polynomials.pole.first().copied().unwrap_or(S::ZERO));
-        } else if let Some(nine) = Nine::new(polynomials) {
-            nine.shade(normals, irradiance);
         } else if tile::fits(&polynomials) {
             let [(x, x_rest), (y, y_rest), (z, z_rest)] =
                 [normals.x, normals.y, normals.z].map(<[S]>::as_chunks::<TILE>);
@@ -66,8 +67,6 @@ impl<B> Scene<'_, B> {
                 tile::tile(polynomials, [x, y, z], &mut room, out);
             }
             blocks::<S, POWERS>(polynomials, [x_rest, y_rest, z_rest], out_rest);
-        } else if polynomials.any_longer_than(HALVES) {
-            blocks::<S, ANY>(polynomials, [normals.x, normals.y, normals.z], irradiance);
         } else if polynomials.any_longer_than(POWERS) {
             blocks::<S, HALVES>(polynomials, [normals.x, normals.y, normals.z], irradiance);
         } else {
@@ -77,6 +76,14 @@ impl<B> Scene<'_, B> {
     }
 }
 
+/// The irradiances of normals where some azimuths have recurrences, block by block.
+#[inline(never)]
+fn stable<S: Scalar>(polynomials: Descent<'_, S>, normals: Normals<'_, S>, irradiance: &mut [S]) {
+    in_blocks([normals.x, normals.y, normals.z], irradiance, |x, y, z| {
+        orthogonal(polynomials, x, y, z)
+    });
+}
+
 /// The irradiances of normals of these components, block by block.
 #[inline(never)]
 fn blocks<S: Scalar, const LONGEST: usize>(
@@ -84,16 +91,25 @@ fn blocks<S: Scalar, const LONGEST: usize>(
     axes: [&[S]; 3],
     irradiance: &mut [S],
 ) {
+    let block = if SPECIAL { block::<S, LONGEST, BLOCK> } else { apart::<S, LONGEST> };
+    in_blocks(axes, irradiance, |x, y, z| block(polynomials, x, y, z));
+}
+
+/// Fills `irradiance` block by block.
+#[inline(always)]
+fn in_blocks<S: Scalar>(
+    axes: [&[S]; 3],
+    irradiance: &mut [S],
+    block: impl Fn(&[S; BLOCK], &[S; BLOCK], &[S; BLOCK]) -> [S; BLOCK],
+) {
     let [(x, x_rest), (y, y_rest), (z, z_rest)] = axes.map(<[S]>::as_chunks::<BLOCK>);
     let (out, out_rest) = irradiance.as_chunks_mut::<BLOCK>();
-    let block = if SPECIAL { block::<S, LONGEST, BLOCK> } else { apart::<S, LONGEST> };
     for (((x, y), z), out) in x.iter().zip(y).zip(z).zip(out) {
-        *out = block(polynomials, x, y, z);
+        *out = block(x, y, z);
     }
     if !out_rest.is_empty() {
         let [x, y, z] = [padded(x_rest), padded(y_rest), padded(z_rest)];
-        let block = block(polynomials, &x, &y, &z);
-        for (out, value) in out_rest.iter_mut().zip(block) {
+        for (out, value) in out_rest.iter_mut().zip(block(&x, &y, &z)) {
             *out = value;
         }
     }
@@ -143,6 +159,42 @@ pub(crate) fn block<S: Scalar, const LONGEST: usize, const N: usize>(
         }
     }
     let mut sums = polynomial::values::<S, LONGEST, N>(polynomials.pole, at);
+    let above = real.iter().zip(&imaginary).zip(x.iter().zip(y));
+    for (sum, ((&real, &imaginary), (&x, &y))) in sums.iter_mut().zip(above) {
+        *sum = sum.add_product(real, x).add_product(imaginary, y);
+    }
+    sums
+}
+
+/// [`block`] of a scene in which some azimuths have recurrences. Partial sums from the highest
+/// azimuth down are large where the profiles are, and as much smaller by each factor w̄.
+#[inline(never)]
+pub(crate) fn orthogonal<S: Scalar, const N: usize>(
+    mut polynomials: Descent<'_, S>,
+    x: &[S; N],
+    y: &[S; N],
+    z: &[S; N],
+) -> [S; N] {
+    let t = vectorised(z);
+    let both = |terms: [&[S]; 2], recurrence: &[Recurrence]| match recurrence {
+        [] => terms.map(|terms| polynomial::values::<S, ANY, N>(terms, [&t, &t])),
+        _ => polynomial::orthogonal(terms, &t, recurrence),
+    };
+    let [mut real, mut imaginary] = [[S::ZERO; N]; 2];
+    loop {
+        let recurrence = polynomials.recurrence();
+        let Some((plus, minus)) = polynomials.next() else { break };
+        let [plus, minus] = both([plus, minus], recurrence);
+        let above = real.iter_mut().zip(&mut imaginary);
+        let here = plus.iter().zip(&minus).zip(x.iter().zip(y));
+        for ((real, imaginary), ((&plus, &minus), (&x, &y))) in above.zip(here) {
+            (*real, *imaginary) = (
+                plus.add_product(*real, x).add_product(*imaginary, y),
+                minus.add_product(*imaginary, x).add_product(-*real, y),
+            );
+        }
+    }
+    let [mut sums, _] = both([polynomials.pole; 2], polynomials.recurrence());
     let above = real.iter().zip(&imaginary).zip(x.iter().zip(y));
     for (sum, ((&real, &imaginary), (&x, &y))) in sums.iter_mut().zip(above) {
         *sum = sum.add_product(real, x).add_product(imaginary, y);

@@ -4,6 +4,7 @@
 //! +m and -m share the sum; theirs differ by (-1)^m.
 
 use crate::basis::Basis;
+use crate::chunks::rows;
 use crate::error::{Error, What};
 use crate::index::effect::Effects;
 use crate::index::layout;
@@ -113,8 +114,7 @@ impl<S: Scalar> Basis<'_, S> {
         Error::check(What::Transfer, self.transfer_len(), transfer.len())?;
         // Lanes with |m| > l stay zero.
         transfer.fill(S::ZERO);
-        // Not 0, which a compiler may not see: chunks of 0 would panic.
-        let width = (self.row() / LANES).max(1);
+        let width = self.row() / LANES;
         let Workspace { scattering, sums, .. } = self.divide(workspace);
         let mut scattered = None;
         for (places, factors) in self.rows() {
@@ -127,10 +127,9 @@ impl<S: Scalar> Basis<'_, S> {
                 self.scatter(material, effects, azimuth, sums, scattering);
                 scattered = Some(azimuth);
             }
-            let factors = factors.as_chunks().0.chunks_exact(width);
-            let (rows, _) = self.scattered_from(azimuth, scattering).as_chunks::<LANES>();
-            let rows = factors.zip(rows.chunks_exact(width));
-            for (row, (factors, scattering)) in rows.enumerate() {
+            let (of_scattering, _) = self.scattered_from(azimuth, scattering).as_chunks::<LANES>();
+            let both = rows(factors.as_chunks().0, width).zip(rows(of_scattering, width));
+            for (row, (factors, scattering)) in both.enumerate() {
                 let sums = lanes::sums(product(factors, scattering));
                 for (place, sum) in places.iter().zip(sums) {
                     place.write(row, sum, transfer);

@@ -24,11 +24,13 @@ pub type LightBuffer<S, const N: usize> = heapless::Vec<S, N>;
 
 impl<S: Scalar> Light<'_, S> {
     /// Numbers that turning a light of this degree needs room for: the matrices of
-    /// two degrees, and some numbers for each order.
+    /// two degrees, and some numbers for each order; `usize::MAX` where that overflows.
     #[must_use]
     pub const fn turn_len(degree: usize) -> usize {
-        let orders = 2 * degree + 1;
-        2 * orders * orders + 2 * orders + degree + 1
+        let orders = degree.saturating_mul(2).saturating_add(1);
+        // 2 orders² + 2 orders, and degree + 1.
+        let of_orders = orders.saturating_mul(orders.saturating_add(1)).saturating_mul(2);
+        of_orders.saturating_add(degree).saturating_add(1)
     }
 
     /// The coefficients of this light, turned: L'(Rω) = L(ω).

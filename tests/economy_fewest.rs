@@ -3,7 +3,7 @@
 
 use crate::images;
 use crate::tolerances;
-use eigenshade::{Normal, Shape, Tolerance, sphere};
+use eigenshade::{Normal, Recurrences, Shape, Tolerance, sphere};
 use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
 use images::{Image, coefficients, products, rule, single};
 
@@ -16,7 +16,11 @@ fn losses(d: &[f32], image: &Image, rule: &[(Normal<f32>, f64)]) -> Vec<Vec<f64>
     let of = |azimuth: usize, length: u16| {
         let mut lengths = full.to_vec();
         lengths[azimuth] = length;
-        let shape = Shape { components: sphere::COMPONENTS, lengths: &lengths };
+        let shape = Shape {
+            components: sphere::COMPONENTS,
+            lengths: &lengths,
+            recurrences: Recurrences::NONE,
+        };
         let made = sphere::BASIS.collapse_as(d, shape, [0.0; sphere::SCENE]).expect("sizes");
         image.apart(&made.0, rule).powi(2)
     };

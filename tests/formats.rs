@@ -258,3 +258,17 @@ fn headroom_is_as_stated() {
         assert!((stated - found).abs() <= tolerances::HEADROOM_STATED, "{name}: {found:.2}");
     }
 }
+
+/// The README gives the first column of the page's table, in whole decibels.
+#[test]
+fn the_readme_states_the_pages_decibels() {
+    let page = include_str!("../docs/formats.md");
+    let of = |name: &str| -> f64 {
+        let row = page.lines().find_map(|line| line.strip_prefix(&format!("| `{name}` | ")));
+        let all = row.and_then(|row| row.split(" dB").next());
+        all.expect("a row").parse().expect("decibels")
+    };
+    let [float, short, long] = ["f32", "Q15", "Q31"].map(of);
+    let sentence = format!("signal to error: {float:.0} dB, {short:.0} dB and {long:.0} dB");
+    assert!(include_str!("../README.md").contains(&sentence), "README.md lacks `{sentence}`");
+}

@@ -49,6 +49,11 @@ proptest! {
     }
 
     #[test]
+    fn every_way_takes_any_numbers(bytes in bytes()) {
+        invariants::public_interface(&bytes);
+    }
+
+    #[test]
     fn reconstructions_are_those_of_f64(bytes in bytes()) {
         invariants::project_reconstruct(&bytes);
     }

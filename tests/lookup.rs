@@ -3,7 +3,7 @@
 
 use crate::shipped;
 use crate::tolerances;
-use eigenshade::{Error, Normal};
+use eigenshade::{Error, MapPoint, Normal, Normals};
 use shipped::{assert_within, errors, normals, scenes};
 
 #[test]
@@ -67,4 +67,26 @@ fn numbers_of_knots_that_do_not_fit_are_errors() {
     assert!(matches!(scene.lookup::<f32, 129>(8), Err(Error::Capacity { needed: 130, .. })));
     assert!(matches!(scene.lookup_into(8, vec![0.0f32; 131]), Err(Error::Length { .. })));
     assert!(scene.lookup::<f32, 130>(8).is_ok());
+}
+
+/// `Normals` takes any numbers and promises a meaningless irradiance for them: z = 1e30 stood at the
+/// last interval that there can be, whose second knot overflowed.
+#[test]
+fn normals_that_are_none_are_no_panic() {
+    let scene = &scenes(9)[0];
+    let lookup = scene.lookup_into(8, vec![0.0; scene.lookup_len::<f32>(8)]).expect("room");
+    let map = scene.bake_into(8, vec![0.0; 64]).expect("room");
+    let numbers = [1e30, -1e30, f32::MAX, f32::INFINITY, f32::NEG_INFINITY, f32::NAN, 0.5, -0.0];
+    for x in numbers {
+        for z in numbers {
+            let normals = [[x], [z], [z]];
+            let [x, y, z] = normals.each_ref();
+            let normals = Normals::new(x, y, z).expect("one length");
+            let normal = normals.iter().next().expect("one normal");
+            let _ = (lookup.linear(normal), lookup.cubic(normal), scene.shade(normal));
+            for point in [MapPoint::of(normal), MapPoint::new(x[0], z[0])] {
+                let _ = (map.bilinear(point), map.nearest(point));
+            }
+        }
+    }
 }

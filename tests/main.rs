@@ -3,6 +3,7 @@
 
 mod ablation;
 mod every_file;
+mod float_errors;
 mod golden;
 mod images;
 mod invariants;
@@ -17,15 +18,19 @@ mod ablation_page;
 mod baked;
 mod economy;
 mod economy_fewest;
+mod economy_floor;
 mod economy_sets;
 mod estimate;
+mod format_support;
 mod formats;
 mod formats_any;
 mod found;
 mod golden_file;
 mod hard_cases;
+mod high_degree;
 mod kernels;
 mod lookup;
+mod nine_terms;
 mod paper;
 mod parts;
 mod polynomials;
@@ -39,6 +44,8 @@ mod trim;
 mod window;
 mod wire;
 mod wire_versions;
+
+use stability::glossy;
 
 #[test]
 fn every_file_is_compiled() {

@@ -1,6 +1,8 @@
 //! A basis whose parts contradict each other is refused.
 
-use eigenshade::{Basis, Coupling, Error, Parts, Pass, ProfilePlace, Row, What, sphere};
+use eigenshade::{
+    Basis, Coupling, Error, Parts, Pass, ProfilePlace, Q15, Row, What, quantised, sphere,
+};
 
 /// The shipped table's parts.
 fn shipped() -> Parts<'static, f32> {
@@ -146,4 +148,24 @@ fn passes_are_those_of_the_layout() {
         let passes = with(parts.passes, 0, wrong);
         assert_eq!(refused(Parts { passes: &passes, ..parts }), Error::Pass, "{wrong:?}");
     }
+}
+
+/// Nothing but an azimuth's profiles, or the mean image at 0, says how long its polynomials are.
+#[test]
+fn an_azimuth_without_a_profile_has_no_terms() {
+    let parts = shipped();
+    let bare = parts.lengths.iter().rposition(|&length| length == 0).expect("of 50 components");
+    let endless = with(parts.lengths, bare, u16::MAX);
+    let found = usize::from(u16::MAX);
+    assert_eq!(
+        refused(Parts { lengths: &endless, ..parts }),
+        Error::Length { what: What::Lengths, expected: 0, found }
+    );
+    let parts = sphere::q15::BASIS.parts();
+    let bare = parts.lengths.iter().rposition(|&length| length == 0).expect("of 50 components");
+    let endless = with(parts.lengths, bare, u8::MAX);
+    assert_eq!(
+        quantised::Basis::<Q15>::new(quantised::Parts { lengths: &endless, ..*parts }).err(),
+        Some(Error::Length { what: What::Lengths, expected: 0, found: 255 })
+    );
 }

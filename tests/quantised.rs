@@ -308,3 +308,57 @@ fn profiles_keep_a_term() {
     let served = table.profiles.iter().map(|profile| profile.azimuth).max().expect("profiles");
     assert_eq!(parts.lengths[..=served], vec![1; served + 1]);
 }
+
+/// Unit vectors along integers of any scale, within a unit of a component in Q15 and three in Q31:
+/// against f64.
+#[test]
+fn normals_along_integers_are_unit_vectors() {
+    fn check<Q: Copy>(
+        along: impl Fn(i32, i32, i32) -> Result<Normal<Q>, Error>,
+        components: impl Fn(Normal<Q>) -> [f64; 3],
+        bits: i32,
+    ) {
+        let mut state = 1u64;
+        let mut random = || {
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            (state >> 32) as i32
+        };
+        for round in 0..20_000 {
+            let shift = round % 31;
+            let vector = [random() >> shift, random() >> (shift / 2), random() >> shift];
+            let [x, y, z] = vector.map(f64::from);
+            let length = x.hypot(y).hypot(z);
+            let found = along(vector[0], vector[1], vector[2]);
+            if vector == [0; 3] {
+                assert_eq!(found.err(), Some(Error::Normal));
+                continue;
+            }
+            if z < -0.125 * length {
+                assert_eq!(found.err(), Some(Error::Hidden), "{vector:?}");
+                continue;
+            }
+            let (z, length) = if z < 0.0 { (0.0, x.hypot(y)) } else { (z, length) };
+            let found = components(found.expect("visible"));
+            for (found, component) in found.into_iter().zip([x, y, z]) {
+                let exact = (component / length * 2f64.powi(bits)).min(2f64.powi(bits) - 1.0);
+                let most = if bits == 15 { 1.0 } else { 3.0 };
+                assert!((found - exact).abs() <= most, "{vector:?}: {found} {exact}");
+            }
+        }
+    }
+    let of_15 = |normal: Normal<Q15>| normal.components().map(|c| f64::from(c.0));
+    check(Normal::<Q15>::along, of_15, 15);
+    let of_31 = |normal: Normal<Q31>| normal.components().map(|c| f64::from(c.0));
+    check(Normal::<Q31>::along, of_31, 31);
+    for extreme in
+        [[i32::MIN; 3], [i32::MAX; 3], [i32::MIN, 0, 0], [0, i32::MIN, 1], [0, 0, i32::MAX]]
+    {
+        let [x, y, z] = extreme;
+        let found = Normal::<Q31>::along(x, y, z);
+        assert_eq!(found.is_err(), x == z && z < 0, "{extreme:?}");
+    }
+    assert_eq!(Normal::<Q15>::along(0, 0, -1), Err(Error::Hidden));
+    assert_eq!(Normal::<Q15>::along(0, 0, 0), Err(Error::Normal));
+}

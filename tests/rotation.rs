@@ -206,3 +206,39 @@ fn what_is_no_rotation_is_an_error() {
     let error = light.turn_into::<Libm>(&Rotation::NONE, &mut room, &mut few);
     assert!(matches!(error, Err(Error::Length { expected: 16, found: 9, .. })));
 }
+
+/// Of every length a rotation or an error: the reciprocal of a square below the smallest normal
+/// number was finite and twice of it was not.
+#[test]
+fn quaternions_of_any_length_are_rotations_or_errors() {
+    let no = Err(Error::Rotation);
+    assert_eq!(Rotation::from_quaternion([0.0f32, 0.0, 0.0, 7e-20]), no);
+    assert!(Rotation::from_quaternion([0.0f64, 0.0, 0.0, 7e-155]).is_err());
+    assert_eq!(Rotation::from_quaternion([0.0f32, 0.0, 0.0, 1.1e-19]), Ok(Rotation::NONE));
+    let mut refused = 0;
+    for step in 0..3_000u16 {
+        let length = 2f64.powf(f64::from(step) / 10.0 - 150.0) as f32;
+        let rotation = Rotation::from_quaternion([1.0, -2.0, 0.5, 3.0].map(|x| x * length));
+        let Ok(rotation) = rotation else {
+            refused += 1;
+            continue;
+        };
+        let product = rotation.after(rotation.inverse()).matrix();
+        for (row, found) in product.iter().enumerate() {
+            for (column, &found) in found.iter().enumerate() {
+                let expected = f32::from(u8::from(row == column));
+                assert!((found - expected).abs() <= 2e-6, "{length:e}: {product:?}");
+            }
+        }
+    }
+    // The square is a normal number of f32 from 2^-126 to 2^128: 127 of 300 octaves of lengths.
+    assert!((1_725..1_735).contains(&refused), "{refused}");
+}
+
+/// Sizes that overflow count as the largest, and no buffer is as large.
+#[test]
+fn room_for_turning_a_light_of_any_degree_is_no_panic() {
+    assert_eq!(Light::<f32>::turn_len(9), 2 * 19 * 19 + 2 * 19 + 10);
+    assert_eq!(Light::<f32>::turn_len(1 << (usize::BITS / 2)), usize::MAX);
+    assert_eq!(Light::<f32>::turn_len(usize::MAX), usize::MAX);
+}

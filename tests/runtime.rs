@@ -117,6 +117,45 @@ fn arguments_beyond_the_table_are_errors() {
     assert_eq!(rim, [1.0, 0.0, 0.0]);
 }
 
+/// What arrives at run time: a coefficient that is not finite is refused with its place.
+#[test]
+fn checked_lights_and_materials_are_finite() {
+    use eigenshade::{Error, Light, Material, What};
+    for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
+        let numbers = [1.0, 0.0, bad, -2.0, bad];
+        let light = Error::NotFinite { what: What::Light, index: 2 };
+        assert_eq!(Light::checked(1, &numbers[..4]), Err(light));
+        let material = Error::NotFinite { what: What::Material, index: 2 };
+        assert_eq!(Material::checked(2, &numbers), Err(material));
+    }
+    let numbers = [f32::MAX, f32::MIN, 1e-45, -0.0, 0.0];
+    assert_eq!(Light::checked(1, &numbers[..4]), Light::new(1, &numbers[..4]));
+    assert_eq!(Material::checked(2, &numbers), Material::new(2, &numbers));
+    assert!(matches!(Light::checked(1, &numbers), Err(Error::Length { .. })));
+}
+
+/// Those of a map of 8 bits or of a mesh are scaled and laid on the rim; the first that cannot be
+/// is an error with its place, and stays as it was.
+#[test]
+fn normals_are_scaled_where_they_are() {
+    use eigenshade::mathematics::{Libm, SinglePrecision};
+    use eigenshade::{Error, Normals};
+    let (mut x, mut y, mut z) =
+        ([0.0f32, 255.0, 3.0, 0.0], [0.0f32, 1.0, 4.0, 0.0], [254.0f32, -31.0, 0.0, -1.0]);
+    let refused = Normals::normalized::<Libm>(&mut x, &mut y, &mut z);
+    assert_eq!(refused, Err(Error::Normals { index: 3 }));
+    assert_eq!((x[3], y[3], z[3]), (0.0, 0.0, -1.0));
+    assert_eq!((x[0], y[0], z[0]), (0.0, 0.0, 1.0));
+    assert_eq!(z[1], 0.0);
+    assert!((x[1].hypot(y[1]) - 1.0).abs() <= 2.0 * f32::EPSILON, "{} {}", x[1], y[1]);
+    let normals = Normals::normalized::<SinglePrecision>(&mut x[..3], &mut y[..3], &mut z[..3]);
+    let [x, y, z] = normals.expect("visible").iter().nth(2).expect("three").components();
+    assert!((x - 0.6).abs() < 1e-6 && (y - 0.8).abs() < 1e-6 && z == 0.0);
+    let (mut x, mut z) = ([0.0f32], [1.0]);
+    let length = Normals::normalized::<Libm>(&mut x, &mut [], &mut z);
+    assert!(matches!(length, Err(Error::Length { .. })));
+}
+
 /// A slice is shaded as its normals are, whatever its length.
 #[test]
 fn slices_are_shaded_as_their_normals() {

@@ -107,3 +107,13 @@ fn negatives_are_kept_or_clamped_and_told() {
     }
     assert_eq!(Negatives::default(), Negatives::Kept);
 }
+
+#[test]
+fn integers_are_clamped_like_floats() {
+    for (negatives, expected) in [(Negatives::Kept, [5, -3, 0]), (Negatives::Clamped, [5, 0, 0])] {
+        let mut image = [5i32, -3, 0];
+        assert_eq!(negatives.apply(&mut image), Some(-3));
+        assert_eq!(image, expected);
+        assert_eq!(negatives.of(i32::MIN).min(0), if expected[1] < 0 { i32::MIN } else { 0 });
+    }
+}

@@ -1,4 +1,4 @@
-//! Wire files of versions 1 to 3 are read, wherever they lie.
+//! Wire files are read, wherever they lie, and give what they gave when they were made.
 
 use crate::tolerances;
 use crate::wire_files as files;
@@ -9,9 +9,8 @@ use files::{
     facing_15, facing_31, floats, general, integers, room,
 };
 
-/// These files stay; so does what they give.
 #[test]
-fn version_1_is_read() {
+fn tables_of_all_effects_are_read() {
     for (table, bytes) in [("sphere", &SPHERE.0), ("mean", &MEAN.0)] {
         let basis = Basis::<f32>::from_bytes(bytes).expect("a wire file");
         assert_same(table, &floats(&basis).0, tolerances::WIRE_F32);
@@ -24,9 +23,8 @@ fn version_1_is_read() {
     assert_same("sphere", &integers(&basis, facing_31()), tolerances::WIRE_Q31);
 }
 
-/// Nor do these change.
 #[test]
-fn version_2_is_read() {
+fn tables_of_some_effects_are_read() {
     for (table, bytes) in [("effects", &EFFECTS.0), ("turned", &TURNED.0)] {
         let basis = Basis::<f32>::from_bytes(bytes).expect("a wire file");
         assert!(!basis.effects().is_all());
@@ -37,9 +35,9 @@ fn version_2_is_read() {
     assert_same("turned", &integers(&basis, facing_15()), tolerances::WIRE_Q15);
 }
 
-/// Nor does this one, whose polynomials have two halves: its last number is an irradiance.
+/// The last number is an irradiance.
 #[test]
-fn version_3_is_read() {
+fn polynomials_in_two_halves_are_read() {
     let basis = Basis::<f32>::from_bytes(&LONG.0).expect("a wire file");
     assert!(basis.parts().lengths.iter().any(|length| (17..=32).contains(length)));
     let (mut found, irradiance) = floats(&basis);

@@ -73,6 +73,33 @@ function checked(what, coefficients, count, most) {
   return numbers;
 }
 
+/**
+ * The unit normals along vectors given component by component: those of a mesh, or of a normal
+ * map, whose channel c of 8 bits says 2c - 255. One that points away by no more than 1/8 is laid
+ * on the rim, beyond which an image means nothing.
+ */
+export function normalized(x, y, z) {
+  const count = x.length;
+  for (const [what, array] of Object.entries({ y, z })) {
+    if (array.length !== count) {
+      throw new RangeError(`normalized: x has ${count} numbers, ${what} has ${array.length}`);
+    }
+  }
+  const normals = [0, 1, 2].map(() => new Float32Array(count));
+  for (let k = 0; k < count; k++) {
+    const distance = Math.hypot(x[k], y[k], z[k]);
+    if (!(distance < Infinity && z[k] / distance >= -1 / 8)) {
+      throw new RangeError(
+        `normalized: vector ${k} is (${x[k]}, ${y[k]}, ${z[k]}), which points nowhere or away`,
+      );
+    }
+    const visible = [x[k], y[k], Math.max(z[k], 0)];
+    const length = Math.hypot(...visible);
+    normals.forEach((axis, which) => (axis[k] = visible[which] / length));
+  }
+  return normals;
+}
+
 /** What the formats have in common. */
 class Format {
   constructor(exports, name, view, shape, array, bits) {

@@ -7,8 +7,12 @@ use std::path::Path;
 /// Where a target's seeds stand, and what makes them.
 type Corpus = (&'static str, fn() -> Vec<(String, Vec<u8>)>);
 
-const CORPORA: [Corpus; 3] =
-    [("shade_any", shade_any), ("project_reconstruct", reconstruct), ("from_bytes", tables)];
+const CORPORA: [Corpus; 4] = [
+    ("shade_any", shade_any),
+    ("public_interface", public_interface),
+    ("project_reconstruct", reconstruct),
+    ("from_bytes", tables),
+];
 
 fn main() -> std::io::Result<()> {
     for (target, seeds) in CORPORA {
@@ -91,6 +95,35 @@ fn shade_any() -> Vec<(String, Vec<u8>)> {
     seeds
 }
 
+/// Rotations of each kind, a light and an image of moderate size or of any, and some normals.
+fn public_interface() -> Vec<(String, Vec<u8>)> {
+    let seed = |(name, is_any): (&str, u8)| {
+        let mut bytes = Vec::new();
+        bytes.extend([1u64 << 32, 1, 0].map(u64::to_le_bytes).concat());
+        bytes.push(is_any);
+        bytes.push(4);
+        bytes.push(0);
+        bytes.extend([0.0f32, 0.0, 0.0, 7e-20].map(f32::to_le_bytes).concat());
+        bytes.extend([1, 3, 250, 7, 100]);
+        bytes.extend([3, 40, 80, 200]);
+        bytes.extend([4, 30, 1, 2]);
+        for k in 0..150 {
+            if is_any == 0 {
+                put(&mut bytes, mantissa(k % 100), 2);
+                bytes.push(40);
+            } else {
+                bytes.extend((mantissa(k % 100) as f32 / i32::MAX as f32).to_le_bytes());
+            }
+        }
+        bytes.extend([24, 30, 40]);
+        for normal in [[0.0f32, 0.0, 1.0], [0.0, 0.0, 1e30], [0.8, 0.6, -0.1], [-0.36, 0.48, 0.8]] {
+            bytes.extend(normal.map(f32::to_le_bytes).concat());
+        }
+        (name.to_owned(), bytes)
+    };
+    [("moderate", 0), ("any", 1)].map(seed).to_vec()
+}
+
 fn reconstruct() -> Vec<(String, Vec<u8>)> {
     let seed = |(degree, order): (usize, usize)| {
         let mut bytes = Vec::new();
@@ -120,9 +153,9 @@ fn tables() -> Vec<(String, Vec<u8>)> {
         "v1.general.f32",
         "v1.sphere.q15",
         "v1.sphere.q31",
-        "v2.effects.f32",
-        "v2.turned.q15",
-        "v3.long.f32",
+        "v1.effects.f32",
+        "v1.turned.q15",
+        "v1.long.f32",
     ]
     .map(seed)
     .to_vec()

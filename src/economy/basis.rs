@@ -1,83 +1,143 @@
-//! A polynomial in one basis rewritten in another, both with a recurrence of three terms.
+//! Polynomials in the form that pixels take rewritten in orthogonal ones, and back, each by Horner's
+//! rule: the sum so far times 2t, and the next term. +m and -m go side by side.
 
-use crate::index::layout::Form;
+use super::density::Density;
+use crate::index::layout::{HALVES, LANES, POWERS};
+use crate::lanes::multiply_add;
 use crate::scalar::Scalar;
 
 /// Most terms of what is rewritten.
-pub(super) const MOST: usize = 64;
+pub(super) const MOST: usize = HALVES;
 
-/// Polynomials e_k with t e_k = above e_k+1 + at e_k + below e_k-1.
-pub(super) trait Recurrence<S> {
-    /// above, at and below of e_k.
-    fn term(&self, k: usize) -> [S; 3];
+/// Room for numbers lowest first, behind a zero, with zeros behind them.
+const ROOM: usize = MOST + 4;
+
+/// Numbers of +m and -m.
+type Row<S> = [[S; 2]; ROOM];
+
+/// Rows that are rewritten.
+pub(super) struct Rows<S> {
+    now: Row<S>,
+    next: Row<S>,
+    at: Row<S>,
+    below: Row<S>,
+    /// In place of -m's where there is none.
+    none: [S; MOST],
 }
 
-impl<S: Scalar> Recurrence<S> for Form {
-    fn term(&self, k: usize) -> [S; 3] {
-        let [above, below] = self.recurrence(k).map(S::from_f64);
-        [above, S::ZERO, below]
+impl<S: Scalar> Rows<S> {
+    pub(super) const fn new() -> Self {
+        let row = [[S::ZERO; 2]; ROOM];
+        Self { now: row, next: row, at: row, below: row, none: [S::ZERO; MOST] }
     }
-}
 
-/// Rewrites terms, highest first, by Clenshaw's recurrence on polynomials: of `from` in `to`.
-/// More than [`MOST`] stay as they are.
-///
-/// Cost: four products and four sums for each pair of terms.
-pub(super) fn rewrite<S: Scalar>(
-    terms: &mut [S],
-    from: &impl Recurrence<S>,
-    to: &impl Recurrence<S>,
-) {
-    if terms.len() > MOST {
-        return;
+    /// Rewrites polynomials of +m and -m, highest term first, in orthogonal ones, each times
+    /// its number.
+    pub(super) fn orthogonalize(
+        &mut self,
+        [plus, minus]: [&mut [S]; 2],
+        density: &Density<S>,
+        numbers: impl Iterator<Item = S>,
+    ) {
+        let length = plus.len();
+        self.start(length, density);
+        let Self { now, next, at, below, none } = self;
+        let (mut now, mut next) = (now, next);
+        let minus = if minus.is_empty() { none.as_mut_slice() } else { minus };
+        let (half, is_long) = (S::from_f64(0.5), length > POWERS);
+        // Powers are of 2t.
+        let double = if is_long { S::ONE } else { S::ONE + S::ONE };
+        let mut scale = (1..length).fold(S::ONE, |scale, _| scale * half);
+        if is_long {
+            scale = S::ONE;
+        }
+        for (index, (&term, &other)) in plus.iter().zip(&*minus).enumerate() {
+            let terms = groups(now, 0).iter().zip(groups(now, 1)).zip(groups(now, 2));
+            let terms = groups(at, 0).iter().zip(groups(below, 1)).zip(terms);
+            let sums = first_groups(next).iter_mut().zip(terms).take(index / 2 + 1);
+            // u = (2t)²/2 - 1, and before last it was times t.
+            if is_long && (length - index) % 2 == 1 {
+                for (sum, ((at, below), ((lower, here), higher))) in sums {
+                    let whole = multiply_add(multiply_add(*lower, here, at), higher, below);
+                    *sum = multiply_add(sum.map(|sum| -sum), &whole, &[half; LANES]);
+                }
+            } else {
+                for (sum, ((at, below), ((lower, here), higher))) in sums {
+                    *sum = multiply_add(multiply_add(*lower, here, at), higher, below);
+                }
+            }
+            add(next, [term * scale, other * scale]);
+            scale = scale * double;
+            (now, next) = (next, now);
+        }
+        let both = plus.iter_mut().rev().zip(minus.iter_mut().rev());
+        for ((pair, number), (plus, minus)) in now.iter().skip(1).zip(numbers).zip(both) {
+            [*plus, *minus] = pair.map(|sum| sum * number);
+        }
     }
-    // b_k = c_k + (t - at_k) / above_k b_k+1 - below_k+1 / above_k+1 b_k+2, lowest first; zero
-    // beyond the terms that each has.
-    let (mut one, mut two, mut three) = ([S::ZERO; MOST], [S::ZERO; MOST], [S::ZERO; MOST]);
-    let (mut sum, mut next, mut after) = (&mut one, &mut two, &mut three);
-    for (place, k) in (0..terms.len()).rev().enumerate() {
-        let ([above, at, _], [above_next, _, below_next]) = (from.term(k), from.term(k + 1));
-        let (scale, past) = (above.reciprocal(), -below_next * above_next.reciprocal());
-        // t e_j-1 has above_j-1 of e_j.
-        let (mut previous, mut above) = (S::ZERO, S::ZERO);
-        let later = next.iter().skip(1).copied().chain([S::ZERO]);
-        let of_next = next.iter().zip(later).zip(after.iter());
-        for (j, (sum, ((&this, later), &after))) in
-            sum.iter_mut().zip(of_next).enumerate().take(place + 1)
+
+    /// Rewrites orthogonal polynomials of +m and -m in the form of that length.
+    pub(super) fn rewrite(&mut self, [plus, minus]: [&mut [S]; 2], density: &Density<S>) {
+        let length = plus.len();
+        self.start(length, density);
+        let Self { now, next, at, below, none } = self;
+        let (mut now, mut next) = (now, next);
+        let minus = if minus.is_empty() { none.as_mut_slice() } else { minus };
+        let is_long = length > POWERS;
+        let recurrence = at.iter().zip(below.iter().skip(1)).take(length).rev();
+        let both = plus.iter().zip(&*minus).zip(recurrence);
+        for (index, ((&term, &other), (&[at, _], &[below, _]))) in both.enumerate() {
+            let (at, below) = ([-at; LANES], [-below; LANES]);
+            let terms = groups(now, 0).iter().zip(groups(now, 1)).zip(groups(now, 2));
+            let sums = first_groups(next).iter_mut().zip(terms).take(index / 2 + 1);
+            for (sum, ((&lower, here), &[up, down, ..])) in sums {
+                // 2t times t is u + 1.
+                let times = match lower {
+                    [even, more, odd, another] if is_long => {
+                        [even + up, more + down, odd + odd, another + another]
+                    }
+                    powers => powers,
+                };
+                *sum = multiply_add(multiply_add(times, here, &at), sum, &below);
+            }
+            add(next, [term, other]);
+            (now, next) = (next, now);
+        }
+        let double = if is_long { S::ONE } else { S::ONE + S::ONE };
+        let mut scale = S::ONE;
+        let both = plus.iter_mut().rev().zip(minus.iter_mut().rev());
+        for (pair, (plus, minus)) in now.iter().skip(1).zip(both) {
+            [*plus, *minus] = pair.map(|sum| sum * scale);
+            scale = scale * double;
+        }
+    }
+
+    /// Of polynomials of so many terms.
+    fn start(&mut self, length: usize, density: &Density<S>) {
+        let of = self.now.iter_mut().zip(&mut self.next).zip(&mut self.at).zip(&mut self.below);
+        for ((((now, next), at), below), &[of_at, of_below]) in
+            of.zip(density.recurrence()).take(length + 4)
         {
-            let ([above_here, here, _], [_, _, below]) = (to.term(j), to.term(j + 1));
-            let times = (above * previous).add_product(here - at, this).add_product(below, later);
-            *sum = (scale * times).add_product(past, after);
-            (previous, above) = (this, above_here);
+            (*now, *next, *at, *below) = ([S::ZERO; 2], [S::ZERO; 2], [of_at; 2], [of_below; 2]);
         }
-        if let ([lowest, ..], Some(&term)) = (&mut *sum, terms.get(place)) {
-            *lowest += term;
-        }
-        (sum, next, after) = (after, sum, next);
-    }
-    for (term, &rewritten) in terms.iter_mut().rev().zip(next.iter()) {
-        *term = rewritten;
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
+/// Adds to the lowest numbers.
+#[inline(always)]
+fn add<S: Scalar>([_, lowest, ..]: &mut Row<S>, terms: [S; 2]) {
+    let ([a, b], [c, d]) = (*lowest, terms);
+    *lowest = [a + c, b + d];
+}
 
-    #[test]
-    fn powers_become_other_forms_and_powers_again() {
-        // t³ = (3 T_1 + T_3) / 4 = (t + tu) / 2; t² = (T_0 + T_2) / 2 = (1 + u) / 2.
-        let cubic = [1.0f64, 3.0, 0.0, 0.0];
-        for (form, other) in [
-            (Form::Powers, cubic),
-            (Form::Halves, [0.5, 1.5, 0.5, 1.5]),
-            (Form::Series, [0.25, 1.5, 0.75, 1.5]),
-        ] {
-            let mut terms = cubic;
-            rewrite(&mut terms, &Form::Powers, &form);
-            assert_eq!(terms, other);
-            rewrite(&mut terms, &form, &Form::Powers);
-            assert_eq!(terms, cubic);
-        }
-    }
+/// The groups of a row's pairs from one on.
+#[inline(always)]
+fn groups<S>(row: &Row<S>, from: usize) -> &[[S; LANES]] {
+    row.get(from..).unwrap_or_default().as_flattened().as_chunks().0
+}
+
+/// The groups of the pairs behind the zero.
+#[inline(always)]
+fn first_groups<S>(row: &mut Row<S>) -> &mut [[S; LANES]] {
+    row.get_mut(1..).unwrap_or_default().as_flattened_mut().as_chunks_mut().0
 }

@@ -2,18 +2,20 @@
 
 use super::Tolerance;
 use crate::error::Error;
-use crate::normal::Normal;
+use crate::index::layout::{LANES, POWERS, Recurrence};
+use crate::lanes::multiply_add;
+use crate::polynomial::{long, orthogonal, value};
 use crate::scalar::Scalar;
 use crate::scene::Scene;
 
-/// Where the peak is looked for: toward the camera, and slants of these cosines and sines,
-/// each at eight azimuths.
-const SLANTS: [(f64, f64); 5] = [
+/// Where the peak is looked for, beside the camera's direction: slants of these cosines and sines,
+/// as many as lanes, and one where t is 0.
+const SLANTS: [(f64, f64); LANES + 1] = [
     (0.92, 0.391_918_358_845_308_5),
     (0.75, 0.661_437_827_766_147_6),
-    (0.5, 0.866_025_403_784_438_6),
     (0.25, 0.968_245_836_551_854_2),
     (0.0, 1.0),
+    (0.5, 0.866_025_403_784_438_6),
 ];
 
 impl<S: Scalar> Tolerance<S> {
@@ -35,23 +37,93 @@ impl<S: Scalar> Tolerance<S> {
     }
 }
 
-/// The largest |I| at some normals.
+/// The largest |I| at 41 normals: toward the camera, and of each slant at eight azimuths.
+///
+/// Azimuths m and m + 8 are one at these, so a slant costs its polynomials once.
 pub(super) fn peak<S: Scalar, B: AsRef<[S]>>(scene: &Scene<'_, B>) -> S {
-    let at = |x: S, y: S, z: S| size(scene.shade(Normal { x, y, z }));
-    let mut largest = at(S::ZERO, S::ZERO, S::ONE);
-    let diagonal = S::from_f64(core::f64::consts::FRAC_1_SQRT_2);
-    for (z, sine) in SLANTS {
-        let (z, sine) = (S::from_f64(z), S::from_f64(sine));
-        let aslant = sine * diagonal;
-        for (x, y) in [(sine, S::ZERO), (S::ZERO, sine), (aslant, aslant), (aslant, -aslant)] {
-            for found in [at(x, y, z), at(-x, -y, z)] {
-                if found > largest {
-                    largest = found;
-                }
-            }
+    let [lanes @ .., _] = SLANTS;
+    let t = lanes.map(|(z, _)| S::from_f64(z + z - 1.0));
+    let sines = SLANTS.map(|(_, sine)| S::from_f64(sine));
+    let mut power = [S::ONE; SLANTS.len()];
+    // Of cos mβ and sin mβ, for m = 0 to 4.
+    let mut sums = [[[S::ZERO; 2]; SLANTS.len()]; 5];
+    let mut most = S::ZERO;
+    for (azimuth, (plus, minus)) in scene.azimuths().enumerate() {
+        if plus.is_empty() {
+            power.iter_mut().zip(&sines).for_each(|(power, &of_slant)| *power = *power * of_slant);
+            continue;
+        }
+        let recurrence = scene.recurrence(azimuth);
+        // Of m = 0 there is no sin mβ.
+        let minus = if azimuth == 0 { plus } else { minus };
+        let lanes = match recurrence {
+            [] => [slants(plus, &t), slants(minus, &t)],
+            _ => orthogonal([plus, minus], &t, recurrence),
+        };
+        if azimuth == 0 {
+            most = size(value(plus, S::ONE, recurrence));
+        }
+        let ([[a, b, c, d], [e, f, g, h]], [plus, minus]) =
+            (lanes, [middle(plus, recurrence), middle(minus, recurrence)]);
+        let (plus, minus) = ([a, b, c, d, plus], [e, f, g, h, minus]);
+        let (turns, sign) = match azimuth % 8 {
+            turns @ 0..=4 => (turns, S::ONE),
+            turns => (8 - turns, -S::ONE),
+        };
+        let Some(sums) = sums.get_mut(turns) else { continue };
+        let of_slants = plus.iter().zip(&minus).zip(power.iter_mut().zip(&sines));
+        for ([cosine, sine], ((&plus, &minus), (power, &of_slant))) in
+            sums.iter_mut().zip(of_slants)
+        {
+            *cosine = cosine.add_product(plus, *power);
+            *sine = sine.add_product(sign * minus, *power);
+            *power = *power * of_slant;
         }
     }
-    largest
+    let diagonal = S::from_f64(core::f64::consts::FRAC_1_SQRT_2);
+    let [zero, one, two, three, four] = sums;
+    let of_slants = zero.iter().zip(&one).zip(two.iter().zip(&three)).zip(&four);
+    of_slants.fold(most, |most, (((zero, one), (two, three)), four)| {
+        let ([all, unseen], [half, also]) = (*zero, *four);
+        // sin 4β is 0 at all of them, but what is not finite counts.
+        let most = larger(most, S::ZERO * (unseen + also));
+        // At β and at β + π: the sum of both and their difference.
+        let same =
+            [all + half + two[0], all - half + two[1], all + half - two[0], all - half - two[1]];
+        let opposite = [
+            one[0] + three[0],
+            diagonal * ((one[0] - three[0]) + (one[1] + three[1])),
+            one[1] - three[1],
+            diagonal * ((three[0] - one[0]) + (one[1] + three[1])),
+        ];
+        let both = same.into_iter().zip(opposite);
+        both.fold(most, |most, (same, opposite)| larger(most, size(same) + size(opposite)))
+    })
+}
+
+/// A polynomial's values at the lanes' slants; apart from its caller, where what t is would be
+/// known and each lane done in its own way.
+#[inline(never)]
+fn slants<S: Scalar>(terms: &[S], t: &[S; LANES]) -> [S; LANES] {
+    if terms.len() > POWERS {
+        return long(terms, t);
+    }
+    let Some((&first, rest)) = terms.split_first() else { return [S::ZERO; LANES] };
+    rest.iter().fold([first; LANES], |sums, &term| multiply_add([term; LANES], &sums, t))
+}
+
+/// A polynomial's value where t is 0.
+fn middle<S: Scalar>(terms: &[S], recurrence: &[Recurrence]) -> S {
+    match terms.last() {
+        Some(&last) if recurrence.is_empty() && terms.len() <= POWERS => last,
+        _ => value(terms, S::ZERO, recurrence),
+    }
+}
+
+/// The larger of two; what is not finite stays.
+pub(super) fn larger<S: Scalar>(most: S, one: S) -> S {
+    let more = !one.is_finite() || one > most;
+    if most.is_finite() && more { one } else { most }
 }
 
 fn size<S: Scalar>(value: S) -> S {

@@ -1,11 +1,12 @@
 //! One loop for several images: as many components, polynomials of the same lengths.
 
-use super::peak::peak;
-use super::terms::{Accounts, can_be, from_orthonormal, left_out, to_orthonormal};
+use super::peak::{larger, peak};
+use super::terms::{Accounts, Polynomials};
 use super::{Economy, Tolerance};
 use crate::basis::Basis;
 use crate::error::{Error, What};
 use crate::mathematics::{Libm, Mathematics};
+use crate::parts::Recurrences;
 use crate::scalar::Scalar;
 use crate::scene::Scene;
 
@@ -13,14 +14,19 @@ use crate::scene::Scene;
 /// costs.
 const COMPONENTS: f64 = 0.0625;
 
+/// As much as a table's components lack is in its last fifth: see [`Economy::floor`].
+const FLOOR: usize = 5;
+
 /// What scenes of one shape have in common: a loop over pixels that serves one serves all.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Shape<'l> {
-    /// The first so many components are in it.
+    /// So many components suffice: see [`Economy::components`].
     pub components: usize,
     /// Terms of the polynomials of azimuths |m| = 0, 1, ...
     pub lengths: &'l [u16],
+    /// Those of the basis.
+    pub recurrences: Recurrences<'l>,
 }
 
 impl<'l> Shape<'l> {
@@ -47,11 +53,11 @@ impl<'l> Shape<'l> {
         let (expected, found) = (self.terms(), buffer.as_ref().len());
         let enough = expected.min(found);
         Error::check(What::Scene, expected, enough)?;
-        Ok(Scene::of(self.lengths, buffer))
+        Ok(Scene::of(self.lengths, self.recurrences, buffer))
     }
 }
 
-impl<S: Scalar> Basis<'_, S> {
+impl<'a, S: Scalar> Basis<'a, S> {
     /// Scenes of one shape, each within a tolerance of its image: a set of materials under one
     /// light, a material under several, a colour's channels.
     ///
@@ -103,7 +109,10 @@ impl<S: Scalar> Basis<'_, S> {
         lengths: &'l mut [u16],
         buffer: &mut [S],
         economies: &mut [Economy<S>],
-    ) -> Result<Shape<'l>, Error> {
+    ) -> Result<Shape<'l>, Error>
+    where
+        'a: 'l,
+    {
         let (count, len) = (images.len(), self.scene_len());
         let whole = count.checked_next_multiple_of(channels).unwrap_or_default();
         Error::check(What::Images, whole, count)?;
@@ -116,12 +125,8 @@ impl<S: Scalar> Basis<'_, S> {
             economy.peak = peak(&self.collapse_into(image, numbers)?);
         }
         for channels in economies.chunks_exact_mut(channels.max(1)) {
-            // What is not finite stays.
-            let larger = |most: S, one: &Economy<S>| {
-                let more = !one.peak.is_finite() || one.peak > most;
-                if most.is_finite() && more { one.peak } else { most }
-            };
-            let peak = channels.iter().fold(S::ZERO, larger);
+            let peaks = channels.iter().map(|economy| economy.peak);
+            let peak = peaks.fold(S::ZERO, larger);
             channels.iter_mut().for_each(|economy| economy.peak = peak);
         }
         let mut components = 0;
@@ -131,23 +136,29 @@ impl<S: Scalar> Basis<'_, S> {
             economy.bound = account.allowed(tolerance.irradiance(economy.peak)?);
             components = components.max(account.components(image, economy.bound));
         }
-        let (originals, found) = (self.parts.lengths, lengths.len());
-        let expected = originals.len();
+        let (polynomials, found) = (self.polynomials(), lengths.len());
+        let expected = polynomials.lengths.len();
         let lengths = lengths.get_mut(..expected);
         let lengths = lengths.ok_or(Error::Length { what: What::Lengths, expected, found })?;
-        lengths.copy_from_slice(originals);
-        for (image, numbers, economy) in each(images, buffer, len, economies) {
+        lengths.copy_from_slice(polynomials.lengths);
+        for (image, _, economy) in each(images, buffer, len, economies) {
             let account = Account::new(economy.peak);
-            to_orthonormal(originals, numbers, account.scale);
             economy.left_out_by_components = account.spent(image, components);
         }
-        Accounts { originals, numbers: buffer, len, told: economies }.spare(lengths);
+        let scale = |economy: &Economy<S>| Account::new(economy.peak).scale;
+        Accounts { polynomials, numbers: buffer, len, told: economies }
+            .spare_azimuths(lengths, scale);
+        for (_, numbers, economy) in each(images, buffer, len, economies) {
+            polynomials.orthonormalize(lengths, numbers, scale(economy));
+        }
+        Accounts { polynomials, numbers: buffer, len, told: economies }.spare(lengths);
         let lengths = &*lengths;
-        let azimuths = Shape { components, lengths }.azimuths();
-        let shape = Shape { components, lengths: lengths.get(..azimuths).unwrap_or_default() };
+        let shape = Shape { components, lengths, recurrences: self.recurrences };
+        let lengths = lengths.get(..shape.azimuths()).unwrap_or_default();
+        let shape = Shape { lengths, ..shape };
         for (image, numbers, economy) in each(images, buffer, len, economies) {
             let account = Account::new(economy.peak);
-            self.shaped(image, shape, account, numbers)?;
+            polynomials.restore(shape.lengths, numbers, account.unit);
             account.settle(image, shape, economy);
         }
         Ok(shape)
@@ -172,9 +183,12 @@ impl<S: Scalar> Basis<'_, S> {
         coefficients: &[S],
         shape: Shape<'l>,
         buffer: B,
-    ) -> Result<(Scene<'l, B>, Economy<S>), Error> {
-        let originals = self.parts.lengths;
-        if !can_be(originals, shape.lengths) {
+    ) -> Result<(Scene<'l, B>, Economy<S>), Error>
+    where
+        'a: 'l,
+    {
+        let polynomials = self.polynomials();
+        if !polynomials.can_become(shape.lengths) {
             let (expected, found) = (self.scene_len(), shape.terms());
             return Err(Error::Length { what: What::Lengths, expected, found });
         }
@@ -183,30 +197,16 @@ impl<S: Scalar> Basis<'_, S> {
         let mut buffer = scene.into_buffer();
         let numbers = buffer.as_mut();
         let account = Account::new(economy.peak);
-        to_orthonormal(originals, numbers, account.scale);
+        polynomials.orthonormalize(polynomials.lengths, numbers, account.scale);
         economy.left_out_by_components = account.spent(coefficients, shape.components);
-        economy.left_out_by_terms = left_out(originals, shape.lengths, numbers);
-        self.shaped(coefficients, shape, account, numbers)?;
+        economy.left_out_by_terms = polynomials.left_out(shape.lengths, numbers);
+        polynomials.restore(shape.lengths, numbers, account.unit);
         account.settle(coefficients, shape, &mut economy);
-        Ok((Scene::of(shape.lengths, buffer), economy))
+        Ok((Scene::of(shape.lengths, shape.recurrences, buffer), economy))
     }
 
-    /// The scene of a shape, of numbers that are all components' in orthonormal polynomials.
-    fn shaped(
-        &self,
-        image: &[S],
-        shape: Shape<'_>,
-        account: Account<S>,
-        numbers: &mut [S],
-    ) -> Result<(), Error> {
-        let originals = self.parts.lengths;
-        // Components that are left out have no part in terms that are, so the squares add.
-        if let Some((some, [_, ..])) = image.split_at_checked(shape.components) {
-            self.collapse_into(some, &mut *numbers)?;
-            to_orthonormal(originals, numbers, account.scale);
-        }
-        from_orthonormal(originals, shape.lengths, numbers, account.unit);
-        Ok(())
+    fn polynomials(&self) -> Polynomials<'a> {
+        Polynomials { lengths: self.parts.lengths, recurrences: self.recurrences }
     }
 }
 
@@ -233,6 +233,9 @@ struct Account<S> {
 /// The unit of what is black where its peak is looked for.
 const DARK: f64 = 1e-19;
 
+/// So many times its unit is more than any image is off.
+const MOST: f64 = 1e9;
+
 impl<S: Scalar> Account<S> {
     fn new(peak: S) -> Self {
         let (dark, scale) = (S::from_f64(DARK), peak.reciprocal());
@@ -243,9 +246,10 @@ impl<S: Scalar> Account<S> {
         }
     }
 
-    /// Sum of squares that an image may be off.
+    /// Sum of squares that an image may be off; finite, however dim the image is.
     fn allowed(&self, tolerance: S) -> S {
-        let share = tolerance * self.scale;
+        let (share, most) = (tolerance * self.scale, S::from_f64(MOST));
+        let share = if share > most { most } else { share };
         share * share
     }
 
@@ -276,5 +280,6 @@ impl<S: Scalar> Account<S> {
         economy.left_out_by_components = irradiance(components);
         economy.left_out_by_terms = irradiance(terms);
         economy.bound = irradiance(components + terms);
+        economy.floor = irradiance(self.spent(image, image.len() - image.len().div_ceil(FLOOR)));
     }
 }

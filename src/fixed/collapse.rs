@@ -1,12 +1,13 @@
 //! The scene of an image, term by term: the components' weights stay in registers.
 
+use crate::parts::Recurrences;
 use crate::scalar::Scalar;
 use crate::scene::{Scene, SceneBuffer};
 
-/// A scene of these lengths, all zero.
+/// A scene of these lengths, all zero, without recurrences.
 #[inline(always)]
 pub fn blank_scene<S: Scalar, const N: usize>(lengths: &[u16]) -> Scene<'_, SceneBuffer<S, N>> {
-    Scene::of(lengths, heapless::Vec::from_array([S::ZERO; N]))
+    Scene::of(lengths, Recurrences::NONE, heapless::Vec::from_array([S::ZERO; N]))
 }
 
 /// A scene's numbers, to be written as those of polynomials of these lengths, `N` in all.

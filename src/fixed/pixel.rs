@@ -30,7 +30,7 @@ pub fn highest<S: Scalar, const START: usize, const L: usize, const N: usize>(
 ) -> [S; 2] {
     let t = argument(normal.z);
     [START, START + L].map(|start| match terms.get(start..).and_then(<[S]>::first_chunk::<L>) {
-        Some(terms) => polynomial::value(terms, t),
+        Some(terms) => polynomial::short(terms, t),
         None => S::ZERO,
     })
 }
@@ -58,7 +58,7 @@ pub fn pole<S: Scalar, const L: usize, const N: usize>(
     [real, imaginary]: [S; 2],
 ) -> S {
     let value = match terms.first_chunk::<L>() {
-        Some(terms) => polynomial::value(terms, argument(normal.z)),
+        Some(terms) => polynomial::short(terms, argument(normal.z)),
         None => S::ZERO,
     };
     value.add_product(real, normal.x).add_product(imaginary, normal.y)

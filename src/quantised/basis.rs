@@ -58,6 +58,21 @@ impl<'a, Q> Parts<'a, Q> {
         if served != self.components {
             return Err(Error::Profile);
         }
+        // The terms of the others bound their length.
+        let (mut azimuth, mut rest) = (0, self.profiles);
+        while azimuth <= self.degree {
+            let mut has_profile = false;
+            while let [profile, tail @ ..] = rest
+                && profile.azimuth as usize == azimuth
+            {
+                (rest, has_profile) = (tail, true);
+            }
+            if !has_profile && let Err(error) = Error::check(What::Lengths, 0, self.length(azimuth))
+            {
+                return Err(error);
+            }
+            azimuth += 1;
+        }
         let folded = self.polar.is_empty() && self.factors.is_empty();
         let (degrees, rows) = if folded { (0, 0) } else { (degrees, rows) };
         let polar = pairs.saturating_mul(degrees);

@@ -13,6 +13,8 @@ pub struct Estimate<'a, Q, const K: usize> {
     basis: Basis<'a, Q>,
     sums: heapless::Vec<i64, K>,
     weight: u64,
+    /// Whether a sum went beyond its 64 bits.
+    is_saturated: bool,
 }
 
 impl<'a, Q: Fixed> Basis<'a, Q> {
@@ -26,7 +28,7 @@ impl<'a, Q: Fixed> Basis<'a, Q> {
     /// [`Error::Capacity`] if `K` is too small.
     pub fn estimate<const K: usize>(&self) -> Result<Estimate<'a, Q, K>, Error> {
         let sums = zeros::<i64, K>(What::Coefficients, self.components())?;
-        Ok(Estimate { basis: *self, sums, weight: 0 })
+        Ok(Estimate { basis: *self, sums, weight: 0, is_saturated: false })
     }
 }
 
@@ -35,7 +37,8 @@ impl<Q: Fixed, const K: usize> Estimate<'_, Q, K> {
     /// have one exponent, and its weight, the area of the image that it stands for (1
     /// where all are alike, 0 for one that does not count).
     ///
-    /// 2^15 pixels of full weight and size fit, 2^31 of weight 1; beyond, sums saturate.
+    /// 2^15 pixels of full weight and size fit, 2^31 of weight 1; beyond, a sum may leave its 64
+    /// bits, and [`coefficients`](Self::coefficients) says so.
     #[inline]
     pub fn add(&mut self, normal: Normal<Q>, irradiance: Q, weight: u16) {
         let parts = self.basis.parts();
@@ -62,7 +65,9 @@ impl<Q: Fixed, const K: usize> Estimate<'_, Q, K> {
             for (index, around) in [(profile.plus, cosine), (profile.minus, -sine)] {
                 if let Some(sum) = self.sums.get_mut(usize::from(index)) {
                     let image = Q::sum(Q::product(value, around));
-                    *sum = sum.saturating_add(Q::seen(irradiance, image) * i64::from(weight));
+                    let addend = Q::seen(irradiance, image) * i64::from(weight);
+                    let (next, beyond) = sum.overflowing_add(addend);
+                    (*sum, self.is_saturated) = (next, self.is_saturated | beyond);
                 }
             }
         }
@@ -82,10 +87,13 @@ impl<Q: Fixed, const K: usize> Estimate<'_, Q, K> {
     /// # Errors
     ///
     /// [`Error::Weight`] unless there is a weight, [`Error::Exponent`] if the exponent is
-    /// beyond ±2^15.
+    /// beyond ±2^15, [`Error::Saturated`] if a sum left its 64 bits: take smaller weights.
     pub fn coefficients(&self, exponent: i32) -> Result<Coefficients<K>, Error> {
         if exponent.unsigned_abs() > 1 << 15 {
             return Err(Error::Exponent);
+        }
+        if self.is_saturated {
+            return Err(Error::Saturated { what: What::Coefficients });
         }
         let mut mantissas = zeros::<i32, K>(What::Coefficients, self.sums.len())?;
         let profiles = self.basis.parts.profiles;

@@ -2,6 +2,7 @@
 //! S_l,pq = Σ_o B_op^q Ĉ_lo^q, so that d_i = Σ_l T_i,l L_l^m.
 
 use super::{Basis, Material};
+use crate::chunks::{rows, rows_mut};
 use crate::error::{Error, What};
 use crate::format::{Fixed, Wide};
 use crate::index::{material, pair};
@@ -93,14 +94,13 @@ impl<Q: Fixed> Basis<'_, Q> {
         Error::check(What::Workspace, self.workspace_len(), workspace.len())?;
         Error::check(What::Transfer, self.transfer_len(), numbers.len())?;
         Error::check(What::Transfer, self.profiles(), exponents.len())?;
-        // Not 0, which a compiler may not see: chunks of 0 would panic.
-        let pairs = pair::count(self.order()).max(1);
+        let pairs = pair::count(self.order());
         let degrees = self.degree() + 1;
         let (sums, rest) = workspace.split_at_mut_checked(degrees * pairs).unwrap_or_default();
         let (of_sums, row) = rest.split_at_mut_checked(degrees).unwrap_or_default();
         self.scatter(material, sums, of_sums);
         let (row, _) = row.as_chunks_mut::<2>();
-        let mut factors = self.parts.factors.chunks_exact(pairs);
+        let mut factors = rows(self.parts.factors, pairs);
         let mut of_factors = self.parts.factor_exponents.iter();
         let mut numbers = numbers;
         for (profile, exponent) in self.parts.profiles.iter().zip(exponents) {
@@ -108,8 +108,9 @@ impl<Q: Fixed> Basis<'_, Q> {
             let (of_profile, after) =
                 numbers.split_at_mut_checked(degrees - azimuth).unwrap_or_default();
             numbers = after;
-            let rows = sums.chunks_exact(pairs).zip(&*of_sums).skip(azimuth);
-            for ([sum, of_sum], (sums, &of_sums)) in row.iter_mut().zip(rows) {
+            let of_degrees = rows(sums.get(azimuth * pairs..).unwrap_or_default(), pairs)
+                .zip(of_sums.iter().skip(azimuth));
+            for ([sum, of_sum], (sums, &of_sums)) in row.iter_mut().zip(of_degrees) {
                 let (Some(factors), Some(&of_factors)) = (factors.next(), of_factors.next()) else {
                     break;
                 };
@@ -130,14 +131,11 @@ impl<Q: Fixed> Basis<'_, Q> {
     /// Writes S: for each l a row over the pairs (p, q), each at most 2^BITS, and
     /// the row's exponent.
     fn scatter(&self, material: &Material<'_, Q>, sums: &mut [Q::Wide], exponents: &mut [Q::Wide]) {
-        // Not 0, which a compiler may not see: chunks of 0 would panic.
-        let pairs = pair::count(self.order()).max(1);
+        let pairs = pair::count(self.order());
         let room = room::<Q::Wide>(self.order());
         let all = self.parts.effects.is_all();
-        let polar = self.parts.polar.chunks_exact(pairs);
-        let rows = polar.zip(self.parts.polar_exponents.chunks_exact(pairs));
-        for ((polar, of_polar), (sums, exponent)) in
-            rows.zip(sums.chunks_exact_mut(pairs).zip(exponents))
+        let polar = rows(self.parts.polar, pairs).zip(rows(self.parts.polar_exponents, pairs));
+        for ((polar, of_polar), (sums, exponent)) in polar.zip(rows_mut(sums, pairs).zip(exponents))
         {
             // Ĉ of (o, q) meets coefficients of o and of all above it, of its parity.
             let (mut above, mut of_others, mut top, mut rest) = (None, None, i32::MIN, of_polar);

@@ -74,15 +74,16 @@ impl<'a, Q> Material<'a, Q> {
 }
 
 impl<'a, Q: Fixed> Light<'a, Q> {
-    /// Writes a light's mantissas into `to`. Integer arithmetic throughout; a number
-    /// that is not finite counts as the largest.
+    /// Writes a light's mantissas into `to`. Integer arithmetic throughout.
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] unless both have (degree + 1)² numbers.
+    /// [`Error::Length`] unless both have (degree + 1)² numbers, [`Error::NotFinite`] of the first
+    /// that is infinite or NaN: no integer stands for it.
     pub fn quantise(degree: usize, from: &[f32], to: &'a mut [Q]) -> Result<Self, Error> {
         Error::check(What::Light, light::count(degree), from.len())?;
         Error::check(What::Light, from.len(), to.len())?;
+        check_finite(What::Light, from)?;
         let exponent = quantise(from, to);
         Self::new(degree, exponent, to)
     }
@@ -96,7 +97,7 @@ impl<'a, Q: Fixed> Material<'a, Q> {
     ///
     /// [`Error::Length`] unless both have
     /// [`index::material::count`](crate::index::material::count) numbers, and `exponents`
-    /// order + 1.
+    /// order + 1; [`Error::NotFinite`] as there.
     pub fn quantise(
         order: usize,
         from: &[f32],
@@ -106,6 +107,7 @@ impl<'a, Q: Fixed> Material<'a, Q> {
         Error::check(What::Material, material::count(order), from.len())?;
         Error::check(What::Material, from.len(), to.len())?;
         Error::check(What::Material, order.saturating_add(1), exponents.len())?;
+        check_finite(What::Material, from)?;
         let (mut from, mut rest) = (from, &mut *to);
         for (o, exponent) in exponents.iter_mut().enumerate() {
             let count = (o / 2 + 1) * (o / 2 + 2) / 2;
@@ -118,13 +120,20 @@ impl<'a, Q: Fixed> Material<'a, Q> {
     }
 }
 
-/// The sign and the 24 bits of a number, and their exponent.
+/// [`Error::check_finite`] without a float unit: by the bits of the exponent.
+fn check_finite(what: What, numbers: &[f32]) -> Result<(), Error> {
+    match numbers.iter().position(|number| (number.to_bits() >> 23) & 0xff == 0xff) {
+        None => Ok(()),
+        Some(index) => Err(Error::NotFinite { what, index }),
+    }
+}
+
+/// The sign and the 24 bits of a finite number, and their exponent.
 fn decoded(number: f32) -> (i32, i32) {
     let bits = number.to_bits();
     let (biased, fraction) = ((bits >> 23) & 0xff, bits & 0x7f_ffff);
     let (size, exponent) = match biased {
         0 => (fraction, -149),
-        255 => (0xff_ffff, 104),
         _ => (fraction | 0x80_0000, biased.cast_signed() - 150),
     };
     let size = size.cast_signed();

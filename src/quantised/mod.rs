@@ -45,6 +45,7 @@ mod fold;
 mod inputs;
 #[doc(hidden)]
 pub mod kernels;
+mod nine_terms;
 mod normal;
 mod parts;
 mod relight;
@@ -56,5 +57,6 @@ pub use collapse::{Scene, SceneBuffer};
 pub use estimate::Estimate;
 pub use fold::{Transfer, TransferBuffer};
 pub use inputs::{Light, Material};
+pub use nine_terms::NineTerms;
 pub use normal::Normal;
 pub use parts::{Parts, Profile};

@@ -1,7 +1,7 @@
 //! Normals in integers.
 
 use crate::error::Error;
-use crate::format::{Fixed, Q15, Q31};
+use crate::format::{Fixed, Q15, Q31, Wide as _};
 
 /// One visible unit normal, its components fractions of 2^BITS: x to the right, y up,
 /// z >= 0 toward the camera.
@@ -17,7 +17,7 @@ macro_rules! checked {
     ($format:ident, $wide:ident, $bits:literal) => {
         impl Normal<$format> {
             /// The normal of these components. It has to be a unit vector within one part
-            /// in 2,000; it is not scaled.
+            /// in 2,000; it is not scaled, as by [`along`](Self::along).
             ///
             /// # Errors
             ///
@@ -42,6 +42,51 @@ checked!(Q15, u32, 15);
 checked!(Q31, u64, 31);
 
 impl<Q: Fixed> Normal<Q> {
+    /// The normal along (x, y, z), integers of any scale: scaled to length 1, within one unit of
+    /// a component in [`Q15`], three in [`Q31`].
+    ///
+    /// One that points away by no more than 1/8 is laid on the rim. A channel c of a normal map of
+    /// 8 bits says 2c - 255.
+    ///
+    /// Cost: a root and three divisions in 64 bits: for maps as they are read, not for a pixel.
+    ///
+    /// ```
+    /// use eigenshade::quantised::Normal;
+    /// use eigenshade::{Error, Q15};
+    ///
+    /// let [x, y, z] = [218, 127, 218].map(|c| 2 * c - 255);
+    /// assert_eq!(Normal::<Q15>::along(x, y, z)?.components(), [23_170, -128, 23_170].map(Q15));
+    /// assert_eq!(Normal::<Q15>::along(4, 3, 0)?, Normal::<Q15>::along(400, 300, -50)?);
+    /// assert_eq!(Normal::<Q15>::along(4, 3, -1), Err(Error::Hidden));
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Normal`] if all three are 0, [`Error::Hidden`] if z < -1/8 after scaling.
+    pub fn along(x: i32, y: i32, z: i32) -> Result<Self, Error> {
+        let sizes = [x, y, z].map(|c| u64::from(c.max(-i32::MAX).unsigned_abs()));
+        let [a, b, c] = sizes;
+        // The largest gets all of 31 bits: squares sum to less than 2^64.
+        let shift = (a | b | c).leading_zeros() - 33;
+        let [xx, yy, zz] = sizes.map(|size| (size << shift) * (size << shift));
+        let length = (xx + yy + zz).isqrt();
+        let is_behind = z < 0;
+        if is_behind && c << (shift + 3) > length {
+            return Err(Error::Hidden);
+        }
+        let (c, length) = if is_behind { (0, (xx + yy).isqrt()) } else { (c, length) };
+        let scaled = |component: i32, size: u64| {
+            let rounded = ((size << (shift + Q::BITS)) + length / 2).checked_div(length)?;
+            let size = i32::try_from(rounded).unwrap_or(i32::MAX);
+            Some(Q::narrow(Q::Wide::of(if component < 0 { -size } else { size })))
+        };
+        match (scaled(x, a), scaled(y, b), scaled(z, c)) {
+            (Some(x), Some(y), Some(z)) => Ok(Self { x, y, z }),
+            _ => Err(Error::Normal),
+        }
+    }
+
     /// x, y and z.
     #[must_use]
     pub const fn components(self) -> [Q; 3] {

@@ -1,48 +1,55 @@
 //! Scenes of nine terms or fewer: what a matte under light of degree 2 needs.
 
-use crate::normal::Normals;
+use crate::nine_terms::NineTerms;
 use crate::scalar::Scalar;
-use crate::scene::{Descent, argument};
+use crate::scene::{Descent, Scene};
 
-/// Terms of azimuths 0, 1 and 2, those of lower polynomials filled up with zeros.
-pub(super) struct Nine<S> {
-    pole: [S; 3],
-    first: [[S; 2]; 2],
-    second: [S; 2],
+impl<B> Scene<'_, B> {
+    /// The scene as the nine-term formula, which shades it the fastest; `None` of a scene that
+    /// has more terms, or the azimuth 0 alone.
+    #[inline]
+    #[must_use]
+    pub fn nine_terms<S: Scalar>(&self) -> Option<NineTerms<S>>
+    where
+        B: AsRef<[S]>,
+    {
+        nine_terms(self.descent())
+    }
 }
 
-impl<S: Scalar> Nine<S> {
-    /// `None` of a scene that has more.
-    pub(super) fn new(mut polynomials: Descent<'_, S>) -> Option<Self> {
-        let pole = filled(polynomials.pole)?;
-        let ([_] | [_, _]) = polynomials.lengths else { return None };
-        let second = match polynomials.lengths {
-            [_] => Some((&[] as &[S], &[] as &[S])),
-            _ => polynomials.next(),
-        };
-        let ((plus, minus), (first_plus, first_minus)) = (second?, polynomials.next()?);
-        let ([plus], [minus]) = (filled(plus)?, filled(minus)?);
-        let first = [filled(first_plus)?, filled(first_minus)?];
-        Some(Self { pole, first, second: [plus, minus] })
+/// Polynomials of azimuths 0, 1 and 2 in t = 2z - 1 as one of the normal.
+#[inline]
+pub(crate) fn nine_terms<S: Scalar>(mut polynomials: Descent<'_, S>) -> Option<NineTerms<S>> {
+    // A page's module has no room for a second loop.
+    if cfg!(target_arch = "wasm32") || polynomials.is_orthogonal() {
+        return None;
     }
-
-    /// The irradiance of each normal.
-    pub(super) fn shade(&self, normals: Normals<'_, S>, irradiance: &mut [S]) {
-        let Self { pole: [square, linear, constant], first: [plus, minus], second } = *self;
-        let normals = normals.x.iter().zip(normals.y).zip(normals.z);
-        for (out, ((&x, &y), &z)) in irradiance.iter_mut().zip(normals) {
-            let t = argument(z);
-            let [real, imaginary] = second;
-            let [plus, minus] = [plus, minus].map(|[linear, of]| of.add_product(linear, t));
-            let plus = plus.add_product(real, x).add_product(imaginary, y);
-            let minus = minus.add_product(imaginary, x).add_product(-real, y);
-            let pole = constant.add_product(linear.add_product(square, t), t);
-            *out = pole.add_product(plus, x).add_product(minus, y);
-        }
-    }
+    let [square, linear, constant] = filled(polynomials.pole)?;
+    let second = match polynomials.lengths {
+        [_] => Some((&[] as &[S], &[] as &[S])),
+        [_, _] => polynomials.next(),
+        _ => None,
+    };
+    let ((plus, minus), (first_plus, first_minus)) = (second?, polynomials.next()?);
+    let ([plus], [minus]) = (filled(plus)?, filled(minus)?);
+    let ([of_xz, of_x], [of_yz, of_y]) = (filled(first_plus)?, filled(first_minus)?);
+    let twice = |term: S| term + term;
+    let squares = twice(twice(square));
+    Some(NineTerms::new([
+        constant - linear + square,
+        of_x - of_xz,
+        of_y - of_yz,
+        twice(linear) - squares,
+        plus,
+        twice(minus),
+        twice(of_xz),
+        twice(of_yz),
+        squares,
+    ]))
 }
 
 /// Terms, highest first, after zeros; `None` if they are more.
+#[inline]
 fn filled<S: Scalar, const N: usize>(terms: &[S]) -> Option<[S; N]> {
     let mut filled = [S::ZERO; N];
     let zeros = N.checked_sub(terms.len())?;
@@ -50,4 +57,50 @@ fn filled<S: Scalar, const N: usize>(terms: &[S]) -> Option<[S; N]> {
         *to = term;
     }
     Some(filled)
+}
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a test may panic")]
+mod tests {
+    use super::*;
+    use crate::normal::Normal;
+    use crate::parts::Recurrences;
+
+    /// Scenes against their polynomials in t, azimuth by azimuth; those of more terms are not
+    /// shaded by the formula.
+    #[test]
+    fn scenes_of_nine_terms_are_their_polynomials() {
+        let mut numbers = [0.0f64; 9];
+        for (k, number) in numbers.iter_mut().enumerate() {
+            *number = ((7 * k % 11) as f64 - 5.0) / 3.0;
+        }
+        for lengths in [&[3u16, 2, 1][..], &[3, 2], &[1, 1], &[2, 1, 1], &[0, 2, 1], &[3, 0, 1]] {
+            let scene = Scene::of(lengths, Recurrences::NONE, numbers);
+            let formula = scene.nine_terms::<f64>().unwrap();
+            for k in 0..=40 {
+                let (z, tilt) = (f64::from(k) / 40.0, 2.4 * f64::from(k));
+                let (sine, cosine) = libm::sincos(tilt);
+                let rim = libm::sqrt(1.0 - z * z);
+                let normal = Normal::new(rim * cosine, rim * sine, z).unwrap();
+                let mut numbers = numbers.iter();
+                let mut value = |length: u16| {
+                    let terms = numbers.by_ref().take(length.into());
+                    terms.fold(0.0, |sum, term| sum * (2.0 * z - 1.0) + term)
+                };
+                let mut expected = value(lengths.first().copied().unwrap_or(0));
+                for (azimuth, &length) in (1..).zip(lengths.iter().skip(1)) {
+                    let (sine, cosine) = libm::sincos(f64::from(azimuth) * tilt);
+                    let around = value(length) * cosine + value(length) * sine;
+                    expected += libm::pow(rim, azimuth.into()) * around;
+                }
+                let found = formula.shade(normal);
+                assert!((found - expected).abs() < 1e-13, "{lengths:?}, {k}: {found}, {expected}");
+                assert_eq!(scene.shade(normal), found);
+            }
+        }
+        for lengths in [&[4u16, 2, 1][..], &[3, 3], &[3, 1, 2], &[1, 1, 1, 1], &[3], &[]] {
+            let scene = Scene::of(lengths, Recurrences::NONE, [1.0f64; 11]);
+            assert_eq!(scene.nine_terms::<f64>(), None, "{lengths:?}");
+        }
+    }
 }

@@ -2,8 +2,7 @@
 
 use super::header::WireFormat;
 use crate::error::Error;
-use crate::index::layout::{HALVES, POWERS};
-use crate::index::wire::{ALIGNMENT, MOST, VERSION, VERSION_OF_HALVES};
+use crate::index::wire::{ALIGNMENT, MOST, VERSION};
 use core::fmt;
 
 /// The first fault of some bytes.
@@ -17,11 +16,6 @@ pub enum WireError {
     Endianness,
     /// Another version, with its number.
     Version(u16),
-    /// Polynomials in a form that is no longer read.
-    Series {
-        /// The version that had it.
-        version: u16,
-    },
     /// Numbers of another format.
     Format {
         /// What was to be read.
@@ -102,13 +96,8 @@ impl fmt::Display for WireError {
             ),
             Self::Version(found) => write!(
                 f,
-                "wire version {VERSION} to {VERSION_OF_HALVES} expected, {found} found; pack the \
-                 table with the version of eigenshade that reads it"
-            ),
-            Self::Series { version } => write!(
-                f,
-                "wire file: version {VERSION_OF_HALVES} expected of polynomials with more than \
-                 {POWERS} and at most {HALVES} terms, {version} found; pack the table again"
+                "wire version {VERSION} expected, {found} found; pack the table with the version of \
+                 eigenshade that reads it"
             ),
             Self::Format { expected, found } => {
                 let name = WireFormat::of(*found).map_or("an unknown one", WireFormat::name);

@@ -58,6 +58,14 @@ impl<'a> File<'a> {
         <[T]>::try_ref_from_bytes(section).map_err(|_| fault)
     }
 
+    /// The next section, or an empty one if none is left.
+    pub(super) fn rest<T>(&mut self) -> Result<&'a [T], WireError>
+    where
+        T: TryFromBytes + KnownLayout + Immutable,
+    {
+        if self.taken == self.header.sections { Ok(&[]) } else { self.section() }
+    }
+
     /// No section is left.
     pub(super) fn end(&self) -> Result<(), WireError> {
         if self.taken == self.header.sections {

@@ -5,8 +5,6 @@ use super::file::File;
 use super::header::WireFormat;
 use crate::basis::Basis;
 use crate::general::{GeneralBasis, GeneralParts};
-use crate::index::layout::Form;
-use crate::index::wire::{VERSION, VERSION_OF_HALVES};
 use crate::parts::Parts;
 
 impl<'a> Basis<'a, f32> {
@@ -63,6 +61,7 @@ fn read(bytes: &[u8]) -> Result<(Basis<'_, f32>, GeneralParts<'_, f32>), WireErr
         mean_coefficients: file.section()?,
         selection: file.section()?,
         ambient: &[],
+        recurrences: &[],
     };
     let general = GeneralParts {
         components: header.images,
@@ -71,10 +70,7 @@ fn read(bytes: &[u8]) -> Result<(Basis<'_, f32>, GeneralParts<'_, f32>), WireErr
         mean: file.section()?,
         mean_coefficients: file.section()?,
     };
-    let ambient = if header.version == VERSION { &[] } else { file.section()? };
+    let parts = Parts { ambient: file.rest()?, recurrences: file.rest()?, ..parts };
     file.end()?;
-    if header.version < VERSION_OF_HALVES && Form::any_halves(parts.lengths) {
-        return Err(WireError::Series { version: header.version });
-    }
-    Ok((Basis::new(Parts { ambient, ..parts })?, general))
+    Ok((Basis::new(parts)?, general))
 }

@@ -2,8 +2,7 @@
 
 use super::WireError;
 use crate::index::effect::Effects;
-use crate::index::wire::{HEADER, LABEL, MARK, MOST, format, place};
-use crate::index::wire::{VERSION, VERSION_OF_EFFECTS, VERSION_OF_HALVES};
+use crate::index::wire::{HEADER, LABEL, MARK, MOST, VERSION, format, place};
 
 /// The number format of a wire file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -88,16 +87,10 @@ impl Header {
         }
         let version = short(header, place::VERSION);
         let bits = short(header, place::EFFECTS);
-        let effects = match version {
-            VERSION => Some(Effects::ALL),
-            VERSION_OF_HALVES if short(header, place::FORMAT) != format::F32 => {
-                return Err(WireError::Version(version));
-            }
-            VERSION_OF_EFFECTS | VERSION_OF_HALVES => {
-                Effects::from_bits(bits).filter(|&one| one != Effects::NONE)
-            }
-            _ => return Err(WireError::Version(version)),
-        };
+        if version != VERSION {
+            return Err(WireError::Version(version));
+        }
+        let effects = Effects::from_bits(bits).filter(|&one| one != Effects::NONE);
         let Some(effects) = effects else { return Err(WireError::Effects { bits }) };
         let size = |at| usize::from(short(header, at));
         let (degree, order) = (size(place::DEGREE), size(place::ORDER));

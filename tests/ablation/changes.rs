@@ -3,47 +3,26 @@
 
 use super::cells::{line, number};
 use super::counts::{Column, Counts, M0, M3, M4F, RV32};
+use eigenshade_cli::multiplications::Multiplications;
 use eigenshade_cli::shipped;
-use eigenshade_table::parts::NONE;
-use eigenshade_table::{Parts, decode};
+use eigenshade_table::decode;
+use eigenshade_table::trim::trim;
 
-/// Multiplications of each step, of the shipped table's 50 components.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Multiplications {
-    /// A light on a folded material: one for each number of a transfer that is not padding.
-    pub relight: usize,
-    /// Components to polynomials: one for each term of each component.
-    pub collapse: usize,
-    /// A material: polar integrals, then factors, padding apart.
-    pub transfer: usize,
-    /// Elements of the rotation matrices.
-    pub turn: usize,
-    /// A pixel: terms, and four for each azimuth's cosine and sine, two for its sum.
-    pub pixel: usize,
-}
+/// The table of the boards' `shade`, and the share of the rms to which their build script trims
+/// its polynomials.
+const BOARDS: (&[u8], f64) = (include_bytes!("../../firmware/tables/full.bin"), 2e-4);
 
 /// Those of the shipped table.
 pub fn multiplications() -> Multiplications {
-    let parts = Parts::new(&decode(shipped::TABLE).expect("the shipped table"));
-    let (degree, order) = (parts.degree, parts.order);
-    let mut all = Multiplications { relight: 0, collapse: 0, transfer: 0, turn: 0, pixel: 0 };
-    let pairs: usize = (0..=order).map(|q| (order - q) / 2 + 1).sum();
-    for place in &parts.profiles {
-        let azimuth = usize::from(place.azimuth);
-        let signs = [place.plus, place.minus].iter().filter(|&&index| index != NONE).count();
-        all.relight += signs * (degree + 1 - azimuth);
-        all.collapse += signs * usize::from(parts.lengths[azimuth]);
-        all.transfer += (degree + 1 - azimuth) * pairs;
-    }
-    for q in 0..=order {
-        all.transfer += ((order - q) / 2 + 1).pow(2) * (degree + 1 - q);
-    }
-    all.turn = (1..=degree).map(|l| (2 * l + 1).pow(2)).sum();
-    for (azimuth, &length) in parts.lengths.iter().enumerate().filter(|(_, length)| **length > 0) {
-        all.pixel += usize::from(length) * if azimuth == 0 { 1 } else { 2 };
-        all.pixel += if azimuth == 0 { 0 } else { 6 };
-    }
-    all
+    let table = decode(shipped::TABLE).expect("the shipped table");
+    Multiplications::of(&table).expect("a basis")
+}
+
+/// Those of the boards' full scene.
+fn on_the_boards() -> Multiplications {
+    let mut table = decode(BOARDS.0).expect("the boards' table");
+    trim(&mut table, BOARDS.1);
+    Multiplications::of(&table).expect("a basis")
 }
 
 /// The table of the page; `host` has the ratios of times, row by row.
@@ -53,7 +32,7 @@ pub fn changes(counts: &Counts, host: &[f64]) -> String {
         "
 ## Only when it changes
 
-What has to be done again, of the shipped table (degree 9, order 7, K = 50), one channel; the rest is kept. Multiplications are those of the method, without padding; instructions up to the image's
+What has to be done again, of the shipped table (degree 9, order 7, K = 50), one channel; the rest is kept. Multiplications include those of padding; instructions are up to the image's
 polynomials; host times are in nine-term pixels, of calls that return their answer.
 
 | what is new | redone | kept | multiplications | M4F `f32` | M0 `q15` | M3 `q15` | RV32 `q15` | host |
@@ -71,8 +50,8 @@ polynomials; host times are in nine-term pixels, of calls that return their answ
     let boards = [M4F, M0, M3, RV32];
     let relit = boards.map(|on| instructions(on, &["relight_collapse"]));
     let folded = boards.map(|on| instructions(on, &["transfer", "relight_collapse"]));
-    let shaded = boards.map(|on| instructions(on, &["shade"]));
     let none = || String::from("-");
+    let uncounted = || boards.map(|_| none());
     let relight = found.relight + found.collapse;
     for (k, (what, redone, kept, products, counts)) in [
         (
@@ -105,7 +84,7 @@ polynomials; host times are in nine-term pixels, of calls that return their answ
             "each pixel: `shade`",
             "the scene, all of it",
             format!("{} a pixel", found.pixel),
-            shaded,
+            uncounted(),
         ),
     ]
     .into_iter()
@@ -116,9 +95,20 @@ polynomials; host times are in nine-term pixels, of calls that return their answ
         cells.push(format!("×{}", number(Some(host[k].round() as u64))));
         line(&mut text, &cells);
     }
-    text += "
-A pixel on the boards is one of `shade`, a scene of 130 components to 1e-4; the shipped table's is shorter. A camera that moves turns the light in its frame, and shows other normals: both rows. Nothing on the boards turns light in integers.
-`Light::turned` makes the matrices anew for each channel: three channels take three times as long.
-";
+    text += &on_boards(counts);
     text
+}
+
+/// A pixel of the table that the boards count.
+fn on_boards(counts: &Counts) -> String {
+    let [m4f, m0, m3, rv32] =
+        [M4F, M0, M3, RV32].map(|on| number(counts.get(on, "shade", Column::Instructions)));
+    format!(
+        "
+The boards count no pixel of the shipped table. `shade` on the boards is a pixel of another table, `firmware/tables/full.toml` (130 components, polynomials to 1e-4): {} multiplications, {m4f} instructions on the M4F in `f32`,
+{m0}, {m3} and {rv32} on the M0, M3 and RV32 in `q15`. A camera that moves turns the light in its frame, and shows other normals: both rows. Nothing on the boards turns light in integers.
+`Light::turned` makes the matrices anew for each channel: three channels take three times as long.
+",
+        on_the_boards().pixel
+    )
 }

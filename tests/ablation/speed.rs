@@ -1,7 +1,7 @@
 //! Times on this machine, as ratios to a pixel by the nine-term formula in the same run.
 
 use super::scenes::{self, Scene};
-use eigenshade::{Light, Material, Normals, Rotation, sphere};
+use eigenshade::{Light, Material, NineTerms, Normals, Rotation, sphere};
 use eigenshade_cli::median::median;
 use eigenshade_cli::owned_basis::OwnedBasis;
 use eigenshade_cli::shader::{OwnedNormals, Shader};
@@ -26,23 +26,12 @@ pub fn normals() -> Vec<[f64; 3]> {
 /// in turns.
 fn ratio(operations: usize, mut operation: impl FnMut()) -> f64 {
     let owned = OwnedNormals::<f32>::new(&normals());
-    let normals = owned.each().expect("visible normals");
-    let [x, y, z] = [0, 1, 2]
-        .map(|axis| normals.iter().map(|normal| normal.components()[axis]).collect::<Vec<f32>>());
-    let c: [f32; 8] = black_box([0.7, 0.1, 0.2, -0.1, 0.05, 0.02, 0.1, -0.03]);
-    let mut irradiance = vec![0.0f32; x.len()];
+    let normals = owned.view().expect("visible normals");
+    let formula = NineTerms::new([0.7f32, -0.1, 0.1, 0.2, -0.03, 0.05, 0.04, 0.02, 0.1]);
+    let mut irradiance = vec![0.0f32; normals.len()];
     let mut nine_terms = || {
-        let [c0, c1, c2, c3, c4, c5, c6, c7] = c;
-        for (((out, x), y), z) in irradiance.iter_mut().zip(&x).zip(&y).zip(&z) {
-            *out = c0
-                + c1 * y
-                + c2 * z
-                + c3 * x
-                + (c4 * x + c5 * z) * y
-                + c6 * z * z
-                + c7 * (x * x - y * y);
-        }
-        black_box(&mut irradiance);
+        let (formula, normals) = black_box((&formula, normals));
+        formula.shade_slice(normals, black_box(&mut irradiance)).expect("a place for each");
     };
     let time = |work: &mut dyn FnMut()| {
         let start = Instant::now();
@@ -52,7 +41,7 @@ fn ratio(operations: usize, mut operation: impl FnMut()) -> f64 {
     let (mut ours, mut theirs) = (Vec::new(), Vec::new());
     for _ in 0..ROUNDS {
         ours.push(time(&mut operation) / operations as f64);
-        theirs.push(time(&mut nine_terms) / x.len() as f64);
+        theirs.push(time(&mut nine_terms) / normals.len() as f64);
     }
     median(&ours) / median(&theirs)
 }

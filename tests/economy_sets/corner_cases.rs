@@ -1,7 +1,7 @@
 //! Sets that are black, empty, dim, bright, of wrong sizes, or not numbers.
 
 use super::{Chosen, on, shipped};
-use eigenshade::{Economy, Error, Shape, Tolerance, What, sphere};
+use eigenshade::{Economy, Error, Recurrences, Shape, Tolerance, What, sphere};
 
 #[test]
 fn black_images_and_none_cost_nothing() {
@@ -39,6 +39,50 @@ fn exposure_changes_nothing() {
     }
 }
 
+/// A tolerance far beyond a black image's unit takes nothing from the others.
+#[test]
+fn black_images_pay_for_any_irradiance() {
+    let black = sphere::Coefficients::from_slice(&[0.0; sphere::COMPONENTS]).expect("room");
+    let (lights, materials) = shipped();
+    let lit = on(&lights[0], &materials[0]);
+    for irradiance in [1e-2, 2.0] {
+        let tolerance = Tolerance::Irradiance(irradiance);
+        let alone = Chosen::new(std::slice::from_ref(&lit), 1, tolerance);
+        for set in [[black.clone(), lit.clone()], [lit.clone(), black.clone()]] {
+            assert_eq!(Chosen::new(&set, 1, tolerance).lengths, alone.lengths, "{irradiance}");
+        }
+    }
+}
+
+/// What each can pay for does not depend on who is asked first.
+#[test]
+fn the_order_of_images_changes_nothing() {
+    let (lights, materials) = shipped();
+    for light in &lights {
+        let mut set: Vec<_> = materials.iter().step_by(7).map(|one| on(light, one)).collect();
+        let one = Chosen::new(&set, 1, Tolerance::OfPeak(1e-2));
+        set.reverse();
+        let other = Chosen::new(&set, 1, Tolerance::OfPeak(1e-2));
+        assert_eq!((one.components, one.lengths), (other.components, other.lengths));
+    }
+}
+
+/// Of sin 4β none of the 41 normals shows anything.
+#[test]
+fn what_is_not_a_number_is_never_left_out() {
+    for number in [f32::NAN, f32::INFINITY] {
+        for index in 0..sphere::COMPONENTS {
+            let mut d = sphere::Coefficients::from_slice(&[1.0; sphere::COMPONENTS]).expect("room");
+            d[index] = number;
+            let (mut lengths, mut room) = ([0; sphere::DEGREE + 1], [0.0; sphere::SCENE]);
+            let found = sphere::BASIS
+                .collapse_within(&d, Tolerance::OfPeak(1e-2), &mut lengths, &mut room[..])
+                .expect("room");
+            assert!(!found.1.bound.is_finite() || found.1.terms == 166, "{index}: {:?}", found.1);
+        }
+    }
+}
+
 #[test]
 fn faults_are_named() {
     let set = [[1.0f32; sphere::COMPONENTS]; 4];
@@ -66,7 +110,7 @@ fn faults_are_named() {
     assert_eq!(tried(1, azimuths, room - 1, 4), wrong(What::Scene, room, room - 1));
     assert_eq!(tried(1, azimuths - 1, room, 4), wrong(What::Lengths, azimuths, azimuths - 1));
     let shaped = |lengths: &[u16]| {
-        let shape = Shape { components: 50, lengths };
+        let shape = Shape { components: 50, lengths, recurrences: Recurrences::NONE };
         let made = sphere::BASIS.collapse_as(&set[0], shape, [0.0; sphere::SCENE]);
         made.map(|(_, economy)| economy.terms)
     };
@@ -74,7 +118,7 @@ fn faults_are_named() {
     assert_eq!(shaped(&[]), Ok(0));
     assert!(matches!(shaped(&[99]), Err(Error::Length { what: What::Lengths, .. })));
     assert!(matches!(shaped(&[0; 16]), Err(Error::Length { what: What::Lengths, .. })));
-    let shape = Shape { components: 50, lengths: &[3, 2, 1] };
+    let shape = Shape { components: 50, lengths: &[3, 2, 1], recurrences: Recurrences::NONE };
     assert_eq!(shape.scene([0.0f32; 8]).map(|_| ()), wrong(What::Scene, 9, 8));
 }
 

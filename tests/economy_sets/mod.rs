@@ -6,7 +6,7 @@ use crate::tolerances;
 
 mod corner_cases;
 
-use eigenshade::{Economy, Light, Material, Normal, Shape, Tolerance, sphere};
+use eigenshade::{Economy, Light, Material, Normal, Recurrences, Shape, Tolerance, sphere};
 use eigenshade_cli::owned_basis::{AnyBasis, OwnedBasis};
 use eigenshade_generator::basis::build;
 use eigenshade_generator::database::Named;
@@ -42,7 +42,11 @@ impl Chosen {
     }
 
     fn shape(&self) -> Shape<'_> {
-        Shape { components: self.components, lengths: &self.lengths }
+        Shape {
+            components: self.components,
+            lengths: &self.lengths,
+            recurrences: Recurrences::NONE,
+        }
     }
 }
 
@@ -108,7 +112,11 @@ fn checked(
             continue;
         }
         lengths[azimuth] -= 1;
-        let shorter = Shape { components: sphere::COMPONENTS, lengths: &lengths };
+        let shorter = Shape {
+            components: sphere::COMPONENTS,
+            lengths: &lengths,
+            recurrences: Recurrences::NONE,
+        };
         let breaks = set.iter().zip(images).zip(&chosen.economies).any(|((d, image), economy)| {
             let terms = error_in(d, shorter, image, &rule);
             let bound = (terms * terms + beyond(d, chosen.components)).sqrt();

@@ -17,6 +17,7 @@ mod reader;
 mod reconstruction;
 mod shipped;
 mod tables;
+mod ways;
 
 pub use economies::collapse_sets;
 pub use floats::shade_floats;
@@ -24,6 +25,7 @@ pub use integers::{shade_coefficients, shade_integers, shade_transfer};
 pub use reader::Reader;
 pub use reconstruction::reconstruct;
 pub use tables::from_bytes;
+pub use ways::every_way;
 
 use eigenshade::{Q15, Q31};
 
@@ -41,6 +43,11 @@ pub fn shade_any(bytes: &[u8]) {
         6 => shade_coefficients::<Q31>(&mut input),
         _ => collapse_sets(&mut input),
     }
+}
+
+/// Any numbers into look-ups, baking, rotation, windows, truncation and estimates.
+pub fn public_interface(bytes: &[u8]) {
+    every_way(&mut Reader::new(bytes));
 }
 
 /// Any light and material of moderate size: every format's d and image against f64.

@@ -23,6 +23,7 @@ pub mod spectra;
 pub mod subnormal;
 pub mod summation;
 pub mod sun;
+pub mod user_inputs;
 
 pub(crate) use crate::{oracle, tolerances};
 
@@ -120,6 +121,13 @@ pub const CASES: &[Case] = &[
     scales::SINGLE,
     subnormal::TINY,
     summation::MILLION,
+    user_inputs::EIGHT_BITS,
+    user_inputs::BEHIND,
+    user_inputs::SUN,
+    user_inputs::DELTA,
+    user_inputs::DRIFT,
+    user_inputs::ALMOST,
+    user_inputs::FULL_WEIGHT,
 ];
 
 /// The largest |x|; NaN if there is one.

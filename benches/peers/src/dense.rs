@@ -44,6 +44,12 @@ impl Vector {
         Self::new(&vec![0.0; count])
     }
 
+    /// Takes the first of these values for its own, as faer holds them.
+    pub fn fill(&mut self, values: &[f32]) {
+        let count = self.faer.len();
+        self.faer.copy_from_slice(&values[..count]);
+    }
+
     /// What the last product by this way gave.
     pub fn of(&self, way: usize) -> &[f32] {
         match way / 2 {

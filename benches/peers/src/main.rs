@@ -4,13 +4,14 @@
 //! `benches/peers/run --check` compares their errors alone.
 
 mod browser;
+#[path = "../../by_hand/mod.rs"]
+mod by_hand;
 mod dense;
 mod harmonics;
 mod interleaved;
 mod machine;
 mod matte;
 mod modes;
-mod nine_terms;
 mod pixels;
 mod projection;
 mod report;

@@ -1,7 +1,7 @@
 //! The shipped table, lights and materials, and a sample of their pairs with the truth of
 //! each: the direct sum (15) over all 3,704 modes in f64.
 
-use eigenshade::{Light, Material, Normal, Scene, sphere};
+use eigenshade::{Light, Material, NineTerms, Normal, Scene, sphere};
 use eigenshade_generator::database::Named;
 use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_generator::special::gauss_legendre;
@@ -83,6 +83,13 @@ impl Pair {
 
     pub fn material_single(&self) -> Material<'_, f32> {
         Material::new(sphere::ORDER, &self.material_single).expect("coefficients of its order")
+    }
+
+    /// The formula of a white matte under the light.
+    pub fn nine_terms(&self) -> NineTerms<f32> {
+        let light = Light::new(2, &self.light[..9]).expect("coefficients of its degree");
+        let formula = NineTerms::lambertian(&light, 1.0);
+        NineTerms::new(formula.coefficients().map(|value| value as f32))
     }
 
     pub fn project(&self) -> sphere::Coefficients {

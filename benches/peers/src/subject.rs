@@ -2,9 +2,8 @@
 //! scene, and as scenes within a tolerance.
 
 use crate::interleaved::{Way, median_and_worst};
-use crate::nine_terms;
 use crate::shipped::{Pair, View};
-use eigenshade::{Normals, Scene, Tolerance, sphere};
+use eigenshade::{NineTerms, Normals, Scene, Tolerance, sphere};
 use eigenshade_generator::truth::Modes;
 use std::hint::black_box;
 
@@ -16,7 +15,7 @@ pub type Lengths = [[u16; 16]; WITHIN.len()];
 
 /// A pair's scenes and true image.
 pub struct Subject<'l> {
-    pub nine: [f32; 9],
+    pub nine_terms: NineTerms<f32>,
     pub full: sphere::Scene,
     pub within: Vec<Scene<'l, [f32; sphere::SCENE]>>,
     pub truth: Vec<f64>,
@@ -35,7 +34,7 @@ pub fn subjects<'l>(
             sphere::BASIS.collapse_within(&d, share, lengths, room).expect("it fits").0
         };
         Subject {
-            nine: nine_terms::coefficients(&pair.light).map(|value| value as f32),
+            nine_terms: pair.nine_terms(),
             full: sphere::collapse(&d).expect("it fits"),
             within: WITHIN.into_iter().zip(lengths).map(scene).collect(),
             truth: View::image(modes, pair),
@@ -65,6 +64,11 @@ impl Picture {
         std::array::from_fn(|axis| &self.axes[axis][..])
     }
 
+    fn normals(&self) -> Normals<'_, f32> {
+        let [x, y, z] = self.axes();
+        Normals::new(x, y, z).expect("one length")
+    }
+
     fn out(&self) -> Vec<f32> {
         vec![0.0; self.axes[0].len()]
     }
@@ -73,8 +77,9 @@ impl Picture {
     pub fn nine_terms<'a>(&'a self, subjects: &'a [Subject<'_>]) -> Way<'a> {
         let mut out = self.out();
         Way::new(move |round| {
-            let nine = &subjects[round % subjects.len()].nine;
-            nine_terms::slice(black_box(nine), self.axes(), black_box(&mut out));
+            let formula = &subjects[round % subjects.len()].nine_terms;
+            let normals = black_box(self.normals());
+            black_box(formula).shade_slice(normals, black_box(&mut out)).expect("room");
         })
     }
 
@@ -86,10 +91,9 @@ impl Picture {
     ) -> Way<'a> {
         let mut out = self.out();
         Way::new(move |round| {
-            let [x, y, z] = self.axes();
-            let normals = Normals::new(x, y, z).expect("one length");
             let scene = of(&subjects[round % subjects.len()]);
-            black_box(scene).shade_slice(black_box(normals), black_box(&mut out)).expect("room");
+            let normals = black_box(self.normals());
+            black_box(scene).shade_slice(normals, black_box(&mut out)).expect("room");
         })
     }
 }
@@ -111,6 +115,7 @@ pub fn nine_terms_image(view: &View, subject: &Subject<'_>) -> Vec<f64> {
     let axes: [Vec<f32>; 3] =
         [0, 1, 2].map(|axis| view.normals.iter().map(|normal| normal[axis] as f32).collect());
     let mut image = vec![0.0; view.normals.len()];
-    nine_terms::slice(&subject.nine, axes.each_ref().map(Vec::as_slice), &mut image);
+    let normals = Normals::new(&axes[0], &axes[1], &axes[2]).expect("one length");
+    subject.nine_terms.shade_slice(normals, &mut image).expect("room");
     image.into_iter().map(f64::from).collect()
 }

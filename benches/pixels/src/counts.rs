@@ -1,20 +1,19 @@
-//! Instructions of a pixel, counted by callgrind: the same in every run.
+//! Instructions of a pixel and of a call, counted by callgrind: the same in every run.
 
+use crate::calls::{CALLS, Inputs};
 use crate::images::{Image, scene};
-use crate::inputs::{PIXELS, irradiances, normals};
+use crate::inputs::{NINE, NINE_TERMS, PIXELS, irradiances, normals};
 use crate::limit::{INSTRUCTIONS, LANES};
 use crate::long;
-use crate::nine_terms;
 use crate::place::Placed;
-use eigenshade::Normals;
+use eigenshade::{NineTerms, Normals};
 use std::hint::black_box;
 use std::process::Command;
 
 /// What is asked of a program that runs under callgrind, before a tolerance and coefficients.
 pub const SHADE: &str = "shade";
-const NINE: &str = "nine";
 
-/// Instructions of a pixel beside those that it cannot do without.
+/// Instructions of a pixel or a call beside those that it cannot do without.
 pub struct Count {
     /// What was counted.
     pub name: String,
@@ -38,12 +37,12 @@ impl Count {
     }
 }
 
-/// The formula of nine terms and all images.
+/// The formula of nine terms, all images, and calls.
 pub fn counted(images: &[Image]) -> Vec<Count> {
     let mut counts = vec![Count {
-        name: "nine-term formula".to_owned(),
+        name: NINE.to_owned(),
         lengths: Vec::new(),
-        necessary: nine_terms::MULTIPLY_ADDS,
+        necessary: NineTerms::<f32>::MULTIPLY_ADDS,
         found: of_a_pixel(&[NINE.to_owned()]),
     }];
     for image in images {
@@ -58,23 +57,35 @@ pub fn counted(images: &[Image]) -> Vec<Count> {
         });
     }
     let (lengths, necessary) = long::terms();
-    let found = of_a_pixel(&[long::NAME.to_owned()]);
-    counts.push(Count { name: long::NAME.to_owned(), lengths, necessary, found });
+    for name in long::NAMES {
+        let (name, lengths, found) =
+            (name.to_owned(), lengths.clone(), of_a_pixel(&[name.to_owned()]));
+        counts.push(Count { name, lengths, necessary, found });
+    }
+    for (name, necessary) in CALLS {
+        let (name, found) = (name.to_owned(), of_one(&[name.to_owned()]));
+        counts.push(Count { name, lengths: Vec::new(), necessary, found });
+    }
     counts
 }
 
-/// Those of a picture less those of none: what sets up is in both.
+/// Those of a pixel.
 fn of_a_pixel(what: &[String]) -> f64 {
-    let [once, thrice] = [1, 3].map(|pictures| instructions(pictures, what) as f64);
-    (thrice - once) / (2 * PIXELS) as f64
+    of_one(what) / PIXELS as f64
 }
 
-fn instructions(pictures: usize, what: &[String]) -> u64 {
+/// Those of three pictures or calls less those of one: what sets up is in both.
+fn of_one(what: &[String]) -> f64 {
+    let [once, thrice] = [1, 3].map(|times| instructions(times, what) as f64);
+    (thrice - once) / 2.0
+}
+
+fn instructions(times: usize, what: &[String]) -> u64 {
     let program = std::env::current_exe().expect("this program");
     let run = Command::new("valgrind")
         .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])
         .arg(program)
-        .args([SHADE, &pictures.to_string()])
+        .args([SHADE, &times.to_string()])
         .args(what)
         .output()
         .expect("valgrind: install it");
@@ -85,26 +96,30 @@ fn instructions(pictures: usize, what: &[String]) -> u64 {
     number.trim().parse().expect("a count")
 }
 
-/// What runs under callgrind: so many pictures of one image.
+/// What runs under callgrind: so many pictures of one image, or calls.
 pub fn shade(mut arguments: impl Iterator<Item = String>) {
-    let pictures: usize = arguments.next().and_then(|text| text.parse().ok()).expect("a number");
+    let times: usize = arguments.next().and_then(|text| text.parse().ok()).expect("a number");
     let what = arguments.next().expect("a tolerance");
+    if let Some(which) = CALLS.iter().position(|(name, _)| *name == what) {
+        let inputs = Inputs::new();
+        return (0..times).for_each(|_| inputs.call(which));
+    }
     let d: Vec<f32> = arguments.map(|text| text.parse().expect("a coefficient")).collect();
     let xyz = normals();
     let [x, y, z] = xyz.each_ref().map(Placed::all);
     let mut room = irradiances();
     let out = room.all_mut();
+    let normals = Normals::new(x, y, z).expect("one length");
     if what == NINE {
-        for _ in 0..pictures {
-            let axes = black_box([x, y, z]);
-            nine_terms::shade(black_box(&nine_terms::COEFFICIENTS), axes, black_box(&mut *out));
+        for _ in 0..times {
+            let formula = black_box(&NINE_TERMS);
+            formula.shade_slice(black_box(normals), black_box(&mut *out)).expect("lengths");
         }
         return;
     }
-    let normals = Normals::new(x, y, z).expect("one length");
-    if what == long::NAME {
-        let scene = long::scene();
-        for _ in 0..pictures {
+    if long::NAMES.contains(&&*what) {
+        let scene = long::scene(&what);
+        for _ in 0..times {
             black_box(&scene)
                 .shade_slice(black_box(normals), black_box(&mut *out))
                 .expect("lengths");
@@ -113,7 +128,7 @@ pub fn shade(mut arguments: impl Iterator<Item = String>) {
     }
     let mut lengths = [0; 16];
     let (scene, _) = scene(&d, what.parse().ok(), &mut lengths);
-    for _ in 0..pictures {
+    for _ in 0..times {
         black_box(&scene).shade_slice(black_box(normals), black_box(&mut *out)).expect("lengths");
     }
 }

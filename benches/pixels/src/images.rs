@@ -7,6 +7,9 @@ use eigenshade::{Scene, Tolerance, sphere};
 /// A white matte, f = 1/π.
 const WHITE: [f32; 1] = [2.0];
 
+/// What the page calls the image that the nine-term formula is exact for.
+pub const MATTE: &str = "matte, light of degree 2, within 1e-3";
+
 /// A scene of the shipped table, of which lengths.
 pub type Shown<'l> = Scene<'l, [f32; sphere::SCENE]>;
 
@@ -68,7 +71,7 @@ pub fn all() -> Vec<Image> {
     }
     let light: Vec<f32> = (0..9).map(|k| 3.5 / (1.0 + k as f32)).collect();
     let matte = coefficients(&light, &WHITE);
-    images.push(Image::new("matte, light of degree 2, within 1e-3", &matte, Some(1e-3)));
+    images.push(Image::new(MATTE, &matte, Some(1e-3)));
     let ambient = coefficients(&[3.5], &WHITE);
     images.push(Image::new("matte, ambient light, within 1e-3", &ambient, Some(1e-3)));
     images

@@ -2,9 +2,16 @@
 
 use crate::place::Placed;
 use csv::{ReaderBuilder, StringRecord};
-use eigenshade::{Light, Material, sphere};
+use eigenshade::{Light, Material, NineTerms, sphere};
 use eigenshade_index::{light, material};
 use std::path::Path;
+
+/// What the page calls the nine-term formula.
+pub const NINE: &str = "nine-term formula";
+
+/// It, of any coefficients.
+pub const NINE_TERMS: NineTerms<f32> =
+    NineTerms::new([0.9, 0.2, -0.1, 0.5, 0.05, 0.02, -0.03, 0.01, 0.07]);
 
 /// Room for irradiances, apart from the normals.
 pub fn irradiances() -> Placed {

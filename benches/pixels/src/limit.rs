@@ -47,6 +47,12 @@ pub fn multiply_adds<const N: usize>(repeats: usize, term: f32, t: f32) -> [f32;
 pub fn necessary(lengths: &[u16]) -> usize {
     let of = |length: u16| usize::from(length).saturating_sub(1);
     let (&pole, around) = lengths.split_first().unwrap_or((&0, &[]));
+    // As one polynomial of the normal, a second azimuth in three.
+    match (pole, around) {
+        (..=3, [first @ ..=2]) => return of(pole) + 2 * usize::from(*first),
+        (..=3, [first @ ..=2, ..=1]) => return of(pole) + 2 * usize::from(*first) + 3,
+        _ => {}
+    }
     let polynomials = of(pole) + around.iter().map(|&length| 2 * of(length)).sum::<usize>();
     let azimuths = (4 * around.len()).saturating_sub(2);
     // t = 2z - 1 is one more.

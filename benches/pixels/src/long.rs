@@ -1,21 +1,30 @@
-//! A full scene of the table `pbr`, whose polynomials are too long for powers of t.
+//! A full scene of the table `pbr`, whose polynomials are too long for powers of t; and the same
+//! as series in orthogonal polynomials, the form of the high azimuths of tables of degree 16 and more.
 
 use crate::limit::necessary;
 use eigenshade::wire::aligned;
-use eigenshade::{Basis, Scene};
+use eigenshade::{Basis, Parts, Scene};
 use eigenshade_table::wire::{Endian, Format, encode};
 use std::path::Path;
 
-/// What the page calls it.
-pub const NAME: &str = "full scene of `pbr`";
+/// What the page calls it in halves, the form of its length, and in series.
+pub const NAMES: [&str; 2] = ["full scene of `pbr`", "the same as series"];
 
-/// The scene of its first component: what a pixel takes does not depend on the numbers.
-pub fn scene() -> Scene<'static, Vec<f32>> {
-    let basis = basis();
+/// The scene of its first component, in that form: what a pixel takes does not depend on the
+/// numbers, so the series' are none that belong together.
+pub fn scene(name: &str) -> Scene<'static, Vec<f32>> {
+    let mut basis = basis();
+    if name == NAMES[1] {
+        let lengths = basis.parts().lengths;
+        let longest = usize::from(lengths.iter().copied().max().expect("azimuths"));
+        let recurrences = Vec::leak(vec![[0.0, 0.25]; longest * lengths.len()]);
+        basis = Basis::new(Parts { recurrences, ..*basis.parts() }).expect("the same shape");
+    }
     basis.collapse_into(&[1.0], vec![0.0; basis.scene_len()]).expect("sizes")
 }
 
-/// Terms of its polynomials, by azimuth, and the multiply-adds that a pixel cannot do without.
+/// Terms of its polynomials, by azimuth, and the multiply-adds that a pixel cannot do without in
+/// halves.
 pub fn terms() -> (Vec<u16>, usize) {
     let lengths = basis().parts().lengths.iter().copied();
     let lengths: Vec<u16> = lengths.take_while(|&length| length > 0).collect();

@@ -1,13 +1,13 @@
 //! Times of each path, the least of interleaved rounds: what another program on the machine
 //! took is not in them.
 
+use crate::calls::{CALLS, Inputs};
 use crate::images::{Image, scene};
-use crate::inputs::{PIXELS, irradiances, normals};
+use crate::inputs::{NINE, NINE_TERMS, PIXELS, irradiances, normals};
 use crate::limit::{CHAINS, LANES, multiply_adds};
 use crate::long;
-use crate::nine_terms;
 use crate::place::Placed;
-use eigenshade::{BakedMap, Light, Lookup, MapPoint, Material, Normal, Normals, sphere};
+use eigenshade::{BakedMap, Lookup, MapPoint, NineTerms, Normal, Normals, sphere};
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -28,6 +28,13 @@ pub struct Time {
     pub found: f64,
     /// Whether it makes pixels.
     pub pixels: bool,
+}
+
+impl Time {
+    /// Nanoseconds of its multiply-adds, where there is a limit.
+    pub fn limit(&self, multiply_add: f64) -> Option<f64> {
+        self.vectors.then(|| self.necessary as f64 * multiply_add / LANES as f64)
+    }
 }
 
 /// Times, and nanoseconds of a multiply-add of [`LANES`] numbers at once.
@@ -92,10 +99,7 @@ pub fn timed(images: &[Image]) -> Times {
     let lookup: Lookup<f32, Vec<f32>> =
         full.lookup_into(32, vec![0.0; full.lookup_len::<f32>(32)]).expect("sizes");
     let baked: BakedMap<f32, Vec<f32>> = full.bake_into(64, vec![0.0; 64 * 64]).expect("sizes");
-    let (light, material) = (vec![0.1; 100], vec![0.1; 40]);
-    let light = Light::new(9, &light).expect("a light");
-    let material = Material::new(7, &material).expect("a material");
-    let transfer = sphere::transfer(&material).expect("it fits");
+    let inputs = Inputs::new();
 
     let mut rooms = vec![[0; 16]; images.len()];
     let [mut nine, mut by_knots, mut by_texels] = [(); 3].map(|()| irradiances());
@@ -104,9 +108,9 @@ pub fn timed(images: &[Image]) -> Times {
         limit::<{ CHAINS[1] * LANES }>(),
         limit::<{ CHAINS[2] * LANES }>(),
         limit::<{ CHAINS[3] * LANES }>(),
-        Way::new("nine-term formula", nine_terms::MULTIPLY_ADDS, || {
-            let formula = black_box(&nine_terms::COEFFICIENTS);
-            nine_terms::shade(formula, black_box(axes), black_box(nine.all_mut()));
+        Way::new(NINE, NineTerms::<f32>::MULTIPLY_ADDS, || {
+            let out = black_box(nine.all_mut());
+            black_box(&NINE_TERMS).shade_slice(black_box(slices), out).expect("one length");
         })
         .pixels(),
     ];
@@ -122,9 +126,9 @@ pub fn timed(images: &[Image]) -> Times {
         ways.push(way);
     }
     let (lengths, necessary) = long::terms();
-    let scene = long::scene();
+    let scene = long::scene(long::NAMES[0]);
     let mut out = irradiances();
-    let mut way = Way::new(long::NAME, necessary, move || {
+    let mut way = Way::new(long::NAMES[0], necessary, move || {
         let scene = black_box(&scene);
         scene.shade_slice(black_box(slices), black_box(out.all_mut())).expect("one length");
     })
@@ -148,17 +152,11 @@ pub fn timed(images: &[Image]) -> Times {
         })
         .pixels()
         .one_by_one(),
-        Way::new("`relight`", 570, || {
-            black_box(sphere::relight(black_box(&transfer), black_box(&light)).expect("it fits"));
-        }),
-        Way::new("`collapse`", 650, || {
-            let d = black_box(image).as_slice().try_into().expect("50 coefficients");
-            black_box(sphere::collapse(&d).expect("it fits"));
-        }),
-        Way::new("`project`", 7200, || {
-            black_box(sphere::project(black_box(&light), black_box(&material)).expect("it fits"));
-        }),
     ]);
+    for (which, (name, necessary)) in CALLS.into_iter().enumerate() {
+        let inputs = &inputs;
+        ways.push(Way::new(name, necessary, move || inputs.call(which)));
+    }
     for _ in 0..ROUNDS {
         ways.iter_mut().for_each(Way::round);
     }

@@ -164,6 +164,10 @@ enum eigenshade_status
    * material was folded into it.
    */
   EIGENSHADE_STATUS_TRANSFER = 14,
+  /**
+   * A coefficient of a light or a material is infinite or NaN.
+   */
+  EIGENSHADE_STATUS_NOT_FINITE = 15,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -178,7 +182,8 @@ typedef int32_t eigenshade_status;
  * BRDF in 1/sr, by o, then p, then q: 000, 111, 200, 220, 222, 311, ... White matte is
  * the one coefficient 2.
  *
- * Take them finite: one that is not spoils the image.
+ * Take them finite: one that is not spoils the image, and `eigenshade_check_material_f32`
+ * finds it.
  */
 typedef struct eigenshade_material_f32 {
   /**
@@ -220,7 +225,8 @@ typedef struct eigenshade_transfer_f32 {
  * 0, m from -l to l, that of l and m at l*l + l + m.
  *
  * The harmonics carry the Condon-Shortley phase, x points to the right, y up, z to the
- * camera. Take them finite: one that is not spoils the image.
+ * camera. Take them finite: one that is not spoils the image, and
+ * `eigenshade_check_light_f32` finds it.
  */
 typedef struct eigenshade_light_f32 {
   /**
@@ -533,7 +539,7 @@ eigenshade_status eigenshade_collapse_f32(const struct eigenshade_coefficients_f
  * material's 1/sr.
  *
  * The normal may have any length from 1e-9 to 1e9; it is scaled, which costs a root. One
- * that points away by no more than 1e-3 is laid on the rim. On an error `irradiance` is as
+ * that points away by no more than 1/8 is laid on the rim. On an error `irradiance` is as
  * it was.
  *
  * Pointers that are neither NULL nor unaligned point to what their types say, and
@@ -546,10 +552,46 @@ eigenshade_status eigenshade_shade_f32(const struct eigenshade_scene_f32 *scene,
                                        float *irradiance);
 
 /**
+ * Whether a light's degree, length and coefficients are in order, all of these finite: for what
+ * arrives at run time. The functions that take a light check all but the last.
+ *
+ * Cost: a comparison for each coefficient.
+ *
+ * Pointers that are neither NULL nor unaligned point to what their types say.
+ */
+eigenshade_status eigenshade_check_light_f32(const struct eigenshade_light_f32 *light);
+
+/**
+ * Whether a material's order, length and coefficients are in order: as
+ * `eigenshade_check_light_f32`.
+ *
+ * Pointers that are neither NULL nor unaligned point to what their types say.
+ */
+eigenshade_status eigenshade_check_material_f32(const struct eigenshade_material_f32 *material);
+
+/**
+ * Scales `count` normals to length 1, each where it is, and lays those on the rim that point
+ * away by no more than 1/8: those of a mesh, or of a normal map, whose channel c of 8 bits says
+ * 2c - 255.
+ *
+ * `normalized` becomes their number. If one has no direction or points away by more, it becomes
+ * its place, and it and those after it stay as they were; on any other error nothing is written.
+ * Cost: a root for each.
+ *
+ * Pointers that are neither NULL nor unaligned point to what their types say, the first three
+ * to `count` numbers each.
+ */
+eigenshade_status eigenshade_normalize_f32(float *x,
+                                           float *y,
+                                           float *z,
+                                           size_t count,
+                                           size_t *normalized);
+
+/**
  * The irradiances of `count` unit normals with z from 0 to 1, into `irradiance`.
  *
  * Neither scaled nor checked: a normal that is not such has a meaningless irradiance, and
- * no other suffers. Of no normals the pointers do not matter. On an error `irradiance` is
+ * no other suffers; `eigenshade_normalize_f32` makes such of any. Of no normals the pointers do not matter. On an error `irradiance` is
  * as it was.
  *
  * Pointers that are neither NULL nor unaligned point to what their types say, the last
@@ -566,8 +608,8 @@ eigenshade_status eigenshade_shade_many_f32(const struct eigenshade_scene_f32 *s
  * A light in these mantissas from one in float, in integer arithmetic throughout.
  *
  * Writes `length` mantissas, as many as `from` has coefficients, and the light that they
- * make; they stay the caller's, and the light points to them. A number that is not finite
- * counts as the largest. On an error nothing is written, unless it is `to` that is at fault.
+ * make; they stay the caller's, and the light points to them. On an error
+ * nothing is written, unless a number is not finite or it is `to` that is at fault.
  *
  * Pointers that are neither NULL nor unaligned point to what their types say, `mantissas`
  * to room for `length` numbers, and it and `to` to nothing else's memory.
@@ -582,8 +624,8 @@ eigenshade_status eigenshade_quantise_light_q15(const struct eigenshade_light_f3
  *
  * Writes `length` mantissas, as many as `from` has coefficients, `exponents_length`
  * exponents, one for each o, and the material that they make; they stay the caller's, and
- * the material points to them. A number that is not finite counts as the largest. On an
- * error of `from`, `mantissas` or a length nothing is written.
+ * the material points to them. On an error nothing is written, unless a number is not finite
+ * or it is `exponents` or `to` that is at fault.
  *
  * Pointers that are neither NULL nor unaligned point to what their types say, `mantissas`
  * and `exponents` to room for as many numbers, and they and `to` to nothing else's memory.
@@ -653,6 +695,18 @@ eigenshade_status eigenshade_collapse_q15(const struct eigenshade_coefficients_q
                                           struct eigenshade_scene_q15 *scene);
 
 /**
+ * The unit normal along a vector of three integers of any scale, as three mantissas, x, y and z:
+ * of a normal map of 8 bits, whose channel c says 2c - 255.
+ *
+ * One that points away by no more than 1/8 is laid on the rim. Cost: a root and three divisions
+ * in 64 bits. On an error `normal` is as it was.
+ *
+ * Pointers that are neither NULL nor unaligned point to three numbers each.
+ */
+eigenshade_status eigenshade_normalize_q15(const int32_t *vector,
+                                           int16_t *normal);
+
+/**
  * The irradiance of the unit normal (x, y, z), in fractions of 2^15 (1 as 2^15 - 1):
  * `irradiance` times 2 to the scene's exponent, in the light's radiance times sr times the
  * material's 1/sr.
@@ -689,8 +743,8 @@ eigenshade_status eigenshade_shade_many_q15(const struct eigenshade_scene_q15 *s
  * A light in these mantissas from one in float, in integer arithmetic throughout.
  *
  * Writes `length` mantissas, as many as `from` has coefficients, and the light that they
- * make; they stay the caller's, and the light points to them. A number that is not finite
- * counts as the largest. On an error nothing is written, unless it is `to` that is at fault.
+ * make; they stay the caller's, and the light points to them. On an error
+ * nothing is written, unless a number is not finite or it is `to` that is at fault.
  *
  * Pointers that are neither NULL nor unaligned point to what their types say, `mantissas`
  * to room for `length` numbers, and it and `to` to nothing else's memory.
@@ -705,8 +759,8 @@ eigenshade_status eigenshade_quantise_light_q31(const struct eigenshade_light_f3
  *
  * Writes `length` mantissas, as many as `from` has coefficients, `exponents_length`
  * exponents, one for each o, and the material that they make; they stay the caller's, and
- * the material points to them. A number that is not finite counts as the largest. On an
- * error of `from`, `mantissas` or a length nothing is written.
+ * the material points to them. On an error nothing is written, unless a number is not finite
+ * or it is `exponents` or `to` that is at fault.
  *
  * Pointers that are neither NULL nor unaligned point to what their types say, `mantissas`
  * and `exponents` to room for as many numbers, and they and `to` to nothing else's memory.
@@ -774,6 +828,18 @@ eigenshade_status eigenshade_project_q31(const struct eigenshade_light_q31 *ligh
 eigenshade_status eigenshade_collapse_q31(const struct eigenshade_coefficients_q31 *coefficients,
                                           size_t components,
                                           struct eigenshade_scene_q31 *scene);
+
+/**
+ * The unit normal along a vector of three integers of any scale, as three mantissas, x, y and z:
+ * of a normal map of 8 bits, whose channel c says 2c - 255.
+ *
+ * One that points away by no more than 1/8 is laid on the rim. Cost: a root and three divisions
+ * in 64 bits. On an error `normal` is as it was.
+ *
+ * Pointers that are neither NULL nor unaligned point to three numbers each.
+ */
+eigenshade_status eigenshade_normalize_q31(const int32_t *vector,
+                                           int32_t *normal);
 
 /**
  * The irradiance of the unit normal (x, y, z), in fractions of 2^31 (1 as 2^31 - 1):

@@ -20,6 +20,8 @@ unsafe impl Plain for i8 {}
 unsafe impl Plain for i16 {}
 // SAFETY: as above.
 unsafe impl Plain for i32 {}
+// SAFETY: as above.
+unsafe impl Plain for usize {}
 // SAFETY: a transparent i16.
 unsafe impl Plain for Q15 {}
 // SAFETY: a transparent i32.
@@ -87,6 +89,26 @@ pub(crate) unsafe fn slice<'a, T: Plain>(
     Ok(unsafe { core::slice::from_raw_parts(pointer, count) })
 }
 
+/// An array of numbers, to be read and written to.
+///
+/// # Safety
+///
+/// A pointer that is neither NULL nor unaligned points to `count` numbers that no one else
+/// reads or writes while they are borrowed.
+pub(crate) unsafe fn slice_to_change<'a, T: Plain>(
+    pointer: *mut T,
+    count: usize,
+) -> Result<&'a mut [T], Status> {
+    if count == 0 {
+        return Ok(&mut []);
+    }
+    usable(pointer)?;
+    bytes::<T>(count).ok_or(Status::Count)?;
+    // SAFETY: not NULL, aligned, not beyond what an object may have, the rest is the
+    // caller's promise.
+    Ok(unsafe { core::slice::from_raw_parts_mut(pointer, count) })
+}
+
 /// An array of numbers, filled with zeros, to be written to.
 ///
 /// # Safety
@@ -97,36 +119,54 @@ pub(crate) unsafe fn slice_to_write<'a, T: Plain>(
     pointer: *mut T,
     count: usize,
 ) -> Result<&'a mut [T], Status> {
-    if count == 0 {
-        return Ok(&mut []);
+    if count > 0 {
+        usable(pointer)?;
+        bytes::<T>(count).ok_or(Status::Count)?;
+        // SAFETY: not NULL, aligned, the caller promises room for `count` numbers, and zeros are
+        // numbers.
+        unsafe { pointer.write_bytes(0, count) };
     }
-    usable(pointer)?;
-    bytes::<T>(count).ok_or(Status::Count)?;
-    // SAFETY: not NULL, aligned, not beyond what an object may have, zeros are numbers, the
-    // rest is the caller's promise.
-    Ok(unsafe {
-        pointer.write_bytes(0, count);
-        core::slice::from_raw_parts_mut(pointer, count)
-    })
+    // SAFETY: this function's caller promises as much.
+    unsafe { slice_to_change(pointer, count) }
 }
 
-/// Whether an array that is written to overlaps none of these, all of `count` numbers.
-pub(crate) fn apart<T, U, const N: usize>(
-    written: *mut T,
-    others: [*const U; N],
-    count: usize,
-) -> Result<(), Status> {
-    let (Some(of_written), Some(of_others)) = (bytes::<T>(count), bytes::<U>(count)) else {
-        return Err(Status::Count);
-    };
-    let start = written.addr();
-    for other in others {
-        let other = other.addr();
-        let (gap, room) =
-            if start < other { (other - start, of_written) } else { (start - other, of_others) };
-        if gap < room {
+/// Where a pointer's numbers lie.
+#[derive(Clone, Copy)]
+pub(crate) struct Place {
+    start: usize,
+    bytes: usize,
+}
+
+impl Place {
+    /// That of one `T`.
+    pub(crate) fn of<T>(pointer: *const T) -> Self {
+        // NULL is found when it is read.
+        let bytes = if pointer.is_null() { 0 } else { size_of::<T>() };
+        Self { start: pointer.addr(), bytes }
+    }
+
+    /// That of `count` numbers.
+    pub(crate) fn many<T>(pointer: *const T, count: usize) -> Result<Self, Status> {
+        let bytes = bytes::<T>(count).ok_or(Status::Count)?;
+        Ok(Self { bytes: if pointer.is_null() { 0 } else { bytes }, ..Self::of(pointer) })
+    }
+
+    fn overlaps(self, other: Self) -> bool {
+        let (first, second) = if self.start < other.start { (self, other) } else { (other, self) };
+        second.bytes > 0 && second.start - first.start < first.bytes
+    }
+}
+
+/// Whether places that are written to overlap neither each other nor any that is read.
+///
+/// To be asked before anything is written: what is written to is filled with zeros first.
+pub(crate) fn apart(written: &[Place], read: &[Place]) -> Result<(), Status> {
+    let mut rest = written;
+    while let [one, others @ ..] = rest {
+        if others.iter().chain(read).any(|other| one.overlaps(*other)) {
             return Err(Status::Overlap);
         }
+        rest = others;
     }
     Ok(())
 }

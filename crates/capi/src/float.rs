@@ -1,7 +1,9 @@
 //! In float: `f32`, for machines with a float unit.
 #![expect(unsafe_code, reason = "exported symbols and C's pointers")]
 
-use crate::boundary::{Plain, apart, exclusive, shared, slice, slice_to_write};
+use crate::boundary::{
+    Place, Plain, apart, exclusive, shared, slice, slice_to_change, slice_to_write,
+};
 use crate::folded;
 use crate::sizes::{
     EIGENSHADE_COMPONENTS, EIGENSHADE_DEGREE, EIGENSHADE_ORDER, EIGENSHADE_SCENE_F32,
@@ -15,7 +17,8 @@ use eigenshade::{Light, Material, Normal, Normals, sphere};
 /// 0, m from -l to l, that of l and m at l*l + l + m.
 ///
 /// The harmonics carry the Condon-Shortley phase, x points to the right, y up, z to the
-/// camera. Take them finite: one that is not spoils the image.
+/// camera. Take them finite: one that is not spoils the image, and
+/// `eigenshade_check_light_f32` finds it.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct LightF32 {
@@ -31,7 +34,8 @@ pub struct LightF32 {
 /// BRDF in 1/sr, by o, then p, then q: 000, 111, 200, 220, 222, 311, ... White matte is
 /// the one coefficient 2.
 ///
-/// Take them finite: one that is not spoils the image.
+/// Take them finite: one that is not spoils the image, and `eigenshade_check_material_f32`
+/// finds it.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct MaterialF32 {
@@ -99,6 +103,11 @@ impl LightF32 {
         let coefficients = unsafe { slice(self.coefficients, self.length) }?;
         Ok(Light::new(self.degree, coefficients)?)
     }
+
+    /// Where it and its coefficients lie.
+    pub(crate) fn places(&self) -> Result<[Place; 2], Status> {
+        Ok([Place::of(self), Place::many(self.coefficients, self.length)?])
+    }
 }
 
 impl MaterialF32 {
@@ -115,6 +124,11 @@ impl MaterialF32 {
         // SAFETY: this function's caller promises as much.
         let coefficients = unsafe { slice(self.coefficients, self.length) }?;
         Ok(Material::new(self.order, coefficients)?)
+    }
+
+    /// Where it and its coefficients lie.
+    pub(crate) fn places(&self) -> Result<[Place; 2], Status> {
+        Ok([Place::of(self), Place::many(self.coefficients, self.length)?])
     }
 }
 
@@ -135,8 +149,12 @@ pub unsafe extern "C" fn eigenshade_fold_f32(
 ) -> Status {
     Status::of(|| {
         // SAFETY: as this function asks of its caller.
-        let (material, workspace, transfer) =
-            unsafe { (shared(material)?.view()?, exclusive(workspace)?, exclusive(transfer)?) };
+        let from = unsafe { shared(material) }?;
+        // SAFETY: as this function asks of its caller.
+        let material = unsafe { from.view() }?;
+        apart(&[Place::of(workspace), Place::of(transfer)], &from.places()?)?;
+        // SAFETY: as this function asks of its caller; nothing overlaps.
+        let (workspace, transfer) = unsafe { (exclusive(workspace)?, exclusive(transfer)?) };
         let (workspace, transfer) = (&mut workspace.numbers, &mut transfer.numbers);
         Ok(sphere::BASIS.transfer_into(&material, workspace, transfer)?)
     })
@@ -159,8 +177,13 @@ pub unsafe extern "C" fn eigenshade_relight_f32(
 ) -> Status {
     Status::of(|| {
         // SAFETY: as this function asks of its caller.
-        let (transfer, light, coefficients) =
-            unsafe { (shared(transfer)?, shared(light)?.view()?, exclusive(coefficients)?) };
+        let (transfer, from) = unsafe { (shared(transfer)?, shared(light)?) };
+        // SAFETY: as this function asks of its caller.
+        let light = unsafe { from.view() }?;
+        let [of_light, of_coefficients] = from.places()?;
+        apart(&[Place::of(coefficients)], &[Place::of(transfer), of_light, of_coefficients])?;
+        // SAFETY: as this function asks of its caller; it overlaps no other.
+        let coefficients = unsafe { exclusive(coefficients) }?;
         let (transfer, coefficients) = (&transfer.numbers, &mut coefficients.numbers);
         Ok(folded::BASIS_F32.relight_into(transfer, &light, coefficients)?)
     })
@@ -183,8 +206,12 @@ pub unsafe extern "C" fn eigenshade_project_f32(
 ) -> Status {
     Status::of(|| {
         // SAFETY: as this function asks of its caller.
-        let (light, material) = unsafe { (shared(light)?.view()?, shared(material)?.view()?) };
+        let (of_light, of_material) = unsafe { (shared(light)?, shared(material)?) };
         // SAFETY: as this function asks of its caller.
+        let (light, material) = unsafe { (of_light.view()?, of_material.view()?) };
+        let read = [of_light.places()?, of_material.places()?];
+        apart(&[Place::of(workspace), Place::of(coefficients)], read.as_flattened())?;
+        // SAFETY: as this function asks of its caller; nothing overlaps.
         let (workspace, coefficients) =
             unsafe { (exclusive(workspace)?, exclusive(coefficients)?) };
         let (workspace, coefficients) = (&mut workspace.numbers, &mut coefficients.numbers);
@@ -208,6 +235,7 @@ pub unsafe extern "C" fn eigenshade_collapse_f32(
     scene: *mut SceneF32,
 ) -> Status {
     Status::of(|| {
+        apart(&[Place::of(scene)], &[Place::of(coefficients)])?;
         // SAFETY: as this function asks of its caller.
         let coefficients = unsafe { shared(coefficients) }?;
         let first = coefficients.numbers.get(..components).ok_or(Status::Components)?;
@@ -222,7 +250,7 @@ pub unsafe extern "C" fn eigenshade_collapse_f32(
 /// material's 1/sr.
 ///
 /// The normal may have any length from 1e-9 to 1e9; it is scaled, which costs a root. One
-/// that points away by no more than 1e-3 is laid on the rim. On an error `irradiance` is as
+/// that points away by no more than 1/8 is laid on the rim. On an error `irradiance` is as
 /// it was.
 ///
 /// # Safety
@@ -238,6 +266,7 @@ pub unsafe extern "C" fn eigenshade_shade_f32(
     irradiance: *mut f32,
 ) -> Status {
     Status::of(|| {
+        apart(&[Place::of(irradiance)], &[Place::of(scene)])?;
         // SAFETY: as this function asks of its caller.
         let scene = unsafe { shared(scene) }?;
         let (normal, scene) = (Normal::new(x, y, z)?, folded::BASIS_F32.scene(&scene.terms[..])?);
@@ -247,10 +276,84 @@ pub unsafe extern "C" fn eigenshade_shade_f32(
     })
 }
 
+/// Whether a light's degree, length and coefficients are in order, all of these finite: for what
+/// arrives at run time. The functions that take a light check all but the last.
+///
+/// Cost: a comparison for each coefficient.
+///
+/// # Safety
+///
+/// Pointers that are neither NULL nor unaligned point to what their types say.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn eigenshade_check_light_f32(light: *const LightF32) -> Status {
+    Status::of(|| {
+        // SAFETY: as this function asks of its caller.
+        let light = unsafe { shared(light)?.view() }?;
+        Light::checked(light.degree(), light.coefficients())?;
+        Ok(())
+    })
+}
+
+/// Whether a material's order, length and coefficients are in order: as
+/// `eigenshade_check_light_f32`.
+///
+/// # Safety
+///
+/// Pointers that are neither NULL nor unaligned point to what their types say.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn eigenshade_check_material_f32(material: *const MaterialF32) -> Status {
+    Status::of(|| {
+        // SAFETY: as this function asks of its caller.
+        let material = unsafe { shared(material)?.view() }?;
+        Material::checked(material.order(), material.coefficients())?;
+        Ok(())
+    })
+}
+
+/// Scales `count` normals to length 1, each where it is, and lays those on the rim that point
+/// away by no more than 1/8: those of a mesh, or of a normal map, whose channel c of 8 bits says
+/// 2c - 255.
+///
+/// `normalized` becomes their number. If one has no direction or points away by more, it becomes
+/// its place, and it and those after it stay as they were; on any other error nothing is written.
+/// Cost: a root for each.
+///
+/// # Safety
+///
+/// Pointers that are neither NULL nor unaligned point to what their types say, the first three
+/// to `count` numbers each.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn eigenshade_normalize_f32(
+    x: *mut f32,
+    y: *mut f32,
+    z: *mut f32,
+    count: usize,
+    normalized: *mut usize,
+) -> Status {
+    Status::of(|| {
+        let [x_place, y_place, z_place] = [x, y, z].map(|axis| Place::many(axis, count));
+        apart(&[x_place?, y_place?, z_place?, Place::of(normalized)], &[])?;
+        // SAFETY: as this function asks of its caller; nothing overlaps.
+        let (x, y, z, normalized) = unsafe {
+            (
+                slice_to_change(x, count)?,
+                slice_to_change(y, count)?,
+                slice_to_change(z, count)?,
+                exclusive(normalized)?,
+            )
+        };
+        for ((x, y), z) in x.iter_mut().zip(y).zip(z) {
+            (*x, *y, *z) = Normal::new(*x, *y, *z)?.components().into();
+            *normalized += 1;
+        }
+        Ok(())
+    })
+}
+
 /// The irradiances of `count` unit normals with z from 0 to 1, into `irradiance`.
 ///
 /// Neither scaled nor checked: a normal that is not such has a meaningless irradiance, and
-/// no other suffers. Of no normals the pointers do not matter. On an error `irradiance` is
+/// no other suffers; `eigenshade_normalize_f32` makes such of any. Of no normals the pointers do not matter. On an error `irradiance` is
 /// as it was.
 ///
 /// # Safety
@@ -267,7 +370,9 @@ pub unsafe extern "C" fn eigenshade_shade_many_f32(
     irradiance: *mut f32,
 ) -> Status {
     Status::of(|| {
-        apart(irradiance, [x, y, z], count)?;
+        let [x_place, y_place, z_place] = [x, y, z].map(|axis| Place::many(axis, count));
+        let read = [x_place?, y_place?, z_place?, Place::of(scene)];
+        apart(&[Place::many(irradiance, count)?], &read)?;
         // SAFETY: as this function asks of its caller.
         let scene = unsafe { shared(scene) }?;
         // SAFETY: as this function asks of its caller.

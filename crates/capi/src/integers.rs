@@ -1,7 +1,7 @@
 //! What Q15 and Q31 have in common, and the checks of what C hands over.
 #![expect(unsafe_code, reason = "arrays come from C")]
 
-use crate::boundary::{Plain, apart, slice, slice_to_write};
+use crate::boundary::{Place, Plain, apart, slice, slice_to_write};
 use crate::float::{LightF32, MaterialF32};
 use crate::folded;
 use crate::sizes::{EIGENSHADE_DEGREE, EIGENSHADE_ORDER};
@@ -105,26 +105,30 @@ pub(crate) unsafe fn material_of<'a, Q: Shipped>(
     Ok(Material::new(order, exponents, mantissas)?)
 }
 
-/// Writes a light's mantissas, and gives their exponent.
+/// Writes a light's mantissas, and gives their exponent; `to` is where the light is written
+/// after them.
 ///
 /// # Safety
 ///
 /// As [`slice`] asks, of the light's array, and [`slice_to_write`] of the mantissas.
 pub(crate) unsafe fn quantise_light<Q: Shipped>(
     from: &LightF32,
-    mantissas: *mut Q,
-    length: usize,
+    (mantissas, length): (*mut Q, usize),
+    to: Place,
 ) -> Result<i32, Status> {
     if length != from.length {
         return Err(Status::LightLength);
     }
-    apart(mantissas, [from.coefficients], length)?;
-    // SAFETY: this function's caller promises as much, and they do not overlap.
-    let (from, mantissas) = unsafe { (from.view()?, slice_to_write(mantissas, length)?) };
-    Ok(Light::quantise(from.degree(), from.coefficients(), mantissas)?.exponent())
+    // SAFETY: this function's caller promises as much.
+    let light = unsafe { from.view() }?;
+    apart(&[to, Place::many(mantissas, length)?], &from.places()?)?;
+    // SAFETY: this function's caller promises as much; it overlaps no other.
+    let mantissas = unsafe { slice_to_write(mantissas, length) }?;
+    Ok(Light::quantise(light.degree(), light.coefficients(), mantissas)?.exponent())
 }
 
-/// Writes a material's mantissas and exponents.
+/// Writes a material's mantissas and exponents; `to` is where the material is written after
+/// them.
 ///
 /// # Safety
 ///
@@ -133,17 +137,39 @@ pub(crate) unsafe fn quantise_material<Q: Shipped>(
     from: &MaterialF32,
     (mantissas, length): (*mut Q, usize),
     (exponents, of_exponents): (*mut i8, usize),
+    to: Place,
 ) -> Result<(), Status> {
     if length != from.length || of_exponents.wrapping_sub(1) != from.order {
         return Err(Status::MaterialLength);
     }
-    apart(mantissas, [from.coefficients], length)?;
+    // SAFETY: this function's caller promises as much.
+    let material = unsafe { from.view() }?;
+    let written = [to, Place::many(mantissas, length)?, Place::many(exponents, of_exponents)?];
+    apart(&written, &from.places()?)?;
     // SAFETY: this function's caller promises as much, and they do not overlap.
-    let (from, mantissas, exponents) = unsafe {
-        let from = from.view()?;
-        (from, slice_to_write(mantissas, length)?, slice_to_write(exponents, of_exponents)?)
-    };
-    Material::quantise(from.order(), from.coefficients(), mantissas, exponents)?;
+    let (mantissas, exponents) =
+        unsafe { (slice_to_write(mantissas, length)?, slice_to_write(exponents, of_exponents)?) };
+    Material::quantise(material.order(), material.coefficients(), mantissas, exponents)?;
+    Ok(())
+}
+
+/// Scales a vector to the unit normal along it.
+///
+/// # Safety
+///
+/// As [`slice`] asks of `vector`, and [`slice_to_write`] of `normal`.
+pub(crate) unsafe fn normalize<Q: Shipped>(
+    vector: *const i32,
+    normal: *mut Q,
+) -> Result<(), Status> {
+    apart(&[Place::many(normal, 3)?], &[Place::many(vector, 3)?])?;
+    // SAFETY: this function's caller promises as much.
+    let vector = unsafe { slice(vector, 3) }?;
+    let &[x, y, z] = vector else { return Err(Status::Internal) };
+    let found = Normal::<Q>::along(x, y, z)?;
+    // SAFETY: this function's caller promises as much; it overlaps no other.
+    let normal = unsafe { slice_to_write(normal, 3) }?;
+    normal.iter_mut().zip(found.components()).for_each(|(to, from)| *to = from);
     Ok(())
 }
 
@@ -202,7 +228,9 @@ pub(crate) unsafe fn shade_many<Q: Shipped>(
     [x, y, z]: [*const Q; 3],
     irradiance: *mut i32,
 ) -> Result<(), Status> {
-    apart(irradiance, [x, y, z], count)?;
+    let [x_place, y_place, z_place] = [x, y, z].map(|axis| Place::many(axis, count));
+    let read = [x_place?, y_place?, z_place?];
+    apart(&[Place::many(irradiance, count)?], &read)?;
     // SAFETY: this function's caller promises as much, and they do not overlap.
     let (x, y, z, irradiance) = unsafe {
         (slice(x, count)?, slice(y, count)?, slice(z, count)?, slice_to_write(irradiance, count)?)

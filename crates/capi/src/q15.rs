@@ -1,7 +1,7 @@
 //! In integers: mantissas of 15 bits, for machines without a float unit.
 #![expect(unsafe_code, reason = "exported symbols and C's pointers")]
 
-use crate::boundary::{Plain, exclusive, shared};
+use crate::boundary::{Place, Plain, apart, exclusive, shared};
 use crate::float::{LightF32, MaterialF32};
 use crate::integers;
 use crate::sizes::{
@@ -102,6 +102,11 @@ impl LightQ15 {
         // SAFETY: this function's caller promises as much.
         unsafe { integers::light_of(self.degree, self.exponent, self.mantissas, self.length) }
     }
+
+    /// Where it and its mantissas lie.
+    fn places(&self) -> Result<[Place; 2], Status> {
+        Ok([Place::of(self), Place::many(self.mantissas, self.length)?])
+    }
 }
 
 impl MaterialQ15 {
@@ -114,13 +119,19 @@ impl MaterialQ15 {
         // SAFETY: this function's caller promises as much.
         unsafe { integers::material_of(self.order, mantissas, exponents) }
     }
+
+    /// Where it, its mantissas and its exponents lie.
+    fn places(&self) -> Result<[Place; 3], Status> {
+        let exponents = Place::many(self.exponents, self.exponents_length)?;
+        Ok([Place::of(self), Place::many(self.mantissas, self.length)?, exponents])
+    }
 }
 
 /// A light in these mantissas from one in float, in integer arithmetic throughout.
 ///
 /// Writes `length` mantissas, as many as `from` has coefficients, and the light that they
-/// make; they stay the caller's, and the light points to them. A number that is not finite
-/// counts as the largest. On an error nothing is written, unless it is `to` that is at fault.
+/// make; they stay the caller's, and the light points to them. On an error
+/// nothing is written, unless a number is not finite or it is `to` that is at fault.
 ///
 /// # Safety
 ///
@@ -137,7 +148,8 @@ pub unsafe extern "C" fn eigenshade_quantise_light_q15(
         // SAFETY: as this function asks of its caller.
         let from = unsafe { shared(from) }?;
         // SAFETY: as this function asks of its caller.
-        let exponent = unsafe { integers::quantise_light(from, mantissas, length) }?;
+        let exponent =
+            unsafe { integers::quantise_light(from, (mantissas, length), Place::of(to)) }?;
         // SAFETY: as this function asks of its caller.
         let to = unsafe { exclusive(to) }?;
         *to = LightQ15 { degree: from.degree, length, mantissas, exponent };
@@ -149,8 +161,8 @@ pub unsafe extern "C" fn eigenshade_quantise_light_q15(
 ///
 /// Writes `length` mantissas, as many as `from` has coefficients, `exponents_length`
 /// exponents, one for each o, and the material that they make; they stay the caller's, and
-/// the material points to them. A number that is not finite counts as the largest. On an
-/// error of `from`, `mantissas` or a length nothing is written.
+/// the material points to them. On an error nothing is written, unless a number is not finite
+/// or it is `exponents` or `to` that is at fault.
 ///
 /// # Safety
 ///
@@ -170,7 +182,7 @@ pub unsafe extern "C" fn eigenshade_quantise_material_q15(
         let from = unsafe { shared(from) }?;
         let (numbers, powers) = ((mantissas, length), (exponents, exponents_length));
         // SAFETY: as this function asks of its caller.
-        unsafe { integers::quantise_material(from, numbers, powers) }?;
+        unsafe { integers::quantise_material(from, numbers, powers, Place::of(to)) }?;
         // SAFETY: as this function asks of its caller.
         let to = unsafe { exclusive(to) }?;
         let order = from.order;
@@ -196,8 +208,12 @@ pub unsafe extern "C" fn eigenshade_fold_q15(
 ) -> Status {
     Status::of(|| {
         // SAFETY: as this function asks of its caller.
-        let (material, workspace, transfer) =
-            unsafe { (shared(material)?.view()?, exclusive(workspace)?, exclusive(transfer)?) };
+        let from = unsafe { shared(material) }?;
+        // SAFETY: as this function asks of its caller.
+        let material = unsafe { from.view() }?;
+        apart(&[Place::of(workspace), Place::of(transfer)], &from.places()?)?;
+        // SAFETY: as this function asks of its caller; nothing overlaps.
+        let (workspace, transfer) = unsafe { (exclusive(workspace)?, exclusive(transfer)?) };
         let TransferQ15 { numbers, exponents } = transfer;
         integers::fold(&material, &mut workspace.numbers, numbers, exponents)
     })
@@ -222,8 +238,13 @@ pub unsafe extern "C" fn eigenshade_relight_q15(
 ) -> Status {
     Status::of(|| {
         // SAFETY: as this function asks of its caller.
-        let (transfer, light, coefficients) =
-            unsafe { (shared(transfer)?, shared(light)?.view()?, exclusive(coefficients)?) };
+        let (transfer, from) = unsafe { (shared(transfer)?, shared(light)?) };
+        // SAFETY: as this function asks of its caller.
+        let light = unsafe { from.view() }?;
+        let [of_light, of_mantissas] = from.places()?;
+        apart(&[Place::of(coefficients)], &[Place::of(transfer), of_light, of_mantissas])?;
+        // SAFETY: as this function asks of its caller; it overlaps no other.
+        let coefficients = unsafe { exclusive(coefficients) }?;
         let CoefficientsQ15 { mantissas, exponent } = coefficients;
         *exponent = integers::relight(&transfer.numbers, &transfer.exponents, &light, mantissas)?;
         Ok(())
@@ -249,7 +270,12 @@ pub unsafe extern "C" fn eigenshade_project_q15(
 ) -> Status {
     Status::of(|| {
         // SAFETY: as this function asks of its caller.
-        let (light, material) = unsafe { (shared(light)?.view()?, shared(material)?.view()?) };
+        let (of_light, of_material) = unsafe { (shared(light)?, shared(material)?) };
+        // SAFETY: as this function asks of its caller.
+        let (light, material) = unsafe { (of_light.view()?, of_material.view()?) };
+        let written = [Place::of(workspace), Place::of(transfer), Place::of(coefficients)];
+        apart(&written, &of_light.places()?)?;
+        apart(&written, &of_material.places()?)?;
         // SAFETY: as this function asks of its caller.
         let (workspace, transfer, coefficients) =
             unsafe { (exclusive(workspace)?, exclusive(transfer)?, exclusive(coefficients)?) };
@@ -280,12 +306,28 @@ pub unsafe extern "C" fn eigenshade_collapse_q15(
     Status::of(|| {
         // SAFETY: as this function asks of its caller.
         let CoefficientsQ15 { mantissas, exponent } = unsafe { shared(coefficients) }?;
+        apart(&[Place::of(scene)], &[Place::of(coefficients)])?;
         let first = integers::first(mantissas, *exponent, components)?;
         // SAFETY: as this function asks of its caller.
         let scene = unsafe { exclusive(scene) }?;
         scene.exponent = integers::collapse::<Q15>(first, *exponent, &mut scene.terms)?;
         Ok(())
     })
+}
+
+/// The unit normal along a vector of three integers of any scale, as three mantissas, x, y and z:
+/// of a normal map of 8 bits, whose channel c says 2c - 255.
+///
+/// One that points away by no more than 1/8 is laid on the rim. Cost: a root and three divisions
+/// in 64 bits. On an error `normal` is as it was.
+///
+/// # Safety
+///
+/// Pointers that are neither NULL nor unaligned point to three numbers each.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn eigenshade_normalize_q15(vector: *const i32, normal: *mut Q15) -> Status {
+    // SAFETY: as this function asks of its caller.
+    Status::of(|| unsafe { integers::normalize(vector, normal) })
 }
 
 /// The irradiance of the unit normal (x, y, z), in fractions of 2^15 (1 as 2^15 - 1):
@@ -310,6 +352,7 @@ pub unsafe extern "C" fn eigenshade_shade_q15(
     Status::of(|| {
         // SAFETY: as this function asks of its caller.
         let scene = unsafe { shared(scene) }?;
+        apart(&[Place::of(irradiance)], &[Place::of(scene)])?;
         let found = integers::shade(&scene.terms, [x, y, z])?;
         // SAFETY: as this function asks of its caller.
         *unsafe { exclusive(irradiance) }? = found;
@@ -338,6 +381,7 @@ pub unsafe extern "C" fn eigenshade_shade_many_q15(
     Status::of(|| {
         // SAFETY: as this function asks of its caller.
         let scene = unsafe { shared(scene) }?;
+        apart(&[Place::many(irradiance, count)?], &[Place::of(scene)])?;
         // SAFETY: as this function asks of its caller.
         unsafe { integers::shade_many(&scene.terms, count, [x, y, z], irradiance) }
     })

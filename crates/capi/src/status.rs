@@ -39,6 +39,8 @@ pub enum Status {
     /// A row of a transfer is so large that its sum with a light could overflow: no
     /// material was folded into it.
     Transfer = 14,
+    /// A coefficient of a light or a material is infinite or NaN.
+    NotFinite = 15,
 }
 
 impl Status {
@@ -63,6 +65,7 @@ impl From<Error> for Status {
             Error::Normal => Self::Normal,
             Error::Hidden => Self::Hidden,
             Error::Bound => Self::Transfer,
+            Error::NotFinite { .. } => Self::NotFinite,
             // The arrays are the table's own, their lengths constants.
             _ => Self::Internal,
         }
@@ -95,6 +98,7 @@ fn message(status: i32) -> &'static CStr {
         12 => c"more normals than memory can hold; check their number",
         13 => c"a fault of the library; please report it",
         14 => c"a transfer could overflow its sums; take one that a material was folded into",
+        15 => c"a coefficient is infinite or NaN; leave it out, or scale the numbers down",
         _ => c"a number that is no status of this version; compare header and library",
     }
 }

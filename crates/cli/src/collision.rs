@@ -1,6 +1,7 @@
 //! Outputs that would replace one another, or an input.
 
 use eigenshade_generator::error::{Error, Result};
+use eigenshade_generator::output::end_of_links;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
@@ -45,6 +46,7 @@ pub fn refuse<P: AsRef<Path>, Q: AsRef<Path>>(
 
 /// Where a file is, or would be: the end of its links, or its folder's place and its name.
 fn place(path: &Path) -> PathBuf {
+    let path = end_of_links(path).unwrap_or_else(|_| path.to_owned());
     path.canonicalize().unwrap_or_else(|_| {
         let folder = match path.parent() {
             Some(folder) if folder != OsStr::new("") => folder,

@@ -1,5 +1,6 @@
 //! From a light and a material to the irradiance of many normals, in an integer format.
 
+use crate::overflow;
 use crate::owned_quantised::{Integer, OwnedQuantised};
 use crate::shader::fault;
 use eigenshade::quantised::{Light, Material, Normal, Transfer};
@@ -54,13 +55,18 @@ impl<Q: Integer> IntegerShader<Q> {
     ///
     /// # Errors
     ///
-    /// Coefficients that are of another degree or order than they claim, or beyond the
-    /// table.
+    /// Coefficients that are of another degree or order than they claim, beyond the
+    /// table, or so large that they would saturate, or so small that they would be lost.
     pub fn project(
         &mut self,
         (degree, light): (usize, &[f64]),
         (order, material): (usize, &[f64]),
     ) -> Result<Vec<f64>> {
+        // The only numbers that saturate: all that follow are scaled by what they can be.
+        if ![light, material].iter().all(|numbers| quantise::holds(numbers, Q::FORMAT)) {
+            return Err(overflow::fault(Q::FORMAT.name(), light, material));
+        }
+        overflow::lost(Q::FORMAT.name(), light, material)?;
         let basis = self.basis.view().map_err(fault)?;
         let (mantissas, exponents) = quantise::material(order, material, Q::FORMAT);
         let mantissas = owned(&mantissas);
@@ -92,6 +98,10 @@ impl<Q: Integer> IntegerShader<Q> {
         let basis = self.basis.view().map_err(fault)?;
         let used = self.mantissas.get(..self.components).unwrap_or(&self.mantissas);
         let scene = basis.collapse_into(used, self.exponent, &mut self.scene).map_err(fault)?;
+        if let Some(formula) = scene.nine_terms() {
+            let one = |normal: &Normal<Q>| scaled(formula.shade(*normal), formula.exponent());
+            return Ok(normals.iter().map(one).collect());
+        }
         let one = |normal: &Normal<Q>| scaled(scene.shade(*normal), scene.exponent());
         Ok(normals.iter().map(one).collect())
     }

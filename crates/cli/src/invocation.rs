@@ -1,7 +1,7 @@
 //! The command that made a file, for the file's first line.
 
-/// `eigenshade` and its arguments as they were given; those with blanks in them
-/// in quotation marks.
+/// `eigenshade` and its arguments as they were given; those with blanks or control characters
+/// in them in quotation marks.
 #[must_use]
 pub fn command_line() -> String {
     let arguments = std::env::args_os().skip(1);
@@ -10,7 +10,8 @@ pub fn command_line() -> String {
 }
 
 fn quoted(argument: &str) -> String {
-    if argument.is_empty() || argument.contains(char::is_whitespace) {
+    let is_odd = |letter: char| letter.is_whitespace() || letter.is_control();
+    if argument.is_empty() || argument.contains(is_odd) {
         format!("{argument:?}")
     } else {
         argument.to_owned()

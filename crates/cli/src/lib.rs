@@ -15,6 +15,9 @@ pub mod number;
 
 pub mod message;
 
+#[cfg(unix)]
+pub mod signals;
+
 pub mod parallel;
 
 pub mod table_file;
@@ -25,9 +28,17 @@ pub mod shipped;
 
 pub mod named;
 
+pub mod overflow;
+
+pub mod ringing;
+
+pub mod albedo;
+
 pub mod owned_basis;
 
 pub mod owned_quantised;
+
+pub mod multiplications;
 
 pub mod integer_shader;
 
@@ -44,6 +55,7 @@ pub mod median;
 pub mod accuracy;
 
 pub mod recorded_errors;
+pub mod rounding;
 
 pub mod sphere_view;
 

@@ -3,10 +3,14 @@
 use crate::tone;
 use eigenshade_generator::error::{Error, Result};
 use eigenshade_generator::inputs::environment::EnvironmentMap;
+use eigenshade_generator::inputs::input_file::InputFile;
 use eigenshade_generator::inputs::png_curve::Curve;
 use eigenshade_generator::inputs::png_samples;
 use eigenshade_generator::inputs::sheet::Sheet;
-use std::path::Path;
+
+/// Bytes that a pixel takes of a [`LinearImage`], and in reading it: what it counts, and its
+/// normal.
+const BYTES_PER_PIXEL: u64 = 136;
 
 /// How a PNG's samples stand for light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
@@ -45,20 +49,22 @@ impl LinearImage {
     ///
     /// A file of another type, one that cannot be read or is broken, a transfer for a
     /// type that has none, none for a PNG that says it is something else, numbers that are not finite.
-    pub fn read(path: &Path, transfer: Option<Transfer>) -> Result<Self> {
+    pub fn read(file: impl Into<InputFile>, transfer: Option<Transfer>) -> Result<Self> {
+        let file = file.into().with_bytes_beside(BYTES_PER_PIXEL);
+        let path = file.path();
         let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
         let ending = ending.to_ascii_lowercase();
         if ending == "png" {
-            return Self::of_png(path, transfer);
+            return Self::of_png(&file, transfer);
         }
         if transfer.is_some() {
             let what = "only PNGs have a transfer, this file is linear";
             return Err(Error::new(what, "leave --transfer out").in_file(path));
         }
         match ending.as_str() {
-            "csv" => Self::of_csv(path),
+            "csv" => Self::of_csv(file),
             "exr" | "hdr" | "pfm" => {
-                let map = EnvironmentMap::from_path(path)?;
+                let map = EnvironmentMap::from_path(file)?;
                 let pixels = map.texels.iter().map(|texel| texel.map(f64::from)).collect();
                 Ok(Self::whole(Some([map.width, map.height]), pixels))
             }
@@ -74,8 +80,8 @@ impl LinearImage {
         Self { size, weights: vec![1.0; pixels.len()], pixels, clipped: 0, transparent: 0 }
     }
 
-    fn of_png(path: &Path, transfer: Option<Transfer>) -> Result<Self> {
-        let png = png_samples::read(path)?;
+    fn of_png(file: &InputFile, transfer: Option<Transfer>) -> Result<Self> {
+        let png = png_samples::read(file.clone())?;
         let full = f64::from(png.full);
         let transfer = match (transfer, &png.curve) {
             (Some(transfer), _) => transfer,
@@ -86,7 +92,7 @@ impl LinearImage {
             (None, Curve::Other(what)) => {
                 let what = format!("{what}, by which samples are not read");
                 let remedy = "say what they are by --transfer linear or --transfer srgb";
-                return Err(Error::new(what, remedy).in_file(path));
+                return Err(Error::new(what, remedy).in_file(file.path()));
             }
         };
         let value = |sample: u16| match transfer {
@@ -106,12 +112,9 @@ impl LinearImage {
         Ok(image)
     }
 
-    fn of_csv(path: &Path) -> Result<Self> {
-        let sheet = Sheet::read(path, "r,g,b")?;
-        let columns = sheet
-            .columns(["r", "g", "b"])
-            .or_else(|| sheet.columns(["value"; 3]))
-            .ok_or_else(|| sheet.wrong_header("`r,g,b` or `value`"))?;
+    fn of_csv(file: InputFile) -> Result<Self> {
+        let sheet = Sheet::read(file, "r,g,b")?;
+        let columns = sheet.colors()?.ok_or_else(|| sheet.wrong_header("`r,g,b` or `value`"))?;
         let mut pixels = Vec::new();
         for row in sheet.rows() {
             let mut pixel = [0.0; 3];

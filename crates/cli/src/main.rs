@@ -3,7 +3,7 @@
 mod commands;
 
 use clap::Parser;
-use commands::Command;
+use commands::{Command, Memory};
 use eigenshade_cli::message::say_fault;
 use std::process::ExitCode;
 
@@ -15,12 +15,17 @@ use std::process::ExitCode;
 #[derive(Debug, Parser)]
 #[command(name = "eigenshade", version, arg_required_else_help = true)]
 struct Program {
+    #[command(flatten)]
+    memory: Memory,
     #[command(subcommand)]
     command: Command,
 }
 
 fn main() -> ExitCode {
-    match Program::parse().command.run() {
+    #[cfg(unix)]
+    eigenshade_cli::signals::clean_up_on_end();
+    let Program { memory, command } = Program::parse();
+    match command.run(memory) {
         Ok(()) => ExitCode::SUCCESS,
         Err(fault) => {
             say_fault(fault);

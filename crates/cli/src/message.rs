@@ -7,7 +7,28 @@ use std::time::Duration;
 
 /// One line on standard error. If nobody can hear it, nothing happens.
 pub fn say(line: impl Display) {
-    let _ = writeln!(std::io::stderr().lock(), "{line}");
+    let _ = writeln!(std::io::stderr().lock(), "{}", printable(&line.to_string()));
+}
+
+/// A text whose control characters, which may come from names in files, are spelled out: a
+/// terminal would obey them.
+#[must_use]
+pub fn printable(text: &str) -> String {
+    // Those that turn the direction of writing, too, and those that end a line.
+    let is_control = |letter: char| {
+        letter.is_control()
+            || matches!(letter, '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}')
+            || matches!(letter, '\u{2066}'..='\u{2069}')
+    };
+    let mut shown = String::with_capacity(text.len());
+    for letter in text.chars() {
+        if is_control(letter) {
+            shown.extend(letter.escape_default());
+        } else {
+            shown.push(letter);
+        }
+    }
+    shown
 }
 
 /// The line of a fault on standard error: one line, whatever it quotes.
@@ -33,4 +54,16 @@ pub fn spinner(what: &'static str) -> ProgressBar {
     let spinner = ProgressBar::new_spinner().with_message(what);
     spinner.enable_steady_tick(Duration::from_millis(100));
     spinner
+}
+
+#[cfg(test)]
+mod tests {
+    use super::printable;
+
+    #[test]
+    fn control_characters_are_spelled_out() {
+        let text = "na\u{1b}[31mme\u{7}\u{9b}2J\t\u{202e}\r\n";
+        assert_eq!(printable(text), r"na\u{1b}[31mme\u{7}\u{9b}2J\t\u{202e}\r\n");
+        assert_eq!(printable("Größe `π` \"a\\b\" e\u{301} 面"), "Größe `π` \"a\\b\" e\u{301} 面");
+    }
 }

@@ -4,6 +4,7 @@ use eigenshade::{
     Basis, Coupling, GeneralBasis, GeneralParts, Parts, Pass, ProfilePlace, Row, Scalar,
 };
 use eigenshade_index::effect::Effects;
+use eigenshade_index::layout::Recurrence;
 use eigenshade_table::Table;
 use eigenshade_table::parts::{self, NONE};
 
@@ -23,6 +24,7 @@ pub struct OwnedBasis<S> {
     polar: Vec<S>,
     factors: Vec<S>,
     terms: Vec<S>,
+    recurrences: Vec<Recurrence>,
     mean: Vec<S>,
     mean_coefficients: Vec<S>,
     selection: Vec<bool>,
@@ -75,6 +77,7 @@ impl<S: Scalar> OwnedBasis<S> {
             polar: rounded(&parts.polar),
             factors: rounded(&parts.factors),
             terms: rounded(&parts.terms),
+            recurrences: parts.recurrences,
             mean: rounded(&parts.mean),
             mean_coefficients: rounded(&parts.mean_coefficients),
             lengths: parts.lengths,
@@ -132,6 +135,7 @@ impl<S: Scalar> OwnedBasis<S> {
             polar: &self.polar,
             factors: &self.factors,
             terms: &self.terms,
+            recurrences: &self.recurrences,
             mean: &self.mean,
             mean_coefficients: &self.mean_coefficients,
             selection: &self.selection,

@@ -1,12 +1,15 @@
 //! How much each pixel of an image counts.
 
 use eigenshade_generator::error::{Error, Result};
+use eigenshade_generator::inputs::input_file::InputFile;
 use eigenshade_generator::inputs::png_samples;
 use eigenshade_generator::inputs::sheet::Sheet;
-use std::path::Path;
 
 /// The largest weight: its square, times any number of pixels, is a number.
 const LARGEST: f64 = 1e100;
+
+/// Bytes of a weight.
+const BYTES_PER_WEIGHT: u64 = size_of::<f64>() as u64;
 
 /// Reads a weight for each pixel: from a PNG of the image's size, its luminance times
 /// its opacity, 0 to 1; or from a CSV with the column `weight`, 0 or more.
@@ -15,9 +18,15 @@ const LARGEST: f64 = 1e100;
 ///
 /// A file of another size than the image, a negative weight, and the faults of the
 /// file.
-pub fn read(path: &Path, size: Option<[usize; 2]>, count: usize) -> Result<Vec<f64>> {
+pub fn read(
+    file: impl Into<InputFile>,
+    size: Option<[usize; 2]>,
+    count: usize,
+) -> Result<Vec<f64>> {
+    let file = file.into();
+    let path = file.path();
     let is_png = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png"));
-    let weights = if is_png { of_png(path, size)? } else { of_csv(path)? };
+    let weights = if is_png { of_png(&file, size)? } else { of_csv(&file)? };
     if weights.len() != count {
         return Err(Error::new(
             format!("it holds {} weights, the image {count} pixels", weights.len()),
@@ -28,8 +37,8 @@ pub fn read(path: &Path, size: Option<[usize; 2]>, count: usize) -> Result<Vec<f
     Ok(weights)
 }
 
-fn of_png(path: &Path, size: Option<[usize; 2]>) -> Result<Vec<f64>> {
-    let png = png_samples::read(path)?;
+fn of_png(file: &InputFile, size: Option<[usize; 2]>) -> Result<Vec<f64>> {
+    let png = png_samples::read(file.clone().with_bytes_beside(BYTES_PER_WEIGHT))?;
     if let Some([width, height]) = size
         && (width, height) != (png.width, png.height)
     {
@@ -37,7 +46,7 @@ fn of_png(path: &Path, size: Option<[usize; 2]>) -> Result<Vec<f64>> {
             format!("it is {} x {} pixels, the image {width} x {height}", png.width, png.height),
             "give a mask of the image's size",
         )
-        .in_file(path));
+        .in_file(file.path()));
     }
     let full = f64::from(png.full);
     let weight = |(colour, opacity): (&[u16; 3], &u16)| {
@@ -47,8 +56,8 @@ fn of_png(path: &Path, size: Option<[usize; 2]>) -> Result<Vec<f64>> {
     Ok(png.colours.iter().zip(&png.opacities).map(weight).collect())
 }
 
-fn of_csv(path: &Path) -> Result<Vec<f64>> {
-    let sheet = Sheet::read(path, "weight")?;
+fn of_csv(file: &InputFile) -> Result<Vec<f64>> {
+    let sheet = Sheet::read(file.clone(), "weight")?;
     let [column] = sheet.columns(["weight"]).ok_or_else(|| sheet.wrong_header("`weight`"))?;
     let weight = |row: eigenshade_generator::inputs::sheet::Row<'_>| {
         let weight = row.number(column)?;

@@ -2,9 +2,13 @@
 
 use crate::sphere_view::SphereView;
 use eigenshade_generator::error::{Error, Result};
+use eigenshade_generator::inputs::input_file::InputFile;
 use eigenshade_generator::inputs::normals::read_normals;
 use eigenshade_generator::inputs::{normal_map, png_samples};
 use std::path::Path;
+
+/// Bytes of a normal that may be none.
+const BYTES_PER_NORMAL: u64 = size_of::<Option<[f64; 3]>>() as u64;
 
 /// Reads the unit normal, z >= 0, of each pixel of an image of this size; none where there
 /// is no object.
@@ -19,10 +23,12 @@ use std::path::Path;
 /// `sphere` for an image without size, a file of another size than the image, and the
 /// faults of the file.
 pub fn read(
-    source: &Path,
+    source: impl Into<InputFile>,
     size: Option<[usize; 2]>,
     counts: &[bool],
 ) -> Result<Vec<Option<[f64; 3]>>> {
+    let file = source.into();
+    let source = file.path();
     if source == Path::new("sphere") {
         return size.map(sphere).ok_or_else(|| {
             Error::new(
@@ -33,9 +39,9 @@ pub fn read(
     }
     let is_png = source.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png"));
     let normals = if is_png {
-        of_png(source, size, counts)?
+        of_png(&file, size, counts)?
     } else {
-        read_normals(source)?.into_iter().map(Some).collect()
+        read_normals(file.clone())?.into_iter().map(Some).collect()
     };
     if normals.len() != counts.len() {
         return Err(Error::new(
@@ -60,8 +66,13 @@ fn sphere([width, height]: [usize; 2]) -> Vec<Option<[f64; 3]>> {
     normals
 }
 
-fn of_png(path: &Path, size: Option<[usize; 2]>, counts: &[bool]) -> Result<Vec<Option<[f64; 3]>>> {
-    let png = png_samples::read(path)?;
+fn of_png(
+    file: &InputFile,
+    size: Option<[usize; 2]>,
+    counts: &[bool],
+) -> Result<Vec<Option<[f64; 3]>>> {
+    let path = file.path();
+    let png = png_samples::read(file.clone().with_bytes_beside(BYTES_PER_NORMAL))?;
     let (width, height) = (png.width, png.height);
     let what = match size {
         Some([w, h]) if [w, h] != [width, height] => format!("the image {w} x {h}"),

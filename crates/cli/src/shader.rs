@@ -1,6 +1,7 @@
 //! From a light and a material to the irradiance of many normals, in a number
 //! format of the runtime.
 
+use crate::overflow;
 use crate::owned_basis::{AnyBasis, Folded};
 use eigenshade::{BakedMap, Light, MapPoint, Material, Normal, Normals, Scalar, Scene};
 use eigenshade::{Economy, Tolerance};
@@ -9,6 +10,7 @@ use eigenshade_generator::error::{Error, Result};
 use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_table::Table;
 use eigenshade_table::transfer::fingerprint;
+use std::path::Path;
 
 /// Lights and materials without what lies above a table's degree and order, and of a table
 /// without colour their luminance.
@@ -20,6 +22,19 @@ pub fn fitted(table: &Table, lights: &Lights, materials: &Materials) -> (Lights,
         lights.entries.iter_mut().chain(&mut materials.entries).for_each(Named::lose_colour);
     }
     (lights, materials)
+}
+
+/// What to say of the materials of a file that goes to a higher order than the table.
+#[must_use]
+pub fn of_higher_order(path: &Path, found: usize, order: usize) -> Option<String> {
+    (found > order).then(|| {
+        format!(
+            "warning: {}: its materials are of order {found}, the table of order {order}: what lies \
+             above is left out, and the rest is not the projection to order {order}; make them \
+             again with `eigenshade material --order {order}`, or a table of order {found}",
+            path.display()
+        )
+    })
 }
 
 /// One channel of a light and one of a material, each with its degree or order.
@@ -175,12 +190,18 @@ impl<'a, S: Scalar> Shader<'a, S> {
     /// # Errors
     ///
     /// Coefficients that are of another degree or order than they claim, or beyond
-    /// the basis; a material that a basis of transfers does not have.
-    pub fn project(
+    /// the basis; a material that a basis of transfers does not have; d that is not finite.
+    pub fn project(&mut self, light: (usize, &[f64]), material: (usize, &[f64])) -> Result<&[S]> {
+        self.projected(light, material)?;
+        overflow::check(&self.coefficients, light.1, material.1)?;
+        Ok(&self.coefficients[..self.components])
+    }
+
+    fn projected(
         &mut self,
         (degree, light): (usize, &[f64]),
         (order, material): (usize, &[f64]),
-    ) -> Result<&[S]> {
+    ) -> Result<()> {
         let light = rounded::<S>(light);
         let light = Light::new(degree, &light).map_err(fault)?;
         if let AnyBasis::Sphere(basis) = &self.basis
@@ -189,8 +210,8 @@ impl<'a, S: Scalar> Shader<'a, S> {
             let fingerprint = fingerprint(material);
             let of = self.folded.iter().find(|one| one.fingerprint == fingerprint);
             let of = of.ok_or_else(not_folded)?;
-            basis.relight_into(&of.transfer, &light, &mut self.coefficients).map_err(fault)?;
-            return Ok(&self.coefficients[..self.components]);
+            let coefficients = &mut self.coefficients;
+            return basis.relight_into(&of.transfer, &light, coefficients).map_err(fault);
         }
         let material = rounded::<S>(material);
         let material = Material::new(order, &material).map_err(fault)?;
@@ -204,8 +225,7 @@ impl<'a, S: Scalar> Shader<'a, S> {
                 basis.project_effects_into(&light, &material, effects, workspace, coefficients)
             }
         }
-        .map_err(fault)?;
-        Ok(&self.coefficients[..self.components])
+        .map_err(fault)
     }
 
     /// The image of the last projection, collapsed.
@@ -240,7 +260,7 @@ impl<'a, S: Scalar> Shader<'a, S> {
     ///
     /// # Errors
     ///
-    /// As [`project`](Self::project).
+    /// As [`project`](Self::project); irradiance that is not finite.
     pub fn polynomial(
         &mut self,
         light: (usize, &[f64]),
@@ -251,6 +271,7 @@ impl<'a, S: Scalar> Shader<'a, S> {
         let normals = normals.view()?;
         let mut irradiance = vec![S::ZERO; normals.len()];
         self.scene()?.shade_slice(normals, &mut irradiance).map_err(fault)?;
+        overflow::check(&irradiance, light.1, material.1)?;
         Ok(irradiance)
     }
 
@@ -292,10 +313,11 @@ impl<'a, S: Scalar> Shader<'a, S> {
             .map_err(fault)?;
         let normals = normals.view()?;
         let mut shaded = Vec::new();
-        for (k, economy) in economies.into_iter().enumerate() {
+        for (k, (economy, (light, material))) in economies.into_iter().zip(channels).enumerate() {
             let scene = shape.scene(&buffer[k * len..]).map_err(fault)?;
             let mut irradiance = vec![S::ZERO; normals.len()];
             scene.shade_slice(normals, &mut irradiance).map_err(fault)?;
+            overflow::check(&irradiance, light.1, material.1)?;
             shaded.push((irradiance, economy));
         }
         Ok(shaded)
@@ -316,7 +338,7 @@ impl<'a, S: Scalar> Shader<'a, S> {
         self.project(light, material)?;
         let scene = self.scene()?;
         let each = normals.iter();
-        Ok(match way {
+        let irradiance: Vec<S> = match way {
             LookUp::Linear { knots } => {
                 let table = sampled(&scene, knots)?;
                 each.map(|&normal| table.linear(normal)).collect()
@@ -333,7 +355,9 @@ impl<'a, S: Scalar> Shader<'a, S> {
                 let map = baked(&scene, size)?;
                 each.map(|&normal| map.nearest(MapPoint::of(normal))).collect()
             }
-        })
+        };
+        overflow::check(&irradiance, light.1, material.1)?;
+        Ok(irradiance)
     }
 
     /// One channel of the image, component by component.
@@ -364,7 +388,9 @@ impl<'a, S: Scalar> Shader<'a, S> {
             };
             Ok(whole - dark)
         };
-        normals.iter().map(one).collect()
+        let irradiance: Vec<S> = normals.iter().map(one).collect::<Result<_>>()?;
+        overflow::check(&irradiance, light.1, material.1)?;
+        Ok(irradiance)
     }
 
     /// All three channels of the image, by the collapsed polynomials.
@@ -378,8 +404,10 @@ impl<'a, S: Scalar> Shader<'a, S> {
         (order, material): (usize, &Named),
         normals: &OwnedNormals<S>,
     ) -> Result<[Vec<S>; 3]> {
-        let mut channel =
-            |c: usize| self.polynomial((degree, &light.rgb[c]), (order, &material.rgb[c]), normals);
+        let mut channel = |c: usize| {
+            self.polynomial((degree, &light.rgb[c]), (order, &material.rgb[c]), normals)
+                .map_err(|error| error.of(overflow::pair(light, material)))
+        };
         Ok([channel(0)?, channel(1)?, channel(2)?])
     }
 }

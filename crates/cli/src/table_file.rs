@@ -1,6 +1,7 @@
 //! Tables from files.
 
 use eigenshade_generator::error::{Error, Result};
+use eigenshade_generator::inputs::input_file::InputFile;
 use eigenshade_table::Table;
 use std::path::Path;
 
@@ -9,9 +10,9 @@ use std::path::Path;
 /// # Errors
 ///
 /// If the file cannot be read, is no table, of another version, or damaged.
-pub fn read(path: &Path) -> Result<Table> {
-    let bytes = std::fs::read(path).map_err(|error| Error::io(path, &error))?;
-    decode(&bytes).map_err(|error| error.in_file(path))
+pub fn read(file: impl Into<InputFile>) -> Result<Table> {
+    let file = file.into();
+    decode(&file.bytes()?).map_err(|error| error.in_file(file.path()))
 }
 
 /// The table in a file's bytes.

@@ -5,7 +5,7 @@ use eigenshade::wire::{Header, WireError, WireFormat, aligned};
 use eigenshade::{Basis, GeneralBasis, Q15, Q31, quantised};
 use eigenshade_generator::error::{Error, Result};
 use eigenshade_index::effect::{Effect, Effects};
-use eigenshade_index::wire::{AMBIENT, ENTRY, FLOATS, HEADER, INTEGERS, LABEL};
+use eigenshade_index::wire::{ENTRY, FLOATS, HEADER, INTEGERS, LABEL};
 use std::fmt::Write;
 
 /// Whether bytes begin as a wire file does.
@@ -38,8 +38,7 @@ pub fn description(bytes: &[u8]) -> Result<String> {
     for (what, value) in lines {
         let _ = writeln!(text, "{what:<24} {value}");
     }
-    let names = names.iter().chain([&AMBIENT]).take(header.sections);
-    for (number, name) in names.enumerate() {
+    for (number, name) in names.iter().take(header.sections).enumerate() {
         let at = HEADER + ENTRY * number + ENTRY / 2;
         let length = u32::from_ne_bytes(std::array::from_fn(|k| bytes[at + k]));
         let _ = writeln!(text, "{name:<24} {:>9} bytes", grouped(length as usize));

@@ -84,6 +84,70 @@ fn a_wrong_header() {
 }
 
 #[test]
+fn columns_that_say_two_things() {
+    assert_bad_lights(
+        |text| text.replace("name,l,m,r,g,b", "name,l,m,r,r,b"),
+        &["lights.csv:1:", "column 5", "`r`"],
+    );
+    let both = |text: &str| {
+        let rows = text.lines().map(|line| match line.starts_with("name") {
+            true => format!("{line},value\n"),
+            false => format!("{line},1\n"),
+        });
+        rows.collect::<String>()
+    };
+    assert_bad_lights(both, &["lights.csv:1:", "`value` and `r`"]);
+    let folder = Folder::new();
+    folder.write("m.csv", "theta_i,phi_i,theta_r,phi_r,value,b\n1,1,1,1,1,1\n");
+    let material = "material m.csv --order 2 --out new.csv";
+    assert_fails(&folder, material, &["m.csv:1:", "`value` and `b`"]);
+}
+
+/// Coefficients of a lower order are not the first of those of a higher.
+#[test]
+fn materials_of_a_higher_order_are_a_warning() {
+    let folder = Folder::with_table();
+    folder.write("high.csv", materials(support::ORDER + 2, 1));
+    let words = [
+        "warning: high.csv: its materials are of order 5, the table of order 3",
+        "not the projection to order 3",
+        "`eigenshade material --order 3`",
+    ];
+    for (arguments, is_warned) in [
+        ("project b.bin --lights lights.csv --materials high.csv --out d.csv", true),
+        ("shade b.bin --normals normals.csv --lights lights.csv --materials high.csv", true),
+        ("render b.bin --light lights.csv:light-0 --material high.csv --size 8 --out p.png", true),
+        ("project b.bin --lights lights.csv --materials materials.csv --out d.csv", false),
+    ] {
+        let output = folder.run(arguments);
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(0), "{arguments}: {said}");
+        assert_eq!(said.lines().count(), usize::from(is_warned), "{arguments}: {said}");
+        assert!(!is_warned || words.iter().all(|word| said.contains(word)), "{arguments}: {said}");
+    }
+    let text = folder.read("scene.toml").replace("materials.csv", "high.csv");
+    folder.write("scene.toml", text);
+    let said = folder.run("basis --scene scene.toml --out c.bin").stderr;
+    assert!(String::from_utf8_lossy(&said).contains(words[0]));
+}
+
+#[test]
+fn maps_that_say_more_than_they_hold() {
+    let folder = Folder::new();
+    let rgbe = b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n\x01\x02\x03\x80\x01\x02\x03\x80";
+    folder.write("map.hdr", rgbe);
+    folder.ok("light map.hdr --degree 0 --out l.csv");
+    folder.write("tail.hdr", [&rgbe[..], b"\x80"].concat());
+    let tail = "light tail.hdr --degree 0 --out new.csv";
+    assert_fails(&folder, tail, &["tail.hdr", "bytes follow"]);
+    for scale in ["0", "-0.0", "nan", "inf"] {
+        let text = format!("Pf\n2 1\n{scale}\n");
+        folder.write("map.pfm", [text.as_bytes(), &[0; 8]].concat());
+        assert_fails(&folder, "light map.pfm --degree 0 --out new.csv", &["map.pfm", "byte order"]);
+    }
+}
+
+#[test]
 fn more_than_the_file_holds() {
     let folder = Folder::new();
     assert_fails(&folder, "light lights.csv --degree 5 --out new.csv", &["lights.csv", "degree 4"]);

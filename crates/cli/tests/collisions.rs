@@ -50,6 +50,8 @@ fn two_outputs_in_one_file() {
         (format!("{READ} --light-out sub/new.csv --modes-out ./sub/new.csv"), "./sub/new.csv"),
         #[cfg(unix)]
         (format!("{READ} --out new.csv --light-out here/new.csv"), "here/new.csv"),
+        #[cfg(unix)]
+        (format!("{READ} --out new.csv --light-out dangling.csv"), "dangling.csv"),
     ] {
         assert_fails(&folder, &arguments, &[place, "two outputs go there", "its own file"]);
         assert!(contents(&folder) == before, "{arguments}");

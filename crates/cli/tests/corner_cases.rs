@@ -159,7 +159,7 @@ fn degree_16_and_order_12_serve() {
 
 /// The shipped scene, changed, and a part of its inputs.
 fn shipped(criterion: Criterion, modes: usize) -> (Loaded, Table) {
-    let mut loaded = scene_file::load(&repository().join("tables/sphere.toml")).unwrap();
+    let mut loaded = scene_file::load(repository().join("tables/sphere.toml")).unwrap();
     loaded.lights.entries.truncate(5);
     loaded.materials.entries.truncate(20);
     loaded.scene.basis.criterion = criterion;

@@ -69,6 +69,7 @@ fn lists_of_normals() {
             ("foreign.csv", FOREIGN, &["UTF-8"]),
             ("empty.csv", b"x,y,z\n", &["no normal"]),
             ("nan.csv", b"x,y,z\n0,0,1\n0,nan,1\n", &["nan.csv:3:", "`nan`"]),
+            ("doubled.csv", b"x,y,z,z\n0,0,1,1\n", &["doubled.csv:1:", "column 4", "`z`"]),
             ("infinite.csv", b"x,y,z,weight\n0,0,1,1e999\n", &["infinite.csv:2:", "`1e999`"]),
         ],
     );
@@ -112,7 +113,9 @@ fn binary_stereolithography() {
             ("cut.stl", &good[..good.len() - 1], &["promised"]),
             ("cut-head.stl", &good[..83], &["promised"]),
             ("foreign.stl", &foreign, &["promised"]),
-            ("none.stl", &changed(80, &[0; 4]), &["no triangle"]),
+            ("fewer.stl", &changed(80, &100u32.to_le_bytes()), &["5084 bytes promised"]),
+            ("tail.stl", &[&good[..], b"\0"].concat(), &["promised", "found"]),
+            ("none.stl", &changed(80, &[0; 4])[..84], &["no triangle"]),
             ("huge.stl", &changed(80, &[0xff; 4]), &["214748364834 bytes promised"]),
             ("nan.stl", &changed(84 + 12, &f32::NAN.to_le_bytes()), &["facet 0", "not finite"]),
             (
@@ -134,6 +137,11 @@ fn texts_of_stereolithography() {
             ("cut-facet.stl", &with("vertex 0 1 0\n", ""), &["STL"]),
             ("text.stl", "hello\n".repeat(60).as_bytes(), &["promised"]),
             ("word.stl", &with("0 1 0", "0 one 0"), &["STL"]),
+            (
+                "tail.stl",
+                &with("endsolid one\n", "endsolid one\nand more\n"),
+                &["line 10", "and more"],
+            ),
             ("nan.stl", &with("0 1 0", "0 nan 0"), &["finite"]),
             ("infinite.stl", &with("0 1 0", "0 1e999 0"), &["finite"]),
         ],
@@ -168,6 +176,19 @@ fn polygon_files() {
                 &binary_ply("int", "3", 1.0, &list(&[0xff; 4])),
                 &["PLY", "negative"],
             ),
+            (
+                "tail.ply",
+                &in_text("", "").iter().chain(b"3 0 1 2\n").copied().collect::<Vec<u8>>(),
+                &["more follows"],
+            ),
+            ("fewer.ply", &in_text("element face 2304", "element face 2303"), &["more follows"]),
+            ("tail-binary.ply", &[&whole[..], b"\n"].concat(), &["more follows"]),
+            (
+                "two-corners.ply",
+                &binary_ply("uchar", "3", 1.0, &[2, 0, 0, 0, 0, 1, 0, 0, 0]),
+                &["fewer than three corners: it has 2"],
+            ),
+            ("no-corner.ply", &binary_ply("uchar", "3", 1.0, &[0, 0, 0, 0]), &["it has none"]),
             ("nan-binary.ply", &binary_ply("uchar", "3", f32::NAN, &list(&[3])), &["not finite"]),
         ],
     );

@@ -28,10 +28,13 @@ mod hard_databases;
 mod input_faults;
 mod ladder;
 mod materials;
+mod memory;
 mod object_faults;
 mod object_inputs;
 mod object_kinds;
 mod objects;
+mod outputs;
+mod overflow;
 mod pack;
 mod paper_command;
 mod paper_oracle;
@@ -45,9 +48,11 @@ mod read_report;
 mod readme;
 mod sphere_normals;
 mod stores;
+mod terminal;
 mod thread_counts;
 mod tolerance_choice;
 mod transfer;
+mod warnings;
 mod ways;
 
 #[test]

@@ -62,6 +62,8 @@ fn bad_objects() {
         ("normals = \"sphere\"\ndensity = \"cos(a)\"", &["density"]),
         ("normals = \"slant-density\"", &["density"]),
         ("normals = \"slant-density\"\ndensity = \"cos(\"", &["cos("]),
+        ("normals = \"slant-density\"\ndensity = \"1e308 cos(a)\"", &["is no formula"]),
+        ("normals = \"slant-density\"\ndensity = \"1e999*cos(a)\"", &["is inf", "finite"]),
         ("normals = \"slant-density\"\ndensity = \"cos(b)\"", &["variable `b`"]),
         ("normals = \"slant-density\"\ndensity = \"-1\"", &["density"]),
         ("normals = \"slant-density\"\ndensity = \"2^-a\"", &["parentheses"]),

@@ -42,7 +42,7 @@ fn ways_are_as_exact_as_they_can_be() {
     let of_scene = folder.ok(&format!("shade knots.bin {PAIR} --method table"));
     assert_eq!(of_scene, folder.ok(&format!("shade b.bin {PAIR} --method table --knots 32")));
     for (short, long) in [
-        ("--method table", "--method table --knots 128 --interpolation cubic"),
+        ("--method table", "--method table --knots 256 --interpolation cubic"),
         ("--method baked", "--method baked --size 64 --interpolation linear"),
     ] {
         assert_eq!(shaded(&folder, short), shaded(&folder, long));
@@ -56,13 +56,6 @@ fn a_tolerance_is_of_the_brightest_channel() {
     let folder = Folder::with_table();
     let text = lights(DEGREE, 3).lines().skip(1).map(dimmed).collect::<String>();
     folder.write("lights.csv", format!("name,l,m,r,g,b\n{text}"));
-    // Of equal shares of the disc.
-    let normal = |k: u32| {
-        let square = (f64::from(k) + 0.5) / 600.0;
-        let (y, x) = (TAU * 0.618_034 * f64::from(k)).sin_cos();
-        let radius = square.sqrt();
-        format!("{},{},{}\n", radius * x, radius * y, (1.0 - square).sqrt())
-    };
     folder.write("normals.csv", "x,y,z\n".to_owned() + &(0..600).map(normal).collect::<String>());
     let whole = shaded(&folder, "--format f64");
     let images = 3 * 4;
@@ -102,6 +95,40 @@ fn a_tolerance_is_of_the_brightest_channel() {
         format!("{names},0,0,{blue}\n")
     });
     assert_ne!(all, alone);
+}
+
+/// In f32 too, where rounding is most of it.
+#[test]
+fn a_printed_bound_holds() {
+    let folder = Folder::with_table();
+    folder.write("normals.csv", "x,y,z\n".to_owned() + &(0..600).map(normal).collect::<String>());
+    let whole = shaded(&folder, "--format f64");
+    for option in ["1e-2", "1e-4", "1e-6", "1e-7"] {
+        let options = format!("--format f32 --tolerance {option}");
+        let within = shaded(&folder, &options);
+        let output = folder.run(&format!("shade b.bin {PAIR} {options}"));
+        let told = String::from_utf8(output.stderr).expect("text");
+        let (_, rest) = told.split_once("at most ").expect("a bound");
+        let bound: f64 = rest.split(' ').next().and_then(|one| one.parse().ok()).expect("a number");
+        for (whole, within) in whole.chunks(1800).zip(within.chunks(1800)) {
+            let peak = whole.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+            for channel in 0..3 {
+                let pairs = whole.iter().zip(within).skip(channel).step_by(3);
+                let square: f64 = pairs.map(|(a, b)| (a - b).powi(2)).sum();
+                let found = (square / 600.0).sqrt() / peak;
+                let allowed = tolerances::PRINTED_BOUND * bound;
+                assert!(found <= allowed, "{option}: {found:e} of {bound:e}");
+            }
+        }
+    }
+}
+
+/// Of 600 equal shares of the disc.
+fn normal(k: u32) -> String {
+    let square = (f64::from(k) + 0.5) / 600.0;
+    let (y, x) = (TAU * 0.618_034 * f64::from(k)).sin_cos();
+    let radius = square.sqrt();
+    format!("{},{},{}\n", radius * x, radius * y, (1.0 - square).sqrt())
 }
 
 /// A row of a light whose blue is dim.
@@ -168,7 +195,9 @@ fn irradiance_below_zero_is_clamped_where_asked() {
     }
     let output = folder.run(&format!("shade b.bin {PAIR} --clamp"));
     let told = String::from_utf8(output.stderr).expect("text");
-    assert_eq!(told, format!("least irradiance {least:?}, clamped\n"));
+    let lines: Vec<&str> = told.lines().collect();
+    assert_eq!(lines[0], format!("least irradiance {least:?}, clamped"));
+    assert!(lines.len() == 2 && lines[1].starts_with("note: 4 of 4 images"), "{told}");
 }
 
 #[test]

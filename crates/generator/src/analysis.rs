@@ -159,6 +159,7 @@ impl Analysis {
                 energy,
                 energy_kept: 1.0,
                 orthonormality: 0.0,
+                roundings: Vec::new(),
             },
             scene: self.scene.clone(),
             gram: self.gram.clone(),

@@ -120,6 +120,7 @@ pub fn chosen(
             energy,
             energy_kept: 1.0,
             orthonormality: 0.0,
+            roundings: Vec::new(),
         },
         scene: scene.clone(),
         selection: kept.selection,

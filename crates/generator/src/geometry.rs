@@ -35,8 +35,11 @@ impl WeightedNormals {
     /// A normal without direction or that points away, a weight that is negative or not
     /// finite, no normal of a weight above zero. The number is that of the pair, from 0.
     pub fn new(pairs: impl IntoIterator<Item = ([f64; 3], f64)>) -> Result<Self> {
-        let mut listed = Self::default();
-        for (number, (normal, weight)) in pairs.into_iter().enumerate() {
+        let pairs = pairs.into_iter();
+        let least = pairs.size_hint().0;
+        let mut listed =
+            Self { normals: Vec::with_capacity(least), weights: Vec::with_capacity(least) };
+        for (number, (normal, weight)) in pairs.enumerate() {
             if !(weight >= 0.0 && weight.is_finite()) {
                 let what = format!("normal {number} has weight {weight}");
                 return Err(Error::new(what, "give it a finite weight of zero or more"));

@@ -66,15 +66,21 @@ pub mod peak;
 
 pub mod scene_file;
 
+pub mod estimate;
+
 pub mod database;
 
 pub mod error;
+
+pub mod budget;
 
 pub mod inputs;
 
 pub mod reading;
 
 pub mod direct;
+
+pub mod unfinished;
 
 pub mod output;
 

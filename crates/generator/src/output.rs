@@ -2,65 +2,95 @@
 //! complete, and not before.
 
 use crate::error::{Error, Result};
-use std::fs::{self, File};
+use crate::unfinished::Unfinished;
+use std::fs::{self, File, Metadata, OpenOptions};
 use std::io::{self, BufWriter, Write};
-use std::path::Path;
-use tempfile::NamedTempFile;
+use std::path::{Path, PathBuf};
 
 /// Writes a file by way of a temporary one in the same folder, renamed at the
 /// end: whoever reads `path` finds the old file or the whole new one.
 ///
-/// A symbolic link stays one; a device or pipe is written straight to.
+/// A file that is replaced keeps its mode. A symbolic link stays one: the file where it leads is
+/// written, whether or not it was there. A device or pipe is written straight to.
 ///
 /// # Errors
 ///
-/// Whatever `write` returns, and every fault of the folder or the disk; a file
-/// that stood there before is then as it was.
+/// Whatever `write` returns, a file that may not be written, and every fault of the folder or the
+/// disk; a file that stood there before is then as it was.
 pub fn write_atomically(
     path: impl AsRef<Path>,
     write: impl FnOnce(&mut dyn Write) -> Result<()>,
 ) -> Result<()> {
     let path = path.as_ref();
     let fault = |error: io::Error| Error::io(path, &error);
-    // What exists is followed to its end, so that links are kept.
-    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
-    if let Ok(metadata) = fs::metadata(&target) {
-        if metadata.is_dir() {
-            return Err(fault(io::ErrorKind::IsADirectory.into()));
-        }
-        if !metadata.is_file() {
-            return fill(path, File::create(&target).map_err(fault)?, write).map(drop);
-        }
+    // A pipe's name leads to no path.
+    if fs::metadata(path).is_ok_and(|found| !found.is_file() && !found.is_dir()) {
+        return fill(path, File::create(path).map_err(fault)?, write).map(drop);
     }
+    let (target, replaced) = replaceable(path)?;
     let folder = match target.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         _ => Path::new("."),
     };
-    let temporary = fill(path, temporary_in(folder).map_err(unnamed).map_err(fault)?, write)?;
-    temporary.as_file().sync_all().map_err(fault)?;
-    temporary.persist(&target).map_err(|failed| fault(failed.error))?;
-    Ok(())
+    let (unfinished, file) = Unfinished::create(folder, replaced.as_ref()).map_err(fault)?;
+    let file = fill(path, file, write)?;
+    file.sync_all().map_err(fault)?;
+    drop(file);
+    unfinished.finish(&target).map_err(fault)
 }
 
-/// With the rights that any new file gets, not those of a secret.
-fn temporary_in(folder: &Path) -> io::Result<NamedTempFile> {
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".eigenshade-");
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt;
-        builder.permissions(fs::Permissions::from_mode(0o666));
-    }
-    builder.tempfile_in(folder)
+/// Refuses what [`write_atomically`] would refuse to replace: of several outputs none is then
+/// written without the others.
+///
+/// # Errors
+///
+/// A folder, a file that is read-only.
+pub fn writable(path: &Path) -> Result<()> {
+    replaceable(path).map(drop)
 }
 
-/// Without the name of the temporary file, which `tempfile` puts behind the system's
-/// word.
-fn unnamed(error: io::Error) -> io::Error {
-    match error.to_string().split_once(" at path ") {
-        Some((word, _)) => io::Error::new(error.kind(), word),
-        None => error,
+/// Where a path leads, and what is there.
+fn replaceable(path: &Path) -> Result<(PathBuf, Option<Metadata>)> {
+    let fault = |error: io::Error| Error::io(path, &error);
+    let target = end_of_links(path).map_err(fault)?;
+    let replaced = fs::metadata(&target).ok();
+    match &replaced {
+        Some(metadata) if metadata.is_dir() => {
+            return Err(fault(io::ErrorKind::IsADirectory.into()));
+        }
+        Some(metadata) if metadata.is_file() => refuse_read_only(path, &target, metadata)?,
+        _ => {}
     }
+    Ok((target, replaced))
+}
+
+/// Where a path leads: the end of its symbolic links, whether or not a file is there.
+///
+/// # Errors
+///
+/// Links in a circle, folders that may not be searched.
+pub fn end_of_links(path: &Path) -> io::Result<PathBuf> {
+    let mut end = path.to_owned();
+    loop {
+        match fs::canonicalize(&end) {
+            Err(error) if error.kind() == io::ErrorKind::NotFound => {}
+            found => return found,
+        }
+        match fs::read_link(&end) {
+            Ok(to) => end = end.parent().unwrap_or(Path::new("")).join(to),
+            Err(_) => return Ok(end),
+        }
+    }
+}
+
+/// To replace a file takes the right to write in its folder only: the file's own is checked
+/// here, also for a user whom the system lets write everything.
+fn refuse_read_only(path: &Path, target: &Path, metadata: &Metadata) -> Result<()> {
+    if metadata.permissions().readonly() {
+        let remedy = "make it writable, or give the output another name";
+        return Err(Error::new("the file is read-only", remedy).in_file(path));
+    }
+    OpenOptions::new().write(true).open(target).map(drop).map_err(|error| Error::io(path, &error))
 }
 
 fn fill<W: Write>(

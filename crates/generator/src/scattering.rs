@@ -51,6 +51,24 @@ pub fn brdf(order: usize, coefficients: &[f64], theta_i: f64, theta_r: f64, delt
         .sum()
 }
 
+/// The share of light from everywhere, the same in all directions, that a material reflects:
+/// ∫∫ f cos θ_i cos θ_r dω_i dω_r / π.
+///
+/// Coefficients that are missing count as zero. Of a Lambertian b_00^0 / 2; in \[0, 1\] of every
+/// material that there can be.
+#[must_use]
+pub fn albedo(coefficients: &[f64]) -> f64 {
+    // With s = ρ² the cosine is 1 - s = (R_0^0 - R_2^0) / 2, and dω = 2π ds; the integral of
+    // R_o^0 R_p^0 over s is δ_op / (o + 1).
+    let means = [(0, 0.5), (2, -1.0 / 6.0)];
+    let pairs = means.iter().flat_map(|&o| means.iter().map(move |&p| (o, p)));
+    let terms = pairs.filter(|((o, _), (p, _))| p <= o).map(|((o, of_o), (p, of_p))| {
+        let b = coefficients.get(material::position(o, p, 0)).copied().unwrap_or(0.0);
+        b * norm(o, p, 0) * of_o * of_p
+    });
+    4.0 * TAU * terms.sum::<f64>()
+}
+
 /// √((o+1)(p+1) / ((1+δ_op)(1+δ_q0))) / 2π, the norm of the mode.
 pub(crate) fn norm(o: usize, p: usize, q: usize) -> f64 {
     let doubled = |equal: bool| if equal { 2.0 } else { 1.0 };

@@ -4,7 +4,8 @@ use crate::choice::Choice;
 use crate::database::{Lights, Materials, Named};
 use crate::error::{Error, Result};
 use crate::geometry::Geometry;
-use crate::inputs::coefficient_csv::{read_lights, read_materials};
+use crate::inputs::coefficient_csv::{read_lights, read_materials_and_order};
+use crate::inputs::input_file::InputFile;
 use crate::inputs::{density, object};
 use crate::{basis, general};
 use eigenshade_index::effect::Effects;
@@ -21,6 +22,8 @@ pub struct Loaded {
     pub lights: Lights,
     /// Its materials, of its order.
     pub materials: Materials,
+    /// The order that the file of materials goes to, the scene's or more.
+    pub order_of_file: usize,
     /// The normals of its object.
     pub geometry: Geometry,
 }
@@ -41,7 +44,7 @@ impl Loaded {
     ///
     /// As [`basis::build`].
     pub fn chosen(&self) -> Result<(Table, Option<Choice>)> {
-        let Self { scene, lights, materials, geometry } = self;
+        let Self { scene, lights, materials, geometry, .. } = self;
         if *geometry == Geometry::Sphere && scene.light.rotation == LightRotation::Any {
             basis::chosen(scene, lights, materials)
         } else {
@@ -50,27 +53,39 @@ impl Loaded {
     }
 }
 
-/// Reads a scene file; its paths are relative to it.
+/// The longest scene file in bytes: a weight for each of ten thousand materials.
+const LONGEST: u64 = 1 << 20;
+
+/// Reads a scene file; its paths are relative to it. Each of the files that it names is read
+/// within the same budget.
 ///
 /// # Errors
 ///
 /// A missing file, a field that is unknown, missing or out of range, a database
 /// that is broken or does not reach the degree or order, a name that it lacks.
-pub fn load(path: &Path) -> Result<Loaded> {
-    let text = std::fs::read_to_string(path).map_err(|error| Error::io(path, &error))?;
+pub fn load(file: impl Into<InputFile>) -> Result<Loaded> {
+    let file = file.into();
+    let path = file.path();
+    let text = file.text()?;
+    if text.len() as u64 > LONGEST {
+        let what = format!("it has {} bytes: no scene is as long", text.len());
+        return Err(Error::new(what, format!("give at most {LONGEST}")).in_file(path));
+    }
     let scene = parse(&text).map_err(|(error, line)| match line {
         Some(line) => error.at_line(path, line),
         None => error.in_file(path),
     })?;
-    let folder = path.parent().unwrap_or(Path::new("."));
-    let lights = read_lights(folder.join(&scene.light.database), Some(scene.light.degree))?;
+    let folder = file.folder();
+    let lights = file.other(folder.join(&scene.light.database));
+    let lights = read_lights(lights, Some(scene.light.degree))?;
     let database = folder.join(&scene.material.database);
-    let mut materials = read_materials(&database, Some(scene.material.order))?;
+    let (mut materials, order_of_file) =
+        read_materials_and_order(file.other(&database), Some(scene.material.order))?;
     if !scene.material.names.is_empty() {
         materials.entries = named(&materials, &scene.material.names, &database)?;
     }
-    let geometry = object::read(&scene.geometry, scene.light.degree, folder)?;
-    Ok(Loaded { scene, lights, materials, geometry })
+    let geometry = object::read(&scene.geometry, scene.light.degree, &file)?;
+    Ok(Loaded { scene, lights, materials, order_of_file, geometry })
 }
 
 /// The files that the table of a scene file is made of, itself first, whether they are

@@ -2,7 +2,7 @@
 
 use crate::tolerances;
 use eigenshade_generator::brdf::projection::{Projection, nodes, project, project_with};
-use eigenshade_generator::brdf::{Brdf, Geometry, Ggx, Lambertian, Measure, OrenNayar};
+use eigenshade_generator::brdf::{Abc, Brdf, Geometry, Ggx, Lambertian, Measure, OrenNayar};
 use eigenshade_generator::scattering;
 use eigenshade_index::material;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -54,10 +54,97 @@ fn models_are_those_of_the_literature() {
     assert!(worst <= tolerances::BRDF_MODEL, "{worst}");
 }
 
+/// k, a, b, c and the index of two published fits, red.
+const TEFLON: [f64; 5] = [0.321152, 1.787717, 41.644257, 2.066234, 1.611215];
+const SILVER_PAINT: [f64; 5] = [0.159599, 1.151248, 38.884895, 1.971779, 8.336617];
+
+fn abc([matte, a, b, c, index]: [f64; 5]) -> Abc {
+    Abc::new(matte, [a, b, c], index).unwrap()
+}
+
+/// The formula as its authors print it, with vectors, and with Fresnel's two polarizations by
+/// Snell's law.
+fn abc_by_vectors([matte, a, b, c, index]: [f64; 5], [theta_i, theta_r, phi]: [f64; 3]) -> f64 {
+    let i = [theta_i.sin() * phi.cos(), theta_i.sin() * phi.sin(), theta_i.cos()];
+    let r = [theta_r.sin(), 0.0, theta_r.cos()];
+    let sum = [0, 1, 2].map(|k| i[k] + r[k]);
+    let length = sum.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let d = (0..3).map(|k| i[k] * sum[k]).sum::<f64>() / length;
+    let up = sum[2] / length;
+    let inside = (d.min(1.0).acos().sin() / index).asin().cos();
+    let (s, p) =
+        ((d - index * inside) / (d + index * inside), (index * d - inside) / (index * d + inside));
+    let shadow = 1.0f64.min(2.0 * up * i[2] / d).min(2.0 * up * r[2] / d);
+    let lobe = 0.5 * (s * s + p * p) * shadow * a / (1.0 + b * (1.0 - up)).powf(c);
+    matte / PI + lobe / (PI * i[2] * r[2])
+}
+
+#[test]
+fn abc_is_the_printed_formula() {
+    let mut worst: f64 = 0.0;
+    for fit in [TEFLON, SILVER_PAINT] {
+        for theta_i in [0.0, 0.3, 0.9, 1.5] {
+            for theta_r in [0.0, 0.31, 1.2, 1.56] {
+                for delta in [0.0, 0.7, 2.0, 3.0, PI] {
+                    let ours = at(&abc(fit), theta_i, theta_r, delta);
+                    let expected = abc_by_vectors(fit, [theta_i, theta_r, delta]);
+                    worst = worst.max((ours / expected - 1.0).abs());
+                }
+            }
+        }
+    }
+    assert!(worst <= tolerances::ABC_MODEL, "{worst}");
+    // By hand: F = ((n - 1) / (n + 1))^2, D = a, G = 1.
+    let upright = |[k, a, _, _, n]: [f64; 5]| (k + ((n - 1.0) / (n + 1.0)).powi(2) * a) / PI;
+    for fit in [TEFLON, SILVER_PAINT] {
+        let ours = at(&abc(fit), 0.0, 0.0, 0.0);
+        assert!((ours / upright(fit) - 1.0).abs() <= tolerances::ABC_MODEL);
+    }
+}
+
+/// Directional albedos at 20 and 60 degrees, by 1000 x 180 midpoints of the vectors' formula.
+const TEFLON_ALBEDO: [f64; 2] = [0.336915, 0.349286];
+/// See [`TEFLON_ALBEDO`].
+const SILVER_PAINT_ALBEDO: [f64; 2] = [0.286460, 0.279200];
+
+#[test]
+fn abc_reflects_no_more_than_it_receives() {
+    for (fit, expected) in [(TEFLON, TEFLON_ALBEDO), (SILVER_PAINT, SILVER_PAINT_ALBEDO)] {
+        for (theta_i, expected) in [20.0f64, 60.0].into_iter().zip(expected) {
+            let (brdf, mut sum) = (abc(fit), 0.0);
+            for j in 0..400 {
+                let theta_r = (f64::from(j) + 0.5) * FRAC_PI_2 / 400.0;
+                for k in 0..400 {
+                    let value =
+                        at(&brdf, theta_i.to_radians(), theta_r, f64::from(k) * TAU / 400.0);
+                    sum += value * theta_r.sin() * theta_r.cos();
+                }
+            }
+            let albedo = sum * FRAC_PI_2 / 400.0 * TAU / 400.0;
+            assert!(
+                albedo < 1.0 && (albedo / expected - 1.0).abs() <= tolerances::ABC_ALBEDO,
+                "{albedo}"
+            );
+        }
+    }
+}
+
+#[test]
+fn abc_refuses_what_is_no_material() {
+    assert!(Abc::new(-0.1, [1.0, 1.0, 1.0], 1.5).is_err());
+    assert!(Abc::new(0.1, [1.0, f64::NAN, 1.0], 1.5).is_err());
+    assert!(Abc::new(0.1, [1.0, 1.0, f64::INFINITY], 1.5).is_err());
+    assert!(Abc::new(0.1, [1.0, 1.0, 1.0], 0.9).is_err());
+}
+
 #[test]
 fn models_are_reciprocal() {
-    let models: [&dyn Brdf; 3] =
-        [&ggx(0.2, 0.04, 0.5), &OrenNayar::new(0.8, 0.5).unwrap(), &Lambertian::new(0.3).unwrap()];
+    let models: [&dyn Brdf; 4] = [
+        &ggx(0.2, 0.04, 0.5),
+        &OrenNayar::new(0.8, 0.5).unwrap(),
+        &Lambertian::new(0.3).unwrap(),
+        &abc(TEFLON),
+    ];
     for model in models {
         for (a, b, delta) in [(0.1, 1.5, 3.1), (0.7, 0.71, PI), (0.0, 1.0, 0.4), (1.2, 0.3, 1.0)] {
             let (there, back) = (at(model, a, b, delta), at(model, b, a, -delta));

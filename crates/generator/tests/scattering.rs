@@ -1,7 +1,7 @@
 //! The scattering modes (8) against their defining properties.
 
 use crate::tolerances;
-use eigenshade_generator::scattering::{brdf, modes};
+use eigenshade_generator::scattering::{albedo, brdf, modes};
 use eigenshade_generator::special::gauss_legendre;
 use eigenshade_index::material;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -64,4 +64,34 @@ fn first_modes_are_those_of_the_formula() {
 fn first_coefficient_is_the_lambertian_one() {
     let value = brdf(3, &[2.0], 0.5, 1.0, 2.0);
     assert!((value - 1.0 / PI).abs() <= tolerances::SPECIAL_LOW);
+}
+
+/// The albedo against the integral of its definition, by Gauss and Legendre over both cosines.
+#[test]
+fn the_albedo_is_the_share_of_even_light_that_is_reflected() {
+    const ORDER: usize = 5;
+    let nodes = gauss_legendre::rule(12, 0.0, 1.0);
+    for mode in 0..material::count(ORDER) {
+        let mut coefficients = vec![0.0; material::count(ORDER)];
+        coefficients[mode] = 1.0;
+        let mut expected = 0.0;
+        for &(incident, of_incident) in &nodes {
+            for &(reflected, of_reflected) in &nodes {
+                for k in 0..16 {
+                    let azimuth = TAU * f64::from(k) / 16.0;
+                    let [i, r] = [incident, reflected].map(f64::acos);
+                    let f = brdf(ORDER, &coefficients, i, r, azimuth);
+                    // Over both azimuths, one of which does not matter; by 1/π.
+                    let weight = 2.0 * TAU / 16.0 * of_incident * of_reflected;
+                    expected += weight * f * incident * reflected;
+                }
+            }
+        }
+        let found = albedo(&coefficients);
+        assert!(
+            (found - expected).abs() <= tolerances::ORTHONORMAL_NODES,
+            "{mode}: {found} {expected}"
+        );
+    }
+    assert!((albedo(&[2.0]) - 1.0).abs() <= tolerances::ORTHONORMAL_NODES);
 }

@@ -14,11 +14,12 @@ pub const fn count(degree: usize) -> usize {
 
 /// Position of the coefficient of `degree` l and `order` m.
 ///
-/// Domain: |m| <= l. Outside it the answer is meaningless, but never a panic.
+/// Domain: |m| <= l, l² + 2l at most `usize::MAX`. Outside it the answer is meaningless, but
+/// never a panic.
 #[inline]
 #[must_use]
 pub const fn position(degree: usize, order: isize) -> usize {
-    (degree * degree + degree).wrapping_add_signed(order)
+    degree.wrapping_mul(degree).wrapping_add(degree).wrapping_add_signed(order)
 }
 
 /// All (degree, order) up to `degree`, in storage order.
@@ -48,6 +49,16 @@ mod tests {
         assert!(indices(12).enumerate().all(|(k, (l, m))| position(l, m) == k));
         assert_eq!(indices(12).count(), count(12));
         assert_eq!(count(usize::MAX), usize::MAX);
+    }
+
+    /// 2^32 squared is 2^64.
+    #[test]
+    fn positions_that_nothing_has_are_no_panic() {
+        for large in [1 << (usize::BITS / 2), usize::MAX] {
+            for order in [isize::MIN, -1, 0, 1, isize::MAX] {
+                let _ = position(large, order);
+            }
+        }
     }
 
     #[test]

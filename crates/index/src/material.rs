@@ -20,16 +20,18 @@ pub const fn count(order: usize) -> usize {
 
 /// Position of the coefficient (o, p, q).
 ///
-/// Domain: q <= p <= o, all of one parity. Outside it the answer is meaningless.
+/// Domain: q <= p <= o, all of one parity, o at most 2047. Outside it the answer is
+/// meaningless, but never a panic.
 #[inline]
 #[must_use]
 pub const fn position(o: usize, p: usize, q: usize) -> usize {
     // One o of half h = floor(o/2) holds T(h+1) = (h+1)(h+2)/2 coefficients;
     // two of each half stand below an even o, one more below an odd one.
     let half = o / 2;
-    let below = half * (half + 1) * (half + 2) / 3
-        + if o % 2 == 1 { (half + 1) * (half + 2) / 2 } else { 0 };
-    below + p / 2 * (p / 2 + 1) / 2 + q / 2
+    let of_half = (half + 1).wrapping_mul(half + 2);
+    let below = half.wrapping_mul(of_half) / 3;
+    let below = if o % 2 == 1 { below.wrapping_add(of_half / 2) } else { below };
+    below.wrapping_add((p / 2).wrapping_mul(p / 2 + 1) / 2).wrapping_add(q / 2)
 }
 
 /// All (o, p, q) up to `order`, in storage order.
@@ -59,5 +61,11 @@ mod tests {
         }
         assert_eq!(count(7), 40);
         assert_eq!(count(usize::MAX), usize::MAX);
+    }
+    #[test]
+    fn positions_that_nothing_has_are_no_panic() {
+        for large in [usize::MAX, usize::MAX - 1, 1 << (usize::BITS / 2)] {
+            let _ = position(large, large, large);
+        }
     }
 }

@@ -15,12 +15,16 @@ pub const fn count(order: usize) -> usize {
 
 /// Position of the pair (p, q).
 ///
-/// Domain: q <= p, p - q even. Outside it the answer is meaningless.
+/// Domain: q <= p, p - q even, p at most 2048. Outside it the answer is meaningless, but never
+/// a panic.
 #[inline]
 #[must_use]
 pub const fn position(p: usize, q: usize) -> usize {
     // Below p there are floor(p'/2) + 1 pairs for each p' < p.
-    p / 2 * (p / 2 + 1) + if p % 2 == 1 { p / 2 + 1 } else { 0 } + q / 2
+    let half = p / 2 + 1;
+    let below = (p / 2).wrapping_mul(half);
+    let below = if p % 2 == 1 { below.wrapping_add(half) } else { below };
+    below.wrapping_add(q / 2)
 }
 
 /// All pairs (p, q) up to `order`, in storage order.
@@ -39,5 +43,11 @@ mod tests {
             assert_eq!(indices(order).count(), count(order));
         }
         assert_eq!(count(usize::MAX), usize::MAX);
+    }
+    #[test]
+    fn positions_that_nothing_has_are_no_panic() {
+        for large in [usize::MAX, usize::MAX - 1, 1 << (usize::BITS / 2)] {
+            let _ = position(large, large);
+        }
     }
 }

@@ -9,16 +9,8 @@ pub const LABEL: [u8; 8] = *b"EIGSWIRE";
 /// The number that stands behind the label in the byte order of all that follows.
 pub const MARK: u32 = 0x0102_0304;
 
-/// The version of tables of all effects.
+/// The version of wire files.
 pub const VERSION: u16 = 1;
-
-/// The version of tables that leave effects out.
-pub const VERSION_OF_EFFECTS: u16 = 2;
-
-/// The version of floats with polynomials in [halves](crate::layout::Form::Halves), whether or
-/// not they leave effects out. In earlier ones polynomials of as many terms were series, which
-/// are no longer read.
-pub const VERSION_OF_HALVES: u16 = 3;
 
 /// A file, and each of its sections, starts at a multiple of so many bytes.
 pub const ALIGNMENT: usize = 4;
@@ -56,7 +48,7 @@ pub mod place {
     pub const IMAGES: usize = 26;
     /// u16: number of sections.
     pub const SECTIONS: usize = 28;
-    /// u16: the bits of the effects that the table is for; 0 in files of version 1.
+    /// u16: the bits of the effects that the table is for.
     pub const EFFECTS: usize = 30;
 }
 
@@ -70,9 +62,12 @@ pub mod format {
     pub const Q31: u16 = 3;
 }
 
-/// The sections of floats, by their place in the file. In files of versions 2 and 3 one more
-/// follows, [`AMBIENT`].
-pub const FLOATS: [&str; 15] = [
+/// Sections of floats that every file has; of those behind them the last that are empty are left
+/// out.
+pub const ALWAYS: usize = 15;
+
+/// The sections of floats, by their place in the file.
+pub const FLOATS: [&str; 17] = [
     "profiles",
     "passes",
     "slots",
@@ -88,10 +83,9 @@ pub const FLOATS: [&str; 15] = [
     "synthesis",
     "span mean",
     "image mean",
+    "ambient",
+    "recurrences",
 ];
-
-/// What stands apart: see [`Effects`](crate::effect::Effects).
-pub const AMBIENT: &str = "ambient";
 
 /// The sections of integers, by their place in the file.
 pub const INTEGERS: [&str; 7] =

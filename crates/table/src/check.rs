@@ -109,6 +109,9 @@ impl Table {
             summary.orthonormality,
         ];
         numbers("figures", &figures, figures.len())?;
+        let errors: Vec<f64> =
+            summary.roundings.iter().flat_map(|one| [one.largest, one.rms]).collect();
+        numbers("errors of formats", &errors, errors.len())?;
         let spectrum = self.spectrum.iter().map(|(_, value)| *value);
         let components = self.components.iter().map(|component| component.eigenvalue);
         let values: Vec<f64> = spectrum.chain(components).flatten().collect();

@@ -9,18 +9,14 @@
 //! | rest | [`Table`] by bincode 2.0.1, standard configuration |
 
 use crate::table::Table;
-use crate::versions::{self, Both, Cuts, Knots, Neither, Tail};
 use bincode::error::DecodeError;
 use bincode::serde::decode_from_slice;
-use serde::de::DeserializeOwned;
 use std::fmt;
-use std::ops::RangeInclusive;
 
 /// The first bytes of every table file.
 pub const LABEL: [u8; 8] = *b"EIGSHADE";
-/// The versions that this crate reads and writes: 2; of tables whose scenes have `knots` 3,
-/// `cut` 4, and both 5. So programs that know no later one read all that they can.
-pub const VERSIONS: RangeInclusive<u32> = 2..=5;
+/// The version that this crate reads and writes.
+pub const VERSION: u32 = 1;
 const HEADER: usize = 24;
 
 /// Why bytes are not a table.
@@ -51,11 +47,7 @@ impl FileError {
         match self {
             Self::Foreign => "not an eigenshade table".to_owned(),
             Self::Version(found) => {
-                format!(
-                    "table version {found}, this program reads {} to {}",
-                    VERSIONS.start(),
-                    VERSIONS.end()
-                )
+                format!("table version {found}, this program reads {VERSION}")
             }
             Self::Length { expected, found } => {
                 format!("damaged table: {expected} bytes promised, {found} found")
@@ -86,7 +78,7 @@ pub fn encode(table: &Table) -> Vec<u8> {
     let payload = section(table);
     let mut bytes = Vec::with_capacity(HEADER + payload.len());
     bytes.extend(LABEL);
-    bytes.extend(versions::of(&table.scene.basis).to_le_bytes());
+    bytes.extend(VERSION.to_le_bytes());
     bytes.extend((payload.len() as u64).to_le_bytes());
     bytes.extend(crc32fast::hash(&payload).to_le_bytes());
     bytes.extend(payload);
@@ -112,7 +104,7 @@ pub fn decode(bytes: &[u8]) -> Result<Table, FileError> {
     }
     let word = |at: usize| u32::from_le_bytes(std::array::from_fn(|k| header[at + k]));
     let version = word(8);
-    if !VERSIONS.contains(&version) {
+    if version != VERSION {
         return Err(FileError::Version(version));
     }
     let expected = u64::from_le_bytes(std::array::from_fn(|k| header[12 + k]));
@@ -124,13 +116,7 @@ pub fn decode(bytes: &[u8]) -> Result<Table, FileError> {
         return Err(FileError::Checksum);
     }
     let broken = |why: String| FileError::Payload(why);
-    let unpacked = match version {
-        2 => unpack::<Neither>(payload),
-        3 => unpack::<Knots>(payload),
-        4 => unpack::<Cuts>(payload),
-        _ => unpack::<Both>(payload),
-    };
-    let (table, read) = unpacked.map_err(|error| broken(error.to_string()))?;
+    let (table, read) = unpack(payload).map_err(|error| broken(error.to_string()))?;
     if read != payload.len() {
         return Err(broken(format!("{} bytes after the end", payload.len() - read)));
     }
@@ -143,22 +129,20 @@ pub fn decode(bytes: &[u8]) -> Result<Table, FileError> {
 /// bincode makes room for as long a text as the bytes claim before it looks whether
 /// they are there; a limit, which has to be a constant, keeps that in bounds. It
 /// counts at most eight bytes for each that is read.
-fn unpack<T: DeserializeOwned + Tail>(payload: &[u8]) -> Result<(Table, usize), DecodeError> {
+fn unpack(payload: &[u8]) -> Result<(Table, usize), DecodeError> {
     const STEPS: [usize; 3] = [1 << 20, 1 << 25, 1 << 30];
     let standard = bincode::config::standard();
-    let unpacked: (versions::Table<T>, usize) = match payload.len() {
+    match payload.len() {
         length if length <= STEPS[0] => {
-            decode_from_slice(payload, standard.with_limit::<{ 8 * STEPS[0] }>())?
+            decode_from_slice(payload, standard.with_limit::<{ 8 * STEPS[0] }>())
         }
         length if length <= STEPS[1] => {
-            decode_from_slice(payload, standard.with_limit::<{ 8 * STEPS[1] }>())?
+            decode_from_slice(payload, standard.with_limit::<{ 8 * STEPS[1] }>())
         }
         // Almost all of so large a table is f64, which counts as what it is.
         length if length <= STEPS[2] => {
-            decode_from_slice(payload, standard.with_limit::<{ 2 * STEPS[2] }>())?
+            decode_from_slice(payload, standard.with_limit::<{ 2 * STEPS[2] }>())
         }
-        _ => return Err(DecodeError::LimitExceeded),
-    };
-    let (table, read) = unpacked;
-    Ok((table.into(), read))
+        _ => Err(DecodeError::LimitExceeded),
+    }
 }

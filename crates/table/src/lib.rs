@@ -21,6 +21,8 @@ pub mod file;
 
 pub mod manifest;
 
+mod polynomials;
+
 pub mod parts;
 
 pub mod passes;
@@ -45,12 +47,10 @@ pub mod statics;
 
 pub mod wire;
 
-mod versions;
-
 pub use file::{FileError, decode, encode};
 pub use general::General;
 pub use gram::GramFactor;
 pub use parts::Parts;
 pub use scene::Scene;
-pub use table::{Component, MeanImage, Profile, Summary, Table};
+pub use table::{Component, MeanImage, Profile, Rounding, Summary, Table};
 pub use transfer::MaterialTransfer;

@@ -60,6 +60,11 @@ pub fn manifest(table: &Table, command: &str) -> String {
     for (entry, value) in figures {
         row(&mut text, format_args!("{entry},{value},,"));
     }
+    for one in &summary.roundings {
+        let format = one.format.name();
+        row(&mut text, format_args!("largest error in {format},{:.1e},,", one.largest));
+        row(&mut text, format_args!("rms error in {format},{:.1e},,", one.rms));
+    }
     text
 }
 

@@ -3,9 +3,10 @@
 //! comes last.
 
 use crate::passes::{self, Pass};
+use crate::polynomials::Polynomials;
 use crate::table::Table;
 use eigenshade_index::effect::{Effect, Effects};
-use eigenshade_index::layout::Form;
+use eigenshade_index::layout::Recurrence;
 use eigenshade_index::{layout, material, pair};
 
 /// Stands for "no such component" in [`ProfilePlace`].
@@ -39,9 +40,11 @@ pub struct Parts {
     /// UᵀM of the coefficients that stand apart: a row for each profile of m = 0.
     pub ambient: Vec<f64>,
     /// For each profile its polynomial in t = 2z - 1, highest term first, times
-    /// √2 where m is not 0, in the form that its number of terms asks for:
-    /// [`Form::of`].
+    /// √2 where m is not 0: in polynomials by their recurrence where its azimuth has one, else
+    /// in the form of its length, [`layout::Form::of`].
     pub terms: Vec<f64>,
+    /// Of the last azimuths, or empty: [`layout::recurrences`].
+    pub recurrences: Vec<Recurrence>,
     /// How a transfer is laid out.
     pub passes: Vec<Pass>,
     /// For each pass, profile and lane its component, or [`NONE`].
@@ -92,7 +95,7 @@ impl Parts {
             ((o + 1) as f64).sqrt()
         };
         let roots: Vec<f64> = (0..pairs).map(root).collect();
-        let lengths = lengths(table);
+        let polynomials = Polynomials::new(table);
         let (polar, factors) = if table.has_projection() {
             let polar = grouped(degree, pairs, |l, pair| match (l, effects.has(Effect::Ambient)) {
                 (0, false) => 0.0,
@@ -102,13 +105,12 @@ impl Parts {
         } else {
             (Vec::new(), Vec::new())
         };
-        let mut terms = Vec::new();
-        for profile in &table.profiles {
-            let azimuth = profile.azimuth;
-            let scale = if azimuth == 0 { 1.0 } else { std::f64::consts::SQRT_2 };
-            let length = usize::from(lengths[azimuth]);
-            terms.extend(polynomial(&profile.chebyshev, length).iter().map(|term| scale * term));
-        }
+        let scaled =
+            table.profiles.iter().zip(&polynomials.profiles).flat_map(|(profile, terms)| {
+                let scale = if profile.azimuth == 0 { 1.0 } else { std::f64::consts::SQRT_2 };
+                terms.iter().map(move |term| scale * term)
+            });
+        let terms = scaled.collect();
         let mean = table.mean.as_ref();
         let mut profiles = places(table);
         let (passes, slots) = passes::arrange(degree, &mut profiles);
@@ -128,12 +130,11 @@ impl Parts {
             polar,
             factors,
             terms,
-            mean: mean
-                .map(|mean| polynomial(&mean.chebyshev, usize::from(lengths[0])))
-                .unwrap_or_default(),
+            recurrences: polynomials.recurrences,
+            mean: polynomials.mean,
             mean_coefficients: mean.map(|mean| mean.coefficients.clone()).unwrap_or_default(),
             selection: table.selection.clone(),
-            lengths,
+            lengths: polynomials.lengths,
         }
     }
 }
@@ -215,17 +216,6 @@ fn ambient(table: &Table, degree: usize, pairs: usize) -> Vec<f64> {
         .collect()
 }
 
-/// Terms that each azimuth needs: those of its longest profile.
-fn lengths(table: &Table) -> Vec<u16> {
-    let mut lengths = vec![0; table.gram.degree + 1];
-    let profiles = table.profiles.iter().map(|profile| (profile.azimuth, &profile.chebyshev));
-    for (azimuth, chebyshev) in profiles.chain(table.mean.iter().map(|mean| (0, &mean.chebyshev))) {
-        let length = u16::try_from(chebyshev.len()).expect("a polynomial's length is small");
-        lengths[azimuth] = length.max(lengths[azimuth]);
-    }
-    lengths
-}
-
 fn places(table: &Table) -> Vec<ProfilePlace> {
     let azimuth = |k: usize| u16::try_from(table.profiles[k].azimuth).expect("checked degree");
     let mut places: Vec<_> = (0..table.profiles.len())
@@ -243,65 +233,4 @@ fn places(table: &Table) -> Vec<ProfilePlace> {
         *(if component.order < 0 { &mut place.minus } else { &mut place.plus }) = index;
     }
     places
-}
-
-/// A Chebyshev series as a polynomial of `length` terms, highest first, in the form that this
-/// length asks for (`length` >= the series').
-pub(crate) fn polynomial(chebyshev: &[f64], length: usize) -> Vec<f64> {
-    let form = Form::of(length);
-    let mut terms = vec![0.0; length];
-    if form == Form::Series {
-        terms[..chebyshev.len()].copy_from_slice(chebyshev);
-        terms.reverse();
-        return terms;
-    }
-    // T_0 = 1, T_1 = t, T_k+1 = 2 t T_k - T_k-1; lowest term first.
-    let mut before = vec![0.0; length];
-    let mut current = vec![0.0; length];
-    current.first_mut().into_iter().for_each(|one| *one = 1.0);
-    let mut factor = 1.0;
-    for coefficient in chebyshev {
-        for (sum, term) in terms.iter_mut().zip(&current) {
-            *sum += coefficient * term;
-        }
-        let mut next: Vec<f64> = before.iter().map(|before| -before).collect();
-        for (k, term) in current.iter().enumerate() {
-            let [above, below] = form.recurrence(k).map(|share| factor * share * term);
-            if let Some(next) = next.get_mut(k + 1) {
-                *next += above;
-            }
-            if let Some(next) = k.checked_sub(1).and_then(|k| next.get_mut(k)) {
-                *next += below;
-            }
-        }
-        before = std::mem::replace(&mut current, next);
-        factor = 2.0;
-    }
-    terms.reverse();
-    terms
-}
-
-#[cfg(test)]
-mod tests {
-    use super::polynomial;
-
-    #[test]
-    fn short_chebyshev_series_become_powers() {
-        // T_0 + 2 T_1 + 3 T_2 + 4 T_3 = 1 + 2t + 3(2t² - 1) + 4(4t³ - 3t).
-        assert_eq!(polynomial(&[1.0, 2.0, 3.0, 4.0], 5), [0.0, 16.0, 6.0, -10.0, -2.0]);
-        assert_eq!(polynomial(&[7.0], 1), [7.0]);
-        assert_eq!(polynomial(&[], 2), [0.0, 0.0]);
-    }
-
-    #[test]
-    fn longer_ones_become_halves_and_stay_series() {
-        // T_0 + 2 T_1 + 3 T_2 + 4 T_3 + 5 T_4 = 1 + 2t + 3u + 4(2tu - t) + 5(2u² - 1).
-        let series = [1.0, 2.0, 3.0, 4.0, 5.0];
-        let mut halves = [0.0; 17];
-        halves[12..].copy_from_slice(&[10.0, 8.0, 3.0, -2.0, -4.0]);
-        assert_eq!(polynomial(&series, 17), halves);
-        let mut same = [0.0; 33];
-        same[28..].copy_from_slice(&[5.0, 4.0, 3.0, 2.0, 1.0]);
-        assert_eq!(polynomial(&series, 33), same);
-    }
 }

@@ -4,14 +4,16 @@
 //! sum over it, of products with mantissas, can leave an accumulator of twice as many
 //! bits and one: Σ |mantissa| < 2^(bits + 1).
 
-use crate::parts::{NONE, polynomial};
+use crate::parts::NONE;
+use crate::polynomials::polynomial;
 use crate::table::{Profile, Table};
 use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_index::{layout, material, pair};
+use serde::{Deserialize, Serialize};
 use std::fmt;
 
 /// An integer format.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Format {
     /// 15 bits and a sign.
     Q15,
@@ -260,23 +262,30 @@ impl QuantisedParts {
 /// large as can be.
 #[must_use]
 pub fn row(numbers: &[f64], bits: i32, sum: i64) -> (Vec<i32>, i8) {
+    in_range(numbers, bits, sum).unwrap_or_else(|| {
+        let most = ((1 << bits) - 1).min((sum - 1) / numbers.len() as i64) as f64;
+        let saturated = numbers.iter().map(|number| (number * 2f64.powi(-127)).clamp(-most, most));
+        (saturated.map(|number| number as i32).collect(), 127)
+    })
+}
+
+/// [`row`] of numbers that the format holds: none if one of them is too large.
+#[must_use]
+fn in_range(numbers: &[f64], bits: i32, sum: i64) -> Option<(Vec<i32>, i8)> {
     let largest = numbers.iter().fold(0.0f64, |most, number| most.max(number.abs()));
     if largest == 0.0 {
-        return (vec![0; numbers.len()], i8::MIN);
+        return Some((vec![0; numbers.len()], i8::MIN));
     }
     // From the least exponent that may do.
     let least = (largest.log2().floor() as i32 - bits).clamp(-128, 127);
-    for exponent in least..=127 {
+    (least..=127).find_map(|exponent| {
         let scale = 2f64.powi(-exponent);
         let rounded = numbers.iter().map(|number| (number * scale).round() as i64);
         let sizes = rounded.clone().map(i64::saturating_abs);
-        if sizes.clone().all(|size| size < 1 << bits) && sizes.fold(0, i64::saturating_add) < sum {
-            return (rounded.map(|number| number as i32).collect(), exponent as i8);
-        }
-    }
-    let most = ((1 << bits) - 1).min((sum - 1) / numbers.len() as i64) as f64;
-    let saturated = numbers.iter().map(|number| (number * 2f64.powi(-127)).clamp(-most, most));
-    (saturated.map(|number| number as i32).collect(), 127)
+        let fits =
+            sizes.clone().all(|size| size < 1 << bits) && sizes.fold(0, i64::saturating_add) < sum;
+        fits.then(|| (rounded.map(|number| number as i32).collect(), exponent as i8))
+    })
 }
 
 /// Terms of each azimuth: as many as leave out of each component no more than the
@@ -327,6 +336,12 @@ pub fn material(order: usize, coefficients: &[f64], format: Format) -> (Vec<i32>
     (mantissas, exponents)
 }
 
+/// Whether a format holds the coefficients of a light or a material: none saturates.
+#[must_use]
+pub fn holds(numbers: &[f64], format: Format) -> bool {
+    in_range(numbers, format.bits(), i64::MAX).is_some()
+}
+
 /// Points for each degree of a polynomial whose largest value is sought: the largest on
 /// a grid of so many Chebyshev points is at least cos(π / 2 POINTS) of it.
 const POINTS: usize = 16;
@@ -367,6 +382,18 @@ mod tests {
             assert!(mantissas[0] > 0 && mantissas[1] == -mantissas[0]);
             assert!(mantissas.iter().map(|one| i64::from(one.abs())).sum::<i64>() < sum);
             assert_eq!(row(&[1.0], bits, i64::MAX), (vec![1 << (bits - 1)], (1 - bits) as i8));
+        }
+    }
+
+    #[test]
+    fn saturation_is_recognized() {
+        for format in [Format::Q15, Format::Q31] {
+            // The largest mantissa times 2^127.
+            let most = (2f64.powi(format.bits()) - 1.0) * 2f64.powi(127);
+            assert!(holds(&[most, -most, 1e-300, 0.0], format));
+            assert!(!holds(&[2f64.powi(format.bits() + 127)], format));
+            assert!(!holds(&[1.0, -f64::MAX], format));
+            assert!(holds(&[], format) && holds(&[0.0], format));
         }
     }
 

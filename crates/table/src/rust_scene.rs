@@ -6,8 +6,14 @@ use crate::rust_kernels::put;
 
 /// The functions `collapse` and `collapse_into` of a sphere's module.
 pub(crate) fn collapse(parts: &Parts) -> String {
-    // A mean image is one summand more; the general way takes it.
-    let sums = if parts.mean.is_empty() { sums(parts) } else { String::new() };
+    // A mean image is one summand more, and orthogonal polynomials have recurrences: the general
+    // way takes both.
+    let general = !parts.mean.is_empty() || !parts.recurrences.is_empty();
+    let sums = if general { String::new() } else { sums(parts) };
+    let blank = match parts.recurrences.is_empty() {
+        true => "eigenshade::fixed::blank_scene(&LENGTHS)",
+        false => "BASIS.collapse::<SCENE>(&[])?",
+    };
     format!(
         "/// Sums the components of each azimuth: see [`eigenshade::Basis::collapse`].
 ///
@@ -15,7 +21,7 @@ pub(crate) fn collapse(parts: &Parts) -> String {
 ///
 /// As there, but capacities cannot be too small.
 pub fn collapse(coefficients: &Coefficients) -> Result<Scene, eigenshade::Error> {{
-    let mut scene = eigenshade::fixed::blank_scene(&LENGTHS);
+    let mut scene = {blank};
     collapse_into(coefficients, &mut scene)?;
     Ok(scene)
 }}
@@ -79,31 +85,52 @@ fn sums(parts: &Parts) -> String {
 }
 
 /// The function `shade`, which serves the scenes of any table, and its half for those of
-/// this one.
+/// this one; where azimuths have recurrences there is no such half.
 pub(crate) fn shade(parts: &Parts) -> String {
-    let mut text = String::from(
-        "/// The irradiance of one normal: see [`eigenshade::Scene::shade`].
+    if !parts.recurrences.is_empty() {
+        return String::from(
+            "/// The irradiance of one normal: see [`eigenshade::Scene::shade`].
 #[inline]
 #[must_use]
 pub fn shade(scene: &Scene, normal: eigenshade::Normal<f32>) -> f32 {
-    match terms(scene) {
+    scene.shade(normal)
+}
+",
+        );
+    }
+    let nine_terms = has_nine_terms(&parts.lengths);
+    let (terms, asked_for) = if nine_terms {
+        ("eigenshade::NineTerms<f32>", "scene.nine_terms()")
+    } else {
+        ("&[f32; SCENE]", "eigenshade::fixed::scene::<f32, _, SCENE>(scene, &LENGTHS)")
+    };
+    let mut text = format!(
+        "/// The irradiance of one normal: see [`eigenshade::Scene::shade`].
+#[inline]
+#[must_use]
+pub fn shade(scene: &Scene, normal: eigenshade::Normal<f32>) -> f32 {{
+    match terms(scene) {{
         Some(terms) => shade_terms(terms, normal),
         None => eigenshade::fixed::shade(scene, normal),
-    }
-}
+    }}
+}}
 /// The polynomials of an image, for [`shade_terms`]: asked for once, whose scene it is need
 /// not be asked at each pixel. `None` of a scene of another basis.
 #[inline]
 #[must_use]
-pub fn terms(scene: &Scene) -> Option<&[f32; SCENE]> {
-    eigenshade::fixed::scene::<f32, _, SCENE>(scene, &LENGTHS)
-}
+pub fn terms(scene: &Scene) -> Option<{terms}> {{
+    {asked_for}
+}}
 /// The irradiance of one normal from the [`terms`] of a scene: bit for bit what [`shade`] gives.
 #[inline]
 #[must_use]
-pub fn shade_terms(terms: &[f32; SCENE], normal: eigenshade::Normal<f32>) -> f32 {
+pub fn shade_terms(terms: {terms}, normal: eigenshade::Normal<f32>) -> f32 {{
 ",
     );
+    if nine_terms {
+        text.push_str("    terms.shade(normal)\n}\n");
+        return text;
+    }
     let lengths: Vec<usize> = parts.lengths.iter().map(|&length| length.into()).collect();
     let (first, others) =
         lengths.split_first().map_or((0, &[][..]), |(&first, rest)| (first, rest));
@@ -130,4 +157,11 @@ pub fn shade_terms(terms: &[f32; SCENE], normal: eigenshade::Normal<f32>) -> f32
         ),
     );
     text
+}
+
+/// Whether a scene of polynomials of these lengths is one of at most nine terms of the normal,
+/// and of more than azimuth 0.
+fn has_nine_terms(lengths: &[u16]) -> bool {
+    let last = lengths.iter().rposition(|&length| length > 0).unwrap_or(0);
+    matches!(lengths[..=last], [..=3, ..=2] | [..=3, ..=2, ..=1])
 }

@@ -40,6 +40,8 @@ pub fn module(table: &Table, command: &str) -> String {
     for (name, values) in floats(&parts) {
         array(&mut text, name, "f32", values.iter().map(|&value| format!("{:?}", value as f32)));
     }
+    let pairs = parts.recurrences.iter().map(|[at, below]| format!("[{at:?}, {below:?}]"));
+    array(&mut text, "RECURRENCES", "[f32; 2]", pairs);
     array(&mut text, "LENGTHS", "u16", parts.lengths.iter().map(u16::to_string));
     array(&mut text, "SLOTS", "u16", parts.slots.iter().map(u16::to_string));
     array(&mut text, "SELECTION", "bool", parts.selection.iter().map(bool::to_string));
@@ -95,7 +97,7 @@ fn bytes(parts: &Parts) -> usize {
     let floats: usize = floats(parts).iter().map(|(_, values)| values.len()).sum();
     let shorts = parts.lengths.len() + parts.slots.len();
     let records = 4 * parts.passes.len() + 4 * parts.couplings.len() + 24 * parts.profiles.len();
-    4 * floats + 2 * shorts + parts.selection.len() + records
+    4 * floats + 8 * parts.recurrences.len() + 2 * shorts + parts.selection.len() + records
 }
 
 /// The arrays of a general basis.
@@ -211,6 +213,7 @@ pub static {name}: eigenshade::Basis<'static, f32> =
         factors: &FACTORS,
         ambient: &AMBIENT,
         terms: &TERMS,
+        recurrences: &RECURRENCES,
         mean: &MEAN,
         mean_coefficients: &MEAN_COEFFICIENTS,
         selection: &SELECTION,

@@ -138,13 +138,10 @@ pub struct Basis {
     #[serde(default)]
     pub store: Store,
     /// Knots of look-ups: what the generated code samples an image at. None: it has no look-ups.
-    ///
-    /// Not written where there is none: the file's version says whether there are some.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default)]
     pub knots: Option<usize>,
     /// What the table does without, beside the components after the last; not with `tolerance`.
-    /// Last, and written as `knots` are.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default)]
     pub cut: Option<Cut>,
 }
 

@@ -4,6 +4,7 @@ use crate::general::General;
 use crate::gram::GramFactor;
 use crate::scene::Scene;
 use crate::transfer::MaterialTransfer;
+use crate::wire::Format;
 use eigenshade_index::effect::Effects;
 use eigenshade_index::pair;
 use serde::{Deserialize, Serialize};
@@ -101,6 +102,21 @@ pub struct Summary {
     pub energy_kept: f64,
     /// Largest |UᵀMU - I| over the first 100 components, or all if fewer.
     pub orthonormality: f64,
+    /// What each number format that serves the table costs its images; empty where nobody
+    /// measured it.
+    pub roundings: Vec<Rounding>,
+}
+
+/// What a number format costs the images of the table's database with all components, against
+/// f64, as shares of each image's peak.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Rounding {
+    /// The format.
+    pub format: Format,
+    /// The largest error of a pixel in any image.
+    pub largest: f64,
+    /// The largest root mean square error of an image, over the sphere's normals.
+    pub rms: f64,
 }
 
 impl Table {
@@ -157,6 +173,12 @@ impl Table {
     pub fn keeps(&self, azimuth: usize, l: usize, o: usize, p: usize, q: usize) -> bool {
         self.effects().keeps(l, o)
             && (self.selection.is_empty() || self.selection[self.gram.place(azimuth, l, o, p, q)])
+    }
+
+    /// What a format costs its images, if that was measured.
+    #[must_use]
+    pub fn rounding(&self, format: Format) -> Option<&Rounding> {
+        self.summary.roundings.iter().find(|one| one.format == format)
     }
 
     /// Number of eigenimages K.

@@ -171,7 +171,8 @@ fn times_argument(series: &[f64]) -> Vec<f64> {
     product
 }
 
-fn clenshaw(series: &[f64], t: f64) -> f64 {
+/// The value of a Chebyshev series, by Clenshaw's recurrence.
+pub(crate) fn clenshaw(series: &[f64], t: f64) -> f64 {
     let (mut next, mut after) = (0.0, 0.0);
     for coefficient in series.iter().skip(1).rev() {
         (next, after) = (coefficient + 2.0 * t * next - after, next);

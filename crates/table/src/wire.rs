@@ -6,20 +6,35 @@ use crate::parts::{Parts, ProfilePlace};
 use crate::quantise::{self, QuantiseError, QuantisedParts};
 use crate::table::Table;
 use eigenshade_index::effect::Effects;
-use eigenshade_index::layout::Form;
 use eigenshade_index::wire::{
-    ALIGNMENT, CHECKSUM, ENTRY, FLOATS, HEADER, INTEGERS, LABEL, MARK, MOST, VERSION,
-    VERSION_OF_EFFECTS, VERSION_OF_HALVES, format,
+    ALIGNMENT, ALWAYS, CHECKSUM, ENTRY, FLOATS, HEADER, INTEGERS, LABEL, MARK, MOST, VERSION,
+    format,
 };
+use serde::{Deserialize, Serialize};
 use std::fmt;
 
 /// The numbers of a wire file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Format {
     /// `f32`.
     F32,
     /// An integer format.
     Integer(quantise::Format),
+}
+
+impl Format {
+    /// All of them.
+    pub const ALL: [Self; 3] =
+        [Self::F32, Self::Integer(quantise::Format::Q31), Self::Integer(quantise::Format::Q15)];
+
+    /// Its name on a command line.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::F32 => "f32",
+            Self::Integer(format) => format.name(),
+        }
+    }
 }
 
 /// The byte order of a wire file: that of the machine that will read it.
@@ -46,6 +61,8 @@ pub enum WireError {
     },
     /// The file would have more bytes than 32 bits count.
     Long,
+    /// One of its numbers is beyond `f32`.
+    Range,
     /// Integers do not serve it.
     Quantise(QuantiseError),
 }
@@ -62,6 +79,10 @@ impl fmt::Display for WireError {
             Self::Long => f.write_str(
                 "more than 4 GB, which a wire file cannot have; make the table with fewer \
                  components",
+            ),
+            Self::Range => f.write_str(
+                "a number goes beyond the range of f32; scale the lights and materials of its \
+                 scene towards 1",
             ),
             Self::Quantise(error) => error.fmt(f),
         }
@@ -80,7 +101,8 @@ impl From<QuantiseError> for WireError {
 ///
 /// # Errors
 ///
-/// A table that keeps transfers alone, or one that integers do not serve.
+/// A table that keeps transfers alone, one whose numbers the format does not hold, or one that
+/// integers do not serve.
 pub fn encode(table: &Table, format: Format, endian: Endian) -> Result<Vec<u8>, WireError> {
     let (degree, order) = (table.gram.degree, table.gram.order);
     if degree > MOST || order > MOST {
@@ -100,8 +122,14 @@ fn floats(table: &Table, endian: Endian) -> Result<Vec<u8>, WireError> {
     let parts = Parts::new(table);
     let general = table.general.as_ref();
     let of = |part: fn(&General) -> &Vec<f64>| general.map_or(&[][..], |general| part(general));
+    // Those that grow with the images; all others are of eigenimages, whose size is 1.
+    let sized = [&parts.mean, &parts.mean_coefficients].map(Vec::as_slice);
+    let sized = sized.into_iter().chain([of(|one| &one.mean), of(|one| &one.mean_coefficients)]);
+    if sized.flatten().any(|&number| !(number as f32).is_finite()) {
+        return Err(WireError::Range);
+    }
     let section = || Bytes::new(endian);
-    let mut sections: Vec<Bytes> = vec![
+    let mut sections = vec![
         parts.profiles.iter().fold(section(), Bytes::profile),
         parts.passes.iter().fold(section(), |bytes, one| {
             bytes.short(one.first.cast_unsigned()).short(one.profiles)
@@ -119,21 +147,20 @@ fn floats(table: &Table, endian: Endian) -> Result<Vec<u8>, WireError> {
         section().floats(of(|general| &general.synthesis)),
         section().floats(of(|general| &general.mean)),
         section().floats(of(|general| &general.mean_coefficients)),
+        section().floats(&parts.ambient),
+        parts
+            .recurrences
+            .as_flattened()
+            .iter()
+            .fold(section(), |bytes, one| bytes.long(one.to_bits())),
     ];
     debug_assert_eq!(sections.len(), FLOATS.len());
-    let version = if Form::any_halves(&parts.lengths) {
-        VERSION_OF_HALVES
-    } else if parts.effects.is_all() {
-        VERSION
-    } else {
-        VERSION_OF_EFFECTS
-    };
-    if version != VERSION {
-        sections.push(section().floats(&parts.ambient));
+    while sections.len() > ALWAYS && sections.last().is_some_and(|last| last.bytes.is_empty()) {
+        sections.pop();
     }
     let images = general.map_or(0, |general| general.eigenvalues.len());
     let shape = [parts.degree, parts.order, parts.components, images];
-    file(endian, version, format::F32, shape, parts.effects, &sections)
+    file(endian, format::F32, shape, parts.effects, &sections)
 }
 
 fn integers(parts: &QuantisedParts, endian: Endian) -> Result<Vec<u8>, WireError> {
@@ -165,14 +192,12 @@ fn integers(parts: &QuantisedParts, endian: Endian) -> Result<Vec<u8>, WireError
         mantissas(&parts.terms),
     ];
     let shape = [parts.degree, parts.order, parts.components, 0];
-    let version = if parts.effects.is_all() { VERSION } else { VERSION_OF_EFFECTS };
-    file(endian, version, number, shape, parts.effects, &sections)
+    file(endian, number, shape, parts.effects, &sections)
 }
 
 /// Header, entries, sections, checksum.
 fn file(
     endian: Endian,
-    version: u16,
     format: u16,
     shape: [usize; 4],
     effects: Effects,
@@ -180,17 +205,16 @@ fn file(
 ) -> Result<Vec<u8>, WireError> {
     let long = |number: usize| u32::try_from(number).map_err(|_| WireError::Long);
     let short = |number: usize| u16::try_from(number).expect("small shapes");
-    let bits = if version == VERSION { 0 } else { effects.bits() };
     let start = HEADER + ENTRY * sections.len();
     let padded: usize = sections.iter().map(Bytes::padded).sum();
     let mut file = Bytes { endian, bytes: LABEL.to_vec() }
         .long(MARK)
-        .short(version)
+        .short(VERSION)
         .short(format)
         .long(long(start + padded + CHECKSUM)?)
         .shorts(&shape.map(short))
         .short(short(sections.len()))
-        .short(bits);
+        .short(effects.bits());
     let mut next = start;
     for section in sections {
         file = file.long(long(next)?).long(long(section.bytes.len())?);

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { normals, row } from "./support/golden.mjs";
 import { bytes } from "./support/modules.mjs";
-import { load } from "../eigenshade.mjs";
+import { load, normalized } from "../eigenshade.mjs";
 
 const { f32, q15, q31 } = await load(bytes("all", ""));
 const LIGHT = row("f32", "light", "park 07-velvet g").numbers;
@@ -82,9 +82,35 @@ test("normals", () => {
     "shade: normal 1 is (0, 0, 0), no unit vector with z >= 0");
 });
 
-test("the module itself refuses what is beyond its buffers", () => {
+test("normals of a map of 8 bits, and behind the rim", () => {
+  const [x, y, z] = normalized([254, 255, 0], [0, 0, 3], [0, -31, 4]);
+  assert.deepEqual([...x, ...z], [1, 1, 0, 0, 0, Math.fround(0.8)]);
+  for (const format of [f32, q15, q31]) {
+    format.light(LIGHT).material(MATERIAL).project();
+    format.collapse();
+    const [first, second] = format.shade(x, y, z);
+    assert.equal(first, second);
+  }
+  for (const bad of [[0, 0, 0], [NaN, 0, 1], [Infinity, 0, 1], [0, 1, -0.2]]) {
+    const [a, b, c] = bad;
+    fails(() => normalized([0, a], [0, b], [1, c]), "RangeError",
+      `normalized: vector 1 is (${bad.join(", ")}), which points nowhere or away`);
+  }
+  fails(() => normalized([0, 0], [0], [1, 1]), "RangeError", "normalized: x has 2 numbers, y has 1");
+});
+
+test("the module itself stays within its buffers", () => {
   const { exports } = f32;
-  for (const name of ["q15", "q31"]) assert.equal(exports[`${name}_shade`](0xffffffff), 0);
+  for (const format of [q15, q31]) {
+    format.light(LIGHT).material(MATERIAL).project();
+    format.collapse();
+    const z = format.normals.subarray(2 * format.shape.normals);
+    for (const usable of [0, 3, 1024]) {
+      format.normals.fill(0);
+      z.fill(2 ** format.bits - 1, 0, usable);
+      assert.equal(exports[`${format.name}_shade`](0xffffffff), usable);
+    }
+  }
   assert.equal(exports.f32_shade(0xffffffff), 0);
   assert.equal(exports.nine_terms(0xffffffff), 1024);
 });

@@ -14,7 +14,8 @@ const NAMES: [&str; 4] = ["instructions", "bytes of flash", "bytes of RAM", "byt
 /// A budget that is exceeded, or of an operation that was not measured.
 pub fn within(rows: &[Row]) -> Result<()> {
     let (_, budgets) = row::read(BUDGETS)?;
-    let faults = over(rows, &budgets);
+    let mut faults = over(rows, &budgets);
+    faults.extend(dear(rows));
     if faults.is_empty() { Ok(()) } else { Err(faults.join("\n")) }
 }
 
@@ -37,9 +38,45 @@ fn over(rows: &[Row], budgets: &[Row]) -> Vec<String> {
     faults
 }
 
+/// Most projections that a scene within a tolerance may take on the same board.
+const PROJECTIONS: u64 = 3;
+
+fn dear(rows: &[Row]) -> Vec<String> {
+    let counted = |board: &str, operation: &str| {
+        let is_it = |row: &&Row| row.key == [board, operation, "f32"];
+        rows.iter().find(is_it).and_then(|row| row.numbers[0])
+    };
+    let boards = rows.iter().filter(|row| row.key[1] == "collapse_within").map(|row| &row.key[0]);
+    let mut faults = Vec::new();
+    for board in boards {
+        let [Some(within), Some(project)] =
+            ["collapse_within", "project"].map(|operation| counted(board, operation))
+        else {
+            faults.push(format!("{board}: project or collapse_within was not measured"));
+            continue;
+        };
+        if within > PROJECTIONS * project {
+            faults.push(format!(
+                "{board},collapse_within,f32: {within} instructions, more than {PROJECTIONS} times \
+                 project's {project}"
+            ));
+        }
+    }
+    faults
+}
+
 #[cfg(test)]
 mod tests {
-    use super::over;
+    use super::{dear, over};
+
+    #[test]
+    fn scenes_within_a_tolerance_take_few_projections() {
+        let rows = |text: &str| text.lines().map(|line| line.parse().unwrap()).collect::<Vec<_>>();
+        let both = "b,project,f32,100,1,1,1\nb,collapse_within,f32,";
+        assert_eq!(dear(&rows(&format!("{both}300,1,1,1"))), [""; 0]);
+        assert!(dear(&rows(&format!("{both}301,1,1,1")))[0].contains("301"));
+        assert!(dear(&rows("b,collapse_within,f32,1,1,1,1"))[0].contains("not measured"));
+    }
 
     #[test]
     fn budgets_fail_when_exceeded_or_not_measured() {

@@ -91,7 +91,9 @@ pub fn of_board(board: Board) -> impl Iterator<Item = Program> {
         all.push(one("sphere", format, Kind::Demonstration));
         all.extend(OPERATIONS.map(|operation| one(operation, format, Kind::Operation)));
     }
-    all.extend(["project", "nine_terms"].map(|name| one(name, "f32", Kind::Operation)));
+    all.extend(
+        ["project", "collapse_within", "nine_terms"].map(|name| one(name, "f32", Kind::Operation)),
+    );
     all.push(one("nine_terms", "q15", Kind::Operation));
     for format in ["f32", "q15"] {
         all.extend(["baked", "baked_point"].map(|name| one(name, format, Kind::Operation)));

@@ -52,6 +52,4 @@ pub mod picture;
 
 mod operations;
 
-pub mod nine_terms;
-
 pub mod dense;

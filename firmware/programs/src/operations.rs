@@ -1,10 +1,10 @@
 //! The measured operations in integers, once for each format: a table's modules in two
 //! formats share names, not types.
 
-/// A pixel of a scene of the module `$table`.
+/// A pixel of a scene of the module `$table`, as the nine-term formula with `nine_terms`.
 #[macro_export]
 macro_rules! shade {
-    ($table:path) => {
+    ($table:path $(, $nine_terms:ident)?) => {
         use $table as table;
 
         board::program!(main);
@@ -16,10 +16,17 @@ macro_rules! shade {
             };
             let scene = core::hint::black_box(scene);
             board::holds(size_of_val(&scene));
+            $(let Some(scene) = scene.$nine_terms() else { board::exit(false) };)?
             board::measure(&$crate::integer_inputs::normals(), board::Passes(256), |normal| {
-                table::shade(&scene, *normal)
+                $crate::shade!(@pixel &scene, *normal $(, $nine_terms)?)
             });
         }
+    };
+    (@pixel $scene:expr, $normal:expr) => {
+        table::shade($scene, $normal)
+    };
+    (@pixel $scene:expr, $normal:expr, nine_terms) => {
+        $scene.shade($normal)
     };
 }
 

@@ -149,10 +149,11 @@ macro_rules! scene_f32 {
     };
 }
 
-/// The same in Q15; the material was folded in when the program was compiled.
+/// The same in Q15; the material was folded in when the program was compiled. A pixel as the
+/// nine-term formula with `nine_terms`.
 #[macro_export]
 macro_rules! scene_q15 {
-    ($table:path, $channels:tt) => {
+    ($table:path, $channels:tt $(, $nine_terms:ident)?) => {
         use $crate::integer_inputs as inputs;
         use $table as table;
 
@@ -173,8 +174,14 @@ macro_rules! scene_q15 {
                 })
             });
             let scenes = core::hint::black_box(scenes);
+            $(let scenes = scenes.each_ref().map(|scene| match scene.$nine_terms() {
+                Some(formula) => formula,
+                None => board::exit(false),
+            });)?
             board::measure_named("pixel", &inputs::normals(), board::Passes(256), |normal| {
-                scenes.each_ref().map(|scene| table::shade(scene, *normal))
+                scenes.each_ref().map(|scene| {
+                    $crate::shade!(@pixel scene, *normal $(, $nine_terms)?)
+                })
             });
         }
     };

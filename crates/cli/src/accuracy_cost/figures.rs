@@ -2,14 +2,13 @@
 
 use super::chart::{Line, Lines, Scatter, growth, scatter};
 use super::choice::{FRAME, LIMITS, Lighting, cheapest, frame};
-use super::exponent;
 use super::front::front;
 use super::growth::Growth;
 use super::knobs::{DEGREE, ORDER};
 use super::machine::Machine;
 use super::points::Point;
 use super::setting::{Cut, Format, Scaling, Setting, Way};
-use super::words::per_cent;
+use super::words::{exponent, per_cent};
 use super::{COMMAND, model, model::Row};
 use eigenshade_generator::error::Result;
 
@@ -65,7 +64,7 @@ fn comparable(point: &Point) -> bool {
 }
 
 fn of_machine(points: &[Point], machine: Machine) -> Result<String> {
-    let error = |point: &Point| point.method.seen.rms.median;
+    let error = |point: &Point| point.method.unseen.rms.most;
     let priced: Vec<(usize, (f64, f64))> = points
         .iter()
         .enumerate()
@@ -93,7 +92,7 @@ fn of_machine(points: &[Point], machine: Machine) -> Result<String> {
     let model = points.iter().find(|point| comparable(point)).and_then(|point| point.model);
     scatter(&Scatter {
         horizontal: format!("{}: a pixel, in {}", machine.title(), machine.unit()),
-        vertical: "rms error of the peak, median",
+        vertical: "rms error of the peak, 95 of 100 unseen",
         front: front.iter().map(|&k| (places[k], label(priced[k].0))).collect(),
         points: places,
         upright: nine.map(|cost| {
@@ -171,7 +170,8 @@ pub fn growth_file(quantity: &str, unit: &str) -> String {
 pub fn growing(growths: &[Growth], quantity: &str, unit: &str) -> Result<String> {
     let mut lines = Vec::new();
     for growth in growths.iter().filter(|one| (one.quantity, one.unit) == (quantity, unit)) {
-        let (Some(first), Some((a, b))) = (growth.points.first(), exponent::fit(&growth.points))
+        let (Some(first), Some((a, b))) =
+            (growth.points.first(), super::exponent::fit(&growth.points))
         else {
             continue;
         };
@@ -179,10 +179,15 @@ pub fn growing(growths: &[Growth], quantity: &str, unit: &str) -> Result<String>
             growth.points.iter().map(|&(x, y)| (x, y / first.1)).collect();
         let ends = [points[points.len() / 2], points[points.len() - 1]];
         let fitted = ends.map(|(x, _)| (x, a * x.powf(b) / first.1));
-        let name = format!("{}: {b:.2} ({})", growth.measure, growth.theory);
+        let theory = growth.theory.map(|theory| format!(" ({})", exponent(theory)));
+        let name = format!("{}: {b:.2}{}", growth.measure, theory.unwrap_or_default());
         lines.push(Line { name, points, fitted });
     }
     let horizontal = format!("{quantity}; exponents fitted (theory)");
-    let vertical = if unit == "ns" { "time, of the first" } else { "bytes, of the first" };
+    let vertical = match unit {
+        "ns" => "time, of the first",
+        "bytes" => "bytes, of the first",
+        _ => "multiplications, of the first",
+    };
     growth(&Lines { horizontal, vertical, lines })
 }

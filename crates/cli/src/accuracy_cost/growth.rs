@@ -1,5 +1,6 @@
 //! How times and bytes grow with degree, order, components, pixels, materials and maps.
 
+use super::Times;
 use super::bases::Bases;
 use super::exponent;
 use super::images::Image;
@@ -7,6 +8,7 @@ use super::knobs::{DEGREE, ORDER};
 use super::materials::Scope;
 use super::setting::{Recipe, Setting};
 use super::times::{Case, Work, costs, interleaved};
+use crate::multiplications::Multiplications;
 use crate::owned_basis::OwnedBasis;
 use crate::shader::fault;
 use eigenshade::Material;
@@ -24,6 +26,9 @@ const ROUNDS: usize = 15;
 /// Texels of a map, across and down, where maps are counted.
 const MAP: (usize, usize) = (64, 32);
 
+/// The unit of counts.
+pub const MULTIPLICATIONS: &str = "multiplications";
+
 /// What is measured against what grows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Growth {
@@ -31,12 +36,12 @@ pub struct Growth {
     pub quantity: &'static str,
     /// What is measured.
     pub measure: &'static str,
-    /// "ns" or "bytes".
+    /// "ns", "bytes" or [`MULTIPLICATIONS`].
     pub unit: &'static str,
     /// The measured ones.
     pub points: Vec<(f64, f64)>,
-    /// The exponent that theory says.
-    pub theory: f64,
+    /// The exponent that theory says; of a time that of what is counted of it.
+    pub theory: Option<f64>,
     /// Why.
     pub reason: &'static str,
 }
@@ -49,12 +54,13 @@ impl Growth {
     }
 }
 
-/// All that grows; times only if `timed`.
+/// All that grows.
 ///
 /// # Errors
 ///
 /// None in truth.
-pub fn all(quick: bool, timed: bool) -> Result<Vec<Growth>> {
+pub fn all(quick: bool, times: Times<'_>) -> Result<Vec<Growth>> {
+    let timed = matches!(times, Times::Measured);
     let mut growths = Vec::new();
     let degrees: &[usize] = if quick { &[4, 6, 9, 12, 16] } else { &[4, 6, 9, 12, 16, 24, 32] };
     let sizes: Vec<(usize, usize)> = degrees.iter().map(|&degree| (degree, ORDER)).collect();
@@ -66,6 +72,11 @@ pub fn all(quick: bool, timed: bool) -> Result<Vec<Growth>> {
     growths.extend(of_materials(timed)?);
     growths.extend(of_pixels(timed)?);
     growths.extend(of_maps(timed));
+    if let Times::Kept(kept) = times {
+        for growth in growths.iter_mut().filter(|growth| growth.unit == "ns") {
+            growth.points = kept.of(growth);
+        }
+    }
     growths.retain(|growth| !growth.points.is_empty());
     Ok(growths)
 }
@@ -74,20 +85,23 @@ pub fn all(quick: bool, timed: bool) -> Result<Vec<Growth>> {
 struct Theory {
     measure: &'static str,
     unit: &'static str,
-    exponents: [f64; 3],
+    /// None: it is counted, or the count's fitted exponent is the theory.
+    exponents: Option<[f64; 3]>,
     reasons: [&'static str; 3],
 }
 
 const EACH_DEGREE: &str = "a number for each component and each l from \\|m\\| on";
 const PAIRS: &str = "pairs (p, q): (order / 2 + 1)²";
 const FOLDED: &str = "the material is folded in: nothing of the order is left";
+/// Where a count is the theory of a time.
+const COUNTED: [&str; 3] = ["as its multiplications"; 3];
 
-/// Bytes first, then times.
-const THEORY: [Theory; 6] = [
+/// Bytes first, then counts, then times in the same order.
+const THEORY: [Theory; 9] = [
     Theory {
         measure: "rows of the components",
         unit: "bytes",
-        exponents: [1.0, 2.0, 1.0],
+        exponents: Some([1.0, 2.0, 1.0]),
         reasons: [
             "a row of pairs for each component and each l from \\|m\\| on",
             PAIRS,
@@ -97,41 +111,44 @@ const THEORY: [Theory; 6] = [
     Theory {
         measure: "polar integrals",
         unit: "bytes",
-        exponents: [1.0, 2.0, 0.0],
+        exponents: Some([1.0, 2.0, 0.0]),
         reasons: ["one for each l and pair", PAIRS, "they are the light's and the material's"],
     },
     Theory {
         measure: "a folded material",
         unit: "bytes",
-        exponents: [1.0, 0.0, 1.0],
+        exponents: Some([1.0, 0.0, 1.0]),
         reasons: [EACH_DEGREE, FOLDED, EACH_DEGREE],
     },
     Theory {
         measure: "a pixel",
-        unit: "ns",
-        exponents: [1.0, 1.0, 0.5],
+        unit: MULTIPLICATIONS,
+        exponents: None,
         reasons: [
-            "a power of n_x + i n_y for each \\|m\\| up to the degree",
-            "polynomials at most as long as the order",
-            "those of an azimuth are summed; azimuths grow as the root",
+            "polynomials of the azimuths that 50 components have: no more at a higher degree, but longer ones",
+            "the same: longer polynomials, of as many azimuths",
+            "polynomials of an azimuth are summed; azimuths grow as the root",
         ],
     },
     Theory {
         measure: "a new light",
-        unit: "ns",
-        exponents: [1.0, 0.0, 1.0],
+        unit: MULTIPLICATIONS,
+        exponents: None,
         reasons: [
-            "as its folded material, once that outweighs the collapse",
-            FOLDED,
-            "rows for each",
+            "the folded material's numbers, and every component's polynomial",
+            "every component's polynomial: the rest is folded in",
+            "rows and a polynomial for each",
         ],
     },
     Theory {
         measure: "a new material",
-        unit: "ns",
-        exponents: [1.0, 2.0, 1.0],
-        reasons: [EACH_DEGREE, PAIRS, "rows for each"],
+        unit: MULTIPLICATIONS,
+        exponents: None,
+        reasons: [EACH_DEGREE, PAIRS, "rows for each, and the polar integrals of all"],
     },
+    Theory { measure: "a pixel", unit: "ns", exponents: None, reasons: COUNTED },
+    Theory { measure: "a new light", unit: "ns", exponents: None, reasons: COUNTED },
+    Theory { measure: "a new material", unit: "ns", exponents: None, reasons: COUNTED },
 ];
 
 fn of_bases(quantity: &'static str, sizes: &[(usize, usize)], timed: bool) -> Result<Vec<Growth>> {
@@ -184,8 +201,12 @@ fn measured(
         let owned = OwnedBasis::<f32>::new(table);
         let folded = owned.basis().map_err(fault)?.transfer_len();
         let rows = parts.factors.len() + parts.terms.len();
-        for (points, numbers) in points.iter_mut().zip([rows, parts.polar.len(), folded]) {
-            points.push((*size as f64, (numbers * size_of::<f32>()) as f64));
+        let bytes = [rows, parts.polar.len(), folded].map(|count| count * size_of::<f32>());
+        let Multiplications { pixel, relight, collapse, transfer, .. } =
+            Multiplications::of(table)?;
+        let counted = bytes.into_iter().chain([pixel, relight + collapse, transfer]);
+        for (points, count) in points.iter_mut().zip(counted) {
+            points.push((*size as f64, count as f64));
         }
     }
     if timed {
@@ -202,20 +223,24 @@ fn measured(
         let costs = costs(&mut cases, ROUNDS)?;
         for (((size, ..), cost), fold) in tables.iter().zip(costs).zip(folds) {
             let times = [cost.pixel, cost.light, fold];
-            for (points, time) in points.iter_mut().skip(3).zip(times) {
+            for (points, time) in points.iter_mut().skip(6).zip(times) {
                 points.push((*size as f64, time));
             }
         }
     }
-    let growth = |(theory, points): (&Theory, Vec<(f64, f64)>)| Growth {
+    let counted = points.clone();
+    let growth = THEORY.iter().zip(points).enumerate().map(|(k, (theory, points))| Growth {
         quantity,
         measure: theory.measure,
         unit: theory.unit,
         points,
-        theory: theory.exponents[place],
+        theory: match (theory.unit, theory.exponents) {
+            ("ns", _) => exponent::fit(&counted[k - 3]).map(|(_, exponent)| exponent),
+            (_, exponents) => exponents.map(|exponents| exponents[place]),
+        },
         reason: theory.reasons[place],
-    };
-    Ok(THEORY.iter().zip(points).map(growth).collect())
+    });
+    Ok(growth.collect())
 }
 
 /// Nanoseconds of each work, the least: what else the machine does only adds.
@@ -262,7 +287,7 @@ fn of_materials(timed: bool) -> Result<Vec<Growth>> {
         measure,
         unit,
         points,
-        theory: 1.0,
+        theory: Some(1.0),
         reason,
     };
     Ok(vec![growth("transfers", "bytes", held.to_vec()), growth("folding", "ns", times)])
@@ -304,7 +329,14 @@ fn proportional(
     quantity: &'static str,
     reason: &'static str,
 ) -> impl Fn(&'static str, &'static str, Vec<(f64, f64)>) -> Growth {
-    move |measure, unit, points| Growth { quantity, measure, unit, points, theory: 1.0, reason }
+    move |measure, unit, points| Growth {
+        quantity,
+        measure,
+        unit,
+        points,
+        theory: Some(1.0),
+        reason,
+    }
 }
 
 fn of_maps(timed: bool) -> Vec<Growth> {

@@ -3,8 +3,11 @@
 
 use super::materials::Scope;
 use crate::parallel;
+use crate::shader::fault;
 use crate::sphere_rings::{Ring, rings};
+use eigenshade::{Light, NineTerms};
 use eigenshade_generator::database::Named;
+use eigenshade_generator::error::Result;
 use eigenshade_generator::special::spherical_harmonic::azimuth;
 use eigenshade_generator::truth::Truth;
 use eigenshade_index::{light, material};
@@ -41,6 +44,20 @@ impl Image {
     pub fn within(&self, degree: usize, order: usize) -> (Channel<'_>, Channel<'_>) {
         let light = &self.light[..light::count(degree)];
         ((degree, light), (order, &self.material[..material::count(order)]))
+    }
+
+    /// The nine-term formula of the image, its material taken for a Lambertian one.
+    ///
+    /// # Errors
+    ///
+    /// If its light is of no degree.
+    pub fn nine_terms(&self) -> Result<NineTerms<f32>> {
+        let degree = (self.light.len().isqrt() - 1).min(2);
+        let ((degree, light), _) = self.within(degree, 0);
+        let light = Light::new(degree, light).map_err(fault)?;
+        // b_00^0 is twice the albedo.
+        let formula = NineTerms::lambertian(&light, 0.5 * self.material[0]);
+        Ok(NineTerms::new(formula.coefficients().map(|value| value as f32)))
     }
 }
 

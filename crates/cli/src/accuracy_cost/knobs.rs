@@ -80,7 +80,7 @@ pub fn settings(quick: bool) -> Vec<Knob> {
     };
     // Where a tolerance starts from.
     let trimmed = first(130).cut(Cut::Trimmed(2e-4));
-    for recipe in if quick { vec![trimmed] } else { vec![first(50), trimmed] } {
+    for recipe in [first(50), trimmed] {
         for &tolerance in within {
             add("tolerance", Setting::of(recipe).by(Way::Within(tolerance)));
         }
@@ -121,21 +121,22 @@ pub fn settings(quick: bool) -> Vec<Knob> {
     for scaling in [Scaling::Libm, Scaling::Single, Scaling::Tabled, Scaling::Micromath] {
         add("mathematics", Setting { scaling, ..Setting::of(first(50)) });
     }
-    let lower: &[(usize, usize)] = if quick { &[(2, 0), (4, 3)] } else { &LOWER };
-    for &(degree, order) in lower {
+    for (degree, order) in LOWER {
         add("degree and order", Setting::of(Recipe::all(degree, order)));
-        for tolerance in [1e-2, 1e-3] {
+        for tolerance in if quick { &[1e-2][..] } else { &[1e-2, 1e-3] }.iter().copied() {
             let recipe = Recipe::all(degree, order).cut(Cut::Trimmed(tolerance));
             add("degree and order", Setting::of(recipe));
         }
     }
-    let higher: &[(usize, usize)] = if quick { &HIGHER[..0] } else { &HIGHER };
-    for &(degree, order) in higher {
+    for (degree, order) in HIGHER {
         let recipe = Recipe::first(degree, order, HIGH_COMPONENTS);
-        for format in [Format::F32, Format::F64] {
-            add("degree and order", Setting::of(recipe).in_format(format));
+        add("degree and order", Setting::of(recipe));
+        // A quick run has all kinds at the first of these sizes, one setting at the others.
+        if quick && (degree, order) != HIGHER[0] {
+            continue;
         }
-        for tolerance in [1e-2, 1e-3] {
+        add("degree and order", Setting::of(recipe).in_format(Format::F64));
+        for tolerance in if quick { &[1e-2][..] } else { &[1e-2, 1e-3] }.iter().copied() {
             let recipe = recipe.cut(Cut::Trimmed(tolerance));
             add("degree and order", Setting::of(recipe));
             add("degree and order", Setting::of(recipe).by(Way::Within(tolerance)));
@@ -146,8 +147,34 @@ pub fn settings(quick: bool) -> Vec<Knob> {
 
 #[cfg(test)]
 mod tests {
-    use super::settings;
+    use super::{Knob, settings};
+    use eigenshade_index::effect::Effects;
     use std::collections::BTreeSet;
+    use std::mem::discriminant;
+
+    /// What tells a setting's kind, sizes apart.
+    fn kind(Knob { knob, setting }: &Knob) -> impl PartialEq + std::fmt::Debug {
+        let recipe = setting.recipe;
+        let parts = [recipe.components, recipe.modes, recipe.azimuths].map(|part| part.is_some());
+        let forms = (discriminant(&setting.way), discriminant(&recipe.cut));
+        (*knob, parts, recipe.effects == Effects::ALL, forms, setting.format, setting.scaling)
+    }
+
+    #[test]
+    fn a_quick_run_has_every_kind_and_every_degree() {
+        let (quick, all) = (settings(true), settings(false));
+        for knob in &all {
+            let alike = |other: &Knob| kind(other) == kind(knob);
+            assert!(quick.iter().any(alike), "no quick setting is like `{}`", knob.setting);
+            let size = |knob: &Knob| (knob.setting.recipe.degree, knob.setting.recipe.order);
+            let sized = |other: &Knob| size(other) == size(knob);
+            assert!(
+                quick.iter().any(sized),
+                "no quick setting is of the size of `{}`",
+                knob.setting
+            );
+        }
+    }
 
     #[test]
     fn each_setting_is_there_once_and_quick_ones_are_among_all() {

@@ -2,7 +2,7 @@
 
 use crate::{parallel, shipped};
 use eigenshade_generator::brdf::{
-    BINS, Brdf, Geometry, Ggx, Lambertian, Measure, Merl, OrenNayar, Surface,
+    Abc, BINS, Brdf, Geometry, Ggx, Lambertian, Measure, Merl, OrenNayar, Surface,
 };
 use eigenshade_generator::database::{Lights, Materials, Named};
 use eigenshade_generator::error::{Error, Result};
@@ -95,7 +95,8 @@ fn matte() -> Result<Vec<Surface>> {
     ])
 }
 
-/// The surfaces whose model's error is measured, from matte to glossy.
+/// The surfaces whose model's error is measured: formulas from matte to glossy, and measured
+/// materials.
 ///
 /// # Errors
 ///
@@ -104,7 +105,99 @@ pub fn modelled() -> Result<Vec<Surface>> {
     let mut surfaces = matte()?;
     surfaces.extend(ggx(&[0.5, 0.3], &[0.04])?);
     surfaces.extend(ggx(&[0.7, 0.4], &[0.9])?);
+    surfaces.extend(measured()?);
     Ok(surfaces)
+}
+
+/// A published fit of the ABC model to a measured material.
+pub struct Fit {
+    /// Its name in the database.
+    pub name: &'static str,
+    /// k of r, g and b.
+    matte: [f64; 3],
+    /// a of r, g and b.
+    a: [f64; 3],
+    b: f64,
+    c: f64,
+    index: f64,
+}
+
+/// Materials of the MERL database, which W. Matusik and others measured ("A Data-Driven
+/// Reflectance Model", SIGGRAPH 2003), by the fits of J. Low and others (see [`Abc`]): one of a
+/// kind, from felt to paint, whose lobes are wider than 0.05 rad. Sharper ones are beyond any
+/// degree and order here.
+pub const MEASURED: [Fit; 7] = [
+    Fit {
+        name: "pink-felt",
+        matte: [0.267287, 0.178590, 0.156370],
+        a: [0.225846, 0.226874, 0.221785],
+        b: 54.853024,
+        c: 0.344321,
+        index: 2.938402,
+    },
+    Fit {
+        name: "teflon",
+        matte: [0.321152, 0.313597, 0.305526],
+        a: [1.787717, 1.816174, 1.846979],
+        b: 41.644257,
+        c: 2.066234,
+        index: 1.611215,
+    },
+    Fit {
+        name: "neoprene-rubber",
+        matte: [0.248773, 0.211228, 0.170494],
+        a: [1.327917, 1.299042, 1.233595],
+        b: 63.131874,
+        c: 1.701130,
+        index: 1.942141,
+    },
+    Fit {
+        name: "red-plastic",
+        matte: [0.268000, 0.044432, 0.010675],
+        a: [1.081538, 1.045352, 1.037089],
+        b: 34.117554,
+        c: 1.529797,
+        index: 1.666450,
+    },
+    Fit {
+        name: "silver-paint",
+        matte: [0.159599, 0.127910, 0.108671],
+        a: [1.151248, 1.207139, 1.248789],
+        b: 38.884895,
+        c: 1.971779,
+        index: 8.336617,
+    },
+    Fit {
+        name: "fruitwood-241",
+        matte: [0.048981, 0.034689, 0.019745],
+        a: [5.976665, 5.760932, 5.568172],
+        b: 192.199890,
+        c: 1.573300,
+        index: 1.483582,
+    },
+    Fit {
+        name: "purple-paint",
+        matte: [0.280217, 0.031190, 0.032274],
+        a: [14.006363, 13.769886, 13.753972],
+        b: 408.684143,
+        c: 1.776584,
+        index: 1.483770,
+    },
+];
+
+/// The measured materials, in color.
+///
+/// # Errors
+///
+/// None in truth.
+fn measured() -> Result<Vec<Surface>> {
+    let surface = |fit: &Fit| {
+        let channel = |k: usize| Abc::new(fit.matte[k], [fit.a[k], fit.b, fit.c], fit.index);
+        let rgb: [Box<dyn Brdf>; 3] =
+            [Box::new(channel(0)?), Box::new(channel(1)?), Box::new(channel(2)?)];
+        Ok(Surface::coloured(fit.name.to_owned(), rgb))
+    };
+    MEASURED.iter().map(surface).collect()
 }
 
 /// Two tables in the layout of the MERL database, of lobes that are not GGX's: a matte base

@@ -8,11 +8,13 @@ use eigenshade_generator::error::Result;
 use eigenshade_table::Table;
 use indicatif::ProgressBar;
 
-/// The middle and the largest of many errors, of the peak.
+/// The middle, the 95th percentile and the largest of many errors, of the peak.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spread {
     /// The median.
     pub median: f64,
+    /// The least of these errors that 95 of 100 do not exceed.
+    pub most: f64,
     /// The largest.
     pub worst: f64,
 }
@@ -28,8 +30,19 @@ impl Spread {
                     if value.is_nan() || value > most { value } else { most }
                 },
             );
-        Self { median: median::median(values), worst }
+        Self { median: median::median(values), most: percentile(values), worst }
     }
+}
+
+/// The share of the errors that [`Spread::most`] covers.
+const COVERED: f64 = 0.95;
+
+/// The least value that [`COVERED`] of the values do not exceed; 0 of none.
+fn percentile(values: &[f64]) -> f64 {
+    let mut sorted = values.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    let rank = (COVERED * sorted.len() as f64).ceil() as usize;
+    sorted.get(rank.saturating_sub(1)).copied().unwrap_or(0.0)
 }
 
 /// Errors over a sphere, of each image's peak.
@@ -109,5 +122,19 @@ pub fn is_possible(setting: &Setting) -> bool {
             matches!(setting.way, Way::Polynomial | Way::Bilinear(_))
                 && setting.scaling == Scaling::None
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Spread;
+
+    #[test]
+    fn ninety_five_of_a_hundred_do_not_exceed_the_percentile() {
+        let values: Vec<f64> = (1..=100).rev().map(f64::from).collect();
+        assert_eq!(Spread::of(&values), Spread { median: 50.5, most: 95.0, worst: 100.0 });
+        assert_eq!(Spread::of(&values[..20]).most, 99.0);
+        assert_eq!(Spread::of(&values[..1]).most, 100.0);
+        assert_eq!(Spread::of(&[]).most, 0.0);
     }
 }

@@ -10,8 +10,6 @@ pub mod bases;
 
 pub mod images;
 
-pub mod nine_terms;
-
 pub mod shading;
 
 pub mod method;
@@ -19,6 +17,8 @@ pub mod method;
 pub mod sizes;
 
 pub mod times;
+
+pub mod kept;
 
 pub mod model;
 
@@ -55,6 +55,7 @@ pub mod check;
 use eigenshade_generator::error::Result;
 use growth::Growth;
 use indicatif::ProgressBar;
+use kept::Kept;
 use model::Row;
 use points::Point;
 use std::path::Path;
@@ -63,12 +64,23 @@ use std::path::Path;
 pub const COMMAND: &str = "eigenshade accuracy-cost";
 
 /// What is measured, and how much of it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Extent {
+#[derive(Clone, Copy)]
+pub struct Extent<'a> {
     /// A part of the settings, surfaces and sizes.
     pub quick: bool,
-    /// Times too.
-    pub timed: bool,
+    /// Whether times are measured, too.
+    pub times: Times<'a>,
+}
+
+/// Where times come from.
+#[derive(Clone, Copy)]
+pub enum Times<'a> {
+    /// There are none.
+    None,
+    /// They are measured.
+    Measured,
+    /// They are those of an earlier run.
+    Kept(&'a Kept),
 }
 
 /// All that was measured.
@@ -87,11 +99,11 @@ impl Measured {
     /// # Errors
     ///
     /// A map that is missing or cannot be read.
-    pub fn new(extent: Extent, maps: &Path, progress: &ProgressBar) -> Result<Self> {
-        let Extent { quick, timed } = extent;
+    pub fn new(extent: Extent<'_>, maps: &Path, progress: &ProgressBar) -> Result<Self> {
+        let Extent { quick, times } = extent;
         let models = model::rows(maps, quick, progress)?;
         let points = points::measure(extent, &models, progress)?;
-        let growths = growth::all(quick, timed)?;
+        let growths = growth::all(quick, times)?;
         Ok(Self { models, points, growths })
     }
 

@@ -17,7 +17,7 @@ use std::path::Path;
 /// The maps: soft ones and such with a small strong light.
 pub const MAPS: [&str; 6] = ["esplanade", "hall", "park", "sky", "studio", "venice"];
 /// The surfaces of a quick run.
-const QUICK: [&str; 2] = ["lambertian", "ggx-0.9-0.7"];
+const QUICK: [&str; 3] = ["lambertian", "ggx-0.9-0.7", "teflon"];
 
 /// One surface at one degree and order.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,7 +38,7 @@ pub fn sizes() -> Vec<(usize, usize)> {
     LOWER.into_iter().chain([(DEGREE, ORDER)]).chain(HIGHER).collect()
 }
 
-/// Integrates under the maps in this folder; with `quick` two surfaces only.
+/// Integrates under the maps in this folder; with `quick` three surfaces only.
 ///
 /// # Errors
 ///

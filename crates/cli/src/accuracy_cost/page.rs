@@ -1,16 +1,18 @@
 //! The page: what to take, what it costs, and how it grows.
 
+use super::COMMAND;
 use super::choice::{LIMITS, Lighting, cheapest, frame};
 use super::figures::{growth_file, kinds, of_degree};
 use super::growth::Growth;
 use super::knobs::{DEGREE, HIGH_COMPONENTS, ORDER};
 use super::machine::Machine;
+use super::materials::MEASURED;
+use super::method::{Errors, Spread};
 use super::model::{self, MAPS, Row};
 use super::points::Point;
 use super::setting::{Scaling, Way};
 use super::sheet::{MODEL, POINTS};
-use super::words::{cost, limit as per_cent_limit, per_cent, setting, table};
-use super::{COMMAND, method::Spread};
+use super::words::{cost, exponent, limit as per_cent_limit, per_cent, setting, table};
 use crate::number::grouped;
 
 /// The page's file.
@@ -37,19 +39,19 @@ fn head(points: &[Point], models: &[Row]) -> String {
          [{POINTS}]({POINTS}). `--check docs/accuracy-cost` makes errors, bytes and instruction counts again and compares; times \
          are not compared.\n\n\
          **The error of the method** is that of a setting against the direct sum (15) of its own degree and order, in f64: rms over a \
-         sphere's normals, of the image's peak. It is given as the median and the worst over the shipped lights on the materials of which the \
-         basis was made, and as the median over materials that it never saw: GGX of roughness 0.1 to 1, and two tables in the layout of MERL. Above order 7, which the measured materials do not reach, it is \
-         over every third light on GGX of other roughnesses and matte formulas. In the file it stands in decibels too, and with the largest error of a pixel.\n\n\
+         sphere's normals, of the image's peak, over the shipped lights on materials that the basis never saw: GGX of roughness 0.1 to 1, and two tables in the layout of MERL; above order 7, which the shipped \
+         materials do not reach, every third light on GGX of roughnesses between those of the basis, and the same two tables. The tables below give its median, what 95 of 100 of these images do not exceed, and its worst; \"worst pixel\" is the largest error \
+         of a single normal in any of the images. [{POINTS}]({POINTS}) has the errors over the materials of which the basis was made as well.\n\n\
          **The error of the model** is another thing: that of the direct sum of a degree and an order against the BRDF itself, integrated \
-         under captured maps without any truncation ({} maps on {} surfaces, Lambertian to GGX of roughness 0.3; [{MODEL}]({MODEL})). No \
-         setting of a degree and order can be nearer to a measured surface than that.\n\n\
+         under captured maps without any truncation ({} maps on {} surfaces: formulas from Lambertian to GGX of roughness 0.3, and {measured} measured materials of the MERL database, by the published fits of Low and others, ACM \
+         Transactions on Graphics 31, 2012; [{MODEL}]({MODEL})). No setting of a degree and order can be nearer to a surface than that.\n\n\
          **A pixel** takes instructions on emulated boards, which do not wait as silicon does, and on x86-64 and WebAssembly times, \
          given as multiples of a pixel of the nine-term formula (Ramamoorthi and Hanrahan 2001) in the same run, arrays in the cache. They are of one machine; the \
          formula's own time there is in [{POINTS}]({POINTS}). Those of WebAssembly are with SIMD in Node, of modules of ten tables ([times.csv](../../crates/wasm/times.csv)). **A new light** is the way from its coefficients to the first \
          pixel, on a material that is folded in already; on x86-64 of a table that is read at run time, where one that is compiled in takes less than half of it \
          ([performance.md](../performance.md)). Where nothing was counted stands a dash. **Bytes** are of the table as `pack` writes it, and of what one \
          channel of an image holds from light to light: the folded material, d, and what a pixel reads. All is for one channel; colour takes three.\n\n\
-         Each row of the tables below is the cheapest setting whose method is below the limit in the median over the database; of times \
+         Each row of the tables below is the cheapest setting whose method is below the limit for 95 of 100 images of unseen materials; of times \
          within five per cent of the least, the setting with the least error. Settings \
          below degree {DEGREE} and order {ORDER} are taken only where their model is below the limit too.\n\n\
          **To take a row** is to write its scene file ([tables/README.md](../../tables/README.md#scene-file)): a copy of `tables/sphere.toml` with the row's \
@@ -59,6 +61,7 @@ fn head(points: &[Point], models: &[Row]) -> String {
         points.len(),
         MAPS.len(),
         surfaces.len(),
+        measured = MEASURED.len(),
     )
 }
 
@@ -87,7 +90,7 @@ fn example(points: &[Point]) -> String {
     format!(
         "## In a minute\n\n\
          A Cortex-M4F of 64 MHz has 64,000,000 / 60 = 1,066,667 cycles for each of 60 pictures a second. Its tables say for an error of the \
-         method below 1 %: where the light stands still, {name}. A pixel takes {pixel} instructions, a picture of 96 x 96 pixels 9,216 times as many, {sum}: \
+         method below 1 % in 95 of 100 images of unseen materials: where the light stands still, {name}. A pixel takes {pixel} instructions, a picture of 96 x 96 pixels 9,216 times as many, {sum}: \
          {share} if each instruction took one. {}Multiply by the cycles that an instruction takes on the chip at hand. The error of the model \
          comes beside it: at degree {DEGREE} and order {ORDER} it is {} in the median, less on matte surfaces and more on gloss \
          ([below](#degree-and-order-the-error-of-the-model)).\n",
@@ -142,8 +145,9 @@ fn header(machine: Machine, lighting: Lighting) -> Vec<String> {
         "method below",
         "take",
         "method: median",
+        "95 of 100",
         "worst",
-        "unseen, median",
+        "worst pixel",
         "model, median",
         &format!("a pixel, {unit}"),
         "a new light",
@@ -173,13 +177,14 @@ fn row(points: &[Point], machine: Machine, lighting: Lighting, limit: f64) -> Ve
         Some(value) if machine.counts() => grouped(value.round() as usize),
         Some(value) => cost(value),
     };
-    let errors = &point.method;
+    let Errors { rms, largest } = point.method.unseen;
     let mut row = vec![
         limit,
-        setting(&point.setting, errors.terms),
-        per_cent(errors.seen.rms.median),
-        per_cent(errors.seen.rms.worst),
-        per_cent(errors.unseen.rms.median),
+        setting(&point.setting, point.method.terms),
+        per_cent(rms.median),
+        per_cent(rms.most),
+        per_cent(rms.worst),
+        per_cent(largest.worst),
         point.model.map_or("—".into(), |model| per_cent(model.median)),
         number(price.pixel),
         number(price.light),
@@ -201,7 +206,7 @@ fn degrees(points: &[Point], models: &[Row]) -> String {
         .into_iter()
         .map(|(degree, order)| {
             let mut row = vec![format!("{degree}, {order}")];
-            if let Some(Spread { median, worst }) = model::spread(models, degree, order) {
+            if let Some(Spread { median, worst, .. }) = model::spread(models, degree, order) {
                 row.extend([per_cent(median), per_cent(worst)]);
             }
             let of = |name: &String| {
@@ -268,7 +273,8 @@ fn plain(point: &Point) -> bool {
 
 fn growing(growths: &[Growth]) -> String {
     let mut text = "## How it grows\n\nExponents fitted to the larger half of the sizes, beside the one that theory says. Other sizes: degree 9, order 7, 50 \
-                    components, `f32`; orders of formulas. Bytes are compared by `--check`, and their exponents; times are of one machine and one run. All are in [growth.csv](growth.csv).\n\n"
+                    components, `f32`; orders of formulas. Bytes and multiplications are compared by `--check`, and the exponents of bytes. The theory of a time is the fitted exponent of its multiplications at the same sizes: \
+                    with 50 components a higher degree or order makes polynomials longer, but adds no azimuths. A time grows less than that by what a call takes anyway. Times are of one machine and one run. All are in [growth.csv](growth.csv).\n\n"
         .to_owned();
     let rows: Vec<Vec<String>> = growths
         .iter()
@@ -280,8 +286,8 @@ fn growing(growths: &[Growth]) -> String {
                 sizes.map_or(String::new(), |(a, b)| {
                     format!("{} to {}", cost_of(a.0), cost_of(b.0))
                 }),
-                growth.exponent().map_or("—".into(), |exponent| format!("{exponent:.2}")),
-                growth.theory.to_string(),
+                growth.exponent().map_or("—".into(), |found| format!("{found:.2}")),
+                growth.theory.map_or("—".into(), exponent),
                 growth.reason.to_owned(),
             ]
         })

@@ -1,6 +1,5 @@
 //! Every setting with its errors, bytes and prices.
 
-use super::Extent;
 use super::bases::Bases;
 use super::boards::Boards;
 use super::images::Images;
@@ -13,6 +12,7 @@ use super::setting::Setting;
 use super::sizes::{Bytes, bytes};
 use super::times::{Case, Cost, costs};
 use super::wasm::Wasm;
+use super::{Extent, Times};
 use eigenshade_generator::error::{Error, Result};
 use indicatif::ProgressBar;
 use std::collections::BTreeMap;
@@ -46,7 +46,7 @@ pub struct Point {
 ///
 /// None in truth.
 pub fn measure(
-    Extent { quick, timed }: Extent,
+    Extent { quick, times }: Extent<'_>,
     models: &[Row],
     progress: &ProgressBar,
 ) -> Result<Vec<Point>> {
@@ -68,7 +68,7 @@ pub fn measure(
             let missing = || Error::new("a basis is missing", "report it");
             let table = bases.table(&setting.recipe).ok_or_else(missing)?;
             let method = compare(&setting, &table, &images).map_err(of)?;
-            if timed {
+            if matches!(times, Times::Measured) {
                 let image = &images.images[method.typical];
                 cases.push((k, Case::new(&setting, &table, image).map_err(of)?));
             }
@@ -88,6 +88,10 @@ pub fn measure(
         }
     }
     let mut points: Vec<Point> = points.into_iter().flatten().collect();
+    if let Times::Kept(kept) = times {
+        kept.give(&mut points)?;
+        return Ok(points);
+    }
     let (places, mut cases): (Vec<usize>, Vec<Case>) = cases.into_iter().unzip();
     let costs = costs(&mut cases, ROUNDS)?;
     // The nine-term formula is the first setting.

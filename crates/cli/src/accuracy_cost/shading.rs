@@ -1,13 +1,12 @@
 //! One image by any setting.
 
 use super::images::{Image, Images};
-use super::nine_terms;
 use super::setting::{Format, Scaling, Setting, Way};
 use crate::integer_shader::{self, IntegerShader};
 use crate::owned_basis::OwnedBasis;
 use crate::shader::{LookUp, OwnedNormals, Shader, fault};
 use eigenshade::mathematics::{Libm, Micromath, SinglePrecision, Tabled};
-use eigenshade::{Basis, MapPoint, Normal, Q15, Q31, Scalar, Tolerance, quantised};
+use eigenshade::{Basis, MapPoint, NineTerms, Normal, Q15, Q31, Scalar, Tolerance, quantised};
 use eigenshade_generator::error::Result;
 use eigenshade_table::Table;
 
@@ -77,8 +76,8 @@ impl Shading {
             Numbers::Double(floats) => floats.image(self.setting.way, light, material),
             Numbers::Single(floats) => match (self.setting.way, self.setting.scaling) {
                 (Way::NineTerms, _) => {
-                    let c = nine_terms::coefficients(&image.light, image.material[0]);
-                    Ok((floats.nine_terms(&c), c.len()))
+                    let formula = image.nine_terms()?;
+                    Ok((floats.nine_terms(&formula)?, formula.coefficients().len()))
                 }
                 (way, Scaling::None) => floats.image(way, light, material),
                 (_, scaling) => floats.scaled(scaling, light, material),
@@ -150,13 +149,10 @@ impl<S: Scalar + Into<f64>> Floats<S> {
 }
 
 impl Floats<f32> {
-    fn nine_terms(&self, c: &[f64; 9]) -> Vec<f64> {
-        let c = c.map(|value| value as f32);
-        let axes: [Vec<f32>; 3] =
-            [0, 1, 2].map(|axis| self.each.iter().map(|one| one.components()[axis]).collect());
+    fn nine_terms(&self, formula: &NineTerms<f32>) -> Result<Vec<f64>> {
         let mut out = vec![0.0; self.each.len()];
-        nine_terms::shade(&c, axes.each_ref().map(Vec::as_slice), &mut out);
-        out.into_iter().map(f64::from).collect()
+        formula.shade_slice(self.normals.view()?, &mut out).map_err(fault)?;
+        Ok(out.into_iter().map(f64::from).collect())
     }
 
     /// Normals of other lengths, scaled one by one.

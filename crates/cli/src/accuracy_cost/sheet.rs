@@ -56,8 +56,10 @@ pub fn columns() -> Vec<String> {
         "largest_median_db",
         "largest_worst_db",
         "unseen_rms_median",
+        "unseen_rms_most",
         "unseen_rms_worst",
         "unseen_largest_median",
+        "unseen_largest_most",
         "unseen_largest_worst",
         "model_median",
         "model_worst",
@@ -110,7 +112,9 @@ fn fields(point: &Point) -> Vec<String> {
         fields.extend(spread(errors));
         fields.extend([decibels(errors.median), decibels(errors.worst)]);
     }
-    fields.extend([&unseen.rms, &unseen.largest].into_iter().flat_map(spread));
+    for errors in [&unseen.rms, &unseen.largest] {
+        fields.extend([errors.median, errors.most, errors.worst].map(digits));
+    }
     fields.extend([
         number(point.model.map(|one| one.median)),
         number(point.model.map(|one| one.worst)),
@@ -151,22 +155,22 @@ pub fn model(rows: &[Row]) -> Result<String> {
     text(&model_columns(), rows.iter().map(row))
 }
 
-/// What grows as CSV: bytes and nanoseconds in columns of their own.
+/// What grows as CSV: what is counted and nanoseconds in columns of their own.
 ///
 /// # Errors
 ///
 /// None in truth.
 pub fn growth(growths: &[Growth]) -> Result<String> {
-    let columns = ["quantity", "measure", "unit", "size", "bytes", "host_ns"].map(str::to_owned);
+    let columns = ["quantity", "measure", "unit", "size", "counted", "host_ns"].map(str::to_owned);
     let rows = growths.iter().flat_map(|growth| {
         growth.points.iter().map(|&(size, value)| {
             let is_time = growth.unit == "ns";
             let names = [growth.quantity, growth.measure, growth.unit].map(str::to_owned);
-            let [bytes, time] = match is_time {
+            let [counted, time] = match is_time {
                 true => [String::new(), digits(value)],
                 false => [value.to_string(), String::new()],
             };
-            names.into_iter().chain([size.to_string(), bytes, time]).collect()
+            names.into_iter().chain([size.to_string(), counted, time]).collect()
         })
     });
     text(&columns, rows)

@@ -19,6 +19,12 @@ pub fn per_cent(error: f64) -> String {
     format!("{value:.places$} %")
 }
 
+/// An exponent: whole where it is.
+#[must_use]
+pub fn exponent(value: f64) -> String {
+    if value.fract() == 0.0 { value.to_string() } else { format!("{value:.2}") }
+}
+
 /// A limit as someone would ask for it.
 #[must_use]
 pub fn limit(limit: f64) -> String {

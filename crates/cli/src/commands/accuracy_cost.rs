@@ -3,8 +3,9 @@
 use super::purpose::Purpose;
 use clap::Args;
 use eigenshade_cli::accuracy_cost::check::{Compared, compare};
+use eigenshade_cli::accuracy_cost::kept::Kept;
 use eigenshade_cli::accuracy_cost::sheet::POINTS;
-use eigenshade_cli::accuracy_cost::{Extent, Measured};
+use eigenshade_cli::accuracy_cost::{Extent, Measured, Times};
 use eigenshade_cli::message::{bar, say};
 use eigenshade_cli::{collision, destination};
 use eigenshade_generator::error::{Error, Result};
@@ -27,6 +28,9 @@ pub struct AccuracyCost {
     /// A part of the settings, surfaces and sizes
     #[arg(long)]
     quick: bool,
+    /// With --out: keep the times of DIR's files, and make the rest anew
+    #[arg(long, conflicts_with_all = ["quick", "check"])]
+    keep_times: bool,
     /// Folder of the project's environment maps
     #[arg(long, value_name = "DIR", default_value = "tables/inputs/maps")]
     maps: PathBuf,
@@ -42,7 +46,16 @@ impl AccuracyCost {
             let numbers = folder.join(POINTS);
             fs::metadata(&numbers).map_err(|error| Error::io(&numbers, &error))?;
         }
-        let extent = Extent { quick: self.quick, timed: self.purpose.out.is_some() };
+        let kept = match &self.purpose.out {
+            Some(out) if self.keep_times => Some(Kept::read(out)?),
+            _ => None,
+        };
+        let times = match &kept {
+            Some(kept) => Times::Kept(kept),
+            None if self.purpose.out.is_some() => Times::Measured,
+            None => Times::None,
+        };
+        let extent = Extent { quick: self.quick, times };
         let progress = bar("settings", 0);
         let measured = Measured::new(extent, &self.maps, &progress);
         progress.finish_and_clear();

@@ -1,15 +1,19 @@
 //! `eigenshade basis`: a table from a scene file.
 
+use super::Memory;
 use clap::Args;
 use eigenshade_cli::compare::{Difference, differences};
 use eigenshade_cli::message::{say, spinner};
 use eigenshade_cli::number::grouped;
 use eigenshade_cli::recorded_errors::manifest_rows;
-use eigenshade_cli::{collision, destination, invocation, table_file};
+use eigenshade_cli::shader::of_higher_order;
+use eigenshade_cli::{albedo, collision, destination, invocation, rounding, table_file};
 use eigenshade_generator::error::{Error, Result};
-use eigenshade_generator::output::write_atomically;
+use eigenshade_generator::estimate::Estimate;
+use eigenshade_generator::output::{writable, write_atomically};
 use eigenshade_generator::scene_file;
 use eigenshade_table::manifest::manifest;
+use eigenshade_table::wire::Format;
 use eigenshade_table::{Table, encode};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -23,6 +27,7 @@ const ERRORS: &str = "errors.csv";
 
 /// The table of a scene: its eigenimages
 ///
+/// Memory and time are estimated first: a table that would take more than --memory is refused.
 /// Where the scene gives a tolerance, what is chosen for it is told on standard error.
 /// --out writes the table and beside it B.manifest.csv, what is in it; errors that
 /// `errors` has recorded in B.errors.csv are repeated there, and refused if they are of
@@ -51,27 +56,35 @@ struct Purpose {
 }
 
 impl Basis {
-    pub fn run(self) -> Result<()> {
+    pub fn run(self, memory: Memory) -> Result<()> {
         if let Some(path) = &self.purpose.out {
             let mut inputs = scene_file::inputs(&self.scene);
             inputs.push(path.with_extension(ERRORS));
             collision::refuse([path, &path.with_extension(MANIFEST)], inputs)?;
+            writable(path)?;
+            writable(&path.with_extension(MANIFEST))?;
         }
         // Read first: a broken table need not wait for a good one.
         let old = match &self.purpose.check {
-            Some(path) => Some((path, table_file::read(path)?)),
+            Some(path) => Some((path, table_file::read(memory.file(path))?)),
             None => None,
         };
         let start = Instant::now();
         let progress = spinner("eigenimages");
-        let loaded = scene_file::load(&self.scene)?;
+        let loaded = scene_file::load(memory.file(&self.scene))?;
+        let estimate = Estimate::of(&loaded);
+        estimate.admit(memory.of_basis()).map_err(|error| error.in_file(&self.scene))?;
+        if let Some(time) = estimate.minutes() {
+            progress.suspend(|| say(format_args!("this takes {time} or less")));
+        }
         let chosen = loaded.chosen();
         progress.finish_and_clear();
-        let (table, choice) = chosen.map_err(|error| error.in_file(&self.scene))?;
-        choice.iter().for_each(say);
+        let (mut table, choice) = chosen.map_err(|error| error.in_file(&self.scene))?;
+        choice.iter().for_each(|choice| choice.to_string().lines().for_each(say));
         if let Some((path, old)) = old {
             return check(&self.scene, path, &old, &table);
         }
+        table.summary.roundings = rounding::measure(&table, &loaded.lights, &loaded.materials);
         let errors = match &self.purpose.out {
             Some(path) => manifest_rows(&path.with_extension(ERRORS), &table, &loaded)?,
             None => String::new(),
@@ -88,6 +101,15 @@ impl Basis {
             let text = text + &errors;
             put(&path.with_extension(MANIFEST), text.as_bytes())?;
         }
+        let database = self.scene.parent().unwrap_or(Path::new("."));
+        let database = database.join(&loaded.scene.material.database);
+        let order = loaded.scene.material.order;
+        let warnings = [
+            of_higher_order(&database, loaded.order_of_file, order),
+            albedo::warning(&loaded.materials),
+            rounding::warning(&table, Format::F32),
+        ];
+        warnings.into_iter().flatten().for_each(say);
         destination::write_text(None, &report(&table, bytes.len(), start.elapsed()))
     }
 }

@@ -12,6 +12,7 @@ use eigenshade_cli::sphere_view::SphereView;
 use eigenshade_cli::{destination, shipped, table_file, truth_image};
 use eigenshade_generator::database::{Lights, Materials, Named};
 use eigenshade_generator::error::{Error, Result};
+use eigenshade_generator::output::writable;
 use std::fmt::Write as _;
 use std::fs;
 use std::path::PathBuf;
@@ -40,6 +41,9 @@ pub struct Demo {
 impl Demo {
     pub fn run(self) -> Result<()> {
         fs::create_dir_all(&self.out).map_err(|error| Error::io(&self.out, &error))?;
+        let [picture, sheet] = ["demo.png", "demo.csv"].map(|name| self.out.join(name));
+        writable(&picture)?;
+        writable(&sheet)?;
         let table = table_file::decode(shipped::TABLE)?;
         let (lights, materials) = shown()?;
         let (lights, materials) = fitted(&table, &lights, &materials);
@@ -67,8 +71,6 @@ impl Demo {
                 trials.push(trial);
             }
         }
-        let picture = self.out.join("demo.png");
-        let sheet = self.out.join("demo.csv");
         demo_sheet::draw(&picture, &view, &trials, materials.entries.len())?;
         destination::write(Some(&sheet), |out| rows(&trials, out))?;
         destination::write_text(None, &aligned(&trials))?;

@@ -1,5 +1,6 @@
 //! `eigenshade eigenvalues`: the spectrum of a table.
 
+use super::Memory;
 use clap::Args;
 use eigenshade_cli::number::exact;
 use eigenshade_cli::rows::Rows;
@@ -22,9 +23,9 @@ pub struct Eigenvalues {
 }
 
 impl Eigenvalues {
-    pub fn run(self) -> Result<()> {
+    pub fn run(self, memory: Memory) -> Result<()> {
         collision::refuse(&self.out, [&self.table])?;
-        let table = table_file::read(&self.table)?;
+        let table = table_file::read(memory.file(&self.table))?;
         let criterion = table.scene.basis.criterion.name();
         destination::write(self.out.as_deref(), |out| {
             let mut rows = Rows::new(out, ["criterion", "index", "m", "eigenvalue"])?;

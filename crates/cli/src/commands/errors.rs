@@ -1,5 +1,6 @@
 //! `eigenshade errors`: a table against direct integration.
 
+use super::Memory;
 use clap::Args;
 use eigenshade_cli::accuracy::{Reference, spacing};
 use eigenshade_cli::median::median;
@@ -52,13 +53,13 @@ pub struct Errors {
 }
 
 impl Errors {
-    pub fn run(self) -> Result<()> {
+    pub fn run(self, memory: Memory) -> Result<()> {
         let named = named_maps(&self.maps)?;
         let of_materials = self.materials.iter().flat_map(|path| material_files::files(path));
         let files = named.iter().map(|(_, map)| map.clone()).chain(of_materials);
         let inputs = [self.table.clone(), self.lights.clone()].into_iter().chain(files);
         collision::refuse(&self.out, inputs)?;
-        let table = table_file::read(&self.table)?;
+        let table = table_file::read(memory.file(&self.table))?;
         let (degree, order) = (table.gram.degree, table.gram.order);
         if table.general.is_some() || !table.has_projection() {
             return Err(Error::new(
@@ -74,7 +75,7 @@ impl Errors {
             )
             .in_file(&self.table));
         }
-        let lights = self.lights_of(&named)?;
+        let lights = self.lights_of(&named, memory)?;
         if lights.degree < degree {
             let found = lights.degree;
             let what = format!("its lights are of degree {found}, the table is of {degree}");
@@ -82,7 +83,7 @@ impl Errors {
         }
         let mut surfaces = Vec::new();
         for path in &self.materials {
-            for source in material_files::read(path)? {
+            for source in material_files::read(memory.file(path))? {
                 match source {
                     Source::Surface(surface) => surfaces.push(surface),
                     Source::Measured(measured) => {
@@ -93,8 +94,10 @@ impl Errors {
                 }
             }
         }
-        let maps: Vec<EnvironmentMap> =
-            named.iter().map(|(_, path)| EnvironmentMap::from_path(path)).collect::<Result<_>>()?;
+        let maps: Vec<EnvironmentMap> = named
+            .iter()
+            .map(|(_, path)| EnvironmentMap::from_path(memory.file(path)))
+            .collect::<Result<_>>()?;
         let maps = Surroundings::new(&maps)?;
         let mut sums = vec![(degree, order)];
         sums.extend(OTHERS.iter().filter(|&&size| size <= lights.degree).map(|&s| (s, s)));
@@ -147,8 +150,8 @@ impl Errors {
     }
 
     /// The lights of the maps, in their order.
-    fn lights_of(&self, named: &[(String, PathBuf)]) -> Result<Lights> {
-        let all = read_lights(&self.lights, None)?;
+    fn lights_of(&self, named: &[(String, PathBuf)], memory: Memory) -> Result<Lights> {
+        let all = read_lights(memory.file(&self.lights), None)?;
         let find = |(name, _): &(String, PathBuf)| {
             all.entries.iter().find(|light| light.name == *name).cloned().ok_or_else(|| {
                 let what = format!("no light is called as the map `{name}`");

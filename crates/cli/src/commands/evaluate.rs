@@ -1,5 +1,6 @@
 //! `eigenshade evaluate`: the paper's functions at given points.
 
+use super::Memory;
 use super::evaluate_functions::Function;
 use clap::Args;
 use eigenshade_cli::number::exact;
@@ -28,12 +29,12 @@ pub struct Evaluate {
 }
 
 impl Evaluate {
-    pub fn run(self) -> Result<()> {
+    pub fn run(self, memory: Memory) -> Result<()> {
         collision::refuse(&self.out, [&self.points])?;
         let function = self.function;
         let (indices, arguments) = function.columns();
         let columns = [indices, arguments].concat().join(",");
-        let sheet = Sheet::read(&self.points, &columns)?;
+        let sheet = Sheet::read(memory.file(&self.points), &columns)?;
         let places = |names: &[&str]| -> Result<Vec<usize>> {
             let places = names.iter().map(|name| sheet.column(name)).collect::<Option<_>>();
             places.ok_or_else(|| sheet.wrong_header(&format!("`{columns}`")))
@@ -62,5 +63,9 @@ impl Evaluate {
 fn value(function: Function, row: Row<'_>, indices: &[usize], arguments: &[usize]) -> Result<f64> {
     let indices = indices.iter().map(|&place| row.integer(place)).collect::<Result<Vec<_>>>()?;
     let arguments = arguments.iter().map(|&place| row.number(place)).collect::<Result<Vec<_>>>()?;
-    function.value(&indices, &arguments).map_err(|(what, remedy)| row.fault(what, remedy))
+    let value = function.value(&indices, &arguments);
+    match value.map_err(|(what, remedy)| row.fault(what, remedy))? {
+        value if value.is_finite() => Ok(value),
+        value => Err(row.fault(format!("the value is {value}"), "keep to smaller indices")),
+    }
 }

@@ -1,9 +1,11 @@
 //! `eigenshade info`: what is in a table.
 
+use super::Memory;
 use clap::Args;
+use eigenshade_cli::message::printable;
 use eigenshade_cli::number::grouped;
 use eigenshade_cli::{destination, table_file, wire_file};
-use eigenshade_generator::error::{Error, Result};
+use eigenshade_generator::error::Result;
 use eigenshade_table::Table;
 use eigenshade_table::manifest::manifest;
 use eigenshade_table::scene::{Cut, Store};
@@ -22,8 +24,8 @@ pub struct Info {
 }
 
 impl Info {
-    pub fn run(self) -> Result<()> {
-        let bytes = std::fs::read(&self.table).map_err(|error| Error::io(&self.table, &error))?;
+    pub fn run(self, memory: Memory) -> Result<()> {
+        let bytes = memory.file(&self.table).bytes()?;
         let text = if wire_file::is_one(&bytes) {
             wire_file::description(&bytes)
         } else {
@@ -65,7 +67,7 @@ fn description(table: &Table) -> String {
     ];
     let mut text = String::new();
     for (what, value) in lines {
-        let _ = writeln!(text, "{what:<24} {value}");
+        let _ = writeln!(text, "{what:<24} {}", printable(&value));
     }
     for line in manifest(table, "").lines().skip(2) {
         let mut fields = line.split(',');
@@ -75,7 +77,7 @@ fn description(table: &Table) -> String {
         let bytes = fields.next().and_then(|bytes| bytes.parse().ok());
         let _ = match bytes {
             Some(bytes) => writeln!(text, "{entry:<24} {:>9} bytes", grouped(bytes)),
-            None => writeln!(text, "{entry:<24} {value}"),
+            None => writeln!(text, "{entry:<24} {}", printable(value)),
         };
     }
     text

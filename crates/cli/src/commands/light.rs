@@ -1,6 +1,6 @@
 //! `eigenshade light`: environment maps to spherical harmonics.
 
-use super::count;
+use super::{Memory, count};
 use clap::{Args, ValueEnum};
 use eigenshade_cli::message::{bar, say};
 use eigenshade_cli::{collision, destination, invocation};
@@ -49,16 +49,16 @@ enum Convention {
 }
 
 impl Light {
-    pub fn run(self) -> Result<()> {
+    pub fn run(self, memory: Memory) -> Result<()> {
         let lights = match self.maps.as_slice() {
             [file] if is_csv(file) => {
                 collision::refuse(&self.out, [file])?;
-                exchanged(&read_lights(file, Some(self.degree))?)
+                exchanged(&read_lights(memory.file(file), Some(self.degree))?)
             }
             maps => {
                 let files = files(maps)?;
                 collision::refuse(&self.out, files.iter().map(|(_, path)| path))?;
-                let lights = projected(files, self.degree)?;
+                let lights = projected(files, self.degree, memory)?;
                 match self.convention {
                     Convention::Paper => lights,
                     Convention::Graphics => exchanged(&lights),
@@ -89,11 +89,11 @@ fn files(maps: &[PathBuf]) -> Result<Vec<(String, PathBuf)>> {
 }
 
 /// The lights of the maps, as the shipped files hold them.
-fn projected(files: Vec<(String, PathBuf)>, degree: usize) -> Result<Lights> {
+fn projected(files: Vec<(String, PathBuf)>, degree: usize, memory: Memory) -> Result<Lights> {
     let progress = bar("maps", files.len());
     let mut entries = Vec::new();
     for (name, path) in files {
-        let map = EnvironmentMap::from_path(&path)?;
+        let map = EnvironmentMap::from_path(memory.file(&path))?;
         let share = map.negative_integral().negative_share();
         progress.suspend(|| report(&name, &path, &map, share));
         entries.push(Named { name, rgb: project(&map, degree) });

@@ -1,15 +1,15 @@
 //! `eigenshade material`: BRDFs, measured, tabulated or formulas, to coefficients.
 
-use super::count;
 use super::material_formula::{Formula, Nearness};
+use super::{Memory, count};
 use clap::Args;
 use eigenshade_cli::message::{bar, say};
-use eigenshade_cli::{collision, destination, invocation, parallel};
+use eigenshade_cli::{albedo, collision, destination, invocation, parallel};
 use eigenshade_generator::brdf::{Measure, Projected};
 use eigenshade_generator::database::{Materials, Named};
 use eigenshade_generator::error::{Error, Result};
 use eigenshade_generator::inputs::coefficient_csv::write_materials;
-use eigenshade_generator::inputs::fit::{Fit, fit, write_figures};
+use eigenshade_generator::inputs::fit::{Fit, LOWEST, fit, write_figures};
 use eigenshade_generator::inputs::material_files::{self, Source};
 use std::collections::HashSet;
 use std::io::Write;
@@ -50,7 +50,7 @@ pub struct Material {
 }
 
 impl Material {
-    pub fn run(self) -> Result<()> {
+    pub fn run(self, memory: Memory) -> Result<()> {
         let (sources, order, measure, out) = match self.formula {
             Some(formula) => {
                 let (surface, answer) = formula.surface()?;
@@ -61,11 +61,12 @@ impl Material {
                 collision::refuse([&self.out, &self.report].into_iter().flatten(), inputs)?;
                 let mut sources = Vec::new();
                 for path in &self.paths {
-                    sources.extend(material_files::read(path)?);
+                    sources.extend(material_files::read(memory.file(path))?);
                 }
                 (sources, self.order.unwrap_or_default(), self.measure, self.out)
             }
         };
+        let negative = negative_values(&sources);
         let (materials, fits) = coefficients(sources, order, measure.into())?;
         let by_command = |out: &mut dyn Write, is_file: bool| {
             if is_file {
@@ -78,12 +79,14 @@ impl Material {
             by_command(to, out.is_some())?;
             write_materials(&materials, to)
         })?;
-        self.report.as_deref().map_or(Ok(()), |path| {
+        if let Some(path) = &self.report {
             destination::write(Some(path), |out| {
                 by_command(out, true)?;
                 write_figures(&fits, out)
-            })
-        })
+            })?;
+        }
+        albedo::warning(&materials).into_iter().chain(negative).for_each(say);
+        Ok(())
     }
 }
 
@@ -131,6 +134,25 @@ fn coefficients(
         .filter_map(|is_fit| if is_fit { fitted.next() } else { others.next() })
         .collect();
     Ok((Materials { order, entries }, fits))
+}
+
+/// A line that warns of measurements below zero by more than a fit may be.
+fn negative_values(sources: &[Source]) -> Option<String> {
+    let range = |source: &Source| {
+        let Source::Measured(measured) = source else { return None };
+        let values = measured.samples.iter().flat_map(|sample| sample.rgb);
+        let (lowest, highest) = values.fold((0.0f64, 0.0f64), |(a, b), v| (a.min(v), b.max(v)));
+        (lowest < LOWEST * highest).then(|| (measured.name.clone(), lowest, highest))
+    };
+    let found: Vec<(String, f64, f64)> = sources.iter().filter_map(range).collect();
+    let (name, lowest, highest) =
+        found.iter().min_by(|a, b| (a.1 / a.2).total_cmp(&(b.1 / b.2)))?;
+    let (count, all) = (found.len(), sources.len());
+    Some(format!(
+        "warning: material `{name}` has measurements down to {lowest:.4}, where the largest is \
+         {highest:.4} ({count} of {all} materials are as negative): no BRDF is below zero but for \
+         noise"
+    ))
 }
 
 fn fit_line(fit: &Fit) -> String {

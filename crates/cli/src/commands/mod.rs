@@ -12,6 +12,7 @@ mod info;
 mod light;
 mod material;
 mod material_formula;
+mod memory;
 mod pack;
 mod paper;
 mod project;
@@ -26,6 +27,7 @@ mod shade_options;
 
 use clap::Subcommand;
 use eigenshade_generator::error::Result;
+pub use memory::Memory;
 
 /// What the program can do.
 #[derive(Debug, Subcommand)]
@@ -50,22 +52,22 @@ pub enum Command {
 
 impl Command {
     /// Does it.
-    pub fn run(self) -> Result<()> {
+    pub fn run(self, memory: Memory) -> Result<()> {
         match self {
             Self::Demo(command) => command.run(),
-            Self::Light(command) => command.run(),
-            Self::Material(command) => command.run(),
-            Self::Basis(command) => command.run(),
-            Self::Errors(command) => command.run(),
-            Self::Pack(command) => command.run(),
-            Self::Info(command) => command.run(),
-            Self::Eigenvalues(command) => command.run(),
-            Self::Project(command) => command.run(),
-            Self::Shade(command) => command.run(),
-            Self::Render(command) => command.run(),
-            Self::Read(command) => command.run(),
+            Self::Light(command) => command.run(memory),
+            Self::Material(command) => command.run(memory),
+            Self::Basis(command) => command.run(memory),
+            Self::Errors(command) => command.run(memory),
+            Self::Pack(command) => command.run(memory),
+            Self::Info(command) => command.run(memory),
+            Self::Eigenvalues(command) => command.run(memory),
+            Self::Project(command) => command.run(memory),
+            Self::Shade(command) => command.run(memory),
+            Self::Render(command) => command.run(memory),
+            Self::Read(command) => command.run(memory),
             Self::ReadReport(command) => command.run(),
-            Self::Evaluate(command) => command.run(),
+            Self::Evaluate(command) => command.run(memory),
             Self::Paper(command) => command.run(),
             Self::AccuracyCost(command) => command.run(),
         }

@@ -1,8 +1,10 @@
 //! `eigenshade pack`: a table as a wire file.
 
+use super::Memory;
 use clap::{Args, ValueEnum};
+use eigenshade_cli::message::say;
 use eigenshade_cli::number::grouped;
-use eigenshade_cli::{collision, destination, table_file};
+use eigenshade_cli::{collision, destination, rounding, table_file};
 use eigenshade_generator::error::{Error, Result};
 use eigenshade_table::quantise;
 use eigenshade_table::wire::{self, Endian};
@@ -36,9 +38,9 @@ enum Format {
 }
 
 impl Pack {
-    pub fn run(self) -> Result<()> {
+    pub fn run(self, memory: Memory) -> Result<()> {
         collision::refuse([&self.out], [&self.table])?;
-        let table = table_file::read(&self.table)?;
+        let table = table_file::read(memory.file(&self.table))?;
         let format = match self.format {
             Format::F32 => wire::Format::F32,
             Format::Q15 => wire::Format::Integer(quantise::Format::Q15),
@@ -53,6 +55,14 @@ impl Pack {
         destination::write(Some(&self.out), |out| {
             out.write_all(&bytes).map_err(|error| destination::fault(&error))
         })?;
-        destination::write_text(None, &format!("{:<12} {}\n", "bytes", grouped(bytes.len())))
+        let mut text = format!("{:<12} {}\n", "bytes", grouped(bytes.len()));
+        if let Some(one) = table.rounding(format) {
+            text += &format!(
+                "{:<12} {:.1e} of the peak at most, rms {:.1e}\n",
+                "error", one.largest, one.rms
+            );
+        }
+        rounding::warning(&table, format).iter().for_each(say);
+        destination::write_text(None, &text)
     }
 }

@@ -1,12 +1,13 @@
 //! `eigenshade project`: coefficients of images in a table's eigenimages.
 
-use super::count;
+use super::{Memory, count};
 use clap::Args;
+use eigenshade_cli::message::say;
 use eigenshade_cli::number::exact;
 use eigenshade_cli::owned_basis::OwnedBasis;
 use eigenshade_cli::rows::Rows;
-use eigenshade_cli::shader::{Shader, fault, fitted};
-use eigenshade_cli::{collision, destination, table_file};
+use eigenshade_cli::shader::{Shader, fault, fitted, of_higher_order};
+use eigenshade_cli::{albedo, collision, destination, overflow, table_file};
 use eigenshade_generator::error::Result;
 use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
 use std::path::PathBuf;
@@ -36,15 +37,15 @@ pub struct Project {
 }
 
 impl Project {
-    pub fn run(self) -> Result<()> {
+    pub fn run(self, memory: Memory) -> Result<()> {
         collision::refuse(&self.out, [&self.table, &self.lights, &self.materials])?;
-        let table = table_file::read(&self.table)?;
+        let table = table_file::read(memory.file(&self.table))?;
         let components = table_file::components(&table, self.components, &self.table)?;
-        let (lights, materials) = fitted(
-            &table,
-            &read_lights(&self.lights, None)?,
-            &read_materials(&self.materials, None)?,
-        );
+        let lights = read_lights(memory.file(&self.lights), None)?;
+        let materials = read_materials(memory.file(&self.materials), None)?;
+        let higher = of_higher_order(&self.materials, materials.order, table.gram.order);
+        let warnings = higher.into_iter().chain(albedo::warning(&materials));
+        let (lights, materials) = fitted(&table, &lights, &materials);
         let basis = OwnedBasis::<f64>::new(&table);
         let mut shader =
             Shader::new(basis.any().map_err(fault)?, components).with_folded(basis.folded());
@@ -54,9 +55,10 @@ impl Project {
             for light in &lights.entries {
                 for material in &materials.entries {
                     let mut channel = |c: usize| -> Result<Vec<f64>> {
-                        let light = (lights.degree, light.rgb[c].as_slice());
-                        let material = (materials.order, material.rgb[c].as_slice());
-                        Ok(shader.project(light, material)?.to_vec())
+                        let of_light = (lights.degree, light.rgb[c].as_slice());
+                        let of_material = (materials.order, material.rgb[c].as_slice());
+                        let d = shader.project(of_light, of_material).map(<[f64]>::to_vec);
+                        d.map_err(|error| error.of(overflow::pair(light, material)))
                     };
                     let (red, green, blue) = (channel(0)?, channel(1)?, channel(2)?);
                     for (index, ((r, g), b)) in red.iter().zip(&green).zip(&blue).enumerate() {
@@ -66,6 +68,8 @@ impl Project {
                 }
             }
             rows.finish()
-        })
+        })?;
+        warnings.for_each(say);
+        Ok(())
     }
 }

@@ -1,19 +1,22 @@
 //! `eigenshade read`: components, light and material from an image.
 
-use super::count;
 use super::read_answer::{self, Answer};
+use super::{Memory, count};
 use clap::Args;
 use eigenshade_cli::image_reading::Reader;
 use eigenshade_cli::linear_image::{LinearImage, Transfer};
 use eigenshade_cli::message::say;
-use eigenshade_cli::shader::fitted;
-use eigenshade_cli::{collision, destination, pixel_mask, pixel_normals, shipped, table_file};
+use eigenshade_cli::shader::{fitted, of_higher_order};
+use eigenshade_cli::{
+    collision, destination, pixel_mask, pixel_normals, rounding, shipped, table_file,
+};
 use eigenshade_generator::database::{Lights, Materials};
 use eigenshade_generator::error::{Error, Result};
 use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_generator::reading::eigenimage_values::EigenimageValues;
 use eigenshade_generator::reading::observation::{Observation, Observer};
 use eigenshade_table::Table;
+use eigenshade_table::wire::Format;
 use std::path::{Path, PathBuf};
 
 /// The largest value of an image: its square, times any number of pixels, is a number.
@@ -78,13 +81,19 @@ fn positive(text: &str) -> std::result::Result<f64, String> {
 }
 
 impl Read {
-    pub fn run(self) -> Result<()> {
-        let table = table_file::read(&self.table)?;
+    pub fn run(self, memory: Memory) -> Result<()> {
+        let table = table_file::read(memory.file(&self.table))?;
         self.outputs_are_apart(&table)?;
         self.served(&table)?;
         let components = table_file::components(&table, self.components, &self.table)?;
-        let (lights, lights_stand_in) = self.lights(&table)?;
-        let (materials, materials_stand_in) = self.materials(&table)?;
+        let (lights, lights_stand_in) = self.lights(&table, memory)?;
+        let (materials, materials_stand_in) = self.materials(&table, memory)?;
+        let path = match &self.materials {
+            Some(path) => Ok(path.clone()),
+            None => self.beside(&table.scene.material.database),
+        };
+        let warning =
+            path.ok().and_then(|path| of_higher_order(&path, materials.order, table.gram.order));
         let (lights, materials) = fitted(&table, &lights, &materials);
         let reader = Reader::new(&table, components, &lights, &materials)?;
         if (lights_stand_in || materials_stand_in) && !reader.is_of_the_database() {
@@ -98,13 +107,13 @@ impl Read {
             return Err(Error::new(what, remedy).in_file(&self.table));
         }
 
-        let image = LinearImage::read(&self.image, self.transfer)?;
-        let grey = image.is_grey();
-        let (observation, told) = self.observe(&table, components, &image, grey)?;
+        let image = LinearImage::read(memory.file(&self.image), self.transfer)?;
+        let (observation, told) = self.observe(&table, components, &image, memory)?;
         let reading = reader.read(&observation, self.noise)?;
 
         let answer = Answer { reading: &reading, observation: &observation, materials: &materials };
         self.write(&answer)?;
+        warning.iter().chain(&rounding::warning(&table, Format::F32)).for_each(say);
         say(told);
         read_answer::summarise(&answer);
         Ok(())
@@ -165,13 +174,13 @@ impl Read {
 
     /// The lights that are given, or those of the table's scene; and whether shipped ones
     /// stand in for these.
-    fn lights(&self, table: &Table) -> Result<(Lights, bool)> {
+    fn lights(&self, table: &Table, memory: Memory) -> Result<(Lights, bool)> {
         let count = table.summary.lights;
         if let Some(path) = &self.lights {
-            return Ok((read_lights(path, None)?, false));
+            return Ok((read_lights(memory.file(path), None)?, false));
         }
         match self.beside(&table.scene.light.database) {
-            Ok(path) => Ok((read_lights(path, None)?, false)),
+            Ok(path) => Ok((read_lights(memory.file(path), None)?, false)),
             Err(missing) => shipped::lights()
                 .ok()
                 .filter(|lights| lights.entries.len() == count)
@@ -182,14 +191,14 @@ impl Read {
 
     /// The materials that are given, or those that the table's scene means; and whether
     /// shipped ones stand in for these.
-    fn materials(&self, table: &Table) -> Result<(Materials, bool)> {
+    fn materials(&self, table: &Table, memory: Memory) -> Result<(Materials, bool)> {
         if let Some(path) = &self.materials {
-            return Ok((read_materials(path, None)?, false));
+            return Ok((read_materials(memory.file(path), None)?, false));
         }
         let scene = &table.scene.material;
         let beside = self.beside(&scene.database);
         let Materials { order, mut entries } = match &beside {
-            Ok(path) => read_materials(path, None)?,
+            Ok(path) => read_materials(memory.file(path), None)?,
             Err(_) => shipped::materials()?,
         };
         if !scene.names.is_empty() {
@@ -216,17 +225,17 @@ impl Read {
         table: &Table,
         components: usize,
         image: &LinearImage,
-        grey: bool,
+        memory: Memory,
     ) -> Result<(Observation, String)> {
         let count = image.pixels.len();
         let mask = match &self.mask {
-            Some(path) => pixel_mask::read(path, image.size, count)?,
+            Some(path) => pixel_mask::read(memory.file(path), image.size, count)?,
             None => vec![1.0; count],
         };
         let counts: Vec<bool> =
             image.weights.iter().zip(&mask).map(|(weight, mask)| weight * mask > 0.0).collect();
-        let normals = pixel_normals::read(&self.normals, image.size, &counts)?;
-        let channels = if grey { 1 } else { 3 };
+        let normals = pixel_normals::read(memory.file(&self.normals), image.size, &counts)?;
+        let channels = if image.is_grey() { 1 } else { 3 };
         let values = EigenimageValues::new(table, components);
         let mut observer = Observer::new(values, channels);
         let (mut without_normal, mut masked, mut unusable) = (0, 0, 0);

@@ -6,7 +6,7 @@ use eigenshade_cli::message::say;
 use eigenshade_cli::number::exact;
 use eigenshade_cli::rows::Rows;
 use eigenshade_generator::database::{Lights, Materials, Named};
-use eigenshade_generator::error::Result;
+use eigenshade_generator::error::{Error, Result};
 use eigenshade_generator::inputs::coefficient_csv::write_lights;
 use eigenshade_generator::reading::modes::ModeCoefficients;
 use eigenshade_generator::reading::observation::Observation;
@@ -117,7 +117,9 @@ impl Answer<'_> {
                     let value = |channel: usize| c[channel.min(c.len() - 1)].values[(row, column)];
                     let mut fields = vec![name.to_owned(), l.to_string(), m.to_string()];
                     fields.extend([o, p, q].map(|index| index.to_string()));
-                    fields.extend([0, 1, 2].map(|channel| exact(value(channel))));
+                    for channel in 0..3 {
+                        fields.push(exact(finite(name, value(channel))?));
+                    }
                     rows.row(&fields)?;
                 }
             }
@@ -141,6 +143,11 @@ struct Tidy<'a>(Rows<'a>);
 impl Tidy<'_> {
     /// One value for each channel, or one for all.
     fn row(&mut self, quantity: &str, name: &str, index: usize, values: &[f64]) -> Result<()> {
+        // By definition so of a rank that is not full, and of an image of one value.
+        let is_measure = name == "condition" || quantity == "relative-residual";
+        for &value in values.iter().filter(|value| !(is_measure && **value == f64::INFINITY)) {
+            finite(quantity, value)?;
+        }
         let value = |channel: usize| exact(values[channel.min(values.len() - 1)]);
         let [r, g, b] = [0, 1, 2].map(value);
         self.0.row([quantity, name, &index.to_string(), &r, &g, &b])
@@ -154,6 +161,15 @@ impl Tidy<'_> {
         }
         Ok(())
     }
+}
+
+/// Refuses a result that is no number.
+fn finite(what: &str, value: f64) -> Result<f64> {
+    if value.is_finite() {
+        return Ok(value);
+    }
+    let remedy = "scale the image, the lights and the materials towards 1";
+    Err(Error::new(format!("the result `{what}` is {value}"), remedy))
 }
 
 /// A few lines on standard error.

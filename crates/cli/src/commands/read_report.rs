@@ -36,7 +36,7 @@ pub struct ReadReport {
 
 impl ReadReport {
     pub fn run(self) -> Result<()> {
-        let table = table_file::read(&self.tables.join("sphere.bin"))?;
+        let table = table_file::read(self.tables.join("sphere.bin"))?;
         let (degree, order) = (table.gram.degree, table.gram.order);
         let lights = read_lights(self.tables.join("inputs/lights.csv"), None)?.truncated(degree);
         let materials =

@@ -1,18 +1,21 @@
 //! `eigenshade render`: a picture of a sphere.
 
-use super::count;
-use clap::Args;
+use super::{Memory, count};
+use clap::{Args, ValueEnum};
+use eigenshade::Scalar;
 use eigenshade_cli::message::say;
 use eigenshade_cli::named::Choice;
 use eigenshade_cli::owned_basis::OwnedBasis;
-use eigenshade_cli::shader::{OwnedNormals, Shader, fault, fitted};
+use eigenshade_cli::ringing::Ringing;
+use eigenshade_cli::shader::{OwnedNormals, Shader, fault, fitted, of_higher_order};
 use eigenshade_cli::sphere_view::SphereView;
 use eigenshade_cli::tone::{exposure, srgb};
-use eigenshade_cli::{collision, picture, table_file};
+use eigenshade_cli::{albedo, collision, overflow, picture, rounding, table_file};
 use eigenshade_generator::database::{Lights, Materials};
 use eigenshade_generator::error::Result;
 use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_table::scene::Geometry;
+use eigenshade_table::{Table, wire};
 use std::path::{Path, PathBuf};
 
 /// The share of the picture's values that the exposure leaves unclipped.
@@ -36,44 +39,77 @@ pub struct Render {
     /// Pixels across, 2 to 8192
     #[arg(long, value_name = "N", default_value = "512", value_parser = count(2, 8192))]
     size: usize,
+    /// Number format
+    #[arg(long, value_enum, default_value_t = Format::F32)]
+    format: Format,
     /// Where the picture goes
     #[arg(long, value_name = "F.png")]
     out: PathBuf,
 }
 
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Format {
+    F64,
+    F32,
+}
+
 impl Render {
-    pub fn run(self) -> Result<()> {
+    pub fn run(self, memory: Memory) -> Result<()> {
         let (light, material) = (Choice::new(&self.light), Choice::new(&self.material));
         collision::refuse([&self.out], [&self.table, &light.path, &material.path])?;
-        let table = table_file::read(&self.table)?;
-        let Lights { degree, entries } = read_lights(&light.path, None)?;
+        let table = table_file::read(memory.file(&self.table))?;
+        let Lights { degree, entries } = read_lights(memory.file(&light.path), None)?;
         let lights = Lights { degree, entries: vec![light.of(entries)?] };
-        let Materials { order, entries } = read_materials(&material.path, None)?;
+        let Materials { order, entries } = read_materials(memory.file(&material.path), None)?;
         let materials = Materials { order, entries: vec![material.of(entries)?] };
+        let higher = of_higher_order(&material.path, order, table.gram.order);
+        let rounded = match self.format {
+            Format::F32 => rounding::warning(&table, wire::Format::F32),
+            Format::F64 => None,
+        };
+        let warnings = [higher, albedo::warning(&materials), rounded].into_iter().flatten();
         let (lights, materials) = fitted(&table, &lights, &materials);
-        let basis = OwnedBasis::<f32>::new(&table);
-        let mut shader =
-            Shader::new(basis.any().map_err(fault)?, table.count()).with_folded(basis.folded());
         let view = SphereView::new(self.size);
-        let normals = OwnedNormals::new(&view.normals);
-        let light = (lights.degree, &lights.entries[0]);
-        let image = shader.colour(light, (materials.order, &materials.entries[0]), &normals)?;
-        let values = image.iter().flatten().map(|&value| f64::from(value)).collect();
+        let image = match self.format {
+            Format::F32 => shaded::<f32>(&table, &lights, &materials, &view),
+            Format::F64 => shaded::<f64>(&table, &lights, &materials, &view),
+        }?;
+        let values: Vec<f64> = image.iter().flatten().copied().collect();
+        let least = values.iter().copied().fold(f64::INFINITY, f64::min);
+        let largest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let mut ringing = Ringing::default();
+        let pair = || overflow::pair(&lights.entries[0], &materials.entries[0]);
+        ringing.see(pair, least, largest);
         let exposure = exposure(values, UNCLIPPED);
         let mut bytes = vec![0; 4 * self.size * self.size];
         for (k, pixel) in view.pixels.iter().enumerate() {
             let start = 4 * (pixel.row * self.size + pixel.column);
             for (channel, byte) in image.iter().zip(&mut bytes[start..]) {
-                *byte = srgb(exposure * f64::from(channel[k]));
+                *byte = srgb(exposure * channel[k]);
             }
             bytes[start + 3] = (255.0 * pixel.coverage).round() as u8;
         }
         picture::write(&self.out, self.size, self.size, &bytes)?;
-        if let Some(note) = note(&self.table, &table.scene.geometry) {
-            say(note);
-        }
+        let note = note(&self.table, &table.scene.geometry);
+        note.into_iter().chain(warnings).chain(ringing.note()).for_each(say);
         Ok(())
     }
+}
+
+/// The three channels of the first light on the first material.
+fn shaded<S: Scalar + Into<f64>>(
+    table: &Table,
+    lights: &Lights,
+    materials: &Materials,
+    view: &SphereView,
+) -> Result<[Vec<f64>; 3]> {
+    let basis = OwnedBasis::<S>::new(table);
+    let mut shader =
+        Shader::new(basis.any().map_err(fault)?, table.count()).with_folded(basis.folded());
+    let normals = OwnedNormals::new(&view.normals);
+    let light = (lights.degree, &lights.entries[0]);
+    let image = shader.colour(light, (materials.order, &materials.entries[0]), &normals)?;
+    Ok(image.map(|channel| channel.into_iter().map(Into::into).collect()))
 }
 
 /// What a picture of a sphere leaves unsaid if the table at `path` is of another object.

@@ -1,7 +1,7 @@
 //! `eigenshade shade`: the irradiance of given normals.
 
-use super::count;
 use super::shade_options::{angles, effect, tolerance, width};
+use super::{Memory, count};
 use clap::{Args, ValueEnum};
 use eigenshade::mathematics::Libm;
 use eigenshade::{Economy, Effect, Effects, Negatives, Q15, Q31, Scalar, Tolerance, Window};
@@ -10,15 +10,18 @@ use eigenshade_cli::message::{bar, say};
 use eigenshade_cli::number::exact;
 use eigenshade_cli::owned_basis::OwnedBasis;
 use eigenshade_cli::owned_quantised::Integer;
+use eigenshade_cli::ringing::Ringing;
 use eigenshade_cli::rows::Rows;
-use eigenshade_cli::shader::{Lit, LookUp, OwnedNormals, Shader, fault, fitted};
-use eigenshade_cli::{collision, destination, economy, table_file, truth_image, wire_file};
+use eigenshade_cli::shader::{Lit, LookUp, OwnedNormals, Shader, fault, fitted, of_higher_order};
+use eigenshade_cli::{
+    albedo, collision, destination, economy, overflow, rounding, table_file, truth_image, wire_file,
+};
 use eigenshade_generator::database::{Lights, Materials, Named};
 use eigenshade_generator::error::{Error, Result};
 use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_generator::inputs::normals::read_normals;
 use eigenshade_generator::rotation::Rotation;
-use eigenshade_table::Table;
+use eigenshade_table::{Table, quantise, wire};
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -52,7 +55,8 @@ pub struct Shade {
     /// Turns the light by Rz(A) Ry(B) Rz(C), radians
     #[arg(long, value_name = "A,B,C", value_parser = angles, allow_hyphen_values = true)]
     rotate: Option<Rotation>,
-    /// Of the method table: knots of each azimuth, 8 to 65536 [default: the scene's, or 128]
+    /// Of the method table: knots of each azimuth, 8 to 65536 [default: the scene's, or 64 times
+    /// the degree, rounded up to a power of two]
     #[arg(long, value_name = "N", value_parser = count(8, 65_536))]
     knots: Option<usize>,
     /// Of the method baked: texels a side, 2 to 4096 [default: 64]
@@ -68,9 +72,9 @@ pub struct Shade {
     effects: Vec<Effect>,
     /// Of the method polynomial in f32 or f64: the fewest terms, the same for a colour's channels,
     /// that are within this share of the brightest channel's peak (1e-3), or so many decibels
-    /// below it (60dB), rms over a sphere. Of the image of the components in use: what those lack
+    /// below it (60dB), rms over a picture of a sphere. Of the image of the components in use: what those lack
     /// comes besides
-    #[arg(long, value_name = "T", value_parser = tolerance)]
+    #[arg(long, value_name = "T", value_parser = tolerance, allow_negative_numbers = true)]
     tolerance: Option<Tolerance<f64>>,
     /// Weakens degree l of the light by sinc^4, (sin x / x)^4 with x = pi l / W; nothing is
     /// left from degree W on
@@ -124,10 +128,12 @@ struct Work {
     components: usize,
     effects: Effects,
     tolerance: Option<Tolerance<f64>>,
+    /// What the number format may cost, as a share of the peak.
+    rounding: f64,
 }
 
 impl Shade {
-    pub fn run(self) -> Result<()> {
+    pub fn run(self, memory: Memory) -> Result<()> {
         let is_integer = matches!(self.format, Some(Format::Q31 | Format::Q15));
         if self.method == Method::Modes && !matches!(self.format, None | Some(Format::F64)) {
             let what = "the method modes is in f64 only";
@@ -143,7 +149,7 @@ impl Shade {
         }
         let inputs = [&self.table, &self.lights, &self.materials, &self.normals];
         collision::refuse(&self.out, inputs)?;
-        let table = table_file::read(&self.table)?;
+        let table = table_file::read(memory.file(&self.table))?;
         let effects = self.wanted(&table)?;
         if self.rotate.is_some() && !table.scene.effects.rotation {
             let what = "the table is for light that does not turn: effects.rotation = false";
@@ -156,13 +162,13 @@ impl Shade {
             let what = "integers shade all effects of their table";
             return Err(Error::new(what, "make a table of those effects, or take --format f32"));
         }
-        let way = self.way(table.scene.basis.knots)?;
+        let way = self.way(table.scene.basis.knots, table.gram.degree)?;
         let components = table_file::components(&table, self.components, &self.table)?;
-        let (mut lights, materials) = fitted(
-            &table,
-            &read_lights(&self.lights, None)?,
-            &read_materials(&self.materials, None)?,
-        );
+        let lights = read_lights(memory.file(&self.lights), None)?;
+        let materials = read_materials(memory.file(&self.materials), None)?;
+        let higher = of_higher_order(&self.materials, materials.order, table.gram.order);
+        let warnings = higher.into_iter().chain(albedo::warning(&materials));
+        let (mut lights, materials) = fitted(&table, &lights, &materials);
         if let Some(rotation) = self.rotate {
             let degree = lights.degree;
             for channel in lights.entries.iter_mut().flat_map(|entry| &mut entry.rgb) {
@@ -175,13 +181,18 @@ impl Shade {
                 window.apply::<Libm>(channel);
             }
         }
-        let normals = read_normals(&self.normals)?;
+        let warnings = warnings.chain(self.stored().and_then(|one| rounding::warning(&table, one)));
+        let normals = read_normals(memory.file(&self.normals))?;
         let tolerance = self.tolerance;
-        let work = Work { table, lights, materials, normals, components, effects, tolerance };
+        let rounding = self.stored().and_then(|format| table.rounding(format));
+        let rounding = rounding.map_or(0.0, |rounding| rounding.largest);
+        let work =
+            Work { table, lights, materials, normals, components, effects, tolerance, rounding };
         let negatives = if self.clamp { Negatives::Clamped } else { Negatives::Kept };
-        let mut least = f64::INFINITY;
+        let (mut least, mut ringing) = (f64::INFINITY, Ringing::default());
         destination::write(self.out.as_deref(), |out| {
-            let mut rows = Output { rows: header(out)?, negatives, least: &mut least };
+            let ringing = &mut ringing;
+            let mut rows = Output { rows: header(out)?, negatives, least: &mut least, ringing };
             match (self.method, self.format) {
                 (Method::Modes, _) => work.modes(&mut rows),
                 (_, Some(Format::F64)) => work.shade::<f64>(way, &mut rows),
@@ -194,7 +205,20 @@ impl Shade {
         if self.clamp && least < 0.0 {
             say(format_args!("least irradiance {}, clamped", exact(least)));
         }
+        // Some of the effects alone may well be negative.
+        let note = ringing.note().filter(|_| self.effects.is_empty());
+        warnings.chain(note).for_each(say);
         Ok(())
+    }
+
+    /// The format that the table's numbers are rounded to, if they are.
+    fn stored(&self) -> Option<wire::Format> {
+        match (self.method, self.format) {
+            (Method::Modes, _) | (_, Some(Format::F64)) => None,
+            (_, None | Some(Format::F32)) => Some(wire::Format::F32),
+            (_, Some(Format::Q31)) => Some(wire::Format::Integer(quantise::Format::Q31)),
+            (_, Some(Format::Q15)) => Some(wire::Format::Integer(quantise::Format::Q15)),
+        }
     }
 
     /// The effects that are asked for and that the table has.
@@ -210,7 +234,7 @@ impl Shade {
     }
 
     /// How a pixel is had: options that belong to another method are errors.
-    fn way(&self, of_scene: Option<usize>) -> Result<Way> {
+    fn way(&self, of_scene: Option<usize>, degree: usize) -> Result<Way> {
         let (table, baked) = (self.method == Method::Table, self.method == Method::Baked);
         let stray = |option: &str, method: &str| {
             let what = format!("{option} is of the method {method}, which is not asked for");
@@ -225,7 +249,8 @@ impl Shade {
         if self.interpolation.is_some() && !(table || baked) {
             return stray("--interpolation", "table");
         }
-        let (knots, size) = (self.knots.or(of_scene).unwrap_or(128), self.size.unwrap_or(64));
+        let knots = self.knots.or(of_scene).unwrap_or_else(|| enough_knots(degree));
+        let size = self.size.unwrap_or(64);
         match (self.method, self.interpolation) {
             (Method::Eigen, _) => Ok(Way::Eigen),
             (Method::Table, Some(Interpolation::Linear)) => {
@@ -253,6 +278,12 @@ impl Shade {
     }
 }
 
+/// Knots whose cubics are off by what rounding is: the images of a degree and its order change as
+/// fast as that degree's harmonics.
+fn enough_knots(degree: usize) -> usize {
+    (64 * degree).next_power_of_two().max(128)
+}
+
 /// How the runtime comes to a pixel.
 #[derive(Clone, Copy, Debug)]
 enum Way {
@@ -267,6 +298,7 @@ struct Output<'a, 'b> {
     negatives: Negatives,
     /// The least so far, before it was clamped.
     least: &'a mut f64,
+    ringing: &'a mut Ringing,
 }
 
 impl Work {
@@ -282,9 +314,14 @@ impl Work {
         let (effects, normals) = (self.effects, &self.normals);
         let images = truth_image::images_of_effects(lights, materials, effects, normals, &progress);
         progress.finish_and_clear();
-        for (pair, names) in self.pairs().enumerate() {
+        for (pair, (light, material)) in self.pairs().enumerate() {
+            out.see((light, material), images.iter().flat_map(|of_pairs| of_pairs[pair]));
             for (normal, of_pairs) in images.iter().enumerate() {
-                out.row(names, normal, of_pairs[pair])?;
+                for (channel, value) in of_pairs[pair].iter().enumerate() {
+                    overflow::check(&[*value], &light.rgb[channel], &material.rgb[channel])
+                        .map_err(|error| error.of(overflow::pair(light, material)))?;
+                }
+                out.row((light, material), normal, of_pairs[pair])?;
             }
         }
         Ok(())
@@ -336,7 +373,7 @@ impl Work {
             }
             Ok(rgb)
         })?;
-        for line in economy::lines(&chosen, self.components) {
+        for line in economy::lines(&chosen, self.components, self.rounding) {
             say(line);
         }
         Ok(())
@@ -365,7 +402,10 @@ impl Work {
         for (light, material) in self.pairs() {
             let channel =
                 |c: usize| ((degree, light.rgb[c].as_slice()), (order, material.rgb[c].as_slice()));
-            let [red, green, blue] = irradiance([0, 1, 2].map(channel))?;
+            let [red, green, blue] = irradiance([0, 1, 2].map(channel))
+                .map_err(|error| error.of(overflow::pair(light, material)))?;
+            let all = red.iter().chain(&green).chain(&blue);
+            out.see((light, material), all.map(|&value| value.into()));
             for (normal, ((&r, &g), &b)) in red.iter().zip(&green).zip(&blue).enumerate() {
                 out.row((light, material), normal, [r.into(), g.into(), b.into()])?;
             }
@@ -381,6 +421,13 @@ fn header(out: &mut dyn Write) -> Result<Rows<'_>> {
 }
 
 impl Output<'_, '_> {
+    /// Looks at all values of an image, before they are clamped.
+    fn see(&mut self, (light, material): (&Named, &Named), values: impl Iterator<Item = f64>) {
+        let none = (f64::INFINITY, f64::NEG_INFINITY);
+        let (least, largest) = values.fold(none, |(a, b), one| (a.min(one), b.max(one)));
+        self.ringing.see(|| overflow::pair(light, material), least, largest);
+    }
+
     fn row(
         &mut self,
         (light, material): (&Named, &Named),

@@ -16,7 +16,8 @@ pub fn tolerance(text: &str) -> std::result::Result<Tolerance<f64>, String> {
         (Some(Ok(decibels @ 1..)), _) => Ok(Tolerance::Decibels(decibels)),
         (None, Ok(share)) if (1e-30..1.0).contains(&share) => Ok(Tolerance::OfPeak(share)),
         _ => {
-            Err("a share of 1e-30 to 1, or 1 to 255 whole decibels are wanted, as in 1e-3 or 60dB"
+            Err("a share from 1e-30 to less than 1, or 1 to 255 whole decibels are wanted, as in \
+                 1e-3 or 60dB"
                 .to_owned())
         }
     }

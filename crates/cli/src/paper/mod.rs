@@ -24,6 +24,8 @@ pub mod error;
 
 pub mod rotated;
 
+pub mod highlight;
+
 pub mod reconstruction;
 
 pub mod bound;
@@ -63,6 +65,7 @@ pub fn make(progress: &ProgressBar) -> Result<Vec<Artefact>> {
     let bounds = bound::Bounds::new(&study, &trials, progress);
     let renderings = bound_spheres::Renderings::new(&study, &trials, progress)?;
     let reconstructions = reconstruction::Reconstructions::new(&study, &trials)?;
+    let highlights = highlight::Highlights::new(&study, &trials)?;
     let selected = selected::Selected::new(&study, &trials);
     let page = report::Report {
         study: &study,
@@ -74,6 +77,7 @@ pub fn make(progress: &ProgressBar) -> Result<Vec<Artefact>> {
         bounds: &bounds,
         renderings: &renderings,
         reconstructions: &reconstructions,
+        highlights: &highlights,
         selected: &selected,
     };
     let mut artefacts = vec![Artefact::text(PAGE, page.page())];
@@ -84,6 +88,7 @@ pub fn make(progress: &ProgressBar) -> Result<Vec<Artefact>> {
         errors.artefacts()?,
         rotated.artefacts()?,
         reconstructions.artefacts()?,
+        vec![highlights.artefact()?],
         bounds.artefacts()?,
         renderings.artefacts()?,
         selected.artefacts()?,

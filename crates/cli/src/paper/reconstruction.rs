@@ -1,12 +1,12 @@
 //! Fig. 7: velvet and leather, reconstructed, and what the reconstruction leaves.
 
 use super::artefact::{Artefact, digits};
+use super::highlight::{LISTED, brightest, image};
 use super::plate::Plate;
 use super::study::{Modes, Study, Trial, place};
 use crate::owned_basis::OwnedBasis;
 use crate::shader::{OwnedNormals, fault};
 use crate::tone::exposure;
-use eigenshade::Normal;
 use eigenshade_generator::error::Result;
 use eigenshade_generator::truth::Truth;
 use eigenshade_table::scene::Criterion;
@@ -15,8 +15,6 @@ use eigenshade_table::scene::Criterion;
 pub const SHOWN: [(&str, &str); 2] = [("07-velvet", "forest"), ("05-leather", "studio")];
 /// Numbers of components.
 const COUNTS: [usize; 6] = [3, 5, 10, 20, 30, 50];
-/// Numbers of components whose errors are listed.
-const LISTED: usize = 100;
 /// Pixels across each.
 const SIZE: usize = 148;
 /// The share of an image's values that its exposure leaves unclipped.
@@ -91,16 +89,7 @@ fn plate(
     let truth = Truth::new(study.lights.degree, study.materials.order);
     for (pair, (material, light)) in SHOWN.into_iter().enumerate() {
         let trial = study.trial(trials, light, material)?;
-        let (luminance, grey) = (&study.luminances[trial.light], &study.greys[trial.material]);
-        let image: Vec<f64> = normals
-            .iter()
-            .map(|&normal| {
-                let modes = truth.at(normal);
-                modes.irradiance(luminance, &modes.scatter(grey))
-            })
-            .collect();
-        let brightest = image.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1));
-        let brightest = brightest.map_or(0, |(place, _)| place);
+        let image = image(study, trial, &truth, &normals);
         let peak = image.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
         let scale = exposure(image.clone(), UNCLIPPED);
         let shown =
@@ -108,15 +97,11 @@ fn plate(
         plate.light(0, 2 * pair, &shown(&image));
         plate.below(0, 2 * pair, 0, &super::spheres::title(material));
         let fit = &trial.fits[place(Criterion::ImageCentered, modes)];
-        let [x, y, z] = normals[brightest];
-        let normal = Normal::new(x, y, z).map_err(fault)?;
-        let there = |count: usize| basis.reconstruct(&fit.coefficients[..count], normal);
-        let shares = (0..=LISTED).map(|count| Ok(there(count).map_err(fault)? / image[brightest]));
         courses.push(Course {
             names: [material, light],
             modes,
             errors: fit.variances.iter().take(LISTED + 1).map(|v| v / trial.variance).collect(),
-            brightest: shares.collect::<Result<_>>()?,
+            brightest: brightest(&basis, &fit.coefficients, &image, &normals)?,
         });
         for (column, count) in (1..).zip(COUNTS) {
             let mut scene = vec![0.0; basis.scene_len()];

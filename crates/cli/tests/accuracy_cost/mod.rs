@@ -11,9 +11,10 @@ use eigenshade_cli::accuracy_cost::bases::Bases;
 use eigenshade_cli::accuracy_cost::check::{self, compare};
 use eigenshade_cli::accuracy_cost::front::front;
 use eigenshade_cli::accuracy_cost::images::{Image, Images};
-use eigenshade_cli::accuracy_cost::materials::Scope;
-use eigenshade_cli::accuracy_cost::method;
+use eigenshade_cli::accuracy_cost::kept::Kept;
+use eigenshade_cli::accuracy_cost::materials::{MEASURED, Scope};
 use eigenshade_cli::accuracy_cost::setting::{Recipe, Setting, Way};
+use eigenshade_cli::accuracy_cost::{method, model};
 use eigenshade_cli::owned_basis::OwnedBasis;
 use eigenshade_cli::shader::{OwnedNormals, Shader};
 use eigenshade_index::material;
@@ -181,12 +182,12 @@ fn bytes_grow_as_they_should() {
     ];
     for (quantity, measure, expected) in theory {
         let of = |row: &&HashMap<String, String>| {
-            row["quantity"] == quantity && row["measure"] == measure
+            row["quantity"] == quantity && row["measure"] == measure && row["unit"] == "bytes"
         };
         let points: Vec<(f64, f64)> = rows
             .iter()
             .filter(of)
-            .map(|row| (number(row, "size").unwrap().ln(), number(row, "bytes").unwrap().ln()))
+            .map(|row| (number(row, "size").unwrap().ln(), number(row, "counted").unwrap().ln()))
             .collect();
         assert!(points.len() >= 4, "{quantity}, {measure}");
         // From the middle to the end.
@@ -197,6 +198,36 @@ fn bytes_grow_as_they_should() {
             "{quantity}, {measure}: {slope}"
         );
     }
+}
+
+/// "Model" has real materials in it, each at every degree and order.
+#[test]
+fn the_model_has_measured_materials() {
+    let (page, rows) = (read("accuracy-cost.md"), sheet("model.csv"));
+    let sizes = model::sizes().len();
+    for fit in &MEASURED {
+        let found = rows.iter().filter(|row| row["surface"] == fit.name).count();
+        assert_eq!(found, sizes, "{}", fit.name);
+        assert!(page.contains(&format!(" {} |", fit.name)), "{}", fit.name);
+    }
+    assert!(page.contains(&format!("{} measured materials", MEASURED.len())));
+}
+
+/// The times that `--keep-times` takes over are all that the files have.
+#[test]
+fn kept_times_are_those_of_the_files() {
+    let kept = Kept::read(&docs()).expect("the files");
+    for row in sheet("accuracy-cost.csv") {
+        let (cost, price) = kept.of_setting(&row["setting"]).expect("a time");
+        let found = [cost.pixel, cost.light, price.pixel.unwrap(), price.light.unwrap()];
+        let columns = ["host_pixel_ns", "host_light_ns", "host_pixel", "host_light"];
+        assert_eq!(found, columns.map(|column| number(&row, column).unwrap()));
+    }
+    assert!(kept.of_setting("9/7 K51 polynomial f32").is_none());
+    let folder = Folder::new();
+    fs::create_dir(folder.path("docs")).unwrap();
+    assert_fails(&folder, "accuracy-cost --out docs --keep-times", &["docs/accuracy-cost.csv"]);
+    assert_eq!(folder.run("accuracy-cost --check docs --keep-times").status.code(), Some(2));
 }
 
 /// What is compared is told with its line; times are not compared.
@@ -238,6 +269,7 @@ fn damage_is_found() {
     for (column, factor) in [
         ("rms_median", 1.05),
         ("rms_worst", 0.9),
+        ("unseen_rms_most", 1.1),
         ("unseen_largest_worst", 1.1),
         ("model_median", 1.1),
         ("table_bytes", 1.1),
@@ -256,7 +288,7 @@ fn damage_is_found() {
     assert!(compared(&without).expect_err("a row").contains("no row of `9/7 K50 polynomial f32`"));
     let twice = format!("{good}{}\n", lines[place].replace("K50", "K51"));
     assert!(compared(&twice).expect_err("a row").contains("rows where"));
-    let renamed = good.replacen("rms_worst", "rms_most", 1);
+    let renamed = good.replacen("rms_worst", "rms_largest", 1);
     assert!(compared(&renamed).expect_err("a header").contains("rms_worst"));
     compared(&good).expect("all is whole again");
 }

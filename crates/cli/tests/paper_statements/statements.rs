@@ -1,8 +1,10 @@
 //! The paper's statements on modes, components and materials.
 
 use super::{errors, of, study};
+use crate::support::repository;
 use crate::tolerances;
 use eigenshade_cli::paper::error::needed;
+use eigenshade_cli::paper::highlight::{Highlights, right_from};
 use eigenshade_cli::paper::reconstruction::Reconstructions;
 use eigenshade_cli::paper::report::ALIKE_FROM;
 use eigenshade_cli::paper::study::{Modes, place};
@@ -118,6 +120,29 @@ fn leathers_highlight_takes_thirty_to_fifty() {
     assert!(shading[0] < tolerances::PAPER_SHADING[0] && shading[1] < tolerances::PAPER_SHADING[1]);
     assert!(velvet.brightest[30] < thirty);
     assert!(velvet.brightest[50] < leather.brightest[50], "its rim takes more");
+}
+
+/// The page gives the spread over all lights. In the studio the course on the page, over other
+/// normals, says the same as the list.
+#[test]
+fn leathers_highlight_is_a_matter_of_the_light() {
+    let (study, trials) = study();
+    let found = Highlights::new(study, trials).expect("the shipped data");
+    assert_eq!(found.lights.len(), 26);
+    let [least, middle, most] = found.spread();
+    let most = most.map_or("more than 100".to_owned(), |count| count.to_string());
+    let (least, middle) = (least.expect("few"), middle.expect("some"));
+    let page = std::fs::read_to_string(repository().join("docs/paper.md")).expect("the page");
+    let sentence = format!(
+        "right to 10 % from {least} to {most} on among the 26 lights, {middle} in the median"
+    );
+    assert!(page.contains(&sentence), "docs/paper.md lacks `{sentence}`");
+    let studio = found.lights.iter().find(|(name, _)| name == "studio").expect("the studio").1;
+    let courses = Reconstructions::new(study, trials).expect("the shipped data").courses;
+    let course = right_from(&courses[1].brightest).expect("fewer than 100");
+    assert!(studio.expect("fewer than 100").abs_diff(course) <= 1, "{studio:?} {course}");
+    assert_eq!(right_from(&[0.0, 0.95, 0.8, 1.09, 0.91]), Some(3));
+    assert_eq!((right_from(&[1.0, 1.0]), right_from(&[1.0, 0.5])), (Some(0), None));
 }
 
 /// With five components the light matters more than the material, and light from behind

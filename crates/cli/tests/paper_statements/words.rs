@@ -5,6 +5,7 @@ use eigenshade_cli::paper::bound::Bounds;
 use eigenshade_cli::paper::bound_spheres::Renderings;
 use eigenshade_cli::paper::eigenimages::Eigenimages;
 use eigenshade_cli::paper::error::Errors;
+use eigenshade_cli::paper::highlight::Highlights;
 use eigenshade_cli::paper::reconstruction::Reconstructions;
 use eigenshade_cli::paper::report::Report;
 use eigenshade_cli::paper::report::claims::{Claim, claims, section};
@@ -20,12 +21,12 @@ fn verdicts_are_those_of_the_figures() {
     let (study, trials) = study();
     let new = || {
         let errors = Errors::new(study, trials);
-        (Variance::new(study), errors, Reconstructions::new(study, trials).expect("the data"))
+        (Variance::new(study), errors, Highlights::new(study, trials).expect("the data"))
     };
     let rotated = Rotated::new(study, &ProgressBar::hidden());
     let eigenimages = Eigenimages::new(study).expect("the data");
-    let verdicts = |(variance, errors, courses): &(Variance, Errors, Reconstructions)| {
-        let claims = claims(variance, &eigenimages, errors, &rotated, courses);
+    let verdicts = |(variance, errors, highlights): &(Variance, Errors, Highlights)| {
+        let claims = claims(variance, &eigenimages, errors, &rotated, highlights);
         let words = section(&claims);
         let expected = |claim: &Claim| {
             let word = if claim.holds { "holds" } else { "differs" };
@@ -35,8 +36,8 @@ fn verdicts_are_those_of_the_figures() {
         claims.iter().map(|claim| claim.holds).collect::<Vec<_>>()
     };
     let shipped = new();
-    assert_eq!(verdicts(&shipped), [true, true, true, true, false, false, true]);
-    let (mut variance, mut errors, mut courses) = shipped;
+    assert_eq!(verdicts(&shipped), [true, true, true, true, false, false, false]);
+    let (mut variance, mut errors, mut highlights) = shipped;
     for by_degree in &mut variance.by_mode {
         by_degree[9] += 1.0;
     }
@@ -44,9 +45,9 @@ fn verdicts_are_those_of_the_figures() {
     for errors in &mut errors.by_material[0] {
         errors[6] = 0.09;
     }
-    courses.courses[1].brightest[60] = 0.8;
-    let doctored = (variance, errors, courses);
-    assert_eq!(verdicts(&doctored), [false, false, false, false, true, true, false]);
+    highlights.lights.iter_mut().for_each(|(_, count)| *count = Some(40));
+    let doctored = (variance, errors, highlights);
+    assert_eq!(verdicts(&doctored), [false, false, false, false, true, true, true]);
 }
 
 /// So do the sentences between the tables: each says the other thing of other figures.
@@ -62,6 +63,7 @@ fn sentences_are_those_of_the_figures() {
     let mut bounds = Bounds::new(study, trials, &hidden);
     let renderings = Renderings::new(study, trials, &hidden).expect("the data");
     let mut reconstructions = Reconstructions::new(study, trials).expect("the data");
+    let highlights = Highlights::new(study, trials).expect("the data");
     let mut selected = Selected::new(study, trials);
     macro_rules! page {
         () => {
@@ -73,6 +75,7 @@ fn sentences_are_those_of_the_figures() {
                 errors: &errors,
                 rotated: &rotated,
                 reconstructions: &reconstructions,
+                highlights: &highlights,
                 bounds: &bounds,
                 renderings: &renderings,
                 selected: &selected,

@@ -3,6 +3,7 @@
 //! An isotropic BRDF that is even in Δφ depends on three cosines alone, those of
 //! θ_i, of θ_r and of the angle between the two directions; see [`Geometry`].
 
+mod abc;
 mod geometry;
 mod ggx;
 mod lambertian;
@@ -12,6 +13,7 @@ mod overlaps;
 pub mod projection;
 mod surface;
 
+pub use abc::Abc;
 pub use geometry::Geometry;
 pub use ggx::Ggx;
 pub use lambertian::Lambertian;

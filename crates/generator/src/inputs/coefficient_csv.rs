@@ -11,6 +11,7 @@
 //! in which their names first appear.
 
 use super::coefficient_kind::{Kind, LIGHT, MATERIAL};
+use super::input_file::InputFile;
 use super::rounding::exact;
 use super::sheet::{Row, Sheet};
 use crate::database::{Lights, Materials, Named};
@@ -25,8 +26,8 @@ use std::path::Path;
 ///
 /// If the file cannot be read, holds no light, or less than `degree`, if a row
 /// is missing, doubled, ragged or out of range, or a number is not finite.
-pub fn read_lights(path: impl AsRef<Path>, degree: Option<usize>) -> Result<Lights> {
-    lights(&Sheet::read(path.as_ref(), &LIGHT.header("r,g,b"))?, degree)
+pub fn read_lights(file: impl Into<InputFile>, degree: Option<usize>) -> Result<Lights> {
+    lights(&Sheet::read(file, &LIGHT.header("r,g,b"))?, degree)
 }
 
 /// [`read_lights`] of a file's text; `path` is what faults call it.
@@ -39,7 +40,7 @@ pub fn parse_lights(text: &str, path: impl AsRef<Path>, degree: Option<usize>) -
 }
 
 fn lights(sheet: &Sheet, degree: Option<usize>) -> Result<Lights> {
-    let (degree, entries) = entries(&LIGHT, sheet, degree)?;
+    let (degree, _, entries) = entries(&LIGHT, sheet, degree)?;
     Ok(Lights { degree, entries })
 }
 
@@ -48,8 +49,21 @@ fn lights(sheet: &Sheet, degree: Option<usize>) -> Result<Lights> {
 /// # Errors
 ///
 /// As [`read_lights`].
-pub fn read_materials(path: impl AsRef<Path>, order: Option<usize>) -> Result<Materials> {
-    materials(&Sheet::read(path.as_ref(), &MATERIAL.header("r,g,b"))?, order)
+pub fn read_materials(file: impl Into<InputFile>, order: Option<usize>) -> Result<Materials> {
+    Ok(read_materials_and_order(file, order)?.0)
+}
+
+/// [`read_materials`], and the order that the file goes to: the coefficients of a lower order
+/// need not be what a projection to that order gives.
+///
+/// # Errors
+///
+/// As there.
+pub fn read_materials_and_order(
+    file: impl Into<InputFile>,
+    order: Option<usize>,
+) -> Result<(Materials, usize)> {
+    materials(&Sheet::read(file, &MATERIAL.header("r,g,b"))?, order)
 }
 
 /// [`read_materials`] of a file's text; `path` is what faults call it.
@@ -62,12 +76,13 @@ pub fn parse_materials(
     path: impl AsRef<Path>,
     order: Option<usize>,
 ) -> Result<Materials> {
-    materials(&Sheet::parse(text.into(), path.as_ref(), &MATERIAL.header("r,g,b"))?, order)
+    let sheet = Sheet::parse(text.into(), path.as_ref(), &MATERIAL.header("r,g,b"))?;
+    Ok(materials(&sheet, order)?.0)
 }
 
-fn materials(sheet: &Sheet, order: Option<usize>) -> Result<Materials> {
-    let (order, entries) = entries(&MATERIAL, sheet, order)?;
-    Ok(Materials { order, entries })
+fn materials(sheet: &Sheet, order: Option<usize>) -> Result<(Materials, usize)> {
+    let (order, largest, entries) = entries(&MATERIAL, sheet, order)?;
+    Ok((Materials { order, entries }, largest))
 }
 
 /// Writes lights so that the same numbers are read back, to the last bit: with
@@ -90,6 +105,10 @@ pub fn write_materials(materials: &Materials, out: &mut (impl Write + ?Sized)) -
     write(&MATERIAL, materials.order, &materials.entries, out)
 }
 
+/// Bytes that an entry takes, and a row of it.
+const BYTES_PER_NAME: u64 = 512;
+const BYTES_PER_ROW: u64 = 160;
+
 /// The rows of one name, in the order of the file.
 struct Found<'a> {
     name: &'a str,
@@ -100,7 +119,7 @@ fn entries<const N: usize>(
     kind: &Kind<N>,
     sheet: &Sheet,
     asked: Option<usize>,
-) -> Result<(usize, Vec<Named>)> {
+) -> Result<(usize, usize, Vec<Named>)> {
     let (largest, found) = gather(kind, sheet)?;
     if found.is_empty() {
         return Err(sheet.fault(
@@ -118,7 +137,7 @@ fn entries<const N: usize>(
     }
     let entries =
         found.into_iter().map(|found| complete(kind, size, found)).collect::<Result<_>>()?;
-    Ok((size, entries))
+    Ok((size, largest, entries))
 }
 
 /// The rows name by name, and the largest degree or order among them.
@@ -129,10 +148,12 @@ fn gather<'a, const N: usize>(kind: &Kind<N>, sheet: &'a Sheet) -> Result<(usize
     };
     let [name_column] = sheet.columns(["name"]).ok_or_else(wrong_header)?;
     let index_columns = sheet.columns(kind.names).ok_or_else(wrong_header)?;
-    let value_columns = sheet
-        .columns(["r", "g", "b"])
-        .or_else(|| sheet.columns(["value"; 3]))
-        .ok_or_else(wrong_header)?;
+    let value_columns = sheet.colors()?.ok_or_else(wrong_header)?;
+    // Names that follow each other are one; of a file with its entries in turns this is more.
+    let name = |row: Row<'a>| row.text(name_column);
+    let names =
+        sheet.rows().zip(sheet.rows().skip(1)).filter(|(a, b)| name(*a) != name(*b)).count();
+    sheet.admit(BYTES_PER_NAME * (names as u64 + 1) + BYTES_PER_ROW * sheet.rows().len() as u64)?;
     let (mut largest, mut found) = (0, Vec::<Found<'a>>::new());
     let mut entry_of = HashMap::new();
     for row in sheet.rows() {
@@ -231,7 +252,7 @@ fn write<const N: usize>(
                     let (thing, name, place) = (kind.thing, &entry.name, kind.spell(index));
                     return Err(Error::new(
                         format!("the {thing} `{name}` is not finite at {place}"),
-                        "look for the fault where it was made",
+                        "scale what it was made from towards 1",
                     ));
                 }
                 fields.push(exact(channel[k]));

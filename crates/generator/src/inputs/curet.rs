@@ -10,9 +10,13 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use super::input_file::InputFile;
 use super::measurements::{Measured, Measurement, POLAR_REMEDY, outside, polar_angle};
 use super::sheet::Sheet;
 use crate::error::{Error, Result};
+
+/// Bytes of a measurement, and of its value as it is read.
+const BYTES_PER_VALUE: u64 = 2 * size_of::<Measurement>() as u64;
 
 /// The files of a folder of materials: the values, the directions and the names.
 pub const FILES: [&str; 3] = ["abrdf.dat", "table.txt", "samples.csv"];
@@ -29,21 +33,25 @@ pub const FILES: [&str; 3] = ["abrdf.dat", "table.txt", "samples.csv"];
 /// \[0, π/2\]; in `abrdf.dat` a row that is not an id and one finite number for
 /// every direction, an id given twice, no row; in `samples.csv` columns other
 /// than `id,name`.
-pub fn read(folder: impl AsRef<Path>) -> Result<Vec<Measured>> {
-    let folder = folder.as_ref();
-    let [path, directions, names] = FILES.map(|file| folder.join(file));
+pub fn read(folder: impl Into<InputFile>) -> Result<Vec<Measured>> {
+    let folder = folder.into();
+    let [file, directions, names] = FILES.map(|file| folder.other(folder.path().join(file)));
+    let path = file.path();
     let directions = read_directions(&directions)?;
-    let names = read_names(&names)?;
+    let names = read_names(names)?;
+    let text = file.text()?;
+    let values = text.split_ascii_whitespace().count() as u64;
+    file.admit(text.len() as u64 + values.saturating_mul(BYTES_PER_VALUE))?;
     let mut taken = BTreeMap::new();
     let mut materials = Vec::new();
-    for (line, row) in rows(&path)? {
+    for (line, row) in rows(&text) {
         let mut fields = row.split_whitespace();
         let id = identifier(fields.next().unwrap_or_default())
-            .map_err(|error| error.at_line(&path, line))?;
+            .map_err(|error| error.at_line(path, line))?;
         let values = fields
             .map(finite)
             .collect::<Result<Vec<f64>>>()
-            .map_err(|error| error.at_line(&path, line))?;
+            .map_err(|error| error.at_line(path, line))?;
         if values.len() != directions.len() {
             return Err(Error::new(
                 format!(
@@ -53,14 +61,14 @@ pub fn read(folder: impl AsRef<Path>) -> Result<Vec<Measured>> {
                 ),
                 "give the sample's id and one value for every row of table.txt",
             )
-            .at_line(&path, line));
+            .at_line(path, line));
         }
         if let Some(first) = taken.insert(id, line) {
             return Err(Error::new(
                 format!("sample {id} was given in line {first}"),
                 "keep one row for each sample",
             )
-            .at_line(&path, line));
+            .at_line(path, line));
         }
         let samples = directions
             .iter()
@@ -74,15 +82,17 @@ pub fn read(folder: impl AsRef<Path>) -> Result<Vec<Measured>> {
         materials.push(Measured { name, samples });
     }
     if materials.is_empty() {
-        return Err(empty(&path));
+        return Err(empty(path));
     }
     Ok(materials)
 }
 
 /// The directions of `table.txt`, with no values yet.
-fn read_directions(path: &Path) -> Result<Vec<Measurement>> {
+fn read_directions(file: &InputFile) -> Result<Vec<Measurement>> {
+    let (path, text) = (file.path(), file.text()?);
+    file.admit(text.len() as u64 + BYTES_PER_VALUE * text.lines().count() as u64)?;
     let mut directions = Vec::new();
-    for (line, row) in rows(path)? {
+    for (line, row) in rows(&text) {
         let fields: Vec<&str> = row.split_whitespace().collect();
         directions.push(
             direction(&fields, directions.len() + 1).map_err(|error| error.at_line(path, line))?,
@@ -120,12 +130,12 @@ fn direction(fields: &[&str], expected: usize) -> Result<Measurement> {
 }
 
 /// The names of `samples.csv` by id, empty if there is no such file.
-fn read_names(path: &Path) -> Result<BTreeMap<usize, String>> {
+fn read_names(file: InputFile) -> Result<BTreeMap<usize, String>> {
     let mut names = BTreeMap::new();
-    if !path.exists() {
+    if !file.path().exists() {
         return Ok(names);
     }
-    let sheet = Sheet::read(path, "id,name")?;
+    let sheet = Sheet::read(file, "id,name")?;
     let [id, name] = sheet.columns(["id", "name"]).ok_or_else(|| sheet.wrong_header("id,name"))?;
     for row in sheet.rows() {
         let id = usize::try_from(row.integer(id)?)
@@ -140,14 +150,9 @@ fn read_names(path: &Path) -> Result<BTreeMap<usize, String>> {
     Ok(names)
 }
 
-/// The lines of a file that are neither empty nor comments, by number from 1.
-fn rows(path: &Path) -> Result<Vec<(u64, String)>> {
-    let text = std::fs::read_to_string(path).map_err(|error| Error::io(path, &error))?;
-    Ok((1..)
-        .zip(text.lines())
-        .filter(|(_, line)| !line.trim().is_empty() && !line.starts_with('#'))
-        .map(|(number, line)| (number, line.to_owned()))
-        .collect())
+/// The lines of a text that are neither empty nor comments, by number from 1.
+fn rows(text: &str) -> impl Iterator<Item = (u64, &str)> {
+    (1..).zip(text.lines()).filter(|(_, line)| !line.trim().is_empty() && !line.starts_with('#'))
 }
 
 fn empty(path: &Path) -> Error {

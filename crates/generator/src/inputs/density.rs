@@ -3,13 +3,18 @@
 use super::sheet::Sheet;
 use crate::error::{Error, Result};
 use crate::special::gauss_legendre;
-use exmex::{Express, FlatEx};
+use exmex::{Express, FlatEx, FloatOpsFactory, MatchLiteral, literal_matcher_from_pattern};
 use std::f64::consts::{FRAC_PI_2, TAU};
 use std::path::Path;
 
 /// Panels of a formula, and nodes of all panels together at least.
 const PANELS: usize = 8;
 const NODES: usize = 192;
+
+literal_matcher_from_pattern!(Number, r"^([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?");
+
+/// A formula; its numbers may have an exponent.
+type Formula = FlatEx<f64, FloatOpsFactory<f64>, Number>;
 
 /// Letters of a formula at most: the parser's time grows with their square.
 const MOST_LETTERS: usize = 1000;
@@ -54,19 +59,19 @@ pub fn read(density: &str, folder: &Path, degree: usize) -> Result<Vec<([f64; 3]
         (0..PANELS).map(|k| (k as f64 * width, (k + 1) as f64 * width)).collect();
     ring(&panels, degree, |a| {
         let variables: &[f64] = if formula.var_names().is_empty() { &[] } else { &[a] };
-        formula.eval(variables).map_err(|error| wrong(density, &error.to_string()))
+        formula.eval(variables).map_err(|_| wrong(density, "it has no value"))
     })
 }
 
-fn formula(text: &str) -> Result<FlatEx<f64>> {
+fn formula(text: &str) -> Result<Formula> {
     if text.len() > MOST_LETTERS {
         let what = format!("geometry.density is a formula of {} letters", text.len());
         let remedy = format!("write it with at most {MOST_LETTERS}, or give a CSV `slant,density`");
         return Err(Error::new(what, remedy));
     }
     let written = signed(text)?;
-    let formula =
-        FlatEx::<f64>::parse(&written).map_err(|error| wrong(text, &error.to_string()))?;
+    // The parser's own words are of its tokens.
+    let formula = Formula::parse(&written).map_err(|_| wrong(text, "it is no formula"))?;
     match formula.var_names().iter().find(|name| *name != "a") {
         Some(name) => Err(wrong(text, &format!("it has a variable `{name}`"))),
         None => Ok(formula),

@@ -5,18 +5,21 @@
 //! middle of the map is -z, in front of the camera; the light that falls on
 //! what the camera sees comes from the edges, +z.
 
+use super::input_file::InputFile;
 use super::{map_exr, map_hdr, map_pfm};
 use crate::database::luminance;
 use crate::error::{Error, Result};
 use std::f64::consts::{PI, TAU};
-use std::fs;
 use std::path::Path;
 
 /// No map with more texels is read: twice the largest in use, 16384 x 8192.
 pub const MOST_TEXELS: usize = 1 << 28;
 
 /// No file type packs more texels into a byte; a header that says so is wrong.
-const MOST_TEXELS_PER_BYTE: usize = 1 << 16;
+const MOST_TEXELS_PER_BYTE: u64 = 1 << 16;
+
+/// Bytes of a texel of an [`EnvironmentMap`].
+pub const BYTES_PER_TEXEL: u64 = 12;
 
 /// Linear radiance in every direction.
 #[derive(Clone, Debug, PartialEq)]
@@ -84,9 +87,11 @@ impl EnvironmentMap {
     /// # Errors
     ///
     /// If the file cannot be read, is of another type, broken, without texels,
-    /// or holds one that is not finite.
-    pub fn from_path(path: impl AsRef<Path>) -> Result<Self> {
-        let path = path.as_ref();
+    /// or holds one that is not finite; if its budget has no room for [`BYTES_PER_TEXEL`] and
+    /// some rows.
+    pub fn from_path(file: impl Into<InputFile>) -> Result<Self> {
+        let file = file.into();
+        let path = file.path();
         let decode = match extension(path).as_deref() {
             Some("exr") => map_exr::decode,
             Some("hdr") => map_hdr::decode,
@@ -99,8 +104,8 @@ impl EnvironmentMap {
                 .in_file(path));
             }
         };
-        let bytes = fs::read(path).map_err(|error| Error::io(path, &error))?;
-        decode(&bytes).map_err(|error| error.in_file(path))
+        let (mut reader, length) = file.open()?;
+        decode(&mut reader, length, &file).map_err(|error| error.in_file(path))
     }
 
     /// Whether the map is twice as wide as high. If not, its texels still share
@@ -165,9 +170,9 @@ pub(crate) fn extension(path: &Path) -> Option<String> {
 
 /// Refuses a size that no file of `bytes` bytes holds, before memory is asked
 /// for it; else the number of texels.
-pub(crate) fn believable(width: usize, height: usize, bytes: usize) -> Result<usize> {
+pub(crate) fn believable(width: usize, height: usize, bytes: u64) -> Result<usize> {
     let count = width.checked_mul(height);
-    let most = MOST_TEXELS.min(bytes.saturating_mul(MOST_TEXELS_PER_BYTE));
+    let most = bytes.saturating_mul(MOST_TEXELS_PER_BYTE).min(MOST_TEXELS as u64) as usize;
     match count {
         Some(0) => Err(Error::new(
             format!("it is {width} x {height} pixels: it has none"),

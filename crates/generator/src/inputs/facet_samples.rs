@@ -16,32 +16,50 @@ pub(super) struct Placed {
     pub(super) contact: f64,
 }
 
+/// `samples` x `samples` points over the box around the projection of some facets.
+pub(super) struct Frame {
+    samples: usize,
+    least: [f64; 3],
+    sides: [f64; 3],
+}
+
 /// The facets over `samples` x `samples` points of the box around their projection.
+#[cfg(test)]
 pub(super) fn placed(facets: &[Facet], samples: usize) -> Vec<Placed> {
-    let (mut least, mut most) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
-    for corner in facets.iter().flat_map(|facet| &facet.corners) {
-        for axis in 0..3 {
-            least[axis] = least[axis].min(corner[axis]);
-            most[axis] = most[axis].max(corner[axis]);
+    let frame = Frame::new(facets, samples);
+    facets.iter().map(|facet| frame.place(facet)).collect()
+}
+
+impl Frame {
+    pub(super) fn new(facets: &[Facet], samples: usize) -> Self {
+        let (mut least, mut most) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+        for corner in facets.iter().flat_map(|facet| &facet.corners) {
+            for axis in 0..3 {
+                least[axis] = least[axis].min(corner[axis]);
+                most[axis] = most[axis].max(corner[axis]);
+            }
+        }
+        Self { samples, least, sides: [0, 1, 2].map(|axis| most[axis] - least[axis]) }
+    }
+
+    /// A facet among the points.
+    pub(super) fn place(&self, facet: &Facet) -> Placed {
+        let longest = self.sides.iter().copied().fold(0.0, f64::max);
+        let place = |corner: [f64; 3]| {
+            let across = |axis: usize| {
+                // A box without width has no facet with a projection.
+                let side = if self.sides[axis] > 0.0 { self.sides[axis] } else { 1.0 };
+                (corner[axis] - self.least[axis]) / side * self.samples as f64
+            };
+            [across(0), across(1), corner[2] - self.least[2]]
+        };
+        Placed {
+            corners: facet.corners.map(place),
+            faces_camera: facet.projected_area > 0.0,
+            // Of a plane at a distance CONTACT; infinite if it is seen edge on.
+            contact: CONTACT * longest / facet.normal[2].abs(),
         }
     }
-    let sides = [0, 1, 2].map(|axis| most[axis] - least[axis]);
-    let longest = sides.iter().copied().fold(0.0, f64::max);
-    let place = |corner: [f64; 3]| {
-        let across = |axis: usize| {
-            // A box without width has no facet with a projection.
-            let side = if sides[axis] > 0.0 { sides[axis] } else { 1.0 };
-            (corner[axis] - least[axis]) / side * samples as f64
-        };
-        [across(0), across(1), corner[2] - least[2]]
-    };
-    let facet = |facet: &Facet| Placed {
-        corners: facet.corners.map(place),
-        faces_camera: facet.projected_area > 0.0,
-        // Of a plane at a distance CONTACT; infinite if it is seen edge on.
-        contact: CONTACT * longest / facet.normal[2].abs(),
-    };
-    facets.iter().map(facet).collect()
 }
 
 impl Placed {

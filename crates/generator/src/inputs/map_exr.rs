@@ -1,27 +1,34 @@
 //! OpenEXR maps: scan lines or tiles, half, float or whole numbers, every
 //! common compression.
 
-use super::environment::{EnvironmentMap, broken, other_type};
+use super::environment::{BYTES_PER_TEXEL, EnvironmentMap, broken, other_type};
+use super::input_file::InputFile;
 use super::map_exr_check as check;
 use crate::error::{Error, Result};
 use exr::error::Error as ExrError;
 use exr::image::read::specific_channels::ReadSpecificChannel;
 use exr::meta::header::Header;
 use exr::prelude::{ReadChannels, ReadLayers, Text, Vec2, read};
-use std::io::Cursor;
+use std::cell::Cell;
+use std::fs::File;
+use std::io::{BufRead, BufReader, Seek};
 
 /// Decodes the first part of an OpenEXR file with the channels R, G, B, or else
 /// those of one layer (`name.R`, ...), or else the grey Y.
 ///
 /// Primaries other than those of the project are not converted.
-pub(crate) fn decode(bytes: &[u8]) -> Result<EnvironmentMap> {
-    if !bytes.starts_with(&[0x76, 0x2f, 0x31, 0x01]) {
+pub(crate) fn decode(
+    reader: &mut BufReader<File>,
+    length: u64,
+    file: &InputFile,
+) -> Result<EnvironmentMap> {
+    let io = |error: std::io::Error| Error::io(file.path(), &error);
+    if !reader.fill_buf().map_err(io)?.starts_with(&[0x76, 0x2f, 0x31, 0x01]) {
         return Err(other_type("OpenEXR"));
     }
-    let reader = exr::block::read(Cursor::new(bytes), false).map_err(fault)?;
-    let headers = reader.meta_data().headers.clone();
-    check::sizes(&headers, bytes.len())?;
-    check::counters(&headers, reader.all_chunks(false).map_err(fault)?)?;
+    let parts = exr::block::read(&mut *reader, false).map_err(fault)?;
+    let headers = parts.meta_data().headers.clone();
+    check::sizes(&headers, length)?;
     let (header, channels) = headers
         .iter()
         .find_map(|header| Some((header, colour(header)?)))
@@ -34,6 +41,16 @@ pub(crate) fn decode(bytes: &[u8]) -> Result<EnvironmentMap> {
             "save the map whole, not cropped to its data window",
         ));
     }
+    let count = width * height;
+    file.admit_pixels(count as u64, BYTES_PER_TEXEL, check::blocks(&headers, length))?;
+    check::counters(&headers, parts.all_chunks(false).map_err(fault)?)?;
+    reader.rewind().map_err(io)?;
+    let grid = Cell::new(vec![[0.0; 3]; count]);
+    // A part of another size is another part.
+    let empty = |size: Vec2<usize>| Grid {
+        width,
+        texels: if size == Vec2(width, height) { grid.take() } else { Vec::new() },
+    };
     let texels = match channels {
         Colour::Rgb([r, g, b]) => read()
             .no_deep_data()
@@ -42,24 +59,32 @@ pub(crate) fn decode(bytes: &[u8]) -> Result<EnvironmentMap> {
             .required(r)
             .required(g)
             .required(b)
-            .collect_pixels(Grid::new, |grid: &mut Grid, place, (r, g, b)| {
-                grid.set(place, [r, g, b]);
-            })
+            .collect_pixels(
+                |size, _: &_| empty(size),
+                |grid: &mut Grid, place, (r, g, b)| {
+                    grid.set(place, [r, g, b]);
+                },
+            )
             .first_valid_layer()
             .all_attributes()
-            .from_buffered(Cursor::new(bytes))
+            .non_parallel()
+            .from_buffered(reader)
             .map(|image| image.layer_data.channel_data.pixels.texels),
         Colour::Grey(y) => read()
             .no_deep_data()
             .largest_resolution_level()
             .specific_channels()
             .required(y)
-            .collect_pixels(Grid::new, |grid: &mut Grid, place, (y,)| {
-                grid.set(place, [y; 3]);
-            })
+            .collect_pixels(
+                |size, _: &_| empty(size),
+                |grid: &mut Grid, place, (y,)| {
+                    grid.set(place, [y; 3]);
+                },
+            )
             .first_valid_layer()
             .all_attributes()
-            .from_buffered(Cursor::new(bytes))
+            .non_parallel()
+            .from_buffered(reader)
             .map(|image| image.layer_data.channel_data.pixels.texels),
     }
     .map_err(fault)?;
@@ -119,10 +144,6 @@ struct Grid {
 }
 
 impl Grid {
-    fn new<Channels>(size: Vec2<usize>, _: &Channels) -> Self {
-        Self { width: size.width(), texels: vec![[0.0; 3]; size.area()] }
-    }
-
     fn set(&mut self, Vec2(column, row): Vec2<usize>, value: [f32; 3]) {
         if let Some(texel) = self.texels.get_mut(row * self.width + column) {
             *texel = value;

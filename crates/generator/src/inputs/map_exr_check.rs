@@ -13,8 +13,30 @@ use exr::meta::BlockDescription;
 use exr::meta::header::Header;
 use exr::prelude::Vec2;
 
+/// Copies that the decoder makes of a block: as it is stored, unpacked, and twice on the way
+/// from one to the other.
+const COPIES: u64 = 4;
+
+/// Bytes that the decoder keeps of a block's place in the file.
+const PLACE: u64 = 24;
+
+/// Bytes that decoding takes besides the pixels.
+pub(crate) fn blocks(headers: &[Header], length: u64) -> u64 {
+    let places = headers.iter().map(|header| PLACE * header.chunk_count as u64);
+    let block = |header: &Header| {
+        let Vec2(width, height) = header.max_block_pixel_size();
+        (width as u64)
+            .saturating_mul(height as u64)
+            .saturating_mul(header.channels.bytes_per_pixel as u64)
+    };
+    let largest = headers.iter().map(block).max().unwrap_or(0);
+    places
+        .fold(largest.saturating_mul(COPIES), u64::saturating_add)
+        .saturating_add(length.min(largest))
+}
+
 /// Checks the sizes of every part of a file of `bytes` bytes.
-pub(crate) fn sizes(headers: &[Header], bytes: usize) -> Result<()> {
+pub(crate) fn sizes(headers: &[Header], bytes: u64) -> Result<()> {
     for header in headers {
         let Vec2(width, height) = header.layer_size;
         believable(width, height, bytes)?;

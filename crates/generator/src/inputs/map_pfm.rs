@@ -3,13 +3,23 @@
 //!
 //! Read here, since `zune-ppm` 0.5.1 mixes up the rows of a map of odd height.
 
-use super::environment::{EnvironmentMap, believable, broken, other_type};
-use crate::error::Result;
+use super::environment::{BYTES_PER_TEXEL, EnvironmentMap, believable, broken, other_type};
+use super::input_file::InputFile;
+use crate::error::{Error, Result};
+use std::fs::File;
+use std::io::{BufRead, BufReader, Read};
 
 /// Decodes a portable float map of either byte order. The size of the number
 /// that gives the order, which some call a scale, is not applied.
-pub(crate) fn decode(bytes: &[u8]) -> Result<EnvironmentMap> {
-    let (magic, rest) = word(bytes).ok_or_else(|| other_type("PFM"))?;
+pub(crate) fn decode(
+    reader: &mut BufReader<File>,
+    length: u64,
+    file: &InputFile,
+) -> Result<EnvironmentMap> {
+    let io = |error: std::io::Error| Error::io(file.path(), &error);
+    // A header is far shorter than the buffer.
+    let beginning = reader.fill_buf().map_err(io)?;
+    let (magic, rest) = word(beginning).ok_or_else(|| other_type("PFM"))?;
     let channels = match magic {
         "PF" => 3,
         "Pf" => 1,
@@ -18,23 +28,33 @@ pub(crate) fn decode(bytes: &[u8]) -> Result<EnvironmentMap> {
     let (width, rest) = number::<usize>(rest, "width")?;
     let (height, rest) = number::<usize>(rest, "height")?;
     let (scale, rest) = number::<f32>(rest, "byte order")?;
-    let count = believable(width, height, bytes.len())?;
-    let (values, spare) = rest.as_chunks::<4>();
-    if values.len() != channels * count || !spare.is_empty() {
-        let (expected, found) = (4 * channels * count, rest.len());
+    if scale == 0.0 || !scale.is_finite() {
+        return Err(broken(format!("its header gives the byte order by {scale}")).with_remedy(
+            "write -1 for the order of little-endian bytes, 1 for that of big-endian ones",
+        ));
+    }
+    let count = believable(width, height, length)?;
+    let header = beginning.len() - rest.len();
+    let (expected, found) = (4 * (channels * count) as u64, length - header as u64);
+    if expected != found {
         return Err(broken(format!("{expected} bytes of pixels expected, {found} found")));
     }
+    reader.consume(header);
+    let mut row = vec![0; 4 * channels * width];
+    file.admit_pixels(count as u64, BYTES_PER_TEXEL, row.len() as u64)?;
+    let mut texels = vec![[0.0; 3]; count];
     let decode = if scale < 0.0 { f32::from_le_bytes } else { f32::from_be_bytes };
-    let texels = values
-        .chunks_exact(channels * width)
-        .rev()
-        .flat_map(|row| row.chunks_exact(channels))
-        .map(|texel| match *texel {
-            [r, g, b] => [decode(r), decode(g), decode(b)],
-            [grey, ..] => [decode(grey); 3],
-            [] => [0.0; 3],
-        })
-        .collect();
+    for texels in texels.chunks_exact_mut(width).rev() {
+        reader.read_exact(&mut row).map_err(io)?;
+        let values = row.as_chunks::<4>().0.chunks_exact(channels);
+        for (texel, values) in texels.iter_mut().zip(values) {
+            *texel = match *values {
+                [r, g, b] => [decode(r), decode(g), decode(b)],
+                [gray, ..] => [decode(gray); 3],
+                [] => [0.0; 3],
+            };
+        }
+    }
     EnvironmentMap::new(width, height, texels)
 }
 

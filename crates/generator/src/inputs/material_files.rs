@@ -1,6 +1,7 @@
 //! Whatever a path holds of materials: measurements, tables, formulas.
 
 use super::environment::extension;
+use super::input_file::InputFile;
 use super::measurements::{self, Measured};
 use super::{analytic, curet, merl};
 use crate::brdf::Surface;
@@ -34,13 +35,14 @@ impl Source {
 /// # Errors
 ///
 /// What the readers find, and a folder with nothing to read.
-pub fn read(path: impl AsRef<Path>) -> Result<Vec<Source>> {
-    let path = path.as_ref();
+pub fn read(file: impl Into<InputFile>) -> Result<Vec<Source>> {
+    let file = file.into();
+    let path = file.path();
     if !path.is_dir() {
-        return read_file(path);
+        return read_file(file);
     }
     if path.join("abrdf.dat").is_file() {
-        return Ok(curet::read(path)?.into_iter().map(Source::Measured).collect());
+        return Ok(curet::read(file)?.into_iter().map(Source::Measured).collect());
     }
     let files = files_in(path)?;
     if files.is_empty() {
@@ -50,7 +52,8 @@ pub fn read(path: impl AsRef<Path>) -> Result<Vec<Source>> {
         )
         .in_file(path));
     }
-    let read: Vec<Vec<Source>> = files.iter().map(|file| read_file(file)).collect::<Result<_>>()?;
+    let read: Vec<Vec<Source>> =
+        files.iter().map(|one| read_file(file.other(one))).collect::<Result<_>>()?;
     Ok(read.into_iter().flatten().collect())
 }
 
@@ -77,10 +80,10 @@ fn files_in(folder: &Path) -> Result<Vec<PathBuf>> {
     Ok(files)
 }
 
-fn read_file(path: &Path) -> Result<Vec<Source>> {
-    Ok(match extension(path).as_deref() {
-        Some("binary") => vec![Source::Surface(merl::read(path)?)],
-        Some("toml") => analytic::read(path)?.into_iter().map(Source::Surface).collect(),
-        _ => vec![Source::Measured(measurements::read(path)?)],
+fn read_file(file: InputFile) -> Result<Vec<Source>> {
+    Ok(match extension(file.path()).as_deref() {
+        Some("binary") => vec![Source::Surface(merl::read(file)?)],
+        Some("toml") => analytic::read(file.path())?.into_iter().map(Source::Surface).collect(),
+        _ => vec![Source::Measured(measurements::read(file)?)],
     })
 }

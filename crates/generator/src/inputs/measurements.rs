@@ -3,9 +3,10 @@
 //! ignored.
 
 use std::f64::consts::FRAC_PI_2;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use super::curet;
+use super::input_file::InputFile;
 use super::sheet::{Row, Sheet};
 use crate::error::{Error, Result};
 
@@ -43,13 +44,14 @@ pub struct Measured {
 /// # Errors
 ///
 /// What [`read`] and [`curet::read`] find, and a folder with nothing to read.
-pub fn read_material_path(path: impl AsRef<Path>) -> Result<Vec<Measured>> {
-    let path = path.as_ref();
+pub fn read_material_path(file: impl Into<InputFile>) -> Result<Vec<Measured>> {
+    let file = file.into();
+    let path = file.path();
     if !path.is_dir() {
-        return Ok(vec![read(path)?]);
+        return Ok(vec![read(file)?]);
     }
     if path.join("abrdf.dat").is_file() {
-        return curet::read(path);
+        return curet::read(file);
     }
     let mut files: Vec<PathBuf> = std::fs::read_dir(path)
         .and_then(|entries| entries.map(|entry| Ok(entry?.path())).collect())
@@ -65,7 +67,7 @@ pub fn read_material_path(path: impl AsRef<Path>) -> Result<Vec<Measured>> {
         )
         .in_file(path));
     }
-    files.iter().map(read).collect()
+    files.iter().map(|one| read(file.other(one))).collect()
 }
 
 /// Reads the measurements of one material.
@@ -75,16 +77,14 @@ pub fn read_material_path(path: impl AsRef<Path>) -> Result<Vec<Measured>> {
 /// A file that cannot be read; a column that is missing, a row of another
 /// length, a field that is not a finite number, a polar angle outside
 /// \[0, π/2\] (by more than 1e-9), no row at all.
-pub fn read(path: impl AsRef<Path>) -> Result<Measured> {
-    let path = path.as_ref();
-    let sheet = Sheet::read(path, COLUMNS)?;
+pub fn read(file: impl Into<InputFile>) -> Result<Measured> {
+    let file = file.into();
+    let path = file.path();
+    let sheet = Sheet::read(file.clone(), COLUMNS)?;
     let wrong_header = || sheet.wrong_header("theta_i,phi_i,theta_r,phi_r and r,g,b or value");
     let angles =
         sheet.columns(["theta_i", "phi_i", "theta_r", "phi_r"]).ok_or_else(wrong_header)?;
-    let values = sheet
-        .columns(["r", "g", "b"])
-        .or_else(|| sheet.columns(["value"; 3]))
-        .ok_or_else(wrong_header)?;
+    let values = sheet.colors()?.ok_or_else(wrong_header)?;
     let samples =
         sheet.rows().map(|row| sample(row, angles, values)).collect::<Result<Vec<_>>>()?;
     if samples.is_empty() {

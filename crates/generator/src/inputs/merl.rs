@@ -8,11 +8,10 @@
 //! A value times 1/1500, 1.15/1500 or 1.66/1500 for the three channels is f in 1/sr;
 //! below zero is a bin without a value.
 
+use super::input_file::InputFile;
 use crate::brdf::{BINS, Merl, Surface};
 use crate::error::{Error, Result};
-use std::fs::File;
 use std::io::Read;
-use std::path::Path;
 
 /// From a file's numbers to 1/sr, r, g and b.
 pub const SCALES: [f64; 3] = [1.0 / 1500.0, 1.15 / 1500.0, 1.66 / 1500.0];
@@ -29,11 +28,11 @@ const REMEDY: &str = "give a whole .binary file of an isotropic material";
 ///
 /// A file that cannot be read, is not [`BYTES`] long, claims other numbers of bins, or
 /// holds a number that is not finite, or none that is a value in some channel.
-pub fn read(path: impl AsRef<Path>) -> Result<Surface> {
-    let path = path.as_ref();
+pub fn read(file: impl Into<InputFile>) -> Result<Surface> {
+    let input = file.into();
+    let path = input.path();
     let io = |error: std::io::Error| Error::io(path, &error);
-    let mut file = File::open(path).map_err(io)?;
-    let length = file.metadata().map_err(io)?.len();
+    let (mut file, length) = input.open()?;
     let mut head = [0; 12];
     if length >= 12 {
         file.read_exact(&mut head).map_err(io)?;
@@ -52,6 +51,8 @@ pub fn read(path: impl AsRef<Path>) -> Result<Surface> {
     if length != BYTES {
         return Err(Error::new(format!("it has {length} bytes, not {BYTES}"), REMEDY).in_file(path));
     }
+    // Its numbers, and those of a channel once more.
+    input.admit(BYTES + BYTES / 3)?;
     let mut channels = Vec::new();
     for (name, scale) in ["red", "green", "blue"].into_iter().zip(SCALES) {
         let mut bytes = vec![0; (BYTES as usize - 12) / 3];

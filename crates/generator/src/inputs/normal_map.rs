@@ -1,6 +1,7 @@
 //! Normal maps: PNG of 8 or 16 bits a channel.
 
 use crate::error::{Error, Result};
+use crate::inputs::input_file::InputFile;
 use crate::inputs::normals::visible;
 use crate::inputs::png_samples::{self, PngSamples};
 use std::ops::RangeInclusive;
@@ -16,20 +17,39 @@ pub const LENGTHS: RangeInclusive<f64> = 0.5..=1.5;
 /// Pixels without a normal, as [`normals`] has it, and those that are black in the mask do
 /// not count.
 ///
+/// Memory: as [`png_samples::read`], a byte a pixel more, and [`BYTES_PER_NORMAL`] for each
+/// pixel that counts.
+///
 /// # Errors
 ///
 /// A file that is no PNG or broken, a mask of another size, a pixel that counts and points
-/// away.
-pub fn read(path: &Path, mask: Option<&Path>) -> Result<Vec<([f64; 3], f64)>> {
-    let map = png_samples::read(path)?;
+/// away, more of all this than the file's budget has room for.
+pub fn read(file: impl Into<InputFile>, mask: Option<&Path>) -> Result<Vec<([f64; 3], f64)>> {
+    let file = file.into().with_bytes_beside(1);
+    let map = png_samples::read(file.clone())?;
     let mask = match mask {
-        Some(mask_path) => mask_of(mask_path, [map.width, map.height])?,
+        Some(mask) => mask_of(file.other(mask), [map.width, map.height])?,
         None => vec![true; map.width * map.height],
     };
-    let normals = normals(&map, &mask).map_err(|error| error.in_file(path))?;
-    let seen = normals.into_iter().zip(mask).filter(|(_, counts)| *counts);
-    Ok(seen.filter_map(|(normal, _)| Some((normal?, 1.0))).collect())
+    let seen = || {
+        each(&map, &mask)
+            .zip(&mask)
+            .filter(|(_, counts)| **counts)
+            .filter_map(|(normal, _)| normal.transpose())
+            .map(|normal| normal.map_err(|error| error.in_file(file.path())))
+    };
+    let count = seen().map(|normal| normal.map(|_| 1)).sum::<Result<u64>>()?;
+    file.admit_pixels(mask.len() as u64, png_samples::BYTES_PER_PIXEL, count * BYTES_PER_NORMAL)?;
+    let mut pairs = Vec::with_capacity(count as usize);
+    for normal in seen() {
+        pairs.push((normal?, 1.0));
+    }
+    Ok(pairs)
 }
+
+/// Bytes that [`read`] and [`WeightedNormals`](crate::geometry::WeightedNormals) take of a
+/// normal together.
+pub const BYTES_PER_NORMAL: u64 = 64;
 
 /// The unit normal, z >= 0, of each pixel of a map; none where there is no object.
 ///
@@ -43,9 +63,17 @@ pub fn read(path: &Path, mask: Option<&Path>) -> Result<Vec<([f64; 3], f64)>> {
 /// than [`RIM`](crate::inputs::normals::RIM) beyond rounding; one that does not count has no
 /// normal then.
 pub fn normals(map: &PngSamples, counts: &[bool]) -> Result<Vec<Option<[f64; 3]>>> {
+    each(map, counts).collect()
+}
+
+/// The same one by one.
+fn each(map: &PngSamples, counts: &[bool]) -> impl Iterator<Item = Result<Option<[f64; 3]>>> {
     let full = f64::from(map.full);
     let pixels = map.colours.iter().zip(&map.opacities).zip(counts).enumerate();
-    let normal = |(number, ((colour, opacity), counts)): (usize, ((&[u16; 3], &u16), &bool))| {
+    let normal = move |(number, ((colour, opacity), counts)): (
+        usize,
+        ((&[u16; 3], &u16), &bool),
+    )| {
         let vector = vector(*colour, map.full);
         let length = vector.iter().map(|c| c * c).sum::<f64>().sqrt();
         if 2.0 * f64::from(*opacity) < full || !LENGTHS.contains(&length) {
@@ -63,7 +91,7 @@ pub fn normals(map: &PngSamples, counts: &[bool]) -> Result<Vec<Option<[f64; 3]>
             }
         }
     };
-    pixels.map(normal).collect()
+    pixels.map(normal)
 }
 
 /// What a sample of red, green and blue says: 2c - 1 of each channel c = sample / `full`,
@@ -77,12 +105,13 @@ fn vector(colour: [u16; 3], full: u16) -> [f64; 3] {
 }
 
 /// Whether each pixel counts: where the mask is not black.
-fn mask_of(path: &Path, [width, height]: [usize; 2]) -> Result<Vec<bool>> {
-    let mask = png_samples::read(path)?;
+fn mask_of(file: InputFile, [width, height]: [usize; 2]) -> Result<Vec<bool>> {
+    let file = file.with_bytes_beside(1);
+    let mask = png_samples::read(file.clone())?;
     if (mask.width, mask.height) != (width, height) {
         let (w, h) = (mask.width, mask.height);
         let what = format!("the mask is {w} x {h}, the normal map {width} x {height}");
-        return Err(Error::new(what, "make them alike").in_file(path));
+        return Err(Error::new(what, "make them alike").in_file(file.path()));
     }
     Ok(mask.colours.iter().map(|colour| colour.iter().any(|&c| c > 0)).collect())
 }

@@ -1,8 +1,8 @@
 //! Normals as CSV: `x,y,z`, one row a normal.
 
+use super::input_file::InputFile;
 use super::sheet::Sheet;
-use crate::error::{Error, Result};
-use std::path::Path;
+use crate::error::Result;
 
 /// How far below the rim, in z after normalising, a normal may lie and still be
 /// laid on it.
@@ -18,8 +18,8 @@ pub const RIM: f64 = 1e-3;
 ///
 /// If the file cannot be read or holds no normal, or a row is ragged, not
 /// finite, of length zero, or points away from the camera.
-pub fn read_normals(path: impl AsRef<Path>) -> Result<Vec<[f64; 3]>> {
-    Ok(read_weighted_normals(path)?.into_iter().map(|(normal, _)| normal).collect())
+pub fn read_normals(file: impl Into<InputFile>) -> Result<Vec<[f64; 3]>> {
+    Ok(read_weighted_normals(file)?.into_iter().map(|(normal, _)| normal).collect())
 }
 
 /// [`read_normals`] with the weights of a column `weight`, 1 where there is none.
@@ -27,12 +27,11 @@ pub fn read_normals(path: impl AsRef<Path>) -> Result<Vec<[f64; 3]>> {
 /// # Errors
 ///
 /// As there; or a weight that is negative or not finite.
-pub fn read_weighted_normals(path: impl AsRef<Path>) -> Result<Vec<([f64; 3], f64)>> {
-    let path = path.as_ref();
-    let sheet = Sheet::read(path, "x,y,z")?;
+pub fn read_weighted_normals(file: impl Into<InputFile>) -> Result<Vec<([f64; 3], f64)>> {
+    let sheet = Sheet::read(file, "x,y,z")?;
     let columns = sheet.columns(["x", "y", "z"]).ok_or_else(|| sheet.wrong_header("`x,y,z`"))?;
     let weight = sheet.column("weight");
-    let mut normals = Vec::new();
+    let mut normals = Vec::with_capacity(sheet.rows().len());
     for row in sheet.rows() {
         let mut vector = [0.0; 3];
         for (component, column) in vector.iter_mut().zip(columns) {
@@ -46,8 +45,7 @@ pub fn read_weighted_normals(path: impl AsRef<Path>) -> Result<Vec<([f64; 3], f6
         normals.push((normal, weight));
     }
     if normals.is_empty() {
-        return Err(Error::new("there is no normal in it", "add rows below the header `x,y,z`")
-            .in_file(path));
+        return Err(sheet.fault("there is no normal in it", "add rows below the header `x,y,z`"));
     }
     Ok(normals)
 }

@@ -2,19 +2,22 @@
 
 use crate::error::{Error, Result};
 use crate::geometry::{Geometry, WeightedNormals};
+use crate::inputs::input_file::InputFile;
 use crate::inputs::{density, mesh, normal_map, normals};
 use eigenshade_table::scene;
-use std::path::Path;
 
-/// Reads the geometry of a scene of `degree`; paths are relative to `folder`.
+/// Reads the geometry of a scene of `degree`; paths are relative to the folder of the scene's
+/// file, and each file is read within its budget.
 ///
 /// # Errors
 ///
 /// A format that is not known, a mask or a density where it has no meaning or none
 /// where one is needed, and whatever the file itself has wrong.
-pub fn read(geometry: &scene::Geometry, degree: usize, folder: &Path) -> Result<Geometry> {
+pub fn read(geometry: &scene::Geometry, degree: usize, scene: &InputFile) -> Result<Geometry> {
+    let folder = scene.folder();
     let name = geometry.normals.as_str();
     let path = folder.join(name);
+    let file = scene.other(&path);
     let extension = path.extension().and_then(|one| one.to_str()).unwrap_or_default();
     let extension = extension.to_ascii_lowercase();
     if geometry.mask.is_some() && extension != "png" {
@@ -35,11 +38,11 @@ pub fn read(geometry: &scene::Geometry, degree: usize, folder: &Path) -> Result<
             let density = geometry.density.as_deref().unwrap_or_default();
             density::read(density, folder, degree)?
         }
-        (_, "csv") => normals::read_weighted_normals(&path)?,
-        (_, "obj" | "stl" | "ply") => mesh::read(&path)?,
+        (_, "csv") => normals::read_weighted_normals(file)?,
+        (_, "obj" | "stl" | "ply") => mesh::read(file)?,
         (_, "png") => {
             let mask = geometry.mask.as_ref().map(|mask| folder.join(mask));
-            normal_map::read(&path, mask.as_deref())?
+            normal_map::read(file, mask.as_deref())?
         }
         _ => {
             return Err(Error::new(

@@ -1,16 +1,19 @@
 //! A PNG as the numbers that it stores, without any reading of what they mean.
 
+use super::input_file::InputFile;
 use super::png_curve::Curve;
 use crate::error::{Error, Result};
 use png::{BitDepth, ColorType, Decoder, DecodingError, Limits, Transformations};
 use std::io::Cursor;
-use std::path::Path;
-
-/// The most pixels: expanded they take twelve bytes each, which a small file can claim.
-const MOST_PIXELS: u64 = 1 << 26;
 
 /// Four channels of 16 bits.
 const MOST_BYTES_PER_PIXEL: u64 = 8;
+
+/// Bytes of each pixel in [`PngSamples`].
+pub const BYTES_PER_PIXEL: u64 = 8;
+
+/// Rows that the decoder holds.
+const ROWS: u64 = 4;
 
 /// Bytes for what is small.
 const BESIDE: u64 = 1 << 16;
@@ -37,16 +40,20 @@ pub struct PngSamples {
 
 /// Reads a PNG of any colour type, 1 to 16 bits; of an animation the first frame.
 ///
+/// Memory: the file, [`BYTES_PER_PIXEL`], and while it is decoded what the file's samples
+/// take, 1 to 8 bytes a pixel.
+///
 /// # Errors
 ///
 /// A file that cannot be read, is no PNG, broken, cut short, or claims more pixels
-/// than its bytes can hold.
-pub fn read(path: &Path) -> Result<PngSamples> {
-    let bytes = std::fs::read(path).map_err(|error| Error::io(path, &error))?;
-    decode(&bytes).map_err(|error| error.in_file(path))
+/// than its bytes can hold or than its budget has room for.
+pub fn read(file: impl Into<InputFile>) -> Result<PngSamples> {
+    let file = file.into();
+    let bytes = file.bytes()?;
+    decode(&bytes, &file).map_err(|error| error.in_file(file.path()))
 }
 
-fn decode(bytes: &[u8]) -> Result<PngSamples> {
+fn decode(bytes: &[u8], file: &InputFile) -> Result<PngSamples> {
     let mut decoder = Decoder::new(Cursor::new(bytes));
     // A colour profile or a text may unpack to a thousand times its size, and neither is wanted.
     decoder.set_ignore_iccp_chunk(true);
@@ -55,13 +62,8 @@ fn decode(bytes: &[u8]) -> Result<PngSamples> {
     let (width, height) = (u64::from(header.width), u64::from(header.height));
     let bits = (header.bits_per_pixel() as u64).max(1);
     let most = (bytes.len() as u64).saturating_mul(MOST_BYTES_PER_BYTE);
-    if width * height > MOST_PIXELS {
-        return Err(Error::new(
-            format!("its header claims {width} x {height} pixels"),
-            "give a picture of at most 67 million pixels, 8192 x 8192",
-        ));
-    }
-    if width * height / 8 * bits > most {
+    // In 128 bits no header's claim overflows.
+    if u128::from(width) * u128::from(height) / 8 * u128::from(bits) > u128::from(most) {
         return Err(Error::new(
             format!(
                 "its header claims {width} x {height} pixels, which {} bytes cannot hold",
@@ -70,6 +72,16 @@ fn decode(bytes: &[u8]) -> Result<PngSamples> {
             "export the picture again",
         ));
     }
+    // The file, rows as they are unpacked, all of them expanded, and the samples.
+    let admit = |expanded: u64| {
+        let rows = ROWS * MOST_BYTES_PER_PIXEL * width;
+        let beside = (bytes.len() as u64).saturating_add(rows).saturating_add(expanded);
+        file.admit_pixels(width.saturating_mul(height), BYTES_PER_PIXEL, beside)
+            .map_err(|error| error.of(format_args!("{width} x {height} pixels")))
+    };
+    // Without transparent colors, which only a later chunk tells of.
+    let expanded = if header.color_type == ColorType::Indexed { 3 } else { bits.div_ceil(8) };
+    admit(expanded.saturating_mul(width.saturating_mul(height)))?;
     // A row of the picture, and buffers of other chunks, which are doubled as they are read.
     let limit = (MOST_BYTES_PER_PIXEL * width).saturating_add(4 * bytes.len() as u64);
     decoder.set_limits(Limits { bytes: usize::try_from(limit + BESIDE).unwrap_or(usize::MAX) });
@@ -77,40 +89,39 @@ fn decode(bytes: &[u8]) -> Result<PngSamples> {
     let mut reader = decoder.read_info().map_err(|error| fault(&error))?;
     let curve = Curve::of(reader.info(), bytes);
     let size = reader.output_buffer_size().ok_or_else(|| fault(&DecodingError::LimitsExceeded))?;
+    admit(size as u64)?;
     let mut buffer = vec![0; size];
     let frame = reader.next_frame(&mut buffer).map_err(|error| fault(&error))?;
     buffer.truncate(frame.buffer_size());
     // The end is where a file that was cut short is found out.
     reader.finish().map_err(|error| fault(&error))?;
-    let (samples, full) = match frame.bit_depth {
-        BitDepth::Sixteen => (
-            buffer.as_chunks::<2>().0.iter().map(|pair| u16::from_be_bytes(*pair)).collect(),
-            u16::MAX,
-        ),
-        _ => (buffer.iter().map(|byte| u16::from(*byte)).collect::<Vec<u16>>(), u16::from(u8::MAX)),
-    };
     let (channels, has_opacity) = match frame.color_type {
         ColorType::Rgba => (4, true),
         ColorType::Rgb | ColorType::Indexed => (3, false),
         ColorType::GrayscaleAlpha => (2, true),
         ColorType::Grayscale => (1, false),
     };
-    let pixels = || samples.chunks_exact(channels);
+    let (bytes_per_sample, full) = match frame.bit_depth {
+        BitDepth::Sixteen => (2, u16::MAX),
+        _ => (1, u16::from(u8::MAX)),
+    };
+    let sample = |pixel: &[u8], channel: usize| match bytes_per_sample {
+        2 => u16::from_be_bytes([pixel[2 * channel], pixel[2 * channel + 1]]),
+        _ => u16::from(pixel[channel]),
+    };
+    let color = |pixel: &[u8]| match channels {
+        3.. => [0, 1, 2].map(|channel| sample(pixel, channel)),
+        _ => [sample(pixel, 0); 3],
+    };
+    let opacity = |pixel: &[u8]| if has_opacity { sample(pixel, channels - 1) } else { full };
+    let pixels = || buffer.chunks_exact(channels * bytes_per_sample);
     Ok(PngSamples {
         width: frame.width as usize,
         height: frame.height as usize,
         full,
         curve,
-        colours: pixels()
-            .map(|pixel| match pixel {
-                [r, g, b, ..] => [*r, *g, *b],
-                [grey, ..] => [*grey; 3],
-                [] => [0; 3],
-            })
-            .collect(),
-        opacities: pixels()
-            .map(|pixel| if has_opacity { pixel[channels - 1] } else { full })
-            .collect(),
+        colours: pixels().map(color).collect(),
+        opacities: pixels().map(opacity).collect(),
     })
 }
 

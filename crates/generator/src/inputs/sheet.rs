@@ -1,32 +1,43 @@
 //! A CSV file with a header: columns by name, and the line of every fault.
 
+use super::input_file::InputFile;
 use crate::error::{Error, Result};
 use csv::{ErrorKind, ReaderBuilder, StringRecord, Trim};
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::collections::HashSet;
+use std::path::Path;
+
+/// Bytes that a reader may take of a row, without what it finds in it by name.
+const BYTES_PER_ROW: u64 = 160;
 
 /// The rows of a CSV file.
 ///
 /// Lines that begin with `#` and empty lines are skipped; blanks around a field
 /// do not count; the columns may stand in any order among others.
 pub struct Sheet {
-    path: PathBuf,
+    file: InputFile,
     text: Vec<u8>,
     header: StringRecord,
-    records: Vec<StringRecord>,
+    /// The fields of all rows, one behind the other.
+    fields: String,
+    /// Where each of them ends.
+    ends: Vec<usize>,
+    /// Where each row begins in `text`.
+    starts: Vec<usize>,
 }
 
 impl Sheet {
     /// Reads the file. `columns` is the header that it should have, for the
     /// remedies.
     ///
+    /// Memory: twice the file, 16 bytes a field and some 200 a row.
+    ///
     /// # Errors
     ///
-    /// A file that cannot be read, is empty or no UTF-8, or has a row of another
-    /// length than its header.
-    pub fn read(path: &Path, columns: &str) -> Result<Self> {
-        let text = fs::read(path).map_err(|error| Error::io(path, &error))?;
-        Self::parse(text, path, columns)
+    /// A file that cannot be read, is empty or no UTF-8, has two columns of one name, or a row
+    /// of another length than its header.
+    pub fn read(file: impl Into<InputFile>, columns: &str) -> Result<Self> {
+        let file = file.into();
+        Self::of(file.bytes()?, file, columns)
     }
 
     /// [`read`](Self::read) of a file's text; `path` is what faults call it.
@@ -35,6 +46,17 @@ impl Sheet {
     ///
     /// As there.
     pub fn parse(text: Vec<u8>, path: &Path, columns: &str) -> Result<Self> {
+        Self::of(text, path.into(), columns)
+    }
+
+    fn of(text: Vec<u8>, file: InputFile, columns: &str) -> Result<Self> {
+        // As many as there are, or more: a comma may be part of a field.
+        let count = |wanted: &[u8]| text.iter().filter(|byte| wanted.contains(byte)).count();
+        let rows = count(b"\n\r") + 1;
+        let fields = count(b",") + rows;
+        let bytes = 2 * text.len() + 16 * fields + 8 * rows;
+        file.admit((bytes as u64).saturating_add(BYTES_PER_ROW * rows as u64))?;
+        let path = file.path();
         let mut reader =
             ReaderBuilder::new().comment(Some(b'#')).trim(Trim::All).from_reader(text.as_slice());
         let fault = |error: csv::Error| csv_fault(path, &text, columns, &error);
@@ -46,8 +68,41 @@ impl Sheet {
             )
             .in_file(path));
         }
-        let records = reader.records().collect::<csv::Result<Vec<_>>>().map_err(fault)?;
-        Ok(Self { path: path.to_owned(), header, records, text })
+        if let Some((place, name)) = doubled(&header) {
+            return Err(Error::new(
+                format!("column {} is called `{name}`, as one before it is", place + 1),
+                "give each column a name of its own, and keep the one that is meant",
+            )
+            .at_line(path, 1 + skipped(&text)));
+        }
+        let mut sheet = Self {
+            header,
+            fields: String::with_capacity(text.len()),
+            ends: Vec::with_capacity(fields),
+            starts: Vec::with_capacity(rows),
+            text: Vec::new(),
+            file: file.clone(),
+        };
+        let mut record = StringRecord::new();
+        while reader.read_record(&mut record).map_err(fault)? {
+            for field in &record {
+                sheet.fields.push_str(field);
+                sheet.ends.push(sheet.fields.len());
+            }
+            sheet.starts.push(record.position().map_or(0, |position| position.byte() as usize));
+        }
+        drop(reader);
+        Ok(Self { text, ..sheet })
+    }
+
+    /// Whether so many bytes are within the file's budget beside what it takes itself.
+    ///
+    /// # Errors
+    ///
+    /// If they are not.
+    pub(crate) fn admit(&self, bytes: u64) -> Result<()> {
+        let own = self.text.len() + self.fields.capacity() + 8 * self.ends.capacity();
+        self.file.admit((own as u64).saturating_add(bytes))
     }
 
     /// The names of the columns.
@@ -68,6 +123,26 @@ impl Sheet {
         places.iter().all(Option::is_some).then(|| places.map(Option::unwrap_or_default))
     }
 
+    /// Where red, green and blue stand: the columns `r,g,b`, or three times the grey `value`;
+    /// none if neither is there.
+    ///
+    /// # Errors
+    ///
+    /// A file that has both: which of the two is meant is not said.
+    pub fn colors(&self) -> Result<Option<[usize; 3]>> {
+        let rgb = ["r", "g", "b"];
+        if let (Some(_), Some(color)) =
+            (self.column("value"), rgb.into_iter().find(|name| self.column(name).is_some()))
+        {
+            return Err(Error::new(
+                format!("it has the columns `value` and `{color}`"),
+                "keep r,g,b for colored values, or value for gray ones",
+            )
+            .at_line(self.file.path(), 1 + skipped(&self.text)));
+        }
+        Ok(self.columns(rgb).or_else(|| self.columns(["value"; 3])))
+    }
+
     /// The fault of a header without these columns.
     #[must_use]
     pub fn wrong_header(&self, columns: &str) -> Error {
@@ -76,17 +151,17 @@ impl Sheet {
             format!("its header is `{}`", found.join(",")),
             format!("give it the columns {columns}"),
         )
-        .at_line(&self.path, 1 + skipped(&self.text))
+        .at_line(self.file.path(), 1 + skipped(&self.text))
     }
 
     /// A fault of the file as a whole.
     pub fn fault(&self, what: impl Into<String>, remedy: impl Into<String>) -> Error {
-        Error::new(what, remedy).in_file(&self.path)
+        Error::new(what, remedy).in_file(self.file.path())
     }
 
     /// The rows below the header.
-    pub fn rows(&self) -> impl Iterator<Item = Row<'_>> {
-        self.records.iter().map(|record| Row { sheet: self, record })
+    pub fn rows(&self) -> impl ExactSizeIterator<Item = Row<'_>> {
+        (0..self.starts.len()).map(|number| Row { sheet: self, number })
     }
 }
 
@@ -94,19 +169,23 @@ impl Sheet {
 #[derive(Clone, Copy)]
 pub struct Row<'a> {
     sheet: &'a Sheet,
-    record: &'a StringRecord,
+    number: usize,
 }
 
 impl<'a> Row<'a> {
     /// The texts of all columns.
     pub fn texts(self) -> impl Iterator<Item = &'a str> {
-        self.record.iter()
+        (0..self.sheet.header.len()).map(move |column| self.text(column))
     }
 
     /// The text of a column.
     #[must_use]
     pub fn text(self, column: usize) -> &'a str {
-        self.record.get(column).unwrap_or_default()
+        let sheet = self.sheet;
+        let place = self.number * sheet.header.len() + column;
+        let start = place.checked_sub(1).map_or(0, |before| sheet.ends[before]);
+        let end = sheet.ends.get(place).filter(|_| column < sheet.header.len());
+        end.map_or("", |end| &sheet.fields[start..*end])
     }
 
     /// The finite number in a column.
@@ -143,13 +222,21 @@ impl<'a> Row<'a> {
 
     /// A fault at this row.
     pub fn fault(self, what: impl Into<String>, remedy: impl Into<String>) -> Error {
-        let line = line_of(&self.sheet.text, self.record.position());
-        Error::new(what, remedy).at_line(&self.sheet.path, line)
+        let line = line_of(&self.sheet.text, self.sheet.starts[self.number]);
+        Error::new(what, remedy).at_line(self.sheet.file.path(), line)
     }
 }
 
+/// The first column that is called as one before it. Names that are empty do not count, nor do
+/// numbers: a file without a header begins with these.
+fn doubled(header: &StringRecord) -> Option<(usize, &str)> {
+    let mut names = HashSet::new();
+    let is_name = |name: &str| !name.is_empty() && name.parse::<f64>().is_err();
+    header.iter().enumerate().find(|(_, name)| is_name(name) && !names.insert(*name))
+}
+
 fn csv_fault(path: &Path, text: &[u8], columns: &str, error: &csv::Error) -> Error {
-    let line = line_of(text, error.position());
+    let line = line_of(text, error.position().map_or(0, |position| position.byte() as usize));
     match error.kind() {
         ErrorKind::UnequalLengths { expected_len, len, .. } => Error::new(
             format!("the header has {expected_len} fields, this row {len}"),
@@ -168,10 +255,9 @@ fn csv_fault(path: &Path, text: &[u8], columns: &str, error: &csv::Error) -> Err
     }
 }
 
-/// The line, from 1, of the record at `position`. The reader gives the place
+/// The line, from 1, of the record at byte `start`. The reader gives the place
 /// where it began to look for the record, before any comments.
-fn line_of(text: &[u8], position: Option<&csv::Position>) -> u64 {
-    let start = position.map_or(0, |position| position.byte() as usize);
+fn line_of(text: &[u8], start: usize) -> u64 {
     let (before, after) = text.split_at(start.min(text.len()));
     let above = before.iter().filter(|&&byte| byte == b'\n').count() as u64;
     1 + above + skipped(after)

@@ -4,17 +4,12 @@
 
 use board::{Passes, measure, program};
 use core::hint::black_box;
-use programs::{inputs, nine_terms};
+use eigenshade::NineTerms;
+use programs::inputs;
 
 program!(main);
 
 fn main() {
-    let coefficients = black_box(inputs::numbers::<8>());
-    let normals = inputs::normals().map(eigenshade::Normal::components);
-    measure(&normals, Passes(64), |normal| pixel(&coefficients, normal));
-}
-
-#[inline]
-fn pixel(coefficients: &[f32; 8], normal: &[f32; 3]) -> f32 {
-    nine_terms::shade(coefficients, *normal)
+    let formula = black_box(NineTerms::new(inputs::numbers::<9>()));
+    measure(&inputs::normals(), Passes(64), |normal| formula.shade(*normal));
 }

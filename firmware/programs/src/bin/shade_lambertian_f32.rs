@@ -4,9 +4,9 @@
 
 use board::{Passes, holds, measure, program};
 use core::hint::black_box;
-use eigenshade::Normal;
+use eigenshade::{NineTerms, Normal};
 use programs::inputs;
-use programs::lambertian::{self, COMPONENTS, SCENE};
+use programs::lambertian::{self, COMPONENTS};
 
 program!(main);
 
@@ -23,6 +23,6 @@ fn main() {
 }
 
 #[inline]
-fn pixel(terms: &[f32; SCENE], normal: &Normal<f32>) -> f32 {
+fn pixel(terms: NineTerms<f32>, normal: &Normal<f32>) -> f32 {
     lambertian::shade_terms(terms, *normal)
 }

@@ -2,4 +2,4 @@
 #![no_std]
 #![no_main]
 
-programs::shade!(programs::lambertian::q15);
+programs::shade!(programs::lambertian::q15, nine_terms);

@@ -2,4 +2,4 @@
 #![no_std]
 #![no_main]
 
-programs::shade!(programs::lambertian::q31);
+programs::shade!(programs::lambertian::q31, nine_terms);

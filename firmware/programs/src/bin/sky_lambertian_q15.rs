@@ -2,4 +2,4 @@
 #![no_std]
 #![no_main]
 
-programs::scene_q15!(programs::scenes::sky_lambertian::q15, 1);
+programs::scene_q15!(programs::scenes::sky_lambertian::q15, 1, nine_terms);

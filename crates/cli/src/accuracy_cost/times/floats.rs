@@ -2,12 +2,13 @@
 
 use super::{PIXELS, Work};
 use crate::accuracy_cost::images::Image;
-use crate::accuracy_cost::nine_terms;
 use crate::accuracy_cost::setting::{Scaling, Way};
 use crate::accuracy_cost::shading::{LENGTHS, hemisphere, scaled};
 use crate::owned_basis::OwnedBasis;
 use crate::shader::{OwnedNormals, fault};
-use eigenshade::{Basis, Light, MapPoint, Material, Normal, Q15, Scalar, Tolerance, quantised};
+use eigenshade::{
+    Basis, Light, MapPoint, Material, NineTerms, Normal, Q15, Scalar, Tolerance, quantised,
+};
 use eigenshade_generator::error::{Error, Result};
 use eigenshade_table::Table;
 use std::hint::black_box;
@@ -20,20 +21,17 @@ pub(super) struct Floats<S> {
     d: Vec<S>,
     normals: OwnedNormals<S>,
     each: Vec<Normal<S>>,
-    nine: [f64; 9],
+    nine_terms: NineTerms<f32>,
 }
 
 impl Floats<f32> {
-    pub(super) fn nine_terms(&self) -> Work<'_> {
-        let c = self.nine.map(|value| value as f32);
+    pub(super) fn nine_terms(&self) -> Result<Work<'_>> {
+        let normals = self.normals.view()?;
         let mut out = vec![0.0; PIXELS];
-        let axes: [Vec<f32>; 3] =
-            [0, 1, 2].map(|axis| self.each.iter().map(|one| one.components()[axis]).collect());
-        Box::new(move || {
-            let axes = black_box(&axes).each_ref().map(Vec::as_slice);
-            nine_terms::shade(black_box(&c), axes, &mut out);
-            black_box(&out);
-        })
+        Ok(Box::new(move || {
+            let done = black_box(&self.nine_terms).shade_slice(black_box(normals), &mut out);
+            black_box((done.is_ok(), &out));
+        }))
     }
 
     pub(super) fn scaled(&self, scaling: Scaling) -> Result<Work<'_>> {
@@ -111,9 +109,9 @@ impl<S: Scalar> Floats<S> {
         let light_view = Light::new(degree, &light).map_err(fault)?;
         basis.relight_into(&transfer, &light_view, &mut d).map_err(fault)?;
         let normals = OwnedNormals::new(&hemisphere(PIXELS));
-        let nine = nine_terms::coefficients(&image.light, image.material[0]);
+        let nine_terms = image.nine_terms()?;
         let each = normals.each()?;
-        Ok(Self { degree, light, transfer, d, normals, each, nine, basis: owned })
+        Ok(Self { degree, light, transfer, d, normals, each, nine_terms, basis: owned })
     }
 
     fn basis(&self) -> Result<Basis<'_, S>> {

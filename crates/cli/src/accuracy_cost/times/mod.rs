@@ -79,7 +79,7 @@ impl Case {
             }
             Numbers::Single(floats) => {
                 let pixels = match (self.way, self.scaling) {
-                    (Way::NineTerms, _) => floats.nine_terms(),
+                    (Way::NineTerms, _) => floats.nine_terms()?,
                     (way, Scaling::None) => floats.pixels(way, lengths)?,
                     (_, scaling) => floats.scaled(scaling)?,
                 };

@@ -5,6 +5,7 @@ use super::table::{components, percent, table};
 use crate::number::grouped;
 use crate::paper::eigenimages::Eigenimages;
 use crate::paper::error::{Errors, needed};
+use crate::paper::highlight::{Highlights, LIMIT, MATERIAL, right_from};
 use crate::paper::reconstruction::Reconstructions;
 use crate::paper::rotated::Rotated;
 use crate::paper::spheres::title;
@@ -21,8 +22,6 @@ const ALIKE: f64 = 1.05;
 pub const REPRESENTED: f64 = 0.1;
 /// About five components are at most so many.
 const ABOUT_FIVE: usize = 6;
-/// The highlight is there if its brightest point is off by at most this.
-const HIGHLIGHT: f64 = 0.1;
 
 /// A statement of the paper, and what became of it.
 pub struct Claim {
@@ -55,7 +54,7 @@ pub fn claims(
     eigenimages: &Eigenimages,
     errors: &Errors,
     rotated: &Rotated,
-    reconstructions: &Reconstructions,
+    highlights: &Highlights,
 ) -> Vec<Claim> {
     let mut claims: Vec<Claim> =
         SURFACES.iter().map(|surface| carried(variance, *surface)).collect();
@@ -64,7 +63,7 @@ pub fn claims(
         alike(errors),
         many(errors, rotated),
         velvet(of("07-velvet"), rotated.of_material("07-velvet"), eigenimages),
-        leather(of("05-leather"), highlight(reconstructions, "05-leather")),
+        leather(of(MATERIAL), highlights),
     ]);
     claims
 }
@@ -172,17 +171,21 @@ fn step(errors: &[f64], eigenimages: &Eigenimages) -> Option<String> {
     ))
 }
 
-fn leather(errors: &[f64], highlight: Option<usize>) -> Claim {
+fn leather(errors: &[f64], highlights: &Highlights) -> Claim {
+    let [least, middle, most] = highlights.spread();
     Claim {
         paper: "30 to 50 for leather's specularity".into(),
         condition: format!(
-            "in the studio its brightest point is right to {} from 30 to 50 components on",
-            whole(HIGHLIGHT)
+            "its brightest point is right to {} from 30 to 50 components on, under the median light",
+            whole(LIMIT)
         ),
-        holds: is_thirty_to_fifty(highlight),
+        holds: is_thirty_to_fifty(middle),
         found: format!(
-            "from {} on; {} left with 30, {} with 50 over all lights; 1 % takes {}, 0.1 % takes {}",
-            components(highlight),
+            "from {} on in the median of {} lights, {} to {} among them; {} left with 30, {} with 50 over all lights; 1 % takes {}, 0.1 % takes {}",
+            components(middle),
+            highlights.lights.len(),
+            components(least),
+            components(most),
             percent(errors[30]),
             percent(errors[50]),
             components(needed(errors, 0.01)),
@@ -200,9 +203,7 @@ pub fn highlight(reconstructions: &Reconstructions, material: &str) -> Option<us
         .courses
         .iter()
         .find(|course| is_it(course.names) && course.modes == Modes::All)?;
-    let wrong = |share: &f64| (share - 1.0).abs() > HIGHLIGHT;
-    let first = course.brightest.iter().rposition(wrong).map_or(0, |last| last + 1);
-    (first < course.brightest.len()).then_some(first)
+    right_from(&course.brightest)
 }
 
 /// A limit in per cent.

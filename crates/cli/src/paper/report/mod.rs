@@ -23,6 +23,7 @@ use super::bound::Bounds;
 use super::bound_spheres::Renderings;
 use super::eigenimages::Eigenimages;
 use super::error::Errors;
+use super::highlight::Highlights;
 use super::reconstruction::Reconstructions;
 use super::rotated::Rotated;
 use super::selected::Selected;
@@ -53,6 +54,8 @@ pub struct Report<'a> {
     pub rotated: &'a Rotated,
     /// Fig. 7.
     pub reconstructions: &'a Reconstructions,
+    /// Leather's highlight.
+    pub highlights: &'a Highlights,
     /// Section 4.4.
     pub bounds: &'a Bounds,
     /// Its spheres.
@@ -72,7 +75,7 @@ impl Report<'_> {
                 self.eigenimages,
                 self.errors,
                 self.rotated,
-                self.reconstructions,
+                self.highlights,
             )),
             variance::section(self),
             eigenimages::section(self),

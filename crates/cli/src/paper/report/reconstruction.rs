@@ -28,6 +28,7 @@ pub fn section(report: &Report<'_>) -> String {
         let course = report.reconstructions.courses.iter().find(of);
         (highlight(report.reconstructions, name), course.map_or(1.0, |course| course.errors[10]))
     });
+    let [least, middle, most] = report.highlights.spread();
     let header = [
         "components",
         "velvet, forest: error",
@@ -41,8 +42,9 @@ pub fn section(report: &Report<'_>) -> String {
          Above the image, below the residual (truth less reconstruction), red and blue ending at a tenth of the image's \
          largest value; the number is the error. [The same by the 1,000 modes](paper/reconstruction_1000.png). Brightest \
          point: the reconstruction there, of the truth.\n\n{}\n\
-         {}: ten components leave {} of its variance, and its highlight is right to 10 % from {} on, {}. {}: velvet's ten leave {}, \
+         {}: ten components leave {} of its variance, and its highlight in the studio is right to 10 % from {} on, {}. {}: velvet's ten leave {}, \
          and its brightest point is right to 10 % from {} on. \
+         How many components leather's highlight takes is a matter of the light: right to 10 % from {} to {} on among the {} lights, {} in the median ([highlight.csv](paper/highlight.csv)). \
          Figures: [reconstruction.csv](paper/reconstruction.csv).\n",
         table(header, &rows),
         if leather.1 <= SHADED {
@@ -63,7 +65,11 @@ pub fn section(report: &Report<'_>) -> String {
             "Velvet's brightest point takes no more than leather's"
         },
         percent(velvet.1),
-        components(velvet.0)
+        components(velvet.0),
+        components(least),
+        components(most),
+        report.highlights.lights.len(),
+        components(middle),
     )
 }
 

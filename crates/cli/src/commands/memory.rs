@@ -1,0 +1,27 @@
+//! How much memory a command may take.
+
+use clap::Args;
+use eigenshade_generator::budget::Budget;
+use eigenshade_generator::inputs::input_file::InputFile;
+use std::path::Path;
+
+/// The budgets of a command.
+#[derive(Args, Clone, Copy, Debug)]
+pub struct Memory {
+    /// Most memory for reading an input file and for making a table, like 4GiB
+    /// [default: 512MiB for a file, 2GiB for a table]
+    #[arg(long = "memory", global = true, value_name = "SIZE")]
+    budget: Option<Budget>,
+}
+
+impl Memory {
+    /// For making a table.
+    pub fn of_basis(self) -> Budget {
+        self.budget.unwrap_or(Budget::BASIS)
+    }
+
+    /// A file, to be read within its budget.
+    pub fn file(self, path: impl AsRef<Path>) -> InputFile {
+        InputFile::new(path, self.budget.unwrap_or(Budget::READING))
+    }
+}

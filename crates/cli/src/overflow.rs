@@ -1,0 +1,64 @@
+//! Results that a number format does not hold.
+
+use eigenshade::Scalar;
+use eigenshade_generator::database::Named;
+use eigenshade_generator::error::{Error, Result};
+use std::fmt::Display;
+
+/// Largest coefficients below this are lost in f32 and integers, in whole or in digits.
+const LEAST: f64 = 1e-36;
+
+/// Refuses numbers of one channel that are not finite, and those of inputs that f32 loses.
+///
+/// # Errors
+///
+/// [`fault`] if one of them is not; [`lost`].
+pub fn check<S: Scalar>(numbers: &[S], light: &[f64], material: &[f64]) -> Result<()> {
+    if size_of::<S>() == size_of::<f32>() {
+        lost(std::any::type_name::<S>(), light, material)?;
+    }
+    if numbers.iter().all(|number| number.is_finite()) {
+        return Ok(());
+    }
+    Err(fault(std::any::type_name::<S>(), light, material))
+}
+
+/// The fault of a light on a material whose numbers go beyond a format, and how to scale
+/// them.
+#[must_use]
+pub fn fault(format: impl Display, light: &[f64], material: &[f64]) -> Error {
+    Error::new(format!("the result goes beyond the range of {format}"), scale(light, material))
+}
+
+/// Refuses a light and a material so dark that a format loses their product.
+///
+/// # Errors
+///
+/// As it says; none where either is black.
+pub fn lost(format: impl Display, light: &[f64], material: &[f64]) -> Result<()> {
+    let [of_light, of_material] = [light, material].map(largest);
+    let product = of_light * of_material;
+    if of_light == 0.0 || of_material == 0.0 || product.min(of_light).min(of_material) >= LEAST {
+        return Ok(());
+    }
+    Err(Error::new(format!("the result is below the range of {format}"), scale(light, material)))
+}
+
+/// What to do about both.
+fn scale(light: &[f64], material: &[f64]) -> String {
+    let [light, material] = [light, material].map(largest);
+    format!(
+        "scale both towards 1: the light's largest coefficient is {light:.2e}, the material's \
+         {material:.2e}"
+    )
+}
+
+fn largest(numbers: &[f64]) -> f64 {
+    numbers.iter().fold(0.0, |most, one| most.max(one.abs()))
+}
+
+/// The names of a light and a material, for a fault.
+#[must_use]
+pub fn pair(light: &Named, material: &Named) -> String {
+    format!("light `{}` on material `{}`", light.name, material.name)
+}

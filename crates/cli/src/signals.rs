@@ -1,0 +1,21 @@
+//! Signals that ask the program to end.
+
+use eigenshade_generator::unfinished;
+use signal_hook::consts::{SIGINT, SIGTERM};
+use signal_hook::iterator::Signals;
+use signal_hook::low_level::emulate_default_handler;
+
+/// From now on SIGINT and SIGTERM remove the files that are being written, and end the program
+/// as they do by default.
+///
+/// Where signals cannot be caught, they leave such files behind.
+pub fn clean_up_on_end() {
+    let Ok(mut signals) = Signals::new([SIGINT, SIGTERM]) else { return };
+    std::thread::spawn(move || {
+        if let Some(signal) = signals.forever().next() {
+            unfinished::remove_all();
+            let _ = emulate_default_handler(signal);
+            std::process::exit(128 + signal);
+        }
+    });
+}

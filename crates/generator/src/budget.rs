@@ -1,0 +1,154 @@
+//! How much memory an answer may take: asked before it is taken.
+
+use crate::error::{Error, Result};
+use std::fmt;
+use std::str::FromStr;
+
+/// A limit of memory in bytes.
+///
+/// What needs memory in proportion to what an input claims estimates it first and calls
+/// [`admit`](Self::admit). Some ten MiB of the program itself come besides.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Budget(u64);
+
+impl Budget {
+    /// For reading one input file: 512 MiB.
+    pub const READING: Self = Self(512 << 20);
+
+    /// For making the table of a scene: 2 GiB.
+    pub const BASIS: Self = Self(2 << 30);
+
+    /// A budget of so many bytes.
+    #[must_use]
+    pub const fn new(bytes: u64) -> Self {
+        Self(bytes)
+    }
+
+    /// Bytes.
+    #[must_use]
+    pub const fn bytes(self) -> u64 {
+        self.0
+    }
+
+    /// Whether `need` bytes are within the budget and the system gives them: what is then
+    /// allocated piece by piece ends no process.
+    ///
+    /// # Errors
+    ///
+    /// If they are not; the message says how to raise the limit.
+    pub fn admit(self, need: u64) -> Result<()> {
+        self.covers(need)?;
+        let mut trial = Vec::<u8>::new();
+        let given = usize::try_from(need).is_ok_and(|need| trial.try_reserve_exact(need).is_ok());
+        // Or else the compiler leaves out an allocation that nothing uses.
+        std::hint::black_box(&trial);
+        if given {
+            return Ok(());
+        }
+        Err(Error::new(
+            format!("it needs {} of memory, which the system does not give", Size(need)),
+            "raise the limit of the process (`ulimit -v`), or give a smaller input",
+        ))
+    }
+
+    /// Whether `need` bytes are within the budget.
+    ///
+    /// # Errors
+    ///
+    /// If they are not.
+    pub fn covers(self, need: u64) -> Result<()> {
+        if need <= self.0 {
+            return Ok(());
+        }
+        // In whole MiB, of which the message's figures are: that much is enough.
+        let enough = need.div_ceil(MEBI);
+        Err(Error::new(
+            format!("it needs {} of memory, and the budget is {self}", Size(need)),
+            format!("give a smaller input, or raise the budget with --memory {enough}MiB"),
+        ))
+    }
+}
+
+impl fmt::Display for Budget {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        Size(self.0).fmt(f)
+    }
+}
+
+impl FromStr for Budget {
+    type Err = String;
+
+    /// A whole number of bytes, or of `KiB`, `MiB`, `GiB` or `TiB`; `K`, `M`, `G` and `T` are
+    /// the same.
+    fn from_str(text: &str) -> std::result::Result<Self, String> {
+        let digits = text.find(|c: char| !c.is_ascii_digit()).unwrap_or(text.len());
+        let (number, unit) = text.split_at(digits);
+        let unit = match unit.trim_start().to_ascii_lowercase().as_str() {
+            "" | "b" => 1,
+            "k" | "kib" => KIBI,
+            "m" | "mib" => MEBI,
+            "g" | "gib" => GIBI,
+            "t" | "tib" => GIBI << 10,
+            _ => 0,
+        };
+        let bytes = number.parse::<u64>().ok().and_then(|number| number.checked_mul(unit));
+        bytes
+            .filter(|bytes| *bytes > 0)
+            .map(Self)
+            .ok_or_else(|| "a size is wanted, like 512MiB or 4GiB".to_owned())
+    }
+}
+
+const KIBI: u64 = 1 << 10;
+const MEBI: u64 = 1 << 20;
+const GIBI: u64 = 1 << 30;
+
+/// Bytes as a person reads them: rounded up, as what is needed is.
+struct Size(u64);
+
+impl fmt::Display for Size {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.0 {
+            bytes if bytes >= 10 * GIBI => write!(f, "{} GiB", bytes.div_ceil(GIBI)),
+            bytes if bytes.is_multiple_of(GIBI) && bytes > 0 => write!(f, "{} GiB", bytes / GIBI),
+            bytes if bytes >= MEBI => write!(f, "{} MiB", bytes.div_ceil(MEBI)),
+            bytes => write!(f, "{bytes} bytes"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sizes_are_read_and_written() {
+        for (text, bytes) in
+            [("1", 1), ("64K", 65_536), ("512MiB", 512 << 20), ("2 GiB", 2 << 30), ("3t", 3 << 40)]
+        {
+            assert_eq!(text.parse(), Ok(Budget::new(bytes)), "{text}");
+        }
+        for text in ["", "0", "0G", "-1", "1.5G", "12 parsecs", "99999999999T", "MiB"] {
+            assert!(text.parse::<Budget>().is_err(), "{text}");
+        }
+        assert_eq!(Budget::READING.to_string(), "512 MiB");
+        assert_eq!(Budget::BASIS.to_string(), "2 GiB");
+        assert_eq!(Budget::new(1000).to_string(), "1000 bytes");
+    }
+
+    #[test]
+    fn the_message_names_need_budget_and_remedy() {
+        let budget = Budget::new(1 << 20);
+        assert_eq!(budget.admit(1 << 20), Ok(()));
+        let text = budget.admit((5 << 20) + 1).expect_err("too much").to_string();
+        assert!(text.starts_with("it needs 6 MiB of memory, and the budget is 1 MiB; "), "{text}");
+        assert!(text.ends_with("--memory 6MiB"), "{text}");
+        assert!("6MiB".parse::<Budget>().expect("a size").admit((5 << 20) + 1).is_ok());
+    }
+
+    #[test]
+    fn what_the_system_does_not_give_is_an_error() {
+        let text = Budget::new(u64::MAX).admit(1 << 60).expect_err("too much").to_string();
+        assert!(text.contains("does not give"), "{text}");
+    }
+}

@@ -1,0 +1,4 @@
+//! Any CSV.
+#![cfg_attr(fuzzing, no_main)]
+
+eigenshade_fuzz_readers::target!(csv);

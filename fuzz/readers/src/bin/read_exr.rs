@@ -1,0 +1,4 @@
+//! An OpenEXR map.
+#![cfg_attr(fuzzing, no_main)]
+
+eigenshade_fuzz_readers::target!(exr);

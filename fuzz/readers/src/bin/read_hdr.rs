@@ -1,0 +1,4 @@
+//! A Radiance map.
+#![cfg_attr(fuzzing, no_main)]
+
+eigenshade_fuzz_readers::target!(hdr);

@@ -1,0 +1,4 @@
+//! A MERL file.
+#![cfg_attr(fuzzing, no_main)]
+
+eigenshade_fuzz_readers::target!(merl);

@@ -1,0 +1,4 @@
+//! A Wavefront mesh.
+#![cfg_attr(fuzzing, no_main)]
+
+eigenshade_fuzz_readers::target!(obj);

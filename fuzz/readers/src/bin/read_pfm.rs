@@ -1,0 +1,4 @@
+//! A portable float map.
+#![cfg_attr(fuzzing, no_main)]
+
+eigenshade_fuzz_readers::target!(pfm);

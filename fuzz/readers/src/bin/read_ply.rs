@@ -1,0 +1,4 @@
+//! A polygon file.
+#![cfg_attr(fuzzing, no_main)]
+
+eigenshade_fuzz_readers::target!(ply);

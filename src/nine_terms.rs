@@ -1,0 +1,102 @@
+//! The nine-term formula (Ramamoorthi and Hanrahan 2001): irradiance as a polynomial of degree 2
+//! of the normal, in nine multiply-adds.
+
+use crate::error::{Error, What};
+use crate::index::light::{graphics_sign, position};
+use crate::light::Light;
+use crate::normal::{Normal, Normals};
+use crate::scalar::Scalar;
+
+/// Irradiance as a polynomial of degree 2 of the normal: that of a Lambertian material under
+/// light of degree 2, without any table.
+///
+/// A [`Scene`](crate::Scene) of these nine terms or fewer is shaded by it.
+///
+/// ```
+/// use eigenshade::{Light, NineTerms, Normal};
+///
+/// let light = Light::new(1, &[3.5, 0.0, 1.0, 0.0])?; // all around, more from the camera
+/// let matte = NineTerms::lambertian(&light, 0.8);
+/// assert!(matte.shade(Normal::new(0.0, 0.0, 1.0)?) > matte.shade(Normal::new(1.0, 0.0, 0.0)?));
+/// # Ok::<(), eigenshade::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct NineTerms<S> {
+    coefficients: [S; 9],
+}
+
+impl<S> NineTerms<S> {
+    /// Multiply-adds of a pixel.
+    pub const MULTIPLY_ADDS: usize = 9;
+
+    /// The polynomial with these coefficients of 1, x, y, z, x² - y², xy, xz, yz and z².
+    #[inline]
+    #[must_use]
+    pub const fn new(coefficients: [S; 9]) -> Self {
+        Self { coefficients }
+    }
+
+    /// The coefficients of 1, x, y, z, x² - y², xy, xz, yz and z².
+    #[must_use]
+    pub const fn coefficients(&self) -> &[S; 9] {
+        &self.coefficients
+    }
+}
+
+impl<S: Scalar> NineTerms<S> {
+    /// The irradiance of a Lambertian material, f = `albedo` / π, under the coefficients of
+    /// degrees 0 to 2 of a light. Higher degrees have no part in it.
+    #[must_use]
+    pub fn lambertian(light: &Light<'_, S>, albedo: S) -> Self {
+        // The clamped cosine over π has the weights 1, 2/3 and 1/4; times the norms of the
+        // harmonics, √(1/4π), √(3/4π), √(15/4π) and √(5/16π).
+        let of = |l: usize, m: isize, weight: f64| {
+            let light = light.coefficients().get(position(l, m)).copied().unwrap_or(S::ZERO);
+            albedo * S::from_f64(weight * f64::from(graphics_sign(m))) * light
+        };
+        const CONSTANT: f64 = 0.282_094_791_773_878_14;
+        const LINEAR: f64 = 2.0 / 3.0 * 0.488_602_511_902_919_9;
+        const SQUARE: f64 = 0.25 * 1.092_548_430_592_079;
+        const UPRIGHT: f64 = 0.25 * 0.315_391_565_252_520_05;
+        let upright = of(2, 0, UPRIGHT);
+        Self::new([
+            of(0, 0, CONSTANT) - upright,
+            of(1, 1, LINEAR),
+            of(1, -1, LINEAR),
+            of(1, 0, LINEAR),
+            of(2, 2, 0.5 * SQUARE),
+            of(2, -2, SQUARE),
+            of(2, 1, SQUARE),
+            of(2, -1, SQUARE),
+            upright + upright + upright,
+        ])
+    }
+
+    /// The irradiance of one normal.
+    #[inline(always)]
+    #[must_use]
+    pub fn shade(&self, normal: Normal<S>) -> S {
+        let Normal { x, y, z } = normal;
+        let [constant, c1, c2, c3, c4, c5, c6, c7, c8] = self.coefficients;
+        let of_x = c1.add_product(c4, x).add_product(c5, y);
+        let of_y = c2.add_product(-c4, y);
+        let of_z = c3.add_product(c6, x).add_product(c7, y).add_product(c8, z);
+        constant.add_product(of_x, x).add_product(of_y, y).add_product(of_z, z)
+    }
+
+    /// The irradiance of each normal, into `irradiance`: bit for bit what
+    /// [`shade`](Self::shade) gives.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] unless `irradiance` has one place for each normal.
+    pub fn shade_slice(&self, normals: Normals<'_, S>, irradiance: &mut [S]) -> Result<(), Error> {
+        Error::check(What::Normals, normals.len(), irradiance.len())?;
+        let axes = normals.x.iter().zip(normals.y).zip(normals.z);
+        for (out, ((&x, &y), &z)) in irradiance.iter_mut().zip(axes) {
+            *out = self.shade(Normal { x, y, z });
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,185 @@
+//! What each number format supports is as docs/formats.md has it, with the error that refuses the
+//! rest.
+
+use eigenshade::{Error, Format, Light, Q15, Q31, Scalar, What, quantised, sphere};
+use eigenshade_table::Table;
+use eigenshade_table::general::General;
+use eigenshade_table::quantise::{self, QuantisedParts};
+use eigenshade_table::scene::{Effect, Store};
+use eigenshade_table::table::MeanImage;
+use eigenshade_table::wire::{self, Endian};
+use std::marker::PhantomData;
+
+/// The rows of the table: the last three columns by the first.
+fn rows() -> Vec<[&'static str; 4]> {
+    let text = include_str!("../docs/formats.md");
+    let (_, text) = text.split_once("## What each format supports").expect("the section");
+    let (text, _) = text.split_once("\n## ").expect("its end");
+    let rows = text.lines().filter(|line| line.starts_with("| ")).skip(1);
+    let cells = |row: &'static str| {
+        let cells: Vec<_> = row.trim_matches('|').split(" | ").map(str::trim).collect();
+        match cells[..] {
+            [what, floats, integers] => [what, floats, integers.trim_end_matches(" |"), ""],
+            [what, floats, integers, error] => [what, floats, integers, error],
+            _ => panic!("{row}"),
+        }
+    };
+    rows.map(cells).collect()
+}
+
+fn row(what: &str) -> [&'static str; 4] {
+    let found = rows().into_iter().find(|[name, ..]| *name == what);
+    found.unwrap_or_else(|| panic!("docs/formats.md has no row `{what}`"))
+}
+
+fn shipped() -> Table {
+    let bytes = std::fs::read("tables/sphere.bin").expect("the shipped table");
+    eigenshade_table::decode(&bytes).expect("a table")
+}
+
+/// Both integer formats refuse a table with the row's error.
+fn assert_refused(what: &str, change: impl Fn(&mut Table)) {
+    let [_, floats, integers, error] = row(what);
+    assert_eq!((floats, integers), ("yes", "no"), "{what}");
+    let mut table = shipped();
+    change(&mut table);
+    for format in [quantise::Format::Q15, quantise::Format::Q31] {
+        let refused = QuantisedParts::new(&table, format, format.tolerance()).err();
+        let refused = refused.expect(what).to_string();
+        assert!(refused.contains(error), "{what}: `{error}` in `{refused}`");
+    }
+}
+
+#[test]
+fn tables_that_integers_do_not_serve_are_refused_as_documented() {
+    assert_refused("the same, where ambient takes orders that no other effect takes", |table| {
+        table.scene.effects.wanted = vec![Effect::Ambient, Effect::Diffuse];
+    });
+    assert_refused("a mean image (`criterion = \"standard\"`)", |table| {
+        table.mean = Some(MeanImage { chebyshev: vec![1.0], coefficients: vec![0.0; 50] });
+    });
+    assert_refused("a selection of modes (`modes`)", |table| table.selection = vec![true]);
+    assert_refused("other objects than the sphere (`GeneralBasis`)", |table| {
+        table.general = Some(General {
+            normals: 1,
+            rank: 1,
+            eigenvalues: vec![None],
+            projection: vec![0.0; 50],
+            synthesis: vec![0.0; 50],
+            modes: vec![],
+            mean: vec![],
+            mean_coefficients: vec![],
+        });
+    });
+    assert_refused("polynomials of more than 16 terms", |table| {
+        table.profiles[0].chebyshev = vec![1.0; 40];
+    });
+    assert_refused("more than 511 profiles, or degrees beyond 510", |table| {
+        let last = table.profiles.last().cloned().expect("a profile");
+        table.profiles.resize(512, last);
+    });
+    let [_, floats, integers, error] = row("transfers alone, packed or quantized on the host");
+    assert_eq!((floats, integers), ("no", "no"));
+    let mut table = shipped();
+    table.scene.basis.store = Store::Materials;
+    for format in [
+        wire::Format::F32,
+        wire::Format::Integer(quantise::Format::Q15),
+        wire::Format::Integer(quantise::Format::Q31),
+    ] {
+        let refused = wire::encode(&table, format, Endian::Little).expect_err("no factors");
+        assert!(refused.to_string().contains(error), "`{error}` in `{refused}`");
+    }
+}
+
+/// Whether a format is a [`Scalar`], over which what only floats have is written: a method of the
+/// type itself goes before that of a trait.
+struct Probe<S>(PhantomData<S>);
+
+impl<S: Scalar> Probe<S> {
+    fn is_float(&self) -> bool {
+        true
+    }
+}
+
+trait Other {
+    fn is_float(&self) -> bool {
+        false
+    }
+}
+
+impl<S: Format> Other for Probe<S> {}
+
+#[test]
+fn what_only_floats_have_does_not_compile_in_integers() {
+    let floats = [Probe::<f32>(PhantomData).is_float(), Probe::<f64>(PhantomData).is_float()];
+    let integers = [Probe::<Q15>(PhantomData).is_float(), Probe::<Q31>(PhantomData).is_float()];
+    assert_eq!((floats, integers), ([true; 2], [false; 2]));
+    let closed = rows().into_iter().filter(|[.., error]| error.starts_with("does not compile"));
+    // Lookup, bake, IntegerMap, turned and windowed, collapse_within.
+    assert_eq!(closed.count(), 5);
+}
+
+/// The numbers that a format has no room for.
+#[test]
+fn numbers_beyond_a_format_are_refused_as_documented() {
+    let says = |error: Error, what: &str| {
+        let [_, _, integers, expected] = row(what);
+        assert_eq!(integers, "no");
+        assert!(error.to_string().contains(expected), "{what}: `{expected}` in `{error}`");
+    };
+    let mut light = [1.0f32; 4];
+    light[2] = 1e300f64 as f32;
+    let refused = Error::NotFinite { what: What::Light, index: 2 };
+    let mut mantissas = [Q15(0); 4];
+    let found = quantised::Light::quantise(1, &light, &mut mantissas);
+    assert_eq!(found, Err(refused));
+    assert_eq!(Light::checked(1, &light), Err(refused));
+    assert!(Light::checked(1, &[1e300f64; 4]).is_ok());
+    says(refused, "a light of 1e300");
+
+    let saturated = Error::Saturated { what: What::Texels };
+    let mut d = [0.0f32; sphere::COMPONENTS];
+    d[0] = 2e18;
+    let scene = sphere::BASIS.collapse::<{ sphere::SCENE }>(&d).expect("sizes");
+    assert_eq!(scene.bake_integers_into(4, [0; 16]).err(), Some(saturated));
+    says(saturated, "a map of irradiances of 2^60 or more, in integers");
+    d[0] = 1e17;
+    let scene = sphere::BASIS.collapse::<{ sphere::SCENE }>(&d).expect("sizes");
+    assert!(scene.bake_integers_into(4, [0; 16]).is_ok());
+    d[0] = f32::NAN;
+    let scene = sphere::BASIS.collapse::<{ sphere::SCENE }>(&d).expect("sizes");
+    let spoiled = scene.bake_integers_into(4, [0; 16]).err();
+    assert!(matches!(spoiled, Some(Error::NotFinite { what: What::Texels, .. })), "{spoiled:?}");
+
+    // What saturates it is among the hard cases.
+    let of_pixels = Error::Saturated { what: What::Coefficients };
+    says(of_pixels, "sums of more than 2^15 pixels of full weight and size");
+}
+
+/// A table that all formats take is taken, and by each way that the first rows name.
+#[test]
+fn what_every_format_supports_is_there() {
+    let mut table = shipped();
+    for effects in [vec![Effect::Diffuse, Effect::Broad], Effect::ALL.to_vec()] {
+        table.scene.effects.wanted = effects;
+        for format in [quantise::Format::Q15, quantise::Format::Q31] {
+            let taken = QuantisedParts::new(&table, format, format.tolerance());
+            assert!(taken.is_ok(), "{:?}", taken.err());
+        }
+    }
+    for what in [
+        "`project`, `transfer` (`fold`), `relight`, `collapse`, `shade`, `estimate`, `Negatives`",
+        "the sphere's tables of some effects",
+    ] {
+        assert_eq!(row(what)[1..], ["yes", "yes", ""]);
+    }
+    let alone = quantised::Parts {
+        polar: &[],
+        polar_exponents: &[],
+        factors: &[],
+        factor_exponents: &[],
+        ..*sphere::q15::BASIS.parts()
+    };
+    assert!(quantised::Basis::<Q15>::new(alone).is_ok());
+}
