@@ -5,6 +5,7 @@
 //! normals; what terms cost is in [`terms`]. What components lack lies within the terms that
 //! stay, what terms lack outside them: the squares add.
 
+mod accounts;
 mod basis;
 mod density;
 mod energy;
@@ -38,8 +39,8 @@ pub enum Tolerance<S> {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Economy<S> {
-    /// The first so many components suffice: a scene of these alone is within the bound too. The
-    /// scene itself is of all, which costs a pixel nothing.
+    /// Number of leading components that suffice: a scene made from these alone also stays within
+    /// the bound. The scene itself uses all components, which costs a pixel nothing.
     pub components: usize,
     /// Azimuths |m| from 0 on that are left.
     pub azimuths: usize,

@@ -1,7 +1,8 @@
 //! One loop for several images: as many components, polynomials of the same lengths.
 
+use super::accounts::Accounts;
 use super::peak::{larger, peak};
-use super::terms::{Accounts, Polynomials};
+use super::terms::Polynomials;
 use super::{Economy, Tolerance};
 use crate::basis::Basis;
 use crate::error::{Error, What};

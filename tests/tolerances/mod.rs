@@ -1,6 +1,7 @@
-//! Every tolerance of the project's tests, one line each, with its reason. None is more than ten
-//! times what its tests measure; those of random tests and of results that are the same bits on
-//! some hosts are of the worst case, digits and thresholds of what they are digits of.
+//! Every tolerance of the project's tests, one line each, with its reason. A tolerance is at most
+//! ten times the largest error that its tests measure. Four kinds may be wider: tolerances of random
+//! tests, which have to hold in the worst case; of results that are exact on some hosts and rounded
+//! on others; the last digits of a page or a file; and thresholds, which are no errors.
 #![allow(dead_code, reason = "each test takes the tolerances that it needs")]
 
 /// Special functions up to degree 9: a few hundred roundings of numbers of order one.
@@ -123,8 +124,7 @@ pub const READ_NO_PRODUCT: f64 = 1e-3;
 pub const READ_RESIDUAL: f64 = 3e-15;
 /// The same where one pixel of 400 shows something else: more than this.
 pub const READ_SPOILT: f64 = 1e-6;
-/// Rms that the posterior mean leaves of a flat grey of 1/2: held toward the statistics by a
-/// millionth of the image.
+/// Rms that the posterior mean leaves of a flat grey of 1/2: rounding.
 pub const READ_FLAT: f64 = 2e-15;
 /// Share of the energy that 50 components leave of a picture in 8 bits: 3 % in amplitude.
 pub const READ_PICTURE: f64 = 1e-3;
@@ -156,8 +156,9 @@ pub const SAME_MESH_F32: f64 = 4e-7;
 pub const NORMAL_MAP: f64 = 0.03;
 /// Eigenvalues over normals of 16 bits, of the largest.
 pub const SIXTEEN_BITS: f64 = 3e-5;
-/// Eigenvalues of a density that is linear between 401 slants, of the largest: the shipped rule and
-/// the density's own agree to the digits of its file.
+/// Eigenvalues of a density that is linear between 401 slants, of the largest. Chords of a cosine are
+/// too low by the same share everywhere, which normalization removes; the rest falls with the fourth
+/// power of the step of 4e-3.
 pub const TABULATED_DENSITY: f64 = 9e-11;
 /// Pictures of normals that weigh 1e-12 of others, of the peak: their images are cut off with the
 /// rank, at 1e-10 of what weighs 1, the root of their weight 1e-6 above that, and a third at most of what is
@@ -692,7 +693,8 @@ pub const RIM_INWARD: f32 = 1e-4;
 pub const QUARTER_TURN: f64 = 0.999;
 /// A polar integral of degree 9 and order 7 that is not zero, far above its rounding.
 pub const COUPLES: f64 = 1e-4;
-/// Pictures of effects, summed, against the picture of all, of the peak: the promise.
+/// Pictures of effects, summed, against the picture of all, of the peak: rounding. docs/method.md
+/// promises 1e-12.
 pub const SUM_OF_EFFECTS: f64 = 9e-15;
 /// An object's table of some effects against the direct sum over their modes, of the peak: the
 /// rank's cut-off of 1e-10, amplified as far as six normals see the modes.

@@ -7,11 +7,11 @@ use eigenshade::{Basis, Parts, Scene};
 use eigenshade_table::wire::{Endian, Format, encode};
 use std::path::Path;
 
-/// What the page calls it in halves, the form of its length, and in series.
+/// Names in docs/performance.md of the scene as even and odd halves, and of the same as series.
 pub const NAMES: [&str; 2] = ["full scene of `pbr`", "the same as series"];
 
-/// The scene of its first component, in that form: what a pixel takes does not depend on the
-/// numbers, so the series' are none that belong together.
+/// The scene of the table's first component, in the named form. The time of a pixel does not depend
+/// on the numbers, so the series use made-up recurrences.
 pub fn scene(name: &str) -> Scene<'static, Vec<f32>> {
     let mut basis = basis();
     if name == NAMES[1] {

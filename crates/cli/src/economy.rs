@@ -35,12 +35,13 @@ pub fn lines<S: Scalar + Into<f64>>(
             span(|one| one.terms),
         ),
         format!(
-            "left out of the image of {components} components, rms over a picture of a sphere: at most {worst:.1e} \
-             of the brightest channel's peak, {by_components:.1e} by components, {by_terms:.1e} by terms and \
-             {rounding:.1e} by rounding"
+            "left out of the image of {components} components, rms over a picture of a sphere: \
+             at most {worst:.1e} of the brightest channel's peak, {by_components:.1e} by \
+             components, {by_terms:.1e} by terms and {rounding:.1e} by rounding"
         ),
         format!(
-            "estimated beyond these components, rms over a picture of a sphere: {floor:.1e} of that peak"
+            "estimated beyond these components, rms over a picture of a sphere: {floor:.1e} of \
+             that peak"
         ),
     ]
 }

@@ -70,10 +70,10 @@ pub struct Shade {
     /// whole [default: all]
     #[arg(long, value_name = "A,B", value_delimiter = ',', value_parser = effect)]
     effects: Vec<Effect>,
-    /// Of the method polynomial in f32 or f64: the fewest terms, the same for a colour's channels,
-    /// that are within this share of the brightest channel's peak (1e-3), or so many decibels
-    /// below it (60dB), rms over a picture of a sphere. Of the image of the components in use: what those lack
-    /// comes besides
+    /// Shade with fewer polynomial terms, as long as the rms difference over a picture of a sphere
+    /// stays within this share of the brightest channel's peak (1e-3) or this many decibels below
+    /// it (60dB). Needs the method polynomial in f32 or f64. The error of the components in use
+    /// comes on top
     #[arg(long, value_name = "T", value_parser = tolerance, allow_negative_numbers = true)]
     tolerance: Option<Tolerance<f64>>,
     /// Weakens degree l of the light by sinc^4, (sin x / x)^4 with x = pi l / W; nothing is

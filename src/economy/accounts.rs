@@ -1,0 +1,240 @@
+//! Which terms of several images' polynomials a tolerance allows to leave out.
+//!
+//! Terms go from the highest of an azimuth down, those of +m and -m together, at a price that
+//! rises from sweep to sweep: first those that cost least for each product that a pixel saves. The
+//! result has few terms, not provably the fewest.
+//!
+//! Each image keeps its own account. Terms go only if every image can pay for them, and the price
+//! is the same share of what each image may be off, so every image's bound is exact.
+
+use super::Economy;
+use super::energy::mean_square;
+use super::terms::{Place, Polynomials, signs, used};
+use crate::scalar::Scalar;
+
+/// By how much the price rises from one sweep to the next.
+const RISE: usize = 16;
+
+/// Whether a loop over twenty nodes costs little more than one over four numbers.
+const LANES_ARE_CHEAP: bool = cfg!(any(target_arch = "x86_64", target_arch = "aarch64"));
+
+/// Multiply-adds of the complex products by which azimuths up to the highest are summed.
+const fn around(highest: usize) -> usize {
+    (4 * highest).saturating_sub(2)
+}
+
+/// Images in orthonormal polynomials, and what is told of each: by now squares, in `bound` of
+/// what it may be off.
+pub(super) struct Accounts<'s, S> {
+    pub(super) polynomials: Polynomials<'s>,
+    /// `len` of each image.
+    pub(super) numbers: &'s [S],
+    pub(super) len: usize,
+    pub(super) told: &'s mut [Economy<S>],
+}
+
+impl<S: Scalar> Accounts<'_, S> {
+    /// Leaves out whole azimuths from the highest down, as the first sweep would, as long as all
+    /// images can pay: what they cost is known before anything is rewritten. `scale` is what an
+    /// image's numbers are yet to be multiplied by.
+    pub(super) fn spare_azimuths(&mut self, lengths: &mut [u16], scale: impl Fn(&Economy<S>) -> S) {
+        // Numbers one by one cost more than they save.
+        if !LANES_ARE_CHEAP {
+            return;
+        }
+        let mut end = self.len;
+        for azimuth in (0..used(lengths)).rev() {
+            let mut place = self.polynomials.place(azimuth, end);
+            end = end.saturating_sub(signs(azimuth) * place.original);
+            place.start = end;
+            let split = lengths.get_mut(..=azimuth).and_then(<[_]>::split_last_mut);
+            let Some((length, below)) = split.filter(|(length, _)| **length > 0) else { continue };
+            if !place.known || !self.polynomials.recurrences.of(azimuth).is_empty() {
+                return;
+            }
+            let around = around(azimuth) - around(used(below).saturating_sub(1));
+            let saved = signs(azimuth) * (place.original - 1) + around;
+            let worth = S::from_whole(saved) * self.first_price();
+            for (numbers, told) in self.numbers.chunks_exact(self.len.max(1)).zip(&mut *self.told) {
+                let both = place.both(numbers);
+                let Some(square) = mean_square(azimuth, both, scale(told)) else { return };
+                // Until all have been asked.
+                told.floor = square;
+                let pays = told.floor <= left(told) && told.floor <= worth * told.bound;
+                if !pays {
+                    return;
+                }
+            }
+            self.told.iter_mut().for_each(|told| told.left_out_by_terms += told.floor);
+            *length = 0;
+        }
+    }
+
+    /// Little enough that what goes at it leaves most of what an image may be off.
+    fn first_price(&self) -> S {
+        S::from_whole(self.len.max(1)).reciprocal()
+    }
+
+    /// Shortens `lengths`, at first the polynomials' own or 0, as long as no image is off by more
+    /// than it may be.
+    pub(super) fn spare(&mut self, lengths: &mut [u16]) {
+        let rise = S::from_whole(RISE);
+        let mut price = self.first_price();
+        while price < S::ONE {
+            self.sweep(lengths, price);
+            price = price * rise;
+        }
+        // What anything may cost, at last: what stays then could never go.
+        self.sweep(lengths, S::from_whole(self.len.max(1)));
+    }
+
+    /// Leaves out what goes at a price, from the highest azimuth down.
+    fn sweep(&mut self, lengths: &mut [u16], price: S) {
+        let mut end = self.len;
+        let mut azimuths = used(lengths);
+        for azimuth in (0..used(self.polynomials.lengths)).rev() {
+            let mut place = self.polynomials.place(azimuth, end);
+            end = end.saturating_sub(signs(azimuth) * place.original);
+            place.start = end;
+            let split = lengths.get_mut(..=azimuth).and_then(<[_]>::split_last_mut);
+            let Some((length, below)) = split.filter(|(length, _)| **length > 0) else { continue };
+            let around = (azimuth + 1 == azimuths).then(|| {
+                azimuths = used(below);
+                around(azimuth) - around(azimuths.saturating_sub(1))
+            });
+            if place.known {
+                *length -= self.affordable(place, (*length).into(), around, price) as u16;
+            }
+            if *length > 0 {
+                azimuths = azimuths.max(azimuth + 1);
+            }
+        }
+    }
+
+    /// Takes the most terms of an azimuth that all images can pay for, at most this share of what
+    /// each may be off for each product that a pixel saves. The last saves none by itself, but
+    /// `around` with the highest azimuth.
+    fn affordable(
+        &mut self,
+        place: Place,
+        length: usize,
+        around: Option<usize>,
+        price: S,
+    ) -> usize {
+        let of_one = S::from_whole(signs(place.azimuth)) * price;
+        let of_last = around.map_or(S::ZERO, |around| S::from_whole(around) * price - of_one);
+        let mut terms = if around.is_some() { length } else { length - 1 };
+        let mut paid = S::ZERO;
+        let images = self.numbers.chunks_exact(self.len.max(1));
+        loop {
+            let before = terms;
+            for (numbers, told) in images.clone().zip(&*self.told) {
+                let (left, of_one) = (left(told), of_one * told.bound);
+                let (mut sum, mut worth, mut gone) = (S::ZERO, S::ZERO, 0);
+                paid = S::ZERO;
+                for (index, square) in place.squares(numbers, length).take(terms).enumerate() {
+                    sum += square;
+                    worth += of_one;
+                    let within = sum <= left;
+                    if !within {
+                        break;
+                    }
+                    if index + 1 == length {
+                        worth = worth.add_product(of_last, told.bound);
+                    }
+                    if sum <= worth {
+                        (gone, paid) = (index + 1, sum);
+                    } else if around.is_none() {
+                        break;
+                    }
+                }
+                terms = gone;
+            }
+            // Who was asked before one that can pay for fewer is asked again.
+            if terms == before || self.told.len() == 1 {
+                break;
+            }
+        }
+        if let [told] = &mut *self.told {
+            told.left_out_by_terms += paid;
+        } else if terms > 0 {
+            for (numbers, told) in images.zip(&mut *self.told) {
+                let squares = place.squares(numbers, length).take(terms);
+                squares.for_each(|square| told.left_out_by_terms += square);
+            }
+        }
+        terms
+    }
+}
+
+/// What an image may still be off.
+fn left<S: Scalar>(told: &Economy<S>) -> S {
+    let left = told.bound - told.left_out_by_components - told.left_out_by_terms;
+    if left > S::ZERO { left } else { S::ZERO }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::parts::Recurrences;
+
+    /// Asked first, one image could lose both terms of m = 2 for the azimuth that a pixel saves;
+    /// the other can lose only one, and for one term the first would pay too much. Terms of m = 0
+    /// then take what that would have cost.
+    #[test]
+    fn the_order_of_images_changes_nothing() {
+        const LENGTHS: &[u16] = &[6, 0, 2];
+        const LEN: usize = 10;
+        let polynomials = Polynomials { lengths: LENGTHS, recurrences: Recurrences::NONE };
+        // Squares in units of the first price.
+        let image = |zero: f64, [highest, lowest]: [f64; 2]| {
+            let squares = [zero, zero, zero, zero, zero, 9.0, highest, lowest, 0.0, 0.0];
+            squares.map(|square| libm::sqrt(square / LEN as f64))
+        };
+        let (one, two) = (image(0.9, [7.0, 0.9]), image(0.0, [0.9, 100.0]));
+        let spared = |images: [[f64; LEN]; 2]| {
+            let mut told = [Economy { bound: 1.0, ..Economy::default() }; 2];
+            let (numbers, mut lengths) = (images.as_flattened(), [6, 0, 2]);
+            Accounts { polynomials, numbers, len: LEN, told: &mut told }.spare(&mut lengths);
+            for (image, told) in images.iter().zip(told) {
+                let left_out = polynomials.left_out(&lengths, image);
+                assert!((left_out - told.left_out_by_terms).abs() < 1e-15 && left_out <= 1.0);
+            }
+            lengths
+        };
+        assert_eq!(spared([one, two]), [1, 0, 2]);
+        assert_eq!(spared([two, one]), [1, 0, 2]);
+    }
+
+    /// Azimuths that go as a whole before anything is rewritten would have gone after it too.
+    #[test]
+    fn whole_azimuths_go_as_in_the_sweeps() {
+        const LENGTHS: [u16; 5] = [6, 4, 5, 3, 4];
+        const LEN: usize = 6 + 2 * (4 + 5 + 3 + 4);
+        let polynomials = Polynomials { lengths: &LENGTHS, recurrences: Recurrences::NONE };
+        let mut early = 0;
+        for exponent in 0..40 {
+            let numbers: [f64; LEN] = core::array::from_fn(|k| {
+                let number = (7 * k % 19) as f64 - 9.0;
+                if k < 6 { number } else { number * libm::exp(-(k as f64) / 4.0) }
+            });
+            let told = [Economy { bound: 2f64.powi(-exponent), ..Economy::default() }];
+            let shape = |first: bool| {
+                let (mut lengths, mut numbers, mut told) = (LENGTHS, numbers, told);
+                if first {
+                    Accounts { polynomials, numbers: &numbers, len: LEN, told: &mut told }
+                        .spare_azimuths(&mut lengths, |_| 1.0);
+                }
+                let gone = lengths.iter().filter(|&&length| length == 0).count();
+                polynomials.orthonormalize(&lengths, &mut numbers, 1.0);
+                Accounts { polynomials, numbers: &numbers, len: LEN, told: &mut told }
+                    .spare(&mut lengths);
+                (lengths, gone)
+            };
+            let ((found, gone), (expected, _)) = (shape(true), shape(false));
+            assert_eq!(found, expected, "2^-{exponent}");
+            early += gone;
+        }
+        assert!(early > 0 || !LANES_ARE_CHEAP);
+    }
+}
