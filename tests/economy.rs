@@ -1,15 +1,15 @@
 //! Scenes within a tolerance: the bound holds and is near the error, and what an image does
 //! not need costs nothing.
 
-use crate::images;
 use crate::tolerances;
 use eigenshade::{Economy, Error, Light, Material, Normal, Normals, Scene, Tolerance, sphere};
-use eigenshade_cli::owned_basis::{AnyBasis, OwnedBasis};
 use eigenshade_generator::basis::build;
 use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_generator::special::gauss_legendre;
 use eigenshade_generator::truth::Truth;
+use eigenshade_shading::owned_basis::{AnyBasis, OwnedBasis};
 use eigenshade_table::decode;
+use eigenshade_testing::images;
 use images::{Image, coefficients, products, rule, single, vectors};
 use proptest::prelude::*;
 use std::f64::consts::TAU;

@@ -1,10 +1,10 @@
 //! What a scene within a tolerance costs a pixel, beside the least that any lengths could cost:
 //! found by trying all, azimuth by azimuth.
 
-use crate::images;
 use crate::tolerances;
 use eigenshade::{Normal, Recurrences, Shape, Tolerance, sphere};
 use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
+use eigenshade_testing::images;
 use images::{Image, coefficients, products, rule, single};
 
 const METHOD: &str = include_str!("../docs/method.md");

@@ -1,10 +1,10 @@
 //! d from pixels is d from light and material, where the pixels are a quadrature.
 
-use crate::stability;
+use crate::tolerances;
 use eigenshade::{Error, Normal, sphere};
-use eigenshade_cli::owned_basis::OwnedBasis;
 use eigenshade_generator::special::gauss_legendre;
-use stability::{fixtures, largest, tolerances};
+use eigenshade_shading::owned_basis::OwnedBasis;
+use eigenshade_testing::{fixtures, largest};
 use std::f64::consts::TAU;
 
 /// Both criteria: the mean image is subtracted pixel by pixel.

@@ -6,13 +6,13 @@
 
 use crate::tolerances;
 use eigenshade::{Q15, Q31};
-use eigenshade_cli::integer_shader::{self, IntegerShader};
-use eigenshade_cli::owned_basis::OwnedBasis;
-use eigenshade_cli::owned_quantised::Integer;
-use eigenshade_cli::shader::{OwnedNormals, Shader};
-use eigenshade_cli::shipped;
 use eigenshade_generator::database::{Lights, Materials};
 use eigenshade_index::{light, material, mode};
+use eigenshade_shading::integer_shader::{self, IntegerShader};
+use eigenshade_shading::owned_basis::OwnedBasis;
+use eigenshade_shading::owned_quantised::Integer;
+use eigenshade_shading::shader::{OwnedNormals, Shader};
+use eigenshade_shading::shipped;
 use eigenshade_table::Table;
 
 /// Normals at which images are compared, of equal projected areas.

@@ -2,7 +2,7 @@
 //! without.
 #![cfg(feature = "generate")]
 
-mod oracle;
+use eigenshade_testing::oracle;
 #[path = "tolerances/mod.rs"]
 mod tolerances;
 

@@ -1,12 +1,11 @@
 //! The golden file on the host: bit for bit in integers, by every way that the runtime
 //! has; floats to the tolerance that the file states.
 
-use crate::golden;
+use crate::tolerances;
 use eigenshade::quantised::{Light, Material, Normal};
 use eigenshade::{Normals, Q15, Q31, sphere};
-use golden::answers::{Answer, Shipped, answer, checksum};
-use golden::record::{Golden, Row};
-use golden::tolerances;
+use eigenshade_testing::golden::answers::{Answer, GOLDEN_F32, Shipped, answer, checksum};
+use eigenshade_testing::golden::record::{Golden, Row};
 
 fn recorded() -> Golden {
     Golden::parse(include_str!("golden/sphere.csv")).expect("tests/golden/sphere.csv")
@@ -118,7 +117,7 @@ fn assert_near(what: &str, found: &[f32], recorded: &[f32]) {
     assert_eq!(found.len(), recorded.len(), "{what}");
     let largest = recorded.iter().fold(0.0f32, |most, number| most.max(number.abs()));
     for (k, (a, b)) in found.iter().zip(recorded).enumerate() {
-        assert!((a - b).abs() <= tolerances::GOLDEN_F32 * largest, "{what}, {k}: {a} for {b}");
+        assert!((a - b).abs() <= GOLDEN_F32 * largest, "{what}, {k}: {a} for {b}");
     }
 }
 
@@ -126,7 +125,7 @@ fn assert_near(what: &str, found: &[f32], recorded: &[f32]) {
 fn floats_are_within_the_tolerance() {
     let golden = recorded();
     let all = |array| golden.find("f32", [""; 3], array).and_then(Row::floats).expect("floats");
-    assert_eq!(all("tolerance"), [tolerances::GOLDEN_F32]);
+    assert_eq!(all("tolerance"), [GOLDEN_F32]);
     let normals = all("normals");
     let of_axis = |axis| normals.iter().skip(axis).step_by(3).copied().collect::<Vec<f32>>();
     let [x, y, z] = [0, 1, 2].map(of_axis);

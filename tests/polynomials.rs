@@ -3,7 +3,7 @@
 
 use crate::tolerances;
 use eigenshade::{Normal, Scalar};
-use eigenshade_cli::owned_basis::OwnedBasis;
+use eigenshade_shading::owned_basis::OwnedBasis;
 use std::f64::consts::SQRT_2;
 
 /// Each component alone, by collapsing it and by itself; of its largest value, the worst.

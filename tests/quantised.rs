@@ -4,7 +4,7 @@ use crate::tolerances;
 use eigenshade::quantised::{Basis, Light, Material, Normal, Parts, Profile, Transfer};
 use eigenshade::sphere::{q15, q31};
 use eigenshade::{Error, Q15, Q31, What};
-use eigenshade_cli::owned_quantised::Integer;
+use eigenshade_shading::owned_quantised::Integer;
 use eigenshade_table::quantise::{self, Format};
 use std::f64::consts::SQRT_2;
 

@@ -4,7 +4,6 @@
 use crate::reading;
 use eigenshade::index::{light, material};
 use eigenshade::{Light, Material};
-use eigenshade_cli::owned_basis::OwnedBasis;
 use eigenshade_generator::reading::coefficients::{LeastSquares, scalar_product};
 use eigenshade_generator::reading::eigenimage_values::EigenimageValues;
 use eigenshade_generator::reading::fit::fit;
@@ -12,6 +11,7 @@ use eigenshade_generator::reading::observation::Observer;
 use eigenshade_generator::reading::posterior::Posterior;
 use eigenshade_generator::scene_file::Loaded;
 use eigenshade_generator::special::gauss_legendre;
+use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_table::Table;
 use eigenshade_table::scene::Criterion;
 use nalgebra::{DMatrix, DVector};

@@ -2,10 +2,10 @@
 //! the database.
 
 use crate::tolerances;
-use eigenshade_cli::owned_basis::OwnedBasis;
-use eigenshade_cli::shader::{OwnedNormals, Shader};
-use eigenshade_cli::shipped;
 use eigenshade_generator::truth::Truth;
+use eigenshade_shading::owned_basis::OwnedBasis;
+use eigenshade_shading::shader::{OwnedNormals, Shader};
+use eigenshade_shading::shipped;
 use eigenshade_table::trim::trim;
 use std::f64::consts::TAU;
 

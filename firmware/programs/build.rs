@@ -6,7 +6,7 @@ mod folded;
 #[path = "build/ladder.rs"]
 mod ladder;
 
-#[path = "../../tests/golden/record.rs"]
+#[path = "../../crates/testing/src/golden/record.rs"]
 #[expect(dead_code, reason = "it writes such files as well")]
 mod record;
 

@@ -1,17 +1,17 @@
 //! Sets of images in one shape: each is within its tolerance, its bound holds and is near the
 //! error, and no azimuth could lose another term.
 
-use crate::images;
 use crate::tolerances;
+use eigenshade_testing::images;
 
 mod corner_cases;
 
 use eigenshade::{Economy, Light, Material, Normal, Recurrences, Shape, Tolerance, sphere};
-use eigenshade_cli::owned_basis::{AnyBasis, OwnedBasis};
 use eigenshade_generator::basis::build;
 use eigenshade_generator::database::Named;
 use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_generator::truth::Truth;
+use eigenshade_shading::owned_basis::{AnyBasis, OwnedBasis};
 use eigenshade_table::decode;
 use images::{Image, coefficients, rule, single, vectors};
 use proptest::prelude::*;

@@ -3,11 +3,12 @@
 use crate::objects::{Energy, energies, prefix, scene};
 use crate::samples::Sample;
 use crate::shapes::Shape;
-use crate::stability::oracle::Numbers;
-use crate::stability::{largest, tolerances};
+use crate::tolerances;
 use eigenshade_generator::geometry::Geometry;
 use eigenshade_generator::scene_file::Loaded;
 use eigenshade_table::scene::LightRotation;
+use eigenshade_testing::largest;
+use eigenshade_testing::oracle::Numbers;
 
 /// A light, a material, and nothing odd about them.
 const PLAIN: Sample = Sample {

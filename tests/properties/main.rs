@@ -13,10 +13,6 @@ mod shapes;
 mod sphere;
 mod symmetries;
 
-#[path = "../oracle/mod.rs"]
-mod oracle;
-#[path = "../stability/mod.rs"]
-mod stability;
 #[path = "../tolerances/mod.rs"]
 mod tolerances;
 

@@ -3,10 +3,7 @@
 use crate::config;
 use crate::samples::{Sample, samples, strangers};
 use crate::shapes::{Shape, shapes};
-use crate::stability::oracle::Numbers;
-use crate::stability::pictures::{Pictures, eigenvalues, table};
-use crate::stability::projector::Projector;
-use crate::stability::{largest, tolerances};
+use crate::tolerances;
 use eigenshade_generator::database::Named;
 use eigenshade_generator::geometry::WeightedNormals;
 use eigenshade_generator::light_statistics::LightStatistics;
@@ -20,6 +17,10 @@ use eigenshade_index::effect::Effects;
 use eigenshade_index::{light, material, mode};
 use eigenshade_table::Table;
 use eigenshade_table::scene::LightRotation;
+use eigenshade_testing::largest;
+use eigenshade_testing::oracle::Numbers;
+use eigenshade_testing::pictures::{Pictures, eigenvalues, table};
+use eigenshade_testing::projector::Projector;
 use nalgebra::DMatrix;
 use proptest::prelude::*;
 use std::f64::consts::PI;
@@ -317,10 +318,10 @@ proptest! {
         let normals = listed.normals().iter().map(with).zip(listed.weights().iter().copied());
         let (before, after) = (
             table(&loaded, &listed),
-            table(&turned, &crate::stability::pictures::listed(normals)),
+            table(&turned, &eigenshade_testing::pictures::listed(normals)),
         );
         let (before, after) = (eigenvalues(&before), eigenvalues(&after));
-        let apart = crate::stability::pictures::apart(&after, &before);
+        let apart = eigenshade_testing::pictures::apart(&after, &before);
         // Of what is constant but for rounding, nothing is left to compare.
         let size = size(&loaded).powi(2);
         let scale = largest(before.iter().copied());

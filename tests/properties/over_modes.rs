@@ -1,6 +1,6 @@
 //! Products of a sphere's eigenimages and energies of its modes, azimuth by azimuth.
 
-use crate::stability::tolerances;
+use crate::tolerances;
 use eigenshade_generator::moments;
 use eigenshade_generator::scene_file::Loaded;
 use eigenshade_index::effect::Effects;

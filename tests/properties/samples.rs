@@ -1,11 +1,11 @@
 //! Random scenes.
 
-use crate::stability::fixtures::{self, named};
-use crate::stability::oracle::Numbers;
 use eigenshade_generator::database::{Lights, Materials, Named};
 use eigenshade_generator::scene_file::Loaded;
 use eigenshade_index::{light, material};
 use eigenshade_table::scene::{Criterion, Normalise};
+use eigenshade_testing::fixtures::{self, named};
+use eigenshade_testing::oracle::Numbers;
 use proptest::prelude::*;
 
 /// A random scene, by what it is made from.

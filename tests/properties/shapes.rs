@@ -1,9 +1,9 @@
 //! Random objects.
 
-use crate::stability::oracle::Numbers;
-use crate::stability::pictures::listed;
 use eigenshade_generator::geometry::WeightedNormals;
 use eigenshade_generator::inputs::density;
+use eigenshade_testing::oracle::Numbers;
+use eigenshade_testing::pictures::listed;
 use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::path::Path;

@@ -3,8 +3,7 @@
 use crate::config;
 use crate::over_modes::{assert_orthonormal, energy};
 use crate::samples::{samples, strangers};
-use crate::stability::projector::Projector;
-use crate::stability::{fixtures, largest, tolerances};
+use crate::tolerances;
 use eigenshade_generator::profile::evaluate;
 use eigenshade_generator::rotation::Rotation;
 use eigenshade_generator::scene_file::Loaded;
@@ -12,6 +11,8 @@ use eigenshade_generator::special::gauss_legendre;
 use eigenshade_generator::truth::Truth;
 use eigenshade_table::scene::Criterion;
 use eigenshade_table::{Table, decode, encode};
+use eigenshade_testing::projector::Projector;
+use eigenshade_testing::{fixtures, largest};
 use proptest::prelude::*;
 use std::f64::consts::{PI, TAU};
 

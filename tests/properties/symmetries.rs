@@ -2,13 +2,14 @@
 //! together.
 
 use crate::config;
-use crate::stability::oracle::Numbers;
-use crate::stability::rotations::{euler, irradiance, product, rotation};
-use crate::stability::{fixtures, largest, tolerances};
+use crate::tolerances;
 use eigenshade_generator::polar_integral::PolarIntegrals;
 use eigenshade_generator::scattering;
 use eigenshade_generator::truth::Truth;
 use eigenshade_index::material;
+use eigenshade_testing::oracle::Numbers;
+use eigenshade_testing::rotations::{euler, irradiance, product, rotation};
+use eigenshade_testing::{fixtures, largest};
 use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI};
 

@@ -3,7 +3,6 @@
 use super::oracle::Numbers;
 use super::{COUNT, NOISE};
 use eigenshade::Normal;
-use eigenshade_cli::owned_basis::OwnedBasis;
 use eigenshade_generator::basis;
 use eigenshade_generator::light_statistics::LightStatistics;
 use eigenshade_generator::moments::{MaterialMoments, equal};
@@ -12,6 +11,7 @@ use eigenshade_generator::reading::observation::{Observation, Observer};
 use eigenshade_generator::reading::prior::Prior;
 use eigenshade_generator::reading::transfer::Transfers;
 use eigenshade_generator::scene_file::{self, Loaded};
+use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_table::Table;
 use eigenshade_table::scene::Criterion;
 use nalgebra::{DMatrix, DVector};

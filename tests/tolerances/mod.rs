@@ -411,9 +411,6 @@ pub const OBJECT_PARSEVAL: f64 = 1e-12;
 pub const ESTIMATE_Q15: f64 = 5e-3;
 /// The same in 31 bits, trimmed to 1e-8.
 pub const ESTIMATE_Q31: f64 = 1e-6;
-/// d and irradiances in f32 against those in f64, of the largest of their array: some forty
-/// roundings of 6e-8 that count, in any order, fused or not.
-pub const GOLDEN_F32: f32 = 2e-6;
 /// d of any light and material, of what its addends could be, all of the largest size and of one
 /// sign: some roundings of 24 bits, of addends far smaller.
 pub const ANY_D_F32: f64 = 2e-8;
@@ -708,7 +705,7 @@ pub const EFFECTS_Q15: f64 = 2e-3;
 /// of the processor's width, ours with fused products or without.
 pub const PEERS_ROUNDING: f64 = 3.0;
 
-// What `eigenshade accuracy-cost --check` allows, and what its tests ask of its files.
+// What `experiments accuracy-cost --check` allows, and what its tests ask of its files.
 
 /// An error of a setting, relative: hosts round differently, and rounding may end a polynomial a term
 /// earlier or later, which moves the error of one cut short by a per cent.

@@ -18,41 +18,17 @@ pub mod message;
 #[cfg(unix)]
 pub mod signals;
 
-pub mod parallel;
-
 pub mod table_file;
 
 pub mod wire_file;
 
-pub mod shipped;
-
 pub mod named;
-
-pub mod overflow;
 
 pub mod ringing;
 
 pub mod albedo;
 
-pub mod owned_basis;
-
-pub mod owned_quantised;
-
-pub mod multiplications;
-
-pub mod integer_shader;
-
-pub mod shader;
-
-pub mod truth_image;
-
 pub mod compare;
-
-pub mod sphere_rings;
-
-pub mod median;
-
-pub mod accuracy;
 
 pub mod recorded_errors;
 pub mod rounding;
@@ -69,12 +45,6 @@ pub mod pixel_mask;
 
 pub mod image_reading;
 
-pub mod damage;
-
 pub mod canvas;
 
 pub mod picture;
-
-pub mod paper;
-
-pub mod accuracy_cost;

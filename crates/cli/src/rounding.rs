@@ -1,13 +1,13 @@
 //! What a number format costs a table's images, measured where the table is made.
 
-use crate::integer_shader::{self, IntegerShader};
-use crate::owned_basis::OwnedBasis;
-use crate::owned_quantised::Integer;
-use crate::shader::{OwnedNormals, Shader, fault, fitted};
-use crate::sphere_rings::{Ring, rings};
 use eigenshade::{Q15, Q31, Scalar};
 use eigenshade_generator::database::{Lights, Materials};
 use eigenshade_generator::error::Result;
+use eigenshade_shading::integer_shader::{self, IntegerShader};
+use eigenshade_shading::owned_basis::OwnedBasis;
+use eigenshade_shading::owned_quantised::Integer;
+use eigenshade_shading::shader::{OwnedNormals, Shader, fault, fitted};
+use eigenshade_shading::sphere_rings::{Ring, rings};
 use eigenshade_table::wire::Format;
 use eigenshade_table::{Rounding, Table, quantise};
 

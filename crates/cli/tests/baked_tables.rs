@@ -3,10 +3,10 @@
 
 use crate::support::{Folder, compiled, lights, materials};
 use crate::tolerances;
-use eigenshade_cli::owned_basis::OwnedBasis;
-use eigenshade_cli::shader::{OwnedNormals, Shader};
 use eigenshade_generator::database::{Lights, Materials};
 use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
+use eigenshade_shading::owned_basis::OwnedBasis;
+use eigenshade_shading::shader::{OwnedNormals, Shader};
 use eigenshade_table::{Table, decode, rust_source};
 use std::fmt::Write;
 use std::fs;

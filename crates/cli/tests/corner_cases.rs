@@ -2,8 +2,6 @@
 
 use crate::support::{Folder, assert_fails, lights, materials, numbers, repository, rows, scene};
 use crate::tolerances;
-use eigenshade_cli::owned_basis::OwnedBasis;
-use eigenshade_cli::shader::Shader;
 use eigenshade_generator::basis::build;
 use eigenshade_generator::choice::Reach;
 use eigenshade_generator::database::Named;
@@ -11,6 +9,8 @@ use eigenshade_generator::moments::exposure;
 use eigenshade_generator::scene_file::{self, Loaded};
 use eigenshade_generator::truth::Truth;
 use eigenshade_index::{light, mode};
+use eigenshade_shading::owned_basis::OwnedBasis;
+use eigenshade_shading::shader::Shader;
 use eigenshade_table::scene::Criterion;
 use eigenshade_table::{Table, decode};
 use std::f64::consts::{FRAC_PI_2, TAU};

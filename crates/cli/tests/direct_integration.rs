@@ -12,9 +12,6 @@ use eigenshade_generator::truth::Truth;
 use std::f64::consts::{PI, TAU};
 use std::fs;
 
-#[path = "../../../tests/oracle/ggx.rs"]
-mod ggx;
-
 /// GGX by vectors, or the matte material where roughness is not.
 #[derive(Clone, Copy)]
 struct Explicit {
@@ -26,7 +23,7 @@ struct Explicit {
 impl Explicit {
     fn value(self, i: [f64; 3], r: [f64; 3]) -> f64 {
         let Some(roughness) = self.roughness else { return self.albedo / PI };
-        ggx::ggx(roughness, self.f0, self.albedo, i, r)
+        eigenshade_testing::oracle::ggx::ggx(roughness, self.f0, self.albedo, i, r)
     }
 
     fn function(self) -> Box<dyn Brdf> {

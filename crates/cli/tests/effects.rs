@@ -3,10 +3,10 @@
 
 use crate::support::{self, Folder, assert_fails, materials, numbers, rows, scene};
 use crate::tolerances;
-use eigenshade_cli::owned_basis::OwnedBasis;
-use eigenshade_cli::shader::Shader;
 use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_index::{light, material, mode};
+use eigenshade_shading::owned_basis::OwnedBasis;
+use eigenshade_shading::shader::Shader;
 use eigenshade_table::parts::Parts;
 use eigenshade_table::{Table, decode};
 use std::fs;

@@ -1,15 +1,10 @@
 //! Every test of the program, in one binary: to link each file by itself takes longer than the
 //! tests do.
 
-#[path = "../../../tests/every_file/mod.rs"]
-mod every_file;
-#[path = "../../../tests/oracle/mod.rs"]
-mod oracle;
 mod support;
 #[path = "../../../tests/tolerances/mod.rs"]
 mod tolerances;
 
-mod accuracy_cost;
 mod agreement;
 mod bad_input;
 mod baked_integers;
@@ -26,7 +21,6 @@ mod flat_objects;
 mod hard_cases;
 mod hard_databases;
 mod input_faults;
-mod ladder;
 mod materials;
 mod memory;
 mod object_faults;
@@ -36,15 +30,11 @@ mod objects;
 mod outputs;
 mod overflow;
 mod pack;
-mod paper_command;
-mod paper_oracle;
-mod paper_statements;
 mod pbr_errors;
 mod read;
 mod read_faults;
 mod read_objects;
 mod read_pictures;
-mod read_report;
 mod readme;
 mod sphere_normals;
 mod stores;
@@ -55,9 +45,7 @@ mod transfer;
 mod warnings;
 mod ways;
 
-#[test]
-fn every_file_is_compiled() {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests");
-    let left_out = every_file::left_out(folder, include_str!("main.rs"), &[]);
-    assert!(left_out.is_empty(), "no binary has {left_out:?}");
-}
+use eigenshade_testing::oracle;
+
+/// The program that tests run.
+const PROGRAM: &str = env!("CARGO_BIN_EXE_eigenshade");

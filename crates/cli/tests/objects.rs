@@ -3,7 +3,7 @@
 use crate::support::objects::{apart, built, eigenvalues, facets, shaded, table, with_geometry};
 use crate::support::scene;
 use crate::tolerances;
-use eigenshade_cli::owned_basis::OwnedBasis;
+use eigenshade_shading::owned_basis::OwnedBasis;
 use std::f64::consts::PI;
 
 fn luminance(colours: &[f64]) -> Vec<f64> {

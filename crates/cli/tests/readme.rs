@@ -2,12 +2,12 @@
 
 use crate::support::{Folder, rows};
 use crate::tolerances;
-use eigenshade_cli::owned_basis::OwnedBasis;
-use eigenshade_cli::shader::{OwnedNormals, Shader, fitted};
 use eigenshade_cli::sphere_view::SphereView;
-use eigenshade_cli::{shipped, truth_image};
 use eigenshade_generator::basis::build;
 use eigenshade_generator::database::Named;
+use eigenshade_shading::owned_basis::OwnedBasis;
+use eigenshade_shading::shader::{OwnedNormals, Shader, fitted};
+use eigenshade_shading::{reference_image, shipped};
 use indicatif::ProgressBar;
 
 const README: &str = include_str!("../../../README.md");
@@ -68,7 +68,7 @@ fn errors_of_few_components_are_as_stated() {
     let mut inside = view.pixels.iter().map(|pixel| pixel.is_inside);
     view.normals.retain(|_| inside.next() == Some(true));
     let normals = OwnedNormals::new(&view.normals);
-    let truth = truth_image::images(&lights, &materials, &view.normals, &ProgressBar::hidden());
+    let truth = reference_image::images(&lights, &materials, &view.normals, &ProgressBar::hidden());
     let basis = OwnedBasis::<f32>::new(&table);
     let all = table.count();
     let name = format!("{all} (all)");

@@ -1,8 +1,8 @@
 //! The normals of a sphere, as rings and as pixels.
 
 use crate::tolerances;
-use eigenshade_cli::sphere_rings::rings;
 use eigenshade_cli::sphere_view::SphereView;
+use eigenshade_shading::sphere_rings::rings;
 
 /// ∫ cos α cos(α)/π dω = 2/3 over the disc.
 #[test]

@@ -7,8 +7,7 @@ use eigenshade_generator::scattering;
 use eigenshade_index::material;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-#[path = "../../../tests/oracle/ggx.rs"]
-mod oracle;
+use eigenshade_testing::oracle::ggx as oracle;
 
 fn ggx(roughness: f64, f0: f64, albedo: f64) -> Ggx {
     Ggx::new(roughness, f0, albedo).unwrap()

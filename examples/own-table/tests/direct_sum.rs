@@ -1,8 +1,7 @@
 //! The images of the crate's own table against direct quadrature of the irradiance of its
 //! scene's materials.
 
-#[path = "../../../tests/oracle/mod.rs"]
-mod oracle;
+use eigenshade_testing::oracle;
 #[path = "../../../tests/tolerances/mod.rs"]
 mod tolerances;
 

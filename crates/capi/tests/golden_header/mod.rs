@@ -1,6 +1,6 @@
 //! The golden file as a C header of constant arrays.
 
-#[path = "../../../../tests/golden/record.rs"]
+#[path = "../../../testing/src/golden/record.rs"]
 #[expect(dead_code, reason = "what writes the file is not needed here")]
 mod record;
 

@@ -5,14 +5,15 @@ use super::demo_sheet::{self, Trial};
 use clap::Args;
 use eigenshade_cli::message::{bar, say};
 use eigenshade_cli::number::exact;
-use eigenshade_cli::owned_basis::OwnedBasis;
 use eigenshade_cli::rows::Rows;
-use eigenshade_cli::shader::{OwnedNormals, Shader, fault, fitted};
 use eigenshade_cli::sphere_view::SphereView;
-use eigenshade_cli::{destination, shipped, table_file, truth_image};
+use eigenshade_cli::{destination, table_file};
 use eigenshade_generator::database::{Lights, Materials, Named};
 use eigenshade_generator::error::{Error, Result};
 use eigenshade_generator::output::writable;
+use eigenshade_shading::owned_basis::OwnedBasis;
+use eigenshade_shading::shader::{OwnedNormals, Shader, fault, fitted};
+use eigenshade_shading::{reference_image, shipped};
 use std::fmt::Write as _;
 use std::fs;
 use std::path::PathBuf;
@@ -49,7 +50,7 @@ impl Demo {
         let (lights, materials) = fitted(&table, &lights, &materials);
         let view = SphereView::new(self.size);
         let progress = bar("truth", view.normals.len());
-        let truth = truth_image::images(&lights, &materials, &view.normals, &progress);
+        let truth = reference_image::images(&lights, &materials, &view.normals, &progress);
         progress.finish_and_clear();
 
         let basis = OwnedBasis::<f32>::new(&table);

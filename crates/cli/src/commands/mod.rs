@@ -1,11 +1,9 @@
 //! One command a file.
 
-mod accuracy_cost;
 mod basis;
 mod demo;
 mod demo_sheet;
 mod eigenvalues;
-mod errors;
 mod evaluate;
 mod evaluate_functions;
 mod info;
@@ -14,13 +12,9 @@ mod material;
 mod material_formula;
 mod memory;
 mod pack;
-mod paper;
 mod project;
-mod purpose;
 mod read;
 mod read_answer;
-mod read_report;
-mod read_score;
 mod render;
 mod shade;
 mod shade_options;
@@ -36,7 +30,6 @@ pub enum Command {
     Light(light::Light),
     Material(material::Material),
     Basis(basis::Basis),
-    Errors(errors::Errors),
     Pack(pack::Pack),
     Info(info::Info),
     Eigenvalues(eigenvalues::Eigenvalues),
@@ -44,10 +37,7 @@ pub enum Command {
     Shade(shade::Shade),
     Render(render::Render),
     Read(read::Read),
-    ReadReport(read_report::ReadReport),
     Evaluate(evaluate::Evaluate),
-    Paper(paper::Paper),
-    AccuracyCost(accuracy_cost::AccuracyCost),
 }
 
 impl Command {
@@ -58,7 +48,6 @@ impl Command {
             Self::Light(command) => command.run(memory),
             Self::Material(command) => command.run(memory),
             Self::Basis(command) => command.run(memory),
-            Self::Errors(command) => command.run(memory),
             Self::Pack(command) => command.run(memory),
             Self::Info(command) => command.run(memory),
             Self::Eigenvalues(command) => command.run(memory),
@@ -66,10 +55,7 @@ impl Command {
             Self::Shade(command) => command.run(memory),
             Self::Render(command) => command.run(memory),
             Self::Read(command) => command.run(memory),
-            Self::ReadReport(command) => command.run(),
             Self::Evaluate(command) => command.run(memory),
-            Self::Paper(command) => command.run(),
-            Self::AccuracyCost(command) => command.run(),
         }
     }
 }

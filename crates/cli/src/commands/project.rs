@@ -4,12 +4,13 @@ use super::{Memory, count};
 use clap::Args;
 use eigenshade_cli::message::say;
 use eigenshade_cli::number::exact;
-use eigenshade_cli::owned_basis::OwnedBasis;
 use eigenshade_cli::rows::Rows;
-use eigenshade_cli::shader::{Shader, fault, fitted, of_higher_order};
-use eigenshade_cli::{albedo, collision, destination, overflow, table_file};
+use eigenshade_cli::{albedo, collision, destination, table_file};
 use eigenshade_generator::error::Result;
 use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
+use eigenshade_shading::overflow;
+use eigenshade_shading::owned_basis::OwnedBasis;
+use eigenshade_shading::shader::{Shader, fault, fitted, of_higher_order};
 use std::path::PathBuf;
 
 /// Every light on every material, in a table's components

@@ -6,15 +6,14 @@ use clap::Args;
 use eigenshade_cli::image_reading::Reader;
 use eigenshade_cli::linear_image::{LinearImage, Transfer};
 use eigenshade_cli::message::say;
-use eigenshade_cli::shader::{fitted, of_higher_order};
-use eigenshade_cli::{
-    collision, destination, pixel_mask, pixel_normals, rounding, shipped, table_file,
-};
+use eigenshade_cli::{collision, destination, pixel_mask, pixel_normals, rounding, table_file};
 use eigenshade_generator::database::{Lights, Materials};
 use eigenshade_generator::error::{Error, Result};
 use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_generator::reading::eigenimage_values::EigenimageValues;
 use eigenshade_generator::reading::observation::{Observation, Observer};
+use eigenshade_shading::shader::{fitted, of_higher_order};
+use eigenshade_shading::shipped;
 use eigenshade_table::Table;
 use eigenshade_table::wire::Format;
 use std::path::{Path, PathBuf};

@@ -5,22 +5,23 @@ use super::{Memory, count};
 use clap::{Args, ValueEnum};
 use eigenshade::mathematics::Libm;
 use eigenshade::{Economy, Effect, Effects, Negatives, Q15, Q31, Scalar, Tolerance, Window};
-use eigenshade_cli::integer_shader::{self, IntegerShader};
 use eigenshade_cli::message::{bar, say};
 use eigenshade_cli::number::exact;
-use eigenshade_cli::owned_basis::OwnedBasis;
-use eigenshade_cli::owned_quantised::Integer;
 use eigenshade_cli::ringing::Ringing;
 use eigenshade_cli::rows::Rows;
-use eigenshade_cli::shader::{Lit, LookUp, OwnedNormals, Shader, fault, fitted, of_higher_order};
-use eigenshade_cli::{
-    albedo, collision, destination, economy, overflow, rounding, table_file, truth_image, wire_file,
-};
+use eigenshade_cli::{albedo, collision, destination, economy, rounding, table_file, wire_file};
 use eigenshade_generator::database::{Lights, Materials, Named};
 use eigenshade_generator::error::{Error, Result};
 use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_generator::inputs::normals::read_normals;
 use eigenshade_generator::rotation::Rotation;
+use eigenshade_shading::integer_shader::{self, IntegerShader};
+use eigenshade_shading::owned_basis::OwnedBasis;
+use eigenshade_shading::owned_quantised::Integer;
+use eigenshade_shading::shader::{
+    Lit, LookUp, OwnedNormals, Shader, fault, fitted, of_higher_order,
+};
+use eigenshade_shading::{overflow, reference_image};
 use eigenshade_table::{Table, quantise, wire};
 use std::io::Write;
 use std::path::PathBuf;
@@ -312,7 +313,8 @@ impl Work {
         let progress = bar("normals", self.normals.len());
         let (lights, materials) = (&self.lights, &self.materials);
         let (effects, normals) = (self.effects, &self.normals);
-        let images = truth_image::images_of_effects(lights, materials, effects, normals, &progress);
+        let images =
+            reference_image::images_of_effects(lights, materials, effects, normals, &progress);
         progress.finish_and_clear();
         for (pair, (light, material)) in self.pairs().enumerate() {
             out.see((light, material), images.iter().flat_map(|of_pairs| of_pairs[pair]));

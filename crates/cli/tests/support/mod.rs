@@ -8,7 +8,7 @@ pub mod reading;
 use eigenshade_index::{light, material};
 use std::fmt::Write;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::{Command, Output};
 use tempfile::TempDir;
 
@@ -44,7 +44,7 @@ impl Folder {
 
     /// The program in this folder; arguments are split at blanks.
     pub fn run(&self, arguments: &str) -> Output {
-        Command::new(env!("CARGO_BIN_EXE_eigenshade"))
+        Command::new(crate::PROGRAM)
             .current_dir(self.0.path())
             .args(arguments.split_whitespace())
             .output()
@@ -161,10 +161,7 @@ pub fn scene(criterion: &str, components: usize, names: &str) -> String {
     )
 }
 
-/// Where the repository stands.
-pub fn repository() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
+pub use eigenshade_testing::repository;
 
 /// What the program in `src/main.rs` of this folder prints, once it is compiled.
 pub fn compiled(folder: &Folder) -> String {

@@ -1,0 +1,20 @@
+//! Images of a table on the host: the runtime's methods in every number format, and the direct sum
+//! that they are compared with.
+
+pub mod parallel;
+
+pub mod overflow;
+
+pub mod shipped;
+
+pub mod owned_basis;
+
+pub mod owned_quantised;
+
+pub mod shader;
+
+pub mod integer_shader;
+
+pub mod reference_image;
+
+pub mod sphere_rings;

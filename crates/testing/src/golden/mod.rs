@@ -1,0 +1,4 @@
+//! The golden file: what every machine has to answer.
+
+pub mod answers;
+pub mod record;

@@ -1,0 +1,81 @@
+//! Images of the shipped basis, component by component, and how far scenes are from them.
+
+use eigenshade::{Light, Material, Normal, Scene, sphere};
+use eigenshade_generator::special::gauss_legendre;
+use std::f64::consts::TAU;
+
+/// d of a light on a material.
+pub fn coefficients(light: &[f32], material: &[f32]) -> sphere::Coefficients {
+    let (degree, order) = (light.len().isqrt() - 1, (0..).find(|&o| count(o) == material.len()));
+    let light = Light::new(degree, light).expect("coefficients");
+    let material = Material::new(order.expect("an order"), material).expect("coefficients");
+    sphere::project(&light, &material).expect("it fits")
+}
+
+fn count(order: usize) -> usize {
+    eigenshade::index::material::count(order)
+}
+
+pub fn single(values: Vec<f64>) -> Vec<f32> {
+    values.iter().map(|&value| value as f32).collect()
+}
+
+/// Unit vectors and weights that integrate squares of images over a sphere.
+pub fn vectors() -> Vec<([f64; 3], f64)> {
+    let around = 2 * sphere::DEGREE + 2;
+    let mut rule = Vec::new();
+    for (z, weight) in gauss_legendre::rule(24, 0.0, 1.0) {
+        let sine = (1.0 - z * z).sqrt();
+        for k in 0..around {
+            let (y, x) = (TAU * k as f64 / around as f64).sin_cos();
+            rule.push(([sine * x, sine * y, z], 2.0 * z * weight / around as f64));
+        }
+    }
+    rule
+}
+
+/// The same as normals.
+pub fn rule() -> Vec<(Normal<f32>, f64)> {
+    let normal = |[x, y, z]: [f64; 3]| Normal::new(x as f32, y as f32, z as f32);
+    vectors().into_iter().map(|(at, weight)| (normal(at).expect("visible"), weight)).collect()
+}
+
+/// The image of all components, summed component by component, and its peak.
+pub struct Image {
+    pub values: Vec<f64>,
+    pub peak: f64,
+}
+
+impl Image {
+    pub fn new(d: &[f32], rule: &[(Normal<f32>, f64)]) -> Self {
+        let at = |normal| f64::from(sphere::BASIS.reconstruct(d, normal).expect("components"));
+        let values: Vec<f64> = rule.iter().map(|&(normal, _)| at(normal)).collect();
+        // The rule has neither the pole nor the rim, and is too coarse for a peak.
+        let scene = sphere::BASIS.collapse::<{ sphere::SCENE }>(d).expect("it fits");
+        let slants = (0..=48).map(|k| (TAU / 4.0 / 48.0 * f64::from(k)).sin_cos());
+        let finer = slants.flat_map(|(sine, z)| {
+            let around = (0..64).map(|k| (TAU / 64.0 * f64::from(k)).sin_cos());
+            around.map(move |(y, x)| [sine * x, sine * y, z.max(0.0)].map(|one| one as f32))
+        });
+        let finer = finer.map(|[x, y, z]| scene.shade(Normal::new(x, y, z).expect("visible")));
+        let peak = finer.fold(0.0, |most: f64, value| most.max(f64::from(value).abs()));
+        Self { values, peak }
+    }
+
+    /// Root mean square of another image's difference.
+    pub fn apart<B: AsRef<[f32]>>(&self, scene: &Scene<'_, B>, rule: &[(Normal<f32>, f64)]) -> f64 {
+        let squares = rule.iter().zip(&self.values).map(|(&(normal, weight), value)| {
+            weight * (f64::from(scene.shade(normal)) - value).powi(2)
+        });
+        squares.sum::<f64>().sqrt()
+    }
+}
+
+/// Multiply-adds of a pixel of polynomials of these lengths, as benches/pixels counts them:
+/// Horner's rule, complex products of azimuths, t = 2 z - 1.
+pub fn products(lengths: &[u16]) -> usize {
+    let of = |length: u16| usize::from(length).saturating_sub(1);
+    let (&pole, around) = lengths.split_first().unwrap_or((&0, &[]));
+    let polynomials = of(pole) + around.iter().map(|&length| 2 * of(length)).sum::<usize>();
+    polynomials + (4 * around.len()).saturating_sub(2) + usize::from(polynomials > 0)
+}

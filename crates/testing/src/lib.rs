@@ -1,0 +1,33 @@
+//! Oracles and fixtures that the tests of several packages share.
+#![expect(missing_docs, reason = "no published package depends on it")]
+
+use std::path::{Path, PathBuf};
+
+pub mod oracle;
+
+pub mod rotations;
+
+pub mod fixtures;
+
+pub mod glossy;
+
+pub mod projector;
+
+pub mod pictures;
+
+pub mod images;
+
+pub mod golden;
+
+/// The root of the repository.
+#[must_use]
+pub fn repository() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+/// The largest |x|; NaN if there is one.
+pub fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
+    values.into_iter().fold(0.0, |most: f64, value| {
+        if value.is_nan() || value.abs() > most { value.abs() } else { most }
+    })
+}

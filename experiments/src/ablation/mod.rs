@@ -1,0 +1,18 @@
+//! The ablation: ten scenes of `firmware/scenes`, each of which adds an effect or a demand to
+//! the one before, what each costs, and what each effect is worth.
+//!
+//! `experiments ablation` writes the generated parts of `docs/ablation.md`.
+
+pub mod beside;
+pub mod cells;
+pub mod changes;
+pub mod compare;
+pub mod counts;
+pub mod errors;
+pub mod nine_terms;
+pub mod page;
+pub mod pictures;
+pub mod savings;
+pub mod scenes;
+pub mod shares;
+pub mod speed;

@@ -1,0 +1,257 @@
+//! Lights and materials: those of which a basis is made, and others that it never saw.
+
+use eigenshade_generator::brdf::{
+    Abc, BINS, Brdf, Geometry, Ggx, Lambertian, Measure, Merl, OrenNayar, Surface,
+};
+use eigenshade_generator::database::{Lights, Materials, Named};
+use eigenshade_generator::error::{Error, Result};
+use eigenshade_shading::{parallel, shipped};
+use indicatif::ProgressBar;
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// Roughnesses of GGX.
+const ROUGH: [f64; 10] = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0];
+/// Roughnesses of the formulas of which bases beyond the measured order are made, and such
+/// between them.
+const EVEN: [f64; 5] = [0.2, 0.4, 0.6, 0.8, 1.0];
+/// See [`EVEN`].
+const BETWEEN: [f64; 3] = [0.25, 0.45, 0.85];
+/// Of the lights every so-manieth shines on them.
+const STEP: usize = 3;
+
+/// What a basis of a degree and an order is made of and measured with.
+pub struct Scope {
+    /// Largest degree.
+    pub degree: usize,
+    /// Largest order.
+    pub order: usize,
+    /// The shipped lights, to that degree.
+    pub lights: Lights,
+    /// The materials of which the basis is made.
+    pub seen: Materials,
+    /// Materials that it never saw.
+    pub unseen: Materials,
+}
+
+impl Scope {
+    /// A scope without materials that its basis never saw: of the measured materials as far
+    /// as they reach, above that of a few formulas.
+    ///
+    /// # Errors
+    ///
+    /// None in truth.
+    pub fn seen(degree: usize, order: usize) -> Result<Self> {
+        let measured = shipped::materials()?;
+        let seen = if order <= measured.order {
+            measured.truncated(order)
+        } else {
+            projected(&ggx(&EVEN, &[0.04, 0.9])?, order)
+        };
+        let unseen = Materials { order, entries: Vec::new() };
+        Ok(Self { degree, order, lights: shipped::lights()?.truncated(degree), seen, unseen })
+    }
+
+    /// Of the measured materials as far as they reach, and GGX beside them; above that of
+    /// formulas, and other formulas beside them.
+    ///
+    /// # Errors
+    ///
+    /// None in truth.
+    pub fn new(degree: usize, order: usize) -> Result<Self> {
+        let measured = shipped::materials()?;
+        let mut lights = shipped::lights()?.truncated(degree);
+        let (seen, mut others) = if order <= measured.order {
+            (measured.truncated(order), ggx(&ROUGH, &[0.04, 0.9])?)
+        } else {
+            let mut formulas = ggx(&EVEN, &[0.04, 0.9])?;
+            formulas.extend(matte()?);
+            lights.entries = lights.entries.into_iter().step_by(STEP).collect();
+            (projected(&formulas, order), ggx(&BETWEEN, &[0.04, 0.5])?)
+        };
+        others.extend(merl_like()?);
+        let unseen = projected(&others, order);
+        Ok(Self { degree, order, lights, seen, unseen })
+    }
+}
+
+/// GGX of these roughnesses and reflectances; those of a dielectric have a matte base.
+fn ggx(roughness: &[f64], f0: &[f64]) -> Result<Vec<Surface>> {
+    let mut surfaces = Vec::new();
+    for &f0 in f0 {
+        let albedo = if f0 < 0.1 { 0.5 } else { 0.0 };
+        for &roughness in roughness {
+            let brdf = Ggx::new(roughness, f0, albedo)?;
+            surfaces.push(Surface::grey(format!("ggx-{f0}-{roughness}"), Box::new(brdf)));
+        }
+    }
+    Ok(surfaces)
+}
+
+/// Matte surfaces.
+fn matte() -> Result<Vec<Surface>> {
+    Ok(vec![
+        Surface::grey("lambertian".into(), Box::new(Lambertian::new(0.8)?)),
+        Surface::grey("oren-nayar-0.35".into(), Box::new(OrenNayar::new(0.8, 0.35)?)),
+    ])
+}
+
+/// The surfaces whose model's error is measured: formulas from matte to glossy, and measured
+/// materials.
+///
+/// # Errors
+///
+/// None in truth.
+pub fn modelled() -> Result<Vec<Surface>> {
+    let mut surfaces = matte()?;
+    surfaces.extend(ggx(&[0.5, 0.3], &[0.04])?);
+    surfaces.extend(ggx(&[0.7, 0.4], &[0.9])?);
+    surfaces.extend(measured()?);
+    Ok(surfaces)
+}
+
+/// A published fit of the ABC model to a measured material.
+pub struct Fit {
+    /// Its name in the database.
+    pub name: &'static str,
+    /// k of r, g and b.
+    matte: [f64; 3],
+    /// a of r, g and b.
+    a: [f64; 3],
+    b: f64,
+    c: f64,
+    index: f64,
+}
+
+/// Materials of the MERL database, which W. Matusik and others measured ("A Data-Driven
+/// Reflectance Model", SIGGRAPH 2003), by the fits of J. Low and others (see [`Abc`]): one of a
+/// kind, from felt to paint, whose lobes are wider than 0.05 rad. Sharper ones are beyond any
+/// degree and order here.
+pub const MEASURED: [Fit; 7] = [
+    Fit {
+        name: "pink-felt",
+        matte: [0.267287, 0.178590, 0.156370],
+        a: [0.225846, 0.226874, 0.221785],
+        b: 54.853024,
+        c: 0.344321,
+        index: 2.938402,
+    },
+    Fit {
+        name: "teflon",
+        matte: [0.321152, 0.313597, 0.305526],
+        a: [1.787717, 1.816174, 1.846979],
+        b: 41.644257,
+        c: 2.066234,
+        index: 1.611215,
+    },
+    Fit {
+        name: "neoprene-rubber",
+        matte: [0.248773, 0.211228, 0.170494],
+        a: [1.327917, 1.299042, 1.233595],
+        b: 63.131874,
+        c: 1.701130,
+        index: 1.942141,
+    },
+    Fit {
+        name: "red-plastic",
+        matte: [0.268000, 0.044432, 0.010675],
+        a: [1.081538, 1.045352, 1.037089],
+        b: 34.117554,
+        c: 1.529797,
+        index: 1.666450,
+    },
+    Fit {
+        name: "silver-paint",
+        matte: [0.159599, 0.127910, 0.108671],
+        a: [1.151248, 1.207139, 1.248789],
+        b: 38.884895,
+        c: 1.971779,
+        index: 8.336617,
+    },
+    Fit {
+        name: "fruitwood-241",
+        matte: [0.048981, 0.034689, 0.019745],
+        a: [5.976665, 5.760932, 5.568172],
+        b: 192.199890,
+        c: 1.573300,
+        index: 1.483582,
+    },
+    Fit {
+        name: "purple-paint",
+        matte: [0.280217, 0.031190, 0.032274],
+        a: [14.006363, 13.769886, 13.753972],
+        b: 408.684143,
+        c: 1.776584,
+        index: 1.483770,
+    },
+];
+
+/// The measured materials, in color.
+///
+/// # Errors
+///
+/// None in truth.
+fn measured() -> Result<Vec<Surface>> {
+    let surface = |fit: &Fit| {
+        let channel = |k: usize| Abc::new(fit.matte[k], [fit.a[k], fit.b, fit.c], fit.index);
+        let rgb: [Box<dyn Brdf>; 3] =
+            [Box::new(channel(0)?), Box::new(channel(1)?), Box::new(channel(2)?)];
+        Ok(Surface::coloured(fit.name.to_owned(), rgb))
+    };
+    MEASURED.iter().map(surface).collect()
+}
+
+/// Two tables in the layout of the MERL database, of lobes that are not GGX's: a matte base
+/// under a Gaussian lobe of slopes.
+fn merl_like() -> Result<Vec<Surface>> {
+    let tables = [("merl-like-paint", 0.6, 0.05, 0.35), ("merl-like-metal", 0.05, 0.8, 0.2)];
+    let surface = |&(name, albedo, strength, width): &(&str, f64, f64, f64)| {
+        let table = Merl::new(gaussian(albedo, strength, width));
+        let table = table.ok_or_else(|| Error::new("a table of another size", "report it"))?;
+        Ok(Surface::grey(name.into(), Box::new(Coarse(table))))
+    };
+    tables.iter().map(surface).collect()
+}
+
+/// Values at the centres of the bins; -1 where a direction is below the surface.
+fn gaussian(albedo: f64, strength: f64, width: f64) -> Vec<f64> {
+    let mut values = Vec::with_capacity(BINS.iter().product());
+    for h in 0..BINS[0] {
+        let theta_h = FRAC_PI_2 * ((h as f64 + 0.5) / BINS[0] as f64).powi(2);
+        let slope = theta_h.tan() / width;
+        let lobe = strength * (-slope * slope).exp() / (4.0 * PI * width * width);
+        for d in 0..BINS[1] {
+            let theta_d = FRAC_PI_2 * (d as f64 + 0.5) / BINS[1] as f64;
+            for p in 0..BINS[2] {
+                let phi_d = PI * (p as f64 + 0.5) / BINS[2] as f64;
+                let (upright, aslant) =
+                    (theta_h.cos() * theta_d.cos(), theta_h.sin() * theta_d.sin() * phi_d.cos());
+                let visible = upright - aslant > 0.0 && upright + aslant > 0.0;
+                values.push(if visible { albedo / PI + lobe } else { -1.0 });
+            }
+        }
+    }
+    values
+}
+
+/// A table of a lobe that is known to be wide: its quadrature need not be as fine as any
+/// table may want.
+struct Coarse(Merl);
+
+impl Brdf for Coarse {
+    fn value(&self, at: Geometry) -> f64 {
+        self.0.value(at)
+    }
+
+    fn width(&self) -> f64 {
+        0.1
+    }
+}
+
+fn projected(surfaces: &[Surface], order: usize) -> Materials {
+    let hidden = ProgressBar::hidden();
+    // One at a time, so that every core has some.
+    let entries: Vec<Named> = parallel::map(surfaces.len(), &hidden, |k| {
+        surfaces[k].project(order, Measure::Projected).material
+    });
+    Materials { order, entries }
+}

@@ -1,0 +1,141 @@
+//! The error of the method: a setting against the direct sum of its own degree and order.
+
+use super::images::{Image, Images};
+use super::setting::{Format, Scaling, Setting, Way};
+use super::shading::Shading;
+use crate::median;
+use eigenshade_generator::error::Result;
+use eigenshade_shading::parallel;
+use eigenshade_table::Table;
+use indicatif::ProgressBar;
+
+/// The middle, the 95th percentile and the largest of many errors, of the peak.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spread {
+    /// The median.
+    pub median: f64,
+    /// The least of these errors that 95 of 100 do not exceed.
+    pub most: f64,
+    /// The largest.
+    pub worst: f64,
+}
+
+impl Spread {
+    /// Of these.
+    #[must_use]
+    pub fn of(values: &[f64]) -> Self {
+        let worst =
+            values.iter().fold(
+                0.0,
+                |most: f64, &value| {
+                    if value.is_nan() || value > most { value } else { most }
+                },
+            );
+        Self { median: median::median(values), most: percentile(values), worst }
+    }
+}
+
+/// The share of the errors that [`Spread::most`] covers.
+const COVERED: f64 = 0.95;
+
+/// The least value that [`COVERED`] of the values do not exceed; 0 of none.
+fn percentile(values: &[f64]) -> f64 {
+    let mut sorted = values.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    let rank = (COVERED * sorted.len() as f64).ceil() as usize;
+    sorted.get(rank.saturating_sub(1)).copied().unwrap_or(0.0)
+}
+
+/// Errors over a sphere, of each image's peak.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Errors {
+    /// Root mean squares over the normals.
+    pub rms: Spread,
+    /// Largest.
+    pub largest: Spread,
+}
+
+/// What was found of a setting.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Found {
+    /// Over the materials of which the basis was made.
+    pub seen: Errors,
+    /// Over others.
+    pub unseen: Errors,
+    /// Terms that a pixel takes; the median, where they depend on the image.
+    pub terms: usize,
+    /// The image with so many.
+    pub typical: usize,
+}
+
+/// Compares every image.
+///
+/// # Errors
+///
+/// A table that has no form in the setting's numbers.
+pub fn compare(setting: &Setting, table: &Table, images: &Images) -> Result<Found> {
+    let shading = Shading::new(setting, table, images)?;
+    let hidden = ProgressBar::hidden();
+    let all = parallel::map(images.images.len(), &hidden, |k| {
+        let image = &images.images[k];
+        shading.image(image).map(|(values, terms)| {
+            let [rms, largest] = errors(&values, image, &images.weights);
+            (rms, largest, terms)
+        })
+    });
+    let all = all.into_iter().collect::<Result<Vec<(f64, f64, usize)>>>()?;
+    let of = |seen: bool| {
+        let chosen = || all.iter().zip(&images.images).filter(move |(_, one)| one.seen == seen);
+        let rms: Vec<f64> = chosen().map(|((rms, _, _), _)| *rms).collect();
+        let largest: Vec<f64> = chosen().map(|((_, largest, _), _)| *largest).collect();
+        Errors { rms: Spread::of(&rms), largest: Spread::of(&largest) }
+    };
+    let mut by_terms: Vec<(usize, usize)> =
+        all.iter().enumerate().map(|(k, (_, _, terms))| (*terms, k)).collect();
+    by_terms.retain(|(_, k)| images.images[*k].seen);
+    by_terms.sort_unstable();
+    let (terms, typical) = by_terms[by_terms.len() / 2];
+    Ok(Found { seen: of(true), unseen: of(false), terms, typical })
+}
+
+/// Rms over the normals and largest error, of the peak.
+fn errors(values: &[f64], image: &Image, weights: &[f64]) -> [f64; 2] {
+    let (mut square, mut largest) = (0.0, 0.0f64);
+    for ((value, truth), weight) in values.iter().zip(&image.truth).zip(weights) {
+        let apart = (value - truth).abs();
+        square += weight * apart * apart;
+        if apart.is_nan() || apart > largest {
+            largest = apart;
+        }
+    }
+    [square.sqrt() / image.peak, largest / image.peak]
+}
+
+/// Whether the runtime has this setting at all: integers take polynomials, and baked maps in
+/// 15 bits; normals are scaled in f32.
+#[must_use]
+pub fn is_possible(setting: &Setting) -> bool {
+    match setting.format {
+        Format::F64 => setting.scaling == Scaling::None,
+        Format::F32 => true,
+        Format::Q31 => setting.way == Way::Polynomial && setting.scaling == Scaling::None,
+        Format::Q15 => {
+            matches!(setting.way, Way::Polynomial | Way::Bilinear(_))
+                && setting.scaling == Scaling::None
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Spread;
+
+    #[test]
+    fn ninety_five_of_a_hundred_do_not_exceed_the_percentile() {
+        let values: Vec<f64> = (1..=100).rev().map(f64::from).collect();
+        assert_eq!(Spread::of(&values), Spread { median: 50.5, most: 95.0, worst: 100.0 });
+        assert_eq!(Spread::of(&values[..20]).most, 99.0);
+        assert_eq!(Spread::of(&values[..1]).most, 100.0);
+        assert_eq!(Spread::of(&[]).most, 0.0);
+    }
+}

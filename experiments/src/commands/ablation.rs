@@ -1,0 +1,24 @@
+//! `experiments ablation`: what each effect costs and is worth.
+
+use super::page;
+use super::purpose::Purpose;
+use clap::Args;
+use eigenshade_generator::error::Result;
+use experiments::ablation::{compare, page as ablation, speed};
+
+/// What each effect costs and is worth, docs/ablation.md; times are not compared
+#[derive(Args, Debug)]
+pub struct Ablation {
+    #[command(flatten)]
+    purpose: Purpose,
+}
+
+impl Ablation {
+    pub fn run(self) -> Result<()> {
+        let parts = ablation::parts(|scene| match scene {
+            Some(scene) => vec![speed::of_scene(scene)],
+            None => speed::of_changes().to_vec(),
+        });
+        page::insert_or_compare(&self.purpose, &parts, ablation::COMMAND, compare::compare)
+    }
+}

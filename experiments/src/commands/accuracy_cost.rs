@@ -1,0 +1,90 @@
+//! `experiments accuracy-cost`: the error of every setting beside what it takes.
+
+use super::purpose::Purpose;
+use clap::Args;
+use eigenshade_cli::message::{bar, say};
+use eigenshade_cli::{collision, destination};
+use eigenshade_generator::error::{Error, Result};
+use experiments::accuracy_cost::check::{Compared, compare};
+use experiments::accuracy_cost::kept::Kept;
+use experiments::accuracy_cost::sheet::POINTS;
+use experiments::accuracy_cost::{Extent, Measured, Times};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// What accuracy costs: every knob turned, its error, its bytes and its time
+///
+/// --out writes DIR/accuracy-cost.md, the numbers as CSV and the charts as SVG: errors against
+/// the direct sum over the shipped lights and materials and over others, errors of a degree and
+/// an order against direct integration under captured maps, times on this machine, and the
+/// instructions that were counted on emulated boards. --check makes errors, bytes and counts
+/// anew and compares them with the files of a folder; times are not compared. --quick does
+/// either for a part of the settings. All of it takes some ten minutes on two cores, a quick
+/// check a minute.
+#[derive(Args, Debug)]
+pub struct AccuracyCost {
+    #[command(flatten)]
+    purpose: Purpose,
+    /// A part of the settings, surfaces and sizes
+    #[arg(long)]
+    quick: bool,
+    /// With --out: keep the times of DIR's files, and make the rest anew
+    #[arg(long, conflicts_with_all = ["quick", "check"])]
+    keep_times: bool,
+    /// Folder of the project's environment maps
+    #[arg(long, value_name = "DIR", default_value = "tables/inputs/maps")]
+    maps: PathBuf,
+}
+
+impl AccuracyCost {
+    pub fn run(self) -> Result<()> {
+        // Before the work: what cannot be written or read need not wait for it.
+        if let Some(out) = &self.purpose.out {
+            fs::create_dir_all(out).map_err(|error| Error::io(out, &error))?;
+        }
+        if let Some(folder) = &self.purpose.check {
+            let numbers = folder.join(POINTS);
+            fs::metadata(&numbers).map_err(|error| Error::io(&numbers, &error))?;
+        }
+        let kept = match &self.purpose.out {
+            Some(out) if self.keep_times => Some(Kept::read(out)?),
+            _ => None,
+        };
+        let times = match &kept {
+            Some(kept) => Times::Kept(kept),
+            None if self.purpose.out.is_some() => Times::Measured,
+            None => Times::None,
+        };
+        let extent = Extent { quick: self.quick, times };
+        let progress = bar("settings", 0);
+        let measured = Measured::new(extent, &self.maps, &progress);
+        progress.finish_and_clear();
+        let measured = measured?;
+        if let Some(out) = &self.purpose.out {
+            write(&measured, out)?;
+        }
+        if let Some(folder) = &self.purpose.check {
+            let sheets = measured.sheets()?;
+            let Compared { rows, numbers } =
+                compare(&sheets, &measured.growths, folder, !self.quick)?;
+            say(format_args!("{rows} rows are what they should be: {numbers} numbers"));
+        }
+        Ok(())
+    }
+}
+
+fn write(measured: &Measured, out: &Path) -> Result<()> {
+    let files = measured.files()?;
+    let paths: Vec<PathBuf> = files.iter().map(|(name, _)| out.join(name)).collect();
+    collision::refuse(&paths, std::iter::empty::<&Path>())?;
+    for ((_, text), path) in files.iter().zip(&paths) {
+        destination::write_text(Some(path), text)?;
+    }
+    say(format_args!(
+        "{} settings, {} files in {}",
+        measured.points.len(),
+        files.len(),
+        out.display()
+    ));
+    Ok(())
+}

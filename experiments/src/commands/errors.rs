@@ -1,0 +1,177 @@
+//! `experiments errors`: a table against direct integration.
+
+use clap::Args;
+use eigenshade_cli::message::{bar, say};
+use eigenshade_cli::recorded_errors::{COLUMNS, Stamp};
+use eigenshade_cli::rows::Rows;
+use eigenshade_cli::{collision, destination, invocation, table_file};
+use eigenshade_generator::budget::Budget;
+use eigenshade_generator::database::Lights;
+use eigenshade_generator::direct::Surroundings;
+use eigenshade_generator::error::{Error, Result};
+use eigenshade_generator::inputs::coefficient_csv::read_lights;
+use eigenshade_generator::inputs::environment::EnvironmentMap;
+use eigenshade_generator::inputs::input_file::InputFile;
+use eigenshade_generator::inputs::light_projection::named_maps;
+use eigenshade_generator::inputs::material_files::{self, Source};
+use experiments::accuracy::{Reference, spacing};
+use experiments::median::median;
+use std::path::{Path, PathBuf};
+
+/// Degrees of which the direct sum is shown beside the table, at the same order.
+const OTHERS: [usize; 2] = [16, 24];
+
+/// A table against direct integration of materials under maps
+///
+/// Nothing is truncated in what it is compared with: the BRDF as a function, each texel
+/// a patch of constant radiance, no harmonics. The error is the rms over a sphere's
+/// normals and the channels, of the largest irradiance. Writes, for each material, the
+/// median and the worst over the maps: of the table with all its components, of the
+/// direct sum at its degree and order, and at 16, 16 and 24, 24 as far as the lights
+/// reach. Narrow lobes need many normals: roughness 0.1 takes minutes. Figures below
+/// 0.001 are below what the integration is shown to be good for. The last two columns
+/// say which table it was, so that `basis` knows errors of another.
+#[derive(Args, Debug)]
+pub struct Errors {
+    /// Table
+    #[arg(value_name = "B.bin")]
+    table: PathBuf,
+    /// Light CSV, with the light of every map under the map's name
+    #[arg(long, value_name = "FILE")]
+    lights: PathBuf,
+    /// Maps (.exr, .hdr, .pfm) of one size, or folders of maps
+    #[arg(long, value_name = "MAP", required = true)]
+    maps: Vec<PathBuf>,
+    /// Materials that are functions: .toml of formulas, MERL .binary, or folders of them
+    #[arg(long, value_name = "PATH", required = true)]
+    materials: Vec<PathBuf>,
+    /// Parts of a texel for each width of what changes within it
+    #[arg(long, value_name = "N", default_value = "1", value_parser = fineness)]
+    fineness: f64,
+    /// Where the CSV goes, instead of standard output
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+}
+
+impl Errors {
+    pub fn run(self) -> Result<()> {
+        let named = named_maps(&self.maps)?;
+        let of_materials = self.materials.iter().flat_map(|path| material_files::files(path));
+        let files = named.iter().map(|(_, map)| map.clone()).chain(of_materials);
+        let inputs = [self.table.clone(), self.lights.clone()].into_iter().chain(files);
+        collision::refuse(&self.out, inputs)?;
+        let table = table_file::read(file(&self.table))?;
+        let (degree, order) = (table.gram.degree, table.gram.order);
+        if table.general.is_some() || !table.has_projection() {
+            return Err(Error::new(
+                "it is not a whole table of a sphere, under light that turns freely",
+                "make one: only such tables are set against direct integration",
+            )
+            .in_file(&self.table));
+        }
+        if !table.effects().is_all() || !table.scene.effects.colour {
+            return Err(Error::new(
+                "it leaves out effects or colour, which direct integration has",
+                "take a table of all effects, in colour",
+            )
+            .in_file(&self.table));
+        }
+        let lights = self.lights_of(&named)?;
+        if lights.degree < degree {
+            let found = lights.degree;
+            let what = format!("its lights are of degree {found}, the table is of {degree}");
+            return Err(Error::new(what, "give lights of the table's degree").in_file(&self.lights));
+        }
+        let mut surfaces = Vec::new();
+        for path in &self.materials {
+            for source in material_files::read(file(path))? {
+                match source {
+                    Source::Surface(surface) => surfaces.push(surface),
+                    Source::Measured(measured) => {
+                        let what = format!("`{}` is measured at points only", measured.name);
+                        let remedy = "give formulas or MERL files";
+                        return Err(Error::new(what, remedy).in_file(path));
+                    }
+                }
+            }
+        }
+        let maps: Vec<EnvironmentMap> = named
+            .iter()
+            .map(|(_, path)| EnvironmentMap::from_path(file(path)))
+            .collect::<Result<_>>()?;
+        let maps = Surroundings::new(&maps)?;
+        let mut sums = vec![(degree, order)];
+        sums.extend(OTHERS.iter().filter(|&&size| size <= lights.degree).map(|&s| (s, s)));
+        let stamp = Stamp::of(&table);
+        destination::write(self.out.as_deref(), |out| {
+            if self.out.is_some() {
+                writeln!(out, "# {}", invocation::command_line())
+                    .map_err(|error| destination::fault(&error))?;
+            }
+            let mut rows = Rows::new(out, COLUMNS)?;
+            for surface in &surfaces {
+                let progress = bar("batches of normals", 0);
+                let reference =
+                    Reference::new(surface, &maps, spacing(surface), self.fineness, &progress);
+                progress.finish_and_clear();
+                if let Some(black) = reference.black() {
+                    let what = format!("`{}` is black under `{}`", surface.name, named[black].0);
+                    return Err(Error::new(what, "take it out: an error of its peak says nothing"));
+                }
+                let mut row = |degree: usize, order: usize, components: String, errors: &[f64]| {
+                    let worst = (0..errors.len()).max_by(|&a, &b| errors[a].total_cmp(&errors[b]));
+                    let worst = worst.unwrap_or_default();
+                    let (middle, most) = (median(errors), errors[worst]);
+                    let map = &named[worst].0;
+                    say(format_args!(
+                        "{} {degree}, {order} {components}: median {middle:.2e}, worst {most:.2e} ({map})",
+                        surface.name
+                    ));
+                    rows.row([
+                        surface.name.clone(),
+                        degree.to_string(),
+                        order.to_string(),
+                        components,
+                        format!("{middle:.6}"),
+                        format!("{most:.6}"),
+                        map.clone(),
+                        reference.normals().to_string(),
+                        stamp.scene.clone(),
+                        stamp.energy.clone(),
+                    ])
+                };
+                let components = table.count().to_string();
+                row(degree, order, components, &reference.of_table(&lights, &table)?)?;
+                for &(degree, order) in &sums {
+                    row(degree, order, String::new(), &reference.of_sum(&lights, degree, order))?;
+                }
+            }
+            rows.finish()
+        })
+    }
+
+    /// The lights of the maps, in their order.
+    fn lights_of(&self, named: &[(String, PathBuf)]) -> Result<Lights> {
+        let all = read_lights(file(&self.lights), None)?;
+        let find = |(name, _): &(String, PathBuf)| {
+            all.entries.iter().find(|light| light.name == *name).cloned().ok_or_else(|| {
+                let what = format!("no light is called as the map `{name}`");
+                Error::new(what, "make the light of the map with `eigenshade light`")
+                    .in_file(&self.lights)
+            })
+        };
+        Ok(Lights { degree: all.degree, entries: named.iter().map(find).collect::<Result<_>>()? })
+    }
+}
+
+fn fineness(text: &str) -> std::result::Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(number) if (0.25..=16.0).contains(&number) => Ok(number),
+        _ => Err("a number from 0.25 to 16 is wanted".to_owned()),
+    }
+}
+
+/// Maps of 4k by 2k take more than what a user's files may.
+fn file(path: impl AsRef<Path>) -> InputFile {
+    InputFile::new(path, Budget::BASIS)
+}

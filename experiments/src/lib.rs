@@ -1,0 +1,26 @@
+//! What the documentation of eigenshade measures: numbers as CSV, plots, and the generated parts of
+//! its pages.
+#![expect(missing_docs, reason = "no package depends on it")]
+
+#[path = "../../tests/tolerances/mod.rs"]
+pub mod tolerances;
+
+pub mod pages;
+
+pub mod median;
+
+pub mod multiplications;
+
+pub mod accuracy;
+
+pub mod paper;
+
+pub mod accuracy_cost;
+
+pub mod ablation;
+
+pub mod stability;
+
+pub mod float_errors;
+
+pub mod reading;

@@ -1,0 +1,75 @@
+//! Multiplications that the runtime's steps take with a table.
+
+use eigenshade_generator::error::Result;
+use eigenshade_index::layout;
+use eigenshade_shading::owned_basis::OwnedBasis;
+use eigenshade_shading::shader::fault;
+use eigenshade_table::parts::{NONE, ProfilePlace};
+use eigenshade_table::{Parts, Table};
+
+/// Multiplications of each step for one channel, of all components of a table. Zeros of padding
+/// are multiplied too.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Multiplications {
+    /// A light on a folded material: one for each number of a transfer.
+    pub relight: usize,
+    /// Components to polynomials: one for each term of each component.
+    pub collapse: usize,
+    /// A material: polar integrals, then factors.
+    pub transfer: usize,
+    /// Elements of the matrices that turn a light.
+    pub turn: usize,
+    /// A pixel: the multiply-adds of `docs/performance.md`, by Horner's rule in t and in
+    /// n_x - i n_y.
+    pub pixel: usize,
+}
+
+impl Multiplications {
+    /// Those of a table.
+    ///
+    /// # Errors
+    ///
+    /// A table that the runtime refuses.
+    pub fn of(table: &Table) -> Result<Self> {
+        let parts = Parts::new(table);
+        let (degree, order) = (parts.degree, parts.order);
+        let of_profile = |place: &ProfilePlace| {
+            let signs = [place.plus, place.minus].iter().filter(|&&index| index != NONE).count();
+            signs * usize::from(parts.lengths[usize::from(place.azimuth)])
+        };
+        let along = layout::LANES * layout::groups(degree);
+        let polar: usize = (0..=order).map(|q| ((order - q) / 2 + 1).pow(2) * along).sum();
+        let owned = OwnedBasis::<f32>::new(table);
+        Ok(Self {
+            relight: owned.basis().map_err(fault)?.transfer_len(),
+            collapse: parts.profiles.iter().map(of_profile).sum(),
+            transfer: polar + parts.factors.len(),
+            turn: (1..=degree).map(|l| (2 * l + 1).pow(2)).sum(),
+            pixel: pixel(&parts.lengths),
+        })
+    }
+}
+
+/// Multiply-adds of a pixel of polynomials of these lengths: one less than terms, two for
+/// n_x - i n_y in the real and two in the imaginary part of each azimuth but for the first and
+/// the last, and one for t.
+fn pixel(lengths: &[u16]) -> usize {
+    let used = lengths.iter().rposition(|&length| length > 0).map_or(0, |last| last + 1);
+    let of = |length: &u16| usize::from(length.saturating_sub(1));
+    let both: usize = lengths[..used].iter().map(|length| 2 * of(length)).sum();
+    let polynomials = both - lengths.first().map_or(0, of);
+    polynomials + (4 * used).saturating_sub(6) + usize::from(polynomials > 0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::pixel;
+
+    #[test]
+    fn pixels_are_those_of_the_page_of_performance() {
+        assert_eq!(pixel(&[14, 14, 13, 12, 12, 13, 12, 0, 0, 0]), 176);
+        assert_eq!(pixel(&[3, 2, 1]), 11);
+        assert_eq!(pixel(&[3, 2]), 7);
+        assert_eq!((pixel(&[1]), pixel(&[])), (0, 0));
+    }
+}

@@ -1,0 +1,147 @@
+//! Plates of spheres: pictures in rows and columns, with words.
+
+use eigenshade_cli::canvas::{Canvas, LETTER, text_width};
+use eigenshade_cli::sphere_view::SphereView;
+use eigenshade_cli::tone::srgb;
+
+/// What stands behind.
+const PAPER: [u8; 3] = [212, 214, 217];
+/// Letters.
+const INK: [u8; 3] = [40, 42, 46];
+/// The edge of a signed image, which may be as pale as the paper.
+const EDGE: [u8; 3] = [120, 122, 126];
+/// Letters are so many times the font's.
+const SCALE: usize = 2;
+
+/// A plate, on a grey that is neither the brightest of an image nor the zero of a signed one.
+pub struct Plate {
+    canvas: Canvas,
+    view: SphereView,
+    left: usize,
+    top: usize,
+    step: (usize, usize),
+}
+
+impl Plate {
+    /// Room for so many columns and rows of spheres of `size` pixels, with `lines` lines
+    /// of text below each row, `above` before the first and `beside` letters at the left.
+    pub fn new(
+        size: usize,
+        (columns, rows): (usize, usize),
+        (above, beside, lines): (usize, usize, usize),
+    ) -> Self {
+        let line = Self::line();
+        let gap = size / 10;
+        let left = gap + beside * LETTER * SCALE;
+        let top = gap + above * line;
+        let step = (size + gap, size + lines * line + gap);
+        let canvas = Canvas::new(left + columns * step.0, top + rows * step.1, PAPER);
+        Self { canvas, view: SphereView::new(size), left, top, step }
+    }
+
+    /// Pixels from one line of text to the next.
+    fn line() -> usize {
+        LETTER * SCALE * 3 / 2
+    }
+
+    /// The normals of a sphere's pixels.
+    pub fn normals(&self) -> &[[f64; 3]] {
+        &self.view.normals
+    }
+
+    fn place(&self, column: usize, row: usize) -> (usize, usize) {
+        (self.left + column * self.step.0, self.top + row * self.step.1)
+    }
+
+    /// An image of light: 1 is the brightest that is shown.
+    pub fn light(&mut self, column: usize, row: usize, image: &[[f64; 3]]) {
+        let (left, top) = self.place(column, row);
+        for (pixel, rgb) in self.view.pixels.iter().zip(image) {
+            let place = (left + pixel.column, top + pixel.row);
+            self.canvas.blend(place.0, place.1, rgb.map(srgb), pixel.coverage);
+        }
+    }
+
+    /// A signed image: -1 is blue, 0 white, 1 red.
+    pub fn signed(&mut self, column: usize, row: usize, image: &[f64]) {
+        let (left, top) = self.place(column, row);
+        let radius = 0.5 * self.view.size as f64 - 0.5;
+        for (pixel, value) in self.view.pixels.iter().zip(image) {
+            let place = (left + pixel.column, top + pixel.row);
+            self.canvas.blend(place.0, place.1, diverging(*value), pixel.coverage);
+            let offset = |k: usize| k as f64 - radius;
+            let inside = radius - offset(pixel.column).hypot(offset(pixel.row));
+            self.canvas.blend(place.0, place.1, EDGE, (1.5 - inside).clamp(0.0, 1.0));
+        }
+    }
+
+    /// Words below a sphere, line by line from 0.
+    pub fn below(&mut self, column: usize, row: usize, line: usize, text: &str) {
+        let (left, top) = self.place(column, row);
+        let middle = left + self.view.size / 2;
+        let top = top + self.view.size + LETTER + line * Self::line();
+        self.centred(middle, top, text);
+    }
+
+    /// Words above the first sphere of a column.
+    pub fn above(&mut self, column: usize, text: &str) {
+        let (left, top) = self.place(column, 0);
+        self.centred(left + self.view.size / 2, top - Self::line() - LETTER, text);
+    }
+
+    /// Words at the left of a row, line by line, about its middle.
+    pub fn beside(&mut self, row: usize, lines: &[&str]) {
+        let (_, top) = self.place(0, row);
+        let first = top + self.view.size / 2 - lines.len() * Self::line() / 2;
+        let left = self.step.0 - self.view.size;
+        for (line, text) in lines.iter().enumerate() {
+            let top = first + line * Self::line();
+            self.canvas.text(left, top, SCALE, INK, text);
+        }
+    }
+
+    fn centred(&mut self, middle: usize, top: usize, text: &str) {
+        let left = middle.saturating_sub(text_width(SCALE, text) / 2);
+        self.canvas.text(left, top, SCALE, INK, text);
+    }
+
+    /// The scale of signed images at the foot: from -`largest` to `largest`.
+    pub fn scale(mut self, largest: &str) -> Canvas {
+        let (width, height) = (self.canvas.width / 3, LETTER * SCALE);
+        let extra = 4 * LETTER * SCALE;
+        let top = self.canvas.height;
+        self.canvas.height += extra;
+        self.canvas.bytes.extend(PAPER.repeat(self.canvas.width * extra));
+        let left = (self.canvas.width - width) / 2;
+        for column in 0..width {
+            let value = 2.0 * column as f64 / (width - 1) as f64 - 1.0;
+            for row in 0..height {
+                self.canvas.blend(left + column, top + row, diverging(value), 1.0);
+            }
+        }
+        let under = top + height + LETTER;
+        for (place, text) in
+            [format!("-{largest}"), "0".into(), format!("+{largest}")].into_iter().enumerate()
+        {
+            self.centred(left + place * width / 2, under, &text);
+        }
+        self.canvas
+    }
+
+    /// The picture.
+    pub fn finish(self) -> Canvas {
+        self.canvas
+    }
+}
+
+/// Blue for -1, white for 0, red for 1; beyond, the same as there.
+fn diverging(value: f64) -> [u8; 3] {
+    const NEGATIVE: [[f64; 3]; 2] = [[75.0, 140.0, 200.0], [8.0, 42.0, 105.0]];
+    const POSITIVE: [[f64; 3]; 2] = [[226.0, 118.0, 84.0], [110.0, 4.0, 26.0]];
+    let [middle, end] = if value < 0.0 { NEGATIVE } else { POSITIVE };
+    let size = 2.0 * value.abs().min(1.0);
+    let mix = |from: [f64; 3], to: [f64; 3], share: f64| {
+        [0, 1, 2].map(|c| (from[c] + share * (to[c] - from[c])).round() as u8)
+    };
+    if size <= 1.0 { mix([250.0; 3], middle, size) } else { mix(middle, end, size - 1.0) }
+}

@@ -1,0 +1,109 @@
+//! What cameras do to an image of peak 1: noise, few bits, clipping, hidden parts.
+
+use eigenshade_cli::tone;
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::SeedableRng;
+use rand_distr::{Distribution, StandardNormal};
+
+/// One way to spoil an image.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Damage {
+    /// What it is called.
+    pub name: &'static str,
+    /// Standard deviation of normal noise on each pixel.
+    pub noise: f64,
+    /// How pixels are stored.
+    pub storage: Storage,
+    /// Whether the left half, n_x < 0, is hidden.
+    pub is_half_hidden: bool,
+    /// Whether lights and materials of the images are unknown to the statistics.
+    pub is_unknown: bool,
+}
+
+/// How pixels are stored.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Storage {
+    /// As numbers.
+    Exact,
+    /// In 8 bits, in proportion, the peak at 254.
+    Bits,
+    /// In 8 bits of sRGB, the peak at 254.
+    SrgbBits,
+    /// Clipped halfway between the image's mean and its peak, those pixels left out.
+    Clipped,
+    /// The same, those pixels taken for what they seem.
+    ClippedAndKept,
+}
+
+const NONE: Damage = Damage {
+    name: "as it is",
+    noise: 0.0,
+    storage: Storage::Exact,
+    is_half_hidden: false,
+    is_unknown: false,
+};
+
+/// Every way that is shown.
+pub const ALL: [Damage; 12] = [
+    NONE,
+    Damage { name: "noise 1 %", noise: 0.01, ..NONE },
+    Damage { name: "noise 5 %", noise: 0.05, ..NONE },
+    Damage { name: "8 bits, linear", storage: Storage::Bits, ..NONE },
+    Damage { name: "8 bits, sRGB", storage: Storage::SrgbBits, ..NONE },
+    Damage { name: "clipped, left out", storage: Storage::Clipped, ..NONE },
+    Damage { name: "clipped, kept", storage: Storage::ClippedAndKept, ..NONE },
+    Damage { name: "half hidden", is_half_hidden: true, ..NONE },
+    Damage { name: "half hidden, noise 1 %", noise: 0.01, is_half_hidden: true, ..NONE },
+    Damage { name: "half hidden, noise 5 %", noise: 0.05, is_half_hidden: true, ..NONE },
+    Damage { name: "unknown, noise 1 %", noise: 0.01, is_unknown: true, ..NONE },
+    Damage {
+        name: "unknown, half hidden, noise 1 %",
+        noise: 0.01,
+        is_half_hidden: true,
+        is_unknown: true,
+        ..NONE
+    },
+];
+
+impl Damage {
+    /// The damaged image, and the weight of each pixel. `seed` picks the noise, which is
+    /// the same on every host and run.
+    #[must_use]
+    pub fn apply(&self, image: &[f64], normals: &[[f64; 3]], seed: u64) -> (Vec<f64>, Vec<f64>) {
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        let mean = image.iter().sum::<f64>() / image.len() as f64;
+        let clip = 0.5 * (1.0 + mean);
+        let full = 255.0;
+        let scale = 254.0 / full;
+        let mut weights = Vec::new();
+        let mut pixels = Vec::new();
+        for (value, normal) in image.iter().zip(normals) {
+            let noise: f64 = StandardNormal.sample(&mut random);
+            let value = value + self.noise * noise;
+            let is_hidden = self.is_half_hidden && normal[0] < 0.0;
+            let is_out = self.storage == Storage::Clipped && value >= clip;
+            weights.push(if is_hidden || is_out { 0.0 } else { 1.0 });
+            pixels.push(match self.storage {
+                Storage::Exact => value,
+                Storage::Bits => (full * scale * value).round().max(0.0) / full / scale,
+                Storage::SrgbBits => {
+                    tone::linear(f64::from(tone::srgb(scale * value)) / full) / scale
+                }
+                Storage::Clipped | Storage::ClippedAndKept => value.min(clip),
+            });
+        }
+        (pixels, weights)
+    }
+
+    /// Whether every image keeps the same pixels.
+    #[must_use]
+    pub fn is_the_same_for_all(&self) -> bool {
+        self.storage != Storage::Clipped
+    }
+
+    /// What one knows of the noise: its size where there is some.
+    #[must_use]
+    pub fn stated_noise(&self) -> Option<f64> {
+        (self.noise > 0.0).then_some(self.noise)
+    }
+}

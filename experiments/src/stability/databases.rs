@@ -1,0 +1,198 @@
+//! Databases that leave little to be learned.
+
+use super::{Case, Figure};
+use crate::tolerances;
+use eigenshade_generator::database::{Lights, Materials};
+use eigenshade_generator::scene_file::Loaded;
+use eigenshade_table::Table;
+use eigenshade_table::scene::Normalise;
+use eigenshade_testing::fixtures::{self, lights, materials, named};
+use eigenshade_testing::largest;
+use eigenshade_testing::oracle::Numbers;
+
+pub const FEW: Case = Case {
+    name: "one light, one material, one of each",
+    naively: "a covariance of one sample is zero: nothing to decompose, divisions by n - 1",
+    here: "moments about zero, averaged over rotations; as many components as the images span",
+    measure: few,
+};
+
+pub const ALIKE: Case = Case {
+    name: "all materials alike",
+    naively: "a covariance that should be zero is rounding, and its eigenvectors become components",
+    here: "copies add nothing: the same number of components as for one, and the same images",
+    measure: alike,
+};
+
+pub const ZEROS: Case = Case {
+    name: "a material of zeros, alone or among others; a light of zeros",
+    naively: "0/0 in every relative measure; a black light scaled to unit ambient is infinite",
+    here: "black images are exactly 0; a black light is refused by name, or taken with normalise = \"none\"",
+    measure: zeros,
+};
+
+pub const PLAIN: Case = Case {
+    name: "ambient light only; Lambertian material only",
+    naively: "blocks without variance: eigenvectors of rounding",
+    here: "only azimuths that are excited have components: ambient 2 with the constant, Lambertian none above degree 2 but even ones",
+    measure: plain,
+};
+
+pub const RANK_ONE: Case = Case {
+    name: "a database whose covariance has rank one",
+    naively: "15 digits of rounding beside one direction, taken for 15 more",
+    here: "a component counts only above the rounding of the database's energy",
+    measure: rank_one,
+};
+
+const DEGREE: usize = 6;
+const ORDER: usize = 5;
+
+/// The errors of a scene by both criteria, with its table by the first.
+fn both(lights: Lights, materials: Materials) -> (f64, Table) {
+    let loaded = fixtures::scene(lights, materials);
+    let table = fixtures::table(&loaded);
+    let error = fixtures::reconstruction_error(&loaded, &table);
+    // Standard PCA spans the images in the exposure that its statistics have.
+    let mut loaded = fixtures::standard(loaded);
+    for light in &mut loaded.lights.entries {
+        let ambient = light.luminance()[0];
+        light.rgb.iter_mut().flatten().for_each(|value| *value /= ambient);
+    }
+    let standard = fixtures::table(&loaded);
+    (largest([error, fixtures::reconstruction_error(&loaded, &standard)]), table)
+}
+
+fn few() -> Vec<Figure> {
+    let mut numbers = Numbers(21);
+    let mut error = |l: usize, b: usize| {
+        both(lights(DEGREE, l, &mut numbers), materials(ORDER, b, &mut numbers)).0
+    };
+    let limit = tolerances::ALL_COMPONENTS;
+    vec![
+        Figure::most("one light, four materials, of the peak", error(1, 4), limit),
+        Figure::most("four lights, one material", error(4, 1), limit),
+        Figure::most("one of each", error(1, 1), limit),
+    ]
+}
+
+fn alike() -> Vec<Figure> {
+    let mut numbers = Numbers(22);
+    let (lights, one) = (lights(DEGREE, 3, &mut numbers), materials(ORDER, 1, &mut numbers));
+    let mut copies = one.clone();
+    for k in 0..7 {
+        copies.entries.push(named(format!("copy-{k}"), one.entries[0].luminance()));
+    }
+    let (_, single) = both(lights.clone(), one);
+    let (error, table) = both(lights, copies);
+    let values = table.components.iter().zip(&single.components);
+    let values = values.filter_map(|(a, b)| Some(a.eigenvalue? - b.eigenvalue?));
+    let most = largest(single.components.iter().filter_map(|one| one.eigenvalue));
+    vec![
+        Figure::exactly(
+            "components more than for one",
+            table.components.len().abs_diff(single.components.len()),
+            0,
+        ),
+        Figure::most(
+            "eigenvalues, of the largest",
+            largest(values) / most,
+            tolerances::SINGULAR_VALUE,
+        ),
+        Figure::most("images, of the peak", error, tolerances::ALL_COMPONENTS_FEW),
+    ]
+}
+
+fn zeros() -> Vec<Figure> {
+    let mut numbers = Numbers(23);
+    let some = lights(DEGREE, 3, &mut numbers);
+    let black = |count: usize| named("black", vec![0.0; count]);
+    let of_material = |mut materials: Materials| {
+        materials.entries.push(black(eigenshade_index::material::count(ORDER)));
+        materials
+    };
+    let (among, _) = both(some.clone(), of_material(materials(ORDER, 3, &mut numbers)));
+    let alone = of_material(Materials { order: ORDER, entries: Vec::new() });
+    let (alone, table) = both(some.clone(), alone);
+    let mut dark = some;
+    dark.entries.push(black(eigenshade_index::light::count(DEGREE)));
+    let mut loaded = fixtures::scene(dark, materials(ORDER, 3, &mut numbers));
+    let refused =
+        eigenshade_generator::basis::build(&loaded.scene, &loaded.lights, &loaded.materials)
+            .is_err_and(|error| error.to_string().contains("`black`"));
+    loaded.scene.light.normalise = Normalise::None;
+    let dark = fixtures::reconstruction_error(&loaded, &fixtures::table(&loaded));
+    let night = Loaded {
+        lights: Lights { degree: DEGREE, entries: loaded.lights.entries.split_off(3) },
+        ..loaded
+    };
+    let nothing = fixtures::table(&night);
+    let limit = tolerances::ALL_COMPONENTS;
+    vec![
+        Figure::most("a black material among three, of the peak", among, limit),
+        Figure::most("alone: the irradiance itself", alone, 0.0),
+        Figure::exactly("alone: components, the constant", table.components.len(), 1),
+        Figure::exactly("a black light is refused by name", usize::from(refused), 1),
+        Figure::most("taken as it is, of the peak", dark, limit),
+        Figure::exactly("alone: components, the constant", nothing.components.len(), 1),
+    ]
+}
+
+fn plain() -> Vec<Figure> {
+    let mut numbers = Numbers(24);
+    let mut ambient = lights(DEGREE, 3, &mut numbers);
+    for light in &mut ambient.entries {
+        light.rgb.iter_mut().for_each(|channel| channel[1..].fill(0.0));
+    }
+    let (first, of_ambient) = both(ambient, materials(ORDER, 1, &mut numbers));
+    let mut matte = materials(ORDER, 3, &mut numbers);
+    for material in &mut matte.entries {
+        material.rgb.iter_mut().for_each(|channel| channel[1..].fill(0.0));
+    }
+    let (second, of_matte) = both(lights(DEGREE, 4, &mut numbers), matte);
+    // Degrees 0, 1, 2, 4 and 6 reach a Lambertian surface: of each |m| as many profiles
+    // as degrees from |m| on, the constant being that of degree 0.
+    let matte_components = 1 + 4 + 2 * (4 + 3 + 2 + 2 + 1 + 1);
+    let limit = tolerances::ALL_COMPONENTS_FEW;
+    vec![
+        Figure::exactly("components under ambient light", of_ambient.components.len(), 2),
+        Figure::most("ambient light, of the peak", first, limit),
+        Figure::exactly(
+            "components of Lambertian materials",
+            of_matte.components.len(),
+            matte_components,
+        ),
+        Figure::most("Lambertian materials, of the peak", second, limit),
+    ]
+}
+
+/// Ambient light of two exposures on one material: Σ_c of one direction.
+fn rank_one() -> Vec<Figure> {
+    let mut numbers = Numbers(25);
+    let mut pair = lights(DEGREE, 2, &mut numbers);
+    for (light, ambient) in pair.entries.iter_mut().zip([1.0, 1.0 + 1e-6]) {
+        light.rgb.iter_mut().for_each(|channel| {
+            channel.fill(0.0);
+            channel[0] = ambient;
+        });
+    }
+    let mut loaded = fixtures::standard(fixtures::scene(pair, materials(ORDER, 1, &mut numbers)));
+    loaded.scene.light.normalise = Normalise::None;
+    let table = fixtures::table(&loaded);
+    let error = fixtures::reconstruction_error(&loaded, &table);
+    // The variance by hand: that of the exposures times the energy of the image.
+    let spread: f64 = 0.5e-6;
+    let mean = table.mean.as_ref().expect("standard criterion");
+    let energy: f64 = mean.coefficients.iter().map(|d| d * d).sum();
+    let expected = spread * spread * energy / (1.0 + spread).powi(2);
+    let found = table.components[0].eigenvalue.expect("standard criterion");
+    vec![
+        Figure::exactly("components", table.components.len(), 1),
+        Figure::most(
+            "its eigenvalue, relative",
+            found / expected - 1.0,
+            tolerances::SMALL_VARIANCE,
+        ),
+        Figure::most("images, of the peak", error, tolerances::ALL_COMPONENTS_FEW),
+    ]
+}

@@ -1,0 +1,128 @@
+//! Coefficients that are tiny or huge.
+
+use super::{Case, Figure};
+use crate::tolerances;
+use eigenshade::{Scalar, sphere};
+use eigenshade_shading::owned_basis::OwnedBasis;
+use eigenshade_table::Table;
+use eigenshade_testing::oracle::Numbers;
+use eigenshade_testing::{fixtures, largest};
+
+pub const DOUBLE: Case = Case {
+    name: "coefficients at 1e-30 and 1e+30 in f64",
+    naively: "products of light and material, or squares, out of range",
+    here: "linear all the way, nothing squared: a power of two in light or material comes out to the last bit",
+    measure: double,
+};
+
+pub const SINGLE: Case = Case {
+    name: "coefficients at 1e-30 and 1e+30 in f32",
+    naively: "light times material, 1e+60, is infinite before the basis makes it small; 1e-45 stalls on denormals",
+    here: "the material is folded first: 1e+30 meets 1e-30 as late as can be; nothing finite becomes infinite; what is \
+           denormal at 1e-30 is in no pixel and in no component that the shipped table has",
+    measure: single,
+};
+
+/// 2^100 = 1.3e30.
+const FAR: i32 = 100;
+
+fn double() -> Vec<Figure> {
+    let found = measure::<f64>();
+    vec![
+        Figure::exactly("coefficients with another bit", found.coefficients, 0),
+        Figure::exactly("pixels with another bit", found.pixels, 0),
+        Figure::exactly("answers that are not finite", found.infinite, 0),
+    ]
+}
+
+fn single() -> Vec<Figure> {
+    let found = measure::<f32>();
+    vec![
+        Figure::exactly("pixels with another bit", found.pixels, 0),
+        Figure::exactly("first 50 coefficients with another bit", found.shipped, 0),
+        Figure::most("all coefficients, of the largest", found.apart, tolerances::SCALED_F32),
+        Figure::exactly("answers that are not finite", found.infinite, 0),
+        Figure::exactly("answers of 1e-60 that are not 0", found.not_zero, 0),
+    ]
+}
+
+/// Answers to scaled inputs against the scaled answers, bit for bit.
+#[derive(Default)]
+struct Found {
+    coefficients: usize,
+    /// Of the coefficients, those of as many components as the shipped table has.
+    shipped: usize,
+    pixels: usize,
+    /// The largest difference of two coefficients, of the largest one.
+    apart: f64,
+    infinite: usize,
+    not_zero: usize,
+}
+
+fn measure<S: Scalar + Into<f64>>() -> Found {
+    let loaded = fixtures::shipped();
+    let table = fixtures::table(&loaded);
+    let mut numbers = Numbers(41);
+    let light = fixtures::lights(9, 1, &mut numbers).entries[0].luminance();
+    let material = fixtures::materials(7, 1, &mut numbers).entries[0].luminance();
+    let plain = answers::<S>(&table, &light, &material);
+    let mut all = Found::default();
+    for (of_light, of_material) in
+        [(FAR, 0), (-FAR, 0), (0, FAR), (0, -FAR), (FAR, -FAR), (-FAR, FAR), (-FAR, -FAR)]
+    {
+        let scaled = |values: &[f64], power: i32| -> Vec<f64> {
+            values.iter().map(|value| value * 2f64.powi(power)).collect()
+        };
+        let (light, material) = (scaled(&light, of_light), scaled(&material, of_material));
+        let found = answers::<S>(&table, &light, &material);
+        let factor = 2f64.powi(of_light + of_material);
+        all.infinite += found.iter().flatten().filter(|value| !value.is_finite()).count();
+        // 1e-60 is nothing in f32.
+        if S::from_f64(factor).into() == 0.0 {
+            all.not_zero += found.iter().flatten().filter(|value| **value != 0.0).count();
+            continue;
+        }
+        let other = |(a, b): &(&f64, &f64)| (*a / factor).to_bits() != b.to_bits();
+        for half in [0, plain[0].len() / 2] {
+            let pairs = found[0][half..].iter().zip(&plain[0][half..]);
+            all.shipped += pairs.take(sphere::COMPONENTS).filter(other).count();
+        }
+        all.coefficients += found[0].iter().zip(&plain[0]).filter(other).count();
+        all.pixels += found[1].iter().zip(&plain[1]).filter(other).count();
+        let scale = largest(plain[0].iter().copied());
+        let apart = found[0].iter().zip(&plain[0]).map(|(a, b)| (a / factor - b) / scale);
+        all.apart = largest(apart.chain([all.apart]));
+    }
+    all
+}
+
+/// Coefficients by projection and by transfer and new light; pixels of both, collapsed
+/// and component by component.
+fn answers<S: Scalar + Into<f64>>(table: &Table, light: &[f64], material: &[f64]) -> [Vec<f64>; 2] {
+    let owned = OwnedBasis::<S>::new(table);
+    let basis = owned.basis().expect("a basis");
+    let narrow =
+        |values: &[f64]| values.iter().map(|&value| S::from_f64(value)).collect::<Vec<_>>();
+    let (light, material) = (narrow(light), narrow(material));
+    let light = eigenshade::Light::new(9, &light).expect("coefficients");
+    let material = eigenshade::Material::new(7, &material).expect("coefficients");
+    let mut d = vec![S::ZERO; basis.components()];
+    let mut relit = d.clone();
+    let mut workspace = vec![S::ZERO; basis.workspace_len()];
+    let mut transfer = vec![S::ZERO; basis.transfer_len()];
+    basis.project_into(&light, &material, &mut workspace, &mut d).expect("sizes");
+    basis.transfer_into(&material, &mut workspace, &mut transfer).expect("sizes");
+    basis.relight_into(&transfer, &light, &mut relit).expect("sizes");
+    let coefficients = d.iter().chain(&relit).map(|&value| value.into()).collect();
+    let mut pixels = Vec::new();
+    for d in [d, relit] {
+        let scene = basis.collapse_into(&d, vec![S::ZERO; basis.scene_len()]).expect("sizes");
+        for [x, y, z] in fixtures::normals(&fixtures::SLANTS, 5) {
+            let normal = eigenshade::Normal::new(S::from_f64(x), S::from_f64(y), S::from_f64(z));
+            let normal = normal.expect("visible");
+            pixels.push(scene.shade(normal).into());
+            pixels.push(basis.reconstruct(&d, normal).expect("all components").into());
+        }
+    }
+    [coefficients, pixels]
+}

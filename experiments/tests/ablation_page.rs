@@ -1,0 +1,212 @@
+//! What `docs/ablation.md` says: the scenes' tables, the shares of their effects against sums
+//! over modes by hand, their errors, and the counts beside the nine-term formula.
+
+use crate::support::repository;
+use eigenshade_cli::compare::differences;
+use eigenshade_generator::scene_file;
+use eigenshade_generator::truth::Truth;
+use eigenshade_index::effect::{Effect, Effects};
+use eigenshade_index::{light, material};
+use eigenshade_shading::owned_basis::OwnedBasis;
+use eigenshade_shading::shader::{OwnedNormals, Shader};
+use experiments::ablation::counts::{Counts, M0, M4F};
+use experiments::ablation::pictures::{Sphere, peak};
+use experiments::ablation::savings::size;
+use experiments::ablation::scenes::{self, SCENES, Scene};
+use experiments::ablation::{compare, errors, nine_terms, page, shares};
+use experiments::{ablation, pages, tolerances};
+
+/// The committed tables are those of their scene files; scenes that share one differ in colour
+/// and rotation alone.
+#[test]
+fn tables_are_of_their_scenes() {
+    for scene in &SCENES {
+        let path = repository().join(format!("firmware/scenes/{}.toml", scene.name));
+        let table = scene.whole_table();
+        let loaded = scene_file::load(&path).expect("a scene");
+        let mut fresh = loaded.build().expect("a table");
+        let named = fresh.scene.effects.clone();
+        assert_eq!(
+            (named.colour, named.rotation),
+            (scene.channels == 3, scene.turns),
+            "{}",
+            scene.name
+        );
+        if scene.name != scene.table {
+            (fresh.scene.effects.colour, fresh.scene.effects.rotation) = (false, false);
+        }
+        let found = differences(&table, &fresh).expect("two tables of one scene");
+        for difference in found {
+            assert!(!difference.is_over(), "{}: {difference:?}", scene.name);
+        }
+    }
+}
+
+/// Whether a mode of degree l and order o does.
+type Belongs = fn(usize, usize) -> bool;
+
+/// The picture of each effect, mode by mode: (14) times L times b, of the modes that the effect
+/// is said to have.
+#[test]
+fn pictures_of_effects_are_sums_over_their_modes() {
+    let sphere = Sphere::new(0.5);
+    for name in ["sky_lambertian", "studio_plaster", "studio_velvet"] {
+        let scene = Scene::named(name);
+        let table = scene.whole_table();
+        let (degree, order) = (table.gram.degree, table.scene.material.order);
+        let light = scene.light(degree);
+        let material = scenes::material(&table, order);
+        let truth = Truth::new(degree, order);
+        let by_hand = |belongs: Belongs| -> Vec<f64> {
+            let of = |normal: &[f64; 3]| {
+                let modes = truth.at(*normal);
+                let mut sum = 0.0;
+                for ((l, m), of_light) in light::indices(degree).zip(&light[0]) {
+                    for ((o, p, q), b) in material::indices(order).zip(&material) {
+                        if belongs(l, o) {
+                            sum += of_light * b * modes.value(l, m, o, p, q);
+                        }
+                    }
+                }
+                sum
+            };
+            sphere.normals.iter().map(of).collect()
+        };
+        let whole = peak(&vec![by_hand(|_, _| true)]);
+        let effects: [(Effect, Belongs); 4] = [
+            (Effect::Ambient, |l, _| l == 0),
+            (Effect::Diffuse, |l, o| l > 0 && o == 0),
+            (Effect::Broad, |l, o| l > 0 && o > 0 && o < 4),
+            (Effect::Gloss, |l, o| l > 0 && o > 3),
+        ];
+        for (effect, belongs) in effects {
+            let wanted = Effects::NONE.with(effect);
+            let found = sphere.direct((degree, &light), (order, &material), wanted);
+            for (found, expected) in found[0].iter().zip(by_hand(belongs)) {
+                let off = (found - expected).abs();
+                assert!(off <= tolerances::EFFECT_BY_HAND * whole, "{name} {effect:?}: {off}");
+            }
+        }
+    }
+}
+
+/// Of the page's normals: the mean of n_z² over the disc is 1/2, of n_x² n_y² 1/24.
+#[test]
+fn the_root_mean_square_is_over_the_disc() {
+    let sphere = Sphere::new(shares::SPACING);
+    let root = |value: &dyn Fn(&[f64; 3]) -> f64| {
+        sphere.rms(&vec![sphere.normals.iter().map(value).collect()]).powi(2)
+    };
+    assert!((root(&|n| n[2]) - 0.5).abs() < 1e-3);
+    assert!((root(&|n| n[0] * n[1]) - 1.0 / 24.0).abs() < 1e-3);
+}
+
+#[test]
+fn scenes_keep_what_they_are_asked_for() {
+    let mut faults = Vec::new();
+    for scene in &SCENES {
+        let found = errors::errors(scene);
+        println!("{}: {found:?}", scene.name);
+        if !(found.f32 <= scene.tolerance && found.q15 <= scene.tolerance) {
+            faults.push(format!("{}: {found:?}", scene.name));
+        }
+    }
+    assert!(faults.is_empty(), "{faults:?}");
+}
+
+#[test]
+fn a_lambertian_material_under_light_of_degree_two_is_the_nine_term_formula() {
+    let counts = Counts::recorded();
+    for on in [M0, M4F] {
+        for operation in ["shade_lambertian", "sky_lambertian/pixel"] {
+            let found = counts.of_nine_terms(on, operation);
+            assert!(found <= tolerances::OF_NINE_TERMS, "{operation} {on:?}: {found}");
+        }
+    }
+    let scene = Scene::named("sky_lambertian");
+    assert_eq!(page::terms(&scene), 9);
+    let table = scene.whole_table();
+    let basis = OwnedBasis::<f32>::new(&table);
+    let mut shader = Shader::new(basis.basis().expect("a basis"), table.count());
+    let sphere = Sphere::new(0.2);
+    let normals = OwnedNormals::new(&sphere.normals);
+    for light in &scenes::lights(2).entries {
+        let light = light.luminance();
+        let found = shader.polynomial((2, &light), (0, &[2.0]), &normals).expect("it fits");
+        let c = nine_terms::coefficients(&light);
+        let expected: Vec<f64> =
+            sphere.normals.iter().map(|&normal| nine_terms::shade(&c, normal)).collect();
+        let most = peak(&vec![expected.clone()]);
+        for (found, expected) in found.iter().zip(expected) {
+            let off = (f64::from(*found) - expected).abs() / most;
+            assert!(off <= tolerances::SAME_AS_NINE_TERMS, "{off}");
+        }
+    }
+    // To 1e-2, whatever the light of degree 2.
+    assert!(errors::terms_within(&scene, 1e-2).iter().all(|&terms| terms <= 9));
+}
+
+/// Gloss is what costs: without it fewer components and terms, and less than half of the
+/// numbers.
+#[test]
+fn a_scene_without_gloss_costs_less() {
+    for name in ["studio_velvet", "sun_leather"] {
+        let scene = Scene::named(name);
+        let all = size(&scene, None).expect("the scene");
+        let less = size(&scene, Some(Effect::Gloss)).expect("an effect of the scene");
+        assert!(less.components < all.components && less.terms < all.terms, "{less:?} {all:?}");
+        assert!(2 * less.numbers < all.numbers, "{less:?} of {all:?}");
+    }
+}
+
+#[test]
+fn typical_scenes_cost_no_more_than_promised() {
+    let counts = Counts::recorded();
+    for name in ["studio_plaster", "studio_velvet", "sun_leather"] {
+        for on in [M0, M4F] {
+            let found = counts.of_nine_terms(on, &format!("{name}/pixel"));
+            assert!(found <= tolerances::TYPICAL_OF_NINE_TERMS, "{name} {on:?}: {found}");
+        }
+    }
+}
+
+/// One term, and the same number for every normal, of less than a third of the formula's
+/// instructions where there is no float unit.
+#[test]
+fn ambient_light_on_a_lambertian_material_is_a_constant() {
+    assert_eq!(page::terms(&Scene::named("ambient_lambertian")), 1);
+    let counts = Counts::recorded();
+    assert!(counts.of_nine_terms(M0, "ambient_lambertian/pixel") < 0.33);
+    assert!(counts.of_nine_terms(M4F, "ambient_lambertian/pixel") < 0.5);
+}
+
+/// Times apart, which the page tells and no test compares.
+#[test]
+fn the_page_says_what_is_counted_and_computed() {
+    let recorded = include_str!("../../docs/ablation.md");
+    let parts = page::parts(|scene| vec![0.0; if scene.is_some() { 1 } else { 4 }]);
+    let now = pages::with_parts(recorded, &parts).expect("the page's markers");
+    if let Err(fault) = compare::compare(recorded, &now) {
+        panic!("docs/ablation.md: {fault}; make it again with `{}`", page::COMMAND);
+    }
+}
+
+/// The README and `docs/performance.md` count the multiplications of the shipped table, the
+/// README in two digits.
+#[test]
+fn pages_agree_on_multiplications() {
+    let found = ablation::changes::multiplications();
+    let readme = include_str!("../../README.md");
+    let rows = [("`transfer`: ", found.transfer), ("`relight`: ", found.relight)];
+    let rows =
+        rows.into_iter().chain([("`collapse`: ", found.collapse), ("`shade`: ", found.pixel)]);
+    for (start, count) in rows {
+        let row = readme.lines().find_map(|line| line.strip_prefix(&format!("| {start}")));
+        let stated = row.and_then(|row| row.trim_end_matches(" |").rsplit(' ').next());
+        let stated: f64 = stated.expect(start).replace(',', "").parse().expect("a number");
+        let off = (stated / count as f64 - 1.0).abs();
+        assert!(off <= 0.01, "README.md: {start}{stated} where {count} belongs");
+    }
+    let row = format!("full scene: 14 14 13 12 12 13 12 | {} |", found.pixel);
+    assert!(include_str!("../../docs/performance.md").contains(&row), "{row}");
+}

@@ -1,0 +1,239 @@
+//! The figures' errors against pixels whose light is summed by direct quadrature of (3),
+//! which shares no code with them.
+
+use crate::oracle;
+use crate::support::{repository, rows};
+use crate::tolerances;
+use eigenshade::Normal;
+use eigenshade_generator::irradiance;
+use eigenshade_generator::partial_sum::PartialSum;
+use eigenshade_generator::selection::variances;
+use eigenshade_index::{light, material, mode};
+use eigenshade_shading::owned_basis::OwnedBasis;
+use experiments::paper::bound_spheres::Renderings;
+use experiments::paper::study::{DEGREE, ORDER, Study};
+use indicatif::ProgressBar;
+use std::f64::consts::PI;
+
+/// Intervals in cos α, and steps in β: images of degree 9 have |m| up to 9.
+const INTERVALS: usize = 36;
+const TILTS: usize = 20;
+
+/// Normals with the weights of the density cos(α)/π: 2z dz by Clenshaw and Curtis, equal
+/// steps in β.
+fn pixels() -> Vec<([f64; 3], f64)> {
+    let mut pixels = Vec::new();
+    for (z, weight) in oracle::clenshaw_curtis(INTERVALS) {
+        let sine = (1.0 - z * z).sqrt();
+        // The rim has no weight.
+        for tilt in (0..TILTS).filter(|_| z > 0.0) {
+            let (y, x) = (2.0 * PI * (tilt as f64 + 0.3) / TILTS as f64).sin_cos();
+            pixels.push(([sine * x, sine * y, z], 2.0 * z * weight / TILTS as f64));
+        }
+    }
+    pixels
+}
+
+fn mean(pixels: &[([f64; 3], f64)], value: impl Fn(usize) -> f64) -> f64 {
+    pixels.iter().enumerate().map(|(k, (_, weight))| weight * value(k)).sum()
+}
+
+/// The image of a light on a material at the pixels.
+fn image(pixels: &[([f64; 3], f64)], light: &[f64], material: &[f64]) -> Vec<f64> {
+    let explicit = oracle::ExplicitLight::new(light);
+    let indices = material::indices(ORDER).zip(material);
+    let terms: Vec<_> = indices.map(|((o, p, q), b)| (o, p, q, *b)).collect();
+    let shade = |part: &[([f64; 3], f64)]| -> Vec<f64> {
+        part.iter().map(|(normal, _)| oracle::irradiance(&explicit, &terms, *normal)).collect()
+    };
+    std::thread::scope(|scope| {
+        let parts: Vec<_> = pixels
+            .chunks(pixels.len().div_ceil(2))
+            .map(|part| scope.spawn(|| shade(part)))
+            .collect();
+        parts.into_iter().flat_map(|part| part.join().expect("no panic")).collect()
+    })
+}
+
+#[test]
+fn errors_are_those_of_pixels() {
+    let study = Study::new(&ProgressBar::hidden()).expect("the shipped data");
+    let trials = study.trials(&ProgressBar::hidden());
+    let trial = study.trial(&trials, "studio", "05-leather").expect("it is there");
+    let (light, material) = (&study.luminances[trial.light], &study.greys[trial.material]);
+    let pixels = pixels();
+    let image = image(&pixels, light, material);
+    let average = mean(&pixels, |k| image[k]);
+    let variance = mean(&pixels, |k| (image[k] - average).powi(2));
+    let near = |found: f64, expected: f64, what: &str| {
+        let off = (found - expected).abs() / variance;
+        println!("{what}: {off:.1e}");
+        assert!(off <= tolerances::FIGURE_ERROR, "{what}: {found} {expected}");
+    };
+    near(trial.variance, variance, "variance");
+    near(trial.mean * trial.mean, average * average, "mean");
+
+    for (table, fit) in study.tables.iter().zip(&trial.fits) {
+        let owned = OwnedBasis::<f64>::new(table);
+        let basis = owned.basis().expect("a basis");
+        let at = |coefficients: &[f64]| -> Vec<f64> {
+            let one = |[x, y, z]: [f64; 3]| {
+                let normal = Normal::new(x, y, z).expect("visible");
+                basis.reconstruct(coefficients, normal).expect("no more than there are")
+            };
+            pixels.iter().map(|(normal, _)| one(*normal)).collect()
+        };
+        // Standard PCA's basis adds its mean image to everything.
+        let base = at(&[]);
+        let mut residual: Vec<f64> = image.iter().zip(&base).map(|(a, b)| a - b).collect();
+        let criterion = table.scene.basis.criterion.name();
+        for count in 0..50 {
+            let mut coefficients = vec![0.0; count + 1];
+            coefficients[count] = 1.0;
+            let eigenimage: Vec<f64> =
+                at(&coefficients).iter().zip(&base).map(|(a, b)| a - b).collect();
+            if [0, 1, 5, 10, 30].contains(&count) {
+                let centre = mean(&pixels, |k| residual[k]);
+                let left = mean(&pixels, |k| (residual[k] - centre).powi(2));
+                near(fit.variances[count], left, &format!("{criterion}, {count}"));
+            }
+            let d = mean(&pixels, |k| residual[k] * eigenimage[k]);
+            residual.iter_mut().zip(&eigenimage).for_each(|(r, u)| *r -= d * u);
+        }
+    }
+}
+
+/// A sum of the strongest terms, each by (14) at each pixel.
+#[test]
+fn partial_sums_are_those_of_pixels_and_within_their_bound() {
+    const TERMS: usize = 150;
+    let study = Study::new(&ProgressBar::hidden()).expect("the shipped data");
+    let trials = study.trials(&ProgressBar::hidden());
+    let trial = study.trial(&trials, "esplanade", "07-velvet").expect("it is there");
+    let (light, material) = (&study.luminances[trial.light], &study.greys[trial.material]);
+    let pixels = pixels();
+    let mut left = image(&pixels, light, material);
+    let energy = mean(&pixels, |k| left[k] * left[k]);
+
+    let mut terms = Vec::new();
+    let top = DEGREE.cast_signed();
+    let mut sums = [0.0; 2 * DEGREE + 1];
+    for m in -top..=top {
+        let azimuth = m.unsigned_abs();
+        let modes = mode::indices(DEGREE, ORDER, azimuth);
+        for ((l, o, p, q), variance) in modes.zip(variances(&study.gram, azimuth)) {
+            let c = light[light::position(l, m)] * material[material::position(o, p, q)];
+            terms.push((c.abs() * variance.sqrt(), c, (l, m, o, p, q)));
+        }
+    }
+    terms.sort_by(|a, b| b.0.total_cmp(&a.0));
+    for &(_, c, (l, m, o, p, q)) in &terms[..TERMS] {
+        for (left, ([x, y, z], _)) in left.iter_mut().zip(&pixels) {
+            *left -= c * irradiance::value(l, m, o, p, q, x.hypot(*y).atan2(*z), y.atan2(*x));
+        }
+    }
+    for (size, _, (_, m, ..)) in &terms[TERMS..] {
+        sums[(m + top).unsigned_abs()] += size;
+    }
+    let bound = sums.iter().map(|sum| sum * sum).sum::<f64>().sqrt();
+    let error = mean(&pixels, |k| left[k] * left[k]).sqrt();
+
+    let steps = PartialSum::new(&study.gram, &[]).steps(light, material);
+    let step = steps.iter().find(|step| step.terms == TERMS).expect("every number of terms");
+    let (off, of) = (step.error * step.error - error * error, step.bound / bound - 1.0);
+    println!("error {:.1e} of the energy, bound {of:.1e}, {}", off / energy, error / bound);
+    assert!(off.abs() <= tolerances::FIGURE_ERROR * energy, "{} {error}", step.error);
+    assert!(of.abs() <= tolerances::FIGURE_ERROR, "{} {bound}", step.bound);
+    assert!(error < bound && error > tolerances::BOUND_AT_WORK * bound);
+}
+
+/// Pixels of a rendered sphere: each degree and order of the light by quadrature of (3), on
+/// the part of the material that its strongest terms leave.
+#[test]
+fn rendered_spheres_are_sums_of_integrals() {
+    let study = Study::new(&ProgressBar::hidden()).expect("the shipped data");
+    let trials = study.trials(&ProgressBar::hidden());
+    let found = Renderings::new(&study, &trials, &ProgressBar::hidden()).expect("the shipped data");
+    let one = found.all.iter().find(|one| one.names[0] == "05-leather").expect("it is there");
+    let trial = study.trial(&trials, one.names[1], one.names[0]).expect("it is there");
+    let (light, material) = (&study.luminances[trial.light], &study.greys[trial.material]);
+    let mut terms = Vec::new();
+    let top = DEGREE.cast_signed();
+    for m in -top..=top {
+        let azimuth = m.unsigned_abs();
+        let modes = mode::indices(DEGREE, ORDER, azimuth);
+        for ((l, o, p, q), variance) in modes.zip(variances(&study.gram, azimuth)) {
+            let b = material[material::position(o, p, q)];
+            let size = (light[light::position(l, m)] * b).abs() * variance.sqrt();
+            terms.push((size, (light::position(l, m), (o, p, q, b))));
+        }
+    }
+    terms.sort_by(|a, b| b.0.total_cmp(&a.0));
+    terms.truncate(one.terms);
+    let peak = found.truths[1].iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+    let mut least: f64 = f64::INFINITY;
+    for k in [2000, 11_000, 17_500] {
+        let mut expected = 0.0;
+        for (place, coefficient) in light.iter().enumerate() {
+            let of_place = terms.iter().filter(|(_, (other, _))| *other == place);
+            let part: Vec<_> = of_place.map(|(_, (_, term))| *term).collect();
+            let mut alone = vec![0.0; light.len()];
+            alone[place] = *coefficient;
+            let alone = oracle::ExplicitLight::new(&alone);
+            if !part.is_empty() {
+                expected += oracle::irradiance(&alone, &part, found.normals[k]);
+            }
+        }
+        let off = (one.image[k] - expected).abs() / peak;
+        println!("pixel {k}: {off:.1e} of the peak");
+        assert!(off <= tolerances::DIRECT_SUM, "{k}: {} {expected}", one.image[k]);
+        least = least.min((found.truths[1][k] - expected).abs() / peak);
+    }
+    // What was left out shows.
+    assert!(least > tolerances::LEFT_OUT, "{least}");
+}
+
+/// Irradiances that Fig. 4 lists, each channel by quadrature of (3) on coefficients as they
+/// are shipped; of the 1,000 modes the sum of theirs, each by (14).
+#[test]
+fn listed_irradiances_are_integrals() {
+    let path = repository().join("docs/paper/spheres_values.csv");
+    let text = std::fs::read_to_string(path).expect("a text");
+    let rows = rows(&text, "light,material,modes,x,y,z,r,g,b");
+    assert_eq!(rows.len(), 3 * 2 * 49);
+    let study = Study::new(&ProgressBar::hidden()).expect("the shipped data");
+    let summary = std::fs::read_to_string(repository().join("docs/paper/spheres.csv"));
+    let summary = summary.expect("a text");
+    for pair in rows.chunks(2 * 49) {
+        let (light, material) = (&pair[0][0], &pair[0][1]);
+        let of_pair = |line: &&str| line.starts_with(&format!("{light},{material},3704,"));
+        let line: Vec<&str> = summary.lines().find(of_pair).expect("a row").split(',').collect();
+        let peak: f64 = line[7].parse().expect("the peak");
+        let light = study.light(light).expect("it is there");
+        let material = study.material(material).expect("it is there");
+        for (row, channel) in [(3, 0), (24, 1), (37, 2), (45, 0)] {
+            let [whole, selected] = [&pair[row], &pair[49 + row]];
+            let at: Vec<f64> = whole[3..].iter().map(|field| field.parse().unwrap()).collect();
+            let normal = [at[0], at[1], at[2]];
+            let explicit = oracle::ExplicitLight::new(&light.rgb[channel]);
+            let indices = material::indices(ORDER).zip(&material.rgb[channel]);
+            let terms: Vec<_> = indices.map(|((o, p, q), b)| (o, p, q, *b)).collect();
+            let expected = oracle::irradiance(&explicit, &terms, normal);
+            let off = (at[3 + channel] - expected).abs() / peak;
+            assert!(off <= tolerances::LISTED, "{whole:?}: {expected}");
+            // And of the selected modes.
+            let (alpha, beta) = (at[0].hypot(at[1]).atan2(at[2]), at[1].atan2(at[0]));
+            let mut sum = 0.0;
+            for (l, m) in light::indices(DEGREE) {
+                for &(o, p, q, b) in terms.iter().filter(|(_, _, q, _)| *q <= l) {
+                    if study.selection[study.gram.place(m.unsigned_abs(), l, o, p, q)] {
+                        let c = light.rgb[channel][light::position(l, m)] * b;
+                        sum += c * irradiance::value(l, m, o, p, q, alpha, beta);
+                    }
+                }
+            }
+            let listed: f64 = selected[6 + channel].parse().expect("a number");
+            assert!((listed - sum).abs() <= tolerances::LISTED * peak, "{selected:?}: {sum}");
+        }
+    }
+}
