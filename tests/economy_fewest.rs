@@ -3,7 +3,7 @@
 
 use crate::tolerances;
 use eigenshade::{Normal, Recurrences, Shape, Tolerance, sphere};
-use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
+use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_testing::images;
 use images::{Image, coefficients, products, rule, single};
 

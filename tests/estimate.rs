@@ -2,7 +2,7 @@
 
 use crate::tolerances;
 use eigenshade::{Error, Normal, sphere};
-use eigenshade_generator::special::gauss_legendre;
+use eigenshade_model::special::gauss_legendre;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_testing::{fixtures, largest};
 use std::f64::consts::TAU;

@@ -6,8 +6,8 @@
 
 use crate::tolerances;
 use eigenshade::{Q15, Q31};
-use eigenshade_generator::database::{Lights, Materials};
 use eigenshade_index::{light, material, mode};
+use eigenshade_model::database::{Lights, Materials};
 use eigenshade_shading::integer_shader::{self, IntegerShader};
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::owned_quantised::Integer;
@@ -259,9 +259,9 @@ fn headroom_is_as_stated() {
     }
 }
 
-/// The README gives the first column of the page's table, in whole decibels.
+/// docs/accuracy.md gives the first column of the page's table, in whole decibels.
 #[test]
-fn the_readme_states_the_pages_decibels() {
+fn both_pages_state_the_same_decibels() {
     let page = include_str!("../docs/formats.md");
     let of = |name: &str| -> f64 {
         let row = page.lines().find_map(|line| line.strip_prefix(&format!("| `{name}` | ")));
@@ -270,5 +270,5 @@ fn the_readme_states_the_pages_decibels() {
     };
     let [float, short, long] = ["f32", "Q15", "Q31"].map(of);
     let sentence = format!("signal to error: {float:.0} dB, {short:.0} dB and {long:.0} dB");
-    assert!(include_str!("../README.md").contains(&sentence), "README.md lacks `{sentence}`");
+    assert!(include_str!("../docs/accuracy.md").contains(&sentence), "docs/accuracy.md lacks `{sentence}`");
 }

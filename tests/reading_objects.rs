@@ -4,12 +4,12 @@
 
 use crate::reading;
 use eigenshade::index::light;
-use eigenshade_generator::database::Named;
 use eigenshade_generator::reading::coefficients::{LeastSquares, scalar_product};
 use eigenshade_generator::reading::light_estimate::LightEstimate;
 use eigenshade_generator::reading::modes::{self, ModeCoefficients};
 use eigenshade_generator::reading::posterior::Posterior;
-use eigenshade_generator::rotation::Rotation;
+use eigenshade_model::database::Named;
+use eigenshade_model::rotation::Rotation;
 use eigenshade_table::scene::LightRotation;
 use nalgebra::{DMatrix, DVector};
 use reading::object::{DEGREE, Object};

@@ -3,13 +3,13 @@
 
 use crate::reading;
 use eigenshade::index::light;
-use eigenshade_generator::database::Named;
 use eigenshade_generator::moments::LightMoments;
 use eigenshade_generator::reading::eigenimage_values::EigenimageValues;
 use eigenshade_generator::reading::light_estimate::LightEstimate;
 use eigenshade_generator::reading::modes::{self, ModeCoefficients};
 use eigenshade_generator::reading::posterior::Posterior;
 use eigenshade_generator::reading::rank_one::RankOne;
+use eigenshade_model::database::Named;
 use eigenshade_table::scene::Criterion;
 use nalgebra::{DMatrix, DVector};
 use reading::oracle::Numbers;

@@ -10,7 +10,7 @@ use eigenshade_generator::reading::fit::fit;
 use eigenshade_generator::reading::observation::Observer;
 use eigenshade_generator::reading::posterior::Posterior;
 use eigenshade_generator::scene_file::Loaded;
-use eigenshade_generator::special::gauss_legendre;
+use eigenshade_model::special::gauss_legendre;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_table::Table;
 use eigenshade_table::scene::Criterion;

@@ -78,8 +78,7 @@ fn turned_light_is_the_generators() {
         let step = if degree > 9 { 40 } else { 1 };
         let (mut worst, mut worst_single) = (0.0f64, 0.0f64);
         for [a, b, c] in angles().into_iter().step_by(step) {
-            let of_generator =
-                eigenshade_generator::rotation::Rotation { alpha: b, beta: a, gamma: c };
+            let of_generator = eigenshade_model::rotation::Rotation { alpha: b, beta: a, gamma: c };
             let expected = of_generator.turn(degree, &light);
             let scale = largest(light.iter().copied());
             let rotation = Rotation::from_euler::<Libm>(a, b, c).expect("a rotation");
@@ -174,7 +173,7 @@ fn rotations_are_one_however_given() {
         let product = about_z(a).after(about_y).after(about_z(c));
         assert!(apart(rotation, product) <= tolerances::SPECIAL_LOW);
         // The generator's angles are these.
-        let of_generator = eigenshade_generator::rotation::Rotation { alpha: b, beta: a, gamma: c };
+        let of_generator = eigenshade_model::rotation::Rotation { alpha: b, beta: a, gamma: c };
         let of_generator = Rotation::from_matrix(of_generator.matrix()).expect("a rotation");
         assert!(apart(rotation, of_generator) <= tolerances::SPECIAL_LOW);
     }

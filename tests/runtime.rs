@@ -6,7 +6,7 @@ use eigenshade_table::rust_source;
 
 #[test]
 fn costs_are_the_tables() {
-    let readme = include_str!("../README.md");
+    let page = include_str!("../docs/costs.md");
     let bytes = std::fs::read("tables/sphere.bin").expect("the shipped table");
     let table = eigenshade_table::decode(&bytes).expect("a table");
     let module = rust_source::module(&table, "a test");
@@ -20,7 +20,7 @@ fn costs_are_the_tables() {
         format!("| {} | {} |", thousands(4 * sphere::TRANSFER + 4), sphere::TRANSFER),
         format!("| {} | {} |", 4 * sphere::SCENE + 12, sphere::SCENE),
     ] {
-        assert!(readme.contains(&row), "README.md lacks `{row}`");
+        assert!(page.contains(&row), "docs/costs.md lacks `{row}`");
     }
 }
 

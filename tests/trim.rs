@@ -2,7 +2,7 @@
 //! the database.
 
 use crate::tolerances;
-use eigenshade_generator::truth::Truth;
+use eigenshade_model::truth::Truth;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader};
 use eigenshade_shading::shipped;

@@ -5,12 +5,12 @@
 //! largest |I| of the direct integration over all of them.
 
 use eigenshade_generator::brdf::{Brdf, Measure, Surface};
-use eigenshade_generator::database::{Lights, Named};
 use eigenshade_generator::direct::Surroundings;
-use eigenshade_generator::error::Result;
-use eigenshade_generator::special::spherical_harmonic::azimuth;
-use eigenshade_generator::truth::Truth;
 use eigenshade_index::{light, material};
+use eigenshade_model::database::{Lights, Named};
+use eigenshade_model::error::Result;
+use eigenshade_model::special::spherical_harmonic::azimuth;
+use eigenshade_model::truth::Truth;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::parallel;
 use eigenshade_shading::shader::{OwnedNormals, Shader, fault};

@@ -4,9 +4,9 @@
 use eigenshade::Scalar;
 use eigenshade_cli::message::bar;
 use eigenshade_generator::basis;
-use eigenshade_generator::database::{Lights, Materials, Named};
-use eigenshade_generator::inputs::coefficient_csv::read_lights;
 use eigenshade_generator::scene_file;
+use eigenshade_model::database::{Lights, Materials, Named};
+use eigenshade_model::inputs::coefficient_csv::read_lights;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::reference_image;
 use eigenshade_shading::shader::{LookUp, OwnedNormals, Shader};

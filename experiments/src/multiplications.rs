@@ -1,7 +1,7 @@
 //! Multiplications that the runtime's steps take with a table.
 
-use eigenshade_generator::error::Result;
 use eigenshade_index::layout;
+use eigenshade_model::error::Result;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::fault;
 use eigenshade_table::parts::{NONE, ProfilePlace};

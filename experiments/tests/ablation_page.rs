@@ -4,9 +4,9 @@
 use crate::support::repository;
 use eigenshade_cli::compare::differences;
 use eigenshade_generator::scene_file;
-use eigenshade_generator::truth::Truth;
 use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_index::{light, material};
+use eigenshade_model::truth::Truth;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader};
 use experiments::ablation::counts::{Counts, M0, M4F};
@@ -191,21 +191,21 @@ fn the_page_says_what_is_counted_and_computed() {
     }
 }
 
-/// The README and `docs/performance.md` count the multiplications of the shipped table, the
-/// README in two digits.
+/// `docs/costs.md` and `docs/performance.md` count the multiplications of the shipped table, the
+/// former in two digits.
 #[test]
 fn pages_agree_on_multiplications() {
     let found = ablation::changes::multiplications();
-    let readme = include_str!("../../README.md");
+    let page = include_str!("../../docs/costs.md");
     let rows = [("`transfer`: ", found.transfer), ("`relight`: ", found.relight)];
     let rows =
         rows.into_iter().chain([("`collapse`: ", found.collapse), ("`shade`: ", found.pixel)]);
     for (start, count) in rows {
-        let row = readme.lines().find_map(|line| line.strip_prefix(&format!("| {start}")));
+        let row = page.lines().find_map(|line| line.strip_prefix(&format!("| {start}")));
         let stated = row.and_then(|row| row.trim_end_matches(" |").rsplit(' ').next());
         let stated: f64 = stated.expect(start).replace(',', "").parse().expect("a number");
         let off = (stated / count as f64 - 1.0).abs();
-        assert!(off <= 0.01, "README.md: {start}{stated} where {count} belongs");
+        assert!(off <= 0.01, "docs/costs.md: {start}{stated} where {count} belongs");
     }
     let row = format!("full scene: 14 14 13 12 12 13 12 | {} |", found.pixel);
     assert!(include_str!("../../docs/performance.md").contains(&row), "{row}");

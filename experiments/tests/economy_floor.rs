@@ -4,15 +4,15 @@
 use crate::tolerances;
 use eigenshade::{Light, Material, Tolerance, sphere};
 use eigenshade_generator::basis::build;
-use eigenshade_generator::database::Named;
-use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
+use eigenshade_model::database::Named;
+use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_shading::owned_basis::{AnyBasis, OwnedBasis};
 use eigenshade_table::decode;
 use eigenshade_testing::images::{coefficients, single};
 use eigenshade_testing::repository;
 use experiments::accuracy_cost::materials::Scope;
 
-const README: &str = include_str!("../../README.md");
+const PAGE: &str = include_str!("../../docs/accuracy.md");
 
 #[test]
 fn floors_are_what_components_lack_of_unseen_materials() {
@@ -60,5 +60,5 @@ fn floors_are_what_components_lack_of_unseen_materials() {
     [0.05, 0.95].iter().for_each(|&share| within(share, of_most));
     [0.0, 1.0].iter().for_each(|&share| within(share, of_all));
     let said = format!("off by {median:.2} % in the median and {most:.1} % at worst");
-    assert!(README.contains(&said), "README.md lacks `{said}`");
+    assert!(PAGE.contains(&said), "docs/accuracy.md lacks `{said}`");
 }

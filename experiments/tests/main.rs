@@ -5,6 +5,7 @@ mod support;
 
 mod ablation_page;
 mod accuracy_cost;
+mod direct_integration;
 mod economy_floor;
 mod hard_cases;
 mod high_degree;
@@ -16,6 +17,16 @@ mod reading_page;
 
 use eigenshade_testing::oracle;
 use experiments::tolerances;
+use std::path::{Path, PathBuf};
 
-/// The program that tests run.
-const PROGRAM: &str = env!("CARGO_BIN_EXE_experiments");
+/// The program that has this command. `eigenshade` lies beside this package's program, if the
+/// workspace was built.
+fn program(command: &str) -> PathBuf {
+    let experiments = Path::new(env!("CARGO_BIN_EXE_experiments"));
+    if ["errors", "paper", "accuracy-cost"].contains(&command) {
+        return experiments.into();
+    }
+    let eigenshade = experiments.with_file_name(format!("eigenshade{}", std::env::consts::EXE_SUFFIX));
+    assert!(eigenshade.exists(), "build it first: cargo build -p eigenshade-cli");
+    eigenshade
+}

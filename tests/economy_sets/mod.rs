@@ -8,9 +8,9 @@ mod corner_cases;
 
 use eigenshade::{Economy, Light, Material, Normal, Recurrences, Shape, Tolerance, sphere};
 use eigenshade_generator::basis::build;
-use eigenshade_generator::database::Named;
-use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
-use eigenshade_generator::truth::Truth;
+use eigenshade_model::database::Named;
+use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
+use eigenshade_model::truth::Truth;
 use eigenshade_shading::owned_basis::{AnyBasis, OwnedBasis};
 use eigenshade_table::decode;
 use images::{Image, coefficients, rule, single, vectors};

@@ -1,8 +1,8 @@
 //! Random scenes.
 
-use eigenshade_generator::database::{Lights, Materials, Named};
 use eigenshade_generator::scene_file::Loaded;
 use eigenshade_index::{light, material};
+use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_table::scene::{Criterion, Normalise};
 use eigenshade_testing::fixtures::{self, named};
 use eigenshade_testing::oracle::Numbers;

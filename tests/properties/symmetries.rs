@@ -3,10 +3,10 @@
 
 use crate::config;
 use crate::tolerances;
-use eigenshade_generator::polar_integral::PolarIntegrals;
-use eigenshade_generator::scattering;
-use eigenshade_generator::truth::Truth;
 use eigenshade_index::material;
+use eigenshade_model::polar_integral::PolarIntegrals;
+use eigenshade_model::scattering;
+use eigenshade_model::truth::Truth;
 use eigenshade_testing::oracle::Numbers;
 use eigenshade_testing::rotations::{euler, irradiance, product, rotation};
 use eigenshade_testing::{fixtures, largest};

@@ -9,9 +9,9 @@ pub mod object;
 pub(crate) use crate::{oracle, tolerances};
 
 use eigenshade::index::{light, material};
-use eigenshade_generator::irradiance;
 use eigenshade_generator::reading::light_estimate::Explained;
 use eigenshade_generator::reading::modes::ModeCoefficients;
+use eigenshade_model::irradiance;
 use eigenshade_table::scene::Criterion;
 use nalgebra::{DMatrix, DVector};
 

@@ -3,7 +3,6 @@
 use super::COUNT;
 use super::oracle::Numbers;
 use eigenshade::{GeneralBasis, Light, Material, Normal};
-use eigenshade_generator::database::Named;
 use eigenshade_generator::general;
 use eigenshade_generator::geometry::{Geometry, WeightedNormals};
 use eigenshade_generator::light_statistics::LightStatistics;
@@ -13,7 +12,8 @@ use eigenshade_generator::reading::observation::{Observation, Observer};
 use eigenshade_generator::reading::prior::Prior;
 use eigenshade_generator::reading::transfer::Transfers;
 use eigenshade_generator::scene_file::{self, Loaded};
-use eigenshade_generator::truth::Truth;
+use eigenshade_model::database::Named;
+use eigenshade_model::truth::Truth;
 use eigenshade_shading::owned_basis::{AnyBasis, OwnedBasis};
 use eigenshade_table::Table;
 use eigenshade_table::scene::{Criterion, LightRotation};

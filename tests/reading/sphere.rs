@@ -40,7 +40,7 @@ pub struct Pixels {
 
 pub fn pixels(loaded: &Loaded, seed: u64) -> Pixels {
     let mut numbers = Numbers(seed);
-    let truth = eigenshade_generator::truth::Truth::new(4, 3);
+    let truth = eigenshade_model::truth::Truth::new(4, 3);
     let light = loaded.lights.entries[4].luminance();
     let coefficients = loaded.materials.entries[6].luminance();
     let mut pixels = Pixels { normals: vec![], image: vec![], weights: vec![] };

@@ -2,7 +2,7 @@
 //! their pixels.
 
 use eigenshade::{Normal, Scene, SceneBuffer, sphere};
-use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
+use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 
 /// One image.
 pub type Shipped = Scene<'static, SceneBuffer<f32, { sphere::SCENE }>>;

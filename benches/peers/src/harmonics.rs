@@ -3,8 +3,8 @@
 use crate::interleaved::{Way, ratios};
 use crate::report::{Row, Table, standing};
 use crate::shipped::root;
-use eigenshade_generator::special::spherical_harmonic;
 use eigenshade_index::light::{graphics_sign, position};
+use eigenshade_model::special::spherical_harmonic;
 use serde::Deserialize;
 use sphrs::{Coordinates, HarmonicsSet, RealSH};
 use std::error::Error;

@@ -6,7 +6,7 @@ use crate::report::{Row, Table, standing};
 use crate::shipped::{Shipped, View};
 use crate::subject::{Lengths, Picture, WITHIN, errors, nine_terms_image, subjects};
 use eigenshade::sphere;
-use eigenshade_generator::truth::Truth;
+use eigenshade_model::truth::Truth;
 
 /// Degrees of the light: what the formula takes, and what the table does.
 const DEGREES: [usize; 2] = [2, sphere::DEGREE];

@@ -3,8 +3,8 @@
 
 use crate::shipped::{Pair, Shipped};
 use eigenshade::sphere;
-use eigenshade_generator::selection;
 use eigenshade_index::{light, material, mode};
+use eigenshade_model::selection;
 use eigenshade_table::Component;
 
 /// l, m, o, p, q.

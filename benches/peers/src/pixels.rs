@@ -8,7 +8,7 @@ use crate::report::{Row, Table, standing};
 use crate::shipped::{Shipped, View};
 use crate::subject::{Picture, WITHIN, errors, nine_terms_image, subjects};
 use eigenshade::sphere;
-use eigenshade_generator::truth::Truth;
+use eigenshade_model::truth::Truth;
 use std::hint::black_box;
 
 /// Normals of a picture.
@@ -33,7 +33,7 @@ pub fn table(shipped: &Shipped, measured: bool) -> Table {
     let names: Vec<Mode> = modes::only(&modes::all(), &kept);
     let c: Vec<Vec<f64>> =
         pairs.iter().map(|pair| modes::only(&modes::coefficients(pair), &kept)).collect();
-    let values = |at: &eigenshade_generator::truth::Modes<'_>| -> Vec<f64> {
+    let values = |at: &eigenshade_model::truth::Modes<'_>| -> Vec<f64> {
         names.iter().map(|&(l, m, o, p, q)| at.value(l, m, o, p, q)).collect()
     };
     let dot = |row: &[f64], c: &[f64]| row.iter().zip(c).map(|(a, b)| a * b).sum::<f64>();

@@ -7,8 +7,8 @@ use crate::modes;
 use crate::report::{Row, Table, standing};
 use crate::shipped::{Pair, Shipped, View};
 use eigenshade::{Tolerance, sphere};
-use eigenshade_generator::truth::Truth;
 use eigenshade_index::{light, material};
+use eigenshade_model::truth::Truth;
 use std::hint::black_box;
 
 /// A dense product takes up to a quarter longer with where its matrix lies: rounds take these

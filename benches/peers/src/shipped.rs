@@ -2,10 +2,10 @@
 //! each: the direct sum (15) over all 3,704 modes in f64.
 
 use eigenshade::{Light, Material, NineTerms, Normal, Scene, sphere};
-use eigenshade_generator::database::Named;
-use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
-use eigenshade_generator::special::gauss_legendre;
-use eigenshade_generator::truth::{Modes, Truth};
+use eigenshade_model::database::Named;
+use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
+use eigenshade_model::special::gauss_legendre;
+use eigenshade_model::truth::{Modes, Truth};
 use eigenshade_table::Table;
 use std::error::Error;
 use std::f64::consts::TAU;

@@ -4,7 +4,7 @@
 use crate::interleaved::{Way, median_and_worst};
 use crate::shipped::{Pair, View};
 use eigenshade::{NineTerms, Normals, Scene, Tolerance, sphere};
-use eigenshade_generator::truth::Modes;
+use eigenshade_model::truth::Modes;
 use std::hint::black_box;
 
 /// Tolerances, of the peak.

@@ -1,7 +1,7 @@
 //! Materials that reflect more light than they get, or less than none.
 
-use eigenshade_generator::database::Materials;
-use eigenshade_generator::scattering;
+use eigenshade_model::database::Materials;
+use eigenshade_model::scattering;
 
 /// What coefficients of a series may be off by.
 const SLACK: f64 = 1e-3;

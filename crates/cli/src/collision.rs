@@ -1,7 +1,7 @@
 //! Outputs that would replace one another, or an input.
 
-use eigenshade_generator::error::{Error, Result};
-use eigenshade_generator::output::end_of_links;
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::output::end_of_links;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 

@@ -1,7 +1,7 @@
 //! Where an answer goes: to a file, whole or not at all, or to standard output.
 
-use eigenshade_generator::error::{Error, Result};
-use eigenshade_generator::output::write_atomically;
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::output::write_atomically;
 use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::Path;
 

@@ -1,7 +1,5 @@
 //! All that is read from one image: d by each estimate, the light, the materials.
 
-use eigenshade_generator::database::{self, Lights, Materials, Named};
-use eigenshade_generator::error::Result;
 use eigenshade_generator::light_statistics::LightStatistics;
 use eigenshade_generator::moments::{MaterialMoments, equal};
 use eigenshade_generator::reading::coefficients::{CUTOFF, LeastSquares, scalar_product};
@@ -13,6 +11,8 @@ use eigenshade_generator::reading::posterior::{Estimate, Posterior};
 use eigenshade_generator::reading::prior::Prior;
 use eigenshade_generator::reading::rank_one::RankOne;
 use eigenshade_generator::reading::transfer::Transfers;
+use eigenshade_model::database::{self, Lights, Materials, Named};
+use eigenshade_model::error::Result;
 use eigenshade_table::Table;
 use std::collections::BTreeMap;
 

@@ -28,8 +28,10 @@ pub mod ringing;
 
 pub mod albedo;
 
+#[cfg(feature = "generate")]
 pub mod compare;
 
+#[cfg(feature = "generate")]
 pub mod recorded_errors;
 pub mod rounding;
 
@@ -37,12 +39,16 @@ pub mod sphere_view;
 
 pub mod tone;
 
+#[cfg(feature = "generate")]
 pub mod linear_image;
 
+#[cfg(feature = "generate")]
 pub mod pixel_normals;
 
+#[cfg(feature = "generate")]
 pub mod pixel_mask;
 
+#[cfg(feature = "generate")]
 pub mod image_reading;
 
 pub mod canvas;

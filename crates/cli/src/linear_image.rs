@@ -1,12 +1,12 @@
 //! A photograph or rendering as irradiance: linear, with a weight for each pixel.
 
 use crate::tone;
-use eigenshade_generator::error::{Error, Result};
 use eigenshade_generator::inputs::environment::EnvironmentMap;
-use eigenshade_generator::inputs::input_file::InputFile;
 use eigenshade_generator::inputs::png_curve::Curve;
 use eigenshade_generator::inputs::png_samples;
-use eigenshade_generator::inputs::sheet::Sheet;
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::input_file::InputFile;
+use eigenshade_model::inputs::sheet::Sheet;
 
 /// Bytes that a pixel takes of a [`LinearImage`], and in reading it: what it counts, and its
 /// normal.

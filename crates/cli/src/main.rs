@@ -14,6 +14,12 @@ use std::process::ExitCode;
 /// do), 2 for wrong usage.
 #[derive(Debug, Parser)]
 #[command(name = "eigenshade", version, arg_required_else_help = true)]
+#[cfg_attr(
+    not(feature = "generate"),
+    command(
+        after_help = "This build has no feature `generate`: light, material, basis and read are missing."
+    )
+)]
 struct Program {
     #[command(flatten)]
     memory: Memory,

@@ -1,7 +1,7 @@
 //! One entry of a file of lights or materials: `FILE` or `FILE:NAME`.
 
-use eigenshade_generator::database::Named;
-use eigenshade_generator::error::{Error, Result};
+use eigenshade_model::database::Named;
+use eigenshade_model::error::{Error, Result};
 use std::path::{Path, PathBuf};
 
 /// Names that a fault lists.

@@ -1,6 +1,6 @@
 //! Numbers as text.
 
-pub use eigenshade_generator::inputs::rounding::exact;
+pub use eigenshade_model::inputs::rounding::exact;
 
 /// A number of bytes for reading: three digits in each group.
 #[must_use]

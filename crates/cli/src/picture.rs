@@ -1,7 +1,7 @@
 //! PNG.
 
-use eigenshade_generator::error::{Error, Result};
-use eigenshade_generator::output::write_atomically;
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::output::write_atomically;
 use png::{BitDepth, ColorType, Encoder, SrgbRenderingIntent};
 use std::path::Path;
 

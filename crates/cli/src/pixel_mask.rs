@@ -1,9 +1,9 @@
 //! How much each pixel of an image counts.
 
-use eigenshade_generator::error::{Error, Result};
-use eigenshade_generator::inputs::input_file::InputFile;
 use eigenshade_generator::inputs::png_samples;
-use eigenshade_generator::inputs::sheet::Sheet;
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::input_file::InputFile;
+use eigenshade_model::inputs::sheet::Sheet;
 
 /// The largest weight: its square, times any number of pixels, is a number.
 const LARGEST: f64 = 1e100;
@@ -51,7 +51,7 @@ fn of_png(file: &InputFile, size: Option<[usize; 2]>) -> Result<Vec<f64>> {
     let full = f64::from(png.full);
     let weight = |(colour, opacity): (&[u16; 3], &u16)| {
         let share = colour.map(|sample| f64::from(sample) / full);
-        eigenshade_generator::database::luminance(share) * f64::from(*opacity) / full
+        eigenshade_model::database::luminance(share) * f64::from(*opacity) / full
     };
     Ok(png.colours.iter().zip(&png.opacities).map(weight).collect())
 }
@@ -59,7 +59,7 @@ fn of_png(file: &InputFile, size: Option<[usize; 2]>) -> Result<Vec<f64>> {
 fn of_csv(file: &InputFile) -> Result<Vec<f64>> {
     let sheet = Sheet::read(file.clone(), "weight")?;
     let [column] = sheet.columns(["weight"]).ok_or_else(|| sheet.wrong_header("`weight`"))?;
-    let weight = |row: eigenshade_generator::inputs::sheet::Row<'_>| {
+    let weight = |row: eigenshade_model::inputs::sheet::Row<'_>| {
         let weight = row.number(column)?;
         if weight != 0.0 && !(1.0 / LARGEST..=LARGEST).contains(&weight) {
             let remedy = "give 0, or weights from 1e-100 to 1e100";

@@ -1,10 +1,10 @@
 //! The normal of each pixel of an image.
 
 use crate::sphere_view::SphereView;
-use eigenshade_generator::error::{Error, Result};
-use eigenshade_generator::inputs::input_file::InputFile;
-use eigenshade_generator::inputs::normals::read_normals;
 use eigenshade_generator::inputs::{normal_map, png_samples};
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::input_file::InputFile;
+use eigenshade_model::inputs::normals::read_normals;
 use std::path::Path;
 
 /// Bytes of a normal that may be none.

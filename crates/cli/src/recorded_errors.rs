@@ -1,9 +1,9 @@
 //! Errors against direct integration, as `errors` records them beside a table, and what
 //! the table's manifest repeats of them.
 
-use eigenshade_generator::error::Result;
-use eigenshade_generator::inputs::sheet::Sheet;
 use eigenshade_generator::scene_file::Loaded;
+use eigenshade_model::error::Result;
+use eigenshade_model::inputs::sheet::Sheet;
 use eigenshade_table::Table;
 use eigenshade_table::manifest::scene_checksum;
 use std::fmt::Write as _;

@@ -1,8 +1,8 @@
 //! What a number format costs a table's images, measured where the table is made.
 
 use eigenshade::{Q15, Q31, Scalar};
-use eigenshade_generator::database::{Lights, Materials};
-use eigenshade_generator::error::Result;
+use eigenshade_model::database::{Lights, Materials};
+use eigenshade_model::error::Result;
 use eigenshade_shading::integer_shader::{self, IntegerShader};
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::owned_quantised::Integer;

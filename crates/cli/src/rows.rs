@@ -1,7 +1,7 @@
 //! CSV, row by row.
 
 use crate::destination::fault;
-use eigenshade_generator::error::{Error, Result};
+use eigenshade_model::error::{Error, Result};
 use std::io::Write;
 
 /// A CSV that is being written.

@@ -1,6 +1,6 @@
 //! Signals that ask the program to end.
 
-use eigenshade_generator::unfinished;
+use eigenshade_model::unfinished;
 use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::iterator::Signals;
 use signal_hook::low_level::emulate_default_handler;

@@ -1,7 +1,7 @@
 //! Tables from files.
 
-use eigenshade_generator::error::{Error, Result};
-use eigenshade_generator::inputs::input_file::InputFile;
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_table::Table;
 use std::path::Path;
 

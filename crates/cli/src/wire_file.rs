@@ -3,9 +3,9 @@
 use crate::number::grouped;
 use eigenshade::wire::{Header, WireError, WireFormat, aligned};
 use eigenshade::{Basis, GeneralBasis, Q15, Q31, quantised};
-use eigenshade_generator::error::{Error, Result};
 use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_index::wire::{ENTRY, FLOATS, HEADER, INTEGERS, LABEL};
+use eigenshade_model::error::{Error, Result};
 use std::fmt::Write;
 
 /// Whether bytes begin as a wire file does.

@@ -3,8 +3,8 @@
 
 use crate::support::{Folder, compiled, lights, materials};
 use crate::tolerances;
-use eigenshade_generator::database::{Lights, Materials};
-use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
+use eigenshade_model::database::{Lights, Materials};
+use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader};
 use eigenshade_table::{Table, decode, rust_source};

@@ -70,7 +70,6 @@ fn an_input_as_output() {
     let folder = with_everything();
     let before = contents(&folder);
     let pair = "--lights light.csv --materials material.csv";
-    let errors = "errors b.bin --lights light.csv --maps maps --materials matte.toml";
     let render = "render b.bin --light light.csv:light-0 --material material.csv --size 4";
     let read = format!("{READ} {pair}");
     let inputs = |command: &str, inputs: &[&str]| -> Vec<(String, String)> {
@@ -84,7 +83,6 @@ fn an_input_as_output() {
         inputs("eigenvalues b.bin", &["b.bin"]),
         inputs("evaluate zernike-radial points.csv", &["points.csv"]),
         inputs(render, &["b.bin", "light.csv", "material.csv"]),
-        inputs(errors, &["b.bin", "light.csv", "maps/other.pfm", "matte.toml"]),
         inputs("light light.csv --degree 4", &["light.csv"]),
         inputs("light map.pfm maps --degree 4", &["map.pfm", "maps/other.pfm"]),
         inputs("material m.csv matte.toml --order 0", &["m.csv", "matte.toml"]),

@@ -4,11 +4,11 @@ use crate::support::{Folder, assert_fails, lights, materials, numbers, repositor
 use crate::tolerances;
 use eigenshade_generator::basis::build;
 use eigenshade_generator::choice::Reach;
-use eigenshade_generator::database::Named;
 use eigenshade_generator::moments::exposure;
 use eigenshade_generator::scene_file::{self, Loaded};
-use eigenshade_generator::truth::Truth;
 use eigenshade_index::{light, mode};
+use eigenshade_model::database::Named;
+use eigenshade_model::truth::Truth;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::Shader;
 use eigenshade_table::scene::Criterion;

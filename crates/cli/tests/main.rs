@@ -5,6 +5,7 @@ mod support;
 #[path = "../../../tests/tolerances/mod.rs"]
 mod tolerances;
 
+mod accuracy_page;
 mod agreement;
 mod bad_input;
 mod baked_integers;
@@ -14,7 +15,6 @@ mod collisions;
 mod commands;
 mod corner_cases;
 mod cuts;
-mod direct_integration;
 mod direct_quadrature;
 mod effects;
 mod flat_objects;
@@ -35,7 +35,7 @@ mod read;
 mod read_faults;
 mod read_objects;
 mod read_pictures;
-mod readme;
+
 mod sphere_normals;
 mod stores;
 mod terminal;
@@ -47,5 +47,7 @@ mod ways;
 
 use eigenshade_testing::oracle;
 
-/// The program that tests run.
-const PROGRAM: &str = env!("CARGO_BIN_EXE_eigenshade");
+/// The program that has this command.
+fn program(_command: &str) -> &'static str {
+    env!("CARGO_BIN_EXE_eigenshade")
+}

@@ -4,9 +4,9 @@
 
 use crate::support::{Folder, assert_fails, repository, rows};
 use crate::tolerances;
-use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_generator::inputs::environment::EnvironmentMap;
-use eigenshade_generator::truth::Truth;
+use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
+use eigenshade_model::truth::Truth;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::fs;
 use std::path::PathBuf;

@@ -2,13 +2,13 @@
 
 use crate::basis::{REPORTED, in_range, orthonormality};
 use crate::canonical::{self, Ranked};
-use crate::database::{self, Lights, Materials};
 use crate::eigenimages::{Azimuth, Selected, constant_coordinates};
-use crate::error::Result;
 use crate::moments::{self, LightMoments, MaterialMoments};
 use crate::pca::{Block, principal};
-use crate::selection::{self, Kept};
 use crate::{gram, profile};
+use eigenshade_model::database::{self, Lights, Materials};
+use eigenshade_model::error::Result;
+use eigenshade_model::selection::{self, Kept};
 use eigenshade_table::scene::Criterion;
 use eigenshade_table::{Component, GramFactor, MeanImage, Profile, Scene, Summary, Table};
 use faer::Mat;

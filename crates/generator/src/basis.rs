@@ -2,8 +2,8 @@
 
 use crate::analysis::Analysis;
 use crate::choice::{self, Choice};
-use crate::database::{Lights, Materials, Named};
-use crate::error::{Error, Result};
+use eigenshade_model::database::{Lights, Materials, Named};
+use eigenshade_model::error::{Error, Result};
 use eigenshade_table::cut::cut;
 use eigenshade_table::{Scene, Table};
 

@@ -22,9 +22,9 @@
 //! opt-level = 2
 //! ```
 
-use crate::error::{Error, Result};
-use crate::output::write_atomically;
 use crate::scene_file;
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::output::write_atomically;
 use eigenshade_table::statics;
 use std::path::Path;
 use std::{env, process};

@@ -8,9 +8,9 @@
 //! above the horizon.
 
 use crate::brdf::{Brdf, Geometry};
-use crate::database::luminance;
-use crate::error::{Error, Result};
 use crate::inputs::environment::EnvironmentMap;
+use eigenshade_model::database::luminance;
+use eigenshade_model::error::{Error, Result};
 use faer::linalg::matmul::matmul;
 use faer::{Accum, Mat, Par};
 use std::f64::consts::{PI, TAU};

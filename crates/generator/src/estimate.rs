@@ -1,11 +1,11 @@
 //! What making a scene's table takes, before anything of it is made.
 
-use crate::budget::Budget;
-use crate::error::Result;
 use crate::geometry::Geometry;
 use crate::profile::terms;
 use crate::scene_file::Loaded;
 use eigenshade_index::{layout, light, material, mode, pair};
+use eigenshade_model::budget::Budget;
+use eigenshade_model::error::Result;
 use eigenshade_table::scene::{LightRotation, Store};
 use std::time::Duration;
 

@@ -6,17 +6,18 @@
 //! singular vectors of the database's images in y, U = A⁺W.
 
 use crate::choice::{Below, Choice};
-use crate::database::{Lights, Materials};
-use crate::error::{Error, Result};
 use crate::geometry::Geometry;
 use crate::light_statistics::LightStatistics;
 use crate::moments::MaterialMoments;
 use crate::observed::Observed;
 use crate::pca::principal;
-use crate::selection::{self, Kept};
 use crate::settle::{Functions, settle};
 use crate::span::{Function, Span};
-use crate::{basis, database, gram, peak};
+use crate::{basis, gram, peak};
+use eigenshade_model::database;
+use eigenshade_model::database::{Lights, Materials};
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::selection::{self, Kept};
 use eigenshade_table::scene::{Criterion, Store};
 use eigenshade_table::{General, GramFactor, Scene, Summary, Table};
 use faer::Mat;

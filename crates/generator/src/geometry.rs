@@ -1,8 +1,8 @@
 //! Which normals an object shows, and how much of its picture each takes.
 
-use crate::error::{Error, Result};
-use crate::inputs::normals::visible;
 use crate::span::Span;
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::normals::visible;
 use faer::Mat;
 
 /// Normals taken at a time.

@@ -1,11 +1,11 @@
 //! The Gram matrix M of (23), as the factor A of
 //! [`GramFactor`], for the normals of a sphere.
 
-use crate::irradiance::{slant_radials, slant_rotation};
-use crate::mode_gain::gain;
-use crate::polar_integral::PolarIntegrals;
-use crate::special::gauss_legendre;
 use eigenshade_index::{material, pair};
+use eigenshade_model::irradiance::{slant_radials, slant_rotation};
+use eigenshade_model::mode_gain::gain;
+use eigenshade_model::polar_integral::PolarIntegrals;
+use eigenshade_model::special::gauss_legendre;
 use eigenshade_table::GramFactor;
 
 /// The factor of M for the normals that a sphere shows, whose density over the

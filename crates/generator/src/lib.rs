@@ -1,28 +1,12 @@
-//! From captured light and measured materials to eigenshade tables.
+//! From captured light and measured materials to eigenshade tables, by the model of
+//! [`eigenshade_model`].
 //!
-//! The modules stand in the order of the mathematics of Nillius and Eklundh,
-//! "Phenomenological Eigenfunctions for Image Irradiance", ICCV 2003; "(n)" in
-//! these pages is equation n of that paper.
-
-pub mod special;
-
-pub mod rotation;
-
-pub mod polar_integral;
-
-pub mod mode_gain;
-
-pub mod scattering;
+//! Modules follow the mathematics of Nillius and Eklundh, "Phenomenological Eigenfunctions for Image
+//! Irradiance", ICCV 2003; "(n)" in these pages is equation n of that paper.
 
 pub mod brdf;
 
-pub mod irradiance;
-
-pub mod truth;
-
 pub mod gram;
-
-pub mod selection;
 
 pub mod moments;
 
@@ -60,28 +44,16 @@ pub mod representation;
 
 pub mod partial_sum;
 
-pub mod effects;
-
 pub mod peak;
 
 pub mod scene_file;
 
 pub mod estimate;
 
-pub mod database;
-
-pub mod error;
-
-pub mod budget;
-
 pub mod inputs;
 
 pub mod reading;
 
 pub mod direct;
-
-pub mod unfinished;
-
-pub mod output;
 
 pub mod build;

@@ -1,11 +1,11 @@
 //! First and second moments of a database's light under the rotations that a scene
 //! expects, kept as factors: E{LLᵀ} = Σ_t v_t v_tᵀ.
 
-use crate::database::Lights;
-use crate::error::Result;
 use crate::moments::{LightMoments, comparable};
-use crate::rotation::Rotation;
 use eigenshade_index::light;
+use eigenshade_model::database::Lights;
+use eigenshade_model::error::Result;
+use eigenshade_model::rotation::Rotation;
 use eigenshade_table::scene::{LightRotation, Normalise};
 use faer::Mat;
 

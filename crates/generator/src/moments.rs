@@ -5,10 +5,10 @@
 //! light and each material: √E{(L_l^m)²} b_j / √n. So nothing is squared, and no
 //! root of a matrix is taken.
 
-use crate::database::{Lights, Materials};
-use crate::error::{Error, Result};
 use eigenshade_index::effect::Effects;
 use eigenshade_index::{light, material};
+use eigenshade_model::database::{Lights, Materials};
+use eigenshade_model::error::{Error, Result};
 use eigenshade_table::scene::{Criterion, Normalise};
 
 /// What is known of the light, averaged over all rotations.
@@ -111,7 +111,7 @@ impl MaterialMoments {
     #[must_use]
     pub fn weighted(materials: &Materials, weights: Vec<f64>) -> Self {
         let vectors: Vec<Vec<f64>> =
-            materials.entries.iter().map(crate::database::Named::luminance).collect();
+            materials.entries.iter().map(eigenshade_model::database::Named::luminance).collect();
         let mut mean = vec![0.0; vectors.first().map_or(0, Vec::len)];
         for (vector, weight) in vectors.iter().zip(&weights) {
             for (mean, value) in mean.iter_mut().zip(vector) {

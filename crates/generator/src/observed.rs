@@ -5,9 +5,9 @@
 //! energies are lengths. Of the modes c the span's coordinates are diag(s) Vᵀ c, V
 //! orthonormal; so A is H Vᵀ with H = S Qᵀ diag(s).
 
-use crate::error::{Error, Result};
 use crate::geometry::Geometry;
 use crate::span::{Function, Span};
+use eigenshade_model::error::{Error, Result};
 use faer::Mat;
 
 /// What an object shows of a span.

@@ -5,10 +5,10 @@
 //! root of the singular M, nothing squared. U = A⁺W follows by the
 //! pseudo-inverse with a cut-off.
 
-use crate::error::{Error, Result};
 use crate::moments::Deviation;
 use crate::profile::ProfileSpace;
 use eigenshade_index::{material, mode};
+use eigenshade_model::error::{Error, Result};
 use eigenshade_table::GramFactor;
 use faer::{Mat, MatRef};
 

@@ -1,11 +1,11 @@
 //! The peak of a scene's database, of which tolerances are: the root of the mean square, over
 //! its lights as captured and its materials, of each image's largest |I|.
 
-use crate::database::{self, Lights, Materials};
-use crate::effects;
-use crate::error::Result;
 use crate::moments::{MaterialMoments, comparable};
-use crate::truth::Truth;
+use eigenshade_model::database::{self, Lights, Materials};
+use eigenshade_model::effects;
+use eigenshade_model::error::Result;
+use eigenshade_model::truth::Truth;
 use eigenshade_table::Scene;
 use std::f64::consts::PI;
 

@@ -1,14 +1,14 @@
 //! Reads a scene file and its databases.
 
 use crate::choice::Choice;
-use crate::database::{Lights, Materials, Named};
-use crate::error::{Error, Result};
 use crate::geometry::Geometry;
-use crate::inputs::coefficient_csv::{read_lights, read_materials_and_order};
-use crate::inputs::input_file::InputFile;
 use crate::inputs::{density, object};
 use crate::{basis, general};
 use eigenshade_index::effect::Effects;
+use eigenshade_model::database::{Lights, Materials, Named};
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials_and_order};
+use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_table::scene::{KNOTS, LightRotation};
 use eigenshade_table::{Scene, Table};
 use std::path::{Path, PathBuf};

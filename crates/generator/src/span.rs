@@ -5,12 +5,12 @@
 //! at those normals: a sum of the functions of this span.
 
 use crate::eigenimages::{constant_coordinates, signed_left};
-use crate::error::Result;
 use crate::pca::Block;
 use crate::profile::chebyshev_values;
-use crate::selection::Kept;
-use crate::special::spherical_harmonic::azimuth as phi;
 use eigenshade_index::{light, material, mode};
+use eigenshade_model::error::Result;
+use eigenshade_model::selection::Kept;
+use eigenshade_model::special::spherical_harmonic::azimuth as phi;
 use eigenshade_table::GramFactor;
 use faer::Mat;
 

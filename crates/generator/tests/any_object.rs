@@ -2,17 +2,17 @@
 //! components of the pictures themselves, pixel by pixel.
 
 use crate::tolerances;
-use eigenshade_generator::database::{Lights, Materials};
 use eigenshade_generator::geometry::{Geometry, WeightedNormals};
-use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_generator::inputs::density;
 use eigenshade_generator::light_statistics::LightStatistics;
 use eigenshade_generator::moments::equal;
 use eigenshade_generator::profile::evaluate;
-use eigenshade_generator::special::gauss_legendre;
-use eigenshade_generator::special::spherical_harmonic::{self, azimuth};
-use eigenshade_generator::truth::Truth;
 use eigenshade_generator::{basis, general};
+use eigenshade_model::database::{Lights, Materials};
+use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
+use eigenshade_model::special::gauss_legendre;
+use eigenshade_model::special::spherical_harmonic::{self, azimuth};
+use eigenshade_model::truth::Truth;
 use eigenshade_table::Table;
 use eigenshade_table::scene::{Criterion, LightRotation, Normalise, Scene};
 use faer::Mat;
@@ -105,7 +105,7 @@ fn pictures(lights: &Lights, materials: &Materials, listed: &WeightedNormals) ->
         })
         .collect();
     let materials: Vec<Vec<f64>> =
-        materials.entries.iter().map(eigenshade_generator::database::Named::luminance).collect();
+        materials.entries.iter().map(eigenshade_model::database::Named::luminance).collect();
     let count = lights.len() * materials.len();
     let mut pictures = Mat::zeros(listed.normals().len(), count);
     for (k, (normal, weight)) in listed.normals().iter().zip(listed.weights()).enumerate() {

@@ -3,8 +3,8 @@
 use crate::tolerances;
 use eigenshade_generator::brdf::projection::{Projection, nodes, project, project_with};
 use eigenshade_generator::brdf::{Abc, Brdf, Geometry, Ggx, Lambertian, Measure, OrenNayar};
-use eigenshade_generator::scattering;
 use eigenshade_index::material;
+use eigenshade_model::scattering;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use eigenshade_testing::oracle::ggx as oracle;

@@ -9,8 +9,8 @@ mod shipped;
 
 use eigenshade_generator::inputs::environment::EnvironmentMap;
 use eigenshade_generator::inputs::light_projection::project;
-use eigenshade_generator::special::spherical_harmonic;
 use eigenshade_index::light;
+use eigenshade_model::special::spherical_harmonic;
 use files::{Type, map_of, through};
 use std::f64::consts::PI;
 use tolerances::{LIGHT_PROJECTION, MAP_DEGREE_SQUARED, MAP_FLOAT, MAP_HALF, MAP_KINK, MAP_RGBE};

@@ -1,13 +1,13 @@
 //! Coefficients and normals as text: what is written reads back to the last
 //! bit, and every fault is named with its file, its line and a remedy.
 
-use eigenshade_generator::database::{Lights, Materials, Named};
-use eigenshade_generator::error::{Error, Result};
-use eigenshade_generator::inputs::coefficient_csv::{
+use eigenshade_model::database::{Lights, Materials, Named};
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::coefficient_csv::{
     parse_lights, parse_materials, read_lights, read_materials, write_lights, write_materials,
 };
-use eigenshade_generator::inputs::normals::read_normals;
-use eigenshade_generator::output::write_atomically;
+use eigenshade_model::inputs::normals::read_normals;
+use eigenshade_model::output::write_atomically;
 use std::fs;
 use std::path::PathBuf;
 use tempfile::TempDir;

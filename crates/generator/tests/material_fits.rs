@@ -1,12 +1,12 @@
 //! Fits of materials: in range everywhere, and true to what was measured.
 
 use crate::tolerances;
-use eigenshade_generator::inputs::coefficient_csv::read_materials;
 use eigenshade_generator::inputs::fit::{Fit, HIGHEST, LOWEST, fit, write_figures};
 use eigenshade_generator::inputs::fit_constraints::DirectionGrid;
 use eigenshade_generator::inputs::measurements::{Measured, Measurement, read};
-use eigenshade_generator::scattering::{brdf, modes};
 use eigenshade_index::material;
+use eigenshade_model::inputs::coefficient_csv::read_materials;
+use eigenshade_model::scattering::{brdf, modes};
 use faer::linalg::solvers::SolveLstsq;
 use faer::{Col, Mat};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, PI};

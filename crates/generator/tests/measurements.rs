@@ -1,8 +1,8 @@
 //! Measured BRDFs as text: both layouts, and every fault with its file, its
 //! line and a remedy.
 
-use eigenshade_generator::error::Result;
 use eigenshade_generator::inputs::measurements::{Measured, read_material_path};
+use eigenshade_model::error::Result;
 use std::f64::consts::FRAC_PI_2;
 use std::fmt::Debug;
 use std::fs;

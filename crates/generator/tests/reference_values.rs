@@ -2,8 +2,8 @@
 //! quadrature in 60-digit arithmetic.
 
 use crate::tolerances;
-use eigenshade_generator::special::{spherical_harmonic, wigner, zernike};
-use eigenshade_generator::{irradiance, polar_integral};
+use eigenshade_model::special::{spherical_harmonic, wigner, zernike};
+use eigenshade_model::{irradiance, polar_integral};
 
 /// Asserts the worst absolute error of both degree ranges; `f` gives the
 /// degree, our value and the reference.

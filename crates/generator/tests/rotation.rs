@@ -2,9 +2,9 @@
 //! cases, general angles.
 
 use crate::tolerances;
-use eigenshade_generator::rotation::Rotation;
-use eigenshade_generator::special::spherical_harmonic;
 use eigenshade_index::light;
+use eigenshade_model::rotation::Rotation;
+use eigenshade_model::special::spherical_harmonic;
 
 const ROTATIONS: [Rotation; 6] = [
     Rotation { alpha: 0.7, beta: -2.1, gamma: 1.3 },
@@ -57,7 +57,7 @@ fn rotated_harmonics_are_sums_of_harmonics() {
 /// Each of the nine cases alone: D_l^mn is the integral of Y_l^m(Rω) Y_l^n(ω).
 #[test]
 fn each_sign_case_is_its_integral() {
-    use eigenshade_generator::special::gauss_legendre;
+    use eigenshade_model::special::gauss_legendre;
     let degree = 5;
     for rotation in ROTATIONS {
         let mut integrals = vec![vec![0.0; light::count(degree)]; light::count(degree)];

@@ -1,9 +1,9 @@
 //! The scattering modes (8) against their defining properties.
 
 use crate::tolerances;
-use eigenshade_generator::scattering::{albedo, brdf, modes};
-use eigenshade_generator::special::gauss_legendre;
 use eigenshade_index::material;
+use eigenshade_model::scattering::{albedo, brdf, modes};
+use eigenshade_model::special::gauss_legendre;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// ∫∫ I I' dω_i dω_r is 1 or 0. Radial products are polynomials in cos θ, and

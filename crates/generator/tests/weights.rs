@@ -2,10 +2,10 @@
 //! there.
 
 use crate::tolerances;
-use eigenshade_generator::database::{Lights, Materials, Named};
 use eigenshade_generator::geometry::Geometry;
-use eigenshade_generator::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_generator::{basis, general};
+use eigenshade_model::database::{Lights, Materials, Named};
+use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_table::Table;
 use eigenshade_table::scene::{Criterion, LightRotation, Normalise, Scene};
 use std::path::Path;

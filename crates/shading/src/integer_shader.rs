@@ -4,7 +4,7 @@ use crate::overflow;
 use crate::owned_quantised::{Integer, OwnedQuantised};
 use crate::shader::fault;
 use eigenshade::quantised::{Light, Material, Normal, Transfer};
-use eigenshade_generator::error::{Error, Result};
+use eigenshade_model::error::{Error, Result};
 use eigenshade_table::Table;
 use eigenshade_table::quantise;
 

@@ -1,8 +1,8 @@
 //! Results that a number format does not hold.
 
 use eigenshade::Scalar;
-use eigenshade_generator::database::Named;
-use eigenshade_generator::error::{Error, Result};
+use eigenshade_model::database::Named;
+use eigenshade_model::error::{Error, Result};
 use std::fmt::Display;
 
 /// Largest coefficients below this are lost in f32 and integers, in whole or in digits.

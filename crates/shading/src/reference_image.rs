@@ -1,10 +1,10 @@
 //! Images by the direct sum (15), in f64: what the rest is measured against.
 
 use crate::parallel;
-use eigenshade_generator::database::{Lights, Materials};
-use eigenshade_generator::effects;
-use eigenshade_generator::truth::Truth;
 use eigenshade_index::effect::Effects;
+use eigenshade_model::database::{Lights, Materials};
+use eigenshade_model::effects;
+use eigenshade_model::truth::Truth;
 use indicatif::ProgressBar;
 
 /// The irradiance, r, g and b, of every light on every material at every normal:

@@ -1,9 +1,9 @@
 //! The shipped databases and table, compiled in: what is shown does not depend on the
 //! files that lie about.
 
-use eigenshade_generator::database::{Lights, Materials};
-use eigenshade_generator::error::Result;
-use eigenshade_generator::inputs::coefficient_csv::{parse_lights, parse_materials};
+use eigenshade_model::database::{Lights, Materials};
+use eigenshade_model::error::Result;
+use eigenshade_model::inputs::coefficient_csv::{parse_lights, parse_materials};
 
 /// `tables/sphere.bin`.
 pub const TABLE: &[u8] = include_bytes!("../../../tables/sphere.bin");

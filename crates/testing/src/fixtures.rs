@@ -3,11 +3,11 @@
 use crate::largest;
 use crate::oracle::Numbers;
 use eigenshade_generator::basis;
-use eigenshade_generator::database::{Lights, Materials, Named};
-use eigenshade_generator::inputs::coefficient_csv::read_lights;
 use eigenshade_generator::scene_file::{self, Loaded};
-use eigenshade_generator::truth::Truth;
 use eigenshade_index::{light, material};
+use eigenshade_model::database::{Lights, Materials, Named};
+use eigenshade_model::inputs::coefficient_csv::read_lights;
+use eigenshade_model::truth::Truth;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_table::Table;
 use eigenshade_table::scene::Criterion;

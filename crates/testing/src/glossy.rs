@@ -5,10 +5,10 @@
 //! through Rough Surfaces", 2007, with the height-correlated masking of Smith and
 //! the Fresnel term of Schlick; α is roughness².
 
-use eigenshade_generator::database::{Materials, Named};
-use eigenshade_generator::irradiance::slant_radials;
-use eigenshade_generator::special::gauss_legendre;
 use eigenshade_index::{material, pair};
+use eigenshade_model::database::{Materials, Named};
+use eigenshade_model::irradiance::slant_radials;
+use eigenshade_model::special::gauss_legendre;
 use std::f64::consts::{PI, TAU};
 
 /// Ten roughnesses, 0.1 to 1, each as a dielectric on a matte ground and as a metal.

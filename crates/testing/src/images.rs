@@ -1,7 +1,7 @@
 //! Images of the shipped basis, component by component, and how far scenes are from them.
 
 use eigenshade::{Light, Material, Normal, Scene, sphere};
-use eigenshade_generator::special::gauss_legendre;
+use eigenshade_model::special::gauss_legendre;
 use std::f64::consts::TAU;
 
 /// d of a light on a material.

@@ -4,10 +4,10 @@
 use crate::largest;
 use crate::projector::Projector;
 use eigenshade_generator::geometry::{Geometry, WeightedNormals};
-use eigenshade_generator::irradiance;
 use eigenshade_generator::scene_file::Loaded;
-use eigenshade_generator::truth::Truth;
 use eigenshade_index::{light, material};
+use eigenshade_model::irradiance;
+use eigenshade_model::truth::Truth;
 use eigenshade_table::Table;
 use eigenshade_table::scene::Criterion;
 use nalgebra::{DMatrix, DVector};

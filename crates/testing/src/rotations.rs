@@ -1,9 +1,9 @@
 //! Rotations by matrices, and irradiance in a turned frame.
 
-use eigenshade_generator::polar_integral::PolarIntegrals;
-use eigenshade_generator::rotation::Rotation;
-use eigenshade_generator::special::zernike;
 use eigenshade_index::{light, material};
+use eigenshade_model::polar_integral::PolarIntegrals;
+use eigenshade_model::rotation::Rotation;
+use eigenshade_model::special::zernike;
 use std::f64::consts::PI;
 
 /// ∫ L f cos θ_i dω_i in the local frame: f of (8), the view at (θ_r, φ_r).

@@ -1,8 +1,8 @@
 //! Pictures of a sphere by the direct sum (15), and how large they are.
 
-use eigenshade_generator::effects;
-use eigenshade_generator::truth::Truth;
 use eigenshade_index::effect::Effects;
+use eigenshade_model::effects;
+use eigenshade_model::truth::Truth;
 use eigenshade_shading::sphere_rings::{Ring, rings};
 
 /// Irradiances by channel, then by normal.

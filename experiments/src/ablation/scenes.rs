@@ -1,7 +1,7 @@
 //! The ten scenes, and the light and the material of each.
 
-use eigenshade_generator::database::{Lights, Named};
 use eigenshade_index::material;
+use eigenshade_model::database::{Lights, Named};
 use eigenshade_shading::shipped;
 use eigenshade_table::{Table, decode};
 

@@ -65,7 +65,7 @@ pub fn shares(scene: &Scene, table: &Table) -> Shares {
 
 fn luminance(light: &[Vec<f64>]) -> Vec<f64> {
     let channels = light[0].iter().zip(&light[1]).zip(&light[2]);
-    channels.map(|((&r, &g), &b)| eigenshade_generator::database::luminance([r, g, b])).collect()
+    channels.map(|((&r, &g), &b)| eigenshade_model::database::luminance([r, g, b])).collect()
 }
 
 /// A light turned by 30 degrees about the vertical, y.

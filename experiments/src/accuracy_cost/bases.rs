@@ -3,8 +3,8 @@
 use super::materials::Scope;
 use super::setting::Recipe;
 use eigenshade_generator::basis;
-use eigenshade_generator::error::Result;
 use eigenshade_index::effect::{Effect, Effects};
+use eigenshade_model::error::Result;
 use eigenshade_table::components::with_components;
 use eigenshade_table::cut::cut;
 use eigenshade_table::scene::{self, Criterion, LightRotation, Normalise, Store};

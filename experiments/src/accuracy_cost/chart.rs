@@ -1,7 +1,7 @@
 //! Charts of two logarithmic axes, as SVG: large letters, and no label upon another.
 
 use crate::paper::chart::{BLUE, GREEN, INK, LETTERS, ORANGE, PALE, SIZE, fault, letters};
-use eigenshade_generator::error::Result;
+use eigenshade_model::error::Result;
 use plotters::coord::Shift;
 use plotters::coord::combinators::LogCoord;
 use plotters::element::DashedPathElement;

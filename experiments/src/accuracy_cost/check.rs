@@ -3,8 +3,8 @@
 
 use super::growth::Growth;
 use super::sheet::{GROWTH, MODEL, POINTS};
-use eigenshade_generator::error::{Error, Result};
-use eigenshade_generator::inputs::sheet::{Row, Sheet};
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::sheet::{Row, Sheet};
 use std::path::Path;
 
 /// What an error may differ by, relative: hosts round differently, and rounding may end a

@@ -11,7 +11,7 @@ use super::points::Point;
 use super::setting::{Cut, Format, Scaling, Setting, Way};
 use super::words::{exponent, per_cent};
 use super::{COMMAND, model};
-use eigenshade_generator::error::Result;
+use eigenshade_model::error::Result;
 
 /// A chart's file and its text.
 pub type Figure = (String, String);

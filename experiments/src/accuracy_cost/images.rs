@@ -3,11 +3,11 @@
 
 use super::materials::Scope;
 use eigenshade::{Light, NineTerms};
-use eigenshade_generator::database::Named;
-use eigenshade_generator::error::Result;
-use eigenshade_generator::special::spherical_harmonic::azimuth;
-use eigenshade_generator::truth::Truth;
 use eigenshade_index::{light, material};
+use eigenshade_model::database::Named;
+use eigenshade_model::error::Result;
+use eigenshade_model::special::spherical_harmonic::azimuth;
+use eigenshade_model::truth::Truth;
 use eigenshade_shading::parallel;
 use eigenshade_shading::shader::fault;
 use eigenshade_shading::sphere_rings::{Ring, rings};

@@ -5,8 +5,8 @@ use super::machine::{Machine, Price};
 use super::points::Point;
 use super::sheet::{GROWTH, POINTS};
 use super::times::Cost;
-use eigenshade_generator::error::{Error, Result};
-use eigenshade_generator::inputs::sheet::{Row, Sheet};
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::sheet::{Row, Sheet};
 use std::collections::BTreeMap;
 use std::path::Path;
 

@@ -3,8 +3,8 @@
 
 use super::knobs::{DEGREE, ORDER};
 use super::setting::{Cut, Recipe};
-use eigenshade_generator::error::Result;
-use eigenshade_generator::inputs::sheet::{Row, Sheet};
+use eigenshade_model::error::Result;
+use eigenshade_model::inputs::sheet::{Row, Sheet};
 use std::path::Path;
 
 /// The list.

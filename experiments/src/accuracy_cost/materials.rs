@@ -3,8 +3,8 @@
 use eigenshade_generator::brdf::{
     Abc, BINS, Brdf, Geometry, Ggx, Lambertian, Measure, Merl, OrenNayar, Surface,
 };
-use eigenshade_generator::database::{Lights, Materials, Named};
-use eigenshade_generator::error::{Error, Result};
+use eigenshade_model::database::{Lights, Materials, Named};
+use eigenshade_model::error::{Error, Result};
 use eigenshade_shading::{parallel, shipped};
 use indicatif::ProgressBar;
 use std::f64::consts::{FRAC_PI_2, PI};

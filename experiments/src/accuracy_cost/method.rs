@@ -4,7 +4,7 @@ use super::images::{Image, Images};
 use super::setting::{Format, Scaling, Setting, Way};
 use super::shading::Shading;
 use crate::median;
-use eigenshade_generator::error::Result;
+use eigenshade_model::error::Result;
 use eigenshade_shading::parallel;
 use eigenshade_table::Table;
 use indicatif::ProgressBar;

@@ -52,7 +52,7 @@ pub mod sheet;
 
 pub mod check;
 
-use eigenshade_generator::error::Result;
+use eigenshade_model::error::Result;
 use growth::Growth;
 use indicatif::ProgressBar;
 use kept::Kept;

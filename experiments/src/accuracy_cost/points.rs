@@ -13,7 +13,7 @@ use super::sizes::{Bytes, bytes};
 use super::times::{Case, Cost, costs};
 use super::wasm::Wasm;
 use super::{Extent, Times};
-use eigenshade_generator::error::{Error, Result};
+use eigenshade_model::error::{Error, Result};
 use indicatif::ProgressBar;
 use std::collections::BTreeMap;
 

@@ -4,7 +4,7 @@ use super::images::{Image, Images};
 use super::setting::{Format, Scaling, Setting, Way};
 use eigenshade::mathematics::{Libm, Micromath, SinglePrecision, Tabled};
 use eigenshade::{Basis, MapPoint, NineTerms, Normal, Q15, Q31, Scalar, Tolerance, quantised};
-use eigenshade_generator::error::Result;
+use eigenshade_model::error::Result;
 use eigenshade_shading::integer_shader::{self, IntegerShader};
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{LookUp, OwnedNormals, Shader, fault};

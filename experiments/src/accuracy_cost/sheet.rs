@@ -9,7 +9,7 @@ use super::points::Point;
 use eigenshade_cli::number::exact;
 use eigenshade_cli::rows::Rows;
 use eigenshade_cli::wire_file;
-use eigenshade_generator::error::Result;
+use eigenshade_model::error::Result;
 
 /// The file of all points.
 pub const POINTS: &str = "accuracy-cost.csv";

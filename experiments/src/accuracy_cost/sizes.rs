@@ -3,7 +3,7 @@
 
 use super::setting::{Format, Setting, Way};
 use eigenshade::{Q15, Q31, Scene};
-use eigenshade_generator::error::{Error, Result};
+use eigenshade_model::error::{Error, Result};
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::owned_quantised::{Integer, OwnedQuantised};
 use eigenshade_shading::shader::fault;

@@ -4,8 +4,8 @@
 use super::knobs::{DEGREE, ORDER};
 use super::machine::Price;
 use super::setting::{Cut, Format, Recipe, Setting, Way};
-use eigenshade_generator::error::{Error, Result};
-use eigenshade_generator::inputs::sheet::Sheet;
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::sheet::Sheet;
 use std::collections::BTreeMap;
 use std::path::Path;
 

@@ -3,7 +3,7 @@
 use super::page;
 use super::purpose::Purpose;
 use clap::Args;
-use eigenshade_generator::error::Result;
+use eigenshade_model::error::Result;
 use experiments::ablation::{compare, page as ablation, speed};
 
 /// What each effect costs and is worth, docs/ablation.md; times are not compared

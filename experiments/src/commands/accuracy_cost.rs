@@ -4,7 +4,7 @@ use super::purpose::Purpose;
 use clap::Args;
 use eigenshade_cli::message::{bar, say};
 use eigenshade_cli::{collision, destination};
-use eigenshade_generator::error::{Error, Result};
+use eigenshade_model::error::{Error, Result};
 use experiments::accuracy_cost::check::{Compared, compare};
 use experiments::accuracy_cost::kept::Kept;
 use experiments::accuracy_cost::sheet::POINTS;

@@ -1,7 +1,7 @@
 //! `experiments float-errors`: the runtime in floats against the direct sum.
 
 use clap::Args;
-use eigenshade_generator::error::Result;
+use eigenshade_model::error::Result;
 use experiments::float_errors::{Errors, SHAPES, errors};
 
 /// Errors of the runtime in floats against the direct sum over modes, with all components

@@ -1,8 +1,8 @@
 //! `experiments glossy-materials`: the materials of the hardest case.
 
 use clap::Args;
-use eigenshade_generator::error::{Error, Result};
-use eigenshade_generator::inputs::coefficient_csv::write_materials;
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::coefficient_csv::write_materials;
 use eigenshade_testing::glossy;
 use std::path::PathBuf;
 

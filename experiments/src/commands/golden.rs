@@ -3,7 +3,7 @@
 use super::page;
 use super::purpose::Purpose;
 use clap::Args;
-use eigenshade_generator::error;
+use eigenshade_model::error;
 use eigenshade_testing::golden::answers;
 use eigenshade_testing::golden::record::{self, Row};
 

@@ -8,6 +8,7 @@ mod glossy_materials;
 mod golden;
 mod page;
 mod paper;
+mod picture;
 mod purpose;
 mod reading;
 mod same_order;
@@ -15,12 +16,13 @@ mod stability;
 mod wasm_tables;
 
 use clap::Subcommand;
-use eigenshade_generator::error::Result;
+use eigenshade_model::error::Result;
 
 /// What the program can do.
 #[derive(Debug, Subcommand)]
 pub enum Command {
     Paper(paper::Paper),
+    Picture(picture::Picture),
     AccuracyCost(accuracy_cost::AccuracyCost),
     Ablation(ablation::Ablation),
     Stability(stability::Stability),
@@ -38,6 +40,7 @@ impl Command {
     pub fn run(self) -> Result<()> {
         match self {
             Self::Paper(command) => command.run(),
+            Self::Picture(command) => command.run(),
             Self::AccuracyCost(command) => command.run(),
             Self::Ablation(command) => command.run(),
             Self::Stability(command) => command.run(),

@@ -2,7 +2,7 @@
 
 use super::purpose::Purpose;
 use eigenshade_cli::destination;
-use eigenshade_generator::error::{Error, Result};
+use eigenshade_model::error::{Error, Result};
 use experiments::pages::{self, Part};
 use std::fs;
 

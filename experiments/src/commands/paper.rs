@@ -3,7 +3,7 @@
 use super::purpose::Purpose;
 use clap::Args;
 use eigenshade_cli::message::{say, spinner};
-use eigenshade_generator::error::{Error, Result};
+use eigenshade_model::error::{Error, Result};
 use experiments::paper::comparison::{Compared, compare};
 use experiments::paper::{FOLDER, PAGE, make};
 use std::fs;

@@ -3,7 +3,7 @@
 use super::page;
 use super::purpose::Purpose;
 use clap::Args;
-use eigenshade_generator::error::Result;
+use eigenshade_model::error::Result;
 use experiments::reading::{figures, report};
 use std::path::PathBuf;
 

@@ -3,7 +3,7 @@
 use clap::Args;
 use eigenshade_cli::message::say;
 use eigenshade_cli::table_file;
-use eigenshade_generator::error::{Error, Result};
+use eigenshade_model::error::{Error, Result};
 use eigenshade_table::Table;
 use std::path::PathBuf;
 

@@ -4,7 +4,7 @@ use super::page;
 use super::purpose::Purpose;
 use clap::Args;
 use eigenshade_cli::message::spinner;
-use eigenshade_generator::error::{Error, Result};
+use eigenshade_model::error::{Error, Result};
 use experiments::stability::page as stability;
 
 /// The hard cases, measured, docs/stability.md; ratios of times are not compared

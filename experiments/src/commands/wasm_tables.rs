@@ -1,7 +1,7 @@
 //! `experiments wasm-tables`: tables for modules of WebAssembly.
 
 use clap::Args;
-use eigenshade_generator::error::{Error, Result};
+use eigenshade_model::error::{Error, Result};
 use experiments::accuracy_cost::bases::Bases;
 use experiments::accuracy_cost::knobs;
 use experiments::accuracy_cost::materials::Scope;

@@ -4,7 +4,7 @@ use eigenshade_cli::canvas::Canvas;
 use eigenshade_cli::number::exact;
 use eigenshade_cli::rows::Rows;
 use eigenshade_cli::{destination, picture};
-use eigenshade_generator::error::{Error, Result};
+use eigenshade_model::error::{Error, Result};
 use std::path::Path;
 
 /// What makes these files; each text says so in its first line.

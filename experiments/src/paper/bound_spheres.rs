@@ -7,9 +7,9 @@ use super::spheres::title;
 use super::study::{Study, Trial};
 use eigenshade_cli::sphere_view::SphereView;
 use eigenshade_cli::tone::exposure;
-use eigenshade_generator::error::Result;
 use eigenshade_generator::partial_sum::{PartialSum, Term};
-use eigenshade_generator::truth::Truth;
+use eigenshade_model::error::Result;
+use eigenshade_model::truth::Truth;
 use eigenshade_shading::parallel;
 use indicatif::ProgressBar;
 

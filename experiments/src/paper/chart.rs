@@ -1,6 +1,6 @@
 //! Charts of lines, as SVG: for a phone and for print.
 
-use eigenshade_generator::error::{Error, Result};
+use eigenshade_model::error::{Error, Result};
 use plotters::element::DashedPathElement;
 use plotters::prelude::*;
 use std::fmt::Display;

@@ -4,7 +4,7 @@ use super::artefact::{Artefact, digits};
 use super::plate::Plate;
 use super::shape::Shape;
 use super::study::{Modes, Study, place};
-use eigenshade_generator::error::Result;
+use eigenshade_model::error::Result;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, fault};
 use eigenshade_table::Table;

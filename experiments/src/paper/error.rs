@@ -11,8 +11,8 @@ use super::chart::{self, Axes, BLUE, GREEN, Line, ORANGE, PALE, PURPLE};
 use super::rank_correlation::rank_correlation;
 use super::shape::Shape;
 use super::study::{Modes, Study, Trial, place};
-use eigenshade_generator::error::Result;
 use eigenshade_index::material;
+use eigenshade_model::error::Result;
 use eigenshade_table::scene::Criterion;
 use plotters::prelude::SeriesLabelPosition;
 
@@ -51,7 +51,7 @@ impl Errors {
     /// Averages the errors of all images.
     #[must_use]
     pub fn new(study: &Study, trials: &[Trial]) -> Self {
-        let name = |entries: &[eigenshade_generator::database::Named]| {
+        let name = |entries: &[eigenshade_model::database::Named]| {
             entries.iter().map(|entry| entry.name.clone()).collect::<Vec<_>>()
         };
         let (names, lights) = (name(&study.materials.entries), name(&study.lights.entries));

@@ -3,8 +3,8 @@
 use super::artefact::Artefact;
 use super::study::{Modes, Study, Trial, place};
 use eigenshade::{Basis, Normal};
-use eigenshade_generator::error::Result;
-use eigenshade_generator::truth::Truth;
+use eigenshade_model::error::Result;
+use eigenshade_model::truth::Truth;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::fault;
 use eigenshade_shading::sphere_rings::{Ring, rings};

@@ -39,7 +39,7 @@ pub mod report;
 pub mod comparison;
 
 use artefact::Artefact;
-use eigenshade_generator::error::Result;
+use eigenshade_model::error::Result;
 use indicatif::ProgressBar;
 use study::Study;
 

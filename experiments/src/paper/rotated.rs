@@ -8,10 +8,10 @@
 use super::artefact::{Artefact, digits};
 use super::error::SHOWN;
 use super::study::{DEGREE, Modes, Study, place};
-use eigenshade_generator::error::Result;
 use eigenshade_generator::node_image::MaterialImages;
 use eigenshade_generator::representation::fit;
 use eigenshade_index::light;
+use eigenshade_model::error::Result;
 use eigenshade_shading::parallel;
 use eigenshade_table::scene::Criterion;
 use indicatif::ProgressBar;

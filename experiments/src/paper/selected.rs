@@ -2,9 +2,9 @@
 
 use super::artefact::{Artefact, digits};
 use super::study::{Modes, Study, Trial, place};
-use eigenshade_generator::error::Result;
-use eigenshade_generator::selection::variances;
 use eigenshade_index::mode;
+use eigenshade_model::error::Result;
+use eigenshade_model::selection::variances;
 use eigenshade_table::scene::Criterion;
 
 /// What is left out, and what that costs.

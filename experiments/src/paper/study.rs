@@ -1,13 +1,14 @@
 //! What all figures are about: the lights, the materials, the four bases, and how well
 //! each represents every image.
 
-use eigenshade_generator::database::{Lights, Materials, Named};
-use eigenshade_generator::error::{Error, Result};
 use eigenshade_generator::moments::exposure;
 use eigenshade_generator::node_image::{MaterialImages, NodeImage};
 use eigenshade_generator::representation::{Fit, fit};
-use eigenshade_generator::{basis, gram, selection};
+use eigenshade_generator::{basis, gram};
 use eigenshade_index::{effect, mode};
+use eigenshade_model::database::{Lights, Materials, Named};
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::selection;
 use eigenshade_shading::{parallel, shipped};
 use eigenshade_table::scene::{self, Criterion, Effects, LightRotation, Normalise, Store};
 use eigenshade_table::{GramFactor, Scene, Table};

@@ -4,10 +4,10 @@
 use super::artefact::{Artefact, digits};
 use super::chart::{self, Axes, BLUE, GREEN, INK, Line, ORANGE, fault, letters};
 use super::study::{DEGREE, ORDER, Study};
-use eigenshade_generator::error::Result;
 use eigenshade_generator::gram;
-use eigenshade_generator::selection::variances;
 use eigenshade_index::{material, mode};
+use eigenshade_model::error::Result;
+use eigenshade_model::selection::variances;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 

@@ -3,12 +3,12 @@
 use crate::median::median;
 use crate::reading::damage::Damage;
 use eigenshade_cli::image_reading::Reading;
-use eigenshade_generator::database::{Materials, Named};
 use eigenshade_generator::reading::eigenimage_values::EigenimageValues;
 use eigenshade_generator::reading::rank_one::RankOne;
 use eigenshade_generator::reading::transfer::Transfers;
-use eigenshade_generator::truth::Truth;
 use eigenshade_index::light;
+use eigenshade_model::database::{Materials, Named};
+use eigenshade_model::truth::Truth;
 use eigenshade_table::Table;
 use std::fmt;
 

@@ -2,8 +2,8 @@
 
 use super::{Case, Figure};
 use crate::tolerances;
-use eigenshade_generator::database::{Lights, Materials};
 use eigenshade_generator::scene_file::Loaded;
+use eigenshade_model::database::{Lights, Materials};
 use eigenshade_table::Table;
 use eigenshade_table::scene::Normalise;
 use eigenshade_testing::fixtures::{self, lights, materials, named};

@@ -2,9 +2,9 @@
 
 use super::{Case, Figure};
 use crate::tolerances;
-use eigenshade_generator::polar_integral::PolarIntegrals;
-use eigenshade_generator::truth::Truth;
 use eigenshade_index::light;
+use eigenshade_model::polar_integral::PolarIntegrals;
+use eigenshade_model::truth::Truth;
 use eigenshade_testing::oracle::Numbers;
 use eigenshade_testing::rotations::{euler, irradiance, product, rotation};
 use eigenshade_testing::{fixtures, largest};

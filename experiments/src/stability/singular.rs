@@ -2,8 +2,8 @@
 
 use super::{Case, Figure, exact_rank};
 use crate::tolerances;
-use eigenshade_generator::polar_integral::PolarIntegrals;
 use eigenshade_generator::{basis, gram, pca::Block};
+use eigenshade_model::polar_integral::PolarIntegrals;
 use eigenshade_table::GramFactor;
 use eigenshade_testing::{fixtures, largest};
 use faer::{Mat, Side};

@@ -2,8 +2,8 @@
 
 use super::{Case, Figure};
 use crate::tolerances;
-use eigenshade_generator::polar_integral::PolarIntegrals;
-use eigenshade_generator::special::{spherical_harmonic, wigner, zernike};
+use eigenshade_model::polar_integral::PolarIntegrals;
+use eigenshade_model::special::{spherical_harmonic, wigner, zernike};
 use eigenshade_testing::fixtures::ROOT;
 use eigenshade_testing::largest;
 

@@ -3,11 +3,11 @@
 
 use super::{Case, Figure};
 use crate::tolerances;
-use eigenshade_generator::database::Named;
 use eigenshade_generator::gram;
 use eigenshade_generator::moments::Deviation;
 use eigenshade_generator::pca::{Block, principal};
 use eigenshade_generator::profile::evaluate;
+use eigenshade_model::database::Named;
 use eigenshade_table::{Table, encode};
 use eigenshade_testing::oracle::Numbers;
 use eigenshade_testing::{fixtures, largest};

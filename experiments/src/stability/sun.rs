@@ -2,10 +2,10 @@
 
 use super::{Case, Figure};
 use crate::tolerances;
-use eigenshade_generator::database::Lights;
 use eigenshade_generator::inputs::environment::EnvironmentMap;
 use eigenshade_generator::inputs::light_projection;
 use eigenshade_index::light;
+use eigenshade_model::database::Lights;
 use eigenshade_testing::fixtures::{self, named};
 use eigenshade_testing::largest;
 use eigenshade_testing::oracle::Numbers;

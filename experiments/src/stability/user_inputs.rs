@@ -8,11 +8,11 @@ use eigenshade::quantised;
 use eigenshade::{
     Error, Light, MapPoint, Material, Negatives, Normal, Normals, Q15, Rotation, Tolerance, sphere,
 };
-use eigenshade_generator::database::Named;
-use eigenshade_generator::inputs::coefficient_csv::read_materials;
-use eigenshade_generator::rotation;
-use eigenshade_generator::special::gauss_legendre;
 use eigenshade_index::light;
+use eigenshade_model::database::Named;
+use eigenshade_model::inputs::coefficient_csv::read_materials;
+use eigenshade_model::rotation;
+use eigenshade_model::special::gauss_legendre;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_testing::fixtures::{ROOT, captured};
 use eigenshade_testing::largest;

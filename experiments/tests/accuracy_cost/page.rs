@@ -1,5 +1,4 @@
-//! What the page shows: its tables against the file, its charts, its links, and its rows in the
-//! README.
+//! What the page shows: its tables against the file, its charts and its links.
 
 use super::{MACHINES, docs, number, read, sheet};
 use crate::support::repository;
@@ -204,24 +203,4 @@ fn all_that_the_page_shows_is_there_and_signed() {
         let first = read(&name).lines().next().unwrap_or_default().to_owned();
         assert!(first.contains("experiments accuracy-cost"), "{name}");
     }
-}
-
-/// The README's tables are the page's.
-#[test]
-fn the_readme_has_the_pages_rows() {
-    let readme = fs::read_to_string(repository().join("README.md")).expect("a README");
-    let start = readme.find("<!-- accuracy:").expect("the mark");
-    let end = readme.find("<!-- end of accuracy -->").expect("the other");
-    let page = read("accuracy-cost.md");
-    let rows: Vec<&str> = readme[start..end].lines().filter(|line| line.starts_with('|')).collect();
-    assert!(rows.len() >= 3 * (2 + LIMITS.len()), "{}", rows.len());
-    for row in rows {
-        assert!(page.lines().any(|line| line == row), "{row}");
-    }
-    let minute = "A Cortex-M4F of 64 MHz has";
-    let of = |text: &str| {
-        let line = text.lines().find(|line| line.starts_with(minute)).expect("the sentence");
-        line.split(" ([").next().map(str::to_owned)
-    };
-    assert_eq!(of(&readme), of(&page));
 }

@@ -7,9 +7,20 @@ use crate::row::{self, Row};
 const START: &str = "<!-- counts: firmware/run all --update writes them -->\n";
 const END: &str = "<!-- end of counts -->\n";
 
-/// The pages, and the formats that each shows.
-const PAGES: [(&str, &[&str]); 2] =
-    [("../README.md", &["f32", "q15"]), ("README.md", &["f32", "q15", "q31"])];
+/// The pages, and the formats that each shows; none where the page has the [`SHORT`] table.
+const PAGES: [(&str, &[&str]); 3] = [
+    ("../README.md", &[]),
+    ("../docs/costs.md", &["f32", "q15"]),
+    ("README.md", &["f32", "q15", "q31"]),
+];
+
+/// The rows of the short table: an operation, and what it does.
+const SHORT: [(&str, &str); 4] = [
+    ("shade_lambertian", "a pixel, matte material, light of degree 2"),
+    ("shade", "a pixel, any material, within 1e-4 of all components"),
+    ("relight_collapse", "a new light"),
+    ("transfer", "a new material"),
+];
 
 /// The boards of which memory is shown: without a float unit, and with one.
 const MEMORY: [Board; 2] = [Board::Microbit, Board::An386];
@@ -51,7 +62,25 @@ fn with_counts(path: &str, page: &str, rows: &[Row], formats: &[&str]) -> Result
         .split_once(START)
         .and_then(|(before, rest)| rest.split_once(END).map(|(_, after)| (before, after)));
     let (before, after) = parts.ok_or(format!("{path}: the marks of the counts are missing"))?;
-    Ok(format!("{before}{START}{}{END}{after}", table(rows, formats)))
+    let table = if formats.is_empty() { short(rows) } else { table(rows, formats) };
+    Ok(format!("{before}{START}{table}{END}{after}"))
+}
+
+/// The instructions of a few operations, in integers without a float unit and in f32 with one.
+fn short(rows: &[Row]) -> String {
+    let mut text = String::from(
+        "| instructions, one channel | Cortex-M0, Q15 | Cortex-M4F, f32 |\n|---|---:|---:|\n",
+    );
+    for (operation, what) in SHORT {
+        text += &format!("| {what} |");
+        for (board, format) in MEMORY.into_iter().zip(["q15", "f32"]) {
+            let key = [board.name(), operation, format];
+            let row = rows.iter().find(|row| row.key == key);
+            text += &cell(row.and_then(|row| row.numbers[0]));
+        }
+        text += "\n";
+    }
+    text
 }
 
 /// A line for each operation and format: its instructions on each board, and what it takes

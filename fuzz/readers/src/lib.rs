@@ -1,14 +1,14 @@
 //! What holds of any bytes that a reader of the host is given: an error of one line with a
 //! remedy, or numbers that are what the reader promises; never a panic.
 
-use eigenshade_generator::error::{Error, Result};
 use eigenshade_generator::geometry::WeightedNormals;
 use eigenshade_generator::inputs::environment::EnvironmentMap;
 use eigenshade_generator::inputs::{
-    analytic, coefficient_csv, density, measurements, merl as merl_file, mesh, normal_map, normals,
-    png_samples,
+    analytic, density, measurements, merl as merl_file, mesh, normal_map, png_samples,
 };
 use eigenshade_generator::scene_file;
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::{coefficient_csv, normals};
 use eigenshade_table::wire::{Endian, Format};
 use eigenshade_table::{decode, encode, quantise, wire};
 use std::path::{Path, PathBuf};

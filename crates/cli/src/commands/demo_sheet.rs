@@ -4,7 +4,7 @@ use eigenshade_cli::canvas::{Canvas, LETTER, text_width};
 use eigenshade_cli::picture;
 use eigenshade_cli::sphere_view::SphereView;
 use eigenshade_cli::tone::{exposure, srgb};
-use eigenshade_generator::error::Result;
+use eigenshade_model::error::Result;
 use std::path::Path;
 
 /// Differences are shown so many times larger.

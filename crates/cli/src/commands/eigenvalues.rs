@@ -5,7 +5,7 @@ use clap::Args;
 use eigenshade_cli::number::exact;
 use eigenshade_cli::rows::Rows;
 use eigenshade_cli::{collision, destination, table_file};
-use eigenshade_generator::error::Result;
+use eigenshade_model::error::Result;
 use std::path::PathBuf;
 
 /// The eigenvalues of a table, as CSV `criterion,index,m,eigenvalue`

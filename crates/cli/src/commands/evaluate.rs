@@ -6,8 +6,8 @@ use clap::Args;
 use eigenshade_cli::number::exact;
 use eigenshade_cli::rows::Rows;
 use eigenshade_cli::{collision, destination};
-use eigenshade_generator::error::Result;
-use eigenshade_generator::inputs::sheet::{Row, Sheet};
+use eigenshade_model::error::Result;
+use eigenshade_model::inputs::sheet::{Row, Sheet};
 use std::path::PathBuf;
 
 /// A function of the paper at given points

@@ -1,8 +1,8 @@
 //! The functions that `eigenshade evaluate` knows: columns, domains, values.
 
 use clap::ValueEnum;
-use eigenshade_generator::special::{spherical_harmonic, wigner, zernike};
-use eigenshade_generator::{irradiance, polar_integral};
+use eigenshade_model::special::{spherical_harmonic, wigner, zernike};
+use eigenshade_model::{irradiance, polar_integral};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// The largest index that is served: what the functions are tested to, the

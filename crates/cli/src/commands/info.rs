@@ -5,7 +5,7 @@ use clap::Args;
 use eigenshade_cli::message::printable;
 use eigenshade_cli::number::grouped;
 use eigenshade_cli::{destination, table_file, wire_file};
-use eigenshade_generator::error::Result;
+use eigenshade_model::error::Result;
 use eigenshade_table::Table;
 use eigenshade_table::manifest::manifest;
 use eigenshade_table::scene::{Cut, Store};

@@ -4,13 +4,13 @@ use super::{Memory, count};
 use clap::{Args, ValueEnum};
 use eigenshade_cli::message::{bar, say};
 use eigenshade_cli::{collision, destination, invocation};
-use eigenshade_generator::database::{Lights, Named};
-use eigenshade_generator::error::{Error, Result};
-use eigenshade_generator::inputs::coefficient_csv::{read_lights, write_lights};
 use eigenshade_generator::inputs::convention::exchanged;
 use eigenshade_generator::inputs::environment::EnvironmentMap;
 use eigenshade_generator::inputs::light_projection::{named_maps, project};
-use eigenshade_generator::inputs::rounding::{LIGHT_DIGITS, rounded};
+use eigenshade_model::database::{Lights, Named};
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::coefficient_csv::{read_lights, write_lights};
+use eigenshade_model::inputs::rounding::{LIGHT_DIGITS, rounded};
 use std::path::{Path, PathBuf};
 
 /// Light coefficients from environment maps, or from the other convention

@@ -3,8 +3,8 @@
 use super::count;
 use clap::{Args, Subcommand, ValueEnum};
 use eigenshade_generator::brdf::{Measure, Surface};
-use eigenshade_generator::error::Result;
 use eigenshade_generator::inputs::analytic::{Analytic, Model, Shares};
+use eigenshade_model::error::Result;
 use std::path::PathBuf;
 
 /// One formula and its parameters.

@@ -1,8 +1,8 @@
 //! How much memory a command may take.
 
 use clap::Args;
-use eigenshade_generator::budget::Budget;
-use eigenshade_generator::inputs::input_file::InputFile;
+use eigenshade_model::budget::Budget;
+use eigenshade_model::inputs::input_file::InputFile;
 use std::path::Path;
 
 /// The budgets of a command.

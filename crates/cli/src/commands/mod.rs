@@ -1,5 +1,6 @@
 //! One command a file.
 
+#[cfg(feature = "generate")]
 mod basis;
 mod demo;
 mod demo_sheet;
@@ -7,28 +8,36 @@ mod eigenvalues;
 mod evaluate;
 mod evaluate_functions;
 mod info;
+#[cfg(feature = "generate")]
 mod light;
+#[cfg(feature = "generate")]
 mod material;
+#[cfg(feature = "generate")]
 mod material_formula;
 mod memory;
 mod pack;
 mod project;
+#[cfg(feature = "generate")]
 mod read;
+#[cfg(feature = "generate")]
 mod read_answer;
 mod render;
 mod shade;
 mod shade_options;
 
 use clap::Subcommand;
-use eigenshade_generator::error::Result;
+use eigenshade_model::error::Result;
 pub use memory::Memory;
 
 /// What the program can do.
 #[derive(Debug, Subcommand)]
 pub enum Command {
     Demo(demo::Demo),
+    #[cfg(feature = "generate")]
     Light(light::Light),
+    #[cfg(feature = "generate")]
     Material(material::Material),
+    #[cfg(feature = "generate")]
     Basis(basis::Basis),
     Pack(pack::Pack),
     Info(info::Info),
@@ -36,6 +45,7 @@ pub enum Command {
     Project(project::Project),
     Shade(shade::Shade),
     Render(render::Render),
+    #[cfg(feature = "generate")]
     Read(read::Read),
     Evaluate(evaluate::Evaluate),
 }
@@ -45,8 +55,11 @@ impl Command {
     pub fn run(self, memory: Memory) -> Result<()> {
         match self {
             Self::Demo(command) => command.run(),
+            #[cfg(feature = "generate")]
             Self::Light(command) => command.run(memory),
+            #[cfg(feature = "generate")]
             Self::Material(command) => command.run(memory),
+            #[cfg(feature = "generate")]
             Self::Basis(command) => command.run(memory),
             Self::Pack(command) => command.run(memory),
             Self::Info(command) => command.run(memory),
@@ -54,6 +67,7 @@ impl Command {
             Self::Project(command) => command.run(memory),
             Self::Shade(command) => command.run(memory),
             Self::Render(command) => command.run(memory),
+            #[cfg(feature = "generate")]
             Self::Read(command) => command.run(memory),
             Self::Evaluate(command) => command.run(memory),
         }

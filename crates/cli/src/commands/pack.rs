@@ -5,7 +5,7 @@ use clap::{Args, ValueEnum};
 use eigenshade_cli::message::say;
 use eigenshade_cli::number::grouped;
 use eigenshade_cli::{collision, destination, rounding, table_file};
-use eigenshade_generator::error::{Error, Result};
+use eigenshade_model::error::{Error, Result};
 use eigenshade_table::quantise;
 use eigenshade_table::wire::{self, Endian};
 use std::path::PathBuf;

@@ -5,12 +5,12 @@ use eigenshade_cli::image_reading::{Channel, Reading};
 use eigenshade_cli::message::say;
 use eigenshade_cli::number::exact;
 use eigenshade_cli::rows::Rows;
-use eigenshade_generator::database::{Lights, Materials, Named};
-use eigenshade_generator::error::{Error, Result};
-use eigenshade_generator::inputs::coefficient_csv::write_lights;
 use eigenshade_generator::reading::modes::ModeCoefficients;
 use eigenshade_generator::reading::observation::Observation;
 use eigenshade_index::{light, material};
+use eigenshade_model::database::{Lights, Materials, Named};
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::coefficient_csv::write_lights;
 use std::io::Write;
 use std::path::Path;
 

@@ -1,7 +1,7 @@
 //! Readers of what `eigenshade shade` is asked for.
 
 use eigenshade::{Effect, Tolerance};
-use eigenshade_generator::rotation::Rotation;
+use eigenshade_model::rotation::Rotation;
 
 /// An effect by name.
 pub fn effect(text: &str) -> std::result::Result<Effect, String> {

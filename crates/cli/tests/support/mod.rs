@@ -44,7 +44,8 @@ impl Folder {
 
     /// The program in this folder; arguments are split at blanks.
     pub fn run(&self, arguments: &str) -> Output {
-        Command::new(crate::PROGRAM)
+        let command = arguments.split_whitespace().next().unwrap_or_default();
+        Command::new(crate::program(command))
             .current_dir(self.0.path())
             .args(arguments.split_whitespace())
             .output()

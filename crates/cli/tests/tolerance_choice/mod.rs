@@ -8,13 +8,13 @@ mod commands;
 use crate::support::{noise, repository};
 use eigenshade_generator::basis::chosen;
 use eigenshade_generator::choice::{Choice, Reach};
-use eigenshade_generator::database::{Lights, Materials};
-use eigenshade_generator::rotation::Rotation;
 use eigenshade_generator::scene_file;
-use eigenshade_generator::special::gauss_legendre;
-use eigenshade_generator::truth::Truth;
 use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_index::{light, material};
+use eigenshade_model::database::{Lights, Materials};
+use eigenshade_model::rotation::Rotation;
+use eigenshade_model::special::gauss_legendre;
+use eigenshade_model::truth::Truth;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader};
 use eigenshade_shading::shipped;
@@ -103,7 +103,7 @@ fn direct(
             };
             let (ambient, rest) = (of(&|l| l == 0), of(&|l| l > 0 && l <= degree));
             let pixel = |(at, [of_ambient, of_rest]): (_, &[_; 2])| {
-                let at: &eigenshade_generator::truth::Modes<'_> = at;
+                let at: &eigenshade_model::truth::Modes<'_> = at;
                 at.irradiance(&ambient, of_ambient) + at.irradiance(&rest, of_rest)
             };
             images.push(at.iter().zip(&scattered).map(pixel).collect());

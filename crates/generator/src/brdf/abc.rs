@@ -3,7 +3,7 @@
 //! Transactions on Graphics 31, 2012, the microfacet form.
 
 use super::{Brdf, Geometry};
-use crate::error::{Error, Result};
+use eigenshade_model::error::{Error, Result};
 use std::f64::consts::PI;
 
 /// f = k / π + F(cos θ_d) D G / (π cos θ_i cos θ_r), of one channel, with

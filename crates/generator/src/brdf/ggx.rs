@@ -2,7 +2,7 @@
 
 use super::lambertian::share;
 use super::{Brdf, Geometry};
-use crate::error::{Error, Result};
+use eigenshade_model::error::{Error, Result};
 use std::f64::consts::PI;
 
 /// f = (1 - F) albedo / π + F D V, with α = roughness² and h the half-way direction:

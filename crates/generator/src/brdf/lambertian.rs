@@ -1,7 +1,7 @@
 //! The perfectly matte material.
 
 use super::{Brdf, Geometry};
-use crate::error::{Error, Result};
+use eigenshade_model::error::{Error, Result};
 use std::f64::consts::PI;
 
 /// f = albedo / π. Its only coefficient is b_00^0 = 2 albedo.

@@ -5,7 +5,7 @@
 
 use super::lambertian::share;
 use super::{Brdf, Geometry};
-use crate::error::{Error, Result};
+use eigenshade_model::error::{Error, Result};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// f = (albedo / π)(A + B max(0, cos Δφ) sin α tan β), α the larger of θ_i and θ_r, β

@@ -7,9 +7,9 @@
 //! c A B A where f is Σ b I: so B = A⁻¹ F A⁻¹ / c is nearest to any f, and the energy of
 //! Σ b I is c times the trace of (B A)².
 
-use crate::scattering::norm;
-use crate::special::{gauss_legendre, zernike};
 use eigenshade_index::material;
+use eigenshade_model::scattering::norm;
+use eigenshade_model::special::{gauss_legendre, zernike};
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 use std::f64::consts::{PI, TAU};

@@ -14,11 +14,11 @@
 
 use super::overlaps::Overlaps;
 use super::{Brdf, Geometry};
-use crate::irradiance::slant_radials;
-use crate::scattering::norm;
-use crate::special::gauss_legendre;
-use crate::special::graded::{self, Feature};
 use eigenshade_index::{material, pair};
+use eigenshade_model::irradiance::slant_radials;
+use eigenshade_model::scattering::norm;
+use eigenshade_model::special::gauss_legendre;
+use eigenshade_model::special::graded::{self, Feature};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_8, PI};
 
 /// No panel is wider, radians.

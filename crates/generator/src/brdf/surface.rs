@@ -2,7 +2,7 @@
 
 use super::Brdf;
 use super::projection::{Measure, Projection, project};
-use crate::database::Named;
+use eigenshade_model::database::Named;
 
 /// One BRDF for all three channels, or one for each.
 pub struct Surface {

@@ -6,14 +6,14 @@
 
 use super::energies::{Energies, Images};
 use super::{Below, POLYNOMIALS, Reach, Share, budget};
-use crate::database::{self, Lights, Materials};
 use crate::eigenimages::constant_coordinates;
-use crate::error::{Error, Result};
 use crate::moments::{LightMoments, MaterialMoments, deviations};
-use crate::selection::Kept;
 use crate::{canonical, gram};
 use eigenshade_index::effect::Effects;
 use eigenshade_index::{layout, pair};
+use eigenshade_model::database::{self, Lights, Materials};
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::selection::Kept;
 use eigenshade_table::Scene;
 use eigenshade_table::scene::{Criterion, Store};
 use faer::{Mat, Side};

@@ -3,8 +3,8 @@
 use crate::moments::Deviation;
 use crate::pca;
 use crate::profile::ProfileSpace;
-use crate::selection::Kept;
 use eigenshade_index::{material, mode};
+use eigenshade_model::selection::Kept;
 use eigenshade_table::GramFactor;
 use faer::Mat;
 

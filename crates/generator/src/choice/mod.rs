@@ -24,9 +24,9 @@ pub(crate) use below::Below;
 
 use crate::analysis::Analysis;
 use crate::basis;
-use crate::database::{Lights, Materials};
-use crate::error::{Error, Result};
 use crate::peak;
+use eigenshade_model::database::{Lights, Materials};
+use eigenshade_model::error::{Error, Result};
 use eigenshade_table::trim::trim;
 use eigenshade_table::{Scene, Table};
 

@@ -11,7 +11,7 @@
 //! ```
 
 use crate::brdf::{Brdf, Ggx, Lambertian, OrenNayar, Surface};
-use crate::error::{Error, Result};
+use eigenshade_model::error::{Error, Result};
 use serde::Deserialize;
 use std::collections::HashSet;
 use std::path::Path;

@@ -1,7 +1,7 @@
 //! Lights between the paper's convention and that of graphics.
 
-use crate::database::Lights;
 use eigenshade_index::light;
+use eigenshade_model::database::Lights;
 
 /// The same lights, from the paper's convention to the one of three.js,
 /// Filament and Ramamoorthi, or from that to the paper's: the factor is its own
@@ -9,7 +9,7 @@ use eigenshade_index::light;
 ///
 /// It is [`light::graphics_sign`], in every degree. What the axes mean is
 /// another matter: a frame that is not x right, y up, z toward the camera takes
-/// a [`Rotation`](crate::rotation::Rotation) as well.
+/// a [`Rotation`](eigenshade_model::rotation::Rotation) as well.
 #[must_use]
 pub fn exchanged(lights: &Lights) -> Lights {
     let mut lights = lights.clone();

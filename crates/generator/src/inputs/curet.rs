@@ -10,10 +10,10 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use super::input_file::InputFile;
 use super::measurements::{Measured, Measurement, POLAR_REMEDY, outside, polar_angle};
-use super::sheet::Sheet;
-use crate::error::{Error, Result};
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::input_file::InputFile;
+use eigenshade_model::inputs::sheet::Sheet;
 
 /// Bytes of a measurement, and of its value as it is read.
 const BYTES_PER_VALUE: u64 = 2 * size_of::<Measurement>() as u64;

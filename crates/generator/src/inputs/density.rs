@@ -1,8 +1,8 @@
 //! A density of slants, as a formula or a CSV, as weighted normals.
 
-use super::sheet::Sheet;
-use crate::error::{Error, Result};
-use crate::special::gauss_legendre;
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::sheet::Sheet;
+use eigenshade_model::special::gauss_legendre;
 use exmex::{Express, FlatEx, FloatOpsFactory, MatchLiteral, literal_matcher_from_pattern};
 use std::f64::consts::{FRAC_PI_2, TAU};
 use std::path::Path;

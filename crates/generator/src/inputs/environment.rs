@@ -5,10 +5,10 @@
 //! middle of the map is -z, in front of the camera; the light that falls on
 //! what the camera sees comes from the edges, +z.
 
-use super::input_file::InputFile;
 use super::{map_exr, map_hdr, map_pfm};
-use crate::database::luminance;
-use crate::error::{Error, Result};
+use eigenshade_model::database::luminance;
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::input_file::InputFile;
 use std::f64::consts::{PI, TAU};
 use std::path::Path;
 

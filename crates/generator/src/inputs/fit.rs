@@ -28,8 +28,8 @@
 use super::fit_channel::{Channel, Design};
 use super::fit_constraints::DirectionGrid;
 use super::measurements::Measured;
-use crate::database::{Materials, Named};
-use crate::error::{Error, Result};
+use eigenshade_model::database::{Materials, Named};
+use eigenshade_model::error::{Error, Result};
 use std::io::Write;
 
 /// The lowest value a fit may take, as a multiple of the measured maximum.

@@ -4,9 +4,9 @@ use super::fit::{HIGHEST, LOWEST};
 use super::fit_constraints::DirectionGrid;
 use super::fit_programme::Programme;
 use super::measurements::Measurement;
-use crate::error::{Error, Result};
-use crate::scattering;
 use eigenshade_index::material;
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::scattering;
 use faer::{Col, Mat};
 
 /// How much tighter the inequalities are than the range that is checked, in

@@ -2,8 +2,8 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use crate::scattering::polar_parts;
 use eigenshade_index::material;
+use eigenshade_model::scattering::polar_parts;
 
 /// Pairs of directions over both hemispheres, pole and rim included: θ_r <= θ_i
 /// in equal steps over \[0, π/2\] (by (6) the rest is the same), Δφ over \[0, π\].

@@ -5,7 +5,7 @@ use clarabel::solver::{
     DefaultSettingsBuilder, DefaultSolver, IPSolver, NonnegativeConeT, SolverStatus,
 };
 
-use crate::error::{Error, Result};
+use eigenshade_model::error::{Error, Result};
 
 /// Minimise ½ bᵀ P b - gᵀ b subject to rowᵀ b <= limit for every row.
 pub(super) struct Programme {

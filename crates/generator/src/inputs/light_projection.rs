@@ -12,11 +12,11 @@
 //! coefficients are then turned to the global frame, which is exact.
 
 use super::environment::{EnvironmentMap, extension};
-use crate::database::{Lights, Named};
-use crate::error::{Error, Result};
-use crate::rotation::Rotation;
-use crate::special::{legendre, spherical_harmonic};
 use eigenshade_index::light;
+use eigenshade_model::database::{Lights, Named};
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::rotation::Rotation;
+use eigenshade_model::special::{legendre, spherical_harmonic};
 use std::collections::HashMap;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::fs;

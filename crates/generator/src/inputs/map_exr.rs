@@ -2,9 +2,9 @@
 //! common compression.
 
 use super::environment::{BYTES_PER_TEXEL, EnvironmentMap, broken, other_type};
-use super::input_file::InputFile;
 use super::map_exr_check as check;
-use crate::error::{Error, Result};
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::input_file::InputFile;
 use exr::error::Error as ExrError;
 use exr::image::read::specific_channels::ReadSpecificChannel;
 use exr::meta::header::Header;

@@ -5,7 +5,7 @@
 //! instead of giving an error.
 
 use super::environment::{MOST_TEXELS, believable, broken};
-use crate::error::Result;
+use eigenshade_model::error::Result;
 use exr::block::chunk::{Chunk, CompressedBlock};
 use exr::compression::Compression;
 use exr::error::Result as ExrResult;

@@ -2,8 +2,8 @@
 //! exponent, so that no texel is negative.
 
 use super::environment::{BYTES_PER_TEXEL, EnvironmentMap, believable, broken, other_type};
-use super::input_file::InputFile;
-use crate::error::{Error, Result};
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::input_file::InputFile;
 use image::codecs::hdr::HdrDecoder;
 use image::{ImageDecoder, ImageError};
 use std::fs::File;

@@ -4,8 +4,8 @@
 //! Read here, since `zune-ppm` 0.5.1 mixes up the rows of a map of odd height.
 
 use super::environment::{BYTES_PER_TEXEL, EnvironmentMap, believable, broken, other_type};
-use super::input_file::InputFile;
-use crate::error::{Error, Result};
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::input_file::InputFile;
 use std::fs::File;
 use std::io::{BufRead, BufReader, Read};
 

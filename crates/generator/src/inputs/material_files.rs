@@ -1,11 +1,11 @@
 //! Whatever a path holds of materials: measurements, tables, formulas.
 
 use super::environment::extension;
-use super::input_file::InputFile;
 use super::measurements::{self, Measured};
 use super::{analytic, curet, merl};
 use crate::brdf::Surface;
-use crate::error::{Error, Result};
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::input_file::InputFile;
 use std::path::{Path, PathBuf};
 
 /// A material before it has coefficients.

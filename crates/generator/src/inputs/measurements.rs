@@ -6,9 +6,9 @@ use std::f64::consts::FRAC_PI_2;
 use std::path::PathBuf;
 
 use super::curet;
-use super::input_file::InputFile;
-use super::sheet::{Row, Sheet};
-use crate::error::{Error, Result};
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::input_file::InputFile;
+use eigenshade_model::inputs::sheet::{Row, Sheet};
 
 /// How far beyond the rim a polar angle may lie: files round π/2.
 const RIM_SLACK: f64 = 1e-9;

@@ -8,9 +8,9 @@
 //! A value times 1/1500, 1.15/1500 or 1.66/1500 for the three channels is f in 1/sr;
 //! below zero is a bin without a value.
 
-use super::input_file::InputFile;
 use crate::brdf::{BINS, Merl, Surface};
-use crate::error::{Error, Result};
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::input_file::InputFile;
 use std::io::Read;
 
 /// From a file's numbers to 1/sr, r, g and b.

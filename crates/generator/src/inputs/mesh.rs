@@ -1,10 +1,10 @@
 //! Meshes (.obj, .stl, .ply): the normals of what the camera sees of their facets.
 
 use super::facet::Facet;
-use super::input_file::InputFile;
 use super::visibility::seen_shares;
 use super::{mesh_obj, mesh_ply, mesh_stl};
-use crate::error::{Error, Result};
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::input_file::InputFile;
 
 /// Triangles, as the files' readers give them: 24 bytes a corner, 12 a triangle.
 #[derive(Clone, Debug, Default, PartialEq)]

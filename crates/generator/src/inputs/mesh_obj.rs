@@ -3,10 +3,10 @@
 //! Read here, since `tobj` 4.0.5 holds some 400 bytes of each corner, and leaves out faces of
 //! fewer than three.
 
-use super::input_file::InputFile;
 use super::mesh::{Mesh, broken};
 use super::text_line;
-use crate::error::Result;
+use eigenshade_model::error::Result;
+use eigenshade_model::inputs::input_file::InputFile;
 
 /// The triangles of a Wavefront file; polygons are cut into fans.
 ///

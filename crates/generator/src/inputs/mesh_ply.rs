@@ -1,9 +1,9 @@
 //! Polygon files (.ply), text or binary.
 
-use super::input_file::InputFile;
 use super::mesh::{Mesh, broken};
 use super::text_line::{self, LONGEST};
-use crate::error::{Error, Result};
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::input_file::InputFile;
 use ply_rs_bw::parser::{ParseError, Parser, Reader};
 use ply_rs_bw::ply::{
     BeginList, ElementDef, Encoding, Property, PropertyAccess, PropertyAccessResult,

@@ -3,10 +3,10 @@
 //! Read here, since `stl_io` 0.11.0 takes texts of small letters and one solid alone, and does
 //! not see what follows them.
 
-use super::input_file::InputFile;
 use super::mesh::{Mesh, broken};
 use super::text_line;
-use crate::error::{Error, Result};
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::input_file::InputFile;
 use std::io::{BufRead, Read, Seek};
 
 /// A header of 80 bytes, and the number of facets.

@@ -1,8 +1,6 @@
 //! What comes in from the world, and goes out to it as text.
 
 pub mod analytic;
-pub mod coefficient_csv;
-mod coefficient_kind;
 pub mod convention;
 pub mod curet;
 pub mod density;
@@ -14,7 +12,6 @@ pub mod fit;
 mod fit_channel;
 pub mod fit_constraints;
 mod fit_programme;
-pub mod input_file;
 pub mod light_projection;
 mod map_exr;
 mod map_exr_check;
@@ -28,11 +25,8 @@ mod mesh_obj;
 mod mesh_ply;
 mod mesh_stl;
 pub mod normal_map;
-pub mod normals;
 pub mod object;
 pub mod png_curve;
 pub mod png_samples;
-pub mod rounding;
-pub mod sheet;
 mod text_line;
 pub mod visibility;

@@ -1,9 +1,9 @@
 //! Normal maps: PNG of 8 or 16 bits a channel.
 
-use crate::error::{Error, Result};
-use crate::inputs::input_file::InputFile;
-use crate::inputs::normals::visible;
 use crate::inputs::png_samples::{self, PngSamples};
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::input_file::InputFile;
+use eigenshade_model::inputs::normals::visible;
 use std::ops::RangeInclusive;
 use std::path::Path;
 
@@ -60,7 +60,7 @@ pub const BYTES_PER_NORMAL: u64 = 64;
 /// # Errors
 ///
 /// The first pixel that is no background, `counts`, and points away from the camera by more
-/// than [`RIM`](crate::inputs::normals::RIM) beyond rounding; one that does not count has no
+/// than [`RIM`](eigenshade_model::inputs::normals::RIM) beyond rounding; one that does not count has no
 /// normal then.
 pub fn normals(map: &PngSamples, counts: &[bool]) -> Result<Vec<Option<[f64; 3]>>> {
     each(map, counts).collect()

@@ -1,9 +1,10 @@
 //! The normals of an object, as a scene file names them.
 
-use crate::error::{Error, Result};
 use crate::geometry::{Geometry, WeightedNormals};
-use crate::inputs::input_file::InputFile;
-use crate::inputs::{density, mesh, normal_map, normals};
+use crate::inputs::{density, mesh, normal_map};
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::input_file::InputFile;
+use eigenshade_model::inputs::normals;
 use eigenshade_table::scene;
 
 /// Reads the geometry of a scene of `degree`; paths are relative to the folder of the scene's

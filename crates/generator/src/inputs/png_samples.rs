@@ -1,8 +1,8 @@
 //! A PNG as the numbers that it stores, without any reading of what they mean.
 
-use super::input_file::InputFile;
 use super::png_curve::Curve;
-use crate::error::{Error, Result};
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::input_file::InputFile;
 use png::{BitDepth, ColorType, Decoder, DecodingError, Limits, Transformations};
 use std::io::Cursor;
 

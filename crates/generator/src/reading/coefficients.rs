@@ -1,7 +1,7 @@
 //! d of an image, by scalar product and by weighted least squares.
 
 use super::observation::Observation;
-use crate::error::{Error, Result};
+use eigenshade_model::error::{Error, Result};
 use faer::linalg::solvers::Svd;
 use faer::{Col, ColRef, Mat};
 

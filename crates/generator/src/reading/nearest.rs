@@ -10,8 +10,8 @@ use super::light_estimate::{Explained, LightEstimate};
 use super::observation::Observation;
 use super::prior::Prior;
 use super::transfer::Transfers;
-use crate::database::Materials;
-use crate::error::Result;
+use eigenshade_model::database::Materials;
+use eigenshade_model::error::Result;
 
 /// One material of the database as an explanation of an image.
 #[derive(Clone, Debug)]

@@ -8,7 +8,7 @@
 use super::coefficients::decompose;
 use super::observation::Observation;
 use super::prior::Prior;
-use crate::error::Result;
+use eigenshade_model::error::Result;
 use faer::linalg::solvers::Svd;
 use faer::{Col, Mat};
 

@@ -12,8 +12,8 @@
 
 use super::coefficients::decompose;
 use super::modes::ModeCoefficients;
-use crate::error::Result;
 use eigenshade_index::light;
+use eigenshade_model::error::Result;
 use faer::Mat;
 
 /// Turns at most.

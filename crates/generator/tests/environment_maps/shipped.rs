@@ -1,12 +1,12 @@
 //! The maps of the repository: all decode, and keep what is in them.
 
 use crate::tolerances::LIGHT_PROJECTION;
-use eigenshade_generator::database::Lights;
-use eigenshade_generator::inputs::coefficient_csv::{read_lights, write_lights};
 use eigenshade_generator::inputs::convention::exchanged;
 use eigenshade_generator::inputs::environment::EnvironmentMap;
 use eigenshade_generator::inputs::light_projection::{named_maps, project};
-use eigenshade_generator::inputs::rounding::{LIGHT_DIGITS, rounded};
+use eigenshade_model::database::Lights;
+use eigenshade_model::inputs::coefficient_csv::{read_lights, write_lights};
+use eigenshade_model::inputs::rounding::{LIGHT_DIGITS, rounded};
 use std::f64::consts::PI;
 
 const MAPS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tables/inputs/maps");

@@ -7,7 +7,7 @@ use crate::accuracy_cost::shading::{LENGTHS, hemisphere, scaled};
 use eigenshade::{
     Basis, Light, MapPoint, Material, NineTerms, Normal, Q15, Scalar, Tolerance, quantised,
 };
-use eigenshade_generator::error::{Error, Result};
+use eigenshade_model::error::{Error, Result};
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, fault};
 use eigenshade_table::Table;

@@ -4,7 +4,7 @@ use super::{PIXELS, Work};
 use crate::accuracy_cost::images::Image;
 use crate::accuracy_cost::shading::hemisphere;
 use eigenshade::quantised;
-use eigenshade_generator::error::{Error, Result};
+use eigenshade_model::error::{Error, Result};
 use eigenshade_shading::integer_shader;
 use eigenshade_shading::owned_quantised::{Integer, OwnedQuantised};
 use eigenshade_shading::shader::fault;

@@ -8,7 +8,7 @@ use super::setting::{Format, Scaling, Setting, Way};
 use super::shading::hemisphere;
 use crate::median::median;
 use eigenshade::{Q15, Q31, quantised};
-use eigenshade_generator::error::Result;
+use eigenshade_model::error::Result;
 use eigenshade_shading::integer_shader;
 use eigenshade_table::Table;
 use floats::Floats;

@@ -11,8 +11,8 @@ pub use texts::compare_texts;
 
 use super::FOLDER;
 use super::artefact::{Artefact, Content};
-use eigenshade_generator::error::{Error, Result};
 use eigenshade_generator::inputs::png_samples;
+use eigenshade_model::error::{Error, Result};
 use std::fs;
 use std::io::ErrorKind;
 use std::path::Path;

@@ -70,7 +70,8 @@ pub fn albedo(coefficients: &[f64]) -> f64 {
 }
 
 /// √((o+1)(p+1) / ((1+δ_op)(1+δ_q0))) / 2π, the norm of the mode.
-pub(crate) fn norm(o: usize, p: usize, q: usize) -> f64 {
+#[must_use]
+pub fn norm(o: usize, p: usize, q: usize) -> f64 {
     let doubled = |equal: bool| if equal { 2.0 } else { 1.0 };
     (((o + 1) * (p + 1)) as f64 / (doubled(o == p) * doubled(q == 0))).sqrt() / TAU
 }

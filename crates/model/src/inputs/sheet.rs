@@ -100,7 +100,7 @@ impl Sheet {
     /// # Errors
     ///
     /// If they are not.
-    pub(crate) fn admit(&self, bytes: u64) -> Result<()> {
+    pub fn admit(&self, bytes: u64) -> Result<()> {
         let own = self.text.len() + self.fields.capacity() + 8 * self.ends.capacity();
         self.file.admit((own as u64).saturating_add(bytes))
     }

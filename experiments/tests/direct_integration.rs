@@ -8,7 +8,7 @@ use eigenshade_generator::brdf::{Brdf, Ggx, Lambertian, Measure};
 use eigenshade_generator::direct::Surroundings;
 use eigenshade_generator::inputs::environment::EnvironmentMap;
 use eigenshade_generator::inputs::light_projection::project;
-use eigenshade_generator::truth::Truth;
+use eigenshade_model::truth::Truth;
 use std::f64::consts::{PI, TAU};
 use std::fs;
 
@@ -266,6 +266,10 @@ fn what_cannot_be_compared_is_a_fault() {
     assert_fails(&folder, &errors("lights.csv", "maps", "c.csv"), &["c.csv", "measured"]);
     assert_fails(&folder, &errors("lights.csv", "maps", "none.toml"), &["none.toml"]);
     assert_fails(&folder, &errors("lights.csv", "cut.pfm", "m.toml"), &["cut"]);
+    for input in ["b.bin", "lights.csv", "maps/east.pfm", "m.toml"] {
+        let errors = "errors b.bin --lights lights.csv --maps maps --materials m.toml";
+        assert_fails(&folder, &format!("{errors} --out ./{input}"), &[input]);
+    }
     folder.ok("light maps other.pfm --degree 16 --out lights.csv");
     let two = "maps --maps other.pfm";
     assert_fails(&folder, &errors("lights.csv", two, "m.toml"), &["64 x 32 and 32 x 16"]);

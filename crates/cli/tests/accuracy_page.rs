@@ -1,21 +1,21 @@
-//! The README's tables of errors: every figure is computed again.
+//! The tables of errors of docs/accuracy.md: every figure is computed again.
 
 use crate::support::{Folder, rows};
 use crate::tolerances;
 use eigenshade_cli::sphere_view::SphereView;
 use eigenshade_generator::basis::build;
-use eigenshade_generator::database::Named;
+use eigenshade_model::database::Named;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader, fitted};
 use eigenshade_shading::{reference_image, shipped};
 use indicatif::ProgressBar;
 
-const README: &str = include_str!("../../../README.md");
+const PAGE: &str = include_str!("../../../docs/accuracy.md");
 
-/// The README has a line that starts like this, and states these numbers.
+/// The page has a line that starts like this, and states these numbers.
 fn assert_stated(start: &str, found: &[f64], tolerance: f64) {
-    let line = README.lines().find(|line| line.starts_with(start));
-    let line = line.unwrap_or_else(|| panic!("README.md lacks `{start}`"));
+    let line = PAGE.lines().find(|line| line.starts_with(start));
+    let line = line.unwrap_or_else(|| panic!("docs/accuracy.md lacks `{start}`"));
     let stated: Vec<f64> =
         line[start.len()..].split(['|', '/']).filter_map(|one| one.trim().parse().ok()).collect();
     let printed: Vec<String> = found.iter().map(|one| format!("{one:.1e}")).collect();
@@ -44,7 +44,7 @@ fn errors_of_the_demo_are_as_stated() {
     }
 }
 
-/// The larger of the two in the middle of an even number, as the README's medians are.
+/// The larger of the two in the middle of an even number, as the page's medians are.
 fn median_and_worst(mut errors: Vec<f64>) -> [f64; 2] {
     errors.sort_by(f64::total_cmp);
     [errors[errors.len() / 2], errors[errors.len() - 1]]
@@ -104,7 +104,7 @@ fn errors_of_few_components_are_as_stated() {
             let [median, worst] = median_and_worst(inner).map(|error| 100.0 * error);
             let stated =
                 format!("{worst:.1} % of the peak, the median picture's largest {median:.1} %");
-            assert!(README.contains(&stated), "README.md lacks `{stated}`");
+            assert!(PAGE.contains(&stated), "docs/accuracy.md lacks `{stated}`");
         }
         let is_rounding = components == all;
         let tolerance = if is_rounding { tolerances::STATED_ROUNDING } else { tolerances::STATED };

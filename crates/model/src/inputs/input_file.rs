@@ -60,7 +60,7 @@ impl InputFile {
     /// # Errors
     ///
     /// As [`Budget::admit`].
-    pub(crate) fn admit_pixels(&self, count: u64, each: u64, bytes: u64) -> Result<()> {
+    pub fn admit_pixels(&self, count: u64, each: u64, bytes: u64) -> Result<()> {
         self.admit(count.saturating_mul(each + self.beside).saturating_add(bytes))
     }
 
@@ -69,7 +69,7 @@ impl InputFile {
     /// # Errors
     ///
     /// A file that cannot be opened.
-    pub(crate) fn open(&self) -> Result<(BufReader<File>, u64)> {
+    pub fn open(&self) -> Result<(BufReader<File>, u64)> {
         let fault = |error: std::io::Error| Error::io(&self.path, &error);
         let file = File::open(&self.path).map_err(fault)?;
         let length = file.metadata().map_err(fault)?.len();
