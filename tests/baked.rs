@@ -2,9 +2,29 @@
 //! materials.
 
 use crate::shipped;
-use crate::tolerances;
 use eigenshade::{BakedMap, Error, IntegerMap, MapPoint, Q15, quantised, sphere};
 use shipped::{assert_within, errors, normals, scenes};
+
+/// Baked maps of N texels a side: N, rms of bilinear and of nearest look-ups, of the peak, each of the
+/// median image and of the worst: bilinear falls by four where nearest falls by two.
+const BAKED: [(usize, [f64; 2], [f64; 2]); 3] = [
+    (32, [4e-4, 2e-3], [1.2e-2, 3e-2]),
+    (64, [1e-4, 5e-4], [6e-3, 1.5e-2]),
+    (128, [2.5e-5, 1.3e-4], [3e-3, 7e-3]),
+];
+
+/// What integers may add to that: three roundings to 2^-15, and normals of 2^-16.
+const BAKED_INTEGERS: f64 = 4e-5;
+
+/// Map coordinates from Q15 normals, in units of 2^-15: their own rounding and that of the
+/// quotient, whose scale is cut to 2^-16.
+const MAP_POINT_Q15: f64 = 1.3;
+
+/// A texel in integers is the nearest: half a unit, and what f32 rounds of 15 bits.
+const TEXEL_ROUNDED: f32 = 0.501;
+
+/// Texels of tens met 1e-6 inward of the rim.
+const RIM_INWARD: f32 = 1e-4;
 
 /// A component in Q15.
 fn q15(x: f32) -> Q15 {
@@ -21,7 +41,7 @@ fn on_map(components: [Q15; 3]) -> MapPoint<Q15> {
 fn maps_are_as_exact_as_documented() {
     let (scenes, normals) = (scenes(1), normals(64));
     let points: Vec<_> = normals.iter().map(|&normal| MapPoint::of(normal)).collect();
-    for (size, bilinear, nearest) in tolerances::BAKED {
+    for (size, bilinear, nearest) in BAKED {
         let mut looked_up = Vec::new();
         let found = errors(&scenes, &normals, |scene| {
             let map = scene.bake_into(size, vec![0.0f32; size * size]).expect("room");
@@ -40,7 +60,7 @@ fn maps_are_as_exact_as_documented() {
 fn integer_maps_are_as_exact_as_documented() {
     let scenes: Vec<_> = scenes(3);
     let normals = normals(64);
-    for (size, bilinear, _) in tolerances::BAKED {
+    for (size, bilinear, _) in BAKED {
         let of_normals: Vec<_> = normals.iter().map(|n| on_map(n.components().map(q15))).collect();
         let given: Vec<_> = normals
             .iter()
@@ -53,7 +73,7 @@ fn integer_maps_are_as_exact_as_documented() {
                 let unit = f32::powi(2.0, map.exponent());
                 points.iter().map(|&point| map.bilinear(point) as f32 * unit).collect()
             });
-            let most = bilinear.map(|rms| rms + tolerances::BAKED_INTEGERS);
+            let most = bilinear.map(|rms| rms + BAKED_INTEGERS);
             assert_within(&format!("{size}, integers"), &found, most);
         }
     }
@@ -70,7 +90,7 @@ fn integers_round_and_no_more() {
     let most = integers.texels().iter().map(|texel| texel.unsigned_abs()).max();
     assert!(most.is_some_and(|most| (1 << 14..1 << 15).contains(&most)), "{most:?}");
     for (texel, integer) in map.texels().iter().zip(integers.texels()) {
-        assert!((texel / unit - f32::from(*integer)).abs() <= tolerances::TEXEL_ROUNDED);
+        assert!((texel / unit - f32::from(*integer)).abs() <= TEXEL_ROUNDED);
     }
     for normal in normals {
         let [u, v] = MapPoint::of(normal).coordinates().map(q15);
@@ -102,7 +122,7 @@ fn texels_stand_where_documented() {
     ] {
         let point = MapPoint::new(u, v);
         // The rim is taken 1e-6 inward.
-        assert!((map.bilinear(point) - bilinear).abs() < tolerances::RIM_INWARD, "{point:?}");
+        assert!((map.bilinear(point) - bilinear).abs() < RIM_INWARD, "{point:?}");
         assert_eq!(map.nearest(point), nearest, "{point:?}");
     }
     let texels: Vec<i16> = texels.iter().map(|&texel| 100 * texel as i16).collect();
@@ -155,7 +175,7 @@ fn normals_go_to_the_map_and_back() {
         }
     }
     println!("Q15: {worst}");
-    assert!(worst <= tolerances::MAP_POINT_Q15, "{worst}");
+    assert!(worst <= MAP_POINT_Q15, "{worst}");
 }
 
 #[test]

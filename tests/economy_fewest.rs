@@ -1,11 +1,14 @@
 //! What a scene within a tolerance costs a pixel, beside the least that any lengths could cost:
 //! found by trying all, azimuth by azimuth.
 
-use crate::tolerances;
 use eigenshade::{Normal, Recurrences, Shape, Tolerance, sphere};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_testing::images;
 use images::{Image, coefficients, products, rule, single};
+
+/// Products of a pixel within a tolerance, over the fewest that any lengths need: in the mean, and of
+/// any image. Terms go at few prices, and none comes back.
+const ECONOMY_FEWEST: [f64; 2] = [1.02, 1.25];
 
 const METHOD: &str = include_str!("../docs/method.md");
 
@@ -87,8 +90,8 @@ fn a_pixel_costs_little_more_than_the_least_possible() {
         let least = 100.0 * found.iter().filter(|&&ratio| ratio <= 1.0).count() as f64 / count;
         let mean = found.iter().sum::<f64>() / count;
         println!("{share}: {least:.0} % the least, mean {mean:.4}, worst {worst:.3}");
-        assert!(mean <= tolerances::ECONOMY_FEWEST[0], "{share}: {mean}");
-        assert!(worst <= tolerances::ECONOMY_FEWEST[1], "{share}: {worst}");
+        assert!(mean <= ECONOMY_FEWEST[0], "{share}: {mean}");
+        assert!(worst <= ECONOMY_FEWEST[1], "{share}: {worst}");
         (fewest, most) = (fewest.min(least), most.max(worst));
     }
     let said = format!(

@@ -4,7 +4,6 @@
 mod invariants;
 mod reading;
 mod shipped;
-mod tolerances;
 mod wire_files;
 
 mod baked;
@@ -34,4 +33,4 @@ mod window;
 mod wire;
 mod wire_versions;
 
-use eigenshade_testing::oracle;
+use eigenshade_testing::{oracle, tolerances};

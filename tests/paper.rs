@@ -20,6 +20,12 @@ use eigenshade_table::{GramFactor, Table};
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::path::Path;
 
+/// Eigenvalues of +m and -m, of the largest: the same numbers by another way.
+const EQUAL_EIGENVALUES: f64 = 2e-15;
+
+/// See [`RESIDUAL_ENERGY`].
+const RESIDUAL_FLOOR: f64 = 1e-10;
+
 fn shipped() -> Loaded {
     scene_file::load(Path::new("tables/sphere.toml")).expect("the shipped scene")
 }
@@ -197,7 +203,7 @@ fn signs_of_m_have_equal_eigenvalues() {
         }
     }
     println!("eigenvalues of +m and -m: {:.1e} of the largest", worst / largest);
-    assert!(worst <= tolerances::EQUAL_EIGENVALUES * largest);
+    assert!(worst <= EQUAL_EIGENVALUES * largest);
 }
 
 /// D_l^-m,q / Φ_-m at the nodes, in the layout of [`GramFactor::rotations`].
@@ -257,7 +263,7 @@ fn residual_energy_is_what_the_eigenvalues_say() {
     for (count, energy) in energies.iter().enumerate().skip(1).rev() {
         left += energy;
         let expected = table.energy_left(count);
-        if expected > tolerances::RESIDUAL_FLOOR * whole {
+        if expected > RESIDUAL_FLOOR * whole {
             worst = worst.max((left / expected - 1.0).abs());
             compared += 1;
         }

@@ -1,6 +1,5 @@
 //! Wire files are read, wherever they lie, and give what they gave when they were made.
 
-use crate::tolerances;
 use crate::wire_files as files;
 use eigenshade::wire::{WireError, aligned};
 use eigenshade::{Basis, GeneralBasis, Q15, Q31, quantised};
@@ -9,18 +8,27 @@ use files::{
     facing_15, facing_31, floats, general, integers, room,
 };
 
+/// d from a wire file in f32, of the largest: 2^-24 times some twenty roundings.
+const WIRE_F32: f32 = 1e-6;
+
+/// d from a wire file in 15 bits, of the largest: a few roundings of 2^-15.
+const WIRE_Q15: f32 = 2e-4;
+
+/// d from a wire file in 31 bits, of the largest: the comparison itself is in f32.
+const WIRE_Q31: f32 = 2e-7;
+
 #[test]
 fn tables_of_all_effects_are_read() {
     for (table, bytes) in [("sphere", &SPHERE.0), ("mean", &MEAN.0)] {
         let basis = Basis::<f32>::from_bytes(bytes).expect("a wire file");
-        assert_same(table, &floats(&basis).0, tolerances::WIRE_F32);
+        assert_same(table, &floats(&basis).0, WIRE_F32);
     }
     let basis = GeneralBasis::<f32>::from_bytes(&GENERAL.0).expect("a wire file");
-    assert_same("general", &general(&basis), tolerances::WIRE_F32);
+    assert_same("general", &general(&basis), WIRE_F32);
     let basis = quantised::Basis::<Q15>::from_bytes(&INTEGERS_15.0).expect("a wire file");
-    assert_same("sphere", &integers(&basis, facing_15()), tolerances::WIRE_Q15);
+    assert_same("sphere", &integers(&basis, facing_15()), WIRE_Q15);
     let basis = quantised::Basis::<Q31>::from_bytes(&INTEGERS_31.0).expect("a wire file");
-    assert_same("sphere", &integers(&basis, facing_31()), tolerances::WIRE_Q31);
+    assert_same("sphere", &integers(&basis, facing_31()), WIRE_Q31);
 }
 
 #[test]
@@ -28,11 +36,11 @@ fn tables_of_some_effects_are_read() {
     for (table, bytes) in [("effects", &EFFECTS.0), ("turned", &TURNED.0)] {
         let basis = Basis::<f32>::from_bytes(bytes).expect("a wire file");
         assert!(!basis.effects().is_all());
-        assert_same(table, &floats(&basis).0, tolerances::WIRE_F32);
+        assert_same(table, &floats(&basis).0, WIRE_F32);
     }
     let basis = quantised::Basis::<Q15>::from_bytes(&TURNED_15.0).expect("a wire file");
     assert!(!basis.effects().is_all());
-    assert_same("turned", &integers(&basis, facing_15()), tolerances::WIRE_Q15);
+    assert_same("turned", &integers(&basis, facing_15()), WIRE_Q15);
 }
 
 /// The last number is an irradiance.
@@ -42,7 +50,7 @@ fn polynomials_in_two_halves_are_read() {
     assert!(basis.parts().lengths.iter().any(|length| (17..=32).contains(length)));
     let (mut found, irradiance) = floats(&basis);
     found.push(irradiance);
-    assert_same("long", &found, tolerances::WIRE_F32);
+    assert_same("long", &found, WIRE_F32);
 }
 
 /// At every place but multiples of four, and put right.

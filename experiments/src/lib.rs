@@ -2,8 +2,7 @@
 //! its pages.
 #![expect(missing_docs, reason = "no package depends on it")]
 
-#[path = "../../tests/tolerances/mod.rs"]
-pub mod tolerances;
+pub use eigenshade_testing::tolerances;
 
 pub mod pages;
 

@@ -1,7 +1,6 @@
 //! What a table's components lack of an image, as the image's own coefficients tell it: of
 //! materials that the table never saw.
 
-use crate::tolerances;
 use eigenshade::{Light, Material, Tolerance, sphere};
 use eigenshade_generator::basis::build;
 use eigenshade_model::database::Named;
@@ -11,6 +10,11 @@ use eigenshade_table::decode;
 use eigenshade_testing::images::{coefficients, single};
 use eigenshade_testing::repository;
 use experiments::accuracy_cost::materials::Scope;
+
+/// By which factor the floor of such a scene is off what the table's components lack: in the
+/// median, of nine images of ten, of all. The last fifth of the coefficients stands for those that
+/// are missing, which fall off as fast in one image as in another, but for one or the other.
+const ECONOMY_FLOOR: [f64; 3] = [1.1, 2.0, 4.0];
 
 const PAGE: &str = include_str!("../../docs/accuracy.md");
 
@@ -55,7 +59,7 @@ fn floors_are_what_components_lack_of_unseen_materials() {
     let within = |share: f64, factor: f64| {
         assert!((1.0 / factor..=factor).contains(&at(share)), "{share}: {}", at(share));
     };
-    let [of_median, of_most, of_all] = tolerances::ECONOMY_FLOOR;
+    let [of_median, of_most, of_all] = ECONOMY_FLOOR;
     within(0.5, of_median);
     [0.05, 0.95].iter().for_each(|&share| within(share, of_most));
     [0.0, 1.0].iter().for_each(|&share| within(share, of_all));

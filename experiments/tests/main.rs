@@ -15,8 +15,7 @@ mod paper_oracle;
 mod paper_statements;
 mod reading_page;
 
-use eigenshade_testing::oracle;
-use experiments::tolerances;
+use eigenshade_testing::{oracle, tolerances};
 use std::path::{Path, PathBuf};
 
 /// The program that has this command. `eigenshade` lies beside this package's program, if the
@@ -26,7 +25,8 @@ fn program(command: &str) -> PathBuf {
     if ["errors", "paper", "accuracy-cost"].contains(&command) {
         return experiments.into();
     }
-    let eigenshade = experiments.with_file_name(format!("eigenshade{}", std::env::consts::EXE_SUFFIX));
+    let eigenshade =
+        experiments.with_file_name(format!("eigenshade{}", std::env::consts::EXE_SUFFIX));
     assert!(eigenshade.exists(), "build it first: cargo build -p eigenshade-cli");
     eigenshade
 }

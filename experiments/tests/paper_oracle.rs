@@ -15,6 +15,21 @@ use experiments::paper::study::{DEGREE, ORDER, Study};
 use indicatif::ProgressBar;
 use std::f64::consts::PI;
 
+/// Errors of representation and of partial sums, over nodes against pixels, of the image's
+/// energy: 36 intervals in cos α are exact, the rest is roundings of some thousand terms.
+const FIGURE_ERROR: f64 = 2e-13;
+
+/// Irradiances in a list of six digits, of the peak: half a unit of the last, and sums that are off
+/// by 1e-10.
+const LISTED: f64 = 6e-6;
+
+/// An error of a partial sum, over its bound: below this it would tell nothing of it.
+const BOUND_AT_WORK: f64 = 0.01;
+
+/// What a partial sum leaves out at a pixel, of the peak: far above [`DIRECT_SUM`], so that a sum of all
+/// terms is found out.
+const LEFT_OUT: f64 = 1e-5;
+
 /// Intervals in cos α, and steps in β: images of degree 9 have |m| up to 9.
 const INTERVALS: usize = 36;
 const TILTS: usize = 20;
@@ -68,7 +83,7 @@ fn errors_are_those_of_pixels() {
     let near = |found: f64, expected: f64, what: &str| {
         let off = (found - expected).abs() / variance;
         println!("{what}: {off:.1e}");
-        assert!(off <= tolerances::FIGURE_ERROR, "{what}: {found} {expected}");
+        assert!(off <= FIGURE_ERROR, "{what}: {found} {expected}");
     };
     near(trial.variance, variance, "variance");
     near(trial.mean * trial.mean, average * average, "mean");
@@ -142,9 +157,9 @@ fn partial_sums_are_those_of_pixels_and_within_their_bound() {
     let step = steps.iter().find(|step| step.terms == TERMS).expect("every number of terms");
     let (off, of) = (step.error * step.error - error * error, step.bound / bound - 1.0);
     println!("error {:.1e} of the energy, bound {of:.1e}, {}", off / energy, error / bound);
-    assert!(off.abs() <= tolerances::FIGURE_ERROR * energy, "{} {error}", step.error);
-    assert!(of.abs() <= tolerances::FIGURE_ERROR, "{} {bound}", step.bound);
-    assert!(error < bound && error > tolerances::BOUND_AT_WORK * bound);
+    assert!(off.abs() <= FIGURE_ERROR * energy, "{} {error}", step.error);
+    assert!(of.abs() <= FIGURE_ERROR, "{} {bound}", step.bound);
+    assert!(error < bound && error > BOUND_AT_WORK * bound);
 }
 
 /// Pixels of a rendered sphere: each degree and order of the light by quadrature of (3), on
@@ -190,7 +205,7 @@ fn rendered_spheres_are_sums_of_integrals() {
         least = least.min((found.truths[1][k] - expected).abs() / peak);
     }
     // What was left out shows.
-    assert!(least > tolerances::LEFT_OUT, "{least}");
+    assert!(least > LEFT_OUT, "{least}");
 }
 
 /// Irradiances that Fig. 4 lists, each channel by quadrature of (3) on coefficients as they
@@ -220,7 +235,7 @@ fn listed_irradiances_are_integrals() {
             let terms: Vec<_> = indices.map(|((o, p, q), b)| (o, p, q, *b)).collect();
             let expected = oracle::irradiance(&explicit, &terms, normal);
             let off = (at[3 + channel] - expected).abs() / peak;
-            assert!(off <= tolerances::LISTED, "{whole:?}: {expected}");
+            assert!(off <= LISTED, "{whole:?}: {expected}");
             // And of the selected modes.
             let (alpha, beta) = (at[0].hypot(at[1]).atan2(at[2]), at[1].atan2(at[0]));
             let mut sum = 0.0;
@@ -233,7 +248,7 @@ fn listed_irradiances_are_integrals() {
                 }
             }
             let listed: f64 = selected[6 + channel].parse().expect("a number");
-            assert!((listed - sum).abs() <= tolerances::LISTED * peak, "{selected:?}: {sum}");
+            assert!((listed - sum).abs() <= LISTED * peak, "{selected:?}: {sum}");
         }
     }
 }

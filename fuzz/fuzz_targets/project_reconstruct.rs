@@ -3,8 +3,6 @@
 
 #[path = "../../tests/invariants/mod.rs"]
 mod invariants;
-#[path = "../../tests/tolerances/mod.rs"]
-mod tolerances;
 
 #[cfg(fuzzing)]
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| invariants::project_reconstruct(bytes));

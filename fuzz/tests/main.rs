@@ -1,7 +1,5 @@
 //! The runtime's tests that need nothing of the host's crates.
 
-#[path = "../../tests/tolerances/mod.rs"]
-mod tolerances;
 #[path = "../../tests/wire_files/mod.rs"]
 mod wire_files;
 

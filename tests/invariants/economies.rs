@@ -2,7 +2,6 @@
 //! and kept, and the scenes are.
 
 use super::Reader;
-use crate::tolerances;
 use eigenshade::{Economy, Normal, Tolerance, sphere};
 
 /// Any images in one shape, each its own peak or that of its colour.
@@ -30,7 +29,7 @@ pub fn collapse_sets(input: &mut Reader<'_>) {
         if !is_moderate {
             continue;
         }
-        let rounding = tolerances::ECONOMY_PARTS as f32;
+        let rounding = super::ECONOMY_PARTS as f32;
         let within = told.bound <= share * told.peak * (1.0 + rounding);
         assert!(told.bound.is_finite() && within, "{told:?}");
         let parts = told.left_out_by_components.hypot(told.left_out_by_terms);

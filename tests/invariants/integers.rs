@@ -3,11 +3,17 @@
 use super::integer::{Integer, normals};
 use super::shipped::shipped;
 use super::{Reader, pixel};
-use crate::tolerances;
 use eigenshade::quantised::{Light, Material, Transfer};
 use eigenshade::{Error, Wide as _};
 use eigenshade_index::{light, material};
 use eigenshade_table::quantise::Format;
+
+/// A pixel of any coefficients against f64 on the same mantissas, of the range of 17 bits: (n_x + i
+/// n_y)^m has 14, and each step of some fifty rounds by one unit.
+const ANY_PIXEL_Q15: f64 = 3e-4;
+
+/// See [`ANY_PIXEL_Q15`]: 30 bits, of which weights and (n_x + i n_y)^m have as many.
+const ANY_PIXEL_Q31: f64 = 5e-7;
 
 /// Any mantissas and exponents of light and material, up to the table's degree and
 /// order: d near the f64 sum, the image as of any coefficients.
@@ -139,12 +145,12 @@ fn relit<Q: Integer>(
 fn near<Q: Integer>(truth: &[f64], scales: &[f64], d: &[i32], of_d: i32) {
     let largest = scales.iter().copied().fold(0.0, f64::max);
     let part = match Q::FORMAT {
-        Format::Q15 => tolerances::ANY_D_Q15,
-        Format::Q31 => tolerances::ANY_D_Q31,
+        Format::Q15 => super::ANY_D_Q15,
+        Format::Q31 => super::ANY_D_Q31,
     };
     for (k, (truth, scale)) in truth.iter().zip(scales).enumerate() {
         let found = f64::from(d[k]) * 2f64.powi(of_d);
-        let allowed = part * scale + tolerances::ANY_D_COMMON * largest;
+        let allowed = part * scale + super::ANY_D_COMMON * largest;
         assert!((found - truth).abs() <= allowed, "component {k}: {found}, not {truth}; {allowed}");
     }
 }
@@ -163,8 +169,8 @@ fn seen<Q: Integer>(d: &[i32], exponent: i32, normals: &[eigenshade::quantised::
     let lengths = Q::basis().parts().lengths;
     let one = 2f64.powi(Q::FORMAT.bits());
     let part = match Q::FORMAT {
-        Format::Q15 => tolerances::ANY_PIXEL_Q15,
-        Format::Q31 => tolerances::ANY_PIXEL_Q31,
+        Format::Q15 => ANY_PIXEL_Q15,
+        Format::Q31 => ANY_PIXEL_Q31,
     };
     // In units of the scene.
     let scale = 2f64.powi(exponent.saturating_sub(image.exponent));

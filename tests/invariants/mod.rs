@@ -29,6 +29,23 @@ pub use ways::every_way;
 
 use eigenshade::{Q15, Q31};
 
+/// See [`ANY_D_F32`]: light, material, Ĉ, S, factors and T are each rounded to 15 bits of the largest
+/// of their row.
+pub const ANY_D_Q15: f64 = 2e-5;
+
+/// See [`ANY_D_Q15`], with 16 bits more.
+pub const ANY_D_Q31: f64 = 3e-10;
+
+/// d has 30 bits of its largest component, and rounds twice.
+pub const ANY_D_COMMON: f64 = 2e-9;
+
+/// A bound against its parts, and what components are said to leave out against the sum of their
+/// squares, of the bound: roundings of f32 of sums of some hundred squares.
+pub const ECONOMY_PARTS: f64 = 2e-6;
+
+/// RRᵀ of any rotation in f32: sixteen roundings, and those of the sum itself.
+pub const ORTHONORMAL_F32: f64 = 1.2e-6;
+
 /// Any light on any material under any normals, or any transfer, or any coefficients,
 /// in any format; or any images within a tolerance.
 pub fn shade_any(bytes: &[u8]) {

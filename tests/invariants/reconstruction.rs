@@ -3,11 +3,23 @@
 use super::Reader;
 use super::integer::{Integer, normals};
 use super::shipped::shipped;
-use crate::tolerances;
 use eigenshade::quantised::{Light, Material, Transfer};
 use eigenshade::{Effect, Effects, Normal, Q15, Q31, sphere};
 use eigenshade_index::{light, material};
 use eigenshade_table::quantise::Format;
+
+/// d of any light and material, of what its addends could be, all of the largest size and of one
+/// sign: some roundings of 24 bits, of addends far smaller.
+const ANY_D_F32: f64 = 2e-8;
+
+/// A pixel of d in f32, of the sizes of all its terms: roundings of 24 bits.
+const ANY_PIXEL_F32: f64 = 1e-6;
+
+/// A pixel of d, of the sizes of all its terms: 15 bits, and what is trimmed of the polynomials.
+const ANY_IMAGE_Q15: f64 = 1e-3;
+
+/// See [`ANY_IMAGE_Q15`]: less is trimmed.
+const ANY_IMAGE_Q31: f64 = 1e-6;
 
 /// Any light and material of moderate size, rounded to each format by the runtime.
 pub fn reconstruct(input: &mut Reader<'_>) {
@@ -74,14 +86,14 @@ impl Case {
         let material = eigenshade::Material::new(self.order, &self.material).expect("a material");
         let d = sphere::project(&light, &material).expect("it fits");
         let wide: Vec<f64> = d.iter().map(|&d| d.into()).collect();
-        self.projected(&wide, tolerances::ANY_D_F32, 0.0);
-        self.projected(&self.of_effects(&light, &material), tolerances::ANY_D_F32, 0.0);
+        self.projected(&wide, ANY_D_F32, 0.0);
+        self.projected(&self.of_effects(&light, &material), ANY_D_F32, 0.0);
         let scene = sphere::collapse(&d).expect("it fits");
         for normal in normals {
             let [x, y, z] = normal.components().map(|one| one.mantissa() as f32);
             let normal = Normal::new(x, y, z).expect("a normal");
             let at = normal.components().map(f64::from);
-            Self::image(&wide, at, scene.shade(normal).into(), tolerances::ANY_PIXEL_F32);
+            Self::image(&wide, at, scene.shade(normal).into(), ANY_PIXEL_F32);
         }
     }
 
@@ -123,10 +135,10 @@ impl Case {
         let scale = 2f64.powi(exponent);
         let wide: Vec<f64> = d.iter().map(|&d| scale * f64::from(d)).collect();
         let (of_d, of_pixel) = match Q::FORMAT {
-            Format::Q15 => (tolerances::ANY_D_Q15, tolerances::ANY_IMAGE_Q15),
-            Format::Q31 => (tolerances::ANY_D_Q31, tolerances::ANY_IMAGE_Q31),
+            Format::Q15 => (super::ANY_D_Q15, ANY_IMAGE_Q15),
+            Format::Q31 => (super::ANY_D_Q31, ANY_IMAGE_Q31),
         };
-        self.projected(&wide, of_d, tolerances::ANY_D_COMMON);
+        self.projected(&wide, of_d, super::ANY_D_COMMON);
         let image = Q::image(&d, exponent, normals).expect("a moderate exponent");
         let one = 2f64.powi(Q::FORMAT.bits());
         for (normal, [pixel, _]) in normals.iter().zip(&image.pixels) {

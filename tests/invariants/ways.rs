@@ -2,7 +2,6 @@
 //! the polynomials.
 
 use super::Reader;
-use crate::tolerances;
 use eigenshade::mathematics::{Libm, SinglePrecision, Tabled};
 use eigenshade::quantised;
 use eigenshade::{
@@ -10,6 +9,13 @@ use eigenshade::{
     sphere,
 };
 use eigenshade_index::{light, material};
+
+/// Energy of a light of any moderate numbers that was turned in f32.
+const TURNED_ENERGY: f64 = 5e-6;
+
+/// Look-ups of 8 knots and maps of 2 x 2 against their polynomials, of Σ |d|: the largest |U| is
+/// some 10, and that of a polynomial continued beyond the rim ten times that.
+const LARGEST_IMAGE: f64 = 100.0;
 
 const LIGHT: usize = light::count(sphere::DEGREE);
 const TURN: usize = Light::<f32>::turn_len(sphere::DEGREE);
@@ -75,7 +81,7 @@ fn any_rotation(input: &mut Reader<'_>) -> Rotation<f32> {
                 let product: f64 =
                     a.iter().zip(b).map(|(&a, &b)| f64::from(a) * f64::from(b)).sum();
                 let off = (product - f64::from(u8::from(i == j))).abs();
-                assert!(off <= tolerances::ORTHONORMAL_F32, "{off:e}: {rotation:?}");
+                assert!(off <= super::ORTHONORMAL_F32, "{off:e}: {rotation:?}");
             }
         }
     }
@@ -97,7 +103,7 @@ fn turn(light: &Light<'_, f32>, rotation: &Rotation<f32>, is_moderate: bool) {
     let (before, after) = (energy(light.coefficients()), energy(&turned));
     // What is subnormal in f32 is lost.
     let off = (after - before).abs();
-    assert!(off <= tolerances::TURNED_ENERGY * before + 1e-30, "{before:e} {after:e}");
+    assert!(off <= TURNED_ENERGY * before + 1e-30, "{before:e} {after:e}");
 }
 
 /// Every way to the pixels of any image.
@@ -151,7 +157,7 @@ fn look_up(d: &[f32; sphere::COMPONENTS], input: &mut Reader<'_>, is_moderate: b
             continue;
         }
         let exact = scene.shade(normal);
-        let most = d.iter().map(|d| f64::from(d.abs())).sum::<f64>() * tolerances::LARGEST_IMAGE;
+        let most = d.iter().map(|d| f64::from(d.abs())).sum::<f64>() * LARGEST_IMAGE;
         for found in
             [lookup.linear(normal), lookup.cubic(normal), map.bilinear(MapPoint::of(normal))]
         {

@@ -13,8 +13,7 @@ mod shapes;
 mod sphere;
 mod symmetries;
 
-#[path = "../tolerances/mod.rs"]
-mod tolerances;
+use eigenshade_testing::tolerances;
 
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;

@@ -11,6 +11,14 @@ use eigenshade_table::{Table, decode, rust_source};
 use std::fmt::Write;
 use std::fs;
 
+/// Cubics through 48 knots, of the largest irradiance of four normals: the fourth power of 1/48, 2e-7, times some fourth
+/// derivative, and roundings of f32; twice what was measured, 1e-6 at degree 17.
+const SAMPLED_CUBIC: f32 = 2e-6;
+
+/// The same of an object's image: it is summed over the whole span, whose weakest polynomials are steep
+/// and cancel; twice what was measured.
+const SAMPLED_CUBIC_OBJECT: f32 = 5e-4;
+
 const NORMALS: [[f64; 3]; 4] =
     [[0.0, 0.0, 1.0], [0.6, 0.0, 0.8], [-0.48, 0.6, 0.64], [0.28, -0.96, 0.0]];
 
@@ -129,8 +137,8 @@ fn compiled_tables_give_what_tables_read_give() {
         let peak = image.iter().fold(0.0f32, |most, value| most.max(value.abs()));
         let is_sphere = KINDS.iter().any(|kind| kind.0 == name && kind.1 == "sphere");
         let (off, allowed) = match is_sphere {
-            true => (cubic / peak, tolerances::SAMPLED_CUBIC),
-            false => (cubic / peak, tolerances::SAMPLED_CUBIC_OBJECT),
+            true => (cubic / peak, SAMPLED_CUBIC),
+            false => (cubic / peak, SAMPLED_CUBIC_OBJECT),
         };
         println!("{name}: cubics off by {off:.1e} of the peak");
         assert!(off <= allowed, "{name}: cubics off by {off:e}");

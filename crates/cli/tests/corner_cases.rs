@@ -16,6 +16,9 @@ use eigenshade_table::{Table, decode};
 use std::f64::consts::{FRAC_PI_2, TAU};
 use std::fs;
 
+/// The same at degree 16 and order 12: the powers of 2z - 1 cancel, in the weakest profiles 1e5 to 1.
+const ALL_COMPONENTS_F32_HIGH: f64 = 6e-6;
+
 const PAIR: &str = "--lights lights.csv --materials materials.csv --normals normals.csv";
 
 /// Largest error of both methods, in f64 and in f32, of the direct sum's peak.
@@ -130,7 +133,7 @@ fn degree_16_and_order_12_serve() {
     folder.ok("basis --scene scene.toml --out b.bin");
     folder.write("materials.csv", materials(12, 3));
     let near = |what: &str, pair: &str| {
-        assert_within(what, errors(&folder, pair), tolerances::ALL_COMPONENTS_F32_HIGH);
+        assert_within(what, errors(&folder, pair), ALL_COMPONENTS_F32_HIGH);
     };
     near("degree 16, order 12", PAIR);
 

@@ -2,8 +2,7 @@
 //! tests do.
 
 mod support;
-#[path = "../../../tests/tolerances/mod.rs"]
-mod tolerances;
+use eigenshade_testing::tolerances;
 
 mod accuracy_page;
 mod agreement;

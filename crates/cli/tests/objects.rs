@@ -6,6 +6,11 @@ use crate::tolerances;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use std::f64::consts::PI;
 
+/// Eigenvalues of a density that is linear between 401 slants, of the largest. Chords of a cosine are
+/// too low by the same share everywhere, which normalization removes; the rest falls with the fourth
+/// power of the step of 4e-3.
+const TABULATED_DENSITY: f64 = 9e-11;
+
 fn luminance(colours: &[f64]) -> Vec<f64> {
     let of = |[r, g, b]: &[f64; 3]| 0.2126 * r + 0.7152 * g + 0.0722 * b;
     colours.as_chunks().0.iter().map(of).collect()
@@ -35,7 +40,7 @@ fn every_object_shades_as_the_direct_sum() {
         if geometry.contains("cos(a)") {
             assert!(found < tolerances::GENERAL_SPHERE, "{found:e}");
         } else if geometry.contains("d.csv") {
-            assert!(found < tolerances::TABULATED_DENSITY, "{found:e}");
+            assert!(found < TABULATED_DENSITY, "{found:e}");
         }
         let truth = shaded(&folder, "--method modes");
         for method in ["polynomial", "eigen"] {

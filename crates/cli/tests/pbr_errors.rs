@@ -11,6 +11,14 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::fs;
 use std::path::PathBuf;
 
+/// Figures of the shipped components against those of all, relative: what 250 leave out hardly shows
+/// beside what the degree does.
+const ERROR_OF_COMPONENTS: f64 = 0.01;
+
+/// Median error over the maps at degree 12 for rough materials, of the peak: what is promised of
+/// them.
+const ERROR_WHERE_ROUGH: f64 = 0.01;
+
 const HEADER: &str = "material,degree,order,components,median,worst,map,normals,scene,energy";
 
 fn tables(name: &str) -> PathBuf {
@@ -274,13 +282,13 @@ fn shipped_errors_are_small_from_roughness_one_half() {
         // The table's components are enough: its figures are those of all.
         for k in [4, 5] {
             let (table, all) = (number(&pair[0], k), number(&pair[1], k));
-            assert!((table / all - 1.0).abs() < tolerances::ERROR_OF_COMPONENTS, "{pair:?}");
+            assert!((table / all - 1.0).abs() < ERROR_OF_COMPONENTS, "{pair:?}");
         }
     }
     for row in rows.iter().filter(|row| row[1] == "12") {
         let roughness: f64 = row[0].rsplit_once('-').map_or(1.0, |(_, r)| r.parse().unwrap());
         let rough = roughness >= 0.5 || row[0].starts_with("oren") || row[0] == "lambertian";
-        assert!(!rough || number(row, 4) < tolerances::ERROR_WHERE_ROUGH, "{row:?}");
+        assert!(!rough || number(row, 4) < ERROR_WHERE_ROUGH, "{row:?}");
         assert!(number(row, 4) <= number(row, 5), "{row:?}");
     }
 }

@@ -5,6 +5,12 @@ use crate::support::{self, assert_fails, numbers, rows};
 use crate::tolerances;
 use std::fmt::Write;
 
+/// The same where one pixel of 400 shows something else: more than this.
+const READ_SPOILT: f64 = 1e-6;
+
+/// Rms that the posterior mean leaves of a flat grey of 1/2: rounding.
+const READ_FLAT: f64 = 2e-15;
+
 #[test]
 fn components_and_material_come_back() {
     let folder = with_image();
@@ -69,7 +75,7 @@ fn weighted_images() {
         [format!("{bad} --mask mask.csv"), bad.to_owned()].map(|line| answer(&folder.ok(&line)));
     assert_eq!(get(&with, "fit", "pixels")[0][0], 399.0);
     assert!(get(&with, "relative-residual", "least-squares")[0][0] < tolerances::READ_RESIDUAL);
-    assert!(get(&without, "relative-residual", "least-squares")[0][0] > tolerances::READ_SPOILT);
+    assert!(get(&without, "relative-residual", "least-squares")[0][0] > READ_SPOILT);
     assert_eq!(nearest(&with), "material-2");
 }
 
@@ -118,7 +124,7 @@ fn a_flat_object() {
     };
     assert_eq!(value("fit,rank,"), 1.0);
     assert!(value("residual-rms,least-squares,") < tolerances::READ_RESIDUAL);
-    assert!(value("residual-rms,posterior,") < tolerances::READ_FLAT, "{text}");
+    assert!(value("residual-rms,posterior,") < READ_FLAT, "{text}");
     // Without variance there is no share of it.
     assert_eq!(value("relative-residual,scalar-product,"), f64::INFINITY);
     assert!(!text.contains("NaN"));

@@ -13,7 +13,22 @@ use eigenshade_index::light;
 use eigenshade_model::special::spherical_harmonic;
 use files::{Type, map_of, through};
 use std::f64::consts::PI;
-use tolerances::{LIGHT_PROJECTION, MAP_DEGREE_SQUARED, MAP_FLOAT, MAP_HALF, MAP_KINK, MAP_RGBE};
+use tolerances::LIGHT_PROJECTION;
+
+/// Midpoint rule of a smooth map, of its largest coefficient: this times (degree / height)².
+const MAP_DEGREE_SQUARED: f64 = 0.1;
+
+/// Midpoint rule of a cosine lobe at height 128, of its largest coefficient: the kink at its rim.
+const MAP_KINK: f64 = 2e-4;
+
+/// Files with 8 bits a mantissa: truncated, a texel is up to 1/128 too dark, half of it on average.
+const MAP_RGBE: f64 = 4e-3;
+
+/// Files of half floats: 11 bits, each texel rounded to nearest.
+const MAP_HALF: f64 = 5e-4;
+
+/// Files of 32-bit floats: 24 bits, each texel rounded to nearest.
+const MAP_FLOAT: f64 = 6e-8;
 
 /// Σ radiance x Y x solid angle over all texels, one by one.
 fn direct(map: &EnvironmentMap, degree: usize) -> [Vec<f64>; 3] {

@@ -1,8 +1,7 @@
 //! Every test of the generator but one that weighs its process, in one binary: to link each file
 //! by itself takes longer than the tests do.
 
-#[path = "../../../tests/tolerances/mod.rs"]
-mod tolerances;
+use eigenshade_testing::tolerances;
 
 mod any_object;
 mod brdf;

@@ -12,6 +12,23 @@ use faer::{Col, Mat};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, PI};
 use std::path::PathBuf;
 
+/// A BRDF in range and fully measured comes back, of its largest coefficient: the
+/// small term of the fit moves the weakest by (1e-5 condition)².
+const RECOVERED_MATERIAL: f64 = 2e-8;
+
+/// Rms relative error of order 7 on the sintered PTFE of NIST: 1.07 % by NIST's
+/// own coefficients, the rest is noise and order.
+const PTFE_RELATIVE: f64 = 0.011;
+
+/// Median |Xb - y| / |y| of the CUReT fits at order 7: 8.3 % when held in range.
+const CURET_RESIDUAL: f64 = 0.09;
+
+/// Residual of order 7 on a lobe of 20 degrees measured to 60: what the order cannot follow.
+const LOBE_RESIDUAL: f64 = 0.03;
+
+/// Residual of more coefficients than measurements: what holding the fit in range costs.
+const FREE_RESIDUAL: f64 = 0.005;
+
 fn path(name: &str) -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(name)
 }
@@ -64,7 +81,7 @@ fn nist_coefficients_give_what_nist_measured() {
     assert_eq!(nist.order, 7);
     let error = rms_relative(&ptfe(), 7, &nist.entries[0].rgb[0]);
     println!("{error}");
-    assert!(error <= tolerances::PTFE_RELATIVE, "{error}");
+    assert!(error <= PTFE_RELATIVE, "{error}");
 }
 
 #[test]
@@ -72,7 +89,7 @@ fn our_fit_of_nist_measurements_is_as_good() {
     let fit = fit_one(ptfe(), 7);
     let error = rms_relative(&ptfe(), 7, &fit.material.rgb[0]);
     println!("{error}");
-    assert!(error <= tolerances::PTFE_RELATIVE, "{error}");
+    assert!(error <= PTFE_RELATIVE, "{error}");
     assert!(fit.material.is_grey());
     let recorded = figures();
     let recorded = &recorded.iter().find(|row| row.0 == "ptfe-633nm-fit").unwrap().1;
@@ -101,9 +118,9 @@ fn known_brdf_is_recovered() {
         let error = channel.iter().zip(truth).map(|(a, b)| (a - b).abs());
         let error = error.fold(0.0, f64::max) / truth[0];
         println!("{error:e}");
-        assert!(error <= tolerances::RECOVERED_MATERIAL, "{error}");
+        assert!(error <= RECOVERED_MATERIAL, "{error}");
     }
-    assert!(fit.residual <= tolerances::RECOVERED_MATERIAL);
+    assert!(fit.residual <= RECOVERED_MATERIAL);
     assert_eq!(fit, fit_one(made, 7), "the same input, the same output");
 }
 
@@ -132,7 +149,7 @@ fn nothing_swings_out_of_range_where_nothing_was_measured() {
     let maximum = fit.maximum[0];
     assert!(fine.0 >= LOWEST * maximum && fine.1 <= HIGHEST * maximum);
     assert!(fit.lowest >= LOWEST && fit.highest <= HIGHEST);
-    assert!(fit.residual <= tolerances::LOBE_RESIDUAL, "{}", fit.residual);
+    assert!(fit.residual <= LOBE_RESIDUAL, "{}", fit.residual);
 }
 
 /// 40 measurements leave 15 of the 55 coefficients of order 8 free.
@@ -143,7 +160,7 @@ fn too_few_measurements_give_a_fit_in_range() {
     let fit = fit_one(few, 8);
     println!("{} {} {}", fit.residual, fit.lowest, fit.highest);
     assert_eq!((fit.samples, fit.condition), (40, f64::INFINITY));
-    assert!(fit.residual <= tolerances::FREE_RESIDUAL);
+    assert!(fit.residual <= FREE_RESIDUAL);
     assert!(fit.lowest >= LOWEST && fit.highest <= HIGHEST);
     assert!(fit.material.rgb[0].iter().all(|b| b.abs() < 10.0));
 }
@@ -154,7 +171,7 @@ fn black_channels_are_black() {
     let [red, green, blue] = &fit.material.rgb;
     assert!(green.iter().all(|&b| b == 0.0));
     assert_eq!(red, blue);
-    assert!((red[0] - 0.3 * 2.0 * PI).abs() <= tolerances::RECOVERED_MATERIAL);
+    assert!((red[0] - 0.3 * 2.0 * PI).abs() <= RECOVERED_MATERIAL);
 }
 
 #[test]
@@ -226,5 +243,5 @@ fn committed_materials_are_in_range_and_true_to_measurements() {
     }
     residuals.sort_by(f64::total_cmp);
     println!("{} to {}", residuals[0], residuals[60]);
-    assert!(residuals[30] <= tolerances::CURET_RESIDUAL, "{}", residuals[30]);
+    assert!(residuals[30] <= CURET_RESIDUAL, "{}", residuals[30]);
 }

@@ -1,13 +1,37 @@
 //! Meshes: which part of each facet the camera sees, against known areas and against rays
 //! through every facet.
 
-use crate::tolerances;
 use eigenshade_generator::inputs::facet::Facet;
 use eigenshade_generator::inputs::mesh;
 use eigenshade_generator::inputs::visibility::seen_shares;
 use std::f64::consts::{PI, TAU};
 use std::fmt::Write;
 use std::time::{Duration, Instant};
+
+/// Area of facets that nothing hides, in a picture of a few units: the same products, in another
+/// order.
+const WHOLE_FACETS: f64 = 2e-15;
+
+/// Area seen of facets partly hidden, of the longer side of the box times the length of their
+/// outlines and cuts: the diagonal of a sample of 1/1024, which is the bound; errors of both signs
+/// leave a fiftieth of it.
+const VISIBLE_AREA: f64 = 1.4 / 1024.0;
+
+/// A torus of 200 x 100 facets against the smooth one, of its picture: chords of a circle of 100,
+/// (2π/100)²/6, and of 200; samples where it hides itself.
+const FACETED_TORUS: f64 = 1.5e-3;
+
+/// Moments of visible normals against 200 x 200 rays, of the picture: edges of length
+/// some tens in 200, their errors of both signs.
+const RAYS: f64 = 3e-3;
+
+/// Slivers that are all cut alike, of their area: sixteen points stand for each, a tenth
+/// of its area apart at most.
+const SLIVERS_ALIKE: f64 = 0.1;
+
+/// Slivers cut along a diagonal, of their area: the errors of each one's points sum to nothing
+/// over its length, and the cut is 1.4 long, with a sample of 2/1024 in width.
+const SLIVERS: f64 = 4e-4;
 
 type Triangle = [[f64; 3]; 3];
 
@@ -178,9 +202,9 @@ fn a_square_before_another() {
         let (behind, before) = (seen[0] + seen[1], seen[2] + seen[3]);
         let expected = 1.0 - 0.7 * 0.8;
         println!("{slope}: {:e}", (behind - expected) / 1.4);
-        assert!((before - 1.1 * 1.05).abs() < tolerances::WHOLE_FACETS, "{before}");
+        assert!((before - 1.1 * 1.05).abs() < WHOLE_FACETS, "{before}");
         // 1.5 of cuts, twice an outline of 3.4, in a box of 1.4.
-        let allowed = tolerances::VISIBLE_AREA * 8.3;
+        let allowed = VISIBLE_AREA * 8.3;
         assert!((behind - expected).abs() < allowed, "{behind} for {expected}");
     }
 }
@@ -219,7 +243,7 @@ fn convex_objects_are_seen_whole() {
             for (number, (ours, whole)) in ours.iter().zip(whole(&triangles)).enumerate() {
                 let apart = (ours - whole).abs();
                 let what = format!("{name}, {angles:?}: {number}: {ours} of {whole}");
-                assert!(apart < tolerances::WHOLE_FACETS, "{what}");
+                assert!(apart < WHOLE_FACETS, "{what}");
             }
         }
     }
@@ -234,7 +258,7 @@ fn a_torus_from_the_side() {
     let whole: f64 = whole(&triangles).iter().sum();
     let stadium = 4.0 * r + PI * r * r;
     println!("{:e}, all facets {:e}", ours / stadium - 1.0, whole / stadium - 1.0);
-    assert!((ours / stadium - 1.0).abs() < tolerances::FACETED_TORUS, "{ours} {stadium}");
+    assert!((ours / stadium - 1.0).abs() < FACETED_TORUS, "{ours} {stadium}");
     assert!(whole > 1.1 * stadium, "{whole}: nothing to hide");
 }
 
@@ -251,9 +275,9 @@ fn what_rays_meet() {
         let ours = apart(&triangles, &seen(&triangles), &rays);
         let all = apart(&triangles, &whole(&triangles), &rays);
         println!("{name}: {ours:.1e}, all facets {all:.1e}");
-        assert!(ours < tolerances::RAYS, "{name}: {ours:e}");
+        assert!(ours < RAYS, "{name}: {ours:e}");
         let hides = name != "cup from below";
-        assert!(!hides || all > 10.0 * tolerances::RAYS, "{name}: {all:e} without");
+        assert!(!hides || all > 10.0 * RAYS, "{name}: {all:e} without");
     }
 }
 
@@ -270,7 +294,7 @@ fn the_order_of_facets_means_nothing() {
     // Corners from another one on: to rounding.
     let rolled: Vec<Triangle> = triangles.iter().map(|[a, b, c]| [*c, *a, *b]).collect();
     let largest = expected.iter().copied().fold(0.0, f64::max);
-    let apart = |(a, b): (&f64, &f64)| (a - b).abs() > tolerances::WHOLE_FACETS * largest;
+    let apart = |(a, b): (&f64, &f64)| (a - b).abs() > WHOLE_FACETS * largest;
     assert_eq!(seen(&rolled).iter().zip(&expected).filter(|pair| apart(*pair)).count(), 0);
 }
 
@@ -297,7 +321,7 @@ fn slivers() {
         let total: f64 = alone.iter().sum();
         // Cut alike by upright edges; or along the diagonal, each elsewhere.
         for (left, right, slant, allowed) in
-            [(0.1, 0.6, 0.0, tolerances::SLIVERS_ALIKE), (-1.0, 0.0, 1.0, tolerances::SLIVERS)]
+            [(0.1, 0.6, 0.0, SLIVERS_ALIKE), (-1.0, 0.0, 1.0, SLIVERS)]
         {
             let over = |x: f64, y: f64| [x + slant * y, y, 1.0];
             let (a, b) = (over(left, -0.01), over(right, -0.01));
@@ -362,6 +386,6 @@ fn a_mesh_file_has_visible_normals() {
     let expected = moments(&triangles, &ours);
     for axis in 0..3 {
         let apart = (sum(axis) - expected[axis + 1] / total).abs();
-        assert!(apart < tolerances::WHOLE_FACETS, "{axis}: {apart:e}");
+        assert!(apart < WHOLE_FACETS, "{axis}: {apart:e}");
     }
 }

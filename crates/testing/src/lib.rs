@@ -3,6 +3,8 @@
 
 use std::path::{Path, PathBuf};
 
+pub mod tolerances;
+
 pub mod oracle;
 
 pub mod rotations;

@@ -114,7 +114,9 @@ fn of_file(
 ) -> Result<()> {
     let again = || {
         let folder = path.parent().unwrap_or(Path::new(".")).display();
-        format!("make it again with `experiments accuracy-cost --out {folder}`")
+        format!(
+            "make it again with `cargo run --release -p experiments -- accuracy-cost --out {folder}`"
+        )
     };
     let fresh = Sheet::parse(text.as_bytes().to_vec(), path, "")?;
     let columns: Vec<&str> = fresh.header().collect();

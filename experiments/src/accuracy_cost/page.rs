@@ -35,7 +35,7 @@ fn head(points: &[Point], models: &[Row]) -> String {
     format!(
         "<!-- {COMMAND} -->\n\
          # What accuracy costs\n\n\
-         `experiments accuracy-cost --out docs/accuracy-cost` turns every knob by itself and measures: {} settings, all in \
+         `cargo run --release -p experiments -- accuracy-cost --out docs/accuracy-cost` turns every knob by itself and measures: {} settings, all in \
          [{POINTS}]({POINTS}). `--check docs/accuracy-cost` makes errors, bytes and instruction counts again and compares; times \
          are not compared.\n\n\
          **The error of the method** is that of a setting against the direct sum (15) of its own degree and order, in f64: rms over a \

@@ -9,6 +9,10 @@ use eigenshade_testing::largest;
 use eigenshade_testing::pictures::{Pictures, apart, eigenvalues, listed, table};
 use std::path::Path;
 
+/// Facets of `degenerate.obj` whose cross product has no length: those with two corners alike, and
+/// those on a line of two digits.
+const NAIVE_FACETS: f64 = 5.0;
+
 pub const DEGENERATE: Case = Case {
     name: "a mesh with degenerate triangles",
     naively: "a normal of length 0 divided by it, NaN in every sum; a direction of rounding where edges are nearly parallel",
@@ -43,11 +47,7 @@ fn measure() -> Vec<Figure> {
     let values = apart(&eigenvalues(&table), &of_pictures);
     let text = std::fs::read_to_string(path).expect("a mesh");
     vec![
-        Figure::least(
-            "normals by dividing by their length: NaN",
-            naive(&text),
-            tolerances::NAIVE_FACETS,
-        ),
+        Figure::least("normals by dividing by their length: NaN", naive(&text), NAIVE_FACETS),
         Figure::exactly("facets seen", found.normals().len(), SEEN.len()),
         Figure::most("their normals", normals, tolerances::FACETS),
         Figure::most("their weights", weights, tolerances::FACETS),

@@ -8,6 +8,18 @@ use eigenshade_table::GramFactor;
 use eigenshade_testing::{fixtures, largest};
 use faer::{Mat, Side};
 
+/// The weakest eigenvalue that is a component, of the largest: the square of the scene's cut-off.
+const WEAKEST: f64 = 1e-20;
+
+/// Share of M^(-1/2) that is NaN: one negative eigenvalue spoils its whole block.
+const NAIVE_NOT_A_NUMBER: f64 = 0.99;
+
+/// Blocks whose rank at 1e-17 is more than the exact one: one at least counts rounding.
+const NAIVE_RANK: f64 = 1.0;
+
+/// A polar integral of degree 9 and order 7 that is not zero, far above its rounding.
+const COUPLES: f64 = 1e-4;
+
 pub const ROOT: Case = Case {
     name: "M is singular: the modes of degree 9 and order 7",
     naively: "M^(-1/2) by eigenvalues, (28) and (33): half of them are negative by rounding, the root is NaN; \
@@ -83,7 +95,7 @@ fn root() -> Vec<Figure> {
         Figure::least(
             "NaN in M^(-1/2), share",
             not_numbers as f64 / numbers as f64,
-            tolerances::NAIVE_NOT_A_NUMBER,
+            NAIVE_NOT_A_NUMBER,
         ),
         Figure::least("|UᵀMU - I| with |λ|", worst, tolerances::NAIVE_ROOT),
         Figure::most("ours, of 100 components", ours, tolerances::ORTHONORMAL_MODES),
@@ -107,8 +119,7 @@ fn ranks() -> Vec<Figure> {
     let integrals = PolarIntegrals::new(9, 7);
     for q in 0..=7 {
         for l in q..=9 {
-            let couples =
-                (q..=7).step_by(2).any(|o| integrals.row(o, q)[l].abs() > tolerances::COUPLES);
+            let couples = (q..=7).step_by(2).any(|o| integrals.row(o, q)[l].abs() > COUPLES);
             assert!(couples, "degree {l} and q = {q} do not couple");
         }
     }
@@ -146,11 +157,7 @@ fn ranks() -> Vec<Figure> {
         ranks_seen(1e-13, SEEN[2]),
         Figure::exactly("|m| seen whole above 1e-15", whole, 0),
         Figure::most("|m| with more than the exact rank at 1e-15", over(1e-15), 0.0),
-        Figure::least(
-            "|m| with more than the exact rank at 1e-17",
-            over(1e-17),
-            tolerances::NAIVE_RANK,
-        ),
+        Figure::least("|m| with more than the exact rank at 1e-17", over(1e-17), NAIVE_RANK),
         Figure::most(
             "largest singular value beyond the exact rank",
             largest(beyond.copied()),
@@ -168,11 +175,7 @@ fn more_than_rank() -> Vec<Figure> {
     let strongest = table.components.iter().filter_map(|one| one.eigenvalue).fold(0.0, f64::max);
     vec![
         Figure::exactly("components, of an exact rank of 395", found, 218),
-        Figure::least(
-            "weakest eigenvalue, of the largest",
-            weakest / strongest,
-            tolerances::WEAKEST,
-        ),
+        Figure::least("weakest eigenvalue, of the largest", weakest / strongest, WEAKEST),
         Figure::most(
             "images of the database, of the peak",
             error,

@@ -7,6 +7,10 @@ use eigenshade_model::special::{spherical_harmonic, wigner, zernike};
 use eigenshade_testing::fixtures::ROOT;
 use eigenshade_testing::largest;
 
+/// R_n^m to order 64 by its factorial sum, of values up to 1: terms up to 1e23, of which sixteen digits are
+/// right.
+const NAIVE_FACTORIALS: f64 = 1.0;
+
 pub const FUNCTIONS: Case = Case {
     name: "special functions to degree and order 64",
     naively: "factorial sums lose all digits near degree 30: their terms are far larger than their sum",
@@ -38,7 +42,7 @@ fn functions() -> Vec<Figure> {
         eigenshade_testing::oracle::zernike(o as usize, q as usize, rho) - value
     });
     vec![
-        Figure::least("R by its factorial sum", naive, tolerances::NAIVE_FACTORIALS),
+        Figure::least("R by its factorial sum", naive, NAIVE_FACTORIALS),
         Figure::most("Y", harmonic, tolerances::SPECIAL_HIGH),
         Figure::most("d", wigner, tolerances::SPECIAL_HIGH),
         Figure::most("R", radial, tolerances::SPECIAL_HIGH),

@@ -5,6 +5,10 @@ use crate::tolerances;
 use eigenshade::{Light, Material, Normal, sphere};
 use eigenshade_testing::largest;
 
+/// d by a plain sum of a million pixels in f32, of the largest d: an addition near its end loses up to 6e-8 of the
+/// sum, and runs of pixels lose alike: 1e-5, of which a fifth is asked for.
+const NAIVE_SUM: f64 = 2e-6;
+
 pub const MILLION: Case = Case {
     name: "d by scalar product over a million pixels in f32",
     naively: "each addition loses what lies below the last bit of a sum that keeps growing",
@@ -64,7 +68,7 @@ fn measure() -> Vec<Figure> {
     // The pixels' own raster is no quadrature: of that this is the error, whoever sums.
     let raster = largest(exact.iter().zip(&d).map(|(a, b)| a - f64::from(*b))) / scale;
     vec![
-        Figure::least("plain sum, of the largest d", error(&plain), tolerances::NAIVE_SUM),
+        Figure::least("plain sum, of the largest d", error(&plain), NAIVE_SUM),
         Figure::most("compensated, of the largest d", error(&ours), tolerances::MILLION_PIXELS),
         Figure::most("the raster's own, of the largest d", raster, tolerances::RASTER),
     ]

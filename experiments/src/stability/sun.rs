@@ -11,6 +11,9 @@ use eigenshade_testing::largest;
 use eigenshade_testing::oracle::Numbers;
 use std::f64::consts::PI;
 
+/// A row from pole to pole weighed with sin θ at its middle: π/2 for 1, 57 % too much.
+const NAIVE_ROWS: f64 = 0.5;
+
 pub const TEXEL: Case = Case {
     name: "a sun: one texel 1e6 times the rest, and a negative one",
     naively: "f32 sums lose the sky beside the sun; clamping negative texels changes the integral",
@@ -99,7 +102,7 @@ fn sizes() -> Vec<Figure> {
     let of_large = largest(found.iter().zip(&expected).map(|(a, b)| a - b)) / ambient;
     let naive = 2.0 * PI * PI * 1.0 / (4.0 * PI) - 1.0;
     vec![
-        Figure::least("2 x 1 weighed with sin θ", naive, tolerances::NAIVE_ROWS),
+        Figure::least("2 x 1 weighed with sin θ", naive, NAIVE_ROWS),
         Figure::most("2 x 1: the mean", of_small, tolerances::LIGHT_PROJECTION),
         Figure::most("8192 x 4096, of the largest", of_large, tolerances::LARGE_MAP),
     ]

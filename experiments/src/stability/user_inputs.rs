@@ -20,6 +20,45 @@ use eigenshade_testing::oracle::{ExplicitLight, Numbers};
 use std::f64::consts::PI;
 use std::path::Path;
 
+/// The same as they are, rms of the peak of the worst pair.
+const NAIVE_EIGHT_BITS: f64 = 2.5e-3;
+
+/// Normals behind the rim taken as they are, times the rim's value: z = -0.01, and -0.1.
+const NAIVE_BEHIND: [f64; 2] = [1.01, 1.5];
+
+/// A normal that is laid on the rim: an image's slope times a rounding of f32.
+const LAID_ON_RIM: f64 = 5e-6;
+
+/// A sun in f32, rms of the peak: as of any light.
+const SUN_F32: f64 = 1e-6;
+
+/// The same in Q15: the worst pair's 68 dB.
+const SUN_Q15: f64 = 4e-4;
+
+/// A bound holds but for rounding, of images of some thousand times the error.
+const SUN_BOUND: f64 = 1.0001;
+
+/// A sun through maps of 64 x 64, baked in floats and in integers: [`BAKED`] of the worst, twice.
+const SUN_BAKED: [f64; 2] = [1e-3, 1e-3];
+
+/// How far a light of one direction, to degree 9, goes below zero, of the peak.
+const RINGING: f64 = 5e-2;
+
+/// A thousand plain products in f32: roundings that add.
+const NAIVE_DRIFT: f64 = 5e-6;
+
+/// RRᵀ of any rotation in f32: sixteen roundings, and those of the sum itself.
+const ORTHONORMAL_F32: f64 = 1.2e-6;
+
+/// Matrices within 1e-3 of a rotation, as they are given.
+const NAIVE_ALMOST: f64 = 9e-4;
+
+/// Energy of a degree of a light turned in f32.
+const ALMOST_ENERGY: f64 = 1e-6;
+
+/// A mean of equal pixels: d has 31 bits.
+const HALF_WEIGHT: f64 = 1e-8;
+
 pub const EIGHT_BITS: Case = Case {
     name: "a normal map of 8 bits",
     naively: "vectors of other lengths than 1, taken as they are",
@@ -199,11 +238,7 @@ fn eight_bits() -> Vec<Figure> {
     let [median_15, worst_15] = rms(&of_integers);
     let [_, point] = spread(ours.iter().map(|error| error[1]).collect());
     vec![
-        Figure::least(
-            "as they are, rms of the peak, worst",
-            naive_worst,
-            tolerances::NAIVE_EIGHT_BITS,
-        ),
+        Figure::least("as they are, rms of the peak, worst", naive_worst, NAIVE_EIGHT_BITS),
         Figure::most("scaled: median", median, tolerances::EIGHT_BITS[0]),
         Figure::most("worst", worst, tolerances::EIGHT_BITS[1]),
         Figure::most("worst pixel", point, tolerances::EIGHT_BITS[2]),
@@ -251,11 +286,11 @@ fn behind() -> Vec<Figure> {
         }
     }
     let [near, far] = naive;
-    let [least_near, least_far] = tolerances::NAIVE_BEHIND;
+    let [least_near, least_far] = NAIVE_BEHIND;
     vec![
         Figure::least("z = -0.01 as it is, times the rim's value", near, least_near),
         Figure::least("z = -0.1", far, least_far),
-        Figure::most("laid on the rim, off its value", ours, tolerances::LAID_ON_RIM),
+        Figure::most("laid on the rim, off its value", ours, LAID_ON_RIM),
         Figure::most("in Q15, units of a component", of_integers.into(), 1.0),
     ]
 }
@@ -352,11 +387,11 @@ fn sun() -> Vec<Figure> {
     }
     let [of_f32, of_q15, of_bound, of_baked, of_map] = worst;
     vec![
-        Figure::most("f32, rms of the peak", of_f32, tolerances::SUN_F32),
-        Figure::most("Q15", of_q15, tolerances::SUN_Q15),
-        Figure::most("within 1e-2: rms, of the bound stated", of_bound, tolerances::SUN_BOUND),
-        Figure::most("baked, 64 x 64", of_baked, tolerances::SUN_BAKED[0]),
-        Figure::most("baked in integers", of_map, tolerances::SUN_BAKED[1]),
+        Figure::most("f32, rms of the peak", of_f32, SUN_F32),
+        Figure::most("Q15", of_q15, SUN_Q15),
+        Figure::most("within 1e-2: rms, of the bound stated", of_bound, SUN_BOUND),
+        Figure::most("baked, 64 x 64", of_baked, SUN_BAKED[0]),
+        Figure::most("baked in integers", of_map, SUN_BAKED[1]),
     ]
 }
 
@@ -386,7 +421,7 @@ fn delta() -> Vec<Figure> {
     }
     let [of_f32, of_q15, of_within, of_baked, of_map] = apart;
     vec![
-        Figure::least("least value, of the peak, below zero by", deepest, tolerances::RINGING),
+        Figure::least("least value, of the peak, below zero by", deepest, RINGING),
         Figure::most("the same in f32, off by", of_f32, tolerances::DELTA[0]),
         Figure::most("in Q15", of_q15, tolerances::DELTA[1]),
         Figure::most("within 1e-2", of_within, tolerances::DELTA[2]),
@@ -453,8 +488,8 @@ fn drift() -> Vec<Figure> {
         |found: &[f32]| largest(found.iter().zip(&exact).map(|(&a, b)| f64::from(a) - b)) / scale;
     let of_product = turned(&first_single, &all);
     vec![
-        Figure::least("R of plain products, off orthonormal", off(naive), tolerances::NAIVE_DRIFT),
-        Figure::most("R of `after`", off(all.matrix()), tolerances::ORTHONORMAL_F32),
+        Figure::least("R of plain products, off orthonormal", off(naive), NAIVE_DRIFT),
+        Figure::most("R of `after`", off(all.matrix()), ORTHONORMAL_F32),
         Figure::most(
             "light turned by their product, of the largest",
             apart(&of_product),
@@ -487,9 +522,9 @@ fn almost() -> Vec<Figure> {
         energy = energy.max(gained(&light, &turned(&light, &rotation)).abs());
     }
     vec![
-        Figure::least("off orthonormal, as given", before, tolerances::NAIVE_ALMOST),
-        Figure::most("as it is taken", after, tolerances::ORTHONORMAL_F32),
-        Figure::most("energy of a turned light, of a degree", energy, tolerances::ALMOST_ENERGY),
+        Figure::least("off orthonormal, as given", before, NAIVE_ALMOST),
+        Figure::most("as it is taken", after, ORTHONORMAL_F32),
+        Figure::most("energy of a turned light, of a degree", energy, ALMOST_ENERGY),
     ]
 }
 
@@ -531,10 +566,6 @@ fn full_weight() -> Vec<Figure> {
     vec![
         Figure::exactly("refused by the largest table there can be", is_refused.into(), 1),
         Figure::exactly("by the shipped one", of_shipped.into(), 0),
-        Figure::most(
-            "half the weight or the pixels against one, relative",
-            off,
-            tolerances::HALF_WEIGHT,
-        ),
+        Figure::most("half the weight or the pixels against one, relative", off, HALF_WEIGHT),
     ]
 }

@@ -1,7 +1,6 @@
 //! What the page shows: its tables against the file, its charts and its links.
 
 use super::{MACHINES, docs, number, read, sheet};
-use crate::support::repository;
 use crate::tolerances;
 use std::collections::HashMap;
 use std::fs;

@@ -22,6 +22,17 @@ use eigenshade_table::scene::Criterion;
 use eigenshade_table::{Parts, Scene, Table};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
+/// Root mean square errors over 24 random rotations of each of seven lights and 150 normals, over
+/// those of all rotations and normals, either way: 4 % at most of errors that are known.
+const CHOICE_SAMPLED: f64 = 1.1;
+
+/// The real error of a table that is chosen for a tolerance, of it, at least: the triangle
+/// inequality for orders, and whole components; 0.797 with five.
+const CHOICE_USED: f64 = 0.75;
+
+/// What components leave against what is said of them: the same eigenvalues.
+const CHOICE_SAID: f64 = 1e-9;
+
 const DEGREE: usize = 8;
 const ORDER: usize = 7;
 
@@ -177,7 +188,7 @@ fn agree(choice: &Choice, table: &Table) {
     let both = |(m, length): (usize, &u16)| usize::from(*length) * if m == 0 { 1 } else { 2 };
     let terms: usize = lengths.iter().enumerate().map(both).sum();
     assert_eq!(choice.terms.expect("terms").kept, terms);
-    assert!(choice.total <= choice.tolerance * (1.0 + tolerances::CHOICE_SAID));
+    assert!(choice.total <= choice.tolerance * (1.0 + CHOICE_SAID));
 }
 
 /// The real error is within the tolerance, and not much less; a smaller tolerance has no smaller
@@ -201,9 +212,9 @@ fn tables_are_within_their_tolerance_and_no_larger_than_it_asks_for() {
                 let found = apart(&shaded(&table, &turned, &materials, &normals), &truth) / peak;
                 let numbers = projecting(&table) + Parts::new(&table).terms.len();
                 println!("{criterion:?} {tolerance}: {found:.2e}, {numbers} numbers\n{choice}");
-                assert!(found <= choice.total * tolerances::CHOICE_SAMPLED, "{found}");
-                assert!(found <= tolerance * tolerances::CHOICE_SAMPLED, "{found} of {tolerance}");
-                assert!(found >= tolerance * tolerances::CHOICE_USED, "{found} of {tolerance}");
+                assert!(found <= choice.total * CHOICE_SAMPLED, "{found}");
+                assert!(found <= tolerance * CHOICE_SAMPLED, "{found} of {tolerance}");
+                assert!(found >= tolerance * CHOICE_USED, "{found} of {tolerance}");
                 assert!(numbers >= before, "{numbers} after {before}");
                 before = numbers;
             }
@@ -236,11 +247,11 @@ fn what_is_said_to_be_left_out_is() {
     ] {
         let found = found / peak;
         println!("{what}: {said:.3e} said, {found:.3e} found");
-        assert!(found <= said * tolerances::CHOICE_SAMPLED, "{what}: {found} for {said}");
-        assert!(said <= found * tolerances::CHOICE_SAMPLED, "{what}: {found} for {said}");
+        assert!(found <= said * CHOICE_SAMPLED, "{what}: {found} for {said}");
+        assert!(said <= found * CHOICE_SAMPLED, "{what}: {found} for {said}");
     }
     let left = |count| table.energy_left(count).sqrt() / choice.peak;
-    let same = |a: f64, b: f64| (a / b - 1.0).abs() <= tolerances::CHOICE_SAID;
+    let same = |a: f64, b: f64| (a / b - 1.0).abs() <= CHOICE_SAID;
     assert!(same(left(table.count()), choice.components.leaves));
     assert!(same(left(table.count() - 1), choice.components.one_less.expect("less")));
 }

@@ -36,7 +36,12 @@ pub struct Compared {
 ///
 /// The first file that is missing, differs, or does not belong; a text with its line.
 pub fn compare(artefacts: &[Artefact], folder: &Path) -> Result<Compared> {
-    let again = || format!("make it again with `experiments paper --out {}`", folder.display());
+    let again = || {
+        format!(
+            "make it again with `cargo run --release -p experiments -- paper --out {}`",
+            folder.display()
+        )
+    };
     let mut compared = Compared::default();
     for artefact in artefacts {
         let path = folder.join(&artefact.name);

@@ -95,8 +95,8 @@ impl Report<'_> {
             "<!-- {COMMAND} -->\n\
              # The paper's figures on our data\n\n\
              P. Nillius and J.-O. Eklundh, *Phenomenological Eigenfunctions for Image Irradiance*, ICCV 2003, \
-             against what the shipped data give. `experiments paper --out docs` writes this page with its numbers and \
-             [its figures](paper); `experiments paper --check docs` makes all of it again and compares.\n\n\
+             against what the shipped data give. `cargo run --release -p experiments -- paper --out docs` writes this page with its numbers and \
+             [its figures](paper); `cargo run --release -p experiments -- paper --check docs` makes all of it again and compares.\n\n\
              **Data.** {lights} captured lights to degree 9, in luminance, each with L_0^0 = 1, in the pose in which they were \
              captured; the {materials} CUReT materials to order 7, grey. That is {} images of a sphere, with all {} modes. The \
              paper has other maps (Debevec's), its own fits of CUReT, and the {} modes of the highest variance; Fig. 3 to 7 \
