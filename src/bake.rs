@@ -58,7 +58,7 @@ impl<C> Scene<'_, C> {
         C: AsRef<[S]>,
     {
         check_size(size)?;
-        self.bake_into(size, crate::projection::zeros::<S, T>(What::Texels, size * size)?)
+        self.bake_into(size, crate::buffer::zeros::<S, T>(What::Texels, size * size)?)
     }
 
     /// [`bake`](Self::bake) into a buffer of one's own, of length N².

@@ -6,12 +6,13 @@
 //! summation), so its error is a rounding or two whatever the number of pixels.
 
 use crate::basis::Basis;
+use crate::buffer::zeros;
 use crate::error::{Error, What};
 use crate::normal::Normal;
 use crate::polynomial;
-use crate::projection::{Coefficients, zeros};
+use crate::polynomial::{argument, turned};
+use crate::projection::Coefficients;
 use crate::scalar::Scalar;
-use crate::scene::{argument, turned};
 
 /// An estimate in the making: see [`Basis::estimate`].
 #[derive(Clone, Debug)]

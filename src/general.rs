@@ -6,12 +6,13 @@
 //! the collapsed scene costs the same.
 
 use crate::basis::Basis;
+use crate::buffer::zeros;
 use crate::error::{Error, What};
 use crate::index::effect::Effects;
 use crate::light::Light;
 use crate::material::Material;
 use crate::normal::Normal;
-use crate::projection::{Coefficients, buffered, zeros};
+use crate::projection::{Coefficients, buffered};
 use crate::scalar::Scalar;
 use crate::scene::{Scene, SceneBuffer};
 use crate::transfer::Transfer;

@@ -57,11 +57,15 @@ mod format;
 
 mod scalar;
 
+mod error;
+
 pub mod mathematics;
 
 mod lanes;
 
 mod chunks;
+
+mod buffer;
 
 mod light;
 
@@ -83,19 +87,21 @@ mod basis;
 
 mod scattering;
 
+mod projection;
+
 mod transfer;
 
 mod relight;
 
-mod projection;
-
-pub mod fixed;
+mod descent;
 
 mod nine_terms;
 
 mod scene;
 
 mod shade;
+
+pub mod fixed;
 
 mod economy;
 
@@ -107,17 +113,15 @@ mod paraboloid;
 
 mod bake;
 
-mod bake_integer;
-
 pub mod quantised;
+
+mod bake_integer;
 
 mod general;
 
 mod estimate;
 
 pub mod wire;
-
-mod error;
 
 #[cfg(feature = "defmt")]
 mod logged;

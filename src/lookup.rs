@@ -5,12 +5,13 @@
 //! to the last that the scene has. A pixel reads two neighbouring knots, or four, and
 //! weighs them alike for every azimuth.
 
+use crate::buffer::zeros;
 use crate::error::{Error, What};
 use crate::normal::Normal;
 use crate::polynomial;
-use crate::projection::zeros;
+use crate::polynomial::{argument, turned};
 use crate::scalar::Scalar;
-use crate::scene::{Scene, argument, turned};
+use crate::scene::Scene;
 
 /// The smallest and largest number of knots: of fewer, the one before z = 0 stood where polynomials have long left
 /// their range.

@@ -4,6 +4,18 @@
 use crate::index::layout::{HALVES, POWERS, Recurrence};
 use crate::scalar::Scalar;
 
+/// The argument t = 2z - 1 of the profile polynomials.
+#[inline]
+pub(crate) fn argument<S: Scalar>(z: S) -> S {
+    z + z - S::ONE
+}
+
+/// (cosine + i sine)(x + i y).
+#[inline]
+pub(crate) fn turned<S: Scalar>(cosine: S, sine: S, x: S, y: S) -> (S, S) {
+    ((cosine * x).add_product(-sine, y), (cosine * y).add_product(sine, x))
+}
+
 /// A polynomial's value; `recurrence` is that of its azimuth, or empty.
 #[inline]
 pub(crate) fn value<S: Scalar>(terms: &[S], t: S, recurrence: &[Recurrence]) -> S {

@@ -6,6 +6,7 @@
 //! the inner sum.
 
 use crate::basis::Basis;
+use crate::buffer::zeros;
 use crate::error::{Error, What};
 #[cfg(doc)]
 use crate::index::effect::Effect;
@@ -285,18 +286,4 @@ pub(crate) fn buffered<S: Scalar, const N: usize, const K: usize>(
     let mut coefficients = zeros::<S, K>(What::Coefficients, components)?;
     project(&mut workspace, &mut coefficients)?;
     Ok(coefficients)
-}
-
-/// A buffer of `needed` zeros.
-#[inline]
-pub(crate) fn zeros<S: Copy + Default, const N: usize>(
-    what: What,
-    needed: usize,
-) -> Result<heapless::Vec<S, N>, Error> {
-    if needed > N {
-        return Err(Error::Capacity { what, needed, capacity: N });
-    }
-    let mut buffer = heapless::Vec::from_array([S::default(); N]);
-    buffer.truncate(needed);
-    Ok(buffer)
 }

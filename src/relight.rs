@@ -5,12 +5,13 @@
 //! coefficients of other degrees, and multiply them by zero.
 
 use crate::basis::Basis;
+use crate::buffer::zeros;
 use crate::error::{Error, What};
 use crate::index::{layout, light};
 use crate::lanes;
 use crate::light::Light;
 use crate::parts::Pass;
-use crate::projection::{Coefficients, zeros};
+use crate::projection::Coefficients;
 use crate::scalar::Scalar;
 use crate::transfer::Transfer;
 

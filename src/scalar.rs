@@ -8,7 +8,7 @@ use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 /// Sealed: a format that computes otherwise (fixed point) brings its own path.
 pub trait Scalar:
     sealed::Sealed
-    + crate::mathematics::ByLibm
+    + ByLibm
     + Copy
     + PartialOrd
     + core::fmt::Debug
@@ -92,3 +92,31 @@ macro_rules! scalar {
 }
 scalar!(f32, |value| value as f32);
 scalar!(f64, |value| value);
+
+/// What `libm` has under a name for each format.
+pub trait ByLibm: Sized {
+    fn root_by_libm(self) -> Self;
+    fn sine_and_cosine_by_libm(self) -> (Self, Self);
+}
+
+impl ByLibm for f32 {
+    #[inline]
+    fn root_by_libm(self) -> Self {
+        libm::sqrtf(self)
+    }
+    #[inline]
+    fn sine_and_cosine_by_libm(self) -> (Self, Self) {
+        libm::sincosf(self)
+    }
+}
+
+impl ByLibm for f64 {
+    #[inline]
+    fn root_by_libm(self) -> Self {
+        libm::sqrt(self)
+    }
+    #[inline]
+    fn sine_and_cosine_by_libm(self) -> (Self, Self) {
+        libm::sincos(self)
+    }
+}

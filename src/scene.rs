@@ -2,15 +2,15 @@
 //! I(n) = Σ_m Re/Im (n_x + i n_y)^m H_m(n_z).
 
 use crate::basis::Basis;
+use crate::buffer::zeros;
+use crate::descent::Descent;
 use crate::error::{Error, What};
 use crate::index::layout::{LANES, Recurrence};
 use crate::lanes::multiply_add;
 use crate::normal::Normal;
 use crate::parts::Recurrences;
-use crate::polynomial;
-use crate::projection::zeros;
+use crate::polynomial::{self, argument, turned};
 use crate::scalar::Scalar;
-use crate::shade;
 
 /// Room for a collapsed scene.
 pub type SceneBuffer<S, const N: usize> = heapless::Vec<S, N>;
@@ -152,18 +152,6 @@ fn add<S: Scalar>(weight: S, terms: &[S], sums: &mut [S]) {
     }
 }
 
-/// The argument t = 2z - 1 of the profile polynomials.
-#[inline]
-pub(crate) fn argument<S: Scalar>(z: S) -> S {
-    z + z - S::ONE
-}
-
-/// (cosine + i sine)(x + i y).
-#[inline]
-pub(crate) fn turned<S: Scalar>(cosine: S, sine: S, x: S, y: S) -> (S, S) {
-    ((cosine * x).add_product(-sine, y), (cosine * y).add_product(sine, x))
-}
-
 impl<'a, B> Scene<'a, B> {
     /// The scene of polynomials of these lengths.
     #[inline]
@@ -242,68 +230,6 @@ impl<'a, B> Scene<'a, B> {
         let len = lengths.iter().map(|&length| 2 * usize::from(length)).sum();
         let around = around.get(..len).unwrap_or_default();
         Descent { lengths, pole, around, recurrences: self.recurrences }
-    }
-
-    /// The irradiance of one normal, in the light's radiance times steradian
-    /// times the material's 1/sr.
-    #[inline]
-    #[must_use]
-    pub fn shade<S: Scalar>(&self, normal: Normal<S>) -> S
-    where
-        B: AsRef<[S]>,
-    {
-        let polynomials = self.descent();
-        if let Some(nine_terms) = shade::nine_terms(polynomials) {
-            return nine_terms.shade(normal);
-        }
-        let Normal { x, y, z } = normal;
-        let [irradiance] = if polynomials.is_orthogonal() {
-            shade::orthogonal::<S, 1>(polynomials, &[x], &[y], &[z])
-        } else {
-            shade::block::<S, { shade::ANY }, 1>(polynomials, &[x], &[y], &[z])
-        };
-        irradiance
-    }
-}
-
-/// A scene's polynomials, from the highest azimuth that has any down: of +m and -m together.
-#[derive(Clone, Copy)]
-pub(crate) struct Descent<'s, S> {
-    /// Of m = 1, 2, ...
-    pub(crate) lengths: &'s [u16],
-    pub(crate) pole: &'s [S],
-    around: &'s [S],
-    recurrences: Recurrences<'s>,
-}
-
-impl<'s, S> Descent<'s, S> {
-    /// Whether some azimuths have recurrences.
-    #[inline]
-    pub(crate) fn is_orthogonal(&self) -> bool {
-        !self.recurrences.is_empty()
-    }
-
-    /// The recurrence of the azimuth that comes next, at the end that of the pole, or empty.
-    pub(crate) fn recurrence(&self) -> &'s [Recurrence] {
-        self.recurrences.of(self.lengths.len())
-    }
-
-    /// Whether some polynomial has more terms.
-    pub(crate) fn any_longer_than(&self, terms: usize) -> bool {
-        self.pole.len() > terms || self.lengths.iter().any(|&length| usize::from(length) > terms)
-    }
-}
-
-impl<'s, S> Iterator for Descent<'s, S> {
-    type Item = (&'s [S], &'s [S]);
-
-    #[inline]
-    fn next(&mut self) -> Option<Self::Item> {
-        let (&length, lower) = self.lengths.split_last()?;
-        let length = usize::from(length);
-        let (rest, of_both) = self.around.split_at_checked(self.around.len() - 2 * length)?;
-        (self.lengths, self.around) = (lower, rest);
-        of_both.split_at_checked(length)
     }
 }
 

@@ -3,12 +3,13 @@
 mod nine;
 mod tile;
 
+use crate::descent::Descent;
 use crate::error::{Error, What};
 use crate::index::layout::{HALVES, POWERS, Recurrence};
-use crate::normal::Normals;
-use crate::polynomial;
+use crate::normal::{Normal, Normals};
+use crate::polynomial::{self, argument};
 use crate::scalar::Scalar;
-use crate::scene::{Descent, Scene, argument};
+use crate::scene::Scene;
 pub(crate) use nine::nine_terms;
 use tile::{Room, TILE};
 
@@ -32,6 +33,27 @@ pub(crate) const ANY: usize = usize::MAX;
 const SPECIAL: bool = cfg!(any(target_arch = "x86_64", target_arch = "aarch64"));
 
 impl<B> Scene<'_, B> {
+    /// The irradiance of one normal, in the light's radiance times steradian
+    /// times the material's 1/sr.
+    #[inline]
+    #[must_use]
+    pub fn shade<S: Scalar>(&self, normal: Normal<S>) -> S
+    where
+        B: AsRef<[S]>,
+    {
+        let polynomials = self.descent();
+        if let Some(nine_terms) = nine_terms(polynomials) {
+            return nine_terms.shade(normal);
+        }
+        let Normal { x, y, z } = normal;
+        let [irradiance] = if polynomials.is_orthogonal() {
+            orthogonal::<S, 1>(polynomials, &[x], &[y], &[z])
+        } else {
+            block::<S, { ANY }, 1>(polynomials, &[x], &[y], &[z])
+        };
+        irradiance
+    }
+
     /// The irradiance of each normal, into `irradiance`.
     ///
     /// The sums are those of [`shade`](Self::shade) in the same order; the answers

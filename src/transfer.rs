@@ -4,6 +4,7 @@
 //! +m and -m share the sum; theirs differ by (-1)^m.
 
 use crate::basis::Basis;
+use crate::buffer::zeros;
 use crate::chunks::rows;
 use crate::error::{Error, What};
 use crate::index::effect::Effects;
@@ -11,7 +12,7 @@ use crate::index::layout;
 use crate::lanes;
 use crate::material::Material;
 use crate::parts::ProfilePlace;
-use crate::projection::{Workspace, zeros};
+use crate::projection::Workspace;
 use crate::scalar::Scalar;
 
 const LANES: usize = layout::LANES;

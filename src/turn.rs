@@ -11,11 +11,11 @@
 //! one of them transposed. So light turned there and back again has lost no more than
 //! the last bits of some sums.
 
+use crate::buffer::zeros;
 use crate::error::{Error, What};
 use crate::index::light;
 use crate::light::Light;
 use crate::mathematics::{Libm, Mathematics};
-use crate::projection::zeros;
 use crate::rotation::Rotation;
 use crate::scalar::Scalar;
 

@@ -1,10 +1,10 @@
 //! Windows on the degrees of a light: what keeps one that ends at some degree from ringing.
 
+use crate::buffer::zeros;
 use crate::error::{Error, What};
 use crate::index::light;
 use crate::light::Light;
 use crate::mathematics::Mathematics;
-use crate::projection::zeros;
 use crate::scalar::Scalar;
 use crate::turn::LightBuffer;
 

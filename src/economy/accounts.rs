@@ -7,8 +7,8 @@
 //! Each image keeps its own account. Terms go only if every image can pay for them, and the price
 //! is the same share of what each image may be off, so every image's bound is exact.
 
-use super::Economy;
 use super::energy::mean_square;
+use super::report::Economy;
 use super::terms::{Place, Polynomials, signs, used};
 use crate::scalar::Scalar;
 

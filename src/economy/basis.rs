@@ -1,13 +1,10 @@
 //! Polynomials in the form that pixels take rewritten in orthogonal ones, and back, each by Horner's
 //! rule: the sum so far times 2t, and the next term. +m and -m go side by side.
 
-use super::density::Density;
-use crate::index::layout::{HALVES, LANES, POWERS};
+use super::density::{Density, MOST};
+use crate::index::layout::{LANES, POWERS};
 use crate::lanes::multiply_add;
 use crate::scalar::Scalar;
-
-/// Most terms of what is rewritten.
-pub(super) const MOST: usize = HALVES;
 
 /// Room for numbers lowest first, behind a zero, with zeros behind them.
 const ROOM: usize = MOST + 4;

@@ -6,9 +6,12 @@
 //! turned round (Christoffel's transformation): both together take one from the terms that are
 //! known.
 
-use super::basis::MOST;
+use crate::index::layout::HALVES;
 use crate::mathematics::{Libm, Mathematics};
 use crate::scalar::Scalar;
+
+/// Most terms of what is rewritten.
+pub(super) const MOST: usize = HALVES;
 
 /// Azimuths of which polynomials can be written in these.
 const AZIMUTHS: usize = 64;

@@ -1,6 +1,6 @@
 //! The peak of an image, and what tolerances are of it.
 
-use super::Tolerance;
+use super::report::Tolerance;
 use crate::error::Error;
 use crate::index::layout::{LANES, POWERS, Recurrence};
 use crate::lanes::multiply_add;

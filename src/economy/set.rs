@@ -2,8 +2,8 @@
 
 use super::accounts::Accounts;
 use super::peak::{larger, peak};
+use super::report::{Economy, Tolerance};
 use super::terms::Polynomials;
-use super::{Economy, Tolerance};
 use crate::basis::Basis;
 use crate::error::{Error, What};
 use crate::mathematics::{Libm, Mathematics};

@@ -4,8 +4,9 @@
 
 use crate::normal::Normal;
 use crate::polynomial;
+use crate::polynomial::argument;
 use crate::scalar::Scalar;
-use crate::scene::{Scene, argument};
+use crate::scene::Scene;
 
 /// The numbers of a scene whose azimuths have these lengths, `N` in all.
 ///

@@ -1,6 +1,6 @@
 //! Roots and angles by the crate `libm`.
 
-use super::Mathematics;
+use super::functions::Mathematics;
 use crate::scalar::Scalar;
 
 /// Roots and angles by the crate `libm`, in any format: right to the last bit or
@@ -25,33 +25,5 @@ impl<S: Scalar> Mathematics<S> for Libm {
     #[inline]
     fn sine_and_cosine(angle: S) -> (S, S) {
         angle.sine_and_cosine_by_libm()
-    }
-}
-
-/// What `libm` has under a name for each format.
-pub trait ByLibm: Sized {
-    fn root_by_libm(self) -> Self;
-    fn sine_and_cosine_by_libm(self) -> (Self, Self);
-}
-
-impl ByLibm for f32 {
-    #[inline]
-    fn root_by_libm(self) -> Self {
-        libm::sqrtf(self)
-    }
-    #[inline]
-    fn sine_and_cosine_by_libm(self) -> (Self, Self) {
-        libm::sincosf(self)
-    }
-}
-
-impl ByLibm for f64 {
-    #[inline]
-    fn root_by_libm(self) -> Self {
-        libm::sqrt(self)
-    }
-    #[inline]
-    fn sine_and_cosine_by_libm(self) -> (Self, Self) {
-        libm::sincos(self)
     }
 }

@@ -1,6 +1,6 @@
 //! Roots and angles by the crate `micromath`.
 
-use super::Mathematics;
+use super::functions::Mathematics;
 use micromath::F32Ext;
 
 /// Roots and angles by the crate `micromath`: a handful of instructions each, and as

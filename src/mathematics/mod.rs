@@ -12,27 +12,15 @@
 mod by_libm;
 #[cfg(feature = "micromath")]
 mod by_micromath;
+mod functions;
 mod newton;
 mod quarters;
 mod single_precision;
 mod tabled;
 
-pub(crate) use by_libm::ByLibm;
 pub use by_libm::Libm;
 #[cfg(feature = "micromath")]
 pub use by_micromath::Micromath;
+pub use functions::Mathematics;
 pub use single_precision::SinglePrecision;
 pub use tabled::Tabled;
-
-/// Roots and angles in the number format `S`.
-///
-/// Functions, not methods: an implementation is a type without values, chosen where a
-/// function is called, as in `Normal::with_mathematics::<SinglePrecision>(x, y, z)`.
-pub trait Mathematics<S> {
-    /// √x, x >= 0.
-    fn square_root(x: S) -> S;
-    /// 1/√x, x > 0.
-    fn inverse_root(x: S) -> S;
-    /// (sin a, cos a) of an angle in radians.
-    fn sine_and_cosine(angle: S) -> (S, S);
-}

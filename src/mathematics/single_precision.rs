@@ -1,6 +1,7 @@
 //! Roots and angles in f32 from beginning to end.
 
-use super::{Mathematics, newton, quarters};
+use super::functions::Mathematics;
+use super::{newton, quarters};
 
 /// Roots and angles in f32 from beginning to end: no f64 anywhere, no division, no
 /// table.

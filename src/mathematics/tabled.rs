@@ -1,6 +1,7 @@
 //! Roots and angles by tables.
 
-use super::{Mathematics, newton, quarters};
+use super::functions::Mathematics;
+use super::{newton, quarters};
 
 /// Roots and angles by two small tables, 388 bytes: no f64 anywhere, no division.
 ///

@@ -1,6 +1,6 @@
 //! An eigenbasis in integers, its shape and its bounds checked.
 
-use super::fold::Transfer;
+use super::transfer::Transfer;
 use super::{Parts, Profile};
 use crate::error::{Error, What};
 use crate::format::{Q15, Q31};

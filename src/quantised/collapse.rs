@@ -2,9 +2,9 @@
 //! I(n) = Σ_m Re/Im (n_x + i n_y)^m H_m(n_z).
 
 use super::{Basis, Profile};
+use crate::buffer::zeros;
 use crate::error::{Error, What};
 use crate::format::{Fixed, Wide as _};
-use crate::projection::zeros;
 use core::marker::PhantomData;
 use core::ops::{Add, Mul, Shr};
 

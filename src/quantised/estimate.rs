@@ -2,9 +2,9 @@
 //! come: d_i = I • U_i, (19).
 
 use super::{Basis, Coefficients, Normal, Profile};
+use crate::buffer::zeros;
 use crate::error::{Error, What};
 use crate::format::{Fixed, Wide as _};
-use crate::projection::zeros;
 
 /// An estimate in the making: see [`Basis::estimate`].
 #[derive(Clone, Debug)]

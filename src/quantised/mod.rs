@@ -45,18 +45,20 @@ mod fold;
 mod inputs;
 #[doc(hidden)]
 pub mod kernels;
+mod map_point;
 mod nine_terms;
 mod normal;
 mod parts;
 mod relight;
 mod shade;
+mod transfer;
 
 pub use basis::Basis;
 pub use coefficients::Coefficients;
 pub use collapse::{Scene, SceneBuffer};
 pub use estimate::Estimate;
-pub use fold::{Transfer, TransferBuffer};
 pub use inputs::{Light, Material};
 pub use nine_terms::NineTerms;
 pub use normal::Normal;
 pub use parts::{Parts, Profile};
+pub use transfer::{Transfer, TransferBuffer};

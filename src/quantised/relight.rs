@@ -1,10 +1,10 @@
 //! A new light on a folded material, in integers: d_i = Σ_l T_i,l L_l^m.
 
 use super::{Basis, Coefficients, Light, Transfer};
+use crate::buffer::zeros;
 use crate::error::{Error, What};
 use crate::format::{Fixed, Wide};
 use crate::index::light;
-use crate::projection::zeros;
 
 /// Bits of a mantissa of d.
 const BITS: i32 = 30;

@@ -1,8 +1,9 @@
 //! Scenes of nine terms or fewer: what a matte under light of degree 2 needs.
 
+use crate::descent::Descent;
 use crate::nine_terms::NineTerms;
 use crate::scalar::Scalar;
-use crate::scene::{Descent, Scene};
+use crate::scene::Scene;
 
 impl<B> Scene<'_, B> {
     /// The scene as the nine-term formula, which shades it the fastest; `None` of a scene that

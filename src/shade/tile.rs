@@ -6,8 +6,9 @@
 //! product. Here each azimuth is a loop over the tile, its terms known in number, and the
 //! sums of the azimuths above lie in the first cache.
 
+use crate::descent::Descent;
+use crate::polynomial::argument;
 use crate::scalar::Scalar;
-use crate::scene::{Descent, argument};
 
 /// Normals in one tile: sixteen vectors, so that what begins and ends a loop weighs little.
 pub(super) const TILE: usize = if cfg!(target_feature = "avx") { 128 } else { 64 };

@@ -1,6 +1,6 @@
 //! Why bytes are not a wire file that can be read here.
 
-use super::header::WireFormat;
+use super::format::WireFormat;
 use crate::error::Error;
 use crate::index::wire::{ALIGNMENT, MOST, VERSION};
 use core::fmt;

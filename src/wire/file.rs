@@ -2,7 +2,8 @@
 
 use super::WireError;
 use super::checksum::checksum;
-use super::header::{Header, WireFormat, long};
+use super::format::WireFormat;
+use super::header::{Header, long};
 use crate::index::wire::{ALIGNMENT, CHECKSUM, ENTRY, HEADER};
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 

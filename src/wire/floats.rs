@@ -2,7 +2,7 @@
 
 use super::WireError;
 use super::file::File;
-use super::header::WireFormat;
+use super::format::WireFormat;
 use crate::basis::Basis;
 use crate::general::{GeneralBasis, GeneralParts};
 use crate::parts::Parts;

@@ -2,7 +2,7 @@
 
 use super::WireError;
 use super::file::File;
-use super::header::WireFormat;
+use super::format::WireFormat;
 use crate::format::{Q15, Q31};
 use crate::quantised::{Basis, Parts};
 use zerocopy::{FromBytes, Immutable, KnownLayout};

@@ -36,9 +36,11 @@ mod checksum;
 mod error;
 mod file;
 mod floats;
+mod format;
 mod header;
 mod integers;
 
 pub use aligned::{Aligned, aligned};
 pub use error::WireError;
-pub use header::{Header, WireFormat};
+pub use format::WireFormat;
+pub use header::Header;

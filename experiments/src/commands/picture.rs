@@ -20,7 +20,7 @@ const GAP: usize = 12;
 const UNCLIPPED: f64 = 0.985;
 
 /// A light for each row.
-const LIGHTS: [&str; 2] = ["park", "sunset"];
+const LIGHTS: [&str; 6] = ["esplanade", "apartment", "dawn", "workshop", "bridge", "venice"];
 
 /// Roughness, and for each channel the reflectance at normal incidence and the diffuse albedo.
 const MATERIALS: [(f64, [f64; 3], [f64; 3]); 5] = [
