@@ -3,7 +3,7 @@
 
 use crate::reading;
 use eigenshade::index::light;
-use eigenshade_generator::moments::LightMoments;
+use eigenshade_generator::basis::moments::LightMoments;
 use eigenshade_generator::reading::eigenimage_values::EigenimageValues;
 use eigenshade_generator::reading::light_estimate::LightEstimate;
 use eigenshade_generator::reading::modes::{self, ModeCoefficients};

@@ -4,8 +4,8 @@
 //! The error of a map is the rms over the sphere's normals and the three channels, of the
 //! largest |I| of the direct integration over all of them.
 
-use eigenshade_generator::brdf::{Brdf, Measure, Surface};
 use eigenshade_generator::direct::Surroundings;
+use eigenshade_generator::material::brdf::{Brdf, Measure, Surface};
 use eigenshade_index::{light, material};
 use eigenshade_model::database::{Lights, Named};
 use eigenshade_model::error::Result;

@@ -2,7 +2,7 @@
 //! dielectrics and metals of roughness 0.2 to 1 and a Lambertian under three captured maps.
 
 use eigenshade::Scalar;
-use eigenshade_cli::message::bar;
+use eigenshade_cli::output::message::bar;
 use eigenshade_generator::basis;
 use eigenshade_generator::scene_file;
 use eigenshade_model::database::{Lights, Materials, Named};

@@ -4,7 +4,7 @@ mod commands;
 
 use clap::Parser;
 use commands::Command;
-use eigenshade_cli::message::say_fault;
+use eigenshade_cli::output::message::say_fault;
 use std::process::ExitCode;
 
 /// Measures what the documentation of eigenshade states.
@@ -20,7 +20,7 @@ struct Program {
 
 fn main() -> ExitCode {
     #[cfg(unix)]
-    eigenshade_cli::signals::clean_up_on_end();
+    eigenshade_cli::output::signals::clean_up_on_end();
     match Program::parse().command.run() {
         Ok(()) => ExitCode::SUCCESS,
         Err(fault) => {

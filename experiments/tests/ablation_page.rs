@@ -2,7 +2,7 @@
 //! over modes by hand, their errors, and the counts beside the nine-term formula.
 
 use crate::support::repository;
-use eigenshade_cli::compare::differences;
+use eigenshade_cli::table::compare::differences;
 use eigenshade_generator::scene_file;
 use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_index::{light, material};

@@ -3,11 +3,11 @@
 
 use crate::support::{self, Folder, assert_fails, repository, rows};
 use crate::tolerances;
-use eigenshade_generator::brdf::projection::project as project_brdf;
-use eigenshade_generator::brdf::{Brdf, Ggx, Lambertian, Measure};
 use eigenshade_generator::direct::Surroundings;
-use eigenshade_generator::inputs::environment::EnvironmentMap;
-use eigenshade_generator::inputs::light_projection::project;
+use eigenshade_generator::light::environment::EnvironmentMap;
+use eigenshade_generator::light::projection::project;
+use eigenshade_generator::material::brdf::projection::project as project_brdf;
+use eigenshade_generator::material::brdf::{Brdf, Ggx, Lambertian, Measure};
 use eigenshade_model::truth::Truth;
 use std::f64::consts::{PI, TAU};
 use std::fs;

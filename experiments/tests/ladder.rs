@@ -2,7 +2,7 @@
 //! `docs/accuracy-cost`, with its counts, and what the firmware builds is what that setting says.
 
 use crate::support::repository;
-use eigenshade_cli::compare::differences;
+use eigenshade_cli::table::compare::differences;
 use eigenshade_table::components::with_components;
 use eigenshade_table::trim::trim;
 use experiments::accuracy_cost::bases::Bases;

@@ -5,7 +5,7 @@ use crate::oracle;
 use crate::support::{repository, rows};
 use crate::tolerances;
 use eigenshade::Normal;
-use eigenshade_generator::partial_sum::PartialSum;
+use eigenshade_generator::basis::partial_sum::PartialSum;
 use eigenshade_index::{light, material, mode};
 use eigenshade_model::irradiance;
 use eigenshade_model::selection::variances;

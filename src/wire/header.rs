@@ -11,7 +11,7 @@ use crate::index::wire::{HEADER, LABEL, MARK, MOST, VERSION, place};
 pub struct Header {
     /// The file's version.
     pub version: u16,
-    /// Its number format: see [`WireFormat::of`].
+    /// Its number format: see [`WireFormat::of`](super::WireFormat::of).
     pub format: u16,
     /// Bytes of the whole file.
     pub length: usize,

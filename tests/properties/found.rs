@@ -3,7 +3,7 @@
 use crate::objects::{Energy, energies, prefix, scene};
 use crate::samples::Sample;
 use crate::shapes::Shape;
-use eigenshade_generator::geometry::Geometry;
+use eigenshade_generator::object::geometry::Geometry;
 use eigenshade_generator::scene_file::Loaded;
 use eigenshade_table::scene::LightRotation;
 use eigenshade_testing::largest;

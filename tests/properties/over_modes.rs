@@ -1,7 +1,7 @@
 //! Products of a sphere's eigenimages and energies of its modes, azimuth by azimuth.
 
 use crate::tolerances;
-use eigenshade_generator::moments;
+use eigenshade_generator::basis::moments;
 use eigenshade_generator::scene_file::Loaded;
 use eigenshade_index::effect::Effects;
 use eigenshade_index::{light, material, mode};

@@ -1,7 +1,7 @@
 //! Random objects.
 
-use eigenshade_generator::geometry::WeightedNormals;
-use eigenshade_generator::inputs::density;
+use eigenshade_generator::object::density;
+use eigenshade_generator::object::geometry::WeightedNormals;
 use eigenshade_testing::oracle::Numbers;
 use eigenshade_testing::pictures::listed;
 use proptest::prelude::*;

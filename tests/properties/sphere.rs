@@ -4,7 +4,7 @@ use crate::config;
 use crate::over_modes::{assert_orthonormal, energy};
 use crate::samples::{samples, strangers};
 use crate::tolerances;
-use eigenshade_generator::profile::evaluate;
+use eigenshade_generator::basis::profile::evaluate;
 use eigenshade_generator::scene_file::Loaded;
 use eigenshade_model::rotation::Rotation;
 use eigenshade_model::special::gauss_legendre;

@@ -3,10 +3,10 @@
 use super::COUNT;
 use super::oracle::Numbers;
 use eigenshade::{GeneralBasis, Light, Material, Normal};
-use eigenshade_generator::general;
-use eigenshade_generator::geometry::{Geometry, WeightedNormals};
-use eigenshade_generator::light_statistics::LightStatistics;
-use eigenshade_generator::moments::{MaterialMoments, equal};
+use eigenshade_generator::basis::general;
+use eigenshade_generator::basis::moments::{MaterialMoments, equal};
+use eigenshade_generator::light::statistics::LightStatistics;
+use eigenshade_generator::object::geometry::{Geometry, WeightedNormals};
 use eigenshade_generator::reading::eigenimage_values::EigenimageValues;
 use eigenshade_generator::reading::observation::{Observation, Observer};
 use eigenshade_generator::reading::prior::Prior;

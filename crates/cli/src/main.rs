@@ -4,7 +4,7 @@ mod commands;
 
 use clap::Parser;
 use commands::{Command, Memory};
-use eigenshade_cli::message::say_fault;
+use eigenshade_cli::output::message::say_fault;
 use std::process::ExitCode;
 
 /// Image irradiance from any isotropic material under any distant light.
@@ -29,7 +29,7 @@ struct Program {
 
 fn main() -> ExitCode {
     #[cfg(unix)]
-    eigenshade_cli::signals::clean_up_on_end();
+    eigenshade_cli::output::signals::clean_up_on_end();
     let Program { memory, command } = Program::parse();
     match command.run(memory) {
         Ok(()) => ExitCode::SUCCESS,

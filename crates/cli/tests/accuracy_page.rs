@@ -2,7 +2,7 @@
 
 use crate::support::{Folder, rows};
 use crate::tolerances;
-use eigenshade_cli::sphere_view::SphereView;
+use eigenshade_cli::picture::sphere_view::SphereView;
 use eigenshade_generator::basis::build;
 use eigenshade_model::database::Named;
 use eigenshade_shading::owned_basis::OwnedBasis;

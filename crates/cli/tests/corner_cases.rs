@@ -3,8 +3,8 @@
 use crate::support::{Folder, assert_fails, lights, materials, numbers, repository, rows, scene};
 use crate::tolerances;
 use eigenshade_generator::basis::build;
-use eigenshade_generator::choice::Reach;
-use eigenshade_generator::moments::exposure;
+use eigenshade_generator::basis::choice::Reach;
+use eigenshade_generator::basis::moments::exposure;
 use eigenshade_generator::scene_file::{self, Loaded};
 use eigenshade_index::{light, mode};
 use eigenshade_model::database::Named;

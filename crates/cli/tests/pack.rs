@@ -10,7 +10,7 @@ fn pack_writes_what_info_tells() {
         let said = folder.ok(&format!("pack b.bin --format {format} --out w.esw"));
         let bytes = fs::read(folder.path("w.esw")).unwrap();
         assert!(bytes.starts_with(b"EIGSWIRE"));
-        let length = eigenshade_cli::number::grouped(bytes.len());
+        let length = eigenshade_cli::output::number::grouped(bytes.len());
         let (bytes, error) = said.split_once('\n').expect("two lines");
         assert_eq!(bytes, format!("bytes        {length}"));
         assert!(error.starts_with("error        ") && error.contains("of the peak"), "{error}");

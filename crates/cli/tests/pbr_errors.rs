@@ -4,7 +4,7 @@
 
 use crate::support::{Folder, assert_fails, repository, rows};
 use crate::tolerances;
-use eigenshade_generator::inputs::environment::EnvironmentMap;
+use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_model::truth::Truth;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};

@@ -47,7 +47,7 @@ fn pictures() {
         let square = 1.0 - x * x - y * y;
         let normal = if square > 0.0 { [x, y, square.sqrt()] } else { [0.0; 3] };
         for (channel, n) in pixel.iter().zip(normal) {
-            let value = eigenshade_cli::tone::linear(f64::from(*channel) / 255.0);
+            let value = eigenshade_cli::picture::tone::linear(f64::from(*channel) / 255.0);
             linear.extend(((65535.0 * value).round() as u16).to_be_bytes());
             map.extend(((65535.0 * (0.5 + 0.5 * n)).round() as u16).to_be_bytes());
         }

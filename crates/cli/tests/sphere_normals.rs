@@ -1,7 +1,7 @@
 //! The normals of a sphere, as rings and as pixels.
 
 use crate::tolerances;
-use eigenshade_cli::sphere_view::SphereView;
+use eigenshade_cli::picture::sphere_view::SphereView;
 use eigenshade_shading::sphere_rings::rings;
 
 /// See [`RING_SHARES`]: a quarter of the square of the step.

@@ -1,6 +1,6 @@
 //! What a PNG's samples stand for: by its own word, by the caller's, by its bits.
 
-use eigenshade_cli::linear_image::{LinearImage, Transfer};
+use eigenshade_cli::reading::linear_image::{LinearImage, Transfer};
 use png::chunk::ChunkType;
 use png::{BitDepth, ColorType, Encoder, ScaledFloat, SrgbRenderingIntent};
 

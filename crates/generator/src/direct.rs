@@ -7,8 +7,8 @@
 //! texel's size over the lobe's width at the half-way direction, and over the height
 //! above the horizon.
 
-use crate::brdf::{Brdf, Geometry};
-use crate::inputs::environment::EnvironmentMap;
+use crate::light::environment::EnvironmentMap;
+use crate::material::brdf::{Brdf, Geometry};
 use eigenshade_model::database::luminance;
 use eigenshade_model::error::{Error, Result};
 use faer::linalg::matmul::matmul;

@@ -1,9 +1,10 @@
 //! Reads a scene file and its databases.
 
-use crate::choice::Choice;
-use crate::geometry::Geometry;
-use crate::inputs::{density, object};
-use crate::{basis, general};
+use crate::basis;
+use crate::basis::choice::Choice;
+use crate::basis::general;
+use crate::object::geometry::Geometry;
+use crate::object::{density, source};
 use eigenshade_index::effect::Effects;
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::{Error, Result};
@@ -84,7 +85,7 @@ pub fn load(file: impl Into<InputFile>) -> Result<Loaded> {
     if !scene.material.names.is_empty() {
         materials.entries = named(&materials, &scene.material.names, &database)?;
     }
-    let geometry = object::read(&scene.geometry, scene.light.degree, &file)?;
+    let geometry = source::read(&scene.geometry, scene.light.degree, &file)?;
     Ok(Loaded { scene, lights, materials, order_of_file, geometry })
 }
 

@@ -2,12 +2,13 @@
 //! components of the pictures themselves, pixel by pixel.
 
 use crate::tolerances;
-use eigenshade_generator::geometry::{Geometry, WeightedNormals};
-use eigenshade_generator::inputs::density;
-use eigenshade_generator::light_statistics::LightStatistics;
-use eigenshade_generator::moments::equal;
-use eigenshade_generator::profile::evaluate;
-use eigenshade_generator::{basis, general};
+use eigenshade_generator::basis;
+use eigenshade_generator::basis::general;
+use eigenshade_generator::basis::moments::equal;
+use eigenshade_generator::basis::profile::evaluate;
+use eigenshade_generator::light::statistics::LightStatistics;
+use eigenshade_generator::object::density;
+use eigenshade_generator::object::geometry::{Geometry, WeightedNormals};
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_model::special::gauss_legendre;

@@ -1,8 +1,10 @@
 //! BRDFs as functions, and their projection, against what shares no code with it.
 
 use crate::tolerances;
-use eigenshade_generator::brdf::projection::{Projection, nodes, project, project_with};
-use eigenshade_generator::brdf::{Abc, Brdf, Geometry, Ggx, Lambertian, Measure, OrenNayar};
+use eigenshade_generator::material::brdf::projection::{Projection, nodes, project, project_with};
+use eigenshade_generator::material::brdf::{
+    Abc, Brdf, Geometry, Ggx, Lambertian, Measure, OrenNayar,
+};
 use eigenshade_index::material;
 use eigenshade_model::scattering;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};

@@ -7,8 +7,8 @@ mod faults;
 mod files;
 mod shipped;
 
-use eigenshade_generator::inputs::environment::EnvironmentMap;
-use eigenshade_generator::inputs::light_projection::project;
+use eigenshade_generator::light::environment::EnvironmentMap;
+use eigenshade_generator::light::projection::project;
 use eigenshade_index::light;
 use eigenshade_model::special::spherical_harmonic;
 use files::{Type, map_of, through};

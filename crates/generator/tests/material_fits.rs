@@ -1,9 +1,9 @@
 //! Fits of materials: in range everywhere, and true to what was measured.
 
 use crate::tolerances;
-use eigenshade_generator::inputs::fit::{Fit, HIGHEST, LOWEST, fit, write_figures};
-use eigenshade_generator::inputs::fit_constraints::DirectionGrid;
-use eigenshade_generator::inputs::measurements::{Measured, Measurement, read};
+use eigenshade_generator::material::fit::{Fit, HIGHEST, LOWEST, fit, write_figures};
+use eigenshade_generator::material::fit_constraints::DirectionGrid;
+use eigenshade_generator::material::measurements::{Measured, Measurement, read};
 use eigenshade_index::material;
 use eigenshade_model::inputs::coefficient_csv::read_materials;
 use eigenshade_model::scattering::{brdf, modes};

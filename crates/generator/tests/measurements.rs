@@ -1,7 +1,7 @@
 //! Measured BRDFs as text: both layouts, and every fault with its file, its
 //! line and a remedy.
 
-use eigenshade_generator::inputs::measurements::{Measured, read_material_path};
+use eigenshade_generator::material::measurements::{Measured, read_material_path};
 use eigenshade_model::error::Result;
 use std::f64::consts::FRAC_PI_2;
 use std::fmt::Debug;

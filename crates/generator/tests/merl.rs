@@ -1,9 +1,9 @@
 //! Files in the format of the MERL database: written here from a formula, read back,
 //! projected.
 
-use eigenshade_generator::brdf::projection::{project, project_with};
-use eigenshade_generator::brdf::{BINS, Brdf, Geometry, Ggx, Measure, Merl};
-use eigenshade_generator::inputs::merl::{BYTES, SCALES, read};
+use eigenshade_generator::material::brdf::projection::{project, project_with};
+use eigenshade_generator::material::brdf::{BINS, Brdf, Geometry, Ggx, Measure, Merl};
+use eigenshade_generator::material::merl::{BYTES, SCALES, read};
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::fs;
 use std::path::PathBuf;

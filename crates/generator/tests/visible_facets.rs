@@ -1,9 +1,9 @@
 //! Meshes: which part of each facet the camera sees, against known areas and against rays
 //! through every facet.
 
-use eigenshade_generator::inputs::facet::Facet;
-use eigenshade_generator::inputs::mesh;
-use eigenshade_generator::inputs::visibility::seen_shares;
+use eigenshade_generator::object::facet::Facet;
+use eigenshade_generator::object::mesh;
+use eigenshade_generator::object::visibility::seen_shares;
 use std::f64::consts::{PI, TAU};
 use std::fmt::Write;
 use std::time::{Duration, Instant};

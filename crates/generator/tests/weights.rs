@@ -2,8 +2,9 @@
 //! there.
 
 use crate::tolerances;
-use eigenshade_generator::geometry::Geometry;
-use eigenshade_generator::{basis, general};
+use eigenshade_generator::basis;
+use eigenshade_generator::basis::general;
+use eigenshade_generator::object::geometry::Geometry;
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_table::Table;

@@ -3,7 +3,7 @@
 
 use crate::largest;
 use crate::projector::Projector;
-use eigenshade_generator::geometry::{Geometry, WeightedNormals};
+use eigenshade_generator::object::geometry::{Geometry, WeightedNormals};
 use eigenshade_generator::scene_file::Loaded;
 use eigenshade_index::{light, material};
 use eigenshade_model::irradiance;

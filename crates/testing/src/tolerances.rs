@@ -193,10 +193,10 @@ pub const MATTE_PROJECTION: f64 = 2e-12;
 /// sample it to some per cent, and their peak, at the rim or a window, is that of the nearest.
 pub const ERROR_FIGURE: f64 = 0.1;
 
-/// See [`Q31_ALL`].
+/// Signal to error of mantissas of 31 bits for the worst pair.
 pub const Q31_WORST: f64 = 115.0;
 
-/// See [`Q15_ALL`]; a narrow peak has little energy for its height.
+/// Signal to error of mantissas of 15 bits for the worst pair: a narrow peak has little energy for its height.
 pub const Q15_WORST: f64 = 65.0;
 
 /// Sums of the shares of a disc's rings: 1, and the mean cosine by midpoints 0.02 apart.

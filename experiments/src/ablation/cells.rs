@@ -1,6 +1,6 @@
 //! Cells of the page's tables.
 
-use eigenshade_cli::number::grouped;
+use eigenshade_cli::output::number::grouped;
 use std::fmt::Write;
 
 /// A row of a table.

@@ -10,8 +10,8 @@ use super::setting::{Recipe, Setting};
 use super::times::{Case, Work, costs, interleaved};
 use crate::multiplications::Multiplications;
 use eigenshade::Material;
-use eigenshade_generator::inputs::environment::EnvironmentMap;
-use eigenshade_generator::inputs::light_projection;
+use eigenshade_generator::light::environment::EnvironmentMap;
+use eigenshade_generator::light::projection;
 use eigenshade_index::light;
 use eigenshade_model::error::Result;
 use eigenshade_shading::owned_basis::OwnedBasis;
@@ -355,7 +355,7 @@ fn of_maps(timed: bool) -> Vec<Growth> {
             let map = &map;
             Box::new(move || {
                 for _ in 0..count {
-                    black_box(light_projection::project(black_box(map), DEGREE));
+                    black_box(projection::project(black_box(map), DEGREE));
                 }
             })
         });

@@ -1,6 +1,6 @@
 //! Lights and materials: those of which a basis is made, and others that it never saw.
 
-use eigenshade_generator::brdf::{
+use eigenshade_generator::material::brdf::{
     Abc, BINS, Brdf, Geometry, Ggx, Lambertian, Measure, Merl, OrenNayar, Surface,
 };
 use eigenshade_model::database::{Lights, Materials, Named};

@@ -1,6 +1,6 @@
 //! One setting of all knobs: which basis, which way to a pixel, which numbers.
 
-use eigenshade_cli::wire_file;
+use eigenshade_cli::table::wire_file;
 use eigenshade_index::effect::Effects;
 use eigenshade_table::scene;
 use std::fmt;

@@ -6,9 +6,9 @@ use super::machine::Machine;
 use super::method::Spread;
 use super::model::{MAPS, Row};
 use super::points::Point;
-use eigenshade_cli::number::exact;
-use eigenshade_cli::rows::Rows;
-use eigenshade_cli::wire_file;
+use eigenshade_cli::output::number::exact;
+use eigenshade_cli::output::rows::Rows;
+use eigenshade_cli::table::wire_file;
 use eigenshade_model::error::Result;
 
 /// The file of all points.

@@ -1,8 +1,8 @@
 //! Numbers and settings as the page says them.
 
 use super::setting::{Format, Setting, Way};
-use eigenshade_cli::number::grouped;
-use eigenshade_cli::wire_file;
+use eigenshade_cli::output::number::grouped;
+use eigenshade_cli::table::wire_file;
 use eigenshade_table::scene;
 
 /// An error in per cent of two digits, below 0.01 % as a power of ten.

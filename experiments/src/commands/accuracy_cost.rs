@@ -2,8 +2,8 @@
 
 use super::purpose::Purpose;
 use clap::Args;
-use eigenshade_cli::message::{bar, say};
-use eigenshade_cli::{collision, destination};
+use eigenshade_cli::output::message::{bar, say};
+use eigenshade_cli::output::{collision, destination};
 use eigenshade_model::error::{Error, Result};
 use experiments::accuracy_cost::check::{Compared, compare};
 use experiments::accuracy_cost::kept::Kept;

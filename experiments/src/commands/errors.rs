@@ -1,14 +1,16 @@
 //! `experiments errors`: a table against direct integration.
 
 use clap::Args;
-use eigenshade_cli::message::{bar, say};
-use eigenshade_cli::recorded_errors::{COLUMNS, Stamp};
-use eigenshade_cli::rows::Rows;
-use eigenshade_cli::{collision, destination, invocation, table_file};
+use eigenshade_cli::output::message::{bar, say};
+use eigenshade_cli::output::rows::Rows;
+use eigenshade_cli::output::{collision, destination, invocation};
+use eigenshade_cli::table::recorded_errors::{COLUMNS, Stamp};
+use eigenshade_cli::table::table_file;
 use eigenshade_generator::direct::Surroundings;
-use eigenshade_generator::inputs::environment::EnvironmentMap;
-use eigenshade_generator::inputs::light_projection::named_maps;
-use eigenshade_generator::inputs::material_files::{self, Source};
+use eigenshade_generator::light::environment::EnvironmentMap;
+use eigenshade_generator::light::projection::named_maps;
+use eigenshade_generator::material;
+use eigenshade_generator::material::files::Source;
 use eigenshade_model::budget::Budget;
 use eigenshade_model::database::Lights;
 use eigenshade_model::error::{Error, Result};
@@ -56,7 +58,7 @@ pub struct Errors {
 impl Errors {
     pub fn run(self) -> Result<()> {
         let named = named_maps(&self.maps)?;
-        let of_materials = self.materials.iter().flat_map(|path| material_files::files(path));
+        let of_materials = self.materials.iter().flat_map(|path| material::files::files(path));
         let files = named.iter().map(|(_, map)| map.clone()).chain(of_materials);
         let inputs = [self.table.clone(), self.lights.clone()].into_iter().chain(files);
         collision::refuse(&self.out, inputs)?;
@@ -84,7 +86,7 @@ impl Errors {
         }
         let mut surfaces = Vec::new();
         for path in &self.materials {
-            for source in material_files::read(file(path))? {
+            for source in material::files::read(file(path))? {
                 match source {
                     Source::Surface(surface) => surfaces.push(surface),
                     Source::Measured(measured) => {

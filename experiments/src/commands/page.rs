@@ -1,7 +1,7 @@
 //! Files that one command writes and compares.
 
 use super::purpose::Purpose;
-use eigenshade_cli::destination;
+use eigenshade_cli::output::destination;
 use eigenshade_model::error::{Error, Result};
 use experiments::pages::{self, Part};
 use std::fs;

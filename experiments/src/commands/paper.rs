@@ -2,7 +2,7 @@
 
 use super::purpose::Purpose;
 use clap::Args;
-use eigenshade_cli::message::{say, spinner};
+use eigenshade_cli::output::message::{say, spinner};
 use eigenshade_model::error::{Error, Result};
 use experiments::paper::comparison::{Compared, compare};
 use experiments::paper::{FOLDER, PAGE, make};

@@ -1,10 +1,11 @@
 //! `experiments picture`: the picture at the top of the README.
 
 use clap::Args;
-use eigenshade_cli::sphere_view::SphereView;
-use eigenshade_cli::{picture, table_file, tone};
-use eigenshade_generator::brdf::projection::project;
-use eigenshade_generator::brdf::{Ggx, Measure};
+use eigenshade_cli::picture::sphere_view::SphereView;
+use eigenshade_cli::picture::{png_file, tone};
+use eigenshade_cli::table::table_file;
+use eigenshade_generator::material::brdf::projection::project;
+use eigenshade_generator::material::brdf::{Ggx, Measure};
 use eigenshade_model::database::Named;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_shading::owned_basis::OwnedBasis;
@@ -20,7 +21,7 @@ const GAP: usize = 12;
 const UNCLIPPED: f64 = 0.985;
 
 /// A light for each row.
-const LIGHTS: [&str; 6] = ["esplanade", "apartment", "dawn", "workshop", "bridge", "venice"];
+const LIGHTS: [&str; 2] = ["esplanade", "workshop"];
 
 /// Roughness, and for each channel the reflectance at normal incidence and the diffuse albedo.
 const MATERIALS: [(f64, [f64; 3], [f64; 3]); 5] = [
@@ -82,7 +83,7 @@ impl Picture {
                 }
             }
         }
-        picture::write(&self.out, width, height, &bytes)
+        png_file::write(&self.out, width, height, &bytes)
     }
 }
 

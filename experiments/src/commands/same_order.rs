@@ -1,8 +1,8 @@
 //! `experiments same-order`: components of two tables.
 
 use clap::Args;
-use eigenshade_cli::message::say;
-use eigenshade_cli::table_file;
+use eigenshade_cli::output::message::say;
+use eigenshade_cli::table::table_file;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_table::Table;
 use std::path::PathBuf;

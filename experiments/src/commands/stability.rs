@@ -3,7 +3,7 @@
 use super::page;
 use super::purpose::Purpose;
 use clap::Args;
-use eigenshade_cli::message::spinner;
+use eigenshade_cli::output::message::spinner;
 use eigenshade_model::error::{Error, Result};
 use experiments::stability::page as stability;
 

@@ -1,9 +1,10 @@
 //! What a figure gives: files, not yet written.
 
-use eigenshade_cli::canvas::Canvas;
-use eigenshade_cli::number::exact;
-use eigenshade_cli::rows::Rows;
-use eigenshade_cli::{destination, picture};
+use eigenshade_cli::output::destination;
+use eigenshade_cli::output::number::exact;
+use eigenshade_cli::output::rows::Rows;
+use eigenshade_cli::picture::canvas::Canvas;
+use eigenshade_cli::picture::png_file;
 use eigenshade_model::error::{Error, Result};
 use std::path::Path;
 
@@ -83,7 +84,7 @@ impl Artefact {
         match &self.content {
             Content::Text(text) => destination::write_text(Some(&path), text),
             Content::Picture(canvas) => {
-                picture::write(&path, canvas.width, canvas.height, &canvas.bytes)
+                png_file::write(&path, canvas.width, canvas.height, &canvas.bytes)
             }
         }
     }

@@ -4,7 +4,7 @@
 use super::artefact::{Artefact, digits};
 use super::chart::{self, Axes, BLUE, GREEN, Line, ORANGE};
 use super::study::{Modes, Study, Trial};
-use eigenshade_generator::partial_sum::{PartialSum, Step};
+use eigenshade_generator::basis::partial_sum::{PartialSum, Step};
 use eigenshade_model::error::Result;
 use eigenshade_model::selection::variances;
 use eigenshade_shading::parallel;

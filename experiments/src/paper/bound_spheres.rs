@@ -5,9 +5,9 @@ use super::artefact::{Artefact, digits};
 use super::plate::Plate;
 use super::spheres::title;
 use super::study::{Study, Trial};
-use eigenshade_cli::sphere_view::SphereView;
-use eigenshade_cli::tone::exposure;
-use eigenshade_generator::partial_sum::{PartialSum, Term};
+use eigenshade_cli::picture::sphere_view::SphereView;
+use eigenshade_cli::picture::tone::exposure;
+use eigenshade_generator::basis::partial_sum::{PartialSum, Term};
 use eigenshade_model::error::Result;
 use eigenshade_model::truth::Truth;
 use eigenshade_shading::parallel;
@@ -135,7 +135,7 @@ impl Renderings {
 
     /// A pair in two rows: images with nothing left out and to each accuracy, and below
     /// what each lacks.
-    fn plate(&self) -> eigenshade_cli::canvas::Canvas {
+    fn plate(&self) -> eigenshade_cli::picture::canvas::Canvas {
         let mut plate = Plate::new(SIZE, (ACCURACIES.len() + 1, 2 * SHOWN.len()), (2, 0, 2));
         for (pair, truth) in self.truths.iter().enumerate() {
             let scale = exposure(truth.clone(), UNCLIPPED);

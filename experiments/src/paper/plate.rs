@@ -1,8 +1,8 @@
 //! Plates of spheres: pictures in rows and columns, with words.
 
-use eigenshade_cli::canvas::{Canvas, LETTER, text_width};
-use eigenshade_cli::sphere_view::SphereView;
-use eigenshade_cli::tone::srgb;
+use eigenshade_cli::picture::canvas::{Canvas, LETTER, text_width};
+use eigenshade_cli::picture::sphere_view::SphereView;
+use eigenshade_cli::picture::tone::srgb;
 
 /// What stands behind.
 const PAPER: [u8; 3] = [212, 214, 217];

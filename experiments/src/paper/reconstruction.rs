@@ -4,7 +4,7 @@ use super::artefact::{Artefact, digits};
 use super::highlight::{LISTED, brightest, image};
 use super::plate::Plate;
 use super::study::{Modes, Study, Trial, place};
-use eigenshade_cli::tone::exposure;
+use eigenshade_cli::picture::tone::exposure;
 use eigenshade_model::error::Result;
 use eigenshade_model::truth::Truth;
 use eigenshade_shading::owned_basis::OwnedBasis;

@@ -8,8 +8,8 @@
 use super::artefact::{Artefact, digits};
 use super::error::SHOWN;
 use super::study::{DEGREE, Modes, Study, place};
-use eigenshade_generator::node_image::MaterialImages;
-use eigenshade_generator::representation::fit;
+use eigenshade_generator::basis::node_image::MaterialImages;
+use eigenshade_generator::basis::representation::fit;
 use eigenshade_index::light;
 use eigenshade_model::error::Result;
 use eigenshade_shading::parallel;

@@ -1,6 +1,6 @@
 //! What an eigenimage of the sphere looks like, in numbers and in words.
 
-use eigenshade_generator::profile::evaluate;
+use eigenshade_generator::basis::profile::evaluate;
 use eigenshade_table::Table;
 
 /// Rings of equal area in which a profile is looked at.

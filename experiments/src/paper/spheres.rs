@@ -4,8 +4,8 @@
 use super::artefact::{Artefact, digits};
 use super::plate::Plate;
 use super::study::{Modes, Study, Trial, place};
-use eigenshade_cli::sphere_view::SphereView;
-use eigenshade_cli::tone::exposure;
+use eigenshade_cli::picture::sphere_view::SphereView;
+use eigenshade_cli::picture::tone::exposure;
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::Result;
 use eigenshade_shading::owned_basis::OwnedBasis;

@@ -1,10 +1,11 @@
 //! What all figures are about: the lights, the materials, the four bases, and how well
 //! each represents every image.
 
-use eigenshade_generator::moments::exposure;
-use eigenshade_generator::node_image::{MaterialImages, NodeImage};
-use eigenshade_generator::representation::{Fit, fit};
-use eigenshade_generator::{basis, gram};
+use eigenshade_generator::basis;
+use eigenshade_generator::basis::gram;
+use eigenshade_generator::basis::moments::exposure;
+use eigenshade_generator::basis::node_image::{MaterialImages, NodeImage};
+use eigenshade_generator::basis::representation::{Fit, fit};
 use eigenshade_index::{effect, mode};
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::{Error, Result};

@@ -4,7 +4,7 @@
 use super::artefact::{Artefact, digits};
 use super::chart::{self, Axes, BLUE, GREEN, INK, Line, ORANGE, fault, letters};
 use super::study::{DEGREE, ORDER, Study};
-use eigenshade_generator::gram;
+use eigenshade_generator::basis::gram;
 use eigenshade_index::{material, mode};
 use eigenshade_model::error::Result;
 use eigenshade_model::selection::variances;

@@ -1,6 +1,6 @@
 //! What cameras do to an image of peak 1: noise, few bits, clipping, hidden parts.
 
-use eigenshade_cli::tone;
+use eigenshade_cli::picture::tone;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};

@@ -3,10 +3,10 @@
 use super::damage::{self, Damage};
 use super::score::{Score, Truths, scores};
 use crate::pages::Part;
-use eigenshade_cli::image_reading::{Reader, Reading};
-use eigenshade_cli::message::bar;
-use eigenshade_cli::sphere_view::SphereView;
-use eigenshade_cli::table_file;
+use eigenshade_cli::output::message::bar;
+use eigenshade_cli::picture::sphere_view::SphereView;
+use eigenshade_cli::reading::image_reading::{Reader, Reading};
+use eigenshade_cli::table::table_file;
 use eigenshade_generator::basis;
 use eigenshade_generator::reading::eigenimage_values::EigenimageValues;
 use eigenshade_generator::reading::observation::{Observation, Observer};

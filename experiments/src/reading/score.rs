@@ -2,7 +2,7 @@
 
 use crate::median::median;
 use crate::reading::damage::Damage;
-use eigenshade_cli::image_reading::Reading;
+use eigenshade_cli::reading::image_reading::Reading;
 use eigenshade_generator::reading::eigenimage_values::EigenimageValues;
 use eigenshade_generator::reading::rank_one::RankOne;
 use eigenshade_generator::reading::transfer::Transfers;

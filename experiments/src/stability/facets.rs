@@ -3,7 +3,7 @@
 use super::flat;
 use super::{Case, Figure};
 use crate::tolerances;
-use eigenshade_generator::inputs::mesh;
+use eigenshade_generator::object::mesh;
 use eigenshade_testing::fixtures::ROOT;
 use eigenshade_testing::largest;
 use eigenshade_testing::pictures::{Pictures, apart, eigenvalues, listed, table};

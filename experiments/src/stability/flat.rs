@@ -2,7 +2,7 @@
 
 use super::{Case, Figure};
 use crate::tolerances;
-use eigenshade_generator::geometry::WeightedNormals;
+use eigenshade_generator::object::geometry::WeightedNormals;
 use eigenshade_generator::scene_file::Loaded;
 use eigenshade_table::scene::{LightRotation, Normalise};
 use eigenshade_testing::fixtures::{self, standard};

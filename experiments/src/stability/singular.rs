@@ -2,7 +2,9 @@
 
 use super::{Case, Figure, exact_rank};
 use crate::tolerances;
-use eigenshade_generator::{basis, gram, pca::Block};
+use eigenshade_generator::basis;
+use eigenshade_generator::basis::gram;
+use eigenshade_generator::basis::pca::Block;
 use eigenshade_model::polar_integral::PolarIntegrals;
 use eigenshade_table::GramFactor;
 use eigenshade_testing::{fixtures, largest};

@@ -3,10 +3,10 @@
 
 use super::{Case, Figure};
 use crate::tolerances;
-use eigenshade_generator::gram;
-use eigenshade_generator::moments::Deviation;
-use eigenshade_generator::pca::{Block, principal};
-use eigenshade_generator::profile::evaluate;
+use eigenshade_generator::basis::gram;
+use eigenshade_generator::basis::moments::Deviation;
+use eigenshade_generator::basis::pca::{Block, principal};
+use eigenshade_generator::basis::profile::evaluate;
 use eigenshade_model::database::Named;
 use eigenshade_table::{Table, encode};
 use eigenshade_testing::oracle::Numbers;

@@ -2,8 +2,8 @@
 
 use super::{Case, Figure};
 use crate::tolerances;
-use eigenshade_generator::inputs::environment::EnvironmentMap;
-use eigenshade_generator::inputs::light_projection;
+use eigenshade_generator::light::environment::EnvironmentMap;
+use eigenshade_generator::light::projection;
 use eigenshade_index::light;
 use eigenshade_model::database::Lights;
 use eigenshade_testing::fixtures::{self, named};
@@ -31,7 +31,7 @@ pub const SIZES: Case = Case {
 const DEGREE: usize = 16;
 
 fn project(map: &EnvironmentMap, degree: usize) -> Vec<f64> {
-    light_projection::project(map, degree)[0].clone()
+    projection::project(map, degree)[0].clone()
 }
 
 /// Against the closed form: the sky's ambient term, and the sun's harmonics at its

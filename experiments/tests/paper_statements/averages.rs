@@ -3,8 +3,8 @@
 use super::{errors, study};
 use crate::support::{numbers, repository, rows};
 use crate::tolerances;
-use eigenshade_generator::node_image::MaterialImages;
-use eigenshade_generator::representation::fit;
+use eigenshade_generator::basis::node_image::MaterialImages;
+use eigenshade_generator::basis::representation::fit;
 use eigenshade_index::light;
 use eigenshade_model::rotation::Rotation;
 use eigenshade_model::special::gauss_legendre;

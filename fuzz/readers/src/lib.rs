@@ -1,11 +1,11 @@
 //! What holds of any bytes that a reader of the host is given: an error of one line with a
 //! remedy, or numbers that are what the reader promises; never a panic.
 
-use eigenshade_generator::geometry::WeightedNormals;
-use eigenshade_generator::inputs::environment::EnvironmentMap;
-use eigenshade_generator::inputs::{
-    analytic, density, measurements, merl as merl_file, mesh, normal_map, png_samples,
-};
+use eigenshade_generator::light::environment::EnvironmentMap;
+use eigenshade_generator::material::{analytic, measurements, merl as merl_file};
+use eigenshade_generator::object::geometry::WeightedNormals;
+use eigenshade_generator::object::{density, mesh, normal_map};
+use eigenshade_generator::picture::png_samples;
 use eigenshade_generator::scene_file;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::{coefficient_csv, normals};

@@ -2,12 +2,14 @@
 
 use super::Memory;
 use clap::Args;
-use eigenshade_cli::compare::{Difference, differences};
-use eigenshade_cli::message::{say, spinner};
-use eigenshade_cli::number::grouped;
-use eigenshade_cli::recorded_errors::manifest_rows;
-use eigenshade_cli::{albedo, collision, destination, invocation, rounding, table_file};
-use eigenshade_generator::estimate::Estimate;
+use eigenshade_cli::notes::albedo;
+use eigenshade_cli::output::message::{say, spinner};
+use eigenshade_cli::output::number::grouped;
+use eigenshade_cli::output::{collision, destination, invocation};
+use eigenshade_cli::table::compare::{Difference, differences};
+use eigenshade_cli::table::recorded_errors::manifest_rows;
+use eigenshade_cli::table::{rounding, table_file};
+use eigenshade_generator::basis::estimate::Estimate;
 use eigenshade_generator::scene_file;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::output::{writable, write_atomically};

@@ -3,11 +3,12 @@
 use super::count;
 use super::demo_sheet::{self, Trial};
 use clap::Args;
-use eigenshade_cli::message::{bar, say};
-use eigenshade_cli::number::exact;
-use eigenshade_cli::rows::Rows;
-use eigenshade_cli::sphere_view::SphereView;
-use eigenshade_cli::{destination, table_file};
+use eigenshade_cli::output::destination;
+use eigenshade_cli::output::message::{bar, say};
+use eigenshade_cli::output::number::exact;
+use eigenshade_cli::output::rows::Rows;
+use eigenshade_cli::picture::sphere_view::SphereView;
+use eigenshade_cli::table::table_file;
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::output::writable;

@@ -1,9 +1,9 @@
 //! One image of the demo against its truth, and the picture of all of them.
 
-use eigenshade_cli::canvas::{Canvas, LETTER, text_width};
-use eigenshade_cli::picture;
-use eigenshade_cli::sphere_view::SphereView;
-use eigenshade_cli::tone::{exposure, srgb};
+use eigenshade_cli::picture::canvas::{Canvas, LETTER, text_width};
+use eigenshade_cli::picture::png_file;
+use eigenshade_cli::picture::sphere_view::SphereView;
+use eigenshade_cli::picture::tone::{exposure, srgb};
 use eigenshade_model::error::Result;
 use std::path::Path;
 
@@ -111,7 +111,7 @@ pub fn draw(path: &Path, view: &SphereView, trials: &[Trial], rows: usize) -> Re
             layout.centred(&mut canvas, middle, under, DIM, &error);
         }
     }
-    picture::write(path, canvas.width, canvas.height, &canvas.bytes)
+    png_file::write(path, canvas.width, canvas.height, &canvas.bytes)
 }
 
 /// A name as a person would write it: without number and hyphens.

@@ -2,9 +2,10 @@
 
 use super::Memory;
 use clap::Args;
-use eigenshade_cli::number::exact;
-use eigenshade_cli::rows::Rows;
-use eigenshade_cli::{collision, destination, table_file};
+use eigenshade_cli::output::number::exact;
+use eigenshade_cli::output::rows::Rows;
+use eigenshade_cli::output::{collision, destination};
+use eigenshade_cli::table::table_file;
 use eigenshade_model::error::Result;
 use std::path::PathBuf;
 

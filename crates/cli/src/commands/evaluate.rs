@@ -3,9 +3,9 @@
 use super::Memory;
 use super::evaluate_functions::Function;
 use clap::Args;
-use eigenshade_cli::number::exact;
-use eigenshade_cli::rows::Rows;
-use eigenshade_cli::{collision, destination};
+use eigenshade_cli::output::number::exact;
+use eigenshade_cli::output::rows::Rows;
+use eigenshade_cli::output::{collision, destination};
 use eigenshade_model::error::Result;
 use eigenshade_model::inputs::sheet::{Row, Sheet};
 use std::path::PathBuf;

@@ -2,9 +2,10 @@
 
 use super::Memory;
 use clap::Args;
-use eigenshade_cli::message::printable;
-use eigenshade_cli::number::grouped;
-use eigenshade_cli::{destination, table_file, wire_file};
+use eigenshade_cli::output::destination;
+use eigenshade_cli::output::message::printable;
+use eigenshade_cli::output::number::grouped;
+use eigenshade_cli::table::{table_file, wire_file};
 use eigenshade_model::error::Result;
 use eigenshade_table::Table;
 use eigenshade_table::manifest::manifest;

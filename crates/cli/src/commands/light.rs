@@ -2,11 +2,11 @@
 
 use super::{Memory, count};
 use clap::{Args, ValueEnum};
-use eigenshade_cli::message::{bar, say};
-use eigenshade_cli::{collision, destination, invocation};
-use eigenshade_generator::inputs::convention::exchanged;
-use eigenshade_generator::inputs::environment::EnvironmentMap;
-use eigenshade_generator::inputs::light_projection::{named_maps, project};
+use eigenshade_cli::output::message::{bar, say};
+use eigenshade_cli::output::{collision, destination, invocation};
+use eigenshade_generator::light::convention::exchanged;
+use eigenshade_generator::light::environment::EnvironmentMap;
+use eigenshade_generator::light::projection::{named_maps, project};
 use eigenshade_model::database::{Lights, Named};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, write_lights};

@@ -3,11 +3,13 @@
 use super::material_formula::{Formula, Nearness};
 use super::{Memory, count};
 use clap::Args;
-use eigenshade_cli::message::{bar, say};
-use eigenshade_cli::{albedo, collision, destination, invocation};
-use eigenshade_generator::brdf::{Measure, Projected};
-use eigenshade_generator::inputs::fit::{Fit, LOWEST, fit, write_figures};
-use eigenshade_generator::inputs::material_files::{self, Source};
+use eigenshade_cli::notes::albedo;
+use eigenshade_cli::output::message::{bar, say};
+use eigenshade_cli::output::{collision, destination, invocation};
+use eigenshade_generator::material;
+use eigenshade_generator::material::brdf::{Measure, Projected};
+use eigenshade_generator::material::files::Source;
+use eigenshade_generator::material::fit::{Fit, LOWEST, fit, write_figures};
 use eigenshade_model::database::{Materials, Named};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::write_materials;
@@ -58,11 +60,11 @@ impl Material {
                 (vec![Source::Surface(surface)], answer.order, answer.measure, answer.out)
             }
             None => {
-                let inputs = self.paths.iter().flat_map(|path| material_files::files(path));
+                let inputs = self.paths.iter().flat_map(|path| material::files::files(path));
                 collision::refuse([&self.out, &self.report].into_iter().flatten(), inputs)?;
                 let mut sources = Vec::new();
                 for path in &self.paths {
-                    sources.extend(material_files::read(memory.file(path))?);
+                    sources.extend(material::files::read(memory.file(path))?);
                 }
                 (sources, self.order.unwrap_or_default(), self.measure, self.out)
             }

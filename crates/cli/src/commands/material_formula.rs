@@ -2,8 +2,8 @@
 
 use super::count;
 use clap::{Args, Subcommand, ValueEnum};
-use eigenshade_generator::brdf::{Measure, Surface};
-use eigenshade_generator::inputs::analytic::{Analytic, Model, Shares};
+use eigenshade_generator::material::analytic::{Analytic, Model, Shares};
+use eigenshade_generator::material::brdf::{Measure, Surface};
 use eigenshade_model::error::Result;
 use std::path::PathBuf;
 

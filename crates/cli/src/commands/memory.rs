@@ -16,6 +16,7 @@ pub struct Memory {
 
 impl Memory {
     /// For making a table.
+    #[cfg(feature = "generate")]
     pub fn of_basis(self) -> Budget {
         self.budget.unwrap_or(Budget::BASIS)
     }

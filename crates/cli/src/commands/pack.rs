@@ -2,9 +2,10 @@
 
 use super::Memory;
 use clap::{Args, ValueEnum};
-use eigenshade_cli::message::say;
-use eigenshade_cli::number::grouped;
-use eigenshade_cli::{collision, destination, rounding, table_file};
+use eigenshade_cli::output::message::say;
+use eigenshade_cli::output::number::grouped;
+use eigenshade_cli::output::{collision, destination};
+use eigenshade_cli::table::{rounding, table_file};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_table::quantise;
 use eigenshade_table::wire::{self, Endian};

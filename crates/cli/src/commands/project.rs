@@ -2,10 +2,12 @@
 
 use super::{Memory, count};
 use clap::Args;
-use eigenshade_cli::message::say;
-use eigenshade_cli::number::exact;
-use eigenshade_cli::rows::Rows;
-use eigenshade_cli::{albedo, collision, destination, table_file};
+use eigenshade_cli::notes::albedo;
+use eigenshade_cli::output::message::say;
+use eigenshade_cli::output::number::exact;
+use eigenshade_cli::output::rows::Rows;
+use eigenshade_cli::output::{collision, destination};
+use eigenshade_cli::table::table_file;
 use eigenshade_model::error::Result;
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_shading::overflow;

@@ -3,10 +3,12 @@
 use super::read_answer::{self, Answer};
 use super::{Memory, count};
 use clap::Args;
-use eigenshade_cli::image_reading::Reader;
-use eigenshade_cli::linear_image::{LinearImage, Transfer};
-use eigenshade_cli::message::say;
-use eigenshade_cli::{collision, destination, pixel_mask, pixel_normals, rounding, table_file};
+use eigenshade_cli::output::message::say;
+use eigenshade_cli::output::{collision, destination};
+use eigenshade_cli::reading::image_reading::Reader;
+use eigenshade_cli::reading::linear_image::{LinearImage, Transfer};
+use eigenshade_cli::reading::{pixel_mask, pixel_normals};
+use eigenshade_cli::table::{rounding, table_file};
 use eigenshade_generator::reading::eigenimage_values::EigenimageValues;
 use eigenshade_generator::reading::observation::{Observation, Observer};
 use eigenshade_model::database::{Lights, Materials};

@@ -1,10 +1,10 @@
 //! What `eigenshade read` writes.
 
-use eigenshade_cli::destination;
-use eigenshade_cli::image_reading::{Channel, Reading};
-use eigenshade_cli::message::say;
-use eigenshade_cli::number::exact;
-use eigenshade_cli::rows::Rows;
+use eigenshade_cli::output::destination;
+use eigenshade_cli::output::message::say;
+use eigenshade_cli::output::number::exact;
+use eigenshade_cli::output::rows::Rows;
+use eigenshade_cli::reading::image_reading::{Channel, Reading};
 use eigenshade_generator::reading::modes::ModeCoefficients;
 use eigenshade_generator::reading::observation::Observation;
 use eigenshade_index::{light, material};

@@ -3,12 +3,15 @@
 use super::{Memory, count};
 use clap::{Args, ValueEnum};
 use eigenshade::Scalar;
-use eigenshade_cli::message::say;
 use eigenshade_cli::named::Choice;
-use eigenshade_cli::ringing::Ringing;
-use eigenshade_cli::sphere_view::SphereView;
-use eigenshade_cli::tone::{exposure, srgb};
-use eigenshade_cli::{albedo, collision, picture, rounding, table_file};
+use eigenshade_cli::notes::albedo;
+use eigenshade_cli::notes::ringing::Ringing;
+use eigenshade_cli::output::collision;
+use eigenshade_cli::output::message::say;
+use eigenshade_cli::picture::png_file;
+use eigenshade_cli::picture::sphere_view::SphereView;
+use eigenshade_cli::picture::tone::{exposure, srgb};
+use eigenshade_cli::table::{rounding, table_file};
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::Result;
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
@@ -90,7 +93,7 @@ impl Render {
             }
             bytes[start + 3] = (255.0 * pixel.coverage).round() as u8;
         }
-        picture::write(&self.out, self.size, self.size, &bytes)?;
+        png_file::write(&self.out, self.size, self.size, &bytes)?;
         let note = note(&self.table, &table.scene.geometry);
         note.into_iter().chain(warnings).chain(ringing.note()).for_each(say);
         Ok(())

@@ -6,8 +6,8 @@ use crate::tolerances;
 mod commands;
 
 use crate::support::{noise, repository};
+use eigenshade_generator::basis::choice::{Choice, Reach};
 use eigenshade_generator::basis::chosen;
-use eigenshade_generator::choice::{Choice, Reach};
 use eigenshade_generator::scene_file;
 use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_index::{light, material};

@@ -1,6 +1,6 @@
 //! The eigenimages of a table at given normals.
 
-use crate::profile;
+use crate::basis::profile;
 use eigenshade_table::Table;
 use std::f64::consts::SQRT_2;
 

@@ -1,7 +1,7 @@
 //! What the database expects of the light before any pixel is seen, as matrices over
 //! the coefficients of one table.
 
-use crate::light_statistics::LightStatistics;
+use crate::light::statistics::LightStatistics;
 use eigenshade_index::light;
 use eigenshade_table::scene::Criterion;
 use faer::{Col, Mat};

@@ -1,8 +1,8 @@
 //! Every fault of a map's file: one line, with a remedy, and no panic.
 
 use super::files::{Type, exr_channels, map_of, write};
-use eigenshade_generator::inputs::environment::EnvironmentMap;
-use eigenshade_generator::inputs::light_projection::{lights_from_paths, named_maps};
+use eigenshade_generator::light::environment::EnvironmentMap;
+use eigenshade_generator::light::projection::{lights_from_paths, named_maps};
 use exr::prelude::FlatSamples;
 use std::fs;
 use tempfile::TempDir;

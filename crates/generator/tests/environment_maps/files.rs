@@ -1,6 +1,6 @@
 //! Maps written to files of every type, and read back.
 
-use eigenshade_generator::inputs::environment::EnvironmentMap;
+use eigenshade_generator::light::environment::EnvironmentMap;
 use exr::prelude::*;
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,9 +1,9 @@
 //! The maps of the repository: all decode, and keep what is in them.
 
 use crate::tolerances::LIGHT_PROJECTION;
-use eigenshade_generator::inputs::convention::exchanged;
-use eigenshade_generator::inputs::environment::EnvironmentMap;
-use eigenshade_generator::inputs::light_projection::{named_maps, project};
+use eigenshade_generator::light::convention::exchanged;
+use eigenshade_generator::light::environment::EnvironmentMap;
+use eigenshade_generator::light::projection::{named_maps, project};
 use eigenshade_model::database::Lights;
 use eigenshade_model::inputs::coefficient_csv::{read_lights, write_lights};
 use eigenshade_model::inputs::rounding::{LIGHT_DIGITS, rounded};

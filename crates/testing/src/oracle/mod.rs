@@ -149,6 +149,8 @@ pub fn irradiance(
 pub struct Numbers(pub u64);
 
 impl Numbers {
+    /// The next number.
+    #[expect(clippy::should_implement_trait, reason = "it never ends")]
     pub fn next(&mut self) -> f64 {
         self.0 =
             self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);

@@ -11,7 +11,7 @@ pub use texts::compare_texts;
 
 use super::FOLDER;
 use super::artefact::{Artefact, Content};
-use eigenshade_generator::inputs::png_samples;
+use eigenshade_generator::picture::png_samples;
 use eigenshade_model::error::{Error, Result};
 use std::fs;
 use std::io::ErrorKind;

@@ -2,8 +2,8 @@
 //! between two, the last digit of a host's arithmetic may take it to either, which is
 //! one pixel in millions.
 
-use eigenshade_cli::canvas::Canvas;
-use eigenshade_generator::inputs::png_samples::PngSamples;
+use eigenshade_cli::picture::canvas::Canvas;
+use eigenshade_generator::picture::png_samples::PngSamples;
 
 /// How far a channel of any pixel may be off, of 255.
 pub const LEVELS: u16 = 1;
@@ -48,7 +48,7 @@ pub fn compare_pictures(found: &PngSamples, expected: &Canvas) -> Result<usize, 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use eigenshade_generator::inputs::png_curve::Curve;
+    use eigenshade_generator::picture::png_curve::Curve;
 
     #[test]
     fn a_level_here_and_there_may_differ_and_nothing_else() {

@@ -5,7 +5,7 @@ use crate::paper::bound::{Bounds, Row};
 use crate::paper::bound_spheres::{Rendering, Renderings};
 use crate::paper::spheres::title;
 use crate::paper::study::{Modes, Study};
-use eigenshade_cli::number::grouped;
+use eigenshade_cli::output::number::grouped;
 
 /// The section, in Markdown.
 pub fn section(study: &Study, bounds: &Bounds, renderings: &Renderings) -> String {

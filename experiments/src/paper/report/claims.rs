@@ -10,7 +10,7 @@ use crate::paper::rotated::Rotated;
 use crate::paper::spheres::title;
 use crate::paper::study::Modes;
 use crate::paper::variance::{SURFACES, Variance};
-use eigenshade_cli::number::grouped;
+use eigenshade_cli::output::number::grouped;
 use eigenshade_index::mode;
 use eigenshade_table::scene::Criterion;
 

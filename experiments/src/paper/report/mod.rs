@@ -30,7 +30,7 @@ use super::selected::Selected;
 use super::spheres::Spheres;
 use super::study::{Modes, Study};
 use super::variance::Variance;
-use eigenshade_cli::number::grouped;
+use eigenshade_cli::output::number::grouped;
 
 /// Components from which the two criteria are compared: below, one counts the constant
 /// and the other does not.

@@ -3,7 +3,7 @@
 use super::table::{percent, table};
 use super::{COUNTS, Report};
 use crate::paper::study::SELECTED;
-use eigenshade_cli::number::grouped;
+use eigenshade_cli::output::number::grouped;
 
 /// A mean error that is at most so many times another costs next to nothing.
 const FREE: f64 = 1.02;

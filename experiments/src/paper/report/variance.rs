@@ -4,7 +4,7 @@ use super::Report;
 use super::table::{percent, table};
 use crate::paper::study::{DEGREE, ORDER};
 use crate::paper::variance::{FURTHER, SURFACES};
-use eigenshade_cli::number::grouped;
+use eigenshade_cli::output::number::grouped;
 use eigenshade_index::mode;
 
 /// Shares are nearly the same if none is more than so many times another.

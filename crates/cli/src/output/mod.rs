@@ -1,0 +1,10 @@
+//! What commands write: files, rows, messages.
+
+pub mod collision;
+pub mod destination;
+pub mod invocation;
+pub mod message;
+pub mod number;
+pub mod rows;
+#[cfg(unix)]
+pub mod signals;

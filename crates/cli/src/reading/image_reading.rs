@@ -1,0 +1,170 @@
+//! All that is read from one image: d by each estimate, the light, the materials.
+
+use eigenshade_generator::basis::moments::{MaterialMoments, equal};
+use eigenshade_generator::light::statistics::LightStatistics;
+use eigenshade_generator::reading::coefficients::{CUTOFF, LeastSquares, scalar_product};
+use eigenshade_generator::reading::fit::{Fit, fit};
+use eigenshade_generator::reading::modes::{self, ModeCoefficients};
+use eigenshade_generator::reading::nearest::{self, Candidate};
+use eigenshade_generator::reading::observation::Observation;
+use eigenshade_generator::reading::posterior::{Estimate, Posterior};
+use eigenshade_generator::reading::prior::Prior;
+use eigenshade_generator::reading::rank_one::RankOne;
+use eigenshade_generator::reading::transfer::Transfers;
+use eigenshade_model::database::{self, Lights, Materials, Named};
+use eigenshade_model::error::Result;
+use eigenshade_table::Table;
+use std::collections::BTreeMap;
+
+/// Variances of d against the table's eigenvalues, of the largest: two ways of summing
+/// the same squares.
+const SAME_STATISTICS: f64 = 1e-9;
+
+/// What a table and its databases bring to every image.
+#[derive(Clone, Debug)]
+pub struct Reader<'a> {
+    table: &'a Table,
+    materials: &'a Materials,
+    transfers: Transfers,
+    prior: Prior,
+}
+
+/// What was read of one channel.
+#[derive(Clone, Debug)]
+pub struct Channel {
+    /// d by scalar product, and how it fits.
+    pub scalar_product: (Vec<f64>, Fit),
+    /// d by weighted least squares, and how it fits.
+    pub least_squares: (Vec<f64>, Fit),
+    /// The posterior of d, and how its mean fits.
+    pub posterior: (Estimate, Fit),
+    /// The noise that was taken.
+    pub noise: f64,
+    /// The modes of the least-squares d, of least norm.
+    pub least_norm: ModeCoefficients,
+    /// The posterior mean of the modes.
+    pub modes: ModeCoefficients,
+    /// Those as a light times a material, in the scale of a material of the database.
+    pub product: RankOne,
+    /// Which material gave the scale.
+    pub scale: Option<usize>,
+}
+
+/// What was read of an image.
+#[derive(Clone, Debug)]
+pub struct Reading {
+    /// Channel by channel.
+    pub channels: Vec<Channel>,
+    /// Directions that the pixels determine, of as many components.
+    pub rank: usize,
+    /// How much an error of the pixels may grow in d.
+    pub condition: f64,
+    /// The materials of the database, the likeliest first.
+    pub candidates: Vec<Candidate>,
+}
+
+impl<'a> Reader<'a> {
+    /// For the first `components` of the table, and these databases.
+    ///
+    /// # Errors
+    ///
+    /// Empty databases, lights that cannot be normalised, numbers that are not finite.
+    pub fn new(
+        table: &'a Table,
+        components: usize,
+        lights: &Lights,
+        materials: &'a Materials,
+    ) -> Result<Self> {
+        let transfers = Transfers::new(table, components);
+        let scene = &table.scene;
+        let weights = weights(&lights.entries, &scene.light.weights)?;
+        let (normalise, rotation) = (scene.light.normalise, scene.light.rotation);
+        let statistics = LightStatistics::new(lights, normalise, rotation, &weights)?;
+        let weights = self::weights(&materials.entries, &scene.material.weights)?;
+        let of_materials = MaterialMoments::weighted(materials, weights);
+        let prior = Prior::new(table, &transfers, &statistics, of_materials)?;
+        Ok(Self { table, materials, transfers, prior })
+    }
+
+    /// Whether the databases are those that the table was made of: V_d has the table's
+    /// eigenvalues.
+    #[must_use]
+    pub fn is_of_the_database(&self) -> bool {
+        let eigenvalues = self.table.spectrum.iter().map(|(_, value)| *value);
+        let moments = self.prior.second_moment();
+        let largest =
+            self.table.spectrum.iter().filter_map(|(_, value)| *value).fold(0.0, f64::max);
+        (0..moments.nrows()).zip(eigenvalues).all(|(k, value)| {
+            value.is_none_or(|value| (moments[(k, k)] - value).abs() <= SAME_STATISTICS * largest)
+        })
+    }
+
+    /// Whether all images of the databases are black: nothing can be read with them.
+    #[must_use]
+    pub fn is_black(&self) -> bool {
+        self.prior.is_black()
+    }
+
+    /// Reads an image of one grey channel or three colours; `noise` is the standard
+    /// deviation of a pixel of weight 1, if it is known.
+    ///
+    /// # Errors
+    ///
+    /// If singular values do not converge.
+    pub fn read(&self, observation: &Observation, noise: Option<f64>) -> Result<Reading> {
+        let squares = LeastSquares::new(observation, CUTOFF)?;
+        let posterior = Posterior::new(observation, &self.prior)?;
+        let channels = (0..observation.channels.ncols())
+            .map(|channel| self.channel(observation, &squares, &posterior, channel, noise))
+            .collect::<Result<Vec<_>>>()?;
+        let noises: Vec<f64> = channels.iter().map(|channel| channel.noise).collect();
+        let candidates =
+            nearest::rank(observation, &self.prior, &self.transfers, self.materials, &noises)?;
+        let (rank, condition) = (squares.rank(), squares.condition());
+        Ok(Reading { channels, rank, condition, candidates })
+    }
+
+    fn channel(
+        &self,
+        observation: &Observation,
+        squares: &LeastSquares,
+        posterior: &Posterior<'_>,
+        channel: usize,
+        stated: Option<f64>,
+    ) -> Result<Channel> {
+        let rank = squares.rank();
+        let fitted = |d: Vec<f64>| {
+            let fit = fit(observation, channel, &d, rank);
+            (d, fit)
+        };
+        let least_squares = fitted(squares.solve(observation.centred(channel).as_ref()));
+        let noise = posterior.noise(channel, stated, least_squares.1.noise);
+        let estimate = posterior.estimate(channel, noise);
+        let modes = modes::posterior_mean(&self.transfers, &self.prior, &estimate);
+        let mut product = RankOne::of(&modes)?;
+        let scale = product.scaled_to(&self.prior.materials.vectors);
+        Ok(Channel {
+            scalar_product: fitted(scalar_product(observation, channel)),
+            least_norm: modes::least_norm(self.table, &least_squares.0),
+            least_squares,
+            posterior: {
+                let fit = fit(observation, channel, &estimate.d, rank);
+                (estimate, fit)
+            },
+            noise,
+            modes,
+            product,
+            scale,
+        })
+    }
+}
+
+/// The weights of the table's scene; all alike in a database that is another.
+fn weights(entries: &[Named], by_name: &BTreeMap<String, f64>) -> Result<Vec<f64>> {
+    let is_there = |name: &String| entries.iter().any(|entry| entry.name == *name);
+    if by_name.keys().all(is_there) {
+        database::weights(entries, by_name)
+    } else {
+        Ok(equal(entries.len()))
+    }
+}

@@ -1,0 +1,134 @@
+//! A photograph or rendering as irradiance: linear, with a weight for each pixel.
+
+use crate::picture::tone;
+use eigenshade_generator::light::environment::EnvironmentMap;
+use eigenshade_generator::picture::png_curve::Curve;
+use eigenshade_generator::picture::png_samples;
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::input_file::InputFile;
+use eigenshade_model::inputs::sheet::Sheet;
+
+/// Bytes that a pixel takes of a [`LinearImage`], and in reading it: what it counts, and its
+/// normal.
+const BYTES_PER_PIXEL: u64 = 136;
+
+/// How a PNG's samples stand for light.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum Transfer {
+    /// In proportion
+    Linear,
+    /// By the curve of IEC 61966-2-1
+    Srgb,
+}
+
+/// An image in linear units.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LinearImage {
+    /// Pixels across, and down; none for a list of pixels.
+    pub size: Option<[usize; 2]>,
+    /// r, g, b of each pixel; row by row from the top. Full scale of a PNG is 1.
+    pub pixels: Vec<[f64; 3]>,
+    /// The weight of each: its opacity; 0 for a clipped one.
+    pub weights: Vec<f64>,
+    /// Pixels left out because one of their channels is at full scale.
+    pub clipped: usize,
+    /// Pixels left out because they are transparent.
+    pub transparent: usize,
+}
+
+impl LinearImage {
+    /// Reads a `.png`, an environment map's file types (`.exr`, `.hdr`, `.pfm`), or a
+    /// CSV with the columns `r,g,b` or `value`, a row a pixel.
+    ///
+    /// Without a `transfer` a PNG is taken for what it says it is ([`Curve`]); one that says
+    /// nothing for sRGB if it has 8 bits, which is how cameras and programs write such files,
+    /// and for linear if it has 16. The other types are linear. What a clipped pixel showed
+    /// nobody knows: it weighs nothing.
+    ///
+    /// # Errors
+    ///
+    /// A file of another type, one that cannot be read or is broken, a transfer for a
+    /// type that has none, none for a PNG that says it is something else, numbers that are not finite.
+    pub fn read(file: impl Into<InputFile>, transfer: Option<Transfer>) -> Result<Self> {
+        let file = file.into().with_bytes_beside(BYTES_PER_PIXEL);
+        let path = file.path();
+        let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
+        let ending = ending.to_ascii_lowercase();
+        if ending == "png" {
+            return Self::of_png(&file, transfer);
+        }
+        if transfer.is_some() {
+            let what = "only PNGs have a transfer, this file is linear";
+            return Err(Error::new(what, "leave --transfer out").in_file(path));
+        }
+        match ending.as_str() {
+            "csv" => Self::of_csv(file),
+            "exr" | "hdr" | "pfm" => {
+                let map = EnvironmentMap::from_path(file)?;
+                let pixels = map.texels.iter().map(|texel| texel.map(f64::from)).collect();
+                Ok(Self::whole(Some([map.width, map.height]), pixels))
+            }
+            _ => Err(Error::new(
+                "it is no image that is read",
+                "give a file that ends in .png, .exr, .hdr, .pfm or .csv",
+            )
+            .in_file(path)),
+        }
+    }
+
+    fn whole(size: Option<[usize; 2]>, pixels: Vec<[f64; 3]>) -> Self {
+        Self { size, weights: vec![1.0; pixels.len()], pixels, clipped: 0, transparent: 0 }
+    }
+
+    fn of_png(file: &InputFile, transfer: Option<Transfer>) -> Result<Self> {
+        let png = png_samples::read(file.clone())?;
+        let full = f64::from(png.full);
+        let transfer = match (transfer, &png.curve) {
+            (Some(transfer), _) => transfer,
+            (None, Curve::Linear) => Transfer::Linear,
+            (None, Curve::Srgb) => Transfer::Srgb,
+            (None, Curve::Unsaid) if png.full == u16::from(u8::MAX) => Transfer::Srgb,
+            (None, Curve::Unsaid) => Transfer::Linear,
+            (None, Curve::Other(what)) => {
+                let what = format!("{what}, by which samples are not read");
+                let remedy = "say what they are by --transfer linear or --transfer srgb";
+                return Err(Error::new(what, remedy).in_file(file.path()));
+            }
+        };
+        let value = |sample: u16| match transfer {
+            Transfer::Linear => f64::from(sample) / full,
+            Transfer::Srgb => tone::linear(f64::from(sample) / full),
+        };
+        let pixels = png.colours.iter().map(|colour| colour.map(value)).collect();
+        let mut image = Self::whole(Some([png.width, png.height]), pixels);
+        for ((weight, colour), opacity) in
+            image.weights.iter_mut().zip(&png.colours).zip(&png.opacities)
+        {
+            let clips = colour.contains(&png.full);
+            *weight = if clips { 0.0 } else { f64::from(*opacity) / full };
+            image.transparent += usize::from(*opacity == 0);
+            image.clipped += usize::from(clips && *opacity > 0);
+        }
+        Ok(image)
+    }
+
+    fn of_csv(file: InputFile) -> Result<Self> {
+        let sheet = Sheet::read(file, "r,g,b")?;
+        let columns = sheet.colors()?.ok_or_else(|| sheet.wrong_header("`r,g,b` or `value`"))?;
+        let mut pixels = Vec::new();
+        for row in sheet.rows() {
+            let mut pixel = [0.0; 3];
+            for (channel, column) in pixel.iter_mut().zip(columns) {
+                *channel = row.number(column)?;
+            }
+            pixels.push(pixel);
+        }
+        Ok(Self::whole(None, pixels))
+    }
+
+    /// Whether all three channels are the same everywhere.
+    #[must_use]
+    pub fn is_grey(&self) -> bool {
+        self.pixels.iter().all(|[r, g, b]| r == g && g == b)
+    }
+}

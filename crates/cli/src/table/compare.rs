@@ -1,0 +1,299 @@
+//! Whether two tables say the same.
+//!
+//! Compared is what a scene determines: eigenvalues, profiles, mode means, rows of
+//! UᵀM, the mean image. Of U only its images AU: the mode coefficients themselves
+//! are as free as M is singular.
+//!
+//! Rounding can end a polynomial one term earlier or later. So polynomials are
+//! compared over the terms that both have; what one alone has may be as large as
+//! the scene lets a polynomial be off.
+
+use eigenshade_generator::basis::profile::evaluate;
+use eigenshade_index::mode;
+use eigenshade_table::{General, Profile, Table};
+
+/// What may differ, relative to the largest number of its kind.
+pub const ALLOWED: f64 = 1e-9;
+
+/// How far what a general table draws may be off, in its profiles' tolerance: the sum of
+/// what is left out of some hundred profiles.
+const DRAWN: f64 = 100.0;
+
+/// Arguments at which polynomials are compared.
+const ARGUMENTS: u32 = 64;
+
+/// How far two tables are apart in one respect.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Difference {
+    /// What was compared.
+    pub what: &'static str,
+    /// The largest difference, relative to the largest of these numbers.
+    pub found: f64,
+    /// How large it may be.
+    pub allowed: f64,
+}
+
+impl Difference {
+    /// Whether it is larger than it may be; a NaN is.
+    #[must_use]
+    pub fn is_over(&self) -> bool {
+        self.found.is_nan() || self.found > self.allowed
+    }
+}
+
+/// The differences between a table and the one that it should be.
+///
+/// # Errors
+///
+/// What does not fit at all: another scene, degree, rank or number of components.
+pub fn differences(table: &Table, fresh: &Table) -> Result<Vec<Difference>, String> {
+    same_shape(table, fresh)?;
+    let both = [table, fresh];
+    let [old_values, new_values] = both.map(component_eigenvalues);
+    let [old_spectrum, new_spectrum] = both.map(|table| spectrum(table, longest_spectrum(both)));
+    let of_profiles = |table: &Table, f: &dyn Fn(&Profile) -> Vec<f64>| -> Vec<f64> {
+        table.profiles.iter().flat_map(f).collect()
+    };
+    let compared = |what, f: &dyn Fn(&Profile) -> Vec<f64>| {
+        difference(what, &of_profiles(table, f), &of_profiles(fresh, f))
+    };
+    let [old_series, new_series, alone] = polynomials(table, fresh);
+    // Each is within the tolerance of the whole series.
+    let alone = Difference {
+        what: "terms of one alone",
+        found: alone.iter().fold(0.0, |most: f64, value| most.max(value.abs())),
+        allowed: 2.0 * fresh.scene.basis.profile_tolerance,
+    };
+    let [old_mean, new_mean] = both.map(mean_coefficients);
+    if fresh.general.is_some() {
+        let [old_rows, new_rows] = both.map(general_rows);
+        let [old_images, new_images] = both.map(|table| projected(table, |one| &one.synthesis));
+        let [old_drawn, new_drawn] = both.map(drawn);
+        let mut differences = vec![
+            Difference {
+                allowed: DRAWN * fresh.scene.basis.profile_tolerance,
+                ..difference("eigenimages drawn", &old_drawn, &new_drawn)
+            },
+            difference("d of the eigenimages", &old_images, &new_images),
+            difference("components' eigenvalues", &old_values, &new_values),
+            difference("spectrum", &old_spectrum, &new_spectrum),
+            difference("mode means e", &table.gram.mode_means(), &fresh.gram.mode_means()),
+            difference("rows of U^T M", &old_rows, &new_rows),
+            difference("coefficients of the mean", &old_mean, &new_mean),
+        ];
+        if fresh.has_modes() {
+            let [old_modes, new_modes] = both.map(|table| projected(table, |one| &one.modes));
+            differences.push(difference("d of their modes", &old_modes, &new_modes));
+        }
+        return Ok(differences);
+    }
+    let mut differences = vec![
+        difference("components' eigenvalues", &old_values, &new_values),
+        difference("spectrum", &old_spectrum, &new_spectrum),
+        compared("profiles at the nodes", &|profile| profile.node_values.clone()),
+        difference("polynomials", &old_series, &new_series),
+        alone,
+        difference("coefficients of the mean", &old_mean, &new_mean),
+    ];
+    if fresh.has_projection() {
+        let [old_means, new_means] = both.map(|table| table.gram.mode_means());
+        differences.push(difference("mode means e", &old_means, &new_means));
+        let [old, new] = both.map(|table| of_profiles(table, &|one| table.gram_row(one)));
+        differences.push(difference("rows of U^T M", &old, &new));
+    } else {
+        let [old, new] = both.map(transfers);
+        differences.push(difference("transfers", &old, &new));
+    }
+    if fresh.has_modes() {
+        let columns: Vec<_> =
+            (0..=fresh.gram.degree).map(|azimuth| fresh.gram.columns(azimuth)).collect();
+        let image = |profile: &Profile| image(&columns[profile.azimuth], profile);
+        let [old, new] = both.map(|table| of_profiles(table, &image));
+        differences.push(difference("images A U", &old, &new));
+    }
+    Ok(differences)
+}
+
+/// A U: weighted values at the nodes.
+fn image(columns: &[Vec<f64>], profile: &Profile) -> Vec<f64> {
+    let mut image = vec![0.0; profile.node_values.len()];
+    for (column, coefficient) in columns.iter().zip(&profile.modes) {
+        for (pixel, value) in image.iter_mut().zip(column) {
+            *pixel += coefficient * value;
+        }
+    }
+    image
+}
+
+fn transfers(table: &Table) -> Vec<f64> {
+    table.transfers.iter().flat_map(|one| one.numbers.iter().copied()).collect()
+}
+
+fn same_shape(table: &Table, fresh: &Table) -> Result<(), String> {
+    let orders = |table: &Table| {
+        table.components.iter().map(|one| (one.order, one.profile)).collect::<Vec<_>>()
+    };
+    let azimuths = |table: &Table| {
+        let lengths = table.profiles.iter().map(|one| (one.azimuth, one.node_values.len()));
+        lengths.collect::<Vec<_>>()
+    };
+    if table.scene != fresh.scene {
+        return Err("it was made for another scene".into());
+    }
+    if table.count() != fresh.count() || table.general.is_some() != fresh.general.is_some() {
+        let (found, expected) = (table.count(), fresh.count());
+        return Err(format!("it has {found} components where {expected} belong"));
+    }
+    // Where a general table's span ends rounding decides; the span is no result.
+    let determined = fresh.general.is_none();
+    if determined && (orders(table) != orders(fresh) || azimuths(table) != azimuths(fresh)) {
+        return Err("its components have other azimuths".into());
+    }
+    if table.selection != fresh.selection {
+        return Err("it keeps other modes".into());
+    }
+    if table.summary.ranks != fresh.summary.ranks {
+        return Err("the ranks of its blocks differ".into());
+    }
+    Ok(())
+}
+
+/// Rows of UᵀM of a general table, for each eigenimage and each m of the span, from its
+/// projection. The span's own profiles end in rounding; these do not.
+fn general_rows(table: &Table) -> Vec<f64> {
+    let Some(general) = &table.general else { return Vec::new() };
+    let of_profiles: Vec<Vec<f64>> =
+        table.profiles.iter().map(|profile| table.gram_row(profile)).collect();
+    let degree = table.gram.degree as i32;
+    let mut rows = Vec::new();
+    for weights in general.projection.chunks(table.components.len().max(1)) {
+        for order in -degree..=degree {
+            let azimuth = order.unsigned_abs() as usize;
+            let mut row = vec![0.0; mode::count(table.gram.degree, table.gram.order, azimuth)];
+            for (component, weight) in table.components.iter().zip(weights) {
+                if component.order == order {
+                    for (sum, value) in row.iter_mut().zip(&of_profiles[component.profile]) {
+                        *sum += weight * value;
+                    }
+                }
+            }
+            rows.extend(row);
+        }
+    }
+    rows
+}
+
+/// d of images that a general table gives in the span, row by row: of its eigenimages
+/// themselves.
+fn projected(table: &Table, of: fn(&General) -> &Vec<f64>) -> Vec<f64> {
+    let Some(general) = &table.general else { return Vec::new() };
+    let functions = table.components.len().max(1);
+    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let rows = general.projection.chunks(functions);
+    rows.flat_map(|row| of(general).chunks(functions).map(move |image| dot(row, image))).collect()
+}
+
+/// The eigenimages of a general table and its mean image, as the polynomials of its span
+/// draw them, for each order m on slants from the pole to the rim.
+fn drawn(table: &Table) -> Vec<f64> {
+    let Some(general) = &table.general else { return Vec::new() };
+    let of_profiles: Vec<Vec<f64>> = table
+        .profiles
+        .iter()
+        .map(|profile| polynomial(profile.azimuth, &profile.chebyshev))
+        .collect();
+    let degree = table.gram.degree as i32;
+    let functions = table.components.len().max(1);
+    let mut values = Vec::new();
+    for weights in general.synthesis.chunks(functions).chain(general.mean.chunks(functions)) {
+        for order in -degree..=degree {
+            let mut sum = vec![0.0; ARGUMENTS as usize + 1];
+            for (component, weight) in table.components.iter().zip(weights) {
+                if component.order == order {
+                    for (sum, value) in sum.iter_mut().zip(&of_profiles[component.profile]) {
+                        *sum += weight * value;
+                    }
+                }
+            }
+            values.extend(sum);
+        }
+    }
+    values
+}
+
+fn component_eigenvalues(table: &Table) -> Vec<f64> {
+    if let Some(general) = &table.general {
+        return general.eigenvalues.iter().map(|value| value.unwrap_or(0.0)).collect();
+    }
+    table.components.iter().map(|one| one.eigenvalue.unwrap_or(0.0)).collect()
+}
+
+fn longest_spectrum(tables: [&Table; 2]) -> usize {
+    tables.map(|table| table.spectrum.len()).into_iter().max().unwrap_or(0)
+}
+
+/// The spectrum, filled up with zeros: its end is where rounding decides.
+fn spectrum(table: &Table, length: usize) -> Vec<f64> {
+    let mut values: Vec<f64> =
+        table.spectrum.iter().map(|(_, value)| value.unwrap_or(0.0)).collect();
+    values.resize(length, 0.0);
+    values
+}
+
+/// Of each profile and of the mean image u(α) at the slants: of both over the
+/// terms that both have, and of the terms that one alone has. All are relative to
+/// the largest |u| of that profile.
+fn polynomials(table: &Table, fresh: &Table) -> [Vec<f64>; 3] {
+    let series = |table: &Table| -> Vec<(usize, Vec<f64>)> {
+        let profiles = table.profiles.iter().map(|one| (one.azimuth, one.chebyshev.clone()));
+        let mean = table.mean.iter().map(|mean| (0, mean.chebyshev.clone()));
+        profiles.chain(mean).collect()
+    };
+    let mut values = [const { Vec::new() }; 3];
+    for ((azimuth, old), (_, new)) in series(table).into_iter().zip(series(fresh)) {
+        let longer = if old.len() > new.len() { &old } else { &new };
+        let both = old.len().min(new.len());
+        let mut alone = longer.clone();
+        alone.iter_mut().take(both).for_each(|term| *term = 0.0);
+        let largest = polynomial(azimuth, longer)
+            .iter()
+            .fold(f64::MIN_POSITIVE, |most, value| most.max(value.abs()));
+        for (values, series) in values.iter_mut().zip([&old[..both], &new[..both], &alone]) {
+            values.extend(polynomial(azimuth, series).iter().map(|u| u / largest));
+        }
+    }
+    values
+}
+
+/// u(α) on slants from the pole to the rim.
+fn polynomial(azimuth: usize, chebyshev: &[f64]) -> Vec<f64> {
+    let slants =
+        (0..=ARGUMENTS).map(|k| std::f64::consts::FRAC_PI_2 * f64::from(k) / f64::from(ARGUMENTS));
+    slants
+        .map(|alpha| {
+            let (sine, z) = alpha.sin_cos();
+            sine.powi(azimuth as i32) * evaluate(chebyshev, z)
+        })
+        .collect()
+}
+
+fn mean_coefficients(table: &Table) -> Vec<f64> {
+    match &table.general {
+        Some(general) => general.mean_coefficients.clone(),
+        None => table.mean.as_ref().map_or_else(Vec::new, |mean| mean.coefficients.clone()),
+    }
+}
+
+fn difference(what: &'static str, found: &[f64], expected: &[f64]) -> Difference {
+    let largest = expected.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+    let worst = if found.len() == expected.len() {
+        found.iter().zip(expected).fold(0.0, |most: f64, (a, b)| {
+            let apart = (a - b).abs();
+            if apart > most || apart.is_nan() { apart } else { most }
+        })
+    } else {
+        f64::INFINITY
+    };
+    let found = if worst == 0.0 { 0.0 } else { worst / largest };
+    Difference { what, found, allowed: ALLOWED }
+}

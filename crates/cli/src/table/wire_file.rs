@@ -1,0 +1,76 @@
+//! Wire files: what one is, for reading.
+
+use crate::output::number::grouped;
+use eigenshade::wire::{Header, WireError, WireFormat, aligned};
+use eigenshade::{Basis, GeneralBasis, Q15, Q31, quantised};
+use eigenshade_index::effect::{Effect, Effects};
+use eigenshade_index::wire::{ENTRY, FLOATS, HEADER, INTEGERS, LABEL};
+use eigenshade_model::error::{Error, Result};
+use std::fmt::Write;
+
+/// Whether bytes begin as a wire file does.
+#[must_use]
+pub fn is_one(bytes: &[u8]) -> bool {
+    bytes.starts_with(&LABEL)
+}
+
+/// What is in a wire file, line by line.
+///
+/// # Errors
+///
+/// Bytes that the runtime refuses.
+pub fn description(bytes: &[u8]) -> Result<String> {
+    let header = checked(bytes).map_err(|error| described(&error))?;
+    let (format, names) = match WireFormat::of(header.format) {
+        Some(WireFormat::F32) | None => (WireFormat::F32, FLOATS.as_slice()),
+        Some(format) => (format, INTEGERS.as_slice()),
+    };
+    let mut text = String::new();
+    let lines = [
+        ("wire version", header.version.to_string()),
+        ("format", format.name().to_owned()),
+        ("degree", header.degree.to_string()),
+        ("order", header.order.to_string()),
+        ("effects", named(header.effects)),
+        ("components", header.images.max(header.components).to_string()),
+        ("span", if header.images == 0 { 0 } else { header.components }.to_string()),
+    ];
+    for (what, value) in lines {
+        let _ = writeln!(text, "{what:<24} {value}");
+    }
+    for (number, name) in names.iter().take(header.sections).enumerate() {
+        let at = HEADER + ENTRY * number + ENTRY / 2;
+        let length = u32::from_ne_bytes(std::array::from_fn(|k| bytes[at + k]));
+        let _ = writeln!(text, "{name:<24} {:>9} bytes", grouped(length as usize));
+    }
+    let _ = writeln!(text, "{:<24} {:>9} bytes", "file", grouped(header.length));
+    Ok(text)
+}
+
+/// The names of effects.
+#[must_use]
+pub fn named(effects: Effects) -> String {
+    let names = Effect::ALL.into_iter().filter(|&effect| effects.has(effect)).map(Effect::name);
+    names.collect::<Vec<_>>().join(" ")
+}
+
+/// The header of a file that the runtime takes.
+fn checked(bytes: &[u8]) -> std::result::Result<Header, WireError> {
+    let header = Header::read(bytes)?;
+    let mut room = vec![0; bytes.len().div_ceil(4)];
+    let bytes = aligned(bytes, &mut room)?;
+    match WireFormat::of(header.format) {
+        Some(WireFormat::Q15) => quantised::Basis::<Q15>::from_bytes(bytes).map(drop)?,
+        Some(WireFormat::Q31) => quantised::Basis::<Q31>::from_bytes(bytes).map(drop)?,
+        _ if header.images > 0 => GeneralBasis::<f32>::from_bytes(bytes).map(drop)?,
+        _ => Basis::<f32>::from_bytes(bytes).map(drop)?,
+    }
+    Ok(header)
+}
+
+/// What is wrong and what to do, which the one line of [`WireError`] has both.
+fn described(error: &WireError) -> Error {
+    let line = error.to_string();
+    let (what, remedy) = line.rsplit_once("; ").unwrap_or((&line, "pack the table again"));
+    Error::new(what, remedy)
+}

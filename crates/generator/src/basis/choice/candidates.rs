@@ -1,0 +1,221 @@
+//! The degree and the order whose table is the least.
+//!
+//! Components of a candidate are counted by the eigenvalues of Σ y yᵀ over its images y, in the
+//! coordinates of the highest degree and order; the table that is then made counts its own by
+//! singular values. Polynomials, some tenth of a table, are not counted.
+
+use crate::basis::choice::energies::{Energies, Images};
+use crate::basis::choice::{Below, POLYNOMIALS, Reach, Share, budget};
+use crate::basis::eigenimages::constant_coordinates;
+use crate::basis::moments::{LightMoments, MaterialMoments, deviations};
+use crate::basis::{canonical, gram};
+use eigenshade_index::effect::Effects;
+use eigenshade_index::{layout, pair};
+use eigenshade_model::database::{self, Lights, Materials};
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::selection::Kept;
+use eigenshade_table::Scene;
+use eigenshade_table::scene::{Criterion, Store};
+use faer::{Mat, Side};
+
+/// Of the tolerance, what is left to components and polynomials at least.
+const LEAST_BUDGET: f64 = 0.2;
+
+/// Of the tolerance, what may be left out without a higher degree or order being tried: it would
+/// gain the components no more than that.
+const NOTHING: f64 = 0.01;
+
+/// A degree and an order, and what they leave.
+pub(super) struct Candidate {
+    pub(super) degree: usize,
+    pub(super) order: usize,
+    pub(super) degrees_left: f64,
+    pub(super) orders_left: f64,
+    /// With a degree less, and with an order less.
+    one_less: [Option<f64>; 2],
+}
+
+impl Candidate {
+    fn new(energies: &Energies, degree: usize, order: usize) -> Self {
+        Self {
+            degree,
+            order,
+            degrees_left: energies.of_degrees_above(degree),
+            orders_left: energies.of_orders_from(order + 1, degree),
+            one_less: [
+                degree.checked_sub(1).map(|less| energies.of_degrees_above(less)),
+                order.checked_sub(1).map(|_| energies.of_orders_from(order, degree)),
+            ],
+        }
+    }
+
+    /// As shares of the peak; the scene says of how many.
+    pub(super) fn reach(&self, scene: &Scene, peak: f64) -> Reach {
+        let share = |energy: f64| energy.sqrt() / peak;
+        let [degree, order] = self.one_less.map(|one| one.map(share));
+        Reach::Chosen {
+            degree: Share {
+                kept: self.degree,
+                of: scene.light.degree,
+                leaves: share(self.degrees_left),
+                one_less: degree,
+            },
+            order: Share {
+                kept: self.order,
+                of: scene.material.order,
+                leaves: share(self.orders_left),
+                one_less: order,
+            },
+        }
+    }
+}
+
+/// The candidate of the least table that may leave so much energy in all; of equal ones that of
+/// the least degree, then order.
+///
+/// # Errors
+///
+/// Weights that are none, lights that cannot be normalised, eigenvalues that do not converge.
+pub(super) fn least(
+    scene: &Scene,
+    lights: &Lights,
+    materials: &Materials,
+    allowed: f64,
+) -> Result<Candidate> {
+    let weights = database::weights(&lights.entries, &scene.light.weights)?;
+    let light = LightMoments::weighted(lights, scene.light.normalise, &weights)?;
+    let weights = database::weights(&materials.entries, &scene.material.weights)?;
+    let of_materials = MaterialMoments::weighted(materials, weights);
+    let gram = gram::of_sphere(lights.degree, materials.order);
+    let effects = scene.effects.set();
+    let kept = Kept { effects, selection: Vec::new() };
+    let moments =
+        |criterion, azimuth| deviations(&light, &of_materials, effects, criterion, azimuth);
+    let energies =
+        Energies::new(&gram, &kept, |azimuth| moments(Criterion::ImageCentered, azimuth));
+    let candidates = within(&energies, effects, [gram.degree, gram.order], allowed);
+
+    let criterion = scene.basis.criterion;
+    let mut spectra = vec![Vec::new(); candidates.len()];
+    for azimuth in 0..=gram.degree {
+        let images = Images::new(&gram, &kept, azimuth);
+        let deviations = moments(criterion, azimuth);
+        let apart = (criterion == Criterion::ImageCentered && azimuth == 0)
+            .then(|| constant_coordinates(&gram, &images.space));
+        let size = images.space.dimension();
+        let mut squares = vec![Mat::<f64>::zeros(size, size); gram.order + 1];
+        for l in azimuth..=gram.degree {
+            for (squares, images) in squares.iter_mut().zip(images.by_order(&deviations, l)) {
+                *squares += &images * images.transpose();
+            }
+            for (candidate, spectrum) in candidates.iter().zip(&mut spectra) {
+                if candidate.degree == l {
+                    let values = eigenvalues(&squares[candidate.order], apart.as_deref())?;
+                    spectrum.extend(values.into_iter().map(|value| (azimuth, value)));
+                }
+            }
+        }
+    }
+    let transfers = materials.entries.len();
+    let sized = candidates.into_iter().zip(spectra).map(|(candidate, spectrum)| {
+        let left = [candidate.degrees_left, candidate.orders_left];
+        let profiles = profiles(spectrum, criterion, (1.0 - POLYNOMIALS) * budget(allowed, left));
+        let reach = [candidate.degree, candidate.order];
+        (numbers(scene.basis.store, effects, reach, &profiles, transfers), candidate)
+    });
+    // The first of equals.
+    let least = sized.reduce(|least, one| if one.0 < least.0 { one } else { least });
+    Ok(least.expect("all of the light and the material is a candidate").1)
+}
+
+/// The candidates, by degree, then order.
+fn within(
+    energies: &Energies,
+    effects: Effects,
+    [most_degree, most_order]: [usize; 2],
+    allowed: f64,
+) -> Vec<Candidate> {
+    let nothing = NOTHING * NOTHING * allowed;
+    let mut candidates = Vec::new();
+    for degree in (0..=most_degree).filter(|&degree| effects.degree(degree) == degree) {
+        for order in (0..=most_order).filter(|&order| effects.order(order) == order) {
+            let has_modes = (0..=degree).any(|l| (0..=order).any(|o| effects.keeps(l, o)));
+            let one = Candidate::new(energies, degree, order);
+            let left = budget(allowed, [one.degrees_left, one.orders_left]);
+            let negligible = one.orders_left <= nothing;
+            if has_modes && left >= LEAST_BUDGET * LEAST_BUDGET * allowed {
+                candidates.push(one);
+            }
+            if negligible {
+                break;
+            }
+        }
+        if energies.of_degrees_above(degree) <= nothing && !candidates.is_empty() {
+            break;
+        }
+    }
+    candidates
+}
+
+/// Eigenvalues but for the direction `apart`, a unit vector; the rounding of nothing is nothing.
+fn eigenvalues(squares: &Mat<f64>, apart: Option<&[f64]>) -> Result<Vec<f64>> {
+    let rest = match apart {
+        None => squares.clone(),
+        Some(apart) => {
+            let size = apart.len();
+            let project =
+                Mat::from_fn(size, size, |i, j| f64::from(u8::from(i == j)) - apart[i] * apart[j]);
+            &project * squares * &project
+        }
+    };
+    let values = rest.self_adjoint_eigenvalues(Side::Lower).map_err(|_| {
+        Error::new(
+            "the eigenvalues of the images' energies do not converge",
+            "look for numbers that are not finite, or far out of range",
+        )
+    })?;
+    Ok(values.into_iter().map(|value| value.max(0.0)).collect())
+}
+
+/// How many profiles of each |m| the least components that leave at most `allowed` need.
+fn profiles(spectrum: Vec<(usize, f64)>, criterion: Criterion, allowed: f64) -> Vec<usize> {
+    let mut values: Vec<(usize, f64)> = spectrum
+        .into_iter()
+        .flat_map(|(azimuth, value)| {
+            canonical::orders(azimuth).iter().map(move |_| (azimuth, value))
+        })
+        .collect();
+    values.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
+    let only: Vec<_> = values.iter().map(|(_, value)| (None, Some(*value))).collect();
+    let count = Below::new(&only, 0.0).least(allowed);
+    let most = values.iter().map(|(azimuth, _)| azimuth + 1).max().unwrap_or(1);
+    let mut components = vec![0; most];
+    values[..count].iter().for_each(|(azimuth, _)| components[*azimuth] += 1);
+    let mut profiles: Vec<usize> = (components.iter().enumerate())
+        .map(|(azimuth, count): (usize, &usize)| count.div_ceil(canonical::orders(azimuth).len()))
+        .collect();
+    // The constant.
+    profiles[0] += usize::from(criterion == Criterion::ImageCentered);
+    profiles
+}
+
+/// Numbers that projecting takes of the runtime's table: polar integrals and factors, what
+/// stands apart; or the transfers of so many materials.
+fn numbers(
+    store: Store,
+    effects: Effects,
+    [degree, order]: [usize; 2],
+    profiles: &[usize],
+    transfers: usize,
+) -> usize {
+    let by_azimuth = profiles.iter().enumerate();
+    if store == Store::Materials {
+        let rows = by_azimuth.map(|(azimuth, count)| count * (degree + 1 - azimuth));
+        return transfers * rows.sum::<usize>();
+    }
+    let factored = effects.factored_order(order);
+    let polar = pair::count(factored) * layout::LANES * layout::groups(degree);
+    let factors =
+        by_azimuth.map(|(azimuth, &count)| layout::factors(degree, factored, azimuth, count));
+    polar + factors.sum::<usize>() + profiles[0] * effects.apart_count(order)
+}

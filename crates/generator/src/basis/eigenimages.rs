@@ -1,0 +1,191 @@
+//! The eigenimages that a table keeps: which, and all that it says of each.
+
+use crate::basis::canonical;
+use crate::basis::canonical::Ranked;
+use crate::basis::pca::{Block, Principal};
+use crate::basis::profile;
+use crate::basis::profile::ProfileSpace;
+use eigenshade_index::effect::{Effect, Effects};
+use eigenshade_index::pair;
+use eigenshade_table::{Component, GramFactor, Profile, Table};
+use faer::Mat;
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+use std::f64::consts::FRAC_1_SQRT_2;
+
+/// Everything known of one azimuth.
+pub(crate) struct Azimuth {
+    /// A, factored.
+    pub(crate) block: Block,
+    /// Its principal components.
+    pub(crate) principal: Principal,
+}
+
+/// The components that a table takes, and the profiles that they need.
+pub(crate) struct Selected {
+    components: Vec<Component>,
+    profiles: Vec<Ranked>,
+}
+
+impl Selected {
+    /// The first `count` of `ranked`.
+    pub(crate) fn new(azimuths: &[Azimuth], ranked: &[Ranked], count: usize) -> Self {
+        let mut profiles = Vec::new();
+        let mut taken: Vec<(Ranked, i32)> = Vec::new();
+        for profile in ranked {
+            if taken.len() >= count {
+                break;
+            }
+            profiles.push(*profile);
+            let orders = canonical::orders(profile.azimuth).iter();
+            taken.extend(
+                orders
+                    .take(count - taken.len())
+                    .map(|sign| (*profile, sign * profile.azimuth as i32)),
+            );
+        }
+        // Stable: within an azimuth the canonical order stays.
+        profiles.sort_by_key(|profile| profile.azimuth);
+        debug_assert!(profiles.iter().all(|profile| profile.azimuth < azimuths.len()));
+        let place = |wanted: &Ranked| {
+            profiles.iter().position(|profile| profile == wanted).expect("it was pushed above")
+        };
+        let components = taken
+            .iter()
+            .map(|(profile, order)| Component {
+                order: *order,
+                profile: place(profile),
+                eigenvalue: profile.eigenvalue,
+            })
+            .collect();
+        Self { components, profiles }
+    }
+
+    /// Writes components and profiles into the table; a profile's polynomial is within
+    /// `tolerance` of the profile's largest value.
+    pub(crate) fn write(
+        self,
+        table: &mut Table,
+        azimuths: &[Azimuth],
+        threshold: f64,
+        tolerance: f64,
+    ) {
+        let effects = table.effects();
+        table.components = self.components;
+        table.profiles = self
+            .profiles
+            .par_iter()
+            .map(|ranked| {
+                let azimuth = &azimuths[ranked.azimuth];
+                let coordinates = coordinates(&table.gram, azimuth, ranked);
+                let of = (&table.gram, effects);
+                profile(of, &azimuth.block, &coordinates, tolerance, threshold)
+            })
+            .collect();
+    }
+}
+
+/// The coordinates of one ranked profile, a column, with canonical sign.
+fn coordinates(gram: &GramFactor, azimuth: &Azimuth, ranked: &Ranked) -> Mat<f64> {
+    let vector: Vec<f64> = match ranked.eigenvalue {
+        None => constant_coordinates(gram, &azimuth.block.space),
+        Some(_) => azimuth.principal.coordinates.col(ranked.number).iter().copied().collect(),
+    };
+    let column = Mat::from_fn(vector.len(), 1, |i, _| vector[i]);
+    let series = azimuth.block.space.chebyshev(&column);
+    let sign = canonical::sign(&series.col(0).iter().copied().collect::<Vec<_>>());
+    Mat::from_fn(vector.len(), 1, |i, _| sign * vector[i])
+}
+
+/// The first `rank` left singular vectors of a block, with canonical signs.
+pub(crate) fn signed_left(block: &Block, rank: usize) -> Mat<f64> {
+    let left = block.left(rank);
+    let series = block.space.chebyshev(&left);
+    let of = |k: usize| canonical::sign(&series.col(k).iter().copied().collect::<Vec<_>>());
+    let signs: Vec<f64> = (0..rank).map(of).collect();
+    Mat::from_fn(left.nrows(), rank, |i, k| signs[k] * left[(i, k)])
+}
+
+fn profile(
+    of: (&GramFactor, Effects),
+    block: &Block,
+    coordinates: &Mat<f64>,
+    tolerance: f64,
+    threshold: f64,
+) -> Profile {
+    let modes = block.mode_coefficients(coordinates, threshold);
+    let modes = modes.col(0).iter().copied().collect();
+    Profile { modes, ..image(of, block, coordinates, tolerance) }
+}
+
+/// A profile from its coordinates, a column, without its mode coefficients.
+pub(crate) fn image(
+    of: (&GramFactor, Effects),
+    block: &Block,
+    coordinates: &Mat<f64>,
+    tolerance: f64,
+) -> Profile {
+    let first = |matrix: Mat<f64>| matrix.col(0).iter().copied().collect::<Vec<f64>>();
+    let mut chebyshev = first(block.space.chebyshev(coordinates));
+    chebyshev.truncate(profile::trimmed_length(&chebyshev, block.azimuth, tolerance));
+    let node_values = first(block.space.node_values(coordinates));
+    Profile {
+        azimuth: block.azimuth,
+        factors: factors(of, block.azimuth, &node_values),
+        modes: Vec::new(),
+        chebyshev,
+        node_values,
+    }
+}
+
+/// UᵀM of one profile, factored: see [`Profile::factors`].
+fn factors(
+    (gram, effects): (&GramFactor, Effects),
+    azimuth: usize,
+    node_values: &[f64],
+) -> Vec<f64> {
+    let weighted: Vec<f64> =
+        node_values.iter().zip(&gram.root_weights).map(|(value, root)| value * root).collect();
+    let mut factors = Vec::new();
+    for l in azimuth..=gram.degree {
+        let kept = l > 0 || effects.has(Effect::Ambient);
+        for (p, q) in pair::indices(effects.factored_order(gram.order)) {
+            let kept = kept && q <= l;
+            factors.push(if kept { factor(gram, azimuth, &weighted, l, [p, q]) } else { 0.0 });
+        }
+    }
+    if azimuth == 0 {
+        let polar = |o: usize| {
+            let row = pair::position(o, 0) * (gram.degree + 1);
+            gram.polar_integrals[row] * ((o + 1) as f64).sqrt()
+        };
+        let factor = |p: usize| factor(gram, 0, &weighted, 0, [p, 0]);
+        factors.extend(effects.apart(gram.order).map(|(o, p)| match o == p {
+            true => polar(o) * factor(o),
+            false => (polar(o) * factor(p) + polar(p) * factor(o)) * FRAC_1_SQRT_2,
+        }));
+    }
+    factors
+}
+
+/// (-1)^q √(p+1) Σ_k √w_k W_k R_p^q D_l^mq.
+fn factor(
+    gram: &GramFactor,
+    azimuth: usize,
+    weighted: &[f64],
+    l: usize,
+    [p, q]: [usize; 2],
+) -> f64 {
+    let nodes = weighted.len();
+    let pair = pair::position(p, q);
+    let radials = &gram.radials[pair * nodes..(pair + 1) * nodes];
+    let rotation = gram.rotation(azimuth, l, q);
+    let sum: f64 = weighted.iter().zip(radials).zip(rotation).map(|((w, r), d)| w * r * d).sum();
+    let sign = if q % 2 == 0 { 1.0 } else { -1.0 };
+    sign * ((p + 1) as f64).sqrt() * sum
+}
+
+/// Coordinates of the image that is 1 everywhere, a unit vector.
+pub(crate) fn constant_coordinates(gram: &GramFactor, space: &ProfileSpace) -> Vec<f64> {
+    let ones = Mat::from_fn(gram.nodes.len(), 1, |k, _| gram.root_weights[k]);
+    space.coordinates(&ones).col(0).iter().copied().collect()
+}

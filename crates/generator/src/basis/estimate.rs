@@ -1,0 +1,159 @@
+//! What making a scene's table takes, before anything of it is made.
+
+use crate::basis::profile::terms;
+use crate::object::geometry::Geometry;
+use crate::scene_file::Loaded;
+use eigenshade_index::{layout, light, material, mode, pair};
+use eigenshade_model::budget::Budget;
+use eigenshade_model::error::Result;
+use eigenshade_table::scene::{LightRotation, Store};
+use std::time::Duration;
+
+/// Bytes of a number.
+const NUMBER: f64 = 8.0;
+
+/// Multiplications and additions that a core does in a second, of what takes most of the time:
+/// products and factorizations of matrices, sums over columns.
+const RATE: f64 = 5e8;
+
+/// Times no shorter than this are said.
+const LONG: Duration = Duration::from_secs(60);
+
+/// Memory and time of making a table.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Estimate {
+    /// The degree of the light and the order of the material.
+    size: [usize; 2],
+    /// Most bytes at a time: an upper bound.
+    pub bytes: u64,
+    /// On this computer, as far as that can be known: within a factor of some three.
+    pub time: Duration,
+}
+
+/// Of the blocks of all azimuths.
+#[derive(Default)]
+struct Blocks {
+    /// Numbers that are kept of all of them.
+    kept: f64,
+    /// Most numbers that one of them takes while it is made.
+    making: f64,
+    /// Numbers of all profiles, if each is in the table.
+    profiles: f64,
+    /// Dimension of the span of all.
+    dimension: f64,
+    operations: f64,
+}
+
+impl Estimate {
+    /// Of the table of a scene, with all degrees and orders that a tolerance may choose.
+    #[must_use]
+    pub fn of(loaded: &Loaded) -> Self {
+        let scene = &loaded.scene;
+        let (degree, order) = (scene.degree(), scene.order());
+        let count = |count: usize| count as f64;
+        let materials = count(loaded.materials.entries.len());
+        let blocks = Blocks::new(degree, order, materials);
+        let nodes = nodes(degree, order);
+        let cores = count(rayon::current_num_threads());
+
+        let pairs = pair::count(order) * (degree + 1 + nodes);
+        let rotations = (degree + 1) * (degree + 2) / 2 * (order.min(degree) + 1) * nodes;
+        let databases = loaded.lights.entries.len() * light::count(degree)
+            + loaded.materials.entries.len() * material::count(order);
+        // Each color of the databases, as they are, fitted, and as moments.
+        let common = count(pairs) + count(rotations) + 8.0 * count(databases);
+
+        let is_general =
+            loaded.geometry != Geometry::Sphere || scene.light.rotation != LightRotation::Any;
+        let (numbers, operations) = if is_general {
+            let (places, lights) =
+                (count(light::count(degree)), count(loaded.lights.entries.len()));
+            let (vectors, turned) = match scene.light.rotation {
+                LightRotation::Any => (places, 0.0),
+                LightRotation::None => (places.min(lights), lights),
+                // Each light at all angles, before they are compressed.
+                LightRotation::Vertical => (places, lights * (4 * degree + 4) as f64),
+            };
+            let images = materials * (vectors + 1.0);
+            let size = blocks.dimension;
+            let normals = match &loaded.geometry {
+                Geometry::Sphere => 0.0,
+                Geometry::Listed(listed) => count(listed.normals().len()),
+            };
+            // The span's images of modes; then matrices of its dimension, and the images.
+            let numbers = blocks.kept * 1.5
+                + blocks.making
+                + size * (12.0 * size + 6.0 * images)
+                + 3.0 * turned * places;
+            let operations =
+                8.0 * size * size * (2.0 * size + images) + 4.0 * normals * size * size;
+            (numbers, blocks.operations + operations / cores)
+        } else {
+            let most = blocks.profiles;
+            let asked = scene.basis.components.map_or(most, |components| {
+                let factors = (degree + 1) * layout::row(order);
+                count(components) * count(mode::count(degree, order, 0) + factors + 2 * nodes)
+            });
+            // The table, its modes at the nodes, and its bytes while they grow.
+            let copies = if scene.basis.store == Store::Modes { 4.0 } else { 2.0 };
+            let numbers = blocks.kept + (cores * blocks.making).max(copies * asked.min(most));
+            (numbers, blocks.operations / cores)
+        };
+        Self {
+            size: [degree, order],
+            bytes: (NUMBER * (common + numbers)) as u64,
+            time: Duration::from_secs_f64(operations / RATE),
+        }
+    }
+
+    /// Whether the table can be made within this budget.
+    ///
+    /// # Errors
+    ///
+    /// If it cannot; the message names degree, order, memory and time.
+    pub fn admit(&self, budget: Budget) -> Result<()> {
+        let [degree, order] = self.size;
+        budget.admit(self.bytes).map_err(|error| {
+            let time = self.minutes().map(|time| format!(", {time} of work")).unwrap_or_default();
+            error.of(format_args!("a table of degree {degree}, order {order}{time}"))
+        })
+    }
+
+    /// How long it takes, where that is long.
+    #[must_use]
+    pub fn minutes(&self) -> Option<String> {
+        (self.time >= LONG).then(|| format!("some {} minutes", self.time.as_secs().div_ceil(60)))
+    }
+}
+
+impl Blocks {
+    fn new(degree: usize, order: usize, materials: f64) -> Self {
+        let nodes = nodes(degree, order) as f64;
+        let coefficients = material::count(order) as f64;
+        let mut blocks = Self::default();
+        for azimuth in 0..=degree {
+            let modes = mode::count(degree, order, azimuth) as f64;
+            let terms = terms(degree, order, azimuth) as f64;
+            let degrees = (degree + 1 - azimuth) as f64;
+            let images = materials * (degrees + 1.0);
+            let factors = degrees * layout::row(order) as f64;
+            // A and its singular vectors; the space; the principal components.
+            blocks.kept += 2.0 * terms * modes + terms * (nodes + 4.0 * terms);
+            // The modes at the nodes, twice; A and the work of its factorization; the
+            // deviations and their images.
+            let making =
+                2.0 * nodes * modes + 4.0 * terms * modes + images * (coefficients + 4.0 * terms);
+            blocks.making = blocks.making.max(making);
+            blocks.profiles += terms * (modes + factors + nodes + terms);
+            blocks.dimension += terms * if azimuth == 0 { 1.0 } else { 2.0 };
+            blocks.operations += 4.0 * modes * terms * (2.0 * terms + nodes)
+                + images * terms * (coefficients + 8.0 * terms);
+        }
+        blocks
+    }
+}
+
+/// As many nodes as [`crate::basis::gram::of_sphere`] has.
+fn nodes(degree: usize, order: usize) -> usize {
+    terms(degree, order, 0) + degree + 1
+}

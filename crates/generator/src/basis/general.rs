@@ -1,0 +1,265 @@
+//! The eigenbasis of any normals under any statistics of the light, where neither M
+//! nor V_c falls apart into azimuths.
+//!
+//! Images are taken in the coordinates a of the sphere's [`Span`], energies over the
+//! object's normals in the coordinates y of `observed`. The eigenimages W are the left
+//! singular vectors of the database's images in y, U = A⁺W.
+
+use crate::basis;
+use crate::basis::choice::{Below, Choice};
+use crate::basis::moments::MaterialMoments;
+use crate::basis::observed::Observed;
+use crate::basis::pca::principal;
+use crate::basis::settle::{Functions, settle};
+use crate::basis::span::{Function, Span};
+use crate::basis::{gram, peak};
+use crate::light::statistics::LightStatistics;
+use crate::object::geometry::Geometry;
+use eigenshade_model::database;
+use eigenshade_model::database::{Lights, Materials};
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::selection::{self, Kept};
+use eigenshade_table::scene::{Criterion, Store};
+use eigenshade_table::{General, GramFactor, Scene, Summary, Table};
+use faer::Mat;
+
+/// Components whose orthonormality is reported.
+const REPORTED: usize = 100;
+
+/// Singular values below this, relative to the root of the database's energy, are
+/// rounding.
+const ROUNDING: f64 = 1e-14;
+
+/// How far from 1 the root mean square of the constant image may be: the cut-offs.
+const CONSTANT: f64 = 1e-8;
+
+/// Makes the table of a scene whose normals or light have no symmetry to use.
+///
+/// # Errors
+///
+/// As [`basis::build`]; a scene whose `store` is "materials", or that has a `cut`.
+pub fn build(
+    scene: &Scene,
+    geometry: &Geometry,
+    lights: &Lights,
+    materials: &Materials,
+) -> Result<Table> {
+    chosen(scene, geometry, lights, materials).map(|(table, _)| table)
+}
+
+/// The same, and how many components were chosen where the scene gives a tolerance.
+///
+/// # Errors
+///
+/// As [`build`].
+pub fn chosen(
+    scene: &Scene,
+    geometry: &Geometry,
+    lights: &Lights,
+    materials: &Materials,
+) -> Result<(Table, Option<Choice>)> {
+    if scene.basis.store == Store::Materials {
+        return Err(Error::new(
+            format!(
+                "basis.store = \"{}\" is not served for this object or light",
+                scene.basis.store.name()
+            ),
+            "leave it out, or set store = \"projection\"",
+        ));
+    }
+    if scene.basis.cut.is_some() {
+        return Err(Error::new("basis.cut is not served for this object or light", "leave it out"));
+    }
+    let (lights, materials) = basis::fitted(scene, lights, materials)?;
+    let light = {
+        let weights = database::weights(&lights.entries, &scene.light.weights)?;
+        let (normalise, rotation) = (scene.light.normalise, scene.light.rotation);
+        LightStatistics::new(&lights, normalise, rotation, &weights)?
+    };
+    let material = {
+        let weights = database::weights(&materials.entries, &scene.material.weights)?;
+        MaterialMoments::weighted(&materials, weights)
+    };
+    let gram = gram::of_sphere(scene.degree(), scene.order());
+    let effects = scene.effects.set();
+    let kept = Kept { effects, selection: selection::highest(&gram, effects, scene.basis.modes) };
+    let span = Span::new(&gram, &kept)?;
+    let cutoff = scene.basis.rank_cutoff;
+    let observed = Observed::new(&span, geometry, cutoff)?;
+
+    let criterion = scene.basis.criterion;
+    let images = observed.shown(&deviations(&span, &gram, &light, &material, criterion));
+    basis::in_range(images.norm_l2())?;
+    let centred = criterion == Criterion::ImageCentered;
+    let constant = if centred { constant(&span, &observed, &gram)? } else { Vec::new() };
+    let found = principal(&images, centred.then_some(constant.as_slice()), 0)?;
+    let strongest = found.singular_values.first().copied().unwrap_or(0.0);
+    let weakest = (ROUNDING * images.norm_l2()).max(cutoff * strongest);
+    let count = found.singular_values.iter().filter(|value| **value > weakest).count();
+
+    let mut eigenvalues: Vec<Option<f64>> = vec![None; usize::from(centred)];
+    eigenvalues.extend(found.singular_values[..count].iter().map(|value| Some(value * value)));
+    let mut shown = Mat::zeros(images.nrows(), eigenvalues.len());
+    for (column, _) in eigenvalues.iter().enumerate() {
+        let number = column.checked_sub(usize::from(centred));
+        for row in 0..shown.nrows() {
+            shown[(row, column)] = match number {
+                Some(number) => found.coordinates[(row, number)],
+                None => constant[row],
+            };
+        }
+    }
+    let shown = settled(&span, &observed, shown, &eigenvalues);
+
+    let ranks = span.azimuths.iter().map(|of| of.block.rank(cutoff * span.largest()));
+    let energy: f64 = found.singular_values.iter().rev().map(|value| value * value).sum();
+    let mut table = Table {
+        summary: Summary {
+            ranks: ranks.collect(),
+            largest_singular_value: span.largest(),
+            lights: lights.entries.len(),
+            materials: materials.entries.len(),
+            energy,
+            energy_kept: 1.0,
+            orthonormality: 0.0,
+            roundings: Vec::new(),
+        },
+        scene: scene.clone(),
+        selection: kept.selection,
+        components: span.components(),
+        profiles: Vec::new(),
+        mean: None,
+        spectrum: eigenvalues.iter().map(|value| (None, *value)).collect(),
+        general: None,
+        transfers: Vec::new(),
+        gram,
+    };
+    let choice = match (scene.basis.components, scene.basis.tolerance) {
+        (None, Some(tolerance)) => {
+            let peak = peak::of(scene, &lights, &materials)?;
+            Some(Choice::of_components(tolerance, peak, &Below::new(&table.spectrum, 0.0)))
+        }
+        _ => None,
+    };
+    let wanted = match &choice {
+        Some(choice) => choice.components.kept,
+        None => scene.basis.components.unwrap_or(usize::MAX),
+    };
+    let kept = wanted.min(eigenvalues.len());
+    let shown = shown.get(.., ..kept).to_owned();
+    eigenvalues.truncate(kept);
+    let rank = observed.rank(cutoff);
+    let projection = observed.projection(&shown);
+    let (mean, mean_coefficients) = match criterion {
+        Criterion::ImageCentered => (Vec::new(), Vec::new()),
+        Criterion::Standard => {
+            let mean = span.image(&span.fold(&table.gram, &material.mean), &light.mean);
+            let coefficients = &projection * column(&mean);
+            (mean, coefficients.col(0).iter().copied().collect())
+        }
+    };
+    let images = observed.images(&shown);
+    table.profiles =
+        span.table_profiles((&table.gram, effects), scene.basis.profile_tolerance, &images, &mean);
+    table.summary.orthonormality = observed.orthonormality(&shown, rank, REPORTED);
+    if energy > 0.0 {
+        table.summary.energy_kept = (1.0 - table.energy_left(kept) / energy).max(0.0);
+    }
+    table.general = Some(General {
+        normals: match geometry {
+            Geometry::Sphere => 0,
+            Geometry::Listed(listed) => listed.normals().len(),
+        },
+        rank,
+        eigenvalues,
+        projection: rows(&projection),
+        synthesis: columns(&images),
+        modes: columns(&observed.modes(&shown, rank)),
+        mean,
+        mean_coefficients,
+    });
+    // No transfers are kept, so no materials are needed.
+    table.keep(std::iter::empty());
+    Ok((table, choice))
+}
+
+/// Puts the eigenimages into their one order and sign.
+fn settled(
+    span: &Span,
+    observed: &Observed,
+    mut shown: Mat<f64>,
+    eigenvalues: &[Option<f64>],
+) -> Mat<f64> {
+    let mut coordinates = observed.images(&shown);
+    let pole = |function: Function| -> f64 {
+        let of = &span.azimuths[function.order.unsigned_abs() as usize];
+        of.chebyshev.col(function.profile).iter().sum()
+    };
+    let functions = Functions {
+        orders: span.functions().map(|function| function.order).collect(),
+        poles: span.functions().map(pole).collect(),
+    };
+    settle(&mut shown, &mut coordinates, eigenvalues, &functions);
+    shown
+}
+
+/// The constant image in y, a unit vector.
+///
+/// # Errors
+///
+/// If the modes do not make it.
+fn constant(span: &Span, observed: &Observed, gram: &GramFactor) -> Result<Vec<f64>> {
+    let coordinates = span.constant(gram);
+    let shown = observed.shown(&column(&coordinates));
+    let norm = shown.norm_l2();
+    if (norm - 1.0).abs() > CONSTANT {
+        return Err(Error::new(
+            "the constant image is no sum of the modes that are kept",
+            "keep more of them, take a lower rank_cutoff, or criterion = \"standard\"",
+        ));
+    }
+    Ok(shown.col(0).iter().map(|value| value / norm).collect())
+}
+
+fn column(values: &[f64]) -> Mat<f64> {
+    Mat::from_fn(values.len(), 1, |k, _| values[k])
+}
+
+/// Coordinates in the span of the images of the factor of V_c
+/// ([`Criterion::ImageCentered`]) or of Σ_c ([`Criterion::Standard`]): light and
+/// material are independent, so
+/// Σ_c = Cov(L) (x) E{bbᵀ} + E{L}E{L}ᵀ (x) Cov(b).
+fn deviations(
+    span: &Span,
+    gram: &GramFactor,
+    light: &LightStatistics,
+    materials: &MaterialMoments,
+    criterion: Criterion,
+) -> Mat<f64> {
+    let mut columns = Vec::new();
+    for (material, root) in materials.rooted() {
+        let scaled: Vec<f64> = material.iter().map(|b| root * b).collect();
+        let folded = span.fold(gram, &scaled);
+        let vectors = match criterion {
+            Criterion::ImageCentered => &light.second,
+            Criterion::Standard => &light.centred,
+        };
+        columns.extend(vectors.iter().map(|vector| span.image(&folded, vector)));
+        if criterion == Criterion::Standard {
+            let apart = material.iter().zip(&materials.mean);
+            let apart: Vec<f64> = apart.map(|(b, mean)| root * (b - mean)).collect();
+            columns.push(span.image(&span.fold(gram, &apart), &light.mean));
+        }
+    }
+    Mat::from_fn(span.dimension(), columns.len(), |k, t| columns[t][k])
+}
+
+/// Row by row.
+fn rows(matrix: &Mat<f64>) -> Vec<f64> {
+    (0..matrix.nrows()).flat_map(|i| (0..matrix.ncols()).map(move |j| matrix[(i, j)])).collect()
+}
+
+/// Column by column.
+fn columns(matrix: &Mat<f64>) -> Vec<f64> {
+    (0..matrix.ncols()).flat_map(|j| (0..matrix.nrows()).map(move |i| matrix[(i, j)])).collect()
+}

@@ -1,0 +1,175 @@
+//! The principal components of one azimuth, by singular values in node space.
+//!
+//! (28) and (33) ask for the eigenvectors of M^(1/2) V M^(1/2). With M = AᵀA and
+//! V = FFᵀ those are, up to a rotation, the left singular vectors W of AF: no
+//! root of the singular M, nothing squared. U = A⁺W follows by the
+//! pseudo-inverse with a cut-off.
+
+use crate::basis::moments::Deviation;
+use crate::basis::profile::ProfileSpace;
+use eigenshade_index::{material, mode};
+use eigenshade_model::error::{Error, Result};
+use eigenshade_table::GramFactor;
+use faer::{Mat, MatRef};
+
+/// A of one azimuth, in the coordinates of its profile space.
+#[derive(Clone, Debug)]
+pub struct Block {
+    /// |m|.
+    pub azimuth: usize,
+    /// The space of its profiles.
+    pub space: ProfileSpace,
+    /// Coordinates of each mode's profile, a column a mode of
+    /// [`eigenshade_index::mode`]; columns of modes that are not kept are zero.
+    pub factor: Mat<f64>,
+    /// Left singular vectors of `factor`.
+    left: Mat<f64>,
+    /// Its singular values, falling.
+    pub singular_values: Vec<f64>,
+    /// Right singular vectors of `factor`.
+    right: Mat<f64>,
+}
+
+impl Block {
+    /// The block of `azimuth`; `keeps` says which (l, o, p, q) are in.
+    ///
+    /// # Errors
+    ///
+    /// If the singular values do not converge (a number that is not finite).
+    pub fn new(
+        gram: &GramFactor,
+        azimuth: usize,
+        keeps: impl Fn(usize, usize, usize, usize) -> bool,
+    ) -> Result<Self> {
+        let (space, factor) = factor(gram, azimuth, keeps);
+        let svd = factor.thin_svd().map_err(|_| not_converged(azimuth))?;
+        Ok(Self {
+            azimuth,
+            space,
+            left: svd.U().to_owned(),
+            singular_values: diagonal(svd.S().column_vector()),
+            right: svd.V().to_owned(),
+            factor,
+        })
+    }
+
+    /// The first `rank` left singular vectors of `factor`.
+    #[must_use]
+    pub fn left(&self, rank: usize) -> Mat<f64> {
+        self.left.get(.., ..rank).to_owned()
+    }
+
+    /// Numerical rank: singular values above `threshold`.
+    #[must_use]
+    pub fn rank(&self, threshold: f64) -> usize {
+        self.singular_values.iter().filter(|value| **value > threshold).count()
+    }
+
+    /// U = A⁺W: mode coefficients of the eigenimages with these coordinates, a
+    /// column each; singular values up to `threshold` count as zero.
+    #[must_use]
+    pub fn mode_coefficients(&self, coordinates: &Mat<f64>, threshold: f64) -> Mat<f64> {
+        let rank = self.rank(threshold);
+        let projected = self.left.get(.., ..rank).transpose() * coordinates;
+        let scaled = Mat::from_fn(rank, coordinates.ncols(), |i, j| {
+            projected[(i, j)] / self.singular_values[i]
+        });
+        self.right.get(.., ..rank) * scaled
+    }
+
+    /// Coordinates of the images of these deviations: AF.
+    #[must_use]
+    pub fn images(&self, gram: &GramFactor, deviations: &[Deviation]) -> Mat<f64> {
+        let mut images = Mat::zeros(self.space.dimension(), deviations.len());
+        let modes: Vec<_> = mode::indices(gram.degree, gram.order, self.azimuth).collect();
+        for l in self.azimuth..=gram.degree {
+            let Some(first) = modes.iter().position(|mode| mode.0 == l) else { continue };
+            let count = modes.iter().filter(|mode| mode.0 == l).count();
+            let of_degree: Vec<usize> =
+                (0..deviations.len()).filter(|&t| deviations[t].degree == l).collect();
+            let materials = Mat::from_fn(count, of_degree.len(), |s, t| {
+                let (_, o, p, q) = modes[first + s];
+                deviations[of_degree[t]].material[material::position(o, p, q)]
+            });
+            let product = self.factor.get(.., first..first + count) * materials;
+            for (t, &column) in of_degree.iter().enumerate() {
+                images.col_mut(column).copy_from(product.col(t));
+            }
+        }
+        images
+    }
+}
+
+/// The space of an azimuth's profiles and A in its coordinates: see [`Block::factor`].
+pub(crate) fn factor(
+    gram: &GramFactor,
+    azimuth: usize,
+    keeps: impl Fn(usize, usize, usize, usize) -> bool,
+) -> (ProfileSpace, Mat<f64>) {
+    let space = ProfileSpace::new(gram, azimuth);
+    let mut columns = gram.columns(azimuth);
+    let modes = mode::indices(gram.degree, gram.order, azimuth);
+    for (column, (l, o, p, q)) in columns.iter_mut().zip(modes) {
+        if !keeps(l, o, p, q) {
+            column.fill(0.0);
+        }
+    }
+    let nodes = Mat::from_fn(gram.nodes.len(), columns.len(), |k, s| columns[s][k]);
+    let factor = space.coordinates(&nodes);
+    (space, factor)
+}
+
+/// The principal components of a set of images.
+#[derive(Clone, Debug)]
+pub struct Principal {
+    /// Coordinates of the eigenimages' profiles, orthonormal columns.
+    pub coordinates: Mat<f64>,
+    /// Singular values, falling; their squares are the eigenvalues.
+    pub singular_values: Vec<f64>,
+}
+
+/// The left singular vectors of `images`, orthogonal to the unit vector `apart`
+/// where there is one (the constant image, (31)).
+///
+/// # Errors
+///
+/// If the singular values do not converge.
+pub fn principal(images: &Mat<f64>, apart: Option<&[f64]>, azimuth: usize) -> Result<Principal> {
+    let Some(apart) = apart else { return decompose(images.as_ref(), azimuth) };
+    // A reflection that takes `apart` to the first axis; what is left of the
+    // images without that axis is exactly orthogonal to it, however small.
+    let mut normal: Vec<f64> = apart.to_vec();
+    normal[0] += if apart[0] < 0.0 { -1.0 } else { 1.0 };
+    let scale = 2.0 / normal.iter().map(|x| x * x).sum::<f64>();
+    let reflect = |matrix: &Mat<f64>| {
+        let along: Vec<f64> = (0..matrix.ncols())
+            .map(|j| scale * (0..matrix.nrows()).map(|i| normal[i] * matrix[(i, j)]).sum::<f64>())
+            .collect();
+        Mat::from_fn(matrix.nrows(), matrix.ncols(), |i, j| matrix[(i, j)] - normal[i] * along[j])
+    };
+    let reflected = reflect(images);
+    let inner = decompose(reflected.get(1.., ..), azimuth)?;
+    let embedded = Mat::from_fn(images.nrows(), inner.coordinates.ncols(), |i, j| {
+        if i == 0 { 0.0 } else { inner.coordinates[(i - 1, j)] }
+    });
+    Ok(Principal { coordinates: reflect(&embedded), ..inner })
+}
+
+fn decompose(images: MatRef<'_, f64>, azimuth: usize) -> Result<Principal> {
+    let svd = images.thin_svd().map_err(|_| not_converged(azimuth))?;
+    Ok(Principal {
+        coordinates: svd.U().to_owned(),
+        singular_values: diagonal(svd.S().column_vector()),
+    })
+}
+
+fn diagonal(values: faer::ColRef<'_, f64>) -> Vec<f64> {
+    values.iter().copied().collect()
+}
+
+fn not_converged(azimuth: usize) -> Error {
+    Error::new(
+        format!("the singular values of azimuth {azimuth} do not converge"),
+        "look for numbers that are not finite, or far out of range, in lights and materials",
+    )
+}

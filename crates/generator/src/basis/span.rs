@@ -1,0 +1,194 @@
+//! The span of the images of all modes: few profiles of each azimuth, orthonormal
+//! over the normals of a sphere.
+//!
+//! Whatever normals an object shows, each of its images is one of the sphere seen
+//! at those normals: a sum of the functions of this span.
+
+use crate::basis::eigenimages::{constant_coordinates, signed_left};
+use crate::basis::pca::Block;
+use crate::basis::profile::chebyshev_values;
+use eigenshade_index::{light, material, mode};
+use eigenshade_model::error::Result;
+use eigenshade_model::selection::Kept;
+use eigenshade_model::special::spherical_harmonic::azimuth as phi;
+use eigenshade_table::GramFactor;
+use faer::Mat;
+
+/// Singular values of the modes' images below this, relative to the largest of all
+/// azimuths, are rounding.
+pub const ROUNDING: f64 = 1e-13;
+
+/// The profiles of one azimuth.
+#[derive(Clone, Debug)]
+pub struct Azimuth {
+    /// The modes' images.
+    pub block: Block,
+    /// Coordinates of the profiles in the block's space, orthonormal columns.
+    pub profiles: Mat<f64>,
+    /// Their polynomials h, Chebyshev coefficients in 2z - 1, a column each.
+    pub chebyshev: Mat<f64>,
+    /// Coordinates of each mode's image in the profiles, a column a mode.
+    pub modes: Mat<f64>,
+    /// Singular values that belong to the profiles.
+    pub singular_values: Vec<f64>,
+}
+
+/// The span: for each |m|, each profile, the functions u(α) Φ_m(β) and, where m is
+/// not 0, u(α) Φ_-m(β).
+#[derive(Clone, Debug)]
+pub struct Span {
+    degree: usize,
+    /// By |m|.
+    pub azimuths: Vec<Azimuth>,
+}
+
+/// One function of the span.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Function {
+    /// m, signed.
+    pub order: i32,
+    /// Number of its profile within |m|.
+    pub profile: usize,
+}
+
+/// A material's images under every harmonic: for each |m|, profiles by l from |m|.
+#[derive(Clone, Debug)]
+pub struct Folded(Vec<Mat<f64>>);
+
+impl Span {
+    /// The span of the modes of `gram` that are kept.
+    ///
+    /// # Errors
+    ///
+    /// If singular values do not converge.
+    pub fn new(gram: &GramFactor, kept: &Kept) -> Result<Self> {
+        let blocks: Vec<Block> = (0..=gram.degree)
+            .map(|azimuth| {
+                Block::new(gram, azimuth, |l, o, p, q| kept.keeps(gram, azimuth, (l, o, p, q)))
+            })
+            .collect::<Result<_>>()?;
+        let largest =
+            blocks.iter().flat_map(|block| &block.singular_values).copied().fold(0.0, f64::max);
+        let azimuths = blocks
+            .into_iter()
+            .map(|block| {
+                let rank = block.rank(ROUNDING * largest);
+                let profiles = signed_left(&block, rank);
+                Azimuth {
+                    chebyshev: block.space.chebyshev(&profiles),
+                    modes: profiles.transpose() * &block.factor,
+                    singular_values: block.singular_values[..rank].to_vec(),
+                    profiles,
+                    block,
+                }
+            })
+            .collect();
+        Ok(Self { degree: gram.degree, azimuths })
+    }
+
+    /// Its functions, in their order.
+    pub fn functions(&self) -> impl Iterator<Item = Function> + '_ {
+        self.azimuths.iter().enumerate().flat_map(|(azimuth, of)| {
+            (0..of.profiles.ncols()).flat_map(move |profile| {
+                let m = azimuth as i32;
+                let both = [m, -m].into_iter().take(if m == 0 { 1 } else { 2 });
+                both.map(move |order| Function { order, profile })
+            })
+        })
+    }
+
+    /// The largest singular value of all azimuths.
+    #[must_use]
+    pub fn largest(&self) -> f64 {
+        let first = self.azimuths.iter().filter_map(|of| of.block.singular_values.first());
+        first.copied().fold(0.0, f64::max)
+    }
+
+    /// Number of functions.
+    #[must_use]
+    pub fn dimension(&self) -> usize {
+        self.functions().count()
+    }
+
+    /// Values of all functions at unit normals with z >= 0: a row a normal.
+    #[must_use]
+    pub fn values(&self, normals: &[[f64; 3]]) -> Mat<f64> {
+        let most = self.azimuths.iter().map(|of| of.chebyshev.nrows()).max().unwrap_or(0);
+        let polynomials: Vec<Vec<f64>> =
+            normals.iter().map(|n| chebyshev_values(most, n[2])).collect();
+        let mut values = Mat::zeros(normals.len(), self.dimension());
+        let mut column = 0;
+        for (azimuth, of) in self.azimuths.iter().enumerate() {
+            let series =
+                Mat::from_fn(normals.len(), of.chebyshev.nrows(), |k, j| polynomials[k][j]);
+            let profiles = series * &of.chebyshev;
+            let m = azimuth.cast_signed();
+            // sin^|m|(α) Φ_±m(β).
+            let around = |order: isize| -> Vec<f64> {
+                let at = |&[x, y, _]: &[f64; 3]| {
+                    x.hypot(y).powi(azimuth as i32) * phi(order, y.atan2(x))
+                };
+                normals.iter().map(at).collect()
+            };
+            let signs: Vec<Vec<f64>> =
+                if m == 0 { vec![around(0)] } else { vec![around(m), around(-m)] };
+            for profile in 0..profiles.ncols() {
+                for around in &signs {
+                    for (k, around) in around.iter().enumerate() {
+                        values[(k, column)] = profiles[(k, profile)] * around;
+                    }
+                    column += 1;
+                }
+            }
+        }
+        values
+    }
+
+    /// A material's images: b in the order of [`material`].
+    #[must_use]
+    pub fn fold(&self, gram: &GramFactor, coefficients: &[f64]) -> Folded {
+        let of_azimuth = |(azimuth, of): (usize, &Azimuth)| {
+            let modes = mode::indices(gram.degree, gram.order, azimuth);
+            let mut folded = Mat::zeros(of.profiles.ncols(), gram.degree + 1 - azimuth);
+            for (s, (l, o, p, q)) in modes.enumerate() {
+                let b = coefficients[material::position(o, p, q)];
+                for k in 0..folded.nrows() {
+                    folded[(k, l - azimuth)] += b * of.modes[(k, s)];
+                }
+            }
+            folded
+        };
+        Folded(self.azimuths.iter().enumerate().map(of_azimuth).collect())
+    }
+
+    /// Coordinates of the image of a light of the span's degree on a folded material.
+    #[must_use]
+    pub fn image(&self, folded: &Folded, light: &[f64]) -> Vec<f64> {
+        self.functions()
+            .map(|Function { order, profile }| {
+                let azimuth = order.unsigned_abs() as usize;
+                let sign = if order < 0 && order % 2 != 0 { -1.0 } else { 1.0 };
+                let of_azimuth = &folded.0[azimuth];
+                let sum: f64 = (azimuth..=self.degree)
+                    .map(|l| {
+                        of_azimuth[(profile, l - azimuth)]
+                            * light[light::position(l, order as isize)]
+                    })
+                    .sum();
+                sign * sum
+            })
+            .collect()
+    }
+
+    /// Coordinates of the image that is 1 everywhere.
+    #[must_use]
+    pub fn constant(&self, gram: &GramFactor) -> Vec<f64> {
+        let zonal = &self.azimuths[0];
+        let one = constant_coordinates(gram, &zonal.block.space);
+        let profiles = zonal.profiles.ncols();
+        let along = |k: usize| (0..one.len()).map(|i| zonal.profiles[(i, k)] * one[i]).sum();
+        let mut coordinates: Vec<f64> = (0..profiles).map(along).collect();
+        coordinates.resize(self.dimension(), 0.0);
+        coordinates
+    }
+}

@@ -1,0 +1,200 @@
+//! Environment maps: the light that arrives from every direction.
+//!
+//! Maps are equirectangular, row 0 at the top: the pixel at (u, v) in \[0, 1\]²
+//! looks along (sin t sin θ, cos θ, -cos t sin θ), θ = πv, t = 2π(u - 1/2). The
+//! middle of the map is -z, in front of the camera; the light that falls on
+//! what the camera sees comes from the edges, +z.
+
+use crate::light::{map_exr, map_hdr, map_pfm};
+use eigenshade_model::database::luminance;
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::input_file::InputFile;
+use std::f64::consts::{PI, TAU};
+use std::path::Path;
+
+/// No map with more texels is read: twice the largest in use, 16384 x 8192.
+pub const MOST_TEXELS: usize = 1 << 28;
+
+/// No file type packs more texels into a byte; a header that says so is wrong.
+const MOST_TEXELS_PER_BYTE: u64 = 1 << 16;
+
+/// Bytes of a texel of an [`EnvironmentMap`].
+pub const BYTES_PER_TEXEL: u64 = 12;
+
+/// Linear radiance in every direction.
+#[derive(Clone, Debug, PartialEq)]
+pub struct EnvironmentMap {
+    /// Number of columns.
+    pub width: usize,
+    /// Number of rows.
+    pub height: usize,
+    /// r, g, b; row by row from the top, each from the left. Finite; negative
+    /// texels are kept as they are.
+    pub texels: Vec<[f32; 3]>,
+}
+
+/// Integrals of radiance over all directions, channel by channel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Integrals {
+    /// Of the whole map.
+    pub total: [f64; 3],
+    /// Of its negative texels alone; zero or below.
+    pub negative: [f64; 3],
+}
+
+impl Integrals {
+    /// The negative part of the luminance integral, as a share of the whole.
+    ///
+    /// Not a number if the map is black.
+    #[must_use]
+    pub fn negative_share(&self) -> f64 {
+        -luminance(self.negative) / luminance(self.total)
+    }
+}
+
+impl EnvironmentMap {
+    /// A map of these texels.
+    ///
+    /// # Errors
+    ///
+    /// If it has no texels, not `width` x `height` of them, or one that is not
+    /// finite.
+    pub fn new(width: usize, height: usize, texels: Vec<[f32; 3]>) -> Result<Self> {
+        if width.checked_mul(height) != Some(texels.len()) || texels.is_empty() {
+            return Err(Error::new(
+                format!("{} texels do not fill {width} x {height}", texels.len()),
+                "give the map width x height texels, one at least",
+            ));
+        }
+        let broken = |texel: &[f32; 3]| !texel.iter().all(|channel| channel.is_finite());
+        if let Some(first) = texels.iter().position(broken) {
+            let count = texels.iter().filter(|texel| broken(texel)).count();
+            let (column, row) = (first % width, first / width);
+            return Err(Error::new(
+                format!(
+                    "{count} of its pixels are not finite, the first in column {column} of row \
+                     {row}, from 0 at the top left"
+                ),
+                "clean the map: paint these pixels over with their neighbours",
+            ));
+        }
+        Ok(Self { width, height, texels })
+    }
+
+    /// Reads an OpenEXR (`.exr`), Radiance (`.hdr`) or portable float map
+    /// (`.pfm`).
+    ///
+    /// # Errors
+    ///
+    /// If the file cannot be read, is of another type, broken, without texels,
+    /// or holds one that is not finite; if its budget has no room for [`BYTES_PER_TEXEL`] and
+    /// some rows.
+    pub fn from_path(file: impl Into<InputFile>) -> Result<Self> {
+        let file = file.into();
+        let path = file.path();
+        let decode = match extension(path).as_deref() {
+            Some("exr") => map_exr::decode,
+            Some("hdr") => map_hdr::decode,
+            Some("pfm") => map_pfm::decode,
+            _ => {
+                return Err(Error::new(
+                    "it is no environment map",
+                    "give a file that ends in .exr, .hdr or .pfm",
+                )
+                .in_file(path));
+            }
+        };
+        let (mut reader, length) = file.open()?;
+        decode(&mut reader, length, &file).map_err(|error| error.in_file(path))
+    }
+
+    /// Whether the map is twice as wide as high. If not, its texels still share
+    /// out the sphere, but the picture may be no equirectangular one at all: a
+    /// mirror ball or the cross of a cube.
+    #[must_use]
+    pub fn is_twice_as_wide_as_high(&self) -> bool {
+        self.width == 2 * self.height
+    }
+
+    /// The unit direction in which the centre of a texel looks.
+    #[must_use]
+    pub fn direction(&self, column: usize, row: usize) -> [f64; 3] {
+        let (sine, cosine) = self.polar_angle(row).sin_cos();
+        let (sin_t, cos_t) = self.turn(column).sin_cos();
+        [sin_t * sine, cosine, -cos_t * sine]
+    }
+
+    /// θ at the middle of a row, radians.
+    pub(crate) fn polar_angle(&self, row: usize) -> f64 {
+        PI * (row as f64 + 0.5) / self.height as f64
+    }
+
+    /// t at the middle of a column, radians.
+    pub(crate) fn turn(&self, column: usize) -> f64 {
+        TAU * ((column as f64 + 0.5) / self.width as f64 - 0.5)
+    }
+
+    /// The exact solid angle of each texel of a row, steradians:
+    /// (2π / width)(cos θ_top - cos θ_bottom).
+    #[must_use]
+    pub fn solid_angle(&self, row: usize) -> f64 {
+        // The difference of cosines as a product, which loses nothing at the poles.
+        let half = 0.5 * PI / self.height as f64;
+        TAU / self.width as f64 * 2.0 * self.polar_angle(row).sin() * half.sin()
+    }
+
+    /// The integral of the map, and that of its negative texels, with exact
+    /// solid angles.
+    #[must_use]
+    pub fn negative_integral(&self) -> Integrals {
+        let mut integrals = Integrals { total: [0.0; 3], negative: [0.0; 3] };
+        for (row, texels) in self.texels.chunks_exact(self.width).enumerate() {
+            let solid_angle = self.solid_angle(row);
+            for channel in 0..3 {
+                let values = texels.iter().map(|texel| f64::from(texel[channel]));
+                let (total, negative) = values.fold((0.0, 0.0), |(total, negative), value| {
+                    (total + value, negative + value.min(0.0))
+                });
+                integrals.total[channel] += solid_angle * total;
+                integrals.negative[channel] += solid_angle * negative;
+            }
+        }
+        integrals
+    }
+}
+
+/// The ending of a file's name, in small letters.
+pub(crate) fn extension(path: &Path) -> Option<String> {
+    Some(path.extension()?.to_str()?.to_ascii_lowercase())
+}
+
+/// Refuses a size that no file of `bytes` bytes holds, before memory is asked
+/// for it; else the number of texels.
+pub(crate) fn believable(width: usize, height: usize, bytes: u64) -> Result<usize> {
+    let count = width.checked_mul(height);
+    let most = bytes.saturating_mul(MOST_TEXELS_PER_BYTE).min(MOST_TEXELS as u64) as usize;
+    match count {
+        Some(0) => Err(Error::new(
+            format!("it is {width} x {height} pixels: it has none"),
+            "export the map again",
+        )),
+        Some(count) if count <= most => Ok(count),
+        _ => Err(Error::new(
+            format!("its header claims {width} x {height} pixels, which {bytes} bytes cannot hold"),
+            format!("export the map again, with {MOST_TEXELS} pixels at most"),
+        )),
+    }
+}
+
+/// The fault of a file that is not what its name says.
+pub(crate) fn other_type(named: &str) -> Error {
+    Error::new(
+        format!("it is no {named} file, whatever its name says"),
+        "check the file, or give it the ending of its type: .exr, .hdr or .pfm",
+    )
+}
+
+/// The fault of a file that ends too early or is broken within.
+pub(crate) fn broken(why: impl std::fmt::Display) -> Error {
+    Error::new(format!("it is broken or cut short ({why})"), "fetch or export the map again")
+}

@@ -1,0 +1,103 @@
+//! First and second moments of a database's light under the rotations that a scene
+//! expects, kept as factors: E{LLᵀ} = Σ_t v_t v_tᵀ.
+
+use crate::basis::moments::{LightMoments, comparable};
+use eigenshade_index::light;
+use eigenshade_model::database::Lights;
+use eigenshade_model::error::Result;
+use eigenshade_model::rotation::Rotation;
+use eigenshade_table::scene::{LightRotation, Normalise};
+use faer::Mat;
+
+/// What is known of the light.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LightStatistics {
+    /// E{L}.
+    pub mean: Vec<f64>,
+    /// v_t of E{LLᵀ}.
+    pub second: Vec<Vec<f64>>,
+    /// v_t of the covariance, E{LLᵀ} - E{L}E{L}ᵀ, from the deviations themselves.
+    pub centred: Vec<Vec<f64>>,
+}
+
+impl LightStatistics {
+    /// The statistics of the lights' luminance; the weights sum to 1.
+    ///
+    /// * `Any`: averaged over all rotations, (37)-(39).
+    /// * `Vertical`: averaged over the rotations about y, the vertical axis of the
+    ///   camera's frame. Products of two coefficients are trigonometric polynomials
+    ///   of the angle of degree 2 `degree` at most: 2 `degree` + 1 angles are exact.
+    /// * `None`: as captured.
+    ///
+    /// # Errors
+    ///
+    /// As [`LightMoments::new`].
+    pub fn new(
+        lights: &Lights,
+        normalise: Normalise,
+        rotation: LightRotation,
+        weights: &[f64],
+    ) -> Result<Self> {
+        let degree = lights.degree;
+        let angles = match rotation {
+            LightRotation::Any => {
+                let moments = LightMoments::weighted(lights, normalise, weights)?;
+                return Ok(isotropic(degree, &moments));
+            }
+            LightRotation::None => 1,
+            LightRotation::Vertical => 2 * degree + 1,
+        };
+        let mut samples = Vec::new();
+        for (light, weight) in comparable(lights, normalise, weights)? {
+            for k in 0..angles {
+                let alpha = std::f64::consts::TAU * k as f64 / angles as f64;
+                let turned = Rotation { alpha, beta: 0.0, gamma: 0.0 }.turn(degree, &light);
+                samples.push((turned, weight / angles as f64));
+            }
+        }
+        let mean: Vec<f64> = (0..light::count(degree))
+            .map(|place| samples.iter().map(|(light, weight)| weight * light[place]).sum())
+            .collect();
+        let about = |centre: Option<&[f64]>| -> Vec<Vec<f64>> {
+            let scaled = |(light, weight): &(Vec<f64>, f64)| {
+                let place = |(k, value): (usize, &f64)| {
+                    weight.sqrt() * (value - centre.map_or(0.0, |centre| centre[k]))
+                };
+                light.iter().enumerate().map(place).collect()
+            };
+            compressed(samples.iter().map(scaled).collect())
+        };
+        Ok(Self { second: about(None), centred: about(Some(&mean)), mean })
+    }
+}
+
+fn isotropic(degree: usize, moments: &LightMoments) -> LightStatistics {
+    let axis = |place: usize, length: f64| {
+        let mut vector = vec![0.0; light::count(degree)];
+        vector[place] = length;
+        vector
+    };
+    let powers: Vec<f64> = light::indices(degree).map(|(l, _)| moments.power[l].sqrt()).collect();
+    let all = |ambient: f64| -> Vec<Vec<f64>> {
+        let lengths = std::iter::once(ambient).chain(powers.iter().skip(1).copied());
+        lengths.enumerate().map(|(place, length)| axis(place, length)).collect()
+    };
+    LightStatistics {
+        mean: axis(0, moments.ambient_mean),
+        second: all(powers[0]),
+        centred: all(moments.ambient_variance.sqrt()),
+    }
+}
+
+/// The same Σ v vᵀ from no more vectors than they have places: by an orthogonal
+/// factor, nothing squared.
+fn compressed(vectors: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
+    let places = vectors.first().map_or(0, Vec::len);
+    if vectors.len() <= places {
+        return vectors;
+    }
+    let rows = Mat::from_fn(vectors.len(), places, |t, k| vectors[t][k]);
+    let qr = rows.qr();
+    let factor = qr.thin_R();
+    (0..factor.nrows()).map(|t| (0..places).map(|k| factor[(t, k)]).collect()).collect()
+}

@@ -1,0 +1,178 @@
+//! Materials that are formulas, from a TOML file.
+//!
+//! ```toml
+//! [[material]]
+//! name = "red-plastic"
+//! model = "ggx"             # or "lambertian", "oren-nayar"
+//! roughness = 0.4           # ggx
+//! f0 = 0.04                 # ggx: a number, or [r, g, b]
+//! albedo = [0.7, 0.1, 0.1]  # all three: a number, or [r, g, b]; 0 for ggx if left out
+//! # sigma = 0.3             # oren-nayar, radians
+//! ```
+
+use crate::material::brdf::{Brdf, Ggx, Lambertian, OrenNayar, Surface};
+use eigenshade_model::error::{Error, Result};
+use serde::Deserialize;
+use std::collections::HashSet;
+use std::path::Path;
+
+/// No file of materials is longer, bytes.
+const LONGEST: u64 = 1 << 22;
+
+/// A model and its parameters.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Analytic {
+    /// What it is called.
+    pub name: String,
+    /// Which formula.
+    pub model: Model,
+    /// The share of light that the matte part reflects.
+    #[serde(default)]
+    pub albedo: Option<Shares>,
+    /// Oren and Nayar's σ, radians.
+    #[serde(default)]
+    pub sigma: Option<f64>,
+    /// GGX's perceptual roughness.
+    #[serde(default)]
+    pub roughness: Option<f64>,
+    /// GGX's reflectance at normal incidence.
+    #[serde(default)]
+    pub f0: Option<Shares>,
+}
+
+/// Which formula.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Model {
+    /// [`Lambertian`].
+    Lambertian,
+    /// [`OrenNayar`].
+    OrenNayar,
+    /// [`Ggx`].
+    Ggx,
+}
+
+/// A number for all channels, or one for each.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[serde(untagged)]
+pub enum Shares {
+    /// The same in all.
+    Grey(f64),
+    /// r, g and b.
+    Rgb([f64; 3]),
+}
+
+impl Shares {
+    fn channel(self, channel: usize) -> f64 {
+        match self {
+            Self::Grey(value) => value,
+            Self::Rgb(rgb) => rgb[channel],
+        }
+    }
+
+    fn is_grey(self) -> bool {
+        match self {
+            Self::Grey(_) => true,
+            Self::Rgb([r, g, b]) => r == g && g == b,
+        }
+    }
+}
+
+impl Analytic {
+    /// The material as functions.
+    ///
+    /// # Errors
+    ///
+    /// A parameter that the model has not or lacks, or one out of its range.
+    pub fn surface(&self) -> Result<Surface> {
+        let given = [
+            ("sigma", self.sigma.is_some(), self.model == Model::OrenNayar),
+            ("roughness", self.roughness.is_some(), self.model == Model::Ggx),
+            ("f0", self.f0.is_some(), self.model == Model::Ggx),
+            ("albedo", self.albedo.is_some() || self.model == Model::Ggx, true),
+        ];
+        let name = &self.name;
+        if let Some((what, is_given, _)) =
+            given.into_iter().find(|(_, is_given, is_wanted)| is_given != is_wanted)
+        {
+            let fault = if is_given { "has no parameter" } else { "needs a parameter" };
+            let (model, remedy) = (self.model, if is_given { "leave it out" } else { "give it" });
+            return Err(Error::new(
+                format!("`{name}`: the model {model:?} {fault} `{what}`"),
+                remedy,
+            ));
+        }
+        let of =
+            |channel| self.channel(channel).map_err(|error| error.of(format_args!("`{name}`")));
+        let grey = [self.albedo, self.f0].into_iter().flatten().all(Shares::is_grey);
+        if grey {
+            return Ok(Surface::grey(name.clone(), of(0)?));
+        }
+        Ok(Surface::coloured(name.clone(), [of(0)?, of(1)?, of(2)?]))
+    }
+
+    fn channel(&self, channel: usize) -> Result<Box<dyn Brdf>> {
+        let share = |shares: Option<Shares>| shares.map_or(0.0, |shares| shares.channel(channel));
+        let albedo = share(self.albedo);
+        Ok(match self.model {
+            Model::Lambertian => Box::new(Lambertian::new(albedo)?),
+            Model::OrenNayar => Box::new(OrenNayar::new(albedo, self.sigma.unwrap_or(0.0))?),
+            Model::Ggx => {
+                Box::new(Ggx::new(self.roughness.unwrap_or(0.0), share(self.f0), albedo)?)
+            }
+        })
+    }
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct File {
+    #[serde(default)]
+    material: Vec<Analytic>,
+}
+
+/// Reads the materials of a file.
+///
+/// # Errors
+///
+/// A file that cannot be read or is longer than 4 MiB, a field that is unknown,
+/// missing, of another type or out of range, a name that is empty or there twice, no
+/// material at all.
+pub fn read(path: impl AsRef<Path>) -> Result<Vec<Surface>> {
+    let path = path.as_ref();
+    let io = |error: std::io::Error| Error::io(path, &error);
+    let bytes = std::fs::metadata(path).map_err(io)?.len();
+    if bytes > LONGEST {
+        return Err(Error::new(
+            format!("it has {bytes} bytes: no list of materials is as long"),
+            format!("give at most {LONGEST}"),
+        )
+        .in_file(path));
+    }
+    let text = std::fs::read_to_string(path).map_err(io)?;
+    let file: File = toml::from_str(&text).map_err(|error| {
+        let what = error.message().lines().next().unwrap_or("no list of materials").to_owned();
+        let fault = Error::new(what, "see tables/README.md for the fields of a material");
+        match error.span() {
+            Some(span) => fault.at_line(path, 1 + text[..span.start].matches('\n').count() as u64),
+            None => fault.in_file(path),
+        }
+    })?;
+    let mut names = HashSet::new();
+    for Analytic { name, .. } in &file.material {
+        if name.is_empty() || !names.insert(name) {
+            return Err(Error::new(
+                format!("the name `{name}` is empty or there twice"),
+                "give every material a name of its own",
+            )
+            .in_file(path));
+        }
+    }
+    if file.material.is_empty() {
+        return Err(
+            Error::new("there is no material in it", "add a table [[material]]").in_file(path)
+        );
+    }
+    file.material.iter().map(|one| one.surface().map_err(|error| error.in_file(path))).collect()
+}

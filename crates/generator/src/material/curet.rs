@@ -1,0 +1,189 @@
+//! The CUReT layout of measured BRDFs (Dana, van Ginneken, Nayar and
+//! Koenderink, "Reflectance and texture of real-world surfaces", ACM
+//! Transactions on Graphics 18, 1999).
+//!
+//! A folder with `abrdf.dat` (one row a material: its id and one value in 1/sr
+//! for every direction, grey), `table.txt` (one row a direction:
+//! index from 1, θ_v, φ_v, θ_i, φ_i in radians; equal azimuths are
+//! backscatter), and, if it is there, `samples.csv` (`id,name`).
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use crate::material::measurements::{Measured, Measurement, POLAR_REMEDY, outside, polar_angle};
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::input_file::InputFile;
+use eigenshade_model::inputs::sheet::Sheet;
+
+/// Bytes of a measurement, and of its value as it is read.
+const BYTES_PER_VALUE: u64 = 2 * size_of::<Measurement>() as u64;
+
+/// The files of a folder of materials: the values, the directions and the names.
+pub const FILES: [&str; 3] = ["abrdf.dat", "table.txt", "samples.csv"];
+
+/// Reads all materials of a folder, by the order of `abrdf.dat`.
+///
+/// They are called `01-felt`: the id of two digits and the name in lower case,
+/// or `sample-01` where `samples.csv` has no name.
+///
+/// # Errors
+///
+/// A file that cannot be read; in `table.txt` a row that is not five finite
+/// numbers, indices that do not count up from 1, a polar angle outside
+/// \[0, π/2\]; in `abrdf.dat` a row that is not an id and one finite number for
+/// every direction, an id given twice, no row; in `samples.csv` columns other
+/// than `id,name`.
+pub fn read(folder: impl Into<InputFile>) -> Result<Vec<Measured>> {
+    let folder = folder.into();
+    let [file, directions, names] = FILES.map(|file| folder.other(folder.path().join(file)));
+    let path = file.path();
+    let directions = read_directions(&directions)?;
+    let names = read_names(names)?;
+    let text = file.text()?;
+    let values = text.split_ascii_whitespace().count() as u64;
+    file.admit(text.len() as u64 + values.saturating_mul(BYTES_PER_VALUE))?;
+    let mut taken = BTreeMap::new();
+    let mut materials = Vec::new();
+    for (line, row) in rows(&text) {
+        let mut fields = row.split_whitespace();
+        let id = identifier(fields.next().unwrap_or_default())
+            .map_err(|error| error.at_line(path, line))?;
+        let values = fields
+            .map(finite)
+            .collect::<Result<Vec<f64>>>()
+            .map_err(|error| error.at_line(path, line))?;
+        if values.len() != directions.len() {
+            return Err(Error::new(
+                format!(
+                    "{} values where table.txt has {} directions",
+                    values.len(),
+                    directions.len()
+                ),
+                "give the sample's id and one value for every row of table.txt",
+            )
+            .at_line(path, line));
+        }
+        if let Some(first) = taken.insert(id, line) {
+            return Err(Error::new(
+                format!("sample {id} was given in line {first}"),
+                "keep one row for each sample",
+            )
+            .at_line(path, line));
+        }
+        let samples = directions
+            .iter()
+            .zip(values)
+            .map(|(direction, value)| Measurement { rgb: [value; 3], ..*direction })
+            .collect();
+        let name = match names.get(&id) {
+            Some(name) => format!("{id:02}-{name}"),
+            None => format!("sample-{id:02}"),
+        };
+        materials.push(Measured { name, samples });
+    }
+    if materials.is_empty() {
+        return Err(empty(path));
+    }
+    Ok(materials)
+}
+
+/// The directions of `table.txt`, with no values yet.
+fn read_directions(file: &InputFile) -> Result<Vec<Measurement>> {
+    let (path, text) = (file.path(), file.text()?);
+    file.admit(text.len() as u64 + BYTES_PER_VALUE * text.lines().count() as u64)?;
+    let mut directions = Vec::new();
+    for (line, row) in rows(&text) {
+        let fields: Vec<&str> = row.split_whitespace().collect();
+        directions.push(
+            direction(&fields, directions.len() + 1).map_err(|error| error.at_line(path, line))?,
+        );
+    }
+    if directions.is_empty() {
+        return Err(empty(path));
+    }
+    Ok(directions)
+}
+
+fn direction(fields: &[&str], expected: usize) -> Result<Measurement> {
+    let &[index, theta_v, phi_v, theta_i, phi_i] = fields else {
+        return Err(Error::new(
+            format!("{} fields", fields.len()),
+            "a row of table.txt is index, theta_v, phi_v, theta_i, phi_i",
+        ));
+    };
+    if identifier(index)? != expected {
+        return Err(Error::new(
+            format!("index {index} where {expected} was expected"),
+            "number the rows of table.txt from 1",
+        ));
+    }
+    let polar = |name, field| {
+        let angle = finite(field)?;
+        polar_angle(angle).ok_or_else(|| Error::new(outside(name, angle), POLAR_REMEDY))
+    };
+    Ok(Measurement {
+        theta_i: polar("theta_i", theta_i)?,
+        theta_r: polar("theta_v", theta_v)?,
+        delta_phi: finite(phi_i)? - finite(phi_v)?,
+        rgb: [0.0; 3],
+    })
+}
+
+/// The names of `samples.csv` by id, empty if there is no such file.
+fn read_names(file: InputFile) -> Result<BTreeMap<usize, String>> {
+    let mut names = BTreeMap::new();
+    if !file.path().exists() {
+        return Ok(names);
+    }
+    let sheet = Sheet::read(file, "id,name")?;
+    let [id, name] = sheet.columns(["id", "name"]).ok_or_else(|| sheet.wrong_header("id,name"))?;
+    for row in sheet.rows() {
+        let id = usize::try_from(row.integer(id)?)
+            .map_err(|_| row.fault("the id is negative", "number the samples from 1"))?;
+        let name = kebab(row.text(name));
+        if !name.is_empty() && names.insert(id, name).is_some() {
+            return Err(
+                row.fault(format!("sample {id} has two names"), "keep one row for each sample")
+            );
+        }
+    }
+    Ok(names)
+}
+
+/// The lines of a text that are neither empty nor comments, by number from 1.
+fn rows(text: &str) -> impl Iterator<Item = (u64, &str)> {
+    (1..).zip(text.lines()).filter(|(_, line)| !line.trim().is_empty() && !line.starts_with('#'))
+}
+
+fn empty(path: &Path) -> Error {
+    Error::new("no rows", "give the file of the CUReT database").in_file(path)
+}
+
+fn finite(field: &str) -> Result<f64> {
+    match field.parse::<f64>() {
+        Ok(number) if number.is_finite() => Ok(number),
+        _ => Err(Error::new(
+            format!("`{field}` is not a finite number"),
+            "correct the field, or take the row out",
+        )),
+    }
+}
+
+fn identifier(field: &str) -> Result<usize> {
+    field.parse().map_err(|_| {
+        Error::new(
+            format!("`{field}` is not a whole number"),
+            "start the row with the number of the sample or direction",
+        )
+    })
+}
+
+/// `Plaster_b (11 zoomed)` as `plaster-b-11-zoomed`.
+fn kebab(name: &str) -> String {
+    let words: Vec<String> = name
+        .split(|letter: char| !letter.is_alphanumeric())
+        .filter(|word| !word.is_empty())
+        .map(str::to_lowercase)
+        .collect();
+    words.join("-")
+}

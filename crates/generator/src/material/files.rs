@@ -1,0 +1,90 @@
+//! Whatever a path holds of materials: measurements, tables, formulas.
+
+use crate::light::environment::extension;
+use crate::material::brdf::Surface;
+use crate::material::measurements;
+use crate::material::measurements::Measured;
+use crate::material::{analytic, curet, merl};
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::input_file::InputFile;
+use std::path::{Path, PathBuf};
+
+/// A material before it has coefficients.
+pub enum Source {
+    /// Samples, to be fitted.
+    Measured(Measured),
+    /// Functions, to be projected.
+    Surface(Surface),
+}
+
+impl Source {
+    /// What the material is called.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        match self {
+            Self::Measured(measured) => &measured.name,
+            Self::Surface(surface) => &surface.name,
+        }
+    }
+}
+
+/// Reads a `.binary` file as MERL's ([`merl::read`]), a `.toml` file as formulas
+/// ([`analytic::read`]), any other as measurements ([`measurements::read`]); a folder
+/// with an `abrdf.dat` as CUReT ([`curet::read`]), any other as all its `.binary`,
+/// `.toml` and `.csv` files by name.
+///
+/// # Errors
+///
+/// What the readers find, and a folder with nothing to read.
+pub fn read(file: impl Into<InputFile>) -> Result<Vec<Source>> {
+    let file = file.into();
+    let path = file.path();
+    if !path.is_dir() {
+        return read_file(file);
+    }
+    if path.join("abrdf.dat").is_file() {
+        return Ok(curet::read(file)?.into_iter().map(Source::Measured).collect());
+    }
+    let files = files_in(path)?;
+    if files.is_empty() {
+        return Err(Error::new(
+            "no materials in this folder",
+            "give a folder with an abrdf.dat (CUReT) or with .csv, .binary or .toml files",
+        )
+        .in_file(path));
+    }
+    let read: Vec<Vec<Source>> =
+        files.iter().map(|one| read_file(file.other(one))).collect::<Result<_>>()?;
+    Ok(read.into_iter().flatten().collect())
+}
+
+/// The files that [`read`](fn@read) would read, whether they are there or not; none of a
+/// folder that cannot be listed.
+#[must_use]
+pub fn files(path: &Path) -> Vec<PathBuf> {
+    if !path.is_dir() {
+        return vec![path.to_owned()];
+    }
+    if path.join("abrdf.dat").is_file() {
+        return curet::FILES.map(|file| path.join(file)).to_vec();
+    }
+    files_in(path).unwrap_or_default()
+}
+
+/// The files of a folder whose endings are those of materials, by name.
+fn files_in(folder: &Path) -> Result<Vec<PathBuf>> {
+    let mut files: Vec<PathBuf> = std::fs::read_dir(folder)
+        .and_then(|entries| entries.map(|entry| Ok(entry?.path())).collect())
+        .map_err(|error| Error::io(folder, &error))?;
+    files.retain(|file| matches!(extension(file).as_deref(), Some("binary" | "toml" | "csv")));
+    files.sort();
+    Ok(files)
+}
+
+fn read_file(file: InputFile) -> Result<Vec<Source>> {
+    Ok(match extension(file.path()).as_deref() {
+        Some("binary") => vec![Source::Surface(merl::read(file)?)],
+        Some("toml") => analytic::read(file.path())?.into_iter().map(Source::Surface).collect(),
+        _ => vec![Source::Measured(measurements::read(file)?)],
+    })
+}

@@ -1,0 +1,128 @@
+//! Measured BRDFs as plain CSV: `theta_i,phi_i,theta_r,phi_r,r,g,b`, or `value`
+//! for grey; radians and 1/sr. `#` starts a comment line; other columns are
+//! ignored.
+
+use std::f64::consts::FRAC_PI_2;
+use std::path::PathBuf;
+
+use crate::material::curet;
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::input_file::InputFile;
+use eigenshade_model::inputs::sheet::{Row, Sheet};
+
+/// How far beyond the rim a polar angle may lie: files round π/2.
+const RIM_SLACK: f64 = 1e-9;
+
+const COLUMNS: &str = "theta_i,phi_i,theta_r,phi_r,r,g,b";
+
+/// One measured value of a BRDF.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Measurement {
+    /// Polar angle of the light, \[0, π/2\].
+    pub theta_i: f64,
+    /// Polar angle of the view, \[0, π/2\].
+    pub theta_r: f64,
+    /// φ_i - φ_r: zero is backscatter.
+    pub delta_phi: f64,
+    /// f in 1/sr. Noise can make it negative.
+    pub rgb: [f64; 3],
+}
+
+/// The measurements of one material.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Measured {
+    /// What it is called: the stem of the file's name.
+    pub name: String,
+    /// At least one; in the order of the file.
+    pub samples: Vec<Measurement>,
+}
+
+/// Reads whatever `path` holds: a folder with an `abrdf.dat` as CUReT
+/// ([`curet::read`]), any other folder as all its `.csv` files by name, a file
+/// as one material.
+///
+/// # Errors
+///
+/// What [`read`] and [`curet::read`] find, and a folder with nothing to read.
+pub fn read_material_path(file: impl Into<InputFile>) -> Result<Vec<Measured>> {
+    let file = file.into();
+    let path = file.path();
+    if !path.is_dir() {
+        return Ok(vec![read(file)?]);
+    }
+    if path.join("abrdf.dat").is_file() {
+        return curet::read(file);
+    }
+    let mut files: Vec<PathBuf> = std::fs::read_dir(path)
+        .and_then(|entries| entries.map(|entry| Ok(entry?.path())).collect())
+        .map_err(|error| Error::io(path, &error))?;
+    files.retain(|file| {
+        file.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("csv"))
+    });
+    files.sort();
+    if files.is_empty() {
+        return Err(Error::new(
+            "no measurements in this folder",
+            "give a folder with an abrdf.dat (CUReT) or with .csv files",
+        )
+        .in_file(path));
+    }
+    files.iter().map(|one| read(file.other(one))).collect()
+}
+
+/// Reads the measurements of one material.
+///
+/// # Errors
+///
+/// A file that cannot be read; a column that is missing, a row of another
+/// length, a field that is not a finite number, a polar angle outside
+/// \[0, π/2\] (by more than 1e-9), no row at all.
+pub fn read(file: impl Into<InputFile>) -> Result<Measured> {
+    let file = file.into();
+    let path = file.path();
+    let sheet = Sheet::read(file.clone(), COLUMNS)?;
+    let wrong_header = || sheet.wrong_header("theta_i,phi_i,theta_r,phi_r and r,g,b or value");
+    let angles =
+        sheet.columns(["theta_i", "phi_i", "theta_r", "phi_r"]).ok_or_else(wrong_header)?;
+    let values = sheet.colors()?.ok_or_else(wrong_header)?;
+    let samples =
+        sheet.rows().map(|row| sample(row, angles, values)).collect::<Result<Vec<_>>>()?;
+    if samples.is_empty() {
+        return Err(Error::new(
+            "there is no measurement in it",
+            format!("add rows below the header `{COLUMNS}`"),
+        )
+        .in_file(path));
+    }
+    let name = path.file_stem().unwrap_or_default().to_string_lossy();
+    Ok(Measured { name: name.into_owned(), samples })
+}
+
+fn sample(row: Row<'_>, angles: [usize; 4], values: [usize; 3]) -> Result<Measurement> {
+    let polar = |name, column| {
+        let angle = row.number(column)?;
+        polar_angle(angle).ok_or_else(|| row.fault(outside(name, angle), POLAR_REMEDY))
+    };
+    let [theta_i, phi_i, theta_r, phi_r] = angles;
+    let [r, g, b] = values;
+    Ok(Measurement {
+        theta_i: polar("theta_i", theta_i)?,
+        theta_r: polar("theta_r", theta_r)?,
+        delta_phi: row.number(phi_i)? - row.number(phi_r)?,
+        rgb: [row.number(r)?, row.number(g)?, row.number(b)?],
+    })
+}
+
+/// What to do about a polar angle that is none.
+pub(super) const POLAR_REMEDY: &str =
+    "give radians from the normal, and leave out directions below the surface";
+
+/// The fault of a polar angle that is none.
+pub(super) fn outside(name: &str, angle: f64) -> String {
+    format!("{name} = {angle} is outside [0, pi/2]")
+}
+
+/// The angle within \[0, π/2\], if it lies there but for rounding.
+pub(super) fn polar_angle(angle: f64) -> Option<f64> {
+    (-RIM_SLACK..=FRAC_PI_2 + RIM_SLACK).contains(&angle).then(|| angle.clamp(0.0, FRAC_PI_2))
+}

@@ -1,0 +1,247 @@
+//! What lies in front at each sample of a picture, and how far back it lies in whole tiles of
+//! samples: a facet behind all of a tile is settled there at once.
+//!
+//! A tile never decides otherwise than its samples would: the answers are those of going
+//! through every sample of every facet.
+
+use crate::object::facet_samples::{Placed, Plane, samples_within};
+use std::ops::Range;
+
+/// Samples across a tile.
+const TILE: usize = 16;
+
+/// Facets that are no larger than this, in samples, are taken sample by sample.
+const SMALL: f64 = 2.0 * TILE as f64;
+
+/// The depths of what is nearest to the camera, each less its facet's contact.
+pub(super) struct DepthBuffer {
+    samples: usize,
+    /// Tiles across.
+    tiles: usize,
+    front: Vec<f64>,
+    /// The least `front` of each tile, unless that changed.
+    least: Vec<f64>,
+    has_changed: Vec<bool>,
+}
+
+/// Of a facet's samples.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Count {
+    /// Those that it covers; if none is seen, some of them may be left out beyond those that
+    /// were asked for.
+    pub(super) covered: usize,
+    /// Those where nothing lies in front.
+    pub(super) seen: usize,
+}
+
+impl DepthBuffer {
+    pub(super) fn new(samples: usize) -> Self {
+        let tiles = samples.div_ceil(TILE);
+        Self {
+            samples,
+            tiles,
+            front: vec![f64::NEG_INFINITY; samples * samples],
+            least: vec![f64::NEG_INFINITY; tiles * tiles],
+            has_changed: vec![false; tiles * tiles],
+        }
+    }
+
+    /// Takes in a facet.
+    pub(super) fn draw(&mut self, facet: &Placed) {
+        let plane = Plane::new(facet);
+        for part in self.parts(facet) {
+            if self.is_behind(&part, &plane, -facet.contact, f64::le) || part.is_outside(&plane) {
+                continue;
+            }
+            facet.visit(&plane, [part.rows, part.columns], |row, column, depth| {
+                let front = &mut self.front[row * self.samples + column];
+                let depth = depth - facet.contact;
+                if depth > *front {
+                    *front = depth;
+                    self.has_changed[row / TILE * self.tiles + column / TILE] = true;
+                }
+            });
+        }
+    }
+
+    /// A facet's samples, of a drawn picture; of one that is not seen at least `enough`, or all.
+    pub(super) fn count(&mut self, facet: &Placed, enough: usize) -> Count {
+        let plane = Plane::new(facet);
+        let mut count = Count::default();
+        let mut hidden = Vec::new();
+        for part in self.parts(facet) {
+            if self.is_behind(&part, &plane, facet.contact, f64::lt) {
+                hidden.push(part);
+                continue;
+            }
+            if part.is_outside(&plane) {
+                continue;
+            }
+            facet.visit(&plane, [part.rows, part.columns], |row, column, depth| {
+                count.covered += 1;
+                let front = self.front[row * self.samples + column];
+                count.seen += usize::from(depth + facet.contact >= front);
+            });
+        }
+        for part in hidden {
+            if count.seen == 0 && count.covered >= enough {
+                break;
+            }
+            if part.is_inside(&plane) {
+                count.covered += part.rows.len() * part.columns.len();
+            } else if !part.is_outside(&plane) {
+                facet.visit(&plane, [part.rows, part.columns], |_, _, _| count.covered += 1);
+            }
+        }
+        count
+    }
+
+    /// The samples that a facet may cover: tile by tile, or all at once if they are few.
+    fn parts(&self, facet: &Placed) -> Vec<Part> {
+        let [rows, columns] = [1, 0].map(|axis| samples_within(facet.range(axis), self.samples));
+        let is_small = [0, 1].map(|axis| facet.range(axis)).iter().all(|[a, b]| b - a <= SMALL);
+        if is_small || rows.is_empty() || columns.is_empty() {
+            return vec![Part { rows, columns, tile: None }];
+        }
+        let mut parts = Vec::new();
+        for row in rows.start / TILE..rows.end.div_ceil(TILE) {
+            let of_row = row * TILE..((row + 1) * TILE).min(self.samples);
+            let ends = [of_row.start as f64 + 0.5, of_row.end as f64 - 0.5];
+            let [left, right] = facet.band(ends);
+            // A sample more, beyond any rounding.
+            let columns = samples_within([left - 1.0, right + 1.0], self.samples);
+            if columns.is_empty() {
+                continue;
+            }
+            parts.extend((columns.start / TILE..columns.end.div_ceil(TILE)).map(|column| Part {
+                rows: of_row.clone(),
+                columns: column * TILE..((column + 1) * TILE).min(self.samples),
+                tile: Some(row * self.tiles + column),
+            }));
+        }
+        parts
+    }
+
+    /// Whether every depth of the facet in a tile, and `more`, is below all that is in front.
+    fn is_behind(
+        &mut self,
+        part: &Part,
+        plane: &Plane,
+        more: f64,
+        below: fn(&f64, &f64) -> bool,
+    ) -> bool {
+        part.tile.is_some_and(|tile| {
+            let least = self.least(tile);
+            let is_below = |nearest: f64| below(&(nearest + more), &least);
+            // The nearest of its corners first, which costs nothing.
+            least > f64::NEG_INFINITY
+                && (is_below(plane.range[1]) || is_below(plane.nearest(part.corners())))
+        })
+    }
+
+    /// The least `front` of a tile.
+    fn least(&mut self, tile: usize) -> f64 {
+        if self.has_changed[tile] {
+            self.has_changed[tile] = false;
+            let [row, column] = [tile / self.tiles, tile % self.tiles].map(|first| {
+                let first = first * TILE;
+                first..(first + TILE).min(self.samples)
+            });
+            let lines = row.map(|row| &self.front[row * self.samples..][column.clone()]);
+            self.least[tile] = lines.flatten().copied().fold(f64::INFINITY, f64::min);
+        }
+        self.least[tile]
+    }
+}
+
+/// Some rows and columns of samples: a tile, or all that a small facet may cover.
+struct Part {
+    rows: Range<usize>,
+    columns: Range<usize>,
+    tile: Option<usize>,
+}
+
+impl Part {
+    /// The samples at its corners: of anything affine one of them has the most.
+    fn corners(&self) -> [[f64; 2]; 4] {
+        let ends = |range: &Range<usize>| [range.start as f64 + 0.5, range.end as f64 - 0.5];
+        let ([top, bottom], [left, right]) = (ends(&self.rows), ends(&self.columns));
+        [[left, top], [right, top], [left, bottom], [right, bottom]]
+    }
+
+    /// Whether all of it is on the outer side of one edge.
+    fn is_outside(&self, plane: &Plane) -> bool {
+        let sides = self.corners().map(|[x, y]| plane.sides(x, y));
+        (0..3).any(|edge| sides.iter().all(|sides| sides[edge] < 0.0))
+    }
+
+    /// Whether the facet covers all of it.
+    fn is_inside(&self, plane: &Plane) -> bool {
+        self.corners().iter().all(|&[x, y]| plane.depth(x, y).is_some())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::facet::Facet;
+    use super::super::facet_samples::{Placed, Plane, placed};
+    use super::{Count, DepthBuffer};
+
+    /// Facets of all sizes, many of them large and many thin, in a box of 2.
+    fn facets() -> Vec<Facet> {
+        let mut state = 5u64;
+        let mut number = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(99);
+            (state >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+        };
+        let mut facet = |k: i32| {
+            let size = [1.0, 0.3, 0.02][k as usize % 3];
+            let thin = if k % 5 == 0 { 1e-3 } else { 1.0 };
+            let centre = [0, 1, 2].map(|_| (1.0 - size) * number());
+            let corner = |_| {
+                let [x, y, z] = [0, 1, 2].map(|_| size * number());
+                [centre[0] + x, centre[1] + thin * y + x, centre[2] + 0.2 * z]
+            };
+            Facet::new([0, 1, 2].map(corner)).expect("an area")
+        };
+        (0..300).map(&mut facet).collect()
+    }
+
+    /// Sample by sample, whatever lies in front.
+    fn each(facet: &Placed, samples: usize, with: impl FnMut(usize, usize, f64)) {
+        facet.visit(&Plane::new(facet), [0..samples, 0..samples], with);
+    }
+
+    #[test]
+    fn tiles_decide_as_their_samples_do() {
+        for samples in [16, 100, 250] {
+            let facets = placed(&facets(), samples);
+            let mut front = vec![f64::NEG_INFINITY; samples * samples];
+            let mut buffer = DepthBuffer::new(samples);
+            for facet in &facets {
+                buffer.draw(facet);
+                each(facet, samples, |row, column, depth| {
+                    let front = &mut front[row * samples + column];
+                    *front = front.max(depth - facet.contact);
+                });
+            }
+            assert_eq!(buffer.front, front);
+            let mut hidden = 0;
+            for facet in &facets {
+                let mut expected = Count::default();
+                each(facet, samples, |row, column, depth| {
+                    expected.covered += 1;
+                    let front = front[row * samples + column];
+                    expected.seen += usize::from(depth + facet.contact >= front);
+                });
+                assert_eq!(buffer.count(facet, usize::MAX), expected);
+                let enough = buffer.count(facet, 4);
+                assert_eq!(enough.seen, expected.seen);
+                assert!(enough.covered >= expected.covered.min(4));
+                assert!(expected.seen == 0 || enough == expected);
+                hidden += usize::from(expected.seen == 0 && expected.covered > 0);
+            }
+            assert!(samples < 100 || hidden > 50, "{hidden} of {samples} samples across");
+        }
+    }
+}

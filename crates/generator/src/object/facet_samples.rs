@@ -1,0 +1,218 @@
+//! The samples of a picture that a facet covers, and its depth there.
+
+use crate::object::facet::Facet;
+use std::ops::Range;
+
+/// How near another surface may come to a facet's plane and not hide it, of the longest
+/// side of the mesh's box: corners in f32 are that coarse.
+pub const CONTACT: f64 = 1e-6;
+
+/// A facet in units of samples: those of column i and row k stand at i + 1/2, k + 1/2.
+pub(super) struct Placed {
+    /// x and y in samples, z in the mesh's unit above its least.
+    corners: [[f64; 3]; 3],
+    pub(super) faces_camera: bool,
+    /// How far along z something in contact may be.
+    pub(super) contact: f64,
+}
+
+/// `samples` x `samples` points over the box around the projection of some facets.
+pub(super) struct Frame {
+    samples: usize,
+    least: [f64; 3],
+    sides: [f64; 3],
+}
+
+/// The facets over `samples` x `samples` points of the box around their projection.
+#[cfg(test)]
+pub(super) fn placed(facets: &[Facet], samples: usize) -> Vec<Placed> {
+    let frame = Frame::new(facets, samples);
+    facets.iter().map(|facet| frame.place(facet)).collect()
+}
+
+impl Frame {
+    pub(super) fn new(facets: &[Facet], samples: usize) -> Self {
+        let (mut least, mut most) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+        for corner in facets.iter().flat_map(|facet| &facet.corners) {
+            for axis in 0..3 {
+                least[axis] = least[axis].min(corner[axis]);
+                most[axis] = most[axis].max(corner[axis]);
+            }
+        }
+        Self { samples, least, sides: [0, 1, 2].map(|axis| most[axis] - least[axis]) }
+    }
+
+    /// A facet among the points.
+    pub(super) fn place(&self, facet: &Facet) -> Placed {
+        let longest = self.sides.iter().copied().fold(0.0, f64::max);
+        let place = |corner: [f64; 3]| {
+            let across = |axis: usize| {
+                // A box without width has no facet with a projection.
+                let side = if self.sides[axis] > 0.0 { self.sides[axis] } else { 1.0 };
+                (corner[axis] - self.least[axis]) / side * self.samples as f64
+            };
+            [across(0), across(1), corner[2] - self.least[2]]
+        };
+        Placed {
+            corners: facet.corners.map(place),
+            faces_camera: facet.projected_area > 0.0,
+            // Of a plane at a distance CONTACT; infinite if it is seen edge on.
+            contact: CONTACT * longest / facet.normal[2].abs(),
+        }
+    }
+}
+
+impl Placed {
+    /// In how many parts each edge is cut for points of its own: 1, 2 or 4.
+    pub(super) fn parts(&self) -> usize {
+        let longest = [0, 1].map(|axis| self.range(axis)).map(|[low, high]| high - low);
+        match longest[0].max(longest[1]) {
+            ..=2.0 => 1,
+            ..=4.0 => 2,
+            _ => 4,
+        }
+    }
+
+    /// The centroids of the facets that it is cut into, `parts` along each edge.
+    pub(super) fn centroids(&self, parts: usize) -> Vec<[f64; 3]> {
+        let [a, b, c] = self.corners;
+        let mut points = Vec::new();
+        // In thirds of a part: upright ones stand at 1, 1, inverted ones at 2, 2.
+        for (i, j, third) in (0..parts)
+            .flat_map(|i| (0..parts - i).map(move |j| (i, j)))
+            .flat_map(|(i, j)| [(i, j, 1), (i, j, 2)])
+            .filter(|(i, j, third)| i + j + third <= parts)
+        {
+            let [u, v] = [i, j].map(|k| (3 * k + third) as f64 / (3 * parts) as f64);
+            points.push([0, 1, 2].map(|k| a[k] + u * (b[k] - a[k]) + v * (c[k] - a[k])));
+        }
+        points
+    }
+
+    /// Least and largest coordinate.
+    pub(super) fn range(&self, axis: usize) -> [f64; 2] {
+        let [a, b, c] = self.corners.map(|corner| corner[axis]);
+        [a.min(b).min(c), a.max(b).max(c)]
+    }
+
+    /// Least and largest x where y is in this range, a little widened for rounding.
+    pub(super) fn band(&self, [low, high]: [f64; 2]) -> [f64; 2] {
+        let [a, b, c] = self.corners;
+        let (mut left, mut right) = (f64::INFINITY, f64::NEG_INFINITY);
+        for [from, to] in [[a, b], [b, c], [c, a]] {
+            let [from, to] = if from[1] <= to[1] { [from, to] } else { [to, from] };
+            if to[1] < low || from[1] > high {
+                continue;
+            }
+            for y in [from[1].max(low), to[1].min(high)] {
+                let share = (y - from[1]) / (to[1] - from[1]);
+                // An edge along the row: both of its ends.
+                let ends = if share.is_finite() { [share, share] } else { [0.0, 1.0] };
+                for share in ends {
+                    let x = from[0] + share * (to[0] - from[0]);
+                    (left, right) = (left.min(x), right.max(x));
+                }
+            }
+        }
+        [left - 1e-6, right + 1e-6]
+    }
+
+    /// Each of these samples that the facet covers: row, column, and the depth there.
+    pub(super) fn visit(
+        &self,
+        plane: &Plane,
+        [rows, columns]: [Range<usize>; 2],
+        mut with: impl FnMut(usize, usize, f64),
+    ) {
+        for row in rows {
+            let y = row as f64 + 0.5;
+            let band = samples_within(self.band([y, y]), columns.end);
+            for column in band.start.max(columns.start)..band.end {
+                if let Some(depth) = plane.depth(column as f64 + 0.5, y) {
+                    with(row, column, depth);
+                }
+            }
+        }
+    }
+}
+
+/// The samples, of so many, that lie in a range of coordinates.
+pub(super) fn samples_within([low, high]: [f64; 2], samples: usize) -> Range<usize> {
+    // Casts take what is negative for 0.
+    let (from, to) = ((low - 0.5).ceil() as usize, (high + 0.5).floor() as usize);
+    from..to.min(samples)
+}
+
+/// A facet's depth, and where it has any.
+pub(super) struct Plane {
+    /// Opposite each corner: x and y of a point of the edge, and the edge's run, by which its
+    /// inner side is positive.
+    edges: [[f64; 4]; 3],
+    /// Of each corner, over twice the projected area.
+    depths: [f64; 3],
+    /// Least and largest depth.
+    pub(super) range: [f64; 2],
+}
+
+impl Plane {
+    pub(super) fn new(facet: &Placed) -> Self {
+        let [a, b, c] = facet.corners;
+        let edges = [edge(b, c), edge(c, a), edge(a, b)];
+        let area = side(&edges[2], c[0], c[1]);
+        let edges = edges.map(|[x, y, u, v]| [x, y, u * area.signum(), v * area.signum()]);
+        let depths = facet.corners.map(|corner| corner[2] / area.abs());
+        Self { edges, depths, range: facet.range(2) }
+    }
+
+    /// The depth at a point, if the facet's projection has it, edges included.
+    pub(super) fn depth(&self, x: f64, y: f64) -> Option<f64> {
+        let sides = self.sides(x, y);
+        let is_inside = sides[0] >= 0.0 && sides[1] >= 0.0 && sides[2] >= 0.0;
+        let [a, b, c] = self.depths;
+        let depth = sides[0] * a + sides[1] * b + sides[2] * c;
+        // Of a sliver the sides are rounding; and no number if it has no area at all.
+        (is_inside && !depth.is_nan()).then(|| depth.max(self.range[0]).min(self.range[1]))
+    }
+
+    /// Twice the area between each edge and a point, positive where the facet lies. Rounded as
+    /// it is, it never falls and rises again along a row or a column.
+    pub(super) fn sides(&self, x: f64, y: f64) -> [f64; 3] {
+        self.edges.each_ref().map(|edge| side(edge, x, y))
+    }
+
+    /// Between points at these corners of a box no depth is greater.
+    pub(super) fn nearest(&self, corners: [[f64; 2]; 4]) -> f64 {
+        let mut nearest = f64::NEG_INFINITY;
+        let mut rounding = 0.0f64;
+        for [x, y] in corners {
+            let (mut depth, mut size) = (0.0, 0.0);
+            for (edge, of_corner) in self.edges.iter().zip(self.depths) {
+                let [from_x, from_y, run_x, run_y] = edge;
+                let products = (run_x * (y - from_y)).abs() + (run_y * (x - from_x)).abs();
+                depth += side(edge, x, y) * of_corner;
+                size += products * of_corner.abs();
+            }
+            nearest = nearest.max(depth);
+            rounding = rounding.max(size);
+        }
+        // Some eight roundings of each product.
+        let nearest = nearest + 8.0 * f64::EPSILON * rounding;
+        let [least, most] = self.range;
+        if nearest.is_finite() { nearest.max(least).min(most) } else { most }
+    }
+}
+
+/// An edge's point and run. Those of the way back are exactly the same but for the run's sign:
+/// a point on the edge of two facets is in one of them at least.
+fn edge(from: [f64; 3], to: [f64; 3]) -> [f64; 4] {
+    if (from[0], from[1]) < (to[0], to[1]) {
+        [from[0], from[1], to[0] - from[0], to[1] - from[1]]
+    } else {
+        [to[0], to[1], to[0] - from[0], to[1] - from[1]]
+    }
+}
+
+/// Twice the area between an edge and a point, positive on its left.
+fn side(&[from_x, from_y, run_x, run_y]: &[f64; 4], x: f64, y: f64) -> f64 {
+    run_x * (y - from_y) - run_y * (x - from_x)
+}

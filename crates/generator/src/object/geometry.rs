@@ -1,0 +1,102 @@
+//! Which normals an object shows, and how much of its picture each takes.
+
+use crate::basis::span::Span;
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::normals::visible;
+use faer::Mat;
+
+/// Normals taken at a time.
+const CHUNK: usize = 4096;
+
+/// The normals of an object.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Geometry {
+    /// Those of a sphere: density cos(α)/π over the visible hemisphere.
+    Sphere,
+    /// A list.
+    Listed(WeightedNormals),
+}
+
+/// Unit normals with z >= 0, and the share of the picture that each takes.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct WeightedNormals {
+    normals: Vec<[f64; 3]>,
+    weights: Vec<f64>,
+}
+
+impl WeightedNormals {
+    /// Normals with weights of any scale; those of weight zero are left out.
+    ///
+    /// Lengths are normalised; a normal that points away by a little is laid on the
+    /// rim, as [`visible`] has it.
+    ///
+    /// # Errors
+    ///
+    /// A normal without direction or that points away, a weight that is negative or not
+    /// finite, no normal of a weight above zero. The number is that of the pair, from 0.
+    pub fn new(pairs: impl IntoIterator<Item = ([f64; 3], f64)>) -> Result<Self> {
+        let pairs = pairs.into_iter();
+        let least = pairs.size_hint().0;
+        let mut listed =
+            Self { normals: Vec::with_capacity(least), weights: Vec::with_capacity(least) };
+        for (number, (normal, weight)) in pairs.enumerate() {
+            if !(weight >= 0.0 && weight.is_finite()) {
+                let what = format!("normal {number} has weight {weight}");
+                return Err(Error::new(what, "give it a finite weight of zero or more"));
+            }
+            if weight == 0.0 {
+                continue;
+            }
+            let normal = visible(normal)
+                .map_err(|(what, remedy)| Error::new(format!("normal {number}: {what}"), remedy))?;
+            listed.normals.push(normal);
+            listed.weights.push(weight);
+        }
+        // Scaled by the largest first, so that the sum neither overflows nor vanishes.
+        let largest = listed.weights.iter().copied().fold(0.0, f64::max);
+        let sum: f64 = listed.weights.iter().map(|weight| weight / largest).sum();
+        if listed.weights.is_empty() {
+            return Err(Error::new(
+                "no normal is seen",
+                "give at least one that faces the camera, with a weight above zero",
+            ));
+        }
+        listed.weights.iter_mut().for_each(|weight| *weight = *weight / largest / sum);
+        Ok(listed)
+    }
+
+    /// The normals.
+    #[must_use]
+    pub fn normals(&self) -> &[[f64; 3]] {
+        &self.normals
+    }
+
+    /// Their weights, which sum to 1.
+    #[must_use]
+    pub fn weights(&self) -> &[f64] {
+        &self.weights
+    }
+
+    /// R with RᵀR = Σ_k w_k φ(n_k) φ(n_k)ᵀ for the functions φ of a span.
+    ///
+    /// By orthogonal factors alone: nothing is squared, so weights over many decades
+    /// and normals that hardly differ lose nothing.
+    #[must_use]
+    pub fn factor(&self, span: &Span) -> Mat<f64> {
+        let dimension = span.dimension();
+        let mut factor: Mat<f64> = Mat::zeros(0, dimension);
+        for (normals, weights) in self.normals.chunks(CHUNK).zip(self.weights.chunks(CHUNK)) {
+            let values = span.values(normals);
+            let above = factor.nrows();
+            let stacked = Mat::from_fn(above + normals.len(), dimension, |k, j| {
+                if k < above {
+                    factor[(k, j)]
+                } else {
+                    weights[k - above].sqrt() * values[(k - above, j)]
+                }
+            });
+            factor = stacked.qr().thin_R().to_owned();
+        }
+        factor
+    }
+}

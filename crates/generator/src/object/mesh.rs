@@ -1,0 +1,215 @@
+//! Meshes (.obj, .stl, .ply): the normals of what the camera sees of their facets.
+
+use crate::object::facet::Facet;
+use crate::object::visibility::seen_shares;
+use crate::object::{mesh_obj, mesh_ply, mesh_stl};
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::input_file::InputFile;
+
+/// Triangles, as the files' readers give them: 24 bytes a corner, 12 a triangle.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Mesh {
+    pub(crate) corners: Vec<[f64; 3]>,
+    /// Three numbers of corners each.
+    pub(crate) triangles: Vec<[u32; 3]>,
+}
+
+impl Mesh {
+    /// Bytes of a corner, and of a triangle.
+    pub(crate) const CORNER: u64 = 24;
+    pub(crate) const TRIANGLE: u64 = 12;
+
+    /// An empty one with room for so many.
+    ///
+    /// # Errors
+    ///
+    /// If the file's budget has not.
+    pub(crate) fn with_room(file: &InputFile, corners: u64, triangles: u64) -> Result<Self> {
+        file.admit(
+            corners
+                .saturating_mul(Self::CORNER)
+                .saturating_add(triangles.saturating_mul(Self::TRIANGLE)),
+        )?;
+        if corners > u64::from(u32::MAX) {
+            let remedy = "give a mesh of at most 4,294,967,295 corners";
+            return Err(Error::new(format!("it has {corners} corners"), remedy));
+        }
+        let [corners, triangles] = [corners, triangles].map(|count| count as usize);
+        Ok(Self { corners: Vec::with_capacity(corners), triangles: Vec::with_capacity(triangles) })
+    }
+
+    /// Takes in a polygon, cut into a fan.
+    ///
+    /// # Errors
+    ///
+    /// Fewer than three corners; more triangles than the budget has room for.
+    pub(crate) fn push_polygon(&mut self, file: &InputFile, polygon: &[u32]) -> Result<()> {
+        let [first, rest @ ..] = polygon else {
+            return Err(broken("a face of fewer than three corners: it has none"));
+        };
+        if rest.len() < 2 {
+            let count = polygon.len();
+            return Err(broken(format!("a face of fewer than three corners: it has {count}")));
+        }
+        let count = self.triangles.len() + rest.len() - 1;
+        if count > self.triangles.capacity() {
+            // The old and the new, while the one is moved into the other.
+            let room = count.max(2 * self.triangles.capacity());
+            let triangles = (room + self.triangles.capacity()) as u64 * Self::TRIANGLE;
+            file.admit(self.corners.capacity() as u64 * Self::CORNER + triangles)?;
+            self.triangles.reserve_exact(room - self.triangles.len());
+        }
+        self.triangles.extend(rest.windows(2).map(|two| [*first, two[0], two[1]]));
+        Ok(())
+    }
+
+    /// The corners of each triangle.
+    ///
+    /// # Errors
+    ///
+    /// One that does not exist.
+    fn triangles(&self) -> impl Iterator<Item = Result<[[f64; 3]; 3]>> {
+        let corner = |place: u32| {
+            self.corners
+                .get(place as usize)
+                .copied()
+                .ok_or_else(|| broken(format!("corner {place} does not exist")))
+        };
+        self.triangles.iter().map(move |&[a, b, c]| Ok([corner(a)?, corner(b)?, corner(c)?]))
+    }
+}
+
+/// Bytes that are needed of a facet until it is known which are seen: itself, its share, its
+/// place, and what is given back of it.
+const BYTES_PER_FACET: u64 = size_of::<Facet>() as u64 + 80;
+
+/// Bytes for the picture, and for the points beside its samples.
+const PICTURE: u64 = 100 << 20;
+
+/// Samples across and down the picture in which facets are looked for: 8 MiB.
+const SAMPLES: usize = 1024;
+
+/// The normal of each facet that the camera sees under orthographic view, x right, y up, z
+/// toward it, weighted by the projected area of the part that is seen.
+///
+/// What another facet hides does not count, to the accuracy of [`seen_shares`] with 1024 x
+/// 1024 samples; a convex object's facets count with their exact areas. Corners run
+/// counterclockwise seen from outside: a facet that faces away hides what is behind it and
+/// does not count itself. Normals are the facets' own: smoothed ones in the file (`vn`; `nx`,
+/// `ny`, `nz`) are not used. Facets without area are left out.
+///
+/// Memory: while it reads at most 64 bytes a corner, of meshes with two facets a corner; then
+/// some 180 a facet, and 100 MiB for the picture.
+///
+/// # Errors
+///
+/// A file that is broken or promises other than it holds, a corner that does not exist or
+/// is not finite, a face of fewer than three corners; one for which its budget has no room.
+pub fn read(file: impl Into<InputFile>) -> Result<Vec<([f64; 3], f64)>> {
+    let file = file.into();
+    let pairs = mesh(&file).and_then(|mesh| seen(mesh, &file));
+    pairs.map_err(|error| error.in_file(file.path()))
+}
+
+fn mesh(file: &InputFile) -> Result<Mesh> {
+    let extension = file.path().extension().and_then(|one| one.to_str()).unwrap_or_default();
+    match extension.to_ascii_lowercase().as_str() {
+        "obj" => mesh_obj::read(file),
+        "stl" => mesh_stl::read(file),
+        _ => mesh_ply::read(file),
+    }
+}
+
+fn seen(mesh: Mesh, file: &InputFile) -> Result<Vec<([f64; 3], f64)>> {
+    let mut largest: f64 = 0.0;
+    for (number, corners) in mesh.triangles().enumerate() {
+        let corners = corners?;
+        if !corners.iter().flatten().all(|value| value.is_finite()) {
+            return Err(broken(format!("facet {number} has a corner that is not finite")));
+        }
+        largest = corners.iter().flatten().fold(largest, |most, value| most.max(value.abs()));
+    }
+    let count = mesh.triangles.len();
+    if count == 0 {
+        return Err(broken("there is no triangle in it"));
+    }
+    let own = mesh.corners.capacity() as u64 * Mesh::CORNER
+        + mesh.triangles.capacity() as u64 * Mesh::TRIANGLE;
+    file.admit((count as u64).saturating_mul(BYTES_PER_FACET).saturating_add(PICTURE + own))
+        .map_err(|error| error.of(format_args!("{count} facets")))?;
+    // In its own size, so that areas of small and of large meshes are numbers.
+    let mut facets = Vec::with_capacity(count);
+    for corners in mesh.triangles() {
+        facets.extend(Facet::new(corners?.map(|corner| corner.map(|x| x / largest))));
+    }
+    drop(mesh);
+    let shares = seen_shares(&facets, SAMPLES);
+    let seen = facets.iter().zip(shares).filter(|(_, share)| *share > 0.0);
+    Ok(seen.map(|(facet, share)| (facet.normal, share * facet.projected_area)).collect())
+}
+
+/// A fault of the file, to be exported anew.
+pub(crate) fn broken(what: impl Into<String>) -> Error {
+    Error::new(what, "export the mesh again, as triangles")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::fmt::Write;
+
+    /// Most bytes that a reader may keep of a corner.
+    const MOST: usize = 64;
+
+    /// A net of corners, two facets for each.
+    fn net(side: u32) -> (Vec<[u32; 2]>, Vec<[u32; 3]>) {
+        let corners = (0..side).flat_map(|y| (0..side).map(move |x| [x, y])).collect();
+        let cells = (0..side - 1).flat_map(|y| (0..side - 1).map(move |x| y * side + x));
+        let facets = |k| [[k, k + 1, k + side], [k + 1, k + side + 1, k + side]];
+        (corners, cells.flat_map(facets).collect())
+    }
+
+    #[test]
+    fn readers_keep_64_bytes_of_a_corner() {
+        let (corners, facets) = net(100);
+        let (mut obj, mut stl) = (String::new(), "solid net\n".to_owned());
+        let mut ply = format!(
+            "ply\nformat ascii 1.0\nelement vertex {}\nproperty float x\nproperty float y\n\
+             property float z\nelement face {}\nproperty list uchar int vertex_indices\n\
+             end_header\n",
+            corners.len(),
+            facets.len()
+        );
+        for [x, y] in &corners {
+            writeln!(obj, "v {x} {y} 0").expect("text");
+            writeln!(ply, "{x} {y} 0").expect("text");
+        }
+        for facet in &facets {
+            let [a, b, c] = facet.map(|k| k + 1);
+            writeln!(obj, "f {a} {b} {c}").expect("text");
+            writeln!(ply, "3 {} {} {}", facet[0], facet[1], facet[2]).expect("text");
+            writeln!(stl, "facet normal 0 0 1\nouter loop").expect("text");
+            for [x, y] in facet.map(|k| corners[k as usize]) {
+                writeln!(stl, "vertex {x} {y} 0").expect("text");
+            }
+            writeln!(stl, "endloop\nendfacet").expect("text");
+        }
+        stl.push_str("endsolid net\n");
+        let folder = tempfile::tempdir().expect("a folder");
+        let expected: Vec<_> = facets
+            .iter()
+            .map(|facet| {
+                facet.map(|k| corners[k as usize]).map(|[x, y]| [f64::from(x), f64::from(y), 0.0])
+            })
+            .collect();
+        for (name, text) in [("net.obj", obj), ("net.ply", ply), ("net.stl", stl)] {
+            let path = folder.path().join(name);
+            std::fs::write(&path, text).expect("a file");
+            let mesh = mesh(&path.into()).expect("a mesh");
+            let found: Result<Vec<_>> = mesh.triangles().collect();
+            assert_eq!(found.as_ref(), Ok(&expected), "{name}");
+            let kept = 24 * mesh.corners.capacity() + 12 * mesh.triangles.capacity();
+            assert!(kept <= MOST * mesh.corners.len(), "{name}: {kept} bytes");
+        }
+    }
+}

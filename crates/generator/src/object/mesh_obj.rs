@@ -1,0 +1,84 @@
+//! Wavefront files (.obj): their corners and faces, line by line.
+//!
+//! Read here, since `tobj` 4.0.5 holds some 400 bytes of each corner, and leaves out faces of
+//! fewer than three.
+
+use crate::object::mesh::{Mesh, broken};
+use crate::object::text_line;
+use eigenshade_model::error::Result;
+use eigenshade_model::inputs::input_file::InputFile;
+
+/// The triangles of a Wavefront file; polygons are cut into fans.
+///
+/// Of `f 1/2/3` the first number is a corner, counted from 1, or back from the last if it is
+/// negative. Lines that are neither `v` nor `f` mean nothing here.
+pub(crate) fn read(file: &InputFile) -> Result<Mesh> {
+    // Counted first: a list that grows takes three times its memory.
+    let (mut corners, mut triangles) = (0, 0);
+    each_line(file, |words| {
+        match words {
+            ["v", ..] => corners += 1,
+            ["f", polygon @ ..] => triangles += (polygon.len() as u64).saturating_sub(2),
+            _ => {}
+        }
+        Ok(())
+    })?;
+    let mut mesh = Mesh::with_room(file, corners, triangles)?;
+    let mut polygon = Vec::new();
+    each_line(file, |words| {
+        match words {
+            ["v", numbers @ ..] => mesh.corners.push(corner(numbers)?),
+            ["f", numbers @ ..] => {
+                polygon.clear();
+                for number in numbers {
+                    polygon.push(place(number, mesh.corners.len(), corners)?);
+                }
+                mesh.push_polygon(file, &polygon)?;
+            }
+            _ => {}
+        }
+        Ok(())
+    })?;
+    Ok(mesh)
+}
+
+/// Gives the words of each line; one that ends in a backslash goes on in the next.
+fn each_line(file: &InputFile, mut with: impl FnMut(&[&str]) -> Result<()>) -> Result<()> {
+    let (mut reader, _) = file.open()?;
+    let mut line = Vec::new();
+    let (mut number, mut first) = (0, 1);
+    loop {
+        let fault = |error: std::io::Error| broken(format!("it is no whole OBJ ({error})"));
+        let is_there = text_line::append(&mut reader, &mut line).map_err(fault)?;
+        number += 1;
+        if is_there && let Some(part) = line.trim_ascii_end().strip_suffix(b"\\") {
+            line.truncate(part.len());
+            line.push(b' ');
+            continue;
+        }
+        let words: Vec<&str> = text_line::text(&line).map_err(fault)?.split_whitespace().collect();
+        with(&words).map_err(|error| error.of(format_args!("line {first}")))?;
+        if !is_there {
+            return Ok(());
+        }
+        line.clear();
+        first = number + 1;
+    }
+}
+
+fn corner(numbers: &[&str]) -> Result<[f64; 3]> {
+    let wrong =
+        || broken(format!("it is no whole OBJ (no three numbers in `v {}`)", numbers.join(" ")));
+    let axis = |k: usize| numbers.get(k).and_then(|text| text.parse().ok()).ok_or_else(wrong);
+    Ok([axis(0)?, axis(1)?, axis(2)?])
+}
+
+/// The number of a corner from 0, of `1`, `1/2`, `1//3`, `1/2/3` or `-1`.
+fn place(text: &str, before: usize, all: u64) -> Result<u32> {
+    let wrong = || broken(format!("it is no whole OBJ (`{text}` is none of its {all} corners)"));
+    let first = text.split('/').next().unwrap_or_default();
+    let number: i64 = first.parse().map_err(|_| wrong())?;
+    let place = if number < 0 { number + before as i64 } else { number - 1 };
+    let place = u32::try_from(place).map_err(|_| wrong())?;
+    if u64::from(place) < all { Ok(place) } else { Err(wrong()) }
+}

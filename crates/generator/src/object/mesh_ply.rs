@@ -1,0 +1,242 @@
+//! Polygon files (.ply), text or binary.
+
+use crate::object::mesh::{Mesh, broken};
+use crate::object::text_line;
+use crate::object::text_line::LONGEST;
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::input_file::InputFile;
+use ply_rs_bw::parser::{ParseError, Parser, Reader};
+use ply_rs_bw::ply::{
+    BeginList, ElementDef, Encoding, Property, PropertyAccess, PropertyAccessResult,
+};
+use std::io::BufRead;
+
+/// Most numbers in a list, whatever it is of.
+const MOST_NUMBERS: usize = LONGEST;
+
+/// Of an element: its lists are read as they come, if they are not too long.
+macro_rules! bounded_lists {
+    () => {
+        bounded_lists!(
+            begin_list_char: i8, begin_list_uchar: u8, begin_list_short: i16,
+            begin_list_ushort: u16, begin_list_int: i32, begin_list_uint: u32,
+            begin_list_float: f32, begin_list_double: f64
+        );
+    };
+    ($($begin:ident: $number:ty),*) => {
+        $(fn $begin(&mut self, _: &str, count: usize) -> BeginList<'_, $number> {
+            if count <= MOST_NUMBERS { BeginList::UseSetter } else { BeginList::UnsupportedType }
+        })*
+    };
+}
+
+/// The triangles of a polygon file; polygons are cut into fans.
+pub(crate) fn read(file: &InputFile) -> Result<Mesh> {
+    let (reader, length) = file.open()?;
+    decode(reader, length, file)
+}
+
+fn decode(reader: impl BufRead, length: u64, file: &InputFile) -> Result<Mesh> {
+    let mut reader = Reader::new(reader);
+    let header = Parser::<Vertex>::new().read_header(&mut reader).map_err(fault)?;
+    let mut least = 0u64;
+    for (name, element) in &header.elements {
+        // A number takes a byte at least, a face four: how many corners, and three of them.
+        let row = element.properties.len() + if name == "face" { 3 } else { 0 };
+        least = least.saturating_add((element.count as u64).saturating_mul(row as u64));
+        if least > length || element.properties.is_empty() {
+            return Err(broken(format!(
+                "{} of element `{name}` promised in {length} bytes",
+                element.count
+            )));
+        }
+    }
+    let count = |name: &str| header.elements.get(name).map_or(0, |element| element.count as u64);
+    let mut mesh = Mesh::with_room(file, count("vertex"), count("face"))?;
+    let mut rows = Rows { reader, encoding: header.encoding, line: Vec::new() };
+    for (name, element) in &header.elements {
+        for _ in 0..element.count {
+            match name.as_str() {
+                "vertex" => mesh.corners.push(rows.next::<Vertex>(element)?.corner()?),
+                "face" => mesh.push_polygon(file, &rows.next::<Face>(element)?.corners()?)?,
+                _ => {
+                    rows.next::<Other>(element)?;
+                }
+            }
+        }
+    }
+    rows.finish()?;
+    Ok(mesh)
+}
+
+fn fault(error: ParseError) -> Error {
+    let text = error.to_string();
+    broken(format!("it is no whole PLY ({})", text.lines().next().unwrap_or_default()))
+}
+
+/// The elements of a file, one after the other.
+struct Rows<R: BufRead> {
+    reader: Reader<R>,
+    encoding: Encoding,
+    line: Vec<u8>,
+}
+
+impl<R: BufRead> Rows<R> {
+    fn next<E: PropertyAccess>(&mut self, element: &ElementDef) -> Result<E> {
+        let (parser, reader) = (Parser::<E>::new(), self.reader.get_mut());
+        match self.encoding {
+            Encoding::BinaryBigEndian => parser.read_big_endian_element(reader, element),
+            Encoding::BinaryLittleEndian => parser.read_little_endian_element(reader, element),
+            Encoding::Ascii => {
+                self.line.clear();
+                let fault = |error| broken(format!("it is no whole PLY ({error})"));
+                let is_there = text_line::append(reader, &mut self.line).map_err(fault)?;
+                if !is_there {
+                    let what = format!("too few rows of element `{}`", element.name);
+                    return Err(broken(format!("it is no whole PLY ({what})")));
+                }
+                parser.read_ascii_element(text_line::text(&self.line).map_err(fault)?, element)
+            }
+        }
+        .map_err(fault)
+    }
+
+    /// Whether nothing but the empty lines of a text follows.
+    fn finish(mut self) -> Result<()> {
+        let reader = self.reader.get_mut();
+        loop {
+            let rest = reader
+                .fill_buf()
+                .map_err(|error| broken(format!("it is no whole PLY ({error})")))?;
+            if rest.is_empty() {
+                return Ok(());
+            }
+            if self.encoding != Encoding::Ascii || !rest.trim_ascii().is_empty() {
+                return Err(broken("more follows than its header promises"));
+            }
+            let read = rest.len();
+            reader.consume(read);
+        }
+    }
+}
+
+/// x, y and z, as far as they are there.
+struct Vertex([Option<f64>; 3]);
+
+impl Vertex {
+    fn corner(self) -> Result<[f64; 3]> {
+        match self.0 {
+            [Some(x), Some(y), Some(z)] => Ok([x, y, z]),
+            [x, y, _] => {
+                let name = if x.is_none() {
+                    "x"
+                } else if y.is_none() {
+                    "y"
+                } else {
+                    "z"
+                };
+                Err(broken(format!("a vertex has no number `{name}`")))
+            }
+        }
+    }
+}
+
+impl PropertyAccess for Vertex {
+    fn new() -> Self {
+        Self([None; 3])
+    }
+
+    bounded_lists!();
+
+    fn set_property(&mut self, name: &str, property: Property) -> PropertyAccessResult {
+        let axis = match name {
+            "x" => 0,
+            "y" => 1,
+            "z" => 2,
+            _ => return PropertyAccessResult::Ignored,
+        };
+        self.0[axis] = match property {
+            Property::Float(value) => Some(f64::from(value)),
+            Property::Double(value) => Some(value),
+            Property::Int(value) => Some(f64::from(value)),
+            Property::UInt(value) => Some(f64::from(value)),
+            Property::Short(value) => Some(f64::from(value)),
+            Property::UShort(value) => Some(f64::from(value)),
+            Property::Char(value) => Some(f64::from(value)),
+            Property::UChar(value) => Some(f64::from(value)),
+            _ => None,
+        };
+        PropertyAccessResult::Set
+    }
+}
+
+/// The list of its corners, if it is there.
+struct Face(Option<Property>);
+
+impl Face {
+    fn corners(self) -> Result<Vec<u32>> {
+        let place = |value: i64| {
+            u32::try_from(value).map_err(|_| broken(format!("corner {value} does not exist")))
+        };
+        match self.0 {
+            Some(Property::ListInt(list)) => list.iter().map(|&one| place(one.into())).collect(),
+            Some(Property::ListShort(list)) => list.iter().map(|&one| place(one.into())).collect(),
+            Some(Property::ListChar(list)) => list.iter().map(|&one| place(one.into())).collect(),
+            Some(Property::ListUInt(list)) => Ok(list),
+            Some(Property::ListUShort(list)) => Ok(list.into_iter().map(u32::from).collect()),
+            Some(Property::ListUChar(list)) => Ok(list.into_iter().map(u32::from).collect()),
+            _ => Err(broken("a face has no list `vertex_indices`")),
+        }
+    }
+}
+
+impl PropertyAccess for Face {
+    fn new() -> Self {
+        Self(None)
+    }
+
+    bounded_lists!();
+
+    fn set_property(&mut self, name: &str, property: Property) -> PropertyAccessResult {
+        if !matches!(name, "vertex_indices" | "vertex_index") {
+            return PropertyAccessResult::Ignored;
+        }
+        self.0 = Some(property);
+        PropertyAccessResult::Set
+    }
+}
+
+/// An element of no use here.
+struct Other;
+
+impl PropertyAccess for Other {
+    fn new() -> Self {
+        Self
+    }
+
+    bounded_lists!();
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn corners_are_of_any_type() {
+        for kind in ["char", "uchar", "short", "ushort", "int", "uint", "float", "double"] {
+            let text = format!(
+                "ply\nformat ascii 1.0\nelement vertex 3\nproperty {kind} x\nproperty {kind} y\n\
+                 property {kind} z\nelement face 1\nproperty list uchar int vertex_indices\n\
+                 end_header\n0 0 1\n100 0 2\n0 120 3\n3 0 1 2\n"
+            );
+            let corners = [[0.0, 0.0, 1.0], [100.0, 0.0, 2.0], [0.0, 120.0, 3.0]];
+            let file = "mesh.ply".into();
+            let mesh = decode(text.as_bytes(), text.len() as u64, &file).expect("a mesh");
+            assert_eq!(
+                (mesh.corners, mesh.triangles),
+                (corners.to_vec(), vec![[0, 1, 2]]),
+                "{kind}"
+            );
+        }
+    }
+}

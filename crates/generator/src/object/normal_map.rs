@@ -1,0 +1,118 @@
+//! Normal maps: PNG of 8 or 16 bits a channel.
+
+use crate::picture::png_samples;
+use crate::picture::png_samples::PngSamples;
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::input_file::InputFile;
+use eigenshade_model::inputs::normals::visible;
+use std::ops::RangeInclusive;
+use std::path::Path;
+
+/// Lengths that the vector of a normal may have: it is 1 up to rounding and filtering, of
+/// black and of white it is √3.
+pub const LENGTHS: RangeInclusive<f64> = 0.5..=1.5;
+
+/// The normal of each pixel that counts, all of the same weight: under orthographic
+/// view a pixel is a piece of projected area.
+///
+/// Pixels without a normal, as [`normals`] has it, and those that are black in the mask do
+/// not count.
+///
+/// Memory: as [`png_samples::read`], a byte a pixel more, and [`BYTES_PER_NORMAL`] for each
+/// pixel that counts.
+///
+/// # Errors
+///
+/// A file that is no PNG or broken, a mask of another size, a pixel that counts and points
+/// away, more of all this than the file's budget has room for.
+pub fn read(file: impl Into<InputFile>, mask: Option<&Path>) -> Result<Vec<([f64; 3], f64)>> {
+    let file = file.into().with_bytes_beside(1);
+    let map = png_samples::read(file.clone())?;
+    let mask = match mask {
+        Some(mask) => mask_of(file.other(mask), [map.width, map.height])?,
+        None => vec![true; map.width * map.height],
+    };
+    let seen = || {
+        each(&map, &mask)
+            .zip(&mask)
+            .filter(|(_, counts)| **counts)
+            .filter_map(|(normal, _)| normal.transpose())
+            .map(|normal| normal.map_err(|error| error.in_file(file.path())))
+    };
+    let count = seen().map(|normal| normal.map(|_| 1)).sum::<Result<u64>>()?;
+    file.admit_pixels(mask.len() as u64, png_samples::BYTES_PER_PIXEL, count * BYTES_PER_NORMAL)?;
+    let mut pairs = Vec::with_capacity(count as usize);
+    for normal in seen() {
+        pairs.push((normal?, 1.0));
+    }
+    Ok(pairs)
+}
+
+/// Bytes that [`read`] and [`WeightedNormals`](crate::object::geometry::WeightedNormals) take of a
+/// normal together.
+pub const BYTES_PER_NORMAL: u64 = 64;
+
+/// The unit normal, z >= 0, of each pixel of a map; none where there is no object.
+///
+/// A channel c of 0..=1 says 2c - 1: red x to the right, green y up, blue z toward the
+/// camera. A pixel is background if its opacity is below one half, or if its vector's length
+/// is not within [`LENGTHS`], as that of grey, black and white is not.
+///
+/// # Errors
+///
+/// The first pixel that is no background, `counts`, and points away from the camera by more
+/// than [`RIM`](eigenshade_model::inputs::normals::RIM) beyond rounding; one that does not count has no
+/// normal then.
+pub fn normals(map: &PngSamples, counts: &[bool]) -> Result<Vec<Option<[f64; 3]>>> {
+    each(map, counts).collect()
+}
+
+/// The same one by one.
+fn each(map: &PngSamples, counts: &[bool]) -> impl Iterator<Item = Result<Option<[f64; 3]>>> {
+    let full = f64::from(map.full);
+    let pixels = map.colours.iter().zip(&map.opacities).zip(counts).enumerate();
+    let normal = move |(number, ((colour, opacity), counts)): (
+        usize,
+        ((&[u16; 3], &u16), &bool),
+    )| {
+        let vector = vector(*colour, map.full);
+        let length = vector.iter().map(|c| c * c).sum::<f64>().sqrt();
+        if 2.0 * f64::from(*opacity) < full || !LENGTHS.contains(&length) {
+            return Ok(None);
+        }
+        match visible(vector) {
+            Ok(normal) => Ok(Some(normal)),
+            Err(_) if !counts => Ok(None),
+            Err((what, _)) => {
+                let (column, row) = (number % map.width, number / map.width);
+                Err(Error::new(
+                    format!("pixel {column}, {row} (from 0): {what}"),
+                    "mask it, or make it transparent: only pixels that show the object may count",
+                ))
+            }
+        }
+    };
+    pixels.map(normal)
+}
+
+/// What a sample of red, green and blue says: 2c - 1 of each channel c = sample / `full`,
+/// not normalised.
+///
+/// No sample says 0; a z less than a step below it is the rim, rounded.
+fn vector(colour: [u16; 3], full: u16) -> [f64; 3] {
+    let full = f64::from(full);
+    let [x, y, z] = colour.map(|c| 2.0 * f64::from(c) / full - 1.0);
+    [x, y, if z < 0.0 && z > -2.0 / full { 0.0 } else { z }]
+}
+
+/// Whether each pixel counts: where the mask is not black.
+fn mask_of(file: InputFile, [width, height]: [usize; 2]) -> Result<Vec<bool>> {
+    let file = file.with_bytes_beside(1);
+    let mask = png_samples::read(file.clone())?;
+    if (mask.width, mask.height) != (width, height) {
+        let (w, h) = (mask.width, mask.height);
+        let what = format!("the mask is {w} x {h}, the normal map {width} x {height}");
+        return Err(Error::new(what, "make them alike").in_file(file.path()));
+    }
+    Ok(mask.colours.iter().map(|colour| colour.iter().any(|&c| c > 0)).collect())
+}

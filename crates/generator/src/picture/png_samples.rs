@@ -1,0 +1,133 @@
+//! A PNG as the numbers that it stores, without any reading of what they mean.
+
+use crate::picture::png_curve::Curve;
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::input_file::InputFile;
+use png::{BitDepth, ColorType, Decoder, DecodingError, Limits, Transformations};
+use std::io::Cursor;
+
+/// Four channels of 16 bits.
+const MOST_BYTES_PER_PIXEL: u64 = 8;
+
+/// Bytes of each pixel in [`PngSamples`].
+pub const BYTES_PER_PIXEL: u64 = 8;
+
+/// Rows that the decoder holds.
+const ROWS: u64 = 4;
+
+/// Bytes for what is small.
+const BESIDE: u64 = 1 << 16;
+
+/// Deflate packs no more bytes than this into one.
+const MOST_BYTES_PER_BYTE: u64 = 1032;
+
+/// The samples of a PNG, row by row from the top.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PngSamples {
+    /// Pixels across.
+    pub width: usize,
+    /// Pixels down.
+    pub height: usize,
+    /// The largest sample that the file can hold: 255 or 65535.
+    pub full: u16,
+    /// What the file itself says of how samples stand for light.
+    pub curve: Curve,
+    /// Red, green and blue of each pixel; three times the same in a grey file.
+    pub colours: Vec<[u16; 3]>,
+    /// Opacity of each pixel; `full` everywhere in a file without.
+    pub opacities: Vec<u16>,
+}
+
+/// Reads a PNG of any colour type, 1 to 16 bits; of an animation the first frame.
+///
+/// Memory: the file, [`BYTES_PER_PIXEL`], and while it is decoded what the file's samples
+/// take, 1 to 8 bytes a pixel.
+///
+/// # Errors
+///
+/// A file that cannot be read, is no PNG, broken, cut short, or claims more pixels
+/// than its bytes can hold or than its budget has room for.
+pub fn read(file: impl Into<InputFile>) -> Result<PngSamples> {
+    let file = file.into();
+    let bytes = file.bytes()?;
+    decode(&bytes, &file).map_err(|error| error.in_file(file.path()))
+}
+
+fn decode(bytes: &[u8], file: &InputFile) -> Result<PngSamples> {
+    let mut decoder = Decoder::new(Cursor::new(bytes));
+    // A colour profile or a text may unpack to a thousand times its size, and neither is wanted.
+    decoder.set_ignore_iccp_chunk(true);
+    decoder.set_ignore_text_chunk(true);
+    let header = decoder.read_header_info().map_err(|error| fault(&error))?;
+    let (width, height) = (u64::from(header.width), u64::from(header.height));
+    let bits = (header.bits_per_pixel() as u64).max(1);
+    let most = (bytes.len() as u64).saturating_mul(MOST_BYTES_PER_BYTE);
+    // In 128 bits no header's claim overflows.
+    if u128::from(width) * u128::from(height) / 8 * u128::from(bits) > u128::from(most) {
+        return Err(Error::new(
+            format!(
+                "its header claims {width} x {height} pixels, which {} bytes cannot hold",
+                bytes.len()
+            ),
+            "export the picture again",
+        ));
+    }
+    // The file, rows as they are unpacked, all of them expanded, and the samples.
+    let admit = |expanded: u64| {
+        let rows = ROWS * MOST_BYTES_PER_PIXEL * width;
+        let beside = (bytes.len() as u64).saturating_add(rows).saturating_add(expanded);
+        file.admit_pixels(width.saturating_mul(height), BYTES_PER_PIXEL, beside)
+            .map_err(|error| error.of(format_args!("{width} x {height} pixels")))
+    };
+    // Without transparent colors, which only a later chunk tells of.
+    let expanded = if header.color_type == ColorType::Indexed { 3 } else { bits.div_ceil(8) };
+    admit(expanded.saturating_mul(width.saturating_mul(height)))?;
+    // A row of the picture, and buffers of other chunks, which are doubled as they are read.
+    let limit = (MOST_BYTES_PER_PIXEL * width).saturating_add(4 * bytes.len() as u64);
+    decoder.set_limits(Limits { bytes: usize::try_from(limit + BESIDE).unwrap_or(usize::MAX) });
+    decoder.set_transformations(Transformations::EXPAND);
+    let mut reader = decoder.read_info().map_err(|error| fault(&error))?;
+    let curve = Curve::of(reader.info(), bytes);
+    let size = reader.output_buffer_size().ok_or_else(|| fault(&DecodingError::LimitsExceeded))?;
+    admit(size as u64)?;
+    let mut buffer = vec![0; size];
+    let frame = reader.next_frame(&mut buffer).map_err(|error| fault(&error))?;
+    buffer.truncate(frame.buffer_size());
+    // The end is where a file that was cut short is found out.
+    reader.finish().map_err(|error| fault(&error))?;
+    let (channels, has_opacity) = match frame.color_type {
+        ColorType::Rgba => (4, true),
+        ColorType::Rgb | ColorType::Indexed => (3, false),
+        ColorType::GrayscaleAlpha => (2, true),
+        ColorType::Grayscale => (1, false),
+    };
+    let (bytes_per_sample, full) = match frame.bit_depth {
+        BitDepth::Sixteen => (2, u16::MAX),
+        _ => (1, u16::from(u8::MAX)),
+    };
+    let sample = |pixel: &[u8], channel: usize| match bytes_per_sample {
+        2 => u16::from_be_bytes([pixel[2 * channel], pixel[2 * channel + 1]]),
+        _ => u16::from(pixel[channel]),
+    };
+    let color = |pixel: &[u8]| match channels {
+        3.. => [0, 1, 2].map(|channel| sample(pixel, channel)),
+        _ => [sample(pixel, 0); 3],
+    };
+    let opacity = |pixel: &[u8]| if has_opacity { sample(pixel, channels - 1) } else { full };
+    let pixels = || buffer.chunks_exact(channels * bytes_per_sample);
+    Ok(PngSamples {
+        width: frame.width as usize,
+        height: frame.height as usize,
+        full,
+        curve,
+        colours: pixels().map(color).collect(),
+        opacities: pixels().map(opacity).collect(),
+    })
+}
+
+fn fault(error: &DecodingError) -> Error {
+    Error::new(
+        format!("it is no PNG, or broken or cut short ({error})"),
+        "check the file, or export the picture again as PNG",
+    )
+}
