@@ -4,7 +4,6 @@
 //! `benches/peers/run --check` compares their errors alone.
 
 mod browser;
-#[path = "../../by_hand/mod.rs"]
 mod by_hand;
 mod dense;
 mod harmonics;

@@ -1,8 +1,9 @@
 //! Projection and shading against their dense and nine-term counterparts, in one
-//! run: `cargo bench --bench projection`.
+//! run: `cargo bench --manifest-path benches/peers/Cargo.toml --bench projection`.
 //!
 //! After criterion's own figures it prints ratios of medians of interleaved runs.
 
+#[path = "../src/by_hand.rs"]
 mod by_hand;
 
 use by_hand::{ByHand, padded};
@@ -53,9 +54,16 @@ fn narrow(entry: &Named) -> Vec<f32> {
 }
 
 fn setting() -> Setting {
-    let lights = read_lights(Path::new("tables/inputs/lights.csv"), Some(9)).expect("lights");
-    let materials =
-        read_materials(Path::new("tables/inputs/materials.csv"), Some(7)).expect("materials");
+    let lights = read_lights(
+        Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../tables/inputs/lights.csv")),
+        Some(9),
+    )
+    .expect("lights");
+    let materials = read_materials(
+        Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../tables/inputs/materials.csv")),
+        Some(7),
+    )
+    .expect("materials");
     let light = narrow(&lights.entries[3]);
     let material = narrow(&materials.entries[4]);
     let bytes = std::fs::read("tables/sphere.bin").expect("the shipped table");
