@@ -1,5 +1,5 @@
-//! Decodes the shipped table into typed statics, and makes the table of a scene if the
-//! feature `generate` asks for it.
+//! Decodes the shipped table into typed statics, and generates the table of a scene if the feature
+//! `generate` is enabled.
 
 use eigenshade_table::quantise::{Format, QuantisedParts};
 use eigenshade_table::{rust_quantised, rust_source};
@@ -19,8 +19,8 @@ fn main() {
     }
 }
 
-/// Writes the statics of the scene that `EIGENSHADE_SCENE` names, or of the shipped one,
-/// to the output folder, as generated.rs.
+/// Writes the statics of the scene that `EIGENSHADE_SCENE` names, or of the shipped scene, to
+/// generated.rs in the output folder.
 #[cfg(feature = "generate")]
 fn generate() {
     use eigenshade_generator::build::{self, Format};
@@ -39,8 +39,8 @@ fn generate() {
     build::statics(scene, "generated.rs", &[Format::Q15, Format::Q31]);
 }
 
-/// Writes the statics of the table at `from` to the output folder: in floats to
-/// `name`.rs, in integers to `name`_q15.rs and `name`_q31.rs.
+/// Writes the statics of the table at `from` to the output folder: floats to `name`.rs, integers to
+/// `name`_q15.rs and `name`_q31.rs.
 fn bake(from: &str, name: &str) -> Result<(), String> {
     let bytes = fs::read(from).map_err(|error| format!("{from}: {error}"))?;
     let table = eigenshade_table::decode(&bytes).map_err(|error| format!("{from}: {error}"))?;
@@ -59,7 +59,7 @@ fn bake(from: &str, name: &str) -> Result<(), String> {
     Ok(())
 }
 
-/// Writes a file of the output folder.
+/// Writes a file to the output folder.
 fn write(name: &str, text: &str) -> Result<(), String> {
     let to = PathBuf::from(env::var_os("OUT_DIR").ok_or("OUT_DIR is not set")?).join(name);
     fs::write(&to, text).map_err(|error| format!("{}: {error}", to.display()))

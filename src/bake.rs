@@ -1,14 +1,14 @@
-//! Images baked on the paraboloid: N x N texels instead of polynomials.
+//! Images baked onto the paraboloid map: N x N texels instead of polynomials.
 //!
-//! Texel (row j, column k) stands at u = 2k/(N-1) - 1, v = 2j/(N-1) - 1: the outermost ones
-//! stand on the disc's bounding square. Outside the disc stand hidden normals, z < 0; the
-//! scene's polynomials continue there, smoothly, and that is what the texels next to the disc
-//! hold, so that bilinear look-ups are as right at the rim as elsewhere. Texels
-//! that no look-up of a visible normal reads are zero.
+//! The texel in row j and column k lies at u = 2k/(N-1) - 1, v = 2j/(N-1) - 1, so the outermost
+//! texels lie on the bounding square of the unit disc. Points outside the disc are hidden normals,
+//! z < 0. The scene's polynomials continue smoothly there, and the texels next to the disc hold
+//! these continued values, so that bilinear look-ups are as accurate at the rim as elsewhere.
+//! Texels that no look-up of a visible normal reads are zero.
 //!
-//! A texel is the irradiance at its point less a twelfth of the second differences along u and v. Between values of
-//! a curved function a straight line is off to one side, by h² f''/12 on the mean of an
-//! interval h; with that taken off, its error is 2.4 times as small.
+//! A texel holds the irradiance at its point less a twelfth of the second differences along u and
+//! v. Linear interpolation of a curved function errs to one side, by h² f''/12 on average over an
+//! interval h. Subtracting this mean makes the error 2.4 times smaller.
 
 use crate::error::{Error, What};
 use crate::normal::Normal;
@@ -19,10 +19,10 @@ use crate::scene::Scene;
 /// The smallest and largest N of a map.
 pub(crate) const SIZES: core::ops::RangeInclusive<usize> = 2..=4096;
 
-/// One image baked: N x N texels, in `texels`.
+/// One image baked into N x N texels, in `texels`.
 ///
-/// Errors against the scene that was baked, rms of the peak: of the median of the shipped lights on the shipped
-/// materials, and of the worst.
+/// The table gives rms errors against the baked scene, as fractions of the peak. The first number
+/// is the median over the shipped lights on the shipped materials, the second the worst case.
 ///
 /// | N | bilinear | nearest |
 /// |---|---|---|
@@ -33,19 +33,19 @@ pub(crate) const SIZES: core::ops::RangeInclusive<usize> = 2..=4096;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct BakedMap<S, B> {
     size: usize,
-    /// Half the way across the map, (N - 1) / 2, less a millionth of it: the rim, and what rounding puts
-    /// beyond it, stays within the last cell without being clamped.
+    /// Half the width of the map, (N - 1) / 2, reduced by a millionth so that the rim, and points
+    /// that rounding puts beyond it, stay within the last cell without clamping.
     half: S,
     texels: B,
 }
 
-/// Room for a baked map.
+/// A buffer for a baked map.
 pub type MapBuffer<S, const T: usize> = heapless::Vec<S, T>;
 
 impl<C> Scene<'_, C> {
-    /// Bakes the scene on N x N texels; `T` is at least N².
+    /// Bakes the scene into N x N texels; `T` must be at least N².
     ///
-    /// Cost: 5 N² pixels and divisions.
+    /// Cost: shading 5 N² pixels, and as many divisions.
     ///
     /// # Errors
     ///
@@ -61,7 +61,7 @@ impl<C> Scene<'_, C> {
         self.bake_into(size, crate::buffer::zeros::<S, T>(What::Texels, size * size)?)
     }
 
-    /// [`bake`](Self::bake) into a buffer of one's own, of length N².
+    /// [`bake`](Self::bake) into a buffer of your own, of length N².
     ///
     /// # Errors
     ///
@@ -84,8 +84,8 @@ impl<C> Scene<'_, C> {
         Ok(BakedMap { size, half: within(size), texels })
     }
 
-    /// A texel: the irradiance at its point less a twelfth of its second differences,
-    /// what linear interpolation adds on the mean of a cell.
+    /// The value of a texel: the irradiance at its point less a twelfth of its second differences,
+    /// which is what linear interpolation adds on average over a cell.
     pub(crate) fn fitted<S: Scalar>(&self, MapPoint { u, v }: MapPoint<S>, size: usize) -> S
     where
         C: AsRef<[S]>,
@@ -97,8 +97,8 @@ impl<C> Scene<'_, C> {
         here + (S::from_f64(4.0) * here - around) * S::from_f64(1.0 / 12.0)
     }
 
-    /// The irradiance at a point, also outside the disc. Apart from its caller, which names
-    /// it five times.
+    /// The irradiance at a point, also outside the disc. Not inlined, because its caller uses it
+    /// five times.
     #[inline(never)]
     pub(crate) fn continued<S: Scalar>(&self, point: MapPoint<S>) -> S
     where
@@ -123,28 +123,28 @@ fn within<S: Scalar>(size: usize) -> S {
     half::<S>(size) * S::from_f64(1.0 - 1.0 / f64::from(1 << 20))
 }
 
-/// The texels' points in their order; none where no look-up reads.
+/// The points of the texels in storage order; `None` for texels that no look-up reads.
 pub(crate) fn points<S: Scalar>(size: usize) -> impl Iterator<Item = Option<MapPoint<S>>> {
     let step = half::<S>(size).reciprocal();
     let place = move |k: usize| S::from_whole(k) * step - S::ONE;
     let texels = (0..size).flat_map(move |row| (0..size).map(move |column| (column, row)));
     texels.map(move |(column, row)| {
         let (u, v) = (place(column), place(row));
-        // The point nearest to the centre that reads this texel.
+        // The point nearest to the center whose look-up reads this texel.
         let (near_u, near_v) = (toward_zero(u, step), toward_zero(v, step));
         let read = near_u * near_u + near_v * near_v <= S::from_f64(1.001);
         read.then_some(MapPoint { u, v })
     })
 }
 
-/// |x| less a step, no less than zero.
+/// |x| less a step, but at least zero.
 fn toward_zero<S: Scalar>(x: S, step: S) -> S {
     let size = if x < S::ZERO { -x } else { x };
     if size > step { size - step } else { S::ZERO }
 }
 
 impl<S: Scalar, B: AsRef<[S]>> BakedMap<S, B> {
-    /// A map of texels that were baked before, N x N of them.
+    /// Creates a map from N x N texels that were baked before.
     ///
     /// # Errors
     ///
@@ -155,21 +155,22 @@ impl<S: Scalar, B: AsRef<[S]>> BakedMap<S, B> {
         Ok(Self { size, half: within(size), texels })
     }
 
-    /// N.
+    /// The number of texels per side, N.
     #[must_use]
     pub const fn size(&self) -> usize {
         self.size
     }
 
-    /// The texels, row by row from v = -1 up, each from u = -1 to the right.
+    /// The texels, row by row from v = -1 upward, each row from u = -1 to the right.
     #[must_use]
     pub fn texels(&self) -> &[S] {
         self.texels.as_ref()
     }
 
-    /// The irradiance between the four texels around a point; 0 well outside the map.
+    /// The irradiance at a point, interpolated between the four texels around it; 0 well outside
+    /// the map.
     ///
-    /// Cost: nine additions and products and no division, but for the one of [`MapPoint::of`].
+    /// Cost: nine additions and products. The only division is the one in [`MapPoint::of`].
     #[inline]
     #[must_use]
     pub fn bilinear(&self, point: MapPoint<S>) -> S {
@@ -182,7 +183,7 @@ impl<S: Scalar, B: AsRef<[S]>> BakedMap<S, B> {
         below.add_product(above - below, up)
     }
 
-    /// The texel nearest to a point.
+    /// The irradiance of the texel nearest to a point.
     #[inline]
     #[must_use]
     pub fn nearest(&self, point: MapPoint<S>) -> S {
@@ -195,7 +196,7 @@ impl<S: Scalar, B: AsRef<[S]>> BakedMap<S, B> {
             .unwrap_or(S::ZERO)
     }
 
-    /// The number of the texel before a coordinate, and the way from it to the next.
+    /// The index of the texel before a coordinate, and the fraction of the way from it to the next.
     #[inline]
     fn cell(&self, x: S) -> (usize, S) {
         let place = self.half.add_product(x, self.half);
@@ -204,7 +205,8 @@ impl<S: Scalar, B: AsRef<[S]>> BakedMap<S, B> {
     }
 }
 
-/// The texels from one to its neighbour along both axes, for its four are first and last.
+/// The texels from one to its diagonal neighbor: the first two and the last two are the corners of
+/// the cell.
 #[inline]
 pub(crate) fn four<T>(texels: &[T], size: usize, row: usize, column: usize) -> Option<&[T]> {
     texels.get(row.wrapping_mul(size).wrapping_add(column)..)?.get(..size + 2)

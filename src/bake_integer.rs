@@ -1,5 +1,5 @@
-//! Baked maps of i16, for machines without floating-point hardware: looked up with
-//! integers alone.
+//! Baked maps of `i16` texels, for machines without floating-point hardware. Look-ups use integers
+//! only.
 
 use crate::bake::{check_size, four, points};
 use crate::error::{Error, What};
@@ -8,17 +8,17 @@ use crate::paraboloid::MapPoint;
 use crate::scalar::Scalar;
 use crate::scene::Scene;
 
-/// Exponents that maps have: 2^-60 is no light, 2^60 no irradiance.
+/// Range of a map's exponent, for peak irradiances from 2^-60 to 2^60.
 const EXPONENTS: core::ops::RangeInclusive<i32> = -75..=45;
 
 /// The largest texel.
 const MOST: usize = 32_767;
 
-/// One image baked on N x N integers: irradiance = texel x 2^exponent, texels as those of
-/// a [`BakedMap`](crate::BakedMap).
+/// One image baked into N x N integers: irradiance = texel x 2^exponent. The texels are those of a
+/// [`BakedMap`](crate::BakedMap).
 ///
-/// The exponent is the least with which the largest texel fits: texels are rounded to
-/// 2^-15 to 2^-16 of it, and look-ups twice more.
+/// The exponent is the smallest one with which the largest texel fits. Texels are rounded to 2^-15
+/// to 2^-16 of the largest texel, and a look-up rounds twice more.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct IntegerMap<B> {
@@ -28,15 +28,15 @@ pub struct IntegerMap<B> {
 }
 
 impl<C> Scene<'_, C> {
-    /// Bakes the scene on N x N integers, in a buffer of length N².
+    /// Bakes the scene into N x N integers, in a buffer of length N².
     ///
-    /// Cost: twice that of [`bake`](Self::bake), for their scale has to be known first.
+    /// Cost: twice that of [`bake`](Self::bake), because the scale must be known first.
     ///
     /// # Errors
     ///
-    /// [`Error::Size`] unless N is 2 to 4096, [`Error::Length`] if the buffer has another
-    /// length; [`Error::NotFinite`] of the first texel that is infinite or NaN,
-    /// [`Error::Saturated`] if one is 2^60 or more.
+    /// [`Error::Size`] unless N is 2 to 4096, [`Error::Length`] if the buffer has another length,
+    /// [`Error::NotFinite`] with the index of the first texel that is infinite or NaN,
+    /// [`Error::Saturated`] if a texel is 2^60 or more.
     pub fn bake_integers_into<S: Scalar, B: AsMut<[i16]>>(
         &self,
         size: usize,
@@ -70,7 +70,7 @@ impl<C> Scene<'_, C> {
     }
 }
 
-/// The least exponent with which a number fits into i16, and 2^-exponent.
+/// The smallest exponent with which a number fits into `i16`, and 2^-exponent.
 fn scale<S: Scalar>(largest: S) -> (i32, S) {
     let (half, most) = (S::from_f64(0.5), S::from_whole(MOST));
     let (mut exponent, mut scale) = (0, S::ONE);
@@ -83,7 +83,7 @@ fn scale<S: Scalar>(largest: S) -> (i32, S) {
     (exponent, scale)
 }
 
-/// The nearest i16.
+/// The nearest `i16`.
 fn rounded<S: Scalar>(value: S) -> i16 {
     let half = S::from_f64(0.5);
     let size = |value: S| i16::try_from((value + half).to_whole()).unwrap_or(i16::MAX);
@@ -91,7 +91,7 @@ fn rounded<S: Scalar>(value: S) -> i16 {
 }
 
 impl<B: AsRef<[i16]>> IntegerMap<B> {
-    /// A map of texels that were baked before, N x N of them.
+    /// Creates a map from N x N texels that were baked before.
     ///
     /// # Errors
     ///
@@ -102,29 +102,29 @@ impl<B: AsRef<[i16]>> IntegerMap<B> {
         Ok(Self { size: size as u16, exponent, texels })
     }
 
-    /// N.
+    /// The number of texels per side, N.
     #[must_use]
     pub const fn size(&self) -> usize {
         self.size as usize
     }
 
-    /// Irradiance = value x 2^exponent.
+    /// The exponent: irradiance = value x 2^exponent.
     #[must_use]
     pub const fn exponent(&self) -> i32 {
         self.exponent
     }
 
-    /// The texels, row by row from v = -1 up, each from u = -1 to the right.
+    /// The texels, row by row from v = -1 upward, each row from u = -1 to the right.
     #[must_use]
     pub fn texels(&self) -> &[i16] {
         self.texels.as_ref()
     }
 
-    /// The irradiance between the four texels around a point, times 2^-exponent.
+    /// The irradiance at a point times 2^-exponent, interpolated between the four texels around it.
     ///
-    /// Against a [`BakedMap`](crate::BakedMap) of as many texels the error grows by 4e-5 of the peak, rms,
-    /// at most. `firmware/counts.csv` tells what it costs: `baked_point`, and from a Q15 normal
-    /// `baked`.
+    /// Compared with a [`BakedMap`](crate::BakedMap) of the same size, the rms error grows by at
+    /// most 4e-5 of the peak. `firmware/counts.csv` lists the cost: `baked_point`, and `baked`
+    /// starting from a Q15 normal.
     #[inline]
     #[must_use]
     pub fn bilinear(&self, point: MapPoint<Q15>) -> i32 {
@@ -139,7 +139,7 @@ impl<B: AsRef<[i16]>> IntegerMap<B> {
         between(below, above, up)
     }
 
-    /// The texel nearest to a point, times 2^-exponent.
+    /// The irradiance of the texel nearest to a point, times 2^-exponent.
     #[inline]
     #[must_use]
     pub fn nearest(&self, point: MapPoint<Q15>) -> i32 {
@@ -149,8 +149,8 @@ impl<B: AsRef<[i16]>> IntegerMap<B> {
         self.texels.as_ref().get(texel).copied().unwrap_or(0).into()
     }
 
-    /// The number of the texel before a coordinate, and the way from it to the next in
-    /// Q15.
+    /// The index of the texel before a coordinate, and the fraction of the way from it to the next,
+    /// in Q15.
     #[inline]
     fn cell(&self, x: Q15) -> (usize, i32) {
         let place = self.place(x);
@@ -159,7 +159,7 @@ impl<B: AsRef<[i16]>> IntegerMap<B> {
         ((place >> 16) as usize, way)
     }
 
-    /// A coordinate in texels, times 2^16: below (N - 1) 2^16, below 2^28.
+    /// A coordinate in units of texels, times 2^16: below (N - 1) 2^16, and below 2^28.
     #[inline]
     fn place(&self, x: Q15) -> u32 {
         let place = (i32::from(x.0) + (1 << 15)).cast_unsigned();
@@ -167,7 +167,7 @@ impl<B: AsRef<[i16]>> IntegerMap<B> {
     }
 }
 
-/// a + (b - a) way, way in Q15, rounded; a and b in 16 bits, so that no product passes
+/// a + (b - a) `way`, rounded, with `way` in Q15. a and b have 16 bits, so no product exceeds
 /// 2^31 - 2^16.
 #[inline]
 fn between(a: i32, b: i32, way: i32) -> i32 {

@@ -1,12 +1,12 @@
-//! The eigenbasis of one scene, as the runtime holds it.
+//! The eigenbasis of one scene.
 
 use crate::error::{Error, What};
 use crate::index::effect::Effects;
 use crate::index::{layout, material, pair};
 use crate::parts::{Coupling, Parts, ProfilePlace, Recurrences, Row};
 
-/// An eigenbasis: degree, order and number of components are values, the number
-/// format is a type.
+/// An eigenbasis. Its degree, order and number of components are values; its number format is a
+/// type.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Basis<'a, S> {
@@ -17,18 +17,18 @@ pub struct Basis<'a, S> {
 }
 
 impl<'a, S> Basis<'a, S> {
-    /// The basis of these parts.
+    /// Creates a basis from its parts.
     ///
-    /// Checked are all lengths, that of an azimuth without a profile among them, which has to
-    /// be 0, and all places that one part has in another; not the numbers, and not that no two
-    /// profiles serve the same component.
+    /// This checks all lengths, and all indices from one part into another. An azimuth without a
+    /// profile must have length 0. The numbers themselves are not checked, nor that no two profiles
+    /// serve the same component.
     ///
     /// # Errors
     ///
-    /// [`Error::Length`], [`Error::Coupling`], [`Error::Profile`] or [`Error::Pass`] if
-    /// the parts contradict each other.
+    /// [`Error::Length`], [`Error::Coupling`], [`Error::Profile`] or [`Error::Pass`] if the parts
+    /// contradict each other.
     pub const fn new(parts: Parts<'a, S>) -> Result<Self, Error> {
-        // First of all: they bound the counts below.
+        // These come first because they bound the counts below.
         let (degrees, factored) = (parts.degree.saturating_add(1), parts.factored_order());
         let couplings = material::count(factored);
         if let Err(error) = Error::check(What::Lengths, degrees, parts.lengths.len()) {
@@ -52,7 +52,8 @@ impl<'a, S> Basis<'a, S> {
             if azimuth < before || !parts.serves(place) {
                 return Err(Error::Profile);
             }
-            // The first of every two profiles of an azimuth brings the place of both.
+            // Factors are stored for two profiles of an azimuth at a time: the first of the two
+            // adds the length of both.
             run = if azimuth == before { run + 1 } else { 1 };
             if run % 2 == 1 {
                 let more = layout::factors(parts.degree, factored, azimuth, 1);
@@ -82,7 +83,7 @@ impl<'a, S> Basis<'a, S> {
             {
                 (rest, has_terms) = (tail, true);
             }
-            // The terms of the others bound their length.
+            // An azimuth with terms needs no check, since its terms bound its length.
             if !has_terms && let Err(error) = Error::check(What::Lengths, 0, parts.length(azimuth))
             {
                 return Err(error);
@@ -96,7 +97,7 @@ impl<'a, S> Basis<'a, S> {
             azimuth += 1;
         }
         let group = layout::LANES * pair::count(factored);
-        // A basis of transfers has neither.
+        // A basis that holds only transfers has neither polar integrals nor factors.
         let folded = parts.polar.is_empty() && parts.factors.is_empty();
         let polar = if folded { 0 } else { group * layout::groups(parts.degree) };
         let factors = if folded { 0 } else { factors };
@@ -130,7 +131,7 @@ impl<'a, S> Basis<'a, S> {
         Ok(Self { parts, recurrences, transfer, scene })
     }
 
-    /// What it was made of.
+    /// The parts of this basis.
     #[must_use]
     pub const fn parts(&self) -> &Parts<'a, S> {
         &self.parts
@@ -148,7 +149,7 @@ impl<'a, S> Basis<'a, S> {
         self.parts.order
     }
 
-    /// The effects that it is for.
+    /// The effects that this basis covers.
     #[must_use]
     pub const fn effects(&self) -> Effects {
         self.parts.effects
@@ -160,22 +161,21 @@ impl<'a, S> Basis<'a, S> {
         self.parts.components
     }
 
-    /// Whether it has what takes a material in. Without, it relights transfers that
-    /// came with it, and no others.
+    /// Whether this basis can project new materials. If not, it can only relight the transfers that
+    /// came with it.
     #[must_use]
     pub const fn projects(&self) -> bool {
         !self.parts.polar.is_empty()
     }
 
-    /// Numbers that a projection needs room for: the material's polar integrals,
-    /// once along l and once along the pairs, and two coefficients of the light for
-    /// each l.
+    /// Length of the workspace that a projection needs. It holds the material's polar integrals,
+    /// once along l and once along the pairs, and two coefficients of the light for each l.
     #[must_use]
     pub const fn workspace_len(&self) -> usize {
         (self.parts.degree + 1) * (self.row() + 2) + self.sums_len()
     }
 
-    /// Numbers of the polar integrals along l, the pairs padded.
+    /// Length of the polar integrals along l, with padded pairs.
     pub(crate) const fn sums_len(&self) -> usize {
         self.row() * layout::LANES * layout::groups(self.parts.degree)
     }
@@ -185,19 +185,19 @@ impl<'a, S> Basis<'a, S> {
         layout::row(self.parts.factored_order())
     }
 
-    /// Numbers in a transfer.
+    /// Length of a transfer.
     #[must_use]
     pub const fn transfer_len(&self) -> usize {
         self.transfer
     }
 
-    /// Number of azimuths |m| of a scene, 0 among them.
+    /// Number of azimuths |m| of a scene, including 0.
     #[must_use]
     pub const fn azimuths(&self) -> usize {
         self.parts.lengths.len()
     }
 
-    /// Numbers in a collapsed scene.
+    /// Length of a collapsed scene.
     #[must_use]
     pub const fn scene_len(&self) -> usize {
         self.scene
@@ -205,17 +205,17 @@ impl<'a, S> Basis<'a, S> {
 }
 
 impl<S> Parts<'_, S> {
-    /// The largest order o of the factors: that of the basis unless effects are left out.
+    /// The largest order o of the factors: the order of the basis unless effects are left out.
     pub(crate) const fn factored_order(&self) -> usize {
         self.effects.factored_order(self.order)
     }
 
-    /// Number of coefficients that stand apart.
+    /// Number of unfactored coefficients.
     pub(crate) const fn apart(&self) -> usize {
         self.effects.apart_count(self.order)
     }
 
-    /// Whether a place's azimuth and components exist.
+    /// Whether the azimuth and the components of a profile exist.
     const fn serves(&self, place: &ProfilePlace) -> bool {
         let plus = match place.plus() {
             Some(index) => (index as usize) < self.components,
@@ -228,7 +228,7 @@ impl<S> Parts<'_, S> {
         place.azimuth() <= self.degree && plus && minus
     }
 
-    /// Whether the couplings are those of the order, coefficient by coefficient.
+    /// Whether the couplings match the order of the basis, coefficient by coefficient.
     const fn couples(&self) -> bool {
         let (mut o, mut p, mut q) = (0, 0, 0);
         let mut rest = self.couplings;
@@ -250,8 +250,8 @@ impl<S> Parts<'_, S> {
         true
     }
 
-    /// Whether the slots give each component where its profile has its row, and no
-    /// component besides.
+    /// Whether the slots contain each component exactly where its profile has its row, and no other
+    /// components.
     const fn places(&self) -> bool {
         let (mut rest, mut given) = (self.slots, 0);
         while let [slot, tail @ ..] = rest {
@@ -275,7 +275,7 @@ impl<S> Parts<'_, S> {
         given == self.components
     }
 
-    /// Whether a row is one of this order, and its slot that of the component.
+    /// Whether a row belongs to this order and its slot holds this component.
     const fn gives(&self, row: Row, order: isize, component: Option<u16>) -> bool {
         let (mut passes, mut slots, mut start) = (self.passes, self.slots, row.start as usize);
         while let [pass, tail @ ..] = passes {
@@ -292,7 +292,7 @@ impl<S> Parts<'_, S> {
             if layout::first_order(order) != first || row.step as usize != step {
                 return false;
             }
-            // The degree |m| is so many rows below the pass's first.
+            // Skip the numbers between the pass's lowest degree and degree |m|.
             let skipped = step * (order.unsigned_abs() - layout::lowest_degree(first));
             let Some(slot) = start.checked_sub(skipped) else { return false };
             let in_lane = slot % layout::LANES == (order - first).unsigned_abs();
@@ -306,7 +306,7 @@ impl<S> Parts<'_, S> {
         false
     }
 
-    /// Length of a selection.
+    /// Length of the selection.
     const fn selection_length(&self) -> usize {
         (self.degree + 1) * material::count(self.order) * (self.degree + 1)
     }

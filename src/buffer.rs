@@ -1,4 +1,4 @@
-//! Buffers whose capacity is known at compile time.
+//! Buffers with a capacity fixed at compile time.
 
 use crate::error::{Error, What};
 

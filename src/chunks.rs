@@ -1,7 +1,8 @@
-//! Slices cut into rows of one length, by loops in which no compiler finds a way to a panic: the
-//! standard library's refuse a length of 0, and zipped they divide by it.
+//! Splits slices into rows of equal length, with loops that compile without a path to a panic. The
+//! standard library's chunk iterators reject a length of 0, and divide by the length when zipped.
 
-/// Rows of so many numbers; what is left at the end is none. No rows of none.
+/// Consecutive rows of `width` numbers. Numbers left over at the end are skipped; there are no rows
+/// if `width` is 0.
 pub(crate) fn rows<T>(numbers: &[T], width: usize) -> impl Iterator<Item = &[T]> {
     let mut rest = if width > 0 { numbers } else { &[] };
     core::iter::from_fn(move || {
@@ -11,7 +12,7 @@ pub(crate) fn rows<T>(numbers: &[T], width: usize) -> impl Iterator<Item = &[T]>
     })
 }
 
-/// [`rows`] to be written.
+/// Mutable [`rows`].
 pub(crate) fn rows_mut<T>(numbers: &mut [T], width: usize) -> impl Iterator<Item = &mut [T]> {
     let mut rest = if width > 0 { numbers } else { &mut [] };
     core::iter::from_fn(move || {

@@ -1,12 +1,13 @@
-//! A scene's polynomials in the order in which a pixel takes them.
+//! The polynomials of a scene in the order in which a pixel uses them.
 
 use crate::index::layout::Recurrence;
 use crate::parts::Recurrences;
 
-/// A scene's polynomials, from the highest azimuth that has any down: of +m and -m together.
+/// Iterates over the polynomials of a scene, downward from the highest azimuth that has any. Each
+/// item holds those of +m and -m.
 #[derive(Clone, Copy)]
 pub(crate) struct Descent<'s, S> {
-    /// Of m = 1, 2, ...
+    /// Lengths of the polynomials of m = 1, 2, ...
     pub(crate) lengths: &'s [u16],
     pub(crate) pole: &'s [S],
     pub(crate) around: &'s [S],
@@ -14,18 +15,19 @@ pub(crate) struct Descent<'s, S> {
 }
 
 impl<'s, S> Descent<'s, S> {
-    /// Whether some azimuths have recurrences.
+    /// Whether any azimuth has a recurrence.
     #[inline]
     pub(crate) fn is_orthogonal(&self) -> bool {
         !self.recurrences.is_empty()
     }
 
-    /// The recurrence of the azimuth that comes next, at the end that of the pole, or empty.
+    /// The recurrence of the next azimuth, or after the last one that of the pole; empty if there
+    /// is none.
     pub(crate) fn recurrence(&self) -> &'s [Recurrence] {
         self.recurrences.of(self.lengths.len())
     }
 
-    /// Whether some polynomial has more terms.
+    /// Whether any polynomial has more terms than this.
     pub(crate) fn any_longer_than(&self, terms: usize) -> bool {
         self.pole.len() > terms || self.lengths.iter().any(|&length| usize::from(length) > terms)
     }

@@ -1,9 +1,9 @@
-//! A scene no better than asked for, or several of one shape: components, azimuths and terms
-//! are left out as long as a tolerance holds.
+//! Scenes that are only as accurate as required, one by one or several of the same shape:
+//! components, azimuths and terms are left out as long as a tolerance holds.
 //!
-//! Components are orthonormal, so leaving some out costs Σ d_i², the mean square over the
-//! normals; what terms cost is in [`terms`]. What components lack lies within the terms that
-//! stay, what terms lack outside them: the squares add.
+//! Components are orthonormal, so leaving some out costs Σ d_i², the mean square over the normals.
+//! The cost of leaving out terms is described in [`terms`]. The error of the components lies within
+//! the span of the remaining terms and the error of the terms outside it, so their squares add.
 
 mod accounts;
 mod basis;
@@ -23,23 +23,23 @@ pub use report::{Economy, Tolerance};
 pub use set::Shape;
 
 impl<'a, S: Scalar> Basis<'a, S> {
-    /// A cheaper scene within a tolerance of that of all `coefficients`:
-    /// [`collapse_into`](Self::collapse_into), then fewer components, azimuths and terms. A set
-    /// of one image, as [`collapse_set_within`](Self::collapse_set_within) takes several.
+    /// Computes a cheaper scene, within a tolerance of the scene of all `coefficients`:
+    /// [`collapse_into`](Self::collapse_into) with fewer components, azimuths and terms. This is a
+    /// set of one image; [`collapse_set_within`](Self::collapse_set_within) takes several.
     ///
-    /// The scene's polynomials lie at the beginning of `buffer`, of length
-    /// [`scene_len`](Self::scene_len); their lengths in `lengths`, which has room for
-    /// [`azimuths`](Self::azimuths). Polynomials of more than 32 terms or of azimuths above 63
-    /// stay as they are, unless their azimuth has a recurrence. A tolerance below
-    /// [`Economy::floor`] asks for more than the table has.
+    /// The polynomials of the scene are written to the beginning of `buffer`, of length
+    /// [`scene_len`](Self::scene_len), and their lengths to `lengths`, which needs room for
+    /// [`azimuths`](Self::azimuths). Polynomials of more than 32 terms or of azimuths above 63 are
+    /// kept as they are, unless their azimuth has a recurrence. A tolerance below
+    /// [`Economy::floor`] is finer than the accuracy of the table.
     ///
     /// Set-up cost, with the shipped table: two projections on a Cortex-M4F, less than one in
-    /// software floats, and three on x86-64, seven with AVX2. Stack: some 700 numbers.
+    /// software floats, three on x86-64, and seven with AVX2. Stack: some 700 numbers.
     ///
     /// # Errors
     ///
-    /// As [`collapse_into`](Self::collapse_into); [`Error::Length`] if `lengths` is too short;
-    /// [`Error::Tolerance`] unless the tolerance is above zero.
+    /// The same as [`collapse_into`](Self::collapse_into); [`Error::Length`] if `lengths` is too
+    /// short; [`Error::Tolerance`] unless the tolerance is above zero.
     pub fn collapse_within<'l, B: AsMut<[S]> + AsRef<[S]>>(
         &self,
         coefficients: &[S],

@@ -1,99 +1,99 @@
-//! What can be wrong with what the runtime is given.
+//! Errors in the arguments of the runtime.
 
 use crate::scalar::Scalar;
 use core::fmt;
 
-/// A fault in an argument: what was expected, what was found.
+/// An invalid argument, with the expected and the found value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Error {
     /// A slice has the wrong length.
     Length {
-        /// Whose.
+        /// Which argument.
         what: What,
-        /// How long it has to be.
+        /// The required length.
         expected: usize,
-        /// How long it is.
+        /// The length found.
         found: usize,
     },
     /// A buffer of fixed capacity is too small for this basis.
     Capacity {
-        /// Whose.
+        /// Which buffer.
         what: What,
-        /// What it has to hold.
+        /// The length that it has to hold.
         needed: usize,
-        /// What it can hold.
+        /// The length that it can hold.
         capacity: usize,
     },
-    /// The light or the material goes beyond the basis.
+    /// The light or the material exceeds the degree or order of the basis.
     Beyond {
-        /// Whose.
+        /// Which argument.
         what: What,
-        /// The basis's degree or order.
+        /// The degree or order of the basis.
         basis: usize,
-        /// The argument's.
+        /// The degree or order of the argument.
         found: usize,
     },
-    /// A basis has a profile of an azimuth beyond its degree, out of order, or
-    /// serving a component that it does not have, or a component without a profile, or in
-    /// integers with two.
+    /// The profiles of a basis are invalid. A profile has an azimuth beyond the degree, is out of
+    /// order or serves a component that does not exist; or a component has no profile or, in
+    /// integers, two profiles.
     Profile,
-    /// A basis has a pass beyond its degree, one that is not laid out as
-    /// [`index::layout`](crate::index::layout) has it, or slots that do not give the
+    /// The passes of a basis are invalid. A pass is beyond the degree or is not laid out as
+    /// [`index::layout`](crate::index::layout) specifies, or the slots do not contain the
     /// components where the profiles have their rows.
     Pass,
-    /// A basis has a coupling that is not its order's, or effects that do not fit its order.
+    /// A coupling or the effects of a basis do not match its order.
     Coupling,
     /// A number is not finite.
     NotFinite {
-        /// Whose.
+        /// Which argument.
         what: What,
-        /// Its place.
+        /// The index of the number.
         index: usize,
     },
-    /// A number is beyond what an integer format can hold.
+    /// A number exceeds the range of an integer format.
     Saturated {
-        /// Whose.
+        /// Which argument.
         what: What,
     },
-    /// A normal has a component that is not finite, or length zero.
+    /// A normal has a component that is not finite, or has length zero.
     Normal,
     /// One of many normals has no direction, or points away from the camera.
     Normals {
-        /// Its place.
+        /// The index of the normal.
         index: usize,
     },
     /// A normal points away from the camera.
     Hidden,
-    /// A basis of transfers alone is to take in a material.
+    /// A basis that holds only transfers was asked to project a material.
     Folded,
-    /// An exponent of an integer format is beyond ±128, or that of coefficients beyond
+    /// An exponent of an integer format is beyond ±128, or an exponent of coefficients is beyond
     /// ±2^16.
     Exponent,
-    /// A table or a transfer in integers has a row whose sum could leave its accumulator.
+    /// A row of an integer table or transfer has a sum that could overflow its accumulator.
     Bound,
-    /// The weights of an estimate's pixels have no sum that is finite and above zero.
+    /// The weights of an estimate's pixels do not have a finite sum above zero.
     Weight,
-    /// A baked map is to have so many texels a side, which is not 2 to 4096.
+    /// The size of a baked map is not 2 to 4096 texels per side.
     Size {
-        /// Texels a side.
+        /// The number of texels per side.
         found: usize,
     },
-    /// Angles, a quaternion or a matrix are no rotation.
+    /// Angles, a quaternion or a matrix do not describe a rotation.
     Rotation,
-    /// A basis has polynomials in series, and the crate was built without the feature `series`.
+    /// A basis has polynomials in series, but the crate was built without the feature `series`.
     Series,
-    /// A tolerance is not above zero, or not finite.
+    /// A tolerance is not finite or not above zero.
     Tolerance,
-    /// A look-up is to have so many knots, which is not 8 to 65,536.
+    /// The number of knots of a look-up is not 8 to 65,536.
     Knots {
-        /// Knots.
+        /// The number of knots.
         found: usize,
     },
 }
 
-/// What an [`Error`] speaks of.
+/// The argument or part of a basis that an [`Error`] refers to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -104,15 +104,15 @@ pub enum What {
     Material,
     /// Coefficients of eigenimages.
     Coefficients,
-    /// Room for a projection to work in.
+    /// The workspace of a projection.
     Workspace,
-    /// A material folded into a basis.
+    /// A transfer: a material folded into a basis.
     Transfer,
     /// A collapsed scene.
     Scene,
     /// A slice of normals or of their irradiances.
     Normals,
-    /// Images of a set, and what is told of each.
+    /// Images of a set, and the values reported for each.
     Images,
     /// Texels of a baked map.
     Texels,
@@ -124,9 +124,9 @@ pub enum What {
     Polar,
     /// Part of a basis: factors of UᵀM.
     Factors,
-    /// Part of a basis: UᵀM of coefficients that stand apart.
+    /// Part of a basis: UᵀM of the unfactored coefficients.
     Ambient,
-    /// Part of a basis: the components of a transfer's lanes.
+    /// Part of a basis: the components of the lanes of a transfer.
     Slots,
     /// Part of a basis: polynomial terms.
     Terms,
@@ -138,14 +138,14 @@ pub enum What {
     Mean,
     /// Part of a basis: the selection of modes.
     Selection,
-    /// Part of a general basis: d from coordinates in the span.
+    /// Part of a general basis: the matrix from coordinates in the span to d.
     Projection,
-    /// Part of a general basis: the eigenimages in the span.
+    /// Part of a general basis: the coordinates of the eigenimages in the span.
     Synthesis,
 }
 
 impl Error {
-    /// `Ok` if the length is right.
+    /// `Ok` if the length is as expected.
     pub(crate) const fn check(what: What, expected: usize, found: usize) -> Result<(), Self> {
         if expected == found { Ok(()) } else { Err(Self::Length { what, expected, found }) }
     }

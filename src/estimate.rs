@@ -1,9 +1,9 @@
-//! The coefficients d of an image by scalar product, pixel by pixel as they come:
-//! d_i = I • U_i, (19).
+//! Estimates the coefficients d of an image as scalar products d_i = I • U_i, (19), pixel by pixel.
 //!
-//! Each addition to a plain sum loses what is below the sum's last bit: a million times 0.1
-//! in f32 is off by almost 1 %. Each sum here carries what it lost (Kahan's compensated
-//! summation), so its error is a rounding or two whatever the number of pixels.
+//! Each addition to a plain sum loses the bits below the last bit of the sum: in f32, adding 0.1 a
+//! million times gives an error of almost 1 %. The sums here also carry what each addition lost
+//! (Kahan's compensated summation), so their error is one or two roundings for any number of
+//! pixels.
 
 use crate::basis::Basis;
 use crate::buffer::zeros;
@@ -14,7 +14,7 @@ use crate::polynomial::{argument, turned};
 use crate::projection::Coefficients;
 use crate::scalar::Scalar;
 
-/// An estimate in the making: see [`Basis::estimate`].
+/// An estimate in progress: see [`Basis::estimate`].
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Estimate<'a, S, const K: usize> {
@@ -24,9 +24,9 @@ pub struct Estimate<'a, S, const K: usize> {
 }
 
 impl<'a, S: Scalar> Basis<'a, S> {
-    /// An estimate of d from pixels, with no pixel so far.
+    /// Starts an estimate of d from pixels, with no pixels yet.
     ///
-    /// `K` is at least [`components`](Self::components); it keeps 2 K + 2 numbers.
+    /// `K` must be at least [`components`](Self::components). The estimate stores 2 K + 2 numbers.
     ///
     /// # Errors
     ///
@@ -43,14 +43,14 @@ impl<'a, S: Scalar> Basis<'a, S> {
 }
 
 impl<S: Scalar, const K: usize> Estimate<'_, S, K> {
-    /// Adds a pixel: its normal, the irradiance seen there, and its weight, the area
-    /// of the image that it stands for (1 where all are alike).
+    /// Adds a pixel: its normal, the irradiance observed there, and its weight. The weight is the
+    /// image area of the pixel (1 if all pixels are alike).
     ///
-    /// An irradiance that is not finite leaves no coefficient finite, whatever its weight:
-    /// leave such a pixel out.
+    /// An irradiance that is not finite makes every coefficient non-finite, whatever its weight.
+    /// Leave such a pixel out.
     ///
-    /// Cost: one polynomial for each profile, five additions and a product for each
-    /// component; no root, no division.
+    /// Cost: one polynomial for each profile, and five additions and a product for each component;
+    /// no root and no division.
     #[inline]
     pub fn add(&mut self, normal: Normal<S>, irradiance: S, weight: S) {
         let (parts, recurrences) = (self.basis.parts(), self.basis.recurrences);
@@ -78,14 +78,14 @@ impl<S: Scalar, const K: usize> Estimate<'_, S, K> {
         self.weight.add(weight);
     }
 
-    /// d: the weighted mean over the pixels of (I - the mean image) U_i.
+    /// The coefficients d: the weighted mean of (I - the mean image) U_i over the pixels.
     ///
-    /// It is I • U_i as far as the pixels, with their weights, are spread as the
-    /// normals of the basis are; for a sphere: all pixels of its disc, seen from afar.
-    /// Of a part of an object it is not; that takes least squares.
+    /// This equals I • U_i if the weighted pixels are distributed like the normals of the basis.
+    /// For a sphere, these are all pixels of its disc, seen from afar. It does not hold for part of
+    /// an object, which takes least squares.
     ///
-    /// Against the same mean in exact arithmetic the error is below 1e-6 of the largest
-    /// coefficient in f32, for a million pixels and the shipped table.
+    /// Compared with the same mean in exact arithmetic, the error in f32 is below 1e-6 of the
+    /// largest coefficient, for a million pixels and the shipped table.
     ///
     /// # Errors
     ///

@@ -1,11 +1,10 @@
-//! Kernels for shapes that are known when they are compiled: what the generated
-//! code of a table calls, one call for each part of the work.
+//! Kernels for shapes that are known at compile time. The generated code of a table calls them,
+//! once for each part of the work.
 //!
-//! They compute what [`Basis::project`](crate::Basis::project),
-//! [`Basis::relight`](crate::Basis::relight), [`Basis::collapse`](crate::Basis::collapse)
-//! and [`Scene::shade`](crate::Scene::shade) compute, with every size and every
-//! place a constant. Where an argument does not have the expected shape they are
-//! not called; the general way takes it.
+//! They compute the same as [`Basis::project`](crate::Basis::project),
+//! [`Basis::relight`](crate::Basis::relight), [`Basis::collapse`](crate::Basis::collapse) and
+//! [`Scene::shade`](crate::Scene::shade), with constants for all sizes and indices. If an argument
+//! does not have the expected shape, the general functions are called instead.
 
 mod collapse;
 mod orders;
@@ -24,22 +23,22 @@ use crate::material::Material;
 use crate::projection::Coefficients;
 use crate::scalar::Scalar;
 
-/// The coefficients of a light of exactly `N` coefficients.
+/// The coefficients of a light, if there are exactly `N`.
 #[inline]
 pub fn light<'a, S: Scalar, const N: usize>(light: &Light<'a, S>) -> Option<&'a [S; N]> {
     light.coefficients().try_into().ok()
 }
 
-/// The coefficients of a material of exactly `N` coefficients.
+/// The coefficients of a material, if there are exactly `N`.
 #[inline]
 pub fn material<'a, S: Scalar, const N: usize>(material: &Material<'a, S>) -> Option<&'a [S; N]> {
     material.coefficients().try_into().ok()
 }
 
-/// The sums S_l,pq of one q, for its `P` pairs p = q, q + 2, ..., along l in rows of
-/// `G` groups: P x P products of a symmetric matrix B and rows of Ĉ.
+/// The sums S_l,pq of one q, for its `P` pairs p = q, q + 2, ...: P x P products of a symmetric
+/// matrix B and rows of Ĉ. Rows run along l and have `G` groups.
 ///
-/// Apart from its caller, so that the sums stay in registers.
+/// Not inlined, so that the sums stay in registers.
 #[inline(never)]
 pub fn scatter<
     S: Scalar,
@@ -71,7 +70,7 @@ pub fn scatter<
     }
 }
 
-/// A table's numbers as `R` rows of `G` groups, if that is what they are.
+/// The numbers of a table as `R` rows of `G` groups, if there are enough.
 #[inline(always)]
 pub fn table_rows<S: Scalar, const G: usize, const R: usize>(
     numbers: &[S],
@@ -80,7 +79,7 @@ pub fn table_rows<S: Scalar, const G: usize, const R: usize>(
     groups.as_chunks::<G>().0.first_chunk()
 }
 
-/// From rows over l, a pair each, to `D` rows over the pairs, an l each.
+/// Transposes rows over l, one for each pair, to `D` rows over the pairs, one for each l.
 #[inline(always)]
 pub fn transposed<S: Scalar, const V: usize, const D: usize, const G: usize, const R: usize>(
     sums: &[[[S; LANES]; G]; R],
@@ -99,7 +98,7 @@ pub fn transposed<S: Scalar, const V: usize, const D: usize, const G: usize, con
     scattering
 }
 
-/// The coefficients of an image, less those of the mean image.
+/// The coefficients of an image less those of the mean image.
 #[inline(always)]
 pub fn coefficients<S: Scalar, const K: usize>(
     mut coefficients: [S; K],
@@ -109,7 +108,7 @@ pub fn coefficients<S: Scalar, const K: usize>(
     heapless::Vec::from_array(coefficients)
 }
 
-/// Takes the coefficients of the mean image from those of an image.
+/// Subtracts the coefficients of the mean image from those of an image.
 #[inline(always)]
 pub fn subtract<S: Scalar, const K: usize>(coefficients: &mut [S; K], mean: &[S]) {
     for (coefficient, &mean) in coefficients.iter_mut().zip(mean) {
@@ -117,11 +116,10 @@ pub fn subtract<S: Scalar, const K: usize>(coefficients: &mut [S; K], mean: &[S]
     }
 }
 
-/// The sums of one pass of a transfer: the orders from `FIRST` on, `P` profiles of
-/// each, `L` degrees, whose rows start at `START`.
+/// The sums of one pass of a transfer, for the orders from `FIRST` on, with `P` profiles of each
+/// and `L` degrees. The rows of the pass start at `START`.
 ///
-/// Apart from its caller: a compiler that sees single lanes read takes the groups
-/// apart.
+/// Not inlined: a compiler that sees single lanes being read splits the groups.
 #[inline(never)]
 pub fn pass<
     S: Scalar,
@@ -146,8 +144,8 @@ pub fn pass<
     sums
 }
 
-/// L_l^m of the orders from `first` on. Orders beyond l read other coefficients,
-/// or zero: their rows are zero.
+/// L_l^m for the orders from `first` on. Orders beyond l read other coefficients or zero, which
+/// does no harm because their rows are zero.
 #[inline(always)]
 fn window<S: Scalar, const N: usize>(light: &[S; N], l: usize, first: isize) -> [S; LANES] {
     let start = position(l, first);
@@ -173,11 +171,11 @@ pub fn lights<S: Scalar, const M: usize, const L: usize, const N: usize>(
     lights
 }
 
-/// The components of two profiles of azimuth `M`, of +m and of -m, not yet summed
-/// across the lanes: rows of `V` groups, `L` degrees, factors from `START` on, of
-/// `F` in all; `D` rows of scattered material.
+/// The components of two profiles of azimuth `M`, for +m and for -m, before the sum across the
+/// lanes.
 ///
-/// Apart from its caller, as [`pass`] is.
+/// The rows have `V` groups, for `L` degrees. The factors start at `START` of `F` numbers, and the
+/// scattered material has `D` rows. Not inlined, for the same reason as [`pass`].
 #[inline(never)]
 pub fn rows<
     S: Scalar,
@@ -207,8 +205,8 @@ pub fn rows<
     sums
 }
 
-/// [`rows`] of four profiles at once, factors from `A` and from `B` on: the
-/// scattered material is read once for all.
+/// [`rows`] for four profiles at once, with factors from `A` and from `B` on. The scattered
+/// material is read only once.
 #[inline(never)]
 pub fn more_rows<
     S: Scalar,

@@ -1,4 +1,4 @@
-//! The number formats: floats, and integers whose scale stands beside them.
+//! The number formats: floats, and integers with a separate scale.
 
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, BitOr, Mul, Neg, Sub};
@@ -6,19 +6,19 @@ use zerocopy::{FromBytes, Immutable, KnownLayout};
 
 /// A number format of the runtime: `f32`, `f64`, [`Q15`] or [`Q31`].
 ///
-/// Sealed. What computes in floats is written over [`Scalar`](crate::Scalar), what
-/// computes in integers over [`Fixed`].
+/// This trait is sealed. Floating-point code is generic over [`Scalar`](crate::Scalar), integer
+/// code over [`Fixed`].
 pub trait Format:
     sealed::Sealed + Copy + Debug + Default + PartialEq + PartialOrd + 'static
 {
     /// The format of a sum of products.
     type Wide: Copy;
-    /// Its name on a command line.
+    /// The name of the format on a command line.
     const NAME: &'static str;
 }
 
-/// A mantissa of 15 bits and a sign: the number is it times 2^exponent, the exponent
-/// that of the array it stands in.
+/// A mantissa of 15 bits and a sign. The number is the mantissa times 2^exponent, where the
+/// exponent belongs to the array that contains it.
 #[derive(
     Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, FromBytes, Immutable, KnownLayout,
 )]
@@ -66,47 +66,47 @@ mod sealed {
 
 /// An integer format.
 pub trait Fixed: Format<Wide: Wide> {
-    /// Bits of a mantissa's size.
+    /// Bits of a mantissa's magnitude.
     const BITS: u32;
-    /// Bits by which a scene's weights are finer than its terms.
+    /// Number of bits by which a scene's weights are finer than its terms.
     const WEIGHT_BITS: u32;
-    /// Bits by which a sum of weighed numbers is finer than a scene's terms.
+    /// Number of bits by which a sum of weighted numbers is finer than a scene's terms.
     const SUM_SHIFT: u32;
-    /// Bits of every step of a pixel's polynomials, and of its irradiance.
+    /// Bits of the magnitude at each step of a pixel's polynomials, and of its irradiance.
     const TERM_BITS: u32;
-    /// By how many bits an irradiance times an eigenimage is less than the product.
+    /// Number of bits by which `seen` shifts its product down.
     const SEEN_SHIFT: u32;
     /// The mantissa as a factor of a [`Wide`] product.
     fn widen(self) -> Self::Wide;
-    /// The nearest mantissa; beyond the largest it is that.
+    /// The nearest mantissa, saturated at the largest one.
     fn narrow(number: Self::Wide) -> Self;
-    /// This / √2, rounded.
+    /// This mantissa / √2, rounded.
     fn over_root_two(self) -> Self;
-    /// `weight` times this, [`SUM_SHIFT`](Self::SUM_SHIFT) bits finer than a term,
-    /// rounded; modulo 2^32.
+    /// `weight` times this mantissa, rounded, [`SUM_SHIFT`](Self::SUM_SHIFT) bits finer than a
+    /// term; modulo 2^32.
     fn weigh(self, weight: i32) -> i32;
-    /// floor(sum t): t is this as a fraction of 2^(BITS - 1).
+    /// floor(sum t), where t is `argument` as a fraction of 2^(BITS - 1).
     /// Domain: |sum| < 2^[`TERM_BITS`](Self::TERM_BITS), |t| <= 1.
     fn argument_times(sum: i32, argument: i32) -> i32;
-    /// The same to the nearest.
+    /// The same as `argument_times`, rounded to the nearest integer.
     fn nearest_argument_times(sum: i32, argument: i32) -> i32;
-    /// An irradiance times the value of an eigenimage, rounded after
-    /// [`SEEN_SHIFT`](Self::SEEN_SHIFT) bits.
+    /// The product of an irradiance and the value of an eigenimage, shifted down by
+    /// [`SEEN_SHIFT`](Self::SEEN_SHIFT) bits and rounded.
     fn seen(irradiance: Self, image: i32) -> i64;
-    /// This as a fraction of 2^(BITS - 1).
+    /// This mantissa as a fraction of 2^(BITS - 1).
     fn halved(self) -> i32;
-    /// a x + b y, rounded: a and b fractions of 2^(BITS - 1). Domain: a² + b² at most 2,
-    /// x² + y² at most 1.001, as a [`Normal`](crate::quantised::Normal) has it.
+    /// a x + b y, rounded, where a and b are fractions of 2^(BITS - 1). Domain: a² + b² at most 2,
+    /// x² + y² at most 1.001, which a [`Normal`](crate::quantised::Normal) satisfies.
     fn dot(a: i32, x: Self, b: i32, y: Self) -> i32;
-    /// `value` times a fraction of 2^(BITS - 1).
+    /// `value` times `fraction`, a fraction of 2^(BITS - 1).
     fn product(value: i32, fraction: i32) -> Self::Wide;
-    /// `value` as such a product.
+    /// `value` on the scale of a `product`.
     fn of_value(value: i32) -> Self::Wide;
-    /// A sum of such products, rounded. Sums may wrap on their way, if the last fits.
+    /// Rounds a sum of `product`s. Intermediate sums may wrap if the final one fits.
     fn sum(sum: Self::Wide) -> i32;
     /// `value` times this mantissa, modulo 2^32 or 2^64.
     fn times(self, value: i32) -> Self::Wide;
-    /// floor(sum / 2^BITS): the whole part of a sum of products with mantissas. Domain: it fits.
+    /// floor(sum / 2^BITS): the integer part of a sum of products with mantissas. Domain: it fits.
     fn whole(sum: Self::Wide) -> i32;
     /// 2z - 1 as a fraction of 2^(BITS - 1). Domain: z >= 0.
     fn argument(z: Self) -> i32;
@@ -126,21 +126,21 @@ pub trait Wide:
     + Neg<Output = Self>
     + BitOr<Output = Self>
 {
-    /// Bits of the largest size.
+    /// Bits of the largest magnitude.
     const SIZE: u32;
     /// self + other, modulo 2^(SIZE + 1).
     fn wrapping_plus(self, other: Self) -> Self;
     /// -self, modulo 2^(SIZE + 1).
     fn wrapping_minus(self) -> Self;
-    /// This number.
+    /// Converts an `i32`.
     fn of(number: i32) -> Self;
-    /// Bits of |self|: the least n of |self| < 2^n.
+    /// Number of bits of |self|: the smallest n with |self| < 2^n.
     fn bits(self) -> u32;
-    /// The nearest number to self 2^`by`. Domain: it fits.
+    /// The integer nearest to self 2^`by`. Domain: it fits.
     fn shifted(self, by: i32) -> Self;
     /// floor(self 2^`by`). Domain: it fits.
     fn floored(self, by: i32) -> Self;
-    /// The nearest number to self / 2^(`by` + 1). Domain: `by` >= 0, |self| < 2^SIZE - 1.
+    /// The integer nearest to self / 2^(`by` + 1). Domain: `by` >= 0, |self| < 2^SIZE - 1.
     fn lowered(self, by: i32) -> Self;
     /// The nearest `i32`.
     fn saturated(self) -> i32;
@@ -185,7 +185,7 @@ macro_rules! wide {
             #[inline(always)]
             fn lowered(self, by: i32) -> Self {
                 debug_assert!(by >= 0, "out of domain");
-                // Shifted by all its bits it is 0 or -1, which rounds to 0.
+                // A shift by all bits gives 0 or -1, both of which round to 0.
                 ((self >> by.cast_unsigned().min($size)) + 1) >> 1
             }
             #[inline]

@@ -1,9 +1,9 @@
-//! The eigenbasis of any normals: eigenimages that are sums of several azimuths.
+//! The eigenbasis of arbitrary normals, whose eigenimages are sums over several azimuths.
 //!
-//! Each is a sum of the functions of a span, which is a [`Basis`] of its own: an image's
-//! coordinates a in the span give its coefficients d = P a, and coefficients give the
-//! image of coordinates Σ d_i a_i. From there on all is as for the sphere: a pixel of
-//! the collapsed scene costs the same.
+//! Each eigenimage is a sum of the functions of a span, which is itself a [`Basis`]. The
+//! coordinates a of an image in the span give its coefficients d = P a, and coefficients d give the
+//! image with coordinates Σ d_i a_i. Everything else works as for the sphere: a pixel of the
+//! collapsed scene costs the same.
 
 use crate::basis::Basis;
 use crate::buffer::zeros;
@@ -19,23 +19,24 @@ use crate::transfer::Transfer;
 
 /// The arrays of a general basis, as `eigenshade-table` writes them.
 ///
-/// Matrices are row by row, a row an eigenimage, a column a component of the span.
+/// Matrices are stored row by row, with a row for each eigenimage and a column for each component
+/// of the span.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct GeneralParts<'a, S> {
     /// Number of eigenimages K.
     pub components: usize,
-    /// d from coordinates in the span.
+    /// The matrix P from coordinates in the span to d.
     pub projection: &'a [S],
-    /// Each eigenimage's coordinates in the span.
+    /// The coordinates of each eigenimage in the span.
     pub synthesis: &'a [S],
-    /// The mean image's coordinates in the span, or empty.
+    /// The coordinates of the mean image in the span, or empty.
     pub mean: &'a [S],
-    /// The mean image's coefficients, or empty.
+    /// The coefficients of the mean image, or empty.
     pub mean_coefficients: &'a [S],
 }
 
-/// An eigenbasis over any normals.
+/// An eigenbasis of arbitrary normals.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct GeneralBasis<'a, S> {
@@ -44,11 +45,11 @@ pub struct GeneralBasis<'a, S> {
 }
 
 impl<'a, S> GeneralBasis<'a, S> {
-    /// The basis of these parts over a span, whose components are its functions.
+    /// Creates a basis from a span and these parts. The components of the span are its functions.
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] if a part has not the length that the others ask for.
+    /// [`Error::Length`] if a part does not have the length that the others require.
     pub const fn new(span: Basis<'a, S>, parts: GeneralParts<'a, S>) -> Result<Self, Error> {
         let functions = span.components();
         let Some(length) = functions.checked_mul(parts.components) else {
@@ -76,7 +77,7 @@ impl<'a, S> GeneralBasis<'a, S> {
         Ok(Self { span, parts })
     }
 
-    /// What it was made of, beside the span.
+    /// The parts of this basis, without the span.
     #[must_use]
     pub const fn parts(&self) -> &GeneralParts<'a, S> {
         &self.parts
@@ -94,8 +95,8 @@ impl<'a, S> GeneralBasis<'a, S> {
         self.parts.components
     }
 
-    /// Numbers that [`project`](Self::project) and [`collapse`](Self::collapse) need
-    /// room for: the span's, and an image's coordinates in it.
+    /// Length of the workspace that [`project`](Self::project) and [`collapse`](Self::collapse)
+    /// need: that of the span, and the coordinates of an image in the span.
     #[must_use]
     pub const fn workspace_len(&self) -> usize {
         self.span.workspace_len() + self.span.components()
@@ -103,15 +104,15 @@ impl<'a, S> GeneralBasis<'a, S> {
 }
 
 impl<'a, S: Scalar> GeneralBasis<'a, S> {
-    /// d of a light on a material: as [`Basis::project`], with one multiplication
-    /// more for each eigenimage and function of the span.
+    /// The coefficients d of a light on a material, as [`Basis::project`], with one more
+    /// multiplication for each pair of an eigenimage and a function of the span.
     ///
-    /// `N` is at least [`workspace_len`](Self::workspace_len), `K` at least
+    /// `N` must be at least [`workspace_len`](Self::workspace_len), `K` at least
     /// [`components`](Self::components).
     ///
     /// # Errors
     ///
-    /// As [`Basis::project`].
+    /// The same as for [`Basis::project`].
     pub fn project<const N: usize, const K: usize>(
         &self,
         light: &Light<'_, S>,
@@ -126,7 +127,7 @@ impl<'a, S: Scalar> GeneralBasis<'a, S> {
     ///
     /// # Errors
     ///
-    /// As [`Basis::project_into`].
+    /// The same as for [`Basis::project_into`].
     pub fn project_into(
         &self,
         light: &Light<'_, S>,
@@ -137,12 +138,12 @@ impl<'a, S: Scalar> GeneralBasis<'a, S> {
         self.project_effects_into(light, material, Effects::ALL, workspace, coefficients)
     }
 
-    /// [`project_into`](Self::project_into) of some effects alone: see
+    /// [`project_into`](Self::project_into) for some effects only: see
     /// [`Basis::project_effects_into`].
     ///
     /// # Errors
     ///
-    /// As [`Basis::project_into`].
+    /// The same as for [`Basis::project_into`].
     pub fn project_effects_into(
         &self,
         light: &Light<'_, S>,
@@ -158,13 +159,14 @@ impl<'a, S: Scalar> GeneralBasis<'a, S> {
         self.coefficients(coordinates, coefficients)
     }
 
-    /// d of a new light on a material that the span's
-    /// [`transfer_into`](Basis::transfer_into) folded in; `workspace` as for
+    /// The coefficients d of a new light on a material that the span's
+    /// [`transfer_into`](Basis::transfer_into) folded in. `workspace` has the same length as for
     /// [`project_into`](Self::project_into).
     ///
     /// # Errors
     ///
-    /// As [`Basis::relight_into`], and for `workspace` as there for the transfer.
+    /// The same as for [`Basis::relight_into`]. A `workspace` of the wrong length gives the same
+    /// error as a transfer of the wrong length.
     pub fn relight_into(
         &self,
         transfer: &[S],
@@ -183,7 +185,7 @@ impl<'a, S: Scalar> GeneralBasis<'a, S> {
     ///
     /// # Errors
     ///
-    /// As there; [`Error::Capacity`] if `N` or `K` is too small.
+    /// The same as for `relight_into`; [`Error::Capacity`] if `N` or `K` is too small.
     pub fn relight<const T: usize, const N: usize, const K: usize>(
         &self,
         transfer: &Transfer<S, T>,
@@ -194,7 +196,8 @@ impl<'a, S: Scalar> GeneralBasis<'a, S> {
         })
     }
 
-    /// d from an image's coordinates in the span, less the mean image's.
+    /// The coefficients d from the coordinates of an image in the span, less those of the mean
+    /// image.
     fn coefficients(&self, coordinates: &[S], coefficients: &mut [S]) -> Result<(), Error> {
         Error::check(What::Coefficients, self.components(), coefficients.len())?;
         let functions = self.span.components().max(1);
@@ -209,14 +212,14 @@ impl<'a, S: Scalar> GeneralBasis<'a, S> {
         Ok(())
     }
 
-    /// Sums the eigenimages azimuth by azimuth: as [`Basis::collapse`].
+    /// Sums the eigenimages azimuth by azimuth, as [`Basis::collapse`] does.
     ///
-    /// `N` is at least [`workspace_len`](Self::workspace_len), `C` at least the span's
+    /// `N` must be at least [`workspace_len`](Self::workspace_len), `C` at least the span's
     /// [`scene_len`](Basis::scene_len).
     ///
     /// # Errors
     ///
-    /// As there.
+    /// The same as for [`Basis::collapse`].
     pub fn collapse<const N: usize, const C: usize>(
         &self,
         coefficients: &[S],
@@ -226,12 +229,12 @@ impl<'a, S: Scalar> GeneralBasis<'a, S> {
         self.collapse_into(coefficients, &mut workspace, scene)
     }
 
-    /// [`collapse`](Self::collapse) into buffers of one's own.
+    /// [`collapse`](Self::collapse) into buffers of your own.
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] if there are more coefficients than eigenimages, or a buffer
-    /// has another length.
+    /// [`Error::Length`] if there are more coefficients than eigenimages, or if a buffer has
+    /// another length.
     pub fn collapse_into<B: AsMut<[S]>>(
         &self,
         coefficients: &[S],
@@ -242,11 +245,11 @@ impl<'a, S: Scalar> GeneralBasis<'a, S> {
         self.span.collapse_into(coordinates, buffer)
     }
 
-    /// The irradiance of one normal without collapsing: as [`Basis::reconstruct`].
+    /// The irradiance of one normal without collapsing, as [`Basis::reconstruct`].
     ///
     /// # Errors
     ///
-    /// As [`collapse_into`](Self::collapse_into).
+    /// The same as for [`collapse_into`](Self::collapse_into).
     pub fn reconstruct(
         &self,
         coefficients: &[S],
@@ -257,7 +260,7 @@ impl<'a, S: Scalar> GeneralBasis<'a, S> {
         self.span.reconstruct(coordinates, normal)
     }
 
-    /// An image's coordinates in the span, in the workspace.
+    /// Writes the coordinates of an image in the span to the workspace and returns them.
     fn coordinates<'w>(
         &self,
         coefficients: &[S],

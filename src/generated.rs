@@ -1,7 +1,7 @@
-//! The table of a scene, made when this crate was built: of the scene file that the
-//! environment variable `EIGENSHADE_SCENE` named then, or of the shipped one.
+//! The table of a scene, generated when this crate was built. The environment variable
+//! `EIGENSHADE_SCENE` names the scene file at build time; without it, the shipped one is used.
 //!
-//! It has what the module `sphere` has, with the sizes of its scene; the modules
-//! `q15` and `q31` are there if integers serve the scene.
+//! This module has the same items as the module `sphere`, with the sizes of its own scene. The
+//! modules `q15` and `q31` exist if the scene can be represented in integers.
 
 include!(concat!(env!("OUT_DIR"), "/generated.rs"));

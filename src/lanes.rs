@@ -1,11 +1,12 @@
-//! Groups of numbers, written so that a compiler takes each in one register.
+//! Groups of numbers, written so that a compiler puts each group in one register.
 
 use crate::index::layout::LANES;
 use crate::scalar::Scalar;
 
 /// sum + a b, lane by lane.
 ///
-/// By value and by name: as a loop over mutable places the same sum stays scalar.
+/// The lanes are named and passed by value: compilers leave the same sum scalar if it is a loop
+/// over mutable elements.
 #[inline(always)]
 pub(crate) fn multiply_add<S: Scalar>(
     sum: [S; LANES],
@@ -16,10 +17,10 @@ pub(crate) fn multiply_add<S: Scalar>(
     [s0.add_product(a0, b0), s1.add_product(a1, b1), s2.add_product(a2, b2), s3.add_product(a3, b3)]
 }
 
-/// Groups of two profiles beside each other.
+/// The groups of two profiles side by side.
 pub(crate) type Two<S> = [S; 2 * LANES];
 
-/// sum + a b, lane by lane, both groups of `a` times the same b.
+/// sum + a b, lane by lane, with both groups of `a` times the same b.
 #[inline(always)]
 pub(crate) fn multiply_add_two<S: Scalar>(sum: Two<S>, a: &Two<S>, b: &[S; LANES]) -> Two<S> {
     let [s0, s1, s2, s3, s4, s5, s6, s7] = sum;

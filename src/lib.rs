@@ -1,26 +1,23 @@
-//! Image irradiance of any isotropic material under any distant light, for
-//! machines that have no room for it.
+//! Image irradiance of any isotropic material under any distant light, for small machines.
 //!
-//! The irradiance of an object is a sum of few eigenimages (Nillius and Eklundh,
-//! "Phenomenological Eigenfunctions for Image Irradiance", ICCV 2003; "(n)" in
-//! these pages is its equation n). A [`Basis`] holds them for one scene. From
-//! light to pixel:
+//! The irradiance of an object is a sum of a few eigenimages (Nillius and Eklundh,
+//! "Phenomenological Eigenfunctions for Image Irradiance", ICCV 2003). A number in parentheses,
+//! such as (19), refers to an equation of that paper. A [`Basis`] holds the eigenimages of one
+//! scene. The steps from light to pixel are:
 //!
-//! 1. [`Light`] and [`Material`] are coefficients: spherical harmonics and the
-//!    Koenderink-van Doorn basis.
-//! 2. [`Basis::project`] gives the coefficients d = UᵀMc of the eigenimages. If
-//!    the material stays, [`Basis::transfer`] folds it in once and
-//!    [`Basis::relight`] takes each new light.
-//! 3. [`Basis::collapse`] sums the components of each azimuth: a [`Scene`].
-//! 4. [`Scene::shade`] gives the irradiance of one [`Normal`],
-//!    [`Scene::shade_slice`] that of many.
-//! 5. Cheaper ways to a pixel: [`Scene::lookup`] samples the image's azimuths,
+//! 1. [`Light`] and [`Material`] hold coefficients: spherical harmonics for light, the
+//!    Koenderink-van Doorn basis for materials.
+//! 2. [`Basis::project`] gives the coefficients d = UᵀMc of the eigenimages. If the material stays
+//!    the same, [`Basis::transfer`] folds it in once and [`Basis::relight`] applies each new light.
+//! 3. [`Basis::collapse`] sums the components of each azimuth into a [`Scene`].
+//! 4. [`Scene::shade`] gives the irradiance of one [`Normal`], [`Scene::shade_slice`] that of many.
+//! 5. There are cheaper ways to shade a pixel: [`Scene::lookup`] samples the azimuths of the image,
 //!    [`Scene::bake`] the image itself.
-//! 6. The light may turn: [`Light::turned`] by a [`Rotation`]. A [`Window`] keeps it from
-//!    ringing, [`Negatives`] says what becomes of irradiance below zero.
-//! 7. The way back: [`Basis::estimate`] takes pixels one by one and gives d.
+//! 6. To turn the light, call [`Light::turned`] with a [`Rotation`]. A [`Window`] keeps a light
+//!    from ringing, and [`Negatives`] sets how to handle irradiance below zero.
+//! 7. In the other direction, [`Basis::estimate`] takes pixels one by one and estimates d.
 //!
-//! A [`GeneralBasis`] does the same for objects other than the sphere.
+//! A [`GeneralBasis`] does the same for objects other than a sphere.
 //!
 //! ```
 //! # #[cfg(feature = "baked")] {
@@ -37,17 +34,17 @@
 //! # Ok::<(), eigenshade::Error>(())
 //! ```
 //!
-//! No allocator, no panic, and in the loops over pixels no trigonometry, no root
-//! and no division.
+//! The crate needs no allocator and does not panic. Its loops over pixels use no trigonometry, no
+//! roots and no division.
 #![no_std]
 #![deny(clippy::indexing_slicing, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-// `mul_add` is not in `core`. Where the target fuses and has an operating system,
-// it comes from `std`; no other build links that.
+// `mul_add` is not in `core`. It comes from `std` on targets with fused multiply-add and an
+// operating system; no other build links `std`.
 #[cfg(all(target_feature = "fma", any(unix, windows)))]
 extern crate std;
 
-// The generated statics name the crate as their users would.
+// The generated statics refer to this crate by name, as user code does.
 #[cfg(any(feature = "baked", feature = "generate"))]
 extern crate self as eigenshade;
 
@@ -160,7 +157,7 @@ pub use transfer::Transfer;
 pub use turn::LightBuffer;
 pub use window::Window;
 
-// The README's example is a test.
+// Runs the README's example as a test.
 #[cfg(all(doctest, feature = "baked"))]
 #[doc = include_str!("../README.md")]
 struct Readme;

@@ -1,4 +1,4 @@
-//! Every public type can be logged by `defmt`, or the feature does not compile.
+//! Checks at compile time that `defmt` can log every public type.
 
 use crate::mathematics::{Libm, SinglePrecision, Tabled};
 use crate::wire::{Aligned, Header, WireError, WireFormat};

@@ -1,9 +1,9 @@
-//! Look-ups instead of polynomials: each azimuth's H_m(z) sampled at knots.
+//! Look-ups instead of polynomials: the H_m(z) of each azimuth, sampled at knots.
 //!
-//! Knots stand evenly on z in \[0, 1\], and one more at either end, where the polynomials
-//! continue. A knot holds the samples of all azimuths side by side: H_0, then H_m of +m and of -m for each m up
-//! to the last that the scene has. A pixel reads two neighbouring knots, or four, and
-//! weighs them alike for every azimuth.
+//! The knots are evenly spaced over z in \[0, 1\], with one more at either end, where the
+//! polynomials continue. A knot holds the samples of all azimuths side by side: H_0, then H_m of +m
+//! and of -m for each m up to the last one in the scene. A pixel reads two or four neighboring
+//! knots, and weights them the same for every azimuth.
 
 use crate::buffer::zeros;
 use crate::error::{Error, What};
@@ -13,14 +13,14 @@ use crate::polynomial::{argument, turned};
 use crate::scalar::Scalar;
 use crate::scene::Scene;
 
-/// The smallest and largest number of knots: of fewer, the one before z = 0 stood where polynomials have long left
-/// their range.
+/// The smallest and largest number of knots. With fewer, the knot before z = 0 would lie where
+/// polynomials are far out of their range.
 const KNOTS: core::ops::RangeInclusive<usize> = 8..=65_536;
 
 /// One image as samples of its azimuths, in `samples`.
 ///
-/// Errors against the scene that was sampled, rms of the peak: of the median of the shipped lights on the shipped
-/// materials, and of the worst.
+/// The table gives rms errors against the sampled scene, as fractions of the peak. The first number
+/// is the median over the shipped lights on the shipped materials, the second the worst case.
 ///
 /// | knots | linear | cubic |
 /// |---|---|---|
@@ -31,19 +31,19 @@ const KNOTS: core::ops::RangeInclusive<usize> = 8..=65_536;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Lookup<S, B> {
-    /// Samples of a knot: 2 m_max + 1.
+    /// Samples per knot: 2 m_max + 1.
     width: usize,
-    /// Intervals between knots, less 2^-22 of them: z = 1, and what rounding puts beyond
-    /// it, stays within the last without being clamped.
+    /// The number of intervals between knots, reduced by 2^-22 of itself so that z = 1, and values
+    /// that rounding puts beyond it, stay within the last interval without clamping.
     within: S,
     samples: B,
 }
 
-/// Room for samples.
+/// A buffer for samples.
 pub type LookupBuffer<S, const N: usize> = heapless::Vec<S, N>;
 
 impl<C> Scene<'_, C> {
-    /// Numbers that so many knots take: (2 m_max + 1) (knots + 2).
+    /// Length of the samples for a number of knots: (2 m_max + 1) (knots + 2).
     #[must_use]
     pub fn lookup_len<S: Scalar>(&self, knots: usize) -> usize
     where
@@ -52,14 +52,14 @@ impl<C> Scene<'_, C> {
         self.width::<S>().saturating_mul(knots.saturating_add(2))
     }
 
-    /// Samples the scene at so many knots; `N` is at least
-    /// [`lookup_len`](Self::lookup_len).
+    /// Samples the scene at `knots` knots. `N` must be at least [`lookup_len`](Self::lookup_len).
     ///
-    /// Cost: the scene's polynomials, at each knot.
+    /// Cost: evaluating the scene's polynomials at each knot.
     ///
     /// # Errors
     ///
-    /// [`Error::Knots`] unless they are 8 to 65,536, [`Error::Capacity`] if `N` is too small.
+    /// [`Error::Knots`] unless there are 8 to 65,536 knots, [`Error::Capacity`] if `N` is too
+    /// small.
     pub fn lookup<S: Scalar, const N: usize>(
         &self,
         knots: usize,
@@ -71,13 +71,13 @@ impl<C> Scene<'_, C> {
         self.lookup_into(knots, zeros::<S, N>(What::Samples, self.lookup_len(knots))?)
     }
 
-    /// [`lookup`](Self::lookup) into a buffer of one's own, of length
+    /// [`lookup`](Self::lookup) into a buffer of your own, of length
     /// [`lookup_len`](Self::lookup_len).
     ///
     /// # Errors
     ///
-    /// [`Error::Knots`] unless they are 8 to 65,536, [`Error::Length`] if the buffer has another
-    /// length.
+    /// [`Error::Knots`] unless there are 8 to 65,536 knots, [`Error::Length`] if the buffer has
+    /// another length.
     pub fn lookup_into<S: Scalar, B: AsMut<[S]>>(
         &self,
         knots: usize,
@@ -106,7 +106,7 @@ impl<C> Scene<'_, C> {
         Ok(Lookup { width, within, samples })
     }
 
-    /// Samples of a knot: azimuths beyond the last with a polynomial have none.
+    /// Samples per knot. Azimuths beyond the last one with a polynomial have no samples.
     fn width<S: Scalar>(&self) -> usize
     where
         C: AsRef<[S]>,
@@ -125,15 +125,15 @@ const fn check_knots(knots: usize) -> Result<(), Error> {
 }
 
 impl<S: Scalar, B: AsRef<[S]>> Lookup<S, B> {
-    /// The samples, knot by knot from the one before z = 0 on.
+    /// The samples, knot by knot, starting with the knot before z = 0.
     #[must_use]
     pub fn samples(&self) -> &[S] {
         self.samples.as_ref()
     }
 
-    /// The irradiance of one normal, by straight lines between two knots.
+    /// The irradiance of one normal, interpolated linearly between two knots.
     ///
-    /// Cost: for each azimuth two times three products; no division.
+    /// Cost: two times three products for each azimuth; no division.
     #[inline]
     #[must_use]
     pub fn linear(&self, normal: Normal<S>) -> S {
@@ -143,10 +143,10 @@ impl<S: Scalar, B: AsRef<[S]>> Lookup<S, B> {
         around(samples, normal)
     }
 
-    /// The irradiance of one normal, by Catmull-Rom cubics between two knots: their
-    /// slopes are those of the chords between their neighbours.
+    /// The irradiance of one normal, interpolated by Catmull-Rom cubics between two knots. The
+    /// slope at a knot is that of the chord between its neighbors.
     ///
-    /// Cost: for each azimuth two times five products; no division.
+    /// Cost: two times five products for each azimuth; no division.
     #[inline]
     #[must_use]
     pub fn cubic(&self, normal: Normal<S>) -> S {
@@ -162,7 +162,8 @@ impl<S: Scalar, B: AsRef<[S]>> Lookup<S, B> {
         around(samples, normal)
     }
 
-    /// The number of the interval of z, and the way from its first knot to its second.
+    /// The index of the interval that contains z, and the fraction of the way from its first knot
+    /// to its second.
     #[inline]
     fn interval(&self, z: S) -> (usize, S) {
         let place = z * self.within;
@@ -170,7 +171,8 @@ impl<S: Scalar, B: AsRef<[S]>> Lookup<S, B> {
         (knot, place - S::from_whole(knot))
     }
 
-    /// A knot's samples, and all that follow. Nothing for a z that is no normal's.
+    /// The samples of a knot, and all samples after them. Both are empty for a z outside the range
+    /// of normals.
     #[inline]
     fn rows(&self, knot: usize) -> (&[S], &[S]) {
         let rows = self.samples.as_ref().get(knot.wrapping_mul(self.width)..);
@@ -178,12 +180,13 @@ impl<S: Scalar, B: AsRef<[S]>> Lookup<S, B> {
     }
 }
 
-/// The weights of four neighbouring knots at a way from the second to the third.
+/// The weights of four neighboring knots, for a point at a fraction `way` from the second knot to
+/// the third.
 #[inline]
 fn catmull_rom<S: Scalar>(way: S) -> [S; 4] {
     let (square, rest) = (way * way, S::ONE - way);
     let half = S::from_f64(0.5);
-    // Half a slope's share of the value: of the second knot's, and of the third's.
+    // Half the weight of each slope in the value: at the second knot and at the third.
     let (of_second, of_third) = (half * way * rest * rest, half * square * rest);
     // w² (3 - 2 w).
     let third = square + S::from_f64(4.0) * of_third;

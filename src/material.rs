@@ -1,4 +1,4 @@
-//! Material: Koenderink-van Doorn coefficients b_op^q of (7).
+//! Material as Koenderink-van Doorn coefficients b_op^q of (7).
 
 use crate::error::{Error, What};
 use crate::index::material;
@@ -7,7 +7,7 @@ use crate::scalar::Scalar;
 /// One channel of an isotropic BRDF: its coefficients in 1/sr, in the order of
 /// [`index::material`](crate::index::material).
 ///
-/// The azimuth of (8) is φ_i - φ_r: zero is backscatter.
+/// The azimuth in (8) is φ_i - φ_r, so zero is backscatter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Material<'a, S> {
@@ -16,13 +16,14 @@ pub struct Material<'a, S> {
 }
 
 impl<'a, S> Material<'a, S> {
-    /// The material of these coefficients. They are taken as they are: one that is not
-    /// finite spoils more of an image than its own mode. [`checked`](Self::checked) refuses it.
+    /// Creates a material from its coefficients, without checking their values. A coefficient that
+    /// is not finite spoils more of an image than its own mode; [`checked`](Self::checked) rejects
+    /// it.
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] unless there are as many as
-    /// [`index::material::count`](crate::index::material::count) says.
+    /// [`Error::Length`] unless there are [`index::material::count`](crate::index::material::count)
+    /// coefficients.
     pub const fn new(order: usize, coefficients: &'a [S]) -> Result<Self, Error> {
         match Error::check(What::Material, material::count(order), coefficients.len()) {
             Ok(()) => Ok(Self { order, coefficients }),
@@ -30,11 +31,12 @@ impl<'a, S> Material<'a, S> {
         }
     }
 
-    /// [`new`](Self::new), of finite coefficients alone: for what arrives at run time.
+    /// [`new`](Self::new) for coefficients that arrive at run time: all of them must be finite.
     ///
     /// # Errors
     ///
-    /// As there; [`Error::NotFinite`] of the first coefficient that is infinite or NaN.
+    /// The same as for `new`; [`Error::NotFinite`] with the index of the first coefficient that is
+    /// infinite or NaN.
     pub fn checked(order: usize, coefficients: &'a [S]) -> Result<Self, Error>
     where
         S: Scalar,
@@ -44,8 +46,8 @@ impl<'a, S> Material<'a, S> {
         Ok(material)
     }
 
-    /// The same material without what lies above `order`; a material of no more
-    /// than that order stays as it is.
+    /// This material without the orders above `order`. A material of that order or less is returned
+    /// unchanged.
     #[must_use]
     pub fn truncated(self, order: usize) -> Self {
         match self.coefficients.get(..material::count(order)) {

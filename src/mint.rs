@@ -1,4 +1,4 @@
-//! Normals and rotations from and to the plain types of the crate `mint`, through which
+//! Converts normals and rotations from and to the plain types of the crate `mint`, through which
 //! glam, nalgebra, cgmath and others exchange them.
 
 use crate::error::Error;
@@ -7,7 +7,7 @@ use crate::paraboloid::MapPoint;
 use crate::rotation::Rotation;
 use crate::scalar::Scalar;
 
-/// [`Normal::new`].
+/// Converts by [`Normal::new`].
 impl<S: Scalar> TryFrom<mint::Vector3<S>> for Normal<S> {
     type Error = Error;
     fn try_from(along: mint::Vector3<S>) -> Result<Self, Error> {
@@ -15,28 +15,28 @@ impl<S: Scalar> TryFrom<mint::Vector3<S>> for Normal<S> {
     }
 }
 
-/// The unit vector.
+/// Gives the unit vector.
 impl<S: Scalar> From<Normal<S>> for mint::Vector3<S> {
     fn from(normal: Normal<S>) -> Self {
         Self::from(normal.components())
     }
 }
 
-/// (u, v).
+/// Takes (u, v).
 impl<S> From<mint::Vector2<S>> for MapPoint<S> {
     fn from(point: mint::Vector2<S>) -> Self {
         Self::new(point.x, point.y)
     }
 }
 
-/// (u, v).
+/// Gives (u, v).
 impl<S> From<MapPoint<S>> for mint::Vector2<S> {
     fn from(point: MapPoint<S>) -> Self {
         Self::from(point.coordinates())
     }
 }
 
-/// [`Rotation::from_quaternion`]; `s` is w.
+/// Converts by [`Rotation::from_quaternion`]; `s` is w.
 impl<S: Scalar> TryFrom<mint::Quaternion<S>> for Rotation<S> {
     type Error = Error;
     fn try_from(quaternion: mint::Quaternion<S>) -> Result<Self, Error> {
@@ -45,7 +45,7 @@ impl<S: Scalar> TryFrom<mint::Quaternion<S>> for Rotation<S> {
     }
 }
 
-/// [`Rotation::from_matrix`].
+/// Converts by [`Rotation::from_matrix`].
 impl<S: Scalar> TryFrom<mint::RowMatrix3<S>> for Rotation<S> {
     type Error = Error;
     fn try_from(matrix: mint::RowMatrix3<S>) -> Result<Self, Error> {
@@ -53,7 +53,7 @@ impl<S: Scalar> TryFrom<mint::RowMatrix3<S>> for Rotation<S> {
     }
 }
 
-/// [`Rotation::from_matrix`].
+/// Converts by [`Rotation::from_matrix`].
 impl<S: Scalar> TryFrom<mint::ColumnMatrix3<S>> for Rotation<S> {
     type Error = Error;
     fn try_from(matrix: mint::ColumnMatrix3<S>) -> Result<Self, Error> {
@@ -61,7 +61,7 @@ impl<S: Scalar> TryFrom<mint::ColumnMatrix3<S>> for Rotation<S> {
     }
 }
 
-/// The matrix, row by row.
+/// Gives the matrix, row by row.
 impl<S: Scalar> From<Rotation<S>> for mint::RowMatrix3<S> {
     fn from(rotation: Rotation<S>) -> Self {
         Self::from(rotation.matrix())

@@ -1,23 +1,23 @@
-//! Irradiance below zero: what becomes of it.
+//! How to handle irradiance below zero.
 
-/// What becomes of irradiance below zero, which no light gives: it comes of lights and materials
-/// that end at some degree and order, of fits, and of few components.
+/// How to handle irradiance below zero.
 ///
-/// Nothing is clamped unasked: negative values are how an image shows that it is at its limits,
-/// and what is read from pixels needs them.
+/// No light gives negative irradiance. It results from lights and materials that end at some
+/// degree and order, from fits, and from few components. Values are clamped only on request:
+/// negative values show that an image is at its limits, and estimates from pixels need them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Negatives {
-    /// They stay.
+    /// Keep negative values.
     #[default]
     Kept,
-    /// They become zero.
+    /// Set negative values to zero.
     Clamped,
 }
 
 impl Negatives {
-    /// One irradiance, in floats or integers; NaN stays.
+    /// Applies this policy to one irradiance, a float or an integer. NaN stays NaN.
     #[inline]
     #[must_use]
     pub fn of<T: Copy + Default + PartialOrd>(self, irradiance: T) -> T {
@@ -25,8 +25,8 @@ impl Negatives {
         if self == Self::Clamped && irradiance < zero { zero } else { irradiance }
     }
 
-    /// Many where they are; gives the least that was there before, none of no pixels. A NaN is
-    /// passed over.
+    /// Applies this policy to many irradiances in place. Returns the smallest of the original
+    /// values, ignoring NaN, or `None` if there are none.
     pub fn apply<T: Copy + Default + PartialOrd>(self, irradiance: &mut [T]) -> Option<T> {
         let mut least = None;
         for value in irradiance {

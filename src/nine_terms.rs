@@ -1,5 +1,5 @@
-//! The nine-term formula (Ramamoorthi and Hanrahan 2001): irradiance as a polynomial of degree 2
-//! of the normal, in nine multiply-adds.
+//! The nine-term formula (Ramamoorthi and Hanrahan 2001): irradiance as a polynomial of degree 2 in
+//! the normal, in nine multiply-adds.
 
 use crate::error::{Error, What};
 use crate::index::light::{graphics_sign, position};
@@ -7,10 +7,10 @@ use crate::light::Light;
 use crate::normal::{Normal, Normals};
 use crate::scalar::Scalar;
 
-/// Irradiance as a polynomial of degree 2 of the normal: that of a Lambertian material under
-/// light of degree 2, without any table.
+/// Irradiance as a polynomial of degree 2 in the normal, for a Lambertian material under light of
+/// degree 2. It needs no table.
 ///
-/// A [`Scene`](crate::Scene) of these nine terms or fewer is shaded by it.
+/// A [`Scene`](crate::Scene) of these nine terms or fewer is shaded with it.
 ///
 /// ```
 /// use eigenshade::{Light, NineTerms, Normal};
@@ -27,10 +27,10 @@ pub struct NineTerms<S> {
 }
 
 impl<S> NineTerms<S> {
-    /// Multiply-adds of a pixel.
+    /// Multiply-adds per pixel.
     pub const MULTIPLY_ADDS: usize = 9;
 
-    /// The polynomial with these coefficients of 1, x, y, z, x² - y², xy, xz, yz and z².
+    /// Creates the polynomial with these coefficients of 1, x, y, z, x² - y², xy, xz, yz and z².
     #[inline]
     #[must_use]
     pub const fn new(coefficients: [S; 9]) -> Self {
@@ -45,12 +45,12 @@ impl<S> NineTerms<S> {
 }
 
 impl<S: Scalar> NineTerms<S> {
-    /// The irradiance of a Lambertian material, f = `albedo` / π, under the coefficients of
-    /// degrees 0 to 2 of a light. Higher degrees have no part in it.
+    /// The irradiance of a Lambertian material, f = `albedo` / π, under a light. Only the light's
+    /// coefficients of degrees 0 to 2 are used.
     #[must_use]
     pub fn lambertian(light: &Light<'_, S>, albedo: S) -> Self {
-        // The clamped cosine over π has the weights 1, 2/3 and 1/4; times the norms of the
-        // harmonics, √(1/4π), √(3/4π), √(15/4π) and √(5/16π).
+        // The clamped cosine over π has the weights 1, 2/3 and 1/4. They are multiplied by the
+        // norms of the harmonics, √(1/4π), √(3/4π), √(15/4π) and √(5/16π).
         let of = |l: usize, m: isize, weight: f64| {
             let light = light.coefficients().get(position(l, m)).copied().unwrap_or(S::ZERO);
             albedo * S::from_f64(weight * f64::from(graphics_sign(m))) * light
@@ -85,12 +85,12 @@ impl<S: Scalar> NineTerms<S> {
         constant.add_product(of_x, x).add_product(of_y, y).add_product(of_z, z)
     }
 
-    /// The irradiance of each normal, into `irradiance`: bit for bit what
-    /// [`shade`](Self::shade) gives.
+    /// Writes the irradiance of each normal to `irradiance`, bit for bit the same as
+    /// [`shade`](Self::shade).
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] unless `irradiance` has one place for each normal.
+    /// [`Error::Length`] unless `irradiance` has the same length as `normals`.
     pub fn shade_slice(&self, normals: Normals<'_, S>, irradiance: &mut [S]) -> Result<(), Error> {
         Error::check(What::Normals, normals.len(), irradiance.len())?;
         let axes = normals.x.iter().zip(normals.y).zip(normals.z);

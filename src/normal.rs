@@ -1,9 +1,9 @@
-//! Normals: unit vectors toward the camera's side, z >= 0.
+//! Normals: unit vectors on the camera's side, z >= 0.
 //!
-//! A pixel's polynomials hold on z in \[0, 1\] and leave their range beyond, the faster the longer
-//! they are. Interpolated normals and those of 8-bit maps lie there along an object's outline.
-//! They are laid on the rim where they are scaled to length 1, once for each normal; loops over
-//! pixels take normals as they are.
+//! The polynomials of a pixel are valid for z in \[0, 1\]. Outside they leave their range, faster
+//! the longer they are. Interpolated normals, and those of 8-bit maps, can lie outside along an
+//! object's outline. When normals are scaled to length 1, which happens once for each, such normals
+//! are moved to the rim. Loops over pixels use normals as they are.
 
 use crate::error::{Error, What};
 use crate::mathematics::{Libm, Mathematics};
@@ -19,10 +19,10 @@ pub struct Normal<S> {
 }
 
 impl<S: Scalar> Normal<S> {
-    /// The normal along (x, y, z), of any length from 1e-18 to 1e18.
+    /// The normal in the direction (x, y, z), whose length may be from 1e-18 to 1e18.
     ///
-    /// A normal that points away by no more than 1/8 is laid on the rim: z becomes 0, and x and
-    /// y are scaled to length 1.
+    /// A normal that points away from the camera by at most 1/8 is moved to the rim: z becomes 0,
+    /// and x and y are scaled to length 1.
     ///
     /// ```
     /// use eigenshade::{Error, Normal};
@@ -38,17 +38,17 @@ impl<S: Scalar> Normal<S> {
     ///
     /// # Errors
     ///
-    /// [`Error::Normal`] if a component is not finite, or the square of the length is
-    /// below 1e-37 or not finite; [`Error::Hidden`] if z < -1/8 after scaling.
+    /// [`Error::Normal`] if a component is not finite, or the square of the length is below 1e-37
+    /// or not finite; [`Error::Hidden`] if z < -1/8 after scaling.
     pub fn new(x: S, y: S, z: S) -> Result<Self, Error> {
         Self::with_mathematics::<Libm>(x, y, z)
     }
 
-    /// [`new`](Self::new) with a root of one's choice.
+    /// [`new`](Self::new) with a root of your choice.
     ///
     /// # Errors
     ///
-    /// As there.
+    /// The same as for `new`.
     pub fn with_mathematics<M: Mathematics<S>>(x: S, y: S, z: S) -> Result<Self, Error> {
         let unit = Self { x, y, z }.scaled::<M>()?;
         if unit.z >= S::ZERO {
@@ -62,7 +62,7 @@ impl<S: Scalar> Normal<S> {
 
     fn scaled<M: Mathematics<S>>(self) -> Result<Self, Error> {
         let square = self.x * self.x + self.y * self.y + self.z * self.z;
-        // The square of a smaller one has too few bits left.
+        // The square of a shorter vector has too few bits left.
         if !(square.is_finite() && square >= S::from_f64(1e-37)) {
             return Err(Error::Normal);
         }
@@ -70,18 +70,18 @@ impl<S: Scalar> Normal<S> {
         Ok(Self { x: self.x * scale, y: self.y * scale, z: self.z * scale })
     }
 
-    /// x, y and z.
+    /// The components x, y and z.
     #[must_use]
     pub fn components(self) -> [S; 3] {
         [self.x, self.y, self.z]
     }
 }
 
-/// Many normals, component by component.
+/// Many normals, stored component by component.
 ///
-/// They are taken as they are: each must be a unit vector with z in \[0, 1\]. One
-/// that is not gives a meaningless irradiance for itself alone. Those of a mesh or of a map pass
-/// through [`normalized`](Self::normalized) first.
+/// They are used as they are: each must be a unit vector with z in \[0, 1\]. A normal that is not
+/// gives a meaningless irradiance, but does not affect the others. Normals of a mesh or a map must
+/// pass through [`normalized`](Self::normalized) first.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Normals<'a, S> {
@@ -91,11 +91,11 @@ pub struct Normals<'a, S> {
 }
 
 impl<'a, S> Normals<'a, S> {
-    /// The normals of these components.
+    /// Creates normals from their components.
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] unless all three have the same length.
+    /// [`Error::Length`] unless all three slices have the same length.
     pub const fn new(x: &'a [S], y: &'a [S], z: &'a [S]) -> Result<Self, Error> {
         match (
             Error::check(What::Normals, x.len(), y.len()),
@@ -106,20 +106,21 @@ impl<'a, S> Normals<'a, S> {
         }
     }
 
-    /// The normals along these vectors, each scaled where it is, and laid on the rim if it points
-    /// away by no more than 1/8: [`Normal::with_mathematics`] of each.
+    /// The normals in the directions of these vectors. Each vector is scaled in place, and moved to
+    /// the rim if it points away from the camera by at most 1/8, as by
+    /// [`Normal::with_mathematics`].
     ///
-    /// A component rounded to 8 bits, as a normal map has it, is off by up to 0.4 %. Of the shipped
-    /// lights on the shipped materials the rounded directions cost 0.1 % of the peak in the
-    /// median, 0.22 % at worst (rms); without scaling it is 0.29 %.
+    /// A component rounded to 8 bits, as in a normal map, is off by up to 0.4 %. For the shipped
+    /// lights on the shipped materials, the rms error from the rounded directions is 0.1 % of the
+    /// peak in the median and 0.22 % at worst; without scaling it is 0.29 %.
     ///
-    /// Cost: a root and nine products for each.
+    /// Cost: a root and nine products for each normal.
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] unless all three have the same length; [`Error::Normals`] of the first
-    /// that [`Normal::new`] refuses: those before it are scaled, it and those after it as they
-    /// were.
+    /// [`Error::Length`] unless all three slices have the same length; [`Error::Normals`] with the
+    /// index of the first vector that [`Normal::new`] rejects. The vectors before it are then
+    /// scaled; that vector and those after it are unchanged.
     pub fn normalized<M: Mathematics<S>>(
         x: &'a mut [S],
         y: &'a mut [S],
@@ -137,7 +138,7 @@ impl<'a, S> Normals<'a, S> {
         Ok(Self { x, y, z })
     }
 
-    /// One by one.
+    /// Iterates over the normals.
     pub fn iter(&self) -> impl ExactSizeIterator<Item = Normal<S>> + use<'a, S>
     where
         S: Copy,
@@ -146,7 +147,7 @@ impl<'a, S> Normals<'a, S> {
         components.map(|((&x, &y), &z)| Normal { x, y, z })
     }
 
-    /// How many they are.
+    /// Number of normals.
     #[must_use]
     pub const fn len(&self) -> usize {
         self.x.len()

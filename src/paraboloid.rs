@@ -1,18 +1,17 @@
-//! The paraboloid map: a normal n stands at (n_x, n_y) / (1 + n_z).
+//! The paraboloid map: the normal n maps to the point (n_x, n_y) / (1 + n_z).
 //!
-//! The visible hemisphere is the unit disc, the normal toward the camera its centre.
-//! The map is conformal and its scale changes by no more than a factor of two, so
-//! texels are used evenly; in (n_x, n_y) itself they crowd at the centre and are
-//! missing at the rim.
+//! The visible hemisphere fills the unit disc, and the normal toward the camera is its center. The
+//! map is conformal and its scale varies by no more than a factor of two, so texels are used
+//! evenly. In (n_x, n_y) itself they crowd at the center and are missing at the rim.
 
 use crate::normal::Normal;
 use crate::scalar::Scalar;
 
-/// A normal in map coordinates: u to the right, v up, the visible ones in the unit
-/// disc. In `f32` or `f64` as it is, in [`Q15`](crate::Q15) as a fraction of 2^15.
+/// A normal in map coordinates: u to the right, v up. Visible normals lie in the unit disc. In
+/// `f32` and `f64` the coordinates are plain numbers, in [`Q15`](crate::Q15) fractions of 2^15.
 ///
-/// A buffer of normals may as well hold these: they are two numbers instead of three,
-/// and looking them up takes no division.
+/// A buffer of normals can store map points instead: they take two numbers instead of three, and a
+/// look-up then needs no division.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct MapPoint<S> {
@@ -21,15 +20,14 @@ pub struct MapPoint<S> {
 }
 
 impl<S> MapPoint<S> {
-    /// The point (u, v). It is taken as it is: one outside the disc looks up a meaningless
-    /// texel.
+    /// The point (u, v). It is not checked: a point outside the disc looks up a meaningless texel.
     #[inline]
     #[must_use]
     pub const fn new(u: S, v: S) -> Self {
         Self { u, v }
     }
 
-    /// u and v.
+    /// The coordinates u and v.
     #[inline]
     #[must_use]
     pub fn coordinates(self) -> [S; 2] {
@@ -38,7 +36,7 @@ impl<S> MapPoint<S> {
 }
 
 impl<S: Scalar> MapPoint<S> {
-    /// Where a normal stands. One division.
+    /// The map point of a normal. Costs one division.
     #[inline]
     #[must_use]
     pub fn of(normal: Normal<S>) -> Self {
@@ -46,8 +44,8 @@ impl<S: Scalar> MapPoint<S> {
         Self { u: normal.x * scale, v: normal.y * scale }
     }
 
-    /// The unit vector that stands here, (2u, 2v, 1 - r²) / (1 + r²) with r² = u² + v²: a normal inside
-    /// the unit disc, a hidden one outside. One division.
+    /// The unit vector at this point, (2u, 2v, 1 - r²) / (1 + r²) with r² = u² + v²: a visible
+    /// normal inside the unit disc, a hidden one outside. Costs one division.
     #[must_use]
     pub fn direction(self) -> [S; 3] {
         let square = self.u * self.u + self.v * self.v;

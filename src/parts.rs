@@ -1,12 +1,12 @@
-//! The arrays that a basis is made of.
+//! The arrays that make up a basis.
 
 use crate::error::{Error, What};
 use crate::index::effect::Effects;
 use crate::index::layout;
 use zerocopy::{FromBytes, Immutable, KnownLayout};
 
-/// The arrays of a basis, as `eigenshade-table` writes them.
-/// [`Basis::new`](crate::Basis::new) checks that they fit together.
+/// The arrays of a basis, as `eigenshade-table` writes them. [`Basis::new`](crate::Basis::new)
+/// checks that they are consistent.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Parts<'a, S> {
@@ -14,50 +14,49 @@ pub struct Parts<'a, S> {
     pub degree: usize,
     /// Largest order o of the BRDF.
     pub order: usize,
-    /// The effects that it is for.
+    /// The effects that the basis covers.
     pub effects: Effects,
     /// Number of components K.
     pub components: usize,
-    /// Slant profiles, by |m|.
+    /// Slant profiles, in order of |m|.
     pub profiles: &'a [ProfilePlace],
-    /// How a transfer is laid out.
+    /// The layout of a transfer.
     pub passes: &'a [Pass],
-    /// For each pass, profile and lane the number of its component, or one that
-    /// the basis does not have.
+    /// For each pass, profile and lane, the number of its component, or a number that the basis
+    /// does not have.
     pub slots: &'a [u16],
     /// Number of polynomial terms for each |m|.
     pub lengths: &'a [u16],
-    /// Which pairs each coefficient of the material couples, in the order of
+    /// The pairs that each coefficient of the material couples, in the order of
     /// [`index::material`](crate::index::material), up to the largest order that the effects
-    /// factor; [`Coupling::NONE`] for coefficients that they do not.
+    /// factor. Coefficients that are not factored have [`Coupling::NONE`].
     pub couplings: &'a [Coupling],
-    /// √(o+1) N_l^q C_lo^q of (11): for each pair a row over l, `layout::groups`
-    /// groups. This and `factors` are empty in a basis of transfers alone.
+    /// √(o+1) N_l^q C_lo^q of (11): for each pair a row over l, padded to `layout::groups` groups.
+    /// Both this and `factors` are empty in a basis that only holds transfers.
     pub polar: &'a [S],
-    /// Factors of UᵀM: for each profile, each l from |m| on, a row of `layout::row`
-    /// numbers, two profiles of an azimuth group by group beside each other, the last
-    /// of an odd number beside zeros.
+    /// Factors of UᵀM: for each profile and each l from |m| on, a row of `layout::row` numbers. The
+    /// profiles of an azimuth are taken in twos, whose rows alternate group by group; if their
+    /// number is odd, the last profile is paired with zeros.
     pub factors: &'a [S],
-    /// For each profile of m = 0 a row of UᵀM over the coefficients that
-    /// [stand apart](crate::index::effect::Effects::apart); empty if none do.
+    /// For each profile of m = 0, a row of UᵀM over the coefficients that are
+    /// [not factored](crate::index::effect::Effects::apart); empty if all are.
     pub ambient: &'a [S],
-    /// For each profile its polynomial in t = 2z - 1, highest term first, times
-    /// √2 where m is not 0: in polynomials by their [recurrence](layout::Recurrence) where its
-    /// azimuth has one, else in the form of its length, [`layout::Form::of`].
+    /// For each profile, its polynomial in t = 2z - 1, highest term first, times √2 if m is not 0.
+    /// If its azimuth has a [recurrence](layout::Recurrence), the terms refer to the polynomials of
+    /// that recurrence; otherwise they have the form of their length, [`layout::Form::of`].
     pub terms: &'a [S],
-    /// Recurrences of the last azimuths, see [`layout::recurrences`], or empty.
+    /// Recurrences of the last azimuths (see [`layout::recurrences`]), or empty.
     pub recurrences: &'a [layout::Recurrence],
     /// The mean image's polynomial, or empty.
     pub mean: &'a [S],
     /// The mean image's coefficients, or empty.
     pub mean_coefficients: &'a [S],
-    /// For each |m|, each (o, p, q), each l whether the mode is in; empty if all
+    /// For each |m|, each (o, p, q) and each l, whether the mode is selected; empty if all modes
     /// are.
     pub selection: &'a [bool],
 }
 
-/// A slant profile's azimuth, the components that it serves, and their rows in a
-/// transfer.
+/// A slant profile: its azimuth, the components that use it, and their rows in a transfer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, FromBytes, Immutable, KnownLayout)]
 #[repr(C)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -69,10 +68,10 @@ pub struct ProfilePlace {
     pub(crate) minus_row: Row,
 }
 
-/// Stands for no component.
+/// Marks a missing component.
 const NONE: u16 = u16::MAX;
 
-/// The number of a component; none is so many.
+/// The number of a component, or [`NONE`].
 const fn number(component: Option<u16>) -> u16 {
     match component {
         Some(component) => component,
@@ -80,7 +79,7 @@ const fn number(component: Option<u16>) -> u16 {
     }
 }
 
-/// The component of this number.
+/// The component with this number.
 const fn component(number: u16) -> Option<u16> {
     match number {
         NONE => None,
@@ -89,8 +88,8 @@ const fn component(number: u16) -> Option<u16> {
 }
 
 impl ProfilePlace {
-    /// The profile of `azimuth` |m| that serves component number `plus` with
-    /// order +m (or 0) and `minus` with -m. Component number 65,535 is none.
+    /// The profile of `azimuth` |m|, used by component number `plus` with order +m (or 0) and by
+    /// component number `minus` with order -m. Component number 65,535 means none.
     #[must_use]
     pub const fn new(
         azimuth: u16,
@@ -118,8 +117,7 @@ impl ProfilePlace {
     }
 }
 
-/// Where the numbers of l = |m|, |m| + 1, ... of one component stand in a
-/// transfer.
+/// The positions in a transfer of one component's numbers for l = |m|, |m| + 1, ...
 #[derive(Clone, Copy, Debug, PartialEq, Eq, FromBytes, Immutable, KnownLayout)]
 #[repr(C)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -129,15 +127,15 @@ pub struct Row {
 }
 
 impl Row {
-    /// From `start` on, `step` apart.
+    /// The row whose numbers begin at `start` and are `step` apart.
     #[must_use]
     pub const fn new(start: u32, step: u32) -> Self {
         Self { start, step }
     }
 }
 
-/// The pairs that one coefficient b_op^q couples: polar integrals of (o, q) go into
-/// the sum of (p, q), and the other way round.
+/// The pairs that one coefficient b_op^q couples: polar integrals of (o, q) are added to the sum of
+/// (p, q), and vice versa.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, FromBytes, Immutable, KnownLayout)]
 #[repr(C)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -147,17 +145,17 @@ pub struct Coupling {
 }
 
 impl Coupling {
-    /// That of a coefficient which the basis's effects do not factor.
+    /// The coupling of a coefficient that the effects of the basis do not factor.
     pub const NONE: Self = Self { o: u16::MAX, p: u16::MAX };
 
-    /// The places of (o, q) and of (p, q) among the pairs.
+    /// The coupling of the pairs (o, q) and (p, q), given by their positions among the pairs.
     #[must_use]
     pub const fn new(o: u16, p: u16) -> Self {
         Self { o, p }
     }
 }
 
-/// Part of a transfer: `LANES` orders m from `first` on, `profiles` of each.
+/// Part of a transfer: `LANES` orders m beginning with `first`, with `profiles` profiles each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, FromBytes, Immutable, KnownLayout)]
 #[repr(C)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -167,20 +165,19 @@ pub struct Pass {
 }
 
 impl Pass {
-    /// The orders from `first` on, a multiple of [`layout::LANES`]; at most
-    /// [`layout::PASS`] profiles of each.
+    /// The pass of the orders from `first` on. `first` is a multiple of [`layout::LANES`], and
+    /// there are at most [`layout::PASS`] profiles for each order.
     #[must_use]
     pub const fn new(first: i16, profiles: u16) -> Self {
         Self { first, profiles }
     }
 
-    /// Number of its slots: as many as it has numbers for one degree.
+    /// Number of slots, which is the number of entries for one degree.
     pub(crate) const fn slots(self) -> usize {
         layout::LANES * self.profiles as usize
     }
 
-    /// Numbers of this pass in a transfer, or none if it does not fit the layout or
-    /// the degree.
+    /// Numbers of this pass in a transfer, or `None` if it does not fit the layout or the degree.
     pub(crate) const fn length(self, degree: usize) -> Option<usize> {
         let first = self.first as isize;
         let lowest = layout::lowest_degree(first);
@@ -193,27 +190,27 @@ impl Pass {
     }
 }
 
-/// Recurrences by azimuth: see [`layout::recurrences`].
+/// Recurrences by azimuth (see [`layout::recurrences`]).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Recurrences<'a> {
-    /// The first azimuth that has one.
+    /// The first azimuth that has a recurrence.
     first: usize,
-    /// Numbers of each.
+    /// Entries of each recurrence.
     stride: usize,
     numbers: &'a [layout::Recurrence],
 }
 
 impl<'a> Recurrences<'a> {
-    /// Of no azimuth.
+    /// No azimuth has a recurrence.
     pub const NONE: Self = Self { first: usize::MAX, stride: 0, numbers: &[] };
 
-    /// Of the polynomials of these lengths.
+    /// The recurrences for polynomials of these lengths.
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] unless there are as many for each azimuth as the longest polynomial
-    /// has terms; [`Error::Series`] without the feature `series`.
+    /// [`Error::Length`] unless each azimuth has as many entries as the longest polynomial has
+    /// terms; [`Error::Series`] without the feature `series`.
     pub const fn new(lengths: &[u16], numbers: &'a [layout::Recurrence]) -> Result<Self, Error> {
         match layout::recurrences(lengths, numbers.len()) {
             Some([_, _]) if numbers.is_empty() => Ok(Self::NONE),
@@ -225,7 +222,7 @@ impl<'a> Recurrences<'a> {
         }
     }
 
-    /// The first azimuth that has one, or a number beyond all.
+    /// The first azimuth that has a recurrence, or a number above all azimuths.
     pub(crate) const fn first(&self) -> usize {
         self.first
     }
@@ -236,7 +233,7 @@ impl<'a> Recurrences<'a> {
         !cfg!(feature = "series") || self.numbers.is_empty()
     }
 
-    /// That of an azimuth, or empty.
+    /// The recurrence of an azimuth, or empty.
     #[inline]
     pub(crate) fn of(&self, azimuth: usize) -> &'a [layout::Recurrence] {
         if self.is_empty() {
@@ -250,7 +247,7 @@ impl<'a> Recurrences<'a> {
 }
 
 impl<S> Parts<'_, S> {
-    /// Terms of the polynomials of an azimuth; 0 if it has none.
+    /// Number of terms of an azimuth's polynomials; 0 if it has none.
     pub(crate) const fn length(&self, azimuth: usize) -> usize {
         match self.lengths.split_at_checked(azimuth) {
             Some((_, [length, ..])) => *length as usize,

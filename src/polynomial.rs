@@ -1,4 +1,4 @@
-//! Profile polynomials in t = 2z - 1, highest term first: in the form of their length,
+//! Profile polynomials in t = 2z - 1, highest term first: in the form that belongs to their length,
 //! [`Form`](crate::index::layout::Form), or by the recurrence of their azimuth.
 
 use crate::index::layout::{HALVES, POWERS, Recurrence};
@@ -16,7 +16,7 @@ pub(crate) fn turned<S: Scalar>(cosine: S, sine: S, x: S, y: S) -> (S, S) {
     ((cosine * x).add_product(-sine, y), (cosine * y).add_product(sine, x))
 }
 
-/// A polynomial's value; `recurrence` is that of its azimuth, or empty.
+/// The value of a polynomial. `recurrence` is the recurrence of its azimuth, or empty.
 #[inline]
 pub(crate) fn value<S: Scalar>(terms: &[S], t: S, recurrence: &[Recurrence]) -> S {
     if cfg!(feature = "series") && !recurrence.is_empty() {
@@ -26,7 +26,7 @@ pub(crate) fn value<S: Scalar>(terms: &[S], t: S, recurrence: &[Recurrence]) -> 
     short(terms, t)
 }
 
-/// A polynomial's value in the form of its length.
+/// The value of a polynomial in the form of its length.
 #[inline]
 pub(crate) fn short<S: Scalar>(terms: &[S], t: S) -> S {
     if terms.len() <= POWERS {
@@ -37,11 +37,11 @@ pub(crate) fn short<S: Scalar>(terms: &[S], t: S) -> S {
     value
 }
 
-/// A polynomial's values at a block of arguments t, in the form of its length; u = 2t² - 1 is
-/// read where `LONGEST` is [`HALVES`].
+/// The values of a polynomial at a block of arguments t, in the form of its length. The argument
+/// u = 2t² - 1 is read only if `LONGEST` is [`HALVES`].
 ///
-/// None has more terms than `LONGEST`. Beyond [`HALVES`], where code is to be small, the loop
-/// over azimuths holds a call, around which all registers are saved.
+/// No polynomial has more than `LONGEST` terms. Beyond [`HALVES`], which is for small code, the
+/// loop over azimuths contains a call, around which all registers are saved.
 #[inline(always)]
 pub(crate) fn values<S: Scalar, const LONGEST: usize, const N: usize>(
     terms: &[S],
@@ -65,7 +65,7 @@ pub(crate) fn values<S: Scalar, const LONGEST: usize, const N: usize>(
     sums
 }
 
-/// Two polynomials' values, of as many terms, at a block of arguments; `LONGEST` as for
+/// The values of two polynomials of the same length at a block of arguments. `LONGEST` is as for
 /// [`values`].
 #[inline(always)]
 pub(crate) fn pairs<S: Scalar, const LONGEST: usize, const N: usize>(
@@ -92,7 +92,7 @@ pub(crate) fn pairs<S: Scalar, const LONGEST: usize, const N: usize>(
     [sums, more]
 }
 
-/// Of more than [`POWERS`] terms, apart from its caller.
+/// The values of a polynomial of more than [`POWERS`] terms. Not inlined.
 #[inline(never)]
 pub(crate) fn long<S: Scalar, const N: usize>(terms: &[S], t: &[S; N]) -> [S; N] {
     halves(terms, [t, &t.map(doubled)])
@@ -104,10 +104,11 @@ pub(crate) fn doubled<S: Scalar>(t: S) -> S {
     (-S::ONE).add_product(t + t, t)
 }
 
-/// An even and an odd half at a block of arguments, by Horner's rule in u.
+/// The values at a block of arguments of a polynomial with an even and an odd half, by Horner's
+/// rule in u.
 #[inline(always)]
 fn halves<S: Scalar, const N: usize>(terms: &[S], [t, u]: [&[S; N]; 2]) -> [S; N] {
-    // The highest of an odd number of terms is an even power that stands alone.
+    // With an odd number of terms, the highest is an even power without an odd partner.
     let (alone, rest) = terms.split_at_checked(terms.len() % 2).unwrap_or_default();
     let mut sums = [alone.first().copied().unwrap_or(S::ZERO); N];
     for [odd, even] in rest.as_chunks().0 {
@@ -118,8 +119,8 @@ fn halves<S: Scalar, const N: usize>(terms: &[S], [t, u]: [&[S; N]; 2]) -> [S; N
     sums
 }
 
-/// Two polynomials' values, of as many terms, at a block of arguments, by the recurrence of
-/// their azimuth: its polynomials e_k serve both.
+/// The values of two polynomials of the same length at a block of arguments, by the recurrence of
+/// their azimuth. Both share the polynomials e_k of the recurrence.
 #[inline(always)]
 pub(crate) fn orthogonal<S: Scalar, const N: usize>(
     [one, other]: [&[S]; 2],
@@ -153,7 +154,7 @@ mod tests {
         core::array::from_fn(|k| (((7 * k) % 19) as f64 - 9.0) / (1 + k % 5) as f64)
     }
 
-    /// Against powers of t and of u = cos 2θ. The sums are below 100.
+    /// Compares with powers of t and of u = cos 2θ. The sums are below 100.
     #[test]
     fn each_form_is_the_sum_that_it_stands_for() {
         let all = terms();
@@ -177,8 +178,8 @@ mod tests {
         }
     }
 
-    /// With a_k = 0 and b_k = 1 they are Chebyshev's of the second kind, t = cos θ:
-    /// U_k = sin (k+1)θ / sin θ.
+    /// With a_k = 0 and b_k = 1 the recurrence gives the Chebyshev polynomials of the second kind:
+    /// for t = cos θ, U_k = sin (k+1)θ / sin θ.
     #[test]
     fn recurrences_give_polynomials_of_the_second_kind() {
         let (all, recurrence) = (terms(), [[0.0, 1.0]; TERMS]);

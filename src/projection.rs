@@ -1,9 +1,8 @@
 //! d = UᵀMc, without ever forming c or UᵀM.
 //!
-//! c = L (x) b has rank one: the material is scattered into S_l,pq once, and each
-//! profile takes one pass over its factors,
-//! d_±m = Σ_l (Σ_pq factor_l,pq S_l,pq) (±1)^m L_l^±m, in which +m and -m share
-//! the inner sum.
+//! c = L (x) b has rank one. The material is scattered into S_l,pq once, and each profile then
+//! takes one pass over its factors, d_±m = Σ_l (Σ_pq factor_l,pq S_l,pq) (±1)^m L_l^±m. The inner
+//! sum is the same for +m and -m.
 
 use crate::basis::Basis;
 use crate::buffer::zeros;
@@ -23,21 +22,21 @@ use crate::scalar::Scalar;
 pub type Coefficients<S, const K: usize> = heapless::Vec<S, K>;
 
 impl<'a, S: Scalar> Basis<'a, S> {
-    /// d = UᵀMc of a light on a material: the image's coefficients in the
-    /// eigenimages, less those of the mean image if the basis has one.
+    /// Computes d = UᵀMc for a light on a material: the coefficients of the image in the
+    /// eigenimages, minus those of the mean image if the basis has one.
     ///
-    /// `N` is at least [`workspace_len`](Self::workspace_len), `K` at least
-    /// [`components`](Self::components). A light or material of a lower degree or
-    /// order than the basis's counts as zero above.
+    /// `N` must be at least [`workspace_len`](Self::workspace_len), `K` at least
+    /// [`components`](Self::components). If the light has a lower degree than the basis, or the
+    /// material a lower order, the missing coefficients count as zero.
     ///
-    /// Cost: for each profile, each degree from its |m| on, one multiplication for
-    /// each pair (p, q) and eight for the light; before that, for each q and degree
-    /// the square of the number of its pairs.
+    /// Cost: for each profile and each degree from its |m| on, one multiplication for each pair (p,
+    /// q) and eight for the light; before that, for each q and degree, the square of the number of
+    /// pairs of that q.
     ///
     /// # Errors
     ///
-    /// [`Error::Beyond`] if light or material go beyond the basis,
-    /// [`Error::Capacity`] if `N` or `K` is too small.
+    /// [`Error::Beyond`] if the degree of the light or the order of the material exceeds that of
+    /// the basis, [`Error::Capacity`] if `N` or `K` is too small.
     pub fn project<const N: usize, const K: usize>(
         &self,
         light: &Light<'_, S>,
@@ -48,14 +47,14 @@ impl<'a, S: Scalar> Basis<'a, S> {
         })
     }
 
-    /// [`project`](Self::project) with slices: room for
-    /// [`workspace_len`](Self::workspace_len) numbers, and
-    /// [`components`](Self::components) for the answer.
+    /// [`project`](Self::project) with slices: `workspace` has
+    /// [`workspace_len`](Self::workspace_len) numbers, and `coefficients` receives
+    /// [`components`](Self::components) numbers.
     ///
     /// # Errors
     ///
-    /// [`Error::Beyond`] if light or material go beyond the basis,
-    /// [`Error::Length`] if a slice has another length.
+    /// [`Error::Beyond`] if the degree of the light or the order of the material exceeds that of
+    /// the basis, [`Error::Length`] if a slice has another length.
     pub fn project_into(
         &self,
         light: &Light<'_, S>,
@@ -66,15 +65,16 @@ impl<'a, S: Scalar> Basis<'a, S> {
         self.image((light, material, Effects::ALL), workspace, coefficients)
     }
 
-    /// [`project_into`](Self::project_into) of some effects alone: d of the image that they
-    /// make. The images of [all effects](Effect::ALL) sum to the whole.
+    /// [`project_into`](Self::project_into) for some effects only: d of the image that these
+    /// effects produce. The images of [all effects](Effect::ALL) sum to the whole image.
     ///
-    /// With a mean image, which is ambient, that of other effects is what this gives less
-    /// what it gives without any.
+    /// The mean image is ambient, and its coefficients are subtracted whatever the effects. To get
+    /// d for other effects from a basis with a mean image, subtract the result for no effects from
+    /// the result for these effects.
     ///
     /// # Errors
     ///
-    /// As [`project_into`](Self::project_into).
+    /// The same as [`project_into`](Self::project_into).
     pub fn project_effects_into(
         &self,
         light: &Light<'_, S>,
@@ -98,7 +98,7 @@ impl<'a, S: Scalar> Basis<'a, S> {
         self.accept_material(material)?;
         Error::check(What::Workspace, self.workspace_len(), workspace.len())?;
         Error::check(What::Coefficients, self.components(), coefficients.len())?;
-        // Rows of the usual orders have kernels that know their length.
+        // Rows of the usual orders have kernels with their length built in.
         match self.row() / LANES {
             1 => self.project_rows(lit, workspace, coefficients, row::<S, 1>),
             2 => self.project_rows(lit, workspace, coefficients, row::<S, 2>),
@@ -152,7 +152,7 @@ impl<'a, S: Scalar> Basis<'a, S> {
         }
     }
 
-    /// A workspace's parts.
+    /// Splits a workspace into its parts.
     #[inline]
     pub(crate) fn divide<'w>(&self, workspace: &'w mut [S]) -> Workspace<'w, S> {
         let rows = (self.degree() + 1) * self.row();
@@ -168,12 +168,12 @@ impl<'a, S: Scalar> Basis<'a, S> {
         scattering.get(azimuth * self.row()..).unwrap_or_default()
     }
 
-    /// The profiles of each azimuth, two by two, with their factors.
+    /// The profiles of each azimuth in twos, with their factors.
     #[inline]
     pub(crate) fn rows(&self) -> impl Iterator<Item = (&'a [ProfilePlace], &'a [S])> + use<'a, S> {
         let (degree, order) = (self.degree(), self.parts.factored_order());
         let (mut places, mut factors) = (self.parts.profiles, self.parts.factors);
-        // By hand: `chunk_by` may panic, as far as a compiler sees.
+        // Written by hand because the compiler cannot prove that `chunk_by` never panics.
         core::iter::from_fn(move || {
             let azimuth = places.first()?.azimuth();
             let same = places.iter().take(2).take_while(|place| place.azimuth() == azimuth);
@@ -185,7 +185,7 @@ impl<'a, S: Scalar> Basis<'a, S> {
         })
     }
 
-    /// Checks a light against this basis.
+    /// Checks that this basis covers a light.
     pub(crate) fn accept_light(&self, light: &Light<'_, S>) -> Result<(), Error> {
         let (basis, found) = (self.degree(), light.degree());
         if found > basis {
@@ -194,7 +194,7 @@ impl<'a, S: Scalar> Basis<'a, S> {
         Ok(())
     }
 
-    /// Takes the mean image's coefficients from those of an image.
+    /// Subtracts the coefficients of the mean image from those of an image.
     #[inline]
     pub(crate) fn subtract_mean(&self, coefficients: &mut [S]) {
         for (coefficient, &mean) in coefficients.iter_mut().zip(self.parts.mean_coefficients) {
@@ -203,7 +203,7 @@ impl<'a, S: Scalar> Basis<'a, S> {
     }
 }
 
-/// L_l^m and (-1)^m L_l^-m for l = m, m + 1, ...; zero beyond the light's degree.
+/// L_l^m and (-1)^m L_l^-m for l = m, m + 1, ...; zero above the degree of the light.
 #[inline]
 fn gather<S: Scalar>(light: &Light<'_, S>, azimuth: usize, lights: &mut [[S; 2]]) {
     let sign = if azimuth % 2 == 1 { -S::ONE } else { S::ONE };
@@ -212,15 +212,15 @@ fn gather<S: Scalar>(light: &Light<'_, S>, azimuth: usize, lights: &mut [[S; 2]]
     for (l, place) in (azimuth..).zip(lights) {
         let plus = coefficients.get(centre + azimuth).copied().unwrap_or(S::ZERO);
         let minus = coefficients.get(centre - azimuth).copied().unwrap_or(S::ZERO);
-        // Beyond the light's degree the place of -m may still hold another order.
+        // Above the degree of the light, the position of -m may still hold another order.
         *place = if l <= light.degree() { [plus, sign * minus] } else { [S::ZERO; 2] };
         centre += 2 * l + 2;
     }
 }
 
-/// What a projection works in.
+/// The parts of a projection's workspace.
 pub(crate) struct Workspace<'w, S> {
-    /// S, a row for each l.
+    /// S, with a row for each l.
     pub(crate) scattering: &'w mut [S],
     /// Room for S along l.
     pub(crate) sums: &'w mut [S],
@@ -228,7 +228,7 @@ pub(crate) struct Workspace<'w, S> {
     lights: &'w mut [[S; 2]],
 }
 
-/// What the components of two profiles are made of.
+/// The inputs for the components of two profiles.
 struct Row<'a, S> {
     factors: &'a [S],
     scattering: &'a [S],
@@ -237,11 +237,10 @@ struct Row<'a, S> {
     width: usize,
 }
 
-/// The components of two profiles, of +m and of -m, from rows of `V` groups, not
-/// yet summed across the lanes.
+/// The components of two profiles, for +m and for -m, from rows of `V` groups, not yet summed
+/// across the lanes.
 ///
-/// Apart from its caller: a compiler that sees the sum across takes the lanes
-/// apart all the way up.
+/// Not inlined: if the compiler sees the sum across the lanes, it splits the vectors throughout.
 #[inline(never)]
 fn row<S: Scalar, const V: usize>(row: Row<'_, S>) -> [lanes::Two<S>; 2] {
     let (factors, _) = row.factors.as_chunks().0.as_chunks::<V>();
@@ -259,7 +258,7 @@ fn long_row<S: Scalar>(row: Row<'_, S>) -> [lanes::Two<S>; 2] {
     lit(rows.map(|(factors, scattering)| lanes::product(factors, scattering)), row.lights)
 }
 
-/// Sums of rows times the light.
+/// The sums of the rows, weighted by the light.
 #[inline(always)]
 fn lit<S: Scalar>(
     rows: impl Iterator<Item = lanes::Two<S>>,
@@ -274,8 +273,8 @@ fn lit<S: Scalar>(
     sums
 }
 
-/// Coefficients that `project` fills in, with a workspace; both of capacities that are
-/// known at compile time.
+/// Provides a workspace and coefficients for `project` to fill, both of capacities known at compile
+/// time.
 #[inline]
 pub(crate) fn buffered<S: Scalar, const N: usize, const K: usize>(
     workspace: usize,

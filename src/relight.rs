@@ -1,8 +1,8 @@
-//! A new light on a folded material: d_i = Σ_l T_i,l L_l^m.
+//! A new light on a transferred material: d_i = Σ_l T_i,l L_l^m.
 //!
-//! The lanes run along m, as the light's coefficients of one degree do, so nothing
-//! is gathered and nothing is summed across lanes. Lanes with |m| > l read
-//! coefficients of other degrees, and multiply them by zero.
+//! The lanes run along m, as do the light's coefficients of one degree, so nothing is gathered and
+//! nothing is summed across lanes. Lanes with |m| > l read coefficients of other degrees and
+//! multiply them by zero.
 
 use crate::basis::Basis;
 use crate::buffer::zeros;
@@ -18,13 +18,13 @@ use crate::transfer::Transfer;
 const LANES: usize = layout::LANES;
 
 impl<S: Scalar> Basis<'_, S> {
-    /// d of a new light on a material that was folded in: one multiplication for
-    /// each of the [`transfer_len`](Self::transfer_len) numbers.
+    /// Computes d for a new light on a material whose transfer is known, with one multiplication
+    /// for each of the [`transfer_len`](Self::transfer_len) numbers.
     ///
     /// # Errors
     ///
-    /// [`Error::Beyond`] if the light goes beyond the basis, [`Error::Length`] if
-    /// the transfer is another basis's, [`Error::Capacity`] if `K` is less than
+    /// [`Error::Beyond`] if the degree of the light exceeds that of the basis, [`Error::Length`] if
+    /// the transfer belongs to another basis, [`Error::Capacity`] if `K` is less than
     /// [`components`](Self::components).
     pub fn relight<const T: usize, const K: usize>(
         &self,
@@ -36,13 +36,13 @@ impl<S: Scalar> Basis<'_, S> {
         Ok(coefficients)
     }
 
-    /// [`relight`](Self::relight) on slices.
+    /// [`relight`](Self::relight) with slices.
     ///
     /// # Errors
     ///
-    /// [`Error::Beyond`] if the light goes beyond the basis, [`Error::Length`] if
-    /// a slice is not as long as [`transfer_len`](Self::transfer_len) and
-    /// [`components`](Self::components) say.
+    /// [`Error::Beyond`] if the degree of the light exceeds that of the basis, [`Error::Length`]
+    /// unless `transfer` has [`transfer_len`](Self::transfer_len) numbers and `coefficients` has
+    /// [`components`](Self::components).
     pub fn relight_into(
         &self,
         transfer: &[S],
@@ -90,12 +90,12 @@ fn run<S: Scalar, const P: usize>(
     let lowest = layout::lowest_degree(first);
     let (rows, _) = transfer.as_chunks::<P>();
     let rows = rows.get(..(light.degree() + 1).saturating_sub(lowest)).unwrap_or(rows);
-    // Degrees whose group of coefficients starts before the first one.
+    // Degrees whose group of coefficients would start before the first coefficient.
     let before = (lowest..).take_while(|&l| first < 0 && l * l + l < first.unsigned_abs()).count();
     let (early, rows) = rows.split_at_checked(before).unwrap_or((rows, &[]));
     let start = lowest + early.len();
     let (mut sums, done) = inside(rows, light.coefficients(), start, first);
-    // Degrees whose group ends after the last one.
+    // Degrees whose group would end after the last coefficient.
     let late = rows.get(done..).unwrap_or_default();
     for (l, row) in (lowest..).zip(early).chain((start + done..).zip(late)) {
         let window = edge(light, l, first);
@@ -112,11 +112,11 @@ fn run<S: Scalar, const P: usize>(
     }
 }
 
-/// Sums over the degrees from `degree` on whose groups lie within the
-/// coefficients, and how many those are.
+/// Sums over the degrees from `degree` on whose groups lie within the coefficients, and the number
+/// of these degrees.
 ///
-/// Apart from [`run`], so that the sums stay in registers: read lane by lane in
-/// the same function, they are taken apart at every step.
+/// Separate from [`run`] so that the sums stay in registers: if the same function read them lane by
+/// lane, the compiler would split them at every step.
 #[inline(never)]
 fn inside<S: Scalar, const P: usize>(
     rows: &[[[S; LANES]; P]],
@@ -140,8 +140,8 @@ fn inside<S: Scalar, const P: usize>(
     (sums, done)
 }
 
-/// L_l^m of the orders from `first` on, where the light's first or last
-/// coefficients are so near that a whole group cannot be read.
+/// L_l^m of the orders from `first` on, for a group that reaches beyond the first or last
+/// coefficient of the light and so cannot be read whole.
 #[cold]
 fn edge<S: Scalar>(light: &Light<'_, S>, l: usize, first: isize) -> [S; LANES] {
     let mut window = [S::ZERO; LANES];

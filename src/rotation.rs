@@ -1,13 +1,13 @@
-//! Rotations of three-space: by a quaternion, by Euler angles, by a matrix.
+//! Rotations in three dimensions, from a quaternion, from Euler angles or from a matrix.
 
 use crate::error::Error;
 use crate::mathematics::Mathematics;
 use crate::scalar::Scalar;
 
-/// A rotation R of light: what came from ω then comes from Rω.
+/// A rotation R of light: light that came from ω comes from Rω afterward.
 ///
-/// R is kept as its matrix, orthonormal to sixteen roundings however many rotations follow each
-/// other.
+/// R is stored as a matrix that stays orthonormal to within sixteen rounding errors, however many
+/// rotations are composed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Rotation<S> {
@@ -15,7 +15,7 @@ pub struct Rotation<S> {
 }
 
 impl<S: Scalar> Rotation<S> {
-    /// The rotation that leaves everything as it is.
+    /// The identity.
     pub const NONE: Self = Self {
         matrix: [
             [S::ONE, S::ZERO, S::ZERO],
@@ -24,10 +24,10 @@ impl<S: Scalar> Rotation<S> {
         ],
     };
 
-    /// R = Rz(`beta`) Ry(`alpha`) Rz(`gamma`), radians: first about z by γ, then about y by α, then
-    /// about z by β.
+    /// R = Rz(`beta`) Ry(`alpha`) Rz(`gamma`), in radians: first about z by γ, then about y by α,
+    /// then about z by β.
     ///
-    /// In f32, [`SinglePrecision`](crate::mathematics::SinglePrecision) computes without f64.
+    /// For f32, [`SinglePrecision`](crate::mathematics::SinglePrecision) computes without f64.
     ///
     /// # Errors
     ///
@@ -47,17 +47,17 @@ impl<S: Scalar> Rotation<S> {
         if finite { Ok(rotation) } else { Err(Error::Rotation) }
     }
 
-    /// The rotation of a quaternion x i + y j + z k + w, of any length whose square is a
-    /// normal number of the format. No root, no angle.
+    /// The rotation of the quaternion x i + y j + z k + w. Its length may be anything whose square
+    /// is a normal number of the format. Takes no root and no angle.
     ///
     /// # Errors
     ///
-    /// [`Error::Rotation`] if it has no such length.
+    /// [`Error::Rotation`] if the squared length is not a normal number.
     pub fn from_quaternion([x, y, z, w]: [S; 4]) -> Result<Self, Error> {
         let square = x * x + y * y + z * z + w * w;
         let scale = square.reciprocal();
         let twice = scale + scale;
-        // Infinite below the smallest normal number, 0 of an infinite square.
+        // Infinite if the square is below the smallest normal number, 0 if it is infinite.
         if !(twice > S::ZERO && twice.is_finite()) {
             return Err(Error::Rotation);
         }
@@ -74,12 +74,12 @@ impl<S: Scalar> Rotation<S> {
         })
     }
 
-    /// The rotation next to a matrix, row by row: that itself, if it is orthonormal to sixteen
-    /// roundings.
+    /// The rotation nearest to a matrix, given row by row. A matrix that is orthonormal to within
+    /// sixteen rounding errors is kept as it is.
     ///
     /// # Errors
     ///
-    /// [`Error::Rotation`] unless its rows are orthonormal and right-handed within 1e-3.
+    /// [`Error::Rotation`] unless the rows are orthonormal and right-handed to within 1e-3.
     pub fn from_matrix(matrix: [[S; 3]; 3]) -> Result<Self, Error> {
         let [x, y, z] = matrix;
         let [a, b, c] = cross(x, y);
@@ -96,10 +96,11 @@ impl<S: Scalar> Rotation<S> {
         if fits { Ok(Self { matrix }.orthonormal()) } else { Err(Error::Rotation) }
     }
 
-    /// The orthonormal matrix next to one that is almost, by Newton's method: R + (1 - RRᵀ) R / 2.
+    /// The orthonormal matrix nearest to an almost orthonormal one, by Newton's method: R + (1 -
+    /// RRᵀ) R / 2.
     ///
-    /// The error of 1e-3 that [`from_matrix`](Self::from_matrix) takes is 1e-6, 1e-12 and nothing
-    /// after one, two and three steps.
+    /// An error of 1e-3, the largest that [`from_matrix`](Self::from_matrix) accepts, becomes 1e-6
+    /// after one step, 1e-12 after two and nothing after three.
     fn orthonormal(mut self) -> Self {
         for _ in 0..3 {
             let rows = self.matrix;
@@ -130,14 +131,14 @@ impl<S: Scalar> Rotation<S> {
         self.matrix
     }
 
-    /// The rotation back.
+    /// The inverse rotation.
     #[must_use]
     pub fn inverse(self) -> Self {
         let [[a, b, c], [d, e, f], [g, h, i]] = self.matrix;
         Self { matrix: [[a, d, g], [b, e, h], [c, f, i]] }
     }
 
-    /// This rotation after another: their product, this one on the left.
+    /// This rotation applied after `first`: their product, with this one on the left.
     #[must_use]
     pub fn after(self, first: Self) -> Self {
         let columns = first.inverse().matrix;
@@ -145,7 +146,7 @@ impl<S: Scalar> Rotation<S> {
         Self { matrix }.orthonormal()
     }
 
-    /// Where a direction comes to.
+    /// Rotates a direction.
     #[must_use]
     pub fn turn_direction(self, direction: [S; 3]) -> [S; 3] {
         self.matrix.map(|row| dot(row, direction))

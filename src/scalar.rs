@@ -1,11 +1,10 @@
-//! The number formats of the floating-point path.
+//! The number formats of the floating-point code.
 
 use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 
-/// A floating-point format of the runtime: `f32` on devices, `f64` for host-side
-/// comparison.
+/// A floating-point format of the runtime: `f32` on devices, `f64` for comparison on the host.
 ///
-/// Sealed: a format that computes otherwise (fixed point) brings its own path.
+/// Sealed: fixed-point formats have code of their own.
 pub trait Scalar:
     sealed::Sealed
     + ByLibm
@@ -25,20 +24,20 @@ pub trait Scalar:
     const ZERO: Self;
     /// 1.
     const ONE: Self;
-    /// self + a b, with one rounding where the target fuses (x86 with `fma`), two
-    /// elsewhere.
+    /// self + a b, with one rounding if the target fuses the operations (x86 with `fma`), with two
+    /// otherwise.
     fn add_product(self, a: Self, b: Self) -> Self;
     /// Whether the number is neither infinite nor NaN.
     fn is_finite(self) -> bool;
-    /// 1/x; never called for a pixel.
+    /// 1/x. Never called per pixel.
     fn reciprocal(self) -> Self;
-    /// The whole part of a number; 0 below zero or of NaN.
+    /// The integer part of a number; 0 if the number is negative or NaN.
     fn to_whole(self) -> usize;
-    /// A small whole number.
+    /// Converts a small integer.
     fn from_whole(value: usize) -> Self;
-    /// The nearest number of this format.
+    /// Rounds to the nearest number of this format.
     fn from_f64(value: f64) -> Self;
-    /// The same number in this format, which has every `f32`.
+    /// Converts an `f32` exactly: this format contains every `f32`.
     fn from_f32(value: f32) -> Self;
 }
 
@@ -93,7 +92,7 @@ macro_rules! scalar {
 scalar!(f32, |value| value as f32);
 scalar!(f64, |value| value);
 
-/// What `libm` has under a name for each format.
+/// Functions for which `libm` has a separate name in each format.
 pub trait ByLibm: Sized {
     fn root_by_libm(self) -> Self;
     fn sine_and_cosine_by_libm(self) -> (Self, Self);

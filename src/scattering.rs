@@ -1,9 +1,9 @@
-//! The material meets the polar integrals: S_l,pq = Σ_o B_op^q Ĉ_lo^q, where
-//! Ĉ = √(o+1) N C and B is b on the diagonal, b/√2 beside it.
+//! Combines the material with the polar integrals: S_l,pq = Σ_o B_op^q Ĉ_lo^q, where Ĉ = √(o+1) N
+//! C, and B is b on the diagonal and b/√2 off it.
 //!
-//! This is the half of (12) that knows nothing of the normal. The other half,
-//! with the eigenimages, stands in the basis's factors, so that
-//! T_i,l = Σ_pq factor_i,l,pq S_l,pq is the row of UᵀM with the material folded in.
+//! This is the half of (12) that does not depend on the normal. The factors of the basis hold the
+//! other half, together with the eigenimages, so that T_i,l = Σ_pq factor_i,l,pq S_l,pq is the row
+//! of UᵀM for this material.
 
 use crate::basis::Basis;
 use crate::error::{Error, What};
@@ -15,7 +15,7 @@ use crate::material::Material;
 use crate::scalar::Scalar;
 
 impl<S: Scalar> Basis<'_, S> {
-    /// Checks a material against this basis.
+    /// Checks that this basis covers a material.
     pub(crate) fn accept_material(&self, material: &Material<'_, S>) -> Result<(), Error> {
         let (basis, found) = (self.order(), material.order());
         if found > basis {
@@ -24,11 +24,11 @@ impl<S: Scalar> Basis<'_, S> {
         if self.projects() { Ok(()) } else { Err(Error::Folded) }
     }
 
-    /// Writes S: for each l a row over the pairs (p, q), zero-padded. `sums` is
-    /// room for it along l.
+    /// Writes S: for each l a zero-padded row over the pairs (p, q). `sums` holds S along l
+    /// meanwhile.
     ///
-    /// Only modes of these effects are summed, of a basis with a selection of modes only
-    /// those of `azimuth`. Where all effects are meant a compiler sees it.
+    /// Only modes of `effects` are summed; if the basis has a selection of modes, only those of
+    /// `azimuth`. Inlined so that the compiler can see when all effects are meant.
     #[inline(always)]
     pub(crate) fn scatter(
         &self,
@@ -39,7 +39,7 @@ impl<S: Scalar> Basis<'_, S> {
         scattering: &mut [S],
     ) {
         sums.fill(S::ZERO);
-        // Rows of the usual degrees have kernels that know their length.
+        // Rows of the usual degrees have kernels with their length built in.
         match layout::groups(self.degree()) {
             _ if !self.parts.selection.is_empty() || !effects.is_all() => {
                 self.scatter_some(material, effects, azimuth, sums);
@@ -53,7 +53,7 @@ impl<S: Scalar> Basis<'_, S> {
         self.transpose(sums, scattering);
     }
 
-    /// S along l, in rows of `G` groups.
+    /// Computes S along l, in rows of `G` groups.
     fn scatter_rows<const G: usize>(&self, material: &Material<'_, S>, sums: &mut [S]) {
         let (polar, _) = self.parts.polar.as_chunks::<LANES>().0.as_chunks::<G>();
         let (sums, _) = sums.as_chunks_mut::<LANES>().0.as_chunks_mut::<G>();
@@ -66,7 +66,7 @@ impl<S: Scalar> Basis<'_, S> {
         });
     }
 
-    /// S along l, in rows of any number of groups.
+    /// Computes S along l, in rows of any number of groups.
     fn scatter_long(&self, groups: usize, material: &Material<'_, S>, sums: &mut [S]) {
         let (polar, _) = self.parts.polar.as_chunks::<LANES>();
         let (sums, _) = sums.as_chunks_mut::<LANES>();
@@ -79,8 +79,8 @@ impl<S: Scalar> Basis<'_, S> {
         });
     }
 
-    /// S along l, in rows of any length; of some effects; of a basis with a selection of
-    /// modes that of one azimuth.
+    /// Computes S along l, in rows of any length, for some effects. If the basis has a selection of
+    /// modes, only for the modes of one azimuth.
     fn scatter_some(
         &self,
         material: &Material<'_, S>,
@@ -97,7 +97,7 @@ impl<S: Scalar> Basis<'_, S> {
             let polar = self.parts.polar.get(from * length..).unwrap_or_default();
             let sums = sums.get_mut(to * length..).unwrap_or_default();
             let kept = of_azimuth.and_then(|selection| selection.get(mode * degrees..));
-            // Without a selection every mode is kept.
+            // Without a selection, every mode is kept.
             let kept = kept.unwrap_or_default().iter().chain(core::iter::repeat(&true));
             let rows = sums.iter_mut().zip(polar).zip(kept).take(degrees);
             for (l, ((sum, &polar), &kept)) in rows.enumerate() {
@@ -107,8 +107,8 @@ impl<S: Scalar> Basis<'_, S> {
         });
     }
 
-    /// Calls `add(b, from, to, mode, more)` for every term b Ĉ\[from\] of S\[to\], with what
-    /// more there is of each coefficient; b is divided by √2 beside the diagonal.
+    /// Calls `add(b, from, to, mode, more)` for every term b Ĉ\[from\] of S\[to\]. `more` is the
+    /// additional item of the coefficient; b is divided by √2 off the diagonal.
     #[inline(always)]
     fn couple<M: Copy>(
         &self,
@@ -129,8 +129,8 @@ impl<S: Scalar> Basis<'_, S> {
         }
     }
 
-    /// For each profile of m = 0 what the coefficients that stand apart add to T_i,0; nothing
-    /// if none do, or without the effect ambient.
+    /// For each profile of m = 0, the contribution to T_i,0 of the coefficients that are not
+    /// factored. Empty if there are none, or without the ambient effect.
     pub(crate) fn apart(
         &self,
         material: &Material<'_, S>,
@@ -147,13 +147,13 @@ impl<S: Scalar> Basis<'_, S> {
         })
     }
 
-    /// From rows over l, a pair each, to rows over the pairs, an l each.
+    /// Transposes S from rows over l, one for each pair, to rows over the pairs, one for each l.
     fn transpose(&self, sums: &[S], scattering: &mut [S]) {
         let width = self.row() / LANES;
         let groups = layout::groups(self.degree()).max(1);
         let (sums, _) = sums.as_chunks::<LANES>();
         let (scattering, _) = scattering.as_chunks_mut::<LANES>();
-        // Four pairs by four degrees at a time.
+        // Blocks of four pairs by four degrees.
         for (column, pairs) in sums.chunks_exact((LANES * groups).max(1)).enumerate() {
             let (first, rest) = pairs.split_at_checked(groups).unwrap_or_default();
             let (second, rest) = rest.split_at_checked(groups).unwrap_or_default();

@@ -1,5 +1,5 @@
-//! One image, its components summed azimuth by azimuth:
-//! I(n) = Σ_m Re/Im (n_x + i n_y)^m H_m(n_z).
+//! One image, with the components of each azimuth summed: I(n) = Σ_m Re/Im (n_x + i n_y)^m
+//! H_m(n_z).
 
 use crate::basis::Basis;
 use crate::buffer::zeros;
@@ -12,12 +12,12 @@ use crate::parts::Recurrences;
 use crate::polynomial::{self, argument, turned};
 use crate::scalar::Scalar;
 
-/// Room for a collapsed scene.
+/// Storage for a collapsed scene.
 pub type SceneBuffer<S, const N: usize> = heapless::Vec<S, N>;
 
-/// One image: for each azimuth |m| the polynomials of +m and -m, in `buffer`.
+/// One image: `buffer` holds the polynomials of +m and -m for each azimuth |m|.
 ///
-/// A pixel costs 2 degree + 1 polynomials whatever the number of components.
+/// A pixel costs 2 degree + 1 polynomials, whatever the number of components.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Scene<'a, B> {
@@ -29,13 +29,13 @@ pub struct Scene<'a, B> {
 impl<'a, S: Scalar> Basis<'a, S> {
     /// Sums the components of each azimuth.
     ///
-    /// `N` is at least [`scene_len`](Self::scene_len). `coefficients` holds the
-    /// first components; those that are missing count as zero.
+    /// `N` must be at least [`scene_len`](Self::scene_len). `coefficients` holds the leading
+    /// components; missing ones count as zero.
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] if there are more coefficients than components,
-    /// [`Error::Capacity`] if `N` is too small.
+    /// [`Error::Length`] if there are more coefficients than components, [`Error::Capacity`] if `N`
+    /// is too small.
     pub fn collapse<const N: usize>(
         &self,
         coefficients: &[S],
@@ -43,13 +43,13 @@ impl<'a, S: Scalar> Basis<'a, S> {
         self.collapse_into(coefficients, zeros::<S, N>(What::Scene, self.scene_len())?)
     }
 
-    /// [`collapse`](Self::collapse) into a buffer of one's own, of length
+    /// [`collapse`](Self::collapse) into a buffer that the caller provides, of length
     /// [`scene_len`](Self::scene_len).
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] if there are more coefficients than components, or the
-    /// buffer has another length.
+    /// [`Error::Length`] if there are more coefficients than components, or if the buffer has
+    /// another length.
     pub fn collapse_into<B: AsMut<[S]>>(
         &self,
         coefficients: &[S],
@@ -90,19 +90,19 @@ impl<'a, S: Scalar> Basis<'a, S> {
         Ok(Scene::of(self.parts.lengths, self.recurrences, buffer))
     }
 
-    /// The scene of polynomials that were collapsed before, from wherever they were kept.
-    /// Others give meaningless irradiances.
+    /// The scene of polynomials that were collapsed earlier and stored. The irradiances are
+    /// meaningless for any other numbers.
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] unless there are [`scene_len`](Self::scene_len) of them.
+    /// [`Error::Length`] unless there are [`scene_len`](Self::scene_len) numbers.
     pub fn scene<B: AsRef<[S]>>(&self, buffer: B) -> Result<Scene<'a, B>, Error> {
         Error::check(What::Scene, self.scene_len(), buffer.as_ref().len())?;
         Ok(Scene::of(self.parts.lengths, self.recurrences, buffer))
     }
 
-    /// The irradiance of one normal as Σ d_i U_i, component by component, without
-    /// collapsing: what [`Scene::shade`] is compared with.
+    /// The irradiance of one normal as Σ d_i U_i, component by component, without collapsing.
+    /// Serves as a reference for [`Scene::shade`].
     ///
     /// # Errors
     ///
@@ -135,10 +135,10 @@ impl<'a, S: Scalar> Basis<'a, S> {
     }
 }
 
-/// sums += weight terms.
+/// Adds the terms times the weight to the sums.
 #[inline]
 fn add<S: Scalar>(weight: S, terms: &[S], sums: &mut [S]) {
-    // Where code is to be small: no lanes to fill.
+    // Small code for targets without lanes to fill.
     if cfg!(target_pointer_width = "32") {
         return sums.iter_mut().zip(terms).for_each(|(sum, &term)| *sum += weight * term);
     }
@@ -171,8 +171,7 @@ impl<'a, B> Scene<'a, B> {
         self.lengths
     }
 
-    /// The terms of all polynomials, to be written for polynomials of these lengths, without
-    /// recurrences.
+    /// The terms of all polynomials, for writing polynomials of these lengths without recurrences.
     #[inline]
     pub(crate) fn rewritten<S: Scalar>(&mut self, lengths: &'a [u16]) -> &mut [S]
     where
@@ -182,7 +181,7 @@ impl<'a, B> Scene<'a, B> {
         self.buffer.as_mut()
     }
 
-    /// What the terms lie in.
+    /// The buffer that holds the terms.
     #[inline]
     pub(crate) fn into_buffer(self) -> B {
         self.buffer
@@ -197,7 +196,7 @@ impl<'a, B> Scene<'a, B> {
         self.buffer.as_ref()
     }
 
-    /// The polynomials azimuth by azimuth: of +m, and of -m (none for m = 0).
+    /// The polynomials of each azimuth: those of +m, and those of -m (empty for m = 0).
     #[inline]
     pub(crate) fn azimuths<S: Scalar>(&self) -> impl Iterator<Item = (&[S], &[S])>
     where
@@ -216,7 +215,7 @@ impl<'a, B> Scene<'a, B> {
         })
     }
 
-    /// The polynomials, from the highest azimuth down.
+    /// The polynomials, from the highest azimuth to the lowest.
     #[inline]
     pub(crate) fn descent<S: Scalar>(&self) -> Descent<'_, S>
     where
@@ -239,7 +238,8 @@ mod tests {
     use super::*;
     use crate::normal::Normals;
 
-    /// Each way that a slice is shaded, among them polynomials of azimuth 0 alone.
+    /// Covers every way in which a slice is shaded, including scenes with polynomials of azimuth 0
+    /// only.
     #[test]
     fn slices_of_any_shape_are_shaded_as_their_normals() {
         let mut numbers = [0.0f32; 200];

@@ -1,4 +1,4 @@
-//! Shading of many normals at a time, written so that the compiler vectorises it.
+//! Shades many normals at a time, in loops that the compiler can vectorize.
 
 mod nine;
 mod tile;
@@ -13,7 +13,7 @@ use crate::scene::Scene;
 pub(crate) use nine::nine_terms;
 use tile::{Room, TILE};
 
-/// Normals in one block: as many as keep a target's vector registers busy.
+/// Normals in one block: enough to keep the vector registers of the target busy.
 const BLOCK: usize = if cfg!(target_feature = "avx512f") {
     64
 } else if cfg!(target_feature = "avx2") {
@@ -26,15 +26,16 @@ const BLOCK: usize = if cfg!(target_feature = "avx512f") {
     4
 };
 
-/// Of polynomials of any length.
+/// For polynomials of any length.
 pub(crate) const ANY: usize = usize::MAX;
 
-/// Whether there are loops for few terms, and those without halves: where code may be large.
+/// Whether to include special loops for few terms and for polynomials without halves: only on
+/// targets where code may be large.
 const SPECIAL: bool = cfg!(any(target_arch = "x86_64", target_arch = "aarch64"));
 
 impl<B> Scene<'_, B> {
-    /// The irradiance of one normal, in the light's radiance times steradian
-    /// times the material's 1/sr.
+    /// The irradiance of one normal. Its unit is that of the light's radiance times steradian times
+    /// the material's 1/sr.
     #[inline]
     #[must_use]
     pub fn shade<S: Scalar>(&self, normal: Normal<S>) -> S
@@ -54,14 +55,14 @@ impl<B> Scene<'_, B> {
         irradiance
     }
 
-    /// The irradiance of each normal, into `irradiance`.
+    /// Writes the irradiance of each normal into `irradiance`.
     ///
-    /// The sums are those of [`shade`](Self::shade) in the same order; the answers
-    /// agree to the last bit.
+    /// The sums are those of [`shade`](Self::shade) in the same order, so the results agree to the
+    /// last bit.
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] unless `irradiance` has one place for each normal.
+    /// [`Error::Length`] unless `irradiance` and `normals` have the same length.
     pub fn shade_slice<S: Scalar>(
         &self,
         normals: Normals<'_, S>,
@@ -98,7 +99,7 @@ impl<B> Scene<'_, B> {
     }
 }
 
-/// The irradiances of normals where some azimuths have recurrences, block by block.
+/// Shades normals block by block, for a scene in which some azimuths have recurrences.
 #[inline(never)]
 fn stable<S: Scalar>(polynomials: Descent<'_, S>, normals: Normals<'_, S>, irradiance: &mut [S]) {
     in_blocks([normals.x, normals.y, normals.z], irradiance, |x, y, z| {
@@ -106,7 +107,7 @@ fn stable<S: Scalar>(polynomials: Descent<'_, S>, normals: Normals<'_, S>, irrad
     });
 }
 
-/// The irradiances of normals of these components, block by block.
+/// Shades normals, given by their components, block by block.
 #[inline(never)]
 fn blocks<S: Scalar, const LONGEST: usize>(
     polynomials: Descent<'_, S>,
@@ -137,7 +138,7 @@ fn in_blocks<S: Scalar>(
     }
 }
 
-/// [`block`], once in a program: where code is to be small.
+/// [`block`], compiled once per program, for targets where code must be small.
 #[inline(never)]
 fn apart<S: Scalar, const LONGEST: usize>(
     polynomials: Descent<'_, S>,
@@ -148,8 +149,8 @@ fn apart<S: Scalar, const LONGEST: usize>(
     block::<S, LONGEST, BLOCK>(polynomials, x, y, z)
 }
 
-/// The irradiances of a block of normals: Re Σ_m (P_m + i Q_m) w̄^m, w = n_x + i n_y, by
-/// Horner's rule from the highest azimuth down. `LONGEST` as for [`polynomial::values`].
+/// The irradiances of a block of normals: Re Σ_m (P_m + i Q_m) w̄^m with w = n_x + i n_y, by
+/// Horner's rule from the highest azimuth down. `LONGEST` is as for [`polynomial::values`].
 #[inline(always)]
 pub(crate) fn block<S: Scalar, const LONGEST: usize, const N: usize>(
     mut polynomials: Descent<'_, S>,
@@ -188,8 +189,9 @@ pub(crate) fn block<S: Scalar, const LONGEST: usize, const N: usize>(
     sums
 }
 
-/// [`block`] of a scene in which some azimuths have recurrences. Partial sums from the highest
-/// azimuth down are large where the profiles are, and as much smaller by each factor w̄.
+/// [`block`] for a scene in which some azimuths have recurrences. Partial sums from the highest
+/// azimuth down are large where the profiles are, and each factor w̄ makes them smaller
+/// accordingly.
 #[inline(never)]
 pub(crate) fn orthogonal<S: Scalar, const N: usize>(
     mut polynomials: Descent<'_, S>,
@@ -224,7 +226,7 @@ pub(crate) fn orthogonal<S: Scalar, const N: usize>(
     sums
 }
 
-/// t of each, as a loop: longer than a map, which may become a call.
+/// The argument t of each normal. A loop, because `map` may become a call.
 #[inline(always)]
 fn vectorised<S: Scalar, const N: usize>(z: &[S; N]) -> [S; N] {
     let mut t = [S::ZERO; N];
@@ -234,7 +236,7 @@ fn vectorised<S: Scalar, const N: usize>(z: &[S; N]) -> [S; N] {
     t
 }
 
-/// The rest of a slice, filled up to a block with zeros.
+/// The rest of a slice, padded with zeros to a block.
 fn padded<S: Scalar>(rest: &[S]) -> [S; BLOCK] {
     let mut block = [S::ZERO; BLOCK];
     for (to, &from) in block.iter_mut().zip(rest) {

@@ -1,7 +1,6 @@
-//! A material folded into a basis: T_i,l = Σ_pq factor_i,l,pq S_l,pq, so that
-//! d_i = Σ_l T_i,l L_l^m.
+//! The transfer of a material: T_i,l = Σ_pq factor_i,l,pq S_l,pq, so that d_i = Σ_l T_i,l L_l^m.
 //!
-//! +m and -m share the sum; theirs differ by (-1)^m.
+//! +m and -m share the sum; their numbers differ by (-1)^m.
 
 use crate::basis::Basis;
 use crate::buffer::zeros;
@@ -17,14 +16,14 @@ use crate::scalar::Scalar;
 
 const LANES: usize = layout::LANES;
 
-/// Bytes before a transfer's length that let its numbers start a cache line, on
-/// machines that have room for it and registers to gain by it.
+/// Padding before the length of a transfer, which makes its numbers start on a cache line. Only on
+/// machines that have the memory for it and the registers to benefit.
 const BEFORE: usize = if cfg!(target_pointer_width = "64") { 64 - size_of::<usize>() } else { 0 };
 
-/// One material folded into a basis: see [`Basis::transfer`].
+/// The transfer of one material: see [`Basis::transfer`].
 ///
-/// A vector keeps its length before its numbers. On 64-bit machines it is placed so
-/// that no group of numbers straddles two cache lines: relighting takes a tenth less.
+/// A vector stores its length before its numbers. On 64-bit machines it is placed so that no group
+/// of numbers straddles two cache lines, which makes relighting a tenth faster.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[repr(C)]
@@ -43,18 +42,17 @@ impl<S, const N: usize> Transfer<S, N> {
 }
 
 impl<S: Scalar> Basis<'_, S> {
-    /// Folds a material into the basis.
+    /// Computes the transfer of a material.
     ///
-    /// `N` is at least [`workspace_len`](Self::workspace_len), `T` at least
+    /// `N` must be at least [`workspace_len`](Self::workspace_len), `T` at least
     /// [`transfer_len`](Self::transfer_len).
     ///
-    /// Cost: for each profile, each degree from its |m| on, one multiplication for
-    /// each pair (p, q); before that, for each q and degree the square of the number
-    /// of its pairs.
+    /// Cost: for each profile and each degree from its |m| on, one multiplication for each pair (p,
+    /// q); before that, for each q and degree, the square of the number of pairs of that q.
     ///
     /// # Errors
     ///
-    /// [`Error::Beyond`] if the material goes beyond the basis,
+    /// [`Error::Beyond`] if the order of the material exceeds that of the basis,
     /// [`Error::Capacity`] if `N` or `T` is too small.
     pub fn transfer<const N: usize, const T: usize>(
         &self,
@@ -73,10 +71,9 @@ impl<S: Scalar> Basis<'_, S> {
     ///
     /// # Errors
     ///
-    /// [`Error::Beyond`] if the material goes beyond the basis,
-    /// [`Error::Length`] if a slice is not as long as
-    /// [`workspace_len`](Self::workspace_len) and
-    /// [`transfer_len`](Self::transfer_len) say.
+    /// [`Error::Beyond`] if the order of the material exceeds that of the basis, [`Error::Length`]
+    /// unless `workspace` has [`workspace_len`](Self::workspace_len) numbers and `transfer` has
+    /// [`transfer_len`](Self::transfer_len).
     pub fn transfer_into(
         &self,
         material: &Material<'_, S>,
@@ -86,12 +83,12 @@ impl<S: Scalar> Basis<'_, S> {
         self.fold(material, Effects::ALL, workspace, transfer)
     }
 
-    /// [`transfer_into`](Self::transfer_into) of some effects alone: see
+    /// [`transfer_into`](Self::transfer_into) for some effects only: see
     /// [`project_effects_into`](Self::project_effects_into).
     ///
     /// # Errors
     ///
-    /// As [`transfer_into`](Self::transfer_into).
+    /// The same as [`transfer_into`](Self::transfer_into).
     pub fn transfer_effects_into(
         &self,
         material: &Material<'_, S>,
@@ -120,8 +117,7 @@ impl<S: Scalar> Basis<'_, S> {
         let mut scattered = None;
         for (places, factors) in self.rows() {
             let azimuth = places.first().map_or(0, |place| place.azimuth());
-            // One scattering serves every azimuth, unless a selection of modes
-            // makes them differ.
+            // One scattering serves every azimuth, unless a selection of modes makes them differ.
             if scattered.is_none()
                 || (scattered != Some(azimuth) && !self.parts.selection.is_empty())
             {
@@ -143,7 +139,7 @@ impl<S: Scalar> Basis<'_, S> {
         Ok(())
     }
 
-    /// What stands apart is of l = 0.
+    /// Adds the coefficients that are not factored, which only affect l = 0.
     #[cold]
     #[inline(never)]
     fn add_apart(&self, material: &Material<'_, S>, effects: Effects, transfer: &mut [S]) {
@@ -155,18 +151,18 @@ impl<S: Scalar> Basis<'_, S> {
     }
 }
 
-/// Apart from its caller: a compiler that sees the lanes summed takes them apart.
+/// Not inlined: if the compiler sees the sum across the lanes, it splits the vectors.
 #[inline(never)]
 fn product<S: Scalar>(factors: &[lanes::Two<S>], scattering: &[[S; LANES]]) -> lanes::Two<S> {
     lanes::product(factors, scattering)
 }
 
 impl ProfilePlace {
-    /// Writes T_l of l = |m| + `row` into the rows of +m and -m.
+    /// Writes T_l for l = |m| + `row` into the rows of +m and -m.
     #[inline]
     fn write<S: Scalar>(&self, row: usize, sum: S, transfer: &mut [S]) {
         let of_minus = if self.azimuth % 2 == 1 { -sum } else { sum };
-        // For m = 0 both are the same place, and the sign is +.
+        // For m = 0 both write to the same place, and the sign is +.
         for (of, value) in [(self.minus_row, of_minus), (self.plus_row, sum)] {
             if let Some(to) = transfer.get_mut(of.start as usize + row * of.step as usize) {
                 *to = value;

@@ -1,15 +1,15 @@
-//! Light turned by a rotation: real Wigner matrices, degree by degree.
+//! Rotates light: real Wigner matrices, degree by degree.
 //!
-//! The matrix of degree l comes from those of degrees 1 and l - 1 (J. Ivanic and K. Ruedenberg, "Rotation matrices
-//! for real spherical harmonics. Direct determination by recursion", J. Phys. Chem. 100,
-//! 1996, with the corrections of 1998). Notation follows them. It takes the elements of
-//! the rotation's own matrix and roots of whole numbers: no angle, nothing singular at
-//! the poles.
+//! The matrix of degree l is computed from those of degrees 1 and l - 1 (J. Ivanic and K.
+//! Ruedenberg, "Rotation matrices for real spherical harmonics. Direct determination by recursion",
+//! J. Phys. Chem. 100, 1996, with the corrections of 1998). The notation is theirs. The recursion
+//! uses the elements of the rotation's own matrix and roots of integers; it needs no angle and has
+//! no singularity at the poles.
 //!
-//! Of a matrix D that is orthogonal but for the roundings of all degrees, the orthogonal
-//! one next to it is applied, D (3 - DᵀD) / 2 but for their square. A rotation and its inverse take the same D,
-//! one of them transposed. So light turned there and back again has lost no more than
-//! the last bits of some sums.
+//! A computed matrix D is orthogonal except for the rounding errors of all degrees. Instead of D,
+//! the nearest orthogonal matrix is applied, which is D (3 - DᵀD) / 2 up to the square of these
+//! errors. A rotation and its inverse use the same D, one of them transposed. Light that is rotated
+//! and rotated back therefore loses no more than the last bits of some sums.
 
 use crate::buffer::zeros;
 use crate::error::{Error, What};
@@ -19,27 +19,28 @@ use crate::mathematics::{Libm, Mathematics};
 use crate::rotation::Rotation;
 use crate::scalar::Scalar;
 
-/// The coefficients of a light that was changed, in a buffer of fixed capacity.
+/// The coefficients of a modified light, in a buffer of fixed capacity.
 pub type LightBuffer<S, const N: usize> = heapless::Vec<S, N>;
 
 impl<S: Scalar> Light<'_, S> {
-    /// Numbers that turning a light of this degree needs room for: the matrices of
-    /// two degrees, and some numbers for each order; `usize::MAX` where that overflows.
+    /// Workspace length for rotating a light of this degree: the matrices of two degrees, and some
+    /// numbers for each order. `usize::MAX` if that overflows.
     #[must_use]
     pub const fn turn_len(degree: usize) -> usize {
         let orders = degree.saturating_mul(2).saturating_add(1);
-        // 2 orders² + 2 orders, and degree + 1.
+        // 2 orders² + 2 orders, plus degree + 1.
         let of_orders = orders.saturating_mul(orders.saturating_add(1)).saturating_mul(2);
         of_orders.saturating_add(degree).saturating_add(1)
     }
 
-    /// The coefficients of this light, turned: L'(Rω) = L(ω).
+    /// The coefficients of this light after rotation: L'(Rω) = L(ω).
     ///
-    /// `N` is at least (degree + 1)², `W` at least [`turn_len`](Self::turn_len).
+    /// `N` must be at least (degree + 1)², `W` at least [`turn_len`](Self::turn_len).
     ///
-    /// Energy is kept degree by degree. Turned and turned back, a light of degree 9 in f32
-    /// is itself within 1e-6 of its largest coefficient. Cost: for each degree l (2l + 1)² elements of some twenty
-    /// operations and three roots for each order: set-up, not a pixel's work.
+    /// The energy of each degree is preserved. A light of degree 9 in f32 that is rotated and
+    /// rotated back matches the original within 1e-6 of its largest coefficient. Cost: for each
+    /// degree l, (2l + 1)² elements of some twenty operations each, and three roots for each order.
+    /// This is set-up work, not work for each pixel.
     ///
     /// # Errors
     ///
@@ -54,12 +55,12 @@ impl<S: Scalar> Light<'_, S> {
         Ok(turned)
     }
 
-    /// [`turned`](Self::turned) with slices, and with roots of one's choice.
+    /// [`turned`](Self::turned) with slices, and with a choice of implementation for the roots.
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] if a slice is not as long as [`turn_len`](Self::turn_len) and
-    /// (degree + 1)² say.
+    /// [`Error::Length`] unless `workspace` has [`turn_len`](Self::turn_len) numbers and `turned`
+    /// has (degree + 1)².
     pub fn turn_into<M: Mathematics<S>>(
         &self,
         rotation: &Rotation<S>,
@@ -101,8 +102,8 @@ impl<S: Scalar> Light<'_, S> {
 }
 
 impl<S: Scalar> Rotation<S> {
-    /// One of this rotation and its inverse, the same one for both, and whether it is
-    /// the inverse.
+    /// Either this rotation or its inverse, chosen the same way for both, and whether it is the
+    /// inverse.
     fn upright(&self) -> (Self, bool) {
         let [[_, xy, xz], [yx, _, yz], [zx, zy, _]] = self.matrix;
         let apart = [xy - yx, xz - zx, yz - zy].into_iter().find(|&apart| apart != S::ZERO);
@@ -113,7 +114,7 @@ impl<S: Scalar> Rotation<S> {
     }
 }
 
-/// x becomes D (x + (x - DᵀD x) / 2). `images` has room for two more x.
+/// Replaces x by D (x + (x - DᵀD x) / 2). `images` has room for two vectors like x.
 fn apply<S: Scalar>(matrix: Matrix<'_, S>, x: &mut [S], images: &mut [S]) {
     let (image, rest) = images.split_at_mut_checked(x.len()).unwrap_or_default();
     let back = rest.get_mut(..x.len()).unwrap_or_default();
@@ -153,7 +154,8 @@ impl<S: Scalar> Matrix<'_, S> {
     }
 }
 
-/// From our harmonics to those without phase, in which the recurrence stands, or back.
+/// Converts between our harmonics and those without the phase, which the recursion uses. The
+/// conversion is its own inverse.
 fn signed<S: Scalar>(order: isize, value: S) -> S {
     if light::graphics_sign(order) < 0 { -value } else { value }
 }
@@ -166,7 +168,7 @@ fn first<S: Scalar>(rotation: &Rotation<S>, to: &mut [S]) {
     }
 }
 
-/// The matrix of degree l >= 2 from that of l - 1.
+/// The matrix of degree l >= 2, from that of l - 1.
 fn next<S: Scalar, M: Mathematics<S>>(
     rotation: &Rotation<S>,
     l: usize,
@@ -203,18 +205,18 @@ fn next<S: Scalar, M: Mathematics<S>>(
     }
 }
 
-/// What the recurrence reads.
+/// The inputs of the recursion.
 struct Previous<'a, S> {
     rotation: &'a Rotation<S>,
     l: isize,
-    /// Of degree l - 1.
+    /// The matrix of degree l - 1.
     elements: &'a [S],
 }
 
 impl<S: Scalar> Previous<'_, S> {
     /// _i P^l of (order, n): products of an element of degree 1 and one of degree l - 1.
     ///
-    /// Apart from its caller, which names it fourteen times: 2 KB of code where inlined.
+    /// Not inlined: the caller uses it fourteen times, which would add 2 KB of code.
     #[inline(never)]
     fn p(&self, i: isize, order: isize, n: isize) -> S {
         let [x, y, z] = self.rotation.matrix;
@@ -233,7 +235,7 @@ impl<S: Scalar> Previous<'_, S> {
         }
     }
 
-    /// An element of degree l - 1; 0 for orders that it does not have, whose factors are
+    /// An element of degree l - 1; 0 for orders that this degree does not have, whose factors are
     /// zero.
     fn element(&self, m: isize, n: isize) -> S {
         let last = self.l - 1;

@@ -1,4 +1,4 @@
-//! Windows on the degrees of a light: what keeps one that ends at some degree from ringing.
+//! Windows over the degrees of a light, which reduce the ringing of a truncated light.
 
 use crate::buffer::zeros;
 use crate::error::{Error, What};
@@ -8,32 +8,32 @@ use crate::mathematics::Mathematics;
 use crate::scalar::Scalar;
 use crate::turn::LightBuffer;
 
-/// Factors by which a light's coefficients are weakened, degree by degree.
+/// Factors that attenuate a light's coefficients, degree by degree.
 ///
-/// A light that ends at a degree rings about its brightest parts and goes below zero; so does the irradiance
-/// of a glossy material. A window blurs it instead.
+/// A light truncated at some degree rings around its brightest parts and becomes negative, and so
+/// does the irradiance of a glossy material. A window blurs the light instead.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Window<S> {
-    /// None: every degree as it is.
+    /// No window: every degree is kept as it is.
     #[default]
     Open,
-    /// (sin x / x)⁴ with x = π l / width, and nothing from l = width on: the fourth power of the Lanczos
+    /// (sin x / x)⁴ with x = π l / width, and 0 from l = width on: the fourth power of the Lanczos
     /// window of P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", 2008.
     ///
-    /// The wider, the weaker: at the width 2 (degree + 1) the last degree of a light of degree 9 keeps 20 %, at
-    /// degree + 1 nearly nothing.
+    /// A wider window attenuates less: with the width 2 (degree + 1) the last degree of a light of
+    /// degree 9 keeps 20 %, with degree + 1 nearly nothing.
     SincFourth {
-        /// The degree from which on nothing is left; above 0, not necessarily whole.
+        /// The degree from which on the factor is 0; above 0, not necessarily an integer.
         width: S,
     },
 }
 
 impl<S: Scalar> Window<S> {
-    /// The factor of a degree, from 0 to 1; 1 for degree 0, so that the mean light stays.
+    /// The factor of a degree, from 0 to 1. It is 1 for degree 0, so the mean light is preserved.
     ///
-    /// A width that is not above 0 leaves degree 0 alone.
+    /// A width that is not above 0 keeps degree 0 only.
     #[must_use]
     pub fn factor<M: Mathematics<S>>(self, degree: usize) -> S {
         let Self::SincFourth { width } = self else { return S::ONE };
@@ -52,10 +52,10 @@ impl<S: Scalar> Window<S> {
         square * square
     }
 
-    /// Weakens the coefficients of a light, in the order of
-    /// [`index::light`](crate::index::light), where they are.
+    /// Attenuates the coefficients of a light in place. They are in the order of
+    /// [`index::light`](crate::index::light).
     ///
-    /// Cost: a sine for each degree, a product for each coefficient.
+    /// Cost: a sine for each degree and a product for each coefficient.
     pub fn apply<M: Mathematics<S>>(self, coefficients: &mut [S]) {
         let (mut rest, mut degree) = (coefficients, 0);
         while !rest.is_empty() {
@@ -69,8 +69,8 @@ impl<S: Scalar> Window<S> {
 }
 
 impl<S: Scalar> Light<'_, S> {
-    /// The coefficients of this light through a window; `N` is at least (degree + 1)². `M`
-    /// computes a sine for each degree: of f32 `SinglePrecision` links nothing of f64.
+    /// The coefficients of this light after a window. `N` must be at least (degree + 1)². `M`
+    /// computes a sine for each degree; for f32, `SinglePrecision` links no f64 code.
     ///
     /// # Errors
     ///

@@ -1,7 +1,6 @@
-//! How far sums of a degree and an order, and tables, are from direct integration under
-//! environment maps.
+//! Errors of truncated sums and of tables against direct integration under environment maps.
 //!
-//! The error of a map is the rms over the sphere's normals and the three channels, of the
+//! The error of a map is the rms over the sphere's normals and the three channels, relative to the
 //! largest |I| of the direct integration over all of them.
 
 use eigenshade_generator::direct::Surroundings;
@@ -18,26 +17,26 @@ use eigenshade_shading::sphere_rings::{Ring, rings};
 use eigenshade_table::Table;
 use indicatif::ProgressBar;
 
-/// Normals are no farther apart, radians.
+/// The widest spacing of normals in radians.
 const WIDEST: f64 = 0.06;
-/// Spacing of the normals in widths of the narrowest lobe.
+/// Spacing of the normals, in widths of the narrowest lobe.
 const SPACING: f64 = 1.25;
-/// Normals that are integrated at a time.
+/// The number of normals integrated at a time.
 const BATCH: usize = 16;
 
-/// By normal, within it by map: r, g, b.
+/// r, g, b by normal and then by map.
 type Images = Vec<Vec<[f64; 3]>>;
 
-/// A surface under maps, integrated directly.
+/// A surface under environment maps, integrated directly.
 pub struct Reference<'a> {
     surface: &'a Surface,
     rings: Vec<Ring>,
     images: Images,
-    /// By map.
+    /// The peak of each map.
     peaks: Vec<f64>,
 }
 
-/// The spacing of normals that resolves a surface's lobe, radians.
+/// The spacing of normals, in radians, that resolves a surface's lobe.
 #[must_use]
 pub fn spacing(surface: &Surface) -> f64 {
     let width = (0..surface.channels()).map(|c| surface.channel(c).width()).fold(1.0, f64::min);
@@ -45,7 +44,7 @@ pub fn spacing(surface: &Surface) -> f64 {
 }
 
 impl<'a> Reference<'a> {
-    /// Integrates; `fineness` as of [`Surroundings::irradiance`].
+    /// Integrates the surface; `fineness` as in [`Surroundings::irradiance`].
     #[must_use]
     pub fn new(
         surface: &'a Surface,
@@ -70,7 +69,7 @@ impl<'a> Reference<'a> {
             (0..maps.maps()).map(of).collect()
         })
         .collect();
-        // A narrow lobe has its peak where it mirrors the sun, between the rings' normals.
+        // A narrow lobe peaks where it mirrors the sun, which is between the normals of the rings.
         let mirrors: Vec<[f64; 3]> = (0..maps.maps()).map(|map| maps.mirror(map)).collect();
         let at_mirrors = maps.irradiance(&brdfs, &mirrors, fineness);
         let largest = |map: usize| {
@@ -83,20 +82,20 @@ impl<'a> Reference<'a> {
         Self { surface, rings, images, peaks }
     }
 
-    /// Number of normals.
+    /// The number of normals.
     #[must_use]
     pub fn normals(&self) -> usize {
         self.images.len()
     }
 
-    /// The images that were integrated: by normal, within it by map.
+    /// The integrated images, by normal and then by map.
     #[must_use]
     pub fn images(&self) -> &[Vec<[f64; 3]>] {
         &self.images
     }
 
-    /// The error, by map, of the direct sum (15) of a degree and an order. `lights` are
-    /// those of the maps and reach the degree.
+    /// The error for each map of the direct sum (15) up to a degree and an order. `lights` are the
+    /// projections of the maps and must reach the degree.
     #[must_use]
     pub fn of_sum(&self, lights: &Lights, degree: usize, order: usize) -> Vec<f64> {
         let material = self.surface.project(order, Measure::Projected).material;
@@ -123,11 +122,11 @@ impl<'a> Reference<'a> {
         self.errors(&images.into_iter().flatten().collect::<Images>())
     }
 
-    /// The error, by map, of a table with all of its components, in f64.
+    /// The error for each map of a table with all of its components, in f64.
     ///
     /// # Errors
     ///
-    /// Lights below the table's degree.
+    /// If the lights have a lower degree than the table.
     pub fn of_table(&self, lights: &Lights, table: &Table) -> Result<Vec<f64>> {
         let (degree, order) = (table.gram.degree, table.gram.order);
         let lights = lights.truncated(degree);
@@ -149,13 +148,13 @@ impl<'a> Reference<'a> {
         Ok(self.errors(&images))
     }
 
-    /// The first map under which nothing is seen of the material.
+    /// The first map under which the material is black.
     #[must_use]
     pub fn black(&self) -> Option<usize> {
         self.peaks.iter().position(|peak| *peak == 0.0)
     }
 
-    /// Rms over the normals and channels, of the peak, by map.
+    /// The rms over normals and channels relative to the peak, by map.
     fn errors(&self, images: &[Vec<[f64; 3]>]) -> Vec<f64> {
         let weights =
             self.rings.iter().flat_map(|ring| std::iter::repeat_n(ring.weight, ring.tilts.len()));

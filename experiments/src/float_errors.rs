@@ -1,4 +1,4 @@
-//! How far the runtime in floats is from the direct sum over modes, with all components: GGX
+//! Errors of the runtime in floats against the direct sum over modes, with all components: GGX
 //! dielectrics and metals of roughness 0.2 to 1 and a Lambertian under three captured maps.
 
 use eigenshade::Scalar;
@@ -14,13 +14,13 @@ use eigenshade_table::Table;
 use eigenshade_table::scene::Store;
 use eigenshade_testing::glossy;
 
-/// Degree and order.
+/// Degrees and orders.
 pub const SHAPES: [[usize; 2]; 5] = [[9, 7], [12, 12], [16, 16], [24, 24], [32, 32]];
 
 /// Three captured maps: small lamps, a low sun, a soft sky.
 const LIGHTS: [&str; 3] = ["studio", "sunset", "park"];
 
-/// Of the worst pair of a light and a material, as shares of the image's peak.
+/// Errors of the worst pair of a light and a material, as shares of the image's peak.
 pub struct Errors {
     pub components: usize,
     pub method: &'static str,
@@ -42,12 +42,11 @@ struct Inputs {
     lights: Lights,
     materials: Materials,
     normals: Vec<[f64; 3]>,
-    /// By normal, within it by light, within it by material.
+    /// Irradiances by normal, then by light, then by material.
     truth: Vec<Vec<[f64; 3]>>,
 }
 
-/// The table of all components at this degree and order, and the lights and materials that it is
-/// of.
+/// The table of all components at this degree and order, with its lights and materials.
 pub fn table([degree, order]: [usize; 2]) -> (Table, Lights, Materials) {
     let root = eigenshade_testing::repository();
     let mut scene = scene_file::load(root.join("tables/sphere.toml")).expect("a scene").scene;
@@ -69,7 +68,7 @@ pub fn table([degree, order]: [usize; 2]) -> (Table, Lights, Materials) {
 impl Inputs {
     fn new(shape: [usize; 2]) -> Self {
         let (table, mut lights, mut materials) = table(shape);
-        // Narrower than any order here.
+        // Their lobes are too narrow for any order here.
         materials.entries.retain(|material| !material.name.ends_with("-0.1"));
         lights.entries.retain(|light| LIGHTS.contains(&light.name.as_str()));
         lights.entries.iter_mut().for_each(Named::lose_colour);
@@ -85,7 +84,7 @@ impl Inputs {
         let Self { lights, materials, normals, truth, .. } = self;
         let rounded = OwnedNormals::<S>::new(normals);
         let each = rounded.each().expect("normals");
-        // As many as `shade` takes.
+        // The number that `shade` uses.
         let knots = (64 * lights.degree).next_power_of_two();
         let mut of_method = |method| {
             let (mut largest, mut rms): (f64, f64) = (0.0, 0.0);
@@ -114,7 +113,7 @@ impl Inputs {
     }
 }
 
-/// The axis, a spiral of equal areas of the disc, and the rim.
+/// The axis, a spiral of equal areas on the disc, and the rim.
 fn normals() -> Vec<[f64; 3]> {
     let spiral = (0..250).map(|k| ((f64::from(k) + 0.5) / 250.0, 2.399_963 * f64::from(k)));
     let rim = (0..24).map(|k| (1.0, 0.26 * f64::from(k)));

@@ -1,4 +1,4 @@
-//! What the documentation of eigenshade measures: numbers as CSV, plots, and the generated parts of
+//! Measurements for the documentation of eigenshade: CSV files, plots, and the generated parts of
 //! its pages.
 #![expect(missing_docs, reason = "no package depends on it")]
 

@@ -1,6 +1,7 @@
-//! The middle of some values.
+//! The median of some values.
 
-/// The middle of the values; of an even number the mean of the middle two; of none NaN.
+/// The median of the values: the mean of the middle two if their number is even, and NaN if there
+/// are none.
 #[must_use]
 pub fn median(values: &[f64]) -> f64 {
     let mut sorted = values.to_vec();

@@ -1,4 +1,4 @@
-//! Multiplications that the runtime's steps take with a table.
+//! The number of multiplications in the runtime's steps for a table.
 
 use eigenshade_index::layout;
 use eigenshade_model::error::Result;
@@ -7,17 +7,17 @@ use eigenshade_shading::shader::fault;
 use eigenshade_table::parts::{NONE, ProfilePlace};
 use eigenshade_table::{Parts, Table};
 
-/// Multiplications of each step for one channel, of all components of a table. Zeros of padding
-/// are multiplied too.
+/// Multiplications of each step for one channel, with all components of a table. Multiplications by
+/// padding zeros are included.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Multiplications {
-    /// A light on a folded material: one for each number of a transfer.
+    /// A light on a transferred material: one for each number of a transfer.
     pub relight: usize,
-    /// Components to polynomials: one for each term of each component.
+    /// From components to polynomials: one for each term of each component.
     pub collapse: usize,
     /// A material: polar integrals, then factors.
     pub transfer: usize,
-    /// Elements of the matrices that turn a light.
+    /// Turning a light: one for each element of its matrices.
     pub turn: usize,
     /// A pixel: the multiply-adds of `docs/performance.md`, by Horner's rule in t and in
     /// n_x - i n_y.
@@ -25,11 +25,11 @@ pub struct Multiplications {
 }
 
 impl Multiplications {
-    /// Those of a table.
+    /// The multiplications for a table.
     ///
     /// # Errors
     ///
-    /// A table that the runtime refuses.
+    /// If the runtime refuses the table.
     pub fn of(table: &Table) -> Result<Self> {
         let parts = Parts::new(table);
         let (degree, order) = (parts.degree, parts.order);
@@ -50,9 +50,9 @@ impl Multiplications {
     }
 }
 
-/// Multiply-adds of a pixel of polynomials of these lengths: one less than terms, two for
-/// n_x - i n_y in the real and two in the imaginary part of each azimuth but for the first and
-/// the last, and one for t.
+/// Multiply-adds of a pixel with polynomials of these lengths: one less than the number of terms,
+/// two for n_x - i n_y in the real and two in the imaginary part of each azimuth except the first
+/// and the last, and one for t.
 fn pixel(lengths: &[u16]) -> usize {
     let used = lengths.iter().rposition(|&length| length > 0).map_or(0, |last| last + 1);
     let of = |length: &u16| usize::from(length.saturating_sub(1));

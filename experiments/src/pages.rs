@@ -1,15 +1,15 @@
-//! Generated parts of pages that people write.
+//! Generated parts of handwritten pages.
 //!
-//! A part stands between `<!-- NAME -->` and `<!-- end of NAME -->`, each on a line of its own.
+//! A part is enclosed by `<!-- NAME -->` and `<!-- end of NAME -->`, each on its own line.
 
-/// A part's name and its text, whole lines.
+/// A part's name and its text, which consists of whole lines.
 pub type Part = (&'static str, String);
 
-/// The page with the text of each part replaced.
+/// Returns the page with the text of each part replaced.
 ///
 /// # Errors
 ///
-/// A part whose markers the page does not have.
+/// If the page lacks the markers of a part.
 pub fn with_parts(page: &str, parts: &[Part]) -> Result<String, String> {
     let mut page = page.to_owned();
     for (name, text) in parts {
@@ -23,9 +23,9 @@ pub fn with_parts(page: &str, parts: &[Part]) -> Result<String, String> {
     Ok(page)
 }
 
-/// Compares a page with what it would be now, word by word. Words with an exponent or a per cent
-/// sign are numbers and have to be `near` each other (recorded, now); words that begin with × are
-/// ratios of times, which are not compared; all other words have to be equal.
+/// Compares a page with its current version, word by word. Words with an exponent or a percent sign
+/// are numbers and must be `near` each other (recorded, now). Words that begin with × are ratios of
+/// times and are not compared. All other words must be equal.
 ///
 /// # Errors
 ///

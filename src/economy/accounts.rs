@@ -1,33 +1,33 @@
-//! Which terms of several images' polynomials a tolerance allows to leave out.
+//! Chooses the terms of several images' polynomials that a tolerance allows to leave out.
 //!
-//! Terms go from the highest of an azimuth down, those of +m and -m together, at a price that
-//! rises from sweep to sweep: first those that cost least for each product that a pixel saves. The
-//! result has few terms, not provably the fewest.
+//! Terms are removed from the highest of an azimuth down, those of +m and -m together. The price of
+//! a removal rises from sweep to sweep, so the first terms to go are those that cost least for each
+//! product that a pixel saves. The result has few terms, but not provably the fewest.
 //!
-//! Each image keeps its own account. Terms go only if every image can pay for them, and the price
-//! is the same share of what each image may be off, so every image's bound is exact.
+//! Each image keeps its own account. Terms are removed only if every image can pay for them. The
+//! price is the same fraction of each image's allowed error, so every image's bound is exact.
 
 use super::energy::mean_square;
 use super::report::Economy;
 use super::terms::{Place, Polynomials, signs, used};
 use crate::scalar::Scalar;
 
-/// By how much the price rises from one sweep to the next.
+/// The factor by which the price rises from one sweep to the next.
 const RISE: usize = 16;
 
 /// Whether a loop over twenty nodes costs little more than one over four numbers.
 const LANES_ARE_CHEAP: bool = cfg!(any(target_arch = "x86_64", target_arch = "aarch64"));
 
-/// Multiply-adds of the complex products by which azimuths up to the highest are summed.
+/// Number of multiply-adds in the complex products that sum the azimuths up to the highest.
 const fn around(highest: usize) -> usize {
     (4 * highest).saturating_sub(2)
 }
 
-/// Images in orthonormal polynomials, and what is told of each: by now squares, in `bound` of
-/// what it may be off.
+/// Images in orthonormal polynomials, and the report on each. At this stage the reports hold
+/// squares, and `bound` holds the square of the allowed error.
 pub(super) struct Accounts<'s, S> {
     pub(super) polynomials: Polynomials<'s>,
-    /// `len` of each image.
+    /// The numbers of all images, `len` for each.
     pub(super) numbers: &'s [S],
     pub(super) len: usize,
     pub(super) told: &'s mut [Economy<S>],
@@ -35,10 +35,10 @@ pub(super) struct Accounts<'s, S> {
 
 impl<S: Scalar> Accounts<'_, S> {
     /// Leaves out whole azimuths from the highest down, as the first sweep would, as long as all
-    /// images can pay: what they cost is known before anything is rewritten. `scale` is what an
-    /// image's numbers are yet to be multiplied by.
+    /// images can pay. Their cost is known before anything is rewritten. `scale` is the factor by
+    /// which an image's numbers have yet to be multiplied.
     pub(super) fn spare_azimuths(&mut self, lengths: &mut [u16], scale: impl Fn(&Economy<S>) -> S) {
-        // Numbers one by one cost more than they save.
+        // Without vector lanes this costs more than it saves.
         if !LANES_ARE_CHEAP {
             return;
         }
@@ -58,7 +58,7 @@ impl<S: Scalar> Accounts<'_, S> {
             for (numbers, told) in self.numbers.chunks_exact(self.len.max(1)).zip(&mut *self.told) {
                 let both = place.both(numbers);
                 let Some(square) = mean_square(azimuth, both, scale(told)) else { return };
-                // Until all have been asked.
+                // Stored here until every image has been asked.
                 told.floor = square;
                 let pays = told.floor <= left(told) && told.floor <= worth * told.bound;
                 if !pays {
@@ -70,13 +70,14 @@ impl<S: Scalar> Accounts<'_, S> {
         }
     }
 
-    /// Little enough that what goes at it leaves most of what an image may be off.
+    /// The price of the first sweep, low enough that removals at this price use little of the
+    /// allowed error.
     fn first_price(&self) -> S {
         S::from_whole(self.len.max(1)).reciprocal()
     }
 
-    /// Shortens `lengths`, at first the polynomials' own or 0, as long as no image is off by more
-    /// than it may be.
+    /// Shortens `lengths`, which are initially those of the polynomials or 0, as long as no image
+    /// exceeds its allowed error.
     pub(super) fn spare(&mut self, lengths: &mut [u16]) {
         let rise = S::from_whole(RISE);
         let mut price = self.first_price();
@@ -84,11 +85,11 @@ impl<S: Scalar> Accounts<'_, S> {
             self.sweep(lengths, price);
             price = price * rise;
         }
-        // What anything may cost, at last: what stays then could never go.
+        // Finally accept any price: a term that stays now could never be removed.
         self.sweep(lengths, S::from_whole(self.len.max(1)));
     }
 
-    /// Leaves out what goes at a price, from the highest azimuth down.
+    /// Removes all terms that are worth a price, from the highest azimuth down.
     fn sweep(&mut self, lengths: &mut [u16], price: S) {
         let mut end = self.len;
         let mut azimuths = used(lengths);
@@ -111,9 +112,9 @@ impl<S: Scalar> Accounts<'_, S> {
         }
     }
 
-    /// Takes the most terms of an azimuth that all images can pay for, at most this share of what
-    /// each may be off for each product that a pixel saves. The last saves none by itself, but
-    /// `around` with the highest azimuth.
+    /// Removes as many terms of an azimuth as all images can pay for, at most this share of each
+    /// image's allowed error for each product that a pixel saves. The last term saves no product by
+    /// itself; in the highest azimuth it saves `around`.
     fn affordable(
         &mut self,
         place: Place,
@@ -150,7 +151,7 @@ impl<S: Scalar> Accounts<'_, S> {
                 }
                 terms = gone;
             }
-            // Who was asked before one that can pay for fewer is asked again.
+            // If an image could pay for fewer terms, the images before it are asked again.
             if terms == before || self.told.len() == 1 {
                 break;
             }
@@ -167,7 +168,7 @@ impl<S: Scalar> Accounts<'_, S> {
     }
 }
 
-/// What an image may still be off.
+/// The part of an image's allowed error that is left.
 fn left<S: Scalar>(told: &Economy<S>) -> S {
     let left = told.bound - told.left_out_by_components - told.left_out_by_terms;
     if left > S::ZERO { left } else { S::ZERO }
@@ -178,15 +179,15 @@ mod tests {
     use super::*;
     use crate::parts::Recurrences;
 
-    /// Asked first, one image could lose both terms of m = 2 for the azimuth that a pixel saves;
-    /// the other can lose only one, and for one term the first would pay too much. Terms of m = 0
-    /// then take what that would have cost.
+    /// Asked first, one image could lose both terms of m = 2 in exchange for the azimuth that a
+    /// pixel saves. The other can lose only one term, and for one term the first image would pay
+    /// too much. Terms of m = 0 then use what these would have cost.
     #[test]
     fn the_order_of_images_changes_nothing() {
         const LENGTHS: &[u16] = &[6, 0, 2];
         const LEN: usize = 10;
         let polynomials = Polynomials { lengths: LENGTHS, recurrences: Recurrences::NONE };
-        // Squares in units of the first price.
+        // Squares, in units of the first price.
         let image = |zero: f64, [highest, lowest]: [f64; 2]| {
             let squares = [zero, zero, zero, zero, zero, 9.0, highest, lowest, 0.0, 0.0];
             squares.map(|square| libm::sqrt(square / LEN as f64))
@@ -206,7 +207,8 @@ mod tests {
         assert_eq!(spared([two, one]), [1, 0, 2]);
     }
 
-    /// Azimuths that go as a whole before anything is rewritten would have gone after it too.
+    /// Azimuths that are removed as a whole before anything is rewritten would also have been
+    /// removed afterward.
     #[test]
     fn whole_azimuths_go_as_in_the_sweeps() {
         const LENGTHS: [u16; 5] = [6, 4, 5, 3, 4];

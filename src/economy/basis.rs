@@ -1,24 +1,25 @@
-//! Polynomials in the form that pixels take rewritten in orthogonal ones, and back, each by Horner's
-//! rule: the sum so far times 2t, and the next term. +m and -m go side by side.
+//! Converts polynomials from the form that pixels use into orthogonal polynomials, and back. Both
+//! directions use Horner's rule: the sum so far times 2t, plus the next term. +m and -m are
+//! converted side by side.
 
 use super::density::{Density, MOST};
 use crate::index::layout::{LANES, POWERS};
 use crate::lanes::multiply_add;
 use crate::scalar::Scalar;
 
-/// Room for numbers lowest first, behind a zero, with zeros behind them.
+/// Room for numbers, lowest first, after a zero and with zeros behind them.
 const ROOM: usize = MOST + 4;
 
-/// Numbers of +m and -m.
+/// Pairs of numbers, one of +m and one of -m.
 type Row<S> = [[S; 2]; ROOM];
 
-/// Rows that are rewritten.
+/// The rows of a conversion.
 pub(super) struct Rows<S> {
     now: Row<S>,
     next: Row<S>,
     at: Row<S>,
     below: Row<S>,
-    /// In place of -m's where there is none.
+    /// Stands in for the terms of -m if there are none.
     none: [S; MOST],
 }
 
@@ -28,8 +29,8 @@ impl<S: Scalar> Rows<S> {
         Self { now: row, next: row, at: row, below: row, none: [S::ZERO; MOST] }
     }
 
-    /// Rewrites polynomials of +m and -m, highest term first, in orthogonal ones, each times
-    /// its number.
+    /// Converts polynomials of +m and -m, highest term first, into orthogonal ones, each multiplied
+    /// by its number.
     pub(super) fn orthogonalize(
         &mut self,
         [plus, minus]: [&mut [S]; 2],
@@ -42,7 +43,7 @@ impl<S: Scalar> Rows<S> {
         let (mut now, mut next) = (now, next);
         let minus = if minus.is_empty() { none.as_mut_slice() } else { minus };
         let (half, is_long) = (S::from_f64(0.5), length > POWERS);
-        // Powers are of 2t.
+        // The powers are those of 2t.
         let double = if is_long { S::ONE } else { S::ONE + S::ONE };
         let mut scale = (1..length).fold(S::ONE, |scale, _| scale * half);
         if is_long {
@@ -52,7 +53,8 @@ impl<S: Scalar> Rows<S> {
             let terms = groups(now, 0).iter().zip(groups(now, 1)).zip(groups(now, 2));
             let terms = groups(at, 0).iter().zip(groups(below, 1)).zip(terms);
             let sums = first_groups(next).iter_mut().zip(terms).take(index / 2 + 1);
-            // u = (2t)²/2 - 1, and before last it was times t.
+            // u = (2t)²/2 - 1: the last sum already contains one factor 2t, and `sum` is the one
+            // before it.
             if is_long && (length - index) % 2 == 1 {
                 for (sum, ((at, below), ((lower, here), higher))) in sums {
                     let whole = multiply_add(multiply_add(*lower, here, at), higher, below);
@@ -73,7 +75,7 @@ impl<S: Scalar> Rows<S> {
         }
     }
 
-    /// Rewrites orthogonal polynomials of +m and -m in the form of that length.
+    /// Converts orthogonal polynomials of +m and -m into the form that belongs to their length.
     pub(super) fn rewrite(&mut self, [plus, minus]: [&mut [S]; 2], density: &Density<S>) {
         let length = plus.len();
         self.start(length, density);
@@ -109,7 +111,7 @@ impl<S: Scalar> Rows<S> {
         }
     }
 
-    /// Of polynomials of so many terms.
+    /// Clears the rows for polynomials of `length` terms, and loads the recurrence.
     fn start(&mut self, length: usize, density: &Density<S>) {
         let of = self.now.iter_mut().zip(&mut self.next).zip(&mut self.at).zip(&mut self.below);
         for ((((now, next), at), below), &[of_at, of_below]) in
@@ -120,20 +122,20 @@ impl<S: Scalar> Rows<S> {
     }
 }
 
-/// Adds to the lowest numbers.
+/// Adds terms to the lowest numbers.
 #[inline(always)]
 fn add<S: Scalar>([_, lowest, ..]: &mut Row<S>, terms: [S; 2]) {
     let ([a, b], [c, d]) = (*lowest, terms);
     *lowest = [a + c, b + d];
 }
 
-/// The groups of a row's pairs from one on.
+/// The groups of a row's pairs, beginning with pair `from`.
 #[inline(always)]
 fn groups<S>(row: &Row<S>, from: usize) -> &[[S; LANES]] {
     row.get(from..).unwrap_or_default().as_flattened().as_chunks().0
 }
 
-/// The groups of the pairs behind the zero.
+/// The groups of the pairs after the leading zero.
 #[inline(always)]
 fn first_groups<S>(row: &mut Row<S>) -> &mut [[S; LANES]] {
     row.get_mut(1..).unwrap_or_default().as_flattened_mut().as_chunks_mut().0

@@ -1,40 +1,40 @@
 //! Polynomials in t = 2z - 1 that are orthogonal over a sphere's normals, azimuth by azimuth.
 //!
-//! Under the normals' density 2z dz times sin^2m = (1 - z²)^m. For m = 0 they are Jacobi's of
-//! (0, 1), whose recurrence is known. From m to m + 1 the density takes the factor
-//! (1 - t)(3 + t) / 4, and the recurrence one step of the Cholesky factors for each of the two,
-//! turned round (Christoffel's transformation): both together take one from the terms that are
-//! known.
+//! Their weight is the density 2z dz of the normals times sin^2m = (1 - z²)^m. For m = 0 they are
+//! the Jacobi polynomials of (0, 1), whose recurrence is known. From m to m + 1 the density gains
+//! the factor (1 - t)(3 + t) / 4. For each of the two linear factors the recurrence takes one step:
+//! its Cholesky factors are multiplied in reverse order (Christoffel's transformation). Both steps
+//! together reduce the number of known terms by one.
 
 use crate::index::layout::HALVES;
 use crate::mathematics::{Libm, Mathematics};
 use crate::scalar::Scalar;
 
-/// Most terms of what is rewritten.
+/// The largest number of terms of a polynomial that is converted.
 pub(super) const MOST: usize = HALVES;
 
-/// Azimuths of which polynomials can be written in these.
+/// Number of azimuths whose polynomials can be converted.
 const AZIMUTHS: usize = 64;
 
-/// Most terms of the recurrence of m = 0: an azimuth has m fewer.
+/// Terms of the recurrence of m = 0. Azimuth m has m terms fewer.
 const TERMS: usize = AZIMUTHS + MOST;
 
-/// Longest polynomial of an azimuth that can be written in these.
+/// The longest polynomial of an azimuth that can be converted.
 pub(super) const fn longest(azimuth: usize) -> usize {
     if azimuth < AZIMUTHS { MOST } else { 0 }
 }
 
-/// The orthogonal polynomials of one azimuth, p_k+1 = (2t - at_k) p_k - below_k p_k-1, p_0 = 1:
-/// those of a [recurrence](crate::index::layout::Recurrence).
+/// The orthogonal polynomials of one azimuth, p_k+1 = (2t - at_k) p_k - below_k p_k-1, p_0 = 1: the
+/// polynomials of a [recurrence](crate::index::layout::Recurrence).
 pub(super) struct Density<S> {
     azimuth: usize,
     terms: usize,
-    /// at_k and below_k.
+    /// The coefficients at_k and below_k.
     recurrence: [[S; 2]; TERMS],
 }
 
 impl<S: Scalar> Density<S> {
-    /// That of m = 0, good for polynomials of so many terms less their azimuth.
+    /// The density of m = 0. It serves polynomials of azimuth m with up to `terms` - m terms.
     pub(super) fn new(terms: usize) -> Self {
         let mut recurrence = [[S::ZERO; 2]; TERMS];
         let two = S::ONE + S::ONE;
@@ -49,7 +49,7 @@ impl<S: Scalar> Density<S> {
         Self { azimuth: 0, terms, recurrence }
     }
 
-    /// at_k and below_k of the azimuth.
+    /// The coefficients at_k and below_k of the current azimuth.
     pub(super) const fn recurrence(&self) -> &[[S; 2]; TERMS] {
         &self.recurrence
     }
@@ -58,14 +58,14 @@ impl<S: Scalar> Density<S> {
         self.recurrence.iter().map(|&[_, below]| below)
     }
 
-    /// That of an azimuth beyond: the rows times 2 - 2t, then times 2t + 6. The last that is known
-    /// takes part of one that is not.
+    /// Advances to a higher azimuth: for each step, the density is multiplied by 2 - 2t, then by
+    /// 2t + 6. The last known row needs part of an unknown one, so each step loses one row.
     pub(super) fn turn_to(&mut self, azimuth: usize) {
         let (two, six) = (S::from_whole(2), S::from_whole(6));
         while self.azimuth < azimuth {
             let rows = self.recurrence.get_mut(..self.terms).unwrap_or_default();
             let Some((mut before, rows)) = rows.split_first_mut() else { return };
-            // A pivot of the first factor, and what one of the second lacks.
+            // A pivot of the first factor, and the difference of a pivot of the second.
             let (mut pivot, mut lack) = (two - before[0], S::ZERO);
             for row in rows {
                 let share = row[1] * pivot.reciprocal();
@@ -82,12 +82,12 @@ impl<S: Scalar> Density<S> {
     }
 }
 
-/// The roots of the mean squares of an azimuth's polynomials over a sphere, from their below_k.
+/// The root mean squares of an azimuth's polynomials over a sphere, from their below_k.
 pub(super) fn sizes<S: Scalar>(
     azimuth: usize,
     below: impl Iterator<Item = S>,
 ) -> impl Iterator<Item = S> {
-    // Of sin^m cos mβ.
+    // The root mean square of sin^m cos mβ.
     let mut size =
         if azimuth == 0 { S::ONE } else { Libm::inverse_root(S::from_whole(2 * azimuth + 2)) };
     below.enumerate().map(move |(k, below)| {

@@ -1,4 +1,4 @@
-//! The mean square of an azimuth over a sphere's normals, without rewriting its polynomials.
+//! The mean square of an azimuth over a sphere's normals, without converting its polynomials.
 
 use crate::index::layout::LANES;
 use crate::lanes::multiply_add;
@@ -6,7 +6,8 @@ use crate::polynomial::values;
 use crate::scalar::Scalar;
 use crate::shade::ANY;
 
-/// Gauss's rule for the density 2z dz of a sphere's normals: t = 2z - 1, and weights that sum to 1.
+/// Gauss's rule for the density 2z dz of a sphere's normals: nodes t = 2z - 1, and weights that sum
+/// to 1.
 const NODES: [(f64, f64); 20] = [
     (-0.983_399_911_585_865_5, 0.000_230_763_814_351_370_58),
     (-0.944_713_893_294_873_8, 0.001_366_124_552_171_844),
@@ -30,8 +31,8 @@ const NODES: [(f64, f64); 20] = [
     (0.993_447_786_661_899_8, 0.016_741_688_352_545_114),
 ];
 
-/// The mean square of `scale` times sin^m (P cos mβ + Q sin mβ), for polynomials of as many terms;
-/// none where the rule is not exact.
+/// The mean square of `scale` times sin^m (P cos mβ + Q sin mβ), for polynomials of equal length.
+/// `None` if the rule is not exact for them.
 pub(super) fn mean_square<S: Scalar>(
     azimuth: usize,
     [plus, minus]: [&[S]; 2],
@@ -57,7 +58,7 @@ pub(super) fn mean_square<S: Scalar>(
     let values = groups(&plus).iter().zip(groups(&minus));
     for (weights, (plus, minus)) in groups(&weights).iter().zip(values) {
         let [plus, minus] = [plus, minus].map(|[a, b, c, d]| {
-            // No square is too small or too large.
+            // Scaled so that no square is too small or too large.
             [*a * scale, *b * scale, *c * scale, *d * scale]
         });
         let squares = multiply_add(multiply_add([S::ZERO; LANES], &plus, &plus), &minus, &minus);
@@ -75,7 +76,7 @@ fn groups<S>(numbers: &[S; NODES.len()]) -> &[[S; LANES]] {
 mod tests {
     use super::*;
 
-    /// Of z^k, 2 / (k + 2), and of sin^2m, 1 / (m + 1), half of it for cos mβ.
+    /// The mean of z^k is 2 / (k + 2), and that of sin^2m is 1 / (m + 1), half of it with cos mβ.
     #[test]
     fn the_rule_is_exact() {
         for k in 0..2 * NODES.len() {

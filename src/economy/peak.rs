@@ -1,4 +1,4 @@
-//! The peak of an image, and what tolerances are of it.
+//! The peak of an image, and tolerances relative to it.
 
 use super::report::Tolerance;
 use crate::error::Error;
@@ -8,8 +8,8 @@ use crate::polynomial::{long, orthogonal, value};
 use crate::scalar::Scalar;
 use crate::scene::Scene;
 
-/// Where the peak is looked for, beside the camera's direction: slants of these cosines and sines,
-/// as many as lanes, and one where t is 0.
+/// Slants at which the peak is sought, apart from the camera's direction, given by their cosines
+/// and sines: one for each lane, and one where t is 0.
 const SLANTS: [(f64, f64); LANES + 1] = [
     (0.92, 0.391_918_358_845_308_5),
     (0.75, 0.661_437_827_766_147_6),
@@ -19,33 +19,33 @@ const SLANTS: [(f64, f64); LANES + 1] = [
 ];
 
 impl<S: Scalar> Tolerance<S> {
-    /// As an irradiance.
+    /// The tolerance as an irradiance.
     pub(super) fn irradiance(self, peak: S) -> Result<S, Error> {
         let (share, of) = match self {
             Self::OfPeak(share) => (share, peak),
             Self::Decibels(decibels) => {
-                // 10^(-1/20) so many times.
+                // 10^(-1/20), multiplied `decibels` times.
                 let one = S::from_f64(0.891_250_938_133_745_5);
                 ((0..decibels).fold(S::ONE, |share, _| share * one), peak)
             }
             Self::Irradiance(irradiance) => (irradiance, S::ONE),
         };
-        // Of what is not finite there is no share, and no comparison with it holds: nothing is
+        // A peak that is not finite has no fraction, and no comparison with it holds, so nothing is
         // left out.
         let of = if of.is_finite() { of } else { of * S::ZERO };
         if share > S::ZERO && share.is_finite() { Ok(share * of) } else { Err(Error::Tolerance) }
     }
 }
 
-/// The largest |I| at 41 normals: toward the camera, and of each slant at eight azimuths.
+/// The largest |I| at 41 normals: the one toward the camera, and eight azimuths for each slant.
 ///
-/// Azimuths m and m + 8 are one at these, so a slant costs its polynomials once.
+/// The azimuths m and m + 8 agree at these normals, so each slant evaluates its polynomials once.
 pub(super) fn peak<S: Scalar, B: AsRef<[S]>>(scene: &Scene<'_, B>) -> S {
     let [lanes @ .., _] = SLANTS;
     let t = lanes.map(|(z, _)| S::from_f64(z + z - 1.0));
     let sines = SLANTS.map(|(_, sine)| S::from_f64(sine));
     let mut power = [S::ONE; SLANTS.len()];
-    // Of cos mβ and sin mβ, for m = 0 to 4.
+    // Sums of the factors of cos mβ and sin mβ, for m = 0 to 4.
     let mut sums = [[[S::ZERO; 2]; SLANTS.len()]; 5];
     let mut most = S::ZERO;
     for (azimuth, (plus, minus)) in scene.azimuths().enumerate() {
@@ -54,7 +54,7 @@ pub(super) fn peak<S: Scalar, B: AsRef<[S]>>(scene: &Scene<'_, B>) -> S {
             continue;
         }
         let recurrence = scene.recurrence(azimuth);
-        // Of m = 0 there is no sin mβ.
+        // m = 0 has no sin mβ.
         let minus = if azimuth == 0 { plus } else { minus };
         let lanes = match recurrence {
             [] => [slants(plus, &t), slants(minus, &t)],
@@ -85,9 +85,9 @@ pub(super) fn peak<S: Scalar, B: AsRef<[S]>>(scene: &Scene<'_, B>) -> S {
     let of_slants = zero.iter().zip(&one).zip(two.iter().zip(&three)).zip(&four);
     of_slants.fold(most, |most, (((zero, one), (two, three)), four)| {
         let ([all, unseen], [half, also]) = (*zero, *four);
-        // sin 4β is 0 at all of them, but what is not finite counts.
+        // sin 4β is 0 at all of them, but a number that is not finite counts.
         let most = larger(most, S::ZERO * (unseen + also));
-        // At β and at β + π: the sum of both and their difference.
+        // The values at β and at β + π are the sum and the difference of these.
         let same =
             [all + half + two[0], all - half + two[1], all + half - two[0], all - half - two[1]];
         let opposite = [
@@ -101,8 +101,8 @@ pub(super) fn peak<S: Scalar, B: AsRef<[S]>>(scene: &Scene<'_, B>) -> S {
     })
 }
 
-/// A polynomial's values at the lanes' slants; apart from its caller, where what t is would be
-/// known and each lane done in its own way.
+/// The values of a polynomial at the slants of the lanes. Not inlined: with t known, the compiler
+/// would treat each lane separately.
 #[inline(never)]
 fn slants<S: Scalar>(terms: &[S], t: &[S; LANES]) -> [S; LANES] {
     if terms.len() > POWERS {
@@ -112,7 +112,7 @@ fn slants<S: Scalar>(terms: &[S], t: &[S; LANES]) -> [S; LANES] {
     rest.iter().fold([first; LANES], |sums, &term| multiply_add([term; LANES], &sums, t))
 }
 
-/// A polynomial's value where t is 0.
+/// The value of a polynomial at t = 0.
 fn middle<S: Scalar>(terms: &[S], recurrence: &[Recurrence]) -> S {
     match terms.last() {
         Some(&last) if recurrence.is_empty() && terms.len() <= POWERS => last,
@@ -120,7 +120,7 @@ fn middle<S: Scalar>(terms: &[S], recurrence: &[Recurrence]) -> S {
     }
 }
 
-/// The larger of two; what is not finite stays.
+/// The larger of two numbers; a number that is not finite is kept.
 pub(super) fn larger<S: Scalar>(most: S, one: S) -> S {
     let more = !one.is_finite() || one > most;
     if most.is_finite() && more { one } else { most }

@@ -1,4 +1,5 @@
-//! One loop for several images: as many components, polynomials of the same lengths.
+//! Several images for one loop over pixels: the same number of components, and polynomials of the
+//! same lengths.
 
 use super::accounts::Accounts;
 use super::peak::{larger, peak};
@@ -11,45 +12,46 @@ use crate::parts::Recurrences;
 use crate::scalar::Scalar;
 use crate::scene::Scene;
 
-/// What of the tolerance is for components, a sixteenth of its square: terms are what a pixel
-/// costs.
+/// The fraction of the squared tolerance reserved for components, a sixteenth. The rest is for
+/// terms, because these are what a pixel costs.
 const COMPONENTS: f64 = 0.0625;
 
-/// As much as a table's components lack is in its last fifth: see [`Economy::floor`].
+/// The last fifth of the components (one in `FLOOR`) estimates the error of the table: see
+/// [`Economy::floor`].
 const FLOOR: usize = 5;
 
-/// What scenes of one shape have in common: a loop over pixels that serves one serves all.
+/// The common shape of several scenes. A loop over pixels written for one of them serves all.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Shape<'l> {
-    /// So many components suffice: see [`Economy::components`].
+    /// Number of components that suffice: see [`Economy::components`].
     pub components: usize,
-    /// Terms of the polynomials of azimuths |m| = 0, 1, ...
+    /// Number of terms of the polynomials of azimuths |m| = 0, 1, ...
     pub lengths: &'l [u16],
-    /// Those of the basis.
+    /// The recurrences of the basis.
     pub recurrences: Recurrences<'l>,
 }
 
 impl<'l> Shape<'l> {
-    /// Terms of all polynomials, of +m and of -m.
+    /// Number of terms of all polynomials, of +m and of -m.
     #[must_use]
     pub fn terms(&self) -> usize {
         let both = self.lengths.iter().map(|&length| 2 * usize::from(length)).sum::<usize>();
         both - self.lengths.first().map_or(0, |&length| usize::from(length))
     }
 
-    /// Azimuths |m| from 0 on that it has.
+    /// Number of azimuths |m|, from 0 to the highest that has terms.
     #[must_use]
     pub fn azimuths(&self) -> usize {
         self.lengths.iter().rposition(|&length| length > 0).map_or(0, |last| last + 1)
     }
 
-    /// The scene of polynomials that were made in this shape; others give meaningless
-    /// irradiances.
+    /// The scene of polynomials that were made in this shape. The irradiances are meaningless for
+    /// any other numbers.
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] if there are fewer than [`terms`](Self::terms).
+    /// [`Error::Length`] if there are fewer numbers than [`terms`](Self::terms).
     pub fn scene<S: Scalar, B: AsRef<[S]>>(self, buffer: B) -> Result<Scene<'l, B>, Error> {
         let (expected, found) = (self.terms(), buffer.as_ref().len());
         let enough = expected.min(found);
@@ -59,20 +61,20 @@ impl<'l> Shape<'l> {
 }
 
 impl<'a, S: Scalar> Basis<'a, S> {
-    /// Scenes of one shape, each within a tolerance of its image: a set of materials under one
-    /// light, a material under several, a colour's channels.
+    /// Computes scenes of one shape, each within a tolerance of its image: for several materials
+    /// under one light, for one material under several lights, or for the channels of a color.
     ///
-    /// `images` are coefficients, one slice for each image. `channels` images one after the
-    /// other are those of one colour, whose peak is the largest of all of them: 3, or 1 where
-    /// each image's peak is its own. Each channel is off by no more than the tolerance, and so
-    /// is the root mean square over all.
+    /// `images` holds a slice of coefficients for each image. Each run of `channels` consecutive
+    /// images is one color, whose peak is the largest of its channels: use 3 for colors, or 1 to
+    /// give each image its own peak. The error of each channel is at most the tolerance, and so is
+    /// the root mean square over all channels.
     ///
-    /// The k-th scene's polynomials lie at the beginning of the k-th
-    /// [`scene_len`](Self::scene_len) numbers of `buffer`, for [`Shape::scene`]; what it costs
-    /// and its peak in the k-th of `economies`. Lengths lie in `lengths`, which has room for
-    /// [`azimuths`](Self::azimuths). One [`Shape`] has as many components as the image that
-    /// needs most, and the polynomials of any azimuth can lose no more terms, if a pixel saves
-    /// by it, unless some image is then off by more than its tolerance.
+    /// The polynomials of the k-th scene are written to the beginning of the k-th
+    /// [`scene_len`](Self::scene_len) numbers of `buffer`, for [`Shape::scene`], and its cost and
+    /// peak to the k-th of `economies`. The lengths are written to `lengths`, which needs room for
+    /// [`azimuths`](Self::azimuths). The [`Shape`] has as many components as the most demanding
+    /// image needs. No azimuth's polynomials can lose further terms, if a pixel would save by it,
+    /// without some image exceeding its tolerance.
     ///
     /// Set-up cost: that of [`collapse_within`](Self::collapse_within) for each image.
     ///
@@ -99,9 +101,9 @@ impl<'a, S: Scalar> Basis<'a, S> {
     ///
     /// # Errors
     ///
-    /// As [`collapse_within`](Self::collapse_within), where `buffer` has to have
-    /// [`scene_len`](Self::scene_len) numbers for each image; [`Error::Length`] unless images
-    /// are a multiple of `channels` and `economies` as many as they.
+    /// The same as [`collapse_within`](Self::collapse_within), except that `buffer` must have
+    /// [`scene_len`](Self::scene_len) numbers for each image; [`Error::Length`] unless the number
+    /// of images is a multiple of `channels` and equals that of `economies`.
     pub fn collapse_set_within<'l, C: AsRef<[S]>>(
         &self,
         images: &[C],
@@ -119,7 +121,7 @@ impl<'a, S: Scalar> Basis<'a, S> {
         Error::check(What::Images, whole, count)?;
         Error::check(What::Images, count, economies.len())?;
         Error::check(What::Scene, count.saturating_mul(len), buffer.len())?;
-        // Of no images too.
+        // Check the tolerance even if there are no images.
         tolerance.irradiance(S::ONE)?;
         economies.fill(Economy::default());
         for (image, numbers, economy) in each(images, buffer, len, economies) {
@@ -133,7 +135,7 @@ impl<'a, S: Scalar> Basis<'a, S> {
         let mut components = 0;
         for (image, _, economy) in each(images, buffer, len, economies) {
             let account = Account::new(economy.peak);
-            // Of the bound's square, until that is known.
+            // Holds the square of the allowed error until the bound is known.
             economy.bound = account.allowed(tolerance.irradiance(economy.peak)?);
             components = components.max(account.components(image, economy.bound));
         }
@@ -165,20 +167,20 @@ impl<'a, S: Scalar> Basis<'a, S> {
         Ok(shape)
     }
 
-    /// The scene of `coefficients` in a shape that was chosen for others or before, and what
-    /// that costs: [`collapse_into`](Self::collapse_into), then what the shape leaves out is
-    /// left out, in the polynomials that are orthogonal over a sphere's normals, so that the
-    /// nearest image of so many terms stays.
+    /// Computes the scene of `coefficients` in a given shape, chosen earlier or for other images,
+    /// and its cost. After [`collapse_into`](Self::collapse_into), everything that the shape lacks
+    /// is left out in polynomials that are orthogonal over a sphere's normals. The result is
+    /// therefore the nearest image with that number of terms.
     ///
-    /// The scene's polynomials lie at the beginning of `buffer`, of length
+    /// The polynomials of the scene are written to the beginning of `buffer`, of length
     /// [`scene_len`](Self::scene_len). Set-up cost: that of
-    /// [`collapse_within`](Self::collapse_within) without its cuts.
+    /// [`collapse_within`](Self::collapse_within) without choosing a shape.
     ///
     /// # Errors
     ///
-    /// As [`collapse_into`](Self::collapse_into); [`Error::Length`] if the shape has more
+    /// The same as [`collapse_into`](Self::collapse_into); [`Error::Length`] if the shape has more
     /// azimuths or terms than the basis, or fewer terms of a polynomial that
-    /// [`collapse_within`](Self::collapse_within) leaves as it is.
+    /// [`collapse_within`](Self::collapse_within) keeps as it is.
     pub fn collapse_as<'l, B: AsMut<[S]> + AsRef<[S]>>(
         &self,
         coefficients: &[S],
@@ -211,7 +213,7 @@ impl<'a, S: Scalar> Basis<'a, S> {
     }
 }
 
-/// Each image, its scene and what is told of it.
+/// Each image with its scene and its report.
 fn each<'s, S, C: AsRef<[S]>>(
     images: &'s [C],
     buffer: &'s mut [S],
@@ -223,7 +225,7 @@ fn each<'s, S, C: AsRef<[S]>>(
     images.zip(scenes).map(|(image, (numbers, economy))| (image, numbers, economy))
 }
 
-/// What an image's numbers are counted in, its peak: no square is too small or too large.
+/// The unit of an image's numbers: its peak, so that no square is too small or too large.
 #[derive(Clone, Copy)]
 struct Account<S> {
     unit: S,
@@ -231,10 +233,10 @@ struct Account<S> {
     scale: S,
 }
 
-/// The unit of what is black where its peak is looked for.
+/// The unit of an image that is black at the normals where its peak is sought.
 const DARK: f64 = 1e-19;
 
-/// So many times its unit is more than any image is off.
+/// The error of any image is less than this many of its units.
 const MOST: f64 = 1e9;
 
 impl<S: Scalar> Account<S> {
@@ -247,14 +249,14 @@ impl<S: Scalar> Account<S> {
         }
     }
 
-    /// Sum of squares that an image may be off; finite, however dim the image is.
+    /// The allowed sum of squared errors of an image; finite, however dim the image is.
     fn allowed(&self, tolerance: S) -> S {
         let (share, most) = (tolerance * self.scale, S::from_f64(MOST));
         let share = if share > most { most } else { share };
         share * share
     }
 
-    /// The fewest components that leave out no more than their part of what is allowed.
+    /// The fewest components that keep the error within the share reserved for components.
     fn components(&self, image: &[S], allowed: S) -> usize {
         let mut sum = S::ZERO;
         let last = image.iter().rposition(|&d| {
@@ -265,13 +267,13 @@ impl<S: Scalar> Account<S> {
         last.map_or(0, |last| last + 1)
     }
 
-    /// What is spent when so many components stay: squares.
+    /// The squared error if this many components are kept.
     fn spent(&self, image: &[S], components: usize) -> S {
         let gone = image.iter().skip(components).map(|&d| d * self.scale);
         gone.fold(S::ZERO, |sum, d| sum.add_product(d, d))
     }
 
-    /// Squares of what is spent become irradiances.
+    /// Completes a report, converting squared errors into irradiances.
     fn settle(&self, image: &[S], shape: Shape<'_>, economy: &mut Economy<S>) {
         let (components, terms) = (economy.left_out_by_components, economy.left_out_by_terms);
         let irradiance = |square| Libm::square_root(square) * self.unit;

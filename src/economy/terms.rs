@@ -1,7 +1,8 @@
-//! A scene's polynomials, rewritten in polynomials that are orthonormal over a sphere's normals.
+//! The polynomials of a scene, converted into polynomials that are orthonormal over a sphere's
+//! normals.
 //!
-//! There a term's square is the mean square error of leaving it out (Parseval), and the terms that
-//! stay are the nearest image with that many terms.
+//! In this form, the square of a term is the mean square error of leaving it out (Parseval), and
+//! the remaining terms are the nearest image with that many terms.
 
 use super::basis::Rows;
 use super::density::{Density, longest, sizes};
@@ -9,32 +10,32 @@ use crate::index::layout::Recurrence;
 use crate::parts::Recurrences;
 use crate::scalar::Scalar;
 
-/// Polynomials of an azimuth.
+/// Number of polynomials of an azimuth.
 pub(super) const fn signs(azimuth: usize) -> usize {
     if azimuth == 0 { 1 } else { 2 }
 }
 
-/// Polynomials of all azimuths.
+/// The shape of the polynomials of all azimuths.
 #[derive(Clone, Copy)]
 pub(super) struct Polynomials<'p> {
-    /// Terms of either, by azimuth.
+    /// Number of terms of each of the two polynomials, by azimuth.
     pub(super) lengths: &'p [u16],
     pub(super) recurrences: Recurrences<'p>,
 }
 
-/// Where an azimuth's polynomials lie.
+/// The position of an azimuth's polynomials.
 #[derive(Clone, Copy)]
 pub(super) struct Place {
     pub(super) azimuth: usize,
     pub(super) start: usize,
-    /// Terms of either.
+    /// Number of terms of each of the two polynomials.
     pub(super) original: usize,
-    /// Whether they can be rewritten: not if they are too long.
+    /// Whether the polynomials can be converted; false if they are too long.
     pub(super) known: bool,
 }
 
 impl Place {
-    /// Those of +m, and of -m or none.
+    /// The polynomials of +m and of -m; the latter is empty for m = 0.
     pub(super) fn both<S>(self, numbers: &[S]) -> [&[S]; 2] {
         let (plus, rest) = numbers
             .get(self.start..)
@@ -44,7 +45,7 @@ impl Place {
         [plus, rest.get(..others).unwrap_or_default()]
     }
 
-    /// Of the terms from the highest of `length` down: the squares of +m's and -m's.
+    /// For each term from the highest of `length` down, the sum of the squares of +m and -m.
     #[inline(always)]
     pub(super) fn squares<S: Scalar>(
         self,
@@ -73,7 +74,7 @@ impl<'p> Polynomials<'p> {
         Place { azimuth, start, original, known }
     }
 
-    /// Each azimuth's place, up to the last that has any polynomial.
+    /// The position of each azimuth, up to the last that has any polynomial.
     fn places(self) -> impl Iterator<Item = Place> {
         let mut start = 0;
         (0..used(self.lengths)).map(move |azimuth| {
@@ -83,7 +84,7 @@ impl<'p> Polynomials<'p> {
         })
     }
 
-    /// The density of the azimuths without a recurrence.
+    /// The density for the azimuths without a recurrence.
     fn density<S: Scalar>(self, lengths: &[u16]) -> Density<S> {
         let left = lengths.iter().enumerate().take(self.recurrences.first());
         let terms =
@@ -92,8 +93,8 @@ impl<'p> Polynomials<'p> {
         Density::new(terms.max().unwrap_or_default())
     }
 
-    /// Rewrites a scene's polynomials, times `scale`, in orthonormal ones; those that are too
-    /// long or of which nothing is kept stay as they are.
+    /// Converts a scene's polynomials, times `scale`, into orthonormal ones. Polynomials that are
+    /// too long, or of which no term is kept, stay as they are.
     pub(super) fn orthonormalize<S: Scalar>(self, kept: &[u16], numbers: &mut [S], scale: S) {
         let (mut density, mut rows) = (self.density(kept), Rows::new());
         for (place, _) in self.places().zip(kept).filter(|(place, kept)| place.known && **kept > 0)
@@ -111,13 +112,14 @@ impl<'p> Polynomials<'p> {
         }
     }
 
-    /// Moves what is left of them to the beginning, in the form of these lengths, times `scale`.
+    /// Moves the remaining terms to the beginning and converts them into the form of these lengths,
+    /// times `scale`.
     pub(super) fn restore<S: Scalar>(self, lengths: &[u16], numbers: &mut [S], scale: S) {
         let (mut density, mut rows) = (self.density(lengths), Rows::new());
         let mut end = 0;
         for (place, &length) in self.places().zip(lengths).filter(|&(_, &length)| length > 0) {
             let (azimuth, length, start) = (place.azimuth, usize::from(length), end);
-            // They move toward the beginning, never past what is still to move.
+            // Terms move toward the beginning, and never onto terms that have yet to move.
             for sign in 1..=signs(azimuth) {
                 for k in (place.start + sign * place.original - length..).take(length) {
                     let term = numbers.get(k).copied().unwrap_or_default();
@@ -144,7 +146,7 @@ impl<'p> Polynomials<'p> {
         }
     }
 
-    /// Sum of the squares of the terms that lengths leave out.
+    /// The sum of the squares of the terms that these lengths leave out.
     pub(super) fn left_out<S: Scalar>(self, lengths: &[u16], numbers: &[S]) -> S {
         let mut sum = S::ZERO;
         let lengths = lengths.iter().copied().chain(core::iter::repeat(0));
@@ -155,8 +157,8 @@ impl<'p> Polynomials<'p> {
         sum
     }
 
-    /// Whether polynomials of these lengths can be made of them: none is longer, and none shorter
-    /// that stays as it is.
+    /// Whether polynomials of these lengths can be made from these: none is longer, and none that
+    /// must stay as it is is shorter.
     pub(super) fn can_become(self, lengths: &[u16]) -> bool {
         let padded = lengths.iter().map(|&length| usize::from(length)).chain(core::iter::repeat(0));
         lengths.len() <= self.lengths.len()
@@ -167,26 +169,27 @@ impl<'p> Polynomials<'p> {
     }
 }
 
-/// Azimuths up to the last that has any terms.
+/// Number of azimuths up to the last that has any terms.
 pub(super) fn used(lengths: &[u16]) -> usize {
     lengths.iter().rposition(|&length| length > 0).map_or(0, |last| last + 1)
 }
 
-/// The first of these numbers: an azimuth's polynomials of so many terms, +m's, and -m's or none.
+/// Splits off an azimuth's polynomials of `length` terms: those of +m, and those of -m (empty for
+/// m = 0).
 fn split<S>(numbers: &mut [S], azimuth: usize, length: usize) -> [&mut [S]; 2] {
     let (plus, rest) = numbers.split_at_mut_checked(length).unwrap_or_default();
     let others = if azimuth == 0 { 0 } else { length };
     [plus, rest.get_mut(..others).unwrap_or_default()]
 }
 
-/// The lowest terms of both times the first number, and so on.
+/// Multiplies the terms of both polynomials by the numbers, beginning with the lowest term.
 fn times<S: Scalar, N: Iterator<Item = S>>(both: [&mut [S]; 2], numbers: impl Fn() -> N) {
     for terms in both {
         terms.iter_mut().rev().zip(numbers()).for_each(|(term, number)| *term = *term * number);
     }
 }
 
-/// below_k of a recurrence.
+/// The coefficients below_k of a recurrence.
 fn below<S: Scalar>(recurrence: &[Recurrence]) -> impl Iterator<Item = S> {
     recurrence.iter().map(|&[_, below]| S::from_f32(below))
 }
@@ -197,7 +200,8 @@ mod tests {
     use crate::normal::Normal;
     use crate::scene::Scene;
 
-    /// Of each form, and so long that azimuth 40 takes what the recurrence knows at the end.
+    /// Covers each form. The last case is long enough that azimuth 40 uses the last known entries
+    /// of the recurrence.
     const CASES: [&[u16]; 5] = [
         &[1],
         &[16, 3, 15, 16],
@@ -217,7 +221,8 @@ mod tests {
         })
     }
 
-    /// The mean over a sphere's normals, of density 2z dz, by Simpson's rule and equal steps around.
+    /// The mean square over a sphere's normals, of density 2z dz, by Simpson's rule along z and
+    /// equal steps around.
     fn over_the_sphere(scene: &Scene<'_, &[f64]>) -> f64 {
         const ALONG: usize = 4000;
         const AROUND: usize = 90;

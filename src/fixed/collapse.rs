@@ -1,16 +1,17 @@
-//! The scene of an image, term by term: the components' weights stay in registers.
+//! Collapses an image into a scene, term by term, with the components' weights in registers.
 
 use crate::parts::Recurrences;
 use crate::scalar::Scalar;
 use crate::scene::{Scene, SceneBuffer};
 
-/// A scene of these lengths, all zero, without recurrences.
+/// A scene of polynomials of these lengths, all zero, without recurrences.
 #[inline(always)]
 pub fn blank_scene<S: Scalar, const N: usize>(lengths: &[u16]) -> Scene<'_, SceneBuffer<S, N>> {
     Scene::of(lengths, Recurrences::NONE, heapless::Vec::from_array([S::ZERO; N]))
 }
 
-/// A scene's numbers, to be written as those of polynomials of these lengths, `N` in all.
+/// The numbers of a scene, to be overwritten with polynomials of these lengths; `None` unless there
+/// are `N` in all.
 #[inline(always)]
 pub fn scene_mut<'s, 'a, S: Scalar, const N: usize>(
     scene: &'s mut Scene<'a, SceneBuffer<S, N>>,
@@ -20,13 +21,13 @@ pub fn scene_mut<'s, 'a, S: Scalar, const N: usize>(
     Some(numbers)
 }
 
-/// The polynomials of one azimuth, `P` profiles of `L` terms from `START` on, summed with
-/// the coefficients of their components, of +m alone (`W` = 1, for m = 0) or of +m and -m,
-/// into the scene's terms from `TO` on. A component that the basis does not have counts
-/// as zero.
+/// Sums the polynomials of one azimuth: `P` profiles of `L` terms from `START` on, weighted by the
+/// coefficients of their components.
 ///
-/// Apart from its caller: a compiler that sees several azimuths at once runs out of
-/// registers.
+/// With `W` = 1, for m = 0, there are components of +m only, else of +m and -m. The sums go to the
+/// scene's terms from `TO` on. A component that the basis does not have counts as zero.
+///
+/// Not inlined: a compiler that sees several azimuths at once runs out of registers.
 #[inline(never)]
 pub fn collapse<
     S: Scalar,

@@ -1,10 +1,10 @@
-//! A new light, order by order, for machines that take numbers one by one: nothing is
-//! multiplied that is zero, and a coefficient of the light is read once.
+//! Relights order by order, for machines that process numbers one at a time. It skips products with
+//! zero and reads each coefficient of the light once.
 
 use crate::index::light::position;
 use crate::scalar::Scalar;
 
-/// Whether the target takes numbers in groups, as [`pass`](super::pass) does.
+/// Whether the target processes numbers in groups, as [`pass`](super::pass) does.
 pub const GROUPS: bool = cfg!(any(
     target_arch = "x86",
     target_arch = "x86_64",
@@ -14,12 +14,14 @@ pub const GROUPS: bool = cfg!(any(
     target_feature = "v"
 ));
 
-/// d_i = Σ_l T_i,l L_l^m for the components of `P` profiles of order `M`, `D` degrees from
-/// |m| on: rows of `T` numbers from `START` on, `STEP` apart from one degree to the next,
-/// four from one profile to the next. Written to the places that `components` names.
+/// d_i = Σ_l T_i,l L_l^m for the components of `P` profiles of order `M`, over `D` degrees from
+/// |m| on.
 ///
-/// Apart from its caller: a compiler that sees several orders at once runs out of
-/// registers.
+/// The transfer has `T` numbers. Those of this order start at `START`, `STEP` apart from one degree
+/// to the next and four apart from one profile to the next. The sums are written to the indices in
+/// `components`.
+///
+/// Not inlined: a compiler that sees several orders at once runs out of registers.
 #[inline(never)]
 pub fn order<
     S: Scalar,
@@ -54,14 +56,14 @@ pub fn order<
     }
 }
 
-/// Room for the coefficients of an image.
+/// Coefficients of an image, all zero.
 #[inline(always)]
 #[must_use]
 pub fn blank_coefficients<S: Scalar, const K: usize>() -> crate::Coefficients<S, K> {
     heapless::Vec::from_array([S::ZERO; K])
 }
 
-/// The numbers of the coefficients of an image, to be written.
+/// The coefficients of an image, to be written, if there are exactly `K`.
 #[inline(always)]
 pub fn coefficients_mut<S: Scalar, const K: usize>(
     coefficients: &mut crate::Coefficients<S, K>,
@@ -69,7 +71,7 @@ pub fn coefficients_mut<S: Scalar, const K: usize>(
     coefficients.as_mut_slice().try_into().ok()
 }
 
-/// The numbers of a transfer of exactly `T` numbers.
+/// The numbers of a transfer, if there are exactly `T`.
 #[inline(always)]
 pub fn transfer<S: Scalar, const T: usize>(transfer: &crate::Transfer<S, T>) -> Option<&[S; T]> {
     transfer.as_slice().try_into().ok()

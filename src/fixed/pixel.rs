@@ -1,6 +1,7 @@
-//! A pixel of a scene whose polynomials have known lengths, by Horner's rule twice:
-//! each polynomial in t = 2z - 1, and the azimuths, from the highest down, in
-//! w = n_x + i n_y. I(n) = Re Σ_m (P_m + i Q_m) w̄^m.
+//! Shades a pixel of a scene whose polynomials have known lengths.
+//!
+//! Horner's rule is applied twice: to each polynomial in t = 2z - 1, and to the azimuths, from the
+//! highest downward, in w = n_x + i n_y. I(n) = Re Σ_m (P_m + i Q_m) w̄^m.
 
 use crate::normal::Normal;
 use crate::polynomial;
@@ -10,9 +11,9 @@ use crate::scene::Scene;
 
 /// The numbers of a scene whose azimuths have these lengths, `N` in all.
 ///
-/// `None` for a scene of another basis. It is known by the place of its lengths, since
-/// comparing the numbers takes longer than a pixel may; as many terms in all leave
-/// no terms for lengths beyond these.
+/// Returns `None` for a scene of another basis. A scene is recognized by the address of its
+/// lengths, because comparing the values takes too long for a pixel. If it also has `N` terms in
+/// all, none are left for azimuths beyond these lengths.
 #[inline(always)]
 pub fn scene<'s, S: Scalar, B: AsRef<[S]>, const N: usize>(
     scene: &'s Scene<'_, B>,
@@ -22,7 +23,7 @@ pub fn scene<'s, S: Scalar, B: AsRef<[S]>, const N: usize>(
     scene.numbers().try_into().ok().filter(|_| same)
 }
 
-/// P_m + i Q_m of the highest azimuth m > 0, whose polynomials of `L` terms each stand at
+/// P_m + i Q_m of the highest azimuth m > 0. Its two polynomials have `L` terms each and start at
 /// `START`.
 #[inline(always)]
 pub fn highest<S: Scalar, const START: usize, const L: usize, const N: usize>(
@@ -36,7 +37,7 @@ pub fn highest<S: Scalar, const START: usize, const L: usize, const N: usize>(
     })
 }
 
-/// P_m + i Q_m + w̄ `above` of a lower azimuth m > 0.
+/// P_m + i Q_m + w̄ `above` for a lower azimuth m > 0; the last argument is `above`.
 #[inline(always)]
 pub fn azimuth<S: Scalar, const START: usize, const L: usize, const N: usize>(
     terms: &[S; N],
@@ -51,7 +52,8 @@ pub fn azimuth<S: Scalar, const START: usize, const L: usize, const N: usize>(
     ]
 }
 
-/// The irradiance: P_0, whose `L` terms are the first, + Re w̄ `above`.
+/// The irradiance P_0 + Re w̄ `above`. The first `L` terms are those of P_0; the last argument is
+/// `above`.
 #[inline(always)]
 pub fn pole<S: Scalar, const L: usize, const N: usize>(
     terms: &[S; N],
@@ -65,8 +67,8 @@ pub fn pole<S: Scalar, const L: usize, const N: usize>(
     value.add_product(real, normal.x).add_product(imaginary, normal.y)
 }
 
-/// A pixel of any other scene, apart from its caller: what it needs of the stack and the
-/// registers is not to be paid for where it is not called.
+/// Shades a pixel of any other scene. Not inlined, so that callers that do not use it do not pay
+/// for its stack and registers.
 #[cold]
 #[inline(never)]
 pub fn shade<S: Scalar, B: AsRef<[S]>>(scene: &Scene<'_, B>, normal: Normal<S>) -> S {

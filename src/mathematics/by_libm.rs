@@ -1,14 +1,14 @@
-//! Roots and angles by the crate `libm`.
+//! Roots and angles from the crate `libm`.
 
 use super::functions::Mathematics;
 use crate::scalar::Scalar;
 
-/// Roots and angles by the crate `libm`, in any format: right to the last bit or
-/// nearly so, and what is taken where nothing else is asked for.
+/// Roots and angles from the crate `libm`, in any float format. This is the default; results are
+/// accurate to the last bit or nearly so.
 ///
-/// Its roots are loops over integers where the processor has no instruction for
-/// them. Its f32 sines and cosines compute in f64, in software on a Cortex-M4F: those are
-/// what [`SinglePrecision`](super::SinglePrecision) is for.
+/// Its roots are integer loops on processors without a root instruction. Its f32 sines and cosines
+/// are computed in f64, which a Cortex-M4F does in software;
+/// [`SinglePrecision`](super::SinglePrecision) avoids that.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Libm;

@@ -1,13 +1,12 @@
-//! Roots and angles by the crate `micromath`.
+//! Roots and angles from the crate `micromath`.
 
 use super::functions::Mathematics;
 use micromath::F32Ext;
 
-/// Roots and angles by the crate `micromath`: a handful of instructions each, and as
-/// exact as that.
+/// Roots and angles from the crate `micromath`: a handful of instructions each, with low accuracy.
 ///
-/// Roots are off by up to 6.1 %, their reciprocals by 3.5 %: a normal that it scales is so
-/// much too long or too short. Sines and cosines are off by up to 1.1e-3 within 10 rad.
+/// Roots are off by up to 6.1 %, their reciprocals by up to 3.5 %, so a normal scaled by one is
+/// too long or too short by as much. Sines and cosines are off by up to 1.1e-3 within 10 rad.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Micromath;

@@ -1,13 +1,15 @@
-//! Mathematics of set-up: roots and angles, by an implementation that the user picks.
+//! Roots and angles for setup, with an implementation that the user chooses.
 //!
-//! None of it is called for a pixel; normals that arrive unscaled take one root each.
+//! Shading a pixel calls none of these functions; scaling a normal to length 1 takes one root.
 //!
-//! | type | formats | root, relative | sine and cosine | what it links |
+//! | type | formats | root, relative error | sine and cosine, error | also links |
 //! |---|---|---|---|---|
-//! | [`Libm`] | f32, f64 | last bit | last bit | f32 angles compute in f64: in software on most microcontrollers |
+//! | [`Libm`] | f32, f64 | last bit | last bit | f64 for f32 angles |
 //! | [`SinglePrecision`] | f32 | 2e-7 | 1e-7 to 1,000 rad | nothing |
 //! | [`Tabled`] | f32 | 1.1e-7 | 8e-8 to 1,000 rad | 388 bytes of tables |
-//! | `Micromath` | f32 | 6.1 %, its reciprocal 3.5 % | 1.1e-3 to 10 rad | nothing; wants the feature `micromath` |
+//! | `Micromath` | f32 | 6.1 %, its reciprocal 3.5 % | 1.1e-3 to 10 rad | nothing |
+//!
+//! Most microcontrollers compute f64 in software. `Micromath` needs the feature `micromath`.
 
 mod by_libm;
 #[cfg(feature = "micromath")]

@@ -1,6 +1,6 @@
-//! Roots by Newton's method, from a first value of the reciprocal; no division.
+//! Roots by Newton's method, from an initial value of the reciprocal, without division.
 
-/// 1/√x after so many steps; each squares the relative error and takes 3/2 of it.
+/// 1/√x after `STEPS` steps from `first`. Each step turns a relative error e into 3/2 e².
 #[inline]
 pub fn inverse_root<const STEPS: usize>(x: f32, first: f32) -> f32 {
     let mut inverse = first;
@@ -10,7 +10,7 @@ pub fn inverse_root<const STEPS: usize>(x: f32, first: f32) -> f32 {
     inverse
 }
 
-/// √x of 1/√x, with a step of its own.
+/// √x from 1/√x, with one more step.
 #[inline]
 pub fn square_root(x: f32, inverse: f32) -> f32 {
     let root = x * inverse;

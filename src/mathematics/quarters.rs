@@ -1,10 +1,11 @@
-//! An angle as a whole number of parts of a quarter turn, and what is left.
+//! Splits an angle into a whole number of parts of a quarter turn and a remainder.
 
-/// π/2 in three parts: the first two have so few bits that their products with a
-/// small whole number are exact.
+/// π/2 as a sum of three parts. The first two have so few bits that their products with a small
+/// whole number are exact.
 const QUARTER: [f32; 3] = [1.570_312_5, 4.837_513e-4, 7.549_79e-8];
 
-/// The nearest multiple of a quarter turn over `PARTS`, a power of two, and the angle less that.
+/// The number of the nearest multiple of a quarter turn / `PARTS`, and the angle less that
+/// multiple. `PARTS` is a power of two.
 #[inline]
 pub(super) fn nearest<const PARTS: u8>(angle: f32) -> (i32, f32) {
     let parts = f32::from(PARTS);
@@ -16,7 +17,7 @@ pub(super) fn nearest<const PARTS: u8>(angle: f32) -> (i32, f32) {
     (number, QUARTER.iter().fold(angle, |rest, part| rest - whole * part))
 }
 
-/// (sin, cos) of an angle, of what they are so many quarter turns before.
+/// (sin, cos) of an angle plus `quarters` quarter turns, from the (sin, cos) of the angle.
 #[inline]
 pub(super) fn turned(quarters: i32, (sine, cosine): (f32, f32)) -> (f32, f32) {
     match quarters & 3 {

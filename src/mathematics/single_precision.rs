@@ -1,19 +1,18 @@
-//! Roots and angles in f32 from beginning to end.
+//! Roots and angles entirely in f32.
 
 use super::functions::Mathematics;
 use super::{newton, quarters};
 
-/// Roots and angles in f32 from beginning to end: no f64 anywhere, no division, no
-/// table.
+/// Roots and angles entirely in f32, without f64, division or tables.
 ///
-/// Roots and their reciprocals are within 2e-7 of themselves where x is a normal number, sines and
-/// cosines within 1e-7 for angles to 1,000 rad.
+/// Roots and their reciprocals have a relative error within 2e-7 if x is a normal number. Sines and
+/// cosines are within 1e-7 for angles to 1,000 rad.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SinglePrecision;
 
-/// Highest term first, in x²: (sin x - x) / x³ and (cos x - 1 + x²/2) / x⁴ at three
-/// Chebyshev nodes of [0, (π/4)²].
+/// Polynomials in x², highest term first, that equal (sin x - x) / x³ and (cos x - 1 + x²/2) / x⁴
+/// at three Chebyshev nodes of [0, (π/4)²].
 const SINE: [f32; 3] = [-1.958_789e-4, 8.332_748e-3, -1.666_666_7e-1];
 const COSINE: [f32; 3] = [2.454_794_2e-5, -1.388_830_3e-3, 4.166_666_5e-2];
 
@@ -23,7 +22,7 @@ impl Mathematics<f32> for SinglePrecision {
         newton::square_root(x, Self::inverse_root(x))
     }
 
-    /// Newton's method from the exponent halved.
+    /// Newton's method, starting from half the exponent.
     #[inline]
     fn inverse_root(x: f32) -> f32 {
         let first = f32::from_bits(0x5f37_5a86_u32.wrapping_sub(x.to_bits() >> 1));

@@ -1,20 +1,19 @@
-//! Roots and angles by tables.
+//! Roots and angles from tables.
 
 use super::functions::Mathematics;
 use super::{newton, quarters};
 
-/// Roots and angles by two small tables, 388 bytes: no f64 anywhere, no division.
+/// Roots and angles from two small tables, 388 bytes in all, without f64 or division.
 ///
-/// Roots and their reciprocals start from a table of the mantissa and take two steps of
-/// Newton's method; sines and cosines are Taylor's series of three terms from the nearest of
-/// 33 knots of a quarter turn, whose derivatives stand in the same table. Roots are within
-/// 1.1e-7 of themselves where x is a normal number, sines and cosines within 8e-8 for angles
-/// to 1,000 rad.
+/// Roots and their reciprocals start from a table of the mantissa and take two steps of Newton's
+/// method. Sines and cosines are Taylor series of three terms around the nearest of 33 knots in a
+/// quarter turn, whose derivatives come from the same table. Roots have a relative error within
+/// 1.1e-7 if x is a normal number. Sines and cosines are within 8e-8 for angles to 1,000 rad.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Tabled;
 
-/// Intervals of a quarter turn.
+/// Intervals per quarter turn.
 const INTERVALS: u8 = 32;
 
 impl Mathematics<f32> for Tabled {
@@ -49,7 +48,7 @@ impl Mathematics<f32> for Tabled {
     }
 }
 
-/// sin(k π/64) of k = 0 to 32; backwards, cosines.
+/// sin(k π/64) for k = 0 to 32; read backward, these are the cosines.
 const SINES: [f32; 33] = [
     0.0,
     0.049_067_676,
@@ -86,8 +85,8 @@ const SINES: [f32; 33] = [
     1.0,
 ];
 
-/// 1/√m of mantissas, in the middle between its values at both ends of an interval: 32 of m in
-/// [2, 4), twice that, then 32 of m in [1, 2).
+/// 1/√m of mantissas m, midway between the values at both ends of an interval: for 32 intervals of
+/// m in [2, 4), doubled, then for 32 intervals of m in [1, 2).
 const INVERSE_ROOTS: [f32; 64] = [
     1.403_334_4,
     1.382_228,

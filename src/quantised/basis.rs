@@ -1,4 +1,4 @@
-//! An eigenbasis in integers, its shape and its bounds checked.
+//! A fixed-point eigenbasis with checked shape and bounds.
 
 use super::transfer::Transfer;
 use super::{Parts, Profile};
@@ -7,7 +7,7 @@ use crate::format::{Q15, Q31};
 use crate::index::effect::Effects;
 use crate::index::{layout, pair};
 
-/// An eigenbasis in an integer format.
+/// An eigenbasis in a fixed-point format.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Basis<'a, Q> {
@@ -15,13 +15,14 @@ pub struct Basis<'a, Q> {
 }
 
 impl<'a, Q> Parts<'a, Q> {
-    /// Checks all lengths, and all places that one part has in another.
+    /// Checks all lengths, and all positions by which one part refers to another.
     const fn fits(&self) -> Result<(), Error> {
         let degrees = self.degree.saturating_add(1);
         if let Err(error) = Error::check(What::Lengths, degrees, self.lengths.len()) {
             return Err(error);
         }
-        // A weight for +m and one for -m; a row of a transfer.
+        // Each profile needs a weight for +m and one for -m; each degree needs a place in a row of
+        // a transfer.
         if 2 * self.profiles.len() > layout::MOST_WEIGHTS || degrees > layout::MOST_WEIGHTS / 2 {
             return Err(Error::Bound);
         }
@@ -58,7 +59,7 @@ impl<'a, Q> Parts<'a, Q> {
         if served != self.components {
             return Err(Error::Profile);
         }
-        // The terms of the others bound their length.
+        // Azimuths with profiles need no check: the number of terms bounds their length.
         let (mut azimuth, mut rest) = (0, self.profiles);
         while azimuth <= self.degree {
             let mut has_profile = false;
@@ -93,7 +94,7 @@ impl<'a, Q> Parts<'a, Q> {
         Ok(())
     }
 
-    /// Terms of the polynomials of an azimuth; 0 if it has none.
+    /// Number of terms of an azimuth's polynomials; 0 if it has none.
     pub(crate) const fn length(&self, azimuth: usize) -> usize {
         match self.lengths.split_at_checked(azimuth) {
             Some((_, [length, ..])) => *length as usize,
@@ -102,7 +103,7 @@ impl<'a, Q> Parts<'a, Q> {
     }
 }
 
-/// Whether one of these profiles serves this component.
+/// Whether one of these profiles belongs to this component.
 const fn served_by(mut profiles: &[Profile], component: u16) -> bool {
     while let [profile, others @ ..] = profiles {
         if profile.plus == component || profile.minus == component {
@@ -118,16 +119,17 @@ macro_rules! bounded {
         impl<'a> Basis<'a, $format> {
             /// The basis of these parts.
             ///
-            /// Checked are all lengths, all places that one part has in another, that no
-            /// sum over a row of factors can leave its accumulator, and that no profile
-            /// has a term beyond the step that it states: then no sum of weighed terms
-            /// can leave its accumulator either.
+            /// Checks all lengths, all positions by which one part refers to another, that no sum
+            /// over a row of factors can leave its accumulator, and that no term of a profile is
+            /// larger than the step that the profile states. Hence no sum of weighted terms can
+            /// leave its accumulator either.
             ///
             /// # Errors
             ///
-            /// [`Error::Length`] or [`Error::Profile`] if the parts contradict each
-            /// other, [`Error::Bound`] if a row of factors sums to 2^(BITS + 1) or more, a
-            /// term is larger than the largest step that its profile states, or there are more than 511 profiles, or degrees beyond 510.
+            /// [`Error::Length`] or [`Error::Profile`] if the parts are inconsistent.
+            /// [`Error::Bound`] if a row of factors sums to 2^(BITS + 1) or more, if a term is
+            /// larger than the largest step that its profile states, if there are more than 511
+            /// profiles, or if the degree is above 510.
             pub const fn new(parts: Parts<'a, $format>) -> Result<Self, Error> {
                 if let Err(error) = parts.fits() {
                     return Err(error);
@@ -155,14 +157,14 @@ macro_rules! bounded {
                 Ok(Self { parts })
             }
 
-            /// The transfer of these numbers, checked for this basis once and for all:
-            /// what a static is made by.
+            /// A transfer of these numbers, checked once for this basis. Being `const`, it can
+            /// initialize a static.
             ///
             /// # Errors
             ///
-            /// [`Error::Length`] if there are not [`transfer_len`](Self::transfer_len)
-            /// numbers and [`profiles`](Self::profiles) exponents, [`Error::Bound`] if a
-            /// row sums to 2^(BITS + 1) or more.
+            /// [`Error::Length`] unless there are [`transfer_len`](Self::transfer_len) numbers and
+            /// [`profiles`](Self::profiles) exponents, [`Error::Bound`] if a row sums to
+            /// 2^(BITS + 1) or more.
             pub const fn transfer<'t>(
                 &self,
                 numbers: &'t [$format],
@@ -187,7 +189,7 @@ macro_rules! bounded {
                 Ok(Transfer { numbers, exponents, bounded: true })
             }
 
-            /// The largest size in a row.
+            /// The largest absolute value in a row.
             const fn largest(row: &[$format]) -> u64 {
                 let (mut largest, mut numbers) = (0, row);
                 while let [$format(number), others @ ..] = numbers {
@@ -198,7 +200,7 @@ macro_rules! bounded {
                 largest
             }
 
-            /// Whether the sizes of a row sum to less than 2^(BITS + 1).
+            /// Whether the absolute values of a row sum to less than 2^(BITS + 1).
             const fn bounds(row: &[$format]) -> bool {
                 let (mut sum, mut numbers) = (0_u64, row);
                 while let [$format(number), others @ ..] = numbers {
@@ -214,7 +216,7 @@ bounded!(Q15, 15);
 bounded!(Q31, 31);
 
 impl<'a, Q> Basis<'a, Q> {
-    /// What it was made of.
+    /// The parts of this basis.
     #[must_use]
     pub const fn parts(&self) -> &Parts<'a, Q> {
         &self.parts
@@ -232,7 +234,7 @@ impl<'a, Q> Basis<'a, Q> {
         self.parts.order
     }
 
-    /// The effects that it is for.
+    /// The effects that the basis covers.
     #[must_use]
     pub const fn effects(&self) -> Effects {
         self.parts.effects
@@ -244,14 +246,13 @@ impl<'a, Q> Basis<'a, Q> {
         self.parts.components
     }
 
-    /// Wide numbers that folding needs room for: S, its exponents, and one row
-    /// with exponents.
+    /// Workspace length of `fold`, in wide numbers: S, its exponents, and one row with exponents.
     #[must_use]
     pub const fn workspace_len(&self) -> usize {
         pair::count(self.parts.order).saturating_add(3).saturating_mul(self.parts.degree + 1)
     }
 
-    /// Numbers in a transfer: for each profile one for each l from |m| on.
+    /// Length of a transfer: for each profile, one number for each l from |m| on.
     #[must_use]
     pub const fn transfer_len(&self) -> usize {
         let (mut sum, mut rest) = (0, self.parts.profiles);
@@ -269,7 +270,7 @@ impl<'a, Q> Basis<'a, Q> {
         self.parts.profiles.len()
     }
 
-    /// Numbers in a collapsed scene.
+    /// Length of a collapsed scene.
     #[must_use]
     pub const fn scene_len(&self) -> usize {
         let (mut sum, mut azimuth) = (0, 0);

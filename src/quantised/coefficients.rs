@@ -1,7 +1,7 @@
-//! The coefficients d of one image, in integers.
+//! The coefficients d of one image, in fixed point.
 
-/// The coefficients d of one image, component by component: mantissas of at most 2^30, times
-/// 2^exponent.
+/// The coefficients d of one image, component by component. The mantissas are at most 2^30 in size
+/// and are multiplied by 2^exponent.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Coefficients<const K: usize> {
@@ -16,7 +16,7 @@ impl<const K: usize> Coefficients<K> {
         &self.mantissas
     }
 
-    /// The exponent of all of them.
+    /// The common exponent.
     #[must_use]
     pub const fn exponent(&self) -> i32 {
         self.exponent

@@ -1,5 +1,5 @@
-//! One image in integers, its components summed azimuth by azimuth:
-//! I(n) = Σ_m Re/Im (n_x + i n_y)^m H_m(n_z).
+//! One image in fixed point, with the components of each azimuth summed: I(n) = Σ_m Re/Im (n_x + i
+//! n_y)^m H_m(n_z).
 
 use super::{Basis, Profile};
 use crate::buffer::zeros;
@@ -8,14 +8,15 @@ use crate::format::{Fixed, Wide as _};
 use core::marker::PhantomData;
 use core::ops::{Add, Mul, Shr};
 
-/// Room for a collapsed scene.
+/// Storage for a collapsed scene.
 pub type SceneBuffer<const N: usize> = heapless::Vec<i32, N>;
 
-/// Bits of d that its size leaves out: twice ten and sixteen are 32.
+/// Number of low bits of d that [`size`] drops. The rest has at most 16 bits and so does the value
+/// that a profile states, so their product fits into 32 bits.
 const UNIT: u32 = 16;
 
-/// One image: for each azimuth |m| the polynomials of +m and -m in `buffer`, all times
-/// 2^exponent.
+/// One image: `buffer` holds the polynomials of +m and -m for each azimuth |m|, all to be
+/// multiplied by 2^exponent.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Scene<'a, Q, B> {
@@ -28,15 +29,15 @@ pub struct Scene<'a, Q, B> {
 impl<'a, Q: Fixed> Basis<'a, Q> {
     /// Sums the components of each azimuth.
     ///
-    /// `N` is at least [`scene_len`](Self::scene_len). `mantissas` and `exponent` are
-    /// those of the first components; those that are missing count as zero. They may be
-    /// any: but the scene's resolution is what 2^16 of them are.
+    /// `N` must be at least [`scene_len`](Self::scene_len). `mantissas` and `exponent` belong to
+    /// the leading components; missing ones count as zero. Any mantissas are accepted, but the
+    /// resolution of the scene is never finer than for mantissas of size 2^16.
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] if there are more coefficients than components,
-    /// [`Error::Exponent`] if |exponent| is above 2^16, which that of no light on a
-    /// material is, [`Error::Capacity`] if `N` is too small.
+    /// [`Error::Length`] if there are more coefficients than components, [`Error::Exponent`] if
+    /// |exponent| is above 2^16, which no light on a material reaches, [`Error::Capacity`] if `N`
+    /// is too small.
     pub fn collapse<const N: usize>(
         &self,
         mantissas: &[i32],
@@ -46,13 +47,13 @@ impl<'a, Q: Fixed> Basis<'a, Q> {
         self.collapse_into(mantissas, exponent, buffer)
     }
 
-    /// [`collapse`](Self::collapse) into a buffer of one's own, of length
+    /// [`collapse`](Self::collapse) into a buffer that the caller provides, of length
     /// [`scene_len`](Self::scene_len).
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] if there are more coefficients than components, or the buffer
-    /// has another length; [`Error::Exponent`] as there.
+    /// [`Error::Length`] if there are more coefficients than components, or if the buffer has
+    /// another length; [`Error::Exponent`] as for `collapse`.
     pub fn collapse_into<B: AsMut<[i32]>>(
         &self,
         mantissas: &[i32],
@@ -107,12 +108,12 @@ impl<'a, Q: Fixed> Basis<'a, Q> {
         Ok(Scene { lengths: self.parts.lengths, exponent: to, buffer, format: PhantomData })
     }
 
-    /// The scene of polynomials and an exponent that were collapsed before, from wherever
-    /// they were kept. Others give meaningless irradiances.
+    /// The scene of polynomials and an exponent that were collapsed earlier and stored. The
+    /// irradiances are meaningless for any other numbers.
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] unless there are [`scene_len`](Self::scene_len) of them.
+    /// [`Error::Length`] unless there are [`scene_len`](Self::scene_len) numbers.
     pub fn scene<B: AsRef<[i32]>>(
         &self,
         exponent: i32,
@@ -122,12 +123,12 @@ impl<'a, Q: Fixed> Basis<'a, Q> {
         Ok(Scene { lengths: self.parts.lengths, exponent, buffer, format: PhantomData })
     }
 
-    /// The least n of: neither a step of a pixel's polynomials nor one of their terms nor
-    /// an irradiance goes beyond 2^n, in units of these coefficients, less a sixty-fourth
-    /// for rounding and normals that are not quite of unit length.
+    /// The least n such that no step of a pixel's polynomials, none of their terms and no
+    /// irradiance exceeds 2^n in units of these coefficients, with a margin of one sixty-fourth for
+    /// rounding and for normals that are not quite of unit length.
     ///
-    /// Each is a sum over components, each at most |d| times what the table states of
-    /// its profile.
+    /// Each of these is a sum over components, and each component contributes at most |d| times the
+    /// value that the table states for its profile.
     fn size(&self, mantissas: &[i32]) -> i32 {
         let mut profiles = self.parts.profiles;
         let [plus, minus] = SIGNS.map(|sign| sum(mantissas, profiles, sign, |one| one.size));
@@ -140,7 +141,7 @@ impl<'a, Q: Fixed> Basis<'a, Q> {
         self.bits(largest)
     }
 
-    /// [`bits`] of this basis.
+    /// [`bits`] for this basis.
     fn bits(&self, largest: u64) -> i32 {
         bits(largest, self.degree())
     }
@@ -153,7 +154,7 @@ fn split(profiles: &[Profile], azimuth: usize) -> (&[Profile], &[Profile]) {
     profiles.split_at_checked(count).unwrap_or((profiles, &[]))
 }
 
-/// The component of +m of a profile, and of -m.
+/// The components of a profile for +m and for -m.
 const SIGNS: [fn(&Profile) -> u16; 2] = [|profile| profile.plus, |profile| profile.minus];
 
 /// The largest term or step of the polynomials of one azimuth.
@@ -162,7 +163,7 @@ fn step(mantissas: &[i32], profiles: &[Profile]) -> u64 {
     plus.max(minus)
 }
 
-/// Sizes of d times what profiles state.
+/// Sums the sizes of d times the values that the profiles state.
 fn sum(
     mantissas: &[i32],
     profiles: &[Profile],
@@ -176,23 +177,23 @@ fn sum(
     products.sum()
 }
 
-/// By how many bits the weights of an azimuth are finer than those of all: its terms have
-/// less bits.
+/// By how many bits the weights of an azimuth can be finer than those of the scene, because its
+/// terms have fewer bits.
 #[inline(always)]
 pub(crate) fn finer(bits: i32, of_azimuth: i32) -> u32 {
     (bits - of_azimuth).cast_unsigned().min(FINEST)
 }
 
-/// The most that it is worth.
+/// The upper limit of [`finer`].
 pub(crate) const FINEST: u32 = 2;
 
-/// |d|, of which a size is made: in units of 2^[`UNIT`], rounded up.
+/// The size of d: |d| in units of 2^[`UNIT`], rounded up.
 #[inline(always)]
 pub(crate) fn size(d: i32) -> u32 {
     (d.unsigned_abs() + ((1 << UNIT) - 1)) >> UNIT
 }
 
-/// Bits of a largest step, term or irradiance: `largest` is in sixteenths of
+/// Number of bits of the largest step, term or irradiance. `largest` is in sixteenths of
 /// 2^[`UNIT`].
 #[inline]
 pub(crate) fn bits(largest: u64, degree: usize) -> i32 {
@@ -200,20 +201,20 @@ pub(crate) fn bits(largest: u64, degree: usize) -> i32 {
     bits.cast_signed() - 4 + UNIT.cast_signed()
 }
 
-/// A largest step, term or irradiance and what it may be too small by.
+/// The largest step, term or irradiance, plus a margin for the error of that bound.
 #[inline(always)]
 pub(crate) fn with_margin<N>(largest: N, degree: usize) -> N
 where
     N: Copy + From<u16> + Add<Output = N> + Mul<Output = N> + Shr<u32, Output = N>,
 {
-    // A normal may be a two-thousandth too long, and (n_x + i n_y)^m its mth power: to
-    // m = 24 that is in the sixty-fourth. The degree is at most 510.
+    // A normal may be a two-thousandth too long, which makes (n_x + i n_y)^m too large by the mth
+    // power. The sixty-fourth covers this up to m = 24. The degree is at most 510.
     let beyond = N::from(degree.saturating_sub(24) as u16);
     largest + (largest >> 6) + beyond * (largest >> 10)
 }
 
-/// By how many bits a component's weight is more than d, less its profile's exponent,
-/// where a scene's terms have `bits` bits in units of d.
+/// The shift from d to the weight of a component is this number plus the exponent of its profile.
+/// `bits` is the number of bits of the scene's terms, in units of d.
 #[inline(always)]
 pub(crate) fn base<Q: Fixed>(bits: i32) -> i32 {
     (Q::WEIGHT_BITS + Q::TERM_BITS).cast_signed() - bits
@@ -222,15 +223,15 @@ pub(crate) fn base<Q: Fixed>(bits: i32) -> i32 {
 /// d 2^`by`, rounded.
 #[inline]
 pub(crate) fn weight(d: i32, by: i32) -> i32 {
-    // That of a profile of no size may be any.
+    // The shift may be anything for a profile of size zero.
     if by >= 0 { d << by.min(31) } else { d.shifted(by) }
 }
 
-/// Scales the sums of weighed terms.
+/// Scales the sums of weighted terms.
 ///
-/// A step of Horner's rule rounds down, half a unit on average; so every term that is
-/// added to such a step is rounded up, by as much. The first is added to none, and the
-/// last of m = 0 to one that is not rounded.
+/// A step of Horner's rule rounds down, by half a unit on average, so every term that is added to
+/// such a step is rounded up by as much. The first term is not added to any step, and the last term
+/// of m = 0 is added to a step that is not rounded.
 #[inline]
 fn round(polynomial: &mut [i32], by: u32, is_constant: bool) {
     let last = polynomial.len().saturating_sub(1);
@@ -240,7 +241,8 @@ fn round(polynomial: &mut [i32], by: u32, is_constant: bool) {
     }
 }
 
-/// What is added before a sum's shift: half a unit to round it to the nearest, else one.
+/// The number added before a sum is shifted: half a unit to round it to the nearest, otherwise one
+/// unit.
 #[inline(always)]
 pub(crate) fn half_or_one(nearest: bool, by: u32) -> i32 {
     (1 << by) >> u32::from(nearest)

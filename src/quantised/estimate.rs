@@ -1,27 +1,27 @@
-//! The coefficients d of an image by scalar product in integers, pixel by pixel as they
-//! come: d_i = I • U_i, (19).
+//! The coefficients d of an image by a scalar product in fixed point, pixel by pixel as the pixels
+//! arrive: d_i = I • U_i, (19).
 
 use super::{Basis, Coefficients, Normal, Profile};
 use crate::buffer::zeros;
 use crate::error::{Error, What};
 use crate::format::{Fixed, Wide as _};
 
-/// An estimate in the making: see [`Basis::estimate`].
+/// An estimate that accumulates pixels: see [`Basis::estimate`].
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Estimate<'a, Q, const K: usize> {
     basis: Basis<'a, Q>,
     sums: heapless::Vec<i64, K>,
     weight: u64,
-    /// Whether a sum went beyond its 64 bits.
+    /// Whether a sum has exceeded 64 bits.
     is_saturated: bool,
 }
 
 impl<'a, Q: Fixed> Basis<'a, Q> {
-    /// An estimate of d from pixels, with no pixel so far.
+    /// Starts an estimate of d from pixels.
     ///
-    /// `K` is at least [`components`](Self::components); it keeps that many numbers of 64
-    /// bits.
+    /// `K` must be at least [`components`](Self::components). The estimate keeps that many 64-bit
+    /// numbers.
     ///
     /// # Errors
     ///
@@ -33,12 +33,13 @@ impl<'a, Q: Fixed> Basis<'a, Q> {
 }
 
 impl<Q: Fixed, const K: usize> Estimate<'_, Q, K> {
-    /// Adds a pixel: its normal, the irradiance seen there, a mantissa to which all pixels
-    /// have one exponent, and its weight, the area of the image that it stands for (1
-    /// where all are alike, 0 for one that does not count).
+    /// Adds a pixel with its normal, the irradiance seen there and its weight. The irradiance is a
+    /// mantissa, and all pixels share one exponent. The weight is the image area that the pixel
+    /// represents: 1 if all pixels are alike, 0 for a pixel that does not count.
     ///
-    /// 2^15 pixels of full weight and size fit, 2^31 of weight 1; beyond, a sum may leave its 64
-    /// bits, and [`coefficients`](Self::coefficients) says so.
+    /// The sums have room for 2^15 pixels of full weight and size, or 2^31 pixels of weight 1. With
+    /// more, a sum may exceed 64 bits, and [`coefficients`](Self::coefficients) then reports an
+    /// error.
     #[inline]
     pub fn add(&mut self, normal: Normal<Q>, irradiance: Q, weight: u16) {
         let parts = self.basis.parts();
@@ -74,20 +75,20 @@ impl<Q: Fixed, const K: usize> Estimate<'_, Q, K> {
         self.weight = self.weight.saturating_add(weight.into());
     }
 
-    /// d: the weighted mean over the pixels of I U_i, where `exponent` is that of the
+    /// Computes d, the weighted mean of I U_i over the pixels. `exponent` is that of the
     /// irradiances.
     ///
-    /// It is I • U_i as far as the pixels, with their weights, are spread as the normals
-    /// of the basis are; for a sphere: all pixels of its disc, seen from afar.
+    /// The mean equals I • U_i to the extent that the weighted pixels are distributed like the
+    /// normals of the basis. For a sphere these are all pixels of its disc, seen from afar.
     ///
-    /// Against the same mean in exact arithmetic the error is below 5e-3 of the largest
-    /// coefficient in Q15 for the shipped table, whose weak components have polynomials
-    /// no longer than pixels need, and below 1e-6 in Q31.
+    /// Compared with the same mean in exact arithmetic, the error is below 5e-3 of the largest
+    /// coefficient in Q15 for the shipped table, whose weak components have polynomials no longer
+    /// than pixels need, and below 1e-6 in Q31.
     ///
     /// # Errors
     ///
-    /// [`Error::Weight`] unless there is a weight, [`Error::Exponent`] if the exponent is
-    /// beyond ±2^15, [`Error::Saturated`] if a sum left its 64 bits: take smaller weights.
+    /// [`Error::Weight`] if the weights sum to zero, [`Error::Exponent`] if the exponent is beyond
+    /// ±2^15, [`Error::Saturated`] if a sum exceeded 64 bits; smaller weights avoid this.
     pub fn coefficients(&self, exponent: i32) -> Result<Coefficients<K>, Error> {
         if exponent.unsigned_abs() > 1 << 15 {
             return Err(Error::Exponent);
@@ -107,7 +108,7 @@ impl<Q: Fixed, const K: usize> Estimate<'_, Q, K> {
             }
         }
         let weight = i64::try_from(self.weight).unwrap_or(i64::MAX);
-        // The largest sum gets 62 bits, and its mean 31 less than that or more.
+        // The largest sum gets 62 bits, and its shifted mean has at least 31 bits fewer.
         let common = top.unwrap_or(0) - 62;
         let by = (64 - self.weight.leading_zeros()).cast_signed() - 33;
         for profile in profiles {
@@ -138,12 +139,12 @@ impl Profile {
         i32::from(self.exponent) + self.excess::<Q>()
     }
 
-    /// The profile's polynomial.
+    /// The value of the profile's polynomial.
     #[inline]
     fn value<Q: Fixed>(&self, terms: &[Q], t: i32) -> i32 {
         let by = -self.excess::<Q>();
         let term = |term: &Q| term.widen().shifted(by).saturated();
-        // A forged table may state too small a step; it is not to panic.
+        // A forged table may state too small a step. This must not panic.
         terms.iter().fold(0, |sum, of| Q::nearest_argument_times(sum, t).wrapping_add(term(of)))
     }
 }

@@ -1,5 +1,5 @@
-//! A material folded into a basis, in integers: T_i,l = Σ_pq factor_i,l,pq S_l,pq with
-//! S_l,pq = Σ_o B_op^q Ĉ_lo^q, so that d_i = Σ_l T_i,l L_l^m.
+//! The transfer of a material in fixed point: T_i,l = Σ_pq factor_i,l,pq S_l,pq with S_l,pq = Σ_o
+//! B_op^q Ĉ_lo^q, so that d_i = Σ_l T_i,l L_l^m.
 
 use super::transfer::TransferBuffer;
 use super::{Basis, Material};
@@ -10,14 +10,14 @@ use crate::format::{Fixed, Wide};
 use crate::index::{material, pair};
 
 impl<Q: Fixed> Basis<'_, Q> {
-    /// Folds a material into the basis.
+    /// Computes the transfer of a material.
     ///
-    /// `N` is at least [`workspace_len`](Self::workspace_len), `T` at least
-    /// [`transfer_len`](Self::transfer_len), `P` at least [`profiles`](Self::profiles).
+    /// `N` must be at least [`workspace_len`](Self::workspace_len), `T` at least
+    /// [`transfer_len`](Self::transfer_len), and `P` at least [`profiles`](Self::profiles).
     ///
     /// # Errors
     ///
-    /// As [`fold_into`](Self::fold_into), and [`Error::Capacity`] if `N`, `T` or `P` is
+    /// The same as [`fold_into`](Self::fold_into), and [`Error::Capacity`] if `N`, `T` or `P` is
     /// too small.
     pub fn fold<const N: usize, const T: usize, const P: usize>(
         &self,
@@ -37,10 +37,10 @@ impl<Q: Fixed> Basis<'_, Q> {
     ///
     /// # Errors
     ///
-    /// [`Error::Beyond`] if the material goes beyond the basis, [`Error::Folded`] if the
-    /// basis takes in none, [`Error::Length`] if a slice is not as long as
-    /// [`workspace_len`](Self::workspace_len), [`transfer_len`](Self::transfer_len) and
-    /// [`profiles`](Self::profiles) say.
+    /// [`Error::Beyond`] if the order of the material exceeds that of the basis, [`Error::Folded`]
+    /// if the basis only holds transfers, [`Error::Length`] unless `workspace` has
+    /// [`workspace_len`](Self::workspace_len) numbers, `numbers` has
+    /// [`transfer_len`](Self::transfer_len) and `exponents` has [`profiles`](Self::profiles).
     pub fn fold_into(
         &self,
         material: &Material<'_, Q>,
@@ -92,8 +92,8 @@ impl<Q: Fixed> Basis<'_, Q> {
         Ok(())
     }
 
-    /// Writes S: for each l a row over the pairs (p, q), each at most 2^BITS, and
-    /// the row's exponent.
+    /// Writes S: for each l a row over the pairs (p, q), with numbers of at most 2^BITS, and the
+    /// exponent of the row.
     fn scatter(&self, material: &Material<'_, Q>, sums: &mut [Q::Wide], exponents: &mut [Q::Wide]) {
         let pairs = pair::count(self.order());
         let room = room::<Q::Wide>(self.order());
@@ -101,7 +101,8 @@ impl<Q: Fixed> Basis<'_, Q> {
         let polar = rows(self.parts.polar, pairs).zip(rows(self.parts.polar_exponents, pairs));
         for ((polar, of_polar), (sums, exponent)) in polar.zip(rows_mut(sums, pairs).zip(exponents))
         {
-            // Ĉ of (o, q) meets coefficients of o and of all above it, of its parity.
+            // Ĉ of (o, q) is multiplied by coefficients of o and of all higher orders of the same
+            // parity.
             let (mut above, mut of_others, mut top, mut rest) = (None, None, i32::MIN, of_polar);
             for o in (0..=self.order()).rev() {
                 let (below, of_o) =
@@ -147,14 +148,15 @@ impl<Q: Fixed> Basis<'_, Q> {
     }
 }
 
-/// Bits by which the addends of S are lowered, so that their sum fits: one for each o of a
-/// parity. At least one, for the generated way lowers by no less.
+/// The number of bits by which the addends of S are shifted right so that their sum fits. There is
+/// one addend for each o of a parity. The shift is at least one bit, because the generated code
+/// shifts by at least one.
 #[inline(always)]
 pub(crate) fn room<W: Wide>(order: usize) -> i32 {
     (W::of((order / 2 + 1) as i32).bits().cast_signed() - 1).max(1)
 }
 
-/// Σ a b: the factors' row sums to less than 2^(BITS + 1), so it fits.
+/// Σ a b. The row of factors sums to less than 2^(BITS + 1), so the result fits.
 #[inline]
 fn product<Q: Fixed>(factors: &[Q], sums: &[Q::Wide]) -> Q::Wide {
     let mut sum = Q::Wide::default();
@@ -164,16 +166,16 @@ fn product<Q: Fixed>(factors: &[Q], sums: &[Q::Wide]) -> Q::Wide {
     sum
 }
 
-/// The exponent of zeros: less than that of any number.
+/// The exponent of zeros, less than that of any number.
 pub(crate) const NOTHING: i32 = -1 << 12;
 
-/// By how many bits the larger of a row's sizes have to exceed those that are kept, where
-/// they are aligned to the largest exponent.
+/// When a row is aligned to its largest exponent, its largest number must have this many bits more
+/// than are kept.
 pub(crate) const ENOUGH: u32 = 5;
 
-/// An exponent with which mantissas are below 2^`bits`, and their sizes' sum, after
-/// rounding, below 2^(`bits` + 1), of at most 511 numbers with an exponent each. It is the
-/// least, but for the 256th that rounding may add.
+/// A common exponent for at most 511 numbers, each with an exponent of its own. With it, the
+/// mantissas are below 2^`bits`, and the sum of their sizes after rounding is below 2^(`bits` + 1).
+/// It is the least such exponent, except for the 256th that rounding may add.
 pub(crate) fn common_exponent<W: Wide>(
     numbers: impl Iterator<Item = (W, i32)> + Clone,
     bits: u32,
@@ -197,7 +199,8 @@ pub(crate) fn common_exponent<W: Wide>(
         });
         row_bits(most, sum, count, guard)
     };
-    // Where no number of the largest exponent is large, all are aligned to fill their bits.
+    // If no number with the largest exponent is large, align all of them so that they fill their
+    // bits.
     let found = at(largest);
     let (reference, found) = if found >= bits + ENOUGH {
         (largest, found)
@@ -208,18 +211,19 @@ pub(crate) fn common_exponent<W: Wide>(
     reference + found.cast_signed() - bits.cast_signed()
 }
 
-/// Bits by which sizes are lowered, so that the sum of so many and a 256th of it fit.
+/// The number of bits by which sizes are shifted right so that the sum of `count` sizes, plus a
+/// 256th of it, fits.
 #[inline(always)]
 pub(crate) fn guard<W: Wide>(count: i32) -> u32 {
     W::of(count + (count >> 8)).bits()
 }
 
-/// The least n of: sizes are below 2^n, their sum and what rounding adds to it below
-/// 2^(n + 1). Given the largest or the bits of all, and the sum of `count` sizes, each
-/// lowered by [`guard`].
+/// The least n such that the sizes are below 2^n, and their sum, including the error of rounding,
+/// is below 2^(n + 1). `either` is the largest size, or the bitwise OR of all sizes; `sum` is the
+/// sum of `count` sizes, each shifted right by [`guard`].
 #[inline(always)]
 pub(crate) fn row_bits<W: Wide>(either: W, sum: W, count: i32, guard: u32) -> u32 {
-    // Each was rounded down.
+    // Each size was rounded down.
     let sum = sum + sum.floored(-8) + W::of(count);
     let half = guard - 1;
     sum.max(either.floored(-half.cast_signed())).bits() + half

@@ -1,11 +1,11 @@
-//! Light and material in integers.
+//! Light and material in fixed point.
 
 use crate::error::{Error, What};
 use crate::format::{Fixed, Wide as _};
 use crate::index::{light, material};
 
-/// One channel of distant light: mantissas in the order of
-/// [`index::light`](crate::index::light), all times 2^exponent.
+/// One channel of distant light: mantissas in the order of [`index::light`](crate::index::light),
+/// all to be multiplied by 2^exponent.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Light<'a, Q> {
@@ -15,10 +15,10 @@ pub struct Light<'a, Q> {
 }
 
 /// One channel of an isotropic BRDF: mantissas in the order of
-/// [`index::material`](crate::index::material), those of each o times 2 to its exponent.
+/// [`index::material`](crate::index::material). Each order o has its own exponent.
 ///
-/// What is lost of small coefficients follows the exponents: the largest mantissa of each
-/// o is to have all bits, and where all are zero the exponent is to be the least.
+/// The exponents determine how much precision small coefficients lose. The largest mantissa of each
+/// o should use all bits, and an o whose mantissas are all zero should have the least exponent.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Material<'a, Q> {
@@ -28,12 +28,12 @@ pub struct Material<'a, Q> {
 }
 
 impl<'a, Q> Light<'a, Q> {
-    /// The light of these mantissas; |exponent| <= 128.
+    /// The light with these mantissas; |exponent| <= 128.
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] unless there are (degree + 1)² of them,
-    /// [`Error::Exponent`] if the exponent is beyond.
+    /// [`Error::Length`] unless there are (degree + 1)² mantissas, [`Error::Exponent`] if
+    /// |exponent| is above 128.
     pub const fn new(degree: usize, exponent: i32, mantissas: &'a [Q]) -> Result<Self, Error> {
         if exponent.unsigned_abs() > 128 {
             return Err(Error::Exponent);
@@ -46,7 +46,7 @@ impl<'a, Q> Light<'a, Q> {
 }
 
 impl<Q> Light<'_, Q> {
-    /// The exponent of all mantissas.
+    /// The common exponent of the mantissas.
     #[must_use]
     pub const fn exponent(&self) -> i32 {
         self.exponent
@@ -54,13 +54,12 @@ impl<Q> Light<'_, Q> {
 }
 
 impl<'a, Q> Material<'a, Q> {
-    /// The material of these mantissas.
+    /// The material with these mantissas.
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] unless there are as many as
-    /// [`index::material::count`](crate::index::material::count) says, and an exponent
-    /// for each o.
+    /// [`Error::Length`] unless there are [`index::material::count`](crate::index::material::count)
+    /// mantissas, and one exponent for each o.
     pub const fn new(order: usize, exponents: &'a [i8], mantissas: &'a [Q]) -> Result<Self, Error> {
         let checks = [
             Error::check(What::Material, material::count(order), mantissas.len()),
@@ -74,12 +73,12 @@ impl<'a, Q> Material<'a, Q> {
 }
 
 impl<'a, Q: Fixed> Light<'a, Q> {
-    /// Writes a light's mantissas into `to`. Integer arithmetic throughout.
+    /// Writes the mantissas of a light into `to`, in integer arithmetic throughout.
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] unless both have (degree + 1)² numbers, [`Error::NotFinite`] of the first
-    /// that is infinite or NaN: no integer stands for it.
+    /// [`Error::Length`] unless both slices have (degree + 1)² numbers, [`Error::NotFinite`] for
+    /// the first number that is infinite or NaN, which no integer can represent.
     pub fn quantise(degree: usize, from: &[f32], to: &'a mut [Q]) -> Result<Self, Error> {
         Error::check(What::Light, light::count(degree), from.len())?;
         Error::check(What::Light, from.len(), to.len())?;
@@ -90,14 +89,14 @@ impl<'a, Q: Fixed> Light<'a, Q> {
 }
 
 impl<'a, Q: Fixed> Material<'a, Q> {
-    /// Writes a material's mantissas into `to` and its exponents into `exponents`:
-    /// see [`Light::quantise`].
+    /// Writes the mantissas of a material into `to` and its exponents into `exponents`: see
+    /// [`Light::quantise`].
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] unless both have
-    /// [`index::material::count`](crate::index::material::count) numbers, and `exponents`
-    /// order + 1; [`Error::NotFinite`] as there.
+    /// [`Error::Length`] unless `from` and `to` have
+    /// [`index::material::count`](crate::index::material::count) numbers and `exponents` has
+    /// order + 1; [`Error::NotFinite`] as in [`Light::quantise`].
     pub fn quantise(
         order: usize,
         from: &[f32],
@@ -120,7 +119,7 @@ impl<'a, Q: Fixed> Material<'a, Q> {
     }
 }
 
-/// [`Error::check_finite`] without a float unit: by the bits of the exponent.
+/// [`Error::check_finite`] without a float unit: tests the bits of the exponent.
 fn check_finite(what: What, numbers: &[f32]) -> Result<(), Error> {
     match numbers.iter().position(|number| (number.to_bits() >> 23) & 0xff == 0xff) {
         None => Ok(()),
@@ -128,7 +127,7 @@ fn check_finite(what: What, numbers: &[f32]) -> Result<(), Error> {
     }
 }
 
-/// The sign and the 24 bits of a finite number, and their exponent.
+/// The signed 24-bit significand of a finite number, and its exponent.
 fn decoded(number: f32) -> (i32, i32) {
     let bits = number.to_bits();
     let (biased, fraction) = ((bits >> 23) & 0xff, bits & 0x7f_ffff);
@@ -140,11 +139,12 @@ fn decoded(number: f32) -> (i32, i32) {
     (if bits >> 31 == 1 { -size } else { size }, exponent)
 }
 
-/// Mantissas of these numbers, and their exponent.
+/// Writes the mantissas of these numbers and returns their exponent.
 fn quantise<Q: Fixed>(from: &[f32], to: &mut [Q]) -> i32 {
     let tops = from.iter().map(|&number| decoded(number)).filter(|(size, _)| *size != 0);
     let top = tops.map(|(size, exponent)| size.bits().cast_signed() + exponent).max();
-    // Zeros take the least, for an exponent tells what its numbers could be.
+    // If all numbers are zero, use the least exponent, because an exponent bounds how large its
+    // numbers can be.
     let exponent = top.unwrap_or(-96).max(-96) - Q::BITS.cast_signed();
     for (to, &number) in to.iter_mut().zip(from) {
         let (size, of_number) = decoded(number);

@@ -1,4 +1,4 @@
-//! A pixel with every length known when it is compiled, for the generated modules of
+//! A pixel for which every length is known at compile time, for the generated modules of
 //! `eigenshade-table`: the steps of [`Scene::shade`](super::Scene::shade), unrolled.
 
 pub mod collapse;
@@ -8,7 +8,7 @@ pub mod relight;
 use super::Normal;
 use crate::format::{Fixed, Wide as _};
 
-/// A pixel on its way: the sum so far, and (n_x + i n_y)^m.
+/// A pixel in progress: the sum so far, and (n_x + i n_y)^m.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Pixel<Q: Fixed> {
@@ -20,7 +20,7 @@ pub struct Pixel<Q: Fixed> {
 }
 
 impl<Q: Fixed> Pixel<Q> {
-    /// m = 0: the first `LENGTH` of the terms.
+    /// Starts with m = 0, whose polynomial is the first `LENGTH` terms.
     #[inline(always)]
     #[must_use]
     pub fn new<const LENGTH: usize, const N: usize>(terms: &[i32; N], normal: Normal<Q>) -> Self {
@@ -31,7 +31,8 @@ impl<Q: Fixed> Pixel<Q> {
         Self { normal, t, cosine: normal.x.halved(), sine: normal.y.halved(), sum }
     }
 
-    /// The next m: +m from `START` on, -m after it; none if `LENGTH` is 0.
+    /// Adds the current m. The polynomial of +m begins at `START`, and that of -m follows it. Adds
+    /// nothing if `LENGTH` is 0.
     #[inline(always)]
     #[must_use]
     pub fn azimuth<const START: usize, const LENGTH: usize, const N: usize>(
@@ -45,7 +46,7 @@ impl<Q: Fixed> Pixel<Q> {
         Self { sum: self.sum.wrapping_plus(plus).wrapping_plus(minus), ..self }
     }
 
-    /// From m to m + 1.
+    /// Moves from m to m + 1.
     #[inline(always)]
     #[must_use]
     pub fn turned(self) -> Self {
@@ -65,8 +66,8 @@ impl<Q: Fixed> Pixel<Q> {
     }
 }
 
-/// A polynomial's value by Horner's rule, each step rounded down. No step of a table's
-/// leaves its bits; those of one that states its sizes too small may wrap.
+/// The value of a polynomial by Horner's rule, with each step rounded down. No step overflows for a
+/// table; the steps of a table that states its sizes too small may wrap.
 #[inline(always)]
 pub(crate) fn value<Q: Fixed>(terms: &[i32], t: i32) -> i32 {
     let Some((&first, rest)) = terms.split_first() else { return 0 };

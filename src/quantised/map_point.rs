@@ -1,30 +1,33 @@
-//! The paraboloid map in integers.
+//! The paraboloid map in fixed point.
 
 use super::Normal;
 use crate::format::Q15;
 use crate::paraboloid::MapPoint;
 
 impl MapPoint<Q15> {
-    /// Where a normal stands. No division; within 1.3 units of 2^-15 of the quotient.
+    /// The map point of a normal. Uses no division; the result is within 1.3 units of 2^-15 of the
+    /// exact quotient.
     ///
-    /// 1 / (1 + z) by one step of Newton's method from the cubic that is 1 at z = 0 and has
-    /// the smallest largest relative error on \[0, 1\], 1/462.
+    /// 1 / (1 + z) comes from one step of Newton's method. The initial guess is the cubic that is 1
+    /// at z = 0 and has the smallest maximum relative error on \[0, 1\], 1/462.
     #[inline]
     #[must_use]
     pub fn of_quantised(normal: Normal<Q15>) -> Self {
         let [x, y, z] = normal.components();
-        // It is none below zero.
+        // z is never negative.
         let z = u32::from(z.0.cast_unsigned());
-        // Q15 throughout: products stay below 2^31.
+        // All numbers are in Q15, so products stay below 2^31.
         let cubic = CUBIC[1] - ((CUBIC[0] * z) >> 15);
         let cubic = CUBIC[2] - ((cubic * z) >> 15);
         let guess = CUBIC[3] - ((cubic * z) >> 15);
-        // 2 - (1 + z) guess in Q30, then Q16: 1 to within 1/462. Newton's step is too small
-        // by up to the square of that, half of which is added beside half a unit.
+        // 2 - (1 + z) guess in Q30, then in Q16: 1 to within 1/462. The result of Newton's step is
+        // too small by up to the square of that; half of the square is added, as well as half a
+        // unit for rounding.
         let correction = ((1 << 31) + (1 << 13) + 2_512 - ((1 << 15) + z) * guess) >> 14;
         #[expect(clippy::cast_possible_wrap, reason = "at most 2^16")]
         let scale = ((correction * guess) >> 15) as i32;
-        // Rounded, and moved by 2^15 and back: a look-up moves it again, and neither is left.
+        // Rounds, and adds and removes an offset of 2^15. A look-up adds the offset again, and the
+        // compiler removes both.
         let place = |component: Q15| {
             let product = (i32::from(component.0) * scale).cast_unsigned();
             let [_, _, low, high] = product.wrapping_add(0x8000_8000).to_le_bytes();
@@ -34,6 +37,6 @@ impl MapPoint<Q15> {
     }
 }
 
-/// 1 - 0.95650 z + 0.69251 z² - 0.23709 z³, which times 1 + z is 1 less a Chebyshev
-/// polynomial whose first root is z = 0: sizes of its coefficients in Q15.
+/// Coefficients, in absolute value and in Q15, of 1 - 0.95650 z + 0.69251 z² - 0.23709 z³. This
+/// cubic times 1 + z is 1 minus a Chebyshev polynomial whose first root is z = 0.
 const CUBIC: [u32; 4] = [7_769, 22_692, 31_343, 1 << 15];

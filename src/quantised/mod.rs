@@ -1,20 +1,21 @@
-//! The way from light to pixel in integers, for machines without a float unit.
+//! The whole path from light to pixel in fixed point, for machines without a float unit.
 //!
-//! The same mathematics as in floats: a [`Basis`] folds a [`Material`] in
-//! ([`Basis::fold`], which floats call `transfer`), takes each new [`Light`]
-//! ([`Basis::relight`]) and sums the components of each azimuth ([`Basis::collapse`]); a
-//! [`Scene`] gives the irradiance of a [`Normal`]. A number is a mantissa times 2^exponent; arrays share
-//! exponents, and every answer brings its own.
+//! The mathematics is the same as in floating point: a [`Basis`] computes the transfer of a
+//! [`Material`] ([`Basis::fold`], called `transfer` for floats), relights it with each new
+//! [`Light`] ([`Basis::relight`]) and sums the components of each azimuth ([`Basis::collapse`]).
+//! The resulting [`Scene`] gives the irradiance of a [`Normal`]. A number is a mantissa times
+//! 2^exponent; the numbers of an array share exponents, and every result has an exponent of its
+//! own.
 //!
-//! Nothing wraps. The tables are scaled so that no sum over them can leave its
-//! accumulator, which [`Basis::new`] checks when it is compiled; what depends on light
-//! and material is scaled by what it is, and what cannot be represented saturates.
-//! Transfers made by hand are checked, coefficients may be any. What a profile states of
-//! its size is believed: where that is too small a pixel is wrong, but never a panic.
-//! The answers are the same bits on every machine.
+//! Nothing wraps. The tables are scaled so that no sum over them can leave its accumulator, and
+//! [`Basis::new`] checks this when it is compiled. Numbers that depend on light and material are
+//! scaled to their size, and values that cannot be represented saturate. Transfers made by hand are
+//! checked; coefficients may have any value. The sizes that a profile states are trusted: if they
+//! are too small, a pixel is wrong, but nothing panics. The results are the same bits on every
+//! machine.
 //!
-//! Maps are baked, and lights turned and windowed, in floats, on the host or where there is a
-//! float unit; [`IntegerMap`](crate::IntegerMap) is looked up in integers.
+//! Maps are baked, and lights rotated and windowed, in floating point, on the host or on a machine
+//! with a float unit. [`IntegerMap`](crate::IntegerMap) is looked up in integers.
 //!
 //! ```
 //! # #[cfg(feature = "baked")]

@@ -1,15 +1,15 @@
-//! The nine-term formula in integers: see [`crate::NineTerms`].
+//! The nine-term formula in fixed point: see [`crate::NineTerms`].
 
 use super::{Normal, Scene};
 use crate::format::{Fixed, Wide as _};
 
-/// Irradiance as a polynomial of degree 2 of the normal, in nine multiplications.
+/// Irradiance as a polynomial of degree 2 in the normal, with nine multiplications.
 ///
-/// Nothing wraps: the coefficients have as many bits as their sums leave them.
+/// Nothing wraps: the coefficients have as many bits as their sums allow.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct NineTerms<Q: Fixed> {
-    /// That of 1, as a product with a mantissa, and a half to round the sum.
+    /// The coefficient of 1, scaled like a product with a mantissa, plus a half to round the sum.
     constant: Q::Wide,
     coefficients: [i32; 8],
     exponent: i32,
@@ -25,13 +25,14 @@ impl<Q: Fixed> NineTerms<Q> {
         Self::within(coefficients, exponent, bits(largest))
     }
 
-    /// Of coefficients whose sum is below 2^`bits` for every normal.
+    /// The polynomial with coefficients whose sum is below 2^`bits_of_sum` for every normal.
     fn within(coefficients: [i64; 9], exponent: i32, bits_of_sum: u32) -> Self {
         let [constant, of_x, of_y, of_z, squares, xy, xz, yz, zz] = coefficients;
         let size = i64::unsigned_abs;
         let largest = coefficients.iter().copied().map(size).fold(0, u64::max);
         let inner = (size(squares) + size(xy)).max(size(xz) + size(yz) + size(zz));
-        // Bits of a factor of a mantissa, and of what is kept of any number.
+        // The number of bits of a factor of a mantissa, and how many bits of a number exceed a
+        // limit.
         let factor = Q::Wide::SIZE - Q::BITS;
         let beyond = |bits: u32, most: u32| bits.saturating_sub(most);
         let by = beyond(bits_of_sum.max(bits(inner)), factor).max(beyond(bits(largest), 31));
@@ -42,8 +43,8 @@ impl<Q: Fixed> NineTerms<Q> {
         let to_round = Q::Wide::of(1).floored(Q::BITS.cast_signed() - 1);
         Self {
             constant: constant.wrapping_plus(to_round),
-            // The sums that are added to these are rounded down, the one that is taken from
-            // that of y as well: half a unit on average.
+            // The sums that are added to these coefficients are rounded down, and so is the sum
+            // that is subtracted from the coefficient of y, by half a unit on average.
             coefficients: [
                 up(of_x),
                 down(of_y),
@@ -58,8 +59,7 @@ impl<Q: Fixed> NineTerms<Q> {
         }
     }
 
-    /// The irradiance of one normal is this number times 2 to the
-    /// [`exponent`](Self::exponent).
+    /// Shades one normal. The irradiance is the result times 2 to the [`exponent`](Self::exponent).
     #[inline(always)]
     #[must_use]
     pub fn shade(&self, normal: Normal<Q>) -> i32 {
@@ -82,8 +82,8 @@ impl<Q: Fixed> NineTerms<Q> {
 }
 
 impl<Q: Fixed, B: AsRef<[i32]>> Scene<'_, Q, B> {
-    /// The scene as the nine-term formula, which shades it the fastest, with an exponent of its
-    /// own; `None` of a scene that has more terms.
+    /// The scene as the nine-term formula, which shades it fastest and has an exponent of its own.
+    /// `None` if the scene has more terms.
     #[must_use]
     pub fn nine_terms(&self) -> Option<NineTerms<Q>> {
         let last = self.lengths.iter().rposition(|&length| length > 0)?;
@@ -108,17 +108,17 @@ impl<Q: Fixed, B: AsRef<[i32]>> Scene<'_, Q, B> {
             2 * of_yz,
             4 * square,
         ];
-        // In t = 2z - 1 there are as many bits as the scene states.
+        // In t = 2z - 1 the coefficients have as many bits as the scene states.
         (last <= 2).then(|| NineTerms::within(coefficients, self.exponent, Q::TERM_BITS))
     }
 }
 
-/// Bits of a number.
+/// Number of bits of a number.
 fn bits(number: u64) -> u32 {
     u64::BITS - number.leading_zeros()
 }
 
-/// Terms, highest first, after zeros; `None` if they are more.
+/// The terms, highest first, after leading zeros; `None` if there are too many.
 fn filled<const N: usize>(terms: &[i32]) -> Option<[i64; N]> {
     let mut filled = [0; N];
     let zeros = N.checked_sub(terms.len())?;
@@ -134,8 +134,8 @@ mod tests {
     use super::*;
     use crate::format::{Q15, Q31};
 
-    /// Scenes of every shape of nine terms or fewer, as large as they may be, against what
-    /// [`Scene::shade`] makes of them: within the roundings of both.
+    /// Compares scenes of every shape of nine terms or fewer, with the largest allowed terms, with
+    /// [`Scene::shade`]. The results agree within the rounding errors of both.
     fn compare<Q: Fixed>(normals: &[Normal<Q>], most: f64) {
         let lengths: [&[u8]; 8] =
             [&[3, 2, 1], &[3, 2], &[1, 1], &[2, 1, 1], &[0, 2, 1], &[3, 0, 1], &[3], &[1]];
@@ -146,7 +146,7 @@ mod tests {
                 let mut state = seed;
                 for term in &mut scene.buffer {
                     state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-                    // Nine at most sum to what a scene states.
+                    // There are at most nine terms, so they sum to no more than a scene allows.
                     *term = (state.cast_signed() >> (31 - Q::TERM_BITS)) / 9;
                 }
                 let formula = scene.nine_terms().unwrap();

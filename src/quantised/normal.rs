@@ -1,10 +1,10 @@
-//! Normals in integers.
+//! Normals in fixed point.
 
 use crate::error::Error;
 use crate::format::{Fixed, Q15, Q31, Wide as _};
 
-/// One visible unit normal, its components fractions of 2^BITS: x to the right, y up,
-/// z >= 0 toward the camera.
+/// One visible unit normal: x to the right, y up, z >= 0 toward the camera. The components are
+/// fractions of 2^BITS.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Normal<Q> {
@@ -16,12 +16,12 @@ pub struct Normal<Q> {
 macro_rules! checked {
     ($format:ident, $wide:ident, $bits:literal) => {
         impl Normal<$format> {
-            /// The normal of these components. It has to be a unit vector within one part
-            /// in 2,000; it is not scaled, as by [`along`](Self::along).
+            /// The normal with these components. It must have unit length to within one part in
+            /// 2,000. Unlike [`along`](Self::along), this function does not scale it.
             ///
             /// # Errors
             ///
-            /// [`Error::Normal`] if its length is another, [`Error::Hidden`] if z < 0.
+            /// [`Error::Normal`] if the length is not 1, [`Error::Hidden`] if z < 0.
             pub const fn new(x: $format, y: $format, z: $format) -> Result<Self, Error> {
                 const ONE: $wide = 1 << (2 * $bits);
                 let (a, b, c) = (x.0.unsigned_abs(), y.0.unsigned_abs(), z.0.unsigned_abs());
@@ -42,13 +42,14 @@ checked!(Q15, u32, 15);
 checked!(Q31, u64, 31);
 
 impl<Q: Fixed> Normal<Q> {
-    /// The normal along (x, y, z), integers of any scale: scaled to length 1, within one unit of
-    /// a component in [`Q15`], three in [`Q31`].
+    /// The normal along (x, y, z), integers of any scale. It is scaled to length 1, with an error
+    /// of at most one unit in each component in [`Q15`] and three units in [`Q31`].
     ///
-    /// One that points away by no more than 1/8 is laid on the rim. A channel c of a normal map of
-    /// 8 bits says 2c - 255.
+    /// A vector that points away from the camera by no more than 1/8 is moved to the rim. For an
+    /// 8-bit normal map, pass 2c - 255 for each channel c.
     ///
-    /// Cost: a root and three divisions in 64 bits: for maps as they are read, not for a pixel.
+    /// Cost: a root and three divisions in 64 bits, suitable for reading maps but not for each
+    /// pixel.
     ///
     /// ```
     /// use eigenshade::quantised::Normal;
@@ -63,11 +64,12 @@ impl<Q: Fixed> Normal<Q> {
     ///
     /// # Errors
     ///
-    /// [`Error::Normal`] if all three are 0, [`Error::Hidden`] if z < -1/8 after scaling.
+    /// [`Error::Normal`] if all three components are 0, [`Error::Hidden`] if z < -1/8 after
+    /// scaling.
     pub fn along(x: i32, y: i32, z: i32) -> Result<Self, Error> {
         let sizes = [x, y, z].map(|c| u64::from(c.max(-i32::MAX).unsigned_abs()));
         let [a, b, c] = sizes;
-        // The largest gets all of 31 bits: squares sum to less than 2^64.
+        // The largest component gets 31 bits, so the squares sum to less than 2^64.
         let shift = (a | b | c).leading_zeros() - 33;
         let [xx, yy, zz] = sizes.map(|size| (size << shift) * (size << shift));
         let length = (xx + yy + zz).isqrt();
@@ -87,7 +89,7 @@ impl<Q: Fixed> Normal<Q> {
         }
     }
 
-    /// x, y and z.
+    /// The components x, y and z.
     #[must_use]
     pub const fn components(self) -> [Q; 3] {
         [self.x, self.y, self.z]

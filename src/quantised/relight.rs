@@ -1,4 +1,4 @@
-//! A new light on a folded material, in integers: d_i = Σ_l T_i,l L_l^m.
+//! A new light on a transferred material, in fixed point: d_i = Σ_l T_i,l L_l^m.
 
 use super::{Basis, Coefficients, Light, Transfer};
 use crate::buffer::zeros;
@@ -6,17 +6,17 @@ use crate::error::{Error, What};
 use crate::format::{Fixed, Wide};
 use crate::index::light;
 
-/// Bits of a mantissa of d.
+/// Number of bits of a mantissa of d.
 const BITS: i32 = 30;
 
 impl<Q: Fixed> Basis<'_, Q> {
-    /// d of a new light on a folded material.
+    /// Computes d for a new light on a material whose transfer is known.
     ///
-    /// `K` is at least [`components`](Self::components).
+    /// `K` must be at least [`components`](Self::components).
     ///
     /// # Errors
     ///
-    /// As [`relight_into`](Self::relight_into), and [`Error::Capacity`] if `K` is too
+    /// The same as [`relight_into`](Self::relight_into), and [`Error::Capacity`] if `K` is too
     /// small.
     pub fn relight<const K: usize>(
         &self,
@@ -28,13 +28,13 @@ impl<Q: Fixed> Basis<'_, Q> {
         Ok(Coefficients { mantissas, exponent })
     }
 
-    /// [`relight`](Self::relight) into a slice of [`components`](Self::components)
-    /// mantissas; gives their exponent.
+    /// [`relight`](Self::relight) into a slice of [`components`](Self::components) mantissas.
+    /// Returns their exponent.
     ///
     /// # Errors
     ///
-    /// [`Error::Beyond`] if the light goes beyond the basis, [`Error::Length`] if
-    /// transfer or slice are not the basis's, [`Error::Bound`] if a row of a transfer
+    /// [`Error::Beyond`] if the degree of the light exceeds that of the basis, [`Error::Length`] if
+    /// the transfer or the slice does not fit the basis, [`Error::Bound`] if a row of a transfer
     /// made by [`Transfer::new`] sums to 2^(BITS + 1) or more.
     pub fn relight_into(
         &self,
@@ -56,7 +56,7 @@ impl<Q: Fixed> Basis<'_, Q> {
         let mut top = None;
         let mut note = |place: Option<&mut i32>, sum: Q::Wide, exponent: i16| {
             let Some(place) = place else { return };
-            // The upper 31 bits.
+            // Keep the upper 31 bits.
             *place = sum.shifted(31 - Q::Wide::SIZE.cast_signed()).saturated();
             if *place != 0 {
                 top = top.max(Some(place.bits().cast_signed() + i32::from(exponent)));
@@ -84,7 +84,7 @@ impl<Q: Fixed> Basis<'_, Q> {
 }
 
 impl<Q: Fixed> Basis<'_, Q> {
-    /// Whether the sizes of each row sum to less than 2^(BITS + 1).
+    /// Whether the absolute values of each row sum to less than 2^(BITS + 1).
     fn has_bounded(&self, mut numbers: &[Q]) -> bool {
         self.parts.profiles.iter().all(|profile| {
             let length = self.degree() + 1 - usize::from(profile.azimuth);
@@ -100,9 +100,9 @@ impl<Q: Fixed> Basis<'_, Q> {
     }
 }
 
-/// Σ_l T_l L_l^±m, that of -m times (-1)^m. A row of a transfer of this basis sums to
-/// less than 2^(BITS + 1), so both fit; that of another basis's, whose rows have other
-/// lengths, may wrap.
+/// Σ_l T_l L_l^±m, with the sum of -m times (-1)^m. Each row of a transfer of this basis sums to
+/// less than 2^(BITS + 1), so both fit. The sums may wrap for a transfer of another basis, whose
+/// rows have other lengths.
 #[inline]
 fn sums<Q: Fixed>(row: &[Q], light: &[Q], azimuth: usize) -> [Q::Wide; 2] {
     let mut sums = [Q::Wide::default(); 2];

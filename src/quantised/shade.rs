@@ -1,4 +1,4 @@
-//! The irradiance of a normal, in integers.
+//! The irradiance of a normal, in fixed point.
 
 use super::Normal;
 use super::collapse::Scene;
@@ -6,7 +6,7 @@ use super::kernels::value;
 use crate::format::{Fixed, Wide as _};
 
 impl<Q: Fixed, B: AsRef<[i32]>> Scene<'_, Q, B> {
-    /// The irradiance of one normal is this number times 2 to the scene's
+    /// Shades one normal. The irradiance is the result times 2 to the scene's
     /// [`exponent`](Self::exponent).
     #[inline]
     #[must_use]
@@ -32,7 +32,7 @@ impl<Q: Fixed, B: AsRef<[i32]>> Scene<'_, Q, B> {
         Q::sum(sum)
     }
 
-    /// The polynomial of m = 0, and the lengths and polynomials of the others.
+    /// The polynomial of m = 0, and the lengths and polynomials of the other azimuths.
     #[inline]
     fn constant(&self) -> (&[i32], &[u8], &[i32]) {
         let (length, lengths) = self.lengths.split_first().unwrap_or((&0, &[]));
@@ -43,7 +43,7 @@ impl<Q: Fixed, B: AsRef<[i32]>> Scene<'_, Q, B> {
 }
 
 impl<Q, B: AsRef<[i32]>> Scene<'_, Q, B> {
-    /// The polynomials, azimuth by azimuth: of +m, and of -m (none for m = 0).
+    /// The polynomials of each azimuth: those of +m, and those of -m (empty for m = 0).
     #[must_use]
     pub fn terms(&self) -> &[i32] {
         self.buffer.as_ref()

@@ -1,4 +1,4 @@
-//! Scenes of nine terms or fewer: what a matte under light of degree 2 needs.
+//! Scenes of nine terms or fewer, enough for a matte material under light of degree 2.
 
 use crate::descent::Descent;
 use crate::nine_terms::NineTerms;
@@ -6,8 +6,8 @@ use crate::scalar::Scalar;
 use crate::scene::Scene;
 
 impl<B> Scene<'_, B> {
-    /// The scene as the nine-term formula, which shades it the fastest; `None` of a scene that
-    /// has more terms, or the azimuth 0 alone.
+    /// The scene as the nine-term formula, which shades it fastest. `None` if the scene has more
+    /// terms, or if azimuth 0 is the only one.
     #[inline]
     #[must_use]
     pub fn nine_terms<S: Scalar>(&self) -> Option<NineTerms<S>>
@@ -18,10 +18,10 @@ impl<B> Scene<'_, B> {
     }
 }
 
-/// Polynomials of azimuths 0, 1 and 2 in t = 2z - 1 as one of the normal.
+/// Converts polynomials of azimuths 0, 1 and 2 in t = 2z - 1 into one polynomial of the normal.
 #[inline]
 pub(crate) fn nine_terms<S: Scalar>(mut polynomials: Descent<'_, S>) -> Option<NineTerms<S>> {
-    // A page's module has no room for a second loop.
+    // A WebAssembly module for a web page has no room for a second loop.
     if cfg!(target_arch = "wasm32") || polynomials.is_orthogonal() {
         return None;
     }
@@ -49,7 +49,7 @@ pub(crate) fn nine_terms<S: Scalar>(mut polynomials: Descent<'_, S>) -> Option<N
     ]))
 }
 
-/// Terms, highest first, after zeros; `None` if they are more.
+/// The terms, highest first, after leading zeros; `None` if there are too many.
 #[inline]
 fn filled<S: Scalar, const N: usize>(terms: &[S]) -> Option<[S; N]> {
     let mut filled = [S::ZERO; N];
@@ -67,8 +67,8 @@ mod tests {
     use crate::normal::Normal;
     use crate::parts::Recurrences;
 
-    /// Scenes against their polynomials in t, azimuth by azimuth; those of more terms are not
-    /// shaded by the formula.
+    /// Compares scenes with their polynomials in t, azimuth by azimuth. The formula does not shade
+    /// scenes with more terms.
     #[test]
     fn scenes_of_nine_terms_are_their_polynomials() {
         let mut numbers = [0.0f64; 9];

@@ -1,31 +1,33 @@
-//! A tile of normals, azimuth by azimuth: what short polynomials are fastest by where vector
-//! registers are few.
+//! Shades a tile of normals, azimuth by azimuth. This is the fastest way for short polynomials on
+//! targets with few vector registers.
 //!
-//! A block keeps its sums in registers and reads each term for all of it; with 16 registers it
-//! is small, and with polynomials of a few terms a processor waits for one sum's last
-//! product. Here each azimuth is a loop over the tile, its terms known in number, and the
-//! sums of the azimuths above lie in the first cache.
+//! A block keeps its sums in registers and reads each term once for all its normals. With 16
+//! registers a block is small, and for polynomials of a few terms the processor waits for the last
+//! product of one sum. A tile instead runs one loop over its normals for each azimuth, with the
+//! number of terms known at compile time, and keeps the sums of the higher azimuths in the L1
+//! cache.
 
 use crate::descent::Descent;
 use crate::polynomial::argument;
 use crate::scalar::Scalar;
 
-/// Normals in one tile: sixteen vectors, so that what begins and ends a loop weighs little.
+/// Normals in one tile: sixteen vectors, so that the overhead of starting and ending a loop is
+/// small.
 pub(super) const TILE: usize = if cfg!(target_feature = "avx") { 128 } else { 64 };
 
-/// Most terms of a polynomial: of longer ones blocks are faster.
+/// The largest number of terms of a polynomial. Blocks are faster for longer ones.
 const MOST: usize = 8;
 
-/// Whether tiles are faster than blocks for these polynomials, on this target: never where
-/// there is but the azimuth 0.
+/// Whether tiles are faster than blocks for these polynomials on this target. Never true if azimuth
+/// 0 is the only one.
 pub(super) fn fits<S>(polynomials: &Descent<'_, S>) -> bool {
     cfg!(all(target_arch = "x86_64", not(target_feature = "avx512f")))
         && !polynomials.lengths.is_empty()
         && !polynomials.any_longer_than(MOST)
 }
 
-/// What a tile needs beside its normals: t, and P_m + i Q_m of the azimuths above, summed by
-/// Horner's rule in w̄. Each tile finds what the one before it left.
+/// The working memory of a tile: t, and P_m + i Q_m of the higher azimuths, summed by Horner's rule
+/// in w̄. Tiles reuse it without clearing it.
 #[repr(align(64))]
 pub(super) struct Room<S> {
     t: [S; TILE],
@@ -39,7 +41,7 @@ impl<S: Scalar> Room<S> {
     }
 }
 
-/// Runs a function for polynomials whose number of terms is known.
+/// Runs a function specialized for the number of terms of a polynomial.
 macro_rules! of_known_length {
     ($length:expr, $run:ident($($argument:expr),*)) => {
         match $length {
@@ -74,7 +76,7 @@ pub(super) fn tile<S: Scalar>(
     of_known_length!(polynomials.pole.len(), pole(polynomials.pole, [x, y], room, out));
 }
 
-/// By Horner's rule, as [`crate::polynomial::values`].
+/// Horner's rule, as in [`crate::polynomial::values`].
 #[inline(always)]
 fn value<S: Scalar, const L: usize>(terms: &[S; L], t: S) -> S {
     let Some((&first, rest)) = terms.split_first() else { return S::ZERO };

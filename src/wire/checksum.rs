@@ -1,6 +1,6 @@
 //! The checksum of a wire file.
 
-/// Four steps of a reflected CRC-32 for each low nibble.
+/// The effect of four steps of a reflected CRC-32, for each low nibble.
 const NIBBLES: [u32; 16] = {
     let (mut table, mut nibble) = ([0; 16], 0);
     let mut rest = table.as_mut_slice();
@@ -17,7 +17,7 @@ const NIBBLES: [u32; 16] = {
     table
 };
 
-/// The CRC-32 of ISO 3309, as in PNG and zip.
+/// The CRC-32 of ISO 3309, as in PNG and ZIP.
 pub(super) fn checksum(bytes: &[u8]) -> u32 {
     let step = |sum: u32| {
         let nibble = NIBBLES.get((sum & 15) as usize).copied();

@@ -1,79 +1,78 @@
-//! Why bytes are not a wire file that can be read here.
+//! Errors in reading a wire file.
 
 use super::format::WireFormat;
 use crate::error::Error;
 use crate::index::wire::{ALIGNMENT, MOST, VERSION};
 use core::fmt;
 
-/// The first fault of some bytes.
+/// The first problem found in some bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum WireError {
-    /// They do not begin with the label.
+    /// The bytes do not begin with the label of a wire file.
     Foreign,
-    /// A file of the other byte order.
+    /// The file has the other byte order.
     Endianness,
-    /// Another version, with its number.
+    /// The file has another version, which is given.
     Version(u16),
-    /// Numbers of another format.
+    /// The numbers have another format.
     Format {
-        /// What was to be read.
+        /// The format to be read.
         expected: WireFormat,
-        /// The number in the file; see [`WireFormat::of`].
+        /// The number of the format in the file; see [`WireFormat::of`].
         found: u16,
     },
-    /// A table of eigenimages over a span, read as one of components alone, or the
-    /// other way round.
+    /// A table of eigenimages over a span was read as one that only has components, or vice versa.
     Images {
-        /// How many eigenimages it has over its span.
+        /// Number of eigenimages that the table has over its span.
         found: usize,
     },
-    /// Fewer bytes than the file has.
+    /// There are fewer bytes than the file should have.
     Length {
-        /// How many it has.
+        /// Number of bytes that the file should have.
         expected: usize,
-        /// How many there are.
+        /// Number of bytes found.
         found: usize,
     },
     /// The bytes do not start at a multiple of four.
     Alignment {
-        /// So many beyond one.
+        /// Distance in bytes from the last multiple of four.
         beyond: usize,
     },
-    /// The checksum does not fit.
+    /// The checksum does not match.
     Checksum {
-        /// That in the file.
+        /// The checksum in the file.
         expected: u32,
-        /// That of the bytes.
+        /// The checksum of the bytes.
         found: u32,
     },
-    /// A degree or order beyond what a file may have.
+    /// A degree or order is larger than a file may have.
     Shape {
-        /// The degree.
+        /// The degree found.
         degree: usize,
-        /// The order.
+        /// The order found.
         order: usize,
     },
-    /// A set of effects that there is not.
+    /// The file has a set of effects that does not exist.
     Effects {
-        /// Its bits.
+        /// The bits of the set.
         bits: u16,
     },
-    /// A section lies outside the file or is no array of its kind, or is missing; or
-    /// there is one too many.
+    /// A section lies outside the file, is not an array of its kind or is missing, or there is one
+    /// section too many.
     Section {
-        /// Its number, from 0.
+        /// The number of the section, from 0.
         number: usize,
     },
-    /// [`aligned`](super::aligned) has too little room.
+    /// The `room` given to [`aligned`](super::aligned) is too short.
     Room {
-        /// How many numbers it takes.
+        /// How many numbers are needed.
         needed: usize,
-        /// How many there are.
+        /// How many numbers there are.
         found: usize,
     },
-    /// The parts contradict each other.
+    /// The parts of the basis are inconsistent.
     Parts(Error),
 }
 

@@ -1,4 +1,4 @@
-//! A wire file whose checksum fits, and its sections.
+//! A wire file with a valid checksum, and its sections.
 
 use super::WireError;
 use super::checksum::checksum;
@@ -7,22 +7,22 @@ use super::header::{Header, long};
 use crate::index::wire::{ALIGNMENT, CHECKSUM, ENTRY, HEADER};
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
-/// A wire file, its sections taken one after the other.
+/// A wire file whose sections are read one after the other.
 pub(super) struct File<'a> {
     pub(super) header: Header,
-    /// All but the checksum.
+    /// All bytes but the checksum.
     bytes: &'a [u8],
     taken: usize,
 }
 
 impl<'a> File<'a> {
-    /// The file at the start of these bytes, of this format.
+    /// Opens the file at the start of these bytes, which must have this format.
     pub(super) fn open(bytes: &'a [u8], expected: WireFormat) -> Result<Self, WireError> {
         let header = Header::read(bytes)?;
         if WireFormat::of(header.format) != Some(expected) {
             return Err(WireError::Format { expected, found: header.format });
         }
-        // Whatever length is claimed, there are sections and a checksum.
+        // Whatever length the header claims, there are sections and a checksum.
         let least = HEADER + ENTRY * header.sections + CHECKSUM;
         let expected = header.length.max(least);
         let Some(file) = bytes.get(..expected) else {
@@ -40,7 +40,7 @@ impl<'a> File<'a> {
         Ok(Self { header, bytes, taken: 0 })
     }
 
-    /// The next section.
+    /// Reads the next section.
     pub(super) fn section<T>(&mut self) -> Result<&'a [T], WireError>
     where
         T: TryFromBytes + KnownLayout + Immutable,
@@ -59,7 +59,7 @@ impl<'a> File<'a> {
         <[T]>::try_ref_from_bytes(section).map_err(|_| fault)
     }
 
-    /// The next section, or an empty one if none is left.
+    /// Reads the next section, or gives an empty one if none is left.
     pub(super) fn rest<T>(&mut self) -> Result<&'a [T], WireError>
     where
         T: TryFromBytes + KnownLayout + Immutable,
@@ -67,7 +67,7 @@ impl<'a> File<'a> {
         if self.taken == self.header.sections { Ok(&[]) } else { self.section() }
     }
 
-    /// No section is left.
+    /// Checks that no section is left.
     pub(super) fn end(&self) -> Result<(), WireError> {
         if self.taken == self.header.sections {
             Ok(())

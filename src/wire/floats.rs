@@ -1,4 +1,4 @@
-//! Bases in floats.
+//! Floating-point bases from wire files.
 
 use super::WireError;
 use super::file::File;
@@ -8,13 +8,13 @@ use crate::general::{GeneralBasis, GeneralParts};
 use crate::parts::Parts;
 
 impl<'a> Basis<'a, f32> {
-    /// The basis in a [wire](crate::wire) file, which lies at a multiple of four.
+    /// Reads a basis from a [wire](crate::wire) file that starts at a multiple of four.
     ///
-    /// Cost: the checksum, two look-ups a byte, and the checks of [`new`](Self::new).
+    /// Cost: the checksum, with two look-ups per byte, and the checks of [`new`](Self::new).
     ///
     /// # Errors
     ///
-    /// A [`WireError`] for any bytes that are no such file.
+    /// A [`WireError`] for any bytes that are not such a file.
     pub fn from_bytes(bytes: &'a [u8]) -> Result<Self, WireError> {
         let (basis, general) = read(bytes)?;
         match general.components {
@@ -25,12 +25,12 @@ impl<'a> Basis<'a, f32> {
 }
 
 impl<'a> GeneralBasis<'a, f32> {
-    /// The basis in a [wire](crate::wire) file of another object than the sphere:
-    /// otherwise as [`Basis::from_bytes`].
+    /// Reads the basis of an object other than the sphere from a [wire](crate::wire) file.
+    /// Otherwise the same as [`Basis::from_bytes`].
     ///
     /// # Errors
     ///
-    /// A [`WireError`] for any bytes that are no such file.
+    /// A [`WireError`] for any bytes that are not such a file.
     pub fn from_bytes(bytes: &'a [u8]) -> Result<Self, WireError> {
         let (span, parts) = read(bytes)?;
         if parts.components == 0 {
@@ -40,7 +40,7 @@ impl<'a> GeneralBasis<'a, f32> {
     }
 }
 
-/// The basis or span of a file, and its eigenimages over that.
+/// Reads the basis or span of a file, and the eigenimages over that span.
 fn read(bytes: &[u8]) -> Result<(Basis<'_, f32>, GeneralParts<'_, f32>), WireError> {
     let mut file = File::open(bytes, WireFormat::F32)?;
     let header = file.header;

@@ -7,16 +7,16 @@ use crate::index::wire::format;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum WireFormat {
-    /// `f32`.
+    /// 32-bit floats, `f32`.
     F32,
-    /// [`Q15`](crate::Q15).
+    /// 16-bit fixed point, [`Q15`](crate::Q15).
     Q15,
-    /// [`Q31`](crate::Q31).
+    /// 32-bit fixed point, [`Q31`](crate::Q31).
     Q31,
 }
 
 impl WireFormat {
-    /// The format of this number in a file.
+    /// The format with this number in a file, or `None` if there is none.
     #[must_use]
     pub const fn of(number: u16) -> Option<Self> {
         match number {
@@ -27,7 +27,7 @@ impl WireFormat {
         }
     }
 
-    /// Its name on a command line.
+    /// The name of the format on a command line.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {

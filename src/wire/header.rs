@@ -1,27 +1,27 @@
-//! What a wire file says of itself.
+//! The header of a wire file.
 
 use super::error::WireError;
 use crate::index::effect::Effects;
 use crate::index::wire::{HEADER, LABEL, MARK, MOST, VERSION, place};
 
-/// The header of a wire file.
+/// The header of a wire file: its format, its size and the shape of its table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub struct Header {
-    /// The file's version.
+    /// The version of the file.
     pub version: u16,
-    /// Its number format: see [`WireFormat::of`](super::WireFormat::of).
+    /// The number format of the file: see [`WireFormat::of`](super::WireFormat::of).
     pub format: u16,
-    /// Bytes of the whole file.
+    /// Length of the whole file in bytes.
     pub length: usize,
     /// Largest degree l of the light.
     pub degree: usize,
     /// Largest order o of the BRDF.
     pub order: usize,
-    /// The effects that the table is for.
+    /// The effects that the table covers.
     pub effects: Effects,
-    /// Number of components, of the span where there are eigenimages.
+    /// Number of components; if there are eigenimages, the components of their span.
     pub components: usize,
     /// Number of eigenimages over the span, or 0.
     pub images: usize,
@@ -30,13 +30,13 @@ pub struct Header {
 }
 
 impl Header {
-    /// The header of a file. It need not be aligned, nor be all there; its checksum is
-    /// not looked at.
+    /// Reads the header of a file. The bytes need not be aligned or complete, and the checksum is
+    /// not checked.
     ///
     /// # Errors
     ///
     /// [`WireError::Foreign`], [`WireError::Endianness`], [`WireError::Version`],
-    /// [`WireError::Length`] if not even the header is there, [`WireError::Shape`].
+    /// [`WireError::Shape`], or [`WireError::Length`] if even the header is incomplete.
     pub fn read(bytes: &[u8]) -> Result<Self, WireError> {
         if !bytes.starts_with(&LABEL) {
             return Err(WireError::Foreign);
@@ -75,13 +75,13 @@ impl Header {
     }
 }
 
-/// The u16 at `at`, or 0 where there is none.
+/// The u16 at `at`, or 0 if the bytes end before.
 fn short(bytes: &[u8], at: usize) -> u16 {
     let found = bytes.get(at..).and_then(|rest| rest.first_chunk());
     found.copied().map_or(0, u16::from_ne_bytes)
 }
 
-/// The u32 at `at`, or 0 where there is none.
+/// The u32 at `at`, or 0 if the bytes end before.
 pub(super) fn long(bytes: &[u8], at: usize) -> u32 {
     let found = bytes.get(at..).and_then(|rest| rest.first_chunk());
     found.copied().map_or(0, u32::from_ne_bytes)

@@ -1,4 +1,4 @@
-//! Bases in integers.
+//! Fixed-point bases from wire files.
 
 use super::WireError;
 use super::file::File;
@@ -10,15 +10,15 @@ use zerocopy::{FromBytes, Immutable, KnownLayout};
 macro_rules! from_bytes {
     ($format:ident) => {
         impl<'a> Basis<'a, $format> {
-            /// The basis in a [wire](crate::wire) file, which lies at a multiple of four.
+            /// Reads a basis from a [wire](crate::wire) file that starts at a multiple of four.
             ///
-            /// Cost: the checksum, two look-ups a byte, and the checks of
-            /// [`new`](Self::new). Not checked is what a profile says of its own largest
-            /// values: a file that was not damaged but forged may make a pixel wrap.
+            /// Cost: the checksum, with two look-ups per byte, and the checks of
+            /// [`new`](Self::new). The largest values that a profile states are not checked: in a
+            /// forged file, as opposed to a damaged one, they may make a pixel wrap.
             ///
             /// # Errors
             ///
-            /// A [`WireError`] for any bytes that are no such file.
+            /// A [`WireError`] for any bytes that are not such a file.
             pub fn from_bytes(bytes: &'a [u8]) -> Result<Self, WireError> {
                 Ok(Self::new(read(bytes, WireFormat::$format)?)?)
             }
@@ -28,7 +28,7 @@ macro_rules! from_bytes {
 from_bytes!(Q15);
 from_bytes!(Q31);
 
-/// The arrays in a file.
+/// Reads the arrays of a file.
 fn read<Q>(bytes: &[u8], format: WireFormat) -> Result<Parts<'_, Q>, WireError>
 where
     Q: FromBytes + KnownLayout + Immutable,

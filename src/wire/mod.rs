@@ -1,17 +1,16 @@
-//! Tables that arrive at run time: bytes of a flash page, a file or a fetch, read where
-//! they lie.
+//! Tables that are loaded at run time, from a flash page, a file or a fetch. They are read in
+//! place.
 //!
-//! `eigenshade pack` writes such a file from a table; `tables/README.md` has it byte by
-//! byte. [`Basis::from_bytes`], [`GeneralBasis::from_bytes`] and
-//! [`quantised::Basis::from_bytes`] give a basis that borrows the bytes: nothing is
-//! copied, nothing allocated. Any bytes give a basis or one [`WireError`]. What follows a
-//! file, like the rest of its page, is not looked at.
+//! `eigenshade pack` writes such a file from a table; `tables/README.md` documents its format byte
+//! by byte. [`Basis::from_bytes`], [`GeneralBasis::from_bytes`] and
+//! [`quantised::Basis::from_bytes`] return a basis that borrows the bytes: nothing is copied and
+//! nothing is allocated. Any sequence of bytes gives either a basis or a [`WireError`]. Bytes after
+//! the file, such as the rest of a flash page, are ignored.
 //!
-//! The checksum is computed four bits at a time: two look-ups a byte, a table of 64
-//! bytes.
+//! The checksum is computed four bits at a time, with two look-ups per byte in a table of 64 bytes.
 //!
-//! The bytes have to start at a multiple of four. [`Aligned`] sees to that where they
-//! are compiled in, [`aligned`] copies them where they come as they come:
+//! The bytes must start at a multiple of four. [`Aligned`] ensures this for bytes embedded at
+//! compile time, and [`aligned`] copies bytes that arrive without alignment:
 //!
 //! ```
 //! # const PAGE: &[u8] = &[0; 6];

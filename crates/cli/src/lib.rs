@@ -1,4 +1,4 @@
-//! The program `eigenshade`, as a library: what its commands share.
+//! Code that the commands of the program `eigenshade` share.
 
 pub mod named;
 

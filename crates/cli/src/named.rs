@@ -4,20 +4,20 @@ use eigenshade_model::database::Named;
 use eigenshade_model::error::{Error, Result};
 use std::path::{Path, PathBuf};
 
-/// Names that a fault lists.
+/// How many names an error message lists.
 const LISTED: usize = 5;
 
-/// A file, and the name of one of its entries.
+/// A file and the name of one of its entries.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Choice {
     /// The file.
     pub path: PathBuf,
-    /// The entry; none where the file is to hold but one.
+    /// The entry's name; `None` if the file must hold exactly one entry.
     pub name: Option<String>,
 }
 
 impl Choice {
-    /// Splits at the last colon, unless the whole is a file that exists.
+    /// Splits at the last colon, unless the whole text names an existing file.
     #[must_use]
     pub fn new(text: &str) -> Self {
         let whole = || Self { path: text.into(), name: None };
@@ -32,12 +32,12 @@ impl Choice {
         }
     }
 
-    /// The entry that is meant.
+    /// The chosen entry.
     ///
     /// # Errors
     ///
-    /// If the name is not there, or none is given and there are several; the
-    /// fault lists a few that are there.
+    /// If the file has no entry of that name, or if no name is given and the file has several
+    /// entries. The message lists a few of the available names.
     pub fn of(&self, entries: Vec<Named>) -> Result<Named> {
         let names: Vec<String> = entries.iter().map(|entry| entry.name.clone()).collect();
         let found = match &self.name {

@@ -1,6 +1,6 @@
-//! A scene's table as Rust statics, in the build script of a crate that uses it.
+//! Generates a scene's table as Rust statics in the build script of a crate that uses it.
 //!
-//! With `eigenshade-generator` among the `[build-dependencies]`, `build.rs` is
+//! Add `eigenshade-generator` to the `[build-dependencies]` and write this `build.rs`:
 //!
 //! ```no_run
 //! use eigenshade_generator::build::{self, Format};
@@ -8,12 +8,12 @@
 //! build::statics("scene.toml", "table.rs", &[Format::Q15]);
 //! ```
 //!
-//! and the crate has a module `table` with
-//! `include!(concat!(env!("OUT_DIR"), "/table.rs"));`: what `eigenshade::sphere` is of the
-//! shipped scene, its integers in `table::q15`.
+//! In the crate, add a module `table` that contains `include!(concat!(env!("OUT_DIR"),
+//! "/table.rs"));`. It has the same contents for your scene as `eigenshade::sphere` has for the
+//! shipped scene, with the integer statics in `table::q15`.
 //!
-//! Cargo does not optimise build scripts unless it is asked to, and the generator is much
-//! slower so; this in the crate's `Cargo.toml` asks for it:
+//! Cargo does not optimize build scripts by default, which makes the generator much slower. Turn
+//! optimization on in the crate's `Cargo.toml`:
 //!
 //! ```toml
 //! [profile.dev.build-override]
@@ -31,12 +31,12 @@ use std::{env, process};
 
 pub use eigenshade_table::quantise::Format;
 
-/// Writes the statics of the scene at `scene` into the build script's `OUT_DIR`, as
-/// `name`: in `f32`, and in a module `q15` or `q31` for each of `integers`.
+/// Writes the statics of the scene at `scene` to the file `name` in the build script's `OUT_DIR`:
+/// in `f32`, and in a module `q15` or `q31` for each format in `integers`.
 ///
-/// Speaks to cargo on standard output: what the statics are made of, a warning for each
-/// format of integers that does not serve the scene, and is left out, and of a fault
-/// one line, with which the process ends.
+/// Prints directives for cargo on standard output: the files that the statics depend on, and a
+/// warning for each integer format that does not serve the scene and is left out. On an error it
+/// prints one line and ends the process.
 pub fn statics(scene: impl AsRef<Path>, name: &str, integers: &[Format]) {
     let scene = scene.as_ref();
     for input in scene_file::inputs(scene) {
@@ -54,13 +54,13 @@ pub fn statics(scene: impl AsRef<Path>, name: &str, integers: &[Format]) {
     }
 }
 
-/// Writes the statics of a scene to the file `out`. Gives a line for each format that
-/// does not serve it.
+/// Writes the statics of a scene to the file `out`. Returns one line for each format that does not
+/// serve the scene.
 ///
 /// # Errors
 ///
-/// Those of [`scene_file::load`] and [`Loaded::build`](scene_file::Loaded::build), a
-/// scene that stores transfers alone, and the faults of writing.
+/// The errors of [`scene_file::load`] and [`Loaded::build`](scene_file::Loaded::build), a scene
+/// that stores only transfers, and errors of writing.
 pub fn write(scene: &Path, out: &Path, integers: &[Format]) -> Result<Vec<String>> {
     let table = scene_file::load(scene)?.build().map_err(|error| error.in_file(scene))?;
     let command = format!("eigenshade-generator, from {}", scene.display());

@@ -1,11 +1,10 @@
-//! Irradiance (3) under environment maps as they are, with BRDFs as functions: no
-//! harmonics, no degree, no order.
+//! Irradiance (3) computed directly from environment maps and BRDF functions, without harmonics,
+//! degree or order.
 //!
-//! Every texel is a patch of constant radiance. Its weight, the integral of
-//! f cos θ_i over its solid angle, is the midpoint rule on k x k equal parts, with the
-//! exact solid angle of each. k grows where f changes within the texel: with the
-//! texel's size over the lobe's width at the half-way direction, and over the height
-//! above the horizon.
+//! Every texel is a patch of constant radiance. Its weight is the integral of f cos θ_i over its
+//! solid angle, computed by the midpoint rule on k x k equal parts with the exact solid angle of
+//! each. k grows where f changes within the texel: it depends on the texel's size relative to the
+//! lobe's width at the half-way direction, and relative to the height above the horizon.
 
 use crate::light::environment::EnvironmentMap;
 use crate::material::brdf::{Brdf, Geometry};
@@ -15,33 +14,33 @@ use faer::linalg::matmul::matmul;
 use faer::{Accum, Mat, Par};
 use std::f64::consts::{PI, TAU};
 
-/// Texels whose weights are held at a time.
+/// Number of texels whose weights are held at once.
 const BLOCK: usize = 4096;
-/// Most parts of a texel along a side.
+/// Largest number of parts along one side of a texel.
 const MOST_PARTS: f64 = 32.0;
 
-/// z of a direction so nearly opposite to the camera that no visible normal mirrors it.
+/// Directions below this z are nearly opposite to the camera: no visible normal mirrors them.
 const OPPOSITE: f64 = -0.9999;
 
-/// Maps of one size, beside each other.
+/// Environment maps of one common size, stored side by side.
 pub struct Surroundings {
     width: usize,
     height: usize,
-    /// Unit directions of the texels' centres, row by row.
+    /// Unit directions of the texel centers, row by row.
     directions: Vec<[f64; 3]>,
-    /// Exact solid angle of a texel of each row.
+    /// Exact solid angle of one texel in each row.
     solid_angles: Vec<f64>,
-    /// Blocks of [`BLOCK`] texels: a row for each texel, r, g, b of each map.
+    /// Blocks of [`BLOCK`] texels, with one row for each texel and r, g, b of each map.
     radiance: Vec<Mat<f64>>,
     maps: usize,
 }
 
 impl Surroundings {
-    /// Of these maps.
+    /// Combines maps of equal size.
     ///
     /// # Errors
     ///
-    /// No map, or maps of different sizes.
+    /// If there is no map or the maps differ in size.
     pub fn new(maps: &[EnvironmentMap]) -> Result<Self> {
         let Some(first) = maps.first() else {
             return Err(Error::new("there is no map to read", "name a map, or a folder of maps"));
@@ -73,11 +72,11 @@ impl Surroundings {
         self.maps
     }
 
-    /// The unit normal that mirrors the brightest texel of a map towards z.
+    /// The unit normal that mirrors the brightest texel of a map toward z.
     ///
     /// # Panics
     ///
-    /// If there is no such map.
+    /// If `map` is out of range.
     #[must_use]
     pub fn mirror(&self, map: usize) -> [f64; 3] {
         let brightness = |texel: usize| {
@@ -92,11 +91,11 @@ impl Surroundings {
         [x / length, y / length, (z + 1.0) / length]
     }
 
-    /// The irradiance of unit normals with z > 0 seen along z: by normal, within it by
-    /// BRDF, within it by map, r, g and b.
+    /// The irradiance at unit normals with z > 0 seen along z, indexed by normal, then BRDF, then
+    /// map; r, g and b.
     ///
-    /// `fineness` says how many parts a texel has for each width of what changes
-    /// within it: 1 is rough, twice as many show how far it has converged.
+    /// `fineness` is the number of parts of a texel for each width of the features within it. 1 is
+    /// coarse; compare with twice the value to check convergence.
     #[must_use]
     pub fn irradiance(
         &self,
@@ -130,7 +129,7 @@ impl Surroundings {
             .collect()
     }
 
-    /// ∫ f cos θ_i dω over a texel.
+    /// ∫ f cos θ_i dω over one texel.
     fn weight(&self, lobe: &Lobe<'_>, texel: usize, normal: [f64; 3]) -> f64 {
         let direction = self.directions[texel];
         let cosine = dot(direction, normal);
@@ -169,7 +168,7 @@ impl Surroundings {
         sum
     }
 
-    /// Of a part that begins at a row and is `step` texels high and wide.
+    /// Solid angle of a part that begins at row `top` and is `step` texels high and wide.
     fn solid_angle(&self, top: f64, step: f64) -> f64 {
         let half = 0.5 * step * PI / self.height as f64;
         let middle = (top + 0.5 * step) * PI / self.height as f64;
@@ -185,7 +184,7 @@ struct Lobe<'a> {
 }
 
 impl Lobe<'_> {
-    /// Parts along each side of a texel of this size, radians.
+    /// Parts along each side of a texel with this size in radians.
     fn parts(&self, at: Geometry, size: f64) -> usize {
         let wanted = self.fineness * size;
         // Both distances are at least the width times the cosine of θ_d.
@@ -193,7 +192,7 @@ impl Lobe<'_> {
         if wanted <= self.width * difference {
             return 1;
         }
-        // The half-way direction moves by 1 / 2 cos θ_d of what the light's does.
+        // The half-way direction moves by 1 / 2 cos θ_d times the motion of the light's direction.
         let (_, sine) = at.half_squared();
         let half = 2.0 * difference * sine.sqrt().max(self.width);
         let narrowest = half.min(at.incident.max(self.width));

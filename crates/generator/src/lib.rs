@@ -1,8 +1,8 @@
-//! From captured light and measured materials to eigenshade tables, by the model of
+//! Makes eigenshade tables from captured light and measured materials, using the model of
 //! [`eigenshade_model`].
 //!
-//! Modules follow the mathematics of Nillius and Eklundh, "Phenomenological Eigenfunctions for Image
-//! Irradiance", ICCV 2003; "(n)" in these pages is equation n of that paper.
+//! The modules follow the mathematics of Nillius and Eklundh, "Phenomenological Eigenfunctions for
+//! Image Irradiance", ICCV 2003. In these pages, "(n)" is equation n of that paper.
 
 pub mod light;
 

@@ -19,31 +19,32 @@ use std::path::{Path, PathBuf};
 pub struct Loaded {
     /// The scene.
     pub scene: Scene,
-    /// Its lights, of its degree.
+    /// The lights, truncated to the scene's degree.
     pub lights: Lights,
-    /// Its materials, of its order.
+    /// The materials, truncated to the scene's order.
     pub materials: Materials,
-    /// The order that the file of materials goes to, the scene's or more.
+    /// The order of the material file, at least the scene's.
     pub order_of_file: usize,
-    /// The normals of its object.
+    /// The normals of the object.
     pub geometry: Geometry,
 }
 
 impl Loaded {
-    /// The scene's table: azimuth by azimuth where normals and light allow it.
+    /// Makes the scene's table, azimuth by azimuth if the normals and the light allow it.
     ///
     /// # Errors
     ///
-    /// As [`basis::build`].
+    /// The errors of [`basis::build`].
     pub fn build(&self) -> Result<Table> {
         self.chosen().map(|(table, _)| table)
     }
 
-    /// The same, and what was chosen where the scene gives a tolerance.
+    /// Like [`build`](Self::build), and also reports what was chosen if the scene gives a
+    /// tolerance.
     ///
     /// # Errors
     ///
-    /// As [`basis::build`].
+    /// The errors of [`basis::build`].
     pub fn chosen(&self) -> Result<(Table, Option<Choice>)> {
         let Self { scene, lights, materials, geometry, .. } = self;
         if *geometry == Geometry::Sphere && scene.light.rotation == LightRotation::Any {
@@ -54,16 +55,16 @@ impl Loaded {
     }
 }
 
-/// The longest scene file in bytes: a weight for each of ten thousand materials.
+/// Maximum size of a scene file in bytes, enough for a weight for each of ten thousand materials.
 const LONGEST: u64 = 1 << 20;
 
-/// Reads a scene file; its paths are relative to it. Each of the files that it names is read
-/// within the same budget.
+/// Reads a scene file and the files that it names, each within the same budget. Paths in the scene
+/// are relative to the scene file.
 ///
 /// # Errors
 ///
-/// A missing file, a field that is unknown, missing or out of range, a database
-/// that is broken or does not reach the degree or order, a name that it lacks.
+/// If a file is missing; a field is unknown, missing or out of range; a database is broken or does
+/// not reach the degree or order; or a name is not in its database.
 pub fn load(file: impl Into<InputFile>) -> Result<Loaded> {
     let file = file.into();
     let path = file.path();
@@ -89,8 +90,8 @@ pub fn load(file: impl Into<InputFile>) -> Result<Loaded> {
     Ok(Loaded { scene, lights, materials, order_of_file, geometry })
 }
 
-/// The files that the table of a scene file is made of, itself first, whether they are
-/// there or not. Of a file that is no scene, itself alone.
+/// The files from which the table of a scene file is made, starting with the scene file itself,
+/// whether or not they exist. If the file is not a scene, only the file itself.
 #[must_use]
 pub fn inputs(path: &Path) -> Vec<PathBuf> {
     let text = std::fs::read_to_string(path).unwrap_or_default();
@@ -121,7 +122,7 @@ fn named(materials: &Materials, names: &[String], database: &Path) -> Result<Vec
     names.iter().map(find).collect()
 }
 
-/// A scene from its text, or what is wrong with it and in which line.
+/// Parses a scene; on failure, returns the error and its line.
 fn parse(text: &str) -> std::result::Result<Scene, (Error, Option<u64>)> {
     let scene: Scene = toml::from_str(text).map_err(|error| {
         let line = error.span().map(|span| 1 + text[..span.start].matches('\n').count() as u64);
@@ -132,7 +133,7 @@ fn parse(text: &str) -> std::result::Result<Scene, (Error, Option<u64>)> {
     Ok(scene)
 }
 
-/// Whether the values are ones that this version can serve.
+/// Checks that this version supports the values.
 fn check(scene: &Scene) -> Result<()> {
     let basis = &scene.basis;
     let fail = |what: String, remedy: &str| Err(Error::new(what, remedy));

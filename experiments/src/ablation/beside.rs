@@ -1,4 +1,4 @@
-//! Pixels beside the nine-term formula.
+//! Compares pixels with the nine-term formula.
 
 use super::cells::{line, percent};
 use super::counts::{Counts, M0, M4F};
@@ -9,7 +9,7 @@ use super::scenes::Scene;
 use crate::median::median;
 use crate::tolerances;
 
-/// The table of the page; instructions are over those of the formula.
+/// The table of the page; instruction counts are relative to the formula.
 pub fn beside(counts: &Counts) -> String {
     let pixel = |name: &str| ratios(counts, &format!("{name}/pixel"));
     let nine = nine_terms::errors();
@@ -55,7 +55,7 @@ pub fn beside(counts: &Counts) -> String {
     text
 }
 
-/// The instructions of a pixel over those of the formula.
+/// The instruction counts of a pixel relative to the formula.
 fn ratios(counts: &Counts, operation: &str) -> String {
     let of = |on| counts.of_nine_terms(on, operation);
     format!("{:.2} (M0) and {:.2} (M4F)", of(M0), of(M4F))

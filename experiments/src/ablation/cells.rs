@@ -3,17 +3,17 @@
 use eigenshade_cli::output::number::grouped;
 use std::fmt::Write;
 
-/// A row of a table.
+/// Appends a row of a table.
 pub fn line(text: &mut String, cells: &[String]) {
     writeln!(text, "| {} |", cells.join(" | ")).expect("a string takes everything");
 }
 
-/// With commas between thousands; a dash for nothing.
+/// A number with commas between thousands; a dash if there is none.
 pub fn number(number: Option<u64>) -> String {
     number.map_or_else(|| "-".into(), |number| grouped(number as usize))
 }
 
-/// Two digits.
+/// A percentage with two digits.
 pub fn percent(share: f64) -> String {
     match 100.0 * share {
         zero if zero < 1e-10 => "0".into(),

@@ -1,5 +1,5 @@
-//! What each change redoes with the shipped table, in multiplications
-//! and in what was counted.
+//! The cost of each change with the shipped table: the steps that are recomputed, as
+//! multiplications and as counted instructions.
 
 use super::cells::{line, number};
 use super::counts::{Column, Counts, M0, M3, M4F, RV32};
@@ -8,24 +8,25 @@ use eigenshade_shading::shipped;
 use eigenshade_table::decode;
 use eigenshade_table::trim::trim;
 
-/// The table of the boards' `shade`, and the share of the rms to which their build script trims
-/// its polynomials.
+/// The table that the boards' `shade` uses, and the share of the rms to which their build script
+/// trims its polynomials.
 const BOARDS: (&[u8], f64) = (include_bytes!("../../../firmware/tables/full.bin"), 2e-4);
 
-/// Those of the shipped table.
+/// Multiplications with the shipped table.
 pub fn multiplications() -> Multiplications {
     let table = decode(shipped::TABLE).expect("the shipped table");
     Multiplications::of(&table).expect("a basis")
 }
 
-/// Those of the boards' full scene.
+/// Multiplications with the boards' full scene.
 fn on_the_boards() -> Multiplications {
     let mut table = decode(BOARDS.0).expect("the boards' table");
     trim(&mut table, BOARDS.1);
     Multiplications::of(&table).expect("a basis")
 }
 
-/// The table of the page; the boards count a pixel of a table of their own. `host` has the ratios of times, row by row.
+/// The table of the page. The boards use their own table to count a pixel. `host` holds the time
+/// ratios, row by row.
 pub fn changes(counts: &Counts, host: &[f64]) -> String {
     let found = multiplications();
     let mut text = String::from(
@@ -38,7 +39,7 @@ pub fn changes(counts: &Counts, host: &[f64]) -> String {
         let of = |operation: &&str| counts.get(on, operation, Column::Instructions);
         number(operations.iter().map(of).sum())
     };
-    // Of three channels.
+    // For three channels.
     let turn = counts.get(M4F, "sun_leather_turning/turn", Column::Instructions);
     let light = counts.get(M4F, "relight_collapse", Column::Instructions);
     let turned = turn.zip(light).map(|(turn, light)| turn / 3 + light);

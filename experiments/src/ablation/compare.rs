@@ -1,16 +1,16 @@
-//! The page against what is counted and computed now.
+//! Compares the page with freshly counted and computed figures.
 
 use crate::pages;
 
-/// Figures of the page of the ablation have two digits, the last of which may be rounded either
-/// way.
+/// Allowed relative difference of the figures on the ablation page: they have two digits, and the
+/// last may be rounded either way.
 const ABLATION_PAGE: f64 = 0.1;
 
-/// Errors on that page below this are roundings of f32, another number on another host.
+/// Errors on that page below this are f32 rounding and differ between hosts.
 const ABLATION_ROUNDING: f64 = 1e-6;
 
-/// [`pages::compare`]: errors and shares may differ by [`ABLATION_PAGE`] of themselves,
-/// or both be below [`ABLATION_ROUNDING`].
+/// Applies [`pages::compare`]: errors and shares may differ by a relative [`ABLATION_PAGE`], or
+/// both may be below [`ABLATION_ROUNDING`].
 ///
 /// # Errors
 ///

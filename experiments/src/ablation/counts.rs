@@ -1,14 +1,14 @@
-//! What was counted on the emulated boards: `firmware/counts.csv`.
+//! The counts measured on the emulated boards: `firmware/counts.csv`.
 
 use std::collections::BTreeMap;
 
-/// The processor without a float unit, in the format that it takes.
+/// The processor without a floating-point unit, and the number format that suits it.
 pub const M0: [&str; 2] = ["microbit", "q15"];
-/// The one with it.
+/// The processor with a floating-point unit.
 pub const M4F: [&str; 2] = ["mps2-an386", "f32"];
 /// Cortex-M3, in integers.
 pub const M3: [&str; 2] = ["mps2-an385", "q15"];
-/// RISC-V of 32 bits, in integers.
+/// 32-bit RISC-V, in integers.
 pub const RV32: [&str; 2] = ["riscv32", "q15"];
 
 /// A column of the file.
@@ -29,7 +29,7 @@ pub enum Column {
 pub struct Counts(BTreeMap<[String; 3], [Option<u64>; 4]>);
 
 impl Counts {
-    /// Those recorded.
+    /// The recorded counts.
     pub fn recorded() -> Self {
         let path = eigenshade_testing::repository().join("firmware/counts.csv");
         let text = std::fs::read_to_string(path).expect("the recorded counts");
@@ -43,13 +43,13 @@ impl Counts {
         Self(lines.map(row).collect())
     }
 
-    /// A number of an operation on a board, in its format; none where it was not measured.
+    /// A count of an operation on a board in its format; `None` if it was not measured.
     pub fn get(&self, [board, format]: [&str; 2], operation: &str, column: Column) -> Option<u64> {
         let key = [board, format, operation].map(str::to_owned);
         self.0.get(&key)?[column as usize]
     }
 
-    /// The instructions of an operation over those of a pixel by the nine-term formula.
+    /// The instructions of an operation, relative to those of a pixel by the nine-term formula.
     ///
     /// # Panics
     ///

@@ -1,4 +1,4 @@
-//! What the scenes' tables leave out and round, against the direct sum.
+//! Truncation and rounding errors of the scenes' tables, against the direct sum.
 
 use super::pictures::{Picture, Sphere, difference, peak};
 use super::scenes::{self, Scene};
@@ -9,18 +9,18 @@ use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::owned_quantised::Integer;
 use eigenshade_shading::shader::{OwnedNormals, Shader};
 
-/// Errors of a scene's table, root mean square over the sphere, of the peak.
+/// Errors of a scene's table: root mean square over the sphere, relative to the peak.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Errors {
     /// In f32, under the scene's own light.
     pub f32: f64,
-    /// In f32, under the shipped light for which it is largest.
+    /// In f32, under the shipped light with the largest error.
     pub worst: f64,
     /// In Q15, under the scene's own light.
     pub q15: f64,
 }
 
-/// Those of a scene, with the polynomials of the boards.
+/// The errors of a scene with the boards' polynomials.
 pub fn errors(scene: &Scene) -> Errors {
     let table = scene.whole_table();
     let sphere = Sphere::new(SPACING);
@@ -59,8 +59,8 @@ pub fn errors(scene: &Scene) -> Errors {
     Errors { f32: error(&in_f32(&light), &expected), worst, q15: error(&q15, &expected) }
 }
 
-/// Terms that the runtime keeps of a scene within a tolerance of the peak, under each shipped
-/// light.
+/// The number of terms that the runtime keeps of a scene within a tolerance relative to the peak,
+/// under each shipped light.
 pub fn terms_within(scene: &Scene, tolerance: f32) -> Vec<usize> {
     let table = scene.whole_table();
     let (degree, order) = (table.gram.degree, table.gram.order);

@@ -1,5 +1,5 @@
-//! The ablation: ten scenes of `firmware/scenes`, each of which adds an effect or a demand to
-//! the one before, what each costs, and what each effect is worth.
+//! The ablation: the cost of the ten scenes of `firmware/scenes`, each of which adds an effect or a
+//! requirement to the previous one, and the contribution of each effect.
 //!
 //! `experiments ablation` writes the generated parts of `docs/ablation.md`.
 

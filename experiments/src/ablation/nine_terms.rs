@@ -1,5 +1,5 @@
-//! The nine-term formula of Ramamoorthi and Hanrahan: what a Lambertian material shows of
-//! light to degree 2, and how far that is from what it shows of all degrees.
+//! The nine-term formula of Ramamoorthi and Hanrahan: the irradiance of a Lambertian material under
+//! light up to degree 2, and its error compared with light of all degrees.
 
 use super::pictures::{Sphere, difference, peak};
 use super::scenes::{self, Scene};
@@ -7,15 +7,15 @@ use super::shares::SPACING;
 use eigenshade_index::effect::Effects;
 use nalgebra::{DMatrix, DVector};
 
-/// Coefficients of 1, x, y, z, xy, yz, xz, 3 z² - 1, x² - y² for the white Lambertian, f = 1/π:
-/// Σ (A_l / π) L_lm Y_lm, A = π, 2π/3, π/4, in this project's signs.
+/// Coefficients of 1, x, y, z, xy, yz, xz, 3 z² - 1, x² - y² for the white Lambertian, f = 1/π: Σ
+/// (A_l / π) L_lm Y_lm, A = π, 2π/3, π/4, in this project's sign convention.
 pub fn coefficients(light: &[f64]) -> [f64; 9] {
     let pi = std::f64::consts::PI;
     let constant = (1.0 / (4.0 * pi)).sqrt();
     let linear = 2.0 / 3.0 * (3.0 / (4.0 * pi)).sqrt();
     let square = 0.25 * (15.0 / (4.0 * pi)).sqrt();
     let pole = 0.25 * (5.0 / (16.0 * pi)).sqrt();
-    // Degree 1 in the order y, z, x; degree 2 in the order xy, yz, z², xz, x² - y².
+    // Degree 1 has the order y, z, x; degree 2 has the order xy, yz, z², xz, x² - y².
     [
         constant * light[0],
         -linear * light[3],
@@ -29,7 +29,7 @@ pub fn coefficients(light: &[f64]) -> [f64; 9] {
     ]
 }
 
-/// The irradiance of a normal.
+/// The irradiance at a normal.
 pub fn shade(c: &[f64; 9], [x, y, z]: [f64; 3]) -> f64 {
     c[0] + c[1] * x
         + c[2] * y
@@ -41,9 +41,9 @@ pub fn shade(c: &[f64; 9], [x, y, z]: [f64; 3]) -> f64 {
         + c[8] * (x * x - y * y)
 }
 
-/// How far nine terms are from the direct sum of degree 9 under each shipped light, root mean
-/// square over the sphere, of the peak: the formula's, and the nine coefficients that are
-/// nearest.
+/// Errors of nine terms against the direct sum of degree 9 under each shipped light: root mean
+/// square over the sphere, relative to the peak. Gives the error of the formula and that of the
+/// best nine coefficients.
 pub fn errors() -> Vec<[f64; 2]> {
     let scene = Scene::named("park_lambertian");
     let sphere = Sphere::new(SPACING);
@@ -55,7 +55,7 @@ pub fn errors() -> Vec<[f64; 2]> {
     let error = |light: &Vec<f64>| {
         let whole = sphere.direct((9, std::slice::from_ref(light)), (0, &material), Effects::ALL);
         let expected = DVector::from_fn(sphere.normals.len(), |k, _| root(k) * whole[0][k]);
-        // Nothing is cut off: the nine are independent.
+        // No cut-off is needed: the nine terms are independent.
         let best = terms.solve(&expected, 0.0).expect("both sides of the decomposition");
         let best = std::array::from_fn(|term| best[term]);
         [coefficients(light), best].map(|c| {

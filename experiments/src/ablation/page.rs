@@ -12,11 +12,11 @@ use crate::pages::Part;
 use eigenshade_index::effect::Effect;
 use eigenshade_table::Parts;
 
-/// Makes them again.
+/// The command that regenerates the parts.
 pub const COMMAND: &str = "cargo run --release -p experiments -- ablation --out docs/ablation.md";
 
-/// The parts of the page; `host` gives the ratios of times of a scene and, of none, those of the
-/// changes.
+/// The parts of the page. `host` returns the time ratios of a scene, or those of the changes for
+/// `None`.
 pub fn parts(host: impl Fn(Option<&Scene>) -> Vec<f64>) -> Vec<Part> {
     let counts = Counts::recorded();
     let rows = |row: &dyn Fn(&Scene) -> Vec<String>| {
@@ -81,14 +81,14 @@ fn costs(scene: &Scene, counts: &Counts, host: f64) -> Vec<String> {
     ]
 }
 
-/// Terms of a channel's polynomials on the boards.
+/// The number of terms of one channel's polynomials on the boards.
 pub fn terms(scene: &Scene) -> usize {
     let lengths = Parts::new(&scene.whole_table()).lengths;
     let both: usize = lengths.iter().map(|&length| 2 * usize::from(length)).sum();
     both - lengths.first().map_or(0, |&length| usize::from(length))
 }
 
-/// The effects and demands that a scene names.
+/// The names of a scene's effects and requirements.
 fn effects(scene: &Scene) -> Vec<String> {
     let table = scene.whole_table();
     let wanted = table.effects();

@@ -1,14 +1,14 @@
-//! Pictures of a sphere by the direct sum (15), and how large they are.
+//! Pictures of a sphere by the direct sum (15), and their norms.
 
 use eigenshade_index::effect::Effects;
 use eigenshade_model::effects;
 use eigenshade_model::truth::Truth;
 use eigenshade_shading::sphere_rings::{Ring, rings};
 
-/// Irradiances by channel, then by normal.
+/// Irradiances by channel and then by normal.
 pub type Picture = Vec<Vec<f64>>;
 
-/// A sphere's normals and the share of the disc that each stands for.
+/// The normals of a sphere, and the share of the disc that each represents.
 #[derive(Clone, Debug)]
 pub struct Sphere {
     /// Unit normals that face the camera.
@@ -33,7 +33,7 @@ impl Sphere {
         (picture.iter().map(square).sum::<f64>() / picture.len() as f64).sqrt()
     }
 
-    /// The direct sum of some effects, of a light by channel and a material.
+    /// The direct sum over some effects, for a light by channel and a material.
     pub fn direct(
         &self,
         (degree, light): (usize, &[Vec<f64>]),
@@ -62,7 +62,7 @@ pub fn peak(picture: &Picture) -> f64 {
     picture.iter().flatten().fold(0.0, |most: f64, value| most.max(value.abs()))
 }
 
-/// One picture less another of as many channels, or of one for all.
+/// The difference of two pictures; the second may have one channel that serves for all.
 pub fn difference(a: &Picture, b: &Picture) -> Picture {
     let of = |(k, channel): (usize, &Vec<f64>)| {
         channel.iter().zip(&b[k.min(b.len() - 1)]).map(|(a, b)| a - b).collect()

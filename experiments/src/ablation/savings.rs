@@ -1,5 +1,5 @@
-//! What leaving an effect out of a scene saves: its table made without it, to the same
-//! tolerance.
+//! The saving from leaving an effect out of a scene: the scene's table is made without it, to the
+//! same tolerance.
 
 use super::cells::{line, number};
 use super::scenes::Scene;
@@ -7,22 +7,22 @@ use eigenshade_generator::scene_file;
 use eigenshade_index::effect::Effect;
 use eigenshade_table::{Parts, Table};
 
-/// The scenes of several effects.
+/// The scenes with several effects.
 const SCENES: [&str; 4] = ["sky_lambertian", "studio_plaster", "studio_velvet", "sun_leather"];
 
-/// Components, terms of a pixel and numbers in flash of a table.
+/// The size of a table: its components, the terms of a pixel, and the numbers in flash.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Size {
-    /// K.
+    /// The number of components K.
     pub components: usize,
-    /// Of the polynomials of all azimuths: a pixel costs a multiplication for each.
+    /// Terms of the polynomials of all azimuths; each costs a pixel one multiplication.
     pub terms: usize,
-    /// In all its statics.
+    /// Numbers in all statics of the table.
     pub numbers: usize,
 }
 
 impl Size {
-    /// That of a table.
+    /// The size of a table.
     fn of(table: &Table) -> Self {
         let parts = Parts::new(table);
         let both: usize = parts.lengths.iter().map(|&length| 2 * usize::from(length)).sum();
@@ -36,7 +36,8 @@ impl Size {
     }
 }
 
-/// That of a scene without an effect, or of all of it; none if it does not have the effect.
+/// The size of a scene without an effect, or of the full scene; `None` if the scene does not have
+/// the effect.
 pub fn size(scene: &Scene, without: Option<Effect>) -> Option<Size> {
     let path =
         eigenshade_testing::repository().join(format!("firmware/scenes/{}.toml", scene.name));

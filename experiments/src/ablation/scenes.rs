@@ -10,18 +10,19 @@ use eigenshade_table::{Table, decode};
 pub struct Scene {
     /// Its name there and in `firmware/counts.csv`.
     pub name: &'static str,
-    /// Whose table it has.
+    /// The scene whose table it uses.
     pub table: &'static str,
-    /// What the page calls it.
+    /// Its title on the page.
     pub title: &'static str,
-    /// The shipped light that it is measured under.
+    /// The shipped light under which it is measured.
     pub light: &'static str,
-    /// Channels: 1, luminance, or 3.
+    /// The number of channels: 1 for luminance, or 3.
     pub channels: usize,
     /// Whether its light turns.
     pub turns: bool,
-    /// What table, terms and format may cost under its light, of the peak. The file's own
-    /// tolerance is of the mean peak of all lights, and lower where this one's is.
+    /// The allowed error of table, terms and format under its light, relative to the peak. The
+    /// tolerance in the scene file is relative to the mean peak of all lights, and is lower where
+    /// the peak of this light is lower.
     pub tolerance: f64,
 }
 
@@ -31,7 +32,7 @@ const fn still(name: &'static str, title: &'static str, light: &'static str) -> 
 
 const LEATHER: Scene = still("sun_leather", "sun on leather", "esplanade");
 
-/// In the order of the page.
+/// The scenes, in the order of the page.
 pub const SCENES: [Scene; 10] = [
     still("ambient_lambertian", "ambient on Lambertian", "sky"),
     still("ambient_velvet", "ambient on velvet", "sky"),
@@ -52,37 +53,37 @@ pub const SCENES: [Scene; 10] = [
 ];
 
 impl Scene {
-    /// The scene of this name.
+    /// The scene with this name.
     pub fn named(name: &str) -> Self {
         *SCENES.iter().find(|scene| scene.name == name).expect("a scene of the page")
     }
 
-    /// Its table, as `eigenshade basis` makes it.
+    /// The scene's table, as `eigenshade basis` makes it.
     pub fn whole_table(&self) -> Table {
         let path = format!("firmware/scenes/{}.bin", self.table);
         let bytes = std::fs::read(eigenshade_testing::repository().join(&path)).expect(&path);
         decode(&bytes).expect("a table")
     }
 
-    /// Its light to a degree, by channel.
+    /// The scene's light up to a degree, by channel.
     pub fn light(&self, degree: usize) -> Vec<Vec<f64>> {
         let lights = lights(degree).entries;
         let light = lights.into_iter().find(|light| light.name == self.light);
         self.channels_of(&light.expect("a shipped light"))
     }
 
-    /// A light by channel: its luminance where there is one.
+    /// A light by channel: its luminance if the scene has one channel.
     pub fn channels_of(&self, light: &Named) -> Vec<Vec<f64>> {
         if self.channels == 1 { vec![light.luminance()] } else { light.rgb.to_vec() }
     }
 }
 
-/// The shipped lights to a degree.
+/// The shipped lights, up to a degree.
 pub fn lights(degree: usize) -> Lights {
     shipped::lights().expect("the shipped lights").truncated(degree)
 }
 
-/// A material of a table to an order: the one that its scene names, or the white Lambertian.
+/// The material of a table up to an order: the one named by its scene, or the white Lambertian.
 pub fn material(table: &Table, order: usize) -> Vec<f64> {
     let mut coefficients = match table.scene.material.names.as_slice() {
         [name] => {

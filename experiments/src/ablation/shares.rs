@@ -1,4 +1,4 @@
-//! What each effect of a scene is worth: how far off its picture is without it.
+//! The contribution of each effect of a scene: the error of its picture without the effect.
 
 use super::pictures::{Picture, Sphere, difference, peak};
 use super::scenes::{self, Scene};
@@ -7,21 +7,21 @@ use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_index::light;
 use eigenshade_table::Table;
 
-/// Radians between normals: 900 of them.
+/// Spacing of the 900 normals in radians.
 pub const SPACING: f64 = 0.06;
 
-/// Degree and order of the picture that nothing is left out of.
+/// Degree and order of the complete picture.
 pub const FULL: (usize, usize) = (9, 7);
 
-/// Errors, root mean square over the sphere, of the peak.
+/// Errors: root mean square over the sphere, relative to the peak.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Shares {
-    /// If an effect is left out, for each that has modes in the scene.
+    /// The error of leaving out each effect that has modes in the scene.
     pub effects: Vec<(&'static str, f64)>,
-    /// If luminance is shown instead of colour, or the light turns by 30 degrees about the
-    /// vertical and the picture does not.
+    /// The error of showing luminance instead of color, and of keeping the picture while the light
+    /// turns by 30 degrees about the vertical.
     pub demands: Vec<(&'static str, f64)>,
-    /// What the scene leaves out of degree 9 and order 7.
+    /// The error of the scene's truncation compared with degree 9 and order 7.
     pub left_out: f64,
 }
 

@@ -1,4 +1,4 @@
-//! Times on this machine, as ratios to a pixel by the nine-term formula in the same run.
+//! Times on this machine, relative to a pixel by the nine-term formula in the same run.
 
 use super::scenes::{self, Scene};
 use crate::median::median;
@@ -9,12 +9,12 @@ use eigenshade_shading::shader::{OwnedNormals, Shader};
 use std::hint::black_box;
 use std::time::Instant;
 
-/// Pixels along a side of the picture.
+/// Width and height of the picture in pixels.
 const SIDE: usize = 96;
-/// Rounds, of which the median is taken.
+/// The number of rounds, of which the median is taken.
 const ROUNDS: usize = 41;
 
-/// The picture's normals, those of the disc.
+/// The normals of the picture's pixels inside the disc.
 pub fn normals() -> Vec<[f64; 3]> {
     let along = |k: usize| (2 * k + 1) as f64 / SIDE as f64 - 1.0;
     let points = (0..SIDE * SIDE).map(|k| (along(k % SIDE), -along(k / SIDE)));
@@ -22,8 +22,8 @@ pub fn normals() -> Vec<[f64; 3]> {
     inside.map(|(x, y)| [x, y, (1.0 - x * x - y * y).sqrt()]).collect()
 }
 
-/// The median time of a pixel, or of another operation, over that of a nine-term pixel; both
-/// in turns.
+/// The median time of an operation relative to that of a nine-term pixel; the two are timed in
+/// turn.
 fn ratio(operations: usize, mut operation: impl FnMut()) -> f64 {
     let owned = OwnedNormals::<f32>::new(&normals());
     let normals = owned.view().expect("visible normals");
@@ -46,7 +46,7 @@ fn ratio(operations: usize, mut operation: impl FnMut()) -> f64 {
     median(&ours) / median(&theirs)
 }
 
-/// A pixel of a scene, all channels.
+/// A pixel of a scene, in all channels.
 pub fn of_scene(scene: &Scene) -> f64 {
     let table = scene.whole_table();
     let (degree, order) = (table.gram.degree, table.gram.order);
@@ -76,8 +76,8 @@ pub fn of_scene(scene: &Scene) -> f64 {
     })
 }
 
-/// With the shipped table: a new light, a turned light, a new material, both up to the scene,
-/// and a pixel.
+/// With the shipped table: a new light, a turned light and a new material, each up to the new
+/// scene, and a pixel.
 pub fn of_changes() -> [f64; 4] {
     const ROOM: usize = Light::<f32>::turn_len(sphere::DEGREE);
     const LIGHT: usize = light::count(sphere::DEGREE);

@@ -1,4 +1,4 @@
-//! The bases of the settings, each made once.
+//! The bases of the settings, each computed once.
 
 use super::materials::Scope;
 use super::setting::Recipe;
@@ -11,14 +11,14 @@ use eigenshade_table::scene::{self, Criterion, LightRotation, Normalise, Store};
 use eigenshade_table::{Scene, Table};
 use std::collections::BTreeMap;
 
-/// Which modes: how many of the highest variance, 0 for all, and the bits of the effects.
+/// A selection of modes: how many of the highest variance, 0 for all, and the bits of the effects.
 type Modes = (usize, u16);
 
 fn modes(recipe: &Recipe) -> Modes {
     (recipe.modes.unwrap_or(0), recipe.effects.bits())
 }
 
-/// All components of a scope, and those of selected modes.
+/// A basis with all components of a scope, and bases of selected modes.
 pub struct Bases {
     tables: BTreeMap<Modes, Table>,
 }
@@ -28,7 +28,7 @@ impl Bases {
     ///
     /// # Errors
     ///
-    /// None in truth: the databases reach the scope's degree and order.
+    /// Never in practice: the databases reach the scope's degree and order.
     pub fn new(scope: &Scope, recipes: impl IntoIterator<Item = Recipe>) -> Result<Self> {
         let mut tables = BTreeMap::new();
         let mut most: BTreeMap<Modes, Option<usize>> = BTreeMap::new();

@@ -1,5 +1,5 @@
-//! Counted instructions of emulated boards, from `firmware/counts.csv`: of the settings that
-//! a program there measures, and of no others.
+//! Counted instructions of emulated boards, from `firmware/counts.csv`. They exist only for the
+//! settings that a program there measures.
 
 use super::ladder::{Rung, rungs};
 use super::machine::{Machine, Price};
@@ -9,29 +9,28 @@ use eigenshade_model::inputs::sheet::Sheet;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// What `firmware/run` counted.
+/// The counts that `firmware/run` recorded.
 const COUNTS: &str = include_str!("../../../firmware/counts.csv");
 const COLUMNS: [&str; 6] =
     ["board", "operation", "format", "instructions", "flash_bytes", "stack_bytes"];
 
-/// Counts by board, operation and format, and the tables of which a program has both a pixel
-/// and a new light.
+/// Counts by board, operation and format, and the tables for which a program has both a pixel and a
+/// new light.
 pub struct Boards {
     counts: BTreeMap<[String; 3], Count>,
     rungs: Vec<Rung>,
 }
 
-/// A row of the counts.
+/// One row of the counts.
 #[derive(Clone, Copy, Default)]
 struct Count {
     instructions: Option<f64>,
     flash: Option<usize>,
-    /// RAM and stack.
+    /// RAM including the stack.
     ram: Option<usize>,
 }
 
-/// The operations that are the pixel and the new light of a setting, where programs of their
-/// own measure them.
+/// The operations for the pixel and the new light of a setting, if separate programs measure them.
 fn operations(setting: &Setting) -> [Option<&'static str>; 2] {
     let Setting { recipe, way, format, .. } = *setting;
     let full = Recipe::first(9, 7, 130).cut(Cut::Trimmed(2e-4));
@@ -51,11 +50,11 @@ fn operations(setting: &Setting) -> [Option<&'static str>; 2] {
 }
 
 impl Boards {
-    /// Reads the counts that were compiled in.
+    /// Reads the compiled-in counts.
     ///
     /// # Errors
     ///
-    /// None in truth: they were made by the project.
+    /// Never in practice: the project generated them.
     pub fn new() -> Result<Self> {
         let path = Path::new("firmware/counts.csv");
         let header = COLUMNS.join(",");
@@ -85,12 +84,12 @@ impl Boards {
         Ok(Self { counts, rungs: rungs()? })
     }
 
-    /// What a setting takes on a board, as far as it was counted: by the program that has both
-    /// its pixel and its new light, or by those of one operation each.
+    /// The cost of a setting on a board, as far as it was counted: by the program with both its
+    /// pixel and its new light, or by the programs with one operation each.
     #[must_use]
     pub fn price(&self, machine: Machine, setting: &Setting) -> Price {
         let Some(board) = machine.board() else { return Price::default() };
-        // No program scales its normals.
+        // No program normalizes its normals.
         if setting.scaling != Scaling::None {
             return Price::default();
         }

@@ -1,4 +1,4 @@
-//! Charts of two logarithmic axes, as SVG: large letters, and no label upon another.
+//! SVG charts with two logarithmic axes, large letters and no overlapping labels.
 
 use crate::paper::chart::{BLUE, GREEN, INK, LETTERS, ORANGE, PALE, SIZE, fault, letters};
 use eigenshade_model::error::Result;
@@ -9,32 +9,32 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use std::ops::Range;
 
-/// Width of a letter, of the chart's letters' height, on average.
+/// Average width of a letter, relative to the height of the letters.
 const LETTER_WIDTH: f64 = 0.42;
-/// Lines of a chart, in their order.
+/// Colors of a chart's lines, in order.
 const COLOURS: [RGBColor; 3] = [BLUE, ORANGE, GREEN];
 
-/// Points, their front, and lines to compare with.
+/// Points, their Pareto front, and reference lines.
 pub struct Scatter {
-    /// Below.
+    /// Title of the horizontal axis.
     pub horizontal: String,
-    /// At the left.
+    /// Title of the vertical axis.
     pub vertical: &'static str,
     /// All points.
     pub points: Vec<(f64, f64)>,
-    /// Those of the front, by rising cost, with their labels.
+    /// The points of the front by rising cost, with their labels.
     pub front: Vec<((f64, f64), String)>,
-    /// Where something else costs what: a cost, and what.
+    /// The cost of a reference, with its label.
     pub upright: Option<(f64, String)>,
-    /// What error something else has: an error, and what.
+    /// The error of a reference, with its label.
     pub level: Option<(f64, String)>,
 }
 
-/// Lines with their legends.
+/// Lines with legends.
 pub struct Lines {
-    /// Below.
+    /// Title of the horizontal axis.
     pub horizontal: String,
-    /// At the left.
+    /// Title of the vertical axis.
     pub vertical: &'static str,
     /// The lines.
     pub lines: Vec<Line>,
@@ -44,16 +44,16 @@ pub struct Lines {
 pub struct Line {
     /// Its legend.
     pub name: String,
-    /// What it joins.
+    /// The points that it joins.
     pub points: Vec<(f64, f64)>,
-    /// The ends of the straight line that was fitted.
+    /// The ends of the fitted straight line.
     pub fitted: [(f64, f64); 2],
 }
 
 type Drawing<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 type Chart<'a> = ChartContext<'a, SVGBackend<'a>, Cartesian2d<LogCoord<f64>, LogCoord<f64>>>;
 
-/// The range of some values, with a share of it on either side.
+/// The range of some values, with a margin on either side.
 fn range(values: impl Iterator<Item = f64>, margin: f64) -> Range<f64> {
     let (mut low, mut high) = (f64::INFINITY, 0.0f64);
     for value in values.filter(|value| *value > 0.0 && value.is_finite()) {
@@ -66,7 +66,7 @@ fn range(values: impl Iterator<Item = f64>, margin: f64) -> Range<f64> {
     low / more..high * more
 }
 
-/// A number beside an axis.
+/// Formats a number for an axis.
 fn plain(value: &f64) -> String {
     if (0.001..1e6).contains(value) {
         let text = format!("{value:.3}");
@@ -81,7 +81,7 @@ fn plain(value: &f64) -> String {
     }
 }
 
-/// An error beside an axis.
+/// Formats an error for an axis.
 fn share(value: &f64) -> String {
     if *value < 0.99e-4 { format!("{value:.0e}") } else { format!("{} %", plain(&(100.0 * value))) }
 }
@@ -127,15 +127,14 @@ fn meet([a, b, c, d]: Frame, [e, f, g, h]: Frame) -> bool {
     a < g && e < c && b < h && f < d
 }
 
-/// Labels that have found room.
+/// The labels placed so far.
 struct Labels {
     taken: Vec<Frame>,
     within: Frame,
 }
 
 impl Labels {
-    /// Writes a label beside a pixel, where nothing is; where there is no room, none. Tells
-    /// whether it did.
+    /// Writes a label beside a pixel if there is free space for it. Returns whether it was written.
     fn write(&mut self, root: &Drawing<'_>, (x, y): (i32, i32), text: &str) -> Result<bool> {
         let width = (LETTER_WIDTH * f64::from(LETTERS) * text.chars().count() as f64) as i32;
         let height = LETTERS.cast_signed();
@@ -160,7 +159,7 @@ impl Labels {
         Ok(false)
     }
 
-    /// Nothing is written upon this straight line.
+    /// Reserves the area of this straight line, so that no label covers it.
     fn keep_off(&mut self, (a, b): (i32, i32), (c, d): (i32, i32)) {
         self.taken.push([a.min(c) - 2, b.min(d) - 2, a.max(c) + 2, b.max(d) + 2]);
     }
@@ -170,7 +169,7 @@ impl Labels {
 ///
 /// # Errors
 ///
-/// None in truth.
+/// Never in practice.
 pub fn scatter(scatter: &Scatter) -> Result<String> {
     let mut svg = String::new();
     {
@@ -203,7 +202,7 @@ pub fn scatter(scatter: &Scatter) -> Result<String> {
             let dashes = DashedPathElement::new(ends, 7, 6, GREEN.stroke_width(2));
             chart.draw_series([dashes]).map_err(fault)?;
         }
-        // A front is a staircase: more may be spent without any gain.
+        // A front is a staircase: a higher cost need not bring any gain.
         let mut stairs = Vec::new();
         for (k, (point, _)) in scatter.front.iter().enumerate() {
             if k > 0 {
@@ -223,7 +222,7 @@ pub fn scatter(scatter: &Scatter) -> Result<String> {
         }
         if let Some(((_, text), (x, y))) = scatter.level.as_ref().zip(level) {
             labels.keep_off((x, y), (within[2], y));
-            // At its beginning, or at its end.
+            // At its beginning or at its end.
             let _ =
                 labels.write(&root, (x, y), text)? || labels.write(&root, (within[2], y), text)?;
         }
@@ -236,11 +235,11 @@ pub fn scatter(scatter: &Scatter) -> Result<String> {
     Ok(svg)
 }
 
-/// The chart of some growth.
+/// The chart of the growth curves.
 ///
 /// # Errors
 ///
-/// None in truth.
+/// Never in practice.
 pub fn growth(lines: &Lines) -> Result<String> {
     let mut svg = String::new();
     {
@@ -248,7 +247,7 @@ pub fn growth(lines: &Lines) -> Result<String> {
         let all = || lines.lines.iter().flat_map(|line| line.points.iter().copied());
         let columns = range(all().map(|point| point.0), 0.06);
         let mut rows = range(all().map(|point| point.1), 0.06);
-        // Room for the legend.
+        // Makes room for the legend.
         rows.end *= (rows.end / rows.start).powf(0.12 * lines.lines.len() as f64);
         let axes = [&*lines.horizontal, lines.vertical];
         let mut chart = framed(&root, [columns, rows], axes, plain)?;

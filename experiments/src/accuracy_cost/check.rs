@@ -1,5 +1,5 @@
-//! Whether a folder's numbers are what the program finds now: errors, bytes and counted
-//! instructions. Times are not compared, nor what hangs on them.
+//! Compares the errors, bytes and counted instructions in a folder with freshly computed ones.
+//! Times, and anything that depends on them, are not compared.
 
 use super::growth::Growth;
 use super::sheet::{GROWTH, MODEL, POINTS};
@@ -7,27 +7,27 @@ use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::sheet::{Row, Sheet};
 use std::path::Path;
 
-/// What an error may differ by, relative: hosts round differently, and rounding may end a
+/// The allowed relative difference of an error: hosts round differently, and rounding may end a
 /// polynomial a term earlier or later.
 pub const ERROR: f64 = 0.02;
-/// What it may differ by in any case: errors below that are rounding of f32, which a fused
-/// multiplication halves.
+/// The difference of an error that is always allowed: errors below it are f32 rounding, which a
+/// fused multiplication halves.
 pub const ROUNDING: f64 = 1e-6;
-/// What bytes may differ by, relative: such a term of all profiles of an azimuth.
+/// The allowed relative difference of bytes: one such term in all profiles of an azimuth.
 pub const BYTES: f64 = 0.02;
-/// What a fitted exponent of bytes may be off the one that theory says. Lower powers are still
-/// there at the largest sizes, (24 / 2 + 1)² of the order; and azimuths grow as the root of the
-/// components, so that a row lacks two of ten numbers among the first, five among the last.
+/// The allowed difference between a fitted exponent of bytes and the theoretical one. Lower powers
+/// still contribute at the largest sizes, (24 / 2 + 1)² of the order. Azimuths grow as the root of
+/// the components, so that a row lacks two of ten numbers among the first, five among the last.
 pub const EXPONENT: f64 = 0.3;
 
 /// How a column is compared.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Kind {
-    /// As it stands.
+    /// As text.
     Word,
-    /// A number within this, relative and at least.
+    /// As a number, within a relative and an absolute tolerance.
     Number(f64, f64),
-    /// Not at all: times, and what another column says.
+    /// Not at all: times, and values that repeat another column.
     Time,
 }
 
@@ -36,7 +36,7 @@ fn kind(column: &str) -> Kind {
     if column.starts_with("host_") || column.starts_with("wasm_") {
         Kind::Time
     } else if ends(&["_db"]) {
-        // They are the errors once more.
+        // These repeat the errors.
         Kind::Time
     } else if ends(&["_median", "_most", "_worst"]) || matches!(column, "median" | "worst") {
         Kind::Number(ERROR, ROUNDING)
@@ -51,22 +51,21 @@ fn kind(column: &str) -> Kind {
     }
 }
 
-/// How much was compared.
+/// The amount of data compared.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Compared {
-    /// Rows.
+    /// The number of rows.
     pub rows: usize,
-    /// Numbers.
+    /// The number of numbers.
     pub numbers: usize,
 }
 
-/// Compares the rows of these texts with those of the same name in the files of `folder`;
-/// where a fresh row says nothing, nothing is compared. With `whole`, the files have no rows
-/// besides.
+/// Compares the rows of these texts with those of the files of the same names in `folder`. Empty
+/// fields of a fresh row are not compared. With `whole`, the files must not have other rows.
 ///
 /// # Errors
 ///
-/// The first difference, with its file and line; an exponent that is not what theory says.
+/// The first difference, with its file and line, or an exponent that differs from theory.
 pub fn compare(
     fresh: &[(&str, String)],
     growths: &[Growth],
@@ -95,7 +94,7 @@ pub fn compare(
     Ok(compared)
 }
 
-/// How many columns name a row.
+/// The number of columns that identify a row.
 fn keys(name: &str) -> &'static [&'static str] {
     match name {
         POINTS => &["setting"],
@@ -145,7 +144,7 @@ fn of_file(
             };
             match kind(title) {
                 Kind::Time => {}
-                // What this run has not looked for.
+                // This run did not compute the value.
                 Kind::Number(..) if new.is_empty() && !whole => {}
                 Kind::Number(relative, least) => match (number(new), number(old)) {
                     (Some(new), Some(old)) => {
@@ -165,7 +164,7 @@ fn of_file(
         }
     }
     compared.rows += rows;
-    // A row that is a time alone is not made again.
+    // A row that holds only a time is not recomputed.
     let unit = found.column("unit");
     let is_time = |row: &Row<'_>| unit.is_some_and(|unit| row.text(unit) == "ns");
     let there = found.rows().filter(|row| !is_time(row)).count();
@@ -176,7 +175,7 @@ fn of_file(
     Ok(())
 }
 
-/// The number of a field, where it is one.
+/// The number in a field, if it holds one.
 fn number(text: &str) -> Option<f64> {
     text.parse().ok().filter(|value: &f64| value.is_finite())
 }

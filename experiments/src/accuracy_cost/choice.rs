@@ -1,28 +1,28 @@
-//! If you need an error below this, take that.
+//! Chooses the cheapest setting whose error is below a limit.
 
 use super::knobs::{DEGREE, ORDER};
 use super::machine::Machine;
 use super::points::Point;
 use super::setting::Scaling;
 
-/// The errors that are asked for.
+/// The error limits.
 pub const LIMITS: [f64; 7] = [0.1, 0.05, 0.01, 3e-3, 1e-3, 1e-4, 1e-5];
-/// Pixels of the picture in which costs are summed.
+/// The number of pixels of the picture over which costs are summed.
 pub const FRAME: usize = 96 * 96;
 
-/// Times apart by less than this factor are the same: runs differ by more.
+/// Times that differ by less than this factor count as equal, because runs differ by more.
 pub const TIE: f64 = 1.05;
 
-/// When the light changes.
+/// How often the light changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Lighting {
-    /// Never: only pixels count.
+    /// Never: only pixels are counted.
     Still,
-    /// For each picture of [`FRAME`] pixels.
+    /// For every picture of [`FRAME`] pixels.
     Moving,
 }
 
-/// What a picture costs; none where that is not known.
+/// The cost of a picture; `None` if it is not known.
 #[must_use]
 pub fn frame(point: &Point, machine: Machine, lighting: Lighting) -> Option<f64> {
     let price = point.prices.get(&machine)?;
@@ -33,9 +33,9 @@ pub fn frame(point: &Point, machine: Machine, lighting: Lighting) -> Option<f64>
     }
 }
 
-/// Whether a setting's error is below a limit: that of the method, for 95 of 100 of the lights on
-/// materials that its basis never saw, and below the paper's degree and order that of the model
-/// too, in the median.
+/// Whether a setting's error is below a limit. The error is that of the method, for 95 of 100 of
+/// the lights on materials that its basis never saw. Below the paper's degree and order, the median
+/// error of the model must be below the limit too.
 #[must_use]
 pub fn suffices(point: &Point, limit: f64) -> bool {
     let recipe = point.setting.recipe;
@@ -44,8 +44,9 @@ pub fn suffices(point: &Point, limit: f64) -> bool {
     point.setting.scaling == Scaling::None && point.method.unseen.rms.most <= limit && models
 }
 
-/// The cheapest setting whose error is below a limit, by its place. Times that differ by no more
-/// than [`TIE`] are one: of those, the one of the least error, of method or model, is taken.
+/// The index of the cheapest setting whose error is below a limit. Times that differ by no more
+/// than [`TIE`] count as equal; among those, the setting with the least error, of method or model,
+/// is chosen.
 #[must_use]
 pub fn cheapest(
     points: &[Point],

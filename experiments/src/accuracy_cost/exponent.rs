@@ -1,7 +1,7 @@
-//! The exponent of a power law, fitted.
+//! Fits the exponent of a power law.
 
-/// a and b of y = a x^b, nearest in logarithms to the upper half of the points: there the
-/// highest power rules. None of fewer than two points.
+/// a and b of y = a x^b, fitted in logarithms to the upper half of the points, where the highest
+/// power dominates. `None` for fewer than two points.
 #[must_use]
 pub fn fit(points: &[(f64, f64)]) -> Option<(f64, f64)> {
     let upper = &points[points.len() / 2 - usize::from(points.len() == 3 || points.len() == 2)..];

@@ -1,4 +1,4 @@
-//! The charts: a front for each machine, what degrees and orders cost, what grows how.
+//! The charts: a front for each machine, the cost of degrees and orders, and the growth curves.
 
 use super::chart::{Line, Lines, Scatter, growth, scatter};
 use super::choice::{FRAME, LIMITS, Lighting, cheapest, frame};
@@ -13,14 +13,14 @@ use super::words::{exponent, per_cent};
 use super::{COMMAND, model};
 use eigenshade_model::error::Result;
 
-/// A chart's file and its text.
+/// A chart's file name and its text.
 pub type Figure = (String, String);
 
 /// All charts.
 ///
 /// # Errors
 ///
-/// None in truth.
+/// Never in practice.
 pub fn all(points: &[Point], models: &[Row], growths: &[Growth]) -> Result<Vec<Figure>> {
     let mut figures = Vec::new();
     for machine in Machine::ALL {
@@ -34,7 +34,7 @@ pub fn all(points: &[Point], models: &[Row], growths: &[Growth]) -> Result<Vec<F
     Ok(figures.into_iter().map(signed).collect())
 }
 
-/// A setting in as few letters as tell it from the others of a chart.
+/// A short name that distinguishes a setting from the others of a chart.
 #[must_use]
 pub fn short(setting: &Setting, terms: usize) -> String {
     let count = match setting.recipe.components {
@@ -58,7 +58,7 @@ pub fn short(setting: &Setting, terms: usize) -> String {
     }
 }
 
-/// Settings of the shipped degree and order, whose errors compare.
+/// Whether a setting has the shipped degree and order; only such settings have comparable errors.
 fn comparable(point: &Point) -> bool {
     let recipe = point.setting.recipe;
     (recipe.degree, recipe.order) == (DEGREE, ORDER) && point.setting.scaling == Scaling::None
@@ -77,7 +77,7 @@ fn of_machine(points: &[Point], machine: Machine) -> Result<String> {
         .collect();
     let places: Vec<(f64, f64)> = priced.iter().map(|(_, place)| *place).collect();
     let front = front(&places);
-    // What the page's table takes has a label.
+    // The settings that the page's table chooses have labels.
     let taken: Vec<usize> = LIMITS
         .iter()
         .filter_map(|&limit| cheapest(points, machine, Lighting::Still, limit))
@@ -109,8 +109,8 @@ fn of_machine(points: &[Point], machine: Machine) -> Result<String> {
     })
 }
 
-/// What a pixel of a degree and an order costs, and the error of its model: by the cheapest
-/// setting whose method is three times nearer than that.
+/// The cost of a pixel of a degree and an order, and the error of its model, by the cheapest
+/// setting whose method error is at most a third of that.
 #[must_use]
 pub fn of_degree(
     points: &[Point],
@@ -148,7 +148,7 @@ fn degrees(points: &[Point], models: &[Row]) -> Result<String> {
     })
 }
 
-/// What grows, and the units in which it is measured: a chart for each.
+/// The quantities that grow and the units in which they are measured, one chart for each.
 #[must_use]
 pub fn kinds(growths: &[Growth]) -> Vec<(&'static str, &'static str)> {
     let mut kinds: Vec<_> = growths.iter().map(|one| (one.quantity, one.unit)).collect();
@@ -156,7 +156,7 @@ pub fn kinds(growths: &[Growth]) -> Vec<(&'static str, &'static str)> {
     kinds
 }
 
-/// The chart's file.
+/// The file name of the chart.
 #[must_use]
 pub fn growth_file(quantity: &str, unit: &str) -> String {
     let measure = if unit == "ns" { "times" } else { unit };
@@ -167,7 +167,7 @@ pub fn growth_file(quantity: &str, unit: &str) -> String {
 ///
 /// # Errors
 ///
-/// None in truth.
+/// Never in practice.
 pub fn growing(growths: &[Growth], quantity: &str, unit: &str) -> Result<String> {
     let mut lines = Vec::new();
     for growth in growths.iter().filter(|one| (one.quantity, one.unit) == (quantity, unit)) {

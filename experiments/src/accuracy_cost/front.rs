@@ -1,10 +1,10 @@
-//! The Pareto front: what nothing else beats in both error and cost.
+//! The Pareto front: the points that no other point beats in both error and cost.
 
 /// A point: its cost and its error.
 pub type Point = (f64, f64);
 
-/// The numbers of the points that are on the front, by rising cost: of those as cheap or
-/// cheaper none has as small an error or a smaller one.
+/// The indices of the points on the front, by rising cost. For each of them, every point that is as
+/// cheap or cheaper has a larger error.
 #[must_use]
 pub fn front(points: &[Point]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..points.len()).collect();

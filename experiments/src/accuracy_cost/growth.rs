@@ -1,4 +1,4 @@
-//! How times and bytes grow with degree, order, components, pixels, materials and maps.
+//! Growth of times and bytes with degree, order, components, pixels, materials and maps.
 
 use super::Times;
 use super::bases::Bases;
@@ -19,46 +19,46 @@ use eigenshade_shading::shader::fault;
 use eigenshade_table::{Parts, Table};
 use std::hint::black_box;
 
-/// Components where they are not what grows.
+/// The number of components where it is fixed.
 const COMPONENTS: usize = 50;
 /// Rounds of the timed runs.
 const ROUNDS: usize = 15;
-/// Texels of a map, across and down, where maps are counted.
+/// Width and height in texels of the maps whose number grows.
 const MAP: (usize, usize) = (64, 32);
 
-/// The unit of counts.
+/// The unit of multiplication counts.
 pub const MULTIPLICATIONS: &str = "multiplications";
 
-/// What is measured against what grows.
+/// A measured quantity as a function of a growing one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Growth {
-    /// What grows.
+    /// The quantity that grows.
     pub quantity: &'static str,
-    /// What is measured.
+    /// The quantity that is measured.
     pub measure: &'static str,
     /// "ns", "bytes" or [`MULTIPLICATIONS`].
     pub unit: &'static str,
-    /// The measured ones.
+    /// The measured points.
     pub points: Vec<(f64, f64)>,
-    /// The exponent that theory says; of a time that of what is counted of it.
+    /// The theoretical exponent; for a time, the fitted exponent of its count.
     pub theory: Option<f64>,
-    /// Why.
+    /// The reason for the theoretical exponent.
     pub reason: &'static str,
 }
 
 impl Growth {
-    /// The fitted exponent; none of fewer than two points.
+    /// The fitted exponent; `None` for fewer than two points.
     #[must_use]
     pub fn exponent(&self) -> Option<f64> {
         exponent::fit(&self.points).map(|(_, exponent)| exponent)
     }
 }
 
-/// All that grows.
+/// All growth curves.
 ///
 /// # Errors
 ///
-/// None in truth.
+/// Never in practice.
 pub fn all(quick: bool, times: Times<'_>) -> Result<Vec<Growth>> {
     let timed = matches!(times, Times::Measured);
     let mut growths = Vec::new();
@@ -81,11 +81,11 @@ pub fn all(quick: bool, times: Times<'_>) -> Result<Vec<Growth>> {
     Ok(growths)
 }
 
-/// A measure, its unit, and what theory says of it in degree, order and components.
+/// A measure, its unit, and its theoretical exponents in degree, order and components.
 struct Theory {
     measure: &'static str,
     unit: &'static str,
-    /// None: it is counted, or the count's fitted exponent is the theory.
+    /// `None` if it is a count, or if the fitted exponent of the count serves as the theory.
     exponents: Option<[f64; 3]>,
     reasons: [&'static str; 3],
 }
@@ -93,10 +93,10 @@ struct Theory {
 const EACH_DEGREE: &str = "a number for each component and each l from \\|m\\| on";
 const PAIRS: &str = "pairs (p, q): (order / 2 + 1)²";
 const FOLDED: &str = "the material is folded in: nothing of the order is left";
-/// Where a count is the theory of a time.
+/// The reason where a count is the theory of a time.
 const COUNTED: [&str; 3] = ["as its multiplications"; 3];
 
-/// Bytes first, then counts, then times in the same order.
+/// Bytes first, then counts, then times in the same order as the counts.
 const THEORY: [Theory; 9] = [
     Theory {
         measure: "rows of the components",
@@ -176,7 +176,7 @@ fn of_components(timed: bool) -> Result<Vec<Growth>> {
     measured("components", 2, &tables.collect::<Vec<_>>(), timed)
 }
 
-/// Of the first light on the first material.
+/// An image of the first light on the first material.
 fn image(scope: &Scope) -> Image {
     Image {
         light: scope.lights.entries[0].luminance(),
@@ -243,13 +243,13 @@ fn measured(
     Ok(growth.collect())
 }
 
-/// Nanoseconds of each work, the least: what else the machine does only adds.
+/// The least time of each work in nanoseconds: other activity of the machine only adds time.
 fn least(works: Vec<Work<'_>>) -> Vec<f64> {
     let least = |times: &Vec<f64>| times.iter().copied().fold(f64::INFINITY, f64::min);
     interleaved(works, ROUNDS).iter().map(least).collect()
 }
 
-/// So many materials folded in.
+/// Transfers `count` materials.
 fn folding<'a>(owned: &'a OwnedBasis<f32>, image: &Image, count: usize) -> Result<Work<'a>> {
     let basis = owned.basis().map_err(fault)?;
     let material: Vec<f32> = image.material.iter().map(|&value| value as f32).collect();
@@ -326,7 +326,7 @@ fn of_pixels(timed: bool) -> Result<Vec<Growth>> {
     Ok(vec![growth("a picture's f32", "bytes", held.to_vec()), growth("shading", "ns", times)])
 }
 
-/// What grows as a quantity does.
+/// A measure that is proportional to a quantity.
 fn proportional(
     quantity: &'static str,
     reason: &'static str,

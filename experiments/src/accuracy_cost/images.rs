@@ -1,5 +1,5 @@
-//! Images by the direct sum (15), of every light on every material: what a method is
-//! measured against.
+//! Images of every light on every material by the direct sum (15), the reference for the error of a
+//! method.
 
 use super::materials::Scope;
 use eigenshade::{Light, NineTerms};
@@ -14,11 +14,11 @@ use eigenshade_shading::sphere_rings::{Ring, rings};
 use indicatif::ProgressBar;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-/// Widest spacing of the normals, radians, and in radians over the highest degree.
+/// The widest spacing of the normals: in radians, and in radians over the highest degree.
 const WIDEST: f64 = 0.08;
 /// See [`WIDEST`].
 const IN_DEGREES: f64 = 1.5;
-/// Normals at the very rim: they count for the largest error, not for the rms.
+/// The number of normals on the rim: they count for the largest error but not for the rms.
 const RIM: usize = 64;
 
 /// One image.
@@ -27,9 +27,9 @@ pub struct Image {
     pub light: Vec<f64>,
     /// Luminance of the material.
     pub material: Vec<f64>,
-    /// Whether the basis was made of this material.
+    /// Whether the basis was made from this material.
     pub seen: bool,
-    /// By normal.
+    /// The irradiance at each normal.
     pub truth: Vec<f64>,
     /// The largest |I|.
     pub peak: f64,
@@ -39,18 +39,18 @@ pub struct Image {
 pub type Channel<'a> = (usize, &'a [f64]);
 
 impl Image {
-    /// Its light and material up to a degree and an order, no more than its own.
+    /// The image's light and material up to a degree and an order, at most its own.
     #[must_use]
     pub fn within(&self, degree: usize, order: usize) -> (Channel<'_>, Channel<'_>) {
         let light = &self.light[..light::count(degree)];
         ((degree, light), (order, &self.material[..material::count(order)]))
     }
 
-    /// The nine-term formula of the image, its material taken for a Lambertian one.
+    /// The nine-term formula of the image, with its material treated as Lambertian.
     ///
     /// # Errors
     ///
-    /// If its light is of no degree.
+    /// If the length of its light matches no degree.
     pub fn nine_terms(&self) -> Result<NineTerms<f32>> {
         let degree = (self.light.len().isqrt() - 1).min(2);
         let ((degree, light), _) = self.within(degree, 0);
@@ -69,14 +69,14 @@ pub struct Images {
     pub order: usize,
     /// Unit normals of a sphere.
     pub normals: Vec<[f64; 3]>,
-    /// The share of each, under the density cos α / π.
+    /// The weight of each normal, for the density cos α / π.
     pub weights: Vec<f64>,
     /// The images.
     pub images: Vec<Image>,
 }
 
 impl Images {
-    /// Sums.
+    /// Computes the sums.
     #[must_use]
     pub fn new(scope: &Scope) -> Self {
         let (degree, order) = (scope.degree, scope.order);
@@ -92,10 +92,10 @@ impl Images {
         let entries = scope.seen.entries.iter().chain(&scope.unseen.entries);
         let materials: Vec<Vec<f64>> = entries.map(Named::luminance).collect();
         let hidden = ProgressBar::hidden();
-        // By ring, then material, then light: a coefficient for each azimuth.
+        // By ring, then by material, then by light: a coefficient for each azimuth.
         let profiles = parallel::map(rings.len(), &hidden, |k| {
             let (sine, cosine) = rings[k].slant.sin_cos();
-            // At the rim cos(π/2) is not quite zero.
+            // At the rim, cos(π/2) is not exactly zero.
             let modes = truth.at([sine, 0.0, cosine.max(0.0)]);
             let of = |material: &Vec<f64>| {
                 let scattered = modes.scatter(material);

@@ -10,21 +10,21 @@ use eigenshade_model::inputs::sheet::{Row, Sheet};
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// A time of what grows: quantity, measure, size and nanoseconds.
+/// A time of a growth curve: quantity, measure, size and nanoseconds.
 type Grown = (String, String, f64, f64);
 
-/// Times by setting, and of what grows.
+/// Times by setting, and times of growth curves.
 pub struct Kept {
     settings: BTreeMap<String, (Cost, Price)>,
     growths: Vec<Grown>,
 }
 
 impl Kept {
-    /// Those of a folder's files.
+    /// Reads the times from the files of a folder.
     ///
     /// # Errors
     ///
-    /// A file that is missing, has other columns, or has no number where one belongs.
+    /// If a file is missing, has other columns, or lacks a number where one belongs.
     pub fn read(folder: &Path) -> Result<Self> {
         let columns = ["setting", "host_pixel_ns", "host_light_ns", "host_pixel", "host_light"];
         let of_setting = |row: Row<'_>, [name, rest @ ..]: [usize; 5]| {
@@ -51,17 +51,17 @@ impl Kept {
         Ok(Self { settings, growths })
     }
 
-    /// The time of the setting of this name, and its price on this machine.
+    /// The time of the setting with this name, and its price on this machine.
     #[must_use]
     pub fn of_setting(&self, name: &str) -> Option<(Cost, Price)> {
         self.settings.get(name).copied()
     }
 
-    /// Gives each setting its time.
+    /// Fills in the time of each setting.
     ///
     /// # Errors
     ///
-    /// A setting that has none.
+    /// If a setting has no time.
     pub fn give(&self, points: &mut [Point]) -> Result<()> {
         for point in points {
             let name = point.setting.to_string();
@@ -75,7 +75,7 @@ impl Kept {
         Ok(())
     }
 
-    /// The times of a growth, by size.
+    /// The times of a growth curve, by size.
     #[must_use]
     pub fn of(&self, growth: &Growth) -> Vec<(f64, f64)> {
         let names = (growth.quantity, growth.measure);
@@ -84,7 +84,7 @@ impl Kept {
     }
 }
 
-/// What a file's rows say, but for those that say nothing.
+/// The parsed rows of a file, without the empty ones.
 fn rows<T, const N: usize>(
     path: &Path,
     columns: [&str; N],

@@ -1,31 +1,31 @@
-//! The settings that are measured: each knob turned by itself, and those that go together.
+//! The settings that are measured: each parameter varied by itself, and combinations of parameters.
 
 use super::setting::{Cut, Format, Recipe, Scaling, Setting, Way};
 use eigenshade_index::effect::{Effect, Effects};
 
-/// Degree and order of the shipped set, at which all knobs but those two are turned.
+/// Degree and order of the shipped set, at which all other parameters are varied.
 pub const DEGREE: usize = 9;
 /// See [`DEGREE`].
 pub const ORDER: usize = 7;
 /// Degrees and orders of the measured materials, below the shipped ones.
 pub const LOWER: [(usize, usize); 8] =
     [(1, 0), (2, 0), (2, 2), (3, 2), (4, 3), (5, 4), (6, 5), (7, 6)];
-/// Degrees and orders above, of formulas.
+/// Higher degrees and orders, for materials given by formulas.
 pub const HIGHER: [(usize, usize); 4] = [(12, 12), (16, 16), (24, 24), (32, 32)];
-/// Components that a basis beyond the shipped order keeps, at most.
+/// The largest number of components that a basis beyond the shipped order keeps.
 pub const HIGH_COMPONENTS: usize = 400;
 
-/// Which knob a setting turns.
+/// A setting and the parameter that it varies.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Knob {
-    /// What it is called in the file.
+    /// The name of the parameter in the file.
     pub knob: &'static str,
     /// The setting.
     pub setting: Setting,
 }
 
-/// The settings; with `quick` a part of them. A knob that is not here yet is a field of
-/// [`Setting`] or its recipe, and a row here.
+/// The settings, or a part of them with `quick`. To add a parameter, add a field to [`Setting`] or
+/// its recipe, and a row here.
 #[must_use]
 pub fn settings(quick: bool) -> Vec<Knob> {
     let mut found: Vec<Knob> = Vec::new();
@@ -48,13 +48,13 @@ pub fn settings(quick: bool) -> Vec<Knob> {
     }
     add("components", Setting::of(all));
     add("format", Setting::of(all).in_format(Format::F64));
-    // Beyond that the weakest profiles are larger than integers state.
+    // Beyond that, the weakest profiles are larger than integers can represent.
     for count in few(&[25, 50, 100, 130], &[50]) {
         for format in [Format::F64, Format::Q31, Format::Q15] {
             add("format", Setting::of(first(count)).in_format(format));
         }
     }
-    // What firmware/tables/full.toml and its build script make.
+    // The table that firmware/tables/full.toml and its build script make.
     for format in [Format::F32, Format::Q31, Format::Q15] {
         let recipe = first(130).cut(Cut::Trimmed(2e-4));
         add("polynomials", Setting::of(recipe).in_format(format));
@@ -66,8 +66,8 @@ pub fn settings(quick: bool) -> Vec<Knob> {
             add("polynomials", Setting::of(first(count).cut(Cut::Trimmed(tolerance))));
         }
     }
-    // What boards without a float unit count a pixel and a new light of, beside those above:
-    // firmware/tables/ladder.csv.
+    // The tables whose pixel and new light are counted on boards without a float unit, in addition
+    // to those above: firmware/tables/ladder.csv.
     let counted = [(9, 0.1), (25, 0.03), (50, 1e-2), (100, 1e-2), (130, 1e-3)];
     for (count, tolerance) in if quick { &counted[1..2] } else { &counted[..] }.iter().copied() {
         let recipe = first(count).cut(Cut::Trimmed(tolerance));
@@ -78,7 +78,7 @@ pub fn settings(quick: bool) -> Vec<Knob> {
     } else {
         &[0.3, 0.1, 0.03, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 1e-5]
     };
-    // Where a tolerance starts from.
+    // The starting points for a tolerance.
     let trimmed = first(130).cut(Cut::Trimmed(2e-4));
     for recipe in [first(50), trimmed] {
         for &tolerance in within {
@@ -94,7 +94,7 @@ pub fn settings(quick: bool) -> Vec<Knob> {
     for modes in few(&[250, 500, 1000, 2000], &[1000]) {
         add("modes", Setting::of(Recipe { modes: Some(modes), ..all }));
     }
-    // Without highlights; without rim and roughness besides; light from all around alone.
+    // Without highlights; then also without rim and roughness; then only uniform light.
     let matte = Effects::NONE.with(Effect::Ambient).with(Effect::Diffuse);
     for effects in [
         matte.with(Effect::Broad),
@@ -131,7 +131,7 @@ pub fn settings(quick: bool) -> Vec<Knob> {
     for (degree, order) in HIGHER {
         let recipe = Recipe::first(degree, order, HIGH_COMPONENTS);
         add("degree and order", Setting::of(recipe));
-        // A quick run has all kinds at the first of these sizes, one setting at the others.
+        // A quick run has all kinds at the first of these sizes, and one setting at the others.
         if quick && (degree, order) != HIGHER[0] {
             continue;
         }
@@ -152,7 +152,7 @@ mod tests {
     use std::collections::BTreeSet;
     use std::mem::discriminant;
 
-    /// What tells a setting's kind, sizes apart.
+    /// The kind of a setting, ignoring sizes.
     fn kind(Knob { knob, setting }: &Knob) -> impl PartialEq + std::fmt::Debug {
         let recipe = setting.recipe;
         let parts = [recipe.components, recipe.modes, recipe.azimuths].map(|part| part.is_some());

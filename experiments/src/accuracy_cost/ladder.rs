@@ -1,5 +1,5 @@
-//! The tables of which programs of `firmware/` count a pixel and a new light, as recipes:
-//! `firmware/tables/ladder.csv`, which those programs are built from.
+//! The tables for which programs of `firmware/` count a pixel and a new light, as recipes from
+//! `firmware/tables/ladder.csv`. Those programs are built from the same file.
 
 use super::knobs::{DEGREE, ORDER};
 use super::setting::{Cut, Recipe};
@@ -16,7 +16,7 @@ const COLUMNS: [&str; 3] = ["name", "components", "trim"];
 pub struct Rung {
     /// The name of its rows in `firmware/counts.csv`, before `/`.
     pub name: String,
-    /// What it is.
+    /// The recipe of its table.
     pub recipe: Recipe,
 }
 
@@ -24,7 +24,7 @@ pub struct Rung {
 ///
 /// # Errors
 ///
-/// None in truth: the list was compiled in.
+/// Never in practice: the list is compiled in.
 pub fn rungs() -> Result<Vec<Rung>> {
     let path = Path::new("firmware/tables/ladder.csv");
     let header = COLUMNS.join(",");

@@ -1,9 +1,9 @@
-//! The machines whose costs are known, and the unit of each.
+//! The machines whose costs are known, and the unit of each cost.
 
 /// A machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Machine {
-    /// This one.
+    /// This machine.
     Host,
     /// Cortex-M0, emulated.
     M0,
@@ -17,26 +17,26 @@ pub enum Machine {
     Wasm,
 }
 
-/// What a setting takes on a machine.
+/// The cost of a setting on a machine.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Price {
-    /// A pixel; none where it has not been counted.
+    /// A pixel; `None` if it has not been counted.
     pub pixel: Option<f64>,
-    /// A new light on a folded material, up to the first pixel.
+    /// A new light on a transferred material, up to the first pixel.
     pub light: Option<f64>,
     /// Code and tables of the counted program.
     pub flash: Option<usize>,
-    /// Its RAM and stack.
+    /// RAM of the counted program, including the stack.
     pub ram: Option<usize>,
 }
 
 impl Machine {
-    /// All.
+    /// All machines.
     pub const ALL: [Self; 6] = [Self::Host, Self::M0, Self::M3, Self::M4f, Self::Rv32, Self::Wasm];
-    /// Those whose instructions are counted.
+    /// The machines whose instructions are counted.
     pub const BOARDS: [Self; 4] = [Self::M0, Self::M3, Self::M4f, Self::Rv32];
 
-    /// In the names of files and columns.
+    /// The name in files and columns.
     #[must_use]
     pub fn key(self) -> &'static str {
         match self {
@@ -49,7 +49,7 @@ impl Machine {
         }
     }
 
-    /// In titles.
+    /// The name in titles.
     #[must_use]
     pub fn title(self) -> &'static str {
         match self {
@@ -62,13 +62,13 @@ impl Machine {
         }
     }
 
-    /// What a pixel's cost is counted in.
+    /// The unit of a pixel's cost.
     #[must_use]
     pub fn unit(self) -> &'static str {
         if self.counts() { "instructions" } else { "nine-term pixels" }
     }
 
-    /// Whether instructions are counted, and no times.
+    /// Whether its costs are instruction counts instead of times.
     #[must_use]
     pub fn counts(self) -> bool {
         !matches!(self, Self::Host | Self::Wasm)

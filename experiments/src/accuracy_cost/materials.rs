@@ -1,4 +1,4 @@
-//! Lights and materials: those of which a basis is made, and others that it never saw.
+//! Lights and materials: those from which a basis is made, and others that it never saw.
 
 use eigenshade_generator::material::brdf::{
     Abc, BINS, Brdf, Geometry, Ggx, Lambertian, Measure, Merl, OrenNayar, Surface,
@@ -11,15 +11,16 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Roughnesses of GGX.
 const ROUGH: [f64; 10] = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0];
-/// Roughnesses of the formulas of which bases beyond the measured order are made, and such
+/// Roughnesses of the formulas from which bases beyond the measured order are made, and values
 /// between them.
 const EVEN: [f64; 5] = [0.2, 0.4, 0.6, 0.8, 1.0];
 /// See [`EVEN`].
 const BETWEEN: [f64; 3] = [0.25, 0.45, 0.85];
-/// Of the lights every so-manieth shines on them.
+/// Every `STEP`-th light shines on them.
 const STEP: usize = 3;
 
-/// What a basis of a degree and an order is made of and measured with.
+/// The lights and materials from which a basis of a degree and an order is made, and those with
+/// which it is measured.
 pub struct Scope {
     /// Largest degree.
     pub degree: usize,
@@ -27,19 +28,19 @@ pub struct Scope {
     pub order: usize,
     /// The shipped lights, to that degree.
     pub lights: Lights,
-    /// The materials of which the basis is made.
+    /// The materials from which the basis is made.
     pub seen: Materials,
-    /// Materials that it never saw.
+    /// Materials that the basis never saw.
     pub unseen: Materials,
 }
 
 impl Scope {
-    /// A scope without materials that its basis never saw: of the measured materials as far
-    /// as they reach, above that of a few formulas.
+    /// A scope without unseen materials. It uses the measured materials up to their order, and a
+    /// few formulas above it.
     ///
     /// # Errors
     ///
-    /// None in truth.
+    /// Never in practice.
     pub fn seen(degree: usize, order: usize) -> Result<Self> {
         let measured = shipped::materials()?;
         let seen = if order <= measured.order {
@@ -51,12 +52,12 @@ impl Scope {
         Ok(Self { degree, order, lights: shipped::lights()?.truncated(degree), seen, unseen })
     }
 
-    /// Of the measured materials as far as they reach, and GGX beside them; above that of
-    /// formulas, and other formulas beside them.
+    /// Uses the measured materials up to their order, with GGX as the unseen materials. Above that
+    /// order it uses formulas, with other formulas as the unseen materials.
     ///
     /// # Errors
     ///
-    /// None in truth.
+    /// Never in practice.
     pub fn new(degree: usize, order: usize) -> Result<Self> {
         let measured = shipped::materials()?;
         let mut lights = shipped::lights()?.truncated(degree);
@@ -74,7 +75,7 @@ impl Scope {
     }
 }
 
-/// GGX of these roughnesses and reflectances; those of a dielectric have a matte base.
+/// GGX with these roughnesses and reflectances; dielectrics have a matte base.
 fn ggx(roughness: &[f64], f0: &[f64]) -> Result<Vec<Surface>> {
     let mut surfaces = Vec::new();
     for &f0 in f0 {
@@ -95,12 +96,12 @@ fn matte() -> Result<Vec<Surface>> {
     ])
 }
 
-/// The surfaces whose model's error is measured: formulas from matte to glossy, and measured
-/// materials.
+/// The surfaces for which the model's error is measured: formulas from matte to glossy, and
+/// measured materials.
 ///
 /// # Errors
 ///
-/// None in truth.
+/// Never in practice.
 pub fn modelled() -> Result<Vec<Surface>> {
     let mut surfaces = matte()?;
     surfaces.extend(ggx(&[0.5, 0.3], &[0.04])?);
@@ -122,10 +123,10 @@ pub struct Fit {
     index: f64,
 }
 
-/// Materials of the MERL database, which W. Matusik and others measured ("A Data-Driven
-/// Reflectance Model", SIGGRAPH 2003), by the fits of J. Low and others (see [`Abc`]): one of a
-/// kind, from felt to paint, whose lobes are wider than 0.05 rad. Sharper ones are beyond any
-/// degree and order here.
+/// Materials of the MERL database, measured by W. Matusik and others ("A Data-Driven Reflectance
+/// Model", SIGGRAPH 2003), as fitted by J. Low and others (see [`Abc`]). There is one of each kind,
+/// from felt to paint, with lobes wider than 0.05 rad. Sharper lobes are beyond any degree and
+/// order here.
 pub const MEASURED: [Fit; 7] = [
     Fit {
         name: "pink-felt",
@@ -189,7 +190,7 @@ pub const MEASURED: [Fit; 7] = [
 ///
 /// # Errors
 ///
-/// None in truth.
+/// Never in practice.
 fn measured() -> Result<Vec<Surface>> {
     let surface = |fit: &Fit| {
         let channel = |k: usize| Abc::new(fit.matte[k], [fit.a[k], fit.b, fit.c], fit.index);
@@ -200,7 +201,7 @@ fn measured() -> Result<Vec<Surface>> {
     MEASURED.iter().map(surface).collect()
 }
 
-/// Two tables in the layout of the MERL database, of lobes that are not GGX's: a matte base
+/// Two tables in the layout of the MERL database with lobes that differ from GGX: a matte base
 /// under a Gaussian lobe of slopes.
 fn merl_like() -> Result<Vec<Surface>> {
     let tables = [("merl-like-paint", 0.6, 0.05, 0.35), ("merl-like-metal", 0.05, 0.8, 0.2)];
@@ -212,7 +213,7 @@ fn merl_like() -> Result<Vec<Surface>> {
     tables.iter().map(surface).collect()
 }
 
-/// Values at the centres of the bins; -1 where a direction is below the surface.
+/// Values at the centers of the bins; -1 where a direction is below the surface.
 fn gaussian(albedo: f64, strength: f64, width: f64) -> Vec<f64> {
     let mut values = Vec::with_capacity(BINS.iter().product());
     for h in 0..BINS[0] {
@@ -233,8 +234,8 @@ fn gaussian(albedo: f64, strength: f64, width: f64) -> Vec<f64> {
     values
 }
 
-/// A table of a lobe that is known to be wide: its quadrature need not be as fine as any
-/// table may want.
+/// A table whose lobe is known to be wide, so that its quadrature can be coarser than an arbitrary
+/// table needs.
 struct Coarse(Merl);
 
 impl Brdf for Coarse {
@@ -249,7 +250,7 @@ impl Brdf for Coarse {
 
 fn projected(surfaces: &[Surface], order: usize) -> Materials {
     let hidden = ProgressBar::hidden();
-    // One at a time, so that every core has some.
+    // One at a time, so that every core gets some.
     let entries: Vec<Named> = parallel::map(surfaces.len(), &hidden, |k| {
         surfaces[k].project(order, Measure::Projected).material
     });

@@ -9,19 +9,19 @@ use eigenshade_shading::parallel;
 use eigenshade_table::Table;
 use indicatif::ProgressBar;
 
-/// The middle, the 95th percentile and the largest of many errors, of the peak.
+/// The median, the 95th percentile and the largest of many errors, relative to the peak.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spread {
     /// The median.
     pub median: f64,
-    /// The least of these errors that 95 of 100 do not exceed.
+    /// The 95th percentile: the least of these errors that 95 of 100 do not exceed.
     pub most: f64,
     /// The largest.
     pub worst: f64,
 }
 
 impl Spread {
-    /// Of these.
+    /// The spread of these values.
     #[must_use]
     pub fn of(values: &[f64]) -> Self {
         let worst =
@@ -38,7 +38,7 @@ impl Spread {
 /// The share of the errors that [`Spread::most`] covers.
 const COVERED: f64 = 0.95;
 
-/// The least value that [`COVERED`] of the values do not exceed; 0 of none.
+/// The least value that [`COVERED`] of the values do not exceed; 0 if there are no values.
 fn percentile(values: &[f64]) -> f64 {
     let mut sorted = values.to_vec();
     sorted.sort_by(f64::total_cmp);
@@ -46,25 +46,25 @@ fn percentile(values: &[f64]) -> f64 {
     sorted.get(rank.saturating_sub(1)).copied().unwrap_or(0.0)
 }
 
-/// Errors over a sphere, of each image's peak.
+/// Errors over a sphere, relative to each image's peak.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Errors {
     /// Root mean squares over the normals.
     pub rms: Spread,
-    /// Largest.
+    /// Largest errors.
     pub largest: Spread,
 }
 
-/// What was found of a setting.
+/// The measured errors of a setting.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Found {
-    /// Over the materials of which the basis was made.
+    /// Over the materials from which the basis was made.
     pub seen: Errors,
-    /// Over others.
+    /// Over other materials.
     pub unseen: Errors,
-    /// Terms that a pixel takes; the median, where they depend on the image.
+    /// The number of terms of a pixel; the median if it depends on the image.
     pub terms: usize,
-    /// The image with so many.
+    /// The index of an image with that number of terms.
     pub typical: usize,
 }
 
@@ -72,7 +72,7 @@ pub struct Found {
 ///
 /// # Errors
 ///
-/// A table that has no form in the setting's numbers.
+/// If the table cannot be represented in the setting's number format.
 pub fn compare(setting: &Setting, table: &Table, images: &Images) -> Result<Found> {
     let shading = Shading::new(setting, table, images)?;
     let hidden = ProgressBar::hidden();
@@ -98,7 +98,7 @@ pub fn compare(setting: &Setting, table: &Table, images: &Images) -> Result<Foun
     Ok(Found { seen: of(true), unseen: of(false), terms, typical })
 }
 
-/// Rms over the normals and largest error, of the peak.
+/// The rms over the normals and the largest error, relative to the peak.
 fn errors(values: &[f64], image: &Image, weights: &[f64]) -> [f64; 2] {
     let (mut square, mut largest) = (0.0, 0.0f64);
     for ((value, truth), weight) in values.iter().zip(&image.truth).zip(weights) {
@@ -111,8 +111,8 @@ fn errors(values: &[f64], image: &Image, weights: &[f64]) -> [f64; 2] {
     [square.sqrt() / image.peak, largest / image.peak]
 }
 
-/// Whether the runtime has this setting at all: integers take polynomials, and baked maps in
-/// 15 bits; normals are scaled in f32.
+/// Whether the runtime supports this setting: integers need polynomials or baked maps in 15 bits,
+/// and normals are scaled in f32.
 #[must_use]
 pub fn is_possible(setting: &Setting) -> bool {
     match setting.format {

@@ -1,4 +1,4 @@
-//! What accuracy costs: every knob turned, its error and its price.
+//! The cost of accuracy: the error and the price of varying every parameter.
 
 pub mod setting;
 
@@ -60,45 +60,45 @@ use model::Row;
 use points::Point;
 use std::path::Path;
 
-/// What makes the files; each says so in its first line.
+/// The command that makes the files; the first line of each file names it.
 pub const COMMAND: &str = "experiments accuracy-cost";
 
-/// What is measured, and how much of it.
+/// What is measured, and to what extent.
 #[derive(Clone, Copy)]
 pub struct Extent<'a> {
-    /// A part of the settings, surfaces and sizes.
+    /// Whether to measure only a part of the settings, surfaces and sizes.
     pub quick: bool,
-    /// Whether times are measured, too.
+    /// Where times come from.
     pub times: Times<'a>,
 }
 
-/// Where times come from.
+/// The source of times.
 #[derive(Clone, Copy)]
 pub enum Times<'a> {
-    /// There are none.
+    /// No times.
     None,
-    /// They are measured.
+    /// Times are measured.
     Measured,
-    /// They are those of an earlier run.
+    /// Times of an earlier run.
     Kept(&'a Kept),
 }
 
-/// All that was measured.
+/// All measurements.
 pub struct Measured {
-    /// The model's errors.
+    /// The errors of the model.
     pub models: Vec<Row>,
     /// The settings.
     pub points: Vec<Point>,
-    /// What grows.
+    /// The growth curves.
     pub growths: Vec<Growth>,
 }
 
 impl Measured {
-    /// Measures; the environment maps are in `maps`.
+    /// Runs the measurements with the environment maps in `maps`.
     ///
     /// # Errors
     ///
-    /// A map that is missing or cannot be read.
+    /// If a map is missing or cannot be read.
     pub fn new(extent: Extent<'_>, maps: &Path, progress: &ProgressBar) -> Result<Self> {
         let Extent { quick, times } = extent;
         let models = model::rows(maps, quick, progress)?;
@@ -107,11 +107,11 @@ impl Measured {
         Ok(Self { models, points, growths })
     }
 
-    /// The files of numbers, by name.
+    /// The CSV files by name.
     ///
     /// # Errors
     ///
-    /// None in truth.
+    /// Never in practice.
     pub fn sheets(&self) -> Result<[(&'static str, String); 3]> {
         Ok([
             (sheet::POINTS, sheet::points(&self.points)?),
@@ -120,11 +120,11 @@ impl Measured {
         ])
     }
 
-    /// All files, by name: numbers, charts and the page.
+    /// All files by name: CSV, charts and the page.
     ///
     /// # Errors
     ///
-    /// None in truth.
+    /// Never in practice.
     pub fn files(&self) -> Result<Vec<(String, String)>> {
         let sheets = self.sheets()?.into_iter().map(|(name, text)| (name.to_owned(), text));
         let mut files: Vec<(String, String)> = sheets.collect();

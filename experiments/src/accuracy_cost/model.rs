@@ -1,4 +1,4 @@
-//! The error of the model: the direct sum of a degree and an order against the BRDF itself,
+//! The error of the model: the direct sum of a degree and an order, compared with the BRDF itself
 //! integrated under captured maps without any truncation.
 
 use super::knobs::{DEGREE, HIGHER, LOWER, ORDER};
@@ -14,7 +14,7 @@ use eigenshade_shading::shipped;
 use indicatif::ProgressBar;
 use std::path::Path;
 
-/// The maps: soft ones and such with a small strong light.
+/// The maps: some are soft, others have a small strong light.
 pub const MAPS: [&str; 6] = ["esplanade", "hall", "park", "sky", "studio", "venice"];
 /// The surfaces of a quick run.
 const QUICK: [&str; 3] = ["lambertian", "ggx-0.9-0.7", "teflon"];
@@ -28,21 +28,21 @@ pub struct Row {
     pub degree: usize,
     /// The order of the materials.
     pub order: usize,
-    /// Rms over the sphere and the channels, of the peak, by map.
+    /// The rms over the sphere and the channels relative to the peak, by map.
     pub errors: Vec<f64>,
 }
 
-/// The degrees and orders whose models are measured.
+/// The degrees and orders for which the model is measured.
 #[must_use]
 pub fn sizes() -> Vec<(usize, usize)> {
     LOWER.into_iter().chain([(DEGREE, ORDER)]).chain(HIGHER).collect()
 }
 
-/// Integrates under the maps in this folder; with `quick` three surfaces only.
+/// Integrates under the maps in this folder; with `quick`, only three surfaces.
 ///
 /// # Errors
 ///
-/// A map that is missing or cannot be read.
+/// If a map is missing or cannot be read.
 pub fn rows(folder: &Path, quick: bool, progress: &ProgressBar) -> Result<Vec<Row>> {
     let map = |name: &&str| {
         let path = folder.join(format!("{name}.exr"));
@@ -86,7 +86,7 @@ fn of_surface(
     sizes().into_iter().map(row).collect()
 }
 
-/// The errors of a degree and an order over all surfaces and maps; none if no row has them.
+/// The errors of a degree and an order over all surfaces and maps; `None` if no row has them.
 #[must_use]
 pub fn spread(rows: &[Row], degree: usize, order: usize) -> Option<Spread> {
     let of_size = rows.iter().filter(|row| (row.degree, row.order) == (degree, order));

@@ -1,4 +1,4 @@
-//! The page: what to take, what it costs, and how it grows.
+//! The page: which setting to choose, what it costs, and how costs grow.
 
 use super::COMMAND;
 use super::choice::{LIMITS, Lighting, cheapest, frame};
@@ -15,7 +15,7 @@ use super::sheet::{MODEL, POINTS};
 use super::words::{cost, exponent, limit as per_cent_limit, per_cent, setting, table};
 use eigenshade_cli::output::number::grouped;
 
-/// The page's file.
+/// The file name of the page.
 pub const PAGE: &str = "accuracy-cost.md";
 
 /// The page, in Markdown.
@@ -65,7 +65,7 @@ fn head(points: &[Point], models: &[Row]) -> String {
     )
 }
 
-/// How to read it, on the machine that is most asked for.
+/// An example of reading the tables, for the machine that most readers ask about.
 fn example(points: &[Point]) -> String {
     let machine = Machine::M4f;
     let taken = |lighting| {
@@ -126,15 +126,15 @@ fn of_machine(points: &[Point], machine: Machine) -> String {
     text
 }
 
-/// Instead of a table for moving light.
+/// Replaces a table for moving light.
 const NOT_COUNTED: &str = "\nOf no setting there both a pixel and a new light have been counted, so there is no table for \
                            moving light.\n";
 
-/// What boards have not counted.
+/// What the counts of the boards leave out.
 const BAKING: &str = "\nFlash, and RAM with the stack, are of the program that was counted: any material is folded in when it starts. A new light of a \
                       baked map of N x N has not been counted: it takes that of its polynomials, and 5 N² of their pixels.\n";
 
-/// Whether a table says what the counted program takes of memory.
+/// Whether a table shows the memory of the counted program.
 fn has_program(machine: Machine, lighting: Lighting) -> bool {
     machine.counts() && lighting == Lighting::Moving
 }
@@ -265,7 +265,7 @@ fn mathematics(points: &[Point]) -> String {
     )
 }
 
-/// The setting that the mathematics are compared with.
+/// Whether this is the reference setting of the mathematical comparison.
 fn plain(point: &Point) -> bool {
     let recipe = super::setting::Recipe::first(DEGREE, ORDER, 50);
     point.setting == super::setting::Setting::of(recipe) && point.setting.way == Way::Polynomial

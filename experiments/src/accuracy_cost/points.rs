@@ -20,21 +20,21 @@ use std::collections::BTreeMap;
 /// Rounds of the timed runs.
 const ROUNDS: usize = 25;
 
-/// A setting and all that was found of it.
+/// A setting and its measurements.
 #[derive(Clone, Debug)]
 pub struct Point {
-    /// Which knob it turns.
+    /// The parameter that it varies.
     pub knob: &'static str,
     /// The setting.
     pub setting: Setting,
     /// The error of the method.
     pub method: Found,
-    /// That of the model at its degree and order, over all surfaces and maps; none in a quick
-    /// run.
+    /// The error of the model at its degree and order, over all surfaces and maps; `None` in a
+    /// quick run.
     pub model: Option<Spread>,
     /// Its bytes.
     pub bytes: Bytes,
-    /// Times on this machine; none where nothing was timed.
+    /// Times on this machine; `None` if nothing was timed.
     pub cost: Option<Cost>,
     /// Prices by machine.
     pub prices: BTreeMap<Machine, Price>,
@@ -44,7 +44,7 @@ pub struct Point {
 ///
 /// # Errors
 ///
-/// None in truth.
+/// Never in practice.
 pub fn measure(
     Extent { quick, times }: Extent<'_>,
     models: &[Row],

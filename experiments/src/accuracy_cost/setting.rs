@@ -1,31 +1,31 @@
-//! One setting of all knobs: which basis, which way to a pixel, which numbers.
+//! One complete setting: the basis, the method of computing a pixel, and the number format.
 
 use eigenshade_cli::table::wire_file;
 use eigenshade_index::effect::Effects;
 use eigenshade_table::scene;
 use std::fmt;
 
-/// What of a basis is kept.
+/// The part of a basis that is kept.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Recipe {
     /// Largest degree l of the light.
     pub degree: usize,
     /// Largest order o of the BRDF.
     pub order: usize,
-    /// Number of components; none: all.
+    /// Number of components; `None` keeps all.
     pub components: Option<usize>,
-    /// Modes of the highest variance that are kept; none: all.
+    /// Number of modes of the highest variance that are kept; `None` keeps all.
     pub modes: Option<usize>,
-    /// Largest azimuth |m| that is kept; none: all.
+    /// Largest azimuth |m| that is kept; `None` keeps all.
     pub azimuths: Option<usize>,
-    /// The effects that it is for.
+    /// The effects that it includes.
     pub effects: Effects,
-    /// Where its polynomials end.
+    /// Where its polynomials are truncated.
     pub cut: Cut,
 }
 
 impl Recipe {
-    /// What a scene file says of it as `basis.cut`.
+    /// The corresponding `basis.cut` of a scene file.
     #[must_use]
     pub fn cuts(&self) -> scene::Cut {
         let (terms, trim) = match self.cut {
@@ -37,18 +37,18 @@ impl Recipe {
     }
 }
 
-/// Where a basis's polynomials end.
+/// Where the polynomials of a basis are truncated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Cut {
     /// At 1e-7 of each profile.
     Whole,
-    /// After so many terms.
+    /// After this many terms.
     Terms(usize),
-    /// Where this much of the database's rms is lost in all.
+    /// Where the total loss is this share of the database's rms.
     Trimmed(f64),
 }
 
-/// The way from coefficients to a pixel.
+/// The method that computes a pixel from coefficients.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Way {
     /// The nine-term formula: a Lambertian material under light of degree 2.
@@ -57,35 +57,35 @@ pub enum Way {
     Eigen,
     /// The collapsed polynomials.
     Polynomial,
-    /// Those left within a tolerance of the scene, of its peak.
+    /// The collapsed polynomials truncated to a tolerance of the scene, relative to its peak.
     Within(f64),
-    /// Straight lines between so many knots.
+    /// Linear interpolation between this many knots.
     Linear(usize),
-    /// Cubics between so many knots.
+    /// Cubic interpolation between this many knots.
     Cubic(usize),
-    /// Between four texels of a map so many across.
+    /// Bilinear interpolation between four texels of a map of this width.
     Bilinear(usize),
-    /// The nearest texel of such a map.
+    /// The nearest texel of a map of this width.
     Nearest(usize),
 }
 
-/// The numbers in which a pixel is computed.
+/// The number format in which a pixel is computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
-    /// 64 bits, floating.
+    /// 64-bit floating point.
     F64,
-    /// 32 bits, floating.
+    /// 32-bit floating point.
     F32,
-    /// Mantissas of 31 bits.
+    /// Integers with mantissas of 31 bits.
     Q31,
-    /// Mantissas of 15 bits.
+    /// Integers with mantissas of 15 bits.
     Q15,
 }
 
-/// By what a normal that arrives unscaled is scaled.
+/// The method that scales normals to unit length.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Scaling {
-    /// Normals arrive scaled.
+    /// None: normals arrive scaled.
     None,
     /// `libm`.
     Libm,
@@ -97,21 +97,21 @@ pub enum Scaling {
     Micromath,
 }
 
-/// All knobs.
+/// One value for every parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Setting {
     /// The basis.
     pub recipe: Recipe,
-    /// The way to a pixel.
+    /// The method that computes a pixel.
     pub way: Way,
-    /// Its numbers.
+    /// The number format.
     pub format: Format,
-    /// What normals take.
+    /// The scaling of normals.
     pub scaling: Scaling,
 }
 
 impl Recipe {
-    /// All of a degree and an order.
+    /// All components of a degree and an order.
     #[must_use]
     pub const fn all(degree: usize, order: usize) -> Self {
         let (components, modes, azimuths) = (None, None, None);
@@ -125,7 +125,7 @@ impl Recipe {
         Self { components: Some(components), ..Self::all(degree, order) }
     }
 
-    /// With other polynomials.
+    /// The same with other polynomials.
     #[must_use]
     pub const fn cut(self, cut: Cut) -> Self {
         Self { cut, ..self }
@@ -139,13 +139,13 @@ impl Setting {
         Self { recipe, way: Way::Polynomial, format: Format::F32, scaling: Scaling::None }
     }
 
-    /// By another way.
+    /// The same by another method.
     #[must_use]
     pub const fn by(self, way: Way) -> Self {
         Self { way, ..self }
     }
 
-    /// In other numbers.
+    /// The same in another number format.
     #[must_use]
     pub const fn in_format(self, format: Format) -> Self {
         Self { format, ..self }
@@ -214,7 +214,7 @@ impl fmt::Display for Scaling {
     }
 }
 
-/// The setting's name, by which files and tests know it.
+/// The setting's name, which identifies it in files and tests.
 impl fmt::Display for Setting {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} {} {}", self.recipe, self.way, self.format)?;

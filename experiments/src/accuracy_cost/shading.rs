@@ -1,4 +1,4 @@
-//! One image by any setting.
+//! Computes one image with any setting.
 
 use super::images::{Image, Images};
 use super::setting::{Format, Scaling, Setting, Way};
@@ -21,21 +21,21 @@ pub struct Shading {
 enum Numbers {
     Double(Floats<f64>),
     Single(Floats<f32>),
-    /// f32, but for maps of 16 bits.
+    /// f32, except for the maps of 16 bits.
     Maps(Floats<f32>, Vec<quantised::Normal<Q15>>),
     Q31(IntegerShader<Q31>, Vec<quantised::Normal<Q31>>),
     Q15(IntegerShader<Q15>, Vec<quantised::Normal<Q15>>),
 }
 
-/// A basis in floats, and normals.
+/// A basis and normals in floats.
 struct Floats<S> {
     basis: OwnedBasis<S>,
     normals: OwnedNormals<S>,
     each: Vec<Normal<S>>,
 }
 
-/// How much longer than 1 the normals are that are to be scaled, in turn: over an octave
-/// and more, as cross products are.
+/// Lengths of the normals that are to be scaled, used in turn. They span more than an octave, as
+/// the lengths of cross products do.
 pub const LENGTHS: [f32; 5] = [0.37, 0.61, 1.0, 1.43, 2.3];
 
 impl Shading {
@@ -43,7 +43,7 @@ impl Shading {
     ///
     /// # Errors
     ///
-    /// A table that has no form in the setting's numbers.
+    /// If the table cannot be represented in the setting's number format.
     pub fn new(setting: &Setting, table: &Table, images: &Images) -> Result<Self> {
         let normals = &images.normals;
         let numbers = match (setting.format, setting.way) {
@@ -65,11 +65,11 @@ impl Shading {
         Ok(Self { setting: *setting, degree: table.gram.degree, order: table.gram.order, numbers })
     }
 
-    /// The irradiance of every normal, and the terms of the polynomials.
+    /// The irradiance of every normal, and the number of terms of the polynomials.
     ///
     /// # Errors
     ///
-    /// None in truth: lights and materials are those of the basis's degree and order.
+    /// Never in practice: lights and materials have the basis's degree and order.
     pub fn image(&self, image: &Image) -> Result<(Vec<f64>, usize)> {
         let (light, material) = image.within(self.degree, self.order);
         match &self.numbers {
@@ -155,7 +155,7 @@ impl Floats<f32> {
         Ok(out.into_iter().map(f64::from).collect())
     }
 
-    /// Normals of other lengths, scaled one by one.
+    /// Shades normals of other lengths, scaled one by one.
     fn scaled(
         &self,
         scaling: Scaling,
@@ -179,11 +179,11 @@ impl Floats<f32> {
     }
 }
 
-/// A normal of any length.
+/// Scales a normal of any length.
 ///
 /// # Errors
 ///
-/// One of no length.
+/// If its length is zero.
 #[inline]
 pub fn scaled(scaling: Scaling, x: f32, y: f32, z: f32) -> Result<Normal<f32>> {
     match scaling {
@@ -195,7 +195,7 @@ pub fn scaled(scaling: Scaling, x: f32, y: f32, z: f32) -> Result<Normal<f32>> {
     .map_err(fault)
 }
 
-/// Many normals over the visible hemisphere, by components.
+/// Normals spread over the visible hemisphere, by components.
 #[must_use]
 pub fn hemisphere(count: usize) -> Vec<[f64; 3]> {
     let normal = |k: usize| {

@@ -1,4 +1,4 @@
-//! The files of numbers: every point, and every surface of the model.
+//! The CSV files: every point, and every surface of the model.
 
 use super::COMMAND;
 use super::growth::Growth;
@@ -15,18 +15,18 @@ use eigenshade_model::error::Result;
 pub const POINTS: &str = "accuracy-cost.csv";
 /// The file of the model's errors.
 pub const MODEL: &str = "model.csv";
-/// The file of what grows.
+/// The file of the growth curves.
 pub const GROWTH: &str = "growth.csv";
 /// Significant digits of errors and costs.
 const DIGITS: usize = 4;
 
-/// A number of few significant digits.
+/// Formats a number with few significant digits.
 #[must_use]
 pub fn digits(value: f64) -> String {
     exact(format!("{value:.*e}", DIGITS - 1).parse().unwrap_or(value))
 }
 
-/// An error of the peak in decibels.
+/// Formats an error relative to the peak in decibels.
 #[must_use]
 pub fn decibels(error: f64) -> String {
     format!("{:.1}", -20.0 * error.log10())
@@ -84,7 +84,7 @@ pub fn columns() -> Vec<String> {
 ///
 /// # Errors
 ///
-/// None in truth: the rows are as long as the header.
+/// Never in practice: the rows are as long as the header.
 pub fn points(points: &[Point]) -> Result<String> {
     text(&columns(), points.iter().map(fields))
 }
@@ -143,7 +143,7 @@ pub fn model_columns() -> Vec<String> {
 ///
 /// # Errors
 ///
-/// None in truth.
+/// Never in practice.
 pub fn model(rows: &[Row]) -> Result<String> {
     let row = |row: &Row| {
         let spread = Spread::of(&row.errors);
@@ -155,11 +155,11 @@ pub fn model(rows: &[Row]) -> Result<String> {
     text(&model_columns(), rows.iter().map(row))
 }
 
-/// What grows as CSV: what is counted and nanoseconds in columns of their own.
+/// The growth curves as CSV, with separate columns for counts and nanoseconds.
 ///
 /// # Errors
 ///
-/// None in truth.
+/// Never in practice.
 pub fn growth(growths: &[Growth]) -> Result<String> {
     let columns = ["quantity", "measure", "unit", "size", "counted", "host_ns"].map(str::to_owned);
     let rows = growths.iter().flat_map(|growth| {
@@ -176,11 +176,11 @@ pub fn growth(growths: &[Growth]) -> Result<String> {
     text(&columns, rows)
 }
 
-/// CSV below the command's line.
+/// CSV below a line that names the command.
 ///
 /// # Errors
 ///
-/// None in truth: the rows are as long as the header.
+/// Never in practice: the rows are as long as the header.
 pub fn text(columns: &[String], rows: impl Iterator<Item = Vec<String>>) -> Result<String> {
     let mut bytes = format!("# {COMMAND}\n").into_bytes();
     let mut sheet = Rows::new(&mut bytes, columns)?;

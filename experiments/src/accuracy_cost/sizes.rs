@@ -1,5 +1,5 @@
-//! Bytes of a setting: of its table in flash, and of what is held in RAM for one channel of
-//! an image whose light may change.
+//! Bytes of a setting: its table in flash, and the data in RAM for one channel of an image whose
+//! light may change.
 
 use super::setting::{Format, Setting, Way};
 use eigenshade::{Q15, Q31, Scene};
@@ -15,7 +15,7 @@ use eigenshade_table::{Parts, Table, wire};
 pub struct Bytes {
     /// The table, as `eigenshade pack` writes it.
     pub table: usize,
-    /// The material folded in, d, and what a pixel reads: the scene, the samples or the
+    /// The transferred material, d, and the data that a pixel reads: the scene, the samples or the
     /// texels.
     pub state: usize,
 }
@@ -23,11 +23,11 @@ pub struct Bytes {
 /// Nine coefficients.
 const NINE: Bytes = Bytes { table: 0, state: 9 * size_of::<f32>() };
 
-/// Counts.
+/// Counts the bytes.
 ///
 /// # Errors
 ///
-/// A table that has no form in the setting's numbers.
+/// If the table cannot be represented in the setting's number format.
 pub fn bytes(setting: &Setting, table: &Table) -> Result<Bytes> {
     if setting.way == Way::NineTerms {
         return Ok(NINE);

@@ -1,4 +1,4 @@
-//! Times of the WebAssembly module in Node, from `crates/wasm/times.csv`: of the tables that
+//! Times of the WebAssembly module in Node, from `crates/wasm/times.csv`, for the tables that
 //! `crates/wasm/ladder` puts into modules.
 
 use super::knobs::{DEGREE, ORDER};
@@ -33,7 +33,7 @@ pub fn tables() -> Vec<Recipe> {
     ]
 }
 
-/// The settings that are timed of a table, of those that are measured at all.
+/// The measured settings that are timed with a table.
 pub fn settings<'a>(table: &Recipe, all: &'a [Setting]) -> impl Iterator<Item = &'a Setting> {
     let table = *table;
     all.iter().filter(move |setting| {
@@ -46,7 +46,7 @@ pub fn settings<'a>(table: &Recipe, all: &'a [Setting]) -> impl Iterator<Item = 
     })
 }
 
-/// Without anything that normals take.
+/// The setting without scaling of normals.
 fn bare(setting: &Setting) -> Setting {
     Setting::of(setting.recipe).by(setting.way).in_format(setting.format)
 }
@@ -60,11 +60,11 @@ fn nine_terms() -> Setting {
 pub struct Wasm(BTreeMap<String, [Option<f64>; 2]>);
 
 impl Wasm {
-    /// Reads the times that were compiled in.
+    /// Reads the compiled-in times.
     ///
     /// # Errors
     ///
-    /// None in truth: they were made by the project.
+    /// Never in practice: the project generated them.
     pub fn new() -> Result<Self> {
         let path = Path::new("crates/wasm/times.csv");
         let header = COLUMNS.join(",");
@@ -87,7 +87,7 @@ impl Wasm {
         self.0.get(&setting.to_string()).copied().unwrap_or_default()
     }
 
-    /// What a setting takes, in nine-term pixels of the same run.
+    /// The cost of a setting, in nine-term pixels of the same run.
     #[must_use]
     pub fn price(&self, setting: &Setting) -> Price {
         let [nine, _] = self.find(&nine_terms());

@@ -1,11 +1,11 @@
-//! Numbers and settings as the page says them.
+//! Text forms of numbers and settings for the page.
 
 use super::setting::{Format, Setting, Way};
 use eigenshade_cli::output::number::grouped;
 use eigenshade_cli::table::wire_file;
 use eigenshade_table::scene;
 
-/// An error in per cent of two digits, below 0.01 % as a power of ten.
+/// An error in percent with two digits, or as a power of ten below 0.01 %.
 #[must_use]
 pub fn per_cent(error: f64) -> String {
     if !error.is_finite() {
@@ -19,13 +19,13 @@ pub fn per_cent(error: f64) -> String {
     format!("{value:.places$} %")
 }
 
-/// An exponent: whole where it is.
+/// An exponent, without decimals if it is whole.
 #[must_use]
 pub fn exponent(value: f64) -> String {
     if value.fract() == 0.0 { value.to_string() } else { format!("{value:.2}") }
 }
 
-/// A limit as someone would ask for it.
+/// An error limit.
 #[must_use]
 pub fn limit(limit: f64) -> String {
     if limit < 0.99e-3 {
@@ -35,7 +35,7 @@ pub fn limit(limit: f64) -> String {
     }
 }
 
-/// A cost of two digits, or whole from 100 on.
+/// A cost with two digits, or a whole number from 100 on.
 #[must_use]
 pub fn cost(value: f64) -> String {
     match value {
@@ -45,7 +45,7 @@ pub fn cost(value: f64) -> String {
     }
 }
 
-/// A setting for someone who wants to use it.
+/// A description of a setting for users.
 #[must_use]
 pub fn setting(setting: &Setting, terms: usize) -> String {
     let recipe = &setting.recipe;
@@ -86,7 +86,7 @@ pub fn setting(setting: &Setting, terms: usize) -> String {
     text
 }
 
-/// A Markdown table; numbers stand at the right.
+/// A Markdown table with numbers aligned to the right.
 #[must_use]
 pub fn table(header: &[String], rows: &[Vec<String>]) -> String {
     let line = |fields: &[String]| format!("| {} |\n", fields.join(" | "));

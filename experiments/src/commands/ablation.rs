@@ -1,4 +1,4 @@
-//! `experiments ablation`: what each effect costs and is worth.
+//! `experiments ablation`: the cost and the contribution of each effect.
 
 use super::page;
 use super::purpose::Purpose;
@@ -6,7 +6,7 @@ use clap::Args;
 use eigenshade_model::error::Result;
 use experiments::ablation::{compare, page as ablation, speed};
 
-/// What each effect costs and is worth, docs/ablation.md; times are not compared
+/// Cost and contribution of each effect, docs/ablation.md; times are not compared
 #[derive(Args, Debug)]
 pub struct Ablation {
     #[command(flatten)]

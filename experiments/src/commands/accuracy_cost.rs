@@ -1,4 +1,4 @@
-//! `experiments accuracy-cost`: the error of every setting beside what it takes.
+//! `experiments accuracy-cost`: the error and the cost of every setting.
 
 use super::purpose::Purpose;
 use clap::Args;
@@ -12,23 +12,22 @@ use experiments::accuracy_cost::{Extent, Measured, Times};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// What accuracy costs: every knob turned, its error, its bytes and its time
+/// The cost of accuracy: error, bytes and time as every parameter varies
 ///
-/// --out writes DIR/accuracy-cost.md, the numbers as CSV and the charts as SVG: errors against
-/// the direct sum over the shipped lights and materials and over others, errors of a degree and
-/// an order against direct integration under captured maps, times on this machine, and the
-/// instructions that were counted on emulated boards. --check makes errors, bytes and counts
-/// anew and compares them with the files of a folder; times are not compared. --quick does
-/// either for a part of the settings. All of it takes some ten minutes on two cores, a quick
-/// check a minute.
+/// --out writes DIR/accuracy-cost.md, the numbers as CSV and the charts as SVG: errors against the
+/// direct sum over the shipped lights and materials and over others, errors of a degree and an
+/// order against direct integration under captured maps, times on this machine, and the
+/// instructions that were counted on emulated boards. --check recomputes errors, bytes and counts
+/// and compares them with the files of a folder; times are not compared. --quick does either for a
+/// part of the settings. A full run takes some ten minutes on two cores, a quick check one minute.
 #[derive(Args, Debug)]
 pub struct AccuracyCost {
     #[command(flatten)]
     purpose: Purpose,
-    /// A part of the settings, surfaces and sizes
+    /// Only a part of the settings, surfaces and sizes
     #[arg(long)]
     quick: bool,
-    /// With --out: keep the times of DIR's files, and make the rest anew
+    /// With --out: keep the times of DIR's files and recompute the rest
     #[arg(long, conflicts_with_all = ["quick", "check"])]
     keep_times: bool,
     /// Folder of the project's environment maps
@@ -38,7 +37,8 @@ pub struct AccuracyCost {
 
 impl AccuracyCost {
     pub fn run(self) -> Result<()> {
-        // Before the work: what cannot be written or read need not wait for it.
+        // Done first, so that paths that cannot be read or written fail before the long
+        // computation.
         if let Some(out) = &self.purpose.out {
             fs::create_dir_all(out).map_err(|error| Error::io(out, &error))?;
         }

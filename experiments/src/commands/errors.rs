@@ -20,19 +20,19 @@ use experiments::accuracy::{Reference, spacing};
 use experiments::median::median;
 use std::path::{Path, PathBuf};
 
-/// Degrees of which the direct sum is shown beside the table, at the same order.
+/// Degrees at which the direct sum is shown beside the table; the order is the same.
 const OTHERS: [usize; 2] = [16, 24];
 
-/// A table against direct integration of materials under maps
+/// Compares a table with direct integration of materials under maps
 ///
-/// Nothing is truncated in what it is compared with: the BRDF as a function, each texel
-/// a patch of constant radiance, no harmonics. The error is the rms over a sphere's
-/// normals and the channels, of the largest irradiance. Writes, for each material, the
-/// median and the worst over the maps: of the table with all its components, of the
-/// direct sum at its degree and order, and at 16, 16 and 24, 24 as far as the lights
-/// reach. Narrow lobes need many normals: roughness 0.1 takes minutes. Figures below
-/// 0.001 are below what the integration is shown to be good for. The last two columns
-/// say which table it was, so that `basis` knows errors of another.
+/// The reference has no truncation: it uses the BRDF as a function and each texel as a patch of
+/// constant radiance, without harmonics. The error is the rms over a sphere's normals and the
+/// channels, relative to the largest irradiance. For each material the CSV gives the median and the
+/// worst error over the maps: of the table with all its components, of the direct sum at its degree
+/// and order, and at 16, 16 and 24, 24 as far as the lights reach. Narrow lobes need many normals:
+/// roughness 0.1 takes minutes. Figures below 0.001 are below the verified accuracy of the
+/// integration. The last two columns identify the table, so that `basis` recognizes errors of
+/// another one.
 #[derive(Args, Debug)]
 pub struct Errors {
     /// Table
@@ -41,16 +41,16 @@ pub struct Errors {
     /// Light CSV, with the light of every map under the map's name
     #[arg(long, value_name = "FILE")]
     lights: PathBuf,
-    /// Maps (.exr, .hdr, .pfm) of one size, or folders of maps
+    /// Maps (.exr, .hdr, .pfm) of the same size, or folders of maps
     #[arg(long, value_name = "MAP", required = true)]
     maps: Vec<PathBuf>,
-    /// Materials that are functions: .toml of formulas, MERL .binary, or folders of them
+    /// Materials given as functions: .toml of formulas, MERL .binary, or folders of them
     #[arg(long, value_name = "PATH", required = true)]
     materials: Vec<PathBuf>,
-    /// Parts of a texel for each width of what changes within it
+    /// Parts of a texel for each width of the features within it
     #[arg(long, value_name = "N", default_value = "1", value_parser = fineness)]
     fineness: f64,
-    /// Where the CSV goes, instead of standard output
+    /// Write the CSV to this file instead of standard output
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
 }
@@ -152,7 +152,7 @@ impl Errors {
         })
     }
 
-    /// The lights of the maps, in their order.
+    /// The lights of the maps, in order.
     fn lights_of(&self, named: &[(String, PathBuf)]) -> Result<Lights> {
         let all = read_lights(file(&self.lights), None)?;
         let find = |(name, _): &(String, PathBuf)| {
@@ -173,7 +173,7 @@ fn fineness(text: &str) -> std::result::Result<f64, String> {
     }
 }
 
-/// Maps of 4k by 2k take more than what a user's files may.
+/// Maps of 4k by 2k exceed the limit for a user's files.
 fn file(path: impl AsRef<Path>) -> InputFile {
     InputFile::new(path, Budget::BASIS)
 }

@@ -6,8 +6,8 @@ use experiments::float_errors::{Errors, SHAPES, errors};
 
 /// Errors of the runtime in floats against the direct sum over modes, with all components
 ///
-/// CSV on standard output: the largest and the root mean square error of a pixel, as shares of the
-/// image's peak, of the worst pair of a light and a material.
+/// Writes CSV to standard output: the largest and the root mean square error of a pixel, as shares
+/// of the image's peak, for the worst pair of a light and a material.
 #[derive(Args, Debug)]
 pub struct FloatErrors {
     /// Degrees and orders [default: from 9,7 to 32,32]

@@ -1,4 +1,4 @@
-//! `experiments golden`: what every machine has to answer in every number format.
+//! `experiments golden`: the results that every machine must reproduce in every number format.
 
 use super::page;
 use super::purpose::Purpose;
@@ -9,9 +9,9 @@ use eigenshade_testing::golden::record::{self, Row};
 
 const COMMAND: &str = "cargo run --release -p experiments -- golden --out tests/golden/sphere.csv";
 
-/// Answers of the runtime, tests/golden/sphere.csv
+/// Results of the runtime, tests/golden/sphere.csv
 ///
-/// Integers have to be equal; floats may differ by the tolerance that the file states.
+/// Integers must be equal; floats may differ by the tolerance that the file states.
 #[derive(Args, Debug)]
 pub struct Golden {
     #[command(flatten)]
@@ -41,7 +41,7 @@ fn compare(recorded: &record::Golden, answered: &record::Golden) -> Result<(), S
     Ok(())
 }
 
-/// Whether both are the same array of floats, to the tolerance times the largest.
+/// Whether both are the same array of floats, up to the tolerance times the largest value.
 fn near(old: &Row, new: &Row) -> Result<bool, String> {
     if old.format != "f32" || (&old.pair, &old.array) != (&new.pair, &new.array) {
         return Ok(false);

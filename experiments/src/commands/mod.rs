@@ -1,4 +1,4 @@
-//! One command a file.
+//! The commands, one per file.
 
 mod ablation;
 mod accuracy_cost;
@@ -18,7 +18,7 @@ mod wasm_tables;
 use clap::Subcommand;
 use eigenshade_model::error::Result;
 
-/// What the program can do.
+/// The commands of the program.
 #[derive(Debug, Subcommand)]
 pub enum Command {
     Paper(paper::Paper),
@@ -36,7 +36,7 @@ pub enum Command {
 }
 
 impl Command {
-    /// Runs it.
+    /// Runs the command.
     pub fn run(self) -> Result<()> {
         match self {
             Self::Paper(command) => command.run(),

@@ -1,4 +1,4 @@
-//! Files that one command writes and compares.
+//! Files that a command either writes or compares.
 
 use super::purpose::Purpose;
 use eigenshade_cli::output::destination;
@@ -7,7 +7,7 @@ use experiments::pages::{self, Part};
 use std::fs;
 
 /// Writes `text` to `--out`, or compares it with the file of `--check`: `compare(recorded, text)`
-/// gives the first difference. `command` writes the page again.
+/// returns the first difference. `command` is the command that rewrites the page.
 pub fn write_or_compare(
     purpose: &Purpose,
     text: &str,
@@ -26,8 +26,8 @@ pub fn write_or_compare(
     Ok(())
 }
 
-/// Puts generated parts into the page of `--out`, or compares the page of `--check` with the same
-/// page and its parts made now.
+/// Inserts generated parts into the page of `--out`, or compares the page of `--check` with the
+/// same page after its parts are regenerated.
 pub fn insert_or_compare(
     purpose: &Purpose,
     parts: &[Part],

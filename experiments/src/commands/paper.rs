@@ -10,12 +10,11 @@ use std::fs;
 
 /// The figures of Nillius and Eklundh (2003) and their numbers, on the shipped data
 ///
-/// --out writes DIR/paper.md, and what it shows into DIR/paper: CSV, SVG charts and
-/// PNG pictures. --check makes everything anew and compares every file: counts and
-/// words must be equal, other numbers within two units of six digits, or one of the last
-/// digit where there are fewer; coordinates of charts within a pixel; pictures within one
-/// of 255 levels, and in no more than a thousandth of their pixels. A figure that is
-/// missing and a file that is no figure are errors too.
+/// --out writes DIR/paper.md, and the files that it shows to DIR/paper: CSV, SVG charts and PNG
+/// pictures. --check recomputes everything and compares every file: counts and words must be equal,
+/// other numbers within two units of six digits, or one of the last digit where there are fewer;
+/// coordinates of charts within a pixel; pictures within one of 255 levels, and in no more than a
+/// thousandth of their pixels. A missing figure and a file that is not a figure are errors too.
 #[derive(Args, Debug)]
 pub struct Paper {
     #[command(flatten)]
@@ -25,7 +24,8 @@ pub struct Paper {
 impl Paper {
     pub fn run(self) -> Result<()> {
         if let Some(out) = &self.purpose.out {
-            // Before the work: a folder that cannot be made need not wait for it.
+            // Done first, so that a folder that cannot be created fails before the long
+            // computation.
             let folder = out.join(FOLDER);
             fs::create_dir_all(&folder).map_err(|error| Error::io(&folder, &error))?;
         }

@@ -13,17 +13,17 @@ use eigenshade_shading::shader::{OwnedNormals, Shader, fault};
 use eigenshade_shading::shipped;
 use std::path::PathBuf;
 
-/// Pixels across a sphere, and beside it.
+/// Width of a sphere and of the gap beside it, in pixels.
 const SIZE: usize = 168;
 const GAP: usize = 12;
 
 /// The share of a row's values that its exposure leaves unclipped.
 const UNCLIPPED: f64 = 0.985;
 
-/// A light for each row.
+/// The light of each row.
 const LIGHTS: [&str; 2] = ["esplanade", "workshop"];
 
-/// Roughness, and for each channel the reflectance at normal incidence and the diffuse albedo.
+/// The roughness, and for each channel the reflectance at normal incidence and the diffuse albedo.
 const MATERIALS: [(f64, [f64; 3], [f64; 3]); 5] = [
     (0.5, [1.0, 0.77, 0.34], [0.0; 3]),
     (0.45, [0.04; 3], [0.55, 0.04, 0.03]),
@@ -87,7 +87,7 @@ impl Picture {
     }
 }
 
-/// Pixels of this many spheres side by side, with gaps on all sides.
+/// The width in pixels of this many spheres side by side, with gaps on all sides.
 const fn across(count: usize) -> usize {
     GAP + count * (SIZE + GAP)
 }

@@ -1,4 +1,4 @@
-//! `experiments reading`: light and material read off damaged images.
+//! `experiments reading`: estimates of light and material from damaged images.
 
 use super::page;
 use super::purpose::Purpose;
@@ -7,7 +7,7 @@ use eigenshade_model::error::Result;
 use experiments::reading::{figures, report};
 use std::path::PathBuf;
 
-/// Errors of readings of damaged images, docs/reading.md
+/// Errors of estimates from damaged images, docs/reading.md
 #[derive(Args, Debug)]
 pub struct Reading {
     #[command(flatten)]

@@ -1,4 +1,4 @@
-//! `experiments same-order`: components of two tables.
+//! `experiments same-order`: compares the components of two tables.
 
 use clap::Args;
 use eigenshade_cli::output::message::say;
@@ -7,16 +7,17 @@ use eigenshade_model::error::{Error, Result};
 use eigenshade_table::Table;
 use std::path::PathBuf;
 
-/// Of the largest eigenvalue.
+/// The least eigenvalue that is compared, relative to the largest.
 const FLOOR: f64 = 1e-24;
-/// Of a component and itself, of unit length both; of another or its negative it is less.
+/// The least product of a component with itself, both of unit length; with another component or
+/// with its negative it is less.
 const ALIKE: f64 = 0.5;
 
 /// Compares the order and the sign of two tables' components
 ///
-/// Tables that two instruction sets make of one scene differ in their weakest components by far
-/// more than rounding, but order and sign have to agree. Compares components whose eigenvalues
-/// exceed 1e-24 of the largest.
+/// Tables of one scene that two instruction sets make differ in their weakest components by far
+/// more than rounding, but order and sign must agree. Compares components whose eigenvalues exceed
+/// 1e-24 of the largest.
 #[derive(Args, Debug)]
 pub struct SameOrder {
     #[arg(value_name = "A.bin")]

@@ -1,4 +1,4 @@
-//! `experiments stability`: the hard cases.
+//! `experiments stability`: the numerically hard cases.
 
 use super::page;
 use super::purpose::Purpose;
@@ -7,7 +7,7 @@ use eigenshade_cli::output::message::spinner;
 use eigenshade_model::error::{Error, Result};
 use experiments::stability::page as stability;
 
-/// The hard cases, measured, docs/stability.md; ratios of times are not compared
+/// The numerically hard cases, measured, docs/stability.md; ratios of times are not compared
 #[derive(Args, Debug)]
 pub struct Stability {
     #[command(flatten)]

@@ -1,4 +1,4 @@
-//! `experiments wasm-tables`: tables for modules of WebAssembly.
+//! `experiments wasm-tables`: tables for WebAssembly modules.
 
 use clap::Args;
 use eigenshade_model::error::{Error, Result};
@@ -10,8 +10,8 @@ use experiments::accuracy_cost::wasm::{settings, tables};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The tables that crates/wasm/ladder puts into modules, and ladder.csv: which module of which
-/// table is which setting of accuracy-cost
+/// The tables that crates/wasm/ladder puts into modules, and ladder.csv, which assigns a setting of
+/// accuracy-cost to each module and table
 #[derive(Args, Debug)]
 pub struct WasmTables {
     /// The folder to write to

@@ -1,4 +1,4 @@
-//! What a figure gives: files, not yet written.
+//! The files of a figure, before they are written.
 
 use eigenshade_cli::output::destination;
 use eigenshade_cli::output::number::exact;
@@ -8,21 +8,21 @@ use eigenshade_cli::picture::png_file;
 use eigenshade_model::error::{Error, Result};
 use std::path::Path;
 
-/// What makes these files; each text says so in its first line.
+/// The command that makes these files; the first line of each text names it.
 pub const COMMAND: &str = "experiments paper";
 /// Significant digits of the figures' numbers.
 const DIGITS: usize = 6;
 
-/// One file.
+/// One output file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Artefact {
-    /// Its name, relative to the folder that is asked for; with `/`.
+    /// Its path relative to the requested folder, with `/` as the separator.
     pub name: String,
-    /// What is in it.
+    /// The content of the file.
     pub content: Content,
 }
 
-/// What is in a file.
+/// The content of a file.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Content {
     /// CSV, Markdown or SVG.
@@ -32,23 +32,23 @@ pub enum Content {
 }
 
 impl Artefact {
-    /// A text.
+    /// A text file.
     #[must_use]
     pub fn text(name: impl Into<String>, text: String) -> Self {
         Self { name: name.into(), content: Content::Text(text) }
     }
 
-    /// A picture.
+    /// A picture file.
     #[must_use]
     pub fn picture(name: impl Into<String>, canvas: Canvas) -> Self {
         Self { name: name.into(), content: Content::Picture(canvas) }
     }
 
-    /// CSV of these rows; the header's columns are separated by commas.
+    /// CSV of these rows; the columns of the header are separated by commas.
     ///
     /// # Errors
     ///
-    /// None in truth: the rows are as long as the header.
+    /// Never in practice: the rows are as long as the header.
     pub fn csv(name: impl Into<String>, header: &str, rows: &[Vec<String>]) -> Result<Self> {
         let mut bytes = format!("# {COMMAND}\n").into_bytes();
         let mut sheet = Rows::new(&mut bytes, header.split(','))?;
@@ -65,17 +65,17 @@ impl Artefact {
         Self::text(name, format!("<!-- {COMMAND} -->\n{svg}"))
     }
 
-    /// The same in a folder.
+    /// The same file in a folder.
     #[must_use]
     pub fn below(self, folder: &str) -> Self {
         Self { name: format!("{folder}/{}", self.name), ..self }
     }
 
-    /// Writes it below `folder`, whole or not at all.
+    /// Writes the file below `folder`, either completely or not at all.
     ///
     /// # Errors
     ///
-    /// The faults of the file, its folder or the disk.
+    /// If the file, its folder or the disk fails.
     pub fn write(&self, folder: &Path) -> Result<()> {
         let path = folder.join(&self.name);
         if let Some(parent) = path.parent() {

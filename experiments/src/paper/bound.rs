@@ -1,5 +1,5 @@
-//! Section 4.4: the direct sum rendered to a stated accuracy, leaving out terms by their
-//! variance, and the bound that their variances give.
+//! Section 4.4: the direct sum rendered to a stated accuracy, with the terms of the least variance
+//! left out, and the error bound that follows from their variances.
 
 use super::artefact::{Artefact, digits};
 use super::chart::{self, Axes, BLUE, GREEN, Line, ORANGE};
@@ -12,38 +12,38 @@ use eigenshade_table::GramFactor;
 use indicatif::ProgressBar;
 use plotters::prelude::SeriesLabelPosition;
 
-/// What is asked for: root mean square of what is left out, of the image's mean.
+/// The stated accuracies: root mean square of the omitted part, relative to the image's mean.
 pub const ACCURACIES: [f64; 6] = [0.3, 0.1, 1e-2, 1e-3, 1e-4, 1e-6];
-/// What the bound is allowed to miss for rounding, of the image's mean.
+/// The allowed violation of the bound due to rounding, relative to the image's mean.
 pub const ROUNDING: f64 = 1e-13;
-/// The image whose course is drawn: light, material.
+/// Light and material of the image whose errors are drawn.
 const DRAWN: (&str, &str) = ("studio", "05-leather");
 
-/// What one accuracy takes, over all images that reach it.
+/// The cost of one accuracy, over all images that reach it.
 pub struct Row {
     /// The accuracy.
     pub accuracy: f64,
     /// The modes that are summed.
     pub modes: Modes,
-    /// The number of images whose bound comes down to the accuracy.
+    /// The number of images whose bound is within the accuracy.
     pub reached: usize,
-    /// Terms summed: the least, the median, the most.
+    /// Number of terms summed: least, median, most.
     pub terms: [usize; 3],
-    /// The median number that would do, if the errors were known.
+    /// The median number of terms that would suffice if the errors were known.
     pub sufficient: usize,
-    /// The largest error, of the mean.
+    /// The largest error, relative to the mean.
     pub error: f64,
-    /// Error over bound: the median and the largest.
+    /// Ratio of error to bound: median and largest.
     pub ratio: [f64; 2],
-    /// Bound over triangle bound, the median.
+    /// Median ratio of the bound to the triangle bound.
     pub triangle: f64,
     /// The share of images whose error exceeds the uncorrelated sum.
     pub exceeded: f64,
-    /// The largest error over the uncorrelated sum.
+    /// The largest ratio of the error to the uncorrelated sum.
     pub excess: f64,
 }
 
-/// What became of all images.
+/// The results for all images.
 pub struct Bounds {
     /// By modes, then by accuracy.
     pub rows: Vec<Row>,
@@ -51,17 +51,17 @@ pub struct Bounds {
     pub violations: usize,
     /// Number of partial sums that were compared.
     pub compared: usize,
-    /// Modes that are zero: their polar integrals (11) are.
+    /// Number of modes that are zero because their polar integrals (11) are zero.
     pub zero_modes: usize,
-    /// Every partial sum of the drawn image, by all modes.
+    /// Every partial sum of the drawn image, with all modes.
     drawn: Vec<Step>,
-    /// Those of the selected modes.
+    /// The same with the selected modes.
     drawn_selected: Vec<Step>,
-    /// Its mean.
+    /// The mean of the drawn image.
     drawn_mean: f64,
 }
 
-/// What one image tells of one accuracy.
+/// The result of one image for one accuracy.
 #[derive(Clone, Copy)]
 struct Reached {
     step: Step,
@@ -70,7 +70,7 @@ struct Reached {
 }
 
 impl Bounds {
-    /// Sums every image at every number of terms.
+    /// Sums every image to every number of terms.
     #[must_use]
     pub fn new(study: &Study, trials: &[Trial], progress: &ProgressBar) -> Self {
         let (mut rows, mut violations, mut compared) = (Vec::new(), 0, 0);
@@ -84,7 +84,7 @@ impl Bounds {
             };
             let found = parallel::map(trials.len(), progress, |k| {
                 let (trial, steps) = (&trials[k], steps(&trials[k]));
-                // Written so that a NaN counts.
+                // Written so that a NaN counts as a violation.
                 let holds = |step: &Step| step.error <= step.bound + ROUNDING * trial.mean;
                 let over = steps.iter().filter(|step| !holds(step)).count();
                 let reached = ACCURACIES.map(|accuracy| reach(&steps, trial.mean, accuracy));
@@ -114,7 +114,7 @@ impl Bounds {
         }
     }
 
-    /// CSV and chart.
+    /// The CSV file and the chart.
     pub fn artefacts(&self) -> Result<Vec<Artefact>> {
         let mut rows = Vec::new();
         for row in &self.rows {
@@ -139,7 +139,7 @@ impl Bounds {
 
     fn chart(&self) -> Result<String> {
         let course = |steps: &[Step], value: fn(&Step) -> f64| -> Vec<(f64, f64)> {
-            // One point in eight is more than a pixel.
+            // One point in eight is still denser than one per pixel.
             let points = steps.iter().step_by(8);
             points.map(|step| (step.terms as f64, value(step) / self.drawn_mean)).collect()
         };
@@ -156,7 +156,7 @@ impl Bounds {
             horizontal: "terms summed, the strongest first",
             vertical: "rms left out, of the mean",
             columns: 0.0..3704.0,
-            // A little lower, so that the last power of ten has its number.
+            // Slightly lower, so that the last power of ten gets its label.
             rows: 0.99e-6..10.0,
             labels: 8,
             format: chart::percent,
@@ -165,7 +165,7 @@ impl Bounds {
         chart::lines(&axes, &lines)
     }
 
-    /// The drawn image's least error and bound by the selected modes, of its mean.
+    /// The least error and bound of the drawn image with the selected modes, relative to its mean.
     #[must_use]
     pub fn selected(&self) -> Option<[f64; 2]> {
         let step = self.drawn_selected.first()?;
@@ -173,7 +173,7 @@ impl Bounds {
     }
 }
 
-/// Modes whose variance is nothing but rounding.
+/// The number of modes whose variance is only rounding.
 fn zero_modes(gram: &GramFactor) -> usize {
     let of = |azimuth: usize| {
         let signs = if azimuth == 0 { 1 } else { 2 };
@@ -186,7 +186,7 @@ fn zero_modes(gram: &GramFactor) -> usize {
 fn reach(steps: &[Step], mean: f64, accuracy: f64) -> Option<Reached> {
     let allowed = accuracy * mean;
     let step = *steps.iter().take_while(|step| step.bound <= allowed).last()?;
-    // All longer sums are within it too.
+    // All longer sums are within the accuracy too.
     let sufficient = steps.iter().take_while(|step| step.error <= allowed).last()?.terms;
     Some(Reached { step, sufficient, mean })
 }
@@ -203,7 +203,7 @@ impl Row {
         let terms = sorted(&|one| one.step.terms as f64);
         let ratio = sorted(&|one| one.step.error / one.step.bound.max(f64::MIN_POSITIVE));
         let excess = sorted(&|one| one.step.error / one.step.uncorrelated.max(f64::MIN_POSITIVE));
-        // Where each m misses one term the two are equal but for rounding.
+        // Where each m misses one term, the two are equal up to rounding.
         let over = excess.iter().filter(|ratio| **ratio > 1.0 + 1e-9).count();
         Self {
             accuracy,

@@ -1,5 +1,5 @@
-//! Section 4.4: spheres rendered by the direct sum to a stated accuracy, the weakest
-//! terms left out.
+//! Section 4.4: spheres rendered by the direct sum to a stated accuracy, with the weakest terms
+//! left out.
 
 use super::artefact::{Artefact, digits};
 use super::plate::Plate;
@@ -13,57 +13,57 @@ use eigenshade_model::truth::Truth;
 use eigenshade_shading::parallel;
 use indicatif::ProgressBar;
 
-/// Material and light of each: matte with a bright rim, glossy, between the two.
+/// Material and light of each sphere: one matte with a bright rim, one glossy, one between the two.
 pub const SHOWN: [(&str, &str); 3] =
     [("07-velvet", "forest"), ("05-leather", "studio"), ("55-orange-peel", "blender-sunset")];
-/// The stated accuracies: root mean square of what is left out, of the image's mean.
+/// The stated accuracies: root mean square of the omitted part, relative to the image's mean.
 pub const ACCURACIES: [f64; 4] = [0.1, 0.03, 0.01, 0.003];
-/// Pixels across each.
+/// Width of each sphere in pixels.
 const SIZE: usize = 176;
 /// The share of an image's values that its exposure leaves unclipped.
 const UNCLIPPED: f64 = 0.98;
-/// The residual's colours end at this share of the stated accuracy: half, as the plate and
-/// the page say.
+/// The colors of the residual end at this share of the stated accuracy: half, as stated on the
+/// plate and the page.
 const RESIDUAL: f64 = 0.5;
 
-/// One sphere, rendered to one accuracy. Bound and errors are of the image's mean.
+/// One sphere, rendered to one accuracy. The bound and the errors are relative to the image's mean.
 pub struct Rendering {
     /// Material and light.
     pub names: [&'static str; 2],
-    /// What was stated.
+    /// The stated accuracy.
     pub accuracy: f64,
-    /// Terms summed: the fewest whose bound is within the accuracy.
+    /// The number of terms summed: the fewest whose bound is within the accuracy.
     pub terms: usize,
-    /// The bound for what is left out.
+    /// The bound on the omitted part.
     pub bound: f64,
-    /// The root mean square of what is left out, over the quadrature's nodes.
+    /// The root mean square of the omitted part, over the nodes of the quadrature.
     pub error: f64,
-    /// The same over the picture's pixels, each by its share of the disc.
+    /// The same over the pixels of the picture, each weighted by its share of the disc.
     pub pixel_error: f64,
-    /// The largest of any pixel.
+    /// The largest error of any pixel.
     pub largest: f64,
-    /// The picture, pixel by pixel.
+    /// The pixel values of the picture.
     pub image: Vec<f64>,
 }
 
-/// All of them.
+/// All renderings.
 pub struct Renderings {
-    /// By pair, then by accuracy.
+    /// The renderings by pair and then by accuracy.
     pub all: Vec<Rendering>,
-    /// The pictures with nothing left out, by pair.
+    /// The complete pictures, by pair.
     pub truths: Vec<Vec<f64>>,
-    /// Their means over the sphere, by pair.
+    /// The means of the complete pictures over the sphere, by pair.
     pub means: Vec<f64>,
     /// The normals of the pictures' pixels.
     pub normals: Vec<[f64; 3]>,
 }
 
 impl Renderings {
-    /// Renders them.
+    /// Renders the spheres.
     ///
     /// # Errors
     ///
-    /// None in truth: the shipped data have all images.
+    /// Never in practice: the shipped data contain all images.
     pub fn new(study: &Study, trials: &[Trial], progress: &ProgressBar) -> Result<Self> {
         let view = SphereView::new(SIZE);
         let sums = PartialSum::new(&study.gram, &[]);
@@ -73,7 +73,7 @@ impl Renderings {
             let (luminance, grey) = (&study.luminances[trial.light], &study.greys[trial.material]);
             let terms = sums.strongest(luminance, grey);
             let steps = sums.steps(luminance, grey);
-            // Steps come from all terms down to none, their bounds rise.
+            // The steps go from all terms down to none, and their bounds rise.
             let within = |accuracy: f64| {
                 let reached =
                     steps.iter().take_while(|step| step.bound <= accuracy * trial.mean).last();
@@ -112,11 +112,11 @@ impl Renderings {
         Ok(Self { all, truths, means, normals: view.normals })
     }
 
-    /// Plate and CSV.
+    /// The plate and the CSV file.
     ///
     /// # Errors
     ///
-    /// None in truth.
+    /// Never in practice.
     pub fn artefacts(&self) -> Result<Vec<Artefact>> {
         let mut rows = Vec::new();
         for one in &self.all {
@@ -133,8 +133,8 @@ impl Renderings {
         ])
     }
 
-    /// A pair in two rows: images with nothing left out and to each accuracy, and below
-    /// what each lacks.
+    /// Each pair takes two rows: the complete image and the image at each accuracy, with the
+    /// omitted part below.
     fn plate(&self) -> eigenshade_cli::picture::canvas::Canvas {
         let mut plate = Plate::new(SIZE, (ACCURACIES.len() + 1, 2 * SHOWN.len()), (2, 0, 2));
         for (pair, truth) in self.truths.iter().enumerate() {
@@ -164,7 +164,7 @@ impl Renderings {
     }
 }
 
-/// The sums of the first so many terms; `counts` falls or rises.
+/// The sums of the first terms, for each number in `counts`, which falls or rises.
 fn partial(
     terms: &[Term],
     counts: &[usize],

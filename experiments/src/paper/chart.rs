@@ -1,4 +1,4 @@
-//! Charts of lines, as SVG: for a phone and for print.
+//! Line charts as SVG, readable on a phone and in print.
 
 use eigenshade_model::error::{Error, Result};
 use plotters::element::DashedPathElement;
@@ -6,11 +6,11 @@ use plotters::prelude::*;
 use std::fmt::Display;
 use std::ops::Range;
 
-/// Pixels of a chart, across and down.
+/// Width and height of a chart in pixels.
 pub const SIZE: (u32, u32) = (720, 500);
-/// Height of all letters.
+/// Height of all text.
 pub const LETTERS: u32 = 19;
-/// Lines and their names. Told apart by people who do not tell red from green.
+/// Color of lines and their names, distinguishable with red-green color blindness.
 pub const BLUE: RGBColor = RGBColor(0, 95, 170);
 /// See [`BLUE`].
 pub const ORANGE: RGBColor = RGBColor(213, 94, 0);
@@ -18,22 +18,22 @@ pub const ORANGE: RGBColor = RGBColor(213, 94, 0);
 pub const GREEN: RGBColor = RGBColor(0, 135, 100);
 /// See [`BLUE`].
 pub const PURPLE: RGBColor = RGBColor(160, 70, 130);
-/// What stands behind.
+/// Color of background elements.
 pub const PALE: RGBColor = RGBColor(196, 199, 204);
-/// Letters.
+/// Color of the text.
 pub const INK: RGBColor = RGBColor(40, 42, 46);
 
 /// One line.
 pub struct Line {
-    /// What it is called in the legend; none for one that is not named.
+    /// The name in the legend; `None` if it has no entry.
     pub name: Option<String>,
-    /// Its colour.
+    /// Its color.
     pub colour: RGBColor,
     /// Whether it is dashed.
     pub dashed: bool,
     /// Its width.
     pub width: u32,
-    /// What it joins.
+    /// The points that it joins.
     pub points: Vec<(f64, f64)>,
     /// Whether each point is marked.
     pub marked: bool,
@@ -49,23 +49,23 @@ impl Line {
 
 /// Two axes: the horizontal one linear, the vertical one logarithmic.
 pub struct Axes {
-    /// Below.
+    /// Title of the horizontal axis.
     pub horizontal: &'static str,
-    /// At the left.
+    /// Title of the vertical axis.
     pub vertical: &'static str,
     /// Range of the horizontal axis.
     pub columns: Range<f64>,
     /// Range of the vertical axis.
     pub rows: Range<f64>,
-    /// Numbers at the horizontal axis.
+    /// How many numbers the horizontal axis has.
     pub labels: usize,
-    /// What the numbers at the vertical axis look like.
+    /// The format of the numbers at the vertical axis.
     pub format: fn(&f64) -> String,
-    /// Where the legend stands.
+    /// The position of the legend.
     pub legend: SeriesLabelPosition,
 }
 
-/// The chart.
+/// Draws the chart.
 pub fn lines(axes: &Axes, lines: &[Line]) -> Result<String> {
     let mut svg = String::new();
     {
@@ -96,7 +96,7 @@ pub fn lines(axes: &Axes, lines: &[Line]) -> Result<String> {
             .map_err(fault)?;
         for line in lines {
             let style = line.colour.stroke_width(line.width);
-            // Outside the axes nothing is drawn.
+            // Nothing is drawn outside the axes.
             let points: Vec<(f64, f64)> = line
                 .points
                 .iter()
@@ -142,24 +142,24 @@ pub fn lines(axes: &Axes, lines: &[Line]) -> Result<String> {
     Ok(svg)
 }
 
-/// The letters of everything.
+/// The text style of the whole chart.
 pub fn letters() -> TextStyle<'static> {
     ("sans-serif", LETTERS).into_font().color(&INK)
 }
 
-/// 1 for 100 %, and so on; powers of ten.
+/// Formats powers of ten as percentages: 1 is 100 %.
 pub fn percent(value: &f64) -> String {
     let value = 100.0 * value;
     if value >= 0.99 { format!("{value:.0} %") } else { format!("{} %", short(value)) }
 }
 
-/// A power of ten as few letters as may be.
+/// Formats a power of ten with as few characters as possible.
 fn short(value: f64) -> String {
     let places = (-value.log10()).ceil().max(0.0) as usize;
     format!("{value:.places$}")
 }
 
-/// What cannot happen: the chart goes to a text.
+/// The error for a failed chart. It cannot happen, because the chart is written to a string.
 pub fn fault(error: impl Display) -> Error {
     Error::new(error.to_string(), "report this: a chart could not be drawn")
 }

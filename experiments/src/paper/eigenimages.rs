@@ -1,4 +1,5 @@
-//! Fig. 3: the first twelve eigenimages of the image-centred bases, the constant first.
+//! Fig. 3: the first twelve eigenimages of the image-centered bases, starting with the constant
+//! one.
 
 use super::artefact::{Artefact, digits};
 use super::plate::Plate;
@@ -10,34 +11,35 @@ use eigenshade_shading::shader::{OwnedNormals, fault};
 use eigenshade_table::Table;
 use eigenshade_table::scene::Criterion;
 
-/// How many are shown.
+/// The number of eigenimages shown.
 pub const SHOWN: usize = 12;
 const COLUMNS: usize = 4;
-/// Pixels across each.
+/// Width of each eigenimage in pixels.
 const SIZE: usize = 180;
-/// The colours end at this value; each image has mean square 1.
+/// The value at which the colors end; each image has mean square 1.
 pub const SCALE: f64 = 3.0;
-/// Components whose eigenvalues are listed.
+/// The number of components whose eigenvalues are listed.
 const LISTED: usize = 100;
 
-/// What is seen of them.
+/// The measured properties of the eigenimages.
 pub struct Eigenimages {
-    /// The shapes of those of all modes.
+    /// The shapes of the eigenimages of all modes.
     pub shapes: Vec<Shape>,
-    /// The share of the plate's discs, of all modes, beyond the colours' end, and the least
-    /// distance of such a pixel from its disc's middle, of the radius.
+    /// For the plate of all modes: the share of the discs beyond the end of the color scale, and
+    /// the least distance of such a pixel from the center of its disc, relative to the radius.
     pub beyond: [f64; 2],
-    /// U_i • U'_i of those of all modes and those of the selected ones; 0 where m differs.
+    /// Products U_i • U'_i of the eigenimages of all modes with those of the selected ones; 0 where
+    /// m differs.
     pub products: Vec<f64>,
     artefacts: Vec<Artefact>,
 }
 
 impl Eigenimages {
-    /// Draws them.
+    /// Draws the plates.
     ///
     /// # Errors
     ///
-    /// None in truth: the bases have as many.
+    /// Never in practice: the bases have enough components.
     pub fn new(study: &Study) -> Result<Self> {
         let tables = Modes::BOTH.map(|modes| &study.tables[place(Criterion::ImageCentered, modes)]);
         let (mut artefacts, mut beyond) = (Vec::new(), Vec::new());
@@ -84,7 +86,7 @@ fn sheet(name: &str, table: &Table) -> Result<Artefact> {
     Artefact::csv(format!("{name}.csv"), "component,m,eigenvalue,share,left", &rows)
 }
 
-/// The plate, and what of it is beyond the colours' end.
+/// The plate, and the part of it beyond the end of the color scale.
 fn plate(name: &str, table: &Table) -> Result<(Artefact, [f64; 2])> {
     let owned = OwnedBasis::<f64>::new(table);
     let basis = owned.basis().map_err(fault)?;

@@ -1,10 +1,10 @@
-//! Fig. 5 and 6: how the error falls with the number of components, on the whole data
-//! set and for each material.
+//! Fig. 5 and 6: the error as a function of the number of components, for the whole data set and
+//! for each material.
 //!
-//! The error of an image is the paper's: the variance within the residual over the
-//! variance within the image. The residual of K components is the image less its
-//! projection; standard PCA subtracts the mean image first, and its K does not count
-//! it, where image-centred PCA's K counts the constant.
+//! The error of an image is defined as in the paper: the variance within the residual over the
+//! variance within the image. The residual of K components is the image minus its projection.
+//! Standard PCA subtracts the mean image first and does not count it in K, whereas image-centered
+//! PCA counts the constant in K.
 
 use super::artefact::{Artefact, digits};
 use super::chart::{self, Axes, BLUE, GREEN, Line, ORANGE, PALE, PURPLE};
@@ -16,12 +16,12 @@ use eigenshade_model::error::Result;
 use eigenshade_table::scene::Criterion;
 use plotters::prelude::SeriesLabelPosition;
 
-/// Errors are given to so many components.
+/// Errors are given up to this number of components.
 pub const SHOWN: usize = 100;
-/// Criteria in the order of [`Study::tables`].
+/// The criteria in the order of [`Study::tables`].
 pub const CRITERIA: [Criterion; 2] = [Criterion::ImageCentered, Criterion::Standard];
-/// Materials that Fig. 6 names, and whether their lines are dashed: told apart in print
-/// without colours too.
+/// The materials that Fig. 6 names, and whether their lines are dashed, so that they differ in
+/// print without colors too.
 const NAMED: [(&str, plotters::style::RGBColor, bool); 4] = [
     ("07-velvet", PURPLE, true),
     ("41-brick-b", BLUE, true),
@@ -33,17 +33,17 @@ const NAMED: [(&str, plotters::style::RGBColor, bool); 4] = [
 pub struct Errors {
     names: Vec<String>,
     lights: Vec<String>,
-    /// L_1^0 / L_0^0 of each light: positive where more comes from the front.
+    /// L_1^0 / L_0^0 of each light: positive if more light comes from the front.
     pub fronts: Vec<f64>,
-    /// The share of each material's squared coefficients that has o >= 4.
+    /// The share of each material's squared coefficients with o >= 4.
     pub glosses: Vec<f64>,
     /// The share of standard PCA's first component that is constant over the sphere.
     pub first_constant: f64,
-    /// By basis, in the order of [`Study::tables`], then by K.
+    /// Mean over all images, by basis in the order of [`Study::tables`], then by K.
     pub mean: [Vec<f64>; 4],
-    /// By basis, then by material, then by K: over all lights.
+    /// Mean over all lights, by basis, then by material, then by K.
     pub by_material: [Vec<Vec<f64>>; 4],
-    /// By basis, then by light, then by K: over all materials.
+    /// Mean over all materials, by basis, then by light, then by K.
     pub by_light: [Vec<Vec<f64>>; 4],
 }
 
@@ -92,34 +92,34 @@ impl Errors {
         found.and_then(|k| errors.get(k)).map_or(&[], Vec::as_slice)
     }
 
-    /// The mean errors of each light with its name, by all modes and image-centred.
+    /// The mean errors of each light with its name, for the image-centered basis of all modes.
     pub fn lights(&self) -> impl Iterator<Item = (&str, &[f64])> {
         let names = self.lights.iter().map(String::as_str);
         names.zip(self.by_light[0].iter().map(Vec::as_slice))
     }
 
-    /// The same of each material.
+    /// The mean errors of each material, for the same basis.
     pub fn materials(&self) -> impl Iterator<Item = (&str, &[f64])> {
         let names = self.names.iter().map(String::as_str);
         names.zip(self.by_material[0].iter().map(Vec::as_slice))
     }
 
-    /// Rank correlation over the lights: of [`fronts`](Self::fronts) with the mean error by
-    /// this number of components, all modes, image-centred.
+    /// Rank correlation over the lights of [`fronts`](Self::fronts) with the mean error at this
+    /// number of components, for the image-centered basis of all modes.
     #[must_use]
     pub fn correlation(&self, count: usize) -> f64 {
         let errors: Vec<f64> = self.lights().map(|(_, errors)| errors[count]).collect();
         rank_correlation(&self.fronts, &errors)
     }
 
-    /// The same over the materials: of [`glosses`](Self::glosses).
+    /// Rank correlation over the materials of [`glosses`](Self::glosses) with the same error.
     #[must_use]
     pub fn gloss_correlation(&self, count: usize) -> f64 {
         let errors: Vec<f64> = self.materials().map(|(_, errors)| errors[count]).collect();
         rank_correlation(&self.glosses, &errors)
     }
 
-    /// CSV and charts.
+    /// The CSV files and the charts.
     pub fn artefacts(&self) -> Result<Vec<Artefact>> {
         let mut rows = Vec::new();
         for count in 0..=SHOWN {
@@ -150,7 +150,7 @@ impl Errors {
         Ok(artefacts)
     }
 
-    /// One row for each basis and K, one column for each name.
+    /// A CSV with one row for each basis and K, and one column for each name.
     fn sheet(
         &self,
         name: &str,
@@ -202,7 +202,7 @@ impl Errors {
     }
 }
 
-/// The share of a BRDF's squared coefficients from o = 4 on.
+/// The share of a BRDF's squared coefficients with o >= 4.
 fn gloss(coefficients: &[f64]) -> f64 {
     let square = |values: &[f64]| values.iter().map(|value| value * value).sum::<f64>();
     square(&coefficients[material::count(3)..]) / square(coefficients)
@@ -224,7 +224,7 @@ fn axes(rows: std::ops::Range<f64>) -> Axes {
     }
 }
 
-/// The least number of components whose error is at most this, if there is one.
+/// The least number of components with at most this error, if there is one.
 #[must_use]
 pub fn needed(errors: &[f64], error: f64) -> Option<usize> {
     errors.iter().position(|found| *found <= error)

@@ -1,4 +1,4 @@
-//! The brightest point of leather, reconstructed, under every light.
+//! The brightest point of leather, reconstructed under every light.
 
 use super::artefact::Artefact;
 use super::study::{Modes, Study, Trial, place};
@@ -10,18 +10,18 @@ use eigenshade_shading::shader::fault;
 use eigenshade_shading::sphere_rings::{Ring, rings};
 use eigenshade_table::scene::Criterion;
 
-/// The material whose highlight the paper speaks of.
+/// The material whose highlight the paper describes.
 pub const MATERIAL: &str = "05-leather";
-/// The highlight is there if its brightest point is off by at most this.
+/// The highlight counts as present if the error of its brightest point is at most this.
 pub const LIMIT: f64 = 0.1;
-/// Numbers of components that are tried.
+/// The largest number of components that is tried.
 pub const LISTED: usize = 100;
-/// The normals are no farther apart, radians.
+/// The widest spacing of the normals in radians.
 const SPACING: f64 = 0.02;
 
-/// The first number of components from which the brightest point is right, and stays; none if
-/// that takes more than there are. `shares` are the reconstruction there, of the truth, by
-/// number of components.
+/// The first number of components from which the brightest point is right and stays right; `None`
+/// if that takes more components than there are. `shares` are the reconstructed values at that
+/// point relative to the reference, by number of components.
 #[must_use]
 pub fn right_from(shares: &[f64]) -> Option<usize> {
     let wrong = |share: &f64| (share - 1.0).abs() > LIMIT;
@@ -40,12 +40,12 @@ pub fn image(study: &Study, trial: &Trial, truth: &Truth, normals: &[[f64; 3]]) 
     normals.iter().map(of).collect()
 }
 
-/// The reconstruction by the first 0, 1, .. components at the image's brightest normal, of the
-/// truth there.
+/// The reconstructions with the first 0, 1, .. components at the brightest normal of the image,
+/// relative to the reference there.
 ///
 /// # Errors
 ///
-/// None in truth: the normals are unit vectors.
+/// Never in practice: the normals are unit vectors.
 pub fn brightest(
     basis: &Basis<'_, f64>,
     coefficients: &[f64],
@@ -59,18 +59,18 @@ pub fn brightest(
     (0..=LISTED).map(|count| Ok(there(count).map_err(fault)? / truth)).collect()
 }
 
-/// Leather's highlight by the components of all modes.
+/// The highlight of leather with the components of all modes.
 pub struct Highlights {
-    /// Light, and the first number of components from which the brightest point is right.
+    /// Each light, with the first number of components from which the brightest point is right.
     pub lights: Vec<(String, Option<usize>)>,
 }
 
 impl Highlights {
-    /// Under every light.
+    /// Measures the highlight under every light.
     ///
     /// # Errors
     ///
-    /// None in truth: the shipped data have every image.
+    /// Never in practice: the shipped data contain every image.
     pub fn new(study: &Study, trials: &[Trial]) -> Result<Self> {
         let which = place(Criterion::ImageCentered, Modes::All);
         let owned = OwnedBasis::<f64>::new(&study.tables[which]);
@@ -88,7 +88,7 @@ impl Highlights {
         Ok(Self { lights: lights.collect::<Result<_>>()? })
     }
 
-    /// The least, the middle (the upper of two) and the largest number of components; none is
+    /// The least, the middle (the upper of two) and the largest number of components; `None` means
     /// more than were tried.
     #[must_use]
     pub fn spread(&self) -> [Option<usize>; 3] {
@@ -98,11 +98,11 @@ impl Highlights {
         [at(0), at(counts.len() / 2), at(counts.len().saturating_sub(1))]
     }
 
-    /// CSV; a light that takes more than were tried has an empty field.
+    /// The CSV file. A light that needs more components than were tried has an empty field.
     ///
     /// # Errors
     ///
-    /// None in truth.
+    /// Never in practice.
     pub fn artefact(&self) -> Result<Artefact> {
         let row = |(light, count): &(String, Option<usize>)| {
             let count = count.map_or(String::new(), |count| count.to_string());

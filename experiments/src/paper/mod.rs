@@ -1,6 +1,6 @@
-//! The figures of Nillius and Eklundh, "Phenomenological Eigenfunctions for Image
-//! Irradiance", ICCV 2003, on the shipped databases: one figure a file, each giving
-//! what it shows as CSV and as a picture.
+//! The figures of Nillius and Eklundh, "Phenomenological Eigenfunctions for Image Irradiance", ICCV
+//! 2003, on the shipped databases. Each file of this module makes one figure, as CSV and as a
+//! picture.
 
 pub mod study;
 
@@ -43,17 +43,16 @@ use eigenshade_model::error::Result;
 use indicatif::ProgressBar;
 use study::Study;
 
-/// The folder of the figures, beside the page that shows them.
+/// The folder of the figures, next to the page that shows them.
 pub const FOLDER: &str = "paper";
-/// The page.
+/// The file name of the page.
 pub const PAGE: &str = "paper.md";
 
-/// Makes everything: the page, and below [`FOLDER`] its figures.
+/// Makes the page and, below [`FOLDER`], its figures.
 ///
 /// # Errors
 ///
-/// The faults of the folder for temporary files, by way of which the shipped data
-/// are read.
+/// If the folder for temporary files, through which the shipped data are read, fails.
 pub fn make(progress: &ProgressBar) -> Result<Vec<Artefact>> {
     let study = Study::new(progress)?;
     let trials = study.trials(progress);

@@ -1,19 +1,20 @@
-//! Plates of spheres: pictures in rows and columns, with words.
+//! Plates of spheres: pictures in rows and columns, with text.
 
 use eigenshade_cli::picture::canvas::{Canvas, LETTER, text_width};
 use eigenshade_cli::picture::sphere_view::SphereView;
 use eigenshade_cli::picture::tone::srgb;
 
-/// What stands behind.
+/// Color of the background.
 const PAPER: [u8; 3] = [212, 214, 217];
-/// Letters.
+/// Color of the text.
 const INK: [u8; 3] = [40, 42, 46];
-/// The edge of a signed image, which may be as pale as the paper.
+/// Color of the edge of a signed image, which may be as pale as the background.
 const EDGE: [u8; 3] = [120, 122, 126];
-/// Letters are so many times the font's.
+/// Scale of the text, as a multiple of the font.
 const SCALE: usize = 2;
 
-/// A plate, on a grey that is neither the brightest of an image nor the zero of a signed one.
+/// A plate on a gray background, which differs from the brightest value of an image and from the
+/// zero of a signed image.
 pub struct Plate {
     canvas: Canvas,
     view: SphereView,
@@ -23,8 +24,8 @@ pub struct Plate {
 }
 
 impl Plate {
-    /// Room for so many columns and rows of spheres of `size` pixels, with `lines` lines
-    /// of text below each row, `above` before the first and `beside` letters at the left.
+    /// A plate for this many columns and rows of spheres of `size` pixels, with `lines` lines of
+    /// text below each row, `above` lines before the first row and `beside` letters at the left.
     pub fn new(
         size: usize,
         (columns, rows): (usize, usize),
@@ -53,7 +54,7 @@ impl Plate {
         (self.left + column * self.step.0, self.top + row * self.step.1)
     }
 
-    /// An image of light: 1 is the brightest that is shown.
+    /// Draws an image of light; 1 is the brightest value that is shown.
     pub fn light(&mut self, column: usize, row: usize, image: &[[f64; 3]]) {
         let (left, top) = self.place(column, row);
         for (pixel, rgb) in self.view.pixels.iter().zip(image) {
@@ -62,7 +63,7 @@ impl Plate {
         }
     }
 
-    /// A signed image: -1 is blue, 0 white, 1 red.
+    /// Draws a signed image: -1 is blue, 0 white, 1 red.
     pub fn signed(&mut self, column: usize, row: usize, image: &[f64]) {
         let (left, top) = self.place(column, row);
         let radius = 0.5 * self.view.size as f64 - 0.5;
@@ -75,7 +76,7 @@ impl Plate {
         }
     }
 
-    /// Words below a sphere, line by line from 0.
+    /// Writes text below a sphere; lines are counted from 0.
     pub fn below(&mut self, column: usize, row: usize, line: usize, text: &str) {
         let (left, top) = self.place(column, row);
         let middle = left + self.view.size / 2;
@@ -83,13 +84,13 @@ impl Plate {
         self.centred(middle, top, text);
     }
 
-    /// Words above the first sphere of a column.
+    /// Writes text above the first sphere of a column.
     pub fn above(&mut self, column: usize, text: &str) {
         let (left, top) = self.place(column, 0);
         self.centred(left + self.view.size / 2, top - Self::line() - LETTER, text);
     }
 
-    /// Words at the left of a row, line by line, about its middle.
+    /// Writes lines of text at the left of a row, centered vertically.
     pub fn beside(&mut self, row: usize, lines: &[&str]) {
         let (_, top) = self.place(0, row);
         let first = top + self.view.size / 2 - lines.len() * Self::line() / 2;
@@ -105,7 +106,8 @@ impl Plate {
         self.canvas.text(left, top, SCALE, INK, text);
     }
 
-    /// The scale of signed images at the foot: from -`largest` to `largest`.
+    /// Draws the color scale of signed images at the foot, from -`largest` to `largest`, and
+    /// returns the picture.
     pub fn scale(mut self, largest: &str) -> Canvas {
         let (width, height) = (self.canvas.width / 3, LETTER * SCALE);
         let extra = 4 * LETTER * SCALE;
@@ -128,13 +130,13 @@ impl Plate {
         self.canvas
     }
 
-    /// The picture.
+    /// Returns the picture.
     pub fn finish(self) -> Canvas {
         self.canvas
     }
 }
 
-/// Blue for -1, white for 0, red for 1; beyond, the same as there.
+/// Blue for -1, white for 0, red for 1; values beyond are clamped.
 fn diverging(value: f64) -> [u8; 3] {
     const NEGATIVE: [[f64; 3]; 2] = [[75.0, 140.0, 200.0], [8.0, 42.0, 105.0]];
     const POSITIVE: [[f64; 3]; 2] = [[226.0, 118.0, 84.0], [110.0, 4.0, 26.0]];

@@ -1,7 +1,7 @@
 //! Spearman's rank correlation.
 
-/// That of two sequences side by side, in [-1, 1]: 1 if the larger number of one always
-/// goes with the larger of the other. Numbers that are equal share their lowest rank.
+/// The rank correlation of two sequences, in [-1, 1]; it is 1 if the two have the same order. Equal
+/// numbers share their lowest rank.
 #[must_use]
 pub fn rank_correlation(a: &[f64], b: &[f64]) -> f64 {
     let [a, b] = [a, b].map(|values| {
@@ -24,7 +24,7 @@ mod tests {
         };
         near(&[1.0, 2.0, 9.0], &[-7.0, 0.1, 0.2], 1.0);
         near(&[1.0, 2.0, 9.0], &[3.0, 2.0, 1.0], -1.0);
-        // 1 - 6 Σ d² / (n (n² - 1)), d the differences of ranks 1 2 3 4 and 2 1 4 3.
+        // 1 - 6 Σ d² / (n (n² - 1)), where d are the differences of the ranks 1 2 3 4 and 2 1 4 3.
         near(&[1.0, 2.0, 3.0, 4.0], &[2.0, 1.0, 4.0, 3.0], 1.0 - 24.0 / 60.0);
     }
 }

@@ -1,4 +1,4 @@
-//! Fig. 7: velvet and leather, reconstructed, and what the reconstruction leaves.
+//! Fig. 7: velvet and leather, their reconstructions and the residuals.
 
 use super::artefact::{Artefact, digits};
 use super::highlight::{LISTED, brightest, image};
@@ -11,18 +11,18 @@ use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, fault};
 use eigenshade_table::scene::Criterion;
 
-/// Material and light of each.
+/// Material and light of each image.
 pub const SHOWN: [(&str, &str); 2] = [("07-velvet", "forest"), ("05-leather", "studio")];
 /// Numbers of components.
 const COUNTS: [usize; 6] = [3, 5, 10, 20, 30, 50];
-/// Pixels across each.
+/// Width of each sphere in pixels.
 const SIZE: usize = 148;
 /// The share of an image's values that its exposure leaves unclipped.
 const UNCLIPPED: f64 = 0.98;
-/// The residual's colours end at this share of the image's largest value.
+/// The colors of the residual end at this share of the image's largest value.
 const RESIDUAL: f64 = 0.1;
 
-/// One image: how its reconstructions by 0, 1, .. components fare.
+/// The reconstructions of one image with 0, 1, .. components.
 pub struct Course {
     /// Material and light.
     pub names: [&'static str; 2],
@@ -30,24 +30,24 @@ pub struct Course {
     pub modes: Modes,
     /// The error, by number of components.
     pub errors: Vec<f64>,
-    /// The reconstruction at the truth's brightest pixel, of the truth there, by number
-    /// of components.
+    /// The reconstruction at the brightest pixel of the reference, relative to the reference there,
+    /// by number of components.
     pub brightest: Vec<f64>,
 }
 
-/// Velvet and leather, by each choice of modes.
+/// Velvet and leather, for each choice of modes.
 pub struct Reconstructions {
-    /// In the order of the plates.
+    /// The images in the order of the plates.
     pub courses: Vec<Course>,
     plates: Vec<Artefact>,
 }
 
 impl Reconstructions {
-    /// Reconstructs and draws them.
+    /// Computes and draws the reconstructions.
     ///
     /// # Errors
     ///
-    /// None in truth: the shipped data have both images.
+    /// Never in practice: the shipped data contain both images.
     pub fn new(study: &Study, trials: &[Trial]) -> Result<Self> {
         let (mut courses, mut plates) = (Vec::new(), Vec::new());
         for modes in Modes::BOTH {
@@ -56,7 +56,7 @@ impl Reconstructions {
         Ok(Self { courses, plates })
     }
 
-    /// Plates and CSV.
+    /// The plates and the CSV file.
     pub fn artefacts(&self) -> Result<Vec<Artefact>> {
         let mut rows = Vec::new();
         for course in &self.courses {

@@ -1,9 +1,9 @@
-//! How the error falls if each light is turned every way, as the statistics of the basis
-//! have it: the variance left, averaged over all rotations of all lights, over the
-//! variance within the images, averaged so too.
+//! The error if each light is rotated in every way, as the statistics of the basis assume: the
+//! remaining variance over the variance within the images, both averaged over all rotations of all
+//! lights.
 //!
-//! Over all rotations L_l^m of different (l, m) are uncorrelated and have the power of
-//! their degree in equal parts, (38); so the average is that of images of single harmonics.
+//! Over all rotations, L_l^m of different (l, m) are uncorrelated and share the power of their
+//! degree equally, (38). The average is therefore that of images of single harmonics.
 
 use super::artefact::{Artefact, digits};
 use super::error::SHOWN;
@@ -16,12 +16,12 @@ use eigenshade_shading::parallel;
 use eigenshade_table::scene::Criterion;
 use indicatif::ProgressBar;
 
-/// Errors by the image-centred components of all modes, for 0 to [`SHOWN`] components.
+/// Errors with the image-centered components of all modes, for 0 to [`SHOWN`] components.
 pub struct Rotated {
     names: Vec<String>,
-    /// Of all materials together.
+    /// Error of all materials together.
     pub all: Vec<f64>,
-    /// By material, then by K.
+    /// Error by material and then by K.
     pub by_material: Vec<Vec<f64>>,
 }
 
@@ -58,18 +58,18 @@ impl Rotated {
         }
     }
 
-    /// Those of one material, by K.
+    /// The errors of one material, by K.
     #[must_use]
     pub fn of_material(&self, name: &str) -> &[f64] {
         let found = self.names.iter().position(|other| other == name);
         found.and_then(|k| self.by_material.get(k)).map_or(&[], Vec::as_slice)
     }
 
-    /// CSV.
+    /// The CSV file.
     ///
     /// # Errors
     ///
-    /// None in truth.
+    /// Never in practice.
     pub fn artefacts(&self) -> Result<Vec<Artefact>> {
         let row = |count: usize| {
             let numbers = [&self.all].into_iter().chain(&self.by_material);

@@ -1,4 +1,4 @@
-//! What the paper's truncation to the 1,000 modes of the highest variance costs.
+//! The cost of the paper's truncation to the 1,000 modes of the highest variance.
 
 use super::artefact::{Artefact, digits};
 use super::study::{Modes, Study, Trial, place};
@@ -7,29 +7,28 @@ use eigenshade_model::error::Result;
 use eigenshade_model::selection::variances;
 use eigenshade_table::scene::Criterion;
 
-/// What is left out, and what that costs.
+/// The omitted part and its effect.
 pub struct Selected {
-    /// Modes kept, both signs of m counted; ties stay whole.
+    /// Number of modes kept, counting both signs of m; ties are kept or omitted together.
     pub kept: usize,
-    /// The share of the modes' summed variance that is left out.
+    /// The share of the modes' summed variance that is omitted.
     pub variance_left: f64,
-    /// Modes kept of each degree l.
+    /// Number of modes kept for each degree l.
     pub by_degree: Vec<usize>,
     /// The largest |m| that is kept.
     pub largest_order: usize,
-    /// The error of an image of these modes alone: median, mean and largest over all
-    /// images.
+    /// The error of an image of these modes alone: median, mean and largest over all images.
     pub image_error: [f64; 3],
-    /// Of which image the largest is: light, material.
+    /// Light and material of the image with the largest error.
     pub worst: [String; 2],
-    /// Components that the image-centred basis has: of all modes, of the selected.
+    /// Number of components of the image-centered basis, for all modes and for the selected modes.
     pub components: [usize; 2],
-    /// The mean error of all components of the selected modes.
+    /// The mean error with all components of the selected modes.
     pub floor: f64,
 }
 
 impl Selected {
-    /// Compares the images of the selected modes with the whole ones.
+    /// Compares the images of the selected modes with the complete images.
     #[must_use]
     pub fn new(study: &Study, trials: &[Trial]) -> Self {
         let gram = &study.gram;
@@ -80,11 +79,11 @@ impl Selected {
         }
     }
 
-    /// CSV.
+    /// The CSV file.
     ///
     /// # Errors
     ///
-    /// None in truth.
+    /// Never in practice.
     pub fn artefacts(&self) -> Result<Vec<Artefact>> {
         let mut rows: Vec<Vec<String>> = [
             ["modes_kept".into(), self.kept.to_string()],

@@ -1,28 +1,28 @@
-//! What an eigenimage of the sphere looks like, in numbers and in words.
+//! Describes an eigenimage of the sphere in numbers and in words.
 
 use eigenshade_generator::basis::profile::evaluate;
 use eigenshade_table::Table;
 
-/// Rings of equal area in which a profile is looked at.
+/// The number of rings of equal area at which a profile is sampled.
 const RINGS: u32 = 2000;
-/// The outer ring of the disc whose share is told, of its area.
+/// The outer ring of the disc whose share is reported, as a share of the disc's area.
 pub const RIM: f64 = 0.1;
 
 /// The shape of one component.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shape {
-    /// m.
+    /// The order m.
     pub order: i32,
-    /// How often the profile changes its sign between the pole and the rim.
+    /// The number of sign changes of the profile between the pole and the rim.
     pub changes: usize,
-    /// The share of its mean square that stands in the outer [`RIM`] of the disc.
+    /// The share of its mean square that lies in the outer [`RIM`] of the disc.
     pub rim: f64,
     /// The share of its mean square that is constant over the sphere.
     pub constant: f64,
 }
 
 impl Shape {
-    /// Of one component of a table of the sphere.
+    /// The shape of one component of a table of the sphere.
     #[must_use]
     pub fn new(table: &Table, component: usize) -> Option<Self> {
         let component = table.components.get(component)?;
@@ -47,7 +47,7 @@ impl Shape {
         })
     }
 
-    /// A word for it, as one or as several.
+    /// A word for the shape, in singular or plural.
     fn words(&self, several: bool) -> String {
         let ending = if several { "s" } else { "" };
         let azimuth = self.order.unsigned_abs();
@@ -66,7 +66,7 @@ impl Shape {
     }
 }
 
-/// What these look like one after the other, in a sentence's words.
+/// Describes a sequence of shapes in words.
 #[must_use]
 pub fn sequence(shapes: &[Shape]) -> String {
     const COUNTS: [&str; 5] = ["no", "a", "two", "three", "four"];

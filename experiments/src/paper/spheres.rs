@@ -1,5 +1,5 @@
-//! Fig. 4: rendered spheres, by all modes and by the selected ones: a plate, what each
-//! sphere is, and its irradiance on a grid of normals.
+//! Fig. 4: spheres rendered with all modes and with the selected modes. Gives a plate, the
+//! properties of each sphere, and its irradiance on a grid of normals.
 
 use super::artefact::{Artefact, digits};
 use super::plate::Plate;
@@ -14,49 +14,51 @@ use eigenshade_shading::shader::{OwnedNormals, Shader, fault};
 use eigenshade_table::scene::Criterion;
 use indicatif::ProgressBar;
 
-/// Material and light of each, as near to the paper's as the shipped lights come.
+/// Material and light of each sphere, chosen from the shipped lights to be as near to the paper's
+/// as possible.
 pub const SHOWN: [(&str, &str); 3] =
     [("07-velvet", "forest"), ("05-leather", "studio"), ("55-orange-peel", "blender-sunset")];
-/// Pixels across each.
+/// Width of each sphere in pixels.
 const SIZE: usize = 288;
 /// The share of an image's values that its exposure leaves unclipped.
 const UNCLIPPED: f64 = 0.98;
 
-/// The grid of the listed irradiances: x and y of the normals are multiples of 1 / this.
+/// The grid of the listed irradiances: x and y of the normals are multiples of 1 / `STEPS`.
 const STEPS: i32 = 4;
 
-/// One sphere. Means and errors are over its pixels, each by its share of the disc; what is
-/// of the peak is of the largest irradiance of the sphere of all modes, in any channel.
+/// One sphere. Means and errors are over its pixels, each weighted by its share of the disc. Values
+/// relative to the peak refer to the largest irradiance, in any channel, of the sphere of all
+/// modes.
 pub struct Sphere {
     /// Material and light.
     pub names: [&'static str; 2],
     /// The modes that are summed.
     pub modes: Modes,
-    /// What the picture multiplies the irradiance by; then 1 is white.
+    /// The factor by which the picture multiplies the irradiance, so that 1 is white.
     pub exposure: f64,
-    /// Mean irradiance, r, g and b; the lights as captured.
+    /// Mean irradiance in r, g and b, under the lights as captured.
     pub mean: [f64; 3],
     /// The largest irradiance in any channel.
     pub peak: f64,
-    /// The slant where it is, in degrees.
+    /// The slant of the peak in degrees.
     pub slant: f64,
-    /// The least irradiance in any channel, of the peak.
+    /// The least irradiance in any channel, relative to the peak.
     pub least: f64,
-    /// The share of the disc and the channels that is below zero.
+    /// The share of the disc and the channels where the irradiance is negative.
     pub negative: f64,
-    /// What it is off the sphere of all modes: root mean square over pixels and channels,
-    /// of the peak.
+    /// The difference from the sphere of all modes: root mean square over pixels and channels,
+    /// relative to the peak.
     pub off: f64,
-    /// The same as the paper's error, of the luminance: variance of the difference over
+    /// The same as the paper's error, computed from the luminance: variance of the difference over
     /// the variance of the image.
     pub error: f64,
-    /// Irradiance on the grid, normal by normal in the order of [`grid`].
+    /// Irradiance on the grid, in the order of [`grid`].
     pub listed: Vec<[f64; 3]>,
 }
 
-/// The spheres and their plate.
+/// The spheres and the plate that shows them.
 pub struct Spheres {
-    /// By pair; of each all modes, then the selected.
+    /// The spheres by pair; for each pair all modes, then the selected modes.
     pub all: Vec<Sphere>,
     plate: Artefact,
 }
@@ -79,15 +81,16 @@ pub fn grid() -> Vec<[f64; 3]> {
 }
 
 impl Spheres {
-    /// Renders them: a row of the plate by the direct sum of all modes, one of the selected.
+    /// Renders the spheres: one row of the plate by the direct sum of all modes, one with the
+    /// selected modes.
     ///
     /// # Errors
     ///
-    /// None in truth: the shipped data have all images.
+    /// Never in practice: the shipped data contain all images.
     pub fn new(study: &Study, trials: &[Trial], progress: &ProgressBar) -> Result<Self> {
         let table = &study.tables[place(Criterion::ImageCentered, Modes::Selected)];
         let owned = OwnedBasis::<f64>::new(table);
-        // All of its components span whatever the selected modes give.
+        // All of its components span every image that the selected modes can give.
         let mut shader = Shader::new(owned.basis().map_err(fault)?, usize::MAX);
         let mut plate = Plate::new(SIZE, (SHOWN.len(), 2), (0, 6, 2));
         let view = SphereView::new(SIZE);
@@ -130,11 +133,11 @@ impl Spheres {
         Ok(Self { all, plate: Artefact::picture("spheres.png", plate.finish()) })
     }
 
-    /// Plate and CSV.
+    /// The plate and the CSV files.
     ///
     /// # Errors
     ///
-    /// None in truth.
+    /// Never in practice.
     pub fn artefacts(&self) -> Result<Vec<Artefact>> {
         let (mut rows, mut values) = (Vec::new(), Vec::new());
         for one in &self.all {
@@ -171,7 +174,7 @@ impl Spheres {
 }
 
 impl Sphere {
-    /// Measures an image beside the truth; what it is of is left open.
+    /// Compares an image with the reference; its names and modes are left empty.
     fn new(view: &SphereView, image: &[[f64; 3]], truth: &[[f64; 3]]) -> Self {
         let area: f64 = view.pixels.iter().map(|pixel| pixel.coverage).sum();
         let mut mean = [0.0; 3];
@@ -208,7 +211,7 @@ impl Sphere {
     }
 }
 
-/// A material's name as a person would write it: without number and hyphens.
+/// A material's name for readers, without number and hyphens.
 #[must_use]
 pub fn title(name: &str) -> String {
     name.trim_start_matches(|letter: char| letter.is_ascii_digit() || letter == '-')

@@ -1,5 +1,5 @@
-//! What all figures are about: the lights, the materials, the four bases, and how well
-//! each represents every image.
+//! The data that all figures share: the lights, the materials, the four bases, and how well each
+//! basis represents every image.
 
 use eigenshade_generator::basis;
 use eigenshade_generator::basis::gram;
@@ -20,12 +20,12 @@ use std::collections::BTreeMap;
 pub const DEGREE: usize = 9;
 /// See [`DEGREE`].
 pub const ORDER: usize = 7;
-/// The paper keeps so many modes, those of the highest variance.
+/// The paper keeps this many modes, those of the highest variance.
 pub const SELECTED: usize = 1000;
-/// The shipped material that is not of CUReT, and so not of the paper.
+/// The shipped material that is not from CUReT and therefore not in the paper.
 const NOT_CURET: &str = "ptfe-633nm";
 
-/// The modes of which a basis is made.
+/// The modes from which a basis is made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Modes {
     /// All 3,704.
@@ -35,10 +35,10 @@ pub enum Modes {
 }
 
 impl Modes {
-    /// Both.
+    /// Both choices.
     pub const BOTH: [Self; 2] = [Self::All, Self::Selected];
 
-    /// What the names of files that show these end in.
+    /// The ending of the names of files that show these modes.
     #[must_use]
     pub fn suffix(self) -> &'static str {
         match self {
@@ -47,7 +47,7 @@ impl Modes {
         }
     }
 
-    /// How many they are called.
+    /// The nominal number of modes.
     #[must_use]
     pub fn count(self) -> usize {
         match self {
@@ -65,34 +65,34 @@ pub struct Study {
     pub materials: Materials,
     /// The lights' luminance with L_0^0 = 1.
     pub luminances: Vec<Vec<f64>>,
-    /// The materials' luminance: they are grey.
+    /// The materials' luminance; they are gray.
     pub greys: Vec<Vec<f64>>,
     /// The factor of M.
     pub gram: GramFactor,
     /// The paper's selection, in the layout of `Table::selection`.
     pub selection: Vec<bool>,
-    /// With all components: image-centred and standard, of all modes, then of the
-    /// selected.
+    /// Four tables with all components: image-centered and standard, of all modes, then of the
+    /// selected modes.
     pub tables: [Table; 4],
 }
 
 /// How well the four bases represent one image.
 pub struct Trial {
-    /// Which light.
+    /// The index of the light.
     pub light: usize,
-    /// Which material.
+    /// The index of the material.
     pub material: usize,
     /// Variance within the image.
     pub variance: f64,
     /// I • 1.
     pub mean: f64,
-    /// Variance within what the unselected modes give.
+    /// Variance within the contribution of the unselected modes.
     pub unselected: f64,
-    /// In the order of [`Study::tables`].
+    /// The fits, in the order of [`Study::tables`].
     pub fits: [Fit; 4],
 }
 
-/// Where the table of this criterion and these modes stands in [`Study::tables`].
+/// The index in [`Study::tables`] of the table with this criterion and these modes.
 #[must_use]
 pub fn place(criterion: Criterion, modes: Modes) -> usize {
     usize::from(criterion == Criterion::Standard) + 2 * usize::from(modes == Modes::Selected)
@@ -103,7 +103,7 @@ impl Study {
     ///
     /// # Errors
     ///
-    /// The faults of the folder for temporary files.
+    /// If the folder for temporary files fails.
     pub fn new(progress: &ProgressBar) -> Result<Self> {
         let lights = shipped::lights()?.truncated(DEGREE);
         let mut materials = shipped::materials()?.truncated(ORDER);
@@ -150,7 +150,7 @@ impl Study {
     ///
     /// # Errors
     ///
-    /// As [`light`](Self::light).
+    /// As for [`light`](Self::light).
     pub fn material(&self, name: &str) -> Result<&Named> {
         named(&self.materials.entries, name).map(|(_, entry)| entry)
     }
@@ -159,7 +159,7 @@ impl Study {
     ///
     /// # Errors
     ///
-    /// As [`light`](Self::light).
+    /// As for [`light`](Self::light).
     pub fn trial<'a>(&self, trials: &'a [Trial], light: &str, material: &str) -> Result<&'a Trial> {
         let (light, _) = named(&self.lights.entries, light)?;
         let (material, _) = named(&self.materials.entries, material)?;

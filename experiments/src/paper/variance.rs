@@ -11,26 +11,26 @@ use eigenshade_model::selection::variances;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-/// The surfaces of the paper: largest order, the degree up to which it takes the light,
-/// and what it is called.
+/// The surfaces of the paper: the largest order, the degree up to which the paper uses the light,
+/// and the name.
 pub const SURFACES: [(usize, usize, &str); 3] =
     [(0, 2, "Lambertian"), (4, 5, "o <= 4"), (7, 7, "o <= 7")];
 
-/// Variances below this share of the largest are rounding: most are zero in truth.
+/// Variances below this share of the largest are rounding; most of them are exactly zero.
 const ROUNDING: f64 = 1e-20;
-/// The degree to which it is looked for variance beyond [`DEGREE`].
+/// The degree up to which variance beyond [`DEGREE`] is computed.
 pub const FURTHER: usize = 24;
-/// Decades that the colours span: a millionth.
+/// Decades that the color scale spans: down to a millionth.
 const DECADES: f64 = 6.0;
 
-/// The variances, and what the paper's three surfaces make of them.
+/// The variances, and their shares for the paper's three surfaces.
 pub struct Variance {
-    /// By mode of the surface, in the order of [`material`], then by l: summed over m.
+    /// Variance summed over m, by mode of the surface in the order of [`material`], then by l.
     pub by_mode: Vec<Vec<f64>>,
-    /// Of each of [`SURFACES`]: the share of the variance to degree [`FURTHER`] that lies
+    /// For each of [`SURFACES`], the share of the variance up to degree [`FURTHER`] that lies
     /// beyond [`DEGREE`].
     pub further: [f64; 3],
-    /// The number of m of each that are among the selected modes.
+    /// For each, the number of m that are among the selected modes.
     selected: Vec<Vec<usize>>,
 }
 
@@ -66,8 +66,7 @@ impl Variance {
         self.by_mode.iter().flatten().copied().fold(0.0, f64::max)
     }
 
-    /// The share of the variance of all modes up to `order` that lies beyond degree l,
-    /// for each l.
+    /// For each l, the share of the variance of all modes up to `order` that lies beyond degree l.
     #[must_use]
     pub fn beyond(&self, order: usize) -> Vec<f64> {
         let of_degree = |l: usize| {
@@ -87,7 +86,7 @@ impl Variance {
         modes().flat_map(|by_degree| by_degree.iter().skip(l + 1)).sum::<f64>() / all
     }
 
-    /// CSV and charts.
+    /// The CSV file and the charts.
     pub fn artefacts(&self) -> Result<Vec<Artefact>> {
         let mut rows = Vec::new();
         for (place, (o, p, q)) in material::indices(ORDER).enumerate() {
@@ -129,7 +128,7 @@ impl Variance {
             horizontal: "light up to degree l",
             vertical: "share of the variance beyond",
             columns: 0.0..8.0,
-            // A little lower, so that the last power of ten has its number.
+            // Slightly lower, so that the last power of ten gets its label.
             rows: 0.99e-4..1.0,
             labels: 9,
             format: chart::percent,
@@ -138,7 +137,7 @@ impl Variance {
         chart::lines(&axes, &lines)
     }
 
-    /// The map of all modes, in which the three surfaces are outlined.
+    /// The map of all modes, with the three surfaces outlined.
     fn map(&self) -> Result<String> {
         let (left, top, cell) = (76, 74, (20, 30));
         let columns = i32::try_from(self.by_mode.len()).unwrap_or(0);
@@ -169,7 +168,8 @@ impl Variance {
                 root.draw(&PathElement::new(path, WHITE.stroke_width(7))).map_err(fault)?;
                 root.draw(&PathElement::new(path, INK.stroke_width(3))).map_err(fault)?;
                 let text = format!("{}: {}", name.replace("<=", "≤"), mode::total(degree, order));
-                // The Lambertian's name begins at the left edge, the others end at theirs.
+                // The Lambertian's name begins at the left edge; the other names end at their own
+                // edges.
                 let (at, anchor) =
                     if order == 0 { (left, HPos::Left) } else { (edge, HPos::Right) };
                 write(text, (at, top - 22), centred(anchor, VPos::Bottom))?;
@@ -197,7 +197,7 @@ impl Variance {
             write(text.into(), below, centred(HPos::Center, VPos::Top))?;
             let upright = centred(HPos::Center, VPos::Center).transform(FontTransform::Rotate270);
             write("degree l of the light".into(), (24, (top + bottom) / 2), upright)?;
-            // The scale, logarithmic.
+            // The logarithmic color scale.
             let scale = (left + 280, bottom + 76);
             for step in 0..60 {
                 let from = scale.0 + 6 * step;
@@ -235,7 +235,7 @@ fn further() -> [f64; 3] {
     sums.map(|[all, beyond]| beyond / all)
 }
 
-/// Pale for 0, dark for 1; as dark in print without colours.
+/// Pale for 0, dark for 1, so that the order is also visible in print without colors.
 fn colour(depth: f64) -> RGBColor {
     const STOPS: [[f64; 3]; 4] =
         [[240.0, 242.0, 245.0], [144.0, 196.0, 222.0], [38.0, 110.0, 170.0], [14.0, 26.0, 72.0]];

@@ -1,14 +1,14 @@
-//! What cameras do to an image of peak 1: noise, few bits, clipping, hidden parts.
+//! Camera effects on an image of peak 1: noise, few bits, clipping, hidden parts.
 
 use eigenshade_cli::picture::tone;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
 
-/// One way to spoil an image.
+/// One kind of damage to an image.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Damage {
-    /// What it is called.
+    /// The name of the damage.
     pub name: &'static str,
     /// Standard deviation of normal noise on each pixel.
     pub noise: f64,
@@ -16,22 +16,22 @@ pub struct Damage {
     pub storage: Storage,
     /// Whether the left half, n_x < 0, is hidden.
     pub is_half_hidden: bool,
-    /// Whether lights and materials of the images are unknown to the statistics.
+    /// Whether the lights and materials of the images are absent from the statistics.
     pub is_unknown: bool,
 }
 
 /// How pixels are stored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Storage {
-    /// As numbers.
+    /// As exact numbers.
     Exact,
-    /// In 8 bits, in proportion, the peak at 254.
+    /// In 8 bits, linear, with the peak at 254.
     Bits,
-    /// In 8 bits of sRGB, the peak at 254.
+    /// In 8 bits of sRGB, with the peak at 254.
     SrgbBits,
-    /// Clipped halfway between the image's mean and its peak, those pixels left out.
+    /// Clipped halfway between the image's mean and its peak, with the clipped pixels left out.
     Clipped,
-    /// The same, those pixels taken for what they seem.
+    /// The same, with the clipped pixels kept at their clipped values.
     ClippedAndKept,
 }
 
@@ -43,7 +43,7 @@ const NONE: Damage = Damage {
     is_unknown: false,
 };
 
-/// Every way that is shown.
+/// Every kind of damage that is reported.
 pub const ALL: [Damage; 12] = [
     NONE,
     Damage { name: "noise 1 %", noise: 0.01, ..NONE },
@@ -66,8 +66,8 @@ pub const ALL: [Damage; 12] = [
 ];
 
 impl Damage {
-    /// The damaged image, and the weight of each pixel. `seed` picks the noise, which is
-    /// the same on every host and run.
+    /// The damaged image and the weight of each pixel. `seed` selects the noise, which is the same
+    /// on every host and run.
     #[must_use]
     pub fn apply(&self, image: &[f64], normals: &[[f64; 3]], seed: u64) -> (Vec<f64>, Vec<f64>) {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
@@ -101,7 +101,7 @@ impl Damage {
         self.storage != Storage::Clipped
     }
 
-    /// What one knows of the noise: its size where there is some.
+    /// The standard deviation of the noise that the reading is given, if there is noise.
     #[must_use]
     pub fn stated_noise(&self) -> Option<f64> {
         (self.noise > 0.0).then_some(self.noise)

@@ -1,15 +1,15 @@
-//! Figures of the tables of `docs/reading.md`, read back.
+//! Reads figures back from the tables of `docs/reading.md`.
 
 use crate::tolerances;
 
-/// Those of images that nothing damages, as a logarithm: rounding amplified, which hosts do
-/// differently.
+/// Tolerance for the figures of undamaged images, as a logarithm: they are amplified rounding,
+/// which differs between hosts.
 const REPORT_ROUNDING: f64 = 1.5;
 
-/// Images that lose nothing but rounding where all components are there.
+/// Damage that leaves only rounding errors if all components are used.
 const EXACT: [&str; 3] = ["as it is", "clipped, left out", "half hidden"];
 
-/// Cells of every row of both tables.
+/// The cells of every row of both tables.
 #[must_use]
 pub fn cells(text: &str) -> Vec<Vec<String>> {
     let row = |line: &str| -> Vec<String> {
@@ -27,8 +27,8 @@ pub fn numbers(cell: &str) -> Vec<f64> {
     cell.split([',', ' ']).filter_map(|word| word.parse().ok()).collect()
 }
 
-/// Compares the figures of two pages: within [`tolerances::REPORT`], those that are rounding alone
-/// within [`REPORT_ROUNDING`]; counts may be off by one.
+/// Compares the figures of two pages: within [`tolerances::REPORT`], or within [`REPORT_ROUNDING`]
+/// for those that are only rounding. Counts may be off by one.
 ///
 /// # Errors
 ///

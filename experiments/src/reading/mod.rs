@@ -1,4 +1,4 @@
-//! Reading light and material off damaged images: how far the answers are off.
+//! Errors of estimates of light and material from damaged images.
 
 pub mod damage;
 

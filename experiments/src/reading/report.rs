@@ -1,4 +1,4 @@
-//! How far readings of damaged images are off.
+//! The tables of the errors of estimates from damaged images.
 
 use super::damage::{self, Damage};
 use super::score::{Score, Truths, scores};
@@ -18,7 +18,7 @@ use eigenshade_table::Table;
 use std::fmt::Write as _;
 use std::path::Path;
 
-/// Makes the tables again.
+/// The command that regenerates the tables.
 pub const COMMAND: &str = "cargo run --release -p experiments -- reading --out docs/reading.md";
 
 const HEAD_ESTIMATES: &str = "\
@@ -30,15 +30,15 @@ const HEAD_SCENES: &str = "\
 |---:|---|---:|---:|---:|---:|---:|---:|---:|---:|
 ";
 
-/// Pixels across each image.
+/// Width of each image in pixels.
 const SIZE: usize = 64;
 
-/// The tables of the page: errors of the estimates, then places of the material and errors of the
+/// The tables of the page: errors of the estimates, then ranks of the material and errors of the
 /// light. `tables` is the folder of the shipped tables.
 ///
 /// # Errors
 ///
-/// A table or database that cannot be read.
+/// If a table or database cannot be read.
 pub fn parts(tables: &Path) -> Result<Vec<Part>> {
     let table = table_file::read(tables.join("sphere.bin"))?;
     let (degree, order) = (table.gram.degree, table.gram.order);
@@ -66,7 +66,7 @@ pub fn parts(tables: &Path) -> Result<Vec<Part>> {
     let other_materials = Materials { order, entries };
     let unknown =
         known.map(|known| Database { lights: &other_lights, materials: &other_materials, ..known });
-    // Cheap and dear ones in turn, so that threads share them evenly.
+    // Alternates cheap and expensive cases, so that threads share them evenly.
     let cases: Vec<(Damage, Database<'_>)> = damage::ALL
         .into_iter()
         .flat_map(|damage| (if damage.is_unknown { unknown } else { known }).map(|of| (damage, of)))
@@ -98,7 +98,7 @@ fn others(entries: &[Named], names: &[&str]) -> Vec<Named> {
     entries.iter().filter(|entry| !names.contains(&entry.name.as_str())).cloned().collect()
 }
 
-/// A table with what the statistics of a reading are made of.
+/// A table with the data from which the statistics of a reading are made.
 #[derive(Clone, Copy)]
 struct Database<'a> {
     table: &'a Table,
@@ -112,8 +112,7 @@ impl Database<'_> {
         Ok(scores(&readings, self.table, truths, damage, self.materials))
     }
 
-    /// A reading of every image, one channel each: of all at once where they show the
-    /// same pixels.
+    /// Reads every image as one channel; images that show the same pixels are read together.
     fn readings(&self, damage: Damage, truths: &Truths) -> Result<Vec<Reading>> {
         let components = self.table.components.len();
         let reader = Reader::new(self.table, components, self.lights, self.materials)?;
@@ -142,13 +141,13 @@ fn observe(table: &Table, images: &[(Vec<f64>, Vec<f64>)], normals: &[[f64; 3]])
     observer.finish()
 }
 
-/// Median and worst of each estimate's d, then of its image where it was not seen.
+/// Median and worst error of d for each estimate, then of its image where it was not seen.
 fn estimate_cells(score: &Score) -> String {
     let groups = [&score.coefficients, &score.images];
     groups.iter().flat_map(|group| group.iter()).map(|errors| format!(" {errors} |")).collect()
 }
 
-/// Places of the true material, then errors of the light.
+/// Ranks of the true material, then errors of the light.
 fn scene_cells(score: &Score) -> String {
     let places = if score.places.is_empty() {
         " - | - |".to_owned()

@@ -1,4 +1,4 @@
-//! How far a reading is from the truth.
+//! Scores a reading against the true light and material.
 
 use crate::median::median;
 use crate::reading::damage::Damage;
@@ -12,23 +12,23 @@ use eigenshade_model::truth::Truth;
 use eigenshade_table::Table;
 use std::fmt;
 
-/// Turns for a product in least-norm modes: they are far from any product, and many have none that
-/// settles in 10,000.
+/// Iterations for a product in least-norm modes: these are far from any product, and many do not
+/// converge within 10,000.
 const LEAST_NORM_TURNS: usize = 200;
 
 /// Images of known lights on known materials.
 pub struct Truths {
-    /// Light and material of each.
+    /// Light and material of each image.
     pairs: Vec<(Vec<f64>, Named)>,
-    /// Normal of each pixel.
+    /// The normal of each pixel.
     pub normals: Vec<[f64; 3]>,
-    /// The direct sum, of peak 1.
+    /// The direct sums, scaled to a peak of 1.
     pub images: Vec<Vec<f64>>,
-    /// By what each was multiplied for that.
+    /// The factor by which each was scaled.
     scales: Vec<f64>,
 }
 
-/// Errors of many images; shown as their median, and the worst.
+/// Errors of many images, shown as their median and the worst one.
 #[derive(Default)]
 pub struct Errors(Vec<f64>);
 
@@ -41,24 +41,24 @@ impl fmt::Display for Errors {
     }
 }
 
-/// How far all readings of one damage are off.
+/// The errors of all readings of one kind of damage.
 #[derive(Default)]
 pub struct Score {
-    /// |d - truth| / |truth|, by scalar product, least squares, posterior mean.
+    /// |d - truth| / |truth| by scalar product, least squares and posterior mean.
     pub coefficients: [Errors; 3],
-    /// Rms of the image's error over the pixels that were not seen (all, if all
-    /// were), of its peak, by the same three.
+    /// Rms of the image's error over the pixels that were not seen (or over all pixels if all were
+    /// seen), relative to its peak, by the same three methods.
     pub images: [Errors; 3],
-    /// Place of the true material among the candidates, from 0.
+    /// Rank of the true material among the candidates, from 0.
     pub places: Vec<usize>,
-    /// Errors of the light up to degree 2 and up to the table's: of the likeliest
-    /// material; of the true one; up to degree 2 of the product in the posterior modes;
-    /// up to degree 2 of the product in the least-norm modes of least squares.
+    /// Errors of the light, up to degree 2 and up to the table's degree, with the likeliest
+    /// material and with the true one; then up to degree 2 from the product in the posterior modes,
+    /// and up to degree 2 from the product in the least-norm modes of least squares.
     pub lights: [Errors; 6],
 }
 
 impl Truths {
-    /// Every light on every material, in luminance.
+    /// Combines every light with every material, in luminance.
     pub fn new(
         [lights, materials]: [Vec<Named>; 2],
         [degree, order]: [usize; 2],
@@ -164,8 +164,8 @@ fn distance(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt()
 }
 
-/// |s found - truth| / |truth| at the best factor s: exposure is not to be had from
-/// an image of unknown albedo.
+/// |s found - truth| / |truth| at the best factor s, because an image of unknown albedo does not
+/// determine the exposure.
 fn misdirection(found: &[f64], truth: &[f64]) -> f64 {
     let product: f64 = found.iter().zip(truth).map(|(a, b)| a * b).sum();
     let square = found.iter().map(|a| a * a).sum::<f64>();

@@ -1,4 +1,4 @@
-//! Databases that leave little to be learned.
+//! Databases with little variation.
 
 use super::{Case, Figure};
 use crate::tolerances;
@@ -48,12 +48,12 @@ pub const RANK_ONE: Case = Case {
 const DEGREE: usize = 6;
 const ORDER: usize = 5;
 
-/// The errors of a scene by both criteria, with its table by the first.
+/// The errors of a scene by both criteria, and its table by the first one.
 fn both(lights: Lights, materials: Materials) -> (f64, Table) {
     let loaded = fixtures::scene(lights, materials);
     let table = fixtures::table(&loaded);
     let error = fixtures::reconstruction_error(&loaded, &table);
-    // Standard PCA spans the images in the exposure that its statistics have.
+    // Standard PCA spans the images in the exposure that its statistics use.
     let mut loaded = fixtures::standard(loaded);
     for light in &mut loaded.lights.entries {
         let ambient = light.luminance()[0];
@@ -150,8 +150,8 @@ fn plain() -> Vec<Figure> {
         material.rgb.iter_mut().for_each(|channel| channel[1..].fill(0.0));
     }
     let (second, of_matte) = both(lights(DEGREE, 4, &mut numbers), matte);
-    // Degrees 0, 1, 2, 4 and 6 reach a Lambertian surface: of each |m| as many profiles
-    // as degrees from |m| on, the constant being that of degree 0.
+    // Only degrees 0, 1, 2, 4 and 6 reach a Lambertian surface. Each |m| has as many profiles as
+    // there are such degrees from |m| on, and the constant belongs to degree 0.
     let matte_components = 1 + 4 + 2 * (4 + 3 + 2 + 2 + 1 + 1);
     let limit = tolerances::ALL_COMPONENTS_FEW;
     vec![
@@ -166,7 +166,7 @@ fn plain() -> Vec<Figure> {
     ]
 }
 
-/// Ambient light of two exposures on one material: Σ_c of one direction.
+/// Ambient light of two exposures on one material, so that Σ_c has a single direction.
 fn rank_one() -> Vec<Figure> {
     let mut numbers = Numbers(25);
     let mut pair = lights(DEGREE, 2, &mut numbers);

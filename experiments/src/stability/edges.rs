@@ -8,7 +8,7 @@ use eigenshade_table::Table;
 use eigenshade_testing::oracle::{ExplicitLight, Numbers, irradiance};
 use eigenshade_testing::{fixtures, largest};
 
-/// A slant of 1e-9 from acos(z), relative: 1 - 5e-19 is 1, and acos(1) is 0.
+/// Relative error of computing a slant of 1e-9 as acos(z): 1 - 5e-19 rounds to 1, and acos(1) is 0.
 const NAIVE_SLANT: f64 = 0.5;
 
 pub const POLE_AND_RIM: Case = Case {
@@ -45,7 +45,7 @@ fn measure() -> Vec<Figure> {
     ]
 }
 
-/// All components, in a format of the runtime.
+/// Shades with all components in a number format of the runtime.
 fn shaded<S: eigenshade::Scalar + Into<f64>>(
     table: &Table,
     light: &[f64],

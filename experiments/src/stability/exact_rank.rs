@@ -1,13 +1,13 @@
-//! The exact rank of M for each |m|, by arithmetic modulo a prime.
+//! The exact rank of M for each |m|, computed modulo a prime.
 //!
-//! With f_s = K D (C_o R_p + C_p R_o), the o = p give every D R_o whose C_o is not
-//! zero, and then the others too: for each l and q that couples at all, the modes span
-//! the products D_l^mq R_p^q. Up to factors of l, m, q and p alone, which no span
-//! feels, d^l_mq = s^|m-q| c^|m+q| times a polynomial in s² with rational coefficients,
-//! s and c being sine and cosine of α/2, and D takes the sum over ±q. So a product is
-//! sin^m c^q times a rational function of s²; those of even and of odd q are
-//! independent, and the rank is that of two matrices of rationals. Modulo a prime it can only fall, and for
-//! two large primes that agree it has not.
+//! With f_s = K D (C_o R_p + C_p R_o), the modes with o = p give every D R_o whose C_o is not zero,
+//! and then the other products follow. For each l and q that couples at all, the modes span the
+//! products D_l^mq R_p^q. Factors that depend only on l, m, q and p do not affect the span. Up to
+//! such factors, d^l_mq = s^|m-q| c^|m+q| times a polynomial in s² with rational coefficients,
+//! where s and c are the sine and cosine of α/2, and D is the sum over ±q. A product is therefore
+//! sin^m c^q times a rational function of s². Products of even q and of odd q are independent, so
+//! the rank is that of two matrices of rationals. Modulo a prime the rank can only fall; if two
+//! large primes agree, it has not fallen.
 
 /// Rank of the modes of |m| = `m` up to a degree and an order.
 pub fn rank(degree: usize, order: usize, m: usize) -> usize {
@@ -23,7 +23,7 @@ pub fn rank(degree: usize, order: usize, m: usize) -> usize {
 #[derive(Clone, Copy)]
 struct Field(u64);
 
-/// Lowest power first, in x = (1 - z)/2 = s².
+/// Coefficients in x = (1 - z)/2 = s², lowest power first.
 type Polynomial = Vec<u64>;
 
 impl Field {
@@ -88,15 +88,15 @@ impl Field {
         (0..power).fold(vec![1], |value, _| self.product(&value, &[1, self.integer(-1)]))
     }
 
-    /// d^l_mn / (s^|m-n| c^|m+n|) with the factor √((l+m)!(l-m)!(l+n)!(l-n)!) left out,
-    /// which ±n share, for m >= |n|:
-    /// Σ_k (-1)^(m-n+k) s^2k c^2(l-m-k) / ((l+n-..)! ..), the explicit sum.
+    /// d^l_mn / (s^|m-n| c^|m+n|) for m >= |n|, without the factor √((l+m)!(l-m)!(l+n)!(l-n)!),
+    /// which is the same for ±n. Uses the explicit sum Σ_k (-1)^(m-n+k) s^2k c^2(l-m-k) /
+    /// ((l+n-..)! ..).
     fn wigner(self, l: usize, m: usize, n: i64) -> (usize, usize, Polynomial) {
         let (l, m) = (l as i64, m as i64);
         let mut sum = vec![0];
         let low = 0.max(n - m);
         let high = (l + n).min(l - m);
-        // Powers of s: m - n + 2k; of c: 2l + n - m - 2k.
+        // Powers of s: m - n + 2k; powers of c: 2l + n - m - 2k.
         let (least_s, least_c) = (m - n + 2 * low, 2 * l + n - m - 2 * high);
         for k in low..=high {
             let denominator = [l + n - k, k, m - n + k, l - m - k]
@@ -126,16 +126,16 @@ impl Field {
         terms
     }
 
-    /// All products of one parity of q, each over s^m c^(m + parity).
+    /// All products of one parity of q, each divided by s^m c^(m + parity).
     fn rows(self, degree: usize, order: usize, m: usize, parity: usize) -> Vec<Polynomial> {
         let mut rows = Vec::new();
         for q in (parity..=order.min(degree)).step_by(2) {
             for l in m.max(q)..=degree {
                 let turn = |n: i64| {
                     let (s, c, polynomial) = self.wigner(l, m, n);
-                    // s^s c^c ρ^q over s^m c^m; ρ^q = (√2 s)^q.
+                    // s^s c^c ρ^q divided by s^m c^m; ρ^q = (√2 s)^q.
                     let over = self.product(&polynomial, &Self::monomial((s + q - m) / 2));
-                    // c^-q is taken out, so that whole powers of c² are left.
+                    // c^-q is factored out, so that only whole powers of c² remain.
                     (over, (c + q - m) / 2)
                 };
                 let (plus, powers) = turn(q as i64);
@@ -154,12 +154,12 @@ impl Field {
                 }
             }
         }
-        // All over c^-q of the largest q.
+        // All relative to c^-q of the largest q.
         let most = rows.iter().map(|(q, _)| *q).max().unwrap_or(0);
         rows.into_iter().map(|(q, row)| self.product(&row, &self.cosines((most - q) / 2))).collect()
     }
 
-    /// By elimination.
+    /// The rank, by elimination.
     fn rank(self, mut rows: Vec<Polynomial>) -> usize {
         let width = rows.iter().map(Vec::len).max().unwrap_or(0);
         rows.iter_mut().for_each(|row| row.resize(width, 0));

@@ -1,4 +1,4 @@
-//! Facets that are none.
+//! Degenerate facets.
 
 use super::flat;
 use super::{Case, Figure};
@@ -9,7 +9,7 @@ use eigenshade_testing::largest;
 use eigenshade_testing::pictures::{Pictures, apart, eigenvalues, listed, table};
 use std::path::Path;
 
-/// Facets of `degenerate.obj` whose cross product has no length: those with two corners alike, and
+/// Facets of `degenerate.obj` whose cross product has no length: those with two equal corners, and
 /// those on a line of two digits.
 const NAIVE_FACETS: f64 = 5.0;
 
@@ -21,7 +21,7 @@ pub const DEGENERATE: Case = Case {
     measure,
 };
 
-/// The facets of `data/degenerate.obj` that are seen, from the planes they lie in.
+/// The visible facets of `data/degenerate.obj`, from the planes in which they lie.
 const SEEN: [([f64; 3], f64); 6] = [
     ([0.0, -2.0, 1.0], 1.0),
     ([2.0, 0.0, 1.0], 1.0),
@@ -61,7 +61,7 @@ fn measure() -> Vec<Figure> {
     ]
 }
 
-/// Facets of a text of `v` and `f` lines whose cross product, over its length, is NaN.
+/// The number of facets, in a text of `v` and `f` lines, whose normalized cross product is NaN.
 fn naive(text: &str) -> f64 {
     let rows = |kind: &str| -> Vec<[f64; 3]> {
         let row = |line: &str| {

@@ -1,4 +1,4 @@
-//! Objects that show few normals, and normals that weigh next to nothing.
+//! Objects that show few normals, and normals with very small weights.
 
 use super::{Case, Figure};
 use crate::tolerances;
@@ -12,8 +12,9 @@ use eigenshade_testing::pictures::{Pictures, apart, eigenvalues, listed, table};
 use nalgebra::DMatrix;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-/// Pictures of normals whose weights span twelve decades by eigenvectors of squares, of the peak: noise
-/// below 1e-8 of the largest singular value, over weights whose roots are down to 1e-6.
+/// Error, relative to the peak, of pictures of normals whose weights span twelve decades, computed
+/// by eigenvectors of squares: noise below 1e-8 of the largest singular value, over weights whose
+/// roots are down to 1e-6.
 const NAIVE_PICTURES: f64 = 1e-3;
 
 pub const FLAT: Case = Case {
@@ -57,7 +58,7 @@ fn line() -> WeightedNormals {
     }))
 }
 
-/// A cylinder across the picture, by projected area.
+/// A cylinder across the picture, weighted by projected area.
 fn cylinder() -> WeightedNormals {
     listed((0..60).map(|k| {
         let (sine, cosine) = (FRAC_PI_2 * (f64::from(2 * k + 1) / 60.0 - 1.0)).sin_cos();
@@ -113,8 +114,8 @@ fn flat() -> Vec<Figure> {
     figures
 }
 
-/// Of M = AᵀA: the share of its eigenvalues that are negative, and how far M^(-1/2) M
-/// M^(-1/2) by their sizes is from the identity.
+/// For M = AᵀA: the share of its eigenvalues that are negative, and the distance from the identity
+/// of M^(-1/2) M M^(-1/2) computed from their absolute values.
 fn root_of_gram(modes: &DMatrix<f64>) -> (f64, f64) {
     let gram = modes.tr_mul(modes);
     let count = gram.nrows();
@@ -127,7 +128,7 @@ fn root_of_gram(modes: &DMatrix<f64>) -> (f64, f64) {
     (negative as f64 / count as f64, largest(off.iter().copied()))
 }
 
-/// A spiral of 400 normals from the pole to the rim, each lighter than the last.
+/// A spiral of 400 normals from the pole to the rim with decreasing weights.
 fn spiral() -> WeightedNormals {
     listed((0..400).map(|k| {
         let z = (f64::from(k) + 0.5) / 400.0;
@@ -171,8 +172,8 @@ fn weights() -> Vec<Figure> {
     ]
 }
 
-/// The worst error of pictures WWᵀI whose W are eigenvectors of the squares, divided by
-/// the roots of their eigenvalues.
+/// The worst error of pictures WWᵀI whose W are eigenvectors of the squares, divided by the roots
+/// of their eigenvalues.
 fn by_squares(pictures: &Pictures, cutoff: f64) -> f64 {
     let images = pictures.weighted();
     let eigen = images.tr_mul(&images).symmetric_eigen();

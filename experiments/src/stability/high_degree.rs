@@ -12,8 +12,9 @@ use eigenshade_table::Table;
 use eigenshade_table::scene::Store;
 use eigenshade_testing::{fixtures, glossy, largest};
 
-/// Profiles of some 30 terms by powers, of their largest value: the powers' coefficients are up to
-/// (1 + √2)^30 = 3e11 times the series', and 1e-16 of that is rounded; a tenth of it.
+/// Error of profiles of some 30 terms in powers, relative to their largest value: the coefficients
+/// of the powers are up to (1 + √2)^30 = 3e11 times those of the series and are rounded at 1e-16;
+/// this is a tenth of the product.
 const NAIVE_POWERS: f64 = 1e-6;
 
 pub const CASE: Case = Case {
@@ -52,8 +53,8 @@ fn measure() -> Vec<Figure> {
     figures
 }
 
-/// The largest error of the runtime's images, from a transfer to its pixels, at the nodes, where
-/// the eigenimages are known without any polynomial, in a few tilts; there of d in f64.
+/// The largest error of the runtime's images, from a transfer to its pixels, at the nodes in a few
+/// tilts. There the eigenimages are known without any polynomial, and d is in f64.
 fn shaded<S: Scalar + Into<f64>>(loaded: &Loaded, table: &Table) -> f64 {
     let (double, owned) = (OwnedBasis::<f64>::new(table), OwnedBasis::<S>::new(table));
     let (double, basis) = (double.basis().expect("a basis"), owned.basis().expect("a basis"));
@@ -97,8 +98,8 @@ fn shaded<S: Scalar + Into<f64>>(loaded: &Loaded, table: &Table) -> f64 {
     worst
 }
 
-/// The largest error of a profile at the nodes when its series is turned into powers
-/// of t = 2z - 1, relative to the profile's largest value.
+/// The largest error of a profile at the nodes if its series is converted to powers of t = 2z - 1,
+/// relative to the largest value of the profile.
 fn by_powers(table: &Table) -> f64 {
     let error = |profile: &eigenshade_table::Profile| {
         let series = &profile.chebyshev;

@@ -1,5 +1,5 @@
-//! The hard cases: what goes wrong naively, what is done about it, and how far off
-//! the answer is, measured against an oracle.
+//! The numerically hard cases: how the naive method fails, what this project does instead, and its
+//! error measured against an oracle.
 //!
 //! Every bound is asserted in a test; `experiments stability` writes the figures to
 //! `docs/stability.md`.
@@ -21,32 +21,32 @@ pub mod summation;
 pub mod sun;
 pub mod user_inputs;
 
-/// One measured number and what it has to keep to.
+/// A measured number and its bound.
 #[derive(Clone, Debug)]
 pub struct Figure {
     /// What was measured.
     pub what: String,
-    /// The number.
+    /// The measured number.
     pub found: f64,
-    /// What it may be.
+    /// Its bound.
     pub bound: Bound,
 }
 
-/// What a figure has to keep to.
+/// The bound of a figure.
 #[derive(Clone, Copy, Debug)]
 pub enum Bound {
-    /// Ours: an error of no more than this.
+    /// For our method: the error is at most this.
     Most(f64),
-    /// The naive way's: an error of this at least, or the case is none.
+    /// For the naive method: the error is at least this; otherwise the case is not hard.
     Least(f64),
-    /// A count.
+    /// For a count: exactly this number.
     Exactly(f64),
-    /// None: a ratio of times, which hosts decide.
+    /// No bound: a ratio of times, which depends on the host.
     Told,
 }
 
 impl Figure {
-    /// An error that may be no larger.
+    /// An error with an upper bound.
     pub fn most(what: impl Into<String>, found: f64, bound: f64) -> Self {
         Self { what: what.into(), found: found.abs(), bound: Bound::Most(bound) }
     }
@@ -66,7 +66,7 @@ impl Figure {
         Self { what: what.into(), found, bound: Bound::Told }
     }
 
-    /// Whether it keeps to it; a NaN keeps to nothing.
+    /// Whether the figure is within its bound; false for NaN.
     pub fn holds(&self) -> bool {
         match self.bound {
             Bound::Most(bound) => self.found <= bound,
@@ -79,13 +79,13 @@ impl Figure {
 
 /// A line of `docs/stability.md`.
 pub struct Case {
-    /// What is hard.
+    /// The difficulty.
     pub name: &'static str,
-    /// What goes wrong naively.
+    /// How the naive method fails.
     pub naively: &'static str,
-    /// What is done here.
+    /// What this project does instead.
     pub here: &'static str,
-    /// Measures.
+    /// Measures the figures.
     pub measure: fn() -> Vec<Figure>,
 }
 

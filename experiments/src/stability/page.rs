@@ -4,21 +4,21 @@ use super::{Bound, CASES, Case, Figure};
 use crate::pages::{self, Part};
 use std::fmt::Write;
 
-/// Factor by which a figure on the page of hard cases may differ from one measured now: errors
-/// are a few last bits of what a host's library and vector width make of them.
+/// Factor by which a figure on the page may differ from one measured now: errors are a few last
+/// bits, which depend on a host's library and vector width.
 const PAGE_FACTOR: f64 = 8.0;
 
-/// Errors on that page below this may be nothing on another host.
+/// Errors on that page below this may be zero on another host.
 const PAGE_ROUNDING: f64 = 1e-13;
 
-/// Makes it again.
+/// The command that regenerates the part.
 pub const COMMAND: &str = "cargo run --release -p experiments -- stability --out docs/stability.md";
 
 /// Measures every case.
 ///
 /// # Errors
 ///
-/// The figures that do not keep to their bounds.
+/// The figures that exceed their bounds.
 pub fn parts(progress: impl Fn(&str)) -> Result<Vec<Part>, String> {
     let mut text = "| case | naively | here | measured (bound) |\n|---|---|---|---|\n".to_owned();
     let mut broken = Vec::new();
@@ -34,8 +34,8 @@ pub fn parts(progress: impl Fn(&str)) -> Result<Vec<Part>, String> {
     if broken.is_empty() { Ok(vec![("cases", text)]) } else { Err(broken.join("; ")) }
 }
 
-/// [`pages::compare`]: hosts differ in the last bits, so a figure may differ by [`PAGE_FACTOR`], or
-/// both be below [`PAGE_ROUNDING`].
+/// Applies [`pages::compare`]: hosts differ in the last bits, so a figure may differ by
+/// [`PAGE_FACTOR`], or both may be below [`PAGE_ROUNDING`].
 ///
 /// # Errors
 ///
@@ -50,12 +50,12 @@ pub fn compare(recorded: &str, now: &str) -> Result<(), String> {
 fn row(text: &mut String, case: &Case, figures: &[Figure]) {
     let cells: Vec<String> = figures.iter().map(cell).collect();
     let texts = [case.name, case.naively, case.here, &cells.join("<br>")];
-    // A bar would end the table's cell.
+    // An unescaped bar would end the table cell.
     let texts = texts.map(|text| text.replace('|', "\\|"));
     let _ = writeln!(text, "| {} |", texts.join(" | "));
 }
 
-/// `what: found (bound)`, the error with one digit.
+/// `what: found (bound)`, with one digit of the error.
 fn cell(figure: &Figure) -> String {
     let found = match figure.bound {
         Bound::Exactly(_) => figure.found.to_string(),

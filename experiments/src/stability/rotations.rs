@@ -1,4 +1,4 @@
-//! Light and view turned together.
+//! Rotations of light and view together.
 
 use super::{Case, Figure};
 use crate::tolerances;
@@ -10,7 +10,8 @@ use eigenshade_testing::rotations::{euler, irradiance, product, rotation};
 use eigenshade_testing::{fixtures, largest};
 use std::f64::consts::PI;
 
-/// A third angle in the light alone, of the peak: the light is another one, by some per cent.
+/// Error, relative to the peak, of applying a third angle to the light alone: this changes the
+/// light by some percent.
 const NAIVE_FRAME: f64 = 0.01;
 
 pub const COMPOSITION: Case = Case {
@@ -29,8 +30,8 @@ pub const TOGETHER: Case = Case {
 
 const DEGREE: usize = 64;
 
-/// Turning by R, then by Q, is turning by QR; and what a frame R sees of a light is
-/// what QR sees of the light turned by Q.
+/// Rotating by R and then by Q equals rotating by QR; and frame R sees in a light what frame QR
+/// sees in the light rotated by Q.
 fn composition() -> Vec<Figure> {
     let mut numbers = Numbers(64);
     let given: Vec<f64> =
@@ -58,7 +59,7 @@ fn composition() -> Vec<Figure> {
     ]
 }
 
-/// (3) in a local frame whose third angle is γ, against the direct sum, which has 0.
+/// (3) in a local frame whose third angle is γ, against the direct sum, where that angle is 0.
 fn third_angle() -> Vec<Figure> {
     let (degree, order) = (24, 9);
     let mut numbers = Numbers(9);
@@ -75,7 +76,7 @@ fn third_angle() -> Vec<Figure> {
         let (alpha, beta) = (x.hypot(y).atan2(z), y.atan2(x));
         let gamma = PI * numbers.next();
         let local = rotation([alpha, beta, gamma]).turn_back(degree, &given);
-        // The view lies at azimuth π without γ, and is turned back by it.
+        // Without γ the view lies at azimuth π; it is rotated back by γ.
         let found = irradiance(&integrals, &local, (order, &material), alpha, PI - gamma);
         let without = irradiance(&integrals, &local, (order, &material), alpha, PI);
         peak = peak.max(expected.abs());

@@ -46,14 +46,14 @@ fn single() -> Vec<Figure> {
     ]
 }
 
-/// Answers to scaled inputs against the scaled answers, bit for bit.
+/// Compares the results for scaled inputs with the scaled results, bit for bit.
 #[derive(Default)]
 struct Found {
     coefficients: usize,
-    /// Of the coefficients, those of as many components as the shipped table has.
+    /// For the coefficients of as many components as the shipped table has.
     shipped: usize,
     pixels: usize,
-    /// The largest difference of two coefficients, of the largest one.
+    /// The largest difference of two coefficients, relative to the largest coefficient.
     apart: f64,
     infinite: usize,
     not_zero: usize,
@@ -77,7 +77,7 @@ fn measure<S: Scalar + Into<f64>>() -> Found {
         let found = answers::<S>(&table, &light, &material);
         let factor = 2f64.powi(of_light + of_material);
         all.infinite += found.iter().flatten().filter(|value| !value.is_finite()).count();
-        // 1e-60 is nothing in f32.
+        // 1e-60 is zero in f32.
         if S::from_f64(factor).into() == 0.0 {
             all.not_zero += found.iter().flatten().filter(|value| **value != 0.0).count();
             continue;
@@ -96,8 +96,8 @@ fn measure<S: Scalar + Into<f64>>() -> Found {
     all
 }
 
-/// Coefficients by projection and by transfer and new light; pixels of both, collapsed
-/// and component by component.
+/// Coefficients by projection, and by transfer and new light; pixels from both, by collapsed
+/// polynomials and component by component.
 fn answers<S: Scalar + Into<f64>>(table: &Table, light: &[f64], material: &[f64]) -> [Vec<f64>; 2] {
     let owned = OwnedBasis::<S>::new(table);
     let basis = owned.basis().expect("a basis");

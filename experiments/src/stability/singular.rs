@@ -10,16 +10,18 @@ use eigenshade_table::GramFactor;
 use eigenshade_testing::{fixtures, largest};
 use faer::{Mat, Side};
 
-/// The weakest eigenvalue that is a component, of the largest: the square of the scene's cut-off.
+/// The weakest eigenvalue that counts as a component, relative to the largest: the square of the
+/// scene's cut-off.
 const WEAKEST: f64 = 1e-20;
 
 /// Share of M^(-1/2) that is NaN: one negative eigenvalue spoils its whole block.
 const NAIVE_NOT_A_NUMBER: f64 = 0.99;
 
-/// Blocks whose rank at 1e-17 is more than the exact one: one at least counts rounding.
+/// Number of blocks whose rank at 1e-17 exceeds the exact rank: at least one block counts rounding.
 const NAIVE_RANK: f64 = 1.0;
 
-/// A polar integral of degree 9 and order 7 that is not zero, far above its rounding.
+/// The threshold above which a polar integral of degree 9 and order 7 is not zero, far above its
+/// rounding.
 const COUPLES: f64 = 1e-4;
 
 pub const ROOT: Case = Case {
@@ -44,10 +46,10 @@ pub const MORE_THAN_RANK: Case = Case {
     measure: more_than_rank,
 };
 
-/// The ranks per |m| = 0..9 that the paper's modes have in exact arithmetic.
+/// The ranks of the paper's modes in exact arithmetic for |m| = 0..9.
 const EXACT: [usize; 10] = [25, 25, 24, 23, 22, 21, 20, 19, 17, 14];
 
-/// Those of them that f64 sees above 1e-7, 1e-10 and 1e-13 of the largest singular value.
+/// The ranks that f64 resolves above 1e-7, 1e-10 and 1e-13 of the largest singular value.
 const SEEN: [[usize; 10]; 3] = [
     [13, 13, 12, 12, 11, 10, 10, 9, 8, 7],
     [15, 14, 14, 13, 13, 12, 11, 11, 10, 9],
@@ -117,7 +119,7 @@ fn singular_values(gram: &GramFactor) -> Vec<Vec<f64>> {
 
 fn ranks() -> Vec<Figure> {
     let exact: Vec<usize> = (0..=9).map(|azimuth| exact_rank::rank(9, 7, azimuth)).collect();
-    // What the exact rank takes for granted: each l and q couples.
+    // The exact rank assumes this: each l and q couples.
     let integrals = PolarIntegrals::new(9, 7);
     for q in 0..=7 {
         for l in q..=9 {
@@ -130,7 +132,7 @@ fn ranks() -> Vec<Figure> {
     let seen = |cutoff: f64| -> Vec<usize> {
         values.iter().map(|block| block.iter().filter(|value| **value > cutoff).count()).collect()
     };
-    // The ranks themselves, and how many are not those that stand here.
+    // The ranks themselves, and how many differ from the recorded ones.
     let ranks_seen = |cutoff: f64, recorded: [usize; 10]| {
         let found = seen(cutoff);
         let list: Vec<String> = found.iter().map(usize::to_string).collect();

@@ -7,8 +7,8 @@ use eigenshade_model::special::{spherical_harmonic, wigner, zernike};
 use eigenshade_testing::fixtures::ROOT;
 use eigenshade_testing::largest;
 
-/// R_n^m to order 64 by its factorial sum, of values up to 1: terms up to 1e23, of which sixteen digits are
-/// right.
+/// Error of R_n^m to order 64 by its factorial sum, for values up to 1: terms reach 1e23, and only
+/// sixteen of their digits are right.
 const NAIVE_FACTORIALS: f64 = 1.0;
 
 pub const FUNCTIONS: Case = Case {
@@ -50,7 +50,7 @@ fn functions() -> Vec<Figure> {
     ]
 }
 
-/// The largest of `error` over 25-digit values from explicit sums in 60 digits and more.
+/// The largest `error` over 25-digit values, which come from explicit sums in 60 digits and more.
 fn worst(file: &str, reach: f64, error: impl Fn(&[f64]) -> f64) -> f64 {
     let path = format!("{ROOT}/crates/generator/tests/vectors/{file}.csv");
     let text = std::fs::read_to_string(path).expect("vectors");

@@ -1,5 +1,4 @@
-//! Order and sign of the components, where eigenvalues are equal, nearly equal or
-//! zero.
+//! Order and sign of the components where eigenvalues are equal, nearly equal or zero.
 
 use super::{Case, Figure};
 use crate::tolerances;
@@ -14,15 +13,16 @@ use eigenshade_testing::{fixtures, largest};
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 
-/// WᵀW by eigenvectors of squares: an image of 1e-9 has a square of 1e-18, far below the rounding of the largest,
-/// 1e-16; divided by its root it leans on the others.
+/// Error of WᵀW by eigenvectors of squares: an image of 1e-9 has a square of 1e-18, far below the
+/// rounding of the largest, 1e-16. Divided by its root, it is not orthogonal to the others.
 const NAIVE_SQUARES: f64 = 1e-8;
 
-/// Components whose order and sign are compared: some 240 have eigenvalues above 1e-24 of the largest.
+/// The number of components whose order and sign are compared: some 240 have eigenvalues above
+/// 1e-24 of the largest.
 const LEAST_COMPARED: f64 = 200.0;
 
-/// Least product of a component and itself from another run, of unit length both; of another
-/// or its negative it is near 0 or -1.
+/// Least product of a component with the same component from another run, both of unit length; with
+/// another component the product is near 0, with its negative near -1.
 const SAME_COMPONENT: f64 = 0.5;
 
 pub const SAME_ORDER: Case = Case {
@@ -39,7 +39,7 @@ pub const NEARLY_EQUAL: Case = Case {
     measure: nearly_equal,
 };
 
-/// Eigenvalues below this, of the largest, are not spoken of.
+/// Eigenvalues below this, relative to the largest, are ignored.
 const FLOOR: f64 = 1e-24;
 
 fn same_order() -> Vec<Figure> {
@@ -47,8 +47,8 @@ fn same_order() -> Vec<Figure> {
     loaded.scene.basis.rank_cutoff = 1e-13;
     let table = fixtures::table(&loaded);
     let again = encode(&fixtures::table(&loaded)) == encode(&table);
-    // Every number of the input off by up to an ulp: more than any other order of
-    // summation or instruction set does.
+    // Perturbs every input number by up to an ulp, which is more than the effect of any other order
+    // of summation or instruction set.
     let mut numbers = Numbers(5);
     let mut shaken = loaded.clone();
     let entries = shaken.lights.entries.iter_mut().chain(&mut shaken.materials.entries);
@@ -82,8 +82,8 @@ fn same_order() -> Vec<Figure> {
     ]
 }
 
-/// Images that are orthonormal but for known lengths, as materials: eigenvalues by
-/// design.
+/// Uses images that are orthonormal up to known lengths as materials, which prescribes the
+/// eigenvalues.
 fn nearly_equal() -> Vec<Figure> {
     let (degree, azimuth) = (6, 0);
     let gram = gram::of_sphere(degree, 5);
@@ -93,7 +93,7 @@ fn nearly_equal() -> Vec<Figure> {
     let (mut squared, mut found) = (0.0f64, 0);
     for gap in [0.0, 1e-15, 1e-12, 1e-8, 1e-3] {
         let sizes = [1.0, 1.0 - gap, 1e-4, 1e-4 * (1.0 - gap), 1e-9];
-        // Images of plain materials under one degree, made orthonormal.
+        // Images of plain materials under one degree, orthonormalized.
         let plain: Vec<Deviation> = (0..sizes.len())
             .map(|k| {
                 let mut material = vec![0.0; count];
@@ -116,7 +116,7 @@ fn nearly_equal() -> Vec<Figure> {
                 }
                 Deviation { degree: 2, material }
             })
-            // One that is another's copy: an eigenvalue of zero.
+            // A copy of another image, which gives an eigenvalue of zero.
             .chain([Deviation { degree: 2, material: vec![0.0; count] }])
             .collect();
         let images = block.images(&gram, &deviations);
@@ -131,7 +131,7 @@ fn nearly_equal() -> Vec<Figure> {
         let expected = sizes.iter().zip(&ours.singular_values);
         values = values.max(largest(expected.map(|(size, value)| size - value)));
         found = found.max(ours.singular_values.iter().filter(|value| **value > 1e-14).count());
-        // The other way: right vectors from the squares, images divided by roots.
+        // The naive method: right vectors from the squares, and images divided by the roots.
         let square = images.transpose() * &images;
         let eigen = square.self_adjoint_eigen(faer::Side::Lower).expect("finite");
         let largest_five = Mat::from_fn(images.nrows(), sizes.len(), |i, j| {

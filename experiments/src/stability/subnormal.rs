@@ -1,4 +1,5 @@
-//! What of f32 is subnormal when the light is at 1e-30, and what it takes in time.
+//! The share of f32 numbers that are subnormal when the light is at 1e-30, and the time that they
+//! take.
 
 use super::{Case, Figure};
 use crate::tolerances;
@@ -9,12 +10,12 @@ use eigenshade_testing::oracle::Numbers;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-/// Products of a pixel at 2^-100 in f32 that are subnormal, of those that are not 0: the highest terms are 1e-7
-/// of the strongest, and t and n_x are small somewhere: 0.7 %.
+/// Share of the nonzero products of a pixel at 2^-100 in f32 that are subnormal: the highest terms
+/// are 1e-7 of the strongest, and t and n_x are small somewhere: 0.7 %.
 const SUBNORMAL_PRODUCTS: f64 = 0.02;
 
-/// Coefficients at 2^-100 in f32 that are subnormal, of all components: those weaker than 1e-8 of the
-/// strongest, in amplitude.
+/// Share of the coefficients at 2^-100 in f32 that are subnormal, among all components: those with
+/// amplitudes weaker than 1e-8 of the strongest.
 const SUBNORMAL_COMPONENTS: f64 = 0.5;
 
 pub const TINY: Case = Case {
@@ -29,10 +30,10 @@ pub const TINY: Case = Case {
 /// 2^-100 = 8e-31.
 const FAR: i32 = -100;
 
-/// Pixels across the sphere.
+/// Width of the sphere in pixels.
 const SIZE: i32 = 48;
 
-/// What every image of a material goes through.
+/// The operations that every image of a material goes through.
 struct Work {
     material: Vec<f32>,
     transfer: sphere::Transfer,
@@ -68,7 +69,7 @@ impl Work {
         self.normals.iter().map(|xyz| sphere::shade(scene, normal(*xyz))).collect()
     }
 
-    /// Products of relighting and of collapsing that are subnormal, of those that are not 0.
+    /// The shares of the nonzero products of relighting and of collapsing that are subnormal.
     fn products(&self, light: &[f32], d: &[f32]) -> [f64; 2] {
         let mut of_light = Share::default();
         for (k, value) in light.iter().enumerate() {
@@ -95,7 +96,7 @@ fn terms(d: &[f32]) -> Vec<f32> {
     terms
 }
 
-/// How many of the products that are not 0 are subnormal.
+/// Counts how many of the nonzero products are subnormal.
 #[derive(Default)]
 struct Share([usize; 2]);
 
@@ -110,8 +111,8 @@ impl Share {
     }
 }
 
-/// Products of a pixel: azimuths by Horner's rule, as the shipped table has them, or by the powers of
-/// n_x + i n_y, as any table has.
+/// Products of a pixel: azimuths by Horner's rule, as the shipped table uses them, or by the powers
+/// of n_x + i n_y, as any table does.
 fn shade(terms: &[f32], [x, y, z]: [f32; 3], by_powers: bool, share: &mut Share) -> f32 {
     let lengths = sphere::BASIS.parts().lengths;
     let t = 2.0 * z - 1.0;
@@ -124,7 +125,7 @@ fn shade(terms: &[f32], [x, y, z]: [f32; 3], by_powers: bool, share: &mut Share)
     for (m, length) in lengths.iter().map(|length| usize::from(*length)).enumerate() {
         let count = if m == 0 { 1 } else { 2 };
         let polynomials = terms[start..start + count * length].chunks(length.max(1));
-        // Highest term first.
+        // The highest term comes first.
         let value = |terms: &[f32]| {
             terms.iter().copied().reduce(|sum, term| product(sum, t) + term).unwrap_or(0.0)
         };
@@ -157,7 +158,7 @@ fn subnormal(values: &[f32]) -> usize {
     values.iter().filter(|value| value.is_subnormal()).count()
 }
 
-/// d of all components that the shipped scene has: the share that is subnormal.
+/// The share of d that is subnormal, for all components of the shipped scene.
 fn of_all(work: &Work, light: &[f32]) -> f64 {
     let table = fixtures::table(&fixtures::shipped());
     let owned = OwnedBasis::<f32>::new(&table);
@@ -183,7 +184,7 @@ fn measure() -> Vec<Figure> {
     for (normal, expected) in work.normals.iter().zip(&pixels) {
         let found = shade(&of_image, *normal, false, &mut horner);
         let largest = of_image.iter().fold(0.0f32, |most, term| most.max(term.abs()));
-        // The count is of what the pixel does.
+        // Confirms that the counted operations are those of the pixel.
         assert!((found - expected).abs() <= tolerances::SAME_SUM_F32 * largest);
         shade(&of_image, *normal, true, &mut powers);
     }
@@ -219,8 +220,8 @@ fn measure() -> Vec<Figure> {
     ]
 }
 
-/// Times with the second light over those with the first: of each the shortest of many runs, in
-/// turn.
+/// Times with the second light relative to those with the first: each is the shortest of many runs,
+/// and the two alternate.
 fn ratios(work: &Work, lights: [&[f32]; 2]) -> [f64; 4] {
     let ds = lights.map(|light| work.relight(light));
     let scenes = ds.each_ref().map(|d| sphere::collapse(d).expect("it fits"));

@@ -11,7 +11,8 @@ use eigenshade_testing::largest;
 use eigenshade_testing::oracle::Numbers;
 use std::f64::consts::PI;
 
-/// A row from pole to pole weighed with sin θ at its middle: π/2 for 1, 57 % too much.
+/// Error of weighting a row from pole to pole with sin θ at its center: π/2 instead of 1, 57 % too
+/// much.
 const NAIVE_ROWS: f64 = 0.5;
 
 pub const TEXEL: Case = Case {
@@ -34,8 +35,8 @@ fn project(map: &EnvironmentMap, degree: usize) -> Vec<f64> {
     projection::project(map, degree)[0].clone()
 }
 
-/// Against the closed form: the sky's ambient term, and the sun's harmonics at its
-/// direction, by the oracle's explicit sums.
+/// Compares with the closed form: the sky's ambient term, and the sun's harmonics in its direction,
+/// by the oracle's explicit sums.
 fn texel() -> Vec<Figure> {
     let (width, height) = (128, 64);
     let mut map =
@@ -61,7 +62,7 @@ fn texel() -> Vec<Figure> {
     }
     let scale = largest(expected.iter().copied());
     let apart = largest(found.iter().zip(&expected).map(|(a, b)| a - b)) / scale;
-    // In a database with quiet lights: all of its images come back.
+    // In a database with weak lights, all of its images are reproduced.
     let mut numbers = Numbers(31);
     let mut lights = fixtures::lights(DEGREE, 2, &mut numbers);
     lights.entries.push(named("sun", found));
@@ -76,8 +77,8 @@ fn texel() -> Vec<Figure> {
     ]
 }
 
-/// The projection of the map that is 1 everywhere, texel centres and all: its ambient
-/// term is exact, the others those of the map's own quadrature.
+/// The projection of a map that is 1 everywhere, including the texel centers: its ambient term is
+/// exact, and the others come from the map's own quadrature.
 fn constant_map(map: &EnvironmentMap, degree: usize) -> Vec<f64> {
     let ones = EnvironmentMap { texels: vec![[1.0; 3]; map.texels.len()], ..map.clone() };
     project(&ones, degree)
@@ -87,7 +88,7 @@ fn sizes() -> Vec<Figure> {
     let ambient = (4.0 * PI).sqrt();
     let small = EnvironmentMap::new(2, 1, vec![[1.0; 3], [3.0; 3]]).expect("a map");
     let of_small = (project(&small, 4)[0] / (2.0 * ambient) - 1.0).abs();
-    // A sky that brightens with height, 1 + y: its harmonics are known.
+    // A sky that brightens with height, 1 + y, whose harmonics are known.
     let (width, height) = (8192, 4096);
     let texels = (0..height)
         .flat_map(|row| {

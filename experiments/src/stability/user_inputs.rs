@@ -1,5 +1,6 @@
-//! What a user hands over: normals of 8 bits and behind the rim, a sun, a light that rings,
-//! rotations in a row, pixels at full weight. Images of the shipped table, against its f64 sums.
+//! Difficult user inputs: normals of 8 bits and behind the rim, a sun, a light that rings,
+//! successive rotations, pixels at full weight. Images of the shipped table are compared with its
+//! f64 sums.
 
 use super::{Case, Figure};
 use crate::tolerances;
@@ -20,43 +21,45 @@ use eigenshade_testing::oracle::{ExplicitLight, Numbers};
 use std::f64::consts::PI;
 use std::path::Path;
 
-/// The same as they are, rms of the peak of the worst pair.
+/// Error of 8-bit normals taken as they are: rms relative to the peak, for the worst pair.
 const NAIVE_EIGHT_BITS: f64 = 2.5e-3;
 
-/// Normals behind the rim taken as they are, times the rim's value: z = -0.01, and -0.1.
+/// Error of taking normals behind the rim as they are, as a multiple of the value at the rim: z =
+/// -0.01 and -0.1.
 const NAIVE_BEHIND: [f64; 2] = [1.01, 1.5];
 
-/// A normal that is laid on the rim: an image's slope times a rounding of f32.
+/// Error of moving a normal to the rim: an image's slope times an f32 rounding.
 const LAID_ON_RIM: f64 = 5e-6;
 
-/// A sun in f32, rms of the peak: as of any light.
+/// Error of a sun in f32, rms relative to the peak: the same as for any light.
 const SUN_F32: f64 = 1e-6;
 
-/// The same in Q15: the worst pair's 68 dB.
+/// Error of a sun in Q15: the worst pair's 68 dB.
 const SUN_Q15: f64 = 4e-4;
 
-/// A bound holds but for rounding, of images of some thousand times the error.
+/// The ratio by which rounding may exceed a bound, for images of some thousand times the error.
 const SUN_BOUND: f64 = 1.0001;
 
-/// A sun through maps of 64 x 64, baked in floats and in integers: [`BAKED`] of the worst, twice.
+/// Error of a sun through baked maps of 64 x 64, in floats and in integers: twice the worst of
+/// [`BAKED`].
 const SUN_BAKED: [f64; 2] = [1e-3, 1e-3];
 
-/// How far a light of one direction, to degree 9, goes below zero, of the peak.
+/// How far a light from one direction, to degree 9, falls below zero, relative to the peak.
 const RINGING: f64 = 5e-2;
 
-/// A thousand plain products in f32: roundings that add.
+/// Error of a thousand plain products in f32, whose roundings add up.
 const NAIVE_DRIFT: f64 = 5e-6;
 
-/// RRᵀ of any rotation in f32: sixteen roundings, and those of the sum itself.
+/// Error of RRᵀ of any rotation in f32: sixteen roundings, and those of the sum itself.
 const ORTHONORMAL_F32: f64 = 1.2e-6;
 
-/// Matrices within 1e-3 of a rotation, as they are given.
+/// Error of matrices within 1e-3 of a rotation, taken as they are.
 const NAIVE_ALMOST: f64 = 9e-4;
 
-/// Energy of a degree of a light turned in f32.
+/// Error of the energy of a degree of a light rotated in f32.
 const ALMOST_ENERGY: f64 = 1e-6;
 
-/// A mean of equal pixels: d has 31 bits.
+/// Error of a mean of equal pixels: d has 31 bits.
 const HALF_WEIGHT: f64 = 1e-8;
 
 pub const EIGHT_BITS: Case = Case {
@@ -120,7 +123,7 @@ fn materials(step: usize) -> Vec<Vec<f64>> {
     materials.entries.iter().step_by(step).map(Named::luminance).collect()
 }
 
-/// Unit normals as a picture of a sphere has them.
+/// Unit normals of a picture of a sphere.
 fn disc(across: i32) -> Vec<[f64; 3]> {
     let place = |k: i32| f64::from(2 * k + 1) / f64::from(across) - 1.0;
     let pixels = (0..across).flat_map(|j| (0..across).map(move |k| (place(k), place(j))));
@@ -128,7 +131,7 @@ fn disc(across: i32) -> Vec<[f64; 3]> {
     visible.map(|(x, y)| [x, y, (1.0 - x * x - y * y).sqrt()]).collect()
 }
 
-/// The shipped table in f64, whose sums are what other ways are measured against.
+/// The shipped table in f64, whose sums are the reference.
 fn reference() -> OwnedBasis<f64> {
     let bytes = std::fs::read(Path::new(ROOT).join("tables/sphere.bin")).expect("the table");
     OwnedBasis::new(&eigenshade_table::decode(&bytes).expect("a table"))
@@ -153,7 +156,7 @@ fn image(
     normals.iter().map(seen).collect()
 }
 
-/// The same light on the same material in f32, as a scene.
+/// A scene in f32 with the same light on the same material.
 fn scene(light: &[f64], material: &[f64]) -> (sphere::Coefficients, sphere::Scene) {
     let (light, material) = (single(light), single(material));
     let light = Light::checked(9, &light).expect("finite coefficients");
@@ -163,7 +166,7 @@ fn scene(light: &[f64], material: &[f64]) -> (sphere::Coefficients, sphere::Scen
     (d, scene)
 }
 
-/// The image in Q15, mantissas and the exponent of all, at normals that are rounded to it.
+/// The image in Q15, as mantissas and their common exponent, at normals that are rounded to Q15.
 fn integers(light: &[f64], material: &[f64], normals: &[[f64; 3]]) -> (Vec<i32>, f64) {
     let (light, material) = (single(light), single(material));
     let (mut of_light, mut of_material, mut exponents) = ([Q15(0); 100], [Q15(0); 40], [0; 8]);
@@ -181,7 +184,7 @@ fn in_integers(normal: [f64; 3]) -> quantised::Normal<Q15> {
     quantised::Normal::along(x, y, z).expect("a direction")
 }
 
-/// Rms and largest, of the reference's peak.
+/// The rms and the largest error, relative to the peak of the reference.
 fn errors(found: impl IntoIterator<Item = f64>, expected: &[f64]) -> [f64; 2] {
     let apart: Vec<f64> = found.into_iter().zip(expected).map(|(a, b)| a - b).collect();
     assert_eq!(apart.len(), expected.len());
@@ -190,7 +193,7 @@ fn errors(found: impl IntoIterator<Item = f64>, expected: &[f64]) -> [f64; 2] {
     [rms / peak, largest(apart) / peak]
 }
 
-/// The middle one and the largest.
+/// The median and the largest value.
 fn spread(mut values: Vec<f64>) -> [f64; 2] {
     values.sort_by(f64::total_cmp);
     [values[values.len() / 2], values[values.len() - 1]]
@@ -247,7 +250,7 @@ fn eight_bits() -> Vec<Figure> {
     ]
 }
 
-/// On a table of degree 12, whose polynomials are longer than the shipped one's.
+/// Uses a table of degree 12, whose polynomials are longer than those of the shipped table.
 fn behind() -> Vec<Figure> {
     let bytes = std::fs::read(Path::new(ROOT).join("tables/pbr.bin")).expect("the table");
     let owned = OwnedBasis::<f32>::new(&eigenshade_table::decode(&bytes).expect("a table"));
@@ -295,7 +298,7 @@ fn behind() -> Vec<Figure> {
     ]
 }
 
-/// The harmonics at a direction: the light that comes from there alone.
+/// The harmonics at a direction, which represent light from that direction alone.
 fn from_direction(direction: [f64; 3]) -> Vec<f64> {
     let mut unit = vec![0.0; 100];
     (0..100)
@@ -307,7 +310,7 @@ fn from_direction(direction: [f64; 3]) -> Vec<f64> {
         .collect()
 }
 
-/// An image by each way, and the bound that the scene within a tolerance states.
+/// An image by each method, and the bound of the scene within a tolerance.
 struct Ways {
     f32: Vec<f64>,
     q15: (Vec<i32>, f64),
@@ -368,7 +371,7 @@ fn sun() -> Vec<Figure> {
     let owned = reference();
     let mut worst = [0.0f64; 5];
     for direction in [[0.6, 0.0, 0.8], [-0.48, 0.6, 0.64], [0.0, 0.96, -0.28]] {
-        // A texel of a map of 64 x 32, of radiance 1e6, in a sky of radiance 1.
+        // A texel of a map of 64 x 32 with radiance 1e6, in a sky of radiance 1.
         let mut light: Vec<f64> =
             from_direction(direction).iter().map(|value| 1e6 * 9.6e-3 * value).collect();
         light[0] += (4.0 * PI).sqrt();
@@ -431,7 +434,7 @@ fn delta() -> Vec<Figure> {
     ]
 }
 
-/// How far R Rᵀ is from the unit matrix.
+/// The distance of R Rᵀ from the identity matrix.
 fn off(matrix: [[f32; 3]; 3]) -> f64 {
     let rows = matrix.map(|row| row.map(f64::from));
     let entry = |i: usize, j: usize| {
@@ -446,14 +449,14 @@ fn product(a: [[f32; 3]; 3], b: [[f32; 3]; 3]) -> [[f32; 3]; 3] {
     a.map(|row| [0, 1, 2].map(|k| row[0] * b[0][k] + row[1] * b[1][k] + row[2] * b[2][k]))
 }
 
-/// A light in f32, turned.
+/// A light in f32, rotated.
 fn turned(light: &[f32], rotation: &Rotation<f32>) -> Vec<f32> {
     const ROOM: usize = Light::<f32>::turn_len(9);
     let light = Light::new(9, light).expect("100 coefficients");
     light.turned::<100, ROOM>(rotation).expect("room").to_vec()
 }
 
-/// The largest relative change of a degree's energy.
+/// The largest relative change of the energy of a degree.
 fn gained(before: &[f32], after: &[f32]) -> f64 {
     let energy = |values: &[f32]| values.iter().map(|&x| f64::from(x).powi(2)).sum::<f64>();
     let of_degree = |l: usize| {
@@ -467,7 +470,7 @@ fn drift() -> Vec<Figure> {
     let mut numbers = Numbers(47);
     let first: Vec<f64> = (0..100).map(|_| numbers.next()).collect();
     let first_single = single(&first);
-    // The same small turn each time, in f32; in f64 all of them at once.
+    // The same small rotation repeated in f32; in f64 a single rotation by the total.
     let angles = [0.004f32, 0.003, -0.002];
     let [a, b, c] = angles;
     let small = Rotation::from_euler::<SinglePrecision>(a, b, c).expect("a rotation");
@@ -508,7 +511,7 @@ fn almost() -> Vec<Figure> {
     let mut numbers = Numbers(48);
     let light: Vec<f32> = (0..100).map(|_| numbers.next() as f32).collect();
     let exact = Rotation::from_quaternion([0.3f32, -0.5, 0.2, 0.8]).expect("a rotation");
-    // Rows 4.9e-4 too long: their squares are 1e-3 off.
+    // Rows 4.9e-4 too long, so that their squares are 1e-3 off.
     let stretched = exact.matrix().map(|row| row.map(|element| element * 1.000_49));
     let mut sheared = exact.matrix();
     for (element, other) in sheared[0].iter_mut().zip(exact.matrix()[1]) {
@@ -528,7 +531,7 @@ fn almost() -> Vec<Figure> {
     ]
 }
 
-/// A table whose one image is as large as Q15 can have it, and the shipped one.
+/// A table whose single image is as large as Q15 allows, and the shipped table.
 fn full_weight() -> Vec<Figure> {
     let places = [quantised::Profile::new(0, -3, [0, quantised::Profile::NONE], [u16::MAX; 2])];
     let largest_table = quantised::Basis::<Q15>::new(quantised::Parts {

@@ -1,4 +1,4 @@
-//! A scene with every size a constant: the steps of
+//! Collapses a scene with all sizes constant: the steps of
 //! [`Basis::collapse_into`](crate::quantised::Basis::collapse_into), azimuth by azimuth.
 
 use crate::format::Fixed;
@@ -7,7 +7,7 @@ use crate::quantised::collapse::{
 };
 use crate::quantised::{Basis, Coefficients};
 
-/// A scene's terms, to be written as those of this basis.
+/// The terms of a scene, to be filled for this basis.
 #[inline(always)]
 pub fn terms<'s, 'a, Q: Fixed, const N: usize>(
     basis: &Basis<'a, Q>,
@@ -18,8 +18,8 @@ pub fn terms<'s, 'a, Q: Fixed, const N: usize>(
     scene.buffer.as_mut_slice().try_into().ok()
 }
 
-/// The mantissas of exactly `K` coefficients, if their exponent is one that
-/// [`Basis::collapse_into`](crate::quantised::Basis::collapse_into) takes.
+/// The mantissas of exactly `K` coefficients, if
+/// [`Basis::collapse_into`](crate::quantised::Basis::collapse_into) accepts their exponent.
 #[inline(always)]
 #[must_use]
 pub fn mantissas<const K: usize>(coefficients: &Coefficients<K>) -> Option<&[i32; K]> {
@@ -29,9 +29,9 @@ pub fn mantissas<const K: usize>(coefficients: &Coefficients<K>) -> Option<&[i32
     coefficients.mantissas.as_slice().try_into().ok()
 }
 
-/// How large a scene's terms, steps and irradiances can get: sums of |d| times what the
-/// table states of its profile, of `A` azimuths. Domain: what the table states sums to less
-/// than 2^16, sizes over all components, steps over those of an azimuth.
+/// How large the terms, steps and irradiances of a scene with `A` azimuths can get: sums of |d|
+/// times the values that the table states for each profile. Domain: these values sum to less than
+/// 2^16, the sizes over all components, the steps over those of an azimuth.
 #[derive(Clone, Copy, Debug)]
 pub struct Size<const A: usize> {
     image: u32,
@@ -40,7 +40,7 @@ pub struct Size<const A: usize> {
     steps: [u32; A],
 }
 
-/// How many bits a scene has, and the shifts of its weights.
+/// The number of bits of a scene, and the shifts of its weights.
 #[derive(Clone, Copy, Debug)]
 pub struct Shifts<const A: usize> {
     bits: i32,
@@ -49,14 +49,14 @@ pub struct Shifts<const A: usize> {
 }
 
 impl<const A: usize> Size<A> {
-    /// That of a black image.
+    /// The size of a black image.
     #[inline(always)]
     #[must_use]
     pub const fn of_nothing() -> Self {
         Self { image: 0, plus: 0, minus: 0, steps: [0; A] }
     }
 
-    /// With the components `PLUS` and `MINUS` of a profile.
+    /// Adds the components `PLUS` and `MINUS` of a profile.
     #[inline(always)]
     #[must_use]
     pub fn profile<
@@ -79,7 +79,7 @@ impl<const A: usize> Size<A> {
         }
     }
 
-    /// At the end of the azimuth number `M` of those that have profiles.
+    /// Finishes azimuth number `M` of those that have profiles.
     #[inline(always)]
     #[must_use]
     pub fn azimuth<const M: usize>(mut self) -> Self {
@@ -89,9 +89,9 @@ impl<const A: usize> Size<A> {
         Self { plus: 0, minus: 0, ..self }
     }
 
-    /// The shifts of a table of this degree, whose profiles' exponents are at least
-    /// `least` and at most `largest`; none if there is hardly an image, or if weights that
-    /// are coarser than d are to be shifted to the left, or by more bits than there are.
+    /// The shifts for a table of this degree, whose profiles have exponents from `least` to
+    /// `largest`. `None` if there is hardly an image, or if weights that are coarser than d would
+    /// have to be shifted left, or right by more bits than they have.
     #[inline(never)]
     #[must_use]
     pub fn shifts<Q: Fixed>(&self, degree: usize, [least, largest]: [i32; 2]) -> Option<Shifts<A>> {
@@ -104,7 +104,8 @@ impl<const A: usize> Size<A> {
             return None;
         }
         let finer = self.steps.map(|step| {
-            // Its bits, or more than `FINEST` fewer: the same as of `bits`.
+            // The top bits show by how many bits the step is shorter, up to `FINEST`: the same
+            // result as with `bits`.
             let upper = with_margin(step, degree) >> (bits - 12 - most_finer);
             FINEST.saturating_sub(upper)
         });
@@ -113,14 +114,14 @@ impl<const A: usize> Size<A> {
 }
 
 impl<const A: usize> Shifts<A> {
-    /// By how many bits the weights of the azimuth number `M` are finer.
+    /// By how many bits the weights of azimuth number `M` are finer.
     #[inline(always)]
     #[must_use]
     pub fn finer<const M: usize>(&self) -> u32 {
         self.finer.get(M).copied().unwrap_or(0)
     }
 
-    /// The weight of a component, its profile's exponent `EXPONENT`: rounded.
+    /// The rounded weight of a component whose profile has the exponent `EXPONENT`.
     #[inline(always)]
     #[must_use]
     pub fn weight<Q: Fixed, const COMPONENT: usize, const EXPONENT: i32, const K: usize>(
@@ -143,9 +144,9 @@ const fn is_coarse<Q: Fixed>() -> bool {
     Q::WEIGHT_BITS + Q::TERM_BITS <= 31
 }
 
-/// The polynomials of one azimuth: `P` profiles of `L` terms from `START` on, times the
-/// weights of their components, `finer` by so many bits, of +m alone (`W` = 1) or of +m and
-/// -m, into the scene's terms from `TO` on.
+/// Writes the polynomials of one azimuth: `P` profiles of `L` terms from `START` on, times the
+/// weights of their components, which are `finer` by that many bits. With `W` = 1 only +m is
+/// computed, otherwise +m and -m. The result goes to the scene's terms from `TO` on.
 #[inline(never)]
 pub fn azimuth<
     Q: Fixed,
@@ -194,7 +195,7 @@ pub fn azimuth<
     }
 }
 
-/// Writes a scene's exponent.
+/// Writes the exponent of a scene.
 #[inline(always)]
 pub fn finish<'a, Q: Fixed, const K: usize, const N: usize, const A: usize>(
     coefficients: &Coefficients<K>,

@@ -1,13 +1,13 @@
-//! A new material with every size a constant: the steps of
+//! Computes the transfer of a new material with all sizes constant: the steps of
 //! [`Basis::fold_into`](crate::quantised::Basis::fold_into).
 
 use crate::format::{Fixed, Wide};
 use crate::quantised::fold::{ENOUGH, NOTHING, common_exponent, guard, room, row_bits};
 use crate::quantised::{Material, TransferBuffer};
 
-/// A material's mantissas and exponents of exactly these lengths, if no exponent is above
-/// that of a lower o of its parity: then an addend is never larger than the scale that
-/// [`Degree::new`] takes from each o by itself.
+/// The mantissas and exponents of a material, of exactly these lengths. `None` unless each exponent
+/// is at most that of any lower o of the same parity. Then no addend exceeds the scale that
+/// [`Degree::new`] derives from each o alone.
 #[inline(always)]
 #[must_use]
 pub fn inputs<'a, Q, const B: usize, const O: usize>(
@@ -19,7 +19,7 @@ pub fn inputs<'a, Q, const B: usize, const O: usize>(
     if falls { Some((material.mantissas.try_into().ok()?, exponents)) } else { None }
 }
 
-/// A transfer's numbers and exponents, to be written.
+/// The numbers and exponents of a transfer, to be filled.
 #[inline(always)]
 pub fn numbers<Q: Fixed, const T: usize, const E: usize>(
     transfer: &mut TransferBuffer<Q, T, E>,
@@ -29,7 +29,8 @@ pub fn numbers<Q: Fixed, const T: usize, const E: usize>(
     Some((numbers.as_mut_slice().try_into().ok()?, exponents.as_mut_slice().try_into().ok()?))
 }
 
-/// The coefficients as they are multiplied: those whose o and p are not the `same` over √2.
+/// The coefficients as they are multiplied: divided by √2 unless `same` marks that o and p are
+/// equal.
 #[inline(never)]
 pub fn coefficients<Q: Fixed, const B: usize>(
     mantissas: &[Q; B],
@@ -42,8 +43,8 @@ pub fn coefficients<Q: Fixed, const B: usize>(
     coefficients
 }
 
-/// One degree's polar integrals of `P` pairs, and for each o what they are shifted
-/// by, less their own exponents and one.
+/// The polar integrals of `P` pairs for one degree. For each o, `shifts` holds the shift of its
+/// products, minus one, before their own exponents are subtracted.
 #[derive(Clone, Copy, Debug)]
 pub struct Degree<Q: 'static, const P: usize, const O: usize> {
     polar: &'static [Q; P],
@@ -53,7 +54,7 @@ pub struct Degree<Q: 'static, const P: usize, const O: usize> {
 }
 
 impl<Q: Fixed, const P: usize, const O: usize> Degree<Q, P, O> {
-    /// The degree `l`.
+    /// Prepares the degree `l`.
     #[inline(never)]
     #[must_use]
     pub fn new(
@@ -78,7 +79,7 @@ impl<Q: Fixed, const P: usize, const O: usize> Degree<Q, P, O> {
         Some(Self { polar, exponents, shifts, common })
     }
 
-    /// sum + b Ĉ: of the pair `FROM` and the coefficient `MODE`, whose o is `ORDER`.
+    /// sum + b Ĉ, for the pair `FROM` and the coefficient `MODE`, whose order o is `ORDER`.
     #[inline(always)]
     #[must_use]
     pub fn add<const FROM: usize, const MODE: usize, const ORDER: usize, const B: usize>(
@@ -90,13 +91,13 @@ impl<Q: Fixed, const P: usize, const O: usize> Degree<Q, P, O> {
         if let (Some(&b), Some(polar), Some(&exponent), Some(&shift)) =
             (b.get(MODE), polar.get(FROM), exponents.get(FROM), shifts.get(ORDER))
         {
-            // Not negative: an addend has room of a bit.
+            // The shift is not negative, because an addend has at least one bit of room.
             return sum + (b * polar.widen()).lowered(shift - i32::from(exponent));
         }
         sum
     }
 
-    /// Brings the sums to full size, and gives their exponent.
+    /// Scales the sums so that they use all bits, and returns their exponent.
     #[inline(never)]
     pub fn normalise(&self, sums: &mut [Q::Wide; P]) -> i32 {
         let mut either = Q::Wide::default();
@@ -121,8 +122,8 @@ impl<Q: Fixed, const P: usize, const O: usize> Degree<Q, P, O> {
     }
 }
 
-/// The rows of `N` profiles of azimuth `M`, `L` degrees each: their factors start at the
-/// row `ROW`, their numbers at `START`, their exponents at `FIRST`.
+/// Computes the rows of `N` profiles of azimuth `M`, with `L` degrees each. Their factors start at
+/// the row `ROW`, their numbers at `START` and their exponents at `FIRST`.
 #[inline(never)]
 pub fn azimuth<
     Q: Fixed,
@@ -180,7 +181,7 @@ fn product<Q: Fixed, const P: usize>(factors: &[Q; P], sums: &[Q::Wide; P]) -> Q
     sum
 }
 
-/// Narrows a row, as the general way does; gives its exponent.
+/// Rounds a row to mantissas as the general code does, and returns its exponent.
 #[inline(never)]
 fn settle<Q: Fixed, const L: usize>(
     row: &[Q::Wide; L],
@@ -212,7 +213,7 @@ fn settle<Q: Fixed, const L: usize>(
     common as i16
 }
 
-/// [`settle`] of a row that has no large number where its exponent is the largest.
+/// [`settle`] for a row in which no number with the largest exponent is large.
 #[cold]
 #[inline(never)]
 fn settle_small<Q: Fixed>(row: &[Q::Wide], exponents: &[i32], numbers: &mut [Q]) -> i16 {

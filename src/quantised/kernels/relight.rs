@@ -1,15 +1,15 @@
-//! A new light with every size a constant: the steps of
+//! Relights with all sizes constant: the steps of
 //! [`Basis::relight_into`](crate::quantised::Basis::relight_into), azimuth by azimuth.
 
 use crate::format::{Fixed, Wide as _};
 use crate::index::light::position;
 use crate::quantised::{Coefficients, Light, Transfer};
 
-/// No size: that of a sum of nothing. Less than any, and no difference overflows.
+/// The size of an empty sum. It is less than any other, and no difference from it overflows.
 pub const NONE: i32 = -1 << 20;
 
-/// The numbers of a transfer whose rows are known to fit their accumulators, and of a
-/// light, of exactly these lengths.
+/// The numbers of a transfer and of a light, of exactly these lengths. `None` unless the rows of
+/// the transfer are known to fit their accumulators.
 #[inline(always)]
 #[must_use]
 pub fn inputs<'a, Q, const T: usize, const P: usize, const N: usize>(
@@ -26,18 +26,18 @@ pub fn inputs<'a, Q, const T: usize, const P: usize, const N: usize>(
     ))
 }
 
-/// The mantissas of an image's coefficients, to be written.
+/// The mantissas of the coefficients of an image, to be filled.
 #[inline(always)]
 pub fn mantissas<const K: usize>(coefficients: &mut Coefficients<K>) -> Option<&mut [i32; K]> {
     let _ = coefficients.mantissas.resize_default(K);
     coefficients.mantissas.as_mut_slice().try_into().ok()
 }
 
-/// The sums of `P` profiles of azimuth `M`, each a row of `D` numbers from `START` on, for
-/// the components of +m and -m; gives the larger of `top` and their largest size, with
-/// the exponents from `FIRST` on.
+/// Computes the sums of `P` profiles of azimuth `M` for the components of +m and -m. Each profile
+/// has a row of `D` numbers from `START` on, and the exponents begin at `FIRST`. Returns the larger
+/// of `top` and the largest size of these sums.
 ///
-/// Apart from its caller: several at once have too many addresses.
+/// Not inlined: several copies in one function need too many addresses.
 #[inline(never)]
 pub fn azimuth<
     Q: Fixed,
@@ -65,7 +65,7 @@ pub fn azimuth<
             let order = M.cast_signed();
             let at = |order| light.get(position(l, order)).copied().unwrap_or_default().widen();
             let number = number.widen();
-            // A transfer of another basis may wrap; it is not to panic.
+            // The sums may wrap for a transfer of another basis, but must not panic.
             plus = plus.wrapping_plus(number * at(order));
             if M > 0 {
                 minus = minus.wrapping_plus(number * at(-order));
@@ -75,12 +75,12 @@ pub fn azimuth<
         let mut either = 0;
         for (component, sum) in [(of_plus, plus), (of_minus, minus)] {
             if let Some(place) = mantissas.get_mut(usize::from(component)) {
-                // The upper 31 bits.
+                // Keep the upper 31 bits.
                 *place = sum.shifted(31 - Q::Wide::SIZE.cast_signed()).saturated();
                 either |= place.unsigned_abs();
             }
         }
-        // Bits are counted where they may be the most.
+        // Count the bits only if they may exceed `top`.
         let room = top - i32::from(exponent);
         if room < 0 || (room < 31 && either >> (room & 31) != 0) {
             top = counted(either, exponent).max(top);
@@ -89,7 +89,7 @@ pub fn azimuth<
     top
 }
 
-/// The size of a profile's sums.
+/// The size of the sums of a profile.
 #[inline(never)]
 fn counted(either: u32, exponent: i16) -> i32 {
     if either == 0 {
@@ -99,14 +99,14 @@ fn counted(either: u32, exponent: i16) -> i32 {
     bits.cast_signed() + i32::from(exponent)
 }
 
-/// The exponent of all components.
+/// The common exponent of all components.
 #[inline(always)]
 #[must_use]
 pub const fn common(top: i32) -> i32 {
     if top == NONE { 0 } else { top - 30 }
 }
 
-/// Brings the components of the profile number `AT` to the common exponent.
+/// Shifts the components of profile number `AT` to the common exponent.
 #[inline(always)]
 pub fn align<
     const AT: usize,
@@ -129,7 +129,7 @@ pub fn align<
     }
 }
 
-/// Writes the exponent of an image's coefficients.
+/// Writes the exponent of the coefficients of an image.
 #[inline(always)]
 pub fn finish<Q: Fixed, const K: usize>(
     coefficients: &mut Coefficients<K>,

@@ -1,4 +1,4 @@
-//! `eigenshade basis`: a table from a scene file.
+//! `eigenshade basis`: makes a table from a scene file.
 
 use super::Memory;
 use clap::Args;
@@ -21,25 +21,23 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-/// The ending of the file beside a table that says what is in it.
+/// The ending of a table's manifest.
 const MANIFEST: &str = "manifest.csv";
 
-/// The ending of the file beside a table that holds its errors.
+/// The ending of the file of a table's recorded errors.
 const ERRORS: &str = "errors.csv";
 
-/// The table of a scene: its eigenimages
+/// Make the table of a scene: its eigenimages
 ///
-/// Memory and time are estimated first: a table that would take more than --memory is refused.
-/// Where the scene gives a tolerance, what is chosen for it is told on standard error.
-/// --out writes the table and beside it B.manifest.csv, what is in it; errors that
-/// `errors` has recorded in B.errors.csv are repeated there, and refused if they are of
-/// another table. --check
-/// makes the table anew and compares: eigenvalues, profiles, mode means, rows of
-/// U^T M and the images A U, each to 1e-9 of its largest number. Terms that only one
-/// of two polynomials has may be as large as profile_tolerance lets them be.
+/// Memory is estimated first, and a table that would take more than --memory is refused. If the
+/// scene has a tolerance, the choice for it is reported on standard error. --out writes the table
+/// and its manifest, B.manifest.csv. Errors recorded in B.errors.csv are repeated in the manifest,
+/// and refused if they belong to another table. --check makes the table again and compares
+/// eigenvalues, profiles, mode means, rows of U^T M and the images A U, each to 1e-9 of its largest
+/// number. Terms that only one of two polynomials has may be as large as profile_tolerance allows.
 #[derive(Args, Debug)]
 pub struct Basis {
-    /// Scene file; its paths are relative to it
+    /// Scene file; paths in it are relative to the file
     #[arg(long, value_name = "FILE")]
     scene: PathBuf,
     #[command(flatten)]
@@ -49,10 +47,10 @@ pub struct Basis {
 #[derive(Args, Debug)]
 #[group(required = true, multiple = false)]
 struct Purpose {
-    /// Writes the table here
+    /// Write the table to this file
     #[arg(long, value_name = "B.bin")]
     out: Option<PathBuf>,
-    /// Compares this table with what the scene gives now
+    /// Compare this table with a new one
     #[arg(long, value_name = "B.bin")]
     check: Option<PathBuf>,
 }
@@ -116,7 +114,7 @@ impl Basis {
     }
 }
 
-/// What came out, for reading.
+/// A summary of the table.
 fn report(table: &Table, bytes: usize, time: Duration) -> String {
     let summary = &table.summary;
     let both_signs = |(azimuth, rank): (usize, &usize)| if azimuth == 0 { *rank } else { 2 * rank };

@@ -1,4 +1,4 @@
-//! `eigenshade demo`: the main job on shipped data.
+//! `eigenshade demo`: draws the shipped materials under the shipped lights.
 
 use super::count;
 use super::demo_sheet::{self, Trial};
@@ -20,19 +20,19 @@ use std::fs;
 use std::path::PathBuf;
 use std::time::Instant;
 
-/// Timings of which the shortest counts.
+/// Timings, of which the shortest is taken.
 const TIMINGS: usize = 5;
 
-/// Spheres of real materials under real light: ours, the truth, the difference
+/// Draw spheres of measured materials under captured lights, with their errors
 ///
-/// Writes demo.png and demo.csv and prints the same numbers: the share of the
-/// image's energy about its mean that the components keep, rms and largest error
-/// relative to the image's peak, and the nanoseconds that one pixel takes in three
-/// channels. Ours is in f32 with all components of the shipped table, the truth the
-/// sum over all modes of its degree and order in f64.
+/// Writes demo.png and demo.csv, and prints the numbers: the share of the image's energy about its
+/// mean that the components keep, the rms and the largest error relative to the image's peak, and
+/// nanoseconds a pixel in three channels. The pictures are computed in f32 with all components of
+/// the shipped table; the reference is the sum over all modes of the table's degree and order in
+/// f64.
 #[derive(Args, Debug)]
 pub struct Demo {
-    /// Folder for the files; it is made if need be
+    /// Folder for the files; created if needed
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
     /// Pixels across each sphere, 16 to 512
@@ -81,7 +81,7 @@ impl Demo {
     }
 }
 
-/// The shipped lights and materials that are shown.
+/// The shipped lights and materials of the picture.
 fn shown() -> Result<(Lights, Materials)> {
     let lights = shipped::lights()?;
     let materials = shipped::materials()?;
@@ -99,7 +99,7 @@ fn chosen(entries: Vec<Named>, names: &[&str]) -> Result<Vec<Named>> {
     names.iter().map(|name| find(name).ok_or_else(|| missing(name))).collect()
 }
 
-/// Nanoseconds a pixel of three channels, the shading alone: the shortest of a few.
+/// Nanoseconds of shading a pixel in three channels: the shortest of a few timings.
 fn time(
     shader: &mut Shader<'_, f32>,
     (degree, light): (usize, &Named),

@@ -1,4 +1,4 @@
-//! One image of the demo against its truth, and the picture of all of them.
+//! One image of the demo against its reference, and the picture of all images.
 
 use eigenshade_cli::picture::canvas::{Canvas, LETTER, text_width};
 use eigenshade_cli::picture::png_file;
@@ -7,7 +7,7 @@ use eigenshade_cli::picture::tone::{exposure, srgb};
 use eigenshade_model::error::Result;
 use std::path::Path;
 
-/// Differences are shown so many times larger.
+/// Factor by which differences are shown.
 const MAGNIFIED: f64 = 10.0;
 /// The share of a light's values that its exposure leaves unclipped.
 const UNCLIPPED: f64 = 0.98;
@@ -16,8 +16,8 @@ const BACKGROUND: [u8; 3] = [24, 25, 28];
 const BRIGHT: [u8; 3] = [226, 226, 222];
 const DIM: [u8; 3] = [138, 140, 146];
 
-/// One light on one material: r, g and b of every pixel, ours and the truth, and
-/// how far they are apart.
+/// One light on one material: r, g and b of every pixel, of our image and of the reference, and
+/// their difference.
 pub struct Trial {
     /// The light, and the material.
     pub names: [String; 2],
@@ -74,8 +74,8 @@ impl Trial {
     }
 }
 
-/// Draws one row a material, and for each light ours, the truth and the difference.
-/// The trials stand light by light, `rows` materials of each.
+/// Draws one row for each material, and for each light our image, the reference and the difference.
+/// The trials are ordered by light, with `rows` materials each.
 pub fn draw(path: &Path, view: &SphereView, trials: &[Trial], rows: usize) -> Result<()> {
     let layout = Layout::new(view.size, trials, rows);
     let columns = trials.len() / rows;
@@ -121,7 +121,7 @@ fn title(name: &str) -> String {
     words.replace('-', " ")
 }
 
-/// Where things stand, in pixels.
+/// The layout, in pixels.
 struct Layout {
     size: usize,
     scale: usize,
@@ -160,7 +160,7 @@ impl Layout {
         canvas.text(left, top, self.scale, colour, text);
     }
 
-    /// The light's name, and what stands below it.
+    /// The light's name, and the labels below it.
     fn heading(&self, canvas: &mut Canvas, left: usize, name: &str) {
         let half = self.size / 2;
         let middle = left + self.step + half;

@@ -1,4 +1,4 @@
-//! `eigenshade eigenvalues`: the spectrum of a table.
+//! `eigenshade eigenvalues`: writes the spectrum of a table.
 
 use super::Memory;
 use clap::Args;
@@ -9,16 +9,16 @@ use eigenshade_cli::table::table_file;
 use eigenshade_model::error::Result;
 use std::path::PathBuf;
 
-/// The eigenvalues of a table, as CSV `criterion,index,m,eigenvalue`
+/// Write the eigenvalues of a table, as CSV `criterion,index,m,eigenvalue`
 ///
-/// All that were found, also of components that the table does not keep. The
-/// constant of the image-centred criterion, number 0, has none: its field is empty.
+/// Includes the eigenvalues of components that the table does not keep. The constant of the
+/// image-centered criterion, index 0, has none: its field is empty.
 #[derive(Args, Debug)]
 pub struct Eigenvalues {
     /// The table
     #[arg(value_name = "B.bin")]
     table: PathBuf,
-    /// Where the CSV goes, instead of standard output
+    /// Write the CSV to this file instead of standard output
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
 }

@@ -1,4 +1,4 @@
-//! `eigenshade evaluate`: the paper's functions at given points.
+//! `eigenshade evaluate`: evaluates functions of the paper.
 
 use super::Memory;
 use super::evaluate_functions::Function;
@@ -10,20 +10,20 @@ use eigenshade_model::error::Result;
 use eigenshade_model::inputs::sheet::{Row, Sheet};
 use std::path::PathBuf;
 
-/// A function of the paper at given points
+/// Evaluate a function of the paper at given points
 ///
-/// Writes the points with the function's value as the last column, `value`, with
-/// all its digits. A column `value` that is there already is replaced; other
-/// columns are kept in their order. Indices go to 64, angles are in radians.
+/// Writes the points with the function's value in the last column, `value`, with all digits. An
+/// existing column `value` is replaced; the other columns keep their order. Indices go up to 64;
+/// angles are in radians.
 #[derive(Args, Debug)]
 pub struct Evaluate {
     /// The function
     #[arg(value_enum)]
     function: Function,
-    /// CSV with a column for each index and argument
+    /// CSV with one column for each index and argument
     #[arg(value_name = "POINTS.csv")]
     points: PathBuf,
-    /// Where the CSV goes, instead of standard output
+    /// Write the CSV to this file instead of standard output
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
 }

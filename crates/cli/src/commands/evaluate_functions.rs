@@ -1,15 +1,14 @@
-//! The functions that `eigenshade evaluate` knows: columns, domains, values.
+//! The functions of `eigenshade evaluate`: columns, domains, values.
 
 use clap::ValueEnum;
 use eigenshade_model::special::{spherical_harmonic, wigner, zernike};
 use eigenshade_model::{irradiance, polar_integral};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// The largest index that is served: what the functions are tested to, the
-/// irradiance modes as products of them.
+/// The largest index. The functions are tested up to it, irradiance modes as products of them.
 const LARGEST: i64 = 64;
 
-/// How far beyond its end an angle may lie: files round π.
+/// How far an angle may exceed its range, because files round π.
 const SLACK: f64 = 1e-9;
 
 /// A function of the paper.
@@ -27,7 +26,7 @@ pub enum Function {
     IrradianceMode,
 }
 
-/// What is wrong with a point, and the remedy.
+/// The fault of a point, and the remedy.
 type Fault = (String, String);
 
 impl Function {

@@ -1,4 +1,4 @@
-//! `eigenshade info`: what is in a table.
+//! `eigenshade info`: describes a table.
 
 use super::Memory;
 use clap::Args;
@@ -13,13 +13,12 @@ use eigenshade_table::scene::{Cut, Store};
 use std::fmt::Write;
 use std::path::PathBuf;
 
-/// What is in a table: scene, orders, components, rank, energy, sections and bytes
+/// Describe a table: scene, orders, components, rank, energy, sections and bytes
 ///
-/// Of a wire file, which `pack` writes: version, format, orders, components, sections
-/// and bytes.
+/// For a wire file, which `pack` writes: version, format, orders, components, sections and bytes.
 #[derive(Args, Debug)]
 pub struct Info {
-    /// The table, or a wire file of one
+    /// Table or wire file
     #[arg(value_name = "B.bin")]
     table: PathBuf,
 }
@@ -84,7 +83,7 @@ fn description(table: &Table) -> String {
     text
 }
 
-/// The effects, and what of colour and turning is left out.
+/// The effects, and whether color or turning is left out.
 fn effects(table: &Table) -> String {
     let wanted = &table.scene.effects;
     let colour = if wanted.colour { "" } else { ", no colour" };
@@ -92,7 +91,7 @@ fn effects(table: &Table) -> String {
     wire_file::named(table.effects()) + colour + rotation
 }
 
-/// What the table keeps of the basis.
+/// The part of the basis that the table keeps.
 fn stored(table: &Table) -> &'static str {
     match table.scene.basis.store {
         Store::Modes => "U over modes, the factors of U^T M",

@@ -1,4 +1,4 @@
-//! `eigenshade light`: environment maps to spherical harmonics.
+//! `eigenshade light`: projects environment maps onto spherical harmonics.
 
 use super::{Memory, count};
 use clap::{Args, ValueEnum};
@@ -13,17 +13,16 @@ use eigenshade_model::inputs::coefficient_csv::{read_lights, write_lights};
 use eigenshade_model::inputs::rounding::{LIGHT_DIGITS, rounded};
 use std::path::{Path, PathBuf};
 
-/// Light coefficients from environment maps, or from the other convention
+/// Project environment maps onto light coefficients, or convert coefficients
 ///
-/// Writes the CSV `name,l,m,r,g,b`. Maps are equirectangular and linear, row 0 at
-/// the top, and keep nine significant digits. On standard error stands how much of
-/// each map's radiance is negative. A file that --out names begins with a comment
-/// line, `#` and the command.
+/// Writes the CSV `name,l,m,r,g,b` with nine significant digits. Maps are equirectangular and
+/// linear, with row 0 at the top. The share of each map's radiance that is negative is reported on
+/// standard error. The file of --out begins with a comment line, `#` and the command.
 ///
-/// A single light CSV instead of maps is converted from the OTHER convention to the
-/// one named by --convention: `light graphics.csv --convention paper` reads
-/// coefficients in the graphics convention. --degree then leaves out what lies
-/// above it; more than the file holds is an error.
+/// A single light CSV in place of maps is converted from the OTHER convention to the one of
+/// --convention: `light graphics.csv --convention paper` reads coefficients in the graphics
+/// convention. --degree then drops higher degrees; a degree that the file does not reach is an
+/// error.
 #[derive(Args, Debug)]
 pub struct Light {
     /// Maps (.exr, .hdr, .pfm), folders of maps, or one light CSV
@@ -32,10 +31,10 @@ pub struct Light {
     /// Largest degree l of the coefficients, 0 to 256
     #[arg(long, value_name = "L", value_parser = count(0, 256))]
     degree: usize,
-    /// Convention of the coefficients that are written
+    /// Convention of the output
     #[arg(long, value_enum, default_value_t = Convention::Paper)]
     convention: Convention,
-    /// Where the CSV goes, instead of standard output
+    /// Write the CSV to this file instead of standard output
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
 }
@@ -44,7 +43,7 @@ pub struct Light {
 enum Convention {
     /// Nillius and Eklundh's: Condon-Shortley phase, signed m in sin(m phi)
     Paper,
-    /// That of three.js, Filament and Ramamoorthi
+    /// The convention of three.js, Filament and Ramamoorthi
     Graphics,
 }
 
@@ -88,7 +87,7 @@ fn files(maps: &[PathBuf]) -> Result<Vec<(String, PathBuf)>> {
     named_maps(maps)
 }
 
-/// The lights of the maps, as the shipped files hold them.
+/// The lights of the maps, with the digits of the shipped files.
 fn projected(files: Vec<(String, PathBuf)>, degree: usize, memory: Memory) -> Result<Lights> {
     let progress = bar("maps", files.len());
     let mut entries = Vec::new();

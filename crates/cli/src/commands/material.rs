@@ -1,4 +1,4 @@
-//! `eigenshade material`: BRDFs, measured, tabulated or formulas, to coefficients.
+//! `eigenshade material`: converts measured, tabulated or analytic BRDFs to coefficients.
 
 use super::material_formula::{Formula, Nearness};
 use super::{Memory, count};
@@ -18,15 +18,14 @@ use std::collections::HashSet;
 use std::io::Write;
 use std::path::PathBuf;
 
-/// Material coefficients of BRDFs: measurements, tables or formulas
+/// Convert BRDFs (measurements, tables or formulas) to material coefficients
 ///
-/// Writes the CSV `name,o,p,q,r,g,b` (`name,o,p,q,value` if all are grey).
-/// Measurements are fitted; on standard error stands how good each fit is: the
-/// residual relative to the measurements, the range of the fitted values relative to
-/// the largest measured one, and the condition number. MERL files and formulas are
-/// projected by quadrature; on standard error stands the share of the energy,
-/// f^2 cos theta_i cos theta_r over both hemispheres, that the order leaves out. A file
-/// that --out or --report names begins with a comment line, `#` and the command.
+/// Writes the CSV `name,o,p,q,r,g,b` (`name,o,p,q,value` if all are gray). Measurements are fitted.
+/// For each fit, standard error shows the residual relative to the measurements, the range of the
+/// fitted values relative to the largest measured one, and the condition number. MERL files and
+/// formulas are projected by quadrature. For each projection, standard error shows the share of the
+/// energy, f^2 cos theta_i cos theta_r over both hemispheres, that the order leaves out. The files
+/// of --out and --report begin with a comment line, `#` and the command.
 #[derive(Args, Debug)]
 #[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
 pub struct Material {
@@ -34,19 +33,19 @@ pub struct Material {
     formula: Option<Formula>,
     /// A CUReT folder (abrdf.dat, table.txt), a CSV
     /// `theta_i,phi_i,theta_r,phi_r,r,g,b`, a MERL .binary, a .toml of formulas, or a
-    /// folder of such files; several are put together
+    /// folder of such files; several are combined
     #[arg(value_name = "PATH", required = true)]
     paths: Vec<PathBuf>,
     /// Largest order o of the coefficients, 0 to 64
     #[arg(long, value_name = "O", value_parser = count(0, 64), required = true)]
     order: Option<usize>,
-    /// Under what projected coefficients are nearest to the function
+    /// Measure under which projected coefficients approximate the function best
     #[arg(long, value_enum, default_value_t)]
     measure: Nearness,
-    /// Where the CSV goes, instead of standard output
+    /// Write the CSV to this file instead of standard output
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
-    /// Also writes how good the fits are:
+    /// Also write the quality of the fits to this file:
     /// `name,samples,maximum,residual,lowest,highest,condition`, the maximum in 1/sr
     #[arg(long, value_name = "FILE")]
     report: Option<PathBuf>,
@@ -93,7 +92,7 @@ impl Material {
     }
 }
 
-/// The coefficients of all, in their order, and the fits among them.
+/// The coefficients of all sources, in order, and the fits among them.
 fn coefficients(
     sources: Vec<Source>,
     order: usize,
@@ -139,7 +138,7 @@ fn coefficients(
     Ok((Materials { order, entries }, fits))
 }
 
-/// A line that warns of measurements below zero by more than a fit may be.
+/// A warning of measurements that are further below zero than a fit may be.
 fn negative_values(sources: &[Source]) -> Option<String> {
     let range = |source: &Source| {
         let Source::Measured(measured) = source else { return None };

@@ -1,4 +1,4 @@
-//! Materials that are formulas, on the command line.
+//! Formulas of materials on the command line.
 
 use super::count;
 use clap::{Args, Subcommand, ValueEnum};
@@ -10,17 +10,17 @@ use std::path::PathBuf;
 /// One formula and its parameters.
 #[derive(Debug, Subcommand)]
 pub enum Formula {
-    /// Perfectly matte: albedo / pi
+    /// Perfectly diffuse: albedo / pi
     Lambertian {
-        /// Share of the light that is reflected: a number, or r,g,b
+        /// Reflected share of the light: a number, or r,g,b
         #[arg(long, value_name = "A", value_parser = shares)]
         albedo: Shares,
         #[command(flatten)]
         answer: Answer,
     },
-    /// Rough and matte: the qualitative model of Oren and Nayar, 1994
+    /// Rough diffuse: the qualitative model of Oren and Nayar, 1994
     OrenNayar {
-        /// Deviation of the facets' angle, radians, 0 to pi/2
+        /// Standard deviation of the facets' angle, radians, 0 to pi/2
         #[arg(long, value_name = "S")]
         sigma: f64,
         /// Albedo: a number, or r,g,b
@@ -29,10 +29,10 @@ pub enum Formula {
         #[command(flatten)]
         answer: Answer,
     },
-    /// What a glTF metallic-roughness material says: a GGX lobe over a matte base
+    /// A glTF metallic-roughness material: a GGX lobe over a diffuse base
     ///
-    /// A dielectric has f0 0.04 and its base colour as albedo; a metal has its base
-    /// colour as f0 and no albedo.
+    /// A dielectric has f0 0.04 and its base color as albedo; a metal has its base color as f0 and
+    /// no albedo.
     Ggx {
         /// Perceptual roughness, 0.03 to 1; alpha is its square
         #[arg(long, value_name = "R")]
@@ -40,7 +40,7 @@ pub enum Formula {
         /// Reflectance at normal incidence: a number, or r,g,b
         #[arg(long, value_name = "F", value_parser = shares)]
         f0: Shares,
-        /// Albedo of the matte base: a number, or r,g,b
+        /// Albedo of the diffuse base: a number, or r,g,b
         #[arg(long, value_name = "A", default_value = "0", value_parser = shares)]
         albedo: Shares,
         #[command(flatten)]
@@ -48,24 +48,24 @@ pub enum Formula {
     },
 }
 
-/// What is wanted of it.
+/// Options of the projection.
 #[derive(Args, Debug)]
 pub struct Answer {
     /// Largest order o of the coefficients, 0 to 64
     #[arg(long, value_name = "O", value_parser = count(0, 64))]
     pub order: usize,
-    /// What the material is called, instead of after its model
+    /// Name of the material [default: the model]
     #[arg(long, value_name = "NAME", value_parser = clap::builder::NonEmptyStringValueParser::new())]
     name: Option<String>,
-    /// Under what the coefficients are nearest to the function
+    /// Measure under which the coefficients approximate the function best
     #[arg(long, value_enum, default_value_t)]
     pub measure: Nearness,
-    /// Where the CSV goes, instead of standard output
+    /// Write the CSV to this file instead of standard output
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
 }
 
-/// Under what coefficients are nearest to a function.
+/// The measure under which coefficients approximate a function best.
 #[derive(Clone, Copy, Debug, Default, ValueEnum)]
 pub enum Nearness {
     /// cos theta_i cos theta_r dw_i dw_r, as the irradiance of a sphere sees it
@@ -85,7 +85,7 @@ impl From<Nearness> for Measure {
 }
 
 impl Formula {
-    /// The material as functions, and what is wanted of it.
+    /// The material as functions, and the options.
     ///
     /// # Errors
     ///

@@ -8,7 +8,7 @@ use std::path::Path;
 /// The budgets of a command.
 #[derive(Args, Clone, Copy, Debug)]
 pub struct Memory {
-    /// Most memory for reading an input file and for making a table, like 4GiB
+    /// Memory limit for reading an input file and for making a table, like 4GiB
     /// [default: 512MiB for a file, 2GiB for a table]
     #[arg(long = "memory", global = true, value_name = "SIZE")]
     budget: Option<Budget>,
@@ -21,7 +21,7 @@ impl Memory {
         self.budget.unwrap_or(Budget::BASIS)
     }
 
-    /// A file, to be read within its budget.
+    /// A file that is read within its budget.
     pub fn file(self, path: impl AsRef<Path>) -> InputFile {
         InputFile::new(path, self.budget.unwrap_or(Budget::READING))
     }

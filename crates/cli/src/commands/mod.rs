@@ -29,7 +29,7 @@ use clap::Subcommand;
 use eigenshade_model::error::Result;
 pub use memory::Memory;
 
-/// What the program can do.
+/// The commands of the program.
 #[derive(Debug, Subcommand)]
 pub enum Command {
     Demo(demo::Demo),
@@ -51,7 +51,7 @@ pub enum Command {
 }
 
 impl Command {
-    /// Does it.
+    /// Runs it.
     pub fn run(self, memory: Memory) -> Result<()> {
         match self {
             Self::Demo(command) => command.run(),

@@ -1,4 +1,4 @@
-//! `eigenshade pack`: a table as a wire file.
+//! `eigenshade pack`: writes a table as a wire file.
 
 use super::Memory;
 use clap::{Args, ValueEnum};
@@ -11,22 +11,22 @@ use eigenshade_table::quantise;
 use eigenshade_table::wire::{self, Endian};
 use std::path::PathBuf;
 
-/// A table as a wire file, which the runtime reads where it lies
+/// Write a table as a wire file, which the runtime reads in place
 ///
-/// For tables that arrive at run time, from a page of flash or a fetch:
-/// `Basis::from_bytes` takes them. `eigenshade info` says what is in one.
+/// Wire files are for tables that arrive at run time, from flash or over a network:
+/// `Basis::from_bytes` reads them. `eigenshade info` describes them.
 #[derive(Args, Debug)]
 pub struct Pack {
     /// The table
     #[arg(value_name = "B.bin")]
     table: PathBuf,
-    /// Numbers of the file
+    /// Number format of the file
     #[arg(long, value_enum, default_value_t = Format::F32)]
     format: Format,
-    /// For a machine whose numbers have their greatest byte first
+    /// Write for a big-endian machine
     #[arg(long)]
     big_endian: bool,
-    /// Writes the wire file here
+    /// Write the wire file to this file
     #[arg(long, value_name = "W.esw")]
     out: PathBuf,
 }

@@ -1,4 +1,4 @@
-//! `eigenshade project`: coefficients of images in a table's eigenimages.
+//! `eigenshade project`: writes the coefficients of images in a table's eigenimages.
 
 use super::{Memory, count};
 use clap::Args;
@@ -15,11 +15,10 @@ use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{Shader, fault, fitted, of_higher_order};
 use std::path::PathBuf;
 
-/// Every light on every material, in a table's components
+/// Project every light on every material onto a table's components
 ///
-/// Writes the CSV `light,material,component,r,g,b`: d = U^T M c in f64, channel by
-/// channel. What goes beyond the table's degree or order is left out; lights and
-/// materials of less are taken as they are.
+/// Writes the CSV `light,material,component,r,g,b`: d = U^T M c in f64, channel by channel. Degrees
+/// and orders beyond the table's are dropped; lower ones are used as they are.
 #[derive(Args, Debug)]
 pub struct Project {
     /// The table
@@ -34,7 +33,7 @@ pub struct Project {
     /// Only the first K components
     #[arg(long, value_name = "K", value_parser = count(1, u64::from(u16::MAX)))]
     components: Option<usize>,
-    /// Where the CSV goes, instead of standard output
+    /// Write the CSV to this file instead of standard output
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
 }

@@ -1,4 +1,4 @@
-//! `eigenshade read`: components, light and material from an image.
+//! `eigenshade read`: estimates components, light and material from an image.
 
 use super::read_answer::{self, Answer};
 use super::{Memory, count};
@@ -23,22 +23,21 @@ use std::path::{Path, PathBuf};
 /// The largest value of an image: its square, times any number of pixels, is a number.
 const LARGEST: f64 = 1e100;
 
-/// Components, light and material from an image and its normals
+/// Estimate components, light and material from an image and its normals
 ///
-/// Writes the CSV `quantity,name,index,r,g,b`: the fit, the components d by scalar
-/// product, by weighted least squares and as posterior mean under the database's
-/// statistics, the best light, and the database's materials, the likeliest first.
-/// A summary goes to standard error. Units are those of the image, linear; the full
-/// scale of a PNG is 1.
+/// Writes the CSV `quantity,name,index,r,g,b`: the fit, the components d by scalar product, by
+/// weighted least squares and as posterior mean under the statistics of the database, the best
+/// light, and the materials of the database, the likeliest first. A summary goes to standard error.
+/// Units are those of the linear image; the full scale of a PNG is 1.
 #[derive(Args, Debug)]
 pub struct Read {
-    /// The image: .png, .exr, .hdr, .pfm, or a CSV `r,g,b` or `value`, a row a pixel
+    /// Image: .png, .exr, .hdr, .pfm, or a CSV `r,g,b` or `value` with a row for each pixel
     #[arg(value_name = "IMAGE")]
     image: PathBuf,
-    /// Its normals: `sphere`, a normal map (.png), or a CSV `x,y,z`, a row a pixel
+    /// Normals: `sphere`, a normal map (.png), or a CSV `x,y,z` with a row for each pixel
     #[arg(long, value_name = "NORMALS")]
     normals: PathBuf,
-    /// What each pixel counts: a grey PNG, or a CSV `weight`, a row a pixel
+    /// Weight of each pixel: a gray PNG, or a CSV `weight` with a row for each pixel
     #[arg(long, value_name = "FILE")]
     mask: Option<PathBuf>,
     /// The table
@@ -47,29 +46,29 @@ pub struct Read {
     /// Only the first K components
     #[arg(long, value_name = "K", value_parser = count(1, u64::from(u16::MAX)))]
     components: Option<usize>,
-    /// Standard deviation of a pixel's noise, in units of the image; without it, the
-    /// residual's
+    /// Standard deviation of a pixel's noise, in units of the image [default: that of the
+    /// residual]
     #[arg(long, value_name = "S", value_parser = positive)]
     noise: Option<f64>,
-    /// What a PNG's samples are; without it, what the PNG says (sRGB, gAMA, cICP), or else
-    /// sRGB of 8 bits and linear of 16. One with a colour profile instead, or another gamma,
-    /// needs it
+    /// Transfer function of a PNG [default: that of its chunks sRGB, gAMA or cICP, or else sRGB for
+    /// 8 bits and linear for 16 bits]. Required for another gamma, or for a color profile without
+    /// these chunks
     #[arg(long, value_enum)]
     transfer: Option<Transfer>,
-    /// Light CSV of the statistics; without it, the one that the table's scene names,
-    /// looked for from the table's folder, or else the shipped one, if it has as many
+    /// Light CSV of the statistics [default: the file that the table's scene names, relative to the
+    /// table's folder, or else the shipped one, if it has as many lights]
     #[arg(long, value_name = "FILE")]
     lights: Option<PathBuf>,
-    /// Material CSV of the statistics; without it, as for --lights
+    /// Material CSV of the statistics [default: as for --lights]
     #[arg(long, value_name = "FILE")]
     materials: Option<PathBuf>,
-    /// Where the CSV goes, instead of standard output
+    /// Write the CSV to this file instead of standard output
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
-    /// The best light as light CSV
+    /// Write the best light to this light CSV
     #[arg(long, value_name = "FILE")]
     light_out: Option<PathBuf>,
-    /// The modes c as CSV `estimate,l,m,o,p,q,r,g,b`
+    /// Write the modes c to this CSV, `estimate,l,m,o,p,q,r,g,b`
     #[arg(long, value_name = "FILE")]
     modes_out: Option<PathBuf>,
 }
@@ -138,7 +137,7 @@ impl Read {
         }
     }
 
-    /// Whether each output is a file of its own, and none of the files that are read.
+    /// Checks that each output is a file of its own and none of the inputs.
     fn outputs_are_apart(&self, table: &Table) -> Result<()> {
         let of_scene = |given: &Option<PathBuf>, database: &str| {
             given.clone().or_else(|| self.beside(database).ok())
@@ -153,7 +152,7 @@ impl Read {
         collision::refuse(outputs.into_iter().flatten(), inputs)
     }
 
-    /// Whether the table holds what is asked for.
+    /// Checks that the table has the requested components.
     fn served(&self, table: &Table) -> Result<()> {
         let store = table.scene.basis.store.name();
         let what = if !table.has_projection() {
@@ -168,7 +167,7 @@ impl Read {
         Err(Error::new(what, remedy).in_file(&self.table))
     }
 
-    /// What the light is called: as the image.
+    /// The name of the light: that of the image.
     fn name(&self) -> String {
         self.image.file_stem().unwrap_or_default().to_string_lossy().into_owned()
     }
@@ -283,7 +282,7 @@ impl Read {
     }
 }
 
-/// The fault of a database that is not there.
+/// The error of a missing database.
 fn without(path: PathBuf, option: &str) -> Error {
     let what = "the database of the table's scene is not there";
     Error::new(what, format!("name it by {option}")).in_file(path)

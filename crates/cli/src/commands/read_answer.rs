@@ -1,4 +1,4 @@
-//! What `eigenshade read` writes.
+//! The output of `eigenshade read`.
 
 use eigenshade_cli::output::destination;
 use eigenshade_cli::output::message::say;
@@ -17,7 +17,7 @@ use std::path::Path;
 /// Materials that the summary names.
 const NAMED: usize = 3;
 
-/// A reading with what it was made from.
+/// A reading with its inputs.
 pub struct Answer<'a> {
     pub reading: &'a Reading,
     pub observation: &'a Observation,
@@ -163,7 +163,7 @@ impl Tidy<'_> {
     }
 }
 
-/// Refuses a result that is no number.
+/// Refuses a result that is not a number.
 fn finite(what: &str, value: f64) -> Result<f64> {
     if value.is_finite() {
         return Ok(value);

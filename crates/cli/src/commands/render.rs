@@ -1,4 +1,4 @@
-//! `eigenshade render`: a picture of a sphere.
+//! `eigenshade render`: draws a sphere.
 
 use super::{Memory, count};
 use clap::{Args, ValueEnum};
@@ -25,19 +25,19 @@ use std::path::{Path, PathBuf};
 /// The share of the picture's values that the exposure leaves unclipped.
 const UNCLIPPED: f64 = 0.99;
 
-/// A sphere as PNG: sRGB, transparent around it
+/// Draw a sphere as an sRGB PNG with a transparent background
 ///
-/// The exposure is the picture's own: one in a hundred of its values clips. The picture is of
-/// a sphere's normals whatever the table is of; a note says so where that is another object.
+/// The exposure is chosen so that one value in a hundred clips. The picture has a sphere's normals
+/// for every table; a note says so if the table is of another object.
 #[derive(Args, Debug)]
 pub struct Render {
     /// The table
     #[arg(value_name = "B.bin")]
     table: PathBuf,
-    /// Light CSV, and which of its lights; the name may be left out if there is one
+    /// Light CSV and name of the light; optional if the file has one light
     #[arg(long, value_name = "FILE[:NAME]")]
     light: String,
-    /// Material CSV, and which of its materials
+    /// Material CSV and name of the material; optional if the file has one material
     #[arg(long, value_name = "FILE[:NAME]")]
     material: String,
     /// Pixels across, 2 to 8192
@@ -46,7 +46,7 @@ pub struct Render {
     /// Number format
     #[arg(long, value_enum, default_value_t = Format::F32)]
     format: Format,
-    /// Where the picture goes
+    /// Write the picture to this file
     #[arg(long, value_name = "F.png")]
     out: PathBuf,
 }
@@ -116,7 +116,7 @@ fn shaded<S: Scalar + Into<f64>>(
     Ok(image.map(|channel| channel.into_iter().map(Into::into).collect()))
 }
 
-/// What a picture of a sphere leaves unsaid if the table at `path` is of another object.
+/// A note for a table at `path` that is of another object than a sphere.
 fn note(path: &Path, geometry: &Geometry) -> Option<String> {
     if geometry.normals == "sphere" {
         return None;

@@ -1,4 +1,4 @@
-//! `eigenshade shade`: the irradiance of given normals.
+//! `eigenshade shade`: writes the irradiance of given normals.
 
 use super::shade_options::{angles, effect, tolerance, width};
 use super::{Memory, count};
@@ -28,10 +28,10 @@ use eigenshade_table::{Table, quantise, wire};
 use std::io::Write;
 use std::path::PathBuf;
 
-/// Every light on every material at given normals
+/// Shade given normals for every light on every material
 ///
-/// Writes the CSV `light,material,normal,r,g,b`; normals are counted from 0. Each
-/// number reads back exactly.
+/// Writes the CSV `light,material,normal,r,g,b`; normals are counted from 0. Each number is written
+/// with all digits.
 #[derive(Args, Debug)]
 pub struct Shade {
     /// The table
@@ -46,31 +46,31 @@ pub struct Shade {
     /// Normals CSV, `x,y,z`
     #[arg(long, value_name = "FILE")]
     normals: PathBuf,
-    /// Only the first K components; the method modes has none
+    /// Only the first K components; not for the method modes
     #[arg(long, value_name = "K", value_parser = count(1, u64::from(u16::MAX)))]
     components: Option<usize>,
-    /// Number format: f32, but for the method modes f64
+    /// Number format [default: f32, and f64 for the method modes]
     #[arg(long, value_enum)]
     format: Option<Format>,
-    /// How the images are summed
+    /// How a pixel is computed
     #[arg(long, value_enum, default_value_t = Method::Polynomial)]
     method: Method,
-    /// Turns the light by Rz(A) Ry(B) Rz(C), radians
+    /// Turn the light by Rz(A) Ry(B) Rz(C), radians
     #[arg(long, value_name = "A,B,C", value_parser = angles, allow_hyphen_values = true)]
     rotate: Option<Rotation>,
-    /// Of the method table: knots of each azimuth, 8 to 65536 [default: the scene's, or 64 times
-    /// the degree, rounded up to a power of two]
+    /// Method table: knots of each azimuth, 8 to 65536 [default: the scene's, or 64 times the
+    /// degree, rounded up to a power of two]
     #[arg(long, value_name = "N", value_parser = count(8, 65_536))]
     knots: Option<usize>,
-    /// Of the method baked: texels a side, 2 to 4096 [default: 64]
+    /// Method baked: texels a side, 2 to 4096 [default: 64]
     #[arg(long, value_name = "N", value_parser = count(2, 4_096))]
     size: Option<usize>,
-    /// Between knots or texels: of table linear or cubic [default: cubic], of baked nearest
-    /// or linear [default: linear]
+    /// Interpolation: linear or cubic for table [default: cubic], nearest or linear for baked
+    /// [default: linear]
     #[arg(long, value_enum)]
     interpolation: Option<Interpolation>,
-    /// Only these effects, of ambient, diffuse, broad and gloss: their pictures sum to the
-    /// whole [default: all]
+    /// Only these effects: ambient, diffuse, broad, gloss; their pictures sum to the whole
+    /// [default: all]
     #[arg(long, value_name = "A,B", value_delimiter = ',', value_parser = effect)]
     effects: Vec<Effect>,
     /// Shade with fewer polynomial terms, as long as the rms difference over a picture of a sphere
@@ -79,14 +79,14 @@ pub struct Shade {
     /// comes on top
     #[arg(long, value_name = "T", value_parser = tolerance, allow_negative_numbers = true)]
     tolerance: Option<Tolerance<f64>>,
-    /// Weakens degree l of the light by sinc^4, (sin x / x)^4 with x = pi l / W; nothing is
-    /// left from degree W on
+    /// Weaken degree l of the light by sinc^4, (sin x / x)^4 with x = pi l / W, to zero from degree
+    /// W on
     #[arg(long, value_name = "W", value_parser = width)]
     window: Option<f64>,
-    /// Irradiance below zero becomes zero; the least that was there is told on standard error
+    /// Set irradiance below zero to zero, and report the least value on standard error
     #[arg(long)]
     clamp: bool,
-    /// Where the CSV goes, instead of standard output
+    /// Write the CSV to this file instead of standard output
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
 }
@@ -103,13 +103,13 @@ enum Format {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Method {
-    /// The direct sum over modes, f64, at the table's degree and order: the truth
+    /// The direct sum over modes at the table's degree and order, in f64: the reference
     Modes,
     /// Eigenimage by eigenimage
     Eigen,
     /// One polynomial for each azimuth, as on a device
     Polynomial,
-    /// Those polynomials sampled at --knots, and looked up
+    /// The polynomials sampled at --knots, and looked up
     Table,
     /// The image baked on a paraboloid map of --size, and looked up
     Baked,
@@ -122,7 +122,7 @@ enum Interpolation {
     Cubic,
 }
 
-/// What is to be shaded.
+/// The inputs of the shading.
 struct Work {
     table: Table,
     lights: Lights,
@@ -131,7 +131,7 @@ struct Work {
     components: usize,
     effects: Effects,
     tolerance: Option<Tolerance<f64>>,
-    /// What the number format may cost, as a share of the peak.
+    /// A warning of the number format's error.
     rounding: f64,
 }
 
@@ -214,7 +214,7 @@ impl Shade {
         Ok(())
     }
 
-    /// The format that the table's numbers are rounded to, if they are.
+    /// The format that the table's numbers are rounded to, if any.
     fn stored(&self) -> Option<wire::Format> {
         match (self.method, self.format) {
             (Method::Modes, _) | (_, Some(Format::F64)) => None,
@@ -224,7 +224,7 @@ impl Shade {
         }
     }
 
-    /// The effects that are asked for and that the table has.
+    /// The requested effects that the table has.
     fn wanted(&self, table: &Table) -> Result<Effects> {
         let asked: Effects = self.effects.iter().copied().collect();
         let all = table.effects();
@@ -236,7 +236,7 @@ impl Shade {
         Ok(if self.effects.is_empty() { all } else { asked })
     }
 
-    /// How a pixel is had: options that belong to another method are errors.
+    /// The way to a pixel; options of another method are errors.
     fn way(&self, of_scene: Option<usize>, degree: usize) -> Result<Way> {
         let (table, baked) = (self.method == Method::Table, self.method == Method::Baked);
         let stray = |option: &str, method: &str| {
@@ -287,7 +287,7 @@ fn enough_knots(degree: usize) -> usize {
     (64 * degree).next_power_of_two().max(128)
 }
 
-/// How the runtime comes to a pixel.
+/// A way of the runtime to a pixel.
 #[derive(Clone, Copy, Debug)]
 enum Way {
     Eigen,
@@ -295,7 +295,7 @@ enum Way {
     LookUp(LookUp),
 }
 
-/// Where irradiance goes.
+/// The output of irradiance.
 struct Output<'a, 'b> {
     rows: Rows<'b>,
     negatives: Negatives,
@@ -354,7 +354,7 @@ impl Work {
         })
     }
 
-    /// Polynomials within a tolerance; says what was chosen.
+    /// Polynomials within a tolerance; reports the choice.
     fn within<S: Scalar + Into<f64>>(
         &self,
         shader: &mut Shader<'_, S>,

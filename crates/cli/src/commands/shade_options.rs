@@ -1,4 +1,4 @@
-//! Readers of what `eigenshade shade` is asked for.
+//! Parsers of options of `eigenshade shade`.
 
 use eigenshade::{Effect, Tolerance};
 use eigenshade_model::rotation::Rotation;

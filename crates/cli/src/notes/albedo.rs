@@ -1,13 +1,13 @@
-//! Materials that reflect more light than they get, or less than none.
+//! Warns about materials that reflect more light than they receive, or a negative amount.
 
 use eigenshade_model::database::Materials;
 use eigenshade_model::scattering;
 
-/// What coefficients of a series may be off by.
+/// Tolerance for the error of truncated series coefficients.
 const SLACK: f64 = 1e-3;
 
-/// A line that warns of them, if there are any: the albedo of the worst, under light that is the
-/// same from everywhere.
+/// A warning line if there are such materials. It gives the albedo of the worst one under uniform
+/// light.
 #[must_use]
 pub fn warning(materials: &Materials) -> Option<String> {
     let beyond = |albedo: f64| (albedo - 1.0).max(-albedo);

@@ -1,9 +1,9 @@
-//! What a tolerance chose, in words.
+//! Describes the truncation that a tolerance chose.
 
 use eigenshade::{Economy, Scalar};
 
-/// For one image in one channel, or for many, what was kept of `components` and what it costs,
-/// with what the number format may cost besides as a share of the peak.
+/// Describes what was kept of `components` and what it costs, for one image in one channel or for
+/// many images. Adds the error of the number format as a share of the peak.
 #[must_use]
 pub fn lines<S: Scalar + Into<f64>>(
     chosen: &[Economy<S>],
@@ -46,7 +46,7 @@ pub fn lines<S: Scalar + Into<f64>>(
     ]
 }
 
-/// The next number of two digits, so that a bound stays one when it is printed.
+/// Rounds up to two digits, so that a printed bound remains a bound.
 fn raised(value: f64) -> f64 {
     if value <= 0.0 {
         return 0.0;

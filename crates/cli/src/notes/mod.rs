@@ -1,4 +1,4 @@
-//! What a result needs said of it.
+//! Notes about a result.
 
 pub mod albedo;
 pub mod economy;

@@ -1,23 +1,23 @@
-//! Images that are nothing but the ringing of a light cut at its degree.
+//! Detects images that show only the ringing of a light truncated at its degree.
 
-/// The least irradiance of such an image, as a share of its largest.
+/// The threshold on how far an image falls below zero, as a share of its largest value.
 const SHARE: f64 = 1.0 / 3.0;
 
-/// The images so far. No light and no material makes irradiance negative, but series cut at a
-/// degree swing about what they stand for: those of a highlight by 0.13 of its height below zero,
-/// which is the first swing of a point's light. Where an image falls by a third of its peak below
-/// zero, its peak is not much more than such a swing. So it is where all light is behind the
-/// object.
+/// The images seen so far. No light and no material makes irradiance negative, but truncated series
+/// oscillate about the values that they approximate. The series of a highlight falls below zero by
+/// 0.13 of the highlight's height, which is the first swing of a point light. If an image falls
+/// below zero by a third of its peak, then its peak is not much larger than such a swing. This
+/// happens when all light is behind the object.
 #[derive(Clone, Debug, Default)]
 pub struct Ringing {
     images: usize,
     found: usize,
-    /// The name, least and largest value of the one that is the most negative.
+    /// The name, least value and largest value of the most negative image.
     worst: Option<(String, f64, f64)>,
 }
 
 impl Ringing {
-    /// Looks at the least and the largest irradiance of one image.
+    /// Records the least and the largest irradiance of one image.
     pub fn see(&mut self, name: impl FnOnce() -> String, least: f64, largest: f64) {
         self.images += 1;
         if least < 0.0 && -least > SHARE * largest {
@@ -28,7 +28,7 @@ impl Ringing {
         }
     }
 
-    /// One line, if there are any.
+    /// One line about these images, if there are any.
     #[must_use]
     pub fn note(&self) -> Option<String> {
         let (name, least, largest) = self.worst.as_ref()?;

@@ -1,21 +1,20 @@
-//! Outputs that would replace one another, or an input.
+//! Refuses outputs that would overwrite each other or an input.
 
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::output::end_of_links;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
-/// Checks, before anything is written, that each output of a command is a file of its own
-/// and none of its inputs.
+/// Checks, before anything is written, that all outputs of a command are different files and that
+/// none of them is an input.
 ///
-/// Files are compared, not names: links, `.` and `..` are followed. Another hard link of an
-/// input is another file, since a new one takes its name and leaves the input. Devices and
-/// pipes, which keep nothing that could be lost, are let through.
+/// The check compares files, not names: it follows links, `.` and `..`. Another hard link to an
+/// input counts as a different file, because writing creates a new file under that name and leaves
+/// the input intact. Devices and pipes hold no data that could be lost, so they are allowed.
 ///
 /// # Errors
 ///
-/// For the first output, in their order, that goes where an earlier one goes, or where an
-/// input is.
+/// For the first output that goes to the same place as an earlier output or an input.
 pub fn refuse<P: AsRef<Path>, Q: AsRef<Path>>(
     outputs: impl IntoIterator<Item = P>,
     inputs: impl IntoIterator<Item = Q>,
@@ -44,7 +43,8 @@ pub fn refuse<P: AsRef<Path>, Q: AsRef<Path>>(
     Ok(())
 }
 
-/// Where a file is, or would be: the end of its links, or its folder's place and its name.
+/// The location of a file that may not exist yet: the end of its links, or its name in its resolved
+/// folder.
 fn place(path: &Path) -> PathBuf {
     let path = end_of_links(path).unwrap_or_else(|_| path.to_owned());
     path.canonicalize().unwrap_or_else(|_| {
@@ -54,7 +54,7 @@ fn place(path: &Path) -> PathBuf {
         };
         match (folder.canonicalize(), path.file_name()) {
             (Ok(folder), Some(name)) => folder.join(name),
-            // A folder that is not there: writing says so.
+            // The folder does not exist; writing will report it.
             _ => path.to_owned(),
         }
     })

@@ -1,4 +1,4 @@
-//! Where an answer goes: to a file, whole or not at all, or to standard output.
+//! Writes output to standard output, or to a file, either completely or not at all.
 
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::output::write_atomically;
@@ -7,11 +7,11 @@ use std::path::Path;
 
 /// Writes to the file, or to standard output if there is none.
 ///
-/// A reader that has seen enough and closes the pipe is no fault.
+/// It is not an error if the reader closes the pipe early.
 ///
 /// # Errors
 ///
-/// What `write` returns, and the faults of the file, its folder or the disk.
+/// Whatever `write` returns, and any failure of the file, its folder or the disk.
 pub fn write(out: Option<&Path>, write: impl FnOnce(&mut dyn Write) -> Result<()>) -> Result<()> {
     match out {
         Some(path) => write_atomically(path, write),
@@ -19,12 +19,12 @@ pub fn write(out: Option<&Path>, write: impl FnOnce(&mut dyn Write) -> Result<()
     }
 }
 
-/// Writes to the file and does `then` when all is written but does not stand under its name
-/// yet: unless both succeed, the file is as it was. Without a file does `then` alone.
+/// Writes to a temporary file and runs `then` before the file gets its final name. Unless both
+/// succeed, the file is left as it was. Without a file, only runs `then`.
 ///
 /// # Errors
 ///
-/// What `write` and `then` return, and the faults of the file, its folder or the disk.
+/// Whatever `write` and `then` return, and any failure of the file, its folder or the disk.
 pub fn write_before(
     file: Option<&Path>,
     write: impl FnOnce(&mut dyn Write) -> Result<()>,
@@ -40,16 +40,16 @@ pub fn write_before(
     }
 }
 
-/// [`write`](fn@write) of a text that is ready.
+/// Like [`write`](fn@write), for a complete text.
 ///
 /// # Errors
 ///
-/// The faults of the file, its folder or the disk.
+/// If the file, its folder or the disk fails.
 pub fn write_text(out: Option<&Path>, text: &str) -> Result<()> {
     write(out, |to| to.write_all(text.as_bytes()).map_err(|error| fault(&error)))
 }
 
-/// The fault of an output that cannot be written.
+/// The error for an output that cannot be written.
 #[must_use]
 pub fn fault(error: &io::Error) -> Error {
     Error::new(error.to_string(), "check where the output goes")
@@ -60,12 +60,12 @@ fn to_standard_output(write: impl FnOnce(&mut dyn Write) -> Result<()>) -> Resul
     let mut buffer = BufWriter::with_capacity(1 << 16, &mut pipe);
     let written = write(&mut buffer)
         .and_then(|()| buffer.flush().map_err(|error| Error::io("standard output", &error)));
-    // Dropped with its contents, not flushed: whoever listened has gone, or heard all.
+    // Dropped without flushing: the reader has gone, or has received everything.
     drop(buffer.into_parts());
     if pipe.closed { Ok(()) } else { written }
 }
 
-/// Notes whether the other end was closed.
+/// Records whether the reader closed the pipe.
 struct Pipe<W> {
     inner: W,
     closed: bool,

@@ -1,7 +1,7 @@
 //! The command that made a file, for the file's first line.
 
-/// `eigenshade` and its arguments as they were given; those with blanks or control characters
-/// in them in quotation marks.
+/// `eigenshade` and its arguments as given. Arguments that contain blanks or control characters are
+/// quoted.
 #[must_use]
 pub fn command_line() -> String {
     let arguments = std::env::args_os().skip(1);

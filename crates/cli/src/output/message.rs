@@ -5,16 +5,16 @@ use std::fmt::Display;
 use std::io::Write;
 use std::time::Duration;
 
-/// One line on standard error. If nobody can hear it, nothing happens.
+/// Writes one line to standard error. Does nothing if that fails.
 pub fn say(line: impl Display) {
     let _ = writeln!(std::io::stderr().lock(), "{}", printable(&line.to_string()));
 }
 
-/// A text whose control characters, which may come from names in files, are spelled out: a
-/// terminal would obey them.
+/// Escapes control characters, which may come from names in files, because a terminal would
+/// interpret them.
 #[must_use]
 pub fn printable(text: &str) -> String {
-    // Those that turn the direction of writing, too, and those that end a line.
+    // Also escapes characters that change the writing direction or end a line.
     let is_control = |letter: char| {
         letter.is_control()
             || matches!(letter, '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}')
@@ -31,14 +31,14 @@ pub fn printable(text: &str) -> String {
     shown
 }
 
-/// The line of a fault on standard error: one line, whatever it quotes.
+/// Writes an error to standard error as a single line, whatever text it quotes.
 pub fn say_fault(fault: impl Display) {
     let text = fault.to_string();
     let line = text.split(['\n', '\r']).map(str::trim).filter(|part| !part.is_empty());
     say(format_args!("error: {}", line.collect::<Vec<_>>().join(" ")));
 }
 
-/// A bar that counts to `count`; only a terminal shows it.
+/// A progress bar that counts to `count`, shown only on a terminal.
 #[must_use]
 pub fn bar(what: &'static str, count: usize) -> ProgressBar {
     let template = "{msg} [{bar:32}] {pos}/{len} {eta}";
@@ -48,7 +48,7 @@ pub fn bar(what: &'static str, count: usize) -> ProgressBar {
     ProgressBar::new(count as u64).with_style(style).with_message(what)
 }
 
-/// A sign of life for work of unknown length; only a terminal shows it.
+/// A spinner for work of unknown length, shown only on a terminal.
 #[must_use]
 pub fn spinner(what: &'static str) -> ProgressBar {
     let spinner = ProgressBar::new_spinner().with_message(what);

@@ -1,4 +1,4 @@
-//! What commands write: files, rows, messages.
+//! Output of the commands: files, rows, messages.
 
 pub mod collision;
 pub mod destination;

@@ -2,7 +2,7 @@
 
 pub use eigenshade_model::inputs::rounding::exact;
 
-/// A number of bytes for reading: three digits in each group.
+/// A number of bytes with its digits in groups of three.
 #[must_use]
 pub fn grouped(count: usize) -> String {
     let digits = count.to_string();

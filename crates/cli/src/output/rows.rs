@@ -1,14 +1,14 @@
-//! CSV, row by row.
+//! Writes CSV row by row.
 
 use crate::output::destination::fault;
 use eigenshade_model::error::{Error, Result};
 use std::io::Write;
 
-/// A CSV that is being written.
+/// A CSV writer.
 pub struct Rows<'a>(csv::Writer<&'a mut dyn Write>);
 
 impl<'a> Rows<'a> {
-    /// Begins with the header.
+    /// Starts the CSV with its header.
     ///
     /// # Errors
     ///
@@ -17,14 +17,14 @@ impl<'a> Rows<'a> {
         out: &'a mut dyn Write,
         header: impl IntoIterator<Item = T>,
     ) -> Result<Self> {
-        // Names that begin with the comment sign are then quoted.
+        // Setting the comment character makes the writer quote names that begin with it.
         let writer = csv::WriterBuilder::new().comment(Some(b'#')).from_writer(out);
         let mut rows = Self(writer);
         rows.row(header)?;
         Ok(rows)
     }
 
-    /// One more row, of as many fields as the header.
+    /// Writes one row, which has as many fields as the header.
     ///
     /// # Errors
     ///
@@ -34,7 +34,7 @@ impl<'a> Rows<'a> {
         written.map_err(|error| Error::new(error.to_string(), "check where the output goes"))
     }
 
-    /// Ends it.
+    /// Flushes the output.
     ///
     /// # Errors
     ///

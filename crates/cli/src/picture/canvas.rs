@@ -1,30 +1,30 @@
-//! A picture to draw on: blended pixels and text.
+//! A canvas with blended pixels and text.
 
 use font8x8::{BASIC_FONTS, UnicodeFonts};
 
-/// Pixels across a letter of scale 1, and between two base lines.
+/// Width of a letter of scale 1 in pixels, and the distance between its baselines.
 pub const LETTER: usize = 8;
 
 /// An opaque picture in sRGB.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Canvas {
-    /// Pixels across.
+    /// Width in pixels.
     pub width: usize,
-    /// Pixels down.
+    /// Height in pixels.
     pub height: usize,
-    /// r, g, b; row by row from the top.
+    /// r, g, b of each pixel, row by row from the top.
     pub bytes: Vec<u8>,
 }
 
 impl Canvas {
-    /// A canvas of one colour.
+    /// A canvas filled with one color.
     #[must_use]
     pub fn new(width: usize, height: usize, background: [u8; 3]) -> Self {
         Self { width, height, bytes: background.repeat(width * height) }
     }
 
-    /// Lays a colour over one pixel, as opaque as `coverage` in \[0, 1\] says.
-    /// Beyond the edge nothing happens.
+    /// Blends a color over one pixel with opacity `coverage` in \[0, 1\]. Pixels outside the canvas
+    /// are ignored.
     pub fn blend(&mut self, column: usize, row: usize, colour: [u8; 3], coverage: f64) {
         if column >= self.width || row >= self.height {
             return;
@@ -36,7 +36,7 @@ impl Canvas {
         }
     }
 
-    /// Writes a line of text with its top left corner there.
+    /// Writes a line of text whose top left corner is at `column` and `row`.
     pub fn text(&mut self, column: usize, row: usize, scale: usize, colour: [u8; 3], text: &str) {
         for (place, letter) in text.chars().enumerate() {
             let glyph = BASIC_FONTS.get(letter).unwrap_or([0x7e; 8]);
@@ -53,7 +53,7 @@ impl Canvas {
     }
 }
 
-/// Pixels across a line of text.
+/// Width of a line of text in pixels.
 #[must_use]
 pub fn text_width(scale: usize, text: &str) -> usize {
     scale * LETTER * text.chars().count()

@@ -1,16 +1,15 @@
-//! PNG.
+//! PNG files.
 
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::output::write_atomically;
 use png::{BitDepth, ColorType, Encoder, SrgbRenderingIntent};
 use std::path::Path;
 
-/// Writes a picture of 8 bits a channel, sRGB: three channels, or four with
-/// opacity.
+/// Writes an sRGB picture with 8 bits per channel and three channels, or four with opacity.
 ///
 /// # Errors
 ///
-/// The faults of the file, its folder or the disk.
+/// If the file, its folder or the disk fails.
 pub fn write(path: &Path, width: usize, height: usize, bytes: &[u8]) -> Result<()> {
     let side = |pixels: usize| {
         u32::try_from(pixels).map_err(|_| Error::new("the picture is too large", "ask for less"))

@@ -1,33 +1,32 @@
-//! A sphere as the camera sees it: a disc of pixels, each with its normal.
+//! A sphere as the camera sees it: a disc of pixels and their normals.
 
-/// The pixels of a square picture that the sphere touches.
+/// The pixels of a square picture that the sphere covers at least in part.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SphereView {
-    /// Pixels across.
+    /// Width and height of the picture in pixels.
     pub size: usize,
     /// The pixels, row by row from the top.
     pub pixels: Vec<Pixel>,
-    /// The unit normal of each, z >= 0; on the rim for a pixel whose middle the
-    /// sphere just misses.
+    /// The unit normal of each pixel, with z >= 0. If the center of a pixel just misses the sphere,
+    /// its normal lies on the rim.
     pub normals: Vec<[f64; 3]>,
 }
 
 /// One pixel of the disc.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pixel {
-    /// From the left.
+    /// Column, from the left.
     pub column: usize,
-    /// From the top.
+    /// Row, from the top.
     pub row: usize,
-    /// The share of it that the sphere covers, about.
+    /// The approximate share of the pixel that the sphere covers.
     pub coverage: f64,
-    /// Whether its middle lies on the sphere.
+    /// Whether the center of the pixel lies on the sphere.
     pub is_inside: bool,
 }
 
 impl SphereView {
-    /// A sphere that fills a picture of `size` x `size` pixels but for half a pixel
-    /// of margin.
+    /// A sphere that fills a picture of `size` x `size` pixels up to a margin of half a pixel.
     #[must_use]
     pub fn new(size: usize) -> Self {
         let radius = 0.5 * size as f64 - 0.5;

@@ -1,7 +1,7 @@
-//! Linear values for looking at: an exposure, then sRGB.
+//! Display of linear values: an exposure, then sRGB.
 
-/// The factor that brings the value below which a `share` of them lie to 1; 1 if
-/// that value is not positive.
+/// The exposure factor: it scales the value below which a `share` of the values lie to 1. Returns 1
+/// if that value is not positive.
 #[must_use]
 pub fn exposure(mut values: Vec<f64>, share: f64) -> f64 {
     values.retain(|value| value.is_finite());
@@ -14,7 +14,7 @@ pub fn exposure(mut values: Vec<f64>, share: f64) -> f64 {
     }
 }
 
-/// The sRGB encoding of a linear value in \[0, 1\], IEC 61966-2-1; beyond, it clips.
+/// The sRGB code of a linear value in \[0, 1\], IEC 61966-2-1; values outside are clipped.
 #[must_use]
 pub fn srgb(linear: f64) -> u8 {
     let linear = linear.clamp(0.0, 1.0);

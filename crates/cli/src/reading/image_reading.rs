@@ -1,4 +1,4 @@
-//! All that is read from one image: d by each estimate, the light, the materials.
+//! Everything that is estimated from one image: d by each method, the light and the materials.
 
 use eigenshade_generator::basis::moments::{MaterialMoments, equal};
 use eigenshade_generator::light::statistics::LightStatistics;
@@ -16,11 +16,11 @@ use eigenshade_model::error::Result;
 use eigenshade_table::Table;
 use std::collections::BTreeMap;
 
-/// Variances of d against the table's eigenvalues, of the largest: two ways of summing
-/// the same squares.
+/// Tolerance for comparing the variances of d with the table's eigenvalues, relative to the
+/// largest: the two sum the same squares in different ways.
 const SAME_STATISTICS: f64 = 1e-9;
 
-/// What a table and its databases bring to every image.
+/// The data that all readings share, from a table and its databases.
 #[derive(Clone, Debug)]
 pub struct Reader<'a> {
     table: &'a Table,
@@ -29,46 +29,47 @@ pub struct Reader<'a> {
     prior: Prior,
 }
 
-/// What was read of one channel.
+/// The estimates from one channel.
 #[derive(Clone, Debug)]
 pub struct Channel {
-    /// d by scalar product, and how it fits.
+    /// d by scalar product, and its fit.
     pub scalar_product: (Vec<f64>, Fit),
-    /// d by weighted least squares, and how it fits.
+    /// d by weighted least squares, and its fit.
     pub least_squares: (Vec<f64>, Fit),
-    /// The posterior of d, and how its mean fits.
+    /// The posterior of d, and the fit of its mean.
     pub posterior: (Estimate, Fit),
-    /// The noise that was taken.
+    /// The noise that was assumed.
     pub noise: f64,
-    /// The modes of the least-squares d, of least norm.
+    /// The modes of the least-squares d with the least norm.
     pub least_norm: ModeCoefficients,
     /// The posterior mean of the modes.
     pub modes: ModeCoefficients,
-    /// Those as a light times a material, in the scale of a material of the database.
+    /// The posterior modes factored into a light times a material, in the scale of a material of
+    /// the database.
     pub product: RankOne,
-    /// Which material gave the scale.
+    /// The material that determined the scale.
     pub scale: Option<usize>,
 }
 
-/// What was read of an image.
+/// The estimates from an image.
 #[derive(Clone, Debug)]
 pub struct Reading {
-    /// Channel by channel.
+    /// The estimates for each channel.
     pub channels: Vec<Channel>,
-    /// Directions that the pixels determine, of as many components.
+    /// The number of directions that the pixels determine, out of as many as there are components.
     pub rank: usize,
-    /// How much an error of the pixels may grow in d.
+    /// The factor by which pixel errors may grow in d.
     pub condition: f64,
-    /// The materials of the database, the likeliest first.
+    /// The materials of the database, most likely first.
     pub candidates: Vec<Candidate>,
 }
 
 impl<'a> Reader<'a> {
-    /// For the first `components` of the table, and these databases.
+    /// Uses the first `components` of the table, and these databases.
     ///
     /// # Errors
     ///
-    /// Empty databases, lights that cannot be normalised, numbers that are not finite.
+    /// If a database is empty, a light cannot be normalized, or a number is not finite.
     pub fn new(
         table: &'a Table,
         components: usize,
@@ -86,8 +87,8 @@ impl<'a> Reader<'a> {
         Ok(Self { table, materials, transfers, prior })
     }
 
-    /// Whether the databases are those that the table was made of: V_d has the table's
-    /// eigenvalues.
+    /// Whether the databases are those from which the table was made: the eigenvalues of V_d are
+    /// the table's.
     #[must_use]
     pub fn is_of_the_database(&self) -> bool {
         let eigenvalues = self.table.spectrum.iter().map(|(_, value)| *value);
@@ -99,18 +100,18 @@ impl<'a> Reader<'a> {
         })
     }
 
-    /// Whether all images of the databases are black: nothing can be read with them.
+    /// Whether all images of the databases are black, so that nothing can be estimated.
     #[must_use]
     pub fn is_black(&self) -> bool {
         self.prior.is_black()
     }
 
-    /// Reads an image of one grey channel or three colours; `noise` is the standard
-    /// deviation of a pixel of weight 1, if it is known.
+    /// Reads an image of one gray channel or three colors. `noise` is the standard deviation of a
+    /// pixel of weight 1, if it is known.
     ///
     /// # Errors
     ///
-    /// If singular values do not converge.
+    /// If the singular values do not converge.
     pub fn read(&self, observation: &Observation, noise: Option<f64>) -> Result<Reading> {
         let squares = LeastSquares::new(observation, CUTOFF)?;
         let posterior = Posterior::new(observation, &self.prior)?;
@@ -159,7 +160,7 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// The weights of the table's scene; all alike in a database that is another.
+/// The weights of the table's scene, or equal weights for a different database.
 fn weights(entries: &[Named], by_name: &BTreeMap<String, f64>) -> Result<Vec<f64>> {
     let is_there = |name: &String| entries.iter().any(|entry| entry.name == *name);
     if by_name.keys().all(is_there) {

@@ -1,4 +1,4 @@
-//! A photograph or rendering as irradiance: linear, with a weight for each pixel.
+//! A photograph or rendering as irradiance: linear values with a weight for each pixel.
 
 use crate::picture::tone;
 use eigenshade_generator::light::environment::EnvironmentMap;
@@ -8,11 +8,10 @@ use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::inputs::sheet::Sheet;
 
-/// Bytes that a pixel takes of a [`LinearImage`], and in reading it: what it counts, and its
-/// normal.
+/// Bytes per pixel of a [`LinearImage`] while it is read, including its weight and its normal.
 const BYTES_PER_PIXEL: u64 = 136;
 
-/// How a PNG's samples stand for light.
+/// How the samples of a PNG encode light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub enum Transfer {
     /// In proportion
@@ -24,31 +23,32 @@ pub enum Transfer {
 /// An image in linear units.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LinearImage {
-    /// Pixels across, and down; none for a list of pixels.
+    /// Width and height in pixels; `None` for a list of pixels.
     pub size: Option<[usize; 2]>,
-    /// r, g, b of each pixel; row by row from the top. Full scale of a PNG is 1.
+    /// r, g, b of each pixel, row by row from the top. The full scale of a PNG is 1.
     pub pixels: Vec<[f64; 3]>,
-    /// The weight of each: its opacity; 0 for a clipped one.
+    /// The weight of each pixel: its opacity, or 0 if it is clipped.
     pub weights: Vec<f64>,
-    /// Pixels left out because one of their channels is at full scale.
+    /// The number of pixels left out because one of their channels is at full scale.
     pub clipped: usize,
-    /// Pixels left out because they are transparent.
+    /// The number of pixels left out because they are transparent.
     pub transparent: usize,
 }
 
 impl LinearImage {
-    /// Reads a `.png`, an environment map's file types (`.exr`, `.hdr`, `.pfm`), or a
-    /// CSV with the columns `r,g,b` or `value`, a row a pixel.
+    /// Reads a `.png`, an environment map's file types (`.exr`, `.hdr`, `.pfm`), or a CSV with the
+    /// columns `r,g,b` or `value` and one row per pixel.
     ///
-    /// Without a `transfer` a PNG is taken for what it says it is ([`Curve`]); one that says
-    /// nothing for sRGB if it has 8 bits, which is how cameras and programs write such files,
-    /// and for linear if it has 16. The other types are linear. What a clipped pixel showed
-    /// nobody knows: it weighs nothing.
+    /// Without a `transfer`, a PNG is read with the curve that it declares ([`Curve`]). A PNG that
+    /// declares no curve is read as sRGB if it has 8 bits, as cameras and programs write such
+    /// files, and as linear if it has 16. The other types are linear. The true value of a clipped
+    /// pixel is unknown, so its weight is 0.
     ///
     /// # Errors
     ///
-    /// A file of another type, one that cannot be read or is broken, a transfer for a
-    /// type that has none, none for a PNG that says it is something else, numbers that are not finite.
+    /// If the file has another type, cannot be read or is broken; if a transfer is given for a type
+    /// that has none, or none is given for a PNG that declares another curve; if numbers are not
+    /// finite.
     pub fn read(file: impl Into<InputFile>, transfer: Option<Transfer>) -> Result<Self> {
         let file = file.into().with_bytes_beside(BYTES_PER_PIXEL);
         let path = file.path();
@@ -126,7 +126,7 @@ impl LinearImage {
         Ok(Self::whole(None, pixels))
     }
 
-    /// Whether all three channels are the same everywhere.
+    /// Whether the three channels are equal in every pixel.
     #[must_use]
     pub fn is_grey(&self) -> bool {
         self.pixels.iter().all(|[r, g, b]| r == g && g == b)

@@ -1,4 +1,4 @@
-//! Images to be read, and their reading.
+//! Reads images and estimates light and material from them.
 
 pub mod image_reading;
 pub mod linear_image;

@@ -1,23 +1,22 @@
-//! How much each pixel of an image counts.
+//! The weight of each pixel of an image.
 
 use eigenshade_generator::picture::png_samples;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::inputs::sheet::Sheet;
 
-/// The largest weight: its square, times any number of pixels, is a number.
+/// The largest weight: its square times any number of pixels is finite.
 const LARGEST: f64 = 1e100;
 
-/// Bytes of a weight.
+/// Bytes per weight.
 const BYTES_PER_WEIGHT: u64 = size_of::<f64>() as u64;
 
-/// Reads a weight for each pixel: from a PNG of the image's size, its luminance times
-/// its opacity, 0 to 1; or from a CSV with the column `weight`, 0 or more.
+/// Reads a weight for each pixel, either from a PNG of the image's size (luminance times opacity, 0
+/// to 1) or from a CSV with the column `weight` (0 or more).
 ///
 /// # Errors
 ///
-/// A file of another size than the image, a negative weight, and the faults of the
-/// file.
+/// If the file has another size than the image, a weight is negative, or the file cannot be read.
 pub fn read(
     file: impl Into<InputFile>,
     size: Option<[usize; 2]>,

@@ -8,21 +8,21 @@ use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::inputs::normals::read_normals;
 use std::path::Path;
 
-/// Bytes of a normal that may be none.
+/// Bytes per optional normal.
 const BYTES_PER_NORMAL: u64 = size_of::<Option<[f64; 3]>>() as u64;
 
-/// Reads the unit normal, z >= 0, of each pixel of an image of this size; none where there
-/// is no object.
+/// Reads the unit normal, z >= 0, of each pixel of an image of this size; `None` where there is no
+/// object.
 ///
-/// `source` is the word `sphere`, a sphere whose disc the image encloses as
-/// [`SphereView`] has it, centred; or a PNG of the image's size, a [`normal_map`]; or a CSV
-/// `x,y,z` with a row for each pixel, row by row. `counts` says of each pixel whether it is
-/// to be used: one of a normal map that is not may point away.
+/// `source` is one of three: the word `sphere`, for a centered sphere that fills the image as in
+/// [`SphereView`]; a PNG of the image's size, read as a [`normal_map`]; or a CSV `x,y,z` with a row
+/// for each pixel, row by row. `counts` states for each pixel whether it is used; in a normal map,
+/// unused pixels may face away.
 ///
 /// # Errors
 ///
-/// `sphere` for an image without size, a file of another size than the image, and the
-/// faults of the file.
+/// If `sphere` is given for an image without a size, the file has another size than the image, or
+/// the file cannot be read.
 pub fn read(
     source: impl Into<InputFile>,
     size: Option<[usize; 2]>,

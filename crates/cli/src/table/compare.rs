@@ -1,51 +1,51 @@
-//! Whether two tables say the same.
+//! Compares two tables.
 //!
-//! Compared is what a scene determines: eigenvalues, profiles, mode means, rows of
-//! UᵀM, the mean image. Of U only its images AU: the mode coefficients themselves
-//! are as free as M is singular.
+//! The comparison covers what a scene determines: eigenvalues, profiles, mode means, rows of UᵀM
+//! and the mean image. Of U it compares only the images AU, because a singular M leaves freedom in
+//! the mode coefficients themselves.
 //!
-//! Rounding can end a polynomial one term earlier or later. So polynomials are
-//! compared over the terms that both have; what one alone has may be as large as
-//! the scene lets a polynomial be off.
+//! Rounding can end a polynomial one term earlier or later. Polynomials are therefore compared over
+//! the terms that both tables have. Terms that only one table has may be as large as the polynomial
+//! error that the scene allows.
 
 use eigenshade_generator::basis::profile::evaluate;
 use eigenshade_index::mode;
 use eigenshade_table::{General, Profile, Table};
 
-/// What may differ, relative to the largest number of its kind.
+/// The allowed difference, relative to the largest number of its kind.
 pub const ALLOWED: f64 = 1e-9;
 
-/// How far what a general table draws may be off, in its profiles' tolerance: the sum of
-/// what is left out of some hundred profiles.
+/// The allowed difference of images drawn by a general table, in units of its profile tolerance:
+/// the sum of the truncation errors of some hundred profiles.
 const DRAWN: f64 = 100.0;
 
-/// Arguments at which polynomials are compared.
+/// The number of arguments at which polynomials are compared.
 const ARGUMENTS: u32 = 64;
 
-/// How far two tables are apart in one respect.
+/// The difference between two tables in one respect.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Difference {
     /// What was compared.
     pub what: &'static str,
     /// The largest difference, relative to the largest of these numbers.
     pub found: f64,
-    /// How large it may be.
+    /// The allowed difference.
     pub allowed: f64,
 }
 
 impl Difference {
-    /// Whether it is larger than it may be; a NaN is.
+    /// Whether the difference is larger than allowed; true for NaN.
     #[must_use]
     pub fn is_over(&self) -> bool {
         self.found.is_nan() || self.found > self.allowed
     }
 }
 
-/// The differences between a table and the one that it should be.
+/// The differences between a table and the expected one.
 ///
 /// # Errors
 ///
-/// What does not fit at all: another scene, degree, rank or number of components.
+/// If the tables do not match in scene, degree, rank or number of components.
 pub fn differences(table: &Table, fresh: &Table) -> Result<Vec<Difference>, String> {
     same_shape(table, fresh)?;
     let both = [table, fresh];
@@ -114,7 +114,7 @@ pub fn differences(table: &Table, fresh: &Table) -> Result<Vec<Difference>, Stri
     Ok(differences)
 }
 
-/// A U: weighted values at the nodes.
+/// An image AU: weighted values at the nodes.
 fn image(columns: &[Vec<f64>], profile: &Profile) -> Vec<f64> {
     let mut image = vec![0.0; profile.node_values.len()];
     for (column, coefficient) in columns.iter().zip(&profile.modes) {
@@ -144,7 +144,7 @@ fn same_shape(table: &Table, fresh: &Table) -> Result<(), String> {
         let (found, expected) = (table.count(), fresh.count());
         return Err(format!("it has {found} components where {expected} belong"));
     }
-    // Where a general table's span ends rounding decides; the span is no result.
+    // Rounding decides where the span of a general table ends, so the span is not compared.
     let determined = fresh.general.is_none();
     if determined && (orders(table) != orders(fresh) || azimuths(table) != azimuths(fresh)) {
         return Err("its components have other azimuths".into());
@@ -158,8 +158,8 @@ fn same_shape(table: &Table, fresh: &Table) -> Result<(), String> {
     Ok(())
 }
 
-/// Rows of UᵀM of a general table, for each eigenimage and each m of the span, from its
-/// projection. The span's own profiles end in rounding; these do not.
+/// Rows of UᵀM of a general table, for each eigenimage and each m of the span, computed from its
+/// projection. Rounding affects where the profiles of the span end, but not these rows.
 fn general_rows(table: &Table) -> Vec<f64> {
     let Some(general) = &table.general else { return Vec::new() };
     let of_profiles: Vec<Vec<f64>> =
@@ -183,8 +183,7 @@ fn general_rows(table: &Table) -> Vec<f64> {
     rows
 }
 
-/// d of images that a general table gives in the span, row by row: of its eigenimages
-/// themselves.
+/// d of the eigenimages that a general table gives in its span, row by row.
 fn projected(table: &Table, of: fn(&General) -> &Vec<f64>) -> Vec<f64> {
     let Some(general) = &table.general else { return Vec::new() };
     let functions = table.components.len().max(1);
@@ -193,8 +192,8 @@ fn projected(table: &Table, of: fn(&General) -> &Vec<f64>) -> Vec<f64> {
     rows.flat_map(|row| of(general).chunks(functions).map(move |image| dot(row, image))).collect()
 }
 
-/// The eigenimages of a general table and its mean image, as the polynomials of its span
-/// draw them, for each order m on slants from the pole to the rim.
+/// The eigenimages and the mean image of a general table, drawn by the polynomials of its span, for
+/// each order m on slants from the pole to the rim.
 fn drawn(table: &Table) -> Vec<f64> {
     let Some(general) = &table.general else { return Vec::new() };
     let of_profiles: Vec<Vec<f64>> = table
@@ -232,7 +231,7 @@ fn longest_spectrum(tables: [&Table; 2]) -> usize {
     tables.map(|table| table.spectrum.len()).into_iter().max().unwrap_or(0)
 }
 
-/// The spectrum, filled up with zeros: its end is where rounding decides.
+/// The spectrum, padded with zeros because rounding decides where it ends.
 fn spectrum(table: &Table, length: usize) -> Vec<f64> {
     let mut values: Vec<f64> =
         table.spectrum.iter().map(|(_, value)| value.unwrap_or(0.0)).collect();
@@ -240,9 +239,9 @@ fn spectrum(table: &Table, length: usize) -> Vec<f64> {
     values
 }
 
-/// Of each profile and of the mean image u(α) at the slants: of both over the
-/// terms that both have, and of the terms that one alone has. All are relative to
-/// the largest |u| of that profile.
+/// Values u(α) of each profile and of the mean image at the slants: for both tables over their
+/// common terms, and for the terms that only one of them has. All values are relative to the
+/// largest |u| of that profile.
 fn polynomials(table: &Table, fresh: &Table) -> [Vec<f64>; 3] {
     let series = |table: &Table| -> Vec<(usize, Vec<f64>)> {
         let profiles = table.profiles.iter().map(|one| (one.azimuth, one.chebyshev.clone()));
@@ -265,7 +264,7 @@ fn polynomials(table: &Table, fresh: &Table) -> [Vec<f64>; 3] {
     values
 }
 
-/// u(α) on slants from the pole to the rim.
+/// Values u(α) on slants from the pole to the rim.
 fn polynomial(azimuth: usize, chebyshev: &[f64]) -> Vec<f64> {
     let slants =
         (0..=ARGUMENTS).map(|k| std::f64::consts::FRAC_PI_2 * f64::from(k) / f64::from(ARGUMENTS));

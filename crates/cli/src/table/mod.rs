@@ -1,4 +1,4 @@
-//! Tables as files, and what is said of them.
+//! Table files and their properties.
 
 #[cfg(feature = "generate")]
 pub mod compare;

@@ -1,5 +1,5 @@
-//! Errors against direct integration, as `errors` records them beside a table, and what
-//! the table's manifest repeats of them.
+//! Errors against direct integration: `errors` records them beside a table, and the table's
+//! manifest repeats some of them.
 
 use eigenshade_generator::scene_file::Loaded;
 use eigenshade_model::error::Result;
@@ -22,22 +22,22 @@ pub const COLUMNS: [&str; 10] = [
     "scene",
     "energy",
 ];
-/// What the recorded energy may differ by from the table's, relative: it has nine
-/// digits, and hosts agree to 1e-9.
+/// The allowed relative difference between the recorded energy and the table's: it has nine digits,
+/// and hosts agree to 1e-9.
 const ENERGY: f64 = 1e-8;
 
-/// What a table is recognised by on any host: its scene, and the mean energy of its
-/// images, in which every coefficient of its databases has a share.
+/// Identifies a table on any host by its scene and the mean energy of its images, which depends on
+/// every coefficient of its databases.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Stamp {
     /// Checksum of the scene, as in the manifest.
     pub scene: String,
-    /// The energy, of nine digits.
+    /// The energy, to nine digits.
     pub energy: String,
 }
 
 impl Stamp {
-    /// Of this table.
+    /// The stamp of this table.
     #[must_use]
     pub fn of(table: &Table) -> Self {
         Self {
@@ -47,13 +47,12 @@ impl Stamp {
     }
 }
 
-/// Rows of the manifest for the errors of this table that were recorded at `path`; none
-/// if there is no such file.
+/// Manifest rows for the errors of this table recorded at `path`; empty if there is no such file.
 ///
 /// # Errors
 ///
-/// Errors of another table: of another degree, order, number of components or scene, of
-/// other databases, or of materials and lights that these do not have.
+/// If the errors belong to another table: one of another degree, order, number of components or
+/// scene, or one of other databases; or if they name materials or lights that these databases lack.
 pub fn manifest_rows(path: &Path, table: &Table, loaded: &Loaded) -> Result<String> {
     let mut text = String::new();
     if !path.exists() {

@@ -1,4 +1,4 @@
-//! What a number format costs a table's images, measured where the table is made.
+//! The error that a number format adds to a table's images, measured when the table is made.
 
 use eigenshade::{Q15, Q31, Scalar};
 use eigenshade_model::database::{Lights, Materials};
@@ -11,19 +11,20 @@ use eigenshade_shading::sphere_rings::{Ring, rings};
 use eigenshade_table::wire::Format;
 use eigenshade_table::{Rounding, Table, quantise};
 
-/// Products that a measurement may take, roughly: images of larger tables are a sample.
+/// Approximate limit on the products of a measurement: for larger tables, only a sample of the
+/// images is measured.
 const PRODUCTS: usize = 1 << 30;
 
-/// Images that are measured at least, if the database has as many.
+/// The least number of images to measure, if the database has as many.
 const LEAST: usize = 40;
 
-/// Radians between normals.
+/// Spacing of the normals in radians.
 const SPACING: f64 = 0.2;
 
-/// The largest error of a pixel, as a share of the peak, that needs no warning.
+/// The largest error of a pixel, as a share of the peak, that causes no warning.
 const UNSEEN: f64 = 1e-3;
 
-/// The error of each format that serves a table, over the images of its database in green.
+/// The error of each format that suits the table, over the images of its database in green.
 #[must_use]
 pub fn measure(table: &Table, lights: &Lights, materials: &Materials) -> Vec<Rounding> {
     let (lights, materials) = fitted(table, lights, materials);
@@ -31,7 +32,7 @@ pub fn measure(table: &Table, lights: &Lights, materials: &Materials) -> Vec<Rou
     let pairs = lights.entries.len() * materials.entries.len();
     let numbers: usize = table.profiles.iter().map(|profile| profile.factors.len()).sum();
     let count = (PRODUCTS / (8 * numbers).max(1 << 16)).clamp(LEAST.min(pairs), pairs);
-    // Evenly spread over the pairs, all lights and materials in turn.
+    // Spread evenly over the pairs, so that all lights and materials occur.
     let chosen: Vec<[Vec<f64>; 2]> = (0..count)
         .map(|k| k * pairs / count)
         .map(|pair| {
@@ -41,7 +42,7 @@ pub fn measure(table: &Table, lights: &Lights, materials: &Materials) -> Vec<Rou
         })
         .collect();
     let degrees = [lights.degree, materials.order];
-    // Images beyond a format are none of its.
+    // Images outside the range of a format are skipped.
     let Ok(exact) = floats::<f64>(table, degrees, &chosen, &normals) else {
         return Vec::new();
     };
@@ -74,7 +75,7 @@ pub fn measure(table: &Table, lights: &Lights, materials: &Materials) -> Vec<Rou
     roundings
 }
 
-/// What to say where a format costs a table's images what can be seen.
+/// A warning if a format causes a visible error in a table's images.
 #[must_use]
 pub fn warning(table: &Table, format: Format) -> Option<String> {
     let Rounding { largest, rms, .. } = table.rounding(format)?;
@@ -106,7 +107,7 @@ fn floats<S: Scalar + Into<f64>>(
     pairs.iter().map(image).collect()
 }
 
-/// None where integers do not serve the table.
+/// `None` if integers do not suit the table.
 fn integers<Q: Integer>(
     table: &Table,
     [degree, order]: [usize; 2],

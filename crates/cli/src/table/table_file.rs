@@ -1,4 +1,4 @@
-//! Tables from files.
+//! Reads tables from files.
 
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
@@ -9,26 +9,26 @@ use std::path::Path;
 ///
 /// # Errors
 ///
-/// If the file cannot be read, is no table, of another version, or damaged.
+/// If the file cannot be read, is not a table, has another version, or is damaged.
 pub fn read(file: impl Into<InputFile>) -> Result<Table> {
     let file = file.into();
     decode(&file.bytes()?).map_err(|error| error.in_file(file.path()))
 }
 
-/// The table in a file's bytes.
+/// Decodes a table from the bytes of a file.
 ///
 /// # Errors
 ///
-/// If they are no table, of another version, or damaged.
+/// If the bytes are not a table, have another version, or are damaged.
 pub fn decode(bytes: &[u8]) -> Result<Table> {
     eigenshade_table::decode(bytes).map_err(|error| Error::table(&error))
 }
 
-/// The number of components to use: those that are asked for, or all.
+/// The number of components to use: the requested number, or all.
 ///
 /// # Errors
 ///
-/// If more are asked for than the table at `path` has.
+/// If the request exceeds the number of components of the table at `path`.
 pub fn components(table: &Table, asked: Option<usize>, path: &Path) -> Result<usize> {
     let all = table.count();
     match asked {

@@ -1,4 +1,4 @@
-//! Wire files: what one is, for reading.
+//! Descriptions of wire files.
 
 use crate::output::number::grouped;
 use eigenshade::wire::{Header, WireError, WireFormat, aligned};
@@ -8,17 +8,17 @@ use eigenshade_index::wire::{ENTRY, FLOATS, HEADER, INTEGERS, LABEL};
 use eigenshade_model::error::{Error, Result};
 use std::fmt::Write;
 
-/// Whether bytes begin as a wire file does.
+/// Whether the bytes begin like a wire file.
 #[must_use]
 pub fn is_one(bytes: &[u8]) -> bool {
     bytes.starts_with(&LABEL)
 }
 
-/// What is in a wire file, line by line.
+/// Describes the contents of a wire file, line by line.
 ///
 /// # Errors
 ///
-/// Bytes that the runtime refuses.
+/// If the runtime refuses the bytes.
 pub fn description(bytes: &[u8]) -> Result<String> {
     let header = checked(bytes).map_err(|error| described(&error))?;
     let (format, names) = match WireFormat::of(header.format) {
@@ -54,7 +54,7 @@ pub fn named(effects: Effects) -> String {
     names.collect::<Vec<_>>().join(" ")
 }
 
-/// The header of a file that the runtime takes.
+/// The header of a file that the runtime accepts.
 fn checked(bytes: &[u8]) -> std::result::Result<Header, WireError> {
     let header = Header::read(bytes)?;
     let mut room = vec![0; bytes.len().div_ceil(4)];
@@ -68,7 +68,7 @@ fn checked(bytes: &[u8]) -> std::result::Result<Header, WireError> {
     Ok(header)
 }
 
-/// What is wrong and what to do, which the one line of [`WireError`] has both.
+/// Splits the one line of [`WireError`] into the problem and the remedy.
 fn described(error: &WireError) -> Error {
     let line = error.to_string();
     let (what, remedy) = line.rsplit_once("; ").unwrap_or((&line, "pack the table again"));

@@ -1,4 +1,5 @@
-//! The principal components of a scene, azimuth by azimuth, and the table of the first of them.
+//! The principal components of a scene, computed azimuth by azimuth, and the table of the first of
+//! them.
 
 use crate::basis::canonical;
 use crate::basis::canonical::Ranked;
@@ -16,11 +17,11 @@ use eigenshade_table::{Component, GramFactor, MeanImage, Profile, Scene, Summary
 use faer::Mat;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
-/// Singular values below this are rounding, relative to the root of the database's
-/// energy, the constant counted: forty columns of sums.
+/// Singular values below this fraction of the root of the database's energy, constant included, are
+/// rounding: that of sums over forty columns.
 const ROUNDING: f64 = 1e-14;
 
-/// All components of a scene, of which a table takes the first.
+/// All components of a scene; a table keeps the first of them.
 pub(crate) struct Analysis {
     scene: Scene,
     light: LightMoments,
@@ -30,18 +31,18 @@ pub(crate) struct Analysis {
     gram: GramFactor,
     kept: Kept,
     azimuths: Vec<Azimuth>,
-    /// The profiles that stand out of the rounding, in canonical order.
+    /// The profiles whose singular value exceeds the rounding, in canonical order.
     ranked: Vec<Ranked>,
-    /// Singular values up to this are rounding, or cut off.
+    /// Singular values up to this are rounding or below the cut-off.
     weakest: f64,
 }
 
 impl Analysis {
-    /// Analyses lights and materials of exactly the scene's degree and order.
+    /// Analyzes lights and materials that have exactly the scene's degree and order.
     ///
     /// # Errors
     ///
-    /// As [`crate::basis::build`].
+    /// The errors of [`crate::basis::build`].
     pub(crate) fn new(scene: &Scene, lights: &Lights, materials: &Materials) -> Result<Self> {
         let criterion = scene.basis.criterion;
         let weights = database::weights(&lights.entries, &scene.light.weights)?;
@@ -56,7 +57,7 @@ impl Analysis {
             .into_par_iter()
             .map(|azimuth| analyse(&gram, &kept, &light, &of_materials, criterion, azimuth))
             .collect();
-        // Of several faults the first, whichever was found first.
+        // Report the first fault by azimuth, regardless of which thread found one first.
         let azimuths = azimuths.into_iter().collect::<Result<Vec<_>>>()?;
         let whole =
             moments::deviations(&light, &of_materials, effects, Criterion::ImageCentered, 0);
@@ -87,12 +88,12 @@ impl Analysis {
         self.ranked.iter().flat_map(both).collect()
     }
 
-    /// Mean energy of the images about their mean, that below the cut-off counted.
+    /// Mean energy of the images about their mean, including the energy below the cut-off.
     pub(crate) fn energy(&self) -> f64 {
         self.energy_of(|_| true)
     }
 
-    /// The energy below the cut-off, of no component.
+    /// The energy below the cut-off, which belongs to no component.
     pub(crate) fn dropped(&self) -> f64 {
         self.energy_of(|value| value <= self.weakest)
     }
@@ -107,7 +108,7 @@ impl Analysis {
         self.azimuths.iter().map(squares).sum()
     }
 
-    /// The mean image at the nodes, weighted, where the criterion has one.
+    /// The mean image at the nodes, weighted, if the criterion has one.
     pub(crate) fn mean_values(&self) -> Option<Vec<f64>> {
         let values = self.azimuths[0].block.space.node_values(&self.mean_coordinates()?);
         Some(values.col(0).iter().copied().collect())
@@ -125,7 +126,7 @@ impl Analysis {
         Some(self.azimuths[0].block.images(&self.gram, &[deviation]))
     }
 
-    /// The mean image of a table of its components.
+    /// The mean image of a table, with its coefficients in the table's components.
     fn mean_image(&self, table: &Table, tolerance: f64) -> Option<MeanImage> {
         let space = &self.azimuths[0].block.space;
         let coordinates = self.mean_coordinates()?;
@@ -144,8 +145,8 @@ impl Analysis {
         Some(MeanImage { chebyshev: series[..length].to_vec(), coefficients })
     }
 
-    /// The table of the first `count` components, whole; the polynomials of its profiles
-    /// are within `tolerance` of their profile's largest value.
+    /// The complete table of the first `count` components; each polynomial is within `tolerance`
+    /// times its profile's largest value.
     pub(crate) fn table(&self, count: usize, tolerance: f64) -> Table {
         let largest = largest_of(&self.azimuths, |azimuth| &azimuth.block.singular_values);
         let threshold = self.scene.basis.rank_cutoff * largest;

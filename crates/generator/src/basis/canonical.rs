@@ -1,19 +1,19 @@
-//! The one order and sign of the components, so that every run, thread count and
-//! instruction set gives the same basis.
+//! The canonical order and sign of the components: every run, thread count and instruction set
+//! gives the same basis.
 //!
-//! Order: eigenvalue falling, then |m|, then +m before -m. Sign: h = u / sin^|m|
-//! is positive at the pole.
+//! Order: falling eigenvalue, then |m|, then +m before -m. Sign: h = u / sin^|m| is positive at the
+//! pole.
 
 use crate::basis::profile;
 
-/// One profile with what its place depends on.
+/// A profile with the values that determine its place in the order.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ranked {
     /// |m|.
     pub azimuth: usize,
-    /// Its number within its block, by falling eigenvalue.
+    /// Index within the block of its |m|, by falling eigenvalue.
     pub number: usize,
-    /// Its eigenvalue; none for the constant image, which comes first.
+    /// Eigenvalue; `None` for the constant image, which comes first.
     pub eigenvalue: Option<f64>,
 }
 

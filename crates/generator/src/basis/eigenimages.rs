@@ -1,4 +1,4 @@
-//! The eigenimages that a table keeps: which, and all that it says of each.
+//! Selects the eigenimages of a table and computes their entries.
 
 use crate::basis::canonical;
 use crate::basis::canonical::Ranked;
@@ -12,22 +12,22 @@ use faer::Mat;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::f64::consts::FRAC_1_SQRT_2;
 
-/// Everything known of one azimuth.
+/// The block and the principal components of one azimuth.
 pub(crate) struct Azimuth {
-    /// A, factored.
+    /// The matrix A, factored.
     pub(crate) block: Block,
     /// Its principal components.
     pub(crate) principal: Principal,
 }
 
-/// The components that a table takes, and the profiles that they need.
+/// The components that a table keeps, and the profiles that they use.
 pub(crate) struct Selected {
     components: Vec<Component>,
     profiles: Vec<Ranked>,
 }
 
 impl Selected {
-    /// The first `count` of `ranked`.
+    /// Selects the first `count` components of `ranked`.
     pub(crate) fn new(azimuths: &[Azimuth], ranked: &[Ranked], count: usize) -> Self {
         let mut profiles = Vec::new();
         let mut taken: Vec<(Ranked, i32)> = Vec::new();
@@ -43,7 +43,7 @@ impl Selected {
                     .map(|sign| (*profile, sign * profile.azimuth as i32)),
             );
         }
-        // Stable: within an azimuth the canonical order stays.
+        // The sort is stable, so profiles of one azimuth stay in canonical order.
         profiles.sort_by_key(|profile| profile.azimuth);
         debug_assert!(profiles.iter().all(|profile| profile.azimuth < azimuths.len()));
         let place = |wanted: &Ranked| {
@@ -60,8 +60,8 @@ impl Selected {
         Self { components, profiles }
     }
 
-    /// Writes components and profiles into the table; a profile's polynomial is within
-    /// `tolerance` of the profile's largest value.
+    /// Writes components and profiles into the table. Each polynomial is within `tolerance` times
+    /// its profile's largest value.
     pub(crate) fn write(
         self,
         table: &mut Table,
@@ -84,7 +84,7 @@ impl Selected {
     }
 }
 
-/// The coordinates of one ranked profile, a column, with canonical sign.
+/// The coordinates of one ranked profile, as a column with canonical sign.
 fn coordinates(gram: &GramFactor, azimuth: &Azimuth, ranked: &Ranked) -> Mat<f64> {
     let vector: Vec<f64> = match ranked.eigenvalue {
         None => constant_coordinates(gram, &azimuth.block.space),
@@ -117,7 +117,7 @@ fn profile(
     Profile { modes, ..image(of, block, coordinates, tolerance) }
 }
 
-/// A profile from its coordinates, a column, without its mode coefficients.
+/// A profile from its coordinates, given as a column; its mode coefficients are left empty.
 pub(crate) fn image(
     of: (&GramFactor, Effects),
     block: &Block,
@@ -137,7 +137,7 @@ pub(crate) fn image(
     }
 }
 
-/// UᵀM of one profile, factored: see [`Profile::factors`].
+/// The factored form of UᵀM for one profile, see [`Profile::factors`].
 fn factors(
     (gram, effects): (&GramFactor, Effects),
     azimuth: usize,
@@ -184,7 +184,7 @@ fn factor(
     sign * ((p + 1) as f64).sqrt() * sum
 }
 
-/// Coordinates of the image that is 1 everywhere, a unit vector.
+/// Coordinates of the image that is 1 everywhere, as a unit vector.
 pub(crate) fn constant_coordinates(gram: &GramFactor, space: &ProfileSpace) -> Vec<f64> {
     let ones = Mat::from_fn(gram.nodes.len(), 1, |k, _| gram.root_weights[k]);
     space.coordinates(&ones).col(0).iter().copied().collect()

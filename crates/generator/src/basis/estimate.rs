@@ -1,4 +1,4 @@
-//! What making a scene's table takes, before anything of it is made.
+//! Estimates the memory and time that a scene's table needs, before it is made.
 
 use crate::basis::profile::terms;
 use crate::object::geometry::Geometry;
@@ -9,43 +9,44 @@ use eigenshade_model::error::Result;
 use eigenshade_table::scene::{LightRotation, Store};
 use std::time::Duration;
 
-/// Bytes of a number.
+/// Bytes per number.
 const NUMBER: f64 = 8.0;
 
-/// Multiplications and additions that a core does in a second, of what takes most of the time:
-/// products and factorizations of matrices, sums over columns.
+/// Multiplications and additions per second on one core, in the dominant work: matrix products and
+/// factorizations, and sums over columns.
 const RATE: f64 = 5e8;
 
-/// Times no shorter than this are said.
+/// Shorter times are not reported.
 const LONG: Duration = Duration::from_secs(60);
 
-/// Memory and time of making a table.
+/// Memory and time that making a table needs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Estimate {
     /// The degree of the light and the order of the material.
     size: [usize; 2],
-    /// Most bytes at a time: an upper bound.
+    /// Peak memory in bytes: an upper bound.
     pub bytes: u64,
-    /// On this computer, as far as that can be known: within a factor of some three.
+    /// Time on this computer, to within a factor of about three.
     pub time: Duration,
 }
 
-/// Of the blocks of all azimuths.
+/// Counts for the blocks of all azimuths.
 #[derive(Default)]
 struct Blocks {
-    /// Numbers that are kept of all of them.
+    /// Numbers kept for all blocks.
     kept: f64,
-    /// Most numbers that one of them takes while it is made.
+    /// Largest count of numbers that making a single block needs.
     making: f64,
     /// Numbers of all profiles, if each is in the table.
     profiles: f64,
-    /// Dimension of the span of all.
+    /// Dimension of the span of all blocks.
     dimension: f64,
     operations: f64,
 }
 
 impl Estimate {
-    /// Of the table of a scene, with all degrees and orders that a tolerance may choose.
+    /// Estimates the table of a scene at its full degree and order, which bounds whatever a
+    /// tolerance may choose.
     #[must_use]
     pub fn of(loaded: &Loaded) -> Self {
         let scene = &loaded.scene;
@@ -60,7 +61,7 @@ impl Estimate {
         let rotations = (degree + 1) * (degree + 2) / 2 * (order.min(degree) + 1) * nodes;
         let databases = loaded.lights.entries.len() * light::count(degree)
             + loaded.materials.entries.len() * material::count(order);
-        // Each color of the databases, as they are, fitted, and as moments.
+        // Each color of the databases: as loaded, fitted to the scene, and as moments.
         let common = count(pairs) + count(rotations) + 8.0 * count(databases);
 
         let is_general =
@@ -71,7 +72,7 @@ impl Estimate {
             let (vectors, turned) = match scene.light.rotation {
                 LightRotation::Any => (places, 0.0),
                 LightRotation::None => (places.min(lights), lights),
-                // Each light at all angles, before they are compressed.
+                // Each light at all angles, before compression.
                 LightRotation::Vertical => (places, lights * (4 * degree + 4) as f64),
             };
             let images = materials * (vectors + 1.0);
@@ -80,7 +81,7 @@ impl Estimate {
                 Geometry::Sphere => 0.0,
                 Geometry::Listed(listed) => count(listed.normals().len()),
             };
-            // The span's images of modes; then matrices of its dimension, and the images.
+            // The mode images of the span, then the matrices of its dimension and the images.
             let numbers = blocks.kept * 1.5
                 + blocks.making
                 + size * (12.0 * size + 6.0 * images)
@@ -94,7 +95,7 @@ impl Estimate {
                 let factors = (degree + 1) * layout::row(order);
                 count(components) * count(mode::count(degree, order, 0) + factors + 2 * nodes)
             });
-            // The table, its modes at the nodes, and its bytes while they grow.
+            // The table, its modes at the nodes, and its bytes while the buffer grows.
             let copies = if scene.basis.store == Store::Modes { 4.0 } else { 2.0 };
             let numbers = blocks.kept + (cores * blocks.making).max(copies * asked.min(most));
             (numbers, blocks.operations / cores)
@@ -110,7 +111,7 @@ impl Estimate {
     ///
     /// # Errors
     ///
-    /// If it cannot; the message names degree, order, memory and time.
+    /// If it cannot. The message gives degree, order, memory and time.
     pub fn admit(&self, budget: Budget) -> Result<()> {
         let [degree, order] = self.size;
         budget.admit(self.bytes).map_err(|error| {
@@ -119,7 +120,7 @@ impl Estimate {
         })
     }
 
-    /// How long it takes, where that is long.
+    /// The time as text; `None` if it is shorter than a minute.
     #[must_use]
     pub fn minutes(&self) -> Option<String> {
         (self.time >= LONG).then(|| format!("some {} minutes", self.time.as_secs().div_ceil(60)))
@@ -137,9 +138,9 @@ impl Blocks {
             let degrees = (degree + 1 - azimuth) as f64;
             let images = materials * (degrees + 1.0);
             let factors = degrees * layout::row(order) as f64;
-            // A and its singular vectors; the space; the principal components.
+            // A and its singular vectors, the space, and the principal components.
             blocks.kept += 2.0 * terms * modes + terms * (nodes + 4.0 * terms);
-            // The modes at the nodes, twice; A and the work of its factorization; the
+            // The modes at the nodes, twice; A and the workspace of its factorization; the
             // deviations and their images.
             let making =
                 2.0 * nodes * modes + 4.0 * terms * modes + images * (coefficients + 4.0 * terms);
@@ -153,7 +154,7 @@ impl Blocks {
     }
 }
 
-/// As many nodes as [`crate::basis::gram::of_sphere`] has.
+/// The number of nodes of [`crate::basis::gram::of_sphere`].
 fn nodes(degree: usize, order: usize) -> usize {
     terms(degree, order, 0) + degree + 1
 }

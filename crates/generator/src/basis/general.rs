@@ -1,9 +1,9 @@
-//! The eigenbasis of any normals under any statistics of the light, where neither M
-//! nor V_c falls apart into azimuths.
+//! The eigenbasis for arbitrary normals and arbitrary light statistics, where neither M nor V_c is
+//! block diagonal in the azimuth.
 //!
-//! Images are taken in the coordinates a of the sphere's [`Span`], energies over the
-//! object's normals in the coordinates y of `observed`. The eigenimages W are the left
-//! singular vectors of the database's images in y, U = A⁺W.
+//! Images use the coordinates a of the sphere's [`Span`]. Energies over the object's normals use
+//! the coordinates y of `observed`. The eigenimages W are the left singular vectors of the
+//! database's images in y, and U = A⁺W.
 
 use crate::basis;
 use crate::basis::choice::{Below, Choice};
@@ -23,21 +23,21 @@ use eigenshade_table::scene::{Criterion, Store};
 use eigenshade_table::{General, GramFactor, Scene, Summary, Table};
 use faer::Mat;
 
-/// Components whose orthonormality is reported.
+/// Number of components whose orthonormality is reported.
 const REPORTED: usize = 100;
 
-/// Singular values below this, relative to the root of the database's energy, are
-/// rounding.
+/// Singular values below this fraction of the root of the database's energy are rounding.
 const ROUNDING: f64 = 1e-14;
 
-/// How far from 1 the root mean square of the constant image may be: the cut-offs.
+/// Allowed deviation from 1 of the root mean square of the constant image; the cut-offs cause it.
 const CONSTANT: f64 = 1e-8;
 
-/// Makes the table of a scene whose normals or light have no symmetry to use.
+/// Makes the table of a scene whose normals or light lack the symmetry of a sphere under any
+/// rotation.
 ///
 /// # Errors
 ///
-/// As [`basis::build`]; a scene whose `store` is "materials", or that has a `cut`.
+/// The errors of [`basis::build`]; also a scene whose `store` is "materials" or that has a `cut`.
 pub fn build(
     scene: &Scene,
     geometry: &Geometry,
@@ -47,11 +47,11 @@ pub fn build(
     chosen(scene, geometry, lights, materials).map(|(table, _)| table)
 }
 
-/// The same, and how many components were chosen where the scene gives a tolerance.
+/// Like [`build`], and also reports how many components were chosen if the scene gives a tolerance.
 ///
 /// # Errors
 ///
-/// As [`build`].
+/// The errors of [`build`].
 pub fn chosen(
     scene: &Scene,
     geometry: &Geometry,
@@ -183,7 +183,7 @@ pub fn chosen(
     Ok((table, choice))
 }
 
-/// Puts the eigenimages into their one order and sign.
+/// Puts the eigenimages into canonical order and sign.
 fn settled(
     span: &Span,
     observed: &Observed,
@@ -203,11 +203,11 @@ fn settled(
     shown
 }
 
-/// The constant image in y, a unit vector.
+/// The constant image in y, as a unit vector.
 ///
 /// # Errors
 ///
-/// If the modes do not make it.
+/// If the modes cannot represent it.
 fn constant(span: &Span, observed: &Observed, gram: &GramFactor) -> Result<Vec<f64>> {
     let coordinates = span.constant(gram);
     let shown = observed.shown(&column(&coordinates));
@@ -225,10 +225,9 @@ fn column(values: &[f64]) -> Mat<f64> {
     Mat::from_fn(values.len(), 1, |k, _| values[k])
 }
 
-/// Coordinates in the span of the images of the factor of V_c
-/// ([`Criterion::ImageCentered`]) or of Σ_c ([`Criterion::Standard`]): light and
-/// material are independent, so
-/// Σ_c = Cov(L) (x) E{bbᵀ} + E{L}E{L}ᵀ (x) Cov(b).
+/// Coordinates in the span of the images of the factor of V_c ([`Criterion::ImageCentered`]) or of
+/// Σ_c ([`Criterion::Standard`]). Light and material are independent, so Σ_c = Cov(L) (x) E{bbᵀ} +
+/// E{L}E{L}ᵀ (x) Cov(b).
 fn deviations(
     span: &Span,
     gram: &GramFactor,
@@ -254,12 +253,12 @@ fn deviations(
     Mat::from_fn(span.dimension(), columns.len(), |k, t| columns[t][k])
 }
 
-/// Row by row.
+/// The entries in row-major order.
 fn rows(matrix: &Mat<f64>) -> Vec<f64> {
     (0..matrix.nrows()).flat_map(|i| (0..matrix.ncols()).map(move |j| matrix[(i, j)])).collect()
 }
 
-/// Column by column.
+/// The entries in column-major order.
 fn columns(matrix: &Mat<f64>) -> Vec<f64> {
     (0..matrix.ncols()).flat_map(|j| (0..matrix.nrows()).map(move |i| matrix[(i, j)])).collect()
 }

@@ -1,5 +1,4 @@
-//! The Gram matrix M of (23), as the factor A of
-//! [`GramFactor`], for the normals of a sphere.
+//! The Gram matrix M of (23) for the normals of a sphere, as the factor A of [`GramFactor`].
 
 use eigenshade_index::{material, pair};
 use eigenshade_model::irradiance::{slant_radials, slant_rotation};
@@ -8,12 +7,12 @@ use eigenshade_model::polar_integral::PolarIntegrals;
 use eigenshade_model::special::gauss_legendre;
 use eigenshade_table::GramFactor;
 
-/// The factor of M for the normals that a sphere shows, whose density over the
-/// hemisphere is cos(α)/π.
+/// Computes the factor of M for the visible normals of a sphere, whose density over the hemisphere
+/// is cos(α)/π.
 ///
-/// The nodes are Gauss-Legendre's in z = cos α on \[0, 1\], as many as make M
-/// exact to rounding for profiles of [`crate::basis::profile::terms`] terms: with
-/// orthonormal azimuths the weight of a node is 2 z times the rule's.
+/// The nodes are Gauss-Legendre nodes in z = cos α on \[0, 1\]. There are enough of them that M is
+/// exact to rounding for profiles of [`crate::basis::profile::terms`] terms. Since the azimuth
+/// functions are orthonormal, the weight of a node is 2 z times the weight of the rule.
 #[must_use]
 pub fn of_sphere(degree: usize, order: usize) -> GramFactor {
     let count = crate::basis::profile::terms(degree, order, 0) + degree + 1;
@@ -35,12 +34,12 @@ pub fn of_sphere(degree: usize, order: usize) -> GramFactor {
     }
 }
 
-/// α of cos α, by a formula that loses nothing near 0.
+/// α from cos α, by a formula that keeps its accuracy near 0.
 fn slant(z: f64) -> f64 {
     ((1.0 - z) * (1.0 + z)).sqrt().atan2(z)
 }
 
-/// D_l^mq / Φ_m for each |m|, each l >= |m|, each q <= min(l, order), each slant.
+/// D_l^mq / Φ_m for each |m|, each l >= |m|, each q <= min(l, order) and each slant.
 fn rotations(degree: usize, order: usize, slants: &[f64]) -> Vec<f64> {
     let mut values = Vec::new();
     for azimuth in 0..=degree {

@@ -1,4 +1,4 @@
-//! The eigenbasis of one scene, from its databases to its table.
+//! Computes the eigenbasis of a scene, from its databases to its table.
 
 pub(crate) mod analysis;
 pub mod canonical;
@@ -26,30 +26,30 @@ use eigenshade_model::error::{Error, Result};
 use eigenshade_table::cut::cut;
 use eigenshade_table::{Scene, Table};
 
-/// Components whose orthonormality is reported.
+/// Number of components whose orthonormality is reported.
 pub(crate) const REPORTED: usize = 100;
 
-/// Sizes of images whose squares f64 holds.
+/// Range of image sizes whose squares fit in f64.
 const RANGE: std::ops::Range<f64> = 1e-120..1e140;
 
-/// Makes the table of a scene from its lights and materials, which hold at least
-/// the scene's degree and order.
+/// Makes the table of a scene from lights and materials that reach at least the scene's degree and
+/// order.
 ///
 /// # Errors
 ///
-/// Empty databases or ones that do not reach the scene's degree and order, lights
-/// that cannot be normalised, numbers that are not finite, images below 1e-120 or
-/// above 1e140; a tolerance that the scene's cut-offs keep from being met.
+/// If a database is empty or does not reach the scene's degree and order, a light cannot be
+/// normalized, a number is not finite, an image is below 1e-120 or above 1e140, or the scene's
+/// cut-offs prevent meeting the tolerance.
 pub fn build(scene: &Scene, lights: &Lights, materials: &Materials) -> Result<Table> {
     chosen(scene, lights, materials).map(|(table, _)| table)
 }
 
-/// The same, and what was chosen where the scene gives a tolerance: the table's scene is then
-/// of the degree and order that were.
+/// Like [`build`], and also reports what was chosen if the scene gives a tolerance. The scene in
+/// the table then has the chosen degree and order.
 ///
 /// # Errors
 ///
-/// As [`build`].
+/// The errors of [`build`].
 pub fn chosen(
     scene: &Scene,
     lights: &Lights,
@@ -80,11 +80,11 @@ pub fn chosen(
     Ok((table, choice))
 }
 
-/// The databases up to a scene's degree and order.
+/// Truncates the databases to a scene's degree and order.
 ///
 /// # Errors
 ///
-/// If there are no materials, or they or the lights do not reach that far.
+/// If there are no materials, or if the materials or lights do not reach the degree and order.
 pub(crate) fn fitted(
     scene: &Scene,
     lights: &Lights,
@@ -102,7 +102,8 @@ pub(crate) fn fitted(
     Ok((lights.truncated(degree), materials.truncated(order)))
 }
 
-/// Whether eigenvalues, squares of `size` down to those of its rounding, are numbers.
+/// Checks that images of this size have eigenvalues in range, from the square of `size` down to the
+/// square of its rounding.
 pub(crate) fn in_range(size: f64) -> Result<()> {
     if size == 0.0 || RANGE.contains(&size) {
         return Ok(());
@@ -117,8 +118,8 @@ fn named_channels(one: &Named) -> (&str, [&[f64]; 3]) {
     (&one.name, one.rgb.each_ref().map(Vec::as_slice))
 }
 
-/// Largest |UᵀMU - I| over the first `count` components, through AU: M itself is
-/// never formed. Domain: a table that has U over modes.
+/// Largest |UᵀMU - I| over the first `count` components, computed from AU without forming M.
+/// Domain: a table that stores U over modes.
 #[must_use]
 pub fn orthonormality(table: &Table, count: usize) -> f64 {
     let mut worst: f64 = 0.0;
@@ -142,7 +143,7 @@ pub fn orthonormality(table: &Table, count: usize) -> f64 {
     worst
 }
 
-/// A times mode coefficients: weighted node values.
+/// A times mode coefficients, which gives weighted node values.
 fn image(columns: &[Vec<f64>], modes: &[f64]) -> Vec<f64> {
     let mut image = vec![0.0; columns.first().map_or(0, Vec::len)];
     for (column, coefficient) in columns.iter().zip(modes) {

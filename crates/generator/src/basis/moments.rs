@@ -1,9 +1,8 @@
 //! First and second moments of light and material, (34)-(41), kept as factors.
 //!
-//! V_c of (36) is the product of the light's and the material's second moments.
-//! Its factor, V_c = Σ_t v_t v_tᵀ, has one vector v_t for each degree l of the
-//! light and each material: √E{(L_l^m)²} b_j / √n. So nothing is squared, and no
-//! root of a matrix is taken.
+//! V_c of (36) is the product of the light's and the material's second moments. Its factorization
+//! V_c = Σ_t v_t v_tᵀ has one vector v_t for each degree l of the light and each material:
+//! √E{(L_l^m)²} b_j / √n. So nothing is squared, and no matrix square root is needed.
 
 use eigenshade_index::effect::Effects;
 use eigenshade_index::{light, material};
@@ -11,35 +10,34 @@ use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_table::scene::{Criterion, Normalise};
 
-/// What is known of the light, averaged over all rotations.
+/// Moments of the light, averaged over all rotations.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LightMoments {
     /// E{L_0^0}, (39); all other means are zero.
     pub ambient_mean: f64,
-    /// E{(L_0^0)²} - E{L_0^0}², from the deviations themselves: the difference of
-    /// the two leaves 1e-8 of L_0^0 where all are equal.
+    /// E{(L_0^0)²} - E{L_0^0}², computed from the deviations: subtracting the two moments would
+    /// leave 1e-8 of L_0^0 when all values are equal.
     pub ambient_variance: f64,
-    /// E{(L_l^m)²} for each l, (38): the same for all m.
+    /// E{(L_l^m)²} for each l, (38); it does not depend on m.
     pub power: Vec<f64>,
 }
 
 impl LightMoments {
-    /// The moments of the lights' luminance, all lights alike.
+    /// The moments of the lights' luminance, with equal weights.
     ///
     /// # Errors
     ///
-    /// No lights; or, where they are to be normalised, one whose L_0^0 is not
+    /// If there are no lights, or if lights are to be normalized and the L_0^0 of one is not
     /// positive.
     pub fn new(lights: &Lights, normalise: Normalise) -> Result<Self> {
         Self::weighted(lights, normalise, &equal(lights.entries.len()))
     }
 
-    /// The moments of the lights' luminance, each with its weight; the weights sum to
-    /// 1.
+    /// The moments of the lights' luminance with the given weights, which sum to 1.
     ///
     /// # Errors
     ///
-    /// As [`new`](Self::new); lights of weight 0 are not looked at.
+    /// The errors of [`new`](Self::new). Lights of weight 0 are ignored.
     pub fn weighted(lights: &Lights, normalise: Normalise, weights: &[f64]) -> Result<Self> {
         let mut ambients = Vec::new();
         let mut power = vec![0.0; lights.degree + 1];
@@ -57,18 +55,18 @@ impl LightMoments {
     }
 }
 
-/// `count` weights, all alike.
+/// `count` equal weights.
 #[must_use]
 pub fn equal(count: usize) -> Vec<f64> {
     vec![1.0 / count as f64; count]
 }
 
-/// The lights' luminance, exposures made comparable, with their weights; those of
-/// weight 0 left out.
+/// The lights' luminance with comparable exposures, and their weights. Lights of weight 0 are left
+/// out.
 ///
 /// # Errors
 ///
-/// As [`LightMoments::new`].
+/// The errors of [`LightMoments::new`].
 pub fn comparable(
     lights: &Lights,
     normalise: Normalise,
@@ -88,26 +86,25 @@ pub fn comparable(
         .collect()
 }
 
-/// What is known of the materials.
+/// Moments of the materials.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MaterialMoments {
-    /// b of each, luminance.
+    /// Luminance coefficients b of each material.
     pub vectors: Vec<Vec<f64>>,
-    /// Their weights, which sum to 1.
+    /// Weights of the materials, which sum to 1.
     pub weights: Vec<f64>,
     /// E{b_op^q}, (41).
     pub mean: Vec<f64>,
 }
 
 impl MaterialMoments {
-    /// The moments of the materials' luminance, all materials alike.
+    /// The moments of the materials' luminance, with equal weights.
     #[must_use]
     pub fn new(materials: &Materials) -> Self {
         Self::weighted(materials, equal(materials.entries.len()))
     }
 
-    /// The moments of the materials' luminance, each with its weight; the weights sum
-    /// to 1.
+    /// The moments of the materials' luminance with the given weights, which sum to 1.
     #[must_use]
     pub fn weighted(materials: &Materials, weights: Vec<f64>) -> Self {
         let vectors: Vec<Vec<f64>> =
@@ -121,7 +118,7 @@ impl MaterialMoments {
         Self { vectors, weights, mean }
     }
 
-    /// Each material's coefficients and the root of its weight.
+    /// Each material's coefficients and the square root of its weight.
     pub fn rooted(&self) -> impl Iterator<Item = (&Vec<f64>, f64)> {
         self.vectors.iter().zip(self.weights.iter().map(|weight| weight.sqrt()))
     }
@@ -131,7 +128,7 @@ impl MaterialMoments {
 ///
 /// # Errors
 ///
-/// A light whose luminance L_0^0 is not positive cannot be normalised.
+/// If the light is to be normalized and its luminance L_0^0 is not positive.
 pub fn exposure(name: &str, ambient: f64, normalise: Normalise) -> Result<f64> {
     match normalise {
         Normalise::None => Ok(1.0),
@@ -143,18 +140,18 @@ pub fn exposure(name: &str, ambient: f64, normalise: Normalise) -> Result<f64> {
     }
 }
 
-/// One vector v_t of the factor of V_c or Σ_c: degree l of the light, and the
-/// material's coefficients times the light's deviation.
+/// One vector v_t of the factor of V_c or Σ_c: a degree l of the light, and the material's
+/// coefficients times the light's deviation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Deviation {
-    /// The degree l to which it belongs.
+    /// The degree l of the light.
     pub degree: usize,
     /// Coefficients in the order of [`eigenshade_index::material`].
     pub material: Vec<f64>,
 }
 
 impl Deviation {
-    /// Leaves what belongs to these effects.
+    /// Keeps only the coefficients that belong to these effects.
     pub fn leave(&mut self, effects: Effects) {
         let order = (0..).find(|&order| material::count(order) >= self.material.len());
         let modes = material::indices(order.unwrap_or(0));
@@ -164,8 +161,8 @@ impl Deviation {
     }
 }
 
-/// The factor of V_c ([`Criterion::ImageCentered`]) or of Σ_c, (34)
-/// ([`Criterion::Standard`]), for the modes of one azimuth and some effects.
+/// The factor of V_c ([`Criterion::ImageCentered`]) or of Σ_c, (34) ([`Criterion::Standard`]), for
+/// the modes of one azimuth and the given effects.
 #[must_use]
 pub fn deviations(
     light: &LightMoments,
@@ -176,7 +173,7 @@ pub fn deviations(
 ) -> Vec<Deviation> {
     let mut deviations = Vec::new();
     for (degree, &power) in light.power.iter().enumerate().skip(azimuth) {
-        // Only L_0^0 has a mean to be subtracted.
+        // Only L_0^0 has a nonzero mean to subtract.
         let (centre, spread) = if degree == 0 && criterion == Criterion::Standard {
             (light.ambient_mean, light.ambient_variance.sqrt())
         } else {

@@ -1,13 +1,13 @@
-//! Images at the nodes of the slant, without any pixel: I = Σ_m u_m(α) Φ_m(β), kept
-//! as √w_k u_m(α_k) for each m. The scalar product (19) is then that of these numbers.
+//! Images at the nodes of the slant, without pixels: I = Σ_m u_m(α) Φ_m(β) is stored as √w_k
+//! u_m(α_k) for each m. The scalar product (19) is then the dot product of these numbers.
 
 use eigenshade_index::{light, material, mode};
 use eigenshade_table::GramFactor;
 
-/// One image: √w_k u_m(α_k) for m = -degree..=degree, each node k.
+/// An image as √w_k u_m(α_k) for m = -degree..=degree and each node k.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NodeImage {
-    /// The node values of each m, that of -degree first.
+    /// Node values of each m, starting at -degree.
     pub by_order: Vec<Vec<f64>>,
 }
 
@@ -25,8 +25,8 @@ impl NodeImage {
         middle.iter().zip(&gram.root_weights).map(|(value, root)| value * root).sum()
     }
 
-    /// The variance within the image: I • I - (I • 1)², by way of the deviations, so
-    /// that images that are nearly constant lose nothing.
+    /// The variance within the image, I • I - (I • 1)², computed from the deviations so that nearly
+    /// constant images lose no accuracy.
     #[must_use]
     pub fn variance(&self, gram: &GramFactor) -> f64 {
         let mean = self.mean(gram);
@@ -40,7 +40,7 @@ impl NodeImage {
         sum
     }
 
-    /// This image less another.
+    /// The difference of this image and `other`.
     #[must_use]
     pub fn minus(&self, other: &Self) -> Self {
         let by_order = self.by_order.iter().zip(&other.by_order).map(|(ours, theirs)| {
@@ -50,18 +50,18 @@ impl NodeImage {
     }
 }
 
-/// Some materials, ready for any light: for each the image of every harmonic.
+/// Materials prepared for any light: each has the image of every harmonic.
 #[derive(Clone, Debug)]
 pub struct MaterialImages {
     degree: usize,
     nodes: usize,
-    /// By material, then |m|, then l from |m|: the node values of Y_l^m.
+    /// Node values of Y_l^m, indexed by material, then |m|, then l from |m|.
     harmonics: Vec<Vec<Vec<Vec<f64>>>>,
 }
 
 impl MaterialImages {
-    /// Of materials b_op^q of the order of `gram`; `kept` is a selection of modes in
-    /// the layout of `Table::selection`, empty for all.
+    /// Prepares materials b_op^q of the order of `gram`. `kept` selects modes in the layout of
+    /// `Table::selection`; empty selects all.
     #[must_use]
     pub fn new(gram: &GramFactor, kept: &[bool], materials: &[Vec<f64>]) -> Self {
         let nodes = gram.nodes.len();
@@ -84,13 +84,13 @@ impl MaterialImages {
         Self { degree: gram.degree, nodes, harmonics }
     }
 
-    /// The image of a light L_l^m of that degree on one of the materials.
+    /// The image of the light L_l^m, which has the degree of the `gram`, on one of the materials.
     #[must_use]
     pub fn image(&self, light: &[f64], material: usize) -> NodeImage {
         let top = self.degree.cast_signed();
         let of_order = |m: isize| {
             let azimuth = m.unsigned_abs();
-            // f of -m is (-1)^m times that of m.
+            // f of -m is (-1)^m times f of m.
             let sign = if m < 0 && m % 2 != 0 { -1.0 } else { 1.0 };
             let mut values = vec![0.0; self.nodes];
             for (l, harmonic) in (azimuth..).zip(&self.harmonics[material][azimuth]) {

@@ -1,37 +1,39 @@
 //! An object's normals in the coordinates of a [`Span`].
 //!
-//! With φ the functions of the span and RᵀR = Σ_k w_k φ(n_k) φ(n_k)ᵀ, the energy of an
-//! image a over the object is |R a|². R = P S Qᵀ, so y = S Qᵀ a are coordinates in which
-//! energies are lengths. Of the modes c the span's coordinates are diag(s) Vᵀ c, V
-//! orthonormal; so A is H Vᵀ with H = S Qᵀ diag(s).
+//! Let φ be the functions of the span and RᵀR = Σ_k w_k φ(n_k) φ(n_k)ᵀ. The energy of an image a
+//! over the object is |R a|². With R = P S Qᵀ, y = S Qᵀ a are coordinates in which energies are
+//! squared lengths. Modes c have the coordinates diag(s) Vᵀ c in the span, with V orthonormal, so A
+//! is H Vᵀ with H = S Qᵀ diag(s).
 
 use crate::basis::span::{Function, Span};
 use crate::object::geometry::Geometry;
 use eigenshade_model::error::{Error, Result};
 use faer::Mat;
 
-/// What an object shows of a span.
+/// The part of a span that an object shows.
 pub(crate) struct Observed {
-    /// Q, a column a coordinate that the object shows.
+    /// Q; each column is a coordinate that the object shows.
     directions: Mat<f64>,
-    /// S, falling.
+    /// S, in falling order.
     gains: Vec<f64>,
-    /// s of each function.
+    /// s, one for each function.
     singular: Vec<f64>,
     /// H.
     factor: Mat<f64>,
-    /// Its left singular vectors, singular values and right singular vectors.
+    /// Left singular vectors of H; `values` and `right` hold its singular values and right singular
+    /// vectors.
     left: Mat<f64>,
     values: Vec<f64>,
     right: Mat<f64>,
 }
 
 impl Observed {
-    /// The normals of `geometry`; S ends where it is below `cutoff` times its largest.
+    /// Uses the normals of `geometry`; S ends where it falls below `cutoff` times its largest
+    /// value.
     ///
     /// # Errors
     ///
-    /// If singular values do not converge.
+    /// If the singular values do not converge.
     pub(crate) fn new(span: &Span, geometry: &Geometry, cutoff: f64) -> Result<Self> {
         let (directions, gains) = directions(span, geometry, cutoff)?;
         let of = |Function { order, profile }: Function| {
@@ -60,36 +62,35 @@ impl Observed {
         Mat::from_fn(along.nrows(), along.ncols(), |i, j| self.gains[i] * along[(i, j)])
     }
 
-    /// a, column by column, of the images of least norm that show y: Q S⁻¹ y.
+    /// The images a of least norm that show y, column by column: Q S⁻¹ y.
     ///
-    /// Of the images that look alike on the object these cancel least in what their
-    /// polynomials add up.
+    /// Many images look alike on the object. In these the polynomials cancel least.
     pub(crate) fn images(&self, shown: &Mat<f64>) -> Mat<f64> {
         let scaled =
             Mat::from_fn(shown.nrows(), shown.ncols(), |i, j| shown[(i, j)] / self.gains[i]);
         &self.directions * scaled
     }
 
-    /// d from coordinates in the span: Wᵀ S Qᵀ.
+    /// The matrix Wᵀ S Qᵀ, which gives d from coordinates in the span.
     pub(crate) fn projection(&self, shown: &Mat<f64>) -> Mat<f64> {
         let scaled =
             Mat::from_fn(shown.nrows(), shown.ncols(), |i, j| shown[(i, j)] * self.gains[i]);
         scaled.transpose() * self.directions.transpose()
     }
 
-    /// Rank of the modes over the object, of singular values above `cutoff` times the
+    /// Rank of the modes over the object: the number of singular values above `cutoff` times the
     /// largest.
     pub(crate) fn rank(&self, cutoff: f64) -> usize {
         let threshold = cutoff * self.values.first().copied().unwrap_or(0.0);
         self.values.iter().filter(|value| **value > threshold).count()
     }
 
-    /// U = A⁺W over the span's own U, a column an eigenimage, with this rank.
+    /// U = A⁺W at this rank, relative to the span's own U; each column is an eigenimage.
     pub(crate) fn modes(&self, shown: &Mat<f64>, rank: usize) -> Mat<f64> {
         self.scaled(&self.solution(shown, rank))
     }
 
-    /// Largest |UᵀMU - I| of the first `count` eigenimages, through A U.
+    /// Largest |UᵀMU - I| over the first `count` eigenimages, computed from A U.
     pub(crate) fn orthonormality(&self, shown: &Mat<f64>, rank: usize, count: usize) -> f64 {
         let first = shown.get(.., ..shown.ncols().min(count)).to_owned();
         let image = &self.factor * self.solution(&first, rank);
@@ -104,24 +105,24 @@ impl Observed {
         worst
     }
 
-    /// H⁺ y: Vᵀ of the modes of least norm.
+    /// H⁺ y, which is Vᵀ times the modes of least norm.
     fn solution(&self, shown: &Mat<f64>, rank: usize) -> Mat<f64> {
         let projected = self.left.get(.., ..rank).transpose() * shown;
         let scaled = Mat::from_fn(rank, shown.ncols(), |i, j| projected[(i, j)] / self.values[i]);
         self.right.get(.., ..rank) * scaled
     }
 
-    /// diag(s): coordinates in the span of modes Vᵀc; and, since the span's own U is
-    /// V / s, those modes over that U.
+    /// Multiplies by diag(s). The result is the span coordinates of the modes Vᵀc. It is also those
+    /// modes relative to the span's own U, which is V / s.
     fn scaled(&self, modes: &Mat<f64>) -> Mat<f64> {
         Mat::from_fn(modes.nrows(), modes.ncols(), |k, i| self.singular[k] * modes[(k, i)])
     }
 }
 
-/// Q and S.
+/// The matrices Q and S.
 fn directions(span: &Span, geometry: &Geometry, cutoff: f64) -> Result<(Mat<f64>, Vec<f64>)> {
     let Geometry::Listed(listed) = geometry else {
-        // The span is orthonormal over the sphere.
+        // The span is already orthonormal over the sphere.
         let dimension = span.dimension();
         return Ok((Mat::identity(dimension, dimension), vec![1.0; dimension]));
     };

@@ -1,37 +1,36 @@
-//! The direct sum (15) with its weakest terms left out, and what that can cost (4.4).
+//! The direct sum (15) with its weakest terms left out, and the error that this can cause (4.4).
 //!
-//! A term c_s E_s has the size |c_s| √m_ss, the root of its variance (2.4). Leaving
-//! out a set D of terms costs the image Σ_D c_s E_s, of which the sizes alone tell
+//! A term c_s E_s has the size |c_s| √m_ss, the root of its variance (2.4). Leaving out a set D of
+//! terms changes the image by Σ_D c_s E_s. The sizes give
 //!
-//! * the triangle bound: its norm is at most the sum of the sizes;
-//! * the bound by azimuth: images of different m are orthogonal, so its square is at
-//!   most the sum over m of the squared sums of the sizes of that m. Never larger than the
-//!   former;
-//! * the root of the sum of the squared sizes, which is the norm if the terms were
-//!   orthogonal to each other. They are not: it is no bound.
+//! * the triangle bound: the norm is at most the sum of the sizes;
+//! * the bound by azimuth: images of different m are orthogonal, so the squared norm is at most the
+//!   sum over m of the squared sums of the sizes of that m. It never exceeds the triangle bound;
+//! * the root of the sum of the squared sizes, which would be the norm if the terms were
+//!   orthogonal. They are not, so it is not a bound.
 
 use eigenshade_index::{light, material, mode};
 use eigenshade_table::GramFactor;
 
-/// The modes with their sizes, ready for any light and material.
+/// The modes with their sizes, prepared for any light and material.
 #[derive(Clone, Debug)]
 pub struct PartialSum<'a> {
     gram: &'a GramFactor,
-    /// By |m|: the columns of A.
+    /// The columns of A, by |m|.
     columns: Vec<Vec<Vec<f64>>>,
-    /// By |m|: √m_ss.
+    /// √m_ss, by |m|.
     roots: Vec<Vec<f64>>,
-    /// By |m|: whether a selection keeps the mode.
+    /// Whether a selection keeps each mode, by |m|.
     kept: Vec<Vec<bool>>,
 }
 
-/// What is known of one partial sum; norms are the root of the mean square over the
+/// The error and the bounds of one partial sum; norms are the root of the mean square over the
 /// normals.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step {
-    /// Number of terms in the sum, both signs of m counted.
+    /// Number of terms in the sum, with both signs of m included.
     pub terms: usize,
-    /// The norm of what is left out.
+    /// The norm of the omitted terms.
     pub error: f64,
     /// The bound by azimuth.
     pub bound: f64,
@@ -46,18 +45,18 @@ pub struct Step {
 pub struct Term {
     /// l, m, o, p, q.
     pub mode: (usize, isize, usize, usize, usize),
-    /// c_s, L_l^m times b_op^q.
+    /// c_s, which is L_l^m times b_op^q.
     pub coefficient: f64,
     /// |c_s| √m_ss.
     pub size: f64,
-    /// Among the modes of its |m|.
+    /// Index among the modes of its |m|.
     place: usize,
     is_kept: bool,
 }
 
 impl<'a> PartialSum<'a> {
-    /// `kept` is a selection of modes in the layout of `Table::selection`, empty for
-    /// all: the others are left out of every sum.
+    /// Prepares the modes of `gram`. `kept` selects modes in the layout of `Table::selection`, and
+    /// empty selects all. Modes that are not selected are left out of every sum.
     #[must_use]
     pub fn new(gram: &'a GramFactor, kept: &[bool]) -> Self {
         let azimuths = 0..=gram.degree;
@@ -77,12 +76,11 @@ impl<'a> PartialSum<'a> {
         }
     }
 
-    /// Every partial sum of a light on a material, of the degree and order of the
-    /// factor of M: from all the terms that the selection keeps, the strongest first,
-    /// down to none.
+    /// Every partial sum of a light on a material of the degree and order of the Gram factor, from
+    /// all terms that the selection keeps down to none. The weakest terms are left out first.
     ///
-    /// Terms of one size are left out in the order of m, then of the modes. Cost: each
-    /// mode's node values twice.
+    /// Terms of equal size are left out in the order of m, then of the modes. Cost: each mode's
+    /// node values twice.
     #[must_use]
     pub fn steps(&self, light: &[f64], material: &[f64]) -> Vec<Step> {
         let terms = self.terms(light, material);
@@ -107,7 +105,7 @@ impl<'a> PartialSum<'a> {
             let m = term.mode.1;
             let place = self.gram.degree.saturating_add_signed(m);
             let column = &self.columns[m.unsigned_abs()][term.place];
-            // f of -m is (-1)^m times that of m.
+            // f of -m is (-1)^m times f of m.
             let coefficient =
                 if m < 0 && m % 2 != 0 { -term.coefficient } else { term.coefficient };
             let values = &mut missing[place];
@@ -120,16 +118,16 @@ impl<'a> PartialSum<'a> {
         steps
     }
 
-    /// The terms that the selection keeps, the strongest first: the first n of them are
-    /// the sum of [`steps`](Self::steps) with n terms.
+    /// The terms that the selection keeps, strongest first. The first n of them form the sum of
+    /// [`steps`](Self::steps) with n terms.
     #[must_use]
     pub fn strongest(&self, light: &[f64], material: &[f64]) -> Vec<Term> {
         let terms = self.terms(light, material);
         terms.into_iter().rev().take_while(|term| term.is_kept).collect()
     }
 
-    /// Every term: what no sum has first, then the weak before the strong; those of one
-    /// size by m, then in the order of the modes.
+    /// Every term: first those that no sum includes, then from weak to strong. Terms of equal size
+    /// are sorted by m, then in the order of the modes.
     fn terms(&self, light: &[f64], material: &[f64]) -> Vec<Term> {
         let top = self.gram.degree.cast_signed();
         let mut terms = Vec::new();

@@ -1,9 +1,8 @@
-//! The principal components of one azimuth, by singular values in node space.
+//! The principal components of one azimuth, from singular values in node space.
 //!
-//! (28) and (33) ask for the eigenvectors of M^(1/2) V M^(1/2). With M = AᵀA and
-//! V = FFᵀ those are, up to a rotation, the left singular vectors W of AF: no
-//! root of the singular M, nothing squared. U = A⁺W follows by the
-//! pseudo-inverse with a cut-off.
+//! (28) and (33) require the eigenvectors of M^(1/2) V M^(1/2). With M = AᵀA and V = FFᵀ these are,
+//! up to a rotation, the left singular vectors W of AF, so the root of the singular M is not needed
+//! and nothing is squared. Then U = A⁺W, by the pseudo-inverse with a cut-off.
 
 use crate::basis::moments::Deviation;
 use crate::basis::profile::ProfileSpace;
@@ -12,30 +11,30 @@ use eigenshade_model::error::{Error, Result};
 use eigenshade_table::GramFactor;
 use faer::{Mat, MatRef};
 
-/// A of one azimuth, in the coordinates of its profile space.
+/// The matrix A of one azimuth, in the coordinates of its profile space.
 #[derive(Clone, Debug)]
 pub struct Block {
     /// |m|.
     pub azimuth: usize,
-    /// The space of its profiles.
+    /// The space of the profiles.
     pub space: ProfileSpace,
-    /// Coordinates of each mode's profile, a column a mode of
-    /// [`eigenshade_index::mode`]; columns of modes that are not kept are zero.
+    /// Coordinates of each mode's profile, one column for each mode of [`eigenshade_index::mode`].
+    /// Columns of modes that are not kept are zero.
     pub factor: Mat<f64>,
     /// Left singular vectors of `factor`.
     left: Mat<f64>,
-    /// Its singular values, falling.
+    /// Singular values of `factor`, falling.
     pub singular_values: Vec<f64>,
     /// Right singular vectors of `factor`.
     right: Mat<f64>,
 }
 
 impl Block {
-    /// The block of `azimuth`; `keeps` says which (l, o, p, q) are in.
+    /// The block of `azimuth`; `keeps` selects the modes (l, o, p, q).
     ///
     /// # Errors
     ///
-    /// If the singular values do not converge (a number that is not finite).
+    /// If the singular values do not converge, which means that a number is not finite.
     pub fn new(
         gram: &GramFactor,
         azimuth: usize,
@@ -59,14 +58,14 @@ impl Block {
         self.left.get(.., ..rank).to_owned()
     }
 
-    /// Numerical rank: singular values above `threshold`.
+    /// Numerical rank: the number of singular values above `threshold`.
     #[must_use]
     pub fn rank(&self, threshold: f64) -> usize {
         self.singular_values.iter().filter(|value| **value > threshold).count()
     }
 
-    /// U = A⁺W: mode coefficients of the eigenimages with these coordinates, a
-    /// column each; singular values up to `threshold` count as zero.
+    /// U = A⁺W: mode coefficients of the eigenimages with these coordinates, one column each.
+    /// Singular values up to `threshold` count as zero.
     #[must_use]
     pub fn mode_coefficients(&self, coordinates: &Mat<f64>, threshold: f64) -> Mat<f64> {
         let rank = self.rank(threshold);
@@ -77,7 +76,7 @@ impl Block {
         self.right.get(.., ..rank) * scaled
     }
 
-    /// Coordinates of the images of these deviations: AF.
+    /// AF, the coordinates of the images of these deviations.
     #[must_use]
     pub fn images(&self, gram: &GramFactor, deviations: &[Deviation]) -> Mat<f64> {
         let mut images = Mat::zeros(self.space.dimension(), deviations.len());
@@ -100,7 +99,7 @@ impl Block {
     }
 }
 
-/// The space of an azimuth's profiles and A in its coordinates: see [`Block::factor`].
+/// The space of an azimuth's profiles, and A in its coordinates, see [`Block::factor`].
 pub(crate) fn factor(
     gram: &GramFactor,
     azimuth: usize,
@@ -122,22 +121,22 @@ pub(crate) fn factor(
 /// The principal components of a set of images.
 #[derive(Clone, Debug)]
 pub struct Principal {
-    /// Coordinates of the eigenimages' profiles, orthonormal columns.
+    /// Coordinates of the eigenimages' profiles, as orthonormal columns.
     pub coordinates: Mat<f64>,
     /// Singular values, falling; their squares are the eigenvalues.
     pub singular_values: Vec<f64>,
 }
 
-/// The left singular vectors of `images`, orthogonal to the unit vector `apart`
-/// where there is one (the constant image, (31)).
+/// The left singular vectors of `images`, orthogonal to the unit vector `apart` if one is given
+/// (the constant image, (31)).
 ///
 /// # Errors
 ///
 /// If the singular values do not converge.
 pub fn principal(images: &Mat<f64>, apart: Option<&[f64]>, azimuth: usize) -> Result<Principal> {
     let Some(apart) = apart else { return decompose(images.as_ref(), azimuth) };
-    // A reflection that takes `apart` to the first axis; what is left of the
-    // images without that axis is exactly orthogonal to it, however small.
+    // Reflect `apart` onto the first axis. The images without that axis are then exactly orthogonal
+    // to it, however small they are.
     let mut normal: Vec<f64> = apart.to_vec();
     normal[0] += if apart[0] < 0.0 { -1.0 } else { 1.0 };
     let scale = 2.0 / normal.iter().map(|x| x * x).sum::<f64>();

@@ -1,5 +1,5 @@
-//! The peak of a scene's database, of which tolerances are: the root of the mean square, over
-//! its lights as captured and its materials, of each image's largest |I|.
+//! The peak of a scene's database, to which tolerances are relative: the root of the mean square of
+//! each image's largest |I|, over the lights as captured and the materials.
 
 use crate::basis::moments::{MaterialMoments, comparable};
 use eigenshade_model::database::{self, Lights, Materials};
@@ -9,12 +9,12 @@ use eigenshade_model::truth::Truth;
 use eigenshade_table::Scene;
 use std::f64::consts::PI;
 
-/// The peak of the scene's effects at the databases' degree and order, weights and
-/// exposures as the scene has them; on 24 slants by 48 tilts, pole and rim included.
+/// Computes the peak for the scene's effects, weights and exposures at the databases' degree and
+/// order. It samples 24 slants by 48 tilts, including the pole and the rim.
 ///
 /// # Errors
 ///
-/// Weights that are none, a light that cannot be normalised.
+/// If the weights are invalid or a light cannot be normalized.
 pub fn of(scene: &Scene, lights: &Lights, materials: &Materials) -> Result<f64> {
     let truth = Truth::new(lights.degree, materials.order);
     let (wanted, weights) =

@@ -1,17 +1,17 @@
-//! The space of slant profiles of one azimuth: u(α) = sin^|m|(α) h(z), h a
-//! polynomial in z = cos α.
+//! The space of slant profiles of one azimuth: u(α) = sin^|m|(α) h(z), where h is a polynomial in
+//! z = cos α.
 //!
-//! Every f_s of (14) is sin^|m| times a polynomial times a power of
-//! ((1 + z)/2)^(1/2), which is analytic on \[0, 1\]: its Chebyshev series falls by
-//! 3 + √8 a term. In this space, orthonormal under the density of the normals,
-//! the whole computation is done: what comes out are polynomials.
+//! Every f_s of (14) is sin^|m| times a polynomial times a power of ((1 + z)/2)^(1/2). That root is
+//! analytic on \[0, 1\], so its Chebyshev series falls by a factor of 3 + √8 per term. The space is
+//! orthonormal under the density of the normals. The whole computation takes place in it, so the
+//! results are polynomials.
 
 use eigenshade_table::GramFactor;
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 
-/// Terms of h: the polynomial part of f_s takes
-/// degree - |m| + order/2 + 1, the root another 16 to reach rounding.
+/// Number of terms of h: the polynomial part of f_s needs degree - |m| + order/2 + 1, and the root
+/// needs another 16 to reach rounding.
 #[must_use]
 pub fn terms(degree: usize, order: usize, azimuth: usize) -> usize {
     degree - azimuth + order.div_ceil(2) + 17
@@ -22,7 +22,7 @@ pub fn terms(degree: usize, order: usize, azimuth: usize) -> usize {
 pub struct ProfileSpace {
     /// Orthonormal columns: √w_k u_j(α_k).
     basis: Mat<f64>,
-    /// Chebyshev series of a profile = the inverse of this times its coordinates.
+    /// The Chebyshev series of a profile is the inverse of this matrix times its coordinates.
     triangle: Mat<f64>,
 }
 
@@ -46,8 +46,8 @@ impl ProfileSpace {
         self.basis.ncols()
     }
 
-    /// Coordinates of columns of weighted node values: exact for profiles of the
-    /// space, a projection onto it for others.
+    /// Coordinates of columns of weighted node values. Exact for profiles in the space; a
+    /// projection onto it for others.
     #[must_use]
     pub fn coordinates(&self, columns: &Mat<f64>) -> Mat<f64> {
         self.basis.transpose() * columns
@@ -59,20 +59,19 @@ impl ProfileSpace {
         &self.basis * coordinates
     }
 
-    /// Chebyshev coefficients of h in 2z - 1 of the profiles with these
-    /// coordinates.
+    /// Chebyshev coefficients in 2z - 1 of h, for the profiles with these coordinates.
     #[must_use]
     pub fn chebyshev(&self, coordinates: &Mat<f64>) -> Mat<f64> {
         self.triangle.partial_piv_lu().solve(coordinates)
     }
 }
 
-/// T_j(t), t in \[-1, 1\].
+/// T_j(t) for t in \[-1, 1\].
 fn chebyshev(j: usize, t: f64) -> f64 {
     (j as f64 * t.clamp(-1.0, 1.0).acos()).cos()
 }
 
-/// T_0..T_`terms` - 1 of 2z - 1, z in \[0, 1\].
+/// T_0 to T_(`terms` - 1) at 2z - 1, for z in \[0, 1\].
 #[must_use]
 pub fn chebyshev_values(terms: usize, z: f64) -> Vec<f64> {
     let t = 2.0 * z - 1.0;
@@ -85,7 +84,7 @@ pub fn chebyshev_values(terms: usize, z: f64) -> Vec<f64> {
     values
 }
 
-/// h(z) of a Chebyshev series in 2z - 1, by Clenshaw's recurrence.
+/// Evaluates h(z) from its Chebyshev series in 2z - 1 by Clenshaw's recurrence.
 #[must_use]
 pub fn evaluate(series: &[f64], z: f64) -> f64 {
     let t = 2.0 * z - 1.0;
@@ -96,8 +95,8 @@ pub fn evaluate(series: &[f64], z: f64) -> f64 {
     series.first().copied().unwrap_or(0.0) + t * next - after
 }
 
-/// The least number of terms whose profile stays within `tolerance` times the
-/// largest |u| of the whole series, over α in \[0, π/2\].
+/// The smallest number of terms whose profile stays within `tolerance` times the largest |u| of the
+/// whole series, over α in \[0, π/2\].
 ///
 /// The error is the dropped tail, evaluated on 257 slants.
 #[must_use]

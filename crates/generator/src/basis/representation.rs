@@ -1,24 +1,24 @@
-//! How well a number of components represents an image (4.4).
+//! How well a given number of components represents an image (4.4).
 
 use crate::basis::node_image::NodeImage;
 use crate::basis::profile;
 use eigenshade_table::Table;
 
-/// An image fitted by the components of a table, one after the other.
+/// An image fitted by the components of a table, one after another.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fit {
-    /// d_i = I • U_i, of the image less the mean image where the table has one.
+    /// d_i = I • U_i, after subtracting the mean image if the table has one.
     pub coefficients: Vec<f64>,
-    /// The variance within the residual after K components, K = 0..=all.
+    /// Variance within the residual after K components, K = 0..=all.
     pub variances: Vec<f64>,
-    /// The residual's energy, its mean counted, after K components.
+    /// Energy of the residual, including its mean, after K components.
     pub energies: Vec<f64>,
 }
 
 /// Fits an image of the table's degree by scalar products.
 ///
-/// The residual itself is kept and lessened, so that its energy is right far below
-/// 1e-16 of the image's.
+/// The residual is stored and reduced step by step, so its energy is accurate far below 1e-16 of
+/// the image's.
 #[must_use]
 pub fn fit(table: &Table, image: &NodeImage) -> Fit {
     let gram = &table.gram;

@@ -1,21 +1,21 @@
-//! The one order and sign of eigenimages that are sums of several azimuths.
+//! The canonical order and sign of eigenimages that are sums of several azimuths.
 //!
-//! Components of equal eigenvalue are only determined up to a rotation among them.
-//! Each such set is turned so that its strongest function of the span is in one
-//! component alone, then the strongest of the rest in the next, and so on: where the
-//! normals are the sphere's, these are the products u(α) Φ_m(β) again. Within a set the
-//! order is |m| rising, +m before -m, by each component's strongest m; its sign
-//! makes the polynomial of that m positive at the pole.
+//! Components of equal eigenvalue are determined only up to a rotation among them. Each such set is
+//! rotated so that its strongest span function occurs in one component only, the strongest of the
+//! remaining functions in the next, and so on. For the normals of a sphere this gives the products
+//! u(α) Φ_m(β) again. Each component is assigned the m that is strongest in it. A set is sorted by
+//! rising |m|, +m before -m, and the sign makes the polynomial of that m positive at the pole.
 
 use faer::Mat;
 
-/// Singular values that differ by less, relative to themselves, are equal.
+/// Singular values with a smaller relative difference are equal.
 const EQUAL: f64 = 1e-9;
 
-/// ... or by less than this, relative to the largest: that is rounding.
+/// Singular values that differ by less than this fraction of the largest are also equal: the
+/// difference is rounding.
 const ROUNDING: f64 = 1e-14;
 
-/// What is known of the functions of the span, in their order.
+/// Properties of the span's functions, in their order.
 pub(crate) struct Functions {
     /// m, signed.
     pub(crate) orders: Vec<i32>,
@@ -23,8 +23,8 @@ pub(crate) struct Functions {
     pub(crate) poles: Vec<f64>,
 }
 
-/// Turns, sorts and signs columns of `shown`, whose coordinates in the span are the
-/// columns of `coordinates`; `eigenvalues` fall, the constant's is none.
+/// Rotates, sorts and signs the columns of `shown`, whose coordinates in the span are the columns
+/// of `coordinates`. `eigenvalues` are falling; the constant's is `None`.
 pub(crate) fn settle(
     shown: &mut Mat<f64>,
     coordinates: &mut Mat<f64>,
@@ -57,15 +57,14 @@ pub(crate) fn settle(
     }
 }
 
-/// Rotates the columns so that one function after the other, the strongest first, is
-/// in one column alone.
+/// Rotates the columns so that each function in turn, strongest first, occurs in one column only.
 fn separate(shown: &mut Mat<f64>, coordinates: &mut Mat<f64>, start: usize, end: usize) {
     for first in start..end.saturating_sub(1) {
         let strength =
             |k: usize| -> f64 { (first..end).map(|column| coordinates[(k, column)].powi(2)).sum() };
         let strengths: Vec<f64> = (0..coordinates.nrows()).map(strength).collect();
         let most = strengths.iter().copied().fold(0.0, f64::max);
-        // Equal up to rounding: the first of them.
+        // If several are equal up to rounding, take the first.
         let Some(strongest) = strengths.iter().position(|one| *one >= most * (1.0 - 1e-6)) else {
             continue;
         };
@@ -82,7 +81,7 @@ fn separate(shown: &mut Mat<f64>, coordinates: &mut Mat<f64>, start: usize, end:
     }
 }
 
-/// (u, v) -> (c u + s v, c v - s u) for two columns.
+/// Maps two columns (u, v) to (c u + s v, c v - s u).
 fn rotate(matrix: &mut Mat<f64>, first: usize, second: usize, c: f64, s: f64) {
     for row in 0..matrix.nrows() {
         let (u, v) = (matrix[(row, first)], matrix[(row, second)]);
@@ -113,7 +112,7 @@ fn sort(
     }
 }
 
-/// The m whose functions hold most of a component; of equals the lowest |m|, and +m.
+/// The m whose functions contribute most to a component. Ties go to the lowest |m|, then to +m.
 fn strongest_order(coordinates: &Mat<f64>, column: usize, functions: &Functions) -> i32 {
     let top = functions.orders.iter().copied().max().unwrap_or(0);
     let share = |order: i32| -> f64 {
@@ -131,7 +130,7 @@ fn strongest_order(coordinates: &Mat<f64>, column: usize, functions: &Functions)
     best
 }
 
-/// The polynomial of a component's strongest m at the pole.
+/// The polynomial of a component's strongest m, evaluated at the pole.
 fn at_pole(coordinates: &Mat<f64>, column: usize, functions: &Functions) -> f64 {
     let order = strongest_order(coordinates, column, functions);
     let of = functions.orders.iter().zip(&functions.poles).enumerate();

@@ -1,8 +1,8 @@
-//! The span of the images of all modes: few profiles of each azimuth, orthonormal
-//! over the normals of a sphere.
+//! The span of the images of all modes: a few profiles for each azimuth, orthonormal over the
+//! normals of a sphere.
 //!
-//! Whatever normals an object shows, each of its images is one of the sphere seen
-//! at those normals: a sum of the functions of this span.
+//! Each image of an object is the image of a sphere evaluated at the object's normals. So whatever
+//! its normals, it is a sum of functions of this span.
 
 use crate::basis::eigenimages::{constant_coordinates, signed_left};
 use crate::basis::pca::Block;
@@ -14,31 +14,31 @@ use eigenshade_model::special::spherical_harmonic::azimuth as phi;
 use eigenshade_table::GramFactor;
 use faer::Mat;
 
-/// Singular values of the modes' images below this, relative to the largest of all
-/// azimuths, are rounding.
+/// Singular values of the mode images below this fraction of the largest over all azimuths are
+/// rounding.
 pub const ROUNDING: f64 = 1e-13;
 
 /// The profiles of one azimuth.
 #[derive(Clone, Debug)]
 pub struct Azimuth {
-    /// The modes' images.
+    /// The images of the modes.
     pub block: Block,
-    /// Coordinates of the profiles in the block's space, orthonormal columns.
+    /// Coordinates of the profiles in the block's space, as orthonormal columns.
     pub profiles: Mat<f64>,
-    /// Their polynomials h, Chebyshev coefficients in 2z - 1, a column each.
+    /// Polynomials h of the profiles: one column of Chebyshev coefficients in 2z - 1 for each.
     pub chebyshev: Mat<f64>,
-    /// Coordinates of each mode's image in the profiles, a column a mode.
+    /// Coordinates of each mode's image in the profiles, one column for each mode.
     pub modes: Mat<f64>,
-    /// Singular values that belong to the profiles.
+    /// Singular values of the profiles.
     pub singular_values: Vec<f64>,
 }
 
-/// The span: for each |m|, each profile, the functions u(α) Φ_m(β) and, where m is
-/// not 0, u(α) Φ_-m(β).
+/// The span: for each |m| and each profile, the function u(α) Φ_m(β) and, if m is not 0, also u(α)
+/// Φ_-m(β).
 #[derive(Clone, Debug)]
 pub struct Span {
     degree: usize,
-    /// By |m|.
+    /// Profiles by |m|.
     pub azimuths: Vec<Azimuth>,
 }
 
@@ -47,20 +47,20 @@ pub struct Span {
 pub struct Function {
     /// m, signed.
     pub order: i32,
-    /// Number of its profile within |m|.
+    /// Index of the profile within |m|.
     pub profile: usize,
 }
 
-/// A material's images under every harmonic: for each |m|, profiles by l from |m|.
+/// A material's images under every harmonic: profiles for each |m|, indexed by l from |m|.
 #[derive(Clone, Debug)]
 pub struct Folded(Vec<Mat<f64>>);
 
 impl Span {
-    /// The span of the modes of `gram` that are kept.
+    /// The span of the kept modes of `gram`.
     ///
     /// # Errors
     ///
-    /// If singular values do not converge.
+    /// If the singular values do not converge.
     pub fn new(gram: &GramFactor, kept: &Kept) -> Result<Self> {
         let blocks: Vec<Block> = (0..=gram.degree)
             .map(|azimuth| {
@@ -86,7 +86,7 @@ impl Span {
         Ok(Self { degree: gram.degree, azimuths })
     }
 
-    /// Its functions, in their order.
+    /// The functions in order.
     pub fn functions(&self) -> impl Iterator<Item = Function> + '_ {
         self.azimuths.iter().enumerate().flat_map(|(azimuth, of)| {
             (0..of.profiles.ncols()).flat_map(move |profile| {
@@ -97,7 +97,7 @@ impl Span {
         })
     }
 
-    /// The largest singular value of all azimuths.
+    /// The largest singular value over all azimuths.
     #[must_use]
     pub fn largest(&self) -> f64 {
         let first = self.azimuths.iter().filter_map(|of| of.block.singular_values.first());
@@ -110,7 +110,7 @@ impl Span {
         self.functions().count()
     }
 
-    /// Values of all functions at unit normals with z >= 0: a row a normal.
+    /// Values of all functions at unit normals with z >= 0, one row for each normal.
     #[must_use]
     pub fn values(&self, normals: &[[f64; 3]]) -> Mat<f64> {
         let most = self.azimuths.iter().map(|of| of.chebyshev.nrows()).max().unwrap_or(0);
@@ -144,7 +144,7 @@ impl Span {
         values
     }
 
-    /// A material's images: b in the order of [`material`].
+    /// The images of a material with coefficients b in the order of [`material`].
     #[must_use]
     pub fn fold(&self, gram: &GramFactor, coefficients: &[f64]) -> Folded {
         let of_azimuth = |(azimuth, of): (usize, &Azimuth)| {
@@ -161,7 +161,7 @@ impl Span {
         Folded(self.azimuths.iter().enumerate().map(of_azimuth).collect())
     }
 
-    /// Coordinates of the image of a light of the span's degree on a folded material.
+    /// Coordinates of the image of a light on a folded material. The light has the span's degree.
     #[must_use]
     pub fn image(&self, folded: &Folded, light: &[f64]) -> Vec<f64> {
         self.functions()

@@ -1,4 +1,4 @@
-//! A span as a table holds it: its profiles and their two signs of m.
+//! Converts a span to the entries of a table: its profiles and their two signs of m.
 
 use crate::basis::eigenimages;
 use crate::basis::span::{Function, Span};
@@ -7,7 +7,7 @@ use eigenshade_table::{Component, GramFactor, Profile};
 use faer::Mat;
 
 impl Span {
-    /// Its functions as components, without eigenvalues.
+    /// The functions of the span as components, without eigenvalues.
     pub(crate) fn components(&self) -> Vec<Component> {
         let mut first = Vec::new();
         let mut start = 0;
@@ -24,10 +24,11 @@ impl Span {
             .collect()
     }
 
-    /// Its profiles for these images, columns of coordinates, and a mean image, or none.
+    /// The profiles of the span for the given images, as columns of coordinates, and a mean image,
+    /// which may be empty.
     ///
-    /// The polynomial of a profile is off by at most `tolerance` over the largest
-    /// coordinate that an image has in it: so much of it is in no image.
+    /// The polynomial error of a profile is at most `tolerance` divided by the largest coordinate
+    /// of any image in that profile, so its contribution to an image stays within `tolerance`.
     pub(crate) fn table_profiles(
         &self,
         of_table: (&GramFactor, Effects),
@@ -49,7 +50,7 @@ impl Span {
                 let coordinates = of.profiles.get(.., profile..profile + 1).to_owned();
                 let tolerance = (tolerance / weight).min(1.0);
                 let image = eigenimages::image(of_table, &of.block, &coordinates, tolerance);
-                // The span's own U: V / s, where `modes` is s V.
+                // The span's own U is V / s; `modes` is s V.
                 let modes = of.modes.row(profile).iter();
                 let modes = modes.map(|mode| mode / singular.powi(2)).collect();
                 profiles.push(Profile { modes, ..image });

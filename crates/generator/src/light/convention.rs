@@ -1,15 +1,14 @@
-//! Lights between the paper's convention and that of graphics.
+//! Converts lights between the conventions of the paper and of computer graphics.
 
 use eigenshade_index::light;
 use eigenshade_model::database::Lights;
 
-/// The same lights, from the paper's convention to the one of three.js,
-/// Filament and Ramamoorthi, or from that to the paper's: the factor is its own
-/// inverse, exactly.
+/// Converts lights from the paper's convention to that of three.js, Filament and Ramamoorthi, or
+/// back: the factor is exactly its own inverse.
 ///
-/// It is [`light::graphics_sign`], in every degree. What the axes mean is
-/// another matter: a frame that is not x right, y up, z toward the camera takes
-/// a [`Rotation`](eigenshade_model::rotation::Rotation) as well.
+/// The factor is [`light::graphics_sign`], at every degree. It does not change the axes: for a
+/// frame other than x right, y up, z toward the camera, also apply a
+/// [`Rotation`](eigenshade_model::rotation::Rotation).
 #[must_use]
 pub fn exchanged(lights: &Lights) -> Lights {
     let mut lights = lights.clone();

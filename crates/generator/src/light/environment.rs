@@ -1,9 +1,9 @@
 //! Environment maps: the light that arrives from every direction.
 //!
-//! Maps are equirectangular, row 0 at the top: the pixel at (u, v) in \[0, 1\]²
-//! looks along (sin t sin θ, cos θ, -cos t sin θ), θ = πv, t = 2π(u - 1/2). The
-//! middle of the map is -z, in front of the camera; the light that falls on
-//! what the camera sees comes from the edges, +z.
+//! Maps are equirectangular, with row 0 at the top. The pixel at (u, v) in \[0, 1\]² looks along
+//! (sin t sin θ, cos θ, -cos t sin θ), with θ = πv and t = 2π(u - 1/2). The middle of the map is
+//! -z, in front of the camera. The light on the surfaces that the camera sees comes from the edges
+//! of the map, +z.
 
 use crate::light::{map_exr, map_hdr, map_pfm};
 use eigenshade_model::database::luminance;
@@ -12,10 +12,10 @@ use eigenshade_model::inputs::input_file::InputFile;
 use std::f64::consts::{PI, TAU};
 use std::path::Path;
 
-/// No map with more texels is read: twice the largest in use, 16384 x 8192.
+/// Largest number of texels that is read: twice the largest size in use, 16384 x 8192.
 pub const MOST_TEXELS: usize = 1 << 28;
 
-/// No file type packs more texels into a byte; a header that says so is wrong.
+/// No file type packs more texels into a byte; a header that claims more is wrong.
 const MOST_TEXELS_PER_BYTE: u64 = 1 << 16;
 
 /// Bytes of a texel of an [`EnvironmentMap`].
@@ -28,24 +28,24 @@ pub struct EnvironmentMap {
     pub width: usize,
     /// Number of rows.
     pub height: usize,
-    /// r, g, b; row by row from the top, each from the left. Finite; negative
-    /// texels are kept as they are.
+    /// r, g, b; row by row from the top, each from the left. All values are finite; negative texels
+    /// are kept unchanged.
     pub texels: Vec<[f32; 3]>,
 }
 
-/// Integrals of radiance over all directions, channel by channel.
+/// Integrals of radiance over all directions, for each channel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Integrals {
-    /// Of the whole map.
+    /// Integral of the whole map.
     pub total: [f64; 3],
-    /// Of its negative texels alone; zero or below.
+    /// Integral of the negative texels only; zero or below.
     pub negative: [f64; 3],
 }
 
 impl Integrals {
-    /// The negative part of the luminance integral, as a share of the whole.
+    /// The negative part of the luminance integral as a share of the whole.
     ///
-    /// Not a number if the map is black.
+    /// NaN if the map is black.
     #[must_use]
     pub fn negative_share(&self) -> f64 {
         -luminance(self.negative) / luminance(self.total)
@@ -53,12 +53,11 @@ impl Integrals {
 }
 
 impl EnvironmentMap {
-    /// A map of these texels.
+    /// Makes a map from texels.
     ///
     /// # Errors
     ///
-    /// If it has no texels, not `width` x `height` of them, or one that is not
-    /// finite.
+    /// If there are no texels, their number is not `width` x `height`, or one is not finite.
     pub fn new(width: usize, height: usize, texels: Vec<[f32; 3]>) -> Result<Self> {
         if width.checked_mul(height) != Some(texels.len()) || texels.is_empty() {
             return Err(Error::new(
@@ -81,14 +80,12 @@ impl EnvironmentMap {
         Ok(Self { width, height, texels })
     }
 
-    /// Reads an OpenEXR (`.exr`), Radiance (`.hdr`) or portable float map
-    /// (`.pfm`).
+    /// Reads an OpenEXR (`.exr`), Radiance (`.hdr`) or portable float map (`.pfm`) file.
     ///
     /// # Errors
     ///
-    /// If the file cannot be read, is of another type, broken, without texels,
-    /// or holds one that is not finite; if its budget has no room for [`BYTES_PER_TEXEL`] and
-    /// some rows.
+    /// If the file cannot be read, is of another type, is broken, has no texels or a texel that is
+    /// not finite, or if its budget has no room for [`BYTES_PER_TEXEL`] and a few rows.
     pub fn from_path(file: impl Into<InputFile>) -> Result<Self> {
         let file = file.into();
         let path = file.path();
@@ -108,15 +105,14 @@ impl EnvironmentMap {
         decode(&mut reader, length, &file).map_err(|error| error.in_file(path))
     }
 
-    /// Whether the map is twice as wide as high. If not, its texels still share
-    /// out the sphere, but the picture may be no equirectangular one at all: a
-    /// mirror ball or the cross of a cube.
+    /// Whether the map is twice as wide as high. If not, its texels still divide the sphere, but
+    /// the picture may not be equirectangular at all: it may be a mirror ball or a cube cross.
     #[must_use]
     pub fn is_twice_as_wide_as_high(&self) -> bool {
         self.width == 2 * self.height
     }
 
-    /// The unit direction in which the centre of a texel looks.
+    /// The unit direction of a texel's center.
     #[must_use]
     pub fn direction(&self, column: usize, row: usize) -> [f64; 3] {
         let (sine, cosine) = self.polar_angle(row).sin_cos();
@@ -138,13 +134,12 @@ impl EnvironmentMap {
     /// (2π / width)(cos θ_top - cos θ_bottom).
     #[must_use]
     pub fn solid_angle(&self, row: usize) -> f64 {
-        // The difference of cosines as a product, which loses nothing at the poles.
+        // Write the difference of cosines as a product, which stays accurate at the poles.
         let half = 0.5 * PI / self.height as f64;
         TAU / self.width as f64 * 2.0 * self.polar_angle(row).sin() * half.sin()
     }
 
-    /// The integral of the map, and that of its negative texels, with exact
-    /// solid angles.
+    /// The integrals of the map and of its negative texels, with exact solid angles.
     #[must_use]
     pub fn negative_integral(&self) -> Integrals {
         let mut integrals = Integrals { total: [0.0; 3], negative: [0.0; 3] };
@@ -163,13 +158,13 @@ impl EnvironmentMap {
     }
 }
 
-/// The ending of a file's name, in small letters.
+/// The extension of a file name, in lower case.
 pub(crate) fn extension(path: &Path) -> Option<String> {
     Some(path.extension()?.to_str()?.to_ascii_lowercase())
 }
 
-/// Refuses a size that no file of `bytes` bytes holds, before memory is asked
-/// for it; else the number of texels.
+/// Returns the number of texels, or rejects a size that no file of `bytes` bytes can hold, before
+/// memory is allocated for it.
 pub(crate) fn believable(width: usize, height: usize, bytes: u64) -> Result<usize> {
     let count = width.checked_mul(height);
     let most = bytes.saturating_mul(MOST_TEXELS_PER_BYTE).min(MOST_TEXELS as u64) as usize;
@@ -186,7 +181,7 @@ pub(crate) fn believable(width: usize, height: usize, bytes: u64) -> Result<usiz
     }
 }
 
-/// The fault of a file that is not what its name says.
+/// The error for a file whose contents do not match its extension.
 pub(crate) fn other_type(named: &str) -> Error {
     Error::new(
         format!("it is no {named} file, whatever its name says"),
@@ -194,7 +189,7 @@ pub(crate) fn other_type(named: &str) -> Error {
     )
 }
 
-/// The fault of a file that ends too early or is broken within.
+/// The error for a file that ends too early or is corrupt.
 pub(crate) fn broken(why: impl std::fmt::Display) -> Error {
     Error::new(format!("it is broken or cut short ({why})"), "fetch or export the map again")
 }

@@ -1,5 +1,4 @@
-//! OpenEXR maps: scan lines or tiles, half, float or whole numbers, every
-//! common compression.
+//! OpenEXR maps: scan lines or tiles; half, float or integer samples; every common compression.
 
 use crate::light::environment::{BYTES_PER_TEXEL, EnvironmentMap, broken, other_type};
 use crate::light::map_exr_check as check;
@@ -13,10 +12,10 @@ use std::cell::Cell;
 use std::fs::File;
 use std::io::{BufRead, BufReader, Seek};
 
-/// Decodes the first part of an OpenEXR file with the channels R, G, B, or else
-/// those of one layer (`name.R`, ...), or else the grey Y.
+/// Decodes the first part of an OpenEXR file that has the channels R, G, B, those of a layer
+/// (`name.R`, ...), or the gray channel Y, in this order of preference.
 ///
-/// Primaries other than those of the project are not converted.
+/// Primaries that differ from the project's are not converted.
 pub(crate) fn decode(
     reader: &mut BufReader<File>,
     length: u64,
@@ -46,7 +45,7 @@ pub(crate) fn decode(
     check::counters(&headers, parts.all_chunks(false).map_err(fault)?)?;
     reader.rewind().map_err(io)?;
     let grid = Cell::new(vec![[0.0; 3]; count]);
-    // A part of another size is another part.
+    // A part of another size is not the one to read.
     let empty = |size: Vec2<usize>| Grid {
         width,
         texels: if size == Vec2(width, height) { grid.take() } else { Vec::new() },
@@ -96,7 +95,7 @@ enum Colour {
     Grey(Text),
 }
 
-/// The channels to read of one part, if it has them at full resolution.
+/// The color channels of one part, if it has them at full resolution.
 fn colour(header: &Header) -> Option<Colour> {
     let full = Vec2(1, 1);
     let names: Vec<&Text> = header
@@ -118,7 +117,7 @@ fn colour(header: &Header) -> Option<Colour> {
         name.strip_suffix('R').filter(|prefix| prefix.ends_with('.')).map(str::to_owned)
     });
     let rgb = std::iter::once(String::new()).chain(layers).find_map(|prefix| triple(&prefix));
-    // With RY and BY the Y is no grey map but the luminance of a coloured one.
+    // With RY and BY present, Y is the luminance of a color image, not a gray map.
     let coloured = header.channels.list.iter().any(|channel| channel.name == *"RY");
     rgb.map(Colour::Rgb)
         .or_else(|| Some(Colour::Grey(find("", "Y").filter(|_| !coloured)?.clone())))

@@ -1,8 +1,7 @@
-//! What an OpenEXR file claims, held against what it is, before it is decoded.
+//! Checks the claims of an OpenEXR file against its actual size before it is decoded.
 //!
-//! The decoder asks for whatever memory a header claims, tile sizes and the
-//! counters of DWA blocks among them: one wrong byte could end the program
-//! instead of giving an error.
+//! The decoder allocates whatever memory a header claims, including by tile sizes and the counters
+//! of DWA blocks. A single wrong byte could end the program instead of returning an error.
 
 use crate::light::environment::{MOST_TEXELS, believable, broken};
 use eigenshade_model::error::Result;
@@ -13,14 +12,14 @@ use exr::meta::BlockDescription;
 use exr::meta::header::Header;
 use exr::prelude::Vec2;
 
-/// Copies that the decoder makes of a block: as it is stored, unpacked, and twice on the way
-/// from one to the other.
+/// Copies of a block that the decoder makes: as stored, unpacked, and two on the way from one to
+/// the other.
 const COPIES: u64 = 4;
 
-/// Bytes that the decoder keeps of a block's place in the file.
+/// Bytes in which the decoder keeps the position of a block in the file.
 const PLACE: u64 = 24;
 
-/// Bytes that decoding takes besides the pixels.
+/// Bytes that decoding needs in addition to the pixels.
 pub(crate) fn blocks(headers: &[Header], length: u64) -> u64 {
     let places = headers.iter().map(|header| PLACE * header.chunk_count as u64);
     let block = |header: &Header| {
@@ -83,11 +82,11 @@ fn is_raw(header: &Header, block: &CompressedBlock, length: usize) -> Result<boo
     Ok(length == size.area() * header.channels.bytes_per_pixel)
 }
 
-/// Eleven little-endian numbers: the version, the bytes of each section, packed
-/// and unpacked, the numbers of coefficients, and how those are packed.
+/// Eleven little-endian numbers: the version, the bytes of each section, packed and unpacked, the
+/// numbers of coefficients, and how the coefficients are packed.
 fn dwa_counters(header: &Header, block: &[u8]) -> Result<()> {
-    // No section unpacks to more than the pixels, filled up to blocks of 8 x 8;
-    // twice that where the run lengths of noise take more than the noise.
+    // No section unpacks to more than the pixels, padded to blocks of 8 x 8, or twice that when the
+    // run lengths of noise take more space than the noise.
     let Vec2(width, height) = header.max_block_pixel_size();
     let samples = width.next_multiple_of(8) * height.next_multiple_of(8);
     let most = 2 * samples * header.channels.bytes_per_pixel.max(4);

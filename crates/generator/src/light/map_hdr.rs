@@ -1,5 +1,5 @@
-//! Radiance maps (`.hdr`), four bytes a pixel: three mantissas and a common
-//! exponent, so that no texel is negative.
+//! Radiance maps (`.hdr`): four bytes per pixel, three mantissas and a common exponent, so no texel
+//! is negative.
 
 use crate::light::environment::{BYTES_PER_TEXEL, EnvironmentMap, believable, broken, other_type};
 use eigenshade_model::error::{Error, Result};
@@ -9,8 +9,8 @@ use image::{ImageDecoder, ImageError};
 use std::fs::File;
 use std::io::{BufRead, BufReader};
 
-/// Decodes a Radiance map, run-length coded or not. The exposure that the
-/// header may note is not applied: a map's is arbitrary.
+/// Decodes a Radiance map, run-length encoded or not. The exposure in the header, if any, is not
+/// applied, because the exposure of a map is arbitrary.
 pub(crate) fn decode(
     reader: &mut BufReader<File>,
     length: u64,
@@ -20,7 +20,8 @@ pub(crate) fn decode(
     if !reader.fill_buf().map_err(io)?.starts_with(b"#?") {
         return Err(other_type("Radiance"));
     }
-    // Strict, the decoder knows no signature but `#?RADIANCE`; `#?RGBE` is as common.
+    // In strict mode the decoder accepts only the signature `#?RADIANCE`; `#?RGBE` is equally
+    // common.
     let decoder = HdrDecoder::new_nonstrict(&mut *reader).map_err(fault)?;
     let (width, height) = decoder.dimensions();
     let (width, height) = (width as usize, height as usize);

@@ -1,7 +1,7 @@
-//! Portable float maps: `PF` (colour) or `Pf` (grey), width, height, and a
-//! number whose sign gives the byte order, then the rows from the bottom up.
+//! Portable float maps: `PF` (color) or `Pf` (gray), width, height, and a number whose sign gives
+//! the byte order, followed by the rows from the bottom up.
 //!
-//! Read here, since `zune-ppm` 0.5.1 mixes up the rows of a map of odd height.
+//! This module reads them itself because `zune-ppm` 0.5.1 mixes up the rows of a map of odd height.
 
 use crate::light::environment::{BYTES_PER_TEXEL, EnvironmentMap, believable, broken, other_type};
 use eigenshade_model::error::{Error, Result};
@@ -9,8 +9,8 @@ use eigenshade_model::inputs::input_file::InputFile;
 use std::fs::File;
 use std::io::{BufRead, BufReader, Read};
 
-/// Decodes a portable float map of either byte order. The size of the number
-/// that gives the order, which some call a scale, is not applied.
+/// Decodes a portable float map of either byte order. The magnitude of the number that gives the
+/// byte order, sometimes called a scale, is not applied.
 pub(crate) fn decode(
     reader: &mut BufReader<File>,
     length: u64,
@@ -58,10 +58,10 @@ pub(crate) fn decode(
     EnvironmentMap::new(width, height, texels)
 }
 
-/// The next word of the header, and what follows the one blank after it.
+/// The next word of the header, and the bytes after the single blank that ends it.
 fn word(bytes: &[u8]) -> Option<(&str, &[u8])> {
     let bytes = bytes.trim_ascii_start();
-    // No word of a header is longer; a file of another type may have none at all.
+    // No word of a header is longer; a file of another type may contain no blank at all.
     let end = bytes.iter().take(32).position(u8::is_ascii_whitespace)?;
     let (word, rest) = bytes.split_at(end);
     Some((std::str::from_utf8(word).ok()?, &rest[1..]))

@@ -1,15 +1,14 @@
-//! Environment maps to spherical harmonic coefficients, L_l^m of (2).
+//! Projects environment maps to spherical harmonic coefficients, L_l^m of (2).
 //!
-//! L_l^m = Σ radiance x Y_l^m(centre of the texel) x solid angle of the texel:
-//! the midpoint rule with exact weights. Its error against the integral of a
-//! smooth map is of the order of (l / height)²; of the map as a grid of points
-//! of light it is nothing.
+//! L_l^m = Σ radiance x Y_l^m(center of the texel) x solid angle of the texel: the midpoint rule
+//! with exact weights. Compared with the integral of a smooth map its error is of the order of (l /
+//! height)². For a map taken as a grid of point lights the error is zero.
 //!
-//! Sums over 8192 x 4096 texels of 1089 harmonics each would take hours. In the
-//! frame whose polar axis is the map's vertical the harmonics are products: sums over
-//! azimuth row by row, then Legendre functions once a row. That frame has its
-//! x along the global z, its y along x, its z along y; its azimuth is π - t. The
-//! coefficients are then turned to the global frame, which is exact.
+//! Direct sums over 8192 x 4096 texels with 1089 harmonics each would take hours. In the frame
+//! whose polar axis is the map's vertical, each harmonic is a product, so the sums over azimuth are
+//! taken row by row and the Legendre functions are applied once a row. The x axis of that frame is
+//! the global z, its y axis is x and its z axis is y; its azimuth is π - t. The coefficients are
+//! then rotated to the global frame, which is exact.
 
 use crate::light::environment::{EnvironmentMap, extension};
 use eigenshade_index::light;
@@ -22,14 +21,14 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// From the frame with its pole at the top of the map to the global one.
+/// From the frame with its pole at the top of the map to the global frame.
 const TO_GLOBAL: Rotation = Rotation { alpha: FRAC_PI_2, beta: FRAC_PI_2, gamma: PI };
 
-/// L_l^m of a map up to `degree`, channel by channel, in the order of
-/// [`eigenshade_index::light`] and the project's own convention.
+/// L_l^m of a map up to `degree`, for each channel, in the order of [`eigenshade_index::light`] and
+/// the project's own convention.
 ///
-/// Agrees with the sum texel by texel to 1e-12 of the largest coefficient. Time:
-/// width x height x (degree + 1) x 6 multiplications.
+/// Agrees with the texel-by-texel sum to 1e-12 of the largest coefficient. Time: width x height x
+/// (degree + 1) x 6 multiplications.
 #[must_use]
 pub fn project(map: &EnvironmentMap, degree: usize) -> [Vec<f64>; 3] {
     let mut local = [0, 1, 2].map(|_| vec![0.0; light::count(degree)]);
@@ -56,8 +55,8 @@ pub fn project(map: &EnvironmentMap, degree: usize) -> [Vec<f64>; 3] {
     local.map(|channel| TO_GLOBAL.turn(degree, &channel))
 }
 
-/// Φ_m and Φ_-m of the local azimuth for every column of the left half, m =
-/// 0..=degree. The mirrored column has the same Φ_m and the opposite Φ_-m.
+/// Φ_m and Φ_-m of the local azimuth for every column of the left half and m = 0..=degree. The
+/// mirrored column has the same Φ_m and the opposite Φ_-m.
 struct Waves {
     width: usize,
     even: Vec<Vec<f64>>,
@@ -79,13 +78,13 @@ impl Waves {
         Self { width: map.width, even: waves(1), odd: waves(-1) }
     }
 
-    /// Σ over one row of radiance x Φ_m and x Φ_-m, channel by channel.
+    /// Σ over one row of radiance x Φ_m and radiance x Φ_-m, for each channel.
     fn sums(&self, texels: &[[f32; 3]]) -> [(Vec<f64>, Vec<f64>); 3] {
         let count = self.even.first().map_or(0, Vec::len);
         let mut sums = [0, 1, 2].map(|_| (vec![0.0; count], vec![0.0; count]));
         let (left, right) = texels.split_at(self.even.len());
         let mirrored = right.iter().rev();
-        // The middle column of an odd width has no other half.
+        // The middle column of an odd width has no mirrored column.
         let alone = (self.width % 2 == 1).then_some(&[0.0; 3]);
         let waves = self.even.iter().zip(&self.odd);
         for ((here, there), (even, odd)) in left.iter().zip(mirrored.chain(alone)).zip(waves) {
@@ -105,12 +104,12 @@ fn accumulate(sums: &mut [f64], factor: f64, waves: &[f64]) {
     }
 }
 
-/// The maps that `paths` name, with the name of each: the file's without its
-/// ending. A folder means its .exr, .hdr and .pfm files, sorted by name.
+/// The maps that `paths` name, each with its name: the file name without extension. A folder stands
+/// for its .exr, .hdr and .pfm files, sorted by name.
 ///
 /// # Errors
 ///
-/// If a path leads nowhere, a folder holds no map, or two maps have one name.
+/// If a path does not exist, a folder holds no map, or two maps have the same name.
 pub fn named_maps<P: AsRef<Path>>(paths: &[P]) -> Result<Vec<(String, PathBuf)>> {
     let mut files = Vec::new();
     for path in paths {
@@ -159,11 +158,11 @@ fn maps_in(folder: &Path) -> Result<Vec<PathBuf>> {
     Ok(files)
 }
 
-/// The lights of these maps, see [`named_maps`], projected up to `degree`.
+/// Projects the maps named by `paths`, see [`named_maps`], to lights of the given `degree`.
 ///
 /// # Errors
 ///
-/// As [`named_maps`] and [`EnvironmentMap::from_path`]; if `paths` is empty.
+/// The errors of [`named_maps`] and [`EnvironmentMap::from_path`]; also if `paths` is empty.
 pub fn lights_from_paths<P: AsRef<Path>>(paths: &[P], degree: usize) -> Result<Lights> {
     let entries = named_maps(paths)?
         .into_iter()

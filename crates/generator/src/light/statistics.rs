@@ -1,5 +1,5 @@
-//! First and second moments of a database's light under the rotations that a scene
-//! expects, kept as factors: E{LLᵀ} = Σ_t v_t v_tᵀ.
+//! First and second moments of a database's light under the rotations that a scene expects, stored
+//! as factors: E{LLᵀ} = Σ_t v_t v_tᵀ.
 
 use crate::basis::moments::{LightMoments, comparable};
 use eigenshade_index::light;
@@ -9,29 +9,29 @@ use eigenshade_model::rotation::Rotation;
 use eigenshade_table::scene::{LightRotation, Normalise};
 use faer::Mat;
 
-/// What is known of the light.
+/// Moments of the light.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LightStatistics {
     /// E{L}.
     pub mean: Vec<f64>,
     /// v_t of E{LLᵀ}.
     pub second: Vec<Vec<f64>>,
-    /// v_t of the covariance, E{LLᵀ} - E{L}E{L}ᵀ, from the deviations themselves.
+    /// v_t of the covariance, E{LLᵀ} - E{L}E{L}ᵀ, computed from the deviations.
     pub centred: Vec<Vec<f64>>,
 }
 
 impl LightStatistics {
-    /// The statistics of the lights' luminance; the weights sum to 1.
+    /// The statistics of the lights' luminance, with weights that sum to 1.
     ///
     /// * `Any`: averaged over all rotations, (37)-(39).
-    /// * `Vertical`: averaged over the rotations about y, the vertical axis of the
-    ///   camera's frame. Products of two coefficients are trigonometric polynomials
-    ///   of the angle of degree 2 `degree` at most: 2 `degree` + 1 angles are exact.
+    /// * `Vertical`: averaged over the rotations about y, the vertical axis of the camera's frame.
+    ///   Products of two coefficients are trigonometric polynomials of the angle, of degree at most
+    ///   2 `degree`, so 2 `degree` + 1 angles give exact averages.
     /// * `None`: as captured.
     ///
     /// # Errors
     ///
-    /// As [`LightMoments::new`].
+    /// The errors of [`LightMoments::new`].
     pub fn new(
         lights: &Lights,
         normalise: Normalise,
@@ -89,8 +89,8 @@ fn isotropic(degree: usize, moments: &LightMoments) -> LightStatistics {
     }
 }
 
-/// The same Σ v vᵀ from no more vectors than they have places: by an orthogonal
-/// factor, nothing squared.
+/// The same Σ v vᵀ with at most as many vectors as each has entries, by an orthogonal
+/// factorization: nothing is squared.
 fn compressed(vectors: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
     let places = vectors.first().map_or(0, Vec::len);
     if vectors.len() <= places {

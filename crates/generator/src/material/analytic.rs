@@ -1,4 +1,4 @@
-//! Materials that are formulas, from a TOML file.
+//! Analytic materials, read from a TOML file.
 //!
 //! ```toml
 //! [[material]]
@@ -16,18 +16,18 @@ use serde::Deserialize;
 use std::collections::HashSet;
 use std::path::Path;
 
-/// No file of materials is longer, bytes.
+/// Maximum size of a material file, in bytes.
 const LONGEST: u64 = 1 << 22;
 
 /// A model and its parameters.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Analytic {
-    /// What it is called.
+    /// Name of the material.
     pub name: String,
-    /// Which formula.
+    /// The BRDF formula.
     pub model: Model,
-    /// The share of light that the matte part reflects.
+    /// Fraction of light that the matte part reflects.
     #[serde(default)]
     pub albedo: Option<Shares>,
     /// Oren and Nayar's σ, radians.
@@ -41,7 +41,7 @@ pub struct Analytic {
     pub f0: Option<Shares>,
 }
 
-/// Which formula.
+/// The BRDF formula.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Model {
@@ -53,13 +53,13 @@ pub enum Model {
     Ggx,
 }
 
-/// A number for all channels, or one for each.
+/// A number for all channels, or one for each channel.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 #[serde(untagged)]
 pub enum Shares {
-    /// The same in all.
+    /// The same value in all channels.
     Grey(f64),
-    /// r, g and b.
+    /// Values for r, g and b.
     Rgb([f64; 3]),
 }
 
@@ -80,11 +80,11 @@ impl Shares {
 }
 
 impl Analytic {
-    /// The material as functions.
+    /// The BRDF functions of the material.
     ///
     /// # Errors
     ///
-    /// A parameter that the model has not or lacks, or one out of its range.
+    /// If a parameter is missing, does not belong to the model, or is out of range.
     pub fn surface(&self) -> Result<Surface> {
         let given = [
             ("sigma", self.sigma.is_some(), self.model == Model::OrenNayar),
@@ -136,9 +136,8 @@ struct File {
 ///
 /// # Errors
 ///
-/// A file that cannot be read or is longer than 4 MiB, a field that is unknown,
-/// missing, of another type or out of range, a name that is empty or there twice, no
-/// material at all.
+/// If the file cannot be read or is longer than 4 MiB; a field is unknown, missing, of the wrong
+/// type or out of range; a name is empty or occurs twice; or there is no material.
 pub fn read(path: impl AsRef<Path>) -> Result<Vec<Surface>> {
     let path = path.as_ref();
     let io = |error: std::io::Error| Error::io(path, &error);

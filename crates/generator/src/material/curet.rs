@@ -2,10 +2,9 @@
 //! Koenderink, "Reflectance and texture of real-world surfaces", ACM
 //! Transactions on Graphics 18, 1999).
 //!
-//! A folder with `abrdf.dat` (one row a material: its id and one value in 1/sr
-//! for every direction, grey), `table.txt` (one row a direction:
-//! index from 1, θ_v, φ_v, θ_i, φ_i in radians; equal azimuths are
-//! backscatter), and, if it is there, `samples.csv` (`id,name`).
+//! A folder contains `abrdf.dat` (one row for each material: its id and one gray value in 1/sr for
+//! every direction), `table.txt` (one row for each direction: index from 1, θ_v, φ_v, θ_i, φ_i in
+//! radians; equal azimuths are backscatter) and optionally `samples.csv` (`id,name`).
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -15,24 +14,23 @@ use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::inputs::sheet::Sheet;
 
-/// Bytes of a measurement, and of its value as it is read.
+/// Bytes of a measurement, and of its value while it is read.
 const BYTES_PER_VALUE: u64 = 2 * size_of::<Measurement>() as u64;
 
-/// The files of a folder of materials: the values, the directions and the names.
+/// The files of a folder of materials: values, directions and names.
 pub const FILES: [&str; 3] = ["abrdf.dat", "table.txt", "samples.csv"];
 
-/// Reads all materials of a folder, by the order of `abrdf.dat`.
+/// Reads all materials of a folder, in the order of `abrdf.dat`.
 ///
-/// They are called `01-felt`: the id of two digits and the name in lower case,
-/// or `sample-01` where `samples.csv` has no name.
+/// A name such as `01-felt` consists of the two-digit id and the name in lower case; it is
+/// `sample-01` if `samples.csv` has no name.
 ///
 /// # Errors
 ///
-/// A file that cannot be read; in `table.txt` a row that is not five finite
-/// numbers, indices that do not count up from 1, a polar angle outside
-/// \[0, π/2\]; in `abrdf.dat` a row that is not an id and one finite number for
-/// every direction, an id given twice, no row; in `samples.csv` columns other
-/// than `id,name`.
+/// If a file cannot be read. In `table.txt`: a row that is not five finite numbers, indices that do
+/// not count up from 1, or a polar angle outside \[0, π/2\]. In `abrdf.dat`: a row that is not an
+/// id and one finite number for every direction, a repeated id, or no row. In `samples.csv`:
+/// columns other than `id,name`.
 pub fn read(folder: impl Into<InputFile>) -> Result<Vec<Measured>> {
     let folder = folder.into();
     let [file, directions, names] = FILES.map(|file| folder.other(folder.path().join(file)));
@@ -87,7 +85,7 @@ pub fn read(folder: impl Into<InputFile>) -> Result<Vec<Measured>> {
     Ok(materials)
 }
 
-/// The directions of `table.txt`, with no values yet.
+/// Reads the directions of `table.txt`, without values.
 fn read_directions(file: &InputFile) -> Result<Vec<Measurement>> {
     let (path, text) = (file.path(), file.text()?);
     file.admit(text.len() as u64 + BYTES_PER_VALUE * text.lines().count() as u64)?;
@@ -129,7 +127,7 @@ fn direction(fields: &[&str], expected: usize) -> Result<Measurement> {
     })
 }
 
-/// The names of `samples.csv` by id, empty if there is no such file.
+/// Reads the names of `samples.csv` by id; empty if the file does not exist.
 fn read_names(file: InputFile) -> Result<BTreeMap<usize, String>> {
     let mut names = BTreeMap::new();
     if !file.path().exists() {
@@ -150,7 +148,7 @@ fn read_names(file: InputFile) -> Result<BTreeMap<usize, String>> {
     Ok(names)
 }
 
-/// The lines of a text that are neither empty nor comments, by number from 1.
+/// The lines of a text that are neither empty nor comments, with line numbers from 1.
 fn rows(text: &str) -> impl Iterator<Item = (u64, &str)> {
     (1..).zip(text.lines()).filter(|(_, line)| !line.trim().is_empty() && !line.starts_with('#'))
 }
@@ -178,7 +176,7 @@ fn identifier(field: &str) -> Result<usize> {
     })
 }
 
-/// `Plaster_b (11 zoomed)` as `plaster-b-11-zoomed`.
+/// Converts `Plaster_b (11 zoomed)` to `plaster-b-11-zoomed`.
 fn kebab(name: &str) -> String {
     let words: Vec<String> = name
         .split(|letter: char| !letter.is_alphanumeric())

@@ -1,4 +1,4 @@
-//! Whatever a path holds of materials: measurements, tables, formulas.
+//! Reads materials of any kind from a path: measurements, tables or formulas.
 
 use crate::light::environment::extension;
 use crate::material::brdf::Surface;
@@ -11,14 +11,14 @@ use std::path::{Path, PathBuf};
 
 /// A material before it has coefficients.
 pub enum Source {
-    /// Samples, to be fitted.
+    /// Samples, which are fitted.
     Measured(Measured),
-    /// Functions, to be projected.
+    /// BRDF functions, which are projected.
     Surface(Surface),
 }
 
 impl Source {
-    /// What the material is called.
+    /// Name of the material.
     #[must_use]
     pub fn name(&self) -> &str {
         match self {
@@ -28,14 +28,14 @@ impl Source {
     }
 }
 
-/// Reads a `.binary` file as MERL's ([`merl::read`]), a `.toml` file as formulas
-/// ([`analytic::read`]), any other as measurements ([`measurements::read`]); a folder
-/// with an `abrdf.dat` as CUReT ([`curet::read`]), any other as all its `.binary`,
-/// `.toml` and `.csv` files by name.
+/// Reads materials by file type. A `.binary` file is a MERL table ([`merl::read`]), a `.toml` file
+/// holds formulas ([`analytic::read`]), any other file holds measurements ([`measurements::read`]).
+/// A folder with an `abrdf.dat` is a CUReT folder ([`curet::read`]); from any other folder all
+/// `.binary`, `.toml` and `.csv` files are read, sorted by name.
 ///
 /// # Errors
 ///
-/// What the readers find, and a folder with nothing to read.
+/// The errors of these readers, and a folder with nothing to read.
 pub fn read(file: impl Into<InputFile>) -> Result<Vec<Source>> {
     let file = file.into();
     let path = file.path();
@@ -58,8 +58,8 @@ pub fn read(file: impl Into<InputFile>) -> Result<Vec<Source>> {
     Ok(read.into_iter().flatten().collect())
 }
 
-/// The files that [`read`](fn@read) would read, whether they are there or not; none of a
-/// folder that cannot be listed.
+/// The files that [`read`](fn@read) would read, whether or not they exist; none for a folder that
+/// cannot be listed.
 #[must_use]
 pub fn files(path: &Path) -> Vec<PathBuf> {
     if !path.is_dir() {
@@ -71,7 +71,7 @@ pub fn files(path: &Path) -> Vec<PathBuf> {
     files_in(path).unwrap_or_default()
 }
 
-/// The files of a folder whose endings are those of materials, by name.
+/// The files of a folder with a material extension, sorted by name.
 fn files_in(folder: &Path) -> Result<Vec<PathBuf>> {
     let mut files: Vec<PathBuf> = std::fs::read_dir(folder)
         .and_then(|entries| entries.map(|entry| Ok(entry?.path())).collect())

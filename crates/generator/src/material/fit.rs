@@ -1,29 +1,28 @@
-//! Measurements to coefficients b_op^q of (7), held to a plausible range where
-//! nothing was measured.
+//! Fits coefficients b_op^q of (7) to measurements, with bounds on the fit where nothing was
+//! measured.
 //!
-//! X holds the modes (8) at the measured directions, y the measured values. A
-//! plain least-squares fit follows the measurements and swings far out of range
-//! beyond them, mostly at grazing angles. So each channel minimises
-//! |X b - y|² + (1e-5 σ |b|)², σ being the largest singular value of X, subject to
+//! X holds the modes (8) at the measured directions, y the measured values. A plain least-squares
+//! fit follows the measurements but goes far out of range elsewhere, mostly at grazing angles. So
+//! the fit of each channel minimizes |X b - y|² + (1e-5 σ |b|)², where σ is the largest singular
+//! value of X, subject to
 //!
 //! ```text
 //! -0.05 max(y) <= f(θ_i, θ_r, Δφ) <= 2 max(y)
 //! ```
 //!
-//! on the whole of [`DirectionGrid::for_order`]. The small term is for data
-//! that leave coefficients free (order 12 on 205 measurements): of the fits
-//! that agree equally well it takes the one of the least energy, the modes
-//! being orthonormal. Where the data determine all coefficients it moves the
-//! weakest one by (1e-5 κ)², κ being the condition number: 1e-7 at κ = 32.
-//! Every measurement weighs the same: that serves both materials whose values
-//! fall to noise, where relative errors mean nothing, and nearly even ones
-//! (sintered PTFE: 1.09 % rms relative, NIST's own coefficients 1.07 %).
+//! on all of [`DirectionGrid::for_order`]. The small term is for data that leave coefficients
+//! undetermined (order 12 on 205 measurements): among fits that agree equally well it selects the
+//! one of least energy, since the modes are orthonormal. Where the data determine all coefficients,
+//! it moves the weakest one by (1e-5 κ)², where κ is the condition number: 1e-7 at κ = 32. All
+//! measurements have the same weight. This suits materials whose values fall to noise, where
+//! relative errors are meaningless, as well as nearly uniform ones (sintered PTFE: 1.09 % rms
+//! relative, against 1.07 % for NIST's own coefficients).
 //!
-//! The inequalities are cutting planes: the fit is checked on the grid, the
-//! worst points out of range become inequalities, and the quadratic programme is
-//! solved again, until none is left. They are set 4e-3 of the maximum inside the
-//! range, and a fit ends 2e-3 inside, for what lies between the points of the
-//! grid: on one of 0.64 degrees all CUReT fits of order 7 are still inside.
+//! The inequalities are cutting planes: the fit is checked on the grid, the worst points out of
+//! range become inequalities, and the quadratic program is solved again until no point is out of
+//! range. The inequalities are set 4e-3 of the maximum inside the range, and the final fit is 2e-3
+//! inside, to allow for values between the grid points: on a grid of 0.64 degrees all CUReT fits of
+//! order 7 are still inside.
 
 use crate::material::fit_channel::{Channel, Design};
 use crate::material::fit_constraints::DirectionGrid;
@@ -37,7 +36,7 @@ pub const LOWEST: f64 = -0.05;
 /// The highest value a fit may take, as a multiple of the measured maximum.
 pub const HIGHEST: f64 = 2.0;
 
-/// A fitted material, and how good the fit is.
+/// A fitted material and the quality of the fit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fit {
     /// The name and the coefficients b_op^q in 1/sr.
@@ -46,30 +45,29 @@ pub struct Fit {
     pub samples: usize,
     /// The largest measured value of each channel, in 1/sr.
     pub maximum: [f64; 3],
-    /// |X b - y| / |y|, of the channel where it is largest.
+    /// |X b - y| / |y| of the channel where it is largest.
     pub residual: f64,
-    /// The lowest value on the grid as a multiple of the measured maximum, of
-    /// the channel where it is lowest. At least [`LOWEST`].
+    /// The lowest value on the grid as a multiple of the measured maximum, for the channel where it
+    /// is lowest. At least [`LOWEST`].
     pub lowest: f64,
-    /// The highest value on the grid as a multiple of the measured maximum, of
-    /// the channel where it is highest. At most [`HIGHEST`].
+    /// The highest value on the grid as a multiple of the measured maximum, for the channel where
+    /// it is highest. At most [`HIGHEST`].
     pub highest: f64,
-    /// Condition number of X; infinite if the measurements leave coefficients
-    /// free.
+    /// Condition number of X; infinite if the measurements leave coefficients undetermined.
     pub condition: f64,
 }
 
-/// Fits every material at `order`. `progress` hears how many are done, and of
-/// how many, before the first and after each.
+/// Fits every material at `order`. Before the first material and after each one, calls `progress`
+/// with the number done and the total.
 ///
-/// A channel of zeros has coefficients of zero; equal channels are fitted once.
-/// The same input gives the same output. 205 measurements take some 50 ms at
-/// order 7, 1 s at 10 and 7 s at 12, where the unconstrained fit is wild.
+/// A channel of zeros has zero coefficients; equal channels are fitted once. The same input gives
+/// the same output. 205 measurements take about 50 ms at order 7, 1 s at 10 and 7 s at 12, where
+/// the unconstrained fit is far out of range.
 ///
 /// # Errors
 ///
-/// If a channel is nowhere positive, a value is not finite, or a programme
-/// cannot be solved; the message names the material.
+/// If a channel is nowhere positive, a value is not finite, or a quadratic program cannot be
+/// solved. The message names the material.
 pub fn fit(
     measured: &[Measured],
     order: usize,
@@ -79,7 +77,7 @@ pub fn fit(
     progress(0, measured.len());
     let mut fits = Vec::with_capacity(measured.len());
     for material in measured {
-        // The place of a fault is the material: its file is not known here.
+        // The material is reported as the location of an error, since its file is not known here.
         let fitted = fit_one(material, order, &grid);
         fits.push(fitted.map_err(|fault| fault.in_file(&material.name))?);
         progress(fits.len(), measured.len());
@@ -116,15 +114,14 @@ fn fit_one(measured: &Measured, order: usize, grid: &DirectionGrid) -> Result<Fi
     })
 }
 
-/// Writes the figures of the fits, a row each:
+/// Writes the quality figures of the fits as CSV, one row each:
 /// `name,samples,maximum,residual,lowest,highest,condition`.
 ///
-/// `maximum` is the largest of the channels, in 1/sr; the figures after it have
-/// six decimals.
+/// `maximum` is the largest over the channels, in 1/sr. The figures after it have six decimals.
 ///
 /// # Errors
 ///
-/// If the output fails.
+/// If writing fails.
 pub fn write_figures(fits: &[Fit], out: &mut (impl Write + ?Sized)) -> Result<()> {
     let mut writer = csv::Writer::from_writer(out);
     let mut rows = vec![FIGURES.map(str::to_owned)];

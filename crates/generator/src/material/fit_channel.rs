@@ -1,4 +1,4 @@
-//! The fit of one colour channel to measured values.
+//! The fit of one color channel to measured values.
 
 use crate::material::fit::{HIGHEST, LOWEST};
 use crate::material::fit_constraints::DirectionGrid;
@@ -9,15 +9,15 @@ use eigenshade_model::error::{Error, Result};
 use eigenshade_model::scattering;
 use faer::{Col, Mat};
 
-/// How much tighter the inequalities are than the range that is checked, in
-/// measured maxima: the rounds end, and little is left between grid points.
+/// How much tighter the inequalities are than the checked range, in units of the measured maximum.
+/// This makes the iteration end and leaves little out of range between grid points.
 const INSET: f64 = 4e-3;
-/// The weight of |b| against |X b|, in largest singular values of X.
+/// The weight of |b| relative to |X b|, in units of the largest singular value of X.
 const RIDGE: f64 = 1e-5;
-/// Inequalities further from holding with equality are dropped until they are
-/// violated again, in measured maxima. It keeps the programmes small.
+/// An inequality with more slack than this, in units of the measured maximum, is dropped until it
+/// is violated again. This keeps the programs small.
 const FAR: f64 = 0.05;
-/// How often inequalities are added before giving up.
+/// Maximum number of rounds of adding inequalities.
 const ROUNDS: usize = 100;
 
 /// X, the modes (8) at the measured directions, and its decomposition U S Vᵀ.
@@ -25,7 +25,7 @@ pub(super) struct Design {
     matrix: Mat<f64>,
     left: Mat<f64>,
     right: Mat<f64>,
-    /// Falling.
+    /// Singular values S, falling.
     singular: Vec<f64>,
 }
 
@@ -35,7 +35,7 @@ pub(super) struct Channel {
     pub(super) coefficients: Vec<f64>,
     /// |X b - y| / |y|.
     pub(super) residual: f64,
-    /// Over the grid, in measured maxima.
+    /// Range over the grid, in units of the measured maximum.
     pub(super) lowest: f64,
     pub(super) highest: f64,
 }
@@ -69,8 +69,7 @@ impl Design {
         })
     }
 
-    /// The condition number of X; infinite if X leaves coefficients free, but
-    /// for rounding.
+    /// The condition number of X; infinite if X leaves coefficients undetermined up to rounding.
     pub(super) fn condition(&self) -> f64 {
         let smallest = self.singular.last().copied().unwrap_or(0.0);
         let rounding = f64::EPSILON * self.matrix.nrows() as f64 * self.largest();
@@ -84,7 +83,7 @@ impl Design {
         self.singular.first().copied().unwrap_or(0.0)
     }
 
-    /// The fit of `values` in range on the grid.
+    /// Fits `values` with bounds on the grid.
     pub(super) fn fit(&self, values: &[f64], grid: &DirectionGrid) -> Result<Channel> {
         let maximum = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         if values.iter().all(|&value| value == 0.0) {
@@ -113,7 +112,7 @@ impl Design {
         })
     }
 
-    /// Cutting planes: what is out of range on the grid becomes an inequality.
+    /// Cutting planes: points out of range on the grid become inequalities.
     fn in_range(&self, values: &Col<f64>, grid: &DirectionGrid) -> Result<Vec<f64>> {
         let mut coefficients = self.unconstrained(values);
         let gradient: Vec<f64> =
@@ -151,7 +150,7 @@ impl Design {
         (&self.right * damped).iter().copied().collect()
     }
 
-    /// The upper triangle of XᵀX / σ² + RIDGE², column by column.
+    /// The columns of the upper triangle of XᵀX / σ² + RIDGE².
     fn curvature(&self) -> Vec<Vec<f64>> {
         let square = self.matrix.transpose() * &self.matrix;
         let scale = self.largest().powi(2);

@@ -1,23 +1,23 @@
-//! The grid of directions on which a fitted BRDF is held in range.
+//! The direction grid on which a fitted BRDF is kept in range.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use eigenshade_index::material;
 use eigenshade_model::scattering::polar_parts;
 
-/// Pairs of directions over both hemispheres, pole and rim included: θ_r <= θ_i
-/// in equal steps over \[0, π/2\] (by (6) the rest is the same), Δφ over \[0, π\].
+/// Pairs of directions over both hemispheres, including pole and rim: θ_r <= θ_i in equal steps
+/// over \[0, π/2\] (the rest follows from (6)) and Δφ over \[0, π\].
 pub struct DirectionGrid {
     order: usize,
-    /// θ_i and θ_r of each pair as steps, with I_op^q(θ_i, θ_r, 0).
+    /// θ_i and θ_r of each pair in steps, and I_op^q(θ_i, θ_r, 0).
     pairs: Vec<([usize; 2], Vec<f64>)>,
-    /// cos qΔφ, q = 0..=order, of each Δφ.
+    /// cos qΔφ for q = 0..=order, for each Δφ.
     cosines: Vec<Vec<f64>>,
     /// q of each mode.
     azimuths: Vec<usize>,
 }
 
-/// A point of the grid where a BRDF is out of range.
+/// A grid point where a BRDF is out of range.
 pub(super) struct Excess {
     pair: usize,
     azimuth: usize,
@@ -27,8 +27,8 @@ pub(super) struct Excess {
 }
 
 impl DirectionGrid {
-    /// The grid that fits of `order` are held in range on: steps of 1 degree up to
-    /// order 15 (91 x 91 polar angles, 181 azimuths), finer for more.
+    /// The grid on which fits of `order` are kept in range: steps of 1 degree up to order 15 (91 x
+    /// 91 polar angles, 181 azimuths), finer steps above.
     #[must_use]
     pub fn for_order(order: usize) -> Self {
         let steps = (6 * order).max(90);
@@ -58,7 +58,7 @@ impl DirectionGrid {
         }
     }
 
-    /// The lowest and the highest value on the grid of the BRDF (7).
+    /// The lowest and the highest value of the BRDF (7) on the grid.
     #[must_use]
     pub fn range(&self, coefficients: &[f64]) -> (f64, f64) {
         let mut range = (f64::INFINITY, f64::NEG_INFINITY);
@@ -70,7 +70,7 @@ impl DirectionGrid {
         range
     }
 
-    /// f at every Δφ of one pair of polar angles.
+    /// f at every Δφ for one pair of polar angles.
     fn along_azimuth<'a>(
         &'a self,
         coefficients: &'a [f64],
@@ -86,9 +86,9 @@ impl DirectionGrid {
             .map(move |cosines| cosines.iter().zip(&series).map(|(c, s)| c * s).sum())
     }
 
-    /// The points where the BRDF leaves \[lowest, highest\]: the worst above and
-    /// the worst below of each pair of polar angles, and none within two steps
-    /// of a worse one on the same side.
+    /// The points where the BRDF leaves \[lowest, highest\]: the worst above and the worst below
+    /// for each pair of polar angles, except those within two steps of a worse point on the same
+    /// side.
     pub(super) fn excesses(&self, coefficients: &[f64], lowest: f64, highest: f64) -> Vec<Excess> {
         let (mut above, mut below) = (Vec::new(), Vec::new());
         for pair in 0..self.pairs.len() {
@@ -112,7 +112,7 @@ impl DirectionGrid {
         points
     }
 
-    /// The worst points, none within two steps of polar angle of a worse one.
+    /// The worst points, except those within two polar steps of a worse one.
     fn thinned(&self, mut points: Vec<Excess>) -> Vec<Excess> {
         points.sort_by(|a, b| b.amount.total_cmp(&a.amount).then(a.pair.cmp(&b.pair)));
         let mut kept: Vec<Excess> = Vec::new();
@@ -129,7 +129,7 @@ impl DirectionGrid {
         kept
     }
 
-    /// I_op^q at a point of the grid.
+    /// I_op^q at a grid point.
     pub(super) fn modes(&self, point: &Excess) -> Vec<f64> {
         let cosines = &self.cosines[point.azimuth];
         self.pairs[point.pair]

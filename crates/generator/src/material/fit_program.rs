@@ -1,4 +1,4 @@
-//! The quadratic programme of a fit: least squares under inequalities.
+//! The quadratic program of a fit: least squares with inequality constraints.
 
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{
@@ -7,30 +7,30 @@ use clarabel::solver::{
 
 use eigenshade_model::error::{Error, Result};
 
-/// Minimise ½ bᵀ P b - gᵀ b subject to rowᵀ b <= limit for every row.
+/// Minimizes ½ bᵀ P b - gᵀ b subject to rowᵀ b <= limit for every row.
 pub(super) struct Programme {
-    /// The columns of the upper triangle of P: entry j has j + 1 numbers.
+    /// The columns of the upper triangle of P; column j has j + 1 numbers.
     curvature: Vec<Vec<f64>>,
     /// The rows and their limits.
     inequalities: Vec<(Vec<f64>, f64)>,
 }
 
-/// Relative and absolute accuracy asked of the interior point method.
+/// Relative and absolute accuracy of the interior point method.
 const ACCURACY: f64 = 1e-10;
 
 impl Programme {
-    /// Without inequalities yet. `curvature` has the columns of the upper
-    /// triangle of P, positive definite.
+    /// A program without inequalities. `curvature` holds the columns of the upper triangle of P,
+    /// which is positive definite.
     pub(super) fn new(curvature: Vec<Vec<f64>>) -> Self {
         Self { curvature, inequalities: Vec::new() }
     }
 
-    /// Adds rowᵀ b <= limit.
+    /// Adds the inequality rowᵀ b <= limit.
     pub(super) fn require(&mut self, row: Vec<f64>, limit: f64) {
         self.inequalities.push((row, limit));
     }
 
-    /// Drops the inequalities that b meets with more than `slack` to spare.
+    /// Drops the inequalities that b satisfies with a margin above `slack`.
     pub(super) fn relax(&mut self, coefficients: &[f64], slack: f64) {
         self.inequalities.retain(|(row, limit)| {
             let value: f64 = row.iter().zip(coefficients).map(|(r, b)| r * b).sum();
@@ -38,7 +38,7 @@ impl Programme {
         });
     }
 
-    /// The minimum for this g.
+    /// The minimizing b for this g.
     pub(super) fn solve(&self, gradient: &[f64]) -> Result<Vec<f64>> {
         let (unknowns, count) = (self.curvature.len(), self.inequalities.len());
         let upper = columns(unknowns, unknowns, |column| {
@@ -68,7 +68,7 @@ impl Programme {
     }
 }
 
-/// A sparse matrix from the (row, value) entries of its columns, rows rising.
+/// A sparse matrix from the (row, value) entries of its columns, with rising rows.
 fn columns(
     rows: usize,
     count: usize,

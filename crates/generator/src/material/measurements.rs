@@ -1,6 +1,6 @@
-//! Measured BRDFs as plain CSV: `theta_i,phi_i,theta_r,phi_r,r,g,b`, or `value`
-//! for grey; radians and 1/sr. `#` starts a comment line; other columns are
-//! ignored.
+//! Measured BRDFs as plain CSV with the columns `theta_i,phi_i,theta_r,phi_r,r,g,b`, or `value`
+//! instead of r, g, b for gray; in radians and 1/sr. Lines that start with `#` are comments; other
+//! columns are ignored.
 
 use std::f64::consts::FRAC_PI_2;
 use std::path::PathBuf;
@@ -10,7 +10,7 @@ use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::inputs::sheet::{Row, Sheet};
 
-/// How far beyond the rim a polar angle may lie: files round π/2.
+/// How far beyond the rim a polar angle may lie, since files round π/2.
 const RIM_SLACK: f64 = 1e-9;
 
 const COLUMNS: &str = "theta_i,phi_i,theta_r,phi_r,r,g,b";
@@ -18,11 +18,11 @@ const COLUMNS: &str = "theta_i,phi_i,theta_r,phi_r,r,g,b";
 /// One measured value of a BRDF.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measurement {
-    /// Polar angle of the light, \[0, π/2\].
+    /// Polar angle of the light, in \[0, π/2\].
     pub theta_i: f64,
-    /// Polar angle of the view, \[0, π/2\].
+    /// Polar angle of the view, in \[0, π/2\].
     pub theta_r: f64,
-    /// φ_i - φ_r: zero is backscatter.
+    /// φ_i - φ_r; zero is backscatter.
     pub delta_phi: f64,
     /// f in 1/sr. Noise can make it negative.
     pub rgb: [f64; 3],
@@ -31,19 +31,18 @@ pub struct Measurement {
 /// The measurements of one material.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Measured {
-    /// What it is called: the stem of the file's name.
+    /// Name of the material: the stem of the file name.
     pub name: String,
-    /// At least one; in the order of the file.
+    /// At least one measurement, in file order.
     pub samples: Vec<Measurement>,
 }
 
-/// Reads whatever `path` holds: a folder with an `abrdf.dat` as CUReT
-/// ([`curet::read`]), any other folder as all its `.csv` files by name, a file
-/// as one material.
+/// Reads measurements from a path. A folder with an `abrdf.dat` is read as CUReT ([`curet::read`]),
+/// any other folder as all its `.csv` files sorted by name, and a file as one material.
 ///
 /// # Errors
 ///
-/// What [`read`] and [`curet::read`] find, and a folder with nothing to read.
+/// The errors of [`read`] and [`curet::read`], and a folder with nothing to read.
 pub fn read_material_path(file: impl Into<InputFile>) -> Result<Vec<Measured>> {
     let file = file.into();
     let path = file.path();
@@ -74,9 +73,8 @@ pub fn read_material_path(file: impl Into<InputFile>) -> Result<Vec<Measured>> {
 ///
 /// # Errors
 ///
-/// A file that cannot be read; a column that is missing, a row of another
-/// length, a field that is not a finite number, a polar angle outside
-/// \[0, π/2\] (by more than 1e-9), no row at all.
+/// If the file cannot be read, a column is missing, a row has the wrong length, a field is not a
+/// finite number, a polar angle is outside \[0, π/2\] by more than 1e-9, or there is no row.
 pub fn read(file: impl Into<InputFile>) -> Result<Measured> {
     let file = file.into();
     let path = file.path();
@@ -113,16 +111,16 @@ fn sample(row: Row<'_>, angles: [usize; 4], values: [usize; 3]) -> Result<Measur
     })
 }
 
-/// What to do about a polar angle that is none.
+/// The remedy for an invalid polar angle.
 pub(super) const POLAR_REMEDY: &str =
     "give radians from the normal, and leave out directions below the surface";
 
-/// The fault of a polar angle that is none.
+/// The message for an invalid polar angle.
 pub(super) fn outside(name: &str, angle: f64) -> String {
     format!("{name} = {angle} is outside [0, pi/2]")
 }
 
-/// The angle within \[0, π/2\], if it lies there but for rounding.
+/// Clamps an angle to \[0, π/2\]; `None` if it is outside by more than rounding.
 pub(super) fn polar_angle(angle: f64) -> Option<f64> {
     (-RIM_SLACK..=FRAC_PI_2 + RIM_SLACK).contains(&angle).then(|| angle.clamp(0.0, FRAC_PI_2))
 }

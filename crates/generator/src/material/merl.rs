@@ -1,33 +1,33 @@
-//! Files of the MERL BRDF database, and others in its format.
+//! Reads files of the MERL BRDF database, and others in its format.
 //!
 //! | bytes | what |
 //! |---:|---|
 //! | 12 | the numbers of bins 90, 90, 180, as little-endian i32 |
 //! | 34,992,000 | f64, little-endian: red, then green, then blue, each in the order of [`Merl`] |
 //!
-//! A value times 1/1500, 1.15/1500 or 1.66/1500 for the three channels is f in 1/sr;
-//! below zero is a bin without a value.
+//! A value times 1/1500, 1.15/1500 or 1.66/1500 for the three channels is f in 1/sr. A value below
+//! zero marks a bin without a value.
 
 use crate::material::brdf::{BINS, Merl, Surface};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 use std::io::Read;
 
-/// From a file's numbers to 1/sr, r, g and b.
+/// Factors from the numbers in a file to 1/sr, for r, g and b.
 pub const SCALES: [f64; 3] = [1.0 / 1500.0, 1.15 / 1500.0, 1.66 / 1500.0];
 
-/// The length of a file, bytes.
+/// Size of a file in bytes.
 pub const BYTES: u64 = 12 + 3 * 8 * (BINS[0] * BINS[1] * BINS[2]) as u64;
 
 const REMEDY: &str = "give a whole .binary file of an isotropic material";
 
-/// Reads a file; the material is called as the stem of its name. Equal channels become
-/// one.
+/// Reads a file. The material is named after the stem of the file name. Equal channels are merged
+/// into one.
 ///
 /// # Errors
 ///
-/// A file that cannot be read, is not [`BYTES`] long, claims other numbers of bins, or
-/// holds a number that is not finite, or none that is a value in some channel.
+/// If the file cannot be read, is not [`BYTES`] long, claims other numbers of bins or holds a
+/// number that is not finite, or if a channel has no bin with a value.
 pub fn read(file: impl Into<InputFile>) -> Result<Surface> {
     let input = file.into();
     let path = input.path();
@@ -51,7 +51,7 @@ pub fn read(file: impl Into<InputFile>) -> Result<Surface> {
     if length != BYTES {
         return Err(Error::new(format!("it has {length} bytes, not {BYTES}"), REMEDY).in_file(path));
     }
-    // Its numbers, and those of a channel once more.
+    // All channels, plus a second copy of one channel.
     input.admit(BYTES + BYTES / 3)?;
     let mut channels = Vec::new();
     for (name, scale) in ["red", "green", "blue"].into_iter().zip(SCALES) {

@@ -1,4 +1,4 @@
-//! Materials: BRDFs as functions and as measurements, and their coefficients.
+//! Materials: BRDFs as functions or measurements, and their coefficients.
 
 pub mod analytic;
 pub mod brdf;

@@ -1,4 +1,4 @@
-//! A density of slants, as a formula or a CSV, as weighted normals.
+//! A density of slants, given as a formula or a CSV file, converted to weighted normals.
 
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::sheet::Sheet;
@@ -7,7 +7,7 @@ use exmex::{Express, FlatEx, FloatOpsFactory, MatchLiteral, literal_matcher_from
 use std::f64::consts::{FRAC_PI_2, TAU};
 use std::path::Path;
 
-/// Panels of a formula, and nodes of all panels together at least.
+/// Number of panels for a formula, and minimum number of nodes over all panels.
 const PANELS: usize = 8;
 const NODES: usize = 192;
 
@@ -16,31 +16,31 @@ literal_matcher_from_pattern!(Number, r"^([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-
 /// A formula; its numbers may have an exponent.
 type Formula = FlatEx<f64, FloatOpsFactory<f64>, Number>;
 
-/// Letters of a formula at most: the parser's time grows with their square.
+/// Maximum number of characters of a formula: the parser's time grows with its square.
 const MOST_LETTERS: usize = 1000;
 
-/// Slants of a CSV at most: a hundredth of a degree.
+/// Maximum number of slants in a CSV file: steps of a hundredth of a degree.
 const MOST_SLANTS: usize = 9001;
 
-/// Whether a density is the name of a file, and not a formula.
+/// Whether a density is a file name rather than a formula.
 pub(crate) fn is_file(density: &str) -> bool {
     Path::new(density).extension().is_some_and(|end| end.eq_ignore_ascii_case("csv"))
 }
 
-/// Normals of an object whose normals have this density per solid angle over the
-/// visible hemisphere, of any scale, the same for all tilts.
+/// Weighted normals of an object with the given density of normals per solid angle over the visible
+/// hemisphere. The density may have any scale and is the same for all tilts.
 ///
-/// `density` is a formula in the slant `a` in radians (`cos(a)` is the sphere), or the
-/// name of a CSV `slant,density` in `folder`: linear between its rows, zero beyond them.
-/// Quadrature is by Gauss and Legendre in the slant and evenly in the tilt, exact for
-/// images of light up to `degree` where the density is smooth within a panel, an eighth
-/// of the hemisphere or an interval of the CSV.
+/// `density` is a formula in the slant `a` in radians (`cos(a)` is the sphere), or the name of a
+/// CSV file with the columns `slant,density` in `folder`: linear between its rows, zero beyond
+/// them. Quadrature is Gauss-Legendre in the slant and uniform in the tilt. It is exact for images
+/// of light up to `degree` if the density is smooth within each panel, which is an eighth of the
+/// hemisphere or an interval of the CSV.
 ///
 /// # Errors
 ///
-/// A formula that does not parse, has other variables than `a` or more than a thousand
-/// letters; a CSV that is broken
-/// or whose slants do not rise within \[0, π/2\]; a density that is negative or not finite.
+/// If a formula does not parse, has variables other than `a` or has more than a thousand
+/// characters; if a CSV is broken or its slants do not rise within \[0, π/2\]; if a density is
+/// negative or not finite.
 pub fn read(density: &str, folder: &Path, degree: usize) -> Result<Vec<([f64; 3], f64)>> {
     if is_file(density) {
         let path = folder.join(density);
@@ -70,7 +70,7 @@ fn formula(text: &str) -> Result<Formula> {
         return Err(Error::new(what, remedy));
     }
     let written = signed(text)?;
-    // The parser's own words are of its tokens.
+    // The parser's own message refers to its tokens, so it is replaced.
     let formula = Formula::parse(&written).map_err(|_| wrong(text, "it is no formula"))?;
     match formula.var_names().iter().find(|name| *name != "a") {
         Some(name) => Err(wrong(text, &format!("it has a variable `{name}`"))),
@@ -78,8 +78,8 @@ fn formula(text: &str) -> Result<Formula> {
     }
 }
 
-/// A formula with each leading minus as a factor -1: `-a^2` is -(a^2), as everyone writes
-/// it; the parser takes it for (-a)^2.
+/// Rewrites each leading minus as a factor -1, so that `-a^2` is -(a^2) by the usual convention;
+/// the parser would read it as (-a)^2.
 fn signed(text: &str) -> Result<String> {
     let mut written = String::new();
     let mut before = '(';
@@ -137,7 +137,7 @@ fn slants(path: &Path) -> Result<Vec<(f64, f64)>> {
     Ok(rows)
 }
 
-/// Rings of normals on the nodes of all panels.
+/// Rings of normals at the nodes of all panels.
 fn ring(
     panels: &[(f64, f64)],
     degree: usize,

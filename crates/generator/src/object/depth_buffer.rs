@@ -1,36 +1,35 @@
-//! What lies in front at each sample of a picture, and how far back it lies in whole tiles of
-//! samples: a facet behind all of a tile is settled there at once.
+//! A depth buffer with whole tiles of samples: a facet behind everything in a tile is decided once
+//! for the tile.
 //!
-//! A tile never decides otherwise than its samples would: the answers are those of going
-//! through every sample of every facet.
+//! Tiles never change the result: it is the same as testing every sample of every facet.
 
 use crate::object::facet_samples::{Placed, Plane, samples_within};
 use std::ops::Range;
 
-/// Samples across a tile.
+/// Width of a tile in samples.
 const TILE: usize = 16;
 
-/// Facets that are no larger than this, in samples, are taken sample by sample.
+/// Facets up to this size, in samples, are tested sample by sample.
 const SMALL: f64 = 2.0 * TILE as f64;
 
-/// The depths of what is nearest to the camera, each less its facet's contact.
+/// The depths of the nearest surfaces, each minus the contact distance of its facet.
 pub(super) struct DepthBuffer {
     samples: usize,
-    /// Tiles across.
+    /// Number of tiles across.
     tiles: usize,
     front: Vec<f64>,
-    /// The least `front` of each tile, unless that changed.
+    /// The smallest `front` in each tile; out of date where `has_changed` is set.
     least: Vec<f64>,
     has_changed: Vec<bool>,
 }
 
-/// Of a facet's samples.
+/// Counts of a facet's samples.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Count {
-    /// Those that it covers; if none is seen, some of them may be left out beyond those that
-    /// were asked for.
+    /// Samples that the facet covers. If none is seen, the count may stop once it reaches the
+    /// requested number.
     pub(super) covered: usize,
-    /// Those where nothing lies in front.
+    /// Samples where nothing lies in front.
     pub(super) seen: usize,
 }
 
@@ -46,7 +45,7 @@ impl DepthBuffer {
         }
     }
 
-    /// Takes in a facet.
+    /// Draws a facet.
     pub(super) fn draw(&mut self, facet: &Placed) {
         let plane = Plane::new(facet);
         for part in self.parts(facet) {
@@ -64,7 +63,8 @@ impl DepthBuffer {
         }
     }
 
-    /// A facet's samples, of a drawn picture; of one that is not seen at least `enough`, or all.
+    /// Counts a facet's samples in a drawn picture. If none is seen, it counts at least `enough`,
+    /// or all.
     pub(super) fn count(&mut self, facet: &Placed, enough: usize) -> Count {
         let plane = Plane::new(facet);
         let mut count = Count::default();
@@ -96,7 +96,7 @@ impl DepthBuffer {
         count
     }
 
-    /// The samples that a facet may cover: tile by tile, or all at once if they are few.
+    /// The samples that a facet may cover, split into tiles, or as one part if they are few.
     fn parts(&self, facet: &Placed) -> Vec<Part> {
         let [rows, columns] = [1, 0].map(|axis| samples_within(facet.range(axis), self.samples));
         let is_small = [0, 1].map(|axis| facet.range(axis)).iter().all(|[a, b]| b - a <= SMALL);
@@ -108,7 +108,7 @@ impl DepthBuffer {
             let of_row = row * TILE..((row + 1) * TILE).min(self.samples);
             let ends = [of_row.start as f64 + 0.5, of_row.end as f64 - 0.5];
             let [left, right] = facet.band(ends);
-            // A sample more, beyond any rounding.
+            // Add one sample on each side, which exceeds any rounding.
             let columns = samples_within([left - 1.0, right + 1.0], self.samples);
             if columns.is_empty() {
                 continue;
@@ -122,7 +122,7 @@ impl DepthBuffer {
         parts
     }
 
-    /// Whether every depth of the facet in a tile, and `more`, is below all that is in front.
+    /// Whether every depth of the facet in a tile, plus `more`, is below everything in front there.
     fn is_behind(
         &mut self,
         part: &Part,
@@ -133,13 +133,13 @@ impl DepthBuffer {
         part.tile.is_some_and(|tile| {
             let least = self.least(tile);
             let is_below = |nearest: f64| below(&(nearest + more), &least);
-            // The nearest of its corners first, which costs nothing.
+            // Test the nearest corner of the facet first, which is cheap.
             least > f64::NEG_INFINITY
                 && (is_below(plane.range[1]) || is_below(plane.nearest(part.corners())))
         })
     }
 
-    /// The least `front` of a tile.
+    /// The smallest `front` in a tile.
     fn least(&mut self, tile: usize) -> f64 {
         if self.has_changed[tile] {
             self.has_changed[tile] = false;
@@ -154,7 +154,7 @@ impl DepthBuffer {
     }
 }
 
-/// Some rows and columns of samples: a tile, or all that a small facet may cover.
+/// A range of rows and columns of samples: a tile, or all that a small facet may cover.
 struct Part {
     rows: Range<usize>,
     columns: Range<usize>,
@@ -162,20 +162,20 @@ struct Part {
 }
 
 impl Part {
-    /// The samples at its corners: of anything affine one of them has the most.
+    /// The samples at the corners; any affine function has its largest value at one of them.
     fn corners(&self) -> [[f64; 2]; 4] {
         let ends = |range: &Range<usize>| [range.start as f64 + 0.5, range.end as f64 - 0.5];
         let ([top, bottom], [left, right]) = (ends(&self.rows), ends(&self.columns));
         [[left, top], [right, top], [left, bottom], [right, bottom]]
     }
 
-    /// Whether all of it is on the outer side of one edge.
+    /// Whether the whole part is outside one edge.
     fn is_outside(&self, plane: &Plane) -> bool {
         let sides = self.corners().map(|[x, y]| plane.sides(x, y));
         (0..3).any(|edge| sides.iter().all(|sides| sides[edge] < 0.0))
     }
 
-    /// Whether the facet covers all of it.
+    /// Whether the facet covers the whole part.
     fn is_inside(&self, plane: &Plane) -> bool {
         self.corners().iter().all(|&[x, y]| plane.depth(x, y).is_some())
     }
@@ -187,7 +187,7 @@ mod tests {
     use super::super::facet_samples::{Placed, Plane, placed};
     use super::{Count, DepthBuffer};
 
-    /// Facets of all sizes, many of them large and many thin, in a box of 2.
+    /// Facets of all sizes, many of them large and many thin, in a box of side 2.
     fn facets() -> Vec<Facet> {
         let mut state = 5u64;
         let mut number = || {
@@ -207,7 +207,7 @@ mod tests {
         (0..300).map(&mut facet).collect()
     }
 
-    /// Sample by sample, whatever lies in front.
+    /// Visits every sample that the facet covers, including hidden ones.
     fn each(facet: &Placed, samples: usize, with: impl FnMut(usize, usize, f64)) {
         facet.visit(&Plane::new(facet), [0..samples, 0..samples], with);
     }

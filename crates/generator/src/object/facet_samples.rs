@@ -1,29 +1,30 @@
-//! The samples of a picture that a facet covers, and its depth there.
+//! The samples of a picture that a facet covers, and the facet's depth there.
 
 use crate::object::facet::Facet;
 use std::ops::Range;
 
-/// How near another surface may come to a facet's plane and not hide it, of the longest
-/// side of the mesh's box: corners in f32 are that coarse.
+/// How far in front of a facet's plane another surface may be without hiding it, relative to the
+/// longest side of the mesh's box. Corners in f32 are no more precise.
 pub const CONTACT: f64 = 1e-6;
 
-/// A facet in units of samples: those of column i and row k stand at i + 1/2, k + 1/2.
+/// A facet in units of samples: the sample in column i and row k is at i + 1/2, k + 1/2.
 pub(super) struct Placed {
-    /// x and y in samples, z in the mesh's unit above its least.
+    /// x and y in samples, z in the mesh's unit above its smallest z.
     corners: [[f64; 3]; 3],
     pub(super) faces_camera: bool,
-    /// How far along z something in contact may be.
+    /// How far along z a surface in contact may be.
     pub(super) contact: f64,
 }
 
-/// `samples` x `samples` points over the box around the projection of some facets.
+/// A frame of `samples` x `samples` points over the box around the projection of the facets.
 pub(super) struct Frame {
     samples: usize,
     least: [f64; 3],
     sides: [f64; 3],
 }
 
-/// The facets over `samples` x `samples` points of the box around their projection.
+/// Places the facets in a frame of `samples` x `samples` points over the box around their
+/// projection.
 #[cfg(test)]
 pub(super) fn placed(facets: &[Facet], samples: usize) -> Vec<Placed> {
     let frame = Frame::new(facets, samples);
@@ -42,12 +43,12 @@ impl Frame {
         Self { samples, least, sides: [0, 1, 2].map(|axis| most[axis] - least[axis]) }
     }
 
-    /// A facet among the points.
+    /// Converts a facet to units of samples.
     pub(super) fn place(&self, facet: &Facet) -> Placed {
         let longest = self.sides.iter().copied().fold(0.0, f64::max);
         let place = |corner: [f64; 3]| {
             let across = |axis: usize| {
-                // A box without width has no facet with a projection.
+                // In a box without width, no facet has a projected area.
                 let side = if self.sides[axis] > 0.0 { self.sides[axis] } else { 1.0 };
                 (corner[axis] - self.least[axis]) / side * self.samples as f64
             };
@@ -56,14 +57,14 @@ impl Frame {
         Placed {
             corners: facet.corners.map(place),
             faces_camera: facet.projected_area > 0.0,
-            // Of a plane at a distance CONTACT; infinite if it is seen edge on.
+            // The extent along z of a distance CONTACT from the plane; infinite if seen edge on.
             contact: CONTACT * longest / facet.normal[2].abs(),
         }
     }
 }
 
 impl Placed {
-    /// In how many parts each edge is cut for points of its own: 1, 2 or 4.
+    /// The number of parts into which each edge is cut for the facet's own points: 1, 2 or 4.
     pub(super) fn parts(&self) -> usize {
         let longest = [0, 1].map(|axis| self.range(axis)).map(|[low, high]| high - low);
         match longest[0].max(longest[1]) {
@@ -73,11 +74,12 @@ impl Placed {
         }
     }
 
-    /// The centroids of the facets that it is cut into, `parts` along each edge.
+    /// The centroids of the equal parts of the facet, with `parts` along each edge.
     pub(super) fn centroids(&self, parts: usize) -> Vec<[f64; 3]> {
         let [a, b, c] = self.corners;
         let mut points = Vec::new();
-        // In thirds of a part: upright ones stand at 1, 1, inverted ones at 2, 2.
+        // In thirds of a part: the centroids of upright parts are at 1, 1, those of inverted parts
+        // at 2, 2.
         for (i, j, third) in (0..parts)
             .flat_map(|i| (0..parts - i).map(move |j| (i, j)))
             .flat_map(|(i, j)| [(i, j, 1), (i, j, 2)])
@@ -89,13 +91,13 @@ impl Placed {
         points
     }
 
-    /// Least and largest coordinate.
+    /// Smallest and largest coordinate along an axis.
     pub(super) fn range(&self, axis: usize) -> [f64; 2] {
         let [a, b, c] = self.corners.map(|corner| corner[axis]);
         [a.min(b).min(c), a.max(b).max(c)]
     }
 
-    /// Least and largest x where y is in this range, a little widened for rounding.
+    /// Smallest and largest x where y is in this range, widened slightly for rounding.
     pub(super) fn band(&self, [low, high]: [f64; 2]) -> [f64; 2] {
         let [a, b, c] = self.corners;
         let (mut left, mut right) = (f64::INFINITY, f64::NEG_INFINITY);
@@ -106,7 +108,7 @@ impl Placed {
             }
             for y in [from[1].max(low), to[1].min(high)] {
                 let share = (y - from[1]) / (to[1] - from[1]);
-                // An edge along the row: both of its ends.
+                // An edge along the row: take both ends.
                 let ends = if share.is_finite() { [share, share] } else { [0.0, 1.0] };
                 for share in ends {
                     let x = from[0] + share * (to[0] - from[0]);
@@ -117,7 +119,7 @@ impl Placed {
         [left - 1e-6, right + 1e-6]
     }
 
-    /// Each of these samples that the facet covers: row, column, and the depth there.
+    /// Visits each of these samples that the facet covers, with row, column and depth.
     pub(super) fn visit(
         &self,
         plane: &Plane,
@@ -136,21 +138,21 @@ impl Placed {
     }
 }
 
-/// The samples, of so many, that lie in a range of coordinates.
+/// The samples, out of `samples`, that lie in a range of coordinates.
 pub(super) fn samples_within([low, high]: [f64; 2], samples: usize) -> Range<usize> {
-    // Casts take what is negative for 0.
+    // Casts convert negative values to 0.
     let (from, to) = ((low - 0.5).ceil() as usize, (high + 0.5).floor() as usize);
     from..to.min(samples)
 }
 
-/// A facet's depth, and where it has any.
+/// A facet's depth, and the area where it is defined.
 pub(super) struct Plane {
-    /// Opposite each corner: x and y of a point of the edge, and the edge's run, by which its
-    /// inner side is positive.
+    /// For the edge opposite each corner: x and y of a point on it, and its run, with the inner
+    /// side positive.
     edges: [[f64; 4]; 3],
-    /// Of each corner, over twice the projected area.
+    /// Depth of each corner, divided by twice the projected area.
     depths: [f64; 3],
-    /// Least and largest depth.
+    /// Smallest and largest depth.
     pub(super) range: [f64; 2],
 }
 
@@ -164,23 +166,23 @@ impl Plane {
         Self { edges, depths, range: facet.range(2) }
     }
 
-    /// The depth at a point, if the facet's projection has it, edges included.
+    /// The depth at a point, if the facet's projection contains it, including the edges.
     pub(super) fn depth(&self, x: f64, y: f64) -> Option<f64> {
         let sides = self.sides(x, y);
         let is_inside = sides[0] >= 0.0 && sides[1] >= 0.0 && sides[2] >= 0.0;
         let [a, b, c] = self.depths;
         let depth = sides[0] * a + sides[1] * b + sides[2] * c;
-        // Of a sliver the sides are rounding; and no number if it has no area at all.
+        // For a sliver the sides are only rounding; without any area the depth is NaN.
         (is_inside && !depth.is_nan()).then(|| depth.max(self.range[0]).min(self.range[1]))
     }
 
-    /// Twice the area between each edge and a point, positive where the facet lies. Rounded as
-    /// it is, it never falls and rises again along a row or a column.
+    /// Twice the area between each edge and a point, positive on the facet's side. Even when
+    /// rounded, it never falls and rises again along a row or a column.
     pub(super) fn sides(&self, x: f64, y: f64) -> [f64; 3] {
         self.edges.each_ref().map(|edge| side(edge, x, y))
     }
 
-    /// Between points at these corners of a box no depth is greater.
+    /// An upper bound of the depth between points at the corners of a box.
     pub(super) fn nearest(&self, corners: [[f64; 2]; 4]) -> f64 {
         let mut nearest = f64::NEG_INFINITY;
         let mut rounding = 0.0f64;
@@ -195,15 +197,15 @@ impl Plane {
             nearest = nearest.max(depth);
             rounding = rounding.max(size);
         }
-        // Some eight roundings of each product.
+        // About eight roundings of each product.
         let nearest = nearest + 8.0 * f64::EPSILON * rounding;
         let [least, most] = self.range;
         if nearest.is_finite() { nearest.max(least).min(most) } else { most }
     }
 }
 
-/// An edge's point and run. Those of the way back are exactly the same but for the run's sign:
-/// a point on the edge of two facets is in one of them at least.
+/// An edge's point and run. The reverse edge has exactly the same values except for the sign of the
+/// run, so a point on a shared edge is in at least one of the two facets.
 fn edge(from: [f64; 3], to: [f64; 3]) -> [f64; 4] {
     if (from[0], from[1]) < (to[0], to[1]) {
         [from[0], from[1], to[0] - from[0], to[1] - from[1]]
@@ -212,7 +214,7 @@ fn edge(from: [f64; 3], to: [f64; 3]) -> [f64; 4] {
     }
 }
 
-/// Twice the area between an edge and a point, positive on its left.
+/// Twice the area between an edge and a point, positive to the left of the edge.
 fn side(&[from_x, from_y, run_x, run_y]: &[f64; 4], x: f64, y: f64) -> f64 {
     run_x * (y - from_y) - run_y * (x - from_x)
 }

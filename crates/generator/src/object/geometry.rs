@@ -1,23 +1,23 @@
-//! Which normals an object shows, and how much of its picture each takes.
+//! The normals that an object shows, and the share of its picture that each one takes.
 
 use crate::basis::span::Span;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::normals::visible;
 use faer::Mat;
 
-/// Normals taken at a time.
+/// Number of normals processed at once.
 const CHUNK: usize = 4096;
 
 /// The normals of an object.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Geometry {
-    /// Those of a sphere: density cos(α)/π over the visible hemisphere.
+    /// Normals of a sphere: density cos(α)/π over the visible hemisphere.
     Sphere,
-    /// A list.
+    /// A list of normals.
     Listed(WeightedNormals),
 }
 
-/// Unit normals with z >= 0, and the share of the picture that each takes.
+/// Unit normals with z >= 0, each with its share of the picture.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct WeightedNormals {
     normals: Vec<[f64; 3]>,
@@ -27,13 +27,13 @@ pub struct WeightedNormals {
 impl WeightedNormals {
     /// Normals with weights of any scale; those of weight zero are left out.
     ///
-    /// Lengths are normalised; a normal that points away by a little is laid on the
-    /// rim, as [`visible`] has it.
+    /// Normals are scaled to unit length. A normal that points slightly away from the camera is
+    /// moved to the rim, as by [`visible`].
     ///
     /// # Errors
     ///
-    /// A normal without direction or that points away, a weight that is negative or not
-    /// finite, no normal of a weight above zero. The number is that of the pair, from 0.
+    /// If a normal has no direction or points away, a weight is negative or not finite, or no
+    /// normal has a weight above zero. Messages number the pairs from 0.
     pub fn new(pairs: impl IntoIterator<Item = ([f64; 3], f64)>) -> Result<Self> {
         let pairs = pairs.into_iter();
         let least = pairs.size_hint().0;
@@ -52,7 +52,7 @@ impl WeightedNormals {
             listed.normals.push(normal);
             listed.weights.push(weight);
         }
-        // Scaled by the largest first, so that the sum neither overflows nor vanishes.
+        // Scale by the largest weight first, so that the sum neither overflows nor vanishes.
         let largest = listed.weights.iter().copied().fold(0.0, f64::max);
         let sum: f64 = listed.weights.iter().map(|weight| weight / largest).sum();
         if listed.weights.is_empty() {
@@ -71,7 +71,7 @@ impl WeightedNormals {
         &self.normals
     }
 
-    /// Their weights, which sum to 1.
+    /// The weights, which sum to 1.
     #[must_use]
     pub fn weights(&self) -> &[f64] {
         &self.weights
@@ -79,8 +79,8 @@ impl WeightedNormals {
 
     /// R with RᵀR = Σ_k w_k φ(n_k) φ(n_k)ᵀ for the functions φ of a span.
     ///
-    /// By orthogonal factors alone: nothing is squared, so weights over many decades
-    /// and normals that hardly differ lose nothing.
+    /// Uses only orthogonal factorizations. Nothing is squared, so weights that range over many
+    /// decades and normals that are nearly equal lose no accuracy.
     #[must_use]
     pub fn factor(&self, span: &Span) -> Mat<f64> {
         let dimension = span.dimension();

@@ -1,4 +1,4 @@
-//! Meshes (.obj, .stl, .ply): the normals of what the camera sees of their facets.
+//! Meshes (.obj, .stl, .ply): the normals of the parts of their facets that the camera sees.
 
 use crate::object::facet::Facet;
 use crate::object::visibility::seen_shares;
@@ -6,24 +6,24 @@ use crate::object::{mesh_obj, mesh_ply, mesh_stl};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 
-/// Triangles, as the files' readers give them: 24 bytes a corner, 12 a triangle.
+/// Triangles as the file readers return them: 24 bytes for each corner, 12 for each triangle.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Mesh {
     pub(crate) corners: Vec<[f64; 3]>,
-    /// Three numbers of corners each.
+    /// Three corner indices for each triangle.
     pub(crate) triangles: Vec<[u32; 3]>,
 }
 
 impl Mesh {
-    /// Bytes of a corner, and of a triangle.
+    /// Bytes for a corner and for a triangle.
     pub(crate) const CORNER: u64 = 24;
     pub(crate) const TRIANGLE: u64 = 12;
 
-    /// An empty one with room for so many.
+    /// An empty mesh with room for the given numbers of corners and triangles.
     ///
     /// # Errors
     ///
-    /// If the file's budget has not.
+    /// If the file's budget has no room for them, or there are too many corners.
     pub(crate) fn with_room(file: &InputFile, corners: u64, triangles: u64) -> Result<Self> {
         file.admit(
             corners
@@ -38,11 +38,11 @@ impl Mesh {
         Ok(Self { corners: Vec::with_capacity(corners), triangles: Vec::with_capacity(triangles) })
     }
 
-    /// Takes in a polygon, cut into a fan.
+    /// Adds a polygon, cut into a fan of triangles.
     ///
     /// # Errors
     ///
-    /// Fewer than three corners; more triangles than the budget has room for.
+    /// If it has fewer than three corners or the budget has no room for its triangles.
     pub(crate) fn push_polygon(&mut self, file: &InputFile, polygon: &[u32]) -> Result<()> {
         let [first, rest @ ..] = polygon else {
             return Err(broken("a face of fewer than three corners: it has none"));
@@ -53,7 +53,7 @@ impl Mesh {
         }
         let count = self.triangles.len() + rest.len() - 1;
         if count > self.triangles.capacity() {
-            // The old and the new, while the one is moved into the other.
+            // The old and the new list coexist while one is moved into the other.
             let room = count.max(2 * self.triangles.capacity());
             let triangles = (room + self.triangles.capacity()) as u64 * Self::TRIANGLE;
             file.admit(self.corners.capacity() as u64 * Self::CORNER + triangles)?;
@@ -67,7 +67,7 @@ impl Mesh {
     ///
     /// # Errors
     ///
-    /// One that does not exist.
+    /// If a corner does not exist.
     fn triangles(&self) -> impl Iterator<Item = Result<[[f64; 3]; 3]>> {
         let corner = |place: u32| {
             self.corners
@@ -79,32 +79,32 @@ impl Mesh {
     }
 }
 
-/// Bytes that are needed of a facet until it is known which are seen: itself, its share, its
-/// place, and what is given back of it.
+/// Bytes for each facet until it is known which are seen: the facet, its share, its index and its
+/// entry in the result.
 const BYTES_PER_FACET: u64 = size_of::<Facet>() as u64 + 80;
 
-/// Bytes for the picture, and for the points beside its samples.
+/// Bytes for the picture and for the facets' own points.
 const PICTURE: u64 = 100 << 20;
 
-/// Samples across and down the picture in which facets are looked for: 8 MiB.
+/// Samples across and down the picture that determines visibility: 8 MiB.
 const SAMPLES: usize = 1024;
 
-/// The normal of each facet that the camera sees under orthographic view, x right, y up, z
-/// toward it, weighted by the projected area of the part that is seen.
+/// The normal of each facet that the camera sees in orthographic view, x right, y up, z toward the
+/// camera, weighted by the projected area of its visible part.
 ///
-/// What another facet hides does not count, to the accuracy of [`seen_shares`] with 1024 x
-/// 1024 samples; a convex object's facets count with their exact areas. Corners run
-/// counterclockwise seen from outside: a facet that faces away hides what is behind it and
-/// does not count itself. Normals are the facets' own: smoothed ones in the file (`vn`; `nx`,
-/// `ny`, `nz`) are not used. Facets without area are left out.
+/// Parts hidden by other facets do not count, to the accuracy of [`seen_shares`] with 1024 x 1024
+/// samples. The facets of a convex object count with their exact areas. Corners run
+/// counterclockwise as seen from outside. A facet that faces away hides what is behind it and does
+/// not count itself. Normals are the facets' own: smoothed normals in the file (`vn`; `nx`, `ny`,
+/// `nz`) are not used. Facets without area are left out.
 ///
-/// Memory: while it reads at most 64 bytes a corner, of meshes with two facets a corner; then
-/// some 180 a facet, and 100 MiB for the picture.
+/// Memory: while reading, at most 64 bytes for each corner, for meshes with two facets for each
+/// corner; then about 180 bytes for each facet, and 100 MiB for the picture.
 ///
 /// # Errors
 ///
-/// A file that is broken or promises other than it holds, a corner that does not exist or
-/// is not finite, a face of fewer than three corners; one for which its budget has no room.
+/// If the file is broken or does not match its header, a corner does not exist or is not finite, a
+/// face has fewer than three corners, or the file's budget has no room for the mesh.
 pub fn read(file: impl Into<InputFile>) -> Result<Vec<([f64; 3], f64)>> {
     let file = file.into();
     let pairs = mesh(&file).and_then(|mesh| seen(mesh, &file));
@@ -137,7 +137,8 @@ fn seen(mesh: Mesh, file: &InputFile) -> Result<Vec<([f64; 3], f64)>> {
         + mesh.triangles.capacity() as u64 * Mesh::TRIANGLE;
     file.admit((count as u64).saturating_mul(BYTES_PER_FACET).saturating_add(PICTURE + own))
         .map_err(|error| error.of(format_args!("{count} facets")))?;
-    // In its own size, so that areas of small and of large meshes are numbers.
+    // Scale to the mesh's own size, so that areas of very small and very large meshes stay in
+    // range.
     let mut facets = Vec::with_capacity(count);
     for corners in mesh.triangles() {
         facets.extend(Facet::new(corners?.map(|corner| corner.map(|x| x / largest))));
@@ -148,7 +149,7 @@ fn seen(mesh: Mesh, file: &InputFile) -> Result<Vec<([f64; 3], f64)>> {
     Ok(seen.map(|(facet, share)| (facet.normal, share * facet.projected_area)).collect())
 }
 
-/// A fault of the file, to be exported anew.
+/// The error for a broken file; the remedy is to export it again.
 pub(crate) fn broken(what: impl Into<String>) -> Error {
     Error::new(what, "export the mesh again, as triangles")
 }
@@ -158,10 +159,10 @@ mod tests {
     use super::*;
     use std::fmt::Write;
 
-    /// Most bytes that a reader may keep of a corner.
+    /// Largest number of bytes that a reader may hold for each corner.
     const MOST: usize = 64;
 
-    /// A net of corners, two facets for each.
+    /// A grid of corners, with two facets for each.
     fn net(side: u32) -> (Vec<[u32; 2]>, Vec<[u32; 3]>) {
         let corners = (0..side).flat_map(|y| (0..side).map(move |x| [x, y])).collect();
         let cells = (0..side - 1).flat_map(|y| (0..side - 1).map(move |x| y * side + x));

@@ -1,7 +1,7 @@
-//! Wavefront files (.obj): their corners and faces, line by line.
+//! Wavefront files (.obj): corners and faces, read line by line.
 //!
-//! Read here, since `tobj` 4.0.5 holds some 400 bytes of each corner, and leaves out faces of
-//! fewer than three.
+//! This module reads them itself because `tobj` 4.0.5 uses about 400 bytes for each corner and
+//! drops faces of fewer than three corners.
 
 use crate::object::mesh::{Mesh, broken};
 use crate::object::text_line;
@@ -10,10 +10,10 @@ use eigenshade_model::inputs::input_file::InputFile;
 
 /// The triangles of a Wavefront file; polygons are cut into fans.
 ///
-/// Of `f 1/2/3` the first number is a corner, counted from 1, or back from the last if it is
-/// negative. Lines that are neither `v` nor `f` mean nothing here.
+/// In `f 1/2/3` the first number is a corner, counted from 1, or backward from the latest corner if
+/// it is negative. Lines other than `v` and `f` are ignored.
 pub(crate) fn read(file: &InputFile) -> Result<Mesh> {
-    // Counted first: a list that grows takes three times its memory.
+    // Count first: a growing list takes three times the memory.
     let (mut corners, mut triangles) = (0, 0);
     each_line(file, |words| {
         match words {
@@ -42,7 +42,8 @@ pub(crate) fn read(file: &InputFile) -> Result<Mesh> {
     Ok(mesh)
 }
 
-/// Gives the words of each line; one that ends in a backslash goes on in the next.
+/// Passes the words of each line to `with`; a line that ends in a backslash continues in the next
+/// one.
 fn each_line(file: &InputFile, mut with: impl FnMut(&[&str]) -> Result<()>) -> Result<()> {
     let (mut reader, _) = file.open()?;
     let mut line = Vec::new();
@@ -73,7 +74,7 @@ fn corner(numbers: &[&str]) -> Result<[f64; 3]> {
     Ok([axis(0)?, axis(1)?, axis(2)?])
 }
 
-/// The number of a corner from 0, of `1`, `1/2`, `1//3`, `1/2/3` or `-1`.
+/// The index of a corner, from 0, for `1`, `1/2`, `1//3`, `1/2/3` or `-1`.
 fn place(text: &str, before: usize, all: u64) -> Result<u32> {
     let wrong = || broken(format!("it is no whole OBJ (`{text}` is none of its {all} corners)"));
     let first = text.split('/').next().unwrap_or_default();

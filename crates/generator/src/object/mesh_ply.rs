@@ -11,10 +11,10 @@ use ply_rs_bw::ply::{
 };
 use std::io::BufRead;
 
-/// Most numbers in a list, whatever it is of.
+/// Largest number of entries in a list of any type.
 const MOST_NUMBERS: usize = LONGEST;
 
-/// Of an element: its lists are read as they come, if they are not too long.
+/// Accepts the lists of an element as they come, unless they are too long.
 macro_rules! bounded_lists {
     () => {
         bounded_lists!(
@@ -41,7 +41,8 @@ fn decode(reader: impl BufRead, length: u64, file: &InputFile) -> Result<Mesh> {
     let header = Parser::<Vertex>::new().read_header(&mut reader).map_err(fault)?;
     let mut least = 0u64;
     for (name, element) in &header.elements {
-        // A number takes a byte at least, a face four: how many corners, and three of them.
+        // A number takes at least one byte, a face at least four: the number of corners and three
+        // corners.
         let row = element.properties.len() + if name == "face" { 3 } else { 0 };
         least = least.saturating_add((element.count as u64).saturating_mul(row as u64));
         if least > length || element.properties.is_empty() {
@@ -74,7 +75,7 @@ fn fault(error: ParseError) -> Error {
     broken(format!("it is no whole PLY ({})", text.lines().next().unwrap_or_default()))
 }
 
-/// The elements of a file, one after the other.
+/// Reads the elements of a file one after another.
 struct Rows<R: BufRead> {
     reader: Reader<R>,
     encoding: Encoding,
@@ -101,7 +102,7 @@ impl<R: BufRead> Rows<R> {
         .map_err(fault)
     }
 
-    /// Whether nothing but the empty lines of a text follows.
+    /// Checks that nothing follows except empty lines of a text file.
     fn finish(mut self) -> Result<()> {
         let reader = self.reader.get_mut();
         loop {
@@ -120,7 +121,7 @@ impl<R: BufRead> Rows<R> {
     }
 }
 
-/// x, y and z, as far as they are there.
+/// The coordinates x, y and z, where present.
 struct Vertex([Option<f64>; 3]);
 
 impl Vertex {
@@ -170,7 +171,7 @@ impl PropertyAccess for Vertex {
     }
 }
 
-/// The list of its corners, if it is there.
+/// The list of corners, if present.
 struct Face(Option<Property>);
 
 impl Face {
@@ -206,7 +207,7 @@ impl PropertyAccess for Face {
     }
 }
 
-/// An element of no use here.
+/// An element that is ignored.
 struct Other;
 
 impl PropertyAccess for Other {

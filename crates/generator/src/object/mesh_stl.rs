@@ -1,7 +1,7 @@
 //! Stereolithography files (.stl), text or binary.
 //!
-//! Read here, since `stl_io` 0.11.0 takes texts of small letters and one solid alone, and does
-//! not see what follows them.
+//! This module reads them itself because `stl_io` 0.11.0 accepts only lower-case text with a single
+//! solid, and does not detect anything after it.
 
 use crate::object::mesh::{Mesh, broken};
 use crate::object::text_line;
@@ -9,14 +9,14 @@ use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 use std::io::{BufRead, Read, Seek};
 
-/// A header of 80 bytes, and the number of facets.
+/// Size of the 80-byte header with the number of facets.
 const HEAD: usize = 84;
-/// Bytes of a facet.
+/// Bytes for each facet.
 const FACET: u64 = 50;
 
-/// The triangles of an STL; all solids of a text.
+/// The triangles of an STL file; for text, those of all solids.
 ///
-/// Files share no corners: each facet has three of its own.
+/// STL files share no corners: each facet has three of its own.
 pub(crate) fn read(file: &InputFile) -> Result<Mesh> {
     let io = |error: std::io::Error| Error::io(file.path(), &error);
     let (mut reader, found) = file.open()?;
@@ -26,7 +26,7 @@ pub(crate) fn read(file: &InputFile) -> Result<Mesh> {
     let count = count.map_or(0, |count| u64::from(u32::from_le_bytes(count)));
     let expected = HEAD as u64 + FACET * count;
     if is_text(&head) && found != expected {
-        // Counted first: a list that grows takes three times its memory.
+        // Count first: a growing list takes three times the memory.
         let mut facets = 0;
         reader.rewind().map_err(io)?;
         each_facet(&mut reader, |_| facets += 1)?;
@@ -42,7 +42,7 @@ pub(crate) fn read(file: &InputFile) -> Result<Mesh> {
     let mut facet = [0; FACET as usize];
     for _ in 0..count {
         reader.read_exact(&mut facet).map_err(io)?;
-        // The normal, which nothing here needs, the corners, and two bytes of no meaning.
+        // The normal, which is not needed, the corners, and two unused bytes.
         let numbers = facet[12..48].as_chunks::<4>().0;
         let at = |k: usize| f32::from_le_bytes(numbers[k]);
         push(&mut mesh, [0, 3, 6].map(|k| [at(k), at(k + 1), at(k + 2)]));
@@ -56,17 +56,17 @@ fn push(mesh: &mut Mesh, corners: [[f32; 3]; 3]) {
     mesh.triangles.push([first, first + 1, first + 2]);
 }
 
-/// Whether a file that begins so seems to be a text.
+/// Whether a file with this beginning appears to be text.
 ///
-/// Headers of binary files may begin with that word too; but the number of facets, below
-/// 2^24, has a zero byte, and no text has.
+/// The header of a binary file may also begin with the word `solid`. But its number of facets,
+/// below 2^24, contains a zero byte, which text never does.
 fn is_text(head: &[u8]) -> bool {
     let text = head.strip_prefix(b"\xef\xbb\xbf").unwrap_or(head).trim_ascii_start();
     let word = text.get(..5).unwrap_or_default();
     word.eq_ignore_ascii_case(b"solid") && !head.contains(&0)
 }
 
-/// The words of a facet but for its numbers, line by line; three of a vertex.
+/// The words of a facet's lines, without the numbers; a vertex line occurs three times.
 const LINES: [&[&str]; 7] = [
     &["facet", "normal"],
     &["outer", "loop"],
@@ -77,12 +77,12 @@ const LINES: [&[&str]; 7] = [
     &["endfacet"],
 ];
 
-/// Gives the corners of each facet of a text; words may be of capital letters.
+/// Passes the corners of each facet of a text file to `with`; letter case is ignored.
 fn each_facet(reader: &mut impl BufRead, mut with: impl FnMut([[f32; 3]; 3])) -> Result<()> {
     let fault = |what: String| broken(format!("it is no whole STL ({what})"));
     let without_end = || fault("no `endsolid` at its end".to_owned());
     let (mut line, mut number) = (Vec::new(), 0);
-    // The next line of the facet, and whether a solid has begun and not ended.
+    // The next line expected in the facet, and whether a solid is open.
     let (mut next, mut is_open) = (0, false);
     let mut corners = [[0.0; 3]; 3];
     while text_line::append(reader, &mut line).map_err(|error| fault(error.to_string()))? {
@@ -92,7 +92,7 @@ fn each_facet(reader: &mut impl BufRead, mut with: impl FnMut([[f32; 3]; 3])) ->
         let text = String::from_utf8_lossy(&line);
         let text = text.trim_start_matches('\u{feff}').trim();
         let words: Vec<&str> = text.split_whitespace().collect();
-        // Of a file that was cut short the last line is cut too.
+        // In a truncated file the last line is truncated too.
         let wrong = || match line.ends_with(b"\n") {
             true => fault(format!("line {number} is `{}`", short(text))),
             false => without_end(),
@@ -132,7 +132,7 @@ fn each_facet(reader: &mut impl BufRead, mut with: impl FnMut([[f32; 3]; 3])) ->
     Ok(())
 }
 
-/// What a message quotes of a line.
+/// The part of a line that a message quotes.
 fn short(text: &str) -> String {
     text.chars().take(40).collect()
 }

@@ -1,4 +1,4 @@
-//! Objects: the normals that a camera sees of them.
+//! Objects: the normals that a camera sees.
 
 pub mod density;
 pub(crate) mod depth_buffer;

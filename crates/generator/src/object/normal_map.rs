@@ -1,4 +1,4 @@
-//! Normal maps: PNG of 8 or 16 bits a channel.
+//! Normal maps: PNG with 8 or 16 bits per channel.
 
 use crate::picture::png_samples;
 use crate::picture::png_samples::PngSamples;
@@ -8,23 +8,22 @@ use eigenshade_model::inputs::normals::visible;
 use std::ops::RangeInclusive;
 use std::path::Path;
 
-/// Lengths that the vector of a normal may have: it is 1 up to rounding and filtering, of
-/// black and of white it is √3.
+/// Allowed lengths of a normal's vector: the length is 1 up to rounding and filtering, and √3 for
+/// black and for white.
 pub const LENGTHS: RangeInclusive<f64> = 0.5..=1.5;
 
-/// The normal of each pixel that counts, all of the same weight: under orthographic
-/// view a pixel is a piece of projected area.
+/// The normal of each pixel that counts, all with the same weight: in orthographic view each pixel
+/// is an equal piece of projected area.
 ///
-/// Pixels without a normal, as [`normals`] has it, and those that are black in the mask do
-/// not count.
+/// Pixels without a normal, see [`normals`], and pixels that are black in the mask do not count.
 ///
-/// Memory: as [`png_samples::read`], a byte a pixel more, and [`BYTES_PER_NORMAL`] for each
-/// pixel that counts.
+/// Memory: that of [`png_samples::read`], one more byte for each pixel, and [`BYTES_PER_NORMAL`]
+/// for each pixel that counts.
 ///
 /// # Errors
 ///
-/// A file that is no PNG or broken, a mask of another size, a pixel that counts and points
-/// away, more of all this than the file's budget has room for.
+/// If a file is not a PNG or is broken, the mask has another size, a pixel that counts points away
+/// from the camera, or the file's budget has no room for the memory above.
 pub fn read(file: impl Into<InputFile>, mask: Option<&Path>) -> Result<Vec<([f64; 3], f64)>> {
     let file = file.into().with_bytes_beside(1);
     let map = png_samples::read(file.clone())?;
@@ -48,26 +47,26 @@ pub fn read(file: impl Into<InputFile>, mask: Option<&Path>) -> Result<Vec<([f64
     Ok(pairs)
 }
 
-/// Bytes that [`read`] and [`WeightedNormals`](crate::object::geometry::WeightedNormals) take of a
-/// normal together.
+/// Bytes that [`read`] and [`WeightedNormals`](crate::object::geometry::WeightedNormals) together
+/// need for each normal.
 pub const BYTES_PER_NORMAL: u64 = 64;
 
-/// The unit normal, z >= 0, of each pixel of a map; none where there is no object.
+/// The unit normal, z >= 0, of each pixel of a map; `None` where there is no object.
 ///
-/// A channel c of 0..=1 says 2c - 1: red x to the right, green y up, blue z toward the
-/// camera. A pixel is background if its opacity is below one half, or if its vector's length
-/// is not within [`LENGTHS`], as that of grey, black and white is not.
+/// A channel c in 0..=1 encodes the coordinate 2c - 1: red is x to the right, green is y up, blue
+/// is z toward the camera. A pixel is background if its opacity is below one half, or if the length
+/// of its vector is not within [`LENGTHS`], which excludes gray, black and white.
 ///
 /// # Errors
 ///
-/// The first pixel that is no background, `counts`, and points away from the camera by more
-/// than [`RIM`](eigenshade_model::inputs::normals::RIM) beyond rounding; one that does not count has no
-/// normal then.
+/// Reports the first pixel that is not background, that counts according to `counts`, and that
+/// points away from the camera by more than [`RIM`](eigenshade_model::inputs::normals::RIM) beyond
+/// rounding. Such a pixel that does not count has no normal instead.
 pub fn normals(map: &PngSamples, counts: &[bool]) -> Result<Vec<Option<[f64; 3]>>> {
     each(map, counts).collect()
 }
 
-/// The same one by one.
+/// Like [`normals`], one pixel at a time.
 fn each(map: &PngSamples, counts: &[bool]) -> impl Iterator<Item = Result<Option<[f64; 3]>>> {
     let full = f64::from(map.full);
     let pixels = map.colours.iter().zip(&map.opacities).zip(counts).enumerate();
@@ -95,17 +94,17 @@ fn each(map: &PngSamples, counts: &[bool]) -> impl Iterator<Item = Result<Option
     pixels.map(normal)
 }
 
-/// What a sample of red, green and blue says: 2c - 1 of each channel c = sample / `full`,
-/// not normalised.
+/// The vector of a red, green and blue sample: 2c - 1 for each channel c = sample / `full`, not
+/// normalized.
 ///
-/// No sample says 0; a z less than a step below it is the rim, rounded.
+/// No sample encodes exactly 0, so a z less than one step below 0 is rounded to the rim.
 fn vector(colour: [u16; 3], full: u16) -> [f64; 3] {
     let full = f64::from(full);
     let [x, y, z] = colour.map(|c| 2.0 * f64::from(c) / full - 1.0);
     [x, y, if z < 0.0 && z > -2.0 / full { 0.0 } else { z }]
 }
 
-/// Whether each pixel counts: where the mask is not black.
+/// Whether each pixel counts, which is where the mask is not black.
 fn mask_of(file: InputFile, [width, height]: [usize; 2]) -> Result<Vec<bool>> {
     let file = file.with_bytes_beside(1);
     let mask = png_samples::read(file.clone())?;

@@ -1,4 +1,4 @@
-//! The normals of an object, as a scene file names them.
+//! Reads the normals of an object that a scene file names.
 
 use crate::object::geometry::{Geometry, WeightedNormals};
 use crate::object::{density, mesh, normal_map};
@@ -7,13 +7,13 @@ use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::inputs::normals;
 use eigenshade_table::scene;
 
-/// Reads the geometry of a scene of `degree`; paths are relative to the folder of the scene's
-/// file, and each file is read within its budget.
+/// Reads the geometry of a scene of the given `degree`. Paths are relative to the folder of the
+/// scene file, and each file is read within the scene file's budget.
 ///
 /// # Errors
 ///
-/// A format that is not known, a mask or a density where it has no meaning or none
-/// where one is needed, and whatever the file itself has wrong.
+/// If the format is unknown, a mask or a density is given where it has no meaning, or a density is
+/// missing, or the file itself has an error.
 pub fn read(geometry: &scene::Geometry, degree: usize, scene: &InputFile) -> Result<Geometry> {
     let folder = scene.folder();
     let name = geometry.normals.as_str();

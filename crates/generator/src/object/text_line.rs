@@ -1,15 +1,15 @@
-//! One line of a text after the other, none of them so long that it takes much memory.
+//! Reads a text line by line, with a limit on the memory for each line.
 
 use std::io::{BufRead, Error, ErrorKind, Read, Result};
 
-/// The longest line in bytes: a polygon of a hundred thousand corners.
+/// Maximum length of a line in bytes, enough for a polygon of a hundred thousand corners.
 pub(crate) const LONGEST: usize = 1 << 20;
 
-/// Appends the next line, with its end, to `line`; false at the end of the text.
+/// Appends the next line, including its line end, to `line`. Returns false at the end of the text.
 ///
 /// # Errors
 ///
-/// Those of the reader, and a line that makes `line` longer than [`LONGEST`].
+/// The errors of the reader, and a line that makes `line` longer than [`LONGEST`].
 pub(crate) fn append(reader: &mut impl BufRead, line: &mut Vec<u8>) -> Result<bool> {
     let room = (LONGEST + 1).saturating_sub(line.len());
     let read = reader.by_ref().take(room as u64).read_until(b'\n', line)?;
@@ -19,11 +19,11 @@ pub(crate) fn append(reader: &mut impl BufRead, line: &mut Vec<u8>) -> Result<bo
     Ok(read > 0)
 }
 
-/// A line as text.
+/// Converts a line to text.
 ///
 /// # Errors
 ///
-/// One that is no UTF-8.
+/// If it is not UTF-8.
 pub(crate) fn text(line: &[u8]) -> Result<&str> {
     str::from_utf8(line).map_err(|_| Error::new(ErrorKind::InvalidData, "it is not UTF-8 text"))
 }

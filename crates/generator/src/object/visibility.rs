@@ -1,4 +1,4 @@
-//! Which part of each facet of a mesh the camera sees: an orthographic depth buffer.
+//! Computes the visible part of each facet of a mesh with an orthographic depth buffer.
 
 use crate::object::depth_buffer::{Count, DepthBuffer};
 use crate::object::facet::Facet;
@@ -7,25 +7,25 @@ use crate::object::facet_samples::{Frame, Placed, Plane};
 
 /// The share, 0..=1, of each facet's projection that the camera at +z sees.
 ///
-/// The box around the mesh's projection is sampled by `samples` x `samples` points. Of a
-/// facet that faces the camera the share is that of its samples where no other facet lies in
-/// front of it. One that covers no sample, or is long and covers few, is decided by points of
-/// its own: the centroid, or those of 4 or 16 equal parts. So where nothing is hidden the share
-/// is 1 exactly, and where all is, 0. The visible area of facets that are partly hidden is off
-/// by no more than the length of their outlines and of the lines where they are cut, times the
-/// diagonal of a sample; of slivers longer than four samples, by a tenth of each.
+/// The box around the mesh's projection is sampled by `samples` x `samples` points. The share of a
+/// facet that faces the camera is the fraction of its samples where no other facet lies in front. A
+/// facet that covers no sample, or is long and covers few, is decided by points of its own: the
+/// centroid, or those of 4 or 16 equal parts. So the share is exactly 1 where nothing is hidden and
+/// exactly 0 where everything is. The error of the visible area of partly hidden facets is at most
+/// the length of their outlines and of the lines where they are cut, times the diagonal of a
+/// sample; for slivers longer than four samples it is at most a tenth of each.
 ///
-/// A facet that faces away hides as any does, but has no share; nor has one seen edge on.
-/// Facets that touch within [`CONTACT`], as neighbours and the two sides of a sheet, do not
-/// hide each other; of two copies of a facet both count.
+/// A facet that faces away or is seen edge on has a share of 0; one that faces away still hides
+/// others. Facets that touch within [`CONTACT`], such as neighbors and the two sides of a sheet, do
+/// not hide each other; two copies of a facet both count.
 ///
-/// Memory: 8 `samples`² bytes, 12 for a facet, and at most some 80 MiB for points of their own.
-/// Time: in proportion to the facets, and to the samples that each of them shows. Behind others,
-/// a facet that fills the picture takes as long as a few thousand samples.
+/// Memory: 8 `samples`² bytes, 12 for each facet, and at most about 80 MiB for the facets' own
+/// points. Time: proportional to the number of facets, and to the number of samples that each of
+/// them shows. A hidden facet that fills the picture takes as long as a few thousand samples.
 #[must_use]
 pub fn seen_shares(facets: &[Facet], samples: usize) -> Vec<f64> {
     let frame = Frame::new(facets, samples);
-    // The nearest first, so that what lies behind them is soon known to be hidden.
+    // Draw the nearest facets first, so that those behind are quickly known to be hidden.
     let nearest = |number: u32| {
         let [a, b, c] = facets[number as usize].corners;
         a[2].max(b[2]).max(c[2])
@@ -51,7 +51,7 @@ pub fn seen_shares(facets: &[Facet], samples: usize) -> Vec<f64> {
             shares[number] = seen as f64 / covered as f64;
             continue;
         }
-        // A power of two: all of them are exactly 1.
+        // A power of two, so the shares of all points sum to exactly 1.
         let share = 1.0 / (parts * parts) as f64;
         for [x, y, depth] in facet.centroids(parts) {
             let limit = depth + facet.contact;
@@ -74,10 +74,10 @@ pub fn seen_shares(facets: &[Facet], samples: usize) -> Vec<f64> {
     shares
 }
 
-/// Points that are settled at once: 48 MiB, and what lists take as they grow.
+/// Number of points that are decided at once: 48 MiB, plus the memory of growing lists.
 const MOST_POINTS: usize = 1 << 20;
 
-/// Gives the facets the shares of their points that nothing hides, and forgets the points.
+/// Adds the shares of all points that nothing hides to their facets, and removes the points.
 fn settle(facets: impl Iterator<Item = Placed>, rows: &mut [Row], shares: &mut [f64]) {
     hide(facets, rows);
     for row in rows {
@@ -87,31 +87,31 @@ fn settle(facets: impl Iterator<Item = Placed>, rows: &mut [Row], shares: &mut [
     }
 }
 
-/// A point of a facet beside the samples.
+/// A facet's own point, which is not on the sample grid.
 #[derive(Clone, Debug)]
 struct Point {
     x: f64,
     y: f64,
-    /// What is nearer to the camera than this hides it.
+    /// Anything nearer to the camera than this hides the point.
     limit: f64,
     facet: usize,
-    /// Of its facet.
+    /// The point's share of its facet.
     share: f64,
     is_hidden: bool,
 }
 
-/// The points in the cells of one row of samples.
+/// The points whose cells are in one row of samples.
 #[derive(Clone, Debug, Default)]
 struct Row {
     points: Vec<Point>,
-    /// None of those that are not hidden has a lesser limit.
+    /// Lower bound of the limits of the points that are not hidden.
     least: f64,
-    /// How many of them are hidden.
+    /// Number of hidden points.
     hidden: usize,
 }
 
 impl Row {
-    /// Without those that are hidden.
+    /// Removes the hidden points.
     fn tidy(&mut self) {
         self.points.retain(|point| !point.is_hidden);
         self.least = self.points.iter().map(|point| point.limit).fold(f64::INFINITY, f64::min);
@@ -119,7 +119,7 @@ impl Row {
     }
 }
 
-/// Finds out which points, listed by row, any facet hides.
+/// Marks the points, listed by row, that a facet hides.
 fn hide(facets: impl Iterator<Item = Placed>, rows: &mut [Row]) {
     for row in rows.iter_mut() {
         row.points.sort_by(|a, b| a.x.total_cmp(&b.x));
@@ -148,8 +148,8 @@ fn hide(facets: impl Iterator<Item = Placed>, rows: &mut [Row]) {
     }
 }
 
-/// The row or column of samples in whose cell a coordinate lies.
+/// The row or column of the sample whose cell contains a coordinate.
 fn cell(coordinate: f64, samples: usize) -> usize {
-    // A negative one is taken for 0.
+    // The cast converts negative coordinates to 0.
     (coordinate as usize).min(samples.saturating_sub(1))
 }

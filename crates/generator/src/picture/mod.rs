@@ -1,4 +1,4 @@
-//! Pictures as files.
+//! Reads picture files.
 
 pub mod png_curve;
 pub mod png_samples;

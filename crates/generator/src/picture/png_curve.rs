@@ -1,32 +1,33 @@
-//! What a PNG says of how its samples stand for light.
+//! How the samples of a PNG represent light, according to the file.
 
 use png::Info;
 
 /// Bytes before the first chunk.
 const SIGNATURE: usize = 8;
 
-/// 1 and 1 / 2.2 in a gAMA chunk, which counts hundred thousandths.
+/// The values 1 and 1 / 2.2 in a gAMA chunk, in units of 1/100,000.
 const LINEAR_GAMMA: u32 = 100_000;
 const SRGB_GAMMA: u32 = 45_455;
 
-/// How a PNG's samples stand for light, by its own word.
+/// How a PNG's samples represent light, as declared in the file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Curve {
-    /// It says nothing.
+    /// Not declared.
     Unsaid,
-    /// In proportion.
+    /// Proportional to light.
     Linear,
-    /// By the curve of IEC 61966-2-1.
+    /// The curve of IEC 61966-2-1.
     Srgb,
-    /// It says something else, or something that is not read here: this.
+    /// Another curve, or a declaration that is not supported; the text describes it.
     Other(String),
 }
 
 impl Curve {
-    /// By the first of the chunks cICP, sRGB, iCCP and gAMA that is there.
+    /// Uses the first of the chunks cICP, sRGB, iCCP and gAMA that is present.
     ///
-    /// Transfer characteristics 8 and 13 of cICP (ITU-T H.273) are linear and sRGB. A gAMA of
-    /// 1 is linear and one of 0.45455 sRGB, give or take its last digit. Profiles stay packed.
+    /// Transfer characteristics 8 and 13 of cICP (ITU-T H.273) are linear and sRGB. A gAMA of 1 is
+    /// linear and one of 0.45455 is sRGB, each within one unit of the last digit. Color profiles
+    /// are not unpacked.
     pub(super) fn of(info: &Info<'_>, bytes: &[u8]) -> Self {
         let points = info.coding_independent_code_points.map(|points| points.transfer_function);
         let gamma = info.gama_chunk.map(png::ScaledFloat::into_scaled);
@@ -46,10 +47,10 @@ impl Curve {
     }
 }
 
-/// Whether an iCCP chunk stands before the picture.
+/// Whether an iCCP chunk precedes the image data.
 fn has_profile(bytes: &[u8]) -> bool {
     let mut rest = bytes.get(SIGNATURE..).unwrap_or_default();
-    // Length, kind, content, checksum.
+    // Each chunk has a length, a kind, contents and a checksum.
     while let Some(([a, b, c, d, kind @ ..], after)) = rest.split_first_chunk::<8>() {
         match kind {
             b"iCCP" => return true,

@@ -1,4 +1,4 @@
-//! A PNG as the numbers that it stores, without any reading of what they mean.
+//! Reads the numbers that a PNG stores, without interpreting them.
 
 use crate::picture::png_curve::Curve;
 use eigenshade_model::error::{Error, Result};
@@ -9,16 +9,16 @@ use std::io::Cursor;
 /// Four channels of 16 bits.
 const MOST_BYTES_PER_PIXEL: u64 = 8;
 
-/// Bytes of each pixel in [`PngSamples`].
+/// Bytes for each pixel in [`PngSamples`].
 pub const BYTES_PER_PIXEL: u64 = 8;
 
-/// Rows that the decoder holds.
+/// Number of rows that the decoder holds.
 const ROWS: u64 = 4;
 
-/// Bytes for what is small.
+/// Bytes for small buffers.
 const BESIDE: u64 = 1 << 16;
 
-/// Deflate packs no more bytes than this into one.
+/// Deflate compresses at most this many bytes into one.
 const MOST_BYTES_PER_BYTE: u64 = 1032;
 
 /// The samples of a PNG, row by row from the top.
@@ -30,23 +30,23 @@ pub struct PngSamples {
     pub height: usize,
     /// The largest sample that the file can hold: 255 or 65535.
     pub full: u16,
-    /// What the file itself says of how samples stand for light.
+    /// How the samples represent light, according to the file.
     pub curve: Curve,
-    /// Red, green and blue of each pixel; three times the same in a grey file.
+    /// Red, green and blue of each pixel; three equal values in a gray file.
     pub colours: Vec<[u16; 3]>,
-    /// Opacity of each pixel; `full` everywhere in a file without.
+    /// Opacity of each pixel; `full` everywhere if the file stores no opacity.
     pub opacities: Vec<u16>,
 }
 
-/// Reads a PNG of any colour type, 1 to 16 bits; of an animation the first frame.
+/// Reads a PNG of any color type, 1 to 16 bits. For an animation it reads the first frame.
 ///
-/// Memory: the file, [`BYTES_PER_PIXEL`], and while it is decoded what the file's samples
-/// take, 1 to 8 bytes a pixel.
+/// Memory: the file, [`BYTES_PER_PIXEL`] for each pixel and, while decoding, the file's samples at
+/// 1 to 8 bytes for each pixel.
 ///
 /// # Errors
 ///
-/// A file that cannot be read, is no PNG, broken, cut short, or claims more pixels
-/// than its bytes can hold or than its budget has room for.
+/// If the file cannot be read, is not a PNG, is broken or cut short, or claims more pixels than its
+/// bytes can hold or its budget has room for.
 pub fn read(file: impl Into<InputFile>) -> Result<PngSamples> {
     let file = file.into();
     let bytes = file.bytes()?;
@@ -55,14 +55,14 @@ pub fn read(file: impl Into<InputFile>) -> Result<PngSamples> {
 
 fn decode(bytes: &[u8], file: &InputFile) -> Result<PngSamples> {
     let mut decoder = Decoder::new(Cursor::new(bytes));
-    // A colour profile or a text may unpack to a thousand times its size, and neither is wanted.
+    // A color profile or a text may unpack to a thousand times its size, and neither is needed.
     decoder.set_ignore_iccp_chunk(true);
     decoder.set_ignore_text_chunk(true);
     let header = decoder.read_header_info().map_err(|error| fault(&error))?;
     let (width, height) = (u64::from(header.width), u64::from(header.height));
     let bits = (header.bits_per_pixel() as u64).max(1);
     let most = (bytes.len() as u64).saturating_mul(MOST_BYTES_PER_BYTE);
-    // In 128 bits no header's claim overflows.
+    // 128 bits hold the product of any values in a header.
     if u128::from(width) * u128::from(height) / 8 * u128::from(bits) > u128::from(most) {
         return Err(Error::new(
             format!(
@@ -72,17 +72,17 @@ fn decode(bytes: &[u8], file: &InputFile) -> Result<PngSamples> {
             "export the picture again",
         ));
     }
-    // The file, rows as they are unpacked, all of them expanded, and the samples.
+    // The file, the rows being unpacked, the whole expanded picture, and the samples.
     let admit = |expanded: u64| {
         let rows = ROWS * MOST_BYTES_PER_PIXEL * width;
         let beside = (bytes.len() as u64).saturating_add(rows).saturating_add(expanded);
         file.admit_pixels(width.saturating_mul(height), BYTES_PER_PIXEL, beside)
             .map_err(|error| error.of(format_args!("{width} x {height} pixels")))
     };
-    // Without transparent colors, which only a later chunk tells of.
+    // Assume no transparent colors; only a later chunk declares them.
     let expanded = if header.color_type == ColorType::Indexed { 3 } else { bits.div_ceil(8) };
     admit(expanded.saturating_mul(width.saturating_mul(height)))?;
-    // A row of the picture, and buffers of other chunks, which are doubled as they are read.
+    // A row of the picture, and the buffers of other chunks, which double as they are read.
     let limit = (MOST_BYTES_PER_PIXEL * width).saturating_add(4 * bytes.len() as u64);
     decoder.set_limits(Limits { bytes: usize::try_from(limit + BESIDE).unwrap_or(usize::MAX) });
     decoder.set_transformations(Transformations::EXPAND);
@@ -93,7 +93,7 @@ fn decode(bytes: &[u8], file: &InputFile) -> Result<PngSamples> {
     let mut buffer = vec![0; size];
     let frame = reader.next_frame(&mut buffer).map_err(|error| fault(&error))?;
     buffer.truncate(frame.buffer_size());
-    // The end is where a file that was cut short is found out.
+    // Reading to the end detects a truncated file.
     reader.finish().map_err(|error| fault(&error))?;
     let (channels, has_opacity) = match frame.color_type {
         ColorType::Rgba => (4, true),

@@ -1,28 +1,28 @@
-//! d of an image, by scalar product and by weighted least squares.
+//! Estimates d of an image, by scalar product or by weighted least squares.
 
 use super::observation::Observation;
 use eigenshade_model::error::{Error, Result};
 use faer::linalg::solvers::Svd;
 use faer::{Col, ColRef, Mat};
 
-/// Singular values of √W E below this, relative to the largest, count as zero
-/// unless a caller says otherwise: ten times the profiles' own error in the shipped
-/// table, so what lies below is as much rounding of the profiles as image.
+/// Default cut-off: singular values of √W E below this fraction of the largest count as zero. It is
+/// ten times the error of the profiles in the shipped table; below it, values are as much profile
+/// rounding as image.
 pub const CUTOFF: f64 = 1e-6;
 
-/// d_i = I • U_i, the paper's estimate: the weighted mean of (I - m) U_i over the
-/// pixels, for one channel.
+/// d_i = I • U_i, the paper's estimate: the weighted mean of (I - m) U_i over the pixels, for one
+/// channel.
 ///
-/// Right where the weighted pixels are distributed as the normals of the table's
-/// scene: for a sphere table the whole disc of a sphere, every pixel of the same
-/// weight. Elsewhere it is biased, since the eigenimages are not orthogonal there.
+/// Correct if the weighted pixels have the same distribution as the normals of the table's scene:
+/// for a sphere table, the whole disc of a sphere with equal weights. Otherwise it is biased,
+/// because the eigenimages are not orthogonal over the pixels.
 #[must_use]
 pub fn scalar_product(observation: &Observation, channel: usize) -> Vec<f64> {
     let sums = observation.design.transpose() * observation.centred(channel);
     sums.iter().map(|sum| sum / observation.weight).collect()
 }
 
-/// Weighted least squares in the components of an observation.
+/// Weighted least squares for the components of an observation.
 #[derive(Debug)]
 pub struct LeastSquares {
     svd: Svd<f64>,
@@ -31,12 +31,12 @@ pub struct LeastSquares {
 }
 
 impl LeastSquares {
-    /// Decomposes √W E. Singular values up to `cutoff` times the largest count as
-    /// zero: what the pixels do not determine is left at zero (the least norm).
+    /// Decomposes √W E. Singular values up to `cutoff` times the largest count as zero: directions
+    /// that the pixels do not determine stay at zero (the solution of least norm).
     ///
     /// # Errors
     ///
-    /// If the singular values do not converge (a number that is not finite).
+    /// If the singular values do not converge, which means that a number is not finite.
     pub fn new(observation: &Observation, cutoff: f64) -> Result<Self> {
         let svd = decompose(&observation.design)?;
         let values: Vec<f64> = svd.S().column_vector().iter().copied().collect();
@@ -52,14 +52,14 @@ impl LeastSquares {
         self.rank
     }
 
-    /// Largest singular value over smallest, before the cut-off: how much an error
-    /// of the pixels may grow in d.
+    /// Ratio of the largest to the smallest singular value, before the cut-off: how much errors in
+    /// the pixels may grow in d.
     #[must_use]
     pub fn condition(&self) -> f64 {
         self.condition
     }
 
-    /// The d of least norm that minimises |√W (target - E d)|.
+    /// The d of least norm that minimizes |√W (target - E d)|.
     #[must_use]
     pub fn solve(&self, target: ColRef<'_, f64>) -> Vec<f64> {
         let rank = self.rank;
@@ -85,7 +85,7 @@ pub(super) fn decompose(matrix: &Mat<f64>) -> Result<Svd<f64>> {
     })
 }
 
-/// Numbers as a column.
+/// Converts numbers to a column.
 pub(super) fn column(values: &[f64]) -> Col<f64> {
     Col::from_fn(values.len(), |i| values[i])
 }

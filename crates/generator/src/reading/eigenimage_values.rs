@@ -1,10 +1,10 @@
-//! The eigenimages of a table at given normals.
+//! Evaluates the eigenimages of a table at given normals.
 
 use crate::basis::profile;
 use eigenshade_table::Table;
 use std::f64::consts::SQRT_2;
 
-/// The first components of a table, and its mean image, normal by normal.
+/// The first components of a table and its mean image, evaluated one normal at a time.
 #[derive(Clone, Copy, Debug)]
 pub struct EigenimageValues<'a> {
     table: &'a Table,
@@ -12,7 +12,7 @@ pub struct EigenimageValues<'a> {
 }
 
 impl<'a> EigenimageValues<'a> {
-    /// The first `components` of the table; all, if it has fewer.
+    /// Uses the first `components` components of the table, or all if it has fewer.
     #[must_use]
     pub fn new(table: &'a Table, components: usize) -> Self {
         Self { table, components: components.min(table.count()) }
@@ -24,14 +24,14 @@ impl<'a> EigenimageValues<'a> {
         self.components
     }
 
-    /// U_i of every component, then the mean image (0 where the
-    /// table has none), at a unit normal with z >= 0; `values` has room for both.
+    /// Writes U_i of every component, then the mean image (0 if the table has none), at a unit
+    /// normal with z >= 0. `values` must have room for the components and the mean.
     ///
-    /// U_i = u_i(α) Φ_m(β), or a sum of such products where the components are but a
-    /// span: K multiplications more for each function of the span.
+    /// U_i = u_i(α) Φ_m(β), or a sum of such products if the table's components form a span; this
+    /// costs K more multiplications for each function of the span.
     ///
-    /// Error: what the scene's `profile_tolerance` allows, of each profile's largest,
-    /// times the sizes in the sum.
+    /// Error: the scene's `profile_tolerance` relative to the largest value of each profile, times
+    /// the sizes of the terms in the sum.
     pub fn at(&self, normal: [f64; 3], values: &mut [f64]) {
         let table = self.table;
         let (values, mean) = values.split_at_mut(self.components.min(values.len()));
@@ -54,7 +54,7 @@ impl<'a> EigenimageValues<'a> {
         let table = self.table;
         let mut previous = None;
         for (value, component) in values.iter_mut().zip(&table.components) {
-            // +m and -m stand beside each other and share h.
+            // +m and -m are adjacent and share h.
             let h = match previous {
                 Some((profile, h)) if profile == component.profile => h,
                 _ => profile::evaluate(&table.profiles[component.profile].chebyshev, z),

@@ -1,27 +1,26 @@
-//! How well components explain an image.
+//! Measures how well components explain an image.
 
 use super::coefficients::column;
 use super::observation::Observation;
 
-/// Energies below this are rounding, of the image's.
+/// Energies below this fraction of the image's energy are rounding.
 const ROUNDING: f64 = 1e-14;
 
-/// The goodness of one channel's fit.
+/// The goodness of fit of one channel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fit {
-    /// Weighted root of the mean square of I - m - E d, in units of the image.
+    /// Weighted root mean square of I - m - E d, in units of the image.
     pub residual_rms: f64,
-    /// Σ w (I - m - E d)² over Σ w (I - Ī)²: the paper's 4.4, the share of the
-    /// image's variance that is left. Of an image of one value 0, or infinite if even
-    /// that is not explained.
+    /// Σ w (I - m - E d)² over Σ w (I - Ī)²: the unexplained share of the image's variance, as in
+    /// the paper's 4.4. For an image of constant value it is 0, or infinite if even that value is
+    /// not explained.
     pub relative_residual: f64,
-    /// The noise that the residual suggests, the standard deviation of a pixel of
-    /// weight 1: √(Σ w (I - m - E d)² / (pixels - rank)). 0 if there are no more
-    /// pixels than the rank.
+    /// The noise that the residual suggests, as the standard deviation of a pixel of weight 1: √(Σ
+    /// w (I - m - E d)² / (pixels - rank)). 0 if there are no more pixels than the rank.
     pub noise: f64,
 }
 
-/// The fit of d to one channel, `rank` numbers of which were estimated from it.
+/// Evaluates the fit of d to one channel, where `rank` parameters were estimated from that channel.
 #[must_use]
 pub fn fit(observation: &Observation, channel: usize, d: &[f64], rank: usize) -> Fit {
     let left = observation.centred(channel) - &observation.design * column(d);
@@ -44,7 +43,7 @@ pub fn fit(observation: &Observation, channel: usize, d: &[f64], rank: usize) ->
 fn variance(observation: &Observation, channel: usize) -> f64 {
     let mean = observation.sums[channel] / observation.weight;
     let square = observation.channel(channel).squared_norm_l2() / observation.weight;
-    // The difference of two sums: below their rounding it is zero.
+    // A difference of two sums; below their rounding it counts as zero.
     let variance = square - mean * mean;
     if variance > ROUNDING * square { variance } else { 0.0 }
 }

@@ -1,10 +1,10 @@
-//! The light of an image whose material is known: linear, d = T L.
+//! Estimates the light of an image of a known material. The problem is linear: d = T L.
 //!
-//! Before any pixel is seen, L is s times a light of the database's statistics, s
-//! its exposure. Where light turns freely that is mean zero and variance (38) for
-//! l > 0, and for L_0^0 the mean (39) and its variance; else the mean and covariance
-//! of the lights, which have no more directions than there are lights. Degrees that the material damps below the noise come out near
-//! zero rather than as noise.
+//! The prior of L is s times a light with the database's statistics, where s is the exposure. If
+//! light rotates freely, the prior has mean zero and variance (38) for l > 0, and L_0^0 has the
+//! mean (39) and its variance. Otherwise it has the mean and covariance of the database's lights,
+//! which span at most as many directions as there are lights. Degrees that the material damps below
+//! the noise come out near zero rather than as noise.
 
 use super::coefficients::{column, decompose};
 use super::observation::Observation;
@@ -13,47 +13,47 @@ use eigenshade_model::error::Result;
 use faer::linalg::solvers::Svd;
 use faer::{Col, Mat};
 
-/// Exposures tried around that of the image's energy, from 1/100 to 100 times.
+/// Number of exposure steps around the exposure of the image's energy, from 1/100 to 100 times.
 const TRIED: i32 = 80;
 
-/// Halvings of a step of that grid: to 1e-13 of the exposure, which is all of a light
-/// whose mean the database fixes.
+/// Number of halvings of a step of that grid: to 1e-13 of the exposure, which determines the whole
+/// light if the database fixes its mean.
 const HALVINGS: i32 = 40;
 
-/// One material, ready to be asked for the light.
+/// One material, prepared for estimating the light.
 #[derive(Debug)]
 pub struct LightEstimate<'a> {
     observation: &'a Observation,
     prior: &'a Prior,
     /// √W E T.
     images: Mat<f64>,
-    /// √W E T of the mean light.
+    /// √W E T times the mean light.
     mean_image: Col<f64>,
-    /// Of √W E T V, V the factor of the light's covariance.
+    /// Singular values of √W E T V, where V is the factor of the light's covariance.
     svd: Svd<f64>,
 }
 
-/// How well a material explains one channel, and with which light.
+/// How well a material explains one channel, and the light that does so best.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Explained {
-    /// The posterior mean of the light, in the order of [`eigenshade_index::light`],
-    /// in radiance of the image's own exposure.
+    /// The posterior mean of the light, in the order of [`eigenshade_index::light`], as radiance at
+    /// the exposure of the image.
     pub light: Vec<f64>,
-    /// The exposure s of the light, that of largest evidence.
+    /// The exposure s of the light with the largest evidence.
     pub exposure: f64,
-    /// Logarithm of the image's probability density given the material, up to a
-    /// constant of the noise.
+    /// Logarithm of the image's probability density given the material, up to a constant that
+    /// depends on the noise.
     pub evidence: f64,
-    /// Weighted rms of what image this light leaves.
+    /// Weighted root mean square of the image minus the image of this light.
     pub residual_rms: f64,
 }
 
 impl<'a> LightEstimate<'a> {
-    /// The material of this transfer.
+    /// Prepares the material with this transfer.
     ///
     /// # Errors
     ///
-    /// If singular values do not converge.
+    /// If the singular values do not converge.
     pub fn new(
         observation: &'a Observation,
         prior: &'a Prior,
@@ -65,14 +65,14 @@ impl<'a> LightEstimate<'a> {
         Ok(Self { observation, prior, images, mean_image, svd })
     }
 
-    /// What the light has to explain: √W (I - m + E d_m), with d_m the mean image's
-    /// components, which `project` subtracts.
+    /// The target for the light: √W (I - m + E d_m), where d_m are the mean image's components,
+    /// which `project` subtracts.
     fn target(&self, channel: usize) -> Col<f64> {
         self.observation.centred(channel) + &self.observation.design * column(&self.prior.mean)
     }
 
-    /// The best light for one channel, at this standard deviation of the noise of a
-    /// pixel of weight 1.
+    /// The best light for one channel, given the noise as the standard deviation of a pixel of
+    /// weight 1.
     #[must_use]
     pub fn explain(&self, channel: usize, noise: f64) -> Explained {
         let target = self.target(channel);
@@ -95,13 +95,13 @@ impl<'a> LightEstimate<'a> {
         Explained { light, exposure, evidence, residual_rms }
     }
 
-    /// The exposure of largest evidence, and that evidence: on a grid of a twentieth
-    /// of a decade around the exposure of the image's energy, then by halving.
+    /// The exposure of largest evidence, and that evidence: by a grid in steps of a twentieth of a
+    /// decade around the exposure of the image's energy, then by halving.
     fn likeliest(&self, split: &Split, noise: f64) -> (f64, f64) {
         let spread: f64 = self.svd.S().column_vector().iter().rev().map(|s| s * s).sum();
         let middle = (split.energy / (spread + self.mean_image.squared_norm_l2())).sqrt();
         if !(middle > 0.0 && middle.is_finite()) {
-            // A black material, or a black image: no light is better than any other.
+            // A black material or a black image: no light is better than any other.
             return (0.0, self.evidence(split, 0.0, noise));
         }
         let at = |step: f64| {
@@ -119,9 +119,9 @@ impl<'a> LightEstimate<'a> {
         (best.1, best.2)
     }
 
-    /// log p(I | material, s, noise) without the factor of white noise,
-    /// (√2π noise)^-pixels. All of it is a sum of squares: a difference of energies
-    /// would leave s but half of its digits.
+    /// log p(I | material, s, noise) without the white noise factor (√2π noise)^-pixels. It is a
+    /// sum of squares throughout, because a difference of energies would lose half of the digits of
+    /// s.
     fn evidence(&self, split: &Split, exposure: f64, noise: f64) -> f64 {
         let floor = noise * noise;
         if floor <= 0.0 {
@@ -139,15 +139,15 @@ impl<'a> LightEstimate<'a> {
     }
 }
 
-/// A channel and the mean light's image, along the images of the light's
-/// deviations and beside them.
+/// A channel and the mean light's image, decomposed into the parts along the images of the light's
+/// deviations and the parts orthogonal to them.
 struct Split {
-    /// Along the left singular vectors: the channel, then the mean light's image.
+    /// Coordinates along the left singular vectors: of the channel, then of the mean light's image.
     target: Col<f64>,
     mean: Col<f64>,
-    /// Beside them, along what is left of the mean light's image: both again.
+    /// Orthogonal to them, along the rest of the mean light's image: coordinates of both.
     apart: [f64; 2],
-    /// Energy of the channel beside all of these.
+    /// Energy of the part of the channel that is orthogonal to all of these.
     rest: f64,
     /// Energy of the channel.
     energy: f64,

@@ -1,12 +1,11 @@
-//! What the database expects of the light before any pixel is seen, as matrices over
-//! the coefficients of one table.
+//! The database's prior of the light, as matrices over the coefficients of one table.
 
 use crate::light::statistics::LightStatistics;
 use eigenshade_index::light;
 use eigenshade_table::scene::Criterion;
 use faer::{Col, Mat};
 
-/// The moments of the light: a row a coefficient L_l^m, in the order of
+/// The moments of the light, with one row for each coefficient L_l^m, in the order of
 /// [`eigenshade_index::light`].
 #[derive(Clone, Debug)]
 pub struct LightPrior {
@@ -14,12 +13,12 @@ pub struct LightPrior {
     pub mean: Col<f64>,
     /// V with E{LLᵀ} = V Vᵀ.
     pub second: Mat<f64>,
-    /// V with V Vᵀ the covariance of L.
+    /// V such that V Vᵀ is the covariance of L.
     pub centred: Mat<f64>,
 }
 
 impl LightPrior {
-    /// These statistics up to `degree`; coefficients that they lack are zero.
+    /// Extends or truncates these statistics to `degree`; missing coefficients are zero.
     #[must_use]
     pub fn new(statistics: &LightStatistics, degree: usize) -> Self {
         let count = light::count(degree);
@@ -34,7 +33,7 @@ impl LightPrior {
         }
     }
 
-    /// The factor of what varies by a criterion: of E{LLᵀ}, or of the covariance.
+    /// The factor that a criterion uses: of E{LLᵀ}, or of the covariance.
     #[must_use]
     pub fn vectors(&self, criterion: Criterion) -> &Mat<f64> {
         match criterion {

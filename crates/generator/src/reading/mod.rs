@@ -1,12 +1,12 @@
-//! Reading an image: from pixels and their normals back to the components d, the
-//! modes c, the light L and the material b.
+//! Inverse rendering: from pixels and their normals back to the components d, the modes c, the
+//! light L and the material b.
 //!
-//! The pixels are taken into an [`Observation`](observation::Observation) once, which
-//! then stands for them in every estimate: it has no more rows than a few above the
-//! number of components. One channel is one image; channels are read by themselves.
+//! The pixels are collected once into an [`Observation`](observation::Observation), which then
+//! represents them in every estimate. It has at most a few rows more than the number of components.
+//! Each channel is an independent image.
 //!
-//! Tables of any object and any rotation of the light are read alike: where components
-//! are sums over a span, so are their images, transfers and modes.
+//! Tables for any object and any rotation of the light are supported: if components are sums over a
+//! span, so are their images, transfers and modes.
 //!
 //! The derivations are in `docs/reading.md`.
 

@@ -1,4 +1,4 @@
-//! Back from components to the coefficients c of the irradiance modes.
+//! Recovers the coefficients c of the irradiance modes from components.
 
 use super::posterior::Estimate;
 use super::prior::Prior;
@@ -8,7 +8,7 @@ use eigenshade_table::Table;
 use eigenshade_table::scene::Criterion;
 use faer::{Col, Mat};
 
-/// c of every mode: a row a light coefficient (l, m), a column a material
+/// c of every mode, with one row for each light coefficient (l, m) and one column for each material
 /// coefficient (o, p, q). Entries with q > l are zero: those modes do not exist.
 #[derive(Clone, Debug)]
 pub struct ModeCoefficients {
@@ -28,7 +28,7 @@ impl ModeCoefficients {
         Self { degree, order, values }
     }
 
-    /// Whether the mode of a row and a column exists: q <= l.
+    /// Whether the mode at a row and column exists: q <= l.
     pub fn exists(&self) -> impl Fn(usize, usize) -> bool + use<> {
         let degrees: Vec<usize> = light::indices(self.degree).map(|(l, _)| l).collect();
         let frequencies: Vec<usize> = material::indices(self.order).map(|(_, _, q)| q).collect();
@@ -36,8 +36,8 @@ impl ModeCoefficients {
     }
 }
 
-/// c = U d, (42): of all c whose image is Σ d_i U_i the one of least norm, up to the
-/// table's rank cut-off.
+/// c = U d, (42): the c of least norm among all whose image is Σ d_i U_i, up to the table's rank
+/// cut-off.
 #[must_use]
 pub fn least_norm(table: &Table, d: &[f64]) -> ModeCoefficients {
     let (degree, order) = (table.gram.degree, table.gram.order);
@@ -66,13 +66,13 @@ pub fn least_norm(table: &Table, d: &[f64]) -> ModeCoefficients {
     c
 }
 
-/// The posterior mean of c: s c̄ + s Σ_c M U x with V_d x the posterior of d, c̄ and Σ_c
-/// mean and covariance of c, s the estimate's exposure; for image-centred PCA, which
-/// subtracts no mean image, s V_c M U x.
+/// The posterior mean of c: s c̄ + s Σ_c M U x, where V_d x is the posterior of d, c̄ and Σ_c are
+/// the mean and covariance of c, and s is the estimate's exposure. For image-centered PCA, which
+/// subtracts no mean image, it is s V_c M U x.
 ///
-/// Each material of the database takes part with the light that the image makes
-/// likely for it; where pixels say nothing, the statistics speak. The components
-/// beyond the observation's are taken for noise.
+/// Each material of the database contributes with the light that the image makes likely for it.
+/// Where the pixels carry no information, the result follows the statistics. Components beyond
+/// those of the observation are treated as noise.
 #[must_use]
 pub fn posterior_mean(
     transfers: &Transfers,

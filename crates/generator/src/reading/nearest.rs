@@ -1,10 +1,10 @@
-//! Which of the database's materials an image shows.
+//! Identifies the database material that an image shows.
 //!
-//! Each material is asked for its best light. A material that shapes light in many
-//! ways can imitate one that does so in few, so the residual alone would prefer the
-//! glossy: materials are ranked by their evidence, the probability of the image
-//! given the material with the light integrated over its prior, which pays for the
-//! freedom. The exposure is the likeliest one of each material.
+//! Each material is fitted with its best light. A material that shapes light in many ways can
+//! imitate one that does so in few, so the residual alone would favor glossy materials. Materials
+//! are therefore ranked by evidence: the probability of the image given the material, integrated
+//! over the prior of the light, which penalizes that freedom. Each material uses its likeliest
+//! exposure.
 
 use super::light_estimate::{Explained, LightEstimate};
 use super::observation::Observation;
@@ -13,25 +13,25 @@ use super::transfer::Transfers;
 use eigenshade_model::database::Materials;
 use eigenshade_model::error::Result;
 
-/// One material of the database as an explanation of an image.
+/// A database material as an explanation of an image.
 #[derive(Clone, Debug)]
 pub struct Candidate {
-    /// Its place in the database.
+    /// Index in the database.
     pub index: usize,
-    /// Channel by channel.
+    /// The light and the fit of each channel.
     pub channels: Vec<Explained>,
     /// Sum of the channels' evidence.
     pub evidence: f64,
 }
 
-/// All materials, the likeliest first; of equals the earlier of the database.
+/// All materials, likeliest first. Ties keep the database order.
 ///
-/// `noise` is that of each channel, the standard deviation of a pixel of weight 1.
-/// Three channels are r, g and b; of any other number each is taken for luminance.
+/// `noise` gives the standard deviation of a pixel of weight 1 in each channel. Three channels are
+/// r, g and b; with any other number, each channel counts as luminance.
 ///
 /// # Errors
 ///
-/// If singular values do not converge.
+/// If the singular values do not converge.
 pub fn rank(
     observation: &Observation,
     prior: &Prior,

@@ -1,32 +1,32 @@
-//! What the pixels of an image say about its components, in few rows.
+//! The information in an image's pixels about its components, compressed to a few rows.
 //!
-//! With E the eigenimages at the pixels' normals, W their weights, m the mean
-//! image and I the channels, √W (E m I) is reduced by orthogonal transformations
-//! to no more rows than columns. Every estimate and every residual by weighted least
-//! squares is the same from these rows as from the pixels.
+//! Let E be the eigenimages at the pixels' normals, W the weights, m the mean image and I the
+//! channels. Orthogonal transformations reduce √W (E m I) to no more rows than columns. Every
+//! estimate and every residual by weighted least squares is the same from these rows as from the
+//! pixels.
 
 use super::eigenimage_values::EigenimageValues;
 use super::reduction::Reduction;
 use faer::{Col, ColRef, Mat};
 
-/// The pixels of an image, reduced.
+/// The pixels of an image in reduced form.
 #[derive(Clone, Debug)]
 pub struct Observation {
-    /// √W E: a column a component.
+    /// √W E, one column for each component.
     pub design: Mat<f64>,
-    /// √W m: the mean image; zeros where the table has none.
+    /// √W m, the mean image; zeros if the table has none.
     pub mean: Col<f64>,
-    /// √W I: a column a channel.
+    /// √W I, one column for each channel.
     pub channels: Mat<f64>,
-    /// Number of pixels of positive weight.
+    /// Number of pixels with positive weight.
     pub pixels: usize,
     /// Σ w over the pixels.
     pub weight: f64,
-    /// Σ w I over the pixels, channel by channel.
+    /// Σ w I over the pixels, for each channel.
     pub sums: Vec<f64>,
 }
 
-/// Takes pixels one by one.
+/// Collects pixels one by one.
 #[derive(Clone, Debug)]
 pub struct Observer<'a> {
     values: EigenimageValues<'a>,
@@ -38,7 +38,7 @@ pub struct Observer<'a> {
 }
 
 impl<'a> Observer<'a> {
-    /// For images of so many channels in these components.
+    /// An observer for images with this number of channels, in these components.
     #[must_use]
     pub fn new(values: EigenimageValues<'a>, channels: usize) -> Self {
         let columns = values.components() + 1 + channels;
@@ -52,10 +52,10 @@ impl<'a> Observer<'a> {
         }
     }
 
-    /// One pixel: its unit normal, z >= 0; its irradiance in each channel; its
-    /// weight, the reciprocal of its noise's variance up to a common factor.
+    /// Adds one pixel: its unit normal, z >= 0, its irradiance in each channel, and its weight,
+    /// which is the reciprocal of its noise variance up to a common factor.
     ///
-    /// A weight of 0 leaves it out. All numbers are finite. Channels that are missing
+    /// A weight of 0 or below leaves the pixel out. All numbers must be finite. Missing channels
     /// count as zero.
     pub fn see(&mut self, normal: [f64; 3], irradiance: &[f64], weight: f64) {
         if weight <= 0.0 {
@@ -76,7 +76,7 @@ impl<'a> Observer<'a> {
         }
     }
 
-    /// All that was seen.
+    /// Returns the observation of all added pixels.
     #[must_use]
     pub fn finish(self) -> Observation {
         let components = self.values.components();
@@ -105,7 +105,7 @@ impl Observation {
         self.channels.col(channel)
     }
 
-    /// √W (I - m) of one channel: what d is an estimate of.
+    /// √W (I - m) of one channel, which d describes.
     #[must_use]
     pub fn centred(&self, channel: usize) -> Col<f64> {
         self.channel(channel) - &self.mean

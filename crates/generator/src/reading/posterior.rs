@@ -1,9 +1,9 @@
-//! The posterior mean of d under the database's statistics and a stated noise.
+//! The posterior mean of d, given the database's statistics and the noise.
 //!
-//! The image is s (m + E δ) + noise: s its exposure, δ of second moment V_d = F Fᵀ.
-//! With δ = F a and a of unit second moment, a has the posterior mean
-//! Σ_k v_k g σ_k z_k / (g² σ_k² + noise²) over the singular values σ_k of √W E F,
-//! g = s: no inverse of V_d, which is singular where the rank ends.
+//! The image is s (m + E δ) + noise, where s is its exposure and δ has the second moment V_d = F
+//! Fᵀ. Let δ = F a, where a has unit second moment. The posterior mean of a is Σ_k v_k g σ_k z_k /
+//! (g² σ_k² + noise²) over the singular values σ_k of √W E F, with g = s. This needs no inverse of
+//! V_d, which is singular beyond the rank.
 
 use super::coefficients::decompose;
 use super::observation::Observation;
@@ -12,10 +12,10 @@ use eigenshade_model::error::Result;
 use faer::linalg::solvers::Svd;
 use faer::{Col, Mat};
 
-/// The least noise of a pixel, of the image's rms.
+/// The smallest noise of a pixel, relative to the image's root mean square.
 const ROUNDING: f64 = 1e-16;
 
-/// The posterior of one image or more under one prior.
+/// Computes posteriors of an observation's channels under one prior.
 #[derive(Debug)]
 pub struct Posterior<'a> {
     observation: &'a Observation,
@@ -28,11 +28,11 @@ pub struct Posterior<'a> {
 pub struct Estimate {
     /// The posterior mean of d.
     pub d: Vec<f64>,
-    /// The posterior standard deviation of each.
+    /// The posterior standard deviation of each component of d.
     pub deviations: Vec<f64>,
-    /// The exposure s that was taken.
+    /// The exposure s that was used.
     pub exposure: f64,
-    /// F⁺-coordinates a, times s: d = s F a + (s - 1) d_m.
+    /// The coordinates a with respect to F, times s: d = s F a + (s - 1) d_m.
     pub coordinates: Vec<f64>,
 }
 
@@ -47,11 +47,11 @@ impl<'a> Posterior<'a> {
         Ok(Self { observation, prior, svd })
     }
 
-    /// The noise that stands for all that is not in the components, the standard
-    /// deviation of a pixel of weight 1: the stated noise and what the components
-    /// leave of the database's images at this image's exposure; or, where none is
-    /// stated, the residual's own if that is larger than what they leave. At least
-    /// 1e-16 of the image's rms: no pixel is better than its rounding.
+    /// The noise of everything outside the components, as the standard deviation of a pixel of
+    /// weight 1. If a noise is stated, it is combined with the part of the database's images that
+    /// the components omit, at this image's exposure. Otherwise the noise is that of the residual,
+    /// or the omitted part if that is larger. It is at least 1e-16 of the image's root mean square,
+    /// since no pixel is more accurate than its rounding.
     #[must_use]
     pub fn noise(&self, channel: usize, stated: Option<f64>, of_residual: f64) -> f64 {
         let floor = self.exposure(channel, stated.unwrap_or(of_residual)) * self.prior.left.sqrt();
@@ -60,11 +60,11 @@ impl<'a> Posterior<'a> {
         noise.max(ROUNDING * (energy / self.observation.weight).sqrt())
     }
 
-    /// The exposure of a channel: s² is what brings the database's mean energy at
-    /// these pixels to that of the image, less the noise's.
+    /// The exposure of a channel: s² scales the database's mean energy at these pixels to the
+    /// energy of the image minus that of the noise.
     ///
-    /// 0 for an image that is no more than noise, and where the database's images are
-    /// black at all of these pixels.
+    /// 0 if the image is no more than noise, or if the database's images are black at all of these
+    /// pixels.
     #[must_use]
     pub fn exposure(&self, channel: usize, noise: f64) -> f64 {
         let observation = self.observation;
@@ -75,8 +75,8 @@ impl<'a> Posterior<'a> {
         if expected > 0.0 { ((found - of_noise).max(0.0) / expected).sqrt() } else { 0.0 }
     }
 
-    /// The posterior of a channel whose pixels of weight 1 have noise of this
-    /// standard deviation, in units of the image.
+    /// The posterior of a channel whose pixels of weight 1 have noise of this standard deviation,
+    /// in units of the image.
     #[must_use]
     pub fn estimate(&self, channel: usize, noise: f64) -> Estimate {
         let exposure = self.exposure(channel, noise);
@@ -106,10 +106,11 @@ impl<'a> Posterior<'a> {
         }
     }
 
-    /// Roots of the diagonal of s² F (1 + s² (√W E F)ᵀ(√W E F) / noise²)⁻¹ Fᵀ: s² times
-    /// Σ_k (F v_k)² noise² / (s² σ_k² + noise²), and the squares of the rows of F beside
-    /// all v_k, which exist where there are fewer pixels than columns of F. Sums of
-    /// squares: what the pixels fix to many digits is no difference from the prior.
+    /// Square roots of the diagonal of s² F (1 + s² (√W E F)ᵀ(√W E F) / noise²)⁻¹ Fᵀ. It is s²
+    /// times Σ_k (F v_k)² noise² / (s² σ_k² + noise²), plus the squares of the rows of F orthogonal
+    /// to all v_k, which exist if there are fewer pixels than columns of F. These are sums of
+    /// squares, so values that the pixels fix to many digits are not computed as differences from
+    /// the prior.
     fn deviations(&self, exposure: f64, noise: f64) -> Vec<f64> {
         let factor = &self.prior.factor;
         let singular = self.svd.S().column_vector();

@@ -1,11 +1,10 @@
-//! What the database expects of d before any pixel is seen.
+//! The database's prior of d.
 //!
-//! By (28) and (33) the components of U are uncorrelated over the database, with
-//! the eigenvalues as variances, but for the constant of image-centred PCA: its
-//! coefficient, the mean of an image, has E{d_0²} = eᵀ V_c e and is correlated with
-//! the other components of m = 0, since bright images are shaded more. So the second
-//! moments are taken whole, V_d = Uᵀ M V_c M U (Σ_c for the standard criterion),
-//! kept as a factor like all others: V_d = F Fᵀ.
+//! By (28) and (33) the components of U are uncorrelated over the database, with the eigenvalues as
+//! variances. The constant of image-centered PCA is an exception: its coefficient, the mean of an
+//! image, has E{d_0²} = eᵀ V_c e. It is correlated with the other components of m = 0, because
+//! bright images have stronger shading. So the full second moments V_d = Uᵀ M V_c M U are used (Σ_c
+//! for the standard criterion), stored as a factor like the others: V_d = F Fᵀ.
 
 use super::coefficients::decompose;
 use super::light_prior::LightPrior;
@@ -18,19 +17,19 @@ use eigenshade_table::Table;
 use eigenshade_table::scene::Criterion;
 use faer::{Col, ColRef, Mat};
 
-/// Columns of F shorter than this, of the longest, are rounding.
+/// Columns of F shorter than this fraction of the longest are rounding.
 const ROUNDING: f64 = 1e-13;
 
-/// The statistics of d, at exposure 1: that of the database's own light.
+/// The statistics of d at exposure 1, which is that of the database's own light.
 #[derive(Clone, Debug)]
 pub struct Prior {
-    /// F: a row a component, falling columns.
+    /// F, with one row for each component and columns of falling length.
     pub factor: Mat<f64>,
-    /// d of the table's mean image; zeros where it has none.
+    /// d of the table's mean image; zeros if it has none.
     pub mean: Vec<f64>,
-    /// Mean energy of the database's images that the components leave.
+    /// Mean energy of the database's images outside the components.
     pub left: f64,
-    /// Of which deviations these are: from zero, or from the mean.
+    /// Whether deviations are from zero or from the mean.
     pub criterion: Criterion,
     /// The moments of the light.
     pub light: LightPrior,
@@ -39,11 +38,11 @@ pub struct Prior {
 }
 
 impl Prior {
-    /// The statistics of these materials under light of these statistics.
+    /// The prior for these materials under light with these statistics.
     ///
     /// # Errors
     ///
-    /// No materials, or numbers that are not finite.
+    /// If there are no materials or a number is not finite.
     pub fn new(
         table: &Table,
         transfers: &Transfers,
@@ -82,8 +81,8 @@ impl Prior {
         Ok(Self { factor, mean, left, criterion, light, materials })
     }
 
-    /// Whether all images are black: then none is like one that has light in it, and no
-    /// exposure brings it there.
+    /// Whether all images are black. Then none resembles an image that contains light, and no
+    /// exposure can change that.
     #[must_use]
     pub fn is_black(&self) -> bool {
         let is_zero = |values: &Vec<f64>| values.iter().all(|value| *value == 0.0);
@@ -91,8 +90,8 @@ impl Prior {
         no_images || self.materials.vectors.iter().all(is_zero)
     }
 
-    /// x with V_d x = F a: F over its squared lengths times a, columns below rounding
-    /// left out.
+    /// x with V_d x = F a: F divided by its squared column lengths, times a, with columns below
+    /// rounding left out.
     #[must_use]
     pub fn dual(&self, coordinates: &[f64]) -> Col<f64> {
         let squares: Vec<f64> = self.factor.col_iter().map(|f| f.squared_norm_l2()).collect();

@@ -1,14 +1,12 @@
-//! c into light and material: the best L (x) b, in the sense of least squares over
-//! the modes that exist.
+//! Factors c into light and material: the best L (x) b by least squares over the modes that exist.
 //!
-//! Modes with q > l do not exist, so those entries of the matrix are missing, not
-//! zero: a singular value decomposition alone does not do. L and b are solved for in
-//! turn, each exactly, which never raises the error. It may end in a minimum that is
-//! not the least: of two starts the better end is taken.
+//! Modes with q > l do not exist, so those entries of the matrix are missing rather than zero, and
+//! a singular value decomposition alone is not enough. L and b are solved for alternately, each
+//! exactly, which never increases the error. The iteration may end in a local minimum, so it is run
+//! from two starts and the better result is used.
 //!
-//! L (x) b stays the same when L is multiplied by a number and b divided by it. Here
-//! b has length 1 and b_00^0 >= 0; [`RankOne::scaled_to`] gives it the scale of a
-//! known material instead.
+//! L (x) b does not change if L is multiplied by a number and b divided by it. Here b has length 1
+//! and b_00^0 >= 0; [`RankOne::scaled_to`] uses the scale of a known material instead.
 
 use super::coefficients::decompose;
 use super::modes::ModeCoefficients;
@@ -16,13 +14,14 @@ use eigenshade_index::light;
 use eigenshade_model::error::Result;
 use faer::Mat;
 
-/// Turns at most.
+/// Maximum number of alternations.
 const TURNS: usize = 10_000;
 
-/// It has converged where a turn lowers the error by less than this share of it.
+/// The iteration has converged when an alternation lowers the error by less than this fraction of
+/// it.
 const SETTLED: f64 = 1e-14;
 
-/// A light and a material whose product is near c.
+/// A light and a material whose product approximates c.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RankOne {
     /// L_l^m in the order of [`eigenshade_index::light`].
@@ -31,8 +30,8 @@ pub struct RankOne {
     pub material: Vec<f64>,
     /// |c - L (x) b|² / |c|², over the modes that exist; 0 for c = 0.
     pub left: f64,
-    /// Whether the turns came to an end: the last lowered the error by less than 1e-14
-    /// of it. If not, the product is as near as the turns bring it.
+    /// Whether the iteration converged: the last alternation lowered the error by less than 1e-14
+    /// of it. If false, the product is the best found within the limit.
     pub has_converged: bool,
 }
 
@@ -46,14 +45,14 @@ impl RankOne {
         Self::within(c, TURNS)
     }
 
-    /// The same with another limit than 10,000 turns.
+    /// Like [`RankOne::of`], with at most `turns` alternations instead of 10,000.
     ///
     /// # Errors
     ///
-    /// As of [`RankOne::of`].
+    /// The errors of [`RankOne::of`].
     pub fn within(c: &ModeCoefficients, turns: usize) -> Result<Self> {
-        // From the whole with zeros, good where little is missing, and from the rows
-        // that lack nothing, right where c is a product.
+        // One start is the whole matrix with zeros, good if little is missing. The other is the
+        // complete rows, correct if c is a product.
         let complete = light::count(c.order.saturating_sub(1)).min(c.values.nrows() - 1);
         let mut best = solve(c, first_right(&c.values)?, turns);
         if c.order > 0 {
@@ -71,10 +70,10 @@ impl RankOne {
         Ok(product)
     }
 
-    /// The same product, b in the scale of the material that it is most like (the
-    /// one with the largest cosine to b, coefficients beyond either's order apart):
-    /// b is then as near to it as a factor can bring it, and L in true radiance as
-    /// far as that material's albedo is the object's. Returns which it is; none if
+    /// Rescales the product so that b has the scale of the most similar material, which is the one
+    /// with the largest cosine to b. Coefficients beyond either's order are ignored. b is then as
+    /// near to that material as a scale factor can bring it, and L is true radiance to the extent
+    /// that the object has that material's albedo. Returns the index of the material, or `None` if
     /// all are at right angles to b or there are none.
     pub fn scaled_to(&mut self, materials: &[Vec<f64>]) -> Option<usize> {
         let alike = |known: &Vec<f64>| {
@@ -92,7 +91,7 @@ impl RankOne {
         Some(nearest)
     }
 
-    /// b times a factor, L divided by it.
+    /// Multiplies b by a factor and divides L by it.
     fn rescale(&mut self, factor: f64) {
         self.material.iter_mut().for_each(|b| *b *= factor);
         self.light.iter_mut().for_each(|l| *l /= factor);
@@ -104,10 +103,10 @@ fn first_right(matrix: &Mat<f64>) -> Result<Vec<f64>> {
     Ok(decompose(matrix)?.V().col(0).iter().copied().collect())
 }
 
-/// L, b, the square of the error, and whether the turns came to an end.
+/// L, b, the squared error, and whether the iteration converged.
 type Found = (Vec<f64>, Vec<f64>, f64, bool);
 
-/// L and b solved for in turn from this b, so many times at most.
+/// Solves for L and b alternately from this b, at most `turns` times.
 fn solve(c: &ModeCoefficients, mut material: Vec<f64>, turns: usize) -> Found {
     let exists = c.exists();
     let (rows, columns) = (c.values.nrows(), c.values.ncols());
@@ -123,7 +122,7 @@ fn solve(c: &ModeCoefficients, mut material: Vec<f64>, turns: usize) -> Found {
             *material = ratio(pairs.map(|row| (c.values[(row, column)], light[row])));
         }
         let left = left(c, &light, &material);
-        // Of no number before the first, an infinite one, no share is reached.
+        // Before the first alternation the error is infinite, so this never holds then.
         if left >= (1.0 - SETTLED) * before {
             return (light, material, left, true);
         }
@@ -132,7 +131,7 @@ fn solve(c: &ModeCoefficients, mut material: Vec<f64>, turns: usize) -> Found {
     (light, material, before, false)
 }
 
-/// The x that minimises Σ (c - x b)² over pairs (c, b).
+/// The x that minimizes Σ (c - x b)² over pairs (c, b).
 fn ratio(pairs: impl Iterator<Item = (f64, f64)>) -> f64 {
     let (product, square) =
         pairs.fold((0.0, 0.0), |(product, square), (c, b)| (product + c * b, square + b * b));

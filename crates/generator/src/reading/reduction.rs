@@ -1,15 +1,15 @@
-//! Many rows to few with the same inner products of columns: the triangle of a
-//! QR decomposition, taken block by block as the rows come.
+//! Reduces many rows to a few with the same inner products of columns: the triangle of a QR
+//! decomposition, computed block by block as rows arrive.
 //!
-//! Orthogonal transformations alone: nothing is squared, and memory does not grow
-//! with the number of rows.
+//! Only orthogonal transformations are used: nothing is squared, and memory does not grow with the
+//! number of rows.
 
 use faer::Mat;
 
-/// Rows of a block, beside those of the triangle.
+/// Rows of a block, in addition to those of the triangle.
 const BLOCK: usize = 2048;
 
-/// Takes rows, keeps their triangle.
+/// Accepts rows and keeps their triangle.
 #[derive(Clone, Debug)]
 pub struct Reduction {
     rows: Mat<f64>,
@@ -17,13 +17,13 @@ pub struct Reduction {
 }
 
 impl Reduction {
-    /// For rows of so many numbers.
+    /// A reduction for rows with this number of columns.
     #[must_use]
     pub fn new(columns: usize) -> Self {
         Self { rows: Mat::zeros(BLOCK + columns, columns), filled: 0 }
     }
 
-    /// One more row; all that is beyond the number of columns is left out.
+    /// Adds a row; entries beyond the number of columns are ignored.
     pub fn push(&mut self, row: &[f64]) {
         if self.filled == self.rows.nrows() {
             self.reduce();
@@ -34,7 +34,8 @@ impl Reduction {
         self.filled += 1;
     }
 
-    /// At most as many rows as columns; XᵀX is that of the rows that were pushed.
+    /// Returns a matrix X with at most as many rows as columns and the same XᵀX as the rows that
+    /// were pushed.
     #[must_use]
     pub fn finish(mut self) -> Mat<f64> {
         if self.filled > self.rows.ncols() {

@@ -1,25 +1,25 @@
-//! T of a material: d = T L, the light's coefficients to the components.
+//! The transfer matrix T of a material: d = T L maps the light's coefficients to the components.
 
 use eigenshade_index::{light, material, mode};
 use eigenshade_table::{Profile, Table};
 use faer::Mat;
 
-/// Transfers of any material into the first components of one table.
+/// Computes transfers of any material into the first components of one table.
 #[derive(Clone, Debug)]
 pub struct Transfers {
     degree: usize,
     order: usize,
-    /// Order m of each component, and which of `rows` is its; of each function
-    /// of the span where components are sums of such.
+    /// Order m of each component and the index of its row in `rows`; if components are sums over a
+    /// span, the same for each function of the span.
     components: Vec<(i32, usize)>,
-    /// d from these components, where they are but a span.
+    /// Maps the functions of the span to d, if components are sums over a span.
     projection: Option<Mat<f64>>,
-    /// Of each profile its row of UᵀM: l, the place of (o, p, q), and the number.
+    /// For each profile its row of UᵀM: l, the position of (o, p, q), and the value.
     rows: Vec<Vec<(usize, usize, f64)>>,
 }
 
 impl Transfers {
-    /// The first `components` of the table.
+    /// Uses the first `components` components of the table, or all if it has fewer.
     #[must_use]
     pub fn new(table: &Table, components: usize) -> Self {
         let span = table.components.len();
@@ -56,9 +56,9 @@ impl Transfers {
         self.projection.as_ref().map_or(self.components.len(), Mat::nrows)
     }
 
-    /// T_i,lm = Σ_opq (UᵀM)_i,lmopq b_op^q: a row a component, a column a
-    /// coefficient of the light. Coefficients b that are missing count as zero,
-    /// those beyond the table's order are left out.
+    /// T_i,lm = Σ_opq (UᵀM)_i,lmopq b_op^q, with one row for each component and one column for each
+    /// coefficient of the light. Missing coefficients b count as zero, and those beyond the table's
+    /// order are ignored.
     #[must_use]
     pub fn of(&self, coefficients: &[f64]) -> Mat<f64> {
         let folded: Vec<Vec<f64>> = self
@@ -85,7 +85,7 @@ impl Transfers {
     }
 }
 
-/// A profile's row of UᵀM, with the places of its modes' coefficients.
+/// A profile's row of UᵀM, with the positions of the material coefficients of its modes.
 fn placed(table: &Table, profile: &Profile) -> Vec<(usize, usize, f64)> {
     mode::indices(table.gram.degree, table.gram.order, profile.azimuth)
         .zip(table.gram_row(profile))
@@ -93,7 +93,7 @@ fn placed(table: &Table, profile: &Profile) -> Vec<(usize, usize, f64)> {
         .collect()
 }
 
-/// (-1)^m for m < 0, 1 else: mode coefficients of -m are (-1)^m times those of m.
+/// (-1)^m for m < 0, otherwise 1: mode coefficients of -m are (-1)^m times those of m.
 pub(super) fn sign(order: i32) -> f64 {
     if order < 0 && order % 2 != 0 { -1.0 } else { 1.0 }
 }

@@ -1,4 +1,4 @@
-//! A setting in floats, ready to be timed.
+//! Prepares a setting in floats for timing.
 
 use super::{PIXELS, Work};
 use crate::accuracy_cost::images::Image;
@@ -43,7 +43,7 @@ impl Floats<f32> {
             raw.map(|(one, length)| one.components().map(|x| length * x)).collect();
         let mut out = vec![0.0; PIXELS];
         let mut axes = [0, 1, 2].map(|_| vec![0.0f32; PIXELS]);
-        // As a renderer would: scaled first, then all at once.
+        // As in a renderer: all normals are scaled first, then all are shaded.
         Ok(Box::new(move || {
             let [xs, ys, zs] = &mut axes;
             let places = xs.iter_mut().zip(ys).zip(zs).zip(black_box(&raw));
@@ -59,7 +59,7 @@ impl Floats<f32> {
         }))
     }
 
-    /// Maps of 16 bits, looked up with integers.
+    /// Maps of 16 bits, sampled with integers.
     pub(super) fn maps<'a>(
         &'a self,
         way: Way,
@@ -169,7 +169,7 @@ impl<S: Scalar> Floats<S> {
         })
     }
 
-    /// A new light: d, then what a pixel reads.
+    /// A new light: d, then the data that a pixel reads.
     pub(super) fn relit(&self, way: Way) -> Result<Work<'_>> {
         let basis = self.basis()?;
         let mut d = self.d.clone();
@@ -187,7 +187,7 @@ impl<S: Scalar> Floats<S> {
             let light = Light::new(self.degree, black_box(&self.light));
             let relit = light.and_then(|light| basis.relight_into(&self.transfer, &light, &mut d));
             let done = relit.and_then(|()| match way {
-                // Its coefficients are those of the light, scaled.
+                // The coefficients of the light, scaled.
                 Way::NineTerms | Way::Eigen => Ok(()),
                 Way::Within(share) => {
                     let tolerance = Tolerance::OfPeak(S::from_f64(share));
@@ -213,7 +213,7 @@ impl<S: Scalar> Floats<S> {
     }
 }
 
-/// What has been looked at is not optimised away.
+/// Keeps a value from being optimized away.
 fn seen<T>(found: &T) {
     black_box(found);
 }

@@ -1,4 +1,4 @@
-//! A setting in integers, ready to be timed.
+//! Prepares a setting in integers for timing.
 
 use super::{PIXELS, Work};
 use crate::accuracy_cost::images::Image;

@@ -1,4 +1,4 @@
-//! What a pixel and a new light take on this machine, in one run with the nine-term formula.
+//! Times of a pixel and a new light on this machine, in the same run as the nine-term formula.
 
 mod floats;
 mod integers;
@@ -15,21 +15,21 @@ use floats::Floats;
 use integers::Integers;
 use std::time::Instant;
 
-/// Pixels of a run.
+/// Pixels per run.
 const PIXELS: usize = 4096;
-/// What is timed is repeated to take at least so long, seconds.
+/// The least duration of a timing in seconds; shorter operations are repeated.
 const SHORTEST: f64 = 3e-5;
 
-/// Medians, nanoseconds.
+/// Median times in nanoseconds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cost {
     /// A pixel.
     pub pixel: f64,
-    /// A new light on a folded material, up to the first pixel.
+    /// A new light on a transferred material, up to the first pixel.
     pub light: f64,
 }
 
-/// Something to be timed.
+/// An operation to be timed.
 pub type Work<'a> = Box<dyn FnMut() + 'a>;
 
 /// A setting ready to be timed.
@@ -37,7 +37,7 @@ pub struct Case {
     way: Way,
     scaling: Scaling,
     numbers: Numbers,
-    /// Room for the lengths of a scene within a tolerance.
+    /// Buffer for the lengths of a scene within a tolerance.
     lengths: Vec<u16>,
 }
 
@@ -50,11 +50,11 @@ enum Numbers {
 }
 
 impl Case {
-    /// The setting on one image.
+    /// Prepares the setting on one image.
     ///
     /// # Errors
     ///
-    /// A table that has no form in the setting's numbers.
+    /// If the table cannot be represented in the setting's number format.
     pub fn new(setting: &Setting, table: &Table, image: &Image) -> Result<Self> {
         let numbers = match (setting.format, setting.way) {
             (Format::F64, _) => Numbers::Double(Floats::new(table, image)?),
@@ -92,11 +92,11 @@ impl Case {
     }
 }
 
-/// Medians over interleaved rounds, of each case.
+/// Medians over interleaved rounds for each case.
 ///
 /// # Errors
 ///
-/// None in truth.
+/// Never in practice.
 pub fn costs(cases: &mut [Case], rounds: usize) -> Result<Vec<Cost>> {
     let mut works = Vec::new();
     for case in cases.iter_mut() {
@@ -108,8 +108,9 @@ pub fn costs(cases: &mut [Case], rounds: usize) -> Result<Vec<Cost>> {
     Ok(medians.chunks_exact(2).map(cost).collect())
 }
 
-/// Nanoseconds of each work in each round, one after the other: what slows the machine for a
-/// while slows all of them. Each runs untimed first, as the others have taken the cache since.
+/// Nanoseconds of each work in each round. The works run one after the other, so that a temporary
+/// slowdown of the machine affects all of them. Each first runs untimed, because the others have
+/// replaced the contents of the cache.
 #[must_use]
 pub fn interleaved(works: Vec<Work<'_>>, rounds: usize) -> Vec<Vec<f64>> {
     let timed = |work: &mut Work<'_>, repeats: u32| {

@@ -1,18 +1,18 @@
-//! SVG charts: the same elements and words, coordinates and colours nearly so. They are
-//! whole numbers, of pixels and of 255; where a value lies between two, the last digit
-//! of a host's arithmetic may take it to either.
+//! Compares SVG charts: elements and words must be equal, coordinates and colors nearly so.
+//! Coordinates are whole pixels and colors are whole multiples of 1/255. Where a value lies between
+//! two whole numbers, the last digit of a host's arithmetic decides how it is rounded.
 
 use super::texts::{Pairs, shown};
 
-/// How far a coordinate may be off, in pixels of the chart.
+/// The allowed difference of a coordinate, in pixels of the chart.
 pub const PIXELS: f64 = 1.0;
-/// How far a channel of a colour may be off, of 255.
+/// The allowed difference of a color channel, out of 255.
 pub const LEVELS: u8 = 1;
-/// Attributes that are coordinates; all others are equal but for colours.
+/// Attributes that are coordinates; all others except colors must be equal.
 const COORDINATES: [&str; 9] = ["x", "y", "x1", "y1", "x2", "y2", "cx", "cy", "points"];
 
-/// Compares two charts; gives how many coordinates and colours they have, or the line,
-/// from 1, where they differ, and how.
+/// Compares two charts. Returns the number of coordinates and colors, or the first line (counted
+/// from 1) where they differ, with a description.
 ///
 /// # Errors
 ///
@@ -24,7 +24,7 @@ pub fn compare_charts(found: &str, expected: &str) -> Result<usize, (u64, String
             return Err((line, "one line more or less than there should be".into()));
         };
         let mut attribute = "";
-        // Between quotation marks stand values, before them the attributes' names.
+        // Values are between quotation marks, and the names of attributes are before them.
         for (place, both) in Pairs(found.split('"'), expected.split('"')).enumerate() {
             let (Some(found), Some(expected)) = both else {
                 return Err((line, format!("other elements than in `{}`", shown(expected))));
@@ -43,7 +43,7 @@ pub fn compare_charts(found: &str, expected: &str) -> Result<usize, (u64, String
     Ok(marks)
 }
 
-/// The number of coordinates, if they are as many and near.
+/// The number of coordinates, if both have the same number and all are near.
 fn coordinates(found: &str, expected: &str) -> Option<usize> {
     let split = |text| str::split(text, [' ', ',']).filter(|word| !word.is_empty());
     let mut count = 0;
@@ -60,7 +60,7 @@ fn coordinates(found: &str, expected: &str) -> Option<usize> {
     Some(count)
 }
 
-/// 1 if two colours `#RRGGBB` are near, 0 if they are one word.
+/// 1 if both are colors `#RRGGBB` that are near, 0 if they are the same word.
 fn colours(found: &str, expected: &str) -> Option<usize> {
     if found == expected && !expected.starts_with('#') {
         return Some(0);

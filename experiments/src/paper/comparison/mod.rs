@@ -1,5 +1,5 @@
-//! Whether a folder of figures is what the program makes now: the page, CSV, charts and
-//! pictures, with no file more or less.
+//! Compares a folder of figures with those that the program makes now: the page, CSV, charts and
+//! pictures. Neither side may have additional files.
 
 mod charts;
 mod pictures;
@@ -17,24 +17,24 @@ use std::fs;
 use std::io::ErrorKind;
 use std::path::Path;
 
-/// How much was compared.
+/// The amount of data compared.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Compared {
-    /// Files.
+    /// Number of files.
     pub files: usize,
-    /// Numbers of the page and the CSV files.
+    /// Numbers in the page and the CSV files.
     pub numbers: usize,
-    /// Coordinates and colours of the charts.
+    /// Coordinates and colors in the charts.
     pub marks: usize,
-    /// Pixels of the pictures.
+    /// Pixels in the pictures.
     pub pixels: usize,
 }
 
-/// Compares every file with what stands in `folder`.
+/// Compares every file with the one in `folder`.
 ///
 /// # Errors
 ///
-/// The first file that is missing, differs, or does not belong; a text with its line.
+/// The first file that is missing, differs, or does not belong; for a text, with its line.
 pub fn compare(artefacts: &[Artefact], folder: &Path) -> Result<Compared> {
     let again = || {
         format!(
@@ -72,7 +72,7 @@ pub fn compare(artefacts: &[Artefact], folder: &Path) -> Result<Compared> {
     Ok(compared)
 }
 
-/// What stands among the figures and is none would be taken for one.
+/// An extra file among the figures would be mistaken for a figure.
 fn no_others(artefacts: &[Artefact], folder: &Path) -> Result<()> {
     let figures = folder.join(FOLDER);
     let fault = |error: std::io::Error| Error::io(&figures, &error);

@@ -1,21 +1,21 @@
-//! PNG pictures, pixel by pixel. Their channels have 255 levels; where a value lies
-//! between two, the last digit of a host's arithmetic may take it to either, which is
-//! one pixel in millions.
+//! Compares PNG pictures pixel by pixel. Their channels have 255 levels. Where a value lies between
+//! two levels, the last digit of a host's arithmetic decides how it is rounded; this affects one
+//! pixel in millions.
 
 use eigenshade_cli::picture::canvas::Canvas;
 use eigenshade_generator::picture::png_samples::PngSamples;
 
-/// How far a channel of any pixel may be off, of 255.
+/// The allowed difference of a channel of any pixel, out of 255.
 pub const LEVELS: u16 = 1;
-/// The share of the pixels that may be off at all.
+/// The share of the pixels that may differ at all.
 pub const SHARE: f64 = 1e-3;
 
-/// Compares two pictures; gives the number of their pixels, or how they differ.
+/// Compares two pictures. Returns the number of pixels, or a description of the difference.
 ///
 /// # Errors
 ///
-/// Another size or format; a pixel with a channel off by more than one of 255 levels, named by its
-/// column and row; more than a thousandth of the pixels off at all.
+/// If the size or format differs; if a channel of a pixel is off by more than one of 255 levels,
+/// with the column and row of the pixel; if more than a thousandth of the pixels are off at all.
 pub fn compare_pictures(found: &PngSamples, expected: &Canvas) -> Result<usize, String> {
     let (width, height) = (expected.width, expected.height);
     if (found.width, found.height) != (width, height) {

@@ -1,14 +1,14 @@
-//! The page and the CSV files: words must be equal, numbers nearly so, since hosts differ
-//! in the last digits.
+//! Compares the page and the CSV files: words must be equal, numbers nearly so, because hosts
+//! differ in the last digits.
 
-/// What two numbers of a CSV may differ by, of the larger one: two units of the six
+/// The allowed difference of two numbers of a CSV, relative to the larger one: two units of the six
 /// digits.
 pub const ALLOWED: f64 = 2e-5;
-/// What they may differ by at least, of the largest number of their file: rounding.
+/// The difference that is always allowed, relative to the largest number of the file: rounding.
 pub const FLOOR: f64 = 1e-13;
 
-/// Compares two texts; gives how many numbers they have, or the line, from 1, where they
-/// differ, and how.
+/// Compares two texts. Returns the number of numbers, or the first line (counted from 1) where they
+/// differ, with a description.
 ///
 /// # Errors
 ///
@@ -62,8 +62,8 @@ fn separates(letter: char) -> bool {
     letter.is_whitespace() || matches!(letter, ',' | '|' | '(' | ')' | ';' | ':')
 }
 
-/// A number, and one unit of its last digit where it has a point: fewer digits round
-/// this way or that. Whole numbers are counts, and counts are equal or not.
+/// A number, and one unit of its last digit if it has a decimal point, because a number with fewer
+/// digits may be rounded either way. Whole numbers are counts and must be equal.
 fn number(word: &str) -> Option<(f64, f64)> {
     let word = word.trim_end_matches('.');
     let value: f64 = word.parse().ok().filter(|value: &f64| value.is_finite())?;
@@ -96,7 +96,7 @@ mod tests {
         assert!(!same("a,7", "a"));
         assert!(!same("a\nb", "a"));
         assert!(!same("a,NaN", "a,1"));
-        // Rounding beside the file's largest number.
+        // Rounding, compared with the largest number of the file.
         assert!(same("1\n3e-20", "1\n5e-20"));
         assert_eq!(compare_texts("x 1,2\n3", "x 1,2\n3"), Ok(3));
         assert_eq!(compare_texts("1\n2", "1\n3").unwrap_err().0, 2);

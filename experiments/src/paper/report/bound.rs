@@ -1,4 +1,4 @@
-//! The page's section on section 4.4 of the paper.
+//! The page's section about section 4.4 of the paper.
 
 use super::table::{percent, table};
 use crate::paper::bound::{Bounds, Row};
@@ -84,7 +84,7 @@ pub fn section(study: &Study, bounds: &Bounds, renderings: &Renderings) -> Strin
     )
 }
 
-/// The spheres that are rendered to a stated accuracy.
+/// The part about the spheres rendered to a stated accuracy.
 fn rendered(renderings: &Renderings) -> String {
     let rows: Vec<[String; 7]> = renderings
         .all
@@ -128,7 +128,7 @@ fn rendered(renderings: &Renderings) -> String {
     )
 }
 
-/// Whether a rendering lacks no more than its bound and its accuracy say.
+/// Whether the omitted part of a rendering is within its bound and its accuracy.
 fn is_within(one: &Rendering) -> bool {
     one.error <= one.bound && one.bound <= one.accuracy && one.pixel_error <= one.accuracy
 }
@@ -147,7 +147,7 @@ fn fields(row: &Row) -> [String; 8] {
     ]
 }
 
-/// An accuracy, in per cent without needless digits.
+/// An accuracy in percent, without needless digits.
 fn share(accuracy: f64) -> String {
     let value = format!("{:.6}", 100.0 * accuracy);
     format!("{} %", value.trim_end_matches('0').trim_end_matches('.'))

@@ -1,4 +1,4 @@
-//! The paper's statements beside ours. Whether one holds is found from the figures.
+//! Compares the paper's statements with our results. The figures decide whether a statement holds.
 
 use super::ALIKE_FROM;
 use super::table::{components, percent, table};
@@ -14,24 +14,24 @@ use eigenshade_cli::output::number::grouped;
 use eigenshade_index::mode;
 use eigenshade_table::scene::Criterion;
 
-/// The variance is carried by the degrees beyond which lies less than this.
+/// A set of degrees carries the variance if less than this share lies beyond them.
 const CARRIED: f64 = 0.01;
-/// Two mean errors are alike if neither is more than so many times the other.
+/// Two mean errors are alike if neither is more than this many times the other.
 const ALIKE: f64 = 1.05;
 /// An image is represented if its error is at most this.
 pub const REPRESENTED: f64 = 0.1;
-/// About five components are at most so many.
+/// "About five components" means at most this number.
 const ABOUT_FIVE: usize = 6;
 
-/// A statement of the paper, and what became of it.
+/// A statement of the paper and our result.
 pub struct Claim {
-    /// What the paper says.
+    /// The statement of the paper.
     pub paper: String,
-    /// When it counts as holding here.
+    /// The condition under which it counts as holding here.
     pub condition: String,
-    /// Whether it does.
+    /// Whether it holds.
     pub holds: bool,
-    /// What was found.
+    /// Our result.
     pub found: String,
 }
 
@@ -47,7 +47,7 @@ pub fn section(claims: &[Claim]) -> String {
     format!("## In short\n\n{}", table(["the paper", "holds if", "ours"], &rows))
 }
 
-/// All of them, in the paper's order.
+/// All statements, in the paper's order.
 #[must_use]
 pub fn claims(
     variance: &Variance,
@@ -155,8 +155,8 @@ fn velvet(errors: &[f64], turned: &[f64], eigenimages: &Eigenimages) -> Claim {
     }
 }
 
-/// The component beyond the fifth, of those that Fig. 3 shows, that takes the most of an
-/// error away, and what it looks like.
+/// The component after the fifth, among those shown in Fig. 3, that reduces the error the most, and
+/// its appearance.
 fn step(errors: &[f64], eigenimages: &Eigenimages) -> Option<String> {
     let taken = |component: usize| errors[component] - errors[component + 1];
     let shown = 5..eigenimages.shapes.len();
@@ -194,8 +194,8 @@ fn leather(errors: &[f64], highlights: &Highlights) -> Claim {
     }
 }
 
-/// The number of components from which a material's brightest point is right, and stays,
-/// by all modes.
+/// The number of components from which a material's brightest point is right and stays right, with
+/// all modes.
 #[must_use]
 pub fn highlight(reconstructions: &Reconstructions, material: &str) -> Option<usize> {
     let is_it = |names: [&str; 2]| names[0] == material;
@@ -206,13 +206,13 @@ pub fn highlight(reconstructions: &Reconstructions, material: &str) -> Option<us
     right_from(&course.brightest)
 }
 
-/// A limit in per cent.
+/// A limit in percent.
 #[must_use]
 pub fn whole(share: f64) -> String {
     format!("{} %", 100.0 * share)
 }
 
-/// Whether this is what the paper says of leather.
+/// Whether this agrees with the paper's statement about leather.
 #[must_use]
 pub fn is_thirty_to_fifty(count: Option<usize>) -> bool {
     count.is_some_and(|count| (30..=50).contains(&count))

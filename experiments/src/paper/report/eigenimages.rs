@@ -1,4 +1,4 @@
-//! Fig. 3.
+//! The section about Fig. 3.
 
 use super::Report;
 use super::table::percent;

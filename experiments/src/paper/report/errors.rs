@@ -1,4 +1,4 @@
-//! Fig. 5 and 6.
+//! The sections about Fig. 5 and 6.
 
 use super::claims::{REPRESENTED, whole};
 use super::table::{components, percent, sorted, table};
@@ -7,7 +7,7 @@ use crate::paper::error::{Errors, needed};
 use crate::paper::study::Modes;
 use eigenshade_table::scene::Criterion;
 
-/// A rank correlation of at least this tells one from the other.
+/// A rank correlation of at least this counts as strong.
 const STRONG: f64 = 0.5;
 
 /// The section, in Markdown.
@@ -36,7 +36,7 @@ pub fn all_images(report: &Report<'_>) -> String {
     )
 }
 
-/// What becomes of standard PCA with few components.
+/// The behavior of standard PCA with few components.
 fn few(errors: &Errors) -> String {
     let ratio = |count: usize| errors.mean[1][count] / errors.mean[0][count];
     let worse = (1..ALIKE_FROM).filter(|count| ratio(*count) > 1.0).count();
@@ -87,7 +87,7 @@ pub fn materials(report: &Report<'_>) -> String {
     )
 }
 
-/// Which materials need more.
+/// The materials that need more components.
 fn of_materials(errors: &Errors) -> String {
     let count = errors.materials().count();
     let within = errors.materials().filter(|(_, errors)| errors[5] <= REPRESENTED).count();
@@ -106,7 +106,7 @@ fn of_materials(errors: &Errors) -> String {
     )
 }
 
-/// What the light has to do with it.
+/// The influence of the light.
 fn of_lights(errors: &Errors) -> String {
     let mut lights: Vec<(&str, f64)> =
         errors.lights().map(|(name, errors)| (name, errors[5])).collect();
@@ -141,7 +141,7 @@ fn of_lights(errors: &Errors) -> String {
     )
 }
 
-/// What is left of the difference if the lights' pose is taken out of it.
+/// The difference that remains if the pose of the lights is averaged out.
 fn of_rotations(report: &Report<'_>) -> String {
     let (errors, rotated) = (report.errors, report.rotated);
     let within =

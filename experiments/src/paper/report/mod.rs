@@ -1,4 +1,4 @@
-//! The page: what the paper says, what ours gives, and why the two differ.
+//! The page: the paper's statements, our results, and the reasons for differences.
 
 mod table;
 
@@ -32,13 +32,13 @@ use super::study::{Modes, Study};
 use super::variance::Variance;
 use eigenshade_cli::output::number::grouped;
 
-/// Components from which the two criteria are compared: below, one counts the constant
-/// and the other does not.
+/// The number of components from which the two criteria are compared: below it, they differ because
+/// one counts the constant and the other does not.
 pub const ALIKE_FROM: usize = 5;
 /// Numbers of components in the page's tables.
 const COUNTS: [usize; 8] = [5, 6, 9, 10, 20, 30, 50, 100];
 
-/// What the page tells of.
+/// The results that the page presents.
 pub struct Report<'a> {
     /// Lights, materials and bases.
     pub study: &'a Study,

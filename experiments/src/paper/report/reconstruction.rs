@@ -1,4 +1,4 @@
-//! Fig. 7.
+//! The section about Fig. 7.
 
 use super::Report;
 use super::claims::{highlight, is_thirty_to_fifty};
@@ -22,7 +22,8 @@ pub fn section(report: &Report<'_>) -> String {
             <[String; 5]>::try_from(fields).unwrap_or_default()
         })
         .collect();
-    // From where on the brightest point is right, and the error with ten components.
+    // The number of components from which the brightest point is right, and the error with ten
+    // components.
     let [velvet, leather] = ["07-velvet", "05-leather"].map(|name| {
         let of = |course: &&Course| course.names[0] == name && course.modes == Modes::All;
         let course = report.reconstructions.courses.iter().find(of);
@@ -73,7 +74,7 @@ pub fn section(report: &Report<'_>) -> String {
     )
 }
 
-/// Whether one number of components is larger than another; none is beyond all that are
+/// Whether one number of components is larger than another; `None` is larger than all that are
 /// listed.
 fn later(one: Option<usize>, other: Option<usize>) -> bool {
     one.unwrap_or(usize::MAX) > other.unwrap_or(usize::MAX)

@@ -1,11 +1,11 @@
-//! What the paper's truncation costs.
+//! The section about the cost of the paper's truncation.
 
 use super::table::{percent, table};
 use super::{COUNTS, Report};
 use crate::paper::study::SELECTED;
 use eigenshade_cli::output::number::grouped;
 
-/// A mean error that is at most so many times another costs next to nothing.
+/// An increase of a mean error by at most this factor counts as negligible.
 const FREE: f64 = 1.02;
 
 /// The section, in Markdown.
@@ -21,7 +21,7 @@ pub fn section(report: &Report<'_>) -> String {
         .collect();
     let header = ["components", "all modes", "1,000 modes", "ratio"];
     let [all, some] = [0, 2].map(|basis| &report.errors.mean[basis]);
-    // As many components as leave no less than the sum misses.
+    // The number of components whose error is no less than that of the truncated sum.
     let as_bad = all.iter().take_while(|error| **error >= selected.image_error[1]).count();
     let times = selected.image_error[1] / selected.floor;
     let costs = |count: &usize| some[*count] > FREE * all[*count];

@@ -1,4 +1,4 @@
-//! Fig. 4.
+//! The section about Fig. 4.
 
 use super::table::{percent, table};
 use crate::paper::spheres::{Spheres, title};

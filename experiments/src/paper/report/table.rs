@@ -1,6 +1,6 @@
-//! Tables and numbers of the page.
+//! Tables and numbers for the page.
 
-/// A Markdown table; numbers stand at the right.
+/// A Markdown table with numbers aligned to the right.
 #[must_use]
 pub fn table<const N: usize>(header: [&str; N], rows: &[[String; N]]) -> String {
     let line = |fields: &[String]| format!("| {} |\n", fields.join(" | "));
@@ -20,7 +20,7 @@ pub fn table<const N: usize>(header: [&str; N], rows: &[[String; N]]) -> String 
     text
 }
 
-/// A share in per cent, of three digits.
+/// A share in percent, with three digits.
 #[must_use]
 pub fn percent(share: f64) -> String {
     let value = 100.0 * share;
@@ -29,13 +29,13 @@ pub fn percent(share: f64) -> String {
     format!("{value:.places$} %")
 }
 
-/// A number of components, or that there are not enough.
+/// A number of components, or a note that there are not enough.
 #[must_use]
 pub fn components(count: Option<usize>) -> String {
     count.map_or("more than 100".into(), |count| count.to_string())
 }
 
-/// From small to large.
+/// Sorts the values in ascending order.
 #[must_use]
 pub fn sorted(values: impl Iterator<Item = f64>) -> Vec<f64> {
     let mut values: Vec<f64> = values.collect();

@@ -1,4 +1,4 @@
-//! Fig. 2.
+//! The section about Fig. 2.
 
 use super::Report;
 use super::table::{percent, table};
@@ -7,7 +7,7 @@ use crate::paper::variance::{FURTHER, SURFACES};
 use eigenshade_cli::output::number::grouped;
 use eigenshade_index::mode;
 
-/// Shares are nearly the same if none is more than so many times another.
+/// Shares are nearly the same if none is more than this many times another.
 const SAME: f64 = 1.1;
 
 /// The section, in Markdown.
@@ -29,7 +29,7 @@ pub fn section(report: &Report<'_>) -> String {
     let low = cuts.into_iter().fold(f64::INFINITY, f64::min);
     let high = cuts.into_iter().fold(0.0, f64::max);
     let verdict = if high <= SAME * low { "nearly the same share" } else { "different shares" };
-    // Beyond l = o + 2 there have to be degrees to speak of.
+    // Only where there are enough degrees beyond l = o + 2.
     let passed = (1..ORDER).map(|o| report.variance.of_order_beyond(o, o + 2)).fold(0.0, f64::max);
     let further = report.variance.further.into_iter().fold(0.0, f64::max);
     format!(

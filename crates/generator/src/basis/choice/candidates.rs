@@ -1,8 +1,8 @@
-//! The degree and the order whose table is the least.
+//! Finds the degree and order that need the smallest table.
 //!
-//! Components of a candidate are counted by the eigenvalues of Σ y yᵀ over its images y, in the
-//! coordinates of the highest degree and order; the table that is then made counts its own by
-//! singular values. Polynomials, some tenth of a table, are not counted.
+//! A candidate's components are counted from the eigenvalues of Σ y yᵀ over its images y, in the
+//! coordinates of the highest degree and order. The final table counts its own components from
+//! singular values. Polynomials, about a tenth of a table, are not counted.
 
 use crate::basis::choice::energies::{Energies, Images};
 use crate::basis::choice::{Below, POLYNOMIALS, Reach, Share, budget};
@@ -18,20 +18,20 @@ use eigenshade_table::Scene;
 use eigenshade_table::scene::{Criterion, Store};
 use faer::{Mat, Side};
 
-/// Of the tolerance, what is left to components and polynomials at least.
+/// The smallest fraction of the tolerance that is reserved for components and polynomials.
 const LEAST_BUDGET: f64 = 0.2;
 
-/// Of the tolerance, what may be left out without a higher degree or order being tried: it would
-/// gain the components no more than that.
+/// If a degree or order leaves out at most this fraction of the tolerance, no higher one is tried:
+/// the components would gain no more than that.
 const NOTHING: f64 = 0.01;
 
-/// A degree and an order, and what they leave.
+/// A degree and an order, with the energies that they leave out.
 pub(super) struct Candidate {
     pub(super) degree: usize,
     pub(super) order: usize,
     pub(super) degrees_left: f64,
     pub(super) orders_left: f64,
-    /// With a degree less, and with an order less.
+    /// Energy left out with one degree less, and with one order less.
     one_less: [Option<f64>; 2],
 }
 
@@ -49,7 +49,7 @@ impl Candidate {
         }
     }
 
-    /// As shares of the peak; the scene says of how many.
+    /// Converts the energies to shares of the peak; totals come from the scene.
     pub(super) fn reach(&self, scene: &Scene, peak: f64) -> Reach {
         let share = |energy: f64| energy.sqrt() / peak;
         let [degree, order] = self.one_less.map(|one| one.map(share));
@@ -70,12 +70,12 @@ impl Candidate {
     }
 }
 
-/// The candidate of the least table that may leave so much energy in all; of equal ones that of
-/// the least degree, then order.
+/// The candidate with the smallest table among those that leave out at most `allowed` energy in
+/// total. Ties go to the lowest degree, then the lowest order.
 ///
 /// # Errors
 ///
-/// Weights that are none, lights that cannot be normalised, eigenvalues that do not converge.
+/// If the weights are invalid, a light cannot be normalized or eigenvalues do not converge.
 pub(super) fn least(
     scene: &Scene,
     lights: &Lights,
@@ -123,12 +123,12 @@ pub(super) fn least(
         let reach = [candidate.degree, candidate.order];
         (numbers(scene.basis.store, effects, reach, &profiles, transfers), candidate)
     });
-    // The first of equals.
+    // Ties go to the first.
     let least = sized.reduce(|least, one| if one.0 < least.0 { one } else { least });
     Ok(least.expect("all of the light and the material is a candidate").1)
 }
 
-/// The candidates, by degree, then order.
+/// The candidates, sorted by degree, then order.
 fn within(
     energies: &Energies,
     effects: Effects,
@@ -157,7 +157,7 @@ fn within(
     candidates
 }
 
-/// Eigenvalues but for the direction `apart`, a unit vector; the rounding of nothing is nothing.
+/// Eigenvalues after projecting out the unit vector `apart`; negative rounding errors become zero.
 fn eigenvalues(squares: &Mat<f64>, apart: Option<&[f64]>) -> Result<Vec<f64>> {
     let rest = match apart {
         None => squares.clone(),
@@ -177,7 +177,7 @@ fn eigenvalues(squares: &Mat<f64>, apart: Option<&[f64]>) -> Result<Vec<f64>> {
     Ok(values.into_iter().map(|value| value.max(0.0)).collect())
 }
 
-/// How many profiles of each |m| the least components that leave at most `allowed` need.
+/// How many profiles each |m| contributes to the fewest components that leave at most `allowed`.
 fn profiles(spectrum: Vec<(usize, f64)>, criterion: Criterion, allowed: f64) -> Vec<usize> {
     let mut values: Vec<(usize, f64)> = spectrum
         .into_iter()
@@ -194,13 +194,13 @@ fn profiles(spectrum: Vec<(usize, f64)>, criterion: Criterion, allowed: f64) -> 
     let mut profiles: Vec<usize> = (components.iter().enumerate())
         .map(|(azimuth, count): (usize, &usize)| count.div_ceil(canonical::orders(azimuth).len()))
         .collect();
-    // The constant.
+    // The constant image.
     profiles[0] += usize::from(criterion == Criterion::ImageCentered);
     profiles
 }
 
-/// Numbers that projecting takes of the runtime's table: polar integrals and factors, what
-/// stands apart; or the transfers of so many materials.
+/// How many numbers projection reads from the runtime table: polar integrals, factors and the
+/// unfactored part; or the transfers of `transfers` materials.
 fn numbers(
     store: Store,
     effects: Effects,

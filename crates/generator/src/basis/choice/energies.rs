@@ -1,4 +1,4 @@
-//! The database's images degree by degree and order by order of one azimuth.
+//! The database's images at one azimuth, split by degree and order.
 
 use crate::basis::moments::Deviation;
 use crate::basis::pca;
@@ -8,7 +8,7 @@ use eigenshade_model::selection::Kept;
 use eigenshade_table::GramFactor;
 use faer::Mat;
 
-/// A of one azimuth.
+/// The matrix A of one azimuth.
 pub(super) struct Images<'a> {
     gram: &'a GramFactor,
     azimuth: usize,
@@ -17,15 +17,15 @@ pub(super) struct Images<'a> {
 }
 
 impl<'a> Images<'a> {
-    /// Of the modes of the effects.
+    /// Uses the modes of the kept effects.
     pub(super) fn new(gram: &'a GramFactor, kept: &Kept, azimuth: usize) -> Self {
         let keeps = |l, o, p, q| kept.keeps(gram, azimuth, (l, o, p, q));
         let (space, factor) = pca::factor(gram, azimuth, keeps);
         Self { gram, azimuth, space, factor }
     }
 
-    /// Coordinates of the images of those deviations that are of degree l, a column each: of
-    /// orders up to 0, up to 1, ... up to all.
+    /// Coordinates of the images of the deviations of degree l, one column each. Entry k of the
+    /// result includes the orders 0..=k.
     pub(super) fn by_order(&self, deviations: &[Deviation], l: usize) -> Vec<Mat<f64>> {
         let (degree, order) = (self.gram.degree, self.gram.order);
         let of_degree: Vec<&Deviation> = deviations.iter().filter(|one| one.degree == l).collect();
@@ -38,7 +38,7 @@ impl<'a> Images<'a> {
                 .map(|(s, (_, o, p, q))| (s, material::position(o, p, q)))
                 .collect();
             if let Some(&(first, _)) = places.first() {
-                // The modes of one degree and order stand beside each other.
+                // The modes of one degree and order are adjacent.
                 let materials = Mat::from_fn(places.len(), of_degree.len(), |s, t| {
                     of_degree[t].material[places[s].1]
                 });
@@ -50,16 +50,17 @@ impl<'a> Images<'a> {
     }
 }
 
-/// Mean energies of the database's images that light and material of a lower degree and order
-/// leave, both signs of m counted.
+/// Mean energies of the database's images that are left out at a lower degree and order of light
+/// and material, with both signs of m included.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Energies {
-    /// By degree: that of orders from 0 up, from 1 up, ... of none.
+    /// For each degree, the energy of all orders, of orders from 1 up, and so on, down to no
+    /// orders.
     left: Vec<Vec<f64>>,
 }
 
 impl Energies {
-    /// Of second moments: `deviations` for each azimuth.
+    /// Computes the energies from second moments; `deviations` gives those of each azimuth.
     pub(super) fn new(
         gram: &GramFactor,
         kept: &Kept,
@@ -82,12 +83,12 @@ impl Energies {
         Self { left }
     }
 
-    /// What degrees above this leave, whatever the order.
+    /// The energy in degrees above `degree`, at all orders.
     pub(super) fn of_degrees_above(&self, degree: usize) -> f64 {
         self.left[degree + 1..].iter().rev().map(|by_order| by_order[0]).sum()
     }
 
-    /// What orders from `first` up leave at degrees up to `degree`.
+    /// The energy in orders from `first` up, at degrees up to `degree`.
     pub(super) fn of_orders_from(&self, first: usize, degree: usize) -> f64 {
         self.left[..=degree].iter().rev().map(|by_order| by_order[first]).sum()
     }

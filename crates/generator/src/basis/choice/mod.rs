@@ -1,16 +1,16 @@
-//! How much of light, material and basis a tolerance asks for: the degree L of the light, the
-//! order O of the material, the components and the polynomials' terms.
+//! Chooses the sizes that a tolerance requires: the degree L of the light, the order O of the
+//! material, the number of components and the number of polynomial terms.
 //!
-//! The tolerance is of the root mean square error of the database's images, light turned by all
-//! rotations, over its [`peak`]; the truth is the image of the degree and order that the scene
-//! gives. With D the mean energy of the images of degrees above L, O' that of orders above O at
-//! degrees up to L, R that of the components left out and P that of what the polynomials lack,
-//!
+//! The tolerance bounds the root mean square error of the database's images, with the light turned
+//! by all rotations, relative to the database's [`peak`]. The reference is the image at the degree
+//! and order that the scene gives. Let D be the mean energy of the images in degrees above L, O'
+//! the energy in orders above O at degrees up to L, R the energy in the omitted components and P
+//! the energy that the polynomials omit. Then
 //! error² <= D + (√O' + √(R + P))²:
 //!
-//! degrees are uncorrelated over all rotations, (38), and so are the coefficients of components;
-//! orders are not, and take the triangle inequality. Every energy is a sum of squares of the
-//! database's images in the coordinates of their profile spaces: no pixel is shaded.
+//! Degrees are uncorrelated over all rotations, (38), and so are the coefficients of components.
+//! Orders are correlated, so they use the triangle inequality. Every energy is a sum of squares of
+//! the database's images in the coordinates of their profile spaces: no pixel is shaded.
 
 mod below;
 mod candidates;
@@ -30,25 +30,26 @@ use eigenshade_model::error::{Error, Result};
 use eigenshade_table::trim::trim;
 use eigenshade_table::{Scene, Table};
 
-/// Of the energy that components and polynomials may lack, the polynomials' share at least.
+/// The smallest fraction that the polynomials get of the energy that components and polynomials may
+/// omit.
 const POLYNOMIALS: f64 = 0.1;
 
-/// Before they are shortened each polynomial is within this of the tolerance, of its profile's
-/// largest value.
+/// Before polynomials are shortened, each is within this fraction of the tolerance, relative to its
+/// profile's largest value.
 const WHOLE: f64 = 0.01;
 
-/// And no nearer than this: rounding.
+/// The lower limit of that accuracy, set by rounding.
 const NEAREST: f64 = 1e-13;
 
-/// What the total may exceed the tolerance by, relative: rounding of sums.
+/// Relative amount by which the total may exceed the tolerance, to allow for rounding in sums.
 const ROUNDING: f64 = 1e-9;
 
-/// The least table within a tolerance, of databases of exactly the scene's degree and order,
-/// whole; and what was chosen.
+/// Makes the smallest table within a tolerance, and reports what was chosen. The databases have
+/// exactly the scene's degree and order.
 ///
 /// # Errors
 ///
-/// As [`basis::build`].
+/// The errors of [`basis::build`].
 pub(crate) fn within(
     tolerance: f64,
     scene: &Scene,
@@ -112,7 +113,7 @@ pub(crate) fn within(
     Ok((table, choice))
 }
 
-/// R + P that a tolerance leaves of this energy, where degrees and orders leave those.
+/// The energy R + P that is allowed after degrees and orders are left out.
 fn budget(allowed: f64, [degrees, orders]: [f64; 2]) -> f64 {
     ((allowed - degrees).max(0.0).sqrt() - orders.sqrt()).max(0.0).powi(2)
 }

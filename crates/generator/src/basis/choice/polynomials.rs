@@ -1,9 +1,9 @@
-//! What the polynomials of a table lack of its profiles.
+//! The energy that a table's polynomials omit from its profiles.
 
 use crate::basis::profile::evaluate;
 use eigenshade_table::Table;
 
-/// Terms of a collapsed scene, both signs of m counted.
+/// Number of terms of a collapsed scene, with both signs of m included.
 pub(super) fn terms(table: &Table) -> usize {
     let azimuths = table.profiles.iter().map(|one| (one.azimuth, one.chebyshev.len()));
     let mean = table.mean.iter().map(|mean| (0, mean.chebyshev.len()));
@@ -14,9 +14,9 @@ pub(super) fn terms(table: &Table) -> usize {
     longest.iter().enumerate().map(|(m, length)| length * if m == 0 { 1 } else { 2 }).sum()
 }
 
-/// Mean energy of the database's images in what the polynomials lack: the coefficients of
-/// components are uncorrelated, each profile's squares at the nodes count with its
-/// components' eigenvalues; the mean image's, whose weighted node values are `mean`, once.
+/// Mean energy of the database's images that the polynomials omit. The coefficients of components
+/// are uncorrelated, so each profile's squared error at the nodes is weighted by the eigenvalues of
+/// its components. The mean image's error counts once; its weighted node values are `mean`.
 pub(super) fn left_out(table: &Table, mean: Option<&[f64]>) -> f64 {
     let gram = &table.gram;
     let apart = |azimuth: usize, series: &[f64], values: &[f64]| -> f64 {

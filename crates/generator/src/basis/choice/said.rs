@@ -1,55 +1,56 @@
-//! What was chosen, in numbers and in words.
+//! The report of a choice, as numbers and as text.
 
 use crate::basis::choice::Below;
 use std::fmt;
 
-/// What was chosen for a tolerance, and why no less; errors are of the database's peak.
+/// What was chosen for a tolerance, and the cost of choosing less. Errors are relative to the
+/// database's peak.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Choice {
     /// The tolerance.
     pub tolerance: f64,
-    /// The database's peak: see [`crate::basis::peak`].
+    /// The database's peak, see [`crate::basis::peak`].
     pub peak: f64,
-    /// Degree and order.
+    /// Degree of the light and order of the material.
     pub reach: Reach,
-    /// The components.
+    /// The number of components.
     pub components: Share,
-    /// The polynomials' terms in a collapsed scene, both signs of m counted; none where each
-    /// polynomial is within the scene's `profile_tolerance`.
+    /// Number of polynomial terms in a collapsed scene, with both signs of m included; `None` if
+    /// each polynomial is within the scene's `profile_tolerance` instead.
     pub terms: Option<Share>,
-    /// What the error is at most: without the polynomials where these were not chosen.
+    /// Upper bound of the error. It excludes the polynomials if their terms were not chosen.
     pub total: f64,
 }
 
-/// How far light and material are taken.
+/// The degree of the light and the order of the material that are used.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Reach {
-    /// As far as the tolerance asks for.
+    /// Chosen to meet the tolerance.
     Chosen {
         /// The light's degree.
         degree: Share,
         /// The material's order.
         order: Share,
     },
-    /// As far as the scene says, and why.
+    /// As given by the scene, with the reason.
     AsAsked(&'static str),
 }
 
-/// What is kept of something, and what that costs.
+/// How much of something is kept, and the error that this causes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Share {
     /// The degree, order or number that is kept.
     pub kept: usize,
-    /// The one that there is.
+    /// The degree, order or number that is available.
     pub of: usize,
-    /// Root mean square of what is left out.
+    /// Root mean square of the omitted part.
     pub leaves: f64,
-    /// The same with one less, where there is less.
+    /// The same if one less is kept; `None` if that is impossible.
     pub one_less: Option<f64>,
 }
 
 impl Choice {
-    /// Components alone, of energies that adding others leaves.
+    /// A choice of components alone, from the energies that remain after each number of components.
     pub(crate) fn of_components(tolerance: f64, peak: f64, below: &Below) -> Self {
         let count = below.least((tolerance * peak).powi(2));
         let components = below.share(count, |energy| of_peak(energy, peak));
@@ -64,7 +65,7 @@ impl Choice {
     }
 }
 
-/// The root of an energy, of the peak; of black images nothing.
+/// The root of an energy relative to the peak; 0 if the images are black.
 pub(super) fn of_peak(energy: f64, peak: f64) -> f64 {
     if peak > 0.0 { energy.sqrt() / peak } else { 0.0 }
 }
@@ -85,7 +86,7 @@ impl fmt::Display for Share {
 }
 
 impl fmt::Display for Choice {
-    /// A line for each choice.
+    /// Writes one line for each choice.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.reach {
             Reach::Chosen { degree, order } => writeln!(f, "degree {degree}\norder {order}")?,

@@ -1,12 +1,12 @@
-//! Fits to measured BRDFs by the ABC model: J. Low, J. Kronander, A. Ynnerman and
-//! J. Unger, "BRDF Models for Accurate and Efficient Rendering of Glossy Surfaces", ACM
-//! Transactions on Graphics 31, 2012, the microfacet form.
+//! The ABC model, for fits to measured BRDFs, in its microfacet form: J. Low, J. Kronander, A.
+//! Ynnerman and J. Unger, "BRDF Models for Accurate and Efficient Rendering of Glossy Surfaces",
+//! ACM Transactions on Graphics 31, 2012.
 
 use crate::material::brdf::{Brdf, Geometry};
 use eigenshade_model::error::{Error, Result};
 use std::f64::consts::PI;
 
-/// f = k / π + F(cos θ_d) D G / (π cos θ_i cos θ_r), of one channel, with
+/// f = k / π + F(cos θ_d) D G / (π cos θ_i cos θ_r) for one channel, with
 ///
 /// * D = a / (1 + b (1 - cos θ_h))^c;
 /// * F, the unpolarized Fresnel reflectance of a dielectric of index n;
@@ -24,11 +24,11 @@ pub struct Abc {
 }
 
 impl Abc {
-    /// Of the matte part k, the lobe's a, b and c, and the index of refraction n.
+    /// From the matte part k, the lobe parameters a, b and c, and the index of refraction n.
     ///
     /// # Errors
     ///
-    /// A number that is not finite, k, a, b or c below 0, or n below 1.
+    /// If a number is not finite, k, a, b or c is below 0, or n is below 1.
     pub fn new(matte: f64, [a, b, c]: [f64; 3], index: f64) -> Result<Self> {
         let is_share = |value: &f64| (0.0..f64::INFINITY).contains(value);
         if ![matte, a, b, c].iter().all(is_share) || !(1.0..f64::INFINITY).contains(&index) {
@@ -55,13 +55,13 @@ impl Brdf for Abc {
         // 1 - cos θ_h without cancellation.
         let lobe = self.a / (1.0 + self.b * sine / (1.0 + half)).powf(self.c);
         let product = at.incident * at.reflected;
-        // G over the product of the cosines.
+        // G divided by the product of the cosines.
         let grazing = 2.0 * half / (difference * at.incident.max(at.reflected));
         let shadowed = product.recip().min(grazing);
         (self.matte + self.fresnel(difference) * lobe * shadowed) / PI
     }
 
-    /// Where the lobe has fallen to about 1/e: √(2 / (b c)).
+    /// The angle at which the lobe has fallen to about 1/e: √(2 / (b c)).
     fn width(&self) -> f64 {
         (2.0 / (self.b * self.c)).sqrt().clamp(1e-3, 1.0)
     }

@@ -1,7 +1,6 @@
-//! The two directions of a BRDF, as far as an isotropic one can tell.
+//! The two directions of a BRDF, described by what an isotropic BRDF depends on.
 
-/// Cosines of the light's and of the view's polar angle, and of the angle between
-/// light and view.
+/// Cosines of the polar angles of light and view, and of the angle between light and view.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Geometry {
     /// cos θ_i, in \[0, 1\].
@@ -13,12 +12,12 @@ pub struct Geometry {
 }
 
 impl Geometry {
-    /// From polar angles in \[0, π/2\] and Δφ = φ_i - φ_r, radians: zero is
-    /// backscatter, π the plane of the mirror.
+    /// From polar angles in \[0, π/2\] and Δφ = φ_i - φ_r, in radians: Δφ = 0 is backscatter, π is
+    /// the plane of the mirror direction.
     #[must_use]
     pub fn from_angles(theta_i: f64, theta_r: f64, delta_phi: f64) -> Self {
         let ((sin_i, cos_i), (sin_r, cos_r)) = (theta_i.sin_cos(), theta_r.sin_cos());
-        // cos Δφ = 2 cos²(Δφ/2) - 1 keeps the digits where the two are opposite.
+        // cos Δφ = 2 cos²(Δφ/2) - 1 keeps precision where the directions have opposite azimuths.
         let half = (0.5 * delta_phi).cos();
         let opposite = cos_i * cos_r - sin_i * sin_r;
         Self {
@@ -28,21 +27,21 @@ impl Geometry {
         }
     }
 
-    /// |i + r|², the square of twice the half-way vector: 2 + 2 cos of the angle
-    /// between.
+    /// |i + r|², the square of twice the half-way vector: 2 + 2 times the cosine of the angle
+    /// between the directions.
     #[must_use]
     pub fn sum_squared(self) -> f64 {
         (2.0 + 2.0 * self.between).max(0.0)
     }
 
-    /// cos θ_d: of the angle between either direction and the half-way one.
+    /// cos θ_d, for the angle between either direction and the half-way direction.
     #[must_use]
     pub fn difference_cosine(self) -> f64 {
         (0.5 * self.sum_squared().sqrt()).min(1.0)
     }
 
-    /// cos² θ_h and sin² θ_h: of the angle between the normal and the half-way
-    /// direction. (0, 1) where the two directions are opposite.
+    /// cos² θ_h and sin² θ_h, for the angle between the normal and the half-way direction; (0, 1)
+    /// if the two directions are opposite.
     #[must_use]
     pub fn half_squared(self) -> (f64, f64) {
         let (sum, up) = (self.sum_squared(), self.incident + self.reflected);
@@ -53,7 +52,7 @@ impl Geometry {
         (cosine, ((sum - up * up) / sum).max(0.0))
     }
 
-    /// cos Δφ; 1 where a direction stands upright and Δφ means nothing.
+    /// cos Δφ; 1 where a direction coincides with the normal and Δφ is undefined.
     #[must_use]
     pub fn azimuth_cosine(self) -> f64 {
         let sines = ((1.0 - self.incident * self.incident)

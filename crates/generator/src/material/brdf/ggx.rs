@@ -1,4 +1,4 @@
-//! What a glTF metallic-roughness material says: a GGX lobe over a matte base.
+//! The glTF metallic-roughness material: a GGX lobe over a matte base.
 
 use crate::material::brdf::lambertian::share;
 use crate::material::brdf::{Brdf, Geometry};
@@ -9,13 +9,13 @@ use std::f64::consts::PI;
 ///
 /// * F = f0 + (1 - f0)(1 - cos θ_d)^5, Schlick's Fresnel term;
 /// * D = α² / π(sin² θ_h + α² cos² θ_h)², the distribution of Trowbridge and Reitz;
-/// * V = 1/2 / (cos θ_i √(α² + (1 - α²) cos² θ_r) + the same exchanged), Smith's
-///   height-correlated masking and shadowing over 4 cos θ_i cos θ_r.
+/// * V = 1/2 / (cos θ_i √(α² + (1 - α²) cos² θ_r) + the same with i and r exchanged), Smith's
+///   height-correlated masking and shadowing divided by 4 cos θ_i cos θ_r.
 ///
-/// This is the BRDF of Appendix B of the glTF 2.0 specification, with V in the
-/// height-correlated form of its sample renderer: a dielectric has f0 = 0.04 and the
-/// base colour as albedo, a metal the base colour as f0 and no albedo. f grows without
-/// bound where both directions graze the surface, as 1 / (cos θ_i + cos θ_r).
+/// This is the BRDF of Appendix B of the glTF 2.0 specification, with V in the height-correlated
+/// form of its sample renderer. A dielectric has f0 = 0.04 and the base color as albedo; a metal
+/// has the base color as f0 and no albedo. f grows without bound where both directions graze the
+/// surface, as 1 / (cos θ_i + cos θ_r).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ggx {
     alpha: f64,
@@ -23,16 +23,16 @@ pub struct Ggx {
     albedo: f64,
 }
 
-/// The smoothest surface that is served: its lobe is 1e-3 rad wide.
+/// The smallest roughness that is accepted: its lobe is 1e-3 rad wide.
 const SMOOTHEST: f64 = 0.03;
 
 impl Ggx {
-    /// Of this roughness, reflectance `f0` at normal incidence, and albedo of the matte
+    /// From the roughness, the reflectance `f0` at normal incidence, and the albedo of the matte
     /// base.
     ///
     /// # Errors
     ///
-    /// A roughness outside \[0.03, 1\]; `f0` or an albedo outside \[0, 1\].
+    /// If the roughness is outside \[0.03, 1\], or `f0` or the albedo is outside \[0, 1\].
     pub fn new(roughness: f64, f0: f64, albedo: f64) -> Result<Self> {
         if !(SMOOTHEST..=1.0).contains(&roughness) {
             return Err(Error::new(

@@ -11,11 +11,11 @@ pub struct Lambertian {
 }
 
 impl Lambertian {
-    /// Of this albedo, the share of light that is reflected.
+    /// From the albedo, the fraction of light that is reflected.
     ///
     /// # Errors
     ///
-    /// An albedo outside \[0, 1\].
+    /// If the albedo is outside \[0, 1\].
     pub fn new(albedo: f64) -> Result<Self> {
         Ok(Self { albedo: share("albedo", albedo)? })
     }
@@ -31,7 +31,7 @@ impl Brdf for Lambertian {
     }
 }
 
-/// A number in \[0, 1\].
+/// Checks that a number is in \[0, 1\].
 pub(super) fn share(what: &str, value: f64) -> Result<f64> {
     if (0.0..=1.0).contains(&value) {
         return Ok(value);

@@ -1,41 +1,41 @@
-//! A tabulated BRDF in half-way and difference angles, as the MERL database has it:
-//! W. Matusik, H. Pfister, M. Brand and L. McMillan, "A Data-Driven Reflectance Model",
-//! SIGGRAPH 2003; angles of S. Rusinkiewicz, "A New Change of Variables for Efficient
-//! BRDF Representation", 1998.
+//! A BRDF tabulated in half-way and difference angles, as in the MERL database: W. Matusik, H.
+//! Pfister, M. Brand and L. McMillan, "A Data-Driven Reflectance Model", SIGGRAPH 2003. The angles
+//! are those of S. Rusinkiewicz, "A New Change of Variables for Efficient BRDF
+//! Representation", 1998.
 
 use crate::material::brdf::{Brdf, Geometry};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Bins of θ_h, θ_d and φ_d.
+/// Number of bins in θ_h, θ_d and φ_d.
 pub const BINS: [usize; 3] = [90, 90, 180];
 
-/// One channel of a table: bins by θ_h, within it θ_d, within it φ_d, equal in θ_d
-/// over \[0, π/2\] and φ_d over \[0, π), and in √θ_h over \[0, √(π/2)\].
+/// One channel of a table. Bins are indexed by θ_h, then θ_d, then φ_d. They are equal in θ_d over
+/// \[0, π/2\], in φ_d over \[0, π), and in √θ_h over \[0, √(π/2)\].
 ///
-/// Between the centres of bins f is linear in each of the three; beyond the outermost
-/// centres of θ_h and θ_d it is constant, in φ_d it is periodic (φ_d + π exchanges
-/// light and view). Bins without a value, below zero in the files, are left to their
-/// neighbours: of the eight about a point those that have one share the weight; where
-/// none has, f is 0. An isotropic surface cannot tell φ_d from -φ_d: f is the mean of
-/// the two.
+/// Between bin centers f is linear in each of the three. Beyond the outermost centers of θ_h and
+/// θ_d it is constant; in φ_d it is periodic (φ_d + π exchanges light and view). Bins without a
+/// value are below zero in the files and are skipped: those of the eight bins around a point that
+/// have a value share the weight, and f is 0 if none has. An isotropic surface cannot distinguish
+/// φ_d from -φ_d, so f is the mean of the two.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Merl {
     values: Vec<f64>,
 }
 
-/// The largest value that means anything: sums of its squares are numbers.
+/// The largest accepted value: sums of its squares are finite.
 const LARGEST: f64 = 1e100;
 
 impl Merl {
-    /// Of these values, 1/sr; below zero where there is none. None if they are not as
-    /// many as there are bins, or one is not finite or beyond 1e100, whose squares are none.
+    /// From values in 1/sr, which are below zero for bins without a value. `None` if their number
+    /// differs from the number of bins, or if one is not finite or beyond 1e100, where squares
+    /// overflow.
     #[must_use]
     pub fn new(values: Vec<f64>) -> Option<Self> {
         let fits = values.len() == BINS.iter().product::<usize>();
         (fits && values.iter().all(|value| value.abs() <= LARGEST)).then_some(Self { values })
     }
 
-    /// Bins without a value, as a share of all.
+    /// Fraction of bins without a value.
     #[must_use]
     pub fn missing(&self) -> f64 {
         let count = self.values.iter().filter(|value| **value < 0.0).count();
@@ -88,7 +88,7 @@ impl Brdf for Merl {
     }
 }
 
-/// The two bins whose centres enclose a place, and their weights.
+/// The two bins whose centers enclose a place, and their weights.
 fn between(place: f64, count: usize) -> [(usize, f64); 2] {
     let place = (place - 0.5).clamp(0.0, (count - 1) as f64);
     let low = (place as usize).min(count - 2);
@@ -96,7 +96,7 @@ fn between(place: f64, count: usize) -> [(usize, f64); 2] {
     [(low, 1.0 - share), (low + 1, share)]
 }
 
-/// The same where the last bin and the first are neighbours.
+/// The same for a periodic coordinate, where the last bin is next to the first.
 fn around(place: f64, count: usize) -> [(usize, f64); 2] {
     let place = (place - 0.5).rem_euclid(count as f64);
     let low = (place as usize).min(count - 1);

@@ -1,7 +1,7 @@
-//! BRDFs as functions: isotropic, reciprocal, one colour channel each.
+//! BRDFs as functions: isotropic, reciprocal, one color channel each.
 //!
-//! An isotropic BRDF that is even in Δφ depends on three cosines alone, those of
-//! θ_i, of θ_r and of the angle between the two directions; see [`Geometry`].
+//! An isotropic BRDF that is even in Δφ depends on only three cosines: those of θ_i, of θ_r and of
+//! the angle between the two directions; see [`Geometry`].
 
 mod abc;
 mod geometry;
@@ -24,14 +24,14 @@ pub use surface::{Projected, Surface};
 
 /// One channel of an isotropic, reciprocal BRDF.
 pub trait Brdf: Send + Sync {
-    /// f in 1/sr. The same if the two directions are exchanged.
+    /// f in 1/sr, symmetric under exchange of the two directions.
     ///
-    /// Domain: both directions above the surface, cosines > 0; models may diverge
-    /// where both graze it.
+    /// Domain: both directions above the surface, cosines > 0. Models may diverge where both
+    /// directions graze it.
     fn value(&self, at: Geometry) -> f64;
 
-    /// The angle, radians, between the surface's normal and the half-way direction
-    /// over which f changes by its own size: quadrature is as fine as that about the
-    /// mirror direction and at grazing angles. In (0, 1\].
+    /// The change of angle between the normal and the half-way direction, in radians, over which f
+    /// changes by its own size. Quadrature is this fine around the mirror direction and at grazing
+    /// angles. In (0, 1\].
     fn width(&self) -> f64;
 }

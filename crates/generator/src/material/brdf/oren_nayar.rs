@@ -1,18 +1,17 @@
-//! Rough matte surfaces: M. Oren and S. K. Nayar, "Generalization of Lambert's
-//! Reflectance Model", SIGGRAPH 1994, the qualitative model at the paper's end, which
-//! leaves out the interreflection between facets. It is what renderers mean by the
-//! name.
+//! Rough matte surfaces: M. Oren and S. K. Nayar, "Generalization of Lambert's Reflectance Model",
+//! SIGGRAPH 1994. This is the qualitative model at the end of the paper, which leaves out the
+//! interreflection between facets. Renderers use the name for this model.
 
 use crate::material::brdf::lambertian::share;
 use crate::material::brdf::{Brdf, Geometry};
 use eigenshade_model::error::{Error, Result};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// f = (albedo / π)(A + B max(0, cos Δφ) sin α tan β), α the larger of θ_i and θ_r, β
-/// the smaller, A = 1 - σ² / 2(σ² + 0.33), B = 0.45 σ² / (σ² + 0.09).
+/// f = (albedo / π)(A + B max(0, cos Δφ) sin α tan β), where α is the larger of θ_i and θ_r, β is
+/// the smaller, A = 1 - σ² / 2(σ² + 0.33) and B = 0.45 σ² / (σ² + 0.09).
 ///
-/// f grows without bound where both directions graze the surface on one side, as
-/// 1 / cos β; the light that it reflects stays finite.
+/// f grows as 1 / cos β without bound where both directions graze the surface on the same side. The
+/// reflected light stays finite.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OrenNayar {
     albedo: f64,
@@ -21,12 +20,12 @@ pub struct OrenNayar {
 }
 
 impl OrenNayar {
-    /// Of this albedo and this standard deviation σ of the facets' slope angle,
-    /// radians; σ = 0 is Lambertian.
+    /// From the albedo and the standard deviation σ of the facets' slope angle in radians; σ = 0 is
+    /// Lambertian.
     ///
     /// # Errors
     ///
-    /// An albedo outside \[0, 1\], σ outside \[0, π/2\].
+    /// If the albedo is outside \[0, 1\] or σ is outside \[0, π/2\].
     pub fn new(albedo: f64, sigma: f64) -> Result<Self> {
         if !(0.0..=FRAC_PI_2).contains(&sigma) {
             return Err(Error::new(

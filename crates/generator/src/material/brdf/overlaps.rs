@@ -1,11 +1,10 @@
-//! The modes (8) under the measure cos θ_i cos θ_r dω_i dω_r, in which they are not
-//! orthogonal.
+//! The modes (8) under the measure cos θ_i cos θ_r dω_i dω_r, in which they are not orthogonal.
 //!
-//! For each q, Σ b I = Σ_op B_op R_o(θ_i) R_p(θ_r) cos qΔφ with symmetric B, and modes of
-//! different q are orthogonal. With A_op = ∫ R_o R_p cos θ sin θ dθ and c the integral of
-//! cos² qΔφ over the turn times 2π, the integrals of f R_o R_p cos qΔφ, a matrix F, are
-//! c A B A where f is Σ b I: so B = A⁻¹ F A⁻¹ / c is nearest to any f, and the energy of
-//! Σ b I is c times the trace of (B A)².
+//! For each q, Σ b I = Σ_op B_op R_o(θ_i) R_p(θ_r) cos qΔφ with symmetric B, and modes of different
+//! q are orthogonal. Let A_op = ∫ R_o R_p cos θ sin θ dθ, and let c be 2π times the integral of
+//! cos² qΔφ over the full turn. If f is Σ b I, the matrix F of the integrals of f R_o R_p cos qΔφ
+//! is c A B A. So B = A⁻¹ F A⁻¹ / c gives the sum nearest to any f, and the energy of Σ b I is c
+//! times the trace of (B A)².
 
 use eigenshade_index::material;
 use eigenshade_model::scattering::norm;
@@ -18,7 +17,7 @@ use std::f64::consts::{PI, TAU};
 pub(super) struct Overlaps(Vec<Mat<f64>>);
 
 impl Overlaps {
-    /// By a rule that is exact: the integrands are polynomials in cos θ.
+    /// Computes A with a quadrature rule that is exact: the integrands are polynomials in cos θ.
     pub(super) fn new(order: usize) -> Self {
         let nodes = gauss_legendre::rule(order / 2 + 2, 0.0, 1.0);
         let matrix = |q: usize| {
@@ -37,8 +36,8 @@ impl Overlaps {
         Self((0..=order).map(matrix).collect())
     }
 
-    /// The coefficients b of the Σ b I that is nearest to f, from its integrals with the
-    /// modes, ∫∫ f I cos θ_i cos θ_r dω_i dω_r.
+    /// The coefficients b of the sum Σ b I nearest to f, from the integrals of f with the modes, ∫∫
+    /// f I cos θ_i cos θ_r dω_i dω_r.
     pub(super) fn nearest(&self, integrals: &[f64]) -> Vec<f64> {
         let mut coefficients = vec![0.0; integrals.len()];
         for (q, overlap) in self.0.iter().enumerate() {
@@ -75,12 +74,12 @@ impl Overlaps {
     }
 }
 
-/// B_op / b_op^q: of o = p both products are the same.
+/// B_op / b_op^q. For o = p the two products are the same.
 fn factor(o: usize, p: usize, q: usize) -> f64 {
     norm(o, p, q) * if o == p { 2.0 } else { 1.0 }
 }
 
-/// 2π times the integral of cos² qΔφ over the turn.
+/// 2π times the integral of cos² qΔφ over the full turn.
 fn turn(q: usize) -> f64 {
     TAU * if q == 0 { TAU } else { PI }
 }

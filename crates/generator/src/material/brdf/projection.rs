@@ -1,16 +1,15 @@
-//! BRDFs as functions to coefficients b_op^q of (7), by quadrature.
+//! Projects BRDF functions to coefficients b_op^q of (7), by quadrature.
 //!
-//! Of all sums Σ b I the coefficients give the one nearest to f, in a [`Measure`]. Under
-//! dω_i dω_r the modes (8) are orthonormal, and b_op^q = ∫∫ f I_op^q dω_i dω_r. Under
-//! cos θ_i cos θ_r dω_i dω_r the same integrals, with the cosines, are the right-hand side
-//! of normal equations that fall apart into small ones, one for each q.
+//! The coefficients give the sum Σ b I that is nearest to f in a [`Measure`]. Under dω_i dω_r the
+//! modes (8) are orthonormal, and b_op^q = ∫∫ f I_op^q dω_i dω_r. Under cos θ_i cos θ_r dω_i dω_r,
+//! the same integrals with the cosines are the right-hand side of normal equations, which split
+//! into small systems, one for each q.
 //!
-//! f does not change when the directions are turned together, exchanged or mirrored: what
-//! is left to integrate is Δφ in \[0, π\] and θ_r <= θ_i. First come the integrals over Δφ
-//! with cos qΔφ, then the polar angles with R_o^q R_p^q. All three rules are composite
-//! ones of Gauss and Legendre whose panels shrink towards the mirror direction, where a
-//! narrow lobe stands, and towards grazing angles ([`graded`]). So a lobe of 1e-3 rad costs
-//! a few times what a matte surface does.
+//! f does not change when the directions are rotated together, exchanged or mirrored. So it is
+//! enough to integrate over Δφ in \[0, π\] and θ_r <= θ_i: first over Δφ with cos qΔφ, then over
+//! the polar angles with R_o^q R_p^q. All three rules are composite Gauss-Legendre rules whose
+//! panels shrink toward the mirror direction, where a narrow lobe peaks, and toward grazing angles
+//! ([`graded`]). A lobe of 1e-3 rad therefore costs only a few times as much as a matte surface.
 
 use crate::material::brdf::overlaps::Overlaps;
 use crate::material::brdf::{Brdf, Geometry};
@@ -21,58 +20,57 @@ use eigenshade_model::special::gauss_legendre;
 use eigenshade_model::special::graded::{self, Feature};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_8, PI};
 
-/// No panel is wider, radians.
+/// Width of the widest panel, in radians.
 const WIDEST: f64 = FRAC_PI_8;
 
-/// The width of the last panel before grazing angles, radians.
+/// Width of the last panel before grazing angles, in radians.
 const GRAZING: f64 = 1e-5;
-/// No panel need be narrower, radians.
+/// Width below which panels need not shrink, in radians.
 const NARROWEST: f64 = 1e-9;
 
-/// How far f and Σ b I are apart: the integral of (f - Σ b I)² under this.
+/// The distance between f and Σ b I: the integral of (f - Σ b I)² under this measure.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Measure {
-    /// cos θ_i cos θ_r dω_i dω_r: as the irradiance of a sphere sees f, the first cosine
-    /// being that of (3), the second the density of the normals. Coefficients of a lower
-    /// order are others, not the first of these.
+    /// cos θ_i cos θ_r dω_i dω_r, the weight that f has in the irradiance of a sphere: the first
+    /// cosine is that of (3), the second the density of the normals. Coefficients of a lower order
+    /// differ from the first coefficients of a higher one.
     #[default]
     Projected,
-    /// dω_i dω_r, in which the modes are orthonormal: b = ∫∫ f I. f of GGX and of Oren and
-    /// Nayar is not square-integrable here, since it grows as 1 / (cos θ_i + cos θ_r)
-    /// where both directions graze; the coefficients exist, but serve what grazes at the
-    /// cost of the rest.
+    /// dω_i dω_r, in which the modes are orthonormal: b = ∫∫ f I. For GGX and Oren-Nayar f is not
+    /// square-integrable here, since it grows as 1 / (cos θ_i + cos θ_r) where both directions
+    /// graze. The coefficients exist, but favor grazing directions at the expense of the rest.
     SolidAngle,
 }
 
-/// A BRDF as far as an order describes it.
+/// The approximation of a BRDF at one order.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Projection {
     /// b_op^q in 1/sr, in the order of [`material`].
     pub coefficients: Vec<f64>,
     /// ∫∫ f² cos θ_i cos θ_r dω_i dω_r.
     pub energy: f64,
-    /// ∫∫ (f - Σ b I)² cos θ_i cos θ_r dω_i dω_r as a share of the energy, whatever the
-    /// measure: what the order leaves out. 0 where the energy is; rounding leaves 1e-14.
+    /// ∫∫ (f - Σ b I)² cos θ_i cos θ_r dω_i dω_r as a fraction of the energy, for either measure:
+    /// the part that the order leaves out. 0 if the energy is 0; rounding leaves 1e-14.
     pub left_out: f64,
 }
 
-/// The nodes that [`project`] gives a panel.
+/// Number of nodes that [`project`] uses in each panel.
 #[must_use]
 pub fn nodes(order: usize) -> usize {
     10 + order / 4
 }
 
-/// Projects up to `order`.
+/// Projects a BRDF up to `order`.
 ///
-/// In [`Measure::Projected`] to 1e-7 of the largest coefficient, for GGX of roughness 0.03
-/// and more and for the matte models, in [`Measure::SolidAngle`] to 1e-5. Time: some 0.3 s
-/// at order 12, 2 s at 32.
+/// Error relative to the largest coefficient, for GGX of roughness 0.03 or more and the matte
+/// models: 1e-7 in [`Measure::Projected`], 1e-5 in [`Measure::SolidAngle`]. Time: about 0.3 s at
+/// order 12, 2 s at 32.
 #[must_use]
 pub fn project(brdf: &dyn Brdf, order: usize, measure: Measure) -> Projection {
     project_with(brdf, order, measure, nodes(order))
 }
 
-/// The same with `count` nodes a panel: twice as many show how far it has converged.
+/// Like [`project`], with `count` nodes per panel. Compare with twice as many to check convergence.
 #[must_use]
 pub fn project_with(brdf: &dyn Brdf, order: usize, measure: Measure, count: usize) -> Projection {
     let unit = gauss_legendre::rule(count, 0.0, 1.0);
@@ -96,7 +94,7 @@ struct Row {
     order: usize,
     /// ∫∫ f cos qΔφ R_p^q(θ_r) sin θ_r dθ_r dΔφ, in the order of [`pair`].
     plain: Vec<f64>,
-    /// The same with cos θ_r.
+    /// The same with an additional factor cos θ_r.
     projected: Vec<f64>,
     /// ∫∫ f² cos θ_r sin θ_r dθ_r dΔφ.
     energy: f64,
@@ -130,7 +128,7 @@ impl Row {
     }
 }
 
-/// ∫ f cos qΔφ dΔφ for q = 0..=order and ∫ f² dΔφ, over \[0, π\].
+/// ∫ f cos qΔφ dΔφ for q = 0..=order, and ∫ f² dΔφ, over \[0, π\].
 fn azimuth_integrals(
     brdf: &dyn Brdf,
     order: usize,
@@ -138,16 +136,16 @@ fn azimuth_integrals(
     theta_i: f64,
     theta_r: f64,
 ) -> (Vec<f64>, f64) {
-    // With δ = π - Δφ: |i + r|² (sin² θ_h + width² cos² θ_h) at δ = 0, over its growth
-    // with δ², is the square of the lobe's width in δ. |i + r| = 2 cos (θ_i + θ_r)/2
-    // there, and its part along the surface that times the tangent of (θ_i - θ_r)/2.
+    // With δ = π - Δφ, the square of the lobe's width in δ is |i + r|² (sin² θ_h + width² cos² θ_h)
+    // at δ = 0, divided by its growth with δ². There |i + r| = 2 cos (θ_i + θ_r)/2, and its part
+    // along the surface is that times the tangent of (θ_i - θ_r)/2.
     let length = 2.0 * (0.5 * (theta_i + theta_r)).cos();
     let (sine, cosine) = (0.5 * (theta_i - theta_r)).sin_cos();
     let width = brdf.width() * cosine;
     let sines = theta_i.sin() * theta_r.sin();
     let scale = length * ((sine * sine + width * width) / sines).sqrt();
     let scale = scale.clamp(NARROWEST, PI);
-    // Models may turn at Δφ = π/2; that is all the second feature is for.
+    // The second feature is there because models may have a kink at Δφ = π/2.
     let features = [Feature { at: PI, scale }, Feature { at: FRAC_PI_2, scale: PI }];
     let mut waves = vec![0.0; order + 1];
     let mut square = 0.0;
@@ -165,7 +163,7 @@ fn azimuth_integrals(
     (waves, square)
 }
 
-/// Integrals over everything.
+/// The accumulated integrals.
 struct Sums {
     order: usize,
     plain: Vec<f64>,
@@ -192,7 +190,8 @@ impl Sums {
         }
     }
 
-    /// 8π: the turn of both directions, the mirrored half of Δφ, the exchange.
+    /// The factor 8π combines the rotation of both directions, the mirrored half of Δφ and the
+    /// exchange.
     fn finish(mut self, measure: Measure) -> Projection {
         let factor = 8.0 * PI;
         for (place, (o, p, q)) in material::indices(self.order).enumerate() {

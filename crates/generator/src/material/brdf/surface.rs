@@ -1,4 +1,4 @@
-//! A material as functions, by name.
+//! A named material with BRDF functions.
 
 use crate::material::brdf::Brdf;
 use crate::material::brdf::projection::{Measure, Projection, project};
@@ -6,28 +6,28 @@ use eigenshade_model::database::Named;
 
 /// One BRDF for all three channels, or one for each.
 pub struct Surface {
-    /// What it is called.
+    /// Name of the material.
     pub name: String,
     channels: Vec<Box<dyn Brdf>>,
 }
 
-/// A surface's coefficients, and what its order leaves out.
+/// A surface's coefficients, and the part that their order leaves out.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Projected {
     /// The name and the coefficients b_op^q in 1/sr.
     pub material: Named,
-    /// [`Projection::left_out`], of the channel where it is largest.
+    /// [`Projection::left_out`] of the channel where it is largest.
     pub left_out: f64,
 }
 
 impl Surface {
-    /// The same in all channels.
+    /// A surface with the same BRDF in all channels.
     #[must_use]
     pub fn grey(name: String, brdf: Box<dyn Brdf>) -> Self {
         Self { name, channels: vec![brdf] }
     }
 
-    /// r, g and b.
+    /// A surface with separate BRDFs for r, g and b.
     #[must_use]
     pub fn coloured(name: String, rgb: [Box<dyn Brdf>; 3]) -> Self {
         Self { name, channels: Vec::from(rgb) }
@@ -39,13 +39,13 @@ impl Surface {
         &*self.channels[channel.min(self.channels.len() - 1)]
     }
 
-    /// Different BRDFs: one or three.
+    /// Number of distinct BRDFs: one or three.
     #[must_use]
     pub fn channels(&self) -> usize {
         self.channels.len()
     }
 
-    /// The projection of every channel; equal ones are done once.
+    /// Projects every channel; a BRDF shared by all channels is projected once.
     #[must_use]
     pub fn project(&self, order: usize, measure: Measure) -> Projected {
         let channels: Vec<Projection> =
