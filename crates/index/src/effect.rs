@@ -1,9 +1,10 @@
-//! Effects: sets of irradiance modes that a person can see. An image is linear in its modes,
-//! so it is the sum of the images of its effects.
+//! Effects: sets of irradiance modes with a visible meaning.
+//!
+//! An image is linear in its modes, so it is the sum of the images of its effects.
 
-/// A set of irradiance modes that a person can see.
+/// A set of irradiance modes with a visible meaning.
 ///
-/// Every mode (l, o, p, q) belongs to one: see [`Effect::of`].
+/// Every mode (l, o, p, q) belongs to exactly one effect: see [`Effect::of`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(
@@ -12,9 +13,9 @@
     serde(rename_all = "kebab-case")
 )]
 pub enum Effect {
-    /// l = 0: what light from all around does.
+    /// l = 0: the response to the mean of the light over all directions.
     Ambient,
-    /// l >= 1, o = 0: what a Lambertian material shows of the light's directions.
+    /// l >= 1, o = 0: how a Lambertian material responds to directional light.
     Diffuse,
     /// l >= 1, 1 <= o <= 3: rough, backscattering and rim lobes.
     Broad,
@@ -23,10 +24,10 @@ pub enum Effect {
 }
 
 impl Effect {
-    /// Every effect.
+    /// All four effects.
     pub const ALL: [Self; 4] = [Self::Ambient, Self::Diffuse, Self::Broad, Self::Gloss];
 
-    /// That of the modes of degree l and order o.
+    /// The effect of the modes of degree l and order o.
     #[inline]
     #[must_use]
     pub const fn of(l: usize, o: usize) -> Self {
@@ -38,7 +39,7 @@ impl Effect {
         }
     }
 
-    /// Its name in a scene file and on a command line.
+    /// The effect's name in a scene file and on the command line.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -54,102 +55,102 @@ impl Effect {
     }
 }
 
-/// Some of the effects.
+/// A set of effects.
 ///
-/// A basis of some effects factors UᵀM as one of all does, for the orders o that its
-/// directional effects (l >= 1) take: [`factored`](Self::factored). What `ambient` takes of
-/// other orders stands apart, one number for each profile of m = 0 and coefficient.
+/// A basis for some effects factors UᵀM in the same way as a basis for all of them, but only for
+/// the orders o that its directional effects (l >= 1) contain: see [`factored`](Self::factored). If
+/// `ambient` contains other orders, their coefficients are stored unfactored: one number for each
+/// profile of m = 0 and coefficient.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Effects(u8);
 
 impl Effects {
-    /// None of them.
+    /// The empty set.
     pub const NONE: Self = Self(0);
 
-    /// All of them.
+    /// All effects.
     pub const ALL: Self = Self(0b1111);
 
-    /// These and one more.
+    /// Adds an effect to the set.
     #[must_use]
     pub const fn with(self, effect: Effect) -> Self {
         Self(self.0 | effect.bit())
     }
 
-    /// These without one.
+    /// Removes an effect from the set.
     #[must_use]
     pub const fn without(self, effect: Effect) -> Self {
         Self(self.0 & !effect.bit())
     }
 
-    /// Those of both.
+    /// The intersection of two sets.
     #[must_use]
     pub const fn and(self, others: Self) -> Self {
         Self(self.0 & others.0)
     }
 
-    /// The effects of these bits, from the first of [`Effect::ALL`] up; `None` if there are
-    /// others.
+    /// The set with these bits, or `None` if a bit belongs to no effect. Bit k is the k-th effect
+    /// of [`Effect::ALL`].
     #[must_use]
     pub const fn from_bits(bits: u16) -> Option<Self> {
         if bits > Self::ALL.0 as u16 { None } else { Some(Self(bits as u8)) }
     }
 
-    /// Their bits, from the first of [`Effect::ALL`] up.
+    /// The bits of the set. Bit k is the k-th effect of [`Effect::ALL`].
     #[must_use]
     pub const fn bits(self) -> u16 {
         self.0 as u16
     }
 
-    /// Whether an effect is among them.
+    /// Whether the set contains an effect.
     #[inline]
     #[must_use]
     pub const fn has(self, effect: Effect) -> bool {
         self.0 & effect.bit() != 0
     }
 
-    /// Whether they are all.
+    /// Whether the set contains every effect.
     #[inline]
     #[must_use]
     pub const fn is_all(self) -> bool {
         self.0 == Self::ALL.0
     }
 
-    /// Whether modes of degree l and order o are in them.
+    /// Whether the set contains the modes of degree l and order o.
     #[inline]
     #[must_use]
     pub const fn keeps(self, l: usize, o: usize) -> bool {
         self.has(Effect::of(l, o))
     }
 
-    /// Whether any of them is of degrees l >= 1.
+    /// Whether the set contains an effect of degrees l >= 1.
     #[must_use]
     pub const fn is_directional(self) -> bool {
         self.0 & !Effect::Ambient.bit() != 0
     }
 
-    /// The largest degree l that they take of light of `degree`.
+    /// The largest degree l that the set contains, for light up to `degree`.
     #[must_use]
     pub const fn degree(self, degree: usize) -> usize {
         if self.is_directional() { degree } else { 0 }
     }
 
-    /// The largest order o that they take of a material of `order`: that of their factors, or
-    /// all of it where coefficients stand apart.
+    /// The largest order o that the set uses, for a material up to `order`: the largest factored
+    /// order, or all of `order` if some coefficients are unfactored.
     #[must_use]
     pub const fn order(self, order: usize) -> usize {
         if self.apart_count(order) > 0 { order } else { self.factored_order(order) }
     }
 
-    /// Whether a basis of these effects factors the modes of order o.
+    /// Whether a basis for this set factors the modes of order o.
     #[inline]
     #[must_use]
     pub const fn factored(self, o: usize) -> bool {
         if self.is_directional() { self.keeps(1, o) } else { o == 0 }
     }
 
-    /// The largest order o, of those up to `order`, that a basis of these effects factors;
-    /// 0 if there is none.
+    /// The largest order o <= `order` that a basis for this set factors; 0 if there is none.
     #[must_use]
     pub const fn factored_order(self, order: usize) -> usize {
         match order {
@@ -160,21 +161,22 @@ impl Effects {
         }
     }
 
-    /// Whether the coefficient (o, p, q) stands apart.
+    /// Whether the coefficient (o, p, q) is stored unfactored.
     #[must_use]
     pub const fn is_apart(self, o: usize, q: usize) -> bool {
         self.has(Effect::Ambient) && q == 0 && !self.factored(o)
     }
 
-    /// The (o, p) of the coefficients (o, p, 0) up to `order` that stand apart, in storage
-    /// order.
+    /// The (o, p) of the unfactored coefficients (o, p, 0) up to `order`, in storage order.
     pub fn apart(self, order: usize) -> impl Iterator<Item = (usize, usize)> {
         let all = crate::material::indices(order);
         all.filter(move |&(o, _, q)| self.is_apart(o, q)).map(|(o, p, _)| (o, p))
     }
 
-    /// Number of coefficients up to `order` that stand apart; `usize::MAX` if some do and the
-    /// order is above 2047, as [`material::count`](crate::material::count) has it.
+    /// Number of unfactored coefficients up to `order`.
+    ///
+    /// Returns `usize::MAX` if there are any and the order is above 2047, like
+    /// [`material::count`](crate::material::count).
     #[must_use]
     pub const fn apart_count(self, order: usize) -> usize {
         if !self.has(Effect::Ambient) || self.is_all() {

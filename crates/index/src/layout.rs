@@ -1,42 +1,43 @@
-//! Layout of the runtime's rows, so that a compiler can take [`LANES`] numbers at
-//! a time.
+//! Memory layout of the runtime's rows, arranged so that a compiler can process [`LANES`] numbers
+//! at a time.
 //!
-//! Polar integrals run along l: for each pair a row of [`groups`] groups, zero
-//! beyond the degree. Factors of UᵀM run along the pairs: for each l from |m|
-//! on a row of [`row`] numbers, zero-padded. The profiles of an azimuth go two by
-//! two, group by group beside each other, the last of an odd number with zeros.
+//! Polar integrals run along l: each pair has a row of [`groups`] groups, padded with zeros beyond
+//! the degree. Factors of UᵀM run along the pairs: each l >= |m| has a row of [`row`] numbers,
+//! padded with zeros. The profiles of an azimuth are stored in twos, with their groups interleaved.
+//! If their number is odd, the last profile is paired with zeros.
 //!
-//! Transfers run along m: a pass takes the orders m = first..first + [`LANES`],
-//! `first` a multiple of [`LANES`], and at most [`PASS`] profiles of each; for
-//! each l from [`lowest_degree`] on, for each of its profiles, one group.
+//! Transfers run along m. A pass covers the orders m = first..first + [`LANES`], where `first` is a
+//! multiple of [`LANES`], and at most [`PASS`] profiles of each order. It holds one group for each
+//! l from [`lowest_degree`] on and each of its profiles.
 
-/// Most terms of a profile's polynomial in powers of t = 2z - 1: they cancel, of n terms up
-/// to (1 + √2)^n to one.
+/// Maximum number of terms of a profile's polynomial in powers of t = 2z - 1. The powers cancel:
+/// with n terms by up to (1 + √2)^n to one.
 pub const POWERS: usize = 16;
 
-/// Most terms in [`Form::Halves`], whose powers cancel as those of half as many terms do.
+/// Maximum number of terms in [`Form::Halves`], whose powers cancel like those of half as many
+/// terms.
 pub const HALVES: usize = 2 * POWERS;
 
-/// How a polynomial in t is written, highest term first, where its azimuth has no
-/// [`Recurrence`]: its length decides.
+/// How a polynomial in t is written, highest term first, if its azimuth has no [`Recurrence`]. The
+/// number of terms determines the form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
-    /// In 1, t, t², ...: a multiplication and an addition a term.
+    /// In 1, t, t², ...: one multiplication and one addition per term.
     Powers,
-    /// In 1, t, u, tu, u², tu², ... of u = 2t² - 1, the even and the odd half by turns: as
-    /// many, and one more of each for u.
+    /// In 1, t, u, tu, u², tu², ... with u = 2t² - 1, alternating between the even and the odd
+    /// half: the same operations per term, plus one multiplication and one addition for u.
     Halves,
 }
 
 impl Form {
-    /// That of a polynomial of so many terms.
+    /// The form of a polynomial with this number of terms.
     #[inline]
     #[must_use]
     pub const fn of(terms: usize) -> Self {
         if terms <= POWERS { Self::Powers } else { Self::Halves }
     }
 
-    /// above and below of t e_k = above e_k+1 + below e_k-1, of the polynomials e_k of this
+    /// `[above, below]` in t e_k = above e_k+1 + below e_k-1, where e_k are the polynomials of this
     /// form.
     #[inline]
     #[must_use]
@@ -49,18 +50,20 @@ impl Form {
     }
 }
 
-/// Coefficients a_k and b_k of the recurrence e_k+1 = (2t - a_k) e_k - b_k e_k-1, e_0 = 1,
-/// e_-1 = 0, of polynomials that are orthogonal over a sphere's normals times sin^2m.
+/// Coefficients a_k and b_k of the recurrence e_k+1 = (2t - a_k) e_k - b_k e_k-1, e_0 = 1, e_-1 =
+/// 0, of polynomials that are orthogonal over a sphere's normals with the weight sin^2m.
 ///
-/// A profile h = u / sin^|m| of a high azimuth is far larger near the pole than at the rim, so
-/// that in powers, halves or Chebyshev polynomials the rim's value is a small difference of
-/// large terms. These polynomials grow toward the pole as h does. The coefficients are `f32` in
-/// every number format: rounded, they define the polynomials.
+/// At a high azimuth a profile h = u / sin^|m| is far larger near the pole than at the rim. In
+/// powers, halves or Chebyshev polynomials its value at the rim is a small difference of large
+/// terms. These polynomials grow toward the pole as h does. The coefficients are `f32` in every
+/// number format; the rounded values define the polynomials.
 pub type Recurrence = [f32; 2];
 
-/// The first azimuth that has recurrences, and how many numbers each has: those of a table
-/// are of its last azimuths, each as many as its longest polynomial has terms. No azimuth has
-/// one if they are none; `None` if they are no such number.
+/// `[first, length]`: the first azimuth that has recurrences, and the length of each recurrence.
+///
+/// A table stores recurrences for its last azimuths. Each has as many coefficient pairs as the
+/// longest of the polynomial `lengths` has terms; `count` is their total number. If `count` is 0,
+/// no azimuth has a recurrence. Returns `None` if `count` is not possible for these lengths.
 #[must_use]
 pub const fn recurrences(lengths: &[u16], count: usize) -> Option<[usize; 2]> {
     let (mut longest, mut rest) = (0, lengths);
@@ -79,35 +82,38 @@ pub const fn recurrences(lengths: &[u16], count: usize) -> Option<[usize; 2]> {
     Some([lengths.len() - count / longest, longest])
 }
 
-/// Most numbers whose rounding sums in integers leave room for, a weight for +m and one for
-/// -m of each profile: the half units that a scene's weights are off are 2^23 in its sums of
-/// 31 bits at most, and these keep a 64th free; those of a transfer's row of half as many
-/// numbers are a 256th of what they may sum to.
+/// Maximum number of weights in one integer sum: one for +m and one for -m of each profile. The
+/// limit leaves headroom for rounding. The weights of a scene are off by half a unit each, which
+/// adds up to at most 2^23 in the scene's 31-bit sums; the limit keeps a 64th of the range free. A
+/// transfer's row has half as many numbers, whose rounding is a 256th of the row's largest possible
+/// sum.
 pub const MOST_WEIGHTS: usize = 1023;
 
 /// Numbers in one group.
 pub const LANES: usize = 4;
 
-/// Most profiles of one order in a pass.
+/// Maximum number of profiles of one order in a pass.
 pub const PASS: usize = 8;
 
-/// Groups over l = 0..=degree.
+/// Number of groups over l = 0..=degree.
 #[inline]
 #[must_use]
 pub const fn groups(degree: usize) -> usize {
     degree / LANES + 1
 }
 
-/// Length of a row over the pairs of an order. Domain: order <= 2047; beyond it the answer is
-/// meaningless, but never a panic.
+/// Length of a row over the pairs of an order.
+///
+/// Domain: order <= 2047. For larger orders the result is meaningless, but the function does not
+/// panic.
 #[inline]
 #[must_use]
 pub const fn row(order: usize) -> usize {
     crate::pair::count(order).div_ceil(LANES).saturating_mul(LANES)
 }
 
-/// Number of factors of `profiles` profiles of `azimuth`, `usize::MAX` where that overflows; 0
-/// unless azimuth <= degree.
+/// Number of factors of `profiles` profiles of `azimuth`; `usize::MAX` on overflow, 0 unless
+/// azimuth <= degree.
 #[inline]
 #[must_use]
 pub const fn factors(degree: usize, order: usize, azimuth: usize, profiles: usize) -> usize {
@@ -115,8 +121,9 @@ pub const fn factors(degree: usize, order: usize, azimuth: usize, profiles: usiz
     profiles.div_ceil(2).saturating_mul(2).saturating_mul(degrees).saturating_mul(row(order))
 }
 
-/// The least l of a pass whose orders start at `first`: the least |m| of them.
-/// Domain: `first` a multiple of [`LANES`].
+/// The smallest l of a pass whose orders start at `first`: the smallest |m| in the pass.
+///
+/// Domain: `first` is a multiple of [`LANES`].
 #[inline]
 #[must_use]
 pub const fn lowest_degree(first: isize) -> usize {
@@ -124,7 +131,7 @@ pub const fn lowest_degree(first: isize) -> usize {
     if first >= 0 { first.unsigned_abs() } else { last.unsigned_abs() }
 }
 
-/// The `first` of the pass that holds order m.
+/// The `first` of the pass that contains order m.
 #[inline]
 #[must_use]
 pub const fn first_order(order: isize) -> isize {

@@ -1,10 +1,8 @@
 //! Light: spherical harmonic coefficients L_l^m, l = 0..=degree, m = -l..=l.
 //!
-//! The order is 00, 1-1, 10, 11, 2-2, ...: degree l and order m stand at
-//! l² + l + m.
+//! The storage order is 00, 1-1, 10, 11, 2-2, ...: degree l and order m are at position l² + l + m.
 
-/// Number of coefficients up to and including `degree`: (degree + 1)², or
-/// `usize::MAX` where that overflows.
+/// Number of coefficients up to and including `degree`: (degree + 1)², or `usize::MAX` on overflow.
 #[inline]
 #[must_use]
 pub const fn count(degree: usize) -> usize {
@@ -14,8 +12,8 @@ pub const fn count(degree: usize) -> usize {
 
 /// Position of the coefficient of `degree` l and `order` m.
 ///
-/// Domain: |m| <= l, l² + 2l at most `usize::MAX`. Outside it the answer is meaningless, but
-/// never a panic.
+/// Domain: |m| <= l and l² + 2l <= `usize::MAX`. Outside it the result is meaningless, but the
+/// function does not panic.
 #[inline]
 #[must_use]
 pub const fn position(degree: usize, order: isize) -> usize {
@@ -27,13 +25,12 @@ pub fn indices(degree: usize) -> impl Iterator<Item = (usize, isize)> {
     (0..=degree).flat_map(|l| (-l.cast_signed()..=l.cast_signed()).map(move |m| (l, m)))
 }
 
-/// Factor between the paper's coefficient of order m and the graphics
-/// convention's (three.js, Filament, Ramamoorthi): (-1)^m for m > 0, -1 for
-/// m < 0, +1 for m = 0.
+/// Factor between the paper's coefficient of order m and that of the usual graphics convention
+/// (three.js, Filament, Ramamoorthi): (-1)^m for m > 0, -1 for m < 0, +1 for m = 0.
 ///
-/// The paper's harmonics carry the Condon-Shortley phase and take the signed m
-/// in sin(m phi), so Y_1^-1 = -√(3/4π) y, Y_1^0 = +√(3/4π) z,
-/// Y_1^1 = -√(3/4π) x. The factor is its own inverse: it converts both ways.
+/// The paper's harmonics include the Condon-Shortley phase and use the signed m in sin(m phi), so
+/// Y_1^-1 = -√(3/4π) y, Y_1^0 = +√(3/4π) z, Y_1^1 = -√(3/4π) x. The factor is its own inverse, so
+/// it converts in both directions.
 #[inline]
 #[must_use]
 pub const fn graphics_sign(order: isize) -> i8 {

@@ -1,14 +1,12 @@
-//! Material: Koenderink-van Doorn coefficients b_op^q of (7),
-//! o >= p >= q >= 0, o - q and p - q even.
+//! Material: Koenderink-van Doorn coefficients b_op^q of (7), o >= p >= q >= 0, o - q and p - q
+//! even.
 //!
-//! The order is by o, then p, then q: 000, 111, 200, 220, 222,
-//! 311, 331, 333, ...
+//! They are sorted by o, then p, then q: 000, 111, 200, 220, 222, 311, 331, 333, ...
 
-/// The largest order whose coefficients are counted: 32 bits hold their number.
+/// The largest order for which `count` is exact: the count fits in 32 bits.
 pub(crate) const MOST: usize = 2047;
 
-/// Number of coefficients up to and including `order`, or `usize::MAX` for an order
-/// above 2047.
+/// Number of coefficients up to and including `order`, or `usize::MAX` for an order above 2047.
 #[inline]
 #[must_use]
 pub const fn count(order: usize) -> usize {
@@ -20,13 +18,13 @@ pub const fn count(order: usize) -> usize {
 
 /// Position of the coefficient (o, p, q).
 ///
-/// Domain: q <= p <= o, all of one parity, o at most 2047. Outside it the answer is
-/// meaningless, but never a panic.
+/// Domain: q <= p <= o, all of the same parity, o <= 2047. Outside it the result is meaningless,
+/// but the function does not panic.
 #[inline]
 #[must_use]
 pub const fn position(o: usize, p: usize, q: usize) -> usize {
-    // One o of half h = floor(o/2) holds T(h+1) = (h+1)(h+2)/2 coefficients;
-    // two of each half stand below an even o, one more below an odd one.
+    // An o with h = floor(o/2) has T(h+1) = (h+1)(h+2)/2 coefficients. Below an even o there are
+    // two orders of each smaller h; below an odd o there is one more of its own h.
     let half = o / 2;
     let of_half = (half + 1).wrapping_mul(half + 2);
     let below = half.wrapping_mul(of_half) / 3;

@@ -1,8 +1,8 @@
 //! Irradiance modes E_lop^mq of (14), azimuth by azimuth.
 //!
-//! The modes of one azimuth |m| stand in the order of l = |m|..=degree, within
-//! it in the order of [`material`], with q <= l. +m and -m
-//! share one list: E_lop^{-m,q} has (-1)^m times the slant profile.
+//! The modes of one azimuth |m| are sorted by l = |m|..=degree; those of one l have the order of
+//! [`material`], restricted to q <= l. +m and -m share one list: E_lop^{-m,q} has (-1)^m times the
+//! slant profile.
 
 use crate::material;
 
@@ -17,13 +17,13 @@ pub fn indices(
     })
 }
 
-/// Number of modes of `azimuth` |m|, of one sign of m.
+/// Number of modes of `azimuth` |m|, counting one sign of m.
 #[must_use]
 pub fn count(degree: usize, order: usize, azimuth: usize) -> usize {
     indices(degree, order, azimuth).count()
 }
 
-/// Number of all modes, both signs of m.
+/// Number of all modes, counting both signs of m.
 #[must_use]
 pub fn total(degree: usize, order: usize) -> usize {
     let of = |azimuth| count(degree, order, azimuth);

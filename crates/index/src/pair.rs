@@ -1,9 +1,9 @@
 //! Pairs (p, q): one Zernike radial polynomial R_p^q, p >= q >= 0, p - q even.
 //!
-//! The order is 00, 11, 20, 22, 31, 33, ...: by p, then by q.
+//! They are sorted by p, then q: 00, 11, 20, 22, 31, 33, ...
 
-/// Number of pairs up to and including `order`, or `usize::MAX` for an order above
-/// 2047, as [`material::count`](crate::material::count) has it.
+/// Number of pairs up to and including `order`, or `usize::MAX` for an order above 2047, like
+/// [`material::count`](crate::material::count).
 #[inline]
 #[must_use]
 pub const fn count(order: usize) -> usize {
@@ -15,12 +15,12 @@ pub const fn count(order: usize) -> usize {
 
 /// Position of the pair (p, q).
 ///
-/// Domain: q <= p, p - q even, p at most 2048. Outside it the answer is meaningless, but never
-/// a panic.
+/// Domain: q <= p, p - q even, p <= 2048. Outside it the result is meaningless, but the function
+/// does not panic.
 #[inline]
 #[must_use]
 pub const fn position(p: usize, q: usize) -> usize {
-    // Below p there are floor(p'/2) + 1 pairs for each p' < p.
+    // Each p' < p has floor(p'/2) + 1 pairs.
     let half = p / 2 + 1;
     let below = (p / 2).wrapping_mul(half);
     let below = if p % 2 == 1 { below.wrapping_add(half) } else { below };

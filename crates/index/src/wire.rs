@@ -1,33 +1,33 @@
-//! The wire format: tables as bytes that the runtime reads where they lie.
+//! The wire format: tables as bytes that the runtime reads in place.
 //!
-//! `tables/README.md` has it byte by byte. What is here is what its writer, in
-//! `eigenshade-table`, and its reader, in `eigenshade`, agree on.
+//! `tables/README.md` specifies it byte by byte. This module holds the constants that the writer,
+//! in `eigenshade-table`, and the reader, in `eigenshade`, share.
 
 /// The first bytes of every wire file.
 pub const LABEL: [u8; 8] = *b"EIGSWIRE";
 
-/// The number that stands behind the label in the byte order of all that follows.
+/// The number after the label; it reveals the byte order of the rest of the file.
 pub const MARK: u32 = 0x0102_0304;
 
-/// The version of wire files.
+/// The wire format version.
 pub const VERSION: u16 = 1;
 
-/// A file, and each of its sections, starts at a multiple of so many bytes.
+/// The alignment in bytes of a file and of each of its sections.
 pub const ALIGNMENT: usize = 4;
 
-/// Bytes of the header: label, mark, version, format, length, shape.
+/// Size of the header in bytes: label, mark, version, format, length, shape.
 pub const HEADER: usize = 32;
 
-/// Bytes of a section's entry behind the header: where it starts, how long it is.
+/// Size in bytes of a section's entry after the header: its start and its length.
 pub const ENTRY: usize = 8;
 
-/// Bytes of the checksum, which are a file's last.
+/// Size in bytes of the checksum at the end of a file.
 pub const CHECKSUM: usize = 4;
 
-/// The largest degree and order of a wire file: with these no size overflows 32 bits.
+/// The largest degree and order of a wire file. Within it no size overflows 32 bits.
 pub const MOST: usize = 256;
 
-/// Where the numbers of the header stand.
+/// Byte offsets of the numbers in the header.
 pub mod place {
     /// u32: [`MARK`](super::MARK).
     pub const MARK: usize = 8;
@@ -35,20 +35,19 @@ pub mod place {
     pub const VERSION: usize = 12;
     /// u16: a number of [`format`](super::format).
     pub const FORMAT: usize = 14;
-    /// u32: bytes of the whole file.
+    /// u32: length of the whole file in bytes.
     pub const LENGTH: usize = 16;
     /// u16: largest degree l of the light.
     pub const DEGREE: usize = 20;
     /// u16: largest order o of the BRDF.
     pub const ORDER: usize = 22;
-    /// u16: number of components, of the span where there are eigenimages besides.
+    /// u16: number of components; of the span, if the file also has eigenimages.
     pub const COMPONENTS: usize = 24;
-    /// u16: number of eigenimages over the span; 0 where the components are the
-    /// eigenimages.
+    /// u16: number of eigenimages over the span; 0 if the components are the eigenimages.
     pub const IMAGES: usize = 26;
     /// u16: number of sections.
     pub const SECTIONS: usize = 28;
-    /// u16: the bits of the effects that the table is for.
+    /// u16: the bits of the effects that the table serves.
     pub const EFFECTS: usize = 30;
 }
 
@@ -56,17 +55,17 @@ pub mod place {
 pub mod format {
     /// Numbers are `f32`.
     pub const F32: u16 = 1;
-    /// Numbers are mantissas of 15 bits.
+    /// Numbers are 15-bit mantissas.
     pub const Q15: u16 = 2;
-    /// Numbers are mantissas of 31 bits.
+    /// Numbers are 31-bit mantissas.
     pub const Q31: u16 = 3;
 }
 
-/// Sections of floats that every file has; of those behind them the last that are empty are left
-/// out.
+/// Number of float sections that every file has. Empty sections at the end of the remaining ones
+/// are omitted.
 pub const ALWAYS: usize = 15;
 
-/// The sections of floats, by their place in the file.
+/// The float sections, in file order.
 pub const FLOATS: [&str; 17] = [
     "profiles",
     "passes",
@@ -87,6 +86,6 @@ pub const FLOATS: [&str; 17] = [
     "recurrences",
 ];
 
-/// The sections of integers, by their place in the file.
+/// The integer sections, in file order.
 pub const INTEGERS: [&str; 7] =
     ["profiles", "lengths", "polar", "polar exponents", "factors", "factor exponents", "terms"];

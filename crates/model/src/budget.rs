@@ -1,46 +1,46 @@
-//! How much memory an answer may take: asked before it is taken.
+//! Memory limits, checked before the memory is allocated.
 
 use crate::error::{Error, Result};
 use std::fmt;
 use std::str::FromStr;
 
-/// A limit of memory in bytes.
+/// A memory limit in bytes.
 ///
-/// What needs memory in proportion to what an input claims estimates it first and calls
-/// [`admit`](Self::admit). Some ten MiB of the program itself come besides.
+/// Code whose memory grows with a size claimed by an input estimates its need first and calls
+/// [`admit`](Self::admit). The program itself takes about ten MiB in addition.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Budget(u64);
 
 impl Budget {
-    /// For reading one input file: 512 MiB.
+    /// The default for reading one input file: 512 MiB.
     pub const READING: Self = Self(512 << 20);
 
-    /// For making the table of a scene: 2 GiB.
+    /// The default for computing the table of a scene: 2 GiB.
     pub const BASIS: Self = Self(2 << 30);
 
-    /// A budget of so many bytes.
+    /// A budget of this many bytes.
     #[must_use]
     pub const fn new(bytes: u64) -> Self {
         Self(bytes)
     }
 
-    /// Bytes.
+    /// The limit in bytes.
     #[must_use]
     pub const fn bytes(self) -> u64 {
         self.0
     }
 
-    /// Whether `need` bytes are within the budget and the system gives them: what is then
-    /// allocated piece by piece ends no process.
+    /// Checks that `need` bytes are within the budget and that the system can allocate them.
+    /// Allocating up to that amount piece by piece afterwards does not abort the process.
     ///
     /// # Errors
     ///
-    /// If they are not; the message says how to raise the limit.
+    /// If either check fails; the message names the remedy.
     pub fn admit(self, need: u64) -> Result<()> {
         self.covers(need)?;
         let mut trial = Vec::<u8>::new();
         let given = usize::try_from(need).is_ok_and(|need| trial.try_reserve_exact(need).is_ok());
-        // Or else the compiler leaves out an allocation that nothing uses.
+        // Keeps the compiler from removing the unused allocation.
         std::hint::black_box(&trial);
         if given {
             return Ok(());
@@ -51,16 +51,16 @@ impl Budget {
         ))
     }
 
-    /// Whether `need` bytes are within the budget.
+    /// Checks that `need` bytes are within the budget.
     ///
     /// # Errors
     ///
-    /// If they are not.
+    /// If they are not; the message says how to raise the limit.
     pub fn covers(self, need: u64) -> Result<()> {
         if need <= self.0 {
             return Ok(());
         }
-        // In whole MiB, of which the message's figures are: that much is enough.
+        // Rounded up to whole MiB, like the figures in the message, so that this limit is enough.
         let enough = need.div_ceil(MEBI);
         Err(Error::new(
             format!("it needs {} of memory, and the budget is {self}", Size(need)),
@@ -78,8 +78,8 @@ impl fmt::Display for Budget {
 impl FromStr for Budget {
     type Err = String;
 
-    /// A whole number of bytes, or of `KiB`, `MiB`, `GiB` or `TiB`; `K`, `M`, `G` and `T` are
-    /// the same.
+    /// Parses a whole number of bytes, or of `KiB`, `MiB`, `GiB` or `TiB`. `K`, `M`, `G` and `T`
+    /// mean the same binary units.
     fn from_str(text: &str) -> std::result::Result<Self, String> {
         let digits = text.find(|c: char| !c.is_ascii_digit()).unwrap_or(text.len());
         let (number, unit) = text.split_at(digits);
@@ -103,7 +103,7 @@ const KIBI: u64 = 1 << 10;
 const MEBI: u64 = 1 << 20;
 const GIBI: u64 = 1 << 30;
 
-/// Bytes as a person reads them: rounded up, as what is needed is.
+/// Bytes in readable units, rounded up.
 struct Size(u64);
 
 impl fmt::Display for Size {

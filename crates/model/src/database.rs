@@ -1,13 +1,13 @@
-//! Lights and materials by name, as coefficients of three colour channels.
+//! Named lights and materials as coefficients of three color channels.
 
 use crate::error::{Error, Result};
 use eigenshade_index::{light, material};
 use std::collections::BTreeMap;
 
-/// The coefficients of one light or one material, channel by channel (r, g, b).
+/// The coefficients of one light or one material, for each channel (r, g, b).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Named {
-    /// What it is called; unique in its set.
+    /// The name, unique in its set.
     pub name: String,
     /// Linear coefficients; all three channels have the same length.
     pub rgb: [Vec<f64>; 3],
@@ -27,7 +27,7 @@ impl Named {
         r.iter().zip(g).zip(b).map(|((&r, &g), &b)| luminance([r, g, b])).collect()
     }
 
-    /// Leaves its luminance, in all three channels; one that has no colour stays as it is.
+    /// Replaces all three channels by the luminance. An entry without color stays unchanged.
     pub fn lose_colour(&mut self) {
         if !self.is_grey() {
             let luminance = self.luminance();
@@ -35,28 +35,26 @@ impl Named {
         }
     }
 
-    /// Whether all three channels are the same.
+    /// Whether all three channels are equal.
     #[must_use]
     pub fn is_grey(&self) -> bool {
         self.rgb[0] == self.rgb[1] && self.rgb[1] == self.rgb[2]
     }
 }
 
-/// Lights of one degree: L_l^m in radiance, in the order of
-/// [`eigenshade_index::light`].
+/// Lights of one degree: L_l^m in radiance, in the order of [`eigenshade_index::light`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lights {
-    /// The degree of every light.
+    /// The common degree of the lights.
     pub degree: usize,
-    /// The lights, (degree + 1)² coefficients each.
+    /// The lights, each with (degree + 1)² coefficients per channel.
     pub entries: Vec<Named>,
 }
 
-/// Materials of one order: b_op^q in 1/sr, in the order of
-/// [`eigenshade_index::material`].
+/// Materials of one order: b_op^q in 1/sr, in the order of [`eigenshade_index::material`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Materials {
-    /// The order of every material.
+    /// The common order of the materials.
     pub order: usize,
     /// The materials.
     pub entries: Vec<Named>,
@@ -80,12 +78,11 @@ impl Materials {
     }
 }
 
-/// How much each entry counts: what `by_name` says of it, 1 where it says nothing,
-/// scaled so that they sum to 1.
+/// The weight of each entry, from `by_name` or 1 by default, scaled so that the weights sum to 1.
 ///
 /// # Errors
 ///
-/// A name that no entry has, a weight that is negative or not finite, none above zero.
+/// If a name belongs to no entry, a weight is negative or not finite, or no weight is above zero.
 pub fn weights(entries: &[Named], by_name: &BTreeMap<String, f64>) -> Result<Vec<f64>> {
     for (name, weight) in by_name {
         if !entries.iter().any(|entry| entry.name == *name) {
@@ -103,7 +100,7 @@ pub fn weights(entries: &[Named], by_name: &BTreeMap<String, f64>) -> Result<Vec
     if largest == 0.0 {
         return Err(Error::new("all entries have weight 0", "give one a weight above zero"));
     }
-    // Scaled by the largest first: the sum of finite weights need not be finite.
+    // Dividing by the largest weight first keeps the sum finite.
     let sum: f64 = weights.iter().map(|weight| weight / largest).sum();
     Ok(weights.iter().map(|weight| weight / largest / sum).collect())
 }

@@ -1,10 +1,12 @@
-//! Light and material of some effects: c = L (x) b restricted to their modes, as a sum of
-//! at most two products again, ambient and the rest.
+//! Light and material restricted to some effects.
+//!
+//! The restriction of c = L (x) b to their modes is again a sum of at most two products: ambient
+//! and the rest.
 
 use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_index::{light, material};
 
-/// One channel's light for each product, to go with [`materials`] one by one.
+/// One channel of a light for each product. The k-th goes with the k-th of [`materials`].
 #[must_use]
 pub fn lights(degree: usize, light: &[f64], effects: Effects) -> Vec<Vec<f64>> {
     let of = |is_ambient: bool| {
@@ -15,7 +17,7 @@ pub fn lights(degree: usize, light: &[f64], effects: Effects) -> Vec<Vec<f64>> {
     products(effects, light, of)
 }
 
-/// One channel's material for each product, to go with [`lights`] one by one.
+/// One channel of a material for each product. The k-th goes with the k-th of [`lights`].
 #[must_use]
 pub fn materials(order: usize, material: &[f64], effects: Effects) -> Vec<Vec<f64>> {
     let of = |is_ambient: bool| {
@@ -26,7 +28,7 @@ pub fn materials(order: usize, material: &[f64], effects: Effects) -> Vec<Vec<f6
     products(effects, material, of)
 }
 
-/// Of all effects there is one product, of things as they are.
+/// With all effects there is a single product of the unchanged coefficients.
 fn products(effects: Effects, whole: &[f64], of: impl Fn(bool) -> Vec<f64>) -> Vec<Vec<f64>> {
     if effects.is_all() {
         return vec![whole.to_vec()];

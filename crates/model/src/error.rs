@@ -1,10 +1,10 @@
-//! What a person reads when an input is bad: what, where, what to do.
+//! Errors for bad inputs and outputs: what is wrong, where, and how to fix it.
 
 use eigenshade_table::FileError;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-/// One fault of one input or output, in one line.
+/// An error in one input or output, displayed in one line.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Error {
     place: Option<(PathBuf, Option<u64>)>,
@@ -12,30 +12,30 @@ pub struct Error {
     remedy: String,
 }
 
-/// The result of everything on the host that can fail.
+/// The result type of all fallible code on the host.
 pub type Result<T> = std::result::Result<T, Error>;
 
 impl Error {
-    /// A fault with no file to it.
+    /// An error that belongs to no file.
     pub fn new(what: impl Into<String>, remedy: impl Into<String>) -> Self {
         Self { place: None, what: what.into(), remedy: remedy.into() }
     }
 
-    /// The same fault with another remedy.
+    /// The same error with another remedy.
     #[must_use]
     pub fn with_remedy(mut self, remedy: impl Into<String>) -> Self {
         self.remedy = remedy.into();
         self
     }
 
-    /// The same fault, said of one thing among several.
+    /// The same error, prefixed with the item that it concerns.
     #[must_use]
     pub fn of(mut self, subject: impl fmt::Display) -> Self {
         self.what = format!("{subject}: {}", self.what);
         self
     }
 
-    /// The same fault, in this file.
+    /// The same error, located in this file.
     #[must_use]
     pub fn in_file(mut self, path: impl AsRef<Path>) -> Self {
         let line = self.place.and_then(|(_, line)| line);
@@ -43,20 +43,20 @@ impl Error {
         self
     }
 
-    /// The same fault, at this line (from 1) of this file.
+    /// The same error, located at this line (counted from 1) of this file.
     #[must_use]
     pub fn at_line(mut self, path: impl AsRef<Path>, line: u64) -> Self {
         self.place = Some((path.as_ref().to_owned(), Some(line)));
         self
     }
 
-    /// The fault of bytes that are no table.
+    /// The error for bytes that are not a valid table.
     #[must_use]
     pub fn table(error: &FileError) -> Self {
         Self::new(error.what(), error.remedy())
     }
 
-    /// The fault of the operating system in reading or writing a file.
+    /// The error for an operating system failure on reading or writing a file.
     #[must_use]
     pub fn io(path: impl AsRef<Path>, error: &std::io::Error) -> Self {
         use std::io::ErrorKind;

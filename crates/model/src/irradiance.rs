@@ -7,7 +7,7 @@ use eigenshade_index::pair;
 
 /// D_l^mq(α, β, 0) / Φ_m(β) of (49), for l = max(|m|, q)..=degree, q >= 0.
 ///
-/// For -m it is (-1)^m times that of m.
+/// The values for -m are (-1)^m times those for m.
 #[must_use]
 pub fn slant_rotation(degree: usize, m: isize, q: usize, alpha: f64) -> Vec<f64> {
     let n = q.cast_signed();
@@ -38,7 +38,7 @@ pub fn slant_radials(order: usize, alpha: f64) -> Vec<f64> {
 
 /// E_lop^mq(α, β) of (14).
 ///
-/// Domain: |m| <= l, q <= l, q <= p <= o of one parity, α in \[0, π/2\]; 0 if
+/// Domain: |m| <= l, q <= l, q <= p <= o of the same parity, α in \[0, π/2\]. The result is 0 if
 /// |m| > l or q > l. Absolute error below 1e-13 up to degree 9, 5e-13 up to 32.
 #[must_use]
 pub fn value(l: usize, m: isize, o: usize, p: usize, q: usize, alpha: f64, beta: f64) -> f64 {

@@ -1,7 +1,8 @@
-//! The model that eigenshade tables are made of, and the coefficient files that it is evaluated for.
+//! The model from which eigenshade tables are computed, and the coefficient files that it takes as
+//! input.
 //!
-//! Modules follow the mathematics of Nillius and Eklundh, "Phenomenological Eigenfunctions for Image
-//! Irradiance", ICCV 2003; "(n)" in these pages is equation n of that paper.
+//! The modules follow the mathematics of Nillius and Eklundh, "Phenomenological Eigenfunctions for
+//! Image Irradiance", ICCV 2003; "(n)" in these pages is equation n of that paper.
 
 pub mod special;
 

@@ -1,5 +1,5 @@
-//! The gain K_lop^q of (13), apart from N_l^q, which stands with C_lo^q in
-//! [`crate::polar_integral`].
+//! The gain K_lop^q of (13) without its factor N_l^q, which [`crate::polar_integral`] combines with
+//! C_lo^q.
 
 /// K_lop^q / N_l^q = (-1)^q √((o+1)(p+1) / (2 (1 + δ_op))).
 #[must_use]

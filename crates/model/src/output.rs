@@ -1,5 +1,4 @@
-//! Whole files or none: what is written stands under its name when it is
-//! complete, and not before.
+//! Complete files or none: an output appears under its name only when it is complete.
 
 use crate::error::{Error, Result};
 use crate::unfinished::Unfinished;
@@ -7,23 +6,23 @@ use std::fs::{self, File, Metadata, OpenOptions};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-/// Writes a file by way of a temporary one in the same folder, renamed at the
-/// end: whoever reads `path` finds the old file or the whole new one.
+/// Writes a file through a temporary file in the same folder, which is renamed at the end. A reader
+/// of `path` finds either the old file or the complete new one.
 ///
-/// A file that is replaced keeps its mode. A symbolic link stays one: the file where it leads is
-/// written, whether or not it was there. A device or pipe is written straight to.
+/// A replaced file keeps its mode. A symbolic link stays a link: its target is written, whether or
+/// not the target exists. A device or pipe is written directly.
 ///
 /// # Errors
 ///
-/// Whatever `write` returns, a file that may not be written, and every fault of the folder or the
-/// disk; a file that stood there before is then as it was.
+/// If `write` fails, the file may not be written, or the folder or the disk fails. An existing file
+/// is then unchanged.
 pub fn write_atomically(
     path: impl AsRef<Path>,
     write: impl FnOnce(&mut dyn Write) -> Result<()>,
 ) -> Result<()> {
     let path = path.as_ref();
     let fault = |error: io::Error| Error::io(path, &error);
-    // A pipe's name leads to no path.
+    // The name of a pipe does not resolve to a path.
     if fs::metadata(path).is_ok_and(|found| !found.is_file() && !found.is_dir()) {
         return fill(path, File::create(path).map_err(fault)?, write).map(drop);
     }
@@ -39,17 +38,17 @@ pub fn write_atomically(
     unfinished.finish(&target).map_err(fault)
 }
 
-/// Refuses what [`write_atomically`] would refuse to replace: of several outputs none is then
-/// written without the others.
+/// Checks whether [`write_atomically`] may replace a file. Checking all outputs first avoids
+/// writing only some of them.
 ///
 /// # Errors
 ///
-/// A folder, a file that is read-only.
+/// If the path is a folder or a read-only file.
 pub fn writable(path: &Path) -> Result<()> {
     replaceable(path).map(drop)
 }
 
-/// Where a path leads, and what is there.
+/// The target of a path, and the metadata of the file there.
 fn replaceable(path: &Path) -> Result<(PathBuf, Option<Metadata>)> {
     let fault = |error: io::Error| Error::io(path, &error);
     let target = end_of_links(path).map_err(fault)?;
@@ -64,11 +63,11 @@ fn replaceable(path: &Path) -> Result<(PathBuf, Option<Metadata>)> {
     Ok((target, replaced))
 }
 
-/// Where a path leads: the end of its symbolic links, whether or not a file is there.
+/// The target of a path after following its symbolic links, whether or not a file exists there.
 ///
 /// # Errors
 ///
-/// Links in a circle, folders that may not be searched.
+/// If links form a cycle or a folder may not be searched.
 pub fn end_of_links(path: &Path) -> io::Result<PathBuf> {
     let mut end = path.to_owned();
     loop {
@@ -83,8 +82,8 @@ pub fn end_of_links(path: &Path) -> io::Result<PathBuf> {
     }
 }
 
-/// To replace a file takes the right to write in its folder only: the file's own is checked
-/// here, also for a user whom the system lets write everything.
+/// Replacing a file requires only write permission for its folder. This checks the permission of
+/// the file itself, even for a user who may write everything.
 fn refuse_read_only(path: &Path, target: &Path, metadata: &Metadata) -> Result<()> {
     if metadata.permissions().readonly() {
         let remedy = "make it writable, or give the output another name";
@@ -102,14 +101,15 @@ fn fill<W: Write>(
     let written =
         write(&mut watched).and_then(|()| watched.flush().map_err(|error| Error::io(path, &error)));
     if let Some(error) = watched.failed {
-        // The disk's own word, with the path, before what the writer made of it.
+        // Reports the system's error with the path instead of the error that the writer derived
+        // from it.
         return Err(Error::io(path, &error));
     }
     written?;
     watched.inner.into_inner().map_err(|error| Error::io(path, error.error()))
 }
 
-/// Keeps the first error of the writer within.
+/// Remembers the first error of the inner writer.
 struct Watched<W: Write> {
     inner: BufWriter<W>,
     failed: Option<io::Error>,

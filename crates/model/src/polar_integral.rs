@@ -1,12 +1,12 @@
-//! The polar integral C_lo^q of (11), times the harmonics' normalisation N_l^q.
+//! The polar integral C_lo^q of (11), times the normalization N_l^q of the harmonics.
 
 use crate::special::{gauss_legendre, legendre, zernike};
 use eigenshade_index::pair;
 
 /// N_l^q C_lo^q for every pair (o, q) up to an order and every l up to a degree.
 ///
-/// N_l^q alone underflows and C_lo^q alone overflows at high degree: only the
-/// product is formed. Absolute error below 2e-14 up to degree and order 64.
+/// At high degree N_l^q alone underflows and C_lo^q alone overflows, so only the product is
+/// computed. Absolute error below 2e-14 up to degree and order 64.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PolarIntegrals {
     degree: usize,
@@ -16,11 +16,10 @@ pub struct PolarIntegrals {
 impl PolarIntegrals {
     /// All integrals up to `degree` l and `order` o.
     ///
-    /// Gauss-Legendre in z = cos θ on \[0, 1\]: with ρ² = 1 - z the integrand is
-    /// (1 - z)^q (1 + z)^(q/2) times a polynomial of degree
-    /// l - q + (o - q)/2 + 1: exact for even q, and for odd q the branch point at
-    /// z = -1 is so far that 24 nodes more than the polynomial needs leave
-    /// nothing of it.
+    /// Uses Gauss-Legendre quadrature in z = cos θ on \[0, 1\]. With ρ² = 1 - z the integrand is (1
+    /// - z)^q (1 + z)^(q/2) times a polynomial of degree l - q + (o - q)/2 + 1. The rule is exact
+    /// for even q. For odd q the branch point at z = -1 is so far away that the 24 nodes beyond
+    /// those that the polynomial needs make its error negligible.
     #[must_use]
     pub fn new(degree: usize, order: usize) -> Self {
         let mut values = vec![0.0; pair::count(order) * (degree + 1)];
@@ -39,7 +38,7 @@ impl PolarIntegrals {
         Self { degree, values }
     }
 
-    /// N_l^q C_lo^q for l = 0..=degree of the pair (o, q); 0 for l < q.
+    /// N_l^q C_lo^q of the pair (o, q) for l = 0..=degree; 0 for l < q.
     #[must_use]
     pub fn row(&self, o: usize, q: usize) -> &[f64] {
         let start = pair::position(o, q) * (self.degree + 1);
@@ -55,9 +54,8 @@ impl PolarIntegrals {
 
 /// C_lo^q of (11) itself, without N_l^q.
 ///
-/// Domain: q <= l, q <= o, o - q even. Relative to N_l^q C as exact as
-/// [`PolarIntegrals`]; the value overflows to infinity where |C| exceeds f64,
-/// beyond degree 64.
+/// Domain: q <= l, q <= o, o - q even. Relative to N_l^q C as accurate as [`PolarIntegrals`]. The
+/// value overflows to infinity where |C| exceeds f64, beyond degree 64.
 #[must_use]
 pub fn value(l: usize, o: usize, q: usize) -> f64 {
     PolarIntegrals::new(l, o).row(o, q)[l] / normalisation(l, q)

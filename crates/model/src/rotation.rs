@@ -17,16 +17,16 @@ use std::f64::consts::SQRT_2;
 /// Euler angles, radians: R = Rz(`beta`) Ry(`alpha`) Rz(`gamma`).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rotation {
-    /// Angle about y, the second to be applied.
+    /// Angle about y, applied second.
     pub alpha: f64,
-    /// Angle about z, the last to be applied.
+    /// Angle about z, applied last.
     pub beta: f64,
-    /// Angle about z, the first to be applied.
+    /// Angle about z, applied first.
     pub gamma: f64,
 }
 
 impl Rotation {
-    /// R as a matrix, row by row.
+    /// R as a row-major matrix.
     #[must_use]
     pub fn matrix(self) -> [[f64; 3]; 3] {
         let (sa, ca) = self.alpha.sin_cos();
@@ -68,24 +68,23 @@ impl Rotation {
         }
     }
 
-    /// D_l^mn of one degree; 0 where |m| or |n| exceeds l.
+    /// D_l^mn of one degree; 0 if |m| or |n| exceeds l.
     #[must_use]
     pub fn coefficient(self, l: usize, m: isize, n: isize) -> f64 {
         self.column(l, m, n).last().copied().unwrap_or(0.0)
     }
 
-    /// The coefficients of the light turned by R: L'(Rω) = L(ω), so
-    /// L'_m = Σ_n D_l^mn L_n.
+    /// The coefficients of the light rotated by R: L'(Rω) = L(ω), so L'_m = Σ_n D_l^mn L_n.
     ///
-    /// `light` holds (degree + 1)² coefficients in the order of
-    /// [`eigenshade_index::light`]; so does the answer. The rotation is
-    /// orthogonal: energy is kept degree by degree.
+    /// `light` and the result have (degree + 1)² coefficients in the order of
+    /// [`eigenshade_index::light`]. The rotation is orthogonal, so it preserves the energy of each
+    /// degree.
     #[must_use]
     pub fn turn(self, degree: usize, light: &[f64]) -> Vec<f64> {
         self.apply(degree, light, |m, n| (m, n))
     }
 
-    /// The coefficients of the light turned back, by R^-1: L'(ω) = L(Rω), (5).
+    /// The coefficients of the light rotated back by R^-1: L'(ω) = L(Rω), (5).
     #[must_use]
     pub fn turn_back(self, degree: usize, light: &[f64]) -> Vec<f64> {
         self.apply(degree, light, |m, n| (n, m))

@@ -1,21 +1,21 @@
-//! The variance of each irradiance mode (2.4), and the selection of those of the
-//! highest (2.5).
+//! The variance of each irradiance mode (2.4), and the selection of the modes with the highest
+//! variance (2.5).
 
 use eigenshade_index::effect::Effects;
 use eigenshade_index::mode;
 use eigenshade_table::GramFactor;
 
-/// The modes of a scene: those of its effects that a selection kept.
+/// The modes of a scene: those that belong to its effects and that a selection kept.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Kept {
     /// The effects.
     pub effects: Effects,
-    /// A `Table::selection`: empty for all.
+    /// A selection in the layout of `Table::selection`; empty if all modes are kept.
     pub selection: Vec<bool>,
 }
 
 impl Kept {
-    /// Whether the mode (l, o, p, q) of this |m| is in.
+    /// Whether the mode (l, o, p, q) of this |m| is kept.
     #[must_use]
     pub fn keeps(
         &self,
@@ -29,19 +29,19 @@ impl Kept {
     }
 }
 
-/// The variance of every mode of one azimuth |m|, in the order of [`mode`]: the
-/// integral of E² under the density of the normals, a diagonal element of M.
-/// +m and -m have the same.
+/// The variance of every mode of one azimuth |m|, in the order of [`mode`]: the integral of E²
+/// under the density of the normals, which is a diagonal element of M. +m and -m have the same
+/// variance.
 #[must_use]
 pub fn variances(gram: &GramFactor, azimuth: usize) -> Vec<f64> {
     gram.columns(azimuth).iter().map(|column| column.iter().map(|a| a * a).sum()).collect()
 }
 
-/// Keeps the `count` modes of the highest variance among those of the effects, both signs
-/// of m counted; ties stay whole, so it may keep a few more.
+/// Keeps the `count` modes with the highest variance among those of the effects, counting both
+/// signs of m. Ties are kept together, so slightly more modes may be kept.
 ///
-/// The answer has the layout of `Table::selection`; it is empty if `count` is 0
-/// or all modes are kept.
+/// The result has the layout of `Table::selection`. It is empty if `count` is 0 or all modes are
+/// kept.
 #[must_use]
 pub fn highest(gram: &GramFactor, effects: Effects, count: usize) -> Vec<bool> {
     let (degree, order) = (gram.degree, gram.order);

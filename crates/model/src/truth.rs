@@ -1,5 +1,5 @@
-//! The direct sum (15), in f64: the truth that everything else is measured
-//! against, at the orders of the light and the material that it is given.
+//! The direct sum (15) in f64, at the full orders of the given light and material: the reference
+//! for all other methods.
 
 use crate::irradiance::{slant_radials, slant_rotation};
 use crate::mode_gain::gain;
@@ -7,7 +7,7 @@ use crate::polar_integral::PolarIntegrals;
 use crate::special::spherical_harmonic::azimuth;
 use eigenshade_index::{light, material, pair};
 
-/// What the sum needs of a degree and an order.
+/// The precomputed part of the sum for a degree and an order.
 #[derive(Clone, Debug)]
 pub struct Truth {
     degree: usize,
@@ -26,13 +26,12 @@ pub struct Modes<'a> {
     radials: Vec<f64>,
 }
 
-/// One material at one normal: N_l^q K C-weighted sums over (o, p), by q, then l
-/// from q.
+/// One material at one normal: sums over (o, p) weighted with N_l^q K C, by q, then l from q.
 #[derive(Clone, Debug)]
 pub struct Scattered(Vec<Vec<f64>>);
 
 impl Truth {
-    /// Prepares sums of lights of `degree` and materials of `order`.
+    /// Prepares sums for lights of `degree` and materials of `order`.
     #[must_use]
     pub fn new(degree: usize, order: usize) -> Self {
         Self { degree, order, integrals: PolarIntegrals::new(degree, order) }
@@ -77,9 +76,9 @@ impl Modes<'_> {
         Scattered(sums)
     }
 
-    /// One mode, E_lop^mq (14); 0 if |m| > l or q > l.
+    /// One mode E_lop^mq (14); 0 if |m| > l or q > l.
     ///
-    /// Domain: indices within the truth's degree and order.
+    /// Domain: indices within the degree and order of [`Truth::new`].
     #[must_use]
     pub fn value(&self, l: usize, m: isize, o: usize, p: usize, q: usize) -> f64 {
         let lowest = q.max(m.unsigned_abs());
@@ -95,14 +94,14 @@ impl Modes<'_> {
         sign * gain(o, p, q) * rotation * scattered * azimuth
     }
 
-    /// The irradiance (15) of a light of the truth's degree on this material.
+    /// The irradiance (15) of this material under a light of the degree of [`Truth::new`].
     #[must_use]
     pub fn irradiance(&self, light: &[f64], scattered: &Scattered) -> f64 {
         self.azimuths.iter().zip(self.profile(light, scattered)).map(|(a, b)| a * b).sum()
     }
 
-    /// The irradiance azimuth by azimuth: times Φ_m of the tilt, summed over
-    /// m = -degree..=degree, it is the irradiance of every normal of this slant.
+    /// The irradiance by azimuth, for m = -degree..=degree. The sum of these values times Φ_m of
+    /// the tilt is the irradiance of any normal of this slant.
     #[must_use]
     pub fn profile(&self, light: &[f64], scattered: &Scattered) -> Vec<f64> {
         let top = self.truth.degree.cast_signed();

@@ -1,5 +1,5 @@
-//! Files that are being written: removed when their writing fails, or when the program is told
-//! to end.
+//! Files that are being written. They are removed if the writing fails or the program is asked to
+//! terminate.
 
 use std::collections::BTreeSet;
 use std::fs::{self, File, Metadata};
@@ -8,22 +8,22 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use tempfile::TempPath;
 
-/// The paths of all of them. Whoever creates, renames or removes one holds the lock.
+/// The paths of all unfinished files. Creating, renaming or removing one requires the lock.
 static PATHS: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 
 fn paths() -> MutexGuard<'static, BTreeSet<PathBuf>> {
     PATHS.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// A temporary file, until it takes its place.
+/// A temporary file that will replace its target.
 pub(crate) struct Unfinished {
     path: PathBuf,
     file: Option<TempPath>,
 }
 
 impl Unfinished {
-    /// A file in `folder` with the rights of the file that it will replace, or else with those
-    /// that any new file gets.
+    /// Creates a file in `folder` with the permissions of the file that it will replace, or with
+    /// those of any new file.
     pub(crate) fn create(folder: &Path, replaced: Option<&Metadata>) -> io::Result<(Self, File)> {
         let mut builder = tempfile::Builder::new();
         builder.prefix(".eigenshade-");
@@ -64,8 +64,8 @@ impl Drop for Unfinished {
     }
 }
 
-/// Removes every file that is being written. None is created or renamed afterwards: a thread
-/// that tries waits forever. For a program that is about to end.
+/// Removes every unfinished file, for a program that is about to terminate. Afterwards no
+/// unfinished file can be created or renamed: a thread that tries to waits forever.
 pub fn remove_all() {
     let paths = paths();
     for path in paths.iter() {
@@ -74,7 +74,7 @@ pub fn remove_all() {
     std::mem::forget(paths);
 }
 
-/// Gives `file` the owner and group of `old` as far as the user may.
+/// Gives `file` the owner and group of `old`, as far as the user is permitted to.
 #[cfg(unix)]
 fn keep_owner(file: &File, old: &Metadata) {
     use std::os::unix::fs::{MetadataExt, fchown};
@@ -86,7 +86,7 @@ fn keep_owner(file: &File, old: &Metadata) {
 #[cfg(not(unix))]
 fn keep_owner(_: &File, _: &Metadata) {}
 
-/// Without the name of the temporary file, which `tempfile` puts behind the system's word.
+/// Removes the name of the temporary file, which `tempfile` appends to the system's message.
 fn unnamed(error: io::Error) -> io::Error {
     match error.to_string().split_once(" at path ") {
         Some((word, _)) => io::Error::new(error.kind(), word),

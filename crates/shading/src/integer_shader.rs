@@ -1,4 +1,4 @@
-//! From a light and a material to the irradiance of many normals, in an integer format.
+//! Computes the irradiance of many normals from a light and a material, in an integer format.
 
 use crate::overflow;
 use crate::owned_quantised::{Integer, OwnedQuantised};
@@ -8,7 +8,7 @@ use eigenshade_model::error::{Error, Result};
 use eigenshade_table::Table;
 use eigenshade_table::quantise;
 
-/// A basis in integers with room to work in.
+/// An integer basis with its work buffers.
 #[derive(Clone, Debug)]
 pub struct IntegerShader<Q: Integer> {
     basis: OwnedQuantised<Q>,
@@ -26,7 +26,7 @@ impl<Q: Integer> IntegerShader<Q> {
     ///
     /// # Errors
     ///
-    /// A table that has no integer form.
+    /// If the table has no integer form.
     pub fn new(table: &Table, components: usize) -> Result<Self> {
         let remedy = "take --format f32";
         let basis = OwnedQuantised::new(table, Q::FORMAT.tolerance())
@@ -44,25 +44,25 @@ impl<Q: Integer> IntegerShader<Q> {
         })
     }
 
-    /// Terms of a scene's polynomials.
+    /// Number of polynomial terms in a scene.
     #[must_use]
     pub fn terms(&self) -> usize {
         self.scene.len()
     }
 
-    /// d of one channel of a light on one of a material, of no higher degree and order
-    /// than the table.
+    /// d for one channel of a light and one channel of a material, of at most the table's degree
+    /// and order.
     ///
     /// # Errors
     ///
-    /// Coefficients that are of another degree or order than they claim, beyond the
-    /// table, or so large that they would saturate, or so small that they would be lost.
+    /// If the coefficients do not match their stated degree or order, exceed the table's degree or
+    /// order, or are so large that they would saturate or so small that they would be lost.
     pub fn project(
         &mut self,
         (degree, light): (usize, &[f64]),
         (order, material): (usize, &[f64]),
     ) -> Result<Vec<f64>> {
-        // The only numbers that saturate: all that follow are scaled by what they can be.
+        // Only these numbers can saturate: all later ones are scaled by their bounds.
         if ![light, material].iter().all(|numbers| quantise::holds(numbers, Q::FORMAT)) {
             return Err(overflow::fault(Q::FORMAT.name(), light, material));
         }
@@ -83,11 +83,11 @@ impl<Q: Integer> IntegerShader<Q> {
         Ok(used.map(|&mantissa| scaled(mantissa, self.exponent)).collect())
     }
 
-    /// One channel of the image, by the collapsed polynomials.
+    /// One channel of the image, from the collapsed polynomials.
     ///
     /// # Errors
     ///
-    /// As [`project`](Self::project).
+    /// See [`project`](Self::project).
     pub fn polynomial(
         &mut self,
         light: (usize, &[f64]),
@@ -111,7 +111,7 @@ impl<Q: Integer> IntegerShader<Q> {
 ///
 /// # Errors
 ///
-/// One that is no visible unit vector.
+/// If one is not a visible unit vector.
 pub fn normals<Q: Integer>(normals: &[[f64; 3]]) -> Result<Vec<Normal<Q>>> {
     normals.iter().map(|normal| Q::normal(*normal).map_err(fault)).collect()
 }

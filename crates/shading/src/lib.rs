@@ -1,5 +1,5 @@
-//! Images of a table on the host: the runtime's methods in every number format, and the direct sum
-//! that they are compared with.
+//! Images from a table on the host: the runtime's methods in every number format, and the direct
+//! sum as the reference.
 
 pub mod parallel;
 

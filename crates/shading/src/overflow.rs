@@ -1,18 +1,18 @@
-//! Results that a number format does not hold.
+//! Errors for results outside the range of a number format.
 
 use eigenshade::Scalar;
 use eigenshade_model::database::Named;
 use eigenshade_model::error::{Error, Result};
 use std::fmt::Display;
 
-/// Largest coefficients below this are lost in f32 and integers, in whole or in digits.
+/// If the largest coefficient is below this, f32 and integers lose it in whole or in part.
 const LEAST: f64 = 1e-36;
 
-/// Refuses numbers of one channel that are not finite, and those of inputs that f32 loses.
+/// Rejects results of one channel that are not finite, and inputs that f32 loses.
 ///
 /// # Errors
 ///
-/// [`fault`] if one of them is not; [`lost`].
+/// [`fault`] if a number is not finite; otherwise as [`lost`].
 pub fn check<S: Scalar>(numbers: &[S], light: &[f64], material: &[f64]) -> Result<()> {
     if size_of::<S>() == size_of::<f32>() {
         lost(std::any::type_name::<S>(), light, material)?;
@@ -23,18 +23,18 @@ pub fn check<S: Scalar>(numbers: &[S], light: &[f64], material: &[f64]) -> Resul
     Err(fault(std::any::type_name::<S>(), light, material))
 }
 
-/// The fault of a light on a material whose numbers go beyond a format, and how to scale
+/// The error for a light and a material whose result exceeds a format. The remedy says how to scale
 /// them.
 #[must_use]
 pub fn fault(format: impl Display, light: &[f64], material: &[f64]) -> Error {
     Error::new(format!("the result goes beyond the range of {format}"), scale(light, material))
 }
 
-/// Refuses a light and a material so dark that a format loses their product.
+/// Rejects a light and a material so dark that a format loses their product.
 ///
 /// # Errors
 ///
-/// As it says; none where either is black.
+/// If the product is lost; never if the light or the material is black.
 pub fn lost(format: impl Display, light: &[f64], material: &[f64]) -> Result<()> {
     let [of_light, of_material] = [light, material].map(largest);
     let product = of_light * of_material;
@@ -44,7 +44,7 @@ pub fn lost(format: impl Display, light: &[f64], material: &[f64]) -> Result<()>
     Err(Error::new(format!("the result is below the range of {format}"), scale(light, material)))
 }
 
-/// What to do about both.
+/// The remedy: how to scale both.
 fn scale(light: &[f64], material: &[f64]) -> String {
     let [light, material] = [light, material].map(largest);
     format!(
@@ -57,7 +57,7 @@ fn largest(numbers: &[f64]) -> f64 {
     numbers.iter().fold(0.0, |most, one| most.max(one.abs()))
 }
 
-/// The names of a light and a material, for a fault.
+/// The names of a light and a material, for an error message.
 #[must_use]
 pub fn pair(light: &Named, material: &Named) -> String {
     format!("light `{}` on material `{}`", light.name, material.name)

@@ -1,4 +1,4 @@
-//! A table read at run time, as a basis of the runtime in a chosen number format.
+//! A table read at run time, as a runtime basis in a chosen number format.
 
 use eigenshade::{
     Basis, Coupling, GeneralBasis, GeneralParts, Parts, Pass, ProfilePlace, Row, Scalar,
@@ -8,7 +8,7 @@ use eigenshade_index::layout::Recurrence;
 use eigenshade_table::Table;
 use eigenshade_table::parts::{self, NONE};
 
-/// The arrays of a basis, owned.
+/// The owned arrays of a basis.
 #[derive(Clone, Debug)]
 pub struct OwnedBasis<S> {
     degree: usize,
@@ -32,7 +32,7 @@ pub struct OwnedBasis<S> {
     folded: Vec<Folded<S>>,
 }
 
-/// The arrays of a general basis, owned.
+/// The owned arrays of a general basis.
 #[derive(Clone, Debug)]
 struct OwnedGeneral<S> {
     components: usize,
@@ -42,12 +42,12 @@ struct OwnedGeneral<S> {
     mean_coefficients: Vec<S>,
 }
 
-/// A material that a table has folded in.
+/// A material whose transfer the table stores.
 #[derive(Clone, Debug)]
 pub struct Folded<S> {
-    /// Of its coefficients, as [`eigenshade_table::transfer::fingerprint`] has it.
+    /// The fingerprint of its coefficients: [`eigenshade_table::transfer::fingerprint`].
     pub fingerprint: u32,
-    /// For [`Basis::relight_into`].
+    /// Its transfer, for [`Basis::relight_into`].
     pub transfer: Vec<S>,
 }
 
@@ -92,17 +92,17 @@ impl<S: Scalar> OwnedBasis<S> {
         }
     }
 
-    /// The materials that the table has folded in; none where it projects.
+    /// The materials whose transfers the table stores; empty for a table that projects.
     #[must_use]
     pub fn folded(&self) -> &[Folded<S>] {
         &self.folded
     }
 
-    /// The basis of the table's own kind.
+    /// The basis of the table, of either kind.
     ///
     /// # Errors
     ///
-    /// As [`basis`](Self::basis).
+    /// See [`basis`](Self::basis).
     pub fn any(&self) -> Result<AnyBasis<'_, S>, eigenshade::Error> {
         let Some(general) = &self.general else { return self.basis().map(AnyBasis::Sphere) };
         let parts = GeneralParts {
@@ -115,7 +115,7 @@ impl<S: Scalar> OwnedBasis<S> {
         GeneralBasis::new(self.basis()?, parts).map(AnyBasis::General)
     }
 
-    /// The basis itself, or the span of a general one.
+    /// The basis itself, or the span of a general basis.
     ///
     /// # Errors
     ///
@@ -146,9 +146,9 @@ impl<S: Scalar> OwnedBasis<S> {
 /// A basis of either kind.
 #[derive(Clone, Copy, Debug)]
 pub enum AnyBasis<'a, S> {
-    /// Of eigenimages of one azimuth each.
+    /// Each eigenimage has a single azimuth.
     Sphere(Basis<'a, S>),
-    /// Of eigenimages that are sums of several.
+    /// Eigenimages are sums over several azimuths.
     General(GeneralBasis<'a, S>),
 }
 

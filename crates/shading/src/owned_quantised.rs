@@ -1,27 +1,27 @@
-//! A table read at run time, as a basis of the runtime in an integer format.
+//! A table read at run time, as a runtime basis in an integer format.
 
 use eigenshade::quantised::{Basis, Normal, Parts, Profile};
 use eigenshade::{Error, Fixed, Q15, Q31};
 use eigenshade_table::Table;
 use eigenshade_table::quantise::{Format, QuantiseError, QuantisedParts};
 
-/// An integer format as the command line meets it.
+/// An integer format that the command line offers.
 pub trait Integer: Fixed {
-    /// Which it is.
+    /// The format's identifier.
     const FORMAT: Format;
-    /// The mantissa of this number, which has no more bits.
+    /// The number with this mantissa, which must fit the format.
     fn of(mantissa: i32) -> Self;
-    /// The nearest normal.
+    /// The nearest representable normal.
     ///
     /// # Errors
     ///
-    /// One that is no visible unit vector.
+    /// If the vector is not a visible unit vector.
     fn normal(components: [f64; 3]) -> Result<Normal<Self>, Error>;
-    /// The basis of these parts.
+    /// The basis with these parts.
     ///
     /// # Errors
     ///
-    /// As that of the runtime.
+    /// As `Basis::new` of the runtime.
     fn basis(parts: Parts<'_, Self>) -> Result<Basis<'_, Self>, Error>;
 }
 
@@ -53,13 +53,13 @@ impl Integer for Q31 {
     }
 }
 
-/// The nearest fraction of 2^BITS; 1 is the largest mantissa.
+/// The nearest multiple of 2^-BITS; 1 becomes the largest mantissa.
 fn rounded<Q: Integer>(component: f64) -> Q {
     let one = 2f64.powi(Q::FORMAT.bits());
     Q::of((one * component).round().clamp(1.0 - one, one - 1.0) as i32)
 }
 
-/// The arrays of a basis in integers, owned.
+/// The owned arrays of an integer basis.
 #[derive(Clone, Debug)]
 pub struct OwnedQuantised<Q> {
     parts: QuantisedParts,
@@ -70,11 +70,11 @@ pub struct OwnedQuantised<Q> {
 }
 
 impl<Q: Integer> OwnedQuantised<Q> {
-    /// A table in this format, its polynomials trimmed to `tolerance`.
+    /// Converts a table to this format and trims its polynomials to `tolerance`.
     ///
     /// # Errors
     ///
-    /// A table that has no integer form.
+    /// If the table has no integer form.
     pub fn new(table: &Table, tolerance: f64) -> Result<Self, QuantiseError> {
         let parts = QuantisedParts::new(table, Q::FORMAT, tolerance)?;
         let own = |numbers: &[i32]| numbers.iter().map(|&number| Q::of(number)).collect();
@@ -97,7 +97,7 @@ impl<Q: Integer> OwnedQuantised<Q> {
     ///
     /// # Errors
     ///
-    /// None in truth: a table's parts fit together.
+    /// Cannot fail in practice, because the parts of a table are consistent.
     pub fn view(&self) -> Result<Basis<'_, Q>, Error> {
         Q::basis(Parts {
             degree: self.parts.degree,

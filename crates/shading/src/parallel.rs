@@ -1,10 +1,10 @@
-//! Independent work on every core.
+//! Independent work distributed over all cores.
 
 use indicatif::ProgressBar;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
-/// f(k) for k = 0..count, in order; `progress` hears of each. The answers do not depend on the
-/// number of threads, which `RAYON_NUM_THREADS` sets.
+/// Computes f(k) for k = 0..count, in order, and advances `progress` after each. The results do not
+/// depend on the number of threads, which `RAYON_NUM_THREADS` sets.
 pub fn map<T: Send>(count: usize, progress: &ProgressBar, f: impl Fn(usize) -> T + Sync) -> Vec<T> {
     let one = |k| {
         let value = f(k);

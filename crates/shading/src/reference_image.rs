@@ -1,4 +1,4 @@
-//! Images by the direct sum (15), in f64: what the rest is measured against.
+//! Images by the direct sum (15), in f64: the reference for all other methods.
 
 use crate::parallel;
 use eigenshade_index::effect::Effects;
@@ -7,11 +7,11 @@ use eigenshade_model::effects;
 use eigenshade_model::truth::Truth;
 use indicatif::ProgressBar;
 
-/// The irradiance, r, g and b, of every light on every material at every normal:
-/// by normal, within it by light, within it by material.
+/// The irradiance, r, g and b, of every light on every material at every normal: one list per
+/// normal, sorted by light, then material.
 ///
-/// The normals are of unit length with z >= 0. The sum goes as far as the lights'
-/// degree and the materials' order.
+/// The normals have unit length and z >= 0. The sum uses the full degree of the lights and the full
+/// order of the materials.
 #[must_use]
 pub fn images(
     lights: &Lights,
@@ -22,7 +22,7 @@ pub fn images(
     images_of_effects(lights, materials, Effects::ALL, normals, progress)
 }
 
-/// [`images`] of some effects alone.
+/// Like [`images`], restricted to some effects.
 #[must_use]
 pub fn images_of_effects(
     lights: &Lights,

@@ -1,5 +1,5 @@
-//! From a light and a material to the irradiance of many normals, in a number
-//! format of the runtime.
+//! Computes the irradiance of many normals from a light and a material, in one of the runtime's
+//! number formats.
 
 use crate::overflow;
 use crate::owned_basis::{AnyBasis, Folded};
@@ -12,8 +12,8 @@ use eigenshade_table::Table;
 use eigenshade_table::transfer::fingerprint;
 use std::path::Path;
 
-/// Lights and materials without what lies above a table's degree and order, and of a table
-/// without colour their luminance.
+/// Truncates lights and materials to a table's degree and order. For a table without color it also
+/// reduces them to their luminance.
 #[must_use]
 pub fn fitted(table: &Table, lights: &Lights, materials: &Materials) -> (Lights, Materials) {
     let (mut lights, mut materials) =
@@ -24,7 +24,8 @@ pub fn fitted(table: &Table, lights: &Lights, materials: &Materials) -> (Lights,
     (lights, materials)
 }
 
-/// What to say of the materials of a file that goes to a higher order than the table.
+/// The warning for a material file of a higher order than the table; `None` if the order is not
+/// higher.
 #[must_use]
 pub fn of_higher_order(path: &Path, found: usize, order: usize) -> Option<String> {
     (found > order).then(|| {
@@ -37,30 +38,30 @@ pub fn of_higher_order(path: &Path, found: usize, order: usize) -> Option<String
     })
 }
 
-/// One channel of a light and one of a material, each with its degree or order.
+/// One channel of a light and one channel of a material, each with its degree or order.
 pub type Lit<'a> = ((usize, &'a [f64]), (usize, &'a [f64]));
 
-/// Ways to a pixel that look it up.
+/// Methods that look up a pixel in samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LookUp {
-    /// Straight lines between knots of each azimuth.
+    /// Linear interpolation between the knots of each azimuth.
     Linear {
-        /// How many.
+        /// Number of knots.
         knots: usize,
     },
-    /// Cubics between them.
+    /// Cubic interpolation between the knots of each azimuth.
     Cubic {
-        /// How many.
+        /// Number of knots.
         knots: usize,
     },
-    /// Between four texels of a baked map.
+    /// Bilinear interpolation between four texels of a baked map.
     Bilinear {
-        /// Texels a side.
+        /// Texels per side.
         size: usize,
     },
-    /// The nearest of them.
+    /// The nearest texel of a baked map.
     Nearest {
-        /// Texels a side.
+        /// Texels per side.
         size: usize,
     },
 }
@@ -76,7 +77,7 @@ fn baked<S: Scalar>(scene: &Scene<'_, &mut Vec<S>>, size: usize) -> Result<Baked
     scene.bake_into(size, vec![S::ZERO; size * size]).map_err(fault)
 }
 
-/// A basis with room to work in.
+/// A basis with its work buffers.
 #[derive(Clone, Debug)]
 pub struct Shader<'a, S> {
     basis: AnyBasis<'a, S>,
@@ -86,11 +87,12 @@ pub struct Shader<'a, S> {
     scene: Vec<S>,
     folded: &'a [Folded<S>],
     effects: Effects,
-    /// d of no light at all, where the mean image is no part of the effects.
+    /// d without any light, subtracted if the effects do not include the mean image; otherwise
+    /// empty.
     dark: Vec<S>,
 }
 
-/// Normals component by component, in a number format.
+/// Normals as one array per component, in a number format.
 #[derive(Clone, Debug)]
 pub struct OwnedNormals<S>([Vec<S>; 3]);
 
@@ -105,17 +107,17 @@ impl<S: Scalar> OwnedNormals<S> {
     ///
     /// # Errors
     ///
-    /// None in truth: the three lengths are one.
+    /// Cannot fail in practice, because the three arrays have the same length.
     pub fn view(&self) -> Result<Normals<'_, S>> {
         let [x, y, z] = &self.0;
         Normals::new(x, y, z).map_err(fault)
     }
 
-    /// Each normal by itself.
+    /// The normals one by one.
     ///
     /// # Errors
     ///
-    /// One that is no visible normal.
+    /// If one is not a visible normal.
     pub fn each(&self) -> Result<Vec<Normal<S>>> {
         let [x, y, z] = &self.0;
         let triples = x.iter().zip(y).zip(z);
@@ -148,11 +150,12 @@ impl<'a, S: Scalar> Shader<'a, S> {
         }
     }
 
-    /// Of some effects alone.
+    /// Restricts the shader to some effects.
     ///
     /// # Errors
     ///
-    /// A basis of transfers: they are of all its effects.
+    /// If the basis has transfers and some of its effects are left out: transfers contain all
+    /// effects.
     pub fn with_effects(mut self, effects: Effects) -> Result<Self> {
         let (all, projects, mean) = match &self.basis {
             AnyBasis::Sphere(basis) => {
@@ -177,20 +180,20 @@ impl<'a, S: Scalar> Shader<'a, S> {
         Ok(self)
     }
 
-    /// With the materials that the basis's table has folded in, where it takes in no
-    /// others.
+    /// Adds the stored transfers of a table. A basis without projection accepts only these
+    /// materials.
     #[must_use]
     pub fn with_folded(self, folded: &'a [Folded<S>]) -> Self {
         Self { folded, ..self }
     }
 
-    /// d of one channel of a light on one of a material, of no higher degree and
-    /// order than the basis.
+    /// d for one channel of a light and one channel of a material, of at most the basis's degree
+    /// and order.
     ///
     /// # Errors
     ///
-    /// Coefficients that are of another degree or order than they claim, or beyond
-    /// the basis; a material that a basis of transfers does not have; d that is not finite.
+    /// If the coefficients do not match their stated degree or order, or exceed the basis's; if a
+    /// basis of transfers does not have the material; or if d is not finite.
     pub fn project(&mut self, light: (usize, &[f64]), material: (usize, &[f64])) -> Result<&[S]> {
         self.projected(light, material)?;
         overflow::check(&self.coefficients, light.1, material.1)?;
@@ -228,11 +231,11 @@ impl<'a, S: Scalar> Shader<'a, S> {
         .map_err(fault)
     }
 
-    /// The image of the last projection, collapsed.
+    /// The collapsed image of the last projection.
     ///
     /// # Errors
     ///
-    /// None in truth: the buffers have the basis's lengths.
+    /// Cannot fail in practice, because the buffers have the lengths that the basis requires.
     pub fn scene(&mut self) -> Result<Scene<'a, &mut Vec<S>>> {
         let coefficients = &self.coefficients[..self.components];
         let (basis, workspace) = (&self.basis, &mut self.workspace);
@@ -256,11 +259,11 @@ impl<'a, S: Scalar> Shader<'a, S> {
         .map_err(fault)
     }
 
-    /// One channel of the image, by the collapsed polynomials.
+    /// One channel of the image, from the collapsed polynomials.
     ///
     /// # Errors
     ///
-    /// As [`project`](Self::project); irradiance that is not finite.
+    /// As [`project`](Self::project), and if an irradiance is not finite.
     pub fn polynomial(
         &mut self,
         light: (usize, &[f64]),
@@ -275,13 +278,14 @@ impl<'a, S: Scalar> Shader<'a, S> {
         Ok(irradiance)
     }
 
-    /// Channels of one colour in one shape, by the fewest polynomial terms that a tolerance of
-    /// the brightest one's peak asks for; and of each what was chosen.
+    /// The channels of one color image, with a common shape that has the fewest polynomial terms
+    /// for a tolerance relative to the brightest channel's peak. Also returns the resulting
+    /// truncation of each channel.
     ///
     /// # Errors
     ///
-    /// As [`project`](Self::project); a basis of another object than a sphere, or one whose
-    /// mean image is no part of the effects.
+    /// As [`project`](Self::project), and if the basis is for an object other than a sphere or its
+    /// mean image is not part of the effects.
     pub fn within(
         &mut self,
         channels: &[Lit<'_>],
@@ -327,7 +331,8 @@ impl<'a, S: Scalar> Shader<'a, S> {
     ///
     /// # Errors
     ///
-    /// As [`project`](Self::project), or knots or texels that the runtime does not have.
+    /// As [`project`](Self::project), and if the runtime does not support this number of knots or
+    /// texels.
     pub fn looked_up(
         &mut self,
         light: (usize, &[f64]),
@@ -360,11 +365,11 @@ impl<'a, S: Scalar> Shader<'a, S> {
         Ok(irradiance)
     }
 
-    /// One channel of the image, component by component.
+    /// One channel of the image, summed component by component.
     ///
     /// # Errors
     ///
-    /// As [`project`](Self::project).
+    /// See [`project`](Self::project).
     pub fn eigen(
         &mut self,
         light: (usize, &[f64]),
@@ -393,11 +398,11 @@ impl<'a, S: Scalar> Shader<'a, S> {
         Ok(irradiance)
     }
 
-    /// All three channels of the image, by the collapsed polynomials.
+    /// All three channels of the image, from the collapsed polynomials.
     ///
     /// # Errors
     ///
-    /// As [`project`](Self::project).
+    /// See [`project`](Self::project).
     pub fn colour(
         &mut self,
         (degree, light): (usize, &Named),
@@ -423,7 +428,7 @@ fn rounded<S: Scalar>(values: &[f64]) -> Vec<S> {
     values.iter().map(|&value| S::from_f64(value)).collect()
 }
 
-/// A fault that the runtime found in what it was given.
+/// Converts an error of the runtime about its inputs.
 #[must_use]
 pub fn fault(error: eigenshade::Error) -> Error {
     Error::new(error.to_string(), "check the inputs against `eigenshade info` of the table")

@@ -1,16 +1,16 @@
-//! The shipped databases and table, compiled in: what is shown does not depend on the
-//! files that lie about.
+//! The shipped databases and table, compiled in, so that results do not depend on files in the
+//! working directory.
 
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::Result;
 use eigenshade_model::inputs::coefficient_csv::{parse_lights, parse_materials};
 
-/// `tables/sphere.bin`.
+/// The contents of `tables/sphere.bin`.
 pub const TABLE: &[u8] = include_bytes!("../../../tables/sphere.bin");
 const LIGHTS: &str = include_str!("../../../tables/inputs/lights.csv");
 const MATERIALS: &str = include_str!("../../../tables/inputs/materials.csv");
 
-/// Materials of the shipped set that pictures and reports show, from matte to specular.
+/// Shipped materials that pictures and reports show, from matte to specular.
 pub const SHOWN_MATERIALS: [&str; 7] = [
     "ptfe-633nm",
     "10-plaster-a",
@@ -21,23 +21,23 @@ pub const SHOWN_MATERIALS: [&str; 7] = [
     "34-slate-b",
 ];
 
-/// Lights of the shipped set that pictures and reports show.
+/// Shipped lights that pictures and reports show.
 pub const SHOWN_LIGHTS: [&str; 4] = ["esplanade", "park", "blender-courtyard", "studio"];
 
-/// `tables/inputs/lights.csv`.
+/// The lights in `tables/inputs/lights.csv`.
 ///
 /// # Errors
 ///
-/// As [`parse_lights`], of a file that was compiled in.
+/// As [`parse_lights`], for the compiled-in file.
 pub fn lights() -> Result<Lights> {
     parse_lights(LIGHTS, "tables/inputs/lights.csv", None)
 }
 
-/// `tables/inputs/materials.csv`.
+/// The materials in `tables/inputs/materials.csv`.
 ///
 /// # Errors
 ///
-/// As [`parse_materials`], of a file that was compiled in.
+/// As [`parse_materials`], for the compiled-in file.
 pub fn materials() -> Result<Materials> {
     parse_materials(MATERIALS, "tables/inputs/materials.csv", None)
 }

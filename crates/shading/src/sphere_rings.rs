@@ -1,24 +1,25 @@
-//! A sphere's normals ring by ring, with their density.
+//! The normals of a sphere in rings, with their density.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-/// Normals of one slant, evenly spread over the turn.
+/// Normals of one slant, evenly spaced in tilt.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ring {
     /// Polar angle about the optical axis, radians.
     pub slant: f64,
-    /// Tilts, radians.
+    /// The tilts of the normals, radians.
     pub tilts: Vec<f64>,
-    /// The share of each of its normals: those of all rings sum to 1.
+    /// The weight of each normal of the ring. The weights of all normals of all rings sum to 1.
     pub weight: f64,
 }
 
-/// The golden section of the turn, by which each ring is turned against the one within.
+/// The golden section. Each ring is rotated relative to the previous one by this fraction of its
+/// spacing.
 const TURN: f64 = 0.618_033_988_749_895;
 
-/// Rings that lie as far apart as their normals, `spacing` radians or a little less.
+/// Rings whose distance is about that of their normals: `spacing` radians or slightly less.
 ///
-/// The midpoint rule in the slant, with the exact share of each ring under the density
+/// Uses the midpoint rule in the slant, with the exact share of each ring under the density
 /// cos(slant) / π.
 #[must_use]
 pub fn rings(spacing: f64) -> Vec<Ring> {
@@ -39,7 +40,7 @@ pub fn rings(spacing: f64) -> Vec<Ring> {
 }
 
 impl Ring {
-    /// Its unit normals.
+    /// The unit normals of the ring.
     pub fn normals(&self) -> impl Iterator<Item = [f64; 3]> {
         let (sine, cosine) = self.slant.sin_cos();
         self.tilts.iter().map(move |tilt| [sine * tilt.cos(), sine * tilt.sin(), cosine])

@@ -1,4 +1,4 @@
-//! Whether the parts of a table fit together: decoding is total.
+//! Consistency checks on the parts of a table, so that decoding is total.
 
 use crate::general::General;
 use crate::parts::NONE;
@@ -7,16 +7,20 @@ use crate::table::Table;
 use eigenshade_index::effect::Effects;
 use eigenshade_index::{material, mode, pair};
 
-/// Beyond these nothing of a table can be meant; they keep every count below
-/// from overflowing.
+/// The largest degree and order of a valid table. The limit keeps the counts below from
+/// overflowing.
 const MOST: usize = 256;
 
-/// No polynomial of such a degree and order has as many terms.
+/// No polynomial up to this degree and order has more terms.
 const MOST_TERMS: usize = 4 * MOST;
 
 impl Table {
-    /// `Err` names the first part whose shape contradicts the others, or that
-    /// holds a number that is not finite.
+    /// Checks that the parts of the table are consistent.
+    ///
+    /// # Errors
+    ///
+    /// The name of the first part whose shape contradicts the others or that contains a number that
+    /// is not finite.
     pub(crate) fn check(&self) -> Result<(), String> {
         let gram = &self.gram;
         let (degree, order) = (gram.degree, gram.order);
@@ -137,8 +141,8 @@ impl Table {
         numbers("mean's coefficients", &general.mean_coefficients, coefficients)
     }
 
-    /// Each component has a profile of its own azimuth, and each sign of a profile
-    /// one component at most.
+    /// Checks that each component has a profile of its own azimuth, and that each profile serves at
+    /// most one component of each sign.
     fn check_components(&self) -> Result<(), String> {
         if self.components.len() > usize::from(NONE) {
             return Err(format!("{} components, more than {NONE}", self.components.len()));
@@ -183,7 +187,7 @@ fn length(what: &str, found: usize, expected: usize) -> Result<(), String> {
     }
 }
 
-/// A polynomial: one term at least, and no more than there can be.
+/// Checks a polynomial: it has at least one term and at most [`MOST_TERMS`].
 fn terms(what: &str, values: &[f64]) -> Result<(), String> {
     if values.is_empty() || values.len() > MOST_TERMS {
         return Err(format!("{what}: 1 to {MOST_TERMS} terms expected, {} found", values.len()));

@@ -2,12 +2,12 @@
 
 use crate::table::{Component, Table};
 
-/// A table with the components for which `keep` says so, of their numbers from 0 on, and
-/// with the profiles that these have. Where that is the first K of them, it is the table that
-/// the same scene with K components has.
+/// The table restricted to the components for which `keep` returns true, and to their profiles.
 ///
-/// Domain: a sphere's table that [projects](Table::has_projection); its stored transfers are
-/// left out.
+/// `keep` receives the number of a component, counted from 0, and the component. If it keeps the
+/// first K components, the result is the table of the same scene with K components.
+///
+/// Domain: a sphere's table that [projects](Table::has_projection). Stored transfers are dropped.
 #[must_use]
 pub fn with_components(whole: &Table, keep: impl Fn(usize, &Component) -> bool) -> Table {
     let chosen = whole.components.iter().enumerate().filter(|(k, one)| keep(*k, one));

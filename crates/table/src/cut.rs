@@ -1,12 +1,12 @@
-//! What of a table is left out beside the components after the last.
+//! Reductions of a table beyond leaving out the last components.
 
 use crate::components::with_components;
 use crate::scene::Cut;
 use crate::table::{Component, Table};
 use crate::trim::trim;
 
-/// Cuts a table: components of higher azimuths go, then terms, then what is within the share.
-/// Its scene says so, and so does the energy that it keeps.
+/// Cuts a table: first removes components of higher azimuths, then truncates polynomials, then
+/// trims them to the tolerance. Updates the table's scene and the energy that the table keeps.
 ///
 /// Domain: a sphere's table that [projects](Table::has_projection).
 pub fn cut(table: &mut Table, cut: Cut) {

@@ -1,6 +1,6 @@
-//! The table's file: label, version, length, checksum, bincode.
+//! The table file: label, version, length, checksum, bincode.
 //!
-//! | bytes | what |
+//! | bytes | content |
 //! |---|---|
 //! | 8 | `EIGSHADE` |
 //! | 4 | version, little-endian |
@@ -19,29 +19,29 @@ pub const LABEL: [u8; 8] = *b"EIGSHADE";
 pub const VERSION: u32 = 1;
 const HEADER: usize = 24;
 
-/// Why bytes are not a table.
+/// Why bytes are not a valid table.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum FileError {
-    /// They do not start with [`LABEL`].
+    /// The bytes do not start with [`LABEL`].
     Foreign,
-    /// Another version, with its number.
+    /// The file has another version, given here.
     Version(u32),
-    /// Fewer or more bytes than the header promises.
+    /// The payload is shorter or longer than the header states.
     Length {
-        /// Bytes of payload promised.
+        /// Payload length in bytes according to the header.
         expected: u64,
-        /// Bytes of payload found.
+        /// Payload length in bytes found.
         found: u64,
     },
-    /// The checksum does not fit the payload.
+    /// The checksum does not match the payload.
     Checksum,
     /// The payload does not decode, or its parts contradict each other.
     Payload(String),
 }
 
 impl FileError {
-    /// What is wrong.
+    /// The problem.
     #[must_use]
     pub fn what(&self) -> String {
         match self {
@@ -57,7 +57,7 @@ impl FileError {
         }
     }
 
-    /// What to do about it.
+    /// The remedy.
     #[must_use]
     pub const fn remedy(&self) -> &'static str {
         "make it again with `eigenshade basis`"
@@ -72,7 +72,7 @@ impl fmt::Display for FileError {
 
 impl std::error::Error for FileError {}
 
-/// The bytes of a table's file.
+/// Encodes a table as the bytes of a table file.
 #[must_use]
 pub fn encode(table: &Table) -> Vec<u8> {
     let payload = section(table);
@@ -85,18 +85,18 @@ pub fn encode(table: &Table) -> Vec<u8> {
     bytes
 }
 
-/// Any value as the table's payload has it.
+/// Encodes any value in the format of the table's payload.
 pub(crate) fn section(value: &impl serde::Serialize) -> Vec<u8> {
     bincode::serde::encode_to_vec(value, bincode::config::standard())
         .expect("plain numbers and strings always encode")
 }
 
-/// The table in a file's bytes.
+/// Decodes the table in the bytes of a file.
 ///
 /// # Errors
 ///
-/// [`FileError`] for any bytes that are no table, or one of more than 1 GiB; never
-/// a panic, and never an allocation of more than some eight times the bytes.
+/// [`FileError`] for any bytes that are not a table, or for a table of more than 1 GiB. Never
+/// panics, and never allocates more than about eight times the number of bytes.
 pub fn decode(bytes: &[u8]) -> Result<Table, FileError> {
     let (header, payload) = bytes.split_at_checked(HEADER).ok_or(FileError::Foreign)?;
     if header[..8] != LABEL {
@@ -124,11 +124,11 @@ pub fn decode(bytes: &[u8]) -> Result<Table, FileError> {
     Ok(table)
 }
 
-/// The table at the start of a payload, and how many bytes it takes.
+/// Decodes the table at the start of a payload; also returns the number of bytes read.
 ///
-/// bincode makes room for as long a text as the bytes claim before it looks whether
-/// they are there; a limit, which has to be a constant, keeps that in bounds. It
-/// counts at most eight bytes for each that is read.
+/// bincode allocates the claimed length of a text before it checks that the bytes exist. A decoding
+/// limit, which must be a constant, bounds this. The limit counts at most eight bytes for each byte
+/// read.
 fn unpack(payload: &[u8]) -> Result<(Table, usize), DecodeError> {
     const STEPS: [usize; 3] = [1 << 20, 1 << 25, 1 << 30];
     let standard = bincode::config::standard();
@@ -139,7 +139,7 @@ fn unpack(payload: &[u8]) -> Result<(Table, usize), DecodeError> {
         length if length <= STEPS[1] => {
             decode_from_slice(payload, standard.with_limit::<{ 8 * STEPS[1] }>())
         }
-        // Almost all of so large a table is f64, which counts as what it is.
+        // A table of this size consists almost entirely of f64, which count as their actual size.
         length if length <= STEPS[2] => {
             decode_from_slice(payload, standard.with_limit::<{ 2 * STEPS[2] }>())
         }

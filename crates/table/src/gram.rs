@@ -1,68 +1,67 @@
 //! The Gram matrix M of (23) as a factor: M = AᵀA.
 //!
-//! M is singular to working precision, so it is never formed. With quadrature
-//! nodes α_k and weights w_k that hold the density of the normals,
-//! A\[k, s\] = √w_k f_s(α_k), where E_s = f_s(α) Φ_m(β) and the azimuths are
-//! orthonormal. A itself is a product of small tables, so those are what is kept.
+//! M is singular to working precision, so it is never computed. With quadrature nodes α_k and
+//! weights w_k that include the density of the normals, A\[k, s\] = √w_k f_s(α_k), where E_s =
+//! f_s(α) Φ_m(β) and the azimuth functions are orthonormal. A itself is a product of small tables,
+//! which are stored instead.
 
 use eigenshade_index::{material, mode, pair};
 use serde::{Deserialize, Serialize};
 
-/// The small tables of which A is made.
+/// The small tables whose product is A.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct GramFactor {
     /// Largest degree l of the light.
     pub degree: usize,
     /// Largest order o of the BRDF.
     pub order: usize,
-    /// cos α_k, rising in (0, 1).
+    /// cos α_k, ascending in (0, 1).
     pub nodes: Vec<f64>,
     /// √w_k; the weights w_k sum to 1.
     pub root_weights: Vec<f64>,
     /// K_lop^q / N_l^q of (13) for each (o, p, q).
     pub gains: Vec<f64>,
-    /// N_l^q C_lo^q of (11): for each pair (o, q), each l = 0..=degree.
+    /// N_l^q C_lo^q of (11): for each pair (o, q), for each l = 0..=degree.
     pub polar_integrals: Vec<f64>,
-    /// R_p^q(√2 sin(α_k/2)): for each pair (p, q), each node.
+    /// R_p^q(√2 sin(α_k/2)): for each pair (p, q), for each node.
     pub radials: Vec<f64>,
-    /// D_l^mq / Φ_m at the nodes, for each |m|, each l >= |m|, each
-    /// q <= min(l, order), each node.
+    /// D_l^mq / Φ_m at the nodes: for each |m|, each l >= |m|, each q <= min(l, order), each node.
     pub rotations: Vec<f64>,
 }
 
 impl GramFactor {
-    /// Number of places in a selection of modes.
+    /// Length of a selection of modes.
     #[must_use]
     pub fn places(&self) -> usize {
         (self.degree + 1) * material::count(self.order) * (self.degree + 1)
     }
 
-    /// Where the modes ±m, (l, o, p, q) stand in a selection of modes: for each
-    /// |m|, each (o, p, q), each l = 0..=degree.
+    /// The index of the modes ±m, (l, o, p, q) in a selection of modes, which is ordered by |m|,
+    /// then (o, p, q), then l = 0..=degree.
     #[must_use]
     pub fn place(&self, azimuth: usize, l: usize, o: usize, p: usize, q: usize) -> usize {
         let row = azimuth * material::count(self.order) + material::position(o, p, q);
         row * (self.degree + 1) + l
     }
 
-    /// N_l^q C_lo^q.
+    /// N_l^q C_lo^q of (11).
     fn polar_integral(&self, l: usize, o: usize, q: usize) -> f64 {
         self.polar_integrals[pair::position(o, q) * (self.degree + 1) + l]
     }
 
-    /// R_p^q at every node.
+    /// R_p^q at all nodes.
     fn radial(&self, p: usize, q: usize) -> &[f64] {
         let count = self.nodes.len();
         let start = pair::position(p, q) * count;
         &self.radials[start..start + count]
     }
 
-    /// Number of q of degree l.
+    /// Number of frequencies q of degree l.
     fn frequencies(&self, l: usize) -> usize {
         l.min(self.order) + 1
     }
 
-    /// D_l^mq / Φ_m at every node.
+    /// D_l^mq / Φ_m at all nodes.
     #[must_use]
     pub fn rotation(&self, azimuth: usize, l: usize, q: usize) -> &[f64] {
         let from = |azimuth| azimuth..=self.degree;
@@ -72,8 +71,8 @@ impl GramFactor {
         &self.rotations[(earlier + q) * count..(earlier + q + 1) * count]
     }
 
-    /// The columns of A of one azimuth |m|, in the order of [`mode`], each a
-    /// value a node. For -m multiply by (-1)^m.
+    /// The columns of A of one azimuth |m|, in the order of [`mode`], each with one value per node.
+    /// The columns of -m are (-1)^m times these.
     #[must_use]
     pub fn columns(&self, azimuth: usize) -> Vec<Vec<f64>> {
         mode::indices(self.degree, self.order, azimuth)
@@ -95,8 +94,8 @@ impl GramFactor {
             .collect()
     }
 
-    /// e of (30): the mean of each mode over the normals; only those of m = 0
-    /// are not zero, and they stand here in the order of [`mode`].
+    /// e of (30): the mean of each mode over the normals. Only the modes of m = 0 have nonzero
+    /// means; the result lists these in the order of [`mode`].
     #[must_use]
     pub fn mode_means(&self) -> Vec<f64> {
         self.columns(0)

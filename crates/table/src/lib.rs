@@ -1,9 +1,9 @@
-//! What an eigenshade table holds, its file, and its translation to the
-//! runtime's numbers.
+//! The contents of an eigenshade table, its file format, and its conversion to the runtime's
+//! numbers.
 //!
-//! A table is made by `eigenshade-generator` and read by the runtime's build
-//! script and by the command line. "(n)" in these pages is equation n of Nillius
-//! and Eklundh, "Phenomenological Eigenfunctions for Image Irradiance", 2003.
+//! `eigenshade-generator` makes tables; the runtime's build script and the command line read them.
+//! "(n)" in these pages is equation n of Nillius and Eklundh, "Phenomenological Eigenfunctions for
+//! Image Irradiance", 2003.
 
 pub mod scene;
 

@@ -1,13 +1,15 @@
-//! The manifest beside a table: what is in it, so that a change of data is a
-//! diff that can be read.
+//! The manifest of a table: a summary of its content, which makes a change of data visible as a
+//! readable diff.
 
 use crate::file::{encode, section};
 use crate::scene::Scene;
 use crate::table::Table;
 use std::fmt::Write;
 
-/// A CSV of `entry,value,bytes,crc32`: sections with their bytes and checksums
-/// (of the values alone, as the file has them), figures with their values.
+/// A CSV of `entry,value,bytes,crc32`. Sections have their size in bytes and a checksum of their
+/// encoded values in the file; figures have values.
+///
+/// The first line is a comment with `command`.
 #[must_use]
 pub fn manifest(table: &Table, command: &str) -> String {
     let mut text = format!("# {command}\nentry,value,bytes,crc32\n");
@@ -68,7 +70,7 @@ pub fn manifest(table: &Table, command: &str) -> String {
     text
 }
 
-/// The checksum that a manifest gives for a scene; the same on every host.
+/// The checksum of a scene in a manifest; the same on every host.
 #[must_use]
 pub fn scene_checksum(scene: &Scene) -> u32 {
     crc32fast::hash(&section(scene))

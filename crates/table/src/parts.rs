@@ -1,6 +1,5 @@
-//! A table as the runtime wants it: the numbers that a device needs, padded and
-//! in the order in which its loops run. In f64; rounding to the device's format
-//! comes last.
+//! A table as the runtime needs it: the numbers for a device, padded and in the order of the
+//! runtime's loops. They are in f64; rounding to the device's format comes last.
 
 use crate::passes::{self, Pass};
 use crate::polynomials::Polynomials;
@@ -9,10 +8,10 @@ use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_index::layout::Recurrence;
 use eigenshade_index::{layout, material, pair};
 
-/// Stands for "no such component" in [`ProfilePlace`].
+/// Means "no such component" in [`ProfilePlace`].
 pub const NONE: u16 = u16::MAX;
 
-/// The runtime's arrays; each field is the one of the same name in
+/// The runtime's arrays. Each field corresponds to the field of the same name in
 /// `eigenshade::Parts`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parts {
@@ -20,34 +19,34 @@ pub struct Parts {
     pub degree: usize,
     /// Largest order o of the BRDF.
     pub order: usize,
-    /// The effects that it is for.
+    /// The effects that the table serves.
     pub effects: Effects,
     /// Number of components.
     pub components: usize,
-    /// Whose the rows below are.
+    /// The profiles that the rows below belong to.
     pub profiles: Vec<ProfilePlace>,
     /// Number of polynomial terms for each |m|.
     pub lengths: Vec<u16>,
-    /// For each coefficient (o, p, q) the places of the pairs (o, q) and (p, q), or twice
+    /// For each coefficient (o, p, q), the positions of the pairs (o, q) and (p, q), or twice
     /// [`NONE`] if the effects do not factor it; up to the largest order that they factor.
     pub couplings: Vec<[u16; 2]>,
-    /// √(o+1) N_l^q C_lo^q: for each pair a row over l in whole groups. This and
-    /// `factors` are empty where the table keeps transfers instead.
+    /// √(o+1) N_l^q C_lo^q: for each pair one row over l, padded to whole groups. This array and
+    /// `factors` are empty if the table stores transfers instead.
     pub polar: Vec<f64>,
-    /// For each profile, each l from |m| on, a row of `layout::row` numbers, two profiles of
-    /// an azimuth group by group beside each other.
+    /// For each profile and each l from |m| on, a row of `layout::row` numbers. Two profiles of an
+    /// azimuth are interleaved group by group.
     pub factors: Vec<f64>,
-    /// UᵀM of the coefficients that stand apart: a row for each profile of m = 0.
+    /// UᵀM of the unfactored coefficients: one row for each profile of m = 0.
     pub ambient: Vec<f64>,
-    /// For each profile its polynomial in t = 2z - 1, highest term first, times
-    /// √2 where m is not 0: in polynomials by their recurrence where its azimuth has one, else
-    /// in the form of its length, [`layout::Form::of`].
+    /// For each profile its polynomial in t = 2z - 1, highest term first, times √2 if m is not 0.
+    /// If its azimuth has a recurrence, the polynomial is a series in the recurrence's polynomials.
+    /// Otherwise its length determines the form, [`layout::Form::of`].
     pub terms: Vec<f64>,
-    /// Of the last azimuths, or empty: [`layout::recurrences`].
+    /// Recurrences of the last azimuths, or empty: [`layout::recurrences`].
     pub recurrences: Vec<Recurrence>,
-    /// How a transfer is laid out.
+    /// The passes of a transfer, which define its layout.
     pub passes: Vec<Pass>,
-    /// For each pass, profile and lane its component, or [`NONE`].
+    /// The component of each pass, profile and lane, or [`NONE`].
     pub slots: Vec<u16>,
     /// The mean image's polynomial, or empty.
     pub mean: Vec<f64>,
@@ -57,27 +56,27 @@ pub struct Parts {
     pub selection: Vec<bool>,
 }
 
-/// Which components a profile serves.
+/// The components that a profile serves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ProfilePlace {
     /// |m|.
     pub azimuth: u16,
-    /// Number of the component of +m (or 0), or [`NONE`].
+    /// Index of the component of +m (or 0), or [`NONE`].
     pub plus: u16,
-    /// Number of the component of -m, or [`NONE`].
+    /// Index of the component of -m, or [`NONE`].
     pub minus: u16,
-    /// Its row of +m in a transfer.
+    /// Row of +m in a transfer.
     pub plus_row: Row,
-    /// Its row of -m in a transfer; for m = 0 the same as that of +m.
+    /// Row of -m in a transfer; for m = 0 the same row as for +m.
     pub minus_row: Row,
 }
 
-/// Where the numbers of l = |m|, |m| + 1, ... stand in a transfer.
+/// Positions of the numbers of l = |m|, |m| + 1, ... in a transfer.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Row {
-    /// Of l = |m|.
+    /// Position of l = |m|.
     pub start: u32,
-    /// From one l to the next.
+    /// Distance from one l to the next.
     pub step: u32,
 }
 
@@ -140,7 +139,7 @@ impl Parts {
 }
 
 impl Parts {
-    /// A transfer of the table's in the order in which the runtime has it.
+    /// Arranges one of the table's transfers in the order of the runtime.
     #[must_use]
     pub fn transfer(&self, numbers: &[f64]) -> Vec<f64> {
         let rows = |pass: &Pass| {
@@ -153,7 +152,7 @@ impl Parts {
             let sign = if place.azimuth % 2 == 1 { -1.0 } else { 1.0 };
             let degrees = self.degree + 1 - usize::from(place.azimuth);
             for (row, number) in rest.by_ref().take(degrees).enumerate() {
-                // For m = 0 both are the same place, and the sign is +.
+                // For m = 0 both rows are the same and the sign is +.
                 for (of, value) in [(place.minus_row, sign * number), (place.plus_row, *number)] {
                     transfer[of.start as usize + row * of.step as usize] = value;
                 }
@@ -163,7 +162,8 @@ impl Parts {
     }
 }
 
-/// The places of the pairs (o, q) and (p, q) for each (o, p, q) that is factored.
+/// The positions of the pairs (o, q) and (p, q) for each (o, p, q) up to `order`; [`NONE`] for
+/// coefficients that are not factored.
 fn couplings(effects: Effects, order: usize) -> Vec<[u16; 2]> {
     let short = |place: usize| u16::try_from(place).expect("orders are small");
     material::indices(order)
@@ -174,7 +174,7 @@ fn couplings(effects: Effects, order: usize) -> Vec<[u16; 2]> {
         .collect()
 }
 
-/// For each pair a row over l in whole groups; 0 beyond the degree.
+/// One row over l for each pair, padded to whole groups with zeros.
 fn grouped(degree: usize, pairs: usize, value: impl Fn(usize, usize) -> f64) -> Vec<f64> {
     let mut values = Vec::new();
     for pair in 0..pairs {
@@ -184,7 +184,7 @@ fn grouped(degree: usize, pairs: usize, value: impl Fn(usize, usize) -> f64) -> 
     values
 }
 
-/// The factors of all profiles, two profiles of an azimuth beside each other.
+/// The factors of all profiles, two profiles of an azimuth at a time.
 fn factors(table: &Table, degree: usize, order: usize) -> Vec<f64> {
     let (pairs, lanes) = (pair::count(order), layout::LANES);
     let mut factors = Vec::new();
@@ -205,7 +205,7 @@ fn factors(table: &Table, degree: usize, order: usize) -> Vec<f64> {
     factors
 }
 
-/// What stands apart, for each profile of m = 0; 0 where a selection dropped the mode.
+/// The unfactored coefficients for each profile of m = 0; 0 for modes that a selection dropped.
 fn ambient(table: &Table, degree: usize, pairs: usize) -> Vec<f64> {
     let zonal = table.profiles.iter().filter(|profile| profile.azimuth == 0);
     let apart = || table.effects().apart(table.gram.order);

@@ -1,11 +1,10 @@
-//! Where the rows of a transfer stand: passes along m, as
-//! [`eigenshade_index::layout`] has them.
+//! The layout of transfers: passes along m, as defined in [`eigenshade_index::layout`].
 
 use crate::parts::{NONE, ProfilePlace, Row};
 use eigenshade_index::layout::{LANES, PASS, first_order, lowest_degree};
 use std::collections::BTreeSet;
 
-/// Orders `first`..`first` + LANES, and the number of profiles of each.
+/// A pass: the orders `first`..`first` + LANES, and the number of profiles of each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Pass {
     /// The first order m.
@@ -14,8 +13,9 @@ pub struct Pass {
     pub profiles: u16,
 }
 
-/// The passes of these profiles (sorted by azimuth), and for each pass, profile and
-/// lane the component that it gives, or [`NONE`]. Sets the places' rows.
+/// Arranges profiles, sorted by azimuth, in passes and sets the rows of their `places`.
+///
+/// Also returns, for each pass, profile and lane, the component that it computes, or [`NONE`].
 pub fn arrange(degree: usize, places: &mut [ProfilePlace]) -> (Vec<Pass>, Vec<u16>) {
     let orders = |place: &ProfilePlace| [i32::from(place.azimuth), -i32::from(place.azimuth)];
     let firsts: BTreeSet<isize> =

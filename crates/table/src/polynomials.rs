@@ -1,35 +1,36 @@
-//! The polynomials of a table's profiles, written so that `f32` holds them.
+//! The polynomials of a table's profiles, in a form that `f32` represents accurately.
 //!
-//! h = u / sin^|m| of a high azimuth is orders of magnitude larger near the pole than at the rim.
-//! In powers or halves of t the rim's value is then a small difference of large terms, and
-//! rounding is of the size of the terms. What that costs is measured here, azimuth by azimuth;
-//! from the first one on where it costs too much, polynomials are series in others, orthogonal
-//! over a sphere's normals, whose terms are nowhere larger than the profile.
+//! At a high azimuth h = u / sin^|m| is orders of magnitude larger near the pole than at the rim.
+//! In powers or halves of t the value at the rim is a small difference of large terms, and the
+//! rounding error is proportional to the terms. This module measures that error for each azimuth.
+//! From the first azimuth on where it is too large, the polynomials become series in other
+//! polynomials, which are orthogonal over a sphere's normals and whose terms are nowhere larger
+//! than the profile.
 
 use crate::table::Table;
 use crate::trim::clenshaw;
 use eigenshade_index::layout::{self, Form, Recurrence};
 
-/// What rounding an azimuth's polynomials to `f32` may cost a pixel of the database's images, root
-/// mean square over the images, of the largest such deviation of a pixel from their means. With
-/// all components no azimuth of GGX materials exceeds 2.5e-6 to degree 12 and order 12; at degree
-/// 16 those from |m| = 6 on do.
+/// The largest error that rounding an azimuth's polynomials to `f32` may cause in a pixel: root
+/// mean square over the database's images, relative to the largest such deviation of a pixel from
+/// its mean. With all components no azimuth of GGX materials exceeds 2.5e-6 up to degree 12 and
+/// order 12; at degree 16 azimuths from |m| = 6 on do.
 const LIMIT: f64 = 4e-6;
 
 /// The polynomials of all profiles.
 pub(crate) struct Polynomials {
     /// Number of terms for each |m|.
     pub(crate) lengths: Vec<u16>,
-    /// Of the last azimuths: [`layout::recurrences`].
+    /// Recurrences of the last azimuths: [`layout::recurrences`].
     pub(crate) recurrences: Vec<Recurrence>,
     /// Terms of each profile, highest first.
     pub(crate) profiles: Vec<Vec<f64>>,
-    /// Those of the mean image, or empty.
+    /// Terms of the mean image, or empty.
     pub(crate) mean: Vec<f64>,
 }
 
 impl Polynomials {
-    /// Those of a table.
+    /// The polynomials of a table.
     pub(crate) fn new(table: &Table) -> Self {
         let lengths = lengths(table);
         let stride = usize::from(lengths.iter().copied().max().unwrap_or_default());
@@ -40,7 +41,7 @@ impl Polynomials {
         });
         let azimuths: Vec<Azimuth> = azimuths.collect();
         let steep = |one: &Azimuth| one.error > LIMIT * peak && one.orthogonal_error < one.error;
-        // Too few nodes for so many terms: no generator makes such a table.
+        // The table has too few nodes for this many terms. The generator does not make such tables.
         let known = table.gram.nodes.len() > stride;
         let first = azimuths.iter().position(steep).filter(|_| known).unwrap_or(lengths.len());
         let (mut profiles, mut mean, mut recurrences) = (Vec::new(), Vec::new(), Vec::new());
@@ -58,7 +59,7 @@ impl Polynomials {
     }
 }
 
-/// The polynomials of one |m| in both forms, and what rounding costs either.
+/// The polynomials of one |m| in both forms, and the rounding error of each form.
 struct Azimuth {
     terms: Vec<Vec<f64>>,
     mean: Option<Vec<f64>>,
@@ -106,12 +107,12 @@ impl Azimuth {
     }
 }
 
-/// The root of the largest number.
+/// The square root of the largest number.
 fn largest(squares: &[f64]) -> f64 {
     squares.iter().copied().fold(0.0, f64::max).sqrt()
 }
 
-/// What the components of a profile vary over the database; 1 where they are but a span.
+/// The variance of a profile's components over the database; 1 if the components are only a span.
 fn variance(table: &Table, profile: usize) -> f64 {
     if table.general.is_some() {
         return 1.0;
@@ -120,7 +121,7 @@ fn variance(table: &Table, profile: usize) -> f64 {
     components.filter_map(|one| one.eigenvalue).sum()
 }
 
-/// The nodes of a table.
+/// The slants at the nodes of a table.
 struct Slants {
     nodes: Vec<Slant>,
 }
@@ -144,7 +145,7 @@ impl Slants {
         Self { nodes: nodes.collect() }
     }
 
-    /// The largest root mean square of a pixel over the database's images, about their means.
+    /// The largest root mean square deviation of a pixel from its mean, over the database's images.
     fn peak(&self, table: &Table) -> f64 {
         let mut squares = vec![0.0; self.nodes.len()];
         for (k, profile) in table.profiles.iter().enumerate() {
@@ -159,19 +160,19 @@ impl Slants {
 }
 
 impl Slants {
-    /// Weighted values of a Chebyshev series.
+    /// Values of a Chebyshev series at the nodes, times the root weights.
     fn values(&self, chebyshev: &[f64]) -> Vec<f64> {
         let value = |slant: &Slant| slant.root_weight * clenshaw(chebyshev, slant.t);
         self.nodes.iter().map(value).collect()
     }
 
-    /// √w sin^|m|: what makes sums over the nodes means over a sphere.
+    /// √w sin^|m|: with these weights, sums over the nodes are means over a sphere.
     fn weights(&self, azimuth: usize) -> Vec<f64> {
         let weight = |slant: &Slant| slant.root_weight * slant.sine.powi(azimuth as i32);
         self.nodes.iter().map(weight).collect()
     }
 
-    /// The recurrence of an azimuth, by Stieltjes's procedure.
+    /// The recurrence of an azimuth, by Stieltjes' procedure.
     fn recurrence(&self, azimuth: usize, count: usize) -> Vec<Recurrence> {
         let mut element = self.weights(azimuth);
         let mut before = vec![0.0; element.len()];
@@ -192,7 +193,7 @@ impl Slants {
         recurrence
     }
 
-    /// The polynomials of a recurrence at the nodes.
+    /// The polynomials of a recurrence, evaluated at the nodes.
     fn elements<'r>(&self, azimuth: usize, recurrence: &'r [Recurrence]) -> Elements<'r> {
         let mut values = Vec::with_capacity(recurrence.len());
         let mut element = self.weights(azimuth);
@@ -209,10 +210,10 @@ impl Slants {
     }
 }
 
-/// Polynomials e_k of a recurrence.
+/// The polynomials e_k of a recurrence.
 struct Elements<'r> {
     recurrence: &'r [Recurrence],
-    /// Of each k, at each node: √w sin^|m| e_k.
+    /// √w sin^|m| e_k for each k, at each node.
     values: Vec<Vec<f64>>,
 }
 
@@ -223,7 +224,8 @@ impl Elements<'_> {
         let squares: Vec<f64> = self.values.iter().map(|one| product(one, one)).collect();
         let mut series = vec![0.0; squares.len()];
         let mut rest = values.to_vec();
-        // As orthogonal as f32 has their coefficients: what is missed is found again.
+        // The polynomials are orthogonal only to the f32 precision of their coefficients, so the
+        // projection is repeated on the remainder.
         for _ in 0..10 {
             let missed: Vec<f64> = self.values.iter().map(|one| product(one, &rest)).collect();
             for ((term, missed), (square, one)) in
@@ -238,7 +240,7 @@ impl Elements<'_> {
         series
     }
 
-    /// A series, highest term first, in f64.
+    /// The value of a series, highest term first, in f64.
     fn value(&self, series: &[f64], t: f32) -> f64 {
         let t = f64::from(t);
         let (mut sum, mut element, mut before) = (0.0, 1.0, 0.0);
@@ -251,7 +253,7 @@ impl Elements<'_> {
     }
 }
 
-/// A series as the runtime sums it in f32.
+/// The value of a series in f32, summed in the same way as in the runtime.
 fn series_in_f32(series: &[f64], t: f32, recurrence: &[Recurrence]) -> f32 {
     let (mut sum, mut element, mut before) = (0.0f32, 1.0f32, 0.0f32);
     for (&term, [at, below]) in series.iter().rev().zip(recurrence) {
@@ -261,7 +263,8 @@ fn series_in_f32(series: &[f64], t: f32, recurrence: &[Recurrence]) -> f32 {
     sum
 }
 
-/// A polynomial in the form of its length as the runtime sums it in f32, by Horner's rule.
+/// The value of a polynomial in the form that its length determines, summed in f32 by Horner's rule
+/// in the same way as in the runtime.
 fn short_in_f32(terms: &[f64], t: f32) -> f32 {
     match Form::of(terms.len()) {
         Form::Powers => terms.iter().fold(0.0, |sum, &term| sum * t + term as f32),
@@ -275,7 +278,7 @@ fn short_in_f32(terms: &[f64], t: f32) -> f32 {
     }
 }
 
-/// Terms that each azimuth needs: those of its longest profile.
+/// Number of terms for each azimuth: that of its longest profile.
 fn lengths(table: &Table) -> Vec<u16> {
     let mut lengths = vec![0; table.gram.degree + 1];
     let profiles = table.profiles.iter().map(|profile| (profile.azimuth, &profile.chebyshev));
@@ -286,8 +289,8 @@ fn lengths(table: &Table) -> Vec<u16> {
     lengths
 }
 
-/// A Chebyshev series as a polynomial of `length` terms, highest first, in the form that this
-/// length asks for (`length` >= the series').
+/// Converts a Chebyshev series to a polynomial of `length` terms, highest first, in the form that
+/// this length determines. `length` is at least the length of the series.
 pub(crate) fn polynomial(chebyshev: &[f64], length: usize) -> Vec<f64> {
     let form = Form::of(length);
     let mut terms = vec![0.0; length];

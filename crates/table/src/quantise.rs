@@ -1,8 +1,8 @@
-//! A table in integers: mantissas of 15 or 31 bits, a power of two for each row.
+//! A table in integers: mantissas of 15 or 31 bits, with a power of two for each row.
 //!
-//! Rounding is to nearest, ties away from zero. A row of factors is scaled so that no
-//! sum over it, of products with mantissas, can leave an accumulator of twice as many
-//! bits and one: Σ |mantissa| < 2^(bits + 1).
+//! Rounding is to nearest, ties away from zero. The scale of a row of factors ensures that no sum
+//! over the row, of products with mantissas, overflows an accumulator of twice as many bits plus
+//! one: Σ |mantissa| < 2^(bits + 1).
 
 use crate::parts::NONE;
 use crate::polynomials::polynomial;
@@ -15,14 +15,14 @@ use std::fmt;
 /// An integer format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Format {
-    /// 15 bits and a sign.
+    /// 15-bit mantissas and a sign.
     Q15,
-    /// 31 bits and a sign.
+    /// 31-bit mantissas and a sign.
     Q31,
 }
 
 impl Format {
-    /// Bits of a mantissa's size.
+    /// Number of bits of a mantissa, without the sign.
     #[must_use]
     pub const fn bits(self) -> i32 {
         match self {
@@ -31,7 +31,7 @@ impl Format {
         }
     }
 
-    /// Its name on a command line, and of its module.
+    /// The format's name on the command line and the name of its module.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -40,8 +40,8 @@ impl Format {
         }
     }
 
-    /// What the polynomials of this format may leave out, of the database's rms: less
-    /// than what the format's rounding costs.
+    /// The truncation error that is allowed for polynomials in this format, relative to the
+    /// database's rms. It is smaller than the format's rounding error.
     #[must_use]
     pub const fn tolerance(self) -> f64 {
         match self {
@@ -51,7 +51,7 @@ impl Format {
     }
 }
 
-/// The runtime's arrays in integers; each field is the one of the same name in
+/// The runtime's arrays in integers. Each field corresponds to the field of the same name in
 /// `eigenshade::quantised::Parts`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct QuantisedParts {
@@ -61,7 +61,7 @@ pub struct QuantisedParts {
     pub degree: usize,
     /// Largest order o of the BRDF.
     pub order: usize,
-    /// The effects that it is for.
+    /// The effects that the table serves.
     pub effects: Effects,
     /// Number of components.
     pub components: usize,
@@ -69,64 +69,65 @@ pub struct QuantisedParts {
     pub profiles: Vec<Place>,
     /// Number of polynomial terms for each |m|.
     pub lengths: Vec<u8>,
-    /// Polar integrals: for each l a row over the pairs.
+    /// Polar integrals: for each l one row over the pairs.
     pub polar: Vec<i32>,
-    /// An exponent for each of them.
+    /// One exponent for each polar integral.
     pub polar_exponents: Vec<i8>,
-    /// Factors: for each profile, each l, a row over the pairs.
+    /// Factors: for each profile and each l one row over the pairs.
     pub factors: Vec<i32>,
-    /// An exponent for each row.
+    /// One exponent for each row of factors.
     pub factor_exponents: Vec<i8>,
-    /// Polynomials in powers of t, highest first.
+    /// Polynomials in powers of t, highest term first.
     pub terms: Vec<i32>,
 }
 
-/// A profile's azimuth, the exponent of its terms, and its components.
+/// The azimuth of a profile, the exponent of its terms, its components and its bounds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Place {
     /// |m|.
     pub azimuth: u8,
-    /// Of its terms.
+    /// Exponent of its terms.
     pub exponent: i8,
     /// Component of +m (or 0), or 65,535.
     pub plus: u16,
     /// Component of -m, or 65,535.
     pub minus: u16,
-    /// Its largest value, in sixteenths, rounded up.
+    /// Its largest absolute value, in sixteenths, rounded up.
     pub size: u16,
-    /// Its polynomial's largest term or step of Horner's rule on the way there.
+    /// The largest term of its polynomial or intermediate sum in Horner's rule, in sixteenths,
+    /// rounded up.
     pub step: u16,
 }
 
-/// The most profiles, and degrees, of `eigenshade::quantised::Basis`.
+/// The maximum number of profiles, and of degrees, in `eigenshade::quantised::Basis`.
 const MOST_PROFILES: usize = layout::MOST_WEIGHTS / 2;
 
-/// Why a table has no integer form.
+/// Why a table cannot be converted to integers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum QuantiseError {
-    /// It is of the criterion that subtracts a mean image.
+    /// Its criterion subtracts a mean image.
     Mean,
-    /// It keeps a selection of modes.
+    /// It has a selection of modes.
     Selection,
     /// Its object is not a sphere.
     General,
-    /// It keeps transfers alone.
+    /// It stores only transfers.
     Folded,
-    /// Its effect ambient takes orders that no other of its effects does.
+    /// Its effect ambient contains orders that no other effect of the table contains.
     Apart,
-    /// A polynomial is longer than [`layout::POWERS`].
+    /// A polynomial has more than [`layout::POWERS`] terms.
     Long {
-        /// Its |m|.
+        /// |m| of the polynomial.
         azimuth: usize,
-        /// Its number of terms.
+        /// Number of terms of the polynomial.
         terms: usize,
     },
-    /// It has more profiles or degrees than the runtime's sums have room for.
+    /// It has more profiles or degrees than the runtime's sums allow.
     Many,
-    /// A profile, a term of its polynomial or a step of it exceeds 4,095.
+    /// A profile, a term of its polynomial or an intermediate sum exceeds 4,095.
     Large {
-        /// Its |m|.
+        /// |m| of the profile.
         azimuth: usize,
     },
 }
@@ -171,13 +172,13 @@ impl fmt::Display for QuantiseError {
 impl std::error::Error for QuantiseError {}
 
 impl QuantisedParts {
-    /// A table in this format, its polynomials trimmed so that of each component no
-    /// more than `tolerance` is left out (of the rms of the database's images, which the
-    /// eigenvalues tell).
+    /// Converts a table to this format. Trims its polynomials so that each component loses at most
+    /// `tolerance`, relative to the rms of the database's images, which follows from the
+    /// eigenvalues.
     ///
     /// # Errors
     ///
-    /// A table that integers do not serve.
+    /// If the table cannot be converted to integers.
     pub fn new(table: &Table, format: Format, tolerance: f64) -> Result<Self, QuantiseError> {
         for (fault, error) in [
             (table.mean.is_some(), QuantiseError::Mean),
@@ -257,9 +258,9 @@ impl QuantisedParts {
     }
 }
 
-/// Mantissas of these numbers and their exponent: each below 2^`bits`, their sizes' sum
-/// below `sum`. Numbers below 2^-128 of the format are lost; beyond 2^127 they are as
-/// large as can be.
+/// Converts numbers to mantissas with a common exponent. Each mantissa is below 2^`bits`, and the
+/// sum of their absolute values is below `sum`. Numbers below 2^-128 of the format become 0;
+/// numbers beyond 2^127 saturate.
 #[must_use]
 pub fn row(numbers: &[f64], bits: i32, sum: i64) -> (Vec<i32>, i8) {
     in_range(numbers, bits, sum).unwrap_or_else(|| {
@@ -269,14 +270,14 @@ pub fn row(numbers: &[f64], bits: i32, sum: i64) -> (Vec<i32>, i8) {
     })
 }
 
-/// [`row`] of numbers that the format holds: none if one of them is too large.
+/// Like [`row`]; `None` if a number is too large for the format.
 #[must_use]
 fn in_range(numbers: &[f64], bits: i32, sum: i64) -> Option<(Vec<i32>, i8)> {
     let largest = numbers.iter().fold(0.0f64, |most, number| most.max(number.abs()));
     if largest == 0.0 {
         return Some((vec![0; numbers.len()], i8::MIN));
     }
-    // From the least exponent that may do.
+    // Starts from the smallest exponent that is possible.
     let least = (largest.log2().floor() as i32 - bits).clamp(-128, 127);
     (least..=127).find_map(|exponent| {
         let scale = 2f64.powi(-exponent);
@@ -288,15 +289,15 @@ fn in_range(numbers: &[f64], bits: i32, sum: i64) -> Option<(Vec<i32>, i8)> {
     })
 }
 
-/// Terms of each azimuth: as many as leave out of each component no more than the
-/// tolerance of the database's rms, at any normal.
+/// Number of terms for each azimuth: as few as possible while each component loses at most
+/// `tolerance` of the database's rms at any normal.
 fn lengths(table: &Table, tolerance: f64) -> Result<Vec<u8>, QuantiseError> {
     let values = table.spectrum.iter().filter_map(|(_, value)| *value);
     let energy: f64 = values.sum();
     let mut lengths = vec![0; table.gram.degree + 1];
     for (k, profile) in table.profiles.iter().enumerate() {
         let served = table.components.iter().filter(|component| component.profile == k);
-        // The constant's coefficient is the mean: as large as all the rest.
+        // The coefficient of the constant is the mean, which is as large as everything else.
         let weight = served
             .map(|component| component.eigenvalue.map_or(1.0, |value| (value / energy).sqrt()))
             .fold(0.0, f64::max);
@@ -312,7 +313,8 @@ fn lengths(table: &Table, tolerance: f64) -> Result<Vec<u8>, QuantiseError> {
     Ok(lengths.into_iter().map(|length| length as u8).collect())
 }
 
-/// The least number of terms, one at least, whose rest is at most `tolerance` everywhere.
+/// The smallest number of terms, at least one, such that the rest is at most `tolerance`
+/// everywhere.
 fn needed(profile: &Profile, tolerance: f64) -> usize {
     let mut rest = 0.0;
     let count = profile.chebyshev.len();
@@ -323,7 +325,7 @@ fn needed(profile: &Profile, tolerance: f64) -> usize {
     (count - kept.count()).max(1)
 }
 
-/// Mantissas of a material's coefficients, an exponent for each o.
+/// The coefficients of a material as mantissas, with one exponent for each o.
 #[must_use]
 pub fn material(order: usize, coefficients: &[f64], format: Format) -> (Vec<i32>, Vec<i8>) {
     let (mut mantissas, mut exponents) = (Vec::new(), Vec::new());
@@ -336,21 +338,21 @@ pub fn material(order: usize, coefficients: &[f64], format: Format) -> (Vec<i32>
     (mantissas, exponents)
 }
 
-/// Whether a format holds the coefficients of a light or a material: none saturates.
+/// Whether the coefficients of a light or a material fit the format without saturation.
 #[must_use]
 pub fn holds(numbers: &[f64], format: Format) -> bool {
     in_range(numbers, format.bits(), i64::MAX).is_some()
 }
 
-/// Points for each degree of a polynomial whose largest value is sought: the largest on
-/// a grid of so many Chebyshev points is at least cos(π / 2 POINTS) of it.
+/// Number of grid points per degree in the search for a polynomial's largest value. The largest
+/// value on a grid of this many Chebyshev points is at least cos(π / 2 POINTS) times the maximum.
 const POINTS: usize = 16;
 
-/// The largest |u| of a profile, and the largest term of its polynomial or step of
-/// Horner's rule, in sixteenths, rounded up; none if they are beyond 16 bits.
+/// The largest |u| of a profile, and the largest term of its polynomial or intermediate sum in
+/// Horner's rule, in sixteenths, rounded up. `None` if one of them exceeds 16 bits.
 fn sizes(terms: &[i32], exponent: i8, azimuth: usize) -> Option<[u16; 2]> {
     let scale = 2f64.powi(exponent.into());
-    // Squares, times powers of 1 - z².
+    // The grid covers squares of the polynomial times powers of 1 - z².
     let count = POINTS * 2 * (terms.len() + azimuth).max(1);
     let (mut size, mut largest) = (0.0f64, 0.0f64);
     for k in 0..=count {

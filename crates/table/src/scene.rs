@@ -1,4 +1,4 @@
-//! The scene file: what a basis is to be made for.
+//! The scene file: the specification of a basis.
 
 use eigenshade_index::effect;
 pub use eigenshade_index::effect::Effect;
@@ -6,146 +6,147 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fmt;
 
-/// A whole scene file.
+/// A complete scene file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Scene {
-    /// Which normals the object shows.
+    /// The normals that the object shows.
     pub geometry: Geometry,
-    /// Which light falls on it.
+    /// The light that falls on the object.
     pub light: Light,
-    /// What it is made of.
+    /// The materials of the object.
     pub material: Material,
-    /// Which basis is wanted.
+    /// The basis to compute.
     pub basis: Basis,
-    /// Which effects are wanted.
+    /// The effects to include.
     #[serde(default)]
     pub effects: Effects,
 }
 
 impl Scene {
-    /// The largest degree l of the light that the scene's effects take.
+    /// The largest degree l of the light that the scene's effects contain.
     #[must_use]
     pub fn degree(&self) -> usize {
         self.effects.set().degree(self.light.degree)
     }
 
-    /// The largest order o of the BRDF that the scene's effects take.
+    /// The largest order o of the BRDF that the scene's effects contain.
     #[must_use]
     pub fn order(&self) -> usize {
         self.effects.set().order(self.material.order)
     }
 }
 
-/// Which normals the object shows.
+/// The normals that the object shows.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Geometry {
-    /// `sphere`; `slant-density`; or a path: normals as CSV, a mesh, a normal map.
+    /// `sphere`; `slant-density`; or a path to normals as CSV, a mesh or a normal map.
     pub normals: String,
-    /// Of a normal map: an image of the same size, black where it is not to count.
+    /// For a normal map: an image of the same size that is black where the normal map is to be
+    /// ignored.
     #[serde(default)]
     pub mask: Option<String>,
-    /// Of `slant-density`: a formula in the slant `a`, or a path to a CSV of it; per
-    /// solid angle, of any scale.
+    /// For `slant-density`: a formula in the slant `a`, or a path to a CSV of the density. The
+    /// density is per solid angle and may have any scale.
     #[serde(default)]
     pub density: Option<String>,
 }
 
-/// Which light falls on the object.
+/// The light that falls on the object.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Light {
-    /// Degree to which the light is taken.
+    /// Maximum degree of the light.
     pub degree: usize,
-    /// Light CSV, relative to the scene file.
+    /// Path to the light CSV, relative to the scene file.
     pub database: String,
-    /// Which rotations of the captured light are to be expected.
+    /// The rotations of the captured light to expect.
     pub rotation: LightRotation,
-    /// How the lights' exposures are made comparable, for the statistics alone.
+    /// How the exposures of the lights are normalized; this affects only the statistics.
     #[serde(default)]
     pub normalise: Normalise,
-    /// How much lights count in the statistics, by name; 1 where nothing is said.
+    /// Weights of the lights in the statistics, by name; 1 by default.
     #[serde(default)]
     pub weights: BTreeMap<String, f64>,
 }
 
-/// Which rotations of the captured light are to be expected.
+/// The rotations of the captured light to expect.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum LightRotation {
-    /// All rotations alike, (37)-(39).
+    /// All rotations are equally likely, (37)-(39).
     Any,
-    /// As captured.
+    /// The light is as captured.
     None,
-    /// All rotations about the vertical axis y alike.
+    /// All rotations about the vertical axis y are equally likely.
     Vertical,
 }
 
-/// How the lights' exposures are made comparable, for the statistics alone.
+/// How the exposures of the lights are normalized; this affects only the statistics.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Normalise {
     /// Each light is scaled to luminance coefficient L_0^0 = 1.
     #[default]
     UnitAmbient,
-    /// Lights are taken as they come.
+    /// Lights are used as captured.
     None,
 }
 
-/// What the object is made of.
+/// The materials of the object.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Material {
-    /// Order to which the BRDF is taken.
+    /// Maximum order of the BRDF.
     pub order: usize,
-    /// Material CSV, relative to the scene file.
+    /// Path to the material CSV, relative to the scene file.
     pub database: String,
-    /// The materials that are meant; empty: all.
+    /// Names of the materials to use; all if empty.
     #[serde(default)]
     pub names: Vec<String>,
-    /// How much materials count in the statistics, by name; 1 where nothing is said.
+    /// Weights of the materials in the statistics, by name; 1 by default.
     #[serde(default)]
     pub weights: BTreeMap<String, f64>,
 }
 
-/// Which basis is wanted.
+/// The basis to compute.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Basis {
-    /// What the principal components maximise.
+    /// What the principal components maximize.
     pub criterion: Criterion,
-    /// Number of components, the constant of [`Criterion::ImageCentered`]
-    /// counted. Either this or `tolerance`.
+    /// Number of components, including the constant of [`Criterion::ImageCentered`]. Exclusive with
+    /// `tolerance`; one of the two is required.
     #[serde(default)]
     pub components: Option<usize>,
-    /// Rms error that truncation may cost, of the peak. Either this or
-    /// `components`.
+    /// Rms error that truncation may cause, relative to the peak. Exclusive with `components`; one
+    /// of the two is required.
     #[serde(default)]
     pub tolerance: Option<f64>,
-    /// Keep so many modes, those of the highest variance; 0: all.
+    /// Number of modes to keep, by highest variance; 0 keeps all.
     #[serde(default)]
     pub modes: usize,
-    /// Singular values below this, relative to the largest of all blocks, count
-    /// as zero.
+    /// Singular values below this, relative to the largest of all blocks, count as zero.
     #[serde(default = "default_rank_cutoff")]
     pub rank_cutoff: f64,
-    /// Largest error of a profile's polynomial, relative to the profile's
-    /// largest value; it sets the degrees.
+    /// Largest error of a profile's polynomial, relative to the profile's largest value. It
+    /// determines the degrees of the polynomials.
     #[serde(default = "default_profile_tolerance")]
     pub profile_tolerance: f64,
-    /// How much of the basis the table keeps.
+    /// The parts of the basis that the table stores.
     #[serde(default)]
     pub store: Store,
-    /// Knots of look-ups: what the generated code samples an image at. None: it has no look-ups.
+    /// Number of knots at which the generated code samples an image for lookups; without it, the
+    /// code has no lookups.
     #[serde(default)]
     pub knots: Option<usize>,
-    /// What the table does without, beside the components after the last; not with `tolerance`.
+    /// Reductions of the table beyond leaving out the last components. Exclusive with `tolerance`.
     #[serde(default)]
     pub cut: Option<Cut>,
 }
 
-/// What `knots` may be, as in the runtime.
+/// Valid values of `knots`, the same as in the runtime.
 pub const KNOTS: std::ops::RangeInclusive<usize> = 8..=65_536;
 
 fn default_rank_cutoff() -> f64 {
@@ -156,21 +157,21 @@ fn default_profile_tolerance() -> f64 {
     1e-7
 }
 
-/// What a table does without, beside components after the last; nothing by default.
+/// Reductions of a table beyond leaving out the last components; none by default.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Cut {
     /// Largest |m| of a component.
     pub azimuths: Option<usize>,
-    /// Most terms of a polynomial: its Chebyshev series ends there.
+    /// Maximum number of terms of a polynomial; its Chebyshev series is truncated there.
     pub terms: Option<usize>,
-    /// What the polynomials may lack in all, of the images' root mean square deviation from
-    /// their means: see [`trim`](crate::trim::trim).
+    /// Total error allowed for trimming the polynomials, relative to the images' root mean square
+    /// deviation from their means: see [`trim`](crate::trim::trim).
     pub trim: Option<f64>,
 }
 
 impl Cut {
-    /// What is out of range, and what to do about it, if anything is.
+    /// The problem and the remedy, if a value is out of range.
     #[must_use]
     pub fn fault(&self) -> Option<(String, &'static str)> {
         match (self.terms, self.trim) {
@@ -184,7 +185,7 @@ impl Cut {
 }
 
 impl fmt::Display for Cut {
-    /// As `azimuths to 4, polynomials of 12 terms, trimmed to 3e-2`.
+    /// Writes text like `azimuths to 4, polynomials of 12 terms, trimmed to 3e-2`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let parts = [
             self.azimuths.map(|azimuths| format!("azimuths to {azimuths}")),
@@ -195,22 +196,22 @@ impl fmt::Display for Cut {
     }
 }
 
-/// How much of the basis a table keeps. What it does not keep, its scene makes again.
+/// The parts of a basis that a table stores. The other parts can be computed again from the scene.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Store {
-    /// All of it: U over modes, the factors of UᵀM, the factor of M.
+    /// Everything: U over modes, the factors of UᵀM, and the factor of M.
     #[default]
     Modes,
-    /// Without U over modes: what projects any material.
+    /// Everything except U over modes: enough to project any material.
     Projection,
-    /// The transfers of the scene's materials, instead of the factors of UᵀM and of M:
-    /// at high order far less, where materials are few.
+    /// The transfers of the scene's materials instead of the factors of UᵀM and M. At high order
+    /// this takes far less space if there are few materials.
     Materials,
 }
 
 impl Store {
-    /// The name that the scene file uses.
+    /// The name in a scene file.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -221,20 +222,20 @@ impl Store {
     }
 }
 
-/// What the principal components maximise.
+/// What the principal components maximize.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Criterion {
-    /// Variance over light and material, (17): images are the mean image and what
-    /// differs from it. What all of the database have in common, like the exposure
-    /// of one material, is then in no component.
+    /// Variance over light and material, (17): an image is the mean image plus its deviation.
+    /// Anything common to all images of the database, such as the exposure of a single material, is
+    /// then in no component.
     Standard,
-    /// Variance in the image, (18); the constant is component 0.
+    /// Variance within the image, (18); the constant is component 0.
     ImageCentered,
 }
 
 impl Criterion {
-    /// The name that the scene file uses.
+    /// The name in a scene file.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -244,21 +245,21 @@ impl Criterion {
     }
 }
 
-/// Which effects are wanted.
+/// The effects to include.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Effects {
-    /// The effects by name.
+    /// The effects, by name.
     #[serde(rename = "use")]
     pub wanted: Vec<Effect>,
-    /// Three channels, or one.
+    /// Whether there are three color channels or one.
     pub colour: bool,
-    /// Whether the light may turn at run time.
+    /// Whether the light may rotate at run time.
     pub rotation: bool,
 }
 
 impl Effects {
-    /// The wanted effects as a set.
+    /// The effects as a set.
     #[must_use]
     pub fn set(&self) -> effect::Effects {
         self.wanted.iter().copied().collect()

@@ -1,26 +1,24 @@
-//! A table as one file of Rust source: its statics in floats, and modules of it in
-//! integers.
+//! A table as one Rust source file: statics in floats, and modules with the table in integers.
 
 use crate::quantise::{Format, QuantiseError, QuantisedParts};
 use crate::table::Table;
 use crate::{rust_quantised, rust_source};
 
-/// The text of a module, and the formats that it lacks.
+/// The text of a module, and the formats that it does not contain.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Statics {
-    /// What [`rust_source::module`] gives, then a `mod q15` or `mod q31` for each format.
+    /// The text of [`rust_source::module`], then a `mod q15` or `mod q31` for each format.
     pub text: String,
-    /// Formats that do not serve the table, and why.
+    /// Formats to which the table cannot be converted, with the reasons.
     pub left_out: Vec<(Format, QuantiseError)>,
 }
 
-/// The statics of a table in `f32` and in these integer formats, those that serve it.
-/// `command` is what made it, for the first line.
+/// The statics of a table in `f32` and in those of the given integer formats to which it can be
+/// converted. `command`, the command that made the table, appears in the first line.
 ///
 /// # Errors
 ///
-/// [`QuantiseError::Folded`] for a table that keeps transfers alone, which has no
-/// statics.
+/// [`QuantiseError::Folded`] for a table that stores only transfers: it has no statics.
 pub fn module(table: &Table, command: &str, formats: &[Format]) -> Result<Statics, QuantiseError> {
     if !table.has_projection() {
         return Err(QuantiseError::Folded);

@@ -9,33 +9,32 @@ use eigenshade_index::effect::Effects;
 use eigenshade_index::pair;
 use serde::{Deserialize, Serialize};
 
-/// Everything that a generator found out about one scene, in f64.
+/// All results of the generator for one scene, in f64.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Table {
-    /// What was asked for.
+    /// The scene that was requested.
     pub scene: Scene,
-    /// How it went.
+    /// Statistics of the computation.
     pub summary: Summary,
     /// M of (23), factored.
     pub gram: GramFactor,
-    /// The modes that a selection kept, in the order of [`GramFactor::place`], or
-    /// empty for all.
+    /// Whether a selection kept each mode, in the order of [`GramFactor::place`]; empty if all
+    /// modes are kept.
     pub selection: Vec<bool>,
-    /// The eigenimages in canonical order: eigenvalue falling, then |m|, then +m
-    /// before -m. The scene's number of them, or fewer where the rank ends.
+    /// The eigenimages in canonical order: by descending eigenvalue, then |m|, then +m before -m.
+    /// The scene's number of components, or fewer if the rank is lower.
     pub components: Vec<Component>,
-    /// The slant profiles of those eigenimages, by |m|, then eigenvalue falling.
+    /// The slant profiles of the eigenimages, by |m|, then descending eigenvalue.
     pub profiles: Vec<Profile>,
-    /// The mean image, which [`Criterion::Standard`](crate::scene::Criterion)
-    /// subtracts.
+    /// The mean image that [`Criterion::Standard`](crate::scene::Criterion) subtracts.
     pub mean: Option<MeanImage>,
-    /// Order m and eigenvalue of every component found, kept or not, in
-    /// canonical order; no m where components are sums of several.
+    /// Order m and eigenvalue of every computed component, kept or not, in canonical order. m is
+    /// `None` if components are sums over several azimuths.
     pub spectrum: Vec<(Option<i32>, Option<f64>)>,
-    /// Eigenimages that are sums of the components, which are then but a span.
+    /// Eigenimages that are sums of the components; the components are then only a span.
     pub general: Option<General>,
-    /// The scene's materials folded in, with [`Store::Materials`](crate::scene::Store);
-    /// the factors of M and of UᵀM are then empty.
+    /// The transfers of the scene's materials, with [`Store::Materials`](crate::scene::Store). The
+    /// factors of M and UᵀM are then empty.
     pub transfers: Vec<MaterialTransfer>,
 }
 
@@ -44,16 +43,16 @@ pub struct Table {
 pub struct Component {
     /// m, signed.
     pub order: i32,
-    /// Which profile is u.
+    /// Index of the profile u.
     pub profile: usize,
-    /// The variance that it carries; none for the constant of
+    /// Its variance; `None` for the constant of
     /// [`Criterion::ImageCentered`](crate::scene::Criterion).
     pub eigenvalue: Option<f64>,
 }
 
 /// One slant profile u(α), shared by +m and -m.
 ///
-/// The mode coefficients of the component of -m are (-1)^m times those here.
+/// The mode coefficients of the component of -m are (-1)^m times these.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Profile {
     /// |m|.
@@ -64,18 +63,16 @@ pub struct Profile {
     /// \[0, 1\]; h(1) > 0.
     pub chebyshev: Vec<f64>,
     /// Coefficients of the eigenimage over the modes of |m|, in the order of
-    /// `eigenshade_index::mode`: a column of U. Empty unless
-    /// [`Table::has_modes`].
+    /// `eigenshade_index::mode`: a column of U. Empty unless [`Table::has_modes`].
     pub modes: Vec<f64>,
-    /// UᵀM, factored: for each l = |m|..=degree, for each pair (p, q) up to the order that the
-    /// scene's effects factor, (-1)^q √(p+1) Σ_k √w_k W_k R_p^q D_l^mq; 0 for l = 0 without
-    /// ambient. Behind them, where m = 0, UᵀM of the coefficients of l = 0 that
-    /// [stand apart](eigenshade_index::effect::Effects). See [`Table::gram_row`]. Empty unless
-    /// [`Table::has_projection`].
+    /// UᵀM, factored: for each l = |m|..=degree and each pair (p, q) up to the largest order that
+    /// the scene's effects factor, (-1)^q √(p+1) Σ_k √w_k W_k R_p^q D_l^mq; 0 for l = 0 without
+    /// ambient. For m = 0, UᵀM of the [unfactored](eigenshade_index::effect::Effects) coefficients
+    /// of l = 0 follows. See [`Table::gram_row`]. Empty unless [`Table::has_projection`].
     pub factors: Vec<f64>,
 }
 
-/// The mean image of the database, an image of m = 0.
+/// The mean image of the database, which has m = 0.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MeanImage {
     /// Chebyshev coefficients in 2z - 1 of the mean irradiance at z = cos α.
@@ -84,7 +81,7 @@ pub struct MeanImage {
     pub coefficients: Vec<f64>,
 }
 
-/// How the making of a table went.
+/// Statistics of the computation of a table.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Summary {
     /// Numerical rank of A for each |m| at the scene's cut-off.
@@ -95,37 +92,37 @@ pub struct Summary {
     pub lights: usize,
     /// Number of materials in the statistics.
     pub materials: usize,
-    /// Mean energy of the database's images about their mean (each its own, or
-    /// the database's, by the criterion).
+    /// Mean energy of the database's images about their mean. By the criterion, this is the mean of
+    /// each image or of the database.
     pub energy: f64,
-    /// The share of it that the components keep.
+    /// The fraction of this energy that the components keep.
     pub energy_kept: f64,
-    /// Largest |UᵀMU - I| over the first 100 components, or all if fewer.
+    /// Largest |UᵀMU - I| over the first 100 components, or over all if there are fewer.
     pub orthonormality: f64,
-    /// What each number format that serves the table costs its images; empty where nobody
-    /// measured it.
+    /// Rounding errors of the images in each number format to which the table can be converted;
+    /// empty if not measured.
     pub roundings: Vec<Rounding>,
 }
 
-/// What a number format costs the images of the table's database with all components, against
-/// f64, as shares of each image's peak.
+/// The error of the images of the table's database with all components in a number format, against
+/// f64, relative to each image's peak.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Rounding {
     /// The format.
     pub format: Format,
-    /// The largest error of a pixel in any image.
+    /// The largest error of any pixel in any image.
     pub largest: f64,
-    /// The largest root mean square error of an image, over the sphere's normals.
+    /// The largest root mean square error of any image, over the sphere's normals.
     pub rms: f64,
 }
 
 impl Table {
-    /// The row of UᵀM of a profile, over the modes of its |m|, rebuilt from its
-    /// factors: for o != p
-    /// (Ĉ_lo^q g_pq + Ĉ_lp^q g_oq) / √2, for o = p Ĉ_lo^q g_oq, with
-    /// Ĉ_lo^q = √(o+1) N_l^q C_lo^q and g the factors of l.
+    /// The row of UᵀM of a profile over the modes of its |m|, computed from its factors.
     ///
-    /// Modes that a selection dropped, or that belong to no effect of the scene's, are 0.
+    /// For o != p it is (Ĉ_lo^q g_pq + Ĉ_lp^q g_oq) / √2, for o = p Ĉ_lo^q g_oq, with Ĉ_lo^q =
+    /// √(o+1) N_l^q C_lo^q and the factors g of l.
+    ///
+    /// Modes that a selection dropped, or that belong to none of the scene's effects, are 0.
     /// Domain: [`Table::has_projection`].
     #[must_use]
     pub fn gram_row(&self, profile: &Profile) -> Vec<f64> {
@@ -162,7 +159,7 @@ impl Table {
             .collect()
     }
 
-    /// The effects that it is made for.
+    /// The effects that the table serves.
     #[must_use]
     pub fn effects(&self) -> Effects {
         self.scene.effects.set()
@@ -175,7 +172,7 @@ impl Table {
             && (self.selection.is_empty() || self.selection[self.gram.place(azimuth, l, o, p, q)])
     }
 
-    /// What a format costs its images, if that was measured.
+    /// The rounding errors of a format, if they were measured.
     #[must_use]
     pub fn rounding(&self, format: Format) -> Option<&Rounding> {
         self.summary.roundings.iter().find(|one| one.format == format)
@@ -187,8 +184,8 @@ impl Table {
         self.general.as_ref().map_or(self.components.len(), |general| general.eigenvalues.len())
     }
 
-    /// Energy that the first `count` components leave, from the eigenvalues; that of azimuths
-    /// which the scene cuts is left in any case.
+    /// Energy that the first `count` components leave, from the eigenvalues. It always includes the
+    /// energy of azimuths that the scene cuts.
     #[must_use]
     pub fn energy_left(&self, count: usize) -> f64 {
         let largest = self.scene.basis.cut.and_then(|cut| cut.azimuths).unwrap_or(usize::MAX);
@@ -203,7 +200,7 @@ impl Table {
             })
             .filter_map(|(_, value)| *value)
             .collect();
-        // Summed from the small end, so that nothing small is lost.
+        // Summed from the small end to preserve small values.
         left.iter().rev().sum()
     }
 }

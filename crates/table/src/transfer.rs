@@ -1,28 +1,28 @@
-//! The transfers of a scene's materials: what a table keeps of UᵀM where it does not
-//! keep it for every material.
+//! The transfers of a scene's materials, which a table stores if it does not store UᵀM for all
+//! materials.
 //!
-//! T_i,l = Σ_opq (UᵀM)_i,(l,opq) b_op^q, so that d_i = Σ_l T_i,l L_l^m; for -m times
-//! (-1)^m.
+//! T_i,l = Σ_opq (UᵀM)_i,(l,opq) b_op^q, so that d_i = Σ_l T_i,l L_l^m. The transfer of -m is
+//! (-1)^m times that of m.
 
 use crate::scene::Store;
 use crate::table::Table;
 use eigenshade_index::{material, mode};
 use serde::{Deserialize, Serialize};
 
-/// One channel of one material, folded into a basis.
+/// The transfer of one channel of one material.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MaterialTransfer {
-    /// What the material is called.
+    /// The material's name.
     pub name: String,
-    /// Which coefficients it was made of: see [`fingerprint`].
+    /// The [`fingerprint`] of the material's coefficients.
     pub fingerprint: u32,
-    /// T for each profile, each l = |m|..=degree.
+    /// T for each profile and each l = |m|..=degree.
     pub numbers: Vec<f64>,
 }
 
-/// A number that tells coefficients apart: the CRC-32 of their bits, little-endian, as
-/// the table's file has it of all it holds. Of two materials taken at random it is the same
-/// once in 4e9.
+/// A number that identifies coefficients: the CRC-32 of their bits, little-endian, the same
+/// checksum that the table file uses. Two random materials have the same fingerprint with a
+/// probability of 1 in 4e9.
 #[must_use]
 pub fn fingerprint(coefficients: &[f64]) -> u32 {
     let mut hasher = crc32fast::Hasher::new();
@@ -31,20 +31,20 @@ pub fn fingerprint(coefficients: &[f64]) -> u32 {
 }
 
 impl Table {
-    /// Whether it keeps U over modes.
+    /// Whether the table stores U over modes.
     #[must_use]
     pub fn has_modes(&self) -> bool {
         self.scene.basis.store == Store::Modes
     }
 
-    /// Whether it keeps the factors of UᵀM and of M, and so projects any material.
+    /// Whether the table stores the factors of UᵀM and M and can therefore project any material.
     #[must_use]
     pub fn has_projection(&self) -> bool {
         self.scene.basis.store != Store::Materials
     }
 
-    /// Leaves what the scene's `store` says of a whole table; `materials` are the
-    /// scene's, channel by channel, coefficients of the table's order.
+    /// Reduces a complete table to the parts that the scene's `store` requires. `materials` are the
+    /// scene's materials: a name and the coefficients of each channel, of the table's order.
     pub fn keep<'a>(&mut self, materials: impl IntoIterator<Item = (&'a str, [&'a [f64]; 3])>) {
         if self.scene.basis.store == Store::Materials {
             let rows: Vec<Vec<f64>> =
@@ -76,7 +76,7 @@ impl Table {
         }
     }
 
-    /// T of one channel of a material, from the rows of UᵀM.
+    /// T of one channel of a material, computed from the rows of UᵀM.
     fn folded(&self, rows: &[Vec<f64>], coefficients: &[f64]) -> Vec<f64> {
         let (degree, order) = (self.gram.degree, self.gram.order);
         let mut numbers = Vec::with_capacity(self.transfer_length());
@@ -91,7 +91,7 @@ impl Table {
         numbers
     }
 
-    /// Numbers of one transfer.
+    /// Length of one transfer.
     pub(crate) fn transfer_length(&self) -> usize {
         self.profiles.iter().map(|profile| self.gram.degree + 1 - profile.azimuth).sum()
     }

@@ -1,20 +1,19 @@
-//! Shorter polynomials, where images may be off by a tolerance.
+//! Shorter polynomials for images with a given tolerance.
 //!
-//! A profile's own tolerance treats weak components as it treats strong ones. Here the
-//! expected error of an image decides: components are uncorrelated, so that what is left
-//! out of them adds up, each times its eigenvalue. For each azimuth the polynomials
-//! p_j sin^|m| are orthonormal under the density of the normals; a series in them loses by
-//! Parseval the squares of the coefficients that are dropped, and no polynomial of
-//! the shorter length is nearer.
+//! The tolerance of the profiles treats weak components like strong ones. Trimming uses the
+//! expected error of an image instead. Components are uncorrelated, so their truncation errors add
+//! up, each weighted with its eigenvalue. For each azimuth the functions p_j sin^|m| are
+//! orthonormal under the density of the normals. By Parseval, truncating a series in them loses the
+//! squares of the dropped coefficients, and no polynomial of the shorter length is closer.
 
 use crate::table::Table;
 
-/// Shortens the polynomials, so that the root mean square error over the database and the
-/// normals is at most `tolerance` times the images' root mean square deviation from their
-/// means, and the number of terms of a collapsed scene is least. Returns the error.
+/// Shortens the polynomials so that a collapsed scene has the fewest terms while the root mean
+/// square error over the database and the normals is at most `tolerance` times the images' root
+/// mean square deviation from their means. Returns the error.
 ///
-/// A longer polynomial is kept where its azimuth needs it for another profile.
-/// Domain: a sphere's table that [projects](Table::has_projection).
+/// All polynomials of an azimuth share the length that the longest of them needs. Domain: a
+/// sphere's table that [projects](Table::has_projection).
 pub fn trim(table: &mut Table, tolerance: f64) -> f64 {
     let azimuths: Vec<Azimuth> =
         (0..=table.gram.degree).map(|azimuth| Azimuth::new(table, azimuth)).collect();
@@ -26,7 +25,8 @@ pub fn trim(table: &mut Table, tolerance: f64) -> f64 {
         azimuths.iter().zip(lengths).map(|(one, &length)| one.left(length)).sum()
     };
     while left(&lengths) > allowed {
-        // The term that takes most off the error, of the polynomials of +m and -m each.
+        // The term that reduces the error most per polynomial: a nonzero azimuth has one for +m and
+        // one for -m.
         let gain = |azimuth: usize| {
             let (one, length) = (&azimuths[azimuth], lengths[azimuth]);
             (one.left(length) - one.left(length + 1)) / if azimuth == 0 { 1.0 } else { 2.0 }
@@ -49,13 +49,13 @@ pub fn trim(table: &mut Table, tolerance: f64) -> f64 {
     (left(&lengths) / whole).sqrt()
 }
 
-/// Whose polynomial it is.
+/// The owner of a polynomial.
 enum Place {
     Profile(usize),
     Mean,
 }
 
-/// The polynomials of one |m| as series in orthonormal ones.
+/// The polynomials of one |m| as series in orthonormal polynomials.
 struct Azimuth {
     /// Chebyshev series of p_0, p_1, ...
     orthonormal: Vec<Vec<f64>>,
@@ -70,7 +70,7 @@ impl Azimuth {
         let mut places: Vec<(Place, &[f64], f64)> = of_azimuth
             .map(|(k, profile)| {
                 let components = table.components.iter().filter(|one| one.profile == k);
-                // The constant has no variance, and one term.
+                // The constant has no variance and only one term.
                 let variance = components.filter_map(|one| one.eigenvalue).sum();
                 (Place::Profile(k), profile.chebyshev.as_slice(), variance)
             })
@@ -125,9 +125,9 @@ impl Azimuth {
     }
 }
 
-/// The first `count` polynomials in t, orthonormal under the weights of these nodes, as
-/// Chebyshev series and at the nodes: each is t times the one before, less its parts
-/// along all before it.
+/// The first `count` polynomials in t that are orthonormal under the weights of these nodes, as
+/// Chebyshev series and as values at the nodes. Each is t times the previous one, minus its
+/// projections onto all earlier ones.
 fn orthonormal(nodes: &[(f64, f64)], count: usize) -> (Vec<Vec<f64>>, Vec<Vec<f64>>) {
     let (mut all_series, mut all_values) = (Vec::<Vec<f64>>::new(), Vec::<Vec<f64>>::new());
     for _ in 0..count {
@@ -141,7 +141,7 @@ fn orthonormal(nodes: &[(f64, f64)], count: usize) -> (Vec<Vec<f64>>, Vec<Vec<f6
         let product = |a: &[f64], b: &[f64]| -> f64 {
             a.iter().zip(b).zip(nodes).map(|((a, b), (_, weight))| weight * a * b).sum()
         };
-        // Twice, so that rounding of the first time is taken out as well.
+        // The second pass removes the rounding errors of the first.
         for _ in 0..2 {
             for (before, at_nodes) in all_series.iter().zip(&all_values) {
                 let part = product(&values, at_nodes);
@@ -184,7 +184,7 @@ pub(crate) fn clenshaw(series: &[f64], t: f64) -> f64 {
 mod tests {
     use super::{clenshaw, orthonormal};
 
-    /// Under equal weights on equal steps nothing but the definition is known.
+    /// Checks only the definition, with weights on equidistant nodes.
     #[test]
     fn polynomials_are_orthonormal_and_what_their_series_say() {
         let nodes: Vec<(f64, f64)> =

@@ -1,5 +1,4 @@
-//! A table as bytes that the runtime reads where they lie: the wire format of
-//! [`eigenshade_index::wire`].
+//! A table as bytes that the runtime reads in place: the wire format of [`eigenshade_index::wire`].
 
 use crate::general::General;
 use crate::parts::{Parts, ProfilePlace};
@@ -13,7 +12,7 @@ use eigenshade_index::wire::{
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
-/// The numbers of a wire file.
+/// The number format of a wire file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Format {
     /// `f32`.
@@ -23,11 +22,11 @@ pub enum Format {
 }
 
 impl Format {
-    /// All of them.
+    /// All formats.
     pub const ALL: [Self; 3] =
         [Self::F32, Self::Integer(quantise::Format::Q31), Self::Integer(quantise::Format::Q15)];
 
-    /// Its name on a command line.
+    /// The format's name on the command line.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -37,33 +36,33 @@ impl Format {
     }
 }
 
-/// The byte order of a wire file: that of the machine that will read it.
+/// The byte order of a wire file, which must be that of the machine that reads it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Endian {
-    /// The least byte first.
+    /// Least significant byte first.
     Little,
-    /// The greatest byte first.
+    /// Most significant byte first.
     Big,
 }
 
-/// Why a table has no wire file.
+/// Why a table cannot be encoded as a wire file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum WireError {
-    /// It keeps transfers alone.
+    /// It stores only transfers.
     Folded,
-    /// Its degree or order is beyond [`MOST`].
+    /// Its degree or order exceeds [`MOST`].
     Shape {
         /// The degree.
         degree: usize,
         /// The order.
         order: usize,
     },
-    /// The file would have more bytes than 32 bits count.
+    /// The file would be longer than 32 bits can express.
     Long,
-    /// One of its numbers is beyond `f32`.
+    /// One of its numbers exceeds the range of `f32`.
     Range,
-    /// Integers do not serve it.
+    /// It cannot be converted to integers.
     Quantise(QuantiseError),
 }
 
@@ -97,12 +96,12 @@ impl From<QuantiseError> for WireError {
     }
 }
 
-/// The bytes of a table's wire file.
+/// Encodes a table as the bytes of a wire file.
 ///
 /// # Errors
 ///
-/// A table that keeps transfers alone, one whose numbers the format does not hold, or one that
-/// integers do not serve.
+/// If the table stores only transfers, its numbers exceed the format, or it cannot be converted to
+/// integers.
 pub fn encode(table: &Table, format: Format, endian: Endian) -> Result<Vec<u8>, WireError> {
     let (degree, order) = (table.gram.degree, table.gram.order);
     if degree > MOST || order > MOST {
@@ -122,7 +121,7 @@ fn floats(table: &Table, endian: Endian) -> Result<Vec<u8>, WireError> {
     let parts = Parts::new(table);
     let general = table.general.as_ref();
     let of = |part: fn(&General) -> &Vec<f64>| general.map_or(&[][..], |general| part(general));
-    // Those that grow with the images; all others are of eigenimages, whose size is 1.
+    // These arrays scale with the images. All others describe eigenimages, which have norm 1.
     let sized = [&parts.mean, &parts.mean_coefficients].map(Vec::as_slice);
     let sized = sized.into_iter().chain([of(|one| &one.mean), of(|one| &one.mean_coefficients)]);
     if sized.flatten().any(|&number| !(number as f32).is_finite()) {
@@ -195,7 +194,7 @@ fn integers(parts: &QuantisedParts, endian: Endian) -> Result<Vec<u8>, WireError
     file(endian, number, shape, parts.effects, &sections)
 }
 
-/// Header, entries, sections, checksum.
+/// Assembles header, entries, sections and checksum.
 fn file(
     endian: Endian,
     format: u16,
@@ -228,7 +227,7 @@ fn file(
     Ok(file.long(checksum).bytes)
 }
 
-/// Bytes in some order.
+/// Bytes in a given byte order.
 struct Bytes {
     endian: Endian,
     bytes: Vec<u8>,
@@ -239,7 +238,7 @@ impl Bytes {
         Self { endian, bytes: Vec::new() }
     }
 
-    /// Their number, with what fills them up to the next section's start.
+    /// Length including the padding up to the start of the next section.
     fn padded(&self) -> usize {
         self.bytes.len().next_multiple_of(ALIGNMENT)
     }
@@ -273,7 +272,7 @@ impl Bytes {
         numbers.iter().fold(self, |bytes, &number| bytes.long((number as f32).to_bits()))
     }
 
-    /// Two bytes of zero after the three shorts, so that the rows are aligned.
+    /// Writes two zero bytes after the three shorts to align the rows.
     fn profile(self, place: &ProfilePlace) -> Self {
         let (plus, minus) = (place.plus_row, place.minus_row);
         self.shorts(&[place.azimuth, place.plus, place.minus, 0])

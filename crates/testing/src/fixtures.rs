@@ -1,4 +1,4 @@
-//! Scenes, lights, materials and normals that several cases share.
+//! Scenes, lights, materials and normals shared by several tests.
 
 use crate::largest;
 use crate::oracle::Numbers;
@@ -17,7 +17,7 @@ use std::path::Path;
 /// The root of the repository.
 pub const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 
-/// The shipped scene with every component that it has.
+/// The shipped scene with every available component.
 pub fn shipped() -> Loaded {
     let path = Path::new(ROOT).join("tables/sphere.toml");
     let mut loaded = scene_file::load(&path).expect("the shipped scene");
@@ -25,8 +25,8 @@ pub fn shipped() -> Loaded {
     loaded
 }
 
-/// A scene of these lights and materials, at their degree and order, with every
-/// component and polynomials to the last bit.
+/// A scene of these lights and materials at their degree and order, with every component and with
+/// polynomials that are accurate to the last bits.
 pub fn scene(lights: Lights, materials: Materials) -> Loaded {
     let mut loaded = shipped();
     loaded.scene.light.degree = lights.degree;
@@ -35,23 +35,23 @@ pub fn scene(lights: Lights, materials: Materials) -> Loaded {
     Loaded { lights, materials, ..loaded }
 }
 
-/// Its table.
+/// The table of a scene.
 pub fn table(loaded: &Loaded) -> Table {
     basis::build(&loaded.scene, &loaded.lights, &loaded.materials).expect("a table")
 }
 
-/// The captured lights to this degree.
+/// The captured lights up to this degree.
 pub fn captured(degree: usize) -> Lights {
     let path = Path::new(ROOT).join("tables/inputs/lights.csv");
     read_lights(path, Some(degree)).expect("the shipped lights")
 }
 
-/// Grey coefficients by name.
+/// Gray coefficients with a name.
 pub fn named(name: impl Into<String>, coefficients: Vec<f64>) -> Named {
     Named { name: name.into(), rgb: [coefficients.clone(), coefficients.clone(), coefficients] }
 }
 
-/// Lights of noise that falls with the degree, around a positive mean.
+/// Lights with random coefficients that decrease with the degree, around a positive mean.
 pub fn lights(degree: usize, count: usize, numbers: &mut Numbers) -> Lights {
     let mut one = |k: usize| {
         let coefficients = light::indices(degree)
@@ -61,7 +61,7 @@ pub fn lights(degree: usize, count: usize, numbers: &mut Numbers) -> Lights {
     Lights { degree, entries: (0..count).map(&mut one).collect() }
 }
 
-/// Materials of noise that falls with the order, around a matte one.
+/// Materials with random coefficients that decrease with the order, around a matte material.
 pub fn materials(order: usize, count: usize, numbers: &mut Numbers) -> Materials {
     let mut one = |k: usize| {
         let coefficients = material::indices(order).map(|(o, p, q)| {
@@ -72,10 +72,10 @@ pub fn materials(order: usize, count: usize, numbers: &mut Numbers) -> Materials
     Materials { order, entries: (0..count).map(&mut one).collect() }
 }
 
-/// Slants at which something might go wrong.
+/// Slants that cover the edge cases.
 pub const SLANTS: [f64; 7] = [0.0, 1e-9, 1e-5, 0.7, 1.3, FRAC_PI_2 - 1e-9, FRAC_PI_2];
 
-/// Normals of all slants at `tilts` tilts.
+/// Normals of each slant at `tilts` tilts.
 pub fn normals(slants: &[f64], tilts: usize) -> Vec<[f64; 3]> {
     let tilt = |k: usize| 2.0 * PI * (k as f64 + 0.3) / tilts as f64;
     let at = |alpha: f64, beta: f64| {
@@ -85,8 +85,8 @@ pub fn normals(slants: &[f64], tilts: usize) -> Vec<[f64; 3]> {
     slants.iter().flat_map(|&alpha| (0..tilts).map(move |k| at(alpha, tilt(k)))).collect()
 }
 
-/// The largest error of the whole basis in f64 against the direct sum, over the
-/// scene's lights and materials, each relative to the image's peak.
+/// The largest error of the whole basis in f64 against the direct sum, over the scene's lights and
+/// materials. Each error is relative to the image's peak.
 pub fn reconstruction_error(loaded: &Loaded, table: &Table) -> f64 {
     let owned = OwnedBasis::<f64>::new(table);
     let basis = owned.basis().expect("a basis");
@@ -112,7 +112,7 @@ pub fn reconstruction_error(loaded: &Loaded, table: &Table) -> f64 {
             let errors = normals.iter().zip(&expected).map(|(&[x, y, z], expected)| {
                 let normal = eigenshade::Normal::new(x, y, z).expect("visible");
                 let error = (scene.shade(normal) - expected).abs();
-                // Of an image that is black nothing may be seen.
+                // A black image must stay black.
                 if peak > 0.0 { error / peak } else { error }
             });
             worst = largest([worst, largest(errors)]);
@@ -121,7 +121,7 @@ pub fn reconstruction_error(loaded: &Loaded, table: &Table) -> f64 {
     worst
 }
 
-/// The shipped scene by the standard criterion.
+/// A scene with the standard criterion.
 pub fn standard(mut loaded: Loaded) -> Loaded {
     loaded.scene.basis.criterion = Criterion::Standard;
     loaded

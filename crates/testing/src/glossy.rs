@@ -1,9 +1,9 @@
-//! Materials of high order: GGX lobes on a matte ground, projected onto (8) by a
-//! product rule, coarsely: what is wanted is their kind, not their last digit.
+//! Materials of high order: GGX lobes on a matte base, projected onto (8) by a coarse product rule.
+//! The tests need this kind of material, not accurate coefficients.
 //!
-//! The microfacet model of Walter and others, "Microfacet Models for Refraction
-//! through Rough Surfaces", 2007, with the height-correlated masking of Smith and
-//! the Fresnel term of Schlick; α is roughness².
+//! The microfacet model is that of Walter et al., "Microfacet Models for Refraction through Rough
+//! Surfaces", 2007, with Smith's height-correlated masking and Schlick's Fresnel term; α is
+//! roughness².
 
 use eigenshade_index::{material, pair};
 use eigenshade_model::database::{Materials, Named};
@@ -11,7 +11,7 @@ use eigenshade_model::irradiance::slant_radials;
 use eigenshade_model::special::gauss_legendre;
 use std::f64::consts::{PI, TAU};
 
-/// Ten roughnesses, 0.1 to 1, each as a dielectric on a matte ground and as a metal.
+/// Ten roughnesses, 0.1 to 1, each as a dielectric on a matte base and as a metal.
 pub fn materials(order: usize) -> Materials {
     let mut entries = Vec::new();
     for step in 1..=10 {
@@ -27,9 +27,9 @@ pub fn materials(order: usize) -> Materials {
     Materials { order, entries }
 }
 
-/// Coefficients b_op^q: with equal-area discs (8) is orthonormal under dω_i dω_r.
+/// Coefficients b_op^q. The disc mapping preserves area, so (8) is orthonormal under dω_i dω_r.
 fn project(order: usize, alpha: f64, reflectance: f64) -> Vec<f64> {
-    // Enough nodes across the lobe, and for the products of the modes.
+    // Enough nodes to resolve the lobe and the products of the modes.
     let count = (2.5 / alpha).clamp(2.0 * order as f64 + 16.0, 240.0) as usize;
     let nodes = gauss_legendre::rule(count, 0.0, 1.0);
     let radials: Vec<Vec<f64>> =
@@ -40,8 +40,8 @@ fn project(order: usize, alpha: f64, reflectance: f64) -> Vec<f64> {
     for (i, (z_i, w_i)) in nodes.iter().enumerate() {
         for (r, (z_r, w_r)) in nodes.iter().enumerate().take(i + 1) {
             waves.fill(0.0);
-            // The lobe is as narrow in azimuth as this, however wide it is in slant:
-            // Δφ = π - width sinh(s) finds it. Both halves of the circle are alike.
+            // `width` is the lobe's width in azimuth, regardless of its width in slant. The
+            // substitution Δφ = π - width sinh(s) resolves it. Both halves of the circle are equal.
             let width = alpha * (z_i + z_r) + (z_i - z_r).abs();
             let last = (PI / width).asinh();
             for (step, weight) in &steps {
@@ -72,11 +72,11 @@ fn project(order: usize, alpha: f64, reflectance: f64) -> Vec<f64> {
     coefficients
 }
 
-/// f in 1/sr; `cosine` is that of φ_i - φ_r, 1 for backscatter.
+/// f in 1/sr; `cosine` is the cosine of φ_i - φ_r, 1 for backscatter.
 fn ggx(z_i: f64, z_r: f64, cosine: f64, alpha: f64, reflectance: f64) -> f64 {
     let sine = |z: f64| ((1.0 - z) * (1.0 + z)).sqrt();
     let between = z_i * z_r + sine(z_i) * sine(z_r) * cosine;
-    // |i + r|² = 2 + 2 i·r; the half vector's cosines follow.
+    // |i + r|² = 2 + 2 i·r gives the cosines of the half vector.
     let length = (2.0 + 2.0 * between).max(1e-30).sqrt();
     let (to_normal, to_light) = ((z_i + z_r) / length, 0.5 * length);
     let square = alpha * alpha;

@@ -1,10 +1,10 @@
-//! Images of the shipped basis, component by component, and how far scenes are from them.
+//! Images of the shipped basis, component by component, and their differences from scenes.
 
 use eigenshade::{Light, Material, Normal, Scene, sphere};
 use eigenshade_model::special::gauss_legendre;
 use std::f64::consts::TAU;
 
-/// d of a light on a material.
+/// d for a light and a material.
 pub fn coefficients(light: &[f32], material: &[f32]) -> sphere::Coefficients {
     let (degree, order) = (light.len().isqrt() - 1, (0..).find(|&o| count(o) == material.len()));
     let light = Light::new(degree, light).expect("coefficients");
@@ -20,7 +20,7 @@ pub fn single(values: Vec<f64>) -> Vec<f32> {
     values.iter().map(|&value| value as f32).collect()
 }
 
-/// Unit vectors and weights that integrate squares of images over a sphere.
+/// Unit vectors and weights of a quadrature rule for squares of images over a sphere.
 pub fn vectors() -> Vec<([f64; 3], f64)> {
     let around = 2 * sphere::DEGREE + 2;
     let mut rule = Vec::new();
@@ -34,7 +34,7 @@ pub fn vectors() -> Vec<([f64; 3], f64)> {
     rule
 }
 
-/// The same as normals.
+/// The same rule with normals instead of vectors.
 pub fn rule() -> Vec<(Normal<f32>, f64)> {
     let normal = |[x, y, z]: [f64; 3]| Normal::new(x as f32, y as f32, z as f32);
     vectors().into_iter().map(|(at, weight)| (normal(at).expect("visible"), weight)).collect()
@@ -50,7 +50,7 @@ impl Image {
     pub fn new(d: &[f32], rule: &[(Normal<f32>, f64)]) -> Self {
         let at = |normal| f64::from(sphere::BASIS.reconstruct(d, normal).expect("components"));
         let values: Vec<f64> = rule.iter().map(|&(normal, _)| at(normal)).collect();
-        // The rule has neither the pole nor the rim, and is too coarse for a peak.
+        // The rule contains neither the pole nor the rim and is too coarse to find the peak.
         let scene = sphere::BASIS.collapse::<{ sphere::SCENE }>(d).expect("it fits");
         let slants = (0..=48).map(|k| (TAU / 4.0 / 48.0 * f64::from(k)).sin_cos());
         let finer = slants.flat_map(|(sine, z)| {
@@ -62,7 +62,7 @@ impl Image {
         Self { values, peak }
     }
 
-    /// Root mean square of another image's difference.
+    /// Root mean square difference between a scene and this image.
     pub fn apart<B: AsRef<[f32]>>(&self, scene: &Scene<'_, B>, rule: &[(Normal<f32>, f64)]) -> f64 {
         let squares = rule.iter().zip(&self.values).map(|(&(normal, weight), value)| {
             weight * (f64::from(scene.shade(normal)) - value).powi(2)
@@ -71,8 +71,8 @@ impl Image {
     }
 }
 
-/// Multiply-adds of a pixel of polynomials of these lengths, as benches/pixels counts them:
-/// Horner's rule, complex products of azimuths, t = 2 z - 1.
+/// Multiply-adds per pixel for polynomials of these lengths, counted as in benches/pixels: Horner's
+/// rule, complex products for the azimuths, t = 2 z - 1.
 pub fn products(lengths: &[u16]) -> usize {
     let of = |length: u16| usize::from(length).saturating_sub(1);
     let (&pole, around) = lengths.split_first().unwrap_or((&0, &[]));

@@ -1,4 +1,4 @@
-//! Oracles and fixtures that the tests of several packages share.
+//! Test oracles and fixtures shared by several packages.
 #![expect(missing_docs, reason = "no published package depends on it")]
 
 use std::path::{Path, PathBuf};
@@ -27,7 +27,7 @@ pub fn repository() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-/// The largest |x|; NaN if there is one.
+/// The largest |x|, or NaN if any value is NaN.
 pub fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
     values.into_iter().fold(0.0, |most: f64, value| {
         if value.is_nan() || value.abs() > most { value.abs() } else { most }

@@ -1,5 +1,5 @@
-//! Principal components of the pictures themselves: every light on every material, pixel
-//! by pixel. Of the general way this shares the direct sum at most.
+//! Principal components of the images themselves: every light on every material, pixel by pixel.
+//! The only code shared with the method for general objects is the direct sum.
 
 use crate::largest;
 use crate::projector::Projector;
@@ -12,17 +12,17 @@ use eigenshade_table::Table;
 use eigenshade_table::scene::Criterion;
 use nalgebra::{DMatrix, DVector};
 
-/// Every picture that a scene's database makes of a list of normals.
+/// All images of a scene's database over a list of normals.
 pub struct Pictures {
     pub normals: Vec<[f64; 3]>,
-    /// They sum to 1.
+    /// The weights of the normals; they sum to 1.
     pub weights: Vec<f64>,
-    /// A light's and a material's coefficients, and the irradiance of each normal.
+    /// The coefficients of a light and a material, and the irradiance at each normal.
     pub pairs: Vec<(Vec<f64>, Vec<f64>, Vec<f64>)>,
 }
 
 impl Pictures {
-    /// By the direct sum, lights as they come.
+    /// Computes the images by the direct sum, with lights as captured.
     pub fn new(loaded: &Loaded, listed: &WeightedNormals) -> Self {
         let truth = Truth::new(loaded.lights.degree, loaded.materials.order);
         let modes: Vec<_> = listed.normals().iter().map(|normal| truth.at(*normal)).collect();
@@ -40,8 +40,8 @@ impl Pictures {
         Self { normals: listed.normals().to_vec(), weights: listed.weights().to_vec(), pairs }
     }
 
-    /// A column a picture, a row a normal times the root of its weight; over the root of
-    /// the number of pictures.
+    /// One column per image and one row per normal, multiplied by the root of the normal's weight
+    /// and divided by the root of the number of images.
     pub fn weighted(&self) -> DMatrix<f64> {
         let scale = (self.pairs.len() as f64).sqrt();
         DMatrix::from_fn(self.normals.len(), self.pairs.len(), |k, t| {
@@ -49,8 +49,8 @@ impl Pictures {
         })
     }
 
-    /// The eigenvalues above the rounding of the pictures, falling: of what differs from
-    /// the mean in each image, or from the mean image.
+    /// The eigenvalues above the rounding level of the images, descending. By the criterion, they
+    /// belong to the deviations from each image's own mean or from the mean image.
     pub fn eigenvalues(&self, criterion: Criterion, cutoff: f64) -> Vec<f64> {
         let mut pictures = self.weighted();
         let whole = pictures.norm();
@@ -72,13 +72,13 @@ impl Pictures {
         values.into_iter().filter(|value| *value > weakest).map(|value| value * value).collect()
     }
 
-    /// The largest |I| of all pictures.
+    /// The largest |I| of all images.
     pub fn peak(&self) -> f64 {
         largest(self.pairs.iter().flat_map(|pair| pair.2.iter().copied()))
     }
 
-    /// How far a table's pictures of each normal are off, the worst of all pairs, each of
-    /// its peak.
+    /// The error of a table's images at each normal: the worst of all pairs, each relative to its
+    /// image's peak.
     pub fn errors(&self, table: &Table) -> Vec<f64> {
         let projector = Projector::new(table);
         let mut worst = vec![0.0; self.normals.len()];
@@ -92,7 +92,7 @@ impl Pictures {
         worst
     }
 
-    /// √w times each mode's value: a row a normal, a column a mode.
+    /// √w times the value of each mode: one row per normal, one column per mode.
     pub fn modes(&self, degree: usize, order: usize) -> DMatrix<f64> {
         let modes: Vec<_> = light::indices(degree)
             .flat_map(|(l, m)| material::indices(order).map(move |(o, p, q)| (l, m, o, p, q)))
@@ -117,8 +117,8 @@ pub fn table(loaded: &Loaded, listed: &WeightedNormals) -> Table {
     of_object.build().expect("a table")
 }
 
-/// The largest difference of two lists of eigenvalues, of the largest; those that one
-/// list has not count as 0.
+/// The largest difference between two lists of eigenvalues, relative to the largest eigenvalue.
+/// Missing values count as 0.
 pub fn apart(found: &[f64], expected: &[f64]) -> f64 {
     let count = found.len().max(expected.len());
     let at = |values: &[f64], k: usize| values.get(k).copied().unwrap_or(0.0);
@@ -126,7 +126,7 @@ pub fn apart(found: &[f64], expected: &[f64]) -> f64 {
     if apart == 0.0 { 0.0 } else { apart / at(expected, 0).max(at(found, 0)) }
 }
 
-/// A table's eigenvalues, without the constant.
+/// The eigenvalues of a table, without the constant.
 pub fn eigenvalues(table: &Table) -> Vec<f64> {
     table.spectrum.iter().filter_map(|(_, value)| *value).collect()
 }

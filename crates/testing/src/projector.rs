@@ -1,4 +1,4 @@
-//! A basis of either kind in f64, with room to project.
+//! A basis of either kind in f64, with methods that allocate their buffers.
 
 use eigenshade_shading::owned_basis::{AnyBasis, OwnedBasis};
 use eigenshade_table::Table;
@@ -12,7 +12,7 @@ impl Projector {
         Self { owned: OwnedBasis::new(table) }
     }
 
-    /// d of a light and a material of the table's degree and order.
+    /// d for a light and a material of the table's degree and order.
     pub fn project(&self, light: &[f64], material: &[f64]) -> Vec<f64> {
         let basis = self.owned.any().expect("a basis");
         let span = self.owned.basis().expect("a span");
@@ -34,7 +34,7 @@ impl Projector {
         }
     }
 
-    /// The mean image and Σ d_i U_i at unit normals, by the collapsed scene.
+    /// The mean image plus Σ d_i U_i at unit normals, from the collapsed scene.
     pub fn shade(&self, d: &[f64], normals: &[[f64; 3]]) -> Vec<f64> {
         let length = self.owned.basis().expect("a span").scene_len();
         let scene = match self.owned.any().expect("a basis") {

@@ -1,4 +1,4 @@
-//! Rotations by matrices, and irradiance in a turned frame.
+//! Rotations as matrices, and irradiance in a rotated frame.
 
 use eigenshade_index::{light, material};
 use eigenshade_model::polar_integral::PolarIntegrals;
@@ -6,7 +6,7 @@ use eigenshade_model::rotation::Rotation;
 use eigenshade_model::special::zernike;
 use std::f64::consts::PI;
 
-/// ∫ L f cos θ_i dω_i in the local frame: f of (8), the view at (θ_r, φ_r).
+/// ∫ L f cos θ_i dω_i in the local frame, with f of (8) and the view at (θ_r, φ_r).
 pub fn irradiance(
     integrals: &PolarIntegrals,
     local: &[f64],
@@ -28,8 +28,8 @@ pub fn irradiance(
             let around = if q == 0 {
                 2.0 * PI * local[light::position(l, 0)]
             } else {
-                // ∫ √2 cos qφ cos q(φ - φ_r), and ∫ √2 sin(-qφ) cos q(φ - φ_r), whose
-                // Legendre function carries (-1)^q.
+                // ∫ √2 cos qφ cos q(φ - φ_r) and ∫ √2 sin(-qφ) cos q(φ - φ_r); the Legendre
+                // function of the second includes (-1)^q.
                 let (sine, cosine) = (q as f64 * phi_r).sin_cos();
                 let sign = if q % 2 == 0 { 1.0 } else { -1.0 };
                 2f64.sqrt()
@@ -51,8 +51,8 @@ pub fn product(a: [[f64; 3]; 3], b: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
     a.map(|row| [0, 1, 2].map(|k| (0..3).map(|i| row[i] * b[i][k]).sum()))
 }
 
-/// The angles of a rotation matrix; where the first and the last turn about the same
-/// axis, the last is 0.
+/// The Euler angles of a rotation matrix. If the first and the last rotation share an axis, the
+/// last angle is 0.
 pub fn euler(matrix: [[f64; 3]; 3]) -> Rotation {
     let [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] = matrix;
     let sine = xz.hypot(yz);

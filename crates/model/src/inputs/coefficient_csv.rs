@@ -1,14 +1,13 @@
-//! Lights and materials as CSV: one row a coefficient.
+//! Lights and materials as CSV: one row per coefficient.
 //!
 //! | | columns |
 //! |---|---|
 //! | light | `name,l,m,r,g,b` or `name,l,m,value` |
 //! | material | `name,o,p,q,r,g,b` or `name,o,p,q,value` |
 //!
-//! `value` is a grey coefficient, the same in all three channels. The columns
-//! may stand in any order, others are ignored; so are lines that begin with
-//! `#`. The rows may stand in any order too; the entries come out in the order
-//! in which their names first appear.
+//! `value` is a gray coefficient, the same in all three channels. The columns may come in any
+//! order. Other columns and lines that begin with `#` are ignored. The rows may come in any order
+//! too; entries are returned in the order in which their names first appear.
 
 use super::coefficient_kind::{Kind, LIGHT, MATERIAL};
 use super::input_file::InputFile;
@@ -20,21 +19,22 @@ use std::collections::HashMap;
 use std::io::Write;
 use std::path::Path;
 
-/// Reads lights; up to `degree`, or else as far as the file goes.
+/// Reads lights up to `degree`, or up to the largest degree in the file if `degree` is `None`.
 ///
 /// # Errors
 ///
-/// If the file cannot be read, holds no light, or less than `degree`, if a row
-/// is missing, doubled, ragged or out of range, or a number is not finite.
+/// If the file cannot be read, contains no light, or ends below `degree`; if a row is missing,
+/// duplicated, ragged or out of range; or if a number is not finite.
 pub fn read_lights(file: impl Into<InputFile>, degree: Option<usize>) -> Result<Lights> {
     lights(&Sheet::read(file, &LIGHT.header("r,g,b"))?, degree)
 }
 
-/// [`read_lights`] of a file's text; `path` is what faults call it.
+/// Parses lights as [`read_lights`] does, from the text of a file. Error messages name the file
+/// `path`.
 ///
 /// # Errors
 ///
-/// As there.
+/// See [`read_lights`].
 pub fn parse_lights(text: &str, path: impl AsRef<Path>, degree: Option<usize>) -> Result<Lights> {
     lights(&Sheet::parse(text.into(), path.as_ref(), &LIGHT.header("r,g,b"))?, degree)
 }
@@ -44,21 +44,21 @@ fn lights(sheet: &Sheet, degree: Option<usize>) -> Result<Lights> {
     Ok(Lights { degree, entries })
 }
 
-/// Reads materials; up to `order`, or else as far as the file goes.
+/// Reads materials up to `order`, or up to the largest order in the file if `order` is `None`.
 ///
 /// # Errors
 ///
-/// As [`read_lights`].
+/// See [`read_lights`].
 pub fn read_materials(file: impl Into<InputFile>, order: Option<usize>) -> Result<Materials> {
     Ok(read_materials_and_order(file, order)?.0)
 }
 
-/// [`read_materials`], and the order that the file goes to: the coefficients of a lower order
-/// need not be what a projection to that order gives.
+/// Like [`read_materials`], and also returns the largest order in the file. The coefficients up to
+/// a lower order are not necessarily the projection to that order.
 ///
 /// # Errors
 ///
-/// As there.
+/// See [`read_lights`].
 pub fn read_materials_and_order(
     file: impl Into<InputFile>,
     order: Option<usize>,
@@ -66,11 +66,12 @@ pub fn read_materials_and_order(
     materials(&Sheet::read(file, &MATERIAL.header("r,g,b"))?, order)
 }
 
-/// [`read_materials`] of a file's text; `path` is what faults call it.
+/// Parses materials as [`read_materials`] does, from the text of a file. Error messages name the
+/// file `path`.
 ///
 /// # Errors
 ///
-/// As there.
+/// See [`read_lights`].
 pub fn parse_materials(
     text: &str,
     path: impl AsRef<Path>,
@@ -85,31 +86,31 @@ fn materials(sheet: &Sheet, order: Option<usize>) -> Result<(Materials, usize)> 
     Ok((Materials { order, entries }, largest))
 }
 
-/// Writes lights so that the same numbers are read back, to the last bit: with
-/// the column `value` if all of them are grey.
+/// Writes lights so that reading the file restores every number to the last bit. If all lights are
+/// gray, the file has the single column `value`.
 ///
 /// # Errors
 ///
-/// If a number is not finite, an entry has not (degree + 1)² coefficients, or
-/// the output fails.
+/// If a number is not finite, an entry does not have (degree + 1)² coefficients, or the output
+/// fails.
 pub fn write_lights(lights: &Lights, out: &mut (impl Write + ?Sized)) -> Result<()> {
     write(&LIGHT, lights.degree, &lights.entries, out)
 }
 
-/// Writes materials, as [`write_lights`].
+/// Writes materials in the same way as [`write_lights`].
 ///
 /// # Errors
 ///
-/// As [`write_lights`].
+/// See [`write_lights`].
 pub fn write_materials(materials: &Materials, out: &mut (impl Write + ?Sized)) -> Result<()> {
     write(&MATERIAL, materials.order, &materials.entries, out)
 }
 
-/// Bytes that an entry takes, and a row of it.
+/// Estimated memory for an entry and for one of its rows.
 const BYTES_PER_NAME: u64 = 512;
 const BYTES_PER_ROW: u64 = 160;
 
-/// The rows of one name, in the order of the file.
+/// The rows of one name, in file order.
 struct Found<'a> {
     name: &'a str,
     rows: Vec<(usize, [f64; 3], Row<'a>)>,
@@ -140,7 +141,7 @@ fn entries<const N: usize>(
     Ok((size, largest, entries))
 }
 
-/// The rows name by name, and the largest degree or order among them.
+/// Groups the rows by name; also returns the largest degree or order.
 fn gather<'a, const N: usize>(kind: &Kind<N>, sheet: &'a Sheet) -> Result<(usize, Vec<Found<'a>>)> {
     let wrong_header = || {
         let (rgb, grey) = (kind.header("r,g,b"), kind.header("value"));
@@ -149,7 +150,7 @@ fn gather<'a, const N: usize>(kind: &Kind<N>, sheet: &'a Sheet) -> Result<(usize
     let [name_column] = sheet.columns(["name"]).ok_or_else(wrong_header)?;
     let index_columns = sheet.columns(kind.names).ok_or_else(wrong_header)?;
     let value_columns = sheet.colors()?.ok_or_else(wrong_header)?;
-    // Names that follow each other are one; of a file with its entries in turns this is more.
+    // Counts runs of equal names. A file that interleaves its entries has more runs than names.
     let name = |row: Row<'a>| row.text(name_column);
     let names =
         sheet.rows().zip(sheet.rows().skip(1)).filter(|(a, b)| name(*a) != name(*b)).count();
@@ -185,12 +186,12 @@ fn gather<'a, const N: usize>(kind: &Kind<N>, sheet: &'a Sheet) -> Result<(usize
     Ok((largest, found))
 }
 
-/// The coefficients of one name, if each is there once.
+/// The coefficients of one name; fails unless each occurs exactly once.
 fn complete<const N: usize>(kind: &Kind<N>, size: usize, found: Found<'_>) -> Result<Named> {
     let (thing, name) = (kind.thing, found.name);
     let mut rows = found.rows;
     let first = rows.first().map(|&(.., row)| row);
-    // Stable: of two rows with one index the later comes second.
+    // The sort is stable: of two rows with the same index, the later one comes second.
     rows.sort_by_key(|&(position, ..)| position);
     for pair in rows.windows(2) {
         if let [(before, ..), (position, _, row)] = pair

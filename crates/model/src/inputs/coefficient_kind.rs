@@ -1,25 +1,25 @@
-//! What lights and materials have of their own as lists of coefficients.
+//! The differences between lights and materials as lists of coefficients.
 
 use eigenshade_index::{light, material};
 
-/// No degree or order above this is believed.
+/// The largest degree or order that is accepted.
 const LARGEST: usize = 1024;
 
-/// What distinguishes lights from materials.
+/// The properties that distinguish lights from materials.
 pub(crate) struct Kind<const N: usize> {
     /// `light` or `material`.
     pub(crate) thing: &'static str,
     /// `degree` or `order`.
     pub(crate) size: &'static str,
-    /// The columns of the index.
+    /// The names of the index columns.
     pub(crate) names: [&'static str; N],
-    /// What holds of an index, for the remedy.
+    /// The rule that a valid index obeys, for the remedy.
     pub(crate) rule: &'static str,
-    /// Degree or order, and position, of an index; none if it is out of range.
+    /// Degree or order, and position, of an index; `None` if it is out of range.
     pub(crate) place: fn([i64; N]) -> Option<(usize, usize)>,
-    /// How many coefficients a degree or order has.
+    /// Number of coefficients up to a degree or order.
     pub(crate) count: fn(usize) -> usize,
-    /// Their indices, in storage order.
+    /// The indices of these coefficients, in storage order.
     pub(crate) indices: fn(usize) -> Box<dyn Iterator<Item = [i64; N]>>,
 }
 
@@ -55,12 +55,12 @@ pub(crate) const MATERIAL: Kind<3> = Kind {
 };
 
 impl<const N: usize> Kind<N> {
-    /// The columns that a file should have.
+    /// The expected header of a file.
     pub(crate) fn header(&self, values: &str) -> String {
         format!("name,{},{values}", self.names.join(","))
     }
 
-    /// `l = 2, m = -1`.
+    /// Formats an index, such as `l = 2, m = -1`.
     pub(crate) fn spell(&self, index: [i64; N]) -> String {
         let parts: Vec<_> = self.names.iter().zip(index).collect();
         let parts = parts.iter().map(|(name, i)| format!("{name} = {i}"));

@@ -1,32 +1,31 @@
-//! Normals as CSV: `x,y,z`, one row a normal.
+//! Normals as CSV: `x,y,z`, one normal per row.
 
 use super::input_file::InputFile;
 use super::sheet::Sheet;
 use crate::error::Result;
 
-/// How far below the rim, in z after normalising, a normal may lie and still be
-/// laid on it.
+/// How far below the rim, in z after normalization, a normal may lie and still be moved onto it.
 pub const RIM: f64 = 1e-3;
 
-/// Reads unit normals in the frame of the camera: x right, y up, z toward it.
+/// Reads unit normals in the camera frame: x right, y up, z toward the camera.
 ///
-/// Lengths are normalised. A normal that points away by no more than [`RIM`] is
-/// laid on the rim, z = 0. Other columns and lines that begin with `#` are
-/// ignored.
+/// Vectors of any length are normalized. A normal that points away by no more than [`RIM`] is moved
+/// onto the rim, z = 0. Other columns and lines that begin with `#` are ignored.
 ///
 /// # Errors
 ///
-/// If the file cannot be read or holds no normal, or a row is ragged, not
-/// finite, of length zero, or points away from the camera.
+/// If the file cannot be read or contains no normal, or if a row is ragged, not finite, of length
+/// zero, or points away from the camera.
 pub fn read_normals(file: impl Into<InputFile>) -> Result<Vec<[f64; 3]>> {
     Ok(read_weighted_normals(file)?.into_iter().map(|(normal, _)| normal).collect())
 }
 
-/// [`read_normals`] with the weights of a column `weight`, 1 where there is none.
+/// Like [`read_normals`], and also returns the weights in the column `weight`, or 1 if there is no
+/// such column.
 ///
 /// # Errors
 ///
-/// As there; or a weight that is negative or not finite.
+/// As [`read_normals`], and if a weight is negative or not finite.
 pub fn read_weighted_normals(file: impl Into<InputFile>) -> Result<Vec<([f64; 3], f64)>> {
     let sheet = Sheet::read(file, "x,y,z")?;
     let columns = sheet.columns(["x", "y", "z"]).ok_or_else(|| sheet.wrong_header("`x,y,z`"))?;
@@ -50,12 +49,12 @@ pub fn read_weighted_normals(file: impl Into<InputFile>) -> Result<Vec<([f64; 3]
     Ok(normals)
 }
 
-/// The unit normal along `vector`, on the rim if it is a little behind it; else
-/// what is wrong, and the remedy.
+/// The unit normal along `vector`, moved onto the rim if it is slightly behind it.
 ///
 /// # Errors
 ///
-/// If its length is zero or not finite, or it points away by more than [`RIM`].
+/// If the length is zero or not finite, or the vector points away by more than [`RIM`]. The error
+/// is the problem and the remedy.
 pub fn visible(vector: [f64; 3]) -> std::result::Result<[f64; 3], (String, String)> {
     let [x, y, z] = unit(vector).ok_or_else(|| {
         (
@@ -73,7 +72,7 @@ pub fn visible(vector: [f64; 3]) -> std::result::Result<[f64; 3], (String, Strin
     Ok(laid.unwrap_or([x, y, z]))
 }
 
-/// Scaled by the largest component first, so that nothing overflows or vanishes.
+/// Divides by the largest component first to avoid overflow and underflow.
 fn unit(vector: [f64; 3]) -> Option<[f64; 3]> {
     let largest = vector.iter().fold(0.0, |top: f64, c| top.max(c.abs()));
     if !(largest > 0.0 && vector.iter().all(|c| c.is_finite())) {

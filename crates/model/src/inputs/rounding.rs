@@ -1,14 +1,14 @@
-//! Numbers as text: all of their digits, or fewer where a file need not hold more.
+//! Numbers as text, exactly or rounded to fewer digits for smaller files.
 
 use crate::database::Lights;
 
-/// Significant digits of the light files that the project ships: two more than
-/// the 32-bit texels of any map have.
+/// Significant digits of the shipped light files: two more than the 32-bit texels of any map.
 pub const LIGHT_DIGITS: usize = 9;
 
-/// The same lights, every coefficient rounded to `digits` significant decimal
-/// digits: changed by no more than half a unit of the last, 5e-9 of its value
-/// for [`LIGHT_DIGITS`].
+/// The same lights with every coefficient rounded to `digits` significant decimal digits.
+///
+/// A coefficient changes by at most half a unit in the last digit: 5e-9 of its value for
+/// [`LIGHT_DIGITS`].
 #[must_use]
 pub fn rounded(lights: &Lights, digits: usize) -> Lights {
     let mut lights = lights.clone();
@@ -19,15 +19,15 @@ pub fn rounded(lights: &Lights, digits: usize) -> Lights {
     lights
 }
 
-/// The nearest number of so many decimal digits, by way of its text, so that
-/// writing and reading it keep it.
+/// Rounds to this many significant decimal digits. The result comes from parsing decimal text, so
+/// writing and reading it back does not change it.
 fn significant(value: f64, digits: usize) -> f64 {
     format!("{value:.*e}", digits.saturating_sub(1)).parse().unwrap_or(value)
 }
 
-/// The shortest decimal text that reads back to the same number, to the last bit.
+/// The shortest decimal text that reads back as the same number, to the last bit.
 ///
-/// A number that was an f32 reads back to itself as f32 and as f64.
+/// A number that was converted from f32 reads back correctly both as f32 and as f64.
 #[must_use]
 pub fn exact(number: f64) -> String {
     let (plain, scientific) = (format!("{number}"), format!("{number:e}"));

@@ -1,4 +1,4 @@
-//! A CSV file with a header: columns by name, and the line of every fault.
+//! A CSV file with a header: access to columns by name, and line numbers for errors.
 
 use super::input_file::InputFile;
 use crate::error::{Error, Result};
@@ -6,51 +6,51 @@ use csv::{ErrorKind, ReaderBuilder, StringRecord, Trim};
 use std::collections::HashSet;
 use std::path::Path;
 
-/// Bytes that a reader may take of a row, without what it finds in it by name.
+/// Memory per row that a caller may need, besides the entries that it builds by name.
 const BYTES_PER_ROW: u64 = 160;
 
 /// The rows of a CSV file.
 ///
-/// Lines that begin with `#` and empty lines are skipped; blanks around a field
-/// do not count; the columns may stand in any order among others.
+/// Empty lines and lines that begin with `#` are skipped. Blanks around a field are ignored. The
+/// columns may come in any order, mixed with others.
 pub struct Sheet {
     file: InputFile,
     text: Vec<u8>,
     header: StringRecord,
-    /// The fields of all rows, one behind the other.
+    /// The concatenated fields of all rows.
     fields: String,
-    /// Where each of them ends.
+    /// The end of each field in `fields`.
     ends: Vec<usize>,
-    /// Where each row begins in `text`.
+    /// The start of each row in `text`.
     starts: Vec<usize>,
 }
 
 impl Sheet {
-    /// Reads the file. `columns` is the header that it should have, for the
-    /// remedies.
+    /// Reads a file. `columns` is the expected header, which appears in remedies.
     ///
-    /// Memory: twice the file, 16 bytes a field and some 200 a row.
+    /// Memory: twice the file size, 16 bytes per field and about 200 per row.
     ///
     /// # Errors
     ///
-    /// A file that cannot be read, is empty or no UTF-8, has two columns of one name, or a row
-    /// of another length than its header.
+    /// If the file cannot be read, is empty or not UTF-8, has two columns of the same name, or has
+    /// a row whose length differs from the header.
     pub fn read(file: impl Into<InputFile>, columns: &str) -> Result<Self> {
         let file = file.into();
         Self::of(file.bytes()?, file, columns)
     }
 
-    /// [`read`](Self::read) of a file's text; `path` is what faults call it.
+    /// Parses the text of a file in the same way as [`read`](Self::read). Error messages name the
+    /// file `path`.
     ///
     /// # Errors
     ///
-    /// As there.
+    /// See [`read`](Self::read).
     pub fn parse(text: Vec<u8>, path: &Path, columns: &str) -> Result<Self> {
         Self::of(text, path.into(), columns)
     }
 
     fn of(text: Vec<u8>, file: InputFile, columns: &str) -> Result<Self> {
-        // As many as there are, or more: a comma may be part of a field.
+        // An upper bound, because a comma may be part of a field.
         let count = |wanted: &[u8]| text.iter().filter(|byte| wanted.contains(byte)).count();
         let rows = count(b"\n\r") + 1;
         let fields = count(b",") + rows;
@@ -95,7 +95,7 @@ impl Sheet {
         Ok(Self { text, ..sheet })
     }
 
-    /// Whether so many bytes are within the file's budget beside what it takes itself.
+    /// Checks that this many bytes are within the file's budget, in addition to the sheet itself.
     ///
     /// # Errors
     ///
@@ -110,25 +110,25 @@ impl Sheet {
         self.header.iter()
     }
 
-    /// Where a column stands, if it is there.
+    /// The index of a column, if it exists.
     #[must_use]
     pub fn column(&self, name: &str) -> Option<usize> {
         self.header().position(|column| column == name)
     }
 
-    /// Where each of these columns stands, if all of them are there.
+    /// The indices of these columns, if all of them exist.
     #[must_use]
     pub fn columns<const N: usize>(&self, names: [&str; N]) -> Option<[usize; N]> {
         let places = names.map(|name| self.column(name));
         places.iter().all(Option::is_some).then(|| places.map(Option::unwrap_or_default))
     }
 
-    /// Where red, green and blue stand: the columns `r,g,b`, or three times the grey `value`;
-    /// none if neither is there.
+    /// The indices of red, green and blue: the columns `r,g,b`, or three times the gray column
+    /// `value`. `None` if the file has neither.
     ///
     /// # Errors
     ///
-    /// A file that has both: which of the two is meant is not said.
+    /// If the file has both, because the intended one is ambiguous.
     pub fn colors(&self) -> Result<Option<[usize; 3]>> {
         let rgb = ["r", "g", "b"];
         if let (Some(_), Some(color)) =
@@ -143,7 +143,7 @@ impl Sheet {
         Ok(self.columns(rgb).or_else(|| self.columns(["value"; 3])))
     }
 
-    /// The fault of a header without these columns.
+    /// The error for a header without these columns.
     #[must_use]
     pub fn wrong_header(&self, columns: &str) -> Error {
         let found: Vec<_> = self.header.iter().collect();
@@ -154,7 +154,7 @@ impl Sheet {
         .at_line(self.file.path(), 1 + skipped(&self.text))
     }
 
-    /// A fault of the file as a whole.
+    /// An error that concerns the file as a whole.
     pub fn fault(&self, what: impl Into<String>, remedy: impl Into<String>) -> Error {
         Error::new(what, remedy).in_file(self.file.path())
     }
@@ -173,12 +173,12 @@ pub struct Row<'a> {
 }
 
 impl<'a> Row<'a> {
-    /// The texts of all columns.
+    /// The text in each column.
     pub fn texts(self) -> impl Iterator<Item = &'a str> {
         (0..self.sheet.header.len()).map(move |column| self.text(column))
     }
 
-    /// The text of a column.
+    /// The text in a column.
     #[must_use]
     pub fn text(self, column: usize) -> &'a str {
         let sheet = self.sheet;
@@ -192,7 +192,7 @@ impl<'a> Row<'a> {
     ///
     /// # Errors
     ///
-    /// A text that is none.
+    /// If the text is not a finite number.
     pub fn number(self, column: usize) -> Result<f64> {
         let text = self.text(column);
         let number: f64 = text.parse().map_err(|_| {
@@ -212,7 +212,7 @@ impl<'a> Row<'a> {
     ///
     /// # Errors
     ///
-    /// A text that is none.
+    /// If the text is not a whole number.
     pub fn integer(self, column: usize) -> Result<i64> {
         let text = self.text(column);
         text.parse().map_err(|_| {
@@ -220,15 +220,15 @@ impl<'a> Row<'a> {
         })
     }
 
-    /// A fault at this row.
+    /// An error at this row.
     pub fn fault(self, what: impl Into<String>, remedy: impl Into<String>) -> Error {
         let line = line_of(&self.sheet.text, self.sheet.starts[self.number]);
         Error::new(what, remedy).at_line(self.sheet.file.path(), line)
     }
 }
 
-/// The first column that is called as one before it. Names that are empty do not count, nor do
-/// numbers: a file without a header begins with these.
+/// The first column with the same name as an earlier one. Empty names do not count, and neither do
+/// numbers, because a file without a header begins with numbers.
 fn doubled(header: &StringRecord) -> Option<(usize, &str)> {
     let mut names = HashSet::new();
     let is_name = |name: &str| !name.is_empty() && name.parse::<f64>().is_err();
@@ -255,15 +255,15 @@ fn csv_fault(path: &Path, text: &[u8], columns: &str, error: &csv::Error) -> Err
     }
 }
 
-/// The line, from 1, of the record at byte `start`. The reader gives the place
-/// where it began to look for the record, before any comments.
+/// The line, counted from 1, of the record at byte `start`. The CSV reader reports the position
+/// where it started to look for the record, before any comments.
 fn line_of(text: &[u8], start: usize) -> u64 {
     let (before, after) = text.split_at(start.min(text.len()));
     let above = before.iter().filter(|&&byte| byte == b'\n').count() as u64;
     1 + above + skipped(after)
 }
 
-/// How many empty and comment lines a text begins with.
+/// Number of empty and comment lines at the start of a text.
 fn skipped(text: &[u8]) -> u64 {
     text.split_inclusive(|&byte| byte == b'\n')
         .take_while(|line| matches!(line, [b'#', ..] | [b'\n'] | [b'\r', b'\n']))

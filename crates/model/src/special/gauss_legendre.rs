@@ -2,11 +2,11 @@
 
 use std::f64::consts::PI;
 
-/// `count` nodes, rising, and their weights on \[low, high\]: exact for
-/// polynomials of degree 2 `count` - 1, to a few ulp.
+/// `count` ascending nodes and their weights on \[low, high\], exact for polynomials of degree 2
+/// `count` - 1 to a few ulp.
 ///
-/// Newton's method on the three-term recurrence from the usual cosine guess;
-/// quadratic, so a few steps reach the last bit.
+/// Newton's method on the three-term recurrence, from the usual cosine guess. It converges
+/// quadratically, so a few steps reach the last bit.
 #[must_use]
 pub fn rule(count: usize, low: f64, high: f64) -> Vec<(f64, f64)> {
     let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));

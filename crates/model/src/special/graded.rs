@@ -1,23 +1,25 @@
-//! Quadrature of functions that change fast beside known places.
+//! Quadrature of functions that change fast near known places.
 
 use super::gauss_legendre;
 
-/// A place beside which a function changes over a distance.
+/// A place near which a function changes over a short distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Feature {
-    /// Where; within the interval or at its ends.
+    /// The place, inside the interval or at one of its ends.
     pub at: f64,
-    /// The distance, above zero: the function is analytic but for points that are as
-    /// far from the axis here, and in proportion farther away.
+    /// The distance, above zero. The function's singularities have at least this distance from the
+    /// real axis at the feature, and proportionally more farther away.
     pub scale: f64,
 }
 
-/// Nodes and weights on \[low, high\], rising: Gauss-Legendre rules of `count` nodes on
-/// panels that begin as wide as the scale beside each feature, double with the
-/// distance from it, and are nowhere wider than `widest`.
+/// Ascending nodes and weights on \[low, high\].
 ///
-/// A pole at the distance of the scale from its feature leaves some 5^(-2 count) of
-/// the function's size.
+/// The rule consists of Gauss-Legendre rules of `count` nodes on panels. Next to a feature a panel
+/// is as wide as the feature's scale; the width doubles with the distance from it and never exceeds
+/// `widest`.
+///
+/// A pole one scale away from its feature leaves an error of about 5^(-2 count) of the function's
+/// size.
 #[must_use]
 pub fn rule(
     count: usize,
@@ -30,7 +32,7 @@ pub fn rule(
     spread(&unit, low, high, features, widest)
 }
 
-/// The same with the rule of \[0, 1\] at hand.
+/// Like [`rule`], for a given Gauss-Legendre rule on \[0, 1\].
 #[must_use]
 pub fn spread(
     unit: &[(f64, f64)],
@@ -44,7 +46,7 @@ pub fn spread(
     stops.retain(|stop| (low..=high).contains(stop));
     stops.sort_by(f64::total_cmp);
     stops.dedup();
-    // The widest panel that may begin or end at a place.
+    // The largest allowed width of a panel that begins or ends at a place.
     let allowed = |place: f64| {
         features
             .iter()
@@ -53,7 +55,7 @@ pub fn spread(
     let mut nodes = Vec::new();
     for pair in stops.windows(2) {
         let &[start, end] = pair else { continue };
-        // From both ends towards the middle.
+        // From both ends toward the middle.
         let (mut left, mut right) = (start, end);
         let mut panels = Vec::new();
         let mut mirrored = Vec::new();

@@ -1,16 +1,16 @@
-//! Associated Legendre functions, normalised: N_l^m P_l^m(z) of (43), with the
-//! Condon-Shortley phase. Notation follows (43) and (46).
+//! Normalized associated Legendre functions: N_l^m P_l^m(z) of (43), with the Condon-Shortley
+//! phase. Notation follows (43) and (46).
 
 use std::f64::consts::PI;
 
 /// N_l^m P_l^m(z) for l = m..=degree of one order m >= 0.
 ///
-/// Domain: z in \[-1, 1\] and `sine` = √(1 - z²) in \[0, 1\], given apart so that
-/// nothing is lost near the poles. Absolute error below 1e-13 up to degree 9,
-/// 5e-13 up to 64. Empty if m > degree.
+/// Domain: z in \[-1, 1\]. `sine` = √(1 - z²) in \[0, 1\] is a separate argument, so that no
+/// accuracy is lost near the poles. Absolute error below 1e-13 up to degree 9, 5e-13 up to 64.
+/// Empty if m > degree.
 ///
-/// The three-term recurrence in l runs on the normalised functions, from
-/// N_m^m P_m^m = (-1)^m √((2m+1)!! / (4π (2m)!!)) sin^m.
+/// The three-term recurrence in l runs on the normalized functions and starts from N_m^m P_m^m =
+/// (-1)^m √((2m+1)!! / (4π (2m)!!)) sin^m.
 #[must_use]
 pub fn normalised(degree: usize, m: usize, z: f64, sine: f64) -> Vec<f64> {
     let mut values = Vec::with_capacity((degree + 1).saturating_sub(m));

@@ -1,5 +1,5 @@
-//! Special functions, one a file, by normalised recurrences: good to degree 64
-//! and more, at the poles and at tiny angles.
+//! Special functions, one per file, by normalized recurrences: accurate to degree 64 and more, at
+//! the poles and at tiny angles.
 
 pub mod gauss_legendre;
 pub mod graded;

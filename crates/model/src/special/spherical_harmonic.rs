@@ -1,4 +1,4 @@
-//! Real spherical harmonics Y_l^m of (46), azimuths Φ_m of (47).
+//! Real spherical harmonics Y_l^m of (46), and azimuth functions Φ_m of (47).
 
 use super::legendre;
 use eigenshade_index::light;
@@ -14,8 +14,7 @@ pub fn azimuth(m: isize, phi: f64) -> f64 {
     }
 }
 
-/// Factor between the Legendre function of -m and that of m, N_l^-m P_l^-m =
-/// (-1)^m N_l^m P_l^m.
+/// Factor between the Legendre functions of -m and m: N_l^-m P_l^-m = (-1)^m N_l^m P_l^m.
 fn reflection(m: isize) -> f64 {
     if m < 0 && m % 2 != 0 { -1.0 } else { 1.0 }
 }

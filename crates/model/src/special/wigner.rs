@@ -3,12 +3,11 @@
 
 /// d^l_mn(α) for l = max(|m|, |n|)..=degree.
 ///
-/// Absolute error below 1e-13 up to degree 9, 5e-13 up to 64, for α in \[0, π\].
-/// Empty if max(|m|, |n|) > degree.
+/// Absolute error below 1e-13 up to degree 9, 5e-13 up to 64, for α in \[0, π\]. Empty if max(|m|,
+/// |n|) > degree.
 ///
-/// The recurrence in l starts from the closed form at l = max(|m|, |n|), whose
-/// binomial coefficient is multiplied up with the half-angle powers so that
-/// neither overflows.
+/// The recurrence in l starts from the closed form at l = max(|m|, |n|). Its binomial coefficient
+/// is accumulated together with the powers of the half-angle functions, so that neither overflows.
 #[must_use]
 pub fn column(degree: usize, m: isize, n: isize, alpha: f64) -> Vec<f64> {
     let lowest = m.unsigned_abs().max(n.unsigned_abs());
@@ -35,7 +34,7 @@ pub fn column(degree: usize, m: isize, n: isize, alpha: f64) -> Vec<f64> {
     values
 }
 
-/// d^l_mn(α) of one degree; 0 where |m| or |n| exceeds l.
+/// d^l_mn(α) of one degree; 0 if |m| or |n| exceeds l.
 #[must_use]
 pub fn value(l: usize, m: isize, n: isize, alpha: f64) -> f64 {
     column(l, m, n, alpha).last().copied().unwrap_or(0.0)
@@ -43,7 +42,7 @@ pub fn value(l: usize, m: isize, n: isize, alpha: f64) -> f64 {
 
 /// d^l_mn for l = max(|m|, |n|): ±√C(2l, l+k) cos^(l+k)(α/2) sin^(l-k)(α/2).
 fn lowest_degree(m: isize, n: isize, alpha: f64) -> f64 {
-    // d_mn = (-1)^(m-n) d_nm = d_-n,-m brings the larger index to the front, positive.
+    // d_mn = (-1)^(m-n) d_nm = d_-n,-m: makes the larger index the first one, and positive.
     let (front, k, sign) = match (m.unsigned_abs() >= n.unsigned_abs(), m >= 0, n >= 0) {
         (true, true, _) => (m, n, parity(m - n)),
         (true, false, _) => (-m, -n, 1.0),
@@ -56,7 +55,7 @@ fn lowest_degree(m: isize, n: isize, alpha: f64) -> f64 {
     } else {
         (front - k, front + k, sine, cosine)
     };
-    // C(2l, fewer) = Π (more + i) / i; one power of each half-angle with every factor.
+    // C(2l, fewer) = Π (more + i) / i, with one power of each half-angle function per factor.
     let paired = (1..=fewer)
         .fold(1.0, |product, i| product * ((more + i) as f64 / i as f64).sqrt() * large * small);
     sign * paired * large.powi((more - fewer) as i32)

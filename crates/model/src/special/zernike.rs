@@ -2,11 +2,11 @@
 
 /// R_o^q(ρ) for o = q, q + 2, ..., <= order.
 ///
-/// Domain: ρ in \[0, 1\]. Absolute error below 1e-13 up to order 9, 5e-13 up to
-/// 64. Empty if q > order.
+/// Domain: ρ in \[0, 1\]. Absolute error below 1e-13 up to order 9, 5e-13 up to 64. Empty if q >
+/// order.
 ///
-/// R_{q+2k}^q = (-1)^k ρ^q P_k^(q,0)(1 - 2ρ²), by the three-term recurrence of
-/// the Jacobi polynomials started from ρ^q.
+/// R_{q+2k}^q = (-1)^k ρ^q P_k^(q,0)(1 - 2ρ²), by the three-term recurrence of the Jacobi
+/// polynomials, starting from ρ^q.
 #[must_use]
 pub fn column(order: usize, q: usize, rho: f64) -> Vec<f64> {
     let mut values = Vec::new();
@@ -33,7 +33,7 @@ pub fn column(order: usize, q: usize, rho: f64) -> Vec<f64> {
     values
 }
 
-/// R_o^q(ρ) of one order; 0 where q > o or o - q is odd.
+/// R_o^q(ρ) of one order; 0 if q > o or o - q is odd.
 #[must_use]
 pub fn value(o: usize, q: usize, rho: f64) -> f64 {
     if q > o || (o - q) % 2 == 1 {
@@ -42,8 +42,8 @@ pub fn value(o: usize, q: usize, rho: f64) -> f64 {
     column(o, q, rho).last().copied().unwrap_or(0.0)
 }
 
-/// The radius at which a direction of polar angle θ enters (8): √2 sin(θ/2),
-/// from 0 at the normal to 1 at the rim.
+/// The radius ρ in (8) of a direction with polar angle θ: √2 sin(θ/2), from 0 at the normal to 1 at
+/// the rim.
 #[must_use]
 pub fn radius(theta: f64) -> f64 {
     std::f64::consts::SQRT_2 * (0.5 * theta).sin()

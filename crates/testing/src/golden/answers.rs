@@ -1,7 +1,7 @@
-//! What the runtime answers in every format, for the golden file.
+//! The runtime's expected results in every format, for the golden file.
 //!
-//! Integers are the runtime's own answers: machines compare bits. Floats are the
-//! answers in f64, rounded: machines compare to a tolerance.
+//! Integer rows are the runtime's own results: machines compare bits. Float rows are results in
+//! f64, rounded: machines compare to a tolerance.
 
 use super::record::{Golden, Row};
 use eigenshade::quantised::{Basis, Light, Material, Normal, Transfer};
@@ -9,11 +9,11 @@ use eigenshade::{Error, Fixed, Q15, Q31, sphere};
 use eigenshade_shading::owned_basis::{AnyBasis, OwnedBasis};
 use eigenshade_shading::shipped;
 
-/// d and irradiances in f32 against those in f64, of the largest of their array: some forty
-/// roundings of 6e-8 that count, in any order, fused or not.
+/// d and irradiances in f32 against those in f64, relative to the largest number of their array:
+/// about forty significant roundings of 6e-8, in any order, fused or not.
 pub const GOLDEN_F32: f32 = 2e-6;
 
-/// Light, material and channel.
+/// Light, material and channel of each test pair, with the channel's index.
 pub const PAIRS: [([&str; 3], usize); 6] = [
     (["esplanade", "ptfe-633nm", "r"], 0),
     (["park", "07-velvet", "g"], 1),
@@ -28,21 +28,21 @@ const ORDER: usize = sphere::ORDER;
 
 /// An integer format with its shipped basis.
 pub trait Shipped: Fixed {
-    /// What the file calls it.
+    /// The format's name in the file.
     const FORMAT: &'static str;
-    /// The number of this mantissa, which has no more bits.
+    /// The number with this mantissa, which must fit the format.
     fn of(mantissa: i32) -> Self;
-    /// The mantissa.
+    /// The mantissa of the number.
     fn mantissa(self) -> i32;
     /// The shipped basis.
     fn basis() -> &'static Basis<'static, Self>;
-    /// The normal of these components.
+    /// The normal with these components.
     ///
     /// # Errors
     ///
-    /// As [`Normal`].
+    /// As the constructor of [`Normal`].
     fn normal(components: [Self; 3]) -> Result<Normal<Self>, Error>;
-    /// The least mantissa.
+    /// The smallest mantissa.
     const LEAST: i32;
 }
 
@@ -69,8 +69,8 @@ macro_rules! shipped {
 shipped!(Q15, "q15", q15, i16);
 shipped!(Q31, "q31", q31, i32);
 
-/// The pole, the rim, corners of the cube, next to the pole and to the rim, and some
-/// between.
+/// Normals at the pole, on the rim, at corners of the cube, next to the pole and the rim, and some
+/// in between.
 fn normals() -> Vec<[f64; 3]> {
     let (half, third) = (0.5f64.sqrt(), (1.0f64 / 3.0).sqrt());
     let mut normals = vec![[0.0, 0.0, 1.0]];
@@ -86,7 +86,7 @@ fn normals() -> Vec<[f64; 3]> {
     normals
 }
 
-/// The mantissas of all normals; the last one has the format's least mantissa.
+/// The mantissas of all normals. The last normal has the format's smallest mantissa.
 fn mantissas_of_normals<Q: Shipped>() -> Vec<i32> {
     let one = 2f64.powi(Q::BITS as i32);
     let rounded = |component: f64| (one * component).round().clamp(1.0 - one, one - 1.0) as i32;
@@ -95,7 +95,7 @@ fn mantissas_of_normals<Q: Shipped>() -> Vec<i32> {
     numbers
 }
 
-/// What a pair's light and material are made of.
+/// The coefficients of a pair's light and material.
 struct Input {
     light: Vec<f32>,
     material: Vec<f32>,
@@ -113,14 +113,14 @@ fn input([light, material, _]: [&str; 3], channel: usize) -> Input {
     }
 }
 
-/// d with its exponent, irradiances with theirs.
+/// d with its exponent, and the irradiances with their exponent.
 pub type Answer = [(Vec<i32>, i32); 2];
 
-/// From mantissas to irradiances, the general way.
+/// Computes irradiances from mantissas with the methods of the general basis.
 ///
 /// # Errors
 ///
-/// The runtime's.
+/// As the runtime's functions.
 pub fn answer<Q: Shipped>(
     light: &Light<'_, Q>,
     material: &Material<'_, Q>,
@@ -138,8 +138,8 @@ pub fn answer<Q: Shipped>(
     Ok([(d, exponent), (irradiances, scene.exponent())])
 }
 
-/// The CRC-32 of all answers of a format: of each pair d, its exponent, the
-/// irradiances, their exponent, as little-endian 32-bit integers.
+/// The CRC-32 of all results of a format: for each pair d, its exponent, the irradiances and their
+/// exponent, as little-endian 32-bit integers.
 pub fn checksum<'a>(answers: impl IntoIterator<Item = &'a Answer>) -> u32 {
     let mut hasher = crc32fast::Hasher::new();
     for (numbers, exponent) in answers.into_iter().flatten() {
@@ -221,7 +221,7 @@ fn float_rows(rows: &mut Vec<Row>) {
     rows.push(Row::new("f32", [""; 3], "tolerance", &[], &tolerance));
 }
 
-/// All rows of the file.
+/// All rows of the golden file.
 pub fn golden() -> Golden {
     let mut rows = Vec::new();
     float_rows(&mut rows);

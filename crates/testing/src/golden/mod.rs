@@ -1,4 +1,4 @@
-//! The golden file: what every machine has to answer.
+//! The golden file: results that every machine must reproduce.
 
 pub mod answers;
 pub mod record;

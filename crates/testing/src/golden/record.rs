@@ -1,10 +1,10 @@
-//! The golden file, read and written.
+//! Reads and writes the golden file.
 //!
-//! After lines that start with `#`, a header and one row for each array:
-//! `format,light,material,channel,array,exponents,numbers`, exponents and numbers each
-//! separated by spaces, no quotes. What an array is, docs/formats.md says.
+//! Lines that start with `#` come first, then a header and one row for each array:
+//! `format,light,material,channel,array,exponents,numbers`. Exponents and numbers are separated by
+//! spaces, without quotes. docs/formats.md describes the arrays.
 //!
-//! Needs nothing but the standard library: build scripts of other workspaces take it.
+//! Depends only on the standard library, because build scripts of other workspaces include it.
 
 use std::fmt::{Display, Write};
 
@@ -15,18 +15,18 @@ const HEADER: &str = "format,light,material,channel,array,exponents,numbers";
 pub struct Row {
     /// `f32`, `q15` or `q31`.
     pub format: String,
-    /// Light, material and channel; empty where an array belongs to all pairs.
+    /// Light, material and channel; empty if the array belongs to all pairs.
     pub pair: [String; 3],
-    /// Which array.
+    /// The name of the array.
     pub array: String,
-    /// Of the whole array one exponent, of a material one for each o; none of floats.
+    /// One exponent for the whole array, or one for each o of a material; empty for floats.
     pub exponents: Vec<i32>,
     /// The numbers.
     pub numbers: Vec<String>,
 }
 
 impl Row {
-    /// A row of these numbers.
+    /// A row with these numbers.
     pub fn new<T: Display>(
         format: &str,
         pair: [&str; 3],
@@ -47,7 +47,7 @@ impl Row {
     ///
     /// # Errors
     ///
-    /// One that is none.
+    /// If one is not an integer.
     pub fn integers(&self) -> Result<Vec<i32>, String> {
         self.parsed()
     }
@@ -56,7 +56,7 @@ impl Row {
     ///
     /// # Errors
     ///
-    /// One that is none.
+    /// If one is not a float.
     pub fn floats(&self) -> Result<Vec<f32>, String> {
         self.parsed()
     }
@@ -70,7 +70,7 @@ impl Row {
     }
 }
 
-/// All of the file.
+/// The whole file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Golden {
     /// Its rows.
@@ -78,11 +78,11 @@ pub struct Golden {
 }
 
 impl Golden {
-    /// The file of this text.
+    /// Parses the text of a file.
     ///
     /// # Errors
     ///
-    /// A line that is no row, with its number.
+    /// If a line is not a row; the message has its line number.
     pub fn parse(text: &str) -> Result<Self, String> {
         let lines = text.lines().enumerate().filter(|(_, line)| !line.starts_with('#'));
         let mut rows = Vec::new();
@@ -102,7 +102,7 @@ impl Golden {
         Ok(Self { rows })
     }
 
-    /// The text of the file, `head` as its first lines.
+    /// The text of the file, which starts with the lines `head` as comments.
     pub fn text(&self, head: &[&str]) -> String {
         let mut text = String::new();
         for line in head {
@@ -119,18 +119,18 @@ impl Golden {
         text
     }
 
-    /// An array of a pair, or of all of them.
+    /// An array of a pair, or an array that belongs to all pairs.
     ///
     /// # Errors
     ///
-    /// One that the file does not have.
+    /// If the file does not have the array.
     pub fn find(&self, format: &str, pair: [&str; 3], array: &str) -> Result<&Row, String> {
         let found = |row: &&Row| row.format == format && row.pair == pair && row.array == array;
         let fault = || format!("no row {format},{},{array}", pair.join(","));
         self.rows.iter().find(found).ok_or_else(fault)
     }
 
-    /// The pairs of light, material and channel, in the order of the file.
+    /// The pairs of light, material and channel, in file order.
     pub fn pairs(&self) -> Vec<[&str; 3]> {
         let mut pairs: Vec<[&str; 3]> = Vec::new();
         for row in self.rows.iter().filter(|row| row.array == "light") {

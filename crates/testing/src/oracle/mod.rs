@@ -1,8 +1,8 @@
 //! Direct quadrature of (3): an oracle that shares no code with (11)-(14).
 //!
-//! Harmonics from the derivative of the Legendre polynomial's explicit sum,
-//! Zernike polynomials from their factorial sum, rotation by a matrix, the
-//! integral by Clenshaw-Curtis in θ and the trapezoid rule in φ.
+//! Harmonics come from the derivative of the Legendre polynomial's explicit sum, Zernike
+//! polynomials from their factorial sum, and rotation from a matrix. The integral uses
+//! Clenshaw-Curtis quadrature in θ and the trapezoid rule in φ.
 
 pub mod ggx;
 
@@ -12,7 +12,8 @@ fn factorial(n: usize) -> f64 {
     (1..=n).map(|k| k as f64).product()
 }
 
-/// Polynomial Σ_k c_k z^k whose product with sin^m is N_l^m P_l^m, m >= 0.
+/// The coefficients c_k of the polynomial Σ_k c_k z^k that gives N_l^m P_l^m, m >= 0, when
+/// multiplied by sin^m.
 fn legendre_coefficients(l: usize, m: usize) -> Vec<f64> {
     let mut coefficients = vec![0.0; l + 1];
     for k in 0..=l / 2 {
@@ -40,7 +41,7 @@ pub struct ExplicitLight {
 }
 
 impl ExplicitLight {
-    /// Coefficients in the order (0,0), (1,-1), (1,0), (1,1), (2,-2), ...
+    /// A light with coefficients in the order (0,0), (1,-1), (1,0), (1,1), (2,-2), ...
     pub fn new(coefficients: &[f64]) -> Self {
         let degree = (coefficients.len() as f64).sqrt() as usize - 1;
         let mut terms = Vec::new();
@@ -54,7 +55,7 @@ impl ExplicitLight {
         Self { terms }
     }
 
-    /// L(x, y, z) by (4), (46), (47), the signed m taken literally.
+    /// L(x, y, z) by (4), (46), (47), with the signed m taken literally.
     pub fn radiance(&self, [x, y, z]: [f64; 3]) -> f64 {
         let mut sum = 0.0;
         for (m, polynomial, plus, minus) in &self.terms {
@@ -63,12 +64,12 @@ impl ExplicitLight {
                 sum += plus * legendre;
                 continue;
             }
-            // sin^m (cos mφ, sin mφ) as the power of x + iy.
+            // sin^m (cos mφ, sin mφ) as a power of x + iy.
             let (mut re, mut im) = (1.0, 0.0);
             for _ in 0..*m {
                 (re, im) = (re * x - im * y, re * y + im * x);
             }
-            // P_l^-m carries (-1)^m, and sin(-mφ) = -sin(mφ).
+            // P_l^-m includes (-1)^m, and sin(-mφ) = -sin(mφ).
             let reflected = if m % 2 == 0 { -1.0 } else { 1.0 };
             sum += 2f64.sqrt() * legendre * (plus * re + reflected * minus * im);
         }
@@ -88,7 +89,7 @@ pub fn zernike(n: usize, m: usize, rho: f64) -> f64 {
         .sum()
 }
 
-/// The BRDF (7)-(8) from `(o, p, q, b)`.
+/// The BRDF (7)-(8) with the terms `(o, p, q, b)`.
 pub fn brdf(terms: &[(usize, usize, usize, f64)], theta_i: f64, theta_r: f64, dphi: f64) -> f64 {
     let (rho_i, rho_r) = (2f64.sqrt() * (0.5 * theta_i).sin(), 2f64.sqrt() * (0.5 * theta_r).sin());
     terms
@@ -103,7 +104,7 @@ pub fn brdf(terms: &[(usize, usize, usize, f64)], theta_i: f64, theta_r: f64, dp
         .sum()
 }
 
-/// Clenshaw-Curtis nodes and weights on [0, 1], `count` + 1 of them, `count` even.
+/// `count` + 1 Clenshaw-Curtis nodes and weights on [0, 1], `count` even.
 pub fn clenshaw_curtis(count: usize) -> Vec<(f64, f64)> {
     (0..=count)
         .map(|k| {
@@ -119,7 +120,7 @@ pub fn clenshaw_curtis(count: usize) -> Vec<(f64, f64)> {
         .collect()
 }
 
-/// The irradiance (3) of a unit normal.
+/// The irradiance (3) at a unit normal.
 pub fn irradiance(
     light: &ExplicitLight,
     material: &[(usize, usize, usize, f64)],
@@ -134,7 +135,7 @@ pub fn irradiance(
         let (st, ct) = theta.sin_cos();
         for k in 0..40 {
             let phi = 2.0 * PI * f64::from(k) / 40.0;
-            // The local direction, tilted about y by alpha, then turned about z.
+            // The local direction, rotated about y by alpha, then about z.
             let (u, v, w) = (st * phi.cos(), st * phi.sin(), ct);
             let (a, c) = (u * z + w * sine, w * z - u * sine);
             let direction = [a * cb - v * sb, a * sb + v * cb, c];
@@ -145,7 +146,7 @@ pub fn irradiance(
     sum * 0.5 * PI * 2.0 * PI / 40.0
 }
 
-/// A small generator of repeatable numbers in [-1, 1).
+/// A small generator of reproducible pseudorandom numbers in [-1, 1).
 pub struct Numbers(pub u64);
 
 impl Numbers {
