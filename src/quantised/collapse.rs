@@ -1,5 +1,5 @@
-//! One image in fixed point, with the components of each azimuth summed: I(n) = Σ_m Re/Im (n_x + i
-//! n_y)^m H_m(n_z).
+//! One image in fixed point, with the components of each azimuth summed:
+//! I(n) = Σ_m Re/Im (n_x + i n_y)^m H_m(n_z).
 
 use super::{Basis, Profile};
 use crate::buffer::zeros;
