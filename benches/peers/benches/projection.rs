@@ -305,7 +305,7 @@ fn interleaved(repeats: usize, ways: &mut [Way<'_>]) -> Vec<Times> {
     ways.iter().zip(&mut times).map(statistics).collect()
 }
 
-/// The ratios that the README quotes.
+/// The ratios that docs/costs.md quotes.
 fn ratios() {
     let setting = setting();
     let transfer = sphere::transfer(&setting.material()).expect("it fits");

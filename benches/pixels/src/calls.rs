@@ -1,14 +1,14 @@
-//! What is done once for a light or a material: calls, not pixels.
+//! The calls that are made once for a light or a material, not for each pixel.
 
 use eigenshade::{Light, Material, Tolerance, sphere};
 use std::hint::black_box;
 
-/// What the page calls a scene within a tolerance.
+/// Name of a scene within a tolerance in docs/performance.md.
 pub const WITHIN: &str = "`collapse_within` 1e-2";
-/// What it calls a projection.
+/// Name of a projection there.
 pub const PROJECT: &str = "`project`";
 
-/// What the page calls each, and multiply-adds that a call cannot do without.
+/// Name of each call in docs/performance.md, and the multiply-adds that it needs at least.
 pub const CALLS: [(&str, usize); 5] =
     [("`relight`", 570), ("`collapse`", 650), (WITHIN, 650), ("`transfer`", 5400), (PROJECT, 7200)];
 

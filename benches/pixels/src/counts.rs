@@ -96,7 +96,7 @@ fn instructions(times: usize, what: &[String]) -> u64 {
     number.trim().parse().expect("a count")
 }
 
-/// What runs under callgrind: so many pictures of one image, or calls.
+/// The program that runs under callgrind: a number of pictures of one image, or of calls.
 pub fn shade(mut arguments: impl Iterator<Item = String>) {
     let times: usize = arguments.next().and_then(|text| text.parse().ok()).expect("a number");
     let what = arguments.next().expect("a tolerance");

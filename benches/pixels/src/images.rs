@@ -7,7 +7,7 @@ use eigenshade::{Scene, Tolerance, sphere};
 /// A white matte, f = 1/π.
 const WHITE: [f32; 1] = [2.0];
 
-/// What the page calls the image that the nine-term formula is exact for.
+/// Name in docs/performance.md of the image for which the nine-term formula is exact.
 pub const MATTE: &str = "matte, light of degree 2, within 1e-3";
 
 /// A scene of the shipped table, of which lengths.
@@ -15,7 +15,7 @@ pub type Shown<'l> = Scene<'l, [f32; sphere::SCENE]>;
 
 /// What an image is of, and how near it is to be.
 pub struct Image {
-    /// What the page calls it.
+    /// Name in docs/performance.md.
     pub name: String,
     /// Its eigenimages' coefficients.
     pub d: Vec<f32>,

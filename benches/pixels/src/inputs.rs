@@ -6,7 +6,7 @@ use eigenshade::{Light, Material, NineTerms, sphere};
 use eigenshade_index::{light, material};
 use std::path::Path;
 
-/// What the page calls the nine-term formula.
+/// Name of the nine-term formula in docs/performance.md.
 pub const NINE: &str = "nine-term formula";
 
 /// It, of any coefficients.

@@ -97,7 +97,7 @@ const MORE: f64 = 1.1;
 /// formula.
 const OF_NINE_TERMS: f64 = 1.1;
 
-/// On the default target a scene within a tolerance takes fewer instructions than so many projections.
+/// Limit on the instructions of a scene within a tolerance, in projections, on the default target.
 const PROJECTIONS: f64 = 3.0;
 
 /// Fails, by telling them, if paths take more instructions than the page says, or a matte under

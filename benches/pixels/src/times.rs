@@ -16,7 +16,7 @@ const REPEATS: usize = 400;
 
 /// What was timed.
 pub struct Time {
-    /// What the page calls it.
+    /// Name in docs/performance.md.
     pub name: String,
     /// Terms of its polynomials, by azimuth.
     pub lengths: Vec<u16>,

@@ -15,7 +15,7 @@ const LIMIT: u64 = 500_000;
 /// Seconds of a core in which a file is answered: the program is ended after them.
 const SECONDS: u64 = 10;
 
-/// The program in this folder, with no more than [`SECONDS`] and so many KiB of address space.
+/// Runs the program in this folder, limited to [`SECONDS`] and to this address space in KiB.
 fn limited(folder: &Folder, arguments: &str, kibibytes: u64) -> Output {
     let program = env!("CARGO_BIN_EXE_eigenshade");
     Command::new("sh")

@@ -4,7 +4,7 @@ use crate::tolerances;
 use eigenshade_cli::picture::sphere_view::SphereView;
 use eigenshade_shading::sphere_rings::rings;
 
-/// See [`RING_SHARES`]: a quarter of the square of the step.
+/// Mean over midpoints between rings: a quarter of the square of the step.
 const RING_MIDPOINTS: f64 = 1e-4;
 
 /// Squared length of a unit normal: some roundings.

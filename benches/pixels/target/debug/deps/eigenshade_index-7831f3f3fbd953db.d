@@ -1,0 +1,14 @@
+/work/main/benches/pixels/target/debug/deps/eigenshade_index-7831f3f3fbd953db.d: /work/main/crates/index/src/lib.rs /work/main/crates/index/src/effect.rs /work/main/crates/index/src/layout.rs /work/main/crates/index/src/light.rs /work/main/crates/index/src/material.rs /work/main/crates/index/src/mode.rs /work/main/crates/index/src/pair.rs /work/main/crates/index/src/wire.rs
+
+/work/main/benches/pixels/target/debug/deps/libeigenshade_index-7831f3f3fbd953db.rlib: /work/main/crates/index/src/lib.rs /work/main/crates/index/src/effect.rs /work/main/crates/index/src/layout.rs /work/main/crates/index/src/light.rs /work/main/crates/index/src/material.rs /work/main/crates/index/src/mode.rs /work/main/crates/index/src/pair.rs /work/main/crates/index/src/wire.rs
+
+/work/main/benches/pixels/target/debug/deps/libeigenshade_index-7831f3f3fbd953db.rmeta: /work/main/crates/index/src/lib.rs /work/main/crates/index/src/effect.rs /work/main/crates/index/src/layout.rs /work/main/crates/index/src/light.rs /work/main/crates/index/src/material.rs /work/main/crates/index/src/mode.rs /work/main/crates/index/src/pair.rs /work/main/crates/index/src/wire.rs
+
+/work/main/crates/index/src/lib.rs:
+/work/main/crates/index/src/effect.rs:
+/work/main/crates/index/src/layout.rs:
+/work/main/crates/index/src/light.rs:
+/work/main/crates/index/src/material.rs:
+/work/main/crates/index/src/mode.rs:
+/work/main/crates/index/src/pair.rs:
+/work/main/crates/index/src/wire.rs:
