@@ -1,9 +1,9 @@
-//! `experiments paper`: what it writes, and what it says of a folder that is not so.
+//! `experiments paper`: what it writes, and what it reports about a folder that differs.
 
 use crate::support::{Folder, assert_fails, repository};
-use experiments::paper::artefact::{Artefact, Content};
-use experiments::paper::comparison::compare;
+use experiments::paper::compare::compare;
 use experiments::paper::make;
+use experiments::paper::output_file::{Content, OutputFile};
 use indicatif::ProgressBar;
 use std::collections::BTreeSet;
 use std::fs;
@@ -14,37 +14,32 @@ fn names(folder: &Path) -> BTreeSet<String> {
     entries.map(|entry| entry.expect("an entry").file_name().into_string().unwrap()).collect()
 }
 
-/// The page and figures in `docs` are those that the command writes, every file; each
-/// damage to them is found, with the file named.
+/// The tables and figures in `docs` are those that the command writes, every file. Damage to each
+/// of them is found, and the file is named.
 #[test]
-fn the_committed_page_is_what_the_command_writes() {
+fn the_committed_figures_are_what_the_command_writes() {
     let (folder, docs) = (Folder::new(), repository().join("docs"));
-    let artefacts = make(&ProgressBar::hidden()).expect("the shipped data");
-    let compared = compare(&artefacts, &docs).unwrap_or_else(|error| panic!("{error}"));
-    assert_eq!(compared.files, artefacts.len());
-    assert!(compared.numbers > 28_000 && compared.marks > 10_000, "{compared:?}");
-    assert!(compared.pixels > 5_000_000, "{compared:?}");
-    for artefact in &artefacts {
-        if let Content::Text(text) = &artefact.content {
-            assert!(
-                text.lines().next().unwrap().contains("experiments paper"),
-                "{}",
-                artefact.name
-            );
+    let files = make(&docs, &ProgressBar::hidden()).expect("the shipped data");
+    let [numbers, pixels] = compare(&files, &docs).unwrap_or_else(|error| panic!("{error}"));
+    assert!(numbers > 38_000 && pixels > 5_000_000, "{numbers} {pixels}");
+    for file in &files {
+        if let Content::Text(text) = &file.content {
+            let first = text.lines().next().unwrap();
+            assert!(first.replace(" -- ", " ").contains("experiments paper"), "{}", file.name);
         }
-        artefact.write(&folder.path(".")).expect("written");
+        file.write(&folder.path(".")).expect("written");
     }
     assert_eq!(names(&folder.path("paper")), names(&docs.join("paper")));
     // Every figure has its numbers and its picture, and the page shows both.
     let page = folder.read("paper.md");
-    for link in page.split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
-        assert!(folder.path(link).exists(), "{link}");
+    for link in page.split("](paper").skip(1).filter_map(|rest| rest.split(')').next()) {
+        assert!(folder.path(&format!("paper{link}")).exists(), "{link}");
     }
     for name in names(&folder.path("paper")) {
         assert!(page.contains(&format!("](paper/{name})")), "{name}");
     }
 
-    let check = || compare(&artefacts, &folder.path(".")).map_err(|error| error.to_string());
+    let check = || compare(&files, &folder.path(".")).map_err(|error| error.to_string());
     check().expect("nothing is damaged");
     let found = |name: &str, words: &[&str]| {
         let message = check().expect_err(name);
@@ -53,40 +48,44 @@ fn the_committed_page_is_what_the_command_writes() {
         }
         assert!(!message.contains('\n'), "{message}");
     };
-    // A number, a line of a chart, a disc of a picture; half a file.
-    for (name, from, to, words) in [
-        ("paper/error.csv", "0.0", "0.1", &["belongs", "paper --out"][..]),
-        ("paper/bound.svg", "points=\"9", "points=\"6", &["belongs", "paper --out"]),
-        ("paper.md", "Fig. 5", "Fig. 4", &["belongs", "paper --out"]),
+    // A number, a line of a chart, a row of a table; half a file.
+    for (name, from, to) in [
+        ("paper/error.csv", "0.0", "0.1"),
+        ("paper/bound.svg", "points=\"9", "points=\"6"),
+        ("paper.md", "| velvet, forest | 10 %", "| velvet, forest | 11 %"),
     ] {
         let good = folder.read(name);
         let lines: Vec<&str> = good.lines().collect();
         let place = lines.iter().skip(12).position(|line| line.contains(from)).unwrap() + 12;
         let line = lines[place].replacen(from, to, 1);
         folder.write(name, good.replacen(lines[place], &line, 1));
-        found(name, &[words, &[&format!("{name}:{}: ", place + 1)]].concat());
+        found(name, &["belongs", "paper --out", &format!("{name}:{}: ", place + 1)]);
         folder.write(name, lines[..lines.len() / 2].join("\n"));
-        found(name, words.get(1..).unwrap_or_default());
+        found(name, &["paper --out"]);
         fs::remove_file(folder.path(name)).unwrap();
         found(name, &["missing", "paper --out"]);
         folder.write(name, good);
     }
     for name in names(&folder.path("paper")).iter().filter(|name| name.ends_with(".png")) {
         let name = format!("paper/{name}");
-        let canvas = artefacts.iter().find(|artefact| artefact.name == name);
-        let Some(Content::Picture(canvas)) = canvas.map(|one| &one.content) else { panic!() };
+        let file = files.iter().find(|file| file.name == name);
+        let Some(Content::Picture(canvas)) = file.map(|one| &one.content) else { panic!() };
+        let write = |content| {
+            let file = OutputFile { name: name.clone(), content: Content::Picture(content) };
+            file.write(&folder.path(".")).expect("written");
+        };
         let good = fs::read(folder.path(&name)).unwrap();
         // One pixel in the middle of the picture, three levels brighter.
         let mut changed = canvas.clone();
         let (column, row) = (canvas.width / 2, canvas.height / 2);
         let byte = &mut changed.bytes[3 * (row * canvas.width + column)];
         *byte = byte.checked_add(3).unwrap_or(0);
-        Artefact::picture(&name, changed).write(&folder.path(".")).expect("written");
+        write(changed);
         found(&name, &[&format!("pixel ({column}, {row})"), "belongs", "paper --out"]);
         let mut short = canvas.clone();
         short.bytes.truncate(3 * canvas.width * (canvas.height - 1));
         short.height -= 1;
-        Artefact::picture(&name, short).write(&folder.path(".")).expect("written");
+        write(short);
         found(&name, &["pixels where", "paper --out"]);
         folder.write(&name, &good[..good.len() / 2]);
         found(&name, &["cut short", "paper --out"]);
@@ -104,12 +103,14 @@ fn the_committed_page_is_what_the_command_writes() {
 }
 
 #[test]
-fn bad_folders_are_told_before_the_work() {
+fn bad_folders_fail_before_the_work() {
     let folder = Folder::new();
     folder.write("file", "");
     let start = std::time::Instant::now();
     assert_fails(&folder, "paper --out file", &["file"]);
     assert_fails(&folder, "paper --check nowhere", &["nowhere", "paper.md"]);
+    folder.write("paper.md", "a page without tables\n");
+    assert_fails(&folder, "paper --out .", &["paper.md", "markers"]);
     // The work takes a minute.
     assert!(start.elapsed().as_secs() < 30);
     assert_eq!(folder.run("paper").status.code(), Some(2));

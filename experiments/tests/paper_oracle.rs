@@ -1,8 +1,8 @@
-//! The figures' errors against pixels whose light is summed by direct quadrature of (3),
+//! The figures of `docs/paper.md` against pixels whose light is summed by direct quadrature of (3),
 //! which shares no code with them.
 
 use crate::oracle;
-use crate::support::{repository, rows};
+use crate::support::repository;
 use crate::tolerances;
 use eigenshade::Normal;
 use eigenshade_generator::basis::partial_sum::PartialSum;
@@ -10,29 +10,44 @@ use eigenshade_index::{light, material, mode};
 use eigenshade_model::irradiance;
 use eigenshade_model::selection::variances;
 use eigenshade_shading::owned_basis::OwnedBasis;
-use experiments::paper::bound_spheres::Renderings;
-use experiments::paper::study::{DEGREE, ORDER, Study};
+use eigenshade_shading::parallel;
+use experiments::paper::bound::render;
+use experiments::paper::study::{DEGREE, Modes, ORDER, Study};
+use experiments::paper::tables::Sheet;
 use indicatif::ProgressBar;
 use std::f64::consts::PI;
+use std::sync::OnceLock;
 
-/// Errors of representation and of partial sums, over nodes against pixels, of the image's
-/// energy: 36 intervals in cos α are exact, the rest is roundings of some thousand terms.
+/// Errors of representation and of partial sums, over nodes against pixels, relative to the image's
+/// energy: 36 intervals in cos α are exact, so only the rounding of some thousand terms remains.
 const FIGURE_ERROR: f64 = 2e-13;
 
-/// Irradiances in a list of six digits, of the peak: half a unit of the last, and sums that are off
-/// by 1e-10.
+/// Irradiances of six digits, relative to the peak: half a unit of the last digit.
 const LISTED: f64 = 6e-6;
 
-/// An error of a partial sum, over its bound: below this it would tell nothing of it.
+/// The least ratio of the error of a partial sum to its bound: below it, the sum would not test the
+/// bound.
 const BOUND_AT_WORK: f64 = 0.01;
 
-/// What a partial sum leaves out at a pixel, of the peak: far above [`DIRECT_SUM`], so that a sum of all
-/// terms is found out.
+/// The part that a partial sum leaves out at a pixel, relative to the peak: far above the tolerance
+/// of the sum, so that a sum of all terms fails.
 const LEFT_OUT: f64 = 1e-5;
 
 /// Intervals in cos α, and steps in β: images of degree 9 have |m| up to 9.
 const INTERVALS: usize = 36;
 const TILTS: usize = 20;
+
+/// The shipped data, shared by all tests of the paper's figures.
+pub fn study() -> &'static Study {
+    static STUDY: OnceLock<Study> = OnceLock::new();
+    STUDY.get_or_init(|| Study::new(&ProgressBar::hidden()).expect("the shipped data"))
+}
+
+/// A committed CSV of the figures.
+pub fn sheet(name: &str) -> Sheet {
+    let path = repository().join(format!("docs/paper/{name}.csv"));
+    Sheet::new(&std::fs::read_to_string(path).expect("a text"))
+}
 
 /// Normals with the weights of the density cos(α)/π: 2z dz by Clenshaw and Curtis, equal
 /// steps in β.
@@ -58,24 +73,16 @@ fn image(pixels: &[([f64; 3], f64)], light: &[f64], material: &[f64]) -> Vec<f64
     let explicit = oracle::ExplicitLight::new(light);
     let indices = material::indices(ORDER).zip(material);
     let terms: Vec<_> = indices.map(|((o, p, q), b)| (o, p, q, *b)).collect();
-    let shade = |part: &[([f64; 3], f64)]| -> Vec<f64> {
-        part.iter().map(|(normal, _)| oracle::irradiance(&explicit, &terms, *normal)).collect()
-    };
-    std::thread::scope(|scope| {
-        let parts: Vec<_> = pixels
-            .chunks(pixels.len().div_ceil(2))
-            .map(|part| scope.spawn(|| shade(part)))
-            .collect();
-        parts.into_iter().flat_map(|part| part.join().expect("no panic")).collect()
+    parallel::map(pixels.len(), &ProgressBar::hidden(), |k| {
+        oracle::irradiance(&explicit, &terms, pixels[k].0)
     })
 }
 
 #[test]
 fn errors_are_those_of_pixels() {
-    let study = Study::new(&ProgressBar::hidden()).expect("the shipped data");
-    let trials = study.trials(&ProgressBar::hidden());
-    let trial = study.trial(&trials, "studio", "05-leather").expect("it is there");
-    let (light, material) = (&study.luminances[trial.light], &study.greys[trial.material]);
+    let study = study();
+    let trial = study.trial("studio", "05-leather").expect("it is there");
+    let (light, material) = (&study.luminances[trial.light], &study.grays[trial.material]);
     let pixels = pixels();
     let image = image(&pixels, light, material);
     let average = mean(&pixels, |k| image[k]);
@@ -108,8 +115,8 @@ fn errors_are_those_of_pixels() {
             let eigenimage: Vec<f64> =
                 at(&coefficients).iter().zip(&base).map(|(a, b)| a - b).collect();
             if [0, 1, 5, 10, 30].contains(&count) {
-                let centre = mean(&pixels, |k| residual[k]);
-                let left = mean(&pixels, |k| (residual[k] - centre).powi(2));
+                let center = mean(&pixels, |k| residual[k]);
+                let left = mean(&pixels, |k| (residual[k] - center).powi(2));
                 near(fit.variances[count], left, &format!("{criterion}, {count}"));
             }
             let d = mean(&pixels, |k| residual[k] * eigenimage[k]);
@@ -118,37 +125,45 @@ fn errors_are_those_of_pixels() {
     }
 }
 
-/// A sum of the strongest terms, each by (14) at each pixel.
-#[test]
-fn partial_sums_are_those_of_pixels_and_within_their_bound() {
-    const TERMS: usize = 150;
-    let study = Study::new(&ProgressBar::hidden()).expect("the shipped data");
-    let trials = study.trials(&ProgressBar::hidden());
-    let trial = study.trial(&trials, "esplanade", "07-velvet").expect("it is there");
-    let (light, material) = (&study.luminances[trial.light], &study.greys[trial.material]);
-    let pixels = pixels();
-    let mut left = image(&pixels, light, material);
-    let energy = mean(&pixels, |k| left[k] * left[k]);
+/// l, m, o, p, q.
+type Mode = (usize, isize, usize, usize, usize);
 
+/// The size, the coefficient and the mode of every term of an image, the strongest first.
+fn strongest(light: &[f64], material: &[f64]) -> Vec<(f64, f64, Mode)> {
     let mut terms = Vec::new();
     let top = DEGREE.cast_signed();
-    let mut sums = [0.0; 2 * DEGREE + 1];
     for m in -top..=top {
         let azimuth = m.unsigned_abs();
         let modes = mode::indices(DEGREE, ORDER, azimuth);
-        for ((l, o, p, q), variance) in modes.zip(variances(&study.gram, azimuth)) {
+        for ((l, o, p, q), variance) in modes.zip(variances(&study().gram, azimuth)) {
             let c = light[light::position(l, m)] * material[material::position(o, p, q)];
             terms.push((c.abs() * variance.sqrt(), c, (l, m, o, p, q)));
         }
     }
     terms.sort_by(|a, b| b.0.total_cmp(&a.0));
+    terms
+}
+
+/// A sum of the strongest terms, each by (14) at each pixel.
+#[test]
+fn partial_sums_are_those_of_pixels_and_within_their_bound() {
+    const TERMS: usize = 150;
+    let study = study();
+    let trial = study.trial("esplanade", "07-velvet").expect("it is there");
+    let (light, material) = (&study.luminances[trial.light], &study.grays[trial.material]);
+    let pixels = pixels();
+    let mut left = image(&pixels, light, material);
+    let energy = mean(&pixels, |k| left[k] * left[k]);
+
+    let terms = strongest(light, material);
     for &(_, c, (l, m, o, p, q)) in &terms[..TERMS] {
         for (left, ([x, y, z], _)) in left.iter_mut().zip(&pixels) {
             *left -= c * irradiance::value(l, m, o, p, q, x.hypot(*y).atan2(*z), y.atan2(*x));
         }
     }
+    let mut sums = [0.0; 2 * DEGREE + 1];
     for (size, _, (_, m, ..)) in &terms[TERMS..] {
-        sums[(m + top).unsigned_abs()] += size;
+        sums[DEGREE.saturating_add_signed(*m)] += size;
     }
     let bound = sums.iter().map(|sum| sum * sum).sum::<f64>().sqrt();
     let error = mean(&pixels, |k| left[k] * left[k]).sqrt();
@@ -166,43 +181,33 @@ fn partial_sums_are_those_of_pixels_and_within_their_bound() {
 /// the part of the material that its strongest terms leave.
 #[test]
 fn rendered_spheres_are_sums_of_integrals() {
-    let study = Study::new(&ProgressBar::hidden()).expect("the shipped data");
-    let trials = study.trials(&ProgressBar::hidden());
-    let found = Renderings::new(&study, &trials, &ProgressBar::hidden()).expect("the shipped data");
-    let one = found.all.iter().find(|one| one.names[0] == "05-leather").expect("it is there");
-    let trial = study.trial(&trials, one.names[1], one.names[0]).expect("it is there");
-    let (light, material) = (&study.luminances[trial.light], &study.greys[trial.material]);
-    let mut terms = Vec::new();
-    let top = DEGREE.cast_signed();
-    for m in -top..=top {
-        let azimuth = m.unsigned_abs();
-        let modes = mode::indices(DEGREE, ORDER, azimuth);
-        for ((l, o, p, q), variance) in modes.zip(variances(&study.gram, azimuth)) {
-            let b = material[material::position(o, p, q)];
-            let size = (light[light::position(l, m)] * b).abs() * variance.sqrt();
-            terms.push((size, (light::position(l, m), (o, p, q, b))));
-        }
-    }
-    terms.sort_by(|a, b| b.0.total_cmp(&a.0));
-    terms.truncate(one.terms);
-    let peak = found.truths[1].iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+    let study = study();
+    let trial = study.trial("studio", "05-leather").expect("it is there");
+    let found = render(study, "studio", "05-leather", &ProgressBar::hidden()).expect("an image");
+    let (step, image) = &found.sums[0];
+    let (light, material) = (&study.luminances[trial.light], &study.grays[trial.material]);
+    let terms = strongest(light, material);
+    let peak = found.whole.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
     let mut least: f64 = f64::INFINITY;
     for k in [2000, 11_000, 17_500] {
         let mut expected = 0.0;
         for (place, coefficient) in light.iter().enumerate() {
-            let of_place = terms.iter().filter(|(_, (other, _))| *other == place);
-            let part: Vec<_> = of_place.map(|(_, (_, term))| *term).collect();
+            let part: Vec<_> = terms[..step.terms]
+                .iter()
+                .filter(|(_, _, (l, m, ..))| light::position(*l, *m) == place)
+                .map(|&(_, _, (_, _, o, p, q))| (o, p, q, material[material::position(o, p, q)]))
+                .collect();
             let mut alone = vec![0.0; light.len()];
             alone[place] = *coefficient;
             let alone = oracle::ExplicitLight::new(&alone);
             if !part.is_empty() {
-                expected += oracle::irradiance(&alone, &part, found.normals[k]);
+                expected += oracle::irradiance(&alone, &part, found.view.normals[k]);
             }
         }
-        let off = (one.image[k] - expected).abs() / peak;
+        let off = (image[k] - expected).abs() / peak;
         println!("pixel {k}: {off:.1e} of the peak");
-        assert!(off <= tolerances::DIRECT_SUM, "{k}: {} {expected}", one.image[k]);
-        least = least.min((found.truths[1][k] - expected).abs() / peak);
+        assert!(off <= tolerances::DIRECT_SUM, "{k}: {} {expected}", image[k]);
+        least = least.min((found.whole[k] - expected).abs() / peak);
     }
     // What was left out shows.
     assert!(least > LEFT_OUT, "{least}");
@@ -212,20 +217,16 @@ fn rendered_spheres_are_sums_of_integrals() {
 /// are shipped; of the 1,000 modes the sum of theirs, each by (14).
 #[test]
 fn listed_irradiances_are_integrals() {
-    let path = repository().join("docs/paper/spheres_values.csv");
-    let text = std::fs::read_to_string(path).expect("a text");
-    let rows = rows(&text, "light,material,modes,x,y,z,r,g,b");
-    assert_eq!(rows.len(), 3 * 2 * 49);
-    let study = Study::new(&ProgressBar::hidden()).expect("the shipped data");
-    let summary = std::fs::read_to_string(repository().join("docs/paper/spheres.csv"));
-    let summary = summary.expect("a text");
-    for pair in rows.chunks(2 * 49) {
-        let (light, material) = (&pair[0][0], &pair[0][1]);
-        let of_pair = |line: &&str| line.starts_with(&format!("{light},{material},3704,"));
-        let line: Vec<&str> = summary.lines().find(of_pair).expect("a row").split(',').collect();
-        let peak: f64 = line[7].parse().expect("the peak");
-        let light = study.light(light).expect("it is there");
-        let material = study.material(material).expect("it is there");
+    let values = sheet("spheres_values");
+    assert_eq!(values.header.join(","), "light,material,modes,x,y,z,r,g,b");
+    assert_eq!(values.rows.len(), 3 * 2 * 49);
+    let study = study();
+    for (k, pair) in values.rows.chunks(2 * 49).enumerate() {
+        assert_eq!((&*pair[0][2], &*pair[49][2]), ("3704", "1000"));
+        let peak = sheet("spheres").of(Modes::All).numbers("peak")[k];
+        let trial = study.trial(&pair[0][0], &pair[0][1]).expect("it is there");
+        let light = &study.lights.entries[trial.light];
+        let material = &study.materials.entries[trial.material];
         for (row, channel) in [(3, 0), (24, 1), (37, 2), (45, 0)] {
             let [whole, selected] = [&pair[row], &pair[49 + row]];
             let at: Vec<f64> = whole[3..].iter().map(|field| field.parse().unwrap()).collect();

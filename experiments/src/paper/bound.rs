@@ -1,188 +1,76 @@
 //! Section 4.4: the direct sum rendered to a stated accuracy, with the terms of the least variance
-//! left out, and the error bound that follows from their variances.
+//! left out, and the error bound that follows from their variances: statistics over all images, and
+//! rendered spheres.
 
-use super::artefact::{Artefact, digits};
 use super::chart::{self, Axes, BLUE, GREEN, Line, ORANGE};
-use super::study::{Modes, Study, Trial};
+use super::output_file::{OutputFile, row};
+use super::plate::{Plate, UNCLIPPED, gray};
+use super::spheres::SHOWN;
+use super::study::{Modes, Study, Trial, title};
+use eigenshade_cli::picture::sphere_view::SphereView;
+use eigenshade_cli::picture::tone::exposure;
 use eigenshade_generator::basis::partial_sum::{PartialSum, Step};
 use eigenshade_model::error::Result;
-use eigenshade_model::selection::variances;
+use eigenshade_model::truth::Truth;
 use eigenshade_shading::parallel;
-use eigenshade_table::GramFactor;
 use indicatif::ProgressBar;
 use plotters::prelude::SeriesLabelPosition;
 
 /// The stated accuracies: root mean square of the omitted part, relative to the image's mean.
-pub const ACCURACIES: [f64; 6] = [0.3, 0.1, 1e-2, 1e-3, 1e-4, 1e-6];
-/// The allowed violation of the bound due to rounding, relative to the image's mean.
-pub const ROUNDING: f64 = 1e-13;
+const ACCURACIES: [f64; 6] = [0.3, 0.1, 1e-2, 1e-3, 1e-4, 1e-6];
 /// Light and material of the image whose errors are drawn.
 const DRAWN: (&str, &str) = ("studio", "05-leather");
 
-/// The cost of one accuracy, over all images that reach it.
-pub struct Row {
-    /// The accuracy.
-    pub accuracy: f64,
-    /// The modes that are summed.
-    pub modes: Modes,
-    /// The number of images whose bound is within the accuracy.
-    pub reached: usize,
-    /// Number of terms summed: least, median, most.
-    pub terms: [usize; 3],
-    /// The median number of terms that would suffice if the errors were known.
-    pub sufficient: usize,
-    /// The largest error, relative to the mean.
-    pub error: f64,
-    /// Ratio of error to bound: median and largest.
-    pub ratio: [f64; 2],
-    /// Median ratio of the bound to the triangle bound.
-    pub triangle: f64,
-    /// The share of images whose error exceeds the uncorrelated sum.
-    pub exceeded: f64,
-    /// The largest ratio of the error to the uncorrelated sum.
-    pub excess: f64,
-}
-
-/// The results for all images.
-pub struct Bounds {
-    /// By modes, then by accuracy.
-    pub rows: Vec<Row>,
-    /// Number of partial sums whose error exceeds the bound by more than [`ROUNDING`].
-    pub violations: usize,
-    /// Number of partial sums that were compared.
-    pub compared: usize,
-    /// Number of modes that are zero because their polar integrals (11) are zero.
-    pub zero_modes: usize,
-    /// Every partial sum of the drawn image, with all modes.
-    drawn: Vec<Step>,
-    /// The same with the selected modes.
-    drawn_selected: Vec<Step>,
-    /// The mean of the drawn image.
-    drawn_mean: f64,
-}
+/// The stated accuracies of the rendered spheres.
+const RENDERED: [f64; 4] = [0.1, 0.03, 0.01, 0.003];
+/// Width of each sphere in pixels.
+const SIZE: usize = 176;
+/// The colors of the residual end at this share of the stated accuracy: half, as stated on the
+/// plate and the page.
+const RESIDUAL: f64 = 0.5;
 
 /// The result of one image for one accuracy.
 #[derive(Clone, Copy)]
 struct Reached {
+    /// The fewest terms whose bound is within the accuracy.
     step: Step,
+    /// The number of terms that would suffice if the errors were known.
     sufficient: usize,
+    /// The mean of the image.
     mean: f64,
 }
 
-impl Bounds {
-    /// Sums every image to every number of terms.
-    #[must_use]
-    pub fn new(study: &Study, trials: &[Trial], progress: &ProgressBar) -> Self {
-        let (mut rows, mut violations, mut compared) = (Vec::new(), 0, 0);
-        let mut drawn = Vec::new();
-        let drawn_trial = study.trial(trials, DRAWN.0, DRAWN.1).ok();
-        for modes in Modes::BOTH {
-            let kept = if modes == Modes::All { &[][..] } else { &study.selection };
-            let sums = PartialSum::new(&study.gram, kept);
-            let steps = |trial: &Trial| {
-                sums.steps(&study.luminances[trial.light], &study.greys[trial.material])
-            };
-            let found = parallel::map(trials.len(), progress, |k| {
-                let (trial, steps) = (&trials[k], steps(&trials[k]));
-                // Written so that a NaN counts as a violation.
-                let holds = |step: &Step| step.error <= step.bound + ROUNDING * trial.mean;
-                let over = steps.iter().filter(|step| !holds(step)).count();
-                let reached = ACCURACIES.map(|accuracy| reach(&steps, trial.mean, accuracy));
-                (over, steps.len(), reached)
-            });
-            for (over, count, _) in &found {
-                violations += over;
-                compared += count;
-            }
-            for (place, accuracy) in ACCURACIES.into_iter().enumerate() {
-                let reached = found.iter().filter_map(|(_, _, reached)| reached[place]);
-                rows.push(Row::new(accuracy, modes, &reached.collect::<Vec<_>>()));
-            }
-            drawn.push(drawn_trial.map(&steps).unwrap_or_default());
-        }
-        let drawn_selected = drawn.pop().unwrap_or_default();
-        let drawn = drawn.pop().unwrap_or_default();
-        let drawn_mean = drawn_trial.map_or(1.0, |trial| trial.mean);
-        Self {
-            rows,
-            violations,
-            compared,
-            zero_modes: zero_modes(&study.gram),
-            drawn,
-            drawn_selected,
-            drawn_mean,
+/// The CSV files, the chart and the plate.
+pub fn files(study: &Study, progress: &ProgressBar) -> Result<Vec<OutputFile>> {
+    let mut rows = Vec::new();
+    for modes in Modes::BOTH {
+        let kept = if modes == Modes::All { &[][..] } else { &study.selection };
+        let sums = PartialSum::new(&study.gram, kept);
+        let found = parallel::map(study.trials.len(), progress, |k| {
+            let trial = &study.trials[k];
+            let steps = steps(study, &sums, trial);
+            ACCURACIES.map(|accuracy| reach(&steps, trial.mean, accuracy))
+        });
+        for (place, accuracy) in ACCURACIES.into_iter().enumerate() {
+            let reached: Vec<Reached> =
+                found.iter().filter_map(|of_image| of_image[place]).collect();
+            rows.push(row(&[&modes.count()], [accuracy].into_iter().chain(summary(&reached))));
         }
     }
-
-    /// The CSV file and the chart.
-    pub fn artefacts(&self) -> Result<Vec<Artefact>> {
-        let mut rows = Vec::new();
-        for row in &self.rows {
-            let mut fields = vec![row.modes.count().to_string(), digits(row.accuracy)];
-            fields.push(row.reached.to_string());
-            fields.extend(row.terms.map(|count| count.to_string()));
-            fields.push(row.sufficient.to_string());
-            let numbers = [row.error, row.ratio[0], row.ratio[1]];
-            let others = [row.triangle, row.exceeded, row.excess];
-            fields.extend(numbers.into_iter().chain(others).map(digits));
-            rows.push(fields);
-        }
-        let header = "modes,accuracy,images,least_terms,median_terms,most_terms,\
-                      sufficient_terms,largest_error,median_error_over_bound,\
-                      largest_error_over_bound,median_bound_over_triangle,\
-                      exceeding_uncorrelated,largest_error_over_uncorrelated";
-        Ok(vec![
-            Artefact::csv("bound.csv", header, &rows)?,
-            Artefact::chart("bound.svg", &self.chart()?),
-        ])
-    }
-
-    fn chart(&self) -> Result<String> {
-        let course = |steps: &[Step], value: fn(&Step) -> f64| -> Vec<(f64, f64)> {
-            // One point in eight is still denser than one per pixel.
-            let points = steps.iter().step_by(8);
-            points.map(|step| (step.terms as f64, value(step) / self.drawn_mean)).collect()
-        };
-        let uncorrelated = course(&self.drawn, |step| step.uncorrelated);
-        let lines = [
-            Line::new("bound", BLUE, course(&self.drawn, |step| step.bound)),
-            Line {
-                dashed: true,
-                ..Line::new("root of the summed variances", ORANGE, uncorrelated)
-            },
-            Line::new("error", GREEN, course(&self.drawn, |step| step.error)),
-        ];
-        let axes = Axes {
-            horizontal: "terms summed, the strongest first",
-            vertical: "rms left out, of the mean",
-            columns: 0.0..3704.0,
-            // Slightly lower, so that the last power of ten gets its label.
-            rows: 0.99e-6..10.0,
-            labels: 8,
-            format: chart::percent,
-            legend: SeriesLabelPosition::LowerLeft,
-        };
-        chart::lines(&axes, &lines)
-    }
-
-    /// The least error and bound of the drawn image with the selected modes, relative to its mean.
-    #[must_use]
-    pub fn selected(&self) -> Option<[f64; 2]> {
-        let step = self.drawn_selected.first()?;
-        Some([step.error, step.bound].map(|value| value / self.drawn_mean))
-    }
+    let header = "modes,accuracy,images,least_terms,median_terms,most_terms,\
+                  sufficient_terms,largest_error,median_error_over_bound,\
+                  largest_error_over_bound,median_bound_over_triangle,\
+                  exceeding_uncorrelated,largest_error_over_uncorrelated";
+    let mut files = rendered_files(study, progress)?;
+    files.push(OutputFile::csv("bound.csv", header, &rows)?);
+    files.push(OutputFile::chart("bound.svg", &chart(study)?));
+    Ok(files)
 }
 
-/// The number of modes whose variance is only rounding.
-fn zero_modes(gram: &GramFactor) -> usize {
-    let of = |azimuth: usize| {
-        let signs = if azimuth == 0 { 1 } else { 2 };
-        signs * variances(gram, azimuth).iter().filter(|value| **value < 1e-24).count()
-    };
-    (0..=gram.degree).map(of).sum()
+fn steps(study: &Study, sums: &PartialSum<'_>, trial: &Trial) -> Vec<Step> {
+    sums.steps(&study.luminances[trial.light], &study.grays[trial.material])
 }
 
-/// The fewest terms whose bound is within the accuracy.
 fn reach(steps: &[Step], mean: f64, accuracy: f64) -> Option<Reached> {
     let allowed = accuracy * mean;
     let step = *steps.iter().take_while(|step| step.bound <= allowed).last()?;
@@ -191,31 +79,149 @@ fn reach(steps: &[Step], mean: f64, accuracy: f64) -> Option<Reached> {
     Some(Reached { step, sufficient, mean })
 }
 
-impl Row {
-    fn new(accuracy: f64, modes: Modes, reached: &[Reached]) -> Self {
-        let sorted = |of: &dyn Fn(&Reached) -> f64| {
-            let mut values: Vec<f64> = reached.iter().map(of).collect();
-            values.sort_by(f64::total_cmp);
-            values
-        };
-        let at = |values: &[f64], place: usize| values.get(place).copied().unwrap_or(0.0);
-        let (middle, last) = (reached.len() / 2, reached.len().saturating_sub(1));
-        let terms = sorted(&|one| one.step.terms as f64);
-        let ratio = sorted(&|one| one.step.error / one.step.bound.max(f64::MIN_POSITIVE));
-        let excess = sorted(&|one| one.step.error / one.step.uncorrelated.max(f64::MIN_POSITIVE));
-        // Where each m misses one term, the two are equal up to rounding.
-        let over = excess.iter().filter(|ratio| **ratio > 1.0 + 1e-9).count();
-        Self {
-            accuracy,
-            modes,
-            reached: reached.len(),
-            terms: [0, middle, last].map(|place| at(&terms, place) as usize),
-            sufficient: at(&sorted(&|one| one.sufficient as f64), middle) as usize,
-            error: at(&sorted(&|one| one.step.error / one.mean), last),
-            ratio: [middle, last].map(|place| at(&ratio, place)),
-            triangle: at(&sorted(&|one| one.step.bound / one.step.triangle), middle),
-            exceeded: over as f64 / reached.len().max(1) as f64,
-            excess: at(&excess, last),
+/// The columns of the CSV after the accuracy, over the images that reach it.
+fn summary(reached: &[Reached]) -> [f64; 11] {
+    let (middle, last) = (reached.len() / 2, reached.len().saturating_sub(1));
+    let sorted = |of: &dyn Fn(&Reached) -> f64| {
+        let mut values: Vec<f64> = reached.iter().map(of).collect();
+        values.sort_by(f64::total_cmp);
+        values.resize(reached.len().max(1), 0.0);
+        values
+    };
+    let terms = sorted(&|one| one.step.terms as f64);
+    let ratio = sorted(&|one| one.step.error / one.step.bound.max(f64::MIN_POSITIVE));
+    let excess = sorted(&|one| one.step.error / one.step.uncorrelated.max(f64::MIN_POSITIVE));
+    // Where each m misses one term, the two are equal up to rounding.
+    let over = excess.iter().filter(|ratio| **ratio > 1.0 + 1e-9).count();
+    [
+        reached.len() as f64,
+        terms[0],
+        terms[middle],
+        terms[last],
+        sorted(&|one| one.sufficient as f64)[middle],
+        sorted(&|one| one.step.error / one.mean)[last],
+        ratio[middle],
+        ratio[last],
+        sorted(&|one| one.step.bound / one.step.triangle)[middle],
+        over as f64 / reached.len().max(1) as f64,
+        excess[last],
+    ]
+}
+
+fn chart(study: &Study) -> Result<String> {
+    let trial = study.trial(DRAWN.0, DRAWN.1)?;
+    let steps = steps(study, &PartialSum::new(&study.gram, &[]), trial);
+    let course = |value: fn(&Step) -> f64| -> Vec<(f64, f64)> {
+        // One point in eight is still denser than one per pixel.
+        let points = steps.iter().step_by(8);
+        points.map(|step| (step.terms as f64, value(step) / trial.mean)).collect()
+    };
+    let uncorrelated = course(|step| step.uncorrelated);
+    let lines = [
+        Line::new("bound", BLUE, course(|step| step.bound)),
+        Line { is_dashed: true, ..Line::new("root of the summed variances", ORANGE, uncorrelated) },
+        Line::new("error", GREEN, course(|step| step.error)),
+    ];
+    let axes = Axes {
+        titles: ["terms summed, the strongest first", "rms left out, of the mean"],
+        columns: 0.0..3704.0,
+        // Slightly lower, so that the last power of ten gets its label.
+        rows: 0.99e-6..10.0,
+        labels: 8,
+        legend: SeriesLabelPosition::LowerLeft,
+    };
+    chart::lines(&axes, &lines)
+}
+
+/// One image, rendered to each of the accuracies.
+pub struct Rendered {
+    /// The pixels.
+    pub view: SphereView,
+    /// The mean of the complete image.
+    pub mean: f64,
+    /// The complete image.
+    pub whole: Vec<f64>,
+    /// The partial sums, by accuracy: the fewest terms whose bound is within it, and their image.
+    pub sums: Vec<(Step, Vec<f64>)>,
+}
+
+/// Renders a light on a material.
+pub fn render(
+    study: &Study,
+    light: &str,
+    material: &str,
+    progress: &ProgressBar,
+) -> Result<Rendered> {
+    let view = SphereView::new(SIZE);
+    let trial = study.trial(light, material)?;
+    let (luminance, grays) = (&study.luminances[trial.light], &study.grays[trial.material]);
+    let sums = PartialSum::new(&study.gram, &[]);
+    let terms = sums.strongest(luminance, grays);
+    let steps = sums.steps(luminance, grays);
+    // The steps go from all terms down to none, and their bounds rise.
+    let within = |accuracy: f64| {
+        let reached = steps.iter().take_while(|step| step.bound <= accuracy * trial.mean).last();
+        *reached.unwrap_or(&steps[0])
+    };
+    let chosen = RENDERED.map(within);
+    let reference = Truth::new(study.lights.degree, study.materials.order);
+    let pixels = parallel::map(view.normals.len(), progress, |k| {
+        let modes = reference.at(view.normals[k]);
+        let mut sums = [0.0; RENDERED.len()];
+        for (place, term) in terms.iter().enumerate().take(chosen[RENDERED.len() - 1].terms) {
+            let (l, m, o, p, q) = term.mode;
+            let light = term.coefficient * modes.value(l, m, o, p, q);
+            for (sum, _) in sums.iter_mut().zip(chosen).filter(|(_, step)| place < step.terms) {
+                *sum += light;
+            }
+        }
+        (modes.irradiance(luminance, &modes.scatter(grays)), sums)
+    });
+    let image = |place: usize| pixels.iter().map(|(_, sums)| sums[place]).collect();
+    Ok(Rendered {
+        view,
+        mean: trial.mean,
+        whole: pixels.iter().map(|(whole, _)| *whole).collect(),
+        sums: chosen.into_iter().enumerate().map(|(place, step)| (step, image(place))).collect(),
+    })
+}
+
+/// The plate and the CSV file. Each pair takes two rows of the plate: the complete image and the
+/// image at each accuracy, with the omitted part below.
+fn rendered_files(study: &Study, progress: &ProgressBar) -> Result<Vec<OutputFile>> {
+    let mut rows = Vec::new();
+    let mut plate = Plate::new(SIZE, (RENDERED.len() + 1, 2 * SHOWN.len()), (2, 0, 2));
+    for (pair, (material, light)) in SHOWN.into_iter().enumerate() {
+        let Rendered { view, mean, whole, sums } = render(study, light, material, progress)?;
+        let scale = exposure(whole.clone(), UNCLIPPED);
+        plate.light((0, 2 * pair), scale, gray(&whole));
+        plate.below((0, 2 * pair), &[&title(material)]);
+        for (k, ((step, image), accuracy)) in sums.iter().zip(RENDERED).enumerate() {
+            let left = whole.iter().zip(image).map(|(whole, sum)| whole - sum);
+            let largest = left.clone().fold(0.0, |most: f64, left| most.max(left.abs()));
+            let weights = view.pixels.iter().map(|pixel| pixel.coverage);
+            let square: f64 =
+                left.clone().zip(weights.clone()).map(|(left, w)| w * left * left).sum();
+            let pixel_error = (square / weights.sum::<f64>()).sqrt() / mean;
+            let (bound, error) = (step.bound / mean, step.error / mean);
+            let numbers = [accuracy, bound, error, pixel_error, largest / mean];
+            rows.push(row(&[&light, &material, &step.terms], numbers));
+            plate.light((k + 1, 2 * pair), scale, gray(image));
+            plate.below((k + 1, 2 * pair), &[&format!("{} terms", step.terms)]);
+            let end = RESIDUAL * accuracy * mean;
+            plate.signed((k + 1, 2 * pair + 1), left.map(|left| left / end));
+            let format = |value: f64| format!("{:.3} %", 100.0 * value);
+            let lines = [&*format!("<= {}", format(bound)), &*format(error)];
+            plate.below((k + 1, 2 * pair + 1), &lines);
         }
     }
+    plate.above(0, "reference");
+    for (column, accuracy) in (1..).zip(RENDERED) {
+        plate.above(column, &format!("{} %", 100.0 * accuracy));
+    }
+    let header = "light,material,terms,accuracy,bound,error,pixel_error,largest_pixel_error";
+    Ok(vec![
+        OutputFile::csv("bound_spheres.csv", header, &rows)?,
+        OutputFile::picture("bound_spheres.png", plate.scale("stated/2")),
+    ])
 }

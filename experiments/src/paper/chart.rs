@@ -22,141 +22,118 @@ pub const PURPLE: RGBColor = RGBColor(160, 70, 130);
 pub const PALE: RGBColor = RGBColor(196, 199, 204);
 /// Color of the text.
 pub const INK: RGBColor = RGBColor(40, 42, 46);
+/// Color of grid lines and borders.
+const GRID: RGBColor = RGBColor(226, 228, 232);
 
 /// One line.
 pub struct Line {
-    /// The name in the legend; `None` if it has no entry.
-    pub name: Option<String>,
-    /// Its color.
-    pub colour: RGBColor,
-    /// Whether it is dashed.
-    pub dashed: bool,
-    /// Its width.
+    /// The name in the legend; without one it has no entry.
+    pub name: String,
+    pub color: RGBColor,
+    pub is_dashed: bool,
     pub width: u32,
     /// The points that it joins.
     pub points: Vec<(f64, f64)>,
-    /// Whether each point is marked.
-    pub marked: bool,
+    /// The point that has a dot.
+    pub marked: Option<usize>,
 }
 
 impl Line {
-    /// A line with a name.
-    pub fn new(name: &str, colour: RGBColor, points: Vec<(f64, f64)>) -> Self {
-        let name = Some(name.to_owned());
-        Self { name, colour, dashed: false, width: 3, points, marked: false }
+    /// A solid line.
+    pub fn new(name: impl Into<String>, color: RGBColor, points: Vec<(f64, f64)>) -> Self {
+        Self { name: name.into(), color, is_dashed: false, width: 3, points, marked: None }
     }
 }
 
-/// Two axes: the horizontal one linear, the vertical one logarithmic.
+/// Two axes: the horizontal one linear, the vertical one logarithmic and in percent.
 pub struct Axes {
-    /// Title of the horizontal axis.
-    pub horizontal: &'static str,
-    /// Title of the vertical axis.
-    pub vertical: &'static str,
+    /// Titles of the horizontal and the vertical axis.
+    pub titles: [&'static str; 2],
     /// Range of the horizontal axis.
     pub columns: Range<f64>,
-    /// Range of the vertical axis.
+    /// Range of the vertical axis; 1 is 100 %.
     pub rows: Range<f64>,
     /// How many numbers the horizontal axis has.
     pub labels: usize,
-    /// The format of the numbers at the vertical axis.
-    pub format: fn(&f64) -> String,
-    /// The position of the legend.
     pub legend: SeriesLabelPosition,
 }
 
 /// Draws the chart.
 pub fn lines(axes: &Axes, lines: &[Line]) -> Result<String> {
     let mut svg = String::new();
-    {
-        let root = SVGBackend::with_string(&mut svg, SIZE).into_drawing_area();
-        root.fill(&WHITE).map_err(fault)?;
-        let mut chart = ChartBuilder::on(&root)
-            .margin_top(16)
-            .margin_right(28)
-            .margin_bottom(6)
-            .margin_left(4)
-            .x_label_area_size(60)
-            .y_label_area_size(92)
-            .build_cartesian_2d(axes.columns.clone(), axes.rows.clone().log_scale())
-            .map_err(fault)?;
-        chart
-            .configure_mesh()
-            .x_desc(axes.horizontal)
-            .y_desc(axes.vertical)
-            .x_labels(axes.labels)
-            .x_label_formatter(&|value| format!("{value:.0}"))
-            .y_label_formatter(&axes.format)
-            .axis_style(INK)
-            .bold_line_style(RGBColor(226, 228, 232))
-            .light_line_style(WHITE)
-            .label_style(letters())
-            .axis_desc_style(letters())
-            .draw()
-            .map_err(fault)?;
-        for line in lines {
-            let style = line.colour.stroke_width(line.width);
-            // Nothing is drawn outside the axes.
-            let points: Vec<(f64, f64)> = line
-                .points
-                .iter()
-                .filter(|(x, y)| axes.rows.contains(y) && *x <= axes.columns.end)
-                .copied()
-                .collect();
-            let drawn = if line.dashed {
-                chart.draw_series(DashedLineSeries::new(points.clone(), 9, 7, style))
-            } else {
-                chart.draw_series(LineSeries::new(points.clone(), style))
-            };
-            let drawn = drawn.map_err(fault)?;
-            if let Some(name) = &line.name {
-                let (dashed, colour) = (line.dashed, line.colour);
-                drawn.label(name).legend(move |(x, y)| {
-                    let (ends, style) = ([(x, y), (x + 30, y)], colour.stroke_width(3));
-                    if dashed {
-                        DashedPathElement::new(ends, 9, 7, style).into_dyn()
-                    } else {
-                        PathElement::new(ends, style).into_dyn()
-                    }
-                });
-            }
-            if line.marked {
-                let mark = |&point: &(f64, f64)| Circle::new(point, 5, line.colour.filled());
-                chart.draw_series(points.iter().map(mark)).map_err(fault)?;
-            }
-        }
-        if lines.iter().any(|line| line.name.is_some()) {
-            chart
-                .configure_series_labels()
-                .position(axes.legend.clone())
-                .legend_area_size(40)
-                .margin(8)
-                .background_style(WHITE)
-                .border_style(RGBColor(226, 228, 232))
-                .label_font(letters())
-                .draw()
-                .map_err(fault)?;
-        }
-        root.present().map_err(fault)?;
-    }
+    draw(&mut svg, axes, lines).map_err(fault)?;
     Ok(svg)
 }
+
+fn draw(svg: &mut String, axes: &Axes, lines: &[Line]) -> DrawResult<()> {
+    let root = SVGBackend::with_string(svg, SIZE).into_drawing_area();
+    root.fill(&WHITE)?;
+    let mut chart = ChartBuilder::on(&root)
+        .margin_top(16)
+        .margin_right(28)
+        .margin_bottom(6)
+        .margin_left(4)
+        .x_label_area_size(60)
+        .y_label_area_size(92)
+        .build_cartesian_2d(axes.columns.clone(), axes.rows.clone().log_scale())?;
+    chart
+        .configure_mesh()
+        .x_desc(axes.titles[0])
+        .y_desc(axes.titles[1])
+        .x_labels(axes.labels)
+        .x_label_formatter(&|value| format!("{value:.0}"))
+        .y_label_formatter(&percent)
+        .axis_style(INK)
+        .bold_line_style(GRID)
+        .light_line_style(WHITE)
+        .label_style(letters())
+        .axis_desc_style(letters())
+        .draw()?;
+    for line in lines {
+        let (color, style) = (line.color, line.color.stroke_width(line.width));
+        // Nothing is drawn outside the axes.
+        let is_inside =
+            |point: &&(f64, f64)| axes.rows.contains(&point.1) && point.0 <= axes.columns.end;
+        let points = line.points.iter().filter(is_inside).copied();
+        let path = move |ends: Vec<(i32, i32)>| match line.is_dashed {
+            true => DashedPathElement::new(ends, 9, 7, color.stroke_width(3)).into_dyn(),
+            false => PathElement::new(ends, color.stroke_width(3)).into_dyn(),
+        };
+        let drawn = match line.is_dashed {
+            true => chart.draw_series(DashedLineSeries::new(points, 9, 7, style))?,
+            false => chart.draw_series(LineSeries::new(points, style))?,
+        };
+        if !line.name.is_empty() {
+            drawn.label(&line.name).legend(move |(x, y)| path(vec![(x, y), (x + 30, y)]));
+        }
+        let marked = line.marked.and_then(|place| line.points.get(place));
+        chart.draw_series(marked.map(|&point| Circle::new(point, 5, color.filled())))?;
+    }
+    chart
+        .configure_series_labels()
+        .position(axes.legend.clone())
+        .legend_area_size(40)
+        .margin(8)
+        .background_style(WHITE)
+        .border_style(GRID)
+        .label_font(letters())
+        .draw()?;
+    root.present()
+}
+
+/// What drawing into a string returns.
+pub type DrawResult<T> = std::result::Result<T, DrawingAreaErrorKind<std::io::Error>>;
 
 /// The text style of the whole chart.
 pub fn letters() -> TextStyle<'static> {
     ("sans-serif", LETTERS).into_font().color(&INK)
 }
 
-/// Formats powers of ten as percentages: 1 is 100 %.
-pub fn percent(value: &f64) -> String {
+/// Formats powers of ten as percentages with as few characters as possible: 1 is 100 %.
+fn percent(value: &f64) -> String {
     let value = 100.0 * value;
-    if value >= 0.99 { format!("{value:.0} %") } else { format!("{} %", short(value)) }
-}
-
-/// Formats a power of ten with as few characters as possible.
-fn short(value: f64) -> String {
-    let places = (-value.log10()).ceil().max(0.0) as usize;
-    format!("{value:.places$}")
+    let places = if value >= 0.99 { 0.0 } else { (-value.log10()).ceil().max(0.0) };
+    format!("{value:.*} %", places as usize)
 }
 
 /// The error for a failed chart. It cannot happen, because the chart is written to a string.

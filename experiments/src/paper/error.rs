@@ -1,231 +1,226 @@
 //! Fig. 5 and 6: the error as a function of the number of components, for the whole data set and
-//! for each material.
+//! for each material; and what the truncation to 1,000 modes costs.
 //!
 //! The error of an image is defined as in the paper: the variance within the residual over the
 //! variance within the image. The residual of K components is the image minus its projection.
 //! Standard PCA subtracts the mean image first and does not count it in K, whereas image-centered
 //! PCA counts the constant in K.
 
-use super::artefact::{Artefact, digits};
 use super::chart::{self, Axes, BLUE, GREEN, Line, ORANGE, PALE, PURPLE};
-use super::rank_correlation::rank_correlation;
-use super::shape::Shape;
-use super::study::{Modes, Study, Trial, place};
-use eigenshade_index::material;
+use super::output_file::{OutputFile, digits, row};
+use super::study::{DEGREE, Modes, Study, Trial, place, title};
+use eigenshade_generator::basis::node_image::MaterialImages;
+use eigenshade_generator::basis::representation::fit;
+use eigenshade_index::{light, mode};
+use eigenshade_model::database::Named;
 use eigenshade_model::error::Result;
+use eigenshade_model::selection::variances;
+use eigenshade_shading::parallel;
 use eigenshade_table::scene::Criterion;
+use indicatif::ProgressBar;
 use plotters::prelude::SeriesLabelPosition;
+use plotters::style::RGBColor;
+use std::fmt::Display;
 
 /// Errors are given up to this number of components.
 pub const SHOWN: usize = 100;
 /// The criteria in the order of [`Study::tables`].
-pub const CRITERIA: [Criterion; 2] = [Criterion::ImageCentered, Criterion::Standard];
+const CRITERIA: [Criterion; 2] = [Criterion::ImageCentered, Criterion::Standard];
 /// The materials that Fig. 6 names, and whether their lines are dashed, so that they differ in
 /// print without colors too.
-const NAMED: [(&str, plotters::style::RGBColor, bool); 4] = [
+const NAMED: [(&str, RGBColor, bool); 4] = [
     ("07-velvet", PURPLE, true),
     ("41-brick-b", BLUE, true),
     ("05-leather", ORANGE, false),
     ("11-plaster-b", GREEN, false),
 ];
 
-/// Mean errors, for 0 to [`SHOWN`] components.
-pub struct Errors {
-    names: Vec<String>,
-    lights: Vec<String>,
-    /// L_1^0 / L_0^0 of each light: positive if more light comes from the front.
-    pub fronts: Vec<f64>,
-    /// The share of each material's squared coefficients with o >= 4.
-    pub glosses: Vec<f64>,
-    /// The share of standard PCA's first component that is constant over the sphere.
-    pub first_constant: f64,
-    /// Mean over all images, by basis in the order of [`Study::tables`], then by K.
-    pub mean: [Vec<f64>; 4],
-    /// Mean over all lights, by basis, then by material, then by K.
-    pub by_material: [Vec<Vec<f64>>; 4],
-    /// Mean over all materials, by basis, then by light, then by K.
-    pub by_light: [Vec<Vec<f64>>; 4],
+/// The CSV files and the charts.
+pub fn files(study: &Study, progress: &ProgressBar) -> Result<Vec<OutputFile>> {
+    let (materials, lights) = (&study.materials.entries, &study.lights.entries);
+    let mean = [0, 1, 2, 3].map(|basis| average(study, basis, |_| true));
+    let by_material = [0, 1, 2, 3].map(|basis| -> Vec<Vec<f64>> {
+        let of = |k| average(study, basis, |trial| trial.material == k);
+        (0..materials.len()).map(of).collect()
+    });
+    let by_light = [0, 2].map(|basis| -> Vec<Vec<f64>> {
+        let of = |k| average(study, basis, |trial| trial.light == k);
+        (0..lights.len()).map(of).collect()
+    });
+    let rotated = rotated(study, &study.luminances, progress);
+    let names = |entries: &[Named]| {
+        entries.iter().map(|entry| entry.name.as_str()).collect::<Vec<_>>().join(",")
+    };
+    let header = "components,image_centered,standard,image_centered_1000,standard_1000";
+    let [of_materials, of_lights] =
+        [materials, lights].map(|entries| format!("modes,criterion,components,{}", names(entries)));
+    let of_rotated = format!("components,all,{}", names(materials));
+    let (by_material_rows, by_light_rows) =
+        (by_basis(&by_material, &CRITERIA), by_basis(&by_light, &CRITERIA[..1]));
+    let mut files = vec![
+        OutputFile::csv("error.csv", header, &by_count(&[], &mean))?,
+        OutputFile::chart("error.svg", &chart(&mean)?),
+        OutputFile::csv("error_by_material.csv", &of_materials, &by_material_rows)?,
+        OutputFile::csv("error_by_light.csv", &of_lights, &by_light_rows)?,
+        OutputFile::csv("error_rotated.csv", &of_rotated, &by_count(&[], &rotated))?,
+        selected(study)?,
+    ];
+    for modes in Modes::BOTH {
+        let name = format!("error_by_material{}.svg", modes.suffix());
+        let errors = &by_material[place(Criterion::ImageCentered, modes)];
+        files.push(OutputFile::chart(&name, &material_chart(materials, errors)?));
+    }
+    Ok(files)
 }
 
-impl Errors {
-    /// Averages the errors of all images.
-    #[must_use]
-    pub fn new(study: &Study, trials: &[Trial]) -> Self {
-        let name = |entries: &[eigenshade_model::database::Named]| {
-            entries.iter().map(|entry| entry.name.clone()).collect::<Vec<_>>()
-        };
-        let (names, lights) = (name(&study.materials.entries), name(&study.lights.entries));
-        let average = |basis: usize, of: &dyn Fn(&Trial) -> bool| -> Vec<f64> {
-            let chosen: Vec<&Trial> = trials.iter().filter(|trial| of(trial)).collect();
-            let error = |count: usize| {
-                let errors =
-                    chosen.iter().map(|trial| trial.fits[basis].variances[count] / trial.variance);
-                errors.sum::<f64>() / chosen.len() as f64
-            };
-            (0..=SHOWN).map(error).collect()
-        };
-        let bases = [0, 1, 2, 3];
-        Self {
-            mean: bases.map(|basis| average(basis, &|_| true)),
-            by_material: bases.map(|basis| {
-                let of = |k: usize| average(basis, &move |trial: &Trial| trial.material == k);
-                (0..names.len()).map(of).collect()
-            }),
-            by_light: bases.map(|basis| {
-                let of = |k: usize| average(basis, &move |trial: &Trial| trial.light == k);
-                (0..lights.len()).map(of).collect()
-            }),
-            glosses: study.greys.iter().map(|material| gloss(material)).collect(),
-            first_constant: Shape::new(&study.tables[place(Criterion::Standard, Modes::All)], 0)
-                .map_or(0.0, |shape| shape.constant),
-            fronts: study.luminances.iter().map(|light| light[2] / light[0]).collect(),
-            names,
-            lights,
-        }
-    }
-
-    /// The mean errors of one material, by K.
-    #[must_use]
-    pub fn of_material(&self, name: &str, criterion: Criterion, modes: Modes) -> &[f64] {
-        let found = self.names.iter().position(|other| other == name);
-        let errors = &self.by_material[place(criterion, modes)];
-        found.and_then(|k| errors.get(k)).map_or(&[], Vec::as_slice)
-    }
-
-    /// The mean errors of each light with its name, for the image-centered basis of all modes.
-    pub fn lights(&self) -> impl Iterator<Item = (&str, &[f64])> {
-        let names = self.lights.iter().map(String::as_str);
-        names.zip(self.by_light[0].iter().map(Vec::as_slice))
-    }
-
-    /// The mean errors of each material, for the same basis.
-    pub fn materials(&self) -> impl Iterator<Item = (&str, &[f64])> {
-        let names = self.names.iter().map(String::as_str);
-        names.zip(self.by_material[0].iter().map(Vec::as_slice))
-    }
-
-    /// Rank correlation over the lights of [`fronts`](Self::fronts) with the mean error at this
-    /// number of components, for the image-centered basis of all modes.
-    #[must_use]
-    pub fn correlation(&self, count: usize) -> f64 {
-        let errors: Vec<f64> = self.lights().map(|(_, errors)| errors[count]).collect();
-        rank_correlation(&self.fronts, &errors)
-    }
-
-    /// Rank correlation over the materials of [`glosses`](Self::glosses) with the same error.
-    #[must_use]
-    pub fn gloss_correlation(&self, count: usize) -> f64 {
-        let errors: Vec<f64> = self.materials().map(|(_, errors)| errors[count]).collect();
-        rank_correlation(&self.glosses, &errors)
-    }
-
-    /// The CSV files and the charts.
-    pub fn artefacts(&self) -> Result<Vec<Artefact>> {
-        let mut rows = Vec::new();
-        for count in 0..=SHOWN {
-            let errors = self.mean.each_ref().map(|errors| digits(errors[count]));
-            rows.push([count.to_string()].into_iter().chain(errors).collect());
-        }
-        let header = "components,image_centered,standard,image_centered_1000,standard_1000";
-        let mut artefacts = vec![
-            Artefact::csv("error.csv", header, &rows)?,
-            Artefact::chart("error.svg", &self.chart()?),
-        ];
-        artefacts.push(self.sheet(
-            "error_by_material",
-            &self.names,
-            &self.by_material,
-            &CRITERIA,
-        )?);
-        artefacts.push(self.sheet(
-            "error_by_light",
-            &self.lights,
-            &self.by_light,
-            &CRITERIA[..1],
-        )?);
-        for modes in Modes::BOTH {
-            let name = format!("error_by_material{}.svg", modes.suffix());
-            artefacts.push(Artefact::chart(name, &self.material_chart(modes)?));
-        }
-        Ok(artefacts)
-    }
-
-    /// A CSV with one row for each basis and K, and one column for each name.
-    fn sheet(
-        &self,
-        name: &str,
-        columns: &[String],
-        errors: &[Vec<Vec<f64>>; 4],
-        criteria: &[Criterion],
-    ) -> Result<Artefact> {
-        let mut rows = Vec::new();
-        for modes in Modes::BOTH {
-            for &criterion in criteria {
-                for count in 0..=SHOWN {
-                    let of_basis = &errors[place(criterion, modes)];
-                    let first =
-                        [modes.count().to_string(), criterion.name().into(), count.to_string()];
-                    let numbers = of_basis.iter().map(|errors| digits(errors[count]));
-                    rows.push(first.into_iter().chain(numbers).collect());
-                }
-            }
-        }
-        let header = format!("modes,criterion,components,{}", columns.join(","));
-        Artefact::csv(format!("{name}.csv"), &header, &rows)
-    }
-
-    fn chart(&self) -> Result<String> {
-        let line = |basis: usize, name, colour, dashed| Line {
-            dashed,
-            ..Line::new(name, colour, points(&self.mean[basis]))
-        };
-        let lines = [
-            line(0, "image-centred", BLUE, false),
-            line(1, "standard", ORANGE, true),
-            line(2, "image-centred, 1000 modes", GREEN, false),
-            line(3, "standard, 1000 modes", PURPLE, true),
-        ];
-        chart::lines(&axes(1e-5..3.0), &lines)
-    }
-
-    fn material_chart(&self, modes: Modes) -> Result<String> {
-        let mut lines = Vec::new();
-        for errors in &self.by_material[place(Criterion::ImageCentered, modes)] {
-            lines.push(Line { name: None, width: 1, ..Line::new("", PALE, points(errors)) });
-        }
-        for (name, colour, dashed) in NAMED {
-            let errors = self.of_material(name, Criterion::ImageCentered, modes);
-            let line = Line::new(&super::spheres::title(name), colour, points(errors));
-            lines.push(Line { dashed, ..line });
-        }
-        chart::lines(&axes(1e-5..3.0), &lines)
-    }
+/// The mean error of the chosen images with one basis, for 0 to [`SHOWN`] components.
+fn average(study: &Study, basis: usize, is_chosen: impl Fn(&Trial) -> bool) -> Vec<f64> {
+    let chosen: Vec<&Trial> = study.trials.iter().filter(|trial| is_chosen(trial)).collect();
+    let error = |count: usize| {
+        let errors = chosen.iter().map(|trial| trial.fits[basis].variances[count] / trial.variance);
+        errors.sum::<f64>() / chosen.len() as f64
+    };
+    (0..=SHOWN).map(error).collect()
 }
 
-/// The share of a BRDF's squared coefficients with o >= 4.
-fn gloss(coefficients: &[f64]) -> f64 {
-    let square = |values: &[f64]| values.iter().map(|value| value * value).sum::<f64>();
-    square(&coefficients[material::count(3)..]) / square(coefficients)
+/// The errors if each light is rotated in every way, as the statistics of the basis assume: the
+/// remaining variance over the variance within the images, both averaged over all rotations of all
+/// lights. They are for the image-centered components of all modes: first for all materials
+/// together, then for each, for 0 to [`SHOWN`] components.
+///
+/// Over all rotations, L_l^m of different (l, m) are uncorrelated and share the power of their
+/// degree equally, (38). The average is therefore that of images of single harmonics.
+pub fn rotated(study: &Study, luminances: &[Vec<f64>], progress: &ProgressBar) -> Vec<Vec<f64>> {
+    let table = &study.tables[place(Criterion::ImageCentered, Modes::All)];
+    let images = MaterialImages::new(&study.gram, &[], &study.grays);
+    let power = |l: usize| -> f64 {
+        let of_degree = |light: &Vec<f64>| -> f64 {
+            light[l * l..(l + 1) * (l + 1)].iter().map(|value| value * value).sum()
+        };
+        let sum: f64 = luminances.iter().map(of_degree).sum();
+        sum / (luminances.len() * (2 * l + 1)) as f64
+    };
+    let variances = parallel::map(study.grays.len(), progress, |material| {
+        let mut sums = vec![0.0; SHOWN + 1];
+        for (l, m) in light::indices(DEGREE) {
+            let mut harmonic = vec![0.0; light::count(DEGREE)];
+            harmonic[light::position(l, m)] = 1.0;
+            let left = fit(table, &images.image(&harmonic, material)).variances;
+            sums.iter_mut().zip(left).for_each(|(sum, left)| *sum += power(l) * left);
+        }
+        sums
+    });
+    let total = |count: usize| variances.iter().map(|sums| sums[count]).sum();
+    let all: Vec<f64> = (0..=SHOWN).map(total).collect();
+    let over_first = |sums: &Vec<f64>| sums.iter().map(|sum| sum / sums[0]).collect();
+    [&all].into_iter().chain(&variances).map(over_first).collect()
+}
+
+/// One row for each number of components, one column for each of `errors`.
+fn by_count(first: &[&dyn Display], errors: &[Vec<f64>]) -> Vec<Vec<String>> {
+    let of = |count: usize| {
+        let numbers = errors.iter().map(|errors| errors[count]);
+        row(&[first, &[&count]].concat(), numbers)
+    };
+    (0..=SHOWN).map(of).collect()
+}
+
+/// The same for each choice of modes and each criterion.
+fn by_basis(errors: &[Vec<Vec<f64>>], criteria: &[Criterion]) -> Vec<Vec<String>> {
+    let bases = Modes::BOTH
+        .into_iter()
+        .flat_map(|modes| criteria.iter().map(move |criterion| (modes.count(), criterion.name())));
+    let rows = bases.zip(errors).map(|((modes, name), errors)| by_count(&[&modes, &name], errors));
+    rows.collect::<Vec<_>>().concat()
+}
+
+fn chart(mean: &[Vec<f64>; 4]) -> Result<String> {
+    let lines = [
+        ("image-centered", BLUE, false),
+        ("standard", ORANGE, true),
+        ("image-centered, 1000 modes", GREEN, false),
+        ("standard, 1000 modes", PURPLE, true),
+    ];
+    let lines = lines.into_iter().zip(mean).map(|((name, color, is_dashed), errors)| Line {
+        is_dashed,
+        ..Line::new(name, color, points(errors))
+    });
+    chart::lines(&axes(), &lines.collect::<Vec<_>>())
+}
+
+fn material_chart(materials: &[Named], errors: &[Vec<f64>]) -> Result<String> {
+    let pale = |errors: &Vec<f64>| Line { width: 1, ..Line::new("", PALE, points(errors)) };
+    let mut lines: Vec<Line> = errors.iter().map(pale).collect();
+    for (name, color, is_dashed) in NAMED {
+        let found = materials.iter().zip(errors).find(|(material, _)| material.name == name);
+        let points = found.map(|(_, errors)| points(errors)).unwrap_or_default();
+        lines.push(Line { is_dashed, ..Line::new(title(name), color, points) });
+    }
+    chart::lines(&axes(), &lines)
 }
 
 fn points(errors: &[f64]) -> Vec<(f64, f64)> {
     (0u32..).map(f64::from).zip(errors.iter().copied()).collect()
 }
 
-fn axes(rows: std::ops::Range<f64>) -> Axes {
+fn axes() -> Axes {
     Axes {
-        horizontal: "components",
-        vertical: "mean error: variance left",
+        titles: ["components", "mean error: variance left"],
         columns: 0.0..SHOWN as f64,
-        rows,
+        rows: 1e-5..3.0,
         labels: 11,
-        format: chart::percent,
         legend: SeriesLabelPosition::UpperRight,
     }
 }
 
-/// The least number of components with at most this error, if there is one.
-#[must_use]
-pub fn needed(errors: &[f64], error: f64) -> Option<usize> {
-    errors.iter().position(|found| *found <= error)
+/// The cost of the paper's truncation to the 1,000 modes of the highest variance: how many modes
+/// are kept, counting both signs of m, and their share of the variance; the error of an image of
+/// these modes alone; what all their components leave.
+fn selected(study: &Study) -> Result<OutputFile> {
+    let (gram, trials) = (&study.gram, &study.trials);
+    let mut largest_order = 0;
+    let mut by_degree = vec![0; gram.degree + 1];
+    let (mut all, mut left) = (0.0, 0.0);
+    for azimuth in 0..=gram.degree {
+        let signs = if azimuth == 0 { 1 } else { 2 };
+        let modes = mode::indices(gram.degree, gram.order, azimuth);
+        for ((l, o, p, q), value) in modes.zip(variances(gram, azimuth)) {
+            all += signs as f64 * value;
+            if study.selection[gram.place(azimuth, l, o, p, q)] {
+                by_degree[l] += signs;
+                largest_order = largest_order.max(azimuth);
+            } else {
+                left += signs as f64 * value;
+            }
+        }
+    }
+    let error = |trial: &Trial| trial.unselected / trial.variance;
+    let mean =
+        |of: &dyn Fn(&Trial) -> f64| trials.iter().map(of).sum::<f64>() / trials.len() as f64;
+    let mut sorted: Vec<&Trial> = trials.iter().collect();
+    sorted.sort_by(|a, b| error(a).total_cmp(&error(b)));
+    let (median, worst) = (sorted[trials.len() / 2], sorted[trials.len() - 1]);
+    let bases = Modes::BOTH.map(|modes| place(Criterion::ImageCentered, modes));
+    let components = bases.map(|basis| study.tables[basis].components.len());
+    let floor = |trial: &Trial| trial.fits[bases[1]].variances[components[1]] / trial.variance;
+    let mut rows: Vec<(String, String)> = [
+        ("modes_kept", by_degree.iter().sum::<usize>().to_string()),
+        ("mode_variance_left_out", digits(left / all)),
+        ("largest_order_kept", largest_order.to_string()),
+        ("image_error_median", digits(error(median))),
+        ("image_error_mean", digits(mean(&error))),
+        ("image_error_largest", digits(error(worst))),
+        ("image_error_largest_light", study.lights.entries[worst.light].name.clone()),
+        ("image_error_largest_material", study.materials.entries[worst.material].name.clone()),
+        ("components_of_all_modes", components[0].to_string()),
+        ("components_of_selected_modes", components[1].to_string()),
+        ("error_of_all_components", digits(mean(&floor))),
+    ]
+    .map(|(quantity, value)| (quantity.into(), value))
+    .into();
+    let of_degree =
+        |(l, count): (usize, &usize)| (format!("modes_kept_of_degree_{l}"), count.to_string());
+    rows.extend(by_degree.iter().enumerate().map(of_degree));
+    let rows: Vec<Vec<String>> = rows.into_iter().map(|(a, b)| vec![a, b]).collect();
+    OutputFile::csv("selected_modes.csv", "quantity,value", &rows)
 }

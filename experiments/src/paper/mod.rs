@@ -1,10 +1,10 @@
 //! The figures of Nillius and Eklundh, "Phenomenological Eigenfunctions for Image Irradiance", ICCV
-//! 2003, on the shipped databases. Each file of this module makes one figure, as CSV and as a
-//! picture.
+//! 2003, on the shipped databases. Each file from `variance` to `bound` makes one figure, as CSV
+//! and as a picture; `tables` makes the tables of `docs/paper.md` from the CSV.
 
 pub mod study;
 
-pub mod artefact;
+pub mod output_file;
 
 pub(crate) mod chart;
 
@@ -12,87 +12,57 @@ mod plate;
 
 pub mod variance;
 
-pub mod shape;
+pub mod reconstruction;
 
-pub mod eigenimages;
+mod eigenimages;
 
-pub mod spheres;
-
-mod rank_correlation;
+mod spheres;
 
 pub mod error;
 
-pub mod rotated;
-
-pub mod highlight;
-
-pub mod reconstruction;
-
 pub mod bound;
 
-pub mod bound_spheres;
+pub mod tables;
 
-pub mod selected;
+pub mod compare;
 
-pub mod report;
-
-pub mod comparison;
-
-use artefact::Artefact;
-use eigenshade_model::error::Result;
+use crate::pages;
+use eigenshade_model::error::{Error, Result};
 use indicatif::ProgressBar;
+use output_file::{Content, OutputFile};
+use std::fs;
+use std::path::Path;
 use study::Study;
 
-/// The folder of the figures, next to the page that shows them.
-pub const FOLDER: &str = "paper";
 /// The file name of the page.
-pub const PAGE: &str = "paper.md";
+const PAGE: &str = "paper.md";
 
-/// Makes the page and, below [`FOLDER`], its figures.
+/// Makes the page in `folder` with its tables replaced, and the figures below it.
 ///
 /// # Errors
 ///
-/// If the folder for temporary files, through which the shipped data are read, fails.
-pub fn make(progress: &ProgressBar) -> Result<Vec<Artefact>> {
-    let study = Study::new(progress)?;
-    let trials = study.trials(progress);
-    let variance = variance::Variance::new(&study);
-    let eigenimages = eigenimages::Eigenimages::new(&study)?;
-    let spheres = spheres::Spheres::new(&study, &trials, progress)?;
-    let errors = error::Errors::new(&study, &trials);
-    let rotated = rotated::Rotated::new(&study, progress);
-    let bounds = bound::Bounds::new(&study, &trials, progress);
-    let renderings = bound_spheres::Renderings::new(&study, &trials, progress)?;
-    let reconstructions = reconstruction::Reconstructions::new(&study, &trials)?;
-    let highlights = highlight::Highlights::new(&study, &trials)?;
-    let selected = selected::Selected::new(&study, &trials);
-    let page = report::Report {
-        study: &study,
-        variance: &variance,
-        eigenimages: &eigenimages,
-        spheres: &spheres,
-        errors: &errors,
-        rotated: &rotated,
-        bounds: &bounds,
-        renderings: &renderings,
-        reconstructions: &reconstructions,
-        highlights: &highlights,
-        selected: &selected,
+/// If the page or the markers of its tables are missing, or the folder for temporary files,
+/// through which the shipped data are read, fails.
+pub fn make(folder: &Path, progress: &ProgressBar) -> Result<Vec<OutputFile>> {
+    let path = folder.join(PAGE);
+    let page = fs::read_to_string(&path).map_err(|error| Error::io(&path, &error))?;
+    let with_parts = |parts: &[pages::Part]| {
+        pages::with_parts(&page, parts)
+            .map_err(|fault| Error::new(fault, "restore these markers").in_file(&path))
     };
-    let mut artefacts = vec![Artefact::text(PAGE, page.page())];
-    for figure in [
-        variance.artefacts()?,
-        eigenimages.artefacts(),
-        spheres.artefacts()?,
-        errors.artefacts()?,
-        rotated.artefacts()?,
-        reconstructions.artefacts()?,
-        vec![highlights.artefact()?],
-        bounds.artefacts()?,
-        renderings.artefacts()?,
-        selected.artefacts()?,
-    ] {
-        artefacts.extend(figure.into_iter().map(|artefact| artefact.below(FOLDER)));
-    }
-    Ok(artefacts)
+    // Done first, so that missing markers are reported before the long computation.
+    with_parts(&tables::empty_parts())?;
+    let study = Study::new(progress)?;
+    let mut files = [
+        variance::Variance::new(&study).files()?,
+        eigenimages::files(&study)?,
+        spheres::files(&study, progress)?,
+        error::files(&study, progress)?,
+        reconstruction::files(&study)?,
+        bound::files(&study, progress)?,
+    ]
+    .concat();
+    let page = with_parts(&tables::parts(&files))?;
+    files.push(OutputFile { name: PAGE.into(), content: Content::Text(page) });
+    Ok(files)
 }

@@ -12,12 +12,17 @@ const INK: [u8; 3] = [40, 42, 46];
 const EDGE: [u8; 3] = [120, 122, 126];
 /// Scale of the text, as a multiple of the font.
 const SCALE: usize = 2;
+/// Pixels from one line of text to the next.
+const LINE: usize = LETTER * SCALE * 3 / 2;
+/// The share of an image's values that its exposure leaves unclipped.
+pub const UNCLIPPED: f64 = 0.98;
 
 /// A plate on a gray background, which differs from the brightest value of an image and from the
 /// zero of a signed image.
 pub struct Plate {
     canvas: Canvas,
-    view: SphereView,
+    /// The pixels of each sphere.
+    pub view: SphereView,
     left: usize,
     top: usize,
     step: (usize, usize),
@@ -31,77 +36,71 @@ impl Plate {
         (columns, rows): (usize, usize),
         (above, beside, lines): (usize, usize, usize),
     ) -> Self {
-        let line = Self::line();
         let gap = size / 10;
         let left = gap + beside * LETTER * SCALE;
-        let top = gap + above * line;
-        let step = (size + gap, size + lines * line + gap);
+        let top = gap + above * LINE;
+        let step = (size + gap, size + lines * LINE + gap);
         let canvas = Canvas::new(left + columns * step.0, top + rows * step.1, PAPER);
         Self { canvas, view: SphereView::new(size), left, top, step }
-    }
-
-    /// Pixels from one line of text to the next.
-    fn line() -> usize {
-        LETTER * SCALE * 3 / 2
-    }
-
-    /// The normals of a sphere's pixels.
-    pub fn normals(&self) -> &[[f64; 3]] {
-        &self.view.normals
     }
 
     fn place(&self, column: usize, row: usize) -> (usize, usize) {
         (self.left + column * self.step.0, self.top + row * self.step.1)
     }
 
-    /// Draws an image of light; 1 is the brightest value that is shown.
-    pub fn light(&mut self, column: usize, row: usize, image: &[[f64; 3]]) {
+    /// Draws an image of light; `exposure` times a value of 1 / `exposure` is white.
+    pub fn light(
+        &mut self,
+        (column, row): (usize, usize),
+        exposure: f64,
+        image: impl IntoIterator<Item = [f64; 3]>,
+    ) {
         let (left, top) = self.place(column, row);
         for (pixel, rgb) in self.view.pixels.iter().zip(image) {
-            let place = (left + pixel.column, top + pixel.row);
-            self.canvas.blend(place.0, place.1, rgb.map(srgb), pixel.coverage);
+            let color = rgb.map(|value| srgb(exposure * value));
+            self.canvas.blend(left + pixel.column, top + pixel.row, color, pixel.coverage);
         }
     }
 
     /// Draws a signed image: -1 is blue, 0 white, 1 red.
-    pub fn signed(&mut self, column: usize, row: usize, image: &[f64]) {
+    pub fn signed(&mut self, (column, row): (usize, usize), image: impl IntoIterator<Item = f64>) {
         let (left, top) = self.place(column, row);
         let radius = 0.5 * self.view.size as f64 - 0.5;
         for (pixel, value) in self.view.pixels.iter().zip(image) {
-            let place = (left + pixel.column, top + pixel.row);
-            self.canvas.blend(place.0, place.1, diverging(*value), pixel.coverage);
+            let (x, y) = (left + pixel.column, top + pixel.row);
+            self.canvas.blend(x, y, diverging(value), pixel.coverage);
             let offset = |k: usize| k as f64 - radius;
             let inside = radius - offset(pixel.column).hypot(offset(pixel.row));
-            self.canvas.blend(place.0, place.1, EDGE, (1.5 - inside).clamp(0.0, 1.0));
+            self.canvas.blend(x, y, EDGE, (1.5 - inside).clamp(0.0, 1.0));
         }
     }
 
-    /// Writes text below a sphere; lines are counted from 0.
-    pub fn below(&mut self, column: usize, row: usize, line: usize, text: &str) {
+    /// Writes lines of text below a sphere.
+    pub fn below(&mut self, (column, row): (usize, usize), lines: &[&str]) {
         let (left, top) = self.place(column, row);
-        let middle = left + self.view.size / 2;
-        let top = top + self.view.size + LETTER + line * Self::line();
-        self.centred(middle, top, text);
+        for (line, text) in lines.iter().enumerate() {
+            let top = top + self.view.size + LETTER + line * LINE;
+            self.centered(left + self.view.size / 2, top, text);
+        }
     }
 
     /// Writes text above the first sphere of a column.
     pub fn above(&mut self, column: usize, text: &str) {
         let (left, top) = self.place(column, 0);
-        self.centred(left + self.view.size / 2, top - Self::line() - LETTER, text);
+        self.centered(left + self.view.size / 2, top - LINE - LETTER, text);
     }
 
     /// Writes lines of text at the left of a row, centered vertically.
     pub fn beside(&mut self, row: usize, lines: &[&str]) {
         let (_, top) = self.place(0, row);
-        let first = top + self.view.size / 2 - lines.len() * Self::line() / 2;
+        let first = top + self.view.size / 2 - lines.len() * LINE / 2;
         let left = self.step.0 - self.view.size;
         for (line, text) in lines.iter().enumerate() {
-            let top = first + line * Self::line();
-            self.canvas.text(left, top, SCALE, INK, text);
+            self.canvas.text(left, first + line * LINE, SCALE, INK, text);
         }
     }
 
-    fn centred(&mut self, middle: usize, top: usize, text: &str) {
+    fn centered(&mut self, middle: usize, top: usize, text: &str) {
         let left = middle.saturating_sub(text_width(SCALE, text) / 2);
         self.canvas.text(left, top, SCALE, INK, text);
     }
@@ -121,11 +120,9 @@ impl Plate {
                 self.canvas.blend(left + column, top + row, diverging(value), 1.0);
             }
         }
-        let under = top + height + LETTER;
-        for (place, text) in
-            [format!("-{largest}"), "0".into(), format!("+{largest}")].into_iter().enumerate()
-        {
-            self.centred(left + place * width / 2, under, &text);
+        let texts = [format!("-{largest}"), "0".into(), format!("+{largest}")];
+        for (place, text) in texts.iter().enumerate() {
+            self.centered(left + place * width / 2, top + height + LETTER, text);
         }
         self.canvas
     }
@@ -134,6 +131,11 @@ impl Plate {
     pub fn finish(self) -> Canvas {
         self.canvas
     }
+}
+
+/// Three equal channels.
+pub fn gray(image: &[f64]) -> impl Iterator<Item = [f64; 3]> {
+    image.iter().map(|&value| [value; 3])
 }
 
 /// Blue for -1, white for 0, red for 1; values beyond are clamped.

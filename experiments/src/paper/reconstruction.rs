@@ -1,127 +1,159 @@
-//! Fig. 7: velvet and leather, their reconstructions and the residuals.
+//! Fig. 7: velvet and leather, their reconstructions and the residuals; and the brightest point of
+//! leather under every light.
 
-use super::artefact::{Artefact, digits};
-use super::highlight::{LISTED, brightest, image};
-use super::plate::Plate;
-use super::study::{Modes, Study, Trial, place};
+use super::output_file::{OutputFile, row};
+use super::plate::{Plate, UNCLIPPED, gray};
+use super::study::{Modes, Study, Trial, place, title};
+use eigenshade::{Basis, Normal};
 use eigenshade_cli::picture::tone::exposure;
 use eigenshade_model::error::Result;
 use eigenshade_model::truth::Truth;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, fault};
+use eigenshade_shading::sphere_rings::{Ring, rings};
 use eigenshade_table::scene::Criterion;
 
 /// Material and light of each image.
-pub const SHOWN: [(&str, &str); 2] = [("07-velvet", "forest"), ("05-leather", "studio")];
+const SHOWN: [(&str, &str); 2] = [("07-velvet", "forest"), ("05-leather", "studio")];
 /// Numbers of components.
 const COUNTS: [usize; 6] = [3, 5, 10, 20, 30, 50];
 /// Width of each sphere in pixels.
 const SIZE: usize = 148;
-/// The share of an image's values that its exposure leaves unclipped.
-const UNCLIPPED: f64 = 0.98;
 /// The colors of the residual end at this share of the image's largest value.
 const RESIDUAL: f64 = 0.1;
+/// The material whose highlight the paper describes.
+const GLOSSY: &str = "05-leather";
+/// The highlight counts as present if the error of its brightest point is at most this.
+const LIMIT: f64 = 0.1;
+/// The largest number of components that is tried.
+const LISTED: usize = 100;
+/// The widest spacing of the normals in radians, where a highlight is sought.
+const SPACING: f64 = 0.02;
 
-/// The reconstructions of one image with 0, 1, .. components.
-pub struct Course {
-    /// Material and light.
-    pub names: [&'static str; 2],
-    /// The modes of the basis.
-    pub modes: Modes,
-    /// The error, by number of components.
-    pub errors: Vec<f64>,
-    /// The reconstruction at the brightest pixel of the reference, relative to the reference there,
-    /// by number of components.
-    pub brightest: Vec<f64>,
-}
-
-/// Velvet and leather, for each choice of modes.
-pub struct Reconstructions {
-    /// The images in the order of the plates.
-    pub courses: Vec<Course>,
-    plates: Vec<Artefact>,
-}
-
-impl Reconstructions {
-    /// Computes and draws the reconstructions.
-    ///
-    /// # Errors
-    ///
-    /// Never in practice: the shipped data contain both images.
-    pub fn new(study: &Study, trials: &[Trial]) -> Result<Self> {
-        let (mut courses, mut plates) = (Vec::new(), Vec::new());
-        for modes in Modes::BOTH {
-            plates.push(plate(study, trials, modes, &mut courses)?);
-        }
-        Ok(Self { courses, plates })
+/// The plates and the CSV files.
+pub fn files(study: &Study) -> Result<Vec<OutputFile>> {
+    let (mut rows, mut files) = (Vec::new(), Vec::new());
+    for modes in Modes::BOTH {
+        files.push(plate(study, modes, &mut rows)?);
     }
-
-    /// The plates and the CSV file.
-    pub fn artefacts(&self) -> Result<Vec<Artefact>> {
-        let mut rows = Vec::new();
-        for course in &self.courses {
-            let [material, light] = course.names;
-            for (count, both) in course.errors.iter().zip(&course.brightest).enumerate() {
-                let names = [course.modes.count().to_string(), light.into(), material.into()];
-                let numbers = [count.to_string(), digits(*both.0), digits(*both.1)];
-                rows.push(names.into_iter().chain(numbers).collect());
-            }
-        }
-        let header = "modes,light,material,components,error,brightest";
-        let mut artefacts = self.plates.clone();
-        artefacts.push(Artefact::csv("reconstruction.csv", header, &rows)?);
-        Ok(artefacts)
-    }
+    let header = "modes,light,material,components,error,brightest";
+    files.push(OutputFile::csv("reconstruction.csv", header, &rows)?);
+    files.push(highlights(study)?);
+    Ok(files)
 }
 
-fn plate(
-    study: &Study,
-    trials: &[Trial],
-    modes: Modes,
-    courses: &mut Vec<Course>,
-) -> Result<Artefact> {
-    let table = &study.tables[place(Criterion::ImageCentered, modes)];
-    let owned = OwnedBasis::<f64>::new(table);
+/// Draws a plate and appends its rows to those of the CSV.
+fn plate(study: &Study, modes: Modes, rows: &mut Vec<Vec<String>>) -> Result<OutputFile> {
+    let which = place(Criterion::ImageCentered, modes);
+    let owned = OwnedBasis::<f64>::new(&study.tables[which]);
     let basis = owned.basis().map_err(fault)?;
     let mut plate = Plate::new(SIZE, (COUNTS.len() + 1, 2 * SHOWN.len()), (2, 0, 1));
-    let normals = plate.normals().to_vec();
-    let shaded = OwnedNormals::<f64>::new(&normals);
-    let truth = Truth::new(study.lights.degree, study.materials.order);
+    let normals = plate.view.normals.clone();
+    let owned_normals = OwnedNormals::<f64>::new(&normals);
     for (pair, (material, light)) in SHOWN.into_iter().enumerate() {
-        let trial = study.trial(trials, light, material)?;
-        let image = image(study, trial, &truth, &normals);
+        let trial = study.trial(light, material)?;
+        let image = direct_sum(study, trial, &normals);
         let peak = image.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
         let scale = exposure(image.clone(), UNCLIPPED);
-        let shown =
-            |image: &[f64]| image.iter().map(|value| [scale * value; 3]).collect::<Vec<_>>();
-        plate.light(0, 2 * pair, &shown(&image));
-        plate.below(0, 2 * pair, 0, &super::spheres::title(material));
-        let fit = &trial.fits[place(Criterion::ImageCentered, modes)];
-        courses.push(Course {
-            names: [material, light],
-            modes,
-            errors: fit.variances.iter().take(LISTED + 1).map(|v| v / trial.variance).collect(),
-            brightest: brightest(&basis, &fit.coefficients, &image, &normals)?,
-        });
+        plate.light((0, 2 * pair), scale, gray(&image));
+        plate.below((0, 2 * pair), &[&title(material)]);
+        let fit = &trial.fits[which];
+        let brightest = brightest(&basis, &fit.coefficients, &image, &normals)?;
+        let errors = fit.variances.iter().map(|left| left / trial.variance);
+        for (count, (error, share)) in errors.zip(brightest).enumerate() {
+            rows.push(row(&[&modes.count(), &light, &material, &count], [error, share]));
+        }
         for (column, count) in (1..).zip(COUNTS) {
-            let mut scene = vec![0.0; basis.scene_len()];
-            let coefficients = &fit.coefficients[..count];
-            let scene = basis.collapse_into(coefficients, &mut scene).map_err(fault)?;
-            let mut ours = vec![0.0; normals.len()];
-            scene.shade_slice(shaded.view()?, &mut ours).map_err(fault)?;
-            plate.light(column, 2 * pair, &shown(&ours));
-            let residual = image.iter().zip(&ours);
-            let residual: Vec<f64> =
-                residual.map(|(truth, ours)| (truth - ours) / (RESIDUAL * peak)).collect();
-            plate.signed(column, 2 * pair + 1, &residual);
+            let ours = shade(&basis, &fit.coefficients[..count], &owned_normals)?;
+            plate.light((column, 2 * pair), scale, gray(&ours));
+            let residual = image.iter().zip(&ours).map(|(a, b)| (a - b) / (RESIDUAL * peak));
+            plate.signed((column, 2 * pair + 1), residual);
             let left = 100.0 * fit.variances[count] / trial.variance;
-            plate.below(column, 2 * pair + 1, 0, &format!("{left:.1} %"));
+            plate.below((column, 2 * pair + 1), &[&format!("{left:.1} %")]);
         }
     }
-    plate.above(0, "truth");
+    plate.above(0, "reference");
     for (column, count) in (1..).zip(COUNTS) {
         plate.above(column, &format!("K = {count}"));
     }
     let name = format!("reconstruction{}.png", modes.suffix());
-    Ok(Artefact::picture(name, plate.scale(&format!("{RESIDUAL} of the peak"))))
+    Ok(OutputFile::picture(&name, plate.scale(&format!("{RESIDUAL} of the peak"))))
+}
+
+/// The number of components of all modes from which leather's brightest point is right, under every
+/// light. A light that needs more components than were tried has an empty field.
+fn highlights(study: &Study) -> Result<OutputFile> {
+    let which = place(Criterion::ImageCentered, Modes::All);
+    let owned = OwnedBasis::<f64>::new(&study.tables[which]);
+    let basis = owned.basis().map_err(fault)?;
+    let normals: Vec<[f64; 3]> = rings(SPACING).iter().flat_map(Ring::normals).collect();
+    let mut rows = Vec::new();
+    for light in &study.lights.entries {
+        let trial = study.trial(&light.name, GLOSSY)?;
+        let image = direct_sum(study, trial, &normals);
+        let shares = brightest(&basis, &trial.fits[which].coefficients, &image, &normals)?;
+        let count = right_from(&shares).map_or(String::new(), |count| count.to_string());
+        rows.push(vec![light.name.clone(), count]);
+    }
+    OutputFile::csv("highlight.csv", "light,components", &rows)
+}
+
+/// The first number of components from which the brightest point is right and stays right; `None`
+/// if that takes more components than there are. `shares` are the reconstructed values at that
+/// point relative to the reference, by number of components.
+pub fn right_from(shares: &[f64]) -> Option<usize> {
+    let wrong = |share: &f64| (share - 1.0).abs() > LIMIT;
+    let first = shares.iter().rposition(wrong).map_or(0, |last| last + 1);
+    (first < shares.len()).then_some(first)
+}
+
+/// The direct sum at these normals.
+fn direct_sum(study: &Study, trial: &Trial, normals: &[[f64; 3]]) -> Vec<f64> {
+    let reference = Truth::new(study.lights.degree, study.materials.order);
+    let (light, gray) = (&study.luminances[trial.light], &study.grays[trial.material]);
+    let of = |&normal: &[f64; 3]| {
+        let modes = reference.at(normal);
+        modes.irradiance(light, &modes.scatter(gray))
+    };
+    normals.iter().map(of).collect()
+}
+
+/// The reconstruction at these normals.
+pub fn shade(
+    basis: &Basis<'_, f64>,
+    coefficients: &[f64],
+    normals: &OwnedNormals<f64>,
+) -> Result<Vec<f64>> {
+    let mut scene = vec![0.0; basis.scene_len()];
+    let scene = basis.collapse_into(coefficients, &mut scene).map_err(fault)?;
+    let normals = normals.view()?;
+    let mut image = vec![0.0; normals.len()];
+    scene.shade_slice(normals, &mut image).map_err(fault)?;
+    Ok(image)
+}
+
+/// The reconstructions with the first 0, 1, .. components at the brightest normal of the image,
+/// relative to the reference there.
+fn brightest(
+    basis: &Basis<'_, f64>,
+    coefficients: &[f64],
+    image: &[f64],
+    normals: &[[f64; 3]],
+) -> Result<Vec<f64>> {
+    let most = image.iter().zip(normals).max_by(|a, b| a.0.total_cmp(b.0));
+    let (&reference, &[x, y, z]) = most.unwrap_or((&1.0, &[0.0, 0.0, 1.0]));
+    let normal = Normal::new(x, y, z).map_err(fault)?;
+    let there = |count: usize| basis.reconstruct(&coefficients[..count], normal);
+    (0..=LISTED).map(|count| Ok(there(count).map_err(fault)? / reference)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::right_from;
+
+    #[test]
+    fn a_point_is_right_from_the_last_wrong_one_on() {
+        assert_eq!(right_from(&[0.0, 0.95, 0.8, 1.09, 0.91]), Some(3));
+        assert_eq!((right_from(&[1.0, 1.0]), right_from(&[1.0, 0.5])), (Some(0), None));
+    }
 }

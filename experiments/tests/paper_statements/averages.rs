@@ -1,232 +1,238 @@
-//! Sums over rotations and partial sums: what is left, bounded and rendered.
+//! Statements of `docs/paper.md` that need more than its CSV files: averages over rotations, the
+//! shapes of eigenimages, every partial sum, and degrees beyond 9.
 
-use super::{errors, study};
-use crate::support::{numbers, repository, rows};
+use super::states;
+use crate::paper_oracle::study;
 use crate::tolerances;
+use eigenshade::Normal;
+use eigenshade_generator::basis::gram;
 use eigenshade_generator::basis::node_image::MaterialImages;
+use eigenshade_generator::basis::partial_sum::PartialSum;
+use eigenshade_generator::basis::profile::evaluate;
 use eigenshade_generator::basis::representation::fit;
-use eigenshade_index::light;
+use eigenshade_index::{light, mode};
 use eigenshade_model::rotation::Rotation;
+use eigenshade_model::selection::variances;
 use eigenshade_model::special::gauss_legendre;
+use eigenshade_shading::owned_basis::OwnedBasis;
+use eigenshade_shading::parallel;
+use eigenshade_shading::sphere_rings::{Ring, rings};
+use eigenshade_table::Table;
 use eigenshade_table::scene::Criterion;
-use experiments::paper::bound::Bounds;
-use experiments::paper::eigenimages::Eigenimages;
-use experiments::paper::rotated::Rotated;
-use experiments::paper::selected::Selected;
-use experiments::paper::study::{Modes, Study, place};
+use experiments::paper::error::rotated;
+use experiments::paper::study::{DEGREE, Modes, ORDER, place};
+use experiments::paper::variance::SURFACES;
 use indicatif::ProgressBar;
 use std::f64::consts::PI;
-
-/// The rms of a residual over a picture's pixels against that over quadrature nodes, relative:
-/// 176 pixels across, those of the rim, where it is largest, covered in part and shaded as the rim.
-const PIXEL_ERROR: f64 = 0.05;
 
 /// A mean over the rotations of a light against (38), relative: roundings of some thousand terms.
 const MEAN_OVER_ROTATIONS: f64 = 1e-13;
 
-/// Median error of the direct sum of 1,000 modes: 2.17 %.
-const PAPER_SELECTED: std::ops::Range<f64> = 0.02..0.03;
+/// The allowed violation of the bound by rounding, relative to the image's mean.
+const BOUND_ROUNDING: f64 = 1e-13;
 
-/// Its worst: 57.7 %.
-const PAPER_SELECTED_WORST: f64 = 0.5;
+/// The number of rings of equal area at which a profile is sampled.
+const RINGS: u32 = 2000;
 
-/// What all components of the 1,000 modes' basis leave of the images of all modes: 0.0141 % on average.
-const PAPER_FLOOR: f64 = 2e-4;
+/// The rotations of a light with their weights, whose sum is 1: exact for products of two D of
+/// degree 9.
+fn rotations() -> impl Iterator<Item = (Rotation, f64)> {
+    let angle = |k: i32| 2.0 * PI * f64::from(k) / 19.0;
+    gauss_legendre::rule(10, -1.0, 1.0).into_iter().flat_map(move |(z, weight)| {
+        let pairs = (0..19).flat_map(|beta| (0..19).map(move |gamma| (beta, gamma)));
+        pairs.map(move |(beta, gamma)| {
+            let rotation = Rotation { alpha: z.acos(), beta: angle(beta), gamma: angle(gamma) };
+            (rotation, weight / 722.0)
+        })
+    })
+}
 
-/// Mean errors by the 1,000 modes' basis over those by all, to ten components: two per cent more at most.
-const PAPER_SELECTED_FEW: f64 = 1.02;
+fn centered(modes: Modes) -> &'static Table {
+    &study().tables[place(Criterion::ImageCentered, modes)]
+}
 
-/// The same with fifty: 0.121 % for 0.0799 %.
-const PAPER_SELECTED_MANY: f64 = 1.4;
+fn velvet() -> &'static Vec<f64> {
+    let names = study().materials.entries.iter();
+    let found = names.zip(&study().grays).find(|(entry, _)| entry.name == "07-velvet");
+    found.expect("it is there").1
+}
 
-/// The uncorrelated sum is no bound: the share of images whose error exceeds it, 10.3 % and more, and how
-/// many times the worst does.
-const PAPER_NO_BOUND: [f64; 2] = [0.1, 1.3];
-
-/// The bound over the plain triangle inequality: half and less.
-const PAPER_TRIANGLE: f64 = 0.5;
-
-/// The largest energy of a rotation, over the mean of all: "only on average" shows.
-const PAPER_SINGLE_ROTATION: f64 = 1.2;
-
-/// The bound of a rendered sphere, of its accuracy: one term less would be above it, and no term is a
-/// twentieth of it.
-const PAPER_BOUND_USED: f64 = 0.95;
-
-/// Of 61 materials those within 10 % over all rotations, with five and six components: 32 and 44.
-const PAPER_ROTATED_WITHIN: [usize; 2] = [31, 40];
-
-/// What six components leave of velvet over all rotations.
-const PAPER_ROTATED_VELVET: f64 = 0.15;
-
-/// The ninth eigenimage stands at the rim, at least so much of its square in the outer tenth of the
-/// disc, and has at most so much of the constant.
-const PAPER_RIM: [f64; 2] = [0.3, 1e-6];
-
-/// The least product of an eigenimage of all modes and that of the 1,000, of the first eleven.
-const PAPER_PRODUCT: f64 = 0.99;
-
-/// Of the discs, the share beyond the colours' end, at most, and how near the middle, radius, at least.
-const PAPER_BEYOND: [f64; 2] = [0.01, 0.95];
-
-/// Over all rotations the eigenvalues tell what is left of all materials together.
+/// Over all rotations the eigenvalues give the error of all materials together.
 #[test]
 fn errors_over_all_rotations_are_those_of_the_eigenvalues() {
-    let (study, _) = study();
-    let rotated = Rotated::new(study, &ProgressBar::hidden());
-    let table = &study.tables[place(Criterion::ImageCentered, Modes::All)];
-    for (count, left) in rotated.all.iter().enumerate().skip(1) {
+    let all = &rotated(study(), &study().luminances, &ProgressBar::hidden())[0];
+    let table = centered(Modes::All);
+    for (count, left) in all.iter().enumerate().skip(1) {
         let expected = table.energy_left(count) / table.summary.energy;
         let off = (left / expected - 1.0).abs();
         assert!(off <= tolerances::RESIDUAL_ENERGY, "{count}: {left} {expected}");
     }
-    let within =
-        |count: usize| rotated.by_material.iter().filter(|errors| errors[count] <= 0.1).count();
-    // About half of the materials with five, as the paper has it; velvet not.
-    let [five, six] = PAPER_ROTATED_WITHIN;
-    assert!(within(5) >= five && within(6) >= six, "{} {}", within(5), within(6));
-    assert!(rotated.of_material("07-velvet")[6] > PAPER_ROTATED_VELVET);
 }
 
 /// One image turned every way by Euler angles, instead of (38).
 #[test]
 fn errors_over_all_rotations_are_means_over_rotations() {
-    let (study, _) = study();
-    let velvet = study.materials.entries.iter().position(|entry| entry.name == "07-velvet");
-    let velvet = velvet.expect("it is there");
-    let table = &study.tables[place(Criterion::ImageCentered, Modes::All)];
-    let images = MaterialImages::new(&study.gram, &[], &study.greys[velvet..=velvet]);
+    let study = study();
+    let table = centered(Modes::All);
+    let images = MaterialImages::new(&study.gram, &[], std::slice::from_ref(velvet()));
     let mut sums = [0.0; 11];
-    for (z, weight) in gauss_legendre::rule(10, -1.0, 1.0) {
-        for (beta, gamma) in (0..19).flat_map(|beta| (0..19).map(move |gamma| (beta, gamma))) {
-            let angle = |k: i32| 2.0 * PI * f64::from(k) / 19.0;
-            let rotation = Rotation { alpha: z.acos(), beta: angle(beta), gamma: angle(gamma) };
-            let fit = fit(table, &images.image(&rotation.turn(9, &study.luminances[4]), 0));
-            sums.iter_mut().zip(fit.variances).for_each(|(sum, left)| *sum += weight * left);
-        }
+    for (rotation, weight) in rotations() {
+        let fit = fit(table, &images.image(&rotation.turn(9, &study.luminances[4]), 0));
+        sums.iter_mut().zip(fit.variances).for_each(|(sum, left)| *sum += weight * left);
     }
-    let mut alone = Study::new(&ProgressBar::hidden()).expect("the shipped data");
-    alone.luminances = vec![study.luminances[4].clone()];
-    let rotated = Rotated::new(&alone, &ProgressBar::hidden());
-    for (count, left) in rotated.of_material("07-velvet").iter().enumerate().take(11) {
+    let rotated = rotated(study, &study.luminances[4..5], &ProgressBar::hidden());
+    let place = study.grays.iter().position(|gray| gray == velvet()).expect("velvet");
+    for (count, left) in rotated[place + 1].iter().enumerate().take(11) {
         let off = (sums[count] / sums[0] / left - 1.0).abs();
         assert!(off <= MEAN_OVER_ROTATIONS, "{count}: {left} {}", sums[count]);
     }
 }
 
-/// Which eigenimages the page calls what, and which are the same by 1,000 modes.
-#[test]
-fn eigenimages_look_as_they_are_called() {
-    let found = Eigenimages::new(&study().0).expect("the shipped data");
-    let shapes: Vec<(i32, usize)> =
-        found.shapes.iter().map(|shape| (shape.order.abs(), shape.changes)).collect();
-    let expected = [0, 1, 1, 0, 2, 2, 1, 1, 0, 3, 3, 2].into_iter();
-    let expected: Vec<(i32, usize)> = expected.zip([0, 0, 0, 1, 0, 0, 1, 1, 2, 0, 0, 1]).collect();
-    assert_eq!(shapes, expected);
-    assert!((found.shapes[0].constant - 1.0).abs() <= tolerances::ORTHONORMAL_NODES);
-    // In the outer tenth of the disc a constant has a tenth of its square.
-    assert!((found.shapes[0].rim - 0.1).abs() <= tolerances::ORTHONORMAL_NODES);
-    let [rim, constant] = PAPER_RIM;
-    assert!(found.shapes[8].rim > rim && found.shapes[8].constant < constant);
-    assert!(
-        found.products[..11].iter().all(|product| *product > PAPER_PRODUCT),
-        "{:?}",
-        found.products
-    );
-    let ([share, nearest], [most, least]) = (found.beyond, PAPER_BEYOND);
-    assert!(share < most && nearest > least, "{:?}", found.beyond);
-}
-
-#[test]
-fn the_truncation_harms_the_sum_more_than_the_basis() {
-    let (study, trials) = study();
-    let selected = Selected::new(study, trials);
-    assert_eq!(selected.kept, 1001);
-    assert_eq!(selected.by_degree.iter().sum::<usize>(), 1001);
-    let [median, mean, worst] = selected.image_error;
-    assert!(PAPER_SELECTED.contains(&median) && worst > PAPER_SELECTED_WORST);
-    assert!(mean > errors().mean[0][10]);
-    assert!(selected.floor < PAPER_FLOOR && selected.components == [218, 147]);
-    let [all, some] = [0, 2].map(|basis| &errors().mean[basis]);
-    for count in 0..=10 {
-        assert!(some[count] < PAPER_SELECTED_FEW * all[count], "{count}");
-    }
-    assert!(some[50] > PAPER_SELECTED_MANY * all[50]);
-}
-
-/// Every partial sum of every image, all modes and the selected ones.
-#[test]
-fn the_bound_holds_and_the_uncorrelated_sum_is_none() {
-    let (study, trials) = study();
-    let bounds = Bounds::new(study, trials, &ProgressBar::hidden());
-    assert_eq!(bounds.violations, 0);
-    assert_eq!(bounds.compared, 1586 * (3705 + 1002));
-    for row in bounds.rows.iter().filter(|row| row.modes == Modes::All) {
-        assert_eq!(row.reached, 1586);
-        assert!(row.error <= row.accuracy, "{}", row.accuracy);
-        let [share, excess] = PAPER_NO_BOUND;
-        assert!(row.exceeded > share && row.excess > excess, "{}", row.accuracy);
-        assert!(row.sufficient <= row.terms[1] && row.triangle < PAPER_TRIANGLE);
-    }
-    assert_eq!(bounds.zero_modes, 58);
-}
-
-/// A fixed set of terms left out, averaged over all rotations of one light: different
-/// (l, m) add in squares, and within one the triangle inequality gives the bound.
+/// A fixed set of terms left out, averaged over all rotations of one light: different (l, m) add in
+/// squares, and within one the triangle inequality gives the bound.
 #[test]
 fn on_average_over_rotations_degrees_and_orders_add() {
-    let (study, _) = study();
+    let study = study();
     let dropped: Vec<bool> = study.selection.iter().map(|kept| !kept).collect();
-    let velvet = study.materials.entries.iter().position(|entry| entry.name == "07-velvet");
-    let grey = study.greys[velvet.expect("it is there")].clone();
-    let left = MaterialImages::new(&study.gram, &dropped, &[grey]);
+    let left = MaterialImages::new(&study.gram, &dropped, std::slice::from_ref(velvet()));
     let captured = &study.luminances[4];
-    // Exact for products of two D of degree 9.
     let (mut mean, mut most) = (0.0, 0.0f64);
-    for (z, weight) in gauss_legendre::rule(10, -1.0, 1.0) {
-        for (beta, gamma) in (0..19).flat_map(|beta| (0..19).map(move |gamma| (beta, gamma))) {
-            let angle = |k: i32| 2.0 * PI * f64::from(k) / 19.0;
-            let rotation = Rotation { alpha: z.acos(), beta: angle(beta), gamma: angle(gamma) };
-            let energy = left.image(&rotation.turn(9, captured), 0).energy();
-            mean += weight / 722.0 * energy;
-            most = most.max(energy);
-        }
+    for (rotation, weight) in rotations() {
+        let energy = left.image(&rotation.turn(9, captured), 0).energy();
+        mean += weight * energy;
+        most = most.max(energy);
     }
-    let expected: f64 = light::indices(9)
-        .map(|(l, m)| {
-            let power = (-l.cast_signed()..=l.cast_signed())
-                .map(|n| captured[light::position(l, n)].powi(2))
-                .sum::<f64>();
-            let mut unit = vec![0.0; 100];
-            unit[light::position(l, m)] = 1.0;
-            power / (2 * l + 1) as f64 * left.image(&unit, 0).energy()
-        })
-        .sum();
+    let of_harmonic = |(l, m): (usize, isize)| {
+        let orders = -l.cast_signed()..=l.cast_signed();
+        let power: f64 = orders.map(|n| captured[light::position(l, n)].powi(2)).sum();
+        let mut unit = vec![0.0; 100];
+        unit[light::position(l, m)] = 1.0;
+        power / (2 * l + 1) as f64 * left.image(&unit, 0).energy()
+    };
+    let expected: f64 = light::indices(9).map(of_harmonic).sum();
     assert!((mean / expected - 1.0).abs() <= MEAN_OVER_ROTATIONS, "{mean} {expected}");
     // Only on average: single rotations exceed it.
-    assert!(most > PAPER_SINGLE_ROTATION * expected, "{most} {expected}");
+    assert!(most > 1.2 * expected, "{most} {expected}");
 }
 
-/// Spheres rendered to a stated accuracy, from the file that the page shows.
+/// The profile of a component on rings of equal area from the pole to the rim.
+fn profile(table: &Table, component: usize) -> Vec<f64> {
+    let profile = &table.profiles[table.components[component].profile];
+    let ring = |ring: u32| {
+        let squared_sine = (f64::from(ring) + 0.5) / f64::from(RINGS);
+        let power = squared_sine.sqrt().powi(profile.azimuth as i32);
+        power * evaluate(&profile.chebyshev, (1.0 - squared_sine).sqrt())
+    };
+    (0..RINGS).map(ring).collect()
+}
+
+fn square(values: &[f64]) -> f64 {
+    values.iter().map(|value| value * value).sum()
+}
+
+/// The share of the mean square that is constant over the sphere.
+fn constant(profile: &[f64]) -> f64 {
+    profile.iter().sum::<f64>().powi(2) / f64::from(RINGS) / square(profile)
+}
+
+/// |m| and the sign changes between the pole and the rim make a slope, a bowl, a saddle or a star.
 #[test]
-fn rendered_spheres_are_as_accurate_as_stated() {
-    let path = repository().join("docs/paper/bound_spheres.csv");
-    let text = std::fs::read_to_string(path).expect("a text");
-    let header = "light,material,terms,accuracy,bound,error,pixel_error,largest_pixel_error";
-    let rows = rows(&text, header);
-    assert_eq!(rows.len(), 3 * 4);
-    for sphere in rows.chunks(4) {
-        for (row, stated) in sphere.iter().zip([0.1, 0.03, 0.01, 0.003]) {
-            let numbers = numbers(std::slice::from_ref(row), 5);
-            let [accuracy, bound, error, pixel_error, largest] = numbers[..] else { panic!() };
-            assert_eq!(accuracy, stated);
-            // The fewest terms: one less would be worth seeing.
-            assert!(bound <= accuracy && bound > PAPER_BOUND_USED * accuracy, "{row:?}");
-            assert!(error <= bound && pixel_error <= bound && error > 0.0, "{row:?}");
-            assert!((pixel_error / error - 1.0).abs() <= PIXEL_ERROR, "{row:?}");
-            assert!(largest > pixel_error, "{row:?}");
-        }
-        let terms: Vec<usize> = sphere.iter().map(|row| row[2].parse().unwrap()).collect();
-        assert!(terms.is_sorted_by(|a, b| a < b) && terms[3] < 3646, "{terms:?}");
+fn eigenimages_look_as_they_are_called() {
+    let table = centered(Modes::All);
+    let profiles: Vec<Vec<f64>> = (0..12).map(|component| profile(table, component)).collect();
+    let orders = table.components[..12].iter().map(|component| component.order.abs());
+    assert_eq!(orders.collect::<Vec<_>>(), [0, 1, 1, 0, 2, 2, 1, 1, 0, 3, 3, 2]);
+    let changes = |values: &Vec<f64>| values.windows(2).filter(|w| w[0] * w[1] < 0.0).count();
+    let changes: Vec<usize> = profiles.iter().map(changes).collect();
+    assert_eq!(changes, [0, 0, 0, 1, 0, 0, 1, 1, 2, 0, 0, 1]);
+    let rim = |values: &[f64]| square(&values[9 * RINGS as usize / 10..]) / square(values);
+    assert!((constant(&profiles[0]) - 1.0).abs() <= tolerances::ORTHONORMAL_NODES);
+    // In the outer tenth of the disc a constant has a tenth of its square.
+    assert!((rim(&profiles[0]) - 0.1).abs() <= tolerances::ORTHONORMAL_NODES);
+    assert!(constant(&profiles[8]) < 1e-6);
+    states(rim(&profiles[8]), 0.39, 0.01);
+    // The first component of standard PCA.
+    let standard = &study().tables[place(Criterion::Standard, Modes::All)];
+    assert_eq!(standard.components[0].order, 0);
+    states(constant(&profile(standard, 0)), 0.96, 0.01);
+}
+
+#[test]
+fn eigenimages_of_1000_modes_are_nearly_the_same() {
+    let [all, selected] = Modes::BOTH.map(centered);
+    for (a, b) in all.components.iter().zip(&selected.components).take(11) {
+        let nodes = |table: &'static Table, profile: usize| &table.profiles[profile].node_values;
+        let pairs = nodes(all, a.profile).iter().zip(nodes(selected, b.profile));
+        let product: f64 = pairs.map(|(a, b)| a * b).sum();
+        assert!(a.order == b.order && product > 0.99, "{product}");
     }
+}
+
+/// The colors of Fig. 3 end at 3: little is beyond, near the rim.
+#[test]
+fn colors_show_the_eigenimages() {
+    let owned = OwnedBasis::<f64>::new(centered(Modes::All));
+    let basis = owned.basis().expect("a basis");
+    let normals: Vec<[f64; 3]> = rings(0.02).iter().flat_map(Ring::normals).collect();
+    let mut beyond = 0.0;
+    for component in 0..12 {
+        let mut coefficients = vec![0.0; component + 1];
+        coefficients[component] = 1.0;
+        for &[x, y, z] in &normals {
+            let normal = Normal::new(x, y, z).expect("visible");
+            if basis.reconstruct(&coefficients, normal).expect("few").abs() > 3.0 {
+                assert!(x.hypot(y) > 0.95, "{component}: {x} {y}");
+                // Seen by the camera, whereas rings are equally dense on the sphere.
+                beyond += z;
+            }
+        }
+    }
+    let all: f64 = normals.iter().map(|normal| 12.0 * normal[2]).sum();
+    assert!(beyond < 0.01 * all, "{beyond} of {all}");
+}
+
+/// Of the variance to degree 24, little lies beyond degree 9.
+#[test]
+fn degree_nine_carries_the_variance() {
+    const FURTHER: usize = 24;
+    let gram = gram::of_sphere(FURTHER, ORDER);
+    for (order, _, name) in SURFACES {
+        let (mut all, mut beyond) = (0.0, 0.0);
+        for azimuth in 0..=FURTHER {
+            let signs = if azimuth == 0 { 1.0 } else { 2.0 };
+            let modes = mode::indices(FURTHER, ORDER, azimuth).zip(variances(&gram, azimuth));
+            for ((l, ..), value) in modes.filter(|((_, o, ..), _)| *o <= order) {
+                all += signs * value;
+                beyond += if l > DEGREE { signs * value } else { 0.0 };
+            }
+        }
+        assert!(beyond < 0.0035 * all, "{name}: {}", beyond / all);
+    }
+}
+
+/// Every partial sum of every image, of all modes and of the selected ones.
+#[test]
+fn no_partial_sum_exceeds_its_bound() {
+    let study = study();
+    let mut compared = 0;
+    for kept in [&[][..], &study.selection] {
+        let sums = PartialSum::new(&study.gram, kept);
+        let counts = parallel::map(study.trials.len(), &ProgressBar::hidden(), |k| {
+            let trial = &study.trials[k];
+            let steps = sums.steps(&study.luminances[trial.light], &study.grays[trial.material]);
+            for step in &steps {
+                let allowed = step.bound + BOUND_ROUNDING * trial.mean;
+                assert!(step.error <= allowed, "{k}: {step:?}");
+            }
+            steps.len()
+        });
+        compared += counts.iter().sum::<usize>();
+    }
+    assert_eq!(compared, 7_465_302);
+    // Modes whose polar integrals (11) are zero.
+    let zero = |azimuth: usize| {
+        let signs = if azimuth == 0 { 1 } else { 2 };
+        signs * variances(&study.gram, azimuth).iter().filter(|value| **value < 1e-24).count()
+    };
+    assert_eq!((0..=DEGREE).map(zero).sum::<usize>(), 58);
 }

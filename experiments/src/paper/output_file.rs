@@ -6,16 +6,19 @@ use eigenshade_cli::output::rows::Rows;
 use eigenshade_cli::picture::canvas::Canvas;
 use eigenshade_cli::picture::png_file;
 use eigenshade_model::error::{Error, Result};
+use std::fmt::Display;
 use std::path::Path;
 
 /// The command that makes these files; the first line of each text names it.
-pub const COMMAND: &str = "experiments paper";
+const COMMAND: &str = "experiments paper";
+/// The folder of the figures, next to the page that shows them.
+pub const FOLDER: &str = "paper";
 /// Significant digits of the figures' numbers.
 const DIGITS: usize = 6;
 
 /// One output file.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Artefact {
+pub struct OutputFile {
     /// Its path relative to the requested folder, with `/` as the separator.
     pub name: String,
     /// The content of the file.
@@ -31,44 +34,28 @@ pub enum Content {
     Picture(Canvas),
 }
 
-impl Artefact {
-    /// A text file.
-    #[must_use]
-    pub fn text(name: impl Into<String>, text: String) -> Self {
-        Self { name: name.into(), content: Content::Text(text) }
-    }
-
-    /// A picture file.
-    #[must_use]
-    pub fn picture(name: impl Into<String>, canvas: Canvas) -> Self {
-        Self { name: name.into(), content: Content::Picture(canvas) }
-    }
-
-    /// CSV of these rows; the columns of the header are separated by commas.
-    ///
-    /// # Errors
-    ///
-    /// Never in practice: the rows are as long as the header.
-    pub fn csv(name: impl Into<String>, header: &str, rows: &[Vec<String>]) -> Result<Self> {
+impl OutputFile {
+    /// CSV of these rows, below [`FOLDER`]; the columns of the header are separated by commas.
+    pub fn csv(name: &str, header: &str, rows: &[Vec<String>]) -> Result<Self> {
         let mut bytes = format!("# {COMMAND}\n").into_bytes();
         let mut sheet = Rows::new(&mut bytes, header.split(','))?;
         for row in rows {
             sheet.row(row)?;
         }
         sheet.finish()?;
-        Ok(Self::text(name, String::from_utf8_lossy(&bytes).into_owned()))
+        let text = String::from_utf8_lossy(&bytes).into_owned();
+        Ok(Self { name: format!("{FOLDER}/{name}"), content: Content::Text(text) })
     }
 
-    /// An SVG chart.
-    #[must_use]
-    pub fn chart(name: impl Into<String>, svg: &str) -> Self {
-        Self::text(name, format!("<!-- {COMMAND} -->\n{svg}"))
+    /// An SVG chart below [`FOLDER`].
+    pub fn chart(name: &str, svg: &str) -> Self {
+        let text = format!("<!-- {COMMAND} -->\n{svg}");
+        Self { name: format!("{FOLDER}/{name}"), content: Content::Text(text) }
     }
 
-    /// The same file in a folder.
-    #[must_use]
-    pub fn below(self, folder: &str) -> Self {
-        Self { name: format!("{folder}/{}", self.name), ..self }
+    /// A PNG below [`FOLDER`].
+    pub fn picture(name: &str, canvas: Canvas) -> Self {
+        Self { name: format!("{FOLDER}/{name}"), content: Content::Picture(canvas) }
     }
 
     /// Writes the file below `folder`, either completely or not at all.
@@ -90,8 +77,13 @@ impl Artefact {
     }
 }
 
-/// A number of six significant digits.
-#[must_use]
+/// A row of a CSV: texts, then numbers with six significant digits.
+pub fn row(texts: &[&dyn Display], numbers: impl IntoIterator<Item = f64>) -> Vec<String> {
+    let texts = texts.iter().map(ToString::to_string);
+    texts.chain(numbers.into_iter().map(digits)).collect()
+}
+
+/// A number with six significant digits.
 pub fn digits(value: f64) -> String {
     exact(format!("{value:.*e}", DIGITS - 1).parse().unwrap_or(value))
 }

@@ -1,0 +1,297 @@
+//! The tables of the page, made from the figures' CSV files.
+
+use super::output_file::{Content, FOLDER, OutputFile};
+use super::study::{Modes, title};
+use super::variance::SURFACES;
+use crate::pages::Part;
+use eigenshade_cli::output::number::grouped;
+
+/// Numbers of components for which errors are given.
+const COUNTS: [usize; 8] = [5, 6, 9, 10, 20, 30, 50, 100];
+/// Numbers of components for which reconstructions are given.
+const RECONSTRUCTED: [usize; 7] = [5, 10, 20, 30, 40, 50, 70];
+/// Errors for which numbers of components are given.
+const LIMITS: [f64; 4] = [0.1, 0.05, 0.01, 0.001];
+/// A material is represented if its mean error is at most this.
+const REPRESENTED: f64 = 0.1;
+
+/// The rows of a CSV.
+pub struct Sheet {
+    pub header: Vec<String>,
+    pub rows: Vec<Vec<String>>,
+}
+
+impl Sheet {
+    /// Reads a CSV without quotation marks.
+    pub fn new(text: &str) -> Self {
+        let split = |line: &str| line.split(',').map(str::to_owned).collect::<Vec<_>>();
+        let mut lines = text.lines().filter(|line| !line.starts_with('#')).map(split);
+        Self { header: lines.next().unwrap_or_default(), rows: lines.collect() }
+    }
+
+    fn place(&self, column: &str) -> usize {
+        let found = self.header.iter().position(|name| name == column);
+        found.unwrap_or_else(|| panic!("no column `{column}` in {:?}", self.header))
+    }
+
+    /// The rows with this text in a column.
+    pub fn only(mut self, column: &str, text: &str) -> Self {
+        let place = self.place(column);
+        self.rows.retain(|row| row[place] == text);
+        self
+    }
+
+    /// The rows of a choice of modes.
+    pub fn of(self, modes: Modes) -> Self {
+        self.only("modes", &modes.count().to_string())
+    }
+
+    /// The texts of a column.
+    pub fn texts(&self, column: &str) -> Vec<&str> {
+        let place = self.place(column);
+        self.rows.iter().map(|row| row[place].as_str()).collect()
+    }
+
+    /// The numbers of a column. An empty field stands for more than was tried.
+    pub fn numbers(&self, column: &str) -> Vec<f64> {
+        let parse = |text: &str| text.parse().unwrap_or(f64::INFINITY);
+        self.texts(column).into_iter().map(parse).collect()
+    }
+}
+
+/// Where the tables get their numbers from.
+struct Sheets<'a>(&'a [OutputFile]);
+
+impl Sheets<'_> {
+    fn read(&self, name: &str) -> Sheet {
+        let file = self.0.iter().find(|file| file.name == format!("{FOLDER}/{name}.csv"));
+        match file.map(|file| &file.content) {
+            Some(Content::Text(text)) => Sheet::new(text),
+            _ => panic!("no CSV `{name}`"),
+        }
+    }
+
+    fn variance(&self) -> Table {
+        let of = |&(_, degree, name): &(usize, usize, &str)| {
+            let sheet = self.read("variance_beyond").only("surface", name);
+            let (modes, beyond) = (sheet.numbers("modes"), sheet.numbers("beyond"));
+            [degree as f64, modes[degree], beyond[degree], beyond[degree - 1]]
+        };
+        let numbers: Vec<[f64; 4]> = SURFACES.iter().map(of).collect();
+        let column = |k: usize| numbers.iter().map(|row| row[k]).collect();
+        Table::new("surface", SURFACES.map(|(_, _, name)| name.to_owned()))
+            .column("l up to", column(0), count)
+            .column("modes", column(1), count)
+            .column("variance beyond", column(2), percent)
+            .column("beyond one degree less", column(3), percent)
+    }
+
+    fn spheres(&self) -> Table {
+        let [whole, selected] = Modes::BOTH.map(|modes| self.read("spheres").of(modes));
+        Table::new("sphere", pairs(&whole))
+            .column("slant of the brightest point", whole.numbers("slant_of_peak"), degrees)
+            .column("negative", whole.numbers("share_below_zero"), percent)
+            .column("negative, 1,000 modes", selected.numbers("share_below_zero"), percent)
+            .column("rms difference, 1,000 modes", selected.numbers("rms_off_of_peak"), percent)
+            .column("error, 1,000 modes", selected.numbers("error"), percent)
+    }
+
+    fn errors(&self) -> Table {
+        let sheet = self.read("error");
+        let column = |name: &str| at(&sheet.numbers(name), &COUNTS);
+        Table::new("components", COUNTS.map(|count| count.to_string()))
+            .column("image-centered", column("image_centered"), percent)
+            .column("standard", column("standard"), percent)
+            .column("image-centered, 1,000 modes", column("image_centered_1000"), percent)
+            .column("standard, 1,000 modes", column("standard_1000"), percent)
+    }
+
+    /// The errors of each material under the lights as captured, and under rotated lights.
+    fn poses(&self) -> [Sheet; 2] {
+        let captured = self.read("error_by_material").of(Modes::All);
+        [captured.only("criterion", "image-centered"), self.read("error_rotated")]
+    }
+
+    fn components(&self) -> Table {
+        let [sheet, _] = self.poses();
+        let counts = |limit: f64| -> Vec<f64> {
+            let names = sheet.header[3..].iter();
+            let mut counts: Vec<f64> =
+                names.map(|name| needed(&sheet.numbers(name), limit) as f64).collect();
+            counts.sort_by(f64::total_cmp);
+            counts
+        };
+        let sorted = LIMITS.map(counts);
+        let (middle, last) = (sorted[0].len() / 2, sorted[0].len() - 1);
+        let at = |place: usize| sorted.iter().map(|counts| counts[place]).collect();
+        let of = |name| LIMITS.map(|limit| needed(&sheet.numbers(name), limit) as f64).into();
+        Table::new("mean error within", LIMITS.map(share))
+            .column("fewest", at(0), count)
+            .column("median", at(middle), count)
+            .column("most", at(last), count)
+            .column("velvet", of("07-velvet"), count)
+            .column("leather", of("05-leather"), count)
+    }
+
+    fn rotations(&self) -> Table {
+        let poses = self.poses();
+        let mean = [self.read("error").numbers("image_centered"), poses[1].numbers("all")];
+        let of = |pose: usize| {
+            let (sheet, mean) = (&poses[pose], &mean[pose]);
+            let error = |name| percent(sheet.numbers(name)[5]);
+            let within = |count: usize| {
+                let names = sheet.header.iter().filter(|name| name.contains('-'));
+                names.filter(|name| sheet.numbers(name)[count] <= REPRESENTED).count().to_string()
+            };
+            let named = ["07-velvet", "05-leather", "11-plaster-b"].map(error);
+            let all = [percent(mean[5])].into_iter().chain(named);
+            all.chain([5, 6, 8, 10].map(within)).collect::<Vec<_>>()
+        };
+        let names = ["all materials", "velvet", "leather", "plaster b"];
+        let names = names.map(|name| format!("error with 5 components, {name}"));
+        let counts = [5, 6, 8, 10].map(|k| format!("materials within 10 % with {k} components"));
+        Table::new("", names.into_iter().chain(counts))
+            .texts("lights as captured", of(0))
+            .texts("lights rotated every way", of(1))
+    }
+
+    fn reconstruction(&self) -> Table {
+        let column = |material: &str, column: &str| {
+            let sheet = self.read("reconstruction").of(Modes::All).only("material", material);
+            at(&sheet.numbers(column), &RECONSTRUCTED)
+        };
+        Table::new("components", RECONSTRUCTED.map(|count| count.to_string()))
+            .column("velvet, forest: error", column("07-velvet", "error"), percent)
+            .column("its brightest point", column("07-velvet", "brightest"), percent)
+            .column("leather, studio: error", column("05-leather", "error"), percent)
+            .column("its brightest point", column("05-leather", "brightest"), percent)
+    }
+
+    fn bound(&self) -> Table {
+        let [all, selected] = Modes::BOTH.map(|modes| self.read("bound").of(modes));
+        Table::new("accuracy", all.numbers("accuracy").into_iter().map(share))
+            .column("terms: fewest", all.numbers("least_terms"), count)
+            .column("median", all.numbers("median_terms"), count)
+            .column("most", all.numbers("most_terms"), count)
+            .column("sufficient, median", all.numbers("sufficient_terms"), count)
+            .column("largest error", all.numbers("largest_error"), percent)
+            .column("error / bound, largest", all.numbers("largest_error_over_bound"), ratio)
+            .column("above the uncorrelated sum", all.numbers("exceeding_uncorrelated"), percent)
+            .column("images that 1,000 modes reach", selected.numbers("images"), count)
+    }
+
+    fn bound_spheres(&self) -> Table {
+        let sheet = self.read("bound_spheres");
+        Table::new("sphere", pairs(&sheet))
+            .column("stated", sheet.numbers("accuracy"), share)
+            .column("terms", sheet.numbers("terms"), count)
+            .column("bound", sheet.numbers("bound"), percent)
+            .column("error", sheet.numbers("error"), percent)
+            .column("error over pixels", sheet.numbers("pixel_error"), percent)
+            .column("largest pixel", sheet.numbers("largest_pixel_error"), percent)
+    }
+}
+
+type Make = fn(&Sheets<'_>) -> Table;
+
+/// The tables, by the names of their markers in the page.
+const TABLES: [(&str, Make); 8] = [
+    ("variance", |sheets| sheets.variance()),
+    ("spheres", |sheets| sheets.spheres()),
+    ("errors", |sheets| sheets.errors()),
+    ("components", |sheets| sheets.components()),
+    ("rotations", |sheets| sheets.rotations()),
+    ("reconstruction", |sheets| sheets.reconstruction()),
+    ("bound", |sheets| sheets.bound()),
+    ("bound spheres", |sheets| sheets.bound_spheres()),
+];
+
+/// The generated parts of the page.
+pub fn parts(files: &[OutputFile]) -> Vec<Part> {
+    TABLES.iter().map(|(name, table)| (*name, table(&Sheets(files)).text())).collect()
+}
+
+/// The same without any text.
+pub fn empty_parts() -> Vec<Part> {
+    TABLES.iter().map(|(name, _)| (*name, String::new())).collect()
+}
+
+/// The least number of components with at most this error.
+pub fn needed(errors: &[f64], error: f64) -> usize {
+    errors.iter().position(|found| *found <= error).unwrap_or(errors.len())
+}
+
+fn pairs(sheet: &Sheet) -> Vec<String> {
+    let names = sheet.texts("material").into_iter().zip(sheet.texts("light"));
+    names.map(|(material, light)| format!("{}, {light}", title(material))).collect()
+}
+
+fn at(column: &[f64], places: &[usize]) -> Vec<f64> {
+    places.iter().map(|&place| column[place]).collect()
+}
+
+/// A Markdown table: names in the first column, numbers in the others.
+struct Table(Vec<Vec<String>>);
+
+impl Table {
+    fn new(header: &str, names: impl IntoIterator<Item = String>) -> Self {
+        let rows = names.into_iter().map(|name| vec![name]);
+        Self([vec![header.into()]].into_iter().chain(rows).collect())
+    }
+
+    fn texts(mut self, header: &str, texts: impl IntoIterator<Item = String>) -> Self {
+        let fields = [header.to_owned()].into_iter().chain(texts);
+        self.0.iter_mut().zip(fields).for_each(|(row, field)| row.push(field));
+        self
+    }
+
+    fn column(self, header: &str, numbers: Vec<f64>, format: fn(f64) -> String) -> Self {
+        self.texts(header, numbers.into_iter().map(format))
+    }
+
+    fn text(mut self) -> String {
+        let columns = self.0[0].len();
+        let rules = [vec!["---".to_owned()], vec!["---:".to_owned(); columns - 1]].concat();
+        self.0.insert(1, rules);
+        self.0.iter().map(|row| format!("| {} |\n", row.join(" | "))).collect()
+    }
+}
+
+fn count(value: f64) -> String {
+    grouped(value as usize)
+}
+
+fn degrees(value: f64) -> String {
+    format!("{value:.0}°")
+}
+
+fn ratio(value: f64) -> String {
+    format!("{value:.3}")
+}
+
+/// A share in percent, with three digits.
+fn percent(share: f64) -> String {
+    let value = 100.0 * share;
+    let magnitude = if value == 0.0 { 0 } else { value.abs().log10().floor() as i32 };
+    let places = usize::try_from(2 - magnitude).unwrap_or(0).min(6);
+    format!("{value:.places$} %")
+}
+
+/// A limit in percent, without needless digits.
+fn share(limit: f64) -> String {
+    let value = format!("{:.6}", 100.0 * limit);
+    format!("{} %", value.trim_end_matches('0').trim_end_matches('.'))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{percent, share};
+
+    #[test]
+    fn shares_have_three_digits() {
+        let texts = [0.0, 1e-5, 0.00744, -0.0744, 0.174, 0.9926, 1.0].map(percent);
+        let expected = ["0.00 %", "0.00100 %", "0.744 %", "-7.44 %", "17.4 %", "99.3 %", "100 %"];
+        assert_eq!(texts, expected);
+        assert_eq!([0.3, 0.01, 1e-6].map(share), ["30 %", "1 %", "0.0001 %"]);
+    }
+}
