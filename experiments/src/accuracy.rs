@@ -99,13 +99,13 @@ impl<'a> Reference<'a> {
     #[must_use]
     pub fn of_sum(&self, lights: &Lights, degree: usize, order: usize) -> Vec<f64> {
         let material = self.surface.project(order, Measure::Projected).material;
-        let truth = Truth::new(degree, order);
+        let modes_at = Truth::new(degree, order);
         let count = light::count(degree);
         let hidden = ProgressBar::hidden();
         let images = parallel::map(self.rings.len(), &hidden, |k| {
             let ring = &self.rings[k];
             let (sine, cosine) = ring.slant.sin_cos();
-            let modes = truth.at([sine, 0.0, cosine]);
+            let modes = modes_at.at([sine, 0.0, cosine]);
             let scattered = material.rgb.each_ref().map(|channel| modes.scatter(channel));
             let profile =
                 |light: &Named, c: usize| modes.profile(&light.rgb[c][..count], &scattered[c]);
@@ -159,9 +159,9 @@ impl<'a> Reference<'a> {
         let weights =
             self.rings.iter().flat_map(|ring| std::iter::repeat_n(ring.weight, ring.tilts.len()));
         let mut squares = vec![0.0; self.peaks.len()];
-        for ((weight, truth), ours) in weights.zip(&self.images).zip(images) {
-            for ((square, truth), ours) in squares.iter_mut().zip(truth).zip(ours) {
-                let channels = truth.iter().zip(ours).map(|(a, b)| (a - b) * (a - b));
+        for ((weight, reference), ours) in weights.zip(&self.images).zip(images) {
+            for ((square, reference), ours) in squares.iter_mut().zip(reference).zip(ours) {
+                let channels = reference.iter().zip(ours).map(|(a, b)| (a - b) * (a - b));
                 *square += weight * channels.sum::<f64>() / 3.0;
             }
         }

@@ -20,6 +20,16 @@ pub const SHAPES: [[usize; 2]; 5] = [[9, 7], [12, 12], [16, 16], [24, 24], [32, 
 /// Three captured maps: small lamps, a low sun, a soft sky.
 const LIGHTS: [&str; 3] = ["studio", "sunset", "park"];
 
+/// Writes the errors as CSV to standard output.
+pub fn print(shapes: &[[usize; 2]]) {
+    println!("degree,order,components,method,format,max,rms");
+    for &[degree, order] in shapes {
+        for Errors { components, method, format, largest, rms } in errors([degree, order]) {
+            println!("{degree},{order},{components},{method},{format},{largest:.1e},{rms:.1e}");
+        }
+    }
+}
+
 /// Errors of the worst pair of a light and a material, as shares of the image's peak.
 pub struct Errors {
     pub components: usize,
@@ -43,7 +53,7 @@ struct Inputs {
     materials: Materials,
     normals: Vec<[f64; 3]>,
     /// Irradiances by normal, then by light, then by material.
-    truth: Vec<Vec<[f64; 3]>>,
+    reference: Vec<Vec<[f64; 3]>>,
 }
 
 /// The table of all components at this degree and order, with its lights and materials.
@@ -74,14 +84,14 @@ impl Inputs {
         lights.entries.iter_mut().for_each(Named::lose_colour);
         let normals = normals();
         let progress = bar("normals", normals.len());
-        let truth = reference_image::images(&lights, &materials, &normals, &progress);
-        Self { table, lights, materials, normals, truth }
+        let reference = reference_image::images(&lights, &materials, &normals, &progress);
+        Self { table, lights, materials, normals, reference }
     }
 
     fn compare<S: Scalar + Into<f64>>(&self, format: &'static str) -> Vec<Errors> {
         let owned = OwnedBasis::<S>::new(&self.table);
         let mut shader = Shader::new(owned.any().expect("a basis"), usize::MAX);
-        let Self { lights, materials, normals, truth, .. } = self;
+        let Self { lights, materials, normals, reference, .. } = self;
         let rounded = OwnedNormals::<S>::new(normals);
         let each = rounded.each().expect("normals");
         // The number that `shade` uses.
@@ -97,7 +107,7 @@ impl Inputs {
                         "eigen" => shader.eigen(light, material, &each),
                         _ => shader.looked_up(light, material, &each, LookUp::Cubic { knots }),
                     };
-                    let exact = truth.iter().map(|one| one[i * materials.entries.len() + j][0]);
+                    let exact = reference.iter().map(|one| one[i * materials.entries.len() + j][0]);
                     let peak = exact.clone().map(f64::abs).fold(0.0, f64::max);
                     let pairs = image.expect("an image").into_iter().zip(exact);
                     let off: Vec<f64> =

@@ -12,6 +12,8 @@ pub mod multiplications;
 
 pub mod accuracy;
 
+pub mod float_errors;
+
 pub mod paper;
 
 pub mod accuracy_cost;
@@ -19,7 +21,5 @@ pub mod accuracy_cost;
 pub mod ablation;
 
 pub mod stability;
-
-pub mod float_errors;
 
 pub mod reading;

@@ -6,6 +6,7 @@ use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::fault;
 use eigenshade_table::parts::{NONE, ProfilePlace};
 use eigenshade_table::{Parts, Table};
+use eigenshade_testing::images::products;
 
 /// Multiplications of each step for one channel, with all components of a table. Multiplications by
 /// padding zeros are included.
@@ -50,15 +51,10 @@ impl Multiplications {
     }
 }
 
-/// Multiply-adds of a pixel with polynomials of these lengths: one less than the number of terms,
-/// two for n_x - i n_y in the real and two in the imaginary part of each azimuth except the first
-/// and the last, and one for t.
+/// Multiply-adds of a pixel with polynomials of these lengths, up to the last that is not empty.
 fn pixel(lengths: &[u16]) -> usize {
     let used = lengths.iter().rposition(|&length| length > 0).map_or(0, |last| last + 1);
-    let of = |length: &u16| usize::from(length.saturating_sub(1));
-    let both: usize = lengths[..used].iter().map(|length| 2 * of(length)).sum();
-    let polynomials = both - lengths.first().map_or(0, of);
-    polynomials + (4 * used).saturating_sub(6) + usize::from(polynomials > 0)
+    products(&lengths[..used])
 }
 
 #[cfg(test)]

@@ -1,9 +1,106 @@
-//! Generated parts of handwritten pages.
+//! Generated parts of handwritten pages: inserting them, and comparing them with a new measurement.
 //!
 //! A part is enclosed by `<!-- NAME -->` and `<!-- end of NAME -->`, each on its own line.
 
+use clap::Args;
+use eigenshade_cli::output::destination;
+use eigenshade_model::error::{self, Error};
+use std::fs;
+use std::path::PathBuf;
+
 /// A part's name and its text, which consists of whole lines.
 pub type Part = (&'static str, String);
+
+/// A page of `docs/` with generated parts.
+pub struct Page {
+    /// The page's name, which is also the name of the command that regenerates its parts.
+    pub name: &'static str,
+    /// Whether a recorded word is the same as a new one, given the recorded line.
+    pub same: fn(line: &str, old: &str, new: &str) -> bool,
+}
+
+impl Page {
+    /// Inserts the parts into the page of `--out`, or compares them with the page of `--check`.
+    ///
+    /// # Errors
+    ///
+    /// If a file cannot be read or written, the page lacks a marker, or a part differs.
+    pub fn write_or_compare(&self, purpose: &Purpose, parts: &[Part]) -> error::Result<()> {
+        let Some(path) = purpose.out.as_ref().or(purpose.check.as_ref()) else { return Ok(()) };
+        let page = fs::read_to_string(path).map_err(|error| Error::io(path, &error))?;
+        let text = with_parts(&page, parts)
+            .map_err(|fault| Error::new(fault, "restore them").in_file(path))?;
+        purpose
+            .write_or_compare(&text, &self.command(), |old, new| compare_words(old, new, self.same))
+    }
+
+    /// Compares the recorded page in `docs/` with new parts.
+    ///
+    /// # Errors
+    ///
+    /// The first line that differs.
+    pub fn check(&self, parts: &[Part]) -> Result<(), String> {
+        let path = eigenshade_testing::repository().join(format!("docs/{}.md", self.name));
+        let recorded = fs::read_to_string(path).map_err(|error| error.to_string())?;
+        let now = with_parts(&recorded, parts)?;
+        compare_words(&recorded, &now, self.same)
+            .map_err(|fault| format!("{fault}; make it again with `{}`", self.command()))
+    }
+
+    fn command(&self) -> String {
+        let name = self.name;
+        format!("cargo run --release -p experiments -- {name} --out docs/{name}.md")
+    }
+}
+
+/// Whether a command writes its output or compares it with an existing file. Exactly one of the two
+/// is required.
+#[derive(Args, Debug)]
+#[group(required = true, multiple = false)]
+pub struct Purpose {
+    /// Write to this folder or file
+    #[arg(long, value_name = "PATH")]
+    pub out: Option<PathBuf>,
+    /// Compare this folder or file with the current measurements
+    #[arg(long, value_name = "PATH")]
+    pub check: Option<PathBuf>,
+}
+
+impl Purpose {
+    /// Writes `text` to `--out`, or compares it with the file of `--check`: `compare(recorded,
+    /// text)` returns the first difference. `command` is the command that rewrites the file.
+    ///
+    /// # Errors
+    ///
+    /// If a file cannot be read or written, or the recorded text differs.
+    pub fn write_or_compare(
+        &self,
+        text: &str,
+        command: &str,
+        compare: impl Fn(&str, &str) -> Result<(), String>,
+    ) -> error::Result<()> {
+        if let Some(path) = &self.out {
+            destination::write_text(Some(path), text)?;
+        }
+        if let Some(path) = &self.check {
+            let recorded = fs::read_to_string(path).map_err(|error| Error::io(path, &error))?;
+            compare(&recorded, text).map_err(|fault| {
+                Error::new(fault, format!("make it again with `{command}`")).in_file(path)
+            })?;
+        }
+        Ok(())
+    }
+}
+
+/// A table with these columns, which ` | ` separates. Those that end with a colon are right-aligned.
+pub fn table(columns: &str, rows: impl IntoIterator<Item = Vec<String>>) -> String {
+    let mut text = format!("| {} |\n|", columns.replace(": |", " |").trim_end_matches(':'));
+    for name in columns.split(" | ") {
+        text += if name.ends_with(':') { "---:|" } else { "---|" };
+    }
+    let rows = rows.into_iter().map(|cells| format!("\n| {} |", cells.join(" | ")));
+    text + &rows.collect::<String>() + "\n"
+}
 
 /// Returns the page with the text of each part replaced.
 ///
@@ -23,32 +120,50 @@ pub fn with_parts(page: &str, parts: &[Part]) -> Result<String, String> {
     Ok(page)
 }
 
-/// Compares a page with its current version, word by word. Words with an exponent or a percent sign
-/// are numbers and must be `near` each other (recorded, now). Words that begin with × are ratios of
-/// times and are not compared. All other words must be equal.
+/// Compares a page with its current version, word by word, by [`same_word`].
 ///
 /// # Errors
 ///
 /// The first line that differs.
 pub fn compare(recorded: &str, now: &str, near: impl Fn(f64, f64) -> bool) -> Result<(), String> {
-    let same = |old: &str, new: &str| match (number(old), number(new)) {
-        (Some(old), Some(new)) => near(old, new),
-        _ => old == new || old.starts_with('×') && new.starts_with('×'),
-    };
+    compare_words(recorded, now, |_, old, new| same_word(old, new, &near))
+}
+
+/// Compares a page with its current version, word by word: `same(recorded line, old, new)`.
+///
+/// # Errors
+///
+/// The first line that differs.
+pub fn compare_words(
+    recorded: &str,
+    now: &str,
+    same: impl Fn(&str, &str, &str) -> bool,
+) -> Result<(), String> {
     let (old, new): (Vec<_>, Vec<_>) = (recorded.lines().collect(), now.lines().collect());
     for (line, (old, new)) in old.iter().zip(&new).enumerate() {
         let [before, after] = [old, new].map(|line| line.split_whitespace().collect::<Vec<_>>());
-        let alike = before.len() == after.len()
-            && before.iter().zip(&after).all(|(old, new)| same(old, new));
+        let alike =
+            before.len() == after.len() && before.iter().zip(&after).all(|(a, b)| same(old, a, b));
         if !alike {
-            return Err(format!("line {}: it says `{old}` where it is `{new}`", line + 1));
+            return Err(format!("line {}: recorded `{old}`, now `{new}`", line + 1));
         }
     }
-    if old.len() == new.len() { Ok(()) } else { Err("it has another number of lines".into()) }
+    if old.len() == new.len() { Ok(()) } else { Err("the number of lines differs".into()) }
+}
+
+/// Whether a recorded word and the current one are the same. Words with an exponent or a percent
+/// sign are numbers and must be `near` each other (recorded, now). Words that begin with × are
+/// ratios of times and are not compared. All other words must be equal.
+pub fn same_word(old: &str, new: &str, near: impl Fn(f64, f64) -> bool) -> bool {
+    match (number(old), number(new)) {
+        (Some(old), Some(new)) => near(old, new),
+        _ => old == new || old.starts_with('×') && new.starts_with('×'),
+    }
 }
 
 fn number(word: &str) -> Option<f64> {
-    if let Some(share) = word.trim_end_matches([',', '.', ';']).strip_suffix('%') {
+    let word = word.trim_end_matches([',', '.', ';']);
+    if let Some(share) = word.strip_suffix('%') {
         return share.parse::<f64>().ok().map(|share| 1e-2 * share);
     }
     if word.contains('e') { word.parse().ok() } else { None }
@@ -67,9 +182,21 @@ mod tests {
     }
 
     #[test]
+    fn a_table_has_a_row_for_each_list_of_cells() {
+        let text =
+            table("a | b:", [["x", "1"], ["y", "2"]].map(|row| row.map(Into::into).to_vec()));
+        assert_eq!(text, "| a | b |\n|---|---:|\n| x | 1 |\n| y | 2 |\n");
+    }
+
+    #[test]
     fn words_are_equal_and_numbers_near() {
         let near = |old: f64, new: f64| (old - new).abs() <= 0.1 * old;
-        for (old, new) in [("1.0e-3 a", "1.05e-3 a"), ("10 %", "10 %"), ("10%;", "10.5%;")] {
+        for (old, new) in [
+            ("1.0e-3 a", "1.05e-3 a"),
+            ("1e-3, b", "1.05e-3, b"),
+            ("10 %", "10 %"),
+            ("10%;", "10.5%;"),
+        ] {
             assert_eq!(compare(old, new, near), Ok(()), "{old}");
         }
         assert_eq!(compare("×1.2 b", "×7 b", near), Ok(()));

@@ -1,7 +1,7 @@
-//! What `docs/ablation.md` says: the scenes' tables, the shares of their effects against sums
-//! over modes by hand, their errors, and the counts beside the nine-term formula.
+//! The figures of `docs/ablation.md`: the scenes' tables, the shares of their effects against sums
+//! over modes by hand, their errors, and their costs relative to the nine-term formula.
 
-use crate::support::repository;
+use crate::tolerances;
 use eigenshade_cli::table::compare::differences;
 use eigenshade_generator::scene_file;
 use eigenshade_index::effect::{Effect, Effects};
@@ -10,11 +10,10 @@ use eigenshade_model::truth::Truth;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader};
 use experiments::ablation::counts::{Counts, M0, M4F};
-use experiments::ablation::pictures::{Sphere, peak};
-use experiments::ablation::savings::size;
+use experiments::ablation::pictures::{self, Sphere, peak};
 use experiments::ablation::scenes::{self, SCENES, Scene};
-use experiments::ablation::{compare, errors, nine_terms, page, shares};
-use experiments::{ablation, pages, tolerances};
+use experiments::ablation::speed::Times;
+use experiments::ablation::{self, nine_terms};
 
 /// A scene of degree 2 in f32 against the nine-term formula in f64, of the peak: rounding of ten
 /// sums.
@@ -23,22 +22,17 @@ const SAME_AS_NINE_TERMS: f64 = 1e-6;
 /// Pictures of effects against sums over modes by hand, of the peak: rounding of 3,704 products.
 const EFFECT_BY_HAND: f64 = 2e-14;
 
-/// The committed tables are those of their scene files; scenes that share one differ in colour
-/// and rotation alone.
+/// The committed tables are those of their scene files; scenes that share one differ in color and
+/// rotation alone.
 #[test]
 fn tables_are_of_their_scenes() {
     for scene in &SCENES {
-        let path = repository().join(format!("firmware/scenes/{}.toml", scene.name));
         let table = scene.whole_table();
-        let loaded = scene_file::load(&path).expect("a scene");
+        let loaded = scene_file::load(scene.path()).expect("a scene");
         let mut fresh = loaded.build().expect("a table");
-        let named = fresh.scene.effects.clone();
-        assert_eq!(
-            (named.colour, named.rotation),
-            (scene.channels == 3, scene.turns),
-            "{}",
-            scene.name
-        );
+        let named = &fresh.scene.effects;
+        let (color, turns) = (scene.channels == 3, scene.turns);
+        assert_eq!((named.colour, named.rotation), (color, turns), "{}", scene.name);
         if scene.name != scene.table {
             (fresh.scene.effects.colour, fresh.scene.effects.rotation) = (false, false);
         }
@@ -49,11 +43,10 @@ fn tables_are_of_their_scenes() {
     }
 }
 
-/// Whether a mode of degree l and order o does.
+/// Whether a mode of degree l and order o belongs to an effect.
 type Belongs = fn(usize, usize) -> bool;
 
-/// The picture of each effect, mode by mode: (14) times L times b, of the modes that the effect
-/// is said to have.
+/// The picture of each effect, mode by mode: (14) times L times b.
 #[test]
 fn pictures_of_effects_are_sums_over_their_modes() {
     let sphere = Sphere::new(0.5);
@@ -63,10 +56,10 @@ fn pictures_of_effects_are_sums_over_their_modes() {
         let (degree, order) = (table.gram.degree, table.scene.material.order);
         let light = scene.light(degree);
         let material = scenes::material(&table, order);
-        let truth = Truth::new(degree, order);
+        let reference = Truth::new(degree, order);
         let by_hand = |belongs: Belongs| -> Vec<f64> {
             let of = |normal: &[f64; 3]| {
-                let modes = truth.at(*normal);
+                let modes = reference.at(*normal);
                 let mut sum = 0.0;
                 for ((l, m), of_light) in light::indices(degree).zip(&light[0]) {
                     for ((o, p, q), b) in material::indices(order).zip(&material) {
@@ -97,10 +90,10 @@ fn pictures_of_effects_are_sums_over_their_modes() {
     }
 }
 
-/// Of the page's normals: the mean of n_z² over the disc is 1/2, of n_x² n_y² 1/24.
+/// The mean of n_z² over the disc is 1/2, that of n_x² n_y² is 1/24.
 #[test]
 fn the_root_mean_square_is_over_the_disc() {
-    let sphere = Sphere::new(shares::SPACING);
+    let sphere = Sphere::new(pictures::SPACING);
     let root = |value: &dyn Fn(&[f64; 3]) -> f64| {
         sphere.rms(&vec![sphere.normals.iter().map(value).collect()]).powi(2)
     };
@@ -109,10 +102,10 @@ fn the_root_mean_square_is_over_the_disc() {
 }
 
 #[test]
-fn scenes_keep_what_they_are_asked_for() {
+fn scenes_keep_their_tolerances() {
     let mut faults = Vec::new();
     for scene in &SCENES {
-        let found = errors::errors(scene);
+        let found = pictures::errors(scene);
         println!("{}: {found:?}", scene.name);
         if !(found.f32 <= scene.tolerance && found.q15 <= scene.tolerance) {
             faults.push(format!("{}: {found:?}", scene.name));
@@ -131,7 +124,7 @@ fn a_lambertian_material_under_light_of_degree_two_is_the_nine_term_formula() {
         }
     }
     let scene = Scene::named("sky_lambertian");
-    assert_eq!(page::terms(&scene), 9);
+    assert_eq!(scene.terms(), 9);
     let table = scene.whole_table();
     let basis = OwnedBasis::<f32>::new(&table);
     let mut shader = Shader::new(basis.basis().expect("a basis"), table.count());
@@ -150,17 +143,16 @@ fn a_lambertian_material_under_light_of_degree_two_is_the_nine_term_formula() {
         }
     }
     // To 1e-2, whatever the light of degree 2.
-    assert!(errors::terms_within(&scene, 1e-2).iter().all(|&terms| terms <= 9));
+    assert!(pictures::terms_within(&scene, 1e-2).iter().all(|&terms| terms <= 9));
 }
 
-/// Gloss is what costs: without it fewer components and terms, and less than half of the
-/// numbers.
+/// Without gloss there are fewer components and terms, and less than half of the numbers.
 #[test]
 fn a_scene_without_gloss_costs_less() {
     for name in ["studio_velvet", "sun_leather"] {
         let scene = Scene::named(name);
-        let all = size(&scene, None).expect("the scene");
-        let less = size(&scene, Some(Effect::Gloss)).expect("an effect of the scene");
+        let all = scene.size(None).expect("the scene");
+        let less = scene.size(Some(Effect::Gloss)).expect("an effect of the scene");
         assert!(less.components < all.components && less.terms < all.terms, "{less:?} {all:?}");
         assert!(2 * less.numbers < all.numbers, "{less:?} of {all:?}");
     }
@@ -177,37 +169,34 @@ fn typical_scenes_cost_no_more_than_promised() {
     }
 }
 
-/// One term, and the same number for every normal, of less than a third of the formula's
-/// instructions where there is no float unit.
+/// One term takes less than a third of the formula's instructions without a float unit.
 #[test]
 fn ambient_light_on_a_lambertian_material_is_a_constant() {
-    assert_eq!(page::terms(&Scene::named("ambient_lambertian")), 1);
+    assert_eq!(Scene::named("ambient_lambertian").terms(), 1);
     let counts = Counts::recorded();
     assert!(counts.of_nine_terms(M0, "ambient_lambertian/pixel") < 0.33);
     assert!(counts.of_nine_terms(M4F, "ambient_lambertian/pixel") < 0.5);
 }
 
-/// Times apart, which the page tells and no test compares.
+/// Times are not compared.
 #[test]
-fn the_page_says_what_is_counted_and_computed() {
-    let recorded = include_str!("../../docs/ablation.md");
-    let parts = page::parts(|scene| vec![0.0; if scene.is_some() { 1 } else { 4 }]);
-    let now = pages::with_parts(recorded, &parts).expect("the page's markers");
-    if let Err(fault) = compare::compare(recorded, &now) {
-        panic!("docs/ablation.md: {fault}; make it again with `{}`", page::COMMAND);
-    }
+fn the_page_has_the_current_figures() {
+    let times = Times { scenes: vec![0.0; SCENES.len()], changes: [0.0; 4] };
+    assert_eq!(ablation::PAGE.check(&ablation::parts(&times)), Ok(()));
 }
 
-/// `docs/costs.md` and `docs/performance.md` count the multiplications of the shipped table, the
-/// former in two digits.
+/// The tables of `docs/costs.md` and `docs/performance.md` have the multiplications of the shipped
+/// table, the former to two digits.
 #[test]
 fn pages_agree_on_multiplications() {
-    let found = ablation::changes::multiplications();
+    let found = ablation::multiplications();
     let page = include_str!("../../docs/costs.md");
-    let rows = [("`transfer`: ", found.transfer), ("`relight`: ", found.relight)];
-    let rows =
-        rows.into_iter().chain([("`collapse`: ", found.collapse), ("`shade`: ", found.pixel)]);
-    for (start, count) in rows {
+    for (start, count) in [
+        ("`transfer`: ", found.transfer),
+        ("`relight`: ", found.relight),
+        ("`collapse`: ", found.collapse),
+        ("`shade`: ", found.pixel),
+    ] {
         let row = page.lines().find_map(|line| line.strip_prefix(&format!("| {start}")));
         let stated = row.and_then(|row| row.trim_end_matches(" |").rsplit(' ').next());
         let stated: f64 = stated.expect(start).replace(',', "").parse().expect("a number");

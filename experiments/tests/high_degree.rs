@@ -6,14 +6,14 @@ use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_table::wire::{Endian, Format, encode};
 use experiments::float_errors::{SHAPES, errors, table};
 
-/// What all components in f32 and f64 are off the direct sum at 9, 7; 12, 12; 16, 16; 24, 24 and
-/// 32, 32, of the peak: in f32 a few roundings of each of three steps, in f64 the rank's cut-off of
-/// 1e-10, which the sharpest lobes amplify, and look-ups, which end 2^-22 short of the pole.
+/// Errors of all components in f32 and f64 at each shape, relative to the peak: in f32 a few
+/// roundings of each of three steps, in f64 the rank's cut-off of 1e-10, which the sharpest lobes
+/// amplify, and look-ups, which end 2^-22 short of the pole.
 const ALL_COMPONENTS_AT: [[f64; 2]; 5] =
     [[2e-6, 5e-6], [1e-5, 5e-6], [1e-5, 5e-6], [2e-5, 1e-5], [2e-5, 1e-5]];
 
-/// The three ways that are as exact as their format, with every component above a rank cut-off
-/// of 1e-10.
+/// Three methods with every component above a rank cut-off of 1e-10. `docs/method.md` has the errors
+/// in f32.
 #[test]
 fn floats_are_right_at_every_degree() {
     let page = include_str!("../../docs/method.md");
@@ -29,18 +29,18 @@ fn floats_are_right_at_every_degree() {
             assert!((0.5..=2.0).contains(&ratio), "{shape:?} {}: {:e}", one.method, one.largest);
         }
         for one in errors {
-            let ways = format!("{shape:?}, {} components, {}", one.components, one.method);
-            println!("{ways}, {}: {:.1e}, rms {:.1e}", one.format, one.largest, one.rms);
+            let method = format!("{shape:?}, {} components, {}", one.components, one.method);
+            println!("{method}, {}: {:.1e}, rms {:.1e}", one.format, one.largest, one.rms);
             let allowed = if one.format == "f32" { in_f32 } else { in_f64 };
-            assert!(one.largest <= allowed, "{ways} in {}: {:e}", one.format, one.largest);
+            assert!(one.largest <= allowed, "{method} in {}: {:e}", one.format, one.largest);
         }
     }
 }
 
-/// A table with series comes back from its wire file, array by array;
-/// a number of recurrences that is not one for each term and azimuth is refused.
+/// A table with series is read back from its wire file, array by array. A number of recurrences that
+/// is not one for each term and azimuth is refused.
 #[test]
-fn a_table_with_series_comes_back() {
+fn a_table_with_series_is_read_back() {
     let (table, ..) = table([16, 16]);
     let owned = OwnedBasis::<f32>::new(&table);
     let basis = owned.basis().expect("a basis");

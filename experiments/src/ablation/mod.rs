@@ -3,16 +3,277 @@
 //!
 //! `experiments ablation` writes the generated parts of `docs/ablation.md`.
 
-pub mod beside;
-pub mod cells;
-pub mod changes;
-pub mod compare;
 pub mod counts;
-pub mod errors;
 pub mod nine_terms;
-pub mod page;
 pub mod pictures;
-pub mod savings;
 pub mod scenes;
-pub mod shares;
 pub mod speed;
+
+use crate::median::median;
+use crate::multiplications::Multiplications;
+use crate::pages::{Page, Part, same_word, table};
+use crate::tolerances;
+use counts::{Column, Counts, M0, M3, M4F, RV32};
+use eigenshade_cli::output::number::grouped;
+use eigenshade_index::effect::Effect;
+use eigenshade_shading::shipped;
+use eigenshade_table::decode;
+use eigenshade_table::trim::trim;
+use pictures::{errors, shares, terms_within};
+use scenes::{SCENES, Scene, Size};
+use speed::Times;
+
+/// Allowed relative difference of the figures on the page: they have two digits, and the last may
+/// be rounded either way.
+const DIFFERENCE: f64 = 0.1;
+
+/// Errors on the page below this are f32 rounding and differ between hosts.
+const ROUNDING: f64 = 1e-6;
+
+/// `docs/ablation.md`.
+pub const PAGE: Page = Page {
+    name: "ablation",
+    same: |_, old, new| {
+        same_word(old, new, |old, new| {
+            let most = old.abs().max(new.abs());
+            (old - new).abs() <= DIFFERENCE * most || most < ROUNDING
+        })
+    },
+};
+
+/// The table that the boards' `shade` uses, and the share of the rms to which their build script
+/// trims its polynomials.
+const BOARDS: (&[u8], f64) = (include_bytes!("../../../firmware/tables/full.bin"), 2e-4);
+
+/// The parts of the page.
+pub fn parts(times: &Times) -> Vec<Part> {
+    let counts = Counts::recorded();
+    vec![
+        ("costs", costs(&counts, &times.scenes)),
+        ("savings", savings()),
+        ("worth", worth()),
+        ("own", own()),
+        ("beside", beside(&counts)),
+        ("changes", changes(&counts, times.changes)),
+    ]
+}
+
+/// A number with commas between thousands; a dash if there is none.
+fn number(number: Option<u64>) -> String {
+    number.map_or_else(|| "-".into(), |number| grouped(number as usize))
+}
+
+/// A percentage with two digits.
+fn percent(share: f64) -> String {
+    match 100.0 * share {
+        zero if zero < 1e-10 => "0".into(),
+        large if large >= 9.95 => format!("{large:.0}%"),
+        middle if middle >= 0.995 => format!("{middle:.1}%"),
+        small => format!("{small:.2}%"),
+    }
+}
+
+/// The cost of each scene. `host` holds the times of a pixel.
+fn costs(counts: &Counts, host: &[f64]) -> String {
+    let columns = "\
+        scene | effects | terms: | flash M0, M4F: | RAM M0, M4F: | pixel M0: | pixel M4F: | \
+        light M0: | light M4F: | turn M4F: | pixel, in nine-term pixels: M0, M4F, host:";
+    let row = |(scene, host): (&Scene, &f64)| {
+        let of = |operation: &str| format!("{}/{operation}", scene.name);
+        let get = |on, operation: &str, column| number(counts.get(on, &of(operation), column));
+        let both = |column| [M0, M4F].map(|on| get(on, "scene", column)).join(", ");
+        let ratio = |on| match counts.get(on, &of("pixel"), Column::Instructions) {
+            Some(_) => format!("{:.2}", counts.of_nine_terms(on, &of("pixel"))),
+            None => "-".into(),
+        };
+        let instructions = |on, operation| get(on, operation, Column::Instructions);
+        vec![
+            scene.title.into(),
+            effects(scene).join(", "),
+            scene.terms().to_string(),
+            both(Column::Flash),
+            both(Column::Ram),
+            instructions(M0, "pixel"),
+            instructions(M4F, "pixel"),
+            instructions(M0, "light"),
+            instructions(M4F, "light"),
+            instructions(M4F, "turn"),
+            format!("{}, {}, ×{host:.2}", ratio(M0), ratio(M4F)),
+        ]
+    };
+    table(columns, SCENES.iter().zip(host).map(row))
+}
+
+/// The names of a scene's effects and requirements.
+fn effects(scene: &Scene) -> Vec<String> {
+    let table = scene.whole_table();
+    let wanted = table.effects();
+    let has_modes = |effect: &Effect| *effect == Effect::Ambient || table.gram.degree > 0;
+    let effects = Effect::ALL.into_iter().filter(|&effect| wanted.has(effect)).filter(has_modes);
+    let mut names: Vec<String> = effects.map(|effect| effect.name().into()).collect();
+    names.extend((scene.channels == 3).then(|| "color".into()));
+    names.extend(scene.turns.then(|| "turning".into()));
+    names
+}
+
+/// What leaving an effect out saves, for the scenes with several effects.
+fn savings() -> String {
+    let row = |name| {
+        let scene = Scene::named(name);
+        let of = |without| match scene.size(without) {
+            Some(Size { components, terms, numbers }) => {
+                format!("{components}, {terms}, {}", grouped(numbers))
+            }
+            None => String::new(),
+        };
+        let sizes = std::iter::once(None).chain(Effect::ALL.map(Some)).map(of);
+        std::iter::once(scene.title.into()).chain(sizes).collect()
+    };
+    table(
+        "scene | all: | no ambient: | no diffuse: | no broad: | no gloss:",
+        ["sky_lambertian", "studio_plaster", "studio_velvet", "sun_leather"].map(row),
+    )
+}
+
+/// What each effect contributes.
+fn worth() -> String {
+    let names = ["ambient", "diffuse", "broad", "gloss", "color", "turning"];
+    let row = |scene: &Scene| {
+        let shares = shares(scene);
+        let mut cells = vec![scene.title.into(), scene.light.into()];
+        for name in names {
+            let found = shares.effects.iter().find(|(one, _)| *one == name);
+            cells.push(found.map_or(String::new(), |(_, share)| percent(*share)));
+        }
+        cells.push(percent(shares.left_out));
+        cells
+    };
+    let columns = format!("scene | light | {}: | the scene leaves out:", names.join(": | "));
+    table(&columns, SCENES.iter().map(row))
+}
+
+/// Errors of the scenes' own tables.
+fn own() -> String {
+    let row = |scene: &Scene| {
+        let found = errors(scene);
+        let cells = [scene.title.into(), format!("{:e}", scene.tolerance)];
+        let errors = [found.f32, found.worst, found.q15].map(|error| format!("{error:.1e}"));
+        [&cells[..], &errors[..]].concat()
+    };
+    let columns =
+        "scene | within: | f32, its light: | f32, the worst of 26 lights: | Q15, its light:";
+    table(columns, SCENES.iter().map(row))
+}
+
+/// The table of the page that compares scenes with the formula.
+fn beside(counts: &Counts) -> String {
+    let ratios = |operation: &str| {
+        let [m0, m4f] = [M0, M4F].map(|on| counts.of_nine_terms(on, operation));
+        format!("{m0:.2} (M0) and {m4f:.2} (M4F)")
+    };
+    let pixel = |name: &str| ratios(&format!("{name}/pixel"));
+    let terms = |name: &str| Scene::named(name).terms().to_string();
+    let nine = nine_terms::errors();
+    let [formula, best] = [0, 1].map(|k| nine.iter().map(|errors| errors[k]).collect::<Vec<_>>());
+    let most = |errors: &[f64]| percent(errors.iter().copied().fold(0.0, f64::max));
+    let count = |number: usize| number.to_string();
+    let enough = best.iter().filter(|&&error| error <= 1e-2).count();
+    let within = terms_within(&Scene::named("park_lambertian_fine"), 1e-2);
+    let kept = within.iter().filter(|&&terms| terms <= 9).count();
+    let middle = median(&within.iter().map(|&terms| terms as f64).collect::<Vec<_>>());
+    let [limit, typical] = [tolerances::OF_NINE_TERMS, tolerances::TYPICAL_OF_NINE_TERMS];
+    let rows = [
+        ("Lambertian, light of degree 2: instructions of a pixel", ratios("shade_lambertian")),
+        ("the same, asserted limit", limit.to_string()),
+        ("Lambertian, shipped lights: number", count(nine.len())),
+        ("error of the formula, median", percent(median(&formula))),
+        ("error of the formula, worst", most(&formula)),
+        ("error of the nearest nine coefficients, median", percent(median(&best))),
+        ("error of the nearest nine coefficients, worst", most(&best)),
+        ("lights under which nine coefficients are within 1e-2", count(enough)),
+        ("terms that `collapse_within` keeps at 1e-2, median", middle.to_string()),
+        ("terms, fewest", count(within.iter().min().copied().unwrap_or(0))),
+        ("terms, most", count(within.iter().max().copied().unwrap_or(0))),
+        ("lights under which nine terms or fewer are kept", count(kept)),
+        ("the scene made for 1e-2: terms", terms("park_lambertian")),
+        ("the scene made for 1e-2: instructions of a pixel", pixel("park_lambertian")),
+        ("plaster at 1e-3: instructions of a pixel", pixel("studio_plaster")),
+        ("velvet at 1e-3", pixel("studio_velvet")),
+        ("leather at 1e-3", pixel("sun_leather")),
+        ("these three, asserted limit", typical.to_string()),
+        ("ambient light on velvet: terms", terms("ambient_velvet")),
+    ];
+    let columns = "a Lambertian or typical scene, beside the nine-term formula | found:";
+    table(columns, rows.map(|(what, found)| vec![what.into(), found]))
+}
+
+/// Multiplications with the shipped table.
+pub fn multiplications() -> Multiplications {
+    Multiplications::of(&decode(shipped::TABLE).expect("the shipped table")).expect("a basis")
+}
+
+/// The work after each change with the shipped table, as multiplications and as counted
+/// instructions. The boards use their own table to count a pixel.
+fn changes(counts: &Counts, host: [f64; 4]) -> String {
+    let found = multiplications();
+    let boards = [M4F, M0, M3, RV32];
+    let counted = |operations: &[&str]| {
+        boards.map(|on| {
+            let of = |operation: &&str| counts.get(on, operation, Column::Instructions);
+            number(operations.iter().map(of).sum())
+        })
+    };
+    let not_counted = || boards.map(|_| String::from("-"));
+    // For three channels.
+    let turn = counts.get(M4F, "sun_leather_turning/turn", Column::Instructions);
+    let light = counts.get(M4F, "relight_collapse", Column::Instructions);
+    let mut turned = not_counted();
+    turned[0] = number(turn.zip(light).map(|(turn, light)| turn / 3 + light));
+    let relight = found.relight + found.collapse;
+    let [of_light, of_turn, of_material] =
+        [relight, found.turn, found.transfer + relight].map(grouped);
+    let of_turn = format!("{of_turn} matrix elements of some twenty each, then {of_light}");
+    let mut full = decode(BOARDS.0).expect("the boards' table");
+    trim(&mut full, BOARDS.1);
+    let full = Multiplications::of(&full).expect("a basis").pixel;
+    let (transfer, pixel) = ("the material's transfer", "each pixel: `shade`");
+    let rows = [
+        ("light", "`relight`, `collapse`", transfer, of_light, counted(&["relight_collapse"])),
+        ("light, turned", "`Light::turned`, `relight`, `collapse`", transfer, of_turn, turned),
+        (
+            "material",
+            "`transfer`, `relight`, `collapse`",
+            "the light's coefficients",
+            of_material,
+            counted(&["transfer", "relight_collapse"]),
+        ),
+        (
+            "view of the same light: normals",
+            pixel,
+            "the scene, all of it",
+            format!("{} a pixel", found.pixel),
+            not_counted(),
+        ),
+        (
+            "the same, table `full.toml`",
+            pixel,
+            "the scene",
+            format!("{full} a pixel"),
+            counted(&["shade"]),
+        ),
+    ];
+    let times = host.map(|time| format!("×{}", grouped(time.round() as usize)));
+    let times = times.into_iter().chain(["-".into()]);
+    let columns = "\
+        what is new | redone | kept | multiplications: | M4F `f32`: | M0 `q15`: | M3 `q15`: | \
+        RV32 `q15`: | host:";
+    let row = |((what, redone, kept, products, counts), time)| {
+        let texts: [&str; 3] = [what, redone, kept];
+        let mut cells: Vec<String> = texts.map(String::from).into();
+        cells.push(products);
+        cells.extend(counts);
+        cells.push(time);
+        cells
+    };
+    table(columns, rows.into_iter().zip(times).map(row))
+}

@@ -1,9 +1,8 @@
 //! The nine-term formula of Ramamoorthi and Hanrahan: the irradiance of a Lambertian material under
 //! light up to degree 2, and its error compared with light of all degrees.
 
-use super::pictures::{Sphere, difference, peak};
+use super::pictures::{SPACING, Sphere, difference, peak};
 use super::scenes::{self, Scene};
-use super::shares::SPACING;
 use eigenshade_index::effect::Effects;
 use nalgebra::{DMatrix, DVector};
 

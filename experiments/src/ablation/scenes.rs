@@ -1,9 +1,12 @@
 //! The ten scenes, and the light and the material of each.
 
+use eigenshade_generator::scene_file;
+use eigenshade_index::effect::Effect;
 use eigenshade_index::material;
 use eigenshade_model::database::{Lights, Named};
 use eigenshade_shading::shipped;
-use eigenshade_table::{Table, decode};
+use eigenshade_table::{Parts, Table, decode};
+use std::path::PathBuf;
 
 /// A scene of `firmware/scenes`.
 #[derive(Clone, Copy, Debug)]
@@ -42,10 +45,10 @@ pub const SCENES: [Scene; 10] = [
     still("studio_plaster", "studio on plaster, no gloss", "studio"),
     still("studio_velvet", "studio on velvet", "studio"),
     LEATHER,
-    Scene { name: "sun_leather_colour", title: "sun on leather in colour", channels: 3, ..LEATHER },
+    Scene { name: "sun_leather_colour", title: "sun on leather in color", channels: 3, ..LEATHER },
     Scene {
         name: "sun_leather_turning",
-        title: "sun on leather in colour, turning",
+        title: "sun on leather in color, turning",
         channels: 3,
         turns: true,
         ..LEATHER
@@ -65,6 +68,28 @@ impl Scene {
         decode(&bytes).expect("a table")
     }
 
+    /// The scene file.
+    pub fn path(&self) -> PathBuf {
+        eigenshade_testing::repository().join(format!("firmware/scenes/{}.toml", self.name))
+    }
+
+    /// The number of terms of one channel's polynomials on the boards.
+    pub fn terms(&self) -> usize {
+        Size::of(&self.whole_table()).terms
+    }
+
+    /// The size of the scene's table, or of the table that is made without an effect to the same
+    /// tolerance; `None` if the scene does not have the effect.
+    pub fn size(&self, without: Option<Effect>) -> Option<Size> {
+        let mut loaded = scene_file::load(self.path()).expect("a scene");
+        let wanted = &mut loaded.scene.effects.wanted;
+        if without.is_some_and(|effect| !wanted.contains(&effect)) {
+            return None;
+        }
+        wanted.retain(|&one| Some(one) != without);
+        Some(Size::of(&loaded.build().expect("a table")))
+    }
+
     /// The scene's light up to a degree, by channel.
     pub fn light(&self, degree: usize) -> Vec<Vec<f64>> {
         let lights = lights(degree).entries;
@@ -75,6 +100,31 @@ impl Scene {
     /// A light by channel: its luminance if the scene has one channel.
     pub fn channels_of(&self, light: &Named) -> Vec<Vec<f64>> {
         if self.channels == 1 { vec![light.luminance()] } else { light.rgb.to_vec() }
+    }
+}
+
+/// The size of a table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Size {
+    /// The number of components K.
+    pub components: usize,
+    /// Terms of the polynomials of all azimuths; each costs a pixel one multiplication.
+    pub terms: usize,
+    /// Numbers in all statics of the table.
+    pub numbers: usize,
+}
+
+impl Size {
+    fn of(table: &Table) -> Self {
+        let parts = Parts::new(table);
+        let both: usize = parts.lengths.iter().map(|&length| 2 * usize::from(length)).sum();
+        let constant = parts.lengths.first().map_or(0, |&length| usize::from(length));
+        let arrays = [&parts.polar, &parts.factors, &parts.ambient, &parts.terms];
+        Self {
+            components: table.count(),
+            terms: both - constant,
+            numbers: arrays.iter().map(|array| array.len()).sum(),
+        }
     }
 }
 

@@ -1,13 +1,30 @@
 //! Times on this machine, relative to a pixel by the nine-term formula in the same run.
 
-use super::scenes::{self, Scene};
+use super::scenes::{self, SCENES, Scene};
 use crate::median::median;
-use eigenshade::{Light, Material, NineTerms, Normals, Rotation, sphere};
+use eigenshade::{Light, Material, NineTerms, Rotation, sphere};
 use eigenshade_index::light;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader};
+use eigenshade_testing::images::single;
 use std::hint::black_box;
 use std::time::Instant;
+
+/// Times relative to a pixel by the nine-term formula.
+pub struct Times {
+    /// Of a pixel of each scene, in all channels.
+    pub scenes: Vec<f64>,
+    /// With the shipped table: of a new light, a turned light and a new material, each up to the
+    /// new scene, and of a pixel.
+    pub changes: [f64; 4],
+}
+
+impl Times {
+    /// Measures all.
+    pub fn measured() -> Self {
+        Self { scenes: SCENES.iter().map(of_scene).collect(), changes: of_changes() }
+    }
+}
 
 /// Width and height of the picture in pixels.
 const SIDE: usize = 96;
@@ -15,18 +32,19 @@ const SIDE: usize = 96;
 const ROUNDS: usize = 41;
 
 /// The normals of the picture's pixels inside the disc.
-pub fn normals() -> Vec<[f64; 3]> {
+fn normals() -> OwnedNormals<f32> {
     let along = |k: usize| (2 * k + 1) as f64 / SIDE as f64 - 1.0;
     let points = (0..SIDE * SIDE).map(|k| (along(k % SIDE), -along(k / SIDE)));
     let inside = points.filter(|(x, y)| x * x + y * y < 1.0);
-    inside.map(|(x, y)| [x, y, (1.0 - x * x - y * y).sqrt()]).collect()
+    let normals = inside.map(|(x, y)| [x, y, (1.0 - x * x - y * y).sqrt()]);
+    OwnedNormals::new(&normals.collect::<Vec<_>>())
 }
 
 /// The median time of an operation relative to that of a nine-term pixel; the two are timed in
 /// turn.
 fn ratio(operations: usize, mut operation: impl FnMut()) -> f64 {
-    let owned = OwnedNormals::<f32>::new(&normals());
-    let normals = owned.view().expect("visible normals");
+    let owned = normals();
+    let normals = owned.view().expect("as many of each");
     let formula = NineTerms::new([0.7f32, -0.1, 0.1, 0.2, -0.03, 0.05, 0.04, 0.02, 0.1]);
     let mut irradiance = vec![0.0f32; normals.len()];
     let mut nine_terms = || {
@@ -46,8 +64,7 @@ fn ratio(operations: usize, mut operation: impl FnMut()) -> f64 {
     median(&ours) / median(&theirs)
 }
 
-/// A pixel of a scene, in all channels.
-pub fn of_scene(scene: &Scene) -> f64 {
+fn of_scene(scene: &Scene) -> f64 {
     let table = scene.whole_table();
     let (degree, order) = (table.gram.degree, table.gram.order);
     let material = scenes::material(&table, order);
@@ -61,7 +78,7 @@ pub fn of_scene(scene: &Scene) -> f64 {
         basis.collapse_into(d, &mut numbers).expect("room");
         channels.push(numbers);
     }
-    let normals = OwnedNormals::<f32>::new(&normals());
+    let normals = normals();
     let normals = normals.view().expect("as many of each");
     let mut irradiance = vec![0.0; normals.len()];
     let scenes: Vec<_> = channels
@@ -76,15 +93,12 @@ pub fn of_scene(scene: &Scene) -> f64 {
     })
 }
 
-/// With the shipped table: a new light, a turned light and a new material, each up to the new
-/// scene, and a pixel.
-pub fn of_changes() -> [f64; 4] {
+fn of_changes() -> [f64; 4] {
     const ROOM: usize = Light::<f32>::turn_len(sphere::DEGREE);
     const LIGHT: usize = light::count(sphere::DEGREE);
-    let narrow = |values: Vec<f64>| values.iter().map(|&v| v as f32).collect::<Vec<f32>>();
     let scene = Scene::named("sun_leather");
-    let coefficients = narrow(scene.light(sphere::DEGREE).remove(0));
-    let material = narrow(scenes::material(&scene.whole_table(), sphere::ORDER));
+    let coefficients = single(scene.light(sphere::DEGREE).remove(0));
+    let material = single(scenes::material(&scene.whole_table(), sphere::ORDER));
     let light = Light::new(sphere::DEGREE, &coefficients).expect("100 coefficients");
     let material = Material::new(sphere::ORDER, &material).expect("40 coefficients");
     let transfer = sphere::transfer(&material).expect("it fits");
@@ -93,8 +107,8 @@ pub fn of_changes() -> [f64; 4] {
         sphere::collapse(&d).expect("it fits")
     };
     let rotation = Rotation::from_quaternion([0.1, 0.2, 0.3, 1.0]).expect("a rotation");
-    let normals = OwnedNormals::<f32>::new(&normals());
-    let normals: Normals<'_, f32> = normals.view().expect("as many of each");
+    let normals = normals();
+    let normals = normals.view().expect("as many of each");
     let mut irradiance = vec![0.0; normals.len()];
     let image = collapsed(&light, &transfer);
     let times = |mut one: Box<dyn FnMut() + '_>| ratio(20, move || (0..20).for_each(|_| one()));

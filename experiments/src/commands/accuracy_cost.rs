@@ -1,6 +1,6 @@
 //! `experiments accuracy-cost`: the error and the cost of every setting.
 
-use super::purpose::Purpose;
+use experiments::pages::Purpose;
 use clap::Args;
 use eigenshade_cli::output::message::{bar, say};
 use eigenshade_cli::output::{collision, destination};

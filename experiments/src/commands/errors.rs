@@ -10,12 +10,14 @@ use eigenshade_generator::direct::Surroundings;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::light::projection::named_maps;
 use eigenshade_generator::material;
+use eigenshade_generator::material::brdf::Surface;
 use eigenshade_generator::material::files::Source;
 use eigenshade_model::budget::Budget;
 use eigenshade_model::database::Lights;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::read_lights;
 use eigenshade_model::inputs::input_file::InputFile;
+use eigenshade_table::Table;
 use experiments::accuracy::{Reference, spacing};
 use experiments::median::median;
 use std::path::{Path, PathBuf};
@@ -62,45 +64,17 @@ impl Errors {
         let files = named.iter().map(|(_, map)| map.clone()).chain(of_materials);
         let inputs = [self.table.clone(), self.lights.clone()].into_iter().chain(files);
         collision::refuse(&self.out, inputs)?;
-        let table = table_file::read(file(&self.table))?;
+        let table = self.table()?;
         let (degree, order) = (table.gram.degree, table.gram.order);
-        if table.general.is_some() || !table.has_projection() {
-            return Err(Error::new(
-                "it is not a whole table of a sphere, under light that turns freely",
-                "make one: only such tables are set against direct integration",
-            )
-            .in_file(&self.table));
-        }
-        if !table.effects().is_all() || !table.scene.effects.colour {
-            return Err(Error::new(
-                "it leaves out effects or colour, which direct integration has",
-                "take a table of all effects, in colour",
-            )
-            .in_file(&self.table));
-        }
         let lights = self.lights_of(&named)?;
         if lights.degree < degree {
             let found = lights.degree;
-            let what = format!("its lights are of degree {found}, the table is of {degree}");
+            let what = format!("the lights have degree {found}, the table has degree {degree}");
             return Err(Error::new(what, "give lights of the table's degree").in_file(&self.lights));
         }
-        let mut surfaces = Vec::new();
-        for path in &self.materials {
-            for source in material::files::read(file(path))? {
-                match source {
-                    Source::Surface(surface) => surfaces.push(surface),
-                    Source::Measured(measured) => {
-                        let what = format!("`{}` is measured at points only", measured.name);
-                        let remedy = "give formulas or MERL files";
-                        return Err(Error::new(what, remedy).in_file(path));
-                    }
-                }
-            }
-        }
-        let maps: Vec<EnvironmentMap> = named
-            .iter()
-            .map(|(_, path)| EnvironmentMap::from_path(file(path)))
-            .collect::<Result<_>>()?;
+        let surfaces = self.surfaces()?;
+        let map = |(_, path): &(String, PathBuf)| EnvironmentMap::from_path(file(path));
+        let maps = named.iter().map(map).collect::<Result<Vec<_>>>()?;
         let maps = Surroundings::new(&maps)?;
         let mut sums = vec![(degree, order)];
         sums.extend(OTHERS.iter().filter(|&&size| size <= lights.degree).map(|&s| (s, s)));
@@ -112,25 +86,24 @@ impl Errors {
             }
             let mut rows = Rows::new(out, COLUMNS)?;
             for surface in &surfaces {
+                let name = &surface.name;
                 let progress = bar("batches of normals", 0);
                 let reference =
                     Reference::new(surface, &maps, spacing(surface), self.fineness, &progress);
                 progress.finish_and_clear();
                 if let Some(black) = reference.black() {
-                    let what = format!("`{}` is black under `{}`", surface.name, named[black].0);
-                    return Err(Error::new(what, "take it out: an error of its peak says nothing"));
+                    let what = format!("`{name}` is black under `{}`", named[black].0);
+                    return Err(Error::new(what, "leave it out: its images have no peak"));
                 }
                 let mut row = |degree: usize, order: usize, components: String, errors: &[f64]| {
                     let worst = (0..errors.len()).max_by(|&a, &b| errors[a].total_cmp(&errors[b]));
                     let worst = worst.unwrap_or_default();
-                    let (middle, most) = (median(errors), errors[worst]);
-                    let map = &named[worst].0;
+                    let (middle, most, map) = (median(errors), errors[worst], &named[worst].0);
                     say(format_args!(
-                        "{} {degree}, {order} {components}: median {middle:.2e}, worst {most:.2e} ({map})",
-                        surface.name
+                        "{name} {degree}, {order} {components}: median {middle:.2e}, worst {most:.2e} ({map})"
                     ));
                     rows.row([
-                        surface.name.clone(),
+                        name.clone(),
                         degree.to_string(),
                         order.to_string(),
                         components,
@@ -152,12 +125,46 @@ impl Errors {
         })
     }
 
+    fn table(&self) -> Result<Table> {
+        let table = table_file::read(file(&self.table))?;
+        let fault = |what, remedy| Err(Error::new(what, remedy).in_file(&self.table));
+        if table.general.is_some() || !table.has_projection() {
+            return fault(
+                "it is not a complete table of a sphere under light that turns freely",
+                "make one: only such tables are compared with direct integration",
+            );
+        }
+        if !table.effects().is_all() || !table.scene.effects.colour {
+            return fault(
+                "it lacks effects or color, which direct integration has",
+                "use a table of all effects, in color",
+            );
+        }
+        Ok(table)
+    }
+
+    fn surfaces(&self) -> Result<Vec<Surface>> {
+        let mut surfaces = Vec::new();
+        for path in &self.materials {
+            for source in material::files::read(file(path))? {
+                match source {
+                    Source::Surface(surface) => surfaces.push(surface),
+                    Source::Measured(measured) => {
+                        let what = format!("`{}` is measured at points only", measured.name);
+                        return Err(Error::new(what, "give formulas or MERL files").in_file(path));
+                    }
+                }
+            }
+        }
+        Ok(surfaces)
+    }
+
     /// The lights of the maps, in order.
     fn lights_of(&self, named: &[(String, PathBuf)]) -> Result<Lights> {
         let all = read_lights(file(&self.lights), None)?;
         let find = |(name, _): &(String, PathBuf)| {
             all.entries.iter().find(|light| light.name == *name).cloned().ok_or_else(|| {
-                let what = format!("no light is called as the map `{name}`");
+                let what = format!("no light has the name of the map `{name}`");
                 Error::new(what, "make the light of the map with `eigenshade light`")
                     .in_file(&self.lights)
             })
@@ -169,7 +176,7 @@ impl Errors {
 fn fineness(text: &str) -> std::result::Result<f64, String> {
     match text.parse::<f64>() {
         Ok(number) if (0.25..=16.0).contains(&number) => Ok(number),
-        _ => Err("a number from 0.25 to 16 is wanted".to_owned()),
+        _ => Err("expected a number from 0.25 to 16".to_owned()),
     }
 }
 

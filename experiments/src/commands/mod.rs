@@ -1,38 +1,52 @@
-//! The commands, one per file.
+//! The commands. Short ones are methods of [`Command`], the others have files of their own.
 
-mod ablation;
 mod accuracy_cost;
 mod errors;
-mod float_errors;
-mod glossy_materials;
-mod golden;
-mod page;
+mod files;
 mod paper;
-mod picture;
-mod purpose;
-mod reading;
-mod same_order;
-mod stability;
-mod wasm_tables;
 
 use clap::Subcommand;
-use eigenshade_model::error::Result;
+use eigenshade_cli::output::message::spinner;
+use eigenshade_model::error::{Error, Result};
+use experiments::pages::Purpose;
+use experiments::{ablation, float_errors, reading, stability};
+use std::path::PathBuf;
 
 /// The commands of the program.
 #[derive(Debug, Subcommand)]
 pub enum Command {
     Paper(paper::Paper),
-    Picture(picture::Picture),
+    Picture(files::Picture),
     AccuracyCost(accuracy_cost::AccuracyCost),
-    Ablation(ablation::Ablation),
-    Stability(stability::Stability),
-    Reading(reading::Reading),
+    /// Cost and contribution of each effect, docs/ablation.md; times are not compared
+    Ablation(Purpose),
+    /// The numerically hard cases, measured, docs/stability.md; ratios of times are not compared
+    Stability(Purpose),
+    /// Errors of estimates from degraded images, docs/reading.md
+    Reading {
+        #[command(flatten)]
+        purpose: Purpose,
+        /// Folder of the shipped tables
+        #[arg(long, value_name = "DIR", default_value = "tables")]
+        tables: PathBuf,
+    },
     Errors(errors::Errors),
-    FloatErrors(float_errors::FloatErrors),
-    Golden(golden::Golden),
-    GlossyMaterials(glossy_materials::GlossyMaterials),
-    SameOrder(same_order::SameOrder),
-    WasmTables(wasm_tables::WasmTables),
+    /// Errors of the runtime in floats against the direct sum over modes, with all components
+    ///
+    /// Writes CSV to standard output: the largest and the root mean square error of a pixel,
+    /// relative to the image's peak, for the worst pair of a light and a material.
+    FloatErrors {
+        /// Degrees and orders [default: from 9,7 to 32,32]
+        #[arg(value_name = "DEGREE,ORDER", value_parser = shape)]
+        shapes: Vec<[usize; 2]>,
+    },
+    /// Results of the runtime, tests/golden/sphere.csv
+    ///
+    /// Integers must be equal; floats may differ by the tolerance that the file states.
+    Golden(Purpose),
+    GlossyMaterials(files::GlossyMaterials),
+    SameOrder(files::SameOrder),
+    WasmTables(files::WasmTables),
 }
 
 impl Command {
@@ -42,15 +56,37 @@ impl Command {
             Self::Paper(command) => command.run(),
             Self::Picture(command) => command.run(),
             Self::AccuracyCost(command) => command.run(),
-            Self::Ablation(command) => command.run(),
-            Self::Stability(command) => command.run(),
-            Self::Reading(command) => command.run(),
+            Self::Ablation(purpose) => {
+                let parts = ablation::parts(&ablation::speed::Times::measured());
+                ablation::PAGE.write_or_compare(&purpose, &parts)
+            }
+            Self::Stability(purpose) => {
+                let progress = spinner("cases");
+                let parts = stability::parts(|name| progress.set_message(name.to_owned()));
+                progress.finish_and_clear();
+                let parts = parts.map_err(|fault| Error::new(fault, "every bound must hold"))?;
+                stability::PAGE.write_or_compare(&purpose, &parts)
+            }
+            Self::Reading { purpose, tables } => {
+                reading::PAGE.write_or_compare(&purpose, &reading::parts(&tables)?)
+            }
             Self::Errors(command) => command.run(),
-            Self::FloatErrors(command) => command.run(),
-            Self::Golden(command) => command.run(),
+            Self::FloatErrors { shapes } => {
+                let shapes = if shapes.is_empty() { &float_errors::SHAPES } else { &shapes[..] };
+                float_errors::print(shapes);
+                Ok(())
+            }
+            Self::Golden(purpose) => files::golden(&purpose),
             Self::GlossyMaterials(command) => command.run(),
             Self::SameOrder(command) => command.run(),
             Self::WasmTables(command) => command.run(),
         }
     }
+}
+
+fn shape(text: &str) -> std::result::Result<[usize; 2], String> {
+    let numbers = text.split_once(',').and_then(|(degree, order)| {
+        Some([degree.parse::<usize>().ok()?, order.parse::<usize>().ok()?])
+    });
+    numbers.ok_or_else(|| "expected two whole numbers like 9,7".to_owned())
 }

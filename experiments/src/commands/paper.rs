@@ -1,6 +1,6 @@
 //! `experiments paper`: the figures of the paper, on the shipped data.
 
-use super::purpose::Purpose;
+use experiments::pages::Purpose;
 use clap::Args;
 use eigenshade_cli::output::message::{say, spinner};
 use eigenshade_model::error::Result;

@@ -1,7 +1,6 @@
 //! Scores a reading against the true light and material.
 
 use crate::median::median;
-use crate::reading::damage::Damage;
 use eigenshade_cli::reading::image_reading::Reading;
 use eigenshade_generator::reading::eigenimage_values::EigenimageValues;
 use eigenshade_generator::reading::rank_one::RankOne;
@@ -10,14 +9,13 @@ use eigenshade_index::light;
 use eigenshade_model::database::{Materials, Named};
 use eigenshade_model::truth::Truth;
 use eigenshade_table::Table;
-use std::fmt;
 
 /// Iterations for a product in least-norm modes: these are far from any product, and many do not
 /// converge within 10,000.
 const LEAST_NORM_TURNS: usize = 200;
 
 /// Images of known lights on known materials.
-pub struct Truths {
+pub struct TestSet {
     /// Light and material of each image.
     pairs: Vec<(Vec<f64>, Named)>,
     /// The normal of each pixel.
@@ -28,129 +26,134 @@ pub struct Truths {
     scales: Vec<f64>,
 }
 
-/// Errors of many images, shown as their median and the worst one.
-#[derive(Default)]
-pub struct Errors(Vec<f64>);
-
-impl fmt::Display for Errors {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.0.iter().copied().max_by(f64::total_cmp) {
-            Some(worst) => write!(f, "{:.1e}, {worst:.1e}", median(&self.0)),
-            None => write!(f, "-"),
-        }
-    }
-}
-
-/// The errors of all readings of one kind of damage.
-#[derive(Default)]
-pub struct Score {
-    /// |d - truth| / |truth| by scalar product, least squares and posterior mean.
-    pub coefficients: [Errors; 3],
-    /// Rms of the image's error over the pixels that were not seen (or over all pixels if all were
-    /// seen), relative to its peak, by the same three methods.
-    pub images: [Errors; 3],
-    /// Rank of the true material among the candidates, from 0.
-    pub places: Vec<usize>,
-    /// Errors of the light, up to degree 2 and up to the table's degree, with the likeliest
-    /// material and with the true one; then up to degree 2 from the product in the posterior modes,
-    /// and up to degree 2 from the product in the least-norm modes of least squares.
-    pub lights: [Errors; 6],
-}
-
-impl Truths {
+impl TestSet {
     /// Combines every light with every material, in luminance.
     pub fn new(
         [lights, materials]: [Vec<Named>; 2],
         [degree, order]: [usize; 2],
         normals: Vec<[f64; 3]>,
     ) -> Self {
-        let truth = Truth::new(degree, order);
-        let modes: Vec<_> = normals.iter().map(|normal| truth.at(*normal)).collect();
-        let mut truths =
-            Self { pairs: Vec::new(), normals: Vec::new(), images: Vec::new(), scales: Vec::new() };
+        let reference = Truth::new(degree, order);
+        let modes: Vec<_> = normals.iter().map(|normal| reference.at(*normal)).collect();
+        let (mut pairs, mut images, mut scales) = (Vec::new(), Vec::new(), Vec::new());
         for material in &materials {
-            let coefficients = material.luminance();
-            let scattered: Vec<_> =
-                modes.iter().map(|modes| modes.scatter(&coefficients)).collect();
+            let b = material.luminance();
+            let scattered: Vec<_> = modes.iter().map(|modes| modes.scatter(&b)).collect();
             for light in &lights {
                 let light = light.luminance();
-                let image: Vec<f64> = modes
-                    .iter()
-                    .zip(&scattered)
-                    .map(|(modes, scattered)| modes.irradiance(&light, scattered))
-                    .collect();
+                let seen = modes.iter().zip(&scattered).map(|(at, of)| at.irradiance(&light, of));
+                let image: Vec<f64> = seen.collect();
                 let scale = image.iter().fold(0.0f64, |peak, value| peak.max(value.abs())).recip();
-                truths.images.push(image.iter().map(|value| scale * value).collect());
-                truths.scales.push(scale);
-                truths.pairs.push((light, material.clone()));
+                images.push(image.iter().map(|value| scale * value).collect());
+                scales.push(scale);
+                pairs.push((light, material.clone()));
             }
         }
-        drop(modes);
-        Self { normals, ..truths }
+        Self { pairs, normals, images, scales }
     }
 }
 
-/// The scores of these readings, whose channels are the images.
+/// The errors of all readings of one kind of degradation.
+#[derive(Default)]
+pub struct Score {
+    /// |d - reference| / |reference| by scalar product, least squares and posterior mean.
+    coefficients: [Vec<f64>; 3],
+    /// Rms of the image's error over the pixels that were not seen (or over all pixels if all were
+    /// seen), relative to its peak, by the same three methods.
+    images: [Vec<f64>; 3],
+    /// Rank of the true material among the candidates, from 1.
+    places: Vec<usize>,
+    /// Errors of the light, up to degree 2 and up to the table's degree, with the likeliest
+    /// material and with the true one; then up to degree 2 from the product in the posterior modes,
+    /// and up to degree 2 from the product in the least-norm modes of least squares.
+    lights: [Vec<f64>; 6],
+}
+
+/// The median of many errors and the worst one.
+fn cell(errors: &[f64]) -> String {
+    match errors.iter().copied().max_by(f64::total_cmp) {
+        Some(worst) => format!("{:.1e}, {worst:.1e}", median(errors)),
+        None => "-".into(),
+    }
+}
+
+impl Score {
+    /// Errors of d for each estimate, then of its image where it was not seen.
+    pub fn of_estimates(&self) -> Vec<String> {
+        self.coefficients.iter().chain(&self.images).map(|errors| cell(errors)).collect()
+    }
+
+    /// Ranks of the true material, then errors of the light.
+    pub fn of_scene(&self) -> Vec<String> {
+        let first = self.places.iter().filter(|place| **place == 1).count();
+        let places = match self.places.iter().max() {
+            Some(last) => [format!("{first} of {}", self.places.len()), last.to_string()],
+            None => ["-", "-"].map(String::from),
+        };
+        places.into_iter().chain(self.lights.iter().map(|errors| cell(errors))).collect()
+    }
+}
+
+/// The scores of these readings, whose channels are the images. `degraded` has the weights of each
+/// image's pixels.
 pub fn scores(
     readings: &[Reading],
     table: &Table,
-    truths: &Truths,
-    damage: Damage,
+    set: &TestSet,
+    degraded: &[(Vec<f64>, Vec<f64>)],
     materials: &Materials,
 ) -> Score {
-    let components = table.components.len();
+    let components = table.count();
     let transfers = Transfers::new(table, components);
     let values = EigenimageValues::new(table, components);
-    let mut rows = vec![vec![0.0; components + 1]; truths.normals.len()];
-    rows.iter_mut().zip(&truths.normals).for_each(|(row, normal)| values.at(*normal, row));
+    let mut rows = vec![vec![0.0; components + 1]; set.normals.len()];
+    rows.iter_mut().zip(&set.normals).for_each(|(row, normal)| values.at(*normal, row));
     let channels =
         readings.iter().flat_map(|reading| (0..reading.channels.len()).map(move |c| (reading, c)));
     let mut score = Score::default();
     for ((reading, channel), k) in channels.zip(0..) {
-        let (light, material) = &truths.pairs[k];
-        let image = &truths.images[k];
+        let (light, material) = &set.pairs[k];
+        let image = &set.images[k];
         let transfer = transfers.of(&material.luminance());
-        let truth: Vec<f64> = transfer
+        let reference: Vec<f64> = transfer
             .row_iter()
-            .map(|row| truths.scales[k] * row.iter().zip(light).map(|(t, l)| t * l).sum::<f64>())
+            .map(|row| set.scales[k] * row.iter().zip(light).map(|(t, l)| t * l).sum::<f64>())
             .collect();
-        let weights = damage.apply(image, &truths.normals, k as u64).1;
+        let weights = &degraded[k].1;
         let all = weights.iter().all(|weight| *weight > 0.0);
         let unseen: Vec<usize> =
             (0..weights.len()).filter(|pixel| all || weights[*pixel] == 0.0).collect();
         let found = &reading.channels[channel];
         let estimates = [&found.scalar_product.0, &found.least_squares.0, &found.posterior.0.d];
         for (which, d) in estimates.into_iter().enumerate() {
-            score.coefficients[which].0.push(distance(d, &truth) / length(&truth));
-            let square: f64 = unseen
-                .iter()
-                .map(|&pixel| {
-                    let made: f64 = rows[pixel].iter().zip(d).map(|(u, d)| u * d).sum();
-                    (made - image[pixel]).powi(2)
-                })
-                .sum();
-            score.images[which].0.push((square / unseen.len() as f64).sqrt());
+            score.coefficients[which].push(distance(d, &reference) / length(&reference));
+            let off = |&pixel: &usize| {
+                let made: f64 = rows[pixel].iter().zip(d).map(|(u, d)| u * d).sum();
+                (made - image[pixel]).powi(2)
+            };
+            let square: f64 = unseen.iter().map(off).sum();
+            score.images[which].push((square / unseen.len() as f64).sqrt());
         }
         let mut ranked: Vec<_> = reading.candidates.iter().collect();
         ranked
             .sort_by(|a, b| b.channels[channel].evidence.total_cmp(&a.channels[channel].evidence));
         let is_true = |place: &usize| materials.entries[ranked[*place].index].name == material.name;
-        let place = (0..ranked.len()).find(is_true);
         let low = light::count(2).min(light.len());
-        let error =
-            |estimate: &[f64], count: usize| misdirection(&estimate[..count], &light[..count]);
+        let mut add = |which: usize, estimate: &[f64], count: usize| {
+            score.lights[which].push(misdirection(&estimate[..count], &light[..count]));
+        };
         let best = &ranked[0].channels[channel].light;
-        let known = place.map(|place| &ranked[place].channels[channel].light);
-        score.lights[0].0.push(error(best, low));
-        score.lights[1].0.push(error(best, light.len()));
-        if let (Some(place), Some(known)) = (place, known) {
-            score.places.push(place);
-            score.lights[2].0.push(error(known, low));
-            score.lights[3].0.push(error(known, light.len()));
+        add(0, best, low);
+        add(1, best, light.len());
+        if let Some(place) = (0..ranked.len()).find(is_true) {
+            let known = &ranked[place].channels[channel].light;
+            score.places.push(place + 1);
+            add(2, known, low);
+            add(3, known, light.len());
         }
-        score.lights[4].0.push(error(&found.product.light, low));
+        add(4, &found.product.light, low);
         if let Ok(product) = RankOne::within(&found.least_norm, LEAST_NORM_TURNS) {
-            score.lights[5].0.push(error(&product.light, low));
+            add(5, &product.light, low);
         }
     }
     score
@@ -164,12 +167,12 @@ fn distance(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt()
 }
 
-/// |s found - truth| / |truth| at the best factor s, because an image of unknown albedo does not
-/// determine the exposure.
-fn misdirection(found: &[f64], truth: &[f64]) -> f64 {
-    let product: f64 = found.iter().zip(truth).map(|(a, b)| a * b).sum();
+/// |s found - reference| / |reference| at the best factor s, because an image of unknown albedo does
+/// not determine the exposure.
+fn misdirection(found: &[f64], reference: &[f64]) -> f64 {
+    let product: f64 = found.iter().zip(reference).map(|(a, b)| a * b).sum();
     let square = found.iter().map(|a| a * a).sum::<f64>();
     let factor = if square > 0.0 { product / square } else { 0.0 };
     let scaled: Vec<f64> = found.iter().map(|a| factor * a).collect();
-    distance(&scaled, truth) / length(truth)
+    distance(&scaled, reference) / length(reference)
 }

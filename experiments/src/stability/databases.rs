@@ -1,6 +1,6 @@
 //! Databases with little variation.
 
-use super::{Case, Figure};
+use super::{Figure, exactly, most};
 use crate::tolerances;
 use eigenshade_generator::scene_file::Loaded;
 use eigenshade_model::database::{Lights, Materials};
@@ -9,41 +9,6 @@ use eigenshade_table::scene::Normalise;
 use eigenshade_testing::fixtures::{self, lights, materials, named};
 use eigenshade_testing::largest;
 use eigenshade_testing::oracle::Numbers;
-
-pub const FEW: Case = Case {
-    name: "one light, one material, one of each",
-    naively: "a covariance of one sample is zero: nothing to decompose, divisions by n - 1",
-    here: "moments about zero, averaged over rotations; as many components as the images span",
-    measure: few,
-};
-
-pub const ALIKE: Case = Case {
-    name: "all materials alike",
-    naively: "a covariance that should be zero is rounding, and its eigenvectors become components",
-    here: "copies add nothing: the same number of components as for one, and the same images",
-    measure: alike,
-};
-
-pub const ZEROS: Case = Case {
-    name: "a material of zeros, alone or among others; a light of zeros",
-    naively: "0/0 in every relative measure; a black light scaled to unit ambient is infinite",
-    here: "black images are exactly 0; a black light is refused by name, or taken with normalise = \"none\"",
-    measure: zeros,
-};
-
-pub const PLAIN: Case = Case {
-    name: "ambient light only; Lambertian material only",
-    naively: "blocks without variance: eigenvectors of rounding",
-    here: "only azimuths that are excited have components: ambient 2 with the constant, Lambertian none above degree 2 but even ones",
-    measure: plain,
-};
-
-pub const RANK_ONE: Case = Case {
-    name: "a database whose covariance has rank one",
-    naively: "15 digits of rounding beside one direction, taken for 15 more",
-    here: "a component counts only above the rounding of the database's energy",
-    measure: rank_one,
-};
 
 const DEGREE: usize = 6;
 const ORDER: usize = 5;
@@ -63,20 +28,20 @@ fn both(lights: Lights, materials: Materials) -> (f64, Table) {
     (largest([error, fixtures::reconstruction_error(&loaded, &standard)]), table)
 }
 
-fn few() -> Vec<Figure> {
+pub(super) fn few() -> Vec<Figure> {
     let mut numbers = Numbers(21);
     let mut error = |l: usize, b: usize| {
         both(lights(DEGREE, l, &mut numbers), materials(ORDER, b, &mut numbers)).0
     };
     let limit = tolerances::ALL_COMPONENTS;
     vec![
-        Figure::most("one light, four materials, of the peak", error(1, 4), limit),
-        Figure::most("four lights, one material", error(4, 1), limit),
-        Figure::most("one of each", error(1, 1), limit),
+        most("one light, four materials, of the peak", error(1, 4), limit),
+        most("four lights, one material, of the peak", error(4, 1), limit),
+        most("one of each, of the peak", error(1, 1), limit),
     ]
 }
 
-fn alike() -> Vec<Figure> {
+pub(super) fn alike() -> Vec<Figure> {
     let mut numbers = Numbers(22);
     let (lights, one) = (lights(DEGREE, 3, &mut numbers), materials(ORDER, 1, &mut numbers));
     let mut copies = one.clone();
@@ -87,23 +52,17 @@ fn alike() -> Vec<Figure> {
     let (error, table) = both(lights, copies);
     let values = table.components.iter().zip(&single.components);
     let values = values.filter_map(|(a, b)| Some(a.eigenvalue? - b.eigenvalue?));
-    let most = largest(single.components.iter().filter_map(|one| one.eigenvalue));
+    let strongest = largest(single.components.iter().filter_map(|one| one.eigenvalue));
+    let values = largest(values) / strongest;
+    let more = table.components.len().abs_diff(single.components.len());
     vec![
-        Figure::exactly(
-            "components more than for one",
-            table.components.len().abs_diff(single.components.len()),
-            0,
-        ),
-        Figure::most(
-            "eigenvalues, of the largest",
-            largest(values) / most,
-            tolerances::SINGULAR_VALUE,
-        ),
-        Figure::most("images, of the peak", error, tolerances::ALL_COMPONENTS_FEW),
+        exactly("components more than for one", more, 0),
+        most("eigenvalues, of the largest", values, tolerances::SINGULAR_VALUE),
+        most("images, of the peak", error, tolerances::ALL_COMPONENTS_FEW),
     ]
 }
 
-fn zeros() -> Vec<Figure> {
+pub(super) fn zeros() -> Vec<Figure> {
     let mut numbers = Numbers(23);
     let some = lights(DEGREE, 3, &mut numbers);
     let black = |count: usize| named("black", vec![0.0; count]);
@@ -129,16 +88,16 @@ fn zeros() -> Vec<Figure> {
     let nothing = fixtures::table(&night);
     let limit = tolerances::ALL_COMPONENTS;
     vec![
-        Figure::most("a black material among three, of the peak", among, limit),
-        Figure::most("alone: the irradiance itself", alone, 0.0),
-        Figure::exactly("alone: components, the constant", table.components.len(), 1),
-        Figure::exactly("a black light is refused by name", usize::from(refused), 1),
-        Figure::most("taken as it is, of the peak", dark, limit),
-        Figure::exactly("alone: components, the constant", nothing.components.len(), 1),
+        most("a black material among three, of the peak", among, limit),
+        most("a black material alone: the irradiance itself", alone, 0.0),
+        exactly("a black material alone: components", table.components.len(), 1),
+        exactly("a black light is refused by name", usize::from(refused), 1),
+        most("a black light accepted, of the peak", dark, limit),
+        exactly("a black light alone: components", nothing.components.len(), 1),
     ]
 }
 
-fn plain() -> Vec<Figure> {
+pub(super) fn plain() -> Vec<Figure> {
     let mut numbers = Numbers(24);
     let mut ambient = lights(DEGREE, 3, &mut numbers);
     for light in &mut ambient.entries {
@@ -152,22 +111,18 @@ fn plain() -> Vec<Figure> {
     let (second, of_matte) = both(lights(DEGREE, 4, &mut numbers), matte);
     // Only degrees 0, 1, 2, 4 and 6 reach a Lambertian surface. Each |m| has as many profiles as
     // there are such degrees from |m| on, and the constant belongs to degree 0.
-    let matte_components = 1 + 4 + 2 * (4 + 3 + 2 + 2 + 1 + 1);
+    let of_degrees = 1 + 4 + 2 * (4 + 3 + 2 + 2 + 1 + 1);
     let limit = tolerances::ALL_COMPONENTS_FEW;
     vec![
-        Figure::exactly("components under ambient light", of_ambient.components.len(), 2),
-        Figure::most("ambient light, of the peak", first, limit),
-        Figure::exactly(
-            "components of Lambertian materials",
-            of_matte.components.len(),
-            matte_components,
-        ),
-        Figure::most("Lambertian materials, of the peak", second, limit),
+        exactly("components under ambient light", of_ambient.components.len(), 2),
+        most("ambient light, of the peak", first, limit),
+        exactly("components of Lambertian materials", of_matte.components.len(), of_degrees),
+        most("Lambertian materials, of the peak", second, limit),
     ]
 }
 
 /// Ambient light of two exposures on one material, so that Σ_c has a single direction.
-fn rank_one() -> Vec<Figure> {
+pub(super) fn rank_one() -> Vec<Figure> {
     let mut numbers = Numbers(25);
     let mut pair = lights(DEGREE, 2, &mut numbers);
     for (light, ambient) in pair.entries.iter_mut().zip([1.0, 1.0 + 1e-6]) {
@@ -186,13 +141,10 @@ fn rank_one() -> Vec<Figure> {
     let energy: f64 = mean.coefficients.iter().map(|d| d * d).sum();
     let expected = spread * spread * energy / (1.0 + spread).powi(2);
     let found = table.components[0].eigenvalue.expect("standard criterion");
+    let off = found / expected - 1.0;
     vec![
-        Figure::exactly("components", table.components.len(), 1),
-        Figure::most(
-            "its eigenvalue, relative",
-            found / expected - 1.0,
-            tolerances::SMALL_VARIANCE,
-        ),
-        Figure::most("images, of the peak", error, tolerances::ALL_COMPONENTS_FEW),
+        exactly("components", table.components.len(), 1),
+        most("its eigenvalue, relative", off, tolerances::SMALL_VARIANCE),
+        most("images, of the peak", error, tolerances::ALL_COMPONENTS_FEW),
     ]
 }

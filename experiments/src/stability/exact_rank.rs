@@ -2,15 +2,19 @@
 //!
 //! With f_s = K D (C_o R_p + C_p R_o), the modes with o = p give every D R_o whose C_o is not zero,
 //! and then the other products follow. For each l and q that couples at all, the modes span the
-//! products D_l^mq R_p^q. Factors that depend only on l, m, q and p do not affect the span. Up to
-//! such factors, d^l_mq = s^|m-q| c^|m+q| times a polynomial in s² with rational coefficients,
-//! where s and c are the sine and cosine of α/2, and D is the sum over ±q. A product is therefore
-//! sin^m c^q times a rational function of s². Products of even q and of odd q are independent, so
-//! the rank is that of two matrices of rationals. Modulo a prime the rank can only fall; if two
-//! large primes agree, it has not fallen.
+//! products D_l^mq R_p^q. Factors that depend only on l, m, q and p do not affect the span.
+//!
+//! Up to such factors, d^l_mn = Σ_k (-1)^(m-n+k) s^(m-n+2k) c^(2l+n-m-2k) / ((l+n-k)! k! (m-n+k)!
+//! (l-m-k)!), where s and c are the sine and cosine of α/2, D is the sum of d^l_mn over n = ±q, and
+//! R_p^q is ρ^q = (√2 s)^q times a polynomial in ρ² = 2 s². A product of D and R is therefore
+//! (s/c)^m c^(m+q) times a polynomial in x = s² with rational coefficients. Products of even q and of
+//! odd q are independent, so the rank is that of two families of polynomials, each over a common
+//! power of c. It is the rank of their values at as many points as they have coefficients. Modulo a
+//! prime the rank can only fall; if two large primes agree, it has not fallen.
 
 /// Rank of the modes of |m| = `m` up to a degree and an order.
 pub fn rank(degree: usize, order: usize, m: usize) -> usize {
+    let [degree, order, m] = [degree, order, m].map(usize::cast_signed);
     let [first, second] = [(1 << 61) - 1, (1 << 31) - 1].map(|prime| {
         let field = Field(prime);
         (0..2).map(|parity| field.rank(field.rows(degree, order, m, parity))).sum()
@@ -19,164 +23,89 @@ pub fn rank(degree: usize, order: usize, m: usize) -> usize {
     first
 }
 
+/// n! over a product of factorials, which is an integer.
+fn quotient<const N: usize>(n: isize, below: [isize; N]) -> i128 {
+    let factorial = |n: isize| (1..=n).map(|i| i as i128).product::<i128>();
+    factorial(n) / below.into_iter().map(factorial).product::<i128>()
+}
+
 /// Numbers modulo a prime.
 #[derive(Clone, Copy)]
-struct Field(u64);
-
-/// Coefficients in x = (1 - z)/2 = s², lowest power first.
-type Polynomial = Vec<u64>;
+struct Field(i128);
 
 impl Field {
-    fn integer(self, value: i64) -> u64 {
-        value.rem_euclid(self.0 as i64) as u64
-    }
-
-    fn times(self, a: u64, b: u64) -> u64 {
-        (u128::from(a) * u128::from(b) % u128::from(self.0)) as u64
-    }
-
-    fn plus(self, a: u64, b: u64) -> u64 {
-        ((u128::from(a) + u128::from(b)) % u128::from(self.0)) as u64
-    }
-
-    fn inverse(self, value: u64) -> u64 {
-        let (mut power, mut base, mut exponent) = (1, value, self.0 - 2);
-        while exponent > 0 {
-            if exponent % 2 == 1 {
-                power = self.times(power, base);
-            }
-            base = self.times(base, base);
-            exponent /= 2;
+    fn power(self, base: i128, exponent: i128) -> i128 {
+        match exponent {
+            0 => 1,
+            odd if odd % 2 == 1 => base * self.power(base, odd - 1) % self.0,
+            even => self.power(base * base % self.0, even / 2),
         }
-        power
     }
 
-    fn binomial(self, n: usize, k: usize) -> u64 {
-        if k > n {
-            return 0;
-        }
-        (0..k).fold(1, |value, i| {
-            let ratio =
-                self.times(self.integer((n - i) as i64), self.inverse(self.integer(i as i64 + 1)));
-            self.times(value, ratio)
+    /// Σ_k (-1)^k a b^c d^e for terms (k, a, [(b, c), (d, e)]).
+    fn sum(self, terms: impl Iterator<Item = (isize, i128, [(i128, isize); 2])>) -> i128 {
+        terms.fold(0, |sum, (k, coefficient, [(b, c), (d, e)])| {
+            let sign = if k % 2 == 0 { 1 } else { -1 };
+            let powers = self.power(b, c as i128) * self.power(d, e as i128) % self.0;
+            (sum + sign * (coefficient % self.0 * powers % self.0)).rem_euclid(self.0)
         })
     }
 
-    fn product(self, a: &[u64], b: &[u64]) -> Polynomial {
-        let mut product = vec![0; a.len() + b.len() - 1];
-        for (i, a) in a.iter().enumerate() {
-            for (j, b) in b.iter().enumerate() {
-                product[i + j] = self.plus(product[i + j], self.times(*a, *b));
-            }
-        }
-        product
+    /// (2l)! d^l_mn s^q c^q / (s^m c^m) for n = ±q.
+    fn wigner(self, l: isize, m: isize, n: isize, x: i128) -> i128 {
+        let q = n.abs();
+        let term = |k: isize| {
+            let coefficient = quotient(2 * l, [l + n - k, k, m - n + k, l - m - k]);
+            let (s, c) = ((q - n) / 2 + k, l - m - k + (q + n) / 2);
+            (m - n + k, coefficient, [(x, s), (self.0 + 1 - x, c)])
+        };
+        self.sum((0.max(n - m)..=(l + n).min(l - m)).map(term))
     }
 
-    fn sum(self, a: &[u64], b: &[u64], sign: i64) -> Polynomial {
-        let at = |p: &[u64], k: usize| p.get(k).copied().unwrap_or(0);
-        let sign = self.integer(sign);
-        (0..a.len().max(b.len())).map(|k| self.plus(at(a, k), self.times(sign, at(b, k)))).collect()
-    }
-
-    /// x^power.
-    fn monomial(power: usize) -> Polynomial {
-        (0..=power).map(|k| u64::from(k == power)).collect()
-    }
-
-    /// (1 - x)^power = c^(2 power).
-    fn cosines(self, power: usize) -> Polynomial {
-        (0..power).fold(vec![1], |value, _| self.product(&value, &[1, self.integer(-1)]))
-    }
-
-    /// d^l_mn / (s^|m-n| c^|m+n|) for m >= |n|, without the factor √((l+m)!(l-m)!(l+n)!(l-n)!),
-    /// which is the same for ±n. Uses the explicit sum Σ_k (-1)^(m-n+k) s^2k c^2(l-m-k) /
-    /// ((l+n-..)! ..).
-    fn wigner(self, l: usize, m: usize, n: i64) -> (usize, usize, Polynomial) {
-        let (l, m) = (l as i64, m as i64);
-        let mut sum = vec![0];
-        let low = 0.max(n - m);
-        let high = (l + n).min(l - m);
-        // Powers of s: m - n + 2k; powers of c: 2l + n - m - 2k.
-        let (least_s, least_c) = (m - n + 2 * low, 2 * l + n - m - 2 * high);
-        for k in low..=high {
-            let denominator = [l + n - k, k, m - n + k, l - m - k]
-                .into_iter()
-                .flat_map(|top| 1..=top)
-                .fold(1, |value, i| self.times(value, self.integer(i)));
-            let sign = if (m - n + k) % 2 == 0 { 1 } else { -1 };
-            let (s, c) = ((m - n + 2 * k - least_s) / 2, (2 * l + n - m - 2 * k - least_c) / 2);
-            let term = self.product(&Self::monomial(s as usize), &self.cosines(c as usize));
-            let scale = [self.times(self.integer(sign), self.inverse(denominator))];
-            sum = self.sum(&sum, &self.product(&term, &scale), 1);
-        }
-        (least_s as usize, least_c as usize, sum)
-    }
-
-    /// R_p^q / ρ^q in x = ρ²/2, by the explicit sum.
-    fn radial(self, p: usize, q: usize) -> Polynomial {
+    /// R_p^q / ρ^q, by the explicit sum.
+    fn radial(self, p: isize, q: isize, x: i128) -> i128 {
         let half = (p - q) / 2;
-        let mut terms = vec![0; half + 1];
-        for k in 0..=half {
-            // (-1)^k C(p-k, k) C(p-2k, half-k), with ρ^(p-q-2k) = (2x)^(half-k).
-            let value = self.times(self.binomial(p - k, k), self.binomial(p - 2 * k, half - k));
-            let power = (0..half - k).fold(1, |power, _| self.plus(power, power));
-            let sign = self.integer(if k % 2 == 0 { 1 } else { -1 });
-            terms[half - k] = self.times(sign, self.times(value, power));
-        }
-        terms
+        let term = |k: isize| {
+            (k, quotient(p - k, [k, half - k, half + q - k]), [(2 * x, half - k), (1, 0)])
+        };
+        self.sum((0..=half).map(term))
     }
 
-    /// All products of one parity of q, each divided by s^m c^(m + parity).
-    fn rows(self, degree: usize, order: usize, m: usize, parity: usize) -> Vec<Polynomial> {
+    /// All products of one parity of q at enough points, each divided by (s/c)^m c^(m + parity) and a
+    /// common power of c.
+    fn rows(self, degree: isize, order: isize, m: isize, parity: isize) -> Vec<Vec<i128>> {
         let mut rows = Vec::new();
         for q in (parity..=order.min(degree)).step_by(2) {
-            for l in m.max(q)..=degree {
-                let turn = |n: i64| {
-                    let (s, c, polynomial) = self.wigner(l, m, n);
-                    // s^s c^c ρ^q divided by s^m c^m; ρ^q = (√2 s)^q.
-                    let over = self.product(&polynomial, &Self::monomial((s + q - m) / 2));
-                    // c^-q is factored out, so that only whole powers of c² remain.
-                    (over, (c + q - m) / 2)
+            for (l, p) in
+                (m.max(q)..=degree).flat_map(|l| (q..=order).step_by(2).map(move |p| (l, p)))
+            {
+                let at = |x: i128| {
+                    let sign = if q % 2 == 0 { 1 } else { self.0 - 1 };
+                    let minus = if q == 0 { 0 } else { sign * self.wigner(l, m, -q, x) };
+                    let turned = (self.wigner(l, m, q, x) + minus) % self.0;
+                    let common = self.power(self.0 + 1 - x, ((order - q) / 2) as i128);
+                    turned * self.radial(p, q, x) % self.0 * common % self.0
                 };
-                let (plus, powers) = turn(q as i64);
-                let (minus, others) = turn(-(q as i64));
-                let raise = |polynomial: &[u64], power: usize| {
-                    self.product(polynomial, &self.cosines(power))
-                };
-                let sign = if q % 2 == 0 { 1 } else { -1 };
-                let turned = if q == 0 {
-                    raise(&plus, powers)
-                } else {
-                    self.sum(&raise(&plus, powers), &raise(&minus, others), sign)
-                };
-                for p in (q..=order).step_by(2) {
-                    rows.push((q, self.product(&turned, &self.radial(p, q))));
-                }
+                rows.push((1..=(degree + order + 1) as i128).map(at).collect());
             }
         }
-        // All relative to c^-q of the largest q.
-        let most = rows.iter().map(|(q, _)| *q).max().unwrap_or(0);
-        rows.into_iter().map(|(q, row)| self.product(&row, &self.cosines((most - q) / 2))).collect()
+        rows
     }
 
     /// The rank, by elimination.
-    fn rank(self, mut rows: Vec<Polynomial>) -> usize {
-        let width = rows.iter().map(Vec::len).max().unwrap_or(0);
-        rows.iter_mut().for_each(|row| row.resize(width, 0));
+    fn rank(self, mut rows: Vec<Vec<i128>>) -> usize {
         let mut rank = 0;
-        for column in 0..width {
+        for column in 0..rows.first().map_or(0, Vec::len) {
             let Some(pivot) = (rank..rows.len()).find(|&row| rows[row][column] != 0) else {
                 continue;
             };
             rows.swap(rank, pivot);
             let (top, rest) = rows.split_at_mut(rank + 1);
-            let pivot = &top[rank];
-            let inverse = self.inverse(pivot[column]);
+            let inverse = self.power(top[rank][column], self.0 - 2);
             for row in rest.iter_mut().filter(|row| row[column] != 0) {
-                let factor = self.times(row[column], inverse);
-                let factor = (self.0 - factor) % self.0;
-                for (value, pivot) in row.iter_mut().zip(pivot) {
-                    *value = self.plus(*value, self.times(factor, *pivot));
+                let factor = row[column] * inverse % self.0;
+                for (value, pivot) in row.iter_mut().zip(&top[rank]) {
+                    *value = (*value - factor * pivot).rem_euclid(self.0);
                 }
             }
             rank += 1;

@@ -5,10 +5,10 @@ use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
 
-/// One kind of damage to an image.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Damage {
-    /// The name of the damage.
+/// One kind of degradation.
+#[derive(Clone, Copy, Debug)]
+pub struct Degradation {
+    /// The name of the degradation.
     pub name: &'static str,
     /// Standard deviation of normal noise on each pixel.
     pub noise: f64,
@@ -35,38 +35,33 @@ pub enum Storage {
     ClippedAndKept,
 }
 
-const NONE: Damage = Damage {
+const NONE: Degradation = Degradation {
     name: "as it is",
     noise: 0.0,
     storage: Storage::Exact,
     is_half_hidden: false,
     is_unknown: false,
 };
+const HALF: Degradation = Degradation { name: "half hidden", is_half_hidden: true, ..NONE };
 
-/// Every kind of damage that is reported.
-pub const ALL: [Damage; 12] = [
+/// Every degradation that is reported.
+pub const ALL: [Degradation; 12] = [
     NONE,
-    Damage { name: "noise 1 %", noise: 0.01, ..NONE },
-    Damage { name: "noise 5 %", noise: 0.05, ..NONE },
-    Damage { name: "8 bits, linear", storage: Storage::Bits, ..NONE },
-    Damage { name: "8 bits, sRGB", storage: Storage::SrgbBits, ..NONE },
-    Damage { name: "clipped, left out", storage: Storage::Clipped, ..NONE },
-    Damage { name: "clipped, kept", storage: Storage::ClippedAndKept, ..NONE },
-    Damage { name: "half hidden", is_half_hidden: true, ..NONE },
-    Damage { name: "half hidden, noise 1 %", noise: 0.01, is_half_hidden: true, ..NONE },
-    Damage { name: "half hidden, noise 5 %", noise: 0.05, is_half_hidden: true, ..NONE },
-    Damage { name: "unknown, noise 1 %", noise: 0.01, is_unknown: true, ..NONE },
-    Damage {
-        name: "unknown, half hidden, noise 1 %",
-        noise: 0.01,
-        is_half_hidden: true,
-        is_unknown: true,
-        ..NONE
-    },
+    Degradation { name: "noise 1 %", noise: 0.01, ..NONE },
+    Degradation { name: "noise 5 %", noise: 0.05, ..NONE },
+    Degradation { name: "8 bits, linear", storage: Storage::Bits, ..NONE },
+    Degradation { name: "8 bits, sRGB", storage: Storage::SrgbBits, ..NONE },
+    Degradation { name: "clipped, left out", storage: Storage::Clipped, ..NONE },
+    Degradation { name: "clipped, kept", storage: Storage::ClippedAndKept, ..NONE },
+    HALF,
+    Degradation { name: "half hidden, noise 1 %", noise: 0.01, ..HALF },
+    Degradation { name: "half hidden, noise 5 %", noise: 0.05, ..HALF },
+    Degradation { name: "unknown, noise 1 %", noise: 0.01, is_unknown: true, ..NONE },
+    Degradation { name: "unknown, half hidden, noise 1 %", noise: 0.01, is_unknown: true, ..HALF },
 ];
 
-impl Damage {
-    /// The damaged image and the weight of each pixel. `seed` selects the noise, which is the same
+impl Degradation {
+    /// The degraded image and the weight of each pixel. `seed` selects the noise, which is the same
     /// on every host and run.
     #[must_use]
     pub fn apply(&self, image: &[f64], normals: &[[f64; 3]], seed: u64) -> (Vec<f64>, Vec<f64>) {
@@ -75,24 +70,22 @@ impl Damage {
         let clip = 0.5 * (1.0 + mean);
         let full = 255.0;
         let scale = 254.0 / full;
-        let mut weights = Vec::new();
-        let mut pixels = Vec::new();
-        for (value, normal) in image.iter().zip(normals) {
+        let pixel = |(value, normal): (&f64, &[f64; 3])| {
             let noise: f64 = StandardNormal.sample(&mut random);
             let value = value + self.noise * noise;
             let is_hidden = self.is_half_hidden && normal[0] < 0.0;
             let is_out = self.storage == Storage::Clipped && value >= clip;
-            weights.push(if is_hidden || is_out { 0.0 } else { 1.0 });
-            pixels.push(match self.storage {
+            let stored = match self.storage {
                 Storage::Exact => value,
                 Storage::Bits => (full * scale * value).round().max(0.0) / full / scale,
                 Storage::SrgbBits => {
                     tone::linear(f64::from(tone::srgb(scale * value)) / full) / scale
                 }
                 Storage::Clipped | Storage::ClippedAndKept => value.min(clip),
-            });
-        }
-        (pixels, weights)
+            };
+            (stored, if is_hidden || is_out { 0.0 } else { 1.0 })
+        };
+        image.iter().zip(normals).map(pixel).unzip()
     }
 
     /// Whether every image keeps the same pixels.

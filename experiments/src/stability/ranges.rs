@@ -1,48 +1,33 @@
 //! Coefficients that are tiny or huge.
 
-use super::{Case, Figure};
+use super::{Figure, exactly, most};
 use crate::tolerances;
-use eigenshade::{Scalar, sphere};
+use eigenshade::{Light, Material, Normal, Scalar, sphere};
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_table::Table;
 use eigenshade_testing::oracle::Numbers;
 use eigenshade_testing::{fixtures, largest};
 
-pub const DOUBLE: Case = Case {
-    name: "coefficients at 1e-30 and 1e+30 in f64",
-    naively: "products of light and material, or squares, out of range",
-    here: "linear all the way, nothing squared: a power of two in light or material comes out to the last bit",
-    measure: double,
-};
-
-pub const SINGLE: Case = Case {
-    name: "coefficients at 1e-30 and 1e+30 in f32",
-    naively: "light times material, 1e+60, is infinite before the basis makes it small; 1e-45 stalls on denormals",
-    here: "the material is folded first: 1e+30 meets 1e-30 as late as can be; nothing finite becomes infinite; what is \
-           denormal at 1e-30 is in no pixel and in no component that the shipped table has",
-    measure: single,
-};
-
 /// 2^100 = 1.3e30.
 const FAR: i32 = 100;
 
-fn double() -> Vec<Figure> {
+pub(super) fn double() -> Vec<Figure> {
     let found = measure::<f64>();
     vec![
-        Figure::exactly("coefficients with another bit", found.coefficients, 0),
-        Figure::exactly("pixels with another bit", found.pixels, 0),
-        Figure::exactly("answers that are not finite", found.infinite, 0),
+        exactly("coefficients that differ in a bit", found.coefficients, 0),
+        exactly("pixels that differ in a bit", found.pixels, 0),
+        exactly("answers that are not finite", found.infinite, 0),
     ]
 }
 
-fn single() -> Vec<Figure> {
+pub(super) fn single() -> Vec<Figure> {
     let found = measure::<f32>();
     vec![
-        Figure::exactly("pixels with another bit", found.pixels, 0),
-        Figure::exactly("first 50 coefficients with another bit", found.shipped, 0),
-        Figure::most("all coefficients, of the largest", found.apart, tolerances::SCALED_F32),
-        Figure::exactly("answers that are not finite", found.infinite, 0),
-        Figure::exactly("answers of 1e-60 that are not 0", found.not_zero, 0),
+        exactly("pixels that differ in a bit", found.pixels, 0),
+        exactly("first 50 coefficients that differ in a bit", found.shipped, 0),
+        most("all coefficients, of the largest", found.apart, tolerances::SCALED_F32),
+        exactly("answers that are not finite", found.infinite, 0),
+        exactly("answers of 1e-60 that are not 0", found.not_zero, 0),
     ]
 }
 
@@ -104,8 +89,8 @@ fn answers<S: Scalar + Into<f64>>(table: &Table, light: &[f64], material: &[f64]
     let narrow =
         |values: &[f64]| values.iter().map(|&value| S::from_f64(value)).collect::<Vec<_>>();
     let (light, material) = (narrow(light), narrow(material));
-    let light = eigenshade::Light::new(9, &light).expect("coefficients");
-    let material = eigenshade::Material::new(7, &material).expect("coefficients");
+    let light = Light::new(9, &light).expect("coefficients");
+    let material = Material::new(7, &material).expect("coefficients");
     let mut d = vec![S::ZERO; basis.components()];
     let mut relit = d.clone();
     let mut workspace = vec![S::ZERO; basis.workspace_len()];
@@ -118,7 +103,7 @@ fn answers<S: Scalar + Into<f64>>(table: &Table, light: &[f64], material: &[f64]
     for d in [d, relit] {
         let scene = basis.collapse_into(&d, vec![S::ZERO; basis.scene_len()]).expect("sizes");
         for [x, y, z] in fixtures::normals(&fixtures::SLANTS, 5) {
-            let normal = eigenshade::Normal::new(S::from_f64(x), S::from_f64(y), S::from_f64(z));
+            let normal = Normal::new(S::from_f64(x), S::from_f64(y), S::from_f64(z));
             let normal = normal.expect("visible");
             pixels.push(scene.shade(normal).into());
             pixels.push(basis.reconstruct(&d, normal).expect("all components").into());

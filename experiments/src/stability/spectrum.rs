@@ -1,0 +1,270 @@
+//! M is singular; order and sign of components whose eigenvalues are equal, nearly equal or zero.
+
+use super::{Figure, exact_rank, exactly, least, most};
+use crate::tolerances;
+use eigenshade_generator::basis;
+use eigenshade_generator::basis::gram;
+use eigenshade_generator::basis::moments::Deviation;
+use eigenshade_generator::basis::pca::{Block, principal};
+use eigenshade_generator::basis::profile::evaluate;
+use eigenshade_index::material;
+use eigenshade_model::database::Named;
+use eigenshade_model::polar_integral::PolarIntegrals;
+use eigenshade_table::{GramFactor, Table, encode};
+use eigenshade_testing::oracle::Numbers;
+use eigenshade_testing::{fixtures, largest};
+use faer::linalg::solvers::Solve;
+use faer::{Mat, Side};
+
+/// The distance of a square matrix from the identity.
+fn off_identity(matrix: &Mat<f64>) -> f64 {
+    let entries = (0..matrix.nrows()).flat_map(|i| (0..matrix.ncols()).map(move |j| (i, j)));
+    largest(entries.map(|(i, j)| matrix[(i, j)] - f64::from(u8::from(i == j))))
+}
+
+/// M^(-1/2) by eigenvalues, (28) and (33), at degree 9 and order 7.
+pub(super) fn root() -> Vec<Figure> {
+    let gram = gram::of_sphere(9, 7);
+    let (mut modes, mut negative, mut not_numbers, mut numbers) = (0, 0, 0, 0);
+    let mut worst: f64 = 0.0;
+    for azimuth in 0..=9 {
+        let columns = gram.columns(azimuth);
+        let count = columns.len();
+        let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        let m = Mat::from_fn(count, count, |i, j| product(&columns[i], &columns[j]));
+        let eigen = m.self_adjoint_eigen(Side::Lower).expect("finite numbers");
+        let values: Vec<f64> = eigen.S().column_vector().iter().copied().collect();
+        negative += values.iter().filter(|value| **value < 0.0).count();
+        modes += count;
+        let inverse_root = |values: &[f64]| {
+            let scaled =
+                Mat::from_fn(count, count, |i, j| eigen.U()[(i, j)] * values[j].sqrt().recip());
+            scaled * eigen.U().transpose()
+        };
+        let literal = inverse_root(&values);
+        numbers += count * count;
+        not_numbers +=
+            literal.col_iter().map(|one| one.iter().filter(|x| x.is_nan()).count()).sum::<usize>();
+        let sizes: Vec<f64> = values.iter().map(|value| value.abs()).collect();
+        let whitened = inverse_root(&sizes);
+        worst = worst.max(off_identity(&(&whitened * &m * &whitened)));
+    }
+    let [negative, not_numbers] =
+        [(negative, modes), (not_numbers, numbers)].map(|(part, all)| part as f64 / all as f64);
+    let ours = basis::orthonormality(&fixtures::table(&fixtures::shipped()), 100);
+    vec![
+        least("share of M's eigenvalues that are negative", negative, tolerances::NAIVE_NEGATIVE),
+        // One negative eigenvalue spoils its whole block.
+        least("share of M^(-1/2) that is NaN", not_numbers, 0.99),
+        least("|UᵀMU - I| with the eigenvalues' sizes", worst, tolerances::NAIVE_ROOT),
+        most("|UᵀMU - I| here, 100 components", ours, tolerances::ORTHONORMAL_MODES),
+    ]
+}
+
+/// The ranks of the paper's modes in exact arithmetic for |m| = 0..9.
+const EXACT: [usize; 10] = [25, 25, 24, 23, 22, 21, 20, 19, 17, 14];
+
+/// The ranks that f64 resolves above a share of the largest singular value.
+const RESOLVED: [(f64, [usize; 10]); 3] = [
+    (1e-7, [13, 13, 12, 12, 11, 10, 10, 9, 8, 7]),
+    (1e-10, [15, 14, 14, 13, 13, 12, 11, 11, 10, 9]),
+    (1e-13, [17, 16, 16, 15, 14, 14, 13, 12, 12, 11]),
+];
+
+/// Singular values of A, relative to the largest of all blocks, by |m|.
+fn singular_values(gram: &GramFactor) -> Vec<Vec<f64>> {
+    let block = |azimuth| Block::new(gram, azimuth, |_, _, _, _| true).expect("finite");
+    let blocks: Vec<_> = (0..=gram.degree).map(|m| block(m).singular_values).collect();
+    let most = largest(blocks.iter().flatten().copied());
+    blocks.iter().map(|block| block.iter().map(|value| value / most).collect()).collect()
+}
+
+/// Ranks of A at several cut-offs, against the exact rank.
+pub(super) fn ranks() -> Vec<Figure> {
+    let exact: Vec<usize> = (0..=9).map(|azimuth| exact_rank::rank(9, 7, azimuth)).collect();
+    // The exact rank assumes this: each l and q couples. 1e-4 is far above rounding.
+    let integrals = PolarIntegrals::new(9, 7);
+    for (q, l) in (0..=7).flat_map(|q| (q..=9).map(move |l| (q, l))) {
+        let couples = (q..=7).step_by(2).any(|o| integrals.row(o, q)[l].abs() > 1e-4);
+        assert!(couples, "degree {l} and q = {q} do not couple");
+    }
+    let values = singular_values(&gram::of_sphere(9, 7));
+    let above = |cutoff: f64| -> Vec<usize> {
+        values.iter().map(|block| block.iter().filter(|value| **value > cutoff).count()).collect()
+    };
+    let count = |found: &[usize], of: &[usize], is: fn(&usize, &usize) -> bool| {
+        found.iter().zip(of).filter(|(a, b)| is(a, b)).count()
+    };
+    let over = |cutoff| count(&above(cutoff), &exact, |found, exact| found > exact) as f64;
+    let whole = count(&above(1e-15), &exact, |found, exact| found >= exact);
+    let total: usize = exact[0] + 2 * exact[1..].iter().sum::<usize>();
+    let beyond =
+        values.iter().zip(&exact).flat_map(|(block, &rank)| &block[rank.min(block.len())..]);
+    let mut figures = vec![
+        exactly("|m| with the exact rank above", count(&exact, &EXACT, |a, b| a == b), 10),
+        exactly("exact rank", total, 395),
+    ];
+    for (cutoff, recorded) in RESOLVED {
+        let found = above(cutoff);
+        let ranks: Vec<String> = found.iter().map(usize::to_string).collect();
+        let what = format!("rank above {cutoff:e}: {}; other |m|", ranks.join(" "));
+        figures.push(exactly(what, count(&found, &recorded, |a, b| a != b), 0));
+    }
+    figures.extend([
+        exactly("|m| with the whole rank above 1e-15", whole, 0),
+        most("|m| with more than the exact rank above 1e-15", over(1e-15), 0.0),
+        // At least one block counts rounding.
+        least("|m| with more than the exact rank above 1e-17", over(1e-17), 1.0),
+        most(
+            "largest singular value beyond the exact rank",
+            largest(beyond.copied()),
+            tolerances::BEYOND_RANK,
+        ),
+    ]);
+    figures
+}
+
+/// All components that the shipped scene has.
+pub(super) fn more_than_rank() -> Vec<Figure> {
+    let loaded = fixtures::shipped();
+    let table = fixtures::table(&loaded);
+    let error = fixtures::reconstruction_error(&loaded, &table);
+    let eigenvalues = || table.components.iter().filter_map(|one| one.eigenvalue);
+    let weakest = eigenvalues().fold(1.0, f64::min) / eigenvalues().fold(0.0, f64::max);
+    vec![
+        exactly("components, of an exact rank of 395", table.components.len(), 218),
+        // The square of the scene's cut-off.
+        least("weakest eigenvalue, of the largest", weakest, 1e-20),
+        most("images of the database, of the peak", error, tolerances::ALL_COMPONENTS_SHIPPED),
+    ]
+}
+
+/// The components of two tables of one scene, compared.
+pub struct Agreement {
+    /// The number of components compared: those whose eigenvalues exceed 1e-24 of the largest.
+    pub compared: usize,
+    /// The components of another order or sign.
+    pub different: Vec<usize>,
+    /// The least product of a component with its counterpart, both of unit length.
+    pub least: f64,
+}
+
+/// Compares the order and the sign of two tables' components.
+#[must_use]
+pub fn agreement(a: &Table, b: &Table) -> Agreement {
+    /// The least eigenvalue that is compared, relative to the largest.
+    const FLOOR: f64 = 1e-24;
+    /// The product with another component is near 0, with the component's negative near -1.
+    const ALIKE: f64 = 0.5;
+    let most = largest(a.components.iter().filter_map(|one| one.eigenvalue));
+    let above = |table: &Table| {
+        let values = table.components.iter().map(|one| one.eigenvalue);
+        values.take_while(|value| value.is_none_or(|value| value > FLOOR * most)).count()
+    };
+    let compared = above(a).min(above(b));
+    let (mut different, mut least) = (Vec::new(), f64::INFINITY);
+    for (k, (one, other)) in a.components.iter().zip(&b.components).take(compared).enumerate() {
+        let (u, v) = (&a.profiles[one.profile], &b.profiles[other.profile]);
+        let product: f64 = u.node_values.iter().zip(&v.node_values).map(|(u, v)| u * v).sum();
+        least = least.min(product);
+        if one.order != other.order || product < ALIKE {
+            different.push(k);
+        }
+    }
+    Agreement { compared, different, least }
+}
+
+/// Components of +m and -m have equal eigenvalues; the weakest have 1e-24 of the largest.
+pub(super) fn order_and_sign() -> Vec<Figure> {
+    let mut loaded = fixtures::shipped();
+    loaded.scene.basis.rank_cutoff = 1e-13;
+    let table = fixtures::table(&loaded);
+    let again = encode(&fixtures::table(&loaded)) == encode(&table);
+    // Perturbs every input number by up to an ulp, which is more than the effect of any other order
+    // of summation or instruction set.
+    let mut numbers = Numbers(5);
+    let mut shaken = loaded.clone();
+    let entries = shaken.lights.entries.iter_mut().chain(&mut shaken.materials.entries);
+    for value in entries.flat_map(|entry: &mut Named| &mut entry.rgb).flatten() {
+        *value *= 1.0 + f64::EPSILON * numbers.next().round();
+    }
+    let other = fixtures::table(&shaken);
+    let Agreement { compared, different, .. } = agreement(&table, &other);
+    let most_of_all = largest(table.components.iter().filter_map(|one| one.eigenvalue));
+    let pairs = table.components.iter().zip(&other.components).take(compared);
+    let apart = pairs.filter_map(|(a, b)| Some((a.eigenvalue? - b.eigenvalue?) / most_of_all));
+    let signs = table.profiles.iter().filter(|one| evaluate(&one.chebyshev, 1.0) <= 0.0).count();
+    vec![
+        exactly("runs that differ in a byte", usize::from(!again), 0),
+        // Some 240 have eigenvalues above 1e-24 of the largest.
+        least("components compared", compared as f64, 200.0),
+        exactly("components of another order or sign after an ulp", different.len(), 0),
+        exactly("profiles not positive at the pole", signs, 0),
+        most(
+            "eigenvalues after an ulp, of the largest",
+            largest(apart),
+            tolerances::EIGENVALUE_ULP,
+        ),
+    ]
+}
+
+/// Images that are orthonormal up to known lengths as materials, which prescribes the eigenvalues:
+/// 1e-15 to 1e-3 apart, and zero.
+pub(super) fn nearly_equal() -> Vec<Figure> {
+    let (degree, azimuth) = (6, 0);
+    let gram = gram::of_sphere(degree, 5);
+    let block = Block::new(&gram, azimuth, |_, _, _, _| true).expect("finite");
+    let count = material::count(5);
+    let (mut orthogonality, mut values): (f64, f64) = (0.0, 0.0);
+    let (mut squared, mut found) = (0.0f64, 0);
+    for gap in [0.0, 1e-15, 1e-12, 1e-8, 1e-3] {
+        let sizes = [1.0, 1.0 - gap, 1e-4, 1e-4 * (1.0 - gap), 1e-9];
+        // Images of plain materials under one degree, orthonormalized.
+        let plain = [(0, 0), (2, 0), (4, 0), (1, 1), (3, 1)].map(|(o, q)| {
+            let mut material = vec![0.0; count];
+            material[material::position(o, q, q)] = 1.0;
+            Deviation { degree: 2, material }
+        });
+        let images = block.images(&gram, &plain);
+        let inverse = images.qr().thin_R().to_owned().partial_piv_lu();
+        let wanted = Mat::from_fn(5, 5, |i, j| if i == j { sizes[j] } else { 0.0 });
+        let mix = inverse.solve(&wanted);
+        let deviations: Vec<Deviation> = (0..5)
+            .map(|j| {
+                let mut material = vec![0.0; count];
+                for (k, one) in plain.iter().enumerate() {
+                    material.iter_mut().zip(&one.material).for_each(|(m, b)| *m += mix[(k, j)] * b);
+                }
+                Deviation { degree: 2, material }
+            })
+            // An image of zeros, which gives an eigenvalue of zero.
+            .chain([Deviation { degree: 2, material: vec![0.0; count] }])
+            .collect();
+        let images = block.images(&gram, &deviations);
+        let ours = principal(&images, None, azimuth).expect("finite");
+        let product = ours.coordinates.transpose() * &ours.coordinates;
+        let off = |product: &Mat<f64>| off_identity(&product.submatrix(0, 0, 5, 5).to_owned());
+        orthogonality = orthogonality.max(off(&product));
+        let expected = sizes.iter().zip(&ours.singular_values);
+        values = values.max(largest(expected.map(|(size, value)| size - value)));
+        found = found.max(ours.singular_values.iter().filter(|value| **value > 1e-14).count());
+        // The naive method: right vectors from the squares, and images divided by the roots.
+        let square = images.transpose() * &images;
+        let eigen = square.self_adjoint_eigen(Side::Lower).expect("finite");
+        let strongest = Mat::from_fn(images.nrows(), 5, |i, j| {
+            let column = images.ncols() - 1 - j;
+            let along: f64 =
+                (0..images.ncols()).map(|k| images[(i, k)] * eigen.U()[(k, column)]).sum();
+            along / eigen.S().column_vector()[column].abs().sqrt()
+        });
+        squared = squared.max(off(&(strongest.transpose() * &strongest)));
+    }
+    vec![
+        // An image of 1e-9 has a square of 1e-18, far below the rounding of the largest, 1e-16.
+        // Divided by its root, it is not orthogonal to the others.
+        least("|WᵀW - I| from squares", squared, 1e-8),
+        most("|WᵀW - I| here", orthogonality, tolerances::ORTHONORMAL_NODES),
+        most("singular values, of the largest", values, tolerances::SINGULAR_VALUE),
+        exactly("singular values that are not zero", found, 5),
+    ]
+}

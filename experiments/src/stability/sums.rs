@@ -1,0 +1,99 @@
+//! Sums over very many pixels, in f32 and in integers.
+
+use super::{Figure, exactly, least, most};
+use crate::tolerances;
+use eigenshade::{Error, Light, Material, Normal, Q15, What, quantised, sphere};
+use eigenshade_testing::largest;
+
+/// Width of the picture in pixels, for a disc of a million pixels.
+const SIZE: i32 = 1130;
+
+/// d by scalar product over a million pixels, against sums in f64.
+pub(super) fn million() -> Vec<Figure> {
+    // A light from the side and a material with a rim, so that every component contributes.
+    let light: Vec<f32> = (0..100).map(|k| 1.5 / (1.0 + k as f32).sqrt()).collect();
+    let material: Vec<f32> = (0..40).map(|k| 1.0 / (1.0 + k as f32)).collect();
+    let light = Light::new(9, &light).expect("100 coefficients");
+    let material = Material::new(7, &material).expect("40 coefficients");
+    let d = sphere::project(&light, &material).expect("it fits");
+    let scene = sphere::collapse(&d).expect("it fits");
+    let mut ours = sphere::BASIS.estimate::<{ sphere::COMPONENTS }>().expect("it fits");
+    let mut plain = [0.0f32; sphere::COMPONENTS];
+    let mut exact = [0.0f64; sphere::COMPONENTS];
+    let mut pixels = 0u32;
+    // The eigenimages one by one, for both reference sums.
+    let images: Vec<_> = (0..sphere::COMPONENTS)
+        .map(|k| {
+            let unit: sphere::Coefficients =
+                (0..sphere::COMPONENTS).map(|i| f32::from(u8::from(i == k))).collect();
+            sphere::collapse(&unit).expect("it fits")
+        })
+        .collect();
+    let at = |k: i32| (2.0 * k as f32 + 1.0) / SIZE as f32 - 1.0;
+    let raster = (0..SIZE).flat_map(|row| (0..SIZE).map(move |column| (at(column), -at(row))));
+    for (x, y) in raster.filter(|(x, y)| x * x + y * y < 1.0) {
+        let normal = Normal::new(x, y, (1.0 - (x * x + y * y)).sqrt()).expect("visible");
+        let seen = scene.shade(normal);
+        ours.add(normal, seen, 1.0);
+        pixels += 1;
+        for ((image, plain), exact) in images.iter().zip(&mut plain).zip(&mut exact) {
+            let value = image.shade(normal);
+            *plain += seen * value;
+            *exact += f64::from(seen) * f64::from(value);
+        }
+    }
+    let ours = ours.coefficients().expect("a million pixels");
+    let exact = exact.map(|sum| sum / f64::from(pixels));
+    let plain = plain.map(|sum| sum / pixels as f32);
+    let error = |found: &[f32]| {
+        let apart = found.iter().zip(&exact).map(|(found, exact)| f64::from(*found) - exact);
+        largest(apart) / largest(exact)
+    };
+    vec![
+        // An addition near the end loses up to 6e-8 of the sum, and runs of pixels lose in the same
+        // direction: 1e-5 in total, of which a fifth is required.
+        least("plain sum, of the largest d", error(&plain), 2e-6),
+        most("compensated, of the largest d", error(&ours), tolerances::MILLION_PIXELS),
+        // The raster is not an exact quadrature, whatever the summation.
+        most("the raster's own, of the largest d", error(&d), tolerances::RASTER),
+    ]
+}
+
+/// A table whose single image is as large as Q15 allows, and the shipped table.
+pub(super) fn full_weight() -> Vec<Figure> {
+    let places = [quantised::Profile::new(0, -3, [0, quantised::Profile::NONE], [u16::MAX; 2])];
+    let largest_table = quantised::Basis::<Q15>::new(quantised::Parts {
+        degree: 0,
+        order: 0,
+        effects: eigenshade::Effects::ALL,
+        components: 1,
+        profiles: &places,
+        lengths: &[3],
+        polar: &[],
+        polar_exponents: &[],
+        factors: &[],
+        factor_exponents: &[],
+        terms: &[Q15(i16::MAX); 3],
+    });
+    let largest_table = largest_table.expect("parts that fit");
+    let pole = quantised::Normal::along(0, 0, i32::MAX).expect("a direction");
+    let seen = |basis: &quantised::Basis<'_, Q15>, pixels: u32, weight: u16| {
+        let mut estimate = basis.estimate::<50>().expect("room");
+        (0..pixels).for_each(|_| estimate.add(pole, Q15(i16::MIN), weight));
+        estimate.coefficients(-15)
+    };
+    let d = |pixels: u32, weight: u16| {
+        let found = seen(&largest_table, pixels, weight).expect("sums that fit");
+        f64::from(found.mantissas()[0]) * 2f64.powi(found.exponent())
+    };
+    let one = d(1, 1);
+    let off = largest([d(1 << 16, 1 << 15) / one - 1.0, d(1 << 15, u16::MAX) / one - 1.0]);
+    let refused = Err(Error::Saturated { what: What::Coefficients });
+    let is_refused = |basis| usize::from(seen(basis, 1 << 16, u16::MAX) == refused);
+    vec![
+        exactly("refused by the largest possible table", is_refused(&largest_table), 1),
+        exactly("refused by the shipped table", is_refused(&sphere::q15::BASIS), 0),
+        // d has 31 bits.
+        most("half the weight or half the pixels, relative", off, 1e-8),
+    ]
+}
