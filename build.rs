@@ -1,7 +1,7 @@
 //! Decodes the shipped table into typed statics, and generates the table of a scene if the feature
 //! `generate` is enabled.
 
-use eigenshade_table::quantise::{Format, QuantisedParts};
+use eigenshade_table::quantize::{Format, QuantizedParts};
 use eigenshade_table::{rust_quantised, rust_source};
 use std::path::PathBuf;
 use std::{env, fs, process};
@@ -46,13 +46,13 @@ fn bake(from: &str, name: &str) -> Result<(), String> {
     let table = eigenshade_table::decode(&bytes).map_err(|error| format!("{from}: {error}"))?;
     if !table.has_projection() {
         return Err(format!(
-            "{from} keeps transfers alone; set store = \"projection\" in its scene"
+            "{from} stores only transfers; set store = \"projection\" in its scene"
         ));
     }
     let command = format!("build.rs, from {from}");
     write(&format!("{name}.rs"), &rust_source::module(&table, &command))?;
     for (format, suffix) in [(Format::Q15, "q15"), (Format::Q31, "q31")] {
-        let parts = QuantisedParts::new(&table, format, format.tolerance())
+        let parts = QuantizedParts::new(&table, format, format.tolerance())
             .map_err(|error| format!("{from}: {error}"))?;
         write(&format!("{name}_{suffix}.rs"), &rust_quantised::module(&parts, &command))?;
     }

@@ -89,8 +89,8 @@ impl<'a, S> Basis<'a, S> {
                 return Err(error);
             }
             let found = parts.length(azimuth);
-            if found > layout::HALVES && azimuth < recurrences.first() {
-                let (what, expected) = (What::Lengths, layout::HALVES);
+            if found > layout::EVEN_ODD_TERMS && azimuth < recurrences.first() {
+                let (what, expected) = (What::Lengths, layout::EVEN_ODD_TERMS);
                 return Err(Error::Length { what, expected, found });
             }
             scene = usize::saturating_add(scene, signs * found);
@@ -212,7 +212,7 @@ impl<S> Parts<'_, S> {
 
     /// Number of unfactored coefficients.
     pub(crate) const fn apart(&self) -> usize {
-        self.effects.apart_count(self.order)
+        self.effects.unfactored_count(self.order)
     }
 
     /// Whether the azimuth and the components of a profile exist.

@@ -1,7 +1,7 @@
 //! Profile polynomials in t = 2z - 1, highest term first: in the form that belongs to their length,
 //! [`Form`](crate::index::layout::Form), or by the recurrence of their azimuth.
 
-use crate::index::layout::{HALVES, POWERS, Recurrence};
+use crate::index::layout::{EVEN_ODD_TERMS, MONOMIAL_TERMS, Recurrence};
 use crate::scalar::Scalar;
 
 /// The argument t = 2z - 1 of the profile polynomials.
@@ -29,7 +29,7 @@ pub(crate) fn value<S: Scalar>(terms: &[S], t: S, recurrence: &[Recurrence]) -> 
 /// The value of a polynomial in the form of its length.
 #[inline]
 pub(crate) fn short<S: Scalar>(terms: &[S], t: S) -> S {
-    if terms.len() <= POWERS {
+    if terms.len() <= MONOMIAL_TERMS {
         let Some((&first, rest)) = terms.split_first() else { return S::ZERO };
         return rest.iter().fold(first, |sum, &term| term.add_product(sum, t));
     }
@@ -38,19 +38,19 @@ pub(crate) fn short<S: Scalar>(terms: &[S], t: S) -> S {
 }
 
 /// The values of a polynomial at a block of arguments t, in the form of its length. The argument
-/// u = 2t² - 1 is read only if `LONGEST` is [`HALVES`].
+/// u = 2t² - 1 is read only if `LONGEST` is [`EVEN_ODD_TERMS`].
 ///
-/// No polynomial has more than `LONGEST` terms. Beyond [`HALVES`], which is for small code, the
+/// No polynomial has more than `LONGEST` terms. Beyond [`EVEN_ODD_TERMS`], which is for small code, the
 /// loop over azimuths contains a call, around which all registers are saved.
 #[inline(always)]
 pub(crate) fn values<S: Scalar, const LONGEST: usize, const N: usize>(
     terms: &[S],
     [t, u]: [&[S; N]; 2],
 ) -> [S; N] {
-    if LONGEST > HALVES && terms.len() > POWERS {
+    if LONGEST > EVEN_ODD_TERMS && terms.len() > MONOMIAL_TERMS {
         return long(terms, t);
     }
-    if LONGEST > POWERS && terms.len() > POWERS {
+    if LONGEST > MONOMIAL_TERMS && terms.len() > MONOMIAL_TERMS {
         return halves(terms, [t, u]);
     }
     let Some((&first, rest)) = terms.split_first() else {
@@ -76,10 +76,10 @@ pub(crate) fn pairs<S: Scalar, const LONGEST: usize, const N: usize>(
     else {
         return [[S::ZERO; N]; 2];
     };
-    if LONGEST > HALVES && one.len() > POWERS {
+    if LONGEST > EVEN_ODD_TERMS && one.len() > MONOMIAL_TERMS {
         return [long(one, t), long(other, t)];
     }
-    if LONGEST > POWERS && one.len() > POWERS {
+    if LONGEST > MONOMIAL_TERMS && one.len() > MONOMIAL_TERMS {
         return [halves(one, [t, u]), halves(other, [t, u])];
     }
     let (mut sums, mut more) = ([first; N], [second; N]);
@@ -92,7 +92,7 @@ pub(crate) fn pairs<S: Scalar, const LONGEST: usize, const N: usize>(
     [sums, more]
 }
 
-/// The values of a polynomial of more than [`POWERS`] terms. Not inlined.
+/// The values of a polynomial of more than [`MONOMIAL_TERMS`] terms. Not inlined.
 #[inline(never)]
 pub(crate) fn long<S: Scalar, const N: usize>(terms: &[S], t: &[S; N]) -> [S; N] {
     halves(terms, [t, &t.map(doubled)])
@@ -158,14 +158,15 @@ mod tests {
     #[test]
     fn each_form_is_the_sum_that_it_stands_for() {
         let all = terms();
-        for length in [0, 1, POWERS, POWERS + 1, POWERS + 2, HALVES] {
+        for length in [0, 1, MONOMIAL_TERMS, MONOMIAL_TERMS + 1, MONOMIAL_TERMS + 2, EVEN_ODD_TERMS]
+        {
             let terms = all.get(..length).unwrap_or_default();
             for angle in [0.0, 0.3, 1.2, 1.6, 2.5, core::f64::consts::PI] {
                 let (t, u) = (libm::cos(angle), libm::cos(2.0 * angle));
                 let element = |k: usize| match Form::of(length) {
-                    Form::Powers => libm::pow(t, k as f64),
-                    Form::Halves if k.is_multiple_of(2) => libm::pow(u, (k / 2) as f64),
-                    Form::Halves => t * libm::pow(u, (k / 2) as f64),
+                    Form::Monomial => libm::pow(t, k as f64),
+                    Form::EvenOdd if k.is_multiple_of(2) => libm::pow(u, (k / 2) as f64),
+                    Form::EvenOdd => t * libm::pow(u, (k / 2) as f64),
                 };
                 let sum: f64 =
                     terms.iter().rev().enumerate().map(|(k, term)| term * element(k)).sum();

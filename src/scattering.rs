@@ -142,7 +142,7 @@ impl<S: Scalar> Basis<'_, S> {
         let rows = numbers.chunks_exact(self.parts.apart().max(1));
         rows.map(move |row| {
             let all = material::indices(order).zip(material.coefficients());
-            let apart = all.filter(move |&((o, _, q), _)| of_basis.is_apart(o, q));
+            let apart = all.filter(move |&((o, _, q), _)| of_basis.is_unfactored(o, q));
             row.iter().zip(apart).fold(S::ZERO, |sum, (&a, (_, &b))| sum.add_product(a, b))
         })
     }

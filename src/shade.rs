@@ -5,7 +5,7 @@ mod tile;
 
 use crate::descent::Descent;
 use crate::error::{Error, What};
-use crate::index::layout::{HALVES, POWERS, Recurrence};
+use crate::index::layout::{EVEN_ODD_TERMS, MONOMIAL_TERMS, Recurrence};
 use crate::normal::{Normal, Normals};
 use crate::polynomial::{self, argument};
 use crate::scalar::Scalar;
@@ -89,11 +89,11 @@ impl<B> Scene<'_, B> {
             for (((x, y), z), out) in x.iter().zip(y).zip(z).zip(out) {
                 tile::tile(polynomials, [x, y, z], &mut room, out);
             }
-            blocks::<S, POWERS>(polynomials, [x_rest, y_rest, z_rest], out_rest);
-        } else if polynomials.any_longer_than(POWERS) {
-            blocks::<S, HALVES>(polynomials, [normals.x, normals.y, normals.z], irradiance);
+            blocks::<S, MONOMIAL_TERMS>(polynomials, [x_rest, y_rest, z_rest], out_rest);
+        } else if polynomials.any_longer_than(MONOMIAL_TERMS) {
+            blocks::<S, EVEN_ODD_TERMS>(polynomials, [normals.x, normals.y, normals.z], irradiance);
         } else {
-            blocks::<S, POWERS>(polynomials, [normals.x, normals.y, normals.z], irradiance);
+            blocks::<S, MONOMIAL_TERMS>(polynomials, [normals.x, normals.y, normals.z], irradiance);
         }
         Ok(())
     }
@@ -160,7 +160,7 @@ pub(crate) fn block<S: Scalar, const LONGEST: usize, const N: usize>(
 ) -> [S; N] {
     let t = if SPECIAL { vectorised(z) } else { z.map(argument) };
     let mut u = t;
-    if LONGEST > POWERS && LONGEST <= HALVES {
+    if LONGEST > MONOMIAL_TERMS && LONGEST <= EVEN_ODD_TERMS {
         for u in &mut u {
             *u = polynomial::doubled(*u);
         }

@@ -2,11 +2,11 @@
 //! rest.
 
 use eigenshade::{Error, Format, Light, Q15, Q31, Scalar, What, quantised, sphere};
+use eigenshade_table::General;
+use eigenshade_table::MeanImage;
 use eigenshade_table::Table;
-use eigenshade_table::general::General;
-use eigenshade_table::quantise::{self, QuantisedParts};
+use eigenshade_table::quantize::{self, QuantizedParts};
 use eigenshade_table::scene::{Effect, Store};
-use eigenshade_table::table::MeanImage;
 use eigenshade_table::wire::{self, Endian};
 use std::marker::PhantomData;
 
@@ -43,8 +43,8 @@ fn assert_refused(what: &str, change: impl Fn(&mut Table)) {
     assert_eq!((floats, integers), ("yes", "no"), "{what}");
     let mut table = shipped();
     change(&mut table);
-    for format in [quantise::Format::Q15, quantise::Format::Q31] {
-        let refused = QuantisedParts::new(&table, format, format.tolerance()).err();
+    for format in [quantize::Format::Q15, quantize::Format::Q31] {
+        let refused = QuantizedParts::new(&table, format, format.tolerance()).err();
         let refused = refused.expect(what).to_string();
         assert!(refused.contains(error), "{what}: `{error}` in `{refused}`");
     }
@@ -84,8 +84,8 @@ fn tables_that_integers_do_not_serve_are_refused_as_documented() {
     table.scene.basis.store = Store::Materials;
     for format in [
         wire::Format::F32,
-        wire::Format::Integer(quantise::Format::Q15),
-        wire::Format::Integer(quantise::Format::Q31),
+        wire::Format::Integer(quantize::Format::Q15),
+        wire::Format::Integer(quantize::Format::Q31),
     ] {
         let refused = wire::encode(&table, format, Endian::Little).expect_err("no factors");
         assert!(refused.to_string().contains(error), "`{error}` in `{refused}`");
@@ -163,8 +163,8 @@ fn what_every_format_supports_is_there() {
     let mut table = shipped();
     for effects in [vec![Effect::Diffuse, Effect::Broad], Effect::ALL.to_vec()] {
         table.scene.effects.wanted = effects;
-        for format in [quantise::Format::Q15, quantise::Format::Q31] {
-            let taken = QuantisedParts::new(&table, format, format.tolerance());
+        for format in [quantize::Format::Q15, quantize::Format::Q31] {
+            let taken = QuantizedParts::new(&table, format, format.tolerance());
             assert!(taken.is_ok(), "{:?}", taken.err());
         }
     }

@@ -17,7 +17,7 @@ use eigenshade_model::rotation::Rotation;
 use eigenshade_model::special::gauss_legendre;
 use eigenshade_model::truth::Truth;
 use eigenshade_shading::owned_basis::OwnedBasis;
-use eigenshade_table::scene::Normalise;
+use eigenshade_table::scene::Normalize;
 use eigenshade_table::{GramFactor, Table};
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::path::Path;
@@ -181,7 +181,7 @@ fn components_are_orthonormal() {
 fn signs_of_m_have_equal_eigenvalues() {
     let loaded = shipped();
     let (lights, materials) = (&loaded.lights, &loaded.materials);
-    let moments = LightMoments::new(lights, Normalise::UnitAmbient).expect("positive lights");
+    let moments = LightMoments::new(lights, Normalize::UnitAmbient).expect("positive lights");
     let plus = gram::of_sphere(9, 7);
     let minus = GramFactor { rotations: negative_rotations(&plus), ..plus.clone() };
     assert_ne!(plus.rotations, minus.rotations);

@@ -4,7 +4,7 @@ use eigenshade::quantised::{Basis, Light, Material, Normal, Parts, Profile, Tran
 use eigenshade::sphere::{q15, q31};
 use eigenshade::{Error, Q15, Q31, What};
 use eigenshade_shading::owned_quantised::Integer;
-use eigenshade_table::quantise::{self, Format};
+use eigenshade_table::quantize::{self, Format};
 use std::f64::consts::SQRT_2;
 
 /// d from pixels in mantissas of 15 bits, of the largest: the images of weak components are trimmed to
@@ -119,12 +119,12 @@ fn inputs_are_quantised_alike() {
     for seed in [0.1, 0.5, 2.0, 1e-20, 1e20] {
         let values: Vec<f32> = numbers(100, 1.7).into_iter().map(|value| value * seed).collect();
         let wide: Vec<f64> = values.iter().copied().map(f64::from).collect();
-        let (host, exponent) = quantise::row(&wide, 15, i64::MAX);
+        let (host, exponent) = quantize::row(&wide, 15, i64::MAX);
         let mut mantissas = [Q15::default(); 100];
         let light = Light::quantise(DEGREE, &values, &mut mantissas).expect("a light");
         let expected: Vec<Q15> = host.into_iter().map(Q15::of).collect();
         assert_eq!(Light::new(DEGREE, exponent.into(), &expected), Ok(light));
-        let (host, exponents) = quantise::material(ORDER, &wide[..40], Format::Q31);
+        let (host, exponents) = quantize::material(ORDER, &wide[..40], Format::Q31);
         let (mut mantissas, mut found) = ([Q31::default(); 40], [0; 8]);
         let material =
             Material::quantise(ORDER, &values[..40], &mut mantissas, &mut found).expect("one");
@@ -185,7 +185,7 @@ fn generated_ways_saturate_like_the_general_ones() {
 /// functions give what the general ones give, bit for bit.
 #[test]
 fn generated_ways_are_the_general_ones() {
-    let mantissas = quantise::row(
+    let mantissas = quantize::row(
         &numbers(40, 1.3).into_iter().map(f64::from).collect::<Vec<_>>(),
         15,
         i64::MAX,
@@ -310,7 +310,7 @@ fn estimates_are_means() {
 fn profiles_keep_a_term() {
     let bytes = std::fs::read("tables/sphere.bin").expect("the shipped table");
     let table = eigenshade_table::decode(&bytes).expect("a table");
-    let parts = quantise::QuantisedParts::new(&table, Format::Q15, 1e9).expect("parts");
+    let parts = quantize::QuantizedParts::new(&table, Format::Q15, 1e9).expect("parts");
     let served = table.profiles.iter().map(|profile| profile.azimuth).max().expect("profiles");
     assert_eq!(parts.lengths[..=served], vec![1; served + 1]);
 }

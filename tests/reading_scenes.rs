@@ -138,8 +138,8 @@ fn light_and_evidence_are_the_dense_formulas() {
         let d_mean = DVector::from_column_slice(&prior.mean);
         let target = image - mean + &design * d_mean;
         let images = &design * to_dense(&transfer);
-        let normalise = loaded.scene.light.normalise;
-        let moments = LightMoments::new(&loaded.lights, normalise).expect("moments");
+        let normalize = loaded.scene.light.normalize;
+        let moments = LightMoments::new(&loaded.lights, normalize).expect("moments");
         let spread = DVector::from_iterator(
             light::count(4),
             light::indices(4).map(|(l, _)| match l {

@@ -3,15 +3,15 @@
 use crate::wire_files as files;
 use eigenshade::wire::{Header, WireError, WireFormat, aligned};
 use eigenshade::{Basis, GeneralBasis, Q15, Q31, quantised, sphere};
-use eigenshade_table::quantise;
+use eigenshade_table::quantize;
 use eigenshade_table::wire::{Endian, Format, encode};
 use files::{
     ALL, GENERAL, INTEGERS_15, LONG, SPHERE, facing_15, facing_31, floats, integers, room,
 };
 use proptest::prelude::*;
 
-const Q15_FORMAT: Format = Format::Integer(quantise::Format::Q15);
-const Q31_FORMAT: Format = Format::Integer(quantise::Format::Q31);
+const Q15_FORMAT: Format = Format::Integer(quantize::Format::Q15);
+const Q31_FORMAT: Format = Format::Integer(quantize::Format::Q31);
 
 fn shipped(format: Format) -> Vec<u8> {
     let bytes = std::fs::read("tables/sphere.bin").expect("the shipped table");

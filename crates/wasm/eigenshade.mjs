@@ -1,4 +1,4 @@
-// The WebAssembly module of eigenshade, for Node and browsers: memory wrapped, input checked.
+// A wrapper of the WebAssembly module of eigenshade for Node and browsers. It checks all input.
 //
 //     const { f32 } = await load("f32.simd.wasm");
 //     f32.light(light).material(material);
@@ -40,7 +40,7 @@ async function instantiate(source) {
   return (await WebAssembly.instantiate(bytes)).instance;
 }
 
-/** Coefficients of a light up to this degree. */
+/** Number of coefficients of a light of this degree. */
 const lightCount = (degree) => (degree + 1) ** 2;
 
 /** Coefficients of a material up to this order. */
@@ -53,14 +53,14 @@ function materialCount(order) {
   return count;
 }
 
-/** The coefficients in f32. */
+/** The coefficients as a Float32Array, if their number is valid and all are finite. */
 function checked(what, coefficients, count, most) {
   if (!(Array.isArray(coefficients) || ArrayBuffer.isView(coefficients))) {
     throw new TypeError(`${what}: an array of numbers expected, ${typeof coefficients} found`);
   }
   const counts = Array.from({ length: most + 1 }, (_, largest) => count(largest));
   if (!counts.includes(coefficients.length)) {
-    const beyond = coefficients.length > counts[most] ? "; leave out what is beyond" : "";
+    const beyond = coefficients.length > counts[most] ? "; leave out the rest" : "";
     throw new RangeError(
       `${what}: ${coefficients.length} coefficients, this table takes ${counts.join(", ")}${beyond}`,
     );
@@ -68,15 +68,15 @@ function checked(what, coefficients, count, most) {
   const numbers = Float32Array.from(coefficients);
   const bad = numbers.findIndex((number) => !Number.isFinite(number));
   if (bad >= 0) {
-    throw new RangeError(`${what}: coefficient ${bad} is ${coefficients[bad]}, which no f32 holds`);
+    throw new RangeError(`${what}: coefficient ${bad} is ${coefficients[bad]}, which is not a finite f32`);
   }
   return numbers;
 }
 
 /**
- * The unit normals along vectors given component by component: those of a mesh, or of a normal
- * map, whose channel c of 8 bits says 2c - 255. One that points away by no more than 1/8 is laid
- * on the rim, beyond which an image means nothing.
+ * Unit normals along vectors, given component by component: those of a mesh or of a normal map,
+ * whose 8-bit channel c means 2c - 255. Vectors that point away by no more than 1/8 are moved to the
+ * rim.
  */
 export function normalized(x, y, z) {
   const count = x.length;
@@ -90,7 +90,7 @@ export function normalized(x, y, z) {
     const distance = Math.hypot(x[k], y[k], z[k]);
     if (!(distance < Infinity && z[k] / distance >= -1 / 8)) {
       throw new RangeError(
-        `normalized: vector ${k} is (${x[k]}, ${y[k]}, ${z[k]}), which points nowhere or away`,
+        `normalized: vector ${k} is (${x[k]}, ${y[k]}, ${z[k]}), which is zero, not finite, or points away`,
       );
     }
     const visible = [x[k], y[k], Math.max(z[k], 0)];
@@ -100,7 +100,7 @@ export function normalized(x, y, z) {
   return normals;
 }
 
-/** What the formats have in common. */
+/** The common part of the formats. */
 class Format {
   constructor(exports, name, view, shape, array, bits) {
     Object.assign(this, { exports, name, shape, array, bits });
@@ -128,42 +128,42 @@ class Format {
   /** One channel of a BRDF: its coefficients in 1/sr. */
   material(coefficients) {
     this.ready.material = checked("material", coefficients, materialCount, this.shape.order);
-    this.folded = false;
+    this.transferred = false;
     return this;
   }
 
-  /** Copies an input to where the module reads it, zeros above its degree or order. */
+  /** Copies an input to the module's buffer, with zeros above its degree or order. */
   put(what, step = "project") {
     const given = this.ready[what];
-    if (!given) throw new Error(`${step}: there is no ${what} yet; give one first`);
+    if (!given) throw new Error(`${step}: no ${what} yet; set one first`);
     this.inputs[what].fill(0).set(given);
   }
 
   /** Calls a function of the module. */
   call(step) {
     if (!this.exports[`${this.name}_${step}`]()) {
-      throw new Error(`${this.name}: the module refuses to ${step}`);
+      throw new Error(`${this.name}: the module rejected the input of ${step}`);
     }
   }
 
-  /** Sums the components of each azimuth: an image that can be shaded. */
+  /** Sums the components of each azimuth to a scene, which can be shaded. */
   collapse() {
-    if (!this.ready.d) throw new Error("collapse: there are no coefficients d yet; project first");
+    if (!this.ready.d) throw new Error("collapse: no coefficients d yet; call project first");
     this.call("collapse");
     this.ready.scene = true;
     return this;
   }
 
   /**
-   * The irradiances of visible unit normals, given component by component. `irradiance`
-   * takes them if it is given.
+   * The irradiances of visible unit normals, given component by component. They are written to
+   * `irradiance` if it is given.
    */
   shade(x, y, z, irradiance) {
-    if (!this.ready.scene) throw new Error("shade: there is no scene yet; collapse first");
+    if (!this.ready.scene) throw new Error("shade: no scene yet; call collapse first");
     return this.pixels("shade", "shade", [x, y, z], irradiance);
   }
 
-  /** The irradiances by a function of the module, as many at a time as it takes. */
+  /** Computes irradiances with a function of the module, in parts of the size of its buffers. */
   pixels(name, step, [x, y, z], irradiance) {
     const count = x.length;
     irradiance ??= new this.answers.irradiance.constructor(count);
@@ -186,11 +186,11 @@ class Format {
 
   badNormal(name, k, x, y, z) {
     return new RangeError(
-      `${name}: normal ${k} is (${x[k]}, ${y[k]}, ${z[k]}), no unit vector with z >= 0`,
+      `${name}: normal ${k} is (${x[k]}, ${y[k]}, ${z[k]}), expected a unit vector with z >= 0`,
     );
   }
 
-  /** The first normal that is no unit vector, to a part in 2,000, or hidden; -1 for none. */
+  /** Index of the first normal that is not a unit vector to 1 part in 2,000, or is hidden; or -1. */
   firstBad(x, y, z) {
     const one = x instanceof this.array ? 2 ** this.bits : 1;
     const [least, most, hidden] = [0.999 * one * one, 1.001 * one * one, this.hidden(one)];
@@ -202,79 +202,79 @@ class Format {
   }
 }
 
-/** The way in floats. */
+/** Floats. */
 class Floats extends Format {
   /** The coefficients d of the light on the material. */
   project() {
     this.put("light");
     this.put("material");
     this.call("project");
-    this.got();
+    this.changed();
     return this.answers.d.slice();
   }
 
-  /** There are new coefficients d, and nothing of them yet. */
-  got() {
+  /** Records new coefficients d: the scene and the map are out of date. */
+  changed() {
     Object.assign(this.ready, { d: true, scene: false, map: false });
   }
 
-  /** `project` in two parts, if the module has them: a material is folded in once. */
+  /** Like `project`, but computes the transfer of a material only once, if the module can. */
   relight() {
     this.has("relight");
     this.put("light", "relight");
-    if (!this.folded) {
+    if (!this.transferred) {
       this.put("material", "relight");
-      this.call("fold");
-      this.folded = true;
+      this.call("transfer");
+      this.transferred = true;
     }
     this.call("relight");
-    this.got();
+    this.changed();
     return this.answers.d.slice();
   }
 
-  /** Bakes the scene on a map of 32 x 32, if the module can. */
+  /** Bakes the scene into a map of 32 x 32, if the module can. */
   bake() {
     this.has("bake");
-    if (!this.ready.scene) throw new Error("bake: there is no scene yet; collapse first");
+    if (!this.ready.scene) throw new Error("bake: no scene yet; call collapse first");
     this.call("bake");
     this.ready.map = true;
     return this;
   }
 
-  /** `shade` by the baked map. */
+  /** Like `shade`, but reads the baked map. */
   lookUp(x, y, z, irradiance) {
     this.has("look_up");
-    if (!this.ready.map) throw new Error("lookUp: there is no map yet; bake first");
+    if (!this.ready.map) throw new Error("lookUp: no map yet; call bake first");
     return this.pixels("lookUp", "look_up", [x, y, z], irradiance);
   }
 
   has(step) {
     if (!this.exports[`f32_${step}`]) {
-      throw new Error(`f32: this module has no f32_${step}; take floats.wasm`);
+      throw new Error(`f32: this module has no f32_${step}; use floats.wasm`);
     }
   }
 
-  /** Copies normals to where the module reads them. */
+  /** Copies normals to the module's buffer. */
   write(from, start, end, to) {
     if (ArrayBuffer.isView(from)) this.normals.set(from.subarray(start, end), to);
     else for (let k = start; k < end; k++) this.normals[to + k - start] = from[k];
   }
 
-  /** A normal that points away by less than this is as good as one at the rim. */
+  /** The least z: a normal that points away by less counts as one at the rim. */
   hidden() {
     return -1e-3;
   }
 }
 
-/** The way in integers: a number is its mantissa times 2 to the exponent of its array. */
+/** Integers: a number is its mantissa times 2 to the power of the exponent of its array. */
 class Integers extends Format {
   /** The coefficients d of the light on the material: mantissas and their exponent. */
   project() {
     this.put("light");
-    if (!this.folded) {
+    if (!this.transferred) {
       this.put("material");
-      this.call("fold");
-      this.folded = true;
+      this.call("transfer");
+      this.transferred = true;
     }
     this.call("relight");
     Object.assign(this.ready, { d: true, scene: false });
@@ -286,7 +286,7 @@ class Integers extends Format {
     return this.exponents[1];
   }
 
-  /** Mantissas as they are, other numbers to the nearest. */
+  /** Copies normals to the module's buffer; numbers that are not mantissas are rounded. */
   write(from, start, end, to) {
     if (from instanceof this.array) {
       this.normals.set(from.subarray(start, end), to);

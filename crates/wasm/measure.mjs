@@ -1,9 +1,9 @@
 // Measures the modules of `crates/wasm/build`: sizes, and times of one run.
 //
 //     node crates/wasm/measure.mjs            prints the tables, fails if a bound is exceeded
-//     node crates/wasm/measure.mjs --write    puts them into crates/wasm/README.md
-//     node crates/wasm/measure.mjs --times    measures the modules of crates/wasm/ladder instead,
-//                                             into crates/wasm/times.csv
+//     node crates/wasm/measure.mjs --write    writes them to crates/wasm/README.md
+//     node crates/wasm/measure.mjs --times    measures the modules of crates/wasm/ladder instead and
+//                                             writes crates/wasm/times.csv
 
 import { readFileSync, writeFileSync } from "node:fs";
 import { load } from "./eigenshade.mjs";
@@ -12,8 +12,8 @@ import { hemisphere, leasts } from "./tests/support/timing.mjs";
 import { row } from "./tests/support/golden.mjs";
 import { VARIANTS, bytes, sizes } from "./tests/support/modules.mjs";
 
-/** Nine-term pixels that one of the full scene may cost with SIMD: 14 ns where they take 0.4. */
-const MOST = 14 / 0.4;
+/** Maximum cost of a pixel of the full scene with SIMD, in nine-term pixels: 14 ns against 0.4. */
+const MAX_RATIO = 14 / 0.4;
 
 const README = new URL("README.md", import.meta.url);
 const TIMES = new URL("times.csv", import.meta.url);
@@ -87,7 +87,7 @@ if (process.argv.includes("--write")) {
   const [start, end] = [text.indexOf(MARKS[0]) + MARKS[0].length, text.indexOf(MARKS[1])];
   writeFileSync(README, `${text.slice(0, start)}\n${tables}${text.slice(end)}`);
 }
-if (ratios[1] > MOST) {
-  console.error(`error: a full pixel costs ${ratios[1].toFixed(1)} nine-term pixels, ${MOST} at most`);
+if (ratios[1] > MAX_RATIO) {
+  console.error(`error: a full pixel costs ${ratios[1].toFixed(1)} nine-term pixels, ${MAX_RATIO} at most`);
   process.exitCode = 1;
 }

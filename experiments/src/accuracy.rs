@@ -140,7 +140,7 @@ impl<'a> Reference<'a> {
         let normals = OwnedNormals::new(&normals);
         let mut images: Images = vec![Vec::new(); self.images.len()];
         for light in &lights.entries {
-            let [r, g, b] = shader.colour((degree, light), (order, &material), &normals)?;
+            let [r, g, b] = shader.color((degree, light), (order, &material), &normals)?;
             for (image, ((r, g), b)) in images.iter_mut().zip(r.into_iter().zip(g).zip(b)) {
                 image.push([r, g, b]);
             }

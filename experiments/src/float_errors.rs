@@ -81,7 +81,7 @@ impl Inputs {
         // Their lobes are too narrow for any order here.
         materials.entries.retain(|material| !material.name.ends_with("-0.1"));
         lights.entries.retain(|light| LIGHTS.contains(&light.name.as_str()));
-        lights.entries.iter_mut().for_each(Named::lose_colour);
+        lights.entries.iter_mut().for_each(Named::lose_color);
         let normals = normals();
         let progress = bar("normals", normals.len());
         let reference = reference_image::images(&lights, &materials, &normals, &progress);

@@ -32,9 +32,9 @@ fn tables_are_of_their_scenes() {
         let mut fresh = loaded.build().expect("a table");
         let named = &fresh.scene.effects;
         let (color, turns) = (scene.channels == 3, scene.turns);
-        assert_eq!((named.colour, named.rotation), (color, turns), "{}", scene.name);
+        assert_eq!((named.color, named.rotation), (color, turns), "{}", scene.name);
         if scene.name != scene.table {
-            (fresh.scene.effects.colour, fresh.scene.effects.rotation) = (false, false);
+            (fresh.scene.effects.color, fresh.scene.effects.rotation) = (false, false);
         }
         let found = differences(&table, &fresh).expect("two tables of one scene");
         for difference in found {

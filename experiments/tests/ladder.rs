@@ -3,7 +3,7 @@
 
 use crate::support::repository;
 use eigenshade_cli::table::compare::differences;
-use eigenshade_table::components::with_components;
+use eigenshade_table::reduce::with_components;
 use eigenshade_table::trim::trim;
 use experiments::accuracy_cost::bases::Bases;
 use experiments::accuracy_cost::knobs::settings;

@@ -10,7 +10,7 @@ mod ladder;
 #[expect(dead_code, reason = "it writes such files as well")]
 mod record;
 
-use eigenshade_table::quantise::{Format, QuantisedParts};
+use eigenshade_table::quantize::{Format, QuantizedParts};
 use eigenshade_table::{rust_quantised, rust_source};
 use record::{Golden, Row};
 use std::path::PathBuf;
@@ -20,7 +20,7 @@ use std::{env, fs, process};
 const LAMBERTIAN: (&str, f64) = ("../tables/lambertian.bin", 2e-4);
 
 /// The tables of `../scenes`, whose polynomials are as short as the scene's tolerance allows.
-/// Colour and rotation change no number of a table: three scenes share the last.
+/// Color and rotation change no number of a table: three scenes share the last.
 const SCENES: [&str; 8] = [
     "ambient_lambertian",
     "ambient_velvet",
@@ -72,7 +72,7 @@ fn decoded(from: &str) -> Result<eigenshade_table::Table, String> {
 fn bake(table: &eigenshade_table::Table, name: &str, from: &str) -> Result<(), String> {
     let command = format!("build.rs, from {from}");
     for (format, suffix) in [(Format::Q15, "q15"), (Format::Q31, "q31")] {
-        let parts = QuantisedParts::new(table, format, format.tolerance())
+        let parts = QuantizedParts::new(table, format, format.tolerance())
             .map_err(|error| format!("{from}: {error}"))?;
         write(&format!("{name}_{suffix}.rs"), &rust_quantised::module(&parts, &command))?;
     }
@@ -154,7 +154,7 @@ fn one_material() -> Result<(), String> {
     use eigenshade::sphere::q15::{BASIS, ORDER, PROFILES, TRANSFER, WORKSPACE};
     let from = "../../tables/sphere.bin";
     let table = decoded(from)?;
-    let mut parts = QuantisedParts::new(&table, Format::Q15, Format::Q15.tolerance())
+    let mut parts = QuantizedParts::new(&table, Format::Q15, Format::Q15.tolerance())
         .map_err(|error| format!("{from}: {error}"))?;
     for numbers in [&mut parts.polar, &mut parts.factors] {
         numbers.clear();

@@ -85,13 +85,13 @@ fn shade_any() -> Vec<(String, Vec<u8>)> {
         put_normals(&mut coefficients, bytes);
         seeds.push((format!("q{bits}-coefficients"), coefficients));
     }
-    // A colour of three channels within 2^-7.
-    let mut colour = vec![7, 2, 1, 6, 0];
+    // A color of three channels within 2^-7.
+    let mut color = vec![7, 2, 1, 6, 0];
     for k in 0..150 {
-        put(&mut colour, mantissa(k % 50), 2);
-        colour.push(40);
+        put(&mut color, mantissa(k % 50), 2);
+        color.push(40);
     }
-    seeds.push(("f32-colour".to_owned(), colour));
+    seeds.push(("f32-color".to_owned(), color));
     seeds
 }
 

@@ -1,4 +1,4 @@
-//! Any bytes as a table: an error, or a basis that projects and shades, and never a panic.
+//! Any bytes as a table give an error, or a basis that projects and shades, never a panic.
 #![cfg_attr(fuzzing, no_main)]
 
 #[path = "../../tests/invariants/mod.rs"]
@@ -7,7 +7,7 @@ mod invariants;
 #[cfg(fuzzing)]
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| invariants::from_bytes(bytes));
 
-/// Without libFuzzer: the files that are named.
+/// Without libFuzzer: runs on the files that the arguments name.
 #[cfg(not(fuzzing))]
 fn main() -> std::io::Result<()> {
     for path in std::env::args_os().skip(1) {

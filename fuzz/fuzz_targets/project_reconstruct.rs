@@ -1,4 +1,4 @@
-//! Projection, then reconstruction, in every format: near what f64 gives.
+//! Projection and reconstruction in every format are close to the results in f64.
 #![cfg_attr(fuzzing, no_main)]
 
 #[path = "../../tests/invariants/mod.rs"]
@@ -7,7 +7,7 @@ mod invariants;
 #[cfg(fuzzing)]
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| invariants::project_reconstruct(bytes));
 
-/// Without libFuzzer: the files that are named.
+/// Without libFuzzer: runs on the files that the arguments name.
 #[cfg(not(fuzzing))]
 fn main() -> std::io::Result<()> {
     for path in std::env::args_os().skip(1) {

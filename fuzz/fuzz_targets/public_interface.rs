@@ -1,5 +1,5 @@
-//! Any numbers into look-ups, baking, rotation, windows, truncation and estimates: no panic, and
-//! what holds of moderate numbers.
+//! Look-ups, baking, rotations, windows, truncation and estimates with any numbers: no panic, and
+//! further invariants for moderate numbers.
 #![cfg_attr(fuzzing, no_main)]
 
 #[path = "../../tests/invariants/mod.rs"]
@@ -8,7 +8,7 @@ mod invariants;
 #[cfg(fuzzing)]
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| invariants::public_interface(bytes));
 
-/// Without libFuzzer: the files that are named.
+/// Without libFuzzer: runs on the files that the arguments name.
 #[cfg(not(fuzzing))]
 fn main() -> std::io::Result<()> {
     for path in std::env::args_os().skip(1) {

@@ -1,4 +1,4 @@
-//! The runtime's tests that need nothing of the host's crates.
+//! The runtime's tests that need none of the host's crates.
 
 #[path = "../../tests/wire_files/mod.rs"]
 mod wire_files;

@@ -3,7 +3,7 @@
 //! converted side by side.
 
 use super::density::{Density, MOST};
-use crate::index::layout::{LANES, POWERS};
+use crate::index::layout::{LANES, MONOMIAL_TERMS};
 use crate::lanes::multiply_add;
 use crate::scalar::Scalar;
 
@@ -42,7 +42,7 @@ impl<S: Scalar> Rows<S> {
         let Self { now, next, at, below, none } = self;
         let (mut now, mut next) = (now, next);
         let minus = if minus.is_empty() { none.as_mut_slice() } else { minus };
-        let (half, is_long) = (S::from_f64(0.5), length > POWERS);
+        let (half, is_long) = (S::from_f64(0.5), length > MONOMIAL_TERMS);
         // The powers are those of 2t.
         let double = if is_long { S::ONE } else { S::ONE + S::ONE };
         let mut scale = (1..length).fold(S::ONE, |scale, _| scale * half);
@@ -82,7 +82,7 @@ impl<S: Scalar> Rows<S> {
         let Self { now, next, at, below, none } = self;
         let (mut now, mut next) = (now, next);
         let minus = if minus.is_empty() { none.as_mut_slice() } else { minus };
-        let is_long = length > POWERS;
+        let is_long = length > MONOMIAL_TERMS;
         let recurrence = at.iter().zip(below.iter().skip(1)).take(length).rev();
         let both = plus.iter().zip(&*minus).zip(recurrence);
         for (index, ((&term, &other), (&[at, _], &[below, _]))) in both.enumerate() {

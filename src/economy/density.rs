@@ -6,12 +6,12 @@
 //! its Cholesky factors are multiplied in reverse order (Christoffel's transformation). Both steps
 //! together reduce the number of known terms by one.
 
-use crate::index::layout::HALVES;
+use crate::index::layout::EVEN_ODD_TERMS;
 use crate::mathematics::{Libm, Mathematics};
 use crate::scalar::Scalar;
 
 /// The largest number of terms of a polynomial that is converted.
-pub(super) const MOST: usize = HALVES;
+pub(super) const MOST: usize = EVEN_ODD_TERMS;
 
 /// Number of azimuths whose polynomials can be converted.
 const AZIMUTHS: usize = 64;

@@ -2,7 +2,7 @@
 
 use super::report::Tolerance;
 use crate::error::Error;
-use crate::index::layout::{LANES, POWERS, Recurrence};
+use crate::index::layout::{LANES, MONOMIAL_TERMS, Recurrence};
 use crate::lanes::multiply_add;
 use crate::polynomial::{long, orthogonal, value};
 use crate::scalar::Scalar;
@@ -105,7 +105,7 @@ pub(super) fn peak<S: Scalar, B: AsRef<[S]>>(scene: &Scene<'_, B>) -> S {
 /// would treat each lane separately.
 #[inline(never)]
 fn slants<S: Scalar>(terms: &[S], t: &[S; LANES]) -> [S; LANES] {
-    if terms.len() > POWERS {
+    if terms.len() > MONOMIAL_TERMS {
         return long(terms, t);
     }
     let Some((&first, rest)) = terms.split_first() else { return [S::ZERO; LANES] };
@@ -115,7 +115,7 @@ fn slants<S: Scalar>(terms: &[S], t: &[S; LANES]) -> [S; LANES] {
 /// The value of a polynomial at t = 0.
 fn middle<S: Scalar>(terms: &[S], recurrence: &[Recurrence]) -> S {
     match terms.last() {
-        Some(&last) if recurrence.is_empty() && terms.len() <= POWERS => last,
+        Some(&last) if recurrence.is_empty() && terms.len() <= MONOMIAL_TERMS => last,
         _ => value(terms, S::ZERO, recurrence),
     }
 }

@@ -84,13 +84,13 @@ impl<'a, S: Scalar> Basis<'a, S> {
     ///
     /// let matte = Material::new(0, &[2.0])?;
     /// let of = |light: &[f32]| sphere::project(&Light::new(1, light)?, &matte);
-    /// let colour = [of(&[3.5, 0.0, 1.0, 0.0])?, of(&[3.0, 0.2, 1.0, 0.0])?, of(&[2.0; 4])?];
+    /// let color = [of(&[3.5, 0.0, 1.0, 0.0])?, of(&[3.0, 0.2, 1.0, 0.0])?, of(&[2.0; 4])?];
     /// let (mut lengths, mut told) = ([0; sphere::DEGREE + 1], [Economy::default(); 3]);
     /// let mut buffer = [0.0; 3 * sphere::SCENE];
     /// let tolerance = Tolerance::OfPeak(1e-2);
     /// let basis = sphere::BASIS;
     /// let shape =
-    ///     basis.collapse_set_within(&colour, 3, tolerance, &mut lengths, &mut buffer, &mut told)?;
+    ///     basis.collapse_set_within(&color, 3, tolerance, &mut lengths, &mut buffer, &mut told)?;
     /// for (numbers, told) in buffer.chunks_exact(sphere::SCENE).zip(told) {
     ///     let channel = shape.scene(numbers)?;
     ///     assert!(channel.shade(Normal::new(0.0, 0.0, 1.0)?) > 0.0 && told.bound < 1e-2 * told.peak);

@@ -23,10 +23,10 @@ impl<'a, Q> Parts<'a, Q> {
         }
         // Each profile needs a weight for +m and one for -m; each degree needs a place in a row of
         // a transfer.
-        if 2 * self.profiles.len() > layout::MOST_WEIGHTS || degrees > layout::MOST_WEIGHTS / 2 {
+        if 2 * self.profiles.len() > layout::MAX_WEIGHTS || degrees > layout::MAX_WEIGHTS / 2 {
             return Err(Error::Bound);
         }
-        if self.effects.apart_count(self.order) > 0
+        if self.effects.unfactored_count(self.order) > 0
             || self.effects.factored_order(self.order) != self.order
         {
             return Err(Error::Coupling);

@@ -2,7 +2,7 @@
 
 use super::format::WireFormat;
 use crate::error::Error;
-use crate::index::wire::{ALIGNMENT, MOST, VERSION};
+use crate::index::wire::{ALIGNMENT, MAX_DEGREE_AND_ORDER, VERSION};
 use core::fmt;
 
 /// The first problem found in some bytes.
@@ -131,7 +131,7 @@ impl fmt::Display for WireError {
             ),
             Self::Shape { degree, order } => write!(
                 f,
-                "wire file: degree and order up to {MOST} expected, {degree} and {order} found; \
+                "wire file: degree and order up to {MAX_DEGREE_AND_ORDER} expected, {degree} and {order} found; \
                  pack the table again"
             ),
             Self::Effects { bits } => write!(

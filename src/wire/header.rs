@@ -2,7 +2,7 @@
 
 use super::error::WireError;
 use crate::index::effect::Effects;
-use crate::index::wire::{HEADER, LABEL, MARK, MOST, VERSION, place};
+use crate::index::wire::{HEADER, LABEL, MARK, MAX_DEGREE_AND_ORDER, VERSION, place};
 
 /// The header of a wire file: its format, its size and the shape of its table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,7 +58,7 @@ impl Header {
         let Some(effects) = effects else { return Err(WireError::Effects { bits }) };
         let size = |at| usize::from(short(header, at));
         let (degree, order) = (size(place::DEGREE), size(place::ORDER));
-        if degree > MOST || order > MOST {
+        if degree > MAX_DEGREE_AND_ORDER || order > MAX_DEGREE_AND_ORDER {
             return Err(WireError::Shape { degree, order });
         }
         Ok(Self {

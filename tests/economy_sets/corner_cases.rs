@@ -145,19 +145,19 @@ fn what_is_not_finite_is_told() {
     assert_eq!(kept, (sphere::COMPONENTS, sphere::SCENE));
 }
 
-/// A dark channel of a bright colour may be off by as much as the others.
+/// A dark channel of a bright color may be off by as much as the others.
 #[test]
 fn a_peak_is_of_all_channels() {
     let (lights, materials) = shipped();
     let bright = on(&lights[0], &materials[0]);
     let dark = bright.iter().map(|d| 1e-3 * d).collect::<sphere::Coefficients>();
     let set = [bright.clone(), dark.clone(), dark.clone()];
-    let colour = Chosen::new(&set, 3, Tolerance::OfPeak(1e-2));
+    let color = Chosen::new(&set, 3, Tolerance::OfPeak(1e-2));
     let each = Chosen::new(&set, 1, Tolerance::OfPeak(1e-2));
     let peaks = |chosen: &Chosen| chosen.economies.iter().map(|one| one.peak).collect::<Vec<_>>();
-    assert_eq!(peaks(&colour), [peaks(&each)[0]; 3]);
+    assert_eq!(peaks(&color), [peaks(&each)[0]; 3]);
     assert!(peaks(&each)[1] < 2e-3 * peaks(&each)[0]);
     // The bright channel decides: it is the set of itself.
     let alone = Chosen::new(&set[..1], 1, Tolerance::OfPeak(1e-2));
-    assert_eq!(colour.lengths, alone.lengths);
+    assert_eq!(color.lengths, alone.lengths);
 }

@@ -73,7 +73,7 @@ fn beyond(d: &[f32], components: usize) -> f64 {
     d.iter().skip(components).map(|&d| f64::from(d).powi(2)).sum()
 }
 
-/// Checks each image of a set, each its own peak or that of its colour; gives bounds over
+/// Checks each image of a set, each its own peak or that of its color; gives bounds over
 /// errors.
 fn checked(
     set: &[sphere::Coefficients],
@@ -87,9 +87,9 @@ fn checked(
     let mut ratios = Vec::new();
     let peaks: Vec<f64> = images
         .chunks(channels)
-        .flat_map(|colour| {
-            let peak = colour.iter().fold(0.0, |most: f64, one| most.max(one.peak));
-            colour.iter().map(move |_| peak)
+        .flat_map(|color| {
+            let peak = color.iter().fold(0.0, |most: f64, one| most.max(one.peak));
+            color.iter().map(move |_| peak)
         })
         .collect();
     for (k, (economy, image)) in chosen.economies.iter().zip(images).enumerate() {
@@ -215,11 +215,11 @@ fn three_channels_share_a_peak() {
     let (lights, materials) = shipped();
     let pairs =
         lights.iter().flat_map(|light| materials.iter().step_by(5).map(move |m| (light, m)));
-    let colour = |(light, material): (&Named, &Named)| -> Vec<_> {
+    let color = |(light, material): (&Named, &Named)| -> Vec<_> {
         let channels = light.rgb.iter().zip(&material.rgb);
         channels.map(|(l, b)| coefficients(&single(l.clone()), &single(b.clone()))).collect()
     };
-    check_sets("3 channels of a colour", 3, &pairs.map(colour).collect::<Vec<_>>());
+    check_sets("3 channels of a color", 3, &pairs.map(color).collect::<Vec<_>>());
 }
 
 #[test]

@@ -4,7 +4,7 @@
 use super::Reader;
 use eigenshade::{Economy, Normal, Tolerance, sphere};
 
-/// Any images in one shape, each its own peak or that of its colour.
+/// Any images in one shape, each its own peak or that of its color.
 pub fn collapse_sets(input: &mut Reader<'_>) {
     let channels = 1 + input.up_to(2);
     let count = channels * input.up_to(3);

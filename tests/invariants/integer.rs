@@ -3,7 +3,7 @@
 use super::Reader;
 use eigenshade::quantised::{Basis, Normal};
 use eigenshade::{Error, Fixed, Q15, Q31, sphere};
-use eigenshade_table::quantise::Format;
+use eigenshade_table::quantize::Format;
 
 /// An integer format and its shipped table.
 pub trait Integer: Fixed {

@@ -6,7 +6,7 @@ use super::{Reader, pixel};
 use eigenshade::quantised::{Light, Material, Transfer};
 use eigenshade::{Error, Wide as _};
 use eigenshade_index::{light, material};
-use eigenshade_table::quantise::Format;
+use eigenshade_table::quantize::Format;
 
 /// A pixel of any coefficients against f64 on the same mantissas, of the range of 17 bits: (n_x + i
 /// n_y)^m has 14, and each step of some fifty rounds by one unit.

@@ -6,7 +6,7 @@ use super::shipped::shipped;
 use eigenshade::quantised::{Light, Material, Transfer};
 use eigenshade::{Effect, Effects, Normal, Q15, Q31, sphere};
 use eigenshade_index::{light, material};
-use eigenshade_table::quantise::Format;
+use eigenshade_table::quantize::Format;
 
 /// d of any light and material, of what its addends could be, all of the largest size and of one
 /// sign: some roundings of 24 bits, of addends far smaller.

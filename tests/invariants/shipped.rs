@@ -3,7 +3,7 @@
 use super::integer::Integer;
 use eigenshade_index::{light, material, mode, pair};
 use eigenshade_table::Table;
-use eigenshade_table::quantise::{Format, QuantisedParts};
+use eigenshade_table::quantize::{Format, QuantizedParts};
 use std::f64::consts::SQRT_2;
 use std::sync::OnceLock;
 
@@ -11,8 +11,8 @@ use std::sync::OnceLock;
 pub struct Shipped {
     pub table: Table,
     rows: Vec<Vec<f64>>,
-    q15: QuantisedParts,
-    q31: QuantisedParts,
+    q15: QuantizedParts,
+    q31: QuantizedParts,
 }
 
 pub fn shipped() -> &'static Shipped {
@@ -21,7 +21,7 @@ pub fn shipped() -> &'static Shipped {
         let bytes = include_bytes!("../../tables/sphere.bin");
         let table = eigenshade_table::decode(bytes).expect("a table");
         let parts = |format: Format| {
-            QuantisedParts::new(&table, format, format.tolerance()).expect("a sphere's table")
+            QuantizedParts::new(&table, format, format.tolerance()).expect("a sphere's table")
         };
         Shipped {
             rows: table.profiles.iter().map(|profile| table.gram_row(profile)).collect(),
@@ -33,7 +33,7 @@ pub fn shipped() -> &'static Shipped {
 }
 
 impl Shipped {
-    pub fn parts<Q: Integer>(&self) -> &QuantisedParts {
+    pub fn parts<Q: Integer>(&self) -> &QuantizedParts {
         if Q::FORMAT == Format::Q15 { &self.q15 } else { &self.q31 }
     }
 

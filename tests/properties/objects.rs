@@ -70,7 +70,7 @@ fn size(loaded: &Loaded) -> f64 {
     let scene = &loaded.scene;
     let weights = moments::equal(loaded.lights.entries.len());
     let light =
-        LightStatistics::new(&loaded.lights, scene.light.normalise, scene.light.rotation, &weights);
+        LightStatistics::new(&loaded.lights, scene.light.normalize, scene.light.rotation, &weights);
     let of_light: f64 = light.expect("positive").second.iter().flatten().map(|v| v * v).sum();
     let of_materials: f64 =
         loaded.materials.entries.iter().flat_map(Named::luminance).map(|b| b * b).sum();

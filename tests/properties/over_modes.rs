@@ -10,7 +10,7 @@ use eigenshade_table::Table;
 /// Each of `table`'s components against the others, in node space and over modes.
 pub fn assert_orthonormal(loaded: &Loaded, table: &Table) {
     let gram = &table.gram;
-    let moments = moments::LightMoments::new(&loaded.lights, table.scene.light.normalise)
+    let moments = moments::LightMoments::new(&loaded.lights, table.scene.light.normalize)
         .expect("positive lights");
     for azimuth in 0..=gram.degree {
         let profiles: Vec<_> =

@@ -3,7 +3,7 @@
 use eigenshade_generator::scene_file::Loaded;
 use eigenshade_index::{light, material};
 use eigenshade_model::database::{Lights, Materials, Named};
-use eigenshade_table::scene::{Criterion, Normalise};
+use eigenshade_table::scene::{Criterion, Normalize};
 use eigenshade_testing::fixtures::{self, named};
 use eigenshade_testing::oracle::Numbers;
 use proptest::prelude::*;
@@ -86,7 +86,7 @@ impl Sample {
             scene.basis.criterion = Criterion::Standard;
         }
         if !self.unit_ambient {
-            scene.light.normalise = Normalise::None;
+            scene.light.normalize = Normalize::None;
         }
         scene.basis.rank_cutoff = self.cutoff;
         scene.basis.modes = self.modes;

@@ -141,11 +141,11 @@ impl Object {
     pub fn prior(&self) -> (Transfers, Prior) {
         let transfers = Transfers::new(&self.table, usize::MAX);
         let lights = &self.loaded.lights;
-        let (normalise, rotation) =
-            (self.loaded.scene.light.normalise, self.loaded.scene.light.rotation);
+        let (normalize, rotation) =
+            (self.loaded.scene.light.normalize, self.loaded.scene.light.rotation);
         let weights = equal(lights.entries.len());
         let light =
-            LightStatistics::new(lights, normalise, rotation, &weights).expect("statistics");
+            LightStatistics::new(lights, normalize, rotation, &weights).expect("statistics");
         let materials = MaterialMoments::new(&self.loaded.materials);
         let prior = Prior::new(&self.table, &transfers, &light, materials).expect("a prior");
         (transfers, prior)

@@ -92,7 +92,7 @@ pub fn prior(loaded: &Loaded, table: &Table) -> (Transfers, Prior) {
     let transfers = Transfers::new(table, table.components.len());
     let light = &loaded.scene.light;
     let weights = equal(loaded.lights.entries.len());
-    let light = LightStatistics::new(&loaded.lights, light.normalise, light.rotation, &weights)
+    let light = LightStatistics::new(&loaded.lights, light.normalize, light.rotation, &weights)
         .expect("statistics");
     let prior = Prior::new(table, &transfers, &light, MaterialMoments::new(&loaded.materials))
         .expect("a prior");

@@ -26,7 +26,7 @@ struct Task {
     measured_materials: Vec<Case>,
 }
 
-/// A picture in colour.
+/// A picture in color.
 #[derive(Serialize)]
 struct Case {
     light: [Vec<f64>; 3],

@@ -4,13 +4,9 @@
 //! `benches/peers/run --check` compares their errors alone.
 
 mod browser;
-mod by_hand;
 mod dense;
 mod harmonics;
 mod interleaved;
-mod machine;
-mod matte;
-mod modes;
 mod pixels;
 mod projection;
 mod report;
@@ -51,8 +47,8 @@ fn tables(measured: bool) -> Result<Vec<report::Table>, Box<dyn Error>> {
     let shipped = shipped::Shipped::read()?;
     Ok(vec![
         projection::table(&shipped, measured),
-        pixels::table(&shipped, measured),
-        matte::table(&shipped, measured),
+        pixels::measured(&shipped, measured),
+        pixels::matte(&shipped, measured),
         harmonics::table(measured)?,
         browser::table(&shipped, measured)?,
     ])
@@ -61,7 +57,7 @@ fn tables(measured: bool) -> Result<Vec<report::Table>, Box<dyn Error>> {
 /// Measures all and writes this build's part of the page.
 fn measure() -> Result<(), Box<dyn Error>> {
     let tables: Vec<String> = tables(true)?.iter().map(report::Table::markdown).collect();
-    let text = format!("{}\n\n{}", machine::described(), tables.join("\n"));
+    let text = format!("{}\n\n{}", report::described(), tables.join("\n"));
     print!("{text}");
     let path = shipped::root().join("benches/peers/README.md");
     let page = std::fs::read_to_string(&path)?;
@@ -90,7 +86,7 @@ fn check() -> Result<(), Box<dyn Error>> {
 
 /// The page up to this build's first mark, between the two, and from the second on.
 fn parts(page: &str) -> Result<(&str, &str, &str), Box<dyn Error>> {
-    let [start, end] = machine::marks();
+    let [start, end] = report::marks();
     let missing = || format!("benches/peers/README.md has no `{start}` .. `{end}`; put them back");
     let from = page.find(start).ok_or_else(missing)? + start.len();
     let to = page.find(end).filter(|&to| to > from).ok_or_else(missing)?;

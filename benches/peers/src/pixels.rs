@@ -1,18 +1,17 @@
-//! A pixel of measured materials, against the formula of nine terms and the direct sum of the
-//! paper's 1,000 modes.
+//! Pixels: of measured materials against the nine-term formula and the direct sum of the paper's
+//! 1,000 modes, and of a white matte against the formula, which is exact there to degree 2.
 
 use crate::dense::{Dense, Vector, WAYS};
 use crate::interleaved::{Way, ratios};
-use crate::modes::{self, Mode};
 use crate::report::{Row, Table, standing};
-use crate::shipped::{Shipped, View};
-use crate::subject::{Picture, WITHIN, errors, nine_terms_image, subjects};
+use crate::shipped::{Mode, Shipped, View, all_modes, coefficients, only, selected_modes};
+use crate::subject::{Lengths, Picture, WITHIN, errors, nine_terms_image, subjects};
 use eigenshade::sphere;
 use eigenshade_model::truth::Truth;
 use std::hint::black_box;
 
 /// Normals of a picture.
-pub const PIXELS: usize = 65_536;
+const PIXELS: usize = 65_536;
 /// Normals whose 1,000 modes are held.
 const HELD: usize = 4096;
 /// Normals at which 1,000 modes are evaluated.
@@ -20,8 +19,8 @@ const EVALUATED: usize = 32;
 /// Pairs, one a round.
 const PAIRS: usize = 45;
 
-/// The comparison; times only if `measured`.
-pub fn table(shipped: &Shipped, measured: bool) -> Table {
+/// The comparison on measured materials; times only if `measured`.
+pub fn measured(shipped: &Shipped, measured: bool) -> Table {
     let pairs = shipped.pairs(PAIRS);
     let view = View::new();
     let truth = Truth::new(sphere::DEGREE, sphere::ORDER);
@@ -29,10 +28,9 @@ pub fn table(shipped: &Shipped, measured: bool) -> Table {
     let mut lengths = vec![Default::default(); PAIRS];
     let subjects = subjects(&pairs, &at, &mut lengths);
 
-    let kept = modes::selected(shipped);
-    let names: Vec<Mode> = modes::only(&modes::all(), &kept);
-    let c: Vec<Vec<f64>> =
-        pairs.iter().map(|pair| modes::only(&modes::coefficients(pair), &kept)).collect();
+    let kept = selected_modes(shipped);
+    let names: Vec<Mode> = only(&all_modes(), &kept);
+    let c: Vec<Vec<f64>> = pairs.iter().map(|pair| only(&coefficients(pair), &kept)).collect();
     let values = |at: &eigenshade_model::truth::Modes<'_>| -> Vec<f64> {
         names.iter().map(|&(l, m, o, p, q)| at.value(l, m, o, p, q)).collect()
     };
@@ -134,4 +132,66 @@ fn with_best_albedo(image: &[f64], truth: &[f64], weights: &[f64]) -> Vec<f64> {
         own += weight * image * image;
     }
     image.iter().map(|value| both / own * value).collect()
+}
+
+/// Degrees of the light: what the formula takes, and what the table does.
+const DEGREES: [usize; 2] = [2, sphere::DEGREE];
+/// Rounds of the comparison on a white matte: a multiple of the number of lights.
+const MATTE_ROUNDS: usize = 104;
+
+/// The comparison on a white matte; times only if `measured`.
+pub fn matte(shipped: &Shipped, measured: bool) -> Table {
+    let view = View::new();
+    let truth = Truth::new(sphere::DEGREE, sphere::ORDER);
+    let at = view.modes(&truth);
+    let mut lengths: Vec<Vec<Lengths>> =
+        DEGREES.map(|_| vec![Lengths::default(); shipped.lights.len()]).into();
+    let sets: Vec<_> = DEGREES
+        .into_iter()
+        .zip(&mut lengths)
+        .map(|(degree, lengths)| subjects(&shipped.on_matte(degree), &at, lengths))
+        .collect();
+    let picture = Picture::new(PIXELS);
+    let ratios = measured.then(|| {
+        let mut ways = Vec::new();
+        for set in &sets {
+            ways.push(picture.nine_terms(set));
+            ways.push(picture.shade(set, |subject| &subject.within[0]));
+            ways.push(picture.shade(set, |subject| &subject.within[1]));
+            ways.push(picture.shade(set, |subject| &subject.full));
+        }
+        ratios(MATTE_ROUNDS, &mut ways)
+    });
+
+    let mut table = Table {
+        title: "A pixel of a white matte",
+        note: format!(
+            "As above, of f = 1/π under the {} shipped lights: to degree 2, which is all that the formula takes, and to degree {}. Its \
+             coefficients are exact.",
+            shipped.lights.len(),
+            sphere::DEGREE
+        ),
+        heads: ["time of nine terms", "who is ahead", "rms error", "at worst"]
+            .map(String::from)
+            .to_vec(),
+        rows: Vec::new(),
+    };
+    for ((degree, set), first) in DEGREES.into_iter().zip(&sets).zip([0, 4]) {
+        let ratio = |k: usize| ratios.as_ref().map(|ratios| ratios[first + k]);
+        let mut row = |way: String, ratio: Option<f64>, is_ours: bool, errors: Vec<Option<f64>>| {
+            let way = format!("{way}, light to degree {degree}");
+            let ahead = |ratio: f64| standing("the scene", "the formula", 1.0 / ratio);
+            let standing = ratio.filter(|_| is_ours).map_or(String::new(), ahead);
+            table.rows.push(Row { way, ratio, standing, errors });
+        };
+        let of_nine = errors(&view, set, |_, subject| nine_terms_image(&view, subject));
+        row("nine terms".into(), ratio(0), false, of_nine);
+        for (k, share) in WITHIN.into_iter().enumerate().rev() {
+            let of_scene = errors(&view, set, |_, subject| view.shade(&subject.within[k]));
+            row(format!("scene within {share:e}"), ratio(1 + k), true, of_scene);
+        }
+        let of_full = errors(&view, set, |_, subject| view.shade(&subject.full));
+        row("full scene".into(), ratio(3), true, of_full);
+    }
+    table
 }

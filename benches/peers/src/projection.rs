@@ -1,11 +1,11 @@
 //! A light on a material to 50 coefficients, against dense products.
 
-use crate::by_hand::{ByHand, padded};
-use crate::dense::{Dense, Vector, WAYS};
+use crate::dense::{ByHand, Dense, Vector, WAYS, padded};
 use crate::interleaved::{Way, median_and_worst, ratios};
-use crate::modes;
 use crate::report::{Row, Table, standing};
-use crate::shipped::{Pair, Shipped, View};
+use crate::shipped::{
+    Pair, Shipped, View, all_modes, coefficients, gram_rows, only, selected_modes,
+};
 use eigenshade::{Tolerance, sphere};
 use eigenshade_index::{light, material};
 use eigenshade_model::truth::Truth;
@@ -27,7 +27,7 @@ struct Product {
 impl Product {
     fn new(rows: &[Vec<f64>], c: &[Vec<f64>], kept: &[bool]) -> Self {
         let single = |values: &Vec<f64>| -> Vec<f32> {
-            modes::only(values, kept).into_iter().map(|value| value as f32).collect()
+            only(values, kept).into_iter().map(|value| value as f32).collect()
         };
         let rows: Vec<Vec<f32>> = rows.iter().map(single).collect();
         Self {
@@ -56,7 +56,7 @@ impl Folded {
     fn new(rows: &[Vec<f64>], pair: &Pair) -> Self {
         let folded = |row: &Vec<f64>| -> Vec<f32> {
             let mut sums = vec![0.0; pair.light.len()];
-            for ((l, m, o, p, q), value) in modes::all().into_iter().zip(row) {
+            for ((l, m, o, p, q), value) in all_modes().into_iter().zip(row) {
                 sums[light::position(l, m)] += value * pair.material[material::position(o, p, q)];
             }
             sums.into_iter().map(|sum| sum as f32).collect()
@@ -91,9 +91,9 @@ impl Folded {
 /// The comparison; times only if `measured`.
 pub fn table(shipped: &Shipped, measured: bool) -> Table {
     let pairs = shipped.pairs(PAIRS);
-    let c: Vec<Vec<f64>> = pairs.iter().map(modes::coefficients).collect();
-    let rows = modes::rows(shipped);
-    let kept = modes::selected(shipped);
+    let c: Vec<Vec<f64>> = pairs.iter().map(coefficients).collect();
+    let rows = gram_rows(shipped);
+    let kept = selected_modes(shipped);
     let all = Product::new(&rows, &c, &vec![true; kept.len()]);
     let thousand = Product::new(&rows, &c, &kept);
 

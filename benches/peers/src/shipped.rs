@@ -2,11 +2,13 @@
 //! each: the direct sum (15) over all 3,704 modes in f64.
 
 use eigenshade::{Light, Material, NineTerms, Normal, Scene, sphere};
+use eigenshade_index::{light, material, mode};
 use eigenshade_model::database::Named;
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
+use eigenshade_model::selection;
 use eigenshade_model::special::gauss_legendre;
 use eigenshade_model::truth::{Modes, Truth};
-use eigenshade_table::Table;
+use eigenshade_table::{Component, Table};
 use std::error::Error;
 use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};
@@ -48,7 +50,7 @@ impl Shipped {
     pub fn on_matte(&self, degree: usize) -> Vec<Pair> {
         let pair = |light: &Named| {
             let mut light = light.luminance();
-            light[eigenshade_index::light::count(degree)..].fill(0.0);
+            light[light::count(degree)..].fill(0.0);
             Pair::new(light, white_matte())
         };
         self.lights.iter().map(pair).collect()
@@ -57,7 +59,7 @@ impl Shipped {
 
 /// f = 1/π.
 pub fn white_matte() -> Vec<f64> {
-    let mut matte = vec![0.0; eigenshade_index::material::count(sphere::ORDER)];
+    let mut matte = vec![0.0; material::count(sphere::ORDER)];
     matte[0] = 2.0;
     matte
 }
@@ -155,4 +157,61 @@ impl View {
         let squares = truth.iter().zip(image).zip(&self.weights);
         squares.map(|((a, b), weight)| weight * (a - b).powi(2)).sum::<f64>().sqrt() / peak
     }
+}
+
+/// l, m, o, p, q.
+pub type Mode = (usize, isize, usize, usize, usize);
+
+/// So many the paper kept.
+pub const SELECTED: usize = 1000;
+
+/// All modes, m by m.
+pub fn all_modes() -> Vec<Mode> {
+    let top = sphere::DEGREE.cast_signed();
+    let of = |m: isize| {
+        let modes = mode::indices(sphere::DEGREE, sphere::ORDER, m.unsigned_abs());
+        modes.map(move |(l, o, p, q)| (l, m, o, p, q))
+    };
+    (-top..=top).flat_map(of).collect()
+}
+
+/// Which of [`all_modes`] the paper's selection keeps; ties stay whole.
+pub fn selected_modes(shipped: &Shipped) -> Vec<bool> {
+    let gram = &shipped.table.gram;
+    let kept = selection::highest(gram, eigenshade::Effects::ALL, SELECTED);
+    let keeps = |(l, m, o, p, q): Mode| kept[gram.place(m.unsigned_abs(), l, o, p, q)];
+    all_modes().into_iter().map(keeps).collect()
+}
+
+/// What of `values`, one for each of [`all_modes`], a selection keeps.
+pub fn only<T: Copy>(values: &[T], kept: &[bool]) -> Vec<T> {
+    let both = values.iter().zip(kept);
+    both.filter_map(|(&value, &is_kept)| is_kept.then_some(value)).collect()
+}
+
+/// c of a pair.
+pub fn coefficients(pair: &Pair) -> Vec<f64> {
+    let c = |(l, m, o, p, q): Mode| {
+        pair.light[light::position(l, m)] * pair.material[material::position(o, p, q)]
+    };
+    all_modes().into_iter().map(c).collect()
+}
+
+/// UᵀM, a row for each component.
+pub fn gram_rows(shipped: &Shipped) -> Vec<Vec<f64>> {
+    let table = &shipped.table;
+    let row = |component: &Component| {
+        let values = table.gram_row(&table.profiles[component.profile]);
+        let mut values = values.into_iter();
+        let sign = if component.order < 0 && component.order % 2 != 0 { -1.0 } else { 1.0 };
+        let entry = |(_, m, ..): Mode| {
+            if m as i32 == component.order {
+                sign * values.next().expect("a value for each mode of its azimuth")
+            } else {
+                0.0
+            }
+        };
+        all_modes().into_iter().map(entry).collect()
+    };
+    table.components.iter().map(row).collect()
 }

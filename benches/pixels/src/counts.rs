@@ -1,11 +1,8 @@
 //! Instructions of a pixel and of a call, counted by callgrind: the same in every run.
 
-use crate::calls::{CALLS, Inputs};
-use crate::images::{Image, scene};
-use crate::inputs::{NINE, NINE_TERMS, PIXELS, irradiances, normals};
+use crate::images::{Image, LONG_NAMES, long_scene, long_terms, scene};
+use crate::inputs::{CALLS, CallInputs, NINE, NINE_TERMS, PIXELS, Placed, irradiances, normals};
 use crate::limit::{INSTRUCTIONS, LANES};
-use crate::long;
-use crate::place::Placed;
 use eigenshade::{NineTerms, Normals};
 use std::hint::black_box;
 use std::process::Command;
@@ -56,8 +53,8 @@ pub fn counted(images: &[Image]) -> Vec<Count> {
             found: of_a_pixel(&arguments),
         });
     }
-    let (lengths, necessary) = long::terms();
-    for name in long::NAMES {
+    let (lengths, necessary) = long_terms();
+    for name in LONG_NAMES {
         let (name, lengths, found) =
             (name.to_owned(), lengths.clone(), of_a_pixel(&[name.to_owned()]));
         counts.push(Count { name, lengths, necessary, found });
@@ -89,10 +86,10 @@ fn instructions(times: usize, what: &[String]) -> u64 {
         .args(what)
         .output()
         .expect("valgrind: install it");
-    let said = String::from_utf8_lossy(&run.stderr);
-    assert!(run.status.success(), "callgrind failed: {said}");
-    let line = said.lines().find_map(|line| line.split_once("Collected :"));
-    let (_, number) = line.unwrap_or_else(|| panic!("callgrind told no count: {said}"));
+    let log = String::from_utf8_lossy(&run.stderr);
+    assert!(run.status.success(), "callgrind failed: {log}");
+    let line = log.lines().find_map(|line| line.split_once("Collected :"));
+    let (_, number) = line.unwrap_or_else(|| panic!("callgrind printed no count: {log}"));
     number.trim().parse().expect("a count")
 }
 
@@ -101,7 +98,7 @@ pub fn shade(mut arguments: impl Iterator<Item = String>) {
     let times: usize = arguments.next().and_then(|text| text.parse().ok()).expect("a number");
     let what = arguments.next().expect("a tolerance");
     if let Some(which) = CALLS.iter().position(|(name, _)| *name == what) {
-        let inputs = Inputs::new();
+        let inputs = CallInputs::new();
         return (0..times).for_each(|_| inputs.call(which));
     }
     let d: Vec<f32> = arguments.map(|text| text.parse().expect("a coefficient")).collect();
@@ -117,8 +114,8 @@ pub fn shade(mut arguments: impl Iterator<Item = String>) {
         }
         return;
     }
-    if long::NAMES.contains(&&*what) {
-        let scene = long::scene(&what);
+    if LONG_NAMES.contains(&&*what) {
+        let scene = long_scene(&what);
         for _ in 0..times {
             black_box(&scene)
                 .shade_slice(black_box(normals), black_box(&mut *out))

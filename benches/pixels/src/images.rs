@@ -1,8 +1,13 @@
-//! Images of which polynomials are shaded: whole, or as a tolerance leaves them.
+//! Images whose polynomials are shaded: all terms, or as many as a tolerance needs; and a full scene of
+//! the table `pbr`, whose polynomials are too long for powers of t, also as series in orthogonal
+//! polynomials, the form of the high azimuths of tables of degree 16 and more.
 
 use crate::inputs::{coefficients, database, lights};
 use crate::limit::necessary;
-use eigenshade::{Scene, Tolerance, sphere};
+use eigenshade::wire::aligned;
+use eigenshade::{Basis, Parts, Scene, Tolerance, sphere};
+use eigenshade_table::wire::{Endian, Format, encode};
+use std::path::Path;
 
 /// A white matte, f = 1/π.
 const WHITE: [f32; 1] = [2.0];
@@ -82,4 +87,38 @@ fn of_cost(images: impl Iterator<Item = Image>, place: f64) -> Image {
     let mut images: Vec<_> = images.collect();
     images.sort_by_key(Image::necessary);
     images.swap_remove(((images.len() - 1) as f64 * place).round() as usize)
+}
+
+/// Names in docs/performance.md of the scene as even and odd halves, and of the same as series.
+pub const LONG_NAMES: [&str; 2] = ["full scene of `pbr`", "the same as series"];
+
+/// The scene of the table's first component, in the named form. The time of a pixel does not depend
+/// on the numbers, so the series use made-up recurrences.
+pub fn long_scene(name: &str) -> Scene<'static, Vec<f32>> {
+    let mut basis = basis();
+    if name == LONG_NAMES[1] {
+        let lengths = basis.parts().lengths;
+        let longest = usize::from(lengths.iter().copied().max().expect("azimuths"));
+        let recurrences = Vec::leak(vec![[0.0, 0.25]; longest * lengths.len()]);
+        basis = Basis::new(Parts { recurrences, ..*basis.parts() }).expect("the same shape");
+    }
+    basis.collapse_into(&[1.0], vec![0.0; basis.scene_len()]).expect("sizes")
+}
+
+/// Terms of its polynomials, by azimuth, and the multiply-adds that a pixel cannot do without in
+/// halves.
+pub fn long_terms() -> (Vec<u16>, usize) {
+    let lengths = basis().parts().lengths.iter().copied();
+    let lengths: Vec<u16> = lengths.take_while(|&length| length > 0).collect();
+    let necessary = necessary(&lengths);
+    (lengths, necessary)
+}
+
+/// The table, packed; its bytes are needed to the end.
+fn basis() -> Basis<'static, f32> {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tables/pbr.bin");
+    let table = eigenshade_table::decode(&std::fs::read(path).expect("the shipped table"));
+    let bytes = encode(&table.expect("a table"), Format::F32, Endian::Little).expect("a sphere's");
+    let room = Vec::leak(vec![0; bytes.len().div_ceil(4)]);
+    Basis::from_bytes(aligned(&bytes, room).expect("room")).expect("a wire file")
 }

@@ -1,15 +1,15 @@
-//! What is shaded: the shipped lights on the shipped materials, and normals.
+//! The inputs: the shipped lights on the shipped materials, normals, and the calls that are made once
+//! for a light or a material.
 
-use crate::place::Placed;
-use csv::{ReaderBuilder, StringRecord};
-use eigenshade::{Light, Material, NineTerms, sphere};
+use eigenshade::{Light, Material, NineTerms, Tolerance, sphere};
 use eigenshade_index::{light, material};
+use std::hint::black_box;
 use std::path::Path;
 
 /// Name of the nine-term formula in docs/performance.md.
 pub const NINE: &str = "nine-term formula";
 
-/// It, of any coefficients.
+/// The nine-term formula with some coefficients.
 pub const NINE_TERMS: NineTerms<f32> =
     NineTerms::new([0.9, 0.2, -0.1, 0.5, 0.05, 0.02, -0.03, 0.01, 0.07]);
 
@@ -49,7 +49,7 @@ pub fn lights() -> Vec<Vec<f32>> {
     })
 }
 
-/// The shipped materials, which are grey.
+/// The shipped materials, which are gray.
 pub fn materials() -> Vec<Vec<f32>> {
     entries("materials.csv", material::count(ORDER), |row| {
         let [o, p, q] = [1, 2, 3].map(|column| number(row, column) as usize);
@@ -61,15 +61,16 @@ pub fn materials() -> Vec<Vec<f32>> {
 fn entries(
     file: &str,
     count: usize,
-    place: impl Fn(&StringRecord) -> Option<(usize, f64)>,
+    place: impl Fn(&[&str]) -> Option<(usize, f64)>,
 ) -> Vec<Vec<f32>> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tables/inputs").join(file);
-    let reader = ReaderBuilder::new().comment(Some(b'#')).from_path(&path);
-    let mut found: Vec<(String, Vec<f32>)> = Vec::new();
-    for row in reader.expect("the shipped inputs").records() {
-        let row = row.expect("a row");
+    let text = std::fs::read_to_string(path).expect("the shipped inputs");
+    let mut found: Vec<(&str, Vec<f32>)> = Vec::new();
+    // The first line after the comments is the header.
+    for row in text.lines().filter(|line| !line.starts_with('#')).skip(1) {
+        let row: Vec<&str> = row.split(',').collect();
         if found.last().is_none_or(|(name, _)| *name != row[0]) {
-            found.push((row[0].to_owned(), vec![0.0; count]));
+            found.push((row[0], vec![0.0; count]));
         }
         if let (Some((place, value)), Some((_, values))) = (place(&row), found.last_mut()) {
             values[place] = value as f32;
@@ -78,7 +79,7 @@ fn entries(
     found.into_iter().map(|(_, values)| values).collect()
 }
 
-fn number(row: &StringRecord, column: usize) -> f64 {
+fn number(row: &[&str], column: usize) -> f64 {
     row[column].parse().expect("a number")
 }
 
@@ -95,4 +96,94 @@ pub fn database() -> Vec<Vec<f32>> {
     let (lights, materials) = (lights(), materials());
     let pairs = lights.iter().flat_map(|light| materials.iter().map(move |of| (light, of)));
     pairs.map(|(light, material)| coefficients(light, material)).collect()
+}
+
+/// Name of a scene within a tolerance in docs/performance.md.
+pub const WITHIN: &str = "`collapse_within` 1e-2";
+/// Name of a projection there.
+pub const PROJECT: &str = "`project`";
+
+/// Name of each call in docs/performance.md, and the multiply-adds that it needs at least.
+pub const CALLS: [(&str, usize); 5] =
+    [("`relight`", 570), ("`collapse`", 650), (WITHIN, 650), ("`transfer`", 5400), (PROJECT, 7200)];
+
+/// A light, a material and what is made of them.
+pub struct CallInputs {
+    light: Vec<f32>,
+    material: Vec<f32>,
+    transfer: sphere::Transfer,
+    d: sphere::Coefficients,
+    /// Of a light and a material that grow darker with their degree, as real ones do.
+    darker: sphere::Coefficients,
+}
+
+impl CallInputs {
+    /// Their numbers change no count, but those of [`darker`](Self::darker) do.
+    pub fn new() -> Self {
+        let (light, material) = (vec![0.1; 100], vec![0.1; 40]);
+        let of_light = Light::new(9, &light).expect("a light");
+        let of_material = Material::new(7, &material).expect("a material");
+        let transfer = sphere::transfer(&of_material).expect("it fits");
+        let d = sphere::project(&of_light, &of_material).expect("it fits");
+        let falling =
+            |count: u8| (0..count).map(|k| 1.0 / f32::from(1 + 2 * k)).collect::<Vec<f32>>();
+        let darker = (falling(100), falling(40));
+        let darker = sphere::project(
+            &Light::new(9, &darker.0).expect("a light"),
+            &Material::new(7, &darker.1).expect("a material"),
+        );
+        Self { light, material, transfer, d, darker: darker.expect("it fits") }
+    }
+
+    /// One call of the [`CALLS`] of this number.
+    pub fn call(&self, which: usize) {
+        let light = || Light::new(9, black_box(&self.light)).expect("a light");
+        let material = || Material::new(7, black_box(&self.material)).expect("a material");
+        match which {
+            0 => drop(black_box(sphere::relight(black_box(&self.transfer), &light()))),
+            1 => drop(black_box(sphere::collapse(black_box(&self.d)))),
+            2 => {
+                let (mut lengths, mut room) = ([0; sphere::DEGREE + 1], [0.0; sphere::SCENE]);
+                let (d, tolerance) = (black_box(&self.darker), Tolerance::OfPeak(1e-2));
+                let found =
+                    sphere::BASIS.collapse_within(d, tolerance, &mut lengths, &mut room[..]);
+                let _ = black_box(found.map(|(_, told)| told));
+            }
+            3 => drop(black_box(sphere::transfer(&material()))),
+            _ => drop(black_box(sphere::project(&light(), &material()))),
+        }
+    }
+}
+
+/// Bytes of a cache line.
+const LINE: usize = 64;
+/// Bytes after which the low twelve bits of an address repeat.
+const PAGE: usize = 4096;
+
+/// Numbers whose first starts a cache line, at a chosen place of a page, so that what is written does
+/// not look like what is read: processors compare the low twelve bits of an address first.
+pub struct Placed {
+    numbers: Vec<f32>,
+    first: usize,
+    count: usize,
+}
+
+impl Placed {
+    /// Zeros that begin in the given quarter of a page, 0 to 3.
+    pub fn zeros(count: usize, quarter: usize) -> Self {
+        let numbers = vec![0.0; count + PAGE / size_of::<f32>()];
+        let wanted = quarter * PAGE / 4 + quarter * LINE;
+        let to_go = (wanted + PAGE - numbers.as_ptr().addr() % PAGE) % PAGE;
+        Self { first: to_go / size_of::<f32>(), numbers, count }
+    }
+
+    /// All of them.
+    pub fn all(&self) -> &[f32] {
+        &self.numbers[self.first..][..self.count]
+    }
+
+    /// All of them, mutable.
+    pub fn all_mut(&mut self) -> &mut [f32] {
+        &mut self.numbers[self.first..][..self.count]
+    }
 }

@@ -4,14 +4,11 @@
 //! `times` and `counts` print their table; `--write` puts it into that page, and `counts --check`
 //! fails where a path takes more instructions than the page says.
 
-mod calls;
 mod counts;
 mod images;
 mod inputs;
 mod limit;
-mod long;
 mod page;
-mod place;
 mod times;
 
 use std::process::ExitCode;

@@ -1,9 +1,8 @@
 //! The tables of docs/performance.md.
 
-use crate::calls::{PROJECT, WITHIN};
 use crate::counts::Count;
 use crate::images::MATTE;
-use crate::inputs::NINE;
+use crate::inputs::{NINE, PROJECT, WITHIN};
 use crate::limit::{LANES, TARGET};
 use crate::times::Times;
 use std::fmt::Write as _;
@@ -24,9 +23,9 @@ fn named(name: &str, lengths: &[u16]) -> String {
 
 /// The processor, as it calls itself.
 fn processor() -> String {
-    let told = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let cpuinfo = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let of = |key: &str| {
-        let line = told.lines().find(|line| line.starts_with(key))?;
+        let line = cpuinfo.lines().find(|line| line.starts_with(key))?;
         Some(line.split_once(':')?.1.trim().to_owned())
     };
     let named = of("model name").unwrap_or_else(|| std::env::consts::ARCH.to_owned());

@@ -1,12 +1,9 @@
 //! Times of each path, the least of interleaved rounds: what another program on the machine
 //! took is not in them.
 
-use crate::calls::{CALLS, Inputs};
-use crate::images::{Image, scene};
-use crate::inputs::{NINE, NINE_TERMS, PIXELS, irradiances, normals};
+use crate::images::{Image, LONG_NAMES, long_scene, long_terms, scene};
+use crate::inputs::{CALLS, CallInputs, NINE, NINE_TERMS, PIXELS, Placed, irradiances, normals};
 use crate::limit::{CHAINS, LANES, multiply_adds};
-use crate::long;
-use crate::place::Placed;
 use eigenshade::{BakedMap, Lookup, MapPoint, NineTerms, Normal, Normals, sphere};
 use std::hint::black_box;
 use std::time::Instant;
@@ -99,7 +96,7 @@ pub fn timed(images: &[Image]) -> Times {
     let lookup: Lookup<f32, Vec<f32>> =
         full.lookup_into(32, vec![0.0; full.lookup_len::<f32>(32)]).expect("sizes");
     let baked: BakedMap<f32, Vec<f32>> = full.bake_into(64, vec![0.0; 64 * 64]).expect("sizes");
-    let inputs = Inputs::new();
+    let inputs = CallInputs::new();
 
     let mut rooms = vec![[0; 16]; images.len()];
     let [mut nine, mut by_knots, mut by_texels] = [(); 3].map(|()| irradiances());
@@ -125,10 +122,10 @@ pub fn timed(images: &[Image]) -> Times {
         way.time.lengths = lengths;
         ways.push(way);
     }
-    let (lengths, necessary) = long::terms();
-    let scene = long::scene(long::NAMES[0]);
+    let (lengths, necessary) = long_terms();
+    let scene = long_scene(LONG_NAMES[0]);
     let mut out = irradiances();
-    let mut way = Way::new(long::NAMES[0], necessary, move || {
+    let mut way = Way::new(LONG_NAMES[0], necessary, move || {
         let scene = black_box(&scene);
         scene.shade_slice(black_box(slices), black_box(out.all_mut())).expect("one length");
     })

@@ -1,6 +1,6 @@
-/* A Cortex-M4F without an operating system: start-up, a voice by semihosting, an
- * exit that a script can see. Freestanding C11; for QEMU's mps2-an386. */
-#include "say.h"
+/* A Cortex-M4F without an operating system: start-up code, output and exit by
+ * semihosting. Freestanding C11; for QEMU's mps2-an386. */
+#include "print.h"
 
 /* From the linker script. */
 extern uint32_t stack_top[], data_start[], data_end[], data_stored[], bss_start[], bss_end[];
@@ -28,7 +28,7 @@ static void semihost(uint32_t operation, const void *argument) {
   __asm__ volatile("bkpt 0xab" : "+r"(r0) : "r"(r1) : "memory");
 }
 
-void say(const char *text) { semihost(SYS_WRITE0, text); }
+void print(const char *text) { semihost(SYS_WRITE0, text); }
 
 static _Noreturn void leave(uint32_t status) {
   const uint32_t how[2] = {ADP_STOPPED_APPLICATION_EXIT, status};
@@ -38,7 +38,7 @@ static _Noreturn void leave(uint32_t status) {
 }
 
 static void fault(void) {
-  say("fault: an exception\n");
+  print("fault: an exception\n");
   leave(1);
 }
 

@@ -10,13 +10,13 @@ void check(int holds, const char *format, const char *what, uint32_t number) {
     return;
   }
   found_faults++;
-  say("fault: ");
-  say(format);
-  say(" ");
-  say(what);
-  say(" ");
-  say_number(number);
-  say("\n");
+  print("fault: ");
+  print(format);
+  print(" ");
+  print(what);
+  print(" ");
+  print_u32(number);
+  print("\n");
 }
 
 void check_status(eigenshade_status found, eigenshade_status expected, const char *format,
@@ -25,8 +25,8 @@ void check_status(eigenshade_status found, eigenshade_status expected, const cha
     return;
   }
   check(0, format, what, (uint32_t)found);
-  say(eigenshade_message(found));
-  say("\n");
+  print(eigenshade_message(found));
+  print("\n");
 }
 
 static int same_text(const char *a, const char *b) {
@@ -67,18 +67,18 @@ static int near(const float *found, const float *golden, size_t count) {
 
 /* The largest arrays are static: a board's stack is small. */
 static void checks_f32(void) {
-  static eigenshade_workspace_f32 workspace;
-  static eigenshade_transfer_f32 transfer;
-  static eigenshade_coefficients_f32 d;
-  static eigenshade_scene_f32 scene;
+  static eigenshade_workspace_f32_t workspace;
+  static eigenshade_transfer_f32_t transfer;
+  static eigenshade_coefficients_f32_t d;
+  static eigenshade_scene_f32_t scene;
   float irradiance[GOLDEN_NORMALS_F32];
   for (uint32_t pair = 0; pair < GOLDEN_PAIRS; pair++) {
-    const eigenshade_light_f32 light = {
+    const eigenshade_light_f32_t light = {
         .degree = EIGENSHADE_DEGREE,
         .length = EIGENSHADE_LIGHT,
         .coefficients = golden_light_f32[pair],
     };
-    const eigenshade_material_f32 material = {
+    const eigenshade_material_f32_t material = {
         .order = EIGENSHADE_ORDER,
         .length = EIGENSHADE_MATERIAL,
         .coefficients = golden_material_f32[pair],
@@ -88,8 +88,8 @@ static void checks_f32(void) {
                  EIGENSHADE_STATUS_OK, "f32", "project");
     check(near(d.numbers, golden_d_f32[pair], EIGENSHADE_COMPONENTS), "f32", "project", pair);
 
-    check_status(eigenshade_fold_f32(&material, &workspace, &transfer), EIGENSHADE_STATUS_OK,
-                 "f32", "fold");
+    check_status(eigenshade_transfer_f32(&material, &workspace, &transfer), EIGENSHADE_STATUS_OK,
+                 "f32", "transfer");
     check_status(eigenshade_relight_f32(&transfer, &light, &d), EIGENSHADE_STATUS_OK, "f32",
                  "relight");
     check(near(d.numbers, golden_d_f32[pair], EIGENSHADE_COMPONENTS), "f32", "relight", pair);
@@ -113,8 +113,8 @@ static void checks_f32(void) {
 
 /* The same in an integer format: Q15 and Q31 differ by their types alone. */
 #define CHECKS_OF_INTEGERS(FORMAT, format, name, mantissa)                                    \
-  static int same_light_##format(const eigenshade_light_##format *a,                          \
-                                 const eigenshade_light_##format *b) {                        \
+  static int same_light_##format(const eigenshade_light_##format##_t *a,                      \
+                                 const eigenshade_light_##format##_t *b) {                    \
     for (size_t k = 0; k < EIGENSHADE_LIGHT; k++) {                                           \
       if (a->mantissas[k] != b->mantissas[k]) {                                               \
         return 0;                                                                             \
@@ -122,8 +122,8 @@ static void checks_f32(void) {
     }                                                                                         \
     return a->degree == b->degree && a->length == b->length && a->exponent == b->exponent;    \
   }                                                                                           \
-  static int same_material_##format(const eigenshade_material_##format *a,                    \
-                                    const eigenshade_material_##format *b) {                  \
+  static int same_material_##format(const eigenshade_material_##format##_t *a,                \
+                                    const eigenshade_material_##format##_t *b) {              \
     for (size_t k = 0; k < EIGENSHADE_MATERIAL; k++) {                                        \
       if (a->mantissas[k] != b->mantissas[k]) {                                               \
         return 0;                                                                             \
@@ -138,48 +138,48 @@ static void checks_f32(void) {
            a->exponents_length == b->exponents_length;                                        \
   }                                                                                           \
   static void checks_##format(void) {                                                         \
-    static eigenshade_workspace_##format workspace;                                           \
-    static eigenshade_transfer_##format transfer;                                             \
-    static eigenshade_coefficients_##format d;                                                \
-    static eigenshade_scene_##format scene;                                                   \
+    static eigenshade_workspace_##format##_t workspace;                                       \
+    static eigenshade_transfer_##format##_t transfer;                                         \
+    static eigenshade_coefficients_##format##_t d;                                            \
+    static eigenshade_scene_##format##_t scene;                                               \
     int32_t irradiance[GOLDEN_NORMALS_##FORMAT];                                              \
     for (uint32_t pair = 0; pair < GOLDEN_PAIRS; pair++) {                                    \
-      const eigenshade_light_##format light = {                                               \
+      const eigenshade_light_##format##_t light = {                                           \
           .degree = EIGENSHADE_DEGREE,                                                        \
           .length = EIGENSHADE_LIGHT,                                                         \
           .mantissas = golden_light_##format[pair],                                           \
           .exponent = golden_light_exponents_##format[pair][0],                               \
       };                                                                                      \
-      const eigenshade_material_##format material = {                                         \
+      const eigenshade_material_##format##_t material = {                                     \
           .order = EIGENSHADE_ORDER,                                                          \
           .length = EIGENSHADE_MATERIAL,                                                      \
           .mantissas = golden_material_##format[pair],                                        \
           .exponents_length = EIGENSHADE_ORDER + 1,                                           \
           .exponents = golden_material_exponents_##format[pair],                              \
       };                                                                                      \
-      const eigenshade_light_f32 light_in_floats = {                                          \
+      const eigenshade_light_f32_t light_in_floats = {                                        \
           EIGENSHADE_DEGREE, EIGENSHADE_LIGHT, golden_light_f32[pair]};                       \
-      const eigenshade_material_f32 material_in_floats = {                                    \
+      const eigenshade_material_f32_t material_in_floats = {                                  \
           EIGENSHADE_ORDER, EIGENSHADE_MATERIAL, golden_material_f32[pair]};                  \
       static mantissa numbers[EIGENSHADE_LIGHT];                                              \
       int8_t exponents[EIGENSHADE_ORDER + 1];                                                 \
-      eigenshade_light_##format own_light;                                                    \
-      eigenshade_material_##format own_material;                                              \
-      check_status(eigenshade_quantise_light_##format(&light_in_floats, numbers,              \
+      eigenshade_light_##format##_t own_light;                                                \
+      eigenshade_material_##format##_t own_material;                                          \
+      check_status(eigenshade_quantize_light_##format(&light_in_floats, numbers,              \
                                                       EIGENSHADE_LIGHT, &own_light),          \
-                   EIGENSHADE_STATUS_OK, name, "quantise_light");                             \
-      check(same_light_##format(&own_light, &light), name, "quantise_light", pair);           \
-      check_status(eigenshade_quantise_material_##format(                                     \
+                   EIGENSHADE_STATUS_OK, name, "quantize_light");                             \
+      check(same_light_##format(&own_light, &light), name, "quantize_light", pair);           \
+      check_status(eigenshade_quantize_material_##format(                                     \
                        &material_in_floats, numbers, EIGENSHADE_MATERIAL, exponents,          \
                        EIGENSHADE_ORDER + 1, &own_material),                                  \
-                   EIGENSHADE_STATUS_OK, name, "quantise_material");                          \
-      check(same_material_##format(&own_material, &material), name, "quantise_material",      \
+                   EIGENSHADE_STATUS_OK, name, "quantize_material");                          \
+      check(same_material_##format(&own_material, &material), name, "quantize_material",      \
             pair);                                                                            \
       const int32_t *golden_d = golden_d_##format[pair];                                      \
       const int32_t of_d = golden_d_exponents_##format[pair][0];                              \
       const int32_t *golden = golden_irradiance_##format[pair];                               \
-      check_status(eigenshade_fold_##format(&material, &workspace, &transfer),                \
-                   EIGENSHADE_STATUS_OK, name, "fold");                                       \
+      check_status(eigenshade_transfer_##format(&material, &workspace, &transfer),            \
+                   EIGENSHADE_STATUS_OK, name, "transfer");                                   \
       check_status(eigenshade_relight_##format(&transfer, &light, &d), EIGENSHADE_STATUS_OK,  \
                    name, "relight");                                                          \
       check(same(d.mantissas, golden_d, EIGENSHADE_COMPONENTS) && d.exponent == of_d, name,   \
@@ -220,7 +220,7 @@ uint32_t program(void) {
   checks_q15();
   checks_q31();
   checks_of_faults();
-  say_number(found_faults);
-  say(" faults\n");
+  print_u32(found_faults);
+  print(" faults\n");
   return found_faults;
 }

@@ -3,7 +3,7 @@
 #ifndef CHECKS_H
 #define CHECKS_H
 
-#include "say.h"
+#include "print.h"
 
 /* The part of the checks that hands over arguments at fault. */
 void checks_of_faults(void);

@@ -1,8 +1,8 @@
-/* What the functions cost on the board, in instructions: CSV `operation,format,instructions`.
- * Under QEMU's -icount shift=0 time goes by instruction by instruction; a loop of known length
- * tells how many of them a tick of SysTick is. */
+/* The cost of each function on the board in instructions: CSV `operation,format,instructions`.
+ * Under QEMU's -icount shift=0 each instruction takes the same time; a loop of known length
+ * calibrates the ticks of SysTick. */
 #include "golden.h"
-#include "say.h"
+#include "print.h"
 
 #define PASSES 100u
 #define SYST_CSR (*(volatile uint32_t *)0xe000e010u)
@@ -30,12 +30,12 @@ static void calibrate(void) {
 }
 
 static void report(const char *operation, const char *format, uint32_t ticks, uint32_t each) {
-  say(operation);
-  say(",");
-  say(format);
-  say(",");
-  say_number((uint32_t)((uint64_t)ticks * calibrated / 1024u / PASSES / each));
-  say("\n");
+  print(operation);
+  print(",");
+  print(format);
+  print(",");
+  print_u32((uint32_t)((uint64_t)ticks * calibrated / 1024u / PASSES / each));
+  print("\n");
 }
 
 #define MEASURED(operation, name, each, call)                                                 \
@@ -49,15 +49,15 @@ static void report(const char *operation, const char *format, uint32_t ticks, ui
 
 #define COSTS(FORMAT, format, name, answer)                                                   \
   static uint32_t costs_##format(void) {                                                      \
-    static eigenshade_workspace_##format workspace;                                           \
-    static eigenshade_transfer_##format transfer;                                             \
-    static eigenshade_coefficients_##format d;                                                \
-    static eigenshade_scene_##format scene;                                                   \
+    static eigenshade_workspace_##format##_t workspace;                                       \
+    static eigenshade_transfer_##format##_t transfer;                                         \
+    static eigenshade_coefficients_##format##_t d;                                            \
+    static eigenshade_scene_##format##_t scene;                                               \
     static answer irradiance[GOLDEN_NORMALS_##FORMAT];                                        \
-    const eigenshade_light_##format light = LIGHT_##FORMAT;                                   \
-    const eigenshade_material_##format material = MATERIAL_##FORMAT;                          \
+    const eigenshade_light_##format##_t light = LIGHT_##FORMAT;                               \
+    const eigenshade_material_##format##_t material = MATERIAL_##FORMAT;                      \
     uint32_t faults = 0;                                                                      \
-    MEASURED("fold", name, 1, eigenshade_fold_##format(&material, &workspace, &transfer));    \
+    MEASURED("transfer", name, 1, eigenshade_transfer_##format(&material, &workspace, &transfer)); \
     MEASURED("relight", name, 1, eigenshade_relight_##format(&transfer, &light, &d));         \
     MEASURED("collapse", name, 1,                                                             \
              eigenshade_collapse_##format(&d, EIGENSHADE_COMPONENTS, &scene));                \
@@ -89,6 +89,6 @@ COSTS(Q31, q31, "q31", int32_t)
 
 uint32_t program(void) {
   calibrate();
-  say("operation,format,instructions\n");
+  print("operation,format,instructions\n");
   return costs_f32() + costs_q15() + costs_q31();
 }

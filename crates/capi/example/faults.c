@@ -6,16 +6,16 @@ static const float bright[1] = {1.0f};
 static const float white[1] = {2.0f};
 
 static void faults_f32(void) {
-  static eigenshade_workspace_f32 workspace;
-  static eigenshade_transfer_f32 transfer;
-  static eigenshade_coefficients_f32 d;
-  static eigenshade_scene_f32 scene;
+  static eigenshade_workspace_f32_t workspace;
+  static eigenshade_transfer_f32_t transfer;
+  static eigenshade_coefficients_f32_t d;
+  static eigenshade_scene_f32_t scene;
   static float numbers[4];
   const char *const name = "f32";
-  const eigenshade_light_f32 ambient = {.degree = 0, .length = 1, .coefficients = bright};
-  const eigenshade_material_f32 matte = {.order = 0, .length = 1, .coefficients = white};
-  eigenshade_light_f32 light = ambient;
-  eigenshade_material_f32 material = matte;
+  const eigenshade_light_f32_t ambient = {.degree = 0, .length = 1, .coefficients = bright};
+  const eigenshade_material_f32_t matte = {.order = 0, .length = 1, .coefficients = white};
+  eigenshade_light_f32_t light = ambient;
+  eigenshade_material_f32_t material = matte;
   float irradiance = 0.0f;
 
   /* A matte sphere in light from everywhere: pi times its radiance Y_0^0 over pi. */
@@ -50,10 +50,10 @@ static void faults_f32(void) {
   check_status(eigenshade_relight_f32(&transfer, &light, &d), EIGENSHADE_STATUS_LIGHT_LENGTH,
                name, "length of light");
   material.order = (size_t)-1;
-  check_status(eigenshade_fold_f32(&material, &workspace, &transfer),
+  check_status(eigenshade_transfer_f32(&material, &workspace, &transfer),
                EIGENSHADE_STATUS_MATERIAL_BEYOND, name, "order");
   material.order = 1;
-  check_status(eigenshade_fold_f32(&material, &workspace, &transfer),
+  check_status(eigenshade_transfer_f32(&material, &workspace, &transfer),
                EIGENSHADE_STATUS_MATERIAL_LENGTH, name, "length of material");
   check(d.numbers[0] == 7.0f, name, "d is as it was", 0);
 
@@ -78,32 +78,32 @@ static void faults_f32(void) {
 /* What is written to overlaps what is read, or something else that is written to: the numbers
  * were wrong, and the answer was that all is well. */
 static void overlaps_f32(void) {
-  static eigenshade_workspace_f32 workspace;
-  static eigenshade_transfer_f32 transfer;
-  static eigenshade_coefficients_f32 d;
-  static eigenshade_scene_f32 scene;
+  static eigenshade_workspace_f32_t workspace;
+  static eigenshade_transfer_f32_t transfer;
+  static eigenshade_coefficients_f32_t d;
+  static eigenshade_scene_f32_t scene;
   static union {
-    eigenshade_workspace_f32 workspace;
-    eigenshade_transfer_f32 transfer;
-    eigenshade_coefficients_f32 d;
-    eigenshade_scene_f32 scene;
-    eigenshade_light_f32 light;
-    eigenshade_material_f32 material;
+    eigenshade_workspace_f32_t workspace;
+    eigenshade_transfer_f32_t transfer;
+    eigenshade_coefficients_f32_t d;
+    eigenshade_scene_f32_t scene;
+    eigenshade_light_f32_t light;
+    eigenshade_material_f32_t material;
     float numbers[4];
   } one;
   const eigenshade_status overlap = EIGENSHADE_STATUS_OVERLAP;
   const char *const name = "f32";
-  const eigenshade_light_f32 light = {.degree = 0, .length = 1, .coefficients = bright};
-  const eigenshade_light_f32 light_in_d = {.degree = 0, .length = 1, .coefficients = d.numbers + 7};
-  const eigenshade_material_f32 material = {.order = 0, .length = 1, .coefficients = white};
-  const eigenshade_material_f32 in_workspace = {
+  const eigenshade_light_f32_t light = {.degree = 0, .length = 1, .coefficients = bright};
+  const eigenshade_light_f32_t light_in_d = {.degree = 0, .length = 1, .coefficients = d.numbers + 7};
+  const eigenshade_material_f32_t material = {.order = 0, .length = 1, .coefficients = white};
+  const eigenshade_material_f32_t in_workspace = {
       .order = 0, .length = 1, .coefficients = workspace.numbers};
-  check_status(eigenshade_fold_f32(&material, &one.workspace, &one.transfer), overlap, name,
+  check_status(eigenshade_transfer_f32(&material, &one.workspace, &one.transfer), overlap, name,
                "workspace and transfer");
-  check_status(eigenshade_fold_f32(&in_workspace, &workspace, &transfer), overlap, name,
+  check_status(eigenshade_transfer_f32(&in_workspace, &workspace, &transfer), overlap, name,
                "material in workspace");
   one.material = material;
-  check_status(eigenshade_fold_f32(&one.material, &workspace, &one.transfer), overlap, name,
+  check_status(eigenshade_transfer_f32(&one.material, &workspace, &one.transfer), overlap, name,
                "material and transfer");
   check(one.material.length == 1, name, "the material is as it was", 0);
   check_status(eigenshade_relight_f32(&transfer, &light_in_d, &d), overlap, name, "light in d");
@@ -132,12 +132,12 @@ static void overlaps_f32(void) {
 static void runtime_inputs_f32(void) {
   const char *const name = "f32";
   const float numbers[4] = {1.0f, 0.0f, __builtin_inff(), 0.0f};
-  const eigenshade_light_f32 light = {.degree = 1, .length = 4, .coefficients = numbers};
-  const eigenshade_material_f32 material = {.order = 1, .length = 2, .coefficients = numbers + 1};
+  const eigenshade_light_f32_t light = {.degree = 1, .length = 4, .coefficients = numbers};
+  const eigenshade_material_f32_t material = {.order = 1, .length = 2, .coefficients = numbers + 1};
   check_status(eigenshade_check_light_f32(&light), EIGENSHADE_STATUS_NOT_FINITE, name, "light");
   check_status(eigenshade_check_material_f32(&material), EIGENSHADE_STATUS_NOT_FINITE, name,
                "material");
-  const eigenshade_light_f32 ambient = {.degree = 0, .length = 1, .coefficients = numbers};
+  const eigenshade_light_f32_t ambient = {.degree = 0, .length = 1, .coefficients = numbers};
   check_status(eigenshade_check_light_f32(&ambient), EIGENSHADE_STATUS_OK, name, "finite light");
   check_status(eigenshade_check_material_f32(NULL), EIGENSHADE_STATUS_NULL_POINTER, name, "none");
   /* Of a map of 8 bits: toward the camera, just behind the rim, far behind it. */
@@ -155,52 +155,52 @@ static void runtime_inputs_f32(void) {
   static void faults_##format(void) {                                                         \
     static const mantissa largest[1] = {one};                                                 \
     static const int8_t exponents[1] = {0};                                                   \
-    static eigenshade_workspace_##format workspace;                                           \
-    static eigenshade_transfer_##format transfer;                                             \
-    static eigenshade_coefficients_##format d;                                                \
-    static eigenshade_scene_##format scene;                                                   \
+    static eigenshade_workspace_##format##_t workspace;                                       \
+    static eigenshade_transfer_##format##_t transfer;                                         \
+    static eigenshade_coefficients_##format##_t d;                                            \
+    static eigenshade_scene_##format##_t scene;                                               \
     static mantissa zeros[3], z[3] = {one, -one, one};                                        \
     static int32_t irradiances[3] = {7, 7, 7};                                                \
-    const eigenshade_light_##format ambient = {.degree = 0, .length = 1, .mantissas = largest};\
-    const eigenshade_material_##format matte = {.order = 0,                                   \
+    const eigenshade_light_##format##_t ambient = {.degree = 0, .length = 1, .mantissas = largest}; \
+    const eigenshade_material_##format##_t matte = {.order = 0,                               \
                                                 .length = 1,                                  \
                                                 .mantissas = largest,                         \
                                                 .exponents_length = 1,                        \
                                                 .exponents = exponents};                      \
-    eigenshade_light_##format light = ambient;                                                \
-    eigenshade_material_##format material = matte;                                            \
+    eigenshade_light_##format##_t light = ambient;                                            \
+    eigenshade_material_##format##_t material = matte;                                        \
     int32_t irradiance = 7;                                                                   \
     check_status(eigenshade_project_##format(&light, &material, &workspace, &transfer, &d),   \
                  EIGENSHADE_STATUS_OK, name, "ambient");                                      \
     check_status(eigenshade_collapse_##format(&d, EIGENSHADE_COMPONENTS, &scene),             \
                  EIGENSHADE_STATUS_OK, name, "ambient");                                      \
-    const eigenshade_light_f32 of_floats = {.degree = 0, .length = 1, .coefficients = bright};\
-    mantissa quantised[1] = {7};                                                              \
-    check_status(eigenshade_quantise_light_##format(&of_floats, NULL, 1, &light),             \
+    const eigenshade_light_f32_t of_floats = {.degree = 0, .length = 1, .coefficients = bright}; \
+    mantissa quantized[1] = {7};                                                              \
+    check_status(eigenshade_quantize_light_##format(&of_floats, NULL, 1, &light),             \
                  EIGENSHADE_STATUS_NULL_POINTER, name, "no mantissas");                       \
-    check_status(eigenshade_quantise_light_##format(&of_floats, quantised, 4, &light),        \
+    check_status(eigenshade_quantize_light_##format(&of_floats, quantized, 4, &light),        \
                  EIGENSHADE_STATUS_LIGHT_LENGTH, name, "room for another light");             \
-    check(quantised[0] == 7, name, "mantissas are as they were", 0);                          \
-    check_status(eigenshade_quantise_light_##format(&of_floats, quantised, 1, &light),        \
+    check(quantized[0] == 7, name, "mantissas are as they were", 0);                          \
+    check_status(eigenshade_quantize_light_##format(&of_floats, quantized, 1, &light),        \
                  EIGENSHADE_STATUS_OK, name, "light of floats");                              \
-    check(light.mantissas == quantised, name, "the light's mantissas", 0);                    \
+    check(light.mantissas == quantized, name, "the light's mantissas", 0);                    \
     light = ambient;                                                                          \
     d.mantissas[0] = 7;                                                                       \
-    check_status(eigenshade_fold_##format(NULL, &workspace, &transfer),                       \
+    check_status(eigenshade_transfer_##format(NULL, &workspace, &transfer),                   \
                  EIGENSHADE_STATUS_NULL_POINTER, name, "no material");                        \
-    check_status(eigenshade_fold_##format(&material, NULL, &transfer),                        \
+    check_status(eigenshade_transfer_##format(&material, NULL, &transfer),                    \
                  EIGENSHADE_STATUS_NULL_POINTER, name, "no workspace");                       \
-    check_status(eigenshade_fold_##format(&material, &workspace, NULL),                       \
+    check_status(eigenshade_transfer_##format(&material, &workspace, NULL),                   \
                  EIGENSHADE_STATUS_NULL_POINTER, name, "no transfer");                        \
     material.exponents = NULL;                                                                \
-    check_status(eigenshade_fold_##format(&material, &workspace, &transfer),                  \
+    check_status(eigenshade_transfer_##format(&material, &workspace, &transfer),              \
                  EIGENSHADE_STATUS_NULL_POINTER, name, "no exponents");                       \
     material = matte;                                                                         \
     material.exponents_length = 2;                                                            \
-    check_status(eigenshade_fold_##format(&material, &workspace, &transfer),                  \
+    check_status(eigenshade_transfer_##format(&material, &workspace, &transfer),              \
                  EIGENSHADE_STATUS_MATERIAL_LENGTH, name, "exponents");                       \
     material.order = EIGENSHADE_ORDER + 1;                                                    \
-    check_status(eigenshade_fold_##format(&material, &workspace, &transfer),                  \
+    check_status(eigenshade_transfer_##format(&material, &workspace, &transfer),              \
                  EIGENSHADE_STATUS_MATERIAL_BEYOND, name, "order");                           \
     light.exponent = 129;                                                                     \
     check_status(eigenshade_relight_##format(&transfer, &light, &d),                          \
@@ -240,17 +240,17 @@ static void runtime_inputs_f32(void) {
     check_status(                                                                             \
         eigenshade_shade_many_##format(&scene, 1, zeros, zeros, z, (int32_t *)(void *)z),     \
         EIGENSHADE_STATUS_OVERLAP, name, "overlap");                                          \
-    static eigenshade_light_##format light_in_d;                                              \
+    static eigenshade_light_##format##_t light_in_d;                                          \
     static union {                                                                            \
-      eigenshade_workspace_##format workspace;                                                \
-      eigenshade_transfer_##format transfer;                                                  \
-      eigenshade_coefficients_##format d;                                                     \
-      eigenshade_scene_##format scene;                                                        \
-      eigenshade_light_##format light;                                                        \
+      eigenshade_workspace_##format##_t workspace;                                            \
+      eigenshade_transfer_##format##_t transfer;                                              \
+      eigenshade_coefficients_##format##_t d;                                                 \
+      eigenshade_scene_##format##_t scene;                                                    \
+      eigenshade_light_##format##_t light;                                                    \
       mantissa mantissas[4];                                                                  \
     } same;                                                                                   \
     const eigenshade_status overlap = EIGENSHADE_STATUS_OVERLAP;                              \
-    check_status(eigenshade_fold_##format(&matte, &same.workspace, &same.transfer), overlap,  \
+    check_status(eigenshade_transfer_##format(&matte, &same.workspace, &same.transfer), overlap, \
                  name, "workspace and transfer");                                             \
     light_in_d = ambient;                                                                     \
     light_in_d.mantissas = (const mantissa *)(const void *)d.mantissas;                       \
@@ -266,17 +266,17 @@ static void runtime_inputs_f32(void) {
                  overlap, name, "project: workspace and d");                                  \
     check_status(eigenshade_collapse_##format(&same.d, 1, &same.scene), overlap, name,        \
                  "d and scene");                                                              \
-    check_status(eigenshade_shade_##format(&scene, 0, 0, one, scene.terms + 3), overlap, name,\
+    check_status(eigenshade_shade_##format(&scene, 0, 0, one, scene.terms + 3), overlap, name, \
                  "irradiance in scene");                                                      \
     check_status(eigenshade_shade_many_##format(&scene, 1, zeros, zeros, z, &scene.exponent), \
                  overlap, name, "irradiances in scene");                                      \
-    check_status(eigenshade_quantise_light_##format(&of_floats, same.mantissas, 1,            \
+    check_status(eigenshade_quantize_light_##format(&of_floats, same.mantissas, 1,            \
                                                     &same.light),                             \
                  overlap, name, "mantissas in their light");                                  \
     const float endless[1] = {__builtin_inff()};                                              \
-    const eigenshade_light_f32 of_infinity = {                                                \
+    const eigenshade_light_f32_t of_infinity = {                                              \
         .degree = 0, .length = 1, .coefficients = endless};                                   \
-    check_status(eigenshade_quantise_light_##format(&of_infinity, quantised, 1, &light),      \
+    check_status(eigenshade_quantize_light_##format(&of_infinity, quantized, 1, &light),      \
                  EIGENSHADE_STATUS_NOT_FINITE, name, "light of infinity");                    \
     /* Of a map of 8 bits. */                                                                 \
     const int32_t behind[3] = {255, 1, -1}, away[3] = {1, 1, -255};                           \

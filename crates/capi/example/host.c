@@ -1,8 +1,8 @@
 /* A host. */
-#include "say.h"
+#include "print.h"
 
 #include <stdio.h>
 
-void say(const char *text) { fputs(text, stdout); }
+void print(const char *text) { fputs(text, stdout); }
 
 int main(void) { return program() == 0 ? 0 : 1; }

@@ -1,13 +1,14 @@
-/* One image in one format, FORMAT (f32, q15, q31): what a program links that needs no more.
- * WAY 0 folds the material in on the board; WAY 1 has it folded in flash; without FORMAT it is
- * an empty program, to compare with. */
-#include "say.h"
+/* A program that shades one image in one format, FORMAT (f32, q15, q31), to measure its size.
+ * WAY 0 computes the transfer on the board; WAY 1 has it in flash; without FORMAT the program
+ * is empty, for comparison. */
+#include "print.h"
 
 #ifdef FORMAT
 
 #define JOINED(a, b) a##b
 #define NAME(a, b) JOINED(a, b)
 #define MY(name) NAME(NAME(eigenshade_, name), FORMAT)
+#define TYPE(name) NAME(MY(name), _t)
 
 #if IS_FLOAT
 typedef float number, irradiance;
@@ -20,34 +21,34 @@ typedef int32_t irradiance;
 
 /* Not constants: a compiler may not see through them. */
 static number light_numbers[EIGENSHADE_LIGHT];
-static MY(coefficients_) d;
-static MY(scene_) scene;
+static TYPE(coefficients_) d;
+static TYPE(scene_) scene;
 volatile irradiance shaded;
 
 #if WAY == 0
 static number material_numbers[EIGENSHADE_MATERIAL];
-static MY(workspace_) workspace;
-static MY(transfer_) transfer;
+static TYPE(workspace_) workspace;
+static TYPE(transfer_) transfer;
 #if !IS_FLOAT
 static int8_t exponents[EIGENSHADE_ORDER + 1];
 #endif
 #else
-static const MY(transfer_) transfer = {.numbers = {1}};
+static const TYPE(transfer_) transfer = {.numbers = {1}};
 #endif
 
 uint32_t program(void) {
-  MY(light_) light = {.degree = EIGENSHADE_DEGREE, .length = EIGENSHADE_LIGHT,
+  TYPE(light_) light = {.degree = EIGENSHADE_DEGREE, .length = EIGENSHADE_LIGHT,
                       .NUMBERS = light_numbers};
   irradiance found = 0;
   eigenshade_status status = EIGENSHADE_STATUS_OK;
 #if WAY == 0
-  MY(material_) material = {.order = EIGENSHADE_ORDER, .length = EIGENSHADE_MATERIAL,
+  TYPE(material_) material = {.order = EIGENSHADE_ORDER, .length = EIGENSHADE_MATERIAL,
                             .NUMBERS = material_numbers};
 #if !IS_FLOAT
   material.exponents = exponents;
   material.exponents_length = EIGENSHADE_ORDER + 1;
 #endif
-  status |= MY(fold_)(&material, &workspace, &transfer);
+  status |= MY(transfer_)(&material, &workspace, &transfer);
 #endif
   status |= MY(relight_)(&transfer, &light, &d);
   status |= MY(collapse_)(&d, EIGENSHADE_COMPONENTS, &scene);

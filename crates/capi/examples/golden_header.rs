@@ -1,7 +1,7 @@
-//! The golden file as a C header of constant arrays, to standard output:
+//! Prints the golden file as a C header of constant arrays:
 //! `cargo run -p eigenshade-capi --example golden_header > golden.h`.
 
-#[path = "../tests/golden_header/mod.rs"]
+#[path = "../tests/support/golden_header.rs"]
 mod golden_header;
 
 use std::process::ExitCode;

@@ -1,6 +1,6 @@
-//! Makes the C header again: `cargo run -p eigenshade-capi --example header`.
+//! Writes the C header: `cargo run -p eigenshade-capi --example header`.
 
-#[path = "../tests/header/mod.rs"]
+#[path = "../tests/support/header.rs"]
 mod header;
 
 fn main() -> std::io::Result<()> {

@@ -3,18 +3,17 @@
 eigenshade: image irradiance of any isotropic material under any distant light, from the
 shipped table: degree 9, order 7, fifty components.
 
-A material is folded in, a light relights it, the coefficients are collapsed to a scene, the
-scene gives the irradiance of normals; in float (f32) and in integers (q15, q31). An integer
-stands for itself times 2 to an exponent that stands beside it; the quantise functions bring
-lights and materials in float to integers, without a float unit. Colour is three channels,
-one after the other.
+The steps are: compute the transfer of a material, relight it with a light, collapse the
+coefficients to a scene, and shade normals with the scene; in float (f32) and in integers
+(q15, q31). A number in integers is a mantissa times 2 to the power of an exponent. The
+quantize functions convert lights and materials from float to integers, without a float
+unit. Color is three channels, computed one by one.
 
-The caller owns every array and structure; none has to be written before the library writes
-it. No function allocates, keeps a pointer, or has a state: all may be called from interrupts
-and threads at once, on arguments of their own. No pointer may be NULL, and each has the
-alignment of its type: both are checked. What a function writes to may not overlap its other
-arguments; of irradiances and normals, and of mantissas and coefficients, this is checked.
-Lengths are counts of numbers, not bytes.
+The caller owns every array and structure, and need not initialize those that the library
+writes. No function allocates, keeps a pointer, or has state, so all may be called from
+interrupts and threads at once on separate arguments. Pointers must not be NULL and must be
+aligned; both are checked. Arguments that a function writes to must not overlap its other
+arguments; this is checked too. Lengths are counts of numbers, not bytes.
 
 Integers give the same bits on every machine. */
 
@@ -60,12 +59,12 @@ Integers give the same bits on every machine. */
 #define EIGENSHADE_PROFILES 28
 
 /**
- * Numbers of a folded material in float.
+ * Numbers in a transfer in float.
  */
 #define EIGENSHADE_TRANSFER_F32 568
 
 /**
- * Numbers of a folded material in integers.
+ * Numbers in a transfer in integers.
  */
 #define EIGENSHADE_TRANSFER 218
 
@@ -85,17 +84,17 @@ Integers give the same bits on every machine. */
 #define EIGENSHADE_SCENE_Q31 160
 
 /**
- * Numbers that folding or projecting in float needs room for.
+ * Numbers in the workspace of transfers and projections in float.
  */
 #define EIGENSHADE_WORKSPACE_F32 460
 
 /**
- * Numbers that folding in integers needs room for.
+ * Numbers in the workspace of transfers in integers.
  */
 #define EIGENSHADE_WORKSPACE 230
 
 /**
- * What every function that can fail answers: 0, or why it did nothing.
+ * The result of every function that can fail: 0, or the reason why it did nothing.
  */
 enum eigenshade_status
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
@@ -103,7 +102,7 @@ enum eigenshade_status
 #endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
  {
   /**
-   * All is well.
+   * Success.
    */
   EIGENSHADE_STATUS_OK = 0,
   /**
@@ -111,7 +110,7 @@ enum eigenshade_status
    */
   EIGENSHADE_STATUS_NULL_POINTER = 1,
   /**
-   * A pointer is not aligned to what it points to.
+   * A pointer is not aligned for its type.
    */
   EIGENSHADE_STATUS_UNALIGNED = 2,
   /**
@@ -119,7 +118,7 @@ enum eigenshade_status
    */
   EIGENSHADE_STATUS_OVERLAP = 3,
   /**
-   * A light's degree is beyond EIGENSHADE_DEGREE.
+   * The degree of a light is above EIGENSHADE_DEGREE.
    */
   EIGENSHADE_STATUS_LIGHT_BEYOND = 4,
   /**
@@ -127,11 +126,11 @@ enum eigenshade_status
    */
   EIGENSHADE_STATUS_LIGHT_LENGTH = 5,
   /**
-   * A material's order is beyond EIGENSHADE_ORDER.
+   * The order of a material is above EIGENSHADE_ORDER.
    */
   EIGENSHADE_STATUS_MATERIAL_BEYOND = 6,
   /**
-   * A material does not have the coefficients of its order, or an exponent for each o.
+   * A material does not have the number of coefficients of its order, or an exponent for each o.
    */
   EIGENSHADE_STATUS_MATERIAL_LENGTH = 7,
   /**
@@ -143,8 +142,8 @@ enum eigenshade_status
    */
   EIGENSHADE_STATUS_EXPONENT = 9,
   /**
-   * A normal has a component that is not finite, length zero, or in integers another
-   * length than 1.
+   * A normal has a component that is not finite, length zero, or, in integers, a length other
+   * than 1.
    */
   EIGENSHADE_STATUS_NORMAL = 10,
   /**
@@ -160,8 +159,8 @@ enum eigenshade_status
    */
   EIGENSHADE_STATUS_INTERNAL = 13,
   /**
-   * A row of a transfer is so large that its sum with a light could overflow: no
-   * material was folded into it.
+   * A row of a transfer is so large that its sum with a light could overflow: no function of
+   * this library computed it.
    */
   EIGENSHADE_STATUS_TRANSFER = 14,
   /**
@@ -185,7 +184,7 @@ typedef int32_t eigenshade_status;
  * Take them finite: one that is not spoils the image, and `eigenshade_check_material_f32`
  * finds it.
  */
-typedef struct eigenshade_material_f32 {
+typedef struct eigenshade_material_f32_t {
   /**
    * Largest o, at most EIGENSHADE_ORDER; above it the material is zero.
    */
@@ -198,27 +197,27 @@ typedef struct eigenshade_material_f32 {
    * The coefficients; the caller's.
    */
   const float *coefficients;
-} eigenshade_material_f32;
+} eigenshade_material_f32_t;
 
 /**
- * Room to work in; holds nothing between two calls.
+ * Scratch memory; holds nothing between two calls.
  */
-typedef struct eigenshade_workspace_f32 {
+typedef struct eigenshade_workspace_f32_t {
   /**
    * Scratch.
    */
   float numbers[EIGENSHADE_WORKSPACE_F32];
-} eigenshade_workspace_f32;
+} eigenshade_workspace_f32_t;
 
 /**
- * A material folded in, as `eigenshade_fold_f32` writes it. May be kept in flash.
+ * The transfer of a material, as `eigenshade_transfer_f32` writes it. May be kept in flash.
  */
-typedef struct eigenshade_transfer_f32 {
+typedef struct eigenshade_transfer_f32_t {
   /**
    * Its numbers.
    */
   float numbers[EIGENSHADE_TRANSFER_F32];
-} eigenshade_transfer_f32;
+} eigenshade_transfer_f32_t;
 
 /**
  * One channel of distant light: spherical harmonic coefficients L_l^m in radiance, l from
@@ -228,7 +227,7 @@ typedef struct eigenshade_transfer_f32 {
  * camera. Take them finite: one that is not spoils the image, and
  * `eigenshade_check_light_f32` finds it.
  */
-typedef struct eigenshade_light_f32 {
+typedef struct eigenshade_light_f32_t {
   /**
    * Largest l, at most EIGENSHADE_DEGREE; above it the light is zero.
    */
@@ -241,32 +240,32 @@ typedef struct eigenshade_light_f32 {
    * The coefficients; the caller's.
    */
   const float *coefficients;
-} eigenshade_light_f32;
+} eigenshade_light_f32_t;
 
 /**
  * The coefficients d of one image, component by component.
  */
-typedef struct eigenshade_coefficients_f32 {
+typedef struct eigenshade_coefficients_f32_t {
   /**
    * d.
    */
   float numbers[EIGENSHADE_COMPONENTS];
-} eigenshade_coefficients_f32;
+} eigenshade_coefficients_f32_t;
 
 /**
  * One image, as `eigenshade_collapse_f32` writes it. May be kept in flash.
  */
-typedef struct eigenshade_scene_f32 {
+typedef struct eigenshade_scene_f32_t {
   /**
    * Its polynomials.
    */
   float terms[EIGENSHADE_SCENE_F32];
-} eigenshade_scene_f32;
+} eigenshade_scene_f32_t;
 
 /**
- * One channel of distant light: as `eigenshade_light_f32`, in mantissas times 2^exponent.
+ * One channel of distant light: as `eigenshade_light_f32_t`, in mantissas times 2^exponent.
  */
-typedef struct eigenshade_light_q15 {
+typedef struct eigenshade_light_q15_t {
   /**
    * Largest l, at most EIGENSHADE_DEGREE; above it the light is zero.
    */
@@ -283,13 +282,13 @@ typedef struct eigenshade_light_q15 {
    * The exponent of all of them, from -128 to 128.
    */
   int32_t exponent;
-} eigenshade_light_q15;
+} eigenshade_light_q15_t;
 
 /**
- * One channel of an isotropic material: as `eigenshade_material_f32`, in mantissas times
+ * One channel of an isotropic material: as `eigenshade_material_f32_t`, in mantissas times
  * 2^exponent, an exponent for each o.
  */
-typedef struct eigenshade_material_q15 {
+typedef struct eigenshade_material_q15_t {
   /**
    * Largest o, at most EIGENSHADE_ORDER; above it the material is zero.
    */
@@ -310,22 +309,22 @@ typedef struct eigenshade_material_q15 {
    * For each o the exponent of its mantissas; the caller's.
    */
   const int8_t *exponents;
-} eigenshade_material_q15;
+} eigenshade_material_q15_t;
 
 /**
- * Room to work in; holds nothing between two calls.
+ * Scratch memory; holds nothing between two calls.
  */
-typedef struct eigenshade_workspace_q15 {
+typedef struct eigenshade_workspace_q15_t {
   /**
    * Scratch.
    */
   int32_t numbers[EIGENSHADE_WORKSPACE];
-} eigenshade_workspace_q15;
+} eigenshade_workspace_q15_t;
 
 /**
- * A material folded in, as `eigenshade_fold_q15` writes it. May be kept in flash.
+ * The transfer of a material, as `eigenshade_transfer_q15` writes it. May be kept in flash.
  */
-typedef struct eigenshade_transfer_q15 {
+typedef struct eigenshade_transfer_q15_t {
   /**
    * Its mantissas.
    */
@@ -334,12 +333,12 @@ typedef struct eigenshade_transfer_q15 {
    * Its exponents.
    */
   int16_t exponents[EIGENSHADE_PROFILES];
-} eigenshade_transfer_q15;
+} eigenshade_transfer_q15_t;
 
 /**
  * The coefficients d of one image, component by component: mantissas times 2^exponent.
  */
-typedef struct eigenshade_coefficients_q15 {
+typedef struct eigenshade_coefficients_q15_t {
   /**
    * Mantissas of at most 2^30.
    */
@@ -348,12 +347,12 @@ typedef struct eigenshade_coefficients_q15 {
    * The exponent of all of them.
    */
   int32_t exponent;
-} eigenshade_coefficients_q15;
+} eigenshade_coefficients_q15_t;
 
 /**
  * One image, as `eigenshade_collapse_q15` writes it. May be kept in flash.
  */
-typedef struct eigenshade_scene_q15 {
+typedef struct eigenshade_scene_q15_t {
   /**
    * Its polynomials.
    */
@@ -362,12 +361,12 @@ typedef struct eigenshade_scene_q15 {
    * The exponent of every irradiance.
    */
   int32_t exponent;
-} eigenshade_scene_q15;
+} eigenshade_scene_q15_t;
 
 /**
- * One channel of distant light: as `eigenshade_light_f32`, in mantissas times 2^exponent.
+ * One channel of distant light: as `eigenshade_light_f32_t`, in mantissas times 2^exponent.
  */
-typedef struct eigenshade_light_q31 {
+typedef struct eigenshade_light_q31_t {
   /**
    * Largest l, at most EIGENSHADE_DEGREE; above it the light is zero.
    */
@@ -384,13 +383,13 @@ typedef struct eigenshade_light_q31 {
    * The exponent of all of them, from -128 to 128.
    */
   int32_t exponent;
-} eigenshade_light_q31;
+} eigenshade_light_q31_t;
 
 /**
- * One channel of an isotropic material: as `eigenshade_material_f32`, in mantissas times
+ * One channel of an isotropic material: as `eigenshade_material_f32_t`, in mantissas times
  * 2^exponent, an exponent for each o.
  */
-typedef struct eigenshade_material_q31 {
+typedef struct eigenshade_material_q31_t {
   /**
    * Largest o, at most EIGENSHADE_ORDER; above it the material is zero.
    */
@@ -411,22 +410,22 @@ typedef struct eigenshade_material_q31 {
    * For each o the exponent of its mantissas; the caller's.
    */
   const int8_t *exponents;
-} eigenshade_material_q31;
+} eigenshade_material_q31_t;
 
 /**
- * Room to work in; holds nothing between two calls.
+ * Scratch memory; holds nothing between two calls.
  */
-typedef struct eigenshade_workspace_q31 {
+typedef struct eigenshade_workspace_q31_t {
   /**
    * Scratch.
    */
   int64_t numbers[EIGENSHADE_WORKSPACE];
-} eigenshade_workspace_q31;
+} eigenshade_workspace_q31_t;
 
 /**
- * A material folded in, as `eigenshade_fold_q31` writes it. May be kept in flash.
+ * The transfer of a material, as `eigenshade_transfer_q31` writes it. May be kept in flash.
  */
-typedef struct eigenshade_transfer_q31 {
+typedef struct eigenshade_transfer_q31_t {
   /**
    * Its mantissas.
    */
@@ -435,12 +434,12 @@ typedef struct eigenshade_transfer_q31 {
    * Its exponents.
    */
   int16_t exponents[EIGENSHADE_PROFILES];
-} eigenshade_transfer_q31;
+} eigenshade_transfer_q31_t;
 
 /**
  * The coefficients d of one image, component by component: mantissas times 2^exponent.
  */
-typedef struct eigenshade_coefficients_q31 {
+typedef struct eigenshade_coefficients_q31_t {
   /**
    * Mantissas of at most 2^30.
    */
@@ -449,12 +448,12 @@ typedef struct eigenshade_coefficients_q31 {
    * The exponent of all of them.
    */
   int32_t exponent;
-} eigenshade_coefficients_q31;
+} eigenshade_coefficients_q31_t;
 
 /**
  * One image, as `eigenshade_collapse_q31` writes it. May be kept in flash.
  */
-typedef struct eigenshade_scene_q31 {
+typedef struct eigenshade_scene_q31_t {
   /**
    * Its polynomials.
    */
@@ -463,7 +462,7 @@ typedef struct eigenshade_scene_q31 {
    * The exponent of every irradiance.
    */
   int32_t exponent;
-} eigenshade_scene_q31;
+} eigenshade_scene_q31_t;
 
 #ifdef __cplusplus
 extern "C" {
@@ -476,63 +475,63 @@ extern "C" {
 const char *eigenshade_version(void);
 
 /**
- * What a status says, and what to do: a static string in English, without a line's end.
+ * The message of a status, with the remedy: a static string in English without a line end.
  *
- * Never fails: of a number that is no status it says so.
+ * Never fails: an unknown status has a message too.
  */
 const char *eigenshade_message(int32_t status);
 
 /**
- * Folds a material in, for lights to follow.
+ * Computes the transfer of a material, for any number of lights.
  *
  * Cost: a multiplication for each of the table's factors. On an error `transfer` is as it
  * was.
  *
- * Pointers that are neither NULL nor unaligned point to what their types say, and
+ * Every pointer that is neither NULL nor unaligned points to a value of its type, and
  * `workspace` and `transfer` to nothing else's memory.
  */
-eigenshade_status eigenshade_fold_f32(const struct eigenshade_material_f32 *material,
-                                      struct eigenshade_workspace_f32 *workspace,
-                                      struct eigenshade_transfer_f32 *transfer);
+eigenshade_status eigenshade_transfer_f32(const struct eigenshade_material_f32_t *material,
+                                          struct eigenshade_workspace_f32_t *workspace,
+                                          struct eigenshade_transfer_f32_t *transfer);
 
 /**
- * d of a new light on a folded material.
+ * Computes d of a new light on a material from its transfer.
  *
  * Cost: a multiplication for each number of the transfer. On an error `coefficients` is
  * as it was.
  *
- * Pointers that are neither NULL nor unaligned point to what their types say, and
+ * Every pointer that is neither NULL nor unaligned points to a value of its type, and
  * `coefficients` to nothing else's memory.
  */
-eigenshade_status eigenshade_relight_f32(const struct eigenshade_transfer_f32 *transfer,
-                                         const struct eigenshade_light_f32 *light,
-                                         struct eigenshade_coefficients_f32 *coefficients);
+eigenshade_status eigenshade_relight_f32(const struct eigenshade_transfer_f32_t *transfer,
+                                         const struct eigenshade_light_f32_t *light,
+                                         struct eigenshade_coefficients_f32_t *coefficients);
 
 /**
- * d of a light on a material, without a transfer: what to take if both are new each time.
+ * Computes d of a light on a material without a transfer, for when both change each time.
  *
- * Cost: as `eigenshade_fold_f32`. On an error `coefficients` is as it was.
+ * Cost: as `eigenshade_transfer_f32`. On an error `coefficients` is as it was.
  *
- * Pointers that are neither NULL nor unaligned point to what their types say, and
+ * Every pointer that is neither NULL nor unaligned points to a value of its type, and
  * `workspace` and `coefficients` to nothing else's memory.
  */
-eigenshade_status eigenshade_project_f32(const struct eigenshade_light_f32 *light,
-                                         const struct eigenshade_material_f32 *material,
-                                         struct eigenshade_workspace_f32 *workspace,
-                                         struct eigenshade_coefficients_f32 *coefficients);
+eigenshade_status eigenshade_project_f32(const struct eigenshade_light_f32_t *light,
+                                         const struct eigenshade_material_f32_t *material,
+                                         struct eigenshade_workspace_f32_t *workspace,
+                                         struct eigenshade_coefficients_f32_t *coefficients);
 
 /**
- * Sums the components of each azimuth: what a pixel is shaded from.
+ * Sums the components of each azimuth to a scene, from which pixels are shaded.
  *
- * Of d the first `components` count, at most EIGENSHADE_COMPONENTS; the others are taken
+ * Of d only the first `components` are used, at most EIGENSHADE_COMPONENTS; the others count
  * as zero. On an error `scene` is as it was.
  *
- * Pointers that are neither NULL nor unaligned point to what their types say, and
+ * Every pointer that is neither NULL nor unaligned points to a value of its type, and
  * `scene` to nothing else's memory.
  */
-eigenshade_status eigenshade_collapse_f32(const struct eigenshade_coefficients_f32 *coefficients,
+eigenshade_status eigenshade_collapse_f32(const struct eigenshade_coefficients_f32_t *coefficients,
                                           size_t components,
-                                          struct eigenshade_scene_f32 *scene);
+                                          struct eigenshade_scene_f32_t *scene);
 
 /**
  * The irradiance of the normal along (x, y, z), in the light's radiance times sr times the
@@ -542,10 +541,10 @@ eigenshade_status eigenshade_collapse_f32(const struct eigenshade_coefficients_f
  * that points away by no more than 1/8 is laid on the rim. On an error `irradiance` is as
  * it was.
  *
- * Pointers that are neither NULL nor unaligned point to what their types say, and
+ * Every pointer that is neither NULL nor unaligned points to a value of its type, and
  * `irradiance` to nothing else's memory.
  */
-eigenshade_status eigenshade_shade_f32(const struct eigenshade_scene_f32 *scene,
+eigenshade_status eigenshade_shade_f32(const struct eigenshade_scene_f32_t *scene,
                                        float x,
                                        float y,
                                        float z,
@@ -557,17 +556,17 @@ eigenshade_status eigenshade_shade_f32(const struct eigenshade_scene_f32 *scene,
  *
  * Cost: a comparison for each coefficient.
  *
- * Pointers that are neither NULL nor unaligned point to what their types say.
+ * Every pointer that is neither NULL nor unaligned points to a value of its type.
  */
-eigenshade_status eigenshade_check_light_f32(const struct eigenshade_light_f32 *light);
+eigenshade_status eigenshade_check_light_f32(const struct eigenshade_light_f32_t *light);
 
 /**
  * Whether a material's order, length and coefficients are in order: as
  * `eigenshade_check_light_f32`.
  *
- * Pointers that are neither NULL nor unaligned point to what their types say.
+ * Every pointer that is neither NULL nor unaligned points to a value of its type.
  */
-eigenshade_status eigenshade_check_material_f32(const struct eigenshade_material_f32 *material);
+eigenshade_status eigenshade_check_material_f32(const struct eigenshade_material_f32_t *material);
 
 /**
  * Scales `count` normals to length 1, each where it is, and lays those on the rim that point
@@ -578,7 +577,7 @@ eigenshade_status eigenshade_check_material_f32(const struct eigenshade_material
  * its place, and it and those after it stay as they were; on any other error nothing is written.
  * Cost: a root for each.
  *
- * Pointers that are neither NULL nor unaligned point to what their types say, the first three
+ * Every pointer that is neither NULL nor unaligned points to a value of its type, the first three
  * to `count` numbers each.
  */
 eigenshade_status eigenshade_normalize_f32(float *x,
@@ -594,10 +593,10 @@ eigenshade_status eigenshade_normalize_f32(float *x,
  * no other suffers; `eigenshade_normalize_f32` makes such of any. Of no normals the pointers do not matter. On an error `irradiance` is
  * as it was.
  *
- * Pointers that are neither NULL nor unaligned point to what their types say, the last
+ * Every pointer that is neither NULL nor unaligned points to a value of its type, the last
  * four to `count` numbers each.
  */
-eigenshade_status eigenshade_shade_many_f32(const struct eigenshade_scene_f32 *scene,
+eigenshade_status eigenshade_shade_many_f32(const struct eigenshade_scene_f32_t *scene,
                                             size_t count,
                                             const float *x,
                                             const float *y,
@@ -611,13 +610,13 @@ eigenshade_status eigenshade_shade_many_f32(const struct eigenshade_scene_f32 *s
  * make; they stay the caller's, and the light points to them. On an error
  * nothing is written, unless a number is not finite or it is `to` that is at fault.
  *
- * Pointers that are neither NULL nor unaligned point to what their types say, `mantissas`
+ * Every pointer that is neither NULL nor unaligned points to a value of its type, `mantissas`
  * to room for `length` numbers, and it and `to` to nothing else's memory.
  */
-eigenshade_status eigenshade_quantise_light_q15(const struct eigenshade_light_f32 *from,
+eigenshade_status eigenshade_quantize_light_q15(const struct eigenshade_light_f32_t *from,
                                                 int16_t *mantissas,
                                                 size_t length,
-                                                struct eigenshade_light_q15 *to);
+                                                struct eigenshade_light_q15_t *to);
 
 /**
  * A material in these mantissas from one in float, in integer arithmetic throughout.
@@ -627,72 +626,72 @@ eigenshade_status eigenshade_quantise_light_q15(const struct eigenshade_light_f3
  * the material points to them. On an error nothing is written, unless a number is not finite
  * or it is `exponents` or `to` that is at fault.
  *
- * Pointers that are neither NULL nor unaligned point to what their types say, `mantissas`
+ * Every pointer that is neither NULL nor unaligned points to a value of its type, `mantissas`
  * and `exponents` to room for as many numbers, and they and `to` to nothing else's memory.
  */
-eigenshade_status eigenshade_quantise_material_q15(const struct eigenshade_material_f32 *from,
+eigenshade_status eigenshade_quantize_material_q15(const struct eigenshade_material_f32_t *from,
                                                    int16_t *mantissas,
                                                    size_t length,
                                                    int8_t *exponents,
                                                    size_t exponents_length,
-                                                   struct eigenshade_material_q15 *to);
+                                                   struct eigenshade_material_q15_t *to);
 
 /**
- * Folds a material in, for lights to follow.
+ * Computes the transfer of a material, for any number of lights.
  *
  * Cost: a multiplication for each of the table's factors. On an error `transfer` is as it
  * was.
  *
- * Pointers that are neither NULL nor unaligned point to what their types say, and
+ * Every pointer that is neither NULL nor unaligned points to a value of its type, and
  * `workspace` and `transfer` to nothing else's memory.
  */
-eigenshade_status eigenshade_fold_q15(const struct eigenshade_material_q15 *material,
-                                      struct eigenshade_workspace_q15 *workspace,
-                                      struct eigenshade_transfer_q15 *transfer);
+eigenshade_status eigenshade_transfer_q15(const struct eigenshade_material_q15_t *material,
+                                          struct eigenshade_workspace_q15_t *workspace,
+                                          struct eigenshade_transfer_q15_t *transfer);
 
 /**
- * d of a new light on a folded material.
+ * Computes d of a new light on a material from its transfer.
  *
- * A transfer that `eigenshade_fold_q15` did not write is refused if its rows could overflow
+ * A transfer that `eigenshade_transfer_q15` did not write is refused if its rows could overflow
  * their sums, and gives meaningless numbers otherwise. Cost: two multiplications for each
  * number of the transfer. On an error `coefficients` is as it was, but that the transfer
  * is refused: then it is zero.
  *
- * Pointers that are neither NULL nor unaligned point to what their types say, and
+ * Every pointer that is neither NULL nor unaligned points to a value of its type, and
  * `coefficients` to nothing else's memory.
  */
-eigenshade_status eigenshade_relight_q15(const struct eigenshade_transfer_q15 *transfer,
-                                         const struct eigenshade_light_q15 *light,
-                                         struct eigenshade_coefficients_q15 *coefficients);
+eigenshade_status eigenshade_relight_q15(const struct eigenshade_transfer_q15_t *transfer,
+                                         const struct eigenshade_light_q15_t *light,
+                                         struct eigenshade_coefficients_q15_t *coefficients);
 
 /**
- * d of a light on a material: folds the material into `transfer`, and relights it.
+ * Computes d of a light on a material: first the `transfer`, then d.
  *
- * Cost: as `eigenshade_fold_q15` and `eigenshade_relight_q15`. On an error `coefficients`
+ * Cost: as `eigenshade_transfer_q15` and `eigenshade_relight_q15`. On an error `coefficients`
  * is as it was; `transfer` may have changed.
  *
- * Pointers that are neither NULL nor unaligned point to what their types say, and
+ * Every pointer that is neither NULL nor unaligned points to a value of its type, and
  * `workspace`, `transfer` and `coefficients` to nothing else's memory.
  */
-eigenshade_status eigenshade_project_q15(const struct eigenshade_light_q15 *light,
-                                         const struct eigenshade_material_q15 *material,
-                                         struct eigenshade_workspace_q15 *workspace,
-                                         struct eigenshade_transfer_q15 *transfer,
-                                         struct eigenshade_coefficients_q15 *coefficients);
+eigenshade_status eigenshade_project_q15(const struct eigenshade_light_q15_t *light,
+                                         const struct eigenshade_material_q15_t *material,
+                                         struct eigenshade_workspace_q15_t *workspace,
+                                         struct eigenshade_transfer_q15_t *transfer,
+                                         struct eigenshade_coefficients_q15_t *coefficients);
 
 /**
- * Sums the components of each azimuth: what a pixel is shaded from.
+ * Sums the components of each azimuth to a scene, from which pixels are shaded.
  *
- * Of d the first `components` count, at most EIGENSHADE_COMPONENTS; the others are taken
+ * Of d only the first `components` are used, at most EIGENSHADE_COMPONENTS; the others count
  * as zero. Of coefficients that `eigenshade_relight_q15` did not write the exponent has to be
  * 2048 at most, either way. On an error `scene` is as it was.
  *
- * Pointers that are neither NULL nor unaligned point to what their types say, and
+ * Every pointer that is neither NULL nor unaligned points to a value of its type, and
  * `scene` to nothing else's memory.
  */
-eigenshade_status eigenshade_collapse_q15(const struct eigenshade_coefficients_q15 *coefficients,
+eigenshade_status eigenshade_collapse_q15(const struct eigenshade_coefficients_q15_t *coefficients,
                                           size_t components,
-                                          struct eigenshade_scene_q15 *scene);
+                                          struct eigenshade_scene_q15_t *scene);
 
 /**
  * The unit normal along a vector of three integers of any scale, as three mantissas, x, y and z:
@@ -714,10 +713,10 @@ eigenshade_status eigenshade_normalize_q15(const int32_t *vector,
  * A scene that `eigenshade_collapse_q15` did not write gives meaningless numbers. On an
  * error `irradiance` is as it was.
  *
- * Pointers that are neither NULL nor unaligned point to what their types say, and
+ * Every pointer that is neither NULL nor unaligned points to a value of its type, and
  * `irradiance` to nothing else's memory.
  */
-eigenshade_status eigenshade_shade_q15(const struct eigenshade_scene_q15 *scene,
+eigenshade_status eigenshade_shade_q15(const struct eigenshade_scene_q15_t *scene,
                                        int16_t x,
                                        int16_t y,
                                        int16_t z,
@@ -729,10 +728,10 @@ eigenshade_status eigenshade_shade_q15(const struct eigenshade_scene_q15 *scene,
  * Of no normals the pointers to numbers do not matter. On an error `irradiance` is as it was, but
  * that a normal is at fault: then those before it are written, and zeros from it on.
  *
- * Pointers that are neither NULL nor unaligned point to what their types say, the last
+ * Every pointer that is neither NULL nor unaligned points to a value of its type, the last
  * four to `count` numbers each.
  */
-eigenshade_status eigenshade_shade_many_q15(const struct eigenshade_scene_q15 *scene,
+eigenshade_status eigenshade_shade_many_q15(const struct eigenshade_scene_q15_t *scene,
                                             size_t count,
                                             const int16_t *x,
                                             const int16_t *y,
@@ -746,13 +745,13 @@ eigenshade_status eigenshade_shade_many_q15(const struct eigenshade_scene_q15 *s
  * make; they stay the caller's, and the light points to them. On an error
  * nothing is written, unless a number is not finite or it is `to` that is at fault.
  *
- * Pointers that are neither NULL nor unaligned point to what their types say, `mantissas`
+ * Every pointer that is neither NULL nor unaligned points to a value of its type, `mantissas`
  * to room for `length` numbers, and it and `to` to nothing else's memory.
  */
-eigenshade_status eigenshade_quantise_light_q31(const struct eigenshade_light_f32 *from,
+eigenshade_status eigenshade_quantize_light_q31(const struct eigenshade_light_f32_t *from,
                                                 int32_t *mantissas,
                                                 size_t length,
-                                                struct eigenshade_light_q31 *to);
+                                                struct eigenshade_light_q31_t *to);
 
 /**
  * A material in these mantissas from one in float, in integer arithmetic throughout.
@@ -762,72 +761,72 @@ eigenshade_status eigenshade_quantise_light_q31(const struct eigenshade_light_f3
  * the material points to them. On an error nothing is written, unless a number is not finite
  * or it is `exponents` or `to` that is at fault.
  *
- * Pointers that are neither NULL nor unaligned point to what their types say, `mantissas`
+ * Every pointer that is neither NULL nor unaligned points to a value of its type, `mantissas`
  * and `exponents` to room for as many numbers, and they and `to` to nothing else's memory.
  */
-eigenshade_status eigenshade_quantise_material_q31(const struct eigenshade_material_f32 *from,
+eigenshade_status eigenshade_quantize_material_q31(const struct eigenshade_material_f32_t *from,
                                                    int32_t *mantissas,
                                                    size_t length,
                                                    int8_t *exponents,
                                                    size_t exponents_length,
-                                                   struct eigenshade_material_q31 *to);
+                                                   struct eigenshade_material_q31_t *to);
 
 /**
- * Folds a material in, for lights to follow.
+ * Computes the transfer of a material, for any number of lights.
  *
  * Cost: a multiplication for each of the table's factors. On an error `transfer` is as it
  * was.
  *
- * Pointers that are neither NULL nor unaligned point to what their types say, and
+ * Every pointer that is neither NULL nor unaligned points to a value of its type, and
  * `workspace` and `transfer` to nothing else's memory.
  */
-eigenshade_status eigenshade_fold_q31(const struct eigenshade_material_q31 *material,
-                                      struct eigenshade_workspace_q31 *workspace,
-                                      struct eigenshade_transfer_q31 *transfer);
+eigenshade_status eigenshade_transfer_q31(const struct eigenshade_material_q31_t *material,
+                                          struct eigenshade_workspace_q31_t *workspace,
+                                          struct eigenshade_transfer_q31_t *transfer);
 
 /**
- * d of a new light on a folded material.
+ * Computes d of a new light on a material from its transfer.
  *
- * A transfer that `eigenshade_fold_q31` did not write is refused if its rows could overflow
+ * A transfer that `eigenshade_transfer_q31` did not write is refused if its rows could overflow
  * their sums, and gives meaningless numbers otherwise. Cost: two multiplications for each
  * number of the transfer. On an error `coefficients` is as it was, but that the transfer
  * is refused: then it is zero.
  *
- * Pointers that are neither NULL nor unaligned point to what their types say, and
+ * Every pointer that is neither NULL nor unaligned points to a value of its type, and
  * `coefficients` to nothing else's memory.
  */
-eigenshade_status eigenshade_relight_q31(const struct eigenshade_transfer_q31 *transfer,
-                                         const struct eigenshade_light_q31 *light,
-                                         struct eigenshade_coefficients_q31 *coefficients);
+eigenshade_status eigenshade_relight_q31(const struct eigenshade_transfer_q31_t *transfer,
+                                         const struct eigenshade_light_q31_t *light,
+                                         struct eigenshade_coefficients_q31_t *coefficients);
 
 /**
- * d of a light on a material: folds the material into `transfer`, and relights it.
+ * Computes d of a light on a material: first the `transfer`, then d.
  *
- * Cost: as `eigenshade_fold_q31` and `eigenshade_relight_q31`. On an error `coefficients`
+ * Cost: as `eigenshade_transfer_q31` and `eigenshade_relight_q31`. On an error `coefficients`
  * is as it was; `transfer` may have changed.
  *
- * Pointers that are neither NULL nor unaligned point to what their types say, and
+ * Every pointer that is neither NULL nor unaligned points to a value of its type, and
  * `workspace`, `transfer` and `coefficients` to nothing else's memory.
  */
-eigenshade_status eigenshade_project_q31(const struct eigenshade_light_q31 *light,
-                                         const struct eigenshade_material_q31 *material,
-                                         struct eigenshade_workspace_q31 *workspace,
-                                         struct eigenshade_transfer_q31 *transfer,
-                                         struct eigenshade_coefficients_q31 *coefficients);
+eigenshade_status eigenshade_project_q31(const struct eigenshade_light_q31_t *light,
+                                         const struct eigenshade_material_q31_t *material,
+                                         struct eigenshade_workspace_q31_t *workspace,
+                                         struct eigenshade_transfer_q31_t *transfer,
+                                         struct eigenshade_coefficients_q31_t *coefficients);
 
 /**
- * Sums the components of each azimuth: what a pixel is shaded from.
+ * Sums the components of each azimuth to a scene, from which pixels are shaded.
  *
- * Of d the first `components` count, at most EIGENSHADE_COMPONENTS; the others are taken
+ * Of d only the first `components` are used, at most EIGENSHADE_COMPONENTS; the others count
  * as zero. Of coefficients that `eigenshade_relight_q31` did not write the exponent has to be
  * 2048 at most, either way. On an error `scene` is as it was.
  *
- * Pointers that are neither NULL nor unaligned point to what their types say, and
+ * Every pointer that is neither NULL nor unaligned points to a value of its type, and
  * `scene` to nothing else's memory.
  */
-eigenshade_status eigenshade_collapse_q31(const struct eigenshade_coefficients_q31 *coefficients,
+eigenshade_status eigenshade_collapse_q31(const struct eigenshade_coefficients_q31_t *coefficients,
                                           size_t components,
-                                          struct eigenshade_scene_q31 *scene);
+                                          struct eigenshade_scene_q31_t *scene);
 
 /**
  * The unit normal along a vector of three integers of any scale, as three mantissas, x, y and z:
@@ -849,10 +848,10 @@ eigenshade_status eigenshade_normalize_q31(const int32_t *vector,
  * A scene that `eigenshade_collapse_q31` did not write gives meaningless numbers. On an
  * error `irradiance` is as it was.
  *
- * Pointers that are neither NULL nor unaligned point to what their types say, and
+ * Every pointer that is neither NULL nor unaligned points to a value of its type, and
  * `irradiance` to nothing else's memory.
  */
-eigenshade_status eigenshade_shade_q31(const struct eigenshade_scene_q31 *scene,
+eigenshade_status eigenshade_shade_q31(const struct eigenshade_scene_q31_t *scene,
                                        int32_t x,
                                        int32_t y,
                                        int32_t z,
@@ -864,10 +863,10 @@ eigenshade_status eigenshade_shade_q31(const struct eigenshade_scene_q31 *scene,
  * Of no normals the pointers to numbers do not matter. On an error `irradiance` is as it was, but
  * that a normal is at fault: then those before it are written, and zeros from it on.
  *
- * Pointers that are neither NULL nor unaligned point to what their types say, the last
+ * Every pointer that is neither NULL nor unaligned points to a value of its type, the last
  * four to `count` numbers each.
  */
-eigenshade_status eigenshade_shade_many_q31(const struct eigenshade_scene_q31 *scene,
+eigenshade_status eigenshade_shade_many_q31(const struct eigenshade_scene_q31_t *scene,
                                             size_t count,
                                             const int32_t *x,
                                             const int32_t *y,

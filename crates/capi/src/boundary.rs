@@ -1,15 +1,14 @@
-//! From C's pointers to references: the only place where one becomes the other.
+//! Turns C's pointers into references; nothing else does.
 #![expect(unsafe_code, reason = "pointers come from C")]
 
 use crate::status::Status;
 use eigenshade::{Q15, Q31};
 
-/// Types of which any bytes are a value, zeros among them: C may hand over arrays that it
-/// has not written yet.
+/// Types for which any bytes are a valid value, including zeros: C may pass uninitialized arrays.
 ///
 /// # Safety
 ///
-/// No bytes of such a type may be invalid.
+/// Any bytes must be a valid value of the type.
 pub(crate) unsafe trait Plain {}
 
 // SAFETY: numbers, all of whose bits count.
@@ -37,7 +36,7 @@ fn usable<T>(pointer: *const T) -> Result<(), Status> {
     }
 }
 
-/// What a pointer points to.
+/// The value that a pointer points to.
 ///
 /// # Safety
 ///
@@ -49,7 +48,7 @@ pub(crate) unsafe fn shared<'a, T>(pointer: *const T) -> Result<&'a T, Status> {
     Ok(unsafe { &*pointer })
 }
 
-/// What a pointer points to, filled with zeros, to be written to.
+/// The memory that a pointer points to, filled with zeros, to be written to.
 ///
 /// # Safety
 ///
@@ -64,12 +63,12 @@ pub(crate) unsafe fn exclusive<'a, T: Plain>(pointer: *mut T) -> Result<&'a mut 
     })
 }
 
-/// Bytes of so many `T`, or `None` if memory cannot hold them.
+/// Bytes of `count` values of `T`, or `None` if memory cannot hold them.
 fn bytes<T>(count: usize) -> Option<usize> {
     count.checked_mul(size_of::<T>()).filter(|&bytes| bytes <= isize::MAX.unsigned_abs())
 }
 
-/// An array of numbers; of none for any pointer if `count` is 0.
+/// An array of numbers. If `count` is 0, it is empty for any pointer.
 ///
 /// # Safety
 ///
@@ -130,7 +129,7 @@ pub(crate) unsafe fn slice_to_write<'a, T: Plain>(
     unsafe { slice_to_change(pointer, count) }
 }
 
-/// Where a pointer's numbers lie.
+/// The address range of an array.
 #[derive(Clone, Copy)]
 pub(crate) struct Place {
     start: usize,
@@ -138,14 +137,14 @@ pub(crate) struct Place {
 }
 
 impl Place {
-    /// That of one `T`.
+    /// The range of one `T`.
     pub(crate) fn of<T>(pointer: *const T) -> Self {
-        // NULL is found when it is read.
+        // NULL is rejected when the pointer is read.
         let bytes = if pointer.is_null() { 0 } else { size_of::<T>() };
         Self { start: pointer.addr(), bytes }
     }
 
-    /// That of `count` numbers.
+    /// The range of `count` numbers.
     pub(crate) fn many<T>(pointer: *const T, count: usize) -> Result<Self, Status> {
         let bytes = bytes::<T>(count).ok_or(Status::Count)?;
         Ok(Self { bytes: if pointer.is_null() { 0 } else { bytes }, ..Self::of(pointer) })
@@ -157,10 +156,10 @@ impl Place {
     }
 }
 
-/// Whether places that are written to overlap neither each other nor any that is read.
+/// Checks that the places that are written to overlap neither each other nor those that are read.
 ///
-/// To be asked before anything is written: what is written to is filled with zeros first.
-pub(crate) fn apart(written: &[Place], read: &[Place]) -> Result<(), Status> {
+/// Must come before [`exclusive`] and [`slice_to_write`], which fill memory with zeros.
+pub(crate) fn disjoint(written: &[Place], read: &[Place]) -> Result<(), Status> {
     let mut rest = written;
     while let [one, others @ ..] = rest {
         if others.iter().chain(read).any(|other| one.overlaps(*other)) {

@@ -1,10 +1,10 @@
 //! In float: `f32`, for machines with a float unit.
-#![expect(unsafe_code, reason = "exported symbols and C's pointers")]
+#![expect(unsafe_code, reason = "exported symbols and pointers from C")]
 
 use crate::boundary::{
-    Place, Plain, apart, exclusive, shared, slice, slice_to_change, slice_to_write,
+    Place, Plain, disjoint, exclusive, shared, slice, slice_to_change, slice_to_write,
 };
-use crate::folded;
+use crate::relight_only;
 use crate::sizes::{
     EIGENSHADE_COMPONENTS, EIGENSHADE_DEGREE, EIGENSHADE_ORDER, EIGENSHADE_SCENE_F32,
     EIGENSHADE_TRANSFER_F32, EIGENSHADE_WORKSPACE_F32,
@@ -47,7 +47,7 @@ pub struct MaterialF32 {
     pub coefficients: *const f32,
 }
 
-/// Room to work in; holds nothing between two calls.
+/// Scratch memory; holds nothing between two calls.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct WorkspaceF32 {
@@ -55,7 +55,7 @@ pub struct WorkspaceF32 {
     pub numbers: [f32; EIGENSHADE_WORKSPACE_F32],
 }
 
-/// A material folded in, as `eigenshade_fold_f32` writes it. May be kept in flash.
+/// The transfer of a material, as `eigenshade_transfer_f32` writes it. May be kept in flash.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct TransferF32 {
@@ -79,13 +79,13 @@ pub struct SceneF32 {
     pub terms: [f32; EIGENSHADE_SCENE_F32],
 }
 
-// SAFETY: of floats alone.
+// SAFETY: consists only of floats.
 unsafe impl Plain for WorkspaceF32 {}
-// SAFETY: of floats alone.
+// SAFETY: consists only of floats.
 unsafe impl Plain for TransferF32 {}
-// SAFETY: of floats alone.
+// SAFETY: consists only of floats.
 unsafe impl Plain for CoefficientsF32 {}
-// SAFETY: of floats alone.
+// SAFETY: consists only of floats.
 unsafe impl Plain for SceneF32 {}
 
 impl LightF32 {
@@ -132,17 +132,17 @@ impl MaterialF32 {
     }
 }
 
-/// Folds a material in, for lights to follow.
+/// Computes the transfer of a material, for any number of lights.
 ///
 /// Cost: a multiplication for each of the table's factors. On an error `transfer` is as it
 /// was.
 ///
 /// # Safety
 ///
-/// Pointers that are neither NULL nor unaligned point to what their types say, and
+/// Every pointer that is neither NULL nor unaligned points to a value of its type, and
 /// `workspace` and `transfer` to nothing else's memory.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn eigenshade_fold_f32(
+pub unsafe extern "C" fn eigenshade_transfer_f32(
     material: *const MaterialF32,
     workspace: *mut WorkspaceF32,
     transfer: *mut TransferF32,
@@ -152,7 +152,7 @@ pub unsafe extern "C" fn eigenshade_fold_f32(
         let from = unsafe { shared(material) }?;
         // SAFETY: as this function asks of its caller.
         let material = unsafe { from.view() }?;
-        apart(&[Place::of(workspace), Place::of(transfer)], &from.places()?)?;
+        disjoint(&[Place::of(workspace), Place::of(transfer)], &from.places()?)?;
         // SAFETY: as this function asks of its caller; nothing overlaps.
         let (workspace, transfer) = unsafe { (exclusive(workspace)?, exclusive(transfer)?) };
         let (workspace, transfer) = (&mut workspace.numbers, &mut transfer.numbers);
@@ -160,14 +160,14 @@ pub unsafe extern "C" fn eigenshade_fold_f32(
     })
 }
 
-/// d of a new light on a folded material.
+/// Computes d of a new light on a material from its transfer.
 ///
 /// Cost: a multiplication for each number of the transfer. On an error `coefficients` is
 /// as it was.
 ///
 /// # Safety
 ///
-/// Pointers that are neither NULL nor unaligned point to what their types say, and
+/// Every pointer that is neither NULL nor unaligned points to a value of its type, and
 /// `coefficients` to nothing else's memory.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn eigenshade_relight_f32(
@@ -181,21 +181,21 @@ pub unsafe extern "C" fn eigenshade_relight_f32(
         // SAFETY: as this function asks of its caller.
         let light = unsafe { from.view() }?;
         let [of_light, of_coefficients] = from.places()?;
-        apart(&[Place::of(coefficients)], &[Place::of(transfer), of_light, of_coefficients])?;
+        disjoint(&[Place::of(coefficients)], &[Place::of(transfer), of_light, of_coefficients])?;
         // SAFETY: as this function asks of its caller; it overlaps no other.
         let coefficients = unsafe { exclusive(coefficients) }?;
         let (transfer, coefficients) = (&transfer.numbers, &mut coefficients.numbers);
-        Ok(folded::BASIS_F32.relight_into(transfer, &light, coefficients)?)
+        Ok(relight_only::BASIS_F32.relight_into(transfer, &light, coefficients)?)
     })
 }
 
-/// d of a light on a material, without a transfer: what to take if both are new each time.
+/// Computes d of a light on a material without a transfer, for when both change each time.
 ///
-/// Cost: as `eigenshade_fold_f32`. On an error `coefficients` is as it was.
+/// Cost: as `eigenshade_transfer_f32`. On an error `coefficients` is as it was.
 ///
 /// # Safety
 ///
-/// Pointers that are neither NULL nor unaligned point to what their types say, and
+/// Every pointer that is neither NULL nor unaligned points to a value of its type, and
 /// `workspace` and `coefficients` to nothing else's memory.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn eigenshade_project_f32(
@@ -210,7 +210,7 @@ pub unsafe extern "C" fn eigenshade_project_f32(
         // SAFETY: as this function asks of its caller.
         let (light, material) = unsafe { (of_light.view()?, of_material.view()?) };
         let read = [of_light.places()?, of_material.places()?];
-        apart(&[Place::of(workspace), Place::of(coefficients)], read.as_flattened())?;
+        disjoint(&[Place::of(workspace), Place::of(coefficients)], read.as_flattened())?;
         // SAFETY: as this function asks of its caller; nothing overlaps.
         let (workspace, coefficients) =
             unsafe { (exclusive(workspace)?, exclusive(coefficients)?) };
@@ -219,14 +219,14 @@ pub unsafe extern "C" fn eigenshade_project_f32(
     })
 }
 
-/// Sums the components of each azimuth: what a pixel is shaded from.
+/// Sums the components of each azimuth to a scene, from which pixels are shaded.
 ///
-/// Of d the first `components` count, at most EIGENSHADE_COMPONENTS; the others are taken
+/// Of d only the first `components` are used, at most EIGENSHADE_COMPONENTS; the others count
 /// as zero. On an error `scene` is as it was.
 ///
 /// # Safety
 ///
-/// Pointers that are neither NULL nor unaligned point to what their types say, and
+/// Every pointer that is neither NULL nor unaligned points to a value of its type, and
 /// `scene` to nothing else's memory.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn eigenshade_collapse_f32(
@@ -235,13 +235,13 @@ pub unsafe extern "C" fn eigenshade_collapse_f32(
     scene: *mut SceneF32,
 ) -> Status {
     Status::of(|| {
-        apart(&[Place::of(scene)], &[Place::of(coefficients)])?;
+        disjoint(&[Place::of(scene)], &[Place::of(coefficients)])?;
         // SAFETY: as this function asks of its caller.
         let coefficients = unsafe { shared(coefficients) }?;
         let first = coefficients.numbers.get(..components).ok_or(Status::Components)?;
         // SAFETY: as this function asks of its caller.
         let scene = unsafe { exclusive(scene) }?;
-        folded::BASIS_F32.collapse_into(first, &mut scene.terms[..])?;
+        relight_only::BASIS_F32.collapse_into(first, &mut scene.terms[..])?;
         Ok(())
     })
 }
@@ -255,7 +255,7 @@ pub unsafe extern "C" fn eigenshade_collapse_f32(
 ///
 /// # Safety
 ///
-/// Pointers that are neither NULL nor unaligned point to what their types say, and
+/// Every pointer that is neither NULL nor unaligned points to a value of its type, and
 /// `irradiance` to nothing else's memory.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn eigenshade_shade_f32(
@@ -266,10 +266,11 @@ pub unsafe extern "C" fn eigenshade_shade_f32(
     irradiance: *mut f32,
 ) -> Status {
     Status::of(|| {
-        apart(&[Place::of(irradiance)], &[Place::of(scene)])?;
+        disjoint(&[Place::of(irradiance)], &[Place::of(scene)])?;
         // SAFETY: as this function asks of its caller.
         let scene = unsafe { shared(scene) }?;
-        let (normal, scene) = (Normal::new(x, y, z)?, folded::BASIS_F32.scene(&scene.terms[..])?);
+        let (normal, scene) =
+            (Normal::new(x, y, z)?, relight_only::BASIS_F32.scene(&scene.terms[..])?);
         // SAFETY: as this function asks of its caller.
         *unsafe { exclusive(irradiance) }? = scene.shade(normal);
         Ok(())
@@ -283,7 +284,7 @@ pub unsafe extern "C" fn eigenshade_shade_f32(
 ///
 /// # Safety
 ///
-/// Pointers that are neither NULL nor unaligned point to what their types say.
+/// Every pointer that is neither NULL nor unaligned points to a value of its type.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn eigenshade_check_light_f32(light: *const LightF32) -> Status {
     Status::of(|| {
@@ -299,7 +300,7 @@ pub unsafe extern "C" fn eigenshade_check_light_f32(light: *const LightF32) -> S
 ///
 /// # Safety
 ///
-/// Pointers that are neither NULL nor unaligned point to what their types say.
+/// Every pointer that is neither NULL nor unaligned points to a value of its type.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn eigenshade_check_material_f32(material: *const MaterialF32) -> Status {
     Status::of(|| {
@@ -320,7 +321,7 @@ pub unsafe extern "C" fn eigenshade_check_material_f32(material: *const Material
 ///
 /// # Safety
 ///
-/// Pointers that are neither NULL nor unaligned point to what their types say, the first three
+/// Every pointer that is neither NULL nor unaligned points to a value of its type, the first three
 /// to `count` numbers each.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn eigenshade_normalize_f32(
@@ -332,7 +333,7 @@ pub unsafe extern "C" fn eigenshade_normalize_f32(
 ) -> Status {
     Status::of(|| {
         let [x_place, y_place, z_place] = [x, y, z].map(|axis| Place::many(axis, count));
-        apart(&[x_place?, y_place?, z_place?, Place::of(normalized)], &[])?;
+        disjoint(&[x_place?, y_place?, z_place?, Place::of(normalized)], &[])?;
         // SAFETY: as this function asks of its caller; nothing overlaps.
         let (x, y, z, normalized) = unsafe {
             (
@@ -358,7 +359,7 @@ pub unsafe extern "C" fn eigenshade_normalize_f32(
 ///
 /// # Safety
 ///
-/// Pointers that are neither NULL nor unaligned point to what their types say, the last
+/// Every pointer that is neither NULL nor unaligned points to a value of its type, the last
 /// four to `count` numbers each.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn eigenshade_shade_many_f32(
@@ -372,14 +373,14 @@ pub unsafe extern "C" fn eigenshade_shade_many_f32(
     Status::of(|| {
         let [x_place, y_place, z_place] = [x, y, z].map(|axis| Place::many(axis, count));
         let read = [x_place?, y_place?, z_place?, Place::of(scene)];
-        apart(&[Place::many(irradiance, count)?], &read)?;
+        disjoint(&[Place::many(irradiance, count)?], &read)?;
         // SAFETY: as this function asks of its caller.
         let scene = unsafe { shared(scene) }?;
         // SAFETY: as this function asks of its caller.
         let (x, y, z) = unsafe { (slice(x, count)?, slice(y, count)?, slice(z, count)?) };
         // SAFETY: as this function asks of its caller; it overlaps no other.
         let irradiance = unsafe { slice_to_write(irradiance, count) }?;
-        let scene = folded::BASIS_F32.scene(&scene.terms[..])?;
+        let scene = relight_only::BASIS_F32.scene(&scene.terms[..])?;
         Ok(scene.shade_slice(Normals::new(x, y, z)?, irradiance)?)
     })
 }

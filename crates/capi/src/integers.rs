@@ -1,25 +1,24 @@
-//! What Q15 and Q31 have in common, and the checks of what C hands over.
+//! The common part of Q15 and Q31, and the checks of arguments from C.
 #![expect(unsafe_code, reason = "arrays come from C")]
 
-use crate::boundary::{Place, Plain, apart, slice, slice_to_write};
+use crate::boundary::{Place, Plain, disjoint, slice, slice_to_write};
 use crate::float::{LightF32, MaterialF32};
-use crate::folded;
+use crate::relight_only;
 use crate::sizes::{EIGENSHADE_DEGREE, EIGENSHADE_ORDER};
 use crate::status::Status;
 use eigenshade::index::{light, material};
 use eigenshade::quantised::{Basis, Light, Material, Normal, Scene, Transfer};
 use eigenshade::{Error, Fixed, Q15, Q31, sphere};
 
-/// The largest exponent of d: what light and material can bring about is less than half of
-/// it.
+/// The largest exponent of d. Lights and materials reach less than half of it.
 const EXPONENT: u32 = 2_048;
 
 /// An integer format and its shipped basis.
 pub(crate) trait Shipped: Fixed + Plain {
-    /// What folds a material in.
+    /// The complete basis, which computes transfers.
     fn basis() -> &'static Basis<'static, Self>;
-    /// What needs no factors.
-    fn folded() -> &'static Basis<'static, Self>;
+    /// The basis without factors.
+    fn relight_only() -> &'static Basis<'static, Self>;
     fn normal(x: Self, y: Self, z: Self) -> Result<Normal<Self>, Error>;
     /// The irradiance, with every size a constant.
     fn irradiance(scene: &Scene<'_, Self, &[i32]>, normal: Normal<Self>) -> i32;
@@ -29,14 +28,14 @@ impl Shipped for Q15 {
     fn basis() -> &'static Basis<'static, Self> {
         &sphere::q15::BASIS
     }
-    fn folded() -> &'static Basis<'static, Self> {
-        &folded::BASIS_Q15
+    fn relight_only() -> &'static Basis<'static, Self> {
+        &relight_only::BASIS_Q15
     }
     #[inline]
     fn normal(x: Self, y: Self, z: Self) -> Result<Normal<Self>, Error> {
         Normal::<Self>::new(x, y, z)
     }
-    // Once for one normal and for many.
+    // Shared by `shade` and `shade_many`.
     #[inline(never)]
     fn irradiance(scene: &Scene<'_, Self, &[i32]>, normal: Normal<Self>) -> i32 {
         sphere::q15::shade(scene, normal)
@@ -47,21 +46,21 @@ impl Shipped for Q31 {
     fn basis() -> &'static Basis<'static, Self> {
         &sphere::q31::BASIS
     }
-    fn folded() -> &'static Basis<'static, Self> {
-        &folded::BASIS_Q31
+    fn relight_only() -> &'static Basis<'static, Self> {
+        &relight_only::BASIS_Q31
     }
     #[inline]
     fn normal(x: Self, y: Self, z: Self) -> Result<Normal<Self>, Error> {
         Normal::<Self>::new(x, y, z)
     }
-    // Once for one normal and for many.
+    // Shared by `shade` and `shade_many`.
     #[inline(never)]
     fn irradiance(scene: &Scene<'_, Self, &[i32]>, normal: Normal<Self>) -> i32 {
         sphere::q31::shade(scene, normal)
     }
 }
 
-/// A light whose degree, length and exponent are in order.
+/// A light with checked degree, length and exponent.
 ///
 /// # Safety
 ///
@@ -83,7 +82,7 @@ pub(crate) unsafe fn light_of<'a, Q: Shipped>(
     Ok(Light::new(degree, exponent, mantissas)?)
 }
 
-/// A material whose order and lengths are in order.
+/// A material with checked order and lengths.
 ///
 /// # Safety
 ///
@@ -105,13 +104,13 @@ pub(crate) unsafe fn material_of<'a, Q: Shipped>(
     Ok(Material::new(order, exponents, mantissas)?)
 }
 
-/// Writes a light's mantissas, and gives their exponent; `to` is where the light is written
-/// after them.
+/// Writes the mantissas of a light and returns their exponent. `to` is the place of the light itself,
+/// which is written later.
 ///
 /// # Safety
 ///
 /// As [`slice`] asks, of the light's array, and [`slice_to_write`] of the mantissas.
-pub(crate) unsafe fn quantise_light<Q: Shipped>(
+pub(crate) unsafe fn quantize_light<Q: Shipped>(
     from: &LightF32,
     (mantissas, length): (*mut Q, usize),
     to: Place,
@@ -121,19 +120,19 @@ pub(crate) unsafe fn quantise_light<Q: Shipped>(
     }
     // SAFETY: this function's caller promises as much.
     let light = unsafe { from.view() }?;
-    apart(&[to, Place::many(mantissas, length)?], &from.places()?)?;
+    disjoint(&[to, Place::many(mantissas, length)?], &from.places()?)?;
     // SAFETY: this function's caller promises as much; it overlaps no other.
     let mantissas = unsafe { slice_to_write(mantissas, length) }?;
     Ok(Light::quantise(light.degree(), light.coefficients(), mantissas)?.exponent())
 }
 
-/// Writes a material's mantissas and exponents; `to` is where the material is written after
-/// them.
+/// Writes the mantissas and exponents of a material. `to` is the place of the material itself, which
+/// is written later.
 ///
 /// # Safety
 ///
 /// As [`slice`] asks, of the material's array, and [`slice_to_write`] of the others.
-pub(crate) unsafe fn quantise_material<Q: Shipped>(
+pub(crate) unsafe fn quantize_material<Q: Shipped>(
     from: &MaterialF32,
     (mantissas, length): (*mut Q, usize),
     (exponents, of_exponents): (*mut i8, usize),
@@ -145,7 +144,7 @@ pub(crate) unsafe fn quantise_material<Q: Shipped>(
     // SAFETY: this function's caller promises as much.
     let material = unsafe { from.view() }?;
     let written = [to, Place::many(mantissas, length)?, Place::many(exponents, of_exponents)?];
-    apart(&written, &from.places()?)?;
+    disjoint(&written, &from.places()?)?;
     // SAFETY: this function's caller promises as much, and they do not overlap.
     let (mantissas, exponents) =
         unsafe { (slice_to_write(mantissas, length)?, slice_to_write(exponents, of_exponents)?) };
@@ -162,7 +161,7 @@ pub(crate) unsafe fn normalize<Q: Shipped>(
     vector: *const i32,
     normal: *mut Q,
 ) -> Result<(), Status> {
-    apart(&[Place::many(normal, 3)?], &[Place::many(vector, 3)?])?;
+    disjoint(&[Place::many(normal, 3)?], &[Place::many(vector, 3)?])?;
     // SAFETY: this function's caller promises as much.
     let vector = unsafe { slice(vector, 3) }?;
     let &[x, y, z] = vector else { return Err(Status::Internal) };
@@ -173,8 +172,8 @@ pub(crate) unsafe fn normalize<Q: Shipped>(
     Ok(())
 }
 
-/// Folds a material in.
-pub(crate) fn fold<Q: Shipped>(
+/// Computes the transfer of a material.
+pub(crate) fn transfer<Q: Shipped>(
     material: &Material<'_, Q>,
     workspace: &mut [Q::Wide],
     numbers: &mut [Q],
@@ -183,17 +182,17 @@ pub(crate) fn fold<Q: Shipped>(
     Ok(Q::basis().fold_into(material, workspace, numbers, exponents)?)
 }
 
-/// d and its exponent.
+/// Computes d and returns its exponent.
 pub(crate) fn relight<Q: Shipped>(
     numbers: &[Q],
     exponents: &[i16],
     light: &Light<'_, Q>,
     mantissas: &mut [i32],
 ) -> Result<i32, Status> {
-    Ok(Q::folded().relight_into(&Transfer::new(numbers, exponents), light, mantissas)?)
+    Ok(Q::relight_only().relight_into(&Transfer::new(numbers, exponents), light, mantissas)?)
 }
 
-/// The first components of d, if there are so many and their exponent is in range.
+/// The first `components` of d, if d has that many and the exponent is in range.
 pub(crate) fn first(mantissas: &[i32], exponent: i32, components: usize) -> Result<&[i32], Status> {
     if exponent.unsigned_abs() > EXPONENT {
         return Err(Status::Exponent);
@@ -201,22 +200,22 @@ pub(crate) fn first(mantissas: &[i32], exponent: i32, components: usize) -> Resu
     mantissas.get(..components).ok_or(Status::Components)
 }
 
-/// A scene's terms, and its exponent.
+/// Computes the terms of a scene and returns its exponent.
 pub(crate) fn collapse<Q: Shipped>(
     mantissas: &[i32],
     exponent: i32,
     terms: &mut [i32],
 ) -> Result<i32, Status> {
-    Ok(Q::folded().collapse_into(mantissas, exponent, terms)?.exponent())
+    Ok(Q::relight_only().collapse_into(mantissas, exponent, terms)?.exponent())
 }
 
 /// The irradiance of one normal.
 pub(crate) fn shade<Q: Shipped>(terms: &[i32], [x, y, z]: [Q; 3]) -> Result<i32, Status> {
     let normal = Q::normal(x, y, z)?;
-    Ok(Q::irradiance(&Q::folded().scene(0, terms)?, normal))
+    Ok(Q::irradiance(&Q::relight_only().scene(0, terms)?, normal))
 }
 
-/// The irradiance of many.
+/// The irradiances of many normals.
 ///
 /// # Safety
 ///
@@ -230,12 +229,12 @@ pub(crate) unsafe fn shade_many<Q: Shipped>(
 ) -> Result<(), Status> {
     let [x_place, y_place, z_place] = [x, y, z].map(|axis| Place::many(axis, count));
     let read = [x_place?, y_place?, z_place?];
-    apart(&[Place::many(irradiance, count)?], &read)?;
+    disjoint(&[Place::many(irradiance, count)?], &read)?;
     // SAFETY: this function's caller promises as much, and they do not overlap.
     let (x, y, z, irradiance) = unsafe {
         (slice(x, count)?, slice(y, count)?, slice(z, count)?, slice_to_write(irradiance, count)?)
     };
-    let scene = Q::folded().scene(0, terms)?;
+    let scene = Q::relight_only().scene(0, terms)?;
     for (((irradiance, &x), &y), &z) in irradiance.iter_mut().zip(x).zip(y).zip(z) {
         *irradiance = Q::irradiance(&scene, Q::normal(x, y, z)?);
     }

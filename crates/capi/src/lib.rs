@@ -1,20 +1,19 @@
 //! The shipped table of [`eigenshade`] for firmware written in C: the header
 //! `include/eigenshade.h` and a static library.
 //!
-//! In the order of the mathematics: a material is folded in, a light relights it, the
-//! coefficients are collapsed to a scene, the scene gives the irradiance of normals. In
-//! `f32` ([`float`]) and in integers ([`q15`], [`q31`]); a program links what it calls.
+//! The steps are: compute the transfer of a material, relight it with a light, collapse the
+//! coefficients to a scene, and shade normals with the scene. They exist in `f32` ([`float`]) and in
+//! integers ([`q15`], [`q31`]); a program links only what it calls.
 //!
-//! The caller owns every array. No function allocates, keeps a pointer, or has a state:
-//! all of them may be called from interrupts and threads at once, on arguments of their
-//! own. Pointers may not be NULL and have the alignment of what they point to, which is
-//! checked; an argument that is written to may not overlap another, which is checked of
-//! irradiances and normals, and of mantissas and coefficients.
+//! The caller owns every array. No function allocates, keeps a pointer, or has state, so all may be
+//! called from interrupts and threads at once on separate arguments. Pointers must not be NULL and must
+//! be aligned, which is checked. Arguments that are written to must not overlap others, which is
+//! checked too.
 //!
 //! On bare metal the static library has a panic handler: see `panic.rs`.
 #![no_std]
 
-// Panics of hosts' programs are std's.
+// On a host, std handles panics.
 #[cfg(not(target_os = "none"))]
 extern crate std;
 
@@ -26,7 +25,7 @@ mod version;
 
 mod boundary;
 
-mod folded;
+mod relight_only;
 
 pub mod float;
 

@@ -1,8 +1,7 @@
-//! No release build can panic: where a program's linker finds that it could, it finds this
-//! call of a function that does not exist. It has to be told to drop what is not called
-//! (`-Wl,--gc-sections`).
+//! The panic handler of bare metal. In release builds it calls an undefined symbol, so a reachable panic
+//! fails to link, provided that the linker drops unused functions (`-Wl,--gc-sections`).
 //!
-//! Builds with debug assertions check their arithmetic, and halt.
+//! In builds with debug assertions, which check their arithmetic, it halts.
 
 #[panic_handler]
 #[cfg(debug_assertions)]
@@ -15,7 +14,7 @@ fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
 #[panic_handler]
 #[cfg(not(debug_assertions))]
 fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
-    #[expect(unsafe_code, reason = "to name what no one defines")]
+    #[expect(unsafe_code, reason = "the symbol is undefined on purpose")]
     unsafe extern "C" {
         fn eigenshade_a_panic_can_be_reached() -> !;
     }

@@ -1,8 +1,8 @@
 //! In integers: mantissas of 31 bits, for machines without a float unit and with time for
 //! products of 64 bits.
-#![expect(unsafe_code, reason = "exported symbols and C's pointers")]
+#![expect(unsafe_code, reason = "exported symbols and pointers from C")]
 
-use crate::boundary::{Place, Plain, apart, exclusive, shared};
+use crate::boundary::{Place, Plain, disjoint, exclusive, shared};
 use crate::float::{LightF32, MaterialF32};
 use crate::integers;
 use crate::sizes::{
@@ -13,7 +13,7 @@ use crate::status::Status;
 use eigenshade::Q31;
 use eigenshade::quantised::{Light, Material};
 
-/// One channel of distant light: as `eigenshade_light_f32`, in mantissas times 2^exponent.
+/// One channel of distant light: as `eigenshade_light_f32_t`, in mantissas times 2^exponent.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct LightQ31 {
@@ -27,7 +27,7 @@ pub struct LightQ31 {
     pub exponent: i32,
 }
 
-/// One channel of an isotropic material: as `eigenshade_material_f32`, in mantissas times
+/// One channel of an isotropic material: as `eigenshade_material_f32_t`, in mantissas times
 /// 2^exponent, an exponent for each o.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
@@ -44,7 +44,7 @@ pub struct MaterialQ31 {
     pub exponents: *const i8,
 }
 
-/// Room to work in; holds nothing between two calls.
+/// Scratch memory; holds nothing between two calls.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct WorkspaceQ31 {
@@ -52,7 +52,7 @@ pub struct WorkspaceQ31 {
     pub numbers: [i64; EIGENSHADE_WORKSPACE],
 }
 
-/// A material folded in, as `eigenshade_fold_q31` writes it. May be kept in flash.
+/// The transfer of a material, as `eigenshade_transfer_q31` writes it. May be kept in flash.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct TransferQ31 {
@@ -86,13 +86,13 @@ pub struct SceneQ31 {
 unsafe impl Plain for LightQ31 {}
 // SAFETY: as above, of two pointers.
 unsafe impl Plain for MaterialQ31 {}
-// SAFETY: of integers alone.
+// SAFETY: consists only of integers.
 unsafe impl Plain for WorkspaceQ31 {}
-// SAFETY: of integers alone.
+// SAFETY: consists only of integers.
 unsafe impl Plain for TransferQ31 {}
-// SAFETY: of integers alone.
+// SAFETY: consists only of integers.
 unsafe impl Plain for CoefficientsQ31 {}
-// SAFETY: of integers alone.
+// SAFETY: consists only of integers.
 unsafe impl Plain for SceneQ31 {}
 
 impl LightQ31 {
@@ -136,10 +136,10 @@ impl MaterialQ31 {
 ///
 /// # Safety
 ///
-/// Pointers that are neither NULL nor unaligned point to what their types say, `mantissas`
+/// Every pointer that is neither NULL nor unaligned points to a value of its type, `mantissas`
 /// to room for `length` numbers, and it and `to` to nothing else's memory.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn eigenshade_quantise_light_q31(
+pub unsafe extern "C" fn eigenshade_quantize_light_q31(
     from: *const LightF32,
     mantissas: *mut Q31,
     length: usize,
@@ -150,7 +150,7 @@ pub unsafe extern "C" fn eigenshade_quantise_light_q31(
         let from = unsafe { shared(from) }?;
         // SAFETY: as this function asks of its caller.
         let exponent =
-            unsafe { integers::quantise_light(from, (mantissas, length), Place::of(to)) }?;
+            unsafe { integers::quantize_light(from, (mantissas, length), Place::of(to)) }?;
         // SAFETY: as this function asks of its caller.
         let to = unsafe { exclusive(to) }?;
         *to = LightQ31 { degree: from.degree, length, mantissas, exponent };
@@ -167,10 +167,10 @@ pub unsafe extern "C" fn eigenshade_quantise_light_q31(
 ///
 /// # Safety
 ///
-/// Pointers that are neither NULL nor unaligned point to what their types say, `mantissas`
+/// Every pointer that is neither NULL nor unaligned points to a value of its type, `mantissas`
 /// and `exponents` to room for as many numbers, and they and `to` to nothing else's memory.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn eigenshade_quantise_material_q31(
+pub unsafe extern "C" fn eigenshade_quantize_material_q31(
     from: *const MaterialF32,
     mantissas: *mut Q31,
     length: usize,
@@ -183,7 +183,7 @@ pub unsafe extern "C" fn eigenshade_quantise_material_q31(
         let from = unsafe { shared(from) }?;
         let (numbers, powers) = ((mantissas, length), (exponents, exponents_length));
         // SAFETY: as this function asks of its caller.
-        unsafe { integers::quantise_material(from, numbers, powers, Place::of(to)) }?;
+        unsafe { integers::quantize_material(from, numbers, powers, Place::of(to)) }?;
         // SAFETY: as this function asks of its caller.
         let to = unsafe { exclusive(to) }?;
         let order = from.order;
@@ -192,17 +192,17 @@ pub unsafe extern "C" fn eigenshade_quantise_material_q31(
     })
 }
 
-/// Folds a material in, for lights to follow.
+/// Computes the transfer of a material, for any number of lights.
 ///
 /// Cost: a multiplication for each of the table's factors. On an error `transfer` is as it
 /// was.
 ///
 /// # Safety
 ///
-/// Pointers that are neither NULL nor unaligned point to what their types say, and
+/// Every pointer that is neither NULL nor unaligned points to a value of its type, and
 /// `workspace` and `transfer` to nothing else's memory.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn eigenshade_fold_q31(
+pub unsafe extern "C" fn eigenshade_transfer_q31(
     material: *const MaterialQ31,
     workspace: *mut WorkspaceQ31,
     transfer: *mut TransferQ31,
@@ -212,24 +212,24 @@ pub unsafe extern "C" fn eigenshade_fold_q31(
         let from = unsafe { shared(material) }?;
         // SAFETY: as this function asks of its caller.
         let material = unsafe { from.view() }?;
-        apart(&[Place::of(workspace), Place::of(transfer)], &from.places()?)?;
+        disjoint(&[Place::of(workspace), Place::of(transfer)], &from.places()?)?;
         // SAFETY: as this function asks of its caller; nothing overlaps.
         let (workspace, transfer) = unsafe { (exclusive(workspace)?, exclusive(transfer)?) };
         let TransferQ31 { numbers, exponents } = transfer;
-        integers::fold(&material, &mut workspace.numbers, numbers, exponents)
+        integers::transfer(&material, &mut workspace.numbers, numbers, exponents)
     })
 }
 
-/// d of a new light on a folded material.
+/// Computes d of a new light on a material from its transfer.
 ///
-/// A transfer that `eigenshade_fold_q31` did not write is refused if its rows could overflow
+/// A transfer that `eigenshade_transfer_q31` did not write is refused if its rows could overflow
 /// their sums, and gives meaningless numbers otherwise. Cost: two multiplications for each
 /// number of the transfer. On an error `coefficients` is as it was, but that the transfer
 /// is refused: then it is zero.
 ///
 /// # Safety
 ///
-/// Pointers that are neither NULL nor unaligned point to what their types say, and
+/// Every pointer that is neither NULL nor unaligned points to a value of its type, and
 /// `coefficients` to nothing else's memory.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn eigenshade_relight_q31(
@@ -243,7 +243,7 @@ pub unsafe extern "C" fn eigenshade_relight_q31(
         // SAFETY: as this function asks of its caller.
         let light = unsafe { from.view() }?;
         let [of_light, of_mantissas] = from.places()?;
-        apart(&[Place::of(coefficients)], &[Place::of(transfer), of_light, of_mantissas])?;
+        disjoint(&[Place::of(coefficients)], &[Place::of(transfer), of_light, of_mantissas])?;
         // SAFETY: as this function asks of its caller; it overlaps no other.
         let coefficients = unsafe { exclusive(coefficients) }?;
         let CoefficientsQ31 { mantissas, exponent } = coefficients;
@@ -252,14 +252,14 @@ pub unsafe extern "C" fn eigenshade_relight_q31(
     })
 }
 
-/// d of a light on a material: folds the material into `transfer`, and relights it.
+/// Computes d of a light on a material: first the `transfer`, then d.
 ///
-/// Cost: as `eigenshade_fold_q31` and `eigenshade_relight_q31`. On an error `coefficients`
+/// Cost: as `eigenshade_transfer_q31` and `eigenshade_relight_q31`. On an error `coefficients`
 /// is as it was; `transfer` may have changed.
 ///
 /// # Safety
 ///
-/// Pointers that are neither NULL nor unaligned point to what their types say, and
+/// Every pointer that is neither NULL nor unaligned points to a value of its type, and
 /// `workspace`, `transfer` and `coefficients` to nothing else's memory.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn eigenshade_project_q31(
@@ -275,28 +275,28 @@ pub unsafe extern "C" fn eigenshade_project_q31(
         // SAFETY: as this function asks of its caller.
         let (light, material) = unsafe { (of_light.view()?, of_material.view()?) };
         let written = [Place::of(workspace), Place::of(transfer), Place::of(coefficients)];
-        apart(&written, &of_light.places()?)?;
-        apart(&written, &of_material.places()?)?;
+        disjoint(&written, &of_light.places()?)?;
+        disjoint(&written, &of_material.places()?)?;
         // SAFETY: as this function asks of its caller.
         let (workspace, transfer, coefficients) =
             unsafe { (exclusive(workspace)?, exclusive(transfer)?, exclusive(coefficients)?) };
         let TransferQ31 { numbers, exponents } = transfer;
-        integers::fold(&material, &mut workspace.numbers, numbers, exponents)?;
+        integers::transfer(&material, &mut workspace.numbers, numbers, exponents)?;
         let CoefficientsQ31 { mantissas, exponent } = coefficients;
         *exponent = integers::relight(numbers, exponents, &light, mantissas)?;
         Ok(())
     })
 }
 
-/// Sums the components of each azimuth: what a pixel is shaded from.
+/// Sums the components of each azimuth to a scene, from which pixels are shaded.
 ///
-/// Of d the first `components` count, at most EIGENSHADE_COMPONENTS; the others are taken
+/// Of d only the first `components` are used, at most EIGENSHADE_COMPONENTS; the others count
 /// as zero. Of coefficients that `eigenshade_relight_q31` did not write the exponent has to be
 /// 2048 at most, either way. On an error `scene` is as it was.
 ///
 /// # Safety
 ///
-/// Pointers that are neither NULL nor unaligned point to what their types say, and
+/// Every pointer that is neither NULL nor unaligned points to a value of its type, and
 /// `scene` to nothing else's memory.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn eigenshade_collapse_q31(
@@ -307,7 +307,7 @@ pub unsafe extern "C" fn eigenshade_collapse_q31(
     Status::of(|| {
         // SAFETY: as this function asks of its caller.
         let CoefficientsQ31 { mantissas, exponent } = unsafe { shared(coefficients) }?;
-        apart(&[Place::of(scene)], &[Place::of(coefficients)])?;
+        disjoint(&[Place::of(scene)], &[Place::of(coefficients)])?;
         let first = integers::first(mantissas, *exponent, components)?;
         // SAFETY: as this function asks of its caller.
         let scene = unsafe { exclusive(scene) }?;
@@ -340,7 +340,7 @@ pub unsafe extern "C" fn eigenshade_normalize_q31(vector: *const i32, normal: *m
 ///
 /// # Safety
 ///
-/// Pointers that are neither NULL nor unaligned point to what their types say, and
+/// Every pointer that is neither NULL nor unaligned points to a value of its type, and
 /// `irradiance` to nothing else's memory.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn eigenshade_shade_q31(
@@ -353,7 +353,7 @@ pub unsafe extern "C" fn eigenshade_shade_q31(
     Status::of(|| {
         // SAFETY: as this function asks of its caller.
         let scene = unsafe { shared(scene) }?;
-        apart(&[Place::of(irradiance)], &[Place::of(scene)])?;
+        disjoint(&[Place::of(irradiance)], &[Place::of(scene)])?;
         let found = integers::shade(&scene.terms, [x, y, z])?;
         // SAFETY: as this function asks of its caller.
         *unsafe { exclusive(irradiance) }? = found;
@@ -368,7 +368,7 @@ pub unsafe extern "C" fn eigenshade_shade_q31(
 ///
 /// # Safety
 ///
-/// Pointers that are neither NULL nor unaligned point to what their types say, the last
+/// Every pointer that is neither NULL nor unaligned points to a value of its type, the last
 /// four to `count` numbers each.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn eigenshade_shade_many_q31(
@@ -382,7 +382,7 @@ pub unsafe extern "C" fn eigenshade_shade_many_q31(
     Status::of(|| {
         // SAFETY: as this function asks of its caller.
         let scene = unsafe { shared(scene) }?;
-        apart(&[Place::many(irradiance, count)?], &[Place::of(scene)])?;
+        disjoint(&[Place::many(irradiance, count)?], &[Place::of(scene)])?;
         // SAFETY: as this function asks of its caller.
         unsafe { integers::shade_many(&scene.terms, count, [x, y, z], irradiance) }
     })

@@ -1,4 +1,4 @@
-//! Sizes of the shipped table, as numbers that a header can have.
+//! Sizes of the shipped table as literals, for the header.
 
 use eigenshade::index::{light, material};
 use eigenshade::sphere;
@@ -15,9 +15,9 @@ pub const EIGENSHADE_MATERIAL: usize = 40;
 pub const EIGENSHADE_COMPONENTS: usize = 50;
 /// Profiles of a table in integers.
 pub const EIGENSHADE_PROFILES: usize = 28;
-/// Numbers of a folded material in float.
+/// Numbers in a transfer in float.
 pub const EIGENSHADE_TRANSFER_F32: usize = 568;
-/// Numbers of a folded material in integers.
+/// Numbers in a transfer in integers.
 pub const EIGENSHADE_TRANSFER: usize = 218;
 /// Numbers of a scene in float.
 pub const EIGENSHADE_SCENE_F32: usize = 166;
@@ -25,12 +25,12 @@ pub const EIGENSHADE_SCENE_F32: usize = 166;
 pub const EIGENSHADE_SCENE_Q15: usize = 126;
 /// Numbers of a scene in Q31.
 pub const EIGENSHADE_SCENE_Q31: usize = 160;
-/// Numbers that folding or projecting in float needs room for.
+/// Numbers in the workspace of transfers and projections in float.
 pub const EIGENSHADE_WORKSPACE_F32: usize = 460;
-/// Numbers that folding in integers needs room for.
+/// Numbers in the workspace of transfers in integers.
 pub const EIGENSHADE_WORKSPACE: usize = 230;
 
-/// Stated here, and what the table says.
+/// Each size as stated here and as in the table.
 const SIZES: [[usize; 2]; 17] = [
     [EIGENSHADE_DEGREE, sphere::DEGREE],
     [EIGENSHADE_DEGREE, sphere::q15::DEGREE],
@@ -51,12 +51,11 @@ const SIZES: [[usize; 2]; 17] = [
     [EIGENSHADE_WORKSPACE, sphere::q31::WORKSPACE],
 ];
 
-// A header cannot take them from the table: after a change of it the numbers above have
-// to follow.
+// cbindgen needs literals, so a change of the table has to be copied to the sizes above.
 const _: () = {
     let mut rest = SIZES.as_slice();
     while let [[stated, found], tail @ ..] = rest {
-        assert!(*stated == *found, "a size in crates/capi/src/sizes.rs is not the table's");
+        assert!(*stated == *found, "a size in crates/capi/src/sizes.rs differs from the table");
         rest = tail;
     }
 };

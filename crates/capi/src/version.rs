@@ -1,8 +1,8 @@
-//! Which eigenshade this is.
+//! The version of the library.
 
 use core::ffi::{CStr, c_char};
 
-const STATED: &CStr =
+const VERSION: &CStr =
     match CStr::from_bytes_with_nul(concat!(env!("CARGO_PKG_VERSION"), "\0").as_bytes()) {
         Ok(version) => version,
         Err(_) => panic!("a version has no zero in it"),
@@ -13,5 +13,5 @@ const STATED: &CStr =
 #[expect(unsafe_code, reason = "an exported symbol")]
 #[unsafe(no_mangle)]
 pub extern "C" fn eigenshade_version() -> *const c_char {
-    STATED.as_ptr()
+    VERSION.as_ptr()
 }

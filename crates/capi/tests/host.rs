@@ -1,8 +1,11 @@
-//! The C program of `example/` on the host: its checks, compiled by the host's C compiler
-//! with sanitizers, linked with the static library.
+//! The header is current, and the C program of `example/` passes its checks on the host, compiled with
+//! sanitizers and linked with the static library.
 #![cfg(unix)]
 
+#[path = "support/golden_header.rs"]
 mod golden_header;
+#[path = "support/header.rs"]
+mod header;
 
 use std::f64::consts::PI;
 use std::ffi::OsString;
@@ -10,24 +13,24 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{env, fs};
 
-/// The static library, its arithmetic checked. What Cargo builds for the tests themselves
-/// has no name of its own; so it is asked once more, and has it.
+/// Builds the static library with checked arithmetic. The one that Cargo builds for the tests has a
+/// hash in its name.
 fn library() -> PathBuf {
     run(Command::new(env!("CARGO")).args(["build", "--quiet", "-p", env!("CARGO_PKG_NAME")]));
     let target = Path::new(env!("CARGO_TARGET_TMPDIR")).parent().expect("the target directory");
     target.join("debug/libeigenshade_capi.a")
 }
 
-/// Runs a command that has to succeed, and gives what it says.
+/// Runs a command that must succeed, and returns its output.
 fn run(command: &mut Command) -> String {
     let output = command.output().unwrap_or_else(|error| panic!("{command:?}: {error}"));
-    let said = String::from_utf8_lossy(&output.stdout).into_owned();
-    let complained = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{command:?}\n{said}{complained}");
-    said
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    let errors = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{command:?}\n{text}{errors}");
+    text
 }
 
-/// The program of these sources.
+/// Compiles a program from these sources.
 fn compiled(name: &str, sources: &[&Path], flags: &[&str]) -> PathBuf {
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
     let to = &Path::new(env!("CARGO_TARGET_TMPDIR")).join("capi").join(name);
@@ -44,18 +47,26 @@ fn compiled(name: &str, sources: &[&Path], flags: &[&str]) -> PathBuf {
     program
 }
 
+/// The committed header is the one that cbindgen makes from the sources.
+#[test]
+fn the_header_is_current() {
+    let (path, made) = (header::path(), header::text());
+    let found = std::fs::read_to_string(&path).unwrap_or_default();
+    assert!(found == made, "{} is out of date; run `{}`", path.display(), header::COMMAND);
+}
+
 #[test]
 fn the_checks_hold_under_sanitizers() {
     let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("example");
-    let sources = ["host.c", "say.c", "checks.c", "faults.c"].map(|name| example.join(name));
+    let sources = ["host.c", "print.c", "checks.c", "faults.c"].map(|name| example.join(name));
     let sources: Vec<&Path> = sources.iter().map(PathBuf::as_path).collect();
     let sanitizers = "-fsanitize=address,undefined";
     let program = compiled("checks", &sources, &[sanitizers, "-fno-sanitize-recover=all"]);
     assert_eq!(run(&mut Command::new(program)), "0 faults\n");
 }
 
-/// The README's example is a program, and right: 3.5 Y_0^0 at the rim, 2/3 of Y_1^0 more
-/// where the normal faces the camera. Fifty components give two digits.
+/// The example in the README compiles and prints the right numbers: 3.5 Y_0^0 at the rim, and 2/3 of
+/// Y_1^0 more where the normal faces the camera. Fifty components give two digits.
 #[test]
 fn the_readme_is_right() {
     let readme = include_str!("../README.md");
@@ -66,20 +77,20 @@ fn the_readme_is_right() {
     let program = compiled("readme", &[&source], &["-fsanitize=address,undefined"]);
     let rim = 3.5 * (1.0 / (4.0 * PI)).sqrt();
     let facing = rim + 2.0 / 3.0 * (3.0 / (4.0 * PI)).sqrt();
-    let said = format!("{facing:.2} facing, {rim:.2} at the rim\n");
-    assert_eq!(run(&mut Command::new(program)), said);
+    let text = format!("{facing:.2} facing, {rim:.2} at the rim\n");
+    assert_eq!(run(&mut Command::new(program)), text);
 }
 
-/// The two faces of integers are one text: what reads them for the header expands no macros,
-/// so they stand twice, and may differ where their formats do and nowhere else.
+/// The two integer bindings differ only in their format. They are two files because cbindgen expands no
+/// macros.
 #[test]
-fn the_faces_of_integers_are_one_text() {
+fn the_integer_bindings_are_the_same_text() {
     let short = include_str!("../src/q15.rs");
     let renamed = short.replace("Q15", "Q31").replace("q15", "q31").replace("i16", "i32");
-    let apart = |line: &&str| {
+    let relevant = |line: &&str| {
         !line.starts_with("//") && !line.contains("numbers: [i") && !line.contains("exponents: [i")
     };
     let lines =
-        |text: &str| -> Vec<String> { text.lines().filter(apart).map(Into::into).collect() };
+        |text: &str| -> Vec<String> { text.lines().filter(relevant).map(Into::into).collect() };
     assert_eq!(lines(&renamed), lines(include_str!("../src/q31.rs")));
 }

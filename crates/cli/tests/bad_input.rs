@@ -183,7 +183,7 @@ fn bad_scenes() {
     let good = folder.read("scene.toml");
     for (bad, word) in [
         (good.replace("criterion", "criteria"), "criteria"),
-        (format!("{good}colour = 7\n"), "colour"),
+        (format!("{good}color = 7\n"), "color"),
         (good.replace("degree = 4", "degree = -4"), "scene.toml:4:"),
         (good.replace("[light]", "[light"), "scene.toml:3:"),
         (good.replace("10000", "0"), "components"),

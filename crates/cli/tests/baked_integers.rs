@@ -2,7 +2,7 @@
 //! for bit, what the general ones give.
 
 use crate::support::{Folder, compiled, lights, materials};
-use eigenshade_table::quantise::{Format, QuantisedParts};
+use eigenshade_table::quantize::{Format, QuantizedParts};
 use eigenshade_table::{decode, rust_quantised};
 use std::fmt::Write;
 use std::fs;
@@ -82,7 +82,7 @@ fn compiled_integers_are_the_general_ones() {
             [(Format::Q15, "Q15", "15", "i16"), (Format::Q31, "Q31", "31", "i32")]
         {
             let name = format!("of_{degree}_{order}_{bits}");
-            let parts = QuantisedParts::new(&table, format, format.tolerance()).expect("parts");
+            let parts = QuantizedParts::new(&table, format, format.tolerance()).expect("parts");
             let source = rust_quantised::module(&parts, "a test");
             folder.write(&format!("src/{name}.rs"), source);
             writeln!(modules, "mod {name} {{ include!(\"{name}.rs\"); }}").expect("text");

@@ -259,7 +259,7 @@ fn peak(loaded: &Loaded) -> f64 {
     let truth = Truth::new(9, 7);
     let scaled = |entry: &Named| {
         let light = entry.luminance();
-        let scale = exposure(&entry.name, light[0], loaded.scene.light.normalise).unwrap();
+        let scale = exposure(&entry.name, light[0], loaded.scene.light.normalize).unwrap();
         light.iter().map(|value| scale * value).collect::<Vec<_>>()
     };
     let lights: Vec<Vec<f64>> = loaded.lights.entries.iter().map(scaled).collect();

@@ -237,7 +237,7 @@ fn the_wire_carries_effects() {
         let text = folder.ok("info some.esw");
         let line = format!("{:<24} {}", "effects", names(effects).join(" "));
         assert!(text.contains(&line), "{text}");
-        let apart = effects.apart_count(table.gram.order) > 0;
+        let apart = effects.unfactored_count(table.gram.order) > 0;
         let pack = "pack some.bin --out some15.esw --format q15";
         if apart {
             assert_fails(&folder, pack, &["ambient", "gloss"]);
@@ -270,12 +270,12 @@ fn what_a_scene_does_not_call_for_is_refused() {
     assert_fails(&folder, &turned, &["does not turn", "--rotate"]);
 }
 
-/// Without colour a picture is that of the luminance of light and material, also of a table
+/// Without color a picture is that of the luminance of light and material, also of a table
 /// that keeps its materials folded in.
 #[test]
-fn without_colour_there_is_luminance() {
+fn without_color_there_is_luminance() {
     let folder = folder("image-centered");
-    let coloured: String = materials(6, 40)
+    let colored: String = materials(6, 40)
         .lines()
         .map(|line| match line.rsplit_once(',') {
             Some((places, "value")) => format!("{places},r,g,b\n"),
@@ -286,23 +286,23 @@ fn without_colour_there_is_luminance() {
             None => panic!("a row"),
         })
         .collect();
-    folder.write("coloured.csv", coloured);
+    folder.write("colored.csv", colored);
     let scene = fs::read_to_string(folder.path("scene.toml")).unwrap();
-    let scene = scene.replace("materials.csv", "coloured.csv");
+    let scene = scene.replace("materials.csv", "colored.csv");
     let luminance = 0.2126 + 0.7152 * 0.5 + 0.0722 * 0.25;
     for store in ["projection", "materials"] {
-        let text = format!("{scene}store = \"{store}\"\n[effects]\ncolour = false\n");
+        let text = format!("{scene}store = \"{store}\"\n[effects]\ncolor = false\n");
         folder.write("grey.toml", text);
         folder.ok("basis --scene grey.toml --out grey.bin");
-        assert!(folder.ok("info grey.bin").contains("no colour"));
+        assert!(folder.ok("info grey.bin").contains("no color"));
         let of = |table: &str, materials: &str| {
             let pair = PAIR.replace("materials.csv", materials);
             let text = folder.ok(&format!("shade {table} {pair} --format f64"));
             numbers(&rows(&text, HEADER), 3)
         };
-        let found = of("grey.bin", "coloured.csv");
+        let found = of("grey.bin", "colored.csv");
         make(&folder, Effects::ALL, "whole.bin");
-        // On a material without colour a picture has the light's.
+        // On a material without color a picture has the light's.
         let pictures = of("whole.bin", "materials.csv");
         let of_light = |rgb: &[f64]| 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2];
         let expected: Vec<f64> =

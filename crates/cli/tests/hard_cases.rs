@@ -142,11 +142,11 @@ fn zeros(name: &str, like: &str) -> String {
 fn a_light_of_zeros() {
     let folder = Folder::new();
     folder.write("lights.csv", lights(4, 2) + &zeros("night", &lights(4, 1)));
-    let words = ["scene.toml", "`night`", "normalise = \"none\""];
+    let words = ["scene.toml", "`night`", "normalize = \"none\""];
     assert_fails(&folder, "basis --scene scene.toml --out b.bin", &words);
     let as_they_are = folder
         .read("scene.toml")
-        .replace("rotation = \"any\"", "rotation = \"any\"\nnormalise = \"none\"");
+        .replace("rotation = \"any\"", "rotation = \"any\"\nnormalize = \"none\"");
     folder.write("scene.toml", as_they_are);
     folder.ok("basis --scene scene.toml --out b.bin");
     assert_black(&folder, "night,");

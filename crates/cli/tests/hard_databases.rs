@@ -227,7 +227,7 @@ fn a_covariance_of_rank_one() {
     let materials = materials(1);
     let folder = folder(&lights, &materials);
     let text = scene("standard", 10_000, "[]")
-        .replace("rotation = \"any\"", "rotation = \"any\"\nnormalise = \"none\"");
+        .replace("rotation = \"any\"", "rotation = \"any\"\nnormalize = \"none\"");
     folder.write("scene.toml", text);
     folder.ok("basis --scene scene.toml --out b.bin");
     let (found, count) = eigenvalues(&folder);

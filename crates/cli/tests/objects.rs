@@ -11,9 +11,9 @@ use std::f64::consts::PI;
 /// power of the step of 4e-3.
 const TABULATED_DENSITY: f64 = 9e-11;
 
-fn luminance(colours: &[f64]) -> Vec<f64> {
+fn luminance(colors: &[f64]) -> Vec<f64> {
     let of = |[r, g, b]: &[f64; 3]| 0.2126 * r + 0.7152 * g + 0.0722 * b;
-    colours.as_chunks().0.iter().map(of).collect()
+    colors.as_chunks().0.iter().map(of).collect()
 }
 
 /// The sphere's density as a formula and as a table is the sphere; all components give
@@ -81,7 +81,7 @@ fn light_that_does_not_turn() {
             let text = scene(criterion, 10_000, "[]");
             // Exposures as they are: an image at another one differs from the mean image
             // by more than the database's images do.
-            let rotated = format!("rotation = \"{rotation}\"\nnormalise = \"none\"");
+            let rotated = format!("rotation = \"{rotation}\"\nnormalize = \"none\"");
             let folder = built(&text.replace("rotation = \"any\"", &rotated), &[]);
             let truth = shaded(&folder, "--method modes");
             // As captured, a few lights span no more than their luminance, which the

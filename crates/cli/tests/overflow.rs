@@ -91,7 +91,7 @@ fn a_wire_file_beyond_f32_is_refused() {
     let standard = folder
         .read("scene.toml")
         .replace("image-centered", "standard")
-        .replace("rotation = \"any\"", "rotation = \"any\"\nnormalise = \"none\"");
+        .replace("rotation = \"any\"", "rotation = \"any\"\nnormalize = \"none\"");
     folder.write("scene.toml", standard);
     folder.write("lights.csv", times(&lights(DEGREE, 3), "50"));
     folder.ok("basis --scene scene.toml --out b.bin");

@@ -99,8 +99,8 @@ fn comes_back(folder: &Folder, normals: &str) -> String {
 #[test]
 fn an_object_comes_back() {
     for criterion in ["image-centered", "standard"] {
-        let coloured = lights(support::DEGREE, 1);
-        let folder = folder(criterion, "object.csv", "any", &coloured);
+        let colored = lights(support::DEGREE, 1);
+        let folder = folder(criterion, "object.csv", "any", &colored);
         let answer = comes_back(&folder, "object.csv");
         // Its pixels are its normals: the paper's scalar product is right on them.
         let (product, squares) =

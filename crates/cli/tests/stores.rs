@@ -9,10 +9,10 @@ const PAIR: &str = "--lights lights.csv --materials materials.csv";
 const RENDER: &str = "render materials.bin --light lights.csv:light-0 --material materials.csv:material-1 --size 8 --out r.png";
 const STORES: [&str; 3] = ["modes", "projection", "materials"];
 
-/// A folder with a table of each store, the materials in colour.
+/// A folder with a table of each store, the materials in color.
 fn folder(criterion: &str) -> Folder {
     let folder = Folder::new();
-    let colour: String = materials(3, 4)
+    let color: String = materials(3, 4)
         .lines()
         .map(|line| match line.rsplit_once(',') {
             Some((places, "value")) => format!("{places},r,g,b\n"),
@@ -23,7 +23,7 @@ fn folder(criterion: &str) -> Folder {
             None => panic!("a row"),
         })
         .collect();
-    folder.write("materials.csv", colour);
+    folder.write("materials.csv", color);
     for store in STORES {
         let scene = scene(criterion, 30, "[]") + &format!("store = \"{store}\"\n");
         folder.write(&format!("{store}.toml"), scene);

@@ -64,9 +64,9 @@ fn a_picture_is_what_it_says() {
         (sixteen, gamma(50_000), Err("gAMA chunk says 0.5,")),
         // Of no meaning, and to be ignored by the format.
         (sixteen, gamma(0), linear),
-        (eight, profile, Err("colour profile")),
-        (sixteen, profile, Err("colour profile")),
-        (eight, Says { gamma: Some(100_000), ..profile }, Err("colour profile")),
+        (eight, profile, Err("color profile")),
+        (sixteen, profile, Err("color profile")),
+        (eight, Says { gamma: Some(100_000), ..profile }, Err("color profile")),
         (sixteen, Says { srgb: true, ..profile }, srgb),
         (eight, points(8), linear),
         (sixteen, points(13), srgb),

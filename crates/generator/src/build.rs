@@ -29,7 +29,7 @@ use eigenshade_table::statics;
 use std::path::Path;
 use std::{env, process};
 
-pub use eigenshade_table::quantise::Format;
+pub use eigenshade_table::quantize::Format;
 
 /// Writes the statics of the scene at `scene` to the file `name` in the build script's `OUT_DIR`:
 /// in `f32`, and in a module `q15` or `q31` for each format in `integers`.

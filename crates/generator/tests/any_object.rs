@@ -15,7 +15,7 @@ use eigenshade_model::special::gauss_legendre;
 use eigenshade_model::special::spherical_harmonic::{self, azimuth};
 use eigenshade_model::truth::Truth;
 use eigenshade_table::Table;
-use eigenshade_table::scene::{Criterion, LightRotation, Normalise, Scene};
+use eigenshade_table::scene::{Criterion, LightRotation, Normalize, Scene};
 use faer::Mat;
 use std::path::Path;
 
@@ -257,7 +257,7 @@ fn vertical_statistics_are_those_of_turned_lights() {
     let (lights, _) = databases(4, 0);
     let statistics = LightStatistics::new(
         &lights,
-        Normalise::None,
+        Normalize::None,
         LightRotation::Vertical,
         &equal(lights.entries.len()),
     )

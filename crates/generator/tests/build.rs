@@ -39,7 +39,7 @@ fn integers_stand_beside_floats_where_they_serve() {
         (
             "normals = \"slant-density\"\ndensity = \"cos(a)^2\"",
             "criterion = \"image-centered\"\ncomponents = 4",
-            Some("sphere's tables alone"),
+            Some("only tables of a sphere"),
         ),
     ] {
         let scene = scene(folder.path(), geometry, basis);

@@ -108,11 +108,11 @@ fn solid_angles_fill_the_sphere() {
 #[test]
 fn a_constant_map_has_one_coefficient() {
     let (degree, height) = (9, 64);
-    let colour = [2.0, 0.5, 0.25];
+    let color = [2.0, 0.5, 0.25];
     for file_type in Type::ALL {
-        let map = through(file_type, &map_of(height, |_| colour));
-        let colour = if file_type == Type::PfmGrey { [2.0; 3] } else { colour };
-        let expected = colour.map(|c| {
+        let map = through(file_type, &map_of(height, |_| color));
+        let color = if file_type == Type::PfmGrey { [2.0; 3] } else { color };
+        let expected = color.map(|c| {
             let mut expected = vec![0.0; light::count(degree)];
             expected[0] = f64::from(c) * (4.0 * PI).sqrt();
             expected
@@ -188,8 +188,8 @@ fn one_texel_is_a_point_of_light() {
         map.texels[row * map.width + column] = [4.0, 1.0, 0.5];
         let harmonics = spherical_harmonic::all(degree, map.direction(column, row));
         for file_type in Type::ALL {
-            let colour = if file_type == Type::PfmGrey { [4.0; 3] } else { [4.0, 1.0, 0.5] };
-            let expected = colour
+            let color = if file_type == Type::PfmGrey { [4.0; 3] } else { [4.0, 1.0, 0.5] };
+            let expected = color
                 .map(|value| harmonics.iter().map(|y| value * map.solid_angle(row) * y).collect());
             let found = project(&through(file_type, &map), degree);
             assert_near(&found, &expected, LIGHT_PROJECTION);

@@ -110,14 +110,14 @@ fn materials_are_read() {
 fn what_is_written_reads_back_to_the_last_bit() {
     let awkward = [0.1, -1.0 / 3.0, f64::MIN_POSITIVE / 8.0, -f64::MAX];
     let shifted = awkward.map(|v| v * 0.7);
-    let colour = Named {
+    let color = Named {
         name: "#1, \"quoted\"".to_owned(),
         rgb: [awkward.to_vec(), shifted.to_vec(), awkward.to_vec()],
     };
     let grey =
         Named { name: "b".to_owned(), rgb: [awkward.to_vec(), awkward.to_vec(), awkward.to_vec()] };
     for (entries, header) in
-        [(vec![grey.clone()], "name,l,m,value"), (vec![colour, grey], "name,l,m,r,g,b")]
+        [(vec![grey.clone()], "name,l,m,value"), (vec![color, grey], "name,l,m,r,g,b")]
     {
         let lights_in = Lights { degree: 1, entries };
         let mut text = Vec::new();
@@ -218,7 +218,7 @@ fn files_without_lights_are_refused() {
 }
 
 #[test]
-fn normals_are_normalised_and_laid_on_the_rim() {
+fn normals_are_normalized_and_laid_on_the_rim() {
     let read = normals("x,y,z\n0,0,2\n3,-4,0\n1e200,0,0\n0,1e-200,0\n3,4,-0.004\n0,0,1\n").unwrap();
     let expected = [
         [0.0, 0.0, 1.0],

@@ -48,7 +48,7 @@ fn profiles_and_texts_stay_packed() {
         let before = most_memory();
         let samples = png_samples::read(&path).expect("a picture");
         let taken = most_memory() - before;
-        assert_eq!(samples.colours, [[7; 3], [200; 3]]);
+        assert_eq!(samples.colors, [[7; 3], [200; 3]]);
         assert!(taken < UNPACKED / 16, "{taken} bytes for {}", String::from_utf8_lossy(kind));
     }
 }

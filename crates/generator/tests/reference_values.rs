@@ -58,9 +58,9 @@ fn zernike_radial() {
 fn polar_integrals() {
     check("polar_integral", |row| {
         let &[l, o, q, value] = row else { panic!("four columns") };
-        let normalisation = polar_integral::normalisation(index(l), index(q));
+        let normalization = polar_integral::normalization(index(l), index(q));
         let ours = polar_integral::value(index(l), index(o), index(q));
-        (l.max(o), ours * normalisation, value * normalisation)
+        (l.max(o), ours * normalization, value * normalization)
     });
 }
 

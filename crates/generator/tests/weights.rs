@@ -8,7 +8,7 @@ use eigenshade_generator::object::geometry::Geometry;
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_table::Table;
-use eigenshade_table::scene::{Criterion, LightRotation, Normalise, Scene};
+use eigenshade_table::scene::{Criterion, LightRotation, Normalize, Scene};
 use std::path::Path;
 
 const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tables");
@@ -86,7 +86,7 @@ fn weights_are_repetitions() {
             (tolerant.basis.components, tolerant.basis.tolerance) = (None, Some(1e-2));
             let mut loud = lights.clone();
             loud.entries[2].rgb.iter_mut().flatten().for_each(|value| *value *= 1e3);
-            tolerant.light.normalise = Normalise::None;
+            tolerant.light.normalize = Normalize::None;
             let counts = [&lights, &loud].map(|lights| kept(&tolerant, lights, &materials));
             assert_eq!(counts[0], counts[1], "a light of weight 0 counts");
             assert!(

@@ -140,7 +140,7 @@ impl Effects {
     /// order, or all of `order` if some coefficients are unfactored.
     #[must_use]
     pub const fn order(self, order: usize) -> usize {
-        if self.apart_count(order) > 0 { order } else { self.factored_order(order) }
+        if self.unfactored_count(order) > 0 { order } else { self.factored_order(order) }
     }
 
     /// Whether a basis for this set factors the modes of order o.
@@ -163,14 +163,14 @@ impl Effects {
 
     /// Whether the coefficient (o, p, q) is stored unfactored.
     #[must_use]
-    pub const fn is_apart(self, o: usize, q: usize) -> bool {
+    pub const fn is_unfactored(self, o: usize, q: usize) -> bool {
         self.has(Effect::Ambient) && q == 0 && !self.factored(o)
     }
 
     /// The (o, p) of the unfactored coefficients (o, p, 0) up to `order`, in storage order.
-    pub fn apart(self, order: usize) -> impl Iterator<Item = (usize, usize)> {
+    pub fn unfactored(self, order: usize) -> impl Iterator<Item = (usize, usize)> {
         let all = crate::material::indices(order);
-        all.filter(move |&(o, _, q)| self.is_apart(o, q)).map(|(o, p, _)| (o, p))
+        all.filter(move |&(o, _, q)| self.is_unfactored(o, q)).map(|(o, p, _)| (o, p))
     }
 
     /// Number of unfactored coefficients up to `order`.
@@ -178,17 +178,17 @@ impl Effects {
     /// Returns `usize::MAX` if there are any and the order is above 2047, like
     /// [`material::count`](crate::material::count).
     #[must_use]
-    pub const fn apart_count(self, order: usize) -> usize {
+    pub const fn unfactored_count(self, order: usize) -> usize {
         if !self.has(Effect::Ambient) || self.is_all() {
             return 0;
         }
-        if order > crate::material::MOST {
+        if order > crate::material::MAX_ORDER {
             return usize::MAX;
         }
         let (mut count, mut o) = (0, 0);
         while o <= order {
             // p = 0, 2, ..., o.
-            count += if self.is_apart(o, o % 2) { o / 2 + 1 } else { 0 };
+            count += if self.is_unfactored(o, o % 2) { o / 2 + 1 } else { 0 };
             o += 1;
         }
         count
@@ -224,21 +224,21 @@ mod tests {
     }
 
     #[test]
-    fn what_is_kept_of_degree_zero_is_factored_or_apart() {
+    fn kept_coefficients_of_degree_zero_are_factored_or_unfactored() {
         for effects in every().filter(|effects| effects.has(Effect::Ambient)) {
             for (o, _, q) in crate::material::indices(9).filter(|&(_, _, q)| q == 0) {
-                assert!(effects.factored(o) != effects.is_apart(o, q), "{effects:?} {o}");
+                assert!(effects.factored(o) != effects.is_unfactored(o, q), "{effects:?} {o}");
             }
-            assert_eq!(effects.apart(9).count(), effects.apart_count(9), "{effects:?}");
+            assert_eq!(effects.unfactored(9).count(), effects.unfactored_count(9), "{effects:?}");
         }
         for (effects, order) in every().flat_map(|one| (0..9).map(move |order| (one, order))) {
             let largest = (0..=order).rev().find(|&o| effects.factored(o)).unwrap_or(0);
             assert_eq!(effects.factored_order(order), largest, "{effects:?} {order}");
         }
         let matte: Effects = [Effect::Ambient, Effect::Diffuse].into_iter().collect();
-        assert_eq!((matte.order(7), matte.factored_order(7), matte.apart_count(7)), (7, 0, 9));
+        assert_eq!((matte.order(7), matte.factored_order(7), matte.unfactored_count(7)), (7, 0, 9));
         let rough = matte.with(Effect::Broad).without(Effect::Ambient);
-        assert_eq!((rough.order(7), rough.factored_order(7), rough.apart_count(7)), (3, 3, 0));
-        assert_eq!(Effects::ALL.apart_count(7), 0);
+        assert_eq!((rough.order(7), rough.factored_order(7), rough.unfactored_count(7)), (3, 3, 0));
+        assert_eq!(Effects::ALL.unfactored_count(7), 0);
     }
 }

@@ -12,21 +12,21 @@
 
 /// Maximum number of terms of a profile's polynomial in powers of t = 2z - 1. The powers cancel:
 /// with n terms by up to (1 + √2)^n to one.
-pub const POWERS: usize = 16;
+pub const MONOMIAL_TERMS: usize = 16;
 
-/// Maximum number of terms in [`Form::Halves`], whose powers cancel like those of half as many
+/// Maximum number of terms in [`Form::EvenOdd`], whose powers cancel like those of half as many
 /// terms.
-pub const HALVES: usize = 2 * POWERS;
+pub const EVEN_ODD_TERMS: usize = 2 * MONOMIAL_TERMS;
 
 /// How a polynomial in t is written, highest term first, if its azimuth has no [`Recurrence`]. The
 /// number of terms determines the form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
     /// In 1, t, t², ...: one multiplication and one addition per term.
-    Powers,
+    Monomial,
     /// In 1, t, u, tu, u², tu², ... with u = 2t² - 1, alternating between the even and the odd
     /// half: the same operations per term, plus one multiplication and one addition for u.
-    Halves,
+    EvenOdd,
 }
 
 impl Form {
@@ -34,7 +34,7 @@ impl Form {
     #[inline]
     #[must_use]
     pub const fn of(terms: usize) -> Self {
-        if terms <= POWERS { Self::Powers } else { Self::Halves }
+        if terms <= MONOMIAL_TERMS { Self::Monomial } else { Self::EvenOdd }
     }
 
     /// `[above, below]` in t e_k = above e_k+1 + below e_k-1, where e_k are the polynomials of this
@@ -43,9 +43,9 @@ impl Form {
     #[must_use]
     pub const fn recurrence(self, k: usize) -> [f64; 2] {
         match (self, k) {
-            (Self::Powers, _) => [1.0, 0.0],
-            (Self::Halves, _) if k.is_multiple_of(2) => [1.0, 0.0],
-            (Self::Halves, _) => [0.5, 0.5],
+            (Self::Monomial, _) => [1.0, 0.0],
+            (Self::EvenOdd, _) if k.is_multiple_of(2) => [1.0, 0.0],
+            (Self::EvenOdd, _) => [0.5, 0.5],
         }
     }
 }
@@ -87,7 +87,7 @@ pub const fn recurrences(lengths: &[u16], count: usize) -> Option<[usize; 2]> {
 /// adds up to at most 2^23 in the scene's 31-bit sums; the limit keeps a 64th of the range free. A
 /// transfer's row has half as many numbers, whose rounding is a 256th of the row's largest possible
 /// sum.
-pub const MOST_WEIGHTS: usize = 1023;
+pub const MAX_WEIGHTS: usize = 1023;
 
 /// Numbers in one group.
 pub const LANES: usize = 4;
@@ -160,7 +160,7 @@ mod tests {
         }
     }
     #[test]
-    fn sizes_that_nothing_has_are_no_panic() {
+    fn impossible_sizes_do_not_panic() {
         assert_eq!(factors(usize::MAX, 7, 0, 2), usize::MAX);
         assert_eq!(factors(7, usize::MAX, 0, usize::MAX), usize::MAX);
         assert_eq!(factors(7, 7, 8, 2), 0);

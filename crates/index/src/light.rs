@@ -50,7 +50,7 @@ mod tests {
 
     /// 2^32 squared is 2^64.
     #[test]
-    fn positions_that_nothing_has_are_no_panic() {
+    fn invalid_positions_do_not_panic() {
         for large in [1 << (usize::BITS / 2), usize::MAX] {
             for order in [isize::MIN, -1, 0, 1, isize::MAX] {
                 let _ = position(large, order);

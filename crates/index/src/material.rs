@@ -4,13 +4,13 @@
 //! They are sorted by o, then p, then q: 000, 111, 200, 220, 222, 311, 331, 333, ...
 
 /// The largest order for which `count` is exact: the count fits in 32 bits.
-pub(crate) const MOST: usize = 2047;
+pub(crate) const MAX_ORDER: usize = 2047;
 
 /// Number of coefficients up to and including `order`, or `usize::MAX` for an order above 2047.
 #[inline]
 #[must_use]
 pub const fn count(order: usize) -> usize {
-    if order > MOST {
+    if order > MAX_ORDER {
         return usize::MAX;
     }
     position(order + 1, (order + 1) % 2, 0)
@@ -61,7 +61,7 @@ mod tests {
         assert_eq!(count(usize::MAX), usize::MAX);
     }
     #[test]
-    fn positions_that_nothing_has_are_no_panic() {
+    fn invalid_positions_do_not_panic() {
         for large in [usize::MAX, usize::MAX - 1, 1 << (usize::BITS / 2)] {
             let _ = position(large, large, large);
         }

@@ -7,7 +7,7 @@
 #[inline]
 #[must_use]
 pub const fn count(order: usize) -> usize {
-    if order > crate::material::MOST {
+    if order > crate::material::MAX_ORDER {
         return usize::MAX;
     }
     position(order + 1, 0)
@@ -45,7 +45,7 @@ mod tests {
         assert_eq!(count(usize::MAX), usize::MAX);
     }
     #[test]
-    fn positions_that_nothing_has_are_no_panic() {
+    fn invalid_positions_do_not_panic() {
         for large in [usize::MAX, usize::MAX - 1, 1 << (usize::BITS / 2)] {
             let _ = position(large, large);
         }

@@ -25,7 +25,7 @@ pub const ENTRY: usize = 8;
 pub const CHECKSUM: usize = 4;
 
 /// The largest degree and order of a wire file. Within it no size overflows 32 bits.
-pub const MOST: usize = 256;
+pub const MAX_DEGREE_AND_ORDER: usize = 256;
 
 /// Byte offsets of the numbers in the header.
 pub mod place {
@@ -63,7 +63,7 @@ pub mod format {
 
 /// Number of float sections that every file has. Empty sections at the end of the remaining ones
 /// are omitted.
-pub const ALWAYS: usize = 15;
+pub const REQUIRED_FLOATS: usize = 15;
 
 /// The float sections, in file order.
 pub const FLOATS: [&str; 17] = [

@@ -28,7 +28,7 @@ impl Named {
     }
 
     /// Replaces all three channels by the luminance. An entry without color stays unchanged.
-    pub fn lose_colour(&mut self) {
+    pub fn lose_color(&mut self) {
         if !self.is_grey() {
             let luminance = self.luminance();
             self.rgb = [luminance.clone(), luminance.clone(), luminance];

@@ -26,7 +26,7 @@ impl PolarIntegrals {
         for (z, weight) in gauss_legendre::rule((degree + order) / 2 + 26, 0.0, 1.0) {
             let (rho, sine) = ((1.0 - z).sqrt(), ((1.0 - z) * (1.0 + z)).sqrt());
             for q in 0..=order.min(degree) {
-                let legendre = legendre::normalised(degree, q, z, sine);
+                let legendre = legendre::normalized(degree, q, z, sine);
                 for (o, radial) in (q..).step_by(2).zip(zernike::column(order, q, rho)) {
                     let row = pair::position(o, q) * (degree + 1);
                     for (l, legendre) in (q..).zip(&legendre) {
@@ -58,12 +58,12 @@ impl PolarIntegrals {
 /// value overflows to infinity where |C| exceeds f64, beyond degree 64.
 #[must_use]
 pub fn value(l: usize, o: usize, q: usize) -> f64 {
-    PolarIntegrals::new(l, o).row(o, q)[l] / normalisation(l, q)
+    PolarIntegrals::new(l, o).row(o, q)[l] / normalization(l, q)
 }
 
 /// N_l^q of (43), for q >= 0.
 #[must_use]
-pub fn normalisation(l: usize, q: usize) -> f64 {
+pub fn normalization(l: usize, q: usize) -> f64 {
     let ratio: f64 = (l - q + 1..=l + q).map(|k| (k as f64).sqrt().recip()).product();
     ((2 * l + 1) as f64 / (4.0 * std::f64::consts::PI)).sqrt() * ratio
 }

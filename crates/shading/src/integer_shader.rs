@@ -6,7 +6,7 @@ use crate::shader::fault;
 use eigenshade::quantised::{Light, Material, Normal, Transfer};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_table::Table;
-use eigenshade_table::quantise;
+use eigenshade_table::quantize;
 
 /// An integer basis with its work buffers.
 #[derive(Clone, Debug)]
@@ -63,15 +63,15 @@ impl<Q: Integer> IntegerShader<Q> {
         (order, material): (usize, &[f64]),
     ) -> Result<Vec<f64>> {
         // Only these numbers can saturate: all later ones are scaled by their bounds.
-        if ![light, material].iter().all(|numbers| quantise::holds(numbers, Q::FORMAT)) {
+        if ![light, material].iter().all(|numbers| quantize::holds(numbers, Q::FORMAT)) {
             return Err(overflow::fault(Q::FORMAT.name(), light, material));
         }
         overflow::lost(Q::FORMAT.name(), light, material)?;
         let basis = self.basis.view().map_err(fault)?;
-        let (mantissas, exponents) = quantise::material(order, material, Q::FORMAT);
+        let (mantissas, exponents) = quantize::material(order, material, Q::FORMAT);
         let mantissas = owned(&mantissas);
         let material = Material::new(order, &exponents, &mantissas).map_err(fault)?;
-        let (mantissas, exponent) = quantise::row(light, Q::FORMAT.bits(), i64::MAX);
+        let (mantissas, exponent) = quantize::row(light, Q::FORMAT.bits(), i64::MAX);
         let mantissas: Vec<Q> = owned(&mantissas);
         let light = Light::new(degree, exponent.into(), &mantissas).map_err(fault)?;
         let (numbers, exponents) = (&mut self.numbers, &mut self.exponents);

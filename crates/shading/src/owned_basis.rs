@@ -45,7 +45,7 @@ struct OwnedGeneral<S> {
 /// A material whose transfer the table stores.
 #[derive(Clone, Debug)]
 pub struct Folded<S> {
-    /// The fingerprint of its coefficients: [`eigenshade_table::transfer::fingerprint`].
+    /// The fingerprint of its coefficients: [`eigenshade_table::reduce::fingerprint`].
     pub fingerprint: u32,
     /// Its transfer, for [`Basis::relight_into`].
     pub transfer: Vec<S>,

@@ -3,7 +3,7 @@
 use eigenshade::quantised::{Basis, Normal, Parts, Profile};
 use eigenshade::{Error, Fixed, Q15, Q31};
 use eigenshade_table::Table;
-use eigenshade_table::quantise::{Format, QuantiseError, QuantisedParts};
+use eigenshade_table::quantize::{Format, QuantizeError, QuantizedParts};
 
 /// An integer format that the command line offers.
 pub trait Integer: Fixed {
@@ -62,7 +62,7 @@ fn rounded<Q: Integer>(component: f64) -> Q {
 /// The owned arrays of an integer basis.
 #[derive(Clone, Debug)]
 pub struct OwnedQuantised<Q> {
-    parts: QuantisedParts,
+    parts: QuantizedParts,
     profiles: Vec<Profile>,
     polar: Vec<Q>,
     factors: Vec<Q>,
@@ -75,8 +75,8 @@ impl<Q: Integer> OwnedQuantised<Q> {
     /// # Errors
     ///
     /// If the table has no integer form.
-    pub fn new(table: &Table, tolerance: f64) -> Result<Self, QuantiseError> {
-        let parts = QuantisedParts::new(table, Q::FORMAT, tolerance)?;
+    pub fn new(table: &Table, tolerance: f64) -> Result<Self, QuantizeError> {
+        let parts = QuantizedParts::new(table, Q::FORMAT, tolerance)?;
         let own = |numbers: &[i32]| numbers.iter().map(|&number| Q::of(number)).collect();
         let profiles = parts.profiles.iter();
         Ok(Self {

@@ -9,7 +9,7 @@ use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_table::Table;
-use eigenshade_table::transfer::fingerprint;
+use eigenshade_table::reduce::fingerprint;
 use std::path::Path;
 
 /// Truncates lights and materials to a table's degree and order. For a table without color it also
@@ -18,8 +18,8 @@ use std::path::Path;
 pub fn fitted(table: &Table, lights: &Lights, materials: &Materials) -> (Lights, Materials) {
     let (mut lights, mut materials) =
         (lights.truncated(table.gram.degree), materials.truncated(table.gram.order));
-    if !table.scene.effects.colour {
-        lights.entries.iter_mut().chain(&mut materials.entries).for_each(Named::lose_colour);
+    if !table.scene.effects.color {
+        lights.entries.iter_mut().chain(&mut materials.entries).for_each(Named::lose_color);
     }
     (lights, materials)
 }
@@ -403,7 +403,7 @@ impl<'a, S: Scalar> Shader<'a, S> {
     /// # Errors
     ///
     /// See [`project`](Self::project).
-    pub fn colour(
+    pub fn color(
         &mut self,
         (degree, light): (usize, &Named),
         (order, material): (usize, &Named),

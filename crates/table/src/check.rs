@@ -1,18 +1,17 @@
 //! Consistency checks on the parts of a table, so that decoding is total.
 
-use crate::general::General;
 use crate::parts::NONE;
 use crate::scene::{Criterion, KNOTS};
-use crate::table::Table;
+use crate::table::{General, Table};
 use eigenshade_index::effect::Effects;
 use eigenshade_index::{material, mode, pair};
 
 /// The largest degree and order of a valid table. The limit keeps the counts below from
 /// overflowing.
-const MOST: usize = 256;
+const MAX: usize = 256;
 
 /// No polynomial up to this degree and order has more terms.
-const MOST_TERMS: usize = 4 * MOST;
+const MAX_TERMS: usize = 4 * MAX;
 
 impl Table {
     /// Checks that the parts of the table are consistent.
@@ -24,20 +23,20 @@ impl Table {
     pub(crate) fn check(&self) -> Result<(), String> {
         let gram = &self.gram;
         let (degree, order) = (gram.degree, gram.order);
-        if degree > MOST || order > MOST {
-            return Err(format!("degree {degree} or order {order} beyond {MOST}"));
+        if degree > MAX || order > MAX {
+            return Err(format!("degree {degree} or order {order} above {MAX}"));
         }
         let effects = self.effects();
         if effects == Effects::NONE {
-            return Err("a scene of no effect".into());
+            return Err("a scene without effects".into());
         }
         if (degree, order) != (self.scene.degree(), self.scene.order()) {
-            return Err(format!("degree {degree} and order {order} are not those of the scene"));
+            return Err(format!("degree {degree} and order {order} differ from the scene's"));
         }
         if let Some(knots) = self.scene.basis.knots
             && !KNOTS.contains(&knots)
         {
-            return Err(format!("{knots} knots"));
+            return Err(format!("{knots} knots, {} to {} allowed", KNOTS.start(), KNOTS.end()));
         }
         if let Some((what, _)) = self.scene.basis.cut.and_then(|cut| cut.fault()) {
             return Err(what);
@@ -61,19 +60,19 @@ impl Table {
         for profile in &self.profiles {
             let azimuth = profile.azimuth;
             if azimuth > degree {
-                return Err(format!("a profile of azimuth {azimuth} at degree {degree}"));
+                return Err(format!("a profile of azimuth {azimuth} above degree {degree}"));
             }
             numbers("profile's node values", &profile.node_values, nodes)?;
             let modes = if self.has_modes() { mode::count(degree, order, azimuth) } else { 0 };
             numbers("profile's modes", &profile.modes, modes)?;
             let factored = pair::count(effects.factored_order(order)) * (degree - azimuth + 1);
-            let apart = if azimuth == 0 { effects.apart_count(order) } else { 0 };
-            let factors = projects * (factored + apart);
+            let unfactored = if azimuth == 0 { effects.unfactored_count(order) } else { 0 };
+            let factors = projects * (factored + unfactored);
             numbers("profile's factors", &profile.factors, factors)?;
             terms("profile's polynomial", &profile.chebyshev)?;
         }
         if !self.profiles.is_sorted_by_key(|profile| profile.azimuth) {
-            return Err("profiles out of order".into());
+            return Err("profiles not sorted by azimuth".into());
         }
         if self.has_projection() {
             length("transfers", self.transfers.len(), 0)?;
@@ -88,7 +87,7 @@ impl Table {
             None => self.mean.is_some(),
         };
         if mean != standard {
-            return Err("a mean image belongs to the criterion standard, and to no other".into());
+            return Err("a mean image is present exactly with criterion = \"standard\"".into());
         }
         if let Some(general) = &self.general {
             self.check_general(general)?;
@@ -104,7 +103,7 @@ impl Table {
         let summary = &self.summary;
         length("ranks", summary.ranks.len(), self.gram.degree + 1)?;
         if summary.ranks.iter().any(|&rank| rank > nodes) {
-            return Err(format!("a rank above the {nodes} of its nodes"));
+            return Err(format!("a rank above the number of nodes, {nodes}"));
         }
         let figures = [
             summary.largest_singular_value,
@@ -128,7 +127,7 @@ impl Table {
             return Err(format!("{count} eigenimages, more than {NONE}"));
         }
         if self.mean.is_some() {
-            return Err("a span with a mean image of its own".into());
+            return Err("a mean image of the span in a table of a general object".into());
         }
         let values: Vec<f64> = general.eigenvalues.iter().flatten().copied().collect();
         numbers("eigenvalues", &values, values.len())?;
@@ -160,11 +159,11 @@ impl Table {
             }
             let [plus, minus] = taken;
             if std::mem::replace(if component.order < 0 { minus } else { plus }, true) {
-                return Err(format!("component {index} is there twice"));
+                return Err(format!("component {index} is a duplicate"));
             }
         }
         if served.contains(&[false; 2]) {
-            return Err("a profile without a component".into());
+            return Err("a profile that no component uses".into());
         }
         Ok(())
     }
@@ -187,10 +186,10 @@ fn length(what: &str, found: usize, expected: usize) -> Result<(), String> {
     }
 }
 
-/// Checks a polynomial: it has at least one term and at most [`MOST_TERMS`].
+/// Checks a polynomial: it has at least one term and at most [`MAX_TERMS`].
 fn terms(what: &str, values: &[f64]) -> Result<(), String> {
-    if values.is_empty() || values.len() > MOST_TERMS {
-        return Err(format!("{what}: 1 to {MOST_TERMS} terms expected, {} found", values.len()));
+    if values.is_empty() || values.len() > MAX_TERMS {
+        return Err(format!("{what}: 1 to {MAX_TERMS} terms expected, {} found", values.len()));
     }
     numbers(what, values, values.len())
 }

@@ -8,10 +8,11 @@
 //! | 4 | CRC-32 of the payload, little-endian |
 //! | rest | [`Table`] by bincode 2.0.1, standard configuration |
 
-use crate::table::Table;
+use crate::scene::Scene;
+use crate::table::{Profile, Table};
 use bincode::error::DecodeError;
 use bincode::serde::decode_from_slice;
-use std::fmt;
+use std::fmt::{self, Write};
 
 /// The first bytes of every table file.
 pub const LABEL: [u8; 8] = *b"EIGSHADE";
@@ -24,7 +25,7 @@ const HEADER: usize = 24;
 #[non_exhaustive]
 pub enum FileError {
     /// The bytes do not start with [`LABEL`].
-    Foreign,
+    BadMagic,
     /// The file has another version, given here.
     Version(u32),
     /// The payload is shorter or longer than the header states.
@@ -45,15 +46,15 @@ impl FileError {
     #[must_use]
     pub fn what(&self) -> String {
         match self {
-            Self::Foreign => "not an eigenshade table".to_owned(),
+            Self::BadMagic => "not an eigenshade table".to_owned(),
             Self::Version(found) => {
-                format!("table version {found}, this program reads {VERSION}")
+                format!("table version {VERSION} expected, {found} found")
             }
             Self::Length { expected, found } => {
-                format!("damaged table: {expected} bytes promised, {found} found")
+                format!("corrupt table: {expected} bytes expected, {found} found")
             }
-            Self::Checksum => "damaged table: the checksum does not fit".to_owned(),
-            Self::Payload(why) => format!("damaged table: {why}"),
+            Self::Checksum => "corrupt table: wrong checksum".to_owned(),
+            Self::Payload(why) => format!("corrupt table: {why}"),
         }
     }
 
@@ -98,9 +99,9 @@ pub(crate) fn section(value: &impl serde::Serialize) -> Vec<u8> {
 /// [`FileError`] for any bytes that are not a table, or for a table of more than 1 GiB. Never
 /// panics, and never allocates more than about eight times the number of bytes.
 pub fn decode(bytes: &[u8]) -> Result<Table, FileError> {
-    let (header, payload) = bytes.split_at_checked(HEADER).ok_or(FileError::Foreign)?;
+    let (header, payload) = bytes.split_at_checked(HEADER).ok_or(FileError::BadMagic)?;
     if header[..8] != LABEL {
-        return Err(FileError::Foreign);
+        return Err(FileError::BadMagic);
     }
     let word = |at: usize| u32::from_le_bytes(std::array::from_fn(|k| header[at + k]));
     let version = word(8);
@@ -145,4 +146,78 @@ fn unpack(payload: &[u8]) -> Result<(Table, usize), DecodeError> {
         }
         _ => Err(DecodeError::LimitExceeded),
     }
+}
+
+/// A CSV of `entry,value,bytes,crc32`. Sections have their size in bytes and a checksum of their
+/// encoded values in the file; figures have values.
+///
+/// The first line is a comment with `command`.
+#[must_use]
+pub fn manifest(table: &Table, command: &str) -> String {
+    let mut text = format!("# {command}\nentry,value,bytes,crc32\n");
+    let gram = &table.gram;
+    let of_profiles = |part: fn(&Profile) -> &Vec<f64>| {
+        section(&table.profiles.iter().map(part).collect::<Vec<_>>())
+    };
+    let sections = [
+        ("scene", section(&table.scene)),
+        ("gram.nodes", section(&gram.nodes)),
+        ("gram.root_weights", section(&gram.root_weights)),
+        ("gram.gains", section(&gram.gains)),
+        ("gram.polar_integrals", section(&gram.polar_integrals)),
+        ("gram.radials", section(&gram.radials)),
+        ("gram.rotations", section(&gram.rotations)),
+        ("selection", section(&table.selection)),
+        ("components", section(&table.components)),
+        ("profiles.node_values", of_profiles(|profile| &profile.node_values)),
+        ("profiles.chebyshev", of_profiles(|profile| &profile.chebyshev)),
+        ("profiles.modes", of_profiles(|profile| &profile.modes)),
+        ("profiles.factors", of_profiles(|profile| &profile.factors)),
+        ("mean", section(&table.mean)),
+        ("spectrum", section(&table.spectrum)),
+        ("general", section(&table.general)),
+        ("transfers", section(&table.transfers)),
+        ("file", encode(table)),
+    ];
+    for (entry, bytes) in sections {
+        row(&mut text, format_args!("{entry},,{},{:08x}", bytes.len(), crc32fast::hash(&bytes)));
+    }
+    let summary = &table.summary;
+    let per_azimuth: Vec<String> = summary.ranks.iter().map(ToString::to_string).collect();
+    let total: usize =
+        summary.ranks.iter().enumerate().map(|(m, rank)| rank * if m == 0 { 1 } else { 2 }).sum();
+    let figures = [
+        ("degree", gram.degree.to_string()),
+        ("order", gram.order.to_string()),
+        ("lights", summary.lights.to_string()),
+        ("materials", summary.materials.to_string()),
+        ("store", table.scene.basis.store.name().to_owned()),
+        ("components", table.count().to_string()),
+        ("span", table.general.as_ref().map_or(0, |_| table.components.len()).to_string()),
+        ("rank", table.general.as_ref().map_or(total, |general| general.rank).to_string()),
+        ("rank of each |m|", per_azimuth.join(" ")),
+        ("largest singular value", format!("{:.6e}", summary.largest_singular_value)),
+        ("energy kept", format!("{:.9}", summary.energy_kept)),
+        ("residual energy", format!("{:.3e}", 1.0 - summary.energy_kept)),
+        ("orthonormality", format!("{:.0e}", summary.orthonormality)),
+    ];
+    for (entry, value) in figures {
+        row(&mut text, format_args!("{entry},{value},,"));
+    }
+    for one in &summary.roundings {
+        let format = one.format.name();
+        row(&mut text, format_args!("largest error in {format},{:.1e},,", one.largest));
+        row(&mut text, format_args!("rms error in {format},{:.1e},,", one.rms));
+    }
+    text
+}
+
+/// The checksum of a scene in a manifest; the same on every host.
+#[must_use]
+pub fn scene_checksum(scene: &Scene) -> u32 {
+    crc32fast::hash(&section(scene))
+}
+
+fn row(text: &mut String, line: std::fmt::Arguments<'_>) {
+    writeln!(text, "{line}").expect("a string takes everything");
 }

@@ -1,5 +1,11 @@
-//! The contents of an eigenshade table, its file format, and its conversion to the runtime's
+//! The contents of an eigenshade table, its file formats, and its conversion to the runtime's
 //! numbers.
+//!
+//! * [`scene`], [`gram`], [`table`]: the record that a table file contains.
+//! * [`reduce`], [`trim`]: smaller tables.
+//! * [`parts`], [`quantize`]: a table as the runtime's arrays, in floats and in integers.
+//! * [`file`](mod@file), [`wire`]: a table as bytes.
+//! * [`rust_source`], [`rust_quantised`], [`statics`]: a table as Rust source.
 //!
 //! `eigenshade-generator` makes tables; the runtime's build script and the command line read them.
 //! "(n)" in these pages is equation n of Nillius and Eklundh, "Phenomenological Eigenfunctions for
@@ -9,48 +15,44 @@ pub mod scene;
 
 pub mod gram;
 
-pub mod general;
+pub mod format;
 
 pub mod table;
 
-pub mod transfer;
+mod chebyshev;
 
-mod check;
+pub mod trim;
 
-pub mod file;
-
-pub mod manifest;
+pub mod reduce;
 
 mod polynomials;
 
 pub mod parts;
 
-pub mod passes;
+pub mod quantize;
 
-pub mod components;
+mod check;
 
-pub mod cut;
-pub mod trim;
+pub mod file;
 
-pub mod quantise;
+pub mod wire;
 
 mod rust_kernels;
 
 mod rust_scene;
 
-pub mod rust_quantised;
 mod rust_quantised_functions;
+
+pub mod rust_quantised;
 
 pub mod rust_source;
 
 pub mod statics;
 
-pub mod wire;
-
 pub use file::{FileError, decode, encode};
-pub use general::General;
 pub use gram::GramFactor;
 pub use parts::Parts;
 pub use scene::Scene;
-pub use table::{Component, MeanImage, Profile, Rounding, Summary, Table};
-pub use transfer::MaterialTransfer;
+pub use table::{
+    Component, General, MaterialTransfer, MeanImage, Profile, Rounding, Summary, Table,
+};

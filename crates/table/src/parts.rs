@@ -1,12 +1,12 @@
 //! A table as the runtime needs it: the numbers for a device, padded and in the order of the
 //! runtime's loops. They are in f64; rounding to the device's format comes last.
 
-use crate::passes::{self, Pass};
 use crate::polynomials::Polynomials;
 use crate::table::Table;
 use eigenshade_index::effect::{Effect, Effects};
-use eigenshade_index::layout::Recurrence;
+use eigenshade_index::layout::{LANES, PASS, Recurrence, first_order, lowest_degree};
 use eigenshade_index::{layout, material, pair};
+use std::collections::BTreeSet;
 
 /// Means "no such component" in [`ProfilePlace`].
 pub const NONE: u16 = u16::MAX;
@@ -80,6 +80,15 @@ pub struct Row {
     pub step: u32,
 }
 
+/// A pass: the orders `first`..`first` + LANES, and the number of profiles of each.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Pass {
+    /// The first order m.
+    pub first: i16,
+    /// Number of profiles of each order.
+    pub profiles: u16,
+}
+
 impl Parts {
     /// The arrays of a table.
     #[must_use]
@@ -112,7 +121,7 @@ impl Parts {
         let terms = scaled.collect();
         let mean = table.mean.as_ref();
         let mut profiles = places(table);
-        let (passes, slots) = passes::arrange(degree, &mut profiles);
+        let (passes, slots) = arrange(degree, &mut profiles);
         for place in profiles.iter_mut().filter(|place| place.azimuth == 0) {
             place.minus_row = place.plus_row;
         }
@@ -208,10 +217,10 @@ fn factors(table: &Table, degree: usize, order: usize) -> Vec<f64> {
 /// The unfactored coefficients for each profile of m = 0; 0 for modes that a selection dropped.
 fn ambient(table: &Table, degree: usize, pairs: usize) -> Vec<f64> {
     let zonal = table.profiles.iter().filter(|profile| profile.azimuth == 0);
-    let apart = || table.effects().apart(table.gram.order);
+    let unfactored = || table.effects().unfactored(table.gram.order);
     let kept = |(o, p), number: f64| if table.keeps(0, 0, o, p, 0) { number } else { 0.0 };
     zonal
-        .flat_map(|profile| apart().zip(profile.factors.iter().skip(pairs * (degree + 1))))
+        .flat_map(|profile| unfactored().zip(profile.factors.iter().skip(pairs * (degree + 1))))
         .map(|(mode, &number)| kept(mode, number))
         .collect()
 }
@@ -233,4 +242,54 @@ fn places(table: &Table) -> Vec<ProfilePlace> {
         *(if component.order < 0 { &mut place.minus } else { &mut place.plus }) = index;
     }
     places
+}
+
+/// Arranges profiles, sorted by azimuth, in passes and sets the rows of their `places`.
+///
+/// Also returns, for each pass, profile and lane, the component that it computes, or [`NONE`].
+fn arrange(degree: usize, places: &mut [ProfilePlace]) -> (Vec<Pass>, Vec<u16>) {
+    let orders = |place: &ProfilePlace| [i32::from(place.azimuth), -i32::from(place.azimuth)];
+    let firsts: BTreeSet<isize> =
+        places.iter().flat_map(orders).map(|order| first_order(order as isize)).collect();
+    let (mut passes, mut slots, mut start) = (Vec::new(), Vec::new(), 0);
+    for first in firsts {
+        let lanes: Vec<Vec<usize>> = (first..first + LANES.cast_signed())
+            .map(|order| {
+                let of = |k: &usize| usize::from(places[*k].azimuth) == order.unsigned_abs();
+                (0..places.len()).filter(of).collect()
+            })
+            .collect();
+        let most = lanes.iter().map(Vec::len).max().unwrap_or(0);
+        for chunk in (0..most).step_by(PASS) {
+            let count = PASS.min(most - chunk);
+            for profile in 0..count {
+                for (lane, order) in (first..).take(LANES).enumerate() {
+                    let Some(&k) = lanes[lane].get(chunk + profile) else {
+                        slots.push(NONE);
+                        continue;
+                    };
+                    let place = &mut places[k];
+                    let skipped = order.unsigned_abs() - lowest_degree(first);
+                    let row = Row {
+                        start: short(start + LANES * (skipped * count + profile) + lane),
+                        step: short(LANES * count),
+                    };
+                    let (to, slot) = if order < 0 {
+                        (&mut place.minus_row, place.minus)
+                    } else {
+                        (&mut place.plus_row, place.plus)
+                    };
+                    *to = row;
+                    slots.push(slot);
+                }
+            }
+            passes.push(Pass { first: first as i16, profiles: count as u16 });
+            start += LANES * count * (degree + 1 - lowest_degree(first));
+        }
+    }
+    (passes, slots)
+}
+
+fn short(place: usize) -> u32 {
+    u32::try_from(place).expect("a transfer of fewer than four billion numbers")
 }

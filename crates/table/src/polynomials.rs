@@ -7,8 +7,8 @@
 //! polynomials, which are orthogonal over a sphere's normals and whose terms are nowhere larger
 //! than the profile.
 
+use crate::chebyshev::{clenshaw, polynomial};
 use crate::table::Table;
-use crate::trim::clenshaw;
 use eigenshade_index::layout::{self, Form, Recurrence};
 
 /// The largest error that rounding an azimuth's polynomials to `f32` may cause in a pixel: root
@@ -98,7 +98,7 @@ impl Azimuth {
         Self {
             terms,
             mean: of_mean.map(|mean| polynomial(&mean.chebyshev, length)),
-            error: if length > layout::HALVES { f64::INFINITY } else { largest(&error) },
+            error: if length > layout::EVEN_ODD_TERMS { f64::INFINITY } else { largest(&error) },
             orthogonal_mean: of_mean.map(|mean| elements.series(&slants.values(&mean.chebyshev))),
             recurrence,
             orthogonal,
@@ -267,8 +267,8 @@ fn series_in_f32(series: &[f64], t: f32, recurrence: &[Recurrence]) -> f32 {
 /// in the same way as in the runtime.
 fn short_in_f32(terms: &[f64], t: f32) -> f32 {
     match Form::of(terms.len()) {
-        Form::Powers => terms.iter().fold(0.0, |sum, &term| sum * t + term as f32),
-        Form::Halves => {
+        Form::Monomial => terms.iter().fold(0.0, |sum, &term| sum * t + term as f32),
+        Form::EvenOdd => {
             let (u, alone) = (2.0 * t * t - 1.0, terms.len() % 2);
             let first = terms[..alone].iter().fold(0.0, |_, &term| term as f32);
             terms[alone..]
@@ -287,56 +287,4 @@ fn lengths(table: &Table) -> Vec<u16> {
         lengths[azimuth] = length.max(lengths[azimuth]);
     }
     lengths
-}
-
-/// Converts a Chebyshev series to a polynomial of `length` terms, highest first, in the form that
-/// this length determines. `length` is at least the length of the series.
-pub(crate) fn polynomial(chebyshev: &[f64], length: usize) -> Vec<f64> {
-    let form = Form::of(length);
-    let mut terms = vec![0.0; length];
-    // T_0 = 1, T_1 = t, T_k+1 = 2 t T_k - T_k-1; lowest term first.
-    let mut before = vec![0.0; length];
-    let mut current = vec![0.0; length];
-    current.first_mut().into_iter().for_each(|one| *one = 1.0);
-    let mut factor = 1.0;
-    for coefficient in chebyshev {
-        for (sum, term) in terms.iter_mut().zip(&current) {
-            *sum += coefficient * term;
-        }
-        let mut next: Vec<f64> = before.iter().map(|before| -before).collect();
-        for (k, term) in current.iter().enumerate() {
-            let [above, below] = form.recurrence(k).map(|share| factor * share * term);
-            if let Some(next) = next.get_mut(k + 1) {
-                *next += above;
-            }
-            if let Some(next) = k.checked_sub(1).and_then(|k| next.get_mut(k)) {
-                *next += below;
-            }
-        }
-        before = std::mem::replace(&mut current, next);
-        factor = 2.0;
-    }
-    terms.reverse();
-    terms
-}
-
-#[cfg(test)]
-mod tests {
-    use super::polynomial;
-
-    #[test]
-    fn short_chebyshev_series_become_powers() {
-        // T_0 + 2 T_1 + 3 T_2 + 4 T_3 = 1 + 2t + 3(2t² - 1) + 4(4t³ - 3t).
-        assert_eq!(polynomial(&[1.0, 2.0, 3.0, 4.0], 5), [0.0, 16.0, 6.0, -10.0, -2.0]);
-        assert_eq!(polynomial(&[7.0], 1), [7.0]);
-        assert_eq!(polynomial(&[], 2), [0.0, 0.0]);
-    }
-
-    #[test]
-    fn longer_ones_become_halves() {
-        // T_0 + 2 T_1 + 3 T_2 + 4 T_3 + 5 T_4 = 1 + 2t + 3u + 4(2tu - t) + 5(2u² - 1).
-        let mut halves = [0.0; 17];
-        halves[12..].copy_from_slice(&[10.0, 8.0, 3.0, -2.0, -4.0]);
-        assert_eq!(polynomial(&[1.0, 2.0, 3.0, 4.0, 5.0], 17), halves);
-    }
 }

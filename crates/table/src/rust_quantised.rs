@@ -1,7 +1,7 @@
 //! A table in integers as Rust source: typed statics, a basis whose shape and bounds
 //! are checked when they are compiled, and functions with every size a constant.
 
-use crate::quantise::{Format, Place, QuantisedParts};
+use crate::quantize::{Format, Place, QuantizedParts};
 use crate::rust_quantised_functions as functions;
 use crate::rust_source;
 use eigenshade_index::pair;
@@ -9,7 +9,7 @@ use std::fmt::Write;
 
 /// The module's text. `command` is what made it, for the first line.
 #[must_use]
-pub fn module(parts: &QuantisedParts, command: &str) -> String {
+pub fn module(parts: &QuantizedParts, command: &str) -> String {
     let format = name(parts.format);
     let degrees = parts.degree + 1;
     let transfer: usize =
@@ -80,7 +80,7 @@ const fn name(format: Format) -> &'static str {
 
 /// Bytes of all statics: mantissas, exponents and lengths, 10 a profile.
 #[must_use]
-pub fn bytes(parts: &QuantisedParts) -> usize {
+pub fn bytes(parts: &QuantizedParts) -> usize {
     let mantissas = parts.polar.len() + parts.factors.len() + parts.terms.len();
     let small = parts.polar_exponents.len() + parts.factor_exponents.len() + parts.lengths.len();
     let each = if parts.format == Format::Q15 { 2 } else { 4 };

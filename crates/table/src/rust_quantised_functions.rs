@@ -1,12 +1,12 @@
 //! The functions of a table in integers as Rust source: a material, a light, a scene and a
 //! pixel, with every size a constant.
 
-use crate::quantise::{Place, QuantisedParts};
-use crate::rust_quantised::put;
+use crate::quantize::{Place, QuantizedParts};
+use crate::rust_kernels::put;
 use eigenshade_index::{material, pair};
 
 /// The profiles of each azimuth, and where they start among all.
-fn azimuths(parts: &QuantisedParts) -> impl Iterator<Item = (usize, &[Place])> {
+fn azimuths(parts: &QuantizedParts) -> impl Iterator<Item = (usize, &[Place])> {
     let mut first = 0;
     parts.profiles.chunk_by(|a, b| a.azimuth == b.azimuth).map(move |block| {
         first += block.len();
@@ -15,7 +15,7 @@ fn azimuths(parts: &QuantisedParts) -> impl Iterator<Item = (usize, &[Place])> {
 }
 
 /// A new material, one call for its scattering and one for each azimuth.
-pub(crate) fn fold(parts: &QuantisedParts, format: &str) -> String {
+pub(crate) fn fold(parts: &QuantizedParts, format: &str) -> String {
     let pairs = pair::count(parts.order);
     let (degrees, orders, modes) =
         (parts.degree + 1, parts.order + 1, material::count(parts.order));
@@ -58,7 +58,7 @@ pub fn fold_into(
             let degree = kernels::Degree::new(l, &POLAR, &POLAR_EXPONENTS, inputs.1);
             let Some(degree) = degree else {{ continue }};
             scatter(&degree, &b, sums);
-            *exponent = degree.normalise(sums);
+            *exponent = degree.normalize(sums);
         }}
 ",
             material::indices(parts.order)
@@ -102,7 +102,7 @@ fn fold_generally(
 }
 
 /// The sums S of one degree, one line for each pair (p, q): over all o.
-fn scatter(parts: &QuantisedParts, format: &str) -> String {
+fn scatter(parts: &QuantizedParts, format: &str) -> String {
     let (pairs, modes) = (pair::count(parts.order), material::count(parts.order));
     let wide = if format == "Q15" { "i32" } else { "i64" };
     let mut text = format!(
@@ -133,7 +133,7 @@ fn scatter(
 }
 
 /// A new light, one call for each azimuth.
-pub(crate) fn relight(parts: &QuantisedParts, format: &str) -> String {
+pub(crate) fn relight(parts: &QuantizedParts, format: &str) -> String {
     let pair = |place: &Place| format!("[{}, {}]", place.plus, place.minus);
     let count = (parts.degree + 1) * (parts.degree + 1);
     let mut text = format!(
@@ -215,7 +215,7 @@ fn relight_generally(
 
 /// A scene: how large it gets, and one call for each azimuth. Where the sizes' sums may
 /// not fit 32 bits, the general way alone.
-pub(crate) fn collapse(parts: &QuantisedParts, format: &str) -> String {
+pub(crate) fn collapse(parts: &QuantizedParts, format: &str) -> String {
     let mut text = String::from(
         "/// Sums the components of each azimuth: see [`eigenshade::quantised::Basis::collapse`].
 ///
@@ -265,7 +265,7 @@ fn collapse_generally(
 }
 
 /// The steps of a scene.
-fn scene(parts: &QuantisedParts, format: &str) -> String {
+fn scene(parts: &QuantizedParts, format: &str) -> String {
     let mut text = String::from(
         "    use eigenshade::quantised::kernels::collapse as kernels;
     if let (Some(d), Some(terms)) = (kernels::mantissas(coefficients), kernels::terms(&BASIS, scene)) {
@@ -340,7 +340,7 @@ fn weights(place: &Place, format: &str) -> String {
 }
 
 /// The pixel, unrolled.
-pub(crate) fn shade(parts: &QuantisedParts, format: &str) -> String {
+pub(crate) fn shade(parts: &QuantizedParts, format: &str) -> String {
     let mut text = format!(
         "/// The irradiance of one normal, times 2 to the power of the scene's negative
 /// exponent: [`eigenshade::quantised::Scene::shade`] with every length a constant, bit

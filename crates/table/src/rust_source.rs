@@ -1,9 +1,7 @@
 //! A table as Rust source: typed statics for the runtime.
 
-use crate::general::General;
-use crate::parts::{NONE, Parts, ProfilePlace, Row};
-use crate::passes::Pass;
-use crate::table::Table;
+use crate::parts::{NONE, Parts, Pass, ProfilePlace, Row};
+use crate::table::{General, Table};
 use crate::{rust_kernels, rust_scene};
 use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_index::layout;

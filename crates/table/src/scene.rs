@@ -65,7 +65,7 @@ pub struct Light {
     pub rotation: LightRotation,
     /// How the exposures of the lights are normalized; this affects only the statistics.
     #[serde(default)]
-    pub normalise: Normalise,
+    pub normalize: Normalize,
     /// Weights of the lights in the statistics, by name; 1 by default.
     #[serde(default)]
     pub weights: BTreeMap<String, f64>,
@@ -86,7 +86,7 @@ pub enum LightRotation {
 /// How the exposures of the lights are normalized; this affects only the statistics.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Normalise {
+pub enum Normalize {
     /// Each light is scaled to luminance coefficient L_0^0 = 1.
     #[default]
     UnitAmbient,
@@ -166,7 +166,7 @@ pub struct Cut {
     /// Maximum number of terms of a polynomial; its Chebyshev series is truncated there.
     pub terms: Option<usize>,
     /// Total error allowed for trimming the polynomials, relative to the images' root mean square
-    /// deviation from their means: see [`trim`](crate::trim::trim).
+    /// deviation from their means: see `trim::trim`.
     pub trim: Option<f64>,
 }
 
@@ -253,7 +253,7 @@ pub struct Effects {
     #[serde(rename = "use")]
     pub wanted: Vec<Effect>,
     /// Whether there are three color channels or one.
-    pub colour: bool,
+    pub color: bool,
     /// Whether the light may rotate at run time.
     pub rotation: bool,
 }
@@ -268,6 +268,6 @@ impl Effects {
 
 impl Default for Effects {
     fn default() -> Self {
-        Self { wanted: Effect::ALL.to_vec(), colour: true, rotation: true }
+        Self { wanted: Effect::ALL.to_vec(), color: true, rotation: true }
     }
 }

@@ -1,6 +1,6 @@
 //! A table as one Rust source file: statics in floats, and modules with the table in integers.
 
-use crate::quantise::{Format, QuantiseError, QuantisedParts};
+use crate::quantize::{Format, QuantizeError, QuantizedParts};
 use crate::table::Table;
 use crate::{rust_quantised, rust_source};
 
@@ -10,7 +10,7 @@ pub struct Statics {
     /// The text of [`rust_source::module`], then a `mod q15` or `mod q31` for each format.
     pub text: String,
     /// Formats to which the table cannot be converted, with the reasons.
-    pub left_out: Vec<(Format, QuantiseError)>,
+    pub left_out: Vec<(Format, QuantizeError)>,
 }
 
 /// The statics of a table in `f32` and in those of the given integer formats to which it can be
@@ -18,14 +18,14 @@ pub struct Statics {
 ///
 /// # Errors
 ///
-/// [`QuantiseError::Folded`] for a table that stores only transfers: it has no statics.
-pub fn module(table: &Table, command: &str, formats: &[Format]) -> Result<Statics, QuantiseError> {
+/// [`QuantizeError::TransfersOnly`] for a table that stores only transfers: it has no statics.
+pub fn module(table: &Table, command: &str, formats: &[Format]) -> Result<Statics, QuantizeError> {
     if !table.has_projection() {
-        return Err(QuantiseError::Folded);
+        return Err(QuantizeError::TransfersOnly);
     }
     let mut statics = Statics { text: rust_source::module(table, command), left_out: Vec::new() };
     for &format in formats {
-        match QuantisedParts::new(table, format, format.tolerance()) {
+        match QuantizedParts::new(table, format, format.tolerance()) {
             Ok(parts) => {
                 let inner = rust_quantised::module(&parts, command);
                 let (name, bits) = (format.name(), format.bits());

@@ -1,10 +1,8 @@
 //! A table: the eigenbasis of one scene.
 
-use crate::general::General;
+use crate::format::Format;
 use crate::gram::GramFactor;
-use crate::scene::Scene;
-use crate::transfer::MaterialTransfer;
-use crate::wire::Format;
+use crate::scene::{Scene, Store};
 use eigenshade_index::effect::Effects;
 use eigenshade_index::pair;
 use serde::{Deserialize, Serialize};
@@ -81,6 +79,46 @@ pub struct MeanImage {
     pub coefficients: Vec<f64>,
 }
 
+/// Eigenimages as sums of the span's functions. These functions are the table's components and
+/// profiles, without eigenvalues of their own.
+///
+/// Matrices are row-major: one row per eigenimage, one column per function of the span in the order
+/// of [`Table::components`](crate::Table::components).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct General {
+    /// Number of normals from which the eigenimages were computed.
+    pub normals: usize,
+    /// Numerical rank of the modes' images over those normals, at the scene's cut-off.
+    pub rank: usize,
+    /// The variance of each eigenimage; `None` for the constant of
+    /// [`Criterion::ImageCentered`](crate::scene::Criterion).
+    pub eigenvalues: Vec<Option<f64>>,
+    /// Maps an image's coordinates in the span to d.
+    pub projection: Vec<f64>,
+    /// Coordinates of each eigenimage in the span: the image of least norm that equals it on the
+    /// object's normals.
+    pub synthesis: Vec<f64>,
+    /// U in terms of the span's own U: the mode coefficients of an eigenimage are its row times the
+    /// mode coefficients of the span's components. Empty unless
+    /// [`Table::has_modes`](crate::Table::has_modes).
+    pub modes: Vec<f64>,
+    /// Coordinates of the mean image in the span, or empty.
+    pub mean: Vec<f64>,
+    /// Coefficient of the mean image in each eigenimage, or empty.
+    pub mean_coefficients: Vec<f64>,
+}
+
+/// The transfer of one channel of one material.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct MaterialTransfer {
+    /// The material's name.
+    pub name: String,
+    /// The [`fingerprint`] of the material's coefficients.
+    pub fingerprint: u32,
+    /// T for each profile and each l = |m|..=degree.
+    pub numbers: Vec<f64>,
+}
+
 /// Statistics of the computation of a table.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Summary {
@@ -117,6 +155,18 @@ pub struct Rounding {
 }
 
 impl Table {
+    /// Whether the table stores U over modes.
+    #[must_use]
+    pub fn has_modes(&self) -> bool {
+        self.scene.basis.store == Store::Modes
+    }
+
+    /// Whether the table stores the factors of UᵀM and M and can therefore project any material.
+    #[must_use]
+    pub fn has_projection(&self) -> bool {
+        self.scene.basis.store != Store::Materials
+    }
+
     /// The row of UᵀM of a profile over the modes of its |m|, computed from its factors.
     ///
     /// For o != p it is (Ĉ_lo^q g_pq + Ĉ_lp^q g_oq) / √2, for o = p Ĉ_lo^q g_oq, with Ĉ_lo^q =
@@ -129,10 +179,10 @@ impl Table {
         let gram = &self.gram;
         let effects = self.effects();
         let pairs = pair::count(effects.factored_order(gram.order));
-        let apart = &profile.factors[pairs * (gram.degree + 1 - profile.azimuth)..];
-        let of_apart = |o, p| {
-            let place = effects.apart(gram.order).position(|one| one == (o, p));
-            apart[place.expect("a coefficient that stands apart")]
+        let unfactored = &profile.factors[pairs * (gram.degree + 1 - profile.azimuth)..];
+        let unfactored_entry = |o, p| {
+            let place = effects.unfactored(gram.order).position(|one| one == (o, p));
+            unfactored[place.expect("a coefficient that is not factored")]
         };
         let polar = |l: usize, o: usize, q: usize| {
             gram.polar_integrals[pair::position(o, q) * (gram.degree + 1) + l]
@@ -144,7 +194,7 @@ impl Table {
                     return 0.0;
                 }
                 if !effects.factored(o) {
-                    return of_apart(o, p);
+                    return unfactored_entry(o, p);
                 }
                 let factor = |p: usize| {
                     profile.factors[(l - profile.azimuth) * pairs + pair::position(p, q)]
@@ -202,5 +252,10 @@ impl Table {
             .collect();
         // Summed from the small end to preserve small values.
         left.iter().rev().sum()
+    }
+
+    /// Length of one transfer.
+    pub(crate) fn transfer_length(&self) -> usize {
+        self.profiles.iter().map(|profile| self.gram.degree + 1 - profile.azimuth).sum()
     }
 }

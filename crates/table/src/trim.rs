@@ -6,6 +6,7 @@
 //! orthonormal under the density of the normals. By Parseval, truncating a series in them loses the
 //! squares of the dropped coefficients, and no polynomial of the shorter length is closer.
 
+use crate::chebyshev::{clenshaw, times_argument};
 use crate::table::Table;
 
 /// Shortens the polynomials so that a collapsed scene has the fewest terms while the root mean
@@ -158,35 +159,14 @@ fn orthonormal(nodes: &[(f64, f64)], count: usize) -> (Vec<Vec<f64>>, Vec<Vec<f6
     (all_series, all_values)
 }
 
-/// t times a Chebyshev series: t T_0 = T_1, t T_k = (T_k-1 + T_k+1) / 2.
-fn times_argument(series: &[f64]) -> Vec<f64> {
-    let mut product = vec![0.0; series.len() + 1];
-    for (k, term) in series.iter().enumerate() {
-        let half = if k == 0 { *term } else { 0.5 * term };
-        product[k + 1] += half;
-        if k > 0 {
-            product[k - 1] += half;
-        }
-    }
-    product
-}
-
-/// The value of a Chebyshev series, by Clenshaw's recurrence.
-pub(crate) fn clenshaw(series: &[f64], t: f64) -> f64 {
-    let (mut next, mut after) = (0.0, 0.0);
-    for coefficient in series.iter().skip(1).rev() {
-        (next, after) = (coefficient + 2.0 * t * next - after, next);
-    }
-    series.first().copied().unwrap_or(0.0) + t * next - after
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{clenshaw, orthonormal};
+    use super::orthonormal;
+    use crate::chebyshev::clenshaw;
 
     /// Checks only the definition, with weights on equidistant nodes.
     #[test]
-    fn polynomials_are_orthonormal_and_what_their_series_say() {
+    fn polynomials_are_orthonormal_and_match_their_series() {
         let nodes: Vec<(f64, f64)> =
             (0..40).map(|k| (f64::from(k) / 20.0 - 1.0, 0.01 * f64::from(1 + k % 3))).collect();
         let (series, values) = orthonormal(&nodes, 12);

@@ -1,40 +1,15 @@
 //! A table as bytes that the runtime reads in place: the wire format of [`eigenshade_index::wire`].
 
-use crate::general::General;
+pub use crate::format::Format;
 use crate::parts::{Parts, ProfilePlace};
-use crate::quantise::{self, QuantiseError, QuantisedParts};
-use crate::table::Table;
+use crate::quantize::{self, QuantizeError, QuantizedParts};
+use crate::table::{General, Table};
 use eigenshade_index::effect::Effects;
 use eigenshade_index::wire::{
-    ALIGNMENT, ALWAYS, CHECKSUM, ENTRY, FLOATS, HEADER, INTEGERS, LABEL, MARK, MOST, VERSION,
-    format,
+    ALIGNMENT, CHECKSUM, ENTRY, FLOATS, HEADER, INTEGERS, LABEL, MARK, MAX_DEGREE_AND_ORDER,
+    REQUIRED_FLOATS, VERSION, format,
 };
-use serde::{Deserialize, Serialize};
 use std::fmt;
-
-/// The number format of a wire file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Format {
-    /// `f32`.
-    F32,
-    /// An integer format.
-    Integer(quantise::Format),
-}
-
-impl Format {
-    /// All formats.
-    pub const ALL: [Self; 3] =
-        [Self::F32, Self::Integer(quantise::Format::Q31), Self::Integer(quantise::Format::Q15)];
-
-    /// The format's name on the command line.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::F32 => "f32",
-            Self::Integer(format) => format.name(),
-        }
-    }
-}
 
 /// The byte order of a wire file, which must be that of the machine that reads it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,8 +25,8 @@ pub enum Endian {
 #[non_exhaustive]
 pub enum WireError {
     /// It stores only transfers.
-    Folded,
-    /// Its degree or order exceeds [`MOST`].
+    TransfersOnly,
+    /// Its degree or order exceeds [`MAX_DEGREE_AND_ORDER`].
     Shape {
         /// The degree.
         degree: usize,
@@ -63,36 +38,35 @@ pub enum WireError {
     /// One of its numbers exceeds the range of `f32`.
     Range,
     /// It cannot be converted to integers.
-    Quantise(QuantiseError),
+    Quantize(QuantizeError),
 }
 
 impl fmt::Display for WireError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Folded => QuantiseError::Folded.fmt(f),
+            Self::TransfersOnly => QuantizeError::TransfersOnly.fmt(f),
             Self::Shape { degree, order } => write!(
                 f,
-                "degree {degree} and order {order}, a wire file has {MOST} at most; make the table \
-                 with less"
+                "degree {degree} and order {order}, a wire file allows at most \
+                 {MAX_DEGREE_AND_ORDER}; make the table with a lower degree and order"
             ),
-            Self::Long => f.write_str(
-                "more than 4 GB, which a wire file cannot have; make the table with fewer \
-                 components",
-            ),
+            Self::Long => {
+                f.write_str("the wire file would exceed 4 GB; make the table with fewer components")
+            }
             Self::Range => f.write_str(
-                "a number goes beyond the range of f32; scale the lights and materials of its \
-                 scene towards 1",
+                "a number exceeds the range of f32; scale the lights and materials of the scene \
+                 towards 1",
             ),
-            Self::Quantise(error) => error.fmt(f),
+            Self::Quantize(error) => error.fmt(f),
         }
     }
 }
 
 impl std::error::Error for WireError {}
 
-impl From<QuantiseError> for WireError {
-    fn from(error: QuantiseError) -> Self {
-        Self::Quantise(error)
+impl From<QuantizeError> for WireError {
+    fn from(error: QuantizeError) -> Self {
+        Self::Quantize(error)
     }
 }
 
@@ -104,14 +78,14 @@ impl From<QuantiseError> for WireError {
 /// integers.
 pub fn encode(table: &Table, format: Format, endian: Endian) -> Result<Vec<u8>, WireError> {
     let (degree, order) = (table.gram.degree, table.gram.order);
-    if degree > MOST || order > MOST {
+    if degree > MAX_DEGREE_AND_ORDER || order > MAX_DEGREE_AND_ORDER {
         return Err(WireError::Shape { degree, order });
     }
     match format {
-        Format::F32 if !table.has_projection() => Err(WireError::Folded),
+        Format::F32 if !table.has_projection() => Err(WireError::TransfersOnly),
         Format::F32 => floats(table, endian),
         Format::Integer(format) => {
-            let parts = QuantisedParts::new(table, format, format.tolerance())?;
+            let parts = QuantizedParts::new(table, format, format.tolerance())?;
             integers(&parts, endian)
         }
     }
@@ -154,7 +128,9 @@ fn floats(table: &Table, endian: Endian) -> Result<Vec<u8>, WireError> {
             .fold(section(), |bytes, one| bytes.long(one.to_bits())),
     ];
     debug_assert_eq!(sections.len(), FLOATS.len());
-    while sections.len() > ALWAYS && sections.last().is_some_and(|last| last.bytes.is_empty()) {
+    while sections.len() > REQUIRED_FLOATS
+        && sections.last().is_some_and(|last| last.bytes.is_empty())
+    {
         sections.pop();
     }
     let images = general.map_or(0, |general| general.eigenvalues.len());
@@ -162,16 +138,16 @@ fn floats(table: &Table, endian: Endian) -> Result<Vec<u8>, WireError> {
     file(endian, format::F32, shape, parts.effects, &sections)
 }
 
-fn integers(parts: &QuantisedParts, endian: Endian) -> Result<Vec<u8>, WireError> {
+fn integers(parts: &QuantizedParts, endian: Endian) -> Result<Vec<u8>, WireError> {
     let number = match parts.format {
-        quantise::Format::Q15 => format::Q15,
-        quantise::Format::Q31 => format::Q31,
+        quantize::Format::Q15 => format::Q15,
+        quantize::Format::Q31 => format::Q31,
     };
     let section = || Bytes::new(endian);
     let mantissas = |numbers: &[i32]| {
         numbers.iter().fold(section(), |bytes, &one| match parts.format {
-            quantise::Format::Q15 => bytes.short((one as i16).cast_unsigned()),
-            quantise::Format::Q31 => bytes.long(one.cast_unsigned()),
+            quantize::Format::Q15 => bytes.short((one as i16).cast_unsigned()),
+            quantize::Format::Q31 => bytes.long(one.cast_unsigned()),
         })
     };
     let small = |numbers: &[i8]| {

@@ -1,13 +1,13 @@
-//! Decoding is total: any bytes give a table that holds together, or an error.
+//! Decoding is total: any bytes give a consistent table or an error.
 
 use eigenshade_table::scene::Cut;
-use eigenshade_table::{FileError, Parts, Profile, Table, decode, encode, manifest, rust_source};
+use eigenshade_table::{FileError, Parts, Profile, Table, decode, encode, file, rust_source};
 
 fn shipped() -> Vec<u8> {
     std::fs::read(concat!(env!("CARGO_MANIFEST_DIR"), "/../../tables/sphere.bin")).unwrap()
 }
 
-/// A file around this payload, its length and checksum right.
+/// A file with this payload and the right length and checksum.
 fn sealed(payload: &[u8]) -> Vec<u8> {
     let mut bytes = b"EIGSHADE\x01\0\0\0".to_vec();
     bytes.extend((payload.len() as u64).to_le_bytes());
@@ -17,14 +17,14 @@ fn sealed(payload: &[u8]) -> Vec<u8> {
 }
 
 #[test]
-fn what_is_written_is_read() {
+fn encoded_tables_decode() {
     let bytes = shipped();
     let table = decode(&bytes).unwrap();
     assert_eq!(encode(&table), bytes);
     assert_eq!(sealed(&bytes[24..]), bytes);
 }
 
-/// With and without what a scene may leave out.
+/// With and without the optional parts of a scene.
 #[test]
 fn optional_fields_are_read() {
     let mut table = decode(&shipped()).unwrap();
@@ -55,7 +55,7 @@ fn headers_are_checked() {
         bytes[at] ^= byte;
         decode(&bytes).unwrap_err()
     };
-    assert_eq!(with(0, 1), FileError::Foreign);
+    assert_eq!(with(0, 1), FileError::BadMagic);
     assert_eq!(with(8, 1), FileError::Version(0));
     assert!(matches!(with(12, 1), FileError::Length { .. }));
     assert_eq!(with(20, 1), FileError::Checksum);
@@ -67,9 +67,9 @@ fn headers_are_checked() {
     assert!(matches!(decode(&longer), Err(FileError::Payload(_))));
 }
 
-/// The payload begins with a text; before its bytes stands how many there are.
+/// The payload begins with a string, whose length precedes its bytes.
 #[test]
-fn claimed_lengths_take_no_memory() {
+fn claimed_lengths_allocate_nothing() {
     let payload = &shipped()[24..];
     assert_eq!(&payload[..7], b"\x06sphere");
     for length in [u64::MAX, 1 << 60, 1 << 40, 1 << 32, 1 << 28] {
@@ -78,10 +78,9 @@ fn claimed_lengths_take_no_memory() {
     }
 }
 
-/// Damage that the checksum does not show: an error, or a table that everything
-/// can be made of.
+/// Corruption under a right checksum gives an error or a table from which parts can be made.
 #[test]
-fn no_damage_is_a_panic() {
+fn corrupt_payloads_do_not_panic() {
     let bytes = shipped();
     let payload = &bytes[24..];
     let mut read = 0;
@@ -95,7 +94,7 @@ fn no_damage_is_a_panic() {
             }
         }
     }
-    assert!(read > 100, "{read}: the damage reaches the parts");
+    assert!(read > 100, "{read}: some corrupt payloads decode");
 }
 
 #[test]
@@ -107,8 +106,8 @@ fn parts_that_contradict_each_other_are_refused() {
         let error = decode(&encode(&table)).unwrap_err().to_string();
         assert!(error.contains(what), "{what}: {error}");
     };
-    refused(&|table| table.gram.degree = usize::MAX, "beyond 256");
-    refused(&|table| table.gram.order = 6, "not those of the scene");
+    refused(&|table| table.gram.degree = usize::MAX, "above 256");
+    refused(&|table| table.gram.order = 6, "differ from the scene's");
     refused(&|table| table.gram.gains.truncate(39), "gains: 40 numbers expected, 39 found");
     refused(&|table| table.gram.rotations.push(0.0), "rotations");
     refused(&|table| table.selection = vec![true; 17], "selection");
@@ -118,9 +117,9 @@ fn parts_that_contradict_each_other_are_refused() {
     refused(&|table| table.spectrum[4].1 = Some(f64::INFINITY), "eigenvalues");
     refused(&|table| table.components[7].profile = 1 << 40, "component 7 has no profile");
     refused(&|table| table.components[7].order = i32::MIN, "component 7");
-    refused(&|table| table.components[7] = table.components[6], "component 7 is there twice");
-    refused(&|table| table.components.clear(), "without a component");
-    refused(&|table| table.profiles.reverse(), "out of order");
+    refused(&|table| table.components[7] = table.components[6], "component 7 is a duplicate");
+    refused(&|table| table.components.clear(), "no component uses");
+    refused(&|table| table.profiles.reverse(), "not sorted");
     let profile = |change: &dyn Fn(&mut Profile), what| {
         refused(&|table| change(&mut table.profiles[2]), what);
     };
@@ -134,12 +133,12 @@ fn parts_that_contradict_each_other_are_refused() {
     refused(&|table| table.mean = Some(mean.clone()), "mean image");
 }
 
-/// The names of sections are part of the format of a manifest, and the first line
-/// of each output says what made it.
+/// The section names are part of the manifest's format, and the first line of each output names the
+/// command that made it.
 #[test]
-fn outputs_name_what_made_them() {
+fn outputs_name_their_command() {
     let table = decode(&shipped()).unwrap();
-    let text = manifest::manifest(&table, "by hand");
+    let text = file::manifest(&table, "by hand");
     assert!(text.starts_with("# by hand\nentry,value,bytes,crc32\nscene,,"));
     assert!(rust_source::module(&table, "by hand").starts_with("// by hand\n// "));
 }

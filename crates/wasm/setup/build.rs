@@ -1,7 +1,7 @@
-//! The module's table: the shipped one, or that of the file which `EIGENSHADE_TABLE` names,
-//! as statics in the output folder.
+//! Writes the table that `EIGENSHADE_TABLE` names as statics to the output folder. Without it the module
+//! has the shipped table.
 
-use eigenshade_table::quantise::{Format, QuantisedParts};
+use eigenshade_table::quantize::{Format, QuantizedParts};
 use eigenshade_table::{Table, rust_quantised, rust_source};
 use std::path::{Path, PathBuf};
 use std::{env, fs, process};
@@ -18,11 +18,11 @@ fn main() {
     }
 }
 
-/// Writes the statics of a table in the formats that the module has: `table.rs`,
-/// `table_q15.rs` and `table_q31.rs`.
+/// Writes the statics of a table in the formats of the module: `table.rs`, `table_q15.rs` and
+/// `table_q31.rs`.
 fn bake(path: &Path) -> Result<(), String> {
     if !path.is_absolute() {
-        return Err("a build script runs elsewhere than you; give the whole path".into());
+        return Err("build scripts run in another folder; give the whole path".into());
     }
     let bytes = fs::read(path).map_err(|error| error.to_string())?;
     let table = eigenshade_table::decode(&bytes).map_err(|error| error.to_string())?;
@@ -33,8 +33,8 @@ fn bake(path: &Path) -> Result<(), String> {
         if env::var_os(format!("CARGO_FEATURE_{}", name.to_uppercase())).is_none() {
             continue;
         }
-        let parts = QuantisedParts::new(&table, format, format.tolerance())
-            .map_err(|error| format!("{error}; build the module of `f32`"))?;
+        let parts = QuantizedParts::new(&table, format, format.tolerance())
+            .map_err(|error| format!("{error}; build the module `f32`"))?;
         write(&format!("table_{name}.rs"), &rust_quantised::module(&parts, &command))?;
     }
     Ok(())
@@ -43,17 +43,16 @@ fn bake(path: &Path) -> Result<(), String> {
 /// Whether the module can project with a table.
 fn fits(table: &Table) -> Result<(), String> {
     if !table.has_projection() {
-        return Err("it keeps transfers alone; set store = \"projection\" in its scene".into());
+        return Err("it stores only transfers; set store = \"projection\" in its scene".into());
     }
     if table.general.is_some() {
-        return Err("the module takes tables of a sphere's normals under light that turns \
-                    freely; set normals = \"sphere\" and rotation = \"any\" in its scene"
+        return Err("a module needs a table of a sphere under light that turns freely; set normals = \"sphere\" and rotation = \"any\" in its scene"
             .into());
     }
     Ok(())
 }
 
-/// Writes a file of the output folder.
+/// Writes a file to the output folder.
 fn write(name: &str, text: &str) -> Result<(), String> {
     let to = PathBuf::from(env::var_os("OUT_DIR").ok_or("OUT_DIR is not set")?).join(name);
     fs::write(&to, text).map_err(|error| format!("{}: {error}", to.display()))

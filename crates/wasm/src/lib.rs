@@ -1,25 +1,19 @@
 //! eigenshade as a WebAssembly module with plain exports.
 //!
-//! Functions compute; globals are addresses of fixed buffers in linear memory, which the
-//! page fills before a call and reads after it. `eigenshade.mjs` wraps both. Built for
-//! `wasm32-unknown-unknown` alone: elsewhere the crate is empty.
+//! Functions compute. Globals are addresses of fixed buffers in linear memory, which the page fills
+//! before a call and reads after it. `eigenshade.mjs` wraps both. Only for `wasm32-unknown-unknown`;
+//! on other targets the crate is empty.
 #![cfg(target_arch = "wasm32")]
 #![no_std]
 
 #[cfg(feature = "f32")]
-mod floats;
-
-#[cfg(feature = "map")]
-mod map;
-
-#[cfg(feature = "nine-terms")]
-mod nine_terms;
+mod pixels;
 
 // For its exports.
 use eigenshade_wasm_setup as _;
 
 unsafe extern "C" {
-    /// Nowhere: a module in which the compiler sees a way to a panic imports this, and
+    /// An undefined symbol: a module with a reachable panic imports it, and
     /// `tests/module.test.mjs` fails.
     safe fn a_panic_can_be_reached() -> !;
 }

@@ -1,4 +1,4 @@
-// What the page gets wrong is told in one line.
+// Each wrong input throws an error of one line.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
@@ -17,14 +17,14 @@ test("coefficients", () => {
     fails(() => format.light(LIGHT.slice(1)), "RangeError",
       "light: 99 coefficients, this table takes 1, 4, 9, 16, 25, 36, 49, 64, 81, 100");
     fails(() => format.light([...LIGHT, ...LIGHT]), "RangeError",
-      "light: 200 coefficients, this table takes 1, 4, 9, 16, 25, 36, 49, 64, 81, 100; leave out what is beyond");
+      "light: 200 coefficients, this table takes 1, 4, 9, 16, 25, 36, 49, 64, 81, 100; leave out the rest");
     fails(() => format.material([]), "RangeError",
       "material: 0 coefficients, this table takes 1, 2, 5, 8, 14, 20, 30, 40");
     fails(() => format.material("red"), "TypeError",
       "material: an array of numbers expected, string found");
     for (const bad of [NaN, Infinity, 1e300, undefined, "red"]) {
       fails(() => format.light(LIGHT.with(7, bad)), "RangeError",
-        `light: coefficient 7 is ${bad}, which no f32 holds`);
+        `light: coefficient 7 is ${bad}, which is not a finite f32`);
     }
   }
 });
@@ -32,35 +32,35 @@ test("coefficients", () => {
 test("an order of steps", async () => {
   const fresh = await load(bytes("all", ""));
   for (const format of [fresh.f32, fresh.q15, fresh.q31]) {
-    fails(() => format.project(), "Error", "project: there is no light yet; give one first");
+    fails(() => format.project(), "Error", "project: no light yet; set one first");
     format.light(LIGHT);
-    fails(() => format.project(), "Error", "project: there is no material yet; give one first");
+    fails(() => format.project(), "Error", "project: no material yet; set one first");
     fails(() => format.collapse(), "Error",
-      "collapse: there are no coefficients d yet; project first");
+      "collapse: no coefficients d yet; call project first");
     format.material(MATERIAL).project();
-    fails(() => format.shade([0], [0], [1]), "Error", "shade: there is no scene yet; collapse first");
+    fails(() => format.shade([0], [0], [1]), "Error", "shade: no scene yet; call collapse first");
   }
 });
 
 test("an order of steps with more in floats", async () => {
   const { f32: more } = await load(bytes("floats", ""));
-  fails(() => more.relight(), "Error", "relight: there is no light yet; give one first");
-  fails(() => more.light(LIGHT).relight(), "Error", "relight: there is no material yet; give one first");
-  fails(() => more.bake(), "Error", "bake: there is no scene yet; collapse first");
+  fails(() => more.relight(), "Error", "relight: no light yet; set one first");
+  fails(() => more.light(LIGHT).relight(), "Error", "relight: no material yet; set one first");
+  fails(() => more.bake(), "Error", "bake: no scene yet; call collapse first");
   more.material(MATERIAL).relight();
   more.collapse();
-  fails(() => more.lookUp([0], [0], [1]), "Error", "lookUp: there is no map yet; bake first");
+  fails(() => more.lookUp([0], [0], [1]), "Error", "lookUp: no map yet; call bake first");
   more.bake();
-  fails(() => more.lookUp([0], [0], [2]), "RangeError", "lookUp: normal 0 is (0, 0, 2), no unit vector with z >= 0");
+  fails(() => more.lookUp([0], [0], [2]), "RangeError", "lookUp: normal 0 is (0, 0, 2), expected a unit vector with z >= 0");
   assert.equal(more.exports.f32_look_up(0xffffffff), 0);
   // d of a new light: the map is still that of the old.
   more.relight();
-  fails(() => more.lookUp([0], [0], [1]), "Error", "lookUp: there is no map yet; bake first");
+  fails(() => more.lookUp([0], [0], [1]), "Error", "lookUp: no map yet; call bake first");
   const fresh = await load(bytes("floats", ""));
   assert.equal(fresh.exports.f32_bake(), 0);
-  fails(() => f32.relight(), "Error", "f32: this module has no f32_relight; take floats.wasm");
-  fails(() => f32.bake(), "Error", "f32: this module has no f32_bake; take floats.wasm");
-  fails(() => f32.lookUp([0], [0], [1]), "Error", "f32: this module has no f32_look_up; take floats.wasm");
+  fails(() => f32.relight(), "Error", "f32: this module has no f32_relight; use floats.wasm");
+  fails(() => f32.bake(), "Error", "f32: this module has no f32_bake; use floats.wasm");
+  fails(() => f32.lookUp([0], [0], [1]), "Error", "f32: this module has no f32_look_up; use floats.wasm");
 });
 
 test("normals", () => {
@@ -73,13 +73,13 @@ test("normals", () => {
     for (const bad of [[NaN, 0, 1], [0, Infinity, 1], [0, 0, 2], [0, 0, -1], [0, 0, 0]]) {
       const at = (axis) => [0, 0, bad[axis]].with(0, axis === 2 ? 1 : 0).with(1, axis === 2 ? 1 : 0);
       fails(() => format.shade(at(0), at(1), at(2)), "RangeError",
-        `shade: normal 2 is (${bad.join(", ")}), no unit vector with z >= 0`);
+        `shade: normal 2 is (${bad.join(", ")}), expected a unit vector with z >= 0`);
     }
     assert.equal(format.shade([], [], []).length, 0);
   }
   const [x, y, z] = normals("q15", Int16Array);
   fails(() => q15.shade(x.with(1, 0), y.with(1, 0), z), "RangeError",
-    "shade: normal 1 is (0, 0, 0), no unit vector with z >= 0");
+    "shade: normal 1 is (0, 0, 0), expected a unit vector with z >= 0");
 });
 
 test("normals of a map of 8 bits, and behind the rim", () => {
@@ -94,7 +94,7 @@ test("normals of a map of 8 bits, and behind the rim", () => {
   for (const bad of [[0, 0, 0], [NaN, 0, 1], [Infinity, 0, 1], [0, 1, -0.2]]) {
     const [a, b, c] = bad;
     fails(() => normalized([0, a], [0, b], [1, c]), "RangeError",
-      `normalized: vector 1 is (${bad.join(", ")}), which points nowhere or away`);
+      `normalized: vector 1 is (${bad.join(", ")}), which is zero, not finite, or points away`);
   }
   fails(() => normalized([0, 0], [0], [1, 1]), "RangeError", "normalized: x has 2 numbers, y has 1");
 });

@@ -1,29 +1,29 @@
-// What a module costs and what it needs.
+// The size and the imports of each module.
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { VARIANTS, bytes, sizes } from "./support/modules.mjs";
 
-/** Bytes by gzip -9 of a module of one format but for its data, which are its tables. */
-const MOST = 4096;
+/** Maximum size with gzip -9 of a module of one format, without its data section (the tables). */
+const MAX_BYTES = 4096;
 
-/** By how much another compiler's module may differ. */
+/** Relative size difference that another compiler may cause. */
 const COMPILERS = 0.03;
 
 const README = readFileSync(new URL("../README.md", import.meta.url), "utf8");
 
 for (const variant of VARIANTS) {
   for (const name of ["f32", "q15", "q31"]) {
-    test(`${name}${variant}.wasm without tables is at most ${MOST} bytes`, () => {
+    test(`${name}${variant}.wasm without tables is at most ${MAX_BYTES} bytes`, () => {
       const { zipped } = sizes(bytes(name, variant));
-      assert.ok(zipped <= MOST, `${zipped} bytes`);
+      assert.ok(zipped <= MAX_BYTES, `${zipped} bytes`);
     });
   }
 
-  // A panic that the compiler cannot rule out would be an import: see src/lib.rs.
+  // A reachable panic would be an import: see src/lib.rs.
   for (const name of ["f32", "q15", "q31", "floats", "all"]) {
-    test(`${name}${variant}.wasm cannot panic and needs nothing from outside`, () => {
+    test(`${name}${variant}.wasm cannot panic and imports nothing`, () => {
       const module = new WebAssembly.Module(bytes(name, variant));
       assert.deepEqual(WebAssembly.Module.imports(module), []);
     });

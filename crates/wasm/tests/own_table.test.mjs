@@ -1,4 +1,4 @@
-// Modules of a table of one's own, as `crates/wasm/build` makes them.
+// Modules with your own table, as `crates/wasm/build` makes them.
 
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
@@ -13,12 +13,12 @@ const ROOT = fileURLToPath(new URL("../../../", import.meta.url));
 const LAMBERTIAN = join(ROOT, "firmware/tables/lambertian.bin");
 const folder = mkdtempSync(join(tmpdir(), "eigenshade-"));
 
-/** Builds modules of the table at `path`: all that was said, and whether it was done. */
+/** Builds modules with the table at `path`: the exit status and the output. */
 function build(path, ...modules) {
   const environment = { ...process.env, EIGENSHADE_TABLE: path };
   const { status, stdout, stderr } = spawnSync(join(ROOT, "crates/wasm/build"), ["--to", folder, ...modules],
     { env: environment, encoding: "utf8" });
-  return { status, said: stdout + stderr };
+  return { status, output: stdout + stderr };
 }
 
 /** Irradiance of a white matte: A_l / π of its light's zonal coefficients, and of one that is not. */
@@ -30,8 +30,8 @@ function matte([ambient, vertical, facing, side, , , zonal], [x, y, z]) {
 }
 
 test("a Lambertian table: its sizes, and what it shades", async () => {
-  const { status, said } = build(LAMBERTIAN, "floats.simd", "q15");
-  assert.equal(status, 0, said);
+  const { status, output } = build(LAMBERTIAN, "floats.simd", "q15");
+  assert.equal(status, 0, output);
   for (const [module, name, tolerance] of [["floats.simd", "f32", 2e-6], ["q15", "q15", 1e-3]]) {
     const { [name]: format, ...shape } = await load(readFileSync(join(folder, `${module}.wasm`)));
     assert.deepEqual([shape.degree, shape.order, shape.components], [2, 0, 9]);
@@ -44,11 +44,11 @@ test("a Lambertian table: its sizes, and what it shades", async () => {
       const expected = matte(light, normal);
       assert.ok(Math.abs(value - expected) <= tolerance, `${module}: ${value} for ${expected}`);
     });
-    assert.throws(() => format.light(Array(16).fill(0)), /this table takes 1, 4, 9; leave out what is beyond/);
+    assert.throws(() => format.light(Array(16).fill(0)), /this table takes 1, 4, 9; leave out the rest/);
   }
 });
 
-test("tables that no module can be made of", () => {
+test("unsuitable tables", () => {
   const damaged = join(folder, "damaged.bin");
   const whole = readFileSync(LAMBERTIAN);
   writeFileSync(damaged, whole.subarray(0, whole.length >> 1));
@@ -57,14 +57,14 @@ test("tables that no module can be made of", () => {
     [join(folder, "nowhere.bin"), "nowhere.bin", "No such file"],
     [damaged, "damaged.bin"],
   ]) {
-    const { status, said } = build(path, "f32");
+    const { status, output } = build(path, "f32");
     assert.notEqual(status, 0, path);
-    for (const word of ["EIGENSHADE_TABLE", ...words]) assert.ok(said.includes(word), `${word}: ${said}`);
+    for (const word of ["EIGENSHADE_TABLE", ...words]) assert.ok(output.includes(word), `${word}: ${output}`);
   }
 });
 
-test("a module that there is none of", () => {
-  const { status, said } = build(LAMBERTIAN, "f16");
+test("an unknown module", () => {
+  const { status, output } = build(LAMBERTIAN, "f16");
   assert.equal(status, 1);
-  assert.ok(said.includes("no module is called `f16`"), said);
+  assert.ok(output.includes("no module is called `f16`"), output);
 });

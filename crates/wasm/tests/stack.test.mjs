@@ -1,4 +1,4 @@
-// How much stack a call takes.
+// The stack that each call uses.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
@@ -6,7 +6,7 @@ import { PAIRS, normals, row } from "./support/golden.mjs";
 import { VARIANTS, bytes } from "./support/modules.mjs";
 import { load } from "../eigenshade.mjs";
 
-/** What `build` links: the stack is the first part of memory and grows down. */
+/** The stack size that `build` sets. The stack is at the start of memory and grows down. */
 const STACK = 8192;
 
 const MARK = 0xa5;
@@ -20,7 +20,7 @@ function depth(exports, call) {
 }
 
 for (const variant of VARIANTS) {
-  test(`every call of floats${variant}.wasm takes at most half of the stack`, async () => {
+  test(`every call of floats${variant}.wasm uses at most half of the stack`, async () => {
     const { exports, f32 } = await load(bytes("floats", variant));
     assert.ok(exports.memory.buffer.byteLength <= 2 * 65536, "README.md says two pages");
     f32.light(row("f32", "light", PAIRS[0]).numbers);
@@ -31,13 +31,13 @@ for (const variant of VARIANTS) {
       depth(exports, () => f32.bake()),
       depth(exports, () => f32.lookUp(...normals("f32", Float32Array))),
     ];
-    assert.ok(Math.max(...depths) > 0, "a collapsed scene passes over the stack");
+    assert.ok(Math.max(...depths) > 0, "a collapsed scene is on the stack");
     assert.ok(Math.max(...depths) <= STACK / 2, `${depths} bytes`);
   });
 
-  test(`every call of all${variant}.wasm takes at most half of the stack`, async () => {
+  test(`every call of all${variant}.wasm uses at most half of the stack`, async () => {
     const { exports, ...formats } = await load(bytes("all", variant));
-    assert.ok(exports.light.value >= STACK, "the stack is no longer what lies first");
+    assert.ok(exports.light.value >= STACK, "the stack must be at the start of memory");
     assert.ok(exports.memory.buffer.byteLength <= 2 * 65536, "README.md says two pages");
     for (const name of ["f32", "q15", "q31"]) {
       const format = formats[name];
@@ -48,7 +48,7 @@ for (const variant of VARIANTS) {
         depth(exports, () => format.collapse()),
         depth(exports, () => format.shade(...normals("f32", Float32Array))),
       ];
-      assert.ok(Math.max(...depths) > 0, "a collapsed scene passes over the stack");
+      assert.ok(Math.max(...depths) > 0, "a collapsed scene is on the stack");
       assert.ok(Math.max(...depths) <= STACK / 2, `${name}: ${depths} bytes`);
     }
   });

@@ -45,7 +45,7 @@ pub const SCENES: [Scene; 10] = [
     still("studio_plaster", "studio on plaster, no gloss", "studio"),
     still("studio_velvet", "studio on velvet", "studio"),
     LEATHER,
-    Scene { name: "sun_leather_colour", title: "sun on leather in color", channels: 3, ..LEATHER },
+    Scene { name: "sun_leather_color", title: "sun on leather in color", channels: 3, ..LEATHER },
     Scene {
         name: "sun_leather_turning",
         title: "sun on leather in color, turning",

@@ -5,9 +5,9 @@ use super::setting::Recipe;
 use eigenshade_generator::basis;
 use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_model::error::Result;
-use eigenshade_table::components::with_components;
-use eigenshade_table::cut::cut;
-use eigenshade_table::scene::{self, Criterion, LightRotation, Normalise, Store};
+use eigenshade_table::reduce::cut;
+use eigenshade_table::reduce::with_components;
+use eigenshade_table::scene::{self, Criterion, LightRotation, Normalize, Store};
 use eigenshade_table::{Scene, Table};
 use std::collections::BTreeMap;
 
@@ -62,7 +62,7 @@ fn scene(scope: &Scope, (modes, effects): Modes, components: Option<usize>) -> S
             degree: scope.degree,
             database: "inputs/lights.csv".into(),
             rotation: LightRotation::Any,
-            normalise: Normalise::UnitAmbient,
+            normalize: Normalize::UnitAmbient,
             weights: BTreeMap::new(),
         },
         material: scene::Material {

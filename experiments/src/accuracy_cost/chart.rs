@@ -12,7 +12,7 @@ use std::ops::Range;
 /// Average width of a letter, relative to the height of the letters.
 const LETTER_WIDTH: f64 = 0.42;
 /// Colors of a chart's lines, in order.
-const COLOURS: [RGBColor; 3] = [BLUE, ORANGE, GREEN];
+const COLORS: [RGBColor; 3] = [BLUE, ORANGE, GREEN];
 
 /// Points, their Pareto front, and reference lines.
 pub struct Scatter {
@@ -251,14 +251,14 @@ pub fn growth(lines: &Lines) -> Result<String> {
         rows.end *= (rows.end / rows.start).powf(0.12 * lines.lines.len() as f64);
         let axes = [&*lines.horizontal, lines.vertical];
         let mut chart = framed(&root, [columns, rows], axes, plain)?;
-        for (Line { name, points, fitted }, colour) in lines.lines.iter().zip(COLOURS) {
-            let style = colour.stroke_width(3);
+        for (Line { name, points, fitted }, color) in lines.lines.iter().zip(COLORS) {
+            let style = color.stroke_width(3);
             chart
                 .draw_series(LineSeries::new(points.clone(), style))
                 .map_err(fault)?
                 .label(name)
                 .legend(move |(x, y)| PathElement::new([(x, y), (x + 30, y)], style));
-            let dots = points.iter().map(|&point| Circle::new(point, 5, colour.filled()));
+            let dots = points.iter().map(|&point| Circle::new(point, 5, color.filled()));
             chart.draw_series(dots).map_err(fault)?;
             let dashes = DashedPathElement::new(*fitted, 7, 6, INK.stroke_width(1));
             chart.draw_series([dashes]).map_err(fault)?;

@@ -196,7 +196,7 @@ fn measured() -> Result<Vec<Surface>> {
         let channel = |k: usize| Abc::new(fit.matte[k], [fit.a[k], fit.b, fit.c], fit.index);
         let rgb: [Box<dyn Brdf>; 3] =
             [Box::new(channel(0)?), Box::new(channel(1)?), Box::new(channel(2)?)];
-        Ok(Surface::coloured(fit.name.to_owned(), rgb))
+        Ok(Surface::colored(fit.name.to_owned(), rgb))
     };
     MEASURED.iter().map(surface).collect()
 }

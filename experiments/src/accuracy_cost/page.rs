@@ -50,7 +50,7 @@ fn head(points: &[Point], models: &[Row]) -> String {
          formula's own time there is in [{POINTS}]({POINTS}). Those of WebAssembly are with SIMD in Node, of modules of ten tables ([times.csv](../../crates/wasm/times.csv)). **A new light** is the way from its coefficients to the first \
          pixel, on a material that is folded in already; on x86-64 of a table that is read at run time, where one that is compiled in takes less than half of it \
          ([performance.md](../performance.md)). Where nothing was counted stands a dash. **Bytes** are of the table as `pack` writes it, and of what one \
-         channel of an image holds from light to light: the folded material, d, and what a pixel reads. All is for one channel; colour takes three.\n\n\
+         channel of an image holds from light to light: the folded material, d, and what a pixel reads. All is for one channel; color takes three.\n\n\
          Each row of the tables below is the cheapest setting whose method is below the limit for 95 of 100 images of unseen materials; of times \
          within five per cent of the least, the setting with the least error. Settings \
          below degree {DEGREE} and order {ORDER} are taken only where their model is below the limit too.\n\n\

@@ -7,7 +7,7 @@ use eigenshade_model::error::{Error, Result};
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::owned_quantised::{Integer, OwnedQuantised};
 use eigenshade_shading::shader::fault;
-use eigenshade_table::quantise;
+use eigenshade_table::quantize;
 use eigenshade_table::{Parts, Table, wire};
 
 /// Bytes of a setting.
@@ -39,11 +39,11 @@ pub fn bytes(setting: &Setting, table: &Table) -> Result<Bytes> {
     };
     match (setting.format, setting.way) {
         (Format::Q31, _) => {
-            let table_bytes = packed(wire::Format::Integer(quantise::Format::Q31))?;
+            let table_bytes = packed(wire::Format::Integer(quantize::Format::Q31))?;
             Ok(Bytes { table: table_bytes, state: of_integers::<Q31>(table)? })
         }
         (Format::Q15, Way::Polynomial) => {
-            let table_bytes = packed(wire::Format::Integer(quantise::Format::Q15))?;
+            let table_bytes = packed(wire::Format::Integer(quantize::Format::Q15))?;
             Ok(Bytes { table: table_bytes, state: of_integers::<Q15>(table)? })
         }
         (format, way) => {

@@ -1,6 +1,5 @@
 //! `experiments accuracy-cost`: the error and the cost of every setting.
 
-use experiments::pages::Purpose;
 use clap::Args;
 use eigenshade_cli::output::message::{bar, say};
 use eigenshade_cli::output::{collision, destination};
@@ -9,6 +8,7 @@ use experiments::accuracy_cost::check::{Compared, compare};
 use experiments::accuracy_cost::kept::Kept;
 use experiments::accuracy_cost::sheet::POINTS;
 use experiments::accuracy_cost::{Extent, Measured, Times};
+use experiments::pages::Purpose;
 use std::fs;
 use std::path::{Path, PathBuf};
 

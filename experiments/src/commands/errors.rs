@@ -134,7 +134,7 @@ impl Errors {
                 "make one: only such tables are compared with direct integration",
             );
         }
-        if !table.effects().is_all() || !table.scene.effects.colour {
+        if !table.effects().is_all() || !table.scene.effects.color {
             return fault(
                 "it lacks effects or color, which direct integration has",
                 "use a table of all effects, in color",

@@ -210,7 +210,7 @@ impl Picture {
             let light = light.ok_or_else(|| Error::new("no such light", "take a shipped one"))?;
             let mut images = Vec::new();
             for material in &materials {
-                images.push(shader.colour((degree, light), (order, material), &normals)?);
+                images.push(shader.color((degree, light), (order, material), &normals)?);
             }
             let all = images.iter().flatten().flatten().map(|&value| f64::from(value)).collect();
             let exposure = tone::exposure(all, UNCLIPPED);

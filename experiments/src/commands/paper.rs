@@ -1,9 +1,9 @@
 //! `experiments paper`: the figures of the paper, on the shipped data.
 
-use experiments::pages::Purpose;
 use clap::Args;
 use eigenshade_cli::output::message::{say, spinner};
 use eigenshade_model::error::Result;
+use experiments::pages::Purpose;
 use experiments::paper::compare::compare;
 use experiments::paper::make;
 

@@ -180,7 +180,7 @@ fn compare_pictures(found: &PngSamples, expected: &Canvas) -> std::result::Resul
     }
     let mut off = 0;
     let (pixels, _) = expected.bytes.as_chunks::<3>();
-    for (place, (found, expected)) in found.colours.iter().zip(pixels).enumerate() {
+    for (place, (found, expected)) in found.colors.iter().zip(pixels).enumerate() {
         let expected = expected.map(u16::from);
         let apart = found.iter().zip(expected).map(|(a, b)| a.abs_diff(b)).max().unwrap_or(0);
         if apart > LEVELS {
@@ -251,7 +251,7 @@ mod tests {
             height: 40,
             full: 255,
             curve: Curve::Srgb,
-            colours: vec![[10, 20, 30]; 2000],
+            colors: vec![[10, 20, 30]; 2000],
             opacities: vec![255; 2000],
         };
         type Change<'a> = &'a dyn Fn(&mut PngSamples);
@@ -261,10 +261,10 @@ mod tests {
             compare_pictures(&changed, &canvas)
         };
         assert_eq!(with(&|_| ()), Ok(2000));
-        assert_eq!(with(&|one| one.colours[..2].fill([11, 19, 30])), Ok(2000));
+        assert_eq!(with(&|one| one.colors[..2].fill([11, 19, 30])), Ok(2000));
         let wrong: [(Change<'_>, &str); 5] = [
-            (&|one| one.colours[..3].fill([11, 19, 30]), "3 of its pixels"),
-            (&|one| one.colours[52][2] = 32, "pixel (2, 1)"),
+            (&|one| one.colors[..3].fill([11, 19, 30]), "3 of its pixels"),
+            (&|one| one.colors[52][2] = 32, "pixel (2, 1)"),
             (&|one| one.opacities[7] = 254, "opaque"),
             (&|one| one.full = u16::MAX, "8 bits"),
             (&|one| (one.width, one.height) = (40, 50), "40 x 50"),

@@ -43,7 +43,7 @@ pub fn files(study: &Study, progress: &ProgressBar) -> Result<Vec<OutputFile>> {
         let whole = reference_image::images(&lights, &materials, &normals, progress);
         let whole: Vec<[f64; 3]> = whole.iter().map(|of_pairs| of_pairs[0]).collect();
         let (light, material) = ((study.lights.degree, light), (study.materials.order, material));
-        let selected = shader.colour(light, material, &owned_normals)?;
+        let selected = shader.color(light, material, &owned_normals)?;
         let selected: Vec<[f64; 3]> =
             (0..normals.len()).map(|k| selected.each_ref().map(|channel| channel[k])).collect();
         let pixels = plate.view.pixels.len();

@@ -10,7 +10,7 @@ use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::selection;
 use eigenshade_shading::{parallel, shipped};
-use eigenshade_table::scene::{self, Criterion, Effects, Normalise};
+use eigenshade_table::scene::{self, Criterion, Effects, Normalize};
 use eigenshade_table::{GramFactor, Scene, Table, decode};
 use indicatif::ProgressBar;
 
@@ -121,7 +121,7 @@ impl Study {
         let mut luminances = Vec::new();
         for entry in &lights.entries {
             let mut light = entry.luminance();
-            let scale = exposure(&entry.name, light[0], Normalise::UnitAmbient)?;
+            let scale = exposure(&entry.name, light[0], Normalize::UnitAmbient)?;
             light.iter_mut().for_each(|value| *value *= scale);
             luminances.push(light);
         }

@@ -5,7 +5,7 @@ use crate::tolerances;
 use eigenshade_generator::scene_file::Loaded;
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_table::Table;
-use eigenshade_table::scene::Normalise;
+use eigenshade_table::scene::Normalize;
 use eigenshade_testing::fixtures::{self, lights, materials, named};
 use eigenshade_testing::largest;
 use eigenshade_testing::oracle::Numbers;
@@ -79,7 +79,7 @@ pub(super) fn zeros() -> Vec<Figure> {
     let refused =
         eigenshade_generator::basis::build(&loaded.scene, &loaded.lights, &loaded.materials)
             .is_err_and(|error| error.to_string().contains("`black`"));
-    loaded.scene.light.normalise = Normalise::None;
+    loaded.scene.light.normalize = Normalize::None;
     let dark = fixtures::reconstruction_error(&loaded, &fixtures::table(&loaded));
     let night = Loaded {
         lights: Lights { degree: DEGREE, entries: loaded.lights.entries.split_off(3) },
@@ -132,7 +132,7 @@ pub(super) fn rank_one() -> Vec<Figure> {
         });
     }
     let mut loaded = fixtures::standard(fixtures::scene(pair, materials(ORDER, 1, &mut numbers)));
-    loaded.scene.light.normalise = Normalise::None;
+    loaded.scene.light.normalize = Normalize::None;
     let table = fixtures::table(&loaded);
     let error = fixtures::reconstruction_error(&loaded, &table);
     // The variance by hand: that of the exposures times the energy of the image.

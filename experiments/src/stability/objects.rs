@@ -6,7 +6,7 @@ use eigenshade_generator::object::geometry::WeightedNormals;
 use eigenshade_generator::object::mesh;
 use eigenshade_generator::scene_file::Loaded;
 use eigenshade_table::Table;
-use eigenshade_table::scene::{LightRotation, Normalise};
+use eigenshade_table::scene::{LightRotation, Normalize};
 use eigenshade_testing::fixtures::{self, ROOT, standard};
 use eigenshade_testing::largest;
 use eigenshade_testing::oracle::Numbers;
@@ -24,7 +24,7 @@ fn scene() -> Loaded {
     let lights = fixtures::lights(DEGREE, 12, &mut numbers);
     let mut loaded = fixtures::scene(lights, fixtures::materials(ORDER, 8, &mut numbers));
     loaded.scene.light.rotation = LightRotation::None;
-    loaded.scene.light.normalise = Normalise::None;
+    loaded.scene.light.normalize = Normalize::None;
     loaded
 }
 

@@ -1,14 +1,15 @@
-//! How much stack something takes: the stack is painted, and afterwards the paint that
-//! is left is measured.
+//! The stack that a call uses: the free stack is filled with a pattern, and afterwards the part that
+//! was overwritten is measured.
 
 use core::arch::asm;
 
+/// The pattern.
 const PAINT: u32 = 0x5bad_c0de;
 
-/// Bytes that are painted, where there are so many.
+/// Maximum number of bytes to fill.
 const REACH: usize = 12 * 1024;
 
-#[expect(unsafe_code, reason = "an address that the linker knows; nothing is read there")]
+#[expect(unsafe_code, reason = "the linker defines this address; nothing is read there")]
 unsafe extern "C" {
     #[cfg(target_arch = "arm")]
     #[link_name = "__sheap"]
@@ -18,28 +19,28 @@ unsafe extern "C" {
     static END_OF_STATICS: u32;
 }
 
-/// Bytes of stack that a call of `something` takes.
+/// Bytes of stack that a call of `operation` uses.
 #[inline(never)]
-pub fn taken(something: impl FnMut()) -> u32 {
+pub fn used(operation: impl FnMut()) -> u32 {
     let top = pointer();
     let lowest = ((&raw const END_OF_STATICS) as usize).max(top - REACH).next_multiple_of(4);
     let mut address = lowest;
     while address < top {
         #[expect(
             unsafe_code,
-            reason = "below the stack pointer and above the statics nothing lives"
+            reason = "the memory between the statics and the stack pointer is unused"
         )]
-        // SAFETY: RAM, aligned, and no interrupt is on that might use it.
+        // SAFETY: aligned RAM that no interrupt uses, since all are off.
         unsafe {
             (address as *mut u32).write_volatile(PAINT);
         }
         address += 4;
     }
-    apart(something);
+    call(operation);
     let mut address = lowest;
     while address < top {
-        #[expect(unsafe_code, reason = "reads what was painted")]
-        // SAFETY: RAM, aligned.
+        #[expect(unsafe_code, reason = "reads the pattern back")]
+        // SAFETY: aligned RAM.
         let found = unsafe { (address as *const u32).read_volatile() };
         if found != PAINT {
             break;
@@ -49,17 +50,17 @@ pub fn taken(something: impl FnMut()) -> u32 {
     (top - address) as u32
 }
 
-/// Apart from its caller, so that all it takes lies below the caller's stack pointer.
+/// Not inlined, so that everything it uses lies below the caller's stack pointer.
 #[inline(never)]
-fn apart(mut something: impl FnMut()) {
-    something();
+fn call(mut operation: impl FnMut()) {
+    operation();
 }
 
 /// The stack pointer.
 #[inline(always)]
 fn pointer() -> usize {
     let pointer: usize;
-    #[expect(unsafe_code, reason = "no function of the core library tells it")]
+    #[expect(unsafe_code, reason = "the core library has no function for it")]
     // SAFETY: reads a register.
     unsafe {
         #[cfg(target_arch = "arm")]

@@ -32,7 +32,7 @@ impl Board {
         }
     }
 
-    /// Its processor, as the pages call it.
+    /// The processor, as in the documentation.
     pub const fn processor(self) -> &'static str {
         match self {
             Self::Microbit => "M0",
@@ -52,7 +52,7 @@ impl Board {
         }
     }
 
-    /// The emulator and its arguments that choose the machine.
+    /// The emulator, with the arguments that select the machine.
     pub const fn emulator(self) -> (&'static str, &'static [&'static str]) {
         match self {
             Self::Microbit => ("qemu-system-arm", &["-M", "microbit"]),
@@ -62,8 +62,8 @@ impl Board {
         }
     }
 
-    /// Twice the instructions in a tick of its clock: of 25 MHz, of 16 MHz, of the count
-    /// itself.
+    /// Twice the number of instructions in a tick of its clock, which runs at 16 MHz or 25 MHz or
+    /// counts instructions.
     pub const fn half_instructions_in_a_tick(self) -> u64 {
         match self {
             Self::Microbit => 125,

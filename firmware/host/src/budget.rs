@@ -1,5 +1,5 @@
-//! What operations may take at most: `budgets.csv`, in the CSV's own columns, empty where
-//! there is no limit.
+//! Limits of the counts: `budgets.csv`, which has the columns of the counts. An empty field is no
+//! limit.
 
 use crate::Result;
 use crate::row::{self, Row};
@@ -7,15 +7,15 @@ use crate::row::{self, Row};
 const BUDGETS: &str = "budgets.csv";
 const NAMES: [&str; 4] = ["instructions", "bytes of flash", "bytes of RAM", "bytes of stack"];
 
-/// Checks rows against the budgets of the boards that they are of.
+/// Checks rows against the budgets of their boards.
 ///
 /// # Errors
 ///
-/// A budget that is exceeded, or of an operation that was not measured.
+/// If a count exceeds its budget, or an operation with a budget was not measured.
 pub fn within(rows: &[Row]) -> Result<()> {
     let (_, budgets) = row::read(BUDGETS)?;
     let mut faults = over(rows, &budgets);
-    faults.extend(dear(rows));
+    faults.extend(expensive(rows));
     if faults.is_empty() { Ok(()) } else { Err(faults.join("\n")) }
 }
 
@@ -25,23 +25,23 @@ fn over(rows: &[Row], budgets: &[Row]) -> Vec<String> {
     for budget in budgets.iter().filter(measured) {
         let name = budget.key.join(",");
         let Some(row) = rows.iter().find(|row| row.key == budget.key) else {
-            faults.push(format!("{BUDGETS}: nothing was measured of {name}"));
+            faults.push(format!("{BUDGETS}: {name} was not measured"));
             continue;
         };
         for ((limit, found), what) in budget.numbers.iter().zip(row.numbers).zip(NAMES) {
             let (Some(limit), found) = (limit, found.unwrap_or(u64::MAX)) else { continue };
             if found > *limit {
-                faults.push(format!("{name}: {found} {what}, at most {limit} are in {BUDGETS}"));
+                faults.push(format!("{name}: {found} {what}, {BUDGETS} allows {limit}"));
             }
         }
     }
     faults
 }
 
-/// Most projections that a scene within a tolerance may take on the same board.
-const PROJECTIONS: u64 = 3;
+/// Maximum cost of `collapse_within` as a multiple of `project`'s on the same board.
+const MAX_PROJECTIONS: u64 = 3;
 
-fn dear(rows: &[Row]) -> Vec<String> {
+fn expensive(rows: &[Row]) -> Vec<String> {
     let counted = |board: &str, operation: &str| {
         let is_it = |row: &&Row| row.key == [board, operation, "f32"];
         rows.iter().find(is_it).and_then(|row| row.numbers[0])
@@ -55,9 +55,9 @@ fn dear(rows: &[Row]) -> Vec<String> {
             faults.push(format!("{board}: project or collapse_within was not measured"));
             continue;
         };
-        if within > PROJECTIONS * project {
+        if within > MAX_PROJECTIONS * project {
             faults.push(format!(
-                "{board},collapse_within,f32: {within} instructions, more than {PROJECTIONS} times \
+                "{board},collapse_within,f32: {within} instructions, more than {MAX_PROJECTIONS} times \
                  project's {project}"
             ));
         }
@@ -67,15 +67,15 @@ fn dear(rows: &[Row]) -> Vec<String> {
 
 #[cfg(test)]
 mod tests {
-    use super::{dear, over};
+    use super::{expensive, over};
 
     #[test]
     fn scenes_within_a_tolerance_take_few_projections() {
         let rows = |text: &str| text.lines().map(|line| line.parse().unwrap()).collect::<Vec<_>>();
         let both = "b,project,f32,100,1,1,1\nb,collapse_within,f32,";
-        assert_eq!(dear(&rows(&format!("{both}300,1,1,1"))), [""; 0]);
-        assert!(dear(&rows(&format!("{both}301,1,1,1")))[0].contains("301"));
-        assert!(dear(&rows("b,collapse_within,f32,1,1,1,1"))[0].contains("not measured"));
+        assert_eq!(expensive(&rows(&format!("{both}300,1,1,1"))), [""; 0]);
+        assert!(expensive(&rows(&format!("{both}301,1,1,1")))[0].contains("301"));
+        assert!(expensive(&rows("b,collapse_within,f32,1,1,1,1"))[0].contains("not measured"));
     }
 
     #[test]
@@ -86,6 +86,6 @@ mod tests {
         assert_eq!(over(&within, &budgets), [""; 0]);
         let found = over(&rows("b,shade,q15,101,1,51,1"), &budgets);
         assert_eq!(found.len(), 3, "{found:?}");
-        assert!(found[0].contains("101 instructions") && found[2].contains("nothing was measured"));
+        assert!(found[0].contains("101 instructions") && found[2].contains("not measured"));
     }
 }

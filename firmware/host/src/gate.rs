@@ -1,10 +1,11 @@
-//! What must not be in a linked program.
+//! The gates: what a linked program must not contain, and the test that each gate works.
 
 use crate::Result;
 use crate::board::Board;
 use crate::linked::Linked;
+use crate::toolchain::Compiler;
 
-/// What is kept out, and whether a name is one of it.
+/// What is not allowed, and whether a symbol's name belongs to it.
 type Gate = (&'static str, fn(&str) -> bool);
 
 const GATES: [Gate; 4] = [
@@ -18,7 +19,7 @@ const GATES: [Gate; 4] = [
 ///
 /// # Errors
 ///
-/// The first thing that is in it and must not be, by name.
+/// The name of the first forbidden symbol.
 pub fn check(board: Board, program: &str, linked: &Linked) -> Result<()> {
     let fault = |what: &str, found: &str| {
         Err(format!("{program} on {}: {what} is linked: {found}", board.name()))
@@ -32,7 +33,7 @@ pub fn check(board: Board, program: &str, linked: &Linked) -> Result<()> {
     if let (false, Some(found)) = (board.takes_floats(), of_f32) {
         return fault("arithmetic in f32", found);
     }
-    match linked.sizes().initialised {
+    match linked.sizes().initialized {
         0 => Ok(()),
         bytes => fault(".data", &format!("{bytes} bytes; make the statics constant or zero")),
     }
@@ -54,12 +55,13 @@ fn is_heap(name: &str) -> bool {
         .any(|part| name.contains(part))
 }
 
-/// The last part of a path, without arguments.
+/// The last segment of a path.
 fn last(name: &str) -> &str {
     name.rsplit("::").next().unwrap_or(name)
 }
 
-/// Run-time functions of the Arm interface, or of GCC's: `__aeabi_dadd`, `__adddf3`.
+/// Whether this is an `f64` routine of the Arm or the GCC run-time library: `__aeabi_dadd`,
+/// `__adddf3`.
 fn is_f64(name: &str) -> bool {
     let name = last(name);
     let arm = name.strip_prefix("__aeabi_");
@@ -70,7 +72,7 @@ fn is_f64(name: &str) -> bool {
     }) || gcc(name, "df")
 }
 
-/// The same of single precision: `__aeabi_fmul`, `__mulsf3`, `__floatsisf`.
+/// Whether this is an `f32` routine: `__aeabi_fmul`, `__mulsf3`, `__floatsisf`.
 fn is_f32(name: &str) -> bool {
     let name = last(name);
     let arm = name.strip_prefix("__aeabi_");
@@ -79,7 +81,8 @@ fn is_f32(name: &str) -> bool {
         || name == "sqrtf"
 }
 
-/// `__addsf3`, `__lesf2`, `__floatsisf`, `__fixsfsi`, `__extendsfdf2`.
+/// Whether this is a GCC routine of the given mode: `__addsf3`, `__lesf2`, `__floatsisf`,
+/// `__fixsfsi`, `__extendsfdf2`.
 fn gcc(name: &str, mode: &str) -> bool {
     let Some(rest) = name.strip_prefix("__") else { return false };
     let operation = rest.trim_end_matches(|c: char| c.is_ascii_digit());
@@ -87,6 +90,54 @@ fn gcc(name: &str, mode: &str) -> bool {
         || ["fix", "trunc", "extend"]
             .iter()
             .any(|kind| operation.starts_with(kind) && operation.contains(mode))
+}
+
+/// The step that rejects a program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Step {
+    Linker,
+    Check,
+}
+
+/// A program of `gates/`, the board for which it is rejected, at which step, and a part of the error.
+const REJECTED: [(&str, Board, Step, &str); 6] = [
+    ("panics", Board::An386, Step::Linker, "undefined symbol: a_panic_can_be_reached"),
+    ("formats", Board::An386, Step::Check, "core::fmt is linked"),
+    ("doubles", Board::An386, Step::Check, "arithmetic in f64 is linked"),
+    ("floats", Board::Microbit, Step::Check, "arithmetic in f32 is linked"),
+    ("initialized", Board::Microbit, Step::Check, ".data is linked"),
+    ("allocates", Board::An386, Step::Check, "a heap is linked"),
+];
+
+/// Builds and checks each program of `gates/`, which has one forbidden thing, and prints the errors.
+///
+/// # Errors
+///
+/// If a program is accepted, or rejected for another reason.
+pub fn test() -> Result<()> {
+    for (program, board, step, reason) in REJECTED {
+        let compiler = Compiler::new(board.target());
+        let built = compiler.build("gates", &[program.into()], "fast");
+        let checked = match step {
+            Step::Linker => built,
+            Step::Check => {
+                built?;
+                let linked = Linked::read(&compiler.binary("fast", program))?;
+                check(board, program, &linked)
+            }
+        };
+        match checked {
+            Err(fault) if fault.contains(reason) => {
+                let line = fault.lines().find(|line| line.contains(reason)).unwrap_or_default();
+                println!("{program}: rejected: {}", line.trim());
+            }
+            Err(fault) => {
+                return Err(format!("{program} is rejected, but not with `{reason}`: {fault}"));
+            }
+            Ok(()) => return Err(format!("{program} is accepted, but must be rejected")),
+        }
+    }
+    Ok(())
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! What was linked: sizes and names.
+//! A linked program: its sizes and symbols.
 
 use crate::Result;
 use object::{Object, ObjectSection, ObjectSymbol, SectionFlags, elf};
@@ -7,12 +7,12 @@ use std::path::Path;
 /// Bytes of a linked program.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Sizes {
-    /// In flash: code, tables, and what initialises RAM.
+    /// In flash: code, tables, and initial values of statics.
     pub flash: u64,
     /// Statics in RAM.
     pub ram: u64,
-    /// Of those the initialised ones.
-    pub initialised: u64,
+    /// Statics in RAM with an initial value other than zero.
+    pub initialized: u64,
 }
 
 /// A linked program.
@@ -28,7 +28,7 @@ impl Linked {
     ///
     /// # Errors
     ///
-    /// A file that cannot be read, or is none.
+    /// If the file cannot be read or is not an ELF file.
     pub fn read(path: &Path) -> Result<Self> {
         let fault = |error: &dyn std::fmt::Display| format!("{}: {error}", path.display());
         let bytes = std::fs::read(path).map_err(|error| fault(&error))?;
@@ -52,7 +52,7 @@ impl Linked {
                 sizes.ram += section.size();
             }
             if written && !empty {
-                sizes.initialised += section.size();
+                sizes.initialized += section.size();
             }
         }
         let names = file

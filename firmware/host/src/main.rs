@@ -1,15 +1,13 @@
-//! Builds the programs of the emulated boards, runs them, checks what was linked, and
-//! counts: see `firmware/README.md`.
+//! Builds the programs for the emulated boards, runs them, checks the linked files, and counts
+//! instructions: see `firmware/README.md`.
 
 mod board;
 mod program;
 
-mod compiler;
-mod emulator;
 mod linked;
+mod toolchain;
 
 mod gate;
-mod gate_test;
 
 mod budget;
 mod page;
@@ -20,12 +18,13 @@ use program::{Kind, Program};
 use row::Row;
 use std::collections::BTreeMap;
 use std::process::ExitCode;
+use toolchain::Compiler;
 
 const USAGE: &str = "usage: firmware/run BOARD... | all [--check] [--update], firmware/run gates, \
                      firmware/run pages
 boards: microbit mps2-an385 mps2-an386 riscv32";
 
-/// What went wrong, and what to do.
+/// The error is a message with the problem and the remedy.
 type Result<T> = std::result::Result<T, String>;
 
 fn main() -> ExitCode {
@@ -37,7 +36,7 @@ fn main() -> ExitCode {
         return ExitCode::from(2);
     }
     let done = match names[..] {
-        ["gates"] => gate_test::run(),
+        ["gates"] => gate::test(),
         ["pages"] => page::write(),
         ["all"] => boards(&Board::ALL, &options),
         _ => names
@@ -55,13 +54,13 @@ fn main() -> ExitCode {
     }
 }
 
-/// Builds, runs, checks; the counts as CSV.
+/// Builds, runs and checks the programs of these boards, and prints the counts as CSV.
 fn boards(boards: &[Board], options: &[&str]) -> Result<()> {
     let mut rows = Vec::new();
     let mut compilers = BTreeMap::new();
     println!("{}", row::HEADER);
     for &board in boards {
-        let compiler = compiler::Compiler::new(board.target());
+        let compiler = Compiler::new(board.target());
         for row in of_board(board, &compiler)? {
             println!("{row}");
             rows.push(row);
@@ -80,7 +79,7 @@ fn boards(boards: &[Board], options: &[&str]) -> Result<()> {
     Ok(())
 }
 
-fn of_board(board: Board, compiler: &compiler::Compiler) -> Result<Vec<Row>> {
+fn of_board(board: Board, compiler: &Compiler) -> Result<Vec<Row>> {
     let programs: Vec<Program> = program::of_board(board).collect();
     for profile in ["fast", "small"] {
         let of_profile = programs.iter().filter(|program| program.profile() == profile);
@@ -96,14 +95,14 @@ fn of_board(board: Board, compiler: &compiler::Compiler) -> Result<Vec<Row>> {
     for program in &programs {
         let linked = linked::Linked::read(&path(program))?;
         gate::check(board, &program.binary(), &linked)?;
-        let said = emulator::run(board, &path(program))?;
+        let output = toolchain::run(board, &path(program))?;
         let sizes = linked.sizes();
         match program.kind {
-            Kind::Nothing => empty = sizes,
-            Kind::Demonstration => eprint!("{}: {}\n{said}", board.name(), program.binary()),
-            Kind::Operation => rows.push(Row::of_operation(board, program, &said, sizes, empty)?),
-            Kind::Scene => rows.extend(Row::of_scene(board, program, &said, sizes, empty)?),
-            Kind::Whole => rows.push(Row::of_whole(board, program, &said, sizes)?),
+            Kind::Empty => empty = sizes,
+            Kind::Demonstration => eprint!("{}: {}\n{output}", board.name(), program.binary()),
+            Kind::Operation => rows.push(Row::of_operation(board, program, &output, sizes, empty)?),
+            Kind::Scene => rows.extend(Row::of_scene(board, program, &output, sizes, empty)?),
+            Kind::Whole => rows.push(Row::of_whole(board, program, &output, sizes)?),
         }
     }
     Ok(rows)

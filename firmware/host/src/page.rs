@@ -1,4 +1,4 @@
-//! The tables of counts in README pages: written between two marks, compared by `--check`.
+//! The tables of counts in the documentation: written between two marks, compared by `--check`.
 
 use crate::Result;
 use crate::board::Board;
@@ -7,14 +7,14 @@ use crate::row::{self, Row};
 const START: &str = "<!-- counts: firmware/run all --update writes them -->\n";
 const END: &str = "<!-- end of counts -->\n";
 
-/// The pages, and the formats that each shows; none where the page has the [`SHORT`] table.
+/// The pages, and the formats that each shows. An empty list means the [`SHORT`] table.
 const PAGES: [(&str, &[&str]); 3] = [
     ("../README.md", &[]),
     ("../docs/costs.md", &["f32", "q15"]),
     ("README.md", &["f32", "q15", "q31"]),
 ];
 
-/// The rows of the short table: an operation, and what it does.
+/// The rows of the short table: an operation and its description.
 const SHORT: [(&str, &str); 4] = [
     ("shade_lambertian", "a pixel, matte material, light of degree 2"),
     ("shade", "a pixel, any material, within 1e-4 of all components"),
@@ -22,7 +22,7 @@ const SHORT: [(&str, &str); 4] = [
     ("transfer", "a new material"),
 ];
 
-/// The boards of which memory is shown: without a float unit, and with one.
+/// The boards whose memory is shown: without a float unit and with one.
 const MEMORY: [Board; 2] = [Board::Microbit, Board::An386];
 
 /// Writes the recorded counts into the pages.
@@ -39,14 +39,14 @@ pub fn write() -> Result<()> {
 ///
 /// # Errors
 ///
-/// A page that says otherwise.
+/// If a page has other counts.
 pub fn check() -> Result<()> {
     let (_, rows) = row::recorded()?;
     for (path, formats) in PAGES {
         let page = read(path)?;
         if with_counts(path, &page, &rows, formats)? != page {
             return Err(format!(
-                "{path}: its counts are not those of counts.csv; firmware/run pages"
+                "{path}: the counts differ from counts.csv; run `firmware/run pages`"
             ));
         }
     }
@@ -61,12 +61,13 @@ fn with_counts(path: &str, page: &str, rows: &[Row], formats: &[&str]) -> Result
     let parts = page
         .split_once(START)
         .and_then(|(before, rest)| rest.split_once(END).map(|(_, after)| (before, after)));
-    let (before, after) = parts.ok_or(format!("{path}: the marks of the counts are missing"))?;
+    let (before, after) =
+        parts.ok_or(format!("{path}: the marks around the counts are missing"))?;
     let table = if formats.is_empty() { short(rows) } else { table(rows, formats) };
     Ok(format!("{before}{START}{table}{END}{after}"))
 }
 
-/// The instructions of a few operations, in integers without a float unit and in f32 with one.
+/// Instructions of a few operations, in Q15 without a float unit and in f32 with one.
 fn short(rows: &[Row]) -> String {
     let mut text = String::from(
         "| instructions, one channel | Cortex-M0, Q15 | Cortex-M4F, f32 |\n|---|---:|---:|\n",
@@ -83,8 +84,7 @@ fn short(rows: &[Row]) -> String {
     text
 }
 
-/// A line for each operation and format: its instructions on each board, and what it takes
-/// of memory.
+/// A line for each operation and format: instructions on each board, and memory.
 fn table(rows: &[Row], formats: &[&str]) -> String {
     let mut text = String::from("| operation | format |");
     for board in Board::ALL {
@@ -133,7 +133,7 @@ mod tests {
     use crate::row::Row;
 
     #[test]
-    fn a_line_holds_each_board_and_memory_of_the_smallest() {
+    fn a_line_has_each_board_and_the_memory_of_the_smallest() {
         let rows: Vec<Row> =
             ["microbit,shade,q15,811,9928,604,224", "riscv32,shade,q15,1873,8196,5,6"]
                 .map(|line| line.parse().unwrap())

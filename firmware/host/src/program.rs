@@ -1,33 +1,33 @@
-//! The programs.
+//! The list of programs.
 
 use crate::board::Board;
 
-/// What a program is for.
+/// The purpose of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// All that the measured programs have, but no operation.
-    Nothing,
+    /// The common part of the measured programs, without an operation.
+    Empty,
     /// One operation, measured.
     Operation,
-    /// A scene of the ablation, or a table of the ladder: several operations of one program,
-    /// and what it takes in all.
+    /// A scene of the ablation, or a table of the ladder: several operations of one program, and
+    /// its total memory.
     Scene,
     /// A whole program, whose size has a budget.
     Whole,
-    /// Shows something, or fails.
+    /// Prints something, or fails.
     Demonstration,
 }
 
 /// A program: `OPERATION_FORMAT` in `programs/src/bin`.
 #[derive(Clone, Copy, Debug)]
 pub struct Program {
-    /// What it does.
+    /// Its operation.
     pub operation: &'static str,
-    /// In which number format.
+    /// Its number format.
     pub format: &'static str,
-    /// What it is for.
+    /// Its purpose.
     pub kind: Kind,
-    /// How often the operation is done: rows of a matrix of which the program has one.
+    /// A factor for the counts: the number of rows of a matrix of which the program has one.
     pub times: u64,
 }
 
@@ -35,12 +35,12 @@ impl Program {
     /// The name of its binary.
     pub fn binary(&self) -> String {
         match self.kind {
-            Kind::Nothing => self.operation.into(),
+            Kind::Empty => self.operation.into(),
             _ => format!("{}_{}", self.operation, self.format),
         }
     }
 
-    /// The profile that it is built with.
+    /// The profile it is built with.
     pub const fn profile(&self) -> &'static str {
         match self.kind {
             Kind::Whole => "small",
@@ -63,14 +63,14 @@ const SCENES: [&str; 10] = [
     "studio_plaster",
     "studio_velvet",
     "sun_leather",
-    "sun_leather_colour",
+    "sun_leather_color",
     "sun_leather_turning",
 ];
 
-/// The scene that integers, which do not turn lights, have no program of.
+/// The scene without an integer program, because integers do not turn lights.
 const TURNING: &str = "sun_leather_turning";
 
-/// The list of the tables of which a pixel and a new light are counted.
+/// The tables for which a pixel and a new light are counted.
 const LADDER: &str = include_str!("../../tables/ladder.csv");
 
 /// Components K of the shipped table.
@@ -85,7 +85,7 @@ fn ladder() -> impl Iterator<Item = &'static str> {
 /// The programs that run on a board, the empty one first.
 pub fn of_board(board: Board) -> impl Iterator<Item = Program> {
     let one = |operation, format, kind| Program { operation, format, kind, times: 1 };
-    let mut all = vec![one("empty", "none", Kind::Nothing)];
+    let mut all = vec![one("empty", "none", Kind::Empty)];
     for format in ["f32", "q15", "q31"] {
         all.push(one("golden", format, Kind::Demonstration));
         all.push(one("sphere", format, Kind::Demonstration));
@@ -102,13 +102,13 @@ pub fn of_board(board: Board) -> impl Iterator<Item = Program> {
     all.push(one("any_material", "q15", Kind::Whole));
     all.push(one("one_material", "q15", Kind::Whole));
     for name in ladder() {
-        // Without a float unit integers take a twentieth of the instructions.
+        // Without a float unit, integers cost a twentieth of the instructions.
         if board.has_float_unit() {
             all.push(one(name, "f32", Kind::Scene));
         }
         all.push(one(name, "q15", Kind::Scene));
     }
-    // On the processor without a float unit, and on the one with it.
+    // Scenes: Q15 on the processor without a float unit, f32 on the one with it.
     match board {
         Board::Microbit => {
             let still = SCENES.into_iter().filter(|name| *name != TURNING);

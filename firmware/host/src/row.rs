@@ -1,4 +1,4 @@
-//! Rows of the CSV, and those that were recorded.
+//! The counts as CSV, and the recorded ones in `counts.csv`.
 
 use crate::Result;
 use crate::board::Board;
@@ -11,17 +11,17 @@ use std::str::FromStr;
 /// The CSV's first line.
 pub const HEADER: &str = "board,operation,format,instructions,flash_bytes,ram_bytes,stack_bytes";
 
-/// Between the name of a scene and that of an operation.
+/// Separates the name of a scene from that of an operation.
 const SCENE: char = '/';
 
 /// The recorded counts.
 const RECORD: &str = "counts.csv";
 
-/// Bytes of flash by which two checkouts may differ: functions are linked in the order of
-/// names in which the place of the sources is hashed, and padded to words between them.
+/// Bytes of flash by which two checkouts may differ. Functions are linked in the order of names that
+/// contain a hash of the path of the sources, and padded to words.
 const PADDING: u64 = 32;
 
-/// What an operation takes on a board. Empty places are not measured.
+/// The costs of an operation on a board. Empty numbers are not measured.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Row {
     /// Board, operation and format.
@@ -31,32 +31,32 @@ pub struct Row {
 }
 
 impl Row {
-    /// Of a measured operation: flash and RAM beyond those of a program without it.
+    /// The row of a measured operation: flash and RAM beyond those of a program without it.
     pub fn of_operation(
         board: Board,
         program: &Program,
-        said: &str,
+        output: &str,
         sizes: Sizes,
         empty: Sizes,
     ) -> Result<Self> {
-        let (instructions, stack) = measured(board, program, said)?;
+        let (instructions, stack) = measured(board, program, output)?;
         Ok(Self {
             key: key(board, program),
             numbers: [
                 Some(instructions),
                 Some(sizes.flash.saturating_sub(empty.flash)),
-                Some(sizes.ram - empty.ram + held(said)),
+                Some(sizes.ram - empty.ram + held(output)),
                 Some(stack),
             ],
         })
     }
 
-    /// Of a scene: `NAME/scene` with its memory, and a row with the instructions of each of
-    /// its operations, `NAME/pixel` and the like.
+    /// The rows of a scene: `NAME/scene` with its memory, and one with the instructions of each
+    /// operation, such as `NAME/pixel`.
     pub fn of_scene(
         board: Board,
         program: &Program,
-        said: &str,
+        output: &str,
         sizes: Sizes,
         empty: Sizes,
     ) -> Result<Vec<Self>> {
@@ -66,27 +66,27 @@ impl Row {
         };
         let mut rows = Vec::new();
         let mut most = 0;
-        for part in said.split("operation ").skip(1) {
-            let (operation, said) = part.split_once('\n').unwrap_or((part, ""));
-            let (instructions, stack) = measured(board, program, said)?;
+        for part in output.split("operation ").skip(1) {
+            let (operation, output) = part.split_once('\n').unwrap_or((part, ""));
+            let (instructions, stack) = measured(board, program, output)?;
             most = most.max(stack);
             let numbers = [Some(instructions), None, None, Some(stack)];
             rows.push(Self { key: named(operation), numbers });
         }
         let flash = sizes.flash.saturating_sub(empty.flash);
-        let numbers = [None, Some(flash), Some(sizes.ram - empty.ram + held(said)), Some(most)];
+        let numbers = [None, Some(flash), Some(sizes.ram - empty.ram + held(output)), Some(most)];
         rows.push(Self { key: named("scene"), numbers });
         Ok(rows)
     }
 
-    /// Whether it is of a scene.
+    /// Whether the row belongs to a scene.
     pub fn is_of_scene(&self) -> bool {
         self.key[1].contains(SCENE)
     }
 
-    /// Of a whole program: RAM with the stack in it.
-    pub fn of_whole(board: Board, program: &Program, said: &str, sizes: Sizes) -> Result<Self> {
-        let stack = numbers(said, "stack", 1)?[0];
+    /// The row of a whole program: RAM includes the stack.
+    pub fn of_whole(board: Board, program: &Program, output: &str, sizes: Sizes) -> Result<Self> {
+        let stack = numbers(output, "stack", 1)?[0];
         let numbers = [None, Some(sizes.flash), Some(sizes.ram + stack), Some(stack)];
         Ok(Self { key: key(board, program), numbers })
     }
@@ -100,9 +100,9 @@ fn key(board: Board, program: &Program) -> [String; 3] {
     [board.name().into(), operation, program.format.into()]
 }
 
-/// Instructions of an operation, to the nearest, and bytes of stack.
-fn measured(board: Board, program: &Program, said: &str) -> Result<(u64, u64)> {
-    let numbers = |word: &str, count: usize| numbers(said, word, count);
+/// Instructions of an operation, rounded to the nearest, and bytes of stack.
+fn measured(board: Board, program: &Program, output: &str) -> Result<(u64, u64)> {
+    let numbers = |word: &str, count: usize| numbers(output, word, count);
     let tick = numbers("tick", 2)?;
     let half_instructions = board.half_instructions_in_a_tick();
     let expected = 2 * tick[0] / half_instructions;
@@ -115,20 +115,20 @@ fn measured(board: Board, program: &Program, said: &str) -> Result<(u64, u64)> {
     Ok(((doubled + count[0]) / (2 * count[0]), numbers("stack", 1)?[0]))
 }
 
-/// Bytes of RAM that a program says it holds.
-fn held(said: &str) -> u64 {
-    let held = said.lines().filter_map(|line| line.strip_prefix("holds "));
+/// The bytes of RAM in a program's `holds` lines.
+fn held(output: &str) -> u64 {
+    let held = output.lines().filter_map(|line| line.strip_prefix("holds "));
     held.filter_map(|bytes| bytes.parse::<u64>().ok()).sum()
 }
 
-/// The numbers after a word that starts a line.
-fn numbers(said: &str, word: &str, count: usize) -> Result<Vec<u64>> {
-    let line = said.lines().find_map(|line| line.strip_prefix(word));
+/// The numbers after the word that starts a line.
+fn numbers(output: &str, word: &str, count: usize) -> Result<Vec<u64>> {
+    let line = output.lines().find_map(|line| line.strip_prefix(word));
     let numbers: Option<Vec<u64>> =
         line.map(|line| line.split_whitespace().filter_map(|one| one.parse().ok()).collect());
     numbers
         .filter(|numbers| numbers.len() == count)
-        .ok_or(format!("no {count} numbers after `{word}` in what the program said:\n{said}"))
+        .ok_or(format!("no {count} numbers after `{word}` in the output of the program:\n{output}"))
 }
 
 impl fmt::Display for Row {
@@ -161,7 +161,7 @@ impl FromStr for Row {
     }
 }
 
-/// The rows of a CSV file, and its comments.
+/// The comments and the rows of a CSV file.
 pub fn read(path: &str) -> Result<(Vec<String>, Vec<Row>)> {
     let text = std::fs::read_to_string(path).map_err(|error| format!("{path}: {error}"))?;
     let (comments, lines): (Vec<&str>, Vec<&str>) =
@@ -171,7 +171,7 @@ pub fn read(path: &str) -> Result<(Vec<String>, Vec<Row>)> {
     Ok((comments.into_iter().map(Into::into).collect(), rows.collect::<Result<_>>()?))
 }
 
-/// The recorded counts, and with which compiler each board's were taken.
+/// The recorded counts. The comments name the compiler of each board.
 pub fn recorded() -> Result<(Vec<String>, Vec<Row>)> {
     read(RECORD)
 }
@@ -180,7 +180,7 @@ fn comment(board: &str, compiler: &str) -> String {
     format!("# {board}: {compiler}")
 }
 
-/// Records counts, in the place of those of the same boards.
+/// Records counts, replacing those of the same boards.
 pub fn record(rows: &[Row], compilers: &BTreeMap<&str, String>) -> Result<()> {
     let (mut comments, mut all) = recorded().unwrap_or_default();
     comments.retain(|one| !compilers.keys().any(|board| one.starts_with(&comment(board, ""))));
@@ -194,14 +194,14 @@ pub fn record(rows: &[Row], compilers: &BTreeMap<&str, String>) -> Result<()> {
     std::fs::write(RECORD, text).map_err(|error| format!("{RECORD}: {error}"))
 }
 
-/// Compares counts with those recorded, where the compiler is the same.
+/// Compares counts with the recorded ones if the compiler is the same.
 pub fn same_as_recorded(rows: &[Row], compilers: &BTreeMap<&str, String>) -> Result<()> {
     let (comments, recorded) = recorded()?;
     let mut faults = Vec::new();
     for (board, compiler) in compilers {
         if !comments.contains(&comment(board, compiler)) {
             eprintln!(
-                "{board}: counts are not compared, they were recorded with another compiler than {compiler}"
+                "{board}: counts not compared, because they were recorded with a compiler other than {compiler}"
             );
             continue;
         }
@@ -212,21 +212,21 @@ pub fn same_as_recorded(rows: &[Row], compilers: &BTreeMap<&str, String>) -> Res
             let record = then.iter().find(|one| one.key == row.key);
             if !record.is_some_and(|record| same(row, record)) {
                 let record = record.map_or("nothing".into(), ToString::to_string);
-                faults.push(format!("{row} where {RECORD} says {record}"));
+                faults.push(format!("{row} but {RECORD} has {record}"));
             }
         }
         if now.len() < then.len() {
-            faults.push(format!("{RECORD} has rows of {board} that no program gives"));
+            faults.push(format!("{RECORD} has rows of {board} without a program"));
         }
     }
     if faults.is_empty() {
         return Ok(());
     }
-    Err(format!("{}\nif that is meant: firmware/run all --update", faults.join("\n")))
+    Err(format!("{}\nif intended, run `firmware/run all --update`", faults.join("\n")))
 }
 
-/// Whether these are the recorded numbers: flash but for [`PADDING`], instructions but for a
-/// tick of the clock among some passes, 1 or a 5,000th, the rest exactly.
+/// Whether the numbers are the recorded ones: flash to [`PADDING`], instructions to a tick of the
+/// clock over the passes (1 or a 5,000th), the rest exactly.
 fn same(row: &Row, record: &Row) -> bool {
     let [instructions, flash, ram, stack] = row.numbers;
     let [instructions_then, flash_then, ram_then, stack_then] = record.numbers;
@@ -248,7 +248,7 @@ mod tests {
     use crate::program::{Kind, Program};
 
     #[test]
-    fn counts_are_compared_but_for_padding_and_ticks() {
+    fn counts_are_compared_up_to_padding_and_ticks() {
         let row = |text: &str| text.parse::<Row>().unwrap();
         let record = row("b,shade,q15,100,2000,50,60");
         assert!(same(&row("b,shade,q15,101,2004,50,60"), &record));
@@ -262,14 +262,14 @@ mod tests {
     #[test]
     fn a_scene_has_a_row_for_each_operation_and_one_of_its_memory() {
         let program = Program { operation: "sun", format: "f32", kind: Kind::Scene, times: 1 };
-        let sizes = |flash, ram| Sizes { flash, ram, initialised: 0 };
+        let sizes = |flash, ram| Sizes { flash, ram, initialized: 0 };
         let of = |operation: &str, ticks: u32, stack: u32| {
             format!(
                 "operation {operation}\ntick 1048576 26214\ncount 10 {ticks} 5\nstack {stack}\n"
             )
         };
-        let said = format!("holds 8\n{}{}", of("light", 105, 90), of("pixel", 15, 30));
-        let rows = Row::of_scene(Board::An386, &program, &said, sizes(900, 50), sizes(100, 40));
+        let output = format!("holds 8\n{}{}", of("light", 105, 90), of("pixel", 15, 30));
+        let rows = Row::of_scene(Board::An386, &program, &output, sizes(900, 50), sizes(100, 40));
         let rows: Vec<String> = rows.unwrap().iter().map(ToString::to_string).collect();
         let board = "mps2-an386,sun";
         assert_eq!(rows[0], format!("{board}/light,f32,400,,,90"));

@@ -3,13 +3,13 @@
 
 use eigenshade::Q15;
 use eigenshade::quantised::{Basis, Material, Parts, Profile};
-use eigenshade_table::quantise::{self, Format, QuantisedParts};
+use eigenshade_table::quantize::{self, Format, QuantizedParts};
 use eigenshade_table::{Table, rust_quantised};
 use std::fs;
 
 /// The statics of a table's module, with `MATERIAL`, of the material at `database`.
 pub fn module(table: &Table, database: &str, command: &str) -> Result<String, String> {
-    let mut parts = QuantisedParts::new(table, Format::Q15, Format::Q15.tolerance())
+    let mut parts = QuantizedParts::new(table, Format::Q15, Format::Q15.tolerance())
         .map_err(|error| error.to_string())?;
     let coefficients = coefficients(table, database)?;
     let (numbers, exponents) =
@@ -44,7 +44,7 @@ fn coefficients(table: &Table, database: &str) -> Result<Vec<f64>, String> {
 
 /// Numbers and exponents of the transfer.
 fn transfer(
-    parts: &QuantisedParts,
+    parts: &QuantizedParts,
     material: &[f64],
 ) -> Result<(Vec<Q15>, Vec<i16>), eigenshade::Error> {
     let own = |numbers: &[i32]| -> Vec<Q15> {
@@ -71,7 +71,7 @@ fn transfer(
         factor_exponents: &parts.factor_exponents,
         terms: &terms,
     })?;
-    let (mantissas, exponents) = quantise::material(parts.order, material, Format::Q15);
+    let (mantissas, exponents) = quantize::material(parts.order, material, Format::Q15);
     let mantissas = own(&mantissas);
     let material = Material::new(parts.order, &exponents, &mantissas)?;
     let mut numbers = vec![Q15(0); basis.transfer_len()];

@@ -2,7 +2,7 @@
 //! polynomials are trimmed.
 
 use eigenshade_table::Table;
-use eigenshade_table::components::with_components;
+use eigenshade_table::reduce::with_components;
 use eigenshade_table::trim::trim;
 use std::fs;
 

@@ -31,9 +31,9 @@ pub fn draw(shade: impl Fn(i32, i32, i32) -> Option<i32>) {
                 let share = (value.max(0) / (peak / 256 + 1)).cast_unsigned();
                 (root(share << 8) * 10 / 257) as usize
             });
-            board::say_character(SHADES.get(shade).copied().unwrap_or(b'@'));
+            board::print_byte(SHADES.get(shade).copied().unwrap_or(b'@'));
         }
-        board::say_character(b'\n');
+        board::print_byte(b'\n');
     }
 }
 

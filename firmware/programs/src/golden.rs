@@ -39,11 +39,11 @@ pub mod q31 {
 
 /// Says how many answers are right, and ends the program if one is not.
 pub fn report(right: u32, all: u32) {
-    board::say("golden");
-    board::say_number(right);
-    board::say(" of");
-    board::say_number(all);
-    board::say("\n");
+    board::print("golden");
+    board::print_u32(right);
+    board::print(" of");
+    board::print_u32(all);
+    board::print("\n");
     if right != all {
         board::exit(false);
     }

@@ -1,4 +1,4 @@
-//! A picture in colour, in three characters a pixel, on the way out at once: what a
+//! A picture in color, in three characters a pixel, on the way out at once: what a
 //! display takes.
 
 use eigenshade::Q15;
@@ -21,9 +21,9 @@ pub fn draw(shade: impl Fn(Normal<Q15>) -> [i32; 3]) {
                 pixel = Normal::<Q15>::new(x, y, z).map_or(pixel, &shade);
             }
             for value in pixel {
-                board::say_character(b'a' + (value.max(0) >> 14).min(15) as u8);
+                board::print_byte(b'a' + (value.max(0) >> 14).min(15) as u8);
             }
         }
-        board::say_character(b'\n');
+        board::print_byte(b'\n');
     }
 }

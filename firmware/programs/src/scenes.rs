@@ -1,5 +1,5 @@
 //! The scenes of `firmware/scenes`, from ambient light on a Lambertian material to sun on
-//! leather in colour, turning: a program for each, of what it calls for and no more.
+//! leather in color, turning: a program for each, of what it calls for and no more.
 
 /// Light from all around on a Lambertian material.
 pub mod ambient_lambertian {

@@ -36,7 +36,7 @@ fn main() {
         image.write().to_buffered(&mut bytes).expect("a map");
         put("exr", name, bytes.into_inner());
     }
-    for (name, colour, depth, bytes) in [
+    for (name, color, depth, bytes) in [
         ("rgb8", ColorType::Rgb, BitDepth::Eight, 24),
         ("rgb16", ColorType::Rgb, BitDepth::Sixteen, 48),
         ("grey8", ColorType::Grayscale, BitDepth::Eight, 8),
@@ -44,7 +44,7 @@ fn main() {
     ] {
         let mut file = Vec::new();
         let mut encoder = png::Encoder::new(&mut file, 4, 2);
-        encoder.set_color(colour);
+        encoder.set_color(color);
         encoder.set_depth(depth);
         let mut writer = encoder.write_header().expect("a header");
         writer.write_image_data(&vec![200; bytes]).expect("an image");

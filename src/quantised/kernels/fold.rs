@@ -99,7 +99,7 @@ impl<Q: Fixed, const P: usize, const O: usize> Degree<Q, P, O> {
 
     /// Scales the sums so that they use all bits, and returns their exponent.
     #[inline(never)]
-    pub fn normalise(&self, sums: &mut [Q::Wide; P]) -> i32 {
+    pub fn normalize(&self, sums: &mut [Q::Wide; P]) -> i32 {
         let mut either = Q::Wide::default();
         for &sum in sums.iter() {
             either = either | sum.max(-sum);

@@ -14,7 +14,7 @@ use eigenshade_generator::scene_file;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::output::{writable, write_atomically};
 use eigenshade_shading::shader::of_higher_order;
-use eigenshade_table::manifest::manifest;
+use eigenshade_table::file::manifest;
 use eigenshade_table::wire::Format;
 use eigenshade_table::{Table, encode};
 use std::fmt::Write as _;

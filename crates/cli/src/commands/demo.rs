@@ -62,7 +62,7 @@ impl Demo {
         for light in &lights.entries {
             for material in &materials.entries {
                 let (of_light, of_material) = ((lights.degree, light), (materials.order, material));
-                let ours = shader.colour(of_light, of_material, &normals)?;
+                let ours = shader.color(of_light, of_material, &normals)?;
                 let ours = (0..view.normals.len())
                     .map(|k| ours.each_ref().map(|channel| f64::from(channel[k])))
                     .collect();

@@ -101,8 +101,8 @@ pub fn draw(path: &Path, view: &SphereView, trials: &[Trial], rows: usize) -> Re
             for (place, image) in [&trial.ours, &trial.truth, &difference].into_iter().enumerate() {
                 let left = left + place * layout.step;
                 for (pixel, rgb) in view.pixels.iter().zip(image) {
-                    let colour = rgb.map(|value| srgb(exposure * value));
-                    canvas.blend(left + pixel.column, top + pixel.row, colour, pixel.coverage);
+                    let color = rgb.map(|value| srgb(exposure * value));
+                    canvas.blend(left + pixel.column, top + pixel.row, color, pixel.coverage);
                 }
             }
             let error = format!("rms {:.2} %", 100.0 * trial.rms_error);
@@ -155,9 +155,9 @@ impl Layout {
         }
     }
 
-    fn centred(&self, canvas: &mut Canvas, middle: usize, top: usize, colour: [u8; 3], text: &str) {
+    fn centred(&self, canvas: &mut Canvas, middle: usize, top: usize, color: [u8; 3], text: &str) {
         let left = middle.saturating_sub(text_width(self.scale, text) / 2);
-        canvas.text(left, top, self.scale, colour, text);
+        canvas.text(left, top, self.scale, color, text);
     }
 
     /// The light's name, and the labels below it.

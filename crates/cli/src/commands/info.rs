@@ -8,7 +8,7 @@ use eigenshade_cli::output::number::grouped;
 use eigenshade_cli::table::{table_file, wire_file};
 use eigenshade_model::error::Result;
 use eigenshade_table::Table;
-use eigenshade_table::manifest::manifest;
+use eigenshade_table::file::manifest;
 use eigenshade_table::scene::{Cut, Store};
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -86,9 +86,9 @@ fn description(table: &Table) -> String {
 /// The effects, and whether color or turning is left out.
 fn effects(table: &Table) -> String {
     let wanted = &table.scene.effects;
-    let colour = if wanted.colour { "" } else { ", no colour" };
+    let color = if wanted.color { "" } else { ", no color" };
     let rotation = if wanted.rotation { "" } else { ", light that stays" };
-    wire_file::named(table.effects()) + colour + rotation
+    wire_file::named(table.effects()) + color + rotation
 }
 
 /// The part of the basis that the table keeps.

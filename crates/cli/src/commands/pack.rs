@@ -7,7 +7,7 @@ use eigenshade_cli::output::number::grouped;
 use eigenshade_cli::output::{collision, destination};
 use eigenshade_cli::table::{rounding, table_file};
 use eigenshade_model::error::{Error, Result};
-use eigenshade_table::quantise;
+use eigenshade_table::quantize;
 use eigenshade_table::wire::{self, Endian};
 use std::path::PathBuf;
 
@@ -44,8 +44,8 @@ impl Pack {
         let table = table_file::read(memory.file(&self.table))?;
         let format = match self.format {
             Format::F32 => wire::Format::F32,
-            Format::Q15 => wire::Format::Integer(quantise::Format::Q15),
-            Format::Q31 => wire::Format::Integer(quantise::Format::Q31),
+            Format::Q15 => wire::Format::Integer(quantize::Format::Q15),
+            Format::Q31 => wire::Format::Integer(quantize::Format::Q31),
         };
         let endian = if self.big_endian { Endian::Big } else { Endian::Little };
         let bytes = wire::encode(&table, format, endian).map_err(|error| {

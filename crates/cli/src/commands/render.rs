@@ -112,7 +112,7 @@ fn shaded<S: Scalar + Into<f64>>(
         Shader::new(basis.any().map_err(fault)?, table.count()).with_folded(basis.folded());
     let normals = OwnedNormals::new(&view.normals);
     let light = (lights.degree, &lights.entries[0]);
-    let image = shader.colour(light, (materials.order, &materials.entries[0]), &normals)?;
+    let image = shader.color(light, (materials.order, &materials.entries[0]), &normals)?;
     Ok(image.map(|channel| channel.into_iter().map(Into::into).collect()))
 }
 

@@ -24,7 +24,7 @@ use eigenshade_shading::shader::{
     Lit, LookUp, OwnedNormals, Shader, fault, fitted, of_higher_order,
 };
 use eigenshade_shading::{overflow, reference_image};
-use eigenshade_table::{Table, quantise, wire};
+use eigenshade_table::{Table, quantize, wire};
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -219,8 +219,8 @@ impl Shade {
         match (self.method, self.format) {
             (Method::Modes, _) | (_, Some(Format::F64)) => None,
             (_, None | Some(Format::F32)) => Some(wire::Format::F32),
-            (_, Some(Format::Q31)) => Some(wire::Format::Integer(quantise::Format::Q31)),
-            (_, Some(Format::Q15)) => Some(wire::Format::Integer(quantise::Format::Q15)),
+            (_, Some(Format::Q31)) => Some(wire::Format::Integer(quantize::Format::Q31)),
+            (_, Some(Format::Q15)) => Some(wire::Format::Integer(quantize::Format::Q15)),
         }
     }
 
@@ -368,7 +368,7 @@ impl Work {
             other => unreachable!("{other:?} is no option"),
         };
         let mut chosen: Vec<Economy<S>> = Vec::new();
-        self.colours(out, |channels| {
+        self.colors(out, |channels| {
             let shaded = shader.within(&channels, &normals, tolerance)?;
             let mut rgb = [const { Vec::new() }; 3];
             for (channel, (irradiance, economy)) in rgb.iter_mut().zip(shaded) {
@@ -389,14 +389,14 @@ impl Work {
         out: &mut Output<'_, '_>,
         mut irradiance: impl FnMut((usize, &[f64]), (usize, &[f64])) -> Result<Vec<S>>,
     ) -> Result<()> {
-        self.colours(out, |[red, green, blue]| {
+        self.colors(out, |[red, green, blue]| {
             let mut channel = |(light, material): Lit<'_>| irradiance(light, material);
             Ok([channel(red)?, channel(green)?, channel(blue)?])
         })
     }
 
     /// Writes every light on every material, `irradiance` of all three channels.
-    fn colours<S: Copy + Into<f64>>(
+    fn colors<S: Copy + Into<f64>>(
         &self,
         out: &mut Output<'_, '_>,
         mut irradiance: impl FnMut([Lit<'_>; 3]) -> Result<[Vec<S>; 3]>,

@@ -25,19 +25,19 @@ impl Canvas {
 
     /// Blends a color over one pixel with opacity `coverage` in \[0, 1\]. Pixels outside the canvas
     /// are ignored.
-    pub fn blend(&mut self, column: usize, row: usize, colour: [u8; 3], coverage: f64) {
+    pub fn blend(&mut self, column: usize, row: usize, color: [u8; 3], coverage: f64) {
         if column >= self.width || row >= self.height {
             return;
         }
         let start = 3 * (row * self.width + column);
-        for (byte, colour) in self.bytes.iter_mut().skip(start).zip(colour) {
-            let (below, above) = (f64::from(*byte), f64::from(colour));
+        for (byte, color) in self.bytes.iter_mut().skip(start).zip(color) {
+            let (below, above) = (f64::from(*byte), f64::from(color));
             *byte = (below + coverage * (above - below)).round() as u8;
         }
     }
 
     /// Writes a line of text whose top left corner is at `column` and `row`.
-    pub fn text(&mut self, column: usize, row: usize, scale: usize, colour: [u8; 3], text: &str) {
+    pub fn text(&mut self, column: usize, row: usize, scale: usize, color: [u8; 3], text: &str) {
         for (place, letter) in text.chars().enumerate() {
             let glyph = BASIC_FONTS.get(letter).unwrap_or([0x7e; 8]);
             for (y, bits) in glyph.iter().enumerate() {
@@ -45,7 +45,7 @@ impl Canvas {
                     let left = column + scale * (place * LETTER + x);
                     let top = row + scale * y;
                     for pixel in 0..scale * scale {
-                        self.blend(left + pixel % scale, top + pixel / scale, colour, 1.0);
+                        self.blend(left + pixel % scale, top + pixel / scale, color, 1.0);
                     }
                 }
             }

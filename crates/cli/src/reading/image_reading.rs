@@ -79,8 +79,8 @@ impl<'a> Reader<'a> {
         let transfers = Transfers::new(table, components);
         let scene = &table.scene;
         let weights = weights(&lights.entries, &scene.light.weights)?;
-        let (normalise, rotation) = (scene.light.normalise, scene.light.rotation);
-        let statistics = LightStatistics::new(lights, normalise, rotation, &weights)?;
+        let (normalize, rotation) = (scene.light.normalize, scene.light.rotation);
+        let statistics = LightStatistics::new(lights, normalize, rotation, &weights)?;
         let weights = self::weights(&materials.entries, &scene.material.weights)?;
         let of_materials = MaterialMoments::weighted(materials, weights);
         let prior = Prior::new(table, &transfers, &statistics, of_materials)?;

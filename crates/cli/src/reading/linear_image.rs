@@ -99,12 +99,12 @@ impl LinearImage {
             Transfer::Linear => f64::from(sample) / full,
             Transfer::Srgb => tone::linear(f64::from(sample) / full),
         };
-        let pixels = png.colours.iter().map(|colour| colour.map(value)).collect();
+        let pixels = png.colors.iter().map(|color| color.map(value)).collect();
         let mut image = Self::whole(Some([png.width, png.height]), pixels);
-        for ((weight, colour), opacity) in
-            image.weights.iter_mut().zip(&png.colours).zip(&png.opacities)
+        for ((weight, color), opacity) in
+            image.weights.iter_mut().zip(&png.colors).zip(&png.opacities)
         {
-            let clips = colour.contains(&png.full);
+            let clips = color.contains(&png.full);
             *weight = if clips { 0.0 } else { f64::from(*opacity) / full };
             image.transparent += usize::from(*opacity == 0);
             image.clipped += usize::from(clips && *opacity > 0);

@@ -48,11 +48,11 @@ fn of_png(file: &InputFile, size: Option<[usize; 2]>) -> Result<Vec<f64>> {
         .in_file(file.path()));
     }
     let full = f64::from(png.full);
-    let weight = |(colour, opacity): (&[u16; 3], &u16)| {
-        let share = colour.map(|sample| f64::from(sample) / full);
+    let weight = |(color, opacity): (&[u16; 3], &u16)| {
+        let share = color.map(|sample| f64::from(sample) / full);
         eigenshade_model::database::luminance(share) * f64::from(*opacity) / full
     };
-    Ok(png.colours.iter().zip(&png.opacities).map(weight).collect())
+    Ok(png.colors.iter().zip(&png.opacities).map(weight).collect())
 }
 
 fn of_csv(file: &InputFile) -> Result<Vec<f64>> {

@@ -5,7 +5,7 @@ use eigenshade_generator::scene_file::Loaded;
 use eigenshade_model::error::Result;
 use eigenshade_model::inputs::sheet::Sheet;
 use eigenshade_table::Table;
-use eigenshade_table::manifest::scene_checksum;
+use eigenshade_table::file::scene_checksum;
 use std::fmt::Write as _;
 use std::path::Path;
 

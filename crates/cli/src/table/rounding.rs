@@ -9,7 +9,7 @@ use eigenshade_shading::owned_quantised::Integer;
 use eigenshade_shading::shader::{OwnedNormals, Shader, fault, fitted};
 use eigenshade_shading::sphere_rings::{Ring, rings};
 use eigenshade_table::wire::Format;
-use eigenshade_table::{Rounding, Table, quantise};
+use eigenshade_table::{Rounding, Table, quantize};
 
 /// Approximate limit on the products of a measurement: for larger tables, only a sample of the
 /// images is measured.
@@ -50,10 +50,10 @@ pub fn measure(table: &Table, lights: &Lights, materials: &Materials) -> Vec<Rou
     for format in Format::ALL {
         let images = match format {
             Format::F32 => floats::<f32>(table, degrees, &chosen, &normals).ok(),
-            Format::Integer(quantise::Format::Q15) => {
+            Format::Integer(quantize::Format::Q15) => {
                 integers::<Q15>(table, degrees, &chosen, &normals)
             }
-            Format::Integer(quantise::Format::Q31) => {
+            Format::Integer(quantize::Format::Q31) => {
                 integers::<Q31>(table, degrees, &chosen, &normals)
             }
         };

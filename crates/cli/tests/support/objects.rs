@@ -152,10 +152,10 @@ pub fn normal_map(bits: png::BitDepth) -> Vec<u8> {
     encode(size, png::ColorType::Rgba, bits, &samples)
 }
 
-pub fn encode(size: u32, colour: png::ColorType, bits: png::BitDepth, samples: &[f64]) -> Vec<u8> {
+pub fn encode(size: u32, color: png::ColorType, bits: png::BitDepth, samples: &[f64]) -> Vec<u8> {
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, size, size);
-    encoder.set_color(colour);
+    encoder.set_color(color);
     encoder.set_depth(bits);
     let data: Vec<u8> = match bits {
         png::BitDepth::Sixteen => {

@@ -44,19 +44,19 @@ pub fn png(
     width: usize,
     height: usize,
     depth: BitDepth,
-    colour: ColorType,
+    color: ColorType,
     bytes: &[u8],
 ) -> Vec<u8> {
     let mut file = Vec::new();
     let mut encoder = Encoder::new(&mut file, width as u32, height as u32);
     encoder.set_depth(depth);
-    encoder.set_color(colour);
+    encoder.set_color(color);
     encoder.write_header().unwrap().write_image_data(bytes).unwrap();
     file
 }
 
 /// A folder with the small table of all components, 400 normals, and `image.csv`,
-/// the image of one coloured light on the third material.
+/// the image of one colored light on the third material.
 pub fn with_image() -> Folder {
     let folder = Folder::with_table();
     folder.write("light.csv", lights(DEGREE, 1));

@@ -46,7 +46,7 @@ impl Analysis {
     pub(crate) fn new(scene: &Scene, lights: &Lights, materials: &Materials) -> Result<Self> {
         let criterion = scene.basis.criterion;
         let weights = database::weights(&lights.entries, &scene.light.weights)?;
-        let light = LightMoments::weighted(lights, scene.light.normalise, &weights)?;
+        let light = LightMoments::weighted(lights, scene.light.normalize, &weights)?;
         let weights = database::weights(&materials.entries, &scene.material.weights)?;
         let of_materials = MaterialMoments::weighted(materials, weights);
         let gram = gram::of_sphere(scene.degree(), scene.order());

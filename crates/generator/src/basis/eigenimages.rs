@@ -159,7 +159,7 @@ fn factors(
             gram.polar_integrals[row] * ((o + 1) as f64).sqrt()
         };
         let factor = |p: usize| factor(gram, 0, &weighted, 0, [p, 0]);
-        factors.extend(effects.apart(gram.order).map(|(o, p)| match o == p {
+        factors.extend(effects.unfactored(gram.order).map(|(o, p)| match o == p {
             true => polar(o) * factor(o),
             false => (polar(o) * factor(p) + polar(p) * factor(o)) * FRAC_1_SQRT_2,
         }));

@@ -73,8 +73,8 @@ pub fn chosen(
     let (lights, materials) = basis::fitted(scene, lights, materials)?;
     let light = {
         let weights = database::weights(&lights.entries, &scene.light.weights)?;
-        let (normalise, rotation) = (scene.light.normalise, scene.light.rotation);
-        LightStatistics::new(&lights, normalise, rotation, &weights)?
+        let (normalize, rotation) = (scene.light.normalize, scene.light.rotation);
+        LightStatistics::new(&lights, normalize, rotation, &weights)?
     };
     let material = {
         let weights = database::weights(&materials.entries, &scene.material.weights)?;

@@ -23,7 +23,7 @@ use crate::basis::analysis::Analysis;
 use crate::basis::choice::Choice;
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::{Error, Result};
-use eigenshade_table::cut::cut;
+use eigenshade_table::reduce::cut;
 use eigenshade_table::{Scene, Table};
 
 /// Number of components whose orthonormality is reported.
@@ -73,8 +73,8 @@ pub fn chosen(
         }
     };
     let mut materials = materials.truncated(table.gram.order);
-    if !scene.effects.colour {
-        materials.entries.iter_mut().for_each(Named::lose_colour);
+    if !scene.effects.color {
+        materials.entries.iter_mut().for_each(Named::lose_color);
     }
     table.keep(materials.entries.iter().map(named_channels));
     Ok((table, choice))

@@ -8,7 +8,7 @@ use eigenshade_index::effect::Effects;
 use eigenshade_index::{light, material};
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::{Error, Result};
-use eigenshade_table::scene::{Criterion, Normalise};
+use eigenshade_table::scene::{Criterion, Normalize};
 
 /// Moments of the light, averaged over all rotations.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,8 +29,8 @@ impl LightMoments {
     ///
     /// If there are no lights, or if lights are to be normalized and the L_0^0 of one is not
     /// positive.
-    pub fn new(lights: &Lights, normalise: Normalise) -> Result<Self> {
-        Self::weighted(lights, normalise, &equal(lights.entries.len()))
+    pub fn new(lights: &Lights, normalize: Normalize) -> Result<Self> {
+        Self::weighted(lights, normalize, &equal(lights.entries.len()))
     }
 
     /// The moments of the lights' luminance with the given weights, which sum to 1.
@@ -38,10 +38,10 @@ impl LightMoments {
     /// # Errors
     ///
     /// The errors of [`new`](Self::new). Lights of weight 0 are ignored.
-    pub fn weighted(lights: &Lights, normalise: Normalise, weights: &[f64]) -> Result<Self> {
+    pub fn weighted(lights: &Lights, normalize: Normalize, weights: &[f64]) -> Result<Self> {
         let mut ambients = Vec::new();
         let mut power = vec![0.0; lights.degree + 1];
-        for (light, weight) in comparable(lights, normalise, weights)? {
+        for (light, weight) in comparable(lights, normalize, weights)? {
             ambients.push((light[0], weight));
             for ((l, _), value) in light::indices(lights.degree).zip(&light) {
                 power[l] += weight * value.powi(2) / (2 * l + 1) as f64;
@@ -69,7 +69,7 @@ pub fn equal(count: usize) -> Vec<f64> {
 /// The errors of [`LightMoments::new`].
 pub fn comparable(
     lights: &Lights,
-    normalise: Normalise,
+    normalize: Normalize,
     weights: &[f64],
 ) -> Result<Vec<(Vec<f64>, f64)>> {
     if lights.entries.is_empty() {
@@ -79,7 +79,7 @@ pub fn comparable(
     weighted
         .map(|(entry, weight)| {
             let mut light = entry.luminance();
-            let scale = exposure(&entry.name, light[0], normalise)?;
+            let scale = exposure(&entry.name, light[0], normalize)?;
             light.iter_mut().for_each(|value| *value *= scale);
             Ok((light, *weight))
         })
@@ -129,13 +129,13 @@ impl MaterialMoments {
 /// # Errors
 ///
 /// If the light is to be normalized and its luminance L_0^0 is not positive.
-pub fn exposure(name: &str, ambient: f64, normalise: Normalise) -> Result<f64> {
-    match normalise {
-        Normalise::None => Ok(1.0),
-        Normalise::UnitAmbient if ambient > 0.0 => Ok(ambient.recip()),
-        Normalise::UnitAmbient => Err(Error::new(
+pub fn exposure(name: &str, ambient: f64, normalize: Normalize) -> Result<f64> {
+    match normalize {
+        Normalize::None => Ok(1.0),
+        Normalize::UnitAmbient if ambient > 0.0 => Ok(ambient.recip()),
+        Normalize::UnitAmbient => Err(Error::new(
             format!("light `{name}` has mean radiance {ambient}: it cannot be scaled to 1"),
-            "leave it out, or set normalise = \"none\" in the scene",
+            "leave it out, or set normalize = \"none\" in the scene",
         )),
     }
 }

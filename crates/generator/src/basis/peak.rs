@@ -20,7 +20,7 @@ pub fn of(scene: &Scene, lights: &Lights, materials: &Materials) -> Result<f64> 
     let (wanted, weights) =
         (scene.effects.set(), database::weights(&lights.entries, &scene.light.weights)?);
     let (scaled, of_lights): (Vec<Vec<f64>>, Vec<f64>) =
-        comparable(lights, scene.light.normalise, &weights)?.into_iter().unzip();
+        comparable(lights, scene.light.normalize, &weights)?.into_iter().unzip();
     let weights = database::weights(&materials.entries, &scene.material.weights)?;
     let MaterialMoments { vectors, weights: of_materials, .. } =
         MaterialMoments::weighted(materials, weights);

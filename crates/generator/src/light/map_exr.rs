@@ -30,8 +30,8 @@ pub(crate) fn decode(
     check::sizes(&headers, length)?;
     let (header, channels) = headers
         .iter()
-        .find_map(|header| Some((header, colour(header)?)))
-        .ok_or_else(|| without_colour(&headers))?;
+        .find_map(|header| Some((header, color(header)?)))
+        .ok_or_else(|| without_color(&headers))?;
     let Vec2(width, height) = header.layer_size;
     let Vec2(whole_width, whole_height) = header.shared_attributes.display_window.size;
     if (width, height) != (whole_width, whole_height) {
@@ -51,7 +51,7 @@ pub(crate) fn decode(
         texels: if size == Vec2(width, height) { grid.take() } else { Vec::new() },
     };
     let texels = match channels {
-        Colour::Rgb([r, g, b]) => read()
+        Color::Rgb([r, g, b]) => read()
             .no_deep_data()
             .largest_resolution_level()
             .specific_channels()
@@ -69,7 +69,7 @@ pub(crate) fn decode(
             .non_parallel()
             .from_buffered(reader)
             .map(|image| image.layer_data.channel_data.pixels.texels),
-        Colour::Grey(y) => read()
+        Color::Grey(y) => read()
             .no_deep_data()
             .largest_resolution_level()
             .specific_channels()
@@ -90,13 +90,13 @@ pub(crate) fn decode(
     EnvironmentMap::new(width, height, texels)
 }
 
-enum Colour {
+enum Color {
     Rgb([Text; 3]),
     Grey(Text),
 }
 
 /// The color channels of one part, if it has them at full resolution.
-fn colour(header: &Header) -> Option<Colour> {
+fn color(header: &Header) -> Option<Color> {
     let full = Vec2(1, 1);
     let names: Vec<&Text> = header
         .channels
@@ -118,12 +118,11 @@ fn colour(header: &Header) -> Option<Colour> {
     });
     let rgb = std::iter::once(String::new()).chain(layers).find_map(|prefix| triple(&prefix));
     // With RY and BY present, Y is the luminance of a color image, not a gray map.
-    let coloured = header.channels.list.iter().any(|channel| channel.name == *"RY");
-    rgb.map(Colour::Rgb)
-        .or_else(|| Some(Colour::Grey(find("", "Y").filter(|_| !coloured)?.clone())))
+    let colored = header.channels.list.iter().any(|channel| channel.name == *"RY");
+    rgb.map(Color::Rgb).or_else(|| Some(Color::Grey(find("", "Y").filter(|_| !colored)?.clone())))
 }
 
-fn without_colour(headers: &[Header]) -> Error {
+fn without_color(headers: &[Header]) -> Error {
     let names: Vec<_> = headers
         .iter()
         .flat_map(|header| header.channels.list.iter())

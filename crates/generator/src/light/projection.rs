@@ -38,7 +38,7 @@ pub fn project(map: &EnvironmentMap, degree: usize) -> [Vec<f64>; 3] {
         let (sine, cosine) = map.polar_angle(row).sin_cos();
         let solid_angle = map.solid_angle(row);
         for m in 0..=degree {
-            let column = legendre::normalised(degree, m, cosine, sine);
+            let column = legendre::normalized(degree, m, cosine, sine);
             // N_l^-m P_l^-m = (-1)^m N_l^m P_l^m.
             let reflected = if m % 2 == 0 { solid_angle } else { -solid_angle };
             for (local, (even, odd)) in local.iter_mut().zip(&sums) {

@@ -6,7 +6,7 @@ use eigenshade_index::light;
 use eigenshade_model::database::Lights;
 use eigenshade_model::error::Result;
 use eigenshade_model::rotation::Rotation;
-use eigenshade_table::scene::{LightRotation, Normalise};
+use eigenshade_table::scene::{LightRotation, Normalize};
 use faer::Mat;
 
 /// Moments of the light.
@@ -34,21 +34,21 @@ impl LightStatistics {
     /// The errors of [`LightMoments::new`].
     pub fn new(
         lights: &Lights,
-        normalise: Normalise,
+        normalize: Normalize,
         rotation: LightRotation,
         weights: &[f64],
     ) -> Result<Self> {
         let degree = lights.degree;
         let angles = match rotation {
             LightRotation::Any => {
-                let moments = LightMoments::weighted(lights, normalise, weights)?;
+                let moments = LightMoments::weighted(lights, normalize, weights)?;
                 return Ok(isotropic(degree, &moments));
             }
             LightRotation::None => 1,
             LightRotation::Vertical => 2 * degree + 1,
         };
         let mut samples = Vec::new();
-        for (light, weight) in comparable(lights, normalise, weights)? {
+        for (light, weight) in comparable(lights, normalize, weights)? {
             for k in 0..angles {
                 let alpha = std::f64::consts::TAU * k as f64 / angles as f64;
                 let turned = Rotation { alpha, beta: 0.0, gamma: 0.0 }.turn(degree, &light);

@@ -109,7 +109,7 @@ impl Analytic {
         if grey {
             return Ok(Surface::grey(name.clone(), of(0)?));
         }
-        Ok(Surface::coloured(name.clone(), [of(0)?, of(1)?, of(2)?]))
+        Ok(Surface::colored(name.clone(), [of(0)?, of(1)?, of(2)?]))
     }
 
     fn channel(&self, channel: usize) -> Result<Box<dyn Brdf>> {

@@ -72,5 +72,5 @@ pub fn read(file: impl Into<InputFile>) -> Result<Surface> {
     if red == green && red == blue {
         return Ok(Surface::grey(name, Box::new(red)));
     }
-    Ok(Surface::coloured(name, [Box::new(red), Box::new(green), Box::new(blue)]))
+    Ok(Surface::colored(name, [Box::new(red), Box::new(green), Box::new(blue)]))
 }

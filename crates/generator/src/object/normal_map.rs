@@ -69,12 +69,12 @@ pub fn normals(map: &PngSamples, counts: &[bool]) -> Result<Vec<Option<[f64; 3]>
 /// Like [`normals`], one pixel at a time.
 fn each(map: &PngSamples, counts: &[bool]) -> impl Iterator<Item = Result<Option<[f64; 3]>>> {
     let full = f64::from(map.full);
-    let pixels = map.colours.iter().zip(&map.opacities).zip(counts).enumerate();
-    let normal = move |(number, ((colour, opacity), counts)): (
+    let pixels = map.colors.iter().zip(&map.opacities).zip(counts).enumerate();
+    let normal = move |(number, ((color, opacity), counts)): (
         usize,
         ((&[u16; 3], &u16), &bool),
     )| {
-        let vector = vector(*colour, map.full);
+        let vector = vector(*color, map.full);
         let length = vector.iter().map(|c| c * c).sum::<f64>().sqrt();
         if 2.0 * f64::from(*opacity) < full || !LENGTHS.contains(&length) {
             return Ok(None);
@@ -98,9 +98,9 @@ fn each(map: &PngSamples, counts: &[bool]) -> impl Iterator<Item = Result<Option
 /// normalized.
 ///
 /// No sample encodes exactly 0, so a z less than one step below 0 is rounded to the rim.
-fn vector(colour: [u16; 3], full: u16) -> [f64; 3] {
+fn vector(color: [u16; 3], full: u16) -> [f64; 3] {
     let full = f64::from(full);
-    let [x, y, z] = colour.map(|c| 2.0 * f64::from(c) / full - 1.0);
+    let [x, y, z] = color.map(|c| 2.0 * f64::from(c) / full - 1.0);
     [x, y, if z < 0.0 && z > -2.0 / full { 0.0 } else { z }]
 }
 
@@ -113,5 +113,5 @@ fn mask_of(file: InputFile, [width, height]: [usize; 2]) -> Result<Vec<bool>> {
         let what = format!("the mask is {w} x {h}, the normal map {width} x {height}");
         return Err(Error::new(what, "make them alike").in_file(file.path()));
     }
-    Ok(mask.colours.iter().map(|colour| colour.iter().any(|&c| c > 0)).collect())
+    Ok(mask.colors.iter().map(|color| color.iter().any(|&c| c > 0)).collect())
 }

@@ -36,7 +36,7 @@ impl Curve {
             (Some(13), _) => Self::Srgb,
             (Some(other), _) => Self::Other(format!("its cICP chunk has the transfer {other}")),
             _ if info.srgb.is_some() => Self::Srgb,
-            _ if has_profile(bytes) => Self::Other("it has a colour profile".to_owned()),
+            _ if has_profile(bytes) => Self::Other("it has a color profile".to_owned()),
             (None, Some(gamma)) if gamma.abs_diff(LINEAR_GAMMA) <= 1 => Self::Linear,
             (None, Some(gamma)) if gamma.abs_diff(SRGB_GAMMA) <= 1 => Self::Srgb,
             (None, Some(gamma)) => {

@@ -33,7 +33,7 @@ pub struct PngSamples {
     /// How the samples represent light, according to the file.
     pub curve: Curve,
     /// Red, green and blue of each pixel; three equal values in a gray file.
-    pub colours: Vec<[u16; 3]>,
+    pub colors: Vec<[u16; 3]>,
     /// Opacity of each pixel; `full` everywhere if the file stores no opacity.
     pub opacities: Vec<u16>,
 }
@@ -120,7 +120,7 @@ fn decode(bytes: &[u8], file: &InputFile) -> Result<PngSamples> {
         height: frame.height as usize,
         full,
         curve,
-        colours: pixels().map(color).collect(),
+        colors: pixels().map(color).collect(),
         opacities: pixels().map(opacity).collect(),
     })
 }

@@ -12,7 +12,7 @@ use std::f64::consts::PI;
 /// The three-term recurrence in l runs on the normalized functions and starts from N_m^m P_m^m =
 /// (-1)^m √((2m+1)!! / (4π (2m)!!)) sin^m.
 #[must_use]
-pub fn normalised(degree: usize, m: usize, z: f64, sine: f64) -> Vec<f64> {
+pub fn normalized(degree: usize, m: usize, z: f64, sine: f64) -> Vec<f64> {
     let mut values = Vec::with_capacity((degree + 1).saturating_sub(m));
     if m > degree {
         return values;

@@ -28,7 +28,7 @@ fn reflection(m: isize) -> f64 {
 /// If |m| > l.
 #[must_use]
 pub fn value(l: usize, m: isize, theta: f64, phi: f64) -> f64 {
-    let column = legendre::normalised(l, m.unsigned_abs(), theta.cos(), theta.sin().abs());
+    let column = legendre::normalized(l, m.unsigned_abs(), theta.cos(), theta.sin().abs());
     reflection(m) * column.last().expect("|m| <= l") * azimuth(m, phi)
 }
 
@@ -39,7 +39,7 @@ pub fn all(degree: usize, [x, y, z]: [f64; 3]) -> Vec<f64> {
     let (sine, phi) = (x.hypot(y), y.atan2(x));
     let mut values = vec![0.0; light::count(degree)];
     for m in 0..=degree {
-        let column = legendre::normalised(degree, m, z, sine);
+        let column = legendre::normalized(degree, m, z, sine);
         for order in if m == 0 { vec![0] } else { vec![m.cast_signed(), -m.cast_signed()] } {
             let factor = reflection(order) * azimuth(order, phi);
             for (l, legendre) in (m..).zip(&column) {

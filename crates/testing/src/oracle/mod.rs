@@ -24,10 +24,10 @@ fn legendre_coefficients(l: usize, m: usize) -> Vec<f64> {
     for _ in 0..m {
         coefficients = (1..coefficients.len()).map(|k| k as f64 * coefficients[k]).collect();
     }
-    let normalisation =
+    let normalization =
         ((2 * l + 1) as f64 * factorial(l - m) / (4.0 * PI * factorial(l + m))).sqrt();
     let sign = if m.is_multiple_of(2) { 1.0 } else { -1.0 };
-    coefficients.iter().map(|c| sign * normalisation * c).collect()
+    coefficients.iter().map(|c| sign * normalization * c).collect()
 }
 
 fn horner(coefficients: &[f64], z: f64) -> f64 {

@@ -1,12 +1,12 @@
-//! The way in integers. Every function gives 1, or 0 if there is nothing to do it with.
+//! Integers: transfer, relighting, collapsing and shading. Every function returns 1, or 0 if its input
+//! is missing or invalid.
 
-use crate::inputs::{LIGHT, LIGHT_COUNT, MATERIAL, MATERIAL_COUNT, NORMALS};
-use crate::shared::Shared;
+use crate::buffers::{LIGHT, LIGHT_COUNT, MATERIAL, MATERIAL_COUNT, NORMALS, Shared};
 use crate::table::{COMPONENTS, DEGREE, ORDER};
 use eigenshade::Format;
 use eigenshade::quantised::{Light, Material, Normal, Scene, Transfer};
 
-/// What a format keeps between calls.
+/// The data that a format keeps between calls.
 struct State<Q: Format, const T: usize, const P: usize, const N: usize> {
     light: [Q; LIGHT_COUNT],
     material: [Q; MATERIAL_COUNT],
@@ -18,7 +18,7 @@ struct State<Q: Format, const T: usize, const P: usize, const N: usize> {
 
 macro_rules! exports {
     (
-        $module:ident, $format:ident, $mantissa:ty, $fold:ident, $relight:ident, $collapse:ident,
+        $module:ident, $format:ident, $mantissa:ty, $transfer:ident, $relight:ident, $collapse:ident,
         $shade:ident, $d:literal, $exponents:literal, $normals:literal, $irradiance:literal
     ) => {
         /// One format.
@@ -46,11 +46,11 @@ macro_rules! exports {
                     of_transfer: [0; PROFILES],
                 });
 
-            /// Folds in the material.
+            /// Computes the transfer of the material.
             #[unsafe(no_mangle)]
-            extern "C" fn $fold() -> u32 {
+            extern "C" fn $transfer() -> u32 {
                 let (from, state) =
-                    // SAFETY: each place once, and no other function runs.
+                    // SAFETY: each buffer is borrowed once, and no other function runs.
                     unsafe { (MATERIAL.borrow(), STATE.borrow()) };
                 let State { material, of_material, room, transfer, of_transfer, .. } = state;
                 let Ok(material) = Material::quantise(ORDER, from, material, of_material) else {
@@ -59,11 +59,11 @@ macro_rules! exports {
                 BASIS.fold_into(&material, room, transfer, of_transfer).is_ok().into()
             }
 
-            /// Puts the folded material under the light: gives d.
+            /// Computes d of the light on the material of the last transfer.
             #[unsafe(no_mangle)]
             extern "C" fn $relight() -> u32 {
                 let (from, state, d, exponents) =
-                    // SAFETY: each place once, and no other function runs.
+                    // SAFETY: each buffer is borrowed once, and no other function runs.
                     unsafe { (LIGHT.borrow(), STATE.borrow(), D.borrow(), EXPONENTS.borrow()) };
                 let Ok(light) = Light::quantise(DEGREE, from, &mut state.light) else { return 0 };
                 let transfer = Transfer::new(&state.transfer, &state.of_transfer);
@@ -73,11 +73,11 @@ macro_rules! exports {
                 1
             }
 
-            /// Makes a scene of d.
+            /// Collapses d to a scene.
             #[unsafe(no_mangle)]
             extern "C" fn $collapse() -> u32 {
                 let (collapsed, d, exponents) =
-                    // SAFETY: each place once, and no other function runs.
+                    // SAFETY: each buffer is borrowed once, and no other function runs.
                     unsafe { (COLLAPSED.borrow(), D.borrow(), EXPONENTS.borrow()) };
                 let [of_d, of_irradiance] = exponents;
                 *collapsed = BASIS.collapse_into(d, *of_d, [0; SCENE]).ok();
@@ -93,12 +93,12 @@ macro_rules! exports {
             #[unsafe(export_name = $irradiance)]
             static IRRADIANCE: Shared<[i32; NORMALS]> = Shared::new([0; NORMALS]);
 
-            /// The irradiances of the first `count` normals, up to the first that is no
-            /// visible unit normal: gives how many they are, 0 if there is no scene.
+            /// Computes the irradiances of the first `count` normals, up to the first that is not a
+            /// visible unit vector. Returns their number, 0 if there is no scene.
             #[unsafe(no_mangle)]
             extern "C" fn $shade(count: usize) -> usize {
                 let (scene, [x, y, z], irradiance) =
-                    // SAFETY: each place once, and no other function runs.
+                    // SAFETY: each buffer is borrowed once, and no other function runs.
                     unsafe { (COLLAPSED.borrow(), AXES.borrow(), IRRADIANCE.borrow()) };
                 let Some(scene) = scene else { return 0 };
                 let normals = x.iter().zip(y.iter()).zip(z.iter());
@@ -120,7 +120,7 @@ exports!(
     q15,
     Q15,
     i16,
-    q15_fold,
+    q15_transfer,
     q15_relight,
     q15_collapse,
     q15_shade,
@@ -134,7 +134,7 @@ exports!(
     q31,
     Q31,
     i32,
-    q31_fold,
+    q31_transfer,
     q31_relight,
     q31_collapse,
     q31_shade,

@@ -1,29 +1,36 @@
-//! What `eigenshade-wasm` does once for a light or a material.
+//! The part of `eigenshade-wasm` that runs once for a light or a material.
 //!
-//! Apart, because an optimisation level is a crate's: the loops over pixels are compiled
-//! for speed, this for size. Its exports are exports of the module.
+//! A crate of its own, because the optimization level is that of a crate: the loops over pixels are
+//! compiled for speed, this crate for size. Its exports are exports of the module.
 #![cfg(target_arch = "wasm32")]
 #![no_std]
 
-pub mod shared;
-
-/// The table: the shipped one.
+/// The shipped table.
 #[cfg(not(own_table))]
 pub use eigenshade::sphere as table;
 
+/// The table that `EIGENSHADE_TABLE` named when the module was built, written by `build.rs`.
 #[cfg(own_table)]
-pub mod table;
+pub mod table {
+    include!(concat!(env!("OUT_DIR"), "/table.rs"));
 
-pub mod inputs;
+    /// The same table in mantissas of 15 bits.
+    #[cfg(feature = "q15")]
+    pub mod q15 {
+        include!(concat!(env!("OUT_DIR"), "/table_q15.rs"));
+    }
+
+    /// The same table in mantissas of 31 bits.
+    #[cfg(feature = "q31")]
+    pub mod q31 {
+        include!(concat!(env!("OUT_DIR"), "/table_q31.rs"));
+    }
+}
+
+pub mod buffers;
 
 #[cfg(feature = "f32")]
 pub mod floats;
-
-#[cfg(feature = "relight")]
-mod relight;
-
-#[cfg(feature = "map")]
-pub mod map;
 
 #[cfg(any(feature = "q15", feature = "q31"))]
 pub mod integers;

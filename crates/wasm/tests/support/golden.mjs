@@ -1,4 +1,4 @@
-// tests/golden/sphere.csv, read: docs/formats.md says what its rows are.
+// Reads tests/golden/sphere.csv, whose rows docs/formats.md describes.
 
 import { readFileSync } from "node:fs";
 
@@ -29,4 +29,14 @@ export const PAIRS = rows.filter((r) => r.format === "f32" && r.array === "light
 export function normals(format, array) {
   const { numbers } = row(format, "normals");
   return [0, 1, 2].map((axis) => array.from(numbers.filter((_, k) => k % 3 === axis)));
+}
+
+/** The CRC-32 of an array's bytes in memory. Node 20 does not export zlib's. */
+export function crc32(array) {
+  let sum = 0xffffffff;
+  for (const byte of new Uint8Array(array.buffer)) {
+    sum ^= byte;
+    for (let bit = 0; bit < 8; bit++) sum = (sum >>> 1) ^ (sum & 1 ? 0xedb88320 : 0);
+  }
+  return ~sum >>> 0;
 }

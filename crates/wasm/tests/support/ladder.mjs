@@ -1,11 +1,11 @@
-// The modules that `crates/wasm/ladder` makes, each of another table, and their times.
+// Times of the modules that `crates/wasm/ladder` makes, each with a table of its own.
 
 import { readFileSync } from "node:fs";
 import { load } from "../../eigenshade.mjs";
 import { row } from "./golden.mjs";
 import { hemisphere, leasts } from "./timing.mjs";
 
-/** What is shaded; a table of a lower degree and order takes the beginning of both. */
+/** The pair that is shaded; tables of a lower degree and order use the first coefficients. */
 export const PAIR = "park 07-velvet g";
 
 const FOLDER = new URL("../../../../target/modules/ladder/", import.meta.url);
@@ -18,14 +18,14 @@ function read(path, encoding) {
   }
 }
 
-/** A setting's pixels and new lights, as tasks. */
+/** The tasks of a setting: pixels and new lights. */
 function tasks(module, format, way) {
   const { f32, exports, [format]: used } = module;
   const count = used.shape.normals;
   const light = Float32Array.from(row("f32", "light", PAIR).numbers.slice(0, used.inputs.light.length));
   const material = row("f32", "material", PAIR).numbers.slice(0, used.inputs.material.length);
   used.light(light).material(material);
-  // Leaves these normals in the module's buffer, and the material folded in.
+  // Leaves these normals in the module's buffer, and computes the transfer.
   if (format === "f32") f32.relight();
   else used.project();
   used.collapse().shade(...hemisphere(count));
@@ -43,7 +43,7 @@ function tasks(module, format, way) {
   ];
 }
 
-/** Nanoseconds of a pixel and of a new light of every setting, the nine-term formula first. */
+/** Nanoseconds for a pixel and for a new light of every setting, starting with the nine-term formula. */
 export async function ladder() {
   const lines = read("ladder.csv", "utf8").trim().split("\n").slice(2);
   const all = [];

@@ -1,4 +1,4 @@
-// The modules that `crates/wasm/build` makes.
+// Reads the modules that `crates/wasm/build` makes.
 
 import { readFileSync } from "node:fs";
 import { gzipSync } from "node:zlib";
@@ -17,7 +17,7 @@ export function bytes(name, variant) {
   }
 }
 
-/** Id and bytes of each section, its head included. */
+/** Id and bytes of each section, including its header. */
 function sections(module) {
   const found = [];
   for (let at = 8; at < module.length; ) {
@@ -34,7 +34,7 @@ function sections(module) {
 
 const DATA = 11;
 
-/** Bytes of the module, of its data, and of all but its data: as they are and by gzip -9. */
+/** Bytes of the module, of its data section, and of the rest without and with gzip -9. */
 export function sizes(module) {
   const all = sections(module);
   const parts = all.filter(({ id }) => id !== DATA).map((section) => section.bytes);

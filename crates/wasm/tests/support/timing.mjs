@@ -1,6 +1,6 @@
-// Times of tasks in one run.
+// Times of interleaved tasks.
 
-/** What a run takes, at least, in nanoseconds: long beside the clock, short beside what else the machine does. */
+/** Minimum duration of a run in nanoseconds: long against the clock's step, short against interruptions. */
 const RUN = 5e4;
 
 const RUNS = 301;
@@ -11,9 +11,9 @@ function time(work, repeat) {
   return Number(process.hrtime.bigint() - start) / repeat;
 }
 
-/** The least of interleaved runs, in nanoseconds for one of `count`. */
+/** The minimum over interleaved runs, in nanoseconds for one of `count`. */
 export async function leasts(tasks) {
-  // Engines compile in the background what runs often.
+  // Engines compile hot code in the background.
   for (let turn = 0; turn < 20; turn++) {
     for (const { work } of tasks) time(work, 20);
     await new Promise((resolve) => setTimeout(resolve, 50));

@@ -8,7 +8,7 @@ use eigenshade_model::error::{Error, Result};
 use eigenshade_shading::integer_shader;
 use eigenshade_shading::owned_quantised::{Integer, OwnedQuantised};
 use eigenshade_shading::shader::fault;
-use eigenshade_table::{Table, quantise};
+use eigenshade_table::{Table, quantize};
 use std::hint::black_box;
 
 pub(super) struct Integers<Q> {
@@ -28,10 +28,10 @@ impl<Q: Integer> Integers<Q> {
             .map_err(|error| Error::new(error.to_string(), "take another format"))?;
         let view = basis.view().map_err(fault)?;
         let ((_, light), (_, material)) = image.within(degree, order);
-        let (mantissas, exponents) = quantise::material(order, material, Q::FORMAT);
+        let (mantissas, exponents) = quantize::material(order, material, Q::FORMAT);
         let mantissas = own(&mantissas);
         let material = quantised::Material::new(order, &exponents, &mantissas).map_err(fault)?;
-        let (mantissas, exponent) = quantise::row(light, Q::FORMAT.bits(), i64::MAX);
+        let (mantissas, exponent) = quantize::row(light, Q::FORMAT.bits(), i64::MAX);
         let light = (own(&mantissas), i32::from(exponent));
         let mut workspace = vec![Q::Wide::default(); view.workspace_len()];
         let mut transfer = (vec![Q::default(); view.transfer_len()], vec![0; view.profiles()]);

@@ -1,4 +1,4 @@
-//! Has an allocator, and asks it for memory.
+//! Has an allocator and allocates.
 #![no_std]
 #![no_main]
 
@@ -9,11 +9,11 @@ use core::hint::black_box;
 
 board::program!(main);
 
-struct Nothing;
+struct NoMemory;
 
-#[expect(unsafe_code, reason = "an allocator is")]
-// SAFETY: it has nothing to give.
-unsafe impl GlobalAlloc for Nothing {
+#[expect(unsafe_code, reason = "allocators are unsafe")]
+// SAFETY: it always returns null.
+unsafe impl GlobalAlloc for NoMemory {
     #[inline(never)]
     unsafe fn alloc(&self, _: Layout) -> *mut u8 {
         black_box(core::ptr::null_mut())
@@ -22,11 +22,11 @@ unsafe impl GlobalAlloc for Nothing {
 }
 
 #[global_allocator]
-static ALLOCATOR: Nothing = Nothing;
+static ALLOCATOR: NoMemory = NoMemory;
 
 fn main() {
-    #[expect(unsafe_code, reason = "an allocator is")]
+    #[expect(unsafe_code, reason = "allocators are unsafe")]
     // SAFETY: the layout has a size.
     let place = unsafe { alloc::alloc::alloc(Layout::new::<u32>()) };
-    board::say_number(u32::from(black_box(place).is_null()));
+    board::print_u32(u32::from(black_box(place).is_null()));
 }

@@ -1,4 +1,4 @@
-//! Multiplies in f32, where there is no float unit.
+//! Multiplies in f32 on a board without a float unit.
 #![no_std]
 #![no_main]
 
@@ -8,5 +8,5 @@ board::program!(main);
 
 fn main() {
     let product = black_box(1.5_f32) * black_box(2.5);
-    board::say_number(u32::from(product.to_bits() == 0));
+    board::print_u32(u32::from(product.to_bits() == 0));
 }

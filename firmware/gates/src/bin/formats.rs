@@ -7,15 +7,15 @@ use core::hint::black_box;
 
 board::program!(main);
 
-struct Voice;
+struct Output;
 
-impl Write for Voice {
+impl Write for Output {
     fn write_str(&mut self, text: &str) -> core::fmt::Result {
-        board::say(text);
+        board::print(text);
         Ok(())
     }
 }
 
 fn main() {
-    let _ = writeln!(Voice, "{}", black_box(7_u32));
+    let _ = writeln!(Output, "{}", black_box(7_u32));
 }

@@ -1,4 +1,4 @@
-//! An index that may be out of range: does not link.
+//! Has an index that may be out of range, so it must not link.
 #![no_std]
 #![no_main]
 
@@ -8,5 +8,5 @@ board::program!(main);
 
 fn main() {
     let numbers = black_box([1_u32, 2, 3]);
-    board::say_number(numbers[black_box(1_usize)]);
+    board::print_u32(numbers[black_box(1_usize)]);
 }

@@ -1,9 +1,9 @@
-//! A scene in colour with fifty components: any light on any material, both may change.
+//! A scene in color with fifty components: any light on any material, both may change.
 //! Everything that it takes is in it; tables, start-up, and a picture as text.
 #![no_std]
 #![no_main]
 
-use board::{exit, program, say, say_number, stack};
+use board::{exit, print, print_u32, program, stack};
 use eigenshade::quantised::{Light, Material, Normal, Scene, Transfer};
 use eigenshade::sphere::q15::{
     BASIS, COMPONENTS, DEGREE, ORDER, PROFILES, SCENE, TRANSFER, WORKSPACE,
@@ -15,14 +15,14 @@ use programs::picture;
 program!(main);
 
 fn main() {
-    let bytes = stack::taken(|| {
+    let bytes = stack::used(|| {
         if !run() {
             exit(false);
         }
     });
-    say("stack");
-    say_number(bytes);
-    say("\n");
+    print("stack");
+    print_u32(bytes);
+    print("\n");
 }
 
 /// Other lights and materials for each channel, so that all may differ.

@@ -1,10 +1,10 @@
-//! A scene in colour with fifty components of one material, which was folded in when the
+//! A scene in color with fifty components of one material, which was folded in when the
 //! program was compiled: any light. Everything that it takes is in it; tables, start-up,
 //! and a picture as text.
 #![no_std]
 #![no_main]
 
-use board::{exit, program, say, say_number, stack};
+use board::{exit, print, print_u32, program, stack};
 use eigenshade::quantised::{Light, Normal, Scene};
 use eigenshade::{Error, Q15};
 use programs::golden::q15::{LIGHT_0, LIGHT_1, LIGHT_2};
@@ -14,14 +14,14 @@ use programs::picture;
 program!(main);
 
 fn main() {
-    let bytes = stack::taken(|| {
+    let bytes = stack::used(|| {
         if !run() {
             exit(false);
         }
     });
-    say("stack");
-    say_number(bytes);
-    say("\n");
+    print("stack");
+    print_u32(bytes);
+    print("\n");
 }
 
 /// Another light for each channel.

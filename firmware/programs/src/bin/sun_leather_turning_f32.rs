@@ -1,4 +1,4 @@
-//! Any light on leather, in colour, turning.
+//! Any light on leather, in color, turning.
 #![no_std]
 #![no_main]
 

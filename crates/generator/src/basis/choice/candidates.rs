@@ -83,7 +83,7 @@ pub(super) fn least(
     allowed: f64,
 ) -> Result<Candidate> {
     let weights = database::weights(&lights.entries, &scene.light.weights)?;
-    let light = LightMoments::weighted(lights, scene.light.normalise, &weights)?;
+    let light = LightMoments::weighted(lights, scene.light.normalize, &weights)?;
     let weights = database::weights(&materials.entries, &scene.material.weights)?;
     let of_materials = MaterialMoments::weighted(materials, weights);
     let gram = gram::of_sphere(lights.degree, materials.order);
@@ -217,5 +217,5 @@ fn numbers(
     let polar = pair::count(factored) * layout::LANES * layout::groups(degree);
     let factors =
         by_azimuth.map(|(azimuth, &count)| layout::factors(degree, factored, azimuth, count));
-    polar + factors.sum::<usize>() + profiles[0] * effects.apart_count(order)
+    polar + factors.sum::<usize>() + profiles[0] * effects.unfactored_count(order)
 }

@@ -29,7 +29,7 @@ impl Surface {
 
     /// A surface with separate BRDFs for r, g and b.
     #[must_use]
-    pub fn coloured(name: String, rgb: [Box<dyn Brdf>; 3]) -> Self {
+    pub fn colored(name: String, rgb: [Box<dyn Brdf>; 3]) -> Self {
         Self { name, channels: Vec::from(rgb) }
     }
 

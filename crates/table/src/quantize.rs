@@ -1,0 +1,369 @@
+//! A table in integers: mantissas of 15 or 31 bits, with a power of two for each row.
+//!
+//! Rounding is to nearest, ties away from zero. The scale of a row of factors ensures that no sum
+//! over the row, of products with mantissas, overflows an accumulator of twice as many bits plus
+//! one: Σ |mantissa| < 2^(bits + 1).
+
+use crate::chebyshev::polynomial;
+pub use crate::format::IntegerFormat as Format;
+use crate::parts::NONE;
+use crate::table::{Profile, Table};
+use eigenshade_index::effect::{Effect, Effects};
+use eigenshade_index::{layout, material, pair};
+use std::fmt;
+
+/// The runtime's arrays in integers. Each field corresponds to the field of the same name in
+/// `eigenshade::quantised::Parts`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct QuantizedParts {
+    /// The format.
+    pub format: Format,
+    /// Largest degree l of the light.
+    pub degree: usize,
+    /// Largest order o of the BRDF.
+    pub order: usize,
+    /// The effects that the table serves.
+    pub effects: Effects,
+    /// Number of components.
+    pub components: usize,
+    /// Slant profiles, by |m|.
+    pub profiles: Vec<Place>,
+    /// Number of polynomial terms for each |m|.
+    pub lengths: Vec<u8>,
+    /// Polar integrals: for each l one row over the pairs.
+    pub polar: Vec<i32>,
+    /// One exponent for each polar integral.
+    pub polar_exponents: Vec<i8>,
+    /// Factors: for each profile and each l one row over the pairs.
+    pub factors: Vec<i32>,
+    /// One exponent for each row of factors.
+    pub factor_exponents: Vec<i8>,
+    /// Polynomials in powers of t, highest term first.
+    pub terms: Vec<i32>,
+}
+
+/// The azimuth of a profile, the exponent of its terms, its components and its bounds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// |m|.
+    pub azimuth: u8,
+    /// Exponent of its terms.
+    pub exponent: i8,
+    /// Component of +m (or 0), or 65,535.
+    pub plus: u16,
+    /// Component of -m, or 65,535.
+    pub minus: u16,
+    /// Its largest absolute value, in sixteenths, rounded up.
+    pub size: u16,
+    /// The largest term of its polynomial or intermediate sum in Horner's rule, in sixteenths,
+    /// rounded up.
+    pub step: u16,
+}
+
+/// The maximum number of profiles, and of degrees, in `eigenshade::quantised::Basis`.
+const MAX_PROFILES: usize = layout::MAX_WEIGHTS / 2;
+
+/// Why a table cannot be converted to integers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum QuantizeError {
+    /// Its criterion subtracts a mean image.
+    Mean,
+    /// It has a selection of modes.
+    Selection,
+    /// Its object is not a sphere.
+    General,
+    /// It stores only transfers.
+    TransfersOnly,
+    /// Its effect ambient contains orders that no other effect of the table contains.
+    Unfactored,
+    /// A polynomial has more than [`layout::MONOMIAL_TERMS`] terms.
+    Long {
+        /// |m| of the polynomial.
+        azimuth: usize,
+        /// Number of terms of the polynomial.
+        terms: usize,
+    },
+    /// It has more profiles or degrees than the runtime's sums allow.
+    Many,
+    /// A profile, a term of its polynomial or an intermediate sum exceeds 4,095.
+    Large {
+        /// |m| of the profile.
+        azimuth: usize,
+    },
+}
+
+impl fmt::Display for QuantizeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Mean => f.write_str(
+                "integer formats do not support a mean image; make the table with criterion = \"image-centered\"",
+            ),
+            Self::Selection => {
+                f.write_str("integer formats do not support a selection of modes; make the table with modes = 0")
+            }
+            Self::General => f.write_str("integer formats support only tables of a sphere; use f32"),
+            Self::TransfersOnly => {
+                f.write_str("the table stores only transfers; make it with store = \"projection\"")
+            }
+            Self::Unfactored => f.write_str(
+                "integer formats support ambient only together with another effect that contains \
+                 all its orders; make the table without ambient, with gloss, or with a lower \
+                 material.order",
+            ),
+            Self::Long { azimuth, terms } => write!(
+                f,
+                "a polynomial of |m| = {azimuth} has {terms} terms, integer formats allow at most \
+                 {}; make the table with a larger profile_tolerance or a lower degree",
+                layout::MONOMIAL_TERMS
+            ),
+            Self::Many => write!(
+                f,
+                "integer formats allow at most {MAX_PROFILES} profiles, and degrees below that; make \
+                 the table with fewer components or a lower degree"
+            ),
+            Self::Large { azimuth } => write!(
+                f,
+                "a profile of |m| = {azimuth} exceeds 4095; make the table with fewer components or \
+                 a lower degree"
+            ),
+        }
+    }
+}
+
+impl std::error::Error for QuantizeError {}
+
+impl QuantizedParts {
+    /// Converts a table to this format. Trims its polynomials so that each component loses at most
+    /// `tolerance`, relative to the rms of the database's images, which follows from the
+    /// eigenvalues.
+    ///
+    /// # Errors
+    ///
+    /// If the table cannot be converted to integers.
+    pub fn new(table: &Table, format: Format, tolerance: f64) -> Result<Self, QuantizeError> {
+        for (fault, error) in [
+            (table.mean.is_some(), QuantizeError::Mean),
+            (!table.selection.is_empty(), QuantizeError::Selection),
+            (table.general.is_some(), QuantizeError::General),
+            (!table.has_projection(), QuantizeError::TransfersOnly),
+            (table.effects().unfactored_count(table.gram.order) > 0, QuantizeError::Unfactored),
+            (table.profiles.len().max(table.gram.degree + 1) > MAX_PROFILES, QuantizeError::Many),
+        ] {
+            if fault {
+                return Err(error);
+            }
+        }
+        let (gram, effects) = (&table.gram, table.effects());
+        let (degree, order) = (gram.degree, gram.order);
+        let pairs = pair::count(order);
+        let bits = format.bits();
+        let lengths = lengths(table, tolerance)?;
+        let (mut polar, mut polar_exponents) = (Vec::new(), Vec::new());
+        for l in 0..=degree {
+            for (k, (o, _)) in pair::indices(order).enumerate() {
+                let kept = l > 0 || effects.has(Effect::Ambient);
+                let value = gram.polar_integrals[k * (degree + 1) + l] * ((o + 1) as f64).sqrt();
+                let value = if kept { value } else { 0.0 };
+                let (mantissas, exponent) = row(&[value], bits, i64::MAX);
+                polar.extend(mantissas);
+                polar_exponents.push(exponent);
+            }
+        }
+        let (mut factors, mut factor_exponents) = (Vec::new(), Vec::new());
+        let (mut terms, mut profiles) = (Vec::new(), Vec::new());
+        for (k, profile) in table.profiles.iter().enumerate() {
+            for numbers in profile.factors.chunks_exact(pairs) {
+                let (mantissas, exponent) = row(numbers, bits, 1 << (bits + 1));
+                factors.extend(mantissas);
+                factor_exponents.push(exponent);
+            }
+            let azimuth = profile.azimuth;
+            let scale = if azimuth == 0 { 1.0 } else { std::f64::consts::SQRT_2 };
+            let length = usize::from(lengths[azimuth]);
+            let kept = &profile.chebyshev[..length.min(profile.chebyshev.len())];
+            let powers: Vec<f64> =
+                polynomial(kept, length).iter().map(|term| scale * term).collect();
+            let (mantissas, exponent) = row(&powers, bits, i64::MAX);
+            let sizes = sizes(&mantissas, exponent, azimuth);
+            let [size, step] = sizes.ok_or(QuantizeError::Large { azimuth })?;
+            terms.extend(mantissas);
+            let of = |is_minus: bool| {
+                let mut components = table.components.iter();
+                let found =
+                    components.position(|one| one.profile == k && (one.order < 0) == is_minus);
+                found.map_or(NONE, |index| u16::try_from(index).expect("few components"))
+            };
+            profiles.push(Place {
+                azimuth: u8::try_from(azimuth).expect("a small degree"),
+                exponent,
+                plus: of(false),
+                minus: of(true),
+                size,
+                step,
+            });
+        }
+        Ok(Self {
+            format,
+            degree,
+            order,
+            effects,
+            components: table.components.len(),
+            polar,
+            polar_exponents,
+            factors,
+            factor_exponents,
+            profiles,
+            lengths,
+            terms,
+        })
+    }
+}
+
+/// Converts numbers to mantissas with a common exponent. Each mantissa is below 2^`bits`, and the
+/// sum of their absolute values is below `sum`. Numbers below 2^-128 of the format become 0;
+/// numbers beyond 2^127 saturate.
+#[must_use]
+pub fn row(numbers: &[f64], bits: i32, sum: i64) -> (Vec<i32>, i8) {
+    in_range(numbers, bits, sum).unwrap_or_else(|| {
+        let most = ((1 << bits) - 1).min((sum - 1) / numbers.len() as i64) as f64;
+        let saturated = numbers.iter().map(|number| (number * 2f64.powi(-127)).clamp(-most, most));
+        (saturated.map(|number| number as i32).collect(), 127)
+    })
+}
+
+/// Like [`row`]; `None` if a number is too large for the format.
+#[must_use]
+fn in_range(numbers: &[f64], bits: i32, sum: i64) -> Option<(Vec<i32>, i8)> {
+    let largest = numbers.iter().fold(0.0f64, |most, number| most.max(number.abs()));
+    if largest == 0.0 {
+        return Some((vec![0; numbers.len()], i8::MIN));
+    }
+    // Starts from the smallest exponent that is possible.
+    let least = (largest.log2().floor() as i32 - bits).clamp(-128, 127);
+    (least..=127).find_map(|exponent| {
+        let scale = 2f64.powi(-exponent);
+        let rounded = numbers.iter().map(|number| (number * scale).round() as i64);
+        let sizes = rounded.clone().map(i64::saturating_abs);
+        let fits =
+            sizes.clone().all(|size| size < 1 << bits) && sizes.fold(0, i64::saturating_add) < sum;
+        fits.then(|| (rounded.map(|number| number as i32).collect(), exponent as i8))
+    })
+}
+
+/// Number of terms for each azimuth: as few as possible while each component loses at most
+/// `tolerance` of the database's rms at any normal.
+fn lengths(table: &Table, tolerance: f64) -> Result<Vec<u8>, QuantizeError> {
+    let values = table.spectrum.iter().filter_map(|(_, value)| *value);
+    let energy: f64 = values.sum();
+    let mut lengths = vec![0; table.gram.degree + 1];
+    for (k, profile) in table.profiles.iter().enumerate() {
+        let served = table.components.iter().filter(|component| component.profile == k);
+        // The coefficient of the constant is the mean, which is as large as everything else.
+        let weight = served
+            .map(|component| component.eigenvalue.map_or(1.0, |value| (value / energy).sqrt()))
+            .fold(0.0, f64::max);
+        let needed = needed(profile, tolerance / weight);
+        let length = &mut lengths[profile.azimuth];
+        *length = needed.max(*length);
+    }
+    for (azimuth, &terms) in lengths.iter().enumerate() {
+        if terms > layout::MONOMIAL_TERMS {
+            return Err(QuantizeError::Long { azimuth, terms });
+        }
+    }
+    Ok(lengths.into_iter().map(|length| length as u8).collect())
+}
+
+/// The smallest number of terms, at least one, such that the rest is at most `tolerance`
+/// everywhere.
+fn needed(profile: &Profile, tolerance: f64) -> usize {
+    let mut rest = 0.0;
+    let count = profile.chebyshev.len();
+    let kept = profile.chebyshev.iter().rev().take_while(|term| {
+        rest += term.abs();
+        rest <= tolerance
+    });
+    (count - kept.count()).max(1)
+}
+
+/// The coefficients of a material as mantissas, with one exponent for each o.
+#[must_use]
+pub fn material(order: usize, coefficients: &[f64], format: Format) -> (Vec<i32>, Vec<i8>) {
+    let (mut mantissas, mut exponents) = (Vec::new(), Vec::new());
+    for o in 0..=order {
+        let of_order = &coefficients[material::position(o, o % 2, o % 2)..material::count(o)];
+        let (of_order, exponent) = row(of_order, format.bits(), i64::MAX);
+        mantissas.extend(of_order);
+        exponents.push(exponent);
+    }
+    (mantissas, exponents)
+}
+
+/// Whether the coefficients of a light or a material fit the format without saturation.
+#[must_use]
+pub fn holds(numbers: &[f64], format: Format) -> bool {
+    in_range(numbers, format.bits(), i64::MAX).is_some()
+}
+
+/// Number of grid points per degree in the search for a polynomial's largest value. The largest
+/// value on a grid of this many Chebyshev points is at least cos(π / 2 POINTS) times the maximum.
+const POINTS: usize = 16;
+
+/// The largest |u| of a profile, and the largest term of its polynomial or intermediate sum in
+/// Horner's rule, in sixteenths, rounded up. `None` if one of them exceeds 16 bits.
+fn sizes(terms: &[i32], exponent: i8, azimuth: usize) -> Option<[u16; 2]> {
+    let scale = 2f64.powi(exponent.into());
+    // The grid covers squares of the polynomial times powers of 1 - z².
+    let count = POINTS * 2 * (terms.len() + azimuth).max(1);
+    let (mut size, mut largest) = (0.0f64, 0.0f64);
+    for k in 0..=count {
+        let t = (std::f64::consts::PI * k as f64 / count as f64).cos();
+        let mut step = 0.0;
+        for term in terms.iter().map(|&term| scale * f64::from(term)) {
+            step = step * t + term;
+            largest = largest.max(step.abs()).max(term.abs());
+        }
+        let z = 0.5 * (t + 1.0);
+        size = size.max(step * step * (1.0 - z * z).powi(azimuth as i32));
+    }
+    let missed = (std::f64::consts::PI / (2 * POINTS) as f64).cos();
+    let sizes = [size.sqrt(), largest].map(|value| (16.0 * value / missed).ceil());
+    sizes.iter().all(|&size| size <= u16::MAX.into()).then(|| sizes.map(|size| size as u16))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_beyond_the_exponents_are_lost_or_saturate() {
+        for bits in [15, 31] {
+            let sum = 1 << (bits + 1);
+            assert_eq!(row(&[1e-60, -1e-70], bits, i64::MAX), (vec![0, 0], -128));
+            let (mantissas, exponent) = row(&[1e60, -1e300, 1.0], bits, sum);
+            assert_eq!((mantissas[2], exponent), (0, 127));
+            assert!(mantissas[0] > 0 && mantissas[1] == -mantissas[0]);
+            assert!(mantissas.iter().map(|one| i64::from(one.abs())).sum::<i64>() < sum);
+            assert_eq!(row(&[1.0], bits, i64::MAX), (vec![1 << (bits - 1)], (1 - bits) as i8));
+        }
+    }
+
+    #[test]
+    fn saturation_is_recognized() {
+        for format in [Format::Q15, Format::Q31] {
+            // The largest mantissa times 2^127.
+            let most = (2f64.powi(format.bits()) - 1.0) * 2f64.powi(127);
+            assert!(holds(&[most, -most, 1e-300, 0.0], format));
+            assert!(!holds(&[2f64.powi(format.bits() + 127)], format));
+            assert!(!holds(&[1.0, -f64::MAX], format));
+            assert!(holds(&[], format) && holds(&[0.0], format));
+        }
+    }
+
+    #[test]
+    fn profiles_beyond_sixteen_bits_have_no_size() {
+        assert_eq!(sizes(&[1, 0, 0], 0, 0), Some([17, 17]));
+        assert_eq!(sizes(&[30_000, 0, 0], 0, 0), None);
+    }
+}

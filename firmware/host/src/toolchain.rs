@@ -1,0 +1,104 @@
+//! Builds programs and runs them in the emulator.
+//!
+//! The compiler is that of rustup or, if rustup cannot provide the target, Debian's, which builds
+//! `core` itself.
+
+use crate::Result;
+use crate::board::Board;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// Debian's compiler and linker.
+const DEBIAN: [&str; 2] = ["/usr/bin/rustc", "ld.lld-22"];
+
+/// The compiler for one target.
+#[derive(Clone, Debug)]
+pub struct Compiler {
+    target: &'static str,
+    debian: bool,
+}
+
+impl Compiler {
+    /// The compiler for this target. `firmware/run` sets `EIGENSHADE_CI_DEBIAN=1` to choose Debian's.
+    pub fn new(target: &'static str) -> Self {
+        Self { target, debian: std::env::var_os("EIGENSHADE_CI_DEBIAN").is_some() }
+    }
+
+    /// Builds programs of a package.
+    ///
+    /// # Errors
+    ///
+    /// The output of the compiler or the linker.
+    pub fn build(&self, package: &str, binaries: &[String], profile: &str) -> Result<()> {
+        if binaries.is_empty() {
+            return Ok(());
+        }
+        let mut command = Command::new("cargo");
+        command.args(["build", "--quiet", "--profile", profile, "--target", self.target]);
+        command.args(["-p", package]);
+        for binary in binaries {
+            command.args(["--bin", binary]);
+        }
+        if self.debian {
+            let key = self.target.to_uppercase().replace('-', "_");
+            command
+                .args(["-Zbuild-std=core", "--target-dir", "target/debian"])
+                .env("RUSTC", DEBIAN[0])
+                .env("RUSTC_BOOTSTRAP", "1")
+                .env(format!("CARGO_TARGET_{key}_LINKER"), DEBIAN[1]);
+        }
+        let output = command.output().map_err(|error| format!("cargo: {error}"))?;
+        if output.status.success() {
+            return Ok(());
+        }
+        Err(format!("{command:?}\n{}", String::from_utf8_lossy(&output.stderr)))
+    }
+
+    /// The path of a linked program.
+    pub fn binary(&self, profile: &str, name: &str) -> PathBuf {
+        let folder = if self.debian { "target/debian" } else { "target" };
+        Path::new(folder).join(self.target).join(profile).join(name)
+    }
+
+    /// The compiler's name and version, on which the counts depend.
+    pub fn version(&self) -> Result<String> {
+        let compiler = if self.debian { DEBIAN[0] } else { "rustc" };
+        Ok(output_of(Command::new(compiler).arg("--version"))?.trim().into())
+    }
+}
+
+fn output_of(command: &mut Command) -> Result<String> {
+    let output = command.output().map_err(|error| format!("{command:?}: {error}"))?;
+    Ok(String::from_utf8_lossy(&output.stdout).into_owned())
+}
+
+/// Seconds after which a program is stopped.
+const TIMEOUT: &str = "120";
+
+/// Runs a program to its end and returns its output.
+///
+/// # Errors
+///
+/// If it ends with a status other than 0, or not in time.
+pub fn run(board: Board, program: &Path) -> Result<String> {
+    let (emulator, machine) = board.emulator();
+    let mut command = Command::new("timeout");
+    command
+        .args([TIMEOUT, emulator])
+        .args(machine)
+        .args(["-display", "none", "-monitor", "none", "-serial", "none", "-icount", "shift=0"])
+        .args(["-semihosting-config", "enable=on,target=native", "-kernel"])
+        .arg(program);
+    let output = command.output().map_err(|error| format!("{command:?}: {error}"))?;
+    // The emulator writes the program's output to its standard error.
+    let text = String::from_utf8_lossy(&[output.stdout, output.stderr].concat()).into_owned();
+    if output.status.success() {
+        return Ok(text);
+    }
+    let status = match output.status.code() {
+        Some(124) => format!("does not end within {TIMEOUT} s"),
+        Some(127) => format!("no {emulator}: apt-get install qemu-system-arm qemu-system-misc"),
+        code => format!("ends with status {code:?}"),
+    };
+    Err(format!("{} on {}: {status}\n{text}", program.display(), board.name()))
+}

@@ -1,4 +1,0 @@
-//! A table.
-#![cfg_attr(fuzzing, no_main)]
-
-eigenshade_fuzz_readers::target!(bin);

@@ -1,4 +1,0 @@
-//! Any CSV.
-#![cfg_attr(fuzzing, no_main)]
-
-eigenshade_fuzz_readers::target!(csv);

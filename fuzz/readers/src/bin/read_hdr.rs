@@ -1,4 +1,0 @@
-//! A Radiance map.
-#![cfg_attr(fuzzing, no_main)]
-
-eigenshade_fuzz_readers::target!(hdr);

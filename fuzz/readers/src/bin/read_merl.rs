@@ -1,4 +1,0 @@
-//! A MERL file.
-#![cfg_attr(fuzzing, no_main)]
-
-eigenshade_fuzz_readers::target!(merl);

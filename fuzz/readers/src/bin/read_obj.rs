@@ -1,4 +1,0 @@
-//! A Wavefront mesh.
-#![cfg_attr(fuzzing, no_main)]
-
-eigenshade_fuzz_readers::target!(obj);

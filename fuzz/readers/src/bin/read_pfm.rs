@@ -1,4 +1,0 @@
-//! A portable float map.
-#![cfg_attr(fuzzing, no_main)]
-
-eigenshade_fuzz_readers::target!(pfm);

@@ -1,4 +1,0 @@
-//! A PNG.
-#![cfg_attr(fuzzing, no_main)]
-
-eigenshade_fuzz_readers::target!(png);
