@@ -5,8 +5,8 @@ use crate::tolerances;
 use eigenshade::{Economy, Error, Light, Material, Normal, Normals, Scene, Tolerance, sphere};
 use eigenshade_generator::basis::build;
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
-use eigenshade_model::special::gauss_legendre;
-use eigenshade_model::truth::Truth;
+use eigenshade_model::reference::DirectSum;
+use eigenshade_model::special::quadrature::gauss_legendre;
 use eigenshade_shading::owned_basis::{AnyBasis, OwnedBasis};
 use eigenshade_table::decode;
 use eigenshade_testing::images;
@@ -150,14 +150,14 @@ fn a_matte_is_shaded_as_by_the_nine_term_formula() {
 fn a_matte_costs_no_more_than_nine_terms_where_they_are_enough() {
     let lights = read_lights("tables/inputs/lights.csv", Some(9)).expect("the shipped lights");
     let (vectors, rule) = (vectors(), rule());
-    let truth = Truth::new(9, 0);
+    let reference = DirectSum::new(9, 0);
     let mut dearer = Vec::new();
     for entry in &lights.entries {
         let light = single(entry.luminance());
         let d = coefficients(&light, &MATTE);
         let image = Image::new(&d, &rule);
         let squares = vectors.iter().map(|&(at, weight)| {
-            let modes = truth.at(at);
+            let modes = reference.at(at);
             let direct = modes.irradiance(&entry.luminance(), &modes.scatter(&[2.0]));
             weight * (nine_terms(&light, at) - direct).powi(2)
         });
@@ -291,7 +291,7 @@ fn bounds_hold_of_long_series() {
         let mut lengths = [0; 32];
         let within = basis.collapse_within(&d, Tolerance::OfPeak(share), &mut lengths, room());
         let (scene, economy) = within.expect("sizes");
-        let squares = gauss_legendre::rule(40, 0.0, 1.0).into_iter().flat_map(|(z, weight)| {
+        let squares = gauss_legendre(40, 0.0, 1.0).into_iter().flat_map(|(z, weight)| {
             let sine = (1.0 - z * z).sqrt();
             let (scene, whole) = (&scene, &whole);
             (0..50).map(move |k| {

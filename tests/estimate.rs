@@ -2,7 +2,7 @@
 
 use crate::tolerances;
 use eigenshade::{Error, Normal, sphere};
-use eigenshade_model::special::gauss_legendre;
+use eigenshade_model::special::quadrature::gauss_legendre;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_testing::{fixtures, largest};
 use std::f64::consts::TAU;
@@ -26,7 +26,7 @@ fn weighted_pixels_give_back_the_coefficients() {
         basis.project_into(&light, &material, &mut workspace, &mut d).expect("sizes");
         let scene = basis.collapse_into(&d, vec![0.0; basis.scene_len()]).expect("sizes");
         let mut estimate = basis.estimate::<60>().expect("room");
-        for (z, weight) in gauss_legendre::rule(48, 0.0, 1.0) {
+        for (z, weight) in gauss_legendre(48, 0.0, 1.0) {
             let sine = ((1.0 - z) * (1.0 + z)).sqrt();
             for k in 0..19 {
                 let (y, x) = (TAU * f64::from(k) / 19.0).sin_cos();

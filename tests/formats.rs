@@ -8,9 +8,8 @@ use crate::tolerances;
 use eigenshade::{Q15, Q31};
 use eigenshade_index::{light, material, mode};
 use eigenshade_model::database::{Lights, Materials};
-use eigenshade_shading::integer_shader::{self, IntegerShader};
+use eigenshade_shading::integer_shader::{self, Integer, IntegerShader};
 use eigenshade_shading::owned_basis::OwnedBasis;
-use eigenshade_shading::owned_quantised::Integer;
 use eigenshade_shading::shader::{OwnedNormals, Shader};
 use eigenshade_shading::shipped;
 use eigenshade_table::Table;
@@ -51,9 +50,9 @@ struct Ratio {
 }
 
 impl Ratio {
-    fn add(&mut self, truth: f64, found: f64) {
-        self.signal += truth * truth;
-        self.noise += (found - truth).powi(2);
+    fn add(&mut self, reference: f64, found: f64) {
+        self.signal += reference * reference;
+        self.noise += (found - reference).powi(2);
     }
 
     fn decibels(self) -> f64 {
@@ -78,7 +77,7 @@ trait Measured {
     fn image(&mut self, light: Channel<'_>, material: Channel<'_>, normals: &[[f64; 3]]) -> Image;
 }
 
-struct Truth {
+struct Reference {
     table: Table,
     lights: Lights,
     materials: Materials,
@@ -89,7 +88,7 @@ struct Truth {
     rows: Vec<Vec<f64>>,
 }
 
-impl Truth {
+impl Reference {
     fn new() -> Self {
         let bytes = std::fs::read("tables/sphere.bin").expect("the shipped table");
         let table = eigenshade_table::decode(&bytes).expect("a table");
@@ -158,12 +157,13 @@ impl Truth {
                     let (light, material) =
                         ((self.lights.degree, &light[..]), (self.materials.order, &material[..]));
                     let (found, image) = measured.image(light, material, &self.normals);
-                    for ((ratio, truth), found) in components.iter_mut().zip(&d).zip(found) {
-                        ratio.add(*truth, found);
+                    for ((ratio, reference), found) in components.iter_mut().zip(&d).zip(found) {
+                        ratio.add(*reference, found);
                     }
                     for (k, found) in image.into_iter().enumerate() {
-                        let truth = d.iter().zip(&self.images).map(|(d, image)| d * image[k]).sum();
-                        pair.add(truth, found);
+                        let reference =
+                            d.iter().zip(&self.images).map(|(d, image)| d * image[k]).sum();
+                        pair.add(reference, found);
                     }
                 }
                 all.signal += pair.signal;
@@ -223,17 +223,17 @@ fn stated(name: &str, score: &Score) {
 
 #[test]
 fn floats_are_as_good_as_stated() {
-    let truth = Truth::new();
-    let basis = OwnedBasis::<f32>::new(&truth.table);
-    let score = truth.score(&mut Shader::new(basis.any().expect("a basis"), usize::MAX));
+    let reference = Reference::new();
+    let basis = OwnedBasis::<f32>::new(&reference.table);
+    let score = reference.score(&mut Shader::new(basis.any().expect("a basis"), usize::MAX));
     assert!(score.all >= F32_ALL && score.worst >= F32_WORST);
     stated("`f32`", &score);
 }
 
 fn integers<Q: Integer>() -> Score {
-    let truth = Truth::new();
-    let shader = IntegerShader::<Q>::new(&truth.table, usize::MAX);
-    truth.score(&mut shader.expect("a sphere's table"))
+    let reference = Reference::new();
+    let shader = IntegerShader::<Q>::new(&reference.table, usize::MAX);
+    reference.score(&mut shader.expect("a sphere's table"))
 }
 
 #[test]
@@ -254,19 +254,19 @@ fn q15_is_as_good_as_stated() {
 /// What a scene's scale leaves free: Σ |d_i| max |U_i| over the peak, both at the normals here.
 #[test]
 fn headroom_is_as_stated() {
-    let truth = Truth::new();
-    let largest: Vec<f64> = truth
+    let reference = Reference::new();
+    let largest: Vec<f64> = reference
         .images
         .iter()
         .map(|image| image.iter().fold(0.0, |most: f64, value| most.max(value.abs())))
         .collect();
     let (mut sum, mut count, mut most) = (0.0, 0.0, 0.0f64);
-    for material in &truth.materials.entries {
-        for light in &truth.lights.entries {
+    for material in &reference.materials.entries {
+        for light in &reference.lights.entries {
             for (light, material) in light.rgb.iter().zip(&material.rgb) {
-                let d = truth.project(light, material);
+                let d = reference.project(light, material);
                 let at =
-                    |k: usize| d.iter().zip(&truth.images).map(|(d, image)| d * image[k]).sum();
+                    |k: usize| d.iter().zip(&reference.images).map(|(d, image)| d * image[k]).sum();
                 let peak =
                     (0..NORMALS).map(at).fold(0.0, |most: f64, value: f64| most.max(value.abs()));
                 let bound: f64 = d.iter().zip(&largest).map(|(d, size)| d.abs() * size).sum();

@@ -61,14 +61,14 @@ fn a_scene_of_ones_own_is_its_images() {
     let material = Material::new(2, &material).expect("five coefficients");
     let d = generated::project(&light, &material).expect("it fits");
     let image = generated::collapse(&d).expect("it fits");
-    let truth = oracle::ExplicitLight::new(&coefficients);
+    let reference = oracle::ExplicitLight::new(&coefficients);
     let normals: Vec<_> = (0..50).map(|_| numbers.normal()).collect();
     let pairs: Vec<_> = normals
         .iter()
         .map(|&normal| {
             let [x, y, z] = normal.map(|component| component as f32);
             let found = image.shade(Normal::new(x, y, z).expect("a normal"));
-            (f64::from(found), oracle::irradiance(&truth, &brdf, normal))
+            (f64::from(found), oracle::irradiance(&reference, &brdf, normal))
         })
         .collect();
     let peak = pairs.iter().fold(0.0f64, |most, (_, expected)| most.max(expected.abs()));

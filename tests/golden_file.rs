@@ -4,8 +4,8 @@
 use crate::tolerances;
 use eigenshade::quantised::{Light, Material, Normal};
 use eigenshade::{Normals, Q15, Q31, sphere};
-use eigenshade_testing::golden::answers::{Answer, GOLDEN_F32, Shipped, answer, checksum};
 use eigenshade_testing::golden::record::{Golden, Row};
+use eigenshade_testing::golden::{Answer, GOLDEN_F32, Shipped, answer, checksum};
 
 fn recorded() -> Golden {
     Golden::parse(include_str!("golden/sphere.csv")).expect("tests/golden/sphere.csv")

@@ -13,9 +13,9 @@ use eigenshade_generator::basis::pca::{Block, principal};
 use eigenshade_generator::scene_file::{self, Loaded};
 use eigenshade_model::database::Named;
 use eigenshade_model::irradiance::slant_rotation;
+use eigenshade_model::reference::DirectSum;
 use eigenshade_model::rotation::Rotation;
-use eigenshade_model::special::gauss_legendre;
-use eigenshade_model::truth::Truth;
+use eigenshade_model::special::quadrature::gauss_legendre;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_table::scene::Normalize;
 use eigenshade_table::{GramFactor, Table};
@@ -44,7 +44,7 @@ fn whole() -> (Loaded, Table) {
 #[test]
 fn the_direct_sum_is_the_integral() {
     let loaded = shipped();
-    let truth = Truth::new(9, 7);
+    let reference = DirectSum::new(9, 7);
     let mut numbers = oracle::Numbers(1);
     let mut worst: f64 = 0.0;
     for case in 0..200 {
@@ -70,19 +70,19 @@ fn the_direct_sum_is_the_integral() {
         let explicit: Vec<_> =
             material::indices(7).zip(&material).map(|((o, p, q), b)| (o, p, q, *b)).collect();
         let expected = oracle::irradiance(&oracle::ExplicitLight::new(&light), &explicit, normal);
-        let modes = truth.at(normal);
+        let modes = reference.at(normal);
         let found = modes.irradiance(&light, &modes.scatter(&material));
-        worst = worst.max((found - expected).abs() / peak(&truth, &light, &material));
+        worst = worst.max((found - expected).abs() / peak(&reference, &light, &material));
     }
     println!("direct sum against quadrature: {worst:.1e} of the peak");
     assert!(worst <= tolerances::DIRECT_SUM, "{worst}");
 }
 
 /// Largest |I| of the truth, on 20 slants by 40 tilts.
-fn peak(truth: &Truth, light: &[f64], material: &[f64]) -> f64 {
+fn peak(reference: &DirectSum, light: &[f64], material: &[f64]) -> f64 {
     let mut peak: f64 = 0.0;
     for normal in grid(20, 40) {
-        let modes = truth.at(normal);
+        let modes = reference.at(normal);
         peak = peak.max(modes.irradiance(light, &modes.scatter(material)).abs());
     }
     peak
@@ -106,7 +106,7 @@ fn all_components_in_f32_are_the_direct_sum() {
     let (loaded, table) = whole();
     let owned = OwnedBasis::<f32>::new(&table);
     let basis = owned.basis().expect("a basis");
-    let truth = Truth::new(9, 7);
+    let reference = DirectSum::new(9, 7);
     let (lights, materials) =
         (luminances(&loaded.lights.entries), luminances(&loaded.materials.entries));
     // What the device is given is the truth's input, rounded.
@@ -133,7 +133,7 @@ fn all_components_in_f32_are_the_direct_sum() {
     let column = |k: usize| normals.iter().map(|normal| normal[k]).collect::<Vec<_>>();
     let (x, y, z) = (column(0), column(1), column(2));
     let mut shaded = vec![0.0; normals.len()];
-    let modes: Vec<_> = normals.iter().map(|normal| truth.at(normal.map(f64::from))).collect();
+    let modes: Vec<_> = normals.iter().map(|normal| reference.at(normal.map(f64::from))).collect();
     for (b, material) in materials.iter().enumerate() {
         let scattered: Vec<_> = modes.iter().map(|modes| modes.scatter(material)).collect();
         for (a, light) in lights.iter().enumerate() {
@@ -280,7 +280,7 @@ fn residual_energy_is_what_the_eigenvalues_say() {
 /// products of two D of degree 9, which have degree 18.
 fn rotations() -> Vec<(Rotation, f64)> {
     let mut rotations = Vec::new();
-    for (z, weight) in gauss_legendre::rule(10, -1.0, 1.0) {
+    for (z, weight) in gauss_legendre(10, -1.0, 1.0) {
         for beta in 0..19 {
             for gamma in 0..19 {
                 let angle = |k: i32| 2.0 * PI * f64::from(k) / 19.0;

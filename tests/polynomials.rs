@@ -38,14 +38,14 @@ fn farthest<S: Scalar + Into<f64>>() -> f64 {
             let angle = (2.0 * z - 1.0).acos();
             let terms = series.iter().enumerate();
             let profile: f64 = terms.map(|(n, term)| term * (n as f64 * angle).cos()).sum();
-            let truth = profile * sine.powi(component.order.abs()) * around;
+            let reference = profile * sine.powi(component.order.abs()) * around;
             let [x, y, z] = [sine * tilt.cos(), sine * tilt.sin(), z].map(S::from_f64);
             let normal = Normal::new(x, y, z).expect("visible");
             let alone = basis.reconstruct(&d, normal).expect("sizes");
             for found in [scene.shade(normal), alone] {
-                off = off.max((found.into() - truth).abs());
+                off = off.max((found.into() - reference).abs());
             }
-            largest = largest.max(truth.abs());
+            largest = largest.max(reference.abs());
         }
         worst = worst.max(off / largest);
     }

@@ -3,7 +3,7 @@
 use eigenshade::quantised::{Basis, Light, Material, Normal, Parts, Profile, Transfer};
 use eigenshade::sphere::{q15, q31};
 use eigenshade::{Error, Q15, Q31, What};
-use eigenshade_shading::owned_quantised::Integer;
+use eigenshade_shading::integer_shader::Integer;
 use eigenshade_table::quantize::{self, Format};
 use std::f64::consts::SQRT_2;
 

@@ -40,7 +40,7 @@ fn components_are_those_of_the_direct_sum() {
         let squares =
             LeastSquares::new(&observation, tolerances::READ_CUT_OFF).expect("singular values");
         assert_eq!(squares.rank(), object.table.count());
-        let d = squares.solve(observation.centred(0).as_ref());
+        let d = squares.solve(observation.centered(0).as_ref());
         assert_near("least squares", apart(&d, projected), tolerances::READ_MODES);
     }
 }

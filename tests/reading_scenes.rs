@@ -4,9 +4,9 @@
 use crate::reading;
 use eigenshade::index::light;
 use eigenshade_generator::basis::moments::LightMoments;
-use eigenshade_generator::reading::eigenimage_values::EigenimageValues;
 use eigenshade_generator::reading::light_estimate::LightEstimate;
 use eigenshade_generator::reading::modes::{self, ModeCoefficients};
+use eigenshade_generator::reading::observation::EigenimageValues;
 use eigenshade_generator::reading::posterior::Posterior;
 use eigenshade_generator::reading::rank_one::RankOne;
 use eigenshade_model::database::Named;

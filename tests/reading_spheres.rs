@@ -4,13 +4,11 @@
 use crate::reading;
 use eigenshade::index::{light, material};
 use eigenshade::{Light, Material};
-use eigenshade_generator::reading::coefficients::{LeastSquares, scalar_product};
-use eigenshade_generator::reading::eigenimage_values::EigenimageValues;
-use eigenshade_generator::reading::fit::fit;
-use eigenshade_generator::reading::observation::Observer;
+use eigenshade_generator::reading::coefficients::{LeastSquares, fit, scalar_product};
+use eigenshade_generator::reading::observation::{EigenimageValues, Observer};
 use eigenshade_generator::reading::posterior::Posterior;
 use eigenshade_generator::scene_file::Loaded;
-use eigenshade_model::special::gauss_legendre;
+use eigenshade_model::special::quadrature::gauss_legendre;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_table::Table;
 use eigenshade_table::scene::Criterion;
@@ -30,24 +28,24 @@ fn least_squares_and_fit_are_those_over_the_pixels() {
         let pixels = pixels(&loaded, 3);
         let observation = observe(&table, &pixels);
         let (design, mean, image) = dense(&table, &pixels);
-        let centred = &image - &mean;
+        let centered = &image - &mean;
         let expected = design
             .clone()
             .svd(true, true)
-            .solve(&centred, tolerances::READ_CUT_OFF)
+            .solve(&centered, tolerances::READ_CUT_OFF)
             .expect("a solution");
         let squares =
             LeastSquares::new(&observation, tolerances::READ_CUT_OFF).expect("singular values");
         assert_eq!(squares.rank(), 20);
-        let d = squares.solve(observation.centred(0).as_ref());
+        let d = squares.solve(observation.centered(0).as_ref());
         assert_near("least squares", apart(&d, &expected), tolerances::READ_LEAST_SQUARES);
 
         let product = scalar_product(&observation, 0);
-        let expected = design.transpose() * &centred / pixels.weights.iter().sum::<f64>();
+        let expected = design.transpose() * &centered / pixels.weights.iter().sum::<f64>();
         assert_near("scalar product", apart(&product, &expected), tolerances::READ_LEAST_SQUARES);
 
         let found = fit(&observation, 0, &d, 20);
-        let left = (&centred - &design * DVector::from_column_slice(&d)).norm_squared();
+        let left = (&centered - &design * DVector::from_column_slice(&d)).norm_squared();
         let weight: f64 = pixels.weights.iter().sum();
         let weighted = pixels.weights.iter().zip(&pixels.image);
         let average = weighted.clone().map(|(w, i)| w * i).sum::<f64>() / weight;
@@ -228,7 +226,7 @@ fn the_scalar_product_is_the_integral() {
     let values = EigenimageValues::new(&table, 20);
     let mut row = vec![0.0; 21];
     let mut observer = Observer::new(values, 1);
-    for (z, weight) in gauss_legendre::rule(40, 0.0, 1.0) {
+    for (z, weight) in gauss_legendre(40, 0.0, 1.0) {
         for tilt in 0..16 {
             let (y, x) = (2.0 * PI * f64::from(tilt) / 16.0).sin_cos();
             let sine = (1.0 - z * z).sqrt();

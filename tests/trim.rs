@@ -1,7 +1,7 @@
 //! Trimmed polynomials against the direct sum (15), over every light on every material of
 //! the database.
 
-use eigenshade_model::truth::Truth;
+use eigenshade_model::reference::DirectSum;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader};
 use eigenshade_shading::shipped;
@@ -47,12 +47,15 @@ fn the_full_scene_keeps_its_tolerance() {
     let materials = shipped::materials().expect("materials").truncated(order);
     let normals = normals();
     let owned = OwnedNormals::new(&normals);
-    let truth = Truth::new(degree, order);
+    let reference = DirectSum::new(degree, order);
     let (mut error, mut peaks) = (0.0, 0.0);
     for material in &materials.entries {
         let material = material.luminance();
-        let scattered: Vec<_> =
-            normals.iter().map(|&n| truth.at(n)).map(|at| (at.scatter(&material), at)).collect();
+        let scattered: Vec<_> = normals
+            .iter()
+            .map(|&n| reference.at(n))
+            .map(|at| (at.scatter(&material), at))
+            .collect();
         for light in &lights.entries {
             let light = light.luminance();
             let light: Vec<f64> = light.iter().map(|value| value / light[0]).collect();

@@ -8,8 +8,8 @@ use eigenshade_generator::material::brdf::{Brdf, Measure, Surface};
 use eigenshade_index::{light, material};
 use eigenshade_model::database::{Lights, Named};
 use eigenshade_model::error::Result;
+use eigenshade_model::reference::DirectSum;
 use eigenshade_model::special::spherical_harmonic::azimuth;
-use eigenshade_model::truth::Truth;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::parallel;
 use eigenshade_shading::shader::{OwnedNormals, Shader, fault};
@@ -99,7 +99,7 @@ impl<'a> Reference<'a> {
     #[must_use]
     pub fn of_sum(&self, lights: &Lights, degree: usize, order: usize) -> Vec<f64> {
         let material = self.surface.project(order, Measure::Projected).material;
-        let modes_at = Truth::new(degree, order);
+        let modes_at = DirectSum::new(degree, order);
         let count = light::count(degree);
         let hidden = ProgressBar::hidden();
         let images = parallel::map(self.rings.len(), &hidden, |k| {

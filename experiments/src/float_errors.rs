@@ -2,14 +2,15 @@
 //! dielectrics and metals of roughness 0.2 to 1 and a Lambertian under three captured maps.
 
 use eigenshade::Scalar;
-use eigenshade_cli::output::message::bar;
+use eigenshade_cli::messages::progress_bar;
 use eigenshade_generator::basis;
 use eigenshade_generator::scene_file;
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::inputs::coefficient_csv::read_lights;
+use eigenshade_shading::methods::LookUp;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::reference_image;
-use eigenshade_shading::shader::{LookUp, OwnedNormals, Shader};
+use eigenshade_shading::shader::{OwnedNormals, Shader};
 use eigenshade_table::Table;
 use eigenshade_table::scene::Store;
 use eigenshade_testing::glossy;
@@ -81,9 +82,9 @@ impl Inputs {
         // Their lobes are too narrow for any order here.
         materials.entries.retain(|material| !material.name.ends_with("-0.1"));
         lights.entries.retain(|light| LIGHTS.contains(&light.name.as_str()));
-        lights.entries.iter_mut().for_each(Named::lose_color);
+        lights.entries.iter_mut().for_each(Named::remove_color);
         let normals = normals();
-        let progress = bar("normals", normals.len());
+        let progress = progress_bar("normals", normals.len());
         let reference = reference_image::images(&lights, &materials, &normals, &progress);
         Self { table, lights, materials, normals, reference }
     }

@@ -4,7 +4,7 @@ mod commands;
 
 use clap::Parser;
 use commands::Command;
-use eigenshade_cli::output::message::say_fault;
+use eigenshade_cli::messages::report_error;
 use std::process::ExitCode;
 
 /// Measures what the documentation of eigenshade states.
@@ -20,11 +20,11 @@ struct Program {
 
 fn main() -> ExitCode {
     #[cfg(unix)]
-    eigenshade_cli::output::signals::clean_up_on_end();
+    eigenshade_cli::output::clean_up_on_signals();
     match Program::parse().command.run() {
         Ok(()) => ExitCode::SUCCESS,
         Err(fault) => {
-            say_fault(fault);
+            report_error(fault);
             ExitCode::from(1)
         }
     }

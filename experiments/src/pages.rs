@@ -3,7 +3,7 @@
 //! A part is enclosed by `<!-- NAME -->` and `<!-- end of NAME -->`, each on its own line.
 
 use clap::Args;
-use eigenshade_cli::output::destination;
+use eigenshade_cli::output;
 use eigenshade_model::error::{self, Error};
 use std::fs;
 use std::path::PathBuf;
@@ -80,7 +80,7 @@ impl Purpose {
         compare: impl Fn(&str, &str) -> Result<(), String>,
     ) -> error::Result<()> {
         if let Some(path) = &self.out {
-            destination::write_text(Some(path), text)?;
+            output::write_all(Some(path), text)?;
         }
         if let Some(path) = &self.check {
             let recorded = fs::read_to_string(path).map_err(|error| Error::io(path, &error))?;

@@ -6,7 +6,7 @@ use eigenshade_cli::table::compare::differences;
 use eigenshade_generator::scene_file;
 use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_index::{light, material};
-use eigenshade_model::truth::Truth;
+use eigenshade_model::reference::DirectSum;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader};
 use experiments::ablation::counts::{Counts, M0, M4F};
@@ -56,7 +56,7 @@ fn pictures_of_effects_are_sums_over_their_modes() {
         let (degree, order) = (table.gram.degree, table.scene.material.order);
         let light = scene.light(degree);
         let material = scenes::material(&table, order);
-        let reference = Truth::new(degree, order);
+        let reference = DirectSum::new(degree, order);
         let by_hand = |belongs: Belongs| -> Vec<f64> {
             let of = |normal: &[f64; 3]| {
                 let modes = reference.at(*normal);

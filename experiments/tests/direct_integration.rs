@@ -8,7 +8,7 @@ use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::light::projection::project;
 use eigenshade_generator::material::brdf::projection::project as project_brdf;
 use eigenshade_generator::material::brdf::{Brdf, Ggx, Lambertian, Measure};
-use eigenshade_model::truth::Truth;
+use eigenshade_model::reference::DirectSum;
 use std::f64::consts::{PI, TAU};
 use std::fs;
 
@@ -35,7 +35,7 @@ struct Explicit {
 impl Explicit {
     fn value(self, i: [f64; 3], r: [f64; 3]) -> f64 {
         let Some(roughness) = self.roughness else { return self.albedo / PI };
-        eigenshade_testing::oracle::ggx::ggx(roughness, self.f0, self.albedo, i, r)
+        eigenshade_testing::oracle::ggx(roughness, self.f0, self.albedo, i, r)
     }
 
     fn function(self) -> Box<dyn Brdf> {
@@ -186,7 +186,7 @@ fn error(
 ) -> f64 {
     let light = project(map, degree);
     let coefficients = project_brdf(&*material.function(), order, Measure::Projected).coefficients;
-    let reference = Truth::new(degree, order);
+    let reference = DirectSum::new(degree, order);
     let normals = spiral(count);
     let (mut square, mut peak): (f64, f64) = (0.0, 0.0);
     for &normal in &normals {

@@ -10,7 +10,7 @@ use eigenshade::{Economy, Light, Material, Normal, Recurrences, Shape, Tolerance
 use eigenshade_generator::basis::build;
 use eigenshade_model::database::Named;
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
-use eigenshade_model::truth::Truth;
+use eigenshade_model::reference::DirectSum;
 use eigenshade_shading::owned_basis::{AnyBasis, OwnedBasis};
 use eigenshade_table::decode;
 use images::{Image, coefficients, rule, single, vectors};
@@ -256,9 +256,9 @@ fn of_all_components_bounds_are_of_the_direct_sum() {
     let owned = OwnedBasis::<f64>::new(&table);
     let Ok(AnyBasis::Sphere(basis)) = owned.any() else { panic!("a sphere's") };
     let (degree, order) = (basis.degree(), basis.order());
-    let truth = Truth::new(degree, order);
+    let reference = DirectSum::new(degree, order);
     let vectors = vectors();
-    let modes: Vec<_> = vectors.iter().map(|&(at, _)| truth.at(at)).collect();
+    let modes: Vec<_> = vectors.iter().map(|&(at, _)| reference.at(at)).collect();
     let materials: Vec<_> = materials.iter().step_by(3).map(Named::luminance).collect();
     let scattered: Vec<Vec<_>> =
         modes.iter().map(|at| materials.iter().map(|one| at.scatter(one)).collect()).collect();

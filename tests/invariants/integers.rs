@@ -142,16 +142,19 @@ fn relit<Q: Integer>(
 }
 
 /// d is near the f64 sum, of what its addends could be.
-fn near<Q: Integer>(truth: &[f64], scales: &[f64], d: &[i32], of_d: i32) {
+fn near<Q: Integer>(reference: &[f64], scales: &[f64], d: &[i32], of_d: i32) {
     let largest = scales.iter().copied().fold(0.0, f64::max);
     let part = match Q::FORMAT {
         Format::Q15 => super::ANY_D_Q15,
         Format::Q31 => super::ANY_D_Q31,
     };
-    for (k, (truth, scale)) in truth.iter().zip(scales).enumerate() {
+    for (k, (reference, scale)) in reference.iter().zip(scales).enumerate() {
         let found = f64::from(d[k]) * 2f64.powi(of_d);
         let allowed = part * scale + super::ANY_D_COMMON * largest;
-        assert!((found - truth).abs() <= allowed, "component {k}: {found}, not {truth}; {allowed}");
+        assert!(
+            (found - reference).abs() <= allowed,
+            "component {k}: {found}, not {reference}; {allowed}"
+        );
     }
 }
 

@@ -29,7 +29,7 @@ pub fn reconstruct(input: &mut Reader<'_>) {
     let material: Vec<f32> = (0..material::count(order)).map(|_| input.moderate()).collect();
     let wide = |numbers: &[f32]| numbers.iter().map(|&one| one.into()).collect::<Vec<f64>>();
     let case = Case {
-        truth: shipped().project(&wide(&light), &wide(&material)),
+        reference: shipped().project(&wide(&light), &wide(&material)),
         scales: shipped().scales(largest(&light), &of_orders(order, &material)),
         degree,
         light,
@@ -57,7 +57,7 @@ struct Case {
     light: Vec<f32>,
     order: usize,
     material: Vec<f32>,
-    truth: Vec<f64>,
+    reference: Vec<f64>,
     scales: Vec<f64>,
 }
 
@@ -65,11 +65,14 @@ impl Case {
     /// d, of what its addends could be.
     fn projected(&self, found: &[f64], part: f64, common: f64) {
         let largest = self.scales.iter().copied().fold(0.0, f64::max);
-        for (k, ((found, truth), scale)) in
-            found.iter().zip(&self.truth).zip(&self.scales).enumerate()
+        for (k, ((found, reference), scale)) in
+            found.iter().zip(&self.reference).zip(&self.scales).enumerate()
         {
             let allowed = part * scale + common * largest + f64::from(f32::MIN_POSITIVE);
-            assert!((found - truth).abs() <= allowed, "component {k}: {found}, not {truth}");
+            assert!(
+                (found - reference).abs() <= allowed,
+                "component {k}: {found}, not {reference}"
+            );
         }
     }
 

@@ -4,23 +4,23 @@ use crate::config;
 use crate::samples::{Sample, samples, strangers};
 use crate::shapes::{Shape, shapes};
 use crate::tolerances;
+use eigenshade_generator::basis::light_statistics::LightStatistics;
 use eigenshade_generator::basis::span::Span;
 use eigenshade_generator::basis::{gram, moments};
-use eigenshade_generator::light::statistics::LightStatistics;
 use eigenshade_generator::object::geometry::WeightedNormals;
 use eigenshade_generator::scene_file::Loaded;
 use eigenshade_index::effect::Effects;
 use eigenshade_index::{light, material, mode};
 use eigenshade_model::database::Named;
+use eigenshade_model::reference::DirectSum;
 use eigenshade_model::rotation::Rotation;
 use eigenshade_model::selection::Kept;
-use eigenshade_model::truth::Truth;
 use eigenshade_table::Table;
 use eigenshade_table::scene::LightRotation;
+use eigenshade_testing::fixtures::Projector;
 use eigenshade_testing::largest;
 use eigenshade_testing::oracle::Numbers;
 use eigenshade_testing::pictures::{Pictures, eigenvalues, table};
-use eigenshade_testing::projector::Projector;
 use nalgebra::DMatrix;
 use proptest::prelude::*;
 use std::f64::consts::PI;
@@ -60,7 +60,7 @@ fn cut(loaded: &Loaded, listed: &WeightedNormals, modes: &DMatrix<f64>) -> f64 {
         &Kept { effects: Effects::ALL, selection: vec![] },
     )
     .expect("finite");
-    let shown = listed.factor(&span).norm_l2();
+    let shown = span.factor(&listed).norm_l2();
     let cutoff = loaded.scene.basis.rank_cutoff;
     (cutoff + tolerances::ORTHONORMAL_ROUNDING) * (modes.norm() + shown * span.largest())
 }
@@ -136,7 +136,7 @@ pub fn energies(sample: &Sample, shape: &Shape, rotation: LightRotation) -> [Ene
     let listed = shape.normals(small.degree, &mut Numbers(sample.seed ^ 7));
     let table = table(&loaded, &listed);
     let projector = Projector::new(&table);
-    let truth = Truth::new(small.degree, small.order);
+    let reference = DirectSum::new(small.degree, small.order);
     let ([stranger, _], [other, _]) = strangers(&small);
     let of_database =
         (loaded.lights.entries[0].luminance(), loaded.materials.entries[0].luminance());
@@ -146,7 +146,7 @@ pub fn energies(sample: &Sample, shape: &Shape, rotation: LightRotation) -> [Ene
             (projector.shade(&d, listed.normals()), projector.shade(&[], listed.normals()));
         let (mut residual, mut about_mean) = (0.0, 0.0);
         for (k, weight) in listed.weights().iter().enumerate() {
-            let modes = truth.at(listed.normals()[k]);
+            let modes = reference.at(listed.normals()[k]);
             let seen = modes.irradiance(&light, &modes.scatter(&on));
             residual += weight * (seen - image[k]).powi(2);
             about_mean += weight * (seen - mean[k]).powi(2);

@@ -6,12 +6,12 @@ use crate::samples::{samples, strangers};
 use crate::tolerances;
 use eigenshade_generator::basis::profile::evaluate;
 use eigenshade_generator::scene_file::Loaded;
+use eigenshade_model::reference::DirectSum;
 use eigenshade_model::rotation::Rotation;
-use eigenshade_model::special::gauss_legendre;
-use eigenshade_model::truth::Truth;
+use eigenshade_model::special::quadrature::gauss_legendre;
 use eigenshade_table::scene::Criterion;
 use eigenshade_table::{Table, decode, encode};
-use eigenshade_testing::projector::Projector;
+use eigenshade_testing::fixtures::Projector;
 use eigenshade_testing::{fixtures, largest};
 use proptest::prelude::*;
 use std::f64::consts::{PI, TAU};
@@ -25,7 +25,7 @@ const PARSEVAL: f64 = 2e-14;
 fn quadrature(degree: usize, order: usize) -> Vec<([f64; 3], f64)> {
     let tilts = 2 * degree + 1;
     let mut normals = Vec::new();
-    for (z, weight) in gauss_legendre::rule(2 * degree + order + 20, 0.0, 1.0) {
+    for (z, weight) in gauss_legendre(2 * degree + order + 20, 0.0, 1.0) {
         let sine = ((1.0 - z) * (1.0 + z)).sqrt();
         for k in 0..tilts {
             let (y, x) = (TAU * k as f64 / tilts as f64).sin_cos();
@@ -40,12 +40,12 @@ fn assert_parseval(loaded: &Loaded, table: &Table, light: &[f64], material: &[f6
     let (degree, order) = (table.gram.degree, table.gram.order);
     let projector = Projector::new(table);
     let d = projector.project(light, material);
-    let truth = Truth::new(degree, order);
+    let reference = DirectSum::new(degree, order);
     let (mut residual, mut about_mean) = (0.0, 0.0);
     let (normals, weights): (Vec<_>, Vec<_>) = quadrature(degree, order).into_iter().unzip();
     let (image, mean) = (projector.shade(&d, &normals), projector.shade(&[], &normals));
     for (k, weight) in weights.iter().enumerate() {
-        let modes = truth.at(normals[k]);
+        let modes = reference.at(normals[k]);
         let seen = modes.irradiance(light, &modes.scatter(material));
         residual += weight * (seen - image[k]).powi(2);
         about_mean += weight * (seen - mean[k]).powi(2);

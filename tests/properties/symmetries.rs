@@ -5,8 +5,8 @@ use crate::config;
 use crate::tolerances;
 use eigenshade_index::material;
 use eigenshade_model::polar_integral::PolarIntegrals;
+use eigenshade_model::reference::DirectSum;
 use eigenshade_model::scattering;
-use eigenshade_model::truth::Truth;
 use eigenshade_testing::oracle::Numbers;
 use eigenshade_testing::rotations::{euler, irradiance, product, rotation};
 use eigenshade_testing::{fixtures, largest};
@@ -31,14 +31,14 @@ proptest! {
         let mut numbers = Numbers(seed);
         let light = fixtures::lights(degree, 1, &mut numbers).entries[0].luminance();
         let coefficients = fixtures::materials(order, 1, &mut numbers).entries[0].luminance();
-        let (truth, integrals) = (Truth::new(degree, order), PolarIntegrals::new(degree, order));
+        let (reference, integrals) = (DirectSum::new(degree, order), PolarIntegrals::new(degree, order));
         let turn = rotation([alpha, beta, last]);
         let turned = turn.turn(degree, &light);
         let view = turn.matrix().map(|row| row[2]);
         let (mut worst, mut peak) = (0.0f64, 0.0f64);
         for _ in 0..6 {
             let normal = numbers.normal();
-            let modes = truth.at(normal);
+            let modes = reference.at(normal);
             let expected = modes.irradiance(&light, &modes.scatter(&coefficients));
             let [x, y, z] = normal;
             let frame = rotation([x.hypot(y).atan2(z), y.atan2(x), gamma]);

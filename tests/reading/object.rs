@@ -4,16 +4,15 @@ use super::COUNT;
 use super::oracle::Numbers;
 use eigenshade::{GeneralBasis, Light, Material, Normal};
 use eigenshade_generator::basis::general;
+use eigenshade_generator::basis::light_statistics::LightStatistics;
 use eigenshade_generator::basis::moments::{MaterialMoments, equal};
-use eigenshade_generator::light::statistics::LightStatistics;
 use eigenshade_generator::object::geometry::{Geometry, WeightedNormals};
-use eigenshade_generator::reading::eigenimage_values::EigenimageValues;
-use eigenshade_generator::reading::observation::{Observation, Observer};
+use eigenshade_generator::reading::observation::{EigenimageValues, Observation, Observer};
 use eigenshade_generator::reading::prior::Prior;
 use eigenshade_generator::reading::transfer::Transfers;
 use eigenshade_generator::scene_file::{self, Loaded};
 use eigenshade_model::database::Named;
-use eigenshade_model::truth::Truth;
+use eigenshade_model::reference::DirectSum;
 use eigenshade_shading::owned_basis::{AnyBasis, OwnedBasis};
 use eigenshade_table::Table;
 use eigenshade_table::scene::{Criterion, LightRotation};
@@ -103,9 +102,9 @@ impl Object {
 
     /// The direct sum of a light on a material at the object's normals.
     pub fn image(&self, light: &[f64], material: &[f64]) -> DVector<f64> {
-        let truth = Truth::new(DEGREE, ORDER);
+        let reference = DirectSum::new(DEGREE, ORDER);
         let value = |pixel: usize| {
-            let modes = truth.at(self.normals.normals()[pixel]);
+            let modes = reference.at(self.normals.normals()[pixel]);
             modes.irradiance(light, &modes.scatter(material))
         };
         DVector::from_fn(COUNT, |pixel, _| value(pixel))

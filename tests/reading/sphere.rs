@@ -4,10 +4,9 @@ use super::oracle::Numbers;
 use super::{COUNT, NOISE};
 use eigenshade::Normal;
 use eigenshade_generator::basis;
+use eigenshade_generator::basis::light_statistics::LightStatistics;
 use eigenshade_generator::basis::moments::{MaterialMoments, equal};
-use eigenshade_generator::light::statistics::LightStatistics;
-use eigenshade_generator::reading::eigenimage_values::EigenimageValues;
-use eigenshade_generator::reading::observation::{Observation, Observer};
+use eigenshade_generator::reading::observation::{EigenimageValues, Observation, Observer};
 use eigenshade_generator::reading::prior::Prior;
 use eigenshade_generator::reading::transfer::Transfers;
 use eigenshade_generator::scene_file::{self, Loaded};
@@ -40,7 +39,7 @@ pub struct Pixels {
 
 pub fn pixels(loaded: &Loaded, seed: u64) -> Pixels {
     let mut numbers = Numbers(seed);
-    let truth = eigenshade_model::truth::Truth::new(4, 3);
+    let reference = eigenshade_model::reference::DirectSum::new(4, 3);
     let light = loaded.lights.entries[4].luminance();
     let coefficients = loaded.materials.entries[6].luminance();
     let mut pixels = Pixels { normals: vec![], image: vec![], weights: vec![] };
@@ -49,7 +48,7 @@ pub fn pixels(loaded: &Loaded, seed: u64) -> Pixels {
         if x < -0.2 {
             continue;
         }
-        let modes = truth.at(normal);
+        let modes = reference.at(normal);
         let value = modes.irradiance(&light, &modes.scatter(&coefficients));
         pixels.normals.push(normal);
         pixels.image.push(value + NOISE * numbers.next());

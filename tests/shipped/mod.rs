@@ -45,10 +45,11 @@ pub fn errors(
     mut image: impl FnMut(&Shipped) -> Vec<f32>,
 ) -> Vec<[f64; 2]> {
     let one = |scene: &Shipped| {
-        let truth: Vec<f64> = normals.iter().map(|&n| f64::from(scene.shade(n))).collect();
-        let peak = largest(truth.iter().copied());
+        let reference: Vec<f64> = normals.iter().map(|&n| f64::from(scene.shade(n))).collect();
+        let peak = largest(reference.iter().copied());
         let image = image(scene);
-        let apart: Vec<f64> = image.iter().zip(&truth).map(|(&a, b)| f64::from(a) - b).collect();
+        let apart: Vec<f64> =
+            image.iter().zip(&reference).map(|(&a, b)| f64::from(a) - b).collect();
         let rms = (apart.iter().map(|e| e * e).sum::<f64>() / apart.len() as f64).sqrt();
         [rms / peak, largest(apart) / peak]
     };

@@ -6,7 +6,7 @@ use crate::report::{Row, Table, standing};
 use crate::shipped::{Shipped, View, root, white_matte};
 use eigenshade::sphere;
 use eigenshade_model::database::Named;
-use eigenshade_model::truth::{Modes, Truth};
+use eigenshade_model::reference::{Modes, DirectSum};
 use serde::{Deserialize, Serialize};
 use std::error::Error;
 use std::io::Write;
@@ -31,7 +31,7 @@ struct Task {
 struct Case {
     light: [Vec<f64>; 3],
     material: [Vec<f64>; 3],
-    truth: [Vec<f64>; 3],
+    reference: [Vec<f64>; 3],
 }
 
 /// What it answers.
@@ -61,15 +61,15 @@ impl Case {
             };
             at.iter().map(value).collect()
         };
-        Self { truth: [0, 1, 2].map(image), light, material }
+        Self { reference: [0, 1, 2].map(image), light, material }
     }
 }
 
 /// The comparison; times only if `measured`.
 pub fn table(shipped: &Shipped, measured: bool) -> Result<Table, Box<dyn Error>> {
     let view = View::new();
-    let truth = Truth::new(sphere::DEGREE, sphere::ORDER);
-    let at = view.modes(&truth);
+    let reference = DirectSum::new(sphere::DEGREE, sphere::ORDER);
+    let at = view.modes(&reference);
     let (lights, materials) = (&shipped.lights, &shipped.materials);
     let mattes = lights
         .iter()

@@ -7,7 +7,7 @@ use crate::report::{Row, Table, standing};
 use crate::shipped::{Mode, Shipped, View, all_modes, coefficients, only, selected_modes};
 use crate::subject::{Lengths, Picture, WITHIN, errors, nine_terms_image, subjects};
 use eigenshade::sphere;
-use eigenshade_model::truth::Truth;
+use eigenshade_model::reference::DirectSum;
 use std::hint::black_box;
 
 /// Normals of a picture.
@@ -23,15 +23,15 @@ const PAIRS: usize = 45;
 pub fn measured(shipped: &Shipped, measured: bool) -> Table {
     let pairs = shipped.pairs(PAIRS);
     let view = View::new();
-    let truth = Truth::new(sphere::DEGREE, sphere::ORDER);
-    let at = view.modes(&truth);
+    let reference = DirectSum::new(sphere::DEGREE, sphere::ORDER);
+    let at = view.modes(&reference);
     let mut lengths = vec![Default::default(); PAIRS];
     let subjects = subjects(&pairs, &at, &mut lengths);
 
     let kept = selected_modes(shipped);
     let names: Vec<Mode> = only(&all_modes(), &kept);
     let c: Vec<Vec<f64>> = pairs.iter().map(|pair| only(&coefficients(pair), &kept)).collect();
-    let values = |at: &eigenshade_model::truth::Modes<'_>| -> Vec<f64> {
+    let values = |at: &eigenshade_model::reference::Modes<'_>| -> Vec<f64> {
         names.iter().map(|&(l, m, o, p, q)| at.value(l, m, o, p, q)).collect()
     };
     let dot = |row: &[f64], c: &[f64]| row.iter().zip(c).map(|(a, b)| a * b).sum::<f64>();
@@ -46,7 +46,7 @@ pub fn measured(shipped: &Shipped, measured: bool) -> Table {
         let [x, y, z] = held.axes();
         let normals: Vec<[f64; 3]> = (0..HELD).map(|k| [x[k], y[k], z[k]].map(f64::from)).collect();
         let rows: Vec<Vec<f32>> =
-            normals.iter().map(|&normal| single(values(&truth.at(normal)))).collect();
+            normals.iter().map(|&normal| single(values(&reference.at(normal)))).collect();
         let dense = Dense::new(&rows);
         let by: Vec<Vector> = c.iter().map(|c| Vector::new(&single(c.clone()))).collect();
         let mut outs: Vec<Vector> = WAYS.iter().map(|_| Vector::zeros(HELD)).collect();
@@ -57,7 +57,7 @@ pub fn measured(shipped: &Shipped, measured: bool) -> Table {
             picture.shade(&subjects, |subject| &subject.within[1]),
             Way::new(|round| {
                 for &normal in normals.iter().step_by(HELD / EVALUATED) {
-                    let at = truth.at(black_box(normal));
+                    let at = reference.at(black_box(normal));
                     let mode = names.iter().zip(&c[round % PAIRS]);
                     let sum: f64 =
                         mode.map(|(&(l, m, o, p, q), c)| c * at.value(l, m, o, p, q)).sum();
@@ -103,7 +103,7 @@ pub fn measured(shipped: &Shipped, measured: bool) -> Table {
         ratio.map_or(String::new(), |ratio| standing(ours, "the formula", 1.0 / ratio))
     };
     let of_nine = errors(&view, &subjects, |_, subject| {
-        with_best_albedo(&nine_terms_image(&view, subject), &subject.truth, &view.weights)
+        with_best_albedo(&nine_terms_image(&view, subject), &subject.reference, &view.weights)
     });
     row("nine terms".into(), ratio(0), String::new(), of_nine);
     let of_full = errors(&view, &subjects, |_, subject| view.shade(&subject.full));
@@ -125,10 +125,10 @@ pub fn measured(shipped: &Shipped, measured: bool) -> Table {
 }
 
 /// The image times what brings it nearest to the truth: no albedo serves the formula better.
-fn with_best_albedo(image: &[f64], truth: &[f64], weights: &[f64]) -> Vec<f64> {
+fn with_best_albedo(image: &[f64], reference: &[f64], weights: &[f64]) -> Vec<f64> {
     let (mut both, mut own) = (0.0, 0.0);
-    for ((image, truth), weight) in image.iter().zip(truth).zip(weights) {
-        both += weight * image * truth;
+    for ((image, reference), weight) in image.iter().zip(reference).zip(weights) {
+        both += weight * image * reference;
         own += weight * image * image;
     }
     image.iter().map(|value| both / own * value).collect()
@@ -142,8 +142,8 @@ const MATTE_ROUNDS: usize = 104;
 /// The comparison on a white matte; times only if `measured`.
 pub fn matte(shipped: &Shipped, measured: bool) -> Table {
     let view = View::new();
-    let truth = Truth::new(sphere::DEGREE, sphere::ORDER);
-    let at = view.modes(&truth);
+    let reference = DirectSum::new(sphere::DEGREE, sphere::ORDER);
+    let at = view.modes(&reference);
     let mut lengths: Vec<Vec<Lengths>> =
         DEGREES.map(|_| vec![Lengths::default(); shipped.lights.len()]).into();
     let sets: Vec<_> = DEGREES

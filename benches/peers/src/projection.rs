@@ -8,7 +8,7 @@ use crate::shipped::{
 };
 use eigenshade::{Tolerance, sphere};
 use eigenshade_index::{light, material};
-use eigenshade_model::truth::Truth;
+use eigenshade_model::reference::DirectSum;
 use std::hint::black_box;
 
 /// A dense product takes up to a quarter longer with where its matrix lies: rounds take these
@@ -98,8 +98,8 @@ pub fn table(shipped: &Shipped, measured: bool) -> Table {
     let thousand = Product::new(&rows, &c, &kept);
 
     let view = View::new();
-    let truth = Truth::new(sphere::DEGREE, sphere::ORDER);
-    let at = view.modes(&truth);
+    let reference = DirectSum::new(sphere::DEGREE, sphere::ORDER);
+    let at = view.modes(&reference);
     let images: Vec<Vec<f64>> = pairs.iter().map(|pair| View::image(&at, pair)).collect();
     // Of d, of its largest, the worst; of the image, of the peak, median and worst.
     let errors = |d: &mut dyn FnMut(usize) -> Vec<f32>| {

@@ -6,8 +6,8 @@ use eigenshade_index::{light, material, mode};
 use eigenshade_model::database::Named;
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_model::selection;
-use eigenshade_model::special::gauss_legendre;
-use eigenshade_model::truth::{Modes, Truth};
+use eigenshade_model::special::quadrature::gauss_legendre;
+use eigenshade_model::reference::{Modes, DirectSum};
 use eigenshade_table::{Component, Table};
 use std::error::Error;
 use std::f64::consts::TAU;
@@ -115,7 +115,7 @@ impl View {
     pub fn new() -> Self {
         let around = 2 * sphere::DEGREE + 2;
         let (mut normals, mut weights) = (Vec::new(), Vec::new());
-        for (z, weight) in gauss_legendre::rule(24, 0.0, 1.0) {
+        for (z, weight) in gauss_legendre(24, 0.0, 1.0) {
             let sine = (1.0 - z * z).sqrt();
             for k in 0..around {
                 let (y, x) = (TAU * k as f64 / around as f64).sin_cos();
@@ -132,8 +132,8 @@ impl View {
         Self { normals, weights }
     }
 
-    pub fn modes<'a>(&self, truth: &'a Truth) -> Vec<Modes<'a>> {
-        self.normals.iter().map(|&normal| truth.at(normal)).collect()
+    pub fn modes<'a>(&self, reference: &'a DirectSum) -> Vec<Modes<'a>> {
+        self.normals.iter().map(|&normal| reference.at(normal)).collect()
     }
 
     /// The true image of a pair.
@@ -152,9 +152,9 @@ impl View {
     }
 
     /// Root mean square of the difference over a sphere, of the peak of the truth.
-    pub fn error(&self, truth: &[f64], image: &[f64]) -> f64 {
-        let peak = truth.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
-        let squares = truth.iter().zip(image).zip(&self.weights);
+    pub fn error(&self, reference: &[f64], image: &[f64]) -> f64 {
+        let peak = reference.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+        let squares = reference.iter().zip(image).zip(&self.weights);
         squares.map(|((a, b), weight)| weight * (a - b).powi(2)).sum::<f64>().sqrt() / peak
     }
 }

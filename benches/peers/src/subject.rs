@@ -4,7 +4,7 @@
 use crate::interleaved::{Way, median_and_worst};
 use crate::shipped::{Pair, View};
 use eigenshade::{NineTerms, Normals, Scene, Tolerance, sphere};
-use eigenshade_model::truth::Modes;
+use eigenshade_model::reference::Modes;
 use std::hint::black_box;
 
 /// Tolerances, of the peak.
@@ -18,7 +18,7 @@ pub struct Subject<'l> {
     pub nine_terms: NineTerms<f32>,
     pub full: sphere::Scene,
     pub within: Vec<Scene<'l, [f32; sphere::SCENE]>>,
-    pub truth: Vec<f64>,
+    pub reference: Vec<f64>,
 }
 
 /// One for each pair; `lengths` has a place for each.
@@ -37,7 +37,7 @@ pub fn subjects<'l>(
             nine_terms: pair.nine_terms(),
             full: sphere::collapse(&d).expect("it fits"),
             within: WITHIN.into_iter().zip(lengths).map(scene).collect(),
-            truth: View::image(modes, pair),
+            reference: View::image(modes, pair),
         }
     };
     pairs.iter().zip(lengths).map(subject).collect()
@@ -105,7 +105,7 @@ pub fn errors<'l>(
     image: impl Fn(usize, &Subject<'l>) -> Vec<f64>,
 ) -> Vec<Option<f64>> {
     let error =
-        |(k, subject): (usize, &Subject<'l>)| view.error(&subject.truth, &image(k, subject));
+        |(k, subject): (usize, &Subject<'l>)| view.error(&subject.reference, &image(k, subject));
     let errors: Vec<f64> = subjects.iter().enumerate().map(error).collect();
     median_and_worst(&errors).to_vec()
 }

@@ -1,7 +1,5 @@
 //! Code that the commands of the program `eigenshade` share.
 
-pub mod named;
-
 pub mod table;
 
 pub mod notes;
@@ -12,3 +10,5 @@ pub mod picture;
 pub mod reading;
 
 pub mod output;
+
+pub mod messages;

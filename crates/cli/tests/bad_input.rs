@@ -1,9 +1,7 @@
 //! Bad input: exit status 1, one line that names the file, and nothing written.
 
-use crate::support::{self, Folder, assert_fails, lights, materials, repository, scene};
+use crate::support::{self, Folder, PAIR, assert_fails, lights, materials, repository, scene};
 use std::fs;
-
-const PAIR: &str = "--lights lights.csv --materials materials.csv";
 
 #[test]
 fn missing_files() {
@@ -38,17 +36,17 @@ fn a_truncated_map() {
     assert_eq!(folder.read("old.csv"), "old");
 }
 
-/// `lights.csv` changed, then read by several commands.
-fn assert_bad_lights(change: impl Fn(&str) -> String, words: &[&str]) {
+/// Asserts that several commands refuse a changed `lights.csv`.
+fn assert_bad_lights(change: impl Fn(&str) -> String, fragments: &[&str]) {
     let folder = Folder::with_table();
     folder.write("lights.csv", change(&lights(support::DEGREE, 3)));
     folder.write("old.csv", "old");
-    let words = [&["lights.csv"], words].concat();
-    assert_fails(&folder, "light lights.csv --degree 4 --out old.csv", &words);
-    assert_fails(&folder, &format!("project b.bin {PAIR} --out old.csv"), &words);
-    assert_fails(&folder, "basis --scene scene.toml --out new.bin", &words);
+    let fragments = [&["lights.csv"], fragments].concat();
+    assert_fails(&folder, "light lights.csv --degree 4 --out old.csv", &fragments);
+    assert_fails(&folder, &format!("project b.bin {PAIR} --out old.csv"), &fragments);
+    assert_fails(&folder, "basis --scene scene.toml --out new.bin", &fragments);
     let shade = format!("shade b.bin {PAIR} --normals normals.csv --out old.csv");
-    assert_fails(&folder, &shade, &words);
+    assert_fails(&folder, &shade, &fragments);
     assert_eq!(folder.read("old.csv"), "old");
 }
 
@@ -69,7 +67,7 @@ fn a_doubled_row() {
 }
 
 #[test]
-fn a_number_that_is_none() {
+fn a_number_that_is_not_a_number() {
     let with = |text: &str| {
         let (head, rest) = text.split_once("light-0,1,0,").unwrap();
         let (_, rest) = rest.split_once('\n').unwrap();
@@ -84,7 +82,7 @@ fn a_wrong_header() {
 }
 
 #[test]
-fn columns_that_say_two_things() {
+fn contradictory_columns() {
     assert_bad_lights(
         |text| text.replace("name,l,m,r,g,b", "name,l,m,r,r,b"),
         &["lights.csv:1:", "column 5", "`r`"],
@@ -103,13 +101,13 @@ fn columns_that_say_two_things() {
     assert_fails(&folder, material, &["m.csv:1:", "`value` and `b`"]);
 }
 
-/// Coefficients of a lower order are not the first of those of a higher.
+/// The best coefficients of a lower order are not the first ones of a higher order.
 #[test]
 fn materials_of_a_higher_order_are_a_warning() {
     let folder = Folder::with_table();
     folder.write("high.csv", materials(support::ORDER + 2, 1));
-    let words = [
-        "warning: high.csv: its materials are of order 5, the table of order 3",
+    let fragments = [
+        "warning: high.csv: its materials have order 5, the table order 3",
         "not the projection to order 3",
         "`eigenshade material --order 3`",
     ];
@@ -119,20 +117,20 @@ fn materials_of_a_higher_order_are_a_warning() {
         ("render b.bin --light lights.csv:light-0 --material high.csv --size 8 --out p.png", true),
         ("project b.bin --lights lights.csv --materials materials.csv --out d.csv", false),
     ] {
-        let output = folder.run(arguments);
-        let said = String::from_utf8_lossy(&output.stderr);
-        assert_eq!(output.status.code(), Some(0), "{arguments}: {said}");
-        assert_eq!(said.lines().count(), usize::from(is_warned), "{arguments}: {said}");
-        assert!(!is_warned || words.iter().all(|word| said.contains(word)), "{arguments}: {said}");
+        let message = folder.messages(arguments);
+        assert_eq!(message.lines().count(), usize::from(is_warned), "{arguments}: {message}");
+        assert!(
+            !is_warned || fragments.iter().all(|fragment| message.contains(fragment)),
+            "{arguments}: {message}"
+        );
     }
     let text = folder.read("scene.toml").replace("materials.csv", "high.csv");
     folder.write("scene.toml", text);
-    let said = folder.run("basis --scene scene.toml --out c.bin").stderr;
-    assert!(String::from_utf8_lossy(&said).contains(words[0]));
+    assert!(folder.messages("basis --scene scene.toml --out c.bin").contains(fragments[0]));
 }
 
 #[test]
-fn maps_that_say_more_than_they_hold() {
+fn maps_of_another_length_or_byte_order() {
     let folder = Folder::new();
     let rgbe = b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n\x01\x02\x03\x80\x01\x02\x03\x80";
     folder.write("map.hdr", rgbe);
@@ -181,7 +179,7 @@ fn unknown_names() {
 fn bad_scenes() {
     let folder = Folder::new();
     let good = folder.read("scene.toml");
-    for (bad, word) in [
+    for (bad, fragment) in [
         (good.replace("criterion", "criteria"), "criteria"),
         (format!("{good}color = 7\n"), "color"),
         (good.replace("degree = 4", "degree = -4"), "scene.toml:4:"),
@@ -198,7 +196,7 @@ fn bad_scenes() {
         (good.replace("[]", "[\"material-0\", \"material-0\"]"), "material-0"),
     ] {
         folder.write("scene.toml", bad);
-        assert_fails(&folder, "basis --scene scene.toml --out new.bin", &["scene.toml", word]);
+        assert_fails(&folder, "basis --scene scene.toml --out new.bin", &["scene.toml", fragment]);
     }
 }
 
@@ -215,9 +213,9 @@ fn damaged_and_foreign_tables() {
         ("empty.bin", b"", "not an eigenshade"),
     ];
     folder.write("old.csv", "old");
-    for (name, bytes, word) in cases {
+    for (name, bytes, fragment) in cases {
         folder.write(name, bytes);
-        let words = [name, word, "eigenshade basis"];
+        let fragments = [name, fragment, "eigenshade basis"];
         for arguments in [
             format!("info {name}"),
             format!("eigenvalues {name} --out old.csv"),
@@ -225,7 +223,7 @@ fn damaged_and_foreign_tables() {
             format!("shade {name} {PAIR} --normals normals.csv --out old.csv"),
             format!("basis --scene scene.toml --check {name}"),
         ] {
-            assert_fails(&folder, &arguments, &words);
+            assert_fails(&folder, &arguments, &fragments);
         }
     }
     assert_eq!(folder.read("old.csv"), "old");
@@ -252,7 +250,6 @@ fn outputs_that_cannot_be() {
     assert_fails(&folder, "eigenvalues b.bin --out /proc/new.csv", &["/proc/new.csv"]);
 }
 
-/// Output to a full disk.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_full_disk() {
@@ -291,9 +288,9 @@ fn bad_measurements() {
         ("theta_i,phi_i,theta_r,phi_r,value\n1,1,1,1,nan\n", "m.csv:2:"),
         ("theta_i,phi_i,theta_r,phi_r,value\n", "m.csv"),
     ];
-    for (text, word) in cases {
+    for (text, fragment) in cases {
         folder.write("m.csv", text);
-        assert_fails(&folder, "material m.csv --order 2 --out new.csv", &[word]);
+        assert_fails(&folder, "material m.csv --order 2 --out new.csv", &[fragment]);
     }
 }
 

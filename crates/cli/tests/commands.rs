@@ -1,13 +1,16 @@
-//! Each command once: the shape of what it gives.
+//! Each command once: the form of its output.
 
-use crate::support::{DEGREE, Folder, ORDER, materials, numbers, repository, rows};
+use crate::PROGRAM;
+use crate::support::{DEGREE, Folder, ORDER, PAIR, SHADED, materials, numbers};
+use crate::support::{repository, rows};
 use crate::tolerances;
 use std::fs;
 
-/// b_00^0 of a matte surface measured without error, relative: the square of the fit's small term.
+/// b_00^0 of a matte surface measured without error, relative: the square of the fit's
+/// regularization.
 const MATTE_FIT: f64 = 1e-8;
 
-/// A map in the portable float format, 8 x 4, of one grey.
+/// A map in the portable float format, 8 x 4, of one gray.
 fn map(value: f32) -> Vec<u8> {
     let mut bytes = b"PF\n8 4\n-1.0\n".to_vec();
     (0..8 * 4 * 3).for_each(|_| bytes.extend(value.to_le_bytes()));
@@ -17,27 +20,27 @@ fn map(value: f32) -> Vec<u8> {
 #[test]
 fn light_projects_maps() {
     let folder = Folder::new();
-    folder.write("grey.pfm", map(2.0));
-    let output = folder.run("light grey.pfm --degree 2");
+    folder.write("gray.pfm", map(2.0));
+    let output = folder.run("light gray.pfm --degree 2");
     assert!(output.status.success());
     let report = String::from_utf8_lossy(&output.stderr);
-    assert!(report.starts_with("grey: 8 x 4, negative radiance 0.00e0"), "{report}");
+    assert!(report.starts_with("gray: 8 x 4, negative radiance 0.00e0"), "{report}");
     let text = String::from_utf8(output.stdout).unwrap();
     let found = rows(&text, "name,l,m,value");
     assert_eq!(found.len(), 9);
     let values = numbers(&found, 1);
     let expected = 2.0 * (4.0 * std::f64::consts::PI).sqrt();
     assert!((values[0] - expected).abs() <= tolerances::WRITTEN_DIGITS * expected);
-    assert!(found.iter().all(|row| row[0] == "grey"));
+    assert!(found.iter().all(|row| row[0] == "gray"));
 }
 
 #[test]
 fn light_out_names_its_command() {
     let folder = Folder::new();
-    folder.write("grey.pfm", map(1.0));
-    assert_eq!(folder.ok("light grey.pfm --degree 1 --out l.csv"), "");
+    folder.write("gray.pfm", map(1.0));
+    assert_eq!(folder.ok("light gray.pfm --degree 1 --out l.csv"), "");
     let text = folder.read("l.csv");
-    assert!(text.starts_with("# eigenshade light grey.pfm --degree 1 --out l.csv\nname,l,m,"));
+    assert!(text.starts_with("# eigenshade light gray.pfm --degree 1 --out l.csv\nname,l,m,"));
 }
 
 #[test]
@@ -61,7 +64,7 @@ fn light_converts_both_ways() {
     assert_eq!(rows(&lower, "name,l,m,r,g,b").len(), 3 * 4);
 }
 
-/// The shipped lights are what the maps of this repository give.
+/// The shipped lights are the projections of the maps of this repository.
 #[test]
 fn light_reproduces_the_shipped_file() {
     let folder = Folder::new();
@@ -99,7 +102,7 @@ fn material_fits_and_reports() {
 
 const FIGURES: &str = "name,samples,maximum,residual,lowest,highest,condition";
 
-/// Of the shipped figures those whose measurements are here.
+/// The shipped figures of the fit whose measurements are in the repository.
 #[test]
 fn material_reproduces_the_shipped_figures() {
     let folder = Folder::new();
@@ -120,8 +123,8 @@ fn material_reproduces_the_shipped_figures() {
 fn basis_writes_table_and_manifest() {
     let folder = Folder::new();
     let text = folder.ok("basis --scene scene.toml --out b.bin");
-    for word in ["rank", "components", "there are no more", "energy kept", "bytes", "time"] {
-        assert!(text.contains(word), "{text}");
+    for fragment in ["rank", "components", "there are no more", "energy kept", "bytes", "time"] {
+        assert!(text.contains(fragment), "{text}");
     }
     let manifest = folder.read("b.manifest.csv");
     assert!(manifest.starts_with(
@@ -130,11 +133,12 @@ fn basis_writes_table_and_manifest() {
 }
 
 #[test]
-fn info_tells_what_is_in_a_table() {
+fn info_describes_a_table() {
     let text = Folder::with_table().ok("info b.bin");
-    let words = ["criterion", "image-centered", "degree", "order", "rank", "energy kept", "bytes"];
-    for word in words {
-        assert!(text.contains(word), "{text}");
+    let fragments =
+        ["criterion", "image-centered", "degree", "order", "rank", "energy kept", "bytes"];
+    for fragment in fragments {
+        assert!(text.contains(fragment), "{text}");
     }
 }
 
@@ -149,8 +153,6 @@ fn eigenvalues_fall() {
     assert_eq!(rows(&folder.read("e.csv"), "criterion,index,m,eigenvalue"), found);
 }
 
-const PAIR: &str = "--lights lights.csv --materials materials.csv";
-
 #[test]
 fn project_takes_every_pair_and_any_degree() {
     let folder = Folder::with_table();
@@ -158,7 +160,7 @@ fn project_takes_every_pair_and_any_degree() {
     let found = rows(&folder.ok(&format!("project b.bin {PAIR} --components 7")), header);
     assert_eq!(found.len(), 3 * 4 * 7);
     assert_eq!(found[7][..3], ["light-0", "material-1", "0"]);
-    // Higher is cut, lower is taken.
+    // Higher orders and degrees are dropped, lower ones are used.
     folder.write("high.csv", materials(ORDER + 2, 4));
     folder.write("low.csv", folder.ok(&format!("light lights.csv --degree {}", DEGREE - 2)));
     let count = |arguments: &str| rows(&folder.ok(arguments), header).len();
@@ -172,7 +174,7 @@ fn shade_takes_every_pair_and_normal() {
     let command = format!("shade b.bin {PAIR} --normals normals.csv --components 20");
     for options in ["", "--method eigen", "--method eigen --format f64", "--method modes"] {
         let text = folder.ok(&format!("{command} {options}"));
-        let found = rows(&text, "light,material,normal,r,g,b");
+        let found = rows(&text, SHADED);
         assert_eq!(found.len(), 3 * 4 * 43);
         assert_eq!(found[43][..3], ["light-0", "material-1", "0"]);
     }
@@ -227,13 +229,13 @@ fn usage_errors_exit_with_2() {
     assert_eq!(folder.run("light --help").status.code(), Some(0));
 }
 
-/// A reader that stops after one line is no fault.
+/// It is not an error if the reader closes the pipe early.
 #[cfg(unix)]
 #[test]
-fn a_closed_pipe_is_no_fault() {
+fn a_closed_pipe_is_not_an_error() {
     use std::process::{Command, Stdio};
     let folder = Folder::with_table();
-    let mut child = Command::new(env!("CARGO_BIN_EXE_eigenshade"))
+    let mut child = Command::new(PROGRAM)
         .current_dir(folder.path("."))
         .args("shade b.bin --lights lights.csv --materials materials.csv".split(' '))
         .args(["--normals", "normals.csv"])
@@ -245,4 +247,40 @@ fn a_closed_pipe_is_no_fault() {
     let output = child.wait_with_output().unwrap();
     assert_eq!(output.status.code(), Some(0));
     assert_eq!(String::from_utf8_lossy(&output.stderr), "");
+}
+
+/// `evaluate` against 25-digit values; a column `value` is replaced.
+#[test]
+fn functions_agree_with_the_vectors() {
+    let folder = Folder::new();
+    for function in
+        ["spherical-harmonic", "wigner-d", "zernike-radial", "polar-integral", "irradiance-mode"]
+    {
+        let name = format!("{}.csv", function.replace('-', "_"));
+        let vectors = repository().join("crates/generator/tests/vectors").join(name);
+        let given = fs::read_to_string(&vectors).unwrap();
+        let header = given.lines().next().unwrap();
+        let text = folder.ok(&format!("evaluate {function} {}", vectors.display()));
+        let (ours, given) = (rows(&text, header), rows(&given, header));
+        assert_eq!(ours.len(), given.len());
+        for (ours, given) in ours.iter().zip(&given) {
+            let last = given.len() - 1;
+            assert_eq!(ours[..last], given[..last]);
+            let [a, b] = [ours, given].map(|row| row[last].parse::<f64>().unwrap());
+            // C itself is not bounded.
+            let scale = if function == "polar-integral" { b.abs().max(1.0) } else { 1.0 };
+            assert!(
+                (a - b).abs() <= tolerances::SPECIAL_HIGH * scale,
+                "{function}: {given:?}: {a}"
+            );
+        }
+    }
+}
+
+#[test]
+fn evaluate_keeps_other_columns() {
+    let folder = Folder::new();
+    folder.write("p.csv", "# points\nnote,rho,value,q,o\na,0.5,9,0,2\n\"b,c\",1,9,2,2\n");
+    let text = folder.ok("evaluate zernike-radial p.csv");
+    assert_eq!(text, "note,rho,q,o,value\na,0.5,0,2,-0.5\n\"b,c\",1,2,2,1\n");
 }

@@ -1,6 +1,9 @@
-//! Tables of every shape that a scene can ask for agree with the direct sum.
+//! Tables of every kind that a scene can request, against the direct sum and dense products.
 
-use crate::support::{Folder, assert_fails, lights, materials, numbers, repository, rows, scene};
+use crate::support::{
+    Folder, PAIR, SHADED, assert_fails, difference, lights, materials, numbers, repository, rows,
+    scene,
+};
 use crate::tolerances;
 use eigenshade_generator::basis::build;
 use eigenshade_generator::basis::choice::Reach;
@@ -8,34 +11,31 @@ use eigenshade_generator::basis::moments::exposure;
 use eigenshade_generator::scene_file::{self, Loaded};
 use eigenshade_index::{light, mode};
 use eigenshade_model::database::Named;
-use eigenshade_model::truth::Truth;
+use eigenshade_model::reference::DirectSum;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::Shader;
+use eigenshade_table::Table;
 use eigenshade_table::scene::Criterion;
-use eigenshade_table::{Table, decode};
+use eigenshade_testing::largest;
 use std::f64::consts::{FRAC_PI_2, TAU};
 use std::fs;
 
-/// The same at degree 16 and order 12: the powers of 2z - 1 cancel, in the weakest profiles 1e5 to 1.
+/// As [`tolerances::ALL_COMPONENTS_F32`], at degree 16 and order 12: the powers of 2z - 1 cancel,
+/// by up to 1e5 in the weakest profiles.
 const ALL_COMPONENTS_F32_HIGH: f64 = 6e-6;
 
-const PAIR: &str = "--lights lights.csv --materials materials.csv --normals normals.csv";
-
-/// Largest error of both methods, in f64 and in f32, of the direct sum's peak.
+/// The largest error of both methods, in f64 and in f32, relative to the direct sum's peak.
 fn errors(folder: &Folder, pair: &str) -> [f64; 2] {
     let shaded = |options: &str| {
-        let text = folder.ok(&format!("shade b.bin {pair} {options}"));
-        numbers(&rows(&text, "light,material,normal,r,g,b"), 3)
+        let text = folder.ok(&format!("shade b.bin {pair} --normals normals.csv {options}"));
+        numbers(&rows(&text, SHADED), 3)
     };
-    let truth = shaded("--method modes");
-    let peak = truth.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+    let reference = shaded("--method modes");
     ["f64", "f32"].map(|format| {
         let of_method = |method: &str| {
-            let ours = shaded(&format!("--method {method} --format {format}"));
-            assert_eq!(ours.len(), truth.len());
-            ours.iter().zip(&truth).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs())) / peak
+            difference(&shaded(&format!("--method {method} --format {format}")), &reference)
         };
-        of_method("polynomial").max(of_method("eigen"))
+        largest([of_method("polynomial"), of_method("eigen")])
     })
 }
 
@@ -56,12 +56,8 @@ fn scene_of(criterion: &str, degree: usize, order: usize) -> String {
         .replace("order = 3", &format!("order = {order}"))
 }
 
-fn table(folder: &Folder) -> Table {
-    decode(&fs::read(folder.path("b.bin")).unwrap()).unwrap()
-}
-
 #[test]
-fn any_degree_and_order_serve() {
+fn any_degree_and_order_works() {
     for criterion in ["image-centered", "standard"] {
         for (degree, order) in [(0, 0), (0, 3), (4, 0), (2, 5), (7, 1)] {
             let folder = Folder::new();
@@ -75,10 +71,10 @@ fn any_degree_and_order_serve() {
     }
 }
 
-/// One material, one light; light that has no directions; no variance at all, of
-/// which rounding is no component.
+/// One material and one light; light without directions; and no variance at all, where rounding
+/// errors must not become components.
 #[test]
-fn the_smallest_databases_serve() {
+fn the_smallest_databases_work() {
     let folder = Folder::new();
     folder.write("lights.csv", lights(4, 1));
     folder.write("materials.csv", materials(3, 1));
@@ -94,38 +90,38 @@ fn the_smallest_databases_serve() {
         .collect();
     folder.write("lights.csv", uniform);
     folder.ok("basis --scene scene.toml --out b.bin");
-    assert_eq!(table(&folder).components.len(), 2);
+    assert_eq!(folder.table("b.bin").components.len(), 2);
     assert_near("uniform light", errors(&folder, PAIR));
 
     folder.write("lights.csv", lights(0, 3));
     folder.write("materials.csv", materials(0, 4));
     folder.write("scene.toml", scene_of("image-centered", 0, 0));
     folder.ok("basis --scene scene.toml --out b.bin");
-    assert_eq!(table(&folder).components.len(), 1, "a constant image is the constant");
+    assert_eq!(folder.table("b.bin").components.len(), 1, "a constant image is the constant");
     assert_near("constant images", errors(&folder, PAIR));
     folder.write("materials.csv", materials(0, 1));
     folder.write("scene.toml", scene_of("standard", 0, 0));
     folder.ok("basis --scene scene.toml --out b.bin");
-    let table = table(&folder);
+    let table = folder.table("b.bin");
     assert_eq!((table.components.len(), table.spectrum.len()), (0, 0), "all is the mean");
-    folder.ok(&format!("shade b.bin {PAIR}"));
+    folder.shaded("");
     folder.ok("info b.bin");
 }
 
 /// Three of the shipped lights, to degree 16.
 fn shipped_lights(degree: usize) -> String {
     let text = fs::read_to_string(repository().join("tables/inputs/lights.csv")).unwrap();
-    let wanted = |line: &&str| {
+    let is_chosen = |line: &&str| {
         let fields: Vec<&str> = line.split(',').collect();
         fields[0] == "name"
             || ["park", "studio", "blender-courtyard"].contains(&fields[0])
                 && fields[1].parse::<usize>().is_ok_and(|l| l <= degree)
     };
-    text.lines().filter(wanted).map(|line| format!("{line}\n")).collect()
+    text.lines().filter(is_chosen).map(|line| format!("{line}\n")).collect()
 }
 
 #[test]
-fn degree_16_and_order_12_serve() {
+fn degree_16_and_order_12_work() {
     let folder = Folder::new();
     folder.write("lights.csv", shipped_lights(16));
     folder.write("materials.csv", materials(12, 30));
@@ -137,15 +133,15 @@ fn degree_16_and_order_12_serve() {
     };
     near("degree 16, order 12", PAIR);
 
-    // Less than the table's is taken as it is, also where the table is made of more;
-    // the runtime refuses more, and the program leaves it out.
+    // Lower degrees and orders than the table's are used as they are. Higher ones are refused by
+    // the runtime, and dropped by the program.
     let low = PAIR.replace("lights.csv", "low.csv").replace("materials.csv", "seven.csv");
     folder.write("low.csv", shipped_lights(5));
     folder.write("seven.csv", materials(7, 2));
     near("degree 5, order 7", &low);
     folder.write("high.csv", materials(13, 2));
     near("order 13 of 12", &PAIR.replace("materials.csv", "high.csv"));
-    let table = table(&folder);
+    let table = folder.table("b.bin");
     let owned = OwnedBasis::<f32>::new(&table);
     let mut shader = Shader::new(owned.basis().unwrap(), 1);
     let mut refused = |degree: usize, order: usize| {
@@ -155,30 +151,29 @@ fn degree_16_and_order_12_serve() {
     };
     assert!(refused(17, 12).contains("17") && refused(16, 13).contains("13"));
 
-    // But a table is not made of less.
+    // A table needs databases of its own degree and order.
     folder.write("materials.csv", materials(7, 2));
     assert_fails(&folder, "basis --scene scene.toml --out new.bin", &["materials.csv", "order 7"]);
 }
 
-/// The shipped scene, changed, and a part of its inputs.
-fn shipped(criterion: Criterion, modes: usize) -> (Loaded, Table) {
+/// The shipped scene with other settings and some of its inputs.
+fn shipped(criterion: Criterion) -> Loaded {
     let mut loaded = scene_file::load(repository().join("tables/sphere.toml")).unwrap();
     loaded.lights.entries.truncate(5);
     loaded.materials.entries.truncate(20);
     loaded.scene.basis.criterion = criterion;
-    loaded.scene.basis.components = Some(120);
-    loaded.scene.basis.modes = modes;
-    let table = build(&loaded.scene, &loaded.lights, &loaded.materials).unwrap();
-    (loaded, table)
+    loaded
 }
 
-/// With a selection of modes and without: d is the dense product of the rows of UᵀM
-/// with c, and the rows are WᵀA on the modes that are kept, zero on others.
+/// With a selection of modes and without: d is the dense product of the rows of UᵀM with c, and the
+/// rows are WᵀA on the modes that are kept and zero on others.
 #[test]
 fn projections_are_dense_products() {
     for criterion in [Criterion::ImageCentered, Criterion::Standard] {
         for modes in [0, 1000] {
-            let (loaded, table) = shipped(criterion, modes);
+            let mut loaded = shipped(criterion);
+            (loaded.scene.basis.components, loaded.scene.basis.modes) = (Some(120), modes);
+            let table = build(&loaded.scene, &loaded.lights, &loaded.materials).unwrap();
             assert_rows(&table);
             let owned = OwnedBasis::<f64>::new(&table);
             let mut shader = Shader::new(owned.basis().unwrap(), usize::MAX);
@@ -211,9 +206,9 @@ fn assert_rows(table: &Table) {
             assert!((entry - expected).abs() <= tolerances::ORTHONORMAL_NODES);
         }
     }
-    let wanted = if table.scene.basis.modes == 0 { mode::total(9, 7) } else { 1000 };
+    let expected = if table.scene.basis.modes == 0 { mode::total(9, 7) } else { 1000 };
     let kept = kept[0] + 2 * kept[1..].iter().sum::<usize>();
-    assert!((wanted..wanted + 2).contains(&kept), "{kept} modes, a tie of ±m whole");
+    assert!((expected..expected + 2).contains(&kept), "{kept} modes; ±m are kept together");
 }
 
 fn dense(table: &Table, light: &[f64], material: &[f64]) -> Vec<f64> {
@@ -233,13 +228,14 @@ fn dense(table: &Table, light: &[f64], material: &[f64]) -> Vec<f64> {
     table.components.iter().enumerate().map(of_component).collect()
 }
 
-/// A tolerance takes the fewest components whose mean residual, relative to the mean
-/// square of the images' peaks, is within nine tenths of what degree and order leave it.
+/// A tolerance selects the fewest components whose mean residual, relative to the mean square of
+/// the images' peaks, is within nine tenths of what degree and order leave for it.
 #[test]
-fn tolerances_take_as_few_components_as_they_can() {
+fn tolerances_select_as_few_components_as_possible() {
+    let peak = peak(&shipped(Criterion::ImageCentered));
     for criterion in [Criterion::ImageCentered, Criterion::Standard] {
+        let mut loaded = shipped(criterion);
         for tolerance in [3e-2, 1e-2, 1e-3] {
-            let (mut loaded, _) = shipped(criterion, 0);
             loaded.scene.basis.components = None;
             loaded.scene.basis.tolerance = Some(tolerance);
             let (table, choice) = loaded.chosen().unwrap();
@@ -247,7 +243,7 @@ fn tolerances_take_as_few_components_as_they_can() {
             let count = table.components.len();
             println!("{criterion:?}, {tolerance}: {count}");
             let rest = (tolerance.powi(2) - degree.leaves.powi(2)).sqrt() - order.leaves;
-            let allowed = 0.9 * (rest * peak(&loaded)).powi(2);
+            let allowed = 0.9 * (rest * peak).powi(2);
             assert!(table.energy_left(count) <= allowed * (1.0 + tolerances::PEAK_GRID));
             assert!(table.energy_left(count - 1) > allowed * (1.0 - tolerances::PEAK_GRID));
         }
@@ -256,7 +252,7 @@ fn tolerances_take_as_few_components_as_they_can() {
 
 /// √mean(peak²) over all lights, scaled to L_0^0 = 1, and materials.
 fn peak(loaded: &Loaded) -> f64 {
-    let truth = Truth::new(9, 7);
+    let reference = DirectSum::new(9, 7);
     let scaled = |entry: &Named| {
         let light = entry.luminance();
         let scale = exposure(&entry.name, light[0], loaded.scene.light.normalize).unwrap();
@@ -269,7 +265,7 @@ fn peak(loaded: &Loaded) -> f64 {
         let (sine, z) = (FRAC_PI_2 * f64::from(slant) / 36.0).sin_cos();
         for tilt in 0..72 {
             let (y, x) = (TAU * f64::from(tilt) / 72.0).sin_cos();
-            let modes = truth.at([sine * x, sine * y, z.max(0.0)]);
+            let modes = reference.at([sine * x, sine * y, z.max(0.0)]);
             let scattered: Vec<_> = materials.iter().map(|one| modes.scatter(one)).collect();
             let pairs = lights.iter().flat_map(|light| scattered.iter().map(move |of| (light, of)));
             for (peak, (light, scattered)) in peaks.iter_mut().zip(pairs) {

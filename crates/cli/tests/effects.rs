@@ -1,40 +1,41 @@
-//! Effects: their pictures sum to the whole, tables of some of them show just those, and what
-//! is left out is in no table.
+//! Effects: their pictures sum to the whole, tables of some effects give just those, and effects
+//! that are left out are in no table.
 
-use crate::support::{self, Folder, assert_fails, materials, numbers, rows, scene};
+use crate::support::{
+    self, Folder, PAIR, SHADED, assert_fails, difference, materials, numbers, rows, scene,
+};
 use crate::tolerances;
 use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_index::{light, material, mode};
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::Shader;
+use eigenshade_table::Table;
 use eigenshade_table::parts::Parts;
-use eigenshade_table::{Table, decode};
-use std::fs;
 
-/// Pictures of effects, summed, against the picture of all, of the peak: rounding. docs/method.md
-/// promises 1e-12.
+/// The sum of pictures of effects against the picture of all, relative to the peak: rounding.
+/// docs/method.md promises 1e-12.
 const SUM_OF_EFFECTS: f64 = 9e-15;
 
-/// An object's table of some effects against the direct sum over their modes, of the peak: the
-/// rank's cut-off of 1e-10, amplified as far as six normals see the modes.
+/// An object's table of some effects against the direct sum over their modes, relative to the peak:
+/// the rank cutoff of 1e-10, amplified by how weakly six normals determine the modes.
 const OBJECT_OF_EFFECTS: f64 = 1e-10;
 
-/// Tables of some effects in integers against f64, of the peak: seen 2e-7 and 6e-4.
+/// Tables of some effects in integers against f64, relative to the peak: measured 2e-7 and 6e-4.
 const EFFECTS_Q31: f64 = 6e-7;
 
 /// See [`EFFECTS_Q31`].
 const EFFECTS_Q15: f64 = 2e-3;
 
-const PAIR: &str = "--lights lights.csv --materials materials.csv --normals normals.csv";
-const HEADER: &str = "light,material,normal,r,g,b";
-
-/// Degree 4 and order 6: every effect has modes, ambient some of each order.
+/// A folder of degree 4 and order 6, where every effect has modes, and ambient modes of each order.
+/// The scene's database, `database.csv`, begins with the materials that are shaded,
+/// `materials.csv`.
 fn folder(criterion: &str) -> Folder {
     let folder = Folder::new();
     folder.write("lights.csv", support::lights(4, 2));
-    folder.write("materials.csv", materials(6, 40));
+    folder.write("database.csv", materials(6, 40));
+    folder.write("materials.csv", materials(6, 8));
     let scene = scene(criterion, 10_000, "[]").replace("order = 3", "order = 6");
-    folder.write("scene.toml", scene);
+    folder.write("scene.toml", scene.replace("materials.csv", "database.csv"));
     folder
 }
 
@@ -46,27 +47,21 @@ fn every() -> impl Iterator<Item = Effects> {
     (1..16).filter_map(Effects::from_bits)
 }
 
-/// Makes `out` of these effects.
+/// Makes the table `out` of these effects.
 fn make(folder: &Folder, effects: Effects, out: &str) -> Table {
-    let text = fs::read_to_string(folder.path("scene.toml")).unwrap();
+    let text = folder.read("scene.toml");
     let of = format!("{text}\n[effects]\nuse = {:?}\n", names(effects));
     folder.write("effects.toml", of);
     folder.ok(&format!("basis --scene effects.toml --out {out}"));
+    folder.table(out)
+}
+
+/// Makes the table again, and compares it.
+fn check(folder: &Folder, out: &str) {
     folder.ok(&format!("basis --scene effects.toml --check {out}"));
-    decode(&fs::read(folder.path(out)).unwrap()).unwrap()
 }
 
-fn shaded(folder: &Folder, table: &str, options: &str) -> Vec<f64> {
-    numbers(&rows(&folder.ok(&format!("shade {table} {PAIR} {options}")), HEADER), 3)
-}
-
-fn difference(a: &[f64], b: &[f64]) -> f64 {
-    assert_eq!(a.len(), b.len());
-    let peak = b.iter().fold(0.0f64, |most, value| most.max(value.abs()));
-    a.iter().zip(b).fold(0.0f64, |most, (a, b)| most.max((a - b).abs())) / peak
-}
-
-/// Of the table of all: in every way to a pixel, whatever the components.
+/// The table of all effects, by every method and with any number of components.
 #[test]
 fn the_pictures_of_effects_sum_to_the_whole() {
     for criterion in ["image-centered", "standard"] {
@@ -79,11 +74,11 @@ fn the_pictures_of_effects_sum_to_the_whole() {
             "--method polynomial --format f64 --components 7",
             "--method eigen --format f64 --components 2",
         ] {
-            let whole = shaded(&folder, "b.bin", options);
+            let whole = folder.shaded(options);
             let mut sum = vec![0.0; whole.len()];
             for effect in Effect::ALL {
                 let of = format!("{options} --effects {}", effect.name());
-                let picture = shaded(&folder, "b.bin", &of);
+                let picture = folder.shaded(&of);
                 assert!(picture.iter().any(|value| *value != 0.0), "{of}");
                 sum.iter_mut().zip(picture).for_each(|(sum, value)| *sum += value);
             }
@@ -94,8 +89,8 @@ fn the_pictures_of_effects_sum_to_the_whole() {
     }
 }
 
-/// Of each of the fifteen sets: its table with all components, and the whole table asked for
-/// them, against the direct sum over their modes.
+/// The table of each of the fifteen sets with all components, and the table of all effects with the
+/// option --effects, against the direct sum over their modes.
 #[test]
 fn some_effects_are_the_direct_sum_over_their_modes() {
     for criterion in ["image-centered", "standard"] {
@@ -103,17 +98,18 @@ fn some_effects_are_the_direct_sum_over_their_modes() {
         make(&folder, Effects::ALL, "all.bin");
         for effects in every() {
             make(&folder, effects, "some.bin");
-            let asked = format!("--effects {}", names(effects).join(","));
-            let truth = shaded(&folder, "all.bin", &format!("--method modes {asked}"));
+            check(&folder, "some.bin");
+            let options = format!("--effects {}", names(effects).join(","));
+            let reference = folder.shaded_by("all.bin", &format!("--method modes {options}"));
             for (table, options, tolerance) in [
                 ("some.bin", "--method modes".to_owned(), SUM_OF_EFFECTS),
                 ("some.bin", "--format f64".into(), tolerances::ALL_COMPONENTS),
                 ("some.bin", "--format f64 --method eigen".into(), tolerances::ALL_COMPONENTS),
                 ("some.bin", "--format f32".into(), tolerances::ALL_COMPONENTS_F32),
-                ("all.bin", format!("--format f64 {asked}"), tolerances::ALL_COMPONENTS),
-                ("all.bin", format!("--format f32 {asked}"), tolerances::ALL_COMPONENTS_F32),
+                ("all.bin", format!("--format f64 {options}"), tolerances::ALL_COMPONENTS),
+                ("all.bin", format!("--format f32 {options}"), tolerances::ALL_COMPONENTS_F32),
             ] {
-                let found = difference(&shaded(&folder, table, &options), &truth);
+                let found = difference(&folder.shaded_by(table, &options), &reference);
                 println!("{criterion} {:?} {table} {options}: {found:.1e}", names(effects));
                 assert!(found <= tolerance, "{:?} {table} {options}: {found}", names(effects));
             }
@@ -121,25 +117,30 @@ fn some_effects_are_the_direct_sum_over_their_modes() {
     }
 }
 
-/// Of a table that takes fewer modes than there are, and of an object that is no sphere.
+/// A table with a selection of modes, and an object that is not a sphere.
 #[test]
 fn selections_and_objects_have_effects() {
     let folder = folder("standard");
-    let sphere = fs::read_to_string(folder.path("scene.toml")).unwrap();
-    folder.write("object.csv", "x,y,z\n0,0,1\n0.6,0,0.8\n0,0.6,0.8\n-0.6,0.48,0.64\n0.3,-0.4,0.8660254037844386\n-0.1,-0.7,0.7071067811865476\n");
+    let sphere = folder.read("scene.toml");
+    folder.write(
+        "object.csv",
+        "x,y,z\n0,0,1\n0.6,0,0.8\n0,0.6,0.8\n-0.6,0.48,0.64\n0.3,-0.4,0.8660254037844386\n\
+         -0.1,-0.7,0.7071067811865476\n",
+    );
     for effects in every() {
-        let wanted = format!("--effects {}", names(effects).join(","));
+        let options = format!("--effects {}", names(effects).join(","));
         folder.write("scene.toml", sphere.replace("sphere", "object.csv"));
         make(&folder, effects, "object.bin");
+        check(&folder, "object.bin");
         folder.write("scene.toml", &sphere);
         make(&folder, effects, "sphere.bin");
         let normals = "--lights lights.csv --materials materials.csv --normals object.csv";
         let of = |table: &str, options: &str| {
             let text = folder.ok(&format!("shade {table} {normals} {options}"));
-            numbers(&rows(&text, HEADER), 3)
+            numbers(&rows(&text, SHADED), 3)
         };
-        let truth = of("sphere.bin", &format!("--method modes {wanted}"));
-        let found = difference(&of("object.bin", "--format f64"), &truth);
+        let reference = of("sphere.bin", &format!("--method modes {options}"));
+        let found = difference(&of("object.bin", "--format f64"), &reference);
         assert!(found <= OBJECT_OF_EFFECTS, "{:?}: {found}", names(effects));
         // Few modes: d of a coefficient is the sum over those that are kept, of these effects.
         folder.write(
@@ -147,14 +148,15 @@ fn selections_and_objects_have_effects() {
             sphere.replace("profile_tolerance", "modes = 60\nprofile_tolerance"),
         );
         let table = make(&folder, effects, "few.bin");
+        check(&folder, "few.bin");
         assert_projects_kept_modes(&table, effects);
         assert!(table.count() > 0);
     }
     folder.write("scene.toml", sphere);
 }
 
-/// Each coefficient of the material by itself under one light: `project` against the sum of
-/// the rows of UᵀM, made here from the table's nodes, over the modes that are in.
+/// Asserts for each single coefficient of the material under one light: `project` gives the sum,
+/// over the modes that are kept, of the rows of UᵀM that the table's nodes give.
 fn assert_projects_kept_modes(table: &Table, effects: Effects) {
     let (degree, order) = (table.gram.degree, table.gram.order);
     let owned = OwnedBasis::<f64>::new(table);
@@ -188,8 +190,8 @@ fn assert_projects_kept_modes(table: &Table, effects: Effects) {
     }
 }
 
-/// Rows, columns, azimuths and degrees of what is left out are in no table. Gloss takes the
-/// columns of all orders: its coefficients (o, p, q) couple o >= 4 with every p.
+/// Tables have no rows, columns, azimuths and degrees of effects that are left out. Gloss uses the
+/// columns of all orders, because its coefficients (o, p, q) couple o >= 4 with every p.
 #[test]
 fn what_is_left_out_costs_nothing() {
     let folder = folder("image-centered");
@@ -229,7 +231,7 @@ fn what_is_left_out_costs_nothing() {
 }
 
 #[test]
-fn the_wire_carries_effects() {
+fn wire_files_have_effects() {
     let folder = folder("image-centered");
     for effects in every() {
         let table = make(&folder, effects, "some.bin");
@@ -237,16 +239,16 @@ fn the_wire_carries_effects() {
         let text = folder.ok("info some.esw");
         let line = format!("{:<24} {}", "effects", names(effects).join(" "));
         assert!(text.contains(&line), "{text}");
-        let apart = effects.unfactored_count(table.gram.order) > 0;
+        let is_unfactored = effects.unfactored_count(table.gram.order) > 0;
         let pack = "pack some.bin --out some15.esw --format q15";
-        if apart {
+        if is_unfactored {
             assert_fails(&folder, pack, &["ambient", "gloss"]);
             continue;
         }
         folder.ok(pack);
-        let double = shaded(&folder, "some.bin", "--format f64");
+        let double = folder.shaded_by("some.bin", "--format f64");
         for (format, tolerance) in [("q31", EFFECTS_Q31), ("q15", EFFECTS_Q15)] {
-            let integers = shaded(&folder, "some.bin", &format!("--format {format}"));
+            let integers = folder.shaded_by("some.bin", &format!("--format {format}"));
             let found = difference(&integers, &double);
             println!("{:?} {format}: {found:.1e}", names(effects));
             assert!(found <= tolerance, "{:?} {format}: {found}", names(effects));
@@ -255,23 +257,23 @@ fn the_wire_carries_effects() {
 }
 
 #[test]
-fn what_a_scene_does_not_call_for_is_refused() {
+fn what_a_scene_leaves_out_is_refused() {
     let folder = folder("image-centered");
     make(&folder, Effects::NONE.with(Effect::Ambient).with(Effect::Diffuse), "some.bin");
-    let shade = |options: &str| format!("shade some.bin {PAIR} {options}");
+    let shade = |options: &str| format!("shade some.bin {PAIR} --normals normals.csv {options}");
     assert_fails(&folder, &shade("--effects gloss"), &["no gloss", "ambient diffuse"]);
-    assert_fails(&folder, &shade("--effects diffuse --format q15"), &["integers"]);
-    let text = fs::read_to_string(folder.path("effects.toml")).unwrap();
+    assert_fails(&folder, &shade("--effects diffuse --format q15"), &["integer formats"]);
+    let text = folder.read("effects.toml");
     folder.write("none.toml", text.replace("[\"ambient\", \"diffuse\"]", "[]"));
     assert_fails(&folder, "basis --scene none.toml --out n.bin", &["effects.use", "all"]);
     folder.write("still.toml", text + "rotation = false\n");
     folder.ok("basis --scene still.toml --out still.bin");
-    let turned = format!("shade still.bin {PAIR} --rotate 1,2,3");
-    assert_fails(&folder, &turned, &["does not turn", "--rotate"]);
+    let rotated = format!("shade still.bin {PAIR} --normals normals.csv --rotate 1,2,3");
+    assert_fails(&folder, &rotated, &["fixed light", "--rotate"]);
 }
 
-/// Without color a picture is that of the luminance of light and material, also of a table
-/// that keeps its materials folded in.
+/// Without color a picture is that of the luminance of light and material, also with a table that
+/// stores the transfers of its materials.
 #[test]
 fn without_color_there_is_luminance() {
     let folder = folder("image-centered");
@@ -287,23 +289,24 @@ fn without_color_there_is_luminance() {
         })
         .collect();
     folder.write("colored.csv", colored);
-    let scene = fs::read_to_string(folder.path("scene.toml")).unwrap();
-    let scene = scene.replace("materials.csv", "colored.csv");
+    let scene = folder.read("scene.toml");
+    let scene = scene.replace("database.csv", "colored.csv");
     let luminance = 0.2126 + 0.7152 * 0.5 + 0.0722 * 0.25;
     for store in ["projection", "materials"] {
         let text = format!("{scene}store = \"{store}\"\n[effects]\ncolor = false\n");
-        folder.write("grey.toml", text);
-        folder.ok("basis --scene grey.toml --out grey.bin");
-        assert!(folder.ok("info grey.bin").contains("no color"));
+        folder.write("gray.toml", text);
+        folder.ok("basis --scene gray.toml --out gray.bin");
+        assert!(folder.ok("info gray.bin").contains("no color"));
         let of = |table: &str, materials: &str| {
             let pair = PAIR.replace("materials.csv", materials);
-            let text = folder.ok(&format!("shade {table} {pair} --format f64"));
-            numbers(&rows(&text, HEADER), 3)
+            let text =
+                folder.ok(&format!("shade {table} {pair} --normals normals.csv --format f64"));
+            numbers(&rows(&text, SHADED), 3)
         };
-        let found = of("grey.bin", "colored.csv");
+        let found = of("gray.bin", "colored.csv");
         make(&folder, Effects::ALL, "whole.bin");
-        // On a material without color a picture has the light's.
-        let pictures = of("whole.bin", "materials.csv");
+        // The picture of a material without color has the color of the light.
+        let pictures = of("whole.bin", "database.csv");
         let of_light = |rgb: &[f64]| 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2];
         let expected: Vec<f64> =
             pictures.chunks(3).flat_map(|rgb| [luminance * of_light(rgb); 3]).collect();

@@ -1,12 +1,12 @@
-//! The hard cases that a user can meet, through the command line.
+//! Hard cases of maps, coefficients and normals, through the command line.
 
-use crate::support::{Folder, assert_fails, lights, materials, numbers, rows, scene};
+use crate::support::{
+    Folder, PAIR, SHADED, assert_fails, difference, lights, materials, numbers, rows, scene,
+};
 use crate::tolerances;
 use std::f64::consts::PI;
 
-const PAIR: &str = "--lights lights.csv --materials materials.csv";
-
-/// An uncompressed OpenEXR map of half floats, given by their bits, grey, row by row.
+/// An uncompressed gray OpenEXR map of half floats, given by their bits, row by row.
 fn half_map(width: u32, height: u32, texels: &[u16]) -> Vec<u8> {
     let mut file = vec![0x76, 0x2f, 0x31, 0x01, 2, 0, 0, 0];
     let mut attribute = |name: &str, kind: &str, value: &[u8]| {
@@ -43,8 +43,8 @@ fn half_map(width: u32, height: u32, texels: &[u16]) -> Vec<u8> {
     file
 }
 
-/// A Radiance map of `height` rows of one grey each, mantissa 128 and an exponent:
-/// 2^(e - 129) is its value.
+/// A Radiance map of `height` rows, each of one gray value 2^(e - 129): mantissa 128 and exponent
+/// e.
 fn row_map(width: usize, height: usize, exponent: impl Fn(usize) -> u8) -> Vec<u8> {
     let size = format!("-Y {height} +X {width}\n");
     let mut file = format!("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n{size}").into_bytes();
@@ -79,7 +79,7 @@ fn half_floats_that_are_not_finite() {
             "; clean the map",
         ],
     );
-    // The largest and the smallest half, a zero below zero, and negative texels are numbers.
+    // The largest and the smallest half, -0 and negative texels are finite.
     let halves = [0x7bff, 0x0001, 0x8000, 0xbc00, ONE, ONE, 0xfbff, ONE];
     let values = [65504.0, 2f64.powi(-24), 0.0, -1.0, 1.0, 1.0, -65504.0, 1.0];
     folder.write("map.exr", half_map(4, 2, &halves));
@@ -89,10 +89,10 @@ fn half_floats_that_are_not_finite() {
     assert!(report.contains("negative radiance"), "{report}");
     let text = String::from_utf8(output.stdout).unwrap();
     let found = numbers(&rows(&text, "name,l,m,value"), 1);
-    // Every texel of 4 x 2 has an eighth of the sphere.
+    // Each of the 4 x 2 texels is an eighth of the sphere.
     let expected = values.iter().sum::<f64>() * 0.5 * PI * (0.25 / PI).sqrt();
-    let apart = (found[0] - expected).abs();
-    assert!(apart <= tolerances::WRITTEN_DIGITS * 65504.0, "{} {expected}", found[0]);
+    let error = (found[0] - expected).abs();
+    assert!(error <= tolerances::WRITTEN_DIGITS * 65504.0, "{} {expected}", found[0]);
 }
 
 #[test]
@@ -101,7 +101,7 @@ fn a_map_of_two_texels() {
     folder.write("map.exr", half_map(2, 1, &[0x3c00, 0x4200]));
     let text = folder.ok("light map.exr --degree 1");
     let found = numbers(&rows(&text, "name,l,m,value"), 1);
-    // 1 on the left and 3 on the right: the mean is 2; x at the texels' centres is ∓1.
+    // 1 on the left and 3 on the right: the mean is 2; x at the texels' centers is ∓1.
     let root = (4.0 * PI).sqrt();
     let expected = [2.0 * root, 0.0, 0.0, -(0.75 / PI).sqrt() * 2.0 * PI * (3.0 - 1.0)];
     for (found, expected) in found.iter().zip(expected) {
@@ -142,15 +142,15 @@ fn zeros(name: &str, like: &str) -> String {
 fn a_light_of_zeros() {
     let folder = Folder::new();
     folder.write("lights.csv", lights(4, 2) + &zeros("night", &lights(4, 1)));
-    let words = ["scene.toml", "`night`", "normalize = \"none\""];
-    assert_fails(&folder, "basis --scene scene.toml --out b.bin", &words);
+    let fragments = ["scene.toml", "`night`", "normalize = \"none\""];
+    assert_fails(&folder, "basis --scene scene.toml --out b.bin", &fragments);
     let as_they_are = folder
         .read("scene.toml")
         .replace("rotation = \"any\"", "rotation = \"any\"\nnormalize = \"none\"");
     folder.write("scene.toml", as_they_are);
     folder.ok("basis --scene scene.toml --out b.bin");
     assert_black(&folder, "night,");
-    // Nothing but night.
+    // No other light.
     folder.write("lights.csv", "name,l,m,r,g,b\n".to_owned() + &zeros("night", &lights(4, 1)));
     assert!(folder.ok("basis --scene scene.toml --out b.bin").contains("components   1 of 10000"));
     assert_black(&folder, "night,");
@@ -169,14 +169,12 @@ fn a_material_of_zeros() {
     }
 }
 
-/// The images of this light or material are exactly black, in every format.
+/// Asserts that the images of this light or material are exactly black, in every format.
 fn assert_black(folder: &Folder, name: &str) {
     for options in ["", "--format f64", "--method eigen", "--method modes"] {
         let text = folder.ok(&format!("shade b.bin {PAIR} --normals normals.csv {options}"));
-        let of_name: Vec<_> = rows(&text, "light,material,normal,r,g,b")
-            .into_iter()
-            .filter(|row| row.join(",").contains(name))
-            .collect();
+        let of_name: Vec<_> =
+            rows(&text, SHADED).into_iter().filter(|row| row.join(",").contains(name)).collect();
         assert!(!of_name.is_empty());
         assert!(numbers(&of_name, 3).iter().all(|value| *value == 0.0), "{options}");
     }
@@ -190,7 +188,7 @@ fn one_light_one_material_and_more_components_than_rank() {
     for criterion in ["image-centered", "standard"] {
         folder.write("scene.toml", scene(criterion, 10_000, "[]"));
         let report = folder.ok("basis --scene scene.toml --out b.bin");
-        assert!(report.contains("of 10000 asked for: there are no more"), "{report}");
+        assert!(report.contains("of 10000 requested: there are no more"), "{report}");
         let eigenvalues = folder.ok("eigenvalues b.bin");
         let values = rows(&eigenvalues, "criterion,index,m,eigenvalue");
         let values: Vec<f64> = values.iter().filter_map(|row| row[3].parse().ok()).collect();
@@ -198,23 +196,21 @@ fn one_light_one_material_and_more_components_than_rank() {
     }
 }
 
-/// Normals of any length are unit normals; the rim takes what points away a little.
+/// Normals of any length are normalized; those that point away a little become the rim's.
 #[test]
 fn normals_that_are_not_unit() {
     let folder = Folder::with_table();
     let shaded = |normals: &str| {
         folder.write("normals.csv", format!("x,y,z\n{normals}"));
-        let text = folder.ok(&format!("shade b.bin {PAIR} --normals normals.csv --format f64"));
-        numbers(&rows(&text, "light,material,normal,r,g,b"), 3)
+        folder.shaded("--format f64")
     };
     let unit = shaded("0.6,0,0.8\n1,0,0\n0,0,1\n");
     for scaled in
         ["6e-301,0,8e-301\n1e-320,0,0\n0,0,1e-320\n", "6e300,0,8e300\n1e308,0,0\n0,0,1e308\n"]
     {
         let found = shaded(scaled);
-        let peak = unit.iter().fold(0.0f64, |most, value| most.max(value.abs()));
-        let worst = found.iter().zip(&unit).fold(0.0f64, |most, (a, b)| most.max((a - b).abs()));
-        assert!(worst <= tolerances::ORTHONORMAL_NODES * peak, "{worst}");
+        let worst = difference(&found, &unit);
+        assert!(worst <= tolerances::ORTHONORMAL_NODES, "{worst}");
     }
     assert_eq!(shaded("1,0,-0.0009\n"), shaded("1,0,0\n"));
     for bad in ["0,0,0", "nan,0,1", "0,inf,1", "0,0,-1", "1,0,-0.002"] {
@@ -224,7 +220,7 @@ fn normals_that_are_not_unit() {
     }
 }
 
-/// Images whose squares are no numbers give no table.
+/// Images whose squares are out of range have no table.
 #[test]
 fn squares_out_of_range() {
     for size in ["e155", "e-180", "e300"] {
@@ -243,15 +239,11 @@ fn squares_out_of_range() {
     }
 }
 
-/// Linear in light and material, as far as f64 and f32 go.
+/// Images are linear in light and material over the range of f64 and f32.
 #[test]
 fn coefficients_tiny_and_huge() {
     let folder = Folder::with_table();
-    let shaded = |format: &str| {
-        let text =
-            folder.ok(&format!("shade b.bin {PAIR} --normals normals.csv --format {format}"));
-        numbers(&rows(&text, "light,material,normal,r,g,b"), 3)
-    };
+    let shaded = |format: &str| folder.shaded(&format!("--format {format}"));
     let (given, on) = (folder.read("lights.csv"), folder.read("materials.csv"));
     let scaled = |text: &str, values: usize, factor: f64| -> String {
         let (header, rest) = text.split_once('\n').unwrap();
@@ -272,19 +264,16 @@ fn coefficients_tiny_and_huge() {
         folder.write("lights.csv", &given);
         folder.write("materials.csv", &on);
         let plain = shaded(format);
-        let peak = plain.iter().fold(0.0f64, |most, value| most.max(value.abs()));
         for (light, material) in
             [(1e30, 1.0), (1e-30, 1.0), (1.0, 1e30), (1e30, 1e-30), (1e-30, 1e30)]
         {
             folder.write("lights.csv", scaled(&given, 3, light));
             folder.write("materials.csv", scaled(&on, 1, material));
             let found = shaded(format);
-            let worst = found
-                .iter()
-                .zip(&plain)
-                .map(|(found, plain)| (found / (light * material) - plain).abs())
-                .fold(0.0, f64::max);
-            assert!(worst <= tolerance * peak, "{format}, {light} on {material}: {worst}");
+            let scaled_back: Vec<f64> =
+                found.iter().map(|value| value / (light * material)).collect();
+            let worst = difference(&scaled_back, &plain);
+            assert!(worst <= tolerance, "{format}, {light} on {material}: {worst}");
         }
     }
 }

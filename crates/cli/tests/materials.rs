@@ -1,16 +1,16 @@
-//! `material` on formulas, tables and folders of everything; faults of each.
+//! `material` on formulas, tables and folders of files; and bad ones of each.
 
 use crate::support::{Folder, assert_fails, numbers, rows};
 use crate::tolerances;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-const GREY: &str = "name,o,p,q,value";
+const GRAY: &str = "name,o,p,q,value";
 
 #[test]
 fn formulas_on_the_command_line() {
     let folder = Folder::new();
     let text = folder.ok("material lambertian --albedo 0.8 --order 12");
-    let found = rows(&text, GREY);
+    let found = rows(&text, GRAY);
     assert_eq!((found.len(), found[0][0].as_str()), (140, "lambertian"));
     let values = numbers(&found, 1);
     assert!((values[0] - 1.6).abs() <= tolerances::MATTE_PROJECTION);
@@ -19,16 +19,19 @@ fn formulas_on_the_command_line() {
     let text = folder.ok("material ggx --roughness 0.5 --f0 0.04 --albedo 0.5,0.1,0 --order 3");
     let channels = numbers(&rows(&text, "name,o,p,q,r,g,b"), 3);
     assert!(channels[0] > channels[1] && channels[1] > channels[2] && channels[2] > 0.0);
-    let output = folder.run("material oren-nayar --sigma 0.3 --order 4 --name chalk --out c.csv");
-    let said = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert!(said.starts_with("chalk: order 4 leaves out ") && said.lines().count() == 1, "{said}");
+    let message =
+        folder.messages("material oren-nayar --sigma 0.3 --order 4 --name chalk --out c.csv");
+    assert!(
+        message.starts_with("chalk: order 4 leaves out ") && message.lines().count() == 1,
+        "{message}"
+    );
     let text = folder.read("c.csv");
     assert!(text.starts_with("# eigenshade material oren-nayar --sigma 0.3"));
-    assert_eq!(rows(&text, GREY)[0][0], "chalk");
+    assert_eq!(rows(&text, GRAY)[0][0], "chalk");
     // Without roughness it is the matte material.
     let smooth = folder.ok("material oren-nayar --sigma 0 --albedo 0.8 --order 4");
-    assert!((numbers(&rows(&smooth, GREY), 1)[0] - 1.6).abs() <= tolerances::MATTE_PROJECTION);
-    // The other measure is another answer.
+    assert!((numbers(&rows(&smooth, GRAY), 1)[0] - 1.6).abs() <= tolerances::MATTE_PROJECTION);
+    // The other measure gives other coefficients.
     let graze = folder.ok("material ggx --roughness 0.5 --f0 1 --order 2 --measure solid-angle");
     assert_ne!(graze, folder.ok("material ggx --roughness 0.5 --f0 1 --order 2"));
 }
@@ -82,7 +85,7 @@ fn a_folder_of_everything() {
 }
 
 #[test]
-fn tables_that_are_none() {
+fn bad_tables() {
     let folder = Folder::new();
     let good = table();
     folder.write("old.csv", "old");
@@ -100,17 +103,17 @@ fn tables_that_are_none() {
         (&huge, "beyond 1e100"),
         (b"", "0 bytes"),
     ];
-    for (bytes, word) in cases {
+    for (bytes, fragment) in cases {
         folder.write("t.binary", bytes);
-        assert_fails(&folder, "material t.binary --order 2 --out old.csv", &["t.binary", word]);
+        assert_fails(&folder, "material t.binary --order 2 --out old.csv", &["t.binary", fragment]);
     }
     assert_eq!(folder.read("old.csv"), "old");
 }
 
 #[test]
-fn formulas_that_are_none() {
+fn bad_formulas() {
     let folder = Folder::new();
-    for (arguments, words) in [
+    for (arguments, fragments) in [
         ("lambertian --albedo 1.5", ["albedo = 1.5", "[0, 1]"]),
         ("lambertian --albedo 0.5,nan,0.5", ["albedo = NaN", "[0, 1]"]),
         ("oren-nayar --sigma 20", ["sigma = 20", "radians"]),
@@ -119,7 +122,7 @@ fn formulas_that_are_none() {
         ("ggx --roughness inf --f0 0.04", ["roughness = inf", "[0.03, 1]"]),
         ("ggx --roughness 0.5 --f0=-0.1", ["f0 = -0.1", "[0, 1]"]),
     ] {
-        assert_fails(&folder, &format!("material {arguments} --order 2 --out new.csv"), &words);
+        assert_fails(&folder, &format!("material {arguments} --order 2 --out new.csv"), &fragments);
     }
     for usage in
         ["ggx --f0 0.04 --order 2", "lambertian --albedo 1", "lambertian --albedo 1,2 --order 2"]
@@ -127,7 +130,7 @@ fn formulas_that_are_none() {
         assert_eq!(folder.run(&format!("material {usage}")).status.code(), Some(2), "{usage}");
     }
     let good = "[[material]]\nname = \"a\"\nmodel = \"ggx\"\nroughness = 0.5\nf0 = 0.04\n";
-    for (text, word) in [
+    for (text, fragment) in [
         (good.replace("0.5", "0.0"), "`a`: roughness = 0 "),
         (good.replace("0.04", "nan"), "f0 = NaN"),
         (good.replace("roughness", "rough"), "m.toml:4:"),
@@ -140,14 +143,14 @@ fn formulas_that_are_none() {
         (good.replace("0.04", "[0.04, 0.1]"), "m.toml:5:"),
     ] {
         folder.write("m.toml", text);
-        assert_fails(&folder, "material m.toml --order 2 --out new.csv", &["m.toml", word]);
+        assert_fails(&folder, "material m.toml --order 2 --out new.csv", &["m.toml", fragment]);
     }
     std::fs::create_dir(folder.path("nothing")).unwrap();
     assert_fails(&folder, "material nothing --order 2", &["nothing", "no materials"]);
 }
 
-/// One bad file among the good ones of a folder: cut short, of another kind, of an absurd
-/// size, with a number that is not finite.
+/// One bad file in a folder: cut short, of another type, of an absurd size, with a number that is
+/// not finite.
 #[test]
 fn folders_with_a_bad_file() {
     const FOREIGN: &[u8] = b"\x89PNG\r\n\x1a\n\0\xff\xfe";
@@ -160,7 +163,7 @@ fn folders_with_a_bad_file() {
     let csv = "theta_i,phi_i,theta_r,phi_r,value\n0,0,0,0,";
     let formula = |value: &str| format!("{ggx}{value}\n").into_bytes();
     let measured_row = |value: &str| format!("{csv}{value}\n").into_bytes();
-    for (name, bytes, words) in [
+    for (name, bytes, fragments) in [
         ("x.binary", whole[..5].to_vec(), "5 bytes"),
         ("x.binary", FOREIGN.to_vec(), "11 bytes"),
         ("x.binary", FOREIGN.iter().copied().cycle().take(whole.len()).collect(), "bins"),
@@ -179,6 +182,6 @@ fn folders_with_a_bad_file() {
         std::fs::create_dir(folder.path("all")).unwrap();
         folder.write("all/good.toml", "[[material]]\nname=\"d\"\nmodel=\"lambertian\"\nalbedo=1\n");
         folder.write(&format!("all/{name}"), bytes);
-        assert_fails(&folder, "material all --order 2 --out new.csv", &[name, words]);
+        assert_fails(&folder, "material all --order 2 --out new.csv", &[name, fragments]);
     }
 }

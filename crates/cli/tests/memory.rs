@@ -1,45 +1,45 @@
-//! Small files that claim much, and scenes that would: refused before memory is taken, under a
-//! limit of the operating system too, in seconds.
+//! Small files that claim a large size, and large scenes: refused in seconds, before memory is
+//! allocated, also under a limit of the operating system.
 #![cfg(unix)]
 
-use crate::support::objects::{encode, with_geometry};
+use crate::PROGRAM;
+use crate::support::files::{square_png, with_geometry};
 use crate::support::{Folder, lights, materials};
 use png::{BitDepth, ColorType, Compression, Encoder};
 use std::fmt::Write as _;
 use std::io::Write as _;
 use std::process::{Command, Output};
 
-/// KiB of address space that the program gets.
+/// The address space of the program in KiB.
 const LIMIT: u64 = 500_000;
 
-/// Seconds of a core in which a file is answered: the program is ended after them.
+/// Seconds of processor time after which the program is ended.
 const SECONDS: u64 = 10;
 
 /// Runs the program in this folder, limited to [`SECONDS`] and to this address space in KiB.
 fn limited(folder: &Folder, arguments: &str, kibibytes: u64) -> Output {
-    let program = env!("CARGO_BIN_EXE_eigenshade");
     Command::new("sh")
         .current_dir(folder.path("."))
         .args([
             "-c",
             &format!(
-                "ulimit -t {SECONDS} && ulimit -v {kibibytes} && exec '{program}' {arguments}"
+                "ulimit -t {SECONDS} && ulimit -v {kibibytes} && exec '{PROGRAM}' {arguments}"
             ),
         ])
         .output()
         .expect("a shell")
 }
 
-/// Status 1 and one line that says what is needed, what there is and how to raise it, in time;
-/// nothing written.
-fn assert_refused(folder: &Folder, arguments: &str, words: &[&str]) {
+/// Asserts status 1 and one line with the memory that is needed, the limit and how to raise it, and
+/// that nothing is written.
+fn assert_refused(folder: &Folder, arguments: &str, fragments: &[&str]) {
     let before = folder.names();
     let output = limited(folder, arguments, LIMIT);
     let line = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(1), "{arguments}: {line}");
     assert!(line.starts_with("error: ") && line.lines().count() == 1, "{arguments}: {line}");
-    for word in [&["needs", "the budget is", "--memory"], words].concat() {
-        assert!(line.contains(word), "{arguments}: no `{word}` in {line}");
+    for fragment in [&["needs", "the budget is", "--memory"], fragments].concat() {
+        assert!(line.contains(fragment), "{arguments}: no `{fragment}` in {line}");
     }
     assert_eq!(folder.names(), before, "{arguments}");
 }
@@ -68,7 +68,7 @@ fn pngs_that_expand() {
     let bomb = plain_png(8192, 8192, ColorType::Rgb, 255);
     assert!(bomb.len() < 300_000, "{}", bomb.len());
     folder.write("bomb.png", &bomb);
-    let small = encode(8, ColorType::Rgb, BitDepth::Eight, &[0.6; 192]);
+    let small = square_png(8, ColorType::Rgb, BitDepth::Eight, &[0.6; 192]);
     folder.write("small.png", &small);
     folder.write("scene.toml", with_geometry("normals = \"bomb.png\"\n"));
     assert_refused(&folder, "basis --scene scene.toml --out new.bin", &["8192 x 8192"]);
@@ -105,11 +105,11 @@ fn hdr_of_run_lengths() {
     assert_refused(&folder, "light bomb.hdr --degree 2 --out new.csv", &["bomb.hdr"]);
 }
 
-/// A grey map of one value, whose blocks are packed.
+/// A gray map of one value with compressed blocks.
 #[test]
 fn exr_of_packed_blocks() {
     let folder = Folder::new();
-    // The header of a file of one grey channel, ZIP, and a table of as many blocks.
+    // The header of a file of one gray channel, ZIP, and a table of as many blocks.
     let (width, height) = (16_384u32, 8_192u32);
     let window = [0, 0, width as i32 - 1, height as i32 - 1].map(i32::to_le_bytes).concat();
     let mut bytes = vec![0x76, 0x2f, 0x31, 0x01, 2, 0, 0, 0];
@@ -145,7 +145,7 @@ fn exr_of_packed_blocks() {
     assert_refused(&folder, "light bomb.exr --degree 2 --out new.csv", &["bomb.exr"]);
 }
 
-/// As much as it says, but more than the budget has room for.
+/// A file of its full size, which needs more than the budget.
 #[test]
 fn pfm_of_many_texels() {
     let folder = Folder::new();
@@ -154,11 +154,11 @@ fn pfm_of_many_texels() {
     let arguments = "light large.pfm --degree 0 --out new.csv --memory 100MiB";
     assert_refused(&folder, arguments, &["large.pfm", "193 MiB", "100 MiB", "--memory 193MiB"]);
     let light = "light large.pfm --degree 0 --out l.csv";
-    // Within the budget, but not within what the system gives: no abort either.
+    // Within the budget, but beyond the limit of the system: an error, not an abort.
     let output = limited(&folder, light, 200_000);
     let line = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(1), "{line}");
-    assert!(line.contains("the system does not give") && line.lines().count() == 1, "{line}");
+    assert!(line.contains("the system cannot provide") && line.lines().count() == 1, "{line}");
     let output = limited(&folder, light, LIMIT);
     assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
 }
@@ -181,12 +181,12 @@ fn ply_of_small_corners() {
     let output = limited(&folder, "basis --scene scene.toml --out b.bin", LIMIT);
     let line = String::from_utf8_lossy(&output.stderr).into_owned();
     // The one triangle faces the camera or not: either is an answer.
-    assert!(output.status.code() == Some(0) || line.contains("no normal is seen"), "{line}");
+    assert!(output.status.code() == Some(0) || line.contains("no normal is visible"), "{line}");
     let arguments = "basis --scene scene.toml --out new.bin --memory 64MiB";
     assert_refused(&folder, arguments, &["large.ply", "92 MiB"]);
 }
 
-/// Polygons of many corners: a fan has as many triangles.
+/// Polygons with many corners, each a fan of as many triangles.
 #[test]
 fn meshes_of_many_facets() {
     let folder = Folder::new();
@@ -248,7 +248,7 @@ fn a_scene_beyond_the_budget() {
     assert_refused(&folder, basis, &["degree 64, order 64", "minutes", "2 GiB"]);
 }
 
-/// What is estimated is enough, and not much more than what is taken.
+/// The estimated memory is enough.
 #[test]
 fn a_table_takes_what_was_estimated() {
     let folder = Folder::new();

@@ -1,22 +1,22 @@
-//! The recorded errors of the table of formulas: against a quadrature that shares no code
-//! with the one that found them, in the manifest, in the README, and refused beside
-//! another table.
+//! The recorded errors of the table of formulas: against a quadrature that shares no code with the
+//! one that found them, in the manifest, in tables/README.md, and refused beside another table.
 
 use crate::support::{Folder, assert_fails, repository, rows};
 use crate::tolerances;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
-use eigenshade_model::truth::Truth;
+use eigenshade_model::reference::DirectSum;
+use eigenshade_testing::largest;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::fs;
 use std::path::PathBuf;
 
-/// Figures of the shipped components against those of all, relative: what 250 leave out hardly shows
-/// beside what the degree does.
+/// The error of the shipped components against that of all, relative: what 250 components leave out
+/// is small beside what the degree leaves out.
 const ERROR_OF_COMPONENTS: f64 = 0.01;
 
-/// Median error over the maps at degree 12 for rough materials, of the peak: what is promised of
-/// them.
+/// The median error over the maps at degree 12 for rough materials, relative to the peak, as
+/// documented.
 const ERROR_WHERE_ROUGH: f64 = 0.01;
 
 const HEADER: &str = "material,degree,order,components,median,worst,map,normals,scene,energy";
@@ -29,7 +29,7 @@ fn shipped() -> Vec<Vec<String>> {
     rows(&fs::read_to_string(tables("pbr.errors.csv")).unwrap(), HEADER)
 }
 
-/// The formulas as the literature has them, of the cosines n • i, n • r and i • r.
+/// The formulas of the literature, in the cosines n • i, n • r and i • r.
 enum Formula {
     /// Oren and Nayar's qualitative model of 1994; Lambert's law at σ = 0.
     Rough { sigma: f64, albedo: f64 },
@@ -46,8 +46,8 @@ impl Formula {
                 let a = 1.0 - 0.5 * square / (square + 0.33);
                 let b = 0.45 * square / (square + 0.09);
                 // cos Δφ sin θ_i sin θ_r.
-                let beside = (between - incident * reflected).max(0.0);
-                albedo / PI * (a + b * beside / incident.max(reflected))
+                let azimuthal = (between - incident * reflected).max(0.0);
+                albedo / PI * (a + b * azimuthal / incident.max(reflected))
             }
             Self::Facets { roughness, f0, albedo } => {
                 let length = (2.0 + 2.0 * between).sqrt();
@@ -63,36 +63,45 @@ impl Formula {
     }
 }
 
-/// Materials, and on how many normals their errors are averaged: some per lobe.
-const GROUPS: [(usize, &[(&str, Formula)]); 2] = [
-    (
-        320,
-        &[
+/// Materials whose errors are found together.
+struct Group {
+    /// The number of normals over which errors are averaged: a few in each lobe.
+    averaged: usize,
+    /// The nodes in each texel along either axis: lobes of roughness 0.5 are much wider than a
+    /// texel.
+    nodes: &'static [f64],
+    materials: &'static [(&'static str, Formula)],
+}
+
+const GROUPS: [Group; 2] = [
+    Group {
+        averaged: 320,
+        nodes: &[0.5],
+        materials: &[
             ("lambertian", Formula::Rough { sigma: 0.0, albedo: 0.8 }),
             ("oren-nayar-0.35", Formula::Rough { sigma: 0.35, albedo: 0.8 }),
             ("dielectric-0.5", Formula::Facets { roughness: 0.5, f0: 0.04, albedo: 0.5 }),
             ("metal-0.5", Formula::Facets { roughness: 0.5, f0: 0.9, albedo: 0.0 }),
         ],
-    ),
-    (2000, &[("metal-0.2", Formula::Facets { roughness: 0.2, f0: 0.9, albedo: 0.0 })]),
+    },
+    Group {
+        averaged: 1000,
+        nodes: &GAUSS,
+        materials: &[("metal-0.2", Formula::Facets { roughness: 0.2, f0: 0.9, albedo: 0.0 })],
+    },
 ];
 
-/// The 18 maps side by side.
+/// The 18 maps together.
 struct Maps {
     width: usize,
     height: usize,
     names: Vec<String>,
     /// By texel: r, g, b of each map.
     radiance: Vec<Vec<f64>>,
-    /// Sine and cosine of t at two nodes of Gauss in each column.
-    turns: Vec<[(f64, f64); 2]>,
 }
 
-/// Nodes of Gauss in [0, 1].
-fn gauss() -> [f64; 2] {
-    let node = 0.5 / 3f64.sqrt();
-    [0.5 - node, 0.5 + node]
-}
+/// The two nodes of Gauss in [0, 1], (1 -+ 1/sqrt 3) / 2.
+const GAUSS: [f64; 2] = [0.211_324_865_405_187_1, 0.788_675_134_594_812_9];
 
 impl Maps {
     fn read() -> Self {
@@ -110,9 +119,7 @@ impl Maps {
         let radiance = (0..width * height)
             .map(|k| maps.iter().flat_map(|map| map.texels[k].map(f64::from)).collect())
             .collect();
-        let turn = |column: f64| (TAU * (column / width as f64 - 0.5)).sin_cos();
-        let turns = (0..width).map(|k| gauss().map(|node| turn(k as f64 + node))).collect();
-        Self { width, height, names, radiance, turns }
+        Self { width, height, names, radiance }
     }
 
     /// x right, y up, z toward the camera, of cos θ, sin t and cos t.
@@ -133,18 +140,27 @@ impl Maps {
         [x / length, y / length, (1.0 + z) / length]
     }
 
-    /// The irradiance of a normal: by material, then r, g, b of each map. Two by two
-    /// nodes of Gauss in each texel, in cos θ and t.
-    fn irradiance(&self, materials: &[(&str, Formula)], normal: [f64; 3]) -> Vec<Vec<f64>> {
+    /// The irradiance of a normal: by material, then r, g, b of each map. These nodes in each
+    /// texel, in cos θ and t.
+    fn irradiance(
+        &self,
+        materials: &[(&str, Formula)],
+        nodes: &[f64],
+        normal: [f64; 3],
+    ) -> Vec<Vec<f64>> {
         let mut sums = vec![vec![0.0; 3 * self.names.len()]; materials.len()];
         let mut factors = vec![0.0; materials.len()];
         let height = self.height as f64;
+        let turn = |column: f64| (TAU * (column / self.width as f64 - 0.5)).sin_cos();
+        let turns: Vec<Vec<(f64, f64)>> = (0..self.width)
+            .map(|k| nodes.iter().map(|node| turn(k as f64 + node)).collect())
+            .collect();
         for row in 0..self.height {
             let edge = |k: usize| (PI * k as f64 / height).cos();
             let (top, bottom) = (edge(row), edge(row + 1));
-            let weight = (top - bottom) * TAU / self.width as f64 / 4.0;
-            let cosines = gauss().map(|node| top + (bottom - top) * node);
-            for (column, turns) in self.turns.iter().enumerate() {
+            let weight = (top - bottom) * TAU / (self.width * nodes.len().pow(2)) as f64;
+            let cosines: Vec<f64> = nodes.iter().map(|node| top + (bottom - top) * node).collect();
+            for (column, turns) in turns.iter().enumerate() {
                 factors.fill(0.0);
                 let mut is_lit = false;
                 for (cosine, turn) in cosines.iter().flat_map(|c| turns.iter().map(move |t| (c, t)))
@@ -173,9 +189,14 @@ impl Maps {
     }
 
     /// By normal, then as [`irradiance`](Self::irradiance).
-    fn images(&self, materials: &[(&str, Formula)], normals: &[[f64; 3]]) -> Vec<Vec<Vec<f64>>> {
+    fn images(
+        &self,
+        materials: &[(&str, Formula)],
+        nodes: &[f64],
+        normals: &[[f64; 3]],
+    ) -> Vec<Vec<Vec<f64>>> {
         let work = |part: &[[f64; 3]]| -> Vec<_> {
-            part.iter().map(|normal| self.irradiance(materials, *normal)).collect()
+            part.iter().map(|normal| self.irradiance(materials, nodes, *normal)).collect()
         };
         std::thread::scope(|scope| {
             let parts: Vec<_> = normals
@@ -187,12 +208,12 @@ impl Maps {
     }
 }
 
-/// Slant and number of those near the rim, where peaks of metals stand: as far from it as
-/// the outermost of those that were recorded.
+/// Slant and number of the normals near the rim, where peaks of metals are: as close to it as the
+/// outermost ones of the recorded errors.
 const RIM: (f64, usize) = (FRAC_PI_2 - 0.03, 48);
 
-/// First those over which errors are averaged, a spiral evenly over the disc; then others that
-/// only the peak is looked for at.
+/// First the normals over which errors are averaged, a spiral evenly over the disc; then others,
+/// only for the peak.
 fn normals(maps: &Maps, averaged: usize) -> Vec<[f64; 3]> {
     let at =
         |sine: f64, tilt: f64| [sine * tilt.cos(), sine * tilt.sin(), (1.0 - sine * sine).sqrt()];
@@ -210,11 +231,11 @@ fn recorded_errors_are_those_of_another_quadrature() {
     let maps = Maps::read();
     let lights = read_lights(tables("inputs/lights.csv"), Some(12)).unwrap();
     let materials = read_materials(tables("inputs/pbr-materials.csv"), Some(12)).unwrap();
-    let truth = Truth::new(12, 12);
+    let reference = DirectSum::new(12, 12);
     let recorded = shipped();
-    for (averaged, group) in GROUPS {
+    for Group { averaged, nodes, materials: group } in GROUPS {
         let normals = normals(&maps, averaged);
-        let images = maps.images(group, &normals);
+        let images = maps.images(group, nodes, &normals);
         for (place, (name, _)) in group.iter().enumerate() {
             let material = materials.entries.iter().find(|entry| entry.name == *name).unwrap();
             let channels = 3 * maps.names.len();
@@ -226,7 +247,7 @@ fn recorded_errors_are_those_of_another_quadrature() {
             let lights: Vec<&Vec<f64>> = (0..channels).map(light).collect();
             let mut squares = vec![0.0; maps.names.len()];
             for (normal, image) in normals[..averaged].iter().zip(&images) {
-                let modes = truth.at(*normal);
+                let modes = reference.at(*normal);
                 let scattered = modes.scatter(&material.rgb[0]);
                 for (channel, light) in lights.iter().enumerate() {
                     let left = modes.irradiance(light, &scattered) - image[place][channel];
@@ -244,17 +265,17 @@ fn recorded_errors_are_those_of_another_quadrature() {
             for row in recorded.iter().filter(|row| row[0] == *name && row[1] == "12") {
                 let map = maps.names.iter().position(|map| *map == row[6]).unwrap();
                 let off = |k: usize, found: f64| found / row[k].parse::<f64>().unwrap() - 1.0;
-                // Another map may come out as the worst by a little.
+                // The worst map may be another one, by a small margin.
                 let all = [off(4, median), off(5, worst), off(5, error(map))];
-                println!("{name} {}: {median:.6}, {worst:.6}, off by {all:+.3?}", row[3]);
-                let apart = all.iter().fold(0.0, |most: f64, off| most.max(off.abs()));
-                assert!(apart <= tolerances::ERROR_FIGURE, "{row:?}: {all:?}");
+                println!("{name} {}: {median:.6}, {worst:.6}, differences {all:+.3?}", row[3]);
+                let largest = largest(all);
+                assert!(largest <= tolerances::ERROR_FIGURE, "{row:?}: {all:?}");
             }
         }
     }
 }
 
-/// The manifest repeats what was recorded.
+/// The manifest repeats the recorded errors.
 #[test]
 fn the_manifest_holds_the_errors() {
     let manifest = fs::read_to_string(tables("pbr.manifest.csv")).unwrap();
@@ -272,7 +293,7 @@ fn the_manifest_holds_the_errors() {
     assert_eq!(manifest.lines().filter(|line| line.starts_with("error of ")).count(), found);
 }
 
-/// The figures that the documentation states.
+/// Figures that the documentation states.
 #[test]
 fn shipped_errors_are_small_from_roughness_one_half() {
     let rows = shipped();
@@ -293,7 +314,7 @@ fn shipped_errors_are_small_from_roughness_one_half() {
     }
 }
 
-/// The README's table is the file's, in per cent; below 0.1 it says no more than that.
+/// The table of tables/README.md has the file's figures in percent.
 #[test]
 fn the_readme_shows_the_errors() {
     let readme = fs::read_to_string(tables("README.md")).unwrap();
@@ -320,7 +341,7 @@ fn errors_of_another_table_are_refused() {
     let manifest = folder.read("b.manifest.csv");
     let scene = manifest.lines().find(|line| line.starts_with("scene,")).unwrap();
     let stamp = scene.rsplit(',').next().unwrap().to_owned();
-    // There is a section of the components, too.
+    // A section has the same name as the number of components.
     let count = |name: &str| {
         let mut values =
             manifest.lines().filter_map(|line| line.strip_prefix(name)?.split(',').next());
@@ -332,22 +353,23 @@ fn errors_of_another_table_are_refused() {
             "{HEADER}\n{material},{degree},{order},{components},0.1,0.2,{map},9,{scene},{energy}\n"
         )
     };
-    let refused = |text: String, words: &[&str]| {
+    let refused = |text: String, fragments: &[&str]| {
         folder.write("b.errors.csv", text);
-        let words: Vec<&str> = ["b.errors.csv:2", "take the file away"]
+        let fragments: Vec<&str> = ["b.errors.csv:2", "remove the file"]
             .into_iter()
-            .chain(words.iter().copied())
+            .chain(fragments.iter().copied())
             .collect();
-        assert_fails(&folder, basis, &words);
+        assert_fails(&folder, basis, &fragments);
         assert_eq!(folder.read("b.manifest.csv"), manifest);
     };
     let (material, map) = ("material-0", "light-0");
     refused(row(material, map, "00000000", "1"), &["scene `00000000`", &stamp]);
-    refused(row(material, map, &stamp, "1"), &["energy 1,", "lights or materials are others"]);
-    // The refusal tells the energy.
-    let told = folder.run(basis);
-    let told = String::from_utf8_lossy(&told.stderr).into_owned();
-    let energy = told.split("this one has ").nth(1).unwrap().split(':').next().unwrap().to_owned();
+    refused(row(material, map, &stamp, "1"), &["energy 1,", "lights or materials differ"]);
+    // The error message contains the energy.
+    let report = folder.run(basis);
+    let report = String::from_utf8_lossy(&report.stderr).into_owned();
+    let energy =
+        report.split("this one has ").nth(1).unwrap().split(':').next().unwrap().to_owned();
     refused(row("other", map, &stamp, &energy), &["no material `other`"]);
     refused(row(material, "other", &stamp, &energy), &["no light `other`"]);
     let other = row(material, map, &stamp, &energy).replace(",0.1,0.2,", "0,0.1,0.2,");

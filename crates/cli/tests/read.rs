@@ -1,15 +1,27 @@
-//! `eigenshade read`: what is read from images that are known.
+//! `eigenshade read` on images whose light and material are known: of a sphere, of other objects,
+//! and with tables of light that does not rotate freely.
 
-use crate::support::reading::{READ, answer, get, nearest, with_image};
-use crate::support::{self, assert_fails, numbers, rows};
-use crate::tolerances;
+use crate::support::files::{Answer, READ, answer, get, nearest, with_image};
+use crate::support::{
+    DEGREE, Folder, ORDER, SHADED, assert_fails, difference, lights, materials, noise, numbers,
+    rows, scene,
+};
+use eigenshade_testing::largest;
 use std::fmt::Write;
 
-/// The same where one pixel of 400 shows something else: more than this.
-const READ_SPOILT: f64 = 1e-6;
+/// d of an image without noise, and the image of its light, relative to the largest: polynomials
+/// accurate to 1e-12, times a condition number of a few hundreds.
+const NOISELESS: f64 = 1e-9;
 
-/// Rms that the posterior mean leaves of a flat grey of 1/2: rounding.
-const READ_FLAT: f64 = 2e-15;
+/// Share of the energy, or rms, that least squares leave of an image made of their components:
+/// roundings of files with full digits, and profiles truncated at 1e-12.
+const RESIDUAL: f64 = 3e-15;
+
+/// The residual where one of 400 pixels is wrong is larger than this.
+const SPOILED: f64 = 1e-6;
+
+/// The rms residual of the posterior mean of a constant image of 1/2: rounding.
+const FLAT: f64 = 2e-15;
 
 #[test]
 fn components_and_material_come_back() {
@@ -18,54 +30,42 @@ fn components_and_material_come_back() {
     let header = "light,material,component,r,g,b";
     let project = folder.ok("project b.bin --lights light.csv --materials material.csv");
     let expected = numbers(&rows(&project, header), 3);
-    let largest = expected.iter().fold(0.0f64, |most, d| most.max(d.abs()));
     for estimate in ["least-squares", "posterior"] {
-        let d: Vec<f64> = get(&found, "d", estimate).iter().flatten().copied().collect();
-        assert_eq!(d.len(), expected.len());
-        let far = d.iter().zip(&expected).fold(0.0f64, |most, (a, b)| most.max((a - b).abs()));
-        println!("{estimate}: {:.1e}", far / largest);
-        assert!(far <= tolerances::READ_NOISELESS * largest, "{estimate}: {far:e}");
+        assert_near(estimate, get(&found, "d", estimate).as_flattened(), &expected);
     }
     assert_eq!(get(&found, "fit", "pixels")[0][0], 400.0);
-    assert!(get(&found, "relative-residual", "least-squares")[0][0] < tolerances::READ_RESIDUAL);
+    assert!(get(&found, "relative-residual", "least-squares")[0][0] < RESIDUAL);
     assert_eq!(nearest(&found), "material-2");
     assert_eq!(get(&found, "fit", "product-converged"), [[1.0; 3]]);
 
-    // The light that was read makes the image again.
+    // The estimated light gives the image again.
     let shade = "shade b.bin --materials material.csv --normals normals.csv --format f64";
     let again = folder.ok(&format!("{shade} --lights l.csv"));
-    let images = [folder.read("image.csv"), again]
-        .map(|text| numbers(&rows(&text, "light,material,normal,r,g,b"), 3));
-    let peak = images[0].iter().fold(0.0f64, |most, value| most.max(value.abs()));
-    let both = images[0].iter().zip(&images[1]);
-    let far = both.fold(0.0f64, |most, (a, b)| most.max((a - b).abs())) / peak;
-    println!("the light's image: {far:.1e}");
-    assert!(far <= tolerances::READ_NOISELESS, "{far:e}");
+    let images = [folder.read("image.csv"), again].map(|text| numbers(&rows(&text, SHADED), 3));
+    assert_near("the light's image", &images[1], &images[0]);
     assert!(folder.read("l.csv").contains("\nimage,0,0,"));
     let modes = rows(&folder.read("m.csv"), "estimate,l,m,o,p,q,r,g,b");
-    let count = eigenshade_index::mode::total(support::DEGREE, support::ORDER);
+    let count = eigenshade_index::mode::total(DEGREE, ORDER);
     assert_eq!(modes.len(), 2 * count);
 }
 
 #[test]
-fn both_criteria_read_alike() {
+fn both_criteria_agree() {
     let folder = with_image();
-    folder.write("scene.toml", support::scene("standard", 10_000, "[]"));
+    folder.write("scene.toml", scene("standard", 10_000, "[]"));
     folder.ok("basis --scene scene.toml --out b.bin");
     let found = answer(&folder.ok(READ));
-    assert!(get(&found, "relative-residual", "least-squares")[0][0] < tolerances::READ_RESIDUAL);
+    assert!(get(&found, "relative-residual", "least-squares")[0][0] < RESIDUAL);
     assert_eq!(nearest(&found), "material-2");
     let project = folder.ok("project b.bin --lights light.csv --materials material.csv");
     let expected = numbers(&rows(&project, "light,material,component,r,g,b"), 3);
-    let d = get(&found, "d", "least-squares").iter().flatten();
-    let far = d.zip(&expected).fold(0.0f64, |most, (a, b)| most.max((a - b).abs()));
-    assert!(far <= tolerances::READ_NOISELESS * expected[0].abs(), "{far:e}");
+    assert_near("least squares", get(&found, "d", "least-squares").as_flattened(), &expected);
 }
 
 #[test]
 fn weighted_images() {
     let folder = with_image();
-    // A pixel that weighs nothing may show anything.
+    // A pixel of weight 0 may have any value.
     let text = folder.read("image.csv");
     let last = text.trim_end().rfind('\n').unwrap();
     folder.write("bad.csv", format!("{}\nlight-0,material-2,399,9,9,9\n", &text[..last]));
@@ -74,15 +74,15 @@ fn weighted_images() {
     let [with, without] =
         [format!("{bad} --mask mask.csv"), bad.to_owned()].map(|line| answer(&folder.ok(&line)));
     assert_eq!(get(&with, "fit", "pixels")[0][0], 399.0);
-    assert!(get(&with, "relative-residual", "least-squares")[0][0] < tolerances::READ_RESIDUAL);
-    assert!(get(&without, "relative-residual", "least-squares")[0][0] > READ_SPOILT);
+    assert!(get(&with, "relative-residual", "least-squares")[0][0] < RESIDUAL);
+    assert!(get(&without, "relative-residual", "least-squares")[0][0] > SPOILED);
     assert_eq!(nearest(&with), "material-2");
 }
 
 #[test]
-fn any_unit_reads_alike() {
+fn units_do_not_matter() {
     let folder = with_image();
-    let values = numbers(&rows(&folder.read("image.csv"), "light,material,normal,r,g,b"), 3);
+    let values = numbers(&rows(&folder.read("image.csv"), SHADED), 3);
     let scaled = |scale: f64| {
         let mut text = "r,g,b\n".to_owned();
         for [r, g, b] in values.as_chunks::<3>().0 {
@@ -97,8 +97,8 @@ fn any_unit_reads_alike() {
         assert_eq!(nearest(&found), "material-2");
         let [found, expected] = [&found, &expected].map(|answer| get(answer, "d", "posterior"));
         for (found, expected) in found.iter().flatten().zip(expected.iter().flatten()) {
-            let far = (found / scale - expected).abs() / get_largest(&values);
-            assert!(far <= tolerances::READ_NOISELESS, "{scale:e}: {far:e}");
+            let far = (found / scale - expected).abs() / largest(values.iter().copied());
+            assert!(far <= NOISELESS, "{scale:e}: {far:e}");
         }
     }
     for scale in [1e-160, 1e160] {
@@ -107,25 +107,151 @@ fn any_unit_reads_alike() {
     }
 }
 
-fn get_largest(values: &[f64]) -> f64 {
-    values.iter().fold(0.0, |most: f64, value| most.max(value.abs()))
-}
-
-/// Pixels of one normal determine one number, whatever the table has.
+/// Pixels of one normal determine one number, whatever the table.
 #[test]
 fn a_flat_object() {
     let folder = with_image();
     folder.write("flat.csv", format!("x,y,z\n{}", "0.3,0.1,1\n".repeat(400)));
-    folder.write("grey.csv", format!("value\n{}", "0.5\n".repeat(400)));
-    let text = folder.ok("read grey.csv --normals flat.csv --table b.bin");
+    folder.write("gray.csv", format!("value\n{}", "0.5\n".repeat(400)));
+    let text = folder.ok("read gray.csv --normals flat.csv --table b.bin");
     let value = |begins: &str| -> f64 {
         let line = text.lines().find(|line| line.starts_with(begins)).expect("a line");
         line.rsplit(',').next().unwrap().parse().expect("a number")
     };
     assert_eq!(value("fit,rank,"), 1.0);
-    assert!(value("residual-rms,least-squares,") < tolerances::READ_RESIDUAL);
-    assert!(value("residual-rms,posterior,") < READ_FLAT, "{text}");
-    // Without variance there is no share of it.
+    assert!(value("residual-rms,least-squares,") < RESIDUAL);
+    assert!(value("residual-rms,posterior,") < FLAT, "{text}");
+    // The image has no variance to be relative to.
     assert_eq!(value("relative-residual,scalar-product,"), f64::INFINITY);
     assert!(!text.contains("NaN"));
+}
+
+/// Asserts that the numbers of an image without noise are as expected.
+#[track_caller]
+fn assert_near(what: &str, found: &[f64], expected: &[f64]) {
+    let error = difference(found, expected);
+    println!("{what}: {error:.1e}");
+    assert!(error <= NOISELESS, "{what}: {error:e}");
+}
+
+/// 400 normals of an object whose right side faces the camera more.
+fn object() -> String {
+    let (mut text, mut noise) = ("x,y,z\n".to_owned(), noise(5));
+    for _ in 0..400 {
+        writeln!(text, "{},{},{}", noise() + 0.2, 0.8 * noise(), noise().abs()).unwrap();
+    }
+    text
+}
+
+/// A folder with an object's normals, this light, the third material, and the scene of this
+/// criterion and rotation.
+fn with_object(criterion: &str, geometry: &str, rotation: &str, light: &str) -> Folder {
+    let folder = Folder::new();
+    folder.write("object.csv", object());
+    let text = scene(criterion, 10_000, "[]")
+        .replace("normals = \"sphere\"", &format!("normals = \"{geometry}\""))
+        .replace("rotation = \"any\"", &format!("rotation = \"{rotation}\""));
+    folder.write("scene.toml", text);
+    let only = |text: &str, begin: &str, name: &str| -> String {
+        let keep = |line: &&str| !line.starts_with(begin) || line.starts_with(name);
+        text.lines().filter(keep).map(|line| format!("{line}\n")).collect()
+    };
+    folder.write("light.csv", light);
+    folder.write("material.csv", only(&materials(ORDER, 4), "material-", "material-2,"));
+    folder
+}
+
+/// A gray light: the luminance of light-1 of the database, at another exposure.
+fn gray_light() -> String {
+    let mut text = "name,l,m,value\n".to_owned();
+    for row in rows(&lights(DEGREE, 3), "name,l,m,r,g,b") {
+        if row[0] == "light-1" {
+            let [r, g, b] = [3, 4, 5].map(|field| row[field].parse::<f64>().expect("a number"));
+            let value = 3.0 * (0.2126 * r + 0.7152 * g + 0.0722 * b);
+            writeln!(text, "gray,{},{},{value:e}", row[1], row[2]).unwrap();
+        }
+    }
+    text
+}
+
+/// Makes the table, shades its object or the sphere's normals, and reads it back.
+fn comes_back(folder: &Folder, normals: &str) -> Answer {
+    folder.ok("basis --scene scene.toml --out b.bin");
+    let pair = "--lights light.csv --materials material.csv";
+    folder.ok(&format!("shade b.bin {pair} --normals {normals} --format f64 --out image.csv"));
+    let read = format!("read image.csv --normals {normals} --table b.bin --light-out l.csv");
+    let answer = answer(&folder.ok(&read));
+    let header = "light,material,component,r,g,b";
+    let expected = numbers(&rows(&folder.ok(&format!("project b.bin {pair}")), header), 3);
+    for estimate in ["least-squares", "posterior"] {
+        assert_near(estimate, get(&answer, "d", estimate).as_flattened(), &expected);
+    }
+    assert!(get(&answer, "relative-residual", "least-squares")[0][0] < RESIDUAL);
+    assert_eq!(nearest(&answer), "material-2");
+    // The estimated light gives the image again.
+    let again = folder.ok(&format!(
+        "shade b.bin --lights l.csv --materials material.csv --normals {normals} --format f64"
+    ));
+    let [found, image] =
+        [again, folder.read("image.csv")].map(|text| numbers(&rows(&text, SHADED), 3));
+    assert_near("the light's image", &found, &image);
+    answer
+}
+
+#[test]
+fn an_object_comes_back() {
+    for criterion in ["image-centered", "standard"] {
+        let colored = lights(DEGREE, 1);
+        let folder = with_object(criterion, "object.csv", "any", &colored);
+        let answer = comes_back(&folder, "object.csv");
+        // Its pixels are its normals, so that the paper's scalar product is exact.
+        let [product, squares] =
+            ["scalar-product", "least-squares"].map(|name| get(&answer, "d", name).as_flattened());
+        assert_near("scalar product", product, squares);
+    }
+}
+
+#[test]
+fn captured_light_comes_back() {
+    // The last is a sphere's table with the pixels of another object.
+    for (criterion, geometry) in
+        [("image-centered", "object.csv"), ("standard", "object.csv"), ("image-centered", "sphere")]
+    {
+        let folder = with_object(criterion, geometry, "none", &gray_light());
+        comes_back(&folder, "object.csv");
+        let [found, reference] = ["l.csv", "light.csv"].map(|name| {
+            let text = folder.read(name);
+            let header = text.lines().next().expect("a header").to_owned();
+            let rows = rows(&text, &header);
+            rows.iter().map(|row| row[3].parse().expect("a number")).collect::<Vec<f64>>()
+        });
+        assert_near("the light", &found, &reference);
+    }
+}
+
+#[test]
+fn light_about_the_vertical_comes_back() {
+    for criterion in ["image-centered", "standard"] {
+        let folder = with_object(criterion, "object.csv", "vertical", &gray_light());
+        comes_back(&folder, "object.csv");
+    }
+}
+
+/// If only one light and one material have weight, only the exposure is unknown.
+#[test]
+fn weights_of_the_scene_count() {
+    for geometry in ["object.csv", "sphere"] {
+        let folder = with_object("image-centered", geometry, "none", &gray_light());
+        let text = folder
+            .read("scene.toml")
+            .replace("[material]", "weights = { light-0 = 0, light-2 = 0 }\n[material]")
+            .replace(
+                "[basis]",
+                "weights = { material-0 = 0, material-1 = 0, material-3 = 0 }\n[basis]",
+            );
+        folder.write("scene.toml", text);
+        let answer = comes_back(&folder, "object.csv");
+        let light = numbers(&rows(&folder.read("light.csv"), "name,l,m,value"), 1);
+        assert_near("exposure", &get(&answer, "fit", "exposure")[0][..1], &light[..1]);
+    }
 }

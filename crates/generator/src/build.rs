@@ -65,7 +65,7 @@ pub fn write(scene: &Path, out: &Path, integers: &[Format]) -> Result<Vec<String
     let table = scene_file::load(scene)?.build().map_err(|error| error.in_file(scene))?;
     let command = format!("eigenshade-generator, from {}", scene.display());
     let statics = statics::module(&table, &command, integers).map_err(|_| {
-        let what = "it stores transfers alone, which are no statics";
+        let what = "it stores only transfers, which have no static form";
         Error::new(what, "set store = \"projection\"").in_file(scene)
     })?;
     write_atomically(out, |to| {

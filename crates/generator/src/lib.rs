@@ -4,11 +4,46 @@
 //! The modules follow the mathematics of Nillius and Eklundh, "Phenomenological Eigenfunctions for
 //! Image Irradiance", ICCV 2003. In these pages, "(n)" is equation n of that paper.
 
-pub mod light;
+pub mod png_samples;
 
-pub mod material;
+pub mod light {
+    //! Captured light: environment maps and their coefficients.
 
-pub mod object;
+    pub mod environment;
+    pub(crate) mod map_exr;
+    pub(crate) mod map_file;
+    pub mod projection;
+}
+
+pub mod material {
+    //! Materials: BRDFs as functions or measurements, and their coefficients.
+
+    pub mod analytic;
+    pub mod brdf;
+    pub mod curet;
+    pub mod files;
+    pub mod fit;
+    pub(crate) mod fit_channel;
+    pub mod fit_constraints;
+    pub mod measurements;
+    pub mod merl;
+}
+
+pub mod object {
+    //! Objects: the normals that a camera sees.
+
+    pub mod density;
+    pub(crate) mod depth_buffer;
+    pub mod facet;
+    pub mod geometry;
+    pub mod mesh;
+    pub(crate) mod mesh_data;
+    pub(crate) mod mesh_obj;
+    pub(crate) mod mesh_ply;
+    pub(crate) mod mesh_stl;
+    pub mod normal_map;
+    pub mod visibility;
+}
 
 pub mod basis;
 
@@ -16,8 +51,28 @@ pub mod scene_file;
 
 pub mod direct;
 
-pub mod picture;
+pub mod reading {
+    //! Inverse rendering: from pixels and their normals back to the components d, the modes c, the
+    //! light L and the material b.
+    //!
+    //! The pixels are collected once into an [`Observation`](observation::Observation), which then
+    //! represents them in every estimate. It has at most a few rows more than the number of
+    //! components. Each channel is an independent image.
+    //!
+    //! Tables for any object and any rotation of the light are supported: if components are sums
+    //! over a span, so are their images, transfers and modes.
+    //!
+    //! The derivations are in `docs/reading.md`.
 
-pub mod reading;
+    pub mod coefficients;
+    pub mod light_estimate;
+    mod linear;
+    pub mod modes;
+    pub mod observation;
+    pub mod posterior;
+    pub mod prior;
+    pub mod rank_one;
+    pub mod transfer;
+}
 
 pub mod build;

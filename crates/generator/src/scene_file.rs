@@ -1,16 +1,17 @@
-//! Reads a scene file and its databases.
+//! Reads a scene file, its databases and the normals of its object.
 
 use crate::basis;
 use crate::basis::choice::Choice;
 use crate::basis::general;
-use crate::object::geometry::Geometry;
-use crate::object::{density, source};
+use crate::object::geometry::{Geometry, WeightedNormals};
+use crate::object::{density, mesh, normal_map};
 use eigenshade_index::effect::Effects;
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials_and_order};
 use eigenshade_model::inputs::input_file::InputFile;
-use eigenshade_table::scene::{KNOTS, LightRotation};
+use eigenshade_model::inputs::normals::read_weighted_normals;
+use eigenshade_table::scene::{self, KNOTS, LightRotation};
 use eigenshade_table::{Scene, Table};
 use std::path::{Path, PathBuf};
 
@@ -70,7 +71,7 @@ pub fn load(file: impl Into<InputFile>) -> Result<Loaded> {
     let path = file.path();
     let text = file.text()?;
     if text.len() as u64 > LONGEST {
-        let what = format!("it has {} bytes: no scene is as long", text.len());
+        let what = format!("it has {} bytes, too many for a scene", text.len());
         return Err(Error::new(what, format!("give at most {LONGEST}")).in_file(path));
     }
     let scene = parse(&text).map_err(|(error, line)| match line {
@@ -86,7 +87,7 @@ pub fn load(file: impl Into<InputFile>) -> Result<Loaded> {
     if !scene.material.names.is_empty() {
         materials.entries = named(&materials, &scene.material.names, &database)?;
     }
-    let geometry = source::read(&scene.geometry, scene.light.degree, &file)?;
+    let geometry = read_geometry(&scene.geometry, scene.light.degree, &file)?;
     Ok(Loaded { scene, lights, materials, order_of_file, geometry })
 }
 
@@ -115,11 +116,59 @@ fn named(materials: &Materials, names: &[String], database: &Path) -> Result<Vec
     let find = |name: &String| {
         let entry = materials.entries.iter().find(|entry| entry.name == *name);
         entry.cloned().ok_or_else(|| {
-            Error::new(format!("no material `{name}`"), "take a name that the file holds")
+            Error::new(format!("no material `{name}`"), "use a name from the file")
                 .in_file(database)
         })
     };
     names.iter().map(find).collect()
+}
+
+/// Reads the geometry of a scene of the given `degree`. Paths are relative to the folder of the
+/// scene file, and each file is read within the scene file's budget.
+///
+/// # Errors
+///
+/// If the format is unknown, a mask or a density is given where it has no meaning, or a density is
+/// missing, or the file itself has an error.
+fn read_geometry(geometry: &scene::Geometry, degree: usize, scene: &InputFile) -> Result<Geometry> {
+    let folder = scene.folder();
+    let name = geometry.normals.as_str();
+    let path = folder.join(name);
+    let file = scene.other(&path);
+    let extension = path.extension().and_then(|one| one.to_str()).unwrap_or_default();
+    let extension = extension.to_ascii_lowercase();
+    if geometry.mask.is_some() && extension != "png" {
+        return Err(Error::new(
+            format!("geometry.mask with normals = \"{name}\""),
+            "leave it out: only a normal map takes a mask",
+        ));
+    }
+    if geometry.density.is_some() != (name == "slant-density") {
+        return Err(Error::new(
+            "geometry.density and normals = \"slant-density\" go together",
+            "set both or neither",
+        ));
+    }
+    let pairs = match (name, extension.as_str()) {
+        ("sphere", _) => return Ok(Geometry::Sphere),
+        ("slant-density", _) => {
+            let density = geometry.density.as_deref().unwrap_or_default();
+            density::read(density, folder, degree)?
+        }
+        (_, "csv") => read_weighted_normals(file)?,
+        (_, "obj" | "stl" | "ply") => mesh::read(file)?,
+        (_, "png") => {
+            let mask = geometry.mask.as_ref().map(|mask| folder.join(mask));
+            normal_map::read(file, mask.as_deref())?
+        }
+        _ => {
+            return Err(Error::new(
+                format!("geometry.normals = \"{name}\" is of an unknown kind"),
+                "give `sphere`, `slant-density`, or a .csv, .obj, .stl, .ply or .png",
+            ));
+        }
+    };
+    WeightedNormals::new(pairs).map(Geometry::Listed).map_err(|error| error.in_file(&path))
 }
 
 /// Parses a scene; on failure, returns the error and its line.
@@ -138,7 +187,10 @@ fn check(scene: &Scene) -> Result<()> {
     let basis = &scene.basis;
     let fail = |what: String, remedy: &str| Err(Error::new(what, remedy));
     if scene.effects.set() == Effects::NONE {
-        return fail("effects.use = []".into(), "name one at least, or leave it out for all");
+        return fail(
+            "effects.use = []".into(),
+            "name at least one effect, or leave it out for all",
+        );
     }
     let names = &scene.material.names;
     if let Some(place) = (1..names.len()).find(|&place| names[..place].contains(&names[place])) {
@@ -149,15 +201,15 @@ fn check(scene: &Scene) -> Result<()> {
     }
     if scene.light.degree > 64 || scene.material.order > 64 {
         return fail(
-            format!("degree {} or order {} too high", scene.light.degree, scene.material.order),
-            "at most 64 of each",
+            format!("degree {} or order {} is too high", scene.light.degree, scene.material.order),
+            "use at most 64 for each",
         );
     }
     match (basis.components, basis.tolerance) {
         (Some(0), _) => return fail("basis.components = 0".into(), "ask for at least one"),
         (Some(_), Some(_)) | (None, None) => {
             return fail(
-                "basis needs one of components and tolerance".into(),
+                "basis needs either components or tolerance".into(),
                 "set one of them, not both",
             );
         }
@@ -176,7 +228,10 @@ fn check(scene: &Scene) -> Result<()> {
     }
     if let Some(cut) = basis.cut {
         if basis.tolerance.is_some() {
-            return fail("basis has tolerance and cut".into(), "leave one out: a tolerance cuts");
+            return fail(
+                "basis has tolerance and cut".into(),
+                "leave one out: a tolerance already cuts",
+            );
         }
         if let Some((what, remedy)) = cut.fault() {
             return fail(what, remedy);

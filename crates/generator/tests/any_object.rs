@@ -4,18 +4,15 @@
 use crate::tolerances;
 use eigenshade_generator::basis;
 use eigenshade_generator::basis::general;
-use eigenshade_generator::basis::moments::equal;
 use eigenshade_generator::basis::profile::evaluate;
-use eigenshade_generator::light::statistics::LightStatistics;
 use eigenshade_generator::object::density;
 use eigenshade_generator::object::geometry::{Geometry, WeightedNormals};
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
-use eigenshade_model::special::gauss_legendre;
-use eigenshade_model::special::spherical_harmonic::{self, azimuth};
-use eigenshade_model::truth::Truth;
+use eigenshade_model::reference::DirectSum;
+use eigenshade_model::special::spherical_harmonic::azimuth;
 use eigenshade_table::Table;
-use eigenshade_table::scene::{Criterion, LightRotation, Normalize, Scene};
+use eigenshade_table::scene::{Criterion, LightRotation, Scene};
 use faer::Mat;
 use std::path::Path;
 
@@ -108,7 +105,7 @@ fn the_sphere_by_quadrature_is_the_sphere() {
 /// column a pair, a row a normal, each times the root of its weight and over the root
 /// of the number of pairs.
 fn pictures(lights: &Lights, materials: &Materials, listed: &WeightedNormals) -> Mat<f64> {
-    let truth = Truth::new(lights.degree, materials.order);
+    let reference = DirectSum::new(lights.degree, materials.order);
     let lights: Vec<Vec<f64>> = lights
         .entries
         .iter()
@@ -122,7 +119,7 @@ fn pictures(lights: &Lights, materials: &Materials, listed: &WeightedNormals) ->
     let count = lights.len() * materials.len();
     let mut pictures = Mat::zeros(listed.normals().len(), count);
     for (k, (normal, weight)) in listed.normals().iter().zip(listed.weights()).enumerate() {
-        let modes = truth.at(*normal);
+        let modes = reference.at(*normal);
         let scale = (weight / count as f64).sqrt();
         for (j, material) in materials.iter().enumerate() {
             let scattered = modes.scatter(material);
@@ -135,7 +132,7 @@ fn pictures(lights: &Lights, materials: &Materials, listed: &WeightedNormals) ->
 }
 
 /// Each column less its mean over the normals, where the weights' roots are `roots`.
-fn centred(pictures: &Mat<f64>, roots: &[f64]) -> Mat<f64> {
+fn centered(pictures: &Mat<f64>, roots: &[f64]) -> Mat<f64> {
     let means: Vec<f64> = (0..pictures.ncols())
         .map(|j| (0..pictures.nrows()).map(|k| roots[k] * pictures[(k, j)]).sum())
         .collect();
@@ -206,7 +203,7 @@ fn any_object_has_the_components_of_its_pictures() {
             let geometry = Geometry::Listed(listed.clone());
             let table = general::build(&scene, &geometry, &lights, &materials).expect("a basis");
             let images = match criterion {
-                Criterion::ImageCentered => centred(&pictures, &roots),
+                Criterion::ImageCentered => centered(&pictures, &roots),
                 Criterion::Standard => less_mean_image(&pictures),
             };
             let svd = images.thin_svd().expect("an SVD");
@@ -248,68 +245,4 @@ fn any_object_has_the_components_of_its_pictures() {
             assert!(orthonormal <= GENERAL_ORTHONORMAL, "{name}: {orthonormal:e}");
         }
     }
-}
-
-/// Turning about the vertical axis: the light's second moments, by turning each light
-/// through more angles than needed and other ones.
-#[test]
-fn vertical_statistics_are_those_of_turned_lights() {
-    let (lights, _) = databases(4, 0);
-    let statistics = LightStatistics::new(
-        &lights,
-        Normalize::None,
-        LightRotation::Vertical,
-        &equal(lights.entries.len()),
-    )
-    .expect("statistics");
-    let count = 25;
-    let angles = 31;
-    let mut samples = Vec::new();
-    for entry in &lights.entries {
-        let light = entry.luminance();
-        for k in 0..angles {
-            let angle = std::f64::consts::TAU * (f64::from(k) + 0.3) / f64::from(angles);
-            samples.push(turned_about_y(&light, 4, angle));
-        }
-    }
-    let of = |i: usize, j: usize| {
-        samples.iter().map(|light| light[i] * light[j]).sum::<f64>() / samples.len() as f64
-    };
-    let largest = (0..count).map(|i| of(i, i)).fold(0.0, f64::max);
-    for i in 0..count {
-        let mean = samples.iter().map(|light| light[i]).sum::<f64>() / samples.len() as f64;
-        assert!((mean - statistics.mean[i]).abs() < tolerances::MOMENTS * largest.sqrt());
-        for j in 0..count {
-            let found: f64 = statistics.second.iter().map(|v| v[i] * v[j]).sum();
-            let apart = (found - of(i, j)).abs() / largest;
-            assert!(apart < tolerances::MOMENTS, "{i} {j}: {apart:e}");
-            let found: f64 = statistics.centred.iter().map(|v| v[i] * v[j]).sum();
-            let expected = of(i, j) - statistics.mean[i] * statistics.mean[j];
-            assert!((found - expected).abs() / largest < tolerances::MOMENTS, "{i} {j}");
-        }
-    }
-}
-
-/// The coefficients of a light turned about y, by evaluating it in turned directions: a
-/// quadrature that is exact for harmonics up to the degree.
-fn turned_about_y(light: &[f64], degree: usize, angle: f64) -> Vec<f64> {
-    let mut turned = vec![0.0; light.len()];
-    let (sine, cosine) = angle.sin_cos();
-    let tilts = 2 * degree + 2;
-    for (z, weight) in gauss_legendre::rule(degree + 1, -1.0, 1.0) {
-        for k in 0..tilts {
-            let (y, x) = (std::f64::consts::TAU * k as f64 / tilts as f64).sin_cos();
-            let radius = (1.0 - z * z).sqrt();
-            let to = [radius * x, radius * y, z];
-            // R takes z toward x: light comes to ω from R⁻¹ω.
-            let from = [cosine * to[0] - sine * to[2], to[1], sine * to[0] + cosine * to[2]];
-            let harmonics = spherical_harmonic::all(degree, from);
-            let value: f64 = harmonics.iter().zip(light).map(|(y, l)| y * l).sum();
-            let area = weight * std::f64::consts::TAU / tilts as f64;
-            for (sum, y) in turned.iter_mut().zip(spherical_harmonic::all(degree, to)) {
-                *sum += area * value * y;
-            }
-        }
-    }
-    turned
 }

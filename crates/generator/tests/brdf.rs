@@ -9,7 +9,7 @@ use eigenshade_index::material;
 use eigenshade_model::scattering;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use eigenshade_testing::oracle::ggx as oracle;
+use eigenshade_testing::oracle;
 
 /// BRDF models by three cosines against the literature's vectors, relative: α² = 1e-4 under
 /// cancellation of 1 - (n h)² near the mirror leaves twelve digits of sixteen.

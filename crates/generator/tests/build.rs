@@ -68,7 +68,7 @@ fn faults_leave_nothing_behind() {
     let folded = "criterion = \"image-centered\"\ncomponents = 4\nstore = \"materials\"";
     for (basis, words) in [
         (folded, ["scene.toml: ", "store = \"projection\""]),
-        ("criterion = \"image-centered\"", ["scene.toml: ", "one of components and tolerance"]),
+        ("criterion = \"image-centered\"", ["scene.toml: ", "either components or tolerance"]),
         ("criterion = \"of mine\"\ncomponents = 4", ["scene.toml:11: ", "of mine"]),
     ] {
         let scene = scene(folder.path(), sphere, basis);

@@ -75,8 +75,8 @@ fn columns_and_rows_stand_in_any_order() {
         None,
     )
     .unwrap();
-    let grey = vec![1.0, 2.0, 3.0, 4.0];
-    assert_eq!(read.entries[0].rgb, [grey.clone(), grey.clone(), grey]);
+    let gray = vec![1.0, 2.0, 3.0, 4.0];
+    assert_eq!(read.entries[0].rgb, [gray.clone(), gray.clone(), gray]);
 }
 
 #[test]
@@ -114,10 +114,10 @@ fn what_is_written_reads_back_to_the_last_bit() {
         name: "#1, \"quoted\"".to_owned(),
         rgb: [awkward.to_vec(), shifted.to_vec(), awkward.to_vec()],
     };
-    let grey =
+    let gray =
         Named { name: "b".to_owned(), rgb: [awkward.to_vec(), awkward.to_vec(), awkward.to_vec()] };
     for (entries, header) in
-        [(vec![grey.clone()], "name,l,m,value"), (vec![color, grey], "name,l,m,r,g,b")]
+        [(vec![gray.clone()], "name,l,m,value"), (vec![color, gray], "name,l,m,r,g,b")]
     {
         let lights_in = Lights { degree: 1, entries };
         let mut text = Vec::new();
@@ -158,23 +158,26 @@ fn every_fault_of_a_row_has_its_line() {
     let with = |row: &str| format!("{DEGREE_1}\n# b follows\n{row}\nb,1,0,1,1,1\n");
     for (row, start) in [
         ("a,1,0,1,1,1", "in.csv:9: the light `a` has this index twice; "),
-        ("b,1,2,1,1,1", "in.csv:9: no light has l = 1, m = 2; keep to "),
+        ("b,1,2,1,1,1", "in.csv:9: no light has l = 1, m = 2; a valid index has "),
         ("b,1,-2,1,1,1", "in.csv:9: no light has l = 1, m = -2; "),
         ("b,-1,0,1,1,1", "in.csv:9: no light has l = -1, m = 0; "),
         ("b,1000000000,0,1,1,1", "in.csv:9: no light has l = 1000000000, m = 0; "),
         ("b,1,-9223372036854775808,1,1,1", "in.csv:9: no light has "),
-        ("b,99999999999999999999,0,1,1,1", "in.csv:9: `99999999999999999999` is no index; "),
-        ("b,1.5,0,1,1,1", "in.csv:9: `1.5` is no index; "),
-        ("b,,0,1,1,1", "in.csv:9: `` is no index; "),
+        (
+            "b,99999999999999999999,0,1,1,1",
+            "in.csv:9: `99999999999999999999` is not a whole number; ",
+        ),
+        ("b,1.5,0,1,1,1", "in.csv:9: `1.5` is not a whole number; "),
+        ("b,,0,1,1,1", "in.csv:9: `` is not a whole number; "),
         ("b,1,1,1,NaN,1", "in.csv:9: `NaN` is not a finite number; "),
         ("b,1,1,1,1,-inf", "in.csv:9: `-inf` is not a finite number; "),
         ("b,1,1,1e999,1,1", "in.csv:9: `1e999` is not a finite number; "),
-        ("b,1,1,1,x,1", "in.csv:9: `x` is no number; "),
-        ("b,1,1,1,\"0,5\",1", "in.csv:9: `0,5` is no number; "),
-        ("b,1,1,1,,1", "in.csv:9: `` is no number; "),
+        ("b,1,1,1,x,1", "in.csv:9: `x` is not a number; "),
+        ("b,1,1,1,\"0,5\",1", "in.csv:9: `0,5` is not a number; "),
+        ("b,1,1,1,,1", "in.csv:9: `` is not a number; "),
         (",1,1,1,1,1", "in.csv:9: the name is empty; "),
-        ("b,1,1,1,1", "in.csv:9: the header has 6 fields, this row 5; "),
-        ("b,1,1,1,1,1,1", "in.csv:9: the header has 6 fields, this row 7; "),
+        ("b,1,1,1,1", "in.csv:9: the header has 6 fields, but this row has 5; "),
+        ("b,1,1,1,1,1,1", "in.csv:9: the header has 6 fields, but this row has 7; "),
     ] {
         assert_starts(&message(lights(with(row), None)), start);
         let crlf = with(row).replace('\n', "\r\n");
@@ -197,9 +200,9 @@ fn one_distant_index_allocates_nothing() {
 #[test]
 fn files_without_lights_are_refused() {
     for (text, start) in [
-        ("", "in.csv: there is nothing in it; "),
-        ("# only this\n", "in.csv: there is nothing in it; "),
-        ("name,l,m,r,g,b\n", "in.csv: there is no light in it; "),
+        ("", "in.csv: it is empty; "),
+        ("# only this\n", "in.csv: it is empty; "),
+        ("name,l,m,r,g,b\n", "in.csv: it contains no light; "),
         ("# c\nname,l,m,r,g\na,0,0,1,1\n", "in.csv:2: its header is `name,l,m,r,g`; "),
         ("name,o,p,q,value\na,0,0,0,1\n", "in.csv:1: its header is "),
         ("l,m,value\n0,0,1\n", "in.csv:1: its header is "),
@@ -209,7 +212,7 @@ fn files_without_lights_are_refused() {
     }
     assert_starts(
         &message(lights(DEGREE_1, Some(2))),
-        "in.csv: it holds degree 1, asked for is 2; ",
+        "in.csv: it has degree 1, but degree 2 is needed; ",
     );
     let folder = TempDir::new().unwrap();
     let missing = read_lights(folder.path().join("in.csv"), None);
@@ -242,15 +245,15 @@ fn normals_that_cannot_be_seen_are_refused() {
         ("1,0,-0.0011", "in.csv:3: the normal points away from the camera, z = -1.100e-3"),
         ("inf,0,1", "in.csv:3: `inf` is not a finite number; "),
         ("0,0,nan", "in.csv:3: `nan` is not a finite number; "),
-        ("0,0,up", "in.csv:3: `up` is no number; "),
-        ("0,0", "in.csv:3: the header has 3 fields, this row 2; "),
+        ("0,0,up", "in.csv:3: `up` is not a number; "),
+        ("0,0", "in.csv:3: the header has 3 fields, but this row has 2; "),
     ] {
         let text = format!("x,y,z\n0,0,1\n{row}\n");
         assert_starts(&message(normals(&text)), start);
     }
-    assert_starts(&message(normals("x,y,z\n")), "in.csv: there is no normal in it; ");
+    assert_starts(&message(normals("x,y,z\n")), "in.csv: it contains no normal; ");
     assert_starts(&message(normals("x,y\n0,0\n")), "in.csv:1: its header is `x,y`; ");
-    assert_starts(&message(normals("")), "in.csv: there is nothing in it; ");
+    assert_starts(&message(normals("")), "in.csv: it is empty; ");
 }
 
 #[test]
@@ -310,5 +313,5 @@ fn texts_read_as_files() {
     let error = parse_lights("name,l,m,value\na,0,1,2.5\n", "there.csv", None).unwrap_err();
     assert!(error.to_string().starts_with("there.csv:2: "), "{error}");
     let error = parse_materials("name,o,p,q,value\n", "here.csv", None).unwrap_err();
-    assert!(error.to_string().starts_with("here.csv: there is no material"), "{error}");
+    assert!(error.to_string().starts_with("here.csv: it contains no material"), "{error}");
 }

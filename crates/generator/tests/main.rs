@@ -1,5 +1,5 @@
-//! Every test of the generator but one that weighs its process, in one binary: to link each file
-//! by itself takes longer than the tests do.
+//! Every test of the generator except one that measures the memory of its process, in one binary:
+//! linking each file separately takes longer than the tests do.
 
 use eigenshade_testing::tolerances;
 
@@ -8,11 +8,8 @@ mod brdf;
 mod build;
 mod environment_maps;
 mod light_csv;
+mod material_files;
 mod material_fits;
-mod measurements;
-mod merl;
-mod reference_values;
-mod rotation;
-mod scattering;
+mod special_functions;
+mod statistics;
 mod visible_facets;
-mod weights;

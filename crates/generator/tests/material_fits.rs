@@ -90,7 +90,7 @@ fn our_fit_of_nist_measurements_is_as_good() {
     let error = rms_relative(&ptfe(), 7, &fit.material.rgb[0]);
     println!("{error}");
     assert!(error <= PTFE_RELATIVE, "{error}");
-    assert!(fit.material.is_grey());
+    assert!(fit.material.is_gray());
     let recorded = figures();
     let recorded = &recorded.iter().find(|row| row.0 == "ptfe-633nm-fit").unwrap().1;
     let found = [fit.samples as f64, fit.maximum[0], fit.residual, fit.lowest, fit.highest];
@@ -103,20 +103,20 @@ fn our_fit_of_nist_measurements_is_as_good() {
 /// Fully measured and in range, a BRDF comes back, channel by channel.
 #[test]
 fn known_brdf_is_recovered() {
-    let mut truth = [(); 3].map(|()| vec![0.0; material::count(7)]);
-    for (channel, scale) in truth.iter_mut().zip([1.0, 0.5, 2.0]) {
+    let mut reference = [(); 3].map(|()| vec![0.0; material::count(7)]);
+    for (channel, scale) in reference.iter_mut().zip([1.0, 0.5, 2.0]) {
         channel[material::position(0, 0, 0)] = 2.0 * scale;
         channel[material::position(1, 1, 1)] = -0.2;
         channel[material::position(7, 5, 3)] = 0.02 * scale;
         channel[material::position(6, 6, 0)] = -0.01;
     }
     let made = measured(FRAC_PI_2, 9, |theta_i, theta_r, delta_phi| {
-        truth.each_ref().map(|channel| brdf(7, channel, theta_i, theta_r, delta_phi))
+        reference.each_ref().map(|channel| brdf(7, channel, theta_i, theta_r, delta_phi))
     });
     let fit = fit_one(made.clone(), 7);
-    for (channel, truth) in fit.material.rgb.iter().zip(&truth) {
-        let error = channel.iter().zip(truth).map(|(a, b)| (a - b).abs());
-        let error = error.fold(0.0, f64::max) / truth[0];
+    for (channel, reference) in fit.material.rgb.iter().zip(&reference) {
+        let error = channel.iter().zip(reference).map(|(a, b)| (a - b).abs());
+        let error = error.fold(0.0, f64::max) / reference[0];
         println!("{error:e}");
         assert!(error <= RECOVERED_MATERIAL, "{error}");
     }
@@ -232,7 +232,7 @@ fn committed_materials_are_in_range_and_true_to_measurements() {
             panic!("six figures")
         };
         assert_eq!((&material.name, samples), (&name, 205.0));
-        assert!(material.is_grey());
+        assert!(material.is_gray());
         let ranges = grids.each_ref().map(|grid| grid.range(&material.rgb[0]));
         for (low, high) in ranges {
             assert!(low >= LOWEST * maximum && high <= HIGHEST * maximum, "{name}");

@@ -2,7 +2,7 @@
 //! process is measured.
 #![cfg(target_os = "linux")]
 
-use eigenshade_generator::picture::png_samples;
+use eigenshade_generator::png_samples;
 use flate2::{Compression, write::ZlibEncoder};
 use png::{BitDepth, ColorType, Encoder, chunk::ChunkType};
 use std::io::Write;

@@ -302,7 +302,7 @@ fn the_order_of_facets_means_nothing() {
 /// something.
 #[test]
 fn slivers() {
-    let slivers = 5000;
+    let slivers = 2500;
     let square = rectangle([0.0, 1.0], [0.0, 1.0], 0.0, 0.0);
     let strips = |at: &dyn Fn(f64, f64) -> [f64; 3]| {
         let of = |k: usize| {

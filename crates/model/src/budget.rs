@@ -46,7 +46,7 @@ impl Budget {
             return Ok(());
         }
         Err(Error::new(
-            format!("it needs {} of memory, which the system does not give", Size(need)),
+            format!("it needs {} of memory, which the system cannot provide", Size(need)),
             "raise the limit of the process (`ulimit -v`), or give a smaller input",
         ))
     }
@@ -95,7 +95,7 @@ impl FromStr for Budget {
         bytes
             .filter(|bytes| *bytes > 0)
             .map(Self)
-            .ok_or_else(|| "a size is wanted, like 512MiB or 4GiB".to_owned())
+            .ok_or_else(|| "give a size such as 512MiB or 4GiB".to_owned())
     }
 }
 
@@ -149,6 +149,6 @@ mod tests {
     #[test]
     fn what_the_system_does_not_give_is_an_error() {
         let text = Budget::new(u64::MAX).admit(1 << 60).expect_err("too much").to_string();
-        assert!(text.contains("does not give"), "{text}");
+        assert!(text.contains("cannot provide"), "{text}");
     }
 }

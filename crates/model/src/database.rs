@@ -28,8 +28,8 @@ impl Named {
     }
 
     /// Replaces all three channels by the luminance. An entry without color stays unchanged.
-    pub fn lose_color(&mut self) {
-        if !self.is_grey() {
+    pub fn remove_color(&mut self) {
+        if !self.is_gray() {
             let luminance = self.luminance();
             self.rgb = [luminance.clone(), luminance.clone(), luminance];
         }
@@ -37,7 +37,7 @@ impl Named {
 
     /// Whether all three channels are equal.
     #[must_use]
-    pub fn is_grey(&self) -> bool {
+    pub fn is_gray(&self) -> bool {
         self.rgb[0] == self.rgb[1] && self.rgb[1] == self.rgb[2]
     }
 }
@@ -86,8 +86,8 @@ impl Materials {
 pub fn weights(entries: &[Named], by_name: &BTreeMap<String, f64>) -> Result<Vec<f64>> {
     for (name, weight) in by_name {
         if !entries.iter().any(|entry| entry.name == *name) {
-            let what = format!("weights has `{name}`, which the database lacks");
-            return Err(Error::new(what, "take a name that it holds"));
+            let what = format!("weights has `{name}`, which is not in the database");
+            return Err(Error::new(what, "use a name from the database"));
         }
         if !(*weight >= 0.0 && weight.is_finite()) {
             let what = format!("weights has {weight} for `{name}`");

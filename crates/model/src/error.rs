@@ -62,7 +62,7 @@ impl Error {
         use std::io::ErrorKind;
         let remedy = match error.kind() {
             ErrorKind::NotFound => "check the path, and that its folder exists",
-            ErrorKind::PermissionDenied => "check who may read and write there",
+            ErrorKind::PermissionDenied => "check the permissions of the file and its folder",
             ErrorKind::NotADirectory | ErrorKind::IsADirectory | ErrorKind::AlreadyExists => {
                 "a file and a folder are mixed up: check the path"
             }

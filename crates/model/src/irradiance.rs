@@ -1,7 +1,6 @@
 //! The irradiance modes E_lop^mq of (14): E(α, β) = f(α) Φ_m(β).
 
-use crate::mode_gain::gain;
-use crate::polar_integral::PolarIntegrals;
+use crate::polar_integral::{PolarIntegrals, gain};
 use crate::special::{spherical_harmonic, wigner, zernike};
 use eigenshade_index::pair;
 

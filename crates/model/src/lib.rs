@@ -4,13 +4,19 @@
 //! The modules follow the mathematics of Nillius and Eklundh, "Phenomenological Eigenfunctions for
 //! Image Irradiance", ICCV 2003; "(n)" in these pages is equation n of that paper.
 
-pub mod special;
+pub mod special {
+    //! Special functions by normalized recurrences: accurate to degree 64 and more, at the poles
+    //! and at tiny angles.
+
+    pub mod quadrature;
+    pub mod spherical_harmonic;
+    pub mod wigner;
+    pub mod zernike;
+}
 
 pub mod rotation;
 
 pub mod polar_integral;
-
-pub mod mode_gain;
 
 pub mod scattering;
 
@@ -18,9 +24,7 @@ pub mod irradiance;
 
 pub mod selection;
 
-pub mod truth;
-
-pub mod effects;
+pub mod reference;
 
 pub mod error;
 
@@ -28,8 +32,14 @@ pub mod database;
 
 pub mod budget;
 
-pub mod inputs;
+pub mod inputs {
+    //! Coefficients and normals as files.
 
-pub mod unfinished;
+    pub mod coefficient_csv;
+    pub mod coefficient_text;
+    pub mod input_file;
+    pub mod normals;
+    pub mod sheet;
+}
 
 pub mod output;

@@ -1,10 +1,12 @@
 //! Complete files or none: an output appears under its name only when it is complete.
 
 use crate::error::{Error, Result};
-use crate::unfinished::Unfinished;
+use std::collections::BTreeSet;
 use std::fs::{self, File, Metadata, OpenOptions};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
+use std::process;
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// Writes a file through a temporary file in the same folder, which is renamed at the end. A reader
 /// of `path` finds either the old file or the complete new one.
@@ -91,6 +93,86 @@ fn refuse_read_only(path: &Path, target: &Path, metadata: &Metadata) -> Result<(
     }
     OpenOptions::new().write(true).open(target).map(drop).map_err(|error| Error::io(path, &error))
 }
+
+/// The paths of all unfinished files. Creating, renaming or removing one requires the lock.
+static PATHS: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+
+fn paths() -> MutexGuard<'static, BTreeSet<PathBuf>> {
+    PATHS.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Removes every unfinished file, for a program that is about to terminate. Afterwards no
+/// unfinished file can be created or renamed: a thread that tries to waits forever.
+pub fn remove_unfinished() {
+    let paths = paths();
+    for path in paths.iter() {
+        let _ = fs::remove_file(path);
+    }
+    std::mem::forget(paths);
+}
+
+/// A file that is being written and will replace its target. Dropping it removes the file.
+struct Unfinished(PathBuf);
+
+impl Unfinished {
+    /// Creates a file in `folder` with the permissions of the file that it will replace, or with
+    /// those of any new file.
+    fn create(folder: &Path, replaced: Option<&Metadata>) -> io::Result<(Self, File)> {
+        let mut options = OpenOptions::new();
+        options.write(true).create_new(true);
+        #[cfg(unix)]
+        {
+            use std::os::unix::fs::{MetadataExt, OpenOptionsExt};
+            options.mode(replaced.map_or(0o666, |old| old.mode() & 0o777));
+        }
+        let mut paths = paths();
+        let name = |number: u64| folder.join(format!(".eigenshade-{}-{number}", process::id()));
+        let mut number = paths.len() as u64;
+        let (path, file) = loop {
+            match options.open(name(number)) {
+                Err(error) if error.kind() == io::ErrorKind::AlreadyExists => number += 1,
+                opened => break (name(number), opened?),
+            }
+        };
+        paths.insert(path.clone());
+        drop(paths);
+        let unfinished = Self(path);
+        if let Some(old) = replaced {
+            keep_owner(&file, old);
+            file.set_permissions(old.permissions())?;
+        }
+        Ok((unfinished, file))
+    }
+
+    /// Renames the file to `target`.
+    fn finish(self, target: &Path) -> io::Result<()> {
+        let mut paths = paths();
+        fs::rename(&self.0, target)?;
+        paths.remove(&self.0);
+        Ok(())
+    }
+}
+
+impl Drop for Unfinished {
+    fn drop(&mut self) {
+        let mut paths = paths();
+        if paths.remove(&self.0) {
+            let _ = fs::remove_file(&self.0);
+        }
+    }
+}
+
+/// Gives `file` the owner and group of `old`, as far as the user is permitted to.
+#[cfg(unix)]
+fn keep_owner(file: &File, old: &Metadata) {
+    use std::os::unix::fs::{MetadataExt, fchown};
+    if fchown(file, Some(old.uid()), Some(old.gid())).is_err() {
+        let _ = fchown(file, None, Some(old.gid()));
+    }
+}
+
+#[cfg(not(unix))]
+fn keep_owner(_: &File, _: &Metadata) {}
 
 fn fill<W: Write>(
     path: &Path,

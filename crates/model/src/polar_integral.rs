@@ -1,6 +1,9 @@
-//! The polar integral C_lo^q of (11), times the normalization N_l^q of the harmonics.
+//! The polar integral C_lo^q of (11), times the normalization N_l^q of the harmonics, and the gain
+//! K_lop^q of (13) without that factor.
 
-use crate::special::{gauss_legendre, legendre, zernike};
+use crate::special::quadrature::gauss_legendre;
+use crate::special::spherical_harmonic::legendre;
+use crate::special::zernike;
 use eigenshade_index::pair;
 
 /// N_l^q C_lo^q for every pair (o, q) up to an order and every l up to a degree.
@@ -17,20 +20,20 @@ impl PolarIntegrals {
     /// All integrals up to `degree` l and `order` o.
     ///
     /// Uses Gauss-Legendre quadrature in z = cos θ on \[0, 1\]. With ρ² = 1 - z the integrand is
-    /// (1 - z)^q (1 + z)^(q/2) times a polynomial of degree l - q + (o - q)/2 + 1. The rule is exact
-    /// for even q. For odd q the branch point at z = -1 is so far away that the 24 nodes beyond
-    /// those that the polynomial needs make its error negligible.
+    /// (1 - z)^q (1 + z)^(q/2) times a polynomial of degree l - q + (o - q)/2 + 1. It is exact for
+    /// even q. For odd q the branch point at z = -1 is so far away that the 24 nodes beyond those
+    /// that the polynomial needs make its error negligible.
     #[must_use]
     pub fn new(degree: usize, order: usize) -> Self {
         let mut values = vec![0.0; pair::count(order) * (degree + 1)];
-        for (z, weight) in gauss_legendre::rule((degree + order) / 2 + 26, 0.0, 1.0) {
+        for (z, weight) in gauss_legendre((degree + order) / 2 + 26, 0.0, 1.0) {
             let (rho, sine) = ((1.0 - z).sqrt(), ((1.0 - z) * (1.0 + z)).sqrt());
             for q in 0..=order.min(degree) {
-                let legendre = legendre::normalized(degree, q, z, sine);
+                let harmonics = legendre(degree, q, z, sine);
                 for (o, radial) in (q..).step_by(2).zip(zernike::column(order, q, rho)) {
                     let row = pair::position(o, q) * (degree + 1);
-                    for (l, legendre) in (q..).zip(&legendre) {
-                        values[row + l] += weight * z * radial * legendre;
+                    for (l, harmonic) in (q..).zip(&harmonics) {
+                        values[row + l] += weight * z * radial * harmonic;
                     }
                 }
             }
@@ -66,4 +69,12 @@ pub fn value(l: usize, o: usize, q: usize) -> f64 {
 pub fn normalization(l: usize, q: usize) -> f64 {
     let ratio: f64 = (l - q + 1..=l + q).map(|k| (k as f64).sqrt().recip()).product();
     ((2 * l + 1) as f64 / (4.0 * std::f64::consts::PI)).sqrt() * ratio
+}
+
+/// K_lop^q / N_l^q = (-1)^q √((o+1)(p+1) / (2 (1 + δ_op))).
+#[must_use]
+pub fn gain(o: usize, p: usize, q: usize) -> f64 {
+    let doubled = if o == p { 4.0 } else { 2.0 };
+    let size = (((o + 1) * (p + 1)) as f64 / doubled).sqrt();
+    if q.is_multiple_of(2) { size } else { -size }
 }

@@ -1,12 +1,125 @@
 //! Computes the irradiance of many normals from a light and a material, in an integer format.
+//!
+//! An [`OwnedQuantised`] is a table read at run time as a runtime basis in an [`Integer`] format;
+//! an [`IntegerShader`] adds work buffers.
 
 use crate::overflow;
-use crate::owned_quantised::{Integer, OwnedQuantised};
 use crate::shader::fault;
-use eigenshade::quantised::{Light, Material, Normal, Transfer};
+use eigenshade::quantised::{Basis, Light, Material, Normal, Parts, Profile, Transfer};
+use eigenshade::{Fixed, Q15, Q31};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_table::Table;
-use eigenshade_table::quantize;
+use eigenshade_table::quantize::{self, Format, QuantizeError, QuantizedParts};
+
+/// An integer format that the command line offers.
+pub trait Integer: Fixed {
+    /// The format's identifier.
+    const FORMAT: Format;
+    /// The number with this mantissa, which must fit the format.
+    fn of(mantissa: i32) -> Self;
+    /// The nearest representable normal.
+    ///
+    /// # Errors
+    ///
+    /// If the vector is not a visible unit vector.
+    fn normal(components: [f64; 3]) -> std::result::Result<Normal<Self>, eigenshade::Error>;
+    /// The basis with these parts.
+    ///
+    /// # Errors
+    ///
+    /// As `Basis::new` of the runtime.
+    fn basis(parts: Parts<'_, Self>) -> std::result::Result<Basis<'_, Self>, eigenshade::Error>;
+}
+
+impl Integer for Q15 {
+    const FORMAT: Format = Format::Q15;
+    fn of(mantissa: i32) -> Self {
+        Self(mantissa as i16)
+    }
+    fn normal(components: [f64; 3]) -> std::result::Result<Normal<Self>, eigenshade::Error> {
+        let [x, y, z] = components.map(nearest);
+        Normal::<Self>::new(x, y, z)
+    }
+    fn basis(parts: Parts<'_, Self>) -> std::result::Result<Basis<'_, Self>, eigenshade::Error> {
+        Basis::<Self>::new(parts)
+    }
+}
+
+impl Integer for Q31 {
+    const FORMAT: Format = Format::Q31;
+    fn of(mantissa: i32) -> Self {
+        Self(mantissa)
+    }
+    fn normal(components: [f64; 3]) -> std::result::Result<Normal<Self>, eigenshade::Error> {
+        let [x, y, z] = components.map(nearest);
+        Normal::<Self>::new(x, y, z)
+    }
+    fn basis(parts: Parts<'_, Self>) -> std::result::Result<Basis<'_, Self>, eigenshade::Error> {
+        Basis::<Self>::new(parts)
+    }
+}
+
+/// The nearest multiple of 2^-BITS; 1 becomes the largest mantissa.
+fn nearest<Q: Integer>(component: f64) -> Q {
+    let one = 2f64.powi(Q::FORMAT.bits());
+    Q::of((one * component).round().clamp(1.0 - one, one - 1.0) as i32)
+}
+
+/// The owned arrays of an integer basis.
+#[derive(Clone, Debug)]
+pub struct OwnedQuantised<Q> {
+    parts: QuantizedParts,
+    profiles: Vec<Profile>,
+    polar: Vec<Q>,
+    factors: Vec<Q>,
+    terms: Vec<Q>,
+}
+
+impl<Q: Integer> OwnedQuantised<Q> {
+    /// Converts a table to this format and trims its polynomials to `tolerance`.
+    ///
+    /// # Errors
+    ///
+    /// If the table has no integer form.
+    pub fn new(table: &Table, tolerance: f64) -> std::result::Result<Self, QuantizeError> {
+        let parts = QuantizedParts::new(table, Q::FORMAT, tolerance)?;
+        let own = |numbers: &[i32]| numbers.iter().map(|&number| Q::of(number)).collect();
+        let profiles = parts.profiles.iter();
+        Ok(Self {
+            profiles: profiles
+                .map(|place| {
+                    let (components, sizes) = ([place.plus, place.minus], [place.size, place.step]);
+                    Profile::new(place.azimuth, place.exponent, components, sizes)
+                })
+                .collect(),
+            polar: own(&parts.polar),
+            factors: own(&parts.factors),
+            terms: own(&parts.terms),
+            parts,
+        })
+    }
+
+    /// The basis.
+    ///
+    /// # Errors
+    ///
+    /// Cannot fail in practice, because the parts of a table are consistent.
+    pub fn view(&self) -> std::result::Result<Basis<'_, Q>, eigenshade::Error> {
+        Q::basis(Parts {
+            degree: self.parts.degree,
+            order: self.parts.order,
+            effects: self.parts.effects,
+            components: self.parts.components,
+            profiles: &self.profiles,
+            lengths: &self.parts.lengths,
+            polar: &self.polar,
+            polar_exponents: &self.parts.polar_exponents,
+            factors: &self.factors,
+            factor_exponents: &self.parts.factor_exponents,
+            terms: &self.terms,
+        })
+    }
+}
 
 /// An integer basis with its work buffers.
 #[derive(Clone, Debug)]
@@ -28,7 +141,7 @@ impl<Q: Integer> IntegerShader<Q> {
     ///
     /// If the table has no integer form.
     pub fn new(table: &Table, components: usize) -> Result<Self> {
-        let remedy = "take --format f32";
+        let remedy = "use --format f32";
         let basis = OwnedQuantised::new(table, Q::FORMAT.tolerance())
             .map_err(|error| Error::new(error.to_string(), remedy))?;
         let view = basis.view().map_err(fault)?;

@@ -9,9 +9,9 @@ pub mod shipped;
 
 pub mod owned_basis;
 
-pub mod owned_quantised;
-
 pub mod shader;
+
+pub mod methods;
 
 pub mod integer_shader;
 

@@ -27,7 +27,7 @@ pub fn check<S: Scalar>(numbers: &[S], light: &[f64], material: &[f64]) -> Resul
 /// them.
 #[must_use]
 pub fn fault(format: impl Display, light: &[f64], material: &[f64]) -> Error {
-    Error::new(format!("the result goes beyond the range of {format}"), scale(light, material))
+    Error::new(format!("the result exceeds the range of {format}"), scale(light, material))
 }
 
 /// Rejects a light and a material so dark that a format loses their product.
@@ -48,7 +48,7 @@ pub fn lost(format: impl Display, light: &[f64], material: &[f64]) -> Result<()>
 fn scale(light: &[f64], material: &[f64]) -> String {
     let [light, material] = [light, material].map(largest);
     format!(
-        "scale both towards 1: the light's largest coefficient is {light:.2e}, the material's \
+        "scale both toward 1: the light's largest coefficient is {light:.2e}, the material's \
          {material:.2e}"
     )
 }

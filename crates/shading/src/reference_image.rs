@@ -1,11 +1,9 @@
 //! Images by the direct sum (15), in f64: the reference for all other methods.
 
-use crate::parallel;
+use crate::parallel::{self, Progress};
 use eigenshade_index::effect::Effects;
 use eigenshade_model::database::{Lights, Materials};
-use eigenshade_model::effects;
-use eigenshade_model::truth::Truth;
-use indicatif::ProgressBar;
+use eigenshade_model::reference::{DirectSum, light_products, material_products};
 
 /// The irradiance, r, g and b, of every light on every material at every normal: one list per
 /// normal, sorted by light, then material.
@@ -17,7 +15,7 @@ pub fn images(
     lights: &Lights,
     materials: &Materials,
     normals: &[[f64; 3]],
-    progress: &ProgressBar,
+    progress: &impl Progress,
 ) -> Vec<Vec<[f64; 3]>> {
     images_of_effects(lights, materials, Effects::ALL, normals, progress)
 }
@@ -29,23 +27,23 @@ pub fn images_of_effects(
     materials: &Materials,
     wanted: Effects,
     normals: &[[f64; 3]],
-    progress: &ProgressBar,
+    progress: &impl Progress,
 ) -> Vec<Vec<[f64; 3]>> {
-    let truth = Truth::new(lights.degree, materials.order);
+    let reference = DirectSum::new(lights.degree, materials.order);
     let lit: Vec<[Vec<Vec<f64>>; 3]> = lights
         .entries
         .iter()
-        .map(|light| [0, 1, 2].map(|c| effects::lights(lights.degree, &light.rgb[c], wanted)))
+        .map(|light| [0, 1, 2].map(|c| light_products(lights.degree, &light.rgb[c], wanted)))
         .collect();
     parallel::map(normals.len(), progress, |k| {
-        let modes = truth.at(normals[k]);
+        let modes = reference.at(normals[k]);
         let scattered: Vec<_> = materials
             .entries
             .iter()
             .map(|material| {
-                let channels = if material.is_grey() { 1 } else { 3 };
+                let channels = if material.is_gray() { 1 } else { 3 };
                 let channels = material.rgb.iter().take(channels);
-                let of_effects = |channel| effects::materials(materials.order, channel, wanted);
+                let of_effects = |channel| material_products(materials.order, channel, wanted);
                 let scatter = |one: Vec<Vec<f64>>| -> Vec<_> {
                     one.iter().map(|material| modes.scatter(material)).collect()
                 };

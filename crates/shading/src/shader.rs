@@ -3,8 +3,7 @@
 
 use crate::overflow;
 use crate::owned_basis::{AnyBasis, Folded};
-use eigenshade::{BakedMap, Light, MapPoint, Material, Normal, Normals, Scalar, Scene};
-use eigenshade::{Economy, Tolerance};
+use eigenshade::{Light, Material, Normal, Normals, Scalar, Scene};
 use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::{Error, Result};
@@ -19,7 +18,7 @@ pub fn fitted(table: &Table, lights: &Lights, materials: &Materials) -> (Lights,
     let (mut lights, mut materials) =
         (lights.truncated(table.gram.degree), materials.truncated(table.gram.order));
     if !table.scene.effects.color {
-        lights.entries.iter_mut().chain(&mut materials.entries).for_each(Named::lose_color);
+        lights.entries.iter_mut().chain(&mut materials.entries).for_each(Named::remove_color);
     }
     (lights, materials)
 }
@@ -30,9 +29,10 @@ pub fn fitted(table: &Table, lights: &Lights, materials: &Materials) -> (Lights,
 pub fn of_higher_order(path: &Path, found: usize, order: usize) -> Option<String> {
     (found > order).then(|| {
         format!(
-            "warning: {}: its materials are of order {found}, the table of order {order}: what lies \
-             above is left out, and the rest is not the projection to order {order}; make them \
-             again with `eigenshade material --order {order}`, or a table of order {found}",
+            "warning: {}: its materials have order {found}, the table order {order}: higher \
+             coefficients are ignored, and the rest are not the projection to order {order}; \
+             create them again with `eigenshade material --order {order}`, or use a table of \
+             order {found}",
             path.display()
         )
     })
@@ -41,55 +41,19 @@ pub fn of_higher_order(path: &Path, found: usize, order: usize) -> Option<String
 /// One channel of a light and one channel of a material, each with its degree or order.
 pub type Lit<'a> = ((usize, &'a [f64]), (usize, &'a [f64]));
 
-/// Methods that look up a pixel in samples.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum LookUp {
-    /// Linear interpolation between the knots of each azimuth.
-    Linear {
-        /// Number of knots.
-        knots: usize,
-    },
-    /// Cubic interpolation between the knots of each azimuth.
-    Cubic {
-        /// Number of knots.
-        knots: usize,
-    },
-    /// Bilinear interpolation between four texels of a baked map.
-    Bilinear {
-        /// Texels per side.
-        size: usize,
-    },
-    /// The nearest texel of a baked map.
-    Nearest {
-        /// Texels per side.
-        size: usize,
-    },
-}
-
-fn sampled<S: Scalar>(
-    scene: &Scene<'_, &mut Vec<S>>,
-    knots: usize,
-) -> Result<eigenshade::Lookup<S, Vec<S>>> {
-    scene.lookup_into(knots, vec![S::ZERO; scene.lookup_len(knots)]).map_err(fault)
-}
-
-fn baked<S: Scalar>(scene: &Scene<'_, &mut Vec<S>>, size: usize) -> Result<BakedMap<S, Vec<S>>> {
-    scene.bake_into(size, vec![S::ZERO; size * size]).map_err(fault)
-}
-
 /// A basis with its work buffers.
 #[derive(Clone, Debug)]
 pub struct Shader<'a, S> {
-    basis: AnyBasis<'a, S>,
-    components: usize,
-    workspace: Vec<S>,
+    pub(crate) basis: AnyBasis<'a, S>,
+    pub(crate) components: usize,
+    pub(crate) workspace: Vec<S>,
     coefficients: Vec<S>,
     scene: Vec<S>,
     folded: &'a [Folded<S>],
     effects: Effects,
     /// d without any light, subtracted if the effects do not include the mean image; otherwise
     /// empty.
-    dark: Vec<S>,
+    pub(crate) dark: Vec<S>,
 }
 
 /// Normals as one array per component, in a number format.
@@ -169,7 +133,7 @@ impl<'a, S: Scalar> Shader<'a, S> {
         self.effects = effects;
         if effects.and(all) != all && !projects {
             return Err(Error::new(
-                "the table has transfers, which are of all its effects",
+                "the table has transfers, which contain all its effects",
                 "leave --effects out, or make a table with store = \"projection\"",
             ));
         }
@@ -278,126 +242,6 @@ impl<'a, S: Scalar> Shader<'a, S> {
         Ok(irradiance)
     }
 
-    /// The channels of one color image, with a common shape that has the fewest polynomial terms
-    /// for a tolerance relative to the brightest channel's peak. Also returns the resulting
-    /// truncation of each channel.
-    ///
-    /// # Errors
-    ///
-    /// As [`project`](Self::project), and if the basis is for an object other than a sphere or its
-    /// mean image is not part of the effects.
-    pub fn within(
-        &mut self,
-        channels: &[Lit<'_>],
-        normals: &OwnedNormals<S>,
-        tolerance: Tolerance<S>,
-    ) -> Result<Vec<(Vec<S>, Economy<S>)>> {
-        let mut images = Vec::new();
-        for &(light, material) in channels {
-            images.push(self.project(light, material)?.to_vec());
-        }
-        let refused = |what: &str| Error::new(what, "leave --tolerance out");
-        let AnyBasis::Sphere(basis) = &self.basis else {
-            return Err(refused(
-                "a tolerance is of a sphere's normals, the table is of another object",
-            ));
-        };
-        if !self.dark.is_empty() {
-            return Err(refused(
-                "a tolerance needs the effect ambient, to which the mean image belongs",
-            ));
-        }
-        let (count, len) = (images.len(), basis.scene_len());
-        let mut lengths = vec![0; basis.azimuths()];
-        let mut buffer = vec![S::ZERO; count * len];
-        let mut economies = vec![Economy::default(); count];
-        let (room, told) = (&mut buffer, &mut economies);
-        let shape = basis
-            .collapse_set_within(&images, count, tolerance, &mut lengths, room, told)
-            .map_err(fault)?;
-        let normals = normals.view()?;
-        let mut shaded = Vec::new();
-        for (k, (economy, (light, material))) in economies.into_iter().zip(channels).enumerate() {
-            let scene = shape.scene(&buffer[k * len..]).map_err(fault)?;
-            let mut irradiance = vec![S::ZERO; normals.len()];
-            scene.shade_slice(normals, &mut irradiance).map_err(fault)?;
-            overflow::check(&irradiance, light.1, material.1)?;
-            shaded.push((irradiance, economy));
-        }
-        Ok(shaded)
-    }
-
-    /// One channel of the image, looked up.
-    ///
-    /// # Errors
-    ///
-    /// As [`project`](Self::project), and if the runtime does not support this number of knots or
-    /// texels.
-    pub fn looked_up(
-        &mut self,
-        light: (usize, &[f64]),
-        material: (usize, &[f64]),
-        normals: &[Normal<S>],
-        way: LookUp,
-    ) -> Result<Vec<S>> {
-        self.project(light, material)?;
-        let scene = self.scene()?;
-        let each = normals.iter();
-        let irradiance: Vec<S> = match way {
-            LookUp::Linear { knots } => {
-                let table = sampled(&scene, knots)?;
-                each.map(|&normal| table.linear(normal)).collect()
-            }
-            LookUp::Cubic { knots } => {
-                let table = sampled(&scene, knots)?;
-                each.map(|&normal| table.cubic(normal)).collect()
-            }
-            LookUp::Bilinear { size } => {
-                let map = baked(&scene, size)?;
-                each.map(|&normal| map.bilinear(MapPoint::of(normal))).collect()
-            }
-            LookUp::Nearest { size } => {
-                let map = baked(&scene, size)?;
-                each.map(|&normal| map.nearest(MapPoint::of(normal))).collect()
-            }
-        };
-        overflow::check(&irradiance, light.1, material.1)?;
-        Ok(irradiance)
-    }
-
-    /// One channel of the image, summed component by component.
-    ///
-    /// # Errors
-    ///
-    /// See [`project`](Self::project).
-    pub fn eigen(
-        &mut self,
-        light: (usize, &[f64]),
-        material: (usize, &[f64]),
-        normals: &[Normal<S>],
-    ) -> Result<Vec<S>> {
-        let basis = self.basis;
-        let coefficients = self.project(light, material)?.to_vec();
-        let mut reconstruct = |d: &[S], normal: Normal<S>| {
-            match &basis {
-                AnyBasis::Sphere(basis) => basis.reconstruct(d, normal),
-                AnyBasis::General(basis) => basis.reconstruct(d, normal, &mut self.workspace),
-            }
-            .map_err(fault)
-        };
-        let one = |&normal: &Normal<S>| {
-            let whole = reconstruct(&coefficients, normal)?;
-            let dark = match self.dark.as_slice() {
-                [] => S::ZERO,
-                dark => reconstruct(dark, normal)?,
-            };
-            Ok(whole - dark)
-        };
-        let irradiance: Vec<S> = normals.iter().map(one).collect::<Result<_>>()?;
-        overflow::check(&irradiance, light.1, material.1)?;
-        Ok(irradiance)
-    }
-
     /// All three channels of the image, from the collapsed polynomials.
     ///
     /// # Errors
@@ -419,8 +263,8 @@ impl<'a, S: Scalar> Shader<'a, S> {
 
 fn not_folded() -> Error {
     Error::new(
-        "the table has the transfers of its scene's materials, and a material is none of them",
-        "take the scene's material file, or make a table with store = \"projection\"",
+        "the table has transfers only for its scene's materials, and a material is not one of them",
+        "use the scene's material file, or make a table with store = \"projection\"",
     )
 }
 

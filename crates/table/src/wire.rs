@@ -55,7 +55,7 @@ impl fmt::Display for WireError {
             }
             Self::Range => f.write_str(
                 "a number exceeds the range of f32; scale the lights and materials of the scene \
-                 towards 1",
+                 toward 1",
             ),
             Self::Quantize(error) => error.fmt(f),
         }

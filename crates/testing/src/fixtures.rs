@@ -7,8 +7,8 @@ use eigenshade_generator::scene_file::{self, Loaded};
 use eigenshade_index::{light, material};
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::inputs::coefficient_csv::read_lights;
-use eigenshade_model::truth::Truth;
-use eigenshade_shading::owned_basis::OwnedBasis;
+use eigenshade_model::reference::DirectSum;
+use eigenshade_shading::owned_basis::{AnyBasis, OwnedBasis};
 use eigenshade_table::Table;
 use eigenshade_table::scene::Criterion;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -88,14 +88,10 @@ pub fn normals(slants: &[f64], tilts: usize) -> Vec<[f64; 3]> {
 /// The largest error of the whole basis in f64 against the direct sum, over the scene's lights and
 /// materials. Each error is relative to the image's peak.
 pub fn reconstruction_error(loaded: &Loaded, table: &Table) -> f64 {
-    let owned = OwnedBasis::<f64>::new(table);
-    let basis = owned.basis().expect("a basis");
-    let (degree, order) = (loaded.lights.degree, loaded.materials.order);
-    let truth = Truth::new(degree, order);
+    let projector = Projector::new(table);
+    let reference = DirectSum::new(loaded.lights.degree, loaded.materials.order);
     let normals = normals(&SLANTS, 12);
-    let modes: Vec<_> = normals.iter().map(|&normal| truth.at(normal)).collect();
-    let mut workspace = vec![0.0; basis.workspace_len()];
-    let mut d = vec![0.0; basis.components()];
+    let modes: Vec<_> = normals.iter().map(|&normal| reference.at(normal)).collect();
     let mut worst: f64 = 0.0;
     for material in &loaded.materials.entries {
         let b = material.luminance();
@@ -104,18 +100,11 @@ pub fn reconstruction_error(loaded: &Loaded, table: &Table) -> f64 {
             let l = light.luminance();
             let expected: Vec<f64> =
                 modes.iter().zip(&scattered).map(|(at, of)| at.irradiance(&l, of)).collect();
-            let given = eigenshade::Light::new(degree, &l).expect("coefficients");
-            let on = eigenshade::Material::new(order, &b).expect("coefficients");
-            basis.project_into(&given, &on, &mut workspace, &mut d).expect("sizes");
-            let scene = basis.collapse_into(&d, vec![0.0; basis.scene_len()]).expect("sizes");
+            let found = projector.shade(&projector.project(&l, &b), &normals);
             let peak = largest(expected.iter().copied());
-            let errors = normals.iter().zip(&expected).map(|(&[x, y, z], expected)| {
-                let normal = eigenshade::Normal::new(x, y, z).expect("visible");
-                let error = (scene.shade(normal) - expected).abs();
-                // A black image must stay black.
-                if peak > 0.0 { error / peak } else { error }
-            });
-            worst = largest([worst, largest(errors)]);
+            let error = largest(found.iter().zip(&expected).map(|(a, b)| a - b));
+            // A black image must stay black.
+            worst = largest([worst, if peak > 0.0 { error / peak } else { error }]);
         }
     }
     worst
@@ -125,4 +114,60 @@ pub fn reconstruction_error(loaded: &Loaded, table: &Table) -> f64 {
 pub fn standard(mut loaded: Loaded) -> Loaded {
     loaded.scene.basis.criterion = Criterion::Standard;
     loaded
+}
+
+/// A basis of either kind in f64, with methods that allocate their buffers.
+pub struct Projector {
+    owned: OwnedBasis<f64>,
+}
+
+impl Projector {
+    pub fn new(table: &Table) -> Self {
+        Self { owned: OwnedBasis::new(table) }
+    }
+
+    /// d for a light and a material of the table's degree and order.
+    pub fn project(&self, light: &[f64], material: &[f64]) -> Vec<f64> {
+        let basis = self.owned.any().expect("a basis");
+        let span = self.owned.basis().expect("a span");
+        let light = eigenshade::Light::new(span.degree(), light).expect("coefficients");
+        let material = eigenshade::Material::new(span.order(), material).expect("coefficients");
+        match basis {
+            AnyBasis::Sphere(basis) => {
+                let (mut d, mut workspace) =
+                    (vec![0.0; basis.components()], vec![0.0; basis.workspace_len()]);
+                basis.project_into(&light, &material, &mut workspace, &mut d).expect("sizes");
+                d
+            }
+            AnyBasis::General(basis) => {
+                let (mut d, mut workspace) =
+                    (vec![0.0; basis.components()], vec![0.0; basis.workspace_len()]);
+                basis.project_into(&light, &material, &mut workspace, &mut d).expect("sizes");
+                d
+            }
+        }
+    }
+
+    /// The mean image plus Σ d_i U_i at unit normals, from the collapsed scene.
+    pub fn shade(&self, d: &[f64], normals: &[[f64; 3]]) -> Vec<f64> {
+        let length = self.owned.basis().expect("a span").scene_len();
+        let scene = match self.owned.any().expect("a basis") {
+            AnyBasis::Sphere(basis) => basis.collapse_into(d, vec![0.0; length]),
+            AnyBasis::General(basis) => {
+                let mut workspace = vec![0.0; basis.workspace_len()];
+                basis.collapse_into(d, &mut workspace, vec![0.0; length])
+            }
+        };
+        let scene = scene.expect("components");
+        let at =
+            |&[x, y, z]: &[f64; 3]| scene.shade(eigenshade::Normal::new(x, y, z).expect("visible"));
+        normals.iter().map(at).collect()
+    }
+
+    /// U_i at unit normals, without the mean image.
+    pub fn eigenimage(&self, number: usize, normals: &[[f64; 3]]) -> Vec<f64> {
+        let unit: Vec<f64> = (0..=number).map(|k| f64::from(u8::from(k == number))).collect();
+        let (of_unit, of_none) = (self.shade(&unit, normals), self.shade(&[], normals));
+        of_unit.iter().zip(of_none).map(|(with, without)| with - without).collect()
+    }
 }

@@ -8,7 +8,7 @@
 use eigenshade_index::{material, pair};
 use eigenshade_model::database::{Materials, Named};
 use eigenshade_model::irradiance::slant_radials;
-use eigenshade_model::special::gauss_legendre;
+use eigenshade_model::special::quadrature::gauss_legendre;
 use std::f64::consts::{PI, TAU};
 
 /// Ten roughnesses, 0.1 to 1, each as a dielectric on a matte base and as a metal.
@@ -31,10 +31,10 @@ pub fn materials(order: usize) -> Materials {
 fn project(order: usize, alpha: f64, reflectance: f64) -> Vec<f64> {
     // Enough nodes to resolve the lobe and the products of the modes.
     let count = (2.5 / alpha).clamp(2.0 * order as f64 + 16.0, 240.0) as usize;
-    let nodes = gauss_legendre::rule(count, 0.0, 1.0);
+    let nodes = gauss_legendre(count, 0.0, 1.0);
     let radials: Vec<Vec<f64>> =
         nodes.iter().map(|(z, _)| slant_radials(order, z.acos())).collect();
-    let steps = gauss_legendre::rule(64, 0.0, 1.0);
+    let steps = gauss_legendre(64, 0.0, 1.0);
     let mut coefficients = vec![0.0; material::count(order)];
     let mut waves = vec![0.0; order + 1];
     for (i, (z_i, w_i)) in nodes.iter().enumerate() {

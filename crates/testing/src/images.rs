@@ -1,7 +1,7 @@
 //! Images of the shipped basis, component by component, and their differences from scenes.
 
 use eigenshade::{Light, Material, Normal, Scene, sphere};
-use eigenshade_model::special::gauss_legendre;
+use eigenshade_model::special::quadrature::gauss_legendre;
 use std::f64::consts::TAU;
 
 /// d for a light and a material.
@@ -24,7 +24,7 @@ pub fn single(values: Vec<f64>) -> Vec<f32> {
 pub fn vectors() -> Vec<([f64; 3], f64)> {
     let around = 2 * sphere::DEGREE + 2;
     let mut rule = Vec::new();
-    for (z, weight) in gauss_legendre::rule(24, 0.0, 1.0) {
+    for (z, weight) in gauss_legendre(24, 0.0, 1.0) {
         let sine = (1.0 - z * z).sqrt();
         for k in 0..around {
             let (y, x) = (TAU * k as f64 / around as f64).sin_cos();

@@ -13,8 +13,6 @@ pub mod fixtures;
 
 pub mod glossy;
 
-pub mod projector;
-
 pub mod pictures;
 
 pub mod images;

@@ -1,13 +1,13 @@
 //! Principal components of the images themselves: every light on every material, pixel by pixel.
 //! The only code shared with the method for general objects is the direct sum.
 
+use crate::fixtures::Projector;
 use crate::largest;
-use crate::projector::Projector;
 use eigenshade_generator::object::geometry::{Geometry, WeightedNormals};
 use eigenshade_generator::scene_file::Loaded;
 use eigenshade_index::{light, material};
 use eigenshade_model::irradiance;
-use eigenshade_model::truth::Truth;
+use eigenshade_model::reference::DirectSum;
 use eigenshade_table::Table;
 use eigenshade_table::scene::Criterion;
 use nalgebra::{DMatrix, DVector};
@@ -24,8 +24,8 @@ pub struct Pictures {
 impl Pictures {
     /// Computes the images by the direct sum, with lights as captured.
     pub fn new(loaded: &Loaded, listed: &WeightedNormals) -> Self {
-        let truth = Truth::new(loaded.lights.degree, loaded.materials.order);
-        let modes: Vec<_> = listed.normals().iter().map(|normal| truth.at(*normal)).collect();
+        let reference = DirectSum::new(loaded.lights.degree, loaded.materials.order);
+        let modes: Vec<_> = listed.normals().iter().map(|normal| reference.at(*normal)).collect();
         let mut pairs = Vec::new();
         for on in &loaded.materials.entries {
             let on = on.luminance();

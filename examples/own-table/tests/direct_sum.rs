@@ -26,7 +26,7 @@ fn row(file: &str, name: &str, count: usize) -> Vec<f64> {
 #[test]
 fn images_are_those_of_the_scene() {
     let light = row("lights.csv", "venice", index::light::count(3));
-    let truth = oracle::ExplicitLight::new(&light);
+    let reference = oracle::ExplicitLight::new(&light);
     let mut numbers = oracle::Numbers(3);
     let normals: Vec<[f64; 3]> = (0..40).map(|_| numbers.normal()).collect();
     for name in ["10-plaster-a", "07-velvet", "ptfe-633nm"] {
@@ -34,7 +34,7 @@ fn images_are_those_of_the_scene() {
         let indices = index::material::indices(4).zip(&material);
         let brdf: Vec<_> = indices.map(|((o, p, q), &b)| (o, p, q, b)).collect();
         let expected: Vec<f64> =
-            normals.iter().map(|&normal| oracle::irradiance(&truth, &brdf, normal)).collect();
+            normals.iter().map(|&normal| oracle::irradiance(&reference, &brdf, normal)).collect();
         let peak = expected.iter().fold(0.0f64, |most, value| most.max(value.abs()));
         let rounded = |values: &[f64]| values.iter().map(|&x| x as f32).collect::<Vec<_>>();
         let (light, material) = (rounded(&light), rounded(&material));

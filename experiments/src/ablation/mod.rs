@@ -14,7 +14,7 @@ use crate::multiplications::Multiplications;
 use crate::pages::{Page, Part, same_word, table};
 use crate::tolerances;
 use counts::{Column, Counts, M0, M3, M4F, RV32};
-use eigenshade_cli::output::number::grouped;
+use eigenshade_cli::messages::grouped;
 use eigenshade_index::effect::Effect;
 use eigenshade_shading::shipped;
 use eigenshade_table::decode;

@@ -6,11 +6,10 @@ use eigenshade::{Light, Q15, Rotation, Tolerance};
 use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_index::light;
 use eigenshade_model::database::{Named, luminance};
-use eigenshade_model::effects;
-use eigenshade_model::truth::Truth;
-use eigenshade_shading::integer_shader::IntegerShader;
+use eigenshade_model::reference::DirectSum;
+use eigenshade_model::reference::{light_products, material_products};
+use eigenshade_shading::integer_shader::{Integer, IntegerShader};
 use eigenshade_shading::owned_basis::OwnedBasis;
-use eigenshade_shading::owned_quantised::Integer;
 use eigenshade_shading::shader::{OwnedNormals, Shader};
 use eigenshade_shading::sphere_rings::{Ring, rings};
 
@@ -49,10 +48,10 @@ impl Sphere {
         (order, material): (usize, &[f64]),
         wanted: Effects,
     ) -> Picture {
-        let reference = Truth::new(degree, order);
-        let materials = effects::materials(order, material, wanted);
+        let reference = DirectSum::new(degree, order);
+        let materials = material_products(order, material, wanted);
         let lights: Vec<_> =
-            light.iter().map(|light| effects::lights(degree, light, wanted)).collect();
+            light.iter().map(|light| light_products(degree, light, wanted)).collect();
         let mut picture = vec![Vec::with_capacity(self.normals.len()); light.len()];
         for &normal in &self.normals {
             let modes = reference.at(normal);

@@ -72,7 +72,7 @@ fn plain(value: &f64) -> String {
         let text = format!("{value:.3}");
         let text = text.trim_end_matches('0').trim_end_matches('.');
         if *value >= 1000.0 {
-            eigenshade_cli::output::number::grouped(value.round() as usize)
+            eigenshade_cli::messages::grouped(value.round() as usize)
         } else {
             text.into()
         }

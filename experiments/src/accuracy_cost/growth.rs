@@ -182,7 +182,7 @@ fn image(scope: &Scope) -> Image {
         light: scope.lights.entries[0].luminance(),
         material: scope.seen.entries[0].luminance(),
         seen: true,
-        truth: Vec::new(),
+        reference: Vec::new(),
         peak: 0.0,
     }
 }

@@ -6,8 +6,8 @@ use eigenshade::{Light, NineTerms};
 use eigenshade_index::{light, material};
 use eigenshade_model::database::Named;
 use eigenshade_model::error::Result;
+use eigenshade_model::reference::DirectSum;
 use eigenshade_model::special::spherical_harmonic::azimuth;
-use eigenshade_model::truth::Truth;
 use eigenshade_shading::parallel;
 use eigenshade_shading::shader::fault;
 use eigenshade_shading::sphere_rings::{Ring, rings};
@@ -30,7 +30,7 @@ pub struct Image {
     /// Whether the basis was made from this material.
     pub seen: bool,
     /// The irradiance at each normal.
-    pub truth: Vec<f64>,
+    pub reference: Vec<f64>,
     /// The largest |I|.
     pub peak: f64,
 }
@@ -87,7 +87,7 @@ impl Images {
         let normals: Vec<[f64; 3]> = rings.iter().flat_map(Ring::normals).collect();
         let weights = rings.iter().flat_map(|one| std::iter::repeat_n(one.weight, one.tilts.len()));
         let weights = weights.collect();
-        let truth = Truth::new(degree, order);
+        let reference = DirectSum::new(degree, order);
         let lights: Vec<Vec<f64>> = scope.lights.entries.iter().map(Named::luminance).collect();
         let entries = scope.seen.entries.iter().chain(&scope.unseen.entries);
         let materials: Vec<Vec<f64>> = entries.map(Named::luminance).collect();
@@ -96,7 +96,7 @@ impl Images {
         let profiles = parallel::map(rings.len(), &hidden, |k| {
             let (sine, cosine) = rings[k].slant.sin_cos();
             // At the rim, cos(π/2) is not exactly zero.
-            let modes = truth.at([sine, 0.0, cosine.max(0.0)]);
+            let modes = reference.at([sine, 0.0, cosine.max(0.0)]);
             let of = |material: &Vec<f64>| {
                 let scattered = modes.scatter(material);
                 lights.iter().map(|light| modes.profile(light, &scattered)).collect::<Vec<_>>()
@@ -124,7 +124,7 @@ impl Images {
                 light: lights[light].clone(),
                 material: materials[material].clone(),
                 seen: material < scope.seen.entries.len(),
-                truth: values,
+                reference: values,
                 peak,
             }
         });

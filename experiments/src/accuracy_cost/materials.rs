@@ -1,8 +1,9 @@
 //! Lights and materials: those from which a basis is made, and others that it never saw.
 
 use eigenshade_generator::material::brdf::{
-    Abc, BINS, Brdf, Geometry, Ggx, Lambertian, Measure, Merl, OrenNayar, Surface,
+    Abc, Brdf, Geometry, Ggx, Lambertian, Measure, OrenNayar, Surface,
 };
+use eigenshade_generator::material::merl::{BINS, Merl};
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_shading::{parallel, shipped};
@@ -82,7 +83,7 @@ fn ggx(roughness: &[f64], f0: &[f64]) -> Result<Vec<Surface>> {
         let albedo = if f0 < 0.1 { 0.5 } else { 0.0 };
         for &roughness in roughness {
             let brdf = Ggx::new(roughness, f0, albedo)?;
-            surfaces.push(Surface::grey(format!("ggx-{f0}-{roughness}"), Box::new(brdf)));
+            surfaces.push(Surface::gray(format!("ggx-{f0}-{roughness}"), Box::new(brdf)));
         }
     }
     Ok(surfaces)
@@ -91,8 +92,8 @@ fn ggx(roughness: &[f64], f0: &[f64]) -> Result<Vec<Surface>> {
 /// Matte surfaces.
 fn matte() -> Result<Vec<Surface>> {
     Ok(vec![
-        Surface::grey("lambertian".into(), Box::new(Lambertian::new(0.8)?)),
-        Surface::grey("oren-nayar-0.35".into(), Box::new(OrenNayar::new(0.8, 0.35)?)),
+        Surface::gray("lambertian".into(), Box::new(Lambertian::new(0.8)?)),
+        Surface::gray("oren-nayar-0.35".into(), Box::new(OrenNayar::new(0.8, 0.35)?)),
     ])
 }
 
@@ -208,7 +209,7 @@ fn merl_like() -> Result<Vec<Surface>> {
     let surface = |&(name, albedo, strength, width): &(&str, f64, f64, f64)| {
         let table = Merl::new(gaussian(albedo, strength, width));
         let table = table.ok_or_else(|| Error::new("a table of another size", "report it"))?;
-        Ok(Surface::grey(name.into(), Box::new(Coarse(table))))
+        Ok(Surface::gray(name.into(), Box::new(Coarse(table))))
     };
     tables.iter().map(surface).collect()
 }

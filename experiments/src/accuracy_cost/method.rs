@@ -101,8 +101,8 @@ pub fn compare(setting: &Setting, table: &Table, images: &Images) -> Result<Foun
 /// The rms over the normals and the largest error, relative to the peak.
 fn errors(values: &[f64], image: &Image, weights: &[f64]) -> [f64; 2] {
     let (mut square, mut largest) = (0.0, 0.0f64);
-    for ((value, truth), weight) in values.iter().zip(&image.truth).zip(weights) {
-        let apart = (value - truth).abs();
+    for ((value, reference), weight) in values.iter().zip(&image.reference).zip(weights) {
+        let apart = (value - reference).abs();
         square += weight * apart * apart;
         if apart.is_nan() || apart > largest {
             largest = apart;

@@ -13,7 +13,7 @@ use super::points::Point;
 use super::setting::{Scaling, Way};
 use super::sheet::{MODEL, POINTS};
 use super::words::{cost, exponent, limit as per_cent_limit, per_cent, setting, table};
-use eigenshade_cli::output::number::grouped;
+use eigenshade_cli::messages::grouped;
 
 /// The file name of the page.
 pub const PAGE: &str = "accuracy-cost.md";

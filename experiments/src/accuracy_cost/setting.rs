@@ -1,6 +1,6 @@
 //! One complete setting: the basis, the method of computing a pixel, and the number format.
 
-use eigenshade_cli::table::wire_file;
+use eigenshade_cli::table;
 use eigenshade_index::effect::Effects;
 use eigenshade_table::scene;
 use std::fmt;
@@ -166,7 +166,7 @@ impl fmt::Display for Recipe {
             write!(f, " m{azimuths}")?;
         }
         if !self.effects.is_all() {
-            write!(f, " {}", wire_file::named(self.effects).replace(' ', "+"))?;
+            write!(f, " {}", table::effect_names(self.effects).replace(' ', "+"))?;
         }
         match self.cut {
             Cut::Whole => Ok(()),

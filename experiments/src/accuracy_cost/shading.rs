@@ -6,8 +6,9 @@ use eigenshade::mathematics::{Libm, Micromath, SinglePrecision, Tabled};
 use eigenshade::{Basis, MapPoint, NineTerms, Normal, Q15, Q31, Scalar, Tolerance, quantised};
 use eigenshade_model::error::Result;
 use eigenshade_shading::integer_shader::{self, IntegerShader};
+use eigenshade_shading::methods::LookUp;
 use eigenshade_shading::owned_basis::OwnedBasis;
-use eigenshade_shading::shader::{LookUp, OwnedNormals, Shader, fault};
+use eigenshade_shading::shader::{OwnedNormals, Shader, fault};
 use eigenshade_table::Table;
 
 /// A setting with its basis and normals.

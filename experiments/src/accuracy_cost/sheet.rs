@@ -6,9 +6,9 @@ use super::machine::Machine;
 use super::method::Spread;
 use super::model::{MAPS, Row};
 use super::points::Point;
-use eigenshade_cli::output::number::exact;
-use eigenshade_cli::output::rows::Rows;
-use eigenshade_cli::table::wire_file;
+use eigenshade_cli::output::Rows;
+use eigenshade_cli::output::exact;
+use eigenshade_cli::table;
 use eigenshade_model::error::Result;
 
 /// The file of all points.
@@ -102,7 +102,7 @@ fn fields(point: &Point) -> Vec<String> {
         setting.recipe.order.to_string(),
         optional(setting.recipe.components),
         optional(setting.recipe.modes),
-        wire_file::named(setting.recipe.effects),
+        table::effect_names(setting.recipe.effects),
         optional(setting.recipe.azimuths),
         setting.way.to_string(),
         setting.format.to_string(),

@@ -4,8 +4,8 @@
 use super::setting::{Format, Setting, Way};
 use eigenshade::{Q15, Q31, Scene};
 use eigenshade_model::error::{Error, Result};
+use eigenshade_shading::integer_shader::{Integer, OwnedQuantised};
 use eigenshade_shading::owned_basis::OwnedBasis;
-use eigenshade_shading::owned_quantised::{Integer, OwnedQuantised};
 use eigenshade_shading::shader::fault;
 use eigenshade_table::quantize;
 use eigenshade_table::{Parts, Table, wire};

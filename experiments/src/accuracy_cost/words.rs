@@ -1,8 +1,8 @@
 //! Text forms of numbers and settings for the page.
 
 use super::setting::{Format, Setting, Way};
-use eigenshade_cli::output::number::grouped;
-use eigenshade_cli::table::wire_file;
+use eigenshade_cli::messages::grouped;
+use eigenshade_cli::table;
 use eigenshade_table::scene;
 
 /// An error in percent with two digits, or as a power of ten below 0.01 %.
@@ -73,7 +73,7 @@ pub fn setting(setting: &Setting, terms: usize) -> String {
         text.push_str(&format!(" of {modes} modes"));
     }
     if !recipe.effects.is_all() {
-        let names = wire_file::named(recipe.effects).replace(' ', ", ");
+        let names = table::effect_names(recipe.effects).replace(' ', ", ");
         text.push_str(&format!(", of {names} alone"));
     }
     let cut = recipe.cuts();

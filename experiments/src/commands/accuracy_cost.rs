@@ -1,8 +1,8 @@
 //! `experiments accuracy-cost`: the error and the cost of every setting.
 
 use clap::Args;
-use eigenshade_cli::output::message::{bar, say};
-use eigenshade_cli::output::{collision, destination};
+use eigenshade_cli::messages::{print_message, progress_bar};
+use eigenshade_cli::output;
 use eigenshade_model::error::{Error, Result};
 use experiments::accuracy_cost::check::{Compared, compare};
 use experiments::accuracy_cost::kept::Kept;
@@ -56,7 +56,7 @@ impl AccuracyCost {
             None => Times::None,
         };
         let extent = Extent { quick: self.quick, times };
-        let progress = bar("settings", 0);
+        let progress = progress_bar("settings", 0);
         let measured = Measured::new(extent, &self.maps, &progress);
         progress.finish_and_clear();
         let measured = measured?;
@@ -67,7 +67,7 @@ impl AccuracyCost {
             let sheets = measured.sheets()?;
             let Compared { rows, numbers } =
                 compare(&sheets, &measured.growths, folder, !self.quick)?;
-            say(format_args!("{rows} rows are what they should be: {numbers} numbers"));
+            print_message(format_args!("{rows} rows are what they should be: {numbers} numbers"));
         }
         Ok(())
     }
@@ -76,11 +76,11 @@ impl AccuracyCost {
 fn write(measured: &Measured, out: &Path) -> Result<()> {
     let files = measured.files()?;
     let paths: Vec<PathBuf> = files.iter().map(|(name, _)| out.join(name)).collect();
-    collision::refuse(&paths, std::iter::empty::<&Path>())?;
+    output::refuse_collisions(&paths, std::iter::empty::<&Path>())?;
     for ((_, text), path) in files.iter().zip(&paths) {
-        destination::write_text(Some(path), text)?;
+        output::write_all(Some(path), text)?;
     }
-    say(format_args!(
+    print_message(format_args!(
         "{} settings, {} files in {}",
         measured.points.len(),
         files.len(),

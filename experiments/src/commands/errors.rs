@@ -1,11 +1,11 @@
 //! `experiments errors`: a table against direct integration.
 
 use clap::Args;
-use eigenshade_cli::output::message::{bar, say};
-use eigenshade_cli::output::rows::Rows;
-use eigenshade_cli::output::{collision, destination, invocation};
+use eigenshade_cli::messages::{print_message, progress_bar};
+use eigenshade_cli::output;
+use eigenshade_cli::output::Rows;
+use eigenshade_cli::table;
 use eigenshade_cli::table::recorded_errors::{COLUMNS, Stamp};
-use eigenshade_cli::table::table_file;
 use eigenshade_generator::direct::Surroundings;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::light::projection::named_maps;
@@ -63,7 +63,7 @@ impl Errors {
         let of_materials = self.materials.iter().flat_map(|path| material::files::files(path));
         let files = named.iter().map(|(_, map)| map.clone()).chain(of_materials);
         let inputs = [self.table.clone(), self.lights.clone()].into_iter().chain(files);
-        collision::refuse(&self.out, inputs)?;
+        output::refuse_collisions(&self.out, inputs)?;
         let table = self.table()?;
         let (degree, order) = (table.gram.degree, table.gram.order);
         let lights = self.lights_of(&named)?;
@@ -79,15 +79,15 @@ impl Errors {
         let mut sums = vec![(degree, order)];
         sums.extend(OTHERS.iter().filter(|&&size| size <= lights.degree).map(|&s| (s, s)));
         let stamp = Stamp::of(&table);
-        destination::write(self.out.as_deref(), |out| {
+        output::write(self.out.as_deref(), |out| {
             if self.out.is_some() {
-                writeln!(out, "# {}", invocation::command_line())
-                    .map_err(|error| destination::fault(&error))?;
+                writeln!(out, "# {}", output::command_line())
+                    .map_err(|error| output::write_error(&error))?;
             }
             let mut rows = Rows::new(out, COLUMNS)?;
             for surface in &surfaces {
                 let name = &surface.name;
-                let progress = bar("batches of normals", 0);
+                let progress = progress_bar("batches of normals", 0);
                 let reference =
                     Reference::new(surface, &maps, spacing(surface), self.fineness, &progress);
                 progress.finish_and_clear();
@@ -99,7 +99,7 @@ impl Errors {
                     let worst = (0..errors.len()).max_by(|&a, &b| errors[a].total_cmp(&errors[b]));
                     let worst = worst.unwrap_or_default();
                     let (middle, most, map) = (median(errors), errors[worst], &named[worst].0);
-                    say(format_args!(
+                    print_message(format_args!(
                         "{name} {degree}, {order} {components}: median {middle:.2e}, worst {most:.2e} ({map})"
                     ));
                     rows.row([
@@ -126,7 +126,7 @@ impl Errors {
     }
 
     fn table(&self) -> Result<Table> {
-        let table = table_file::read(file(&self.table))?;
+        let table = table::read(file(&self.table))?;
         let fault = |what, remedy| Err(Error::new(what, remedy).in_file(&self.table));
         if table.general.is_some() || !table.has_projection() {
             return fault(

@@ -2,10 +2,10 @@
 //! two tables' components, tables for WebAssembly modules, and the picture of the README.
 
 use clap::Args;
-use eigenshade_cli::output::message::say;
-use eigenshade_cli::picture::sphere_view::SphereView;
-use eigenshade_cli::picture::{png_file, tone};
-use eigenshade_cli::table::table_file;
+use eigenshade_cli::messages::print_message;
+use eigenshade_cli::picture;
+use eigenshade_cli::picture::SphereView;
+use eigenshade_cli::table;
 use eigenshade_generator::material::brdf::projection::project;
 use eigenshade_generator::material::brdf::{Ggx, Measure};
 use eigenshade_model::database::Named;
@@ -15,7 +15,7 @@ use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader, fault};
 use eigenshade_shading::shipped;
 use eigenshade_testing::glossy;
-use eigenshade_testing::golden::answers;
+use eigenshade_testing::golden;
 use eigenshade_testing::golden::record::{Golden, Row};
 use experiments::accuracy_cost::bases::Bases;
 use experiments::accuracy_cost::knobs;
@@ -31,7 +31,7 @@ use std::path::{Path, PathBuf};
 pub fn golden(purpose: &Purpose) -> Result<()> {
     const COMMAND: &str =
         "cargo run --release -p experiments -- golden --out tests/golden/sphere.csv";
-    let answered = answers::golden();
+    let answered = golden::golden();
     let text = answered.text(&[COMMAND, "What the rows are: docs/formats.md"]);
     purpose.write_or_compare(&text, COMMAND, |recorded, _| {
         let recorded = Golden::parse(recorded)?;
@@ -55,7 +55,7 @@ fn near(old: &Row, new: &Row) -> std::result::Result<bool, String> {
     }
     let (old, new) = (old.floats()?, new.floats()?);
     let largest = new.iter().fold(0.0f32, |most, number| most.max(number.abs()));
-    let within = |(a, b): (&f32, &f32)| (a - b).abs() <= answers::GOLDEN_F32 * largest;
+    let within = |(a, b): (&f32, &f32)| (a - b).abs() <= golden::GOLDEN_F32 * largest;
     Ok(old.len() == new.len() && old.iter().zip(&new).all(within))
 }
 
@@ -90,7 +90,7 @@ pub struct SameOrder {
 
 impl SameOrder {
     pub fn run(self) -> Result<()> {
-        let (a, b) = (table_file::read(&self.one)?, table_file::read(&self.other)?);
+        let (a, b) = (table::read(&self.one)?, table::read(&self.other)?);
         let Agreement { compared, different, least } = agreement(&a, &b);
         let remedy = "order and sign must not depend on the instruction set";
         let fault = |what: String| Err(Error::new(what, remedy).in_file(&self.other));
@@ -101,7 +101,7 @@ impl SameOrder {
         if compared < a.count().min(b.count()) * 9 / 10 {
             return fault(format!("only {compared} components can be compared"));
         }
-        say(format_args!(
+        print_message(format_args!(
             "{compared} components have the same order and sign, products from {least:.6} on"
         ));
         Ok(())
@@ -187,7 +187,7 @@ pub struct Picture {
 
 impl Picture {
     pub fn run(self) -> Result<()> {
-        let table = table_file::read(&self.table)?;
+        let table = table::read(&self.table)?;
         let (degree, order) = (table.gram.degree, table.gram.order);
         let lights = shipped::lights()?.truncated(degree);
         let mut materials = Vec::new();
@@ -213,19 +213,19 @@ impl Picture {
                 images.push(shader.color((degree, light), (order, material), &normals)?);
             }
             let all = images.iter().flatten().flatten().map(|&value| f64::from(value)).collect();
-            let exposure = tone::exposure(all, UNCLIPPED);
+            let exposure = picture::exposure(all, UNCLIPPED);
             for (column, image) in images.iter().enumerate() {
                 for (k, pixel) in view.pixels.iter().enumerate() {
                     let (x, y) = (across(column) + pixel.column, across(row) + pixel.row);
                     let start = 4 * (y * width + x);
                     for (channel, byte) in image.iter().zip(&mut bytes[start..]) {
-                        *byte = tone::srgb(exposure * f64::from(channel[k]));
+                        *byte = picture::srgb(exposure * f64::from(channel[k]));
                     }
                     bytes[start + 3] = (255.0 * pixel.coverage).round() as u8;
                 }
             }
         }
-        png_file::write(&self.out, width, height, &bytes)
+        picture::write_png(&self.out, width, height, &bytes)
     }
 }
 

@@ -6,7 +6,7 @@ mod files;
 mod paper;
 
 use clap::Subcommand;
-use eigenshade_cli::output::message::spinner;
+use eigenshade_cli::messages::spinner;
 use eigenshade_model::error::{Error, Result};
 use experiments::pages::Purpose;
 use experiments::{ablation, float_errors, reading, stability};

@@ -1,7 +1,7 @@
 //! `experiments paper`: the figures of the paper, on the shipped data.
 
 use clap::Args;
-use eigenshade_cli::output::message::{say, spinner};
+use eigenshade_cli::messages::{print_message, spinner};
 use eigenshade_model::error::Result;
 use experiments::pages::Purpose;
 use experiments::paper::compare::compare;
@@ -33,12 +33,14 @@ impl Paper {
             for file in &files {
                 file.write(folder)?;
             }
-            say(format_args!("{} files in {}", files.len(), folder.display()));
+            print_message(format_args!("{} files in {}", files.len(), folder.display()));
         }
         if let Some(folder) = check {
             let [numbers, pixels] = compare(&files, folder)?;
             let count = files.len();
-            say(format_args!("{count} files are up to date: {numbers} numbers, {pixels} pixels"));
+            print_message(format_args!(
+                "{count} files are up to date: {numbers} numbers, {pixels} pixels"
+            ));
         }
         Ok(())
     }

@@ -7,11 +7,11 @@ use super::output_file::{OutputFile, row};
 use super::plate::{Plate, UNCLIPPED, gray};
 use super::spheres::SHOWN;
 use super::study::{Modes, Study, Trial, title};
-use eigenshade_cli::picture::sphere_view::SphereView;
-use eigenshade_cli::picture::tone::exposure;
+use eigenshade_cli::picture::SphereView;
+use eigenshade_cli::picture::exposure;
 use eigenshade_generator::basis::partial_sum::{PartialSum, Step};
 use eigenshade_model::error::Result;
-use eigenshade_model::truth::Truth;
+use eigenshade_model::reference::DirectSum;
 use eigenshade_shading::parallel;
 use indicatif::ProgressBar;
 use plotters::prelude::SeriesLabelPosition;
@@ -164,7 +164,7 @@ pub fn render(
         *reached.unwrap_or(&steps[0])
     };
     let chosen = RENDERED.map(within);
-    let reference = Truth::new(study.lights.degree, study.materials.order);
+    let reference = DirectSum::new(study.lights.degree, study.materials.order);
     let pixels = parallel::map(view.normals.len(), progress, |k| {
         let modes = reference.at(view.normals[k]);
         let mut sums = [0.0; RENDERED.len()];

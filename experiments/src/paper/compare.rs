@@ -4,8 +4,8 @@
 //! two whole pixels or levels, such a digit decides how it is rounded.
 
 use super::output_file::{Content, FOLDER, OutputFile};
-use eigenshade_cli::picture::canvas::Canvas;
-use eigenshade_generator::picture::png_samples::{self, PngSamples};
+use eigenshade_cli::picture::Canvas;
+use eigenshade_generator::png_samples::{self, PngSamples};
 use eigenshade_model::error::{Error, Result};
 use std::ffi::OsString;
 use std::fs;
@@ -199,7 +199,7 @@ fn compare_pictures(found: &PngSamples, expected: &Canvas) -> std::result::Resul
 #[cfg(test)]
 mod tests {
     use super::*;
-    use eigenshade_generator::picture::png_curve::Curve;
+    use eigenshade_generator::png_samples::Curve;
 
     #[test]
     fn last_digits_may_differ_and_nothing_else() {

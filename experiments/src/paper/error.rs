@@ -9,8 +9,7 @@
 use super::chart::{self, Axes, BLUE, GREEN, Line, ORANGE, PALE, PURPLE};
 use super::output_file::{OutputFile, digits, row};
 use super::study::{DEGREE, Modes, Study, Trial, place, title};
-use eigenshade_generator::basis::node_image::MaterialImages;
-use eigenshade_generator::basis::representation::fit;
+use eigenshade_generator::basis::node_image::{MaterialImages, fit};
 use eigenshade_index::{light, mode};
 use eigenshade_model::database::Named;
 use eigenshade_model::error::Result;

@@ -1,10 +1,10 @@
 //! The files of a figure, before they are written.
 
-use eigenshade_cli::output::destination;
-use eigenshade_cli::output::number::exact;
-use eigenshade_cli::output::rows::Rows;
-use eigenshade_cli::picture::canvas::Canvas;
-use eigenshade_cli::picture::png_file;
+use eigenshade_cli::output;
+use eigenshade_cli::output::Rows;
+use eigenshade_cli::output::exact;
+use eigenshade_cli::picture;
+use eigenshade_cli::picture::Canvas;
 use eigenshade_model::error::{Error, Result};
 use std::fmt::Display;
 use std::path::Path;
@@ -69,9 +69,9 @@ impl OutputFile {
             std::fs::create_dir_all(parent).map_err(|error| Error::io(parent, &error))?;
         }
         match &self.content {
-            Content::Text(text) => destination::write_text(Some(&path), text),
+            Content::Text(text) => output::write_all(Some(&path), text),
             Content::Picture(canvas) => {
-                png_file::write(&path, canvas.width, canvas.height, &canvas.bytes)
+                picture::write_png(&path, canvas.width, canvas.height, &canvas.bytes)
             }
         }
     }

@@ -1,8 +1,8 @@
 //! Plates of spheres: pictures in rows and columns, with text.
 
-use eigenshade_cli::picture::canvas::{Canvas, LETTER, text_width};
-use eigenshade_cli::picture::sphere_view::SphereView;
-use eigenshade_cli::picture::tone::srgb;
+use eigenshade_cli::picture::SphereView;
+use eigenshade_cli::picture::srgb;
+use eigenshade_cli::picture::{Canvas, LETTER, text_width};
 
 /// Color of the background.
 const PAPER: [u8; 3] = [212, 214, 217];

@@ -5,9 +5,9 @@ use super::output_file::{OutputFile, row};
 use super::plate::{Plate, UNCLIPPED, gray};
 use super::study::{Modes, Study, Trial, place, title};
 use eigenshade::{Basis, Normal};
-use eigenshade_cli::picture::tone::exposure;
+use eigenshade_cli::picture::exposure;
 use eigenshade_model::error::Result;
-use eigenshade_model::truth::Truth;
+use eigenshade_model::reference::DirectSum;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, fault};
 use eigenshade_shading::sphere_rings::{Ring, rings};
@@ -109,7 +109,7 @@ pub fn right_from(shares: &[f64]) -> Option<usize> {
 
 /// The direct sum at these normals.
 fn direct_sum(study: &Study, trial: &Trial, normals: &[[f64; 3]]) -> Vec<f64> {
-    let reference = Truth::new(study.lights.degree, study.materials.order);
+    let reference = DirectSum::new(study.lights.degree, study.materials.order);
     let (light, gray) = (&study.luminances[trial.light], &study.grays[trial.material]);
     let of = |&normal: &[f64; 3]| {
         let modes = reference.at(normal);

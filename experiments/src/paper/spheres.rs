@@ -4,8 +4,8 @@
 use super::output_file::{OutputFile, row};
 use super::plate::{Plate, UNCLIPPED};
 use super::study::{Modes, Study, place, title};
-use eigenshade_cli::picture::sphere_view::SphereView;
-use eigenshade_cli::picture::tone::exposure;
+use eigenshade_cli::picture::SphereView;
+use eigenshade_cli::picture::exposure;
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::Result;
 use eigenshade_shading::owned_basis::OwnedBasis;

@@ -2,8 +2,7 @@
 //! basis represents every image.
 
 use eigenshade_generator::basis::moments::exposure;
-use eigenshade_generator::basis::node_image::MaterialImages;
-use eigenshade_generator::basis::representation::{Fit, fit};
+use eigenshade_generator::basis::node_image::{Fit, MaterialImages, fit};
 use eigenshade_generator::basis::{self, gram};
 use eigenshade_index::{effect, mode};
 use eigenshade_model::database::{Lights, Materials, Named};

@@ -4,7 +4,7 @@ use super::output_file::{Content, FOLDER, OutputFile};
 use super::study::{Modes, title};
 use super::variance::SURFACES;
 use crate::pages::Part;
-use eigenshade_cli::output::number::grouped;
+use eigenshade_cli::messages::grouped;
 
 /// Numbers of components for which errors are given.
 const COUNTS: [usize; 8] = [5, 6, 9, 10, 20, 30, 50, 100];

@@ -1,6 +1,6 @@
 //! Camera effects on an image of peak 1: noise, few bits, clipping, hidden parts.
 
-use eigenshade_cli::picture::tone;
+use eigenshade_cli::picture;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
@@ -79,7 +79,7 @@ impl Degradation {
                 Storage::Exact => value,
                 Storage::Bits => (full * scale * value).round().max(0.0) / full / scale,
                 Storage::SrgbBits => {
-                    tone::linear(f64::from(tone::srgb(scale * value)) / full) / scale
+                    picture::linear(f64::from(picture::srgb(scale * value)) / full) / scale
                 }
                 Storage::Clipped | Storage::ClippedAndKept => value.min(clip),
             };

@@ -8,13 +8,12 @@ mod score;
 use crate::pages::{Page, Part, same_word, table};
 use crate::tolerances;
 use degrade::Degradation;
-use eigenshade_cli::output::message::bar;
-use eigenshade_cli::picture::sphere_view::SphereView;
-use eigenshade_cli::reading::image_reading::{Reader, Reading};
-use eigenshade_cli::table::table_file;
+use eigenshade_cli::messages::progress_bar;
+use eigenshade_cli::picture::SphereView;
+use eigenshade_cli::reading::{Reader, Reading};
+use eigenshade_cli::table;
 use eigenshade_generator::basis;
-use eigenshade_generator::reading::eigenimage_values::EigenimageValues;
-use eigenshade_generator::reading::observation::{Observation, Observer};
+use eigenshade_generator::reading::observation::{EigenimageValues, Observation, Observer};
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::Result;
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
@@ -58,7 +57,7 @@ const SIZE: usize = 64;
 ///
 /// If a table or database cannot be read.
 pub fn parts(tables: &Path) -> Result<Vec<Part>> {
-    let few = table_file::read(tables.join("sphere.bin"))?;
+    let few = table::read(tables.join("sphere.bin"))?;
     let (degree, order) = (few.gram.degree, few.gram.order);
     let lights = read_lights(tables.join("inputs/lights.csv"), None)?.truncated(degree);
     let materials = read_materials(tables.join("inputs/materials.csv"), None)?.truncated(order);
@@ -86,7 +85,7 @@ pub fn parts(tables: &Path) -> Result<Vec<Part>> {
             [&few, &whole].map(|table| (degradation, Database { table, lights, materials }))
         })
         .collect();
-    let progress = bar("cases", cases.len());
+    let progress = progress_bar("cases", cases.len());
     let scored = parallel::map(cases.len(), &progress, |case| {
         let (degradation, database) = &cases[case];
         database.score(degradation, &set)

@@ -1,13 +1,13 @@
 //! Scores a reading against the true light and material.
 
 use crate::median::median;
-use eigenshade_cli::reading::image_reading::Reading;
-use eigenshade_generator::reading::eigenimage_values::EigenimageValues;
+use eigenshade_cli::reading::Reading;
+use eigenshade_generator::reading::observation::EigenimageValues;
 use eigenshade_generator::reading::rank_one::RankOne;
 use eigenshade_generator::reading::transfer::Transfers;
 use eigenshade_index::light;
 use eigenshade_model::database::{Materials, Named};
-use eigenshade_model::truth::Truth;
+use eigenshade_model::reference::DirectSum;
 use eigenshade_table::Table;
 
 /// Iterations for a product in least-norm modes: these are far from any product, and many do not
@@ -33,7 +33,7 @@ impl TestSet {
         [degree, order]: [usize; 2],
         normals: Vec<[f64; 3]>,
     ) -> Self {
-        let reference = Truth::new(degree, order);
+        let reference = DirectSum::new(degree, order);
         let modes: Vec<_> = normals.iter().map(|normal| reference.at(*normal)).collect();
         let (mut pairs, mut images, mut scales) = (Vec::new(), Vec::new(), Vec::new());
         for material in &materials {

@@ -7,7 +7,7 @@ use crate::tolerances;
 use eigenshade::mathematics::Libm;
 use eigenshade::{MapPoint, Negatives, Normal, Normals, Q15, Tolerance, quantised, sphere};
 use eigenshade_model::database::Named;
-use eigenshade_model::special::gauss_legendre;
+use eigenshade_model::special::quadrature::gauss_legendre;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader};
 use eigenshade_shading::shipped;
@@ -40,7 +40,7 @@ fn quadrature() -> (Vec<[f64; 3]>, Vec<f64>) {
             ([root * cosine, root * sine, z], 2.0 * z * weight / 40.0)
         })
     };
-    gauss_legendre::rule(48, 0.0, 1.0).into_iter().flat_map(at).unzip()
+    gauss_legendre(48, 0.0, 1.0).into_iter().flat_map(at).unzip()
 }
 
 /// The shipped table in f64 at some normals.

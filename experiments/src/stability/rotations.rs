@@ -7,8 +7,8 @@ use eigenshade::mathematics::SinglePrecision;
 use eigenshade::{Light, Rotation};
 use eigenshade_index::light;
 use eigenshade_model::polar_integral::PolarIntegrals;
+use eigenshade_model::reference::DirectSum;
 use eigenshade_model::rotation;
-use eigenshade_model::truth::Truth;
 use eigenshade_testing::oracle::Numbers;
 use eigenshade_testing::rotations::{euler, irradiance, product, rotation};
 use eigenshade_testing::{fixtures, largest};
@@ -54,7 +54,7 @@ pub(super) fn third_angle() -> Vec<Figure> {
     let mut numbers = Numbers(9);
     let given = fixtures::lights(degree, 1, &mut numbers).entries[0].luminance();
     let material = fixtures::materials(order, 1, &mut numbers).entries[0].luminance();
-    let reference = Truth::new(degree, order);
+    let reference = DirectSum::new(degree, order);
     let integrals = PolarIntegrals::new(degree, order);
     let (mut worst, mut peak, mut still) = (0.0f64, 0.0f64, 0.0f64);
     for _ in 0..40 {

@@ -94,7 +94,7 @@ fn errors_are_those_of_direct_quadrature() {
     scope.unseen.entries.truncate(1);
     let images = Images::new(&scope);
     assert_eq!(images.images.len(), 6);
-    let truth = |image: &Image, normal: [f64; 3]| {
+    let reference = |image: &Image, normal: [f64; 3]| {
         let light = oracle::ExplicitLight::new(&image.light);
         let terms: Vec<_> = material::indices(order)
             .zip(&image.material)
@@ -104,7 +104,7 @@ fn errors_are_those_of_direct_quadrature() {
     };
     for image in &images.images {
         for k in (0..images.normals.len()).step_by(97) {
-            let apart = (image.truth[k] - truth(image, images.normals[k])).abs();
+            let apart = (image.reference[k] - reference(image, images.normals[k])).abs();
             assert!(apart <= tolerances::DIRECT_SUM * image.peak, "{apart:e}");
         }
     }
@@ -124,7 +124,7 @@ fn errors_are_those_of_direct_quadrature() {
                 .clone()
                 .polynomial((degree, &image.light), (order, &image.material), &view)
                 .expect("an image");
-            let truths = normals.iter().map(|&normal| truth(image, normal));
+            let truths = normals.iter().map(|&normal| reference(image, normal));
             let square: f64 =
                 shaded.iter().zip(truths).map(|(&a, b)| (f64::from(a) - b).powi(2)).sum();
             (square / normals.len() as f64).sqrt() / image.peak

@@ -6,14 +6,13 @@ use crate::paper_oracle::study;
 use crate::tolerances;
 use eigenshade::Normal;
 use eigenshade_generator::basis::gram;
-use eigenshade_generator::basis::node_image::MaterialImages;
+use eigenshade_generator::basis::node_image::{MaterialImages, fit};
 use eigenshade_generator::basis::partial_sum::PartialSum;
 use eigenshade_generator::basis::profile::evaluate;
-use eigenshade_generator::basis::representation::fit;
 use eigenshade_index::{light, mode};
 use eigenshade_model::rotation::Rotation;
 use eigenshade_model::selection::variances;
-use eigenshade_model::special::gauss_legendre;
+use eigenshade_model::special::quadrature::gauss_legendre;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::parallel;
 use eigenshade_shading::sphere_rings::{Ring, rings};
@@ -38,7 +37,7 @@ const RINGS: u32 = 2000;
 /// degree 9.
 fn rotations() -> impl Iterator<Item = (Rotation, f64)> {
     let angle = |k: i32| 2.0 * PI * f64::from(k) / 19.0;
-    gauss_legendre::rule(10, -1.0, 1.0).into_iter().flat_map(move |(z, weight)| {
+    gauss_legendre(10, -1.0, 1.0).into_iter().flat_map(move |(z, weight)| {
         let pairs = (0..19).flat_map(|beta| (0..19).map(move |gamma| (beta, gamma)));
         pairs.map(move |(beta, gamma)| {
             let rotation = Rotation { alpha: z.acos(), beta: angle(beta), gamma: angle(gamma) };

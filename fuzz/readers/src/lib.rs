@@ -5,7 +5,7 @@ use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::material::{analytic, measurements, merl as merl_file};
 use eigenshade_generator::object::geometry::WeightedNormals;
 use eigenshade_generator::object::{density, mesh, normal_map};
-use eigenshade_generator::picture::png_samples;
+use eigenshade_generator::png_samples;
 use eigenshade_generator::scene_file;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::{coefficient_csv, normals};

@@ -1,18 +1,17 @@
 //! `eigenshade basis`: makes a table from a scene file.
 
-use super::Memory;
+use super::options::Memory;
 use clap::Args;
-use eigenshade_cli::notes::albedo;
-use eigenshade_cli::output::message::{say, spinner};
-use eigenshade_cli::output::number::grouped;
-use eigenshade_cli::output::{collision, destination, invocation};
+use eigenshade_cli::messages::{grouped, print_message, spinner};
+use eigenshade_cli::notes::albedo_warning;
+use eigenshade_cli::output;
 use eigenshade_cli::table::compare::{Difference, differences};
 use eigenshade_cli::table::recorded_errors::manifest_rows;
-use eigenshade_cli::table::{rounding, table_file};
+use eigenshade_cli::table::{self, rounding};
 use eigenshade_generator::basis::estimate::Estimate;
 use eigenshade_generator::scene_file;
 use eigenshade_model::error::{Error, Result};
-use eigenshade_model::output::{writable, write_atomically};
+use eigenshade_model::output::writable;
 use eigenshade_shading::shader::of_higher_order;
 use eigenshade_table::file::manifest;
 use eigenshade_table::wire::Format;
@@ -60,13 +59,13 @@ impl Basis {
         if let Some(path) = &self.purpose.out {
             let mut inputs = scene_file::inputs(&self.scene);
             inputs.push(path.with_extension(ERRORS));
-            collision::refuse([path, &path.with_extension(MANIFEST)], inputs)?;
+            output::refuse_collisions([path, &path.with_extension(MANIFEST)], inputs)?;
             writable(path)?;
             writable(&path.with_extension(MANIFEST))?;
         }
-        // Read first: a broken table need not wait for a good one.
+        // Read first, so that a broken table is reported before the new one is made.
         let old = match &self.purpose.check {
-            Some(path) => Some((path, table_file::read(memory.file(path))?)),
+            Some(path) => Some((path, table::read(memory.file(path))?)),
             None => None,
         };
         let start = Instant::now();
@@ -75,12 +74,12 @@ impl Basis {
         let estimate = Estimate::of(&loaded);
         estimate.admit(memory.of_basis()).map_err(|error| error.in_file(&self.scene))?;
         if let Some(time) = estimate.minutes() {
-            progress.suspend(|| say(format_args!("this takes {time} or less")));
+            progress.suspend(|| print_message(format_args!("this takes {time} or less")));
         }
         let chosen = loaded.chosen();
         progress.finish_and_clear();
         let (mut table, choice) = chosen.map_err(|error| error.in_file(&self.scene))?;
-        choice.iter().for_each(|choice| choice.to_string().lines().for_each(say));
+        choice.iter().for_each(|choice| choice.to_string().lines().for_each(print_message));
         if let Some((path, old)) = old {
             return check(&self.scene, path, &old, &table);
         }
@@ -91,26 +90,20 @@ impl Basis {
         };
         let bytes = encode(&table);
         if let Some(path) = &self.purpose.out {
-            let put = |path: &Path, bytes: &[u8]| {
-                write_atomically(path, |out| {
-                    out.write_all(bytes).map_err(|error| destination::fault(&error))
-                })
-            };
-            put(path, &bytes)?;
-            let text = manifest(&table, &invocation::command_line());
-            let text = text + &errors;
-            put(&path.with_extension(MANIFEST), text.as_bytes())?;
+            output::write_all(Some(path), &bytes)?;
+            let text = manifest(&table, &output::command_line()) + &errors;
+            output::write_all(Some(&path.with_extension(MANIFEST)), text)?;
         }
         let database = self.scene.parent().unwrap_or(Path::new("."));
         let database = database.join(&loaded.scene.material.database);
         let order = loaded.scene.material.order;
         let warnings = [
             of_higher_order(&database, loaded.order_of_file, order),
-            albedo::warning(&loaded.materials),
+            albedo_warning(&loaded.materials),
             rounding::warning(&table, Format::F32),
         ];
-        warnings.into_iter().flatten().for_each(say);
-        destination::write_text(None, &report(&table, bytes.len(), start.elapsed()))
+        warnings.into_iter().flatten().for_each(print_message);
+        output::write_all(None, report(&table, bytes.len(), start.elapsed()))
     }
 }
 
@@ -120,9 +113,11 @@ fn report(table: &Table, bytes: usize, time: Duration) -> String {
     let both_signs = |(azimuth, rank): (usize, &usize)| if azimuth == 0 { *rank } else { 2 * rank };
     let of_sphere: usize = summary.ranks.iter().enumerate().map(both_signs).sum();
     let rank = table.general.as_ref().map_or(of_sphere, |general| general.rank);
-    let (found, asked) = (table.count(), table.scene.basis.components);
-    let fewer = match asked {
-        Some(asked) if asked > found => format!(" of {asked} asked for: there are no more"),
+    let (found, requested) = (table.count(), table.scene.basis.components);
+    let fewer = match requested {
+        Some(requested) if requested > found => {
+            format!(" of {requested} requested: there are no more")
+        }
         _ => String::new(),
     };
     let mut text = String::new();
@@ -150,15 +145,15 @@ fn check(scene: &Path, path: &Path, old: &Table, new: &Table) -> Result<()> {
     let mut text = String::new();
     for one in &found {
         let verdict = if one.is_over() { "  OVER" } else { "" };
-        let (what, apart, allowed) = (one.what, one.found, one.allowed);
-        let _ = writeln!(text, "{what:<24} {apart:>9.1e} of {allowed:.0e} allowed{verdict}");
+        let (what, found, allowed) = (one.what, one.found, one.allowed);
+        let _ = writeln!(text, "{what:<24} {found:>9.1e} of {allowed:.0e} allowed{verdict}");
     }
-    destination::write_text(None, &text)?;
+    output::write_all(None, &text)?;
     let over: Vec<&str> =
         found.iter().filter(|one| one.is_over()).map(|one: &Difference| one.what).collect();
     if over.is_empty() {
         return Ok(());
     }
-    let what = format!("it is not what the scene gives: {} differ", over.join(", "));
+    let what = format!("it is not the table of the scene: {} differ", over.join(", "));
     Err(Error::new(what, remedy).in_file(path))
 }

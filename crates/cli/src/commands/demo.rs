@@ -1,14 +1,12 @@
 //! `eigenshade demo`: draws the shipped materials under the shipped lights.
 
-use super::count;
 use super::demo_sheet::{self, Trial};
+use super::options::count;
 use clap::Args;
-use eigenshade_cli::output::destination;
-use eigenshade_cli::output::message::{bar, say};
-use eigenshade_cli::output::number::exact;
-use eigenshade_cli::output::rows::Rows;
-use eigenshade_cli::picture::sphere_view::SphereView;
-use eigenshade_cli::table::table_file;
+use eigenshade_cli::messages::{print_message, progress_bar};
+use eigenshade_cli::output::{self, Rows, exact};
+use eigenshade_cli::picture::SphereView;
+use eigenshade_cli::table;
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::output::writable;
@@ -20,14 +18,14 @@ use std::fs;
 use std::path::PathBuf;
 use std::time::Instant;
 
-/// Timings, of which the shortest is taken.
+/// The number of timings, of which the shortest counts.
 const TIMINGS: usize = 5;
 
 /// Draw spheres of measured materials under captured lights, with their errors
 ///
 /// Writes demo.png and demo.csv, and prints the numbers: the share of the image's energy about its
 /// mean that the components keep, the rms and the largest error relative to the image's peak, and
-/// nanoseconds a pixel in three channels. The pictures are computed in f32 with all components of
+/// nanoseconds per pixel in three channels. The pictures are computed in f32 with all components of
 /// the shipped table; the reference is the sum over all modes of the table's degree and order in
 /// f64.
 #[derive(Args, Debug)]
@@ -46,12 +44,12 @@ impl Demo {
         let [picture, sheet] = ["demo.png", "demo.csv"].map(|name| self.out.join(name));
         writable(&picture)?;
         writable(&sheet)?;
-        let table = table_file::decode(shipped::TABLE)?;
+        let table = table::decode(shipped::TABLE)?;
         let (lights, materials) = shown()?;
         let (lights, materials) = fitted(&table, &lights, &materials);
         let view = SphereView::new(self.size);
-        let progress = bar("truth", view.normals.len());
-        let truth = reference_image::images(&lights, &materials, &view.normals, &progress);
+        let progress = progress_bar("reference", view.normals.len());
+        let reference = reference_image::images(&lights, &materials, &view.normals, &progress);
         progress.finish_and_clear();
 
         let basis = OwnedBasis::<f32>::new(&table);
@@ -66,17 +64,17 @@ impl Demo {
                 let ours = (0..view.normals.len())
                     .map(|k| ours.each_ref().map(|channel| f64::from(channel[k])))
                     .collect();
-                let truth = truth.iter().map(|of_pairs| of_pairs[trials.len()]).collect();
+                let reference = reference.iter().map(|of_pairs| of_pairs[trials.len()]).collect();
                 let names = [&light.name, &material.name].map(Clone::clone);
-                let mut trial = Trial::new(names, components, ours, truth, &view);
+                let mut trial = Trial::new(names, components, ours, reference, &view);
                 trial.nanoseconds = time(&mut shader, of_light, of_material, &normals)?;
                 trials.push(trial);
             }
         }
         demo_sheet::draw(&picture, &view, &trials, materials.entries.len())?;
-        destination::write(Some(&sheet), |out| rows(&trials, out))?;
-        destination::write_text(None, &aligned(&trials))?;
-        say(format_args!("{} and {}", picture.display(), sheet.display()));
+        output::write(Some(&sheet), |out| rows(&trials, out))?;
+        output::write_all(None, aligned(&trials))?;
+        print_message(format_args!("{} and {}", picture.display(), sheet.display()));
         Ok(())
     }
 }
@@ -94,7 +92,7 @@ fn shown() -> Result<(Lights, Materials)> {
 fn chosen(entries: Vec<Named>, names: &[&str]) -> Result<Vec<Named>> {
     let find = |name: &&str| entries.iter().find(|entry| entry.name == **name).cloned();
     let missing = |name: &&str| {
-        Error::new(format!("the shipped data have no `{name}`"), "build the program anew")
+        Error::new(format!("the shipped data have no `{name}`"), "build the program again")
     };
     names.iter().map(|name| find(name).ok_or_else(|| missing(name))).collect()
 }

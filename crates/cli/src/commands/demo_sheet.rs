@@ -1,9 +1,6 @@
 //! One image of the demo against its reference, and the picture of all images.
 
-use eigenshade_cli::picture::canvas::{Canvas, LETTER, text_width};
-use eigenshade_cli::picture::png_file;
-use eigenshade_cli::picture::sphere_view::SphereView;
-use eigenshade_cli::picture::tone::{exposure, srgb};
+use eigenshade_cli::picture::{Canvas, LETTER, SphereView, exposure, srgb, text_width, write_png};
 use eigenshade_model::error::Result;
 use std::path::Path;
 
@@ -21,18 +18,18 @@ const DIM: [u8; 3] = [138, 140, 146];
 pub struct Trial {
     /// The light, and the material.
     pub names: [String; 2],
-    /// Number of components.
+    /// The number of components.
     pub components: usize,
-    /// 1 - energy of the difference / energy of the truth about its mean.
+    /// 1 - energy of the difference / energy of the reference about its mean.
     pub energy_kept: f64,
-    /// Root mean square of the difference, of the truth's peak.
+    /// Root mean square of the difference, as a share of the reference's peak.
     pub rms_error: f64,
-    /// Largest difference, of the truth's peak.
+    /// Largest difference, as a share of the reference's peak.
     pub max_error: f64,
     /// Nanoseconds a pixel.
     pub nanoseconds: f64,
     ours: Vec<[f64; 3]>,
-    truth: Vec<[f64; 3]>,
+    reference: Vec<[f64; 3]>,
 }
 
 impl Trial {
@@ -42,23 +39,23 @@ impl Trial {
         names: [String; 2],
         components: usize,
         ours: Vec<[f64; 3]>,
-        truth: Vec<[f64; 3]>,
+        reference: Vec<[f64; 3]>,
         view: &SphereView,
     ) -> Self {
-        let peak = truth.iter().flatten().fold(0.0, |most: f64, value| most.max(value.abs()));
+        let peak = reference.iter().flatten().fold(0.0, |most: f64, value| most.max(value.abs()));
         let inside = |image: &[[f64; 3]]| -> Vec<[f64; 3]> {
             let pixels = view.pixels.iter().zip(image).filter(|(pixel, _)| pixel.is_inside);
             pixels.map(|(_, rgb)| *rgb).collect()
         };
-        let (seen, expected) = (inside(&ours), inside(&truth));
+        let (found, expected) = (inside(&ours), inside(&reference));
         let count = expected.len() as f64;
         let means = [0, 1, 2].map(|c| expected.iter().map(|rgb| rgb[c]).sum::<f64>() / count);
         let (mut residual, mut energy, mut worst) = (0.0, 0.0, 0.0f64);
-        for (ours, truth) in seen.iter().zip(&expected) {
-            for ((ours, truth), mean) in ours.iter().zip(truth).zip(means) {
-                residual += (ours - truth).powi(2);
-                energy += (truth - mean).powi(2);
-                worst = worst.max((ours - truth).abs());
+        for (ours, reference) in found.iter().zip(&expected) {
+            for ((ours, reference), mean) in ours.iter().zip(reference).zip(means) {
+                residual += (ours - reference).powi(2);
+                energy += (reference - mean).powi(2);
+                worst = worst.max((ours - reference).abs());
             }
         }
         Self {
@@ -69,7 +66,7 @@ impl Trial {
             max_error: worst / peak,
             nanoseconds: 0.0,
             ours,
-            truth,
+            reference,
         }
     }
 }
@@ -85,7 +82,7 @@ pub fn draw(path: &Path, view: &SphereView, trials: &[Trial], rows: usize) -> Re
     for (column, of_light) in trials.chunks(rows).enumerate() {
         let left = layout.left + column * layout.group;
         layout.heading(&mut canvas, left, &title(&of_light[0].names[0]));
-        let values = of_light.iter().flat_map(|trial| trial.truth.iter().flatten().copied());
+        let values = of_light.iter().flat_map(|trial| trial.reference.iter().flatten().copied());
         let exposure = exposure(values.collect(), UNCLIPPED);
         for (row, trial) in of_light.iter().enumerate() {
             let top = layout.top + row * layout.row;
@@ -95,10 +92,12 @@ pub fn draw(path: &Path, view: &SphereView, trials: &[Trial], rows: usize) -> Re
             let difference: Vec<[f64; 3]> = trial
                 .ours
                 .iter()
-                .zip(&trial.truth)
+                .zip(&trial.reference)
                 .map(|(a, b)| [0, 1, 2].map(|c| MAGNIFIED * (a[c] - b[c]).abs()))
                 .collect();
-            for (place, image) in [&trial.ours, &trial.truth, &difference].into_iter().enumerate() {
+            for (place, image) in
+                [&trial.ours, &trial.reference, &difference].into_iter().enumerate()
+            {
                 let left = left + place * layout.step;
                 for (pixel, rgb) in view.pixels.iter().zip(image) {
                     let color = rgb.map(|value| srgb(exposure * value));
@@ -108,17 +107,17 @@ pub fn draw(path: &Path, view: &SphereView, trials: &[Trial], rows: usize) -> Re
             let error = format!("rms {:.2} %", 100.0 * trial.rms_error);
             let under = top + view.size + LETTER / 2;
             let middle = left + 2 * layout.step + view.size / 2;
-            layout.centred(&mut canvas, middle, under, DIM, &error);
+            layout.centered(&mut canvas, middle, under, DIM, &error);
         }
     }
-    png_file::write(path, canvas.width, canvas.height, &canvas.bytes)
+    write_png(path, canvas.width, canvas.height, &canvas.bytes)
 }
 
-/// A name as a person would write it: without number and hyphens.
+/// A name without its leading number and its hyphens.
 fn title(name: &str) -> String {
-    let words = name.trim_start_matches(|letter: char| letter.is_ascii_digit() || letter == '-');
-    let words = if words.is_empty() { name } else { words };
-    words.replace('-', " ")
+    let title = name.trim_start_matches(|letter: char| letter.is_ascii_digit() || letter == '-');
+    let title = if title.is_empty() { name } else { title };
+    title.replace('-', " ")
 }
 
 /// The layout, in pixels.
@@ -155,7 +154,7 @@ impl Layout {
         }
     }
 
-    fn centred(&self, canvas: &mut Canvas, middle: usize, top: usize, color: [u8; 3], text: &str) {
+    fn centered(&self, canvas: &mut Canvas, middle: usize, top: usize, color: [u8; 3], text: &str) {
         let left = middle.saturating_sub(text_width(self.scale, text) / 2);
         canvas.text(left, top, self.scale, color, text);
     }
@@ -167,9 +166,9 @@ impl Layout {
         let start = middle.saturating_sub(text_width(2 * self.scale, name) / 2);
         canvas.text(start, self.margin, 2 * self.scale, BRIGHT, name);
         let difference = format!("difference x {MAGNIFIED}");
-        for (place, text) in ["ours", "truth", &difference].into_iter().enumerate() {
+        for (place, text) in ["ours", "reference", &difference].into_iter().enumerate() {
             let middle = left + place * self.step + half;
-            self.centred(canvas, middle, self.top - 2 * LETTER * self.scale, DIM, text);
+            self.centered(canvas, middle, self.top - 2 * LETTER * self.scale, DIM, text);
         }
     }
 

@@ -1,14 +1,20 @@
 //! `eigenshade evaluate`: evaluates functions of the paper.
 
-use super::Memory;
-use super::evaluate_functions::Function;
-use clap::Args;
-use eigenshade_cli::output::number::exact;
-use eigenshade_cli::output::rows::Rows;
-use eigenshade_cli::output::{collision, destination};
+use super::options::Memory;
+use clap::{Args, ValueEnum};
+use eigenshade_cli::output::{self, Rows, exact};
 use eigenshade_model::error::Result;
 use eigenshade_model::inputs::sheet::{Row, Sheet};
+use eigenshade_model::special::{spherical_harmonic, wigner, zernike};
+use eigenshade_model::{irradiance, polar_integral};
+use std::f64::consts::{FRAC_PI_2, PI};
 use std::path::PathBuf;
+
+/// The largest index. The functions are tested up to it, irradiance modes as products of them.
+const LARGEST: i64 = 64;
+
+/// How far an angle may exceed its range, because files round π.
+const SLACK: f64 = 1e-9;
 
 /// Evaluate a function of the paper at given points
 ///
@@ -30,7 +36,7 @@ pub struct Evaluate {
 
 impl Evaluate {
     pub fn run(self, memory: Memory) -> Result<()> {
-        collision::refuse(&self.out, [&self.points])?;
+        output::refuse_collisions(&self.out, [&self.points])?;
         let function = self.function;
         let (indices, arguments) = function.columns();
         let columns = [indices, arguments].concat().join(",");
@@ -40,14 +46,14 @@ impl Evaluate {
             places.ok_or_else(|| sheet.wrong_header(&format!("`{columns}`")))
         };
         let (indices, arguments) = (places(indices)?, places(arguments)?);
-        // First all values, then the file.
+        // All values are computed before anything is written.
         let values = sheet
             .rows()
             .map(|row| value(function, row, &indices, &arguments))
             .collect::<Result<Vec<_>>>()?;
         let replaced = sheet.column("value");
         let is_kept = |(place, _): &(usize, &str)| Some(*place) != replaced;
-        destination::write(self.out.as_deref(), |out| {
+        output::write(self.out.as_deref(), |out| {
             let kept = sheet.header().enumerate().filter(is_kept).map(|(_, name)| name);
             let mut rows = Rows::new(out, kept.chain(["value"]))?;
             for (row, value) in sheet.rows().zip(values) {
@@ -66,6 +72,119 @@ fn value(function: Function, row: Row<'_>, indices: &[usize], arguments: &[usize
     let value = function.value(&indices, &arguments);
     match value.map_err(|(what, remedy)| row.fault(what, remedy))? {
         value if value.is_finite() => Ok(value),
-        value => Err(row.fault(format!("the value is {value}"), "keep to smaller indices")),
+        value => Err(row.fault(format!("the value is {value}"), "use smaller indices")),
     }
+}
+
+/// A function of the paper.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Function {
+    /// Y_l^m(theta, phi), (46): columns l,m,theta,phi
+    SphericalHarmonic,
+    /// d^l_mn(alpha), the P_l^mn of (45): columns l,m,n,alpha
+    WignerD,
+    /// R_o^q(rho) of (8): columns o,q,rho
+    ZernikeRadial,
+    /// C_lo^q, (11): columns l,o,q
+    PolarIntegral,
+    /// E_lop^mq(alpha, beta), (14): columns l,m,o,p,q,alpha,beta
+    IrradianceMode,
+}
+
+/// What is wrong with a point, and the remedy.
+type Fault = (String, String);
+
+type Checked<T> = std::result::Result<T, Fault>;
+
+impl Function {
+    /// The columns of its indices, and of its arguments.
+    fn columns(self) -> (&'static [&'static str], &'static [&'static str]) {
+        match self {
+            Self::SphericalHarmonic => (&["l", "m"], &["theta", "phi"]),
+            Self::WignerD => (&["l", "m", "n"], &["alpha"]),
+            Self::ZernikeRadial => (&["o", "q"], &["rho"]),
+            Self::PolarIntegral => (&["l", "o", "q"], &[]),
+            Self::IrradianceMode => (&["l", "m", "o", "p", "q"], &["alpha", "beta"]),
+        }
+    }
+
+    /// The value of the function.
+    ///
+    /// # Errors
+    ///
+    /// If indices or arguments are outside its domain.
+    fn value(self, indices: &[i64], arguments: &[f64]) -> Checked<f64> {
+        match (self, indices, arguments) {
+            (Self::SphericalHarmonic, &[l, m], &[theta, phi]) => {
+                let l = degree("l", l)?;
+                let theta = within("theta", theta, 0.0, PI)?;
+                Ok(spherical_harmonic::value(l, order("m", m, l)?, theta, phi))
+            }
+            (Self::WignerD, &[l, m, n], &[alpha]) => {
+                let l = degree("l", l)?;
+                let alpha = within("alpha", alpha, 0.0, PI)?;
+                Ok(wigner::value(l, order("m", m, l)?, order("n", n, l)?, alpha))
+            }
+            (Self::ZernikeRadial, &[o, q], &[rho]) => {
+                let o = degree("o", o)?;
+                let q = frequency(("o", o), ("q", q))?;
+                Ok(zernike::value(o, q, within("rho", rho, 0.0, 1.0)?))
+            }
+            (Self::PolarIntegral, &[l, o, q], []) => {
+                let (l, o) = (degree("l", l)?, degree("o", o)?);
+                let q = below(l, frequency(("o", o), ("q", q))?)?;
+                Ok(polar_integral::value(l, o, q))
+            }
+            (Self::IrradianceMode, &[l, m, o, p, q], &[alpha, beta]) => {
+                let (l, o) = (degree("l", l)?, degree("o", o)?);
+                let p = frequency(("o", o), ("p", p))?;
+                let q = below(l, frequency(("p", p), ("q", q))?)?;
+                let alpha = within("alpha", alpha, 0.0, FRAC_PI_2)?;
+                Ok(irradiance::value(l, order("m", m, l)?, o, p, q, alpha, beta))
+            }
+            _ => Err(("a wrong number of fields".into(), "give every column".into())),
+        }
+    }
+}
+
+/// A degree l or an order o.
+fn degree(name: &str, index: i64) -> Checked<usize> {
+    let found = usize::try_from(index).ok().filter(|_| index <= LARGEST);
+    let remedy = || format!("use 0 <= {name} <= {LARGEST}");
+    found.ok_or_else(|| (format!("{name} = {index} is out of range"), remedy()))
+}
+
+/// A signed order of degree l.
+fn order(name: &str, index: i64, l: usize) -> Checked<isize> {
+    if index.unsigned_abs() > l as u64 {
+        let what = format!("{name} = {index} is out of range for l = {l}");
+        return Err((what, format!("use -l <= {name} <= l")));
+    }
+    Ok(index as isize)
+}
+
+/// An index below another of the same parity.
+fn frequency((above, o): (&str, usize), (name, index): (&str, i64)) -> Checked<usize> {
+    let found = usize::try_from(index).ok().filter(|&q| q <= o && (o - q) % 2 == 0);
+    found.ok_or_else(|| {
+        let what = format!("{name} = {index} is not possible with {above} = {o}");
+        (what, format!("use 0 <= {name} <= {above}, both even or both odd"))
+    })
+}
+
+/// q of a mode that the light's degree reaches.
+fn below(l: usize, q: usize) -> Checked<usize> {
+    if q > l {
+        let what = format!("q = {q} is out of range for l = {l}");
+        return Err((what, "use q <= l; there are no other modes".into()));
+    }
+    Ok(q)
+}
+
+fn within(name: &str, value: f64, low: f64, high: f64) -> Checked<f64> {
+    if (low - SLACK..=high + SLACK).contains(&value) {
+        return Ok(value.clamp(low, high));
+    }
+    let what = format!("{name} = {value} is out of range");
+    Err((what, format!("use {low:.4} <= {name} <= {high:.4}")))
 }

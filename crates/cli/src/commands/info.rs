@@ -1,11 +1,10 @@
-//! `eigenshade info`: describes a table.
+//! `eigenshade info` and `eigenshade eigenvalues`: describe a table.
 
-use super::Memory;
+use super::options::Memory;
 use clap::Args;
-use eigenshade_cli::output::destination;
-use eigenshade_cli::output::message::printable;
-use eigenshade_cli::output::number::grouped;
-use eigenshade_cli::table::{table_file, wire_file};
+use eigenshade_cli::messages::{grouped, printable};
+use eigenshade_cli::output::{self, Rows, exact};
+use eigenshade_cli::table;
 use eigenshade_model::error::Result;
 use eigenshade_table::Table;
 use eigenshade_table::file::manifest;
@@ -26,13 +25,44 @@ pub struct Info {
 impl Info {
     pub fn run(self, memory: Memory) -> Result<()> {
         let bytes = memory.file(&self.table).bytes()?;
-        let text = if wire_file::is_one(&bytes) {
-            wire_file::description(&bytes)
+        let text = if table::is_wire(&bytes) {
+            table::wire_description(&bytes)
         } else {
-            table_file::decode(&bytes).map(|table| description(&table))
+            table::decode(&bytes).map(|table| description(&table))
         };
         let text = text.map_err(|error| error.in_file(&self.table))?;
-        destination::write_text(None, &text)
+        output::write_all(None, &text)
+    }
+}
+
+/// Write the eigenvalues of a table, as CSV `criterion,index,m,eigenvalue`
+///
+/// Includes the eigenvalues of components that the table does not keep. The constant of the
+/// image-centered criterion, index 0, has none: its field is empty.
+#[derive(Args, Debug)]
+pub struct Eigenvalues {
+    /// The table
+    #[arg(value_name = "B.bin")]
+    table: PathBuf,
+    /// Write the CSV to this file instead of standard output
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+}
+
+impl Eigenvalues {
+    pub fn run(self, memory: Memory) -> Result<()> {
+        output::refuse_collisions(&self.out, [&self.table])?;
+        let table = table::read(memory.file(&self.table))?;
+        let criterion = table.scene.basis.criterion.name();
+        output::write(self.out.as_deref(), |out| {
+            let mut rows = Rows::new(out, ["criterion", "index", "m", "eigenvalue"])?;
+            for (index, (m, value)) in table.spectrum.iter().enumerate() {
+                let value = value.map(exact).unwrap_or_default();
+                let m = m.map(|m| m.to_string()).unwrap_or_default();
+                rows.row([criterion, &index.to_string(), &m, &value])?;
+            }
+            rows.finish()
+        })
     }
 }
 
@@ -42,13 +72,13 @@ fn description(table: &Table) -> String {
         0 => "all".to_owned(),
         _ => scene.material.names.join(" "),
     };
-    let mut wanted = match (scene.basis.components, scene.basis.tolerance) {
+    let mut requested = match (scene.basis.components, scene.basis.tolerance) {
         (Some(count), _) => format!("{count} components"),
         (None, Some(tolerance)) => format!("tolerance {tolerance:e}"),
         (None, None) => "all components".to_owned(),
     };
     if let Some(cut) = scene.basis.cut.filter(|&cut| cut != Cut::default()) {
-        wanted.push_str(&format!(", {cut}"));
+        requested.push_str(&format!(", {cut}"));
     }
     let lines = [
         ("normals", scene.geometry.normals.clone()),
@@ -56,7 +86,7 @@ fn description(table: &Table) -> String {
         ("rotation", format!("{:?}", scene.light.rotation).to_lowercase()),
         ("material", format!("{}, {names}", scene.material.database)),
         ("criterion", scene.basis.criterion.name().to_owned()),
-        ("asked for", wanted),
+        ("requested", requested),
         ("modes", eigenshade_index::mode::total(table.gram.degree, table.gram.order).to_string()),
         ("kept modes", kept_modes(table)),
         ("effects", effects(table)),
@@ -83,21 +113,21 @@ fn description(table: &Table) -> String {
     text
 }
 
-/// The effects, and whether color or turning is left out.
+/// The effects, and whether color or rotation is left out.
 fn effects(table: &Table) -> String {
-    let wanted = &table.scene.effects;
-    let color = if wanted.color { "" } else { ", no color" };
-    let rotation = if wanted.rotation { "" } else { ", light that stays" };
-    wire_file::named(table.effects()) + color + rotation
+    let effects = &table.scene.effects;
+    let color = if effects.color { "" } else { ", no color" };
+    let rotation = if effects.rotation { "" } else { ", fixed light" };
+    table::effect_names(table.effects()) + color + rotation
 }
 
 /// The part of the basis that the table keeps.
 fn stored(table: &Table) -> &'static str {
     match table.scene.basis.store {
         Store::Modes => "U over modes, the factors of U^T M",
-        Store::Projection => "the factors of U^T M; U over modes is made again from the scene",
+        Store::Projection => "the factors of U^T M; U over modes is derived again from the scene",
         Store::Materials => {
-            "the transfers of the scene's materials; U and U^T M are made again from the scene"
+            "the transfers of the scene's materials; U and U^T M are derived again from the scene"
         }
     }
 }

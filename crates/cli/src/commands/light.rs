@@ -1,16 +1,15 @@
 //! `eigenshade light`: projects environment maps onto spherical harmonics.
 
-use super::{Memory, count};
+use super::options::{Memory, count};
 use clap::{Args, ValueEnum};
-use eigenshade_cli::output::message::{bar, say};
-use eigenshade_cli::output::{collision, destination, invocation};
-use eigenshade_generator::light::convention::exchanged;
+use eigenshade_cli::messages::{print_message, progress_bar};
+use eigenshade_cli::output;
 use eigenshade_generator::light::environment::EnvironmentMap;
-use eigenshade_generator::light::projection::{named_maps, project};
+use eigenshade_generator::light::projection::{exchanged, named_maps, project};
 use eigenshade_model::database::{Lights, Named};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, write_lights};
-use eigenshade_model::inputs::rounding::{LIGHT_DIGITS, rounded};
+use eigenshade_model::inputs::coefficient_text::{LIGHT_DIGITS, rounded};
 use std::path::{Path, PathBuf};
 
 /// Project environment maps onto light coefficients, or convert coefficients
@@ -51,12 +50,12 @@ impl Light {
     pub fn run(self, memory: Memory) -> Result<()> {
         let lights = match self.maps.as_slice() {
             [file] if is_csv(file) => {
-                collision::refuse(&self.out, [file])?;
+                output::refuse_collisions(&self.out, [file])?;
                 exchanged(&read_lights(memory.file(file), Some(self.degree))?)
             }
             maps => {
                 let files = files(maps)?;
-                collision::refuse(&self.out, files.iter().map(|(_, path)| path))?;
+                output::refuse_collisions(&self.out, files.iter().map(|(_, path)| path))?;
                 let lights = projected(files, self.degree, memory)?;
                 match self.convention {
                     Convention::Paper => lights,
@@ -64,10 +63,9 @@ impl Light {
                 }
             }
         };
-        destination::write(self.out.as_deref(), |out| {
+        output::write(self.out.as_deref(), |out| {
             if self.out.is_some() {
-                writeln!(out, "# {}", invocation::command_line())
-                    .map_err(|error| destination::fault(&error))?;
+                output::write_command_line(out)?;
             }
             write_lights(&lights, out)
         })
@@ -82,14 +80,14 @@ fn is_csv(path: &Path) -> bool {
 fn files(maps: &[PathBuf]) -> Result<Vec<(String, PathBuf)>> {
     if let Some(file) = maps.iter().find(|file| is_csv(file)) {
         let what = "a light CSV among other inputs";
-        return Err(Error::new(what, "convert one CSV at a time, maps apart").in_file(file));
+        return Err(Error::new(what, "convert one CSV at a time, without maps").in_file(file));
     }
     named_maps(maps)
 }
 
 /// The lights of the maps, with the digits of the shipped files.
 fn projected(files: Vec<(String, PathBuf)>, degree: usize, memory: Memory) -> Result<Lights> {
-    let progress = bar("maps", files.len());
+    let progress = progress_bar("maps", files.len());
     let mut entries = Vec::new();
     for (name, path) in files {
         let map = EnvironmentMap::from_path(memory.file(&path))?;
@@ -103,16 +101,18 @@ fn projected(files: Vec<(String, PathBuf)>, degree: usize, memory: Memory) -> Re
 }
 
 fn report(name: &str, path: &Path, map: &EnvironmentMap, share: f64) {
-    // A map with no negative texel has -0.
+    // The share of a map without negative texels is -0.
     let (width, height, share) = (map.width, map.height, share + 0.0);
     if share.is_nan() {
-        say(format_args!("{name}: {width} x {height}, black"));
+        print_message(format_args!("{name}: {width} x {height}, black"));
     } else {
-        say(format_args!("{name}: {width} x {height}, negative radiance {share:.2e} of the whole"));
+        print_message(format_args!(
+            "{name}: {width} x {height}, negative radiance {share:.2e} of the whole"
+        ));
     }
     if !map.is_twice_as_wide_as_high() {
         let path = path.display();
-        say(format_args!(
+        print_message(format_args!(
             "warning: {path} is not twice as wide as high; it is read as equirectangular"
         ));
     }

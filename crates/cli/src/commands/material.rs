@@ -1,13 +1,13 @@
 //! `eigenshade material`: converts measured, tabulated or analytic BRDFs to coefficients.
 
-use super::material_formula::{Formula, Nearness};
-use super::{Memory, count};
-use clap::Args;
-use eigenshade_cli::notes::albedo;
-use eigenshade_cli::output::message::{bar, say};
-use eigenshade_cli::output::{collision, destination, invocation};
+use super::options::{Memory, count};
+use clap::{Args, Subcommand, ValueEnum};
+use eigenshade_cli::messages::{print_message, progress_bar};
+use eigenshade_cli::notes::albedo_warning;
+use eigenshade_cli::output;
 use eigenshade_generator::material;
-use eigenshade_generator::material::brdf::{Measure, Projected};
+use eigenshade_generator::material::analytic::{Analytic, Model, Shares};
+use eigenshade_generator::material::brdf::{Measure, Projected, Surface};
 use eigenshade_generator::material::files::Source;
 use eigenshade_generator::material::fit::{Fit, LOWEST, fit, write_figures};
 use eigenshade_model::database::{Materials, Named};
@@ -15,7 +15,6 @@ use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::write_materials;
 use eigenshade_shading::parallel;
 use std::collections::HashSet;
-use std::io::Write;
 use std::path::PathBuf;
 
 /// Convert BRDFs (measurements, tables or formulas) to material coefficients
@@ -55,12 +54,12 @@ impl Material {
     pub fn run(self, memory: Memory) -> Result<()> {
         let (sources, order, measure, out) = match self.formula {
             Some(formula) => {
-                let (surface, answer) = formula.surface()?;
-                (vec![Source::Surface(surface)], answer.order, answer.measure, answer.out)
+                let (surface, options) = formula.surface()?;
+                (vec![Source::Surface(surface)], options.order, options.measure, options.out)
             }
             None => {
                 let inputs = self.paths.iter().flat_map(|path| material::files::files(path));
-                collision::refuse([&self.out, &self.report].into_iter().flatten(), inputs)?;
+                output::refuse_collisions([&self.out, &self.report].into_iter().flatten(), inputs)?;
                 let mut sources = Vec::new();
                 for path in &self.paths {
                     sources.extend(material::files::read(memory.file(path))?);
@@ -70,24 +69,19 @@ impl Material {
         };
         let negative = negative_values(&sources);
         let (materials, fits) = coefficients(sources, order, measure.into())?;
-        let by_command = |out: &mut dyn Write, is_file: bool| {
-            if is_file {
-                writeln!(out, "# {}", invocation::command_line())
-                    .map_err(|error| destination::fault(&error))?;
+        output::write(out.as_deref(), |to| {
+            if out.is_some() {
+                output::write_command_line(to)?;
             }
-            Ok(())
-        };
-        destination::write(out.as_deref(), |to| {
-            by_command(to, out.is_some())?;
             write_materials(&materials, to)
         })?;
         if let Some(path) = &self.report {
-            destination::write(Some(path), |out| {
-                by_command(out, true)?;
+            output::write(Some(path), |out| {
+                output::write_command_line(out)?;
                 write_figures(&fits, out)
             })?;
         }
-        albedo::warning(&materials).into_iter().chain(negative).for_each(say);
+        albedo_warning(&materials).into_iter().chain(negative).for_each(print_message);
         Ok(())
     }
 }
@@ -113,19 +107,19 @@ fn coefficients(
             Source::Surface(surface) => surfaces.push(surface),
         }
     }
-    let progress = bar("fits", measured.len());
+    let progress = progress_bar("fits", measured.len());
     let (_, fits) = fit(&measured, order, &mut |done, _| progress.set_position(done as u64))?;
     progress.finish_and_clear();
-    let progress = bar("projections", surfaces.len());
+    let progress = progress_bar("projections", surfaces.len());
     let projected: Vec<Projected> =
         parallel::map(surfaces.len(), &progress, |k| surfaces[k].project(order, measure));
     progress.finish_and_clear();
     for fit in &fits {
-        say(fit_line(fit));
+        print_message(fit_line(fit));
     }
     for one in &projected {
         let (name, left) = (&one.material.name, one.left_out);
-        say(format_args!("{name}: order {order} leaves out {left:.2e} of the energy"));
+        print_message(format_args!("{name}: order {order} leaves out {left:.2e} of the energy"));
     }
     let (mut fitted, mut others) = (
         fits.iter().map(|fit| fit.material.clone()),
@@ -152,8 +146,7 @@ fn negative_values(sources: &[Source]) -> Option<String> {
     let (count, all) = (found.len(), sources.len());
     Some(format!(
         "warning: material `{name}` has measurements down to {lowest:.4}, where the largest is \
-         {highest:.4} ({count} of {all} materials are as negative): no BRDF is below zero but for \
-         noise"
+         {highest:.4} (so in {count} of {all} materials): only noise makes a measured BRDF negative"
     ))
 }
 
@@ -162,4 +155,128 @@ fn fit_line(fit: &Fit) -> String {
         "{}: {} samples, residual {:.4}, range {:.3} to {:.3}, condition {:.1}",
         fit.material.name, fit.samples, fit.residual, fit.lowest, fit.highest, fit.condition
     )
+}
+
+/// One formula and its parameters.
+#[derive(Debug, Subcommand)]
+pub enum Formula {
+    /// Perfectly diffuse: albedo / pi
+    Lambertian {
+        /// Reflected share of the light: a number, or r,g,b
+        #[arg(long, value_name = "A", value_parser = shares)]
+        albedo: Shares,
+        #[command(flatten)]
+        projection: Projection,
+    },
+    /// Rough diffuse: the qualitative model of Oren and Nayar, 1994
+    OrenNayar {
+        /// Standard deviation of the facets' angle, radians, 0 to pi/2
+        #[arg(long, value_name = "S")]
+        sigma: f64,
+        /// Albedo: a number, or r,g,b
+        #[arg(long, value_name = "A", default_value = "1", value_parser = shares)]
+        albedo: Shares,
+        #[command(flatten)]
+        projection: Projection,
+    },
+    /// A glTF metallic-roughness material: a GGX lobe over a diffuse base
+    ///
+    /// A dielectric has f0 0.04 and its base color as albedo; a metal has its base color as f0 and
+    /// no albedo.
+    Ggx {
+        /// Perceptual roughness, 0.03 to 1; alpha is its square
+        #[arg(long, value_name = "R")]
+        roughness: f64,
+        /// Reflectance at normal incidence: a number, or r,g,b
+        #[arg(long, value_name = "F", value_parser = shares)]
+        f0: Shares,
+        /// Albedo of the diffuse base: a number, or r,g,b
+        #[arg(long, value_name = "A", default_value = "0", value_parser = shares)]
+        albedo: Shares,
+        #[command(flatten)]
+        projection: Projection,
+    },
+}
+
+/// Options of the projection of a formula.
+#[derive(Args, Debug)]
+pub struct Projection {
+    /// Largest order o of the coefficients, 0 to 64
+    #[arg(long, value_name = "O", value_parser = count(0, 64))]
+    order: usize,
+    /// Name of the material [default: the model]
+    #[arg(long, value_name = "NAME", value_parser = clap::builder::NonEmptyStringValueParser::new())]
+    name: Option<String>,
+    /// Measure under which the coefficients approximate the function best
+    #[arg(long, value_enum, default_value_t)]
+    measure: Nearness,
+    /// Write the CSV to this file instead of standard output
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+}
+
+/// The measure under which coefficients approximate a function best.
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+pub enum Nearness {
+    /// cos theta_i cos theta_r dw_i dw_r, as the irradiance of a sphere sees it
+    #[default]
+    Projected,
+    /// dw_i dw_r, in which the modes are orthonormal
+    SolidAngle,
+}
+
+impl From<Nearness> for Measure {
+    fn from(nearness: Nearness) -> Self {
+        match nearness {
+            Nearness::Projected => Self::Projected,
+            Nearness::SolidAngle => Self::SolidAngle,
+        }
+    }
+}
+
+impl Formula {
+    /// The BRDF, and the options.
+    ///
+    /// # Errors
+    ///
+    /// If a parameter is out of range.
+    fn surface(self) -> Result<(Surface, Projection)> {
+        let of = |model, name: &str| Analytic {
+            name: name.to_owned(),
+            model,
+            albedo: None,
+            sigma: None,
+            roughness: None,
+            f0: None,
+        };
+        let (analytic, projection) = match self {
+            Self::Lambertian { albedo, projection } => {
+                let base = of(Model::Lambertian, "lambertian");
+                (Analytic { albedo: Some(albedo), ..base }, projection)
+            }
+            Self::OrenNayar { sigma, albedo, projection } => {
+                let base = of(Model::OrenNayar, "oren-nayar");
+                (Analytic { albedo: Some(albedo), sigma: Some(sigma), ..base }, projection)
+            }
+            Self::Ggx { roughness, f0, albedo, projection } => {
+                let base = of(Model::Ggx, "ggx");
+                let roughness = Some(roughness);
+                (Analytic { albedo: Some(albedo), roughness, f0: Some(f0), ..base }, projection)
+            }
+        };
+        let name = projection.name.clone().unwrap_or_else(|| analytic.name.clone());
+        let surface = Analytic { name, ..analytic }.surface()?;
+        Ok((surface, projection))
+    }
+}
+
+/// Parses a number, or three with commas between them.
+fn shares(text: &str) -> std::result::Result<Shares, String> {
+    let numbers: std::result::Result<Vec<f64>, _> =
+        text.split(',').map(|field| field.trim().parse::<f64>()).collect();
+    match numbers.as_deref() {
+        Ok(&[gray]) => Ok(Shares::Gray(gray)),
+        Ok(&[r, g, b]) => Ok(Shares::Rgb([r, g, b])),
+        _ => Err("expected a number, or three: r,g,b".to_owned()),
+    }
 }

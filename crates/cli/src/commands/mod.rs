@@ -1,20 +1,16 @@
-//! One command a file.
+//! The commands of the program.
 
 #[cfg(feature = "generate")]
 mod basis;
 mod demo;
 mod demo_sheet;
-mod eigenvalues;
 mod evaluate;
-mod evaluate_functions;
 mod info;
 #[cfg(feature = "generate")]
 mod light;
 #[cfg(feature = "generate")]
 mod material;
-#[cfg(feature = "generate")]
-mod material_formula;
-mod memory;
+mod options;
 mod pack;
 mod project;
 #[cfg(feature = "generate")]
@@ -23,13 +19,13 @@ mod read;
 mod read_answer;
 mod render;
 mod shade;
-mod shade_options;
+mod shade_images;
 
 use clap::Subcommand;
 use eigenshade_model::error::Result;
-pub use memory::Memory;
+pub use options::Memory;
 
-/// The commands of the program.
+/// A command.
 #[derive(Debug, Subcommand)]
 pub enum Command {
     Demo(demo::Demo),
@@ -41,7 +37,7 @@ pub enum Command {
     Basis(basis::Basis),
     Pack(pack::Pack),
     Info(info::Info),
-    Eigenvalues(eigenvalues::Eigenvalues),
+    Eigenvalues(info::Eigenvalues),
     Project(project::Project),
     Shade(shade::Shade),
     Render(render::Render),
@@ -51,7 +47,7 @@ pub enum Command {
 }
 
 impl Command {
-    /// Runs it.
+    /// Runs the command.
     pub fn run(self, memory: Memory) -> Result<()> {
         match self {
             Self::Demo(command) => command.run(),
@@ -71,13 +67,5 @@ impl Command {
             Self::Read(command) => command.run(memory),
             Self::Evaluate(command) => command.run(memory),
         }
-    }
-}
-
-/// Clap's reader of whole numbers within a range.
-fn count(low: u64, high: u64) -> impl Fn(&str) -> std::result::Result<usize, String> + Clone {
-    move |text| match text.parse::<u64>() {
-        Ok(number) if (low..=high).contains(&number) => Ok(number as usize),
-        _ => Err(format!("a whole number from {low} to {high} is wanted")),
     }
 }

@@ -1,11 +1,10 @@
 //! `eigenshade pack`: writes a table as a wire file.
 
-use super::Memory;
+use super::options::Memory;
 use clap::{Args, ValueEnum};
-use eigenshade_cli::output::message::say;
-use eigenshade_cli::output::number::grouped;
-use eigenshade_cli::output::{collision, destination};
-use eigenshade_cli::table::{rounding, table_file};
+use eigenshade_cli::messages::{grouped, print_message};
+use eigenshade_cli::output;
+use eigenshade_cli::table::{self, rounding};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_table::quantize;
 use eigenshade_table::wire::{self, Endian};
@@ -40,8 +39,8 @@ enum Format {
 
 impl Pack {
     pub fn run(self, memory: Memory) -> Result<()> {
-        collision::refuse([&self.out], [&self.table])?;
-        let table = table_file::read(memory.file(&self.table))?;
+        output::refuse_collisions([&self.out], [&self.table])?;
+        let table = table::read(memory.file(&self.table))?;
         let format = match self.format {
             Format::F32 => wire::Format::F32,
             Format::Q15 => wire::Format::Integer(quantize::Format::Q15),
@@ -53,9 +52,7 @@ impl Pack {
             let (what, remedy) = line.rsplit_once("; ").unwrap_or((&line, "pack it as f32"));
             Error::new(what, remedy).in_file(&self.table)
         })?;
-        destination::write(Some(&self.out), |out| {
-            out.write_all(&bytes).map_err(|error| destination::fault(&error))
-        })?;
+        output::write_all(Some(&self.out), &bytes)?;
         let mut text = format!("{:<12} {}\n", "bytes", grouped(bytes.len()));
         if let Some(one) = table.rounding(format) {
             text += &format!(
@@ -63,7 +60,7 @@ impl Pack {
                 "error", one.largest, one.rms
             );
         }
-        rounding::warning(&table, format).iter().for_each(say);
-        destination::write_text(None, &text)
+        rounding::warning(&table, format).iter().for_each(print_message);
+        output::write_all(None, text)
     }
 }

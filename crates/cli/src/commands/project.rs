@@ -1,13 +1,11 @@
 //! `eigenshade project`: writes the coefficients of images in a table's eigenimages.
 
-use super::{Memory, count};
+use super::options::{Memory, count};
 use clap::Args;
-use eigenshade_cli::notes::albedo;
-use eigenshade_cli::output::message::say;
-use eigenshade_cli::output::number::exact;
-use eigenshade_cli::output::rows::Rows;
-use eigenshade_cli::output::{collision, destination};
-use eigenshade_cli::table::table_file;
+use eigenshade_cli::messages::print_message;
+use eigenshade_cli::notes::albedo_warning;
+use eigenshade_cli::output::{self, Rows, exact};
+use eigenshade_cli::table;
 use eigenshade_model::error::Result;
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_shading::overflow;
@@ -40,18 +38,18 @@ pub struct Project {
 
 impl Project {
     pub fn run(self, memory: Memory) -> Result<()> {
-        collision::refuse(&self.out, [&self.table, &self.lights, &self.materials])?;
-        let table = table_file::read(memory.file(&self.table))?;
-        let components = table_file::components(&table, self.components, &self.table)?;
+        output::refuse_collisions(&self.out, [&self.table, &self.lights, &self.materials])?;
+        let table = table::read(memory.file(&self.table))?;
+        let components = table::components(&table, self.components, &self.table)?;
         let lights = read_lights(memory.file(&self.lights), None)?;
         let materials = read_materials(memory.file(&self.materials), None)?;
         let higher = of_higher_order(&self.materials, materials.order, table.gram.order);
-        let warnings = higher.into_iter().chain(albedo::warning(&materials));
+        let warnings = higher.into_iter().chain(albedo_warning(&materials));
         let (lights, materials) = fitted(&table, &lights, &materials);
         let basis = OwnedBasis::<f64>::new(&table);
         let mut shader =
             Shader::new(basis.any().map_err(fault)?, components).with_folded(basis.folded());
-        destination::write(self.out.as_deref(), |out| {
+        output::write(self.out.as_deref(), |out| {
             let header = ["light", "material", "component", "r", "g", "b"];
             let mut rows = Rows::new(out, header)?;
             for light in &lights.entries {
@@ -71,7 +69,7 @@ impl Project {
             }
             rows.finish()
         })?;
-        warnings.for_each(say);
+        warnings.for_each(print_message);
         Ok(())
     }
 }

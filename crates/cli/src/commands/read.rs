@@ -1,16 +1,14 @@
 //! `eigenshade read`: estimates components, light and material from an image.
 
+use super::options::{Memory, count};
 use super::read_answer::{self, Answer};
-use super::{Memory, count};
 use clap::Args;
-use eigenshade_cli::output::message::say;
-use eigenshade_cli::output::{collision, destination};
-use eigenshade_cli::reading::image_reading::Reader;
+use eigenshade_cli::messages::print_message;
+use eigenshade_cli::output;
 use eigenshade_cli::reading::linear_image::{LinearImage, Transfer};
-use eigenshade_cli::reading::{pixel_mask, pixel_normals};
-use eigenshade_cli::table::{rounding, table_file};
-use eigenshade_generator::reading::eigenimage_values::EigenimageValues;
-use eigenshade_generator::reading::observation::{Observation, Observer};
+use eigenshade_cli::reading::{Reader, pixels};
+use eigenshade_cli::table::{self, rounding};
+use eigenshade_generator::reading::observation::{EigenimageValues, Observation, Observer};
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
@@ -20,14 +18,14 @@ use eigenshade_table::Table;
 use eigenshade_table::wire::Format;
 use std::path::{Path, PathBuf};
 
-/// The largest value of an image: its square, times any number of pixels, is a number.
+/// The largest value of an image: its square times any number of pixels is finite.
 const LARGEST: f64 = 1e100;
 
 /// Estimate components, light and material from an image and its normals
 ///
 /// Writes the CSV `quantity,name,index,r,g,b`: the fit, the components d by scalar product, by
-/// weighted least squares and as posterior mean under the statistics of the database, the best
-/// light, and the materials of the database, the likeliest first. A summary goes to standard error.
+/// weighted least squares, and as the posterior mean under the statistics of the database, the best
+/// light, and the materials of the database, most likely first. A summary goes to standard error.
 /// Units are those of the linear image; the full scale of a PNG is 1.
 #[derive(Args, Debug)]
 pub struct Read {
@@ -76,18 +74,18 @@ pub struct Read {
 fn positive(text: &str) -> std::result::Result<f64, String> {
     match text.parse::<f64>() {
         Ok(number) if (LARGEST.recip()..=LARGEST).contains(&number) => Ok(number),
-        _ => Err("a number from 1e-100 to 1e100 is wanted".to_owned()),
+        _ => Err("expected a number from 1e-100 to 1e100".to_owned()),
     }
 }
 
 impl Read {
     pub fn run(self, memory: Memory) -> Result<()> {
-        let table = table_file::read(memory.file(&self.table))?;
-        self.outputs_are_apart(&table)?;
-        self.served(&table)?;
-        let components = table_file::components(&table, self.components, &self.table)?;
-        let (lights, lights_stand_in) = self.lights(&table, memory)?;
-        let (materials, materials_stand_in) = self.materials(&table, memory)?;
+        let table = table::read(memory.file(&self.table))?;
+        self.refuse_collisions(&table)?;
+        self.refuse_store(&table)?;
+        let components = table::components(&table, self.components, &self.table)?;
+        let (lights, lights_are_shipped) = self.lights(&table, memory)?;
+        let (materials, materials_are_shipped) = self.materials(&table, memory)?;
         let path = match &self.materials {
             Some(path) => Ok(path.clone()),
             None => self.beside(&table.scene.material.database),
@@ -96,31 +94,32 @@ impl Read {
             path.ok().and_then(|path| of_higher_order(&path, materials.order, table.gram.order));
         let (lights, materials) = fitted(&table, &lights, &materials);
         let reader = Reader::new(&table, components, &lights, &materials)?;
-        if (lights_stand_in || materials_stand_in) && !reader.is_of_the_database() {
-            let what = "the databases of its scene are not there, and the shipped ones are others";
-            let remedy = "name them by --lights and --materials";
+        if (lights_are_shipped || materials_are_shipped) && !reader.is_of_the_database() {
+            let what =
+                "the databases of its scene are missing, and the shipped ones differ from them";
+            let remedy = "give them with --lights and --materials";
             return Err(Error::new(what, remedy).in_file(&self.table));
         }
         if reader.is_black() {
             let what = "with these materials all its images are black";
-            let remedy = "read with a table and --materials of which some reflect light";
+            let remedy = "use a table and --materials of which some reflect light";
             return Err(Error::new(what, remedy).in_file(&self.table));
         }
 
         let image = LinearImage::read(memory.file(&self.image), self.transfer)?;
-        let (observation, told) = self.observe(&table, components, &image, memory)?;
+        let (observation, summary) = self.observe(&table, components, &image, memory)?;
         let reading = reader.read(&observation, self.noise)?;
 
         let answer = Answer { reading: &reading, observation: &observation, materials: &materials };
         self.write(&answer)?;
-        warning.iter().chain(&rounding::warning(&table, Format::F32)).for_each(say);
-        say(told);
-        read_answer::summarise(&answer);
+        warning.iter().chain(&rounding::warning(&table, Format::F32)).for_each(print_message);
+        print_message(summary);
+        read_answer::summarize(&answer);
         Ok(())
     }
 
-    /// All outputs, or none if one cannot be written. Standard output comes last: whoever
-    /// listens there may go early, and the files are to stand all the same.
+    /// Writes all outputs, or none if one cannot be written. Standard output comes last: its reader
+    /// may stop early, and the files are complete all the same.
     fn write(&self, answer: &Answer<'_>) -> Result<()> {
         let light = || match &self.light_out {
             Some(path) => answer.write_light(path, &self.name()),
@@ -128,17 +127,17 @@ impl Read {
         };
         let modes = || {
             let path = self.modes_out.as_deref();
-            destination::write_before(path, |out| answer.write_modes(out), light)
+            output::write_before(path, |out| answer.write_modes(out), light)
         };
-        destination::write_before(self.out.as_deref(), |out| answer.write(out), modes)?;
+        output::write_before(self.out.as_deref(), |out| answer.write(out), modes)?;
         match self.out {
             Some(_) => Ok(()),
-            None => destination::write(None, |out| answer.write(out)),
+            None => output::write(None, |out| answer.write(out)),
         }
     }
 
-    /// Checks that each output is a file of its own and none of the inputs.
-    fn outputs_are_apart(&self, table: &Table) -> Result<()> {
+    /// Checks that the outputs are different files and that none is an input.
+    fn refuse_collisions(&self, table: &Table) -> Result<()> {
         let of_scene = |given: &Option<PathBuf>, database: &str| {
             given.clone().or_else(|| self.beside(database).ok())
         };
@@ -149,16 +148,16 @@ impl Read {
         inputs.extend(of_scene(&self.lights, &table.scene.light.database));
         inputs.extend(of_scene(&self.materials, &table.scene.material.database));
         let outputs = [&self.out, &self.light_out, &self.modes_out];
-        collision::refuse(outputs.into_iter().flatten(), inputs)
+        output::refuse_collisions(outputs.into_iter().flatten(), inputs)
     }
 
-    /// Checks that the table has the requested components.
-    fn served(&self, table: &Table) -> Result<()> {
+    /// Checks that the table stores what reading needs.
+    fn refuse_store(&self, table: &Table) -> Result<()> {
         let store = table.scene.basis.store.name();
         let what = if !table.has_projection() {
             "light and material cannot be read"
         } else if self.modes_out.is_some() && !table.has_modes() {
-            "its eigenimages' modes are not there"
+            "the modes of its eigenimages are missing"
         } else {
             return Ok(());
         };
@@ -172,8 +171,8 @@ impl Read {
         self.image.file_stem().unwrap_or_default().to_string_lossy().into_owned()
     }
 
-    /// The lights that are given, or those of the table's scene; and whether shipped ones
-    /// stand in for these.
+    /// The lights of the option, or those of the table's scene; and whether the shipped ones
+    /// replace the latter.
     fn lights(&self, table: &Table, memory: Memory) -> Result<(Lights, bool)> {
         let count = table.summary.lights;
         if let Some(path) = &self.lights {
@@ -189,8 +188,8 @@ impl Read {
         }
     }
 
-    /// The materials that are given, or those that the table's scene means; and whether
-    /// shipped ones stand in for these.
+    /// The materials of the option, or those of the table's scene; and whether the shipped ones
+    /// replace the latter.
     fn materials(&self, table: &Table, memory: Memory) -> Result<(Materials, bool)> {
         if let Some(path) = &self.materials {
             return Ok((read_materials(memory.file(path), None)?, false));
@@ -212,14 +211,17 @@ impl Read {
         }
     }
 
-    /// The file that the table's scene names, if it is there, from the table's folder;
-    /// else where it should be.
+    /// The file that the table's scene names, relative to the table's folder.
+    ///
+    /// # Errors
+    ///
+    /// If there is no such file: its path.
     fn beside(&self, of_scene: &str) -> std::result::Result<PathBuf, PathBuf> {
         let path = self.table.parent().unwrap_or(Path::new("")).join(of_scene);
         if path.exists() { Ok(path) } else { Err(path) }
     }
 
-    /// The pixels that count, and a line that says which do not.
+    /// The pixels that are used, and a line about those that are not.
     fn observe(
         &self,
         table: &Table,
@@ -229,13 +231,13 @@ impl Read {
     ) -> Result<(Observation, String)> {
         let count = image.pixels.len();
         let mask = match &self.mask {
-            Some(path) => pixel_mask::read(memory.file(path), image.size, count)?,
+            Some(path) => pixels::weights(memory.file(path), image.size, count)?,
             None => vec![1.0; count],
         };
         let counts: Vec<bool> =
             image.weights.iter().zip(&mask).map(|(weight, mask)| weight * mask > 0.0).collect();
-        let normals = pixel_normals::read(memory.file(&self.normals), image.size, &counts)?;
-        let channels = if image.is_grey() { 1 } else { 3 };
+        let normals = pixels::normals(memory.file(&self.normals), image.size, &counts)?;
+        let channels = if image.is_gray() { 1 } else { 3 };
         let values = EigenimageValues::new(table, components);
         let mut observer = Observer::new(values, channels);
         let (mut without_normal, mut masked, mut unusable) = (0, 0, 0);
@@ -256,34 +258,36 @@ impl Read {
         let observation = observer.finish();
         if largest > LARGEST || (largest > 0.0 && largest < LARGEST.recip()) {
             let what = format!("the largest of its values is {largest:e}");
-            let remedy = "scale it to between 1e-100 and 1e100, whose squares are numbers";
+            let remedy = "scale it to between 1e-100 and 1e100, where squares are finite";
             return Err(Error::new(what, remedy).in_file(&self.image));
         }
         if largest == 0.0 && observation.pixels > 0 {
-            let what = "every pixel that counts is black";
-            let remedy = "give an image that shows something: no light or material can be read";
+            let what = "every pixel that is used is black";
+            let remedy = "use an image that is not black: no light or material can be read from it";
             return Err(Error::new(what, remedy).in_file(&self.image));
         }
         if observation.pixels < components {
-            let what =
-                format!("{} of its pixels count, for {components} components", observation.pixels);
-            let remedy = "show more of the object, or ask for fewer by --components";
+            let what = format!(
+                "{} of its pixels are used, for {components} components",
+                observation.pixels
+            );
+            let remedy = "show more of the object, or request fewer with --components";
             return Err(Error::new(what, remedy).in_file(&self.image));
         }
         let (clipped, transparent) = (image.clipped, image.transparent);
-        let told = format!(
+        let summary = format!(
             "{}: {count} pixels, {} used; left out: {without_normal} without a normal, {masked} \
              masked, {unusable} clipped or transparent (of all: {clipped} clipped, {transparent} \
              transparent)",
             self.image.display(),
             observation.pixels,
         );
-        Ok((observation, told))
+        Ok((observation, summary))
     }
 }
 
 /// The error of a missing database.
 fn without(path: PathBuf, option: &str) -> Error {
-    let what = "the database of the table's scene is not there";
-    Error::new(what, format!("name it by {option}")).in_file(path)
+    let what = "the database of the table's scene is missing";
+    Error::new(what, format!("give it with {option}")).in_file(path)
 }

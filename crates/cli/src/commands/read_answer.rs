@@ -1,10 +1,8 @@
 //! The output of `eigenshade read`.
 
-use eigenshade_cli::output::destination;
-use eigenshade_cli::output::message::say;
-use eigenshade_cli::output::number::exact;
-use eigenshade_cli::output::rows::Rows;
-use eigenshade_cli::reading::image_reading::{Channel, Reading};
+use eigenshade_cli::messages::print_message;
+use eigenshade_cli::output::{self, Rows, exact};
+use eigenshade_cli::reading::{Channel, Reading};
 use eigenshade_generator::reading::modes::ModeCoefficients;
 use eigenshade_generator::reading::observation::Observation;
 use eigenshade_index::{light, material};
@@ -14,7 +12,7 @@ use eigenshade_model::inputs::coefficient_csv::write_lights;
 use std::io::Write;
 use std::path::Path;
 
-/// Materials that the summary names.
+/// The number of materials that the summary names.
 const NAMED: usize = 3;
 
 /// A reading with its inputs.
@@ -69,7 +67,7 @@ impl Answer<'_> {
             let each = |value: &dyn Fn(usize) -> f64| -> Vec<f64> {
                 (0..candidate.channels.len()).map(value).collect()
             };
-            // Relative to the likeliest: the constant means nothing.
+            // Relative to the likeliest, because the constant has no meaning.
             let best = &reading.candidates[0].channels;
             let evidence =
                 each(&|channel| candidate.channels[channel].evidence - best[channel].evidence);
@@ -95,7 +93,7 @@ impl Answer<'_> {
         let rgb = [channel(0), channel(1), channel(2)];
         let degree = rgb[0].len().isqrt().saturating_sub(1);
         let lights = Lights { degree, entries: vec![Named { name: name.to_owned(), rgb }] };
-        destination::write(Some(path), |out| write_lights(&lights, out))
+        output::write(Some(path), |out| write_lights(&lights, out))
     }
 
     /// The CSV `estimate,l,m,o,p,q,r,g,b` of the modes that exist.
@@ -128,11 +126,11 @@ impl Answer<'_> {
     }
 }
 
-type Fits = Vec<eigenshade_generator::reading::fit::Fit>;
+type Fits = Vec<eigenshade_generator::reading::coefficients::Fit>;
 
 fn every_d<'a>(
     channels: &'a [Channel],
-    part: impl Fn(&'a Channel) -> (&'a Vec<f64>, eigenshade_generator::reading::fit::Fit),
+    part: impl Fn(&'a Channel) -> (&'a Vec<f64>, eigenshade_generator::reading::coefficients::Fit),
 ) -> (Vec<&'a Vec<f64>>, Fits) {
     channels.iter().map(part).unzip()
 }
@@ -143,7 +141,7 @@ struct Tidy<'a>(Rows<'a>);
 impl Tidy<'_> {
     /// One value for each channel, or one for all.
     fn row(&mut self, quantity: &str, name: &str, index: usize, values: &[f64]) -> Result<()> {
-        // By definition so of a rank that is not full, and of an image of one value.
+        // Infinite by definition where the rank is not full, and for an image of one value.
         let is_measure = name == "condition" || quantity == "relative-residual";
         for &value in values.iter().filter(|value| !(is_measure && **value == f64::INFINITY)) {
             finite(quantity, value)?;
@@ -163,33 +161,35 @@ impl Tidy<'_> {
     }
 }
 
-/// Refuses a result that is not a number.
+/// Refuses a result that is not finite.
 fn finite(what: &str, value: f64) -> Result<f64> {
     if value.is_finite() {
         return Ok(value);
     }
-    let remedy = "scale the image, the lights and the materials towards 1";
+    let remedy = "scale the image, the lights and the materials toward 1";
     Err(Error::new(format!("the result `{what}` is {value}"), remedy))
 }
 
-/// A few lines on standard error.
-pub fn summarise(answer: &Answer<'_>) {
+/// Prints a summary to standard error.
+pub fn summarize(answer: &Answer<'_>) {
     let (reading, observation) = (answer.reading, answer.observation);
     let components = observation.components();
-    say(format_args!(
+    print_message(format_args!(
         "{components} components, rank {}, condition {:.1e}",
         reading.rank, reading.condition
     ));
-    let names: &[&str] = if reading.channels.len() == 1 { &["grey"] } else { &["r", "g", "b"] };
+    let names: &[&str] = if reading.channels.len() == 1 { &["gray"] } else { &["r", "g", "b"] };
     for (name, channel) in names.iter().zip(&reading.channels) {
         let (squares, posterior) = (channel.least_squares.1, channel.posterior.1);
-        say(format_args!(
-            "{name}: noise {:.2e}; left of the image's variance: {:.2e} by least squares, {:.2e} by \
-             the posterior mean",
+        print_message(format_args!(
+            "{name}: noise {:.2e}; unexplained share of the image's variance: {:.2e} by least \
+             squares, {:.2e} by the posterior mean",
             channel.noise, squares.relative_residual, posterior.relative_residual
         ));
         if !channel.product.has_converged {
-            say(format_args!("{name}: the product in the modes is not the best: no end of turns"));
+            print_message(format_args!(
+                "{name}: the product of light and material in the modes has not converged"
+            ));
         }
     }
     let best = reading.candidates.first().map_or(0.0, |candidate| candidate.evidence);
@@ -202,5 +202,5 @@ pub fn summarise(answer: &Answer<'_>) {
             format!("{name} ({:.1})", candidate.evidence - best)
         })
         .collect();
-    say(format_args!("nearest materials (log evidence): {}", nearest.join(", ")));
+    print_message(format_args!("nearest materials (log evidence): {}", nearest.join(", ")));
 }

@@ -1,17 +1,13 @@
 //! `eigenshade render`: draws a sphere.
 
-use super::{Memory, count};
+use super::options::{FileEntry, Memory, count};
 use clap::{Args, ValueEnum};
 use eigenshade::Scalar;
-use eigenshade_cli::named::Choice;
-use eigenshade_cli::notes::albedo;
-use eigenshade_cli::notes::ringing::Ringing;
-use eigenshade_cli::output::collision;
-use eigenshade_cli::output::message::say;
-use eigenshade_cli::picture::png_file;
-use eigenshade_cli::picture::sphere_view::SphereView;
-use eigenshade_cli::picture::tone::{exposure, srgb};
-use eigenshade_cli::table::{rounding, table_file};
+use eigenshade_cli::messages::print_message;
+use eigenshade_cli::notes::{Ringing, albedo_warning};
+use eigenshade_cli::output;
+use eigenshade_cli::picture::{SphereView, exposure, srgb, write_png};
+use eigenshade_cli::table::{self, rounding};
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::Result;
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
@@ -27,8 +23,8 @@ const UNCLIPPED: f64 = 0.99;
 
 /// Draw a sphere as an sRGB PNG with a transparent background
 ///
-/// The exposure is chosen so that one value in a hundred clips. The picture has a sphere's normals
-/// for every table; a note says so if the table is of another object.
+/// The exposure is chosen so that one value in a hundred clips. The picture shows a sphere
+/// whatever the table's object is; a note says so if it is another.
 #[derive(Args, Debug)]
 pub struct Render {
     /// The table
@@ -59,19 +55,19 @@ enum Format {
 
 impl Render {
     pub fn run(self, memory: Memory) -> Result<()> {
-        let (light, material) = (Choice::new(&self.light), Choice::new(&self.material));
-        collision::refuse([&self.out], [&self.table, &light.path, &material.path])?;
-        let table = table_file::read(memory.file(&self.table))?;
+        let (light, material) = (FileEntry::new(&self.light), FileEntry::new(&self.material));
+        output::refuse_collisions([&self.out], [&self.table, &light.path, &material.path])?;
+        let table = table::read(memory.file(&self.table))?;
         let Lights { degree, entries } = read_lights(memory.file(&light.path), None)?;
-        let lights = Lights { degree, entries: vec![light.of(entries)?] };
+        let lights = Lights { degree, entries: vec![light.find_in(entries)?] };
         let Materials { order, entries } = read_materials(memory.file(&material.path), None)?;
-        let materials = Materials { order, entries: vec![material.of(entries)?] };
+        let materials = Materials { order, entries: vec![material.find_in(entries)?] };
         let higher = of_higher_order(&material.path, order, table.gram.order);
         let rounded = match self.format {
             Format::F32 => rounding::warning(&table, wire::Format::F32),
             Format::F64 => None,
         };
-        let warnings = [higher, albedo::warning(&materials), rounded].into_iter().flatten();
+        let warnings = [higher, albedo_warning(&materials), rounded].into_iter().flatten();
         let (lights, materials) = fitted(&table, &lights, &materials);
         let view = SphereView::new(self.size);
         let image = match self.format {
@@ -83,7 +79,7 @@ impl Render {
         let largest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let mut ringing = Ringing::default();
         let pair = || overflow::pair(&lights.entries[0], &materials.entries[0]);
-        ringing.see(pair, least, largest);
+        ringing.record(pair, least, largest);
         let exposure = exposure(values, UNCLIPPED);
         let mut bytes = vec![0; 4 * self.size * self.size];
         for (k, pixel) in view.pixels.iter().enumerate() {
@@ -93,9 +89,9 @@ impl Render {
             }
             bytes[start + 3] = (255.0 * pixel.coverage).round() as u8;
         }
-        png_file::write(&self.out, self.size, self.size, &bytes)?;
+        write_png(&self.out, self.size, self.size, &bytes)?;
         let note = note(&self.table, &table.scene.geometry);
-        note.into_iter().chain(warnings).chain(ringing.note()).for_each(say);
+        note.into_iter().chain(warnings).chain(ringing.note()).for_each(print_message);
         Ok(())
     }
 }
@@ -116,15 +112,15 @@ fn shaded<S: Scalar + Into<f64>>(
     Ok(image.map(|channel| channel.into_iter().map(Into::into).collect()))
 }
 
-/// A note for a table at `path` that is of another object than a sphere.
+/// A note if the table at `path` is of another object than a sphere.
 fn note(path: &Path, geometry: &Geometry) -> Option<String> {
     if geometry.normals == "sphere" {
         return None;
     }
     let density = geometry.density.as_ref().map(|density| format!(" {density}"));
     Some(format!(
-        "note: the picture is of a sphere's normals; {} is of the object `{}{}`, and its components \
-         are the best for that object, not for a sphere: `shade` gives the irradiance of any normals",
+        "note: the picture shows a sphere; {} was made for the object `{}{}`, and its components \
+         are the best for that object, not for a sphere; use `shade` for the normals of the object",
         path.display(),
         geometry.normals,
         density.unwrap_or_default(),

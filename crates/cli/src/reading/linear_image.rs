@@ -1,9 +1,9 @@
 //! A photograph or rendering as irradiance: linear values with a weight for each pixel.
 
-use crate::picture::tone;
+use crate::picture::linear;
 use eigenshade_generator::light::environment::EnvironmentMap;
-use eigenshade_generator::picture::png_curve::Curve;
-use eigenshade_generator::picture::png_samples;
+use eigenshade_generator::png_samples;
+use eigenshade_generator::png_samples::Curve;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::inputs::sheet::Sheet;
@@ -14,9 +14,9 @@ const BYTES_PER_PIXEL: u64 = 136;
 /// How the samples of a PNG encode light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub enum Transfer {
-    /// In proportion
+    /// Proportional to the light
     Linear,
-    /// By the curve of IEC 61966-2-1
+    /// The curve of IEC 61966-2-1
     Srgb,
 }
 
@@ -58,7 +58,7 @@ impl LinearImage {
             return Self::of_png(&file, transfer);
         }
         if transfer.is_some() {
-            let what = "only PNGs have a transfer, this file is linear";
+            let what = "only PNGs have a transfer function; this file is linear";
             return Err(Error::new(what, "leave --transfer out").in_file(path));
         }
         match ending.as_str() {
@@ -69,7 +69,7 @@ impl LinearImage {
                 Ok(Self::whole(Some([map.width, map.height]), pixels))
             }
             _ => Err(Error::new(
-                "it is no image that is read",
+                "it is not an image of a supported type",
                 "give a file that ends in .png, .exr, .hdr, .pfm or .csv",
             )
             .in_file(path)),
@@ -87,17 +87,17 @@ impl LinearImage {
             (Some(transfer), _) => transfer,
             (None, Curve::Linear) => Transfer::Linear,
             (None, Curve::Srgb) => Transfer::Srgb,
-            (None, Curve::Unsaid) if png.full == u16::from(u8::MAX) => Transfer::Srgb,
-            (None, Curve::Unsaid) => Transfer::Linear,
+            (None, Curve::Undeclared) if png.full == u16::from(u8::MAX) => Transfer::Srgb,
+            (None, Curve::Undeclared) => Transfer::Linear,
             (None, Curve::Other(what)) => {
-                let what = format!("{what}, by which samples are not read");
-                let remedy = "say what they are by --transfer linear or --transfer srgb";
+                let what = format!("{what}, which is not a supported transfer function");
+                let remedy = "give --transfer linear or --transfer srgb";
                 return Err(Error::new(what, remedy).in_file(file.path()));
             }
         };
         let value = |sample: u16| match transfer {
             Transfer::Linear => f64::from(sample) / full,
-            Transfer::Srgb => tone::linear(f64::from(sample) / full),
+            Transfer::Srgb => linear(f64::from(sample) / full),
         };
         let pixels = png.colors.iter().map(|color| color.map(value)).collect();
         let mut image = Self::whole(Some([png.width, png.height]), pixels);
@@ -128,7 +128,7 @@ impl LinearImage {
 
     /// Whether the three channels are equal in every pixel.
     #[must_use]
-    pub fn is_grey(&self) -> bool {
+    pub fn is_gray(&self) -> bool {
         self.pixels.iter().all(|[r, g, b]| r == g && g == b)
     }
 }

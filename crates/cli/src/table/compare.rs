@@ -60,7 +60,7 @@ pub fn differences(table: &Table, fresh: &Table) -> Result<Vec<Difference>, Stri
     let [old_series, new_series, alone] = polynomials(table, fresh);
     // Each is within the tolerance of the whole series.
     let alone = Difference {
-        what: "terms of one alone",
+        what: "terms of one table only",
         found: alone.iter().fold(0.0, |most: f64, value| most.max(value.abs())),
         allowed: 2.0 * fresh.scene.basis.profile_tolerance,
     };
@@ -142,7 +142,7 @@ fn same_shape(table: &Table, fresh: &Table) -> Result<(), String> {
     }
     if table.count() != fresh.count() || table.general.is_some() != fresh.general.is_some() {
         let (found, expected) = (table.count(), fresh.count());
-        return Err(format!("it has {found} components where {expected} belong"));
+        return Err(format!("it has {found} components instead of {expected}"));
     }
     // Rounding decides where the span of a general table ends, so the span is not compared.
     let determined = fresh.general.is_none();
@@ -287,8 +287,8 @@ fn difference(what: &'static str, found: &[f64], expected: &[f64]) -> Difference
     let largest = expected.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
     let worst = if found.len() == expected.len() {
         found.iter().zip(expected).fold(0.0, |most: f64, (a, b)| {
-            let apart = (a - b).abs();
-            if apart > most || apart.is_nan() { apart } else { most }
+            let difference = (a - b).abs();
+            if difference > most || difference.is_nan() { difference } else { most }
         })
     } else {
         f64::INFINITY

@@ -67,23 +67,24 @@ pub fn manifest_rows(path: &Path, table: &Table, loaded: &Loaded) -> Result<Stri
         let [material, degree, order, components, median, worst, map, _, scene, energy] =
             columns.map(|column| row.text(column));
         let of_another = |what: String| {
-            let remedy = "take the file away, make the table, record its errors with `errors`, \
-                          then make the table once more";
+            let remedy = "remove the file, make the table, record its errors with `errors`, then \
+                          make the table again";
             Err(row.fault(what, remedy))
         };
         if !components.is_empty() && [degree, order, components] != own.each_ref() {
-            let what = format!("errors of {degree}/{order} with {components} components");
-            return of_another(format!("{what}, the table is another"));
+            let what =
+                format!("the errors are of a table {degree}/{order} with {components} components");
+            return of_another(format!("{what}, not of this one"));
         }
         if scene != stamp.scene {
             let own = stamp.scene;
-            return of_another(format!("errors of a scene `{scene}`, this one is `{own}`"));
+            return of_another(format!("the errors are of a scene `{scene}`, this one is `{own}`"));
         }
         let recorded = row.number(columns[9])?;
         if (recorded - table.summary.energy).abs() > ENERGY * table.summary.energy {
             let own = stamp.energy;
-            let what = format!("errors of a table of energy {energy}, this one has {own}");
-            return of_another(format!("{what}: its lights or materials are others"));
+            let what = format!("the errors are of a table of energy {energy}, this one has {own}");
+            return of_another(format!("{what}: its lights or materials differ"));
         }
         if !loaded.materials.entries.iter().any(|entry| entry.name == material) {
             return of_another(format!("the scene has no material `{material}`"));

@@ -3,9 +3,8 @@
 use eigenshade::{Q15, Q31, Scalar};
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::Result;
-use eigenshade_shading::integer_shader::{self, IntegerShader};
+use eigenshade_shading::integer_shader::{self, Integer, IntegerShader};
 use eigenshade_shading::owned_basis::OwnedBasis;
-use eigenshade_shading::owned_quantised::Integer;
 use eigenshade_shading::shader::{OwnedNormals, Shader, fault, fitted};
 use eigenshade_shading::sphere_rings::{Ring, rings};
 use eigenshade_table::wire::Format;
@@ -81,8 +80,8 @@ pub fn warning(table: &Table, format: Format) -> Option<String> {
     let Rounding { largest, rms, .. } = table.rounding(format)?;
     (*largest > UNSEEN).then(|| {
         format!(
-            "warning: rounding to {} costs up to {largest:.1e} of an image's peak (rms {rms:.1e}) over \
-             the table's database; take another format, or a table with fewer components",
+            "warning: rounding to {} costs up to {largest:.1e} of an image's peak (rms {rms:.1e}) \
+             over the table's database; use another format, or a table with fewer components",
             format.name()
         )
     })

@@ -1,20 +1,27 @@
-//! The program on small scenes in folders of their own.
-#![allow(dead_code, reason = "each test takes what it needs")]
+//! The program on small scenes in folders of their own. The tests of the experiments use it as
+//! well.
+#![allow(dead_code, reason = "no package uses all of it")]
+pub mod files;
 
-pub mod objects;
-
-pub mod reading;
+pub use eigenshade_testing::repository;
 
 use eigenshade_index::{light, material};
+use eigenshade_table::{Table, decode};
+use eigenshade_testing::largest;
 use std::fmt::Write;
 use std::fs;
 use std::path::PathBuf;
 use std::process::{Command, Output};
+use std::sync::OnceLock;
 use tempfile::TempDir;
 
 /// Degree and order of the small scene.
 pub const DEGREE: usize = 4;
 pub const ORDER: usize = 3;
+
+/// The options and the header of `shade`.
+pub const PAIR: &str = "--lights lights.csv --materials materials.csv";
+pub const SHADED: &str = "light,material,normal,r,g,b";
 
 /// A folder with `lights.csv`, `materials.csv`, `normals.csv` and `scene.toml`.
 pub struct Folder(TempDir);
@@ -42,7 +49,7 @@ impl Folder {
         fs::read_to_string(self.path(name)).expect("a text")
     }
 
-    /// The program in this folder; arguments are split at blanks.
+    /// Runs the program in this folder; arguments are split at blanks.
     pub fn run(&self, arguments: &str) -> Output {
         let command = arguments.split_whitespace().next().unwrap_or_default();
         Command::new(crate::program(command))
@@ -52,7 +59,7 @@ impl Folder {
             .expect("the program runs")
     }
 
-    /// Its standard output; it has to succeed.
+    /// The standard output of a command that has to succeed.
     pub fn ok(&self, arguments: &str) -> String {
         let output = self.run(arguments);
         let errors = String::from_utf8_lossy(&output.stderr);
@@ -60,11 +67,44 @@ impl Folder {
         String::from_utf8(output.stdout).expect("text")
     }
 
+    /// The standard error of a command that has to succeed.
+    pub fn messages(&self, arguments: &str) -> String {
+        let output = self.run(arguments);
+        let messages = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(0), "{arguments}: {messages}");
+        messages
+    }
+
     /// The same folder with the table of its scene as `b.bin`.
     pub fn with_table() -> Self {
+        static FILES: OnceLock<[Vec<u8>; 2]> = OnceLock::new();
+        const NAMES: [&str; 2] = ["b.bin", "b.manifest.csv"];
+        let made = || {
+            let folder = Self::new();
+            folder.ok("basis --scene scene.toml --out b.bin");
+            NAMES.map(|name| fs::read(folder.path(name)).expect("a file"))
+        };
         let folder = Self::new();
-        folder.ok("basis --scene scene.toml --out b.bin");
+        for (name, bytes) in NAMES.iter().zip(FILES.get_or_init(made)) {
+            folder.write(name, bytes);
+        }
         folder
+    }
+
+    /// The table in this file.
+    pub fn table(&self, name: &str) -> Table {
+        decode(&fs::read(self.path(name)).expect("a file")).expect("a table")
+    }
+
+    /// The irradiance that `shade` gives with the table `b.bin`.
+    pub fn shaded(&self, options: &str) -> Vec<f64> {
+        self.shaded_by("b.bin", options)
+    }
+
+    /// The irradiance that `shade` gives with this table.
+    pub fn shaded_by(&self, table: &str, options: &str) -> Vec<f64> {
+        let text = self.ok(&format!("shade {table} {PAIR} --normals normals.csv {options}"));
+        numbers(&rows(&text, SHADED), 3)
     }
 
     /// Names of all files, sorted.
@@ -77,9 +117,9 @@ impl Folder {
     }
 }
 
-/// Exit status 1, one line that begins with `error: ` and holds `words`, and no
-/// other file than before.
-pub fn assert_fails(folder: &Folder, arguments: &str, words: &[&str]) {
+/// Asserts exit status 1, one line that begins with `error: ` and contains the fragments, and no
+/// new file.
+pub fn assert_fails(folder: &Folder, arguments: &str, fragments: &[&str]) {
     let before = folder.names();
     let output = folder.run(arguments);
     let line = String::from_utf8_lossy(&output.stderr);
@@ -87,13 +127,13 @@ pub fn assert_fails(folder: &Folder, arguments: &str, words: &[&str]) {
     assert!(line.starts_with("error: ") && line.lines().count() == 1, "{arguments}: {line}");
     assert!(line.contains("; "), "no remedy: {line}");
     assert!(!line.contains(".eigenshade-"), "a temporary name: {line}");
-    for word in words {
-        assert!(line.contains(word), "{arguments}: no `{word}` in {line}");
+    for fragment in fragments {
+        assert!(line.contains(fragment), "{arguments}: no `{fragment}` in {line}");
     }
     assert_eq!(folder.names(), before, "{arguments}");
 }
 
-/// Fields of a CSV, the header apart; all rows are as long as it.
+/// The fields of a CSV below its header; all rows are as long as it.
 pub fn rows(text: &str, header: &str) -> Vec<Vec<String>> {
     let mut lines = text.lines().filter(|line| !line.starts_with('#'));
     assert_eq!(lines.next(), Some(header));
@@ -109,7 +149,7 @@ pub fn numbers(rows: &[Vec<String>], count: usize) -> Vec<f64> {
     rows.iter().flat_map(last).map(|field| field.parse().expect("a number")).collect()
 }
 
-/// Numbers in [-1/2, 1/2], always the same.
+/// Numbers in [-1/2, 1/2], the same in every run.
 pub fn noise(seed: u64) -> impl FnMut() -> f64 {
     let mut state = seed;
     move || {
@@ -142,7 +182,7 @@ pub fn materials(order: usize, count: usize) -> String {
     text
 }
 
-/// Pole and rim included.
+/// Normals, with the pole and the rim.
 fn normals() -> String {
     let mut text = "x,y,z\n0,0,1\n1,0,0\n0,-1,0\n".to_owned();
     let mut noise = noise(13);
@@ -162,27 +202,8 @@ pub fn scene(criterion: &str, components: usize, names: &str) -> String {
     )
 }
 
-pub use eigenshade_testing::repository;
-
-/// What the program in `src/main.rs` of this folder prints, once it is compiled.
-pub fn compiled(folder: &Folder) -> String {
-    // The lock file keeps the dependencies at those that are there.
-    fs::copy(repository().join("Cargo.lock"), folder.path("Cargo.lock")).expect("a lock file");
-    folder.write(
-        "Cargo.toml",
-        format!(
-            "[package]\nname = \"baked\"\nversion = \"0.1.0\"\nedition = \"2024\"\n[workspace]\n\
-             [dependencies]\neigenshade = {{ path = {:?}, default-features = false }}\n",
-            repository().canonicalize().expect("a path")
-        ),
-    );
-    let output = Command::new(env!("CARGO"))
-        .args(["run", "--quiet", "--offline"])
-        .current_dir(folder.path("."))
-        .env("CARGO_TARGET_DIR", folder.path("target"))
-        .output()
-        .expect("cargo runs");
-    let errors = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{errors}");
-    String::from_utf8(output.stdout).expect("text")
+/// The largest |a - b|, relative to the largest |b|.
+pub fn difference(a: &[f64], b: &[f64]) -> f64 {
+    assert_eq!(a.len(), b.len());
+    largest(a.iter().zip(b).map(|(a, b)| a - b)) / largest(b.iter().copied())
 }

@@ -1,14 +1,15 @@
 //! The principal components of a scene, computed azimuth by azimuth, and the table of the first of
 //! them.
 
-use crate::basis::canonical;
-use crate::basis::canonical::Ranked;
-use crate::basis::eigenimages::{Azimuth, Selected, constant_coordinates};
-use crate::basis::moments;
-use crate::basis::moments::{LightMoments, MaterialMoments};
+use crate::basis::canonical::{self, Ranked};
+use crate::basis::database::in_range;
+use crate::basis::eigenimages::{
+    Azimuth, REPORTED, Selected, constant_coordinates, orthonormality,
+};
+use crate::basis::gram;
+use crate::basis::moments::{self, LightMoments, MaterialMoments};
 use crate::basis::pca::{Block, principal};
-use crate::basis::{REPORTED, in_range, orthonormality};
-use crate::basis::{gram, profile};
+use crate::basis::profile;
 use eigenshade_model::database::{self, Lights, Materials};
 use eigenshade_model::error::Result;
 use eigenshade_model::selection::{self, Kept};
@@ -42,7 +43,7 @@ impl Analysis {
     ///
     /// # Errors
     ///
-    /// The errors of [`crate::basis::build`].
+    /// The errors of `basis::build`.
     pub(crate) fn new(scene: &Scene, lights: &Lights, materials: &Materials) -> Result<Self> {
         let criterion = scene.basis.criterion;
         let weights = database::weights(&lights.entries, &scene.light.weights)?;
@@ -55,7 +56,7 @@ impl Analysis {
         let kept = Kept { effects, selection };
         let azimuths: Vec<Result<Azimuth>> = (0..=gram.degree)
             .into_par_iter()
-            .map(|azimuth| analyse(&gram, &kept, &light, &of_materials, criterion, azimuth))
+            .map(|azimuth| analyze(&gram, &kept, &light, &of_materials, criterion, azimuth))
             .collect();
         // Report the first fault by azimuth, regardless of which thread found one first.
         let azimuths = azimuths.into_iter().collect::<Result<Vec<_>>>()?;
@@ -190,7 +191,7 @@ fn largest_of(azimuths: &[Azimuth], values: fn(&Azimuth) -> &[f64]) -> f64 {
     azimuths.iter().flat_map(values).copied().fold(0.0, f64::max)
 }
 
-fn analyse(
+fn analyze(
     gram: &GramFactor,
     kept: &Kept,
     light: &LightMoments,

@@ -1,4 +1,5 @@
-//! Selects the eigenimages of a table and computes their entries.
+//! Selects the eigenimages of a table, computes their entries, and checks that they are
+//! orthonormal.
 
 use crate::basis::canonical;
 use crate::basis::canonical::Ranked;
@@ -11,6 +12,9 @@ use eigenshade_table::{Component, GramFactor, Profile, Table};
 use faer::Mat;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::f64::consts::FRAC_1_SQRT_2;
+
+/// Number of components whose orthonormality is reported.
+pub(crate) const REPORTED: usize = 100;
 
 /// The block and the principal components of one azimuth.
 pub(crate) struct Azimuth {
@@ -188,4 +192,40 @@ fn factor(
 pub(crate) fn constant_coordinates(gram: &GramFactor, space: &ProfileSpace) -> Vec<f64> {
     let ones = Mat::from_fn(gram.nodes.len(), 1, |k, _| gram.root_weights[k]);
     space.coordinates(&ones).col(0).iter().copied().collect()
+}
+
+/// Largest |UᵀMU - I| over the first `count` components, computed from AU without forming M.
+/// Domain: a table that stores U over modes.
+#[must_use]
+pub fn orthonormality(table: &Table, count: usize) -> f64 {
+    let mut worst: f64 = 0.0;
+    for azimuth in 0..=table.gram.degree {
+        let wanted: Vec<usize> = (0..table.profiles.len())
+            .filter(|&k| {
+                let first = table.components.iter().position(|component| component.profile == k);
+                table.profiles[k].azimuth == azimuth && first.is_some_and(|first| first < count)
+            })
+            .collect();
+        let columns = table.gram.columns(azimuth);
+        let images: Vec<Vec<f64>> =
+            wanted.iter().map(|&k| node_values(&columns, &table.profiles[k].modes)).collect();
+        for (i, a) in images.iter().enumerate() {
+            for (j, b) in images.iter().enumerate().take(i + 1) {
+                let product: f64 = a.iter().zip(b).map(|(a, b)| a * b).sum();
+                worst = worst.max((product - f64::from(u8::from(i == j))).abs());
+            }
+        }
+    }
+    worst
+}
+
+/// A times mode coefficients, which gives weighted node values.
+fn node_values(columns: &[Vec<f64>], modes: &[f64]) -> Vec<f64> {
+    let mut image = vec![0.0; columns.first().map_or(0, Vec::len)];
+    for (column, coefficient) in columns.iter().zip(modes) {
+        for (pixel, value) in image.iter_mut().zip(column) {
+            *pixel += coefficient * value;
+        }
+    }
+    image
 }

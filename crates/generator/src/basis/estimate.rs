@@ -91,13 +91,13 @@ impl Estimate {
             (numbers, blocks.operations + operations / cores)
         } else {
             let most = blocks.profiles;
-            let asked = scene.basis.components.map_or(most, |components| {
+            let given = scene.basis.components.map_or(most, |components| {
                 let factors = (degree + 1) * layout::row(order);
                 count(components) * count(mode::count(degree, order, 0) + factors + 2 * nodes)
             });
             // The table, its modes at the nodes, and its bytes while the buffer grows.
             let copies = if scene.basis.store == Store::Modes { 4.0 } else { 2.0 };
-            let numbers = blocks.kept + (cores * blocks.making).max(copies * asked.min(most));
+            let numbers = blocks.kept + (cores * blocks.making).max(copies * given.min(most));
             (numbers, blocks.operations / cores)
         };
         Self {
@@ -123,7 +123,7 @@ impl Estimate {
     /// The time as text; `None` if it is shorter than a minute.
     #[must_use]
     pub fn minutes(&self) -> Option<String> {
-        (self.time >= LONG).then(|| format!("some {} minutes", self.time.as_secs().div_ceil(60)))
+        (self.time >= LONG).then(|| format!("about {} minutes", self.time.as_secs().div_ceil(60)))
     }
 }
 

@@ -5,15 +5,16 @@
 //! the coordinates y of `observed`. The eigenimages W are the left singular vectors of the
 //! database's images in y, and U = A⁺W.
 
-use crate::basis;
-use crate::basis::choice::{Below, Choice};
+use crate::basis::canonical::{Functions, settle};
+use crate::basis::choice::{Choice, Remaining};
+use crate::basis::database::{fitted, in_range, peak};
+use crate::basis::eigenimages::REPORTED;
+use crate::basis::gram;
+use crate::basis::light_statistics::LightStatistics;
 use crate::basis::moments::MaterialMoments;
 use crate::basis::observed::Observed;
 use crate::basis::pca::principal;
-use crate::basis::settle::{Functions, settle};
 use crate::basis::span::{Function, Span};
-use crate::basis::{gram, peak};
-use crate::light::statistics::LightStatistics;
 use crate::object::geometry::Geometry;
 use eigenshade_model::database;
 use eigenshade_model::database::{Lights, Materials};
@@ -22,9 +23,6 @@ use eigenshade_model::selection::{self, Kept};
 use eigenshade_table::scene::{Criterion, Store};
 use eigenshade_table::{General, GramFactor, Scene, Summary, Table};
 use faer::Mat;
-
-/// Number of components whose orthonormality is reported.
-const REPORTED: usize = 100;
 
 /// Singular values below this fraction of the root of the database's energy are rounding.
 const ROUNDING: f64 = 1e-14;
@@ -37,7 +35,8 @@ const CONSTANT: f64 = 1e-8;
 ///
 /// # Errors
 ///
-/// The errors of [`basis::build`]; also a scene whose `store` is "materials" or that has a `cut`.
+/// The errors of [`crate::basis::build`]; also a scene whose `store` is "materials" or that has a
+/// `cut`.
 pub fn build(
     scene: &Scene,
     geometry: &Geometry,
@@ -61,16 +60,19 @@ pub fn chosen(
     if scene.basis.store == Store::Materials {
         return Err(Error::new(
             format!(
-                "basis.store = \"{}\" is not served for this object or light",
+                "basis.store = \"{}\" is not supported for this object or light",
                 scene.basis.store.name()
             ),
             "leave it out, or set store = \"projection\"",
         ));
     }
     if scene.basis.cut.is_some() {
-        return Err(Error::new("basis.cut is not served for this object or light", "leave it out"));
+        return Err(Error::new(
+            "basis.cut is not supported for this object or light",
+            "leave it out",
+        ));
     }
-    let (lights, materials) = basis::fitted(scene, lights, materials)?;
+    let (lights, materials) = fitted(scene, lights, materials)?;
     let light = {
         let weights = database::weights(&lights.entries, &scene.light.weights)?;
         let (normalize, rotation) = (scene.light.normalize, scene.light.rotation);
@@ -89,19 +91,19 @@ pub fn chosen(
 
     let criterion = scene.basis.criterion;
     let images = observed.shown(&deviations(&span, &gram, &light, &material, criterion));
-    basis::in_range(images.norm_l2())?;
-    let centred = criterion == Criterion::ImageCentered;
-    let constant = if centred { constant(&span, &observed, &gram)? } else { Vec::new() };
-    let found = principal(&images, centred.then_some(constant.as_slice()), 0)?;
+    in_range(images.norm_l2())?;
+    let centered = criterion == Criterion::ImageCentered;
+    let constant = if centered { constant(&span, &observed, &gram)? } else { Vec::new() };
+    let found = principal(&images, centered.then_some(constant.as_slice()), 0)?;
     let strongest = found.singular_values.first().copied().unwrap_or(0.0);
     let weakest = (ROUNDING * images.norm_l2()).max(cutoff * strongest);
     let count = found.singular_values.iter().filter(|value| **value > weakest).count();
 
-    let mut eigenvalues: Vec<Option<f64>> = vec![None; usize::from(centred)];
+    let mut eigenvalues: Vec<Option<f64>> = vec![None; usize::from(centered)];
     eigenvalues.extend(found.singular_values[..count].iter().map(|value| Some(value * value)));
     let mut shown = Mat::zeros(images.nrows(), eigenvalues.len());
     for (column, _) in eigenvalues.iter().enumerate() {
-        let number = column.checked_sub(usize::from(centred));
+        let number = column.checked_sub(usize::from(centered));
         for row in 0..shown.nrows() {
             shown[(row, column)] = match number {
                 Some(number) => found.coordinates[(row, number)],
@@ -136,8 +138,8 @@ pub fn chosen(
     };
     let choice = match (scene.basis.components, scene.basis.tolerance) {
         (None, Some(tolerance)) => {
-            let peak = peak::of(scene, &lights, &materials)?;
-            Some(Choice::of_components(tolerance, peak, &Below::new(&table.spectrum, 0.0)))
+            let peak = peak(scene, &lights, &materials)?;
+            Some(Choice::of_components(tolerance, peak, &Remaining::new(&table.spectrum, 0.0)))
         }
         _ => None,
     };
@@ -214,8 +216,8 @@ fn constant(span: &Span, observed: &Observed, gram: &GramFactor) -> Result<Vec<f
     let norm = shown.norm_l2();
     if (norm - 1.0).abs() > CONSTANT {
         return Err(Error::new(
-            "the constant image is no sum of the modes that are kept",
-            "keep more of them, take a lower rank_cutoff, or criterion = \"standard\"",
+            "the constant image is not a sum of the kept modes",
+            "keep more modes, or use a lower rank_cutoff or criterion = \"standard\"",
         ));
     }
     Ok(shown.col(0).iter().map(|value| value / norm).collect())
@@ -241,13 +243,13 @@ fn deviations(
         let folded = span.fold(gram, &scaled);
         let vectors = match criterion {
             Criterion::ImageCentered => &light.second,
-            Criterion::Standard => &light.centred,
+            Criterion::Standard => &light.centered,
         };
         columns.extend(vectors.iter().map(|vector| span.image(&folded, vector)));
         if criterion == Criterion::Standard {
-            let apart = material.iter().zip(&materials.mean);
-            let apart: Vec<f64> = apart.map(|(b, mean)| root * (b - mean)).collect();
-            columns.push(span.image(&span.fold(gram, &apart), &light.mean));
+            let deviations = material.iter().zip(&materials.mean);
+            let deviation: Vec<f64> = deviations.map(|(b, mean)| root * (b - mean)).collect();
+            columns.push(span.image(&span.fold(gram, &deviation), &light.mean));
         }
     }
     Mat::from_fn(span.dimension(), columns.len(), |k, t| columns[t][k])

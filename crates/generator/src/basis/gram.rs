@@ -2,9 +2,8 @@
 
 use eigenshade_index::{material, pair};
 use eigenshade_model::irradiance::{slant_radials, slant_rotation};
-use eigenshade_model::mode_gain::gain;
-use eigenshade_model::polar_integral::PolarIntegrals;
-use eigenshade_model::special::gauss_legendre;
+use eigenshade_model::polar_integral::{PolarIntegrals, gain};
+use eigenshade_model::special::quadrature::gauss_legendre;
 use eigenshade_table::GramFactor;
 
 /// Computes the factor of M for the visible normals of a sphere, whose density over the hemisphere
@@ -17,7 +16,7 @@ use eigenshade_table::GramFactor;
 pub fn of_sphere(degree: usize, order: usize) -> GramFactor {
     let count = crate::basis::profile::terms(degree, order, 0) + degree + 1;
     let (nodes, weights): (Vec<f64>, Vec<f64>) =
-        gauss_legendre::rule(count, 0.0, 1.0).into_iter().unzip();
+        gauss_legendre(count, 0.0, 1.0).into_iter().unzip();
     let slants: Vec<f64> = nodes.iter().map(|z| slant(*z)).collect();
     let radials: Vec<Vec<f64>> = slants.iter().map(|&alpha| slant_radials(order, alpha)).collect();
     GramFactor {

@@ -174,7 +174,7 @@ pub fn deviations(
     let mut deviations = Vec::new();
     for (degree, &power) in light.power.iter().enumerate().skip(azimuth) {
         // Only L_0^0 has a nonzero mean to subtract.
-        let (centre, spread) = if degree == 0 && criterion == Criterion::Standard {
+        let (center, spread) = if degree == 0 && criterion == Criterion::Standard {
             (light.ambient_mean, light.ambient_variance.sqrt())
         } else {
             (0.0, power.sqrt())
@@ -184,9 +184,9 @@ pub fn deviations(
                 let material = vector.iter().map(|b| root * spread * b).collect();
                 deviations.push(Deviation { degree, material });
             }
-            if centre != 0.0 {
-                let apart = vector.iter().zip(&materials.mean);
-                let material = apart.map(|(b, mean)| root * centre * (b - mean)).collect();
+            if center != 0.0 {
+                let pairs = vector.iter().zip(&materials.mean);
+                let material = pairs.map(|(b, mean)| root * center * (b - mean)).collect();
                 deviations.push(Deviation { degree, material });
             }
         }

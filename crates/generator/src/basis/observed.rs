@@ -126,7 +126,7 @@ fn directions(span: &Span, geometry: &Geometry, cutoff: f64) -> Result<(Mat<f64>
         let dimension = span.dimension();
         return Ok((Mat::identity(dimension, dimension), vec![1.0; dimension]));
     };
-    let svd = listed.factor(span).thin_svd().map_err(|_| not_converged("normals"))?;
+    let svd = span.factor(listed).thin_svd().map_err(|_| not_converged("normals"))?;
     let gains: Vec<f64> = svd.S().column_vector().iter().copied().collect();
     let largest = gains.first().copied().unwrap_or(0.0);
     let rank = gains.iter().filter(|gain| **gain > cutoff * largest).count();

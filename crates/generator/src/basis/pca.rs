@@ -127,18 +127,18 @@ pub struct Principal {
     pub singular_values: Vec<f64>,
 }
 
-/// The left singular vectors of `images`, orthogonal to the unit vector `apart` if one is given
+/// The left singular vectors of `images`, orthogonal to the unit vector `constant` if one is given
 /// (the constant image, (31)).
 ///
 /// # Errors
 ///
 /// If the singular values do not converge.
-pub fn principal(images: &Mat<f64>, apart: Option<&[f64]>, azimuth: usize) -> Result<Principal> {
-    let Some(apart) = apart else { return decompose(images.as_ref(), azimuth) };
-    // Reflect `apart` onto the first axis. The images without that axis are then exactly orthogonal
-    // to it, however small they are.
-    let mut normal: Vec<f64> = apart.to_vec();
-    normal[0] += if apart[0] < 0.0 { -1.0 } else { 1.0 };
+pub fn principal(images: &Mat<f64>, constant: Option<&[f64]>, azimuth: usize) -> Result<Principal> {
+    let Some(constant) = constant else { return decompose(images.as_ref(), azimuth) };
+    // Reflect `constant` onto the first axis. The images without that axis are then exactly
+    // orthogonal to it, however small they are.
+    let mut normal: Vec<f64> = constant.to_vec();
+    normal[0] += if constant[0] < 0.0 { -1.0 } else { 1.0 };
     let scale = 2.0 / normal.iter().map(|x| x * x).sum::<f64>();
     let reflect = |matrix: &Mat<f64>| {
         let along: Vec<f64> = (0..matrix.ncols())

@@ -4,19 +4,24 @@
 //! Each image of an object is the image of a sphere evaluated at the object's normals. So whatever
 //! its normals, it is a sum of functions of this span.
 
-use crate::basis::eigenimages::{constant_coordinates, signed_left};
+use crate::basis::eigenimages::{self, constant_coordinates, signed_left};
 use crate::basis::pca::Block;
 use crate::basis::profile::chebyshev_values;
+use crate::object::geometry::WeightedNormals;
+use eigenshade_index::effect::Effects;
 use eigenshade_index::{light, material, mode};
 use eigenshade_model::error::Result;
 use eigenshade_model::selection::Kept;
 use eigenshade_model::special::spherical_harmonic::azimuth as phi;
-use eigenshade_table::GramFactor;
+use eigenshade_table::{Component, GramFactor, Profile};
 use faer::Mat;
 
 /// Singular values of the mode images below this fraction of the largest over all azimuths are
 /// rounding.
 pub const ROUNDING: f64 = 1e-13;
+
+/// Number of normals processed at once.
+const CHUNK: usize = 4096;
 
 /// The profiles of one azimuth.
 #[derive(Clone, Debug)]
@@ -144,6 +149,30 @@ impl Span {
         values
     }
 
+    /// R with RᵀR = Σ_k w_k φ(n_k) φ(n_k)ᵀ for the functions φ of the span and these normals.
+    ///
+    /// Uses only orthogonal factorizations. Nothing is squared, so weights that range over many
+    /// decades and normals that are nearly equal lose no accuracy.
+    #[must_use]
+    pub fn factor(&self, listed: &WeightedNormals) -> Mat<f64> {
+        let dimension = self.dimension();
+        let mut factor: Mat<f64> = Mat::zeros(0, dimension);
+        for (normals, weights) in listed.normals().chunks(CHUNK).zip(listed.weights().chunks(CHUNK))
+        {
+            let values = self.values(normals);
+            let above = factor.nrows();
+            let stacked = Mat::from_fn(above + normals.len(), dimension, |k, j| {
+                if k < above {
+                    factor[(k, j)]
+                } else {
+                    weights[k - above].sqrt() * values[(k - above, j)]
+                }
+            });
+            factor = stacked.qr().thin_R().to_owned();
+        }
+        factor
+    }
+
     /// The images of a material with coefficients b in the order of [`material`].
     #[must_use]
     pub fn fold(&self, gram: &GramFactor, coefficients: &[f64]) -> Folded {
@@ -190,5 +219,57 @@ impl Span {
         let mut coordinates: Vec<f64> = (0..profiles).map(along).collect();
         coordinates.resize(self.dimension(), 0.0);
         coordinates
+    }
+
+    /// The functions of the span as components, without eigenvalues.
+    pub(crate) fn components(&self) -> Vec<Component> {
+        let mut first = Vec::new();
+        let mut start = 0;
+        for of in &self.azimuths {
+            first.push(start);
+            start += of.profiles.ncols();
+        }
+        self.functions()
+            .map(|Function { order, profile }| Component {
+                order,
+                profile: first[order.unsigned_abs() as usize] + profile,
+                eigenvalue: None,
+            })
+            .collect()
+    }
+
+    /// The profiles of the span for the given images, as columns of coordinates, and a mean image,
+    /// which may be empty.
+    ///
+    /// The polynomial error of a profile is at most `tolerance` divided by the largest coordinate
+    /// of any image in that profile, so its contribution to an image stays within `tolerance`.
+    pub(crate) fn table_profiles(
+        &self,
+        of_table: (&GramFactor, Effects),
+        tolerance: f64,
+        images: &Mat<f64>,
+        mean: &[f64],
+    ) -> Vec<Profile> {
+        let largest = |function: usize| -> f64 {
+            let of_images = (0..images.ncols()).map(|image| images[(function, image)]);
+            let of_mean = mean.get(function).copied();
+            of_images.chain(of_mean).fold(0.0, |most, value| most.max(value.abs()))
+        };
+        let mut profiles = Vec::new();
+        let mut functions = 0..;
+        for (azimuth, of) in self.azimuths.iter().enumerate() {
+            for (profile, singular) in of.singular_values.iter().enumerate() {
+                let signs = if azimuth == 0 { 1 } else { 2 };
+                let weight = functions.by_ref().take(signs).map(largest).fold(0.0, f64::max);
+                let coordinates = of.profiles.get(.., profile..profile + 1).to_owned();
+                let tolerance = (tolerance / weight).min(1.0);
+                let image = eigenimages::image(of_table, &of.block, &coordinates, tolerance);
+                // The span's own U is V / s; `modes` is s V.
+                let modes = of.modes.row(profile).iter();
+                let modes = modes.map(|mode| mode / singular.powi(2)).collect();
+                profiles.push(Profile { modes, ..image });
+            }
+        }
+        profiles
     }
 }

@@ -5,12 +5,9 @@
 //! -z, in front of the camera. The light on the surfaces that the camera sees comes from the edges
 //! of the map, +z.
 
-use crate::light::{map_exr, map_hdr, map_pfm};
 use eigenshade_model::database::luminance;
 use eigenshade_model::error::{Error, Result};
-use eigenshade_model::inputs::input_file::InputFile;
 use std::f64::consts::{PI, TAU};
-use std::path::Path;
 
 /// Largest number of texels that is read: twice the largest size in use, 16384 x 8192.
 pub const MOST_TEXELS: usize = 1 << 28;
@@ -74,35 +71,10 @@ impl EnvironmentMap {
                     "{count} of its pixels are not finite, the first in column {column} of row \
                      {row}, from 0 at the top left"
                 ),
-                "clean the map: paint these pixels over with their neighbours",
+                "clean the map: paint these pixels over with their neighbors",
             ));
         }
         Ok(Self { width, height, texels })
-    }
-
-    /// Reads an OpenEXR (`.exr`), Radiance (`.hdr`) or portable float map (`.pfm`) file.
-    ///
-    /// # Errors
-    ///
-    /// If the file cannot be read, is of another type, is broken, has no texels or a texel that is
-    /// not finite, or if its budget has no room for [`BYTES_PER_TEXEL`] and a few rows.
-    pub fn from_path(file: impl Into<InputFile>) -> Result<Self> {
-        let file = file.into();
-        let path = file.path();
-        let decode = match extension(path).as_deref() {
-            Some("exr") => map_exr::decode,
-            Some("hdr") => map_hdr::decode,
-            Some("pfm") => map_pfm::decode,
-            _ => {
-                return Err(Error::new(
-                    "it is no environment map",
-                    "give a file that ends in .exr, .hdr or .pfm",
-                )
-                .in_file(path));
-            }
-        };
-        let (mut reader, length) = file.open()?;
-        decode(&mut reader, length, &file).map_err(|error| error.in_file(path))
     }
 
     /// Whether the map is twice as wide as high. If not, its texels still divide the sphere, but
@@ -158,11 +130,6 @@ impl EnvironmentMap {
     }
 }
 
-/// The extension of a file name, in lower case.
-pub(crate) fn extension(path: &Path) -> Option<String> {
-    Some(path.extension()?.to_str()?.to_ascii_lowercase())
-}
-
 /// Returns the number of texels, or rejects a size that no file of `bytes` bytes can hold, before
 /// memory is allocated for it.
 pub(crate) fn believable(width: usize, height: usize, bytes: u64) -> Result<usize> {
@@ -184,7 +151,7 @@ pub(crate) fn believable(width: usize, height: usize, bytes: u64) -> Result<usiz
 /// The error for a file whose contents do not match its extension.
 pub(crate) fn other_type(named: &str) -> Error {
     Error::new(
-        format!("it is no {named} file, whatever its name says"),
+        format!("it is not a file of type {named}, despite its name"),
         "check the file, or give it the ending of its type: .exr, .hdr or .pfm",
     )
 }

@@ -1,11 +1,19 @@
 //! OpenEXR maps: scan lines or tiles; half, float or integer samples; every common compression.
+//!
+//! The claims of a file are checked against its actual size before it is decoded. The decoder
+//! allocates whatever memory a header claims, including by tile sizes and the counters of DWA
+//! blocks. A single wrong byte could end the program instead of returning an error.
 
-use crate::light::environment::{BYTES_PER_TEXEL, EnvironmentMap, broken, other_type};
-use crate::light::map_exr_check as check;
+use crate::light::environment::{
+    BYTES_PER_TEXEL, EnvironmentMap, MOST_TEXELS, believable, broken, other_type,
+};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
-use exr::error::Error as ExrError;
+use exr::block::chunk::{Chunk, CompressedBlock};
+use exr::compression::Compression;
+use exr::error::{Error as ExrError, Result as ExrResult};
 use exr::image::read::specific_channels::ReadSpecificChannel;
+use exr::meta::BlockDescription;
 use exr::meta::header::Header;
 use exr::prelude::{ReadChannels, ReadLayers, Text, Vec2, read};
 use std::cell::Cell;
@@ -27,7 +35,7 @@ pub(crate) fn decode(
     }
     let parts = exr::block::read(&mut *reader, false).map_err(fault)?;
     let headers = parts.meta_data().headers.clone();
-    check::sizes(&headers, length)?;
+    check_sizes(&headers, length)?;
     let (header, channels) = headers
         .iter()
         .find_map(|header| Some((header, color(header)?)))
@@ -36,13 +44,15 @@ pub(crate) fn decode(
     let Vec2(whole_width, whole_height) = header.shared_attributes.display_window.size;
     if (width, height) != (whole_width, whole_height) {
         return Err(Error::new(
-            format!("{width} x {height} pixels are stored of {whole_width} x {whole_height}"),
+            format!(
+                "it stores only {width} x {height} of its {whole_width} x {whole_height} pixels"
+            ),
             "save the map whole, not cropped to its data window",
         ));
     }
     let count = width * height;
-    file.admit_pixels(count as u64, BYTES_PER_TEXEL, check::blocks(&headers, length))?;
-    check::counters(&headers, parts.all_chunks(false).map_err(fault)?)?;
+    file.admit_pixels(count as u64, BYTES_PER_TEXEL, bytes_beside(&headers, length))?;
+    check_counters(&headers, parts.all_chunks(false).map_err(fault)?)?;
     reader.rewind().map_err(io)?;
     let grid = Cell::new(vec![[0.0; 3]; count]);
     // A part of another size is not the one to read.
@@ -69,7 +79,7 @@ pub(crate) fn decode(
             .non_parallel()
             .from_buffered(reader)
             .map(|image| image.layer_data.channel_data.pixels.texels),
-        Color::Grey(y) => read()
+        Color::Gray(y) => read()
             .no_deep_data()
             .largest_resolution_level()
             .specific_channels()
@@ -92,7 +102,7 @@ pub(crate) fn decode(
 
 enum Color {
     Rgb([Text; 3]),
-    Grey(Text),
+    Gray(Text),
 }
 
 /// The color channels of one part, if it has them at full resolution.
@@ -119,7 +129,7 @@ fn color(header: &Header) -> Option<Color> {
     let rgb = std::iter::once(String::new()).chain(layers).find_map(|prefix| triple(&prefix));
     // With RY and BY present, Y is the luminance of a color image, not a gray map.
     let colored = header.channels.list.iter().any(|channel| channel.name == *"RY");
-    rgb.map(Color::Rgb).or_else(|| Some(Color::Grey(find("", "Y").filter(|_| !colored)?.clone())))
+    rgb.map(Color::Rgb).or_else(|| Some(Color::Gray(find("", "Y").filter(|_| !colored)?.clone())))
 }
 
 fn without_color(headers: &[Header]) -> Error {
@@ -131,7 +141,7 @@ fn without_color(headers: &[Header]) -> Error {
         .collect();
     Error::new(
         format!("its channels are {}, without R, G, B", names.join(", ")),
-        "export it with the channels R, G, B, or a grey Y, one sample a pixel",
+        "export it with the channels R, G, B, or a gray Y, one sample a pixel",
     )
 }
 
@@ -152,9 +162,95 @@ impl Grid {
 fn fault(error: ExrError) -> Error {
     match error {
         ExrError::NotSupported(why) => Error::new(
-            format!("it is of a kind that is not read ({why})"),
+            format!("it is of a kind that is not supported ({why})"),
             "export it as scan lines, with ZIP compression or none",
         ),
         error => broken(error),
+    }
+}
+
+/// Copies of a block that the decoder makes: as stored, unpacked, and two on the way from one to
+/// the other.
+const COPIES: u64 = 4;
+
+/// Bytes in which the decoder keeps the position of a block in the file.
+const PLACE: u64 = 24;
+
+/// Bytes that decoding needs in addition to the pixels.
+fn bytes_beside(headers: &[Header], length: u64) -> u64 {
+    let places = headers.iter().map(|header| PLACE * header.chunk_count as u64);
+    let block = |header: &Header| {
+        let Vec2(width, height) = header.max_block_pixel_size();
+        (width as u64)
+            .saturating_mul(height as u64)
+            .saturating_mul(header.channels.bytes_per_pixel as u64)
+    };
+    let largest = headers.iter().map(block).max().unwrap_or(0);
+    places
+        .fold(largest.saturating_mul(COPIES), u64::saturating_add)
+        .saturating_add(length.min(largest))
+}
+
+/// Checks the sizes of every part of a file of `bytes` bytes.
+fn check_sizes(headers: &[Header], bytes: u64) -> Result<()> {
+    for header in headers {
+        let Vec2(width, height) = header.layer_size;
+        believable(width, height, bytes)?;
+        if let BlockDescription::Tiles(tiles) = header.blocks {
+            let Vec2(width, height) = tiles.tile_size;
+            if width.checked_mul(height).is_none_or(|area| area > MOST_TEXELS) {
+                return Err(broken(format!("its tiles are {width} x {height}")));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Checks the counters of every DWA block.
+fn check_counters(
+    headers: &[Header],
+    chunks: impl Iterator<Item = ExrResult<Chunk>>,
+) -> Result<()> {
+    for chunk in chunks {
+        let chunk = chunk.map_err(broken)?;
+        let Some(header) = headers.get(chunk.layer_index) else {
+            continue;
+        };
+        let block = match &chunk.compressed_block {
+            CompressedBlock::ScanLine(block) => &block.compressed_pixels_le,
+            CompressedBlock::Tile(block) => &block.compressed_pixels_le,
+            _ => continue,
+        };
+        let dwa = matches!(header.compression, Compression::DWAA(_) | Compression::DWAB(_));
+        if dwa && !is_raw(header, &chunk.compressed_block, block.len())? {
+            check_dwa(header, block)?;
+        }
+    }
+    Ok(())
+}
+
+/// Whether a block of `length` bytes is stored uncompressed, without counters.
+fn is_raw(header: &Header, block: &CompressedBlock, length: usize) -> Result<bool> {
+    let size = header
+        .get_block_data_indices(block)
+        .and_then(|tile| header.get_absolute_block_pixel_coordinates(tile))
+        .map_err(broken)?
+        .size;
+    Ok(length == size.area() * header.channels.bytes_per_pixel)
+}
+
+/// Eleven little-endian numbers: the version, the bytes of each section, packed and unpacked, the
+/// numbers of coefficients, and how the coefficients are packed.
+fn check_dwa(header: &Header, block: &[u8]) -> Result<()> {
+    // No section unpacks to more than the pixels, padded to blocks of 8 x 8, or twice that when the
+    // run lengths of noise take more space than the noise.
+    let Vec2(width, height) = header.max_block_pixel_size();
+    let samples = width.next_multiple_of(8) * height.next_multiple_of(8);
+    let most = 2 * samples * header.channels.bytes_per_pixel.max(4);
+    let (counters, _) = block.as_chunks::<8>();
+    let claims = counters.iter().take(10).map(|bytes| u64::from_le_bytes(*bytes));
+    match claims.max() {
+        Some(largest) if largest <= most as u64 => Ok(()),
+        _ => Err(broken("a DWA block claims more than it can hold")),
     }
 }

@@ -10,12 +10,13 @@
 //! the global z, its y axis is x and its z axis is y; its azimuth is π - t. The coefficients are
 //! then rotated to the global frame, which is exact.
 
-use crate::light::environment::{EnvironmentMap, extension};
+use crate::light::environment::EnvironmentMap;
+use crate::light::map_file::extension;
 use eigenshade_index::light;
 use eigenshade_model::database::{Lights, Named};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::rotation::Rotation;
-use eigenshade_model::special::{legendre, spherical_harmonic};
+use eigenshade_model::special::spherical_harmonic::{self, legendre};
 use std::collections::HashMap;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::fs;
@@ -38,15 +39,15 @@ pub fn project(map: &EnvironmentMap, degree: usize) -> [Vec<f64>; 3] {
         let (sine, cosine) = map.polar_angle(row).sin_cos();
         let solid_angle = map.solid_angle(row);
         for m in 0..=degree {
-            let column = legendre::normalized(degree, m, cosine, sine);
+            let column = legendre(degree, m, cosine, sine);
             // N_l^-m P_l^-m = (-1)^m N_l^m P_l^m.
             let reflected = if m % 2 == 0 { solid_angle } else { -solid_angle };
             for (local, (even, odd)) in local.iter_mut().zip(&sums) {
-                for (l, legendre) in (m..).zip(&column) {
+                for (l, value) in (m..).zip(&column) {
                     let order = m.cast_signed();
-                    local[light::position(l, order)] += solid_angle * legendre * even[m];
+                    local[light::position(l, order)] += solid_angle * value * even[m];
                     if m > 0 {
-                        local[light::position(l, -order)] += reflected * legendre * odd[m];
+                        local[light::position(l, -order)] += reflected * value * odd[m];
                     }
                 }
             }
@@ -129,7 +130,7 @@ pub fn named_maps<P: AsRef<Path>>(paths: &[P]) -> Result<Vec<(String, PathBuf)>>
         if let Some(first) = first_of.insert(name.clone(), file.clone()) {
             return Err(Error::new(
                 format!("`{name}` is also the name of {}", first.display()),
-                "rename one of the two files: lights are called as they are",
+                "rename one of the two files: lights are named after their files",
             )
             .in_file(file));
         }
@@ -175,4 +176,23 @@ pub fn lights_from_paths<P: AsRef<Path>>(paths: &[P], degree: usize) -> Result<L
         return Err(Error::new("there is no map to read", "name a map, or a folder of maps"));
     }
     Ok(Lights { degree, entries })
+}
+
+/// Converts lights from the paper's convention to that of three.js, Filament and Ramamoorthi, or
+/// back: the factor is exactly its own inverse.
+///
+/// The factor is [`light::graphics_sign`], at every degree. It does not change the axes: for a
+/// frame other than x right, y up, z toward the camera, also apply a
+/// [`Rotation`].
+#[must_use]
+pub fn exchanged(lights: &Lights) -> Lights {
+    let mut lights = lights.clone();
+    for entry in &mut lights.entries {
+        for channel in &mut entry.rgb {
+            for (value, (_, m)) in channel.iter_mut().zip(light::indices(lights.degree)) {
+                *value *= f64::from(light::graphics_sign(m));
+            }
+        }
+    }
+    lights
 }

@@ -58,7 +58,7 @@ pub enum Model {
 #[serde(untagged)]
 pub enum Shares {
     /// The same value in all channels.
-    Grey(f64),
+    Gray(f64),
     /// Values for r, g and b.
     Rgb([f64; 3]),
 }
@@ -66,14 +66,14 @@ pub enum Shares {
 impl Shares {
     fn channel(self, channel: usize) -> f64 {
         match self {
-            Self::Grey(value) => value,
+            Self::Gray(value) => value,
             Self::Rgb(rgb) => rgb[channel],
         }
     }
 
-    fn is_grey(self) -> bool {
+    fn is_gray(self) -> bool {
         match self {
-            Self::Grey(_) => true,
+            Self::Gray(_) => true,
             Self::Rgb([r, g, b]) => r == g && g == b,
         }
     }
@@ -105,9 +105,9 @@ impl Analytic {
         }
         let of =
             |channel| self.channel(channel).map_err(|error| error.of(format_args!("`{name}`")));
-        let grey = [self.albedo, self.f0].into_iter().flatten().all(Shares::is_grey);
-        if grey {
-            return Ok(Surface::grey(name.clone(), of(0)?));
+        let gray = [self.albedo, self.f0].into_iter().flatten().all(Shares::is_gray);
+        if gray {
+            return Ok(Surface::gray(name.clone(), of(0)?));
         }
         Ok(Surface::colored(name.clone(), [of(0)?, of(1)?, of(2)?]))
     }
@@ -144,7 +144,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<Vec<Surface>> {
     let bytes = std::fs::metadata(path).map_err(io)?.len();
     if bytes > LONGEST {
         return Err(Error::new(
-            format!("it has {bytes} bytes: no list of materials is as long"),
+            format!("it has {bytes} bytes, too many for a list of materials"),
             format!("give at most {LONGEST}"),
         )
         .in_file(path));
@@ -162,16 +162,14 @@ pub fn read(path: impl AsRef<Path>) -> Result<Vec<Surface>> {
     for Analytic { name, .. } in &file.material {
         if name.is_empty() || !names.insert(name) {
             return Err(Error::new(
-                format!("the name `{name}` is empty or there twice"),
-                "give every material a name of its own",
+                format!("the name `{name}` is empty or occurs twice"),
+                "give every material its own name",
             )
             .in_file(path));
         }
     }
     if file.material.is_empty() {
-        return Err(
-            Error::new("there is no material in it", "add a table [[material]]").in_file(path)
-        );
+        return Err(Error::new("it contains no material", "add a table [[material]]").in_file(path));
     }
     file.material.iter().map(|one| one.surface().map_err(|error| error.in_file(path))).collect()
 }

@@ -162,7 +162,7 @@ fn finite(field: &str) -> Result<f64> {
         Ok(number) if number.is_finite() => Ok(number),
         _ => Err(Error::new(
             format!("`{field}` is not a finite number"),
-            "correct the field, or take the row out",
+            "correct the field, or remove the row",
         )),
     }
 }

@@ -1,6 +1,6 @@
 //! Reads materials of any kind from a path: measurements, tables or formulas.
 
-use crate::light::environment::extension;
+use crate::light::map_file::extension;
 use crate::material::brdf::Surface;
 use crate::material::measurements;
 use crate::material::measurements::Measured;

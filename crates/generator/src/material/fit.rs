@@ -26,15 +26,11 @@
 
 use crate::material::fit_channel::{Channel, Design};
 use crate::material::fit_constraints::DirectionGrid;
+pub use crate::material::fit_constraints::{HIGHEST, LOWEST};
 use crate::material::measurements::Measured;
 use eigenshade_model::database::{Materials, Named};
 use eigenshade_model::error::{Error, Result};
 use std::io::Write;
-
-/// The lowest value a fit may take, as a multiple of the measured maximum.
-pub const LOWEST: f64 = -0.05;
-/// The highest value a fit may take, as a multiple of the measured maximum.
-pub const HIGHEST: f64 = 2.0;
 
 /// A fitted material and the quality of the fit.
 #[derive(Clone, Debug, PartialEq)]

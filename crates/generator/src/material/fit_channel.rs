@@ -1,9 +1,12 @@
-//! The fit of one color channel to measured values.
+//! The fit of one color channel to measured values: least squares with inequality constraints, by
+//! cutting planes and quadratic programs.
 
-use crate::material::fit::{HIGHEST, LOWEST};
-use crate::material::fit_constraints::DirectionGrid;
-use crate::material::fit_program::Programme;
+use crate::material::fit_constraints::{DirectionGrid, HIGHEST, LOWEST};
 use crate::material::measurements::Measurement;
+use clarabel::algebra::CscMatrix;
+use clarabel::solver::{
+    DefaultSettingsBuilder, DefaultSolver, IPSolver, NonnegativeConeT, SolverStatus,
+};
 use eigenshade_index::material;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::scattering;
@@ -19,6 +22,9 @@ const RIDGE: f64 = 1e-5;
 const FAR: f64 = 0.05;
 /// Maximum number of rounds of adding inequalities.
 const ROUNDS: usize = 100;
+
+/// Relative and absolute accuracy of the interior point method.
+const ACCURACY: f64 = 1e-10;
 
 /// X, the modes (8) at the measured directions, and its decomposition U S Vᵀ.
 pub(super) struct Design {
@@ -97,7 +103,7 @@ impl Design {
         if maximum <= 0.0 || !values.iter().all(|value| value.is_finite()) {
             return Err(Error::new(
                 "a channel has no positive value, or one that is not finite",
-                "check the unit and the columns: BRDFs are positive but for noise",
+                "check the unit and the columns: BRDFs are positive except for noise",
             ));
         }
         let scaled = Col::from_fn(values.len(), |row| values[row] / maximum);
@@ -117,7 +123,7 @@ impl Design {
         let mut coefficients = self.unconstrained(values);
         let gradient: Vec<f64> =
             (self.matrix.transpose() * values).iter().map(|g| g / self.largest().powi(2)).collect();
-        let mut programme = Programme::new(self.curvature());
+        let mut program = Program::new(self.curvature());
         let slack = 0.5 * INSET;
         for _ in 0..ROUNDS {
             let points = grid.excesses(&coefficients, LOWEST + slack, HIGHEST - slack);
@@ -127,11 +133,11 @@ impl Design {
             for point in &points {
                 let bound = if point.sign > 0.0 { HIGHEST } else { -LOWEST };
                 let modes = grid.modes(point);
-                programme
+                program
                     .require(modes.iter().map(|mode| point.sign * mode).collect(), bound - INSET);
             }
-            coefficients = programme.solve(&gradient)?;
-            programme.relax(&coefficients, FAR);
+            coefficients = program.solve(&gradient)?;
+            program.relax(&coefficients, FAR);
         }
         Err(Error::new(
             format!("the fit is still out of range after {ROUNDS} rounds"),
@@ -163,4 +169,86 @@ impl Design {
             })
             .collect()
     }
+}
+
+/// Minimizes ½ bᵀ P b - gᵀ b subject to rowᵀ b <= limit for every row.
+struct Program {
+    /// The columns of the upper triangle of P; column j has j + 1 numbers.
+    curvature: Vec<Vec<f64>>,
+    /// The rows and their limits.
+    inequalities: Vec<(Vec<f64>, f64)>,
+}
+
+impl Program {
+    /// A program without inequalities. `curvature` holds the columns of the upper triangle of P,
+    /// which is positive definite.
+    fn new(curvature: Vec<Vec<f64>>) -> Self {
+        Self { curvature, inequalities: Vec::new() }
+    }
+
+    /// Adds the inequality rowᵀ b <= limit.
+    fn require(&mut self, row: Vec<f64>, limit: f64) {
+        self.inequalities.push((row, limit));
+    }
+
+    /// Drops the inequalities that b satisfies with a margin above `slack`.
+    fn relax(&mut self, coefficients: &[f64], slack: f64) {
+        self.inequalities.retain(|(row, limit)| {
+            let value: f64 = row.iter().zip(coefficients).map(|(r, b)| r * b).sum();
+            limit - value <= slack
+        });
+    }
+
+    /// The minimizing b for this g.
+    fn solve(&self, gradient: &[f64]) -> Result<Vec<f64>> {
+        let (unknowns, count) = (self.curvature.len(), self.inequalities.len());
+        let upper = columns(unknowns, unknowns, |column| {
+            self.curvature[column].iter().copied().enumerate().collect()
+        });
+        let rows = columns(count, unknowns, |column| {
+            self.inequalities.iter().map(|(row, _)| row[column]).enumerate().collect()
+        });
+        let linear: Vec<f64> = gradient.iter().map(|g| -g).collect();
+        let settings = DefaultSettingsBuilder::default()
+            .verbose(false)
+            .max_threads(1)
+            .tol_gap_abs(ACCURACY)
+            .tol_gap_rel(ACCURACY)
+            .tol_feas(ACCURACY)
+            .build()
+            .map_err(|error| failed(&error))?;
+        let limits: Vec<f64> = self.inequalities.iter().map(|(_, limit)| *limit).collect();
+        let cones = [NonnegativeConeT(count)];
+        let mut solver = DefaultSolver::new(&upper, &linear, &rows, &limits, &cones, settings)
+            .map_err(|error| failed(&error))?;
+        solver.solve();
+        match solver.solution.status {
+            SolverStatus::Solved | SolverStatus::AlmostSolved => Ok(solver.solution.x.clone()),
+            status => Err(failed(&status)),
+        }
+    }
+}
+
+/// A sparse matrix from the (row, value) entries of its columns, with rising rows.
+fn columns(
+    rows: usize,
+    count: usize,
+    entries: impl Fn(usize) -> Vec<(usize, f64)>,
+) -> CscMatrix<f64> {
+    let (mut starts, mut indices, mut values) = (vec![0], Vec::new(), Vec::new());
+    for column in 0..count {
+        for (row, value) in entries(column) {
+            indices.push(row);
+            values.push(value);
+        }
+        starts.push(indices.len());
+    }
+    CscMatrix::new(rows, count, starts, indices, values)
+}
+
+fn failed(reason: &dyn std::fmt::Debug) -> Error {
+    Error::new(
+        format!("the quadratic program of the fit was not solved: {reason:?}"),
+        "look for gross outliers among the measurements, or ask for a lower order",
+    )
 }

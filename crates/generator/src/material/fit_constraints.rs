@@ -1,9 +1,14 @@
-//! The direction grid on which a fitted BRDF is kept in range.
+//! The range in which a fitted BRDF is kept, and the grid of directions on which it is checked.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use eigenshade_index::material;
 use eigenshade_model::scattering::polar_parts;
+
+/// The lowest value a fit may take, as a multiple of the measured maximum.
+pub const LOWEST: f64 = -0.05;
+/// The highest value a fit may take, as a multiple of the measured maximum.
+pub const HIGHEST: f64 = 2.0;
 
 /// Pairs of directions over both hemispheres, including pole and rim: θ_r <= θ_i in equal steps
 /// over \[0, π/2\] (the rest follows from (6)) and Δφ over \[0, π\].

@@ -3,9 +3,7 @@
 //! columns are ignored.
 
 use std::f64::consts::FRAC_PI_2;
-use std::path::PathBuf;
 
-use crate::material::curet;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::inputs::sheet::{Row, Sheet};
@@ -37,38 +35,6 @@ pub struct Measured {
     pub samples: Vec<Measurement>,
 }
 
-/// Reads measurements from a path. A folder with an `abrdf.dat` is read as CUReT ([`curet::read`]),
-/// any other folder as all its `.csv` files sorted by name, and a file as one material.
-///
-/// # Errors
-///
-/// The errors of [`read`] and [`curet::read`], and a folder with nothing to read.
-pub fn read_material_path(file: impl Into<InputFile>) -> Result<Vec<Measured>> {
-    let file = file.into();
-    let path = file.path();
-    if !path.is_dir() {
-        return Ok(vec![read(file)?]);
-    }
-    if path.join("abrdf.dat").is_file() {
-        return curet::read(file);
-    }
-    let mut files: Vec<PathBuf> = std::fs::read_dir(path)
-        .and_then(|entries| entries.map(|entry| Ok(entry?.path())).collect())
-        .map_err(|error| Error::io(path, &error))?;
-    files.retain(|file| {
-        file.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("csv"))
-    });
-    files.sort();
-    if files.is_empty() {
-        return Err(Error::new(
-            "no measurements in this folder",
-            "give a folder with an abrdf.dat (CUReT) or with .csv files",
-        )
-        .in_file(path));
-    }
-    files.iter().map(|one| read(file.other(one))).collect()
-}
-
 /// Reads the measurements of one material.
 ///
 /// # Errors
@@ -87,7 +53,7 @@ pub fn read(file: impl Into<InputFile>) -> Result<Measured> {
         sheet.rows().map(|row| sample(row, angles, values)).collect::<Result<Vec<_>>>()?;
     if samples.is_empty() {
         return Err(Error::new(
-            "there is no measurement in it",
+            "it contains no measurement",
             format!("add rows below the header `{COLUMNS}`"),
         )
         .in_file(path));

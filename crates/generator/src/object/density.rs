@@ -2,7 +2,7 @@
 
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::sheet::Sheet;
-use eigenshade_model::special::gauss_legendre;
+use eigenshade_model::special::quadrature::gauss_legendre;
 use exmex::{Express, FlatEx, FloatOpsFactory, MatchLiteral, literal_matcher_from_pattern};
 use std::f64::consts::{FRAC_PI_2, TAU};
 use std::path::Path;
@@ -71,7 +71,7 @@ fn formula(text: &str) -> Result<Formula> {
     }
     let written = signed(text)?;
     // The parser's own message refers to its tokens, so it is replaced.
-    let formula = Formula::parse(&written).map_err(|_| wrong(text, "it is no formula"))?;
+    let formula = Formula::parse(&written).map_err(|_| wrong(text, "it is not a formula"))?;
     match formula.var_names().iter().find(|name| *name != "a") {
         Some(name) => Err(wrong(text, &format!("it has a variable `{name}`"))),
         None => Ok(formula),
@@ -147,7 +147,7 @@ fn ring(
     let tilts = 2 * degree + 1;
     let mut pairs = Vec::new();
     for &(low, high) in panels {
-        for (a, weight) in gauss_legendre::rule(nodes, low, high) {
+        for (a, weight) in gauss_legendre(nodes, low, high) {
             let density = density(a)?;
             if !(density >= 0.0 && density.is_finite()) {
                 return Err(Error::new(

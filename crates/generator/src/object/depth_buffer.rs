@@ -3,7 +3,7 @@
 //!
 //! Tiles never change the result: it is the same as testing every sample of every facet.
 
-use crate::object::facet_samples::{Placed, Plane, samples_within};
+use crate::object::facet::{Placed, Plane, samples_within};
 use std::ops::Range;
 
 /// Width of a tile in samples.
@@ -183,9 +183,8 @@ impl Part {
 
 #[cfg(test)]
 mod tests {
-    use super::super::facet::Facet;
-    use super::super::facet_samples::{Placed, Plane, placed};
     use super::{Count, DepthBuffer};
+    use crate::object::facet::{Facet, Placed, Plane, placed};
 
     /// Facets of all sizes, many of them large and many thin, in a box of side 2.
     fn facets() -> Vec<Facet> {
@@ -197,10 +196,10 @@ mod tests {
         let mut facet = |k: i32| {
             let size = [1.0, 0.3, 0.02][k as usize % 3];
             let thin = if k % 5 == 0 { 1e-3 } else { 1.0 };
-            let centre = [0, 1, 2].map(|_| (1.0 - size) * number());
+            let center = [0, 1, 2].map(|_| (1.0 - size) * number());
             let corner = |_| {
                 let [x, y, z] = [0, 1, 2].map(|_| size * number());
-                [centre[0] + x, centre[1] + thin * y + x, centre[2] + 0.2 * z]
+                [center[0] + x, center[1] + thin * y + x, center[2] + 0.2 * z]
             };
             Facet::new([0, 1, 2].map(corner)).expect("an area")
         };

@@ -1,12 +1,7 @@
 //! The normals that an object shows, and the share of its picture that each one takes.
 
-use crate::basis::span::Span;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::normals::visible;
-use faer::Mat;
-
-/// Number of normals processed at once.
-const CHUNK: usize = 4096;
 
 /// The normals of an object.
 #[derive(Clone, Debug, PartialEq)]
@@ -57,7 +52,7 @@ impl WeightedNormals {
         let sum: f64 = listed.weights.iter().map(|weight| weight / largest).sum();
         if listed.weights.is_empty() {
             return Err(Error::new(
-                "no normal is seen",
+                "no normal is visible",
                 "give at least one that faces the camera, with a weight above zero",
             ));
         }
@@ -75,28 +70,5 @@ impl WeightedNormals {
     #[must_use]
     pub fn weights(&self) -> &[f64] {
         &self.weights
-    }
-
-    /// R with RᵀR = Σ_k w_k φ(n_k) φ(n_k)ᵀ for the functions φ of a span.
-    ///
-    /// Uses only orthogonal factorizations. Nothing is squared, so weights that range over many
-    /// decades and normals that are nearly equal lose no accuracy.
-    #[must_use]
-    pub fn factor(&self, span: &Span) -> Mat<f64> {
-        let dimension = span.dimension();
-        let mut factor: Mat<f64> = Mat::zeros(0, dimension);
-        for (normals, weights) in self.normals.chunks(CHUNK).zip(self.weights.chunks(CHUNK)) {
-            let values = span.values(normals);
-            let above = factor.nrows();
-            let stacked = Mat::from_fn(above + normals.len(), dimension, |k, j| {
-                if k < above {
-                    factor[(k, j)]
-                } else {
-                    weights[k - above].sqrt() * values[(k - above, j)]
-                }
-            });
-            factor = stacked.qr().thin_R().to_owned();
-        }
-        factor
     }
 }

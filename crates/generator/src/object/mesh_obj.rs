@@ -3,8 +3,7 @@
 //! This module reads them itself because `tobj` 4.0.5 uses about 400 bytes for each corner and
 //! drops faces of fewer than three corners.
 
-use crate::object::mesh::{Mesh, broken};
-use crate::object::text_line;
+use crate::object::mesh_data::{Mesh, append_line, broken, line_text};
 use eigenshade_model::error::Result;
 use eigenshade_model::inputs::input_file::InputFile;
 
@@ -49,15 +48,16 @@ fn each_line(file: &InputFile, mut with: impl FnMut(&[&str]) -> Result<()>) -> R
     let mut line = Vec::new();
     let (mut number, mut first) = (0, 1);
     loop {
-        let fault = |error: std::io::Error| broken(format!("it is no whole OBJ ({error})"));
-        let is_there = text_line::append(&mut reader, &mut line).map_err(fault)?;
+        let fault =
+            |error: std::io::Error| broken(format!("it is not a complete OBJ file ({error})"));
+        let is_there = append_line(&mut reader, &mut line).map_err(fault)?;
         number += 1;
         if is_there && let Some(part) = line.trim_ascii_end().strip_suffix(b"\\") {
             line.truncate(part.len());
             line.push(b' ');
             continue;
         }
-        let words: Vec<&str> = text_line::text(&line).map_err(fault)?.split_whitespace().collect();
+        let words: Vec<&str> = line_text(&line).map_err(fault)?.split_whitespace().collect();
         with(&words).map_err(|error| error.of(format_args!("line {first}")))?;
         if !is_there {
             return Ok(());
@@ -68,15 +68,21 @@ fn each_line(file: &InputFile, mut with: impl FnMut(&[&str]) -> Result<()>) -> R
 }
 
 fn corner(numbers: &[&str]) -> Result<[f64; 3]> {
-    let wrong =
-        || broken(format!("it is no whole OBJ (no three numbers in `v {}`)", numbers.join(" ")));
+    let wrong = || {
+        broken(format!(
+            "it is not a complete OBJ file (no three numbers in `v {}`)",
+            numbers.join(" ")
+        ))
+    };
     let axis = |k: usize| numbers.get(k).and_then(|text| text.parse().ok()).ok_or_else(wrong);
     Ok([axis(0)?, axis(1)?, axis(2)?])
 }
 
 /// The index of a corner, from 0, for `1`, `1/2`, `1//3`, `1/2/3` or `-1`.
 fn place(text: &str, before: usize, all: u64) -> Result<u32> {
-    let wrong = || broken(format!("it is no whole OBJ (`{text}` is none of its {all} corners)"));
+    let wrong = || {
+        broken(format!("it is not a complete OBJ file (`{text}` is not one of its {all} corners)"))
+    };
     let first = text.split('/').next().unwrap_or_default();
     let number: i64 = first.parse().map_err(|_| wrong())?;
     let place = if number < 0 { number + before as i64 } else { number - 1 };

@@ -1,8 +1,6 @@
 //! Polygon files (.ply), text or binary.
 
-use crate::object::mesh::{Mesh, broken};
-use crate::object::text_line;
-use crate::object::text_line::LONGEST;
+use crate::object::mesh_data::{LONGEST_LINE, Mesh, append_line, broken, line_text};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 use ply_rs_bw::parser::{ParseError, Parser, Reader};
@@ -12,7 +10,7 @@ use ply_rs_bw::ply::{
 use std::io::BufRead;
 
 /// Largest number of entries in a list of any type.
-const MOST_NUMBERS: usize = LONGEST;
+const MOST_NUMBERS: usize = LONGEST_LINE;
 
 /// Accepts the lists of an element as they come, unless they are too long.
 macro_rules! bounded_lists {
@@ -47,7 +45,7 @@ fn decode(reader: impl BufRead, length: u64, file: &InputFile) -> Result<Mesh> {
         least = least.saturating_add((element.count as u64).saturating_mul(row as u64));
         if least > length || element.properties.is_empty() {
             return Err(broken(format!(
-                "{} of element `{name}` promised in {length} bytes",
+                "{} of element `{name}` promised by its header in {length} bytes",
                 element.count
             )));
         }
@@ -72,7 +70,7 @@ fn decode(reader: impl BufRead, length: u64, file: &InputFile) -> Result<Mesh> {
 
 fn fault(error: ParseError) -> Error {
     let text = error.to_string();
-    broken(format!("it is no whole PLY ({})", text.lines().next().unwrap_or_default()))
+    broken(format!("it is not a complete PLY file ({})", text.lines().next().unwrap_or_default()))
 }
 
 /// Reads the elements of a file one after another.
@@ -90,13 +88,13 @@ impl<R: BufRead> Rows<R> {
             Encoding::BinaryLittleEndian => parser.read_little_endian_element(reader, element),
             Encoding::Ascii => {
                 self.line.clear();
-                let fault = |error| broken(format!("it is no whole PLY ({error})"));
-                let is_there = text_line::append(reader, &mut self.line).map_err(fault)?;
+                let fault = |error| broken(format!("it is not a complete PLY file ({error})"));
+                let is_there = append_line(reader, &mut self.line).map_err(fault)?;
                 if !is_there {
                     let what = format!("too few rows of element `{}`", element.name);
-                    return Err(broken(format!("it is no whole PLY ({what})")));
+                    return Err(broken(format!("it is not a complete PLY file ({what})")));
                 }
-                parser.read_ascii_element(text_line::text(&self.line).map_err(fault)?, element)
+                parser.read_ascii_element(line_text(&self.line).map_err(fault)?, element)
             }
         }
         .map_err(fault)
@@ -108,7 +106,7 @@ impl<R: BufRead> Rows<R> {
         loop {
             let rest = reader
                 .fill_buf()
-                .map_err(|error| broken(format!("it is no whole PLY ({error})")))?;
+                .map_err(|error| broken(format!("it is not a complete PLY file ({error})")))?;
             if rest.is_empty() {
                 return Ok(());
             }

@@ -3,8 +3,7 @@
 //! This module reads them itself because `stl_io` 0.11.0 accepts only lower-case text with a single
 //! solid, and does not detect anything after it.
 
-use crate::object::mesh::{Mesh, broken};
-use crate::object::text_line;
+use crate::object::mesh_data::{Mesh, append_line, broken};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 use std::io::{BufRead, Read, Seek};
@@ -36,7 +35,7 @@ pub(crate) fn read(file: &InputFile) -> Result<Mesh> {
         return Ok(mesh);
     }
     if found != expected || head.len() < HEAD {
-        return Err(broken(format!("{expected} bytes promised, {found} found")));
+        return Err(broken(format!("{expected} bytes promised by its header, {found} found")));
     }
     let mut mesh = Mesh::with_room(file, 3 * count, count)?;
     let mut facet = [0; FACET as usize];
@@ -79,13 +78,13 @@ const LINES: [&[&str]; 7] = [
 
 /// Passes the corners of each facet of a text file to `with`; letter case is ignored.
 fn each_facet(reader: &mut impl BufRead, mut with: impl FnMut([[f32; 3]; 3])) -> Result<()> {
-    let fault = |what: String| broken(format!("it is no whole STL ({what})"));
+    let fault = |what: String| broken(format!("it is not a complete STL file ({what})"));
     let without_end = || fault("no `endsolid` at its end".to_owned());
     let (mut line, mut number) = (Vec::new(), 0);
     // The next line expected in the facet, and whether a solid is open.
     let (mut next, mut is_open) = (0, false);
     let mut corners = [[0.0; 3]; 3];
-    while text_line::append(reader, &mut line).map_err(|error| fault(error.to_string()))? {
+    while append_line(reader, &mut line).map_err(|error| fault(error.to_string()))? {
         number += 1;
         line.make_ascii_lowercase();
         // Names may be in any encoding.

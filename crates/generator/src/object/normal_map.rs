@@ -1,7 +1,6 @@
 //! Normal maps: PNG with 8 or 16 bits per channel.
 
-use crate::picture::png_samples;
-use crate::picture::png_samples::PngSamples;
+use crate::png_samples::{self, PngSamples};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::inputs::normals::visible;
@@ -111,7 +110,7 @@ fn mask_of(file: InputFile, [width, height]: [usize; 2]) -> Result<Vec<bool>> {
     if (mask.width, mask.height) != (width, height) {
         let (w, h) = (mask.width, mask.height);
         let what = format!("the mask is {w} x {h}, the normal map {width} x {height}");
-        return Err(Error::new(what, "make them alike").in_file(file.path()));
+        return Err(Error::new(what, "give both the same size").in_file(file.path()));
     }
     Ok(mask.colors.iter().map(|color| color.iter().any(|&c| c > 0)).collect())
 }

@@ -1,9 +1,8 @@
 //! Computes the visible part of each facet of a mesh with an orthographic depth buffer.
 
 use crate::object::depth_buffer::{Count, DepthBuffer};
-use crate::object::facet::Facet;
-pub use crate::object::facet_samples::CONTACT;
-use crate::object::facet_samples::{Frame, Placed, Plane};
+pub use crate::object::facet::CONTACT;
+use crate::object::facet::{Facet, Frame, Placed, Plane};
 
 /// The share, 0..=1, of each facet's projection that the camera at +z sees.
 ///

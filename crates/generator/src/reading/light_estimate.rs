@@ -5,10 +5,18 @@
 //! mean (39) and its variance. Otherwise it has the mean and covariance of the database's lights,
 //! which span at most as many directions as there are lights. Degrees that the material damps below
 //! the noise come out near zero rather than as noise.
+//!
+//! [`rank`] identifies the database material that an image shows. Each material is fitted with its
+//! best light. A material that shapes light in many ways can imitate one that does so in few, so
+//! the residual alone would favor glossy materials. Materials are therefore ranked by evidence: the
+//! probability of the image given the material, integrated over the prior of the light, which
+//! penalizes that freedom. Each material uses its likeliest exposure.
 
-use super::coefficients::{column, decompose};
+use super::linear::{column, decompose};
 use super::observation::Observation;
 use super::prior::Prior;
+use super::transfer::Transfers;
+use eigenshade_model::database::Materials;
 use eigenshade_model::error::Result;
 use faer::linalg::solvers::Svd;
 use faer::{Col, Mat};
@@ -61,14 +69,14 @@ impl<'a> LightEstimate<'a> {
     ) -> Result<Self> {
         let images = &observation.design * transfer;
         let mean_image = &images * &prior.light.mean;
-        let svd = decompose(&(&images * &prior.light.centred))?;
+        let svd = decompose(&(&images * &prior.light.centered))?;
         Ok(Self { observation, prior, images, mean_image, svd })
     }
 
     /// The target for the light: √W (I - m + E d_m), where d_m are the mean image's components,
     /// which `project` subtracts.
     fn target(&self, channel: usize) -> Col<f64> {
-        self.observation.centred(channel) + &self.observation.design * column(&self.prior.mean)
+        self.observation.centered(channel) + &self.observation.design * column(&self.prior.mean)
     }
 
     /// The best light for one channel, given the noise as the standard deviation of a pixel of
@@ -88,7 +96,7 @@ impl<'a> LightEstimate<'a> {
             }
         });
         let prior = &self.prior.light;
-        let light = exposure * &prior.mean + &prior.centred * (self.svd.V() * shrunk);
+        let light = exposure * &prior.mean + &prior.centered * (self.svd.V() * shrunk);
         let left = target - &self.images * &light;
         let light = light.iter().copied().collect();
         let residual_rms = (left.squared_norm_l2() / self.observation.weight).sqrt();
@@ -127,8 +135,8 @@ impl<'a> LightEstimate<'a> {
         if floor <= 0.0 {
             return 0.0;
         }
-        let beside = split.apart[0] - exposure * split.apart[1];
-        let (mut misfit, mut freedom) = (beside * beside, 0.0);
+        let misfit_beside = split.beside[0] - exposure * split.beside[1];
+        let (mut misfit, mut freedom) = (misfit_beside * misfit_beside, 0.0);
         for (k, singular) in self.svd.S().column_vector().iter().enumerate() {
             let spread = (exposure * singular).powi(2);
             let along = split.target[k] - exposure * split.mean[k];
@@ -146,7 +154,7 @@ struct Split {
     target: Col<f64>,
     mean: Col<f64>,
     /// Orthogonal to them, along the rest of the mean light's image: coordinates of both.
-    apart: [f64; 2],
+    beside: [f64; 2],
     /// Energy of the part of the channel that is orthogonal to all of these.
     rest: f64,
     /// Energy of the channel.
@@ -163,6 +171,52 @@ impl Split {
         let direction = if length > 0.0 { mean_beside / length } else { mean_beside };
         let along = direction.transpose() * &beside;
         let rest = (beside - along * direction).squared_norm_l2();
-        Self { target, mean, apart: [along, length], rest, energy: channel.squared_norm_l2() }
+        Self { target, mean, beside: [along, length], rest, energy: channel.squared_norm_l2() }
     }
+}
+
+/// A database material as an explanation of an image.
+#[derive(Clone, Debug)]
+pub struct Candidate {
+    /// Index in the database.
+    pub index: usize,
+    /// The light and the fit of each channel.
+    pub channels: Vec<Explained>,
+    /// Sum of the channels' evidence.
+    pub evidence: f64,
+}
+
+/// All materials, likeliest first. Ties keep the database order.
+///
+/// `noise` gives the standard deviation of a pixel of weight 1 in each channel. Three channels are
+/// r, g and b; with any other number, each channel counts as luminance.
+///
+/// # Errors
+///
+/// If the singular values do not converge.
+pub fn rank(
+    observation: &Observation,
+    prior: &Prior,
+    transfers: &Transfers,
+    materials: &Materials,
+    noise: &[f64],
+) -> Result<Vec<Candidate>> {
+    let mut candidates = Vec::new();
+    for (index, material) in materials.entries.iter().enumerate() {
+        let estimate = |coefficients: &[f64]| {
+            LightEstimate::new(observation, prior, &transfers.of(coefficients))
+        };
+        let each = noise.iter().enumerate();
+        let channels: Vec<Explained> = if noise.len() == 3 && !material.is_gray() {
+            each.map(|(c, noise)| Ok(estimate(&material.rgb[c])?.explain(c, *noise)))
+                .collect::<Result<_>>()?
+        } else {
+            let estimate = estimate(&material.luminance())?;
+            each.map(|(c, noise)| estimate.explain(c, *noise)).collect()
+        };
+        let evidence = channels.iter().map(|one| one.evidence).sum();
+        candidates.push(Candidate { index, channels, evidence });
+    }
+    candidates.sort_by(|a, b| b.evidence.total_cmp(&a.evidence).then(a.index.cmp(&b.index)));
+    Ok(candidates)
 }

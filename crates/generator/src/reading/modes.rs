@@ -96,9 +96,10 @@ pub fn posterior_mean(
         let along = transfers.of(vector).transpose() * &x;
         add(&(vectors * (vectors.transpose() * &along)), vector, share);
         if prior.criterion == Criterion::Standard {
-            let apart: Vec<f64> = vector.iter().zip(&materials.mean).map(|(b, m)| b - m).collect();
+            let deviation: Vec<f64> =
+                vector.iter().zip(&materials.mean).map(|(b, m)| b - m).collect();
             let likely = light.mean.transpose() * (along - &mean_along);
-            add(&light.mean, &apart, share * likely);
+            add(&light.mean, &deviation, share * likely);
         }
     }
     if prior.criterion == Criterion::Standard {

@@ -5,7 +5,7 @@
 //! (g² σ_k² + noise²) over the singular values σ_k of √W E F, with g = s. This needs no inverse of
 //! V_d, which is singular beyond the rank.
 
-use super::coefficients::decompose;
+use super::linear::decompose;
 use super::observation::Observation;
 use super::prior::Prior;
 use eigenshade_model::error::Result;

@@ -1,4 +1,4 @@
-//! The database's prior of d.
+//! The database's prior of d, and of the light.
 //!
 //! By (28) and (33) the components of U are uncorrelated over the database, with the eigenvalues as
 //! variances. The constant of image-centered PCA is an exception: its coefficient, the mean of an
@@ -6,12 +6,11 @@
 //! bright images have stronger shading. So the full second moments V_d = Uᵀ M V_c M U are used (Σ_c
 //! for the standard criterion), stored as a factor like the others: V_d = F Fᵀ.
 
-use super::coefficients::decompose;
-use super::light_prior::LightPrior;
-use super::reduction::Reduction;
+use super::linear::{Reduction, decompose};
 use super::transfer::Transfers;
+use crate::basis::light_statistics::LightStatistics;
 use crate::basis::moments::MaterialMoments;
-use crate::light::statistics::LightStatistics;
+use eigenshade_index::light;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_table::Table;
 use eigenshade_table::scene::Criterion;
@@ -110,5 +109,43 @@ impl Prior {
     #[must_use]
     pub fn second_moment(&self) -> Mat<f64> {
         &self.factor * self.factor.transpose()
+    }
+}
+
+/// The moments of the light, with one row for each coefficient L_l^m, in the order of
+/// [`eigenshade_index::light`].
+#[derive(Clone, Debug)]
+pub struct LightPrior {
+    /// E{L}.
+    pub mean: Col<f64>,
+    /// V with E{LLᵀ} = V Vᵀ.
+    pub second: Mat<f64>,
+    /// V such that V Vᵀ is the covariance of L.
+    pub centered: Mat<f64>,
+}
+
+impl LightPrior {
+    /// Extends or truncates these statistics to `degree`; missing coefficients are zero.
+    #[must_use]
+    pub fn new(statistics: &LightStatistics, degree: usize) -> Self {
+        let count = light::count(degree);
+        let at = |vector: &[f64], place: usize| vector.get(place).copied().unwrap_or(0.0);
+        let matrix = |vectors: &[Vec<f64>]| {
+            Mat::from_fn(count, vectors.len(), |place, t| at(&vectors[t], place))
+        };
+        Self {
+            mean: Col::from_fn(count, |place| at(&statistics.mean, place)),
+            second: matrix(&statistics.second),
+            centered: matrix(&statistics.centered),
+        }
+    }
+
+    /// The factor that a criterion uses: of E{LLᵀ}, or of the covariance.
+    #[must_use]
+    pub fn vectors(&self, criterion: Criterion) -> &Mat<f64> {
+        match criterion {
+            Criterion::ImageCentered => &self.second,
+            Criterion::Standard => &self.centered,
+        }
     }
 }

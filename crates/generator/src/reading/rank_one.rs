@@ -8,7 +8,7 @@
 //! L (x) b does not change if L is multiplied by a number and b divided by it. Here b has length 1
 //! and b_00^0 >= 0; [`RankOne::scaled_to`] uses the scale of a known material instead.
 
-use super::coefficients::decompose;
+use super::linear::decompose;
 use super::modes::ModeCoefficients;
 use eigenshade_index::light;
 use eigenshade_model::error::Result;

@@ -15,7 +15,7 @@ pub enum Type {
     Hdr,
     PfmLittle,
     PfmBig,
-    PfmGrey,
+    PfmGray,
 }
 
 impl Type {
@@ -27,7 +27,7 @@ impl Type {
         Self::Hdr,
         Self::PfmLittle,
         Self::PfmBig,
-        Self::PfmGrey,
+        Self::PfmGray,
     ];
 }
 
@@ -53,7 +53,7 @@ pub fn write(file_type: Type, map: &EnvironmentMap, folder: &Path) -> PathBuf {
     let ending = match file_type {
         Type::ExrFloat | Type::ExrZip | Type::ExrHalf | Type::ExrLayer => "exr",
         Type::Hdr => "hdr",
-        Type::PfmLittle | Type::PfmBig | Type::PfmGrey => "PFM",
+        Type::PfmLittle | Type::PfmBig | Type::PfmGray => "PFM",
     };
     let path = folder.join(format!("map.{ending}"));
     match file_type {
@@ -72,7 +72,7 @@ pub fn write(file_type: Type, map: &EnvironmentMap, folder: &Path) -> PathBuf {
         Type::Hdr => hdr(map, &path),
         Type::PfmLittle => pfm(map, &path, "PF", "-1.0", f32::to_le_bytes),
         Type::PfmBig => pfm(map, &path, "PF", "1", f32::to_be_bytes),
-        Type::PfmGrey => pfm(map, &path, "Pf", "-2.5", f32::to_le_bytes),
+        Type::PfmGray => pfm(map, &path, "Pf", "-2.5", f32::to_le_bytes),
     }
     path
 }

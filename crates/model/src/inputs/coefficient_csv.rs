@@ -9,9 +9,8 @@
 //! order. Other columns and lines that begin with `#` are ignored. The rows may come in any order
 //! too; entries are returned in the order in which their names first appear.
 
-use super::coefficient_kind::{Kind, LIGHT, MATERIAL};
+use super::coefficient_text::{Kind, LIGHT, MATERIAL, exact};
 use super::input_file::InputFile;
-use super::rounding::exact;
 use super::sheet::{Row, Sheet};
 use crate::database::{Lights, Materials, Named};
 use crate::error::{Error, Result};
@@ -119,21 +118,21 @@ struct Found<'a> {
 fn entries<const N: usize>(
     kind: &Kind<N>,
     sheet: &Sheet,
-    asked: Option<usize>,
+    wanted: Option<usize>,
 ) -> Result<(usize, usize, Vec<Named>)> {
     let (largest, found) = gather(kind, sheet)?;
     if found.is_empty() {
         return Err(sheet.fault(
-            format!("there is no {} in it", kind.thing),
+            format!("it contains no {}", kind.thing),
             format!("add rows below the header `{}`", kind.header("r,g,b")),
         ));
     }
-    let size = asked.unwrap_or(largest);
+    let size = wanted.unwrap_or(largest);
     if size > largest {
         let word = kind.size;
         return Err(sheet.fault(
-            format!("it holds {word} {largest}, asked for is {size}"),
-            format!("ask for {word} {largest} at most, or make the file anew"),
+            format!("it has {word} {largest}, but {word} {size} is needed"),
+            format!("ask for at most {word} {largest}, or create the file again"),
         ));
     }
     let entries =
@@ -144,8 +143,8 @@ fn entries<const N: usize>(
 /// Groups the rows by name; also returns the largest degree or order.
 fn gather<'a, const N: usize>(kind: &Kind<N>, sheet: &'a Sheet) -> Result<(usize, Vec<Found<'a>>)> {
     let wrong_header = || {
-        let (rgb, grey) = (kind.header("r,g,b"), kind.header("value"));
-        sheet.wrong_header(&format!("`{rgb}` or `{grey}`"))
+        let (rgb, gray) = (kind.header("r,g,b"), kind.header("value"));
+        sheet.wrong_header(&format!("`{rgb}` or `{gray}`"))
     };
     let [name_column] = sheet.columns(["name"]).ok_or_else(wrong_header)?;
     let index_columns = sheet.columns(kind.names).ok_or_else(wrong_header)?;
@@ -169,7 +168,7 @@ fn gather<'a, const N: usize>(kind: &Kind<N>, sheet: &'a Sheet) -> Result<(usize
         let (size, position) = (kind.place)(index).ok_or_else(|| {
             row.fault(
                 format!("no {} has {}", kind.thing, kind.spell(index)),
-                format!("keep to {}", kind.rule),
+                format!("a valid index has {}", kind.rule),
             )
         })?;
         let mut rgb = [0.0; 3];
@@ -232,8 +231,8 @@ fn write<const N: usize>(
     entries: &[Named],
     out: &mut (impl Write + ?Sized),
 ) -> Result<()> {
-    let grey = entries.iter().all(Named::is_grey);
-    let header = kind.header(if grey { "value" } else { "r,g,b" });
+    let gray = entries.iter().all(Named::is_gray);
+    let header = kind.header(if gray { "value" } else { "r,g,b" });
     let indices: Vec<_> = (kind.indices)(size).collect();
     let mut writer = csv::WriterBuilder::new().comment(Some(b'#')).from_writer(out);
     writer.write_record(header.split(',')).map_err(output)?;
@@ -244,7 +243,7 @@ fn write<const N: usize>(
                 format!("bring every {} to one {} first", kind.thing, kind.size),
             ));
         }
-        let channels = if grey { &entry.rgb[..1] } else { &entry.rgb[..] };
+        let channels = if gray { &entry.rgb[..1] } else { &entry.rgb[..] };
         for (k, &index) in indices.iter().enumerate() {
             let mut fields = vec![entry.name.clone()];
             fields.extend(index.map(|i| i.to_string()));
@@ -253,7 +252,7 @@ fn write<const N: usize>(
                     let (thing, name, place) = (kind.thing, &entry.name, kind.spell(index));
                     return Err(Error::new(
                         format!("the {thing} `{name}` is not finite at {place}"),
-                        "scale what it was made from towards 1",
+                        "scale its inputs toward 1",
                     ));
                 }
                 fields.push(exact(channel[k]));

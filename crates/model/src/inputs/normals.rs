@@ -44,7 +44,7 @@ pub fn read_weighted_normals(file: impl Into<InputFile>) -> Result<Vec<([f64; 3]
         normals.push((normal, weight));
     }
     if normals.is_empty() {
-        return Err(sheet.fault("there is no normal in it", "add rows below the header `x,y,z`"));
+        return Err(sheet.fault("it contains no normal", "add rows below the header `x,y,z`"));
     }
     Ok(normals)
 }
@@ -59,13 +59,13 @@ pub fn visible(vector: [f64; 3]) -> std::result::Result<[f64; 3], (String, Strin
     let [x, y, z] = unit(vector).ok_or_else(|| {
         (
             "the normal has no direction".to_owned(),
-            "give it a finite length above zero, or take it out".to_owned(),
+            "give it a finite length above zero, or remove it".to_owned(),
         )
     })?;
     if z < -RIM {
         return Err((
             format!("the normal points away from the camera, z = {z:.3e} after normalizing"),
-            format!("take it out: only normals with z >= -{RIM:e} are seen"),
+            format!("remove it: only normals with z >= -{RIM:e} are visible"),
         ));
     }
     let laid = if z < 0.0 { unit([x, y, 0.0]) } else { None };

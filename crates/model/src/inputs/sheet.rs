@@ -62,16 +62,13 @@ impl Sheet {
         let fault = |error: csv::Error| csv_fault(path, &text, columns, &error);
         let header = reader.headers().map_err(fault)?.clone();
         if header.is_empty() {
-            return Err(Error::new(
-                "there is nothing in it",
-                format!("begin it with the header `{columns}`"),
-            )
-            .in_file(path));
+            return Err(Error::new("it is empty", format!("begin it with the header `{columns}`"))
+                .in_file(path));
         }
         if let Some((place, name)) = doubled(&header) {
             return Err(Error::new(
-                format!("column {} is called `{name}`, as one before it is", place + 1),
-                "give each column a name of its own, and keep the one that is meant",
+                format!("column {} has the same name as an earlier one, `{name}`", place + 1),
+                "give each column its own name",
             )
             .at_line(path, 1 + skipped(&text)));
         }
@@ -196,14 +193,14 @@ impl<'a> Row<'a> {
     pub fn number(self, column: usize) -> Result<f64> {
         let text = self.text(column);
         let number: f64 = text.parse().map_err(|_| {
-            self.fault(format!("`{text}` is no number"), "write it like 0.25 or 2.5e-1")
+            self.fault(format!("`{text}` is not a number"), "write it like 0.25 or 2.5e-1")
         })?;
         if number.is_finite() {
             Ok(number)
         } else {
             Err(self.fault(
                 format!("`{text}` is not a finite number"),
-                "correct the row, or take it out with all of its entry",
+                "correct the row, or remove all rows of its entry",
             ))
         }
     }
@@ -216,7 +213,10 @@ impl<'a> Row<'a> {
     pub fn integer(self, column: usize) -> Result<i64> {
         let text = self.text(column);
         text.parse().map_err(|_| {
-            self.fault(format!("`{text}` is no index"), "write a small whole number, like 0 or -1")
+            self.fault(
+                format!("`{text}` is not a whole number"),
+                "write a small whole number, like 0 or -1",
+            )
         })
     }
 
@@ -239,7 +239,7 @@ fn csv_fault(path: &Path, text: &[u8], columns: &str, error: &csv::Error) -> Err
     let line = line_of(text, error.position().map_or(0, |position| position.byte() as usize));
     match error.kind() {
         ErrorKind::UnequalLengths { expected_len, len, .. } => Error::new(
-            format!("the header has {expected_len} fields, this row {len}"),
+            format!("the header has {expected_len} fields, but this row has {len}"),
             "give every row one field for each column",
         )
         .at_line(path, line),

@@ -1,4 +1,233 @@
-//! The golden file: results that every machine must reproduce.
+//! The runtime's expected results in every format, for the golden file.
+//!
+//! Integer rows are the runtime's own results: machines compare bits. Float rows are results in
+//! f64, rounded: machines compare to a tolerance.
 
-pub mod answers;
 pub mod record;
+
+use self::record::{Golden, Row};
+use eigenshade::quantised::{Basis, Light, Material, Normal, Transfer};
+use eigenshade::{Error, Fixed, Q15, Q31, sphere};
+use eigenshade_shading::owned_basis::{AnyBasis, OwnedBasis};
+use eigenshade_shading::shipped;
+
+/// d and irradiances in f32 against those in f64, relative to the largest number of their array:
+/// about forty significant roundings of 6e-8, in any order, fused or not.
+pub const GOLDEN_F32: f32 = 2e-6;
+
+/// Light, material and channel of each test pair, with the channel's index.
+pub const PAIRS: [([&str; 3], usize); 6] = [
+    (["esplanade", "ptfe-633nm", "r"], 0),
+    (["park", "07-velvet", "g"], 1),
+    (["blender-courtyard", "15-aluminum-foil", "b"], 2),
+    (["studio", "34-slate-b", "r"], 0),
+    (["sky", "13-artificial-grass", "g"], 1),
+    (["night", "05-leather", "b"], 2),
+];
+
+const DEGREE: usize = sphere::DEGREE;
+const ORDER: usize = sphere::ORDER;
+
+/// An integer format with its shipped basis.
+pub trait Shipped: Fixed {
+    /// The format's name in the file.
+    const FORMAT: &'static str;
+    /// The number with this mantissa, which must fit the format.
+    fn of(mantissa: i32) -> Self;
+    /// The mantissa of the number.
+    fn mantissa(self) -> i32;
+    /// The shipped basis.
+    fn basis() -> &'static Basis<'static, Self>;
+    /// The normal with these components.
+    ///
+    /// # Errors
+    ///
+    /// As the constructor of [`Normal`].
+    fn normal(components: [Self; 3]) -> Result<Normal<Self>, Error>;
+    /// The smallest mantissa.
+    const LEAST: i32;
+}
+
+macro_rules! shipped {
+    ($format:ident, $name:literal, $module:ident, $mantissa:ident) => {
+        impl Shipped for $format {
+            const FORMAT: &'static str = $name;
+            const LEAST: i32 = $mantissa::MIN as i32;
+            fn of(mantissa: i32) -> Self {
+                Self($mantissa::try_from(mantissa).expect("a mantissa of the format"))
+            }
+            fn mantissa(self) -> i32 {
+                self.0.into()
+            }
+            fn basis() -> &'static Basis<'static, Self> {
+                &sphere::$module::BASIS
+            }
+            fn normal([x, y, z]: [Self; 3]) -> Result<Normal<Self>, Error> {
+                Normal::<Self>::new(x, y, z)
+            }
+        }
+    };
+}
+shipped!(Q15, "q15", q15, i16);
+shipped!(Q31, "q31", q31, i32);
+
+/// Normals at the pole, on the rim, at corners of the cube, next to the pole and the rim, and some
+/// in between.
+fn normals() -> Vec<[f64; 3]> {
+    let (half, third) = (0.5f64.sqrt(), (1.0f64 / 3.0).sqrt());
+    let mut normals = vec![[0.0, 0.0, 1.0]];
+    for (x, y) in [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)] {
+        normals.push([x, y, 0.0]);
+        normals.push([half * (x - y), half * (x + y), 0.0]);
+        normals.push([third * (x - y), third * (x + y), third]);
+    }
+    for z in [0.999_999_5f64, 1e-3, 0.15, 0.35, 0.55, 0.75, 0.9] {
+        let (sine, tilt) = ((1.0 - z * z).sqrt(), 2.399_963 * (1.0 + 10.0 * z));
+        normals.push([sine * tilt.cos(), sine * tilt.sin(), z]);
+    }
+    normals
+}
+
+/// The mantissas of all normals. The last normal has the format's smallest mantissa.
+fn mantissas_of_normals<Q: Shipped>() -> Vec<i32> {
+    let one = 2f64.powi(Q::BITS as i32);
+    let rounded = |component: f64| (one * component).round().clamp(1.0 - one, one - 1.0) as i32;
+    let mut numbers: Vec<i32> = normals().into_iter().flatten().map(rounded).collect();
+    numbers.extend([Q::LEAST, 0, 0]);
+    numbers
+}
+
+/// The coefficients of a pair's light and material.
+struct Input {
+    light: Vec<f32>,
+    material: Vec<f32>,
+}
+
+fn input([light, material, _]: [&str; 3], channel: usize) -> Input {
+    let single = |values: &[f64]| values.iter().map(|&value| value as f32).collect();
+    let lights = shipped::lights().expect("the shipped lights").truncated(DEGREE);
+    let materials = shipped::materials().expect("the shipped materials").truncated(ORDER);
+    let of_light = lights.entries.iter().find(|entry| entry.name == light);
+    let of_material = materials.entries.iter().find(|entry| entry.name == material);
+    Input {
+        light: single(&of_light.expect("a shipped light").rgb[channel]),
+        material: single(&of_material.expect("a shipped material").rgb[channel]),
+    }
+}
+
+/// d with its exponent, and the irradiances with their exponent.
+pub type Answer = [(Vec<i32>, i32); 2];
+
+/// Computes irradiances from mantissas with the methods of the general basis.
+///
+/// # Errors
+///
+/// As the runtime's functions.
+pub fn answer<Q: Shipped>(
+    light: &Light<'_, Q>,
+    material: &Material<'_, Q>,
+    normals: &[Normal<Q>],
+) -> Result<Answer, Error> {
+    let basis = Q::basis();
+    let mut workspace = vec![Default::default(); basis.workspace_len()];
+    let mut numbers = vec![Q::default(); basis.transfer_len()];
+    let mut exponents = vec![0; basis.profiles()];
+    basis.fold_into(material, &mut workspace, &mut numbers, &mut exponents)?;
+    let mut d = vec![0; basis.components()];
+    let exponent = basis.relight_into(&Transfer::new(&numbers, &exponents), light, &mut d)?;
+    let scene = basis.collapse_into(&d, exponent, vec![0; basis.scene_len()])?;
+    let irradiances = normals.iter().map(|&normal| scene.shade(normal)).collect();
+    Ok([(d, exponent), (irradiances, scene.exponent())])
+}
+
+/// The CRC-32 of all results of a format: for each pair d, its exponent, the irradiances and their
+/// exponent, as little-endian 32-bit integers.
+pub fn checksum<'a>(answers: impl IntoIterator<Item = &'a Answer>) -> u32 {
+    let mut hasher = crc32fast::Hasher::new();
+    for (numbers, exponent) in answers.into_iter().flatten() {
+        for number in numbers.iter().chain([exponent]) {
+            hasher.update(&number.to_le_bytes());
+        }
+    }
+    hasher.finalize()
+}
+
+fn integer_rows<Q: Shipped>(rows: &mut Vec<Row>) {
+    let numbers = mantissas_of_normals::<Q>();
+    rows.push(Row::new(Q::FORMAT, [""; 3], "normals", &[-(Q::BITS as i32)], &numbers));
+    let normals: Vec<Normal<Q>> = numbers
+        .as_chunks::<3>()
+        .0
+        .iter()
+        .map(|&components| Q::normal(components.map(Q::of)).expect("a visible normal"))
+        .collect();
+    let mut answers = Vec::new();
+    for (pair, channel) in PAIRS {
+        let input = input(pair, channel);
+        let mut of_light = vec![Q::default(); input.light.len()];
+        let light = Light::quantise(DEGREE, &input.light, &mut of_light).expect("a light");
+        let mut of_material = vec![Q::default(); input.material.len()];
+        let mut exponents = [0; ORDER + 1];
+        let material = Material::quantise(ORDER, &input.material, &mut of_material, &mut exponents);
+        let material = material.expect("a material");
+        let answer = answer(&light, &material, &normals).expect("they fit the basis");
+        let exponent_of_light = light.exponent();
+        let mantissas = |numbers: &[Q]| numbers.iter().map(|q| q.mantissa()).collect::<Vec<_>>();
+        let row = |array: &str, exponents: &[i32], numbers: &[i32]| {
+            Row::new(Q::FORMAT, pair, array, exponents, numbers)
+        };
+        rows.push(row("light", &[exponent_of_light], &mantissas(&of_light)));
+        rows.push(row("material", &exponents.map(i32::from), &mantissas(&of_material)));
+        let [(d, of_d), (irradiances, of_irradiances)] = &answer;
+        rows.push(row("d", &[*of_d], d));
+        rows.push(row("irradiance", &[*of_irradiances], irradiances));
+        answers.push(answer);
+    }
+    rows.push(Row::new(Q::FORMAT, [""; 3], "crc32", &[], &[checksum(&answers)]));
+}
+
+fn float_rows(rows: &mut Vec<Row>) {
+    let rounded = |numbers: &[f64]| numbers.iter().map(|&value| value as f32).collect::<Vec<_>>();
+    let table = eigenshade_table::decode(shipped::TABLE).expect("the shipped table");
+    let basis = OwnedBasis::<f64>::new(&table);
+    let AnyBasis::Sphere(basis) = basis.any().expect("a basis") else {
+        panic!("the shipped table is a sphere's")
+    };
+    let normals = rounded(normals().as_flattened());
+    rows.push(Row::new("f32", [""; 3], "normals", &[], &normals));
+    for (pair, channel) in PAIRS {
+        let input = input(pair, channel);
+        let wide =
+            |numbers: &[f32]| numbers.iter().map(|&value| value.into()).collect::<Vec<f64>>();
+        let (light, material) = (wide(&input.light), wide(&input.material));
+        let light = eigenshade::Light::new(DEGREE, &light).expect("a light");
+        let material = eigenshade::Material::new(ORDER, &material).expect("a material");
+        let mut workspace = vec![0.0; basis.workspace_len()];
+        let mut d = vec![0.0; basis.components()];
+        basis.project_into(&light, &material, &mut workspace, &mut d).expect("they fit the basis");
+        let scene = basis.collapse_into(&d, vec![0.0; basis.scene_len()]).expect("it fits");
+        let normals = wide(&normals);
+        let irradiances: Vec<f64> = normals
+            .as_chunks::<3>()
+            .0
+            .iter()
+            .map(|&[x, y, z]| scene.shade(eigenshade::Normal::new(x, y, z).expect("a normal")))
+            .collect();
+        let row = |array: &str, numbers: &[f32]| Row::new("f32", pair, array, &[], numbers);
+        rows.push(row("light", &input.light));
+        rows.push(row("material", &input.material));
+        rows.push(row("d", &rounded(&d)));
+        rows.push(row("irradiance", &rounded(&irradiances)));
+    }
+    let tolerance = [GOLDEN_F32];
+    rows.push(Row::new("f32", [""; 3], "tolerance", &[], &tolerance));
+}
+
+/// All rows of the golden file.
+pub fn golden() -> Golden {
+    let mut rows = Vec::new();
+    float_rows(&mut rows);
+    integer_rows::<Q15>(&mut rows);
+    integer_rows::<Q31>(&mut rows);
+    Golden { rows }
+}

@@ -6,7 +6,7 @@ use crate::accuracy_cost::shading::hemisphere;
 use eigenshade::quantised;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_shading::integer_shader;
-use eigenshade_shading::owned_quantised::{Integer, OwnedQuantised};
+use eigenshade_shading::integer_shader::{Integer, OwnedQuantised};
 use eigenshade_shading::shader::fault;
 use eigenshade_table::{Table, quantize};
 use std::hint::black_box;

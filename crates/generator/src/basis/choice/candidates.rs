@@ -4,11 +4,12 @@
 //! coordinates of the highest degree and order. The final table counts its own components from
 //! singular values. Polynomials, about a tenth of a table, are not counted.
 
-use crate::basis::choice::energies::{Energies, Images};
-use crate::basis::choice::{Below, POLYNOMIALS, Reach, Share, budget};
+use crate::basis::canonical;
+use crate::basis::choice::energies::{Energies, Images, POLYNOMIALS, budget};
+use crate::basis::choice::report::{Reach, Remaining, Share};
 use crate::basis::eigenimages::constant_coordinates;
+use crate::basis::gram;
 use crate::basis::moments::{LightMoments, MaterialMoments, deviations};
-use crate::basis::{canonical, gram};
 use eigenshade_index::effect::Effects;
 use eigenshade_index::{layout, pair};
 use eigenshade_model::database::{self, Lights, Materials};
@@ -23,7 +24,7 @@ const LEAST_BUDGET: f64 = 0.2;
 
 /// If a degree or order leaves out at most this fraction of the tolerance, no higher one is tried:
 /// the components would gain no more than that.
-const NOTHING: f64 = 0.01;
+const NEGLIGIBLE: f64 = 0.01;
 
 /// A degree and an order, with the energies that they leave out.
 pub(super) struct Candidate {
@@ -100,7 +101,7 @@ pub(super) fn least(
     for azimuth in 0..=gram.degree {
         let images = Images::new(&gram, &kept, azimuth);
         let deviations = moments(criterion, azimuth);
-        let apart = (criterion == Criterion::ImageCentered && azimuth == 0)
+        let constant = (criterion == Criterion::ImageCentered && azimuth == 0)
             .then(|| constant_coordinates(&gram, &images.space));
         let size = images.space.dimension();
         let mut squares = vec![Mat::<f64>::zeros(size, size); gram.order + 1];
@@ -110,7 +111,7 @@ pub(super) fn least(
             }
             for (candidate, spectrum) in candidates.iter().zip(&mut spectra) {
                 if candidate.degree == l {
-                    let values = eigenvalues(&squares[candidate.order], apart.as_deref())?;
+                    let values = eigenvalues(&squares[candidate.order], constant.as_deref())?;
                     spectrum.extend(values.into_iter().map(|value| (azimuth, value)));
                 }
             }
@@ -135,36 +136,38 @@ fn within(
     [most_degree, most_order]: [usize; 2],
     allowed: f64,
 ) -> Vec<Candidate> {
-    let nothing = NOTHING * NOTHING * allowed;
+    let negligible = NEGLIGIBLE * NEGLIGIBLE * allowed;
     let mut candidates = Vec::new();
     for degree in (0..=most_degree).filter(|&degree| effects.degree(degree) == degree) {
         for order in (0..=most_order).filter(|&order| effects.order(order) == order) {
             let has_modes = (0..=degree).any(|l| (0..=order).any(|o| effects.keeps(l, o)));
             let one = Candidate::new(energies, degree, order);
             let left = budget(allowed, [one.degrees_left, one.orders_left]);
-            let negligible = one.orders_left <= nothing;
+            let is_last = one.orders_left <= negligible;
             if has_modes && left >= LEAST_BUDGET * LEAST_BUDGET * allowed {
                 candidates.push(one);
             }
-            if negligible {
+            if is_last {
                 break;
             }
         }
-        if energies.of_degrees_above(degree) <= nothing && !candidates.is_empty() {
+        if energies.of_degrees_above(degree) <= negligible && !candidates.is_empty() {
             break;
         }
     }
     candidates
 }
 
-/// Eigenvalues after projecting out the unit vector `apart`; negative rounding errors become zero.
-fn eigenvalues(squares: &Mat<f64>, apart: Option<&[f64]>) -> Result<Vec<f64>> {
-    let rest = match apart {
+/// Eigenvalues after projecting out the unit vector `constant`; negative rounding errors become
+/// zero.
+fn eigenvalues(squares: &Mat<f64>, constant: Option<&[f64]>) -> Result<Vec<f64>> {
+    let rest = match constant {
         None => squares.clone(),
-        Some(apart) => {
-            let size = apart.len();
-            let project =
-                Mat::from_fn(size, size, |i, j| f64::from(u8::from(i == j)) - apart[i] * apart[j]);
+        Some(constant) => {
+            let size = constant.len();
+            let project = Mat::from_fn(size, size, |i, j| {
+                f64::from(u8::from(i == j)) - constant[i] * constant[j]
+            });
             &project * squares * &project
         }
     };
@@ -187,7 +190,7 @@ fn profiles(spectrum: Vec<(usize, f64)>, criterion: Criterion, allowed: f64) -> 
         .collect();
     values.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
     let only: Vec<_> = values.iter().map(|(_, value)| (None, Some(*value))).collect();
-    let count = Below::new(&only, 0.0).least(allowed);
+    let count = Remaining::new(&only, 0.0).least(allowed);
     let most = values.iter().map(|(azimuth, _)| azimuth + 1).max().unwrap_or(1);
     let mut components = vec![0; most];
     values[..count].iter().for_each(|(azimuth, _)| components[*azimuth] += 1);

@@ -1,4 +1,5 @@
-//! The database's images at one azimuth, split by degree and order.
+//! The energies of the database's images that a degree and an order leave out, and what is left for
+//! components and polynomials.
 
 use crate::basis::moments::Deviation;
 use crate::basis::pca;
@@ -8,7 +9,16 @@ use eigenshade_model::selection::Kept;
 use eigenshade_table::GramFactor;
 use faer::Mat;
 
-/// The matrix A of one azimuth.
+/// The smallest fraction that the polynomials get of the energy that components and polynomials may
+/// omit.
+pub(super) const POLYNOMIALS: f64 = 0.1;
+
+/// The energy R + P that is allowed after degrees and orders are left out.
+pub(super) fn budget(allowed: f64, [degrees, orders]: [f64; 2]) -> f64 {
+    ((allowed - degrees).max(0.0).sqrt() - orders.sqrt()).max(0.0).powi(2)
+}
+
+/// The matrix A of one azimuth, which gives the database's images.
 pub(super) struct Images<'a> {
     gram: &'a GramFactor,
     azimuth: usize,

@@ -2,37 +2,30 @@
 //! material, the number of components and the number of polynomial terms.
 //!
 //! The tolerance bounds the root mean square error of the database's images, with the light turned
-//! by all rotations, relative to the database's [`peak`]. The reference is the image at the degree
-//! and order that the scene gives. Let D be the mean energy of the images in degrees above L, O'
-//! the energy in orders above O at degrees up to L, R the energy in the omitted components and P
-//! the energy that the polynomials omit. Then
-//! error² <= D + (√O' + √(R + P))²:
+//! by all rotations, relative to the database's [`peak`](database::peak). The reference is the
+//! image at the degree and order that the scene gives. Let D be the mean energy of the images in
+//! degrees above L, O' the energy in orders above O at degrees up to L, R the energy in the omitted
+//! components and P the energy that the polynomials omit. Then error² <= D + (√O' + √(R + P))²:
 //!
 //! Degrees are uncorrelated over all rotations, (38), and so are the coefficients of components.
 //! Orders are correlated, so they use the triangle inequality. Every energy is a sum of squares of
 //! the database's images in the coordinates of their profile spaces: no pixel is shaded.
 
-mod below;
 mod candidates;
 mod energies;
-mod polynomials;
-mod said;
+mod report;
 
-pub use said::{Choice, Reach, Share};
+pub(crate) use report::Remaining;
+pub use report::{Choice, Reach, Share};
 
-pub(crate) use below::Below;
-
-use crate::basis;
 use crate::basis::analysis::Analysis;
-use crate::basis::peak;
+use crate::basis::choice::energies::{POLYNOMIALS, budget};
+use crate::basis::database;
+use crate::basis::profile::evaluate;
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_table::trim::trim;
 use eigenshade_table::{Scene, Table};
-
-/// The smallest fraction that the polynomials get of the energy that components and polynomials may
-/// omit.
-const POLYNOMIALS: f64 = 0.1;
 
 /// Before polynomials are shortened, each is within this fraction of the tolerance, relative to its
 /// profile's largest value.
@@ -49,15 +42,15 @@ const ROUNDING: f64 = 1e-9;
 ///
 /// # Errors
 ///
-/// The errors of [`basis::build`].
+/// The errors of `basis::build`.
 pub(crate) fn within(
     tolerance: f64,
     scene: &Scene,
     lights: &Lights,
     materials: &Materials,
 ) -> Result<(Table, Choice)> {
-    let peak = peak::of(scene, lights, materials)?;
-    basis::in_range(peak)?;
+    let peak = database::peak(scene, lights, materials)?;
+    database::in_range(peak)?;
     let allowed = (tolerance * peak).powi(2);
     let mut picked = scene.clone();
     let mut left = [0.0; 2];
@@ -74,31 +67,31 @@ pub(crate) fn within(
     let lights = lights.truncated(picked.light.degree);
     let analysis = Analysis::new(&picked, &lights, &materials.truncated(picked.material.order))?;
     let spectrum = analysis.spectrum();
-    let below = Below::new(&spectrum, analysis.dropped());
+    let remaining = Remaining::new(&spectrum, analysis.dropped());
     let budget = budget(allowed, left);
-    let count = below.least((1.0 - POLYNOMIALS) * budget);
-    let leaves = below.left(count);
+    let count = remaining.least((1.0 - POLYNOMIALS) * budget);
+    let leaves = remaining.left(count);
 
     let start = scene.basis.profile_tolerance.min((WHOLE * tolerance).max(NEAREST));
     let mut table = analysis.table(count, start);
     let mean = analysis.mean_values();
-    let of_terms = polynomials::terms(&table);
-    let lost = polynomials::left_out(&table, mean.as_deref());
-    let spare = ((budget - leaves).max(0.0).sqrt() - lost.sqrt()).max(0.0);
+    let most_terms = terms(&table);
+    let lost = left_out(&table, mean.as_deref());
+    let allowed = ((budget - leaves).max(0.0).sqrt() - lost.sqrt()).max(0.0);
     let size = table.summary.energy.sqrt();
     if size > 0.0 {
-        trim(&mut table, spare / size);
+        trim(&mut table, allowed / size);
     }
-    let lost = polynomials::left_out(&table, mean.as_deref());
-    let share = |energy| said::of_peak(energy, peak);
+    let lost = left_out(&table, mean.as_deref());
+    let share = |energy| report::of_peak(energy, peak);
     let choice = Choice {
         tolerance,
         peak,
         reach,
-        components: below.share(count, share),
+        components: remaining.share(count, share),
         terms: Some(Share {
-            kept: polynomials::terms(&table),
-            of: of_terms,
+            kept: terms(&table),
+            of: most_terms,
             leaves: share(lost),
             one_less: None,
         }),
@@ -106,14 +99,44 @@ pub(crate) fn within(
     };
     if choice.total > tolerance * (1.0 + ROUNDING) {
         return Err(Error::new(
-            format!("basis.tolerance = {tolerance:e} is not met: {:.1e} is", choice.total),
-            "take a smaller rank_cutoff, or a larger tolerance",
+            format!("basis.tolerance = {tolerance:e} is not met, only {:.1e}", choice.total),
+            "use a smaller rank_cutoff, or a larger tolerance",
         ));
     }
     Ok((table, choice))
 }
 
-/// The energy R + P that is allowed after degrees and orders are left out.
-fn budget(allowed: f64, [degrees, orders]: [f64; 2]) -> f64 {
-    ((allowed - degrees).max(0.0).sqrt() - orders.sqrt()).max(0.0).powi(2)
+/// Number of terms of a collapsed scene, with both signs of m included.
+fn terms(table: &Table) -> usize {
+    let azimuths = table.profiles.iter().map(|one| (one.azimuth, one.chebyshev.len()));
+    let mean = table.mean.iter().map(|mean| (0, mean.chebyshev.len()));
+    let mut longest = vec![0; table.gram.degree + 1];
+    for (azimuth, length) in azimuths.chain(mean) {
+        longest[azimuth] = length.max(longest[azimuth]);
+    }
+    longest.iter().enumerate().map(|(m, length)| length * if m == 0 { 1 } else { 2 }).sum()
+}
+
+/// Mean energy of the database's images that the polynomials omit. The coefficients of components
+/// are uncorrelated, so each profile's squared error at the nodes is weighted by the eigenvalues of
+/// its components. The mean image's error counts once; its weighted node values are `mean`.
+fn left_out(table: &Table, mean: Option<&[f64]>) -> f64 {
+    let gram = &table.gram;
+    let error = |azimuth: usize, series: &[f64], values: &[f64]| -> f64 {
+        let nodes = gram.nodes.iter().zip(&gram.root_weights).zip(values);
+        let squares = nodes.map(|((&z, root), value)| {
+            let sine = ((1.0 - z) * (1.0 + z)).sqrt().powi(azimuth as i32);
+            (root * sine * evaluate(series, z) - value).powi(2)
+        });
+        squares.sum()
+    };
+    let of_mean =
+        table.mean.iter().zip(mean).map(|(mean, values)| error(0, &mean.chebyshev, values));
+    let mut lost: f64 = of_mean.sum();
+    for (k, profile) in table.profiles.iter().enumerate() {
+        let of_profile = table.components.iter().filter(|component| component.profile == k);
+        let variance: f64 = of_profile.filter_map(|component| component.eigenvalue).sum();
+        lost += variance * error(profile.azimuth, &profile.chebyshev, &profile.node_values);
+    }
+    lost
 }

@@ -1,4 +1,4 @@
-//! The two directions of a BRDF, described by what an isotropic BRDF depends on.
+//! A BRDF as a function of its two directions, described by what an isotropic BRDF depends on.
 
 /// Cosines of the polar angles of light and view, and of the angle between light and view.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,15 +16,7 @@ impl Geometry {
     /// the plane of the mirror direction.
     #[must_use]
     pub fn from_angles(theta_i: f64, theta_r: f64, delta_phi: f64) -> Self {
-        let ((sin_i, cos_i), (sin_r, cos_r)) = (theta_i.sin_cos(), theta_r.sin_cos());
-        // cos Δφ = 2 cos²(Δφ/2) - 1 keeps precision where the directions have opposite azimuths.
-        let half = (0.5 * delta_phi).cos();
-        let opposite = cos_i * cos_r - sin_i * sin_r;
-        Self {
-            incident: cos_i.max(0.0),
-            reflected: cos_r.max(0.0),
-            between: opposite + 2.0 * sin_i * sin_r * half * half,
-        }
+        Slants::new(theta_i, theta_r).at(delta_phi)
     }
 
     /// |i + r|², the square of twice the half-way vector: 2 + 2 times the cosine of the angle
@@ -64,4 +56,43 @@ impl Geometry {
         }
         ((self.between - self.incident * self.reflected) / sines).clamp(-1.0, 1.0)
     }
+}
+
+/// Two polar angles, for several Δφ.
+pub(super) struct Slants {
+    cosines: [f64; 2],
+    /// cos (θ_i + θ_r).
+    opposite: f64,
+    /// sin θ_i sin θ_r.
+    sines: f64,
+}
+
+impl Slants {
+    pub(super) fn new(theta_i: f64, theta_r: f64) -> Self {
+        let ((sin_i, cos_i), (sin_r, cos_r)) = (theta_i.sin_cos(), theta_r.sin_cos());
+        let sines = sin_i * sin_r;
+        Self { cosines: [cos_i.max(0.0), cos_r.max(0.0)], opposite: cos_i * cos_r - sines, sines }
+    }
+
+    /// See [`Geometry::from_angles`].
+    pub(super) fn at(&self, delta_phi: f64) -> Geometry {
+        // cos Δφ = 2 cos²(Δφ/2) - 1 keeps precision where the directions have opposite azimuths.
+        let half = (0.5 * delta_phi).cos();
+        let [incident, reflected] = self.cosines;
+        Geometry { incident, reflected, between: self.opposite + 2.0 * self.sines * half * half }
+    }
+}
+
+/// One channel of an isotropic, reciprocal BRDF.
+pub trait Brdf: Send + Sync {
+    /// f in 1/sr, symmetric under exchange of the two directions.
+    ///
+    /// Domain: both directions above the surface, cosines > 0. Models may diverge where both
+    /// directions graze it.
+    fn value(&self, at: Geometry) -> f64;
+
+    /// The change of angle between the normal and the half-way direction, in radians, over which f
+    /// changes by its own size. Quadrature is this fine around the mirror direction and at grazing
+    /// angles. In (0, 1\].
+    fn width(&self) -> f64;
 }

@@ -8,7 +8,8 @@
 
 use eigenshade_index::material;
 use eigenshade_model::scattering::norm;
-use eigenshade_model::special::{gauss_legendre, zernike};
+use eigenshade_model::special::quadrature::gauss_legendre;
+use eigenshade_model::special::zernike;
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 use std::f64::consts::{PI, TAU};
@@ -19,7 +20,7 @@ pub(super) struct Overlaps(Vec<Mat<f64>>);
 impl Overlaps {
     /// Computes A with a quadrature rule that is exact: the integrands are polynomials in cos θ.
     pub(super) fn new(order: usize) -> Self {
-        let nodes = gauss_legendre::rule(order / 2 + 2, 0.0, 1.0);
+        let nodes = gauss_legendre(order / 2 + 2, 0.0, 1.0);
         let matrix = |q: usize| {
             let count = (order - q) / 2 + 1;
             let mut matrix = Mat::zeros(count, count);

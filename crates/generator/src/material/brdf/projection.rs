@@ -9,15 +9,15 @@
 //! enough to integrate over Δφ in \[0, π\] and θ_r <= θ_i: first over Δφ with cos qΔφ, then over
 //! the polar angles with R_o^q R_p^q. All three rules are composite Gauss-Legendre rules whose
 //! panels shrink toward the mirror direction, where a narrow lobe peaks, and toward grazing angles
-//! ([`graded`]). A lobe of 1e-3 rad therefore costs only a few times as much as a matte surface.
+//! ([`spread`]). A lobe of 1e-3 rad therefore costs only a few times as much as a matte surface.
 
+use crate::material::brdf::geometry::{Brdf, Slants};
 use crate::material::brdf::overlaps::Overlaps;
-use crate::material::brdf::{Brdf, Geometry};
 use eigenshade_index::{material, pair};
+use eigenshade_model::database::Named;
 use eigenshade_model::irradiance::slant_radials;
 use eigenshade_model::scattering::norm;
-use eigenshade_model::special::gauss_legendre;
-use eigenshade_model::special::graded::{self, Feature};
+use eigenshade_model::special::quadrature::{Feature, gauss_legendre, spread};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_8, PI};
 
 /// Width of the widest panel, in radians.
@@ -27,6 +27,9 @@ const WIDEST: f64 = FRAC_PI_8;
 const GRAZING: f64 = 1e-5;
 /// Width below which panels need not shrink, in radians.
 const NARROWEST: f64 = 1e-9;
+
+/// Number of nodes in azimuth that are summed at once.
+const LANES: usize = 4;
 
 /// The distance between f and Σ b I: the integral of (f - Σ b I)² under this measure.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -73,15 +76,15 @@ pub fn project(brdf: &dyn Brdf, order: usize, measure: Measure) -> Projection {
 /// Like [`project`], with `count` nodes per panel. Compare with twice as many to check convergence.
 #[must_use]
 pub fn project_with(brdf: &dyn Brdf, order: usize, measure: Measure, count: usize) -> Projection {
-    let unit = gauss_legendre::rule(count, 0.0, 1.0);
+    let unit = gauss_legendre(count, 0.0, 1.0);
     let width = brdf.width();
     let grazing = Feature { at: FRAC_PI_2, scale: GRAZING };
     let pole = Feature { at: 0.0, scale: width };
     let mut sums = Sums::new(order);
-    for (theta_i, weight_i) in graded::spread(&unit, 0.0, FRAC_PI_2, &[pole, grazing], WIDEST) {
+    for (theta_i, weight_i) in spread(&unit, 0.0, FRAC_PI_2, &[pole, grazing], WIDEST) {
         let ridge = Feature { at: theta_i, scale: width.min(FRAC_PI_2 - theta_i) };
         let mut row = Row::new(order);
-        for (theta_r, weight_r) in graded::spread(&unit, 0.0, theta_i, &[pole, ridge], WIDEST) {
+        for (theta_r, weight_r) in spread(&unit, 0.0, theta_i, &[pole, ridge], WIDEST) {
             row.add(brdf, &unit, [theta_i, theta_r], weight_r * theta_r.sin());
         }
         sums.add(&row, theta_i, weight_i * theta_i.sin());
@@ -149,15 +152,23 @@ fn azimuth_integrals(
     let features = [Feature { at: PI, scale }, Feature { at: FRAC_PI_2, scale: PI }];
     let mut waves = vec![0.0; order + 1];
     let mut square = 0.0;
-    for (delta_phi, weight) in graded::spread(unit, 0.0, PI, &features, WIDEST) {
-        let value = brdf.value(Geometry::from_angles(theta_i, theta_r, delta_phi));
-        square += weight * value * value;
-        // cos (q+1)x = 2 cos x cos qx - cos (q-1)x.
-        let twice = 2.0 * delta_phi.cos();
-        let (mut before, mut wave) = (0.5 * twice, 1.0);
+    let slants = Slants::new(theta_i, theta_r);
+    for nodes in spread(unit, 0.0, PI, &features, WIDEST).chunks(LANES) {
+        // cos (q+1)x = 2 cos x cos qx - cos (q-1)x, for several nodes at once: each value waits for
+        // the one before it.
+        let (mut twice, mut factors) = ([0.0; LANES], [0.0; LANES]);
+        for ((twice, factor), (delta_phi, weight)) in twice.iter_mut().zip(&mut factors).zip(nodes)
+        {
+            let value = brdf.value(slants.at(*delta_phi));
+            square += weight * value * value;
+            (*twice, *factor) = (2.0 * delta_phi.cos(), weight * value);
+        }
+        let (mut before, mut now) = (twice.map(|twice| 0.5 * twice), [1.0; LANES]);
         for sum in &mut waves {
-            *sum += weight * value * wave;
-            (before, wave) = (wave, twice * wave - before);
+            for lane in 0..LANES {
+                *sum += factors[lane] * now[lane];
+                (before[lane], now[lane]) = (now[lane], twice[lane] * now[lane] - before[lane]);
+            }
         }
     }
     (waves, square)
@@ -209,5 +220,58 @@ impl Sums {
         let left = energy - 2.0 * product + overlaps.energy(&coefficients);
         let left_out = if energy > 0.0 { (left / energy).max(0.0) } else { 0.0 };
         Projection { coefficients, energy, left_out }
+    }
+}
+
+/// One BRDF for all three channels, or one for each.
+pub struct Surface {
+    /// Name of the material.
+    pub name: String,
+    channels: Vec<Box<dyn Brdf>>,
+}
+
+/// A surface's coefficients, and the part that their order leaves out.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Projected {
+    /// The name and the coefficients b_op^q in 1/sr.
+    pub material: Named,
+    /// [`Projection::left_out`] of the channel where it is largest.
+    pub left_out: f64,
+}
+
+impl Surface {
+    /// A surface with the same BRDF in all channels.
+    #[must_use]
+    pub fn gray(name: String, brdf: Box<dyn Brdf>) -> Self {
+        Self { name, channels: vec![brdf] }
+    }
+
+    /// A surface with separate BRDFs for r, g and b.
+    #[must_use]
+    pub fn colored(name: String, rgb: [Box<dyn Brdf>; 3]) -> Self {
+        Self { name, channels: Vec::from(rgb) }
+    }
+
+    /// The BRDF of a channel, 0 to 2.
+    #[must_use]
+    pub fn channel(&self, channel: usize) -> &dyn Brdf {
+        &*self.channels[channel.min(self.channels.len() - 1)]
+    }
+
+    /// Number of distinct BRDFs: one or three.
+    #[must_use]
+    pub fn channels(&self) -> usize {
+        self.channels.len()
+    }
+
+    /// Projects every channel; a BRDF shared by all channels is projected once.
+    #[must_use]
+    pub fn project(&self, order: usize, measure: Measure) -> Projected {
+        let channels: Vec<Projection> =
+            self.channels.iter().map(|brdf| project(&**brdf, order, measure)).collect();
+        let rgb = [0, 1, 2]
+            .map(|channel: usize| channels[channel.min(channels.len() - 1)].coefficients.clone());
+        let left_out = channels.iter().map(|channel| channel.left_out).fold(0.0, f64::max);
+        Projected { material: Named { name: self.name.clone(), rgb }, left_out }
     }
 }

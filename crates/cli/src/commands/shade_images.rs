@@ -1,0 +1,184 @@
+//! The images of `eigenshade shade`: every light on every material, by any method.
+
+use eigenshade::{Economy, Effects, Negatives, Scalar, Tolerance};
+use eigenshade_cli::messages::{print_message, progress_bar};
+use eigenshade_cli::notes::{Ringing, truncation_lines};
+use eigenshade_cli::output::{Rows, exact};
+use eigenshade_model::database::{Lights, Materials, Named};
+use eigenshade_model::error::Result;
+use eigenshade_shading::integer_shader::{self, Integer, IntegerShader};
+use eigenshade_shading::methods::LookUp;
+use eigenshade_shading::owned_basis::OwnedBasis;
+use eigenshade_shading::shader::{Lit, OwnedNormals, Shader, fault};
+use eigenshade_shading::{overflow, reference_image};
+use eigenshade_table::Table;
+
+/// The inputs of the images.
+pub struct Images {
+    pub table: Table,
+    pub lights: Lights,
+    pub materials: Materials,
+    pub normals: Vec<[f64; 3]>,
+    pub components: usize,
+    pub effects: Effects,
+    pub tolerance: Option<Tolerance<f64>>,
+    /// The error of the number format, as a share of the peak.
+    pub rounding: f64,
+}
+
+/// How the runtime computes a pixel.
+#[derive(Clone, Copy, Debug)]
+pub enum Way {
+    Eigen,
+    Polynomial,
+    LookUp(LookUp),
+}
+
+/// Where the irradiance goes.
+pub struct Output<'a> {
+    pub rows: Rows<'a>,
+    pub negatives: Negatives,
+    /// The least irradiance so far that was clamped.
+    pub least: f64,
+    pub ringing: Ringing,
+}
+
+impl Images {
+    fn pairs(&self) -> impl Iterator<Item = (&Named, &Named)> {
+        let materials = &self.materials.entries;
+        let lights = self.lights.entries.iter();
+        lights.flat_map(move |light| materials.iter().map(move |material| (light, material)))
+    }
+
+    /// Writes the images by the direct sum over modes.
+    pub fn modes(&self, out: &mut Output<'_>) -> Result<()> {
+        let progress = progress_bar("normals", self.normals.len());
+        let (lights, materials) = (&self.lights, &self.materials);
+        let (effects, normals) = (self.effects, &self.normals);
+        let images =
+            reference_image::images_of_effects(lights, materials, effects, normals, &progress);
+        progress.finish_and_clear();
+        for (pair, (light, material)) in self.pairs().enumerate() {
+            out.record((light, material), images.iter().flat_map(|of_pairs| of_pairs[pair]));
+            for (normal, of_pairs) in images.iter().enumerate() {
+                for (channel, value) in of_pairs[pair].iter().enumerate() {
+                    overflow::check(&[*value], &light.rgb[channel], &material.rgb[channel])
+                        .map_err(|error| error.of(overflow::pair(light, material)))?;
+                }
+                out.row((light, material), normal, of_pairs[pair])?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Writes the images in integers.
+    pub fn integers<Q: Integer>(&self, out: &mut Output<'_>) -> Result<()> {
+        let mut shader = IntegerShader::<Q>::new(&self.table, self.components)?;
+        let normals = integer_shader::normals(&self.normals)?;
+        self.channels(out, |light, material| shader.polynomial(light, material, &normals))
+    }
+
+    /// Writes the images in floats.
+    pub fn floats<S: Scalar + Into<f64>>(&self, way: Way, out: &mut Output<'_>) -> Result<()> {
+        let basis = OwnedBasis::<S>::new(&self.table);
+        let mut shader = Shader::new(basis.any().map_err(fault)?, self.components)
+            .with_folded(basis.folded())
+            .with_effects(self.effects)?;
+        if let Some(tolerance) = self.tolerance {
+            return self.within(&mut shader, tolerance, out);
+        }
+        let normals = OwnedNormals::<S>::new(&self.normals);
+        let each = normals.each()?;
+        self.channels(out, |light, material| match way {
+            Way::Eigen => shader.eigen(light, material, &each),
+            Way::Polynomial => shader.polynomial(light, material, &normals),
+            Way::LookUp(way) => shader.looked_up(light, material, &each, way),
+        })
+    }
+
+    /// Writes the images of polynomials within a tolerance, and reports what was kept.
+    fn within<S: Scalar + Into<f64>>(
+        &self,
+        shader: &mut Shader<'_, S>,
+        tolerance: Tolerance<f64>,
+        out: &mut Output<'_>,
+    ) -> Result<()> {
+        let normals = OwnedNormals::<S>::new(&self.normals);
+        let tolerance = match tolerance {
+            Tolerance::OfPeak(share) => Tolerance::OfPeak(S::from_f64(share)),
+            Tolerance::Decibels(decibels) => Tolerance::Decibels(decibels),
+            other => unreachable!("the option --tolerance has no {other:?}"),
+        };
+        let mut chosen: Vec<Economy<S>> = Vec::new();
+        self.colors(out, |channels| {
+            let shaded = shader.within(&channels, &normals, tolerance)?;
+            let mut rgb = [const { Vec::new() }; 3];
+            for (channel, (irradiance, economy)) in rgb.iter_mut().zip(shaded) {
+                *channel = irradiance;
+                chosen.push(economy);
+            }
+            Ok(rgb)
+        })?;
+        truncation_lines(&chosen, self.components, self.rounding).iter().for_each(print_message);
+        Ok(())
+    }
+
+    /// Writes the images; `irradiance` computes one channel at a time.
+    fn channels<S: Copy + Into<f64>>(
+        &self,
+        out: &mut Output<'_>,
+        mut irradiance: impl FnMut((usize, &[f64]), (usize, &[f64])) -> Result<Vec<S>>,
+    ) -> Result<()> {
+        self.colors(out, |[red, green, blue]| {
+            let mut channel = |(light, material): Lit<'_>| irradiance(light, material);
+            Ok([channel(red)?, channel(green)?, channel(blue)?])
+        })
+    }
+
+    /// Writes the images; `irradiance` computes all three channels.
+    fn colors<S: Copy + Into<f64>>(
+        &self,
+        out: &mut Output<'_>,
+        mut irradiance: impl FnMut([Lit<'_>; 3]) -> Result<[Vec<S>; 3]>,
+    ) -> Result<()> {
+        let progress =
+            progress_bar("images", self.lights.entries.len() * self.materials.entries.len());
+        let (degree, order) = (self.lights.degree, self.materials.order);
+        for (light, material) in self.pairs() {
+            let channel =
+                |c: usize| ((degree, light.rgb[c].as_slice()), (order, material.rgb[c].as_slice()));
+            let [red, green, blue] = irradiance([0, 1, 2].map(channel))
+                .map_err(|error| error.of(overflow::pair(light, material)))?;
+            let all = red.iter().chain(&green).chain(&blue);
+            out.record((light, material), all.map(|&value| value.into()));
+            for (normal, ((&r, &g), &b)) in red.iter().zip(&green).zip(&blue).enumerate() {
+                out.row((light, material), normal, [r.into(), g.into(), b.into()])?;
+            }
+            progress.inc(1);
+        }
+        progress.finish_and_clear();
+        Ok(())
+    }
+}
+
+impl Output<'_> {
+    /// Records the values of an image before they are clamped.
+    fn record(&mut self, (light, material): (&Named, &Named), values: impl Iterator<Item = f64>) {
+        let none = (f64::INFINITY, f64::NEG_INFINITY);
+        let (least, largest) = values.fold(none, |(a, b), one| (a.min(one), b.max(one)));
+        self.ringing.record(|| overflow::pair(light, material), least, largest);
+    }
+
+    fn row(
+        &mut self,
+        (light, material): (&Named, &Named),
+        normal: usize,
+        mut rgb: [f64; 3],
+    ) -> Result<()> {
+        if let Some(least) = self.negatives.apply(&mut rgb) {
+            self.least = self.least.min(least);
+        }
+        let [r, g, b] = rgb.map(exact);
+        self.rows.row([&light.name, &material.name, &normal.to_string(), &r, &g, &b])
+    }
+}

@@ -1,0 +1,253 @@
+//! Output of the commands: CSV rows, and files that are written completely or not at all.
+
+pub use eigenshade_model::inputs::coefficient_text::exact;
+
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::output::{end_of_links, write_atomically};
+use std::ffi::OsStr;
+use std::io::{self, BufWriter, ErrorKind, Write};
+use std::path::{Path, PathBuf};
+
+/// The remedy for an output that cannot be written.
+const REMEDY: &str = "check where the output goes";
+
+/// A CSV writer.
+pub struct Rows<'a>(csv::Writer<&'a mut dyn Write>);
+
+impl<'a> Rows<'a> {
+    /// Starts the CSV with its header.
+    ///
+    /// # Errors
+    ///
+    /// If the output fails.
+    pub fn new<T: AsRef<[u8]>>(
+        out: &'a mut dyn Write,
+        header: impl IntoIterator<Item = T>,
+    ) -> Result<Self> {
+        // Setting the comment character makes the writer quote names that begin with it.
+        let writer = csv::WriterBuilder::new().comment(Some(b'#')).from_writer(out);
+        let mut rows = Self(writer);
+        rows.row(header)?;
+        Ok(rows)
+    }
+
+    /// Writes one row, which has as many fields as the header.
+    ///
+    /// # Errors
+    ///
+    /// If the output fails.
+    pub fn row<T: AsRef<[u8]>>(&mut self, fields: impl IntoIterator<Item = T>) -> Result<()> {
+        let written = self.0.write_record(fields);
+        written.map_err(|error| Error::new(error.to_string(), REMEDY))
+    }
+
+    /// Flushes the output.
+    ///
+    /// # Errors
+    ///
+    /// If the output fails.
+    pub fn finish(mut self) -> Result<()> {
+        self.0.flush().map_err(|error| write_error(&error))
+    }
+}
+
+/// Writes to the file, or to standard output if there is none.
+///
+/// It is not an error if the reader closes the pipe early.
+///
+/// # Errors
+///
+/// Whatever `write` returns, and any failure of the file, its folder or the disk.
+pub fn write(out: Option<&Path>, write: impl FnOnce(&mut dyn Write) -> Result<()>) -> Result<()> {
+    match out {
+        Some(path) => write_atomically(path, write),
+        None => to_standard_output(write),
+    }
+}
+
+/// Writes to a temporary file and runs `then` before the file gets its final name. Unless both
+/// succeed, the file is left as it was. Without a file, only runs `then`.
+///
+/// # Errors
+///
+/// Whatever `write` and `then` return, and any failure of the file, its folder or the disk.
+pub fn write_before(
+    file: Option<&Path>,
+    write: impl FnOnce(&mut dyn Write) -> Result<()>,
+    then: impl FnOnce() -> Result<()>,
+) -> Result<()> {
+    match file {
+        Some(path) => write_atomically(path, |out| {
+            write(out)?;
+            out.flush().map_err(|error| write_error(&error))?;
+            then()
+        }),
+        None => then(),
+    }
+}
+
+/// Like [`write`](fn@write), for complete contents.
+///
+/// # Errors
+///
+/// If the file, its folder or the disk fails.
+pub fn write_all(out: Option<&Path>, contents: impl AsRef<[u8]>) -> Result<()> {
+    write(out, |to| to.write_all(contents.as_ref()).map_err(|error| write_error(&error)))
+}
+
+/// Writes the comment line `# eigenshade ...` with the command that makes this file.
+///
+/// # Errors
+///
+/// If the output fails.
+pub fn write_command_line(out: &mut dyn Write) -> Result<()> {
+    writeln!(out, "# {}", command_line()).map_err(|error| write_error(&error))
+}
+
+/// The error for an output that cannot be written.
+#[must_use]
+pub fn write_error(error: &io::Error) -> Error {
+    Error::new(error.to_string(), REMEDY)
+}
+
+fn to_standard_output(write: impl FnOnce(&mut dyn Write) -> Result<()>) -> Result<()> {
+    let mut pipe = Pipe { inner: io::stdout().lock(), closed: false };
+    let mut buffer = BufWriter::with_capacity(1 << 16, &mut pipe);
+    let written = write(&mut buffer)
+        .and_then(|()| buffer.flush().map_err(|error| Error::io("standard output", &error)));
+    // Dropped without flushing: the reader has gone, or has received everything.
+    drop(buffer.into_parts());
+    if pipe.closed { Ok(()) } else { written }
+}
+
+/// Records whether the reader closed the pipe.
+struct Pipe<W> {
+    inner: W,
+    closed: bool,
+}
+
+impl<W: Write> Pipe<W> {
+    fn note<T>(&mut self, result: io::Result<T>) -> io::Result<T> {
+        let kind = result.as_ref().err().map(io::Error::kind);
+        self.closed |= kind == Some(ErrorKind::BrokenPipe);
+        result
+    }
+}
+
+impl<W: Write> Write for Pipe<W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let result = self.inner.write(bytes);
+        self.note(result)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        let result = self.inner.flush();
+        self.note(result)
+    }
+}
+
+/// `eigenshade` and its arguments as given. Arguments that contain blanks or control characters are
+/// quoted.
+#[must_use]
+pub fn command_line() -> String {
+    let arguments = std::env::args_os().skip(1);
+    let arguments = arguments.map(|argument| quoted(&argument.to_string_lossy()));
+    std::iter::once("eigenshade".to_owned()).chain(arguments).collect::<Vec<_>>().join(" ")
+}
+
+fn quoted(argument: &str) -> String {
+    let needs_quotes = |letter: char| letter.is_whitespace() || letter.is_control();
+    if argument.is_empty() || argument.contains(needs_quotes) {
+        format!("{argument:?}")
+    } else {
+        argument.to_owned()
+    }
+}
+
+/// Checks, before anything is written, that all outputs of a command are different files and that
+/// none of them is an input.
+///
+/// The check compares files, not names: it follows links, `.` and `..`. Another hard link to an
+/// input counts as a different file, because writing creates a new file under that name and leaves
+/// the input intact. Devices and pipes hold no data that could be lost, so they are allowed.
+///
+/// # Errors
+///
+/// For the first output that goes to the same place as an earlier output or an input.
+pub fn refuse_collisions<P: AsRef<Path>, Q: AsRef<Path>>(
+    outputs: impl IntoIterator<Item = P>,
+    inputs: impl IntoIterator<Item = Q>,
+) -> Result<()> {
+    let inputs: Vec<(PathBuf, Q)> =
+        inputs.into_iter().map(|input| (place(input.as_ref()), input)).collect();
+    let mut taken: Vec<(PathBuf, P)> = Vec::new();
+    for output in outputs {
+        let path = output.as_ref();
+        let place = place(path);
+        if place.exists() && !place.is_file() {
+            continue;
+        }
+        if let Some((_, input)) = inputs.iter().find(|(other, _)| *other == place) {
+            let input = input.as_ref().display();
+            let what = format!("it would replace the input `{input}`");
+            return Err(Error::new(what, "give the output another name").in_file(path));
+        }
+        if let Some((_, other)) = taken.iter().find(|(other, _)| *other == place) {
+            let other = other.as_ref().display();
+            let what = format!("two outputs go there, the other as `{other}`");
+            return Err(Error::new(what, "give each its own file").in_file(path));
+        }
+        taken.push((place, output));
+    }
+    Ok(())
+}
+
+/// The location of a file that may not exist yet: the end of its links, or its name in its resolved
+/// folder.
+fn place(path: &Path) -> PathBuf {
+    let path = end_of_links(path).unwrap_or_else(|_| path.to_owned());
+    path.canonicalize().unwrap_or_else(|_| {
+        let folder = match path.parent() {
+            Some(folder) if folder != OsStr::new("") => folder,
+            _ => Path::new("."),
+        };
+        match (folder.canonicalize(), path.file_name()) {
+            (Ok(folder), Some(name)) => folder.join(name),
+            // The folder does not exist; writing will report it.
+            _ => path.to_owned(),
+        }
+    })
+}
+
+/// Installs a handler: SIGINT and SIGTERM then remove the files being written and terminate the
+/// program as they do by default.
+///
+/// Where signals cannot be caught, such files are left behind.
+#[cfg(all(unix, feature = "generate"))]
+pub fn clean_up_on_signals() {
+    use eigenshade_model::output::remove_unfinished;
+    use signal_hook::consts::{SIGINT, SIGTERM};
+    let Ok(mut signals) = signal_hook::iterator::Signals::new([SIGINT, SIGTERM]) else { return };
+    std::thread::spawn(move || {
+        if let Some(signal) = signals.forever().next() {
+            remove_unfinished();
+            let _ = signal_hook::low_level::emulate_default_handler(signal);
+            std::process::exit(128 + signal);
+        }
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::exact;
+
+    #[test]
+    fn numbers_read_back() {
+        for number in [0.0, -0.0, 1.0 / 3.0, 1e-300, -2.5e17, f64::from(0.1f32), 5e-324] {
+            let back: f64 = exact(number).parse().unwrap();
+            assert_eq!(back.to_bits(), number.to_bits());
+        }
+        assert_eq!(exact(1e-7), "1e-7");
+        assert_eq!(exact(0.25), "0.25");
+    }
+}

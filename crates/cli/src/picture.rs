@@ -1,0 +1,193 @@
+//! Pictures of spheres: their pixels and normals, tone, and PNG files.
+
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::output::write_atomically;
+use font8x8::{BASIC_FONTS, UnicodeFonts};
+use png::{BitDepth, ColorType, Encoder, SrgbRenderingIntent};
+use std::path::Path;
+
+/// Width of a letter of scale 1 in pixels, and the distance between its baselines.
+pub const LETTER: usize = 8;
+
+/// The pixels of a square picture that a sphere covers at least in part.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SphereView {
+    /// Width and height of the picture in pixels.
+    pub size: usize,
+    /// The pixels, row by row from the top.
+    pub pixels: Vec<Pixel>,
+    /// The unit normal of each pixel, with z >= 0. If the center of a pixel just misses the sphere,
+    /// its normal lies on the rim.
+    pub normals: Vec<[f64; 3]>,
+}
+
+/// One pixel of the disc.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pixel {
+    /// Column, from the left.
+    pub column: usize,
+    /// Row, from the top.
+    pub row: usize,
+    /// The approximate share of the pixel that the sphere covers.
+    pub coverage: f64,
+    /// Whether the center of the pixel lies on the sphere.
+    pub is_inside: bool,
+}
+
+impl SphereView {
+    /// A sphere that fills a picture of `size` x `size` pixels up to a margin of half a pixel.
+    #[must_use]
+    pub fn new(size: usize) -> Self {
+        let radius = 0.5 * size as f64 - 0.5;
+        let mut view = Self { size, pixels: Vec::new(), normals: Vec::new() };
+        let offset = |k: usize| k as f64 + 0.5 - 0.5 * size as f64;
+        for row in 0..size {
+            for column in 0..size {
+                let (x, y) = (offset(column), -offset(row));
+                let distance = x.hypot(y);
+                let coverage = (radius - distance + 0.5).clamp(0.0, 1.0);
+                if coverage > 0.0 {
+                    let is_inside = distance < radius;
+                    let scale = if is_inside { radius } else { distance }.recip();
+                    let (x, y) = (scale * x, scale * y);
+                    let z = (1.0 - x * x - y * y).max(0.0).sqrt();
+                    view.pixels.push(Pixel { column, row, coverage, is_inside });
+                    view.normals.push([x, y, if is_inside { z } else { 0.0 }]);
+                }
+            }
+        }
+        view
+    }
+}
+
+/// An opaque picture in sRGB.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Canvas {
+    /// Width in pixels.
+    pub width: usize,
+    /// Height in pixels.
+    pub height: usize,
+    /// r, g, b of each pixel, row by row from the top.
+    pub bytes: Vec<u8>,
+}
+
+impl Canvas {
+    /// A canvas filled with one color.
+    #[must_use]
+    pub fn new(width: usize, height: usize, background: [u8; 3]) -> Self {
+        Self { width, height, bytes: background.repeat(width * height) }
+    }
+
+    /// Blends a color over one pixel with opacity `coverage` in \[0, 1\]. Pixels outside the canvas
+    /// are ignored.
+    pub fn blend(&mut self, column: usize, row: usize, color: [u8; 3], coverage: f64) {
+        if column >= self.width || row >= self.height {
+            return;
+        }
+        let start = 3 * (row * self.width + column);
+        for (byte, color) in self.bytes.iter_mut().skip(start).zip(color) {
+            let (below, above) = (f64::from(*byte), f64::from(color));
+            *byte = (below + coverage * (above - below)).round() as u8;
+        }
+    }
+
+    /// Writes a line of text whose top left corner is at `column` and `row`.
+    pub fn text(&mut self, column: usize, row: usize, scale: usize, color: [u8; 3], text: &str) {
+        for (place, letter) in text.chars().enumerate() {
+            let glyph = BASIC_FONTS.get(letter).unwrap_or([0x7e; 8]);
+            for (y, bits) in glyph.iter().enumerate() {
+                for x in (0..LETTER).filter(|x| bits >> x & 1 == 1) {
+                    let left = column + scale * (place * LETTER + x);
+                    let top = row + scale * y;
+                    for pixel in 0..scale * scale {
+                        self.blend(left + pixel % scale, top + pixel / scale, color, 1.0);
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Width of a line of text in pixels.
+#[must_use]
+pub fn text_width(scale: usize, text: &str) -> usize {
+    scale * LETTER * text.chars().count()
+}
+
+/// The exposure factor: it scales the value below which a `share` of the values lie to 1. Returns 1
+/// if that value is not positive.
+#[must_use]
+pub fn exposure(mut values: Vec<f64>, share: f64) -> f64 {
+    values.retain(|value| value.is_finite());
+    values.sort_by(f64::total_cmp);
+    let last = values.len().saturating_sub(1);
+    let place = (share.clamp(0.0, 1.0) * last as f64).round() as usize;
+    match values.get(place) {
+        Some(&value) if value > 0.0 => value.recip(),
+        _ => 1.0,
+    }
+}
+
+/// The sRGB code of a linear value in \[0, 1\], IEC 61966-2-1; values outside are clipped.
+#[must_use]
+pub fn srgb(linear: f64) -> u8 {
+    let linear = linear.clamp(0.0, 1.0);
+    let encoded =
+        if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 };
+    (255.0 * encoded).round() as u8
+}
+
+/// The linear value of an sRGB code in \[0, 1\], IEC 61966-2-1.
+#[must_use]
+pub fn linear(code: f64) -> f64 {
+    if code <= 0.040_45 { code / 12.92 } else { ((code + 0.055) / 1.055).powf(2.4) }
+}
+
+/// Writes an sRGB picture with 8 bits per channel and three channels, or four with opacity.
+///
+/// # Errors
+///
+/// If the file, its folder or the disk fails.
+pub fn write_png(path: &Path, width: usize, height: usize, bytes: &[u8]) -> Result<()> {
+    let side = |pixels: usize| {
+        u32::try_from(pixels).map_err(|_| Error::new("the picture is too large", "ask for less"))
+    };
+    let (columns, rows) = (side(width)?, side(height)?);
+    let has_opacity = bytes.len() == 4 * width * height;
+    write_atomically(path, |out| {
+        let mut encoder = Encoder::new(out, columns, rows);
+        encoder.set_color(if has_opacity { ColorType::Rgba } else { ColorType::Rgb });
+        encoder.set_depth(BitDepth::Eight);
+        encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
+        let fault = |error: png::EncodingError| {
+            Error::new(error.to_string(), "check where the output goes")
+        };
+        let mut writer = encoder.write_header().map_err(fault)?;
+        writer.write_image_data(bytes).map_err(fault)?;
+        writer.finish().map_err(fault)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn encodings_are_those_of_the_standard() {
+        let codes = [0.0, 0.003_130_8, 0.215_861, 0.5, 1.0, 2.0, -1.0, f64::NAN].map(srgb);
+        assert_eq!(codes, [0, 10, 128, 188, 255, 255, 0, 0]);
+    }
+
+    #[test]
+    fn codes_round_trip() {
+        assert!((0..=u8::MAX).all(|code| srgb(linear(f64::from(code) / 255.0)) == code));
+    }
+
+    #[test]
+    fn exposures_follow_the_percentile() {
+        let values: Vec<f64> = (0..=100).map(f64::from).collect();
+        assert_eq!(exposure(values, 0.5), 1.0 / 50.0);
+        assert_eq!(exposure(vec![], 0.5), 1.0);
+        assert_eq!(exposure(vec![-1.0], 1.0), 1.0);
+    }
+}

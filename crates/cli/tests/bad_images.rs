@@ -1,0 +1,192 @@
+//! `eigenshade read`: images, masks, normals and tables that are refused.
+
+use crate::support::files::{READ, answer, get, nearest, png, with_image};
+use crate::support::{self, assert_fails, lights, repository};
+use png::{BitDepth, ColorType};
+use std::fs;
+
+/// Inputs that would give a meaningless answer.
+#[test]
+fn meaningless_inputs_are_refused() {
+    let folder = with_image();
+    folder.write("black.csv", format!("value\n{}", "0\n".repeat(400)));
+    let read = "--normals normals.csv --table b.bin --out new.csv";
+    assert_fails(&folder, &format!("read black.csv {read}"), &["black.csv", "black"]);
+    let twice = format!("read image.csv {read} --modes-out new.csv");
+    assert_fails(&folder, &twice, &["new.csv", "two outputs"]);
+    for noise in ["1e300", "1e-300", "0", "nan"] {
+        let output = folder.run(&format!("read image.csv {read} --noise {noise}"));
+        assert_eq!(output.status.code(), Some(2), "{noise}");
+    }
+    folder.write("heavy.csv", format!("weight\n{}", "1e300\n".repeat(400)));
+    assert_fails(&folder, &format!("read image.csv {read} --mask heavy.csv"), &["heavy.csv:2:"]);
+}
+
+/// A material that reflects nothing: alone it is refused, among others it is the least likely.
+#[test]
+fn black_materials() {
+    let folder = with_image();
+    let all = folder.read("materials.csv");
+    let first = all.lines().filter_map(|line| line.strip_prefix("material-0"));
+    let zeros: String =
+        first.map(|line| format!("soot{},0\n", line.rsplit_once(',').unwrap().0)).collect();
+    let soot = format!("name,o,p,q,value\n{zeros}");
+    folder.write("soot.csv", &soot);
+    let read = "read image.csv --normals normals.csv --out new.csv";
+    for criterion in ["image-centered", "standard"] {
+        folder.write("scene.toml", support::scene(criterion, 10_000, "[]"));
+        folder.write("materials.csv", &soot);
+        folder.ok("basis --scene scene.toml --out night.bin");
+        assert_fails(&folder, &format!("{read} --table night.bin"), &["night.bin", "black"]);
+        folder.write("materials.csv", &all);
+        folder.ok("basis --scene scene.toml --out b.bin");
+        let with_soot = format!("{read} --table b.bin --materials soot.csv");
+        assert_fails(&folder, &with_soot, &["b.bin", "black", "--materials"]);
+    }
+    folder.write("both.csv", format!("{all}{zeros}"));
+    let found = answer(&folder.ok(&format!("{READ} --materials both.csv")));
+    assert_eq!(nearest(&found), "material-2");
+    assert_eq!(get(&found, "material-evidence", "soot")[0][0], 4.0);
+}
+
+/// Missing databases with as many lights and materials as the shipped ones, but other ones.
+#[test]
+fn shipped_databases_replace_only_themselves() {
+    let folder = with_image();
+    let shipped = repository().join("tables/inputs");
+    fs::copy(shipped.join("materials.csv"), folder.path("materials.csv")).unwrap();
+    folder.write("lights.csv", lights(support::DEGREE, 26));
+    folder.ok("basis --scene scene.toml --out other.bin");
+    fs::remove_file(folder.path("lights.csv")).unwrap();
+    let read = "read image.csv --normals normals.csv --table other.bin --components 9";
+    assert_fails(&folder, &format!("{read} --out new.csv"), &["other.bin", "--lights"]);
+    folder.write("lights.csv", lights(support::DEGREE, 26));
+    folder.ok(read);
+}
+
+/// If one of three outputs cannot be written, the others are not written either.
+#[test]
+fn all_outputs_or_none() {
+    let folder = with_image();
+    fs::create_dir(folder.path("taken")).unwrap();
+    folder.write("old.csv", "old");
+    let places = [("out", "a.csv"), ("light-out", "old.csv"), ("modes-out", "c.csv")];
+    for bad in [
+        "none/new.csv",
+        "taken",
+        #[cfg(target_os = "linux")]
+        "/dev/full",
+    ] {
+        for broken in 0..places.len() {
+            let options = places.iter().enumerate().map(|(place, (option, file))| {
+                format!(" --{option} {}", if place == broken { bad } else { file })
+            });
+            let arguments = format!("{READ}{}", options.collect::<String>());
+            assert_fails(&folder, &arguments, &[bad]);
+            assert_eq!(folder.read("old.csv"), "old", "{arguments}");
+        }
+    }
+}
+
+#[test]
+fn bad_images() {
+    let folder = with_image();
+    let good = folder.read("image.csv");
+    let tables = repository().join("tables/sphere.bin");
+    let table = tables.display();
+    let read = "--normals normals.csv --table b.bin --out new.csv";
+    for (name, text, fragments) in [
+        ("nan.csv", good.replacen(",material-2,7,", ",material-2,7,nan,", 1), "nan.csv:9:"),
+        ("nan2.csv", "value\n1\nnan\n".to_owned(), "nan2.csv:3:"),
+        ("inf.csv", "value\n1\ninf\n".to_owned(), "inf.csv:3:"),
+        ("header.csv", "red,green,blue\n1,1,1\n".to_owned(), "header.csv:1:"),
+        ("short.csv", "value\n1\n2\n".to_owned(), "normals.csv"),
+        ("empty.csv", String::new(), "empty.csv"),
+        ("picture.png", "no picture".to_owned(), "picture.png"),
+        ("picture.exr", "no picture".to_owned(), "picture.exr"),
+        ("picture.jpg", "no picture".to_owned(), "picture.jpg"),
+    ] {
+        folder.write(name, text);
+        assert_fails(&folder, &format!("read {name} {read}"), &[fragments]);
+    }
+    let gray: Vec<u8> = (0..64u32 * 64).map(|k| (k % 199) as u8).collect();
+    let whole = png(64, 64, BitDepth::Eight, ColorType::Grayscale, &gray);
+    folder.write("whole.png", &whole);
+    let sphere = format!("--normals sphere --table {table} --out new.csv");
+    for cut in [8, 20, 33, whole.len() / 2, whole.len() - 20, whole.len() - 1] {
+        folder.write("cut.png", &whole[..cut]);
+        assert_fails(&folder, &format!("read cut.png {sphere}"), &["cut.png"]);
+    }
+    let mut flipped = whole.clone();
+    flipped[whole.len() / 2] ^= 0x10;
+    folder.write("flipped.png", flipped);
+    assert_fails(&folder, &format!("read flipped.png {sphere}"), &["flipped.png"]);
+    // 2^31 - 1 pixels across and down, in 67 bytes.
+    let tiny = png(1, 1, BitDepth::Eight, ColorType::Grayscale, &[0]);
+    let mut absurd = tiny.clone();
+    absurd[16..24].copy_from_slice(&[0x7f, 0xff, 0xff, 0xff, 0x7f, 0xff, 0xff, 0xff]);
+    let crc = crc(&absurd[12..29]);
+    absurd[29..33].copy_from_slice(&crc.to_be_bytes());
+    folder.write("absurd.png", absurd);
+    assert_fails(&folder, &format!("read absurd.png {sphere}"), &["absurd.png", "2147483647"]);
+    folder.write("tiny.png", tiny);
+    assert_fails(&folder, &format!("read tiny.png {sphere}"), &["tiny.png", "50 components"]);
+}
+
+/// The checksum of PNG chunks, bit by bit.
+fn crc(bytes: &[u8]) -> u32 {
+    !bytes.iter().fold(u32::MAX, |mut crc, byte| {
+        crc ^= u32::from(*byte);
+        for _ in 0..8 {
+            crc = if crc & 1 == 1 { 0xedb8_8320 ^ (crc >> 1) } else { crc >> 1 };
+        }
+        crc
+    })
+}
+
+#[test]
+fn inputs_that_do_not_match() {
+    let folder = with_image();
+    let gray = |side: usize, value: u8| {
+        png(side, side, BitDepth::Eight, ColorType::Grayscale, &vec![value; side * side])
+    };
+    folder.write("image.png", gray(20, 100));
+    folder.write("white.png", gray(20, 255));
+    folder.write("small.png", gray(10, 200));
+    folder.write("few.csv", format!("weight\n{}{}", "1\n".repeat(10), "0\n".repeat(390)));
+    folder.write("none.csv", format!("weight\n{}", "0\n".repeat(400)));
+    folder.write("negative.csv", format!("weight\n1\n-1\n{}", "1\n".repeat(398)));
+    folder.write("wide.csv", "weight\n1\n");
+    let png_read = "read image.png --normals normals.csv --table b.bin";
+    for (arguments, fragments) in [
+        (format!("{READ} --mask few.csv"), vec!["image.csv", "10 of its pixels"]),
+        (format!("{READ} --mask none.csv"), vec!["image.csv", "0 of its pixels"]),
+        (format!("{READ} --mask negative.csv"), vec!["negative.csv:3:"]),
+        (format!("{READ} --mask wide.csv"), vec!["wide.csv", "400 pixels"]),
+        (format!("{READ} --components 60000"), vec!["b.bin", "60000"]),
+        (format!("{READ} --transfer srgb"), vec!["image.csv", "--transfer"]),
+        (format!("{READ} --lights none.csv"), vec!["none.csv"]),
+        (format!("{READ} --light-out nowhere/l.csv"), vec!["nowhere/l.csv"]),
+        ("read image.csv --normals sphere --table b.bin".into(), vec!["--normals"]),
+        (format!("{png_read} --mask small.png"), vec!["small.png", "10 x 10"]),
+        ("read image.png --normals small.png --table b.bin".into(), vec!["small.png", "10 x 10"]),
+        ("read small.png --normals normals.csv --table b.bin".into(), vec!["normals.csv", "100"]),
+        (
+            "read white.png --normals normals.csv --table b.bin".into(),
+            vec!["white.png", "0 of its"],
+        ),
+        ("read image.csv --normals none2.csv --table b.bin".into(), vec!["none2.csv"]),
+    ] {
+        assert_fails(&folder, &format!("{arguments} --out new.csv"), &fragments);
+    }
+    for (store, arguments) in [("materials", ""), ("projection", "--modes-out m.csv")] {
+        let scene = folder.read("scene.toml") + &format!("store = \"{store}\"\n");
+        folder.write("kept.toml", scene);
+        folder.ok("basis --scene kept.toml --out kept.bin");
+        let read = "read image.csv --normals normals.csv --table kept.bin --out new.csv";
+        assert_fails(&folder, &format!("{read} {arguments}"), &["kept.bin", "basis.store"]);
+    }
+    fs::rename(folder.path("lights.csv"), folder.path("elsewhere.csv")).unwrap();
+    assert_fails(&folder, READ, &["lights.csv", "--lights"]);
+    folder.ok(&format!("{READ} --lights elsewhere.csv"));
+}

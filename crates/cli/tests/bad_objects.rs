@@ -1,0 +1,318 @@
+//! Bad files of every kind that an object's normals may come from: cut short, of another type, of
+//! an absurd size, with a number that is not finite; and scenes with bad objects. Each gives one
+//! line that names the file, and nothing is written.
+
+use crate::support::files::{normal_map, obj, ply, square_png, stl, with_geometry};
+use crate::support::{Folder, assert_fails, scene};
+use png::BitDepth;
+use std::time::Instant;
+
+/// The beginning of a file of another type.
+const FOREIGN: &[u8] = b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR\xff\xfe\xfd and more of it, \0 up to a facet's length and beyond \
+    the header of an STL, which has eighty bytes";
+
+const TEXT_STL: &str = "solid one\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n\
+    endloop\nendfacet\nendsolid one\n";
+
+/// A binary polygon file of one triangle, from the type of its lists' counts, the number of
+/// corners, a coordinate, and the bytes of the list.
+fn binary_ply(list: &str, vertices: &str, coordinate: f32, face: &[u8]) -> Vec<u8> {
+    let mut bytes = format!(
+        "ply\nformat binary_little_endian 1.0\nelement vertex {vertices}\nproperty float x\nproperty float y\n\
+         property float z\nelement face 1\nproperty list {list} int vertex_indices\nend_header\n"
+    )
+    .into_bytes();
+    let corners = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, coordinate, 0.0];
+    bytes.extend(corners.iter().flat_map(|value: &f32| value.to_le_bytes()));
+    bytes.extend(face);
+    bytes
+}
+
+/// A list of three corners, after its count in these bytes.
+fn list(count: &[u8]) -> Vec<u8> {
+    count.iter().copied().chain([0i32, 1, 2].iter().flat_map(|place| place.to_le_bytes())).collect()
+}
+
+/// A PNG whose header claims another size, with a correct checksum.
+fn claims(mut bytes: Vec<u8>, width: u32, height: u32) -> Vec<u8> {
+    bytes[16..20].copy_from_slice(&width.to_be_bytes());
+    bytes[20..24].copy_from_slice(&height.to_be_bytes());
+    let crc = !bytes[12..29].iter().fold(u32::MAX, |crc, byte| {
+        (0..8).fold(crc ^ u32::from(*byte), |crc, _| (crc >> 1) ^ (0xedb8_8320 * (crc & 1)))
+    });
+    bytes[29..33].copy_from_slice(&crc.to_be_bytes());
+    bytes
+}
+
+fn assert_each(geometry: &str, cases: &[(&str, &[u8], &[&str])]) {
+    let folder = Folder::new();
+    for (name, bytes, fragments) in cases {
+        folder.write(name, bytes);
+        folder.write("scene.toml", with_geometry(&geometry.replace("FILE", name)));
+        let start = Instant::now();
+        assert_fails(
+            &folder,
+            "basis --scene scene.toml --out new.bin",
+            &[&[*name][..], fragments].concat(),
+        );
+        assert!(start.elapsed().as_secs() < 20, "{name}");
+    }
+}
+
+#[test]
+fn lists_of_normals() {
+    assert_each(
+        "normals = \"FILE\"\n",
+        &[
+            ("cut.csv", b"x,y,z,weight\n0,0,1,1\n0,0,1", &["cut.csv:3:", "4 fields"]),
+            ("header.csv", b"a,b,c\n0,0,1\n", &["header.csv:1:"]),
+            ("foreign.csv", FOREIGN, &["UTF-8"]),
+            ("empty.csv", b"x,y,z\n", &["no normal"]),
+            ("nan.csv", b"x,y,z\n0,0,1\n0,nan,1\n", &["nan.csv:3:", "`nan`"]),
+            ("doubled.csv", b"x,y,z,z\n0,0,1,1\n", &["doubled.csv:1:", "column 4", "`z`"]),
+            ("infinite.csv", b"x,y,z,weight\n0,0,1,1e999\n", &["infinite.csv:2:", "`1e999`"]),
+        ],
+    );
+}
+
+#[test]
+fn wavefront_meshes() {
+    // Such a text has no end mark; only a line that is cut short shows.
+    let good = obj();
+    let last = good.rfind(' ').expect("a corner");
+    let with = |face: &str| format!("v 0 0 0\nv 1 0 0\nv 0 1 0\n{face}\n").into_bytes();
+    assert_each(
+        "normals = \"FILE\"\n",
+        &[
+            ("cut.obj", &good.as_bytes()[..last], &["fewer than three corners"]),
+            ("cut-corner.obj", b"v 0 0 0\nv 1 0 0\nv 0 1\nf 1 2 3\n", &["OBJ"]),
+            ("foreign.obj", FOREIGN, &["OBJ"]),
+            ("text.obj", b"hello\nworld\n", &["no triangle"]),
+            ("far.obj", &with("f 1 2 4000000000"), &["OBJ"]),
+            ("farther.obj", &with("f 1 2 99999999999999999999999"), &["OBJ"]),
+            ("negative.obj", &with("f 1 2 -9"), &["OBJ"]),
+            ("zero.obj", &with("f 0 1 2"), &["OBJ"]),
+            ("nan.obj", b"v 0 0 0\nv 1 0 0\nv 0 nan 0\nf 1 2 3\n", &["not finite"]),
+            ("infinite.obj", b"v 0 0 0\nv 1 0 0\nv 0 1e999 0\nf 1 2 3\n", &["not finite"]),
+        ],
+    );
+}
+
+#[test]
+fn binary_stereolithography() {
+    let good = stl();
+    let changed = |at: usize, with: &[u8]| {
+        let mut bytes = good.clone();
+        bytes[at..at + with.len()].copy_from_slice(with);
+        bytes
+    };
+    let foreign = FOREIGN.iter().cycle().take(400).copied().collect::<Vec<u8>>();
+    assert_each(
+        "normals = \"FILE\"\n",
+        &[
+            ("cut.stl", &good[..good.len() - 1], &["promise"]),
+            ("cut-head.stl", &good[..83], &["promise"]),
+            ("foreign.stl", &foreign, &["promise"]),
+            ("fewer.stl", &changed(80, &100u32.to_le_bytes()), &["5084 bytes"]),
+            ("tail.stl", &[&good[..], b"\0"].concat(), &["promise", "115285"]),
+            ("none.stl", &changed(80, &[0; 4])[..84], &["no triangle"]),
+            ("huge.stl", &changed(80, &[0xff; 4]), &["214748364834 bytes"]),
+            ("nan.stl", &changed(84 + 12, &f32::NAN.to_le_bytes()), &["facet 0", "not finite"]),
+            (
+                "infinite.stl",
+                &changed(134 + 16, &f32::INFINITY.to_le_bytes()),
+                &["facet 1", "not finite"],
+            ),
+        ],
+    );
+}
+
+#[test]
+fn texts_of_stereolithography() {
+    let with = |from: &str, to: &str| TEXT_STL.replace(from, to).into_bytes();
+    assert_each(
+        "normals = \"FILE\"\n",
+        &[
+            ("cut.stl", &TEXT_STL.as_bytes()[..60], &["endsolid"]),
+            ("cut-facet.stl", &with("vertex 0 1 0\n", ""), &["STL"]),
+            ("text.stl", "hello\n".repeat(60).as_bytes(), &["promise"]),
+            ("fragment.stl", &with("0 1 0", "0 one 0"), &["STL"]),
+            (
+                "tail.stl",
+                &with("endsolid one\n", "endsolid one\nand more\n"),
+                &["line 10", "and more"],
+            ),
+            ("nan.stl", &with("0 1 0", "0 nan 0"), &["finite"]),
+            ("infinite.stl", &with("0 1 0", "0 1e999 0"), &["finite"]),
+        ],
+    );
+}
+
+#[test]
+fn polygon_files() {
+    let text = ply();
+    let in_text = |from: &str, to: &str| text.replacen(from, to, 1).into_bytes();
+    let first = text.lines().nth(9).expect("a corner");
+    let whole = binary_ply("uchar", "3", 1.0, &list(&[3]));
+    assert_each(
+        "normals = \"FILE\"\n",
+        &[
+            ("cut.ply", &text.as_bytes()[..text.len() - 6], &["PLY"]),
+            ("cut-head.ply", &text.as_bytes()[..40], &["PLY"]),
+            ("foreign.ply", FOREIGN, &["PLY"]),
+            ("text.ply", b"hello\n", &["PLY", "magic"]),
+            ("huge.ply", &in_text("element face ", "element face 9999"), &["promise"]),
+            ("nan.ply", &in_text(first, "nan 0 0"), &["PLY"]),
+            ("infinite.ply", &in_text(first, "1e999 0 0"), &["not finite"]),
+            ("cut-binary.ply", &whole[..whole.len() - 4], &["PLY"]),
+            (
+                "huge-binary.ply",
+                &binary_ply("uchar", "18446744073709551615", 1.0, &[]),
+                &["promise"],
+            ),
+            ("long-list.ply", &binary_ply("uint", "3", 1.0, &list(&[0xff; 4])), &["PLY"]),
+            (
+                "negative-list.ply",
+                &binary_ply("int", "3", 1.0, &list(&[0xff; 4])),
+                &["PLY", "negative"],
+            ),
+            (
+                "tail.ply",
+                &in_text("", "").iter().chain(b"3 0 1 2\n").copied().collect::<Vec<u8>>(),
+                &["more follows"],
+            ),
+            ("fewer.ply", &in_text("element face 2304", "element face 2303"), &["more follows"]),
+            ("tail-binary.ply", &[&whole[..], b"\n"].concat(), &["more follows"]),
+            (
+                "two-corners.ply",
+                &binary_ply("uchar", "3", 1.0, &[2, 0, 0, 0, 0, 1, 0, 0, 0]),
+                &["fewer than three corners: it has 2"],
+            ),
+            ("no-corner.ply", &binary_ply("uchar", "3", 1.0, &[0, 0, 0, 0]), &["it has none"]),
+            ("nan-binary.ply", &binary_ply("uchar", "3", f32::NAN, &list(&[3])), &["not finite"]),
+        ],
+    );
+}
+
+/// Samples are integers, so all are finite.
+#[test]
+fn normal_maps() {
+    for bits in [BitDepth::Eight, BitDepth::Sixteen] {
+        let good = normal_map(bits);
+        assert_each(
+            "normals = \"FILE\"\n",
+            &[
+                ("cut.png", &good[..good.len() / 2], &["cut short"]),
+                ("cut-end.png", &good[..good.len() - 1], &["cut short"]),
+                ("foreign.png", b"no picture at all", &["not a PNG"]),
+                (
+                    "absurd.png",
+                    &claims(good.clone(), u32::MAX >> 1, u32::MAX >> 1),
+                    &["2147483647"],
+                ),
+                ("wide.png", &claims(good.clone(), 8000, 8000), &["8000 x 8000", "cannot hold"]),
+                ("none.png", &claims(good.clone(), 0, 64), &["none.png"]),
+            ],
+        );
+    }
+}
+
+#[test]
+fn densities() {
+    let many: String = (0..9002).map(|k| format!("{},1\n", 1.5e-4 * f64::from(k))).collect();
+    let many = format!("slant,density\n{many}");
+    assert_each(
+        "normals = \"slant-density\"\ndensity = \"FILE\"\n",
+        &[
+            ("cut.csv", b"slant,density\n0,1\n0.5", &["cut.csv:3:", "2 fields"]),
+            ("header.csv", b"a,b\n0,1\n1,1\n", &["header.csv:1:"]),
+            ("foreign.csv", FOREIGN, &["UTF-8"]),
+            ("many.csv", many.as_bytes(), &["9002 slants"]),
+            ("nan.csv", b"slant,density\n0,nan\n1,1\n", &["nan.csv:2:"]),
+            ("infinite.csv", b"slant,density\n0,1\n1,1e999\n", &["infinite.csv:3:"]),
+        ],
+    );
+    let folder = Folder::new();
+    let deep = |open: &str| open.repeat(100_000) + "a" + &")".repeat(100_000);
+    for (formula, fragment) in [
+        ("cos(a".to_owned(), "cos(a"),
+        ("%PNG".to_owned(), "%PNG"),
+        ("1/(a-a)".to_owned(), "slant"),
+        ("log(0*a)".to_owned(), "slant"),
+        (deep("("), "200001 letters"),
+        (deep("sin("), "500001 letters"),
+    ] {
+        let geometry = format!("normals = \"slant-density\"\ndensity = \"{formula}\"\n");
+        folder.write("scene.toml", with_geometry(&geometry));
+        let start = Instant::now();
+        assert_fails(&folder, "basis --scene scene.toml --out new.bin", &["density", fragment]);
+        assert!(start.elapsed().as_secs() < 20, "{fragment}");
+    }
+}
+
+#[test]
+fn scenes_of_bad_objects() {
+    let folder = Folder::new();
+    folder.write("short.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 2 3\n");
+    let mut wide = normal_map(png::BitDepth::Eight);
+    wide[16..24].copy_from_slice(&[0, 0, 0x40, 0, 0, 0, 0x40, 0]);
+    // The header's checksum.
+    wide[29..33].copy_from_slice(&[0xa9, 0xc8, 0x10, 0x84]);
+    folder.write("wide.png", &wide);
+    folder.write("back.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 3 2 1\n");
+    folder.write("n.png", normal_map(png::BitDepth::Eight));
+    let small = square_png(8, png::ColorType::Grayscale, png::BitDepth::Eight, &[1.0; 64]);
+    folder.write("small.png", small);
+    let black = square_png(64, png::ColorType::Grayscale, png::BitDepth::Eight, &[0.0; 64 * 64]);
+    folder.write("black.png", black);
+    let away = [0.5, 0.5, 0.0].repeat(64);
+    folder.write("away.png", square_png(8, png::ColorType::Rgb, png::BitDepth::Eight, &away));
+    folder.write("falls.csv", "slant,density\n0.5,1\n0.2,1\n");
+    folder.write("beyond.csv", "slant,density\n0.5,1\n2.2,1\n");
+    folder.write("one.csv", "slant,density\n0.5,1\n");
+    folder.write("weight.csv", "x,y,z,weight\n0,0,1,-1\n");
+    folder.write("weightless.csv", "x,y,z,weight\n0,0,1,0\n");
+    for (geometry, fragments) in [
+        ("normals = \"none.obj\"", &["none.obj"][..]),
+        ("normals = \"short.obj\"", &["short.obj", "line 5", "corners"]),
+        ("normals = \"wide.png\"", &["wide.png", "16384 x 16384"]),
+        ("normals = \"back.obj\"", &["back.obj", "no normal is visible"]),
+        ("normals = \"n.png\"\nmask = \"small.png\"", &["small.png", "8 x 8"]),
+        ("normals = \"n.png\"\nmask = \"black.png\"", &["n.png", "no normal is visible"]),
+        ("normals = \"away.png\"", &["away.png", "pixel 0, 0"]),
+        ("normals = \"sphere\"\nmask = \"n.png\"", &["mask"]),
+        ("normals = \"sphere\"\ndensity = \"cos(a)\"", &["density"]),
+        ("normals = \"slant-density\"", &["density"]),
+        ("normals = \"slant-density\"\ndensity = \"cos(\"", &["cos("]),
+        ("normals = \"slant-density\"\ndensity = \"1e308 cos(a)\"", &["is not a formula"]),
+        ("normals = \"slant-density\"\ndensity = \"1e999*cos(a)\"", &["is inf", "finite"]),
+        ("normals = \"slant-density\"\ndensity = \"cos(b)\"", &["variable `b`"]),
+        ("normals = \"slant-density\"\ndensity = \"-1\"", &["density"]),
+        ("normals = \"slant-density\"\ndensity = \"2^-a\"", &["parentheses"]),
+        ("normals = \"slant-density\"\ndensity = \"1/(a-a)\"", &["density"]),
+        ("normals = \"slant-density\"\ndensity = \"falls.csv\"", &["falls.csv:3:"]),
+        ("normals = \"slant-density\"\ndensity = \"beyond.csv\"", &["beyond.csv:3:"]),
+        ("normals = \"slant-density\"\ndensity = \"one.csv\"", &["one.csv"]),
+        ("normals = \"weight.csv\"", &["weight.csv:2:", "negative"]),
+        ("normals = \"weightless.csv\"", &["weightless.csv"]),
+        ("normals = \"cube\"", &["cube"]),
+    ] {
+        folder.write("scene.toml", with_geometry(&format!("{geometry}\n")));
+        assert_fails(&folder, "basis --scene scene.toml --out new.bin", fragments);
+    }
+}
+
+#[test]
+fn bad_weights() {
+    let folder = Folder::new();
+    for (weights, fragments) in [
+        ("nobody = 2.0", "nobody"),
+        ("light-1 = -1.0", "-1"),
+        ("light-1 = nan", "NaN"),
+        ("light-0 = 0.0\nlight-1 = 0.0\nlight-2 = 0.0", "weight 0"),
+    ] {
+        let text = scene("image-centered", 10, "[]");
+        folder.write("scene.toml", format!("{text}[light.weights]\n{weights}\n"));
+        assert_fails(&folder, "basis --scene scene.toml --out new.bin", &[fragments]);
+    }
+}

@@ -1,0 +1,319 @@
+//! `basis`: what a table stores, its comparison with a new one, and that it does not depend on the
+//! number of threads.
+
+use crate::PROGRAM;
+use crate::support::{
+    Folder, PAIR, assert_fails, difference, materials, numbers, repository, rows, scene,
+};
+use crate::tolerances;
+use eigenshade_table::{General, MeanImage, Table, decode, encode};
+use std::fs;
+use std::process::Command;
+
+const RENDER: &str = "render materials.bin --light lights.csv:light-0 \
+                      --material materials.csv:material-1 --size 8 --out r.png";
+const STORES: [&str; 3] = ["modes", "projection", "materials"];
+
+/// A folder with a table of each store and with materials in color.
+fn with_stores(criterion: &str) -> Folder {
+    let folder = Folder::new();
+    let color: String = materials(3, 4)
+        .lines()
+        .map(|line| match line.rsplit_once(',') {
+            Some((places, "value")) => format!("{places},r,g,b\n"),
+            Some((places, value)) => {
+                let value: f64 = value.parse().unwrap();
+                format!("{places},{value},{},{value}\n", 0.5 * value)
+            }
+            None => panic!("a row"),
+        })
+        .collect();
+    folder.write("materials.csv", color);
+    for store in STORES {
+        let scene = scene(criterion, 30, "[]") + &format!("store = \"{store}\"\n");
+        folder.write(&format!("{store}.toml"), scene);
+        folder.ok(&format!("basis --scene {store}.toml --out {store}.bin"));
+        folder.ok(&format!("basis --scene {store}.toml --check {store}.bin"));
+    }
+    folder
+}
+
+#[test]
+fn every_store_gives_the_same_images() {
+    for criterion in ["image-centered", "standard"] {
+        let folder = with_stores(criterion);
+        for format in ["f64", "f32"] {
+            let shaded = |store: &str| {
+                folder.shaded_by(&format!("{store}.bin"), &format!("--format {format}"))
+            };
+            let expected = shaded("modes");
+            let tolerance = match format {
+                "f64" => tolerances::DENSE_PROJECTION,
+                _ => tolerances::POLYNOMIAL_F32,
+            };
+            for store in STORES {
+                let worst = difference(&shaded(store), &expected);
+                assert!(worst <= tolerance, "{criterion}, {store}, {format}: {worst}");
+            }
+        }
+        let d = STORES.map(|store| folder.ok(&format!("project {store}.bin {PAIR}")));
+        let [expected, _, of_materials] =
+            d.map(|text| numbers(&rows(&text, "light,material,component,r,g,b"), 3));
+        assert!(difference(&of_materials, &expected) <= tolerances::DENSE_PROJECTION);
+        folder.ok(RENDER);
+    }
+}
+
+#[test]
+fn tables_store_what_their_scene_requests() {
+    let folder = with_stores("image-centered");
+    let sizes =
+        STORES.map(|store| fs::metadata(folder.path(&format!("{store}.bin"))).unwrap().len());
+    assert!(sizes.is_sorted_by(|a, b| a > b), "{sizes:?}");
+    let of_materials = folder.table("materials.bin");
+    // Each of the four materials has two different channels.
+    let degrees: usize = of_materials.profiles.iter().map(|one| 5 - one.azimuth).sum();
+    assert_eq!(of_materials.transfers.len(), 8);
+    assert!(of_materials.transfers.iter().all(|one| one.numbers.len() == degrees));
+    for (store, fragments) in [
+        ("modes", "U over modes, the factors of U^T M"),
+        ("projection", "U over modes is derived again from the scene"),
+        ("materials", "the transfers of the scene's materials; U and U^T M are derived again"),
+    ] {
+        assert!(folder.ok(&format!("info {store}.bin")).contains(fragments), "{store}");
+    }
+}
+
+#[test]
+fn other_materials_are_refused() {
+    let folder = with_stores("image-centered");
+    folder
+        .write("materials.csv", materials(3, 1).replace("material-0,0,0,0,", "material-0,0,0,0,1"));
+    let fragments = ["its scene's materials", "store = \"projection\""];
+    let shade = format!("shade materials.bin {PAIR} --normals normals.csv --out new.csv");
+    assert_fails(&folder, &shade, &fragments);
+    assert_fails(&folder, &format!("project materials.bin {PAIR} --out new.csv"), &fragments);
+    folder.ok(&format!("shade projection.bin {PAIR} --normals normals.csv"));
+}
+
+/// A table that does not store what its scene requests is damaged.
+#[test]
+fn contradictions_are_damage() {
+    let folder = with_stores("image-centered");
+    let of_materials = folder.table("materials.bin");
+    let whole = folder.table("modes.bin");
+    let mut transfer = of_materials.transfers[0].clone();
+    transfer.numbers.pop();
+    let broken = [
+        Table { scene: of_materials.scene.clone(), ..whole.clone() },
+        Table { scene: whole.scene.clone(), ..of_materials.clone() },
+        Table { transfers: of_materials.transfers.clone(), ..whole.clone() },
+        Table { transfers: vec![transfer], ..of_materials.clone() },
+        Table { gram: whole.gram.clone(), ..of_materials.clone() },
+        Table { profiles: whole.profiles.clone(), ..of_materials },
+    ];
+    for table in broken {
+        assert!(decode(&encode(&table)).is_err());
+    }
+    // --check finds a wrong transfer.
+    let mut off = folder.table("materials.bin");
+    off.transfers[3].numbers[2] += 1e-6;
+    folder.write("materials.bin", encode(&off));
+    let check = "basis --scene materials.toml --check materials.bin";
+    let output = folder.run(check);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("transfers differ"));
+}
+
+/// Tables of objects may leave U out as well; their pictures are the same.
+#[test]
+fn tables_of_objects_leave_modes_out() {
+    for (criterion, rotation) in [("image-centered", "any"), ("standard", "none")] {
+        let folder = Folder::new();
+        let whole = scene(criterion, 12, "[]")
+            .replace("normals = \"sphere\"", "normals = \"normals.csv\"")
+            .replace("rotation = \"any\"", &format!("rotation = \"{rotation}\""));
+        for store in STORES {
+            let text = whole.clone() + &format!("store = \"{store}\"\n");
+            folder.write(&format!("{store}.toml"), text);
+        }
+        for store in ["modes", "projection"] {
+            folder.ok(&format!("basis --scene {store}.toml --out {store}.bin"));
+            folder.ok(&format!("basis --scene {store}.toml --check {store}.bin"));
+        }
+        let [modes, projection] = ["modes.bin", "projection.bin"].map(|name| folder.table(name));
+        let general = |table: &Table| table.general.clone().expect("an object's");
+        assert!(general(&projection).modes.is_empty() && !general(&modes).modes.is_empty());
+        assert!(projection.profiles.iter().all(|profile| profile.modes.is_empty()));
+        assert!(encode(&projection).len() < encode(&modes).len());
+        // Everything else is equal.
+        let mut emptied = modes.clone();
+        emptied.scene = projection.scene.clone();
+        emptied.keep(std::iter::empty());
+        assert_eq!(emptied, projection);
+        let broken = Table { scene: projection.scene.clone(), ..modes };
+        assert!(decode(&encode(&broken)).is_err());
+
+        let shade = |store: &str| {
+            folder.ok(&format!("shade {store}.bin {PAIR} --normals normals.csv --format f64"))
+        };
+        assert_eq!(shade("projection"), shade("modes"));
+        let basis = "basis --scene materials.toml --out new.bin";
+        assert_fails(&folder, basis, &["store = \"materials\"", "store = \"projection\""]);
+    }
+}
+
+/// A folder with a changed table.
+fn altered(change: impl FnOnce(&mut Table)) -> Folder {
+    let folder = Folder::with_table();
+    let mut table = folder.table("b.bin");
+    change(&mut table);
+    folder.write("b.bin", encode(&table));
+    folder
+}
+
+fn assert_differs(folder: &Folder, what: &str) {
+    let arguments = "basis --scene scene.toml --check b.bin";
+    assert_fails(
+        folder,
+        arguments,
+        &["b.bin", what, "eigenshade basis --scene scene.toml --out b.bin"],
+    );
+    let text = String::from_utf8(folder.run(arguments).stdout).unwrap();
+    assert!(text.lines().any(|line| line.starts_with(what) && line.ends_with("OVER")), "{text}");
+}
+
+#[test]
+fn new_tables_pass() {
+    for criterion in ["image-centered", "standard"] {
+        let folder = Folder::new();
+        folder.write("scene.toml", scene(criterion, 30, "[]"));
+        folder.ok("basis --scene scene.toml --out b.bin");
+        let text = folder.ok("basis --scene scene.toml --check b.bin");
+        assert_eq!(text.lines().count(), 9, "{text}");
+        assert!(!text.contains("OVER"), "{text}");
+    }
+}
+
+#[test]
+fn an_altered_eigenvalue_is_found() {
+    let folder = altered(|table| {
+        let value = table.components[3].eigenvalue.as_mut().unwrap();
+        *value *= 1.0 + 1e-6;
+    });
+    assert_differs(&folder, "components' eigenvalues");
+    let folder = altered(|table| *table.spectrum[3].1.as_mut().unwrap() *= 1.0 + 1e-6);
+    assert_differs(&folder, "spectrum");
+}
+
+#[test]
+fn altered_profiles_are_found() {
+    let folder = altered(|table| table.profiles[0].node_values[5] += 1e-6);
+    assert_differs(&folder, "profiles at the nodes");
+    let folder = altered(|table| table.profiles[1].chebyshev[0] += 1e-6);
+    assert_differs(&folder, "polynomials");
+    let folder = altered(|table| table.profiles[1].factors[0] += 1e-6);
+    assert_differs(&folder, "rows of U^T M");
+    let folder = altered(|table| table.profiles[0].modes[0] += 1e-6);
+    assert_differs(&folder, "images A U");
+    let folder = altered(|table| table.gram.root_weights[2] += 1e-6);
+    assert_differs(&folder, "mode means e");
+}
+
+/// Polynomials of different lengths are compared as closely as others.
+#[test]
+fn polynomials_of_other_lengths_are_compared_term_by_term() {
+    let folder = altered(|table| table.profiles[1].chebyshev.push(1e-14));
+    folder.ok("basis --scene scene.toml --check b.bin");
+    let folder = altered(|table| table.profiles[1].chebyshev.push(1e-6));
+    assert_differs(&folder, "terms of one table only");
+    let folder = altered(|table| {
+        table.profiles[1].chebyshev.push(0.0);
+        table.profiles[1].chebyshev[0] += 1e-7;
+    });
+    assert_differs(&folder, "polynomials");
+    let folder = altered(|table| table.profiles[1].chebyshev.truncate(2));
+    assert_differs(&folder, "terms of one table only");
+}
+
+#[test]
+fn altered_means_are_found() {
+    let altered = |change: fn(&mut MeanImage), what| {
+        let folder = Folder::new();
+        folder.write("scene.toml", scene("standard", 30, "[]"));
+        folder.ok("basis --scene scene.toml --out b.bin");
+        let mut table = folder.table("b.bin");
+        change(table.mean.as_mut().unwrap());
+        folder.write("b.bin", encode(&table));
+        assert_differs(&folder, what);
+    };
+    altered(|mean| mean.chebyshev[1] += 1e-6, "polynomials");
+    altered(|mean| mean.coefficients[0] += 1e-6, "coefficients of the mean");
+}
+
+#[test]
+fn another_scene_is_reported() {
+    let folder = Folder::with_table();
+    folder.write("scene.toml", scene("image-centered", 9, "[]"));
+    let arguments = "basis --scene scene.toml --check b.bin";
+    assert_fails(&folder, arguments, &["b.bin", "another scene"]);
+}
+
+/// Tables of objects: eigenimages, their modes, and the projection.
+#[test]
+fn altered_objects_are_found() {
+    for (change, what) in [
+        (|one: &mut General| one.synthesis[3] += 0.1, "eigenimages drawn"),
+        (|one: &mut General| one.synthesis[3] += 0.1, "d of the eigenimages"),
+        (|one: &mut General| one.modes[3] += 0.1, "d of their modes"),
+        (|one: &mut General| one.projection[3] += 0.1, "rows of U^T M"),
+    ] as [(fn(&mut General), &str); 4]
+    {
+        let folder = Folder::new();
+        let scene = scene("image-centered", 12, "[]").replace("\"any\"", "\"vertical\"");
+        folder.write("scene.toml", scene);
+        folder.ok("basis --scene scene.toml --out b.bin");
+        folder.ok("basis --scene scene.toml --check b.bin");
+        let mut table = folder.table("b.bin");
+        change(table.general.as_mut().unwrap());
+        folder.write("b.bin", encode(&table));
+        assert_differs(&folder, what);
+    }
+}
+
+/// The environment variable with the number of threads.
+const VARIABLE: &str = "RAYON_NUM_THREADS";
+
+/// Every component of the shipped scene has the same order, sign and bits in every run and with any
+/// number of threads. Each azimuth and each profile is computed by one thread. With faer's feature
+/// `rayon` several threads would share a sum, and its last bits would depend on their number.
+#[test]
+fn tables_are_the_same_to_the_byte() {
+    let folder = Folder::new();
+    let inputs = repository().join("tables");
+    let text = fs::read_to_string(inputs.join("sphere.toml")).expect("the shipped scene");
+    let inputs = inputs.join("inputs").canonicalize().expect("the shipped inputs");
+    let line = |line: &str| match line.split_once(" = ") {
+        Some(("components", _)) => "components = 10000\n".to_owned(),
+        Some(("rank_cutoff", _)) => "rank_cutoff = 1e-13\n".to_owned(),
+        _ => format!("{line}\n"),
+    };
+    let text: String = text.lines().map(line).collect();
+    let text = text.replace("\"inputs/", &format!("\"{}/", inputs.display()));
+    folder.write("scene.toml", text);
+    let table = |threads: &str, name: &str| {
+        let output = Command::new(PROGRAM)
+            .current_dir(folder.path("."))
+            .env(VARIABLE, threads)
+            .args(["basis", "--scene", "scene.toml", "--out", name])
+            .output()
+            .expect("the program runs");
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        fs::read(folder.path(name)).expect("a table")
+    };
+    let first = table("1", "first.bin");
+    assert!(first.len() > 1 << 18, "{} bytes", first.len());
+    for (run, threads) in ["1", "2", "2", "3"].into_iter().enumerate() {
+        assert!(table(threads, &format!("{run}.bin")) == first, "{threads} threads, run {run}");
+    }
+}

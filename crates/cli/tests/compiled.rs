@@ -1,0 +1,343 @@
+//! Tables as Rust source and as wire files.
+
+use crate::support::{self, Folder, assert_fails, lights, materials, repository, scene};
+use crate::tolerances;
+use eigenshade_cli::messages::grouped;
+use eigenshade_model::database::{Lights, Materials};
+use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
+use eigenshade_shading::owned_basis::OwnedBasis;
+use eigenshade_shading::shader::{OwnedNormals, Shader};
+use eigenshade_table::quantize::{Format, QuantizedParts};
+use eigenshade_table::{Table, rust_quantised, rust_source};
+use std::fmt::Write;
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+use std::sync::OnceLock;
+
+/// The error of cubics through 48 knots, relative to the largest irradiance of four normals: the
+/// fourth power of 1/48, 2e-7, times a fourth derivative, and roundings of f32. Measured 1e-6 at
+/// degree 17.
+const SAMPLED_CUBIC: f32 = 2e-6;
+
+/// As [`SAMPLED_CUBIC`], for an object's image, which is a sum over the whole span, whose weakest
+/// polynomials are steep and cancel: twice the measured error.
+const SAMPLED_CUBIC_OBJECT: f32 = 5e-4;
+
+const NORMALS: [[f64; 3]; 4] =
+    [[0.0, 0.0, 1.0], [0.6, 0.0, 0.8], [-0.48, 0.6, 0.64], [0.28, -0.96, 0.0]];
+
+/// Name, geometry, rotation, degree, order, criterion, components, modes.
+type Kind = (&'static str, &'static str, &'static str, usize, usize, &'static str, usize, usize);
+
+const KINDS: [Kind; 7] = [
+    ("centered", "sphere", "any", 9, 7, "image-centered", 37, 0),
+    ("standard", "sphere", "any", 4, 3, "standard", 20, 0),
+    ("selected", "sphere", "any", 5, 4, "image-centered", 30, 200),
+    ("lambertian", "sphere", "any", 2, 0, "image-centered", 9, 0),
+    ("high", "sphere", "any", 17, 12, "image-centered", 60, 0),
+    ("object", "object.csv", "vertical", 4, 3, "image-centered", 25, 0),
+    ("captured", "object.csv", "none", 4, 3, "standard", 12, 0),
+];
+
+fn table(folder: &Folder, kind: &Kind) -> (Table, Lights, Materials) {
+    let (name, normals, rotation, degree, order, criterion, components, modes) = kind;
+    folder.write("lights.csv", lights(*degree, 3));
+    folder.write("materials.csv", materials(*order, 4));
+    folder.write("object.csv", "x,y,z\n0,0,1\n0.1,0.2,1\n1,0,1\n1,1,1\n0.5,-0.7,1\n-0.2,0.4,1\n");
+    folder.write(
+        "scene.toml",
+        format!(
+            "[geometry]\nnormals = \"{normals}\"\n\
+             [light]\ndegree = {degree}\ndatabase = \"lights.csv\"\nrotation = \"{rotation}\"\n\
+             [material]\norder = {order}\ndatabase = \"materials.csv\"\n\
+             [basis]\ncriterion = \"{criterion}\"\ncomponents = {components}\nmodes = {modes}\nknots = 48\n"
+        ),
+    );
+    let file = format!("{name}.bin");
+    folder.ok(&format!("basis --scene scene.toml --out {file}"));
+    let table = folder.table(&file);
+    let lights = read_lights(folder.path("lights.csv"), Some(*degree)).expect("lights");
+    let materials = read_materials(folder.path("materials.csv"), Some(*order)).expect("materials");
+    (table, lights, materials)
+}
+
+/// Code that prints, for each table, d by `project`, d by `transfer` and `relight`, the irradiance
+/// of the normals, and the largest error of sampled profiles.
+fn print_floats(names: &[&str], numbers: &[(Vec<f64>, Vec<f64>)]) -> String {
+    let mut text = String::new();
+    for (name, (light, material)) in names.iter().zip(numbers) {
+        writeln!(
+            text,
+            "{{
+    let light: &[f32] = &{light:?};
+    let material: &[f32] = &{material:?};
+    let light = eigenshade::Light::new({name}::DEGREE, light).unwrap();
+    let material = eigenshade::Material::new({name}::ORDER, material).unwrap();
+    let d = {name}::project(&light, &material).unwrap();
+    let transfer = {name}::transfer(&material).unwrap();
+    let relit = {name}::relight(&transfer, &light).unwrap();
+    let scene = {name}::collapse(&d).unwrap();
+    assert_eq!(d.len(), {name}::COMPONENTS);
+    let normals: [[f32; 3]; {}] = {NORMALS:?};
+    for value in d.iter().chain(&relit) {{ print!(\"{{value:?}} \"); }}
+    let sampled = {name}::lookup(&scene).unwrap();
+    assert_eq!({name}::KNOTS, 48);
+    let mut error = 0.0f32;
+    for [x, y, z] in normals {{
+        let normal = eigenshade::Normal::new(x, y, z).unwrap();
+        error = error.max((sampled.cubic(normal) - scene.shade(normal)).abs());
+        print!(\"{{:?}} \", scene.shade(normal));
+    }}
+    println!(\"{{error:?}}\");
+}}",
+            NORMALS.len(),
+        )
+        .expect("text");
+    }
+    text
+}
+
+/// Luminance, rounded to f32.
+fn rounded(values: Vec<f64>) -> Vec<f64> {
+    values.into_iter().map(|value| f64::from(value as f32)).collect()
+}
+
+/// Degree and order of the tables in integers.
+const SIZES: [(usize, usize); 6] = [(2, 0), (4, 0), (3, 1), (9, 1), (5, 2), (2, 3)];
+
+/// Compares the generated functions of the module `NAME`, in the format `KIND` of `BITS` bits, with
+/// the general ones.
+const COMPARE_INTEGERS: &str = r#"
+{
+    use eigenshade::quantised::{Light, Material, Normal};
+    use eigenshade::KIND;
+    let lights = NAME::DEGREE + 1;
+    let (mut brightest, mut images) = (0, 0);
+    for seed in 1..40_u32 {
+        let mut state = seed;
+        let mut number = || {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            KIND(((i64::from(state as i32) * 32_767) >> (62 + 1 - 31 - (BITS - 15))) as _)
+        };
+        // The first coefficient is as large as possible, so that its product is the largest.
+        let mut material: Vec<KIND> = (0..MATERIAL).map(|_| number()).collect();
+        let mut light: Vec<KIND> = (0..lights * lights).map(|_| number()).collect();
+        if seed % 2 == 0 {
+            material[0] = KIND(if seed % 4 == 0 { -1 } else { 1 } * (((1_i64 << BITS) - 1) as i32 as INT));
+            light[0] = material[0];
+        }
+        for rise in [0_i8, 3, -2] {
+            let exponents: Vec<i8> = (0..=NAME::ORDER as i8).map(|o| rise * o - 4).collect();
+            let material = Material::new(NAME::ORDER, &exponents, &material).unwrap();
+            let light = Light::new(NAME::DEGREE, 1, &light).unwrap();
+            let transfer = NAME::fold(&material).unwrap();
+            let general = NAME::BASIS
+                .fold::<{ NAME::WORKSPACE }, { NAME::TRANSFER }, { NAME::PROFILES }>(&material);
+            assert_eq!(transfer, general.unwrap(), "NAME, fold, {seed}, {rise}");
+            let d = NAME::relight(&transfer.view(), &light).unwrap();
+            let general = NAME::BASIS.relight::<{ NAME::COMPONENTS }>(&transfer.view(), &light);
+            assert_eq!(d, general.unwrap(), "NAME, relight, {seed}, {rise}");
+            let scene = NAME::collapse(&d).unwrap();
+            let general = NAME::BASIS.collapse::<{ NAME::SCENE }>(d.mantissas(), d.exponent()).unwrap();
+            assert_eq!(scene.exponent(), general.exponent(), "NAME, collapse, {seed}, {rise}");
+            let half = KIND((1_i64 << (BITS - 1)) as INT);
+            let aslant = KIND(((1_i64 << BITS) as f64 * 0.75_f64.sqrt()) as INT);
+            for normal in [[half, KIND(0), aslant], [KIND(0), KIND(-half.0), aslant], [-aslant.0, 0, half.0].map(KIND)] {
+                let normal = Normal::<KIND>::new(normal[0], normal[1], normal[2]).unwrap();
+                let pixel = NAME::shade(&scene, normal);
+                assert_eq!(pixel, general.shade(normal), "NAME, pixel, {seed}, {rise}");
+                brightest = brightest.max(pixel.unsigned_abs());
+                images += 1;
+            }
+        }
+    }
+    println!("NAME {images} {brightest}");
+}
+"#;
+
+/// The compiled program: what it printed, and what it should print for each table in floats.
+struct Compiled {
+    lines: Vec<String>,
+    /// d and the image of each of [`KINDS`].
+    expected: Vec<(Vec<f32>, Vec<f32>)>,
+}
+
+/// Compiles the source of all tables in one program and runs it, once for all tests.
+fn compiled() -> &'static Compiled {
+    static COMPILED: OnceLock<Compiled> = OnceLock::new();
+    COMPILED.get_or_init(|| {
+        let folder = Folder::new();
+        let mut files = Vec::new();
+        let (mut expected, mut numbers) = (Vec::new(), Vec::new());
+        for kind in &KINDS {
+            let (table, lights, materials) = table(&folder, kind);
+            files.push((kind.0.to_owned(), rust_source::module(&table, "a test")));
+            let light = rounded(lights.entries[1].luminance());
+            let material = rounded(materials.entries[2].luminance());
+            let owned = OwnedBasis::<f32>::new(&table);
+            let mut shader = Shader::new(owned.any().expect("a basis"), usize::MAX);
+            let (of_light, of_material) =
+                ((lights.degree, light.as_slice()), (materials.order, material.as_slice()));
+            let d = shader.project(of_light, of_material).expect("d").to_vec();
+            let normals = OwnedNormals::new(&NORMALS);
+            let image = shader.polynomial(of_light, of_material, &normals).expect("an image");
+            expected.push((d, image));
+            numbers.push((light, material));
+        }
+        let names: Vec<&str> = KINDS.iter().map(|kind| kind.0).collect();
+        let mut body = print_floats(&names, &numbers);
+        for (degree, order) in SIZES {
+            let small = ("small", "sphere", "any", degree, order, "image-centered", 30, 0);
+            let (table, ..) = self::table(&folder, &small);
+            for (format, kind, bits, int) in
+                [(Format::Q15, "Q15", "15", "i16"), (Format::Q31, "Q31", "31", "i32")]
+            {
+                let name = format!("of_{degree}_{order}_{bits}");
+                let parts = QuantizedParts::new(&table, format, format.tolerance()).expect("parts");
+                files.push((name.clone(), rust_quantised::module(&parts, "a test")));
+                let count = eigenshade_index::material::count(order).to_string();
+                let program = COMPARE_INTEGERS.replace("NAME", &name).replace("KIND", kind);
+                let program = program.replace("BITS", bits).replace("INT", int);
+                body += &program.replace("MATERIAL", &count);
+            }
+        }
+        let text = output_of(&files, &body);
+        Compiled { lines: text.lines().map(str::to_owned).collect(), expected }
+    })
+}
+
+/// Compiles a program of these modules and this body of `main`, in a folder that keeps the compiled
+/// dependencies for the next run, and returns what it prints.
+fn output_of(modules: &[(String, String)], body: &str) -> String {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("compiled_tables");
+    fs::create_dir_all(folder.join("src")).expect("a folder");
+    let write = |name: &str, text: &str| fs::write(folder.join(name), text).expect("a file");
+    let mut main = String::new();
+    for (name, source) in modules {
+        write(&format!("src/{name}.rs"), source);
+        writeln!(main, "mod {name} {{ include!(\"{name}.rs\"); }}").expect("text");
+    }
+    write("src/main.rs", &format!("{main}fn main() {{{body}}}\n"));
+    // The workspace's versions of the dependencies, which are on this machine.
+    let lock = fs::read_to_string(repository().join("Cargo.lock")).expect("a lock file");
+    write("Cargo.lock", &lock);
+    let runtime = repository().canonicalize().expect("a path");
+    write(
+        "Cargo.toml",
+        &format!(
+            "[package]\nname = \"compiled-tables\"\nversion = \"0.1.0\"\nedition = \"2024\"\n\
+             [workspace]\n[dependencies]\n\
+             eigenshade = {{ path = {runtime:?}, default-features = false }}\n\
+             [profile.dev]\ndebug = false\n"
+        ),
+    );
+    let output = Command::new(env!("CARGO"))
+        .args(["run", "--quiet", "--offline"])
+        .current_dir(&folder)
+        .env("CARGO_TARGET_DIR", folder.join("target"))
+        .output()
+        .expect("cargo runs");
+    let errors = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{errors}");
+    String::from_utf8(output.stdout).expect("text")
+}
+
+/// The generated source of tables of many kinds gives what the same tables give when they are read
+/// at run time.
+#[test]
+fn compiled_tables_agree_with_tables_that_are_read() {
+    let Compiled { lines, expected } = compiled();
+    assert_eq!(lines.len(), KINDS.len() + 2 * SIZES.len());
+    for ((line, (d, image)), (name, normals, ..)) in lines.iter().zip(expected).zip(KINDS) {
+        let mut found: Vec<f32> =
+            line.split_whitespace().map(|number| number.parse().expect("a number")).collect();
+        let cubic = found.pop().expect("the last number");
+        let expected: Vec<f32> = d.iter().chain(d).chain(image).copied().collect();
+        assert_eq!(found.len(), expected.len(), "{name}");
+        let peak = image.iter().fold(0.0f32, |most, value| most.max(value.abs()));
+        let allowed = if normals == "sphere" { SAMPLED_CUBIC } else { SAMPLED_CUBIC_OBJECT };
+        let error = cubic / peak;
+        println!("{name}: the error of cubics is {error:.1e} of the peak");
+        assert!(error <= allowed, "{name}: the error of cubics is {error:e}");
+        let largest = expected.iter().fold(0.0f32, |most, value| most.max(value.abs()));
+        for (k, (found, expected)) in found.iter().zip(&expected).enumerate() {
+            let error = (found - expected).abs() / largest;
+            assert!(error <= tolerances::SAME_SUM_F32, "{name}, number {k}: {found} {expected}");
+        }
+    }
+}
+
+/// The generated functions of small tables in integers give, bit for bit, what the general ones
+/// give.
+#[test]
+fn compiled_integers_agree_with_the_general_functions() {
+    let lines = &compiled().lines[KINDS.len()..];
+    assert_eq!(lines.len(), 2 * SIZES.len());
+    for line in lines {
+        let numbers: Vec<u64> =
+            line.split(' ').skip(1).map(|n| n.parse().expect("a number")).collect();
+        assert!(numbers[0] > 300 && numbers[1] > 1 << 12, "black images: {line}");
+    }
+}
+
+#[test]
+fn info_describes_wire_files() {
+    let folder = Folder::with_table();
+    for format in ["f32", "q15", "q31"] {
+        let summary = folder.ok(&format!("pack b.bin --format {format} --out w.esw"));
+        let bytes = fs::read(folder.path("w.esw")).unwrap();
+        assert!(bytes.starts_with(b"EIGSWIRE"));
+        let length = grouped(bytes.len());
+        let (bytes, error) = summary.split_once('\n').expect("two lines");
+        assert_eq!(bytes, format!("bytes        {length}"));
+        assert!(error.starts_with("error        ") && error.contains("of the peak"), "{error}");
+        let description = folder.ok("info w.esw");
+        for line in [
+            "wire version             1".to_owned(),
+            format!("format                   {format}"),
+            format!("degree                   {}", support::DEGREE),
+            format!("order                    {}", support::ORDER),
+            format!("file                     {length:>9} bytes"),
+        ] {
+            assert!(description.lines().any(|found| found == line), "no `{line}` in {description}");
+        }
+    }
+}
+
+#[test]
+fn tables_without_a_wire_file_are_refused() {
+    let folder = Folder::with_table();
+    folder.write("scene.toml", scene("standard", 10, "[]"));
+    folder.ok("basis --scene scene.toml --out mean.bin");
+    folder.ok("pack mean.bin --out w.esw");
+    for format in ["q15", "q31"] {
+        let arguments = format!("pack mean.bin --format {format} --out v.esw");
+        assert_fails(&folder, &arguments, &["mean.bin: ", "mean image", "image-centered"]);
+    }
+    let stored = scene("image-centered", 10, "[]") + "store = \"materials\"\n";
+    folder.write("scene.toml", stored);
+    folder.ok("basis --scene scene.toml --out folded.bin");
+    assert_fails(
+        &folder,
+        "pack folded.bin --out v.esw",
+        &["folded.bin: ", "store = \"projection\""],
+    );
+    assert_fails(&folder, "pack scene.toml --out v.esw", &["not an eigenshade table"]);
+    assert_fails(&folder, "pack b.bin --out none/v.esw", &["none/v.esw", "folder exists"]);
+}
+
+#[test]
+fn damaged_wire_files_are_refused() {
+    let folder = Folder::with_table();
+    folder.ok("pack b.bin --out w.esw");
+    let bytes = fs::read(folder.path("w.esw")).unwrap();
+    folder.write("short.esw", &bytes[..200]);
+    assert_fails(&folder, "info short.esw", &["short.esw: ", "200 found", "take all"]);
+    let mut damaged = bytes;
+    damaged[300] ^= 1;
+    folder.write("damaged.esw", &damaged);
+    assert_fails(&folder, "info damaged.esw", &["damaged.esw: ", "checksum"]);
+    folder.ok("pack b.bin --big-endian --out big.esw");
+    assert_fails(&folder, "info big.esw", &["big.esw: ", "byte order", "--big-endian"]);
+}

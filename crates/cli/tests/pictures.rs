@@ -1,0 +1,213 @@
+//! Pictures: reading them, the transfer functions of PNG files, and the normals of a sphere.
+
+use crate::support::files::{answer, get, nearest, png};
+use crate::support::{Folder, repository};
+use crate::tolerances;
+use eigenshade_cli::picture::{SphereView, linear};
+use eigenshade_cli::reading::linear_image::{LinearImage, Transfer};
+use eigenshade_shading::sphere_rings::rings;
+use png::chunk::ChunkType;
+use png::{BitDepth, ColorType, Encoder, ScaledFloat, SrgbRenderingIntent};
+use std::fs;
+
+/// d of an image and normals in 16 bits against d of an image in 8 bits of sRGB and exact normals,
+/// relative to the largest: half a step of 2^-16 in normals, more at the rim.
+const READ_SIXTEEN_BITS: f64 = 5e-4;
+
+/// Share of the energy that 50 components leave of a picture in 8 bits: 3 % in amplitude.
+const READ_PICTURE: f64 = 1e-3;
+
+#[test]
+fn pictures_of_velvet() {
+    let folder = Folder::new();
+    let tables = repository().join("tables");
+    let (table, lights) = (tables.join("sphere.bin"), tables.join("inputs/lights.csv"));
+    let materials = tables.join("inputs/materials.csv");
+    let (table, lights, materials) = (table.display(), lights.display(), materials.display());
+    folder.ok(&format!(
+        "render {table} --light {lights}:park --material {materials}:07-velvet --size 96 --out v.png"
+    ));
+    let read = |arguments: &str| {
+        let output = folder.run(&format!("read {arguments} --table {table}"));
+        let message = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(output.status.success(), "{arguments}: {message}");
+        (answer(&String::from_utf8(output.stdout).unwrap()), message)
+    };
+    // 8 bits of sRGB, transparent around, a hundredth of it clipped.
+    let (sphere, message) = read("v.png --normals sphere");
+    assert_eq!(nearest(&sphere), "07-velvet", "{message}");
+    assert!(message.contains("v.png: 9216 pixels, ") && message.contains(" clipped"), "{message}");
+    assert!(get(&sphere, "relative-residual", "posterior")[0][0] < READ_PICTURE);
+
+    // The same in 16 linear bits, with the normals as a map and a mask of half.
+    let file = fs::File::open(folder.path("v.png")).unwrap();
+    let mut reader = png::Decoder::new(std::io::BufReader::new(file)).read_info().unwrap();
+    let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
+    reader.next_frame(&mut bytes).unwrap();
+    let (mut samples, mut map, mut mask) = (Vec::new(), Vec::new(), Vec::new());
+    for (place, pixel) in bytes.chunks_exact(4).enumerate() {
+        let (x, y) = ((place % 96) as f64 - 47.5, 47.5 - (place / 96) as f64);
+        let (x, y) = (x / 47.5, y / 47.5);
+        let square = 1.0 - x * x - y * y;
+        let normal = if square > 0.0 { [x, y, square.sqrt()] } else { [0.0; 3] };
+        for (channel, n) in pixel.iter().zip(normal) {
+            let value = linear(f64::from(*channel) / 255.0);
+            samples.extend(((65535.0 * value).round() as u16).to_be_bytes());
+            map.extend(((65535.0 * (0.5 + 0.5 * n)).round() as u16).to_be_bytes());
+        }
+        mask.push(if x < 0.5 { 255 } else { 0 });
+    }
+    folder.write("linear.png", png(96, 96, BitDepth::Sixteen, ColorType::Rgb, &samples));
+    folder.write("map.png", png(96, 96, BitDepth::Sixteen, ColorType::Rgb, &map));
+    folder.write("mask.png", png(96, 96, BitDepth::Eight, ColorType::Grayscale, &mask));
+    let (mapped, _) = read("linear.png --normals map.png");
+    let pairs = [&sphere, &mapped].map(|found| get(found, "d", "posterior"));
+    let largest = pairs[0][0][0].abs();
+    let both = pairs[0].iter().flatten().zip(pairs[1].iter().flatten());
+    let far = both.fold(0.0f64, |most, (a, b)| most.max((a - b).abs())) / largest;
+    println!("16 bits: {far:.1e}");
+    assert!(far <= READ_SIXTEEN_BITS, "{far:e}");
+    let (masked, message) = read("linear.png --normals map.png --mask mask.png");
+    let counts = [&mapped, &masked].map(|found| get(found, "fit", "pixels")[0][0]);
+    assert!(counts[1] < 0.85 * counts[0] && counts[1] > 0.7 * counts[0], "{counts:?} {message}");
+    // A table without its databases uses the shipped ones.
+    fs::copy(repository().join("tables/sphere.bin"), folder.path("alone.bin")).unwrap();
+    let alone = answer(&folder.ok("read v.png --normals sphere --table alone.bin"));
+    assert_eq!(alone, sphere);
+    // Read as linear, the 8 bits of sRGB are another image.
+    let (wrong, _) = read("v.png --normals sphere --transfer linear");
+    assert!((get(&wrong, "d", "posterior")[0][0] / largest - 1.0).abs() > 0.1);
+    // Noise and components from options.
+    let (fewer, _) = read("v.png --normals sphere --components 9 --noise 0.01");
+    assert_eq!(get(&fewer, "d", "posterior").len(), 9);
+    assert!(get(&fewer, "fit", "noise")[0][0] > 0.01);
+}
+
+/// Half of full scale, less a half.
+const SAMPLE: [u8; 2] = [127, 255];
+
+/// What a PNG declares.
+#[derive(Clone, Copy, Debug, Default)]
+struct Declared {
+    srgb: bool,
+    gamma: Option<u32>,
+    profile: bool,
+    points: Option<u8>,
+}
+
+fn picture(depth: BitDepth, declared: Declared) -> Vec<u8> {
+    let mut file = Vec::new();
+    let mut encoder = Encoder::new(&mut file, 1, 1);
+    encoder.set_depth(depth);
+    encoder.set_color(ColorType::Grayscale);
+    if let Some(gamma) = declared.gamma {
+        encoder.set_source_gamma(ScaledFloat::from_scaled(gamma));
+    }
+    if declared.srgb {
+        encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
+    }
+    let mut writer = encoder.write_header().unwrap();
+    if declared.profile {
+        // Its contents are not a profile, and must not be read.
+        writer.write_chunk(ChunkType(*b"iCCP"), b"name\0\0rubbish").unwrap();
+    }
+    if let Some(points) = declared.points {
+        writer.write_chunk(ChunkType(*b"cICP"), &[1, points, 0, 1]).unwrap();
+    }
+    let bytes = if depth == BitDepth::Sixteen { &SAMPLE[..] } else { &SAMPLE[..1] };
+    writer.write_image_data(bytes).unwrap();
+    writer.finish().unwrap();
+    file
+}
+
+#[test]
+fn curves_are_those_that_files_declare() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("one.png");
+    let (eight, sixteen) = (BitDepth::Eight, BitDepth::Sixteen);
+    let (linear, srgb) = (Ok(Transfer::Linear), Ok(Transfer::Srgb));
+    let nothing = Declared::default();
+    let gamma = |value| Declared { gamma: Some(value), ..nothing };
+    let profile = Declared { profile: true, ..nothing };
+    let points = |value| Declared { points: Some(value), ..nothing };
+    for (depth, declared, expected) in [
+        (eight, nothing, srgb),
+        (sixteen, nothing, linear),
+        (sixteen, Declared { srgb: true, ..nothing }, srgb),
+        (eight, gamma(100_000), linear),
+        (sixteen, gamma(100_000), linear),
+        (eight, gamma(45_455), srgb),
+        (sixteen, gamma(45_455), srgb),
+        (sixteen, gamma(45_454), srgb),
+        (eight, gamma(55_556), Err("gAMA chunk is 0.55556")),
+        (sixteen, gamma(50_000), Err("gAMA chunk is 0.5,")),
+        // Meaningless; by the format it is ignored.
+        (sixteen, gamma(0), linear),
+        (eight, profile, Err("color profile")),
+        (sixteen, profile, Err("color profile")),
+        (eight, Declared { gamma: Some(100_000), ..profile }, Err("color profile")),
+        (sixteen, Declared { srgb: true, ..profile }, srgb),
+        (eight, points(8), linear),
+        (sixteen, points(13), srgb),
+        (eight, points(16), Err("cICP chunk has the transfer 16")),
+    ] {
+        std::fs::write(&path, picture(depth, declared)).unwrap();
+        let stored = match depth {
+            BitDepth::Sixteen => f64::from(u16::from_be_bytes(SAMPLE)) / 65535.0,
+            _ => f64::from(SAMPLE[0]) / 255.0,
+        };
+        let of = |transfer| match transfer {
+            Transfer::Linear => stored,
+            Transfer::Srgb => ((stored + 0.055) / 1.055).powf(2.4),
+        };
+        let value = |image: LinearImage| image.pixels[0][0];
+        match (LinearImage::read(&path, None), expected) {
+            (Ok(image), Ok(transfer)) => {
+                let (found, expected) = (value(image), of(transfer));
+                assert!((found - expected).abs() < 1e-9, "{declared:?}: {found}, not {expected}");
+            }
+            (Err(error), Err(fragment)) => {
+                let line = error.to_string();
+                for fragment in [fragment, "one.png", "; ", "--transfer"] {
+                    assert!(line.contains(fragment), "{declared:?}: {line}");
+                }
+                assert_eq!(line.lines().count(), 1);
+            }
+            (found, expected) => panic!("{declared:?}: {found:?}, not {expected:?}"),
+        }
+        // The option has precedence over the file.
+        for transfer in [Transfer::Linear, Transfer::Srgb] {
+            let found = value(LinearImage::read(&path, Some(transfer)).unwrap());
+            assert!((found - of(transfer)).abs() < 1e-9, "{declared:?} as {transfer:?}: {found}");
+        }
+    }
+}
+
+/// A mean over midpoints between rings: a quarter of the square of the step.
+const RING_MIDPOINTS: f64 = 1e-4;
+
+/// Squared length of a unit normal: some roundings.
+const UNIT_LENGTH: f64 = 1e-15;
+
+/// ∫ cos α cos(α)/π dω = 2/3 over the disc.
+#[test]
+fn shares_are_those_of_the_disc() {
+    let rings = rings(0.02);
+    let sum = |of: fn(f64) -> f64| -> f64 {
+        rings.iter().map(|ring| ring.weight * ring.tilts.len() as f64 * of(ring.slant)).sum()
+    };
+    assert!((sum(|_| 1.0) - 1.0).abs() < tolerances::RING_SHARES);
+    assert!((sum(f64::cos) - 2.0 / 3.0).abs() < RING_MIDPOINTS);
+}
+
+#[test]
+fn normals_are_unit_and_up_is_y() {
+    let view = SphereView::new(33);
+    for n in &view.normals {
+        let square: f64 = n.iter().map(|c| c * c).sum();
+        assert!((square - 1.0).abs() < UNIT_LENGTH && n[2] >= 0.0);
+    }
+    assert!(view.normals[0][1] > 0.9 && view.pixels[0].row == 0);
+    let middle = view.pixels.iter().position(|p| (p.column, p.row) == (16, 16)).unwrap();
+    assert_eq!(view.normals[middle], [0.0, 0.0, 1.0]);
+}

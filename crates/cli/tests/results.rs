@@ -1,0 +1,229 @@
+//! Results that are refused because a number format has no room for them, and warnings and notes
+//! about doubtful ones.
+
+use crate::support::files::{READ, with_image};
+use crate::support::{
+    DEGREE, Folder, ORDER, SHADED, assert_fails, lights, materials, numbers, rows,
+};
+use crate::tolerances;
+use eigenshade_index::light;
+use eigenshade_table::encode;
+use std::f64::consts::PI;
+
+const SHADE: &str =
+    "shade b.bin --lights lights.csv --materials materials.csv --normals normals.csv";
+
+/// The last channel of every row times 10 to a power.
+fn times(text: &str, power: &str) -> String {
+    let (header, rest) = text.split_once('\n').unwrap();
+    let rows: String = rest.lines().map(|line| format!("{line}e{power}\n")).collect();
+    format!("{header}\n{rows}")
+}
+
+fn with_light(power: &str) -> Folder {
+    let folder = Folder::with_table();
+    folder.write("lights.csv", times(&lights(DEGREE, 1), power));
+    folder
+}
+
+#[test]
+fn images_beyond_a_format_are_refused() {
+    let folder = with_light("300");
+    let fragments = ["light `light-0` on material `material-0`", "the range of", "toward", "e300"];
+    for options in [
+        "--format f32",
+        "--format f32 --clamp",
+        "--format f32 --method eigen",
+        "--format f32 --method table",
+        "--format f32 --method table --interpolation linear",
+        "--format f32 --method baked",
+        "--format f32 --method baked --interpolation nearest",
+        "--format f32 --tolerance 1e-3",
+        "--format q15",
+        "--format q31",
+    ] {
+        let format = options.split(' ').nth(1).unwrap();
+        let fragments = [&fragments[..], &[format]].concat();
+        assert_fails(&folder, &format!("{SHADE} {options} --out new.csv"), &fragments);
+    }
+    let render = "render b.bin --light lights.csv --material materials.csv:material-0";
+    assert_fails(&folder, &format!("{render} --out new.png"), &fragments);
+    // f64 has the range.
+    let found = folder.ok(&format!("{SHADE} --format f64"));
+    let values = numbers(&rows(&found, SHADED), 1);
+    assert!(values.iter().all(|value| value.is_finite()) && values.iter().any(|&v| v > 1e299));
+}
+
+#[test]
+fn products_beyond_f64_are_refused() {
+    let folder = with_light("300");
+    folder.write("materials.csv", times(&materials(ORDER, 1), "10"));
+    let fragments = ["light `light-0` on material `material-0`", "f64", "e300", "e10", "toward"];
+    for options in ["--format f64", "--method modes", "--method modes --clamp"] {
+        assert_fails(&folder, &format!("{SHADE} {options} --out new.csv"), &fragments);
+    }
+    let project = "project b.bin --lights lights.csv --materials materials.csv";
+    assert_fails(&folder, &format!("{project} --out new.csv"), &fragments);
+}
+
+/// The range of coefficients of lights and materials ends at 2^127 times the largest mantissa.
+#[test]
+fn integers_are_right_up_to_the_size_at_which_they_saturate() {
+    for (format, right, too_large, tolerance) in
+        [("q15", "41", "43", tolerances::SHADED_Q15), ("q31", "46", "48", tolerances::SHADED_Q31)]
+    {
+        let folder = with_light(right);
+        let shaded = |format: &str| {
+            let text = folder.ok(&format!("{SHADE} --format {format}"));
+            numbers(&rows(&text, SHADED), 1)
+        };
+        let (found, expected) = (shaded(format), shaded("f64"));
+        let peak = expected.iter().fold(0.0f64, |most, value| most.max(value.abs()));
+        let squares = found.iter().zip(&expected).map(|(a, b)| ((a - b) / peak).powi(2));
+        let rms = (squares.sum::<f64>() / found.len() as f64).sqrt();
+        assert!(rms <= tolerance, "{format}: {rms:e}");
+        folder.write("lights.csv", times(&lights(DEGREE, 1), too_large));
+        let shade = format!("{SHADE} --format {format} --out new.csv");
+        assert_fails(&folder, &shade, &["light-0", format, "toward"]);
+        folder.write("lights.csv", lights(DEGREE, 1));
+        folder.write("materials.csv", times(&materials(ORDER, 1), too_large));
+        assert_fails(&folder, &shade, &["material-0", format, "toward"]);
+    }
+}
+
+/// A wire file has the mean image, which is as large as the images.
+#[test]
+fn a_wire_file_beyond_f32_is_refused() {
+    let folder = Folder::new();
+    let standard = folder
+        .read("scene.toml")
+        .replace("image-centered", "standard")
+        .replace("rotation = \"any\"", "rotation = \"any\"\nnormalize = \"none\"");
+    folder.write("scene.toml", standard);
+    folder.write("lights.csv", times(&lights(DEGREE, 3), "50"));
+    folder.ok("basis --scene scene.toml --out b.bin");
+    assert_fails(&folder, "pack b.bin --out new.esw", &["b.bin", "f32", "toward"]);
+}
+
+const RENDER: &str = "render b.bin --light lights.csv:light-0 --material materials.csv:material-0 \
+                      --size 16 --out p.png";
+
+#[test]
+fn materials_with_impossible_albedo() {
+    let folder = Folder::with_table();
+    let project = "project b.bin --lights lights.csv --materials materials.csv";
+    for command in [SHADE, RENDER, project] {
+        assert_eq!(folder.messages(command), "", "{command}");
+    }
+    // b_00^0 / 2 is the albedo where b_20^0 and b_22^0 are zero.
+    let scene = folder.read("scene.toml").replace("order = 3", "order = 0");
+    folder.write("scene.toml", scene);
+    for (b, fragments) in [
+        ("3.7", ["`material-0` has albedo 1.8500", "more light than it receives"]),
+        ("-0.2", ["`material-0` has albedo -0.1000", "a negative amount"]),
+    ] {
+        let header = "name,o,p,q,value";
+        let rows = format!("{header}\nmaterial-0,0,0,0,{b}\nmaterial-1,0,0,0,1\n");
+        folder.write("materials.csv", rows);
+        let basis = "basis --scene scene.toml --out new.bin";
+        for command in [SHADE, RENDER, project, basis] {
+            let message = folder.messages(command);
+            let warned: Vec<&str> =
+                message.lines().filter(|line| line.starts_with("warning: ")).collect();
+            assert_eq!(warned.len(), 1, "{command}: {message}");
+            for fragment in fragments {
+                assert!(warned[0].contains(fragment), "{command}: no `{fragment}` in {message}");
+            }
+        }
+    }
+}
+
+#[test]
+fn measurements_below_zero() {
+    let folder = Folder::new();
+    let measured = |lowest: f64| {
+        format!("theta_i,phi_i,theta_r,phi_r,value\n0.1,0,0.2,0,0.1\n0.3,1,0.2,0,{lowest}\n")
+    };
+    folder.write("m.csv", measured(-0.004));
+    assert!(!folder.messages("material m.csv --order 0 --out new.csv").contains("warning: "));
+    folder.write("m.csv", measured(-0.03));
+    let message = folder.messages("material m.csv --order 0 --out new.csv");
+    assert!(
+        message.contains("warning: material `m` has measurements down to -0.0300"),
+        "{message}"
+    );
+}
+
+/// A point light on the axis, truncated at a degree: from the camera for z = 1, from behind for -1.
+fn point(z: f64) -> String {
+    let (mut text, mut before, mut legendre) = ("name,l,m,r,g,b\n".to_owned(), 0.0, 1.0);
+    for l in 0..=DEGREE {
+        for (degree, m) in light::indices(DEGREE).filter(|(degree, _)| *degree == l) {
+            let at = ((2 * l + 1) as f64 / (4.0 * PI)).sqrt() * legendre;
+            let value = if m == 0 { at } else { 0.0 };
+            text.push_str(&format!("light-0,{degree},{m},{value},{value},{value}\n"));
+        }
+        let n = l as f64;
+        (before, legendre) = (legendre, ((2.0 * n + 1.0) * z * legendre - n * before) / (n + 1.0));
+    }
+    text
+}
+
+#[test]
+fn light_behind_the_object_gives_a_note() {
+    let folder = Folder::with_table();
+    let text = materials(3, 1);
+    let matte = text.lines().enumerate().map(|(row, line)| {
+        let (place, _) = line.rsplit_once(',').unwrap();
+        let value = ["value", "2"].get(row).copied().unwrap_or("0");
+        format!("{place},{value}\n")
+    });
+    folder.write("materials.csv", matte.collect::<String>());
+    let ringing = |z: f64| {
+        folder.write("lights.csv", point(z));
+        [SHADE, &format!("{SHADE} --method modes"), &format!("{SHADE} --clamp"), RENDER]
+            .map(|command| folder.messages(command))
+    };
+    for message in ringing(-1.0) {
+        let fragments = ["light `light-0` on material `material-0`", "behind the object", "1 of 1"];
+        assert!(fragments.iter().all(|fragment| message.contains(fragment)), "{message}");
+    }
+    assert_eq!(ringing(1.0).map(|message| message.contains("ringing")), [false; 4]);
+    folder.write("lights.csv", lights(DEGREE, 3));
+    assert_eq!(folder.messages(SHADE), "");
+}
+
+#[test]
+fn formats_with_large_rounding_errors() {
+    let folder = with_image();
+    let shade = |format: &str| format!("{SHADE} --method polynomial --format {format}");
+    let pack = |format: &str| format!("pack b.bin --format {format} --out w.esw");
+    let commands = |format: &str| [shade(format), pack(format)];
+    let warning = |message: String| -> Vec<String> {
+        let warnings = message.lines().filter(|line| line.starts_with("warning: rounding to "));
+        warnings.map(str::to_owned).collect()
+    };
+    let of_f32 = || commands("f32").into_iter().chain([RENDER.into(), READ.into()]);
+    for command in of_f32().chain(commands("q31")) {
+        assert_eq!(warning(folder.messages(&command)), [""; 0], "{command}");
+    }
+    let mut table = folder.table("b.bin");
+    for rounding in &mut table.summary.roundings {
+        (rounding.largest, rounding.rms) = (2e-3, 3e-4);
+    }
+    folder.write("b.bin", encode(&table));
+    for command in of_f32() {
+        let fragments =
+            "warning: rounding to f32 costs up to 2.0e-3 of an image's peak (rms 3.0e-4)";
+        let warned = warning(folder.messages(&command));
+        assert!(warned.len() == 1 && warned[0].starts_with(fragments), "{command}: {warned:?}");
+    }
+    for command in commands("q15") {
+        let warned = warning(folder.messages(&command));
+        assert!(warned.len() == 1 && warned[0].contains("to q15"), "{command}: {warned:?}");
+    }
+    for command in [RENDER, SHADE] {
+        let warned = warning(folder.messages(&format!("{command} --format f64")));
+        assert_eq!(warned, [""; 0], "{command}");
+    }
+}

@@ -1,0 +1,216 @@
+//! Tables whose scene has a tolerance or a cut: what `basis` reports, what it keeps, and what it
+//! refuses.
+
+use crate::support::{Folder, assert_fails, lights, materials, repository, scene};
+use crate::tolerances;
+use eigenshade_index::material;
+use eigenshade_table::Table;
+use std::collections::HashMap;
+use std::fs;
+
+const BASIS: &str = "basis --scene scene.toml --out b.bin";
+
+/// The small scene with a tolerance, and these lines of `[basis]`.
+fn with_tolerance(tolerance: &str, basis: &str) -> Folder {
+    let folder = Folder::new();
+    folder.write("lights.csv", lights(6, 3));
+    folder.write("materials.csv", materials(5, 4));
+    let text = scene("image-centered", 1, "[]").replace("degree = 4", "degree = 6");
+    let text = text.replace("order = 3", "order = 5");
+    let text = text.replace("components = 1\n", &format!("tolerance = {tolerance}\n{basis}"));
+    folder.write("scene.toml", text);
+    folder
+}
+
+/// What `basis` reports on standard error.
+fn report(folder: &Folder) -> Vec<String> {
+    folder.messages(BASIS).lines().map(str::to_owned).collect()
+}
+
+#[test]
+fn basis_reports_its_choice() {
+    for tolerance in ["0.3", "0.05", "1e-3"] {
+        let folder = with_tolerance(tolerance, "");
+        let lines = report(&folder);
+        println!("{lines:#?}");
+        let table = folder.table("b.bin");
+        let (degree, order) = (table.gram.degree, table.gram.order);
+        let (count, of) = (table.components.len(), table.spectrum.len());
+        assert_eq!(lines.len(), 5);
+        for (line, start) in lines.iter().zip([
+            format!("degree {degree} of 6"),
+            format!("order {order} of 5"),
+            format!("components {count} of {of}"),
+            "polynomial terms ".to_owned(),
+            "in all at most ".to_owned(),
+        ]) {
+            assert!(line.starts_with(&start), "{line}: {start}");
+        }
+        let manifest = folder.read("b.manifest.csv");
+        for row in [format!("degree,{degree},"), format!("order,{order},")] {
+            assert!(manifest.lines().any(|line| line.starts_with(&row)), "{row}");
+        }
+        let info = folder.ok("info b.bin");
+        let value = |what: &str| {
+            let line = info.lines().find(|line| line.split_whitespace().next() == Some(what));
+            line.and_then(|line| line.split_whitespace().last().map(str::to_owned))
+        };
+        assert_eq!(value("degree"), Some(degree.to_string()));
+        assert_eq!(value("order"), Some(order.to_string()));
+        folder.ok("basis --scene scene.toml --check b.bin");
+        folder.shaded("");
+    }
+    let coarse = with_tolerance("0.3", "");
+    report(&coarse);
+    let table = coarse.table("b.bin");
+    assert!(table.gram.degree < 6 && table.gram.order < 5, "nothing was chosen");
+}
+
+/// docs/method.md quotes the report for the shipped databases.
+#[test]
+fn the_page_quotes_the_report() {
+    let folder = Folder::new();
+    let read = |name: &str| std::fs::read_to_string(repository().join(name)).expect("a text");
+    let inputs = repository().join("tables/inputs");
+    let text = read("tables/sphere.toml").replace("components = 50", "tolerance = 1e-2");
+    let text = text.replace("inputs/", &format!("{}/", inputs.to_str().expect("UTF-8")));
+    folder.write("scene.toml", text);
+    let lines = report(&folder).join("\n");
+    assert!(read("docs/method.md").contains(&format!("```text\n{lines}\n```")), "{lines}");
+}
+
+/// Where degree and order are not chosen, the report says so; components are chosen all the same.
+#[test]
+fn degree_and_order_stay_where_they_are_not_chosen() {
+    let selection = with_tolerance("0.05", "modes = 60\n");
+    let object = with_tolerance("0.05", "");
+    let text = object.read("scene.toml").replace("\"sphere\"", "\"normals.csv\"");
+    object.write("scene.toml", text);
+    let as_captured = with_tolerance("0.05", "");
+    let text = as_captured.read("scene.toml").replace("\"any\"", "\"none\"");
+    as_captured.write("scene.toml", text);
+    let black = with_tolerance("0.05", "");
+    black.write("materials.csv", "name,o,p,q,value\n".to_owned() + &zeros());
+    for (folder, why) in
+        [(&selection, "modes"), (&object, "spheres"), (&as_captured, "freely"), (&black, "black")]
+    {
+        let lines = report(folder);
+        println!("{lines:#?}");
+        assert!(lines[0].starts_with("degree and order as asked: ") && lines[0].contains(why));
+        assert!(lines[1].starts_with("components "), "{}", lines[1]);
+        let table = folder.table("b.bin");
+        assert_eq!([table.gram.degree, table.gram.order], [6, 5]);
+        folder.ok("basis --scene scene.toml --check b.bin");
+    }
+}
+
+fn zeros() -> String {
+    let row = |(o, p, q)| format!("black,{o},{p},{q},0\n");
+    material::indices(5).map(row).collect()
+}
+
+/// A cutoff that leaves out more than the tolerance.
+#[test]
+fn a_tolerance_that_is_not_met_is_refused() {
+    let cut = with_tolerance("1e-3", "rank_cutoff = 0.3\n");
+    assert_fails(&cut, BASIS, &["basis.tolerance", "rank_cutoff"]);
+    for wrong in ["0.0", "1.0", "-1e-3", "nan"] {
+        let bad = with_tolerance(wrong, "");
+        assert_fails(&bad, BASIS, &["basis.tolerance"]);
+    }
+}
+
+/// Tables of transfers, and of sets of effects, some with unfactored ambient light.
+#[test]
+fn tolerances_work_with_stores_and_effects() {
+    for basis in [
+        "store = \"materials\"\n",
+        "store = \"projection\"\n",
+        "[effects]\nuse = [\"ambient\"]\n",
+        "[effects]\nuse = [\"gloss\"]\n",
+        "[effects]\nuse = [\"ambient\", \"diffuse\"]\n",
+    ] {
+        let folder = with_tolerance("0.02", "");
+        let text = folder.read("scene.toml") + basis;
+        folder.write("scene.toml", text);
+        println!("{basis}{:#?}", report(&folder));
+        folder.ok("basis --scene scene.toml --check b.bin");
+        folder.ok("info b.bin");
+    }
+}
+
+/// Settings of degree 9 and order 7 in `docs/accuracy-cost`, and their lines in a scene file.
+const SETTINGS: [(&str, &str); 5] = [
+    ("9/7 K25 trim3e-2 polynomial f32", "components = 25\ncut = { trim = 3e-2 }"),
+    ("9/7 K130 trim1e-3 polynomial f32", "components = 130\ncut = { trim = 1e-3 }"),
+    ("9/7 all terms12 polynomial f32", "components = 1000\ncut = { terms = 12 }"),
+    ("9/7 all m3 polynomial f32", "components = 1000\ncut = { azimuths = 3 }"),
+    ("9/7 K50 polynomial f32", "components = 50"),
+];
+
+#[test]
+fn settings_are_scene_files() {
+    let folder = Folder::new();
+    let inputs = repository().join("tables/inputs");
+    let shipped = fs::read_to_string(repository().join("tables/sphere.toml")).unwrap();
+    let shipped = shipped.replace("inputs/", &format!("{}/", inputs.display()));
+    let path = repository().join("docs/accuracy-cost/accuracy-cost.csv");
+    let sheet = fs::read(path).unwrap();
+    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(&sheet[..]);
+    let rows: Vec<HashMap<String, String>> =
+        reader.deserialize().map(|row| row.expect("a row")).collect();
+    for (setting, lines) in SETTINGS {
+        let row = rows.iter().find(|row| row["setting"] == setting);
+        let row = row.unwrap_or_else(|| panic!("{setting} is in no row"));
+        folder.write("scene.toml", shipped.replace("components = 50", lines));
+        folder.ok(BASIS);
+        folder.ok("pack b.bin --format f32 --out w.esw");
+        let bytes = fs::metadata(folder.path("w.esw")).unwrap().len();
+        assert_eq!(bytes.to_string(), row["table_bytes"], "{setting}");
+        folder.ok("basis --scene scene.toml --check b.bin");
+    }
+}
+
+/// Each cut leaves out more, and the energy that is kept is stated.
+#[test]
+fn cuts_go_together() {
+    let folder = Folder::new();
+    let whole = folder.read("scene.toml");
+    let table = |cut: &str| {
+        folder.write("scene.toml", format!("{whole}{cut}\n"));
+        folder.ok(BASIS);
+        folder.table("b.bin")
+    };
+    let (all, same) = (table(""), table("cut = {}"));
+    assert_eq!((&all.profiles, &all.components), (&same.profiles, &same.components));
+    let longest =
+        |table: &Table| table.profiles.iter().map(|profile| profile.chebyshev.len()).max();
+    let (short, both) = (table("cut = { terms = 5 }"), table("cut = { terms = 5, azimuths = 2 }"));
+    assert!(longest(&all) > Some(5) && longest(&short) == Some(5));
+    assert_eq!(all.components.len(), short.components.len());
+    assert!(both.components.len() < all.components.len());
+    assert!(both.components.iter().all(|one| one.order.abs() <= 2));
+    let eigenvalues = both.components.iter().filter_map(|one| one.eigenvalue);
+    let kept = eigenvalues.sum::<f64>() / both.summary.energy;
+    assert!(kept < short.summary.energy_kept, "{kept}");
+    assert!((both.summary.energy_kept - kept).abs() < tolerances::RESIDUAL_ENERGY);
+    let trimmed = table("cut = { terms = 5, azimuths = 2, trim = 0.1 }");
+    let terms = |table: &Table| -> usize {
+        table.profiles.iter().map(|profile| profile.chebyshev.len()).sum()
+    };
+    assert!(terms(&trimmed) < terms(&both) && terms(&both) < terms(&short));
+    let line = "requested                10000 components, azimuths to 2, polynomials of 5 terms, \
+                trimmed to 1e-1";
+    assert!(folder.ok("info b.bin").lines().any(|found| found == line));
+}
+
+#[test]
+fn what_cannot_be_cut_is_refused() {
+    let folder = Folder::new();
+    let good = folder.read("scene.toml");
+    folder.write("scene.toml", good.replace("\"any\"", "\"vertical\"") + "cut = { terms = 5 }\n");
+    assert_fails(&folder, BASIS, &["basis.cut", "leave it out"]);
+    let tolerance = good.replace("components = 10000", "tolerance = 1e-2\ncut = { terms = 5 }");
+    folder.write("scene.toml", tolerance);
+    assert_fails(&folder, BASIS, &["tolerance and cut"]);
+}

@@ -1,0 +1,251 @@
+//! The methods of `shade` against the direct sum, and its options: tolerances, windows, clamping.
+
+use crate::support::{DEGREE, Folder, PAIR, assert_fails, lights};
+use crate::tolerances;
+use eigenshade_index::light;
+use std::f64::consts::TAU;
+
+const SHADE: &str =
+    "shade b.bin --lights lights.csv --materials materials.csv --normals normals.csv";
+
+/// Methods of `shade`, all components of a scene of degree 4 and order 3 against the direct sum:
+/// the rms error relative to the largest irradiance. It is the interpolation error of such smooth
+/// images; cubics reach the rounding of f32.
+const METHODS: [(&str, f64); 7] = [
+    ("--method table --knots 32 --interpolation linear", 1.5e-5),
+    ("--method table --knots 128 --interpolation linear", 8e-7),
+    ("--method table --knots 128 --interpolation cubic", 1e-7),
+    ("--method baked --size 32 --interpolation linear", 1.2e-4),
+    ("--method baked --size 64 --interpolation linear", 2.5e-5),
+    ("--method baked --size 128 --interpolation linear", 7e-6),
+    ("--method baked --size 64 --interpolation nearest", 3e-3),
+];
+
+/// An image's error at 600 normals over the bound that `shade --tolerance` prints: with so few
+/// normals, errors and peaks are accurate to a few hundredths.
+const PRINTED_BOUND: f64 = 1.05;
+
+/// The largest error of twelve images by `shade --tolerance`, as a share of the tolerance, with
+/// error and peak at 600 normals: measured 0.9 to 1.
+const SHADED_WITHIN: [f64; 2] = [0.8, 1.02];
+
+/// The rms of a - b, relative to the largest |b|.
+fn rms(a: &[f64], b: &[f64]) -> f64 {
+    assert_eq!(a.len(), b.len());
+    let peak = b.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+    let square: f64 = a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum();
+    (square / a.len() as f64).sqrt() / peak
+}
+
+/// With all components, only the error of the method is left.
+#[test]
+fn methods_are_as_exact_as_they_can_be() {
+    let folder = Folder::with_table();
+    let reference = folder.shaded("--method modes");
+    for (options, most) in METHODS {
+        for format in ["f32", "f64"] {
+            let found = rms(&folder.shaded(&format!("{options} --format {format}")), &reference);
+            println!("{options}, {format}: {found:e}");
+            assert!(found <= most, "{options}, {format}: {found:e}");
+            // Otherwise this is not the method, but the polynomials.
+            assert!(found >= 0.25 * most, "{options}: {found:e} is too good");
+        }
+    }
+    // Options that are left out are the scene's, or the defaults.
+    let scene = folder.read("scene.toml").replace("[basis]", "[basis]\nknots = 32");
+    folder.write("knots.toml", scene);
+    folder.ok("basis --scene knots.toml --out knots.bin");
+    let shade = format!("shade {PAIR} --normals normals.csv");
+    let of_scene = folder.ok(&format!("{shade} knots.bin --method table"));
+    assert_eq!(of_scene, folder.ok(&format!("{shade} b.bin --method table --knots 32")));
+    for (short, long) in [
+        ("--method table", "--method table --knots 256 --interpolation cubic"),
+        ("--method baked", "--method baked --size 64 --interpolation linear"),
+    ] {
+        assert_eq!(folder.shaded(short), folder.shaded(long));
+    }
+}
+
+/// Over a sphere the error of each channel is within the tolerance of the brightest channel's peak,
+/// and all channels have the same numbers of terms.
+#[test]
+fn a_tolerance_is_of_the_brightest_channel() {
+    let folder = Folder::with_table();
+    let text = lights(DEGREE, 3).lines().skip(1).map(dimmed).collect::<String>();
+    folder.write("lights.csv", format!("name,l,m,r,g,b\n{text}"));
+    folder.write("normals.csv", "x,y,z\n".to_owned() + &(0..600).map(normal).collect::<String>());
+    let whole = folder.shaded("--format f64");
+    let images = 3 * 4;
+    for (option, share) in [("3e-2", 3e-2), ("40dB", 1e-2), ("1e-3", 1e-3)] {
+        let within = folder.shaded(&format!("--format f64 --tolerance {option}"));
+        let mut most: f64 = 0.0;
+        for k in 0..images {
+            let of = |all: &[f64]| all[1800 * k..1800 * (k + 1)].to_vec();
+            let (whole, within) = (of(&whole), of(&within));
+            let peak = whole.iter().fold(0.0, |most: f64, value| most.max(*value));
+            for channel in 0..3 {
+                let pairs = whole.iter().zip(&within).skip(channel).step_by(3);
+                let square: f64 = pairs.map(|(a, b)| (a - b).powi(2)).sum();
+                most = most.max((square / 600.0).sqrt() / (share * peak));
+            }
+        }
+        println!("{option}: {most}");
+        let [least, allowed] = SHADED_WITHIN;
+        assert!(most <= allowed && most >= least, "{option}: {most}");
+    }
+    // The dim channel needs nothing: without it the numbers of terms are the same.
+    folder.write("materials.csv", "name,o,p,q,value\nmatte,0,0,0,2\n");
+    let kept = |of: &dyn Fn(&str) -> String| {
+        let rows = text.lines().take(light::count(DEGREE)).map(of).collect::<String>();
+        folder.write("lights.csv", format!("name,l,m,r,g,b\n{rows}"));
+        let report =
+            folder.messages(&format!("shade b.bin {PAIR} --normals normals.csv --tolerance 1e-2"));
+        report.lines().find(|line| line.starts_with("kept: ")).expect("what was kept").to_owned()
+    };
+    let all = kept(&|row| format!("{row}\n"));
+    assert!(!all.contains(" to "), "{all}");
+    assert_eq!(all, kept(&|row| format!("{},0\n", row.rsplit_once(',').expect("fields").0)));
+    // By itself its error would be relative to its own, smaller peak.
+    let alone = kept(&|row| {
+        let (rest, blue) = row.rsplit_once(',').expect("fields");
+        let names = rest.splitn(4, ',').take(3).collect::<Vec<_>>().join(",");
+        format!("{names},0,0,{blue}\n")
+    });
+    assert_ne!(all, alone);
+}
+
+/// Also in f32, where rounding is the largest part of the error.
+#[test]
+fn a_printed_bound_holds() {
+    let folder = Folder::with_table();
+    folder.write("normals.csv", "x,y,z\n".to_owned() + &(0..600).map(normal).collect::<String>());
+    let whole = folder.shaded("--format f64");
+    for option in ["1e-2", "1e-4", "1e-6", "1e-7"] {
+        let options = format!("--format f32 --tolerance {option}");
+        let within = folder.shaded(&options);
+        let report =
+            folder.messages(&format!("shade b.bin {PAIR} --normals normals.csv {options}"));
+        let (_, rest) = report.split_once("at most ").expect("a bound");
+        let bound: f64 = rest.split(' ').next().and_then(|one| one.parse().ok()).expect("a number");
+        for (whole, within) in whole.chunks(1800).zip(within.chunks(1800)) {
+            let peak = whole.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+            for channel in 0..3 {
+                let pairs = whole.iter().zip(within).skip(channel).step_by(3);
+                let square: f64 = pairs.map(|(a, b)| (a - b).powi(2)).sum();
+                let found = (square / 600.0).sqrt() / peak;
+                let allowed = PRINTED_BOUND * bound;
+                assert!(found <= allowed, "{option}: {found:e} of {bound:e}");
+            }
+        }
+    }
+}
+
+/// The k-th of 600 normals with equal shares of the disc.
+fn normal(k: u32) -> String {
+    let square = (f64::from(k) + 0.5) / 600.0;
+    let (y, x) = (TAU * 0.618_034 * f64::from(k)).sin_cos();
+    let radius = square.sqrt();
+    format!("{},{},{}\n", radius * x, radius * y, (1.0 - square).sqrt())
+}
+
+/// A row of a light whose blue is dim.
+fn dimmed(row: &str) -> String {
+    let (rest, blue) = row.rsplit_once(',').expect("fields");
+    format!("{rest},{}\n", 1e-2 * blue.parse::<f64>().expect("a number"))
+}
+
+/// Integer formats agree with the direct sum, and support only polynomials.
+#[test]
+fn integers_agree_with_the_direct_sum() {
+    let folder = Folder::with_table();
+    let reference = folder.shaded("--method modes");
+    for (format, most) in [("q31", tolerances::SHADED_Q31), ("q15", tolerances::SHADED_Q15)] {
+        let found = rms(&folder.shaded(&format!("--format {format}")), &reference);
+        println!("{format}: {found:e}");
+        assert!(found <= most, "{format}: {found:e}");
+        let shade = format!("{SHADE} --format {format} --out new.csv --method");
+        for method in ["eigen", "table", "baked"] {
+            assert_fails(&folder, &format!("{shade} {method}"), &["polynomial"]);
+        }
+        assert_fails(&folder, &format!("{shade} modes"), &["f64"]);
+    }
+}
+
+/// A window multiplies the coefficients of the light.
+#[test]
+fn windows_weaken_the_light() {
+    let folder = Folder::with_table();
+    let windowed = folder.shaded("--method modes --window 5.5");
+    let text = folder.read("lights.csv");
+    let weakened = text.lines().enumerate().map(|(line, text)| {
+        if line == 0 {
+            return format!("{text}\n");
+        }
+        let fields: Vec<&str> = text.split(',').collect();
+        let x = std::f64::consts::PI * fields[1].parse::<f64>().expect("a degree") / 5.5;
+        let factor = if x == 0.0 { 1.0 } else { (x.sin() / x).powi(4) };
+        let values = fields[3..]
+            .iter()
+            .map(|value| format!(",{:?}", factor * value.parse::<f64>().expect("a number")));
+        format!("{},{},{}{}\n", fields[0], fields[1], fields[2], values.collect::<String>())
+    });
+    folder.write("lights.csv", weakened.collect::<String>());
+    let expected = folder.shaded("--method modes");
+    assert!(rms(&windowed, &expected) <= tolerances::DENSE_PROJECTION);
+}
+
+/// Irradiance below zero is clamped to zero, and the least value is reported.
+#[test]
+fn irradiance_below_zero_is_clamped_on_request() {
+    let folder = Folder::with_table();
+    // Much more light from behind than from everywhere.
+    folder.write("lights.csv", "name,l,m,value\na,0,0,1\na,1,-1,0\na,1,0,-3\na,1,1,0\n");
+    let kept = folder.shaded("");
+    let least = kept.iter().copied().fold(f64::INFINITY, f64::min);
+    assert!(least < 0.0, "nothing to clamp");
+    for method in ["polynomial", "modes"] {
+        let kept = folder.shaded(&format!("--method {method}"));
+        let clamped = folder.shaded(&format!("--method {method} --clamp"));
+        assert!(kept.iter().zip(&clamped).all(|(kept, clamped)| *clamped == kept.max(0.0)));
+        assert!(kept.iter().any(|kept| *kept < 0.0), "{method}");
+    }
+    let report = folder.messages(&format!("{SHADE} --clamp"));
+    let lines: Vec<&str> = report.lines().collect();
+    assert_eq!(lines[0], format!("least irradiance {least:?}, clamped"));
+    assert!(lines.len() == 2 && lines[1].starts_with("note: 4 of 4 images"), "{report}");
+}
+
+#[test]
+fn tolerances_are_refused_where_they_cannot_hold() {
+    let folder = Folder::with_table();
+    for (name, from, to) in
+        [("object", "\"sphere\"", "\"normals.csv\""), ("mean", "image-centered", "standard")]
+    {
+        let other = folder.read("scene.toml").replace(from, to);
+        folder.write(&format!("{name}.toml"), other);
+        folder.ok(&format!("basis --scene {name}.toml --out {name}.bin"));
+    }
+    for (options, fragments) in [
+        ("mean.bin --tolerance 1e-2 --effects diffuse", ["ambient", "leave --tolerance out"]),
+        ("object.bin --tolerance 1e-2", ["sphere", "leave --tolerance out"]),
+        ("b.bin --tolerance 1e-2 --format q15", ["--tolerance", "polynomial in f32 or f64"]),
+        ("b.bin --tolerance 1e-2 --method eigen", ["--tolerance", "polynomial in f32 or f64"]),
+    ] {
+        assert_fails(&folder, &format!("shade {PAIR} --normals normals.csv {options}"), &fragments);
+    }
+}
+
+#[test]
+fn options_of_other_methods_are_errors() {
+    let folder = Folder::with_table();
+    for (options, fragments) in [
+        ("--knots 64", ["--knots", "--method table"]),
+        ("--method baked --knots 64", ["--knots", "--method table"]),
+        ("--method table --size 64", ["--size", "--method baked"]),
+        ("--interpolation linear", ["--interpolation", "--method table"]),
+        ("--method table --interpolation nearest", ["nearest", "linear or cubic"]),
+        ("--method baked --interpolation cubic", ["cubic", "nearest or linear"]),
+    ] {
+        assert_fails(&folder, &format!("{SHADE} {options}"), &fragments);
+    }
+}

@@ -1,0 +1,150 @@
+//! Environment maps as files: OpenEXR, Radiance and portable float maps.
+
+use crate::light::environment::{BYTES_PER_TEXEL, EnvironmentMap, believable, broken, other_type};
+use crate::light::map_exr;
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::input_file::InputFile;
+use image::codecs::hdr::HdrDecoder;
+use image::{ImageDecoder, ImageError};
+use std::fs::File;
+use std::io::{BufRead, BufReader, Read};
+use std::path::Path;
+
+impl EnvironmentMap {
+    /// Reads an OpenEXR (`.exr`), Radiance (`.hdr`) or portable float map (`.pfm`) file.
+    ///
+    /// # Errors
+    ///
+    /// If the file cannot be read, is of another type, is broken, has no texels or a texel that is
+    /// not finite, or if its budget has no room for [`BYTES_PER_TEXEL`] and a few rows.
+    pub fn from_path(file: impl Into<InputFile>) -> Result<Self> {
+        let file = file.into();
+        let path = file.path();
+        let decode = match extension(path).as_deref() {
+            Some("exr") => map_exr::decode,
+            Some("hdr") => decode_hdr,
+            Some("pfm") => decode_pfm,
+            _ => {
+                return Err(Error::new(
+                    "it is not an environment map",
+                    "give a file that ends in .exr, .hdr or .pfm",
+                )
+                .in_file(path));
+            }
+        };
+        let (mut reader, length) = file.open()?;
+        decode(&mut reader, length, &file).map_err(|error| error.in_file(path))
+    }
+}
+
+/// The extension of a file name, in lower case.
+pub(crate) fn extension(path: &Path) -> Option<String> {
+    Some(path.extension()?.to_str()?.to_ascii_lowercase())
+}
+
+/// Decodes a Radiance map (`.hdr`), run-length encoded or not: four bytes per pixel, three
+/// mantissas and a common exponent, so no texel is negative. The exposure in the header, if any, is
+/// not applied, because the exposure of a map is arbitrary.
+fn decode_hdr(
+    reader: &mut BufReader<File>,
+    length: u64,
+    file: &InputFile,
+) -> Result<EnvironmentMap> {
+    let io = |error: std::io::Error| Error::io(file.path(), &error);
+    if !reader.fill_buf().map_err(io)?.starts_with(b"#?") {
+        return Err(other_type("Radiance"));
+    }
+    // In strict mode the decoder accepts only the signature `#?RADIANCE`; `#?RGBE` is equally
+    // common.
+    let decoder = HdrDecoder::new_nonstrict(&mut *reader).map_err(hdr_fault)?;
+    let (width, height) = decoder.dimensions();
+    let (width, height) = (width as usize, height as usize);
+    let count = believable(width, height, length)?;
+    file.admit_pixels(count as u64, BYTES_PER_TEXEL, 4 * width as u64)?;
+    let mut texels = vec![[0.0; 3]; count];
+    decoder.read_image(bytemuck::cast_slice_mut(&mut texels)).map_err(hdr_fault)?;
+    if !reader.fill_buf().map_err(io)?.is_empty() {
+        return Err(broken("bytes follow its last row"));
+    }
+    EnvironmentMap::new(width, height, texels)
+}
+
+fn hdr_fault(error: ImageError) -> Error {
+    match error {
+        ImageError::Unsupported(error) => Error::new(
+            format!("it is of a kind that is not supported ({error})"),
+            "export it as RGBE, rows from the top, -Y +X",
+        ),
+        error => broken(error),
+    }
+}
+
+/// Decodes a portable float map (`.pfm`) of either byte order: `PF` (color) or `Pf` (gray), width,
+/// height, and a number whose sign gives the byte order, followed by the rows from the bottom up.
+///
+/// This crate reads them itself because `zune-ppm` 0.5.1 mixes up the rows of a map of odd height.
+/// The magnitude of the number that gives the
+/// byte order, sometimes called a scale, is not applied.
+fn decode_pfm(
+    reader: &mut BufReader<File>,
+    length: u64,
+    file: &InputFile,
+) -> Result<EnvironmentMap> {
+    let io = |error: std::io::Error| Error::io(file.path(), &error);
+    // A header is far shorter than the buffer.
+    let beginning = reader.fill_buf().map_err(io)?;
+    let (magic, rest) = header_word(beginning).ok_or_else(|| other_type("PFM"))?;
+    let channels = match magic {
+        "PF" => 3,
+        "Pf" => 1,
+        _ => return Err(other_type("PFM")),
+    };
+    let (width, rest) = header_number::<usize>(rest, "width")?;
+    let (height, rest) = header_number::<usize>(rest, "height")?;
+    let (scale, rest) = header_number::<f32>(rest, "byte order")?;
+    if scale == 0.0 || !scale.is_finite() {
+        return Err(broken(format!("its header gives the byte order as {scale}")).with_remedy(
+            "write -1 for the order of little-endian bytes, 1 for that of big-endian ones",
+        ));
+    }
+    let count = believable(width, height, length)?;
+    let header = beginning.len() - rest.len();
+    let (expected, found) = (4 * (channels * count) as u64, length - header as u64);
+    if expected != found {
+        return Err(broken(format!(
+            "its header promises {expected} bytes of pixels, but it has {found}"
+        )));
+    }
+    reader.consume(header);
+    let mut row = vec![0; 4 * channels * width];
+    file.admit_pixels(count as u64, BYTES_PER_TEXEL, row.len() as u64)?;
+    let mut texels = vec![[0.0; 3]; count];
+    let decode = if scale < 0.0 { f32::from_le_bytes } else { f32::from_be_bytes };
+    for texels in texels.chunks_exact_mut(width).rev() {
+        reader.read_exact(&mut row).map_err(io)?;
+        let values = row.as_chunks::<4>().0.chunks_exact(channels);
+        for (texel, values) in texels.iter_mut().zip(values) {
+            *texel = match *values {
+                [r, g, b] => [decode(r), decode(g), decode(b)],
+                [gray, ..] => [decode(gray); 3],
+                [] => [0.0; 3],
+            };
+        }
+    }
+    EnvironmentMap::new(width, height, texels)
+}
+
+/// The next word of the header, and the bytes after the single blank that ends it.
+fn header_word(bytes: &[u8]) -> Option<(&str, &[u8])> {
+    let bytes = bytes.trim_ascii_start();
+    // No word of a header is longer; a file of another type may contain no blank at all.
+    let end = bytes.iter().take(32).position(u8::is_ascii_whitespace)?;
+    let (word, rest) = bytes.split_at(end);
+    Some((std::str::from_utf8(word).ok()?, &rest[1..]))
+}
+
+fn header_number<'a, T: std::str::FromStr>(bytes: &'a [u8], what: &str) -> Result<(T, &'a [u8])> {
+    header_word(bytes)
+        .and_then(|(word, rest)| Some((word.parse().ok()?, rest)))
+        .ok_or_else(|| broken(format!("no {what} in its header")))
+}

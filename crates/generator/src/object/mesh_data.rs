@@ -1,0 +1,111 @@
+//! What the readers of mesh files share: the triangles that they return, text lines of limited
+//! length, and the error for a broken file.
+
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::input_file::InputFile;
+use std::io::{self, BufRead, Read};
+
+/// Triangles as the file readers return them: 24 bytes for each corner, 12 for each triangle.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Mesh {
+    pub(crate) corners: Vec<[f64; 3]>,
+    /// Three corner indices for each triangle.
+    pub(crate) triangles: Vec<[u32; 3]>,
+}
+
+impl Mesh {
+    /// Bytes for a corner and for a triangle.
+    pub(crate) const CORNER: u64 = 24;
+    pub(crate) const TRIANGLE: u64 = 12;
+
+    /// An empty mesh with room for the given numbers of corners and triangles.
+    ///
+    /// # Errors
+    ///
+    /// If the file's budget has no room for them, or there are too many corners.
+    pub(crate) fn with_room(file: &InputFile, corners: u64, triangles: u64) -> Result<Self> {
+        file.admit(
+            corners
+                .saturating_mul(Self::CORNER)
+                .saturating_add(triangles.saturating_mul(Self::TRIANGLE)),
+        )?;
+        if corners > u64::from(u32::MAX) {
+            let remedy = "give a mesh of at most 4,294,967,295 corners";
+            return Err(Error::new(format!("it has {corners} corners"), remedy));
+        }
+        let [corners, triangles] = [corners, triangles].map(|count| count as usize);
+        Ok(Self { corners: Vec::with_capacity(corners), triangles: Vec::with_capacity(triangles) })
+    }
+
+    /// Adds a polygon, cut into a fan of triangles.
+    ///
+    /// # Errors
+    ///
+    /// If it has fewer than three corners or the budget has no room for its triangles.
+    pub(crate) fn push_polygon(&mut self, file: &InputFile, polygon: &[u32]) -> Result<()> {
+        let [first, rest @ ..] = polygon else {
+            return Err(broken("a face of fewer than three corners: it has none"));
+        };
+        if rest.len() < 2 {
+            let count = polygon.len();
+            return Err(broken(format!("a face of fewer than three corners: it has {count}")));
+        }
+        let count = self.triangles.len() + rest.len() - 1;
+        if count > self.triangles.capacity() {
+            // The old and the new list coexist while one is moved into the other.
+            let room = count.max(2 * self.triangles.capacity());
+            let triangles = (room + self.triangles.capacity()) as u64 * Self::TRIANGLE;
+            file.admit(self.corners.capacity() as u64 * Self::CORNER + triangles)?;
+            self.triangles.reserve_exact(room - self.triangles.len());
+        }
+        self.triangles.extend(rest.windows(2).map(|two| [*first, two[0], two[1]]));
+        Ok(())
+    }
+
+    /// The corners of each triangle.
+    ///
+    /// # Errors
+    ///
+    /// If a corner does not exist.
+    pub(crate) fn triangles(&self) -> impl Iterator<Item = Result<[[f64; 3]; 3]>> {
+        let corner = |place: u32| {
+            self.corners
+                .get(place as usize)
+                .copied()
+                .ok_or_else(|| broken(format!("corner {place} does not exist")))
+        };
+        self.triangles.iter().map(move |&[a, b, c]| Ok([corner(a)?, corner(b)?, corner(c)?]))
+    }
+}
+
+/// The error for a broken file; the remedy is to export it again.
+pub(crate) fn broken(what: impl Into<String>) -> Error {
+    Error::new(what, "export the mesh again, as triangles")
+}
+
+/// Maximum length of a line in bytes, enough for a polygon of a hundred thousand corners.
+pub(crate) const LONGEST_LINE: usize = 1 << 20;
+
+/// Appends the next line, including its line end, to `line`. Returns false at the end of the text.
+///
+/// # Errors
+///
+/// The errors of the reader, and a line that makes `line` longer than [`LONGEST_LINE`].
+pub(crate) fn append_line(reader: &mut impl BufRead, line: &mut Vec<u8>) -> io::Result<bool> {
+    let room = (LONGEST_LINE + 1).saturating_sub(line.len());
+    let read = reader.by_ref().take(room as u64).read_until(b'\n', line)?;
+    if line.len() > LONGEST_LINE {
+        return Err(io::Error::new(io::ErrorKind::InvalidData, "a line of more than 1 MiB"));
+    }
+    Ok(read > 0)
+}
+
+/// Converts a line to text.
+///
+/// # Errors
+///
+/// If it is not UTF-8.
+pub(crate) fn line_text(line: &[u8]) -> io::Result<&str> {
+    str::from_utf8(line)
+        .map_err(|_| io::Error::new(io::ErrorKind::InvalidData, "it is not UTF-8 text"))
+}

@@ -1,4 +1,0 @@
-//! Reads picture files.
-
-pub mod png_curve;
-pub mod png_samples;

@@ -1,0 +1,166 @@
+//! Statistics of a database: weights, where twice the weight is being there twice and none is not
+//! being there, and the moments of lights that turn about the vertical axis.
+
+use crate::tolerances;
+use eigenshade_generator::basis;
+use eigenshade_generator::basis::general;
+use eigenshade_generator::basis::light_statistics::LightStatistics;
+use eigenshade_generator::basis::moments::equal;
+use eigenshade_generator::object::geometry::Geometry;
+use eigenshade_model::database::{Lights, Materials, Named};
+use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
+use eigenshade_model::special::quadrature::gauss_legendre;
+use eigenshade_model::special::spherical_harmonic;
+use eigenshade_table::Table;
+use eigenshade_table::scene::{Criterion, LightRotation, Normalize, Scene};
+use std::path::Path;
+
+const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tables");
+
+fn databases() -> (Lights, Materials) {
+    let file = |name: &str| Path::new(FOLDER).join("inputs").join(name);
+    let mut lights = read_lights(file("lights.csv"), Some(4)).expect("lights");
+    let mut materials = read_materials(file("materials.csv"), Some(3)).expect("materials");
+    lights.entries.truncate(5);
+    materials.entries.truncate(6);
+    (lights, materials)
+}
+
+fn scene(criterion: Criterion, rotation: LightRotation) -> Scene {
+    let text = std::fs::read_to_string(Path::new(FOLDER).join("sphere.toml")).expect("a scene");
+    let mut scene: Scene = toml::from_str(&text).expect("a scene");
+    (scene.light.degree, scene.material.order) = (4, 3);
+    (scene.basis.criterion, scene.light.rotation) = (criterion, rotation);
+    scene
+}
+
+fn table(scene: &Scene, lights: &Lights, materials: &Materials) -> Table {
+    let table = match scene.light.rotation {
+        LightRotation::Any => basis::build(scene, lights, materials),
+        _ => general::build(scene, &Geometry::Sphere, lights, materials),
+    };
+    table.expect("a basis")
+}
+
+fn kept(scene: &Scene, lights: &Lights, materials: &Materials) -> usize {
+    table(scene, lights, materials).count()
+}
+
+fn eigenvalues(scene: &Scene, lights: &Lights, materials: &Materials) -> Vec<f64> {
+    table(scene, lights, materials).spectrum.iter().filter_map(|(_, value)| *value).collect()
+}
+
+/// The second entry once more under another name, the third taken out.
+fn changed(entries: &[Named]) -> Vec<Named> {
+    let mut changed = entries.to_vec();
+    let again = Named { name: "again".to_owned(), ..entries[1].clone() };
+    changed.push(again);
+    changed.remove(2);
+    changed
+}
+
+#[test]
+fn weights_are_repetitions() {
+    let (lights, materials) = databases();
+    for criterion in [Criterion::ImageCentered, Criterion::Standard] {
+        for rotation in [LightRotation::Any, LightRotation::Vertical, LightRotation::None] {
+            let mut scene = scene(criterion, rotation);
+            let plain = eigenvalues(&scene, &lights, &materials);
+            let repeated = {
+                let entries = changed(&lights.entries);
+                let lights = Lights { entries, ..lights.clone() };
+                let entries = changed(&materials.entries);
+                eigenvalues(&scene, &lights, &Materials { entries, ..materials.clone() })
+            };
+            for (weights, entries) in [
+                (&mut scene.light.weights, &lights.entries),
+                (&mut scene.material.weights, &materials.entries),
+            ] {
+                weights.insert(entries[1].name.clone(), 2.0);
+                weights.insert(entries[2].name.clone(), 0.0);
+            }
+            let weighted = eigenvalues(&scene, &lights, &materials);
+            let apart = |other: &[f64]| {
+                let pairs = weighted.iter().zip(other);
+                pairs.fold(0.0, |most: f64, (a, b)| most.max((a - b).abs())) / weighted[0]
+            };
+            assert!(apart(&repeated) < tolerances::MOMENTS, "{criterion:?} {rotation:?}");
+            // The peak of a tolerance is of the same statistics.
+            let mut tolerant = scene.clone();
+            (tolerant.basis.components, tolerant.basis.tolerance) = (None, Some(1e-2));
+            let mut loud = lights.clone();
+            loud.entries[2].rgb.iter_mut().flatten().for_each(|value| *value *= 1e3);
+            tolerant.light.normalize = Normalize::None;
+            let counts = [&lights, &loud].map(|lights| kept(&tolerant, lights, &materials));
+            assert_eq!(counts[0], counts[1], "a light of weight 0 counts");
+            assert!(
+                apart(&plain) > tolerances::NO_ACCIDENT,
+                "weights change nothing: {criterion:?} {rotation:?}"
+            );
+        }
+    }
+}
+
+/// Turning about the vertical axis: the light's second moments, by turning each light
+/// through more angles than needed and other ones.
+#[test]
+fn vertical_statistics_are_those_of_turned_lights() {
+    let lights = read_lights(Path::new(FOLDER).join("inputs/lights.csv"), Some(4)).expect("lights");
+    let statistics = LightStatistics::new(
+        &lights,
+        Normalize::None,
+        LightRotation::Vertical,
+        &equal(lights.entries.len()),
+    )
+    .expect("statistics");
+    let count = 25;
+    let angles = 31;
+    let mut samples = Vec::new();
+    for entry in &lights.entries {
+        let light = entry.luminance();
+        for k in 0..angles {
+            let angle = std::f64::consts::TAU * (f64::from(k) + 0.3) / f64::from(angles);
+            samples.push(turned_about_y(&light, 4, angle));
+        }
+    }
+    let of = |i: usize, j: usize| {
+        samples.iter().map(|light| light[i] * light[j]).sum::<f64>() / samples.len() as f64
+    };
+    let largest = (0..count).map(|i| of(i, i)).fold(0.0, f64::max);
+    for i in 0..count {
+        let mean = samples.iter().map(|light| light[i]).sum::<f64>() / samples.len() as f64;
+        assert!((mean - statistics.mean[i]).abs() < tolerances::MOMENTS * largest.sqrt());
+        for j in 0..count {
+            let found: f64 = statistics.second.iter().map(|v| v[i] * v[j]).sum();
+            let apart = (found - of(i, j)).abs() / largest;
+            assert!(apart < tolerances::MOMENTS, "{i} {j}: {apart:e}");
+            let found: f64 = statistics.centered.iter().map(|v| v[i] * v[j]).sum();
+            let expected = of(i, j) - statistics.mean[i] * statistics.mean[j];
+            assert!((found - expected).abs() / largest < tolerances::MOMENTS, "{i} {j}");
+        }
+    }
+}
+
+/// The coefficients of a light turned about y, by evaluating it in turned directions: a
+/// quadrature that is exact for harmonics up to the degree.
+fn turned_about_y(light: &[f64], degree: usize, angle: f64) -> Vec<f64> {
+    let mut turned = vec![0.0; light.len()];
+    let (sine, cosine) = angle.sin_cos();
+    let tilts = 2 * degree + 2;
+    for (z, weight) in gauss_legendre(degree + 1, -1.0, 1.0) {
+        for k in 0..tilts {
+            let (y, x) = (std::f64::consts::TAU * k as f64 / tilts as f64).sin_cos();
+            let radius = (1.0 - z * z).sqrt();
+            let to = [radius * x, radius * y, z];
+            // R takes z toward x: light comes to ω from R⁻¹ω.
+            let from = [cosine * to[0] - sine * to[2], to[1], sine * to[0] + cosine * to[2]];
+            let harmonics = spherical_harmonic::all(degree, from);
+            let value: f64 = harmonics.iter().zip(light).map(|(y, l)| y * l).sum();
+            let area = weight * std::f64::consts::TAU / tilts as f64;
+            for (sum, y) in turned.iter_mut().zip(spherical_harmonic::all(degree, to)) {
+                *sum += area * value * y;
+            }
+        }
+    }
+    turned
+}

@@ -1,0 +1,168 @@
+//! Other ways to an image than all collapsed polynomials: the fewest terms for a tolerance,
+//! samples, and the sum of the components.
+
+use crate::overflow;
+use crate::owned_basis::AnyBasis;
+use crate::shader::{Lit, OwnedNormals, Shader, fault};
+use eigenshade::{BakedMap, Economy, MapPoint, Normal, Scalar, Scene, Tolerance};
+use eigenshade_model::error::{Error, Result};
+
+/// Methods that look up a pixel in samples.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LookUp {
+    /// Linear interpolation between the knots of each azimuth.
+    Linear {
+        /// Number of knots.
+        knots: usize,
+    },
+    /// Cubic interpolation between the knots of each azimuth.
+    Cubic {
+        /// Number of knots.
+        knots: usize,
+    },
+    /// Bilinear interpolation between four texels of a baked map.
+    Bilinear {
+        /// Texels per side.
+        size: usize,
+    },
+    /// The nearest texel of a baked map.
+    Nearest {
+        /// Texels per side.
+        size: usize,
+    },
+}
+
+fn sampled<S: Scalar>(
+    scene: &Scene<'_, &mut Vec<S>>,
+    knots: usize,
+) -> Result<eigenshade::Lookup<S, Vec<S>>> {
+    scene.lookup_into(knots, vec![S::ZERO; scene.lookup_len(knots)]).map_err(fault)
+}
+
+fn baked<S: Scalar>(scene: &Scene<'_, &mut Vec<S>>, size: usize) -> Result<BakedMap<S, Vec<S>>> {
+    scene.bake_into(size, vec![S::ZERO; size * size]).map_err(fault)
+}
+
+impl<S: Scalar> Shader<'_, S> {
+    /// The channels of one color image, with a common shape that has the fewest polynomial terms
+    /// for a tolerance relative to the brightest channel's peak. Also returns the resulting
+    /// truncation of each channel.
+    ///
+    /// # Errors
+    ///
+    /// As [`project`](Self::project), and if the basis is for an object other than a sphere or its
+    /// mean image is not part of the effects.
+    pub fn within(
+        &mut self,
+        channels: &[Lit<'_>],
+        normals: &OwnedNormals<S>,
+        tolerance: Tolerance<S>,
+    ) -> Result<Vec<(Vec<S>, Economy<S>)>> {
+        let mut images = Vec::new();
+        for &(light, material) in channels {
+            images.push(self.project(light, material)?.to_vec());
+        }
+        let refused = |what: &str| Error::new(what, "leave --tolerance out");
+        let AnyBasis::Sphere(basis) = &self.basis else {
+            return Err(refused(
+                "a tolerance needs the table of a sphere, and this one is for another object",
+            ));
+        };
+        if !self.dark.is_empty() {
+            return Err(refused(
+                "a tolerance needs the effect ambient, to which the mean image belongs",
+            ));
+        }
+        let (count, len) = (images.len(), basis.scene_len());
+        let mut lengths = vec![0; basis.azimuths()];
+        let mut buffer = vec![S::ZERO; count * len];
+        let mut truncations = vec![Economy::default(); count];
+        let (room, report) = (&mut buffer, &mut truncations);
+        let shape = basis
+            .collapse_set_within(&images, count, tolerance, &mut lengths, room, report)
+            .map_err(fault)?;
+        let normals = normals.view()?;
+        let mut shaded = Vec::new();
+        for (k, (truncation, (light, material))) in
+            truncations.into_iter().zip(channels).enumerate()
+        {
+            let scene = shape.scene(&buffer[k * len..]).map_err(fault)?;
+            let mut irradiance = vec![S::ZERO; normals.len()];
+            scene.shade_slice(normals, &mut irradiance).map_err(fault)?;
+            overflow::check(&irradiance, light.1, material.1)?;
+            shaded.push((irradiance, truncation));
+        }
+        Ok(shaded)
+    }
+
+    /// One channel of the image, looked up.
+    ///
+    /// # Errors
+    ///
+    /// As [`project`](Self::project), and if the runtime does not support this number of knots or
+    /// texels.
+    pub fn looked_up(
+        &mut self,
+        light: (usize, &[f64]),
+        material: (usize, &[f64]),
+        normals: &[Normal<S>],
+        way: LookUp,
+    ) -> Result<Vec<S>> {
+        self.project(light, material)?;
+        let scene = self.scene()?;
+        let each = normals.iter();
+        let irradiance: Vec<S> = match way {
+            LookUp::Linear { knots } => {
+                let table = sampled(&scene, knots)?;
+                each.map(|&normal| table.linear(normal)).collect()
+            }
+            LookUp::Cubic { knots } => {
+                let table = sampled(&scene, knots)?;
+                each.map(|&normal| table.cubic(normal)).collect()
+            }
+            LookUp::Bilinear { size } => {
+                let map = baked(&scene, size)?;
+                each.map(|&normal| map.bilinear(MapPoint::of(normal))).collect()
+            }
+            LookUp::Nearest { size } => {
+                let map = baked(&scene, size)?;
+                each.map(|&normal| map.nearest(MapPoint::of(normal))).collect()
+            }
+        };
+        overflow::check(&irradiance, light.1, material.1)?;
+        Ok(irradiance)
+    }
+
+    /// One channel of the image, summed component by component.
+    ///
+    /// # Errors
+    ///
+    /// See [`project`](Self::project).
+    pub fn eigen(
+        &mut self,
+        light: (usize, &[f64]),
+        material: (usize, &[f64]),
+        normals: &[Normal<S>],
+    ) -> Result<Vec<S>> {
+        let basis = self.basis;
+        let coefficients = self.project(light, material)?.to_vec();
+        let mut reconstruct = |d: &[S], normal: Normal<S>| {
+            match &basis {
+                AnyBasis::Sphere(basis) => basis.reconstruct(d, normal),
+                AnyBasis::General(basis) => basis.reconstruct(d, normal, &mut self.workspace),
+            }
+            .map_err(fault)
+        };
+        let one = |&normal: &Normal<S>| {
+            let whole = reconstruct(&coefficients, normal)?;
+            let dark = match self.dark.as_slice() {
+                [] => S::ZERO,
+                dark => reconstruct(dark, normal)?,
+            };
+            Ok(whole - dark)
+        };
+        let irradiance: Vec<S> = normals.iter().map(one).collect::<Result<_>>()?;
+        overflow::check(&irradiance, light.1, material.1)?;
+        Ok(irradiance)
+    }
+}
