@@ -5,11 +5,11 @@ mod support;
 
 mod ablation_page;
 mod accuracy_cost;
+mod benchmark_tables;
 mod direct_integration;
 mod economy_floor;
 mod hard_cases;
 mod high_degree;
-mod ladder;
 mod paper_command;
 mod paper_oracle;
 mod paper_statements;

@@ -1,10 +1,10 @@
 //! The bases of the settings, each computed once.
 
 use super::materials::Scope;
-use super::setting::Recipe;
+use super::setting::{Cut, Recipe};
 use eigenshade_generator::basis;
 use eigenshade_index::effect::{Effect, Effects};
-use eigenshade_model::error::Result;
+use eigenshade_model::error::{Error, Result};
 use eigenshade_table::reduce::cut;
 use eigenshade_table::reduce::with_components;
 use eigenshade_table::scene::{self, Criterion, LightRotation, Normalize, Store};
@@ -18,43 +18,45 @@ fn modes(recipe: &Recipe) -> Modes {
     (recipe.modes.unwrap_or(0), recipe.effects.bits())
 }
 
-/// A basis with all components of a scope, and bases of selected modes.
-pub struct Bases {
-    tables: BTreeMap<Modes, Table>,
-}
+/// A table for each selection of modes, with as many components as a recipe asks for.
+pub struct Bases(BTreeMap<Modes, Table>);
 
 impl Bases {
     /// Makes the bases that these recipes of one scope start from.
-    ///
-    /// # Errors
-    ///
-    /// Never in practice: the databases reach the scope's degree and order.
     pub fn new(scope: &Scope, recipes: impl IntoIterator<Item = Recipe>) -> Result<Self> {
-        let mut tables = BTreeMap::new();
-        let mut most: BTreeMap<Modes, Option<usize>> = BTreeMap::new();
+        let mut most: BTreeMap<Modes, usize> = BTreeMap::new();
         for recipe in recipes {
-            let known = most.entry(modes(&recipe)).or_insert(Some(0));
-            *known = (*known).zip(recipe.components).map(|(a, b)| a.max(b));
+            let count = most.entry(modes(&recipe)).or_default();
+            *count = (*count).max(recipe.components.unwrap_or(usize::MAX));
         }
-        for (modes, components) in most {
+        let table = |(modes, components)| {
             let scene = scene(scope, modes, components);
-            tables.insert(modes, basis::build(&scene, &scope.lights, &scope.seen)?);
-        }
-        Ok(Self { tables })
+            Ok((modes, basis::build(&scene, &scope.lights, &scope.seen)?))
+        };
+        Ok(Self(most.into_iter().map(table).collect::<Result<_>>()?))
     }
 
     /// The table of a recipe.
-    #[must_use]
-    pub fn table(&self, recipe: &Recipe) -> Option<Table> {
-        let whole = self.tables.get(&modes(recipe))?;
+    ///
+    /// # Errors
+    ///
+    /// If the recipe is not one of those given at first.
+    pub fn table(&self, recipe: &Recipe) -> Result<Table> {
+        let whole = self.0.get(&modes(recipe));
+        let whole = whole.ok_or_else(|| Error::new("a basis is missing", "report it"))?;
         let count = recipe.components.unwrap_or(usize::MAX);
         let mut table = with_components(whole, |number, _| number < count);
-        cut(&mut table, recipe.cuts());
-        Some(table)
+        let (terms, trim) = match recipe.cut {
+            Cut::Whole => (None, None),
+            Cut::Terms(count) => (Some(count), None),
+            Cut::Trimmed(share) => (None, Some(share)),
+        };
+        cut(&mut table, scene::Cut { azimuths: recipe.azimuths, terms, trim });
+        Ok(table)
     }
 }
 
-fn scene(scope: &Scope, (modes, effects): Modes, components: Option<usize>) -> Scene {
+fn scene(scope: &Scope, (modes, effects): Modes, components: usize) -> Scene {
     let wanted = Effects::from_bits(effects).unwrap_or(Effects::ALL);
     Scene {
         geometry: scene::Geometry { normals: "sphere".into(), mask: None, density: None },
@@ -73,7 +75,7 @@ fn scene(scope: &Scope, (modes, effects): Modes, components: Option<usize>) -> S
         },
         basis: scene::Basis {
             criterion: Criterion::ImageCentered,
-            components: Some(components.unwrap_or(usize::MAX)),
+            components: Some(components),
             tolerance: None,
             modes,
             store: Store::Projection,

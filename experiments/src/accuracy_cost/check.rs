@@ -1,10 +1,9 @@
 //! Compares the errors, bytes and counted instructions in a folder with freshly computed ones.
 //! Times, and anything that depends on them, are not compared.
 
-use super::growth::Growth;
-use super::sheet::{GROWTH, MODEL, POINTS};
+use super::growth;
+use super::sheet::{self, Form, Record};
 use eigenshade_model::error::{Error, Result};
-use eigenshade_model::inputs::sheet::{Row, Sheet};
 use std::path::Path;
 
 /// The allowed relative difference of an error: hosts round differently, and rounding may end a
@@ -21,33 +20,29 @@ pub const BYTES: f64 = 0.02;
 pub const EXPONENT: f64 = 0.3;
 
 /// How a column is compared.
-#[derive(Clone, Copy, Debug, PartialEq)]
 enum Kind {
     /// As text.
-    Word,
+    Text,
     /// As a number, within a relative and an absolute tolerance.
     Number(f64, f64),
-    /// Not at all: times, and values that repeat another column.
+    /// Not at all: times, and decibels, which repeat the errors.
     Time,
 }
 
 fn kind(column: &str) -> Kind {
     let ends = |ends: &[&str]| ends.iter().any(|end| column.ends_with(end));
-    if column.starts_with("host_") || column.starts_with("wasm_") {
+    if column.starts_with("host_") || column.starts_with("wasm_") || ends(&["_db"]) {
         Kind::Time
-    } else if ends(&["_db"]) {
-        // These repeat the errors.
-        Kind::Time
-    } else if ends(&["_median", "_most", "_worst"]) || matches!(column, "median" | "worst") {
+    } else if ends(&["median", "most", "worst"]) {
         Kind::Number(ERROR, ROUNDING)
-    } else if ends(&["_bytes"]) || column == "counted" {
+    } else if ends(&["_bytes", "counted"]) {
         Kind::Number(BYTES, 0.0)
     } else if ends(&["_pixel", "_light", "_flash", "_ram"]) {
         Kind::Number(0.0, 0.0)
     } else if column == "terms" {
         Kind::Number(BYTES, 2.0)
     } else {
-        Kind::Word
+        Kind::Text
     }
 }
 
@@ -60,117 +55,82 @@ pub struct Compared {
     pub numbers: usize,
 }
 
-/// Compares the rows of these texts with those of the files of the same names in `folder`. Empty
-/// fields of a fresh row are not compared. With `whole`, the files must not have other rows.
+/// Compares these records with those of the file in `folder`. Rows of times are not compared. With
+/// `whole`, the file must not have other rows; otherwise fields that the records lack are skipped.
 ///
 /// # Errors
 ///
-/// The first difference, with its file and line, or an exponent that differs from theory.
+/// The first difference, with its file and line.
 pub fn compare(
-    fresh: &[(&str, String)],
-    growths: &[Growth],
+    form: &Form,
+    fresh: &[Record],
     folder: &Path,
-    whole: bool,
-) -> Result<Compared> {
-    let mut compared = Compared::default();
-    for (name, text) in fresh {
-        of_file(&folder.join(name), text, keys(name), whole, &mut compared)?;
-    }
-    for growth in growths.iter().filter(|growth| growth.unit == "bytes") {
-        let Some(found) = growth.exponent() else { continue };
-        if !whole && growth.points.len() < 4 {
-            continue;
-        }
-        let Some(theory) = growth.theory else { continue };
-        let is_near = (found - theory).abs() <= EXPONENT;
-        if !is_near {
-            let (measure, quantity) = (growth.measure, growth.quantity);
-            let what = format!(
-                "bytes of {measure} grow with {quantity} to the power {found:.2}, theory says {theory}"
-            );
-            return Err(Error::new(what, "find out which of the two is wrong"));
-        }
-    }
-    Ok(compared)
-}
-
-/// The number of columns that identify a row.
-fn keys(name: &str) -> &'static [&'static str] {
-    match name {
-        POINTS => &["setting"],
-        MODEL => &["surface", "degree", "order"],
-        GROWTH => &["quantity", "measure", "unit", "size"],
-        _ => &[],
-    }
-}
-
-fn of_file(
-    path: &Path,
-    text: &str,
-    keys: &[&str],
     whole: bool,
     compared: &mut Compared,
 ) -> Result<()> {
     let again = || {
-        let folder = path.parent().unwrap_or(Path::new(".")).display();
+        let folder = folder.display();
         format!(
             "make it again with `cargo run --release -p experiments -- accuracy-cost --out {folder}`"
         )
     };
-    let fresh = Sheet::parse(text.as_bytes().to_vec(), path, "")?;
-    let columns: Vec<&str> = fresh.header().collect();
-    let found = Sheet::read(path, &columns.join(","))?;
-    let places: Option<Vec<usize>> = columns.iter().map(|name| found.column(name)).collect();
-    let places = places.ok_or_else(|| found.wrong_header(&columns.join(",")))?;
-    let of_keys = |sheet: &Sheet, row: Row<'_>| -> Vec<String> {
-        let columns = keys.iter().filter_map(|key| sheet.column(key));
-        columns.map(|column| row.text(column).to_owned()).collect()
-    };
-    let mut rows = 0;
-    for row in fresh.rows() {
-        let name = of_keys(&fresh, row);
-        let Some(other) = found.rows().find(|other| of_keys(&found, *other) == name) else {
-            let what = format!("it has no row of `{}`", name.join(", "));
-            return Err(Error::new(what, again()).in_file(path));
-        };
-        rows += 1;
-        let pairs = columns.iter().zip(&places).enumerate();
-        for (column, (title, &place)) in pairs {
-            let (new, old) = (row.text(column), other.text(place));
-            let fault = || {
-                let name = name.join(", ");
-                let what = format!("`{name}`: {title} is {old} where {new} belongs");
-                other.fault(what, again())
-            };
-            match kind(title) {
-                Kind::Time => {}
-                // This run did not compute the value.
-                Kind::Number(..) if new.is_empty() && !whole => {}
+    let sheet = sheet::open(form, folder)?;
+    let recorded = sheet::read(form, folder)?;
+    let is_count = |record: &&Record| record.text("unit") != "ns";
+    let rows = fresh.iter().filter(is_count).count();
+    for record in fresh.iter().filter(is_count) {
+        let (key, name) = (record.key(form), record.key(form).join(", "));
+        let place = recorded.iter().position(|other| other.key(form) == key);
+        let missing = || sheet.fault(format!("it has no row of `{name}`"), again());
+        let place = place.ok_or_else(missing)?;
+        for column in form.columns.split(',') {
+            let [new, old] = [record, &recorded[place]].map(|record| record.text(column));
+            let is_near = match kind(column) {
+                Kind::Time => true,
+                Kind::Number(..) if new.is_empty() && !whole => true,
                 Kind::Number(relative, least) => match (number(new), number(old)) {
                     (Some(new), Some(old)) => {
-                        let allowed = (relative * new.abs().max(old.abs())).max(least);
-                        let is_near = (new - old).abs() <= allowed;
-                        if !is_near {
-                            return Err(fault());
-                        }
                         compared.numbers += 1;
+                        (new - old).abs() <= (relative * new.abs().max(old.abs())).max(least)
                     }
-                    _ if new == old => {}
-                    _ => return Err(fault()),
+                    _ => new == old,
                 },
-                Kind::Word if new == old => {}
-                Kind::Word => return Err(fault()),
+                Kind::Text => new == old,
+            };
+            if !is_near {
+                let what = format!("`{name}`: {column} is {old} where {new} belongs");
+                let fault =
+                    |row: eigenshade_model::inputs::sheet::Row<'_>| row.fault(&what, again());
+                return Err(sheet.rows().nth(place).map_or_else(missing, fault));
             }
         }
     }
     compared.rows += rows;
-    // A row that holds only a time is not recomputed.
-    let unit = found.column("unit");
-    let is_time = |row: &Row<'_>| unit.is_some_and(|unit| row.text(unit) == "ns");
-    let there = found.rows().filter(|row| !is_time(row)).count();
+    let there = recorded.iter().filter(is_count).count();
     if whole && there != rows {
-        let what = format!("it has {there} rows where {rows} belong");
-        return Err(Error::new(what, again()).in_file(path));
+        return Err(sheet.fault(format!("it has {there} rows where {rows} belong"), again()));
+    }
+    Ok(())
+}
+
+/// Compares the fitted exponents of bytes with theory.
+///
+/// # Errors
+///
+/// The first exponent that differs.
+pub fn exponents(growth: &[Record]) -> Result<()> {
+    for curve in growth::curves(growth).iter().filter(|curve| curve.unit == "bytes") {
+        // A quick run has too few orders for the highest power to dominate.
+        let fitted = curve.exponent().filter(|_| curve.points.len() >= 4);
+        let Some((found, theory)) = fitted.zip(curve.theory) else { continue };
+        let is_near = (found - theory).abs() <= EXPONENT;
+        if !is_near {
+            let what = format!(
+                "bytes of {} grow with {} to the power {found:.2}, theory says {theory}",
+                curve.measure, curve.quantity
+            );
+            return Err(Error::new(what, "find out which of the two is wrong"));
+        }
     }
     Ok(())
 }

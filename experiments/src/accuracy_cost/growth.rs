@@ -1,21 +1,23 @@
-//! Growth of times and bytes with degree, order, components, pixels, materials and maps.
+//! Growth of times, bytes and multiplications with degree, order, components, pixels, materials and
+//! maps.
 
-use super::Times;
 use super::bases::Bases;
-use super::exponent;
-use super::images::Image;
-use super::knobs::{DEGREE, ORDER};
+use super::floats::Work;
+use super::images::Pair;
 use super::materials::Scope;
 use super::setting::{Recipe, Setting};
-use super::times::{Case, Work, costs, interleaved};
+use super::settings::{DEGREE, ORDER};
+use super::sheet::Record;
+use super::times::{Case, costs, hemisphere, least};
 use crate::multiplications::Multiplications;
 use eigenshade::Material;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::light::projection;
 use eigenshade_index::light;
+use eigenshade_model::database::Named;
 use eigenshade_model::error::Result;
 use eigenshade_shading::owned_basis::OwnedBasis;
-use eigenshade_shading::shader::fault;
+use eigenshade_shading::shader::{OwnedNormals, Shader, fault};
 use eigenshade_table::{Parts, Table};
 use std::hint::black_box;
 
@@ -26,233 +28,211 @@ const ROUNDS: usize = 15;
 /// Width and height in texels of the maps whose number grows.
 const MAP: (usize, usize) = (64, 32);
 
-/// The unit of multiplication counts.
-pub const MULTIPLICATIONS: &str = "multiplications";
+/// Exponents of bytes in theory: quantity, measure, exponent.
+const THEORY: [(&str, &str, f64); 9] = [
+    ("degree", "rows of the components", 1.0),
+    ("order", "rows of the components", 2.0),
+    ("components", "rows of the components", 1.0),
+    ("degree", "polar integrals", 1.0),
+    ("order", "polar integrals", 2.0),
+    ("components", "polar integrals", 0.0),
+    ("degree", "a folded material", 1.0),
+    ("order", "a folded material", 0.0),
+    ("components", "a folded material", 1.0),
+];
+/// Quantities to which all measures are proportional.
+const PROPORTIONAL: [&str; 3] = ["materials", "pixels", "maps"];
 
 /// A measured quantity as a function of a growing one.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Growth {
+pub struct Curve {
     /// The quantity that grows.
-    pub quantity: &'static str,
+    pub quantity: String,
     /// The quantity that is measured.
-    pub measure: &'static str,
-    /// "ns", "bytes" or [`MULTIPLICATIONS`].
-    pub unit: &'static str,
+    pub measure: String,
+    /// "ns", "bytes" or "multiplications".
+    pub unit: String,
     /// The measured points.
     pub points: Vec<(f64, f64)>,
-    /// The theoretical exponent; for a time, the fitted exponent of its count.
+    /// The theoretical exponent; for a time, the fitted exponent of its multiplications.
     pub theory: Option<f64>,
-    /// The reason for the theoretical exponent.
-    pub reason: &'static str,
 }
 
-impl Growth {
+impl Curve {
     /// The fitted exponent; `None` for fewer than two points.
-    #[must_use]
     pub fn exponent(&self) -> Option<f64> {
-        exponent::fit(&self.points).map(|(_, exponent)| exponent)
+        power_law(&self.points).map(|(_, exponent)| exponent)
     }
+}
+
+/// a and b of y = a x^b, fitted in logarithms to the upper half of the points, where the highest
+/// power dominates. `None` for fewer than two points.
+pub fn power_law(points: &[(f64, f64)]) -> Option<(f64, f64)> {
+    let upper = &points[points.len() / 2 - usize::from(points.len() == 3 || points.len() == 2)..];
+    if upper.len() < 2 {
+        return None;
+    }
+    let logs: Vec<(f64, f64)> = upper.iter().map(|&(x, y)| (x.ln(), y.ln())).collect();
+    let count = logs.len() as f64;
+    let mean = |of: fn(&(f64, f64)) -> f64| logs.iter().map(of).sum::<f64>() / count;
+    let (x, y) = (mean(|log| log.0), mean(|log| log.1));
+    let product: f64 = logs.iter().map(|log| (log.0 - x) * (log.1 - y)).sum();
+    let square: f64 = logs.iter().map(|log| (log.0 - x).powi(2)).sum();
+    (square > 0.0).then(|| ((y - product / square * x).exp(), product / square))
+}
+
+/// The curves of these rows.
+pub fn curves(rows: &[Record]) -> Vec<Curve> {
+    let mut curves: Vec<Curve> = Vec::new();
+    for row in rows {
+        let [quantity, measure, unit] =
+            ["quantity", "measure", "unit"].map(|column| row.text(column).to_owned());
+        let value = row.number("counted").or(row.number("host_ns"));
+        let Some(point) = row.number("size").zip(value) else { continue };
+        let is_it = |one: &&mut Curve| {
+            (&one.quantity, &one.measure, &one.unit) == (&quantity, &measure, &unit)
+        };
+        if let Some(curve) = curves.iter_mut().find(is_it) {
+            curve.points.push(point);
+        } else {
+            curves.push(Curve { quantity, measure, unit, points: vec![point], theory: None });
+        }
+    }
+    let theories = curves.iter().map(|curve| theory(curve, &curves)).collect::<Vec<_>>();
+    curves.iter_mut().zip(theories).for_each(|(curve, theory)| curve.theory = theory);
+    curves
+}
+
+fn theory(curve: &Curve, curves: &[Curve]) -> Option<f64> {
+    let Curve { quantity, measure, unit, .. } = curve;
+    if PROPORTIONAL.contains(&quantity.as_str()) {
+        return Some(1.0);
+    }
+    if unit == "ns" {
+        let is_count = |other: &&Curve| {
+            (&other.quantity, &other.measure) == (quantity, measure)
+                && other.unit == "multiplications"
+        };
+        return curves.iter().find(is_count)?.exponent();
+    }
+    let found = THEORY.iter().find(|(one, of, _)| (*one, *of) == (&**quantity, &**measure));
+    found.map(|(.., exponent)| *exponent)
+}
+
+/// Collects measured rows.
+struct Rows {
+    rows: Vec<Record>,
+    timed: bool,
+}
+
+impl Rows {
+    /// Adds the rows of a curve.
+    fn add(&mut self, names: [&str; 3], points: impl IntoIterator<Item = (usize, f64)>) {
+        let [quantity, measure, unit] = names;
+        for (size, value) in points {
+            let mut row = Record::default();
+            row.put("quantity", quantity);
+            row.put("measure", measure);
+            row.put("unit", unit);
+            row.put("size", size);
+            match unit {
+                "ns" => row.measure("host_ns", value),
+                _ => row.put("counted", value),
+            }
+            self.rows.push(row);
+        }
+    }
+
+    /// The measures of these tables: bytes, multiplications, and times in the same order.
+    fn of_tables(&mut self, quantity: &str, tables: &[Made]) -> Result<()> {
+        let sizes = || tables.iter().map(|made| made.size);
+        let mut counts: [Vec<usize>; 6] = Default::default();
+        for Made { table, .. } in tables {
+            let parts = Parts::new(table);
+            let owned = OwnedBasis::<f32>::new(table);
+            let folded = owned.basis().map_err(fault)?.transfer_len();
+            let bytes = [parts.factors.len() + parts.terms.len(), parts.polar.len(), folded]
+                .map(|count| count * size_of::<f32>());
+            let Multiplications { pixel, relight, collapse, transfer, .. } =
+                Multiplications::of(table)?;
+            let of_table = bytes.into_iter().chain([pixel, relight + collapse, transfer]);
+            counts.iter_mut().zip(of_table).for_each(|(counts, count)| counts.push(count));
+        }
+        let operations = ["a pixel", "a new light", "a new material"];
+        let measures = ["rows of the components", "polar integrals", "a folded material"]
+            .map(|measure| [quantity, measure, "bytes"])
+            .into_iter()
+            .chain(operations.map(|measure| [quantity, measure, "multiplications"]));
+        for (names, counts) in measures.zip(counts) {
+            self.add(names, sizes().zip(counts.into_iter().map(|count| count as f64)));
+        }
+        if self.timed {
+            let owned: Vec<_> =
+                tables.iter().map(|made| OwnedBasis::<f32>::new(&made.table)).collect();
+            let (mut cases, mut folds) = (Vec::new(), Vec::new());
+            for (Made { recipe, table, pair, .. }, owned) in tables.iter().zip(&owned) {
+                cases.push(Case::new(&Setting::of(*recipe), table, pair)?);
+                folds.push(folding(owned, pair, 1)?);
+            }
+            let folds = least(folds, ROUNDS);
+            let costs = costs(&mut cases, ROUNDS)?;
+            let [pixels, lights] =
+                [0, 1].map(|kind| costs.iter().map(|cost| cost[kind]).collect::<Vec<f64>>());
+            for (measure, times) in operations.into_iter().zip([pixels, lights, folds]) {
+                self.add([quantity, measure, "ns"], sizes().zip(times));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A table of a size, and an image of it.
+struct Made {
+    size: usize,
+    recipe: Recipe,
+    table: Table,
+    pair: Pair,
+}
+
+/// The tables of recipes of one degree and order.
+fn made(recipes: &[(usize, Recipe)]) -> Result<Vec<Made>> {
+    let Recipe { degree, order, .. } = recipes[0].1;
+    let scope = Scope::seen(degree, order)?;
+    let bases = Bases::new(&scope, recipes.iter().map(|(_, recipe)| *recipe))?;
+    let [light, material] =
+        [&scope.lights.entries[0], &scope.seen.entries[0]].map(Named::luminance);
+    let pair = Pair { light, material };
+    let one = |&(size, recipe): &(usize, Recipe)| {
+        Ok(Made { size, recipe, table: bases.table(&recipe)?, pair: pair.clone() })
+    };
+    recipes.iter().map(one).collect()
 }
 
 /// All growth curves.
-///
-/// # Errors
-///
-/// Never in practice.
-pub fn all(quick: bool, times: Times<'_>) -> Result<Vec<Growth>> {
-    let timed = matches!(times, Times::Measured);
-    let mut growths = Vec::new();
-    let degrees: &[usize] = if quick { &[4, 6, 9, 12, 16] } else { &[4, 6, 9, 12, 16, 24, 32] };
-    let sizes: Vec<(usize, usize)> = degrees.iter().map(|&degree| (degree, ORDER)).collect();
-    growths.extend(of_bases("degree", &sizes, timed)?);
-    let orders: &[usize] = if quick { &[8, 12] } else { &[8, 12, 16, 24] };
-    let sizes: Vec<(usize, usize)> = orders.iter().map(|&order| (DEGREE, order)).collect();
-    growths.extend(of_bases("order", &sizes, timed)?);
-    growths.extend(of_components(timed)?);
-    growths.extend(of_materials(timed)?);
-    growths.extend(of_pixels(timed)?);
-    growths.extend(of_maps(timed));
-    if let Times::Kept(kept) = times {
-        for growth in growths.iter_mut().filter(|growth| growth.unit == "ns") {
-            growth.points = kept.of(growth);
-        }
-    }
-    growths.retain(|growth| !growth.points.is_empty());
-    Ok(growths)
-}
-
-/// A measure, its unit, and its theoretical exponents in degree, order and components.
-struct Theory {
-    measure: &'static str,
-    unit: &'static str,
-    /// `None` if it is a count, or if the fitted exponent of the count serves as the theory.
-    exponents: Option<[f64; 3]>,
-    reasons: [&'static str; 3],
-}
-
-const EACH_DEGREE: &str = "a number for each component and each l from \\|m\\| on";
-const PAIRS: &str = "pairs (p, q): (order / 2 + 1)²";
-const FOLDED: &str = "the material is folded in: nothing of the order is left";
-/// The reason where a count is the theory of a time.
-const COUNTED: [&str; 3] = ["as its multiplications"; 3];
-
-/// Bytes first, then counts, then times in the same order as the counts.
-const THEORY: [Theory; 9] = [
-    Theory {
-        measure: "rows of the components",
-        unit: "bytes",
-        exponents: Some([1.0, 2.0, 1.0]),
-        reasons: [
-            "a row of pairs for each component and each l from \\|m\\| on",
-            PAIRS,
-            "rows for each",
-        ],
-    },
-    Theory {
-        measure: "polar integrals",
-        unit: "bytes",
-        exponents: Some([1.0, 2.0, 0.0]),
-        reasons: ["one for each l and pair", PAIRS, "they are the light's and the material's"],
-    },
-    Theory {
-        measure: "a folded material",
-        unit: "bytes",
-        exponents: Some([1.0, 0.0, 1.0]),
-        reasons: [EACH_DEGREE, FOLDED, EACH_DEGREE],
-    },
-    Theory {
-        measure: "a pixel",
-        unit: MULTIPLICATIONS,
-        exponents: None,
-        reasons: [
-            "polynomials of the azimuths that 50 components have: no more at a higher degree, but longer ones",
-            "the same: longer polynomials, of as many azimuths",
-            "polynomials of an azimuth are summed; azimuths grow as the root",
-        ],
-    },
-    Theory {
-        measure: "a new light",
-        unit: MULTIPLICATIONS,
-        exponents: None,
-        reasons: [
-            "the folded material's numbers, and every component's polynomial",
-            "every component's polynomial: the rest is folded in",
-            "rows and a polynomial for each",
-        ],
-    },
-    Theory {
-        measure: "a new material",
-        unit: MULTIPLICATIONS,
-        exponents: None,
-        reasons: [EACH_DEGREE, PAIRS, "rows for each, and the polar integrals of all"],
-    },
-    Theory { measure: "a pixel", unit: "ns", exponents: None, reasons: COUNTED },
-    Theory { measure: "a new light", unit: "ns", exponents: None, reasons: COUNTED },
-    Theory { measure: "a new material", unit: "ns", exponents: None, reasons: COUNTED },
-];
-
-fn of_bases(quantity: &'static str, sizes: &[(usize, usize)], timed: bool) -> Result<Vec<Growth>> {
-    let mut tables = Vec::new();
-    for &(degree, order) in sizes {
-        let scope = Scope::seen(degree, order)?;
-        let recipe = Recipe::first(degree, order, COMPONENTS);
-        let bases = Bases::new(&scope, [recipe])?;
-        let size = if quantity == "degree" { degree } else { order };
-        if let Some(table) = bases.table(&recipe) {
-            tables.push((size, recipe, table, image(&scope)));
-        }
-    }
-    measured(quantity, usize::from(quantity != "degree"), &tables, timed)
-}
-
-fn of_components(timed: bool) -> Result<Vec<Growth>> {
-    let scope = Scope::seen(DEGREE, ORDER)?;
-    let recipes = [10, 25, 50, 100, 200].map(|count| Recipe::first(DEGREE, ORDER, count));
-    let bases = Bases::new(&scope, recipes)?;
-    let tables = recipes.iter().filter_map(|recipe| {
-        let table = bases.table(recipe)?;
-        Some((recipe.components?, *recipe, table, image(&scope)))
-    });
-    measured("components", 2, &tables.collect::<Vec<_>>(), timed)
-}
-
-/// An image of the first light on the first material.
-fn image(scope: &Scope) -> Image {
-    Image {
-        light: scope.lights.entries[0].luminance(),
-        material: scope.seen.entries[0].luminance(),
-        seen: true,
-        reference: Vec::new(),
-        peak: 0.0,
-    }
-}
-
-type Made = (usize, Recipe, Table, Image);
-
-fn measured(
-    quantity: &'static str,
-    place: usize,
-    tables: &[Made],
-    timed: bool,
-) -> Result<Vec<Growth>> {
-    let mut points = [const { Vec::new() }; THEORY.len()];
-    for (size, _, table, _) in tables {
-        let parts = Parts::new(table);
-        let owned = OwnedBasis::<f32>::new(table);
-        let folded = owned.basis().map_err(fault)?.transfer_len();
-        let rows = parts.factors.len() + parts.terms.len();
-        let bytes = [rows, parts.polar.len(), folded].map(|count| count * size_of::<f32>());
-        let Multiplications { pixel, relight, collapse, transfer, .. } =
-            Multiplications::of(table)?;
-        let counted = bytes.into_iter().chain([pixel, relight + collapse, transfer]);
-        for (points, count) in points.iter_mut().zip(counted) {
-            points.push((*size as f64, count as f64));
-        }
-    }
-    if timed {
-        let mut cases = Vec::new();
-        for (_, recipe, table, image) in tables {
-            cases.push(Case::new(&Setting::of(*recipe), table, image)?);
-        }
-        let owned: Vec<_> = tables.iter().map(|made| OwnedBasis::<f32>::new(&made.2)).collect();
-        let mut folds = Vec::new();
-        for (owned, (.., image)) in owned.iter().zip(tables) {
-            folds.push(folding(owned, image, 1)?);
-        }
-        let folds = least(folds);
-        let costs = costs(&mut cases, ROUNDS)?;
-        for (((size, ..), cost), fold) in tables.iter().zip(costs).zip(folds) {
-            let times = [cost.pixel, cost.light, fold];
-            for (points, time) in points.iter_mut().skip(6).zip(times) {
-                points.push((*size as f64, time));
-            }
-        }
-    }
-    let counted = points.clone();
-    let growth = THEORY.iter().zip(points).enumerate().map(|(k, (theory, points))| Growth {
-        quantity,
-        measure: theory.measure,
-        unit: theory.unit,
-        points,
-        theory: match (theory.unit, theory.exponents) {
-            ("ns", _) => exponent::fit(&counted[k - 3]).map(|(_, exponent)| exponent),
-            (_, exponents) => exponents.map(|exponents| exponents[place]),
-        },
-        reason: theory.reasons[place],
-    });
-    Ok(growth.collect())
-}
-
-/// The least time of each work in nanoseconds: other activity of the machine only adds time.
-fn least(works: Vec<Work<'_>>) -> Vec<f64> {
-    let least = |times: &Vec<f64>| times.iter().copied().fold(f64::INFINITY, f64::min);
-    interleaved(works, ROUNDS).iter().map(least).collect()
+pub fn rows(quick: bool, timed: bool) -> Result<Vec<Record>> {
+    let mut rows = Rows { rows: Vec::new(), timed };
+    let first = |degree, order| Recipe::first(degree, order, COMPONENTS);
+    let degrees = [4, 6, 9, 12, 16, 24, 32].into_iter().take(if quick { 5 } else { 7 });
+    let of_degrees: Result<Vec<_>> = degrees.map(|l| made(&[(l, first(l, ORDER))])).collect();
+    rows.of_tables("degree", &of_degrees?.into_iter().flatten().collect::<Vec<_>>())?;
+    let orders = [8, 12, 16, 24].into_iter().take(if quick { 2 } else { 4 });
+    let of_orders: Result<Vec<_>> = orders.map(|o| made(&[(o, first(DEGREE, o))])).collect();
+    rows.of_tables("order", &of_orders?.into_iter().flatten().collect::<Vec<_>>())?;
+    let counts = [10, 25, 50, 100, 200];
+    let of_counts = made(&counts.map(|count| (count, Recipe::first(DEGREE, ORDER, count))))?;
+    rows.of_tables("components", &of_counts)?;
+    let Made { table, pair, .. } = &of_counts[2];
+    let owned = OwnedBasis::<f32>::new(table);
+    of_materials(&mut rows, &owned, pair)?;
+    of_pixels(&mut rows, &owned, pair)?;
+    of_maps(&mut rows)?;
+    Ok(rows.rows)
 }
 
 /// Transfers `count` materials.
-fn folding<'a>(owned: &'a OwnedBasis<f32>, image: &Image, count: usize) -> Result<Work<'a>> {
+fn folding<'a>(owned: &'a OwnedBasis<f32>, pair: &Pair, count: usize) -> Result<Work<'a>> {
     let basis = owned.basis().map_err(fault)?;
-    let material: Vec<f32> = image.material.iter().map(|&value| value as f32).collect();
+    let material: Vec<f32> = pair.material.iter().map(|&value| value as f32).collect();
     let order = basis.order();
     Material::new(order, &material).map_err(fault)?;
     let mut workspace = vec![0.0; basis.workspace_len()];
@@ -267,90 +247,48 @@ fn folding<'a>(owned: &'a OwnedBasis<f32>, image: &Image, count: usize) -> Resul
     }))
 }
 
-fn of_materials(timed: bool) -> Result<Vec<Growth>> {
-    let scope = Scope::seen(DEGREE, ORDER)?;
-    let recipe = Recipe::first(DEGREE, ORDER, COMPONENTS);
-    let Some(table) = Bases::new(&scope, [recipe])?.table(&recipe) else { return Ok(Vec::new()) };
-    let image = image(&scope);
-    let owned = OwnedBasis::<f32>::new(&table);
-    let length = owned.basis().map_err(fault)?.transfer_len();
+fn of_materials(rows: &mut Rows, owned: &OwnedBasis<f32>, pair: &Pair) -> Result<()> {
+    let each = owned.basis().map_err(fault)?.transfer_len() * size_of::<f32>();
     let counts = [1usize, 4, 16, 64, 256];
-    let held = counts.map(|n| (n as f64, (n * length * size_of::<f32>()) as f64));
-    let mut folds = Vec::new();
-    for count in counts.into_iter().filter(|_| timed) {
-        folds.push(folding(&owned, &image, count)?);
+    rows.add(["materials", "transfers", "bytes"], counts.map(|n| (n, (n * each) as f64)));
+    if rows.timed {
+        let folds = counts.map(|count| folding(owned, pair, count));
+        let times = least(folds.into_iter().collect::<Result<_>>()?, ROUNDS);
+        rows.add(["materials", "folding", "ns"], counts.into_iter().zip(times));
     }
-    let times = counts.iter().map(|&n| n as f64).zip(least(folds)).collect();
-    let reason = "each has a transfer of its own";
-    let growth = |measure, unit, points| Growth {
-        quantity: "materials",
-        measure,
-        unit,
-        points,
-        theory: Some(1.0),
-        reason,
-    };
-    Ok(vec![growth("transfers", "bytes", held.to_vec()), growth("folding", "ns", times)])
+    Ok(())
 }
 
-fn of_pixels(timed: bool) -> Result<Vec<Growth>> {
-    let scope = Scope::seen(DEGREE, ORDER)?;
-    let recipe = Recipe::first(DEGREE, ORDER, COMPONENTS);
-    let Some(table) = Bases::new(&scope, [recipe])?.table(&recipe) else { return Ok(Vec::new()) };
-    let across = [16usize, 32, 64, 128, 256];
-    let pixels = across.map(|n| n * n);
-    let held = pixels.map(|n| (n as f64, (n * size_of::<f32>()) as f64));
-    let mut times = Vec::new();
-    if timed {
-        let owned = OwnedBasis::<f32>::new(&table);
-        let image = image(&scope);
-        let mut shader =
-            eigenshade_shading::shader::Shader::new(owned.basis().map_err(fault)?, usize::MAX);
-        shader.project((DEGREE, &image.light), (ORDER, &image.material))?;
+fn of_pixels(rows: &mut Rows, owned: &OwnedBasis<f32>, pair: &Pair) -> Result<()> {
+    let counts = [16usize, 32, 64, 128, 256].map(|across| across * across);
+    let bytes = counts.map(|n| (n, (n * size_of::<f32>()) as f64));
+    rows.add(["pixels", "a picture's f32", "bytes"], bytes);
+    if rows.timed {
+        let mut shader = Shader::new(owned.basis().map_err(fault)?, usize::MAX);
+        shader.project((DEGREE, &pair.light), (ORDER, &pair.material))?;
         let scene = shader.scene()?;
-        let mut works: Vec<Work<'_>> = Vec::new();
-        for count in pixels {
-            let normals = eigenshade_shading::shader::OwnedNormals::<f32>::new(
-                &super::shading::hemisphere(count),
-            );
+        let works = counts.map(|count| -> Work<'_> {
+            let normals = OwnedNormals::<f32>::new(&hemisphere(count));
             let (scene, mut out) = (&scene, vec![0.0; count]);
-            works.push(Box::new(move || {
+            Box::new(move || {
                 let normals = black_box(&normals).view().ok();
                 let done = normals.map(|normals| scene.shade_slice(normals, &mut out));
                 black_box((done.is_some_and(|done| done.is_ok()), &out));
-            }));
-        }
-        times = pixels.iter().map(|&n| n as f64).zip(least(works)).collect();
+            })
+        });
+        rows.add(["pixels", "shading", "ns"], counts.into_iter().zip(least(works.into(), ROUNDS)));
     }
-    let growth = proportional("pixels", "each pixel is its own");
-    Ok(vec![growth("a picture's f32", "bytes", held.to_vec()), growth("shading", "ns", times)])
+    Ok(())
 }
 
-/// A measure that is proportional to a quantity.
-fn proportional(
-    quantity: &'static str,
-    reason: &'static str,
-) -> impl Fn(&'static str, &'static str, Vec<(f64, f64)>) -> Growth {
-    move |measure, unit, points| Growth {
-        quantity,
-        measure,
-        unit,
-        points,
-        theory: Some(1.0),
-        reason,
-    }
-}
-
-fn of_maps(timed: bool) -> Vec<Growth> {
+fn of_maps(rows: &mut Rows) -> Result<()> {
     let counts = [1usize, 2, 4, 8, 16];
-    let numbers = 3 * light::count(DEGREE) * size_of::<f64>();
-    let held = counts.map(|n| (n as f64, (n * numbers) as f64));
-    let (width, height) = MAP;
-    let texels = (0..width * height).map(|k| [1.0 + (k % 7) as f32, 1.0, (k % 3) as f32]);
-    let mut times = Vec::new();
-    if let Ok(map) = EnvironmentMap::new(width, height, texels.collect())
-        && timed
-    {
+    let each = 3 * light::count(DEGREE) * size_of::<f64>();
+    rows.add(["maps", "coefficients", "bytes"], counts.map(|n| (n, (n * each) as f64)));
+    if rows.timed {
+        let (width, height) = MAP;
+        let texels = (0..width * height).map(|k| [1.0 + (k % 7) as f32, 1.0, (k % 3) as f32]);
+        let map = EnvironmentMap::new(width, height, texels.collect())?;
         let works = counts.map(|count| -> Work<'_> {
             let map = &map;
             Box::new(move || {
@@ -359,8 +297,22 @@ fn of_maps(timed: bool) -> Vec<Growth> {
                 }
             })
         });
-        times = counts.iter().map(|&n| n as f64).zip(least(works.into())).collect();
+        rows.add(["maps", "projection", "ns"], counts.into_iter().zip(least(works.into(), ROUNDS)));
     }
-    let growth = proportional("maps", "each map is projected by itself");
-    vec![growth("coefficients", "bytes", held.to_vec()), growth("projection", "ns", times)]
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::power_law;
+
+    #[test]
+    fn powers_come_back() {
+        let points: Vec<(f64, f64)> =
+            (1..9).map(f64::from).map(|x| (x, 3.0 * x.powf(1.5))).collect();
+        let (a, b) = power_law(&points).unwrap();
+        assert!((a - 3.0).abs() < 1e-12 && (b - 1.5).abs() < 1e-12);
+        assert!(power_law(&points[..2]).is_some() && power_law(&points[..1]).is_none());
+        assert!(power_law(&[]).is_none());
+    }
 }

@@ -21,12 +21,19 @@ const IN_DEGREES: f64 = 1.5;
 /// The number of normals on the rim: they count for the largest error but not for the rms.
 const RIM: usize = 64;
 
-/// One image.
-pub struct Image {
+/// A light on a material.
+#[derive(Clone)]
+pub struct Pair {
     /// Luminance of the light.
     pub light: Vec<f64>,
     /// Luminance of the material.
     pub material: Vec<f64>,
+}
+
+/// One image.
+pub struct Image {
+    /// Its light and its material.
+    pub pair: Pair,
     /// Whether the basis was made from this material.
     pub seen: bool,
     /// The irradiance at each normal.
@@ -38,19 +45,18 @@ pub struct Image {
 /// Degree or order, and coefficients.
 pub type Channel<'a> = (usize, &'a [f64]);
 
-impl Image {
-    /// The image's light and material up to a degree and an order, at most its own.
-    #[must_use]
+impl Pair {
+    /// The light and the material up to a degree and an order, at most its own.
     pub fn within(&self, degree: usize, order: usize) -> (Channel<'_>, Channel<'_>) {
         let light = &self.light[..light::count(degree)];
         ((degree, light), (order, &self.material[..material::count(order)]))
     }
 
-    /// The nine-term formula of the image, with its material treated as Lambertian.
+    /// The nine-term formula, with the material treated as Lambertian.
     ///
     /// # Errors
     ///
-    /// If the length of its light matches no degree.
+    /// If the length of the light matches no degree.
     pub fn nine_terms(&self) -> Result<NineTerms<f32>> {
         let degree = (self.light.len().isqrt() - 1).min(2);
         let ((degree, light), _) = self.within(degree, 0);
@@ -63,10 +69,6 @@ impl Image {
 
 /// Every light on every material.
 pub struct Images {
-    /// Degree of the lights.
-    pub degree: usize,
-    /// Order of the materials.
-    pub order: usize,
     /// Unit normals of a sphere.
     pub normals: Vec<[f64; 3]>,
     /// The weight of each normal, for the density cos α / π.
@@ -77,7 +79,6 @@ pub struct Images {
 
 impl Images {
     /// Computes the sums.
-    #[must_use]
     pub fn new(scope: &Scope) -> Self {
         let (degree, order) = (scope.degree, scope.order);
         let mut rings = rings(WIDEST.min(IN_DEGREES / degree.max(1) as f64));
@@ -121,13 +122,12 @@ impl Images {
             }
             let peak = values.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
             Image {
-                light: lights[light].clone(),
-                material: materials[material].clone(),
+                pair: Pair { light: lights[light].clone(), material: materials[material].clone() },
                 seen: material < scope.seen.entries.len(),
                 reference: values,
                 peak,
             }
         });
-        Self { degree, order, normals, weights, images }
+        Self { normals, weights, images }
     }
 }

@@ -17,8 +17,8 @@ const ROUGH: [f64; 10] = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0];
 const EVEN: [f64; 5] = [0.2, 0.4, 0.6, 0.8, 1.0];
 /// See [`EVEN`].
 const BETWEEN: [f64; 3] = [0.25, 0.45, 0.85];
-/// Every `STEP`-th light shines on them.
-const STEP: usize = 3;
+/// Every `LIGHT_STEP`-th light shines on them.
+const LIGHT_STEP: usize = 3;
 
 /// The lights and materials from which a basis of a degree and an order is made, and those with
 /// which it is measured.
@@ -38,10 +38,6 @@ pub struct Scope {
 impl Scope {
     /// A scope without unseen materials. It uses the measured materials up to their order, and a
     /// few formulas above it.
-    ///
-    /// # Errors
-    ///
-    /// Never in practice.
     pub fn seen(degree: usize, order: usize) -> Result<Self> {
         let measured = shipped::materials()?;
         let seen = if order <= measured.order {
@@ -55,10 +51,6 @@ impl Scope {
 
     /// Uses the measured materials up to their order, with GGX as the unseen materials. Above that
     /// order it uses formulas, with other formulas as the unseen materials.
-    ///
-    /// # Errors
-    ///
-    /// Never in practice.
     pub fn new(degree: usize, order: usize) -> Result<Self> {
         let measured = shipped::materials()?;
         let mut lights = shipped::lights()?.truncated(degree);
@@ -67,7 +59,7 @@ impl Scope {
         } else {
             let mut formulas = ggx(&EVEN, &[0.04, 0.9])?;
             formulas.extend(matte()?);
-            lights.entries = lights.entries.into_iter().step_by(STEP).collect();
+            lights.entries = lights.entries.into_iter().step_by(LIGHT_STEP).collect();
             (projected(&formulas, order), ggx(&BETWEEN, &[0.04, 0.5])?)
         };
         others.extend(merl_like()?);
@@ -99,10 +91,6 @@ fn matte() -> Result<Vec<Surface>> {
 
 /// The surfaces for which the model's error is measured: formulas from matte to glossy, and
 /// measured materials.
-///
-/// # Errors
-///
-/// Never in practice.
 pub fn modelled() -> Result<Vec<Surface>> {
     let mut surfaces = matte()?;
     surfaces.extend(ggx(&[0.5, 0.3], &[0.04])?);
@@ -111,95 +99,32 @@ pub fn modelled() -> Result<Vec<Surface>> {
     Ok(surfaces)
 }
 
-/// A published fit of the ABC model to a measured material.
-pub struct Fit {
-    /// Its name in the database.
-    pub name: &'static str,
-    /// k of r, g and b.
-    matte: [f64; 3],
-    /// a of r, g and b.
-    a: [f64; 3],
-    b: f64,
-    c: f64,
-    index: f64,
-}
-
 /// Materials of the MERL database, measured by W. Matusik and others ("A Data-Driven Reflectance
-/// Model", SIGGRAPH 2003), as fitted by J. Low and others (see [`Abc`]). There is one of each kind,
-/// from felt to paint, with lobes wider than 0.05 rad. Sharper lobes are beyond any degree and
-/// order here.
-pub const MEASURED: [Fit; 7] = [
-    Fit {
-        name: "pink-felt",
-        matte: [0.267287, 0.178590, 0.156370],
-        a: [0.225846, 0.226874, 0.221785],
-        b: 54.853024,
-        c: 0.344321,
-        index: 2.938402,
-    },
-    Fit {
-        name: "teflon",
-        matte: [0.321152, 0.313597, 0.305526],
-        a: [1.787717, 1.816174, 1.846979],
-        b: 41.644257,
-        c: 2.066234,
-        index: 1.611215,
-    },
-    Fit {
-        name: "neoprene-rubber",
-        matte: [0.248773, 0.211228, 0.170494],
-        a: [1.327917, 1.299042, 1.233595],
-        b: 63.131874,
-        c: 1.701130,
-        index: 1.942141,
-    },
-    Fit {
-        name: "red-plastic",
-        matte: [0.268000, 0.044432, 0.010675],
-        a: [1.081538, 1.045352, 1.037089],
-        b: 34.117554,
-        c: 1.529797,
-        index: 1.666450,
-    },
-    Fit {
-        name: "silver-paint",
-        matte: [0.159599, 0.127910, 0.108671],
-        a: [1.151248, 1.207139, 1.248789],
-        b: 38.884895,
-        c: 1.971779,
-        index: 8.336617,
-    },
-    Fit {
-        name: "fruitwood-241",
-        matte: [0.048981, 0.034689, 0.019745],
-        a: [5.976665, 5.760932, 5.568172],
-        b: 192.199890,
-        c: 1.573300,
-        index: 1.483582,
-    },
-    Fit {
-        name: "purple-paint",
-        matte: [0.280217, 0.031190, 0.032274],
-        a: [14.006363, 13.769886, 13.753972],
-        b: 408.684143,
-        c: 1.776584,
-        index: 1.483770,
-    },
-];
+/// Model", SIGGRAPH 2003), as fitted by J. Low and others (see [`Abc`]): name; k of r, g and b; a of
+/// r, g and b; b, c and the refractive index. There is one of each kind, from felt to paint, with
+/// lobes wider than 0.05 rad. Sharper lobes are beyond any degree and order here.
+const MEASURED: &str = "\
+pink-felt 0.267287 0.178590 0.156370 0.225846 0.226874 0.221785 54.853024 0.344321 2.938402
+teflon 0.321152 0.313597 0.305526 1.787717 1.816174 1.846979 41.644257 2.066234 1.611215
+neoprene-rubber 0.248773 0.211228 0.170494 1.327917 1.299042 1.233595 63.131874 1.701130 1.942141
+red-plastic 0.268000 0.044432 0.010675 1.081538 1.045352 1.037089 34.117554 1.529797 1.666450
+silver-paint 0.159599 0.127910 0.108671 1.151248 1.207139 1.248789 38.884895 1.971779 8.336617
+fruitwood-241 0.048981 0.034689 0.019745 5.976665 5.760932 5.568172 192.199890 1.573300 1.483582
+purple-paint 0.280217 0.031190 0.032274 14.006363 13.769886 13.753972 408.684143 1.776584 1.483770";
 
 /// The measured materials, in color.
-///
-/// # Errors
-///
-/// Never in practice.
 fn measured() -> Result<Vec<Surface>> {
-    let surface = |fit: &Fit| {
-        let channel = |k: usize| Abc::new(fit.matte[k], [fit.a[k], fit.b, fit.c], fit.index);
+    let surface = |line: &str| {
+        let (name, numbers) = line.split_once(' ')?;
+        let numbers: Option<Vec<f64>> = numbers.split(' ').map(|one| one.parse().ok()).collect();
+        let [k @ .., a0, a1, a2, b, c, index] = <[f64; 9]>::try_from(numbers?).ok()?;
+        let channel = |at: usize| Abc::new(k[at], [[a0, a1, a2][at], b, c], index).ok();
         let rgb: [Box<dyn Brdf>; 3] =
             [Box::new(channel(0)?), Box::new(channel(1)?), Box::new(channel(2)?)];
-        Ok(Surface::colored(fit.name.to_owned(), rgb))
+        Some(Surface::colored(name.to_owned(), rgb))
     };
-    MEASURED.iter().map(surface).collect()
+    let surfaces: Option<Vec<Surface>> = MEASURED.lines().map(surface).collect();
+    surfaces.ok_or_else(|| Error::new("a fit of a material cannot be read", "report it"))
 }
 
 /// Two tables in the layout of the MERL database with lobes that differ from GGX: a matte base

@@ -1,8 +1,13 @@
 //! The cost of accuracy: the error and the price of varying every parameter.
+//!
+//! Measurements become [`sheet::Record`]s. The CSV files, the checks, the charts and the tables of
+//! the page are made from these.
 
 pub mod setting;
 
-pub mod knobs;
+pub mod settings;
+
+pub mod sheet;
 
 pub mod materials;
 
@@ -10,127 +15,210 @@ pub mod bases;
 
 pub mod images;
 
-pub mod shading;
-
-pub mod method;
-
-pub mod sizes;
-
 pub mod times;
 
-pub mod kept;
+mod floats;
 
-pub mod model;
+pub mod numbers;
 
-pub mod machine;
+pub mod errors;
 
-pub mod ladder;
+pub mod bytes;
 
-pub mod boards;
+pub mod machines;
 
 pub mod wasm;
 
-pub mod points;
-
-pub mod front;
-
-pub mod choice;
-
-pub mod exponent;
+pub mod model;
 
 pub mod growth;
 
-mod chart;
-
-pub mod words;
-
-pub mod figures;
-
-pub mod page;
-
-pub mod sheet;
+pub mod choice;
 
 pub mod check;
 
-use eigenshade_model::error::Result;
-use growth::Growth;
+mod chart;
+
+pub mod report;
+
+use bases::Bases;
+use eigenshade_cli::table;
+use eigenshade_model::error::{Error, Result};
+use errors::{Found, compare};
+use images::Images;
 use indicatif::ProgressBar;
-use kept::Kept;
-use model::Row;
-use points::Point;
+use machines::Counts;
+use materials::Scope;
+use settings::Varied;
+use sheet::{Form, GROWTH, MODEL, Record, SETTINGS};
+use std::collections::BTreeSet;
 use std::path::Path;
+use times::Case;
 
-/// The command that makes the files; the first line of each file names it.
-pub const COMMAND: &str = "experiments accuracy-cost";
+/// Rounds of the timed runs.
+const ROUNDS: usize = 25;
+/// The columns of a setting's times on this machine.
+const TIMES: [&str; 4] = ["host_pixel_ns", "host_light_ns", "host_pixel", "host_light"];
 
-/// What is measured, and to what extent.
-#[derive(Clone, Copy)]
-pub struct Extent<'a> {
-    /// Whether to measure only a part of the settings, surfaces and sizes.
-    pub quick: bool,
-    /// Where times come from.
-    pub times: Times<'a>,
-}
-
-/// The source of times.
-#[derive(Clone, Copy)]
-pub enum Times<'a> {
-    /// No times.
-    None,
-    /// Times are measured.
-    Measured,
-    /// Times of an earlier run.
-    Kept(&'a Kept),
-}
-
-/// All measurements.
+/// The rows of all files.
+#[derive(Clone, Debug, Default)]
 pub struct Measured {
-    /// The errors of the model.
-    pub models: Vec<Row>,
     /// The settings.
-    pub points: Vec<Point>,
+    pub settings: Vec<Record>,
+    /// The errors of the model.
+    pub model: Vec<Record>,
     /// The growth curves.
-    pub growths: Vec<Growth>,
+    pub growth: Vec<Record>,
 }
 
 impl Measured {
-    /// Runs the measurements with the environment maps in `maps`.
+    /// Runs the measurements with the environment maps in `maps`; with `quick`, only for a part of
+    /// the settings, surfaces and sizes. Times are left out unless `timed`.
     ///
     /// # Errors
     ///
     /// If a map is missing or cannot be read.
-    pub fn new(extent: Extent<'_>, maps: &Path, progress: &ProgressBar) -> Result<Self> {
-        let Extent { quick, times } = extent;
+    pub fn new(quick: bool, timed: bool, maps: &Path, progress: &ProgressBar) -> Result<Self> {
         let models = model::rows(maps, quick, progress)?;
-        let points = points::measure(extent, &models, progress)?;
-        let growths = growth::all(quick, times)?;
-        Ok(Self { models, points, growths })
+        // A quick run has too few surfaces for the error of the model.
+        let settings =
+            measure(&settings::all(quick), (!quick).then_some(&models[..]), timed, progress)?;
+        let growth = growth::rows(quick, timed)?;
+        Ok(Self { settings, model: models.iter().map(model::Row::record).collect(), growth })
     }
 
-    /// The CSV files by name.
+    /// Reads the files of a folder.
     ///
     /// # Errors
     ///
-    /// Never in practice.
-    pub fn sheets(&self) -> Result<[(&'static str, String); 3]> {
-        Ok([
-            (sheet::POINTS, sheet::points(&self.points)?),
-            (sheet::MODEL, sheet::model(&self.models)?),
-            (sheet::GROWTH, sheet::growth(&self.growths)?),
-        ])
+    /// If a file is missing or lacks a column.
+    pub fn read(folder: &Path) -> Result<Self> {
+        let [settings, model, growth] =
+            [&SETTINGS, &MODEL, &GROWTH].map(|form| sheet::read(form, folder));
+        Ok(Self { settings: settings?, model: model?, growth: growth? })
     }
 
-    /// All files by name: CSV, charts and the page.
+    /// The rows with the form of their file.
+    pub fn sheets(&self) -> [(&'static Form, &[Record]); 3] {
+        [(&SETTINGS, &self.settings), (&MODEL, &self.model), (&GROWTH, &self.growth)]
+    }
+
+    /// Takes over the times of an earlier run.
     ///
     /// # Errors
     ///
-    /// Never in practice.
-    pub fn files(&self) -> Result<Vec<(String, String)>> {
-        let sheets = self.sheets()?.into_iter().map(|(name, text)| (name.to_owned(), text));
-        let mut files: Vec<(String, String)> = sheets.collect();
-        files.extend(figures::all(&self.points, &self.models, &self.growths)?);
-        let page = page::page(&self.points, &self.models, &self.growths);
-        files.push((page::PAGE.to_owned(), page));
-        Ok(files)
+    /// If a setting has no time there.
+    pub fn keep_times(&mut self, earlier: &Self) -> Result<()> {
+        for row in &mut self.settings {
+            let is_it = |other: &&Record| other.key(&SETTINGS) == row.key(&SETTINGS);
+            let found = earlier.settings.iter().find(is_it);
+            let Some(found) = found.filter(|row| TIMES.iter().all(|one| row.number(one).is_some()))
+            else {
+                let what = format!("`{}` has no time to be kept", row.text("setting"));
+                return Err(Error::new(what, "measure all times again, without --keep-times"));
+            };
+            TIMES.iter().for_each(|column| row.put(*column, found.text(column)));
+        }
+        // In the order of the files: the times of a quantity follow its counts.
+        let times: Vec<&Record> =
+            earlier.growth.iter().filter(|row| row.text("unit") == "ns").collect();
+        let counts = std::mem::take(&mut self.growth);
+        for of_quantity in counts.chunk_by(|a, b| a.text("quantity") == b.text("quantity")) {
+            self.growth.extend_from_slice(of_quantity);
+            let quantity = of_quantity[0].text("quantity");
+            let of = times.iter().filter(|row| row.text("quantity") == quantity);
+            self.growth.extend(of.map(|row| (*row).clone()));
+        }
+        Ok(())
+    }
+}
+
+/// Measures settings.
+///
+/// # Errors
+///
+/// If a setting cannot be computed in its number format.
+pub fn measure(
+    varied: &[Varied],
+    models: Option<&[model::Row]>,
+    timed: bool,
+    progress: &ProgressBar,
+) -> Result<Vec<Record>> {
+    let size = |one: &Varied| (one.setting.recipe.degree, one.setting.recipe.order);
+    let (counts, wasm) = (Counts::new()?, wasm::Times::new()?);
+    let mut rows = vec![Record::default(); varied.len()];
+    let mut cases = Vec::new();
+    progress.set_length(varied.len() as u64);
+    for (degree, order) in varied.iter().map(size).collect::<BTreeSet<(usize, usize)>>() {
+        let scope = Scope::new(degree, order)?;
+        let images = Images::new(&scope);
+        let of_size = || varied.iter().zip(0..).filter(|(one, _)| size(one) == (degree, order));
+        let bases = Bases::new(&scope, of_size().map(|(one, _)| one.setting.recipe))?;
+        for (one, k) in of_size() {
+            let setting = &one.setting;
+            let of = |error: Error| error.of(format_args!("`{setting}`"));
+            let table = bases.table(&setting.recipe)?;
+            let found = compare(setting, &table, &images).map_err(of)?;
+            if timed {
+                let pair = &images.images[found.typical].pair;
+                cases.push((k, Case::new(setting, &table, pair).map_err(of)?));
+            }
+            let row = &mut rows[k];
+            describe(row, one);
+            fill(row, &found);
+            if let Some(models) = models {
+                let spread = model::spread(models, (degree, order));
+                row.measure("model_median", spread.median);
+                row.measure("model_worst", spread.worst);
+            }
+            let [table_bytes, state_bytes] = bytes::bytes(setting, &table).map_err(of)?;
+            row.put("table_bytes", table_bytes);
+            row.put("state_bytes", state_bytes);
+            counts.fill(row, setting);
+            wasm.fill(row, setting);
+            progress.inc(1);
+        }
+    }
+    let (places, mut cases): (Vec<usize>, Vec<Case>) = cases.into_iter().unzip();
+    let costs = times::costs(&mut cases, ROUNDS)?;
+    // The nine-term formula is the first setting.
+    let nine = places.iter().position(|&k| k == 0).map_or(f64::NAN, |first| costs[first][0]);
+    for (k, [pixel, light]) in places.into_iter().zip(costs) {
+        let times = [pixel, light, pixel / nine, light / nine];
+        TIMES.into_iter().zip(times).for_each(|(column, time)| rows[k].measure(column, time));
+    }
+    Ok(rows)
+}
+
+/// Fills in what a setting is.
+fn describe(row: &mut Record, Varied { parameter, setting }: &Varied) {
+    let recipe = &setting.recipe;
+    row.put("knob", *parameter);
+    row.put("setting", setting);
+    row.put("degree", recipe.degree);
+    row.put("order", recipe.order);
+    row.put("effects", table::effect_names(recipe.effects));
+    let counts = [recipe.components, recipe.modes, recipe.azimuths];
+    for (column, count) in ["components", "modes", "azimuths"].into_iter().zip(counts) {
+        count.into_iter().for_each(|count| row.put(column, count));
+    }
+    row.put("way", setting.way);
+    row.put("format", setting.format);
+}
+
+/// Fills in the errors of the method.
+fn fill(row: &mut Record, Found { seen, unseen, terms, .. }: &Found) {
+    row.put("terms", *terms);
+    let decibels = |error: f64| format!("{:.1}", -20.0 * error.log10());
+    for (name, spread) in [("rms", seen.rms), ("largest", seen.largest)] {
+        for (kind, error) in [("median", spread.median), ("worst", spread.worst)] {
+            row.measure(format!("{name}_{kind}"), error);
+            row.put(format!("{name}_{kind}_db"), decibels(error));
+        }
+    }
+    for (name, spread) in [("unseen_rms", unseen.rms), ("unseen_largest", unseen.largest)] {
+        row.measure(format!("{name}_median"), spread.median);
+        row.measure(format!("{name}_most"), spread.most);
+        row.measure(format!("{name}_worst"), spread.worst);
     }
 }

@@ -1,13 +1,13 @@
 //! The error of the model: the direct sum of a degree and an order, compared with the BRDF itself
 //! integrated under captured maps without any truncation.
 
-use super::knobs::{DEGREE, HIGHER, LOWER, ORDER};
+use super::errors::Spread;
 use super::materials::modelled;
-use super::method::Spread;
+use super::settings::sizes;
+use super::sheet::Record;
 use crate::accuracy::{Reference, spacing};
 use eigenshade_generator::direct::Surroundings;
 use eigenshade_generator::light::environment::EnvironmentMap;
-use eigenshade_generator::material::brdf::Surface;
 use eigenshade_model::database::Lights;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_shading::shipped;
@@ -20,22 +20,27 @@ pub const MAPS: [&str; 6] = ["esplanade", "hall", "park", "sky", "studio", "veni
 const QUICK: [&str; 3] = ["lambertian", "ggx-0.9-0.7", "teflon"];
 
 /// One surface at one degree and order.
-#[derive(Clone, Debug, PartialEq)]
 pub struct Row {
-    /// Which surface.
-    pub surface: String,
-    /// The degree of the lights.
-    pub degree: usize,
-    /// The order of the materials.
-    pub order: usize,
+    surface: String,
+    size: (usize, usize),
     /// The rms over the sphere and the channels relative to the peak, by map.
-    pub errors: Vec<f64>,
+    errors: Vec<f64>,
 }
 
-/// The degrees and orders for which the model is measured.
-#[must_use]
-pub fn sizes() -> Vec<(usize, usize)> {
-    LOWER.into_iter().chain([(DEGREE, ORDER)]).chain(HIGHER).collect()
+impl Row {
+    pub fn record(&self) -> Record {
+        let mut record = Record::default();
+        record.put("surface", &self.surface);
+        record.put("degree", self.size.0);
+        record.put("order", self.size.1);
+        let Spread { median, worst, .. } = Spread::of(&self.errors);
+        record.measure("median", median);
+        record.measure("worst", worst);
+        for (map, &error) in MAPS.into_iter().zip(&self.errors) {
+            record.measure(map, error);
+        }
+        record
+    }
 }
 
 /// Integrates under the maps in this folder; with `quick`, only three surfaces.
@@ -65,31 +70,18 @@ pub fn rows(folder: &Path, quick: bool, progress: &ProgressBar) -> Result<Vec<Ro
     surfaces.retain(|surface| !quick || QUICK.contains(&surface.name.as_str()));
     let mut rows = Vec::new();
     for surface in &surfaces {
-        rows.extend(of_surface(surface, &maps, &lights, progress));
+        let reference = Reference::new(surface, &maps, spacing(surface), 1.0, progress);
+        rows.extend(sizes().map(|size| Row {
+            surface: surface.name.clone(),
+            size,
+            errors: reference.of_sum(&lights, size.0, size.1),
+        }));
     }
     Ok(rows)
 }
 
-fn of_surface(
-    surface: &Surface,
-    maps: &Surroundings,
-    lights: &Lights,
-    progress: &ProgressBar,
-) -> Vec<Row> {
-    let reference = Reference::new(surface, maps, spacing(surface), 1.0, progress);
-    let row = |(degree, order)| Row {
-        surface: surface.name.clone(),
-        degree,
-        order,
-        errors: reference.of_sum(lights, degree, order),
-    };
-    sizes().into_iter().map(row).collect()
-}
-
-/// The errors of a degree and an order over all surfaces and maps; `None` if no row has them.
-#[must_use]
-pub fn spread(rows: &[Row], degree: usize, order: usize) -> Option<Spread> {
-    let of_size = rows.iter().filter(|row| (row.degree, row.order) == (degree, order));
-    let errors: Vec<f64> = of_size.flat_map(|row| row.errors.iter().copied()).collect();
-    (!errors.is_empty()).then(|| Spread::of(&errors))
+/// The errors of a degree and an order over all surfaces and maps.
+pub fn spread(rows: &[Row], size: (usize, usize)) -> Spread {
+    let of_size = rows.iter().filter(|row| row.size == size);
+    Spread::of(&of_size.flat_map(|row| row.errors.iter().copied()).collect::<Vec<f64>>())
 }

@@ -26,7 +26,6 @@ pub struct Recipe {
 
 impl Recipe {
     /// The corresponding `basis.cut` of a scene file.
-    #[must_use]
     pub fn cuts(&self) -> scene::Cut {
         let (terms, trim) = match self.cut {
             Cut::Whole => (None, None),
@@ -72,9 +71,7 @@ pub enum Way {
 /// The number format in which a pixel is computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
-    /// 64-bit floating point.
     F64,
-    /// 32-bit floating point.
     F32,
     /// Integers with mantissas of 31 bits.
     Q31,
@@ -87,32 +84,23 @@ pub enum Format {
 pub enum Scaling {
     /// None: normals arrive scaled.
     None,
-    /// `libm`.
     Libm,
-    /// `SinglePrecision`.
     Single,
-    /// `Tabled`.
     Tabled,
-    /// `micromath`.
     Micromath,
 }
 
 /// One value for every parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Setting {
-    /// The basis.
     pub recipe: Recipe,
-    /// The method that computes a pixel.
     pub way: Way,
-    /// The number format.
     pub format: Format,
-    /// The scaling of normals.
     pub scaling: Scaling,
 }
 
 impl Recipe {
     /// All components of a degree and an order.
-    #[must_use]
     pub const fn all(degree: usize, order: usize) -> Self {
         let (components, modes, azimuths) = (None, None, None);
         let effects = Effects::ALL;
@@ -120,13 +108,11 @@ impl Recipe {
     }
 
     /// The first components of a degree and an order.
-    #[must_use]
     pub const fn first(degree: usize, order: usize, components: usize) -> Self {
         Self { components: Some(components), ..Self::all(degree, order) }
     }
 
     /// The same with other polynomials.
-    #[must_use]
     pub const fn cut(self, cut: Cut) -> Self {
         Self { cut, ..self }
     }
@@ -134,19 +120,16 @@ impl Recipe {
 
 impl Setting {
     /// The collapsed polynomials of a basis in f32.
-    #[must_use]
     pub const fn of(recipe: Recipe) -> Self {
         Self { recipe, way: Way::Polynomial, format: Format::F32, scaling: Scaling::None }
     }
 
     /// The same by another method.
-    #[must_use]
     pub const fn by(self, way: Way) -> Self {
         Self { way, ..self }
     }
 
     /// The same in another number format.
-    #[must_use]
     pub const fn in_format(self, format: Format) -> Self {
         Self { format, ..self }
     }
@@ -193,24 +176,7 @@ impl fmt::Display for Way {
 
 impl fmt::Display for Format {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::F64 => "f64",
-            Self::F32 => "f32",
-            Self::Q31 => "q31",
-            Self::Q15 => "q15",
-        })
-    }
-}
-
-impl fmt::Display for Scaling {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::None => "",
-            Self::Libm => "libm",
-            Self::Single => "single",
-            Self::Tabled => "tabled",
-            Self::Micromath => "micromath",
-        })
+        f.write_str(&format!("{self:?}").to_lowercase())
     }
 }
 
@@ -220,7 +186,7 @@ impl fmt::Display for Setting {
         write!(f, "{} {} {}", self.recipe, self.way, self.format)?;
         match self.scaling {
             Scaling::None => Ok(()),
-            scaling => write!(f, " {scaling}"),
+            scaling => write!(f, " {}", format!("{scaling:?}").to_lowercase()),
         }
     }
 }

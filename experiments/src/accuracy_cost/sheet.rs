@@ -1,192 +1,129 @@
-//! The CSV files: every point, and every surface of the model.
+//! The CSV files. A row is a [`Record`] from its measurement to the charts.
 
-use super::COMMAND;
-use super::growth::Growth;
-use super::machine::Machine;
-use super::method::Spread;
-use super::model::{MAPS, Row};
-use super::points::Point;
 use eigenshade_cli::output::Rows;
 use eigenshade_cli::output::exact;
-use eigenshade_cli::table;
 use eigenshade_model::error::Result;
+use eigenshade_model::inputs::sheet::Sheet;
+use std::collections::BTreeMap;
+use std::fmt::Display;
+use std::path::Path;
 
-/// The file of all points.
-pub const POINTS: &str = "accuracy-cost.csv";
-/// The file of the model's errors.
-pub const MODEL: &str = "model.csv";
-/// The file of the growth curves.
-pub const GROWTH: &str = "growth.csv";
+/// The first line of each file, after its comment sign.
+pub const COMMAND: &str = "experiments accuracy-cost";
 /// Significant digits of errors and costs.
 const DIGITS: usize = 4;
 
+/// The form of a CSV file.
+pub struct Form {
+    /// The file's name.
+    pub name: &'static str,
+    /// Its columns.
+    pub columns: &'static str,
+    /// The columns that identify a row.
+    pub keys: &'static [&'static str],
+}
+
+/// The settings: errors of the method (`unseen_` over materials that the basis never saw), the
+/// error of the model, bytes, times, and costs on each machine.
+pub const SETTINGS: Form = Form {
+    name: "accuracy-cost.csv",
+    columns: "knob,setting,degree,order,components,modes,effects,azimuths,way,format,terms,\
+              rms_median,rms_worst,rms_median_db,rms_worst_db,\
+              largest_median,largest_worst,largest_median_db,largest_worst_db,\
+              unseen_rms_median,unseen_rms_most,unseen_rms_worst,\
+              unseen_largest_median,unseen_largest_most,unseen_largest_worst,\
+              model_median,model_worst,table_bytes,state_bytes,\
+              host_pixel_ns,host_light_ns,host_pixel,host_light,\
+              m0_pixel,m0_light,m0_flash,m0_ram,m3_pixel,m3_light,m3_flash,m3_ram,\
+              m4f_pixel,m4f_light,m4f_flash,m4f_ram,rv32_pixel,rv32_light,rv32_flash,rv32_ram,\
+              wasm_pixel,wasm_light",
+    keys: &["setting"],
+};
+/// The errors of the model by map.
+pub const MODEL: Form = Form {
+    name: "model.csv",
+    columns: "surface,degree,order,median,worst,esplanade,hall,park,sky,studio,venice",
+    keys: &["surface", "degree", "order"],
+};
+/// The growth curves, with separate columns for counts and nanoseconds.
+pub const GROWTH: Form = Form {
+    name: "growth.csv",
+    columns: "quantity,measure,unit,size,counted,host_ns",
+    keys: &["quantity", "measure", "unit", "size"],
+};
+
+/// A row: texts by column. Columns without a text are empty.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Record(BTreeMap<String, String>);
+
+impl Record {
+    /// The text in a column.
+    pub fn text(&self, column: &str) -> &str {
+        self.0.get(column).map_or("", String::as_str)
+    }
+
+    /// The number in a column, if it has one.
+    pub fn number(&self, column: &str) -> Option<f64> {
+        self.text(column).parse().ok()
+    }
+
+    /// The texts that identify the row.
+    pub fn key(&self, form: &Form) -> Vec<&str> {
+        form.keys.iter().map(|column| self.text(column)).collect()
+    }
+
+    /// Fills in a text or an exact number.
+    pub fn put(&mut self, column: impl Into<String>, value: impl Display) {
+        self.0.insert(column.into(), value.to_string());
+    }
+
+    /// Fills in an error or a cost with few digits, if there is one.
+    pub fn measure(&mut self, column: impl Into<String>, value: impl Into<Option<f64>>) {
+        if let Some(value) = value.into() {
+            self.put(column, digits(value));
+        }
+    }
+}
+
 /// Formats a number with few significant digits.
-#[must_use]
-pub fn digits(value: f64) -> String {
+fn digits(value: f64) -> String {
     exact(format!("{value:.*e}", DIGITS - 1).parse().unwrap_or(value))
 }
 
-/// Formats an error relative to the peak in decibels.
-#[must_use]
-pub fn decibels(error: f64) -> String {
-    format!("{:.1}", -20.0 * error.log10())
-}
-
-/// The columns of [`POINTS`].
-#[must_use]
-pub fn columns() -> Vec<String> {
-    let mut columns: Vec<String> = [
-        "knob",
-        "setting",
-        "degree",
-        "order",
-        "components",
-        "modes",
-        "effects",
-        "azimuths",
-        "way",
-        "format",
-        "terms",
-        "rms_median",
-        "rms_worst",
-        "rms_median_db",
-        "rms_worst_db",
-        "largest_median",
-        "largest_worst",
-        "largest_median_db",
-        "largest_worst_db",
-        "unseen_rms_median",
-        "unseen_rms_most",
-        "unseen_rms_worst",
-        "unseen_largest_median",
-        "unseen_largest_most",
-        "unseen_largest_worst",
-        "model_median",
-        "model_worst",
-        "table_bytes",
-        "state_bytes",
-        "host_pixel_ns",
-        "host_light_ns",
-    ]
-    .map(str::to_owned)
-    .to_vec();
-    for machine in Machine::ALL {
-        let key = machine.key();
-        columns.extend([format!("{key}_pixel"), format!("{key}_light")]);
-        if machine.counts() {
-            columns.extend([format!("{key}_flash"), format!("{key}_ram")]);
-        }
-    }
-    columns
-}
-
-/// All points as CSV.
-///
-/// # Errors
-///
-/// Never in practice: the rows are as long as the header.
-pub fn points(points: &[Point]) -> Result<String> {
-    text(&columns(), points.iter().map(fields))
-}
-
-fn fields(point: &Point) -> Vec<String> {
-    let setting = &point.setting;
-    let optional = |value: Option<usize>| value.map_or(String::new(), |value| value.to_string());
-    let number = |value: Option<f64>| value.map_or(String::new(), digits);
-    let spread = |spread: &Spread| [digits(spread.median), digits(spread.worst)];
-    let (seen, unseen) = (&point.method.seen, &point.method.unseen);
-    let mut fields = vec![
-        point.knob.to_owned(),
-        setting.to_string(),
-        setting.recipe.degree.to_string(),
-        setting.recipe.order.to_string(),
-        optional(setting.recipe.components),
-        optional(setting.recipe.modes),
-        table::effect_names(setting.recipe.effects),
-        optional(setting.recipe.azimuths),
-        setting.way.to_string(),
-        setting.format.to_string(),
-        point.method.terms.to_string(),
-    ];
-    for errors in [&seen.rms, &seen.largest] {
-        fields.extend(spread(errors));
-        fields.extend([decibels(errors.median), decibels(errors.worst)]);
-    }
-    for errors in [&unseen.rms, &unseen.largest] {
-        fields.extend([errors.median, errors.most, errors.worst].map(digits));
-    }
-    fields.extend([
-        number(point.model.map(|one| one.median)),
-        number(point.model.map(|one| one.worst)),
-    ]);
-    fields.extend([point.bytes.table.to_string(), point.bytes.state.to_string()]);
-    fields
-        .extend([number(point.cost.map(|one| one.pixel)), number(point.cost.map(|one| one.light))]);
-    for machine in Machine::ALL {
-        let price = point.prices.get(&machine).copied().unwrap_or_default();
-        fields.extend([number(price.pixel), number(price.light)]);
-        if machine.counts() {
-            fields.extend([optional(price.flash), optional(price.ram)]);
-        }
-    }
-    fields
-}
-
-/// The columns of [`MODEL`].
-#[must_use]
-pub fn model_columns() -> Vec<String> {
-    let names = ["surface", "degree", "order", "median", "worst"].map(str::to_owned);
-    names.into_iter().chain(MAPS.map(str::to_owned)).collect()
-}
-
-/// The model's errors as CSV.
-///
-/// # Errors
-///
-/// Never in practice.
-pub fn model(rows: &[Row]) -> Result<String> {
-    let row = |row: &Row| {
-        let spread = Spread::of(&row.errors);
-        let mut fields = vec![row.surface.clone(), row.degree.to_string(), row.order.to_string()];
-        fields.extend([spread.median, spread.worst].map(digits));
-        fields.extend(row.errors.iter().map(|&error| digits(error)));
-        fields
-    };
-    text(&model_columns(), rows.iter().map(row))
-}
-
-/// The growth curves as CSV, with separate columns for counts and nanoseconds.
-///
-/// # Errors
-///
-/// Never in practice.
-pub fn growth(growths: &[Growth]) -> Result<String> {
-    let columns = ["quantity", "measure", "unit", "size", "counted", "host_ns"].map(str::to_owned);
-    let rows = growths.iter().flat_map(|growth| {
-        growth.points.iter().map(|&(size, value)| {
-            let is_time = growth.unit == "ns";
-            let names = [growth.quantity, growth.measure, growth.unit].map(str::to_owned);
-            let [counted, time] = match is_time {
-                true => [String::new(), digits(value)],
-                false => [value.to_string(), String::new()],
-            };
-            names.into_iter().chain([size.to_string(), counted, time]).collect()
-        })
-    });
-    text(&columns, rows)
-}
-
-/// CSV below a line that names the command.
-///
-/// # Errors
-///
-/// Never in practice: the rows are as long as the header.
-pub fn text(columns: &[String], rows: impl Iterator<Item = Vec<String>>) -> Result<String> {
+/// The records as CSV, below a line that names the command.
+pub fn csv(form: &Form, records: &[Record]) -> Result<String> {
     let mut bytes = format!("# {COMMAND}\n").into_bytes();
-    let mut sheet = Rows::new(&mut bytes, columns)?;
-    for row in rows {
-        sheet.row(row)?;
+    let mut rows = Rows::new(&mut bytes, form.columns.split(','))?;
+    for record in records {
+        rows.row(form.columns.split(',').map(|column| record.text(column)))?;
     }
-    sheet.finish()?;
+    rows.finish()?;
     Ok(String::from_utf8_lossy(&bytes).into_owned())
+}
+
+/// The records of a file.
+///
+/// # Errors
+///
+/// If the file cannot be read, or lacks a column.
+pub fn read(form: &Form, folder: &Path) -> Result<Vec<Record>> {
+    let sheet = open(form, folder)?;
+    let records = sheet.rows().map(|row| {
+        let fields = sheet.header().zip(row.texts());
+        Record(fields.map(|(column, text)| (column.to_owned(), text.to_owned())).collect())
+    });
+    Ok(records.collect())
+}
+
+/// The file in this folder, with all columns.
+///
+/// # Errors
+///
+/// See [`read`].
+pub fn open(form: &Form, folder: &Path) -> Result<Sheet> {
+    let sheet = Sheet::read(folder.join(form.name), form.columns)?;
+    if form.columns.split(',').any(|column| sheet.column(column).is_none()) {
+        return Err(sheet.wrong_header(form.columns));
+    }
+    Ok(sheet)
 }

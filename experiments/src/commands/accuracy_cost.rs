@@ -4,22 +4,24 @@ use clap::Args;
 use eigenshade_cli::messages::{print_message, progress_bar};
 use eigenshade_cli::output;
 use eigenshade_model::error::{Error, Result};
-use experiments::accuracy_cost::check::{Compared, compare};
-use experiments::accuracy_cost::kept::Kept;
-use experiments::accuracy_cost::sheet::POINTS;
-use experiments::accuracy_cost::{Extent, Measured, Times};
+use experiments::accuracy_cost::check::{self, Compared};
+use experiments::accuracy_cost::sheet::{COMMAND, SETTINGS, csv};
+use experiments::accuracy_cost::{Measured, report};
 use experiments::pages::Purpose;
+use experiments::pages::with_parts;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The cost of accuracy: error, bytes and time as every parameter varies
 ///
-/// --out writes DIR/accuracy-cost.md, the numbers as CSV and the charts as SVG: errors against the
-/// direct sum over the shipped lights and materials and over others, errors of a degree and an
-/// order against direct integration under captured maps, times on this machine, and the
-/// instructions that were counted on emulated boards. --check recomputes errors, bytes and counts
-/// and compares them with the files of a folder; times are not compared. --quick does either for a
-/// part of the settings. A full run takes some ten minutes on two cores, a quick check one minute.
+/// --out writes the numbers as CSV and the charts as SVG to DIR, and the tables of
+/// DIR/accuracy-cost.md: errors against the direct sum over the shipped lights and materials and
+/// over others, errors of a degree and an order against direct integration under captured maps,
+/// times on this machine, and the instructions that were counted on emulated boards. --check
+/// recomputes errors, bytes and counts and compares them with the files of a folder; times are not
+/// compared. It also compares the charts and tables there with the CSV files. --quick does either
+/// for a part of the settings. A full run takes some ten minutes on two cores, a quick check one
+/// minute.
 #[derive(Args, Debug)]
 pub struct AccuracyCost {
     #[command(flatten)]
@@ -30,61 +32,93 @@ pub struct AccuracyCost {
     /// With --out: keep the times of DIR's files and recompute the rest
     #[arg(long, conflicts_with_all = ["quick", "check"])]
     keep_times: bool,
+    /// With --out: measure nothing, only make the charts and tables from DIR's CSV files
+    #[arg(long, conflicts_with_all = ["quick", "check", "keep_times"])]
+    from_csv: bool,
     /// Folder of the project's environment maps
     #[arg(long, value_name = "DIR", default_value = "tables/inputs/maps")]
     maps: PathBuf,
 }
 
+/// The page into which tables are inserted where a folder has none.
+const TEMPLATE: &str = include_str!("../../../docs/accuracy-cost/accuracy-cost.md");
+
 impl AccuracyCost {
     pub fn run(self) -> Result<()> {
-        // Done first, so that paths that cannot be read or written fail before the long
-        // computation.
+        let measure = |timed| {
+            let progress = progress_bar("settings", 0);
+            let measured = Measured::new(self.quick, timed, &self.maps, &progress);
+            progress.finish_and_clear();
+            measured
+        };
+        // Paths that cannot be read or written fail before the long computation.
         if let Some(out) = &self.purpose.out {
             fs::create_dir_all(out).map_err(|error| Error::io(out, &error))?;
-        }
-        if let Some(folder) = &self.purpose.check {
-            let numbers = folder.join(POINTS);
-            fs::metadata(&numbers).map_err(|error| Error::io(&numbers, &error))?;
-        }
-        let kept = match &self.purpose.out {
-            Some(out) if self.keep_times => Some(Kept::read(out)?),
-            _ => None,
-        };
-        let times = match &kept {
-            Some(kept) => Times::Kept(kept),
-            None if self.purpose.out.is_some() => Times::Measured,
-            None => Times::None,
-        };
-        let extent = Extent { quick: self.quick, times };
-        let progress = progress_bar("settings", 0);
-        let measured = Measured::new(extent, &self.maps, &progress);
-        progress.finish_and_clear();
-        let measured = measured?;
-        if let Some(out) = &self.purpose.out {
+            let earlier = (self.keep_times || self.from_csv).then(|| Measured::read(out));
+            let measured = match earlier.transpose()? {
+                Some(earlier) if self.from_csv => earlier,
+                Some(earlier) => {
+                    let mut measured = measure(false)?;
+                    measured.keep_times(&earlier)?;
+                    measured
+                }
+                None => measure(true)?,
+            };
             write(&measured, out)?;
         }
         if let Some(folder) = &self.purpose.check {
-            let sheets = measured.sheets()?;
-            let Compared { rows, numbers } =
-                compare(&sheets, &measured.growths, folder, !self.quick)?;
+            let numbers = folder.join(SETTINGS.name);
+            fs::metadata(&numbers).map_err(|error| Error::io(&numbers, &error))?;
+            let measured = measure(false)?;
+            let mut compared = Compared::default();
+            for (form, rows) in measured.sheets() {
+                check::compare(form, rows, folder, !self.quick, &mut compared)?;
+            }
+            check::exponents(&measured.growth)?;
+            for (path, text) in shown(&Measured::read(folder)?, folder)? {
+                let recorded =
+                    fs::read_to_string(&path).map_err(|error| Error::io(&path, &error))?;
+                if recorded != text {
+                    let remedy = format!(
+                        "make it again with `cargo run --release -p {COMMAND} --from-csv --out {}`",
+                        folder.display()
+                    );
+                    return Err(Error::new("it does not show the CSV files", remedy).in_file(path));
+                }
+            }
+            let Compared { rows, numbers } = compared;
             print_message(format_args!("{rows} rows are what they should be: {numbers} numbers"));
         }
         Ok(())
     }
 }
 
+/// The charts and the page of a folder.
+fn shown(measured: &Measured, folder: &Path) -> Result<Vec<(PathBuf, String)>> {
+    let path = folder.join(report::PAGE);
+    let page = if path.exists() {
+        fs::read_to_string(&path).map_err(|error| Error::io(&path, &error))?
+    } else {
+        TEMPLATE.to_owned()
+    };
+    let page = with_parts(&page, &report::tables(measured))
+        .map_err(|fault| Error::new(fault, "restore them").in_file(&path))?;
+    let charts = report::charts(measured)?.into_iter();
+    Ok(charts.map(|(name, svg)| (folder.join(name), svg)).chain([(path, page)]).collect())
+}
+
 fn write(measured: &Measured, out: &Path) -> Result<()> {
-    let files = measured.files()?;
-    let paths: Vec<PathBuf> = files.iter().map(|(name, _)| out.join(name)).collect();
+    let mut files = Vec::new();
+    for (form, rows) in measured.sheets() {
+        files.push((out.join(form.name), csv(form, rows)?));
+    }
+    files.extend(shown(measured, out)?);
+    let paths: Vec<&PathBuf> = files.iter().map(|(path, _)| path).collect();
     output::refuse_collisions(&paths, std::iter::empty::<&Path>())?;
-    for ((_, text), path) in files.iter().zip(&paths) {
+    for (path, text) in &files {
         output::write_all(Some(path), text)?;
     }
-    print_message(format_args!(
-        "{} settings, {} files in {}",
-        measured.points.len(),
-        files.len(),
-        out.display()
-    ));
+    let (settings, files) = (measured.settings.len(), files.len());
+    print_message(format_args!("{settings} settings, {files} files in {}", out.display()));
     Ok(())
 }

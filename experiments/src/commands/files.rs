@@ -18,9 +18,9 @@ use eigenshade_testing::glossy;
 use eigenshade_testing::golden;
 use eigenshade_testing::golden::record::{Golden, Row};
 use experiments::accuracy_cost::bases::Bases;
-use experiments::accuracy_cost::knobs;
 use experiments::accuracy_cost::materials::Scope;
 use experiments::accuracy_cost::setting::{Format, Setting, Way};
+use experiments::accuracy_cost::settings::all;
 use experiments::accuracy_cost::wasm::{settings, tables};
 use experiments::pages::Purpose;
 use experiments::stability::spectrum::{Agreement, agreement};
@@ -121,7 +121,7 @@ impl WasmTables {
     pub fn run(self) -> Result<()> {
         let folder = self.folder;
         fs::create_dir_all(&folder).map_err(|error| Error::io(&folder, &error))?;
-        let all: Vec<Setting> = knobs::settings(false).iter().map(|knob| knob.setting).collect();
+        let all: Vec<Setting> = all(false).iter().map(|one| one.setting).collect();
         let mut lines = String::from("# crates/wasm/ladder\ntable,module,setting,way,format\n");
         let tables = tables();
         let mut sizes: Vec<(usize, usize)> =
@@ -135,9 +135,7 @@ impl WasmTables {
             let bases = Bases::new(&scope, of_size.clone().copied())?;
             for recipe in of_size {
                 let name = recipe.to_string().replace('/', "-").replace(' ', "_");
-                let table = bases
-                    .table(recipe)
-                    .ok_or_else(|| Error::new("a basis is missing", "this is a defect"))?;
+                let table = bases.table(recipe)?;
                 write(&folder.join(format!("{name}.bin")), &eigenshade_table::encode(&table))?;
                 for setting in settings(recipe, &all) {
                     let is_float = setting.format == Format::F32;

@@ -1,15 +1,18 @@
 //! The error of the method: a setting against the direct sum of its own degree and order.
 
 use super::images::{Image, Images};
-use super::setting::{Format, Scaling, Setting, Way};
-use super::shading::Shading;
-use crate::median;
+use super::numbers::Numbers;
+use super::setting::Setting;
+use crate::median::median;
 use eigenshade_model::error::Result;
 use eigenshade_shading::parallel;
 use eigenshade_table::Table;
 use indicatif::ProgressBar;
 
-/// The median, the 95th percentile and the largest of many errors, relative to the peak.
+/// The share of the errors that [`Spread::most`] covers.
+const COVERED: f64 = 0.95;
+
+/// Of many errors relative to the peak.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spread {
     /// The median.
@@ -21,29 +24,15 @@ pub struct Spread {
 }
 
 impl Spread {
-    /// The spread of these values.
-    #[must_use]
     pub fn of(values: &[f64]) -> Self {
-        let worst =
-            values.iter().fold(
-                0.0,
-                |most: f64, &value| {
-                    if value.is_nan() || value > most { value } else { most }
-                },
-            );
-        Self { median: median::median(values), most: percentile(values), worst }
+        let mut sorted = values.to_vec();
+        sorted.sort_by(f64::total_cmp);
+        let rank = (COVERED * sorted.len() as f64).ceil() as usize;
+        let most = sorted.get(rank.saturating_sub(1)).copied().unwrap_or(0.0);
+        // NaN comes last.
+        let worst = sorted.last().copied().unwrap_or(0.0);
+        Self { median: median(values), most, worst }
     }
-}
-
-/// The share of the errors that [`Spread::most`] covers.
-const COVERED: f64 = 0.95;
-
-/// The least value that [`COVERED`] of the values do not exceed; 0 if there are no values.
-fn percentile(values: &[f64]) -> f64 {
-    let mut sorted = values.to_vec();
-    sorted.sort_by(f64::total_cmp);
-    let rank = (COVERED * sorted.len() as f64).ceil() as usize;
-    sorted.get(rank.saturating_sub(1)).copied().unwrap_or(0.0)
 }
 
 /// Errors over a sphere, relative to each image's peak.
@@ -74,24 +63,21 @@ pub struct Found {
 ///
 /// If the table cannot be represented in the setting's number format.
 pub fn compare(setting: &Setting, table: &Table, images: &Images) -> Result<Found> {
-    let shading = Shading::new(setting, table, images)?;
-    let hidden = ProgressBar::hidden();
-    let all = parallel::map(images.images.len(), &hidden, |k| {
+    let numbers = Numbers::new(setting, table, &images.normals)?;
+    let all = parallel::map(images.images.len(), &ProgressBar::hidden(), |k| {
         let image = &images.images[k];
-        shading.image(image).map(|(values, terms)| {
-            let [rms, largest] = errors(&values, image, &images.weights);
-            (rms, largest, terms)
-        })
+        let (values, terms) = numbers.image(setting, &image.pair, images.normals.len())?;
+        Ok((errors(&values, image, &images.weights), terms))
     });
-    let all = all.into_iter().collect::<Result<Vec<(f64, f64, usize)>>>()?;
+    let all = all.into_iter().collect::<Result<Vec<([f64; 2], usize)>>>()?;
     let of = |seen: bool| {
-        let chosen = || all.iter().zip(&images.images).filter(move |(_, one)| one.seen == seen);
-        let rms: Vec<f64> = chosen().map(|((rms, _, _), _)| *rms).collect();
-        let largest: Vec<f64> = chosen().map(|((_, largest, _), _)| *largest).collect();
+        let chosen = || all.iter().zip(&images.images).filter(move |(_, image)| image.seen == seen);
+        let [rms, largest] =
+            [0, 1].map(|kind| chosen().map(|((errors, _), _)| errors[kind]).collect::<Vec<_>>());
         Errors { rms: Spread::of(&rms), largest: Spread::of(&largest) }
     };
     let mut by_terms: Vec<(usize, usize)> =
-        all.iter().enumerate().map(|(k, (_, _, terms))| (*terms, k)).collect();
+        all.iter().enumerate().map(|(k, (_, terms))| (*terms, k)).collect();
     by_terms.retain(|(_, k)| images.images[*k].seen);
     by_terms.sort_unstable();
     let (terms, typical) = by_terms[by_terms.len() / 2];
@@ -102,28 +88,13 @@ pub fn compare(setting: &Setting, table: &Table, images: &Images) -> Result<Foun
 fn errors(values: &[f64], image: &Image, weights: &[f64]) -> [f64; 2] {
     let (mut square, mut largest) = (0.0, 0.0f64);
     for ((value, reference), weight) in values.iter().zip(&image.reference).zip(weights) {
-        let apart = (value - reference).abs();
-        square += weight * apart * apart;
-        if apart.is_nan() || apart > largest {
-            largest = apart;
+        let difference = (value - reference).abs();
+        square += weight * difference * difference;
+        if difference.is_nan() || difference > largest {
+            largest = difference;
         }
     }
     [square.sqrt() / image.peak, largest / image.peak]
-}
-
-/// Whether the runtime supports this setting: integers need polynomials or baked maps in 15 bits,
-/// and normals are scaled in f32.
-#[must_use]
-pub fn is_possible(setting: &Setting) -> bool {
-    match setting.format {
-        Format::F64 => setting.scaling == Scaling::None,
-        Format::F32 => true,
-        Format::Q31 => setting.way == Way::Polynomial && setting.scaling == Scaling::None,
-        Format::Q15 => {
-            matches!(setting.way, Way::Polynomial | Way::Bilinear(_))
-                && setting.scaling == Scaling::None
-        }
-    }
 }
 
 #[cfg(test)]
@@ -137,5 +108,6 @@ mod tests {
         assert_eq!(Spread::of(&values[..20]).most, 99.0);
         assert_eq!(Spread::of(&values[..1]).most, 100.0);
         assert_eq!(Spread::of(&[]).most, 0.0);
+        assert!(Spread::of(&[1.0, f64::NAN]).worst.is_nan());
     }
 }

@@ -1,14 +1,14 @@
-//! The tables that boards count a pixel and a new light of: each is a setting of
-//! `docs/accuracy-cost`, with its counts, and what the firmware builds is what that setting says.
+//! The tables whose pixel and new light are counted on boards: each is a setting of
+//! `docs/accuracy-cost` with the same counts, and the firmware builds the setting's table.
 
 use crate::support::repository;
 use eigenshade_cli::table::compare::differences;
 use eigenshade_table::reduce::with_components;
 use eigenshade_table::trim::trim;
 use experiments::accuracy_cost::bases::Bases;
-use experiments::accuracy_cost::knobs::settings;
 use experiments::accuracy_cost::materials::Scope;
 use experiments::accuracy_cost::setting::Setting;
+use experiments::accuracy_cost::settings;
 use std::collections::{BTreeSet, HashMap};
 use std::fs;
 
@@ -33,24 +33,24 @@ fn sheet(path: &str) -> Vec<Row> {
     reader.deserialize().map(|row| row.expect("a row")).collect()
 }
 
-fn rungs() -> Vec<Row> {
+fn benchmark_tables() -> Vec<Row> {
     sheet("firmware/tables/ladder.csv")
 }
 
-/// What a setting of this table is called.
-fn name(rung: &Row, format: &str) -> String {
-    let trimmed = match rung["trim"].as_str() {
+/// The name of this table's setting.
+fn name(listed: &Row, format: &str) -> String {
+    let trimmed = match listed["trim"].as_str() {
         "" => String::new(),
         text => format!(" trim{:e}", text.parse::<f64>().expect("a tolerance")),
     };
-    format!("9/7 K{}{trimmed} polynomial {format}", rung["components"])
+    format!("9/7 K{}{trimmed} polynomial {format}", listed["components"])
 }
 
 fn count(row: &Row, column: &str) -> f64 {
     row[column].parse().unwrap_or_else(|_| panic!("{column}: {row:?}"))
 }
 
-/// What is counted of a table: board and format, a pixel, a new light, flash, RAM, stack.
+/// The counts of a table: board and format; a pixel, a new light, flash, RAM, stack.
 fn counts(name: &str) -> Vec<(String, String, [f64; 5])> {
     let all = sheet("firmware/counts.csv");
     let of = |operation: &str| -> Vec<&Row> {
@@ -73,20 +73,19 @@ fn counts(name: &str) -> Vec<(String, String, [f64; 5])> {
     .collect()
 }
 
-/// Nothing is counted that the page does not show, and it shows what was counted: on every
-/// board in 15 bits, and in f32 where there is a float unit.
+/// The page shows every count: on every board in 15 bits, and in f32 where there is a float unit.
 #[test]
 fn each_counted_table_is_a_setting_with_its_counts() {
     let settings = sheet("docs/accuracy-cost/accuracy-cost.csv");
-    for rung in rungs() {
-        let counts = counts(&rung["name"]);
+    for listed in benchmark_tables() {
+        let counts = counts(&listed["name"]);
         let found: BTreeSet<[&str; 2]> =
             counts.iter().map(|(board, format, _)| [board.as_str(), format.as_str()]).collect();
         let mut expected: BTreeSet<[&str; 2]> = BOARDS.map(|(board, _)| [board, "q15"]).into();
         expected.insert(["mps2-an386", "f32"]);
-        assert_eq!(found, expected, "{rung:?}");
+        assert_eq!(found, expected, "{listed:?}");
         for (board, format, [pixel, light, flash, ram, stack]) in &counts {
-            let name = name(&rung, format);
+            let name = name(&listed, format);
             let row = settings.iter().find(|row| row["setting"] == name);
             let row = row.unwrap_or_else(|| panic!("no setting {name}"));
             let (_, key) = BOARDS.iter().find(|(one, _)| one == board).expect("a board");
@@ -107,9 +106,9 @@ fn each_counted_table_is_a_setting_with_its_counts() {
 #[test]
 fn programs_hold_what_the_settings_say() {
     let settings = sheet("docs/accuracy-cost/accuracy-cost.csv");
-    for rung in rungs() {
-        for (board, format, [_, _, _, ram, _]) in counts(&rung["name"]) {
-            let name = name(&rung, &format);
+    for listed in benchmark_tables() {
+        for (board, format, [_, _, _, ram, _]) in counts(&listed["name"]) {
+            let name = name(&listed, &format);
             let row = settings.iter().find(|row| row["setting"] == name).expect("a setting");
             let more = ram - count(row, "state_bytes");
             let words = 4.0 * HELD_WORDS;
@@ -122,33 +121,33 @@ fn programs_hold_what_the_settings_say() {
 /// trimmed to the same lengths.
 #[test]
 fn tables_of_the_firmware_are_those_of_the_settings() {
-    let knobs = settings(false);
-    let setting_of = |rung: &Row, format: &str| -> Setting {
-        let name = name(rung, format);
-        let found = knobs.iter().find(|knob| knob.setting.to_string() == name);
+    let all = settings::all(false);
+    let setting_of = |listed: &Row, format: &str| -> Setting {
+        let name = name(listed, format);
+        let found = all.iter().find(|one| one.setting.to_string() == name);
         found.unwrap_or_else(|| panic!("no setting {name}")).setting
     };
-    let rungs: Vec<(Row, Setting)> = rungs()
+    let tables: Vec<(Row, Setting)> = benchmark_tables()
         .into_iter()
-        .map(|rung| {
-            let setting = setting_of(&rung, "f32");
-            assert_eq!(setting.recipe, setting_of(&rung, "q15").recipe);
-            (rung, setting)
+        .map(|listed| {
+            let setting = setting_of(&listed, "f32");
+            assert_eq!(setting.recipe, setting_of(&listed, "q15").recipe);
+            (listed, setting)
         })
         .collect();
     let scope = Scope::new(9, 7).expect("the shipped data");
-    let bases = Bases::new(&scope, rungs.iter().map(|(_, setting)| setting.recipe));
+    let bases = Bases::new(&scope, tables.iter().map(|(_, setting)| setting.recipe));
     let bases = bases.expect("bases");
-    for (rung, setting) in &rungs {
-        let path = repository().join("firmware/tables").join(&rung["file"]);
+    for (listed, setting) in &tables {
+        let path = repository().join("firmware/tables").join(&listed["file"]);
         let bytes = fs::read(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
         let whole = eigenshade_table::decode(&bytes).expect("a table");
-        let components = count(rung, "components") as usize;
+        let components = count(listed, "components") as usize;
         let mut table = with_components(&whole, |number, _| number < components);
         assert_eq!(table.components.len(), components);
         let untrimmed: usize = table.profiles.iter().map(|one| one.chebyshev.len()).sum();
-        if !rung["trim"].is_empty() {
-            trim(&mut table, count(rung, "trim"));
+        if !listed["trim"].is_empty() {
+            trim(&mut table, count(listed, "trim"));
             let terms: usize = table.profiles.iter().map(|one| one.chebyshev.len()).sum();
             assert!(terms < untrimmed, "{setting}");
         }

@@ -1,0 +1,182 @@
+//! The settings that are measured: each parameter varied by itself, and combinations of parameters.
+
+use super::setting::{Cut, Format, Recipe, Scaling, Setting, Way};
+use eigenshade_index::effect::{Effect, Effects};
+
+/// Degree and order of the shipped set, at which all other parameters are varied.
+pub const DEGREE: usize = 9;
+/// See [`DEGREE`].
+pub const ORDER: usize = 7;
+/// Degrees and orders of the measured materials, below the shipped ones.
+const LOWER: [(usize, usize); 8] = [(1, 0), (2, 0), (2, 2), (3, 2), (4, 3), (5, 4), (6, 5), (7, 6)];
+/// Higher degrees and orders, for materials given by formulas.
+const HIGHER: [(usize, usize); 4] = [(12, 12), (16, 16), (24, 24), (32, 32)];
+/// The largest number of components that a basis beyond the shipped order keeps.
+const HIGH_COMPONENTS: usize = 400;
+
+/// A setting and the parameter that it varies.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Varied {
+    /// The name of the parameter in the file.
+    pub parameter: &'static str,
+    /// The setting.
+    pub setting: Setting,
+}
+
+/// The degrees and orders, in rising order.
+pub fn sizes() -> impl Iterator<Item = (usize, usize)> {
+    LOWER.into_iter().chain([(DEGREE, ORDER)]).chain(HIGHER)
+}
+
+/// The settings, or a part of them with `quick`. To add a parameter, add a field to [`Setting`] or
+/// its recipe, and a row here.
+pub fn all(quick: bool) -> Vec<Varied> {
+    let mut found: Vec<Varied> = Vec::new();
+    let mut add = |parameter: &'static str, setting: Setting| {
+        if !found.iter().any(|other| other.setting == setting) {
+            found.push(Varied { parameter, setting });
+        }
+    };
+    let whole = Recipe::all(DEGREE, ORDER);
+    let first = |count: usize| Recipe::first(DEGREE, ORDER, count);
+    let trimmed = |recipe: Recipe, share: f64| Setting::of(recipe.cut(Cut::Trimmed(share)));
+    // All values of a parameter, or the second list in a quick run.
+    fn either<'a, T>(quick: bool, all: &'a [T], few: &'a [T]) -> impl Iterator<Item = T>
+    where
+        T: Copy,
+    {
+        if quick { few } else { all }.iter().copied()
+    }
+    add("nine terms", Setting::of(Recipe::all(2, 0)).by(Way::NineTerms));
+    for format in [Format::F32, Format::Q31, Format::Q15] {
+        add("degree and order", Setting::of(Recipe::all(2, 0)).in_format(format));
+    }
+    for count in either(quick, &[1, 4, 9, 16, 25, 36, 50, 75, 100, 130, 160], &[9, 25, 50, 130]) {
+        add("components", Setting::of(first(count)));
+    }
+    add("components", Setting::of(whole));
+    add("format", Setting::of(whole).in_format(Format::F64));
+    // Beyond 130, the weakest profiles are larger than integers can represent.
+    for count in either(quick, &[25, 50, 100, 130], &[50]) {
+        for format in [Format::F64, Format::Q31, Format::Q15] {
+            add("format", Setting::of(first(count)).in_format(format));
+        }
+    }
+    // The table that firmware/tables/full.toml and its build script make.
+    for format in [Format::F32, Format::Q31, Format::Q15] {
+        add("polynomials", trimmed(first(130), 2e-4).in_format(format));
+    }
+    for count in either(quick, &[4, 9, 16, 25, 50, 100, 130], &[25, 50]) {
+        for share in either(quick, &[0.3, 0.1, 0.03, 1e-2, 3e-3, 1e-3, 1e-4], &[0.1, 1e-2]) {
+            add("polynomials", trimmed(first(count), share));
+        }
+    }
+    // The tables whose pixel and new light are counted on boards without a float unit, in addition
+    // to those above.
+    let counted = [(9, 0.1), (25, 0.03), (50, 1e-2), (100, 1e-2), (130, 1e-3)];
+    for (count, share) in either(quick, &counted, &counted[1..2]) {
+        add("polynomials", trimmed(first(count), share).in_format(Format::Q15));
+    }
+    for setting in [Setting::of(first(50)), trimmed(first(130), 2e-4)] {
+        let shares = [0.3, 0.1, 0.03, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 1e-5];
+        for share in either(quick, &shares, &[0.1, 1e-2, 1e-4]) {
+            add("tolerance", setting.by(Way::Within(share)));
+        }
+    }
+    for count in either(quick, &[2, 3, 4, 6, 8, 10, 12, 16], &[4, 8]) {
+        add("degree of polynomials", Setting::of(whole.cut(Cut::Terms(count))));
+    }
+    for azimuths in either(quick, &[0, 1, 2, 3, 4, 5, 6, 7, 8], &[1, 4]) {
+        add("azimuths", Setting::of(Recipe { azimuths: Some(azimuths), ..whole }));
+    }
+    for modes in either(quick, &[250, 500, 1000, 2000], &[1000]) {
+        add("modes", Setting::of(Recipe { modes: Some(modes), ..whole }));
+    }
+    // Without highlights; then also without rim and roughness; then only uniform light.
+    let matte = Effects::NONE.with(Effect::Ambient).with(Effect::Diffuse);
+    let ambient = Effects::NONE.with(Effect::Ambient);
+    for effects in
+        [matte.with(Effect::Broad), matte, ambient, Effects::ALL.without(Effect::Ambient)]
+    {
+        add("effects", Setting::of(Recipe { effects, ..whole }));
+    }
+    for knots in either(quick, &[8, 16, 32, 64, 128], &[16, 64]) {
+        for way in [Way::Linear(knots), Way::Cubic(knots)] {
+            add("look-ups", Setting::of(whole).by(way));
+            add("look-ups", Setting::of(first(50)).by(way));
+        }
+    }
+    for size in either(quick, &[8, 16, 32, 64, 128], &[16, 32]) {
+        for way in [Way::Bilinear(size), Way::Nearest(size)] {
+            add("baked maps", Setting::of(whole).by(way));
+        }
+        let few = Setting::of(first(50)).by(Way::Bilinear(size));
+        add("baked maps", few);
+        add("baked maps", few.in_format(Format::Q15));
+    }
+    add("component by component", Setting::of(first(50)).by(Way::Eigen));
+    for scaling in [Scaling::Libm, Scaling::Single, Scaling::Tabled, Scaling::Micromath] {
+        add("mathematics", Setting { scaling, ..Setting::of(first(50)) });
+    }
+    for (degree, order) in LOWER {
+        let recipe = Recipe::all(degree, order);
+        add("degree and order", Setting::of(recipe));
+        for share in either(quick, &[1e-2, 1e-3], &[1e-2]) {
+            add("degree and order", trimmed(recipe, share));
+        }
+    }
+    for (degree, order) in HIGHER {
+        let recipe = Recipe::first(degree, order, HIGH_COMPONENTS);
+        add("degree and order", Setting::of(recipe));
+        // A quick run has all kinds at the first of these sizes, and one setting at the others.
+        if quick && (degree, order) != HIGHER[0] {
+            continue;
+        }
+        add("degree and order", Setting::of(recipe).in_format(Format::F64));
+        for share in either(quick, &[1e-2, 1e-3], &[1e-2]) {
+            let setting = trimmed(recipe, share);
+            add("degree and order", setting);
+            add("degree and order", setting.by(Way::Within(share)));
+        }
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Varied, all};
+    use eigenshade_index::effect::Effects;
+    use std::collections::BTreeSet;
+    use std::mem::discriminant;
+
+    /// The kind of a setting, ignoring sizes.
+    fn kind(Varied { parameter, setting }: &Varied) -> impl PartialEq + std::fmt::Debug {
+        let recipe = setting.recipe;
+        let parts = [recipe.components, recipe.modes, recipe.azimuths].map(|part| part.is_some());
+        let forms = (discriminant(&setting.way), discriminant(&recipe.cut));
+        (*parameter, parts, recipe.effects == Effects::ALL, forms, setting.format, setting.scaling)
+    }
+
+    #[test]
+    fn a_quick_run_has_every_kind_and_every_degree() {
+        let (quick, all) = (all(true), all(false));
+        let size = |one: &Varied| (one.setting.recipe.degree, one.setting.recipe.order);
+        for one in &all {
+            let name = one.setting;
+            assert!(quick.iter().any(|other| kind(other) == kind(one)), "none is like `{name}`");
+            assert!(quick.iter().any(|other| size(other) == size(one)), "no size of `{name}`");
+        }
+        assert!(quick.len() < all.len() / 2);
+    }
+
+    #[test]
+    fn each_setting_is_there_once_and_quick_ones_are_among_all() {
+        let names = |quick| -> Vec<String> {
+            all(quick).iter().map(|one| one.setting.to_string()).collect()
+        };
+        let (quick, all) = (names(true), names(false));
+        let set: BTreeSet<&String> = all.iter().collect();
+        assert_eq!(set.len(), all.len());
+        assert!(quick.iter().all(|name| set.contains(name)), "{quick:?}");
+    }
+}

@@ -1,0 +1,89 @@
+//! Times of operations on this machine, in the same run as the nine-term formula.
+
+use super::floats::Work;
+use super::images::Pair;
+use super::numbers::Numbers;
+use super::setting::Setting;
+use crate::median::median;
+use eigenshade_model::error::Result;
+use eigenshade_table::Table;
+use std::time::Instant;
+
+/// Pixels per run.
+const PIXELS: usize = 4096;
+/// The least duration of a timing in seconds; shorter operations are repeated.
+const SHORTEST: f64 = 3e-5;
+
+/// A setting ready to be timed on one image.
+pub struct Case {
+    setting: Setting,
+    numbers: Numbers,
+    pair: Pair,
+    /// Buffer for the lengths of a scene within a tolerance.
+    lengths: Vec<u16>,
+}
+
+impl Case {
+    /// # Errors
+    ///
+    /// If the table cannot be represented in the setting's number format.
+    pub fn new(setting: &Setting, table: &Table, pair: &Pair) -> Result<Self> {
+        let numbers = Numbers::new(setting, table, &hemisphere(PIXELS))?;
+        let lengths = vec![0; setting.recipe.degree + 1];
+        Ok(Self { setting: *setting, numbers, pair: pair.clone(), lengths })
+    }
+}
+
+/// The median nanoseconds of a pixel and of a new light over interleaved rounds, for each case.
+pub fn costs(cases: &mut [Case], rounds: usize) -> Result<Vec<[f64; 2]>> {
+    let mut works = Vec::new();
+    for Case { setting, numbers, pair, lengths } in cases {
+        works.extend(numbers.works(setting, pair, PIXELS, lengths)?);
+    }
+    let times = interleaved(works, rounds);
+    let medians: Vec<f64> = times.iter().map(|times| median(times)).collect();
+    Ok(medians.chunks_exact(2).map(|pair| [pair[0] / PIXELS as f64, pair[1]]).collect())
+}
+
+/// The least time of each work in nanoseconds: other activity of the machine only adds time.
+pub fn least(works: Vec<Work<'_>>, rounds: usize) -> Vec<f64> {
+    let least = |times: &Vec<f64>| times.iter().copied().fold(f64::INFINITY, f64::min);
+    interleaved(works, rounds).iter().map(least).collect()
+}
+
+/// Nanoseconds of each work in each round. The works run one after the other, so that a temporary
+/// slowdown of the machine affects all of them. Each first runs untimed, because the others have
+/// replaced the contents of the cache.
+fn interleaved(works: Vec<Work<'_>>, rounds: usize) -> Vec<Vec<f64>> {
+    let timed = |work: &mut Work<'_>, repeats: u32| {
+        let start = Instant::now();
+        (0..repeats).for_each(|_| work());
+        start.elapsed().as_secs_f64() / f64::from(repeats)
+    };
+    let mut works: Vec<_> = works
+        .into_iter()
+        .map(|mut work| {
+            work();
+            let once = timed(&mut work, 1).max(1e-9);
+            let repeats = (SHORTEST / once).ceil().clamp(1.0, 1e4) as u32;
+            (work, repeats, Vec::new())
+        })
+        .collect();
+    for _ in 0..rounds {
+        for (work, repeats, times) in &mut works {
+            work();
+            times.push(1e9 * timed(work, *repeats));
+        }
+    }
+    works.into_iter().map(|(_, _, times)| times).collect()
+}
+
+/// Normals spread over the visible hemisphere, by components.
+pub fn hemisphere(count: usize) -> Vec<[f64; 3]> {
+    let normal = |k: usize| {
+        let z = (k as f64 + 0.5) / count as f64;
+        let (sine, tilt) = ((1.0 - z * z).sqrt(), 2.399_963 * k as f64);
+        [sine * tilt.cos(), sine * tilt.sin(), z]
+    };
+    (0..count).map(normal).collect()
+}
