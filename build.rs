@@ -2,7 +2,7 @@
 //! `generate` is enabled.
 
 use eigenshade_table::quantize::{Format, QuantizedParts};
-use eigenshade_table::{rust_quantised, rust_source};
+use eigenshade_table::{rust_quantized, rust_source};
 use std::path::PathBuf;
 use std::{env, fs, process};
 
@@ -54,7 +54,7 @@ fn bake(from: &str, name: &str) -> Result<(), String> {
     for (format, suffix) in [(Format::Q15, "q15"), (Format::Q31, "q31")] {
         let parts = QuantizedParts::new(&table, format, format.tolerance())
             .map_err(|error| format!("{from}: {error}"))?;
-        write(&format!("{name}_{suffix}.rs"), &rust_quantised::module(&parts, &command))?;
+        write(&format!("{name}_{suffix}.rs"), &rust_quantized::module(&parts, &command))?;
     }
     Ok(())
 }

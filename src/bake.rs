@@ -1,5 +1,10 @@
 //! Images baked onto the paraboloid map: N x N texels instead of polynomials.
 //!
+//! The map takes the normal n to the point (n_x, n_y) / (1 + n_z). The visible hemisphere fills the
+//! unit disc, and the normal toward the camera is its center. The map is conformal and its scale
+//! varies by no more than a factor of two, so texels are used evenly. In (n_x, n_y) itself they
+//! crowd at the center and are missing at the rim.
+//!
 //! The texel in row j and column k lies at u = 2k/(N-1) - 1, v = 2j/(N-1) - 1, so the outermost
 //! texels lie on the bounding square of the unit disc. Points outside the disc are hidden normals,
 //! z < 0. The scene's polynomials continue smoothly there, and the texels next to the disc hold
@@ -10,9 +15,9 @@
 //! v. Linear interpolation of a curved function errs to one side, by h² f''/12 on average over an
 //! interval h. Subtracting this mean makes the error 2.4 times smaller.
 
-use crate::error::{Error, What};
+use crate::buffer::Buffer;
+use crate::error::{Argument, Error};
 use crate::normal::Normal;
-use crate::paraboloid::MapPoint;
 use crate::scalar::Scalar;
 use crate::scene::Scene;
 
@@ -40,10 +45,23 @@ pub struct BakedMap<S, B> {
 }
 
 /// A buffer for a baked map.
-pub type MapBuffer<S, const T: usize> = heapless::Vec<S, T>;
+pub type MapBuffer<S, const T: usize> = Buffer<S, T>;
 
 impl<C> Scene<'_, C> {
     /// Bakes the scene into N x N texels; `T` must be at least N².
+    ///
+    /// ```
+    /// # #[cfg(feature = "baked")] {
+    /// use eigenshade::{Light, MapPoint, Material, Normal, sphere};
+    ///
+    /// let light = Light::new(&[3.5, 0.0, 1.0, 0.0])?;
+    /// let scene = sphere::collapse(&sphere::project(&light, &Material::new(&[2.0])?)?)?;
+    /// let map = scene.bake::<f32, { 32 * 32 }>(32)?;
+    /// let normal = Normal::new(0.0, 0.6, 0.8)?;
+    /// assert!((map.bilinear(MapPoint::of(normal)) - scene.shade(normal)).abs() < 1e-2);
+    /// # }
+    /// # Ok::<(), eigenshade::Error>(())
+    /// ```
     ///
     /// Cost: shading 5 N² pixels, and as many divisions.
     ///
@@ -58,7 +76,7 @@ impl<C> Scene<'_, C> {
         C: AsRef<[S]>,
     {
         check_size(size)?;
-        self.bake_into(size, crate::buffer::zeros::<S, T>(What::Texels, size * size)?)
+        self.bake_into(size, crate::buffer::zeros::<S, T>(Argument::Texels, size * size)?)
     }
 
     /// [`bake`](Self::bake) into a buffer of your own, of length N².
@@ -77,7 +95,7 @@ impl<C> Scene<'_, C> {
     {
         check_size(size)?;
         let to = texels.as_mut();
-        Error::check(What::Texels, size * size, to.len())?;
+        Error::check(Argument::Texels, size * size, to.len())?;
         for (texel, point) in to.iter_mut().zip(points::<S>(size)) {
             *texel = point.map_or(S::ZERO, |point| self.fitted(point, size));
         }
@@ -151,7 +169,7 @@ impl<S: Scalar, B: AsRef<[S]>> BakedMap<S, B> {
     /// [`Error::Size`] unless N is 2 to 4096, [`Error::Length`] unless there are N² texels.
     pub fn new(size: usize, texels: B) -> Result<Self, Error> {
         check_size(size)?;
-        Error::check(What::Texels, size * size, texels.as_ref().len())?;
+        Error::check(Argument::Texels, size * size, texels.as_ref().len())?;
         Ok(Self { size, half: within(size), texels })
     }
 
@@ -210,4 +228,52 @@ impl<S: Scalar, B: AsRef<[S]>> BakedMap<S, B> {
 #[inline]
 pub(crate) fn four<T>(texels: &[T], size: usize, row: usize, column: usize) -> Option<&[T]> {
     texels.get(row.wrapping_mul(size).wrapping_add(column)..)?.get(..size + 2)
+}
+
+/// A normal in map coordinates: u to the right, v up. Visible normals lie in the unit disc. In
+/// `f32` and `f64` the coordinates are plain numbers, in [`Q15`](crate::Q15) fractions of 2^15.
+///
+/// A buffer of normals can store map points instead: they take two numbers instead of three, and a
+/// look-up then needs no division.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct MapPoint<S> {
+    pub(crate) u: S,
+    pub(crate) v: S,
+}
+
+impl<S> MapPoint<S> {
+    /// The point (u, v). It is not checked: a point outside the disc looks up a meaningless texel.
+    #[inline]
+    #[must_use]
+    pub const fn new(u: S, v: S) -> Self {
+        Self { u, v }
+    }
+
+    /// The coordinates u and v.
+    #[inline]
+    #[must_use]
+    pub fn coordinates(self) -> [S; 2] {
+        [self.u, self.v]
+    }
+}
+
+impl<S: Scalar> MapPoint<S> {
+    /// The map point of a normal. Costs one division.
+    #[inline]
+    #[must_use]
+    pub fn of(normal: Normal<S>) -> Self {
+        let scale = (S::ONE + normal.z).reciprocal();
+        Self { u: normal.x * scale, v: normal.y * scale }
+    }
+
+    /// The unit vector at this point, (2u, 2v, 1 - r²) / (1 + r²) with r² = u² + v²: a visible
+    /// normal inside the unit disc, a hidden one outside. Costs one division.
+    #[must_use]
+    pub fn direction(self) -> [S; 3] {
+        let square = self.u * self.u + self.v * self.v;
+        let scale = (S::ONE + square).reciprocal();
+        let twice = scale + scale;
+        [twice * self.u, twice * self.v, (S::ONE - square) * scale]
+    }
 }

@@ -1,10 +1,10 @@
 //! Baked maps of `i16` texels, for machines without floating-point hardware. Look-ups use integers
 //! only.
 
+use crate::bake::MapPoint;
 use crate::bake::{check_size, four, points};
-use crate::error::{Error, What};
+use crate::error::{Argument, Error};
 use crate::format::Q15;
-use crate::paraboloid::MapPoint;
 use crate::scalar::Scalar;
 use crate::scene::Scene;
 
@@ -47,21 +47,21 @@ impl<C> Scene<'_, C> {
     {
         check_size(size)?;
         let to = texels.as_mut();
-        Error::check(What::Texels, size * size, to.len())?;
+        Error::check(Argument::Texels, size * size, to.len())?;
         let values = || {
             points::<S>(size).map(|point| point.map_or(S::ZERO, |point| self.fitted(point, size)))
         };
         let mut largest = S::ZERO;
         for (index, value) in values().enumerate() {
             if !value.is_finite() {
-                return Err(Error::NotFinite { what: What::Texels, index });
+                return Err(Error::NotFinite { argument: Argument::Texels, index });
             }
             let value = if value < S::ZERO { -value } else { value };
             largest = if value > largest { value } else { largest };
         }
         let (exponent, scale) = scale(largest);
         if largest * scale > S::from_whole(MOST) {
-            return Err(Error::Saturated { what: What::Texels });
+            return Err(Error::Saturated { argument: Argument::Texels });
         }
         for (texel, value) in to.iter_mut().zip(values()) {
             *texel = rounded(value * scale);
@@ -98,7 +98,7 @@ impl<B: AsRef<[i16]>> IntegerMap<B> {
     /// [`Error::Size`] unless N is 2 to 4096, [`Error::Length`] unless there are N² texels.
     pub fn new(size: usize, exponent: i32, texels: B) -> Result<Self, Error> {
         check_size(size)?;
-        Error::check(What::Texels, size * size, texels.as_ref().len())?;
+        Error::check(Argument::Texels, size * size, texels.as_ref().len())?;
         Ok(Self { size: size as u16, exponent, texels })
     }
 

@@ -1,6 +1,6 @@
 //! The eigenbasis of one scene.
 
-use crate::error::{Error, What};
+use crate::error::{Argument, Error};
 use crate::index::effect::Effects;
 use crate::index::{layout, material, pair};
 use crate::parts::{Coupling, Parts, ProfilePlace, Recurrences, Row};
@@ -31,10 +31,10 @@ impl<'a, S> Basis<'a, S> {
         // These come first because they bound the counts below.
         let (degrees, factored) = (parts.degree.saturating_add(1), parts.factored_order());
         let couplings = material::count(factored);
-        if let Err(error) = Error::check(What::Lengths, degrees, parts.lengths.len()) {
+        if let Err(error) = Error::check(Argument::Lengths, degrees, parts.lengths.len()) {
             return Err(error);
         }
-        if let Err(error) = Error::check(What::Couplings, couplings, parts.couplings.len()) {
+        if let Err(error) = Error::check(Argument::Couplings, couplings, parts.couplings.len()) {
             return Err(error);
         }
         if !parts.couples() {
@@ -84,14 +84,15 @@ impl<'a, S> Basis<'a, S> {
                 (rest, has_terms) = (tail, true);
             }
             // An azimuth with terms needs no check, since its terms bound its length.
-            if !has_terms && let Err(error) = Error::check(What::Lengths, 0, parts.length(azimuth))
+            if !has_terms
+                && let Err(error) = Error::check(Argument::Lengths, 0, parts.length(azimuth))
             {
                 return Err(error);
             }
             let found = parts.length(azimuth);
             if found > layout::EVEN_ODD_TERMS && azimuth < recurrences.first() {
-                let (what, expected) = (What::Lengths, layout::EVEN_ODD_TERMS);
-                return Err(Error::Length { what, expected, found });
+                let (argument, expected) = (Argument::Lengths, layout::EVEN_ODD_TERMS);
+                return Err(Error::Length { argument, expected, found });
             }
             scene = usize::saturating_add(scene, signs * found);
             azimuth += 1;
@@ -101,19 +102,19 @@ impl<'a, S> Basis<'a, S> {
         let folded = parts.polar.is_empty() && parts.factors.is_empty();
         let polar = if folded { 0 } else { group * layout::groups(parts.degree) };
         let factors = if folded { 0 } else { factors };
-        let apart = if folded { 0 } else { parts.apart() };
+        let unfactored = if folded { 0 } else { parts.unfactored() };
         let selection = if parts.selection.is_empty() { 0 } else { parts.selection_length() };
         let mean = if parts.mean.is_empty() { 0 } else { parts.components };
         let mean_terms = if parts.mean.is_empty() { 0 } else { parts.length(0) };
         let checks = [
-            Error::check(What::Slots, slots, parts.slots.len()),
-            Error::check(What::Polar, polar, parts.polar.len()),
-            Error::check(What::Factors, factors, parts.factors.len()),
-            Error::check(What::Ambient, zonal * apart, parts.ambient.len()),
-            Error::check(What::Terms, terms, parts.terms.len()),
-            Error::check(What::Mean, mean_terms, parts.mean.len()),
-            Error::check(What::Mean, mean, parts.mean_coefficients.len()),
-            Error::check(What::Selection, selection, parts.selection.len()),
+            Error::check(Argument::Slots, slots, parts.slots.len()),
+            Error::check(Argument::Polar, polar, parts.polar.len()),
+            Error::check(Argument::Factors, factors, parts.factors.len()),
+            Error::check(Argument::Ambient, zonal * unfactored, parts.ambient.len()),
+            Error::check(Argument::Terms, terms, parts.terms.len()),
+            Error::check(Argument::Mean, mean_terms, parts.mean.len()),
+            Error::check(Argument::Mean, mean, parts.mean_coefficients.len()),
+            Error::check(Argument::Selection, selection, parts.selection.len()),
         ];
         let mut rest = checks.as_slice();
         while let [check, tail @ ..] = rest {
@@ -211,7 +212,7 @@ impl<S> Parts<'_, S> {
     }
 
     /// Number of unfactored coefficients.
-    pub(crate) const fn apart(&self) -> usize {
+    pub(crate) const fn unfactored(&self) -> usize {
         self.effects.unfactored_count(self.order)
     }
 

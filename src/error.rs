@@ -11,16 +11,23 @@ pub enum Error {
     /// A slice has the wrong length.
     Length {
         /// Which argument.
-        what: What,
+        argument: Argument,
         /// The required length.
         expected: usize,
         /// The length found.
         found: usize,
     },
+    /// A light or a material does not have the number of coefficients of any degree or order.
+    Count {
+        /// Which argument.
+        argument: Argument,
+        /// The number of coefficients found.
+        found: usize,
+    },
     /// A buffer of fixed capacity is too small for this basis.
     Capacity {
         /// Which buffer.
-        what: What,
+        argument: Argument,
         /// The length that it has to hold.
         needed: usize,
         /// The length that it can hold.
@@ -29,7 +36,7 @@ pub enum Error {
     /// The light or the material exceeds the degree or order of the basis.
     Beyond {
         /// Which argument.
-        what: What,
+        argument: Argument,
         /// The degree or order of the basis.
         basis: usize,
         /// The degree or order of the argument.
@@ -48,14 +55,14 @@ pub enum Error {
     /// A number is not finite.
     NotFinite {
         /// Which argument.
-        what: What,
+        argument: Argument,
         /// The index of the number.
         index: usize,
     },
     /// A number exceeds the range of an integer format.
     Saturated {
         /// Which argument.
-        what: What,
+        argument: Argument,
     },
     /// A normal has a component that is not finite, or has length zero.
     Normal,
@@ -67,7 +74,7 @@ pub enum Error {
     /// A normal points away from the camera.
     Hidden,
     /// A basis that holds only transfers was asked to project a material.
-    Folded,
+    TransfersOnly,
     /// An exponent of an integer format is beyond ±128, or an exponent of coefficients is beyond
     /// ±2^16.
     Exponent,
@@ -97,7 +104,7 @@ pub enum Error {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
-pub enum What {
+pub enum Argument {
     /// Coefficients of a light.
     Light,
     /// Coefficients of a material.
@@ -146,15 +153,19 @@ pub enum What {
 
 impl Error {
     /// `Ok` if the length is as expected.
-    pub(crate) const fn check(what: What, expected: usize, found: usize) -> Result<(), Self> {
-        if expected == found { Ok(()) } else { Err(Self::Length { what, expected, found }) }
+    pub(crate) const fn check(
+        argument: Argument,
+        expected: usize,
+        found: usize,
+    ) -> Result<(), Self> {
+        if expected == found { Ok(()) } else { Err(Self::Length { argument, expected, found }) }
     }
 
     /// `Ok` if all numbers are finite.
-    pub(crate) fn check_finite<S: Scalar>(what: What, numbers: &[S]) -> Result<(), Self> {
+    pub(crate) fn check_finite<S: Scalar>(argument: Argument, numbers: &[S]) -> Result<(), Self> {
         match numbers.iter().position(|number| !number.is_finite()) {
             None => Ok(()),
-            Some(index) => Err(Self::NotFinite { what, index }),
+            Some(index) => Err(Self::NotFinite { argument, index }),
         }
     }
 }
@@ -162,17 +173,27 @@ impl Error {
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Length { what, expected, found } => {
-                write!(f, "{what:?}: {expected} numbers expected, {found} found")
+            Self::Length { argument, expected, found } => {
+                write!(f, "{argument:?}: {expected} numbers expected, {found} found")
             }
-            Self::Capacity { what, needed, capacity } => write!(
+            Self::Count { argument: Argument::Material, found } => write!(
                 f,
-                "{what:?}: {needed} numbers needed, room for {capacity}; take the capacity that \
+                "Material: {found} coefficients do not fill all orders up to any o; give 1, 2, 5, \
+                 8, 14, 20, 30, 40, ... of them"
+            ),
+            Self::Count { argument, found } => write!(
+                f,
+                "{argument:?}: {found} coefficients do not fill all degrees up to any l; give \
+                 (l + 1)² of them"
+            ),
+            Self::Capacity { argument, needed, capacity } => write!(
+                f,
+                "{argument:?}: {needed} numbers needed, room for {capacity}; take the capacity that \
                  the basis states"
             ),
-            Self::Beyond { what, basis, found } => write!(
+            Self::Beyond { argument, basis, found } => write!(
                 f,
-                "{what:?} up to {found}, the basis goes to {basis}; truncate it, or make a larger \
+                "{argument:?} up to {found}, the basis goes to {basis}; truncate it, or make a larger \
                  basis"
             ),
             Self::Profile => f.write_str(
@@ -186,14 +207,14 @@ impl fmt::Display for Error {
                 "the basis's couplings or effects are not its order's; take all parts from one \
                  table",
             ),
-            Self::NotFinite { what, index } => write!(
+            Self::NotFinite { argument, index } => write!(
                 f,
-                "{what:?}: finite numbers expected, number {index} (from 0) is none; leave it out, \
+                "{argument:?}: finite numbers expected, number {index} (from 0) is none; leave it out, \
                  or scale the numbers down"
             ),
-            Self::Saturated { what } => write!(
+            Self::Saturated { argument } => write!(
                 f,
-                "{what:?}: a number is beyond its integers; scale the light or the weights down"
+                "{argument:?}: a number is beyond its integers; scale the light or the weights down"
             ),
             Self::Normal => f.write_str("a normal needs finite components and a length"),
             Self::Normals { index } => write!(
@@ -202,7 +223,7 @@ impl fmt::Display for Error {
                  out"
             ),
             Self::Hidden => f.write_str("a normal points away from the camera: z < -1/8"),
-            Self::Folded => f.write_str(
+            Self::TransfersOnly => f.write_str(
                 "the basis has the transfers of some materials and takes in no others; make one \
                  with store = \"projection\"",
             ),

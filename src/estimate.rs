@@ -6,8 +6,8 @@
 //! pixels.
 
 use crate::basis::Basis;
-use crate::buffer::zeros;
-use crate::error::{Error, What};
+use crate::buffer::{Buffer, zeros};
+use crate::error::{Argument, Error};
 use crate::normal::Normal;
 use crate::polynomial;
 use crate::polynomial::{argument, turned};
@@ -19,7 +19,7 @@ use crate::scalar::Scalar;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Estimate<'a, S, const K: usize> {
     basis: Basis<'a, S>,
-    sums: heapless::Vec<Sum<S>, K>,
+    sums: Buffer<Sum<S>, K>,
     weight: Sum<S>,
 }
 
@@ -28,16 +28,24 @@ impl<'a, S: Scalar> Basis<'a, S> {
     ///
     /// `K` must be at least [`components`](Self::components). The estimate stores 2 K + 2 numbers.
     ///
+    /// ```
+    /// # #[cfg(feature = "baked")] {
+    /// use eigenshade::{Normal, sphere};
+    ///
+    /// let mut estimate = sphere::estimate()?;
+    /// for (x, z, seen) in [(0.0, 1.0, 1.2), (0.6, 0.8, 1.0), (-0.6, 0.8, 0.9)] {
+    ///     estimate.add(Normal::new(x, 0.0, z)?, seen, 1.0);
+    /// }
+    /// assert_eq!(estimate.coefficients()?.len(), sphere::COMPONENTS);
+    /// # }
+    /// # Ok::<(), eigenshade::Error>(())
+    /// ```
+    ///
     /// # Errors
     ///
     /// [`Error::Capacity`] if `K` is too small.
     pub fn estimate<const K: usize>(&self) -> Result<Estimate<'a, S, K>, Error> {
-        let mut sums = heapless::Vec::new();
-        sums.resize_default(self.components()).map_err(|_| Error::Capacity {
-            what: What::Coefficients,
-            needed: self.components(),
-            capacity: K,
-        })?;
+        let sums = zeros::<Sum<S>, K>(Argument::Coefficients, self.components())?;
         Ok(Estimate { basis: *self, sums, weight: Sum::default() })
     }
 }
@@ -91,7 +99,7 @@ impl<S: Scalar, const K: usize> Estimate<'_, S, K> {
     ///
     /// [`Error::Weight`] unless the sum of the weights is finite and above zero.
     pub fn coefficients(&self) -> Result<Coefficients<S, K>, Error> {
-        let mut coefficients = zeros::<S, K>(What::Coefficients, self.sums.len())?;
+        let mut coefficients = zeros::<S, K>(Argument::Coefficients, self.sums.len())?;
         let weight = self.weight.sum;
         if !(weight.is_finite() && weight > S::ZERO) {
             return Err(Error::Weight);

@@ -7,7 +7,7 @@ use zerocopy::{FromBytes, Immutable, KnownLayout};
 /// A number format of the runtime: `f32`, `f64`, [`Q15`] or [`Q31`].
 ///
 /// This trait is sealed. Floating-point code is generic over [`Scalar`](crate::Scalar), integer
-/// code over [`Fixed`].
+/// code over [`FixedPoint`].
 pub trait Format:
     sealed::Sealed + Copy + Debug + Default + PartialEq + PartialOrd + 'static
 {
@@ -65,7 +65,7 @@ mod sealed {
 }
 
 /// An integer format.
-pub trait Fixed: Format<Wide: Wide> {
+pub trait FixedPoint: Format<Wide: Wide> {
     /// Bits of a mantissa's magnitude.
     const BITS: u32;
     /// Number of bits by which a scene's weights are finer than its terms.
@@ -79,7 +79,7 @@ pub trait Fixed: Format<Wide: Wide> {
     /// The mantissa as a factor of a [`Wide`] product.
     fn widen(self) -> Self::Wide;
     /// The nearest mantissa, saturated at the largest one.
-    fn narrow(number: Self::Wide) -> Self;
+    fn saturate(number: Self::Wide) -> Self;
     /// This mantissa / √2, rounded.
     fn over_root_two(self) -> Self;
     /// `weight` times this mantissa, rounded, [`SUM_SHIFT`](Self::SUM_SHIFT) bits finer than a
@@ -96,7 +96,7 @@ pub trait Fixed: Format<Wide: Wide> {
     /// This mantissa as a fraction of 2^(BITS - 1).
     fn halved(self) -> i32;
     /// a x + b y, rounded, where a and b are fractions of 2^(BITS - 1). Domain: a² + b² at most 2,
-    /// x² + y² at most 1.001, which a [`Normal`](crate::quantised::Normal) satisfies.
+    /// x² + y² at most 1.001, which a [`Normal`](crate::quantized::Normal) satisfies.
     fn dot(a: i32, x: Self, b: i32, y: Self) -> i32;
     /// `value` times `fraction`, a fraction of 2^(BITS - 1).
     fn product(value: i32, fraction: i32) -> Self::Wide;
@@ -139,9 +139,9 @@ pub trait Wide:
     /// The integer nearest to self 2^`by`. Domain: it fits.
     fn shifted(self, by: i32) -> Self;
     /// floor(self 2^`by`). Domain: it fits.
-    fn floored(self, by: i32) -> Self;
+    fn floor_shr(self, by: i32) -> Self;
     /// The integer nearest to self / 2^(`by` + 1). Domain: `by` >= 0, |self| < 2^SIZE - 1.
-    fn lowered(self, by: i32) -> Self;
+    fn round_shr(self, by: i32) -> Self;
     /// The nearest `i32`.
     fn saturated(self) -> i32;
 }
@@ -179,11 +179,11 @@ macro_rules! wide {
                 }
             }
             #[inline(always)]
-            fn floored(self, by: i32) -> Self {
+            fn floor_shr(self, by: i32) -> Self {
                 if by >= 0 { self << by.min($size) } else { self >> (-by).min($size) }
             }
             #[inline(always)]
-            fn lowered(self, by: i32) -> Self {
+            fn round_shr(self, by: i32) -> Self {
                 debug_assert!(by >= 0, "out of domain");
                 // A shift by all bits gives 0 or -1, both of which round to 0.
                 ((self >> by.cast_unsigned().min($size)) + 1) >> 1
@@ -199,7 +199,7 @@ macro_rules! wide {
 wide!(i32, 31, |number| number);
 wide!(i64, 63, |number| number.clamp((-i32::MAX).into(), i32::MAX.into()) as i32);
 
-impl Fixed for Q15 {
+impl FixedPoint for Q15 {
     const BITS: u32 = 15;
     const WEIGHT_BITS: u32 = 14;
     const SUM_SHIFT: u32 = 14;
@@ -210,12 +210,12 @@ impl Fixed for Q15 {
         i32::from(self.0)
     }
     #[inline(always)]
-    fn narrow(number: i32) -> Self {
+    fn saturate(number: i32) -> Self {
         Self(number.clamp(-32_767, 32_767) as i16)
     }
     #[inline]
     fn over_root_two(self) -> Self {
-        Self::narrow((self.widen() * 23_170 + (1 << 14)) >> 15)
+        Self::saturate((self.widen() * 23_170 + (1 << 14)) >> 15)
     }
     #[inline(always)]
     fn weigh(self, weight: i32) -> i32 {
@@ -267,7 +267,7 @@ impl Fixed for Q15 {
     }
 }
 
-impl Fixed for Q31 {
+impl FixedPoint for Q31 {
     const BITS: u32 = 31;
     const WEIGHT_BITS: u32 = 30;
     const SUM_SHIFT: u32 = 1;
@@ -278,12 +278,12 @@ impl Fixed for Q31 {
         i64::from(self.0)
     }
     #[inline(always)]
-    fn narrow(number: i64) -> Self {
+    fn saturate(number: i64) -> Self {
         Self(number.saturated())
     }
     #[inline]
     fn over_root_two(self) -> Self {
-        Self::narrow((self.widen() * 1_518_500_250 + (1 << 30)) >> 31)
+        Self::saturate((self.widen() * 1_518_500_250 + (1 << 30)) >> 31)
     }
     #[inline(always)]
     fn weigh(self, weight: i32) -> i32 {

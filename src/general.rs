@@ -7,7 +7,7 @@
 
 use crate::basis::Basis;
 use crate::buffer::zeros;
-use crate::error::{Error, What};
+use crate::error::{Argument, Error};
 use crate::index::effect::Effects;
 use crate::light::Light;
 use crate::material::Material;
@@ -54,7 +54,7 @@ impl<'a, S> GeneralBasis<'a, S> {
         let functions = span.components();
         let Some(length) = functions.checked_mul(parts.components) else {
             return Err(Error::Length {
-                what: What::Projection,
+                argument: Argument::Projection,
                 expected: usize::MAX,
                 found: parts.projection.len(),
             });
@@ -62,10 +62,10 @@ impl<'a, S> GeneralBasis<'a, S> {
         let has_mean = !parts.mean.is_empty();
         let (mean, coefficients) = if has_mean { (functions, parts.components) } else { (0, 0) };
         let checks = [
-            Error::check(What::Projection, length, parts.projection.len()),
-            Error::check(What::Synthesis, length, parts.synthesis.len()),
-            Error::check(What::Mean, mean, parts.mean.len()),
-            Error::check(What::Mean, coefficients, parts.mean_coefficients.len()),
+            Error::check(Argument::Projection, length, parts.projection.len()),
+            Error::check(Argument::Synthesis, length, parts.synthesis.len()),
+            Error::check(Argument::Mean, mean, parts.mean.len()),
+            Error::check(Argument::Mean, coefficients, parts.mean_coefficients.len()),
         ];
         let mut rest = checks.as_slice();
         while let [check, tail @ ..] = rest {
@@ -152,7 +152,7 @@ impl<'a, S: Scalar> GeneralBasis<'a, S> {
         workspace: &mut [S],
         coefficients: &mut [S],
     ) -> Result<(), Error> {
-        Error::check(What::Workspace, self.workspace_len(), workspace.len())?;
+        Error::check(Argument::Workspace, self.workspace_len(), workspace.len())?;
         let split = workspace.split_at_mut_checked(self.span.workspace_len());
         let (workspace, coordinates) = split.unwrap_or_default();
         self.span.project_effects_into(light, material, effects, workspace, coordinates)?;
@@ -174,7 +174,7 @@ impl<'a, S: Scalar> GeneralBasis<'a, S> {
         workspace: &mut [S],
         coefficients: &mut [S],
     ) -> Result<(), Error> {
-        Error::check(What::Workspace, self.workspace_len(), workspace.len())?;
+        Error::check(Argument::Workspace, self.workspace_len(), workspace.len())?;
         let split = workspace.split_at_mut_checked(self.span.workspace_len());
         let (_, coordinates) = split.unwrap_or_default();
         self.span.relight_into(transfer, light, coordinates)?;
@@ -199,7 +199,7 @@ impl<'a, S: Scalar> GeneralBasis<'a, S> {
     /// The coefficients d from the coordinates of an image in the span, less those of the mean
     /// image.
     fn coefficients(&self, coordinates: &[S], coefficients: &mut [S]) -> Result<(), Error> {
-        Error::check(What::Coefficients, self.components(), coefficients.len())?;
+        Error::check(Argument::Coefficients, self.components(), coefficients.len())?;
         let functions = self.span.components().max(1);
         let rows = self.parts.projection.chunks(functions);
         for (coefficient, row) in coefficients.iter_mut().zip(rows) {
@@ -224,8 +224,8 @@ impl<'a, S: Scalar> GeneralBasis<'a, S> {
         &self,
         coefficients: &[S],
     ) -> Result<Scene<'a, SceneBuffer<S, C>>, Error> {
-        let mut workspace = zeros::<S, N>(What::Workspace, self.workspace_len())?;
-        let scene = zeros::<S, C>(What::Scene, self.span.scene_len())?;
+        let mut workspace = zeros::<S, N>(Argument::Workspace, self.workspace_len())?;
+        let scene = zeros::<S, C>(Argument::Scene, self.span.scene_len())?;
         self.collapse_into(coefficients, &mut workspace, scene)
     }
 
@@ -266,10 +266,10 @@ impl<'a, S: Scalar> GeneralBasis<'a, S> {
         coefficients: &[S],
         workspace: &'w mut [S],
     ) -> Result<&'w [S], Error> {
-        Error::check(What::Workspace, self.workspace_len(), workspace.len())?;
+        Error::check(Argument::Workspace, self.workspace_len(), workspace.len())?;
         if coefficients.len() > self.components() {
             let (expected, found) = (self.components(), coefficients.len());
-            return Err(Error::Length { what: What::Coefficients, expected, found });
+            return Err(Error::Length { argument: Argument::Coefficients, expected, found });
         }
         let split = workspace.split_at_mut_checked(self.span.workspace_len());
         let (_, coordinates) = split.unwrap_or_default();

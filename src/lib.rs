@@ -8,13 +8,13 @@
 //! 1. [`Light`] and [`Material`] hold coefficients: spherical harmonics for light, the
 //!    Koenderink-van Doorn basis for materials.
 //! 2. [`Basis::project`] gives the coefficients d = UᵀMc of the eigenimages. If the material stays
-//!    the same, [`Basis::transfer`] folds it in once and [`Basis::relight`] applies each new light.
+//!    the same, [`Basis::transfer`] takes it in once and [`Basis::relight`] applies each new light.
 //! 3. [`Basis::collapse`] sums the components of each azimuth into a [`Scene`].
 //! 4. [`Scene::shade`] gives the irradiance of one [`Normal`], [`Scene::shade_slice`] that of many.
-//! 5. There are cheaper ways to shade a pixel: [`Scene::lookup`] samples the azimuths of the image,
+//! 5. There are cheaper ways to shade a pixel: [`Scene::sampled`] samples the azimuths of the image,
 //!    [`Scene::bake`] the image itself.
 //! 6. To turn the light, call [`Light::turned`] with a [`Rotation`]. A [`Window`] keeps a light
-//!    from ringing, and [`Negatives`] sets how to handle irradiance below zero.
+//!    from ringing, and [`NegativePolicy`] sets how to handle irradiance below zero.
 //! 7. In the other direction, [`Basis::estimate`] takes pixels one by one and estimates d.
 //!
 //! A [`GeneralBasis`] does the same for objects other than a sphere.
@@ -24,8 +24,8 @@
 //! use eigenshade::{Light, Material, Normal, sphere};
 //!
 //! // White light from everywhere and more from the camera; a matte white sphere.
-//! let light = Light::new(1, &[3.5, 0.0, 1.0, 0.0])?;
-//! let material = Material::new(0, &[2.0])?;
+//! let light = Light::new(&[3.5, 0.0, 1.0, 0.0])?;
+//! let material = Material::new(&[2.0])?;
 //! let scene = sphere::collapse(&sphere::project(&light, &material)?)?;
 //! let facing = scene.shade(Normal::new(0.0, 0.0, 1.0)?);
 //! let rim = scene.shade(Normal::new(1.0, 0.0, 0.0)?);
@@ -34,14 +34,22 @@
 //! # Ok::<(), eigenshade::Error>(())
 //! ```
 //!
+//! A table as a module, such as `sphere` or one that a build script makes, has functions that
+//! know all its sizes: `project`, `transfer`, `relight`, `collapse` and so on, with types
+//! `Coefficients`, `Transfer` and `Scene`. The methods of [`Basis`] do the same for a table whose
+//! size is known only at run time; they take sizes as constants or slices. The module
+//! [`quantized`] does all of this in integers.
+//!
 //! The crate needs no allocator and does not panic. Its loops over pixels use no trigonometry, no
 //! roots and no division.
+//!
+//! It is `no_std`. `mul_add` is not in `core`: on targets with fused multiply-add, such as x86-64
+//! with `-C target-cpu=x86-64-v3`, the feature `std` fuses sums of products, which is faster and
+//! changes their last bits. On other targets the feature changes nothing.
 #![no_std]
 #![deny(clippy::indexing_slicing, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-// `mul_add` is not in `core`. It comes from `std` on targets with fused multiply-add and an
-// operating system; no other build links `std`.
-#[cfg(all(target_feature = "fma", any(unix, windows)))]
+#[cfg(feature = "std")]
 extern crate std;
 
 // The generated statics refer to this crate by name, as user code does.
@@ -59,8 +67,6 @@ mod error;
 pub mod mathematics;
 
 mod lanes;
-
-mod chunks;
 
 mod buffer;
 
@@ -90,27 +96,22 @@ mod transfer;
 
 mod relight;
 
-mod descent;
-
 mod nine_terms;
 
 mod scene;
 
 mod shade;
 
-pub mod fixed;
+#[doc(hidden)]
+pub mod specialized;
 
-mod economy;
+mod truncation;
 
-mod negatives;
-
-mod lookup;
-
-mod paraboloid;
+mod sampled;
 
 mod bake;
 
-pub mod quantised;
+pub mod quantized;
 
 mod bake_integer;
 
@@ -132,28 +133,30 @@ pub mod sphere;
 #[cfg(feature = "generate")]
 pub mod generated;
 
-pub use bake::{BakedMap, MapBuffer};
+pub use bake::{BakedMap, MapBuffer, MapPoint};
 pub use bake_integer::IntegerMap;
 pub use basis::Basis;
-pub use economy::{Economy, Shape, Tolerance};
-pub use error::{Error, What};
+pub use buffer::Buffer;
+pub use error::{Argument, Error};
 pub use estimate::Estimate;
-pub use format::{Fixed, Format, Q15, Q31, Wide};
+pub use format::{FixedPoint, Format, Q15, Q31, Wide};
 pub use general::{GeneralBasis, GeneralParts};
 pub use index::effect::{Effect, Effects};
 pub use light::Light;
-pub use lookup::{Lookup, LookupBuffer};
 pub use material::Material;
-pub use negatives::Negatives;
 pub use nine_terms::NineTerms;
 pub use normal::{Normal, Normals};
-pub use paraboloid::MapPoint;
-pub use parts::{Coupling, Parts, Pass, ProfilePlace, Recurrences, Row};
+pub use parts::Parts;
+#[doc(hidden)]
+pub use parts::{Coupling, Pass, ProfilePlace, Recurrences, Row};
 pub use projection::Coefficients;
 pub use rotation::Rotation;
+pub use sampled::{SampledBuffer, SampledScene};
 pub use scalar::Scalar;
 pub use scene::{Scene, SceneBuffer};
+pub use shade::NegativePolicy;
 pub use transfer::Transfer;
+pub use truncation::{Shape, Tolerance, Truncation};
 pub use turn::LightBuffer;
 pub use window::Window;
 

@@ -1,6 +1,6 @@
 //! Light as spherical harmonic coefficients L_l^m of (4).
 
-use crate::error::{Error, What};
+use crate::error::{Argument, Error};
 use crate::index::light;
 use crate::scalar::Scalar;
 
@@ -23,15 +23,28 @@ pub struct Light<'a, S> {
 }
 
 impl<'a, S> Light<'a, S> {
-    /// Creates a light from its coefficients, without checking their values. A coefficient that is
-    /// not finite spoils more of an image than its own mode; [`checked`](Self::checked) rejects it.
+    /// Creates a light from its coefficients. Their number determines the degree.
+    ///
+    /// The values are not checked. A coefficient that is not finite spoils more of an image than
+    /// its own mode; [`checked`](Self::checked) rejects it.
+    ///
+    /// ```
+    /// use eigenshade::{Argument, Error, Light};
+    ///
+    /// // The same from everywhere, and more from the camera.
+    /// assert_eq!(Light::new(&[3.5, 0.0, 1.0, 0.0])?.degree(), 1);
+    /// let refused = Error::Count { argument: Argument::Light, found: 3 };
+    /// assert_eq!(Light::new(&[3.5, 0.0, 1.0]), Err(refused));
+    /// # Ok::<(), Error>(())
+    /// ```
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] unless there are (degree + 1)² coefficients.
-    pub const fn new(degree: usize, coefficients: &'a [S]) -> Result<Self, Error> {
-        match Error::check(What::Light, light::count(degree), coefficients.len()) {
-            Ok(()) => Ok(Self { degree, coefficients }),
+    /// [`Error::Count`] unless there are (degree + 1)² coefficients for some degree.
+    #[inline]
+    pub const fn new(coefficients: &'a [S]) -> Result<Self, Error> {
+        match degree(coefficients.len()) {
+            Ok(degree) => Ok(Self { degree, coefficients }),
             Err(error) => Err(error),
         }
     }
@@ -42,12 +55,12 @@ impl<'a, S> Light<'a, S> {
     ///
     /// The same as for `new`; [`Error::NotFinite`] with the index of the first coefficient that is
     /// infinite or NaN.
-    pub fn checked(degree: usize, coefficients: &'a [S]) -> Result<Self, Error>
+    pub fn checked(coefficients: &'a [S]) -> Result<Self, Error>
     where
         S: Scalar,
     {
-        let light = Self::new(degree, coefficients)?;
-        Error::check_finite(What::Light, coefficients)?;
+        let light = Self::new(coefficients)?;
+        Error::check_finite(Argument::Light, coefficients)?;
         Ok(light)
     }
 
@@ -72,4 +85,39 @@ impl<'a, S> Light<'a, S> {
     pub const fn coefficients(&self) -> &'a [S] {
         self.coefficients
     }
+}
+
+/// The degree of a light with this number of coefficients.
+///
+/// Inlined, so that a length known at compile time costs nothing. A new light is a few hundred
+/// instructions; counting up to the usual degrees would add a tenth to them.
+#[inline(always)]
+pub(crate) const fn degree(found: usize) -> Result<usize, Error> {
+    match found {
+        1 => Ok(0),
+        4 => Ok(1),
+        9 => Ok(2),
+        16 => Ok(3),
+        25 => Ok(4),
+        36 => Ok(5),
+        49 => Ok(6),
+        64 => Ok(7),
+        81 => Ok(8),
+        100 => Ok(9),
+        121 => Ok(10),
+        144 => Ok(11),
+        169 => Ok(12),
+        _ => counted(found),
+    }
+}
+
+/// [`degree`] for any number.
+#[cold]
+const fn counted(found: usize) -> Result<usize, Error> {
+    let (mut degree, mut count) = (0, 1);
+    while count < found {
+        degree += 1;
+        count += 2 * degree + 1;
+    }
+    if count == found { Ok(degree) } else { Err(Error::Count { argument: Argument::Light, found }) }
 }

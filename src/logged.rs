@@ -3,10 +3,10 @@
 use crate::mathematics::{Libm, SinglePrecision, Tabled};
 use crate::wire::{Aligned, Header, WireError, WireFormat};
 use crate::{
-    BakedMap, Basis, Coupling, Economy, Effect, Effects, Error, Estimate, GeneralBasis,
-    GeneralParts, IntegerMap, Light, Lookup, MapPoint, Material, Negatives, Normal, Normals, Parts,
-    Pass, ProfilePlace, Q15, Q31, Rotation, Row, Scene, SceneBuffer, Shape, Tolerance, Transfer,
-    What, Window, quantised,
+    Argument, BakedMap, Basis, Coupling, Effect, Effects, Error, Estimate, GeneralBasis,
+    GeneralParts, IntegerMap, Light, MapPoint, Material, NegativePolicy, Normal, Normals, Parts,
+    Pass, ProfilePlace, Q15, Q31, Rotation, Row, SampledScene, Scene, SceneBuffer, Shape,
+    Tolerance, Transfer, Truncation, Window, quantized,
 };
 
 const fn can_be_logged<T: defmt::Format>() {}
@@ -16,24 +16,24 @@ const _: () = {
     can_be_logged::<(Light<'_, f32>, Material<'_, f32>, Normal<f32>, Normals<'_, f32>)>();
     can_be_logged::<(Basis<'_, f32>, GeneralBasis<'_, f32>, Parts<'_, f32>, GeneralParts<'_, f32>)>(
     );
-    can_be_logged::<(Coupling, Pass, ProfilePlace, Row, Error, What, Effect, Effects)>();
+    can_be_logged::<(Coupling, Pass, ProfilePlace, Row, Error, Argument, Effect, Effects)>();
     can_be_logged::<(Transfer<f32, 8>, Estimate<'_, f32, 8>, Scene<'_, Buffer>)>();
-    can_be_logged::<(BakedMap<f32, Buffer>, IntegerMap<&[i16]>, Lookup<f32, Buffer>)>();
+    can_be_logged::<(BakedMap<f32, Buffer>, IntegerMap<&[i16]>, SampledScene<f32, Buffer>)>();
     can_be_logged::<(
         Tolerance<f32>,
-        Economy<f32>,
+        Truncation<f32>,
         Shape<'_>,
         WireError,
         WireFormat,
         Header,
         Aligned<u8>,
     )>();
-    can_be_logged::<(quantised::Basis<'_, Q15>, quantised::Parts<'_, Q15>, quantised::Profile)>();
-    can_be_logged::<(quantised::Light<'_, Q31>, quantised::Material<'_, Q31>)>();
-    can_be_logged::<(quantised::Normal<Q15>, quantised::Coefficients<8>)>();
-    can_be_logged::<(quantised::Transfer<'_, Q15>, quantised::Estimate<'_, Q31, 8>)>();
-    can_be_logged::<(MapPoint<i16>, Rotation<f32>, Window<f32>, Negatives)>();
-    can_be_logged::<(quantised::Scene<'_, Q15, [i32; 8]>, quantised::TransferBuffer<Q15, 8, 8>)>();
+    can_be_logged::<(quantized::Basis<'_, Q15>, quantized::Parts<'_, Q15>, quantized::Profile)>();
+    can_be_logged::<(quantized::Light<'_, Q31>, quantized::Material<'_, Q31>)>();
+    can_be_logged::<(quantized::Normal<Q15>, quantized::Coefficients<8>)>();
+    can_be_logged::<(quantized::Transfer<'_, Q15>, quantized::Estimate<'_, Q31, 8>)>();
+    can_be_logged::<(MapPoint<i16>, Rotation<f32>, Window<f32>, NegativePolicy)>();
+    can_be_logged::<(quantized::Scene<'_, Q15, [i32; 8]>, quantized::TransferBuffer<Q15, 8, 8>)>();
     can_be_logged::<(Libm, SinglePrecision, Tabled)>();
     #[cfg(feature = "micromath")]
     can_be_logged::<crate::mathematics::Micromath>();

@@ -1,6 +1,6 @@
 //! Material as Koenderink-van Doorn coefficients b_op^q of (7).
 
-use crate::error::{Error, What};
+use crate::error::{Argument, Error};
 use crate::index::material;
 use crate::scalar::Scalar;
 
@@ -16,17 +16,30 @@ pub struct Material<'a, S> {
 }
 
 impl<'a, S> Material<'a, S> {
-    /// Creates a material from its coefficients, without checking their values. A coefficient that
-    /// is not finite spoils more of an image than its own mode; [`checked`](Self::checked) rejects
-    /// it.
+    /// Creates a material from its coefficients. Their number determines the order: there are 1,
+    /// 2, 5, 8, 14, 20, 30 and 40 of orders 0 to 7.
+    ///
+    /// The values are not checked. A coefficient that is not finite spoils more of an image than
+    /// its own mode; [`checked`](Self::checked) rejects it.
+    ///
+    /// ```
+    /// use eigenshade::{Argument, Error, Material};
+    ///
+    /// assert_eq!(Material::new(&[2.0])?.order(), 0); // a white matte, f = 1/π
+    /// assert_eq!(Material::new(&[0.1; 40])?.order(), 7);
+    /// let refused = Error::Count { argument: Argument::Material, found: 3 };
+    /// assert_eq!(Material::new(&[2.0, 0.1, 0.1]), Err(refused));
+    /// # Ok::<(), Error>(())
+    /// ```
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] unless there are [`index::material::count`](crate::index::material::count)
-    /// coefficients.
-    pub const fn new(order: usize, coefficients: &'a [S]) -> Result<Self, Error> {
-        match Error::check(What::Material, material::count(order), coefficients.len()) {
-            Ok(()) => Ok(Self { order, coefficients }),
+    /// [`Error::Count`] unless there are [`index::material::count`](crate::index::material::count)
+    /// coefficients for some order.
+    #[inline]
+    pub const fn new(coefficients: &'a [S]) -> Result<Self, Error> {
+        match order(coefficients.len()) {
+            Ok(order) => Ok(Self { order, coefficients }),
             Err(error) => Err(error),
         }
     }
@@ -37,12 +50,12 @@ impl<'a, S> Material<'a, S> {
     ///
     /// The same as for `new`; [`Error::NotFinite`] with the index of the first coefficient that is
     /// infinite or NaN.
-    pub fn checked(order: usize, coefficients: &'a [S]) -> Result<Self, Error>
+    pub fn checked(coefficients: &'a [S]) -> Result<Self, Error>
     where
         S: Scalar,
     {
-        let material = Self::new(order, coefficients)?;
-        Error::check_finite(What::Material, coefficients)?;
+        let material = Self::new(coefficients)?;
+        Error::check_finite(Argument::Material, coefficients)?;
         Ok(material)
     }
 
@@ -66,5 +79,58 @@ impl<'a, S> Material<'a, S> {
     #[must_use]
     pub const fn coefficients(&self) -> &'a [S] {
         self.coefficients
+    }
+}
+
+/// The order of a material with this number of coefficients: as [`degree`](crate::light::degree).
+#[inline(always)]
+pub(crate) const fn order(found: usize) -> Result<usize, Error> {
+    match found {
+        1 => Ok(0),
+        2 => Ok(1),
+        5 => Ok(2),
+        8 => Ok(3),
+        14 => Ok(4),
+        20 => Ok(5),
+        30 => Ok(6),
+        40 => Ok(7),
+        55 => Ok(8),
+        70 => Ok(9),
+        91 => Ok(10),
+        112 => Ok(11),
+        140 => Ok(12),
+        _ => counted(found),
+    }
+}
+
+/// [`order`] for any number.
+#[cold]
+const fn counted(found: usize) -> Result<usize, Error> {
+    let (mut order, mut count) = (0, 1);
+    while count < found {
+        order += 1;
+        // The coefficients of an o: one for each p and each q up to it.
+        count += (order / 2 + 1) * (order / 2 + 2) / 2;
+    }
+    if count == found {
+        Ok(order)
+    } else {
+        Err(Error::Count { argument: Argument::Material, found })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_count_determines_degree_and_order() {
+        for size in 0..40 {
+            assert_eq!(crate::light::degree(crate::index::light::count(size)), Ok(size));
+            assert_eq!(order(material::count(size)), Ok(size));
+            let between = material::count(size + 1) - 1;
+            assert_eq!(order(between).is_ok(), size == 0);
+        }
+        assert!(order(0).is_err() && crate::light::degree(0).is_err());
     }
 }

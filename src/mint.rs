@@ -1,9 +1,9 @@
 //! Converts normals and rotations from and to the plain types of the crate `mint`, through which
 //! glam, nalgebra, cgmath and others exchange them.
 
+use crate::bake::MapPoint;
 use crate::error::Error;
 use crate::normal::Normal;
-use crate::paraboloid::MapPoint;
 use crate::rotation::Rotation;
 use crate::scalar::Scalar;
 

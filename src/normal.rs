@@ -5,7 +5,7 @@
 //! object's outline. When normals are scaled to length 1, which happens once for each, such normals
 //! are moved to the rim. Loops over pixels use normals as they are.
 
-use crate::error::{Error, What};
+use crate::error::{Argument, Error};
 use crate::mathematics::{Libm, Mathematics};
 use crate::scalar::Scalar;
 
@@ -98,8 +98,8 @@ impl<'a, S> Normals<'a, S> {
     /// [`Error::Length`] unless all three slices have the same length.
     pub const fn new(x: &'a [S], y: &'a [S], z: &'a [S]) -> Result<Self, Error> {
         match (
-            Error::check(What::Normals, x.len(), y.len()),
-            Error::check(What::Normals, x.len(), z.len()),
+            Error::check(Argument::Normals, x.len(), y.len()),
+            Error::check(Argument::Normals, x.len(), z.len()),
         ) {
             (Ok(()), Ok(())) => Ok(Self { x, y, z }),
             (Err(error), _) | (_, Err(error)) => Err(error),

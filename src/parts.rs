@@ -1,6 +1,6 @@
 //! The arrays that make up a basis.
 
-use crate::error::{Error, What};
+use crate::error::{Argument, Error};
 use crate::index::effect::Effects;
 use crate::index::layout;
 use zerocopy::{FromBytes, Immutable, KnownLayout};
@@ -39,7 +39,7 @@ pub struct Parts<'a, S> {
     /// number is odd, the last profile is paired with zeros.
     pub factors: &'a [S],
     /// For each profile of m = 0, a row of UᵀM over the coefficients that are
-    /// [not factored](crate::index::effect::Effects::apart); empty if all are.
+    /// [not factored](crate::index::effect::Effects::unfactored); empty if all are.
     pub ambient: &'a [S],
     /// For each profile, its polynomial in t = 2z - 1, highest term first, times √2 if m is not 0.
     /// If its azimuth has a [recurrence](layout::Recurrence), the terms refer to the polynomials of
@@ -216,9 +216,11 @@ impl<'a> Recurrences<'a> {
             Some([_, _]) if numbers.is_empty() => Ok(Self::NONE),
             Some(_) if !cfg!(feature = "series") => Err(Error::Series),
             Some([first, stride]) => Ok(Self { first, stride, numbers }),
-            None => {
-                Err(Error::Length { what: What::Recurrences, expected: 0, found: numbers.len() })
-            }
+            None => Err(Error::Length {
+                argument: Argument::Recurrences,
+                expected: 0,
+                found: numbers.len(),
+            }),
         }
     }
 

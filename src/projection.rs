@@ -5,8 +5,8 @@
 //! sum is the same for +m and -m.
 
 use crate::basis::Basis;
-use crate::buffer::zeros;
-use crate::error::{Error, What};
+use crate::buffer::{Buffer, zeros};
+use crate::error::{Argument, Error};
 #[cfg(doc)]
 use crate::index::effect::Effect;
 use crate::index::effect::Effects;
@@ -19,7 +19,7 @@ use crate::parts::ProfilePlace;
 use crate::scalar::Scalar;
 
 /// The coefficients d of one image, component by component.
-pub type Coefficients<S, const K: usize> = heapless::Vec<S, K>;
+pub type Coefficients<S, const K: usize> = Buffer<S, K>;
 
 impl<'a, S: Scalar> Basis<'a, S> {
     /// Computes d = UᵀMc for a light on a material: the coefficients of the image in the
@@ -28,6 +28,19 @@ impl<'a, S: Scalar> Basis<'a, S> {
     /// `N` must be at least [`workspace_len`](Self::workspace_len), `K` at least
     /// [`components`](Self::components). If the light has a lower degree than the basis, or the
     /// material a lower order, the missing coefficients count as zero.
+    ///
+    /// ```
+    /// # #[cfg(feature = "baked")] {
+    /// use eigenshade::{Light, Material, sphere};
+    ///
+    /// let light = Light::new(&[3.5, 0.0, 1.0, 0.0])?;
+    /// let matte = Material::new(&[2.0])?;
+    /// // A table's own functions know its sizes.
+    /// let d = sphere::project(&light, &matte)?;
+    /// assert_eq!(d.len(), sphere::BASIS.components());
+    /// # }
+    /// # Ok::<(), eigenshade::Error>(())
+    /// ```
     ///
     /// Cost: for each profile and each degree from its |m| on, one multiplication for each pair (p,
     /// q) and eight for the light; before that, for each q and degree, the square of the number of
@@ -65,6 +78,22 @@ impl<'a, S: Scalar> Basis<'a, S> {
         self.image((light, material, Effects::ALL), workspace, coefficients)
     }
 
+    /// [`project_effects_into`](Self::project_effects_into) with buffers of fixed capacity.
+    ///
+    /// # Errors
+    ///
+    /// The same as [`project`](Self::project).
+    pub fn project_effects<const N: usize, const K: usize>(
+        &self,
+        light: &Light<'_, S>,
+        material: &Material<'_, S>,
+        effects: Effects,
+    ) -> Result<Coefficients<S, K>, Error> {
+        buffered::<S, N, K>(self.workspace_len(), self.components(), |workspace, d| {
+            self.project_effects_into(light, material, effects, workspace, d)
+        })
+    }
+
     /// [`project_into`](Self::project_into) for some effects only: d of the image that these
     /// effects produce. The images of [all effects](Effect::ALL) sum to the whole image.
     ///
@@ -96,8 +125,8 @@ impl<'a, S: Scalar> Basis<'a, S> {
         let (light, material, effects) = lit;
         self.accept_light(light)?;
         self.accept_material(material)?;
-        Error::check(What::Workspace, self.workspace_len(), workspace.len())?;
-        Error::check(What::Coefficients, self.components(), coefficients.len())?;
+        Error::check(Argument::Workspace, self.workspace_len(), workspace.len())?;
+        Error::check(Argument::Coefficients, self.components(), coefficients.len())?;
         // Rows of the usual orders have kernels with their length built in.
         match self.row() / LANES {
             1 => self.project_rows(lit, workspace, coefficients, row::<S, 1>),
@@ -108,10 +137,12 @@ impl<'a, S: Scalar> Basis<'a, S> {
             _ => self.project_rows(lit, workspace, coefficients, long_row),
         }
         let ambient = light.coefficients().first().copied().unwrap_or(S::ZERO);
-        for (place, apart) in self.parts.profiles.iter().zip(self.apart(material, effects)) {
+        for (place, unfactored) in
+            self.parts.profiles.iter().zip(self.unfactored(material, effects))
+        {
             let place = place.plus().and_then(|index| coefficients.get_mut(usize::from(index)));
             if let Some(coefficient) = place {
-                *coefficient = coefficient.add_product(ambient, apart);
+                *coefficient = coefficient.add_product(ambient, unfactored);
             }
         }
         self.subtract_mean(coefficients);
@@ -189,7 +220,7 @@ impl<'a, S: Scalar> Basis<'a, S> {
     pub(crate) fn accept_light(&self, light: &Light<'_, S>) -> Result<(), Error> {
         let (basis, found) = (self.degree(), light.degree());
         if found > basis {
-            return Err(Error::Beyond { what: What::Light, basis, found });
+            return Err(Error::Beyond { argument: Argument::Light, basis, found });
         }
         Ok(())
     }
@@ -208,13 +239,13 @@ impl<'a, S: Scalar> Basis<'a, S> {
 fn gather<S: Scalar>(light: &Light<'_, S>, azimuth: usize, lights: &mut [[S; 2]]) {
     let sign = if azimuth % 2 == 1 { -S::ONE } else { S::ONE };
     let coefficients = light.coefficients();
-    let mut centre = light::position(azimuth, 0);
+    let mut center = light::position(azimuth, 0);
     for (l, place) in (azimuth..).zip(lights) {
-        let plus = coefficients.get(centre + azimuth).copied().unwrap_or(S::ZERO);
-        let minus = coefficients.get(centre - azimuth).copied().unwrap_or(S::ZERO);
+        let plus = coefficients.get(center + azimuth).copied().unwrap_or(S::ZERO);
+        let minus = coefficients.get(center - azimuth).copied().unwrap_or(S::ZERO);
         // Above the degree of the light, the position of -m may still hold another order.
         *place = if l <= light.degree() { [plus, sign * minus] } else { [S::ZERO; 2] };
-        centre += 2 * l + 2;
+        center += 2 * l + 2;
     }
 }
 
@@ -281,8 +312,8 @@ pub(crate) fn buffered<S: Scalar, const N: usize, const K: usize>(
     components: usize,
     project: impl FnOnce(&mut [S], &mut [S]) -> Result<(), Error>,
 ) -> Result<Coefficients<S, K>, Error> {
-    let mut workspace = zeros::<S, N>(What::Workspace, workspace)?;
-    let mut coefficients = zeros::<S, K>(What::Coefficients, components)?;
+    let mut workspace = zeros::<S, N>(Argument::Workspace, workspace)?;
+    let mut coefficients = zeros::<S, K>(Argument::Coefficients, components)?;
     project(&mut workspace, &mut coefficients)?;
     Ok(coefficients)
 }

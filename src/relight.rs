@@ -6,7 +6,7 @@
 
 use crate::basis::Basis;
 use crate::buffer::zeros;
-use crate::error::{Error, What};
+use crate::error::{Argument, Error};
 use crate::index::{layout, light};
 use crate::lanes;
 use crate::light::Light;
@@ -31,7 +31,7 @@ impl<S: Scalar> Basis<'_, S> {
         transfer: &Transfer<S, T>,
         light: &Light<'_, S>,
     ) -> Result<Coefficients<S, K>, Error> {
-        let mut coefficients = zeros::<S, K>(What::Coefficients, self.components())?;
+        let mut coefficients = zeros::<S, K>(Argument::Coefficients, self.components())?;
         self.relight_into(transfer.as_slice(), light, &mut coefficients)?;
         Ok(coefficients)
     }
@@ -50,8 +50,8 @@ impl<S: Scalar> Basis<'_, S> {
         coefficients: &mut [S],
     ) -> Result<(), Error> {
         self.accept_light(light)?;
-        Error::check(What::Transfer, self.transfer_len(), transfer.len())?;
-        Error::check(What::Coefficients, self.components(), coefficients.len())?;
+        Error::check(Argument::Transfer, self.transfer_len(), transfer.len())?;
+        Error::check(Argument::Coefficients, self.components(), coefficients.len())?;
         let (mut transfer, _) = transfer.as_chunks::<LANES>();
         let (mut slots, _) = self.parts.slots.as_chunks::<LANES>();
         for pass in self.parts.passes {

@@ -24,8 +24,8 @@ pub trait Scalar:
     const ZERO: Self;
     /// 1.
     const ONE: Self;
-    /// self + a b, with one rounding if the target fuses the operations (x86 with `fma`), with two
-    /// otherwise.
+    /// self + a b. With the feature `std` on a target that has fused multiply-add (x86 with `fma`),
+    /// it rounds once, otherwise twice.
     fn add_product(self, a: Self, b: Self) -> Self;
     /// Whether the number is neither infinite nor NaN.
     fn is_finite(self) -> bool;
@@ -52,12 +52,12 @@ macro_rules! scalar {
         impl Scalar for $float {
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
-            #[cfg(all(target_feature = "fma", any(unix, windows)))]
+            #[cfg(all(feature = "std", target_feature = "fma"))]
             #[inline(always)]
             fn add_product(self, a: Self, b: Self) -> Self {
                 a.mul_add(b, self)
             }
-            #[cfg(not(all(target_feature = "fma", any(unix, windows))))]
+            #[cfg(not(all(feature = "std", target_feature = "fma")))]
             #[inline(always)]
             fn add_product(self, a: Self, b: Self) -> Self {
                 self + a * b

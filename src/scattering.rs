@@ -6,7 +6,7 @@
 //! of UᵀM for this material.
 
 use crate::basis::Basis;
-use crate::error::{Error, What};
+use crate::error::{Argument, Error};
 use crate::index::effect::{Effect, Effects};
 use crate::index::layout::LANES;
 use crate::index::{layout, material};
@@ -19,9 +19,9 @@ impl<S: Scalar> Basis<'_, S> {
     pub(crate) fn accept_material(&self, material: &Material<'_, S>) -> Result<(), Error> {
         let (basis, found) = (self.order(), material.order());
         if found > basis {
-            return Err(Error::Beyond { what: What::Material, basis, found });
+            return Err(Error::Beyond { argument: Argument::Material, basis, found });
         }
-        if self.projects() { Ok(()) } else { Err(Error::Folded) }
+        if self.projects() { Ok(()) } else { Err(Error::TransfersOnly) }
     }
 
     /// Writes S: for each l a zero-padded row over the pairs (p, q). `sums` holds S along l
@@ -131,7 +131,7 @@ impl<S: Scalar> Basis<'_, S> {
 
     /// For each profile of m = 0, the contribution to T_i,0 of the coefficients that are not
     /// factored. Empty if there are none, or without the ambient effect.
-    pub(crate) fn apart(
+    pub(crate) fn unfactored(
         &self,
         material: &Material<'_, S>,
         effects: Effects,
@@ -139,11 +139,11 @@ impl<S: Scalar> Basis<'_, S> {
         let wanted = effects.has(Effect::Ambient);
         let numbers = if wanted { self.parts.ambient } else { &[] };
         let (order, of_basis) = (material.order(), self.effects());
-        let rows = numbers.chunks_exact(self.parts.apart().max(1));
+        let rows = numbers.chunks_exact(self.parts.unfactored().max(1));
         rows.map(move |row| {
             let all = material::indices(order).zip(material.coefficients());
-            let apart = all.filter(move |&((o, _, q), _)| of_basis.is_unfactored(o, q));
-            row.iter().zip(apart).fold(S::ZERO, |sum, (&a, (_, &b))| sum.add_product(a, b))
+            let unfactored = all.filter(move |&((o, _, q), _)| of_basis.is_unfactored(o, q));
+            row.iter().zip(unfactored).fold(S::ZERO, |sum, (&a, (_, &b))| sum.add_product(a, b))
         })
     }
 

@@ -2,9 +2,8 @@
 //! H_m(n_z).
 
 use crate::basis::Basis;
-use crate::buffer::zeros;
-use crate::descent::Descent;
-use crate::error::{Error, What};
+use crate::buffer::{Buffer, zeros};
+use crate::error::{Argument, Error};
 use crate::index::layout::{LANES, Recurrence};
 use crate::lanes::multiply_add;
 use crate::normal::Normal;
@@ -13,7 +12,7 @@ use crate::polynomial::{self, argument, turned};
 use crate::scalar::Scalar;
 
 /// Storage for a collapsed scene.
-pub type SceneBuffer<S, const N: usize> = heapless::Vec<S, N>;
+pub type SceneBuffer<S, const N: usize> = Buffer<S, N>;
 
 /// One image: `buffer` holds the polynomials of +m and -m for each azimuth |m|.
 ///
@@ -40,7 +39,7 @@ impl<'a, S: Scalar> Basis<'a, S> {
         &self,
         coefficients: &[S],
     ) -> Result<Scene<'a, SceneBuffer<S, N>>, Error> {
-        self.collapse_into(coefficients, zeros::<S, N>(What::Scene, self.scene_len())?)
+        self.collapse_into(coefficients, zeros::<S, N>(Argument::Scene, self.scene_len())?)
     }
 
     /// [`collapse`](Self::collapse) into a buffer that the caller provides, of length
@@ -56,10 +55,10 @@ impl<'a, S: Scalar> Basis<'a, S> {
         mut buffer: B,
     ) -> Result<Scene<'a, B>, Error> {
         let sums = buffer.as_mut();
-        Error::check(What::Scene, self.scene_len(), sums.len())?;
+        Error::check(Argument::Scene, self.scene_len(), sums.len())?;
         if coefficients.len() > self.components() {
             let (expected, found) = (self.components(), coefficients.len());
-            return Err(Error::Length { what: What::Coefficients, expected, found });
+            return Err(Error::Length { argument: Argument::Coefficients, expected, found });
         }
         sums.fill(S::ZERO);
         for (sum, &mean) in sums.iter_mut().zip(self.parts.mean) {
@@ -97,7 +96,7 @@ impl<'a, S: Scalar> Basis<'a, S> {
     ///
     /// [`Error::Length`] unless there are [`scene_len`](Self::scene_len) numbers.
     pub fn scene<B: AsRef<[S]>>(&self, buffer: B) -> Result<Scene<'a, B>, Error> {
-        Error::check(What::Scene, self.scene_len(), buffer.as_ref().len())?;
+        Error::check(Argument::Scene, self.scene_len(), buffer.as_ref().len())?;
         Ok(Scene::of(self.parts.lengths, self.recurrences, buffer))
     }
 
@@ -110,7 +109,7 @@ impl<'a, S: Scalar> Basis<'a, S> {
     pub fn reconstruct(&self, coefficients: &[S], normal: Normal<S>) -> Result<S, Error> {
         if coefficients.len() > self.components() {
             let (expected, found) = (self.components(), coefficients.len());
-            return Err(Error::Length { what: What::Coefficients, expected, found });
+            return Err(Error::Length { argument: Argument::Coefficients, expected, found });
         }
         let t = argument(normal.z);
         let weight = |index: Option<u16>| {
@@ -229,6 +228,49 @@ impl<'a, B> Scene<'a, B> {
         let len = lengths.iter().map(|&length| 2 * usize::from(length)).sum();
         let around = around.get(..len).unwrap_or_default();
         Descent { lengths, pole, around, recurrences: self.recurrences }
+    }
+}
+
+/// Iterates over the polynomials of a scene, downward from the highest azimuth that has any. Each
+/// item holds those of +m and -m.
+#[derive(Clone, Copy)]
+pub(crate) struct Descent<'s, S> {
+    /// Lengths of the polynomials of m = 1, 2, ...
+    pub(crate) lengths: &'s [u16],
+    pub(crate) pole: &'s [S],
+    pub(crate) around: &'s [S],
+    pub(crate) recurrences: Recurrences<'s>,
+}
+
+impl<'s, S> Descent<'s, S> {
+    /// Whether any azimuth has a recurrence.
+    #[inline]
+    pub(crate) fn is_orthogonal(&self) -> bool {
+        !self.recurrences.is_empty()
+    }
+
+    /// The recurrence of the next azimuth, or after the last one that of the pole; empty if there
+    /// is none.
+    pub(crate) fn recurrence(&self) -> &'s [Recurrence] {
+        self.recurrences.of(self.lengths.len())
+    }
+
+    /// Whether any polynomial has more terms than this.
+    pub(crate) fn any_longer_than(&self, terms: usize) -> bool {
+        self.pole.len() > terms || self.lengths.iter().any(|&length| usize::from(length) > terms)
+    }
+}
+
+impl<'s, S> Iterator for Descent<'s, S> {
+    type Item = (&'s [S], &'s [S]);
+
+    #[inline]
+    fn next(&mut self) -> Option<Self::Item> {
+        let (&length, lower) = self.lengths.split_last()?;
+        let length = usize::from(length);
+        let (rest, of_both) = self.around.split_at_checked(self.around.len() - 2 * length)?;
+        (self.lengths, self.around) = (lower, rest);
+        of_both.split_at_checked(length)
     }
 }
 

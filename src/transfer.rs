@@ -3,12 +3,12 @@
 //! +m and -m share the sum; their numbers differ by (-1)^m.
 
 use crate::basis::Basis;
-use crate::buffer::zeros;
-use crate::chunks::rows;
-use crate::error::{Error, What};
+use crate::buffer::{Buffer, zeros};
+use crate::error::{Argument, Error};
 use crate::index::effect::Effects;
 use crate::index::layout;
 use crate::lanes;
+use crate::lanes::rows;
 use crate::material::Material;
 use crate::parts::ProfilePlace;
 use crate::projection::Workspace;
@@ -30,7 +30,7 @@ const BEFORE: usize = if cfg!(target_pointer_width = "64") { 64 - size_of::<usiz
 #[cfg_attr(target_pointer_width = "64", repr(align(64)))]
 pub struct Transfer<S, const N: usize> {
     before: [u8; BEFORE],
-    numbers: heapless::Vec<S, N>,
+    numbers: Buffer<S, N>,
 }
 
 impl<S, const N: usize> Transfer<S, N> {
@@ -47,6 +47,19 @@ impl<S: Scalar> Basis<'_, S> {
     /// `N` must be at least [`workspace_len`](Self::workspace_len), `T` at least
     /// [`transfer_len`](Self::transfer_len).
     ///
+    /// ```
+    /// # #[cfg(feature = "baked")] {
+    /// use eigenshade::{Light, Material, sphere};
+    ///
+    /// let matte = sphere::transfer(&Material::new(&[2.0])?)?; // once for a material
+    /// for light in [[3.5, 0.0, 1.0, 0.0], [3.5, -1.0, 0.0, 0.0]] {
+    ///     let scene = sphere::collapse(&sphere::relight(&matte, &Light::new(&light)?)?)?;
+    ///     assert!(scene.shade(eigenshade::Normal::new(0.0, 0.6, 0.8)?) > 0.0);
+    /// }
+    /// # }
+    /// # Ok::<(), eigenshade::Error>(())
+    /// ```
+    ///
     /// Cost: for each profile and each degree from its |m| on, one multiplication for each pair (p,
     /// q); before that, for each q and degree, the square of the number of pairs of that q.
     ///
@@ -58,13 +71,33 @@ impl<S: Scalar> Basis<'_, S> {
         &self,
         material: &Material<'_, S>,
     ) -> Result<Transfer<S, T>, Error> {
-        let mut workspace = zeros::<S, N>(What::Workspace, self.workspace_len())?;
-        let mut transfer = Transfer {
-            before: [0; BEFORE],
-            numbers: zeros::<S, T>(What::Transfer, self.transfer_len())?,
-        };
+        let mut workspace = zeros::<S, N>(Argument::Workspace, self.workspace_len())?;
+        let mut transfer = self.blank()?;
         self.transfer_into(material, &mut workspace, &mut transfer.numbers)?;
         Ok(transfer)
+    }
+
+    /// [`transfer_effects_into`](Self::transfer_effects_into) with buffers of fixed capacity.
+    ///
+    /// # Errors
+    ///
+    /// The same as [`transfer`](Self::transfer).
+    pub fn transfer_effects<const N: usize, const T: usize>(
+        &self,
+        material: &Material<'_, S>,
+        effects: Effects,
+    ) -> Result<Transfer<S, T>, Error> {
+        let mut workspace = zeros::<S, N>(Argument::Workspace, self.workspace_len())?;
+        let mut transfer = self.blank()?;
+        self.transfer_effects_into(material, effects, &mut workspace, &mut transfer.numbers)?;
+        Ok(transfer)
+    }
+
+    /// A transfer of zeros.
+    #[inline(always)]
+    fn blank<const T: usize>(&self) -> Result<Transfer<S, T>, Error> {
+        let numbers = zeros::<S, T>(Argument::Transfer, self.transfer_len())?;
+        Ok(Transfer { before: [0; BEFORE], numbers })
     }
 
     /// [`transfer`](Self::transfer) with slices.
@@ -80,7 +113,7 @@ impl<S: Scalar> Basis<'_, S> {
         workspace: &mut [S],
         transfer: &mut [S],
     ) -> Result<(), Error> {
-        self.fold(material, Effects::ALL, workspace, transfer)
+        self.transferred(material, Effects::ALL, workspace, transfer)
     }
 
     /// [`transfer_into`](Self::transfer_into) for some effects only: see
@@ -96,11 +129,11 @@ impl<S: Scalar> Basis<'_, S> {
         workspace: &mut [S],
         transfer: &mut [S],
     ) -> Result<(), Error> {
-        self.fold(material, effects, workspace, transfer)
+        self.transferred(material, effects, workspace, transfer)
     }
 
     #[inline(always)]
-    fn fold(
+    fn transferred(
         &self,
         material: &Material<'_, S>,
         effects: Effects,
@@ -108,8 +141,8 @@ impl<S: Scalar> Basis<'_, S> {
         transfer: &mut [S],
     ) -> Result<(), Error> {
         self.accept_material(material)?;
-        Error::check(What::Workspace, self.workspace_len(), workspace.len())?;
-        Error::check(What::Transfer, self.transfer_len(), transfer.len())?;
+        Error::check(Argument::Workspace, self.workspace_len(), workspace.len())?;
+        Error::check(Argument::Transfer, self.transfer_len(), transfer.len())?;
         // Lanes with |m| > l stay zero.
         transfer.fill(S::ZERO);
         let width = self.row() / LANES;
@@ -134,7 +167,7 @@ impl<S: Scalar> Basis<'_, S> {
             }
         }
         if !self.parts.ambient.is_empty() {
-            self.add_apart(material, effects, transfer);
+            self.add_unfactored(material, effects, transfer);
         }
         Ok(())
     }
@@ -142,10 +175,12 @@ impl<S: Scalar> Basis<'_, S> {
     /// Adds the coefficients that are not factored, which only affect l = 0.
     #[cold]
     #[inline(never)]
-    fn add_apart(&self, material: &Material<'_, S>, effects: Effects, transfer: &mut [S]) {
-        for (place, apart) in self.parts.profiles.iter().zip(self.apart(material, effects)) {
+    fn add_unfactored(&self, material: &Material<'_, S>, effects: Effects, transfer: &mut [S]) {
+        for (place, unfactored) in
+            self.parts.profiles.iter().zip(self.unfactored(material, effects))
+        {
             if let Some(to) = transfer.get_mut(place.plus_row.start as usize) {
-                *to += apart;
+                *to += unfactored;
             }
         }
     }

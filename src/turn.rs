@@ -11,8 +11,8 @@
 //! errors. A rotation and its inverse use the same D, one of them transposed. Light that is rotated
 //! and rotated back therefore loses no more than the last bits of some sums.
 
-use crate::buffer::zeros;
-use crate::error::{Error, What};
+use crate::buffer::{Buffer, zeros};
+use crate::error::{Argument, Error};
 use crate::index::light;
 use crate::light::Light;
 use crate::mathematics::{Libm, Mathematics};
@@ -20,7 +20,7 @@ use crate::rotation::Rotation;
 use crate::scalar::Scalar;
 
 /// The coefficients of a modified light, in a buffer of fixed capacity.
-pub type LightBuffer<S, const N: usize> = heapless::Vec<S, N>;
+pub type LightBuffer<S, const N: usize> = Buffer<S, N>;
 
 impl<S: Scalar> Light<'_, S> {
     /// Workspace length for rotating a light of this degree: the matrices of two degrees, and some
@@ -42,6 +42,19 @@ impl<S: Scalar> Light<'_, S> {
     /// degree l, (2l + 1)² elements of some twenty operations each, and three roots for each order.
     /// This is set-up work, not work for each pixel.
     ///
+    /// ```
+    /// use eigenshade::mathematics::SinglePrecision;
+    /// use eigenshade::{Light, Rotation};
+    ///
+    /// let light = Light::new(&[3.5, 0.0, 1.0, 0.0])?; // brightest at the camera
+    /// let quarter = core::f32::consts::FRAC_PI_2;
+    /// let rotation = Rotation::from_euler::<SinglePrecision>(0.0, quarter, 0.0)?;
+    /// const WORKSPACE: usize = Light::<f32>::turn_len(1);
+    /// let turned = light.turned::<4, WORKSPACE>(&rotation)?; // now from the right
+    /// assert!(turned[2].abs() < 1e-6 && (turned[3].abs() - 1.0).abs() < 1e-6);
+    /// # Ok::<(), eigenshade::Error>(())
+    /// ```
+    ///
     /// # Errors
     ///
     /// [`Error::Capacity`] if `N` or `W` is too small.
@@ -49,8 +62,8 @@ impl<S: Scalar> Light<'_, S> {
         &self,
         rotation: &Rotation<S>,
     ) -> Result<LightBuffer<S, N>, Error> {
-        let mut turned = zeros::<S, N>(What::Light, light::count(self.degree()))?;
-        let mut workspace = zeros::<S, W>(What::Workspace, Self::turn_len(self.degree()))?;
+        let mut turned = zeros::<S, N>(Argument::Light, light::count(self.degree()))?;
+        let mut workspace = zeros::<S, W>(Argument::Workspace, Self::turn_len(self.degree()))?;
         self.turn_into::<Libm>(rotation, &mut workspace, &mut turned)?;
         Ok(turned)
     }
@@ -68,8 +81,8 @@ impl<S: Scalar> Light<'_, S> {
         turned: &mut [S],
     ) -> Result<(), Error> {
         let degree = self.degree();
-        Error::check(What::Light, light::count(degree), turned.len())?;
-        Error::check(What::Workspace, Self::turn_len(degree), workspace.len())?;
+        Error::check(Argument::Light, light::count(degree), turned.len())?;
+        Error::check(Argument::Workspace, Self::turn_len(degree), workspace.len())?;
         let (columns, rest) = workspace.split_at_mut_checked(degree + 1).unwrap_or_default();
         let (images, matrices) =
             rest.split_at_mut_checked(2 * (2 * degree + 1)).unwrap_or_default();

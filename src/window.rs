@@ -1,7 +1,7 @@
 //! Windows over the degrees of a light, which reduce the ringing of a truncated light.
 
 use crate::buffer::zeros;
-use crate::error::{Error, What};
+use crate::error::{Argument, Error};
 use crate::index::light;
 use crate::light::Light;
 use crate::mathematics::Mathematics;
@@ -18,7 +18,7 @@ use crate::turn::LightBuffer;
 pub enum Window<S> {
     /// No window: every degree is kept as it is.
     #[default]
-    Open,
+    None,
     /// (sin x / x)⁴ with x = π l / width, and 0 from l = width on: the fourth power of the Lanczos
     /// window of P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", 2008.
     ///
@@ -72,6 +72,17 @@ impl<S: Scalar> Light<'_, S> {
     /// The coefficients of this light after a window. `N` must be at least (degree + 1)². `M`
     /// computes a sine for each degree; for f32, `SinglePrecision` links no f64 code.
     ///
+    /// ```
+    /// use eigenshade::mathematics::SinglePrecision;
+    /// use eigenshade::{Light, Window};
+    ///
+    /// let light = Light::new(&[3.5, 0.0, 1.0, 0.0])?;
+    /// let window = Window::SincFourth { width: 4.0 };
+    /// let windowed = light.windowed::<SinglePrecision, 4>(window)?;
+    /// assert!(windowed[0] == 3.5 && windowed[2] < 1.0);
+    /// # Ok::<(), eigenshade::Error>(())
+    /// ```
+    ///
     /// # Errors
     ///
     /// [`Error::Capacity`] if `N` is too small.
@@ -79,7 +90,7 @@ impl<S: Scalar> Light<'_, S> {
         &self,
         window: Window<S>,
     ) -> Result<LightBuffer<S, N>, Error> {
-        let mut windowed = zeros::<S, N>(What::Light, light::count(self.degree()))?;
+        let mut windowed = zeros::<S, N>(Argument::Light, light::count(self.degree()))?;
         for (to, &from) in windowed.iter_mut().zip(self.coefficients()) {
             *to = from;
         }

@@ -1,13 +1,17 @@
-//! What each number format supports is as docs/formats.md has it, with the error that refuses the
-//! rest.
+//! Each number format supports what docs/formats.md states, refuses the rest with an error, and holds
+//! its invariants for any input.
 
-use eigenshade::{Error, Format, Light, Q15, Q31, Scalar, What, quantised, sphere};
+use crate::invariants;
+use eigenshade::{Argument, Error, Format, Light, Q15, Q31, Scalar, quantized, sphere};
 use eigenshade_table::General;
 use eigenshade_table::MeanImage;
 use eigenshade_table::Table;
 use eigenshade_table::quantize::{self, QuantizedParts};
 use eigenshade_table::scene::{Effect, Store};
 use eigenshade_table::wire::{self, Endian};
+use invariants::Reader;
+use proptest::collection::vec;
+use proptest::prelude::*;
 use std::marker::PhantomData;
 
 /// The rows of the table: the last three columns by the first.
@@ -116,7 +120,7 @@ fn what_only_floats_have_does_not_compile_in_integers() {
     let integers = [Probe::<Q15>(PhantomData).is_float(), Probe::<Q31>(PhantomData).is_float()];
     assert_eq!((floats, integers), ([true; 2], [false; 2]));
     let closed = rows().into_iter().filter(|[.., error]| error.starts_with("does not compile"));
-    // Lookup, bake, IntegerMap, turned and windowed, collapse_within.
+    // SampledScene, bake, IntegerMap, turned and windowed, collapse_within.
     assert_eq!(closed.count(), 5);
 }
 
@@ -130,15 +134,15 @@ fn numbers_beyond_a_format_are_refused_as_documented() {
     };
     let mut light = [1.0f32; 4];
     light[2] = 1e300f64 as f32;
-    let refused = Error::NotFinite { what: What::Light, index: 2 };
+    let refused = Error::NotFinite { argument: Argument::Light, index: 2 };
     let mut mantissas = [Q15(0); 4];
-    let found = quantised::Light::quantise(1, &light, &mut mantissas);
+    let found = quantized::Light::quantize(&light, &mut mantissas);
     assert_eq!(found, Err(refused));
-    assert_eq!(Light::checked(1, &light), Err(refused));
-    assert!(Light::checked(1, &[1e300f64; 4]).is_ok());
+    assert_eq!(Light::checked(&light), Err(refused));
+    assert!(Light::checked(&[1e300f64; 4]).is_ok());
     says(refused, "a light of 1e300");
 
-    let saturated = Error::Saturated { what: What::Texels };
+    let saturated = Error::Saturated { argument: Argument::Texels };
     let mut d = [0.0f32; sphere::COMPONENTS];
     d[0] = 2e18;
     let scene = sphere::BASIS.collapse::<{ sphere::SCENE }>(&d).expect("sizes");
@@ -150,10 +154,13 @@ fn numbers_beyond_a_format_are_refused_as_documented() {
     d[0] = f32::NAN;
     let scene = sphere::BASIS.collapse::<{ sphere::SCENE }>(&d).expect("sizes");
     let spoiled = scene.bake_integers_into(4, [0; 16]).err();
-    assert!(matches!(spoiled, Some(Error::NotFinite { what: What::Texels, .. })), "{spoiled:?}");
+    assert!(
+        matches!(spoiled, Some(Error::NotFinite { argument: Argument::Texels, .. })),
+        "{spoiled:?}"
+    );
 
     // What saturates it is among the hard cases.
-    let of_pixels = Error::Saturated { what: What::Coefficients };
+    let of_pixels = Error::Saturated { argument: Argument::Coefficients };
     says(of_pixels, "sums of more than 2^15 pixels of full weight and size");
 }
 
@@ -169,17 +176,70 @@ fn what_every_format_supports_is_there() {
         }
     }
     for what in [
-        "`project`, `transfer` (`fold`), `relight`, `collapse`, `shade`, `estimate`, `Negatives`",
+        "`project`, `transfer`, `relight`, `collapse`, `shade`, `estimate`, `NegativePolicy`",
         "the sphere's tables of some effects",
     ] {
         assert_eq!(row(what)[1..], ["yes", "yes", ""]);
     }
-    let alone = quantised::Parts {
+    let alone = quantized::Parts {
         polar: &[],
         polar_exponents: &[],
         factors: &[],
         factor_exponents: &[],
         ..*sphere::q15::BASIS.parts()
     };
-    assert!(quantised::Basis::<Q15>::new(alone).is_ok());
+    assert!(quantized::Basis::<Q15>::new(alone).is_ok());
+}
+
+/// Bytes of two kinds, in runs: any, and those of extreme mantissas.
+fn bytes() -> impl Strategy<Value = Vec<u8>> {
+    let extreme = prop_oneof![Just(0x00u8), Just(0x80), Just(0x7f), Just(0xff), Just(0x01)];
+    let run = prop_oneof![
+        vec(any::<u8>(), 0..400),
+        vec(extreme, 0..400),
+        (any::<[u8; 4]>(), 0usize..200).prop_map(|(word, times)| word.repeat(times)),
+    ];
+    vec(run, 0..6).prop_map(|runs| runs.concat())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 200, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn floats_are_finite(bytes in bytes()) {
+        invariants::shade_floats(&mut Reader::new(&bytes));
+    }
+
+    #[test]
+    fn images_of_any_light_and_material_do_not_wrap(bytes in bytes()) {
+        invariants::shade_integers::<Q15>(&mut Reader::new(&bytes));
+        invariants::shade_integers::<Q31>(&mut Reader::new(&bytes));
+    }
+
+    #[test]
+    fn any_transfer_is_refused_or_does_not_wrap(bytes in bytes()) {
+        invariants::shade_transfer::<Q15>(&mut Reader::new(&bytes));
+        invariants::shade_transfer::<Q31>(&mut Reader::new(&bytes));
+    }
+
+    #[test]
+    fn any_coefficients_do_not_wrap(bytes in bytes()) {
+        invariants::shade_coefficients::<Q15>(&mut Reader::new(&bytes));
+        invariants::shade_coefficients::<Q31>(&mut Reader::new(&bytes));
+    }
+
+    #[test]
+    fn any_images_keep_their_bounds(bytes in bytes()) {
+        invariants::collapse_sets(&mut Reader::new(&bytes));
+    }
+
+    #[test]
+    fn every_way_takes_any_numbers(bytes in bytes()) {
+        invariants::public_interface(&bytes);
+    }
+
+    #[test]
+    fn reconstructions_are_those_of_f64(bytes in bytes()) {
+        invariants::project_reconstruct(&bytes);
+    }
 }

@@ -1,7 +1,7 @@
 //! Inputs that once overflowed, lost what they should keep, or gave what is not so: each
 //! found by any bytes, by name.
 
-use eigenshade::quantised::{Basis, Light, Material, Parts, Profile, Transfer};
+use eigenshade::quantized::{Basis, Light, Material, Parts, Profile, Transfer};
 use eigenshade::{Error, Normal, Q15, Q31};
 
 const NONE: u16 = Profile::NONE;
@@ -35,7 +35,7 @@ fn fold<'a>(
     exponents: &'a mut [i16],
 ) -> Transfer<'a, Q15> {
     let mut workspace = vec![0; basis.workspace_len()];
-    basis.fold_into(material, &mut workspace, numbers, exponents).expect("it fits");
+    basis.transfer_into(material, &mut workspace, numbers, exponents).expect("it fits");
     Transfer::new(numbers, exponents)
 }
 
@@ -50,7 +50,7 @@ fn exponents_that_rise_with_the_order() {
         alone[k] = Q15(32_767);
     }
     let image = |exponents: [i8; 8]| {
-        let material = Material::new(7, &exponents, &alone).expect("a material");
+        let material = Material::new(&exponents, &alone).expect("a material");
         let (mut numbers, mut of_profiles) = ([Q15(0); TRANSFER], [0; PROFILES]);
         fold(&BASIS, &material, &mut numbers, &mut of_profiles);
         (numbers, of_profiles)
@@ -75,12 +75,12 @@ fn an_order_of_zeros() {
             material[k] = scale / (k as f32 + 1.0);
         }
         let (mut mantissas, mut exponents) = ([Q15(0); 40], [0; 8]);
-        let material = Material::quantise(7, &material, &mut mantissas, &mut exponents);
-        q15::fold(&material.expect("a material")).expect("it fits")
+        let material = Material::quantize(&material, &mut mantissas, &mut exponents);
+        q15::transfer(&material.expect("a material")).expect("it fits")
     };
     let (one, small) = (scaled(1.0), scaled(f32::from_bits((127 - 60) << 23)));
     let light = [Q15(32_767); 100];
-    let light = Light::new(9, 0, &light).expect("a light");
+    let light = Light::new(0, &light).expect("a light");
     let (one, small) = (q15::relight(&one.view(), &light), q15::relight(&small.view(), &light));
     let (one, small) = (one.expect("it fits"), small.expect("it fits"));
     assert_eq!(one.mantissas(), small.mantissas());
@@ -122,7 +122,7 @@ fn transfers_by_hand() {
     let parts = of_transfers(&[Q15(1), Q15(1)]);
     let basis = Basis::<Q15>::new(parts).expect("parts that fit");
     let light = [Q15(i16::MIN); 4];
-    let light = Light::new(1, 0, &light).expect("a light");
+    let light = Light::new(0, &light).expect("a light");
     let relight = |numbers: &[Q15; 3]| basis.relight::<3>(&Transfer::new(numbers, &[0; 2]), &light);
     let most = [Q15(i16::MIN), Q15(32_767), Q15(i16::MIN)];
     let sums = relight(&most).expect("rows within their bounds");
@@ -130,10 +130,10 @@ fn transfers_by_hand() {
     assert_eq!((sums.mantissas(), sums.exponent()), ([1 << 14, 1 << 29, -(1 << 29)].as_slice(), 1));
     let more = [Q15(i16::MIN), Q15(i16::MIN), Q15(0)];
     assert_eq!(relight(&more), Err(Error::Bound));
-    assert_eq!(basis.transfer(&more, &[0; 2]).err(), Some(Error::Bound));
-    assert!(basis.transfer(&most, &[0; 2]).is_ok());
-    assert!(matches!(basis.transfer(&most, &[0]), Err(Error::Length { .. })));
-    assert!(matches!(basis.transfer(&most[1..], &[0; 2]), Err(Error::Length { .. })));
+    assert_eq!(basis.checked_transfer(&more, &[0; 2]).err(), Some(Error::Bound));
+    assert!(basis.checked_transfer(&most, &[0; 2]).is_ok());
+    assert!(matches!(basis.checked_transfer(&most, &[0]), Err(Error::Length { .. })));
+    assert!(matches!(basis.checked_transfer(&most[1..], &[0; 2]), Err(Error::Length { .. })));
 }
 
 /// A sum that rounds to 2^31 was rounded once more, beyond 32 bits.
@@ -142,7 +142,7 @@ fn sums_that_saturate() {
     let parts = of_transfers(&[Q31(1), Q31(1)]);
     let basis = Basis::<Q31>::new(parts).expect("parts that fit");
     let light = [Q31(i32::MIN); 4];
-    let light = Light::new(1, 0, &light).expect("a light");
+    let light = Light::new(0, &light).expect("a light");
     let numbers = [Q31(-i32::MAX), Q31(i32::MIN), Q31(0)];
     let d = basis.relight::<3>(&Transfer::new(&numbers, &[0; 2]), &light).expect("within bounds");
     assert_eq!((d.mantissas(), d.exponent()), ([1 << 30, 0, 0].as_slice(), 33));

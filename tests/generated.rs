@@ -57,8 +57,8 @@ fn a_scene_of_ones_own_is_its_images() {
     let rounded = |values: &[f64]| values.iter().map(|&value| value as f32).collect::<Vec<_>>();
     let light = rounded(&coefficients);
     let material = rounded(&brdf.iter().map(|&(.., b)| b).collect::<Vec<_>>());
-    let light = Light::new(3, &light).expect("sixteen coefficients");
-    let material = Material::new(2, &material).expect("five coefficients");
+    let light = Light::new(&light).expect("sixteen coefficients");
+    let material = Material::new(&material).expect("five coefficients");
     let d = generated::project(&light, &material).expect("it fits");
     let image = generated::collapse(&d).expect("it fits");
     let reference = oracle::ExplicitLight::new(&coefficients);

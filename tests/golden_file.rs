@@ -2,7 +2,7 @@
 //! has; floats to the tolerance that the file states.
 
 use crate::tolerances;
-use eigenshade::quantised::{Light, Material, Normal};
+use eigenshade::quantized::{Light, Material, Normal};
 use eigenshade::{Normals, Q15, Q31, sphere};
 use eigenshade_testing::golden::record::{Golden, Row};
 use eigenshade_testing::golden::{Answer, GOLDEN_F32, Shipped, answer, checksum};
@@ -59,15 +59,14 @@ fn holds<Q: Shipped>() {
         let mut light = vec![Q::default(); given.light.len()];
         let mut material = vec![Q::default(); given.material.len()];
         let mut exponents = vec![0; given.of_material.len()];
-        let quantised = Light::quantise(sphere::DEGREE, &floats("light"), &mut light);
-        assert_eq!(quantised.expect("a light").exponent(), given.of_light, "{name:?}");
-        Material::quantise(sphere::ORDER, &floats("material"), &mut material, &mut exponents)
-            .expect("a material");
+        let quantized = Light::quantize(&floats("light"), &mut light);
+        assert_eq!(quantized.expect("a light").exponent(), given.of_light, "{name:?}");
+        Material::quantize(&floats("material"), &mut material, &mut exponents).expect("a material");
         assert_eq!((&light, &material), (&given.light, &given.material), "{name:?}");
         assert_eq!(exponents, given.of_material, "{name:?}");
 
-        let light = Light::new(sphere::DEGREE, given.of_light, &given.light).expect("a light");
-        let material = Material::new(sphere::ORDER, &given.of_material, &given.material);
+        let light = Light::new(given.of_light, &given.light).expect("a light");
+        let material = Material::new(&given.of_material, &given.material);
         let found = answer(&light, &material.expect("a material"), &normals).expect("they fit");
         assert_eq!(found, given.answer, "{name:?}");
         answers.push(found);
@@ -94,14 +93,14 @@ macro_rules! generated {
             let normals = normals::<$format>(&golden);
             for name in golden.pairs() {
                 let given = pair::<$format>(&golden, name);
-                let material = Material::new(sphere::ORDER, &given.of_material, &given.material);
-                let transfer = sphere::$module::fold(&material.expect("a material"));
-                let light = Light::new(sphere::DEGREE, given.of_light, &given.light);
+                let material = Material::new(&given.of_material, &given.material);
+                let transfer = sphere::$module::transfer(&material.expect("a material"));
+                let light = Light::new(given.of_light, &given.light);
                 let light = light.expect("a light");
                 let transfer = transfer.expect("it fits");
                 let d = sphere::$module::relight(&transfer.view(), &light).expect("it fits");
                 let scene = sphere::$module::collapse(&d).expect("it fits");
-                let shade = |&normal| sphere::$module::shade(&scene, normal);
+                let shade = |&normal| scene.shade(normal);
                 let irradiances = normals.iter().map(shade).collect();
                 let found =
                     [(d.mantissas().to_vec(), d.exponent()), (irradiances, scene.exponent())];
@@ -133,8 +132,8 @@ fn floats_are_within_the_tolerance() {
     for name in golden.pairs() {
         let row = |array| golden.find("f32", name, array).and_then(Row::floats).expect("floats");
         let (light, material) = (row("light"), row("material"));
-        let light = eigenshade::Light::new(sphere::DEGREE, &light).expect("a light");
-        let material = eigenshade::Material::new(sphere::ORDER, &material).expect("a material");
+        let light = eigenshade::Light::new(&light).expect("a light");
+        let material = eigenshade::Material::new(&material).expect("a material");
         let d = sphere::project(&light, &material).expect("it fits");
         assert_near(&format!("{name:?} d"), &d, &row("d"));
         let scene = sphere::collapse(&d).expect("it fits");

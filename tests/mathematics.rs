@@ -20,12 +20,15 @@ const TABLED_ROOT: f64 = 1.1e-7;
 const TABLED_ANGLE: f64 = 8e-8;
 
 /// `micromath`'s roots, relative: the exponent halved, its bits as a straight line.
+#[cfg(feature = "micromath")]
 const MICROMATH_ROOT: f64 = 0.061;
 
 /// Its reciprocal roots, relative: the same line with a better offset.
+#[cfg(feature = "micromath")]
 const MICROMATH_INVERSE_ROOT: f64 = 0.035;
 
 /// Its sines and cosines within 10 rad: two parabolas.
+#[cfg(feature = "micromath")]
 const MICROMATH_ANGLE: f64 = 1.1e-3;
 
 /// The largest relative errors of roots and of their reciprocals.

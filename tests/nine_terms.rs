@@ -1,7 +1,7 @@
 //! The nine-term formula against the harmonics of degree 2 themselves, integrated.
 
-use eigenshade::quantised;
-use eigenshade::{Fixed, Light, NineTerms, Normal, Normals, Q15, Q31};
+use eigenshade::quantized;
+use eigenshade::{FixedPoint, Light, NineTerms, Normal, Normals, Q15, Q31};
 use std::f64::consts::{FRAC_1_PI, PI, TAU};
 
 /// The nine-term formula in f64 against the integral of harmonics of degree 2: rounding of a few
@@ -93,7 +93,7 @@ const MODES: [(usize, isize); 9] =
 fn nine_terms_are_the_harmonics_of_degree_two_on_a_lambertian_material() {
     for (mode, (l, m)) in MODES.into_iter().enumerate() {
         let light = unit_light(mode);
-        let formula = NineTerms::lambertian(&Light::new(2, &light).unwrap(), 0.7);
+        let formula = NineTerms::lambertian(&Light::new(&light).unwrap(), 0.7);
         for [x, y, z] in normals() {
             let found = formula.shade(Normal::new(x, y, z).unwrap());
             let expected = 0.7 * irradiance(l, m, [x, y, z]);
@@ -122,8 +122,8 @@ fn each_coefficient_is_of_its_function() {
         let formula = NineTerms::new(unit_light(term));
         let mut mantissas = [0; 9];
         mantissas[term] = 1 << 14;
-        let in_q15 = quantised::NineTerms::<Q15>::new(mantissas, -14);
-        let in_q31 = quantised::NineTerms::<Q31>::new(mantissas.map(|one| one << 14), -28);
+        let in_q15 = quantized::NineTerms::<Q15>::new(mantissas, -14);
+        let in_q31 = quantized::NineTerms::<Q31>::new(mantissas.map(|one| one << 14), -28);
         for normal in normals() {
             let [x, y, z] = normal;
             let found = formula.shade(Normal::new(x, y, z).unwrap());
@@ -137,20 +137,20 @@ fn each_coefficient_is_of_its_function() {
 }
 
 /// An integer format with normals.
-trait Integer: Fixed {
-    fn normal(components: [f64; 3]) -> quantised::Normal<Self>;
+trait Integer: FixedPoint {
+    fn normal(components: [f64; 3]) -> quantized::Normal<Self>;
     fn number(self) -> f64;
 }
 
 macro_rules! integer {
     ($format:ident, $integer:ident) => {
         impl Integer for $format {
-            fn normal(components: [f64; 3]) -> quantised::Normal<Self> {
+            fn normal(components: [f64; 3]) -> quantized::Normal<Self> {
                 let one = -f64::from($integer::MIN);
                 let [x, y, z] = components.map(|value| {
                     Self((value * one).round().min(f64::from($integer::MAX)) as $integer)
                 });
-                quantised::Normal::<Self>::new(x, y, z).unwrap()
+                quantized::Normal::<Self>::new(x, y, z).unwrap()
             }
             fn number(self) -> f64 {
                 f64::from(self.0) / -f64::from($integer::MIN)
@@ -162,7 +162,7 @@ integer!(Q15, i16);
 integer!(Q31, i32);
 
 /// The irradiance of a rounded normal, and that normal.
-fn shaded<Q: Integer>(formula: &quantised::NineTerms<Q>, normal: [f64; 3]) -> (f64, [f64; 3]) {
+fn shaded<Q: Integer>(formula: &quantized::NineTerms<Q>, normal: [f64; 3]) -> (f64, [f64; 3]) {
     let normal = Q::normal(normal);
     let found = f64::from(formula.shade(normal)) * f64::from(formula.exponent()).exp2();
     (found, normal.components().map(Q::number))
@@ -181,7 +181,7 @@ fn integers_do_not_wrap() {
             })
         };
     fn worst<Q: Integer>(coefficients: [i32; 9]) -> f64 {
-        let formula = quantised::NineTerms::<Q>::new(coefficients, -8);
+        let formula = quantized::NineTerms::<Q>::new(coefficients, -8);
         let sum: f64 = coefficients.iter().map(|&one| f64::from(one).abs() / 256.0).sum();
         let off = normals().into_iter().map(|normal| {
             let (found, rounded) = shaded::<Q>(&formula, normal);

@@ -110,7 +110,7 @@ fn all_components_in_f32_are_the_direct_sum() {
     let (lights, materials) =
         (luminances(&loaded.lights.entries), luminances(&loaded.materials.entries));
     // What the device is given is the truth's input, rounded.
-    let narrow = |values: &[f64]| values.iter().map(|&value| value as f32).collect::<Vec<_>>();
+    let to_f32 = |values: &[f64]| values.iter().map(|&value| value as f32).collect::<Vec<_>>();
     let normals: Vec<[f32; 3]> =
         grid(14, 24).iter().map(|normal| normal.map(|value| value as f32)).collect();
     let mut scenes = Vec::new();
@@ -118,9 +118,9 @@ fn all_components_in_f32_are_the_direct_sum() {
     let mut coefficients = vec![0.0; basis.components()];
     for light in &lights {
         for material in &materials {
-            let (light, material) = (narrow(light), narrow(material));
-            let light = eigenshade::Light::new(9, &light).expect("100 coefficients");
-            let material = eigenshade::Material::new(7, &material).expect("40 coefficients");
+            let (light, material) = (to_f32(light), to_f32(material));
+            let light = eigenshade::Light::new(&light).expect("100 coefficients");
+            let material = eigenshade::Material::new(&material).expect("40 coefficients");
             basis
                 .project_into(&light, &material, &mut workspace, &mut coefficients)
                 .expect("sizes are the basis's");
@@ -236,7 +236,7 @@ fn residual_energy_is_what_the_eigenvalues_say() {
     let transfers: Vec<Vec<f64>> = luminances(&loaded.materials.entries)
         .iter()
         .map(|material| {
-            let material = eigenshade::Material::new(7, material).expect("40 coefficients");
+            let material = eigenshade::Material::new(material).expect("40 coefficients");
             let mut workspace = vec![0.0; basis.workspace_len()];
             let mut transfer = vec![0.0; basis.transfer_len()];
             basis.transfer_into(&material, &mut workspace, &mut transfer).expect("sizes");
@@ -305,7 +305,7 @@ fn mean_energies(
         let share = weight / (lights.len() * transfers.len()) as f64;
         for light in lights {
             let turned = rotation.turn(9, light);
-            let turned = eigenshade::Light::new(9, &turned).expect("100 coefficients");
+            let turned = eigenshade::Light::new(&turned).expect("100 coefficients");
             for transfer in transfers {
                 basis.relight_into(transfer, &turned, &mut coefficients).expect("sizes");
                 for (energy, d) in energies.iter_mut().zip(&coefficients) {

@@ -1,7 +1,7 @@
 //! A basis whose parts contradict each other is refused.
 
 use eigenshade::{
-    Basis, Coupling, Error, Parts, Pass, ProfilePlace, Q15, Row, What, quantised, sphere,
+    Argument, Basis, Coupling, Error, Parts, Pass, ProfilePlace, Q15, Row, quantized, sphere,
 };
 
 /// The shipped table's parts.
@@ -35,20 +35,23 @@ fn lengths_are_checked() {
     let parts = shipped();
     let kept = vec![true; 4000];
     for (wrong, expected) in [
-        (Parts { lengths: short(parts.lengths), ..parts }, What::Lengths),
-        (Parts { degree: usize::MAX, ..parts }, What::Lengths),
-        (Parts { order: usize::MAX, ..parts }, What::Couplings),
-        (Parts { couplings: short(parts.couplings), ..parts }, What::Couplings),
-        (Parts { slots: short(parts.slots), ..parts }, What::Slots),
-        (Parts { polar: short(parts.polar), ..parts }, What::Polar),
-        (Parts { factors: short(parts.factors), ..parts }, What::Factors),
-        (Parts { terms: short(parts.terms), ..parts }, What::Terms),
-        (Parts { mean: short(parts.terms), ..parts }, What::Mean),
-        (Parts { mean_coefficients: parts.terms, ..parts }, What::Mean),
-        (Parts { selection: short(&kept), ..parts }, What::Selection),
+        (Parts { lengths: short(parts.lengths), ..parts }, Argument::Lengths),
+        (Parts { degree: usize::MAX, ..parts }, Argument::Lengths),
+        (Parts { order: usize::MAX, ..parts }, Argument::Couplings),
+        (Parts { couplings: short(parts.couplings), ..parts }, Argument::Couplings),
+        (Parts { slots: short(parts.slots), ..parts }, Argument::Slots),
+        (Parts { polar: short(parts.polar), ..parts }, Argument::Polar),
+        (Parts { factors: short(parts.factors), ..parts }, Argument::Factors),
+        (Parts { terms: short(parts.terms), ..parts }, Argument::Terms),
+        (Parts { mean: short(parts.terms), ..parts }, Argument::Mean),
+        (Parts { mean_coefficients: parts.terms, ..parts }, Argument::Mean),
+        (Parts { selection: short(&kept), ..parts }, Argument::Selection),
     ] {
         let error = refused(wrong);
-        assert!(matches!(error, Error::Length { what, .. } if what == expected), "{error}");
+        assert!(
+            matches!(error, Error::Length { argument: what, .. } if what == expected),
+            "{error}"
+        );
     }
     assert!(Basis::new(Parts { selection: &kept, ..parts }).is_ok());
 }
@@ -61,8 +64,8 @@ fn a_basis_may_lack_what_projects() {
     let basis = Basis::new(parts).expect("both are left out");
     assert!(whole.projects() && !basis.projects());
     let (light, material) = ([1.0; 100], [1.0; 40]);
-    let light = Light::new(9, &light).expect("100 coefficients");
-    let material = Material::new(7, &material).expect("40 coefficients");
+    let light = Light::new(&light).expect("100 coefficients");
+    let material = Material::new(&material).expect("40 coefficients");
     let transfer = sphere::transfer(&material).expect("it fits");
     let mut d = [0.0; sphere::COMPONENTS];
     basis.relight_into(transfer.as_slice(), &light, &mut d).expect("sizes");
@@ -70,18 +73,18 @@ fn a_basis_may_lack_what_projects() {
     assert_eq!(expected.as_slice(), d);
     let mut workspace = vec![0.0; basis.workspace_len()];
     let refused = basis.project_into(&light, &material, &mut workspace, &mut d);
-    assert_eq!(refused, Err(Error::Folded));
+    assert_eq!(refused, Err(Error::TransfersOnly));
     let mut room = vec![0.0; basis.transfer_len()];
     let refused = basis.transfer_into(&material, &mut workspace, &mut room);
-    assert_eq!(refused, Err(Error::Folded));
+    assert_eq!(refused, Err(Error::TransfersOnly));
     // One of the two alone is a mistake.
-    assert!(matches!(refused_length(Parts { polar: &[], ..shipped() }), What::Polar));
-    assert!(matches!(refused_length(Parts { factors: &[], ..shipped() }), What::Factors));
+    assert!(matches!(refused_length(Parts { polar: &[], ..shipped() }), Argument::Polar));
+    assert!(matches!(refused_length(Parts { factors: &[], ..shipped() }), Argument::Factors));
 }
 
-fn refused_length(parts: Parts<'_, f32>) -> What {
+fn refused_length(parts: Parts<'_, f32>) -> Argument {
     match refused(parts) {
-        Error::Length { what, .. } => what,
+        Error::Length { argument: what, .. } => what,
         other => panic!("{other}"),
     }
 }
@@ -159,13 +162,13 @@ fn an_azimuth_without_a_profile_has_no_terms() {
     let found = usize::from(u16::MAX);
     assert_eq!(
         refused(Parts { lengths: &endless, ..parts }),
-        Error::Length { what: What::Lengths, expected: 0, found }
+        Error::Length { argument: Argument::Lengths, expected: 0, found }
     );
     let parts = sphere::q15::BASIS.parts();
     let bare = parts.lengths.iter().rposition(|&length| length == 0).expect("of 50 components");
     let endless = with(parts.lengths, bare, u8::MAX);
     assert_eq!(
-        quantised::Basis::<Q15>::new(quantised::Parts { lengths: &endless, ..*parts }).err(),
-        Some(Error::Length { what: What::Lengths, expected: 0, found: 255 })
+        quantized::Basis::<Q15>::new(quantized::Parts { lengths: &endless, ..*parts }).err(),
+        Some(Error::Length { argument: Argument::Lengths, expected: 0, found: 255 })
     );
 }

@@ -163,8 +163,8 @@ fn light_and_evidence_are_the_dense_formulas() {
         let count = light::count(DEGREE);
         let lights = object.lights();
         let lights = DMatrix::from_fn(count, lights.len(), |i, j| lights[j][i]);
-        let centre = lights.column_mean();
-        let spread = DMatrix::from_fn(count, lights.ncols(), |i, j| lights[(i, j)] - centre[i]);
+        let center = lights.column_mean();
+        let spread = DMatrix::from_fn(count, lights.ncols(), |i, j| lights[(i, j)] - center[i]);
         let covariance = &spread * spread.transpose() / lights.ncols() as f64;
         let (design, mean) = object.dense();
         let unit = DMatrix::<f64>::identity(count, count);
@@ -177,7 +177,7 @@ fn light_and_evidence_are_the_dense_formulas() {
         columns.iter_mut().for_each(|d| *d -= &dark);
         let images = &design * DMatrix::from_columns(&columns);
         let target = object.rooted(&image) - mean - &design * dark;
-        let image = LitImage { images, target, mean: centre, covariance, noise };
+        let image = LitImage { images, target, mean: center, covariance, noise };
         assert_likeliest(&image, &found);
     }
 }

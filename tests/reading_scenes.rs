@@ -147,10 +147,10 @@ fn light_and_evidence_are_the_dense_formulas() {
                 _ => moments.power[l],
             }),
         );
-        let mut centre = DVector::zeros(light::count(4));
-        centre[0] = moments.ambient_mean;
+        let mut center = DVector::zeros(light::count(4));
+        center[0] = moments.ambient_mean;
         let covariance = DMatrix::from_diagonal(&spread);
-        let image = LitImage { images, target, mean: centre, covariance, noise: NOISE };
+        let image = LitImage { images, target, mean: center, covariance, noise: NOISE };
         assert_likeliest(&image, &found);
     }
 }

@@ -164,8 +164,8 @@ fn second_moment(loaded: &Loaded, table: &Table) -> DMatrix<f64> {
     }
     let (mut workspace, mut dark) = (vec![0.0; basis.workspace_len()], vec![0.0; components]);
     let mut project = |light: &[f64], of: &[f64], d: &mut [f64]| {
-        let light = Light::new(loaded.lights.degree, light).expect("a light");
-        let of = Material::new(loaded.materials.order, of).expect("a material");
+        let light = Light::new(light).expect("a light");
+        let of = Material::new(of).expect("a material");
         basis.project_into(&light, &of, &mut workspace, d).expect("a projection");
     };
     let mut unit = vec![0.0; light::count(loaded.lights.degree)];

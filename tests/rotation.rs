@@ -37,7 +37,7 @@ fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
 fn turned<S: Scalar>(degree: usize, light: &[S], rotation: &Rotation<S>) -> Vec<S> {
     let mut workspace = vec![S::ONE; Light::<S>::turn_len(degree)];
     let mut turned = vec![S::ONE; light.len()];
-    let light = Light::new(degree, light).expect("coefficients");
+    let light = Light::new(light).expect("coefficients");
     light.turn_into::<Libm>(rotation, &mut workspace, &mut turned).expect("room");
     turned
 }
@@ -206,7 +206,7 @@ fn what_is_no_rotation_is_an_error() {
     assert_eq!(Rotation::from_matrix([[2.0f32, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 2.0]]), no);
     assert_eq!(Rotation::from_matrix([[f32::NAN; 3]; 3]), no);
     let light = [0.5f32; 16];
-    let light = Light::new(3, &light).expect("16 coefficients");
+    let light = Light::new(&light).expect("16 coefficients");
     const ROOM: usize = Light::<f32>::turn_len(3);
     assert!(light.turned::<16, ROOM>(&Rotation::NONE).is_ok());
     assert!(matches!(light.turned::<15, ROOM>(&Rotation::NONE), Err(Error::Capacity { .. })));

@@ -1,7 +1,13 @@
-//! The runtime on its shipped table: costs, errors, and that every way agrees.
+//! The runtime on its shipped table: costs, errors, agreement of every way, and estimates of d from
+//! pixels.
 
-use eigenshade::sphere;
+use crate::tolerances;
+use eigenshade::{Error, Normal, sphere};
+use eigenshade_model::special::quadrature::gauss_legendre;
+use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_table::rust_source;
+use eigenshade_testing::{fixtures, largest};
+use std::f64::consts::TAU;
 
 /// One f32 result by two orders of summation, of the largest: some twenty roundings.
 const SAME_SUM_F32: f32 = 1e-6;
@@ -43,8 +49,8 @@ fn generated_kernels_agree_with_the_general_way() {
     for case in 1..40 {
         let light = numbers(100, 1.3 * case as f32);
         let material = numbers(40, 0.7 * case as f32);
-        let light = eigenshade::Light::new(9, &light).expect("100 coefficients");
-        let material = eigenshade::Material::new(7, &material).expect("40 coefficients");
+        let light = eigenshade::Light::new(&light).expect("100 coefficients");
+        let material = eigenshade::Material::new(&material).expect("40 coefficients");
         let general: sphere::Coefficients = sphere::BASIS
             .project::<{ sphere::WORKSPACE }, { sphere::COMPONENTS }>(&light, &material)
             .expect("capacities are the table's");
@@ -63,7 +69,7 @@ fn generated_kernels_agree_with_the_general_way() {
         let lower = light.truncated(case % 9);
         let mut padded = vec![0.0; 100];
         padded[..lower.coefficients().len()].copy_from_slice(lower.coefficients());
-        let padded = eigenshade::Light::new(9, &padded).expect("100 coefficients");
+        let padded = eigenshade::Light::new(&padded).expect("100 coefficients");
         let (lower, padded) =
             (sphere::relight(&transfer, &lower), sphere::relight(&transfer, &padded));
         let (lower, padded) = (lower.expect("it fits"), padded.expect("it fits"));
@@ -80,16 +86,17 @@ fn capacities_are_the_basiss() {
 
 #[test]
 fn arguments_beyond_the_table_are_errors() {
-    use eigenshade::{Error, Light, Material, Normal, Normals, What};
+    use eigenshade::{Argument, Error, Light, Material, Normal, Normals};
     let (many, few) = (vec![0.0f32; 121], vec![0.0f32; 55]);
-    assert!(matches!(
-        Light::new(9, &many),
-        Err(Error::Length { what: What::Light, expected: 100, found: 121 })
-    ));
-    assert!(Light::<f32>::new(usize::MAX, &[]).is_err());
-    assert!(Material::<f32>::new(usize::MAX, &[]).is_err());
-    let light = Light::new(10, &many).expect("121 coefficients");
-    let material = Material::new(8, &few).expect("55 coefficients");
+    let refused = |argument, found| Err(Error::Count { argument, found });
+    for found in [0, 2, 99, 101, 120] {
+        assert_eq!(Light::new(&many[..found]).map(|_| ()), refused(Argument::Light, found));
+    }
+    for found in [0, 3, 39, 41, 54] {
+        assert_eq!(Material::new(&few[..found]).map(|_| ()), refused(Argument::Material, found));
+    }
+    let light = Light::new(&many).expect("121 coefficients");
+    let material = Material::new(&few).expect("55 coefficients");
     let fine = material.truncated(7);
     assert_eq!(light.truncated(usize::MAX), light);
     assert_eq!(material.truncated(usize::MAX), material);
@@ -114,18 +121,18 @@ fn arguments_beyond_the_table_are_errors() {
 /// What arrives at run time: a coefficient that is not finite is refused with its place.
 #[test]
 fn checked_lights_and_materials_are_finite() {
-    use eigenshade::{Error, Light, Material, What};
+    use eigenshade::{Argument, Error, Light, Material};
     for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
         let numbers = [1.0, 0.0, bad, -2.0, bad];
-        let light = Error::NotFinite { what: What::Light, index: 2 };
-        assert_eq!(Light::checked(1, &numbers[..4]), Err(light));
-        let material = Error::NotFinite { what: What::Material, index: 2 };
-        assert_eq!(Material::checked(2, &numbers), Err(material));
+        let light = Error::NotFinite { argument: Argument::Light, index: 2 };
+        assert_eq!(Light::checked(&numbers[..4]), Err(light));
+        let material = Error::NotFinite { argument: Argument::Material, index: 2 };
+        assert_eq!(Material::checked(&numbers), Err(material));
     }
     let numbers = [f32::MAX, f32::MIN, 1e-45, -0.0, 0.0];
-    assert_eq!(Light::checked(1, &numbers[..4]), Light::new(1, &numbers[..4]));
-    assert_eq!(Material::checked(2, &numbers), Material::new(2, &numbers));
-    assert!(matches!(Light::checked(1, &numbers), Err(Error::Length { .. })));
+    assert_eq!(Light::checked(&numbers[..4]), Light::new(&numbers[..4]));
+    assert_eq!(Material::checked(&numbers), Material::new(&numbers));
+    assert!(matches!(Light::checked(&numbers), Err(Error::Count { .. })));
 }
 
 /// Those of a map of 8 bits or of a mesh are scaled and laid on the rim; the first that cannot be
@@ -157,8 +164,8 @@ fn normals_are_scaled_where_they_are() {
 fn slices_are_shaded_as_their_normals() {
     let light: Vec<f32> = (0..100).map(|k| 1.0 / (k as f32 + 1.0)).collect();
     let material: Vec<f32> = (0..40).map(|k| 1.0 / (k as f32 + 1.0)).collect();
-    let light = eigenshade::Light::new(9, &light).expect("100 coefficients");
-    let material = eigenshade::Material::new(7, &material).expect("40 coefficients");
+    let light = eigenshade::Light::new(&light).expect("100 coefficients");
+    let material = eigenshade::Material::new(&material).expect("40 coefficients");
     let d = sphere::project(&light, &material).expect("it fits");
     let scene = sphere::collapse(&d).expect("it fits");
     for count in [0, 1, 15, 16, 17, 63, 64, 65, 200] {
@@ -189,7 +196,90 @@ fn slices_are_shaded_as_their_normals() {
 #[cfg(target_pointer_width = "64")]
 #[test]
 fn a_transfer_starts_a_cache_line() {
-    let material = eigenshade::Material::new(7, &[0.3; 40]).expect("40 coefficients");
+    let material = eigenshade::Material::new(&[0.3; 40]).expect("40 coefficients");
     let transfer = sphere::transfer(&material).expect("an order of 7");
     assert_eq!(transfer.as_slice().as_ptr().addr() % 64, 0);
+}
+
+/// Both criteria: the mean image is subtracted pixel by pixel.
+#[test]
+fn weighted_pixels_give_back_the_coefficients() {
+    let shipped = fixtures::shipped();
+    for mut loaded in [shipped.clone(), fixtures::standard(shipped)] {
+        loaded.scene.basis.components = Some(60);
+        loaded.scene.basis.profile_tolerance = 1e-13;
+        let table = fixtures::table(&loaded);
+        let owned = OwnedBasis::<f64>::new(&table);
+        let basis = owned.basis().expect("a basis");
+        let (light, material) =
+            (loaded.lights.entries[3].luminance(), loaded.materials.entries[8].luminance());
+        let light = eigenshade::Light::new(&light).expect("coefficients");
+        let material = eigenshade::Material::new(&material).expect("coefficients");
+        let mut d = vec![0.0; basis.components()];
+        let mut workspace = vec![0.0; basis.workspace_len()];
+        basis.project_into(&light, &material, &mut workspace, &mut d).expect("sizes");
+        let scene = basis.collapse_into(&d, vec![0.0; basis.scene_len()]).expect("sizes");
+        let mut estimate = basis.estimate::<60>().expect("room");
+        for (z, weight) in gauss_legendre(48, 0.0, 1.0) {
+            let sine = ((1.0 - z) * (1.0 + z)).sqrt();
+            for k in 0..19 {
+                let (y, x) = (TAU * f64::from(k) / 19.0).sin_cos();
+                let normal = Normal::new(sine * x, sine * y, z).expect("visible");
+                // The sphere's density; any factor of all weights drops out.
+                estimate.add(normal, scene.shade(normal), 7.0 * z * weight);
+            }
+        }
+        let found = estimate.coefficients().expect("pixels");
+        let apart = largest(found.iter().zip(&d).map(|(a, b)| a - b));
+        assert!(apart <= tolerances::DENSE_PROJECTION * largest(d.iter().copied()), "{apart}");
+    }
+}
+
+#[test]
+fn estimates_without_pixels_or_room_are_errors() {
+    assert!(matches!(sphere::BASIS.estimate::<49>(), Err(Error::Capacity { .. })));
+    let mut estimate = sphere::BASIS.estimate::<50>().expect("room");
+    assert_eq!(estimate.coefficients(), Err(Error::Weight));
+    let normal = Normal::new(0.0, 0.0, 1.0).expect("visible");
+    estimate.add(normal, 1.0, 0.0);
+    assert_eq!(estimate.coefficients(), Err(Error::Weight));
+    estimate.add(normal, 1.0, f32::INFINITY);
+    assert_eq!(estimate.coefficients(), Err(Error::Weight));
+    let mut estimate = sphere::BASIS.estimate::<50>().expect("room");
+    estimate.add(normal, 1.0, 2.0);
+    let d = estimate.coefficients().expect("a pixel");
+    // Component 0 is the constant image.
+    assert!((d[0] - 1.0).abs() <= tolerances::SAME_SUM_F32, "{}", d[0]);
+}
+
+#[test]
+fn a_million_tenths_are_a_tenth_on_average() {
+    let normal = Normal::new(0.0, 0.0, 1.0).expect("visible");
+    let mut estimate = sphere::BASIS.estimate::<50>().expect("room");
+    let mut plain = 0.0f32;
+    for _ in 0..1_000_000 {
+        estimate.add(normal, 0.1, 1.0);
+        plain += 0.1;
+    }
+    let off = (plain / 1e5 - 1.0).abs();
+    println!("plain: {off:.1e}");
+    assert!((0.009..0.01).contains(&off), "{off}");
+    let d = estimate.coefficients().expect("pixels");
+    assert!((d[0] / 0.1 - 1.0).abs() <= tolerances::SAME_SUM_F32, "{}", d[0]);
+}
+
+#[test]
+fn an_irradiance_that_is_not_finite_spoils_every_coefficient() {
+    for (seen, weight) in [(f32::NAN, 1.0), (f32::INFINITY, 1.0), (f32::NEG_INFINITY, 0.0)] {
+        for normal in [[0.0, 0.0, 1.0], [0.3, -0.2, 0.5]] {
+            let mut estimate = sphere::BASIS.estimate::<50>().expect("room");
+            let good = Normal::new(0.1, 0.2, 0.9).expect("visible");
+            estimate.add(good, 1.0, 1.0);
+            let [x, y, z] = normal;
+            estimate.add(Normal::new(x, y, z).expect("visible"), seen, weight);
+            estimate.add(good, 1.0, 1.0);
+            let d = estimate.coefficients().expect("weights");
+            assert!(d.iter().all(|value| !value.is_finite()), "{seen} {weight}: {d:?}");
+        }
+    }
 }

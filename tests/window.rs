@@ -2,7 +2,7 @@
 
 use crate::tolerances;
 use eigenshade::mathematics::{Libm, SinglePrecision, Tabled};
-use eigenshade::{Error, Light, Negatives, Window};
+use eigenshade::{Error, Light, NegativePolicy, Window};
 
 /// A factor of a window in f32: a sine, a division, two squares.
 const WINDOW_F32: f64 = 5e-7;
@@ -41,7 +41,7 @@ fn factors_are_fourth_powers_of_sinc() {
                 let apart = (f64::from(found) - expected).abs();
                 assert!(apart <= WINDOW_F32, "{degree}, {width}: {apart:e}");
             }
-            assert_eq!(Window::<f32>::Open.factor::<Libm>(degree), 1.0);
+            assert_eq!(Window::<f32>::None.factor::<Libm>(degree), 1.0);
         }
     }
     // As documented for degree 9.
@@ -63,14 +63,14 @@ fn factors_are_fourth_powers_of_sinc() {
 #[test]
 fn lights_pass_windows_degree_by_degree() {
     let coefficients: Vec<f64> = (0..100).map(|k| 1.0 + f64::from(k)).collect();
-    let light = Light::new(9, &coefficients).expect("100 coefficients");
+    let light = Light::new(&coefficients).expect("100 coefficients");
     let window = Window::SincFourth { width: 11.0 };
     let windowed = light.windowed::<Libm, 100>(window).expect("room");
     let places = eigenshade::index::light::indices(9);
     for ((l, _), (found, given)) in places.zip(windowed.iter().zip(&coefficients)) {
         assert_eq!(*found, given * window.factor::<Libm>(l));
     }
-    assert_eq!(light.windowed::<Libm, 100>(Window::Open).expect("room").as_slice(), coefficients);
+    assert_eq!(light.windowed::<Libm, 100>(Window::None).expect("room").as_slice(), coefficients);
     assert!(matches!(light.windowed::<Libm, 99>(window), Err(Error::Capacity { needed: 100, .. })));
 }
 
@@ -98,7 +98,7 @@ fn a_window_takes_the_ringing() {
         };
         (-1000..=1000).map(radiance).fold(f64::INFINITY, f64::min) / radiance(1000)
     };
-    let light = Light::new(9, &sun).expect("100 coefficients");
+    let light = Light::new(&sun).expect("100 coefficients");
     let windowed = light.windowed::<Libm, 100>(Window::SincFourth { width: 10.0 }).expect("room");
     let (before, after) = (least(&sun), least(&windowed));
     println!("{before} {after}");
@@ -108,19 +108,21 @@ fn a_window_takes_the_ringing() {
 #[test]
 fn negatives_are_kept_or_clamped_and_told() {
     let image = [0.5f32, -0.25, f32::NAN, 2.0, -0.0];
-    for (negatives, second) in [(Negatives::Kept, -0.25), (Negatives::Clamped, 0.0)] {
+    for (negatives, second) in [(NegativePolicy::Kept, -0.25), (NegativePolicy::Clamped, 0.0)] {
         let mut changed = image;
         assert_eq!(negatives.apply(&mut changed), Some(-0.25));
         assert_eq!((changed[0], changed[1], changed[3]), (0.5, second, 2.0));
         assert!(changed[2].is_nan());
         assert_eq!(negatives.apply::<f32>(&mut []), None);
     }
-    assert_eq!(Negatives::default(), Negatives::Kept);
+    assert_eq!(NegativePolicy::default(), NegativePolicy::Kept);
 }
 
 #[test]
 fn integers_are_clamped_like_floats() {
-    for (negatives, expected) in [(Negatives::Kept, [5, -3, 0]), (Negatives::Clamped, [5, 0, 0])] {
+    for (negatives, expected) in
+        [(NegativePolicy::Kept, [5, -3, 0]), (NegativePolicy::Clamped, [5, 0, 0])]
+    {
         let mut image = [5i32, -3, 0];
         assert_eq!(negatives.apply(&mut image), Some(-3));
         assert_eq!(image, expected);

@@ -2,7 +2,7 @@
 
 use crate::wire_files as files;
 use eigenshade::wire::{Header, WireError, WireFormat, aligned};
-use eigenshade::{Basis, GeneralBasis, Q15, Q31, quantised, sphere};
+use eigenshade::{Basis, GeneralBasis, Q15, Q31, quantized, sphere};
 use eigenshade_table::quantize;
 use eigenshade_table::wire::{Endian, Format, encode};
 use files::{
@@ -28,11 +28,11 @@ fn the_shipped_table_comes_back() {
     let floats = floats.expect("a wire file");
     assert_eq!(format!("{:?}", floats.parts()), format!("{:?}", sphere::BASIS.parts()));
     let bytes = shipped(Q15_FORMAT);
-    let integers = quantised::Basis::<Q15>::from_bytes(aligned(&bytes, &mut b).expect("room"));
+    let integers = quantized::Basis::<Q15>::from_bytes(aligned(&bytes, &mut b).expect("room"));
     let integers = integers.expect("a wire file");
     assert_eq!(format!("{:?}", integers.parts()), format!("{:?}", sphere::q15::BASIS.parts()));
     let bytes = shipped(Q31_FORMAT);
-    let integers = quantised::Basis::<Q31>::from_bytes(aligned(&bytes, &mut c).expect("room"));
+    let integers = quantized::Basis::<Q31>::from_bytes(aligned(&bytes, &mut c).expect("room"));
     let integers = integers.expect("a wire file");
     assert_eq!(format!("{:?}", integers.parts()), format!("{:?}", sphere::q31::BASIS.parts()));
 }
@@ -65,11 +65,11 @@ fn read(bytes: &[u8]) -> [Option<WireError>; 4] {
     if let Ok(basis) = &of_others {
         assert!(basis.components() > 0);
     }
-    let of_15 = quantised::Basis::<Q15>::from_bytes(bytes);
+    let of_15 = quantized::Basis::<Q15>::from_bytes(bytes);
     if let Ok(basis) = &of_15 {
         integers(basis, facing_15());
     }
-    let of_31 = quantised::Basis::<Q31>::from_bytes(bytes);
+    let of_31 = quantized::Basis::<Q31>::from_bytes(bytes);
     if let Ok(basis) = &of_31 {
         integers(basis, facing_31());
     }
@@ -155,7 +155,7 @@ fn an_azimuth_without_a_profile_has_no_terms() {
                 matches!(
                     error,
                     Some(WireError::Parts(eigenshade::Error::Length {
-                        what: eigenshade::What::Lengths,
+                        argument: eigenshade::Argument::Lengths,
                         expected: 0,
                         ..
                     }))
@@ -177,8 +177,8 @@ fn errors_say_which_they_are() {
     };
     let length = SPHERE.0.len();
     let mut found = vec![
-        (of(b""), WireError::Foreign),
-        (of(b"EIGSHADE, another file altogether"), WireError::Foreign),
+        (of(b""), WireError::BadMagic),
+        (of(b"EIGSHADE, another file altogether"), WireError::BadMagic),
         (of(b"EIGSWIRE"), WireError::Length { expected: 32, found: 8 }),
         (of(&SPHERE.0[..100]), WireError::Length { expected: length, found: 100 }),
         (with(&SPHERE.0, 12, 4), WireError::Version(4)),
@@ -275,7 +275,7 @@ proptest! {
         let bytes = sealed(bytes);
         let mut places = room(&bytes);
         let found = read(aligned(&bytes, &mut places).expect("room"));
-        prop_assert!(!found.contains(&Some(WireError::Foreign)));
+        prop_assert!(!found.contains(&Some(WireError::BadMagic)));
     }
 
     /// Of true files some places hold other bytes.

@@ -2,7 +2,7 @@
 
 use crate::wire_files as files;
 use eigenshade::wire::{WireError, aligned};
-use eigenshade::{Basis, GeneralBasis, Q15, Q31, quantised};
+use eigenshade::{Basis, GeneralBasis, Q15, Q31, quantized};
 use files::{
     EFFECTS, GENERAL, INTEGERS_15, INTEGERS_31, LONG, MEAN, SPHERE, TURNED, TURNED_15, assert_same,
     facing_15, facing_31, floats, general, integers, room,
@@ -25,9 +25,9 @@ fn tables_of_all_effects_are_read() {
     }
     let basis = GeneralBasis::<f32>::from_bytes(&GENERAL.0).expect("a wire file");
     assert_same("general", &general(&basis), WIRE_F32);
-    let basis = quantised::Basis::<Q15>::from_bytes(&INTEGERS_15.0).expect("a wire file");
+    let basis = quantized::Basis::<Q15>::from_bytes(&INTEGERS_15.0).expect("a wire file");
     assert_same("sphere", &integers(&basis, facing_15()), WIRE_Q15);
-    let basis = quantised::Basis::<Q31>::from_bytes(&INTEGERS_31.0).expect("a wire file");
+    let basis = quantized::Basis::<Q31>::from_bytes(&INTEGERS_31.0).expect("a wire file");
     assert_same("sphere", &integers(&basis, facing_31()), WIRE_Q31);
 }
 
@@ -38,7 +38,7 @@ fn tables_of_some_effects_are_read() {
         assert!(!basis.effects().is_all());
         assert_same(table, &floats(&basis).0, WIRE_F32);
     }
-    let basis = quantised::Basis::<Q15>::from_bytes(&TURNED_15.0).expect("a wire file");
+    let basis = quantized::Basis::<Q15>::from_bytes(&TURNED_15.0).expect("a wire file");
     assert!(!basis.effects().is_all());
     assert_same("turned", &integers(&basis, facing_15()), WIRE_Q15);
 }

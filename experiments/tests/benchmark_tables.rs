@@ -171,7 +171,8 @@ fn modules_use_every_pass_that_they_compute() {
         let table = with_components(&whole, |number, _| number < components);
         let text = eigenshade_table::rust_source::module(&table, "a test");
         let passes = text.lines().filter_map(|line| line.trim().strip_prefix("let p"));
-        let names = passes.filter_map(|rest| rest.split_once(" = eigenshade::fixed::pass::<"));
+        let names =
+            passes.filter_map(|rest| rest.split_once(" = eigenshade::specialized::pass::<"));
         let names: Vec<String> = names.map(|(number, _)| format!("p{number}[")).collect();
         assert!(!names.is_empty(), "{components}");
         assert!(names.iter().all(|name| text.contains(name.as_str())), "{components}: {names:?}");

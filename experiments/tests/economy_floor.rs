@@ -36,8 +36,8 @@ fn floors_are_what_components_lack_of_unseen_materials() {
     for light in scope.lights.entries.iter().map(Named::luminance) {
         for material in scope.unseen.entries.iter().map(Named::luminance) {
             let of = (
-                Light::new(9, &light).expect("coefficients"),
-                Material::new(7, &material).expect("coefficients"),
+                Light::new(&light).expect("coefficients"),
+                Material::new(&material).expect("coefficients"),
             );
             basis.project_into(&of.0, &of.1, &mut workspace, &mut d).expect("sizes");
             // Components are orthonormal.

@@ -1,7 +1,7 @@
 //! The runtime in floats, from light and material to pixels, against the direct sum over modes.
 
 use eigenshade::wire::aligned;
-use eigenshade::{Basis, Error, Parts, What};
+use eigenshade::{Argument, Basis, Error, Parts};
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_table::wire::{Endian, Format, encode};
 use experiments::float_errors::{SHAPES, errors, table};
@@ -54,7 +54,7 @@ fn a_table_with_series_is_read_back() {
     let recurrences = basis.parts().recurrences;
     for found in [1, recurrences.len() - 1] {
         let parts = Parts { recurrences: &recurrences[..found], ..*basis.parts() };
-        let expected = Error::Length { what: What::Recurrences, expected: 0, found };
+        let expected = Error::Length { argument: Argument::Recurrences, expected: 0, found };
         assert_eq!(Basis::new(parts).err(), Some(expected));
     }
 }

@@ -11,7 +11,7 @@ mod ladder;
 mod record;
 
 use eigenshade_table::quantize::{Format, QuantizedParts};
-use eigenshade_table::{rust_quantised, rust_source};
+use eigenshade_table::{rust_quantized, rust_source};
 use record::{Golden, Row};
 use std::path::PathBuf;
 use std::{env, fs, process};
@@ -74,7 +74,7 @@ fn bake(table: &eigenshade_table::Table, name: &str, from: &str) -> Result<(), S
     for (format, suffix) in [(Format::Q15, "q15"), (Format::Q31, "q31")] {
         let parts = QuantizedParts::new(table, format, format.tolerance())
             .map_err(|error| format!("{from}: {error}"))?;
-        write(&format!("{name}_{suffix}.rs"), &rust_quantised::module(&parts, &command))?;
+        write(&format!("{name}_{suffix}.rs"), &rust_quantized::module(&parts, &command))?;
     }
     write(&format!("{name}.rs"), &rust_source::module(table, &command))
 }
@@ -151,7 +151,7 @@ fn golden(from: &str) -> Result<(), String> {
 /// Writes the shipped table in Q15 for the golden file's first material alone: the
 /// material is folded in here, and what takes materials in is left out.
 fn one_material() -> Result<(), String> {
-    use eigenshade::sphere::q15::{BASIS, ORDER, PROFILES, TRANSFER, WORKSPACE};
+    use eigenshade::sphere::q15::{BASIS, PROFILES, TRANSFER, WORKSPACE};
     let from = "../../tables/sphere.bin";
     let table = decoded(from)?;
     let mut parts = QuantizedParts::new(&table, Format::Q15, Format::Q15.tolerance())
@@ -170,14 +170,14 @@ fn one_material() -> Result<(), String> {
         row.integers()?.into_iter().map(|one| eigenshade::Q15(one as i16)).collect();
     let exponents: Vec<i8> = row.exponents.iter().map(|&one| one as i8).collect();
     let (mut numbers, mut of_profiles) = ([eigenshade::Q15(0); TRANSFER], [0; PROFILES]);
-    eigenshade::quantised::Material::new(ORDER, &exponents, &mantissas)
+    eigenshade::quantized::Material::new(&exponents, &mantissas)
         .and_then(|material| {
-            BASIS.fold_into(&material, &mut [0; WORKSPACE], &mut numbers, &mut of_profiles)
+            BASIS.transfer_into(&material, &mut [0; WORKSPACE], &mut numbers, &mut of_profiles)
         })
         .map_err(|error| error.to_string())?;
     let numbers = numbers.map(|eigenshade::Q15(number)| i32::from(number));
-    let text = rust_quantised::module(&parts, "build.rs, of one material")
-        + &rust_quantised::transfer(Format::Q15, &numbers, &of_profiles);
+    let text = rust_quantized::module(&parts, "build.rs, of one material")
+        + &rust_quantized::transfer(Format::Q15, &numbers, &of_profiles);
     write("one_material.rs", &text)
 }
 

@@ -1,7 +1,6 @@
 //! Roots and angles from tables.
 
-use super::functions::Mathematics;
-use super::{newton, quarters};
+use super::{Mathematics, steps};
 
 /// Roots and angles from two small tables, 388 bytes in all, without f64 or division.
 ///
@@ -19,7 +18,7 @@ const INTERVALS: u8 = 32;
 impl Mathematics<f32> for Tabled {
     #[inline]
     fn square_root(x: f32) -> f32 {
-        newton::square_root(x, Self::inverse_root(x))
+        steps::square_root(x, Self::inverse_root(x))
     }
 
     #[inline]
@@ -29,12 +28,12 @@ impl Mathematics<f32> for Tabled {
         let place = (bits >> 18) as usize & 63;
         let of_mantissa = INVERSE_ROOTS.get(place).copied().unwrap_or(1.0);
         let of_exponent = f32::from_bits((190 - ((bits >> 24) & 127)) << 23);
-        newton::inverse_root::<2>(x, of_mantissa * of_exponent)
+        steps::inverse_root::<2>(x, of_mantissa * of_exponent)
     }
 
     #[inline]
     fn sine_and_cosine(angle: f32) -> (f32, f32) {
-        let (knot, rest) = quarters::nearest::<INTERVALS>(angle);
+        let (knot, rest) = steps::nearest::<INTERVALS>(angle);
         let place = (knot & 31) as usize;
         let value = |place: usize| SINES.get(place).copied().unwrap_or(0.0);
         let (sine, cosine) = (value(place), value(32 - place));
@@ -44,7 +43,7 @@ impl Mathematics<f32> for Tabled {
             sine + rest * (cosine - half * (sine + third * cosine)),
             cosine - rest * (sine + half * (cosine - third * sine)),
         );
-        quarters::turned(knot >> 5, turned)
+        steps::turned(knot >> 5, turned)
     }
 }
 

@@ -7,9 +7,9 @@
 //! number of terms known at compile time, and keeps the sums of the higher azimuths in the L1
 //! cache.
 
-use crate::descent::Descent;
 use crate::polynomial::argument;
 use crate::scalar::Scalar;
+use crate::scene::Descent;
 
 /// Normals in one tile: sixteen vectors, so that the overhead of starting and ending a loop is
 /// small.

@@ -11,7 +11,7 @@ use core::fmt;
 #[non_exhaustive]
 pub enum WireError {
     /// The bytes do not begin with the label of a wire file.
-    Foreign,
+    BadMagic,
     /// The file has the other byte order.
     Endianness,
     /// The file has another version, which is given.
@@ -85,7 +85,7 @@ impl From<Error> for WireError {
 impl fmt::Display for WireError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Foreign => f.write_str(
+            Self::BadMagic => f.write_str(
                 "EIGSWIRE expected, other bytes found: not a wire file; make one with \
                  `eigenshade pack`",
             ),

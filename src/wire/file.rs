@@ -1,11 +1,12 @@
-//! A wire file with a valid checksum, and its sections.
+//! A wire file: its alignment, its header, its checksum and its sections.
 
-use super::WireError;
-use super::checksum::checksum;
+use super::error::WireError;
 use super::format::WireFormat;
-use super::header::{Header, long};
-use crate::index::wire::{ALIGNMENT, CHECKSUM, ENTRY, HEADER};
-use zerocopy::{Immutable, KnownLayout, TryFromBytes};
+use crate::index::effect::Effects;
+use crate::index::wire::{
+    ALIGNMENT, CHECKSUM, ENTRY, HEADER, LABEL, MARK, MAX_DEGREE_AND_ORDER, VERSION, place,
+};
+use zerocopy::{Immutable, IntoBytes, KnownLayout, TryFromBytes};
 
 /// A wire file whose sections are read one after the other.
 pub(super) struct File<'a> {
@@ -74,5 +75,148 @@ impl<'a> File<'a> {
         } else {
             Err(WireError::Section { number: self.taken })
         }
+    }
+}
+
+/// The header of a wire file: its format, its size and the shape of its table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub struct Header {
+    /// The version of the file.
+    pub version: u16,
+    /// The number format of the file: see [`WireFormat::of`](super::WireFormat::of).
+    pub format: u16,
+    /// Length of the whole file in bytes.
+    pub length: usize,
+    /// Largest degree l of the light.
+    pub degree: usize,
+    /// Largest order o of the BRDF.
+    pub order: usize,
+    /// The effects that the table covers.
+    pub effects: Effects,
+    /// Number of components; if there are eigenimages, the components of their span.
+    pub components: usize,
+    /// Number of eigenimages over the span, or 0.
+    pub images: usize,
+    /// Number of sections.
+    pub sections: usize,
+}
+
+impl Header {
+    /// Reads the header of a file. The bytes need not be aligned or complete, and the checksum is
+    /// not checked.
+    ///
+    /// # Errors
+    ///
+    /// [`WireError::BadMagic`], [`WireError::Endianness`], [`WireError::Version`],
+    /// [`WireError::Shape`], or [`WireError::Length`] if even the header is incomplete.
+    pub fn read(bytes: &[u8]) -> Result<Self, WireError> {
+        if !bytes.starts_with(&LABEL) {
+            return Err(WireError::BadMagic);
+        }
+        let Some(header) = bytes.first_chunk::<HEADER>() else {
+            return Err(WireError::Length { expected: HEADER, found: bytes.len() });
+        };
+        let mark = long(header, place::MARK);
+        if mark != MARK {
+            let other = mark == MARK.swap_bytes();
+            return Err(if other { WireError::Endianness } else { WireError::BadMagic });
+        }
+        let version = short(header, place::VERSION);
+        let bits = short(header, place::EFFECTS);
+        if version != VERSION {
+            return Err(WireError::Version(version));
+        }
+        let effects = Effects::from_bits(bits).filter(|&one| one != Effects::NONE);
+        let Some(effects) = effects else { return Err(WireError::Effects { bits }) };
+        let size = |at| usize::from(short(header, at));
+        let (degree, order) = (size(place::DEGREE), size(place::ORDER));
+        if degree > MAX_DEGREE_AND_ORDER || order > MAX_DEGREE_AND_ORDER {
+            return Err(WireError::Shape { degree, order });
+        }
+        Ok(Self {
+            version,
+            format: short(header, place::FORMAT),
+            length: long(header, place::LENGTH) as usize,
+            degree,
+            order,
+            effects,
+            components: size(place::COMPONENTS),
+            images: size(place::IMAGES),
+            sections: size(place::SECTIONS),
+        })
+    }
+}
+
+/// The u16 at `at`, or 0 if the bytes end before.
+fn short(bytes: &[u8], at: usize) -> u16 {
+    let found = bytes.get(at..).and_then(|rest| rest.first_chunk());
+    found.copied().map_or(0, u16::from_ne_bytes)
+}
+
+/// The u32 at `at`, or 0 if the bytes end before.
+fn long(bytes: &[u8], at: usize) -> u32 {
+    let found = bytes.get(at..).and_then(|rest| rest.first_chunk());
+    found.copied().map_or(0, u32::from_ne_bytes)
+}
+
+/// Bytes embedded at compile time, aligned to four: `static TABLE: &Aligned<[u8]> =
+/// &Aligned(*include_bytes!("table.esw"));`.
+#[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[repr(C, align(4))]
+pub struct Aligned<T: ?Sized>(pub T);
+
+const _: () = assert!(align_of::<Aligned<u8>>() == ALIGNMENT && align_of::<u32>() <= ALIGNMENT);
+
+/// Copies bytes to an aligned place. `room` needs one number for every four bytes, rounded up.
+///
+/// # Errors
+///
+/// [`WireError::Room`] if `room` is too short.
+pub fn aligned<'r>(bytes: &[u8], room: &'r mut [u32]) -> Result<&'r [u8], WireError> {
+    let (needed, found) = (bytes.len().div_ceil(ALIGNMENT), room.len());
+    let to = room.as_mut_bytes().get_mut(..bytes.len()).ok_or(WireError::Room { needed, found })?;
+    for (to, &from) in to.iter_mut().zip(bytes) {
+        *to = from;
+    }
+    Ok(to)
+}
+
+/// The effect of four steps of a reflected CRC-32, for each low nibble.
+const NIBBLES: [u32; 16] = {
+    let (mut table, mut nibble) = ([0; 16], 0);
+    let mut rest = table.as_mut_slice();
+    while let [first, others @ ..] = rest {
+        let (mut remainder, mut bits) = (nibble, 4);
+        while bits > 0 {
+            let odd = remainder & 1 == 1;
+            remainder = (remainder >> 1) ^ if odd { 0xedb8_8320 } else { 0 };
+            bits -= 1;
+        }
+        *first = remainder;
+        (rest, nibble) = (others, nibble + 1);
+    }
+    table
+};
+
+/// The CRC-32 of ISO 3309, as in PNG and ZIP.
+fn checksum(bytes: &[u8]) -> u32 {
+    let step = |sum: u32| {
+        let nibble = NIBBLES.get((sum & 15) as usize).copied();
+        (sum >> 4) ^ nibble.unwrap_or_default()
+    };
+    !bytes.iter().fold(u32::MAX, |sum, &byte| step(step(sum ^ u32::from(byte))))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_standards_own_value() {
+        assert_eq!(checksum(b"123456789"), 0xcbf4_3926);
+        assert_eq!(checksum(b""), 0);
     }
 }

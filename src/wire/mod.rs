@@ -3,7 +3,7 @@
 //!
 //! `eigenshade pack` writes such a file from a table; `tables/README.md` documents its format byte
 //! by byte. [`Basis::from_bytes`], [`GeneralBasis::from_bytes`] and
-//! [`quantised::Basis::from_bytes`] return a basis that borrows the bytes: nothing is copied and
+//! [`quantized::Basis::from_bytes`] return a basis that borrows the bytes: nothing is copied and
 //! nothing is allocated. Any sequence of bytes gives either a basis or a [`WireError`]. Bytes after
 //! the file, such as the rest of a flash page, are ignored.
 //!
@@ -14,11 +14,11 @@
 //!
 //! ```
 //! # const PAGE: &[u8] = &[0; 6];
-//! use eigenshade::{quantised, wire, Q15};
+//! use eigenshade::{quantized, wire, Q15};
 //!
 //! static TABLE: &wire::Aligned<[u8]> = &wire::Aligned(*b"from include_bytes!");
-//! let refused = quantised::Basis::<Q15>::from_bytes(&TABLE.0);
-//! assert_eq!(refused.err(), Some(wire::WireError::Foreign));
+//! let refused = quantized::Basis::<Q15>::from_bytes(&TABLE.0);
+//! assert_eq!(refused.err(), Some(wire::WireError::BadMagic));
 //!
 //! let mut room = [0; 2];
 //! let bytes = wire::aligned(PAGE, &mut room)?;
@@ -28,18 +28,13 @@
 //!
 //! [`Basis::from_bytes`]: crate::Basis::from_bytes
 //! [`GeneralBasis::from_bytes`]: crate::GeneralBasis::from_bytes
-//! [`quantised::Basis::from_bytes`]: crate::quantised::Basis::from_bytes
+//! [`quantized::Basis::from_bytes`]: crate::quantized::Basis::from_bytes
 
-mod aligned;
-mod checksum;
+mod bases;
 mod error;
 mod file;
-mod floats;
 mod format;
-mod header;
-mod integers;
 
-pub use aligned::{Aligned, aligned};
 pub use error::WireError;
+pub use file::{Aligned, Header, aligned};
 pub use format::WireFormat;
-pub use header::Header;

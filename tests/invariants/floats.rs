@@ -1,7 +1,8 @@
-//! Floats: any bits never panic; finite numbers of moderate size give finite answers.
+//! Floats, and scenes within a tolerance: any bits never panic; finite numbers of moderate size give
+//! finite answers, and bounds that are finite and kept.
 
 use super::Reader;
-use eigenshade::{Light, Material, Normal, Normals, sphere};
+use eigenshade::{Light, Material, Normal, Normals, Tolerance, Truncation, sphere};
 use eigenshade_index::{light, material};
 
 /// What counts as moderate: sums of products of two stay below f32's largest.
@@ -12,10 +13,10 @@ pub fn shade_floats(input: &mut Reader<'_>) {
     let any = |input: &mut Reader<'_>| f32::from_le_bytes(input.bytes());
     let degree = input.up_to(sphere::BASIS.degree());
     let coefficients: Vec<f32> = (0..light::count(degree)).map(|_| any(input)).collect();
-    let light = Light::new(degree, &coefficients).expect("a light");
+    let light = Light::new(&coefficients).expect("a light");
     let order = input.up_to(sphere::BASIS.order());
     let of_material: Vec<f32> = (0..material::count(order)).map(|_| any(input)).collect();
-    let material = Material::new(order, &of_material).expect("a material");
+    let material = Material::new(&of_material).expect("a material");
     let moderate = coefficients.iter().chain(&of_material).all(|value| value.abs() <= MODERATE);
 
     let projected = sphere::project(&light, &material).expect("it fits");
@@ -41,6 +42,43 @@ pub fn shade_floats(input: &mut Reader<'_>) {
             let one = scene.shade(*normal);
             assert!(!moderate || one.is_finite(), "{one} of finite inputs");
             assert!(one.to_bits() == shaded.to_bits() || one.is_nan() && shaded.is_nan());
+        }
+    }
+}
+
+/// Any images in one shape, each its own peak or that of its color.
+pub fn collapse_sets(input: &mut Reader<'_>) {
+    let channels = 1 + input.up_to(2);
+    let count = channels * input.up_to(3);
+    let share = 2f32.powi(-1 - input.up_to(20) as i32);
+    let is_moderate = input.byte().is_multiple_of(2);
+    let mut number = || match is_moderate {
+        true => input.moderate(),
+        false => f32::from_le_bytes(input.bytes()),
+    };
+    let images: Vec<[f32; sphere::COMPONENTS]> =
+        (0..count).map(|_| std::array::from_fn(|_| number())).collect();
+    let mut lengths = [0; sphere::DEGREE + 1];
+    let mut report = vec![Truncation::default(); count];
+    let mut buffer = vec![0.0; count * sphere::SCENE];
+    let tolerance = Tolerance::OfPeak(share);
+    let shape = sphere::BASIS
+        .collapse_set_within(&images, channels, tolerance, &mut lengths, &mut buffer, &mut report)
+        .expect("sizes");
+    assert!(shape.terms() <= sphere::SCENE && shape.components <= sphere::COMPONENTS);
+    for (numbers, report) in buffer.chunks_exact(sphere::SCENE).zip(&report) {
+        let scene = shape.scene(numbers).expect("enough");
+        if !is_moderate {
+            continue;
+        }
+        let rounding = super::ECONOMY_PARTS as f32;
+        let within = report.bound <= share * report.peak * (1.0 + rounding);
+        assert!(report.bound.is_finite() && within, "{report:?}");
+        let parts = report.left_out_by_components.hypot(report.left_out_by_terms);
+        assert!((parts - report.bound).abs() <= rounding * report.bound, "{report:?}");
+        for [x, y, z] in [[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [-0.36, 0.48, 0.8]] {
+            let normal = Normal::new(x, y, z).expect("visible");
+            assert!(scene.shade(normal).is_finite(), "{report:?}");
         }
     }
 }

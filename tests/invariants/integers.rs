@@ -2,8 +2,8 @@
 
 use super::integer::{Integer, normals};
 use super::shipped::shipped;
-use super::{Reader, pixel};
-use eigenshade::quantised::{Light, Material, Transfer};
+use super::{Reader, integer};
+use eigenshade::quantized::{Light, Material, Transfer};
 use eigenshade::{Error, Wide as _};
 use eigenshade_index::{light, material};
 use eigenshade_table::quantize::Format;
@@ -19,17 +19,19 @@ const ANY_PIXEL_Q31: f64 = 5e-7;
 /// order: d near the f64 sum, the image as of any coefficients.
 pub fn shade_integers<Q: Integer>(input: &mut Reader<'_>) {
     let basis = Q::basis();
-    let (degree, exponent, mantissas) = any_light::<Q>(input);
-    let light = Light::new(degree, exponent, &mantissas).expect("a light");
+    let (exponent, mantissas) = any_light::<Q>(input);
+    let light = Light::new(exponent, &mantissas).expect("a light");
     let order = input.up_to(basis.order());
     let exponents: Vec<i8> = (0..=order).map(|_| input.byte().cast_signed()).collect();
     let of_material: Vec<Q> = (0..material::count(order)).map(|_| Q::read(input)).collect();
-    let material = Material::new(order, &exponents, &of_material).expect("a material");
+    let material = Material::new(&exponents, &of_material).expect("a material");
 
     let mut workspace = vec![Q::Wide::default(); basis.workspace_len()];
     let mut numbers = vec![Q::default(); basis.transfer_len()];
     let mut of_profiles = vec![0; basis.profiles()];
-    basis.fold_into(&material, &mut workspace, &mut numbers, &mut of_profiles).expect("it fits");
+    basis
+        .transfer_into(&material, &mut workspace, &mut numbers, &mut of_profiles)
+        .expect("it fits");
     let transfer = Transfer::new(&numbers, &of_profiles);
     let mut d = vec![0; basis.components()];
     let of_d = basis.relight_into(&transfer, &light, &mut d).expect("a transfer within bounds");
@@ -51,8 +53,8 @@ pub fn shade_integers<Q: Integer>(input: &mut Reader<'_>) {
 /// Any transfer: refused, or relit as exact arithmetic has it.
 pub fn shade_transfer<Q: Integer>(input: &mut Reader<'_>) {
     let basis = Q::basis();
-    let (degree, exponent, mantissas) = any_light::<Q>(input);
-    let light = Light::new(degree, exponent, &mantissas).expect("a light");
+    let (exponent, mantissas) = any_light::<Q>(input);
+    let light = Light::new(exponent, &mantissas).expect("a light");
     let shift = u32::from(input.byte()) % (Q::BITS + 1);
     let narrower = |number: Q| Q::nearest(((number.mantissa()) >> shift) as f64);
     let exponents: Vec<i16> =
@@ -79,10 +81,10 @@ pub fn shade_coefficients<Q: Integer>(input: &mut Reader<'_>) {
     seen::<Q>(&d, exponent, &normals(input));
 }
 
-fn any_light<Q: Integer>(input: &mut Reader<'_>) -> (usize, i32, Vec<Q>) {
+fn any_light<Q: Integer>(input: &mut Reader<'_>) -> (i32, Vec<Q>) {
     let exponent = i32::from(input.byte().cast_signed());
     let degree = input.up_to(Q::basis().degree());
-    (degree, exponent, (0..light::count(degree)).map(|_| Q::read(input)).collect())
+    (exponent, (0..light::count(degree)).map(|_| Q::read(input)).collect())
 }
 
 fn light_numbers<Q: Integer>(mantissas: &[Q]) -> Vec<i128> {
@@ -160,7 +162,7 @@ fn near<Q: Integer>(reference: &[f64], scales: &[f64], d: &[i32], of_d: i32) {
 
 /// The image: every step within the format's bits, both ways to a pixel the same bits,
 /// near the f64 sum.
-fn seen<Q: Integer>(d: &[i32], exponent: i32, normals: &[eigenshade::quantised::Normal<Q>]) {
+fn seen<Q: Integer>(d: &[i32], exponent: i32, normals: &[eigenshade::quantized::Normal<Q>]) {
     let image = match Q::image(d, exponent, normals) {
         Ok(image) => image,
         Err(error) => {
@@ -180,10 +182,10 @@ fn seen<Q: Integer>(d: &[i32], exponent: i32, normals: &[eigenshade::quantised::
     let floats: Vec<f64> = d.iter().map(|&d| scale * f64::from(d)).collect();
     for (normal, [general, kernel]) in normals.iter().zip(&image.pixels) {
         assert_eq!(general, kernel, "two ways to a pixel");
-        let exact = pixel::exact(lengths, &image.terms, *normal);
+        let exact = integer::exact(lengths, &image.terms, *normal);
         assert_eq!(i128::from(*general), exact, "a pixel");
         let at = normal.components().map(|component| component.mantissa() as f64 / one);
-        let expected = shipped().reconstruct_quantised::<Q>(&floats, at);
+        let expected = shipped().reconstruct_quantized::<Q>(&floats, at);
         let off = (f64::from(*general) - expected).abs() / 2f64.powi(Q::TERM_BITS as i32);
         assert!(off <= part, "a pixel of {general}, not {expected}: {off} of the range");
     }

@@ -8,21 +8,16 @@
     reason = "each test and each target takes the parts that it needs"
 )]
 
-mod economies;
 mod floats;
 mod integer;
 mod integers;
-mod pixel;
-mod reader;
 mod reconstruction;
 mod shipped;
 mod tables;
 mod ways;
 
-pub use economies::collapse_sets;
-pub use floats::shade_floats;
+pub use floats::{collapse_sets, shade_floats};
 pub use integers::{shade_coefficients, shade_integers, shade_transfer};
-pub use reader::Reader;
 pub use reconstruction::reconstruct;
 pub use tables::from_bytes;
 pub use ways::every_way;
@@ -70,4 +65,49 @@ pub fn public_interface(bytes: &[u8]) {
 /// Any light and material of moderate size: every format's d and image against f64.
 pub fn project_reconstruct(bytes: &[u8]) {
     reconstruct(&mut Reader::new(bytes));
+}
+
+/// Bytes that are read one after the other.
+pub struct Reader<'a> {
+    rest: &'a [u8],
+}
+
+impl<'a> Reader<'a> {
+    pub fn new(bytes: &'a [u8]) -> Self {
+        Self { rest: bytes }
+    }
+
+    /// Whether anything is left.
+    pub fn is_empty(&self) -> bool {
+        self.rest.is_empty()
+    }
+
+    pub fn bytes<const N: usize>(&mut self) -> [u8; N] {
+        let (now, rest) = self.rest.split_at(N.min(self.rest.len()));
+        self.rest = rest;
+        let mut bytes = [0; N];
+        bytes[..now.len()].copy_from_slice(now);
+        bytes
+    }
+
+    pub fn byte(&mut self) -> u8 {
+        let [byte] = self.bytes();
+        byte
+    }
+
+    pub fn i32(&mut self) -> i32 {
+        i32::from_le_bytes(self.bytes())
+    }
+
+    /// A number of at most this, or this.
+    pub fn up_to(&mut self, most: usize) -> usize {
+        usize::from(self.byte()) % (most + 1)
+    }
+
+    /// A number of moderate size: 15 bits, times a power of two from 2^-40 to 2^7.
+    pub fn moderate(&mut self) -> f32 {
+        let [low, high, exponent] = self.bytes();
+        let mantissa = f32::from(i16::from_le_bytes([low, high]));
+        mantissa * 2f32.powi(i32::from(exponent) % 48 - 55)
+    }
 }

@@ -3,7 +3,7 @@
 use super::Reader;
 use super::integer::{Integer, normals};
 use super::shipped::shipped;
-use eigenshade::quantised::{Light, Material, Transfer};
+use eigenshade::quantized::{Light, Material, Transfer};
 use eigenshade::{Effect, Effects, Normal, Q15, Q31, sphere};
 use eigenshade_index::{light, material};
 use eigenshade_table::quantize::Format;
@@ -84,9 +84,9 @@ impl Case {
         assert!(off <= allowed, "{found}, not {expected}: {} of its terms", off / scale);
     }
 
-    fn in_floats(&self, normals: &[eigenshade::quantised::Normal<Q31>]) {
-        let light = eigenshade::Light::new(self.degree, &self.light).expect("a light");
-        let material = eigenshade::Material::new(self.order, &self.material).expect("a material");
+    fn in_floats(&self, normals: &[eigenshade::quantized::Normal<Q31>]) {
+        let light = eigenshade::Light::new(&self.light).expect("a light");
+        let material = eigenshade::Material::new(&self.material).expect("a material");
         let d = sphere::project(&light, &material).expect("it fits");
         let wide: Vec<f64> = d.iter().map(|&d| d.into()).collect();
         self.projected(&wide, ANY_D_F32, 0.0);
@@ -119,19 +119,20 @@ impl Case {
         sum
     }
 
-    fn in_integers<Q: Integer>(&self, normals: &[eigenshade::quantised::Normal<Q>]) {
+    fn in_integers<Q: Integer>(&self, normals: &[eigenshade::quantized::Normal<Q>]) {
         let basis = Q::basis();
         let mut mantissas = vec![Q::default(); self.light.len()];
-        let light = Light::quantise(self.degree, &self.light, &mut mantissas).expect("a light");
+        let light = Light::quantize(&self.light, &mut mantissas).expect("a light");
         let mut of_material = vec![Q::default(); self.material.len()];
         let mut exponents = vec![0; self.order + 1];
-        let material =
-            Material::quantise(self.order, &self.material, &mut of_material, &mut exponents);
+        let material = Material::quantize(&self.material, &mut of_material, &mut exponents);
         let material = material.expect("a material");
         let mut workspace = vec![Q::Wide::default(); basis.workspace_len()];
         let mut numbers = vec![Q::default(); basis.transfer_len()];
         let mut exponents = vec![0; basis.profiles()];
-        basis.fold_into(&material, &mut workspace, &mut numbers, &mut exponents).expect("it fits");
+        basis
+            .transfer_into(&material, &mut workspace, &mut numbers, &mut exponents)
+            .expect("it fits");
         let transfer = Transfer::new(&numbers, &exponents);
         let mut d = vec![0; basis.components()];
         let exponent = basis.relight_into(&transfer, &light, &mut d).expect("it fits");

@@ -108,7 +108,7 @@ impl Shipped {
 
     /// Σ d_i U_i at the components of a normal as they are, from the mantissas of the
     /// integer form.
-    pub fn reconstruct_quantised<Q: Integer>(&self, d: &[f64], [x, y, z]: [f64; 3]) -> f64 {
+    pub fn reconstruct_quantized<Q: Integer>(&self, d: &[f64], [x, y, z]: [f64; 3]) -> f64 {
         let parts = self.parts::<Q>();
         let t = 2.0 * z - 1.0;
         let (mut terms, mut sum) = (parts.terms.as_slice(), 0.0);

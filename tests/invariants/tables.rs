@@ -1,9 +1,9 @@
 //! Tables from any bytes: an error, or a basis that projects and shades.
 
 use eigenshade::index::{light, material, wire};
-use eigenshade::quantised::{self, Transfer};
+use eigenshade::quantized::{self, Transfer};
 use eigenshade::{
-    Basis, Effect, Effects, Fixed, Format, GeneralBasis, Light, Material, Normal, Q15, Q31,
+    Basis, Effect, Effects, FixedPoint, Format, GeneralBasis, Light, Material, Normal, Q15, Q31,
 };
 
 /// These bytes as they are, and with length and checksum made right.
@@ -32,24 +32,24 @@ fn read(bytes: &[u8]) {
         floats(basis.span());
         let (degree, order) = (basis.span().degree(), basis.span().order());
         let ones = vec![1.0; light::count(degree)];
-        let light = Light::new(degree, &ones).expect("a light");
+        let light = Light::new(&ones).expect("a light");
         let ones = vec![1.0; material::count(order)];
-        let material = Material::new(order, &ones).expect("a material");
+        let material = Material::new(&ones).expect("a material");
         let mut workspace = vec![0.0; basis.workspace_len()];
         let mut d = vec![0.0; basis.components()];
         // A basis of transfers alone takes in no material.
         let _ = basis.project_into(&light, &material, &mut workspace, &mut d);
     }
-    if let Ok(basis) = quantised::Basis::<Q15>::from_bytes(bytes) {
+    if let Ok(basis) = quantized::Basis::<Q15>::from_bytes(bytes) {
         let normals = [(19_661, 0, 26_214), (0, 32_767, 0), (0, 0, 32_767)];
         let normals =
-            normals.map(|(x, y, z)| quantised::Normal::<Q15>::new(Q15(x), Q15(y), Q15(z)));
+            normals.map(|(x, y, z)| quantized::Normal::<Q15>::new(Q15(x), Q15(y), Q15(z)));
         integers(&basis, &normals.map(|normal| normal.expect("a unit vector")), Q15);
     }
-    if let Ok(basis) = quantised::Basis::<Q31>::from_bytes(bytes) {
+    if let Ok(basis) = quantized::Basis::<Q31>::from_bytes(bytes) {
         let normals = [(1_288_490_189, 0, 1_717_986_918), (0, i32::MAX, 0), (0, 0, i32::MAX)];
         let normals =
-            normals.map(|(x, y, z)| quantised::Normal::<Q31>::new(Q31(x), Q31(y), Q31(z)));
+            normals.map(|(x, y, z)| quantized::Normal::<Q31>::new(Q31(x), Q31(y), Q31(z)));
         let own = |mantissa: i16| Q31(i32::from(mantissa) << 16);
         integers(&basis, &normals.map(|normal| normal.expect("a unit vector")), own);
     }
@@ -57,9 +57,9 @@ fn read(bytes: &[u8]) {
 
 fn floats(basis: &Basis<'_, f32>) {
     let ones = vec![1.0; light::count(basis.degree())];
-    let light = Light::new(basis.degree(), &ones).expect("a light");
+    let light = Light::new(&ones).expect("a light");
     let ones = vec![1.0; material::count(basis.order())];
-    let material = Material::new(basis.order(), &ones).expect("a material");
+    let material = Material::new(&ones).expect("a material");
     let mut workspace = vec![0.0; basis.workspace_len()];
     let mut d = vec![1.0; basis.components()];
     let mut transfer = vec![1.0; basis.transfer_len()];
@@ -82,9 +82,9 @@ fn floats(basis: &Basis<'_, f32>) {
     basis.reconstruct(&d, normal).expect("as many as components");
 }
 
-fn integers<Q: Fixed>(
-    basis: &quantised::Basis<'_, Q>,
-    normals: &[quantised::Normal<Q>],
+fn integers<Q: FixedPoint>(
+    basis: &quantized::Basis<'_, Q>,
+    normals: &[quantized::Normal<Q>],
     own: impl Fn(i16) -> Q,
 ) {
     let numbers = |count: usize| -> Vec<Q> {
@@ -92,14 +92,16 @@ fn integers<Q: Fixed>(
     };
     let (degree, order) = (basis.degree(), basis.order());
     let mantissas = numbers(light::count(degree));
-    let light = quantised::Light::new(degree, 0, &mantissas).expect("a light");
+    let light = quantized::Light::new(0, &mantissas).expect("a light");
     let mut transfer = vec![own(1); basis.transfer_len()];
     let mut exponents = vec![0; basis.profiles()];
     if !basis.parts().polar.is_empty() {
         let (mantissas, of_orders) = (numbers(material::count(order)), vec![0; order + 1]);
-        let material = quantised::Material::new(order, &of_orders, &mantissas).expect("a material");
+        let material = quantized::Material::new(&of_orders, &mantissas).expect("a material");
         let mut workspace = vec![<Q as Format>::Wide::default(); basis.workspace_len()];
-        basis.fold_into(&material, &mut workspace, &mut transfer, &mut exponents).expect("sizes");
+        basis
+            .transfer_into(&material, &mut workspace, &mut transfer, &mut exponents)
+            .expect("sizes");
     }
     let mut d = vec![0; basis.components()];
     let transfer = Transfer::new(&transfer, &exponents);

@@ -3,10 +3,10 @@
 
 use super::Reader;
 use eigenshade::mathematics::{Libm, SinglePrecision, Tabled};
-use eigenshade::quantised;
+use eigenshade::quantized;
 use eigenshade::{
-    Economy, Light, MapPoint, Negatives, Normal, Normals, Q15, Q31, Rotation, Tolerance, Window,
-    sphere,
+    Light, MapPoint, NegativePolicy, Normal, Normals, Q15, Q31, Rotation, Tolerance, Truncation,
+    Window, sphere,
 };
 use eigenshade_index::{light, material};
 
@@ -30,7 +30,7 @@ pub fn every_way(input: &mut Reader<'_>) {
         false => f32::from_le_bytes(input.bytes()),
     };
     let coefficients: Vec<f32> = (0..LIGHT).map(|_| any(input)).collect();
-    let light = Light::new(sphere::DEGREE, &coefficients).expect("a light");
+    let light = Light::new(&coefficients).expect("a light");
     turn(&light, &rotation, is_moderate);
     let d: [f32; sphere::COMPONENTS] = std::array::from_fn(|_| any(input));
     look_up(&d, input, is_moderate);
@@ -46,9 +46,8 @@ fn indices(input: &mut Reader<'_>) {
     let _ = (light::position(a, b.cast_signed()), material::position(a, b, c), light::count(a));
     let _ = (eigenshade_index::pair::position(a, b), eigenshade_index::pair::count(a));
     let _ = (eigenshade_index::layout::factors(a, b, c, a), material::count(a));
-    let _ =
-        (Light::<f32>::turn_len(a), Light::<f32>::new(a, &[]), Light::<f32>::checked(b, &[0.0]));
-    let _ = eigenshade::Material::<f32>::checked(a, &[0.0]);
+    let _ = (Light::<f32>::turn_len(a), Light::<f32>::new(&[0.0; 30][..b % 31]));
+    let _ = eigenshade::Material::<f32>::checked(&[0.0; 30][..c % 31]);
 }
 
 /// Of any numbers an error, or a matrix that is a rotation.
@@ -111,16 +110,16 @@ fn look_up(d: &[f32; sphere::COMPONENTS], input: &mut Reader<'_>, is_moderate: b
     let scene = sphere::BASIS.collapse::<{ sphere::SCENE }>(d).expect("sizes");
     let knots = 8 + input.up_to(56);
     let size = 2 + input.up_to(30);
-    let lookup = scene.lookup_into(knots, vec![0.0; scene.lookup_len::<f32>(knots)]);
+    let lookup = scene.sampled_into(knots, vec![0.0; scene.sampled_len::<f32>(knots)]);
     let lookup = lookup.expect("knots");
     let map = scene.bake_into(size, vec![0.0; size * size]).expect("a size");
     let integers = scene.bake_integers_into(size, vec![0; size * size]);
     assert!(!is_moderate || integers.is_ok(), "{:?}", integers.err());
-    let (mut lengths, mut told) = ([0; sphere::DEGREE + 1], [Economy::default()]);
+    let (mut lengths, mut report) = ([0; sphere::DEGREE + 1], [Truncation::default()]);
     let tolerance = Tolerance::Decibels(input.byte().max(1));
     let mut room = [0.0; sphere::SCENE];
     let shape = sphere::BASIS
-        .collapse_set_within(&[d], 1, tolerance, &mut lengths, &mut room, &mut told)
+        .collapse_set_within(&[d], 1, tolerance, &mut lengths, &mut room, &mut report)
         .expect("sizes");
     let within = shape.scene(&room).expect("numbers");
     let mut estimate = sphere::BASIS.estimate::<{ sphere::COMPONENTS }>().expect("room");
@@ -140,14 +139,14 @@ fn look_up(d: &[f32; sphere::COMPONENTS], input: &mut Reader<'_>, is_moderate: b
             let _ = (integers.bilinear(point), integers.nearest(point));
         }
         let [a, b, c] = vector.map(|c| c.to_bits().cast_signed());
-        if let Ok(normal) = quantised::Normal::<Q15>::along(a, b, c) {
+        if let Ok(normal) = quantized::Normal::<Q15>::along(a, b, c) {
             let [x, y, z] = normal.components();
-            assert!(quantised::Normal::<Q15>::new(x, y, z).is_ok(), "{normal:?} is no unit vector");
+            assert!(quantized::Normal::<Q15>::new(x, y, z).is_ok(), "{normal:?} is no unit vector");
             of_integers.add(normal, u, b as u16);
         }
-        if let Ok(normal) = quantised::Normal::<Q31>::along(a, b, c) {
+        if let Ok(normal) = quantized::Normal::<Q31>::along(a, b, c) {
             let [x, y, z] = normal.components();
-            assert!(quantised::Normal::<Q31>::new(x, y, z).is_ok(), "{normal:?} is no unit vector");
+            assert!(quantized::Normal::<Q31>::new(x, y, z).is_ok(), "{normal:?} is no unit vector");
         }
         estimate.add(raw, y[0], z[0]);
         let [mut x, mut y, mut z] = [x, y, z];
@@ -164,7 +163,7 @@ fn look_up(d: &[f32; sphere::COMPONENTS], input: &mut Reader<'_>, is_moderate: b
             // Eight knots and four texels are coarse; but they stay in proportion.
             assert!(f64::from((found - exact).abs()) <= most, "{found} {exact}");
         }
-        assert!(Negatives::Clamped.of(exact) >= 0.0);
+        assert!(NegativePolicy::Clamped.of(exact) >= 0.0);
     }
     let (_, _): (Result<_, _>, Result<_, _>) =
         (estimate.coefficients(), of_integers.coefficients(i32::from(u16::MAX)));

@@ -2,7 +2,7 @@
 
 use crate::objects::{Energy, energies, prefix, scene};
 use crate::samples::Sample;
-use crate::shapes::Shape;
+use crate::samples::Shape;
 use eigenshade_generator::object::geometry::Geometry;
 use eigenshade_generator::scene_file::Loaded;
 use eigenshade_table::scene::LightRotation;

@@ -7,11 +7,8 @@
 
 mod found;
 mod objects;
-mod over_modes;
 mod samples;
-mod shapes;
 mod sphere;
-mod symmetries;
 
 use eigenshade_testing::tolerances;
 

@@ -2,7 +2,7 @@
 
 use crate::config;
 use crate::samples::{Sample, samples, strangers};
-use crate::shapes::{Shape, shapes};
+use crate::samples::{Shape, shapes};
 use crate::tolerances;
 use eigenshade_generator::basis::light_statistics::LightStatistics;
 use eigenshade_generator::basis::span::Span;

@@ -1,20 +1,25 @@
 //! What holds for every scene of a sphere.
 
-use crate::config;
-use crate::over_modes::{assert_orthonormal, energy};
 use crate::samples::{samples, strangers};
-use crate::tolerances;
+use crate::{config, tolerances};
+use eigenshade_generator::basis::moments;
 use eigenshade_generator::basis::profile::evaluate;
 use eigenshade_generator::scene_file::Loaded;
+use eigenshade_index::effect::Effects;
+use eigenshade_index::{light, material, mode};
+use eigenshade_model::polar_integral::PolarIntegrals;
 use eigenshade_model::reference::DirectSum;
 use eigenshade_model::rotation::Rotation;
+use eigenshade_model::scattering;
 use eigenshade_model::special::quadrature::gauss_legendre;
 use eigenshade_table::scene::Criterion;
 use eigenshade_table::{Table, decode, encode};
 use eigenshade_testing::fixtures::Projector;
+use eigenshade_testing::oracle::Numbers;
+use eigenshade_testing::rotations::{euler, irradiance, product, rotation};
 use eigenshade_testing::{fixtures, largest};
 use proptest::prelude::*;
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// |d|² + residual against the energy, relative: the orthonormality of W, twice, and polynomials
 /// that end at 1e-13.
@@ -172,4 +177,137 @@ proptest! {
         prop_assert!(at_pole.min_by(f64::total_cmp).is_none_or(|least| least > 0.0));
         prop_assert_eq!(decode(&encode(&table)), Ok(table));
     }
+}
+
+proptest! {
+    #![proptest_config(config())]
+
+    /// Light, view and normal turned by any rotation Q, and the normal's frame by any third
+    /// angle γ: the irradiance is what it was. All of D, for the frame QR is of any angles.
+    #[test]
+    fn light_and_view_turned_together_change_nothing(
+        degree in 0usize..20,
+        order in 0usize..10,
+        seed in any::<u64>(),
+        alpha in prop_oneof![0.0..PI, Just(0.0), Just(PI), 0.0f64..1e-6],
+        beta in -PI..PI,
+        last in -PI..PI,
+        gamma in -PI..PI,
+    ) {
+        let mut numbers = Numbers(seed);
+        let light = fixtures::lights(degree, 1, &mut numbers).entries[0].luminance();
+        let coefficients = fixtures::materials(order, 1, &mut numbers).entries[0].luminance();
+        let (reference, integrals) = (DirectSum::new(degree, order), PolarIntegrals::new(degree, order));
+        let turn = rotation([alpha, beta, last]);
+        let turned = turn.turn(degree, &light);
+        let view = turn.matrix().map(|row| row[2]);
+        let (mut worst, mut peak) = (0.0f64, 0.0f64);
+        for _ in 0..6 {
+            let normal = numbers.normal();
+            let modes = reference.at(normal);
+            let expected = modes.irradiance(&light, &modes.scatter(&coefficients));
+            let [x, y, z] = normal;
+            let frame = rotation([x.hypot(y).atan2(z), y.atan2(x), gamma]);
+            let frame = euler(product(turn.matrix(), frame.matrix()));
+            let local = frame.turn_back(degree, &turned);
+            // The view in the frame.
+            let columns = frame.matrix();
+            let [u, v, w] =
+                [0, 1, 2].map(|k| (0..3).map(|i| columns[i][k] * view[i]).sum::<f64>());
+            let (theta, phi) = (u.hypot(v).atan2(w), v.atan2(u));
+            let found = irradiance(&integrals, &local, (order, &coefficients), theta, phi);
+            worst = largest([worst, found - expected]);
+            peak = peak.max(expected.abs());
+        }
+        // What the sum over modes may cancel.
+        let scale = peak.max(largest(light) * largest(coefficients));
+        prop_assert!(worst <= tolerances::TURNED * scale, "{worst} of {scale}");
+    }
+
+    /// f(i, r) = f(r, i), to high order and at every angle.
+    #[test]
+    fn scattering_is_reciprocal(
+        order in 0usize..17,
+        seed in any::<u64>(),
+        incident in 0.0..FRAC_PI_2,
+        reflected in 0.0..FRAC_PI_2,
+        azimuth in -PI..PI,
+    ) {
+        let mut numbers = Numbers(seed);
+        let coefficients: Vec<f64> = (0..material::count(order)).map(|_| numbers.next()).collect();
+        let one = scattering::brdf(order, &coefficients, incident, reflected, azimuth);
+        let other = scattering::brdf(order, &coefficients, reflected, incident, -azimuth);
+        let modes = scattering::modes(order, incident, reflected, azimuth);
+        let scale: f64 = modes.iter().map(|mode| mode.abs()).sum();
+        prop_assert!((one - other).abs() <= tolerances::ORTHONORMAL_NODES * scale);
+    }
+}
+
+/// Each of `table`'s components against the others, in node space and over modes.
+pub fn assert_orthonormal(loaded: &Loaded, table: &Table) {
+    let gram = &table.gram;
+    let moments = moments::LightMoments::new(&loaded.lights, table.scene.light.normalize)
+        .expect("positive lights");
+    for azimuth in 0..=gram.degree {
+        let profiles: Vec<_> =
+            table.profiles.iter().enumerate().filter(|(_, one)| one.azimuth == azimuth).collect();
+        if profiles.is_empty() {
+            continue;
+        }
+        let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        let columns = gram.columns(azimuth);
+        let image = |modes: &[f64]| {
+            let mut image = vec![0.0; gram.nodes.len()];
+            for (column, value) in columns.iter().zip(modes) {
+                image.iter_mut().zip(column).for_each(|(pixel, a)| *pixel += value * a);
+            }
+            image
+        };
+        let images: Vec<_> = profiles.iter().map(|(_, one)| image(&one.modes)).collect();
+        // What of a component lies where the cut-off counts A as zero: A F v / σ_k, so
+        // at most cut-off |A| |F| / σ_k.
+        let criterion = table.scene.basis.criterion;
+        let of_materials = moments::MaterialMoments::new(&loaded.materials);
+        let deviations =
+            moments::deviations(&moments, &of_materials, Effects::ALL, criterion, azimuth);
+        let squares = deviations.iter().flat_map(|one| &one.material).map(|b| b * b);
+        let factor = squares.sum::<f64>().sqrt();
+        let cut = table.scene.basis.rank_cutoff;
+        let lost = |k: usize| {
+            let component = table.components.iter().find(|one| one.profile == k);
+            let value = component.and_then(|one| one.eigenvalue).map_or(1.0, f64::sqrt);
+            // The constant is the image of one mode, of variance 1/16.
+            let over = if value == 1.0 { factor.max(4.0) } else { factor };
+            cut * table.summary.largest_singular_value * over / value
+        };
+        for (i, (k, a)) in profiles.iter().enumerate() {
+            for (j, (n, b)) in profiles.iter().enumerate().take(i + 1) {
+                let one = f64::from(u8::from(i == j));
+                let nodes = (product(&a.node_values, &b.node_values) - one).abs();
+                assert!(nodes <= tolerances::ORTHONORMAL_NODES, "WᵀW {nodes} of {azimuth}");
+                let allowed = lost(*k) + lost(*n) + tolerances::ORTHONORMAL_ROUNDING / cut;
+                let modes = (product(&images[i], &images[j]) - one).abs();
+                assert!(modes <= allowed, "UᵀMU {modes} of {allowed}, |m| = {azimuth}: {i}, {j}");
+            }
+        }
+    }
+}
+
+/// cᵀMc = Σ_m |A c|².
+pub fn energy(table: &Table, light: &[f64], material: &[f64]) -> f64 {
+    let (degree, order) = (table.gram.degree, table.gram.order);
+    let mut energy = 0.0;
+    for azimuth in 0..=degree {
+        let columns = table.gram.columns(azimuth);
+        let m = azimuth.cast_signed();
+        for order_m in if m == 0 { vec![0] } else { vec![m, -m] } {
+            let mut image = vec![0.0; table.gram.nodes.len()];
+            for ((l, o, p, q), column) in mode::indices(degree, order, azimuth).zip(&columns) {
+                let c = light[light::position(l, order_m)] * material[material::position(o, p, q)];
+                image.iter_mut().zip(column).for_each(|(pixel, a)| *pixel += c * a);
+            }
+            energy += image.iter().map(|pixel| pixel * pixel).sum::<f64>();
+        }
+    }
+    energy
 }

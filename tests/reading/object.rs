@@ -65,8 +65,8 @@ impl Object {
             let mut workspace = vec![0.0; basis.workspace_len()];
             let project = |(light, material): &(&[f64], &[f64])| {
                 let mut d = DVector::zeros(basis.components());
-                let light = Light::new(DEGREE, light).expect("a light");
-                let material = Material::new(ORDER, material).expect("a material");
+                let light = Light::new(light).expect("a light");
+                let material = Material::new(material).expect("a material");
                 basis
                     .project_into(&light, &material, &mut workspace, d.as_mut_slice())
                     .expect("a projection");

@@ -1,11 +1,11 @@
 //! Images of the shipped lights on the shipped materials, and errors of other ways to
 //! their pixels.
 
-use eigenshade::{Normal, Scene, SceneBuffer, sphere};
+use eigenshade::{Normal, sphere};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 
 /// One image.
-pub type Shipped = Scene<'static, SceneBuffer<f32, { sphere::SCENE }>>;
+pub type Shipped = sphere::Scene;
 
 /// Every `step`-th light on every `step`-th material.
 pub fn scenes(step: usize) -> Vec<Shipped> {
@@ -15,10 +15,10 @@ pub fn scenes(step: usize) -> Vec<Shipped> {
     let mut scenes = Vec::new();
     for light in lights.entries.iter().step_by(step) {
         let light = single(light.luminance());
-        let light = eigenshade::Light::new(9, &light).expect("coefficients");
+        let light = eigenshade::Light::new(&light).expect("coefficients");
         for material in materials.entries.iter().step_by(step) {
             let material = single(material.luminance());
-            let material = eigenshade::Material::new(7, &material).expect("coefficients");
+            let material = eigenshade::Material::new(&material).expect("coefficients");
             let d = sphere::project(&light, &material).expect("it fits");
             scenes.push(sphere::collapse(&d).expect("it fits"));
         }

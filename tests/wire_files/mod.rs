@@ -2,7 +2,7 @@
 #![allow(dead_code, reason = "each test takes what it needs")]
 
 use eigenshade::wire::Aligned;
-use eigenshade::{Basis, Fixed, GeneralBasis, Normal, Q15, Q31, quantised};
+use eigenshade::{Basis, FixedPoint, GeneralBasis, Normal, Q15, Q31, quantized};
 
 pub const SPHERE: &Aligned<[u8]> = &Aligned(*include_bytes!("v1.sphere.f32.esw"));
 pub const MEAN: &Aligned<[u8]> = &Aligned(*include_bytes!("v1.mean.f32.esw"));
@@ -59,8 +59,8 @@ pub fn assert_same(table: &str, found: &[f32], tolerance: f32) {
 /// d of the test's light on its material, and some pixel.
 pub fn floats(basis: &Basis<'_, f32>) -> (Vec<f32>, f32) {
     let (light, material) = (light(), material());
-    let light = eigenshade::Light::new(2, &light).expect("nine coefficients");
-    let material = eigenshade::Material::new(2, &material).expect("five coefficients");
+    let light = eigenshade::Light::new(&light).expect("nine coefficients");
+    let material = eigenshade::Material::new(&material).expect("five coefficients");
     let (light, material) = (light.truncated(basis.degree()), material.truncated(basis.order()));
     let mut workspace = vec![0.0; basis.workspace_len()];
     let mut d = vec![0.0; basis.components()];
@@ -77,8 +77,8 @@ pub fn floats(basis: &Basis<'_, f32>) -> (Vec<f32>, f32) {
 
 pub fn general(basis: &GeneralBasis<'_, f32>) -> Vec<f32> {
     let (light, material) = (light(), material());
-    let light = eigenshade::Light::new(2, &light).expect("nine coefficients");
-    let material = eigenshade::Material::new(2, &material).expect("five coefficients");
+    let light = eigenshade::Light::new(&light).expect("nine coefficients");
+    let material = eigenshade::Material::new(&material).expect("five coefficients");
     let mut workspace = vec![0.0; basis.workspace_len()];
     let mut d = vec![0.0; basis.components()];
     basis.project_into(&light, &material, &mut workspace, &mut d).expect("sizes");
@@ -86,27 +86,27 @@ pub fn general(basis: &GeneralBasis<'_, f32>) -> Vec<f32> {
 }
 
 /// The same in integers.
-pub fn integers<Q: Fixed>(
-    basis: &quantised::Basis<'_, Q>,
-    normal: quantised::Normal<Q>,
+pub fn integers<Q: FixedPoint>(
+    basis: &quantized::Basis<'_, Q>,
+    normal: quantized::Normal<Q>,
 ) -> Vec<f32> {
     let (light, material) = (light(), material());
     let (degree, order) = (basis.degree().min(2), basis.order().min(2));
     let light = &light[..(degree + 1) * (degree + 1)];
     let material = &material[..eigenshade::index::material::count(order)];
     let mut mantissas = vec![Q::default(); light.len()];
-    let light = quantised::Light::quantise(degree, light, &mut mantissas).expect("sizes");
+    let light = quantized::Light::quantize(light, &mut mantissas).expect("sizes");
     let (mut mantissas, mut exponents) = (vec![Q::default(); material.len()], vec![0; order + 1]);
-    let material = quantised::Material::quantise(order, material, &mut mantissas, &mut exponents);
+    let material = quantized::Material::quantize(material, &mut mantissas, &mut exponents);
     let material = material.expect("sizes");
     let mut workspace = vec![<Q as eigenshade::Format>::Wide::default(); basis.workspace_len()];
     let mut numbers = vec![Q::default(); basis.transfer_len()];
     let mut exponents = vec![0; basis.profiles()];
     let mut d = vec![0; basis.components()];
-    if basis.fold_into(&material, &mut workspace, &mut numbers, &mut exponents).is_err() {
+    if basis.transfer_into(&material, &mut workspace, &mut numbers, &mut exponents).is_err() {
         return Vec::new();
     }
-    let transfer = quantised::Transfer::new(&numbers, &exponents);
+    let transfer = quantized::Transfer::new(&numbers, &exponents);
     let exponent = basis.relight_into(&transfer, &light, &mut d).expect("sizes");
     let scene = basis.collapse_into(&d, exponent, vec![0; basis.scene_len()]).expect("sizes");
     let _ = scene.shade(normal);
@@ -115,11 +115,11 @@ pub fn integers<Q: Fixed>(
     d.into_iter().map(|d| d as f32 * unit).collect()
 }
 
-pub fn facing_15() -> quantised::Normal<Q15> {
-    quantised::Normal::<Q15>::new(Q15(19_661), Q15(0), Q15(26_214)).expect("a unit vector")
+pub fn facing_15() -> quantized::Normal<Q15> {
+    quantized::Normal::<Q15>::new(Q15(19_661), Q15(0), Q15(26_214)).expect("a unit vector")
 }
 
-pub fn facing_31() -> quantised::Normal<Q31> {
+pub fn facing_31() -> quantized::Normal<Q31> {
     let (x, z) = (Q31(1_288_490_189), Q31(1_717_986_918));
-    quantised::Normal::<Q31>::new(x, Q31(0), z).expect("a unit vector")
+    quantized::Normal::<Q31>::new(x, Q31(0), z).expect("a unit vector")
 }

@@ -85,9 +85,8 @@ fn number(row: &[&str], column: usize) -> f64 {
 
 /// d of a light on a material.
 pub fn coefficients(light: &[f32], material: &[f32]) -> Vec<f32> {
-    let order = (0..).find(|&order| material::count(order) >= material.len()).expect("an order");
-    let light = Light::new(light.len().isqrt() - 1, light).expect("a light");
-    let material = Material::new(order, material).expect("a material");
+    let light = Light::new(light).expect("a light");
+    let material = Material::new(material).expect("a material");
     sphere::project(&light, &material).expect("it fits").to_vec()
 }
 
@@ -121,24 +120,24 @@ impl CallInputs {
     /// Their numbers change no count, but those of [`darker`](Self::darker) do.
     pub fn new() -> Self {
         let (light, material) = (vec![0.1; 100], vec![0.1; 40]);
-        let of_light = Light::new(9, &light).expect("a light");
-        let of_material = Material::new(7, &material).expect("a material");
+        let of_light = Light::new(&light).expect("a light");
+        let of_material = Material::new(&material).expect("a material");
         let transfer = sphere::transfer(&of_material).expect("it fits");
         let d = sphere::project(&of_light, &of_material).expect("it fits");
         let falling =
             |count: u8| (0..count).map(|k| 1.0 / f32::from(1 + 2 * k)).collect::<Vec<f32>>();
         let darker = (falling(100), falling(40));
         let darker = sphere::project(
-            &Light::new(9, &darker.0).expect("a light"),
-            &Material::new(7, &darker.1).expect("a material"),
+            &Light::new(&darker.0).expect("a light"),
+            &Material::new(&darker.1).expect("a material"),
         );
         Self { light, material, transfer, d, darker: darker.expect("it fits") }
     }
 
     /// One call of the [`CALLS`] of this number.
     pub fn call(&self, which: usize) {
-        let light = || Light::new(9, black_box(&self.light)).expect("a light");
-        let material = || Material::new(7, black_box(&self.material)).expect("a material");
+        let light = || Light::new(black_box(&self.light)).expect("a light");
+        let material = || Material::new(black_box(&self.material)).expect("a material");
         match which {
             0 => drop(black_box(sphere::relight(black_box(&self.transfer), &light()))),
             1 => drop(black_box(sphere::collapse(black_box(&self.d)))),

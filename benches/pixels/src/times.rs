@@ -4,7 +4,7 @@
 use crate::images::{Image, LONG_NAMES, long_scene, long_terms, scene};
 use crate::inputs::{CALLS, CallInputs, NINE, NINE_TERMS, PIXELS, Placed, irradiances, normals};
 use crate::limit::{CHAINS, LANES, multiply_adds};
-use eigenshade::{BakedMap, Lookup, MapPoint, NineTerms, Normal, Normals, sphere};
+use eigenshade::{BakedMap, SampledScene, MapPoint, NineTerms, Normal, Normals, sphere};
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -93,8 +93,8 @@ pub fn timed(images: &[Image]) -> Times {
         .collect();
     let image = &images[0].d;
     let full = sphere::BASIS.collapse_into(image, [0.0; sphere::SCENE]).expect("sizes");
-    let lookup: Lookup<f32, Vec<f32>> =
-        full.lookup_into(32, vec![0.0; full.lookup_len::<f32>(32)]).expect("sizes");
+    let lookup: SampledScene<f32, Vec<f32>> =
+        full.sampled_into(32, vec![0.0; full.sampled_len::<f32>(32)]).expect("sizes");
     let baked: BakedMap<f32, Vec<f32>> = full.bake_into(64, vec![0.0; 64 * 64]).expect("sizes");
     let inputs = CallInputs::new();
 

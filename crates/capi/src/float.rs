@@ -101,7 +101,7 @@ impl LightF32 {
         }
         // SAFETY: this function's caller promises as much.
         let coefficients = unsafe { slice(self.coefficients, self.length) }?;
-        Ok(Light::new(self.degree, coefficients)?)
+        Ok(Light::new(coefficients)?)
     }
 
     /// Where it and its coefficients lie.
@@ -123,7 +123,7 @@ impl MaterialF32 {
         }
         // SAFETY: this function's caller promises as much.
         let coefficients = unsafe { slice(self.coefficients, self.length) }?;
-        Ok(Material::new(self.order, coefficients)?)
+        Ok(Material::new(coefficients)?)
     }
 
     /// Where it and its coefficients lie.
@@ -290,7 +290,7 @@ pub unsafe extern "C" fn eigenshade_check_light_f32(light: *const LightF32) -> S
     Status::of(|| {
         // SAFETY: as this function asks of its caller.
         let light = unsafe { shared(light)?.view() }?;
-        Light::checked(light.degree(), light.coefficients())?;
+        Light::checked(light.coefficients())?;
         Ok(())
     })
 }
@@ -306,7 +306,7 @@ pub unsafe extern "C" fn eigenshade_check_material_f32(material: *const Material
     Status::of(|| {
         // SAFETY: as this function asks of its caller.
         let material = unsafe { shared(material)?.view() }?;
-        Material::checked(material.order(), material.coefficients())?;
+        Material::checked(material.coefficients())?;
         Ok(())
     })
 }

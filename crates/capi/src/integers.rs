@@ -7,14 +7,14 @@ use crate::relight_only;
 use crate::sizes::{EIGENSHADE_DEGREE, EIGENSHADE_ORDER};
 use crate::status::Status;
 use eigenshade::index::{light, material};
-use eigenshade::quantised::{Basis, Light, Material, Normal, Scene, Transfer};
-use eigenshade::{Error, Fixed, Q15, Q31, sphere};
+use eigenshade::quantized::{Basis, Light, Material, Normal, Scene, Transfer};
+use eigenshade::{Error, FixedPoint, Q15, Q31, sphere};
 
 /// The largest exponent of d. Lights and materials reach less than half of it.
 const EXPONENT: u32 = 2_048;
 
 /// An integer format and its shipped basis.
-pub(crate) trait Shipped: Fixed + Plain {
+pub(crate) trait Shipped: FixedPoint + Plain {
     /// The complete basis, which computes transfers.
     fn basis() -> &'static Basis<'static, Self>;
     /// The basis without factors.
@@ -79,7 +79,7 @@ pub(crate) unsafe fn light_of<'a, Q: Shipped>(
     }
     // SAFETY: this function's caller promises as much.
     let mantissas = unsafe { slice(mantissas, length) }?;
-    Ok(Light::new(degree, exponent, mantissas)?)
+    Ok(Light::new(exponent, mantissas)?)
 }
 
 /// A material with checked order and lengths.
@@ -101,7 +101,7 @@ pub(crate) unsafe fn material_of<'a, Q: Shipped>(
     // SAFETY: this function's caller promises as much.
     let (mantissas, exponents) =
         unsafe { (slice(mantissas, length)?, slice(exponents, of_exponents)?) };
-    Ok(Material::new(order, exponents, mantissas)?)
+    Ok(Material::new(exponents, mantissas)?)
 }
 
 /// Writes the mantissas of a light and returns their exponent. `to` is the place of the light itself,
@@ -123,7 +123,7 @@ pub(crate) unsafe fn quantize_light<Q: Shipped>(
     disjoint(&[to, Place::many(mantissas, length)?], &from.places()?)?;
     // SAFETY: this function's caller promises as much; it overlaps no other.
     let mantissas = unsafe { slice_to_write(mantissas, length) }?;
-    Ok(Light::quantise(light.degree(), light.coefficients(), mantissas)?.exponent())
+    Ok(Light::quantize(light.coefficients(), mantissas)?.exponent())
 }
 
 /// Writes the mantissas and exponents of a material. `to` is the place of the material itself, which
@@ -148,7 +148,7 @@ pub(crate) unsafe fn quantize_material<Q: Shipped>(
     // SAFETY: this function's caller promises as much, and they do not overlap.
     let (mantissas, exponents) =
         unsafe { (slice_to_write(mantissas, length)?, slice_to_write(exponents, of_exponents)?) };
-    Material::quantise(material.order(), material.coefficients(), mantissas, exponents)?;
+    Material::quantize(material.coefficients(), mantissas, exponents)?;
     Ok(())
 }
 
@@ -179,7 +179,7 @@ pub(crate) fn transfer<Q: Shipped>(
     numbers: &mut [Q],
     exponents: &mut [i16],
 ) -> Result<(), Status> {
-    Ok(Q::basis().fold_into(material, workspace, numbers, exponents)?)
+    Ok(Q::basis().transfer_into(material, workspace, numbers, exponents)?)
 }
 
 /// Computes d and returns its exponent.

@@ -11,7 +11,7 @@ use crate::sizes::{
 };
 use crate::status::Status;
 use eigenshade::Q31;
-use eigenshade::quantised::{Light, Material};
+use eigenshade::quantized::{Light, Material};
 
 /// One channel of distant light: as `eigenshade_light_f32_t`, in mantissas times 2^exponent.
 #[repr(C)]

@@ -1,7 +1,7 @@
 //! Statuses and their messages.
 
 use core::ffi::{CStr, c_char};
-use eigenshade::{Error, What};
+use eigenshade::{Argument, Error};
 
 /// The result of every function that can fail: 0, or the reason why it did nothing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,11 +56,13 @@ impl Status {
 impl From<Error> for Status {
     fn from(error: Error) -> Self {
         match error {
-            Error::Length { what: What::Light, .. } => Self::LightLength,
-            Error::Length { what: What::Material, .. } => Self::MaterialLength,
-            Error::Length { what: What::Coefficients, .. } => Self::Components,
-            Error::Beyond { what: What::Light, .. } => Self::LightBeyond,
-            Error::Beyond { what: What::Material, .. } => Self::MaterialBeyond,
+            Error::Count { argument: Argument::Light, .. }
+            | Error::Length { argument: Argument::Light, .. } => Self::LightLength,
+            Error::Count { argument: Argument::Material, .. }
+            | Error::Length { argument: Argument::Material, .. } => Self::MaterialLength,
+            Error::Length { argument: Argument::Coefficients, .. } => Self::Components,
+            Error::Beyond { argument: Argument::Light, .. } => Self::LightBeyond,
+            Error::Beyond { argument: Argument::Material, .. } => Self::MaterialBeyond,
             Error::Exponent => Self::Exponent,
             Error::Normal => Self::Normal,
             Error::Hidden => Self::Hidden,

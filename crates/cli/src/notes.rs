@@ -1,6 +1,6 @@
 //! Warnings and notes about inputs and results.
 
-use eigenshade::{Economy, Scalar};
+use eigenshade::{Scalar, Truncation};
 use eigenshade_model::database::Materials;
 use eigenshade_model::scattering;
 
@@ -79,11 +79,11 @@ impl Ringing {
 /// format as a share of the peak.
 #[must_use]
 pub fn truncation_lines<S: Scalar + Into<f64>>(
-    chosen: &[Economy<S>],
+    chosen: &[Truncation<S>],
     components: usize,
     rounding: f64,
 ) -> Vec<String> {
-    let span = |of: fn(&Economy<S>) -> usize| {
+    let span = |of: fn(&Truncation<S>) -> usize| {
         let values = chosen.iter().map(of);
         match (values.clone().min(), values.max()) {
             (Some(least), Some(most)) if least == most => least.to_string(),
@@ -91,7 +91,7 @@ pub fn truncation_lines<S: Scalar + Into<f64>>(
             _ => "none".to_owned(),
         }
     };
-    let share = |one: &Economy<S>| {
+    let share = |one: &Truncation<S>| {
         let peak: f64 = one.peak.into();
         let of = |part: S| if peak > 0.0 { part.into() / peak } else { 0.0 };
         [one.bound, one.left_out_by_components, one.left_out_by_terms, one.floor].map(of)

@@ -8,7 +8,7 @@ use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader};
 use eigenshade_table::quantize::{Format, QuantizedParts};
-use eigenshade_table::{Table, rust_quantised, rust_source};
+use eigenshade_table::{Table, rust_quantized, rust_source};
 use std::fmt::Write;
 use std::fs;
 use std::path::Path;
@@ -72,8 +72,8 @@ fn print_floats(names: &[&str], numbers: &[(Vec<f64>, Vec<f64>)]) -> String {
             "{{
     let light: &[f32] = &{light:?};
     let material: &[f32] = &{material:?};
-    let light = eigenshade::Light::new({name}::DEGREE, light).unwrap();
-    let material = eigenshade::Material::new({name}::ORDER, material).unwrap();
+    let light = eigenshade::Light::new(light).unwrap();
+    let material = eigenshade::Material::new(material).unwrap();
     let d = {name}::project(&light, &material).unwrap();
     let transfer = {name}::transfer(&material).unwrap();
     let relit = {name}::relight(&transfer, &light).unwrap();
@@ -81,7 +81,7 @@ fn print_floats(names: &[&str], numbers: &[(Vec<f64>, Vec<f64>)]) -> String {
     assert_eq!(d.len(), {name}::COMPONENTS);
     let normals: [[f32; 3]; {}] = {NORMALS:?};
     for value in d.iter().chain(&relit) {{ print!(\"{{value:?}} \"); }}
-    let sampled = {name}::lookup(&scene).unwrap();
+    let sampled = {name}::sampled(&scene).unwrap();
     assert_eq!({name}::KNOTS, 48);
     let mut error = 0.0f32;
     for [x, y, z] in normals {{
@@ -110,7 +110,7 @@ const SIZES: [(usize, usize); 6] = [(2, 0), (4, 0), (3, 1), (9, 1), (5, 2), (2, 
 /// the general ones.
 const COMPARE_INTEGERS: &str = r#"
 {
-    use eigenshade::quantised::{Light, Material, Normal};
+    use eigenshade::quantized::{Light, Material, Normal};
     use eigenshade::KIND;
     let lights = NAME::DEGREE + 1;
     let (mut brightest, mut images) = (0, 0);
@@ -129,11 +129,11 @@ const COMPARE_INTEGERS: &str = r#"
         }
         for rise in [0_i8, 3, -2] {
             let exponents: Vec<i8> = (0..=NAME::ORDER as i8).map(|o| rise * o - 4).collect();
-            let material = Material::new(NAME::ORDER, &exponents, &material).unwrap();
-            let light = Light::new(NAME::DEGREE, 1, &light).unwrap();
-            let transfer = NAME::fold(&material).unwrap();
+            let material = Material::new(&exponents, &material).unwrap();
+            let light = Light::new(1, &light).unwrap();
+            let transfer = NAME::transfer(&material).unwrap();
             let general = NAME::BASIS
-                .fold::<{ NAME::WORKSPACE }, { NAME::TRANSFER }, { NAME::PROFILES }>(&material);
+                .transfer::<{ NAME::WORKSPACE }, { NAME::TRANSFER }, { NAME::PROFILES }>(&material);
             assert_eq!(transfer, general.unwrap(), "NAME, fold, {seed}, {rise}");
             let d = NAME::relight(&transfer.view(), &light).unwrap();
             let general = NAME::BASIS.relight::<{ NAME::COMPONENTS }>(&transfer.view(), &light);
@@ -195,7 +195,7 @@ fn compiled() -> &'static Compiled {
             {
                 let name = format!("of_{degree}_{order}_{bits}");
                 let parts = QuantizedParts::new(&table, format, format.tolerance()).expect("parts");
-                files.push((name.clone(), rust_quantised::module(&parts, "a test")));
+                files.push((name.clone(), rust_quantized::module(&parts, "a test")));
                 let count = eigenshade_index::material::count(order).to_string();
                 let program = COMPARE_INTEGERS.replace("NAME", &name).replace("KIND", kind);
                 let program = program.replace("BITS", bits).replace("INT", int);

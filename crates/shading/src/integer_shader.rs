@@ -1,18 +1,18 @@
 //! Computes the irradiance of many normals from a light and a material, in an integer format.
 //!
-//! An [`OwnedQuantised`] is a table read at run time as a runtime basis in an [`Integer`] format;
+//! An [`OwnedQuantized`] is a table read at run time as a runtime basis in an [`Integer`] format;
 //! an [`IntegerShader`] adds work buffers.
 
 use crate::overflow;
-use crate::shader::fault;
-use eigenshade::quantised::{Basis, Light, Material, Normal, Parts, Profile, Transfer};
-use eigenshade::{Fixed, Q15, Q31};
+use crate::shader::{fault, of_degree, of_order};
+use eigenshade::quantized::{Basis, Light, Material, Normal, Parts, Profile, Transfer};
+use eigenshade::{FixedPoint, Q15, Q31};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_table::Table;
 use eigenshade_table::quantize::{self, Format, QuantizeError, QuantizedParts};
 
 /// An integer format that the command line offers.
-pub trait Integer: Fixed {
+pub trait Integer: FixedPoint {
     /// The format's identifier.
     const FORMAT: Format;
     /// The number with this mantissa, which must fit the format.
@@ -67,7 +67,7 @@ fn nearest<Q: Integer>(component: f64) -> Q {
 
 /// The owned arrays of an integer basis.
 #[derive(Clone, Debug)]
-pub struct OwnedQuantised<Q> {
+pub struct OwnedQuantized<Q> {
     parts: QuantizedParts,
     profiles: Vec<Profile>,
     polar: Vec<Q>,
@@ -75,7 +75,7 @@ pub struct OwnedQuantised<Q> {
     terms: Vec<Q>,
 }
 
-impl<Q: Integer> OwnedQuantised<Q> {
+impl<Q: Integer> OwnedQuantized<Q> {
     /// Converts a table to this format and trims its polynomials to `tolerance`.
     ///
     /// # Errors
@@ -124,7 +124,7 @@ impl<Q: Integer> OwnedQuantised<Q> {
 /// An integer basis with its work buffers.
 #[derive(Clone, Debug)]
 pub struct IntegerShader<Q: Integer> {
-    basis: OwnedQuantised<Q>,
+    basis: OwnedQuantized<Q>,
     components: usize,
     workspace: Vec<Q::Wide>,
     numbers: Vec<Q>,
@@ -142,7 +142,7 @@ impl<Q: Integer> IntegerShader<Q> {
     /// If the table has no integer form.
     pub fn new(table: &Table, components: usize) -> Result<Self> {
         let remedy = "use --format f32";
-        let basis = OwnedQuantised::new(table, Q::FORMAT.tolerance())
+        let basis = OwnedQuantized::new(table, Q::FORMAT.tolerance())
             .map_err(|error| Error::new(error.to_string(), remedy))?;
         let view = basis.view().map_err(fault)?;
         Ok(Self {
@@ -181,14 +181,16 @@ impl<Q: Integer> IntegerShader<Q> {
         }
         overflow::lost(Q::FORMAT.name(), light, material)?;
         let basis = self.basis.view().map_err(fault)?;
+        of_degree(degree, light)?;
+        of_order(order, material)?;
         let (mantissas, exponents) = quantize::material(order, material, Q::FORMAT);
         let mantissas = owned(&mantissas);
-        let material = Material::new(order, &exponents, &mantissas).map_err(fault)?;
+        let material = Material::new(&exponents, &mantissas).map_err(fault)?;
         let (mantissas, exponent) = quantize::row(light, Q::FORMAT.bits(), i64::MAX);
         let mantissas: Vec<Q> = owned(&mantissas);
-        let light = Light::new(degree, exponent.into(), &mantissas).map_err(fault)?;
+        let light = Light::new(exponent.into(), &mantissas).map_err(fault)?;
         let (numbers, exponents) = (&mut self.numbers, &mut self.exponents);
-        basis.fold_into(&material, &mut self.workspace, numbers, exponents).map_err(fault)?;
+        basis.transfer_into(&material, &mut self.workspace, numbers, exponents).map_err(fault)?;
         let transfer = Transfer::new(numbers, exponents);
         self.exponent =
             basis.relight_into(&transfer, &light, &mut self.mantissas).map_err(fault)?;

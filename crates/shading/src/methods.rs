@@ -4,7 +4,7 @@
 use crate::overflow;
 use crate::owned_basis::AnyBasis;
 use crate::shader::{Lit, OwnedNormals, Shader, fault};
-use eigenshade::{BakedMap, Economy, MapPoint, Normal, Scalar, Scene, Tolerance};
+use eigenshade::{BakedMap, MapPoint, Normal, Scalar, Scene, Tolerance, Truncation};
 use eigenshade_model::error::{Error, Result};
 
 /// Methods that look up a pixel in samples.
@@ -35,8 +35,8 @@ pub enum LookUp {
 fn sampled<S: Scalar>(
     scene: &Scene<'_, &mut Vec<S>>,
     knots: usize,
-) -> Result<eigenshade::Lookup<S, Vec<S>>> {
-    scene.lookup_into(knots, vec![S::ZERO; scene.lookup_len(knots)]).map_err(fault)
+) -> Result<eigenshade::SampledScene<S, Vec<S>>> {
+    scene.sampled_into(knots, vec![S::ZERO; scene.sampled_len(knots)]).map_err(fault)
 }
 
 fn baked<S: Scalar>(scene: &Scene<'_, &mut Vec<S>>, size: usize) -> Result<BakedMap<S, Vec<S>>> {
@@ -57,7 +57,7 @@ impl<S: Scalar> Shader<'_, S> {
         channels: &[Lit<'_>],
         normals: &OwnedNormals<S>,
         tolerance: Tolerance<S>,
-    ) -> Result<Vec<(Vec<S>, Economy<S>)>> {
+    ) -> Result<Vec<(Vec<S>, Truncation<S>)>> {
         let mut images = Vec::new();
         for &(light, material) in channels {
             images.push(self.project(light, material)?.to_vec());
@@ -76,7 +76,7 @@ impl<S: Scalar> Shader<'_, S> {
         let (count, len) = (images.len(), basis.scene_len());
         let mut lengths = vec![0; basis.azimuths()];
         let mut buffer = vec![S::ZERO; count * len];
-        let mut truncations = vec![Economy::default(); count];
+        let mut truncations = vec![Truncation::default(); count];
         let (room, report) = (&mut buffer, &mut truncations);
         let shape = basis
             .collapse_set_within(&images, count, tolerance, &mut lengths, room, report)

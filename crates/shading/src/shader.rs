@@ -169,8 +169,10 @@ impl<'a, S: Scalar> Shader<'a, S> {
         (degree, light): (usize, &[f64]),
         (order, material): (usize, &[f64]),
     ) -> Result<()> {
+        of_degree(degree, light)?;
+        of_order(order, material)?;
         let light = rounded::<S>(light);
-        let light = Light::new(degree, &light).map_err(fault)?;
+        let light = Light::new(&light).map_err(fault)?;
         if let AnyBasis::Sphere(basis) = &self.basis
             && !basis.projects()
         {
@@ -181,7 +183,7 @@ impl<'a, S: Scalar> Shader<'a, S> {
             return basis.relight_into(&of.transfer, &light, coefficients).map_err(fault);
         }
         let material = rounded::<S>(material);
-        let material = Material::new(order, &material).map_err(fault)?;
+        let material = Material::new(&material).map_err(fault)?;
         let (workspace, coefficients) = (&mut self.workspace, &mut self.coefficients);
         let effects = self.effects;
         match &self.basis {
@@ -276,4 +278,20 @@ fn rounded<S: Scalar>(values: &[f64]) -> Vec<S> {
 #[must_use]
 pub fn fault(error: eigenshade::Error) -> Error {
     Error::new(error.to_string(), "check the inputs against `eigenshade info` of the table")
+}
+
+/// `Ok` if a light has the number of coefficients of its stated degree.
+pub(crate) fn of_degree(degree: usize, light: &[f64]) -> Result<()> {
+    stated(eigenshade::Argument::Light, eigenshade_index::light::count(degree), light)
+}
+
+/// `Ok` if a material has the number of coefficients of its stated order.
+pub(crate) fn of_order(order: usize, material: &[f64]) -> Result<()> {
+    stated(eigenshade::Argument::Material, eigenshade_index::material::count(order), material)
+}
+
+fn stated(argument: eigenshade::Argument, expected: usize, numbers: &[f64]) -> Result<()> {
+    let found = numbers.len();
+    let error = eigenshade::Error::Length { argument, expected, found };
+    if found == expected { Ok(()) } else { Err(fault(error)) }
 }

@@ -5,7 +5,7 @@
 //! * [`reduce`], [`trim`]: smaller tables.
 //! * [`parts`], [`quantize`]: a table as the runtime's arrays, in floats and in integers.
 //! * [`file`](mod@file), [`wire`]: a table as bytes.
-//! * [`rust_source`], [`rust_quantised`], [`statics`]: a table as Rust source.
+//! * [`rust_source`], [`rust_quantized`], [`statics`]: a table as Rust source.
 //!
 //! `eigenshade-generator` makes tables; the runtime's build script and the command line read them.
 //! "(n)" in these pages is equation n of Nillius and Eklundh, "Phenomenological Eigenfunctions for
@@ -41,9 +41,9 @@ mod rust_kernels;
 
 mod rust_scene;
 
-mod rust_quantised_functions;
+mod rust_quantized_functions;
 
-pub mod rust_quantised;
+pub mod rust_quantized;
 
 pub mod rust_source;
 

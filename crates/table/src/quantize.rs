@@ -13,7 +13,7 @@ use eigenshade_index::{layout, material, pair};
 use std::fmt;
 
 /// The runtime's arrays in integers. Each field corresponds to the field of the same name in
-/// `eigenshade::quantised::Parts`.
+/// `eigenshade::quantized::Parts`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct QuantizedParts {
     /// The format.
@@ -60,7 +60,7 @@ pub struct Place {
     pub step: u16,
 }
 
-/// The maximum number of profiles, and of degrees, in `eigenshade::quantised::Basis`.
+/// The maximum number of profiles, and of degrees, in `eigenshade::quantized::Basis`.
 const MAX_PROFILES: usize = layout::MAX_WEIGHTS / 2;
 
 /// Why a table cannot be converted to integers.

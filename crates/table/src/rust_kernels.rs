@@ -1,5 +1,5 @@
 //! Projection and relighting of one table as Rust source: calls of the kernels in
-//! `eigenshade::fixed`, every size and place a constant.
+//! `eigenshade::specialized`, every size and place a constant.
 
 use crate::parts::{NONE, Parts, ProfilePlace, Row};
 use eigenshade_index::{layout, light, material, pair};
@@ -21,31 +21,31 @@ pub(crate) fn functions(parts: &Parts) -> String {
 ///
 /// # Errors
 ///
-/// As there, but capacities cannot be too small.
+/// The same, except that no capacity can be too small.
 pub fn project(
     {LIGHT},
     material: &eigenshade::Material<'_, f32>,
 ) -> Result<Coefficients, eigenshade::Error> {{
 {}    BASIS.project::<WORKSPACE, COMPONENTS>(light, material)
 }}
-/// A new light on a folded material: see [`eigenshade::Basis::relight`].
+/// A new light on a transferred material: see [`eigenshade::Basis::relight`].
 ///
 /// # Errors
 ///
-/// As there, but capacities cannot be too small.
+/// The same, except that no capacity can be too small.
 pub fn relight(
     transfer: &Transfer,
     {LIGHT},
 ) -> Result<Coefficients, eigenshade::Error> {{
-{}    let mut coefficients = eigenshade::fixed::blank_coefficients();
+{}    let mut coefficients = eigenshade::specialized::blank_coefficients();
     relight_into(transfer, light, &mut coefficients)?;
     Ok(coefficients)
 }}
-/// [`relight`] in the place of other coefficients: nothing is moved.
+/// [`relight`] into existing coefficients, without moving them.
 ///
 /// # Errors
 ///
-/// As there; what the coefficients are then is not said.
+/// The same; `coefficients` is then left unspecified.
 pub fn relight_into(
     transfer: &Transfer,
     {LIGHT},
@@ -78,9 +78,9 @@ fn project(parts: &Parts) -> String {
     let (count, factors) = (light::count(parts.degree), parts.factors.len());
     let mut text = format!(
         "    if let (Some(light), Some(material), Some(polar)) = (
-        eigenshade::fixed::light::<f32, {count}>(light),
-        eigenshade::fixed::material::<f32, {modes}>(material),
-        eigenshade::fixed::table_rows::<f32, {along}, {pairs}>(&POLAR),
+        eigenshade::specialized::light::<f32, {count}>(light),
+        eigenshade::specialized::material::<f32, {modes}>(material),
+        eigenshade::specialized::table_rows::<f32, {along}, {pairs}>(&POLAR),
     ) {{
         let mut sums = [[[0.0; {lanes}]; {along}]; {padded}];
 ",
@@ -91,14 +91,14 @@ fn project(parts: &Parts) -> String {
         put(
             &mut text,
             format_args!(
-                "        eigenshade::fixed::scatter::<f32, {q}, {of_q}, {along}, {modes}, {pairs}>(material, polar, &mut sums);"
+                "        eigenshade::specialized::scatter::<f32, {q}, {of_q}, {along}, {modes}, {pairs}>(material, polar, &mut sums);"
             ),
         );
     }
     put(
         &mut text,
         format_args!(
-            "        let scattered = eigenshade::fixed::transposed::<f32, {groups}, {rows}, {along}, {padded}>(&sums);"
+            "        let scattered = eigenshade::specialized::transposed::<f32, {groups}, {rows}, {along}, {padded}>(&sums);"
         ),
     );
     let mut components = vec![String::new(); parts.components];
@@ -109,7 +109,7 @@ fn project(parts: &Parts) -> String {
         put(
             &mut text,
             format_args!(
-                "        let of_azimuth = eigenshade::fixed::lights::<f32, {azimuth}, {degrees}, {count}>(light);"
+                "        let of_azimuth = eigenshade::specialized::lights::<f32, {azimuth}, {degrees}, {count}>(light);"
             ),
         );
         let length = layout::factors(parts.degree, parts.order, azimuth, 2);
@@ -122,7 +122,7 @@ fn project(parts: &Parts) -> String {
             put(
                 &mut text,
                 format_args!(
-                    "        let r{call} = eigenshade::fixed::{kernel}(&FACTORS, &scattered, &of_azimuth);"
+                    "        let r{call} = eigenshade::specialized::{kernel}(&FACTORS, &scattered, &of_azimuth);"
                 ),
             );
             for (k, place) in four.iter().enumerate() {
@@ -130,7 +130,7 @@ fn project(parts: &Parts) -> String {
                 for (index, sum) in [(place.minus, k / 2 * 2 + 1), (place.plus, k / 2 * 2)] {
                     if index != NONE {
                         components[usize::from(index)] =
-                            format!("eigenshade::fixed::{half}(r{call}[{sum}])");
+                            format!("eigenshade::specialized::{half}(r{call}[{sum}])");
                     }
                 }
             }
@@ -148,7 +148,7 @@ fn by_passes(parts: &Parts) -> String {
     let count = light::count(parts.degree);
     let mut text = format!(
         "    if let (true, Some(light)) =
-        (eigenshade::fixed::GROUPS, eigenshade::fixed::light::<f32, {count}>(light))
+        (eigenshade::specialized::GROUPS, eigenshade::specialized::light::<f32, {count}>(light))
     {{
         let transfer = transfer.as_slice();
 "
@@ -164,7 +164,7 @@ fn by_passes(parts: &Parts) -> String {
             put(
                 &mut text,
                 format_args!(
-                    "        let p{call} = eigenshade::fixed::pass::<f32, {start}, {}, {profiles}, {degrees}, {count}>(transfer, light);",
+                    "        let p{call} = eigenshade::specialized::pass::<f32, {start}, {}, {profiles}, {degrees}, {count}>(transfer, light);",
                     pass.first
                 ),
             );
@@ -188,9 +188,9 @@ fn by_orders(parts: &Parts) -> String {
     let count = light::count(parts.degree);
     let mut text = format!(
         "    if let (Some(transfer), Some(light), Some(coefficients)) = (
-        eigenshade::fixed::transfer::<f32, TRANSFER>(transfer),
-        eigenshade::fixed::light::<f32, {count}>(light),
-        eigenshade::fixed::coefficients_mut(coefficients),
+        eigenshade::specialized::transfer::<f32, TRANSFER>(transfer),
+        eigenshade::specialized::light::<f32, {count}>(light),
+        eigenshade::specialized::coefficients_mut(coefficients),
     ) {{
 "
     );
@@ -213,7 +213,7 @@ fn by_orders(parts: &Parts) -> String {
                 put(
                     &mut text,
                     format_args!(
-                        "        eigenshade::fixed::order::<f32, {order}, {start}, {step}, {}, {degrees}, TRANSFER, {count}, COMPONENTS>(transfer, light, &[{}], coefficients);",
+                        "        eigenshade::specialized::order::<f32, {order}, {start}, {step}, {}, {degrees}, TRANSFER, {count}, COMPONENTS>(transfer, light, &[{}], coefficients);",
                         rows.len(),
                         components.join(", ")
                     ),
@@ -222,7 +222,7 @@ fn by_orders(parts: &Parts) -> String {
         }
     }
     text.push_str(
-        "        eigenshade::fixed::subtract(coefficients, &MEAN_COEFFICIENTS);
+        "        eigenshade::specialized::subtract(coefficients, &MEAN_COEFFICIENTS);
         return Ok(());
     }
 ",
@@ -236,7 +236,7 @@ fn finish(text: &mut String, components: &[String]) {
     put(
         text,
         format_args!(
-            "        return Ok(eigenshade::fixed::coefficients(coefficients, &MEAN_COEFFICIENTS));"
+            "        return Ok(eigenshade::specialized::coefficients(coefficients, &MEAN_COEFFICIENTS));"
         ),
     );
 }

@@ -1,5 +1,5 @@
 //! Collapsing and shading of one table as Rust source: calls of the kernels in
-//! `eigenshade::fixed`, every size and place a constant.
+//! `eigenshade::specialized`, every size and place a constant.
 
 use crate::parts::Parts;
 use crate::rust_kernels::put;
@@ -11,25 +11,25 @@ pub(crate) fn collapse(parts: &Parts) -> String {
     let general = !parts.mean.is_empty() || !parts.recurrences.is_empty();
     let sums = if general { String::new() } else { sums(parts) };
     let blank = match parts.recurrences.is_empty() {
-        true => "eigenshade::fixed::blank_scene(&LENGTHS)",
-        false => "BASIS.collapse::<SCENE>(&[])?",
+        true => "Scene(eigenshade::specialized::blank_scene(&LENGTHS))",
+        false => "Scene(BASIS.collapse::<SCENE>(&[])?)",
     };
     format!(
         "/// Sums the components of each azimuth: see [`eigenshade::Basis::collapse`].
 ///
 /// # Errors
 ///
-/// As there, but capacities cannot be too small.
+/// The same, except that no capacity can be too small.
 pub fn collapse(coefficients: &Coefficients) -> Result<Scene, eigenshade::Error> {{
     let mut scene = {blank};
     collapse_into(coefficients, &mut scene)?;
     Ok(scene)
 }}
-/// [`collapse`] in the place of another scene: nothing is moved.
+/// [`collapse`] into an existing scene, without moving it.
 ///
 /// # Errors
 ///
-/// As there; the scene then stays as it is.
+/// The same; `scene` is then unchanged.
 pub fn collapse_into(
     coefficients: &Coefficients,
     scene: &mut Scene,
@@ -42,7 +42,7 @@ fn collapse_generally(
     coefficients: &Coefficients,
     scene: &mut Scene,
 ) -> Result<(), eigenshade::Error> {{
-    *scene = BASIS.collapse::<SCENE>(coefficients)?;
+    *scene = Scene(BASIS.collapse::<SCENE>(coefficients)?);
     Ok(())
 }}
 "
@@ -54,7 +54,7 @@ fn sums(parts: &Parts) -> String {
     let (components, terms) = (parts.components, parts.terms.len());
     let mut text = String::from(
         "    if let (Ok(d), Some(numbers)) =
-        (coefficients.as_slice().try_into(), eigenshade::fixed::scene_mut(scene, &LENGTHS))
+        (coefficients.as_slice().try_into(), eigenshade::specialized::scene_mut(&mut scene.0, &LENGTHS))
     {
 ",
     );
@@ -74,7 +74,7 @@ fn sums(parts: &Parts) -> String {
         put(
             &mut text,
             format_args!(
-                "        eigenshade::fixed::collapse::<f32, {start}, {to}, {count}, {signs}, {length}, {terms}, {components}, SCENE>(&TERMS, &[{}], d, numbers);",
+                "        eigenshade::specialized::collapse::<f32, {start}, {to}, {count}, {signs}, {length}, {terms}, {components}, SCENE>(&TERMS, &[{}], d, numbers);",
                 of_profiles.join(", ")
             ),
         );
@@ -89,10 +89,13 @@ fn sums(parts: &Parts) -> String {
 pub(crate) fn shade(parts: &Parts) -> String {
     if !parts.recurrences.is_empty() {
         return String::from(
-            "/// The irradiance of one normal: see [`eigenshade::Scene::shade`].
+            "/// [`eigenshade::Scene::shade`].
 #[inline]
 #[must_use]
-pub fn shade(scene: &Scene, normal: eigenshade::Normal<f32>) -> f32 {
+pub fn shade<B: AsRef<[f32]>>(
+    scene: &eigenshade::Scene<'_, B>,
+    normal: eigenshade::Normal<f32>,
+) -> f32 {
     scene.shade(normal)
 }
 ",
@@ -102,29 +105,45 @@ pub fn shade(scene: &Scene, normal: eigenshade::Normal<f32>) -> f32 {
     let (terms, asked_for) = if nine_terms {
         ("eigenshade::NineTerms<f32>", "scene.nine_terms()")
     } else {
-        ("&[f32; SCENE]", "eigenshade::fixed::scene::<f32, _, SCENE>(scene, &LENGTHS)")
+        ("&'s [f32; SCENE]", "eigenshade::specialized::scene::<f32, _, SCENE>(scene, &LENGTHS)")
     };
+    let by_terms = terms.replace("'s ", "");
+    let (lifetime, of_scene) = if nine_terms { ("", "") } else { ("'s, ", "'s ") };
     let mut text = format!(
-        "/// The irradiance of one normal: see [`eigenshade::Scene::shade`].
-#[inline]
-#[must_use]
-pub fn shade(scene: &Scene, normal: eigenshade::Normal<f32>) -> f32 {{
-    match terms(scene) {{
-        Some(terms) => shade_terms(terms, normal),
-        None => eigenshade::fixed::shade(scene, normal),
+        "impl Scene {{
+    /// The irradiance of one normal: see [`eigenshade::Scene::shade`], with every
+    /// length a constant.
+    #[inline]
+    #[must_use]
+    pub fn shade(&self, normal: eigenshade::Normal<f32>) -> f32 {{
+        shade(&self.0, normal)
     }}
 }}
-/// The polynomials of an image, for [`shade_terms`]: asked for once, whose scene it is need
-/// not be asked at each pixel. `None` of a scene of another basis.
+/// [`Scene::shade`] for a scene in a buffer of any type, of any basis.
 #[inline]
 #[must_use]
-pub fn terms(scene: &Scene) -> Option<{terms}> {{
+pub fn shade<B: AsRef<[f32]>>(
+    scene: &eigenshade::Scene<'_, B>,
+    normal: eigenshade::Normal<f32>,
+) -> f32 {{
+    match terms(scene) {{
+        Some(terms) => shade_terms(terms, normal),
+        None => eigenshade::specialized::shade(scene, normal),
+    }}
+}}
+/// The polynomials of a scene, for [`shade_terms`]; `None` for a scene of another basis. A loop
+/// over pixels asks once instead of at each pixel.
+#[inline]
+#[must_use]
+pub fn terms<{lifetime}B: AsRef<[f32]>>(
+    scene: &{of_scene}eigenshade::Scene<'_, B>,
+) -> Option<{terms}> {{
     {asked_for}
 }}
-/// The irradiance of one normal from the [`terms`] of a scene: bit for bit what [`shade`] gives.
+/// The irradiance of one normal from the [`terms`] of a scene: bit for bit that of [`shade`].
 #[inline]
 #[must_use]
-pub fn shade_terms(terms: {terms}, normal: eigenshade::Normal<f32>) -> f32 {{
+pub fn shade_terms(terms: {by_terms}, normal: eigenshade::Normal<f32>) -> f32 {{
 ",
     );
     if nine_terms {
@@ -144,7 +163,7 @@ pub fn shade_terms(terms: {terms}, normal: eigenshade::Normal<f32>) -> f32 {{
         put(
             &mut text,
             format_args!(
-                "    let sum = eigenshade::fixed::{kernel}::<f32, {shape}>(terms, normal{above});"
+                "    let sum = eigenshade::specialized::{kernel}::<f32, {shape}>(terms, normal{above});"
             ),
         );
         kernel = "azimuth";
@@ -153,7 +172,7 @@ pub fn shade_terms(terms: {terms}, normal: eigenshade::Normal<f32>) -> f32 {{
     put(
         &mut text,
         format_args!(
-            "    eigenshade::fixed::pole::<f32, {first}, SCENE>(terms, normal, {above})\n}}"
+            "    eigenshade::specialized::pole::<f32, {first}, SCENE>(terms, normal, {above})\n}}"
         ),
     );
     text

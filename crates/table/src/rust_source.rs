@@ -29,7 +29,7 @@ pub fn module(table: &Table, command: &str) -> String {
         ("DEGREE", "Largest degree l of the light.", parts.degree),
         ("ORDER", "Largest order o of the BRDF.", parts.order),
         ("COMPONENTS", "Number of components K.", table.count()),
-        ("WORKSPACE", "Numbers that a projection needs room for.", workspace + span),
+        ("WORKSPACE", "Numbers in the workspace of a projection.", workspace + span),
         ("TRANSFER", "Numbers in a [`Transfer`].", transfer_length(&parts)),
         ("SCENE", "Numbers in a [`Scene`].", scene_length(&parts)),
     ] {
@@ -53,7 +53,7 @@ pub fn module(table: &Table, command: &str) -> String {
     array(&mut text, "PROFILES", "eigenshade::ProfilePlace", parts.profiles.iter().map(place));
     text.push_str(TYPES);
     if let Some(knots) = table.scene.basis.knots {
-        lookups(&mut text, &parts, knots);
+        sampling(&mut text, &parts, knots);
     }
     match &table.general {
         None => {
@@ -153,26 +153,26 @@ fn line(text: &mut String, line: std::fmt::Arguments<'_>) {
     writeln!(text, "{line}").expect("a string takes everything");
 }
 
-/// What samples an image at the scene's knots.
-fn lookups(text: &mut String, parts: &Parts, knots: usize) {
+/// The function that samples an image at the scene's knots.
+fn sampling(text: &mut String, parts: &Parts, knots: usize) {
     let last = parts.lengths.iter().rposition(|&length| length > 0).unwrap_or(0);
     let room = (2 * last + 1) * (knots + 2);
     line(
         text,
         format_args!(
-            "/// Knots of a [`Lookup`].
+            "/// Knots of a [`SampledScene`].
 pub const KNOTS: usize = {knots};
-/// Numbers in a [`Lookup`].
-pub const LOOKUP: usize = {room};
+/// Numbers in a [`SampledScene`].
+pub const SAMPLES: usize = {room};
 /// One image, sampled.
-pub type Lookup = eigenshade::Lookup<f32, eigenshade::LookupBuffer<f32, LOOKUP>>;
+pub type SampledScene = eigenshade::SampledScene<f32, eigenshade::SampledBuffer<f32, SAMPLES>>;
 /// Samples an image: see [`eigenshade::Scene::lookup`].
 ///
 /// # Errors
 ///
-/// None in truth: the capacity is this table's.
-pub fn lookup(scene: &Scene) -> Result<Lookup, eigenshade::Error> {{
-    scene.lookup::<f32, LOOKUP>(KNOTS)
+/// None: the capacity is that of this table.
+pub fn sampled(scene: &Scene) -> Result<SampledScene, eigenshade::Error> {{
+    scene.sampled::<f32, SAMPLES>(KNOTS)
 }}"
         ),
     );
@@ -226,21 +226,108 @@ pub static {name}: eigenshade::Basis<'static, f32> =
 /// The types of every table.
 const TYPES: &str = "/// The coefficients d of one image.
 pub type Coefficients = eigenshade::Coefficients<f32, COMPONENTS>;
-/// One material, folded into the basis.
+/// The transfer of one material.
 pub type Transfer = eigenshade::Transfer<f32, TRANSFER>;
-/// One image, ready to be shaded.
-pub type Scene = eigenshade::Scene<'static, eigenshade::SceneBuffer<f32, SCENE>>;
-";
-
-/// The functions of a sphere's table, but those with kernels of their own.
-const SPHERE: &str = "/// Folds a material into the basis: see [`eigenshade::Basis::transfer`].
+/// A scene of this table's size.
+type Collapsed = eigenshade::Scene<'static, eigenshade::SceneBuffer<f32, SCENE>>;
+/// One image, ready to be shaded. It dereferences to an [`eigenshade::Scene`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene(Collapsed);
+impl core::ops::Deref for Scene {
+    type Target = Collapsed;
+    #[inline]
+    fn deref(&self) -> &Collapsed {
+        &self.0
+    }
+}
+/// Number of coefficients of a light.
+pub const LIGHT: usize = (DEGREE + 1) * (DEGREE + 1);
+/// Coefficients of a light of this table's degree.
+pub type LightBuffer = eigenshade::LightBuffer<f32, LIGHT>;
+/// The coefficients of a light after rotation: see [`eigenshade::Light::turned`].
 ///
 /// # Errors
 ///
-/// As there, but capacities cannot be too small.
+/// [`Error::Capacity`](eigenshade::Error::Capacity) if the light has a higher degree than this
+/// table.
+pub fn turned(
+    light: &eigenshade::Light<'_, f32>,
+    rotation: &eigenshade::Rotation<f32>,
+) -> Result<LightBuffer, eigenshade::Error> {
+    light.turned::<LIGHT, { eigenshade::Light::<f32>::turn_len(DEGREE) }>(rotation)
+}
+/// The coefficients of a light after a window: see [`eigenshade::Light::windowed`].
+///
+/// # Errors
+///
+/// [`Error::Capacity`](eigenshade::Error::Capacity) if the light has a higher degree than this
+/// table.
+pub fn windowed(
+    light: &eigenshade::Light<'_, f32>,
+    window: eigenshade::Window<f32>,
+) -> Result<LightBuffer, eigenshade::Error> {
+    light.windowed::<eigenshade::mathematics::SinglePrecision, LIGHT>(window)
+}
+";
+
+/// The functions of a sphere's table, but those with kernels of their own.
+const SPHERE: &str = "/// The transfer of a material: see [`eigenshade::Basis::transfer`].
+///
+/// # Errors
+///
+/// The same, except that no capacity can be too small.
 pub fn transfer(material: &eigenshade::Material<'_, f32>) -> Result<Transfer, eigenshade::Error> {
     BASIS.transfer::<WORKSPACE, TRANSFER>(material)
 }
+/// [`project`] for some effects only: see [`eigenshade::Basis::project_effects_into`].
+///
+/// # Errors
+///
+/// The same.
+pub fn project_effects(
+    light: &eigenshade::Light<'_, f32>,
+    material: &eigenshade::Material<'_, f32>,
+    effects: eigenshade::Effects,
+) -> Result<Coefficients, eigenshade::Error> {
+    BASIS.project_effects::<WORKSPACE, COMPONENTS>(light, material, effects)
+}
+/// [`transfer`] for some effects only: see [`eigenshade::Basis::transfer_effects_into`].
+///
+/// # Errors
+///
+/// The same.
+pub fn transfer_effects(
+    material: &eigenshade::Material<'_, f32>,
+    effects: eigenshade::Effects,
+) -> Result<Transfer, eigenshade::Error> {
+    BASIS.transfer_effects::<WORKSPACE, TRANSFER>(material, effects)
+}
+/// An estimate of the coefficients d from pixels.
+pub type Estimate = eigenshade::Estimate<'static, f32, COMPONENTS>;
+/// Starts an estimate from pixels: see [`eigenshade::Basis::estimate`].
+///
+/// # Errors
+///
+/// None: the capacity is that of this table.
+pub fn estimate() -> Result<Estimate, eigenshade::Error> {
+    BASIS.estimate()
+}
+/// The scene of some coefficients with as few terms as a tolerance allows: see
+/// [`eigenshade::Basis::collapse_within`]. `lengths` receives the lengths of its polynomials.
+///
+/// # Errors
+///
+/// [`Error::Tolerance`](eigenshade::Error::Tolerance) unless the tolerance is above zero.
+pub fn collapse_within<'l>(
+    coefficients: &Coefficients,
+    tolerance: eigenshade::Tolerance<f32>,
+    lengths: &'l mut [u16; DEGREE + 1],
+) -> Result<(Truncated<'l>, eigenshade::Truncation<f32>), eigenshade::Error> {
+    let buffer = eigenshade::SceneBuffer::from([0.0; SCENE]);
+    BASIS.collapse_within(coefficients, tolerance, lengths, buffer)
+}
+/// A scene with fewer terms than a [`Scene`].
+pub type Truncated<'l> = eigenshade::Scene<'l, eigenshade::SceneBuffer<f32, SCENE>>;
 ";
 
 /// The basis and the functions of a general table.
@@ -260,26 +347,26 @@ pub static BASIS: eigenshade::GeneralBasis<'static, f32> =
 ///
 /// # Errors
 ///
-/// As there, but capacities cannot be too small.
+/// The same, except that no capacity can be too small.
 pub fn project(
     light: &eigenshade::Light<'_, f32>,
     material: &eigenshade::Material<'_, f32>,
 ) -> Result<Coefficients, eigenshade::Error> {
     BASIS.project::<WORKSPACE, COMPONENTS>(light, material)
 }
-/// Folds a material into the span: see [`eigenshade::Basis::transfer`].
+/// The transfer of a material in the span: see [`eigenshade::Basis::transfer`].
 ///
 /// # Errors
 ///
-/// As there, but capacities cannot be too small.
+/// The same, except that no capacity can be too small.
 pub fn transfer(material: &eigenshade::Material<'_, f32>) -> Result<Transfer, eigenshade::Error> {
     SPAN.transfer::<WORKSPACE, TRANSFER>(material)
 }
-/// A new light on a folded material: see [`eigenshade::GeneralBasis::relight`].
+/// A new light on a transferred material: see [`eigenshade::GeneralBasis::relight`].
 ///
 /// # Errors
 ///
-/// As there, but capacities cannot be too small.
+/// The same, except that no capacity can be too small.
 pub fn relight(
     transfer: &Transfer,
     light: &eigenshade::Light<'_, f32>,
@@ -291,8 +378,8 @@ pub fn relight(
 ///
 /// # Errors
 ///
-/// As there, but capacities cannot be too small.
+/// The same, except that no capacity can be too small.
 pub fn collapse(coefficients: &Coefficients) -> Result<Scene, eigenshade::Error> {
-    BASIS.collapse::<WORKSPACE, SCENE>(coefficients)
+    BASIS.collapse::<WORKSPACE, SCENE>(coefficients).map(Scene)
 }
 ";

@@ -2,7 +2,7 @@
 
 use crate::quantize::{Format, QuantizeError, QuantizedParts};
 use crate::table::Table;
-use crate::{rust_quantised, rust_source};
+use crate::{rust_quantized, rust_source};
 
 /// The text of a module, and the formats that it does not contain.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,7 +27,7 @@ pub fn module(table: &Table, command: &str, formats: &[Format]) -> Result<Static
     for &format in formats {
         match QuantizedParts::new(table, format, format.tolerance()) {
             Ok(parts) => {
-                let inner = rust_quantised::module(&parts, command);
+                let inner = rust_quantized::module(&parts, command);
                 let (name, bits) = (format.name(), format.bits());
                 let what = format!("/// The same table in mantissas of {bits} bits.");
                 statics.text += &format!("{what}\npub mod {name} {{\n{inner}}}\n");

@@ -35,7 +35,7 @@ fn optional_fields_are_read() {
         assert_eq!(decode(&encode(&table)), Ok(table.clone()));
     }
     table.scene.basis.cut = None;
-    assert_eq!(rust_source::module(&table, "a test").matches("pub fn lookup(").count(), 1);
+    assert_eq!(rust_source::module(&table, "a test").matches("pub fn sampled(").count(), 1);
     for knots in [0, 7, 65_537] {
         table.scene.basis.knots = Some(knots);
         assert!(matches!(decode(&encode(&table)), Err(FileError::Payload(_))), "{knots}");

@@ -129,9 +129,8 @@ impl Projector {
     /// d for a light and a material of the table's degree and order.
     pub fn project(&self, light: &[f64], material: &[f64]) -> Vec<f64> {
         let basis = self.owned.any().expect("a basis");
-        let span = self.owned.basis().expect("a span");
-        let light = eigenshade::Light::new(span.degree(), light).expect("coefficients");
-        let material = eigenshade::Material::new(span.order(), material).expect("coefficients");
+        let light = eigenshade::Light::new(light).expect("coefficients");
+        let material = eigenshade::Material::new(material).expect("coefficients");
         match basis {
             AnyBasis::Sphere(basis) => {
                 let (mut d, mut workspace) =

@@ -6,14 +6,9 @@ use std::f64::consts::TAU;
 
 /// d for a light and a material.
 pub fn coefficients(light: &[f32], material: &[f32]) -> sphere::Coefficients {
-    let (degree, order) = (light.len().isqrt() - 1, (0..).find(|&o| count(o) == material.len()));
-    let light = Light::new(degree, light).expect("coefficients");
-    let material = Material::new(order.expect("an order"), material).expect("coefficients");
+    let light = Light::new(light).expect("coefficients");
+    let material = Material::new(material).expect("coefficients");
     sphere::project(&light, &material).expect("it fits")
-}
-
-fn count(order: usize) -> usize {
-    eigenshade::index::material::count(order)
 }
 
 pub fn single(values: Vec<f64>) -> Vec<f32> {

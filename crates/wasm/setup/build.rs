@@ -2,7 +2,7 @@
 //! has the shipped table.
 
 use eigenshade_table::quantize::{Format, QuantizedParts};
-use eigenshade_table::{Table, rust_quantised, rust_source};
+use eigenshade_table::{Table, rust_quantized, rust_source};
 use std::path::{Path, PathBuf};
 use std::{env, fs, process};
 
@@ -35,7 +35,7 @@ fn bake(path: &Path) -> Result<(), String> {
         }
         let parts = QuantizedParts::new(&table, format, format.tolerance())
             .map_err(|error| format!("{error}; build the module `f32`"))?;
-        write(&format!("table_{name}.rs"), &rust_quantised::module(&parts, &command))?;
+        write(&format!("table_{name}.rs"), &rust_quantized::module(&parts, &command))?;
     }
     Ok(())
 }

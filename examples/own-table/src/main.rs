@@ -4,8 +4,8 @@ use eigenshade::{Error, Light, Material, Normal};
 use own_table::table;
 
 fn main() -> Result<(), Error> {
-    let light = Light::new(1, &[2.0, 0.7, 1.0, 0.7])?;
-    let material = Material::new(0, &[2.0])?;
+    let light = Light::new(&[2.0, 0.7, 1.0, 0.7])?;
+    let material = Material::new(&[2.0])?;
     let scene = table::collapse(&table::project(&light, &material)?)?;
     for row in 0..20 {
         let line: String = (0..40)

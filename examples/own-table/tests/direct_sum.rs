@@ -3,7 +3,7 @@
 
 use eigenshade_testing::oracle;
 
-use eigenshade::{Light, Material, Normal, Q15, index, quantised};
+use eigenshade::{Light, Material, Normal, Q15, index, quantized};
 use own_table::table;
 
 /// Images of forty components in f32 against direct quadrature, of the peak: what the other
@@ -49,8 +49,8 @@ fn images_are_those_of_the_scene() {
 }
 
 fn floats(light: &[f32], material: &[f32]) -> impl Fn([f64; 3]) -> f64 {
-    let light = Light::new(3, light).expect("sixteen coefficients");
-    let material = Material::new(4, material).expect("fourteen coefficients");
+    let light = Light::new(light).expect("sixteen coefficients");
+    let material = Material::new(material).expect("fourteen coefficients");
     let scene = table::collapse(&table::project(&light, &material).expect("it fits"));
     let scene = scene.expect("it fits");
     move |normal| {
@@ -63,15 +63,15 @@ fn integers(light: &[f32], material: &[f32]) -> impl Fn([f64; 3]) -> f64 {
     use table::q15;
     let (mut of_light, mut of_material) = ([Q15(0); 16], [Q15(0); 14]);
     let mut exponents = [0; 5];
-    let light = quantised::Light::quantise(3, light, &mut of_light).expect("sixteen");
-    let material = quantised::Material::quantise(4, material, &mut of_material, &mut exponents);
-    let folded = q15::fold(&material.expect("fourteen")).expect("it fits");
+    let light = quantized::Light::quantize(light, &mut of_light).expect("sixteen");
+    let material = quantized::Material::quantize(material, &mut of_material, &mut exponents);
+    let folded = q15::transfer(&material.expect("fourteen")).expect("it fits");
     let scene = q15::collapse(&q15::relight(&folded.view(), &light).expect("it fits"));
     let scene = scene.expect("it fits");
     move |normal| {
         let [x, y, z] =
             normal.map(|component| Q15((32_768.0 * component).round().min(32_767.0) as i16));
-        let normal = quantised::Normal::<Q15>::new(x, y, z).expect("a unit vector");
-        f64::from(q15::shade(&scene, normal)) * 2f64.powi(scene.exponent())
+        let normal = quantized::Normal::<Q15>::new(x, y, z).expect("a unit vector");
+        f64::from(scene.shade(normal)) * 2f64.powi(scene.exponent())
     }
 }

@@ -122,7 +122,7 @@ pub fn shares(scene: &Scene) -> Shares {
         shares.effects.push(("color", share(&difference(&whole, &of(&[gray], wanted)))));
     }
     if scene.turns {
-        let turned: Vec<Vec<f64>> = light.iter().map(|light| turned(degree, light)).collect();
+        let turned: Vec<Vec<f64>> = light.iter().map(|light| turned(light)).collect();
         shares.effects.push(("turning", share(&difference(&of(&turned, wanted), &whole))));
     }
     let (degree, order) = FULL;
@@ -136,11 +136,11 @@ pub fn shares(scene: &Scene) -> Shares {
 }
 
 /// A light turned by 30 degrees about the vertical, y.
-fn turned(degree: usize, light: &[f64]) -> Vec<f64> {
+fn turned(light: &[f64]) -> Vec<f64> {
     const DEGREE: usize = FULL.0;
     let half = std::f64::consts::PI / 12.0;
     let rotation = Rotation::from_quaternion([0.0, half.sin(), 0.0, half.cos()]);
-    let light = Light::new(degree, light).expect("as many coefficients as it has");
+    let light = Light::new(light).expect("as many coefficients as it has");
     let turned = light.turned::<{ light::count(DEGREE) }, { Light::<f64>::turn_len(DEGREE) }>(
         &rotation.expect("a quaternion of length one"),
     );

@@ -99,8 +99,8 @@ fn of_changes() -> [f64; 4] {
     let scene = Scene::named("sun_leather");
     let coefficients = single(scene.light(sphere::DEGREE).remove(0));
     let material = single(scenes::material(&scene.whole_table(), sphere::ORDER));
-    let light = Light::new(sphere::DEGREE, &coefficients).expect("100 coefficients");
-    let material = Material::new(sphere::ORDER, &material).expect("40 coefficients");
+    let light = Light::new(&coefficients).expect("100 coefficients");
+    let material = Material::new(&material).expect("40 coefficients");
     let transfer = sphere::transfer(&material).expect("it fits");
     let collapsed = |light: &Light<'_, f32>, transfer: &sphere::Transfer| {
         let d = sphere::relight(transfer, light).expect("it fits");
@@ -118,7 +118,7 @@ fn of_changes() -> [f64; 4] {
         })),
         times(Box::new(|| {
             let turned = black_box(&light).turned::<LIGHT, ROOM>(&rotation).expect("room");
-            let light = Light::new(sphere::DEGREE, &turned).expect("100 coefficients");
+            let light = Light::new(&turned).expect("100 coefficients");
             black_box(collapsed(&light, &transfer));
         })),
         times(Box::new(|| {

@@ -4,7 +4,7 @@
 use super::setting::{Format, Setting, Way};
 use eigenshade::{Q15, Q31, Scene};
 use eigenshade_model::error::{Error, Result};
-use eigenshade_shading::integer_shader::{Integer, OwnedQuantised};
+use eigenshade_shading::integer_shader::{Integer, OwnedQuantized};
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::fault;
 use eigenshade_table::{Parts, Table, quantize, wire};
@@ -45,7 +45,7 @@ pub fn bytes(setting: &Setting, table: &Table) -> Result<[usize; 2]> {
         Way::Linear(knots) | Way::Cubic(knots) => {
             let buffer = vec![0.0f32; basis.scene_len()];
             let scene: Scene<'_, Vec<f32>> = basis.collapse_into(&[], buffer).map_err(fault)?;
-            number * scene.lookup_len::<f32>(knots)
+            number * scene.sampled_len::<f32>(knots)
         }
         Way::Bilinear(size) | Way::Nearest(size) => {
             let texel = if setting.format == Format::Q15 { 2 } else { number };
@@ -57,7 +57,7 @@ pub fn bytes(setting: &Setting, table: &Table) -> Result<[usize; 2]> {
 }
 
 fn of_integers<Q: Integer>(table: &Table) -> Result<usize> {
-    let basis = OwnedQuantised::<Q>::new(table, Q::FORMAT.tolerance())
+    let basis = OwnedQuantized::<Q>::new(table, Q::FORMAT.tolerance())
         .map_err(|error| Error::new(error.to_string(), "take another format"))?;
     let view = basis.view().map_err(fault)?;
     let exponents = size_of::<i16>() * view.profiles();

@@ -4,7 +4,7 @@ use super::images::Pair;
 use super::setting::{Scaling, Way};
 use eigenshade::mathematics::{Libm, Micromath, SinglePrecision, Tabled};
 use eigenshade::{
-    Basis, Light, MapPoint, Material, Normal, Normals, Q15, Scalar, Tolerance, quantised,
+    Basis, Light, MapPoint, Material, Normal, Normals, Q15, Scalar, Tolerance, quantized,
 };
 use eigenshade_model::error::Result;
 use eigenshade_shading::owned_basis::OwnedBasis;
@@ -92,8 +92,8 @@ impl<S: Scalar> Floats<S> {
                 return Ok((each_by!(pixel), terms));
             }
             Way::Linear(knots) | Way::Cubic(knots) => {
-                let samples = vec![S::ZERO; scene.lookup_len(knots)];
-                let table = scene.lookup_into(knots, samples).map_err(fault)?;
+                let samples = vec![S::ZERO; scene.sampled_len(knots)];
+                let table = scene.sampled_into(knots, samples).map_err(fault)?;
                 match way {
                     Way::Linear(_) => each_by!(|normal| table.linear(normal)),
                     _ => each_by!(|normal| table.cubic(normal)),
@@ -114,10 +114,10 @@ impl<S: Scalar> Floats<S> {
     /// a map has texels of 16 bits.
     pub fn new_light(&self, pair: &Pair, way: Way, integers: bool) -> Result<Work<'_>> {
         let basis = self.basis()?;
-        let ((degree, light), (order, material)) = pair.within(basis.degree(), basis.order());
+        let ((_, light), (_, material)) = pair.within(basis.degree(), basis.order());
         let rounded = |values: &[f64]| values.iter().map(|&v| S::from_f64(v)).collect::<Vec<S>>();
         let (light, material) = (rounded(light), rounded(material));
-        let material = Material::new(order, &material).map_err(fault)?;
+        let material = Material::new(&material).map_err(fault)?;
         let mut transfer = vec![S::ZERO; basis.transfer_len()];
         let mut workspace = vec![S::ZERO; basis.workspace_len()];
         basis.transfer_into(&material, &mut workspace, &mut transfer).map_err(fault)?;
@@ -128,14 +128,14 @@ impl<S: Scalar> Floats<S> {
         match way {
             Way::Linear(knots) | Way::Cubic(knots) => {
                 let scene = basis.collapse_into(&d, &mut buffer[..]).map_err(fault)?;
-                samples = vec![S::ZERO; scene.lookup_len(knots)];
+                samples = vec![S::ZERO; scene.sampled_len(knots)];
             }
             Way::Bilinear(size) if integers => texels = vec![0i16; size * size],
             Way::Bilinear(size) | Way::Nearest(size) => samples = vec![S::ZERO; size * size],
             _ => {}
         }
         Ok(Box::new(move || {
-            let light = Light::new(degree, black_box(&light));
+            let light = Light::new(black_box(&light));
             let relit = light.and_then(|light| basis.relight_into(&transfer, &light, &mut d));
             let done = relit.and_then(|()| match way {
                 // The coefficients of the light, scaled.
@@ -148,7 +148,7 @@ impl<S: Scalar> Floats<S> {
                 }
                 _ => basis.collapse_into(&d, &mut buffer[..]).and_then(|scene| match way {
                     Way::Linear(knots) | Way::Cubic(knots) => {
-                        scene.lookup_into(knots, &mut samples[..]).map(|table| seen(&table))
+                        scene.sampled_into(knots, &mut samples[..]).map(|table| seen(&table))
                     }
                     Way::Bilinear(size) if integers => {
                         scene.bake_integers_into(size, &mut texels[..]).map(|map| seen(&map))
@@ -214,7 +214,7 @@ impl Floats<f32> {
         &self,
         pair: &Pair,
         size: usize,
-        normals: &'a [quantised::Normal<Q15>],
+        normals: &'a [quantized::Normal<Q15>],
     ) -> Result<(Shade<'a, i32>, i32)> {
         let basis = self.basis()?;
         let d = self.project(pair)?;
@@ -223,7 +223,7 @@ impl Floats<f32> {
         let exponent = map.exponent();
         let shade = move |out: &mut [i32]| {
             for (out, &normal) in out.iter_mut().zip(black_box(normals)) {
-                *out = map.bilinear(MapPoint::of_quantised(normal));
+                *out = map.bilinear(MapPoint::of_quantized(normal));
             }
         };
         Ok((Box::new(shade), exponent))

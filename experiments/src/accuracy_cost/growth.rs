@@ -233,13 +233,12 @@ pub fn rows(quick: bool, timed: bool) -> Result<Vec<Record>> {
 fn folding<'a>(owned: &'a OwnedBasis<f32>, pair: &Pair, count: usize) -> Result<Work<'a>> {
     let basis = owned.basis().map_err(fault)?;
     let material: Vec<f32> = pair.material.iter().map(|&value| value as f32).collect();
-    let order = basis.order();
-    Material::new(order, &material).map_err(fault)?;
+    Material::new(&material).map_err(fault)?;
     let mut workspace = vec![0.0; basis.workspace_len()];
     let mut transfers = vec![vec![0.0; basis.transfer_len()]; count];
     Ok(Box::new(move || {
         for transfer in &mut transfers {
-            let done = Material::new(order, black_box(&material))
+            let done = Material::new(black_box(&material))
                 .and_then(|material| basis.transfer_into(&material, &mut workspace, transfer));
             black_box(done.is_ok());
         }

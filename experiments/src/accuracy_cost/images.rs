@@ -59,8 +59,8 @@ impl Pair {
     /// If the length of the light matches no degree.
     pub fn nine_terms(&self) -> Result<NineTerms<f32>> {
         let degree = (self.light.len().isqrt() - 1).min(2);
-        let ((degree, light), _) = self.within(degree, 0);
-        let light = Light::new(degree, light).map_err(fault)?;
+        let ((_, light), _) = self.within(degree, 0);
+        let light = Light::new(light).map_err(fault)?;
         // b_00^0 is twice the albedo.
         let formula = NineTerms::lambertian(&light, 0.5 * self.material[0]);
         Ok(NineTerms::new(formula.coefficients().map(|value| value as f32)))

@@ -3,9 +3,9 @@
 use super::floats::{Floats, Shade, Work};
 use super::images::Pair;
 use super::setting::{Format, Scaling, Setting, Way};
-use eigenshade::{Q15, Q31, quantised};
+use eigenshade::{Q15, Q31, quantized};
 use eigenshade_model::error::{Error, Result};
-use eigenshade_shading::integer_shader::{self, Integer, IntegerShader, OwnedQuantised};
+use eigenshade_shading::integer_shader::{self, Integer, IntegerShader, OwnedQuantized};
 use eigenshade_shading::shader::fault;
 use eigenshade_table::{Table, quantize};
 use std::hint::black_box;
@@ -15,7 +15,7 @@ pub enum Numbers {
     Double(Floats<f64>),
     Single(Floats<f32>),
     /// f32, except for the maps of 16 bits.
-    Maps(Floats<f32>, Vec<quantised::Normal<Q15>>),
+    Maps(Floats<f32>, Vec<quantized::Normal<Q15>>),
     Q31(Integers<Q31>),
     Q15(Integers<Q15>),
 }
@@ -23,8 +23,8 @@ pub enum Numbers {
 /// The shader of images, and what the timed operations read.
 pub struct Integers<Q: Integer> {
     shader: IntegerShader<Q>,
-    basis: OwnedQuantised<Q>,
-    normals: Vec<quantised::Normal<Q>>,
+    basis: OwnedQuantized<Q>,
+    normals: Vec<quantized::Normal<Q>>,
 }
 
 impl Numbers {
@@ -129,7 +129,7 @@ fn repeated<T: Default + Clone + 'static>(mut shade: Shade<'_, T>, count: usize)
 
 impl<Q: Integer> Integers<Q> {
     fn new(table: &Table, normals: &[[f64; 3]]) -> Result<Self> {
-        let basis = OwnedQuantised::new(table, Q::FORMAT.tolerance())
+        let basis = OwnedQuantized::new(table, Q::FORMAT.tolerance())
             .map_err(|error| Error::new(error.to_string(), "take another format"))?;
         let normals = integer_shader::normals(normals)?;
         Ok(Self { shader: IntegerShader::new(table, usize::MAX)?, basis, normals })
@@ -142,22 +142,24 @@ impl<Q: Integer> Integers<Q> {
     }
 
     fn works(&self, setting: &Setting, pair: &Pair) -> Result<[Work<'_>; 2]> {
-        let ((degree, light), (order, material)) =
+        let ((_, light), (order, material)) =
             pair.within(setting.recipe.degree, setting.recipe.order);
         let own = |numbers: &[i32]| numbers.iter().map(|&n| Q::of(n)).collect::<Vec<Q>>();
         let basis = self.basis.view().map_err(fault)?;
         let (mantissas, exponents) = quantize::material(order, material, Q::FORMAT);
         let mantissas = own(&mantissas);
-        let material = quantised::Material::new(order, &exponents, &mantissas).map_err(fault)?;
+        let material = quantized::Material::new(&exponents, &mantissas).map_err(fault)?;
         let (mantissas, exponent) = quantize::row(light, Q::FORMAT.bits(), i64::MAX);
         let (light, light_exponent) = (own(&mantissas), i32::from(exponent));
         let mut workspace = vec![Q::Wide::default(); basis.workspace_len()];
         let mut transfer = vec![Q::default(); basis.transfer_len()];
         let mut exponents = vec![0; basis.profiles()];
-        basis.fold_into(&material, &mut workspace, &mut transfer, &mut exponents).map_err(fault)?;
+        basis
+            .transfer_into(&material, &mut workspace, &mut transfer, &mut exponents)
+            .map_err(fault)?;
         let mut d = vec![0; basis.components()];
-        let folded = quantised::Transfer::new(&transfer, &exponents);
-        let first = quantised::Light::new(degree, light_exponent, &light).map_err(fault)?;
+        let folded = quantized::Transfer::new(&transfer, &exponents);
+        let first = quantized::Light::new(light_exponent, &light).map_err(fault)?;
         let exponent = basis.relight_into(&folded, &first, &mut d).map_err(fault)?;
         let buffer = vec![0; basis.scene_len()];
         let scene = basis.collapse_into(&d, exponent, buffer).map_err(fault)?;
@@ -170,8 +172,8 @@ impl<Q: Integer> Integers<Q> {
         });
         let mut buffer = vec![0; basis.scene_len()];
         let new_light = Box::new(move || {
-            let folded = quantised::Transfer::new(&transfer, &exponents);
-            let done = quantised::Light::new(degree, light_exponent, black_box(&light))
+            let folded = quantized::Transfer::new(&transfer, &exponents);
+            let done = quantized::Light::new(light_exponent, black_box(&light))
                 .and_then(|light| basis.relight_into(&folded, &light, &mut d))
                 .and_then(|exponent| basis.collapse_into(&d, exponent, &mut buffer[..]).map(drop));
             black_box((done.is_ok(), &buffer));

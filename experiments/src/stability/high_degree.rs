@@ -58,8 +58,8 @@ fn shaded<S: Scalar + Into<f64>>(loaded: &Loaded, table: &Table) -> f64 {
         let exact = exact.project((degree, &light), (order, &on)).expect("coefficients");
         let [light, on] =
             [light, on].map(|numbers| numbers.iter().map(|&x| S::from_f64(x)).collect::<Vec<S>>());
-        let light = Light::new(degree, &light).expect("coefficients");
-        let on = Material::new(order, &on).expect("coefficients");
+        let light = Light::new(&light).expect("coefficients");
+        let on = Material::new(&on).expect("coefficients");
         basis.transfer_into(&on, &mut room, &mut transfer).expect("sizes");
         basis.relight_into(&transfer, &light, &mut d).expect("sizes");
         let scene = basis.collapse_into(&d, vec![S::ZERO; basis.scene_len()]).expect("sizes");

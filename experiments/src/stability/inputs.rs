@@ -5,7 +5,7 @@ use super::maps::harmonics;
 use super::{Figure, exactly, least, most};
 use crate::tolerances;
 use eigenshade::mathematics::Libm;
-use eigenshade::{MapPoint, Negatives, Normal, Normals, Q15, Tolerance, quantised, sphere};
+use eigenshade::{MapPoint, NegativePolicy, Normal, Normals, Q15, Tolerance, quantized, sphere};
 use eigenshade_model::database::Named;
 use eigenshade_model::special::quadrature::gauss_legendre;
 use eigenshade_shading::owned_basis::OwnedBasis;
@@ -76,18 +76,18 @@ fn floats((mantissas, unit): &Integers) -> Vec<f64> {
     mantissas.iter().map(|&mantissa| f64::from(mantissa) * unit).collect()
 }
 
-fn in_integers(normal: [f64; 3]) -> quantised::Normal<Q15> {
+fn in_integers(normal: [f64; 3]) -> quantized::Normal<Q15> {
     let [x, y, z] = normal.map(|c| (c * f64::from(i32::MAX)) as i32);
-    quantised::Normal::along(x, y, z).expect("a direction")
+    quantized::Normal::along(x, y, z).expect("a direction")
 }
 
 /// The image in Q15, at normals that are rounded to Q15.
 fn integers(light: &[f64], material: &[f64], normals: &[[f64; 3]]) -> Integers {
     let (light, material) = (single(light.to_vec()), single(material.to_vec()));
     let (mut of_light, mut of_material, mut exponents) = ([Q15(0); 100], [Q15(0); 40], [0; 8]);
-    let light = quantised::Light::quantise(9, &light, &mut of_light).expect("a light");
-    let material = quantised::Material::quantise(7, &material, &mut of_material, &mut exponents);
-    let folded = sphere::q15::fold(&material.expect("a material")).expect("it fits");
+    let light = quantized::Light::quantize(&light, &mut of_light).expect("a light");
+    let material = quantized::Material::quantize(&material, &mut of_material, &mut exponents);
+    let folded = sphere::q15::transfer(&material.expect("a material")).expect("it fits");
     let d = sphere::q15::relight(&folded.view(), &light).expect("it fits");
     let scene = sphere::q15::collapse(&d).expect("it fits");
     let seen = |normal: &[f64; 3]| scene.shade(in_integers(*normal));
@@ -212,7 +212,7 @@ fn every_method(light: &[f64], material: &[f64], normals: &[[f64; 3]]) -> Method
         .expect("sizes");
     let baked = scene.bake_into(64, vec![0.0f32; 64 * 64]).expect("sizes");
     let map = scene.bake_integers_into(64, vec![0; 64 * 64]).expect("numbers that fit");
-    let point = |normal: &[f64; 3]| MapPoint::of_quantised(in_integers(*normal));
+    let point = |normal: &[f64; 3]| MapPoint::of_quantized(in_integers(*normal));
     let of_map = normals.iter().map(|normal| map.bilinear(point(normal))).collect();
     Methods {
         f32: each(&|normal| scene.shade(normal)),
@@ -279,12 +279,12 @@ pub(super) fn delta() -> Vec<Figure> {
         let all = every_method(&light, &material, &normals);
         let found = [all.f32, floats(&all.q15), all.within, all.baked, floats(&all.map)];
         for (apart, mut found) in apart.iter_mut().zip(found) {
-            let lowest = Negatives::Clamped.apply(&mut found).expect("pixels");
+            let lowest = NegativePolicy::Clamped.apply(&mut found).expect("pixels");
             *apart = apart.max((lowest - below).abs() / peak);
             left += found.iter().filter(|&&value| value < 0.0).count();
         }
         for (mut mantissas, _) in [all.q15, all.map] {
-            let lowest = Negatives::Clamped.apply(&mut mantissas).expect("pixels");
+            let lowest = NegativePolicy::Clamped.apply(&mut mantissas).expect("pixels");
             assert_eq!(lowest < 0, mantissas.contains(&0), "a value below zero became zero");
             left += mantissas.iter().filter(|&&value| value < 0).count();
         }

@@ -89,8 +89,8 @@ fn answers<S: Scalar + Into<f64>>(table: &Table, light: &[f64], material: &[f64]
     let narrow =
         |values: &[f64]| values.iter().map(|&value| S::from_f64(value)).collect::<Vec<_>>();
     let (light, material) = (narrow(light), narrow(material));
-    let light = Light::new(9, &light).expect("coefficients");
-    let material = Material::new(7, &material).expect("coefficients");
+    let light = Light::new(&light).expect("coefficients");
+    let material = Material::new(&material).expect("coefficients");
     let mut d = vec![S::ZERO; basis.components()];
     let mut relit = d.clone();
     let mut workspace = vec![S::ZERO; basis.workspace_len()];

@@ -24,7 +24,7 @@ fn normals() -> Vec<[f32; 3]> {
 }
 
 fn relight(transfer: &sphere::Transfer, light: &[f32]) -> sphere::Coefficients {
-    sphere::relight(transfer, &Light::new(9, light).expect("coefficients")).expect("it fits")
+    sphere::relight(transfer, &Light::new(light).expect("coefficients")).expect("it fits")
 }
 
 fn shaded(scene: &sphere::Scene, normals: &[[f32; 3]]) -> Vec<f32> {
@@ -112,7 +112,7 @@ pub(super) fn measure() -> Vec<Figure> {
     let light = fixtures::lights(9, 1, &mut Numbers(43)).entries[0].luminance();
     let (material, plain) = (single(on.clone()), single(light.clone()));
     let tiny: Vec<f32> = plain.iter().map(|value| value * 2f32.powi(FAR)).collect();
-    let transfer = Material::new(7, &material).expect("coefficients");
+    let transfer = Material::new(&material).expect("coefficients");
     let transfer = sphere::transfer(&transfer).expect("it fits");
     let normals = normals();
     let [of_plain, d] = [&plain, &tiny].map(|light| relight(&transfer, light));

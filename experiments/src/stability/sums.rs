@@ -2,7 +2,7 @@
 
 use super::{Figure, exactly, least, most};
 use crate::tolerances;
-use eigenshade::{Error, Light, Material, Normal, Q15, What, quantised, sphere};
+use eigenshade::{Argument, Error, Light, Material, Normal, Q15, quantized, sphere};
 use eigenshade_testing::largest;
 
 /// Width of the picture in pixels, for a disc of a million pixels.
@@ -13,8 +13,8 @@ pub(super) fn million() -> Vec<Figure> {
     // A light from the side and a material with a rim, so that every component contributes.
     let light: Vec<f32> = (0..100).map(|k| 1.5 / (1.0 + k as f32).sqrt()).collect();
     let material: Vec<f32> = (0..40).map(|k| 1.0 / (1.0 + k as f32)).collect();
-    let light = Light::new(9, &light).expect("100 coefficients");
-    let material = Material::new(7, &material).expect("40 coefficients");
+    let light = Light::new(&light).expect("100 coefficients");
+    let material = Material::new(&material).expect("40 coefficients");
     let d = sphere::project(&light, &material).expect("it fits");
     let scene = sphere::collapse(&d).expect("it fits");
     let mut ours = sphere::BASIS.estimate::<{ sphere::COMPONENTS }>().expect("it fits");
@@ -24,8 +24,8 @@ pub(super) fn million() -> Vec<Figure> {
     // The eigenimages one by one, for both reference sums.
     let images: Vec<_> = (0..sphere::COMPONENTS)
         .map(|k| {
-            let unit: sphere::Coefficients =
-                (0..sphere::COMPONENTS).map(|i| f32::from(u8::from(i == k))).collect();
+            let unit = std::array::from_fn(|i| f32::from(u8::from(i == k)));
+            let unit = sphere::Coefficients::from(unit);
             sphere::collapse(&unit).expect("it fits")
         })
         .collect();
@@ -61,8 +61,8 @@ pub(super) fn million() -> Vec<Figure> {
 
 /// A table whose single image is as large as Q15 allows, and the shipped table.
 pub(super) fn full_weight() -> Vec<Figure> {
-    let places = [quantised::Profile::new(0, -3, [0, quantised::Profile::NONE], [u16::MAX; 2])];
-    let largest_table = quantised::Basis::<Q15>::new(quantised::Parts {
+    let places = [quantized::Profile::new(0, -3, [0, quantized::Profile::NONE], [u16::MAX; 2])];
+    let largest_table = quantized::Basis::<Q15>::new(quantized::Parts {
         degree: 0,
         order: 0,
         effects: eigenshade::Effects::ALL,
@@ -76,8 +76,8 @@ pub(super) fn full_weight() -> Vec<Figure> {
         terms: &[Q15(i16::MAX); 3],
     });
     let largest_table = largest_table.expect("parts that fit");
-    let pole = quantised::Normal::along(0, 0, i32::MAX).expect("a direction");
-    let seen = |basis: &quantised::Basis<'_, Q15>, pixels: u32, weight: u16| {
+    let pole = quantized::Normal::along(0, 0, i32::MAX).expect("a direction");
+    let seen = |basis: &quantized::Basis<'_, Q15>, pixels: u32, weight: u16| {
         let mut estimate = basis.estimate::<50>().expect("room");
         (0..pixels).for_each(|_| estimate.add(pole, Q15(i16::MIN), weight));
         estimate.coefficients(-15)
@@ -88,7 +88,7 @@ pub(super) fn full_weight() -> Vec<Figure> {
     };
     let one = d(1, 1);
     let off = largest([d(1 << 16, 1 << 15) / one - 1.0, d(1 << 15, u16::MAX) / one - 1.0]);
-    let refused = Err(Error::Saturated { what: What::Coefficients });
+    let refused = Err(Error::Saturated { argument: Argument::Coefficients });
     let is_refused = |basis| usize::from(seen(basis, 1 << 16, u16::MAX) == refused);
     vec![
         exactly("refused by the largest possible table", is_refused(&largest_table), 1),

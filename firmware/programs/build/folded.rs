@@ -2,9 +2,9 @@
 //! the factors nor what folds is in a program.
 
 use eigenshade::Q15;
-use eigenshade::quantised::{Basis, Material, Parts, Profile};
+use eigenshade::quantized::{Basis, Material, Parts, Profile};
 use eigenshade_table::quantize::{self, Format, QuantizedParts};
-use eigenshade_table::{Table, rust_quantised};
+use eigenshade_table::{Table, rust_quantized};
 use std::fs;
 
 /// The statics of a table's module, with `MATERIAL`, of the material at `database`.
@@ -21,8 +21,8 @@ pub fn module(table: &Table, database: &str, command: &str) -> Result<String, St
         exponents.clear();
     }
     let numbers: Vec<i32> = numbers.into_iter().map(|Q15(number)| number.into()).collect();
-    Ok(rust_quantised::module(&parts, command)
-        + &rust_quantised::transfer(Format::Q15, &numbers, &exponents))
+    Ok(rust_quantized::module(&parts, command)
+        + &rust_quantized::transfer(Format::Q15, &numbers, &exponents))
 }
 
 /// The scene's material, whose rows stand in storage order: the one that it names, or the
@@ -73,10 +73,10 @@ fn transfer(
     })?;
     let (mantissas, exponents) = quantize::material(parts.order, material, Format::Q15);
     let mantissas = own(&mantissas);
-    let material = Material::new(parts.order, &exponents, &mantissas)?;
+    let material = Material::new(&exponents, &mantissas)?;
     let mut numbers = vec![Q15(0); basis.transfer_len()];
     let mut of_profiles = vec![0; basis.profiles()];
     let mut workspace = vec![0; basis.workspace_len()];
-    basis.fold_into(&material, &mut workspace, &mut numbers, &mut of_profiles)?;
+    basis.transfer_into(&material, &mut workspace, &mut numbers, &mut of_profiles)?;
     Ok((numbers, of_profiles))
 }

@@ -73,10 +73,10 @@ macro_rules! golden {
             right: &mut u32,
             all: &mut u32,
         ) -> Result<(), eigenshade::Error> {
-            use eigenshade::quantised::{Light, Material, Normal};
-            let light = Light::new(table::DEGREE, pair.light.1, pair.light.0)?;
-            let material = Material::new(table::ORDER, pair.material.1, pair.material.0)?;
-            let d = table::relight(&table::fold(&material)?.view(), &light)?;
+            use eigenshade::quantized::{Light, Material, Normal};
+            let light = Light::new(pair.light.1, pair.light.0)?;
+            let material = Material::new(pair.material.1, pair.material.0)?;
+            let d = table::relight(&table::transfer(&material)?.view(), &light)?;
             let scene = table::collapse(&d)?;
             let mut check = |holds: bool| {
                 *all += 1;
@@ -89,7 +89,7 @@ macro_rules! golden {
             check(normals.len() == irradiances.len());
             for (&[x, y, z], &expected) in normals.iter().zip(irradiances) {
                 let normal = Normal::<$format>::new(x, y, z)?;
-                check(table::shade(&scene, normal) == expected && scene.shade(normal) == expected);
+                check(scene.shade(normal) == expected && (*scene).shade(normal) == expected);
             }
             Ok(())
         }
@@ -112,12 +112,12 @@ macro_rules! sphere {
         }
 
         fn draw() -> Result<(), eigenshade::Error> {
-            use eigenshade::quantised::{Light, Material};
+            use eigenshade::quantized::{Light, Material};
             use $crate::integer_inputs::Input;
             let [pair, ..] = &vectors::PAIRS;
-            let light = Light::new(table::DEGREE, pair.light.1, pair.light.0)?;
-            let material = Material::new(table::ORDER, pair.material.1, pair.material.0)?;
-            let d = table::relight(&table::fold(&material)?.view(), &light)?;
+            let light = Light::new(pair.light.1, pair.light.0)?;
+            let material = Material::new(pair.material.1, pair.material.0)?;
+            let d = table::relight(&table::transfer(&material)?.view(), &light)?;
             let scene = table::collapse(&d)?;
             $crate::drawing::draw(|x, y, z| {
                 let [x, y, z] = [x, y, z].map(<$format as Input>::of);

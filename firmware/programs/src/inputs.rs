@@ -33,12 +33,12 @@ pub fn numbers<const N: usize>() -> [f32; N] {
 
 /// A light of these coefficients.
 #[must_use]
-pub fn light(coefficients: &[f32], degree: usize) -> Light<'_, f32> {
-    Light::new(degree, coefficients).unwrap_or_else(|_| board::exit(false))
+pub fn light(coefficients: &[f32]) -> Light<'_, f32> {
+    Light::new(coefficients).unwrap_or_else(|_| board::exit(false))
 }
 
 /// A material of these coefficients.
 #[must_use]
-pub fn material(coefficients: &[f32], order: usize) -> Material<'_, f32> {
-    Material::new(order, coefficients).unwrap_or_else(|_| board::exit(false))
+pub fn material(coefficients: &[f32]) -> Material<'_, f32> {
+    Material::new(coefficients).unwrap_or_else(|_| board::exit(false))
 }

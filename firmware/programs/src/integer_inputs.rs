@@ -1,7 +1,7 @@
 //! Inputs of the measured operations in integers.
 
 use core::hint::black_box;
-use eigenshade::quantised::{Light, Material, Normal};
+use eigenshade::quantized::{Light, Material, Normal};
 use eigenshade::{Q15, Q31};
 
 /// A format that these inputs can be given in.
@@ -54,15 +54,15 @@ pub fn mantissas<Q: Input, const N: usize>() -> [Q; N] {
 
 /// A light of these mantissas.
 #[must_use]
-pub fn light<Q>(mantissas: &[Q], degree: usize) -> Light<'_, Q> {
-    Light::new(degree, -15, mantissas).unwrap_or_else(|_| board::exit(false))
+pub fn light<Q>(mantissas: &[Q]) -> Light<'_, Q> {
+    Light::new(-15, mantissas).unwrap_or_else(|_| board::exit(false))
 }
 
 /// A material of these mantissas.
 #[must_use]
 pub fn material<Q>(mantissas: &[Q], order: usize) -> Material<'_, Q> {
     let exponents = EXPONENTS.get(..=order).unwrap_or_default();
-    Material::new(order, exponents, mantissas).unwrap_or_else(|_| board::exit(false))
+    Material::new(exponents, mantissas).unwrap_or_else(|_| board::exit(false))
 }
 
 /// Exponents of a material of order 7.

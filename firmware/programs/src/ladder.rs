@@ -56,7 +56,7 @@ macro_rules! rung_q15 {
 
         fn main() {
             let material = inputs::mantissas::<_, MATERIAL>();
-            let Ok(transfer) = table::fold(&inputs::material(&material, table::ORDER)) else {
+            let Ok(transfer) = table::transfer(&inputs::material(&material, table::ORDER)) else {
                 board::exit(false)
             };
             let transfer = core::hint::black_box(transfer);
@@ -65,7 +65,7 @@ macro_rules! rung_q15 {
             board::holds(size_of_val(&transfer) + size_of_val(&d) + size_of_val(&scene));
             let lights = [inputs::mantissas::<_, LIGHT>()];
             board::measure_named("light", &lights, board::Passes(64), |light| {
-                let light = inputs::light(light, table::DEGREE);
+                let light = inputs::light(light);
                 table::relight_into(&transfer.view(), &light, &mut d)?;
                 table::collapse_into(&d, core::hint::black_box(&mut scene))
             });

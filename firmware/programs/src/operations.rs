@@ -42,7 +42,7 @@ macro_rules! relight {
 
         fn main() {
             let material = inputs::mantissas::<_, 40>();
-            let Ok(transfer) = table::fold(&inputs::material(&material, table::ORDER)) else {
+            let Ok(transfer) = table::transfer(&inputs::material(&material, table::ORDER)) else {
                 board::exit(false)
             };
             let transfer = core::hint::black_box(transfer);
@@ -53,7 +53,7 @@ macro_rules! relight {
             board::holds(of_scene.into_iter().sum());
             board::holds(size_of_val(&transfer) + size_of_val(&d));
             board::measure(&[inputs::mantissas::<_, 100>()], board::Passes(64), |light| {
-                let light = inputs::light(light, table::DEGREE);
+                let light = inputs::light(light);
                 let done =
                     table::relight_into(&transfer.view(), &light, core::hint::black_box(&mut d));
                 let _ = &mut scene;
@@ -78,8 +78,8 @@ macro_rules! collapse {
         fn main() {
             let material = inputs::mantissas::<_, 40>();
             let light = inputs::mantissas::<_, 100>();
-            let light = inputs::light(&light, table::DEGREE);
-            let relit = table::fold(&inputs::material(&material, table::ORDER))
+            let light = inputs::light(&light);
+            let relit = table::transfer(&inputs::material(&material, table::ORDER))
                 .and_then(|transfer| table::relight(&transfer.view(), &light));
             let Ok(relit) = relit else { board::exit(false) };
             let mut scene = table::Scene::default();
@@ -93,7 +93,7 @@ macro_rules! collapse {
 
 /// A new material, folded into the basis of the module `$table`.
 #[macro_export]
-macro_rules! fold {
+macro_rules! transfer {
     ($table:path) => {
         use $crate::integer_inputs as inputs;
         use $table as table;
@@ -105,7 +105,7 @@ macro_rules! fold {
             board::holds(size_of_val(&transfer));
             board::measure(&[inputs::mantissas::<_, 40>()], board::Passes(16), |material| {
                 let material = inputs::material(material, table::ORDER);
-                table::fold_into(&material, core::hint::black_box(&mut transfer))
+                table::transfer_into(&material, core::hint::black_box(&mut transfer))
             });
         }
     };

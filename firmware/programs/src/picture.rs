@@ -2,7 +2,7 @@
 //! display takes.
 
 use eigenshade::Q15;
-use eigenshade::quantised::Normal;
+use eigenshade::quantized::Normal;
 
 /// Pixels along a side.
 const SIDE: i32 = 16;

@@ -96,12 +96,12 @@ macro_rules! scene_f32 {
 
         fn main() {
             let material = inputs::numbers::<MATERIAL>();
-            let Ok(transfer) = table::transfer(&inputs::material(&material, table::ORDER)) else {
+            let Ok(transfer) = table::transfer(&inputs::material(&material)) else {
                 board::exit(false)
             };
             let transfer = core::hint::black_box(transfer);
             let numbers = inputs::numbers::<{ table::COMPONENTS }>();
-            let mut d = eigenshade::fixed::coefficients(numbers, &[]);
+            let mut d = eigenshade::specialized::coefficients(numbers, &[]);
             let mut scenes = [(); $channels].map(|()| match table::collapse(&d) {
                 Ok(scene) => scene,
                 Err(_) => board::exit(false),
@@ -110,7 +110,7 @@ macro_rules! scene_f32 {
             let lights = [[(); $channels].map(|()| inputs::numbers::<LIGHT>())];
             board::measure_named("light", &lights, board::Passes(64), |lights| {
                 lights.iter().zip(&mut scenes).try_for_each(|(light, scene)| {
-                    let light = eigenshade::Light::new(table::DEGREE, light)?;
+                    let light = eigenshade::Light::new(light)?;
                     table::relight_into(&transfer, &light, &mut d)?;
                     table::collapse_into(&d, core::hint::black_box(scene))
                 })
@@ -142,7 +142,7 @@ macro_rules! scene_f32 {
         let Ok(rotation) = rotation else { board::exit(false) };
         board::measure_named("turn", &$lights, board::Passes(16), |lights| {
             lights.each_ref().map(|light| {
-                let light = eigenshade::Light::new(table::DEGREE, light)?;
+                let light = eigenshade::Light::new(light)?;
                 light.turned::<LIGHT, ROOM>(&rotation)
             })
         });
@@ -168,7 +168,7 @@ macro_rules! scene_q15 {
             let lights = [[(); $channels].map(|()| inputs::mantissas::<_, LIGHT>())];
             board::measure_named("light", &lights, board::Passes(64), |lights| {
                 lights.iter().zip(&mut scenes).try_for_each(|(light, scene)| {
-                    let light = inputs::light(light, table::DEGREE);
+                    let light = inputs::light(light);
                     table::relight_into(&table::MATERIAL, &light, &mut d)?;
                     table::collapse_into(&d, core::hint::black_box(scene))
                 })

@@ -4,7 +4,7 @@ use super::options::{Memory, angles, count, effect, tolerance, width};
 use super::shade_images::{Images, Output, Way};
 use clap::{Args, ValueEnum};
 use eigenshade::mathematics::Libm;
-use eigenshade::{Effect, Effects, Negatives, Q15, Q31, Tolerance, Window};
+use eigenshade::{Effect, Effects, NegativePolicy, Q15, Q31, Tolerance, Window};
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::notes::{Ringing, albedo_warning};
 use eigenshade_cli::output::{self, Rows, exact};
@@ -168,7 +168,7 @@ impl Shade {
         let rounding = rounding.map_or(0.0, |rounding| rounding.largest);
         let images =
             Images { table, lights, materials, normals, components, effects, tolerance, rounding };
-        let negatives = if self.clamp { Negatives::Clamped } else { Negatives::Kept };
+        let negatives = if self.clamp { NegativePolicy::Clamped } else { NegativePolicy::Kept };
         let (mut least, mut ringing) = (f64::INFINITY, Ringing::default());
         output::write(self.out.as_deref(), |out| {
             let rows = Rows::new(out, ["light", "material", "normal", "r", "g", "b"])?;

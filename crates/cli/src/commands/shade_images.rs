@@ -1,6 +1,6 @@
 //! The images of `eigenshade shade`: every light on every material, by any method.
 
-use eigenshade::{Economy, Effects, Negatives, Scalar, Tolerance};
+use eigenshade::{Effects, NegativePolicy, Scalar, Tolerance, Truncation};
 use eigenshade_cli::messages::{print_message, progress_bar};
 use eigenshade_cli::notes::{Ringing, truncation_lines};
 use eigenshade_cli::output::{Rows, exact};
@@ -37,7 +37,7 @@ pub enum Way {
 /// Where the irradiance goes.
 pub struct Output<'a> {
     pub rows: Rows<'a>,
-    pub negatives: Negatives,
+    pub negatives: NegativePolicy,
     /// The least irradiance so far that was clamped.
     pub least: f64,
     pub ringing: Ringing,
@@ -109,7 +109,7 @@ impl Images {
             Tolerance::Decibels(decibels) => Tolerance::Decibels(decibels),
             other => unreachable!("the option --tolerance has no {other:?}"),
         };
-        let mut chosen: Vec<Economy<S>> = Vec::new();
+        let mut chosen: Vec<Truncation<S>> = Vec::new();
         self.colors(out, |channels| {
             let shaded = shader.within(&channels, &normals, tolerance)?;
             let mut rgb = [const { Vec::new() }; 3];

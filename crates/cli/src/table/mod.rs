@@ -8,7 +8,7 @@ pub mod rounding;
 
 use crate::messages::grouped;
 use eigenshade::wire::{Header, WireError, WireFormat, aligned};
-use eigenshade::{Basis, GeneralBasis, Q15, Q31, quantised};
+use eigenshade::{Basis, GeneralBasis, Q15, Q31, quantized};
 use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_index::wire::{ENTRY, FLOATS, HEADER, INTEGERS, LABEL};
 use eigenshade_model::error::{Error, Result};
@@ -105,8 +105,8 @@ fn checked(bytes: &[u8]) -> std::result::Result<Header, WireError> {
     let mut room = vec![0; bytes.len().div_ceil(4)];
     let bytes = aligned(bytes, &mut room)?;
     match WireFormat::of(header.format) {
-        Some(WireFormat::Q15) => quantised::Basis::<Q15>::from_bytes(bytes).map(drop)?,
-        Some(WireFormat::Q31) => quantised::Basis::<Q31>::from_bytes(bytes).map(drop)?,
+        Some(WireFormat::Q15) => quantized::Basis::<Q15>::from_bytes(bytes).map(drop)?,
+        Some(WireFormat::Q31) => quantized::Basis::<Q31>::from_bytes(bytes).map(drop)?,
         _ if header.images > 0 => GeneralBasis::<f32>::from_bytes(bytes).map(drop)?,
         _ => Basis::<f32>::from_bytes(bytes).map(drop)?,
     }

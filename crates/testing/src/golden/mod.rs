@@ -6,8 +6,8 @@
 pub mod record;
 
 use self::record::{Golden, Row};
-use eigenshade::quantised::{Basis, Light, Material, Normal, Transfer};
-use eigenshade::{Error, Fixed, Q15, Q31, sphere};
+use eigenshade::quantized::{Basis, Light, Material, Normal, Transfer};
+use eigenshade::{Error, FixedPoint, Q15, Q31, sphere};
 use eigenshade_shading::owned_basis::{AnyBasis, OwnedBasis};
 use eigenshade_shading::shipped;
 
@@ -29,7 +29,7 @@ const DEGREE: usize = sphere::DEGREE;
 const ORDER: usize = sphere::ORDER;
 
 /// An integer format with its shipped basis.
-pub trait Shipped: Fixed {
+pub trait Shipped: FixedPoint {
     /// The format's name in the file.
     const FORMAT: &'static str;
     /// The number with this mantissa, which must fit the format.
@@ -132,7 +132,7 @@ pub fn answer<Q: Shipped>(
     let mut workspace = vec![Default::default(); basis.workspace_len()];
     let mut numbers = vec![Q::default(); basis.transfer_len()];
     let mut exponents = vec![0; basis.profiles()];
-    basis.fold_into(material, &mut workspace, &mut numbers, &mut exponents)?;
+    basis.transfer_into(material, &mut workspace, &mut numbers, &mut exponents)?;
     let mut d = vec![0; basis.components()];
     let exponent = basis.relight_into(&Transfer::new(&numbers, &exponents), light, &mut d)?;
     let scene = basis.collapse_into(&d, exponent, vec![0; basis.scene_len()])?;
@@ -165,10 +165,10 @@ fn integer_rows<Q: Shipped>(rows: &mut Vec<Row>) {
     for (pair, channel) in PAIRS {
         let input = input(pair, channel);
         let mut of_light = vec![Q::default(); input.light.len()];
-        let light = Light::quantise(DEGREE, &input.light, &mut of_light).expect("a light");
+        let light = Light::quantize(&input.light, &mut of_light).expect("a light");
         let mut of_material = vec![Q::default(); input.material.len()];
         let mut exponents = [0; ORDER + 1];
-        let material = Material::quantise(ORDER, &input.material, &mut of_material, &mut exponents);
+        let material = Material::quantize(&input.material, &mut of_material, &mut exponents);
         let material = material.expect("a material");
         let answer = answer(&light, &material, &normals).expect("they fit the basis");
         let exponent_of_light = light.exponent();
@@ -200,8 +200,8 @@ fn float_rows(rows: &mut Vec<Row>) {
         let wide =
             |numbers: &[f32]| numbers.iter().map(|&value| value.into()).collect::<Vec<f64>>();
         let (light, material) = (wide(&input.light), wide(&input.material));
-        let light = eigenshade::Light::new(DEGREE, &light).expect("a light");
-        let material = eigenshade::Material::new(ORDER, &material).expect("a material");
+        let light = eigenshade::Light::new(&light).expect("a light");
+        let material = eigenshade::Material::new(&material).expect("a material");
         let mut workspace = vec![0.0; basis.workspace_len()];
         let mut d = vec![0.0; basis.components()];
         basis.project_into(&light, &material, &mut workspace, &mut d).expect("they fit the basis");

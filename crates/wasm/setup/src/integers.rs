@@ -4,7 +4,7 @@
 use crate::buffers::{LIGHT, LIGHT_COUNT, MATERIAL, MATERIAL_COUNT, NORMALS, Shared};
 use crate::table::{COMPONENTS, DEGREE, ORDER};
 use eigenshade::Format;
-use eigenshade::quantised::{Light, Material, Normal, Scene, Transfer};
+use eigenshade::quantized::{Light, Material, Normal, Scene, Transfer};
 
 /// The data that a format keeps between calls.
 struct State<Q: Format, const T: usize, const P: usize, const N: usize> {
@@ -53,10 +53,10 @@ macro_rules! exports {
                     // SAFETY: each buffer is borrowed once, and no other function runs.
                     unsafe { (MATERIAL.borrow(), STATE.borrow()) };
                 let State { material, of_material, room, transfer, of_transfer, .. } = state;
-                let Ok(material) = Material::quantise(ORDER, from, material, of_material) else {
+                let Ok(material) = Material::quantize(from, material, of_material) else {
                     return 0;
                 };
-                BASIS.fold_into(&material, room, transfer, of_transfer).is_ok().into()
+                BASIS.transfer_into(&material, room, transfer, of_transfer).is_ok().into()
             }
 
             /// Computes d of the light on the material of the last transfer.
@@ -65,7 +65,7 @@ macro_rules! exports {
                 let (from, state, d, exponents) =
                     // SAFETY: each buffer is borrowed once, and no other function runs.
                     unsafe { (LIGHT.borrow(), STATE.borrow(), D.borrow(), EXPONENTS.borrow()) };
-                let Ok(light) = Light::quantise(DEGREE, from, &mut state.light) else { return 0 };
+                let Ok(light) = Light::quantize(from, &mut state.light) else { return 0 };
                 let transfer = Transfer::new(&state.transfer, &state.of_transfer);
                 let Ok(exponent) = BASIS.relight_into(&transfer, &light, d) else { return 0 };
                 let [of_d, _] = exponents;

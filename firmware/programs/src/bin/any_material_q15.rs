@@ -4,9 +4,9 @@
 #![no_main]
 
 use board::{exit, print, print_u32, program, stack};
-use eigenshade::quantised::{Light, Material, Normal, Scene, Transfer};
+use eigenshade::quantized::{Light, Material, Normal, Scene, Transfer};
 use eigenshade::sphere::q15::{
-    BASIS, COMPONENTS, DEGREE, ORDER, PROFILES, SCENE, TRANSFER, WORKSPACE,
+    BASIS, COMPONENTS, PROFILES, SCENE, TRANSFER, WORKSPACE,
 };
 use eigenshade::{Error, Q15};
 use programs::golden::q15::{LIGHT_0, LIGHT_1, LIGHT_2, MATERIAL_0, MATERIAL_1, MATERIAL_2};
@@ -60,9 +60,9 @@ fn scene<'a>(
     let mut workspace = [0; WORKSPACE];
     let (mut transfer, mut exponents) = ([Q15(0); TRANSFER], [0; PROFILES]);
     let mut d = [0; COMPONENTS];
-    let material = Material::new(ORDER, of_material, material)?;
-    BASIS.fold_into(&material, &mut workspace, &mut transfer, &mut exponents)?;
-    let light = Light::new(DEGREE, of_light, light)?;
+    let material = Material::new(of_material, material)?;
+    BASIS.transfer_into(&material, &mut workspace, &mut transfer, &mut exponents)?;
+    let light = Light::new(of_light, light)?;
     let exponent = BASIS.relight_into(&Transfer::new(&transfer, &exponents), &light, &mut d)?;
     BASIS.collapse_into(&d, exponent, numbers)
 }

@@ -13,6 +13,6 @@ fn main() {
     let Ok(map) = IntegerMap::new(32, 0, texels) else { board::exit(false) };
     let map = core::hint::black_box(map);
     holds(size_of_val(&map));
-    let points = inputs::normals::<Q15>().map(MapPoint::of_quantised);
+    let points = inputs::normals::<Q15>().map(MapPoint::of_quantized);
     measure(&points, Passes(256), |point| map.bilinear(*point));
 }

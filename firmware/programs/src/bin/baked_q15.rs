@@ -14,5 +14,5 @@ fn main() {
     let map = core::hint::black_box(map);
     holds(size_of_val(&map));
     let normals = inputs::normals::<Q15>();
-    measure(&normals, Passes(256), |normal| map.bilinear(MapPoint::of_quantised(*normal)));
+    measure(&normals, Passes(256), |normal| map.bilinear(MapPoint::of_quantized(*normal)));
 }

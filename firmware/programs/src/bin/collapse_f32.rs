@@ -10,7 +10,7 @@ use programs::inputs;
 program!(main);
 
 fn main() {
-    let coefficients = eigenshade::fixed::coefficients(inputs::numbers(), &[]);
+    let coefficients = eigenshade::specialized::coefficients(inputs::numbers(), &[]);
     let Ok(mut scene) = sphere::collapse(&coefficients) else { board::exit(false) };
     holds(size_of_val(&coefficients) + size_of_val(&scene));
     measure(&[coefficients], Passes(256), |coefficients| {

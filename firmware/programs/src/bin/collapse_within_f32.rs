@@ -6,7 +6,7 @@
 use board::{Passes, holds, measure, program};
 use core::hint::black_box;
 use eigenshade::Tolerance;
-use eigenshade::sphere::{self, BASIS, Coefficients, DEGREE, ORDER, SCENE};
+use eigenshade::sphere::{self, BASIS, Coefficients, DEGREE, SCENE};
 use programs::inputs;
 
 program!(main);
@@ -27,6 +27,6 @@ fn image(light: &[f32; 100], material: &[f32; 40], faster: usize) -> Coefficient
     let (mut light, mut material) = (*light, *material);
     light.iter_mut().zip(0..).for_each(|(value, k)| *value /= (1 + k * faster) as f32);
     material.iter_mut().zip(0..).for_each(|(value, k)| *value /= (1 + k * faster) as f32);
-    let (light, material) = (inputs::light(&light, DEGREE), inputs::material(&material, ORDER));
+    let (light, material) = (inputs::light(&light), inputs::material(&material));
     sphere::project(&light, &material).unwrap_or_else(|_| board::exit(false))
 }

@@ -25,8 +25,8 @@ fn check(found: f32, expected: f32, all_expected: &[f32]) -> u32 {
 }
 
 fn compare(pair: &Pair<f32, f32>, right: &mut u32, all: &mut u32) -> Result<(), Error> {
-    let light = Light::new(sphere::DEGREE, pair.light.0)?;
-    let material = Material::new(sphere::ORDER, pair.material.0)?;
+    let light = Light::new(pair.light.0)?;
+    let material = Material::new(pair.material.0)?;
     let projected = sphere::project(&light, &material)?;
     let relit = sphere::relight(&sphere::transfer(&material)?, &light)?;
     let ((d, _), (irradiances, _)) = (pair.d, pair.irradiance);

@@ -5,7 +5,7 @@
 use board::{Passes, measure, program};
 use core::hint::black_box;
 use eigenshade::Q15;
-use eigenshade::quantised::NineTerms;
+use eigenshade::quantized::NineTerms;
 use programs::integer_inputs as inputs;
 
 program!(main);

@@ -5,10 +5,10 @@
 #![no_main]
 
 use board::{exit, print, print_u32, program, stack};
-use eigenshade::quantised::{Light, Normal, Scene};
+use eigenshade::quantized::{Light, Normal, Scene};
 use eigenshade::{Error, Q15};
 use programs::golden::q15::{LIGHT_0, LIGHT_1, LIGHT_2};
-use programs::one_material::{BASIS, COMPONENTS, DEGREE, MATERIAL, SCENE};
+use programs::one_material::{BASIS, COMPONENTS, MATERIAL, SCENE};
 use programs::picture;
 
 program!(main);
@@ -51,7 +51,7 @@ fn scene<'a>(
     numbers: &'a mut [i32],
 ) -> Result<Channel<'a>, Error> {
     let mut d = [0; COMPONENTS];
-    let light = Light::new(DEGREE, of_light, light)?;
+    let light = Light::new(of_light, light)?;
     let exponent = BASIS.relight_into(&MATERIAL, &light, &mut d)?;
     BASIS.collapse_into(&d, exponent, numbers)
 }

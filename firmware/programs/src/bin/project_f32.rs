@@ -4,7 +4,7 @@
 
 use board::{Passes, measure, program};
 use core::hint::black_box;
-use eigenshade::sphere::{self, Coefficients, DEGREE, ORDER};
+use eigenshade::sphere::{self, Coefficients};
 use programs::inputs;
 
 program!(main);
@@ -16,6 +16,6 @@ fn main() {
 
 #[inline(never)]
 fn projected(light: &[f32; 100], material: &[f32; 40]) -> Coefficients {
-    let (light, material) = (inputs::light(light, DEGREE), inputs::material(material, ORDER));
+    let (light, material) = (inputs::light(light), inputs::material(material));
     sphere::project(&light, &material).unwrap_or_else(|_| board::exit(false))
 }

@@ -12,7 +12,7 @@ program!(main);
 
 fn main() {
     let coefficients = inputs::numbers::<COMPONENTS>();
-    let Ok(scene) = lambertian::collapse(&eigenshade::fixed::coefficients(coefficients, &[]))
+    let Ok(scene) = lambertian::collapse(&eigenshade::specialized::coefficients(coefficients, &[]))
     else {
         board::exit(false)
     };

@@ -16,8 +16,8 @@ fn main() {
 
 fn draw() -> Result<(), Error> {
     let [pair, ..] = &PAIRS;
-    let light = Light::new(sphere::DEGREE, pair.light.0)?;
-    let material = Material::new(sphere::ORDER, pair.material.0)?;
+    let light = Light::new(pair.light.0)?;
+    let material = Material::new(pair.material.0)?;
     let scene = sphere::collapse(&sphere::project(&light, &material)?)?;
     drawing::draw(|x, y, z| {
         let [x, y, z] = [x, y, z].map(|fraction| fraction as f32);

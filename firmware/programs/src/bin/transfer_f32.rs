@@ -3,7 +3,7 @@
 #![no_main]
 
 use board::{Passes, measure, program};
-use eigenshade::sphere::{self, ORDER, Transfer};
+use eigenshade::sphere::{self, Transfer};
 use programs::inputs;
 
 program!(main);
@@ -14,6 +14,6 @@ fn main() {
 
 #[inline(never)]
 fn folded(material: &[f32; 40]) -> Transfer {
-    let material = inputs::material(material, ORDER);
+    let material = inputs::material(material);
     sphere::transfer(&material).unwrap_or_else(|_| board::exit(false))
 }

@@ -2,4 +2,4 @@
 #![no_std]
 #![no_main]
 
-programs::fold!(eigenshade::sphere::q15);
+programs::transfer!(eigenshade::sphere::q15);

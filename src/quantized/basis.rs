@@ -1,0 +1,358 @@
+//! The arrays of a fixed-point basis, and the basis whose shape and bounds were checked.
+
+use super::transfer::Transfer;
+use crate::error::{Argument, Error};
+use crate::format::{Q15, Q31};
+use crate::index::effect::Effects;
+use crate::index::{layout, pair};
+use zerocopy::{FromBytes, Immutable, KnownLayout};
+
+/// The arrays of a basis in a fixed-point format, as `eigenshade-table` writes them. A number is a
+/// mantissa times 2 to its exponent.
+#[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Parts<'a, Q> {
+    /// Largest degree l of the light.
+    pub degree: usize,
+    /// Largest order o of the BRDF.
+    pub order: usize,
+    /// The effects that the basis covers. All coefficients must be factored.
+    pub effects: Effects,
+    /// Number of components K.
+    pub components: usize,
+    /// Slant profiles, in order of |m|.
+    pub profiles: &'a [Profile],
+    /// Number of polynomial terms for each |m|.
+    pub lengths: &'a [u8],
+    /// √(o+1) N_l^q C_lo^q of (11): for each l a row over the pairs (o, q). This and the next three
+    /// arrays are empty in a basis that only holds transfers.
+    pub polar: &'a [Q],
+    /// An exponent for each number of `polar`.
+    pub polar_exponents: &'a [i8],
+    /// Factors of UᵀM: for each profile and each l from |m| on, a row over the pairs.
+    pub factors: &'a [Q],
+    /// An exponent for each row of `factors`.
+    pub factor_exponents: &'a [i8],
+    /// For each profile, its polynomial in t = 2z - 1, highest power first, times √2 if m is not 0.
+    pub terms: &'a [Q],
+}
+
+/// A slant profile: its azimuth, the components that use it, the exponent of its terms, and its
+/// largest values.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, FromBytes, Immutable, KnownLayout)]
+#[repr(C)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Profile {
+    pub(crate) azimuth: u8,
+    pub(crate) exponent: i8,
+    pub(crate) plus: u16,
+    pub(crate) minus: u16,
+    pub(crate) size: u16,
+    pub(crate) step: u16,
+}
+
+impl Profile {
+    /// Marks a missing component.
+    pub const NONE: u16 = u16::MAX;
+
+    /// The profile of `azimuth` |m|, used by component number `plus` with order +m (or 0) and by
+    /// component number `minus` with order -m. Either may be [`NONE`](Self::NONE). `size` is its
+    /// largest value, and `step` the largest term of its polynomial or intermediate step of
+    /// Horner's rule, both in sixteenths.
+    #[must_use]
+    pub const fn new(
+        azimuth: u8,
+        exponent: i8,
+        [plus, minus]: [u16; 2],
+        [size, step]: [u16; 2],
+    ) -> Self {
+        Self { azimuth, exponent, plus, minus, size, step }
+    }
+
+    /// Whether a term with this mantissa, below 2^32, is at most the largest step.
+    pub(crate) const fn states(&self, mantissa: u64) -> bool {
+        let (by, step) = (self.exponent as i32 + 4, self.step as u64);
+        match by {
+            _ if mantissa == 0 => true,
+            0..32 => mantissa << by <= step,
+            -47..0 => mantissa <= step << -by,
+            _ => by < 0 && step > 0,
+        }
+    }
+}
+
+/// An eigenbasis in a fixed-point format.
+#[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Basis<'a, Q> {
+    pub(crate) parts: Parts<'a, Q>,
+}
+
+impl<'a, Q> Parts<'a, Q> {
+    /// Checks all lengths, and all positions by which one part refers to another.
+    const fn fits(&self) -> Result<(), Error> {
+        let degrees = self.degree.saturating_add(1);
+        if let Err(error) = Error::check(Argument::Lengths, degrees, self.lengths.len()) {
+            return Err(error);
+        }
+        // Each profile needs a weight for +m and one for -m; each degree needs a place in a row of
+        // a transfer.
+        if 2 * self.profiles.len() > layout::MAX_WEIGHTS || degrees > layout::MAX_WEIGHTS / 2 {
+            return Err(Error::Bound);
+        }
+        if self.effects.unfactored_count(self.order) > 0
+            || self.effects.factored_order(self.order) != self.order
+        {
+            return Err(Error::Coupling);
+        }
+        let pairs = pair::count(self.order);
+        let (mut rows, mut terms, mut served, mut before) = (0, 0, 0, 0);
+        let mut rest = self.profiles;
+        while let [profile, tail @ ..] = rest {
+            let azimuth = profile.azimuth as usize;
+            let of_minus = profile.minus != Profile::NONE;
+            if azimuth < before || azimuth > self.degree || (azimuth == 0 && of_minus) {
+                return Err(Error::Profile);
+            }
+            let orders = [profile.plus, profile.minus];
+            let mut orders = orders.as_slice();
+            while let [component, others @ ..] = orders {
+                if *component != Profile::NONE {
+                    let of_others = profile.plus == profile.minus || served_by(tail, *component);
+                    if *component as usize >= self.components || of_others {
+                        return Err(Error::Profile);
+                    }
+                    served += 1;
+                }
+                orders = others;
+            }
+            rows = usize::saturating_add(rows, degrees - azimuth);
+            terms = usize::saturating_add(terms, self.length(azimuth));
+            (rest, before) = (tail, azimuth);
+        }
+        if served != self.components {
+            return Err(Error::Profile);
+        }
+        // Azimuths with profiles need no check: the number of terms bounds their length.
+        let (mut azimuth, mut rest) = (0, self.profiles);
+        while azimuth <= self.degree {
+            let mut has_profile = false;
+            while let [profile, tail @ ..] = rest
+                && profile.azimuth as usize == azimuth
+            {
+                (rest, has_profile) = (tail, true);
+            }
+            if !has_profile
+                && let Err(error) = Error::check(Argument::Lengths, 0, self.length(azimuth))
+            {
+                return Err(error);
+            }
+            azimuth += 1;
+        }
+        let folded = self.polar.is_empty() && self.factors.is_empty();
+        let (degrees, rows) = if folded { (0, 0) } else { (degrees, rows) };
+        let polar = pairs.saturating_mul(degrees);
+        let checks = [
+            Error::check(Argument::Polar, polar, self.polar.len()),
+            Error::check(Argument::Polar, polar, self.polar_exponents.len()),
+            Error::check(Argument::Factors, pairs.saturating_mul(rows), self.factors.len()),
+            Error::check(Argument::Factors, rows, self.factor_exponents.len()),
+            Error::check(Argument::Terms, terms, self.terms.len()),
+        ];
+        let mut rest = checks.as_slice();
+        while let [check, tail @ ..] = rest {
+            if let Err(error) = check {
+                return Err(*error);
+            }
+            rest = tail;
+        }
+        Ok(())
+    }
+
+    /// Number of terms of an azimuth's polynomials; 0 if it has none.
+    pub(crate) const fn length(&self, azimuth: usize) -> usize {
+        match self.lengths.split_at_checked(azimuth) {
+            Some((_, [length, ..])) => *length as usize,
+            _ => 0,
+        }
+    }
+}
+
+/// Whether one of these profiles belongs to this component.
+const fn served_by(mut profiles: &[Profile], component: u16) -> bool {
+    while let [profile, others @ ..] = profiles {
+        if profile.plus == component || profile.minus == component {
+            return true;
+        }
+        profiles = others;
+    }
+    false
+}
+
+macro_rules! bounded {
+    ($format:ident, $bits:literal) => {
+        impl<'a> Basis<'a, $format> {
+            /// The basis of these parts.
+            ///
+            /// Checks all lengths, all positions by which one part refers to another, that no sum
+            /// over a row of factors can leave its accumulator, and that no term of a profile is
+            /// larger than the step that the profile states. Hence no sum of weighted terms can
+            /// leave its accumulator either.
+            ///
+            /// # Errors
+            ///
+            /// [`Error::Length`] or [`Error::Profile`] if the parts are inconsistent.
+            /// [`Error::Bound`] if a row of factors sums to 2^(BITS + 1) or more, if a term is
+            /// larger than the largest step that its profile states, if there are more than 511
+            /// profiles, or if the degree is above 510.
+            pub const fn new(parts: Parts<'a, $format>) -> Result<Self, Error> {
+                if let Err(error) = parts.fits() {
+                    return Err(error);
+                }
+                let pairs = pair::count(parts.order);
+                let mut rest = parts.factors;
+                while let Some((row, tail)) = rest.split_at_checked(pairs) {
+                    if !Self::bounds(row) {
+                        return Err(Error::Bound);
+                    }
+                    if tail.is_empty() {
+                        break;
+                    }
+                    rest = tail;
+                }
+                let (mut terms, mut profiles) = (parts.terms, parts.profiles);
+                while let [profile, others @ ..] = profiles {
+                    let length = parts.length(profile.azimuth as usize);
+                    let Some((row, tail)) = terms.split_at_checked(length) else { break };
+                    if !profile.states(Self::largest(row)) {
+                        return Err(Error::Bound);
+                    }
+                    (terms, profiles) = (tail, others);
+                }
+                Ok(Self { parts })
+            }
+
+            /// A transfer of these numbers, checked once for this basis. Being `const`, it can
+            /// initialize a static.
+            ///
+            /// # Errors
+            ///
+            /// [`Error::Length`] unless there are [`transfer_len`](Self::transfer_len) numbers and
+            /// [`profiles`](Self::profiles) exponents, [`Error::Bound`] if a row sums to
+            /// 2^(BITS + 1) or more.
+            pub const fn checked_transfer<'t>(
+                &self,
+                numbers: &'t [$format],
+                exponents: &'t [i16],
+            ) -> Result<Transfer<'t, $format>, Error> {
+                let lengths = [
+                    Error::check(Argument::Transfer, self.transfer_len(), numbers.len()),
+                    Error::check(Argument::Transfer, self.profiles(), exponents.len()),
+                ];
+                if let [Err(error), _] | [_, Err(error)] = lengths {
+                    return Err(error);
+                }
+                let (mut rest, mut profiles) = (numbers, self.parts.profiles);
+                while let [profile, others @ ..] = profiles {
+                    let length = self.parts.degree + 1 - profile.azimuth as usize;
+                    let Some((row, tail)) = rest.split_at_checked(length) else { break };
+                    if !Self::bounds(row) {
+                        return Err(Error::Bound);
+                    }
+                    (rest, profiles) = (tail, others);
+                }
+                Ok(Transfer { numbers, exponents, bounded: true })
+            }
+
+            /// The largest absolute value in a row.
+            const fn largest(row: &[$format]) -> u64 {
+                let (mut largest, mut numbers) = (0, row);
+                while let [$format(number), others @ ..] = numbers {
+                    let size = number.unsigned_abs() as u64;
+                    largest = if size > largest { size } else { largest };
+                    numbers = others;
+                }
+                largest
+            }
+
+            /// Whether the absolute values of a row sum to less than 2^(BITS + 1).
+            const fn bounds(row: &[$format]) -> bool {
+                let (mut sum, mut numbers) = (0_u64, row);
+                while let [$format(number), others @ ..] = numbers {
+                    sum += number.unsigned_abs() as u64;
+                    numbers = others;
+                }
+                sum >> ($bits + 1) == 0
+            }
+        }
+    };
+}
+bounded!(Q15, 15);
+bounded!(Q31, 31);
+
+impl<'a, Q> Basis<'a, Q> {
+    /// The parts of this basis.
+    #[must_use]
+    pub const fn parts(&self) -> &Parts<'a, Q> {
+        &self.parts
+    }
+
+    /// Largest degree l of the light.
+    #[must_use]
+    pub const fn degree(&self) -> usize {
+        self.parts.degree
+    }
+
+    /// Largest order o of the BRDF.
+    #[must_use]
+    pub const fn order(&self) -> usize {
+        self.parts.order
+    }
+
+    /// The effects that the basis covers.
+    #[must_use]
+    pub const fn effects(&self) -> Effects {
+        self.parts.effects
+    }
+
+    /// Number of components K.
+    #[must_use]
+    pub const fn components(&self) -> usize {
+        self.parts.components
+    }
+
+    /// Workspace length of `transfer`, in wide numbers: S, its exponents, and one row with exponents.
+    #[must_use]
+    pub const fn workspace_len(&self) -> usize {
+        pair::count(self.parts.order).saturating_add(3).saturating_mul(self.parts.degree + 1)
+    }
+
+    /// Length of a transfer: for each profile, one number for each l from |m| on.
+    #[must_use]
+    pub const fn transfer_len(&self) -> usize {
+        let (mut sum, mut rest) = (0, self.parts.profiles);
+        while let [profile, tail @ ..] = rest {
+            let degrees = self.parts.degree + 1 - profile.azimuth as usize;
+            sum = usize::saturating_add(sum, degrees);
+            rest = tail;
+        }
+        sum
+    }
+
+    /// Number of profiles.
+    #[must_use]
+    pub const fn profiles(&self) -> usize {
+        self.parts.profiles.len()
+    }
+
+    /// Length of a collapsed scene.
+    #[must_use]
+    pub const fn scene_len(&self) -> usize {
+        let (mut sum, mut azimuth) = (0, 0);
+        while azimuth <= self.parts.degree {
+            sum += self.parts.length(azimuth) * if azimuth == 0 { 1 } else { 2 };
+            azimuth += 1;
+        }
+        sum
+    }
+}

@@ -1,0 +1,59 @@
+//! The whole path from light to pixel in fixed point, for machines without a float unit.
+//!
+//! The mathematics is the same as in floating point: a [`Basis`] computes the transfer of a
+//! [`Material`] ([`Basis::transfer`]), relights it with each new
+//! [`Light`] ([`Basis::relight`]) and sums the components of each azimuth ([`Basis::collapse`]).
+//! The resulting [`Scene`] gives the irradiance of a [`Normal`]. A number is a mantissa times
+//! 2^exponent; the numbers of an array share exponents, and every result has an exponent of its
+//! own.
+//!
+//! Nothing wraps. The tables are scaled so that no sum over them can leave its accumulator, and
+//! [`Basis::new`] checks this when it is compiled. Numbers that depend on light and material are
+//! scaled to their size, and values that cannot be represented saturate. Transfers made by hand are
+//! checked; coefficients may have any value. The sizes that a profile states are trusted: if they
+//! are too small, a pixel is wrong, but nothing panics. The results are the same bits on every
+//! machine.
+//!
+//! Maps are baked, and lights rotated and windowed, in floating point, on the host or on a machine
+//! with a float unit. [`IntegerMap`](crate::IntegerMap) is looked up in integers.
+//!
+//! ```
+//! # #[cfg(feature = "baked")]
+//! # fn main() -> Result<(), eigenshade::Error> {
+//! use eigenshade::quantized::{Light, Material, Normal};
+//! use eigenshade::{Q15, sphere::q15};
+//!
+//! // Mantissas times 2^exponent: b_00^0 = 2, a white matte; light 3.5, 0, 1, 0.
+//! let matte = Material::new(&[-13], &[Q15(16_384)])?;
+//! let light = Light::new(-12, &[Q15(14_336), Q15(0), Q15(4_096), Q15(0)])?;
+//! let folded = q15::transfer(&matte)?;
+//! let scene = q15::collapse(&q15::relight(&folded.view(), &light)?)?;
+//! let normal = Normal::<Q15>::new(Q15(0), Q15(19_661), Q15(26_214))?; // (0, 0.6, 0.8)
+//! let mantissa = scene.shade(normal); // times 2^scene.exponent()
+//! let irradiance = f64::from(mantissa) * f64::from(scene.exponent()).exp2();
+//! assert!((irradiance - 1.249).abs() < 0.01, "{irradiance}");
+//! # Ok(())
+//! # }
+//! # #[cfg(not(feature = "baked"))]
+//! # fn main() {}
+//! ```
+
+mod basis;
+mod estimate;
+mod inputs;
+#[doc(hidden)]
+pub mod kernels;
+mod nine_terms;
+mod normal;
+mod relight;
+mod scene;
+mod transfer;
+
+pub use basis::{Basis, Parts, Profile};
+pub use estimate::Estimate;
+pub use inputs::{Light, Material};
+pub use nine_terms::NineTerms;
+pub use normal::Normal;
+pub use relight::Coefficients;
+pub use scene::{Scene, SceneBuffer};
+pub use transfer::{Transfer, TransferBuffer};

@@ -1,0 +1,307 @@
+//! Shades many normals at a time, in loops that the compiler can vectorize.
+
+mod tile;
+
+use crate::error::{Argument, Error};
+use crate::index::layout::{EVEN_ODD_TERMS, MONOMIAL_TERMS, Recurrence};
+use crate::nine_terms::nine_terms;
+use crate::normal::{Normal, Normals};
+use crate::polynomial::{self, argument};
+use crate::scalar::Scalar;
+use crate::scene::Descent;
+use crate::scene::Scene;
+use tile::{Room, TILE};
+
+/// Normals in one block: enough to keep the vector registers of the target busy.
+const BLOCK: usize = if cfg!(target_feature = "avx512f") {
+    64
+} else if cfg!(target_feature = "avx2") {
+    32
+} else if cfg!(target_arch = "x86_64") {
+    20
+} else if cfg!(any(target_arch = "aarch64", target_feature = "simd128")) {
+    16
+} else {
+    4
+};
+
+/// For polynomials of any length.
+pub(crate) const ANY: usize = usize::MAX;
+
+/// Whether to include special loops for few terms and for polynomials without halves: only on
+/// targets where code may be large.
+const SPECIAL: bool = cfg!(any(target_arch = "x86_64", target_arch = "aarch64"));
+
+impl<B> Scene<'_, B> {
+    /// The irradiance of one normal. Its unit is that of the light's radiance times steradian times
+    /// the material's 1/sr.
+    #[inline]
+    #[must_use]
+    pub fn shade<S: Scalar>(&self, normal: Normal<S>) -> S
+    where
+        B: AsRef<[S]>,
+    {
+        let polynomials = self.descent();
+        if let Some(nine_terms) = nine_terms(polynomials) {
+            return nine_terms.shade(normal);
+        }
+        let Normal { x, y, z } = normal;
+        let [irradiance] = if polynomials.is_orthogonal() {
+            orthogonal::<S, 1>(polynomials, &[x], &[y], &[z])
+        } else {
+            block::<S, { ANY }, 1>(polynomials, &[x], &[y], &[z])
+        };
+        irradiance
+    }
+
+    /// Writes the irradiance of each normal into `irradiance`.
+    ///
+    /// The sums are those of [`shade`](Self::shade) in the same order, so the results agree to the
+    /// last bit.
+    ///
+    /// ```
+    /// # #[cfg(feature = "baked")] {
+    /// use eigenshade::{Light, Material, Normals, sphere};
+    ///
+    /// let light = Light::new(&[3.5, 0.0, 1.0, 0.0])?;
+    /// let scene = sphere::collapse(&sphere::project(&light, &Material::new(&[2.0])?)?)?;
+    /// let mut irradiance = [0.0; 2];
+    /// let normals = Normals::new(&[0.0, 0.6], &[0.0, 0.0], &[1.0, 0.8])?;
+    /// scene.shade_slice(normals, &mut irradiance)?;
+    /// assert!(irradiance[0] > irradiance[1]);
+    /// # }
+    /// # Ok::<(), eigenshade::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] unless `irradiance` and `normals` have the same length.
+    pub fn shade_slice<S: Scalar>(
+        &self,
+        normals: Normals<'_, S>,
+        irradiance: &mut [S],
+    ) -> Result<(), Error>
+    where
+        B: AsRef<[S]>,
+    {
+        Error::check(Argument::Normals, normals.len(), irradiance.len())?;
+        let polynomials = self.descent();
+        if polynomials.is_orthogonal() {
+            stable(polynomials, normals, irradiance);
+        } else if let Some(nine_terms) = nine_terms(polynomials) {
+            nine_terms.shade_slice(normals, irradiance)?;
+        } else if !SPECIAL {
+            blocks::<S, ANY>(polynomials, [normals.x, normals.y, normals.z], irradiance);
+        } else if let ([], [] | [_]) = (polynomials.lengths, polynomials.pole) {
+            irradiance.fill(polynomials.pole.first().copied().unwrap_or(S::ZERO));
+        } else if tile::fits(&polynomials) {
+            let [(x, x_rest), (y, y_rest), (z, z_rest)] =
+                [normals.x, normals.y, normals.z].map(<[S]>::as_chunks::<TILE>);
+            let (out, out_rest) = irradiance.as_chunks_mut::<TILE>();
+            let mut room = Room::new();
+            for (((x, y), z), out) in x.iter().zip(y).zip(z).zip(out) {
+                tile::tile(polynomials, [x, y, z], &mut room, out);
+            }
+            blocks::<S, MONOMIAL_TERMS>(polynomials, [x_rest, y_rest, z_rest], out_rest);
+        } else if polynomials.any_longer_than(MONOMIAL_TERMS) {
+            blocks::<S, EVEN_ODD_TERMS>(polynomials, [normals.x, normals.y, normals.z], irradiance);
+        } else {
+            blocks::<S, MONOMIAL_TERMS>(polynomials, [normals.x, normals.y, normals.z], irradiance);
+        }
+        Ok(())
+    }
+}
+
+/// Shades normals block by block, for a scene in which some azimuths have recurrences.
+#[inline(never)]
+fn stable<S: Scalar>(polynomials: Descent<'_, S>, normals: Normals<'_, S>, irradiance: &mut [S]) {
+    in_blocks([normals.x, normals.y, normals.z], irradiance, |x, y, z| {
+        orthogonal(polynomials, x, y, z)
+    });
+}
+
+/// Shades normals, given by their components, block by block.
+#[inline(never)]
+fn blocks<S: Scalar, const LONGEST: usize>(
+    polynomials: Descent<'_, S>,
+    axes: [&[S]; 3],
+    irradiance: &mut [S],
+) {
+    let block = if SPECIAL { block::<S, LONGEST, BLOCK> } else { one_block::<S, LONGEST> };
+    in_blocks(axes, irradiance, |x, y, z| block(polynomials, x, y, z));
+}
+
+/// Fills `irradiance` block by block.
+#[inline(always)]
+fn in_blocks<S: Scalar>(
+    axes: [&[S]; 3],
+    irradiance: &mut [S],
+    block: impl Fn(&[S; BLOCK], &[S; BLOCK], &[S; BLOCK]) -> [S; BLOCK],
+) {
+    let [(x, x_rest), (y, y_rest), (z, z_rest)] = axes.map(<[S]>::as_chunks::<BLOCK>);
+    let (out, out_rest) = irradiance.as_chunks_mut::<BLOCK>();
+    for (((x, y), z), out) in x.iter().zip(y).zip(z).zip(out) {
+        *out = block(x, y, z);
+    }
+    if !out_rest.is_empty() {
+        let [x, y, z] = [padded(x_rest), padded(y_rest), padded(z_rest)];
+        for (out, value) in out_rest.iter_mut().zip(block(&x, &y, &z)) {
+            *out = value;
+        }
+    }
+}
+
+/// [`block`], compiled once per program, for targets where code must be small.
+#[inline(never)]
+fn one_block<S: Scalar, const LONGEST: usize>(
+    polynomials: Descent<'_, S>,
+    x: &[S; BLOCK],
+    y: &[S; BLOCK],
+    z: &[S; BLOCK],
+) -> [S; BLOCK] {
+    block::<S, LONGEST, BLOCK>(polynomials, x, y, z)
+}
+
+/// The irradiances of a block of normals: Re Σ_m (P_m + i Q_m) w̄^m with w = n_x + i n_y, by
+/// Horner's rule from the highest azimuth down. `LONGEST` is as for [`polynomial::values`].
+#[inline(always)]
+pub(crate) fn block<S: Scalar, const LONGEST: usize, const N: usize>(
+    mut polynomials: Descent<'_, S>,
+    x: &[S; N],
+    y: &[S; N],
+    z: &[S; N],
+) -> [S; N] {
+    let t = if SPECIAL { vectorized(z) } else { z.map(argument) };
+    let mut u = t;
+    if LONGEST > MONOMIAL_TERMS && LONGEST <= EVEN_ODD_TERMS {
+        for u in &mut u {
+            *u = polynomial::doubled(*u);
+        }
+    }
+    let at = [&t, &u];
+    let Some((plus, minus)) = polynomials.next() else {
+        return polynomial::values::<S, LONGEST, N>(polynomials.pole, at);
+    };
+    let [mut real, mut imaginary] = polynomial::pairs::<S, LONGEST, N>([plus, minus], at);
+    for (plus, minus) in polynomials.by_ref() {
+        let [plus, minus] = polynomial::pairs::<S, LONGEST, N>([plus, minus], at);
+        let above = real.iter_mut().zip(&mut imaginary);
+        let here = plus.iter().zip(&minus).zip(x.iter().zip(y));
+        for ((real, imaginary), ((&plus, &minus), (&x, &y))) in above.zip(here) {
+            (*real, *imaginary) = (
+                plus.add_product(*real, x).add_product(*imaginary, y),
+                minus.add_product(*imaginary, x).add_product(-*real, y),
+            );
+        }
+    }
+    let mut sums = polynomial::values::<S, LONGEST, N>(polynomials.pole, at);
+    let above = real.iter().zip(&imaginary).zip(x.iter().zip(y));
+    for (sum, ((&real, &imaginary), (&x, &y))) in sums.iter_mut().zip(above) {
+        *sum = sum.add_product(real, x).add_product(imaginary, y);
+    }
+    sums
+}
+
+/// [`block`] for a scene in which some azimuths have recurrences. Partial sums from the highest
+/// azimuth down are large where the profiles are, and each factor w̄ makes them smaller
+/// accordingly.
+#[inline(never)]
+pub(crate) fn orthogonal<S: Scalar, const N: usize>(
+    mut polynomials: Descent<'_, S>,
+    x: &[S; N],
+    y: &[S; N],
+    z: &[S; N],
+) -> [S; N] {
+    let t = vectorized(z);
+    let both = |terms: [&[S]; 2], recurrence: &[Recurrence]| match recurrence {
+        [] => terms.map(|terms| polynomial::values::<S, ANY, N>(terms, [&t, &t])),
+        _ => polynomial::orthogonal(terms, &t, recurrence),
+    };
+    let [mut real, mut imaginary] = [[S::ZERO; N]; 2];
+    loop {
+        let recurrence = polynomials.recurrence();
+        let Some((plus, minus)) = polynomials.next() else { break };
+        let [plus, minus] = both([plus, minus], recurrence);
+        let above = real.iter_mut().zip(&mut imaginary);
+        let here = plus.iter().zip(&minus).zip(x.iter().zip(y));
+        for ((real, imaginary), ((&plus, &minus), (&x, &y))) in above.zip(here) {
+            (*real, *imaginary) = (
+                plus.add_product(*real, x).add_product(*imaginary, y),
+                minus.add_product(*imaginary, x).add_product(-*real, y),
+            );
+        }
+    }
+    let [mut sums, _] = both([polynomials.pole; 2], polynomials.recurrence());
+    let above = real.iter().zip(&imaginary).zip(x.iter().zip(y));
+    for (sum, ((&real, &imaginary), (&x, &y))) in sums.iter_mut().zip(above) {
+        *sum = sum.add_product(real, x).add_product(imaginary, y);
+    }
+    sums
+}
+
+/// The argument t of each normal. A loop, because `map` may become a call.
+#[inline(always)]
+fn vectorized<S: Scalar, const N: usize>(z: &[S; N]) -> [S; N] {
+    let mut t = [S::ZERO; N];
+    for (t, &z) in t.iter_mut().zip(z) {
+        *t = argument(z);
+    }
+    t
+}
+
+/// The rest of a slice, padded with zeros to a block.
+fn padded<S: Scalar>(rest: &[S]) -> [S; BLOCK] {
+    let mut block = [S::ZERO; BLOCK];
+    for (to, &from) in block.iter_mut().zip(rest) {
+        *to = from;
+    }
+    block
+}
+
+/// How to handle irradiance below zero.
+///
+/// No light gives negative irradiance. It results from lights and materials that end at some
+/// degree and order, from fits, and from few components. Values are clamped only on request:
+/// negative values show that an image is at its limits, and estimates from pixels need them.
+///
+/// ```
+/// use eigenshade::NegativePolicy;
+///
+/// let mut image = [0.5, -0.25];
+/// assert_eq!(NegativePolicy::Clamped.apply(&mut image), Some(-0.25));
+/// assert_eq!(image, [0.5, 0.0]);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum NegativePolicy {
+    /// Keep negative values.
+    #[default]
+    Kept,
+    /// Set negative values to zero.
+    Clamped,
+}
+
+impl NegativePolicy {
+    /// Applies this policy to one irradiance, a float or an integer. NaN stays NaN.
+    #[inline]
+    #[must_use]
+    pub fn of<T: Copy + Default + PartialOrd>(self, irradiance: T) -> T {
+        let zero = T::default();
+        if self == Self::Clamped && irradiance < zero { zero } else { irradiance }
+    }
+
+    /// Applies this policy to many irradiances in place. Returns the smallest of the original
+    /// values, ignoring NaN, or `None` if there are none.
+    pub fn apply<T: Copy + Default + PartialOrd>(self, irradiance: &mut [T]) -> Option<T> {
+        let mut least = None;
+        for value in irradiance {
+            let is_number = value.partial_cmp(&value).is_some();
+            if is_number && least.is_none_or(|least| *value < least) {
+                least = Some(*value);
+            }
+            *value = self.of(*value);
+        }
+        least
+    }
+}

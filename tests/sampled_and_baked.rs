@@ -1,0 +1,301 @@
+//! Sampled scenes and baked maps against the polynomials that they were made from, on the shipped
+//! lights and materials.
+
+use crate::shipped;
+use eigenshade::{BakedMap, Error, IntegerMap, MapPoint, Normal, Normals, Q15, quantized, sphere};
+use shipped::{assert_within, errors, normals, scenes};
+
+/// Look-ups with so many knots: knots, rms of linear and of cubic ones, of the peak, each of the median
+/// image and of the worst: linear falls by four, cubic by sixteen at best, down to the rounding of f32.
+const LOOKUP: [(usize, [f64; 2], [f64; 2]); 4] = [
+    (16, [6e-4, 5e-3], [7e-5, 8e-4]),
+    (32, [1.4e-4, 1.1e-3], [6e-6, 7e-5]),
+    (64, [3.5e-5, 2.6e-4], [7e-7, 8e-6]),
+    (128, [8e-6, 6.5e-5], [1.2e-7, 1e-6]),
+];
+
+#[test]
+fn lookups_are_as_exact_as_documented() {
+    let (scenes, normals) = (scenes(1), normals(64));
+    for (knots, linear, cubic) in LOOKUP {
+        let lookups: Vec<_> = scenes
+            .iter()
+            .map(|scene| {
+                let room = vec![0.0f32; scene.sampled_len::<f32>(knots)];
+                scene.sampled_into(knots, room).expect("room")
+            })
+            .collect();
+        let mut of_scene = lookups.iter();
+        let found = errors(&scenes, &normals, |_| {
+            let lookup = of_scene.next().expect("one for each");
+            normals.iter().map(|&n| lookup.linear(n)).collect()
+        });
+        assert_within(&format!("{knots}, linear"), &found, linear);
+        let mut of_scene = lookups.iter();
+        let found = errors(&scenes, &normals, |_| {
+            let lookup = of_scene.next().expect("one for each");
+            normals.iter().map(|&n| lookup.cubic(n)).collect()
+        });
+        assert_within(&format!("{knots}, cubic"), &found, cubic);
+    }
+}
+
+/// At a knot both are the sample; the rim and the pole are knots.
+#[test]
+fn knots_are_met() {
+    let scene = &scenes(9)[3];
+    for knots in [8, 9, 64] {
+        let lookup =
+            scene.sampled_into(knots, vec![0.0; scene.sampled_len::<f32>(knots)]).expect("room");
+        for k in 0..knots {
+            let z = k as f32 / (knots - 1) as f32;
+            let normal = Normal::new(0.6 * (1.0 - z * z).sqrt(), 0.8 * (1.0 - z * z).sqrt(), z)
+                .expect("visible");
+            let exact = scene.shade(normal);
+            let peak =
+                scene.shade(Normal::new(0.0, 0.0, 1.0).expect("visible")).abs().max(exact.abs());
+            for found in [lookup.linear(normal), lookup.cubic(normal)] {
+                // A knot is taken up to 2.4e-7 of an interval off, times the slope there.
+                assert!((found - exact).abs() <= 2e-5 * peak, "{k} of {knots}: {found} {exact}");
+            }
+        }
+    }
+}
+
+#[test]
+fn numbers_of_knots_that_do_not_fit_are_errors() {
+    let scene = &scenes(9)[0];
+    for knots in [0, 7, 65_537, usize::MAX] {
+        let found = scene.sampled_into(knots, [0.0f32; 4]);
+        assert_eq!(found.err(), Some(Error::Knots { found: knots }));
+    }
+    let needed = scene.sampled_len::<f32>(8);
+    // Azimuths to 6 of the shipped table.
+    assert_eq!(needed, 13 * 10);
+    assert!(matches!(scene.sampled::<f32, 129>(8), Err(Error::Capacity { needed: 130, .. })));
+    assert!(matches!(scene.sampled_into(8, vec![0.0f32; 131]), Err(Error::Length { .. })));
+    assert!(scene.sampled::<f32, 130>(8).is_ok());
+}
+
+/// `Normals` takes any numbers and promises a meaningless irradiance for them: z = 1e30 stood at the
+/// last interval that there can be, whose second knot overflowed.
+#[test]
+fn normals_that_are_none_are_no_panic() {
+    let scene = &scenes(9)[0];
+    let lookup = scene.sampled_into(8, vec![0.0; scene.sampled_len::<f32>(8)]).expect("room");
+    let map = scene.bake_into(8, vec![0.0; 64]).expect("room");
+    let numbers = [1e30, -1e30, f32::MAX, f32::INFINITY, f32::NEG_INFINITY, f32::NAN, 0.5, -0.0];
+    for x in numbers {
+        for z in numbers {
+            let normals = [[x], [z], [z]];
+            let [x, y, z] = normals.each_ref();
+            let normals = Normals::new(x, y, z).expect("one length");
+            let normal = normals.iter().next().expect("one normal");
+            let _ = (lookup.linear(normal), lookup.cubic(normal), scene.shade(normal));
+            for point in [MapPoint::of(normal), MapPoint::new(x[0], z[0])] {
+                let _ = (map.bilinear(point), map.nearest(point));
+            }
+        }
+    }
+}
+
+/// Baked maps of N texels a side: N, rms of bilinear and of nearest look-ups, of the peak, each of the
+/// median image and of the worst: bilinear falls by four where nearest falls by two.
+const BAKED: [(usize, [f64; 2], [f64; 2]); 3] = [
+    (32, [4e-4, 2e-3], [1.2e-2, 3e-2]),
+    (64, [1e-4, 5e-4], [6e-3, 1.5e-2]),
+    (128, [2.5e-5, 1.3e-4], [3e-3, 7e-3]),
+];
+
+/// What integers may add to that: three roundings to 2^-15, and normals of 2^-16.
+const BAKED_INTEGERS: f64 = 4e-5;
+
+/// Map coordinates from Q15 normals, in units of 2^-15: their own rounding and that of the
+/// quotient, whose scale is cut to 2^-16.
+const MAP_POINT_Q15: f64 = 1.3;
+
+/// A texel in integers is the nearest: half a unit, and what f32 rounds of 15 bits.
+const TEXEL_ROUNDED: f32 = 0.501;
+
+/// Texels of tens met 1e-6 inward of the rim.
+const RIM_INWARD: f32 = 1e-4;
+
+/// A component in Q15.
+fn q15(x: f32) -> Q15 {
+    Q15((f64::from(x) * 32_768.0).round().min(32_767.0) as i16)
+}
+
+/// A normal in Q15, on the map.
+fn on_map(components: [Q15; 3]) -> MapPoint<Q15> {
+    let [x, y, z] = components;
+    MapPoint::of_quantized(quantized::Normal::<Q15>::new(x, y, z).expect("a unit normal"))
+}
+
+#[test]
+fn maps_are_as_exact_as_documented() {
+    let (scenes, normals) = (scenes(1), normals(64));
+    let points: Vec<_> = normals.iter().map(|&normal| MapPoint::of(normal)).collect();
+    for (size, bilinear, nearest) in BAKED {
+        let mut looked_up = Vec::new();
+        let found = errors(&scenes, &normals, |scene| {
+            let map = scene.bake_into(size, vec![0.0f32; size * size]).expect("room");
+            looked_up.push(points.iter().map(|&point| map.nearest(point)).collect());
+            points.iter().map(|&point| map.bilinear(point)).collect()
+        });
+        assert_within(&format!("{size}, bilinear"), &found, bilinear);
+        let mut looked_up = looked_up.into_iter();
+        let found = errors(&scenes, &normals, |_| looked_up.next().expect("one for each"));
+        assert_within(&format!("{size}, nearest"), &found, nearest);
+    }
+}
+
+/// Integers add their rounding: of the texels, of two steps of a look-up, of the normals.
+#[test]
+fn integer_maps_are_as_exact_as_documented() {
+    let scenes: Vec<_> = scenes(3);
+    let normals = normals(64);
+    for (size, bilinear, _) in BAKED {
+        let of_normals: Vec<_> = normals.iter().map(|n| on_map(n.components().map(q15))).collect();
+        let given: Vec<_> = normals
+            .iter()
+            .map(|&n| MapPoint::of(n).coordinates().map(q15))
+            .map(|[u, v]| MapPoint::new(u, v))
+            .collect();
+        for points in [of_normals, given] {
+            let found = errors(&scenes, &normals, |scene| {
+                let map = scene.bake_integers_into(size, vec![0; size * size]).expect("room");
+                let unit = f32::powi(2.0, map.exponent());
+                points.iter().map(|&point| map.bilinear(point) as f32 * unit).collect()
+            });
+            let most = bilinear.map(|rms| rms + BAKED_INTEGERS);
+            assert_within(&format!("{size}, integers"), &found, most);
+        }
+    }
+}
+
+/// What integers alone add to a map of the same texels.
+#[test]
+fn integers_round_and_no_more() {
+    let normals = normals(40);
+    let scene = &scenes(9)[5];
+    let map = scene.bake_into(64, vec![0.0f32; 4096]).expect("room");
+    let integers = scene.bake_integers_into(64, vec![0; 4096]).expect("room");
+    let unit = f32::powi(2.0, integers.exponent());
+    let most = integers.texels().iter().map(|texel| texel.unsigned_abs()).max();
+    assert!(most.is_some_and(|most| (1 << 14..1 << 15).contains(&most)), "{most:?}");
+    for (texel, integer) in map.texels().iter().zip(integers.texels()) {
+        assert!((texel / unit - f32::from(*integer)).abs() <= TEXEL_ROUNDED);
+    }
+    for normal in normals {
+        let [u, v] = MapPoint::of(normal).coordinates().map(q15);
+        let exact = MapPoint::new(f32::from(u.0) / 32_768.0, f32::from(v.0) / 32_768.0);
+        let apart = map.bilinear(exact) / unit - integers.bilinear(MapPoint::new(u, v)) as f32;
+        // Half a unit of each of: texels, the step along u, the step along v.
+        assert!(apart.abs() <= 1.51, "{apart}");
+        // Here a texel is nearest in both or on an edge.
+        let apart = map.nearest(exact) / unit - integers.nearest(MapPoint::new(u, v)) as f32;
+        assert!(apart.abs() <= 0.51, "{apart}");
+    }
+}
+
+/// Texels at their points, in the order that is documented; none read that is not there.
+#[test]
+fn texels_stand_where_documented() {
+    // I = x in the middle, whatever the fit takes off: no second differences to speak of.
+    let texels: Vec<f32> =
+        (0..25).map(|texel| (texel % 5) as f32 + 10.0 * (texel / 5) as f32).collect();
+    let map = BakedMap::new(5, texels.as_slice()).expect("25 texels");
+    for (u, v, bilinear, nearest) in [
+        (-1.0, -1.0, 0.0, 0.0),
+        (1.0, -1.0, 4.0, 4.0),
+        (-1.0, 1.0, 40.0, 40.0),
+        (1.0, 1.0, 44.0, 44.0),
+        (0.0, 0.0, 22.0, 22.0),
+        (0.1, -0.2, 18.2, 22.0),
+        (0.3, 0.4, 30.6, 33.0),
+    ] {
+        let point = MapPoint::new(u, v);
+        // The rim is taken 1e-6 inward.
+        assert!((map.bilinear(point) - bilinear).abs() < RIM_INWARD, "{point:?}");
+        assert_eq!(map.nearest(point), nearest, "{point:?}");
+    }
+    let texels: Vec<i16> = texels.iter().map(|&texel| 100 * texel as i16).collect();
+    let map = IntegerMap::new(5, 0, texels).expect("25 texels");
+    assert_eq!(map.bilinear(MapPoint::new(Q15(-32_768), Q15(-32_768))), 0);
+    assert_eq!(map.bilinear(MapPoint::new(Q15(0), Q15(0))), 2_200);
+    assert_eq!(map.bilinear(MapPoint::new(Q15(3_277), Q15(-6_554))), 1_820);
+    assert_eq!(map.bilinear(MapPoint::new(Q15(32_767), Q15(32_767))), 4_400);
+    assert_eq!(map.nearest(MapPoint::new(Q15(32_767), Q15(-32_768))), 400);
+    // The far corners of i16 neither wrap nor panic.
+    let map = IntegerMap::new(2, 0, [i16::MIN, i16::MAX, i16::MAX, i16::MIN]).expect("4 texels");
+    for u in [i16::MIN, -1, 0, i16::MAX] {
+        for v in [i16::MIN, -1, 0, i16::MAX] {
+            let exact = |x: i16| (f64::from(x) + 32_768.0) / 65_536.0;
+            let (across, up) = (exact(u), exact(v));
+            let weight = across + up - 2.0 * across * up;
+            let expected = -32_768.0 + 65_535.0 * weight;
+            let found = f64::from(map.bilinear(MapPoint::new(Q15(u), Q15(v))));
+            assert!((found - expected).abs() < 3.0, "{u} {v}: {found} {expected}");
+        }
+    }
+}
+
+/// Normals go to the map and back; integers without a division come as near as their
+/// digits.
+#[test]
+fn normals_go_to_the_map_and_back() {
+    let mut worst = 0.0f64;
+    for normal in normals(200) {
+        let [x, y, z] = normal.components();
+        let point = MapPoint::of(normal);
+        let back = point.direction();
+        let apart = [back[0] - x, back[1] - y, back[2] - z];
+        assert!(apart.iter().all(|apart| apart.abs() <= 3e-7), "{apart:?}");
+        let components = [x, y, z].map(q15);
+        let found = on_map(components).coordinates();
+        let [x, y, z] = components.map(|q| f64::from(q.0) / 32_768.0);
+        for (found, exact) in found.into_iter().zip([x / (1.0 + z), y / (1.0 + z)]) {
+            worst = worst.max((f64::from(found.0) - 32_768.0 * exact).abs());
+        }
+    }
+    // Every slant, at the largest component that it leaves.
+    for z in 0..=i16::MAX {
+        let slant = f64::from(z) / 32_768.0;
+        for x in [1.0, -1.0].map(|sign| (sign * 32_768.0 * (1.0 - slant * slant).sqrt()) as i16) {
+            let [u, v] = on_map([x, 0, z].map(Q15)).coordinates();
+            let exact = f64::from(x) / (1.0 + slant);
+            worst = worst.max((f64::from(u.0) - exact).abs());
+            assert_eq!(v, Q15(0));
+        }
+    }
+    println!("Q15: {worst}");
+    assert!(worst <= MAP_POINT_Q15, "{worst}");
+}
+
+#[test]
+fn sizes_that_do_not_fit_are_errors() {
+    let scene = &scenes(9)[0];
+    for size in [0, 1, 4097, usize::MAX] {
+        assert_eq!(scene.bake_into(size, [0.0f32; 4]).err(), Some(Error::Size { found: size }));
+        assert_eq!(
+            BakedMap::<f32, _>::new(size, [0.0f32; 4]).err(),
+            Some(Error::Size { found: size })
+        );
+        assert_eq!(IntegerMap::new(size, 0, [0; 4]).err(), Some(Error::Size { found: size }));
+    }
+    assert!(matches!(scene.bake::<f32, 15>(4), Err(Error::Capacity { needed: 16, .. })));
+    assert!(matches!(scene.bake_into(4, [0.0f32; 15]), Err(Error::Length { expected: 16, .. })));
+    assert!(matches!(scene.bake_integers_into::<f32, _>(4, [0; 15]), Err(Error::Length { .. })));
+    assert!(scene.bake::<f32, 16>(4).is_ok());
+    // A black image has no scale.
+    let black = sphere::collapse(
+        &sphere::project(
+            &eigenshade::Light::new(&[0.0]).expect("a light"),
+            &eigenshade::Material::new(&[0.0]).expect("a material"),
+        )
+        .expect("it fits"),
+    )
+    .expect("it fits");
+    let map = black.bake_integers_into::<f32, _>(4, [1; 16]).expect("16 texels");
+    assert!(map.texels().iter().all(|&texel| texel == 0));
+}

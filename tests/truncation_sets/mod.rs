@@ -1,0 +1,325 @@
+//! Sets of images in one shape: each is within its tolerance, its bound holds and is near the
+//! error, and no azimuth could lose another term.
+
+use crate::tolerances;
+use eigenshade_testing::images;
+
+mod corner_cases;
+
+use eigenshade::{Light, Material, Normal, Recurrences, Shape, Tolerance, Truncation, sphere};
+use eigenshade_generator::basis::build;
+use eigenshade_model::database::Named;
+use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
+use eigenshade_model::reference::DirectSum;
+use eigenshade_shading::owned_basis::{AnyBasis, OwnedBasis};
+use eigenshade_table::decode;
+use images::{Image, coefficients, rule, single, vectors};
+use proptest::prelude::*;
+
+/// Such a scene's error in f64 beyond its bound, of the bound: they are equal where all
+/// components stay, but for some hundred roundings, 1e-14.
+const ECONOMY_PARSEVAL: f64 = 1e-12;
+
+/// The same of the images of a set in one shape, most of which are off by less than they may be:
+/// their bounds are of what they lack all the same.
+const ECONOMY_SET_MEDIAN: f64 = 1.1;
+
+/// A bound against its parts, and what components are said to leave out against the sum of their
+/// squares, of the bound: roundings of f32 of sums of some hundred squares.
+const ECONOMY_PARTS: f64 = 2e-6;
+
+const METHOD: &str = include_str!("../../docs/method.md");
+
+type Rule = [(Normal<f32>, f64)];
+
+/// A set in one shape.
+struct Chosen {
+    components: usize,
+    lengths: Vec<u16>,
+    economies: Vec<Truncation<f32>>,
+    buffer: Vec<f32>,
+}
+
+impl Chosen {
+    fn new(set: &[sphere::Coefficients], channels: usize, tolerance: Tolerance<f32>) -> Self {
+        let mut lengths = [0; 16];
+        let mut economies = vec![Truncation::default(); set.len()];
+        let mut buffer = vec![0.0; set.len() * sphere::SCENE];
+        let (room, report) = (&mut buffer, &mut economies);
+        let shape = sphere::BASIS
+            .collapse_set_within(set, channels, tolerance, &mut lengths, room, report)
+            .expect("sizes");
+        let (components, lengths) = (shape.components, shape.lengths.to_vec());
+        Self { components, lengths, economies, buffer }
+    }
+
+    fn shape(&self) -> Shape<'_> {
+        Shape {
+            components: self.components,
+            lengths: &self.lengths,
+            recurrences: Recurrences::NONE,
+        }
+    }
+}
+
+/// Root mean square error of an image in a shape.
+fn error_in(d: &[f32], shape: Shape<'_>, image: &Image, rule: &Rule) -> f64 {
+    let made = sphere::BASIS.collapse_as(d, shape, [0.0; sphere::SCENE]).expect("sizes");
+    image.apart(&made.0, rule)
+}
+
+/// What of the images' energy components beyond the first so many have.
+fn beyond(d: &[f32], components: usize) -> f64 {
+    d.iter().skip(components).map(|&d| f64::from(d).powi(2)).sum()
+}
+
+/// Checks each image of a set, each its own peak or that of its color; gives bounds over
+/// errors.
+fn checked(
+    set: &[sphere::Coefficients],
+    channels: usize,
+    share: f32,
+    images: &[Image],
+) -> Vec<f64> {
+    let rule = rule();
+    let chosen = Chosen::new(set, channels, Tolerance::OfPeak(share));
+    let shape = chosen.shape();
+    let mut ratios = Vec::new();
+    let peaks: Vec<f64> = images
+        .chunks(channels)
+        .flat_map(|color| {
+            let peak = color.iter().fold(0.0, |most: f64, one| most.max(one.peak));
+            color.iter().map(move |_| peak)
+        })
+        .collect();
+    for (k, (economy, image)) in chosen.economies.iter().zip(images).enumerate() {
+        let scene = shape.scene(&chosen.buffer[k * sphere::SCENE..]).expect("enough");
+        let error = image.apart(&scene, &rule);
+        let (bound, peak) = (f64::from(economy.bound), f64::from(economy.peak));
+        let rounding = tolerances::ECONOMY_ROUNDING * image.peak;
+        assert!(error <= bound + rounding, "{error:e} of {bound:e} at {share}");
+        assert!(bound <= f64::from(share) * peak * 1.000_01, "{economy:?}");
+        assert!(peak <= peaks[k] * tolerances::ECONOMY_PEAK, "{economy:?}, {}", peaks[k]);
+        let parts = [economy.left_out_by_components, economy.left_out_by_terms];
+        let parts = parts.into_iter().map(f64::from).fold(0.0, f64::hypot);
+        assert!((parts - bound).abs() <= ECONOMY_PARTS * bound, "{economy:?}");
+        let of_components = beyond(&set[k], economy.components).sqrt();
+        let report = f64::from(economy.left_out_by_components);
+        assert!((report - of_components).abs() <= ECONOMY_PARTS * bound, "{economy:?}");
+        let kept = (economy.components, economy.azimuths, economy.terms);
+        assert_eq!(kept, (chosen.components, chosen.lengths.len(), shape.terms()));
+        // The same scene by itself, and the same bound; its peak is its own.
+        let again = sphere::BASIS.collapse_as(&set[k], shape, [0.0; sphere::SCENE]).expect("sizes");
+        let same = (f64::from(again.1.bound) - bound).abs();
+        assert!(same <= ECONOMY_PARTS * bound + rounding, "{economy:?}, {again:?}");
+        assert!((image.apart(&again.0, &rule) - error).abs() <= rounding);
+        ratios.push(bound / error);
+    }
+    // Nothing more could go: of the images without a term more, one is beyond its tolerance.
+    let last = chosen.lengths.len().saturating_sub(1);
+    for azimuth in 0..chosen.lengths.len() {
+        let mut lengths = chosen.lengths.clone();
+        // A constant costs a pixel nothing, unless its azimuth is there for it alone.
+        if lengths[azimuth] == 0 || lengths[azimuth] == 1 && (azimuth == 0 || azimuth < last) {
+            continue;
+        }
+        lengths[azimuth] -= 1;
+        let shorter = Shape {
+            components: sphere::COMPONENTS,
+            lengths: &lengths,
+            recurrences: Recurrences::NONE,
+        };
+        let breaks = set.iter().zip(images).zip(&chosen.economies).any(|((d, image), economy)| {
+            let terms = error_in(d, shorter, image, &rule);
+            let bound = (terms * terms + beyond(d, chosen.components)).sqrt();
+            let rounding = tolerances::ECONOMY_ROUNDING * image.peak;
+            bound + rounding > f64::from(share * economy.peak)
+        });
+        assert!(breaks, "{:?} could lose a term of {azimuth} at {share}", chosen.lengths);
+    }
+    ratios
+}
+
+struct Found {
+    share: f32,
+    terms: Vec<usize>,
+    ratios: Vec<f64>,
+}
+
+fn middle<T: PartialOrd + Copy>(values: &mut [T]) -> (T, T) {
+    values.sort_by(|a, b| a.partial_cmp(b).expect("numbers"));
+    (values[values.len() / 2], values[values.len() - 1])
+}
+
+/// Checks sets at three tolerances, and what the page says of them.
+fn check_sets(what: &str, channels: usize, sets: &[Vec<sphere::Coefficients>]) {
+    let rule = rule();
+    let mut found: Vec<_> = [0.1, 1e-2, 1e-3]
+        .into_iter()
+        .map(|share| Found { share, terms: Vec::new(), ratios: Vec::new() })
+        .collect();
+    for set in sets {
+        let images: Vec<_> = set.iter().map(|d| Image::new(d, &rule)).collect();
+        for Found { share, terms, ratios } in &mut found {
+            ratios.extend(checked(set, channels, *share, &images));
+            terms.push(Chosen::new(set, channels, Tolerance::OfPeak(*share)).shape().terms());
+        }
+    }
+    let mut lines = Vec::new();
+    for Found { share, mut terms, mut ratios } in found {
+        let (terms, most) = middle(&mut terms);
+        let (ratio, worst) = middle(&mut ratios);
+        println!("| {what} | {share} | {terms} | {most} | {ratio:.2} | {worst:.2} |");
+        assert!(ratio <= ECONOMY_SET_MEDIAN, "{what} at {share}: {ratio}");
+        lines.push((share, [terms as f64, most as f64, ratio, worst]));
+    }
+    for (share, found) in lines {
+        let start = format!("| {what} | {share} |");
+        let line = METHOD.lines().find_map(|one| one.strip_prefix(&start));
+        let line = line.expect("docs/method.md has it");
+        let stated = line.split('|').filter_map(|one| one.trim().parse::<f64>().ok());
+        for (stated, found) in stated.zip(found) {
+            assert!((stated - found).abs() <= tolerances::STATED * found, "{line}: {found}");
+        }
+    }
+}
+
+fn shipped() -> (Vec<Named>, Vec<Named>) {
+    let lights = read_lights("tables/inputs/lights.csv", Some(9)).expect("the shipped lights");
+    let materials = read_materials("tables/inputs/materials.csv", Some(7)).expect("materials");
+    (lights.entries, materials.entries)
+}
+
+fn on(light: &Named, material: &Named) -> sphere::Coefficients {
+    coefficients(&single(light.luminance()), &single(material.luminance()))
+}
+
+#[test]
+fn all_materials_under_each_light() {
+    let (lights, materials) = shipped();
+    let under = |light| materials.iter().map(|material| on(light, material)).collect();
+    check_sets("62 materials under a light", 1, &lights.iter().map(under).collect::<Vec<_>>());
+}
+
+#[test]
+fn all_lights_on_some_materials() {
+    let (lights, materials) = shipped();
+    let of = |material| lights.iter().map(|light| on(light, material)).collect();
+    let sets: Vec<_> = materials.iter().step_by(6).map(of).collect();
+    check_sets("26 lights on a material", 1, &sets);
+}
+
+/// Channels of light times those of the material.
+#[test]
+fn three_channels_share_a_peak() {
+    let (lights, materials) = shipped();
+    let pairs =
+        lights.iter().flat_map(|light| materials.iter().step_by(5).map(move |m| (light, m)));
+    let color = |(light, material): (&Named, &Named)| -> Vec<_> {
+        let channels = light.rgb.iter().zip(&material.rgb);
+        channels.map(|(l, b)| coefficients(&single(l.clone()), &single(b.clone()))).collect()
+    };
+    check_sets("3 channels of a color", 3, &pairs.map(color).collect::<Vec<_>>());
+}
+
+#[test]
+fn a_set_of_one_is_that_image_within_its_tolerance() {
+    let (lights, materials) = shipped();
+    for (light, material) in lights.iter().zip(&materials) {
+        let d = on(light, material);
+        for tolerance in [Tolerance::OfPeak(1e-2), Tolerance::Decibels(60)] {
+            let mut lengths = [0; 16];
+            let (scene, economy) = sphere::BASIS
+                .collapse_within(&d, tolerance, &mut lengths, [0.0f32; sphere::SCENE])
+                .expect("sizes");
+            let set = Chosen::new(std::slice::from_ref(&d), 1, tolerance);
+            assert_eq!(set.economies, [economy]);
+            assert_eq!(set.lengths.len(), economy.azimuths);
+            let of_set = set.shape().scene(&set.buffer).expect("enough");
+            for (normal, _) in rule() {
+                assert_eq!(scene.shade(normal), of_set.shade(normal));
+            }
+        }
+    }
+}
+
+/// What the table of all components leaves out of the direct sum is rounding: the bound is of
+/// the error against that.
+#[test]
+fn of_all_components_bounds_are_of_the_direct_sum() {
+    let (lights, materials) = shipped();
+    let mut scene = decode(include_bytes!("../../tables/sphere.bin")).expect("a table").scene;
+    scene.basis.components = Some(10_000);
+    let inputs = read_lights("tables/inputs/lights.csv", None).expect("the shipped lights");
+    let measured = read_materials("tables/inputs/materials.csv", Some(7)).expect("materials");
+    let table = build(&scene, &inputs, &measured).expect("a table");
+    let owned = OwnedBasis::<f64>::new(&table);
+    let Ok(AnyBasis::Sphere(basis)) = owned.any() else { panic!("a sphere's") };
+    let (degree, order) = (basis.degree(), basis.order());
+    let reference = DirectSum::new(degree, order);
+    let vectors = vectors();
+    let modes: Vec<_> = vectors.iter().map(|&(at, _)| reference.at(at)).collect();
+    let materials: Vec<_> = materials.iter().step_by(3).map(Named::luminance).collect();
+    let scattered: Vec<Vec<_>> =
+        modes.iter().map(|at| materials.iter().map(|one| at.scatter(one)).collect()).collect();
+    let (len, mut ratios) = (basis.scene_len(), Vec::new());
+    for light in lights.iter().step_by(3).map(Named::luminance) {
+        let set: Vec<_> = materials
+            .iter()
+            .map(|material| {
+                let mut d = vec![0.0; basis.components()];
+                let mut workspace = vec![0.0; basis.workspace_len()];
+                let light = Light::new(&light).expect("coefficients");
+                let material = Material::new(material).expect("coefficients");
+                basis.project_into(&light, &material, &mut workspace, &mut d).expect("sizes");
+                d
+            })
+            .collect();
+        let of = |k: usize| {
+            let both = modes.iter().zip(&scattered);
+            both.map(|(modes, of)| modes.irradiance(&light, &of[k])).collect::<Vec<_>>()
+        };
+        let direct: Vec<_> = (0..set.len()).map(of).collect();
+        for share in [0.1, 1e-2, 1e-3, 1e-4] {
+            let mut lengths = [0; 16];
+            let mut economies = vec![Truncation::default(); set.len()];
+            let mut buffer = vec![0.0; set.len() * len];
+            let (room, report) = (&mut buffer, &mut economies);
+            let shape = basis
+                .collapse_set_within(&set, 1, Tolerance::OfPeak(share), &mut lengths, room, report)
+                .expect("sizes");
+            for (k, (numbers, economy)) in buffer.chunks_exact(len).zip(&economies).enumerate() {
+                let scene = shape.scene(numbers).expect("enough");
+                let squares =
+                    vectors.iter().zip(&direct[k]).map(|(&([x, y, z], weight), direct)| {
+                        let normal = Normal::new(x, y, z).expect("visible");
+                        weight * (scene.shade(normal) - direct).powi(2)
+                    });
+                let error = squares.sum::<f64>().sqrt();
+                let table = tolerances::ALL_COMPONENTS * economy.peak;
+                assert!(error <= economy.bound + table, "{error:e}, {economy:?}");
+                assert!(economy.bound <= share * economy.peak * (1.0 + ECONOMY_PARSEVAL));
+                ratios.push(economy.bound / error);
+            }
+        }
+    }
+    let (ratio, worst) = middle(&mut ratios);
+    println!("{} components: {ratio:.3}, {worst:.2}", basis.components());
+    assert!(ratio <= ECONOMY_SET_MEDIAN, "{ratio}");
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 48, failure_persistence: None, ..ProptestConfig::default() })]
+    #[test]
+    fn bounds_hold_of_any_set(
+        lights in prop::collection::vec(prop::collection::vec(-1.0f32..1.0, 100), 3),
+        materials in prop::collection::vec(prop::collection::vec(-1.0f32..1.0, 40), 2),
+        exponent in 0.3f32..5.0,
+        channels in prop::sample::select(vec![1, 2, 3, 6]),
+    ) {
+        let pairs = lights.iter().flat_map(|light| materials.iter().map(move |m| (light, m)));
+        let set: Vec<_> = pairs.map(|(light, material)| coefficients(light, material)).collect();
+        let images: Vec<_> = set.iter().map(|d| Image::new(d, &rule())).collect();
+        checked(&set, channels, 10f32.powf(-exponent), &images);
+    }
+}
