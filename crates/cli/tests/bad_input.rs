@@ -207,8 +207,8 @@ fn damaged_and_foreign_tables() {
     let mut flipped = good.clone();
     flipped[good.len() / 2] ^= 0x10;
     let cases: [(&str, &[u8], &str); 4] = [
-        ("flipped.bin", &flipped, "damaged"),
-        ("cut.bin", &good[..good.len() - 100], "damaged"),
+        ("flipped.bin", &flipped, "corrupt table: wrong checksum"),
+        ("cut.bin", &good[..good.len() - 100], "corrupt table"),
         ("foreign.bin", b"\x89PNG\r\n\x1a\n, or whatever else begins a file", "not an eigenshade"),
         ("empty.bin", b"", "not an eigenshade"),
     ];
