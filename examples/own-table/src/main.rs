@@ -1,4 +1,4 @@
-//! A white sphere under a lamp beside the camera, as text.
+//! A white sphere under a lamp below and to the left of the camera, as text.
 
 use eigenshade::{Error, Light, Material, Normal};
 use own_table::table;

@@ -17,9 +17,9 @@ const PAGES: [(&str, &[&str]); 3] = [
 /// The rows of the short table: an operation and its description.
 const SHORT: [(&str, &str); 4] = [
     ("shade_lambertian", "a pixel, matte material, light of degree 2"),
-    ("shade", "a pixel, any material, within 1e-4 of all components"),
-    ("relight_collapse", "a new light"),
-    ("transfer", "a new material"),
+    ("shade", "a pixel of any material, 130 components to 1e-4"),
+    ("relight_collapse", "a new light on a transferred material, 50 components"),
+    ("transfer", "a new material, 50 components"),
 ];
 
 /// The boards whose memory is shown: without a float unit and with one.
