@@ -113,7 +113,7 @@ pub enum Argument {
     Coefficients,
     /// The workspace of a projection.
     Workspace,
-    /// A transfer: a material folded into a basis.
+    /// A transfer: a material combined with a basis.
     Transfer,
     /// A collapsed scene.
     Scene,
@@ -193,7 +193,7 @@ impl fmt::Display for Error {
             ),
             Self::Beyond { argument, basis, found } => write!(
                 f,
-                "{argument:?} up to {found}, the basis goes to {basis}; truncate it, or make a larger \
+                "{argument:?}: the basis goes to {basis}, {found} found; truncate it, or make a larger \
                  basis"
             ),
             Self::Profile => f.write_str(
@@ -204,35 +204,35 @@ impl fmt::Display for Error {
                 "the basis's passes, slots and rows do not fit; take all parts from one table",
             ),
             Self::Coupling => f.write_str(
-                "the basis's couplings or effects are not its order's; take all parts from one \
+                "the basis's couplings or effects do not match its order; take all parts from one \
                  table",
             ),
             Self::NotFinite { argument, index } => write!(
                 f,
-                "{argument:?}: finite numbers expected, number {index} (from 0) is none; leave it out, \
-                 or scale the numbers down"
+                "{argument:?}: number {index} (from 0) is not finite; leave it out, or scale the numbers \
+                 down"
             ),
             Self::Saturated { argument } => write!(
                 f,
-                "{argument:?}: a number is beyond its integers; scale the light or the weights down"
+                "{argument:?}: a number exceeds its integer format; scale the light or the weights down"
             ),
-            Self::Normal => f.write_str("a normal needs finite components and a length"),
+            Self::Normal => f.write_str("a normal has length zero or a component that is not finite; leave it out"),
             Self::Normals { index } => write!(
                 f,
                 "normal {index} (from 0) has no direction or points away from the camera; leave it \
                  out"
             ),
-            Self::Hidden => f.write_str("a normal points away from the camera: z < -1/8"),
+            Self::Hidden => f.write_str("a normal points away from the camera (z < -1/8); leave it out"),
             Self::TransfersOnly => f.write_str(
-                "the basis has the transfers of some materials and takes in no others; make one \
-                 with store = \"projection\"",
+                "the basis stores only the transfers of some materials; make one with store = \
+                 \"projection\" to project others",
             ),
             Self::Exponent => f.write_str(
-                "an exponent is beyond 128, or beyond 65536 of coefficients; scale the numbers",
+                "an exponent is beyond ±128, or ±65536 for coefficients; scale the numbers",
             ),
             Self::Bound => f.write_str(
-                "a row of a table or a transfer in integers could overflow its sum; take it as it \
-                 was made",
+                "a row of an integer table or transfer could overflow its sum; use it unchanged, as \
+                 it was made",
             ),
             Self::Weight => f.write_str(
                 "an estimate needs pixels whose weights have a finite sum above zero; add some",
@@ -240,7 +240,7 @@ impl fmt::Display for Error {
             Self::Series => f.write_str(
                 "the basis has polynomials in series; build eigenshade with the feature `series`",
             ),
-            Self::Tolerance => f.write_str("a tolerance is not above zero and finite"),
+            Self::Tolerance => f.write_str("a tolerance must be finite and above zero; give one such as 0.01"),
             Self::Rotation => f.write_str(
                 "a rotation needs finite angles, a quaternion that is not zero, or an orthonormal \
                  right-handed matrix",

@@ -160,7 +160,7 @@ impl<'a, S: Scalar> GeneralBasis<'a, S> {
     }
 
     /// The coefficients d of a new light on a material that the span's
-    /// [`transfer_into`](Basis::transfer_into) folded in. `workspace` has the same length as for
+    /// [`transfer_into`](Basis::transfer_into) combined with the basis. `workspace` has the same length as for
     /// [`project_into`](Self::project_into).
     ///
     /// # Errors

@@ -43,13 +43,13 @@
 //! The crate needs no allocator and does not panic. Its loops over pixels use no trigonometry, no
 //! roots and no division.
 //!
-//! It is `no_std`. `mul_add` is not in `core`: on targets with fused multiply-add, such as x86-64
-//! with `-C target-cpu=x86-64-v3`, the feature `std` fuses sums of products, which is faster and
+//! It is `no_std`. `mul_add` is not in `core`: on targets with the target feature `fma`, such as
+//! x86-64 with `-C target-cpu=x86-64-v3`, the feature `std` fuses sums of products, which is faster and
 //! changes their last bits. On other targets the feature changes nothing.
 #![no_std]
 #![deny(clippy::indexing_slicing, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-#[cfg(feature = "std")]
+#[cfg(all(feature = "std", target_feature = "fma"))]
 extern crate std;
 
 // The generated statics refer to this crate by name, as user code does.

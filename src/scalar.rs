@@ -24,8 +24,8 @@ pub trait Scalar:
     const ZERO: Self;
     /// 1.
     const ONE: Self;
-    /// self + a b. With the feature `std` on a target that has fused multiply-add (x86 with `fma`),
-    /// it rounds once, otherwise twice.
+    /// self + a b. With the feature `std` on a target with the target feature `fma`, it
+    /// rounds once, otherwise twice.
     fn add_product(self, a: Self, b: Self) -> Self;
     /// Whether the number is neither infinite nor NaN.
     fn is_finite(self) -> bool;

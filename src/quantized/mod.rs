@@ -26,8 +26,8 @@
 //! // Mantissas times 2^exponent: b_00^0 = 2, a white matte; light 3.5, 0, 1, 0.
 //! let matte = Material::new(&[-13], &[Q15(16_384)])?;
 //! let light = Light::new(-12, &[Q15(14_336), Q15(0), Q15(4_096), Q15(0)])?;
-//! let folded = q15::transfer(&matte)?;
-//! let scene = q15::collapse(&q15::relight(&folded.view(), &light)?)?;
+//! let transfer = q15::transfer(&matte)?;
+//! let scene = q15::collapse(&q15::relight(&transfer.view(), &light)?)?;
 //! let normal = Normal::<Q15>::new(Q15(0), Q15(19_661), Q15(26_214))?; // (0, 0.6, 0.8)
 //! let mantissa = scene.shade(normal); // times 2^scene.exponent()
 //! let irradiance = f64::from(mantissa) * f64::from(scene.exponent()).exp2();

@@ -353,9 +353,9 @@ pub unsafe extern "C" fn eigenshade_normalize_f32(
 
 /// The irradiances of `count` unit normals with z from 0 to 1, into `irradiance`.
 ///
-/// Neither scaled nor checked: a normal that is not such has a meaningless irradiance, and
-/// no other suffers; `eigenshade_normalize_f32` makes such of any. Of no normals the pointers do not matter. On an error `irradiance` is
-/// as it was.
+/// Normals are neither normalized nor checked: a wrong normal has a meaningless irradiance and
+/// affects no other; `eigenshade_normalize_f32` normalizes any vectors. If `count` is 0, the pointers
+/// are not read. On an error `irradiance` is unchanged.
 ///
 /// # Safety
 ///

@@ -17,7 +17,7 @@ use std::process::ExitCode;
 #[cfg_attr(
     not(feature = "generate"),
     command(
-        after_help = "This build lacks the feature `generate`, and so light, material, basis and read."
+        after_help = "This build lacks the feature `generate`, and therefore light, material, basis and read."
     )
 )]
 struct Program {
@@ -28,7 +28,7 @@ struct Program {
 }
 
 fn main() -> ExitCode {
-    #[cfg(all(unix, feature = "generate"))]
+    #[cfg(unix)]
     eigenshade_cli::output::clean_up_on_signals();
     let Program { memory, command } = Program::parse();
     match command.run(memory) {

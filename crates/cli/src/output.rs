@@ -223,7 +223,7 @@ fn place(path: &Path) -> PathBuf {
 /// program as they do by default.
 ///
 /// Where signals cannot be caught, such files are left behind.
-#[cfg(all(unix, feature = "generate"))]
+#[cfg(unix)]
 pub fn clean_up_on_signals() {
     use eigenshade_model::output::remove_unfinished;
     use signal_hook::consts::{SIGINT, SIGTERM};

@@ -49,20 +49,20 @@ pub fn module(parts: &QuantizedParts, command: &str) -> String {
     text
 }
 
-/// The statics of a material folded into such a table, as `transfer` gives it, to stand
-/// where its `BASIS` is in scope. Its bounds are checked when it is compiled.
+/// The statics of the transfer of a material, as `transfer` gives it, for a place where the `BASIS` of
+/// its table is in scope. Its bounds are checked when it is compiled.
 #[must_use]
 pub fn transfer(format: Format, mantissas: &[i32], exponents: &[i16]) -> String {
     let format = name(format);
     let mut text = String::new();
-    numbers(&mut text, "FOLDED", format, mantissas);
-    array(&mut text, "FOLDED_EXPONENTS", "i16", exponents);
+    numbers(&mut text, "TRANSFER_NUMBERS", format, mantissas);
+    array(&mut text, "TRANSFER_EXPONENTS", "i16", exponents);
     put(
         &mut text,
         format_args!(
-            "/// The folded material.
+            "/// The transfer of the material.
 pub static MATERIAL: eigenshade::quantized::Transfer<'static, eigenshade::{format}> =
-    match BASIS.checked_transfer(&FOLDED, &FOLDED_EXPONENTS) {{
+    match BASIS.checked_transfer(&TRANSFER_NUMBERS, &TRANSFER_EXPONENTS) {{
         Ok(transfer) => transfer,
         Err(_) => panic!(\"the transfer is not of this basis\"),
     }};"
@@ -164,7 +164,7 @@ pub type Estimate = eigenshade::quantized::Estimate<'static, eigenshade::{format
 ///
 /// # Errors
 ///
-/// None: the capacity is that of this table.
+/// Never: the capacity is that of this table.
 pub fn estimate() -> Result<Estimate, eigenshade::Error> {{
     BASIS.estimate()
 }}

@@ -120,6 +120,7 @@ pub fn shade<B: AsRef<[f32]>>(
     }}
 }}
 /// [`Scene::shade`] for a scene in a buffer of any type, of any basis.
+#[doc(hidden)]
 #[inline]
 #[must_use]
 pub fn shade<B: AsRef<[f32]>>(
@@ -133,6 +134,7 @@ pub fn shade<B: AsRef<[f32]>>(
 }}
 /// The polynomials of a scene, for [`shade_terms`]; `None` for a scene of another basis. A loop
 /// over pixels asks once instead of at each pixel.
+#[doc(hidden)]
 #[inline]
 #[must_use]
 pub fn terms<{lifetime}B: AsRef<[f32]>>(
@@ -141,6 +143,7 @@ pub fn terms<{lifetime}B: AsRef<[f32]>>(
     {asked_for}
 }}
 /// The irradiance of one normal from the [`terms`] of a scene: bit for bit that of [`shade`].
+#[doc(hidden)]
 #[inline]
 #[must_use]
 pub fn shade_terms(terms: {by_terms}, normal: eigenshade::Normal<f32>) -> f32 {{

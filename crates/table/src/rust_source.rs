@@ -166,11 +166,11 @@ pub const KNOTS: usize = {knots};
 pub const SAMPLES: usize = {room};
 /// One image, sampled.
 pub type SampledScene = eigenshade::SampledScene<f32, eigenshade::SampledBuffer<f32, SAMPLES>>;
-/// Samples an image: see [`eigenshade::Scene::lookup`].
+/// Samples an image: see [`eigenshade::Scene::sampled`].
 ///
 /// # Errors
 ///
-/// None: the capacity is that of this table.
+/// Never: the capacity and the number of knots are those of this table.
 pub fn sampled(scene: &Scene) -> Result<SampledScene, eigenshade::Error> {{
     scene.sampled::<f32, SAMPLES>(KNOTS)
 }}"
