@@ -60,7 +60,7 @@ fn cut(loaded: &Loaded, listed: &WeightedNormals, modes: &DMatrix<f64>) -> f64 {
         &Kept { effects: Effects::ALL, selection: vec![] },
     )
     .expect("finite");
-    let shown = span.factor(&listed).norm_l2();
+    let shown = span.factor(listed).norm_l2();
     let cutoff = loaded.scene.basis.rank_cutoff;
     (cutoff + tolerances::ORTHONORMAL_ROUNDING) * (modes.norm() + shown * span.largest())
 }
