@@ -1,5 +1,5 @@
-//! Each number format supports what docs/formats.md states, refuses the rest with an error, and holds
-//! its invariants for any input.
+//! Each number format supports what the table of docs/formats.md states, refuses the rest with an
+//! error, and holds its invariants for any input.
 
 use crate::invariants;
 use eigenshade::{Argument, Error, Format, Light, Q15, Q31, Scalar, quantized, sphere};
@@ -17,8 +17,8 @@ use std::marker::PhantomData;
 /// The rows of the table: the last three columns by the first.
 fn rows() -> Vec<[&'static str; 4]> {
     let text = include_str!("../docs/formats.md");
-    let (_, text) = text.split_once("## What each format supports").expect("the section");
-    let (text, _) = text.split_once("\n## ").expect("its end");
+    let (_, text) = text.split_once("<!-- support: ").expect("the table's start");
+    let (text, _) = text.split_once("<!-- end of support -->").expect("its end");
     let rows = text.lines().filter(|line| line.starts_with("| ")).skip(1);
     let cells = |row: &'static str| {
         let cells: Vec<_> = row.trim_matches('|').split(" | ").map(str::trim).collect();
@@ -33,7 +33,7 @@ fn rows() -> Vec<[&'static str; 4]> {
 
 fn row(what: &str) -> [&'static str; 4] {
     let found = rows().into_iter().find(|[name, ..]| *name == what);
-    found.unwrap_or_else(|| panic!("docs/formats.md has no row `{what}`"))
+    found.unwrap_or_else(|| panic!("the table of docs/formats.md has no row `{what}`"))
 }
 
 fn shipped() -> Table {

@@ -318,6 +318,8 @@ fn shipped_errors_are_small_from_roughness_one_half() {
 #[test]
 fn the_readme_shows_the_errors() {
     let readme = fs::read_to_string(tables("README.md")).unwrap();
+    let (_, shown) = readme.split_once("<!-- errors: ").unwrap();
+    let (shown, _) = shown.split_once("<!-- end of errors -->").unwrap();
     let percent = |text: &str| {
         let value = 100.0 * text.parse::<f64>().unwrap();
         if value < 0.1 { "< 0.1".into() } else { format!("{value:.2}") }
@@ -328,7 +330,8 @@ fn the_readme_shows_the_errors() {
         let (name, map) = (&table[0], &table[6]);
         let line =
             format!("| {name} | {} ({map}) | {} | {} |\n", both(table), both(middle), both(high));
-        assert!(readme.contains(&line), "{line}");
+        print!("{line}");
+        assert!(shown.contains(&line), "{line}");
     }
 }
 

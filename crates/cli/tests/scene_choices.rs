@@ -76,7 +76,10 @@ fn the_page_quotes_the_report() {
     let text = text.replace("inputs/", &format!("{}/", inputs.to_str().expect("UTF-8")));
     folder.write("scene.toml", text);
     let lines = report(&folder).join("\n");
-    assert!(read("docs/method.md").contains(&format!("```text\n{lines}\n```")), "{lines}");
+    let page = read("docs/method.md");
+    let (_, quoted) = page.split_once("<!-- report: eigenshade basis -->\n").expect("its start");
+    let (quoted, _) = quoted.split_once("<!-- end of report -->").expect("its end");
+    assert_eq!(quoted, format!("```text\n{lines}\n```\n"));
 }
 
 /// Where degree and order are not chosen, the report says so; components are chosen all the same.
