@@ -99,10 +99,10 @@ impl<'a, S> Basis<'a, S> {
         }
         let group = layout::LANES * pair::count(factored);
         // A basis that holds only transfers has neither polar integrals nor factors.
-        let folded = parts.polar.is_empty() && parts.factors.is_empty();
-        let polar = if folded { 0 } else { group * layout::groups(parts.degree) };
-        let factors = if folded { 0 } else { factors };
-        let unfactored = if folded { 0 } else { parts.unfactored() };
+        let holds_transfers = parts.polar.is_empty() && parts.factors.is_empty();
+        let polar = if holds_transfers { 0 } else { group * layout::groups(parts.degree) };
+        let factors = if holds_transfers { 0 } else { factors };
+        let unfactored = if holds_transfers { 0 } else { parts.unfactored() };
         let selection = if parts.selection.is_empty() { 0 } else { parts.selection_length() };
         let mean = if parts.mean.is_empty() { 0 } else { parts.components };
         let mean_terms = if parts.mean.is_empty() { 0 } else { parts.length(0) };

@@ -159,8 +159,8 @@ impl<'a, S: Scalar> GeneralBasis<'a, S> {
         self.coefficients(coordinates, coefficients)
     }
 
-    /// The coefficients d of a new light on a material that the span's
-    /// [`transfer_into`](Basis::transfer_into) combined with the basis. `workspace` has the same length as for
+    /// The coefficients d of a new light on a material whose transfer the span's
+    /// [`transfer_into`](Basis::transfer_into) computed. `workspace` has the same length as for
     /// [`project_into`](Self::project_into).
     ///
     /// # Errors

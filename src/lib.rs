@@ -76,8 +76,6 @@ mod rotation;
 
 mod turn;
 
-mod window;
-
 mod material;
 
 mod normal;
@@ -127,11 +125,32 @@ mod logged;
 #[cfg(feature = "mint")]
 mod mint;
 
+/// The shipped table: every normal of a sphere, degree 9, order 7, fifty components, learned from
+/// captured light on measured materials.
 #[cfg(feature = "baked")]
-pub mod sphere;
+pub mod sphere {
+    include!(concat!(env!("OUT_DIR"), "/sphere.rs"));
 
+    /// The same table with 15-bit mantissas.
+    pub mod q15 {
+        include!(concat!(env!("OUT_DIR"), "/sphere_q15.rs"));
+    }
+
+    /// The same table with 31-bit mantissas.
+    pub mod q31 {
+        include!(concat!(env!("OUT_DIR"), "/sphere_q31.rs"));
+    }
+}
+
+/// The table of a scene, generated when this crate was built. The environment variable
+/// `EIGENSHADE_SCENE` names the scene file at build time; without it, the shipped one is used.
+///
+/// This module has the same items as the module `sphere`, with the sizes of its own scene. The
+/// modules `q15` and `q31` exist if the scene can be represented in integers.
 #[cfg(feature = "generate")]
-pub mod generated;
+pub mod generated {
+    include!(concat!(env!("OUT_DIR"), "/generated.rs"));
+}
 
 pub use bake::{BakedMap, MapBuffer, MapPoint};
 pub use bake_integer::IntegerMap;
@@ -142,7 +161,7 @@ pub use estimate::Estimate;
 pub use format::{FixedPoint, Format, Q15, Q31, Wide};
 pub use general::{GeneralBasis, GeneralParts};
 pub use index::effect::{Effect, Effects};
-pub use light::Light;
+pub use light::{Light, LightBuffer, Window};
 pub use material::Material;
 pub use nine_terms::NineTerms;
 pub use normal::{Normal, Normals};
@@ -157,8 +176,6 @@ pub use scene::{Scene, SceneBuffer};
 pub use shade::NegativePolicy;
 pub use transfer::Transfer;
 pub use truncation::{Shape, Tolerance, Truncation};
-pub use turn::LightBuffer;
-pub use window::Window;
 
 // Runs the README's example as a test.
 #[cfg(all(doctest, feature = "baked"))]

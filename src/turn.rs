@@ -11,16 +11,13 @@
 //! errors. A rotation and its inverse use the same D, one of them transposed. Light that is rotated
 //! and rotated back therefore loses no more than the last bits of some sums.
 
-use crate::buffer::{Buffer, zeros};
+use crate::buffer::zeros;
 use crate::error::{Argument, Error};
 use crate::index::light;
-use crate::light::Light;
+use crate::light::{Light, LightBuffer};
 use crate::mathematics::{Libm, Mathematics};
 use crate::rotation::Rotation;
 use crate::scalar::Scalar;
-
-/// The coefficients of a modified light, in a buffer of fixed capacity.
-pub type LightBuffer<S, const N: usize> = Buffer<S, N>;
 
 impl<S: Scalar> Light<'_, S> {
     /// Workspace length for rotating a light of this degree: the matrices of two degrees, and some

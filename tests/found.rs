@@ -28,7 +28,7 @@ fn of_transfers<Q>(terms: &[Q]) -> Parts<'_, Q> {
     }
 }
 
-fn fold<'a>(
+fn transferred<'a>(
     basis: &Basis<'_, Q15>,
     material: &Material<'_, Q15>,
     numbers: &'a mut [Q15],
@@ -52,7 +52,7 @@ fn exponents_that_rise_with_the_order() {
     let image = |exponents: [i8; 8]| {
         let material = Material::new(&exponents, &alone).expect("a material");
         let (mut numbers, mut of_profiles) = ([Q15(0); TRANSFER], [0; PROFILES]);
-        fold(&BASIS, &material, &mut numbers, &mut of_profiles);
+        transferred(&BASIS, &material, &mut numbers, &mut of_profiles);
         (numbers, of_profiles)
     };
     // What stands below is zero, and has one exponent or another.
@@ -178,8 +178,8 @@ fn bases_out_of_all_proportion() {
     assert_eq!(Basis::<Q15>::new(deep).err(), Some(Error::Bound));
     let endless = Parts { order: usize::MAX, polar: &terms[..1], ..of(1) };
     assert!(matches!(Basis::<Q15>::new(endless), Err(Error::Length { .. })));
-    let folded = Basis::<Q15>::new(Parts { order: usize::MAX, ..of(1) }).expect("of transfers");
-    assert_eq!(folded.workspace_len(), usize::MAX);
+    let endless = Basis::<Q15>::new(Parts { order: usize::MAX, ..of(1) }).expect("of transfers");
+    assert_eq!(endless.workspace_len(), usize::MAX);
 }
 
 /// Two profiles of one component, and another without: d was scaled twice.

@@ -3,7 +3,6 @@
 
 mod invariants;
 mod reading;
-mod shipped;
 mod wire_files;
 
 mod format_support;
@@ -11,22 +10,19 @@ mod formats;
 mod found;
 mod golden_file;
 mod kernels;
+mod lights;
 mod nine_terms;
 mod paper;
 mod parts;
 mod polynomials;
 mod quantized;
-mod reading_objects;
 mod reading_scenes;
 mod reading_spheres;
-mod rotation;
 mod runtime;
 mod sampled_and_baked;
 mod truncation;
 mod truncation_fewest;
 mod truncation_sets;
-mod window;
 mod wire;
-mod wire_versions;
 
 use eigenshade_testing::{oracle, tolerances};

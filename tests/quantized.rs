@@ -244,12 +244,12 @@ fn what_does_not_fit_is_refused() {
     let mut profiles = parts.profiles.to_vec();
     profiles[5] = Profile::new(0, 0, [41, Profile::NONE], [142, 1091]);
     assert!(matches!(Basis::<Q15>::new(Parts { profiles: &profiles, ..parts }), Err(Error::Bound)));
-    let folded =
+    let of_transfers =
         Parts { polar: &[], polar_exponents: &[], factors: &[], factor_exponents: &[], ..parts };
-    let folded = Basis::<Q15>::new(folded).expect("a basis of transfers");
+    let of_transfers = Basis::<Q15>::new(of_transfers).expect("a basis of transfers");
     let material = Material::new(&[0], &numbers[..1]).expect("a material");
-    let error =
-        folded.transfer::<{ q15::WORKSPACE }, { q15::TRANSFER }, { q15::PROFILES }>(&material);
+    let error = of_transfers
+        .transfer::<{ q15::WORKSPACE }, { q15::TRANSFER }, { q15::PROFILES }>(&material);
     assert_eq!(error, Err(Error::TransfersOnly));
 }
 

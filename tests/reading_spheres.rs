@@ -13,8 +13,8 @@ use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_table::Table;
 use eigenshade_table::scene::Criterion;
 use nalgebra::{DMatrix, DVector};
-use reading::sphere::{dense, observe, pixels, prior, small};
 use reading::{COUNT, CRITERIA, NOISE, apart, assert_near, to_dense, tolerances};
+use reading::{dense, observe, pixels, prior, small};
 use std::f64::consts::PI;
 
 /// Posterior deviations over those of least squares, less one, at noises of 1e-3, 1e-6 and 1e-9: half the

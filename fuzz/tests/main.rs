@@ -9,5 +9,3 @@ mod found;
 mod parts;
 #[path = "../../tests/runtime.rs"]
 mod runtime;
-#[path = "../../tests/wire_versions.rs"]
-mod wire_versions;

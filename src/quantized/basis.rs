@@ -149,8 +149,8 @@ impl<'a, Q> Parts<'a, Q> {
             }
             azimuth += 1;
         }
-        let folded = self.polar.is_empty() && self.factors.is_empty();
-        let (degrees, rows) = if folded { (0, 0) } else { (degrees, rows) };
+        let holds_transfers = self.polar.is_empty() && self.factors.is_empty();
+        let (degrees, rows) = if holds_transfers { (0, 0) } else { (degrees, rows) };
         let polar = pairs.saturating_mul(degrees);
         let checks = [
             Error::check(Argument::Polar, polar, self.polar.len()),

@@ -44,16 +44,14 @@ mod inputs;
 #[doc(hidden)]
 pub mod kernels;
 mod nine_terms;
-mod normal;
 mod relight;
 mod scene;
 mod transfer;
 
 pub use basis::{Basis, Parts, Profile};
 pub use estimate::Estimate;
-pub use inputs::{Light, Material};
+pub use inputs::{Light, Material, Normal};
 pub use nine_terms::NineTerms;
-pub use normal::Normal;
 pub use relight::Coefficients;
 pub use scene::{Scene, SceneBuffer};
 pub use transfer::{Transfer, TransferBuffer};

@@ -6,11 +6,12 @@
 //! [`Scene::shade`](crate::Scene::shade), with constants for all sizes and indices. If an argument
 //! does not have the expected shape, the general functions are called instead.
 
-mod relight;
 mod scene;
 
-pub use relight::{GROUPS, blank_coefficients, coefficients_mut, order, transfer};
-pub use scene::{azimuth, blank_scene, collapse, highest, pole, scene, scene_mut, shade};
+pub use scene::{
+    GROUPS, azimuth, blank_coefficients, blank_scene, coefficients_mut, collapse, highest, order,
+    pole, scene, scene_mut, shade, transfer,
+};
 
 use crate::buffer::Buffer;
 use crate::error::{Argument, Error};

@@ -1,8 +1,7 @@
 //! Bases from wire files, in floats and in integers.
 
-use super::error::WireError;
+use super::error::{WireError, WireFormat};
 use super::file::File;
-use super::format::WireFormat;
 use crate::basis::Basis;
 use crate::format::{Q15, Q31};
 use crate::general::{GeneralBasis, GeneralParts};

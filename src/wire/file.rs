@@ -1,7 +1,6 @@
 //! A wire file: its alignment, its header, its checksum and its sections.
 
-use super::error::WireError;
-use super::format::WireFormat;
+use super::error::{WireError, WireFormat};
 use crate::index::effect::Effects;
 use crate::index::wire::{
     ALIGNMENT, CHECKSUM, ENTRY, HEADER, LABEL, MARK, MAX_DEGREE_AND_ORDER, VERSION, place,

@@ -33,8 +33,6 @@
 mod bases;
 mod error;
 mod file;
-mod format;
 
-pub use error::WireError;
+pub use error::{WireError, WireFormat};
 pub use file::{Aligned, Header, aligned};
-pub use format::WireFormat;

@@ -8,19 +8,16 @@
     reason = "each test and each target takes the parts that it needs"
 )]
 
-mod floats;
 mod integer;
-mod integers;
-mod reconstruction;
-mod shipped;
+mod shading;
 mod tables;
 mod ways;
 
-pub use floats::{collapse_sets, shade_floats};
-pub use integers::{shade_coefficients, shade_integers, shade_transfer};
-pub use reconstruction::reconstruct;
+pub use shading::{
+    collapse_sets, shade_coefficients, shade_floats, shade_integers, shade_transfer,
+};
 pub use tables::from_bytes;
-pub use ways::every_way;
+pub use ways::{every_way, reconstruct};
 
 use eigenshade::{Q15, Q31};
 

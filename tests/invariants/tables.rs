@@ -105,7 +105,7 @@ fn integers<Q: FixedPoint>(
     }
     let mut d = vec![0; basis.components()];
     let transfer = Transfer::new(&transfer, &exponents);
-    let exponent = basis.relight_into(&transfer, &light, &mut d).expect("a folded material");
+    let exponent = basis.relight_into(&transfer, &light, &mut d).expect("a transfer");
     let scene = basis.collapse_into(&d, exponent, vec![0; basis.scene_len()]).expect("sizes");
     for &normal in normals {
         // Of a forged table it may mean nothing.

@@ -4,7 +4,7 @@ use crate::config;
 use crate::samples::{Sample, samples, strangers};
 use crate::samples::{Shape, shapes};
 use crate::tolerances;
-use eigenshade_generator::basis::light_statistics::LightStatistics;
+use eigenshade_generator::basis::moments::LightStatistics;
 use eigenshade_generator::basis::span::Span;
 use eigenshade_generator::basis::{gram, moments};
 use eigenshade_generator::object::geometry::WeightedNormals;

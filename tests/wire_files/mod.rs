@@ -1,7 +1,8 @@
-//! Wire files of each format and kind, and what they gave when they were made.
+//! Wire files of each format and kind, and what they gave when they were made: they are read, wherever
+//! they lie, and give the same.
 #![allow(dead_code, reason = "each test takes what it needs")]
 
-use eigenshade::wire::Aligned;
+use eigenshade::wire::{Aligned, WireError, aligned};
 use eigenshade::{Basis, FixedPoint, GeneralBasis, Normal, Q15, Q31, quantized};
 
 pub const SPHERE: &Aligned<[u8]> = &Aligned(*include_bytes!("v1.sphere.f32.esw"));
@@ -122,4 +123,65 @@ pub fn facing_15() -> quantized::Normal<Q15> {
 pub fn facing_31() -> quantized::Normal<Q31> {
     let (x, z) = (Q31(1_288_490_189), Q31(1_717_986_918));
     quantized::Normal::<Q31>::new(x, Q31(0), z).expect("a unit vector")
+}
+
+/// d from a wire file in f32, of the largest: 2^-24 times some twenty roundings.
+const WIRE_F32: f32 = 1e-6;
+
+/// d from a wire file in 15 bits, of the largest: a few roundings of 2^-15.
+const WIRE_Q15: f32 = 2e-4;
+
+/// d from a wire file in 31 bits, of the largest: the comparison itself is in f32.
+const WIRE_Q31: f32 = 2e-7;
+
+#[test]
+fn tables_of_all_effects_are_read() {
+    for (table, bytes) in [("sphere", &SPHERE.0), ("mean", &MEAN.0)] {
+        let basis = Basis::<f32>::from_bytes(bytes).expect("a wire file");
+        assert_same(table, &floats(&basis).0, WIRE_F32);
+    }
+    let basis = GeneralBasis::<f32>::from_bytes(&GENERAL.0).expect("a wire file");
+    assert_same("general", &general(&basis), WIRE_F32);
+    let basis = quantized::Basis::<Q15>::from_bytes(&INTEGERS_15.0).expect("a wire file");
+    assert_same("sphere", &integers(&basis, facing_15()), WIRE_Q15);
+    let basis = quantized::Basis::<Q31>::from_bytes(&INTEGERS_31.0).expect("a wire file");
+    assert_same("sphere", &integers(&basis, facing_31()), WIRE_Q31);
+}
+
+#[test]
+fn tables_of_some_effects_are_read() {
+    for (table, bytes) in [("effects", &EFFECTS.0), ("turned", &TURNED.0)] {
+        let basis = Basis::<f32>::from_bytes(bytes).expect("a wire file");
+        assert!(!basis.effects().is_all());
+        assert_same(table, &floats(&basis).0, WIRE_F32);
+    }
+    let basis = quantized::Basis::<Q15>::from_bytes(&TURNED_15.0).expect("a wire file");
+    assert!(!basis.effects().is_all());
+    assert_same("turned", &integers(&basis, facing_15()), WIRE_Q15);
+}
+
+/// The last number is an irradiance.
+#[test]
+fn polynomials_in_two_halves_are_read() {
+    let basis = Basis::<f32>::from_bytes(&LONG.0).expect("a wire file");
+    assert!(basis.parts().lengths.iter().any(|length| (17..=32).contains(length)));
+    let (mut found, irradiance) = floats(&basis);
+    found.push(irradiance);
+    assert_same("long", &found, WIRE_F32);
+}
+
+/// At every place but multiples of four, and put right.
+#[test]
+fn alignment_is_asked_for() {
+    let mut places = vec![0_u32; SPHERE.0.len() / 4 + 1];
+    for beyond in 1..4 {
+        let bytes: Vec<u8> = [&vec![0; beyond], &SPHERE.0, &vec![0; 4 - beyond]].concat();
+        let bytes = aligned(&bytes, &mut places).expect("room");
+        let refused = Basis::<f32>::from_bytes(&bytes[beyond..]).expect_err("not aligned");
+        assert_eq!(refused, WireError::Alignment { beyond });
+        assert!(refused.to_string().contains("wire::aligned"));
+        let mut room = room(&SPHERE.0);
+        let copied = aligned(&bytes[beyond..][..SPHERE.0.len()], &mut room).expect("room");
+        assert!(Basis::<f32>::from_bytes(copied).is_ok());
+    }
 }

@@ -1,12 +1,12 @@
 //! Pixels in Node: our WebAssembly module against three.js. `node/three.mjs` measures; its
 //! scenes and their truth come from here.
 
-use crate::interleaved::median_and_worst;
+use crate::report::median_and_worst;
 use crate::report::{Row, Table, standing};
 use crate::shipped::{Shipped, View, root, white_matte};
 use eigenshade::sphere;
 use eigenshade_model::database::Named;
-use eigenshade_model::reference::{Modes, DirectSum};
+use eigenshade_model::reference::{DirectSum, Modes};
 use serde::{Deserialize, Serialize};
 use std::error::Error;
 use std::io::Write;

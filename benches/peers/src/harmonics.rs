@@ -1,7 +1,7 @@
 //! All real spherical harmonics of a direction, against the crate `sphrs`.
 
-use crate::interleaved::{Way, ratios};
 use crate::report::{Row, Table, standing};
+use crate::report::{Way, ratios};
 use crate::shipped::root;
 use eigenshade_index::light::{graphics_sign, position};
 use eigenshade_model::special::spherical_harmonic;

@@ -6,7 +6,6 @@
 mod browser;
 mod dense;
 mod harmonics;
-mod interleaved;
 mod pixels;
 mod projection;
 mod report;

@@ -2,8 +2,8 @@
 //! 1,000 modes, and of a white matte against the formula, which is exact there to degree 2.
 
 use crate::dense::{Dense, Vector, WAYS};
-use crate::interleaved::{Way, ratios};
 use crate::report::{Row, Table, standing};
+use crate::report::{Way, ratios};
 use crate::shipped::{Mode, Shipped, View, all_modes, coefficients, only, selected_modes};
 use crate::subject::{Lengths, Picture, WITHIN, errors, nine_terms_image, subjects};
 use eigenshade::sphere;

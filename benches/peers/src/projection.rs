@@ -1,8 +1,8 @@
 //! A light on a material to 50 coefficients, against dense products.
 
 use crate::dense::{ByHand, Dense, Vector, WAYS, padded};
-use crate::interleaved::{Way, median_and_worst, ratios};
 use crate::report::{Row, Table, standing};
+use crate::report::{Way, median_and_worst, ratios};
 use crate::shipped::{
     Pair, Shipped, View, all_modes, coefficients, gram_rows, only, selected_modes,
 };

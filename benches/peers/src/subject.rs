@@ -1,7 +1,7 @@
 //! Pairs of light and material made ready for pixels: by the formula of nine terms, as a full
 //! scene, and as scenes within a tolerance.
 
-use crate::interleaved::{Way, median_and_worst};
+use crate::report::{Way, median_and_worst};
 use crate::shipped::{Pair, View};
 use eigenshade::{NineTerms, Normals, Scene, Tolerance, sphere};
 use eigenshade_model::reference::Modes;

@@ -4,12 +4,11 @@
 //! `times` and `counts` print their table; `--write` puts it into that page, and `counts --check`
 //! fails where a path takes more instructions than the page says.
 
-mod counts;
 mod images;
 mod inputs;
 mod limit;
+mod measured;
 mod page;
-mod times;
 
 use std::process::ExitCode;
 
@@ -18,8 +17,8 @@ const USAGE: &str = "times [--write], or counts [--write | --check]";
 fn main() -> ExitCode {
     let mut arguments = std::env::args().skip(1);
     let what = arguments.next();
-    if what.as_deref() == Some(counts::SHADE) {
-        counts::shade(arguments);
+    if what.as_deref() == Some(measured::SHADE) {
+        measured::shade(arguments);
         return ExitCode::SUCCESS;
     }
     match report(what.as_deref(), arguments.next().as_deref()) {
@@ -33,7 +32,7 @@ fn main() -> ExitCode {
 
 fn report(kind: Option<&str>, how: Option<&str>) -> Result<(), String> {
     let counts = |how: Option<&str>| -> Result<String, String> {
-        let counts = counts::counted(&images::all());
+        let counts = measured::counted(&images::all());
         if how == Some("--check") {
             page::check(&counts)?;
         }
@@ -41,7 +40,7 @@ fn report(kind: Option<&str>, how: Option<&str>) -> Result<(), String> {
     };
     let table = match (kind, how) {
         (Some(page::TIMES), None | Some("--write")) => {
-            page::of_times(&times::timed(&images::all()))
+            page::of_times(&measured::timed(&images::all()))
         }
         (Some(page::COUNTS), None | Some("--write" | "--check")) => counts(how)?,
         _ => return Err(USAGE.to_owned()),

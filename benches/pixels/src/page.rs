@@ -1,10 +1,10 @@
 //! The tables of docs/performance.md.
 
-use crate::counts::Count;
+use crate::measured::Count;
 use crate::images::MATTE;
 use crate::inputs::{NINE, PROJECT, WITHIN};
 use crate::limit::{LANES, TARGET};
-use crate::times::Times;
+use crate::measured::Times;
 use std::fmt::Write as _;
 use std::path::PathBuf;
 

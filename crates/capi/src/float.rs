@@ -4,7 +4,7 @@
 use crate::boundary::{
     Place, Plain, disjoint, exclusive, shared, slice, slice_to_change, slice_to_write,
 };
-use crate::relight_only;
+use crate::sizes;
 use crate::sizes::{
     EIGENSHADE_COMPONENTS, EIGENSHADE_DEGREE, EIGENSHADE_ORDER, EIGENSHADE_SCENE_F32,
     EIGENSHADE_TRANSFER_F32, EIGENSHADE_WORKSPACE_F32,
@@ -185,7 +185,7 @@ pub unsafe extern "C" fn eigenshade_relight_f32(
         // SAFETY: as this function asks of its caller; it overlaps no other.
         let coefficients = unsafe { exclusive(coefficients) }?;
         let (transfer, coefficients) = (&transfer.numbers, &mut coefficients.numbers);
-        Ok(relight_only::BASIS_F32.relight_into(transfer, &light, coefficients)?)
+        Ok(sizes::BASIS_F32.relight_into(transfer, &light, coefficients)?)
     })
 }
 
@@ -241,7 +241,7 @@ pub unsafe extern "C" fn eigenshade_collapse_f32(
         let first = coefficients.numbers.get(..components).ok_or(Status::Components)?;
         // SAFETY: as this function asks of its caller.
         let scene = unsafe { exclusive(scene) }?;
-        relight_only::BASIS_F32.collapse_into(first, &mut scene.terms[..])?;
+        sizes::BASIS_F32.collapse_into(first, &mut scene.terms[..])?;
         Ok(())
     })
 }
@@ -269,8 +269,7 @@ pub unsafe extern "C" fn eigenshade_shade_f32(
         disjoint(&[Place::of(irradiance)], &[Place::of(scene)])?;
         // SAFETY: as this function asks of its caller.
         let scene = unsafe { shared(scene) }?;
-        let (normal, scene) =
-            (Normal::new(x, y, z)?, relight_only::BASIS_F32.scene(&scene.terms[..])?);
+        let (normal, scene) = (Normal::new(x, y, z)?, sizes::BASIS_F32.scene(&scene.terms[..])?);
         // SAFETY: as this function asks of its caller.
         *unsafe { exclusive(irradiance) }? = scene.shade(normal);
         Ok(())
@@ -380,7 +379,7 @@ pub unsafe extern "C" fn eigenshade_shade_many_f32(
         let (x, y, z) = unsafe { (slice(x, count)?, slice(y, count)?, slice(z, count)?) };
         // SAFETY: as this function asks of its caller; it overlaps no other.
         let irradiance = unsafe { slice_to_write(irradiance, count) }?;
-        let scene = relight_only::BASIS_F32.scene(&scene.terms[..])?;
+        let scene = sizes::BASIS_F32.scene(&scene.terms[..])?;
         Ok(scene.shade_slice(Normals::new(x, y, z)?, irradiance)?)
     })
 }

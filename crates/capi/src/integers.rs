@@ -3,7 +3,7 @@
 
 use crate::boundary::{Place, Plain, disjoint, slice, slice_to_write};
 use crate::float::{LightF32, MaterialF32};
-use crate::relight_only;
+use crate::sizes;
 use crate::sizes::{EIGENSHADE_DEGREE, EIGENSHADE_ORDER};
 use crate::status::Status;
 use eigenshade::index::{light, material};
@@ -29,7 +29,7 @@ impl Shipped for Q15 {
         &sphere::q15::BASIS
     }
     fn relight_only() -> &'static Basis<'static, Self> {
-        &relight_only::BASIS_Q15
+        &sizes::BASIS_Q15
     }
     #[inline]
     fn normal(x: Self, y: Self, z: Self) -> Result<Normal<Self>, Error> {
@@ -47,7 +47,7 @@ impl Shipped for Q31 {
         &sphere::q31::BASIS
     }
     fn relight_only() -> &'static Basis<'static, Self> {
-        &relight_only::BASIS_Q31
+        &sizes::BASIS_Q31
     }
     #[inline]
     fn normal(x: Self, y: Self, z: Self) -> Result<Normal<Self>, Error> {

@@ -10,7 +10,9 @@
 //! be aligned, which is checked. Arguments that are written to must not overlap others, which is
 //! checked too.
 //!
-//! On bare metal the static library has a panic handler: see `panic.rs`.
+//! On bare metal the static library has a panic handler. In release builds it calls an undefined
+//! symbol, so a reachable panic fails to link, provided that the linker drops unused functions
+//! (`-Wl,--gc-sections`). In builds with debug assertions, which check their arithmetic, it halts.
 #![no_std]
 
 // On a host, std handles panics.
@@ -21,11 +23,7 @@ mod sizes;
 
 mod status;
 
-mod version;
-
 mod boundary;
-
-mod relight_only;
 
 pub mod float;
 
@@ -35,14 +33,32 @@ pub mod q15;
 
 pub mod q31;
 
-#[cfg(target_os = "none")]
-mod panic;
-
 pub use sizes::{
     EIGENSHADE_COMPONENTS, EIGENSHADE_DEGREE, EIGENSHADE_LIGHT, EIGENSHADE_MATERIAL,
     EIGENSHADE_ORDER, EIGENSHADE_PROFILES, EIGENSHADE_SCENE_F32, EIGENSHADE_SCENE_Q15,
     EIGENSHADE_SCENE_Q31, EIGENSHADE_TRANSFER, EIGENSHADE_TRANSFER_F32, EIGENSHADE_WORKSPACE,
-    EIGENSHADE_WORKSPACE_F32,
+    EIGENSHADE_WORKSPACE_F32, eigenshade_version,
 };
 pub use status::{Status, eigenshade_message};
-pub use version::eigenshade_version;
+
+#[cfg(all(target_os = "none", debug_assertions))]
+#[panic_handler]
+fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
+    loop {
+        core::hint::spin_loop();
+    }
+}
+
+#[cfg(all(target_os = "none", not(debug_assertions)))]
+#[panic_handler]
+fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
+    #[expect(unsafe_code, reason = "the symbol is undefined on purpose")]
+    unsafe extern "C" {
+        fn eigenshade_a_panic_can_be_reached() -> !;
+    }
+    #[expect(unsafe_code, reason = "never linked, so never called")]
+    // SAFETY: a program with this call is not linked.
+    unsafe {
+        eigenshade_a_panic_can_be_reached()
+    }
+}

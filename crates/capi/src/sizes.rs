@@ -1,7 +1,26 @@
-//! Sizes of the shipped table as literals, for the header.
+//! The version of the library, the sizes of the shipped table as literals for the header, and its
+//! bases without the factors of transfers.
+//!
+//! The functions that relight, collapse and shade use these bases, so that a program whose transfers
+//! are computed beforehand links no factors.
 
+use core::ffi::{CStr, c_char};
 use eigenshade::index::{light, material};
-use eigenshade::sphere;
+use eigenshade::{Basis, Parts, Q15, Q31, quantized, sphere};
+
+const VERSION: &CStr =
+    match CStr::from_bytes_with_nul(concat!(env!("CARGO_PKG_VERSION"), "\0").as_bytes()) {
+        Ok(version) => version,
+        Err(_) => panic!("a version has no zero in it"),
+    };
+
+/// The library's version, a static string: compare it with EIGENSHADE_VERSION of the header.
+/// Never fails.
+#[expect(unsafe_code, reason = "an exported symbol")]
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_version() -> *const c_char {
+    VERSION.as_ptr()
+}
 
 /// Largest degree l of a light.
 pub const EIGENSHADE_DEGREE: usize = 9;
@@ -57,5 +76,38 @@ const _: () = {
     while let [[stated, found], tail @ ..] = rest {
         assert!(*stated == *found, "a size in crates/capi/src/sizes.rs differs from the table");
         rest = tail;
+    }
+};
+
+/// In float.
+pub(crate) static BASIS_F32: Basis<'static, f32> = {
+    let all = *sphere::BASIS.parts();
+    match Basis::new(Parts { polar: &[], factors: &[], ..all }) {
+        Ok(basis) => basis,
+        Err(_) => panic!("the table's parts do not fit together"),
+    }
+};
+
+/// In mantissas of 15 bits.
+pub(crate) static BASIS_Q15: quantized::Basis<'static, Q15> = {
+    let all = *sphere::q15::BASIS.parts();
+    let (polar, polar_exponents) = (&[], &[]);
+    let (factors, factor_exponents) = (&[], &[]);
+    let parts = quantized::Parts { polar, polar_exponents, factors, factor_exponents, ..all };
+    match quantized::Basis::<Q15>::new(parts) {
+        Ok(basis) => basis,
+        Err(_) => panic!("the table's parts do not fit together"),
+    }
+};
+
+/// In mantissas of 31 bits.
+pub(crate) static BASIS_Q31: quantized::Basis<'static, Q31> = {
+    let all = *sphere::q31::BASIS.parts();
+    let (polar, polar_exponents) = (&[], &[]);
+    let (factors, factor_exponents) = (&[], &[]);
+    let parts = quantized::Parts { polar, polar_exponents, factors, factor_exponents, ..all };
+    match quantized::Basis::<Q31>::new(parts) {
+        Ok(basis) => basis,
+        Err(_) => panic!("the table's parts do not fit together"),
     }
 };

@@ -2,8 +2,6 @@
 
 pub mod table;
 
-pub mod notes;
-
 pub mod picture;
 
 #[cfg(feature = "generate")]

@@ -4,7 +4,7 @@ use crate::support::files::{answer, get, nearest, png};
 use crate::support::{Folder, repository};
 use crate::tolerances;
 use eigenshade_cli::picture::{SphereView, linear};
-use eigenshade_cli::reading::linear_image::{LinearImage, Transfer};
+use eigenshade_cli::reading::pixels::{LinearImage, Transfer};
 use eigenshade_shading::sphere_rings::rings;
 use png::chunk::ChunkType;
 use png::{BitDepth, ColorType, Encoder, ScaledFloat, SrgbRenderingIntent};

@@ -20,7 +20,6 @@ pub mod material {
 
     pub mod analytic;
     pub mod brdf;
-    pub mod curet;
     pub mod files;
     pub mod fit;
     pub(crate) mod fit_channel;
@@ -70,7 +69,6 @@ pub mod reading {
     pub mod modes;
     pub mod observation;
     pub mod posterior;
-    pub mod prior;
     pub mod rank_one;
     pub mod transfer;
 }

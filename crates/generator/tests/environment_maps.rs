@@ -3,7 +3,6 @@
 
 use crate::tolerances;
 
-mod faults;
 mod files;
 
 use eigenshade_generator::light::environment::EnvironmentMap;

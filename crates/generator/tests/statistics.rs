@@ -4,7 +4,7 @@
 use crate::tolerances;
 use eigenshade_generator::basis;
 use eigenshade_generator::basis::general;
-use eigenshade_generator::basis::light_statistics::LightStatistics;
+use eigenshade_generator::basis::moments::LightStatistics;
 use eigenshade_generator::basis::moments::equal;
 use eigenshade_generator::object::geometry::Geometry;
 use eigenshade_model::database::{Lights, Materials, Named};

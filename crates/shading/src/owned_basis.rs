@@ -29,7 +29,7 @@ pub struct OwnedBasis<S> {
     mean_coefficients: Vec<S>,
     selection: Vec<bool>,
     general: Option<OwnedGeneral<S>>,
-    folded: Vec<Folded<S>>,
+    transfers: Vec<OwnedTransfer<S>>,
 }
 
 /// The owned arrays of a general basis.
@@ -44,7 +44,7 @@ struct OwnedGeneral<S> {
 
 /// A material whose transfer the table stores.
 #[derive(Clone, Debug)]
-pub struct Folded<S> {
+pub struct OwnedTransfer<S> {
     /// The fingerprint of its coefficients: [`eigenshade_table::reduce::fingerprint`].
     pub fingerprint: u32,
     /// Its transfer, for [`Basis::relight_into`].
@@ -59,12 +59,12 @@ impl<S: Scalar> OwnedBasis<S> {
         fn rounded<S: Scalar>(values: &[f64]) -> Vec<S> {
             values.iter().map(|&value| S::from_f64(value)).collect()
         }
-        let folded = table.transfers.iter().map(|one| Folded {
+        let transfers = table.transfers.iter().map(|one| OwnedTransfer {
             fingerprint: one.fingerprint,
             transfer: rounded(&parts.transfer(&one.numbers)),
         });
         Self {
-            folded: folded.collect(),
+            transfers: transfers.collect(),
             degree: parts.degree,
             order: parts.order,
             effects: parts.effects,
@@ -94,8 +94,8 @@ impl<S: Scalar> OwnedBasis<S> {
 
     /// The materials whose transfers the table stores; empty for a table that projects.
     #[must_use]
-    pub fn folded(&self) -> &[Folded<S>] {
-        &self.folded
+    pub fn transfers(&self) -> &[OwnedTransfer<S>] {
+        &self.transfers
     }
 
     /// The basis of the table, of either kind.

@@ -2,7 +2,7 @@
 //! number formats.
 
 use crate::overflow;
-use crate::owned_basis::{AnyBasis, Folded};
+use crate::owned_basis::{AnyBasis, OwnedTransfer};
 use eigenshade::{Light, Material, Normal, Normals, Scalar, Scene};
 use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_model::database::{Lights, Materials, Named};
@@ -49,7 +49,7 @@ pub struct Shader<'a, S> {
     pub(crate) workspace: Vec<S>,
     coefficients: Vec<S>,
     scene: Vec<S>,
-    folded: &'a [Folded<S>],
+    transfers: &'a [OwnedTransfer<S>],
     effects: Effects,
     /// d without any light, subtracted if the effects do not include the mean image; otherwise
     /// empty.
@@ -108,7 +108,7 @@ impl<'a, S: Scalar> Shader<'a, S> {
             workspace: vec![S::ZERO; workspace],
             coefficients: vec![S::ZERO; all],
             scene: vec![S::ZERO; scene],
-            folded: &[],
+            transfers: &[],
             effects: Effects::ALL,
             dark: Vec::new(),
         }
@@ -147,8 +147,8 @@ impl<'a, S: Scalar> Shader<'a, S> {
     /// Adds the stored transfers of a table. A basis without projection accepts only these
     /// materials.
     #[must_use]
-    pub fn with_folded(self, folded: &'a [Folded<S>]) -> Self {
-        Self { folded, ..self }
+    pub fn with_transfers(self, transfers: &'a [OwnedTransfer<S>]) -> Self {
+        Self { transfers, ..self }
     }
 
     /// d for one channel of a light and one channel of a material, of at most the basis's degree
@@ -177,8 +177,8 @@ impl<'a, S: Scalar> Shader<'a, S> {
             && !basis.projects()
         {
             let fingerprint = fingerprint(material);
-            let of = self.folded.iter().find(|one| one.fingerprint == fingerprint);
-            let of = of.ok_or_else(not_folded)?;
+            let of = self.transfers.iter().find(|one| one.fingerprint == fingerprint);
+            let of = of.ok_or_else(no_transfer)?;
             let coefficients = &mut self.coefficients;
             return basis.relight_into(&of.transfer, &light, coefficients).map_err(fault);
         }
@@ -263,7 +263,7 @@ impl<'a, S: Scalar> Shader<'a, S> {
     }
 }
 
-fn not_folded() -> Error {
+fn no_transfer() -> Error {
     Error::new(
         "the table has transfers only for its scene's materials, and a material is not one of them",
         "use the scene's material file, or make a table with store = \"projection\"",

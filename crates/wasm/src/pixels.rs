@@ -5,10 +5,10 @@ use eigenshade::NineTerms;
 use eigenshade::Normals;
 #[cfg(feature = "map")]
 use eigenshade::{BakedMap, MapPoint};
-use eigenshade_wasm_setup::buffers::{NORMALS, Shared};
 use eigenshade_wasm_setup::floats::COLLAPSED;
 #[cfg(feature = "map")]
 use eigenshade_wasm_setup::floats::{SIZE, TEXELS};
+use eigenshade_wasm_setup::{NORMALS, Shared};
 
 /// Normals to shade: all x, all y, all z.
 #[unsafe(export_name = "f32_normals")]

@@ -65,8 +65,8 @@ fn integers(light: &[f32], material: &[f32]) -> impl Fn([f64; 3]) -> f64 {
     let mut exponents = [0; 5];
     let light = quantized::Light::quantize(light, &mut of_light).expect("sixteen");
     let material = quantized::Material::quantize(material, &mut of_material, &mut exponents);
-    let folded = q15::transfer(&material.expect("fourteen")).expect("it fits");
-    let scene = q15::collapse(&q15::relight(&folded.view(), &light).expect("it fits"));
+    let transfer = q15::transfer(&material.expect("fourteen")).expect("it fits");
+    let scene = q15::collapse(&q15::relight(&transfer.view(), &light).expect("it fits"));
     let scene = scene.expect("it fits");
     move |normal| {
         let [x, y, z] =

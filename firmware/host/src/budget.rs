@@ -81,8 +81,8 @@ mod tests {
     #[test]
     fn budgets_fail_when_exceeded_or_not_measured() {
         let rows = |text: &str| text.lines().map(|line| line.parse().unwrap()).collect::<Vec<_>>();
-        let budgets = rows("b,shade,q15,100,,50,\nb,fold,q15,9,,,\nother,shade,q15,1,,,");
-        let within = rows("b,shade,q15,100,9999,50,9999\nb,fold,q15,9,1,1,1");
+        let budgets = rows("b,shade,q15,100,,50,\nb,transfer,q15,9,,,\nother,shade,q15,1,,,");
+        let within = rows("b,shade,q15,100,9999,50,9999\nb,transfer,q15,9,1,1,1");
         assert_eq!(over(&within, &budgets), [""; 0]);
         let found = over(&rows("b,shade,q15,101,1,51,1"), &budgets);
         assert_eq!(found.len(), 3, "{found:?}");

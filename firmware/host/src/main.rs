@@ -1,10 +1,8 @@
 //! Builds the programs for the emulated boards, runs them, checks the linked files, and counts
 //! instructions: see `firmware/README.md`.
 
-mod board;
 mod program;
 
-mod linked;
 mod toolchain;
 
 mod gate;
@@ -13,8 +11,7 @@ mod budget;
 mod page;
 mod row;
 
-use board::Board;
-use program::{Kind, Program};
+use program::{Board, Kind, Program};
 use row::Row;
 use std::collections::BTreeMap;
 use std::process::ExitCode;
@@ -90,10 +87,10 @@ fn of_board(board: Board, compiler: &Compiler) -> Result<Vec<Row>> {
         )?;
     }
     let path = |program: &Program| compiler.binary(program.profile(), &program.binary());
-    let mut empty = linked::Sizes::default();
+    let mut empty = gate::Sizes::default();
     let mut rows = Vec::new();
     for program in &programs {
-        let linked = linked::Linked::read(&path(program))?;
+        let linked = gate::Linked::read(&path(program))?;
         gate::check(board, &program.binary(), &linked)?;
         let output = toolchain::run(board, &path(program))?;
         let sizes = linked.sizes();

@@ -1,7 +1,7 @@
 //! The tables of counts in the documentation: written between two marks, compared by `--check`.
 
 use crate::Result;
-use crate::board::Board;
+use crate::program::Board;
 use crate::row::{self, Row};
 
 const START: &str = "<!-- counts: firmware/run all --update writes them -->\n";

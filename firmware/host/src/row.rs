@@ -1,8 +1,8 @@
 //! The counts as CSV, and the recorded ones in `counts.csv`.
 
 use crate::Result;
-use crate::board::Board;
-use crate::linked::Sizes;
+use crate::gate::Sizes;
+use crate::program::Board;
 use crate::program::Program;
 use std::collections::BTreeMap;
 use std::fmt;
@@ -243,8 +243,8 @@ fn same(row: &Row, record: &Row) -> bool {
 #[cfg(test)]
 mod tests {
     use super::{Row, same};
-    use crate::board::Board;
-    use crate::linked::Sizes;
+    use crate::gate::Sizes;
+    use crate::program::Board;
     use crate::program::{Kind, Program};
 
     #[test]

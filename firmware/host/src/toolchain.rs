@@ -4,7 +4,7 @@
 //! `core` itself.
 
 use crate::Result;
-use crate::board::Board;
+use crate::program::Board;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 

@@ -2,8 +2,8 @@
 
 use super::options::{Memory, count};
 use clap::{Args, Subcommand, ValueEnum};
+use eigenshade_cli::messages::albedo_warning;
 use eigenshade_cli::messages::{print_message, progress_bar};
-use eigenshade_cli::notes::albedo_warning;
 use eigenshade_cli::output;
 use eigenshade_generator::material;
 use eigenshade_generator::material::analytic::{Analytic, Model, Shares};

@@ -2,8 +2,8 @@
 
 use super::options::{Memory, count};
 use clap::Args;
+use eigenshade_cli::messages::albedo_warning;
 use eigenshade_cli::messages::print_message;
-use eigenshade_cli::notes::albedo_warning;
 use eigenshade_cli::output::{self, Rows, exact};
 use eigenshade_cli::table;
 use eigenshade_model::error::Result;
@@ -48,7 +48,7 @@ impl Project {
         let (lights, materials) = fitted(&table, &lights, &materials);
         let basis = OwnedBasis::<f64>::new(&table);
         let mut shader =
-            Shader::new(basis.any().map_err(fault)?, components).with_folded(basis.folded());
+            Shader::new(basis.any().map_err(fault)?, components).with_transfers(basis.transfers());
         output::write(self.out.as_deref(), |out| {
             let header = ["light", "material", "component", "r", "g", "b"];
             let mut rows = Rows::new(out, header)?;

@@ -5,9 +5,9 @@ use super::read_answer::{self, Answer};
 use clap::Args;
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::output;
-use eigenshade_cli::reading::linear_image::{LinearImage, Transfer};
+use eigenshade_cli::reading::pixels::{LinearImage, Transfer};
 use eigenshade_cli::reading::{Reader, pixels};
-use eigenshade_cli::table::{self, rounding};
+use eigenshade_cli::table::{self, recorded_errors};
 use eigenshade_generator::reading::observation::{EigenimageValues, Observation, Observer};
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::{Error, Result};
@@ -112,7 +112,10 @@ impl Read {
 
         let answer = Answer { reading: &reading, observation: &observation, materials: &materials };
         self.write(&answer)?;
-        warning.iter().chain(&rounding::warning(&table, Format::F32)).for_each(print_message);
+        warning
+            .iter()
+            .chain(&recorded_errors::warning(&table, Format::F32))
+            .for_each(print_message);
         print_message(summary);
         read_answer::summarize(&answer);
         Ok(())

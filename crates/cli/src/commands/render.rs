@@ -4,10 +4,10 @@ use super::options::{FileEntry, Memory, count};
 use clap::{Args, ValueEnum};
 use eigenshade::Scalar;
 use eigenshade_cli::messages::print_message;
-use eigenshade_cli::notes::{Ringing, albedo_warning};
+use eigenshade_cli::messages::{Ringing, albedo_warning};
 use eigenshade_cli::output;
 use eigenshade_cli::picture::{SphereView, exposure, srgb, write_png};
-use eigenshade_cli::table::{self, rounding};
+use eigenshade_cli::table::{self, recorded_errors};
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::Result;
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
@@ -64,7 +64,7 @@ impl Render {
         let materials = Materials { order, entries: vec![material.find_in(entries)?] };
         let higher = of_higher_order(&material.path, order, table.gram.order);
         let rounded = match self.format {
-            Format::F32 => rounding::warning(&table, wire::Format::F32),
+            Format::F32 => recorded_errors::warning(&table, wire::Format::F32),
             Format::F64 => None,
         };
         let warnings = [higher, albedo_warning(&materials), rounded].into_iter().flatten();
@@ -105,7 +105,7 @@ fn shaded<S: Scalar + Into<f64>>(
 ) -> Result<[Vec<f64>; 3]> {
     let basis = OwnedBasis::<S>::new(table);
     let mut shader =
-        Shader::new(basis.any().map_err(fault)?, table.count()).with_folded(basis.folded());
+        Shader::new(basis.any().map_err(fault)?, table.count()).with_transfers(basis.transfers());
     let normals = OwnedNormals::new(&view.normals);
     let light = (lights.degree, &lights.entries[0]);
     let image = shader.color(light, (materials.order, &materials.entries[0]), &normals)?;

@@ -1,8 +1,8 @@
 //! The images of `eigenshade shade`: every light on every material, by any method.
 
 use eigenshade::{Effects, NegativePolicy, Scalar, Tolerance, Truncation};
+use eigenshade_cli::messages::{Ringing, truncation_lines};
 use eigenshade_cli::messages::{print_message, progress_bar};
-use eigenshade_cli::notes::{Ringing, truncation_lines};
 use eigenshade_cli::output::{Rows, exact};
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::Result;
@@ -82,7 +82,7 @@ impl Images {
     pub fn floats<S: Scalar + Into<f64>>(&self, way: Way, out: &mut Output<'_>) -> Result<()> {
         let basis = OwnedBasis::<S>::new(&self.table);
         let mut shader = Shader::new(basis.any().map_err(fault)?, self.components)
-            .with_folded(basis.folded())
+            .with_transfers(basis.transfers())
             .with_effects(self.effects)?;
         if let Some(tolerance) = self.tolerance {
             return self.within(&mut shader, tolerance, out);

@@ -1,16 +1,15 @@
 //! Reads images and estimates light and material from them.
 
-pub mod linear_image;
 pub mod pixels;
 
-use eigenshade_generator::basis::light_statistics::LightStatistics;
+use eigenshade_generator::basis::moments::LightStatistics;
 use eigenshade_generator::basis::moments::{MaterialMoments, equal};
 use eigenshade_generator::reading::coefficients::{CUTOFF, Fit, LeastSquares, fit, scalar_product};
 use eigenshade_generator::reading::light_estimate::{self, Candidate};
 use eigenshade_generator::reading::modes::{self, ModeCoefficients};
 use eigenshade_generator::reading::observation::Observation;
+use eigenshade_generator::reading::posterior::Prior;
 use eigenshade_generator::reading::posterior::{Estimate, Posterior};
-use eigenshade_generator::reading::prior::Prior;
 use eigenshade_generator::reading::rank_one::RankOne;
 use eigenshade_generator::reading::transfer::Transfers;
 use eigenshade_model::database::{self, Lights, Materials, Named};

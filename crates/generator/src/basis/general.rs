@@ -10,7 +10,7 @@ use crate::basis::choice::{Choice, Remaining};
 use crate::basis::database::{fitted, in_range, peak};
 use crate::basis::eigenimages::REPORTED;
 use crate::basis::gram;
-use crate::basis::light_statistics::LightStatistics;
+use crate::basis::moments::LightStatistics;
 use crate::basis::moments::MaterialMoments;
 use crate::basis::observed::Observed;
 use crate::basis::pca::principal;

@@ -8,7 +8,6 @@ pub(crate) mod eigenimages;
 pub mod estimate;
 pub mod general;
 pub mod gram;
-pub mod light_statistics;
 pub mod moments;
 pub mod node_image;
 pub(crate) mod observed;

@@ -4,7 +4,7 @@ use crate::light::map_file::extension;
 use crate::material::brdf::Surface;
 use crate::material::measurements;
 use crate::material::measurements::Measured;
-use crate::material::{analytic, curet, merl};
+use crate::material::{analytic, merl};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 use std::path::{Path, PathBuf};
@@ -30,7 +30,8 @@ impl Source {
 
 /// Reads materials by file type. A `.binary` file is a MERL table ([`merl::read`]), a `.toml` file
 /// holds formulas ([`analytic::read`]), any other file holds measurements ([`measurements::read`]).
-/// A folder with an `abrdf.dat` is a CUReT folder ([`curet::read`]); from any other folder all
+/// A folder with an `abrdf.dat` is a CUReT folder ([`measurements::read_curet`]); from any other
+/// folder all
 /// `.binary`, `.toml` and `.csv` files are read, sorted by name.
 ///
 /// # Errors
@@ -43,7 +44,7 @@ pub fn read(file: impl Into<InputFile>) -> Result<Vec<Source>> {
         return read_file(file);
     }
     if path.join("abrdf.dat").is_file() {
-        return Ok(curet::read(file)?.into_iter().map(Source::Measured).collect());
+        return Ok(measurements::read_curet(file)?.into_iter().map(Source::Measured).collect());
     }
     let files = files_in(path)?;
     if files.is_empty() {
@@ -66,7 +67,7 @@ pub fn files(path: &Path) -> Vec<PathBuf> {
         return vec![path.to_owned()];
     }
     if path.join("abrdf.dat").is_file() {
-        return curet::FILES.map(|file| path.join(file)).to_vec();
+        return measurements::CURET_FILES.map(|file| path.join(file)).to_vec();
     }
     files_in(path).unwrap_or_default()
 }

@@ -14,7 +14,7 @@
 
 use super::linear::{column, decompose};
 use super::observation::Observation;
-use super::prior::Prior;
+use super::posterior::Prior;
 use super::transfer::Transfers;
 use eigenshade_model::database::Materials;
 use eigenshade_model::error::Result;

@@ -1,7 +1,7 @@
 //! Recovers the coefficients c of the irradiance modes from components.
 
 use super::posterior::Estimate;
-use super::prior::Prior;
+use super::posterior::Prior;
 use super::transfer::{Transfers, sign};
 use eigenshade_index::{light, material};
 use eigenshade_table::Table;

@@ -1,10 +1,10 @@
 //! Floats: projection, relighting, collapsing and baking. Every function returns 1, or 0 if its
 //! input is missing or invalid.
 
-use crate::buffers::{LIGHT, MATERIAL, Shared};
 #[cfg(feature = "relight")]
 use crate::table::TRANSFER;
 use crate::table::{BASIS, COMPONENTS, DEGREE, ORDER, SCENE, WORKSPACE};
+use crate::{LIGHT, MATERIAL, Shared};
 use eigenshade::{Light, Material, Scene};
 
 /// The coefficients d.

@@ -5,7 +5,7 @@
 //! singular values. Polynomials, about a tenth of a table, are not counted.
 
 use crate::basis::canonical;
-use crate::basis::choice::energies::{Energies, Images, POLYNOMIALS, budget};
+use crate::basis::choice::report::{Energies, Images, POLYNOMIALS, budget};
 use crate::basis::choice::report::{Reach, Remaining, Share};
 use crate::basis::eigenimages::constant_coordinates;
 use crate::basis::gram;

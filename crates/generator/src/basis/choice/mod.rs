@@ -12,14 +12,13 @@
 //! the database's images in the coordinates of their profile spaces: no pixel is shaded.
 
 mod candidates;
-mod energies;
 mod report;
 
 pub(crate) use report::Remaining;
 pub use report::{Choice, Reach, Share};
 
 use crate::basis::analysis::Analysis;
-use crate::basis::choice::energies::{POLYNOMIALS, budget};
+use crate::basis::choice::report::{POLYNOMIALS, budget};
 use crate::basis::database;
 use crate::basis::profile::evaluate;
 use eigenshade_model::database::{Lights, Materials};

@@ -1,6 +1,6 @@
 //! BRDFs given by formulas, from matte to glossy.
 
-use crate::material::brdf::geometry::{Brdf, Geometry};
+use crate::material::brdf::{Brdf, Geometry};
 use eigenshade_model::error::{Error, Result};
 use std::f64::consts::{FRAC_PI_2, PI};
 

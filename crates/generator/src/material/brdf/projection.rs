@@ -11,8 +11,8 @@
 //! panels shrink toward the mirror direction, where a narrow lobe peaks, and toward grazing angles
 //! ([`spread`]). A lobe of 1e-3 rad therefore costs only a few times as much as a matte surface.
 
-use crate::material::brdf::geometry::{Brdf, Slants};
 use crate::material::brdf::overlaps::Overlaps;
+use crate::material::brdf::{Brdf, Slants};
 use eigenshade_index::{material, pair};
 use eigenshade_model::database::Named;
 use eigenshade_model::irradiance::slant_radials;

@@ -1,6 +1,47 @@
-//! Roots and angles from tables.
+//! Roots and angles in f32 alone, without f64 or division: [`SinglePrecision`], which has no tables,
+//! and [`Tabled`].
+//!
+//! Both use the same steps: roots by Newton's method, from an initial value of the reciprocal, and
+//! angles split into parts of a quarter turn.
 
-use super::{Mathematics, steps};
+use super::Mathematics;
+
+/// Roots and angles entirely in f32, without f64, division or tables.
+///
+/// Roots and their reciprocals have a relative error within 2e-7 if x is a normal number. Sines and
+/// cosines are within 1e-7 for angles to 1,000 rad.
+#[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct SinglePrecision;
+
+/// Polynomials in x², highest term first, that equal (sin x - x) / x³ and (cos x - 1 + x²/2) / x⁴
+/// at three Chebyshev nodes of [0, (π/4)²].
+const SINE: [f32; 3] = [-1.958_789e-4, 8.332_748e-3, -1.666_666_7e-1];
+const COSINE: [f32; 3] = [2.454_794_2e-5, -1.388_830_3e-3, 4.166_666_5e-2];
+
+impl Mathematics<f32> for SinglePrecision {
+    #[inline]
+    fn square_root(x: f32) -> f32 {
+        root_by_newton(x, Self::inverse_root(x))
+    }
+
+    /// Newton's method, starting from half the exponent.
+    #[inline]
+    fn inverse_root(x: f32) -> f32 {
+        let first = f32::from_bits(0x5f37_5a86_u32.wrapping_sub(x.to_bits() >> 1));
+        inverse_by_newton::<3>(x, first)
+    }
+
+    #[inline]
+    fn sine_and_cosine(angle: f32) -> (f32, f32) {
+        let (number, rest) = nearest::<1>(angle);
+        let square = rest * rest;
+        let polynomial = |terms: [f32; 3]| terms.iter().fold(0.0, |sum, term| sum * square + term);
+        let sine = rest + rest * (square * polynomial(SINE));
+        let cosine = 1.0 - (0.5 * square - square * square * polynomial(COSINE));
+        plus_quarters(number, (sine, cosine))
+    }
+}
 
 /// Roots and angles from two small tables, 388 bytes in all, without f64 or division.
 ///
@@ -18,7 +59,7 @@ const INTERVALS: u8 = 32;
 impl Mathematics<f32> for Tabled {
     #[inline]
     fn square_root(x: f32) -> f32 {
-        steps::square_root(x, Self::inverse_root(x))
+        root_by_newton(x, Self::inverse_root(x))
     }
 
     #[inline]
@@ -28,12 +69,12 @@ impl Mathematics<f32> for Tabled {
         let place = (bits >> 18) as usize & 63;
         let of_mantissa = INVERSE_ROOTS.get(place).copied().unwrap_or(1.0);
         let of_exponent = f32::from_bits((190 - ((bits >> 24) & 127)) << 23);
-        steps::inverse_root::<2>(x, of_mantissa * of_exponent)
+        inverse_by_newton::<2>(x, of_mantissa * of_exponent)
     }
 
     #[inline]
     fn sine_and_cosine(angle: f32) -> (f32, f32) {
-        let (knot, rest) = steps::nearest::<INTERVALS>(angle);
+        let (knot, rest) = nearest::<INTERVALS>(angle);
         let place = (knot & 31) as usize;
         let value = |place: usize| SINES.get(place).copied().unwrap_or(0.0);
         let (sine, cosine) = (value(place), value(32 - place));
@@ -43,7 +84,7 @@ impl Mathematics<f32> for Tabled {
             sine + rest * (cosine - half * (sine + third * cosine)),
             cosine - rest * (sine + half * (cosine - third * sine)),
         );
-        steps::turned(knot >> 5, turned)
+        plus_quarters(knot >> 5, turned)
     }
 }
 
@@ -152,6 +193,51 @@ const INVERSE_ROOTS: [f32; 64] = [
     0.715_547_5,
     0.709_890_7,
 ];
+
+/// 1/√x after `STEPS` steps from `first`. Each step turns a relative error e into 3/2 e².
+#[inline]
+fn inverse_by_newton<const STEPS: usize>(x: f32, first: f32) -> f32 {
+    let mut inverse = first;
+    for _ in 0..STEPS {
+        inverse += 0.5 * inverse * (1.0 - x * inverse * inverse);
+    }
+    inverse
+}
+
+/// √x from 1/√x, with one more step.
+#[inline]
+fn root_by_newton(x: f32, inverse: f32) -> f32 {
+    let root = x * inverse;
+    root + 0.5 * inverse * (x - root * root)
+}
+
+/// π/2 as a sum of three parts. The first two have so few bits that their products with a small
+/// whole number are exact.
+const QUARTER: [f32; 3] = [1.570_312_5, 4.837_513e-4, 7.549_79e-8];
+
+/// The number of the nearest multiple of a quarter turn / `PARTS`, and the angle less that
+/// multiple. `PARTS` is a power of two.
+#[inline]
+fn nearest<const PARTS: u8>(angle: f32) -> (i32, f32) {
+    let parts = f32::from(PARTS);
+    let turns = angle * (core::f32::consts::FRAC_2_PI * parts);
+    #[expect(clippy::cast_possible_truncation, reason = "whole parts of a turn are wanted")]
+    let number = (turns + if turns < 0.0 { -0.5 } else { 0.5 }) as i32;
+    #[expect(clippy::cast_precision_loss, reason = "few turns are meant")]
+    let whole = number as f32 * parts.recip();
+    (number, QUARTER.iter().fold(angle, |rest, part| rest - whole * part))
+}
+
+/// (sin, cos) of an angle plus `quarters` quarter turns, from the (sin, cos) of the angle.
+#[inline]
+fn plus_quarters(quarters: i32, (sine, cosine): (f32, f32)) -> (f32, f32) {
+    match quarters & 3 {
+        0 => (sine, cosine),
+        1 => (cosine, -sine),
+        2 => (-sine, -cosine),
+        _ => (-cosine, sine),
+    }
+}
 
 #[cfg(test)]
 mod tests {
