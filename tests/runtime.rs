@@ -1,13 +1,7 @@
-//! The runtime on its shipped table: costs, errors, agreement of every way, and estimates of d from
-//! pixels.
+//! The runtime on its shipped table: costs, errors, and agreement of every way.
 
-use crate::tolerances;
-use eigenshade::{Error, Normal, sphere};
-use eigenshade_model::special::quadrature::gauss_legendre;
-use eigenshade_shading::owned_basis::OwnedBasis;
+use eigenshade::sphere;
 use eigenshade_table::rust_source;
-use eigenshade_testing::{fixtures, largest};
-use std::f64::consts::TAU;
 
 /// One f32 result by two orders of summation, of the largest: some twenty roundings.
 const SAME_SUM_F32: f32 = 1e-6;
@@ -202,87 +196,4 @@ fn a_transfer_starts_a_cache_line() {
     let material = eigenshade::Material::new(&[0.3; 40]).expect("40 coefficients");
     let transfer = sphere::transfer(&material).expect("an order of 7");
     assert_eq!(transfer.as_slice().as_ptr().addr() % 64, 0);
-}
-
-/// Both criteria: the mean image is subtracted pixel by pixel.
-#[test]
-fn weighted_pixels_give_back_the_coefficients() {
-    let shipped = fixtures::shipped();
-    for mut loaded in [shipped.clone(), fixtures::standard(shipped)] {
-        loaded.scene.basis.components = Some(60);
-        loaded.scene.basis.profile_tolerance = 1e-13;
-        let table = fixtures::table(&loaded);
-        let owned = OwnedBasis::<f64>::new(&table);
-        let basis = owned.basis().expect("a basis");
-        let (light, material) =
-            (loaded.lights.entries[3].luminance(), loaded.materials.entries[8].luminance());
-        let light = eigenshade::Light::new(&light).expect("coefficients");
-        let material = eigenshade::Material::new(&material).expect("coefficients");
-        let mut d = vec![0.0; basis.components()];
-        let mut workspace = vec![0.0; basis.workspace_len()];
-        basis.project_into(&light, &material, &mut workspace, &mut d).expect("sizes");
-        let scene = basis.collapse_into(&d, vec![0.0; basis.scene_len()]).expect("sizes");
-        let mut estimate = basis.estimate::<60>().expect("room");
-        for (z, weight) in gauss_legendre(48, 0.0, 1.0) {
-            let sine = ((1.0 - z) * (1.0 + z)).sqrt();
-            for k in 0..19 {
-                let (y, x) = (TAU * f64::from(k) / 19.0).sin_cos();
-                let normal = Normal::new(sine * x, sine * y, z).expect("visible");
-                // The sphere's density; any factor of all weights drops out.
-                estimate.add(normal, scene.shade(normal), 7.0 * z * weight);
-            }
-        }
-        let found = estimate.coefficients().expect("pixels");
-        let apart = largest(found.iter().zip(&d).map(|(a, b)| a - b));
-        assert!(apart <= tolerances::DENSE_PROJECTION * largest(d.iter().copied()), "{apart}");
-    }
-}
-
-#[test]
-fn estimates_without_pixels_or_room_are_errors() {
-    assert!(matches!(sphere::BASIS.estimate::<49>(), Err(Error::Capacity { .. })));
-    let mut estimate = sphere::BASIS.estimate::<50>().expect("room");
-    assert_eq!(estimate.coefficients(), Err(Error::Weight));
-    let normal = Normal::new(0.0, 0.0, 1.0).expect("visible");
-    estimate.add(normal, 1.0, 0.0);
-    assert_eq!(estimate.coefficients(), Err(Error::Weight));
-    estimate.add(normal, 1.0, f32::INFINITY);
-    assert_eq!(estimate.coefficients(), Err(Error::Weight));
-    let mut estimate = sphere::BASIS.estimate::<50>().expect("room");
-    estimate.add(normal, 1.0, 2.0);
-    let d = estimate.coefficients().expect("a pixel");
-    // Component 0 is the constant image.
-    assert!((d[0] - 1.0).abs() <= tolerances::SAME_SUM_F32, "{}", d[0]);
-}
-
-#[test]
-fn a_million_tenths_are_a_tenth_on_average() {
-    let normal = Normal::new(0.0, 0.0, 1.0).expect("visible");
-    let mut estimate = sphere::BASIS.estimate::<50>().expect("room");
-    let mut plain = 0.0f32;
-    for _ in 0..1_000_000 {
-        estimate.add(normal, 0.1, 1.0);
-        plain += 0.1;
-    }
-    let off = (plain / 1e5 - 1.0).abs();
-    println!("plain: {off:.1e}");
-    assert!((0.009..0.01).contains(&off), "{off}");
-    let d = estimate.coefficients().expect("pixels");
-    assert!((d[0] / 0.1 - 1.0).abs() <= tolerances::SAME_SUM_F32, "{}", d[0]);
-}
-
-#[test]
-fn an_irradiance_that_is_not_finite_spoils_every_coefficient() {
-    for (seen, weight) in [(f32::NAN, 1.0), (f32::INFINITY, 1.0), (f32::NEG_INFINITY, 0.0)] {
-        for normal in [[0.0, 0.0, 1.0], [0.3, -0.2, 0.5]] {
-            let mut estimate = sphere::BASIS.estimate::<50>().expect("room");
-            let good = Normal::new(0.1, 0.2, 0.9).expect("visible");
-            estimate.add(good, 1.0, 1.0);
-            let [x, y, z] = normal;
-            estimate.add(Normal::new(x, y, z).expect("visible"), seen, weight);
-            estimate.add(good, 1.0, 1.0);
-            let d = estimate.coefficients().expect("weights");
-            assert!(d.iter().all(|value| !value.is_finite()), "{seen} {weight}: {d:?}");
-        }
-    }
 }

@@ -1,9 +1,9 @@
 //! The tables of docs/performance.md.
 
-use crate::measured::Count;
 use crate::images::MATTE;
 use crate::inputs::{NINE, PROJECT, WITHIN};
 use crate::limit::{LANES, TARGET};
+use crate::measured::Count;
 use crate::measured::Times;
 use std::fmt::Write as _;
 use std::path::PathBuf;

@@ -5,9 +5,7 @@
 
 use board::{exit, print, print_u32, program, stack};
 use eigenshade::quantized::{Light, Material, Normal, Scene, Transfer};
-use eigenshade::sphere::q15::{
-    BASIS, COMPONENTS, PROFILES, SCENE, TRANSFER, WORKSPACE,
-};
+use eigenshade::sphere::q15::{BASIS, COMPONENTS, PROFILES, SCENE, TRANSFER, WORKSPACE};
 use eigenshade::{Error, Q15};
 use programs::golden::q15::{LIGHT_0, LIGHT_1, LIGHT_2, MATERIAL_0, MATERIAL_1, MATERIAL_2};
 use programs::picture;

@@ -12,11 +12,10 @@ program!(main);
 
 fn main() {
     let material = inputs::numbers::<40>();
-    let Ok(transfer) = sphere::transfer(&inputs::material(&material)) else {
-        board::exit(false)
-    };
+    let Ok(transfer) = sphere::transfer(&inputs::material(&material)) else { board::exit(false) };
     let transfer = black_box(transfer);
-    let mut coefficients = eigenshade::specialized::coefficients(inputs::numbers::<COMPONENTS>(), &[]);
+    let mut coefficients =
+        eigenshade::specialized::coefficients(inputs::numbers::<COMPONENTS>(), &[]);
     let Ok(mut scene) = sphere::collapse(&coefficients) else { board::exit(false) };
     holds(size_of_val(&transfer) + size_of_val(&coefficients) + size_of_val(&scene));
     measure(&[inputs::numbers::<100>()], Passes(256), |light| {

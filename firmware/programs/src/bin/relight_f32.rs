@@ -11,9 +11,7 @@ program!(main);
 
 fn main() {
     let material = inputs::numbers::<40>();
-    let Ok(transfer) = sphere::transfer(&inputs::material(&material)) else {
-        board::exit(false)
-    };
+    let Ok(transfer) = sphere::transfer(&inputs::material(&material)) else { board::exit(false) };
     let transfer = black_box(transfer);
     let mut coefficients = Coefficients::from([0.0; sphere::COMPONENTS]);
     holds(size_of_val(&transfer) + size_of_val(&coefficients));

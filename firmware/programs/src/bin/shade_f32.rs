@@ -12,7 +12,8 @@ program!(main);
 
 fn main() {
     let coefficients = inputs::numbers::<COMPONENTS>();
-    let Ok(scene) = full::collapse(&eigenshade::specialized::coefficients(coefficients, &[])) else {
+    let Ok(scene) = full::collapse(&eigenshade::specialized::coefficients(coefficients, &[]))
+    else {
         board::exit(false)
     };
     let scene = black_box(scene);
