@@ -589,9 +589,9 @@ eigenshade_status eigenshade_normalize_f32(float *x,
 /**
  * The irradiances of `count` unit normals with z from 0 to 1, into `irradiance`.
  *
- * Neither scaled nor checked: a normal that is not such has a meaningless irradiance, and
- * no other suffers; `eigenshade_normalize_f32` makes such of any. Of no normals the pointers do not matter. On an error `irradiance` is
- * as it was.
+ * Normals are neither normalized nor checked: a wrong normal has a meaningless irradiance and
+ * affects no other; `eigenshade_normalize_f32` normalizes any vectors. If `count` is 0, the pointers
+ * are not read. On an error `irradiance` is unchanged.
  *
  * Every pointer that is neither NULL nor unaligned points to a value of its type, the last
  * four to `count` numbers each.
