@@ -2,7 +2,7 @@
 //! frame, which has other nodes and other formulas.
 
 use crate::support::{self, Folder, assert_fails, repository, rows};
-use crate::tolerances;
+use crate::{spread, tolerances};
 use eigenshade_generator::direct::Surroundings;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::light::projection::project;
@@ -44,45 +44,48 @@ impl Explicit {
             None => Box::new(Lambertian::new(self.albedo).unwrap()),
         }
     }
+}
 
-    /// Midpoints in sin² θ_i and φ_i, each in the texel that it meets.
-    fn irradiance(self, map: &EnvironmentMap, [x, y, z]: [f64; 3], count: usize) -> [f64; 3] {
-        let sine = x.hypot(y);
-        let (cb, sb) = if sine > 0.0 { (x / sine, y / sine) } else { (1.0, 0.0) };
-        let mut sum = [0.0; 3];
-        for j in 0..count {
-            let s = ((j as f64 + 0.5) / count as f64).sqrt();
-            let c = (1.0 - s * s).sqrt();
-            for k in 0..2 * count {
-                let phi = TAU * (k as f64 + 0.5) / (2 * count) as f64;
-                let local = [s * phi.cos(), s * phi.sin(), c];
-                let reflected = self.value(local, [-sine, 0.0, z]);
-                let (a, w) = (local[0] * z + c * sine, c * z - local[0] * sine);
-                let [u, v] = [a * cb - local[1] * sb, a * sb + local[1] * cb];
-                // (u, v, w) = (sin t sin θ, cos θ, -cos t sin θ).
-                let row = (v.clamp(-1.0, 1.0).acos() / PI * map.height as f64) as usize;
-                let t = u.atan2(-w) / TAU + 0.5;
-                let column = (t * map.width as f64) as usize;
-                let texel =
-                    map.texels[row.min(map.height - 1) * map.width + column.min(map.width - 1)];
-                for (sum, radiance) in sum.iter_mut().zip(texel) {
-                    *sum += reflected * f64::from(radiance);
+/// Irradiances by material, then by map of one size: midpoints in sin² θ_i and φ_i, each in the
+/// texel that it meets.
+fn integrals(
+    materials: &[Explicit],
+    maps: &[EnvironmentMap],
+    [x, y, z]: [f64; 3],
+    count: usize,
+) -> Vec<Vec<[f64; 3]>> {
+    let (width, height) = (maps[0].width, maps[0].height);
+    assert!(maps.iter().all(|map| (map.width, map.height) == (width, height)));
+    let sine = x.hypot(y);
+    let (cb, sb) = if sine > 0.0 { (x / sine, y / sine) } else { (1.0, 0.0) };
+    let tilt = |k: usize| (TAU * (k as f64 + 0.5) / (2 * count) as f64).sin_cos();
+    let tilts: Vec<(f64, f64)> = (0..2 * count).map(tilt).collect();
+    let mut sums = vec![vec![[0.0; 3]; maps.len()]; materials.len()];
+    for j in 0..count {
+        let s = ((j as f64 + 0.5) / count as f64).sqrt();
+        let c = (1.0 - s * s).sqrt();
+        for (sin_phi, cos_phi) in &tilts {
+            let local = [s * cos_phi, s * sin_phi, c];
+            let (a, w) = (local[0] * z + c * sine, c * z - local[0] * sine);
+            let [u, v] = [a * cb - local[1] * sb, a * sb + local[1] * cb];
+            // (u, v, w) = (sin t sin θ, cos θ, -cos t sin θ).
+            let row = (v.clamp(-1.0, 1.0).acos() / PI * height as f64) as usize;
+            let t = u.atan2(-w) / TAU + 0.5;
+            let column = (t * width as f64) as usize;
+            let texel = row.min(height - 1) * width + column.min(width - 1);
+            for (material, sums) in materials.iter().zip(&mut sums) {
+                let reflected = material.value(local, [-sine, 0.0, z]);
+                for (map, sum) in maps.iter().zip(sums) {
+                    for (sum, radiance) in sum.iter_mut().zip(map.texels[texel]) {
+                        *sum += reflected * f64::from(radiance);
+                    }
                 }
             }
         }
-        sum.map(|sum| sum * PI / (2 * count * count) as f64)
     }
-}
-
-/// Spread evenly over the disc.
-fn spiral(count: usize) -> Vec<[f64; 3]> {
-    let at = |k: usize| {
-        let square = (k as f64 + 0.5) / count as f64;
-        let tilt = 2.399_963_229_728_653 * k as f64;
-        let sine = square.sqrt();
-        [sine * tilt.cos(), sine * tilt.sin(), (1.0 - square).sqrt()]
-    };
-    (0..count).map(at).collect()
+    let share = PI / (2 * count * count) as f64;
+    sums.as_mut_slice().iter_mut().flatten().flatten().for_each(|sum| *sum *= share);
+    sums
 }
 
 /// A soft sky with a bright window.
@@ -110,7 +113,7 @@ fn a_matte_sphere_in_white_light_is_white() {
     let white = EnvironmentMap::new(128, 64, vec![[1.0; 3]; 128 * 64]).unwrap();
     let maps = Surroundings::new(&[white]).unwrap();
     let matte = MATTE.function();
-    for normal in spiral(20) {
+    for normal in spread(20) {
         let [r, g, b] = maps.irradiance(&[&*matte], &[normal], 1.0)[0][0][0];
         assert!((r / 0.8 - 1.0).abs() <= DIRECT_WHITE, "{r}");
         assert_eq!((r, r), (g, b));
@@ -122,17 +125,16 @@ fn texels_and_the_normals_own_frame_agree() {
     let maps = [window(128, 64, 10, 30), window(128, 64, 90, 5)];
     let surroundings = Surroundings::new(&maps).unwrap();
     let dielectric = Explicit { roughness: Some(0.3), f0: 0.04, albedo: 0.5 };
+    let materials = [MATTE, METAL, dielectric];
+    let functions = materials.map(Explicit::function);
+    let functions = functions.each_ref().map(|function| &**function);
     let mut worst: f64 = 0.0;
-    for material in [MATTE, METAL, dielectric] {
-        let function = material.function();
-        for normal in spiral(12) {
-            let found = &surroundings.irradiance(&[&*function], &[normal], 4.0)[0][0];
-            for (map, found) in maps.iter().zip(found) {
-                let expected = material.irradiance(map, normal, 800);
-                for (found, expected) in found.iter().zip(expected) {
-                    worst = worst.max((found / expected - 1.0).abs());
-                }
-            }
+    for normal in spread(12) {
+        let found = &surroundings.irradiance(&functions, &[normal], 4.0)[0];
+        let expected = integrals(&materials, &maps, normal, 800);
+        let pairs = found.iter().flatten().flatten().zip(expected.iter().flatten().flatten());
+        for (found, expected) in pairs {
+            worst = worst.max((found / expected - 1.0).abs());
         }
     }
     println!("two quadratures: {worst:.1e}");
@@ -155,7 +157,7 @@ fn mirror_of_the_brightest(map: &EnvironmentMap) -> [f64; 3] {
 fn narrow_lobes_converge() {
     for (name, roughness) in [("studio", 0.1), ("park", 0.1), ("park", 0.2), ("park", 0.5)] {
         let map = shipped(name);
-        let mut normals = spiral(60);
+        let mut normals = spread(60);
         normals.push(mirror_of_the_brightest(&map));
         let maps = Surroundings::new(&[map]).unwrap();
         let metal = Ggx::new(roughness, 0.9, 0.0).unwrap();
@@ -181,24 +183,23 @@ fn error(
     material: Explicit,
     map: &EnvironmentMap,
     (degree, order): (usize, usize),
-    count: usize,
-    integral: impl Fn([f64; 3]) -> [f64; 3],
+    normals: &[[f64; 3]],
+    integral: impl Fn(usize) -> [f64; 3],
 ) -> f64 {
     let light = project(map, degree);
     let coefficients = project_brdf(&*material.function(), order, Measure::Projected).coefficients;
     let reference = DirectSum::new(degree, order);
-    let normals = spiral(count);
     let (mut square, mut peak): (f64, f64) = (0.0, 0.0);
-    for &normal in &normals {
+    for (k, &normal) in normals.iter().enumerate() {
         let modes = reference.at(normal);
         let scattered = modes.scatter(&coefficients);
-        let expected = integral(normal);
+        let expected = integral(k);
         for (light, expected) in light.iter().zip(expected) {
             square += (modes.irradiance(light, &scattered) - expected).powi(2) / 3.0;
             peak = peak.max(expected.abs());
         }
     }
-    (square / count as f64).sqrt() / peak
+    (square / normals.len() as f64).sqrt() / peak
 }
 
 const HEADER: &str = "material,degree,order,components,median,worst,map,normals,scene,energy";
@@ -237,11 +238,13 @@ fn the_command_agrees_with_another_quadrature() {
         rows.iter().map(|row| [row[0].as_str(), row[1].as_str(), row[2].as_str()]).collect();
     let of = |name| [[name, "4", "3"], [name, "4", "3"], [name, "16", "16"]];
     assert_eq!(sizes, [of("metal"), of("matte")].concat());
-    for (rows, material) in rows.chunks(3).zip([METAL, MATTE]) {
-        let maps = [window(64, 32, 5, 14), window(64, 32, 55, 20)];
-        let found = maps.each_ref().map(|map| {
-            error(material, map, (4, 3), 200, |normal| material.irradiance(map, normal, 300))
-        });
+    let maps = [window(64, 32, 5, 14), window(64, 32, 55, 20)];
+    let (materials, normals) = ([METAL, MATTE], spread(200));
+    let integrals: Vec<_> =
+        normals.iter().map(|&normal| integrals(&materials, &maps, normal, 300)).collect();
+    for (m, (rows, material)) in rows.chunks(3).zip(materials).enumerate() {
+        let found =
+            [0, 1].map(|k| error(material, &maps[k], (4, 3), &normals, |n| integrals[n][m][k]));
         let worst = if found[0] > found[1] { 0 } else { 1 };
         for row in &rows[..2] {
             let number = |k: usize| row[k].parse::<f64>().unwrap();

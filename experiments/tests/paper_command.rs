@@ -1,10 +1,10 @@
-//! `experiments paper`: what it writes, and what it reports about a folder that differs.
+//! `experiments paper`: the files that it writes, and its report on a folder that differs.
 
 use crate::support::{Folder, assert_fails, repository};
+use eigenshade_cli::picture::Canvas;
+use eigenshade_generator::png_samples;
 use experiments::paper::compare::compare;
-use experiments::paper::make;
 use experiments::paper::output_file::{Content, OutputFile};
-use indicatif::ProgressBar;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
@@ -14,12 +14,29 @@ fn names(folder: &Path) -> BTreeSet<String> {
     entries.map(|entry| entry.expect("an entry").file_name().into_string().unwrap()).collect()
 }
 
-/// The tables and figures in `docs` are those that the command writes, every file. Damage to each
-/// of them is found, and the file is named.
+/// A committed file, as the command would make it.
+fn committed(name: &str) -> OutputFile {
+    let path = repository().join("docs").join(name);
+    let content = if name.ends_with(".png") {
+        let found = png_samples::read(&path).unwrap_or_else(|error| panic!("{error}"));
+        let mut canvas = Canvas::new(found.width, found.height, [0; 3]);
+        let samples = found.colors.as_flattened().iter();
+        canvas.bytes = samples.map(|&one| u8::try_from(one).expect("8 bits")).collect();
+        Content::Picture(canvas)
+    } else {
+        Content::Text(fs::read_to_string(path).expect("a text"))
+    };
+    OutputFile { name: name.into(), content }
+}
+
+/// Every file in `docs` is shown by the page and names its command. Damage to each of them is
+/// found, and the file is named. That the command makes these files, `paper --check docs` checks.
 #[test]
-fn the_committed_figures_are_what_the_command_writes() {
+fn damage_to_every_committed_file_is_found() {
     let (folder, docs) = (Folder::new(), repository().join("docs"));
-    let files = make(&docs, &ProgressBar::hidden()).expect("the shipped data");
+    let figures = names(&docs.join("paper")).into_iter().map(|name| format!("paper/{name}"));
+    let files: Vec<OutputFile> =
+        figures.chain(["paper.md".into()]).map(|name| committed(&name)).collect();
     let [numbers, pixels] = compare(&files, &docs).unwrap_or_else(|error| panic!("{error}"));
     assert!(numbers > 38_000 && pixels > 5_000_000, "{numbers} {pixels}");
     for file in &files {
@@ -29,8 +46,7 @@ fn the_committed_figures_are_what_the_command_writes() {
         }
         file.write(&folder.path(".")).expect("written");
     }
-    assert_eq!(names(&folder.path("paper")), names(&docs.join("paper")));
-    // Every figure has its numbers and its picture, and the page shows both.
+    // The page shows every file, and no others.
     let page = folder.read("paper.md");
     for link in page.split("](paper").skip(1).filter_map(|rest| rest.split(')').next()) {
         assert!(folder.path(&format!("paper{link}")).exists(), "{link}");
@@ -66,40 +82,49 @@ fn the_committed_figures_are_what_the_command_writes() {
         found(name, &["missing", "paper --out"]);
         folder.write(name, good);
     }
-    for name in names(&folder.path("paper")).iter().filter(|name| name.ends_with(".png")) {
-        let name = format!("paper/{name}");
-        let file = files.iter().find(|file| file.name == name);
-        let Some(Content::Picture(canvas)) = file.map(|one| &one.content) else { panic!() };
-        let write = |content| {
-            let file = OutputFile { name: name.clone(), content: Content::Picture(content) };
-            file.write(&folder.path(".")).expect("written");
-        };
-        let good = fs::read(folder.path(&name)).unwrap();
-        // One pixel in the middle of the picture, three levels brighter.
-        let mut changed = canvas.clone();
-        let (column, row) = (canvas.width / 2, canvas.height / 2);
-        let byte = &mut changed.bytes[3 * (row * canvas.width + column)];
-        *byte = byte.checked_add(3).unwrap_or(0);
-        write(changed);
-        found(&name, &[&format!("pixel ({column}, {row})"), "belongs", "paper --out"]);
-        let mut short = canvas.clone();
-        short.bytes.truncate(3 * canvas.width * (canvas.height - 1));
-        short.height -= 1;
-        write(short);
-        found(&name, &["pixels where", "paper --out"]);
-        folder.write(&name, &good[..good.len() / 2]);
-        found(&name, &["cut short", "paper --out"]);
-        folder.write(&name, good);
+    for file in &files {
+        if let Content::Picture(canvas) = &file.content {
+            damage_to_a_picture_is_found(&file.name, canvas);
+        }
     }
     folder.write("paper/old.svg", "<svg/>");
     found("paper/old.svg", &["no such figure", "remove"]);
     fs::remove_file(folder.path("paper/old.svg")).unwrap();
     check().expect("all is whole again");
-    // Through the command line.
-    assert_eq!(folder.ok("paper --check ."), "");
-    fs::copy(folder.path("paper/eigenimages_1000.png"), folder.path("paper/eigenimages.png"))
-        .unwrap();
-    assert_fails(&folder, "paper --check .", &["paper/eigenimages.png", "pixel (", "paper --out"]);
+}
+
+/// In a folder of its own, so that no other picture is read again.
+fn damage_to_a_picture_is_found(name: &str, canvas: &Canvas) {
+    let folder = Folder::new();
+    let file = |canvas: &Canvas| OutputFile {
+        name: name.into(),
+        content: Content::Picture(canvas.clone()),
+    };
+    let whole = [file(canvas)];
+    let found = |words: &[&str]| {
+        let error = compare(&whole, &folder.path(".")).expect_err(name).to_string();
+        for word in [&[name, "paper --out"], words].concat() {
+            assert!(error.contains(word), "{name}: {error}");
+        }
+        assert!(!error.contains('\n'), "{error}");
+    };
+    // One pixel in the middle of the picture, three levels brighter.
+    let mut changed = canvas.clone();
+    let (column, row) = (canvas.width / 2, canvas.height / 2);
+    let byte = &mut changed.bytes[3 * (row * canvas.width + column)];
+    *byte = byte.checked_add(3).unwrap_or(0);
+    file(&changed).write(&folder.path(".")).expect("written");
+    found(&[&format!("pixel ({column}, {row})"), "belongs"]);
+    let mut short = canvas.clone();
+    short.bytes.truncate(3 * canvas.width * (canvas.height - 1));
+    short.height -= 1;
+    file(&short).write(&folder.path(".")).expect("written");
+    found(&["pixels where"]);
+    whole[0].write(&folder.path(".")).expect("written");
+    compare(&whole, &folder.path(".")).expect("nothing is damaged");
+    let good = fs::read(folder.path(name)).unwrap();
+    folder.write(name, &good[..good.len() / 2]);
+    found(&["cut short"]);
 }
 
 #[test]

@@ -1,9 +1,10 @@
 //! The nine-term formula of Ramamoorthi and Hanrahan: the irradiance of a Lambertian material under
 //! light up to degree 2, and its error compared with light of all degrees.
 
-use super::pictures::{SPACING, Sphere, difference, peak};
+use super::pictures::{SPACING, Sphere, difference, peak, sum};
 use super::scenes::{self, Scene};
 use eigenshade_index::effect::Effects;
+use eigenshade_model::reference::DirectSum;
 use nalgebra::{DMatrix, DVector};
 
 /// Coefficients of 1, x, y, z, xy, yz, xz, 3 z² - 1, x² - y² for the white Lambertian, f = 1/π: Σ
@@ -51,8 +52,11 @@ pub fn errors() -> Vec<[f64; 2]> {
     let unit = |term: usize| std::array::from_fn(|k| f64::from(u8::from(k == term)));
     let of_term = |k: usize, term: usize| root(k) * shade(&unit(term), sphere.normals[k]);
     let terms = DMatrix::from_fn(sphere.normals.len(), 9, of_term).svd(true, true);
+    let reference = DirectSum::new(9, 0);
+    let modes = sphere.modes(&reference);
     let error = |light: &Vec<f64>| {
-        let whole = sphere.direct((9, std::slice::from_ref(light)), (0, &material), Effects::ALL);
+        let light_alone = std::slice::from_ref(light);
+        let whole = sum(&modes, (9, light_alone), (0, &material), Effects::ALL);
         let expected = DVector::from_fn(sphere.normals.len(), |k, _| root(k) * whole[0][k]);
         // No cut-off is needed: the nine terms are independent.
         let best = terms.solve(&expected, 0.0).expect("both sides of the decomposition");

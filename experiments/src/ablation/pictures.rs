@@ -6,8 +6,7 @@ use eigenshade::{Light, Q15, Rotation, Tolerance};
 use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_index::light;
 use eigenshade_model::database::{Named, luminance};
-use eigenshade_model::reference::DirectSum;
-use eigenshade_model::reference::{light_products, material_products};
+use eigenshade_model::reference::{DirectSum, Modes, light_products, material_products};
 use eigenshade_shading::integer_shader::{Integer, IntegerShader};
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader};
@@ -41,6 +40,11 @@ impl Sphere {
         (picture.iter().map(square).sum::<f64>() / picture.len() as f64).sqrt()
     }
 
+    /// The modes at every normal.
+    pub fn modes<'a>(&self, reference: &'a DirectSum) -> Vec<Modes<'a>> {
+        self.normals.iter().map(|&normal| reference.at(normal)).collect()
+    }
+
     /// The direct sum over some effects, for a light by channel and a material.
     pub fn direct(
         &self,
@@ -49,20 +53,28 @@ impl Sphere {
         wanted: Effects,
     ) -> Picture {
         let reference = DirectSum::new(degree, order);
-        let materials = material_products(order, material, wanted);
-        let lights: Vec<_> =
-            light.iter().map(|light| light_products(degree, light, wanted)).collect();
-        let mut picture = vec![Vec::with_capacity(self.normals.len()); light.len()];
-        for &normal in &self.normals {
-            let modes = reference.at(normal);
-            let scattered: Vec<_> = materials.iter().map(|one| modes.scatter(one)).collect();
-            for (channel, lights) in picture.iter_mut().zip(&lights) {
-                let products = lights.iter().zip(&scattered);
-                channel.push(products.map(|(light, one)| modes.irradiance(light, one)).sum());
-            }
-        }
-        picture
+        sum(&self.modes(&reference), (degree, light), (order, material), wanted)
     }
+}
+
+/// The direct sum over some effects from the modes at each normal.
+pub fn sum(
+    modes: &[Modes<'_>],
+    (degree, light): (usize, &[Vec<f64>]),
+    (order, material): (usize, &[f64]),
+    wanted: Effects,
+) -> Picture {
+    let materials = material_products(order, material, wanted);
+    let lights: Vec<_> = light.iter().map(|light| light_products(degree, light, wanted)).collect();
+    let mut picture = vec![Vec::with_capacity(modes.len()); light.len()];
+    for modes in modes {
+        let scattered: Vec<_> = materials.iter().map(|one| modes.scatter(one)).collect();
+        for (channel, lights) in picture.iter_mut().zip(&lights) {
+            let products = lights.iter().zip(&scattered);
+            channel.push(products.map(|(light, one)| modes.irradiance(light, one)).sum());
+        }
+    }
+    picture
 }
 
 /// The largest |I| of all channels.
@@ -102,8 +114,10 @@ pub fn shares(scene: &Scene) -> Shares {
     let (degree, order) = (table.scene.degree(), table.scene.material.order);
     let light = scene.light(degree);
     let material = scenes::material(table, order);
+    let reference = DirectSum::new(degree, order);
+    let modes = sphere.modes(&reference);
     let of = |light: &[Vec<f64>], wanted: Effects| {
-        sphere.direct((degree, light), (order, &material), wanted)
+        sum(&modes, (degree, light), (order, &material), wanted)
     };
     let wanted = table.effects();
     let whole = of(&light, wanted);
@@ -167,8 +181,10 @@ pub fn errors(scene: &Scene) -> Errors {
     let basis = OwnedBasis::<f32>::new(&table);
     let mut shader = Shader::new(basis.basis().expect("a basis"), table.count());
     let normals = OwnedNormals::new(&sphere.normals);
+    let direct = DirectSum::new(degree, order);
+    let modes = sphere.modes(&direct);
     let reference =
-        |light: &[Vec<f64>]| sphere.direct((degree, light), (order, &material), table.effects());
+        |light: &[Vec<f64>]| sum(&modes, (degree, light), (order, &material), table.effects());
     let error = |found: &Picture, expected: &Picture| {
         sphere.rms(&difference(found, expected)) / peak(expected)
     };

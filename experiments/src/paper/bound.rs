@@ -7,7 +7,6 @@ use super::output_file::{OutputFile, row};
 use super::plate::{Plate, UNCLIPPED, gray};
 use super::spheres::SHOWN;
 use super::study::{Modes, Study, Trial, title};
-use eigenshade_cli::picture::SphereView;
 use eigenshade_cli::picture::exposure;
 use eigenshade_generator::basis::partial_sum::{PartialSum, Step};
 use eigenshade_model::error::Result;
@@ -135,24 +134,22 @@ fn chart(study: &Study) -> Result<String> {
 
 /// One image, rendered to each of the accuracies.
 pub struct Rendered {
-    /// The pixels.
-    pub view: SphereView,
     /// The mean of the complete image.
     pub mean: f64,
-    /// The complete image.
+    /// The complete image at each normal.
     pub whole: Vec<f64>,
     /// The partial sums, by accuracy: the fewest terms whose bound is within it, and their image.
     pub sums: Vec<(Step, Vec<f64>)>,
 }
 
-/// Renders a light on a material.
+/// Renders a light on a material at these normals.
 pub fn render(
     study: &Study,
     light: &str,
     material: &str,
+    normals: &[[f64; 3]],
     progress: &ProgressBar,
 ) -> Result<Rendered> {
-    let view = SphereView::new(SIZE);
     let trial = study.trial(light, material)?;
     let (luminance, grays) = (&study.luminances[trial.light], &study.grays[trial.material]);
     let sums = PartialSum::new(&study.gram, &[]);
@@ -165,8 +162,8 @@ pub fn render(
     };
     let chosen = RENDERED.map(within);
     let reference = DirectSum::new(study.lights.degree, study.materials.order);
-    let pixels = parallel::map(view.normals.len(), progress, |k| {
-        let modes = reference.at(view.normals[k]);
+    let pixels = parallel::map(normals.len(), progress, |k| {
+        let modes = reference.at(normals[k]);
         let mut sums = [0.0; RENDERED.len()];
         for (place, term) in terms.iter().enumerate().take(chosen[RENDERED.len() - 1].terms) {
             let (l, m, o, p, q) = term.mode;
@@ -179,7 +176,6 @@ pub fn render(
     });
     let image = |place: usize| pixels.iter().map(|(_, sums)| sums[place]).collect();
     Ok(Rendered {
-        view,
         mean: trial.mean,
         whole: pixels.iter().map(|(whole, _)| *whole).collect(),
         sums: chosen.into_iter().enumerate().map(|(place, step)| (step, image(place))).collect(),
@@ -192,14 +188,15 @@ fn rendered_files(study: &Study, progress: &ProgressBar) -> Result<Vec<OutputFil
     let mut rows = Vec::new();
     let mut plate = Plate::new(SIZE, (RENDERED.len() + 1, 2 * SHOWN.len()), (2, 0, 2));
     for (pair, (material, light)) in SHOWN.into_iter().enumerate() {
-        let Rendered { view, mean, whole, sums } = render(study, light, material, progress)?;
+        let normals = &plate.view.normals;
+        let Rendered { mean, whole, sums } = render(study, light, material, normals, progress)?;
         let scale = exposure(whole.clone(), UNCLIPPED);
         plate.light((0, 2 * pair), scale, gray(&whole));
         plate.below((0, 2 * pair), &[&title(material)]);
         for (k, ((step, image), accuracy)) in sums.iter().zip(RENDERED).enumerate() {
             let left = whole.iter().zip(image).map(|(whole, sum)| whole - sum);
             let largest = left.clone().fold(0.0, |most: f64, left| most.max(left.abs()));
-            let weights = view.pixels.iter().map(|pixel| pixel.coverage);
+            let weights = plate.view.pixels.iter().map(|pixel| pixel.coverage);
             let square: f64 =
                 left.clone().zip(weights.clone()).map(|(left, w)| w * left * left).sum();
             let pixel_error = (square / weights.sum::<f64>()).sqrt() / mean;

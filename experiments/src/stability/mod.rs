@@ -1,8 +1,8 @@
 //! The numerically hard cases: the error measured against an oracle, and what a naive method would
 //! give.
 //!
-//! Every bound is asserted in a test. `experiments stability` writes the figures to
-//! `docs/stability.md`, which also describes each case.
+//! `experiments stability` checks every bound and writes the figures to `docs/stability.md`, which
+//! also describes each case.
 
 pub mod databases;
 mod exact_rank;
@@ -18,6 +18,7 @@ pub mod subnormal;
 pub mod sums;
 
 use crate::pages::{Page, Part, same_word, table};
+use crate::tolerances;
 
 /// A measured number and its bound.
 #[derive(Clone, Debug)]
@@ -145,16 +146,42 @@ pub const PAGE: Page = Page {
     },
 };
 
+/// Tolerances that only the hard cases use, and those of all components. Each is at most ten times
+/// the largest figure that it bounds, up to the rounding of that figure to one digit.
+const TIGHT: [f64; 16] = [
+    tolerances::ALL_COMPONENTS,
+    tolerances::ALL_COMPONENTS_SHIPPED,
+    tolerances::ALL_COMPONENTS_FEW,
+    tolerances::HIGH_PIXELS,
+    tolerances::HIGH_PIXELS_F32,
+    tolerances::ORTHONORMAL_HIGH,
+    tolerances::SUN,
+    tolerances::FACETS,
+    tolerances::BEYOND_RANK,
+    tolerances::EIGENVALUE_ULP,
+    tolerances::POLAR_INTEGRAL,
+    tolerances::SCALED_F32,
+    tolerances::FLAT_PICTURES,
+    tolerances::WEIGHTED_PICTURES,
+    tolerances::MILLION_PIXELS,
+    tolerances::RASTER,
+];
+
 /// Measures every case.
 ///
 /// # Errors
 ///
-/// The figures that exceed their bounds.
+/// The figures that exceed their bounds, and the bounds that are far above their figures.
 pub fn parts(progress: impl Fn(&str)) -> Result<Vec<Part>, String> {
-    let (mut rows, mut broken) = (Vec::new(), Vec::new());
-    for (name, measure) in CASES {
+    let measure = |(name, measure): &Case| {
         progress(name);
-        for (k, figure) in measure().iter().enumerate() {
+        measure()
+    };
+    let measured: Vec<Vec<Figure>> = CASES.iter().map(measure).collect();
+    let mut broken = loose(measured.iter().flatten());
+    let mut rows = Vec::new();
+    for ((name, _), figures) in CASES.iter().zip(&measured) {
+        for (k, figure) in figures.iter().enumerate() {
             let cells = figure.cells();
             if !figure.holds() {
                 broken.push(format!("{name}: {}", cells.join(" ")));
@@ -165,4 +192,38 @@ pub fn parts(progress: impl Fn(&str)) -> Result<Vec<Part>, String> {
     }
     let text = table("case | quantity | measured: | bound:", rows);
     if broken.is_empty() { Ok(vec![("figures", text)]) } else { Err(broken.join("; ")) }
+}
+
+/// The tolerances of [`TIGHT`] that bound no figure, or only much smaller ones.
+fn loose<'a>(figures: impl Iterator<Item = &'a Figure> + Clone) -> Vec<String> {
+    let mut loose = Vec::new();
+    for tolerance in TIGHT {
+        let bounded = figures.clone().filter_map(|figure| match figure.bound {
+            Bound::Most(bound) if bound == tolerance => Some(figure.found),
+            _ => None,
+        });
+        match bounded.reduce(f64::max) {
+            None => loose.push(format!("no figure has the bound {tolerance:e}")),
+            Some(most) if tolerance > 10.0 * 1.5 * most => {
+                loose.push(format!("the bound {tolerance:e} is far above {most:.0e}"));
+            }
+            Some(_) => {}
+        }
+    }
+    loose
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{TIGHT, loose, most};
+
+    #[test]
+    fn a_bound_far_above_its_figures_is_found() {
+        let tight = || TIGHT.map(|bound| most("tight", 0.1 * bound, bound));
+        assert_eq!(loose(tight().iter()), Vec::<String>::new());
+        let mut figures = tight();
+        figures[3].found *= 0.5;
+        assert_eq!(loose(figures.iter()), ["the bound 1e-5 is far above 5e-7"]);
+        assert!(loose(tight()[1..].iter())[0].contains("no figure"));
+    }
 }

@@ -2,8 +2,11 @@
 
 use crate::oracle;
 use crate::support::{Folder, assert_fails, repository};
-use crate::tolerances;
+use crate::{spread, tolerances};
+use eigenshade_generator::material::brdf::projection::project;
+use eigenshade_generator::material::brdf::{Ggx, Measure};
 use eigenshade_index::material;
+use eigenshade_model::database::Named;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader};
 use experiments::accuracy_cost::bases::Bases;
@@ -59,27 +62,22 @@ fn number(row: &HashMap<String, String>, column: &str) -> Option<f64> {
     (!text.is_empty()).then(|| text.parse().unwrap_or_else(|_| panic!("{column}: {text}")))
 }
 
-/// Normals of equal shares of the disc, not those of the command.
-fn spread(count: usize) -> Vec<[f64; 3]> {
-    (0..count)
-        .map(|k| {
-            let square = (k as f64 + 0.5) / count as f64;
-            let tilt = std::f64::consts::TAU * 0.618_034 * k as f64;
-            let radius = square.sqrt();
-            [radius * tilt.cos(), radius * tilt.sin(), (1.0 - square).sqrt()]
-        })
-        .collect()
+/// A glossy dielectric, of which no basis here is made.
+fn unseen(order: usize) -> Named {
+    let ggx = Ggx::new(0.3, 0.04, 0.5).expect("a material");
+    let coefficients = project(&ggx, order, Measure::Projected).coefficients;
+    Named { name: "ggx".into(), rgb: [0; 3].map(|_| coefficients.clone()) }
 }
 
 /// The reference is the integral (3), and a setting's error is the difference of its image.
 #[test]
 fn errors_are_those_of_direct_quadrature() {
     let (degree, order) = (5, 4);
-    let mut scope = Scope::new(degree, order).expect("the shipped data");
+    let mut scope = Scope::seen(degree, order).expect("the shipped data");
     let bases = Bases::new(&scope, [Recipe::all(degree, order)]).expect("a basis");
     scope.lights.entries.truncate(2);
     scope.seen.entries.truncate(2);
-    scope.unseen.entries.truncate(1);
+    scope.unseen.entries.push(unseen(order));
     let images = Images::new(&scope);
     assert_eq!(images.images.len(), 6);
     let direct = |image: &Image, normal: [f64; 3]| {
@@ -102,7 +100,8 @@ fn errors_are_those_of_direct_quadrature() {
     let recipe = Recipe::first(degree, order, 12);
     let table = bases.table(&recipe).expect("a table");
     let found = errors::compare(&Setting::of(recipe), &table, &images).expect("errors");
-    let normals = spread(1000);
+    // Not those of the command.
+    let normals = spread(300);
     let owned = OwnedBasis::<f32>::new(&table);
     let shader = Shader::new(owned.basis().expect("a basis"), usize::MAX);
     let view = OwnedNormals::new(&normals);
@@ -129,7 +128,7 @@ fn errors_are_those_of_direct_quadrature() {
     assert!(near(found.unseen.rms.median, mean), "{found:?} {unseen:?}");
     assert!(found.seen.rms.worst > 1e-3 && found.seen.largest.worst > found.seen.rms.worst);
     // The nine-term formula is exact for what it is of.
-    let scope = Scope::new(2, 0).expect("the shipped data");
+    let scope = Scope::seen(2, 0).expect("the shipped data");
     let bases = Bases::new(&scope, [Recipe::all(2, 0)]).expect("a basis");
     let setting = Setting::of(Recipe::all(2, 0)).by(Way::NineTerms);
     let table = bases.table(&setting.recipe).expect("a table");
