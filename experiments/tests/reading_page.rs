@@ -1,14 +1,9 @@
-//! The figures of `docs/reading.md`: the command reproduces them, and the page's conclusions hold.
+//! The conclusions of `docs/reading.md` hold for its figures, which `experiments reading --check`
+//! reproduces.
 
 use crate::support::repository;
 use crate::tolerances::REPORT;
-use experiments::reading::{PAGE, parts};
 use std::ops::Range;
-
-#[test]
-fn the_page_has_the_current_figures() {
-    assert_eq!(PAGE.check(&parts(&repository().join("tables")).expect("figures")), Ok(()));
-}
 
 /// The numbers in the cells of a row, by table (estimates or scenes), components and image. Each
 /// cell has a median and a worst error; the first two of a row of scenes are ranks.

@@ -204,7 +204,7 @@ fn loose<'a>(figures: impl Iterator<Item = &'a Figure> + Clone) -> Vec<String> {
         });
         match bounded.reduce(f64::max) {
             None => loose.push(format!("no figure has the bound {tolerance:e}")),
-            Some(most) if tolerance > 10.0 * 1.5 * most => {
+            Some(most) if tolerance > 10.0 * most => {
                 loose.push(format!("the bound {tolerance:e} is far above {most:.0e}"));
             }
             Some(_) => {}

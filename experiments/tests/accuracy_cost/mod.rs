@@ -141,8 +141,17 @@ fn beats(a: (f64, f64), b: (f64, f64)) -> bool {
     a.0 <= b.0 && a.1 <= b.1 && (a.0 < b.0 || a.1 < b.1)
 }
 
+/// What the other tests take from the program as given.
 #[test]
-fn nothing_beats_a_point_of_the_front_and_something_every_other() {
+fn limits_and_machines_are_those_of_the_page() {
+    assert_eq!(LIMITS, [0.1, 0.05, 0.01, 3e-3, 1e-3, 1e-4, 1e-5]);
+    assert_eq!(TIE, 1.05);
+    let keys = MACHINES.map(|machine| machine.key);
+    assert_eq!(keys, ["host", "m0", "m3", "m4f", "rv32", "wasm"]);
+}
+
+#[test]
+fn nothing_beats_a_point_of_the_pareto_set_and_something_every_other() {
     let rows = sheet("accuracy-cost.csv");
     let mut numbers = oracle::Numbers(3);
     let random: Vec<(f64, f64)> = (0..200)

@@ -137,6 +137,8 @@ fn few_materials_take_five_components() {
     let at_five = |name: &String| errors.numbers(name)[5];
     let least = errors.header[3..].iter().min_by(|a, b| at_five(a).total_cmp(&at_five(b)));
     assert_eq!(least.map(String::as_str), Some("11-plaster-b"));
+    let plaster = errors.numbers("11-plaster-b");
+    assert!(plaster[5] < 0.1 && plaster[10] < 0.02, "{plaster:?}");
 }
 
 #[test]
@@ -148,6 +150,14 @@ fn velvet_takes_nine_components() {
     let taken = |component: usize| velvet[component] - velvet[component + 1];
     assert!((5..12).all(|component| taken(component) <= taken(8)));
     states(taken(8), 0.105, 1e-3);
+}
+
+/// Thirty to fifty components take leather from 1 % to 0.1 %.
+#[test]
+fn leather_takes_thirty_to_fifty_components() {
+    let leather = errors("material").numbers("05-leather");
+    assert!(leather[20] > 0.015 && leather[30] < 0.01 && leather[50] < 0.0011, "{leather:?}");
+    assert!((20..=30).contains(&needed(&leather, 0.01)));
 }
 
 /// Under most lights a few components have the shading, and some tens the highlight.
@@ -166,6 +176,10 @@ fn leathers_highlight_is_a_matter_of_the_light() {
     };
     // Over the pixels of the plate it is the same number as over the normals of the list.
     assert_eq!((right_from(&leather), right_from(&velvet)), (36, 45));
+    // Ten and thirty components lack the highlight, fifty have it; the rim of velvet takes more.
+    let [bright, rim] = [&leather, &velvet].map(|course| course.numbers("brightest"));
+    assert!(bright[10] < 0.85 && bright[30] < 0.9 && bright[50] > 0.95, "{bright:?}");
+    assert!(rim[30] < 0.9 && rim[50] < bright[50], "{rim:?}");
     let errors = [leather, velvet].map(|course| course.numbers("error")[10]);
     assert!(errors[0] < 0.04 && errors[1] < 0.02, "{errors:?}");
 }
