@@ -11,8 +11,8 @@
 //!    the same, [`Basis::transfer`] takes it in once and [`Basis::relight`] applies each new light.
 //! 3. [`Basis::collapse`] sums the components of each azimuth into a [`Scene`].
 //! 4. [`Scene::shade`] gives the irradiance of one [`Normal`], [`Scene::shade_slice`] that of many.
-//! 5. There are cheaper ways to shade a pixel: [`Scene::sampled`] samples the azimuths of the image,
-//!    [`Scene::bake`] the image itself.
+//! 5. There are cheaper ways to shade a pixel: [`Scene::sampled`] samples the azimuths of the
+//!    image, [`Scene::bake`] the image itself.
 //! 6. To turn the light, call [`Light::turned`] with a [`Rotation`]. A [`Window`] keeps a light
 //!    from ringing, and [`NegativePolicy`] sets how to handle irradiance below zero.
 //! 7. In the other direction, [`Basis::estimate`] takes pixels one by one and estimates d.
@@ -44,8 +44,8 @@
 //! roots and no division.
 //!
 //! It is `no_std`. `mul_add` is not in `core`: on targets with the target feature `fma`, such as
-//! x86-64 with `-C target-cpu=x86-64-v3`, the feature `std` fuses sums of products, which is faster and
-//! changes their last bits. On other targets the feature changes nothing.
+//! x86-64 with `-C target-cpu=x86-64-v3`, the feature `std` fuses sums of products, which is faster
+//! and changes their last bits. On other targets the feature changes nothing.
 #![no_std]
 #![deny(clippy::indexing_slicing, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 

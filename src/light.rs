@@ -1,5 +1,5 @@
-//! Light as spherical harmonic coefficients L_l^m of (4), and windows over its degrees, which reduce
-//! the ringing of a truncated light.
+//! Light as spherical harmonic coefficients L_l^m of (4), and windows over its degrees, which
+//! reduce the ringing of a truncated light.
 
 use crate::buffer::{Buffer, zeros};
 use crate::error::{Argument, Error};

@@ -40,8 +40,8 @@ pub(crate) fn short<S: Scalar>(terms: &[S], t: S) -> S {
 /// The values of a polynomial at a block of arguments t, in the form of its length. The argument
 /// u = 2t² - 1 is read only if `LONGEST` is [`EVEN_ODD_TERMS`].
 ///
-/// No polynomial has more than `LONGEST` terms. Beyond [`EVEN_ODD_TERMS`], which is for small code, the
-/// loop over azimuths contains a call, around which all registers are saved.
+/// No polynomial has more than `LONGEST` terms. Beyond [`EVEN_ODD_TERMS`], which is for small code,
+/// the loop over azimuths contains a call, around which all registers are saved.
 #[inline(always)]
 pub(crate) fn values<S: Scalar, const LONGEST: usize, const N: usize>(
     terms: &[S],

@@ -254,8 +254,8 @@ fn room_for_turning_a_light_of_any_degree_is_no_panic() {
 /// A factor of a window in f32: a sine, a division, two squares.
 const WINDOW_F32: f64 = 5e-7;
 
-/// How far a point of light to degree 9 goes below zero through a window of width 10, of its peak; without
-/// one it is 0.13 or more.
+/// How far a point of light to degree 9 goes below zero through a window of width 10, of its peak;
+/// without one it is 0.13 or more.
 const WINDOW_RINGING: f64 = 0.01;
 
 /// The documented factors of degree 9 at widths 20 and 10: "20 %" to five points, "nearly nothing".

@@ -15,8 +15,8 @@ const SINGLE_ANGLE: f64 = 1e-7;
 /// Roots in f32 from a table of 64, relative: two steps of Newton's method leave two roundings.
 const TABLED_ROOT: f64 = 1.1e-7;
 
-/// Sines and cosines in f32 to 1,000 rad from a table of 33: roundings of its numbers, of the sum and of the angle's
-/// rest.
+/// Sines and cosines in f32 to 1,000 rad from a table of 33: roundings of its numbers, of the sum
+/// and of the angle's rest.
 const TABLED_ANGLE: f64 = 8e-8;
 
 /// `micromath`'s roots, relative: the exponent halved, its bits as a straight line.

@@ -25,8 +25,8 @@ use std::path::Path;
 /// Eigenvalues of +m and -m, of the largest: the same numbers by another way.
 const EQUAL_EIGENVALUES: f64 = 2e-15;
 
-/// Share of the whole energy down to which residual energies are compared with the eigenvalues: below
-/// it, roundings of the whole show.
+/// Share of the whole energy down to which residual energies are compared with the eigenvalues:
+/// below it, roundings of the whole show.
 const RESIDUAL_FLOOR: f64 = 1e-10;
 
 fn shipped() -> Loaded {

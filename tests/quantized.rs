@@ -7,8 +7,8 @@ use eigenshade_shading::integer_shader::Integer;
 use eigenshade_table::quantize::{self, Format};
 use std::f64::consts::SQRT_2;
 
-/// d from pixels in mantissas of 15 bits, of the largest: the images of weak components are trimmed to
-/// 1e-5 over their share of the database's rms, some 1e-3 in the weakest.
+/// d from pixels in mantissas of 15 bits, of the largest: the images of weak components are trimmed
+/// to 1e-5 over their share of the database's rms, some 1e-3 in the weakest.
 const ESTIMATE_Q15: f64 = 5e-3;
 
 /// The same in 31 bits, trimmed to 1e-8.

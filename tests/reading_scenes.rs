@@ -1,6 +1,6 @@
 //! Light, material and modes of an image of a sphere, and of tables of an object, under light as
-//! captured, about the vertical and turned freely: against dense formulas over the pixels, by another
-//! library, against the images of modes, the direct sum, and the runtime.
+//! captured, about the vertical and turned freely: against dense formulas over the pixels, by
+//! another library, against the images of modes, the direct sum, and the runtime.
 
 use crate::reading;
 use eigenshade::index::light;
@@ -28,8 +28,8 @@ const READ_RANK_ONE: f64 = 2e-15;
 /// Energy beside the largest singular value, of its square, by which a matrix is no product.
 const READ_NO_PRODUCT: f64 = 1e-3;
 
-/// Derivatives of the error by L and b where the turns settle, of the largest L: roots of the 1e-14 by which
-/// the error still falls.
+/// Derivatives of the error by L and b where the turns settle, of the largest L: roots of the 1e-14
+/// by which the error still falls.
 const READ_RANK_ONE_SLOPE: f64 = 3e-7;
 
 #[test]

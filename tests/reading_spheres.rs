@@ -17,8 +17,9 @@ use reading::{COUNT, CRITERIA, NOISE, apart, assert_near, to_dense, tolerances};
 use reading::{dense, observe, pixels, prior, small};
 use std::f64::consts::PI;
 
-/// Posterior deviations over those of least squares, less one, at noises of 1e-3, 1e-6 and 1e-9: half the
-/// noise's variance over the prior's, 6e-3 at the first, falls with its square, to rounding.
+/// Posterior deviations over those of least squares, less one, at noises of 1e-3, 1e-6 and 1e-9:
+/// half the noise's variance over the prior's, 6e-3 at the first, falls with its square, to
+/// rounding.
 const READ_DEVIATIONS: [f64; 3] = [1e-2, 1e-8, 1e-11];
 
 #[test]

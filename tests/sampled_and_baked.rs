@@ -74,8 +74,9 @@ fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
     })
 }
 
-/// Look-ups with so many knots: knots, rms of linear and of cubic ones, of the peak, each of the median
-/// image and of the worst: linear falls by four, cubic by sixteen at best, down to the rounding of f32.
+/// Look-ups with so many knots: knots, rms of linear and of cubic ones, of the peak, each of the
+/// median image and of the worst: linear falls by four, cubic by sixteen at best, down to the
+/// rounding of f32.
 const LOOKUP: [(usize, [f64; 2], [f64; 2]); 4] = [
     (16, [6e-4, 5e-3], [7e-5, 8e-4]),
     (32, [1.4e-4, 1.1e-3], [6e-6, 7e-5]),
@@ -146,8 +147,8 @@ fn numbers_of_knots_that_do_not_fit_are_errors() {
     assert!(scene.sampled::<f32, 130>(8).is_ok());
 }
 
-/// `Normals` takes any numbers and promises a meaningless irradiance for them: z = 1e30 stood at the
-/// last interval that there can be, whose second knot overflowed.
+/// `Normals` takes any numbers and promises a meaningless irradiance for them: z = 1e30 stood at
+/// the last interval that there can be, whose second knot overflowed.
 #[test]
 fn normals_that_are_none_are_no_panic() {
     let scene = &scenes(9)[0];
@@ -168,8 +169,8 @@ fn normals_that_are_none_are_no_panic() {
     }
 }
 
-/// Baked maps of N texels a side: N, rms of bilinear and of nearest look-ups, of the peak, each of the
-/// median image and of the worst: bilinear falls by four where nearest falls by two.
+/// Baked maps of N texels a side: N, rms of bilinear and of nearest look-ups, of the peak, each of
+/// the median image and of the worst: bilinear falls by four where nearest falls by two.
 const BAKED: [(usize, [f64; 2], [f64; 2]); 3] = [
     (32, [4e-4, 2e-3], [1.2e-2, 3e-2]),
     (64, [1e-4, 5e-4], [6e-3, 1.5e-2]),

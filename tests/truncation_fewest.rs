@@ -6,12 +6,12 @@ use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_testing::images;
 use images::{Image, coefficients, products, rule, single};
 
-/// Products of a pixel within a tolerance, over the fewest that any lengths need: in the mean, and of
-/// any image. Terms go at few prices, and none comes back.
+/// Products of a pixel within a tolerance, over the fewest that any lengths need: in the mean, and
+/// of any image. Terms go at few prices, and none comes back.
 const ECONOMY_FEWEST: [f64; 2] = [1.02, 1.25];
 
-/// The least share of images in per cent whose pixels take the fewest products, and the most products
-/// of any over its fewest, which `docs/method.md` quotes.
+/// The least share of images in per cent whose pixels take the fewest products, and the most
+/// products of any over its fewest, which `docs/method.md` quotes.
 const STATED: [&str; 2] = ["74", "1.1"];
 
 /// Mean square error of the image without the highest terms of one azimuth, by the number that

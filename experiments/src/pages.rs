@@ -92,7 +92,8 @@ impl Purpose {
     }
 }
 
-/// A table with these columns, which ` | ` separates. Those that end with a colon are right-aligned.
+/// A table with these columns, which ` | ` separates. Those that end with a colon are
+/// right-aligned.
 pub fn table(columns: &str, rows: impl IntoIterator<Item = Vec<String>>) -> String {
     let mut text = format!("| {} |\n|", columns.replace(": |", " |").trim_end_matches(':'));
     for name in columns.split(" | ") {

@@ -12,12 +12,12 @@ use experiments::accuracy_cost::settings;
 use std::collections::{BTreeSet, HashMap};
 use std::fs;
 
-/// Counts in the settings' file, of four digits, against those of the firmware, relative: half of the
-/// last digit of 1,000.
+/// Counts in the settings' file, of four digits, against those of the firmware, relative: half of
+/// the last digit of 1,000.
 const COUNTED: f64 = 5e-4;
 
-/// Words that a program holds besides a setting's folded material, d and scene: lengths and exponents
-/// of each, and in 15 bits the room of a row that is padded.
+/// Words that a program holds besides a setting's folded material, d and scene: lengths and
+/// exponents of each, and in 15 bits the room of a row that is padded.
 const HELD_WORDS: f64 = 16.0;
 
 type Row = HashMap<String, String>;

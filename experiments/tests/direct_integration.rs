@@ -20,8 +20,8 @@ const DIRECT_WHITE: f64 = 1e-3;
 /// edges of a window thrice as bright as the sky to 1/800 of each angle.
 const DIRECT_FRAMES: f64 = 5e-3;
 
-/// Texels in parts against parts four times as fine, rms of the peak, for lobes of 0.01 rad and more
-/// on texels of 0.0123: a tenth of what degree 24 leaves at such a lobe.
+/// Texels in parts against parts four times as fine, rms of the peak, for lobes of 0.01 rad and
+/// more on texels of 0.0123: a tenth of what degree 24 leaves at such a lobe.
 const DIRECT_PARTS: f64 = 1e-3;
 
 /// GGX by vectors, or the matte material where roughness is not.

@@ -39,8 +39,8 @@ fn floats_are_right_at_every_degree() {
     }
 }
 
-/// A table with series is read back from its wire file, array by array. A number of recurrences that
-/// is not one for each term and azimuth is refused.
+/// A table with series is read back from its wire file, array by array. A number of recurrences
+/// that is not one for each term and azimuth is refused.
 #[test]
 fn a_table_with_series_is_read_back() {
     let (table, ..) = table([16, 16]);

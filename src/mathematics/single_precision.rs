@@ -1,5 +1,5 @@
-//! Roots and angles in f32 alone, without f64 or division: [`SinglePrecision`], which has no tables,
-//! and [`Tabled`].
+//! Roots and angles in f32 alone, without f64 or division: [`SinglePrecision`], which has no
+//! tables, and [`Tabled`].
 //!
 //! Both use the same steps: roots by Newton's method, from an initial value of the reciprocal, and
 //! angles split into parts of a quarter turn.

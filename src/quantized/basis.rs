@@ -321,7 +321,8 @@ impl<'a, Q> Basis<'a, Q> {
         self.parts.components
     }
 
-    /// Workspace length of `transfer`, in wide numbers: S, its exponents, and one row with exponents.
+    /// Workspace length of `transfer`, in wide numbers: S, its exponents, and one row with
+    /// exponents.
     #[must_use]
     pub const fn workspace_len(&self) -> usize {
         pair::count(self.parts.order).saturating_add(3).saturating_mul(self.parts.degree + 1)

@@ -53,8 +53,8 @@ impl<Q: FixedPoint> Basis<'_, Q> {
     ///
     /// # Errors
     ///
-    /// The same as [`transfer_into`](Self::transfer_into), and [`Error::Capacity`] if `N`, `T` or `P` is
-    /// too small.
+    /// The same as [`transfer_into`](Self::transfer_into), and [`Error::Capacity`] if `N`, `T` or
+    /// `P` is too small.
     pub fn transfer<const N: usize, const T: usize, const P: usize>(
         &self,
         material: &Material<'_, Q>,
@@ -73,9 +73,9 @@ impl<Q: FixedPoint> Basis<'_, Q> {
     ///
     /// # Errors
     ///
-    /// [`Error::Beyond`] if the order of the material exceeds that of the basis, [`Error::TransfersOnly`]
-    /// if the basis only holds transfers, [`Error::Length`] unless `workspace` has
-    /// [`workspace_len`](Self::workspace_len) numbers, `numbers` has
+    /// [`Error::Beyond`] if the order of the material exceeds that of the basis,
+    /// [`Error::TransfersOnly`] if the basis only holds transfers, [`Error::Length`] unless
+    /// `workspace` has [`workspace_len`](Self::workspace_len) numbers, `numbers` has
     /// [`transfer_len`](Self::transfer_len) and `exponents` has [`profiles`](Self::profiles).
     pub fn transfer_into(
         &self,

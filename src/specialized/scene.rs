@@ -1,11 +1,11 @@
-//! Relights order by order, collapses an image into a scene, and shades a pixel of it, with all sizes
-//! constant.
+//! Relights order by order, collapses an image into a scene, and shades a pixel of it, with all
+//! sizes constant.
 //!
 //! Relighting is for machines that process numbers one at a time: it skips products with zero and
 //! reads each coefficient of the light once.
 //!
-//! For a pixel, Horner's rule is applied twice: to each polynomial in t = 2z - 1, and to the azimuths,
-//! from the highest downward, in w = n_x + i n_y. I(n) = Re Σ_m (P_m + i Q_m) w̄^m.
+//! For a pixel, Horner's rule is applied twice: to each polynomial in t = 2z - 1, and to the
+//! azimuths, from the highest downward, in w = n_x + i n_y. I(n) = Re Σ_m (P_m + i Q_m) w̄^m.
 
 use crate::index::light::position;
 use crate::normal::Normal;

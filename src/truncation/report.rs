@@ -8,7 +8,8 @@ use crate::scalar::Scalar;
 use crate::scene::Scene;
 
 /// The allowed error of an image, root mean square over a sphere's normals, relative to the image
-/// of all components. The error of the components themselves is additional: see [`Truncation::floor`].
+/// of all components. The error of the components themselves is additional: see
+/// [`Truncation::floor`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]

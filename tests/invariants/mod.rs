@@ -21,8 +21,8 @@ pub use ways::{every_way, reconstruct};
 
 use eigenshade::{Q15, Q31};
 
-/// d in 15 bits, relative to what its addends could be: light, material, Ĉ, S, factors and T are each
-/// rounded to 15 bits of the largest number of their row.
+/// d in 15 bits, relative to what its addends could be: light, material, Ĉ, S, factors and T are
+/// each rounded to 15 bits of the largest number of their row.
 pub const ANY_D_Q15: f64 = 2e-5;
 
 /// See [`ANY_D_Q15`], with 16 bits more.

@@ -1,6 +1,6 @@
 //! Shading. Floats, and scenes within a tolerance: any bits never panic; finite numbers of moderate
-//! size give finite answers, and bounds that are finite and kept. Integers: in range, never wrapping,
-//! each step as exact arithmetic has it.
+//! size give finite answers, and bounds that are finite and kept. Integers: in range, never
+//! wrapping, each step as exact arithmetic has it.
 
 use super::integer::{Integer, normals, shipped};
 use super::{Reader, integer};

@@ -9,11 +9,13 @@ use eigenshade_table::scene::LightRotation;
 use eigenshade_testing::largest;
 use eigenshade_testing::oracle::Numbers;
 
-/// Projection and synthesis of the first components of an object, made alone or with all, of the largest number: the
-/// same sums in another order, which is the same order and so the same bits on some hosts.
+/// Projection and synthesis of the first components of an object, made alone or with all, of the
+/// largest number: the same sums in another order, which is the same order and so the same bits on
+/// some hosts.
 const PREFIX: f64 = 1e-13;
 
-/// U over modes of them: divided by singular values down to the cut-off of 8e-11, which few pictures call for.
+/// U over modes of them: divided by singular values down to the cut-off of 8e-11, which few
+/// pictures call for.
 const PREFIX_MODES: f64 = 1e-11;
 
 /// A light, a material, and nothing odd about them.

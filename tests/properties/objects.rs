@@ -25,9 +25,10 @@ use nalgebra::DMatrix;
 use proptest::prelude::*;
 use std::f64::consts::PI;
 
-/// Images over an object by d against the direct sum, in amplitude, of |L| |b|: modes whose images over the sphere are below
-/// 1e-13 are in no span, at one normal of the rim they are a thousand times that, and an image has a tenth
-/// of them; 1.5e-13 was the most in a thousand random objects. What the rank's cut-off takes comes on top.
+/// Images over an object by d against the direct sum, in amplitude, of |L| |b|: modes whose images
+/// over the sphere are below 1e-13 are in no span, at one normal of the rim they are a thousand
+/// times that, and an image has a tenth of them; 1.5e-13 was the most in a thousand random objects.
+/// What the rank's cut-off takes comes on top.
 const OBJECT_PARSEVAL: f64 = 1e-12;
 
 /// A small scene of the sample, with its selection of modes, whose light turns like this.
@@ -162,8 +163,8 @@ pub fn energies(sample: &Sample, shape: &Shape, rotation: LightRotation) -> [Ene
     })
 }
 
-/// How far a table of a share of the components is from the beginning of the whole one, of the largest
-/// number: its projection, its synthesis, and U over modes. Eigenvalues are the same.
+/// How far a table of a share of the components is from the beginning of the whole one, of the
+/// largest number: its projection, its synthesis, and U over modes. Eigenvalues are the same.
 pub fn prefix(sample: &Sample, shape: &Shape, rotation: LightRotation, share: f64) -> [f64; 3] {
     let (small, mut loaded) = scene(sample, rotation);
     let listed = shape.normals(small.degree, &mut Numbers(sample.seed ^ 7));

@@ -1,5 +1,5 @@
-//! Wire files of each format and kind, and what they gave when they were made: they are read, wherever
-//! they lie, and give the same.
+//! Wire files of each format and kind, and what they gave when they were made: they are read,
+//! wherever they lie, and give the same.
 #![allow(dead_code, reason = "each test takes what it needs")]
 
 use eigenshade::wire::{Aligned, WireError, aligned};

@@ -1,5 +1,5 @@
-//! Times of several ways, run in turn, so that what disturbs one disturbs all; tables of methods, time
-//! ratios and errors as Markdown; and a description of the machine.
+//! Times of several ways, run in turn, so that what disturbs one disturbs all; tables of methods,
+//! time ratios and errors as Markdown; and a description of the machine.
 
 use std::fmt::Write;
 use std::time::Instant;

@@ -1,6 +1,6 @@
-//! Images whose polynomials are shaded: all terms, or as many as a tolerance needs; and a full scene of
-//! the table `pbr`, whose polynomials are too long for powers of t, also as series in orthogonal
-//! polynomials, the form of the high azimuths of tables of degree 16 and more.
+//! Images whose polynomials are shaded: all terms, or as many as a tolerance needs; and a full
+//! scene of the table `pbr`, whose polynomials are too long for powers of t, also as series in
+//! orthogonal polynomials, the form of the high azimuths of tables of degree 16 and more.
 
 use crate::inputs::{coefficients, database, lights};
 use crate::limit::necessary;

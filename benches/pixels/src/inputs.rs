@@ -1,5 +1,5 @@
-//! The inputs: the shipped lights on the shipped materials, normals, and the calls that are made once
-//! for a light or a material.
+//! The inputs: the shipped lights on the shipped materials, normals, and the calls that are made
+//! once for a light or a material.
 
 use eigenshade::{Light, Material, NineTerms, Tolerance, sphere};
 use eigenshade_index::{light, material};
@@ -159,8 +159,8 @@ const LINE: usize = 64;
 /// Bytes after which the low twelve bits of an address repeat.
 const PAGE: usize = 4096;
 
-/// Numbers whose first starts a cache line, at a chosen place of a page, so that what is written does
-/// not look like what is read: processors compare the low twelve bits of an address first.
+/// Numbers whose first starts a cache line, at a chosen place of a page, so that what is written
+/// does not look like what is read: processors compare the low twelve bits of an address first.
 pub struct Placed {
     numbers: Vec<f32>,
     first: usize,

@@ -1,6 +1,6 @@
 //! Times of each path, the least of interleaved rounds, so that what another program on the machine
-//! took is not in them; and instructions of a pixel and of a call, counted by callgrind: the same in
-//! every run.
+//! took is not in them; and instructions of a pixel and of a call, counted by callgrind: the same
+//! in every run.
 
 use crate::images::{Image, LONG_NAMES, long_scene, long_terms, scene};
 use crate::inputs::{CALLS, CallInputs, NINE, NINE_TERMS, PIXELS, Placed, irradiances, normals};

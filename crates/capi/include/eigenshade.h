@@ -590,8 +590,8 @@ eigenshade_status eigenshade_normalize_f32(float *x,
  * The irradiances of `count` unit normals with z from 0 to 1, into `irradiance`.
  *
  * Normals are neither normalized nor checked: a wrong normal has a meaningless irradiance and
- * affects no other; `eigenshade_normalize_f32` normalizes any vectors. If `count` is 0, the pointers
- * are not read. On an error `irradiance` is unchanged.
+ * affects no other; `eigenshade_normalize_f32` normalizes any vectors. If `count` is 0, the
+ * pointers are not read. On an error `irradiance` is unchanged.
  *
  * Every pointer that is neither NULL nor unaligned points to a value of its type, the last
  * four to `count` numbers each.

@@ -353,8 +353,8 @@ pub unsafe extern "C" fn eigenshade_normalize_f32(
 /// The irradiances of `count` unit normals with z from 0 to 1, into `irradiance`.
 ///
 /// Normals are neither normalized nor checked: a wrong normal has a meaningless irradiance and
-/// affects no other; `eigenshade_normalize_f32` normalizes any vectors. If `count` is 0, the pointers
-/// are not read. On an error `irradiance` is unchanged.
+/// affects no other; `eigenshade_normalize_f32` normalizes any vectors. If `count` is 0, the
+/// pointers are not read. On an error `irradiance` is unchanged.
 ///
 /// # Safety
 ///

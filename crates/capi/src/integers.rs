@@ -104,8 +104,8 @@ pub(crate) unsafe fn material_of<'a, Q: Shipped>(
     Ok(Material::new(exponents, mantissas)?)
 }
 
-/// Writes the mantissas of a light and returns their exponent. `to` is the place of the light itself,
-/// which is written later.
+/// Writes the mantissas of a light and returns their exponent. `to` is the place of the light
+/// itself, which is written later.
 ///
 /// # Safety
 ///
@@ -126,8 +126,8 @@ pub(crate) unsafe fn quantize_light<Q: Shipped>(
     Ok(Light::quantize(light.coefficients(), mantissas)?.exponent())
 }
 
-/// Writes the mantissas and exponents of a material. `to` is the place of the material itself, which
-/// is written later.
+/// Writes the mantissas and exponents of a material. `to` is the place of the material itself,
+/// which is written later.
 ///
 /// # Safety
 ///

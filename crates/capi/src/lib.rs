@@ -2,13 +2,13 @@
 //! `include/eigenshade.h` and a static library.
 //!
 //! The steps are: compute the transfer of a material, relight it with a light, collapse the
-//! coefficients to a scene, and shade normals with the scene. They exist in `f32` ([`float`]) and in
-//! integers ([`q15`], [`q31`]); a program links only what it calls.
+//! coefficients to a scene, and shade normals with the scene. They exist in `f32` ([`float`]) and
+//! in integers ([`q15`], [`q31`]); a program links only what it calls.
 //!
 //! The caller owns every array. No function allocates, keeps a pointer, or has state, so all may be
-//! called from interrupts and threads at once on separate arguments. Pointers must not be NULL and must
-//! be aligned, which is checked. Arguments that are written to must not overlap others, which is
-//! checked too.
+//! called from interrupts and threads at once on separate arguments. Pointers must not be NULL and
+//! must be aligned, which is checked. Arguments that are written to must not overlap others, which
+//! is checked too.
 //!
 //! On bare metal the static library has a panic handler. In release builds it calls an undefined
 //! symbol, so a reachable panic fails to link, provided that the linker drops unused functions

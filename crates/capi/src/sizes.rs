@@ -1,8 +1,8 @@
 //! The version of the library, the sizes of the shipped table as literals for the header, and its
 //! bases without the factors of transfers.
 //!
-//! The functions that relight, collapse and shade use these bases, so that a program whose transfers
-//! are computed beforehand links no factors.
+//! The functions that relight, collapse and shade use these bases, so that a program whose
+//! transfers are computed beforehand links no factors.
 
 use core::ffi::{CStr, c_char};
 use eigenshade::index::{light, material};

@@ -1,5 +1,5 @@
-//! The header is current, and the C program of `example/` passes its checks on the host, compiled with
-//! sanitizers and linked with the static library.
+//! The header is current, and the C program of `example/` passes its checks on the host, compiled
+//! with sanitizers and linked with the static library.
 #![cfg(unix)]
 
 #[path = "support/golden_header.rs"]
@@ -65,8 +65,8 @@ fn the_checks_hold_under_sanitizers() {
     assert_eq!(run(&mut Command::new(program)), "0 faults\n");
 }
 
-/// The example in the README compiles and prints the right numbers: 3.5 Y_0^0 at the rim, and 2/3 of
-/// Y_1^0 more where the normal faces the camera. Fifty components give two digits.
+/// The example in the README compiles and prints the right numbers: 3.5 Y_0^0 at the rim, and 2/3
+/// of Y_1^0 more where the normal faces the camera. Fifty components give two digits.
 #[test]
 fn the_readme_is_right() {
     let readme = include_str!("../README.md");
@@ -81,8 +81,8 @@ fn the_readme_is_right() {
     assert_eq!(run(&mut Command::new(program)), text);
 }
 
-/// The two integer bindings differ only in their format. They are two files because cbindgen expands no
-/// macros.
+/// The two integer bindings differ only in their format. They are two files because cbindgen
+/// expands no macros.
 #[test]
 fn the_integer_bindings_are_the_same_text() {
     let short = include_str!("../src/q15.rs");

@@ -49,8 +49,8 @@ pub fn module(parts: &QuantizedParts, command: &str) -> String {
     text
 }
 
-/// The statics of the transfer of a material, as `transfer` gives it, for a place where the `BASIS` of
-/// its table is in scope. Its bounds are checked when it is compiled.
+/// The statics of the transfer of a material, as `transfer` gives it, for a place where the `BASIS`
+/// of its table is in scope. Its bounds are checked when it is compiled.
 #[must_use]
 pub fn transfer(format: Format, mantissas: &[i32], exponents: &[i16]) -> String {
     let format = name(format);

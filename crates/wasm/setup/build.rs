@@ -1,5 +1,5 @@
-//! Writes the table that `EIGENSHADE_TABLE` names as statics to the output folder. Without it the module
-//! has the shipped table.
+//! Writes the table that `EIGENSHADE_TABLE` names as statics to the output folder. Without it the
+//! module has the shipped table.
 
 use eigenshade_table::quantize::{Format, QuantizedParts};
 use eigenshade_table::{Table, rust_quantized, rust_source};

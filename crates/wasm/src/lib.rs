@@ -1,8 +1,8 @@
 //! eigenshade as a WebAssembly module with plain exports.
 //!
 //! Functions compute. Globals are addresses of fixed buffers in linear memory, which the page fills
-//! before a call and reads after it. `eigenshade.mjs` wraps both. Only for `wasm32-unknown-unknown`;
-//! on other targets the crate is empty.
+//! before a call and reads after it. `eigenshade.mjs` wraps both. Only for
+//! `wasm32-unknown-unknown`; on other targets the crate is empty.
 #![cfg(target_arch = "wasm32")]
 #![no_std]
 

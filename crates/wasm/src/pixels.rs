@@ -17,8 +17,8 @@ static AXES: Shared<[[f32; NORMALS]; 3]> = Shared::new([[0.0; NORMALS]; 3]);
 #[unsafe(export_name = "f32_irradiance")]
 static IRRADIANCE: Shared<[f32; NORMALS]> = Shared::new([0.0; NORMALS]);
 
-/// Computes the irradiances of the first `count` normals. Returns `count`, or 0 if there is no scene
-/// or `count` is too large.
+/// Computes the irradiances of the first `count` normals. Returns `count`, or 0 if there is no
+/// scene or `count` is too large.
 #[unsafe(no_mangle)]
 extern "C" fn f32_shade(count: usize) -> usize {
     // SAFETY: each place once, and no other function runs.
@@ -33,8 +33,8 @@ extern "C" fn f32_shade(count: usize) -> usize {
     if scene.shade_slice(normals, irradiance).is_ok() { count } else { 0 }
 }
 
-/// Looks up the irradiances of the first `count` normals in the baked map, bilinearly. Returns `count`,
-/// or 0 if it is too large. The map is zero before the first `f32_bake`.
+/// Looks up the irradiances of the first `count` normals in the baked map, bilinearly. Returns
+/// `count`, or 0 if it is too large. The map is zero before the first `f32_bake`.
 #[cfg(feature = "map")]
 #[unsafe(no_mangle)]
 extern "C" fn f32_look_up(count: usize) -> usize {
@@ -55,14 +55,14 @@ extern "C" fn f32_look_up(count: usize) -> usize {
     count
 }
 
-/// The coefficients of the nine-term formula (Ramamoorthi and Hanrahan 2001): of 1, x, y, z, x² - y²,
-/// xy, xz, yz, z².
+/// The coefficients of the nine-term formula (Ramamoorthi and Hanrahan 2001): of 1, x, y, z, x² -
+/// y², xy, xz, yz, z².
 #[cfg(feature = "nine-terms")]
 #[unsafe(export_name = "nine")]
 static NINE: Shared<[f32; 9]> = Shared::new([0.0; 9]);
 
-/// Computes the irradiances of the first `count` normals by the nine-term formula, to compare times.
-/// Returns `count`, or 0 if it is too large.
+/// Computes the irradiances of the first `count` normals by the nine-term formula, to compare
+/// times. Returns `count`, or 0 if it is too large.
 #[cfg(feature = "nine-terms")]
 #[unsafe(no_mangle)]
 extern "C" fn nine_terms(count: usize) -> usize {

@@ -68,8 +68,8 @@ pub fn cheapest<'a>(
     })
 }
 
-/// The points (cost, error) of the Pareto front, by rising cost. For each of them, every other point
-/// that is as cheap or cheaper has a larger error.
+/// The points (cost, error) of the Pareto front, by rising cost. For each of them, every other
+/// point that is as cheap or cheaper has a larger error.
 pub fn pareto(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let mut points = points.to_vec();
     points.retain(|point| point.0.is_finite() && point.1.is_finite());

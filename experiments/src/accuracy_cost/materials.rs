@@ -100,9 +100,9 @@ pub fn modelled() -> Result<Vec<Surface>> {
 }
 
 /// Materials of the MERL database, measured by W. Matusik and others ("A Data-Driven Reflectance
-/// Model", SIGGRAPH 2003), as fitted by J. Low and others (see [`Abc`]): name; k of r, g and b; a of
-/// r, g and b; b, c and the refractive index. There is one of each kind, from felt to paint, with
-/// lobes wider than 0.05 rad. Sharper lobes are beyond any degree and order here.
+/// Model", SIGGRAPH 2003), as fitted by J. Low and others (see [`Abc`]): name; k of r, g and b; a
+/// of r, g and b; b, c and the refractive index. There is one of each kind, from felt to paint,
+/// with lobes wider than 0.05 rad. Sharper lobes are beyond any degree and order here.
 const MEASURED: &str = "\
 pink-felt 0.267287 0.178590 0.156370 0.225846 0.226874 0.221785 54.853024 0.344321 2.938402
 teflon 0.321152 0.313597 0.305526 1.787717 1.816174 1.846979 41.644257 2.066234 1.611215

@@ -7,8 +7,8 @@
 //! Up to such factors, d^l_mn = Σ_k (-1)^(m-n+k) s^(m-n+2k) c^(2l+n-m-2k) / ((l+n-k)! k! (m-n+k)!
 //! (l-m-k)!), where s and c are the sine and cosine of α/2, D is the sum of d^l_mn over n = ±q, and
 //! R_p^q is ρ^q = (√2 s)^q times a polynomial in ρ² = 2 s². A product of D and R is therefore
-//! (s/c)^m c^(m+q) times a polynomial in x = s² with rational coefficients. Products of even q and of
-//! odd q are independent, so the rank is that of two families of polynomials, each over a common
+//! (s/c)^m c^(m+q) times a polynomial in x = s² with rational coefficients. Products of even q and
+//! of odd q are independent, so the rank is that of two families of polynomials, each over a common
 //! power of c. It is the rank of their values at as many points as they have coefficients. Modulo a
 //! prime the rank can only fall; if two large primes agree, it has not fallen.
 
@@ -71,8 +71,8 @@ impl Field {
         self.sum((0..=half).map(term))
     }
 
-    /// All products of one parity of q at enough points, each divided by (s/c)^m c^(m + parity) and a
-    /// common power of c.
+    /// All products of one parity of q at enough points, each divided by (s/c)^m c^(m + parity) and
+    /// a common power of c.
     fn rows(self, degree: isize, order: isize, m: isize, parity: isize) -> Vec<Vec<i128>> {
         let mut rows = Vec::new();
         for q in (parity..=order.min(degree)).step_by(2) {

@@ -147,8 +147,8 @@ pub(super) fn eight_bits() -> Vec<Figure> {
     ]
 }
 
-/// Normals with z = -0.01 and -0.1, by a table of degree 12, whose polynomials are longer than those
-/// of the shipped table.
+/// Normals with z = -0.01 and -0.1, by a table of degree 12, whose polynomials are longer than
+/// those of the shipped table.
 pub(super) fn behind() -> Vec<Figure> {
     let bytes = std::fs::read(format!("{ROOT}/tables/pbr.bin")).expect("the table");
     let owned = OwnedBasis::<f32>::new(&decode(&bytes).expect("a table"));

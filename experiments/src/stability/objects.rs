@@ -157,7 +157,8 @@ pub(super) fn weights() -> Vec<Figure> {
     }
     let Compared { other, values, errors, weighted } = all;
     vec![
-        // Noise below 1e-8 of the largest singular value, over weights whose roots are down to 1e-6.
+        // Noise below 1e-8 of the largest singular value, over weights whose roots are down to
+        // 1e-6.
         least("pictures by squares, of the peak", squares, 1e-3),
         exactly("bases with another number of components than their pictures", other, 0),
         most("eigenvalues, of the largest", values, tolerances::FLAT_EIGENVALUES),

@@ -72,8 +72,8 @@ impl Share {
         self.0[0] as f64 / self.0[1].max(1) as f64
     }
 
-    /// A pixel, with its azimuths by Horner's rule, as the shipped table uses them, or by the powers
-    /// of n_x + i n_y, as any table does.
+    /// A pixel, with its azimuths by Horner's rule, as the shipped table uses them, or by the
+    /// powers of n_x + i n_y, as any table does.
     fn shade(&mut self, mut terms: &[f32], [x, y, z]: [f32; 3], by_powers: bool) -> f32 {
         let t = 2.0 * z - 1.0;
         let mut values = Vec::new();

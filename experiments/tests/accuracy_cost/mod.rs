@@ -23,8 +23,8 @@ use std::collections::HashMap;
 use std::fs;
 use std::path::PathBuf;
 
-/// An error of a setting, relative: hosts round differently, and rounding may end a polynomial a term
-/// earlier or later, which moves the error of one cut short by a per cent.
+/// An error of a setting, relative: hosts round differently, and rounding may end a polynomial a
+/// term earlier or later, which moves the error of one cut short by a per cent.
 const COST_ERROR: f64 = 0.02;
 
 /// The same in any case: errors below that are roundings of f32, which fused multiplications halve.
@@ -34,8 +34,8 @@ const COST_ROUNDING: f64 = 1e-6;
 const COST_BYTES: f64 = 0.02;
 
 /// A fitted exponent of bytes, beside that of theory: lower powers are still there at the largest
-/// sizes, (24 / 2 + 1)² of the order; and azimuths grow as the root of the components, so that rows of
-/// 10 - |m| numbers shrink from 8 to 5 over three octaves, which is 0.23.
+/// sizes, (24 / 2 + 1)² of the order; and azimuths grow as the root of the components, so that rows
+/// of 10 - |m| numbers shrink from 8 to 5 over three octaves, which is 0.23.
 const COST_EXPONENT: f64 = 0.3;
 
 /// The rms of a setting's error on other normals, relative: a thousand rings' normals against two

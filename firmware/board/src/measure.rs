@@ -1,7 +1,8 @@
 //! Instructions and stack of one operation.
 //!
 //! Under `-icount shift=0` an instruction takes one nanosecond of the board's time, so a clock
-//! counts instructions: `SysTick` on Arm, in steps of 40 or 62.5 instructions; `minstret` on RISC-V.
+//! counts instructions: `SysTick` on Arm, in steps of 40 or 62.5 instructions; `minstret` on
+//! RISC-V.
 
 use crate::{print, print_u32, stack};
 use core::arch::asm;

@@ -1,5 +1,5 @@
-//! The stack that a call uses: the free stack is filled with a pattern, and afterwards the part that
-//! was overwritten is measured.
+//! The stack that a call uses: the free stack is filled with a pattern, and afterwards the part
+//! that was overwritten is measured.
 
 use core::arch::asm;
 

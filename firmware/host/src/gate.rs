@@ -1,5 +1,5 @@
-//! A linked program: its sizes and symbols, the gates, which are what it must not contain, and the test
-//! that each gate works.
+//! A linked program: its sizes and symbols, the gates, which are what it must not contain, and the
+//! test that each gate works.
 
 use crate::Result;
 use crate::program::Board;
@@ -168,7 +168,8 @@ enum Step {
     Check,
 }
 
-/// A program of `gates/`, the board for which it is rejected, at which step, and a part of the error.
+/// A program of `gates/`, the board for which it is rejected, at which step, and a part of the
+/// error.
 const REJECTED: [(&str, Board, Step, &str); 6] = [
     ("panics", Board::An386, Step::Linker, "undefined symbol: a_panic_can_be_reached"),
     ("formats", Board::An386, Step::Check, "core::fmt is linked"),
@@ -178,7 +179,8 @@ const REJECTED: [(&str, Board, Step, &str); 6] = [
     ("allocates", Board::An386, Step::Check, "a heap is linked"),
 ];
 
-/// Builds and checks each program of `gates/`, which has one forbidden thing, and prints the errors.
+/// Builds and checks each program of `gates/`, which has one forbidden thing, and prints the
+/// errors.
 ///
 /// # Errors
 ///

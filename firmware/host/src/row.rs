@@ -17,8 +17,8 @@ const SCENE: char = '/';
 /// The recorded counts.
 const RECORD: &str = "counts.csv";
 
-/// Bytes of flash by which two checkouts may differ. Functions are linked in the order of names that
-/// contain a hash of the path of the sources, and padded to words.
+/// Bytes of flash by which two checkouts may differ. Functions are linked in the order of names
+/// that contain a hash of the path of the sources, and padded to words.
 const PADDING: u64 = 32;
 
 /// The costs of an operation on a board. Empty numbers are not measured.

@@ -19,7 +19,8 @@ pub struct Compiler {
 }
 
 impl Compiler {
-    /// The compiler for this target. `firmware/run` sets `EIGENSHADE_CI_DEBIAN=1` to choose Debian's.
+    /// The compiler for this target. `firmware/run` sets `EIGENSHADE_CI_DEBIAN=1` to choose
+    /// Debian's.
     pub fn new(target: &'static str) -> Self {
         Self { target, debian: std::env::var_os("EIGENSHADE_CI_DEBIAN").is_some() }
     }

@@ -1,5 +1,5 @@
-//! Invariants of the host's readers for any bytes: an error of one line with a remedy, or numbers as
-//! documented; never a panic.
+//! Invariants of the host's readers for any bytes: an error of one line with a remedy, or numbers
+//! as documented; never a panic.
 
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::material::{analytic, measurements, merl as merl_file};
@@ -153,8 +153,8 @@ fn formula(bytes: &[u8]) {
     }
 }
 
-/// A table. Bytes that do not begin with `E` are a version and a payload, which get the right length
-/// and checksum. A decoded table can be encoded again, and packed or rejected.
+/// A table. Bytes that do not begin with `E` are a version and a payload, which get the right
+/// length and checksum. A decoded table can be encoded again, and packed or rejected.
 fn bin(bytes: &[u8]) {
     let sealed = |version: u8, payload: &[u8]| {
         let mut file = b"EIGSHADE".to_vec();

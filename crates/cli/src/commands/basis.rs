@@ -7,7 +7,7 @@ use eigenshade_cli::messages::{grouped, print_message, spinner};
 use eigenshade_cli::output;
 use eigenshade_cli::table::compare::{Difference, differences};
 use eigenshade_cli::table::recorded_errors::manifest_rows;
-use eigenshade_cli::table::{self, recorded_errors};
+use eigenshade_cli::table::{self, rounding};
 use eigenshade_generator::basis::estimate::Estimate;
 use eigenshade_generator::scene_file;
 use eigenshade_model::error::{Error, Result};
@@ -83,8 +83,7 @@ impl Basis {
         if let Some((path, old)) = old {
             return check(&self.scene, path, &old, &table);
         }
-        table.summary.roundings =
-            recorded_errors::measure(&table, &loaded.lights, &loaded.materials);
+        table.summary.roundings = rounding::measure(&table, &loaded.lights, &loaded.materials);
         let errors = match &self.purpose.out {
             Some(path) => manifest_rows(&path.with_extension(ERRORS), &table, &loaded)?,
             None => String::new(),
@@ -101,7 +100,7 @@ impl Basis {
         let warnings = [
             of_higher_order(&database, loaded.order_of_file, order),
             albedo_warning(&loaded.materials),
-            recorded_errors::warning(&table, Format::F32),
+            rounding::warning(&table, Format::F32),
         ];
         warnings.into_iter().flatten().for_each(print_message);
         output::write_all(None, report(&table, bytes.len(), start.elapsed()))

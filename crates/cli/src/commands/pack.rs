@@ -4,7 +4,7 @@ use super::options::Memory;
 use clap::{Args, ValueEnum};
 use eigenshade_cli::messages::{grouped, print_message};
 use eigenshade_cli::output;
-use eigenshade_cli::table::{self, recorded_errors};
+use eigenshade_cli::table::{self, rounding};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_table::quantize;
 use eigenshade_table::wire::{self, Endian};
@@ -60,7 +60,7 @@ impl Pack {
                 "error", one.largest, one.rms
             );
         }
-        recorded_errors::warning(&table, format).iter().for_each(print_message);
+        rounding::warning(&table, format).iter().for_each(print_message);
         output::write_all(None, text)
     }
 }

@@ -7,7 +7,7 @@ use eigenshade_cli::messages::print_message;
 use eigenshade_cli::output;
 use eigenshade_cli::reading::pixels::{LinearImage, Transfer};
 use eigenshade_cli::reading::{Reader, pixels};
-use eigenshade_cli::table::{self, recorded_errors};
+use eigenshade_cli::table::{self, rounding};
 use eigenshade_generator::reading::observation::{EigenimageValues, Observation, Observer};
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::{Error, Result};
@@ -112,10 +112,7 @@ impl Read {
 
         let answer = Answer { reading: &reading, observation: &observation, materials: &materials };
         self.write(&answer)?;
-        warning
-            .iter()
-            .chain(&recorded_errors::warning(&table, Format::F32))
-            .for_each(print_message);
+        warning.iter().chain(&rounding::warning(&table, Format::F32)).for_each(print_message);
         print_message(summary);
         read_answer::summarize(&answer);
         Ok(())

@@ -7,7 +7,7 @@ use eigenshade_cli::messages::print_message;
 use eigenshade_cli::messages::{Ringing, albedo_warning};
 use eigenshade_cli::output;
 use eigenshade_cli::picture::{SphereView, exposure, srgb, write_png};
-use eigenshade_cli::table::{self, recorded_errors};
+use eigenshade_cli::table::{self, rounding};
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::Result;
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
@@ -64,7 +64,7 @@ impl Render {
         let materials = Materials { order, entries: vec![material.find_in(entries)?] };
         let higher = of_higher_order(&material.path, order, table.gram.order);
         let rounded = match self.format {
-            Format::F32 => recorded_errors::warning(&table, wire::Format::F32),
+            Format::F32 => rounding::warning(&table, wire::Format::F32),
             Format::F64 => None,
         };
         let warnings = [higher, albedo_warning(&materials), rounded].into_iter().flatten();

@@ -8,7 +8,7 @@ use eigenshade::{Effect, Effects, NegativePolicy, Q15, Q31, Tolerance, Window};
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::messages::{Ringing, albedo_warning};
 use eigenshade_cli::output::{self, Rows, exact};
-use eigenshade_cli::table::{self, recorded_errors};
+use eigenshade_cli::table::{self, rounding};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_model::inputs::normals::read_normals;
@@ -161,8 +161,7 @@ impl Shade {
                 window.apply::<Libm>(channel);
             }
         }
-        let warnings =
-            warnings.chain(self.stored().and_then(|one| recorded_errors::warning(&table, one)));
+        let warnings = warnings.chain(self.stored().and_then(|one| rounding::warning(&table, one)));
         let normals = read_normals(memory.file(&self.normals))?;
         let tolerance = self.tolerance;
         let rounding = self.stored().and_then(|format| table.rounding(format));

@@ -4,6 +4,7 @@
 pub mod compare;
 #[cfg(feature = "generate")]
 pub mod recorded_errors;
+pub mod rounding;
 
 use crate::messages::grouped;
 use eigenshade::wire::{Header, WireError, WireFormat, aligned};

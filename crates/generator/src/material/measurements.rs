@@ -4,10 +4,10 @@
 //! gray; in radians and 1/sr. Lines that start with `#` are comments; other columns are ignored.
 //!
 //! A CUReT folder (Dana, van Ginneken, Nayar and Koenderink, "Reflectance and texture of real-world
-//! surfaces", ACM Transactions on Graphics 18, 1999) contains `abrdf.dat` (one row for each material:
-//! its id and one gray value in 1/sr for every direction), `table.txt` (one row for each direction:
-//! index from 1, θ_v, φ_v, θ_i, φ_i in radians; equal azimuths are backscatter) and optionally
-//! `samples.csv` (`id,name`).
+//! surfaces", ACM Transactions on Graphics 18, 1999) contains `abrdf.dat` (one row for each
+//! material: its id and one gray value in 1/sr for every direction), `table.txt` (one row for each
+//! direction: index from 1, θ_v, φ_v, θ_i, φ_i in radians; equal azimuths are backscatter) and
+//! optionally `samples.csv` (`id,name`).
 
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;

@@ -1,5 +1,5 @@
-//! The database's prior of d and of the light, and the posterior mean of d, given that prior and the
-//! noise.
+//! The database's prior of d and of the light, and the posterior mean of d, given that prior and
+//! the noise.
 //!
 //! By (28) and (33) the components of U are uncorrelated over the database, with the eigenvalues as
 //! variances. The constant of image-centered PCA is an exception: its coefficient, the mean of an

@@ -1,5 +1,5 @@
-//! Maps written to files of every type and read back, and every fault of a map's file: one line, with
-//! a remedy, and no panic.
+//! Maps written to files of every type and read back, and every fault of a map's file: one line,
+//! with a remedy, and no panic.
 
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::light::projection::{lights_from_paths, named_maps};

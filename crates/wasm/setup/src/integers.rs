@@ -1,5 +1,5 @@
-//! Integers: transfer, relighting, collapsing and shading. Every function returns 1, or 0 if its input
-//! is missing or invalid.
+//! Integers: transfer, relighting, collapsing and shading. Every function returns 1, or 0 if its
+//! input is missing or invalid.
 
 use crate::table::{COMPONENTS, DEGREE, ORDER};
 use crate::{LIGHT, LIGHT_COUNT, MATERIAL, MATERIAL_COUNT, NORMALS, Shared};

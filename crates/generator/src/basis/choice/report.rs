@@ -1,6 +1,6 @@
 //! The report of a choice, as numbers and as text, and the energies of the database's images behind
-//! it: those that a degree and an order leave out, those that remain after the first components, and
-//! what is left for components and polynomials.
+//! it: those that a degree and an order leave out, those that remain after the first components,
+//! and what is left for components and polynomials.
 
 use crate::basis::moments::Deviation;
 use crate::basis::pca;

@@ -1,0 +1,122 @@
+//! The error that a number format adds to a table's images, measured when the table is made.
+
+use eigenshade::{Q15, Q31, Scalar};
+use eigenshade_model::database::{Lights, Materials};
+use eigenshade_model::error::Result;
+use eigenshade_shading::integer_shader::{self, Integer, IntegerShader};
+use eigenshade_shading::owned_basis::OwnedBasis;
+use eigenshade_shading::shader::{OwnedNormals, Shader, fault, fitted};
+use eigenshade_shading::sphere_rings::{Ring, rings};
+use eigenshade_table::wire::Format;
+use eigenshade_table::{Rounding, Table, quantize};
+
+/// Approximate limit on the products of a measurement: for larger tables, only a sample of the
+/// images is measured.
+const PRODUCTS: usize = 1 << 30;
+
+/// The least number of images to measure, if the database has as many.
+const LEAST: usize = 40;
+
+/// Spacing of the normals in radians.
+const SPACING: f64 = 0.2;
+
+/// The largest error of a pixel, as a share of the peak, that causes no warning.
+const UNSEEN: f64 = 1e-3;
+
+/// The error of each format that suits the table, over the images of its database in green.
+#[must_use]
+pub fn measure(table: &Table, lights: &Lights, materials: &Materials) -> Vec<Rounding> {
+    let (lights, materials) = fitted(table, lights, materials);
+    let normals: Vec<[f64; 3]> = rings(SPACING).iter().flat_map(Ring::normals).collect();
+    let pairs = lights.entries.len() * materials.entries.len();
+    let numbers: usize = table.profiles.iter().map(|profile| profile.factors.len()).sum();
+    let count = (PRODUCTS / (8 * numbers).max(1 << 16)).clamp(LEAST.min(pairs), pairs);
+    // Spread evenly over the pairs, so that all lights and materials occur.
+    let chosen: Vec<[Vec<f64>; 2]> = (0..count)
+        .map(|k| k * pairs / count)
+        .map(|pair| {
+            let (light, material) =
+                (pair / materials.entries.len(), pair % materials.entries.len());
+            [lights.entries[light].rgb[1].clone(), materials.entries[material].rgb[1].clone()]
+        })
+        .collect();
+    let degrees = [lights.degree, materials.order];
+    // Images outside the range of a format are skipped.
+    let Ok(exact) = floats::<f64>(table, degrees, &chosen, &normals) else {
+        return Vec::new();
+    };
+    let mut roundings = Vec::new();
+    for format in Format::ALL {
+        let images = match format {
+            Format::F32 => floats::<f32>(table, degrees, &chosen, &normals).ok(),
+            Format::Integer(quantize::Format::Q15) => {
+                integers::<Q15>(table, degrees, &chosen, &normals)
+            }
+            Format::Integer(quantize::Format::Q31) => {
+                integers::<Q31>(table, degrees, &chosen, &normals)
+            }
+        };
+        let Some(images) = images else { continue };
+        let mut rounding = Rounding { format, largest: 0.0, rms: 0.0 };
+        for (found, exact) in images.iter().zip(&exact) {
+            let peak = exact.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+            if peak == 0.0 {
+                continue;
+            }
+            let off: Vec<f64> =
+                found.iter().zip(exact).map(|(a, b)| (a - b).abs() / peak).collect();
+            let square: f64 = off.iter().map(|off| off * off).sum();
+            rounding.largest = off.iter().copied().fold(rounding.largest, f64::max);
+            rounding.rms = rounding.rms.max((square / off.len() as f64).sqrt());
+        }
+        roundings.push(rounding);
+    }
+    roundings
+}
+
+/// A warning if a format causes a visible error in a table's images.
+#[must_use]
+pub fn warning(table: &Table, format: Format) -> Option<String> {
+    let Rounding { largest, rms, .. } = table.rounding(format)?;
+    (*largest > UNSEEN).then(|| {
+        format!(
+            "warning: rounding to {} costs up to {largest:.1e} of an image's peak (rms {rms:.1e}) \
+             over the table's database; use another format, or a table with fewer components",
+            format.name()
+        )
+    })
+}
+
+type Images = Vec<Vec<f64>>;
+
+fn floats<S: Scalar + Into<f64>>(
+    table: &Table,
+    [degree, order]: [usize; 2],
+    pairs: &[[Vec<f64>; 2]],
+    normals: &[[f64; 3]],
+) -> Result<Images> {
+    let basis = OwnedBasis::<S>::new(table);
+    let any = basis.any().map_err(fault)?;
+    let mut shader = Shader::new(any, usize::MAX).with_transfers(basis.transfers());
+    let normals = OwnedNormals::<S>::new(normals);
+    let image = |[light, material]: &[Vec<f64>; 2]| {
+        let image = shader.polynomial((degree, light), (order, material), &normals)?;
+        Ok(image.into_iter().map(Into::into).collect())
+    };
+    pairs.iter().map(image).collect()
+}
+
+/// `None` if integers do not suit the table.
+fn integers<Q: Integer>(
+    table: &Table,
+    [degree, order]: [usize; 2],
+    pairs: &[[Vec<f64>; 2]],
+    normals: &[[f64; 3]],
+) -> Option<Images> {
+    let mut shader = IntegerShader::<Q>::new(table, usize::MAX).ok()?;
+    let normals = integer_shader::normals(normals).ok()?;
+    let image = |[light, material]: &[Vec<f64>; 2]| {
+        shader.polynomial((degree, light), (order, material), &normals).ok()
+    };
+    pairs.iter().map(image).collect()
+}
