@@ -3,7 +3,7 @@
 
 #[cfg(feature = "relight")]
 use crate::table::TRANSFER;
-use crate::table::{BASIS, COMPONENTS, DEGREE, ORDER, SCENE, WORKSPACE};
+use crate::table::{BASIS, COMPONENTS, SCENE, WORKSPACE};
 use crate::{LIGHT, MATERIAL, Shared};
 use eigenshade::{Light, Material, Scene};
 

@@ -1,7 +1,7 @@
 //! Integers: transfer, relighting, collapsing and shading. Every function returns 1, or 0 if its
 //! input is missing or invalid.
 
-use crate::table::{COMPONENTS, DEGREE, ORDER};
+use crate::table::{COMPONENTS, ORDER};
 use crate::{LIGHT, LIGHT_COUNT, MATERIAL, MATERIAL_COUNT, NORMALS, Shared};
 use eigenshade::Format;
 use eigenshade::quantized::{Light, Material, Normal, Scene, Transfer};
