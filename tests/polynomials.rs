@@ -84,7 +84,7 @@ fn normals() -> Vec<[f64; 3]> {
         .collect()
 }
 
-/// What the firmware's full scene leaves out, components and terms together: the root of
+/// The parts that the firmware's full scene leaves out, components and terms together: the root of
 /// the mean square error over the root of the mean square of the images' peaks, lights
 /// scaled to L_0^0 = 1.
 #[test]

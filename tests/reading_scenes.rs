@@ -321,7 +321,7 @@ fn light_and_evidence_are_the_dense_formulas_for_objects() {
     }
 }
 
-/// Pixels of which the images of modes are looked at: every one of so many.
+/// The images of modes are compared at one pixel in this many.
 const STEP: usize = 15;
 
 /// √W Σ c_s E_s at some of the object's normals.

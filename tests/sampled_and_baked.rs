@@ -74,7 +74,7 @@ fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
     })
 }
 
-/// Look-ups with so many knots: knots, rms of linear and of cubic ones, of the peak, each of the
+/// Sampled scenes by number of knots: knots, rms of linear and of cubic ones, of the peak, each of the
 /// median image and of the worst: linear falls by four, cubic by sixteen at best, down to the
 /// rounding of f32.
 const LOOKUP: [(usize, [f64; 2], [f64; 2]); 4] = [

@@ -28,7 +28,7 @@ use std::f64::consts::PI;
 /// Images over an object by d against the direct sum, in amplitude, of |L| |b|: modes whose images
 /// over the sphere are below 1e-13 are in no span, at one normal of the rim they are a thousand
 /// times that, and an image has a tenth of them; 1.5e-13 was the most in a thousand random objects.
-/// What the rank's cut-off takes comes on top.
+/// The part that the rank's cut-off removes comes on top.
 const OBJECT_PARSEVAL: f64 = 1e-12;
 
 /// A small scene of the sample, with its selection of modes, whose light turns like this.

@@ -115,7 +115,7 @@ pub fn strangers(sample: &Sample) -> ([Vec<f64>; 2], [Vec<f64>; 2]) {
 /// An object, by what it is made from.
 #[derive(Clone, Debug)]
 pub enum Shape {
-    /// So many normals of all directions, weights over so many decades.
+    /// The number of normals in all directions, and of decades that the weights span.
     Any(usize, f64),
     /// So many normals on a half circle, tilted by this.
     Line(usize, f64),

@@ -1,4 +1,4 @@
-//! What the tests of reading share: dense formulas by another library, how far two lists of numbers
+//! Shared by the tests of reading: dense formulas by another library, how far two lists of numbers
 //! are apart, an object of some hundred normals with the runtime over its pixels, and part of a
 //! sphere's image with the shipped scene cut small.
 #![allow(dead_code, reason = "each test takes the parts that it needs")]

@@ -8,7 +8,7 @@ use std::time::Instant;
 /// other programs run few measurements are interrupted, and the median is of none.
 const MEASUREMENT: f64 = 3e-4;
 
-/// One way to do a thing; it is told the round.
+/// A method to be timed. Its argument is the number of the round.
 pub struct Way<'a>(Box<dyn FnMut(usize) + 'a>);
 
 impl<'a> Way<'a> {

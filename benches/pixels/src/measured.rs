@@ -165,7 +165,7 @@ pub fn timed(images: &[Image]) -> Times {
     Times { ways: times.collect(), multiply_add }
 }
 
-/// What is asked of a program that runs under callgrind, before a tolerance and coefficients.
+/// The first argument of a program under callgrind; a tolerance and coefficients follow.
 pub const SHADE: &str = "shade";
 
 /// Instructions of a pixel or a call beside those that it cannot do without.

@@ -86,7 +86,7 @@ fn pictures_of_velvet() {
 /// Half of full scale, less a half.
 const SAMPLE: [u8; 2] = [127, 255];
 
-/// What a PNG declares.
+/// The header fields of a PNG.
 #[derive(Clone, Copy, Debug, Default)]
 struct Declared {
     srgb: bool,

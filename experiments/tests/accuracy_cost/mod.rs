@@ -141,7 +141,7 @@ fn beats(a: (f64, f64), b: (f64, f64)) -> bool {
     a.0 <= b.0 && a.1 <= b.1 && (a.0 < b.0 || a.1 < b.1)
 }
 
-/// What the other tests take from the program as given.
+/// The constants that the other tests use from the program.
 #[test]
 fn limits_and_machines_are_those_of_the_page() {
     assert_eq!(LIMITS, [0.1, 0.05, 0.01, 3e-3, 1e-3, 1e-4, 1e-5]);

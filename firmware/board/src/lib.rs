@@ -1,4 +1,4 @@
-//! What a program needs on an emulated board: start-up code, output and its end by semihosting and
+//! Support for a program on an emulated board: start-up code, output and its end by semihosting and
 //! without `core::fmt`, an instruction count and the depth of the stack.
 //!
 //! The target determines the board: see `memory/`.

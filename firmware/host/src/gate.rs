@@ -74,7 +74,7 @@ impl Linked {
     }
 }
 
-/// What is not allowed, and whether a symbol's name belongs to it.
+/// A forbidden kind of symbol, and whether a name belongs to it.
 type Gate = (&'static str, fn(&str) -> bool);
 
 const GATES: [Gate; 4] = [

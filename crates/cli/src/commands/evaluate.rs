@@ -91,7 +91,7 @@ pub enum Function {
     IrradianceMode,
 }
 
-/// What is wrong with a point, and the remedy.
+/// The error of a point, and the remedy.
 type Fault = (String, String);
 
 type Checked<T> = std::result::Result<T, Fault>;

@@ -1,4 +1,4 @@
-//! What the readers of mesh files share: the triangles that they return, text lines of limited
+//! Shared by the readers of mesh files: the triangles that they return, text lines of limited
 //! length, and the error for a broken file.
 
 use eigenshade_model::error::{Error, Result};
