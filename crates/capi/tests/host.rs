@@ -13,12 +13,17 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{env, fs};
 
-/// Builds the static library with checked arithmetic. The one that Cargo builds for the tests has a
-/// hash in its name.
+/// The static library, with checked arithmetic: the newest of those that Cargo built beside this
+/// test, which depends on it. Its name ends in a hash.
 fn library() -> PathBuf {
-    run(Command::new(env!("CARGO")).args(["build", "--quiet", "-p", env!("CARGO_PKG_NAME")]));
-    let target = Path::new(env!("CARGO_TARGET_TMPDIR")).parent().expect("the target directory");
-    target.join("debug/libeigenshade_capi.a")
+    let test = env::current_exe().expect("the path of this test");
+    let folder = fs::read_dir(test.parent().expect("a folder")).expect("the folder of this test");
+    let libraries = folder.map(|entry| entry.expect("an entry").path()).filter(|path| {
+        let name = path.file_name().map(|name| name.to_string_lossy());
+        name.is_some_and(|name| name.starts_with("libeigenshade_capi-") && name.ends_with(".a"))
+    });
+    let modified = |path: &PathBuf| fs::metadata(path).and_then(|of| of.modified()).ok();
+    libraries.max_by_key(modified).expect("a static library beside this test")
 }
 
 /// Runs a command that must succeed, and returns its output.
