@@ -113,7 +113,7 @@ pub struct General {
 pub struct MaterialTransfer {
     /// The material's name.
     pub name: String,
-    /// The [`fingerprint`](crate::reduce::fingerprint) of the material's coefficients.
+    /// The checksum of the material's coefficients, by `reduce::fingerprint`.
     pub fingerprint: u32,
     /// T for each profile and each l = |m|..=degree.
     pub numbers: Vec<f64>,
