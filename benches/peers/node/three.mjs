@@ -99,10 +99,10 @@ const IMAGES = {
 };
 
 /** Root mean square of the difference over all channels, of the peak. */
-function error({ truth }, image, isMatte) {
+function error({ reference }, image, isMatte) {
   let [both, own, peak, squares] = [0, 0, 0, 0];
   const each = (visit) =>
-    truth.forEach((channel, c) => channel.forEach((value, k) => visit(value, image[c][k], task.weights[k])));
+    reference.forEach((channel, c) => channel.forEach((value, k) => visit(value, image[c][k], task.weights[k])));
   each((value, found, weight) => {
     both += weight * value * found;
     own += weight * found * found;
