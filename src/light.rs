@@ -92,31 +92,9 @@ impl<'a, S> Light<'a, S> {
 
 /// The degree of a light with this number of coefficients.
 ///
-/// Inlined, so that a length known at compile time costs nothing. A new light is a few hundred
-/// instructions; counting up to the usual degrees would add a tenth to them.
-#[inline(always)]
+/// Inlined, so that the compiler counts where it knows the length.
+#[inline]
 pub(crate) const fn degree(found: usize) -> Result<usize, Error> {
-    match found {
-        1 => Ok(0),
-        4 => Ok(1),
-        9 => Ok(2),
-        16 => Ok(3),
-        25 => Ok(4),
-        36 => Ok(5),
-        49 => Ok(6),
-        64 => Ok(7),
-        81 => Ok(8),
-        100 => Ok(9),
-        121 => Ok(10),
-        144 => Ok(11),
-        169 => Ok(12),
-        _ => counted(found),
-    }
-}
-
-/// [`degree`] for any number.
-#[cold]
-const fn counted(found: usize) -> Result<usize, Error> {
     let (mut degree, mut count) = (0, 1);
     while count < found {
         degree += 1;

@@ -83,29 +83,8 @@ impl<'a, S> Material<'a, S> {
 }
 
 /// The order of a material with this number of coefficients: as [`degree`](crate::light::degree).
-#[inline(always)]
+#[inline]
 pub(crate) const fn order(found: usize) -> Result<usize, Error> {
-    match found {
-        1 => Ok(0),
-        2 => Ok(1),
-        5 => Ok(2),
-        8 => Ok(3),
-        14 => Ok(4),
-        20 => Ok(5),
-        30 => Ok(6),
-        40 => Ok(7),
-        55 => Ok(8),
-        70 => Ok(9),
-        91 => Ok(10),
-        112 => Ok(11),
-        140 => Ok(12),
-        _ => counted(found),
-    }
-}
-
-/// [`order`] for any number.
-#[cold]
-const fn counted(found: usize) -> Result<usize, Error> {
     let (mut order, mut count) = (0, 1);
     while count < found {
         order += 1;

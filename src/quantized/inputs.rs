@@ -86,11 +86,12 @@ impl<'a, Q: FixedPoint> Light<'a, Q> {
     /// unless `to` has the same length, [`Error::NotFinite`] for the first number that is infinite
     /// or NaN, which no integer can represent.
     pub fn quantize(from: &[f32], to: &'a mut [Q]) -> Result<Self, Error> {
-        degree(from.len())?;
+        let degree = degree(from.len())?;
         Error::check(Argument::Light, from.len(), to.len())?;
         check_finite(Argument::Light, from)?;
+        // From -127 to 113: no float needs another exponent.
         let exponent = quantize(from, to);
-        Self::new(exponent, to)
+        Ok(Self { degree, exponent, mantissas: to })
     }
 }
 
@@ -116,7 +117,7 @@ impl<'a, Q: FixedPoint> Material<'a, Q> {
             *exponent = quantize(of_order, places).clamp(-127, 127) as i8;
             (from, rest) = (after, places_after);
         }
-        Self::new(exponents, to)
+        Ok(Self { order, exponents, mantissas: to })
     }
 }
 
