@@ -1,7 +1,7 @@
 //! Every number format against the f64 sum of the same components, over every light on
 //! every material of the database, all channels.
 //!
-//! The truth is summed mode by mode from the table's rows of UᵀM, and its Chebyshev
+//! The reference is summed mode by mode from the table's rows of UᵀM, and its Chebyshev
 //! series; nothing of it is the runtime's.
 
 use crate::tolerances;

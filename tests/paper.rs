@@ -78,7 +78,7 @@ fn the_direct_sum_is_the_integral() {
     assert!(worst <= tolerances::DIRECT_SUM, "{worst}");
 }
 
-/// Largest |I| of the truth, on 20 slants by 40 tilts.
+/// Largest |I| of the reference, on 20 slants by 40 tilts.
 fn peak(reference: &DirectSum, light: &[f64], material: &[f64]) -> f64 {
     let mut peak: f64 = 0.0;
     for normal in grid(20, 40) {
@@ -109,7 +109,7 @@ fn all_components_in_f32_are_the_direct_sum() {
     let reference = DirectSum::new(9, 7);
     let (lights, materials) =
         (luminances(&loaded.lights.entries), luminances(&loaded.materials.entries));
-    // What the device is given is the truth's input, rounded.
+    // The device is given the reference's input, rounded.
     let to_f32 = |values: &[f64]| values.iter().map(|&value| value as f32).collect::<Vec<_>>();
     let normals: Vec<[f32; 3]> =
         grid(14, 24).iter().map(|normal| normal.map(|value| value as f32)).collect();

@@ -15,7 +15,7 @@ use proptest::prelude::*;
 use std::f64::consts::TAU;
 
 /// The same of series whose recurrences are rounded to f32, 6e-8: polynomials are as orthogonal.
-const ECONOMY_RECURRENCES: f64 = 1e-7;
+const RECURRENCE_ROUNDING: f64 = 1e-7;
 
 /// A scene of a matte under light of degree 2 within 1e-3 of the peak against the nine-term
 /// formula, of the peak: what is left out has no part in nine terms, so what remains is the
@@ -24,13 +24,13 @@ const NINE_TERMS: f64 = 3e-5;
 
 /// What the bound of such a scene is at most, in the median, in errors: it is exact but for
 /// components that are left out, of which terms that are left out take a part along.
-const ECONOMY_MEDIAN: f64 = 1.1;
+const MEDIAN_BOUND_TO_ERROR: f64 = 1.1;
 
 const METHOD: &str = include_str!("../docs/method.md");
 
 type Numbers = [f32; sphere::SCENE];
 
-fn economized<'l>(
+fn truncated<'l>(
     d: &[f32],
     tolerance: Tolerance<f32>,
     lengths: &'l mut [u16],
@@ -41,18 +41,18 @@ fn economized<'l>(
 /// Checks one image; gives the bound over the error, and the terms.
 fn checked(d: &[f32], share: f32, image: &Image, rule: &[(Normal<f32>, f64)]) -> (f64, usize) {
     let mut lengths = [0; 16];
-    let (scene, economy) = economized(d, Tolerance::OfPeak(share), &mut lengths);
+    let (scene, report) = truncated(d, Tolerance::OfPeak(share), &mut lengths);
     let error = image.apart(&scene, rule);
-    let bound = f64::from(economy.bound);
-    let rounding = tolerances::ECONOMY_ROUNDING * image.peak;
+    let bound = f64::from(report.bound);
+    let rounding = tolerances::TRUNCATION_ROUNDING * image.peak;
     assert!(error <= bound + rounding, "{error:e} of {bound:e} at {share}");
-    assert!(economy.bound <= share * economy.peak * 1.000_01, "{economy:?}");
+    assert!(report.bound <= share * report.peak * 1.000_01, "{report:?}");
     assert!(
-        f64::from(economy.peak) <= image.peak * tolerances::ECONOMY_PEAK,
-        "{economy:?}, {}",
+        f64::from(report.peak) <= image.peak * tolerances::TRUNCATION_PEAK,
+        "{report:?}, {}",
         image.peak
     );
-    (bound / error, economy.terms)
+    (bound / error, report.terms)
 }
 
 #[test]
@@ -88,7 +88,7 @@ fn bounds_hold_and_are_near_over_the_shipped_set() {
         for (stated, found) in stated.zip(found) {
             assert!((stated - found).abs() <= tolerances::STATED * found, "{line}: {found}");
         }
-        assert!(ratios[middle] <= ECONOMY_MEDIAN, "{share}: {}", ratios[middle]);
+        assert!(ratios[middle] <= MEDIAN_BOUND_TO_ERROR, "{share}: {}", ratios[middle]);
     }
 }
 
@@ -100,9 +100,9 @@ fn a_matte_costs_nine_terms() {
     let light: Vec<f32> = (0..9).map(|k| 3.5 / (1.0 + k as f32)).collect();
     let d = coefficients(&light, &MATTE);
     let mut lengths = [0; 16];
-    let (scene, economy) = economized(&d, Tolerance::OfPeak(1e-2), &mut lengths);
-    println!("{economy:?}");
-    assert!(economy.terms <= 9 && economy.azimuths <= 3, "{economy:?}");
+    let (scene, report) = truncated(&d, Tolerance::OfPeak(1e-2), &mut lengths);
+    println!("{report:?}");
+    assert!(report.terms <= 9 && report.azimuths <= 3, "{report:?}");
     let rule = rule();
     let image = Image::new(&d, &rule);
     assert!(image.apart(&scene, &rule) <= 1e-2 * image.peak);
@@ -132,15 +132,15 @@ fn a_matte_is_shaded_as_by_the_nine_term_formula() {
     let light: Vec<f32> = (0..9).map(|k| 3.5 / (1.0 + k as f32)).collect();
     let d = coefficients(&light, &MATTE);
     let mut lengths = [0; 16];
-    let (scene, economy) = economized(&d, Tolerance::OfPeak(1e-3), &mut lengths);
+    let (scene, report) = truncated(&d, Tolerance::OfPeak(1e-3), &mut lengths);
     let mut worst: f64 = 0.0;
     for (normal, _) in rule() {
         let expected = nine_terms(&light, normal.components().map(f64::from));
         worst = worst.max((f64::from(scene.shade(normal)) - expected).abs());
     }
-    println!("{economy:?}, {:e}", worst / f64::from(economy.peak));
-    assert!(economy.terms <= 9 && economy.azimuths <= 3, "{economy:?}");
-    assert!(worst <= NINE_TERMS * f64::from(economy.peak), "{worst}");
+    println!("{report:?}, {:e}", worst / f64::from(report.peak));
+    assert!(report.terms <= 9 && report.azimuths <= 3, "{report:?}");
+    assert!(worst <= NINE_TERMS * f64::from(report.peak), "{worst}");
 }
 
 /// Where the formula is near enough, a pixel costs no more than by the formula, but for one product
@@ -163,9 +163,9 @@ fn a_matte_costs_no_more_than_nine_terms_where_they_are_enough() {
         let formula = squares.sum::<f64>().sqrt() / image.peak;
         let share = formula.max(1e-2);
         let mut lengths = [0; 16];
-        let (_, economy) = economized(&d, Tolerance::OfPeak(share as f32), &mut lengths);
-        let cost = products(&lengths[..economy.azimuths]);
-        println!("{}: {share:.4}, {cost}: {:?}", entry.name, &lengths[..economy.azimuths]);
+        let (_, report) = truncated(&d, Tolerance::OfPeak(share as f32), &mut lengths);
+        let cost = products(&lengths[..report.azimuths]);
+        println!("{}: {share:.4}, {cost}: {:?}", entry.name, &lengths[..report.azimuths]);
         if cost > products(&[3, 2, 1]) {
             dearer.push((&entry.name, share, cost));
         }
@@ -190,8 +190,8 @@ fn slices_of_short_scenes_are_shaded_as_their_normals() {
         let d = coefficients(light, material);
         for share in [0.3, 0.1, 1e-2, 1e-3, 1e-4, 1e-6] {
             let mut lengths = [0; 16];
-            let (scene, economy) = economized(&d, Tolerance::OfPeak(share), &mut lengths);
-            terms.push(economy.terms);
+            let (scene, report) = truncated(&d, Tolerance::OfPeak(share), &mut lengths);
+            terms.push(report.terms);
             for count in [0, 1, 23, 24, 63, 64, 65, 200] {
                 let normals: Vec<_> = (0..count)
                     .map(|k| {
@@ -207,7 +207,7 @@ fn slices_of_short_scenes_are_shaded_as_their_normals() {
                 let mut shaded = vec![f32::NAN; count];
                 scene.shade_slice(slices, &mut shaded).expect("one length");
                 for (normal, shaded) in normals.iter().zip(shaded) {
-                    assert_eq!(scene.shade(*normal), shaded, "{economy:?}");
+                    assert_eq!(scene.shade(*normal), shaded, "{report:?}");
                 }
             }
         }
@@ -221,18 +221,18 @@ fn slices_of_short_scenes_are_shaded_as_their_normals() {
 fn ambient_light_on_a_matte_is_a_constant() {
     let d = coefficients(&[3.5], &MATTE);
     let mut lengths = [0; 16];
-    let (_, economy) = economized(&d, Tolerance::Decibels(60), &mut lengths);
-    assert_eq!((economy.azimuths, economy.terms), (1, 1), "{economy:?}");
+    let (_, report) = truncated(&d, Tolerance::Decibels(60), &mut lengths);
+    assert_eq!((report.azimuths, report.terms), (1, 1), "{report:?}");
 }
 
 #[test]
 fn decibels_are_shares() {
     let d = coefficients(&[3.5, 0.5, 1.0, 0.2], &MATTE);
     let (mut one, mut other) = ([0; 16], [0; 16]);
-    let (_, decibels) = economized(&d, Tolerance::Decibels(40), &mut one);
-    let (_, share) = economized(&d, Tolerance::OfPeak(0.01), &mut other);
+    let (_, decibels) = truncated(&d, Tolerance::Decibels(40), &mut one);
+    let (_, share) = truncated(&d, Tolerance::OfPeak(0.01), &mut other);
     assert_eq!(decibels, share);
-    let (_, irradiance) = economized(&d, Tolerance::Irradiance(0.01 * share.peak), &mut other);
+    let (_, irradiance) = truncated(&d, Tolerance::Irradiance(0.01 * share.peak), &mut other);
     assert_eq!(irradiance, share);
 }
 
@@ -256,8 +256,8 @@ fn faults_are_named() {
 fn a_black_image_costs_nothing() {
     let mut lengths = [0; 16];
     let black = [0.0; sphere::COMPONENTS];
-    let (scene, economy) = economized(&black, Tolerance::OfPeak(0.1), &mut lengths);
-    assert_eq!((economy.terms, economy.azimuths, economy.components), (0, 0, 0));
+    let (scene, report) = truncated(&black, Tolerance::OfPeak(0.1), &mut lengths);
+    assert_eq!((report.terms, report.azimuths, report.components), (0, 0, 0));
     assert_eq!(scene.shade(Normal::new(0.0, 0.6, 0.8).expect("visible")), 0.0);
 }
 
@@ -289,7 +289,7 @@ fn bounds_hold_of_long_series() {
     for share in [1e-1, 1e-2, 1e-3, 1e-4, 1e-6] {
         let mut lengths = [0; 32];
         let within = basis.collapse_within(&d, Tolerance::OfPeak(share), &mut lengths, room());
-        let (scene, economy) = within.expect("sizes");
+        let (scene, report) = within.expect("sizes");
         let squares = gauss_legendre(40, 0.0, 1.0).into_iter().flat_map(|(z, weight)| {
             let sine = (1.0 - z * z).sqrt();
             let (scene, whole) = (&scene, &whole);
@@ -302,14 +302,14 @@ fn bounds_hold_of_long_series() {
         let error = squares.sum::<f64>().sqrt();
         println!(
             "{share}: {error:e} of {:e}, {} of {}",
-            economy.bound,
-            economy.terms,
+            report.bound,
+            report.terms,
             basis.scene_len()
         );
-        assert!(error <= economy.bound * (1.0 + ECONOMY_RECURRENCES));
-        assert!(economy.bound <= 1.000_01 * share * economy.peak);
-        assert!(economy.terms < basis.scene_len());
-        fewer = fewer.min(economy.terms);
+        assert!(error <= report.bound * (1.0 + RECURRENCE_ROUNDING));
+        assert!(report.bound <= 1.000_01 * share * report.peak);
+        assert!(report.terms < basis.scene_len());
+        fewer = fewer.min(report.terms);
     }
     // A tenth of the peak is met by powers.
     assert!(fewer <= 16, "{fewer}");

@@ -8,7 +8,7 @@ use images::{Image, coefficients, products, rule, single};
 
 /// Products of a pixel within a tolerance, over the fewest that any lengths need: in the mean, and
 /// of any image. Terms go at few prices, and none comes back.
-const ECONOMY_FEWEST: [f64; 2] = [1.02, 1.25];
+const OF_FEWEST: [f64; 2] = [1.02, 1.25];
 
 /// The least share of images in per cent whose pixels take the fewest products, and the most
 /// products of any over its fewest, which `docs/method.md` quotes.
@@ -76,11 +76,11 @@ fn a_pixel_costs_little_more_than_the_least_possible() {
                 let (mut lengths, tolerance) = ([0; 16], Tolerance::OfPeak(share));
                 let room = [0.0f32; sphere::SCENE];
                 let within = sphere::BASIS.collapse_within(&d, tolerance, &mut lengths, room);
-                let economy = within.expect("sizes").1;
-                let allowed = f64::from(share * economy.peak).powi(2);
-                let components = f64::from(economy.left_out_by_components).powi(2);
+                let report = within.expect("sizes").1;
+                let allowed = f64::from(share * report.peak).powi(2);
+                let components = f64::from(report.left_out_by_components).powi(2);
                 let least = fewest(&losses, allowed - components);
-                let cost = products(&lengths[..economy.azimuths]);
+                let cost = products(&lengths[..report.azimuths]);
                 found.push(if cost == least { 1.0 } else { cost as f64 / least.max(1) as f64 });
             }
         }
@@ -92,8 +92,8 @@ fn a_pixel_costs_little_more_than_the_least_possible() {
         let least = 100.0 * found.iter().filter(|&&ratio| ratio <= 1.0).count() as f64 / count;
         let mean = found.iter().sum::<f64>() / count;
         println!("{share}: {least:.0} % the least, mean {mean:.4}, worst {worst:.3}");
-        assert!(mean <= ECONOMY_FEWEST[0], "{share}: {mean}");
-        assert!(worst <= ECONOMY_FEWEST[1], "{share}: {worst}");
+        assert!(mean <= OF_FEWEST[0], "{share}: {mean}");
+        assert!(worst <= OF_FEWEST[1], "{share}: {worst}");
         (fewest, most) = (fewest.min(least), most.max(worst));
     }
     assert_eq!([format!("{fewest:.0}"), format!("{most:.1}")], STATED);

@@ -33,7 +33,7 @@ pub const ANY_D_COMMON: f64 = 2e-9;
 
 /// A bound against its parts, and what components are said to leave out against the sum of their
 /// squares, of the bound: roundings of f32 of sums of some hundred squares.
-pub const ECONOMY_PARTS: f64 = 2e-6;
+pub const TRUNCATED_PARTS: f64 = 2e-6;
 
 /// RRᵀ of any rotation in f32: sixteen roundings, and those of the sum itself.
 pub const ORTHONORMAL_F32: f64 = 1.2e-6;

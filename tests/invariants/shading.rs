@@ -77,7 +77,7 @@ pub fn collapse_sets(input: &mut Reader<'_>) {
         if !is_moderate {
             continue;
         }
-        let rounding = super::ECONOMY_PARTS as f32;
+        let rounding = super::TRUNCATED_PARTS as f32;
         let within = report.bound <= share * report.peak * (1.0 + rounding);
         assert!(report.bound.is_finite() && within, "{report:?}");
         let parts = report.left_out_by_components.hypot(report.left_out_by_terms);

@@ -16,7 +16,7 @@ fn black_images_and_none_cost_nothing() {
     let (both, alone) =
         (Chosen::new(&[black, lit.clone()], 1, tolerance), Chosen::new(&[lit], 1, tolerance));
     assert_eq!((both.components, both.lengths), (alone.components, alone.lengths));
-    assert_eq!((both.economies[0].bound, both.economies[1]), (0.0, alone.economies[0]));
+    assert_eq!((both.reports[0].bound, both.reports[1]), (0.0, alone.reports[0]));
 }
 
 /// Coefficients times a number.
@@ -38,7 +38,7 @@ fn exposure_changes_nothing() {
             (found.components, found.lengths),
             (expected.components, expected.lengths.clone())
         );
-        for (found, expected) in found.economies.iter().zip(&expected.economies) {
+        for (found, expected) in found.reports.iter().zip(&expected.reports) {
             assert_eq!(found.bound, scale * expected.bound);
         }
     }
@@ -121,7 +121,7 @@ fn faults_are_named() {
     let shaped = |lengths: &[u16]| {
         let shape = Shape { components: 50, lengths, recurrences: Recurrences::NONE };
         let made = sphere::BASIS.collapse_as(&set[0], shape, [0.0; sphere::SCENE]);
-        made.map(|(_, economy)| economy.terms)
+        made.map(|(_, report)| report.terms)
     };
     assert_eq!(shaped(&[3, 2, 1, 0]), Ok(9));
     assert_eq!(shaped(&[]), Ok(0));
@@ -139,13 +139,13 @@ fn what_is_not_finite_is_told() {
     bad[3] = f32::NAN;
     let of = sphere::Coefficients::from;
     let apart = Chosen::new(&[good, bad].map(of), 1, Tolerance::OfPeak(1e-2));
-    assert!(apart.economies[0].peak.is_finite() && apart.economies[1].peak.is_nan());
+    assert!(apart.reports[0].peak.is_finite() && apart.reports[1].peak.is_nan());
     let channels = Chosen::new(&[bad, good].map(of), 2, Tolerance::OfPeak(1e-2));
-    assert!(channels.economies.iter().all(|report| report.peak.is_nan()));
+    assert!(channels.reports.iter().all(|report| report.peak.is_nan()));
     // Too bright to be shaded: nothing is left out of it.
     let bright = [f32::MAX; sphere::COMPONENTS];
     let whole = Chosen::new(&[good, bright].map(of), 2, Tolerance::OfPeak(1e-2));
-    assert!(whole.economies.iter().all(|report| !report.peak.is_finite()));
+    assert!(whole.reports.iter().all(|report| !report.peak.is_finite()));
     let kept = (whole.components, whole.shape().terms());
     assert_eq!(kept, (sphere::COMPONENTS, sphere::SCENE));
 }
@@ -159,7 +159,7 @@ fn a_peak_is_of_all_channels() {
     let set = [bright.clone(), dark.clone(), dark.clone()];
     let color = Chosen::new(&set, 3, Tolerance::OfPeak(1e-2));
     let each = Chosen::new(&set, 1, Tolerance::OfPeak(1e-2));
-    let peaks = |chosen: &Chosen| chosen.economies.iter().map(|one| one.peak).collect::<Vec<_>>();
+    let peaks = |chosen: &Chosen| chosen.reports.iter().map(|one| one.peak).collect::<Vec<_>>();
     assert_eq!(peaks(&color), [peaks(&each)[0]; 3]);
     assert!(peaks(&each)[1] < 2e-3 * peaks(&each)[0]);
     // The bright channel decides: it is the set of itself.

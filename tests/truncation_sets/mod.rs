@@ -18,15 +18,15 @@ use proptest::prelude::*;
 
 /// Such a scene's error in f64 beyond its bound, of the bound: they are equal where all
 /// components stay, but for some hundred roundings, 1e-14.
-const ECONOMY_PARSEVAL: f64 = 1e-12;
+const PARSEVAL: f64 = 1e-12;
 
 /// The same of the images of a set in one shape, most of which are off by less than they may be:
 /// their bounds are of what they lack all the same.
-const ECONOMY_SET_MEDIAN: f64 = 1.1;
+const MEDIAN_BOUND_TO_ERROR: f64 = 1.1;
 
 /// A bound against its parts, and what components are said to leave out against the sum of their
 /// squares, of the bound: roundings of f32 of sums of some hundred squares.
-const ECONOMY_PARTS: f64 = 2e-6;
+const TRUNCATED_PARTS: f64 = 2e-6;
 
 const METHOD: &str = include_str!("../../docs/method.md");
 
@@ -36,21 +36,21 @@ type Rule = [(Normal<f32>, f64)];
 struct Chosen {
     components: usize,
     lengths: Vec<u16>,
-    economies: Vec<Truncation<f32>>,
+    reports: Vec<Truncation<f32>>,
     buffer: Vec<f32>,
 }
 
 impl Chosen {
     fn new(set: &[sphere::Coefficients], channels: usize, tolerance: Tolerance<f32>) -> Self {
         let mut lengths = [0; 16];
-        let mut economies = vec![Truncation::default(); set.len()];
+        let mut reports = vec![Truncation::default(); set.len()];
         let mut buffer = vec![0.0; set.len() * sphere::SCENE];
-        let (room, report) = (&mut buffer, &mut economies);
+        let (room, report) = (&mut buffer, &mut reports);
         let shape = sphere::BASIS
             .collapse_set_within(set, channels, tolerance, &mut lengths, room, report)
             .expect("sizes");
         let (components, lengths) = (shape.components, shape.lengths.to_vec());
-        Self { components, lengths, economies, buffer }
+        Self { components, lengths, reports, buffer }
     }
 
     fn shape(&self) -> Shape<'_> {
@@ -92,26 +92,26 @@ fn checked(
             color.iter().map(move |_| peak)
         })
         .collect();
-    for (k, (economy, image)) in chosen.economies.iter().zip(images).enumerate() {
+    for (k, (report, image)) in chosen.reports.iter().zip(images).enumerate() {
         let scene = shape.scene(&chosen.buffer[k * sphere::SCENE..]).expect("enough");
         let error = image.apart(&scene, &rule);
-        let (bound, peak) = (f64::from(economy.bound), f64::from(economy.peak));
-        let rounding = tolerances::ECONOMY_ROUNDING * image.peak;
+        let (bound, peak) = (f64::from(report.bound), f64::from(report.peak));
+        let rounding = tolerances::TRUNCATION_ROUNDING * image.peak;
         assert!(error <= bound + rounding, "{error:e} of {bound:e} at {share}");
-        assert!(bound <= f64::from(share) * peak * 1.000_01, "{economy:?}");
-        assert!(peak <= peaks[k] * tolerances::ECONOMY_PEAK, "{economy:?}, {}", peaks[k]);
-        let parts = [economy.left_out_by_components, economy.left_out_by_terms];
+        assert!(bound <= f64::from(share) * peak * 1.000_01, "{report:?}");
+        assert!(peak <= peaks[k] * tolerances::TRUNCATION_PEAK, "{report:?}, {}", peaks[k]);
+        let parts = [report.left_out_by_components, report.left_out_by_terms];
         let parts = parts.into_iter().map(f64::from).fold(0.0, f64::hypot);
-        assert!((parts - bound).abs() <= ECONOMY_PARTS * bound, "{economy:?}");
-        let of_components = beyond(&set[k], economy.components).sqrt();
-        let report = f64::from(economy.left_out_by_components);
-        assert!((report - of_components).abs() <= ECONOMY_PARTS * bound, "{economy:?}");
-        let kept = (economy.components, economy.azimuths, economy.terms);
+        assert!((parts - bound).abs() <= TRUNCATED_PARTS * bound, "{report:?}");
+        let of_components = beyond(&set[k], report.components).sqrt();
+        let stated = f64::from(report.left_out_by_components);
+        assert!((stated - of_components).abs() <= TRUNCATED_PARTS * bound, "{report:?}");
+        let kept = (report.components, report.azimuths, report.terms);
         assert_eq!(kept, (chosen.components, chosen.lengths.len(), shape.terms()));
         // The same scene by itself, and the same bound; its peak is its own.
         let again = sphere::BASIS.collapse_as(&set[k], shape, [0.0; sphere::SCENE]).expect("sizes");
         let same = (f64::from(again.1.bound) - bound).abs();
-        assert!(same <= ECONOMY_PARTS * bound + rounding, "{economy:?}, {again:?}");
+        assert!(same <= TRUNCATED_PARTS * bound + rounding, "{report:?}, {again:?}");
         assert!((image.apart(&again.0, &rule) - error).abs() <= rounding);
         ratios.push(bound / error);
     }
@@ -129,11 +129,11 @@ fn checked(
             lengths: &lengths,
             recurrences: Recurrences::NONE,
         };
-        let breaks = set.iter().zip(images).zip(&chosen.economies).any(|((d, image), economy)| {
+        let breaks = set.iter().zip(images).zip(&chosen.reports).any(|((d, image), report)| {
             let terms = error_in(d, shorter, image, &rule);
             let bound = (terms * terms + beyond(d, chosen.components)).sqrt();
-            let rounding = tolerances::ECONOMY_ROUNDING * image.peak;
-            bound + rounding > f64::from(share * economy.peak)
+            let rounding = tolerances::TRUNCATION_ROUNDING * image.peak;
+            bound + rounding > f64::from(share * report.peak)
         });
         assert!(breaks, "{:?} could lose a term of {azimuth} at {share}", chosen.lengths);
     }
@@ -170,7 +170,7 @@ fn check_sets(what: &str, channels: usize, sets: &[Vec<sphere::Coefficients>]) {
         let (terms, most) = middle(&mut terms);
         let (ratio, worst) = middle(&mut ratios);
         println!("| {what} | {share} | {terms} | {most} | {ratio:.2} | {worst:.2} |");
-        assert!(ratio <= ECONOMY_SET_MEDIAN, "{what} at {share}: {ratio}");
+        assert!(ratio <= MEDIAN_BOUND_TO_ERROR, "{what} at {share}: {ratio}");
         lines.push((share, [terms as f64, most as f64, ratio, worst]));
     }
     let (_, table) = METHOD.split_once("<!-- sets: ").expect("the table's start");
@@ -231,12 +231,12 @@ fn a_set_of_one_is_that_image_within_its_tolerance() {
         let d = on(light, material);
         for tolerance in [Tolerance::OfPeak(1e-2), Tolerance::Decibels(60)] {
             let mut lengths = [0; 16];
-            let (scene, economy) = sphere::BASIS
+            let (scene, report) = sphere::BASIS
                 .collapse_within(&d, tolerance, &mut lengths, [0.0f32; sphere::SCENE])
                 .expect("sizes");
             let set = Chosen::new(std::slice::from_ref(&d), 1, tolerance);
-            assert_eq!(set.economies, [economy]);
-            assert_eq!(set.lengths.len(), economy.azimuths);
+            assert_eq!(set.reports, [report]);
+            assert_eq!(set.lengths.len(), report.azimuths);
             let of_set = set.shape().scene(&set.buffer).expect("enough");
             for (normal, _) in rule() {
                 assert_eq!(scene.shade(normal), of_set.shade(normal));
@@ -284,13 +284,13 @@ fn of_all_components_bounds_are_of_the_direct_sum() {
         let direct: Vec<_> = (0..set.len()).map(of).collect();
         for share in [0.1, 1e-2, 1e-3, 1e-4] {
             let mut lengths = [0; 16];
-            let mut economies = vec![Truncation::default(); set.len()];
+            let mut reports = vec![Truncation::default(); set.len()];
             let mut buffer = vec![0.0; set.len() * len];
-            let (room, report) = (&mut buffer, &mut economies);
+            let (room, report) = (&mut buffer, &mut reports);
             let shape = basis
                 .collapse_set_within(&set, 1, Tolerance::OfPeak(share), &mut lengths, room, report)
                 .expect("sizes");
-            for (k, (numbers, economy)) in buffer.chunks_exact(len).zip(&economies).enumerate() {
+            for (k, (numbers, report)) in buffer.chunks_exact(len).zip(&reports).enumerate() {
                 let scene = shape.scene(numbers).expect("enough");
                 let squares =
                     vectors.iter().zip(&direct[k]).map(|(&([x, y, z], weight), direct)| {
@@ -298,16 +298,16 @@ fn of_all_components_bounds_are_of_the_direct_sum() {
                         weight * (scene.shade(normal) - direct).powi(2)
                     });
                 let error = squares.sum::<f64>().sqrt();
-                let table = tolerances::ALL_COMPONENTS * economy.peak;
-                assert!(error <= economy.bound + table, "{error:e}, {economy:?}");
-                assert!(economy.bound <= share * economy.peak * (1.0 + ECONOMY_PARSEVAL));
-                ratios.push(economy.bound / error);
+                let table = tolerances::ALL_COMPONENTS * report.peak;
+                assert!(error <= report.bound + table, "{error:e}, {report:?}");
+                assert!(report.bound <= share * report.peak * (1.0 + PARSEVAL));
+                ratios.push(report.bound / error);
             }
         }
     }
     let (ratio, worst) = middle(&mut ratios);
     println!("{} components: {ratio:.3}, {worst:.2}", basis.components());
-    assert!(ratio <= ECONOMY_SET_MEDIAN, "{ratio}");
+    assert!(ratio <= MEDIAN_BOUND_TO_ERROR, "{ratio}");
 }
 
 proptest! {

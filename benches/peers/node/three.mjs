@@ -174,5 +174,4 @@ const ways = [
   mattes: errors(way, task.mattes, false),
   measured_materials: errors(way, task.measured_materials, way !== "full"),
 }));
-const versions = `three.js r${three.REVISION}, Node ${process.version}.`;
-console.log(JSON.stringify({ versions, ways }));
+console.log(JSON.stringify({ ways }));

@@ -1,5 +1,5 @@
 //! Pixels in Node: our WebAssembly module against three.js. `node/three.mjs` measures; its
-//! scenes and their truth come from here.
+//! scenes and their reference images come from here.
 
 use crate::report::median_and_worst;
 use crate::report::{Row, Table, standing};
@@ -37,7 +37,6 @@ struct Case {
 /// What it answers.
 #[derive(Deserialize)]
 struct Answer {
-    versions: String,
     ways: Vec<Way>,
 }
 
@@ -86,18 +85,16 @@ pub fn table(shipped: &Shipped, measured: bool) -> Result<Table, Box<dyn Error>>
 
     let mut table = Table {
         title: "A pixel in Node",
-        note: format!(
-            "Three channels, one normal after the other. three.js's `SphericalHarmonics3.getIrradianceAt` takes a `Vector3` and fills \
-             one, in f64; our module with SIMD takes all x, y and z in f32, channel by channel: the formula of nine terms as it has it to compare \
-             with, and the full scene, by the bare export and by `shade`, which checks and copies. Errors: rms of the peak, against \
-             the direct sum (15) over all modes, of the {} lights on a white matte and of {PAIRS} on measured materials, three.js \
-             with the albedo that brings each picture nearest to the truth. {}",
-            lights.len(),
-            answer.versions
-        ),
-        heads: ["time of three.js", "who is ahead", "mattes", "at worst", "measured", "at worst"]
-            .map(String::from)
-            .to_vec(),
+        heads: [
+            "time relative to three.js",
+            "who is ahead",
+            "matte: rms error",
+            "worst",
+            "measured: rms error",
+            "worst",
+        ]
+        .map(String::from)
+        .to_vec(),
         rows: Vec::new(),
     };
     for way in answer.ways {

@@ -35,12 +35,7 @@ pub fn table(measured: bool) -> Result<Table, Box<dyn Error>> {
         csv::Reader::from_path(path)?.deserialize().collect::<Result<_, _>>()?;
     let mut table = Table {
         title: "Spherical harmonics",
-        note: "All values up to a degree in one direction, f64: `spherical_harmonic::all` of the generator, and `HarmonicsSet::eval` of sphrs; \
-               both take a unit vector and give a `Vec`. Errors are the largest, against values of 25 digits at poles, near \
-               them and elsewhere. sphrs takes factorials in 64 bits, which overflow where l + abs(m) > 20: its \
-               values of higher degrees are wrong, so its time there is that of wrong values."
-            .into(),
-        heads: ["time of ours", "who is ahead", "error"].map(String::from).to_vec(),
+        heads: ["relative time", "who is ahead", "error"].map(String::from).to_vec(),
         rows: Vec::new(),
     };
     let directions: Vec<[f64; 3]> =

@@ -82,16 +82,7 @@ pub fn measured(shipped: &Shipped, measured: bool) -> Table {
 
     let mut table = Table {
         title: "A pixel of a measured material",
-        note: format!(
-            "One channel, f32, over {PIXELS} normals held ready, set-up not counted. The formula of nine terms (Ramamoorthi and Hanrahan \
-             2001) takes each material for a matte, of the albedo that brings that very picture nearest to the truth. The modes' sum \
-             over the {} of the highest variance is a dense product of the modes of {HELD} normals held ready, 4 KB a normal, the best of \
-             the six ways above; or evaluates the modes at each normal, by the generator in f64, not made for speed. A scene within a tolerance \
-             differs from picture to picture: each round takes another of {PAIRS} pairs. Errors: rms of the peak, against the direct \
-             sum (15) over all modes in f64, median and worst of those pairs.",
-            names.len()
-        ),
-        heads: ["time of nine terms", "who is ahead", "rms error", "at worst"]
+        heads: ["time relative to nine terms", "who is ahead", "rms error", "worst"]
             .map(String::from)
             .to_vec(),
         rows: Vec::new(),
@@ -124,7 +115,7 @@ pub fn measured(shipped: &Shipped, measured: bool) -> Table {
     table
 }
 
-/// The image times what brings it nearest to the truth: no albedo serves the formula better.
+/// The image times what brings it nearest to the reference: no albedo serves the formula better.
 fn with_best_albedo(image: &[f64], reference: &[f64], weights: &[f64]) -> Vec<f64> {
     let (mut both, mut own) = (0.0, 0.0);
     for ((image, reference), weight) in image.iter().zip(reference).zip(weights) {
@@ -165,13 +156,7 @@ pub fn matte(shipped: &Shipped, measured: bool) -> Table {
 
     let mut table = Table {
         title: "A pixel of a white matte",
-        note: format!(
-            "As above, of f = 1/π under the {} shipped lights: to degree 2, which is all that the formula takes, and to degree {}. Its \
-             coefficients are exact.",
-            shipped.lights.len(),
-            sphere::DEGREE
-        ),
-        heads: ["time of nine terms", "who is ahead", "rms error", "at worst"]
+        heads: ["time relative to nine terms", "who is ahead", "rms error", "worst"]
             .map(String::from)
             .to_vec(),
         rows: Vec::new(),

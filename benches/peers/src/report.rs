@@ -67,9 +67,7 @@ pub fn median_and_worst(errors: &[f64]) -> [Option<f64>; 2] {
 /// One comparison.
 pub struct Table {
     pub title: &'static str,
-    /// What is compared with what.
-    pub note: String,
-    /// Heads of the columns after that of the ways: times first, then errors.
+    /// Headers of the columns after the method: times first, then errors.
     pub heads: Vec<String>,
     pub rows: Vec<Row>,
 }
@@ -124,7 +122,7 @@ pub fn standing(ours: &str, theirs: &str, factor: f64) -> String {
 
 impl Table {
     pub fn markdown(&self) -> String {
-        let mut text = format!("### {}\n\n{}\n\n| way | ", self.title, self.note);
+        let mut text = format!("### {}\n\n| method | ", self.title);
         text += &self.heads.join(" | ");
         text += " |\n|---|---:|---";
         text += &"|---:".repeat(self.heads.len() - 2);
@@ -225,15 +223,15 @@ fn of_build() -> &'static str {
     if cfg!(target_feature = "neon") { "NEON" } else { "its own" }
 }
 
-/// One sentence for each.
+/// The machine and the versions of the libraries.
 pub fn described() -> String {
     let libraries = ["faer", "nalgebra", "ndarray", "sphrs"].map(|name| {
         let version = version(name).unwrap_or("?");
         format!("{name} {version}")
     });
     format!(
-        "{}, one core. The processor has {}, the build may take {}; faer and ndarray choose theirs when they run. {}, ndarray \
-         without BLAS.",
+        "{}, one core. The processor has {}; the build uses {}, and faer and ndarray choose at\n\
+         run time. {}; ndarray without BLAS.",
         std::env::consts::ARCH,
         of_processor(),
         of_build(),

@@ -1,4 +1,4 @@
-//! The shipped table, lights and materials, and a sample of their pairs with the truth of
+//! The shipped table, lights and materials, and a sample of their pairs with the reference images of
 //! each: the direct sum (15) over all 3,704 modes in f64.
 
 use eigenshade::{Light, Material, NineTerms, Normal, Scene, sphere};
@@ -151,7 +151,7 @@ impl View {
         self.normals.iter().map(at).collect()
     }
 
-    /// Root mean square of the difference over a sphere, of the peak of the truth.
+    /// Root mean square of the difference over a sphere, of the peak of the reference.
     pub fn error(&self, reference: &[f64], image: &[f64]) -> f64 {
         let peak = reference.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
         let squares = reference.iter().zip(image).zip(&self.weights);

@@ -52,12 +52,12 @@ pub fn scene<'l>(d: &[f32], share: Option<f32>, lengths: &'l mut [u16]) -> (Show
         return (scene, lengths.take_while(|&length| length > 0).collect());
     };
     let found = sphere::BASIS.collapse_within(d, Tolerance::OfPeak(share), lengths, room);
-    let (scene, economy) = found.expect("sizes");
+    let (scene, report) = found.expect("sizes");
     // The scene borrows them.
     let mut copy = [0; 16];
     let room = [0.0; sphere::SCENE];
     sphere::BASIS.collapse_within(d, Tolerance::OfPeak(share), &mut copy, room).expect("sizes");
-    (scene, copy[..economy.azimuths].to_vec())
+    (scene, copy[..report.azimuths].to_vec())
 }
 
 /// The images of the page.

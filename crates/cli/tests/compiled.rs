@@ -134,7 +134,7 @@ const COMPARE_INTEGERS: &str = r#"
             let transfer = NAME::transfer(&material).unwrap();
             let general = NAME::BASIS
                 .transfer::<{ NAME::WORKSPACE }, { NAME::TRANSFER }, { NAME::PROFILES }>(&material);
-            assert_eq!(transfer, general.unwrap(), "NAME, fold, {seed}, {rise}");
+            assert_eq!(transfer, general.unwrap(), "NAME, transfer, {seed}, {rise}");
             let d = NAME::relight(&transfer.view(), &light).unwrap();
             let general = NAME::BASIS.relight::<{ NAME::COMPONENTS }>(&transfer.view(), &light);
             assert_eq!(d, general.unwrap(), "NAME, relight, {seed}, {rise}");
@@ -317,11 +317,11 @@ fn tables_without_a_wire_file_are_refused() {
     }
     let stored = scene("image-centered", 10, "[]") + "store = \"materials\"\n";
     folder.write("scene.toml", stored);
-    folder.ok("basis --scene scene.toml --out folded.bin");
+    folder.ok("basis --scene scene.toml --out materials.bin");
     assert_fails(
         &folder,
-        "pack folded.bin --out v.esw",
-        &["folded.bin: ", "store = \"projection\""],
+        "pack materials.bin --out v.esw",
+        &["materials.bin: ", "store = \"projection\""],
     );
     assert_fails(&folder, "pack scene.toml --out v.esw", &["not an eigenshade table"]);
     assert_fails(&folder, "pack b.bin --out none/v.esw", &["none/v.esw", "folder exists"]);

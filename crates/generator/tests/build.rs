@@ -65,9 +65,9 @@ fn faults_leave_nothing_behind() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().join("table.rs");
     let sphere = "normals = \"sphere\"";
-    let folded = "criterion = \"image-centered\"\ncomponents = 4\nstore = \"materials\"";
+    let of_materials = "criterion = \"image-centered\"\ncomponents = 4\nstore = \"materials\"";
     for (basis, words) in [
-        (folded, ["scene.toml: ", "store = \"projection\""]),
+        (of_materials, ["scene.toml: ", "store = \"projection\""]),
         ("criterion = \"image-centered\"", ["scene.toml: ", "either components or tolerance"]),
         ("criterion = \"of mine\"\ncomponents = 4", ["scene.toml:11: ", "of mine"]),
     ] {

@@ -73,7 +73,7 @@ impl Table {
                     let fingerprint = fingerprint(coefficients);
                     let known = |one: &MaterialTransfer| one.fingerprint == fingerprint;
                     if !self.transfers.iter().any(known) {
-                        let numbers = self.folded(&rows, coefficients);
+                        let numbers = self.transferred(&rows, coefficients);
                         let name = name.to_owned();
                         self.transfers.push(MaterialTransfer { name, fingerprint, numbers });
                     }
@@ -96,7 +96,7 @@ impl Table {
     }
 
     /// T of one channel of a material, computed from the rows of UᵀM.
-    fn folded(&self, rows: &[Vec<f64>], coefficients: &[f64]) -> Vec<f64> {
+    fn transferred(&self, rows: &[Vec<f64>], coefficients: &[f64]) -> Vec<f64> {
         let (degree, order) = (self.gram.degree, self.gram.order);
         let mut numbers = Vec::with_capacity(self.transfer_length());
         for (profile, row) in self.profiles.iter().zip(rows) {

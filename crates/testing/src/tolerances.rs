@@ -148,11 +148,11 @@ pub const HIGH_PIXELS_F32: f64 = 2e-5;
 /// A scene within a tolerance against the sum component by component, both in f32, relative to the
 /// peak: about a hundred roundings of 6e-8 of numbers a few times the peak, and as many in
 /// converting powers to orthogonal polynomials and back.
-pub const ECONOMY_ROUNDING: f64 = 4e-7;
+pub const TRUNCATION_ROUNDING: f64 = 4e-7;
 
 /// The largest of a scene's 41 pixels, relative to the largest of about 3,100 others, 2 and 6
 /// degrees apart: an image of degree 9 changes by no more between them.
-pub const ECONOMY_PEAK: f64 = 1.02;
+pub const TRUNCATION_PEAK: f64 = 1.02;
 
 /// 8-bit normals scaled to length 1: median rms, worst rms and worst pixel, relative to the peak. A
 /// direction is off by up to 0.4 % of a radian, and images change by a few peaks per radian.

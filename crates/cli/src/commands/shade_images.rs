@@ -113,9 +113,9 @@ impl Images {
         self.colors(out, |channels| {
             let shaded = shader.within(&channels, &normals, tolerance)?;
             let mut rgb = [const { Vec::new() }; 3];
-            for (channel, (irradiance, economy)) in rgb.iter_mut().zip(shaded) {
+            for (channel, (irradiance, report)) in rgb.iter_mut().zip(shaded) {
                 *channel = irradiance;
-                chosen.push(economy);
+                chosen.push(report);
             }
             Ok(rgb)
         })?;

@@ -155,7 +155,7 @@ pub fn chosen(
     let (mean, mean_coefficients) = match criterion {
         Criterion::ImageCentered => (Vec::new(), Vec::new()),
         Criterion::Standard => {
-            let mean = span.image(&span.fold(&table.gram, &material.mean), &light.mean);
+            let mean = span.image(&span.transfer(&table.gram, &material.mean), &light.mean);
             let coefficients = &projection * column(&mean);
             (mean, coefficients.col(0).iter().copied().collect())
         }
@@ -240,16 +240,16 @@ fn deviations(
     let mut columns = Vec::new();
     for (material, root) in materials.rooted() {
         let scaled: Vec<f64> = material.iter().map(|b| root * b).collect();
-        let folded = span.fold(gram, &scaled);
+        let transfer = span.transfer(gram, &scaled);
         let vectors = match criterion {
             Criterion::ImageCentered => &light.second,
             Criterion::Standard => &light.centered,
         };
-        columns.extend(vectors.iter().map(|vector| span.image(&folded, vector)));
+        columns.extend(vectors.iter().map(|vector| span.image(&transfer, vector)));
         if criterion == Criterion::Standard {
             let deviations = material.iter().zip(&materials.mean);
             let deviation: Vec<f64> = deviations.map(|(b, mean)| root * (b - mean)).collect();
-            columns.push(span.image(&span.fold(gram, &deviation), &light.mean));
+            columns.push(span.image(&span.transfer(gram, &deviation), &light.mean));
         }
     }
     Mat::from_fn(span.dimension(), columns.len(), |k, t| columns[t][k])

@@ -58,7 +58,7 @@ pub struct Function {
 
 /// A material's images under every harmonic: profiles for each |m|, indexed by l from |m|.
 #[derive(Clone, Debug)]
-pub struct Folded(Vec<Mat<f64>>);
+pub struct SpanTransfer(Vec<Mat<f64>>);
 
 impl Span {
     /// The span of the kept modes of `gram`.
@@ -175,29 +175,29 @@ impl Span {
 
     /// The images of a material with coefficients b in the order of [`material`].
     #[must_use]
-    pub fn fold(&self, gram: &GramFactor, coefficients: &[f64]) -> Folded {
+    pub fn transfer(&self, gram: &GramFactor, coefficients: &[f64]) -> SpanTransfer {
         let of_azimuth = |(azimuth, of): (usize, &Azimuth)| {
             let modes = mode::indices(gram.degree, gram.order, azimuth);
-            let mut folded = Mat::zeros(of.profiles.ncols(), gram.degree + 1 - azimuth);
+            let mut transfer = Mat::zeros(of.profiles.ncols(), gram.degree + 1 - azimuth);
             for (s, (l, o, p, q)) in modes.enumerate() {
                 let b = coefficients[material::position(o, p, q)];
-                for k in 0..folded.nrows() {
-                    folded[(k, l - azimuth)] += b * of.modes[(k, s)];
+                for k in 0..transfer.nrows() {
+                    transfer[(k, l - azimuth)] += b * of.modes[(k, s)];
                 }
             }
-            folded
+            transfer
         };
-        Folded(self.azimuths.iter().enumerate().map(of_azimuth).collect())
+        SpanTransfer(self.azimuths.iter().enumerate().map(of_azimuth).collect())
     }
 
-    /// Coordinates of the image of a light on a folded material. The light has the span's degree.
+    /// Coordinates of the image of a light on a transferred material. The light has the span's degree.
     #[must_use]
-    pub fn image(&self, folded: &Folded, light: &[f64]) -> Vec<f64> {
+    pub fn image(&self, transfer: &SpanTransfer, light: &[f64]) -> Vec<f64> {
         self.functions()
             .map(|Function { order, profile }| {
                 let azimuth = order.unsigned_abs() as usize;
                 let sign = if order < 0 && order % 2 != 0 { -1.0 } else { 1.0 };
-                let of_azimuth = &folded.0[azimuth];
+                let of_azimuth = &transfer.0[azimuth];
                 let sum: f64 = (azimuth..=self.degree)
                     .map(|l| {
                         of_azimuth[(profile, l - azimuth)]

@@ -61,7 +61,7 @@ impl Transfers {
     /// order are ignored.
     #[must_use]
     pub fn of(&self, coefficients: &[f64]) -> Mat<f64> {
-        let folded: Vec<Vec<f64>> = self
+        let by_profile: Vec<Vec<f64>> = self
             .rows
             .iter()
             .map(|row| {
@@ -75,7 +75,7 @@ impl Transfers {
         let mut transfer = Mat::zeros(self.components.len(), light::count(self.degree));
         for (i, &(m, profile)) in self.components.iter().enumerate() {
             for l in m.unsigned_abs() as usize..=self.degree {
-                transfer[(i, light::position(l, m as isize))] = sign(m) * folded[profile][l];
+                transfer[(i, light::position(l, m as isize))] = sign(m) * by_profile[profile][l];
             }
         }
         match &self.projection {
