@@ -12,9 +12,9 @@ const SHADE: &str =
 /// the rms error relative to the largest irradiance. It is the interpolation error of such smooth
 /// images; cubics reach the rounding of f32.
 const METHODS: [(&str, f64); 7] = [
-    ("--method table --knots 32 --interpolation linear", 1.5e-5),
-    ("--method table --knots 128 --interpolation linear", 8e-7),
-    ("--method table --knots 128 --interpolation cubic", 1e-7),
+    ("--method sampled --knots 32 --interpolation linear", 1.5e-5),
+    ("--method sampled --knots 128 --interpolation linear", 8e-7),
+    ("--method sampled --knots 128 --interpolation cubic", 1e-7),
     ("--method baked --size 32 --interpolation linear", 1.2e-4),
     ("--method baked --size 64 --interpolation linear", 2.5e-5),
     ("--method baked --size 128 --interpolation linear", 7e-6),
@@ -56,10 +56,10 @@ fn methods_are_as_exact_as_they_can_be() {
     folder.write("knots.toml", scene);
     folder.ok("basis --scene knots.toml --out knots.bin");
     let shade = format!("shade {PAIR} --normals normals.csv");
-    let of_scene = folder.ok(&format!("{shade} knots.bin --method table"));
-    assert_eq!(of_scene, folder.ok(&format!("{shade} b.bin --method table --knots 32")));
+    let of_scene = folder.ok(&format!("{shade} knots.bin --method sampled"));
+    assert_eq!(of_scene, folder.ok(&format!("{shade} b.bin --method sampled --knots 32")));
     for (short, long) in [
-        ("--method table", "--method table --knots 256 --interpolation cubic"),
+        ("--method sampled", "--method sampled --knots 256 --interpolation cubic"),
         ("--method baked", "--method baked --size 64 --interpolation linear"),
     ] {
         assert_eq!(folder.shaded(short), folder.shaded(long));
@@ -164,7 +164,7 @@ fn integers_agree_with_the_direct_sum() {
         println!("{format}: {found:e}");
         assert!(found <= most, "{format}: {found:e}");
         let shade = format!("{SHADE} --format {format} --out new.csv --method");
-        for method in ["eigen", "table", "baked"] {
+        for method in ["eigen", "sampled", "baked"] {
             assert_fails(&folder, &format!("{shade} {method}"), &["polynomial"]);
         }
         assert_fails(&folder, &format!("{shade} modes"), &["f64"]);
@@ -239,11 +239,11 @@ fn tolerances_are_refused_where_they_cannot_hold() {
 fn options_of_other_methods_are_errors() {
     let folder = Folder::with_table();
     for (options, fragments) in [
-        ("--knots 64", ["--knots", "--method table"]),
-        ("--method baked --knots 64", ["--knots", "--method table"]),
-        ("--method table --size 64", ["--size", "--method baked"]),
-        ("--interpolation linear", ["--interpolation", "--method table"]),
-        ("--method table --interpolation nearest", ["nearest", "linear or cubic"]),
+        ("--knots 64", ["--knots", "--method sampled"]),
+        ("--method baked --knots 64", ["--knots", "--method sampled"]),
+        ("--method sampled --size 64", ["--size", "--method baked"]),
+        ("--interpolation linear", ["--interpolation", "--method sampled"]),
+        ("--method sampled --interpolation nearest", ["nearest", "linear or cubic"]),
         ("--method baked --interpolation cubic", ["cubic", "nearest or linear"]),
     ] {
         assert_fails(&folder, &format!("{SHADE} {options}"), &fragments);

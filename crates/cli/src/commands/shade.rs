@@ -48,14 +48,14 @@ pub struct Shade {
     /// Rotate the light by Rz(A) Ry(B) Rz(C), radians
     #[arg(long, value_name = "A,B,C", value_parser = angles, allow_hyphen_values = true)]
     rotate: Option<Rotation>,
-    /// Method table: knots of each azimuth, 8 to 65536 [default: the scene's, or 64 times the
+    /// Method sampled: knots of each azimuth, 8 to 65536 [default: the scene's, or 64 times the
     /// degree, rounded up to a power of two]
     #[arg(long, value_name = "N", value_parser = count(8, 65_536))]
     knots: Option<usize>,
     /// Method baked: texels on each side, 2 to 4096 [default: 64]
     #[arg(long, value_name = "N", value_parser = count(2, 4_096))]
     size: Option<usize>,
-    /// Interpolation: linear or cubic for table [default: cubic], nearest or linear for baked
+    /// Interpolation: linear or cubic for sampled [default: cubic], nearest or linear for baked
     /// [default: linear]
     #[arg(long, value_enum)]
     interpolation: Option<Interpolation>,
@@ -100,7 +100,7 @@ enum Method {
     /// One polynomial for each azimuth, as on a device
     Polynomial,
     /// The polynomials sampled at --knots, and looked up
-    Table,
+    Sampled,
     /// The image baked on a paraboloid map of --size, and looked up
     Baked,
 }
@@ -216,32 +216,32 @@ impl Shade {
 
     /// How a pixel is computed. Options of another method are errors.
     fn way(&self, of_scene: Option<usize>, degree: usize) -> Result<Way> {
-        let (table, baked) = (self.method == Method::Table, self.method == Method::Baked);
+        let (sampled, baked) = (self.method == Method::Sampled, self.method == Method::Baked);
         let stray = |option: &str, method: &str| {
             let what = format!("{option} belongs to the method {method}, which is not selected");
             Err(Error::new(what, format!("leave {option} out, or use --method {method}")))
         };
-        if self.knots.is_some() && !table {
-            return stray("--knots", "table");
+        if self.knots.is_some() && !sampled {
+            return stray("--knots", "sampled");
         }
         if self.size.is_some() && !baked {
             return stray("--size", "baked");
         }
-        if self.interpolation.is_some() && !(table || baked) {
-            return stray("--interpolation", "table");
+        if self.interpolation.is_some() && !(sampled || baked) {
+            return stray("--interpolation", "sampled");
         }
         let knots = self.knots.or(of_scene).unwrap_or_else(|| enough_knots(degree));
         let size = self.size.unwrap_or(64);
         match (self.method, self.interpolation) {
             (Method::Eigen, _) => Ok(Way::Eigen),
-            (Method::Table, Some(Interpolation::Linear)) => {
+            (Method::Sampled, Some(Interpolation::Linear)) => {
                 Ok(Way::LookUp(LookUp::Linear { knots }))
             }
-            (Method::Table, None | Some(Interpolation::Cubic)) => {
+            (Method::Sampled, None | Some(Interpolation::Cubic)) => {
                 Ok(Way::LookUp(LookUp::Cubic { knots }))
             }
-            (Method::Table, Some(Interpolation::Nearest)) => Err(Error::new(
-                "the method table has no interpolation nearest",
+            (Method::Sampled, Some(Interpolation::Nearest)) => Err(Error::new(
+                "the method sampled has no interpolation nearest",
                 "use linear or cubic",
             )),
             (Method::Baked, Some(Interpolation::Nearest)) => {
