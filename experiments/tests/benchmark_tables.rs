@@ -3,32 +3,38 @@
 
 use crate::support::repository;
 use eigenshade_cli::table::compare::differences;
+use eigenshade_table::Table;
 use eigenshade_table::reduce::with_components;
 use eigenshade_table::trim::trim;
+use experiments::ablation::counts::Counts;
 use experiments::accuracy_cost::bases::Bases;
 use experiments::accuracy_cost::materials::Scope;
 use experiments::accuracy_cost::setting::Setting;
 use experiments::accuracy_cost::settings;
-use std::collections::{BTreeSet, HashMap};
+use std::collections::HashMap;
 use std::fs;
 
 /// Counts in the settings' file, of four digits, against those of the firmware, relative: half of
 /// the last digit of 1,000.
 const COUNTED: f64 = 5e-4;
 
-/// Words that a program holds besides a setting's folded material, d and scene: lengths and
+/// Words that a program holds besides a setting's transferred material, d and scene: lengths and
 /// exponents of each, and in 15 bits the room of a row that is padded.
 const HELD_WORDS: f64 = 16.0;
 
 type Row = HashMap<String, String>;
 
-/// Boards of the counts, and their columns in the settings' file.
-const BOARDS: [(&str, &str); 4] =
-    [("microbit", "m0"), ("mps2-an385", "m3"), ("mps2-an386", "m4f"), ("riscv32", "rv32")];
+/// Boards of the counts with their formats, and their columns in the settings' file.
+const BOARDS: [([&str; 2], &str); 5] = [
+    (["microbit", "q15"], "m0"),
+    (["mps2-an385", "q15"], "m3"),
+    (["mps2-an386", "q15"], "m4f"),
+    (["mps2-an386", "f32"], "m4f"),
+    (["riscv32", "q15"], "rv32"),
+];
 
 fn sheet(path: &str) -> Vec<Row> {
-    let path = repository().join(path);
-    let text = fs::read(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    let text = fs::read(repository().join(path)).unwrap_or_else(|error| panic!("{path}: {error}"));
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(&text[..]);
     reader.deserialize().map(|row| row.expect("a row")).collect()
 }
@@ -46,71 +52,42 @@ fn name(listed: &Row, format: &str) -> String {
     format!("9/7 K{}{trimmed} polynomial {format}", listed["components"])
 }
 
-fn count(row: &Row, column: &str) -> f64 {
+fn number(row: &Row, column: &str) -> f64 {
     row[column].parse().unwrap_or_else(|_| panic!("{column}: {row:?}"))
 }
 
-/// The counts of a table: board and format; a pixel, a new light, flash, RAM, stack.
-fn counts(name: &str) -> Vec<(String, String, [f64; 5])> {
-    let all = sheet("firmware/counts.csv");
-    let of = |operation: &str| -> Vec<&Row> {
-        let operation = format!("{name}/{operation}");
-        all.iter().filter(|row| row["operation"] == operation).collect()
-    };
-    let [pixels, lights, programs] = ["pixel", "light", "scene"].map(of);
-    assert!(pixels.len() == lights.len() && lights.len() == programs.len(), "{name}");
-    let rows = pixels.into_iter().zip(lights).zip(programs);
-    rows.map(|((pixel, light), program)| {
-        let key = |row: &Row| (row["board"].clone(), row["format"].clone());
-        assert!(key(pixel) == key(light) && key(light) == key(program), "{name}");
-        let instructions = [pixel, light].map(|row| count(row, "instructions"));
-        let bytes = ["flash_bytes", "ram_bytes", "stack_bytes"].map(|one| count(program, one));
-        let [pixel, light, flash, ram, stack] =
-            [instructions[0], instructions[1], bytes[0], bytes[1], bytes[2]];
-        let (board, format) = key(program);
-        (board, format, [pixel, light, flash, ram, stack])
-    })
-    .collect()
-}
-
 /// The page shows every count: on every board in 15 bits, and in f32 where there is a float unit.
+/// The programs hold what the setting's transferred material, d and scene take, and the lengths of
+/// these; another cut or another number of components would take another number of bytes.
 #[test]
 fn each_counted_table_is_a_setting_with_its_counts() {
-    let settings = sheet("docs/accuracy-cost/accuracy-cost.csv");
+    let (settings, counts) = (sheet("docs/accuracy-cost/accuracy-cost.csv"), Counts::recorded());
     for listed in benchmark_tables() {
-        let counts = counts(&listed["name"]);
-        let found: BTreeSet<[&str; 2]> =
-            counts.iter().map(|(board, format, _)| [board.as_str(), format.as_str()]).collect();
-        let mut expected: BTreeSet<[&str; 2]> = BOARDS.map(|(board, _)| [board, "q15"]).into();
-        expected.insert(["mps2-an386", "f32"]);
-        assert_eq!(found, expected, "{listed:?}");
-        for (board, format, [pixel, light, flash, ram, stack]) in &counts {
+        let of_table = format!("{}/", listed["name"]);
+        let rows = sheet("firmware/counts.csv");
+        let rows = rows.iter().filter(|row| row["operation"].starts_with(&of_table));
+        assert_eq!(rows.count(), 3 * BOARDS.len(), "{listed:?}");
+        for ([board, format], key) in BOARDS {
+            let count = |operation: &str, column| {
+                let found = counts.get([board, format], &format!("{of_table}{operation}"), column);
+                found.unwrap_or_else(|| panic!("{board} {format} {operation}")) as f64
+            };
+            let bytes = |column| count("scene", column);
             let name = name(&listed, format);
             let row = settings.iter().find(|row| row["setting"] == name);
             let row = row.unwrap_or_else(|| panic!("no setting {name}"));
-            let (_, key) = BOARDS.iter().find(|(one, _)| one == board).expect("a board");
-            for (column, expected) in
-                [("pixel", *pixel), ("light", *light), ("flash", *flash), ("ram", ram + stack)]
-            {
+            for (column, expected) in [
+                ("pixel", count("pixel", "instructions")),
+                ("light", count("light", "instructions")),
+                ("flash", bytes("flash_bytes")),
+                ("ram", bytes("ram_bytes") + bytes("stack_bytes")),
+            ] {
                 // The file has four digits of counts.
-                let found = count(row, &format!("{key}_{column}"));
+                let found = number(row, &format!("{key}_{column}"));
                 let near = (found / expected - 1.0).abs() <= COUNTED;
                 assert!(near, "{name}, {key}_{column}: {found}, {expected} was counted");
             }
-        }
-    }
-}
-
-/// The programs hold what the setting's folded material, d and scene take, and the lengths of
-/// these; another cut or another number of components would take another number of bytes.
-#[test]
-fn programs_hold_what_the_settings_say() {
-    let settings = sheet("docs/accuracy-cost/accuracy-cost.csv");
-    for listed in benchmark_tables() {
-        for (board, format, [_, _, _, ram, _]) in counts(&listed["name"]) {
-            let name = name(&listed, &format);
-            let row = settings.iter().find(|row| row["setting"] == name).expect("a setting");
-            let more = ram - count(row, "state_bytes");
+            let more = bytes("ram_bytes") - number(row, "state_bytes");
             let words = 4.0 * HELD_WORDS;
             assert!((0.0..=words).contains(&more), "{board}, {name}: {more} bytes more");
         }
@@ -127,35 +104,33 @@ fn tables_of_the_firmware_are_those_of_the_settings() {
         let found = all.iter().find(|one| one.setting.to_string() == name);
         found.unwrap_or_else(|| panic!("no setting {name}")).setting
     };
-    let tables: Vec<(Row, Setting)> = benchmark_tables()
-        .into_iter()
-        .map(|listed| {
-            let setting = setting_of(&listed, "f32");
-            assert_eq!(setting.recipe, setting_of(&listed, "q15").recipe);
-            (listed, setting)
-        })
-        .collect();
+    let tables = benchmark_tables();
+    let recipe = |listed: &Row| {
+        let setting = setting_of(listed, "f32");
+        assert_eq!(setting.recipe, setting_of(listed, "q15").recipe);
+        setting.recipe
+    };
     let scope = Scope::seen(9, 7).expect("the shipped data");
-    let bases = Bases::new(&scope, tables.iter().map(|(_, setting)| setting.recipe));
-    let bases = bases.expect("bases");
-    for (listed, setting) in &tables {
+    let bases = Bases::new(&scope, tables.iter().map(recipe)).expect("bases");
+    for listed in &tables {
         let path = repository().join("firmware/tables").join(&listed["file"]);
         let bytes = fs::read(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
         let whole = eigenshade_table::decode(&bytes).expect("a table");
-        let components = count(listed, "components") as usize;
+        let components = number(listed, "components") as usize;
         let mut table = with_components(&whole, |number, _| number < components);
         assert_eq!(table.components.len(), components);
-        let untrimmed: usize = table.profiles.iter().map(|one| one.chebyshev.len()).sum();
+        let terms =
+            |table: &Table| table.profiles.iter().map(|one| one.chebyshev.len()).sum::<usize>();
         if !listed["trim"].is_empty() {
-            trim(&mut table, count(listed, "trim"));
-            let terms: usize = table.profiles.iter().map(|one| one.chebyshev.len()).sum();
-            assert!(terms < untrimmed, "{setting}");
+            let untrimmed = terms(&table);
+            trim(&mut table, number(listed, "trim"));
+            assert!(terms(&table) < untrimmed, "{listed:?}");
         }
-        let expected = bases.table(&setting.recipe).expect("a basis");
+        let expected = bases.table(&recipe(listed)).expect("a basis");
         // A file may keep modes besides.
         table.scene.clone_from(&expected.scene);
         for difference in differences(&table, &expected).expect("two tables of one recipe") {
-            assert!(!difference.is_over(), "{setting}: {difference:?}");
+            assert!(!difference.is_over(), "{listed:?}: {difference:?}");
         }
     }
 }

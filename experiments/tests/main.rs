@@ -7,12 +7,12 @@ mod ablation_page;
 mod accuracy_cost;
 mod benchmark_tables;
 mod direct_integration;
-mod economy_floor;
 mod high_degree;
 mod paper_command;
 mod paper_oracle;
 mod paper_statements;
 mod reading_page;
+mod truncation_floor;
 
 use eigenshade_testing::{oracle, tolerances};
 use std::path::{Path, PathBuf};

@@ -1,47 +1,36 @@
 //! The conclusions of `docs/reading.md` hold for its figures, which `experiments reading --check`
 //! reproduces.
 
-use crate::support::repository;
 use crate::tolerances::REPORT;
+use std::collections::HashMap;
 use std::ops::Range;
 
-/// The numbers in the cells of a row, by table (estimates or scenes), components and image. Each
+/// The numbers in the cells of each row, by table (estimates or scenes), components and image. Each
 /// cell has a median and a worst error; the first two of a row of scenes are ranks.
-struct Tables([Vec<(String, Vec<[f64; 2]>)>; 2]);
+struct Tables([HashMap<String, Vec<[f64; 2]>>; 2]);
 
 impl Tables {
     fn recorded() -> Self {
-        let page = std::fs::read_to_string(repository().join("docs/reading.md")).expect("a page");
-        let table = |name: &str| {
-            let start = page.split_once(&format!("<!-- {name} -->\n")).expect("a marker").1;
-            let text = start.split_once("<!--").expect("an end").0;
-            let rows = text.lines().skip(2).map(|line| {
-                let cells: Vec<&str> = line.trim_matches('|').split('|').map(str::trim).collect();
-                let pair = |cell: &&str| {
-                    let words = cell.split([',', ' ']).filter_map(|word| word.parse().ok());
-                    let numbers: Vec<f64> = words.collect();
-                    [numbers.first(), numbers.last()].map(|n| n.copied().unwrap_or(f64::NAN))
-                };
-                (cells[..2].join(" "), cells[2..].iter().map(pair).collect())
-            });
-            rows.collect::<Vec<_>>()
+        let page = include_str!("../../docs/reading.md");
+        let row = |line: &str| {
+            let cells: Vec<&str> = line.trim_matches('|').split('|').map(str::trim).collect();
+            let pair = |cell: &&str| {
+                let mut numbers = cell.split([',', ' ']).filter_map(|word| word.parse().ok());
+                let first = numbers.next().unwrap_or(f64::NAN);
+                [first, numbers.next_back().unwrap_or(first)]
+            };
+            (cells[..2].join(" "), cells[2..].iter().map(pair).collect())
         };
-        Self(["estimates", "scenes"].map(table))
+        Self(["estimates", "scenes"].map(|name| {
+            let (_, start) = page.split_once(&format!("<!-- {name} -->\n")).expect("a marker");
+            start.split_once("<!--").expect("an end").0.lines().skip(2).map(row).collect()
+        }))
     }
 
-    fn row(&self, table: usize, name: &str) -> &[[f64; 2]] {
-        let found = self.0[table].iter().find(|row| row.0 == name);
-        &found.unwrap_or_else(|| panic!("no row {name}")).1
-    }
-
-    /// The errors of the image by scalar product, least squares and posterior mean.
-    fn image(&self, name: &str) -> [[f64; 2]; 3] {
-        self.row(0, name)[3..].try_into().expect("three methods")
-    }
-
-    /// The errors of d by the same methods.
-    fn d(&self, name: &str) -> [[f64; 2]; 3] {
-        self.row(0, name)[..3].try_into().expect("three methods")
+    /// The errors by scalar product, least squares and posterior mean: of d, then of the image.
+    fn errors(&self, name: &str) -> [[[f64; 2]; 3]; 2] {
+        let row = &self.0[0][name];
+        [&row[..3], &row[3..]].map(|cells| cells.try_into().expect("three methods"))
     }
 }
 
@@ -60,23 +49,23 @@ fn only_the_posterior_mean_completes_a_noisy_half() {
             ["half hidden, noise 1 %", "half hidden, noise 5 %", "unknown, half hidden, noise 1 %"]
         {
             let name = format!("{components} {image}");
-            for [_, squares, posterior] in [tables.d(&name), tables.image(&name)] {
+            for [_, squares, posterior] in tables.errors(&name) {
                 for (squares, posterior) in squares.iter().zip(posterior) {
                     assert!(3.0 * posterior < *squares, "{name}: {posterior} {squares}");
                 }
             }
             // 5 to 8 % of the peak, 29 % at worst; least squares 40 % and more.
-            let [_, squares, [median, worst]] = tables.image(&name);
+            let [_, [_, squares, [median, worst]]] = tables.errors(&name);
             assert!(median < 0.085 && worst < 0.295, "{name}: {median} {worst}");
             assert!(squares[0] > 0.4, "{name}: {squares:?}");
         }
     }
     // Without noise, all components: 1.0 %, 9 % at worst.
-    let [.., [median, worst]] = tables.image("218 half hidden");
+    let [_, [.., [median, worst]]] = tables.errors("218 half hidden");
     assert!(median < 0.0105 && worst < 0.095, "{median} {worst}");
     // d of 50 components: 17 % with noise, 24 % without, because the omitted ones are not white.
-    let [.., [noiseless, _]] = tables.d("50 half hidden");
-    let [.., [noisy, _]] = tables.d("50 half hidden, noise 1 %");
+    let [[.., [noiseless, _]], _] = tables.errors("50 half hidden");
+    let [[.., [noisy, _]], _] = tables.errors("50 half hidden, noise 1 %");
     assert!(noiseless >= 0.235 && noisy < 0.175, "{noiseless} {noisy}");
 }
 
@@ -85,20 +74,20 @@ fn on_a_whole_disc_statistics_help_all_components() {
     let tables = Tables::recorded();
     for components in ["50", "218"] {
         // 2 to 3 % of the peak by the scalar product, worst images included.
-        let [product, ..] = tables.image(&format!("{components} as it is"));
+        let [_, [product, ..]] = tables.errors(&format!("{components} as it is"));
         assert!(product.iter().all(|error| (0.02..0.04).contains(error)), "{product:?}");
     }
-    let [_, squares, posterior] = tables.d("50 noise 1 %");
+    let [[_, squares, posterior], _] = tables.errors("50 noise 1 %");
     assert!((squares[0] / posterior[0]).ln().abs() < REPORT, "{squares:?} {posterior:?}");
     // Least squares fit the noise.
-    let [_, squares, posterior] = tables.d("218 noise 1 %");
+    let [[_, squares, posterior], _] = tables.errors("218 noise 1 %");
     assert!(20.0 * posterior[0] < squares[0], "{squares:?} {posterior:?}");
     // The posterior mean's median image is better by 1.4 and 1.7, its worst is 2.2 and 1.4 times
     // that of least squares.
     let noises: [(&str, f64, Range<f64>); 2] =
         [("218 noise 1 %", 0.01, 2.0..2.5), ("218 noise 5 %", 0.05, 1.3..1.6)];
     for (name, noise, worst) in noises {
-        let [_, squares, posterior] = tables.image(name);
+        let [_, [_, squares, posterior]] = tables.errors(name);
         assert!(1.3 * posterior[0] < squares[0], "{name}: {squares:?} {posterior:?}");
         assert!(worst.contains(&(posterior[1] / squares[1])), "{name}: {squares:?} {posterior:?}");
         // √(218 / 3000) = 0.27 of the noise; 0.26 to 0.29.
@@ -122,7 +111,7 @@ fn materials_are_found_if_the_noise_is_small() {
         ("218 clipped, kept", 3.0),
         ("50 as it is", 17.0),
     ] {
-        assert_eq!(tables.row(1, name)[0], [first, 28.0], "{name}");
+        assert_eq!(tables.0[1][name][0], [first, 28.0], "{name}");
     }
 }
 
@@ -131,7 +120,7 @@ fn materials_are_found_if_the_noise_is_small() {
 fn the_light_is_found_to_degree_two() {
     let tables = Tables::recorded();
     // 14 %, 8 % if the material is known, and a third from the product in the posterior modes.
-    let noisy = tables.row(1, "218 noise 1 %");
+    let noisy = &tables.0[1]["218 noise 1 %"];
     for (cell, bound) in [(2, 0.145), (4, 0.085), (6, 0.34)] {
         assert!(noisy[cell][0] < bound, "{cell}: {noisy:?}");
     }

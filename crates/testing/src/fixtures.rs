@@ -1,7 +1,7 @@
 //! Scenes, lights, materials and normals shared by several tests.
 
-use crate::largest;
 use crate::oracle::Numbers;
+use crate::{largest, largest_difference};
 use eigenshade_generator::basis;
 use eigenshade_generator::scene_file::{self, Loaded};
 use eigenshade_index::{light, material};
@@ -85,29 +85,49 @@ pub fn normals(slants: &[f64], tilts: usize) -> Vec<[f64; 3]> {
     slants.iter().flat_map(|&alpha| (0..tilts).map(move |k| at(alpha, tilt(k)))).collect()
 }
 
+/// The normals of a sphere that fills a picture of this width, one for each pixel inside.
+pub fn disc(width: usize) -> Vec<[f64; 3]> {
+    let along = |k: usize| (2 * k + 1) as f64 / width as f64 - 1.0;
+    let pixels = (0..width * width).map(|k| (along(k % width), -along(k / width)));
+    let inside = pixels.filter(|(x, y)| x * x + y * y < 1.0);
+    inside.map(|(x, y)| [x, y, (1.0 - x * x - y * y).sqrt()]).collect()
+}
+
+/// A light, a material, and their irradiance at each normal.
+pub type Image = (Vec<f64>, Vec<f64>, Vec<f64>);
+
+/// The images of all lights on all materials by the direct sum, in luminance: sorted by material,
+/// then light.
+pub fn direct_images(lights: &Lights, materials: &Materials, normals: &[[f64; 3]]) -> Vec<Image> {
+    let reference = DirectSum::new(lights.degree, materials.order);
+    let modes: Vec<_> = normals.iter().map(|&normal| reference.at(normal)).collect();
+    let mut images = Vec::new();
+    for material in &materials.entries {
+        let material = material.luminance();
+        let scattered: Vec<_> = modes.iter().map(|modes| modes.scatter(&material)).collect();
+        for light in &lights.entries {
+            let light = light.luminance();
+            let seen = modes.iter().zip(&scattered).map(|(at, of)| at.irradiance(&light, of));
+            let seen = seen.collect();
+            images.push((light, material.clone(), seen));
+        }
+    }
+    images
+}
+
 /// The largest error of the whole basis in f64 against the direct sum, over the scene's lights and
 /// materials. Each error is relative to the image's peak.
 pub fn reconstruction_error(loaded: &Loaded, table: &Table) -> f64 {
     let projector = Projector::new(table);
-    let reference = DirectSum::new(loaded.lights.degree, loaded.materials.order);
     let normals = normals(&SLANTS, 12);
-    let modes: Vec<_> = normals.iter().map(|&normal| reference.at(normal)).collect();
-    let mut worst: f64 = 0.0;
-    for material in &loaded.materials.entries {
-        let b = material.luminance();
-        let scattered: Vec<_> = modes.iter().map(|modes| modes.scatter(&b)).collect();
-        for light in &loaded.lights.entries {
-            let l = light.luminance();
-            let expected: Vec<f64> =
-                modes.iter().zip(&scattered).map(|(at, of)| at.irradiance(&l, of)).collect();
-            let found = projector.shade(&projector.project(&l, &b), &normals);
-            let peak = largest(expected.iter().copied());
-            let error = largest(found.iter().zip(&expected).map(|(a, b)| a - b));
-            // A black image must stay black.
-            worst = largest([worst, if peak > 0.0 { error / peak } else { error }]);
-        }
-    }
-    worst
+    let images = direct_images(&loaded.lights, &loaded.materials, &normals);
+    largest(images.iter().map(|(light, material, expected)| {
+        let found = projector.shade(&projector.project(light, material), &normals);
+        let peak = largest(expected.iter().copied());
+        let error = largest_difference(&found, expected);
+        // A black image must stay black.
+        if peak > 0.0 { error / peak } else { error }
+    }))
 }
 
 /// A scene with the standard criterion.

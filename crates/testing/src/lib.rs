@@ -31,3 +31,16 @@ pub fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
         if value.is_nan() || value.abs() > most { value.abs() } else { most }
     })
 }
+
+/// The largest |a - b| of lists of one length.
+#[must_use]
+pub fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
+    assert_eq!(a.len(), b.len(), "lists of one length");
+    largest(a.iter().zip(b).map(|(a, b)| a - b))
+}
+
+/// The largest error relative to the largest expected value.
+#[must_use]
+pub fn relative_error(found: &[f64], expected: &[f64]) -> f64 {
+    largest_difference(found, expected) / largest(expected.iter().copied())
+}

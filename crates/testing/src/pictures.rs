@@ -1,13 +1,12 @@
 //! Principal components of the images themselves: every light on every material, pixel by pixel.
 //! The only code shared with the method for general objects is the direct sum.
 
-use crate::fixtures::Projector;
+use crate::fixtures::{Image, Projector, direct_images};
 use crate::largest;
 use eigenshade_generator::object::geometry::{Geometry, WeightedNormals};
 use eigenshade_generator::scene_file::Loaded;
 use eigenshade_index::{light, material};
 use eigenshade_model::irradiance;
-use eigenshade_model::reference::DirectSum;
 use eigenshade_table::Table;
 use eigenshade_table::scene::Criterion;
 use nalgebra::{DMatrix, DVector};
@@ -18,25 +17,13 @@ pub struct Pictures {
     /// The weights of the normals; they sum to 1.
     pub weights: Vec<f64>,
     /// The coefficients of a light and a material, and the irradiance at each normal.
-    pub pairs: Vec<(Vec<f64>, Vec<f64>, Vec<f64>)>,
+    pub pairs: Vec<Image>,
 }
 
 impl Pictures {
     /// Computes the images by the direct sum, with lights as captured.
     pub fn new(loaded: &Loaded, listed: &WeightedNormals) -> Self {
-        let reference = DirectSum::new(loaded.lights.degree, loaded.materials.order);
-        let modes: Vec<_> = listed.normals().iter().map(|normal| reference.at(*normal)).collect();
-        let mut pairs = Vec::new();
-        for on in &loaded.materials.entries {
-            let on = on.luminance();
-            let scattered: Vec<_> = modes.iter().map(|modes| modes.scatter(&on)).collect();
-            for light in &loaded.lights.entries {
-                let light = light.luminance();
-                let seen = modes.iter().zip(&scattered).map(|(at, of)| at.irradiance(&light, of));
-                let seen = seen.collect();
-                pairs.push((light, on.clone(), seen));
-            }
-        }
+        let pairs = direct_images(&loaded.lights, &loaded.materials, listed.normals());
         Self { normals: listed.normals().to_vec(), weights: listed.weights().to_vec(), pairs }
     }
 

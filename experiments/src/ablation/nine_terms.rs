@@ -1,10 +1,10 @@
 //! The nine-term formula of Ramamoorthi and Hanrahan: the irradiance of a Lambertian material under
 //! light up to degree 2, and its error compared with light of all degrees.
 
-use super::pictures::{SPACING, Sphere, difference, peak, sum};
+use super::pictures::{Picture, SPACING, Sphere};
 use super::scenes::{self, Scene};
 use eigenshade_index::effect::Effects;
-use eigenshade_model::reference::DirectSum;
+use eigenshade_model::database::Named;
 use nalgebra::{DMatrix, DVector};
 
 /// Coefficients of 1, x, y, z, xy, yz, xz, 3 z² - 1, x² - y² for the white Lambertian, f = 1/π: Σ
@@ -47,24 +47,22 @@ pub fn shade(c: &[f64; 9], [x, y, z]: [f64; 3]) -> f64 {
 pub fn errors() -> Vec<[f64; 2]> {
     let scene = Scene::named("park_lambertian");
     let sphere = Sphere::new(SPACING);
-    let material = scenes::material(&scene.whole_table(), 0);
-    let root = |k: usize| sphere.weights[k].sqrt();
+    let roots: Vec<f64> = sphere.weights.iter().map(|weight| weight.sqrt()).collect();
     let unit = |term: usize| std::array::from_fn(|k| f64::from(u8::from(k == term)));
-    let of_term = |k: usize, term: usize| root(k) * shade(&unit(term), sphere.normals[k]);
-    let terms = DMatrix::from_fn(sphere.normals.len(), 9, of_term).svd(true, true);
-    let reference = DirectSum::new(9, 0);
-    let modes = sphere.modes(&reference);
-    let error = |light: &Vec<f64>| {
-        let light_alone = std::slice::from_ref(light);
-        let whole = sum(&modes, (9, light_alone), (0, &material), Effects::ALL);
-        let expected = DVector::from_fn(sphere.normals.len(), |k, _| root(k) * whole[0][k]);
+    let of_term = |k: usize, term: usize| roots[k] * shade(&unit(term), sphere.normals[k]);
+    let terms = DMatrix::from_fn(roots.len(), 9, of_term).svd(true, true);
+    let lights = scene.lights(9);
+    let material = scenes::material(&scene.whole_table(), 0);
+    let error = |(light, whole): (&Named, &Picture)| {
+        let expected = DVector::from_fn(roots.len(), |k, _| roots[k] * whole[0][k]);
         // No cut-off is needed: the nine terms are independent.
         let best = terms.solve(&expected, 0.0).expect("both sides of the decomposition");
         let best = std::array::from_fn(|term| best[term]);
-        [coefficients(light), best].map(|c| {
-            let nine = vec![sphere.normals.iter().map(|&normal| shade(&c, normal)).collect()];
-            sphere.rms(&difference(&nine, &whole)) / peak(&whole)
+        [coefficients(&light.rgb[0]), best].map(|c| {
+            let nine: Vec<f64> = sphere.normals.iter().map(|&normal| shade(&c, normal)).collect();
+            sphere.error(&[nine.clone(), nine.clone(), nine], whole)
         })
     };
-    scenes::lights(9).entries.iter().map(|light| error(&light.luminance())).collect()
+    let pictures = sphere.direct(&lights, &material, Effects::ALL);
+    lights.entries.iter().zip(&pictures).map(error).collect()
 }

@@ -2,18 +2,21 @@
 //! errors of the scene's table.
 
 use super::scenes::{self, Scene};
-use eigenshade::{Light, Q15, Rotation, Tolerance};
+use eigenshade::{Q15, Tolerance};
 use eigenshade_index::effect::{Effect, Effects};
-use eigenshade_index::light;
-use eigenshade_model::database::{Named, luminance};
-use eigenshade_model::reference::{DirectSum, Modes, light_products, material_products};
-use eigenshade_shading::integer_shader::{Integer, IntegerShader};
+use eigenshade_model::database::{Lights, Materials, Named};
+use eigenshade_model::rotation::Rotation;
+use eigenshade_shading::integer_shader::{self, IntegerShader};
 use eigenshade_shading::owned_basis::OwnedBasis;
+use eigenshade_shading::reference_image::images_of_effects;
 use eigenshade_shading::shader::{OwnedNormals, Shader};
 use eigenshade_shading::sphere_rings::{Ring, rings};
+use eigenshade_testing::largest;
+use std::collections::BTreeMap;
+use std::f64::consts::PI;
 
 /// Irradiances by channel and then by normal.
-pub type Picture = Vec<Vec<f64>>;
+pub type Picture = [Vec<f64>; 3];
 
 /// The normals of a sphere, and the share of the disc that each represents.
 #[derive(Clone, Debug)]
@@ -37,57 +40,28 @@ impl Sphere {
         let square = |channel: &Vec<f64>| -> f64 {
             channel.iter().zip(&self.weights).map(|(value, weight)| weight * value * value).sum()
         };
-        (picture.iter().map(square).sum::<f64>() / picture.len() as f64).sqrt()
+        (picture.iter().map(square).sum::<f64>() / 3.0).sqrt()
     }
 
-    /// The modes at every normal.
-    pub fn modes<'a>(&self, reference: &'a DirectSum) -> Vec<Modes<'a>> {
-        self.normals.iter().map(|&normal| reference.at(normal)).collect()
+    /// The error of a picture: root mean square relative to the peak.
+    pub fn error(&self, found: &Picture, expected: &Picture) -> f64 {
+        let off = |c: usize| found[c].iter().zip(&expected[c]).map(|(a, b)| a - b).collect();
+        self.rms(&[0, 1, 2].map(off)) / peak(expected)
     }
 
-    /// The direct sum over some effects, for a light by channel and a material.
-    pub fn direct(
-        &self,
-        (degree, light): (usize, &[Vec<f64>]),
-        (order, material): (usize, &[f64]),
-        wanted: Effects,
-    ) -> Picture {
-        let reference = DirectSum::new(degree, order);
-        sum(&self.modes(&reference), (degree, light), (order, material), wanted)
+    /// The picture of each light on one material, by the direct sum over some effects.
+    pub fn direct(&self, lights: &Lights, material: &Materials, wanted: Effects) -> Vec<Picture> {
+        let images = images_of_effects(lights, material, wanted, &self.normals, &());
+        let of_light = |light: usize| {
+            [0, 1, 2].map(|c| images.iter().map(|of_normal| of_normal[light][c]).collect())
+        };
+        (0..lights.entries.len()).map(of_light).collect()
     }
-}
-
-/// The direct sum over some effects from the modes at each normal.
-pub fn sum(
-    modes: &[Modes<'_>],
-    (degree, light): (usize, &[Vec<f64>]),
-    (order, material): (usize, &[f64]),
-    wanted: Effects,
-) -> Picture {
-    let materials = material_products(order, material, wanted);
-    let lights: Vec<_> = light.iter().map(|light| light_products(degree, light, wanted)).collect();
-    let mut picture = vec![Vec::with_capacity(modes.len()); light.len()];
-    for modes in modes {
-        let scattered: Vec<_> = materials.iter().map(|one| modes.scatter(one)).collect();
-        for (channel, lights) in picture.iter_mut().zip(&lights) {
-            let products = lights.iter().zip(&scattered);
-            channel.push(products.map(|(light, one)| modes.irradiance(light, one)).sum());
-        }
-    }
-    picture
 }
 
 /// The largest |I| of all channels.
 pub fn peak(picture: &Picture) -> f64 {
-    picture.iter().flatten().fold(0.0, |most: f64, value| most.max(value.abs()))
-}
-
-/// The difference of two pictures; the second may have one channel that serves for all.
-pub fn difference(a: &Picture, b: &Picture) -> Picture {
-    let of = |(k, channel): (usize, &Vec<f64>)| {
-        channel.iter().zip(&b[k.min(b.len() - 1)]).map(|(a, b)| a - b).collect()
-    };
-    a.iter().enumerate().map(of).collect()
+    largest(picture.iter().flatten().copied())
 }
 
 /// Spacing of the 900 normals in radians.
@@ -96,121 +70,72 @@ pub const SPACING: f64 = 0.06;
 /// Degree and order of the complete picture.
 pub const FULL: (usize, usize) = (9, 7);
 
-/// Errors: root mean square over the sphere, relative to the peak.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Shares {
-    /// The error of leaving out each effect that has modes in the scene; then of showing luminance
-    /// instead of color, and of keeping the picture while the light turns by 30 degrees about the
-    /// vertical.
-    pub effects: Vec<(&'static str, f64)>,
-    /// The error of the scene's truncation compared with degree 9 and order 7.
-    pub left_out: f64,
-}
-
-/// The shares of a scene under its light.
-pub fn shares(scene: &Scene) -> Shares {
-    let table = &scene.whole_table();
+/// Errors of a scene's picture under its light, relative to the peak: of leaving out each effect
+/// that has modes in the scene; of showing luminance instead of `color`; of keeping the picture
+/// while the light is `turning` by 30 degrees about the vertical; and what is `left out` by the
+/// scene's truncation, compared with degree 9 and order 7.
+pub fn shares(scene: &Scene) -> BTreeMap<&'static str, f64> {
+    let table = scene.whole_table();
     let sphere = Sphere::new(SPACING);
-    let (degree, order) = (table.scene.degree(), table.scene.material.order);
-    let light = scene.light(degree);
-    let material = scenes::material(table, order);
-    let reference = DirectSum::new(degree, order);
-    let modes = sphere.modes(&reference);
-    let of = |light: &[Vec<f64>], wanted: Effects| {
-        sum(&modes, (degree, light), (order, &material), wanted)
-    };
+    let light = scene.light(table.scene.degree());
+    let material = scenes::material(&table, table.scene.material.order);
+    let picture = |light: &Lights, wanted| sphere.direct(light, &material, wanted).remove(0);
     let wanted = table.effects();
-    let whole = of(&light, wanted);
-    let largest = peak(&whole);
-    let share = |picture: &Picture| sphere.rms(picture) / largest;
-    let mut shares = Shares::default();
+    let whole = picture(&light, wanted);
+    let mut shares = BTreeMap::new();
     for effect in Effect::ALL.into_iter().filter(|&effect| wanted.has(effect)) {
-        let picture = of(&light, Effects::NONE.with(effect));
+        let picture = picture(&light, Effects::NONE.with(effect));
         if peak(&picture) > 0.0 {
-            shares.effects.push((effect.name(), share(&picture)));
+            shares.insert(effect.name(), sphere.rms(&picture) / peak(&whole));
         }
     }
     if scene.channels == 3 {
-        let channels = light[0].iter().zip(&light[1]).zip(&light[2]);
-        let gray = channels.map(|((&r, &g), &b)| luminance([r, g, b])).collect();
-        shares.effects.push(("color", share(&difference(&whole, &of(&[gray], wanted)))));
+        let mut gray = light.clone();
+        gray.entries[0].remove_color();
+        shares.insert("color", sphere.error(&picture(&gray, wanted), &whole));
     }
     if scene.turns {
-        let turned: Vec<Vec<f64>> = light.iter().map(|light| turned(light)).collect();
-        shares.effects.push(("turning", share(&difference(&of(&turned, wanted), &whole))));
+        let about_y = Rotation { alpha: PI / 6.0, beta: 0.0, gamma: 0.0 };
+        let mut turned = light.clone();
+        for channel in &mut turned.entries[0].rgb {
+            *channel = about_y.turn(light.degree, channel);
+        }
+        shares.insert("turning", sphere.error(&picture(&turned, wanted), &whole));
     }
-    let (degree, order) = FULL;
-    let all = sphere.direct(
-        (degree, &scene.light(degree)),
-        (order, &scenes::material(table, order)),
-        Effects::ALL,
-    );
-    shares.left_out = sphere.rms(&difference(&all, &whole)) / peak(&all);
+    let material = scenes::material(&table, FULL.1);
+    let all = sphere.direct(&scene.light(FULL.0), &material, Effects::ALL).remove(0);
+    shares.insert("left out", sphere.error(&whole, &all));
     shares
 }
 
-/// A light turned by 30 degrees about the vertical, y.
-fn turned(light: &[f64]) -> Vec<f64> {
-    const DEGREE: usize = FULL.0;
-    let half = std::f64::consts::PI / 12.0;
-    let rotation = Rotation::from_quaternion([0.0, half.sin(), 0.0, half.cos()]);
-    let light = Light::new(light).expect("as many coefficients as it has");
-    let turned = light.turned::<{ light::count(DEGREE) }, { Light::<f64>::turn_len(DEGREE) }>(
-        &rotation.expect("a quaternion of length one"),
-    );
-    turned.expect("room for degree 9").to_vec()
-}
-
-/// Errors of a scene's table: root mean square over the sphere, relative to the peak.
-#[derive(Clone, Copy, Debug)]
-pub struct Errors {
-    /// In f32, under the scene's own light.
-    pub f32: f64,
-    /// In f32, under the shipped light with the largest error.
-    pub worst: f64,
-    /// In Q15, under the scene's own light.
-    pub q15: f64,
-}
-
-/// The errors of a scene with the boards' polynomials.
-pub fn errors(scene: &Scene) -> Errors {
+/// Errors of a scene's table with the boards' polynomials, root mean square over the sphere
+/// relative to the peak: in f32 under the scene's own light, in f32 under the shipped light with
+/// the largest error, and in Q15 under the scene's own light.
+pub fn errors(scene: &Scene) -> [f64; 3] {
     let table = scene.whole_table();
     let sphere = Sphere::new(SPACING);
     let (degree, order) = (table.gram.degree, table.gram.order);
-    let material = scenes::material(&table, order);
+    let materials = scenes::material(&table, order);
+    let (lights, material) = (scene.lights(degree), &materials.entries[0]);
+    let expected = sphere.direct(&lights, &materials, table.effects());
     let basis = OwnedBasis::<f32>::new(&table);
     let mut shader = Shader::new(basis.basis().expect("a basis"), table.count());
     let normals = OwnedNormals::new(&sphere.normals);
-    let direct = DirectSum::new(degree, order);
-    let modes = sphere.modes(&direct);
-    let reference =
-        |light: &[Vec<f64>]| sum(&modes, (degree, light), (order, &material), table.effects());
-    let error = |found: &Picture, expected: &Picture| {
-        sphere.rms(&difference(found, expected)) / peak(expected)
+    let mut in_f32 = |light: &Named| -> Picture {
+        let picture = shader.color((degree, light), (order, material), &normals).expect("it fits");
+        picture.map(|channel| channel.into_iter().map(f64::from).collect())
     };
-    let mut in_f32 = |light: &[Vec<f64>]| -> Picture {
-        let of_channel = |light: &Vec<f64>| -> Vec<f64> {
-            let picture = shader.polynomial((degree, light), (order, &material), &normals);
-            picture.expect("it fits").into_iter().map(f64::from).collect()
-        };
-        light.iter().map(of_channel).collect()
-    };
-    let mut worst = 0.0f64;
-    for light in &scenes::lights(degree).entries {
-        let light = scene.channels_of(light);
-        worst = worst.max(error(&in_f32(&light), &reference(&light)));
-    }
-    let light = scene.light(degree);
-    let expected = reference(&light);
+    let pairs = lights.entries.iter().zip(&expected);
+    let errors: Vec<f64> =
+        pairs.map(|(light, expected)| sphere.error(&in_f32(light), expected)).collect();
+    let own = lights.entries.iter().position(|light| light.name == scene.light);
+    let own = own.expect("a shipped light");
     let mut shader = IntegerShader::<Q15>::new(&table, table.count()).expect("Q15 serves it");
-    let normals: Vec<_> =
-        sphere.normals.iter().map(|&normal| Q15::normal(normal).expect("a normal")).collect();
-    let q15: Picture = light
-        .iter()
-        .map(|light| shader.polynomial((degree, light), (order, &material), &normals))
-        .collect::<Result<_, _>>()
-        .expect("it fits");
-    Errors { f32: error(&in_f32(&light), &expected), worst, q15: error(&q15, &expected) }
+    let normals = integer_shader::normals(&sphere.normals).expect("normals");
+    let q15 = lights.entries[own].rgb.each_ref().map(|light| {
+        shader.polynomial((degree, light), (order, &material.rgb[0]), &normals).expect("it fits")
+    });
+    [errors[own], largest(errors), sphere.error(&q15, &expected[own])]
 }
 
 /// The number of terms that the runtime keeps of a scene within a tolerance relative to the peak,
@@ -218,7 +143,7 @@ pub fn errors(scene: &Scene) -> Errors {
 pub fn terms_within(scene: &Scene, tolerance: f32) -> Vec<usize> {
     let table = scene.whole_table();
     let (degree, order) = (table.gram.degree, table.gram.order);
-    let material = scenes::material(&table, order);
+    let material = scenes::material(&table, order).entries[0].luminance();
     let basis = OwnedBasis::<f32>::new(&table);
     let mut shader = Shader::new(basis.basis().expect("a basis"), table.count());
     let normals = OwnedNormals::new(&[[0.0, 0.0, 1.0]]);
@@ -228,5 +153,5 @@ pub fn terms_within(scene: &Scene, tolerance: f32) -> Vec<usize> {
         let within = shader.within(&[channel], &normals, Tolerance::OfPeak(tolerance));
         within.expect("a tolerance above zero")[0].1.terms
     };
-    scenes::lights(degree).entries.iter().map(terms).collect()
+    scene.lights(degree).entries.iter().map(terms).collect()
 }

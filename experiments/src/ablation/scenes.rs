@@ -3,7 +3,7 @@
 use eigenshade_generator::scene_file;
 use eigenshade_index::effect::Effect;
 use eigenshade_index::material;
-use eigenshade_model::database::{Lights, Named};
+use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_shading::shipped;
 use eigenshade_table::{Parts, Table, decode};
 use std::path::PathBuf;
@@ -90,16 +90,20 @@ impl Scene {
         Some(Size::of(&loaded.build().expect("a table")))
     }
 
-    /// The scene's light up to a degree, by channel.
-    pub fn light(&self, degree: usize) -> Vec<Vec<f64>> {
-        let lights = lights(degree).entries;
-        let light = lights.into_iter().find(|light| light.name == self.light);
-        self.channels_of(&light.expect("a shipped light"))
+    /// The shipped lights up to a degree, as luminances if the scene has one channel.
+    pub fn lights(&self, degree: usize) -> Lights {
+        let mut lights = shipped::lights().expect("the shipped lights").truncated(degree);
+        if self.channels == 1 {
+            lights.entries.iter_mut().for_each(Named::remove_color);
+        }
+        lights
     }
 
-    /// A light by channel: its luminance if the scene has one channel.
-    pub fn channels_of(&self, light: &Named) -> Vec<Vec<f64>> {
-        if self.channels == 1 { vec![light.luminance()] } else { light.rgb.to_vec() }
+    /// The scene's light alone.
+    pub fn light(&self, degree: usize) -> Lights {
+        let mut lights = self.lights(degree);
+        lights.entries.retain(|light| light.name == self.light);
+        lights
     }
 }
 
@@ -128,21 +132,18 @@ impl Size {
     }
 }
 
-/// The shipped lights, up to a degree.
-pub fn lights(degree: usize) -> Lights {
-    shipped::lights().expect("the shipped lights").truncated(degree)
-}
-
-/// The material of a table up to an order: the one named by its scene, or the white Lambertian.
-pub fn material(table: &Table, order: usize) -> Vec<f64> {
-    let mut coefficients = match table.scene.material.names.as_slice() {
+/// The gray material of a table up to an order: the one named by its scene, or the white
+/// Lambertian.
+pub fn material(table: &Table, order: usize) -> Materials {
+    let mut material = match table.scene.material.names.as_slice() {
         [name] => {
-            let materials = shipped::materials().expect("the shipped materials");
-            let found = materials.entries.iter().find(|one| one.name == *name);
-            found.expect("a shipped material").luminance()
+            let materials = shipped::materials().expect("the shipped materials").entries;
+            let found = materials.into_iter().find(|one| one.name == *name);
+            found.expect("a shipped material")
         }
-        _ => vec![2.0],
+        _ => Named { name: "white".into(), rgb: [vec![2.0], vec![2.0], vec![2.0]] },
     };
-    coefficients.resize(material::count(order), 0.0);
-    coefficients
+    material.remove_color();
+    material.rgb.iter_mut().for_each(|channel| channel.resize(material::count(order), 0.0));
+    Materials { order, entries: vec![material] }
 }

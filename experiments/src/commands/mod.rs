@@ -64,7 +64,9 @@ impl Command {
                 let progress = spinner("cases");
                 let parts = stability::parts(|name| progress.set_message(name.to_owned()));
                 progress.finish_and_clear();
-                let parts = parts.map_err(|fault| Error::new(fault, "every bound must hold"))?;
+                let remedy =
+                    "every bound must hold, and a tight one be at most ten times the error";
+                let parts = parts.map_err(|fault| Error::new(fault, remedy))?;
                 stability::PAGE.write_or_compare(&purpose, &parts)
             }
             Self::Reading { purpose, tables } => {

@@ -68,8 +68,7 @@ impl Degradation {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
         let mean = image.iter().sum::<f64>() / image.len() as f64;
         let clip = 0.5 * (1.0 + mean);
-        let full = 255.0;
-        let scale = 254.0 / full;
+        let scale = 254.0 / 255.0;
         let pixel = |(value, normal): (&f64, &[f64; 3])| {
             let noise: f64 = StandardNormal.sample(&mut random);
             let value = value + self.noise * noise;
@@ -77,26 +76,14 @@ impl Degradation {
             let is_out = self.storage == Storage::Clipped && value >= clip;
             let stored = match self.storage {
                 Storage::Exact => value,
-                Storage::Bits => (full * scale * value).round().max(0.0) / full / scale,
+                Storage::Bits => (254.0 * value).round().max(0.0) / 254.0,
                 Storage::SrgbBits => {
-                    picture::linear(f64::from(picture::srgb(scale * value)) / full) / scale
+                    picture::linear(f64::from(picture::srgb(scale * value)) / 255.0) / scale
                 }
                 Storage::Clipped | Storage::ClippedAndKept => value.min(clip),
             };
             (stored, if is_hidden || is_out { 0.0 } else { 1.0 })
         };
         image.iter().zip(normals).map(pixel).unzip()
-    }
-
-    /// Whether every image keeps the same pixels.
-    #[must_use]
-    pub fn is_the_same_for_all(&self) -> bool {
-        self.storage != Storage::Clipped
-    }
-
-    /// The standard deviation of the noise that the reading is given, if there is noise.
-    #[must_use]
-    pub fn stated_noise(&self) -> Option<f64> {
-        (self.noise > 0.0).then_some(self.noise)
     }
 }

@@ -2,12 +2,12 @@
 //!
 //! `experiments reading` writes the tables of `docs/reading.md`.
 
-pub mod degrade;
+mod degrade;
 mod score;
 
 use crate::pages::{Page, Part, same_word, table};
 use crate::tolerances;
-use degrade::Degradation;
+use degrade::{Degradation, Storage};
 use eigenshade_cli::messages::progress_bar;
 use eigenshade_cli::picture::SphereView;
 use eigenshade_cli::reading::{Reader, Reading};
@@ -69,37 +69,27 @@ pub fn parts(tables: &Path) -> Result<Vec<Part>> {
     let inside = view.pixels.iter().zip(&view.normals).filter(|(pixel, _)| pixel.is_inside);
     let (shown_lights, other_lights) = split(&lights.entries, &shipped::SHOWN_LIGHTS);
     let (shown_materials, other_materials) = split(&materials.entries, &shipped::SHOWN_MATERIALS);
-    let other_lights = Lights { degree, entries: other_lights };
-    let other_materials = Materials { order, entries: other_materials };
+    let of_lights = |entries| Lights { degree, entries };
+    let of_materials = |entries| Materials { order, entries };
     let normals = inside.map(|(_, normal)| *normal).collect();
-    let set = TestSet::new([shown_lights, shown_materials], [degree, order], normals);
-    // Alternates cheap and expensive cases, so that threads share them evenly.
-    let cases: Vec<(Degradation, Database<'_>)> = degrade::ALL
+    let set = TestSet::new(&of_lights(shown_lights), &of_materials(shown_materials), normals);
+    let all = (lights, materials);
+    let other = (of_lights(other_lights), of_materials(other_materials));
+    let cases: Vec<(&Table, Degradation)> = [&few, &whole]
         .into_iter()
-        .flat_map(|degradation| {
-            let (lights, materials) = if degradation.is_unknown {
-                (&other_lights, &other_materials)
-            } else {
-                (&lights, &materials)
-            };
-            [&few, &whole].map(|table| (degradation, Database { table, lights, materials }))
-        })
+        .flat_map(|table| degrade::ALL.map(|degradation| (table, degradation)))
         .collect();
     let progress = progress_bar("cases", cases.len());
     let scored = parallel::map(cases.len(), &progress, |case| {
-        let (degradation, database) = &cases[case];
-        database.score(degradation, &set)
+        let (table, degradation) = &cases[case];
+        score(table, if degradation.is_unknown { &other } else { &all }, degradation, &set)
     });
     progress.finish_and_clear();
     let scored: Vec<Score> = scored.into_iter().collect::<Result<_>>()?;
     let rows = |cells: fn(&Score) -> Vec<String>| {
-        let of_table = |first: usize| cases.iter().zip(&scored).skip(first).step_by(2);
-        let row =
-            move |((degradation, database), score): (&(Degradation, Database<'_>), &Score)| {
-                let count = database.table.count().to_string();
-                [vec![count, degradation.name.to_owned()], cells(score)].concat()
-            };
-        (0..2).flat_map(of_table).map(row).collect::<Vec<_>>()
+        cases.iter().zip(&scored).map(move |((table, degradation), score)| {
+            [vec![table.count().to_string(), degradation.name.to_owned()], cells(score)].concat()
+        })
     };
     let estimates =
         "components: | image | d: SP: | d: LS: | d: PM: | image: SP: | image: LS: | image: PM:";
@@ -117,28 +107,23 @@ fn split(entries: &[Named], names: &[&str]) -> (Vec<Named>, Vec<Named>) {
     entries.iter().cloned().partition(|entry| names.contains(&entry.name.as_str()))
 }
 
-/// A table with the data from which the statistics of a reading are made.
-struct Database<'a> {
-    table: &'a Table,
-    lights: &'a Lights,
-    materials: &'a Materials,
-}
-
-impl Database<'_> {
-    /// Reads every image as one channel; images that show the same pixels are read together.
-    fn score(&self, degradation: &Degradation, set: &TestSet) -> Result<Score> {
-        let reader = Reader::new(self.table, self.table.count(), self.lights, self.materials)?;
-        let degraded: Vec<(Vec<f64>, Vec<f64>)> = (0u64..)
-            .zip(&set.images)
-            .map(|(seed, image)| degradation.apply(image, &set.normals, seed))
-            .collect();
-        let together = if degradation.is_the_same_for_all() { degraded.len() } else { 1 };
-        let read = |group| {
-            reader.read(&observe(self.table, group, &set.normals), degradation.stated_noise())
-        };
-        let readings: Vec<Reading> = degraded.chunks(together).map(read).collect::<Result<_>>()?;
-        Ok(scores(&readings, self.table, set, &degraded, self.materials))
-    }
+/// Reads every image as one channel; images that show the same pixels are read together.
+fn score(
+    table: &Table,
+    (lights, materials): &(Lights, Materials),
+    degradation: &Degradation,
+    set: &TestSet,
+) -> Result<Score> {
+    let reader = Reader::new(table, table.count(), lights, materials)?;
+    let degraded: Vec<(Vec<f64>, Vec<f64>)> = (0u64..)
+        .zip(&set.images)
+        .map(|(seed, image)| degradation.apply(&image.pixels, &set.normals, seed))
+        .collect();
+    let together = if degradation.storage == Storage::Clipped { 1 } else { degraded.len() };
+    let noise = (degradation.noise > 0.0).then_some(degradation.noise);
+    let read = |group| reader.read(&observe(table, group, &set.normals), noise);
+    let readings: Vec<Reading> = degraded.chunks(together).map(read).collect::<Result<_>>()?;
+    Ok(scores(&readings, table, set, &degraded, materials))
 }
 
 fn observe(table: &Table, images: &[(Vec<f64>, Vec<f64>)], normals: &[[f64; 3]]) -> Observation {

@@ -6,50 +6,43 @@ use eigenshade_generator::reading::observation::EigenimageValues;
 use eigenshade_generator::reading::rank_one::RankOne;
 use eigenshade_generator::reading::transfer::Transfers;
 use eigenshade_index::light;
-use eigenshade_model::database::{Materials, Named};
-use eigenshade_model::reference::DirectSum;
+use eigenshade_model::database::{Lights, Materials};
 use eigenshade_table::Table;
+use eigenshade_testing::fixtures::{Image, direct_images};
+use eigenshade_testing::largest;
 
 /// Iterations for a product in least-norm modes: these are far from any product, and many do not
 /// converge within 10,000.
 const LEAST_NORM_TURNS: usize = 200;
 
-/// Images of known lights on known materials.
+/// Images of known lights on known materials, in luminance.
 pub struct TestSet {
-    /// Light and material of each image.
-    pairs: Vec<(Vec<f64>, Named)>,
     /// The normal of each pixel.
     pub normals: Vec<[f64; 3]>,
-    /// The direct sums, scaled to a peak of 1.
-    pub images: Vec<Vec<f64>>,
-    /// The factor by which each was scaled.
-    scales: Vec<f64>,
+    pub images: Vec<TestImage>,
+}
+
+/// An image by the direct sum, scaled to a peak of 1.
+pub struct TestImage {
+    light: Vec<f64>,
+    material: Vec<f64>,
+    name: String,
+    pub pixels: Vec<f64>,
+    /// The factor by which it was scaled.
+    scale: f64,
 }
 
 impl TestSet {
-    /// Combines every light with every material, in luminance.
-    pub fn new(
-        [lights, materials]: [Vec<Named>; 2],
-        [degree, order]: [usize; 2],
-        normals: Vec<[f64; 3]>,
-    ) -> Self {
-        let reference = DirectSum::new(degree, order);
-        let modes: Vec<_> = normals.iter().map(|normal| reference.at(*normal)).collect();
-        let (mut pairs, mut images, mut scales) = (Vec::new(), Vec::new(), Vec::new());
-        for material in &materials {
-            let b = material.luminance();
-            let scattered: Vec<_> = modes.iter().map(|modes| modes.scatter(&b)).collect();
-            for light in &lights {
-                let light = light.luminance();
-                let seen = modes.iter().zip(&scattered).map(|(at, of)| at.irradiance(&light, of));
-                let image: Vec<f64> = seen.collect();
-                let scale = image.iter().fold(0.0f64, |peak, value| peak.max(value.abs())).recip();
-                images.push(image.iter().map(|value| scale * value).collect());
-                scales.push(scale);
-                pairs.push((light, material.clone()));
-            }
-        }
-        Self { pairs, normals, images, scales }
+    /// Combines every light with every material.
+    pub fn new(lights: &Lights, materials: &Materials, normals: Vec<[f64; 3]>) -> Self {
+        let images = direct_images(lights, materials, &normals);
+        let names = materials.entries.iter().flat_map(|one| vec![&one.name; lights.entries.len()]);
+        let image = |((light, material, pixels), name): (Image, &String)| {
+            let scale = largest(pixels.iter().copied()).recip();
+            let pixels = pixels.iter().map(|value| scale * value).collect();
+            TestImage { light, material, name: name.clone(), pixels, scale }
+        };
+        Self { images: images.into_iter().zip(names).map(image).collect(), normals }
     }
 }
 
@@ -111,15 +104,14 @@ pub fn scores(
     let channels =
         readings.iter().flat_map(|reading| (0..reading.channels.len()).map(move |c| (reading, c)));
     let mut score = Score::default();
-    for ((reading, channel), k) in channels.zip(0..) {
-        let (light, material) = &set.pairs[k];
-        let image = &set.images[k];
-        let transfer = transfers.of(&material.luminance());
-        let reference: Vec<f64> = transfer
+    for ((reading, channel), (image, (_, weights))) in channels.zip(set.images.iter().zip(degraded))
+    {
+        let light = &image.light;
+        let reference: Vec<f64> = transfers
+            .of(&image.material)
             .row_iter()
-            .map(|row| set.scales[k] * row.iter().zip(light).map(|(t, l)| t * l).sum::<f64>())
+            .map(|row| image.scale * row.iter().zip(light).map(|(t, l)| t * l).sum::<f64>())
             .collect();
-        let weights = &degraded[k].1;
         let all = weights.iter().all(|weight| *weight > 0.0);
         let unseen: Vec<usize> =
             (0..weights.len()).filter(|pixel| all || weights[*pixel] == 0.0).collect();
@@ -129,7 +121,7 @@ pub fn scores(
             score.coefficients[which].push(distance(d, &reference) / length(&reference));
             let off = |&pixel: &usize| {
                 let made: f64 = rows[pixel].iter().zip(d).map(|(u, d)| u * d).sum();
-                (made - image[pixel]).powi(2)
+                (made - image.pixels[pixel]).powi(2)
             };
             let square: f64 = unseen.iter().map(off).sum();
             score.images[which].push((square / unseen.len() as f64).sqrt());
@@ -137,7 +129,6 @@ pub fn scores(
         let mut ranked: Vec<_> = reading.candidates.iter().collect();
         ranked
             .sort_by(|a, b| b.channels[channel].evidence.total_cmp(&a.channels[channel].evidence));
-        let is_true = |place: &usize| materials.entries[ranked[*place].index].name == material.name;
         let low = light::count(2).min(light.len());
         let mut add = |which: usize, estimate: &[f64], count: usize| {
             score.lights[which].push(misdirection(&estimate[..count], &light[..count]));
@@ -145,7 +136,8 @@ pub fn scores(
         let best = &ranked[0].channels[channel].light;
         add(0, best, low);
         add(1, best, light.len());
-        if let Some(place) = (0..ranked.len()).find(is_true) {
+        let place = ranked.iter().position(|one| materials.entries[one.index].name == image.name);
+        if let Some(place) = place {
             let known = &ranked[place].channels[channel].light;
             score.places.push(place + 1);
             add(2, known, low);

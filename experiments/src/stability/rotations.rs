@@ -1,6 +1,7 @@
 //! Rotations of light and normals: to degree 64, a thousand in a row, and matrices that are almost
 //! rotations.
 
+use super::squares::off_orthonormal;
 use super::{Figure, least, most};
 use crate::tolerances;
 use eigenshade::mathematics::SinglePrecision;
@@ -11,12 +12,9 @@ use eigenshade_model::reference::DirectSum;
 use eigenshade_model::rotation;
 use eigenshade_testing::oracle::Numbers;
 use eigenshade_testing::rotations::{euler, irradiance, product, rotation};
-use eigenshade_testing::{fixtures, largest};
+use eigenshade_testing::{fixtures, largest, largest_difference};
+use nalgebra::{DMatrix, Matrix3};
 use std::f64::consts::PI;
-
-fn apart(a: &[f64], b: &[f64]) -> f64 {
-    largest(a.iter().zip(b).map(|(a, b)| a - b))
-}
 
 /// Rotating by R and then by Q equals rotating by QR; and frame R sees in a light what frame QR
 /// sees in the light rotated by Q. Half turns and tiny angles are among the angles.
@@ -35,10 +33,10 @@ pub(super) fn composition() -> Vec<Figure> {
     for (q, r) in angles.map(|(q, r)| (rotation(q), rotation(r))) {
         let both = euler(product(q.matrix(), r.matrix()));
         let turned = q.turn(DEGREE, &r.turn(DEGREE, &given));
-        worst = largest([worst, apart(&turned, &both.turn(DEGREE, &given))]);
+        worst = largest([worst, largest_difference(&turned, &both.turn(DEGREE, &given))]);
         let local = r.turn_back(DEGREE, &given);
         let together = both.turn_back(DEGREE, &q.turn(DEGREE, &given));
-        seen = largest([seen, apart(&local, &together)]);
+        seen = largest([seen, largest_difference(&local, &together)]);
     }
     let scale = largest(given.iter().copied());
     vec![
@@ -83,12 +81,7 @@ const ORTHONORMAL_F32: f64 = 1.2e-6;
 
 /// The distance of R Rᵀ from the identity matrix.
 fn off(matrix: [[f32; 3]; 3]) -> f64 {
-    let rows = matrix.map(|row| row.map(f64::from));
-    let entry = |i: usize, j: usize| {
-        let product: f64 = rows[i].iter().zip(&rows[j]).map(|(a, b)| a * b).sum();
-        product - f64::from(u8::from(i == j))
-    };
-    largest((0..9).map(|k| entry(k / 3, k % 3)))
+    off_orthonormal(&DMatrix::from_fn(3, 3, |i, j| matrix[j][i].into()))
 }
 
 /// A light in f32, rotated.
@@ -116,12 +109,10 @@ pub(super) fn drift() -> Vec<Figure> {
     let angles = [0.004f32, 0.003, -0.002];
     let [a, b, c] = angles;
     let small = Rotation::from_euler::<SinglePrecision>(a, b, c).expect("a rotation");
-    let plain = |b: [[f32; 3]; 3]| {
-        small.matrix().map(|a| [0, 1, 2].map(|k| a[0] * b[0][k] + a[1] * b[1][k] + a[2] * b[2][k]))
-    };
-    let (mut naive, mut all, mut light) = (small.matrix(), small, turned(&single, &small));
+    let step = Matrix3::from(small.matrix());
+    let (mut naive, mut all, mut light) = (step, small, turned(&single, &small));
     for _ in 1..1000 {
-        naive = plain(naive);
+        naive = step * naive;
         all = small.after(all);
         light = turned(&light, &small);
     }
@@ -131,12 +122,12 @@ pub(super) fn drift() -> Vec<Figure> {
     let scale = largest(first);
     let error = |found: &[f32]| {
         let found: Vec<f64> = found.iter().copied().map(f64::from).collect();
-        apart(&found, &exact) / scale
+        largest_difference(&found, &exact) / scale
     };
     let [product, one_by_one, energy] = tolerances::DRIFT;
     vec![
         // The roundings of a thousand products add up.
-        least("R of plain products, off orthonormal", off(naive), 5e-6),
+        least("R of plain products, off orthonormal", off(naive.into()), 5e-6),
         most("R of `after`, off orthonormal", off(all.matrix()), ORTHONORMAL_F32),
         most("light turned by the product, of the largest", error(&turned(&single, &all)), product),
         most("light turned a thousand times, of the largest", error(&light), one_by_one),
