@@ -1,8 +1,7 @@
 //! Naive methods: eigenvalues and eigenvectors of squares.
 
 use eigenshade_testing::largest;
-use faer::{Mat, Side};
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
 /// The distance of WᵀW from the identity.
 pub fn off_orthonormal(vectors: &DMatrix<f64>) -> f64 {
@@ -23,18 +22,16 @@ pub struct GramRoot {
 impl GramRoot {
     /// The root for M = AᵀA.
     pub fn new(a: &DMatrix<f64>) -> Self {
-        let count = a.ncols();
-        let column = |i: usize| a.column(i).into_iter();
-        let product = |i, j| column(i).zip(column(j)).map(|(a, b)| a * b).sum::<f64>();
-        let gram = Mat::from_fn(count, count, product);
-        let eigen = gram.self_adjoint_eigen(Side::Lower).expect("finite numbers");
-        let values: Vec<f64> = eigen.S().column_vector().iter().copied().collect();
+        let gram = a.tr_mul(a);
+        let count = gram.ncols();
+        let SymmetricEigen { eigenvalues: values, eigenvectors: vectors } =
+            gram.clone().symmetric_eigen();
         let inverse_root = |size: fn(f64) -> f64| {
-            let scaled = |i, j| eigen.U()[(i, j)] * size(values[j]).sqrt().recip();
-            Mat::from_fn(count, count, scaled) * eigen.U().transpose()
+            let roots = values.map(|value| size(value).sqrt().recip());
+            &vectors * DMatrix::from_diagonal(&roots) * vectors.transpose()
         };
         let (literal, whitened) = (inverse_root(|value| value), inverse_root(f64::abs));
-        let product = &whitened * &gram * &whitened - Mat::<f64>::identity(count, count);
+        let product = &whitened * &gram * &whitened - DMatrix::identity(count, count);
         let negative = values.iter().filter(|value| **value < 0.0).count();
         let elements = (0..count * count).map(|k| (k / count, k % count));
         let not_numbers = elements.clone().filter(|&at| literal[at].is_nan());
