@@ -40,7 +40,7 @@ fn sheet(path: &str) -> Vec<Row> {
 }
 
 fn benchmark_tables() -> Vec<Row> {
-    sheet("firmware/tables/ladder.csv")
+    sheet("firmware/tables/sizes.csv")
 }
 
 /// The name of this table's setting.

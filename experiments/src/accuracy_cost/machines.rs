@@ -73,8 +73,8 @@ pub(super) fn compiled_in<const N: usize>(
 /// in `firmware/counts.csv`, before `/`, and the recipe. The programs are built from the same file.
 pub fn benchmark_tables() -> Result<Vec<(String, Recipe)>> {
     let (sheet, [name, components, trim]) = compiled_in(
-        include_str!("../../../firmware/tables/ladder.csv"),
-        "firmware/tables/ladder.csv",
+        include_str!("../../../firmware/tables/sizes.csv"),
+        "firmware/tables/sizes.csv",
         ["name", "components", "trim"],
     )?;
     let table = |row: eigenshade_model::inputs::sheet::Row<'_>| {

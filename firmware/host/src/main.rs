@@ -1,6 +1,9 @@
 //! Builds the programs for the emulated boards, runs them, checks the linked files, and counts
 //! instructions: see `firmware/README.md`.
 
+#[path = "../../programs/list.rs"]
+mod list;
+
 mod program;
 
 mod toolchain;
@@ -11,15 +14,16 @@ mod budget;
 mod page;
 mod row;
 
-use program::{Board, Kind, Program};
+use list::Listed;
+use program::{BOARDS, Board, Kind};
 use row::Row;
 use std::collections::BTreeMap;
 use std::process::ExitCode;
 use toolchain::Compiler;
 
-const USAGE: &str = "usage: firmware/run BOARD... | all [--check] [--update], firmware/run gates, \
-                     firmware/run pages
-boards: microbit mps2-an385 mps2-an386 riscv32";
+const USAGE: &str = "usage: firmware/run BOARD... | all [--check] [--update], \
+                     firmware/run BOARD PROGRAM..., firmware/run gates, firmware/run pages
+boards: microbit mps2-an385 mps2-an386 riscv32; programs: bin in firmware/programs/Cargo.toml";
 
 /// The error is a message with the problem and the remedy.
 type Result<T> = std::result::Result<T, String>;
@@ -35,12 +39,8 @@ fn main() -> ExitCode {
     let done = match names[..] {
         ["gates"] => gate::test(),
         ["pages"] => page::write(),
-        ["all"] => boards(&Board::ALL, &options),
-        _ => names
-            .iter()
-            .map(|name| Board::named(name).ok_or(format!("no board {name}\n{USAGE}")))
-            .collect::<Result<Vec<_>>>()
-            .and_then(|chosen| boards(&chosen, &options)),
+        ["all"] => boards(&BOARDS, &options),
+        _ => chosen(&names, &options),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
@@ -51,18 +51,44 @@ fn main() -> ExitCode {
     }
 }
 
-/// Builds, runs and checks the programs of these boards, and prints the counts as CSV.
+/// Runs the boards of these names, or some programs of one board.
+fn chosen(names: &[&str], options: &[&str]) -> Result<()> {
+    let found = |name: &&str| BOARDS.into_iter().find(|board| board.name == *name);
+    let chosen: Vec<Board> = names.iter().map_while(found).collect();
+    match (&chosen[..], &names[chosen.len()..]) {
+        (_, []) => boards(&chosen, options),
+        (&[board], programs) if options.is_empty() => some_programs(board, programs),
+        (_, [name, ..]) => Err(format!("`{name}` is unexpected\n{USAGE}")),
+    }
+}
+
+/// Builds, runs and checks some programs of a board, and prints their counts.
+fn some_programs(board: Board, names: &[&str]) -> Result<()> {
+    let listed: Vec<Listed> = program::of_board(board).collect();
+    if let Some(name) = names.iter().find(|name| !listed.iter().any(|one| one.name == **name)) {
+        return Err(format!("no program {name} on {}\n{USAGE}", board.name));
+    }
+    let wanted = |one: &Listed| one.kind() == Kind::Empty || names.contains(&one.name);
+    let programs: Vec<Listed> = listed.into_iter().filter(wanted).collect();
+    println!("{}", row::HEADER);
+    let rows = run(board, &programs, &Compiler::new(board.target))?;
+    rows.iter().for_each(|row| println!("{row}"));
+    Ok(())
+}
+
+/// Builds, runs and checks all programs of these boards, and prints the counts as CSV.
 fn boards(boards: &[Board], options: &[&str]) -> Result<()> {
     let mut rows = Vec::new();
     let mut compilers = BTreeMap::new();
     println!("{}", row::HEADER);
     for &board in boards {
-        let compiler = Compiler::new(board.target());
-        for row in of_board(board, &compiler)? {
+        let compiler = Compiler::new(board.target);
+        let programs: Vec<Listed> = program::of_board(board).collect();
+        for row in run(board, &programs, &compiler)? {
             println!("{row}");
             rows.push(row);
         }
-        compilers.insert(board.name(), compiler.version()?);
+        compilers.insert(board.name, compiler.version()?);
     }
     if options.contains(&"--update") {
         row::record(&rows, &compilers)?;
@@ -76,30 +102,25 @@ fn boards(boards: &[Board], options: &[&str]) -> Result<()> {
     Ok(())
 }
 
-fn of_board(board: Board, compiler: &Compiler) -> Result<Vec<Row>> {
-    let programs: Vec<Program> = program::of_board(board).collect();
+/// Builds, runs and checks programs, of which the first is the empty one.
+fn run(board: Board, programs: &[Listed], compiler: &Compiler) -> Result<Vec<Row>> {
     for profile in ["fast", "small"] {
         let of_profile = programs.iter().filter(|program| program.profile() == profile);
-        compiler.build(
-            "programs",
-            &of_profile.map(Program::binary).collect::<Vec<_>>(),
-            profile,
-        )?;
+        let names: Vec<&str> = of_profile.map(|program| program.name).collect();
+        compiler.build("programs", &names, profile)?;
     }
-    let path = |program: &Program| compiler.binary(program.profile(), &program.binary());
     let mut empty = gate::Sizes::default();
     let mut rows = Vec::new();
-    for program in &programs {
-        let linked = gate::Linked::read(&path(program))?;
-        gate::check(board, &program.binary(), &linked)?;
-        let output = toolchain::run(board, &path(program))?;
+    for program in programs {
+        let path = compiler.binary(program.profile(), program.name);
+        let linked = gate::Linked::read(&path)?;
+        gate::check(board, program.name, &linked)?;
+        let output = toolchain::run(board, &path)?;
         let sizes = linked.sizes();
-        match program.kind {
+        match program.kind() {
             Kind::Empty => empty = sizes,
-            Kind::Demonstration => eprint!("{}: {}\n{output}", board.name(), program.binary()),
-            Kind::Operation => rows.push(Row::of_operation(board, program, &output, sizes, empty)?),
-            Kind::Scene => rows.extend(Row::of_scene(board, program, &output, sizes, empty)?),
-            Kind::Whole => rows.push(Row::of_whole(board, program, &output, sizes)?),
+            Kind::Demonstration => eprint!("{}: {}\n{output}", board.name, program.name),
+            _ => rows.extend(Row::of_program(board, program, &output, sizes, empty)?),
         }
     }
     Ok(rows)

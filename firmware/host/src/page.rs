@@ -1,7 +1,7 @@
 //! The tables of counts in the documentation: written between two marks, compared by `--check`.
 
 use crate::Result;
-use crate::program::Board;
+use crate::program::{AN386, BOARDS, Board, MICROBIT};
 use crate::row::{self, Row};
 
 const START: &str = "<!-- counts: firmware/run all --update writes them -->\n";
@@ -23,7 +23,7 @@ const SHORT: [(&str, &str); 4] = [
 ];
 
 /// The boards whose memory is shown: without a float unit and with one.
-const MEMORY: [Board; 2] = [Board::Microbit, Board::An386];
+const MEMORY: [Board; 2] = [MICROBIT, AN386];
 
 /// Writes the recorded counts into the pages.
 pub fn write() -> Result<()> {
@@ -75,7 +75,7 @@ fn short(rows: &[Row]) -> String {
     for (operation, what) in SHORT {
         text += &format!("| {what} |");
         for (board, format) in MEMORY.into_iter().zip(["q15", "f32"]) {
-            let key = [board.name(), operation, format];
+            let key = [board.name, operation, format];
             let row = rows.iter().find(|row| row.key == key);
             text += &cell(row.and_then(|row| row.numbers[0]));
         }
@@ -87,8 +87,8 @@ fn short(rows: &[Row]) -> String {
 /// A line for each operation and format: instructions on each board, and memory.
 fn table(rows: &[Row], formats: &[&str]) -> String {
     let mut text = String::from("| operation | format |");
-    for board in Board::ALL {
-        text += &format!(" {} |", board.processor());
+    for board in BOARDS {
+        text += &format!(" {} |", board.processor);
     }
     text += " flash | RAM | stack |\n|---|---|---:|---:|---:|---:|---:|---:|---:|\n";
     let mut keys: Vec<&[String]> = Vec::new();
@@ -100,11 +100,10 @@ fn table(rows: &[Row], formats: &[&str]) -> String {
     }
     keys.sort_by_key(|key| formats.iter().position(|format| *format == key[1]));
     for key in keys {
-        let on = |board: Board| {
-            rows.iter().find(|row| row.key[0] == board.name() && row.key[1..] == *key)
-        };
+        let on =
+            |board: Board| rows.iter().find(|row| row.key[0] == board.name && row.key[1..] == *key);
         text += &format!("| `{}` | `{}` |", key[0], key[1]);
-        for board in Board::ALL {
+        for board in BOARDS {
             text += &cell(on(board).and_then(|row| row.numbers[0]));
         }
         let memory = MEMORY.into_iter().find_map(on).map_or([None; 4], |row| row.numbers);

@@ -2,8 +2,8 @@
 
 use crate::Result;
 use crate::gate::Sizes;
-use crate::program::Board;
-use crate::program::Program;
+use crate::list::{self, Listed};
+use crate::program::{BOARDS, Board, Kind};
 use std::collections::BTreeMap;
 use std::fmt;
 use std::str::FromStr;
@@ -31,87 +31,75 @@ pub struct Row {
 }
 
 impl Row {
-    /// The row of a measured operation: flash and RAM beyond those of a program without it.
-    pub fn of_operation(
+    /// The rows of a program. That of an operation has flash and RAM beyond those of `empty`; that of
+    /// a complete program has totals, and its RAM includes the stack. A scene has a row for each
+    /// operation, such as `NAME/pixel`, and `NAME/scene` with its memory beyond that of `empty`.
+    pub fn of_program(
         board: Board,
-        program: &Program,
-        output: &str,
-        sizes: Sizes,
-        empty: Sizes,
-    ) -> Result<Self> {
-        let (instructions, stack) = measured(board, program, output)?;
-        Ok(Self {
-            key: key(board, program),
-            numbers: [
-                Some(instructions),
-                Some(sizes.flash.saturating_sub(empty.flash)),
-                Some(sizes.ram - empty.ram + held(output)),
-                Some(stack),
-            ],
-        })
-    }
-
-    /// The rows of a scene: `NAME/scene` with its memory, and one with the instructions of each
-    /// operation, such as `NAME/pixel`.
-    pub fn of_scene(
-        board: Board,
-        program: &Program,
+        program: &Listed,
         output: &str,
         sizes: Sizes,
         empty: Sizes,
     ) -> Result<Vec<Self>> {
-        let named = |operation: &str| {
-            let [board, scene, format] = key(board, program);
-            [board, format!("{scene}{SCENE}{operation}"), format]
+        let row = |part: &str, numbers| {
+            let [board, operation, format] = key(board, program);
+            Self { key: [board, operation + part, format], numbers }
         };
-        let mut rows = Vec::new();
-        let mut most = 0;
-        for part in output.split("operation ").skip(1) {
-            let (operation, output) = part.split_once('\n').unwrap_or((part, ""));
-            let (instructions, stack) = measured(board, program, output)?;
-            most = most.max(stack);
-            let numbers = [Some(instructions), None, None, Some(stack)];
-            rows.push(Self { key: named(operation), numbers });
+        let flash = || Some(sizes.flash.saturating_sub(empty.flash));
+        let ram = || Some(sizes.ram - empty.ram + held(output));
+        match program.kind() {
+            Kind::Empty | Kind::Demonstration => Ok(Vec::new()),
+            Kind::Operation => {
+                let (instructions, stack) = measured(board, program, output)?;
+                Ok(vec![row("", [Some(instructions), flash(), ram(), Some(stack)])])
+            }
+            Kind::Scene => {
+                let (mut rows, mut deepest) = (Vec::new(), 0);
+                for part in output.split("operation ").skip(1) {
+                    let (operation, output) = part.split_once('\n').unwrap_or((part, ""));
+                    let (instructions, stack) = measured(board, program, output)?;
+                    deepest = deepest.max(stack);
+                    let numbers = [Some(instructions), None, None, Some(stack)];
+                    rows.push(row(&format!("{SCENE}{operation}"), numbers));
+                }
+                rows.push(row(&format!("{SCENE}scene"), [None, flash(), ram(), Some(deepest)]));
+                Ok(rows)
+            }
+            Kind::Complete => {
+                let stack = numbers(output, "stack", 1)?[0];
+                let numbers = [None, Some(sizes.flash), Some(sizes.ram + stack), Some(stack)];
+                Ok(vec![row("", numbers)])
+            }
         }
-        let flash = sizes.flash.saturating_sub(empty.flash);
-        let numbers = [None, Some(flash), Some(sizes.ram - empty.ram + held(output)), Some(most)];
-        rows.push(Self { key: named("scene"), numbers });
-        Ok(rows)
     }
 
     /// Whether the row belongs to a scene.
     pub fn is_of_scene(&self) -> bool {
         self.key[1].contains(SCENE)
     }
-
-    /// The row of a whole program: RAM includes the stack.
-    pub fn of_whole(board: Board, program: &Program, output: &str, sizes: Sizes) -> Result<Self> {
-        let stack = numbers(output, "stack", 1)?[0];
-        let numbers = [None, Some(sizes.flash), Some(sizes.ram + stack), Some(stack)];
-        Ok(Self { key: key(board, program), numbers })
-    }
 }
 
-fn key(board: Board, program: &Program) -> [String; 3] {
-    let operation = match program.times {
-        1 => program.operation.into(),
-        times => format!("{} x {times}", program.operation),
+fn key(board: Board, program: &Listed) -> [String; 3] {
+    let (operation, format) = list::parts(program.name);
+    let operation = match program.times() {
+        1 => operation.into(),
+        times => format!("{operation} x {times}"),
     };
-    [board.name().into(), operation, program.format.into()]
+    [board.name.into(), operation, format.into()]
 }
 
 /// Instructions of an operation, rounded to the nearest, and bytes of stack.
-fn measured(board: Board, program: &Program, output: &str) -> Result<(u64, u64)> {
+fn measured(board: Board, program: &Listed, output: &str) -> Result<(u64, u64)> {
     let numbers = |word: &str, count: usize| numbers(output, word, count);
     let tick = numbers("tick", 2)?;
-    let half_instructions = board.half_instructions_in_a_tick();
+    let half_instructions = board.half_instructions_in_a_tick;
     let expected = 2 * tick[0] / half_instructions;
     if tick[1].abs_diff(expected) > 2 {
-        let (found, name) = (tick[1], board.name());
+        let (found, name) = (tick[1], board.name);
         return Err(format!("{name}: {expected} ticks expected of its clock, {found} found"));
     }
     let count = numbers("count", 3)?;
-    let doubled = (count[1].saturating_sub(count[2])) * half_instructions * program.times;
+    let doubled = (count[1].saturating_sub(count[2])) * half_instructions * program.times();
     Ok(((doubled + count[0]) / (2 * count[0]), numbers("stack", 1)?[0]))
 }
 
@@ -188,7 +176,7 @@ pub fn record(rows: &[Row], compilers: &BTreeMap<&str, String>) -> Result<()> {
     comments.sort();
     all.retain(|row| !compilers.contains_key(row.key[0].as_str()));
     all.extend(rows.iter().cloned());
-    all.sort_by_key(|row| Board::ALL.iter().position(|board| board.name() == row.key[0]));
+    all.sort_by_key(|row| BOARDS.iter().position(|board| board.name == row.key[0]));
     let lines = comments.into_iter().chain([HEADER.into()]).chain(all.iter().map(Row::to_string));
     let text: String = lines.map(|line| line + "\n").collect();
     std::fs::write(RECORD, text).map_err(|error| format!("{RECORD}: {error}"))
@@ -244,8 +232,8 @@ fn same(row: &Row, record: &Row) -> bool {
 mod tests {
     use super::{Row, same};
     use crate::gate::Sizes;
-    use crate::program::Board;
-    use crate::program::{Kind, Program};
+    use crate::list::Listed;
+    use crate::program::AN386;
 
     #[test]
     fn counts_are_compared_up_to_padding_and_ticks() {
@@ -261,7 +249,7 @@ mod tests {
 
     #[test]
     fn a_scene_has_a_row_for_each_operation_and_one_of_its_memory() {
-        let program = Program { operation: "sun", format: "f32", kind: Kind::Scene, times: 1 };
+        let program = Listed { name: "sun_f32", source: "scene_f32" };
         let sizes = |flash, ram| Sizes { flash, ram, initialized: 0 };
         let of = |operation: &str, ticks: u32, stack: u32| {
             format!(
@@ -269,7 +257,7 @@ mod tests {
             )
         };
         let output = format!("holds 8\n{}{}", of("light", 105, 90), of("pixel", 15, 30));
-        let rows = Row::of_scene(Board::An386, &program, &output, sizes(900, 50), sizes(100, 40));
+        let rows = Row::of_program(AN386, &program, &output, sizes(900, 50), sizes(100, 40));
         let rows: Vec<String> = rows.unwrap().iter().map(ToString::to_string).collect();
         let board = "mps2-an386,sun";
         assert_eq!(rows[0], format!("{board}/light,f32,400,,,90"));

@@ -30,7 +30,7 @@ impl Compiler {
     /// # Errors
     ///
     /// The output of the compiler or the linker.
-    pub fn build(&self, package: &str, binaries: &[String], profile: &str) -> Result<()> {
+    pub fn build(&self, package: &str, binaries: &[&str], profile: &str) -> Result<()> {
         if binaries.is_empty() {
             return Ok(());
         }
@@ -82,11 +82,10 @@ const TIMEOUT: &str = "120";
 ///
 /// If it ends with a status other than 0, or not in time.
 pub fn run(board: Board, program: &Path) -> Result<String> {
-    let (emulator, machine) = board.emulator();
     let mut command = Command::new("timeout");
     command
-        .args([TIMEOUT, emulator])
-        .args(machine)
+        .args([TIMEOUT, board.emulator])
+        .args(board.machine)
         .args(["-display", "none", "-monitor", "none", "-serial", "none", "-icount", "shift=0"])
         .args(["-semihosting-config", "enable=on,target=native", "-kernel"])
         .arg(program);
@@ -98,8 +97,10 @@ pub fn run(board: Board, program: &Path) -> Result<String> {
     }
     let status = match output.status.code() {
         Some(124) => format!("does not end within {TIMEOUT} s"),
-        Some(127) => format!("no {emulator}: apt-get install qemu-system-arm qemu-system-misc"),
+        Some(127) => {
+            format!("no {}: apt-get install qemu-system-arm qemu-system-misc", board.emulator)
+        }
         code => format!("ends with status {code:?}"),
     };
-    Err(format!("{} on {}: {status}\n{text}", program.display(), board.name()))
+    Err(format!("{} on {}: {status}\n{text}", program.display(), board.name))
 }

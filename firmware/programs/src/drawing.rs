@@ -1,4 +1,7 @@
-//! A sphere as text, in integers.
+//! Pictures of a sphere, computed in integers.
+
+use eigenshade::Q15;
+use eigenshade::quantized::Normal;
 
 /// Rows of text; a character is twice as high as wide.
 const ROWS: i32 = 18;
@@ -6,8 +9,8 @@ const ROWS: i32 = 18;
 /// From dark to bright.
 const SHADES: &[u8; 10] = b" .:-=+*#%@";
 
-/// Draws what `shade` gives for normals in fractions of 2^31; none is drawn as nothing.
-pub fn draw(shade: impl Fn(i32, i32, i32) -> Option<i32>) {
+/// Draws a sphere as text. `shade` gets a normal in fractions of 2^31.
+pub fn as_text(shade: impl Fn(i32, i32, i32) -> Option<i32>) {
     let irradiance = |row: i32, column: i32| {
         // Fractions of 2^15, from the middle of each character.
         let x = (2 * column + 1 - 2 * ROWS) * (32768 / (2 * ROWS));
@@ -37,9 +40,33 @@ pub fn draw(shade: impl Fn(i32, i32, i32) -> Option<i32>) {
     }
 }
 
+/// Pixels along a side of a picture in color.
+const SIDE: i32 = 16;
+
+/// Draws a sphere in color, three letters a pixel: the upper bits of `shade`, from `a` to `p`.
+/// Nothing is stored, as with a display that takes pixel by pixel.
+pub fn in_color(shade: impl Fn(Normal<Q15>) -> [i32; 3]) {
+    for row in 0..SIDE {
+        for column in 0..SIDE {
+            let x = (2 * column + 1 - SIDE) * (32768 / SIDE);
+            let y = (SIDE - 2 * row - 1) * (32768 / SIDE);
+            let square = (1 << 30) - x * x - y * y;
+            let mut pixel = [0; 3];
+            if square > 0 {
+                let z = root(square.cast_unsigned()).cast_signed();
+                let [x, y, z] = [x, y, z.min(32767)].map(|one| Q15(one as i16));
+                pixel = Normal::<Q15>::new(x, y, z).map_or(pixel, &shade);
+            }
+            for value in pixel {
+                board::print_byte(b'a' + (value.max(0) >> 14).min(15) as u8);
+            }
+        }
+        board::print_byte(b'\n');
+    }
+}
+
 /// The square root, rounded down.
-#[must_use]
-pub fn root(number: u32) -> u32 {
+fn root(number: u32) -> u32 {
     let (mut root, mut bit) = (0_u32, 1 << 15);
     while bit > 0 {
         let next = root | bit;

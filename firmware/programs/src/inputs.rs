@@ -1,44 +1,118 @@
-//! Inputs of the measured operations. What they are does not change the counts: no
-//! operation branches on its numbers.
+//! Inputs of the measured operations. Their values do not change the counts, because no operation
+//! branches on its numbers.
 
-use core::hint::black_box;
-use eigenshade::{Light, Material, Normal};
+/// Inputs in f32.
+pub mod floats {
+    use core::hint::black_box;
+    use eigenshade::{Light, Material, Normal};
 
-/// 16 visible normals.
-#[must_use]
-pub fn normals() -> [Normal<f32>; 16] {
-    let step = black_box(0.4);
-    let along = |k: usize| {
-        let (x, y) = ((k % 4) as f32 * step - 0.6, (k / 4) as f32 * step - 0.6);
-        Normal::new(x, y, 0.7).ok()
-    };
-    let facing = Normal::new(0.0, 0.0, 1.0).ok();
-    // Each is a normal: none is as short as zero or points away.
-    core::array::from_fn(|k| along(k).or(facing)).map(|normal| match normal {
-        Some(normal) => normal,
-        None => board::exit(false),
-    })
+    /// 16 visible normals.
+    #[must_use]
+    pub fn normals() -> [Normal<f32>; 16] {
+        let step = black_box(0.4);
+        let along = |k: usize| {
+            let (x, y) = ((k % 4) as f32 * step - 0.6, (k / 4) as f32 * step - 0.6);
+            Normal::new(x, y, 0.7).ok()
+        };
+        let facing = Normal::new(0.0, 0.0, 1.0).ok();
+        // Each is a normal: none is as short as zero or points away.
+        core::array::from_fn(|k| along(k).or(facing)).map(|normal| match normal {
+            Some(normal) => normal,
+            None => board::exit(false),
+        })
+    }
+
+    /// Numbers of both signs between -1 and 1, always the same.
+    #[must_use]
+    pub fn numbers<const N: usize>() -> [f32; N] {
+        // Not to be computed by the compiler: the program would hold all of them.
+        let mut state = black_box(1_u32);
+        core::array::from_fn(|_| {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            f32::from((state >> 16) as u16 as i16) / 32768.0
+        })
+    }
+
+    /// A light of these coefficients.
+    #[must_use]
+    pub fn light(coefficients: &[f32]) -> Light<'_, f32> {
+        Light::new(coefficients).unwrap_or_else(|_| board::exit(false))
+    }
+
+    /// A material of these coefficients.
+    #[must_use]
+    pub fn material(coefficients: &[f32]) -> Material<'_, f32> {
+        Material::new(coefficients).unwrap_or_else(|_| board::exit(false))
+    }
 }
 
-/// Numbers of both signs between -1 and 1, always the same.
-#[must_use]
-pub fn numbers<const N: usize>() -> [f32; N] {
-    // Not to be computed by the compiler: the program would hold all of them.
-    let mut state = black_box(1_u32);
-    core::array::from_fn(|_| {
-        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-        f32::from((state >> 16) as u16 as i16) / 32768.0
-    })
-}
+/// Inputs in Q15 and Q31.
+pub mod integers {
+    use core::hint::black_box;
+    use eigenshade::quantized::{Light, Material, Normal};
+    use eigenshade::{Q15, Q31};
 
-/// A light of these coefficients.
-#[must_use]
-pub fn light(coefficients: &[f32]) -> Light<'_, f32> {
-    Light::new(coefficients).unwrap_or_else(|_| board::exit(false))
-}
+    /// A format that these inputs can be given in.
+    pub trait Input: Sized {
+        /// From a fraction of 2^31.
+        fn of(fraction: i32) -> Self;
+        /// The normal of these components.
+        fn normal(x: Self, y: Self, z: Self) -> Option<Normal<Self>>;
+    }
 
-/// A material of these coefficients.
-#[must_use]
-pub fn material(coefficients: &[f32]) -> Material<'_, f32> {
-    Material::new(coefficients).unwrap_or_else(|_| board::exit(false))
+    impl Input for Q15 {
+        fn of(fraction: i32) -> Self {
+            Self((fraction >> 16) as i16)
+        }
+        fn normal(x: Self, y: Self, z: Self) -> Option<Normal<Self>> {
+            Normal::<Self>::new(x, y, z).ok()
+        }
+    }
+
+    impl Input for Q31 {
+        fn of(fraction: i32) -> Self {
+            Self(fraction)
+        }
+        fn normal(x: Self, y: Self, z: Self) -> Option<Normal<Self>> {
+            Normal::<Self>::new(x, y, z).ok()
+        }
+    }
+
+    /// Four visible normals.
+    #[must_use]
+    pub fn normals<Q: Input>() -> [Normal<Q>; 4] {
+        // 3, 4 and 5 are the sides of a right triangle.
+        const FIFTH: i32 = i32::MAX / 5;
+        [[0, 0, 5], [3, 0, 4], [0, -4, 3], [-3, 4, 0]].map(|fifths| {
+            let [x, y, z] = fifths.map(|count| Q::of(count * black_box(FIFTH)));
+            Q::normal(x, y, z).unwrap_or_else(|| board::exit(false))
+        })
+    }
+
+    /// Mantissas of both signs, always the same.
+    #[must_use]
+    pub fn mantissas<Q: Input, const N: usize>() -> [Q; N] {
+        let mut state = black_box(1_u32);
+        core::array::from_fn(|_| {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            // Half of the largest, so that its bits are those of a light's.
+            Q::of(state.cast_signed() >> 1)
+        })
+    }
+
+    /// A light of these mantissas.
+    #[must_use]
+    pub fn light<Q>(mantissas: &[Q]) -> Light<'_, Q> {
+        Light::new(-15, mantissas).unwrap_or_else(|_| board::exit(false))
+    }
+
+    /// A material of these mantissas.
+    #[must_use]
+    pub fn material<Q>(mantissas: &[Q], order: usize) -> Material<'_, Q> {
+        let exponents = EXPONENTS.get(..=order).unwrap_or_default();
+        Material::new(exponents, mantissas).unwrap_or_else(|_| board::exit(false))
+    }
+
+    /// Exponents of a material of order 7.
+    static EXPONENTS: [i8; 8] = [-15; 8];
 }

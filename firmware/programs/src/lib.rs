@@ -1,55 +1,25 @@
-//! What the programs share: tables, inputs, and baselines to compare with.
+//! What the programs share: tables, golden vectors, inputs and drawings.
+//!
+//! Cargo.toml lists the programs and their sources. `relight_q15`, for example, is the function
+//! `relight` of `operations_integer.rs`, with the shipped table in Q15 as the module `table`.
 #![no_std]
 
-/// A full scene: degree 9, order 7, images to 1e-4 of the peak.
-pub mod full {
-    include!(concat!(env!("OUT_DIR"), "/full.rs"));
-
-    /// In mantissas of 15 bits.
-    pub mod q15 {
-        include!(concat!(env!("OUT_DIR"), "/full_q15.rs"));
-    }
-
-    /// In mantissas of 31 bits.
-    pub mod q31 {
-        include!(concat!(env!("OUT_DIR"), "/full_q31.rs"));
-    }
+/// The tables. Modules `q15` and `q31` have the integer formats.
+pub mod tables {
+    include!(concat!(env!("OUT_DIR"), "/tables.rs"));
 }
-
-/// Any Lambertian material under light of degree 2.
-pub mod lambertian {
-    include!(concat!(env!("OUT_DIR"), "/lambertian.rs"));
-
-    /// In mantissas of 15 bits.
-    pub mod q15 {
-        include!(concat!(env!("OUT_DIR"), "/lambertian_q15.rs"));
-    }
-
-    /// In mantissas of 31 bits.
-    pub mod q31 {
-        include!(concat!(env!("OUT_DIR"), "/lambertian_q31.rs"));
-    }
-}
-
-/// The shipped table in Q15 for one material, folded in beforehand.
-pub mod one_material {
-    include!(concat!(env!("OUT_DIR"), "/one_material.rs"));
-}
-
-pub mod scenes;
-
-pub mod ladder;
 
 pub mod golden;
 
 pub mod inputs;
 
-pub mod integer_inputs;
-
 pub mod drawing;
 
-pub mod picture;
-
-mod operations;
-
-pub mod dense;
+/// Makes one function of a source the program. The build script derives the function and the module
+/// `table` from the program's name.
+#[macro_export]
+macro_rules! program {
+    () => {
+        include!(concat!(env!("OUT_DIR"), "/programs/", env!("CARGO_BIN_NAME"), ".rs"));
+    };
+}

@@ -1,0 +1,169 @@
+//! The tables as modules, for any material or, in Q15, for the one material of a scene.
+
+use crate::{Result, SCENES, decoded, golden, list, read};
+use eigenshade::Q15;
+use eigenshade::quantized::{Basis, Material, Parts, Profile};
+use eigenshade_table::quantize::{self, Format, QuantizedParts};
+use eigenshade_table::reduce::with_components;
+use eigenshade_table::trim::trim;
+use eigenshade_table::{Table, rust_quantized, rust_source};
+use std::path::Path;
+
+/// The folder of the tables, and the list of those of several sizes.
+const FOLDER: &str = "../tables";
+const SIZES: &str = "../tables/sizes.csv";
+
+/// Light of degree 2 on Lambertian materials, and how far its polynomials are trimmed.
+const LAMBERTIAN: (&str, f64) = ("../tables/lambertian.bin", 2e-4);
+
+/// The tables with programs in Q31.
+const IN_Q31: [&str; 2] = ["lambertian", "full"];
+
+/// The shipped table.
+const SHIPPED: &str = "../../tables/sphere.bin";
+
+/// The first line of each generated module.
+const COMMAND: &str = "build.rs";
+
+/// A module for each table.
+pub fn modules() -> Result<String> {
+    let mut text = String::new();
+    let mut table = decoded(LAMBERTIAN.0)?;
+    trim(&mut table, LAMBERTIAN.1);
+    text += &any_material("lambertian", &table)?;
+    let sizes = read(SIZES)?;
+    for line in sizes.lines().filter(|line| !line.starts_with('#')).skip(1) {
+        text += &size(line).map_err(|fault| format!("{SIZES}: `{line}`: {fault}"))?;
+    }
+    for scene in list::programs().filter(|one| one.source == "scene_q15") {
+        let (name, _) = list::parts(scene.name);
+        let path = format!("{SCENES}/{name}.bin");
+        if Path::new(&path).exists() {
+            text +=
+                &one_scene(name, &decoded(&path)?).map_err(|fault| format!("{path}: {fault}"))?;
+        }
+    }
+    let golden = golden::file()?;
+    let pair = *golden.pairs().first().ok_or("no pair")?;
+    let material = golden.find("q15", pair, "material")?;
+    let exponents: Vec<i8> = material.exponents.iter().map(|&one| one as i8).collect();
+    let module = one_material(&decoded(SHIPPED)?, &exponents, &material.integers()?)?;
+    Ok(text + &in_module("one_material", &module))
+}
+
+fn in_module(name: &str, text: &str) -> String {
+    format!("/// A table.\npub mod {name} {{\n{text}}}\n")
+}
+
+/// A table of the list: the first components of the one in a file, trimmed.
+fn size(line: &str) -> Result<String> {
+    let fields: Vec<&str> = line.split(',').collect();
+    let [name, file, components, tolerance] = fields[..] else {
+        return Err("four fields expected".into());
+    };
+    let fault = |error: &dyn std::fmt::Display| error.to_string();
+    let components: usize = components.parse().map_err(|error| fault(&error))?;
+    let whole = decoded(&format!("{FOLDER}/{file}"))?;
+    let mut table = with_components(&whole, |number, _| number < components);
+    if !tolerance.is_empty() {
+        trim(&mut table, tolerance.parse().map_err(|error| fault(&error))?);
+    }
+    any_material(name, &table)
+}
+
+/// The module of a table in the formats of its programs.
+fn any_material(name: &str, table: &Table) -> Result<String> {
+    let mut text = rust_source::module(table, COMMAND);
+    for (format, suffix) in [(Format::Q15, "q15"), (Format::Q31, "q31")] {
+        if format == Format::Q31 && !IN_Q31.contains(&name) {
+            continue;
+        }
+        let parts = parts(table, format)?;
+        text += &in_module(suffix, &rust_quantized::module(&parts, COMMAND));
+    }
+    Ok(in_module(name, &text))
+}
+
+fn parts(table: &Table, format: Format) -> Result<QuantizedParts> {
+    QuantizedParts::new(table, format, format.tolerance()).map_err(|error| error.to_string())
+}
+
+/// The module of a scene: f32 for any material, Q15 for its material.
+fn one_scene(name: &str, table: &Table) -> Result<String> {
+    let material = coefficients(table)?;
+    let (mantissas, exponents) = quantize::material(table.gram.order, &material, Format::Q15);
+    let in_q15 = one_material(table, &exponents, &mantissas)?;
+    let text = rust_source::module(table, COMMAND) + &in_module("q15", &in_q15);
+    Ok(in_module(name, &text))
+}
+
+/// The material that a scene names, or the first of its database, whose rows are in storage order.
+fn coefficients(table: &Table) -> Result<Vec<f64>> {
+    let database = format!("{SCENES}/{}", table.scene.material.database);
+    let text = read(&database)?;
+    let rows = text.lines().filter(|line| !line.starts_with('#')).skip(1);
+    let mut rows = rows.filter_map(|row| row.split_once(',')).peekable();
+    let first = rows.peek().map(|(name, _)| (*name).to_owned());
+    let name = table.scene.material.names.first().cloned().or(first).unwrap_or_default();
+    let values = rows.filter(|(found, _)| *found == name);
+    let value = |(_, row): (&str, &str)| row.rsplit(',').next().and_then(|one| one.parse().ok());
+    let count = eigenshade::index::material::count(table.gram.order);
+    let values: Option<Vec<f64>> = values.take(count).map(value).collect();
+    let values = values.filter(|values| values.len() == count);
+    values.ok_or_else(|| format!("{database}: `{name}` has no {count} values"))
+}
+
+/// A table in Q15 with the transfer of one material as `MATERIAL`, and without the statics that
+/// only a transfer uses.
+fn one_material(table: &Table, exponents: &[i8], mantissas: &[i32]) -> Result<String> {
+    let mut parts = parts(table, Format::Q15)?;
+    let (numbers, of_profiles) =
+        transfer(&parts, exponents, mantissas).map_err(|error| error.to_string())?;
+    for numbers in [&mut parts.polar, &mut parts.factors] {
+        numbers.clear();
+    }
+    for exponents in [&mut parts.polar_exponents, &mut parts.factor_exponents] {
+        exponents.clear();
+    }
+    let numbers: Vec<i32> = numbers.into_iter().map(|Q15(number)| number.into()).collect();
+    Ok(rust_quantized::module(&parts, COMMAND)
+        + &rust_quantized::transfer(Format::Q15, &numbers, &of_profiles))
+}
+
+/// Numbers and exponents of the transfer of a material.
+fn transfer(
+    parts: &QuantizedParts,
+    exponents: &[i8],
+    mantissas: &[i32],
+) -> std::result::Result<(Vec<Q15>, Vec<i16>), eigenshade::Error> {
+    let in_q15 = |numbers: &[i32]| -> Vec<Q15> {
+        numbers.iter().map(|&number| Q15(number as i16)).collect()
+    };
+    let profiles = parts.profiles.iter().map(|place| {
+        let (components, sizes) = ([place.plus, place.minus], [place.size, place.step]);
+        Profile::new(place.azimuth, place.exponent, components, sizes)
+    });
+    let profiles: Vec<Profile> = profiles.collect();
+    let [polar, factors, terms] =
+        [&parts.polar, &parts.factors, &parts.terms].map(|one| in_q15(one));
+    let basis = Basis::<Q15>::new(Parts {
+        degree: parts.degree,
+        order: parts.order,
+        effects: parts.effects,
+        components: parts.components,
+        profiles: &profiles,
+        lengths: &parts.lengths,
+        polar: &polar,
+        polar_exponents: &parts.polar_exponents,
+        factors: &factors,
+        factor_exponents: &parts.factor_exponents,
+        terms: &terms,
+    })?;
+    let mantissas = in_q15(mantissas);
+    let material = Material::new(exponents, &mantissas)?;
+    let mut numbers = vec![Q15(0); basis.transfer_len()];
+    let mut of_profiles = vec![0; basis.profiles()];
+    let mut workspace = vec![0; basis.workspace_len()];
+    basis.transfer_into(&material, &mut workspace, &mut numbers, &mut of_profiles)?;
+    Ok((numbers, of_profiles))
+}

@@ -1,0 +1,26 @@
+//! The list of programs, which is `bin` in Cargo.toml. The build script and the host share this
+//! file.
+
+/// A program of the list.
+#[derive(Clone, Copy, Debug)]
+pub struct Listed {
+    /// Its name.
+    pub name: &'static str,
+    /// The file in `src` with its source, without `.rs`.
+    pub source: &'static str,
+}
+
+/// All programs, in the order of the list.
+pub fn programs() -> impl Iterator<Item = Listed> {
+    let lines = include_str!("Cargo.toml").lines().map(str::trim);
+    lines.filter(|line| line.starts_with("{ name")).map(|line| {
+        let texts: Vec<&str> = line.split('"').collect();
+        let [_, name, _, path, _] = texts[..] else { panic!("`{line}` lists no program") };
+        Listed { name, source: path.trim_start_matches("src/").trim_end_matches(".rs") }
+    })
+}
+
+/// The parts of a program's name: an operation, a table or a scene; and the number format.
+pub fn parts(name: &str) -> (&str, &str) {
+    name.rsplit_once('_').unwrap_or((name, "none"))
+}

@@ -1,5 +1,0 @@
-//! The coefficients of an image to its scene, K = 50, in Q31.
-#![no_std]
-#![no_main]
-
-programs::collapse!(eigenshade::sphere::q31);

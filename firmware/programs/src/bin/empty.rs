@@ -1,9 +1,0 @@
-//! Everything that each measured program has, but no operation.
-#![no_std]
-#![no_main]
-
-board::program!(main);
-
-fn main() {
-    board::measure(&[0_u32; 16], board::Passes(64), |_| ());
-}

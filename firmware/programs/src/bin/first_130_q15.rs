@@ -1,5 +1,0 @@
-//! 130 components to 1e-3, in Q15: a pixel and a new light.
-#![no_std]
-#![no_main]
-
-programs::rung_q15!(programs::ladder::first_130::q15);

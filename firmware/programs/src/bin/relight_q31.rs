@@ -1,5 +1,0 @@
-//! A new light on a fixed material, K = 50, in Q31.
-#![no_std]
-#![no_main]
-
-programs::relight!(eigenshade::sphere::q31);

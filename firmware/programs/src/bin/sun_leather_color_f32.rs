@@ -1,5 +1,0 @@
-//! Any light on leather, in color.
-#![no_std]
-#![no_main]
-
-programs::scene_f32!(programs::scenes::sun_leather, 3);

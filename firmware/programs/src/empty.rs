@@ -1,0 +1,9 @@
+//! The common part of the measured programs, without an operation.
+#![no_std]
+#![no_main]
+
+board::program!(main);
+
+fn main() {
+    board::measure(&[0_u32; 16], board::Passes(64), |_| ());
+}

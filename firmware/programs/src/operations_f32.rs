@@ -1,0 +1,136 @@
+//! The measured operations in f32. A program is one of these functions, with a table.
+#![no_std]
+#![no_main]
+#![expect(dead_code, reason = "a program runs one of the functions")]
+
+use board::{Passes, holds, measure};
+use core::hint::black_box;
+use eigenshade::{BakedMap, Light, MapPoint, NineTerms, Tolerance, specialized};
+use programs::inputs::floats as inputs;
+use table::{COMPONENTS, Coefficients, DEGREE, SCENE, Transfer};
+
+programs::program!();
+
+/// A pixel of a scene.
+fn shade() {
+    let numbers = inputs::numbers::<COMPONENTS>();
+    let Ok(scene) = table::collapse(&specialized::coefficients(numbers, &[])) else {
+        board::exit(false)
+    };
+    let scene = black_box(scene);
+    holds(size_of_val(&scene));
+    let Some(terms) = table::terms(&scene) else { board::exit(false) };
+    measure(&inputs::normals(), Passes(64), |normal| table::shade_terms(terms, *normal));
+}
+
+/// A pixel of a Lambertian scene.
+fn shade_lambertian() {
+    shade();
+}
+
+/// A new light on a fixed material.
+fn relight() {
+    let material = inputs::numbers::<40>();
+    let Ok(transfer) = table::transfer(&inputs::material(&material)) else { board::exit(false) };
+    let transfer = black_box(transfer);
+    let mut coefficients = Coefficients::from([0.0; COMPONENTS]);
+    holds(size_of_val(&transfer) + size_of_val(&coefficients));
+    measure(&[inputs::numbers::<100>()], Passes(256), |light| {
+        let light = inputs::light(light);
+        table::relight_into(&transfer, &light, black_box(&mut coefficients)).is_ok()
+    });
+}
+
+/// The coefficients of an image to its scene.
+fn collapse() {
+    let coefficients = specialized::coefficients(inputs::numbers(), &[]);
+    let Ok(mut scene) = table::collapse(&coefficients) else { board::exit(false) };
+    holds(size_of_val(&coefficients) + size_of_val(&scene));
+    measure(&[coefficients], Passes(256), |coefficients| {
+        table::collapse_into(coefficients, black_box(&mut scene)).is_ok()
+    });
+}
+
+/// A new light on a fixed material, up to the scene.
+fn relight_collapse() {
+    let material = inputs::numbers::<40>();
+    let Ok(transfer) = table::transfer(&inputs::material(&material)) else { board::exit(false) };
+    let transfer = black_box(transfer);
+    let mut coefficients = specialized::coefficients(inputs::numbers::<COMPONENTS>(), &[]);
+    let Ok(mut scene) = table::collapse(&coefficients) else { board::exit(false) };
+    holds(size_of_val(&transfer) + size_of_val(&coefficients) + size_of_val(&scene));
+    measure(&[inputs::numbers::<100>()], Passes(256), |light| {
+        let light = Light::new(light)?;
+        table::relight_into(&transfer, &light, &mut coefficients)?;
+        table::collapse_into(&coefficients, black_box(&mut scene))
+    });
+}
+
+/// A new material, combined with the basis.
+fn transfer() {
+    measure(&[inputs::numbers::<40>()], Passes(64), transferred);
+}
+
+#[inline(never)]
+fn transferred(material: &[f32; 40]) -> Transfer {
+    let material = inputs::material(material);
+    table::transfer(&material).unwrap_or_else(|_| board::exit(false))
+}
+
+/// A light on a material to the coefficients of the image.
+fn project() {
+    let material = black_box(inputs::numbers::<40>());
+    measure(&[inputs::numbers::<100>()], Passes(64), |light| projected(light, &material));
+}
+
+#[inline(never)]
+fn projected(light: &[f32; 100], material: &[f32; 40]) -> Coefficients {
+    let (light, material) = (inputs::light(light), inputs::material(material));
+    table::project(&light, &material).unwrap_or_else(|_| board::exit(false))
+}
+
+/// The coefficients of images to scenes within 1 % of the peak, for lights and materials that grow
+/// darker with their degree, as real ones do.
+fn collapse_within() {
+    let (light, material) = (inputs::numbers::<100>(), inputs::numbers::<40>());
+    let images = [1, 2, 3, 4].map(|faster| image(&light, &material, faster));
+    let (mut lengths, mut scene) = ([0; DEGREE + 1], [0.0; SCENE]);
+    holds(size_of_val(&images[0]) + size_of_val(&lengths) + size_of_val(&scene));
+    measure(&images, Passes(64), |d| {
+        let (scene, lengths) = (black_box(&mut scene[..]), black_box(&mut lengths));
+        let collapsed = table::BASIS.collapse_within(d, Tolerance::OfPeak(1e-2), lengths, scene);
+        collapsed.map(|(_, truncation)| truncation)
+    });
+}
+
+/// The image of a light and a material whose numbers decrease.
+fn image(light: &[f32; 100], material: &[f32; 40], faster: usize) -> Coefficients {
+    let (mut light, mut material) = (*light, *material);
+    light.iter_mut().zip(0..).for_each(|(value, k)| *value /= (1 + k * faster) as f32);
+    material.iter_mut().zip(0..).for_each(|(value, k)| *value /= (1 + k * faster) as f32);
+    let (light, material) = (inputs::light(&light), inputs::material(&material));
+    table::project(&light, &material).unwrap_or_else(|_| board::exit(false))
+}
+
+/// A pixel by the nine-term formula.
+fn nine_terms() {
+    let formula = black_box(NineTerms::new(inputs::numbers::<9>()));
+    measure(&inputs::normals(), Passes(64), |normal| formula.shade(*normal));
+}
+
+/// A bilinear look-up in a baked map, by normal.
+fn baked() {
+    let Ok(map) = BakedMap::new(32, inputs::numbers::<1024>()) else { board::exit(false) };
+    let map = black_box(map);
+    holds(size_of_val(&map));
+    measure(&inputs::normals(), Passes(64), |normal| map.bilinear(MapPoint::of(*normal)));
+}
+
+/// A bilinear look-up in a baked map, by map coordinates.
+fn baked_point() {
+    let Ok(map) = BakedMap::new(32, inputs::numbers::<1024>()) else { board::exit(false) };
+    let map = black_box(map);
+    holds(size_of_val(&map));
+    let points = inputs::normals().map(MapPoint::of);
+    measure(&points, Passes(64), |point| map.bilinear(*point));
+}

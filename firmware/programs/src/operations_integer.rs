@@ -1,0 +1,154 @@
+//! The measured operations in Q15 and Q31. A program is one of these functions, with a table.
+#![no_std]
+#![no_main]
+#![expect(dead_code, reason = "a program runs one of the functions")]
+
+use board::{Passes, holds, measure};
+use core::hint::black_box;
+use eigenshade::quantized::NineTerms;
+use eigenshade::{IntegerMap, MapPoint, Q15};
+use programs::inputs::integers as inputs;
+use table::{BASIS, COMPONENTS, Coefficients, ORDER, SCENE, Scene, Transfer};
+
+programs::program!();
+
+/// A pixel of a scene.
+fn shade() {
+    let mantissas = [0; COMPONENTS].map(|_: i32| black_box(123_456_789));
+    let Ok(scene) = BASIS.collapse::<SCENE>(&mantissas, -30) else { board::exit(false) };
+    let scene = black_box(scene);
+    holds(size_of_val(&scene));
+    measure(&inputs::normals(), Passes(256), |normal| table::shade(&scene, *normal));
+}
+
+/// A pixel of a Lambertian scene, by the nine-term formula.
+fn shade_lambertian() {
+    let mantissas = [0; COMPONENTS].map(|_: i32| black_box(123_456_789));
+    let Ok(scene) = BASIS.collapse::<SCENE>(&mantissas, -30) else { board::exit(false) };
+    let scene = black_box(scene);
+    holds(size_of_val(&scene));
+    let Some(formula) = scene.nine_terms() else { board::exit(false) };
+    measure(&inputs::normals(), Passes(256), |normal| formula.shade(*normal));
+}
+
+/// A new light on a fixed material.
+fn relight() {
+    relight_up_to!();
+}
+
+/// A new light on a fixed material, up to the scene.
+fn relight_collapse() {
+    relight_up_to!(collapse_into);
+}
+
+/// A new light on a fixed material, up to the coefficients or with `collapse_into` up to the scene.
+/// A macro, so that the former is linked without `collapse_into`.
+macro_rules! relight_up_to {
+    ($($collapse_into:ident)?) => {
+        let material = inputs::mantissas::<_, 40>();
+        let Ok(transfer) = table::transfer(&inputs::material(&material, ORDER)) else {
+            board::exit(false)
+        };
+        let transfer = black_box(transfer);
+        let (mut d, mut scene) = (Coefficients::default(), Scene::default());
+        let of_scene = [$(stringify!($collapse_into))?].map(|_: &str| size_of_val(&scene));
+        holds(of_scene.into_iter().sum());
+        holds(size_of_val(&transfer) + size_of_val(&d));
+        measure(&[inputs::mantissas::<_, 100>()], Passes(64), |light| {
+            let light = inputs::light(light);
+            let done = table::relight_into(&transfer.view(), &light, black_box(&mut d));
+            let _ = &mut scene;
+            $(let done = done.and_then(|()| table::$collapse_into(&d, black_box(&mut scene)));)?
+            done
+        });
+    };
+}
+use relight_up_to;
+
+/// The coefficients of an image to its scene.
+fn collapse() {
+    let material = inputs::mantissas::<_, 40>();
+    let light = inputs::mantissas::<_, 100>();
+    let light = inputs::light(&light);
+    let relit = table::transfer(&inputs::material(&material, ORDER))
+        .and_then(|transfer| table::relight(&transfer.view(), &light));
+    let Ok(relit) = relit else { board::exit(false) };
+    let mut scene = Scene::default();
+    holds(size_of_val(&relit) + size_of_val(&scene));
+    measure(&[relit], Passes(64), |relit| table::collapse_into(relit, black_box(&mut scene)));
+}
+
+/// A new material, combined with the basis.
+fn transfer() {
+    let mut transfer = Transfer::default();
+    holds(size_of_val(&transfer));
+    measure(&[inputs::mantissas::<_, 40>()], Passes(16), |material| {
+        let material = inputs::material(material, ORDER);
+        table::transfer_into(&material, black_box(&mut transfer))
+    });
+}
+
+/// A pixel by the nine-term formula.
+fn nine_terms() {
+    let coefficients = [9000, 500, -3000, 8000, -700, -1200, 2500, 900, 3100];
+    let formula = black_box(NineTerms::<Q15>::new(black_box(coefficients), -15));
+    measure(&inputs::normals(), Passes(256), |normal| formula.shade(*normal));
+}
+
+/// A bilinear look-up in a baked map, by normal.
+fn baked() {
+    let map = baked_map();
+    holds(size_of_val(&map));
+    let normals = inputs::normals::<Q15>();
+    measure(&normals, Passes(256), |normal| map.bilinear(MapPoint::of_quantized(*normal)));
+}
+
+/// A bilinear look-up in a baked map, by map coordinates.
+fn baked_point() {
+    let map = baked_map();
+    holds(size_of_val(&map));
+    let points = inputs::normals::<Q15>().map(MapPoint::of_quantized);
+    measure(&points, Passes(256), |point| map.bilinear(*point));
+}
+
+fn baked_map() -> IntegerMap<[i16; 1024]> {
+    let texels = inputs::mantissas::<Q15, 1024>().map(|texel| texel.0);
+    let Ok(map) = IntegerMap::new(32, 0, texels) else { board::exit(false) };
+    black_box(map)
+}
+
+/// One row of a dense projection. A projection has one for each component.
+fn dense_row() {
+    measure(&[&ROW, &ROW], Passes(8), |modes| dense_product(modes));
+}
+
+/// Modes at degree 9 and order 7.
+const MODES: usize = 3704;
+
+/// Stands for every row and for the modes, because a matrix of K x 3704 does not fit the smaller
+/// boards.
+static ROW: [i16; MODES] = {
+    let mut row = [0; MODES];
+    let (mut rest, mut state) = (row.as_mut_slice(), 1_u32);
+    while let [first, tail @ ..] = rest {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        *first = (state >> 16) as i16;
+        rest = tail;
+    }
+    row
+};
+
+/// The row times the modes, rounded to Q15: four products a step, summed in 64 bits, as CMSIS-DSP's
+/// `arm_mat_vec_mult_q15` does.
+#[inline(never)]
+fn dense_product(modes: &[i16; MODES]) -> i16 {
+    let (rows, _) = ROW.as_chunks::<4>();
+    let (modes, _) = modes.as_chunks::<4>();
+    let mut sum = 0_i64;
+    for ([a, b, c, d], [e, f, g, h]) in rows.iter().zip(modes) {
+        let product = |a: i16, b: i16| i64::from(i32::from(a) * i32::from(b));
+        sum += product(*a, *e) + product(*b, *f) + product(*c, *g) + product(*d, *h);
+    }
+    let rounded = (sum + (1 << 14)) >> 15;
+    rounded.clamp(i64::from(i16::MIN), i64::from(i16::MAX)) as i16
+}
