@@ -4,9 +4,19 @@
 
 pub use eigenshade_testing::tolerances;
 
+pub mod median;
+
+pub mod numbers;
+
+pub mod sheet;
+
+pub mod chart;
+
 pub mod pages;
 
-pub mod median;
+pub mod compare;
+
+pub mod figures;
 
 pub mod multiplications;
 

@@ -6,7 +6,7 @@ use clap::Args;
 use eigenshade_cli::output;
 use eigenshade_model::error::{self, Error};
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// A part's name and its text, which consists of whole lines.
 pub type Part = (&'static str, String);
@@ -21,24 +21,14 @@ pub struct Page {
 
 impl Page {
     /// Inserts the parts into the page of `--out`, or compares them with the page of `--check`.
-    ///
-    /// # Errors
-    ///
-    /// If a file cannot be read or written, the page lacks a marker, or a part differs.
     pub fn write_or_compare(&self, purpose: &Purpose, parts: &[Part]) -> error::Result<()> {
         let Some(path) = purpose.out.as_ref().or(purpose.check.as_ref()) else { return Ok(()) };
-        let page = fs::read_to_string(path).map_err(|error| Error::io(path, &error))?;
-        let text = with_parts(&page, parts)
-            .map_err(|fault| Error::new(fault, "restore them").in_file(path))?;
+        let text = filled(path, parts)?;
         purpose
             .write_or_compare(&text, &self.command(), |old, new| compare_words(old, new, self.same))
     }
 
-    /// Compares the recorded page in `docs/` with new parts.
-    ///
-    /// # Errors
-    ///
-    /// The first line that differs.
+    /// Compares the recorded page in `docs/` with new parts. The error is the first difference.
     pub fn check(&self, parts: &[Part]) -> Result<(), String> {
         let path = eigenshade_testing::repository().join(format!("docs/{}.md", self.name));
         let recorded = fs::read_to_string(path).map_err(|error| error.to_string())?;
@@ -69,10 +59,6 @@ pub struct Purpose {
 impl Purpose {
     /// Writes `text` to `--out`, or compares it with the file of `--check`: `compare(recorded,
     /// text)` returns the first difference. `command` is the command that rewrites the file.
-    ///
-    /// # Errors
-    ///
-    /// If a file cannot be read or written, or the recorded text differs.
     pub fn write_or_compare(
         &self,
         text: &str,
@@ -103,11 +89,14 @@ pub fn table(columns: &str, rows: impl IntoIterator<Item = Vec<String>>) -> Stri
     text + &rows.collect::<String>() + "\n"
 }
 
-/// Returns the page with the text of each part replaced.
-///
-/// # Errors
-///
-/// If the page lacks the markers of a part.
+/// The page in a file with the text of each part replaced.
+pub fn filled(path: &Path, parts: &[Part]) -> error::Result<String> {
+    let page = fs::read_to_string(path).map_err(|error| Error::io(path, &error))?;
+    with_parts(&page, parts)
+        .map_err(|fault| Error::new(fault, "restore these markers").in_file(path))
+}
+
+/// Returns the page with the text of each part replaced, or the markers that it lacks.
 pub fn with_parts(page: &str, parts: &[Part]) -> Result<String, String> {
     let mut page = page.to_owned();
     for (name, text) in parts {
@@ -121,32 +110,22 @@ pub fn with_parts(page: &str, parts: &[Part]) -> Result<String, String> {
     Ok(page)
 }
 
-/// Compares a page with its current version, word by word, by [`same_word`].
-///
-/// # Errors
-///
-/// The first line that differs.
-pub fn compare(recorded: &str, now: &str, near: impl Fn(f64, f64) -> bool) -> Result<(), String> {
-    compare_words(recorded, now, |_, old, new| same_word(old, new, &near))
-}
-
-/// Compares a page with its current version, word by word: `same(recorded line, old, new)`.
-///
-/// # Errors
-///
-/// The first line that differs.
+/// Compares a text with its current version, word by word: `same(recorded line, old, new)`. The
+/// error is the first difference.
 pub fn compare_words(
     recorded: &str,
     now: &str,
-    same: impl Fn(&str, &str, &str) -> bool,
+    mut same: impl FnMut(&str, &str, &str) -> bool,
 ) -> Result<(), String> {
     let (old, new): (Vec<_>, Vec<_>) = (recorded.lines().collect(), now.lines().collect());
     for (line, (old, new)) in old.iter().zip(&new).enumerate() {
+        let fault = |old, new| Err(format!("line {}: recorded `{old}`, now `{new}`", line + 1));
         let [before, after] = [old, new].map(|line| line.split_whitespace().collect::<Vec<_>>());
-        let alike =
-            before.len() == after.len() && before.iter().zip(&after).all(|(a, b)| same(old, a, b));
-        if !alike {
-            return Err(format!("line {}: recorded `{old}`, now `{new}`", line + 1));
+        if let Some((a, b)) = before.iter().zip(&after).find(|(a, b)| !same(old, a, b)) {
+            return fault(*a, *b);
+        }
+        if before.len() != after.len() {
+            return fault(*old, *new);
         }
     }
     if old.len() == new.len() { Ok(()) } else { Err("the number of lines differs".into()) }
@@ -191,18 +170,21 @@ mod tests {
 
     #[test]
     fn words_are_equal_and_numbers_near() {
-        let near = |old: f64, new: f64| (old - new).abs() <= 0.1 * old;
+        let compare = |old: &str, new: &str| {
+            let near = |old: f64, new: f64| (old - new).abs() <= 0.1 * old;
+            compare_words(old, new, |_, old, new| same_word(old, new, near))
+        };
         for (old, new) in [
             ("1.0e-3 a", "1.05e-3 a"),
             ("1e-3, b", "1.05e-3, b"),
             ("10 %", "10 %"),
             ("10%;", "10.5%;"),
         ] {
-            assert_eq!(compare(old, new, near), Ok(()), "{old}");
+            assert_eq!(compare(old, new), Ok(()), "{old}");
         }
-        assert_eq!(compare("×1.2 b", "×7 b", near), Ok(()));
+        assert_eq!(compare("×1.2 b", "×7 b"), Ok(()));
         for (old, new) in [("1e-3", "2e-3"), ("a", "b"), ("1", "2"), ("a", "a\nb"), ("1e-3", "x")] {
-            assert!(compare(old, new, near).is_err(), "{old}");
+            assert!(compare(old, new).is_err(), "{old}");
         }
     }
 }

@@ -9,6 +9,7 @@ use eigenshade_generator::light::projection::project;
 use eigenshade_generator::material::brdf::projection::project as project_brdf;
 use eigenshade_generator::material::brdf::{Brdf, Ggx, Lambertian, Measure};
 use eigenshade_model::reference::DirectSum;
+use eigenshade_testing::oracle::ggx;
 use std::f64::consts::{PI, TAU};
 use std::fs;
 
@@ -24,27 +25,14 @@ const DIRECT_FRAMES: f64 = 5e-3;
 /// more on texels of 0.0123: a tenth of what degree 24 leaves at such a lobe.
 const DIRECT_PARTS: f64 = 1e-3;
 
-/// GGX by vectors, or the matte material where roughness is not.
-#[derive(Clone, Copy)]
-struct Explicit {
-    roughness: Option<f64>,
-    f0: f64,
-    albedo: f64,
-}
+/// A material for the program, and its BRDF by vectors.
+type Explicit = (fn() -> Box<dyn Brdf>, fn([f64; 3], [f64; 3]) -> f64);
 
-impl Explicit {
-    fn value(self, i: [f64; 3], r: [f64; 3]) -> f64 {
-        let Some(roughness) = self.roughness else { return self.albedo / PI };
-        eigenshade_testing::oracle::ggx(roughness, self.f0, self.albedo, i, r)
-    }
-
-    fn function(self) -> Box<dyn Brdf> {
-        match self.roughness {
-            Some(roughness) => Box::new(Ggx::new(roughness, self.f0, self.albedo).unwrap()),
-            None => Box::new(Lambertian::new(self.albedo).unwrap()),
-        }
-    }
-}
+const METAL: Explicit =
+    (|| Box::new(Ggx::new(0.5, 0.9, 0.0).unwrap()), |i, r| ggx(0.5, 0.9, 0.0, i, r));
+const DIELECTRIC: Explicit =
+    (|| Box::new(Ggx::new(0.3, 0.04, 0.5).unwrap()), |i, r| ggx(0.3, 0.04, 0.5, i, r));
+const MATTE: Explicit = (|| Box::new(Lambertian::new(0.8).unwrap()), |_, _| 0.8 / PI);
 
 /// Irradiances by material, then by map of one size: midpoints in sin² θ_i and φ_i, each in the
 /// texel that it meets.
@@ -74,7 +62,7 @@ fn integrals(
             let column = (t * width as f64) as usize;
             let texel = row.min(height - 1) * width + column.min(width - 1);
             for (material, sums) in materials.iter().zip(&mut sums) {
-                let reflected = material.value(local, [-sine, 0.0, z]);
+                let reflected = material.1(local, [-sine, 0.0, z]);
                 for (map, sum) in maps.iter().zip(sums) {
                     for (sum, radiance) in sum.iter_mut().zip(map.texels[texel]) {
                         *sum += reflected * f64::from(radiance);
@@ -104,15 +92,12 @@ fn shipped(name: &str) -> EnvironmentMap {
     EnvironmentMap::from_path(repository().join(format!("tables/inputs/maps/{name}.exr"))).unwrap()
 }
 
-const METAL: Explicit = Explicit { roughness: Some(0.5), f0: 0.9, albedo: 0.0 };
-const MATTE: Explicit = Explicit { roughness: None, f0: 0.0, albedo: 0.8 };
-
 /// Under radiance 1 a matte normal has the irradiance of its albedo.
 #[test]
 fn a_matte_sphere_in_white_light_is_white() {
     let white = EnvironmentMap::new(128, 64, vec![[1.0; 3]; 128 * 64]).unwrap();
     let maps = Surroundings::new(&[white]).unwrap();
-    let matte = MATTE.function();
+    let matte = MATTE.0();
     for normal in spread(20) {
         let [r, g, b] = maps.irradiance(&[&*matte], &[normal], 1.0)[0][0][0];
         assert!((r / 0.8 - 1.0).abs() <= DIRECT_WHITE, "{r}");
@@ -124,9 +109,8 @@ fn a_matte_sphere_in_white_light_is_white() {
 fn texels_and_the_normals_own_frame_agree() {
     let maps = [window(128, 64, 10, 30), window(128, 64, 90, 5)];
     let surroundings = Surroundings::new(&maps).unwrap();
-    let dielectric = Explicit { roughness: Some(0.3), f0: 0.04, albedo: 0.5 };
-    let materials = [MATTE, METAL, dielectric];
-    let functions = materials.map(Explicit::function);
+    let materials = [MATTE, METAL, DIELECTRIC];
+    let functions = materials.map(|(function, _)| function());
     let functions = functions.each_ref().map(|function| &**function);
     let mut worst: f64 = 0.0;
     for normal in spread(12) {
@@ -187,7 +171,7 @@ fn error(
     integral: impl Fn(usize) -> [f64; 3],
 ) -> f64 {
     let light = project(map, degree);
-    let coefficients = project_brdf(&*material.function(), order, Measure::Projected).coefficients;
+    let coefficients = project_brdf(&*material.0(), order, Measure::Projected).coefficients;
     let reference = DirectSum::new(degree, order);
     let (mut square, mut peak): (f64, f64) = (0.0, 0.0);
     for (k, &normal) in normals.iter().enumerate() {

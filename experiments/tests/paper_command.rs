@@ -3,8 +3,8 @@
 use crate::support::{Folder, assert_fails, repository};
 use eigenshade_cli::picture::Canvas;
 use eigenshade_generator::png_samples;
-use experiments::paper::compare::compare;
-use experiments::paper::output_file::{Content, OutputFile};
+use experiments::figures::{Content, OutputFile};
+use experiments::paper::FIGURES;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
@@ -33,98 +33,83 @@ fn committed(name: &str) -> OutputFile {
 /// found, and the file is named. That the command makes these files, `paper --check docs` checks.
 #[test]
 fn damage_to_every_committed_file_is_found() {
-    let (folder, docs) = (Folder::new(), repository().join("docs"));
+    let docs = repository().join("docs");
     let figures = names(&docs.join("paper")).into_iter().map(|name| format!("paper/{name}"));
     let files: Vec<OutputFile> =
         figures.chain(["paper.md".into()]).map(|name| committed(&name)).collect();
-    let [numbers, pixels] = compare(&files, &docs).unwrap_or_else(|error| panic!("{error}"));
+    let [numbers, pixels] =
+        FIGURES.compare(&files, &docs).unwrap_or_else(|error| panic!("{error}"));
     assert!(numbers > 38_000 && pixels > 5_000_000, "{numbers} {pixels}");
-    for file in &files {
-        if let Content::Text(text) = &file.content {
-            let first = text.lines().next().unwrap();
-            assert!(first.replace(" -- ", " ").contains("experiments paper"), "{}", file.name);
-        }
-        file.write(&folder.path(".")).expect("written");
-    }
-    // The page shows every file, and no others.
-    let page = folder.read("paper.md");
+    let page = fs::read_to_string(docs.join("paper.md")).expect("a page");
     for link in page.split("](paper").skip(1).filter_map(|rest| rest.split(')').next()) {
-        assert!(folder.path(&format!("paper{link}")).exists(), "{link}");
+        assert!(docs.join(format!("paper{link}")).exists(), "{link}");
     }
-    for name in names(&folder.path("paper")) {
-        assert!(page.contains(&format!("](paper/{name})")), "{name}");
+    for file in &files {
+        let name = &file.name;
+        assert!(name == "paper.md" || page.contains(&format!("]({name})")), "{name}");
+        damage_is_found(file);
     }
+}
 
-    let check = || compare(&files, &folder.path(".")).map_err(|error| error.to_string());
-    check().expect("nothing is damaged");
-    let found = |name: &str, words: &[&str]| {
-        let message = check().expect_err(name);
-        for word in [&[name][..], words].concat() {
+/// In a folder of its own, so that no other file is read again.
+fn damage_is_found(file: &OutputFile) {
+    let (folder, name) = (Folder::new(), file.name.as_str());
+    let compare = || FIGURES.compare(std::slice::from_ref(file), &folder.path("."));
+    let found = |words: &[&str]| {
+        let message = compare().expect_err(name).to_string();
+        for word in [&[name], words].concat() {
             assert!(message.contains(word), "{name}: {message}");
         }
         assert!(!message.contains('\n'), "{message}");
     };
-    // A number, a line of a chart, a row of a table; half a file.
-    for (name, from, to) in [
-        ("paper/error.csv", "0.0", "0.1"),
-        ("paper/bound.svg", "points=\"9", "points=\"6"),
-        ("paper.md", "| velvet, forest | 10 %", "| velvet, forest | 11 %"),
-    ] {
-        let good = folder.read(name);
-        let lines: Vec<&str> = good.lines().collect();
-        let place = lines.iter().skip(12).position(|line| line.contains(from)).unwrap() + 12;
-        let line = lines[place].replacen(from, to, 1);
-        folder.write(name, good.replacen(lines[place], &line, 1));
-        found(name, &["belongs", "paper --out", &format!("{name}:{}: ", place + 1)]);
-        folder.write(name, lines[..lines.len() / 2].join("\n"));
-        found(name, &["paper --out"]);
-        fs::remove_file(folder.path(name)).unwrap();
-        found(name, &["missing", "paper --out"]);
-        folder.write(name, good);
-    }
-    for file in &files {
-        if let Content::Picture(canvas) = &file.content {
-            damage_to_a_picture_is_found(&file.name, canvas);
-        }
-    }
+    fs::create_dir(folder.path("paper")).unwrap();
+    found(&["missing", "paper --out"]);
+    file.write(&folder.path(".")).expect("written");
+    compare().expect("nothing is damaged");
     folder.write("paper/old.svg", "<svg/>");
-    found("paper/old.svg", &["no such figure", "remove"]);
+    assert!(compare().expect_err(name).to_string().contains("old.svg: the program makes no such"));
     fs::remove_file(folder.path("paper/old.svg")).unwrap();
-    check().expect("all is whole again");
-}
-
-/// In a folder of its own, so that no other picture is read again.
-fn damage_to_a_picture_is_found(name: &str, canvas: &Canvas) {
-    let folder = Folder::new();
-    let file = |canvas: &Canvas| OutputFile {
-        name: name.into(),
-        content: Content::Picture(canvas.clone()),
-    };
-    let whole = [file(canvas)];
-    let found = |words: &[&str]| {
-        let error = compare(&whole, &folder.path(".")).expect_err(name).to_string();
-        for word in [&[name, "paper --out"], words].concat() {
-            assert!(error.contains(word), "{name}: {error}");
-        }
-        assert!(!error.contains('\n'), "{error}");
-    };
-    // One pixel in the middle of the picture, three levels brighter.
-    let mut changed = canvas.clone();
-    let (column, row) = (canvas.width / 2, canvas.height / 2);
-    let byte = &mut changed.bytes[3 * (row * canvas.width + column)];
-    *byte = byte.checked_add(3).unwrap_or(0);
-    file(&changed).write(&folder.path(".")).expect("written");
-    found(&[&format!("pixel ({column}, {row})"), "belongs"]);
-    let mut short = canvas.clone();
-    short.bytes.truncate(3 * canvas.width * (canvas.height - 1));
-    short.height -= 1;
-    file(&short).write(&folder.path(".")).expect("written");
-    found(&["pixels where"]);
-    whole[0].write(&folder.path(".")).expect("written");
-    compare(&whole, &folder.path(".")).expect("nothing is damaged");
     let good = fs::read(folder.path(name)).unwrap();
     folder.write(name, &good[..good.len() / 2]);
-    found(&["cut short"]);
+    found(&[if name.ends_with(".png") { "cut short" } else { "paper --out" }]);
+    match &file.content {
+        Content::Text(text) => {
+            let first = text.lines().next().unwrap();
+            assert!(first.replace(" -- ", " ").contains("experiments paper"), "{name}");
+            // A number, a line of a chart, a row of a table.
+            for (of, from, to) in [
+                ("paper/error.csv", "0.0", "0.1"),
+                ("paper/bound.svg", "points=\"9", "points=\"6"),
+                ("paper.md", "| velvet, forest | 10 %", "| velvet, forest | 11 %"),
+            ] {
+                let mut lines: Vec<&str> = text.lines().collect();
+                let place = lines.iter().skip(12).position(|line| line.contains(from));
+                let Some(place) = place.filter(|_| of == name) else { continue };
+                let line = lines[place + 12].replacen(from, to, 1);
+                lines[place + 12] = &line;
+                folder.write(name, lines.join("\n"));
+                found(&["now", "paper --out", &format!("line {}: ", place + 13)]);
+            }
+        }
+        Content::Picture(canvas) => {
+            let with = |change: &dyn Fn(&mut Canvas)| {
+                let mut canvas = canvas.clone();
+                change(&mut canvas);
+                let changed = OutputFile { name: name.into(), content: Content::Picture(canvas) };
+                changed.write(&folder.path(".")).expect("written");
+            };
+            // One pixel in the middle of the picture, three levels brighter.
+            let (column, row) = (canvas.width / 2, canvas.height / 2);
+            let place = 3 * (row * canvas.width + column);
+            with(&|canvas| canvas.bytes[place] = canvas.bytes[place].checked_add(3).unwrap_or(0));
+            found(&["paper --out", &format!("pixel ({column}, {row})"), "belongs"]);
+            with(&|canvas| {
+                canvas.height -= 1;
+                canvas.bytes.truncate(3 * canvas.width * canvas.height);
+            });
+            found(&["paper --out", "pixels where"]);
+        }
+    }
 }
 
 #[test]

@@ -13,7 +13,7 @@ use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::parallel;
 use experiments::paper::bound::render;
 use experiments::paper::study::{DEGREE, Modes, ORDER, Study};
-use experiments::paper::tables::Sheet;
+use experiments::sheet::Sheet;
 use indicatif::ProgressBar;
 use std::f64::consts::PI;
 use std::sync::OnceLock;
@@ -46,7 +46,7 @@ pub fn study() -> &'static Study {
 /// A committed CSV of the figures.
 pub fn sheet(name: &str) -> Sheet {
     let path = repository().join(format!("docs/paper/{name}.csv"));
-    Sheet::new(&std::fs::read_to_string(path).expect("a text"))
+    Sheet::parse(&std::fs::read_to_string(path).expect("a text"), name).expect("a CSV")
 }
 
 /// Normals with the weights of the density cos(α)/π: 2z dz by Clenshaw and Curtis, equal
@@ -227,27 +227,29 @@ fn rendered_spheres_are_sums_of_integrals() {
 #[test]
 fn listed_irradiances_are_integrals() {
     let values = sheet("spheres_values");
-    assert_eq!(values.header.join(","), "light,material,modes,x,y,z,r,g,b");
+    assert_eq!(values.columns.join(","), "light,material,modes,x,y,z,r,g,b");
     assert_eq!(values.rows.len(), 3 * 2 * 49);
     let study = study();
     for (k, pair) in values.rows.chunks(2 * 49).enumerate() {
-        assert_eq!((&*pair[0][2], &*pair[49][2]), ("3704", "1000"));
+        assert_eq!([0, 49].map(|row| pair[row].text("modes")), ["3704", "1000"]);
         let peak = sheet("spheres").of(Modes::All).numbers("peak")[k];
-        let trial = study.trial(&pair[0][0], &pair[0][1]).expect("it is there");
+        let trial =
+            study.trial(pair[0].text("light"), pair[0].text("material")).expect("it is there");
         let light = &study.lights.entries[trial.light];
         let material = &study.materials.entries[trial.material];
         for (row, channel) in [(3, 0), (24, 1), (37, 2), (45, 0)] {
             let [whole, selected] = [&pair[row], &pair[49 + row]];
-            let at: Vec<f64> = whole[3..].iter().map(|field| field.parse().unwrap()).collect();
-            let normal = [at[0], at[1], at[2]];
+            let [x, y, z] = ["x", "y", "z"].map(|column| whole.number(column).expect("a number"));
+            let [listed, of_selected] = [whole, selected]
+                .map(|row| row.number(["r", "g", "b"][channel]).expect("a number"));
             let explicit = oracle::ExplicitLight::new(&light.rgb[channel]);
             let indices = material::indices(ORDER).zip(&material.rgb[channel]);
             let terms: Vec<_> = indices.map(|((o, p, q), b)| (o, p, q, *b)).collect();
-            let expected = oracle::irradiance(&explicit, &terms, normal);
-            let off = (at[3 + channel] - expected).abs() / peak;
+            let expected = oracle::irradiance(&explicit, &terms, [x, y, z]);
+            let off = (listed - expected).abs() / peak;
             assert!(off <= LISTED, "{whole:?}: {expected}");
             // And of the selected modes.
-            let (alpha, beta) = (at[0].hypot(at[1]).atan2(at[2]), at[1].atan2(at[0]));
+            let (alpha, beta) = (x.hypot(y).atan2(z), y.atan2(x));
             let mut sum = 0.0;
             for (l, m) in light::indices(DEGREE) {
                 for &(o, p, q, b) in terms.iter().filter(|(_, _, q, _)| *q <= l) {
@@ -257,8 +259,7 @@ fn listed_irradiances_are_integrals() {
                     }
                 }
             }
-            let listed: f64 = selected[6 + channel].parse().expect("a number");
-            assert!((listed - sum).abs() <= LISTED * peak, "{selected:?}: {sum}");
+            assert!((of_selected - sum).abs() <= LISTED * peak, "{selected:?}: {sum}");
         }
     }
 }

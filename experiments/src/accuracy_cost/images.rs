@@ -53,10 +53,6 @@ impl Pair {
     }
 
     /// The nine-term formula, with the material treated as Lambertian.
-    ///
-    /// # Errors
-    ///
-    /// If the length of the light matches no degree.
     pub fn nine_terms(&self) -> Result<NineTerms<f32>> {
         let degree = (self.light.len().isqrt() - 1).min(2);
         let ((_, light), _) = self.within(degree, 0);

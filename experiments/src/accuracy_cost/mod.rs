@@ -37,8 +37,6 @@ pub mod choice;
 
 pub mod check;
 
-mod chart;
-
 pub mod report;
 
 use bases::Bases;

@@ -1,25 +1,48 @@
 //! The charts, and the tables of the page.
 
-use super::chart::{Chart, Series, Style, svg};
 use super::choice::{LIMITS, Lighting, PIXELS, cheapest, is_comparable, pareto, picture};
 use super::errors::Spread;
 use super::growth::{Curve, curves, power_law};
 use super::machines::{MACHINES, Machine};
 use super::model::MAPS;
-use super::sheet::{COMMAND, Record};
+use super::sheet::{FIGURES, Record, csv};
 use super::{Measured, settings};
-use crate::pages::Part;
+use crate::chart::{Axes, Chart, Points, Style, colored};
+use crate::figures::OutputFile;
+use crate::numbers::{self, limit};
+use crate::pages::{Part, table, with_parts};
 use eigenshade_cli::messages::grouped;
-use eigenshade_model::error::Result;
+use eigenshade_model::error::{Error, Result};
 use plotters::prelude::SeriesLabelPosition;
+use std::fs;
+use std::path::Path;
 
 /// The file name of the page.
 pub const PAGE: &str = "accuracy-cost.md";
+/// The page into which tables are inserted where a folder has none.
+const TEMPLATE: &str = include_str!("../../../docs/accuracy-cost/accuracy-cost.md");
 /// A number that was not measured.
 const MISSING: &str = "-";
 
+/// The files of a folder: CSV, charts, and the page with its tables replaced.
+pub fn files(measured: &Measured, folder: &Path) -> Result<Vec<OutputFile>> {
+    let path = folder.join(PAGE);
+    let page = if path.exists() {
+        fs::read_to_string(&path).map_err(|error| Error::io(&path, &error))?
+    } else {
+        TEMPLATE.to_owned()
+    };
+    let page = with_parts(&page, &tables(measured))
+        .map_err(|fault| Error::new(fault, "restore them").in_file(&path))?;
+    let sheets = measured.sheets().into_iter().map(|(form, rows)| csv(form, rows));
+    let mut files = sheets.collect::<Result<Vec<OutputFile>>>()?;
+    files.extend(charts(measured)?);
+    files.push(OutputFile::text(PAGE, page));
+    Ok(files)
+}
+
 /// The tables of the page, by the names of their markers.
-pub fn tables(measured: &Measured) -> Vec<Part> {
+fn tables(measured: &Measured) -> Vec<Part> {
     let mut parts: Vec<Part> = MACHINES
         .iter()
         .map(|machine| (machine.key, of_machine(&measured.settings, machine)))
@@ -30,28 +53,13 @@ pub fn tables(measured: &Measured) -> Vec<Part> {
     parts
 }
 
-/// A Markdown table. All columns but the first `left` are aligned to the right.
-fn table(header: &[&str], left: usize, rows: impl IntoIterator<Item = Vec<String>>) -> String {
-    let rules = (0..header.len()).map(|column| if column < left { "---" } else { "---:" });
-    let mut text =
-        format!("| {} |\n|{}|\n", header.join(" | "), rules.collect::<Vec<_>>().join("|"));
-    for row in rows {
-        text.push_str(&format!("| {} |\n", row.join(" | ")));
-    }
-    text
-}
-
 /// An error in percent with two digits, or as a power of ten below 0.01 %.
 fn percent(error: f64) -> String {
-    if !error.is_finite() {
-        return MISSING.into();
+    match error {
+        _ if !error.is_finite() => MISSING.into(),
+        ..1e-4 => format!("{error:.1e}"),
+        _ => numbers::percent(error, 2),
     }
-    if error < 1e-4 {
-        return format!("{error:.1e}");
-    }
-    let value = 100.0 * error;
-    let places = usize::try_from(1 - value.log10().floor() as i32).unwrap_or(0).min(6);
-    format!("{value:.places$} %")
 }
 
 /// A cost with three digits, or four if it is large.
@@ -68,55 +76,50 @@ fn cost(value: f64) -> String {
 }
 
 fn of_machine(rows: &[Record], machine: &Machine) -> String {
-    let unit = format!("a pixel, {}", machine.unit());
-    let mut header = vec!["light", "error below", "setting", "terms", "median", "95 of 100"];
-    header.extend(["worst", "worst pixel", "model", &unit, "a new light", "96 x 96 pixels"]);
-    header.extend(["table, bytes", "RAM, bytes"]);
+    let mut columns = format!(
+        "light | error below | setting | terms: | median: | 95 of 100: | worst: | worst pixel: | \
+         model: | a pixel, {}: | a new light: | 96 x 96 pixels: | table, bytes: | RAM, bytes:",
+        machine.unit()
+    );
     if machine.board.is_some() {
-        header.extend(["program, flash", "program, RAM"]);
+        columns += " | program, flash: | program, RAM:";
     }
-    let row = |lighting, limit: f64| {
+    let whole = |value: f64| grouped(value.round() as usize);
+    let price = if machine.board.is_some() {
+        |value: f64| if value < 1000.0 { grouped(value as usize) } else { cost(value) }
+    } else {
+        cost
+    };
+    let row = |lighting, below: f64| {
         let light = if lighting == Lighting::Still { "still" } else { "moving" };
-        let limit_text = format!("{} %", 100.0 * limit);
-        let mut fields = vec![light.to_owned(), limit_text];
-        let Some(row) = cheapest(rows, machine, lighting, limit) else {
-            fields.resize(header.len(), MISSING.into());
-            return fields;
-        };
-        let text =
-            |value: Option<f64>, format: fn(f64) -> String| value.map_or(MISSING.into(), format);
-        let whole = |value: f64| grouped(value.round() as usize);
-        let price = if machine.board.is_some() {
-            |value: f64| if value < 1000.0 { grouped(value as usize) } else { cost(value) }
-        } else {
-            cost
-        };
-        fields.push(format!("`{}`", row.text("setting")));
-        fields.push(text(row.number("terms"), whole));
-        for column in [
-            "unseen_rms_median",
-            "unseen_rms_most",
-            "unseen_rms_worst",
-            "unseen_largest_worst",
-            "model_median",
-        ] {
-            fields.push(text(row.number(column), percent));
+        let mut fields = vec![light.to_owned(), limit(below)];
+        if let Some(row) = cheapest(rows, machine, lighting, below) {
+            fields.push(format!("`{}`", row.text("setting")));
+            let mut add = |value: Option<f64>, format: fn(f64) -> String| {
+                fields.push(value.map_or(MISSING.into(), format));
+            };
+            add(row.number("terms"), whole);
+            for kind in ["rms_median", "rms_most", "rms_worst", "largest_worst"] {
+                add(row.number(&format!("unseen_{kind}")), percent);
+            }
+            add(row.number("model_median"), percent);
+            add(machine.number(row, "pixel"), price);
+            add(machine.number(row, "light"), price);
+            add(picture(row, machine, lighting), price);
+            add(row.number("table_bytes"), whole);
+            add(row.number("state_bytes"), whole);
+            if machine.board.is_some() {
+                add(machine.number(row, "flash"), whole);
+                add(machine.number(row, "ram"), whole);
+            }
         }
-        fields.push(text(machine.number(row, "pixel"), price));
-        fields.push(text(machine.number(row, "light"), price));
-        fields.push(text(picture(row, machine, lighting), price));
-        fields.push(text(row.number("table_bytes"), whole));
-        fields.push(text(row.number("state_bytes"), whole));
-        if machine.board.is_some() {
-            fields.push(text(machine.number(row, "flash"), whole));
-            fields.push(text(machine.number(row, "ram"), whole));
-        }
+        fields.resize(columns.split(" | ").count(), MISSING.into());
         fields
     };
     let lines = [Lighting::Still, Lighting::Moving]
         .into_iter()
-        .flat_map(|lighting| LIMITS.map(|limit| row(lighting, limit)));
-    table(&header, 3, lines)
+        .flat_map(|lighting| LIMITS.map(|below| row(lighting, below)));
+    table(&columns, lines)
 }
 
 /// The errors of the model in these rows.
@@ -132,9 +135,10 @@ fn of_size(rows: &[Record], (degree, order): (usize, usize)) -> impl Iterator<It
 }
 
 fn model(rows: &[Record]) -> String {
-    let mut header = vec!["degree, order", "median", "worst"];
     let surfaces = rows.len() / settings::sizes().count();
-    header.extend(of_size(rows, (1, 0)).map(|row| row.text("surface")).take(surfaces));
+    let names = of_size(rows, (1, 0)).map(|row| format!(" | {}:", row.text("surface")));
+    let columns =
+        format!("degree, order | median: | worst:{}", names.take(surfaces).collect::<String>());
     let row = |(degree, order)| {
         let Spread { median, worst, .. } = spread(of_size(rows, (degree, order)));
         let mut fields = vec![format!("{degree}, {order}"), percent(median), percent(worst)];
@@ -142,7 +146,7 @@ fn model(rows: &[Record]) -> String {
         fields.extend(of_surface.map(percent));
         fields
     };
-    table(&header, 1, settings::sizes().map(row))
+    table(&columns, settings::sizes().map(row))
 }
 
 fn mathematics(rows: &[Record]) -> String {
@@ -157,8 +161,8 @@ fn mathematics(rows: &[Record]) -> String {
     };
     let is_shown =
         |row: &&Record| row.text("knob") == "mathematics" || row.text("setting") == reference;
-    let header = ["root", "median", "worst", "a pixel, nine-term pixels"];
-    table(&header, 1, rows.iter().filter(is_shown).map(row))
+    let columns = "root | median: | worst: | a pixel, nine-term pixels:";
+    table(columns, rows.iter().filter(is_shown).map(row))
 }
 
 fn growth(rows: &[Record]) -> String {
@@ -175,12 +179,12 @@ fn growth(rows: &[Record]) -> String {
         let Curve { measure, unit, quantity, .. } = curve;
         vec![format!("{measure}, {unit}"), quantity, format!("{first} to {last}"), fitted, theory]
     };
-    let header = ["what", "against", "sizes", "fitted", "theory"];
-    table(&header, 3, curves(rows).into_iter().map(row))
+    let columns = "what | against | sizes | fitted: | theory:";
+    table(columns, curves(rows).into_iter().map(row))
 }
 
-/// The charts, by file name.
-pub fn charts(measured: &Measured) -> Result<Vec<(String, String)>> {
+/// The charts.
+fn charts(measured: &Measured) -> Result<Vec<OutputFile>> {
     let mut charts: Vec<(String, Chart)> = MACHINES
         .iter()
         .map(|machine| (machine.key.to_owned(), chart_of_machine(&measured.settings, machine)))
@@ -195,10 +199,18 @@ pub fn charts(measured: &Measured) -> Result<Vec<(String, String)>> {
             charts.push((name, growth_chart(of_kind)));
         }
     }
-    let signed = |(name, chart): (String, Chart)| {
-        Ok((format!("{name}.svg"), format!("<!-- {COMMAND} -->\n{}", svg(&chart)?)))
-    };
-    charts.into_iter().map(signed).collect()
+    let drawn =
+        |(name, chart): (String, Chart)| Ok(FIGURES.chart(&format!("{name}.svg"), &chart.svg()?));
+    charts.into_iter().map(drawn).collect()
+}
+
+/// A chart with logarithmic axes.
+fn chart(
+    titles: [String; 2],
+    legend: SeriesLabelPosition,
+    series: Vec<(String, Style, Points)>,
+) -> Chart {
+    Chart { titles, axes: Axes::Logarithmic, legend, series: colored(series), labels: vec![] }
 }
 
 /// The series of a chart of errors against costs, by parts of the method's name.
@@ -217,20 +229,19 @@ fn chart_of_machine(rows: &[Record], machine: &Machine) -> Chart {
     };
     let comparable = || rows.iter().filter(|row| is_comparable(row));
     let all: Vec<(f64, f64)> = comparable().filter_map(point).collect();
-    let mut series: Vec<Series> = WAYS
-        .iter()
-        .map(|(name, ways)| {
-            let of = |row: &&Record| ways.iter().any(|way| row.text("way").starts_with(way));
-            let points = comparable().filter(of).filter_map(point).collect();
-            Series { name: (*name).into(), points, style: Style::Dots }
-        })
-        .filter(|series| !series.points.is_empty())
-        .collect();
+    let mut series = Vec::new();
+    for (name, ways) in WAYS {
+        let of = |row: &&Record| ways.iter().any(|way| row.text("way").starts_with(way));
+        let points: Points = comparable().filter(of).filter_map(point).collect();
+        if !points.is_empty() {
+            series.push((name.into(), Style::Dots, points));
+        }
+    }
     // A front is a staircase: a higher cost need not bring any gain.
     let front = pareto(&all);
     let steps = front.windows(2).flat_map(|pair| [(pair[1].0, pair[0].1), pair[1]]);
     let points = front.first().copied().into_iter().chain(steps).collect();
-    series.push(Series { name: "Pareto front".into(), points, style: Style::Line });
+    series.push(("Pareto front".into(), Style::Line, points));
     let ends = |of: fn(&(f64, f64)) -> f64| {
         let values = || all.iter().map(of);
         [values().fold(f64::INFINITY, f64::min), values().fold(0.0, f64::max)]
@@ -238,28 +249,15 @@ fn chart_of_machine(rows: &[Record], machine: &Machine) -> Chart {
     let nine = rows.iter().find(|row| row.text("way") == "nine-terms");
     if let Some(cost) = nine.and_then(|row| machine.number(row, "pixel")) {
         let points = ends(|point| point.1).map(|error| (cost, error)).to_vec();
-        series.push(Series {
-            name: "nine-term formula, cost".into(),
-            points,
-            style: Style::Dashed,
-        });
+        series.push(("nine-term formula, cost".into(), Style::Dashed, points));
     }
     if let Some(error) = comparable().find_map(|row| row.number("model_median")) {
         let points = ends(|point| point.0).map(|cost| (cost, error)).to_vec();
-        series.push(Series {
-            name: "degree 9, order 7, error".into(),
-            points,
-            style: Style::Dashed,
-        });
+        series.push(("degree 9, order 7, error".into(), Style::Dashed, points));
     }
     let horizontal = format!("{}: a pixel, in {}", machine.title, machine.unit());
-    let vertical = "rms error of the peak, 95 of 100 unseen".into();
-    Chart {
-        titles: [horizontal, vertical],
-        legend: SeriesLabelPosition::LowerLeft,
-        series,
-        labels: vec![],
-    }
+    let titles = [horizontal, "rms error of the peak, 95 of 100 unseen".into()];
+    chart(titles, SeriesLabelPosition::LowerLeft, series)
 }
 
 /// The model's error against the cost of a pixel, by the cheapest setting whose error of the method
@@ -278,11 +276,10 @@ fn degrees(measured: &Measured) -> Chart {
     let labels: Vec<_> =
         sizes.map(|((degree, order), point)| (point, format!("{degree}, {order}"))).collect();
     let points = labels.iter().map(|(point, _)| *point).collect();
-    let name = "degree, order".into();
-    let series = vec![Series { name, points, style: Style::Dots }];
+    let series = vec![("degree, order".into(), Style::Dots, points)];
     let horizontal = format!("a pixel, in {}", MACHINES[0].unit());
     let titles = [horizontal, "error of the model, median".into()];
-    Chart { titles, legend: SeriesLabelPosition::LowerLeft, series, labels }
+    Chart { labels, ..chart(titles, SeriesLabelPosition::LowerLeft, series) }
 }
 
 /// Curves relative to their first points, each with its fitted power law.
@@ -293,11 +290,11 @@ fn growth_chart(curves: &[Curve]) -> Chart {
             continue;
         };
         let points = curve.points.iter().map(|&(x, y)| (x, y / first)).collect();
-        series.push(Series { name: curve.measure.clone(), points, style: Style::Line });
+        series.push((curve.measure.clone(), Style::Line, points));
         let fitted = &curve.points[curve.points.len() / 2..];
         let points = fitted.iter().map(|&(x, _)| (x, a * x.powf(b) / first)).collect();
-        series.push(Series { name: format!("exponent {b:.2}"), points, style: Style::Dashed });
+        series.push((format!("exponent {b:.2}"), Style::Dashed, points));
     }
     let titles = [curves[0].quantity.clone(), format!("{}, of the first", curves[0].unit)];
-    Chart { titles, legend: SeriesLabelPosition::UpperLeft, series, labels: vec![] }
+    chart(titles, SeriesLabelPosition::UpperLeft, series)
 }

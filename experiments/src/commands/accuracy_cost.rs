@@ -2,15 +2,13 @@
 
 use clap::Args;
 use eigenshade_cli::messages::{print_message, progress_bar};
-use eigenshade_cli::output;
 use eigenshade_model::error::{Error, Result};
-use experiments::accuracy_cost::check::{self, Compared};
-use experiments::accuracy_cost::sheet::{COMMAND, SETTINGS, csv};
+use experiments::accuracy_cost::check;
+use experiments::accuracy_cost::sheet::{FIGURES, SETTINGS};
 use experiments::accuracy_cost::{Measured, report};
 use experiments::pages::Purpose;
-use experiments::pages::with_parts;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// The cost of accuracy: error, bytes and time as every parameter varies
 ///
@@ -40,9 +38,6 @@ pub struct AccuracyCost {
     maps: PathBuf,
 }
 
-/// The page into which tables are inserted where a folder has none.
-const TEMPLATE: &str = include_str!("../../../docs/accuracy-cost/accuracy-cost.md");
-
 impl AccuracyCost {
     pub fn run(self) -> Result<()> {
         let measure = |timed| {
@@ -64,61 +59,26 @@ impl AccuracyCost {
                 }
                 None => measure(true)?,
             };
-            write(&measured, out)?;
+            let files = report::files(&measured, out)?;
+            FIGURES.write(&files, out)?;
+            let (settings, files) = (measured.settings.len(), files.len());
+            print_message(format_args!("{settings} settings, {files} files in {}", out.display()));
         }
         if let Some(folder) = &self.purpose.check {
             let numbers = folder.join(SETTINGS.name);
             fs::metadata(&numbers).map_err(|error| Error::io(&numbers, &error))?;
             let measured = measure(false)?;
-            let mut compared = Compared::default();
-            for (form, rows) in measured.sheets() {
-                check::compare(form, rows, folder, !self.quick, &mut compared)?;
+            let [mut rows, mut numbers] = [0, 0];
+            for (form, records) in measured.sheets() {
+                let compared = check::compare(form, records, folder, !self.quick)?;
+                rows += compared[0];
+                numbers += compared[1];
             }
             check::exponents(&measured.growth)?;
-            for (path, text) in shown(&Measured::read(folder)?, folder)? {
-                let recorded =
-                    fs::read_to_string(&path).map_err(|error| Error::io(&path, &error))?;
-                if recorded != text {
-                    let remedy = format!(
-                        "make it again with `cargo run --release -p {COMMAND} --from-csv --out {}`",
-                        folder.display()
-                    );
-                    return Err(Error::new("it does not show the CSV files", remedy).in_file(path));
-                }
-            }
-            let Compared { rows, numbers } = compared;
+            let shown = report::files(&Measured::read(folder)?, folder)?;
+            FIGURES.compare(&shown, folder)?;
             print_message(format_args!("{rows} rows are what they should be: {numbers} numbers"));
         }
         Ok(())
     }
-}
-
-/// The charts and the page of a folder.
-fn shown(measured: &Measured, folder: &Path) -> Result<Vec<(PathBuf, String)>> {
-    let path = folder.join(report::PAGE);
-    let page = if path.exists() {
-        fs::read_to_string(&path).map_err(|error| Error::io(&path, &error))?
-    } else {
-        TEMPLATE.to_owned()
-    };
-    let page = with_parts(&page, &report::tables(measured))
-        .map_err(|fault| Error::new(fault, "restore them").in_file(&path))?;
-    let charts = report::charts(measured)?.into_iter();
-    Ok(charts.map(|(name, svg)| (folder.join(name), svg)).chain([(path, page)]).collect())
-}
-
-fn write(measured: &Measured, out: &Path) -> Result<()> {
-    let mut files = Vec::new();
-    for (form, rows) in measured.sheets() {
-        files.push((out.join(form.name), csv(form, rows)?));
-    }
-    files.extend(shown(measured, out)?);
-    let paths: Vec<&PathBuf> = files.iter().map(|(path, _)| path).collect();
-    output::refuse_collisions(&paths, std::iter::empty::<&Path>())?;
-    for (path, text) in &files {
-        output::write_all(Some(path), text)?;
-    }
-    let (settings, files) = (measured.settings.len(), files.len());
-    print_message(format_args!("{settings} settings, {files} files in {}", out.display()));
-    Ok(())
 }

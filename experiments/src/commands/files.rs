@@ -24,6 +24,7 @@ use experiments::accuracy_cost::settings::all;
 use experiments::accuracy_cost::wasm::{settings, tables};
 use experiments::pages::Purpose;
 use experiments::stability::spectrum::{Agreement, agreement};
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -124,11 +125,8 @@ impl WasmTables {
         let all: Vec<Setting> = all(false).iter().map(|one| one.setting).collect();
         let mut lines = String::from("# crates/wasm/ladder\ntable,module,setting,way,format\n");
         let tables = tables();
-        let mut sizes: Vec<(usize, usize)> =
-            tables.iter().map(|recipe| (recipe.degree, recipe.order)).collect();
-        sizes.sort_unstable();
-        sizes.dedup();
-        for (degree, order) in sizes {
+        let sizes = tables.iter().map(|recipe| (recipe.degree, recipe.order));
+        for (degree, order) in sizes.collect::<BTreeSet<(usize, usize)>>() {
             let scope = Scope::new(degree, order)?;
             let of_size =
                 tables.iter().filter(|recipe| (recipe.degree, recipe.order) == (degree, order));

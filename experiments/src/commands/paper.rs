@@ -4,8 +4,7 @@ use clap::Args;
 use eigenshade_cli::messages::{print_message, spinner};
 use eigenshade_model::error::Result;
 use experiments::pages::Purpose;
-use experiments::paper::compare::compare;
-use experiments::paper::make;
+use experiments::paper::{FIGURES, make};
 
 /// The figures of Nillius and Eklundh (2003) and their numbers, on the shipped data
 ///
@@ -30,13 +29,11 @@ impl Paper {
         progress.finish_and_clear();
         let files = made?;
         if let Some(folder) = out {
-            for file in &files {
-                file.write(folder)?;
-            }
+            FIGURES.write(&files, folder)?;
             print_message(format_args!("{} files in {}", files.len(), folder.display()));
         }
         if let Some(folder) = check {
-            let [numbers, pixels] = compare(&files, folder)?;
+            let [numbers, pixels] = FIGURES.compare(&files, folder)?;
             let count = files.len();
             print_message(format_args!(
                 "{count} files are up to date: {numbers} numbers, {pixels} pixels"

@@ -2,11 +2,12 @@
 //! left out, and the error bound that follows from their variances: statistics over all images, and
 //! rendered spheres.
 
-use super::chart::{self, Axes, BLUE, GREEN, Line, ORANGE};
-use super::output_file::{OutputFile, row};
 use super::plate::{Plate, UNCLIPPED, gray};
 use super::spheres::SHOWN;
 use super::study::{Modes, Study, Trial, title};
+use super::{FIGURES, row};
+use crate::chart::{Axes, Chart, Points, Style, colored};
+use crate::figures::OutputFile;
 use eigenshade_cli::picture::exposure;
 use eigenshade_generator::basis::partial_sum::{PartialSum, Step};
 use eigenshade_model::error::Result;
@@ -61,8 +62,8 @@ pub fn files(study: &Study, progress: &ProgressBar) -> Result<Vec<OutputFile>> {
                   largest_error_over_bound,median_bound_over_triangle,\
                   exceeding_uncorrelated,largest_error_over_uncorrelated";
     let mut files = rendered_files(study, progress)?;
-    files.push(OutputFile::csv("bound.csv", header, &rows)?);
-    files.push(OutputFile::chart("bound.svg", &chart(study)?));
+    files.push(FIGURES.csv("bound.csv", header, &rows)?);
+    files.push(FIGURES.chart("bound.svg", &chart(study)?));
     Ok(files)
 }
 
@@ -110,26 +111,25 @@ fn summary(reached: &[Reached]) -> [f64; 11] {
 fn chart(study: &Study) -> Result<String> {
     let trial = study.trial(DRAWN.0, DRAWN.1)?;
     let steps = steps(study, &PartialSum::new(&study.gram, &[]), trial);
-    let course = |value: fn(&Step) -> f64| -> Vec<(f64, f64)> {
+    let course = |value: fn(&Step) -> f64| -> Points {
         // One point in eight is still denser than one per pixel.
         let points = steps.iter().step_by(8);
         points.map(|step| (step.terms as f64, value(step) / trial.mean)).collect()
     };
-    let uncorrelated = course(|step| step.uncorrelated);
-    let lines = [
-        Line::new("bound", BLUE, course(|step| step.bound)),
-        Line { is_dashed: true, ..Line::new("root of the summed variances", ORANGE, uncorrelated) },
-        Line::new("error", GREEN, course(|step| step.error)),
+    let series = [
+        ("bound", Style::Line, course(|step| step.bound)),
+        ("root of the summed variances", Style::Dashed, course(|step| step.uncorrelated)),
+        ("error", Style::Line, course(|step| step.error)),
     ];
-    let axes = Axes {
-        titles: ["terms summed, the strongest first", "rms left out, of the mean"],
-        columns: 0.0..3704.0,
+    Chart {
+        titles: ["terms summed, the strongest first", "rms left out, of the mean"].map(Into::into),
         // Slightly lower, so that the last power of ten gets its label.
-        rows: 0.99e-6..10.0,
-        labels: 8,
+        axes: Axes::Percent { columns: 0.0..3704.0, rows: 0.99e-6..10.0, labels: 8 },
         legend: SeriesLabelPosition::LowerLeft,
-    };
-    chart::lines(&axes, &lines)
+        series: colored(series),
+        labels: vec![],
+    }
+    .svg()
 }
 
 /// One image, rendered to each of the accuracies.
@@ -218,7 +218,7 @@ fn rendered_files(study: &Study, progress: &ProgressBar) -> Result<Vec<OutputFil
     }
     let header = "light,material,terms,accuracy,bound,error,pixel_error,largest_pixel_error";
     Ok(vec![
-        OutputFile::csv("bound_spheres.csv", header, &rows)?,
-        OutputFile::picture("bound_spheres.png", plate.scale("stated/2")),
+        FIGURES.csv("bound_spheres.csv", header, &rows)?,
+        FIGURES.picture("bound_spheres.png", plate.scale("stated/2")),
     ])
 }

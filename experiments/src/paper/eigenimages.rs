@@ -1,10 +1,11 @@
 //! Fig. 3: the first twelve eigenimages of the image-centered bases, starting with the constant
 //! one.
 
-use super::output_file::{OutputFile, digits, row};
 use super::plate::Plate;
 use super::reconstruction::shade;
 use super::study::{Modes, Study, place};
+use super::{FIGURES, digits, row};
+use crate::figures::OutputFile;
 use eigenshade_model::error::Result;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, fault};
@@ -42,7 +43,7 @@ fn sheet(name: &str, table: &Table) -> Result<OutputFile> {
         let texts = row(&[&index, &component.order, &value, &share.unwrap_or_default()], [left]);
         rows.push(texts);
     }
-    OutputFile::csv(name, "component,m,eigenvalue,share,left", &rows)
+    FIGURES.csv(name, "component,m,eigenvalue,share,left", &rows)
 }
 
 fn plate(name: &str, table: &Table) -> Result<OutputFile> {
@@ -60,5 +61,5 @@ fn plate(name: &str, table: &Table) -> Result<OutputFile> {
         let share = share.map_or("constant".into(), |share| format!("{share:.1} %"));
         plate.below(place, &[&format!("{index}: m = {}", component.order), &share]);
     }
-    Ok(OutputFile::picture(name, plate.scale(&format!("{SCALE}"))))
+    Ok(FIGURES.picture(name, plate.scale(&format!("{SCALE}"))))
 }

@@ -6,9 +6,12 @@
 //! Standard PCA subtracts the mean image first and does not count it in K, whereas image-centered
 //! PCA counts the constant in K.
 
-use super::chart::{self, Axes, BLUE, GREEN, Line, ORANGE, PALE, PURPLE};
-use super::output_file::{OutputFile, digits, row};
 use super::study::{DEGREE, Modes, Study, Trial, place, title};
+use super::{FIGURES, digits, row};
+use crate::chart::{
+    Axes, BLUE, Chart, GREEN, ORANGE, PALE, PURPLE, Points, Series, Style, colored,
+};
+use crate::figures::OutputFile;
 use eigenshade_generator::basis::node_image::{MaterialImages, fit};
 use eigenshade_index::{light, mode};
 use eigenshade_model::database::Named;
@@ -25,13 +28,12 @@ use std::fmt::Display;
 pub const SHOWN: usize = 100;
 /// The criteria in the order of [`Study::tables`].
 const CRITERIA: [Criterion; 2] = [Criterion::ImageCentered, Criterion::Standard];
-/// The materials that Fig. 6 names, and whether their lines are dashed, so that they differ in
-/// print without colors too.
-const NAMED: [(&str, RGBColor, bool); 4] = [
-    ("07-velvet", PURPLE, true),
-    ("41-brick-b", BLUE, true),
-    ("05-leather", ORANGE, false),
-    ("11-plaster-b", GREEN, false),
+/// The materials that Fig. 6 names, and their lines, which differ in print without colors too.
+const NAMED: [(&str, RGBColor, Style); 4] = [
+    ("07-velvet", PURPLE, Style::Dashed),
+    ("41-brick-b", BLUE, Style::Dashed),
+    ("05-leather", ORANGE, Style::Line),
+    ("11-plaster-b", GREEN, Style::Line),
 ];
 
 /// The CSV files and the charts.
@@ -57,17 +59,17 @@ pub fn files(study: &Study, progress: &ProgressBar) -> Result<Vec<OutputFile>> {
     let (by_material_rows, by_light_rows) =
         (by_basis(&by_material, &CRITERIA), by_basis(&by_light, &CRITERIA[..1]));
     let mut files = vec![
-        OutputFile::csv("error.csv", header, &by_count(&[], &mean))?,
-        OutputFile::chart("error.svg", &chart(&mean)?),
-        OutputFile::csv("error_by_material.csv", &of_materials, &by_material_rows)?,
-        OutputFile::csv("error_by_light.csv", &of_lights, &by_light_rows)?,
-        OutputFile::csv("error_rotated.csv", &of_rotated, &by_count(&[], &rotated))?,
+        FIGURES.csv("error.csv", header, by_count(&[], &mean))?,
+        FIGURES.chart("error.svg", &mean_chart(&mean)?),
+        FIGURES.csv("error_by_material.csv", &of_materials, &by_material_rows)?,
+        FIGURES.csv("error_by_light.csv", &of_lights, &by_light_rows)?,
+        FIGURES.csv("error_rotated.csv", &of_rotated, by_count(&[], &rotated))?,
         selected(study)?,
     ];
     for modes in Modes::BOTH {
         let name = format!("error_by_material{}.svg", modes.suffix());
         let errors = &by_material[place(Criterion::ImageCentered, modes)];
-        files.push(OutputFile::chart(&name, &material_chart(materials, errors)?));
+        files.push(FIGURES.chart(&name, &material_chart(materials, errors)?));
     }
     Ok(files)
 }
@@ -133,43 +135,44 @@ fn by_basis(errors: &[Vec<Vec<f64>>], criteria: &[Criterion]) -> Vec<Vec<String>
     rows.collect::<Vec<_>>().concat()
 }
 
-fn chart(mean: &[Vec<f64>; 4]) -> Result<String> {
-    let lines = [
-        ("image-centered", BLUE, false),
-        ("standard", ORANGE, true),
-        ("image-centered, 1000 modes", GREEN, false),
-        ("standard, 1000 modes", PURPLE, true),
+fn mean_chart(mean: &[Vec<f64>; 4]) -> Result<String> {
+    let names = [
+        ("image-centered", Style::Line),
+        ("standard", Style::Dashed),
+        ("image-centered, 1000 modes", Style::Line),
+        ("standard, 1000 modes", Style::Dashed),
     ];
-    let lines = lines.into_iter().zip(mean).map(|((name, color, is_dashed), errors)| Line {
-        is_dashed,
-        ..Line::new(name, color, points(errors))
-    });
-    chart::lines(&axes(), &lines.collect::<Vec<_>>())
+    let lines = names.into_iter().zip(mean);
+    chart(colored(lines.map(|((name, style), errors)| (name, style, points(errors)))))
 }
 
 fn material_chart(materials: &[Named], errors: &[Vec<f64>]) -> Result<String> {
-    let pale = |errors: &Vec<f64>| Line { width: 1, ..Line::new("", PALE, points(errors)) };
-    let mut lines: Vec<Line> = errors.iter().map(pale).collect();
-    for (name, color, is_dashed) in NAMED {
+    let pale = |errors: &Vec<f64>| Series {
+        width: 1,
+        ..Series::new("", Style::Line, PALE, points(errors))
+    };
+    let mut lines: Vec<Series> = errors.iter().map(pale).collect();
+    for (name, color, style) in NAMED {
         let found = materials.iter().zip(errors).find(|(material, _)| material.name == name);
         let points = found.map(|(_, errors)| points(errors)).unwrap_or_default();
-        lines.push(Line { is_dashed, ..Line::new(title(name), color, points) });
+        lines.push(Series::new(title(name), style, color, points));
     }
-    chart::lines(&axes(), &lines)
+    chart(lines)
 }
 
-fn points(errors: &[f64]) -> Vec<(f64, f64)> {
+fn points(errors: &[f64]) -> Points {
     (0u32..).map(f64::from).zip(errors.iter().copied()).collect()
 }
 
-fn axes() -> Axes {
-    Axes {
-        titles: ["components", "mean error: variance left"],
-        columns: 0.0..SHOWN as f64,
-        rows: 1e-5..3.0,
-        labels: 11,
+fn chart(series: Vec<Series>) -> Result<String> {
+    Chart {
+        titles: ["components", "mean error: variance left"].map(Into::into),
+        axes: Axes::Percent { columns: 0.0..SHOWN as f64, rows: 1e-5..3.0, labels: 11 },
         legend: SeriesLabelPosition::UpperRight,
+        series,
+        labels: vec![],
     }
+    .svg()
 }
 
 /// The cost of the paper's truncation to the 1,000 modes of the highest variance: how many modes
@@ -202,7 +205,7 @@ fn selected(study: &Study) -> Result<OutputFile> {
     let bases = Modes::BOTH.map(|modes| place(Criterion::ImageCentered, modes));
     let components = bases.map(|basis| study.tables[basis].components.len());
     let floor = |trial: &Trial| trial.fits[bases[1]].variances[components[1]] / trial.variance;
-    let mut rows: Vec<(String, String)> = [
+    let mut rows: Vec<[String; 2]> = [
         ("modes_kept", by_degree.iter().sum::<usize>().to_string()),
         ("mode_variance_left_out", digits(left / all)),
         ("largest_order_kept", largest_order.to_string()),
@@ -215,11 +218,10 @@ fn selected(study: &Study) -> Result<OutputFile> {
         ("components_of_selected_modes", components[1].to_string()),
         ("error_of_all_components", digits(mean(&floor))),
     ]
-    .map(|(quantity, value)| (quantity.into(), value))
+    .map(|(quantity, value)| [quantity.into(), value])
     .into();
     let of_degree =
-        |(l, count): (usize, &usize)| (format!("modes_kept_of_degree_{l}"), count.to_string());
+        |(l, count): (usize, &usize)| [format!("modes_kept_of_degree_{l}"), count.to_string()];
     rows.extend(by_degree.iter().enumerate().map(of_degree));
-    let rows: Vec<Vec<String>> = rows.into_iter().map(|(a, b)| vec![a, b]).collect();
-    OutputFile::csv("selected_modes.csv", "quantity,value", &rows)
+    FIGURES.csv("selected_modes.csv", "quantity,value", rows)
 }

@@ -4,10 +4,6 @@
 
 pub mod study;
 
-pub mod output_file;
-
-pub(crate) mod chart;
-
 mod plate;
 
 pub mod variance;
@@ -24,34 +20,26 @@ pub mod bound;
 
 pub mod tables;
 
-pub mod compare;
-
-use crate::pages;
-use eigenshade_model::error::{Error, Result};
+use crate::figures::{Figures, OutputFile};
+use crate::{numbers, pages};
+use eigenshade_model::error::Result;
 use indicatif::ProgressBar;
-use output_file::{Content, OutputFile};
-use std::fs;
+use std::fmt::Display;
 use std::path::Path;
 use study::Study;
 
 /// The file name of the page.
 const PAGE: &str = "paper.md";
+/// The files of the command.
+pub const FIGURES: Figures = Figures { command: "paper", folder: "paper/", is_exact: false };
+/// Significant digits of the figures' numbers.
+const DIGITS: usize = 6;
 
 /// Makes the page in `folder` with its tables replaced, and the figures below it.
-///
-/// # Errors
-///
-/// If the page or the markers of its tables are missing, or the folder for temporary files,
-/// through which the shipped data are read, fails.
 pub fn make(folder: &Path, progress: &ProgressBar) -> Result<Vec<OutputFile>> {
     let path = folder.join(PAGE);
-    let page = fs::read_to_string(&path).map_err(|error| Error::io(&path, &error))?;
-    let with_parts = |parts: &[pages::Part]| {
-        pages::with_parts(&page, parts)
-            .map_err(|fault| Error::new(fault, "restore these markers").in_file(&path))
-    };
     // Done first, so that missing markers are reported before the long computation.
-    with_parts(&tables::empty_parts())?;
+    pages::filled(&path, &tables::empty_parts())?;
     let study = Study::new(progress)?;
     let mut files = [
         variance::Variance::new(&study).files()?,
@@ -62,7 +50,18 @@ pub fn make(folder: &Path, progress: &ProgressBar) -> Result<Vec<OutputFile>> {
         bound::files(&study, progress)?,
     ]
     .concat();
-    let page = with_parts(&tables::parts(&files))?;
-    files.push(OutputFile { name: PAGE.into(), content: Content::Text(page) });
+    let page = pages::filled(&path, &tables::parts(&files)?)?;
+    files.push(OutputFile::text(PAGE, page));
     Ok(files)
+}
+
+/// A row of a CSV: texts, then numbers with six significant digits.
+fn row(texts: &[&dyn Display], numbers: impl IntoIterator<Item = f64>) -> Vec<String> {
+    let texts = texts.iter().map(ToString::to_string);
+    texts.chain(numbers.into_iter().map(digits)).collect()
+}
+
+/// A number with six significant digits.
+fn digits(value: f64) -> String {
+    numbers::digits(value, DIGITS)
 }

@@ -1,9 +1,10 @@
 //! Fig. 7: velvet and leather, their reconstructions and the residuals; and the brightest point of
 //! leather under every light.
 
-use super::output_file::{OutputFile, row};
 use super::plate::{Plate, UNCLIPPED, gray};
 use super::study::{Modes, Study, Trial, place, title};
+use super::{FIGURES, row};
+use crate::figures::OutputFile;
 use eigenshade::{Basis, Normal};
 use eigenshade_cli::picture::exposure;
 use eigenshade_model::error::Result;
@@ -37,7 +38,7 @@ pub fn files(study: &Study) -> Result<Vec<OutputFile>> {
         files.push(plate(study, modes, &mut rows)?);
     }
     let header = "modes,light,material,components,error,brightest";
-    files.push(OutputFile::csv("reconstruction.csv", header, &rows)?);
+    files.push(FIGURES.csv("reconstruction.csv", header, &rows)?);
     files.push(highlights(study)?);
     Ok(files)
 }
@@ -77,7 +78,7 @@ fn plate(study: &Study, modes: Modes, rows: &mut Vec<Vec<String>>) -> Result<Out
         plate.above(column, &format!("K = {count}"));
     }
     let name = format!("reconstruction{}.png", modes.suffix());
-    Ok(OutputFile::picture(&name, plate.scale(&format!("{RESIDUAL} of the peak"))))
+    Ok(FIGURES.picture(&name, plate.scale(&format!("{RESIDUAL} of the peak"))))
 }
 
 /// The number of components of all modes from which leather's brightest point is right, under every
@@ -95,7 +96,7 @@ fn highlights(study: &Study) -> Result<OutputFile> {
         let count = right_from(&shares).map_or(String::new(), |count| count.to_string());
         rows.push(vec![light.name.clone(), count]);
     }
-    OutputFile::csv("highlight.csv", "light,components", &rows)
+    FIGURES.csv("highlight.csv", "light,components", &rows)
 }
 
 /// The first number of components from which the brightest point is right and stays right; `None`

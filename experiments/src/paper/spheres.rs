@@ -1,9 +1,10 @@
 //! Fig. 4: spheres rendered with all modes and with the selected modes. Gives a plate, the
 //! properties of each sphere, and its irradiance on a grid of normals.
 
-use super::output_file::{OutputFile, row};
 use super::plate::{Plate, UNCLIPPED};
 use super::study::{Modes, Study, place, title};
+use super::{FIGURES, row};
+use crate::figures::OutputFile;
 use eigenshade_cli::picture::SphereView;
 use eigenshade_cli::picture::exposure;
 use eigenshade_model::database::{Lights, Materials};
@@ -69,9 +70,9 @@ pub fn files(study: &Study, progress: &ProgressBar) -> Result<Vec<OutputFile>> {
                   peak,slant_of_peak,least_of_peak,share_below_zero,rms_off_of_peak,error";
     let listed = "light,material,modes,x,y,z,r,g,b";
     Ok(vec![
-        OutputFile::csv("spheres.csv", header, &rows)?,
-        OutputFile::csv("spheres_values.csv", listed, &values)?,
-        OutputFile::picture("spheres.png", plate.finish()),
+        FIGURES.csv("spheres.csv", header, &rows)?,
+        FIGURES.csv("spheres_values.csv", listed, &values)?,
+        FIGURES.picture("spheres.png", plate.finish()),
     ])
 }
 

@@ -15,7 +15,6 @@ use indicatif::ProgressBar;
 
 /// Largest degree of the light and order of the material, as in the paper.
 pub const DEGREE: usize = 9;
-/// See [`DEGREE`].
 pub const ORDER: usize = 7;
 /// The paper keeps this many modes, those of the highest variance.
 pub const SELECTED: usize = 1000;
@@ -102,10 +101,6 @@ pub fn title(name: &str) -> String {
 
 impl Study {
     /// Reads the shipped databases, makes the four bases and fits every image.
-    ///
-    /// # Errors
-    ///
-    /// If the folder for temporary files fails.
     pub fn new(progress: &ProgressBar) -> Result<Self> {
         let lights = shipped::lights()?.truncated(DEGREE);
         let mut materials = shipped::materials()?.truncated(ORDER);
@@ -158,11 +153,8 @@ impl Study {
         })
     }
 
-    /// The trial of a light on a material.
-    ///
-    /// # Errors
-    ///
-    /// If there is none: the program was built from other databases.
+    /// The trial of a light on a material. There is none if the program was built from other
+    /// databases.
     pub fn trial(&self, light: &str, material: &str) -> Result<&Trial> {
         let is_it = |trial: &&Trial| {
             self.lights.entries[trial.light].name == light

@@ -1,10 +1,15 @@
 //! The tables of the page, made from the figures' CSV files.
 
-use super::output_file::{Content, FOLDER, OutputFile};
+use super::FIGURES;
 use super::study::{Modes, title};
 use super::variance::SURFACES;
-use crate::pages::Part;
+use crate::figures::{Content, OutputFile};
+use crate::numbers::{self, limit};
+use crate::pages::{self, Part};
+use crate::sheet::Sheet;
 use eigenshade_cli::messages::grouped;
+use eigenshade_model::error::Result;
+use std::collections::BTreeMap;
 
 /// Numbers of components for which errors are given.
 const COUNTS: [usize; 8] = [5, 6, 9, 10, 20, 30, 50, 100];
@@ -15,60 +20,19 @@ const LIMITS: [f64; 4] = [0.1, 0.05, 0.01, 0.001];
 /// A material is represented if its mean error is at most this.
 const REPRESENTED: f64 = 0.1;
 
-/// The rows of a CSV.
-pub struct Sheet {
-    pub header: Vec<String>,
-    pub rows: Vec<Vec<String>>,
-}
-
 impl Sheet {
-    /// Reads a CSV without quotation marks.
-    pub fn new(text: &str) -> Self {
-        let split = |line: &str| line.split(',').map(str::to_owned).collect::<Vec<_>>();
-        let mut lines = text.lines().filter(|line| !line.starts_with('#')).map(split);
-        Self { header: lines.next().unwrap_or_default(), rows: lines.collect() }
-    }
-
-    fn place(&self, column: &str) -> usize {
-        let found = self.header.iter().position(|name| name == column);
-        found.unwrap_or_else(|| panic!("no column `{column}` in {:?}", self.header))
-    }
-
-    /// The rows with this text in a column.
-    pub fn only(mut self, column: &str, text: &str) -> Self {
-        let place = self.place(column);
-        self.rows.retain(|row| row[place] == text);
-        self
-    }
-
     /// The rows of a choice of modes.
     pub fn of(self, modes: Modes) -> Self {
         self.only("modes", &modes.count().to_string())
     }
-
-    /// The texts of a column.
-    pub fn texts(&self, column: &str) -> Vec<&str> {
-        let place = self.place(column);
-        self.rows.iter().map(|row| row[place].as_str()).collect()
-    }
-
-    /// The numbers of a column. An empty field stands for more than was tried.
-    pub fn numbers(&self, column: &str) -> Vec<f64> {
-        let parse = |text: &str| text.parse().unwrap_or(f64::INFINITY);
-        self.texts(column).into_iter().map(parse).collect()
-    }
 }
 
-/// Where the tables get their numbers from.
-struct Sheets<'a>(&'a [OutputFile]);
+/// The CSV files from which the tables get their numbers.
+struct Sheets(BTreeMap<String, Sheet>);
 
-impl Sheets<'_> {
+impl Sheets {
     fn read(&self, name: &str) -> Sheet {
-        let file = self.0.iter().find(|file| file.name == format!("{FOLDER}/{name}.csv"));
-        match file.map(|file| &file.content) {
-            Some(Content::Text(text)) => Sheet::new(text),
-            _ => panic!("no CSV `{name}`"),
-        }
+        self.0[name].clone()
     }
 
     fn variance(&self) -> Table {
@@ -115,7 +79,7 @@ impl Sheets<'_> {
     fn components(&self) -> Table {
         let [sheet, _] = self.poses();
         let counts = |limit: f64| -> Vec<f64> {
-            let names = sheet.header[3..].iter();
+            let names = sheet.columns[3..].iter();
             let mut counts: Vec<f64> =
                 names.map(|name| needed(&sheet.numbers(name), limit) as f64).collect();
             counts.sort_by(f64::total_cmp);
@@ -125,7 +89,7 @@ impl Sheets<'_> {
         let (middle, last) = (sorted[0].len() / 2, sorted[0].len() - 1);
         let at = |place: usize| sorted.iter().map(|counts| counts[place]).collect();
         let of = |name| LIMITS.map(|limit| needed(&sheet.numbers(name), limit) as f64).into();
-        Table::new("mean error within", LIMITS.map(share))
+        Table::new("mean error within", LIMITS.map(limit))
             .column("fewest", at(0), count)
             .column("median", at(middle), count)
             .column("most", at(last), count)
@@ -140,7 +104,7 @@ impl Sheets<'_> {
             let (sheet, mean) = (&poses[pose], &mean[pose]);
             let error = |name| percent(sheet.numbers(name)[5]);
             let within = |count: usize| {
-                let names = sheet.header.iter().filter(|name| name.contains('-'));
+                let names = sheet.columns.iter().filter(|name| name.contains('-'));
                 names.filter(|name| sheet.numbers(name)[count] <= REPRESENTED).count().to_string()
             };
             let named = ["07-velvet", "05-leather", "11-plaster-b"].map(error);
@@ -169,7 +133,7 @@ impl Sheets<'_> {
 
     fn bound(&self) -> Table {
         let [all, selected] = Modes::BOTH.map(|modes| self.read("bound").of(modes));
-        Table::new("accuracy", all.numbers("accuracy").into_iter().map(share))
+        Table::new("accuracy", all.numbers("accuracy").into_iter().map(limit))
             .column("terms: fewest", all.numbers("least_terms"), count)
             .column("median", all.numbers("median_terms"), count)
             .column("most", all.numbers("most_terms"), count)
@@ -183,7 +147,7 @@ impl Sheets<'_> {
     fn bound_spheres(&self) -> Table {
         let sheet = self.read("bound_spheres");
         Table::new("sphere", pairs(&sheet))
-            .column("stated", sheet.numbers("accuracy"), share)
+            .column("stated", sheet.numbers("accuracy"), limit)
             .column("terms", sheet.numbers("terms"), count)
             .column("bound", sheet.numbers("bound"), percent)
             .column("error", sheet.numbers("error"), percent)
@@ -192,23 +156,31 @@ impl Sheets<'_> {
     }
 }
 
-type Make = fn(&Sheets<'_>) -> Table;
+type Made = fn(&Sheets) -> Table;
 
 /// The tables, by the names of their markers in the page.
-const TABLES: [(&str, Make); 8] = [
-    ("variance", |sheets| sheets.variance()),
-    ("spheres", |sheets| sheets.spheres()),
-    ("errors", |sheets| sheets.errors()),
-    ("components", |sheets| sheets.components()),
-    ("rotations", |sheets| sheets.rotations()),
-    ("reconstruction", |sheets| sheets.reconstruction()),
-    ("bound", |sheets| sheets.bound()),
-    ("bound spheres", |sheets| sheets.bound_spheres()),
+const TABLES: [(&str, Made); 8] = [
+    ("variance", Sheets::variance),
+    ("spheres", Sheets::spheres),
+    ("errors", Sheets::errors),
+    ("components", Sheets::components),
+    ("rotations", Sheets::rotations),
+    ("reconstruction", Sheets::reconstruction),
+    ("bound", Sheets::bound),
+    ("bound spheres", Sheets::bound_spheres),
 ];
 
-/// The generated parts of the page.
-pub fn parts(files: &[OutputFile]) -> Vec<Part> {
-    TABLES.iter().map(|(name, table)| (*name, table(&Sheets(files)).text())).collect()
+/// The generated parts of the page, from the figures' files.
+pub fn parts(files: &[OutputFile]) -> Result<Vec<Part>> {
+    let mut sheets = BTreeMap::new();
+    for file in files {
+        let name = file.name.trim_start_matches(FIGURES.folder).strip_suffix(".csv");
+        if let (Some(name), Content::Text(text)) = (name, &file.content) {
+            sheets.insert(name.to_owned(), Sheet::parse(text, &file.name)?);
+        }
+    }
+    let sheets = Sheets(sheets);
+    Ok(TABLES.iter().map(|(name, made)| (*name, made(&sheets).text())).collect())
 }
 
 /// The same without any text.
@@ -231,17 +203,19 @@ fn at(column: &[f64], places: &[usize]) -> Vec<f64> {
 }
 
 /// A Markdown table: names in the first column, numbers in the others.
-struct Table(Vec<Vec<String>>);
+struct Table {
+    columns: String,
+    rows: Vec<Vec<String>>,
+}
 
 impl Table {
     fn new(header: &str, names: impl IntoIterator<Item = String>) -> Self {
-        let rows = names.into_iter().map(|name| vec![name]);
-        Self([vec![header.into()]].into_iter().chain(rows).collect())
+        Self { columns: header.into(), rows: names.into_iter().map(|name| vec![name]).collect() }
     }
 
     fn texts(mut self, header: &str, texts: impl IntoIterator<Item = String>) -> Self {
-        let fields = [header.to_owned()].into_iter().chain(texts);
-        self.0.iter_mut().zip(fields).for_each(|(row, field)| row.push(field));
+        self.columns += &format!(" | {header}:");
+        self.rows.iter_mut().zip(texts).for_each(|(row, text)| row.push(text));
         self
     }
 
@@ -249,11 +223,8 @@ impl Table {
         self.texts(header, numbers.into_iter().map(format))
     }
 
-    fn text(mut self) -> String {
-        let columns = self.0[0].len();
-        let rules = [vec!["---".to_owned()], vec!["---:".to_owned(); columns - 1]].concat();
-        self.0.insert(1, rules);
-        self.0.iter().map(|row| format!("| {} |\n", row.join(" | "))).collect()
+    fn text(self) -> String {
+        pages::table(&self.columns, self.rows)
     }
 }
 
@@ -271,27 +242,5 @@ fn ratio(value: f64) -> String {
 
 /// A share in percent, with three digits.
 fn percent(share: f64) -> String {
-    let value = 100.0 * share;
-    let magnitude = if value == 0.0 { 0 } else { value.abs().log10().floor() as i32 };
-    let places = usize::try_from(2 - magnitude).unwrap_or(0).min(6);
-    format!("{value:.places$} %")
-}
-
-/// A limit in percent, without needless digits.
-fn share(limit: f64) -> String {
-    let value = format!("{:.6}", 100.0 * limit);
-    format!("{} %", value.trim_end_matches('0').trim_end_matches('.'))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{percent, share};
-
-    #[test]
-    fn shares_have_three_digits() {
-        let texts = [0.0, 1e-5, 0.00744, -0.0744, 0.174, 0.9926, 1.0].map(percent);
-        let expected = ["0.00 %", "0.00100 %", "0.744 %", "-7.44 %", "17.4 %", "99.3 %", "100 %"];
-        assert_eq!(texts, expected);
-        assert_eq!([0.3, 0.01, 1e-6].map(share), ["30 %", "1 %", "0.0001 %"]);
-    }
+    numbers::percent(share, 3)
 }

@@ -1,9 +1,10 @@
 //! Fig. 2: the variance of each irradiance mode, over degrees of the light and modes of the
 //! surface.
 
-use super::chart::{self, Axes, BLUE, DrawResult, GREEN, INK, Line, ORANGE, fault, letters};
-use super::output_file::{OutputFile, row};
 use super::study::{DEGREE, ORDER, Study};
+use super::{FIGURES, row};
+use crate::chart::{Axes, COLORS, Chart, DrawResult, INK, Points, Series, Style, fault, letters};
+use crate::figures::OutputFile;
 use eigenshade_index::{material, mode};
 use eigenshade_model::error::Result;
 use eigenshade_model::selection::variances;
@@ -78,30 +79,33 @@ impl Variance {
         let mut map = String::new();
         self.map(&mut map).map_err(fault)?;
         Ok(vec![
-            OutputFile::csv("variance.csv", "l,o,p,q,variance,modes,selected", &rows)?,
-            OutputFile::chart("variance.svg", &map),
-            OutputFile::csv("variance_beyond.csv", "surface,degree,modes,beyond", &shares)?,
-            OutputFile::chart("variance_beyond.svg", &self.shares()?),
+            FIGURES.csv("variance.csv", "l,o,p,q,variance,modes,selected", &rows)?,
+            FIGURES.chart("variance.svg", &map),
+            FIGURES.csv("variance_beyond.csv", "surface,degree,modes,beyond", &shares)?,
+            FIGURES.chart("variance_beyond.svg", &self.shares()?),
         ])
     }
 
     fn shares(&self) -> Result<String> {
-        let mut lines = Vec::new();
-        for ((order, degree, name), color) in SURFACES.into_iter().zip([BLUE, ORANGE, GREEN]) {
-            let points = (0u32..).map(f64::from).zip(self.beyond(order)).take(DEGREE).collect();
+        let mut series = Vec::new();
+        for ((order, degree, name), color) in SURFACES.into_iter().zip(COLORS) {
+            let points: Points =
+                (0u32..).map(f64::from).zip(self.beyond(order)).take(DEGREE).collect();
+            let dot = vec![points[degree]];
             let name = name.replace("<=", "≤");
             let name = format!("{name}; dot: l = {degree}, {} modes", mode::total(degree, order));
-            lines.push(Line { marked: Some(degree), ..Line::new(name, color, points) });
+            series.push(Series::new(name, Style::Line, color, points));
+            series.push(Series::new("", Style::Dots, color, dot));
         }
-        let axes = Axes {
-            titles: ["light up to degree l", "share of the variance beyond"],
-            columns: 0.0..8.0,
+        Chart {
+            titles: ["light up to degree l", "share of the variance beyond"].map(Into::into),
             // Slightly lower, so that the last power of ten gets its label.
-            rows: 0.99e-4..1.0,
-            labels: 9,
+            axes: Axes::Percent { columns: 0.0..8.0, rows: 0.99e-4..1.0, labels: 9 },
             legend: SeriesLabelPosition::LowerLeft,
-        };
-        chart::lines(&axes, &lines)
+            series,
+            labels: vec![],
+        }
+        .svg()
     }
 
     /// The map of all modes, with the three surfaces outlined and a logarithmic color scale.

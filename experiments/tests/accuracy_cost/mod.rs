@@ -1,7 +1,9 @@
-//! `experiments accuracy-cost`: its errors, its choices, and its checks.
+//! `experiments accuracy-cost`: its errors and its choices.
+
+mod files;
 
 use crate::oracle;
-use crate::support::{Folder, assert_fails, repository};
+use crate::support::repository;
 use crate::{spread, tolerances};
 use eigenshade_generator::material::brdf::projection::project;
 use eigenshade_generator::material::brdf::{Ggx, Measure};
@@ -10,33 +12,17 @@ use eigenshade_model::database::Named;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader};
 use experiments::accuracy_cost::bases::Bases;
-use experiments::accuracy_cost::check::{self, Compared, compare};
 use experiments::accuracy_cost::choice::{LIMITS, Lighting, TIE, cheapest, pareto};
+use experiments::accuracy_cost::errors;
 use experiments::accuracy_cost::images::{Image, Images};
 use experiments::accuracy_cost::machines::MACHINES;
-use experiments::accuracy_cost::materials::{Scope, modelled};
+use experiments::accuracy_cost::materials::Scope;
 use experiments::accuracy_cost::setting::{Recipe, Setting, Way};
-use experiments::accuracy_cost::sheet::{self, GROWTH, MODEL, SETTINGS};
-use experiments::accuracy_cost::{Measured, errors, report, settings};
-use experiments::pages::with_parts;
-use std::collections::HashMap;
-use std::fs;
+use experiments::accuracy_cost::sheet::{self, Form, Record, SETTINGS};
 use std::path::PathBuf;
 
-/// An error of a setting, relative: hosts round differently, and rounding may end a polynomial a
-/// term earlier or later, which moves the error of one cut short by a per cent.
-const COST_ERROR: f64 = 0.02;
-
-/// The same in any case: errors below that are roundings of f32, which fused multiplications halve.
+/// The error of the nine-term formula for what it is exact for: roundings of f32.
 const COST_ROUNDING: f64 = 1e-6;
-
-/// Bytes, relative: such a term in all profiles of an azimuth.
-const COST_BYTES: f64 = 0.02;
-
-/// A fitted exponent of bytes, beside that of theory: lower powers are still there at the largest
-/// sizes, (24 / 2 + 1)² of the order; and azimuths grow as the root of the components, so that rows
-/// of 10 - |m| numbers shrink from 8 to 5 over three octaves, which is 0.23.
-const COST_EXPONENT: f64 = 0.3;
 
 /// The rms of a setting's error on other normals, relative: a thousand rings' normals against two
 /// thousand spread evenly, with an error that stands at the rim.
@@ -46,20 +32,9 @@ fn docs() -> PathBuf {
     repository().join("docs/accuracy-cost")
 }
 
-fn read(name: &str) -> String {
-    fs::read_to_string(docs().join(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
-}
-
-/// Rows of a committed file, by column.
-fn sheet(name: &str) -> Vec<HashMap<String, String>> {
-    let text = read(name);
-    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
-    reader.deserialize().map(|row| row.expect("a row")).collect()
-}
-
-fn number(row: &HashMap<String, String>, column: &str) -> Option<f64> {
-    let text = row.get(column).unwrap_or_else(|| panic!("no column {column}"));
-    (!text.is_empty()).then(|| text.parse().unwrap_or_else(|_| panic!("{column}: {text}")))
+/// Rows of a committed file.
+fn rows(form: &Form) -> Vec<Record> {
+    sheet::read(form, &docs()).expect("the file")
 }
 
 /// A glossy dielectric, of which no basis here is made.
@@ -152,15 +127,15 @@ fn limits_and_machines_are_those_of_the_page() {
 
 #[test]
 fn nothing_beats_a_point_of_the_pareto_set_and_something_every_other() {
-    let rows = sheet("accuracy-cost.csv");
+    let rows = rows(&SETTINGS);
     let mut numbers = oracle::Numbers(3);
     let random: Vec<(f64, f64)> = (0..200)
         .map(|_| ((4.0 * numbers.next()).floor(), (9.0 * numbers.next()).floor()))
         .collect();
     let mut sets = vec![random];
     for machine in &MACHINES {
-        let place = |row: &HashMap<String, String>| {
-            Some((number(row, &format!("{}_pixel", machine.key))?, number(row, "rms_median")?))
+        let place = |row: &Record| {
+            Some((row.number(&format!("{}_pixel", machine.key))?, row.number("rms_median")?))
         };
         sets.push(rows.iter().filter_map(place).collect());
     }
@@ -180,8 +155,7 @@ fn nothing_beats_a_point_of_the_pareto_set_and_something_every_other() {
 /// better for as much.
 #[test]
 fn the_cheapest_setting_that_suffices_is_chosen() {
-    let rows = sheet("accuracy-cost.csv");
-    let records = sheet::read(&SETTINGS, &docs()).expect("the file");
+    let rows = rows(&SETTINGS);
     let mut checked = 0;
     for machine in &MACHINES {
         let key = machine.key;
@@ -189,39 +163,38 @@ fn the_cheapest_setting_that_suffices_is_chosen() {
             .into_iter()
             .flat_map(|lighting| LIMITS.map(|limit| (lighting, limit)))
         {
-            let cost = |row: &HashMap<String, String>| {
-                let pixels = 9216.0 * number(row, &format!("{key}_pixel"))?;
+            let cost = |row: &Record| {
+                let pixels = 9216.0 * row.number(&format!("{key}_pixel"))?;
                 match lighting {
                     Lighting::Still => Some(pixels),
-                    Lighting::Moving => Some(pixels + number(row, &format!("{key}_light"))?),
+                    Lighting::Moving => Some(pixels + row.number(&format!("{key}_light"))?),
                 }
             };
             let able: Vec<_> = rows
                 .iter()
                 .filter(|row| {
-                    let of_paper = row["degree"] == "9" && row["order"] == "7";
-                    let modelled = number(row, "model_median").is_some_and(|one| one <= limit);
-                    let error = number(row, "unseen_rms_most").expect("an error");
-                    row["knob"] != "mathematics" && error <= limit && (of_paper || modelled)
+                    let of_paper = row.text("degree") == "9" && row.text("order") == "7";
+                    let modelled = row.number("model_median").is_some_and(|one| one <= limit);
+                    let error = row.number("unseen_rms_most").expect("an error");
+                    row.text("knob") != "mathematics" && error <= limit && (of_paper || modelled)
                 })
                 .filter_map(|row| Some((row, cost(row)?)))
                 .collect();
-            let chosen = cheapest(&records, machine, lighting, limit);
+            let chosen = cheapest(&rows, machine, lighting, limit);
             assert_eq!(chosen.is_some(), !able.is_empty(), "{key} {limit}");
             let Some(chosen) = chosen else { continue };
-            let is_it = |row: &HashMap<String, String>| row["setting"] == chosen.text("setting");
+            let is_it = |row: &Record| row.text("setting") == chosen.text("setting");
             let (taken, taken_cost) = able.iter().find(|(row, _)| is_it(row)).expect("it suffices");
             let least = able.iter().map(|(_, cost)| *cost).fold(f64::INFINITY, f64::min);
             // Times that are nearly the least are as good; the least error decides.
             let most = if ["host", "wasm"].contains(&key) { TIE * least } else { least };
             assert!(*taken_cost <= most, "{key} {limit}: {taken:?}");
-            let error = |row: &HashMap<String, String>| {
-                let model = number(row, "model_median").unwrap_or(f64::INFINITY);
-                model.max(number(row, "unseen_rms_most").expect("an error"))
+            let error = |row: &Record| {
+                let model = row.number("model_median").unwrap_or(f64::INFINITY);
+                model.max(row.number("unseen_rms_most").expect("an error"))
             };
-            let is_better = |(row, cost): &(&HashMap<String, String>, f64)| {
-                *cost <= most && error(row) < error(taken)
-            };
+            let is_better =
+                |(row, cost): &(&Record, f64)| *cost <= most && error(row) < error(taken);
             assert!(!able.iter().any(is_better), "{key} {limit}: {taken:?}");
             checked += 1;
         }
@@ -234,7 +207,7 @@ fn the_cheapest_setting_that_suffices_is_chosen() {
 /// 20 where it moves.
 #[test]
 fn a_reader_finds_a_setting_for_a_board() {
-    let rows = sheet::read(&SETTINGS, &docs()).expect("the file");
+    let rows = rows(&SETTINGS);
     let m4f = MACHINES.iter().find(|machine| machine.key == "m4f").expect("a machine");
     let still = cheapest(&rows, m4f, Lighting::Still, 0.01).expect("a setting");
     assert_eq!(still.text("way"), "bilinear32");
@@ -249,7 +222,7 @@ fn a_reader_finds_a_setting_for_a_board() {
 /// memory of its program.
 #[test]
 fn boards_have_rows_for_moving_light() {
-    let rows = sheet::read(&SETTINGS, &docs()).expect("the file");
+    let rows = rows(&SETTINGS);
     for machine in MACHINES.iter().filter(|machine| machine.board.is_some()) {
         for limit in LIMITS.into_iter().filter(|limit| *limit >= 1e-3) {
             let row = cheapest(&rows, machine, Lighting::Moving, limit).expect("a setting");
@@ -258,233 +231,4 @@ fn boards_have_rows_for_moving_light() {
             assert!(light > 100.0 && flash > 1e4 && ram > 300.0, "{}: {row:?}", machine.key);
         }
     }
-}
-
-/// The tables and charts are those of the CSV files, and no other files are there.
-#[test]
-fn the_page_and_the_charts_show_the_files() {
-    let measured = Measured::read(&docs()).expect("the files");
-    let page = read(report::PAGE);
-    let again = with_parts(&page, &report::tables(&measured)).expect("all markers");
-    let command = "accuracy-cost --from-csv --out docs/accuracy-cost";
-    assert!(again == page, "the tables are others: {command}");
-    let charts = report::charts(&measured).expect("charts");
-    for (name, svg) in &charts {
-        assert!(read(name) == *svg, "{name} is another: {command}");
-    }
-    let known = [SETTINGS.name, MODEL.name, GROWTH.name, report::PAGE];
-    for entry in fs::read_dir(docs()).expect("a folder") {
-        let name = entry.expect("an entry").file_name().to_string_lossy().into_owned();
-        assert!(known.contains(&&*name) || charts.iter().any(|(one, _)| *one == name), "{name}");
-        assert!(name == report::PAGE || page.contains(&format!("]({name})")), "{name}");
-        let first = read(&name).lines().next().unwrap_or_default().to_owned();
-        assert!(first.contains("accuracy-cost"), "{name}");
-    }
-    let links = page.split("](").skip(1).filter_map(|rest| rest.split(')').next());
-    for link in links.filter(|link| !link.starts_with('#')) {
-        let file = link.split('#').next().unwrap_or_default();
-        assert!(docs().join(file).is_file(), "{link}");
-    }
-}
-
-/// The file has the settings of the list, in its order.
-#[test]
-fn the_file_has_all_settings() {
-    let rows = sheet("accuracy-cost.csv");
-    let found: Vec<_> = rows.iter().map(|row| (&*row["knob"], row["setting"].clone())).collect();
-    let all = settings::all(false);
-    let all: Vec<_> = all.iter().map(|one| (one.parameter, one.setting.to_string())).collect();
-    assert_eq!(found, all);
-}
-
-/// Bytes grow as theory says, by a fit of our own.
-#[test]
-fn bytes_grow_as_they_should() {
-    let rows = sheet("growth.csv");
-    let theory = [
-        ("degree", "rows of the components", 1.0),
-        ("order", "rows of the components", 2.0),
-        ("components", "rows of the components", 1.0),
-        ("degree", "polar integrals", 1.0),
-        ("order", "polar integrals", 2.0),
-        ("components", "polar integrals", 0.0),
-        ("degree", "a folded material", 1.0),
-        ("order", "a folded material", 0.0),
-        ("components", "a folded material", 1.0),
-        ("materials", "transfers", 1.0),
-        ("pixels", "a picture's f32", 1.0),
-        ("maps", "coefficients", 1.0),
-    ];
-    for (quantity, measure, expected) in theory {
-        let of = |row: &&HashMap<String, String>| {
-            row["quantity"] == quantity && row["measure"] == measure && row["unit"] == "bytes"
-        };
-        let points: Vec<(f64, f64)> = rows
-            .iter()
-            .filter(of)
-            .map(|row| (number(row, "size").unwrap().ln(), number(row, "counted").unwrap().ln()))
-            .collect();
-        assert!(points.len() >= 4, "{quantity}, {measure}");
-        // From the middle to the end.
-        let (first, last) = (points[points.len() / 2], points[points.len() - 1]);
-        let slope = (last.1 - first.1) / (last.0 - first.0);
-        assert!((slope - expected).abs() <= COST_EXPONENT, "{quantity}, {measure}: {slope}");
-    }
-}
-
-/// Each surface is there at every degree and order, and seven of them are measured.
-#[test]
-fn the_model_has_all_surfaces() {
-    let rows = sheet("model.csv");
-    let surfaces = modelled().expect("surfaces");
-    assert_eq!(surfaces.len(), 13);
-    for surface in &surfaces {
-        let found = rows.iter().filter(|row| row["surface"] == surface.name).count();
-        assert_eq!(found, settings::sizes().count(), "{}", surface.name);
-    }
-    assert_eq!(rows.len(), surfaces.len() * settings::sizes().count());
-}
-
-/// `--keep-times` takes over all times of the files and nothing else.
-#[test]
-fn kept_times_are_those_of_the_files() {
-    let earlier = Measured::read(&docs()).expect("the files");
-    let mut measured = earlier.clone();
-    measured.growth.retain(|row| row.text("unit") != "ns");
-    for row in &mut measured.settings {
-        for column in ["host_pixel_ns", "host_light_ns", "host_pixel", "host_light"] {
-            row.put(column, "");
-        }
-    }
-    let mut other = earlier.clone();
-    other.settings.iter_mut().for_each(|row| row.put("rms_median", 7));
-    measured.keep_times(&other).expect("all times");
-    assert_eq!(measured.settings, earlier.settings);
-    assert_eq!(measured.growth, earlier.growth);
-    measured.settings[0].put("setting", "9/7 K51 polynomial f32");
-    assert!(measured.keep_times(&earlier).is_err());
-    let folder = Folder::new();
-    fs::create_dir(folder.path("docs")).unwrap();
-    assert_fails(&folder, "accuracy-cost --out docs --keep-times", &["docs/accuracy-cost.csv"]);
-    assert_eq!(folder.run("accuracy-cost --check docs --keep-times").status.code(), Some(2));
-}
-
-/// `--from-csv` makes the same files again, with a page where there is none.
-#[test]
-fn charts_and_tables_are_made_from_the_files() {
-    let folder = Folder::new();
-    for form in [&SETTINGS, &MODEL, &GROWTH] {
-        folder.write(form.name, read(form.name));
-    }
-    folder.ok("accuracy-cost --out . --from-csv");
-    for entry in fs::read_dir(docs()).expect("a folder") {
-        let name = entry.expect("an entry").file_name().to_string_lossy().into_owned();
-        assert!(folder.read(&name) == read(&name), "{name}");
-    }
-}
-
-/// A difference is reported with its line; times are not compared.
-#[test]
-fn damage_is_found() {
-    assert_eq!(
-        [check::ERROR, check::ROUNDING, check::BYTES, check::EXPONENT],
-        [COST_ERROR, COST_ROUNDING, COST_BYTES, COST_EXPONENT]
-    );
-    let folder = Folder::new();
-    let name = "accuracy-cost.csv";
-    let good = read(name);
-    let fresh = sheet::read(&SETTINGS, &docs()).expect("the file");
-    let compared = |text: &str| {
-        folder.write(name, text);
-        let mut compared = Compared::default();
-        compare(&SETTINGS, &fresh, &folder.path("."), true, &mut compared)
-            .map(|()| compared)
-            .map_err(|error| error.to_string())
-    };
-    let found = compared(&good).expect("nothing is damaged");
-    assert!(found.rows > 100 && found.numbers > 1500, "{found:?}");
-    let lines: Vec<&str> = good.lines().collect();
-    let header: Vec<&str> = lines[1].split(',').collect();
-    let place = lines.iter().position(|line| line.contains("9/7 K50 polynomial f32,")).unwrap();
-    let changed = |column: &str, to: &dyn Fn(f64) -> f64| {
-        let mut fields: Vec<String> = lines[place].split(',').map(str::to_owned).collect();
-        let at = header.iter().position(|name| *name == column).unwrap();
-        let old: f64 = fields[at].parse().unwrap_or_else(|_| panic!("{column}"));
-        fields[at] = to(old).to_string();
-        good.replacen(lines[place], &fields.join(","), 1)
-    };
-    for column in ["host_pixel_ns", "host_light_ns", "host_pixel", "wasm_pixel"] {
-        compared(&changed(column, &|time| 3.0 * time)).expect("times are not compared");
-    }
-    compared(&changed("rms_median", &|error| 1.01 * error)).expect("within the tolerance");
-    for (column, factor) in [
-        ("rms_median", 1.05),
-        ("rms_worst", 0.9),
-        ("unseen_rms_most", 1.1),
-        ("unseen_largest_worst", 1.1),
-        ("model_median", 1.1),
-        ("table_bytes", 1.1),
-        ("state_bytes", 0.5),
-        ("m4f_light", 1.001),
-        ("degree", 2.0),
-    ] {
-        let message = compared(&changed(column, &|value| factor * value)).expect_err(column);
-        let line = format!("{name}:{}: ", place + 1);
-        for word in [&line, column, "belongs", "accuracy-cost --out"] {
-            assert!(message.contains(word), "{column}: {message}");
-        }
-        assert!(!message.contains('\n'), "{message}");
-    }
-    let without = good.replacen(&format!("{}\n", lines[place]), "", 1);
-    assert!(compared(&without).expect_err("a row").contains("no row of `9/7 K50 polynomial f32`"));
-    let twice = format!("{good}{}\n", lines[place].replace("K50", "K51"));
-    assert!(compared(&twice).expect_err("a row").contains("rows where"));
-    let renamed = good.replacen("rms_worst", "rms_largest", 1);
-    assert!(compared(&renamed).expect_err("a header").contains("rms_worst"));
-    compared(&good).expect("all is whole again");
-}
-
-/// A run without times is compared with the committed files, except for rows of times.
-#[test]
-fn a_run_without_times_is_compared_whole() {
-    let mut untimed = Measured::read(&docs()).expect("the files");
-    check::exponents(&untimed.growth).expect("exponents of theory");
-    untimed.growth.retain(|row| row.text("unit") != "ns");
-    for row in &mut untimed.settings {
-        row.put("host_pixel", "");
-    }
-    let mut compared = Compared::default();
-    for (form, rows) in untimed.sheets() {
-        compare(form, rows, &docs(), true, &mut compared).unwrap_or_else(|error| panic!("{error}"));
-    }
-    assert!(compared.rows > 300, "{compared:?}");
-    let short = &untimed.growth[..18];
-    let error = compare(&GROWTH, short, &docs(), true, &mut compared).expect_err("missing rows");
-    assert!(error.to_string().contains("rows where 18 belong"), "{error}");
-    compare(&GROWTH, short, &docs(), false, &mut compared).expect("a quick run has fewer rows");
-    for row in untimed.growth.iter_mut().filter(|row| row.text("unit") == "bytes") {
-        let cube = row.number("size").unwrap().powi(3);
-        row.put("counted", cube);
-    }
-    assert!(check::exponents(&untimed.growth).is_err());
-}
-
-#[test]
-fn bad_input_is_reported_before_the_work() {
-    let folder = Folder::new();
-    folder.write("file", "");
-    let start = std::time::Instant::now();
-    assert_fails(&folder, "accuracy-cost --out file", &["file"]);
-    assert_fails(&folder, "accuracy-cost --check nowhere", &["nowhere", "accuracy-cost.csv"]);
-    assert_eq!(folder.run("accuracy-cost").status.code(), Some(2));
-    assert_eq!(folder.run("accuracy-cost --out a --check b").status.code(), Some(2));
-    fs::create_dir(folder.path("docs")).unwrap();
-    folder.write("docs/accuracy-cost.csv", "");
-    let missing = &["esplanade.exr", "no such map", "--maps"];
-    assert_fails(&folder, "accuracy-cost --check docs --maps nowhere", missing);
-    fs::create_dir(folder.path("maps")).unwrap();
-    folder.write("maps/esplanade.exr", "no map");
-    assert_fails(&folder, "accuracy-cost --check docs --maps maps", &["esplanade.exr"]);
-    // The work takes minutes.
-    assert!(start.elapsed().as_secs() < 30);
 }
