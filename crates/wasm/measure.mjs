@@ -2,12 +2,12 @@
 //
 //     node crates/wasm/measure.mjs            prints the tables, fails if a bound is exceeded
 //     node crates/wasm/measure.mjs --write    writes them to crates/wasm/README.md
-//     node crates/wasm/measure.mjs --times    measures the modules of crates/wasm/ladder instead and
+//     node crates/wasm/measure.mjs --times    measures the modules of crates/wasm/benchmark-tables instead and
 //                                             writes crates/wasm/times.csv
 
 import { readFileSync, writeFileSync } from "node:fs";
 import { load } from "./eigenshade.mjs";
-import { PAIR, ladder } from "./tests/support/ladder.mjs";
+import { PAIR, benchmarkTables } from "./tests/support/benchmark_tables.mjs";
 import { hemisphere, leasts } from "./tests/support/timing.mjs";
 import { row } from "./tests/support/golden.mjs";
 import { VARIANTS, bytes, sizes } from "./tests/support/modules.mjs";
@@ -65,8 +65,8 @@ async function times(variant) {
 }
 
 if (process.argv.includes("--times")) {
-  const found = await ladder();
-  const head = ["# crates/wasm/ladder && node crates/wasm/measure.mjs --times", "setting,pixel_ns,light_ns"];
+  const found = await benchmarkTables();
+  const head = ["# crates/wasm/benchmark-tables && node crates/wasm/measure.mjs --times", "setting,pixel_ns,light_ns"];
   const rows = found.map(({ setting, times }) => [setting, ...times.map((time) => time?.toPrecision(4) ?? "")]);
   writeFileSync(TIMES, `${[...head, ...rows].join("\n")}\n`);
   process.exit();

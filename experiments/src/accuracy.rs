@@ -3,13 +3,13 @@
 //! The error of a map is the rms over the sphere's normals and the three channels, relative to the
 //! largest |I| of the direct integration over all of them.
 
+use crate::ring_sum::RingSum;
 use eigenshade_generator::direct::Surroundings;
 use eigenshade_generator::material::brdf::{Brdf, Measure, Surface};
 use eigenshade_index::{light, material};
-use eigenshade_model::database::{Lights, Named};
-use eigenshade_model::error::Result;
+use eigenshade_model::database::Lights;
+use eigenshade_model::error::{Error, Result};
 use eigenshade_model::reference::DirectSum;
-use eigenshade_model::special::spherical_harmonic::azimuth;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::parallel;
 use eigenshade_shading::shader::{OwnedNormals, Shader, fault};
@@ -36,97 +36,82 @@ pub struct Reference<'a> {
     peaks: Vec<f64>,
 }
 
-/// The spacing of normals, in radians, that resolves a surface's lobe.
-#[must_use]
-pub fn spacing(surface: &Surface) -> f64 {
-    let width = (0..surface.channels()).map(|c| surface.channel(c).width()).fold(1.0, f64::min);
-    (SPACING * width).min(WIDEST)
+/// The lights of these names, in order.
+pub fn named<'a>(all: &Lights, names: impl Iterator<Item = &'a str>) -> Result<Lights> {
+    let find = |name: &str| {
+        let found = all.entries.iter().find(|light| light.name == name).cloned();
+        found.ok_or_else(|| {
+            let what = format!("no light has the name of the map `{name}`");
+            Error::new(what, "make the light of the map with `eigenshade light`")
+        })
+    };
+    Ok(Lights { degree: all.degree, entries: names.map(find).collect::<Result<_>>()? })
+}
+
+/// The color under a map; a gray surface has a single channel.
+fn color(by_channel: &[Vec<[f64; 3]>], map: usize) -> [f64; 3] {
+    [0, 1, 2].map(|c: usize| by_channel[c.min(by_channel.len() - 1)][map][c])
 }
 
 impl<'a> Reference<'a> {
     /// Integrates the surface; `fineness` as in [`Surroundings::irradiance`].
-    #[must_use]
     pub fn new(
         surface: &'a Surface,
         maps: &Surroundings,
-        spacing: f64,
         fineness: f64,
         progress: &ProgressBar,
     ) -> Self {
-        let rings = rings(spacing);
-        let normals: Vec<[f64; 3]> = rings.iter().flat_map(Ring::normals).collect();
         let brdfs: Vec<&dyn Brdf> = (0..surface.channels()).map(|c| surface.channel(c)).collect();
+        // The narrowest lobe is resolved.
+        let width = brdfs.iter().map(|brdf| brdf.width()).fold(1.0, f64::min);
+        let rings = rings((SPACING * width).min(WIDEST));
+        let normals: Vec<[f64; 3]> = rings.iter().flat_map(Ring::normals).collect();
         let batches: Vec<&[[f64; 3]]> = normals.chunks(BATCH).collect();
         progress.set_length(batches.len() as u64);
-        let images: Images = parallel::map(batches.len(), progress, |k| {
-            maps.irradiance(&brdfs, batches[k], fineness)
-        })
-        .into_iter()
-        .flatten()
-        .map(|channels| {
-            let of =
-                |map: usize| [0, 1, 2].map(|c: usize| channels[c.min(channels.len() - 1)][map][c]);
-            (0..maps.maps()).map(of).collect()
-        })
-        .collect();
+        let irradiance = |k: usize| maps.irradiance(&brdfs, batches[k], fineness);
+        let integrated = parallel::map(batches.len(), progress, irradiance).into_iter().flatten();
+        let of_maps =
+            |by_channel: Vec<_>| (0..maps.maps()).map(|map| color(&by_channel, map)).collect();
+        let images: Images = integrated.map(of_maps).collect();
         // A narrow lobe peaks where it mirrors the sun, which is between the normals of the rings.
         let mirrors: Vec<[f64; 3]> = (0..maps.maps()).map(|map| maps.mirror(map)).collect();
         let at_mirrors = maps.irradiance(&brdfs, &mirrors, fineness);
         let largest = |map: usize| {
-            let channels = &at_mirrors[map];
-            let mirrored = [0, 1, 2].map(|c: usize| channels[c.min(channels.len() - 1)][map][c]);
-            let images = images.iter().flat_map(|maps| maps[map]);
-            images.chain(mirrored).fold(0.0, |most: f64, i| most.max(i.abs()))
+            let values = images.iter().flat_map(|maps| maps[map]);
+            let values = values.chain(color(&at_mirrors[map], map));
+            values.fold(0.0, |most: f64, i| most.max(i.abs()))
         };
         let peaks = (0..maps.maps()).map(largest).collect();
         Self { surface, rings, images, peaks }
     }
 
     /// The number of normals.
-    #[must_use]
     pub fn normals(&self) -> usize {
         self.images.len()
     }
 
-    /// The integrated images, by normal and then by map.
-    #[must_use]
-    pub fn images(&self) -> &[Vec<[f64; 3]>] {
-        &self.images
-    }
-
     /// The error for each map of the direct sum (15) up to a degree and an order. `lights` are the
     /// projections of the maps and must reach the degree.
-    #[must_use]
     pub fn of_sum(&self, lights: &Lights, degree: usize, order: usize) -> Vec<f64> {
         let material = self.surface.project(order, Measure::Projected).material;
-        let modes_at = DirectSum::new(degree, order);
+        let sum = DirectSum::new(degree, order);
         let count = light::count(degree);
-        let hidden = ProgressBar::hidden();
-        let images = parallel::map(self.rings.len(), &hidden, |k| {
-            let ring = &self.rings[k];
-            let (sine, cosine) = ring.slant.sin_cos();
-            let modes = modes_at.at([sine, 0.0, cosine]);
-            let scattered = material.rgb.each_ref().map(|channel| modes.scatter(channel));
-            let profile =
-                |light: &Named, c: usize| modes.profile(&light.rgb[c][..count], &scattered[c]);
-            let profiles: Vec<[Vec<f64>; 3]> =
-                lights.entries.iter().map(|light| [0, 1, 2].map(|c| profile(light, c))).collect();
-            let top = degree.cast_signed();
-            let at = |tilt: &f64| {
-                let waves: Vec<f64> = (-top..=top).map(|m| azimuth(m, *tilt)).collect();
-                let sum = |profile: &Vec<f64>| waves.iter().zip(profile).map(|(a, b)| a * b).sum();
-                profiles.iter().map(|channels| channels.each_ref().map(sum)).collect()
+        let images = parallel::map(self.rings.len(), &(), |k| {
+            let ring = RingSum::new(&sum, degree, &self.rings[k]);
+            let [r, g, b] = [0, 1, 2].map(|c| {
+                let lights = lights.entries.iter().map(|light| &light.rgb[c][..count]);
+                ring.images(lights, &material.rgb[c])
+            });
+            let at = |tilt: usize| {
+                let maps = r.iter().zip(&g).zip(&b);
+                maps.map(|((r, g), b)| [r[tilt], g[tilt], b[tilt]]).collect()
             };
-            ring.tilts.iter().map(at).collect::<Images>()
+            (0..self.rings[k].tilts.len()).map(at).collect::<Images>()
         });
-        self.errors(&images.into_iter().flatten().collect::<Images>())
+        self.errors(&images.concat())
     }
 
     /// The error for each map of a table with all of its components, in f64.
-    ///
-    /// # Errors
-    ///
-    /// If the lights have a lower degree than the table.
     pub fn of_table(&self, lights: &Lights, table: &Table) -> Result<Vec<f64>> {
         let (degree, order) = (table.gram.degree, table.gram.order);
         let lights = lights.truncated(degree);
@@ -149,7 +134,6 @@ impl<'a> Reference<'a> {
     }
 
     /// The first map under which the material is black.
-    #[must_use]
     pub fn black(&self) -> Option<usize> {
         self.peaks.iter().position(|peak| *peak == 0.0)
     }

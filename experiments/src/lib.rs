@@ -18,7 +18,11 @@ pub mod compare;
 
 pub mod figures;
 
+pub mod counts;
+
 pub mod multiplications;
+
+mod ring_sum;
 
 pub mod accuracy;
 

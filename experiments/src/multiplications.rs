@@ -27,10 +27,6 @@ pub struct Multiplications {
 
 impl Multiplications {
     /// The multiplications for a table.
-    ///
-    /// # Errors
-    ///
-    /// If the runtime refuses the table.
     pub fn of(table: &Table) -> Result<Self> {
         let parts = Parts::new(table);
         let (degree, order) = (parts.degree, parts.order);

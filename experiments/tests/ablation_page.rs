@@ -10,11 +10,11 @@ use eigenshade_model::reference::DirectSum;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader};
 use eigenshade_testing::{largest, largest_difference, relative_error};
-use experiments::ablation::counts::{Counts, M0, M4F};
 use experiments::ablation::pictures::{self, Sphere};
 use experiments::ablation::scenes::{self, SCENES, Scene};
 use experiments::ablation::speed::Times;
 use experiments::ablation::{self, nine_terms};
+use experiments::counts::{Counts, M0, M4F};
 
 /// A scene of degree 2 in f32 against the nine-term formula in f64, of the peak: rounding of ten
 /// sums.

@@ -6,11 +6,11 @@ use eigenshade_cli::table::compare::differences;
 use eigenshade_table::Table;
 use eigenshade_table::reduce::with_components;
 use eigenshade_table::trim::trim;
-use experiments::ablation::counts::Counts;
 use experiments::accuracy_cost::bases::Bases;
 use experiments::accuracy_cost::materials::Scope;
 use experiments::accuracy_cost::setting::Setting;
 use experiments::accuracy_cost::settings;
+use experiments::counts::Counts;
 use std::collections::HashMap;
 use std::fs;
 

@@ -3,17 +3,16 @@
 //!
 //! `experiments ablation` writes the generated parts of `docs/ablation.md`.
 
-pub mod counts;
 pub mod nine_terms;
 pub mod pictures;
 pub mod scenes;
 pub mod speed;
 
+use crate::counts::{Counts, M0, M3, M4F, RV32};
 use crate::median::median;
 use crate::multiplications::Multiplications;
 use crate::pages::{Page, Part, same_word, table};
 use crate::tolerances;
-use counts::{Counts, M0, M3, M4F, RV32};
 use eigenshade_cli::messages::grouped;
 use eigenshade_index::effect::Effect;
 use eigenshade_shading::shipped;

@@ -1,92 +1,57 @@
 //! The bases of the settings, each computed once.
 
 use super::materials::Scope;
-use super::setting::{Cut, Recipe};
+use super::setting::Recipe;
 use eigenshade_generator::basis;
-use eigenshade_index::effect::{Effect, Effects};
+use eigenshade_index::effect::Effects;
 use eigenshade_model::error::{Error, Result};
-use eigenshade_table::reduce::cut;
-use eigenshade_table::reduce::with_components;
-use eigenshade_table::scene::{self, Criterion, LightRotation, Normalize, Store};
-use eigenshade_table::{Scene, Table};
-use std::collections::BTreeMap;
+use eigenshade_shading::shipped;
+use eigenshade_table::reduce::{cut, with_components};
+use eigenshade_table::scene::Store;
+use eigenshade_table::{Scene, Table, decode};
+use std::collections::HashMap;
 
-/// A selection of modes: how many of the highest variance, 0 for all, and the bits of the effects.
-type Modes = (usize, u16);
-
-fn modes(recipe: &Recipe) -> Modes {
-    (recipe.modes.unwrap_or(0), recipe.effects.bits())
-}
+/// A selection of modes: how many of the highest variance, and the effects.
+type Modes = (Option<usize>, Effects);
 
 /// A table for each selection of modes, with as many components as a recipe asks for.
-pub struct Bases(BTreeMap<Modes, Table>);
+pub struct Bases(HashMap<Modes, Table>);
 
 impl Bases {
     /// Makes the bases that these recipes of one scope start from.
     pub fn new(scope: &Scope, recipes: impl IntoIterator<Item = Recipe>) -> Result<Self> {
-        let mut most: BTreeMap<Modes, usize> = BTreeMap::new();
+        let mut most: HashMap<Modes, usize> = HashMap::new();
         for recipe in recipes {
-            let count = most.entry(modes(&recipe)).or_default();
+            let count = most.entry((recipe.modes, recipe.effects)).or_default();
             *count = (*count).max(recipe.components.unwrap_or(usize::MAX));
         }
-        let table = |(modes, components)| {
-            let scene = scene(scope, modes, components);
-            Ok((modes, basis::build(&scene, &scope.lights, &scope.seen)?))
+        let table = |((modes, effects), components): (Modes, usize)| {
+            let mut scene = scene(scope.degree, scope.order, components)?;
+            scene.basis.modes = modes.unwrap_or(0);
+            scene.effects.wanted.retain(|&effect| effects.has(effect));
+            Ok(((modes, effects), basis::build(&scene, &scope.lights, &scope.seen)?))
         };
         Ok(Self(most.into_iter().map(table).collect::<Result<_>>()?))
     }
 
-    /// The table of a recipe.
-    ///
-    /// # Errors
-    ///
-    /// If the recipe is not one of those given at first.
+    /// The table of a recipe, which must be one of those given at first.
     pub fn table(&self, recipe: &Recipe) -> Result<Table> {
-        let whole = self.0.get(&modes(recipe));
+        let whole = self.0.get(&(recipe.modes, recipe.effects));
         let whole = whole.ok_or_else(|| Error::new("a basis is missing", "report it"))?;
         let count = recipe.components.unwrap_or(usize::MAX);
         let mut table = with_components(whole, |number, _| number < count);
-        let (terms, trim) = match recipe.cut {
-            Cut::Whole => (None, None),
-            Cut::Terms(count) => (Some(count), None),
-            Cut::Trimmed(share) => (None, Some(share)),
-        };
-        cut(&mut table, scene::Cut { azimuths: recipe.azimuths, terms, trim });
+        cut(&mut table, recipe.cut);
         Ok(table)
     }
 }
 
-fn scene(scope: &Scope, (modes, effects): Modes, components: usize) -> Scene {
-    let wanted = Effects::from_bits(effects).unwrap_or(Effects::ALL);
-    Scene {
-        geometry: scene::Geometry { normals: "sphere".into(), mask: None, density: None },
-        light: scene::Light {
-            degree: scope.degree,
-            database: "inputs/lights.csv".into(),
-            rotation: LightRotation::Any,
-            normalize: Normalize::UnitAmbient,
-            weights: BTreeMap::new(),
-        },
-        material: scene::Material {
-            order: scope.order,
-            database: "inputs/materials.csv".into(),
-            names: Vec::new(),
-            weights: BTreeMap::new(),
-        },
-        basis: scene::Basis {
-            criterion: Criterion::ImageCentered,
-            components: Some(components),
-            tolerance: None,
-            modes,
-            store: Store::Projection,
-            rank_cutoff: 1e-10,
-            profile_tolerance: 1e-7,
-            knots: None,
-            cut: None,
-        },
-        effects: scene::Effects {
-            wanted: Effect::ALL.into_iter().filter(|&effect| wanted.has(effect)).collect(),
-            ..scene::Effects::default()
-        },
-    }
+/// The shipped scene at another degree and order, with at most this many components.
+pub fn scene(degree: usize, order: usize, components: usize) -> Result<Scene> {
+    let table = decode(shipped::TABLE).map_err(|error| Error::new(error.to_string(), "report it"));
+    let mut scene = table?.scene;
+    scene.light.degree = degree;
+    scene.material.order = order;
+    scene.basis.components = Some(components);
+    scene.basis.store = Store::Projection;
+    Ok(scene)
 }

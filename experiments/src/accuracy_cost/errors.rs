@@ -1,7 +1,7 @@
 //! The error of the method: a setting against the direct sum of its own degree and order.
 
 use super::images::{Image, Images};
-use super::numbers::Numbers;
+use super::numbers::{Shaded, numbers};
 use super::setting::Setting;
 use crate::median::median;
 use eigenshade_model::error::Result;
@@ -15,11 +15,9 @@ const COVERED: f64 = 0.95;
 /// Of many errors relative to the peak.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spread {
-    /// The median.
     pub median: f64,
     /// The 95th percentile: the least of these errors that 95 of 100 do not exceed.
     pub most: f64,
-    /// The largest.
     pub worst: f64,
 }
 
@@ -55,33 +53,30 @@ pub struct Found {
     pub terms: usize,
     /// The index of an image with that number of terms.
     pub typical: usize,
+    /// Bytes in RAM: [`Shaded::bytes`].
+    pub bytes: usize,
 }
 
 /// Compares every image.
-///
-/// # Errors
-///
-/// If the table cannot be represented in the setting's number format.
 pub fn compare(setting: &Setting, table: &Table, images: &Images) -> Result<Found> {
-    let numbers = Numbers::new(setting, table, &images.normals)?;
+    let numbers = numbers(setting, table, &images.normals)?;
     let all = parallel::map(images.images.len(), &ProgressBar::hidden(), |k| {
         let image = &images.images[k];
-        let (values, terms) = numbers.image(setting, &image.pair, images.normals.len())?;
-        Ok((errors(&values, image, &images.weights), terms))
+        let Shaded { irradiances, terms, bytes } = numbers.image(&image.pair)?;
+        Ok((errors(&irradiances, image, &images.weights), [terms, k, bytes]))
     });
-    let all = all.into_iter().collect::<Result<Vec<([f64; 2], usize)>>>()?;
-    let of = |seen: bool| {
-        let chosen = || all.iter().zip(&images.images).filter(move |(_, image)| image.seen == seen);
-        let [rms, largest] =
-            [0, 1].map(|kind| chosen().map(|((errors, _), _)| errors[kind]).collect::<Vec<_>>());
-        Errors { rms: Spread::of(&rms), largest: Spread::of(&largest) }
+    let all = all.into_iter().collect::<Result<Vec<([f64; 2], [usize; 3])>>>()?;
+    let chosen = |seen| all.iter().zip(&images.images).filter(move |(_, one)| one.seen == seen);
+    let of = |seen| {
+        let [rms, largest] = [0, 1].map(|kind| {
+            Spread::of(&chosen(seen).map(|((errors, _), _)| errors[kind]).collect::<Vec<_>>())
+        });
+        Errors { rms, largest }
     };
-    let mut by_terms: Vec<(usize, usize)> =
-        all.iter().enumerate().map(|(k, (_, terms))| (*terms, k)).collect();
-    by_terms.retain(|(_, k)| images.images[*k].seen);
+    let mut by_terms: Vec<[usize; 3]> = chosen(true).map(|((_, costs), _)| *costs).collect();
     by_terms.sort_unstable();
-    let (terms, typical) = by_terms[by_terms.len() / 2];
-    Ok(Found { seen: of(true), unseen: of(false), terms, typical })
+    let [terms, typical, bytes] = by_terms[by_terms.len() / 2];
+    Ok(Found { seen: of(true), unseen: of(false), terms, typical, bytes })
 }
 
 /// The rms over the normals and the largest error, relative to the peak.

@@ -1,12 +1,15 @@
 //! The ways to a pixel in floats, for images and for timing.
 
 use super::images::Pair;
-use super::setting::{Scaling, Way};
-use eigenshade::mathematics::{Libm, Micromath, SinglePrecision, Tabled};
+use super::numbers::{Numbers, Pixels, Shaded, Shading, Work, each};
+use super::setting::{Format, Setting, Way};
+use eigenshade::mathematics::Mathematics;
 use eigenshade::{
-    Basis, Light, MapPoint, Material, Normal, Normals, Q15, Scalar, Tolerance, quantized,
+    Basis, Error, IntegerMap, Light, MapPoint, Material, Normal, Normals, Q15, Scalar, Tolerance,
+    quantized,
 };
 use eigenshade_model::error::Result;
+use eigenshade_shading::integer_shader;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader, fault};
 use eigenshade_table::Table;
@@ -14,26 +17,45 @@ use std::hint::black_box;
 
 /// Lengths of the normals that are to be scaled, used in turn. They span more than an octave, as
 /// the lengths of cross products do.
-const LENGTHS: [f32; 5] = [0.37, 0.61, 1.0, 1.43, 2.3];
+const LENGTHS: [f64; 5] = [0.37, 0.61, 1.0, 1.43, 2.3];
+
+/// Scales vectors to unit length, into an array for each component.
+pub type Scale<S> = fn(&[[S; 3]], &mut [Vec<S>; 3]);
 
 /// A basis and normals.
 pub struct Floats<S> {
+    setting: Setting,
     basis: OwnedBasis<S>,
     normals: OwnedNormals<S>,
     each: Vec<Normal<S>>,
+    /// The normals for maps of 16 bits.
+    quantized: Vec<quantized::Normal<Q15>>,
+    scale: Option<Scale<S>>,
 }
 
-/// An operation to be timed.
-pub type Work<'a> = Box<dyn FnMut() + 'a>;
+/// From the coefficients d to the data that a pixel reads.
+type Collapse<'a, S> = Box<dyn FnMut(&[S]) -> std::result::Result<(), Error> + 'a>;
 
-/// Writes the irradiance of every normal.
-pub type Shade<'a, T> = Box<dyn FnMut(&mut [T]) + 'a>;
+/// The pixels of an image; the number of terms of their polynomials; how the data that they read
+/// are made, and the bytes of these.
+struct Operations<'a, S> {
+    pixels: Box<dyn Pixels + 'a>,
+    terms: usize,
+    collapse: Collapse<'a, S>,
+    bytes: usize,
+}
 
-impl<S: Scalar> Floats<S> {
-    pub fn new(table: &Table, normals: &[[f64; 3]]) -> Result<Self> {
-        let normals = OwnedNormals::new(normals);
-        let each = normals.each()?;
-        Ok(Self { basis: OwnedBasis::new(table), normals, each })
+impl<S: Scalar + Into<f64>> Floats<S> {
+    /// With `scale`, the normals have other lengths at first.
+    pub fn new(
+        setting: &Setting,
+        table: &Table,
+        normals: &[[f64; 3]],
+        scale: Option<Scale<S>>,
+    ) -> Result<Self> {
+        let quantized = integer_shader::normals(normals)?;
+        let (basis, normals) = (OwnedBasis::new(table), OwnedNormals::new(normals));
+        Ok(Self { setting: *setting, basis, each: normals.each()?, normals, quantized, scale })
     }
 
     fn basis(&self) -> Result<Basis<'_, S>> {
@@ -47,73 +69,126 @@ impl<S: Scalar> Floats<S> {
         Shader::new(basis, usize::MAX).project(light, material).map(<[S]>::to_vec)
     }
 
-    /// All pixels, and the number of terms of the polynomials. `lengths` has a number for each
-    /// azimuth.
-    pub fn pixels<'a>(
-        &'a self,
-        pair: &Pair,
-        way: Way,
-        lengths: &'a mut [u16],
-    ) -> Result<(Shade<'a, S>, usize)> {
-        let basis = self.basis()?;
-        let d = self.project(pair)?;
-        let buffer = vec![S::ZERO; basis.scene_len()];
-        let (normals, each) = (self.normals.view()?, &self.each);
-        macro_rules! each_by {
-            ($pixel:expr) => {
-                Box::new(move |out| {
-                    for (out, normal) in out.iter_mut().zip(black_box(each)) {
-                        *out = $pixel(*normal);
-                    }
-                })
-            };
-        }
-        if let Way::Within(share) = way {
-            let tolerance = Tolerance::OfPeak(S::from_f64(share));
-            let lengths = &mut lengths[..basis.azimuths()];
-            let (scene, economy) =
-                basis.collapse_within(&d, tolerance, lengths, buffer).map_err(fault)?;
-            let shade = move |out: &mut [S]| {
-                black_box(scene.shade_slice(black_box(normals), out).is_ok());
-            };
-            return Ok((Box::new(shade), economy.terms));
-        }
-        let scene = basis.collapse_into(&d, buffer).map_err(fault)?;
-        let shade: Shade<'a, S> = match way {
-            Way::Polynomial | Way::NineTerms | Way::Within(_) => {
-                let shade = move |out: &mut [S]| {
-                    black_box(scene.shade_slice(black_box(normals), out).is_ok());
-                };
-                return Ok((Box::new(shade), basis.scene_len()));
+    /// `lengths` has a number for each azimuth.
+    fn operations<'a>(&'a self, pair: &Pair, lengths: &'a mut [u16]) -> Result<Operations<'a, S>> {
+        let Setting { way, format, .. } = self.setting;
+        let (basis, d) = (self.basis()?, self.project(pair)?);
+        let mut buffer = vec![S::ZERO; basis.scene_len()];
+        let scene = basis.collapse_into(&d, buffer.clone()).map_err(fault)?;
+        let held = size_of::<S>() * (basis.transfer_len() + basis.components());
+        let of_scene = held + size_of_val(&buffer[..]);
+        let (pixels, terms, collapse, bytes): (_, _, Collapse<'a, S>, _) = match way {
+            Way::NineTerms => {
+                let formula = pair.nine_terms()?;
+                let pixels =
+                    self.all(move |normals, out| black_box(&formula).shade_slice(normals, out))?;
+                // A new light is its own coefficients, scaled.
+                let coefficients = formula.coefficients();
+                (pixels, coefficients.len(), Box::new(|_| Ok(())), size_of_val(coefficients))
             }
             Way::Eigen => {
-                let terms = basis.parts().terms.len();
                 let pixel = move |normal| basis.reconstruct(&d, normal).unwrap_or(S::ZERO);
-                return Ok((each_by!(pixel), terms));
+                let terms = basis.parts().terms.len();
+                (each(&self.each, 0, pixel), terms, Box::new(|_| Ok(())), held)
+            }
+            Way::Polynomial => {
+                let pixels = self.all(move |normals, out| scene.shade_slice(normals, out))?;
+                let collapse = move |d: &[S]| {
+                    basis.collapse_into(d, &mut buffer[..]).map(|scene| seen(&scene))
+                };
+                (pixels, basis.scene_len(), Box::new(collapse), of_scene)
+            }
+            Way::Within(share) => {
+                let tolerance = Tolerance::OfPeak(S::from_f64(share));
+                let lengths = &mut lengths[..basis.azimuths()];
+                let mut again = lengths.to_vec();
+                let within = basis.collapse_within(&d, tolerance, lengths, buffer.clone());
+                let (scene, truncation) = within.map_err(fault)?;
+                let pixels = self.all(move |normals, out| scene.shade_slice(normals, out))?;
+                let collapse = move |d: &[S]| {
+                    let within = basis.collapse_within(d, tolerance, &mut again, &mut buffer[..]);
+                    within.map(|found| seen(&found))
+                };
+                (pixels, truncation.terms, Box::new(collapse), of_scene)
             }
             Way::Linear(knots) | Way::Cubic(knots) => {
-                let samples = vec![S::ZERO; scene.sampled_len(knots)];
-                let table = scene.sampled_into(knots, samples).map_err(fault)?;
-                match way {
-                    Way::Linear(_) => each_by!(|normal| table.linear(normal)),
-                    _ => each_by!(|normal| table.cubic(normal)),
-                }
+                let mut samples = vec![S::ZERO; scene.sampled_len(knots)];
+                let table = scene.sampled_into(knots, samples.clone()).map_err(fault)?;
+                let bytes = held + size_of_val(&samples[..]);
+                let pixels = match way {
+                    Way::Linear(_) => each(&self.each, 0, move |normal| table.linear(normal)),
+                    _ => each(&self.each, 0, move |normal| table.cubic(normal)),
+                };
+                let collapse = move |d: &[S]| {
+                    let scene = basis.collapse_into(d, &mut buffer[..])?;
+                    scene.sampled_into(knots, &mut samples[..]).map(|table| seen(&table))
+                };
+                (pixels, 0, Box::new(collapse), bytes)
+            }
+            Way::Bilinear(size) if format == Format::Q15 => {
+                let mut texels = vec![0i16; size * size];
+                let map = scene.bake_integers_into(size, texels.clone()).map_err(fault)?;
+                let bytes = held + size_of_val(&texels[..]);
+                let collapse = move |d: &[S]| {
+                    let scene = basis.collapse_into(d, &mut buffer[..])?;
+                    scene.bake_integers_into(size, &mut texels[..]).map(|map| seen(&map))
+                };
+                (of_integers(map, &self.quantized), 0, Box::new(collapse), bytes)
             }
             Way::Bilinear(size) | Way::Nearest(size) => {
-                let map = scene.bake_into(size, vec![S::ZERO; size * size]).map_err(fault)?;
-                match way {
-                    Way::Bilinear(_) => each_by!(|normal| map.bilinear(MapPoint::of(normal))),
-                    _ => each_by!(|normal| map.nearest(MapPoint::of(normal))),
-                }
+                let mut texels = vec![S::ZERO; size * size];
+                let map = scene.bake_into(size, texels.clone()).map_err(fault)?;
+                let at = MapPoint::of;
+                let bytes = held + size_of_val(&texels[..]);
+                let pixels = match way {
+                    Way::Bilinear(_) => each(&self.each, 0, move |normal| map.bilinear(at(normal))),
+                    _ => each(&self.each, 0, move |normal| map.nearest(at(normal))),
+                };
+                let collapse = move |d: &[S]| {
+                    let scene = basis.collapse_into(d, &mut buffer[..])?;
+                    scene.bake_into(size, &mut texels[..]).map(|map| seen(&map))
+                };
+                (pixels, 0, Box::new(collapse), bytes)
             }
         };
-        Ok((shade, 0))
+        Ok(Operations { pixels, terms, collapse, bytes })
     }
 
-    /// A new light on a transferred material: d, then the data that a pixel reads. With `integers`,
-    /// a map has texels of 16 bits.
-    pub fn new_light(&self, pair: &Pair, way: Way, integers: bool) -> Result<Work<'_>> {
-        let basis = self.basis()?;
+    /// All pixels at once. As in a renderer, normals that need it are all scaled before.
+    fn all<'a>(
+        &'a self,
+        shade: impl Fn(Normals<'_, S>, &mut [S]) -> std::result::Result<(), Error> + 'a,
+    ) -> Result<Box<dyn Pixels + 'a>> {
+        let Some(scale) = self.scale else {
+            let normals = self.normals.view()?;
+            return Ok(Shading::boxed(self.each.len(), 0, move |out| {
+                black_box(shade(black_box(normals), out).is_ok());
+            }));
+        };
+        let raw = self.each.iter().zip(LENGTHS.into_iter().map(S::from_f64).cycle());
+        let raw: Vec<[S; 3]> =
+            raw.map(|(one, length)| one.components().map(|x| length * x)).collect();
+        let mut axes = [0, 1, 2].map(|_| vec![S::ZERO; raw.len()]);
+        Ok(Shading::boxed(raw.len(), 0, move |out| {
+            scale(black_box(&raw), &mut axes);
+            let [x, y, z] = &axes;
+            let done = Normals::new(x, y, z).and_then(|normals| shade(normals, out));
+            black_box(done.is_ok());
+        }))
+    }
+}
+
+impl<S: Scalar + Into<f64> + Sync> Numbers for Floats<S> {
+    fn image(&self, pair: &Pair) -> Result<Shaded> {
+        let mut lengths = vec![0; self.setting.recipe.degree + 1];
+        let Operations { mut pixels, terms, bytes, .. } = self.operations(pair, &mut lengths)?;
+        pixels.shade();
+        Ok(Shaded { irradiances: pixels.irradiances(), terms, bytes })
+    }
+
+    fn works<'a>(&'a self, pair: &Pair, lengths: &'a mut [u16]) -> Result<[Work<'a>; 2]> {
+        let Operations { mut pixels, mut collapse, .. } = self.operations(pair, lengths)?;
+        let (basis, mut d) = (self.basis()?, self.project(pair)?);
         let ((_, light), (_, material)) = pair.within(basis.degree(), basis.order());
         let rounded = |values: &[f64]| values.iter().map(|&v| S::from_f64(v)).collect::<Vec<S>>();
         let (light, material) = (rounded(light), rounded(material));
@@ -121,112 +196,30 @@ impl<S: Scalar> Floats<S> {
         let mut transfer = vec![S::ZERO; basis.transfer_len()];
         let mut workspace = vec![S::ZERO; basis.workspace_len()];
         basis.transfer_into(&material, &mut workspace, &mut transfer).map_err(fault)?;
-        let mut d = self.project(pair)?;
-        let mut buffer = vec![S::ZERO; basis.scene_len()];
-        let mut lengths = vec![0; basis.azimuths()];
-        let (mut samples, mut texels) = (Vec::new(), Vec::new());
-        match way {
-            Way::Linear(knots) | Way::Cubic(knots) => {
-                let scene = basis.collapse_into(&d, &mut buffer[..]).map_err(fault)?;
-                samples = vec![S::ZERO; scene.sampled_len(knots)];
-            }
-            Way::Bilinear(size) if integers => texels = vec![0i16; size * size],
-            Way::Bilinear(size) | Way::Nearest(size) => samples = vec![S::ZERO; size * size],
-            _ => {}
-        }
-        Ok(Box::new(move || {
+        let new_light = move || {
             let light = Light::new(black_box(&light));
             let relit = light.and_then(|light| basis.relight_into(&transfer, &light, &mut d));
-            let done = relit.and_then(|()| match way {
-                // The coefficients of the light, scaled.
-                Way::NineTerms | Way::Eigen => Ok(()),
-                Way::Within(share) => {
-                    let tolerance = Tolerance::OfPeak(S::from_f64(share));
-                    basis
-                        .collapse_within(&d, tolerance, &mut lengths, &mut buffer[..])
-                        .map(|found| seen(&found))
-                }
-                _ => basis.collapse_into(&d, &mut buffer[..]).and_then(|scene| match way {
-                    Way::Linear(knots) | Way::Cubic(knots) => {
-                        scene.sampled_into(knots, &mut samples[..]).map(|table| seen(&table))
-                    }
-                    Way::Bilinear(size) if integers => {
-                        scene.bake_integers_into(size, &mut texels[..]).map(|map| seen(&map))
-                    }
-                    Way::Bilinear(size) | Way::Nearest(size) => {
-                        scene.bake_into(size, &mut samples[..]).map(|map| seen(&map))
-                    }
-                    _ => {
-                        seen(&scene);
-                        Ok(())
-                    }
-                }),
-            });
-            black_box((done.is_ok(), &texels));
-        }))
+            black_box(relit.and_then(|()| collapse(&d)).is_ok());
+        };
+        Ok([Box::new(move || pixels.shade()), Box::new(new_light)])
     }
 }
 
-impl Floats<f32> {
-    /// The nine-term formula, and the number of its terms.
-    pub fn nine_terms(&self, pair: &Pair) -> Result<(Shade<'_, f32>, usize)> {
-        let (normals, formula) = (self.normals.view()?, pair.nine_terms()?);
-        let terms = formula.coefficients().len();
-        let shade = move |out: &mut [f32]| {
-            black_box(black_box(&formula).shade_slice(black_box(normals), out).is_ok());
-        };
-        Ok((Box::new(shade), terms))
-    }
+/// The pixels of a map of 16 bits. A copy for each format of the scene would keep the compiler from
+/// inlining the look-up, which would distort its time.
+fn of_integers(
+    map: IntegerMap<Vec<i16>>,
+    normals: &[quantized::Normal<Q15>],
+) -> Box<dyn Pixels + '_> {
+    each(normals, map.exponent(), move |normal| map.bilinear(MapPoint::of_quantized(normal)))
+}
 
-    /// The polynomials at normals of other lengths. As in a renderer, all normals are scaled first,
-    /// then all are shaded.
-    pub fn scaled(&self, pair: &Pair, scaling: Scaling) -> Result<(Shade<'_, f32>, usize)> {
-        let basis = self.basis()?;
-        let d = self.project(pair)?;
-        let scene = basis.collapse_into(&d, vec![0.0; basis.scene_len()]).map_err(fault)?;
-        let raw = self.each.iter().zip(LENGTHS.iter().cycle());
-        let raw: Vec<[f32; 3]> =
-            raw.map(|(one, length)| one.components().map(|x| length * x)).collect();
-        let mut axes = [0, 1, 2].map(|_| vec![0.0f32; raw.len()]);
-        let shade = move |out: &mut [f32]| {
-            let [xs, ys, zs] = &mut axes;
-            let places = xs.iter_mut().zip(ys).zip(zs).zip(black_box(&raw));
-            for (((to_x, to_y), to_z), &[x, y, z]) in places {
-                let normal = match scaling {
-                    Scaling::None | Scaling::Libm => Normal::with_mathematics::<Libm>(x, y, z),
-                    Scaling::Single => Normal::with_mathematics::<SinglePrecision>(x, y, z),
-                    Scaling::Tabled => Normal::with_mathematics::<Tabled>(x, y, z),
-                    Scaling::Micromath => Normal::with_mathematics::<Micromath>(x, y, z),
-                };
-                if let Ok(normal) = normal {
-                    [*to_x, *to_y, *to_z] = normal.components();
-                }
-            }
-            let [x, y, z] = &axes;
-            let done = Normals::new(x, y, z).and_then(|normals| scene.shade_slice(normals, out));
-            black_box(done.is_ok());
-        };
-        Ok((Box::new(shade), basis.scene_len()))
-    }
-
-    /// A map of 16 bits, sampled with integers, and the exponent of its texels.
-    pub fn map<'a>(
-        &self,
-        pair: &Pair,
-        size: usize,
-        normals: &'a [quantized::Normal<Q15>],
-    ) -> Result<(Shade<'a, i32>, i32)> {
-        let basis = self.basis()?;
-        let d = self.project(pair)?;
-        let scene = basis.collapse_into(&d, vec![0.0; basis.scene_len()]).map_err(fault)?;
-        let map = scene.bake_integers_into(size, vec![0i16; size * size]).map_err(fault)?;
-        let exponent = map.exponent();
-        let shade = move |out: &mut [i32]| {
-            for (out, &normal) in out.iter_mut().zip(black_box(normals)) {
-                *out = map.bilinear(MapPoint::of_quantized(normal));
-            }
-        };
-        Ok((Box::new(shade), exponent))
+/// Scales vectors with one implementation of mathematics.
+pub fn scale<S: Scalar, M: Mathematics<S>>(raw: &[[S; 3]], [xs, ys, zs]: &mut [Vec<S>; 3]) {
+    for (((to_x, to_y), to_z), &[x, y, z]) in xs.iter_mut().zip(ys).zip(zs).zip(raw) {
+        if let Ok(normal) = Normal::with_mathematics::<M>(x, y, z) {
+            [*to_x, *to_y, *to_z] = normal.components();
+        }
     }
 }
 

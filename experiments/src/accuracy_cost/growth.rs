@@ -2,9 +2,9 @@
 //! maps.
 
 use super::bases::Bases;
-use super::floats::Work;
 use super::images::Pair;
 use super::materials::Scope;
+use super::numbers::Work;
 use super::setting::{Recipe, Setting};
 use super::settings::{DEGREE, ORDER};
 use super::sheet::Record;
@@ -28,31 +28,23 @@ const ROUNDS: usize = 15;
 /// Width and height in texels of the maps whose number grows.
 const MAP: (usize, usize) = (64, 32);
 
-/// Exponents of bytes in theory: quantity, measure, exponent.
-const THEORY: [(&str, &str, f64); 9] = [
-    ("degree", "rows of the components", 1.0),
-    ("order", "rows of the components", 2.0),
-    ("components", "rows of the components", 1.0),
-    ("degree", "polar integrals", 1.0),
-    ("order", "polar integrals", 2.0),
-    ("components", "polar integrals", 0.0),
-    ("degree", "a folded material", 1.0),
-    ("order", "a folded material", 0.0),
-    ("components", "a folded material", 1.0),
+/// The quantities that grow: three of a table, then three to which all measures are proportional.
+pub const QUANTITIES: [&str; 6] = ["degree", "order", "components", "materials", "pixels", "maps"];
+/// Bytes of a table, with their exponents in theory against its degree, order and components.
+const BYTES: [(&str, [f64; 3]); 3] = [
+    ("rows of the components", [1.0, 2.0, 1.0]),
+    ("polar integrals", [1.0, 2.0, 0.0]),
+    ("a transferred material", [1.0, 0.0, 1.0]),
 ];
-/// Quantities to which all measures are proportional.
-const PROPORTIONAL: [&str; 3] = ["materials", "pixels", "maps"];
+/// Operations with a table.
+const OPERATIONS: [&str; 3] = ["a pixel", "a new light", "a new material"];
 
-/// A measured quantity as a function of a growing one.
+/// A measure, in "ns", "bytes" or "multiplications", as a function of a growing quantity.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
-    /// The quantity that grows.
     pub quantity: String,
-    /// The quantity that is measured.
     pub measure: String,
-    /// "ns", "bytes" or "multiplications".
     pub unit: String,
-    /// The measured points.
     pub points: Vec<(f64, f64)>,
     /// The theoretical exponent; for a time, the fitted exponent of its multiplications.
     pub theory: Option<f64>,
@@ -83,31 +75,25 @@ pub fn power_law(points: &[(f64, f64)]) -> Option<(f64, f64)> {
 
 /// The curves of these rows.
 pub fn curves(rows: &[Record]) -> Vec<Curve> {
+    let name = |row: &Record| ["quantity", "measure", "unit"].map(|one| row.text(one).to_owned());
+    let point =
+        |row: &Record| row.number("size").zip(row.number("counted").or(row.number("host_ns")));
     let mut curves: Vec<Curve> = Vec::new();
-    for row in rows {
-        let [quantity, measure, unit] =
-            ["quantity", "measure", "unit"].map(|column| row.text(column).to_owned());
-        let value = row.number("counted").or(row.number("host_ns"));
-        let Some(point) = row.number("size").zip(value) else { continue };
-        let is_it = |one: &&mut Curve| {
-            (&one.quantity, &one.measure, &one.unit) == (&quantity, &measure, &unit)
-        };
-        if let Some(curve) = curves.iter_mut().find(is_it) {
-            curve.points.push(point);
-        } else {
-            curves.push(Curve { quantity, measure, unit, points: vec![point], theory: None });
-        }
+    for of_curve in rows.chunk_by(|a, b| name(a) == name(b)) {
+        let [quantity, measure, unit] = name(&of_curve[0]);
+        let points = of_curve.iter().filter_map(point).collect();
+        curves.push(Curve { quantity, measure, unit, points, theory: None });
     }
-    let theories = curves.iter().map(|curve| theory(curve, &curves)).collect::<Vec<_>>();
+    let theories: Vec<_> = curves.iter().map(|curve| theory(curve, &curves)).collect();
     curves.iter_mut().zip(theories).for_each(|(curve, theory)| curve.theory = theory);
     curves
 }
 
 fn theory(curve: &Curve, curves: &[Curve]) -> Option<f64> {
     let Curve { quantity, measure, unit, .. } = curve;
-    if PROPORTIONAL.contains(&quantity.as_str()) {
+    let Some(place) = QUANTITIES[..3].iter().position(|one| one == quantity) else {
         return Some(1.0);
-    }
+    };
     if unit == "ns" {
         let is_count = |other: &&Curve| {
             (&other.quantity, &other.measure) == (quantity, measure)
@@ -115,75 +101,79 @@ fn theory(curve: &Curve, curves: &[Curve]) -> Option<f64> {
         };
         return curves.iter().find(is_count)?.exponent();
     }
-    let found = THEORY.iter().find(|(one, of, _)| (*one, *of) == (&**quantity, &**measure));
-    found.map(|(.., exponent)| *exponent)
+    BYTES.iter().find(|(one, _)| one == measure).map(|(_, exponents)| exponents[place])
 }
 
-/// Collects measured rows.
-struct Rows {
-    rows: Vec<Record>,
-    timed: bool,
+/// The rows of a curve.
+fn records<P>([quantity, measure, unit]: [&str; 3], points: P) -> impl Iterator<Item = Record>
+where
+    P: IntoIterator<Item = (usize, f64)>,
+{
+    points.into_iter().map(move |(size, value)| {
+        let mut row = Record::default();
+        row.put("quantity", quantity);
+        row.put("measure", measure);
+        row.put("unit", unit);
+        row.put("size", size);
+        match unit {
+            "ns" => row.measure("host_ns", value),
+            _ => row.put("counted", value),
+        }
+        row
+    })
 }
 
-impl Rows {
-    /// Adds the rows of a curve.
-    fn add(&mut self, names: [&str; 3], points: impl IntoIterator<Item = (usize, f64)>) {
-        let [quantity, measure, unit] = names;
-        for (size, value) in points {
-            let mut row = Record::default();
-            row.put("quantity", quantity);
-            row.put("measure", measure);
-            row.put("unit", unit);
-            row.put("size", size);
-            match unit {
-                "ns" => row.measure("host_ns", value),
-                _ => row.put("counted", value),
-            }
-            self.rows.push(row);
-        }
-    }
+/// All growth curves.
+pub fn rows(quick: bool, timed: bool) -> Result<Vec<Record>> {
+    let first = Recipe::first;
+    let degrees = [4, 6, 9, 12, 16, 24, 32].map(|l| (l, first(l, ORDER, COMPONENTS)));
+    let orders = [8, 12, 16, 24].map(|o| (o, first(DEGREE, o, COMPONENTS)));
+    let counts = [10, 25, COMPONENTS, 100, 200].map(|count| (count, first(DEGREE, ORDER, count)));
+    let [degrees, orders] =
+        if quick { [&degrees[..5], &orders[..2]] } else { [&degrees[..], &orders[..]] };
+    let mut rows = of_tables("degree", &made(degrees)?, timed)?;
+    rows.extend(of_tables("order", &made(orders)?, timed)?);
+    let tables = made(&counts)?;
+    rows.extend(of_tables("components", &tables, timed)?);
 
-    /// The measures of these tables: bytes, multiplications, and times in the same order.
-    fn of_tables(&mut self, quantity: &str, tables: &[Made]) -> Result<()> {
-        let sizes = || tables.iter().map(|made| made.size);
-        let mut counts: [Vec<usize>; 6] = Default::default();
-        for Made { table, .. } in tables {
-            let parts = Parts::new(table);
-            let owned = OwnedBasis::<f32>::new(table);
-            let folded = owned.basis().map_err(fault)?.transfer_len();
-            let bytes = [parts.factors.len() + parts.terms.len(), parts.polar.len(), folded]
-                .map(|count| count * size_of::<f32>());
-            let Multiplications { pixel, relight, collapse, transfer, .. } =
-                Multiplications::of(table)?;
-            let of_table = bytes.into_iter().chain([pixel, relight + collapse, transfer]);
-            counts.iter_mut().zip(of_table).for_each(|(counts, count)| counts.push(count));
-        }
-        let operations = ["a pixel", "a new light", "a new material"];
-        let measures = ["rows of the components", "polar integrals", "a folded material"]
-            .map(|measure| [quantity, measure, "bytes"])
-            .into_iter()
-            .chain(operations.map(|measure| [quantity, measure, "multiplications"]));
-        for (names, counts) in measures.zip(counts) {
-            self.add(names, sizes().zip(counts.into_iter().map(|count| count as f64)));
-        }
-        if self.timed {
-            let owned: Vec<_> =
-                tables.iter().map(|made| OwnedBasis::<f32>::new(&made.table)).collect();
-            let (mut cases, mut folds) = (Vec::new(), Vec::new());
-            for (Made { recipe, table, pair, .. }, owned) in tables.iter().zip(&owned) {
-                cases.push(Case::new(&Setting::of(*recipe), table, pair)?);
-                folds.push(folding(owned, pair, 1)?);
+    let Made { table, pair, .. } = &tables[2];
+    let owned = OwnedBasis::<f32>::new(table);
+    let basis = owned.basis().map_err(fault)?;
+    let new_materials = |count| new_materials(&owned, pair, count);
+    let bytes = basis.transfer_len() * size_of::<f32>();
+    let names = ["materials", "transfers", "transferring"];
+    rows.extend(proportional(names, bytes, [1, 4, 16, 64, 256], timed, new_materials)?);
+
+    let mut shader = Shader::new(basis, usize::MAX);
+    shader.project((DEGREE, &pair.light), (ORDER, &pair.material))?;
+    let scene = &shader.scene()?;
+    let pixels = |count| -> Result<Work<'_>> {
+        let normals = OwnedNormals::<f32>::new(&hemisphere(count));
+        let mut out = vec![0.0; count];
+        Ok(Box::new(move || {
+            let normals = black_box(&normals).view().ok();
+            let done = normals.map(|normals| scene.shade_slice(normals, &mut out));
+            black_box((done.is_some_and(|done| done.is_ok()), &out));
+        }))
+    };
+    let sizes = [16usize, 32, 64, 128, 256].map(|across| across * across);
+    let names = ["pixels", "a picture's f32", "shading"];
+    rows.extend(proportional(names, size_of::<f32>(), sizes, timed, pixels)?);
+
+    let (width, height) = MAP;
+    let texels = (0..width * height).map(|k| [1.0 + (k % 7) as f32, 1.0, (k % 3) as f32]);
+    let map = &EnvironmentMap::new(width, height, texels.collect())?;
+    let maps = |count| -> Result<Work<'_>> {
+        Ok(Box::new(move || {
+            for _ in 0..count {
+                black_box(projection::project(black_box(map), DEGREE));
             }
-            let folds = least(folds, ROUNDS);
-            let costs = costs(&mut cases, ROUNDS)?;
-            let [pixels, lights] =
-                [0, 1].map(|kind| costs.iter().map(|cost| cost[kind]).collect::<Vec<f64>>());
-            for (measure, times) in operations.into_iter().zip([pixels, lights, folds]) {
-                self.add([quantity, measure, "ns"], sizes().zip(times));
-            }
-        }
-        Ok(())
-    }
+        }))
+    };
+    let bytes = 3 * light::count(DEGREE) * size_of::<f64>();
+    let names = ["maps", "coefficients", "projection"];
+    rows.extend(proportional(names, bytes, [1, 2, 4, 8, 16], timed, maps)?);
+    Ok(rows)
 }
 
 /// A table of a size, and an image of it.
@@ -194,46 +184,80 @@ struct Made {
     pair: Pair,
 }
 
-/// The tables of recipes of one degree and order.
+/// The tables of recipes, of which neighbors may have the same degree and order.
 fn made(recipes: &[(usize, Recipe)]) -> Result<Vec<Made>> {
-    let Recipe { degree, order, .. } = recipes[0].1;
-    let scope = Scope::seen(degree, order)?;
-    let bases = Bases::new(&scope, recipes.iter().map(|(_, recipe)| *recipe))?;
-    let [light, material] =
-        [&scope.lights.entries[0], &scope.seen.entries[0]].map(Named::luminance);
-    let pair = Pair { light, material };
-    let one = |&(size, recipe): &(usize, Recipe)| {
-        Ok(Made { size, recipe, table: bases.table(&recipe)?, pair: pair.clone() })
-    };
-    recipes.iter().map(one).collect()
+    let mut all = Vec::new();
+    for of_scope in recipes.chunk_by(|(_, a), (_, b)| a.size() == b.size()) {
+        let (degree, order) = of_scope[0].1.size();
+        let scope = Scope::seen(degree, order)?;
+        let bases = Bases::new(&scope, of_scope.iter().map(|(_, recipe)| *recipe))?;
+        let [light, material] =
+            [&scope.lights.entries[0], &scope.seen.entries[0]].map(Named::luminance);
+        for &(size, recipe) in of_scope {
+            let pair = Pair { light: light.clone(), material: material.clone() };
+            all.push(Made { size, recipe, table: bases.table(&recipe)?, pair });
+        }
+    }
+    Ok(all)
 }
 
-/// All growth curves.
-pub fn rows(quick: bool, timed: bool) -> Result<Vec<Record>> {
-    let mut rows = Rows { rows: Vec::new(), timed };
-    let first = |degree, order| Recipe::first(degree, order, COMPONENTS);
-    let degrees = [4, 6, 9, 12, 16, 24, 32].into_iter().take(if quick { 5 } else { 7 });
-    let of_degrees: Result<Vec<_>> = degrees.map(|l| made(&[(l, first(l, ORDER))])).collect();
-    rows.of_tables("degree", &of_degrees?.into_iter().flatten().collect::<Vec<_>>())?;
-    let orders = [8, 12, 16, 24].into_iter().take(if quick { 2 } else { 4 });
-    let of_orders: Result<Vec<_>> = orders.map(|o| made(&[(o, first(DEGREE, o))])).collect();
-    rows.of_tables("order", &of_orders?.into_iter().flatten().collect::<Vec<_>>())?;
-    let counts = [10, 25, 50, 100, 200];
-    let of_counts = made(&counts.map(|count| (count, Recipe::first(DEGREE, ORDER, count))))?;
-    rows.of_tables("components", &of_counts)?;
-    let Made { table, pair, .. } = &of_counts[2];
-    let owned = OwnedBasis::<f32>::new(table);
-    of_materials(&mut rows, &owned, pair)?;
-    of_pixels(&mut rows, &owned, pair)?;
-    of_maps(&mut rows)?;
-    Ok(rows.rows)
+/// Bytes and multiplications of these tables, and times.
+fn of_tables(quantity: &str, tables: &[Made], timed: bool) -> Result<Vec<Record>> {
+    let mut rows = Vec::new();
+    let mut add = |unit, measures: [&str; 3], values: &[[f64; 3]]| {
+        for (k, measure) in measures.into_iter().enumerate() {
+            let points = tables.iter().zip(values).map(|(made, values)| (made.size, values[k]));
+            rows.extend(records([quantity, measure, unit], points));
+        }
+    };
+    let (mut bytes, mut multiplications) = (Vec::new(), Vec::new());
+    for Made { table, .. } in tables {
+        let parts = Parts::new(table);
+        let Multiplications { pixel, relight, collapse, transfer, .. } =
+            Multiplications::of(table)?;
+        // A light multiplies each number of the transferred material once.
+        let numbers = [parts.factors.len() + parts.terms.len(), parts.polar.len(), relight];
+        bytes.push(numbers.map(|count| (count * size_of::<f32>()) as f64));
+        multiplications.push([pixel, relight + collapse, transfer].map(|count| count as f64));
+    }
+    add("bytes", BYTES.map(|(measure, _)| measure), &bytes);
+    add("multiplications", OPERATIONS, &multiplications);
+    if timed {
+        let owned: Vec<_> = tables.iter().map(|made| OwnedBasis::<f32>::new(&made.table)).collect();
+        let case = |made: &Made| Case::new(&Setting::of(made.recipe), &made.table, &made.pair);
+        let mut cases = tables.iter().map(case).collect::<Result<Vec<_>>>()?;
+        let transfers =
+            owned.iter().zip(tables).map(|(owned, made)| new_materials(owned, &made.pair, 1));
+        let transfers = least(transfers.collect::<Result<_>>()?, ROUNDS);
+        let costs = costs(&mut cases, ROUNDS)?.into_iter().zip(transfers);
+        let times: Vec<_> =
+            costs.map(|([pixel, light], material)| [pixel, light, material]).collect();
+        add("ns", OPERATIONS, &times);
+    }
+    Ok(rows)
+}
+
+/// The curves of a quantity: `bytes` for each, and the times of its operation.
+fn proportional<'a>(
+    [quantity, counted, operation]: [&str; 3],
+    bytes: usize,
+    sizes: [usize; 5],
+    timed: bool,
+    work: impl Fn(usize) -> Result<Work<'a>>,
+) -> Result<Vec<Record>> {
+    let counts = sizes.map(|size| (size, (size * bytes) as f64));
+    let mut rows: Vec<Record> = records([quantity, counted, "bytes"], counts).collect();
+    if timed {
+        let times = least(sizes.into_iter().map(work).collect::<Result<_>>()?, ROUNDS);
+        rows.extend(records([quantity, operation, "ns"], sizes.into_iter().zip(times)));
+    }
+    Ok(rows)
 }
 
 /// Transfers `count` materials.
-fn folding<'a>(owned: &'a OwnedBasis<f32>, pair: &Pair, count: usize) -> Result<Work<'a>> {
+fn new_materials<'a>(owned: &'a OwnedBasis<f32>, pair: &Pair, count: usize) -> Result<Work<'a>> {
     let basis = owned.basis().map_err(fault)?;
     let material: Vec<f32> = pair.material.iter().map(|&value| value as f32).collect();
-    Material::new(&material).map_err(fault)?;
     let mut workspace = vec![0.0; basis.workspace_len()];
     let mut transfers = vec![vec![0.0; basis.transfer_len()]; count];
     Ok(Box::new(move || {
@@ -244,61 +268,6 @@ fn folding<'a>(owned: &'a OwnedBasis<f32>, pair: &Pair, count: usize) -> Result<
         }
         black_box(&transfers);
     }))
-}
-
-fn of_materials(rows: &mut Rows, owned: &OwnedBasis<f32>, pair: &Pair) -> Result<()> {
-    let each = owned.basis().map_err(fault)?.transfer_len() * size_of::<f32>();
-    let counts = [1usize, 4, 16, 64, 256];
-    rows.add(["materials", "transfers", "bytes"], counts.map(|n| (n, (n * each) as f64)));
-    if rows.timed {
-        let folds = counts.map(|count| folding(owned, pair, count));
-        let times = least(folds.into_iter().collect::<Result<_>>()?, ROUNDS);
-        rows.add(["materials", "folding", "ns"], counts.into_iter().zip(times));
-    }
-    Ok(())
-}
-
-fn of_pixels(rows: &mut Rows, owned: &OwnedBasis<f32>, pair: &Pair) -> Result<()> {
-    let counts = [16usize, 32, 64, 128, 256].map(|across| across * across);
-    let bytes = counts.map(|n| (n, (n * size_of::<f32>()) as f64));
-    rows.add(["pixels", "a picture's f32", "bytes"], bytes);
-    if rows.timed {
-        let mut shader = Shader::new(owned.basis().map_err(fault)?, usize::MAX);
-        shader.project((DEGREE, &pair.light), (ORDER, &pair.material))?;
-        let scene = shader.scene()?;
-        let works = counts.map(|count| -> Work<'_> {
-            let normals = OwnedNormals::<f32>::new(&hemisphere(count));
-            let (scene, mut out) = (&scene, vec![0.0; count]);
-            Box::new(move || {
-                let normals = black_box(&normals).view().ok();
-                let done = normals.map(|normals| scene.shade_slice(normals, &mut out));
-                black_box((done.is_some_and(|done| done.is_ok()), &out));
-            })
-        });
-        rows.add(["pixels", "shading", "ns"], counts.into_iter().zip(least(works.into(), ROUNDS)));
-    }
-    Ok(())
-}
-
-fn of_maps(rows: &mut Rows) -> Result<()> {
-    let counts = [1usize, 2, 4, 8, 16];
-    let each = 3 * light::count(DEGREE) * size_of::<f64>();
-    rows.add(["maps", "coefficients", "bytes"], counts.map(|n| (n, (n * each) as f64)));
-    if rows.timed {
-        let (width, height) = MAP;
-        let texels = (0..width * height).map(|k| [1.0 + (k % 7) as f32, 1.0, (k % 3) as f32]);
-        let map = EnvironmentMap::new(width, height, texels.collect())?;
-        let works = counts.map(|count| -> Work<'_> {
-            let map = &map;
-            Box::new(move || {
-                for _ in 0..count {
-                    black_box(projection::project(black_box(map), DEGREE));
-                }
-            })
-        });
-        rows.add(["maps", "projection", "ns"], counts.into_iter().zip(least(works.into(), ROUNDS)));
-    }
-    Ok(())
 }
 
 #[cfg(test)]

@@ -1,13 +1,13 @@
 //! The machines whose costs are known, and the counted instructions of emulated boards, from
 //! `firmware/counts.csv`.
 
-use super::setting::{Cut, Format, Recipe, Scaling, Setting, Way};
+use super::setting::{Format, Recipe, Scaling, Setting, Way};
 use super::settings::{DEGREE, ORDER};
 use super::sheet::Record;
-use eigenshade_model::error::Result;
-use eigenshade_model::inputs::sheet::Sheet;
-use std::collections::BTreeMap;
-use std::path::Path;
+use crate::counts::Counts;
+use eigenshade_model::error::{Error, Result};
+use serde::Deserialize;
+use serde::de::DeserializeOwned;
 
 /// A machine.
 pub struct Machine {
@@ -41,51 +41,28 @@ impl Machine {
     }
 }
 
-/// Counts by board, operation and format, and the tables for which a program has both a pixel and a
-/// new light.
-pub struct Counts {
-    counts: BTreeMap<[String; 3], Count>,
-    tables: Vec<(String, Recipe)>,
+/// The rows of a compiled-in CSV file.
+pub(super) fn compiled_in<T: DeserializeOwned>(text: &str, path: &str) -> Result<Vec<T>> {
+    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
+    let rows = reader.deserialize().collect::<csv::Result<_>>();
+    rows.map_err(|error| Error::new(error.to_string(), "make it again").in_file(path))
 }
 
-/// One row of the counts.
-#[derive(Clone, Copy, Default)]
-struct Count {
-    instructions: Option<f64>,
-    flash: Option<f64>,
-    /// RAM including the stack.
-    ram: Option<f64>,
+/// A table for which programs of `firmware/` count a pixel and a new light. The programs are built
+/// from the same file.
+#[derive(Deserialize)]
+struct BenchmarkTable {
+    /// The name of the rows in `firmware/counts.csv`, before `/`.
+    name: String,
+    components: usize,
+    trim: Option<f64>,
 }
 
-/// A compiled-in CSV file and the places of its columns.
-pub(super) fn compiled_in<const N: usize>(
-    text: &str,
-    path: &str,
-    columns: [&str; N],
-) -> Result<(Sheet, [usize; N])> {
-    let header = columns.join(",");
-    let sheet = Sheet::parse(text.as_bytes().to_vec(), Path::new(path), &header)?;
-    let places = sheet.columns(columns).ok_or_else(|| sheet.wrong_header(&header))?;
-    Ok((sheet, places))
-}
-
-/// The tables for which programs of `firmware/` count a pixel and a new light: the name of the rows
-/// in `firmware/counts.csv`, before `/`, and the recipe. The programs are built from the same file.
-pub fn benchmark_tables() -> Result<Vec<(String, Recipe)>> {
-    let (sheet, [name, components, trim]) = compiled_in(
-        include_str!("../../../firmware/tables/sizes.csv"),
-        "firmware/tables/sizes.csv",
-        ["name", "components", "trim"],
-    )?;
-    let table = |row: eigenshade_model::inputs::sheet::Row<'_>| {
-        let cut = match row.text(trim) {
-            "" => Cut::Whole,
-            _ => Cut::Trimmed(row.number(trim)?),
-        };
-        let recipe = Recipe::first(DEGREE, ORDER, row.number(components)? as usize).cut(cut);
-        Ok((row.text(name).to_owned(), recipe))
-    };
-    sheet.rows().map(table).collect()
+impl BenchmarkTable {
+    fn recipe(&self) -> Recipe {
+        let first = Recipe::first(DEGREE, ORDER, self.components);
+        self.trim.map_or(first, |share| first.trimmed(share))
+    }
 }
 
 /// The operations for the pixel and the new light of a setting that separate programs measure.
@@ -95,7 +72,7 @@ fn operations(setting: &Setting) -> [Option<&'static str>; 2] {
         Way::NineTerms => [Some("nine_terms"), None],
         Way::Bilinear(32) if format != Format::F64 => [Some("baked"), None],
         Way::Polynomial if recipe == Recipe::all(2, 0) => [Some("shade_lambertian"), None],
-        Way::Polynomial if recipe == Recipe::first(DEGREE, ORDER, 130).cut(Cut::Trimmed(2e-4)) => {
+        Way::Polynomial if recipe == Recipe::first(DEGREE, ORDER, 130).trimmed(2e-4) => {
             [Some("shade"), None]
         }
         Way::Polynomial if recipe == Recipe::first(DEGREE, ORDER, 50) => {
@@ -105,34 +82,18 @@ fn operations(setting: &Setting) -> [Option<&'static str>; 2] {
     }
 }
 
-impl Counts {
-    /// Reads the compiled-in counts.
+/// The counts, and the tables for which a program has both a pixel and a new light.
+pub struct Boards {
+    counts: Counts,
+    tables: Vec<BenchmarkTable>,
+}
+
+impl Boards {
+    /// Reads the recorded counts.
     pub fn new() -> Result<Self> {
-        let (sheet, columns) = compiled_in(
-            include_str!("../../../firmware/counts.csv"),
-            "firmware/counts.csv",
-            [
-                "board",
-                "operation",
-                "format",
-                "instructions",
-                "flash_bytes",
-                "ram_bytes",
-                "stack_bytes",
-            ],
-        )?;
-        let [board, operation, format, instructions, flash, ram, stack] = columns;
-        let mut counts = BTreeMap::new();
-        for row in sheet.rows() {
-            let number = |column: usize| match row.text(column) {
-                "" => Ok(None),
-                _ => row.number(column).map(Some),
-            };
-            let ram = number(ram)?.zip(number(stack)?).map(|(ram, stack)| ram + stack);
-            let count = Count { instructions: number(instructions)?, flash: number(flash)?, ram };
-            counts.insert([board, operation, format].map(|at| row.text(at).to_owned()), count);
-        }
-        Ok(Self { counts, tables: benchmark_tables()? })
+        let tables = include_str!("../../../firmware/tables/sizes.csv");
+        let tables = compiled_in(tables, "firmware/tables/sizes.csv")?;
+        Ok(Self { counts: Counts::recorded(), tables })
     }
 
     /// Fills in the costs of a setting on the boards, as far as they were counted: by the program
@@ -142,28 +103,31 @@ impl Counts {
         if setting.scaling != Scaling::None {
             return;
         }
-        for machine in MACHINES {
-            let Some(board) = machine.board else { continue };
-            let format = setting.format.to_string();
-            let find = |operation: &str| {
-                self.counts.get(&[board, operation, &format].map(str::to_owned)).copied()
+        let format = setting.format.to_string();
+        let is_it = |table: &&BenchmarkTable| {
+            (table.recipe(), Way::Polynomial) == (setting.recipe, setting.way)
+        };
+        let table = self.tables.iter().find(is_it);
+        let whole = table.map(|table| {
+            ["pixel", "light", "scene"].map(|operation| Some(format!("{}/{operation}", table.name)))
+        });
+        let [pixel, light] = operations(setting).map(|one| one.map(str::to_owned));
+        let single = [pixel.clone(), light, pixel];
+        for Machine { key, board, .. } in MACHINES {
+            let Some(board) = board else { continue };
+            let count = |operation: &Option<String>, column: &str| {
+                let operation = operation.as_ref()?;
+                self.counts.get([board, &format], operation, column).map(|count| count as f64)
             };
-            let is_it =
-                |recipe: &Recipe| (*recipe, Way::Polynomial) == (setting.recipe, setting.way);
-            let table = self.tables.iter().find(|(_, recipe)| is_it(recipe));
-            let both = table.and_then(|(name, _)| {
-                let of = |operation| find(&format!("{name}/{operation}"));
-                Some([of("pixel")?, of("light")?, of("scene")?])
-            });
-            let [pixel, light, program] = both.unwrap_or_else(|| {
-                let [pixel, light] =
-                    operations(setting).map(|one| one.and_then(find).unwrap_or_default());
-                [pixel, light, pixel]
-            });
-            let key = machine.key;
-            row.measure(format!("{key}_pixel"), pixel.instructions);
-            row.measure(format!("{key}_light"), light.instructions);
-            for (column, bytes) in [("flash", program.flash), ("ram", program.ram)] {
+            let is_counted =
+                |program: &&[Option<String>; 3]| count(&program[0], "instructions").is_some();
+            let [pixel, light, program] = whole.as_ref().filter(is_counted).unwrap_or(&single);
+            row.measure(format!("{key}_pixel"), count(pixel, "instructions"));
+            row.measure(format!("{key}_light"), count(light, "instructions"));
+            let [flash, ram, stack] =
+                ["flash_bytes", "ram_bytes", "stack_bytes"].map(|column| count(program, column));
+            let ram = ram.zip(stack).map(|(ram, stack)| ram + stack);
+            for (column, bytes) in [("flash", flash), ("ram", ram)] {
                 bytes.into_iter().for_each(|bytes| row.put(format!("{key}_{column}"), bytes));
             }
         }

@@ -4,10 +4,9 @@ use eigenshade_generator::material::brdf::{
     Abc, Brdf, Geometry, Ggx, Lambertian, Measure, OrenNayar, Surface,
 };
 use eigenshade_generator::material::merl::{BINS, Merl};
-use eigenshade_model::database::{Lights, Materials, Named};
+use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_shading::{parallel, shipped};
-use indicatif::ProgressBar;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Roughnesses of GGX.
@@ -23,9 +22,7 @@ const LIGHT_STEP: usize = 3;
 /// The lights and materials from which a basis of a degree and an order is made, and those with
 /// which it is measured.
 pub struct Scope {
-    /// Largest degree.
     pub degree: usize,
-    /// Largest order.
     pub order: usize,
     /// The shipped lights, to that degree.
     pub lights: Lights,
@@ -49,22 +46,19 @@ impl Scope {
         Ok(Self { degree, order, lights: shipped::lights()?.truncated(degree), seen, unseen })
     }
 
-    /// Uses the measured materials up to their order, with GGX as the unseen materials. Above that
-    /// order it uses formulas, with other formulas as the unseen materials.
+    /// Adds materials that the basis never saw: other formulas, and tables. Above the measured order
+    /// the basis sees more formulas, but fewer lights shine on them.
     pub fn new(degree: usize, order: usize) -> Result<Self> {
-        let measured = shipped::materials()?;
-        let mut lights = shipped::lights()?.truncated(degree);
-        let (seen, mut others) = if order <= measured.order {
-            (measured.truncated(order), ggx(&ROUGH, &[0.04, 0.9])?)
+        let mut scope = Self::seen(degree, order)?;
+        let mut others = if order <= shipped::materials()?.order {
+            ggx(&ROUGH, &[0.04, 0.9])?
         } else {
-            let mut formulas = ggx(&EVEN, &[0.04, 0.9])?;
-            formulas.extend(matte()?);
-            lights.entries = lights.entries.into_iter().step_by(LIGHT_STEP).collect();
-            (projected(&formulas, order), ggx(&BETWEEN, &[0.04, 0.5])?)
+            scope.seen.entries.extend(projected(&matte()?, order).entries);
+            scope.lights.entries = scope.lights.entries.into_iter().step_by(LIGHT_STEP).collect();
+            ggx(&BETWEEN, &[0.04, 0.5])?
         };
         others.extend(merl_like()?);
-        let unseen = projected(&others, order);
-        Ok(Self { degree, order, lights, seen, unseen })
+        Ok(Self { unseen: projected(&others, order), ..scope })
     }
 }
 
@@ -175,10 +169,6 @@ impl Brdf for Coarse {
 }
 
 fn projected(surfaces: &[Surface], order: usize) -> Materials {
-    let hidden = ProgressBar::hidden();
-    // One at a time, so that every core gets some.
-    let entries: Vec<Named> = parallel::map(surfaces.len(), &hidden, |k| {
-        surfaces[k].project(order, Measure::Projected).material
-    });
-    Materials { order, entries }
+    let project = |k: usize| surfaces[k].project(order, Measure::Projected).material;
+    Materials { order, entries: parallel::map(surfaces.len(), &(), project) }
 }

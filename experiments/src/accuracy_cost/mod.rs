@@ -23,8 +23,6 @@ pub mod numbers;
 
 pub mod errors;
 
-pub mod bytes;
-
 pub mod machines;
 
 pub mod wasm;
@@ -45,8 +43,9 @@ use eigenshade_model::error::{Error, Result};
 use errors::{Found, compare};
 use images::Images;
 use indicatif::ProgressBar;
-use machines::Counts;
+use machines::Boards;
 use materials::Scope;
+use numbers::table_bytes;
 use settings::Varied;
 use sheet::{Form, GROWTH, MODEL, Record, SETTINGS};
 use std::collections::BTreeSet;
@@ -61,21 +60,14 @@ const TIMES: [&str; 4] = ["host_pixel_ns", "host_light_ns", "host_pixel", "host_
 /// The rows of all files.
 #[derive(Clone, Debug, Default)]
 pub struct Measured {
-    /// The settings.
     pub settings: Vec<Record>,
-    /// The errors of the model.
     pub model: Vec<Record>,
-    /// The growth curves.
     pub growth: Vec<Record>,
 }
 
 impl Measured {
     /// Runs the measurements with the environment maps in `maps`; with `quick`, only for a part of
     /// the settings, surfaces and sizes. Times are left out unless `timed`.
-    ///
-    /// # Errors
-    ///
-    /// If a map is missing or cannot be read.
     pub fn new(quick: bool, timed: bool, maps: &Path, progress: &ProgressBar) -> Result<Self> {
         let models = model::rows(maps, quick, progress)?;
         // A quick run has too few surfaces for the error of the model.
@@ -86,10 +78,6 @@ impl Measured {
     }
 
     /// Reads the files of a folder.
-    ///
-    /// # Errors
-    ///
-    /// If a file is missing or lacks a column.
     pub fn read(folder: &Path) -> Result<Self> {
         let [settings, model, growth] =
             [&SETTINGS, &MODEL, &GROWTH].map(|form| sheet::read(form, folder));
@@ -101,11 +89,7 @@ impl Measured {
         [(&SETTINGS, &self.settings), (&MODEL, &self.model), (&GROWTH, &self.growth)]
     }
 
-    /// Takes over the times of an earlier run.
-    ///
-    /// # Errors
-    ///
-    /// If a setting has no time there.
+    /// Takes over the times of an earlier run, which must have all settings.
     pub fn keep_times(&mut self, earlier: &Self) -> Result<()> {
         for row in &mut self.settings {
             let is_it = |other: &&Record| other.key(&SETTINGS) == row.key(&SETTINGS);
@@ -117,33 +101,23 @@ impl Measured {
             };
             TIMES.iter().for_each(|column| row.put(*column, found.text(column)));
         }
+        self.growth.extend(earlier.growth.iter().filter(|row| row.text("unit") == "ns").cloned());
         // In the order of the files: the times of a quantity follow its counts.
-        let times: Vec<&Record> =
-            earlier.growth.iter().filter(|row| row.text("unit") == "ns").collect();
-        let counts = std::mem::take(&mut self.growth);
-        for of_quantity in counts.chunk_by(|a, b| a.text("quantity") == b.text("quantity")) {
-            self.growth.extend_from_slice(of_quantity);
-            let quantity = of_quantity[0].text("quantity");
-            let of = times.iter().filter(|row| row.text("quantity") == quantity);
-            self.growth.extend(of.map(|row| (*row).clone()));
-        }
+        self.growth.sort_by_key(|row| {
+            growth::QUANTITIES.iter().position(|quantity| *quantity == row.text("quantity"))
+        });
         Ok(())
     }
 }
 
-/// Measures settings.
-///
-/// # Errors
-///
-/// If a setting cannot be computed in its number format.
-pub fn measure(
+fn measure(
     varied: &[Varied],
     models: Option<&[model::Row]>,
     timed: bool,
     progress: &ProgressBar,
 ) -> Result<Vec<Record>> {
-    let size = |one: &Varied| (one.setting.recipe.degree, one.setting.recipe.order);
-    let (counts, wasm) = (Counts::new()?, wasm::Times::new()?);
+    let size = |one: &Varied| one.setting.recipe.size();
+    let (boards, wasm) = (Boards::new()?, wasm::Times::new()?);
     let mut rows = vec![Record::default(); varied.len()];
     let mut cases = Vec::new();
     progress.set_length(varied.len() as u64);
@@ -169,21 +143,21 @@ pub fn measure(
                 row.measure("model_median", spread.median);
                 row.measure("model_worst", spread.worst);
             }
-            let [table_bytes, state_bytes] = bytes::bytes(setting, &table).map_err(of)?;
-            row.put("table_bytes", table_bytes);
-            row.put("state_bytes", state_bytes);
-            counts.fill(row, setting);
+            row.put("table_bytes", table_bytes(setting, &table).map_err(of)?);
+            row.put("state_bytes", found.bytes);
+            boards.fill(row, setting);
             wasm.fill(row, setting);
             progress.inc(1);
         }
     }
-    let (places, mut cases): (Vec<usize>, Vec<Case>) = cases.into_iter().unzip();
+    cases.sort_by_key(|(k, _)| *k);
+    let mut cases: Vec<Case> = cases.into_iter().map(|(_, case)| case).collect();
     let costs = times::costs(&mut cases, ROUNDS)?;
     // The nine-term formula is the first setting.
-    let nine = places.iter().position(|&k| k == 0).map_or(f64::NAN, |first| costs[first][0]);
-    for (k, [pixel, light]) in places.into_iter().zip(costs) {
+    let nine = costs.first().map_or(f64::NAN, |costs| costs[0]);
+    for (row, [pixel, light]) in rows.iter_mut().zip(costs) {
         let times = [pixel, light, pixel / nine, light / nine];
-        TIMES.into_iter().zip(times).for_each(|(column, time)| rows[k].measure(column, time));
+        TIMES.into_iter().zip(times).for_each(|(column, time)| row.measure(column, time));
     }
     Ok(rows)
 }
@@ -196,7 +170,7 @@ fn describe(row: &mut Record, Varied { parameter, setting }: &Varied) {
     row.put("degree", recipe.degree);
     row.put("order", recipe.order);
     row.put("effects", table::effect_names(recipe.effects));
-    let counts = [recipe.components, recipe.modes, recipe.azimuths];
+    let counts = [recipe.components, recipe.modes, recipe.cut.azimuths];
     for (column, count) in ["components", "modes", "azimuths"].into_iter().zip(counts) {
         count.into_iter().for_each(|count| row.put(column, count));
     }

@@ -5,10 +5,9 @@ use super::errors::Spread;
 use super::materials::modelled;
 use super::settings::sizes;
 use super::sheet::Record;
-use crate::accuracy::{Reference, spacing};
+use crate::accuracy::{Reference, named};
 use eigenshade_generator::direct::Surroundings;
 use eigenshade_generator::light::environment::EnvironmentMap;
-use eigenshade_model::database::Lights;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_shading::shipped;
 use indicatif::ProgressBar;
@@ -44,10 +43,6 @@ impl Row {
 }
 
 /// Integrates under the maps in this folder; with `quick`, only three surfaces.
-///
-/// # Errors
-///
-/// If a map is missing or cannot be read.
 pub fn rows(folder: &Path, quick: bool, progress: &ProgressBar) -> Result<Vec<Row>> {
     let map = |name: &&str| {
         let path = folder.join(format!("{name}.exr"));
@@ -59,18 +54,12 @@ pub fn rows(folder: &Path, quick: bool, progress: &ProgressBar) -> Result<Vec<Ro
     };
     let maps = MAPS.iter().map(map).collect::<Result<Vec<_>>>()?;
     let maps = Surroundings::new(&maps)?;
-    let all = shipped::lights()?;
-    let find = |name: &&str| {
-        let found = all.entries.iter().find(|light| light.name == **name);
-        found.cloned().ok_or_else(|| Error::new("a light is missing", "build the program anew"))
-    };
-    let entries = MAPS.iter().map(find).collect::<Result<Vec<_>>>()?;
-    let lights = Lights { degree: all.degree, entries };
+    let lights = named(&shipped::lights()?, MAPS.into_iter())?;
     let mut surfaces = modelled()?;
     surfaces.retain(|surface| !quick || QUICK.contains(&surface.name.as_str()));
     let mut rows = Vec::new();
     for surface in &surfaces {
-        let reference = Reference::new(surface, &maps, spacing(surface), 1.0, progress);
+        let reference = Reference::new(surface, &maps, 1.0, progress);
         rows.extend(sizes().map(|size| Row {
             surface: surface.name.clone(),
             size,

@@ -1,183 +1,188 @@
 //! A setting with its basis and normals: images of it, and its operations for timing.
 
-use super::floats::{Floats, Shade, Work};
+use super::floats::{Floats, scale};
 use super::images::Pair;
 use super::setting::{Format, Scaling, Setting, Way};
+use eigenshade::mathematics::{Libm, Micromath, SinglePrecision, Tabled};
 use eigenshade::{Q15, Q31, quantized};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_shading::integer_shader::{self, Integer, IntegerShader, OwnedQuantized};
 use eigenshade_shading::shader::fault;
-use eigenshade_table::{Table, quantize};
+use eigenshade_table::{Parts, Table, quantize, wire};
+use std::fmt::Display;
 use std::hint::black_box;
 
+/// An operation to be timed.
+pub type Work<'a> = Box<dyn FnMut() + 'a>;
+
+/// An image.
+pub struct Shaded {
+    /// The irradiance of every normal.
+    pub irradiances: Vec<f64>,
+    /// The number of terms of the polynomials.
+    pub terms: usize,
+    /// Bytes in RAM for one channel of an image whose light may change: the transferred material,
+    /// d, and the data that a pixel reads.
+    pub bytes: usize,
+}
+
 /// A basis and normals in a setting's number format.
-pub enum Numbers {
-    Double(Floats<f64>),
-    Single(Floats<f32>),
-    /// f32, except for the maps of 16 bits.
-    Maps(Floats<f32>, Vec<quantized::Normal<Q15>>),
-    Q31(Integers<Q31>),
-    Q15(Integers<Q15>),
+pub trait Numbers: Sync {
+    /// Shades every normal.
+    fn image(&self, pair: &Pair) -> Result<Shaded>;
+
+    /// All pixels, and a new light. `lengths` has a number for each azimuth.
+    fn works<'a>(&'a self, pair: &Pair, lengths: &'a mut [u16]) -> Result<[Work<'a>; 2]>;
+}
+
+/// The numbers of a setting, unless its format has no such way or cannot represent the table.
+pub fn numbers(setting: &Setting, table: &Table, normals: &[[f64; 3]]) -> Result<Box<dyn Numbers>> {
+    let scale = match setting.scaling {
+        Scaling::None => None,
+        Scaling::Libm => Some(scale::<f32, Libm> as _),
+        Scaling::Single => Some(scale::<f32, SinglePrecision> as _),
+        Scaling::Tabled => Some(scale::<f32, Tabled> as _),
+        Scaling::Micromath => Some(scale::<f32, Micromath> as _),
+    };
+    Ok(match (setting.format, setting.way) {
+        (Format::F64, _) => Box::new(Floats::<f64>::new(setting, table, normals, None)?),
+        // Maps of 16 bits are made from scenes in f32.
+        (Format::F32, _) | (Format::Q15, Way::Bilinear(_)) => {
+            Box::new(Floats::new(setting, table, normals, scale)?)
+        }
+        (Format::Q31, Way::Polynomial) => Box::new(Integers::<Q31>::new(table, normals)?),
+        (Format::Q15, Way::Polynomial) => Box::new(Integers::<Q15>::new(table, normals)?),
+        _ => return Err(unrepresentable("the format has no such way to a pixel")),
+    })
+}
+
+fn unrepresentable(error: impl Display) -> Error {
+    Error::new(error.to_string(), "take another format")
+}
+
+/// Bytes of the table in flash, as `eigenshade pack` writes it.
+pub fn table_bytes(setting: &Setting, table: &Table) -> Result<usize> {
+    let format = match (setting.format, setting.way) {
+        (_, Way::NineTerms) => return Ok(0),
+        (Format::Q31, _) => wire::Format::Integer(quantize::Format::Q31),
+        (Format::Q15, Way::Polynomial) => wire::Format::Integer(quantize::Format::Q15),
+        _ => wire::Format::F32,
+    };
+    let bytes = wire::encode(table, format, wire::Endian::Little).map_err(unrepresentable)?.len();
+    if setting.format != Format::F64 {
+        return Ok(bytes);
+    }
+    // A wire file has no f64: its numbers would take four bytes more each.
+    let parts = Parts::new(table);
+    Ok(bytes + 4 * (parts.polar.len() + parts.factors.len() + parts.terms.len()))
+}
+
+/// The pixels of an image.
+pub trait Pixels {
+    /// Computes them.
+    fn shade(&mut self);
+
+    /// Their irradiances, as last computed.
+    fn irradiances(&self) -> Vec<f64>;
+}
+
+/// Writes irradiances as multiples of 2^`exponent`.
+pub struct Shading<T, F> {
+    out: Vec<T>,
+    exponent: i32,
+    shade: F,
+}
+
+impl<'a, T: Copy + Default + Into<f64> + 'a, F: FnMut(&mut [T]) + 'a> Shading<T, F> {
+    /// A number of pixels.
+    pub fn boxed(count: usize, exponent: i32, shade: F) -> Box<dyn Pixels + 'a> {
+        Box::new(Self { out: vec![T::default(); count], exponent, shade })
+    }
+}
+
+impl<T: Copy + Into<f64>, F: FnMut(&mut [T])> Pixels for Shading<T, F> {
+    fn shade(&mut self) {
+        (self.shade)(&mut self.out);
+        black_box(&self.out);
+    }
+
+    fn irradiances(&self) -> Vec<f64> {
+        let unit = 2f64.powi(self.exponent);
+        self.out.iter().map(|&value| unit * value.into()).collect()
+    }
+}
+
+/// The pixels one by one.
+pub fn each<'a, N: Copy, T: Copy + Default + Into<f64> + 'a>(
+    normals: &'a [N],
+    exponent: i32,
+    pixel: impl Fn(N) -> T + 'a,
+) -> Box<dyn Pixels + 'a> {
+    Shading::boxed(normals.len(), exponent, move |out| {
+        for (out, &normal) in out.iter_mut().zip(black_box(normals)) {
+            *out = pixel(normal);
+        }
+    })
 }
 
 /// The shader of images, and what the timed operations read.
-pub struct Integers<Q: Integer> {
+struct Integers<Q: Integer> {
     shader: IntegerShader<Q>,
     basis: OwnedQuantized<Q>,
     normals: Vec<quantized::Normal<Q>>,
 }
 
-impl Numbers {
-    /// # Errors
-    ///
-    /// If the table cannot be represented in the setting's number format.
-    pub fn new(setting: &Setting, table: &Table, normals: &[[f64; 3]]) -> Result<Self> {
-        Ok(match (setting.format, setting.way) {
-            (Format::F64, _) => Self::Double(Floats::new(table, normals)?),
-            (Format::F32, _) => Self::Single(Floats::new(table, normals)?),
-            (Format::Q15, Way::Bilinear(_)) => {
-                Self::Maps(Floats::new(table, normals)?, integer_shader::normals(normals)?)
-            }
-            (Format::Q31, _) => Self::Q31(Integers::new(table, normals)?),
-            (Format::Q15, _) => Self::Q15(Integers::new(table, normals)?),
-        })
-    }
-
-    /// The irradiance of every normal, and the number of terms of the polynomials.
-    pub fn image(&self, setting: &Setting, pair: &Pair, count: usize) -> Result<(Vec<f64>, usize)> {
-        let mut lengths = vec![0; setting.recipe.degree + 1];
-        match self {
-            Self::Double(floats) => Ok(run(floats.pixels(pair, setting.way, &mut lengths)?, count)),
-            Self::Single(floats) => Ok(run(single(floats, setting, pair, &mut lengths)?, count)),
-            Self::Maps(floats, normals) => {
-                let (shade, exponent) = floats.map(pair, side(setting)?, normals)?;
-                let (values, _) = run((shade, 0), count);
-                Ok((values.iter().map(|value| 2f64.powi(exponent) * value).collect(), 0))
-            }
-            Self::Q31(integers) => integers.image(setting, pair),
-            Self::Q15(integers) => integers.image(setting, pair),
-        }
-    }
-
-    /// All pixels, and a new light. `lengths` has a number for each azimuth.
-    pub fn works<'a>(
-        &'a self,
-        setting: &Setting,
-        pair: &Pair,
-        count: usize,
-        lengths: &'a mut [u16],
-    ) -> Result<[Work<'a>; 2]> {
-        let way = setting.way;
-        match self {
-            Self::Double(floats) => {
-                let (shade, _) = floats.pixels(pair, way, lengths)?;
-                Ok([repeated(shade, count), floats.new_light(pair, way, false)?])
-            }
-            Self::Single(floats) => {
-                let (shade, _) = single(floats, setting, pair, lengths)?;
-                Ok([repeated(shade, count), floats.new_light(pair, way, false)?])
-            }
-            Self::Maps(floats, normals) => {
-                let (shade, _) = floats.map(pair, side(setting)?, normals)?;
-                Ok([repeated(shade, count), floats.new_light(pair, way, true)?])
-            }
-            Self::Q31(integers) => integers.works(setting, pair),
-            Self::Q15(integers) => integers.works(setting, pair),
-        }
-    }
-}
-
-fn single<'a>(
-    floats: &'a Floats<f32>,
-    setting: &Setting,
-    pair: &Pair,
-    lengths: &'a mut [u16],
-) -> Result<(Shade<'a, f32>, usize)> {
-    match (setting.way, setting.scaling) {
-        (Way::NineTerms, _) => floats.nine_terms(pair),
-        (way, Scaling::None) => floats.pixels(pair, way, lengths),
-        (_, scaling) => floats.scaled(pair, scaling),
-    }
-}
-
-/// Texels along a side of a setting's map.
-fn side(setting: &Setting) -> Result<usize> {
-    match setting.way {
-        Way::Bilinear(size) => Ok(size),
-        _ => Err(Error::new("maps of 16 bits are bilinear", "report it")),
-    }
-}
-
-/// The pixels, and the number of terms.
-fn run<T>((mut shade, terms): (Shade<'_, T>, usize), count: usize) -> (Vec<f64>, usize)
-where
-    T: Default + Copy + Into<f64>,
-{
-    let mut out = vec![T::default(); count];
-    shade(&mut out);
-    (out.into_iter().map(Into::into).collect(), terms)
-}
-
-/// The pixels, as often as needed.
-fn repeated<T: Default + Clone + 'static>(mut shade: Shade<'_, T>, count: usize) -> Work<'_> {
-    let mut out = vec![T::default(); count];
-    Box::new(move || {
-        shade(&mut out);
-        black_box(&out);
-    })
-}
-
 impl<Q: Integer> Integers<Q> {
     fn new(table: &Table, normals: &[[f64; 3]]) -> Result<Self> {
-        let basis = OwnedQuantized::new(table, Q::FORMAT.tolerance())
-            .map_err(|error| Error::new(error.to_string(), "take another format"))?;
+        let basis = OwnedQuantized::new(table, Q::FORMAT.tolerance()).map_err(unrepresentable)?;
+        let shader = IntegerShader::new(table, usize::MAX)?;
         let normals = integer_shader::normals(normals)?;
-        Ok(Self { shader: IntegerShader::new(table, usize::MAX)?, basis, normals })
+        Ok(Self { shader, basis, normals })
     }
+}
 
-    fn image(&self, setting: &Setting, pair: &Pair) -> Result<(Vec<f64>, usize)> {
-        let (light, material) = pair.within(setting.recipe.degree, setting.recipe.order);
+impl<Q: Integer<Wide: Sync> + Sync> Numbers for Integers<Q> {
+    fn image(&self, pair: &Pair) -> Result<Shaded> {
+        let basis = self.basis.view().map_err(fault)?;
+        let (light, material) = pair.within(basis.degree(), basis.order());
         let mut shader = self.shader.clone();
-        Ok((shader.polynomial(light, material, &self.normals)?, shader.terms()))
+        let irradiances = shader.polynomial(light, material, &self.normals)?;
+        let terms = shader.terms();
+        let transfer = size_of::<Q>() * basis.transfer_len() + size_of::<i16>() * basis.profiles();
+        let bytes = transfer + size_of::<i32>() * (basis.components() + terms);
+        Ok(Shaded { irradiances, terms, bytes })
     }
 
-    fn works(&self, setting: &Setting, pair: &Pair) -> Result<[Work<'_>; 2]> {
-        let ((_, light), (order, material)) =
-            pair.within(setting.recipe.degree, setting.recipe.order);
+    fn works<'a>(&'a self, pair: &Pair, _: &'a mut [u16]) -> Result<[Work<'a>; 2]> {
         let own = |numbers: &[i32]| numbers.iter().map(|&n| Q::of(n)).collect::<Vec<Q>>();
         let basis = self.basis.view().map_err(fault)?;
+        let ((_, light), (order, material)) = pair.within(basis.degree(), basis.order());
         let (mantissas, exponents) = quantize::material(order, material, Q::FORMAT);
         let mantissas = own(&mantissas);
         let material = quantized::Material::new(&exponents, &mantissas).map_err(fault)?;
         let (mantissas, exponent) = quantize::row(light, Q::FORMAT.bits(), i64::MAX);
         let (light, light_exponent) = (own(&mantissas), i32::from(exponent));
         let mut workspace = vec![Q::Wide::default(); basis.workspace_len()];
-        let mut transfer = vec![Q::default(); basis.transfer_len()];
+        let mut numbers = vec![Q::default(); basis.transfer_len()];
         let mut exponents = vec![0; basis.profiles()];
         basis
-            .transfer_into(&material, &mut workspace, &mut transfer, &mut exponents)
+            .transfer_into(&material, &mut workspace, &mut numbers, &mut exponents)
             .map_err(fault)?;
+        let relight = move |d: &mut [i32]| {
+            let transfer = quantized::Transfer::new(&numbers, &exponents);
+            let light = quantized::Light::new(light_exponent, black_box(&light))?;
+            basis.relight_into(&transfer, &light, d)
+        };
         let mut d = vec![0; basis.components()];
-        let folded = quantized::Transfer::new(&transfer, &exponents);
-        let first = quantized::Light::new(light_exponent, &light).map_err(fault)?;
-        let exponent = basis.relight_into(&folded, &first, &mut d).map_err(fault)?;
-        let buffer = vec![0; basis.scene_len()];
-        let scene = basis.collapse_into(&d, exponent, buffer).map_err(fault)?;
-        let mut out = vec![0; self.normals.len()];
-        let pixels = Box::new(move || {
-            for (out, &normal) in out.iter_mut().zip(black_box(&self.normals)) {
-                *out = scene.shade(normal);
-            }
-            black_box(&out);
-        });
         let mut buffer = vec![0; basis.scene_len()];
-        let new_light = Box::new(move || {
-            let folded = quantized::Transfer::new(&transfer, &exponents);
-            let done = quantized::Light::new(light_exponent, black_box(&light))
-                .and_then(|light| basis.relight_into(&folded, &light, &mut d))
+        let exponent = relight(&mut d).map_err(fault)?;
+        let scene = basis.collapse_into(&d, exponent, buffer.clone()).map_err(fault)?;
+        let mut pixels = each(&self.normals, scene.exponent(), move |normal| scene.shade(normal));
+        let new_light = move || {
+            let done = relight(&mut d)
                 .and_then(|exponent| basis.collapse_into(&d, exponent, &mut buffer[..]).map(drop));
             black_box((done.is_ok(), &buffer));
-        });
-        Ok([pixels, new_light])
+        };
+        Ok([Box::new(move || pixels.shade()), Box::new(new_light)])
     }
 }

@@ -2,49 +2,44 @@
 
 use eigenshade_cli::table;
 use eigenshade_index::effect::Effects;
-use eigenshade_table::scene;
+use eigenshade_table::scene::Cut;
 use std::fmt;
 
-/// The part of a basis that is kept.
+/// The part of a basis that is kept; `None` keeps all.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Recipe {
-    /// Largest degree l of the light.
     pub degree: usize,
-    /// Largest order o of the BRDF.
     pub order: usize,
-    /// Number of components; `None` keeps all.
     pub components: Option<usize>,
-    /// Number of modes of the highest variance that are kept; `None` keeps all.
+    /// The number of modes, by highest variance.
     pub modes: Option<usize>,
-    /// Largest azimuth |m| that is kept; `None` keeps all.
-    pub azimuths: Option<usize>,
-    /// The effects that it includes.
     pub effects: Effects,
-    /// Where its polynomials are truncated.
+    /// The largest azimuth |m|, and where its polynomials are truncated: by default at 1e-7 of each
+    /// profile.
     pub cut: Cut,
 }
 
 impl Recipe {
-    /// The corresponding `basis.cut` of a scene file.
-    pub fn cuts(&self) -> scene::Cut {
-        let (terms, trim) = match self.cut {
-            Cut::Whole => (None, None),
-            Cut::Terms(count) => (Some(count), None),
-            Cut::Trimmed(share) => (None, Some(share)),
-        };
-        scene::Cut { azimuths: self.azimuths, terms, trim }
+    /// All components of a degree and an order.
+    pub fn all(degree: usize, order: usize) -> Self {
+        let (components, modes, cut) = (None, None, Cut::default());
+        Self { degree, order, components, modes, effects: Effects::ALL, cut }
     }
-}
 
-/// Where the polynomials of a basis are truncated.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Cut {
-    /// At 1e-7 of each profile.
-    Whole,
-    /// After this many terms.
-    Terms(usize),
-    /// Where the total loss is this share of the database's rms.
-    Trimmed(f64),
+    /// The first components of a degree and an order.
+    pub fn first(degree: usize, order: usize, components: usize) -> Self {
+        Self { components: Some(components), ..Self::all(degree, order) }
+    }
+
+    /// The same with polynomials trimmed where the total loss is this share of the database's rms.
+    pub fn trimmed(self, share: f64) -> Self {
+        Self { cut: Cut { trim: Some(share), ..self.cut }, ..self }
+    }
+
+    /// Degree and order.
+    pub fn size(&self) -> (usize, usize) {
+        (self.degree, self.order)
+    }
 }
 
 /// The method that computes a pixel from coefficients.
@@ -73,9 +68,7 @@ pub enum Way {
 pub enum Format {
     F64,
     F32,
-    /// Integers with mantissas of 31 bits.
     Q31,
-    /// Integers with mantissas of 15 bits.
     Q15,
 }
 
@@ -99,63 +92,37 @@ pub struct Setting {
     pub scaling: Scaling,
 }
 
-impl Recipe {
-    /// All components of a degree and an order.
-    pub const fn all(degree: usize, order: usize) -> Self {
-        let (components, modes, azimuths) = (None, None, None);
-        let effects = Effects::ALL;
-        Self { degree, order, components, modes, azimuths, effects, cut: Cut::Whole }
-    }
-
-    /// The first components of a degree and an order.
-    pub const fn first(degree: usize, order: usize, components: usize) -> Self {
-        Self { components: Some(components), ..Self::all(degree, order) }
-    }
-
-    /// The same with other polynomials.
-    pub const fn cut(self, cut: Cut) -> Self {
-        Self { cut, ..self }
-    }
-}
-
 impl Setting {
     /// The collapsed polynomials of a basis in f32.
-    pub const fn of(recipe: Recipe) -> Self {
+    pub fn of(recipe: Recipe) -> Self {
         Self { recipe, way: Way::Polynomial, format: Format::F32, scaling: Scaling::None }
     }
 
     /// The same by another method.
-    pub const fn by(self, way: Way) -> Self {
+    pub fn by(self, way: Way) -> Self {
         Self { way, ..self }
     }
 
     /// The same in another number format.
-    pub const fn in_format(self, format: Format) -> Self {
+    pub fn in_format(self, format: Format) -> Self {
         Self { format, ..self }
     }
 }
 
 impl fmt::Display for Recipe {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Cut { azimuths, terms, trim } = self.cut;
+        let effects = table::effect_names(self.effects).replace(' ', "+");
+        let parts = [
+            Some(self.components.map_or("all".into(), |count| format!("K{count}"))),
+            self.modes.map(|count| format!("modes{count}")),
+            azimuths.map(|largest| format!("m{largest}")),
+            (!self.effects.is_all()).then_some(effects),
+            terms.map(|count| format!("terms{count}")),
+            trim.map(|share| format!("trim{share:e}")),
+        ];
         write!(f, "{}/{}", self.degree, self.order)?;
-        match self.components {
-            Some(count) => write!(f, " K{count}")?,
-            None => write!(f, " all")?,
-        }
-        if let Some(modes) = self.modes {
-            write!(f, " modes{modes}")?;
-        }
-        if let Some(azimuths) = self.azimuths {
-            write!(f, " m{azimuths}")?;
-        }
-        if !self.effects.is_all() {
-            write!(f, " {}", table::effect_names(self.effects).replace(' ', "+"))?;
-        }
-        match self.cut {
-            Cut::Whole => Ok(()),
-            Cut::Terms(count) => write!(f, " terms{count}"),
-            Cut::Trimmed(tolerance) => write!(f, " trim{tolerance:e}"),
-        }
+        parts.into_iter().flatten().try_for_each(|part| write!(f, " {part}"))
     }
 }
 
@@ -197,7 +164,7 @@ mod tests {
 
     #[test]
     fn names_tell_settings_apart() {
-        let recipe = Recipe::first(9, 7, 50).cut(Cut::Trimmed(1e-3));
+        let recipe = Recipe::first(9, 7, 50).trimmed(1e-3);
         let setting = Setting::of(recipe).by(Way::Within(0.01)).in_format(Format::F64);
         assert_eq!(setting.to_string(), "9/7 K50 trim1e-3 within1e-2 f64");
         assert_eq!(Setting::of(Recipe::all(2, 0)).to_string(), "2/0 all polynomial f32");

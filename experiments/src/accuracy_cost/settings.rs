@@ -1,7 +1,8 @@
 //! The settings that are measured: each parameter varied by itself, and combinations of parameters.
 
-use super::setting::{Cut, Format, Recipe, Scaling, Setting, Way};
+use super::setting::{Format, Recipe, Scaling, Setting, Way};
 use eigenshade_index::effect::{Effect, Effects};
+use eigenshade_table::scene::Cut;
 
 /// Degree and order of the shipped set, at which all other parameters are varied.
 pub const DEGREE: usize = 9;
@@ -14,12 +15,10 @@ const HIGHER: [(usize, usize); 4] = [(12, 12), (16, 16), (24, 24), (32, 32)];
 /// The largest number of components that a basis beyond the shipped order keeps.
 const HIGH_COMPONENTS: usize = 400;
 
-/// A setting and the parameter that it varies.
+/// A setting and the parameter that it varies, by its name in the file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Varied {
-    /// The name of the parameter in the file.
     pub parameter: &'static str,
-    /// The setting.
     pub setting: Setting,
 }
 
@@ -39,7 +38,7 @@ pub fn all(quick: bool) -> Vec<Varied> {
     };
     let whole = Recipe::all(DEGREE, ORDER);
     let first = |count: usize| Recipe::first(DEGREE, ORDER, count);
-    let trimmed = |recipe: Recipe, share: f64| Setting::of(recipe.cut(Cut::Trimmed(share)));
+    let trimmed = |recipe: Recipe, share: f64| Setting::of(recipe.trimmed(share));
     // All values of a parameter, or the second list in a quick run.
     fn either<'a, T>(quick: bool, all: &'a [T], few: &'a [T]) -> impl Iterator<Item = T>
     where
@@ -84,10 +83,12 @@ pub fn all(quick: bool) -> Vec<Varied> {
         }
     }
     for count in either(quick, &[2, 3, 4, 6, 8, 10, 12, 16], &[4, 8]) {
-        add("degree of polynomials", Setting::of(whole.cut(Cut::Terms(count))));
+        let cut = Cut { terms: Some(count), ..whole.cut };
+        add("degree of polynomials", Setting::of(Recipe { cut, ..whole }));
     }
     for azimuths in either(quick, &[0, 1, 2, 3, 4, 5, 6, 7, 8], &[1, 4]) {
-        add("azimuths", Setting::of(Recipe { azimuths: Some(azimuths), ..whole }));
+        let cut = Cut { azimuths: Some(azimuths), ..whole.cut };
+        add("azimuths", Setting::of(Recipe { cut, ..whole }));
     }
     for modes in either(quick, &[250, 500, 1000, 2000], &[1000]) {
         add("modes", Setting::of(Recipe { modes: Some(modes), ..whole }));
@@ -146,21 +147,23 @@ pub fn all(quick: bool) -> Vec<Varied> {
 mod tests {
     use super::{Varied, all};
     use eigenshade_index::effect::Effects;
+    use eigenshade_table::scene::Cut;
     use std::collections::BTreeSet;
     use std::mem::discriminant;
 
     /// The kind of a setting, ignoring sizes.
     fn kind(Varied { parameter, setting }: &Varied) -> impl PartialEq + std::fmt::Debug {
         let recipe = setting.recipe;
-        let parts = [recipe.components, recipe.modes, recipe.azimuths].map(|part| part.is_some());
-        let forms = (discriminant(&setting.way), discriminant(&recipe.cut));
+        let Cut { azimuths, terms, trim } = recipe.cut;
+        let parts = [recipe.components, recipe.modes, azimuths, terms].map(|part| part.is_some());
+        let forms = (discriminant(&setting.way), trim.is_some());
         (*parameter, parts, recipe.effects == Effects::ALL, forms, setting.format, setting.scaling)
     }
 
     #[test]
     fn a_quick_run_has_every_kind_and_every_degree() {
         let (quick, all) = (all(true), all(false));
-        let size = |one: &Varied| (one.setting.recipe.degree, one.setting.recipe.order);
+        let size = |one: &Varied| one.setting.recipe.size();
         for one in &all {
             let name = one.setting;
             assert!(quick.iter().any(|other| kind(other) == kind(one)), "none is like `{name}`");

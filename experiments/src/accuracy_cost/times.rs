@@ -1,8 +1,7 @@
 //! Times of operations on this machine, in the same run as the nine-term formula.
 
-use super::floats::Work;
 use super::images::Pair;
-use super::numbers::Numbers;
+use super::numbers::{Numbers, Work, numbers};
 use super::setting::Setting;
 use crate::median::median;
 use eigenshade_model::error::Result;
@@ -16,29 +15,25 @@ const SHORTEST: f64 = 3e-5;
 
 /// A setting ready to be timed on one image.
 pub struct Case {
-    setting: Setting,
-    numbers: Numbers,
+    numbers: Box<dyn Numbers>,
     pair: Pair,
     /// Buffer for the lengths of a scene within a tolerance.
     lengths: Vec<u16>,
 }
 
 impl Case {
-    /// # Errors
-    ///
-    /// If the table cannot be represented in the setting's number format.
     pub fn new(setting: &Setting, table: &Table, pair: &Pair) -> Result<Self> {
-        let numbers = Numbers::new(setting, table, &hemisphere(PIXELS))?;
+        let numbers = numbers(setting, table, &hemisphere(PIXELS))?;
         let lengths = vec![0; setting.recipe.degree + 1];
-        Ok(Self { setting: *setting, numbers, pair: pair.clone(), lengths })
+        Ok(Self { numbers, pair: pair.clone(), lengths })
     }
 }
 
 /// The median nanoseconds of a pixel and of a new light over interleaved rounds, for each case.
 pub fn costs(cases: &mut [Case], rounds: usize) -> Result<Vec<[f64; 2]>> {
     let mut works = Vec::new();
-    for Case { setting, numbers, pair, lengths } in cases {
-        works.extend(numbers.works(setting, pair, PIXELS, lengths)?);
+    for Case { numbers, pair, lengths } in cases {
+        works.extend(numbers.works(pair, lengths)?);
     }
     let times = interleaved(works, rounds);
     let medians: Vec<f64> = times.iter().map(|times| median(times)).collect();

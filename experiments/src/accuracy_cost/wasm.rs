@@ -1,12 +1,13 @@
 //! Times of the WebAssembly module in Node, from `crates/wasm/times.csv`, for the tables that
-//! `crates/wasm/ladder` puts into modules.
+//! `crates/wasm/benchmark-tables` puts into modules.
 
 use super::machines::compiled_in;
-use super::setting::{Cut, Format, Recipe, Scaling, Setting, Way};
+use super::setting::{Format, Recipe, Scaling, Setting, Way};
 use super::settings::{DEGREE, ORDER};
 use super::sheet::Record;
 use eigenshade_model::error::{Error, Result};
-use std::collections::BTreeMap;
+use eigenshade_table::scene::Cut;
+use serde::Deserialize;
 
 /// Texels along a side of the module's map.
 const MAP: usize = 32;
@@ -14,7 +15,9 @@ const MAP: usize = 32;
 /// The tables that are put into modules.
 pub fn tables() -> Vec<Recipe> {
     let first = |count| Recipe::first(DEGREE, ORDER, count);
-    let trimmed = |count, tolerance| first(count).cut(Cut::Trimmed(tolerance));
+    let trimmed = |count, tolerance| first(count).trimmed(tolerance);
+    let whole = Recipe::all(DEGREE, ORDER);
+    let cut = Cut { terms: Some(12), ..whole.cut };
     vec![
         Recipe::all(2, 0),
         trimmed(9, 1e-1),
@@ -24,8 +27,8 @@ pub fn tables() -> Vec<Recipe> {
         trimmed(100, 1e-2),
         trimmed(130, 1e-3),
         trimmed(130, 2e-4),
-        Recipe::all(DEGREE, ORDER).cut(Cut::Terms(12)),
-        Recipe::all(DEGREE, ORDER),
+        Recipe { cut, ..whole },
+        whole,
     ]
 }
 
@@ -42,9 +45,17 @@ pub fn settings<'a>(table: &Recipe, all: &'a [Setting]) -> impl Iterator<Item = 
     })
 }
 
-/// Nanoseconds of a pixel and of a new light with SIMD, by setting.
+/// Nanoseconds with SIMD.
+#[derive(Deserialize)]
+struct Time {
+    setting: String,
+    pixel_ns: f64,
+    light_ns: Option<f64>,
+}
+
+/// Times of a pixel and of a new light.
 pub struct Times {
-    times: BTreeMap<String, [Option<f64>; 2]>,
+    times: Vec<Time>,
     /// A pixel of the nine-term formula in the same run.
     nine_terms: f64,
 }
@@ -52,37 +63,31 @@ pub struct Times {
 impl Times {
     /// Reads the compiled-in times.
     pub fn new() -> Result<Self> {
-        let (sheet, [setting, pixel, light]) = compiled_in(
-            include_str!("../../../crates/wasm/times.csv"),
-            "crates/wasm/times.csv",
-            ["setting", "pixel_ns", "light_ns"],
-        )?;
-        let mut times = BTreeMap::new();
-        for row in sheet.rows() {
-            let light = if row.text(light).is_empty() { None } else { Some(row.number(light)?) };
-            times.insert(row.text(setting).to_owned(), [Some(row.number(pixel)?), light]);
-        }
+        let text = include_str!("../../../crates/wasm/times.csv");
+        let times: Vec<Time> = compiled_in(text, "crates/wasm/times.csv")?;
         let nine_terms = Setting::of(Recipe::all(2, 0)).by(Way::NineTerms).to_string();
-        let Some(&[Some(nine_terms), _]) = times.get(&nine_terms) else {
-            let remedy = "run `crates/wasm/ladder && node crates/wasm/measure.mjs --times`";
-            return Err(Error::new("crates/wasm/times.csv has no nine-term pixel", remedy));
-        };
+        let found = times.iter().find(|time| time.setting == nine_terms);
+        let nine_terms = found.map(|time| time.pixel_ns).ok_or_else(|| {
+            let remedy =
+                "run `crates/wasm/benchmark-tables && node crates/wasm/measure.mjs --times`";
+            Error::new("crates/wasm/times.csv has no nine-term pixel", remedy)
+        })?;
         Ok(Self { times, nine_terms })
     }
 
     /// Fills in the cost of a setting, in nine-term pixels.
     pub fn fill(&self, row: &mut Record, setting: &Setting) {
-        let found = self.times.get(&setting.to_string()).copied().unwrap_or_default();
-        let [pixel, light] = found.map(|ns| ns.map(|ns| ns / self.nine_terms));
-        row.measure("wasm_pixel", pixel);
-        row.measure("wasm_light", light);
+        let name = setting.to_string();
+        let Some(time) = self.times.iter().find(|time| time.setting == name) else { return };
+        row.measure("wasm_pixel", time.pixel_ns / self.nine_terms);
+        row.measure("wasm_light", time.light_ns.map(|ns| ns / self.nine_terms));
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::super::settings;
-    use super::{Setting, Times, tables};
+    use super::{Setting, Time, Times, tables};
     use std::collections::BTreeSet;
 
     #[test]
@@ -96,10 +101,11 @@ mod tests {
             expected.extend(of_table);
         }
         let times = Times::new().unwrap().times;
-        assert_eq!(times.keys().cloned().collect::<BTreeSet<String>>(), expected);
-        for (name, [pixel, light]) in &times {
-            assert!(pixel.is_some_and(|ns| ns > 0.0), "{name}");
-            assert_eq!(light.is_some_and(|ns| ns > 0.0), !name.contains("nine-terms"));
+        let names: BTreeSet<String> = times.iter().map(|time| time.setting.clone()).collect();
+        assert_eq!((&names, times.len()), (&expected, expected.len()));
+        for Time { setting, pixel_ns, light_ns } in &times {
+            assert!(*pixel_ns > 0.0, "{setting}");
+            assert_eq!(light_ns.is_some_and(|ns| ns > 0.0), !setting.contains("nine-terms"));
         }
     }
 }

@@ -13,12 +13,11 @@ use eigenshade_generator::material;
 use eigenshade_generator::material::brdf::Surface;
 use eigenshade_generator::material::files::Source;
 use eigenshade_model::budget::Budget;
-use eigenshade_model::database::Lights;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::read_lights;
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_table::Table;
-use experiments::accuracy::{Reference, spacing};
+use experiments::accuracy::{self, Reference};
 use experiments::median::median;
 use std::path::{Path, PathBuf};
 
@@ -66,7 +65,9 @@ impl Errors {
         output::refuse_collisions(&self.out, inputs)?;
         let table = self.table()?;
         let (degree, order) = (table.gram.degree, table.gram.order);
-        let lights = self.lights_of(&named)?;
+        let lights = read_lights(file(&self.lights), None)?;
+        let lights = accuracy::named(&lights, named.iter().map(|(name, _)| name.as_str()))
+            .map_err(|error| error.in_file(&self.lights))?;
         if lights.degree < degree {
             let found = lights.degree;
             let what = format!("the lights have degree {found}, the table has degree {degree}");
@@ -88,8 +89,7 @@ impl Errors {
             for surface in &surfaces {
                 let name = &surface.name;
                 let progress = progress_bar("batches of normals", 0);
-                let reference =
-                    Reference::new(surface, &maps, spacing(surface), self.fineness, &progress);
+                let reference = Reference::new(surface, &maps, self.fineness, &progress);
                 progress.finish_and_clear();
                 if let Some(black) = reference.black() {
                     let what = format!("`{name}` is black under `{}`", named[black].0);
@@ -157,19 +157,6 @@ impl Errors {
             }
         }
         Ok(surfaces)
-    }
-
-    /// The lights of the maps, in order.
-    fn lights_of(&self, named: &[(String, PathBuf)]) -> Result<Lights> {
-        let all = read_lights(file(&self.lights), None)?;
-        let find = |(name, _): &(String, PathBuf)| {
-            all.entries.iter().find(|light| light.name == *name).cloned().ok_or_else(|| {
-                let what = format!("no light has the name of the map `{name}`");
-                Error::new(what, "make the light of the map with `eigenshade light`")
-                    .in_file(&self.lights)
-            })
-        };
-        Ok(Lights { degree: all.degree, entries: named.iter().map(find).collect::<Result<_>>()? })
     }
 }
 

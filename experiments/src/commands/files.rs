@@ -109,7 +109,7 @@ impl SameOrder {
     }
 }
 
-/// The tables that crates/wasm/ladder puts into modules, and ladder.csv, which assigns a setting of
+/// The tables that crates/wasm/benchmark-tables puts into modules, and benchmark_tables.csv, which assigns a setting of
 /// accuracy-cost to each module and table
 #[derive(Args, Debug)]
 pub struct WasmTables {
@@ -123,7 +123,8 @@ impl WasmTables {
         let folder = self.folder;
         fs::create_dir_all(&folder).map_err(|error| Error::io(&folder, &error))?;
         let all: Vec<Setting> = all(false).iter().map(|one| one.setting).collect();
-        let mut lines = String::from("# crates/wasm/ladder\ntable,module,setting,way,format\n");
+        let mut lines =
+            String::from("# crates/wasm/benchmark-tables\ntable,module,setting,way,format\n");
         let tables = tables();
         let sizes = tables.iter().map(|recipe| (recipe.degree, recipe.order));
         for (degree, order) in sizes.collect::<BTreeSet<(usize, usize)>>() {
@@ -143,7 +144,7 @@ impl WasmTables {
                 }
             }
         }
-        write(&folder.join("ladder.csv"), lines.as_bytes())
+        write(&folder.join("benchmark_tables.csv"), lines.as_bytes())
     }
 }
 

@@ -1,4 +1,4 @@
-// Times of the modules that `crates/wasm/ladder` makes, each with a table of its own.
+// Times of the modules that `crates/wasm/benchmark-tables` makes, each with a table of its own.
 
 import { readFileSync } from "node:fs";
 import { load } from "../../eigenshade.mjs";
@@ -8,13 +8,13 @@ import { hemisphere, leasts } from "./timing.mjs";
 /** The pair that is shaded; tables of a lower degree and order use the first coefficients. */
 export const PAIR = "park 07-velvet g";
 
-const FOLDER = new URL("../../../../target/modules/ladder/", import.meta.url);
+const FOLDER = new URL("../../../../target/modules/benchmark_tables/", import.meta.url);
 
 function read(path, encoding) {
   try {
     return readFileSync(new URL(path, FOLDER), encoding);
   } catch (fault) {
-    throw new Error(`${fault.message}; run crates/wasm/ladder first`);
+    throw new Error(`${fault.message}; run crates/wasm/benchmark-tables first`);
   }
 }
 
@@ -44,8 +44,8 @@ function tasks(module, format, way) {
 }
 
 /** Nanoseconds for a pixel and for a new light of every setting, starting with the nine-term formula. */
-export async function ladder() {
-  const lines = read("ladder.csv", "utf8").trim().split("\n").slice(2);
+export async function benchmarkTables() {
+  const lines = read("benchmark_tables.csv", "utf8").trim().split("\n").slice(2);
   const all = [];
   for (const [table, module, setting, way, format] of lines.map((line) => line.split(","))) {
     const loaded = await load(read(`${table}/${module}.wasm`));
