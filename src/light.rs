@@ -92,9 +92,15 @@ impl<'a, S> Light<'a, S> {
 
 /// The degree of a light with this number of coefficients.
 ///
-/// Inlined, so that the compiler counts where it knows the length.
+/// Inlined, so that the loop is evaluated at compile time where the length is a constant. Elsewhere
+/// the lights of the shipped tables need no loop, which would add a tenth to a new light.
 #[inline]
 pub(crate) const fn degree(found: usize) -> Result<usize, Error> {
+    match found {
+        100 => return Ok(9),
+        169 => return Ok(12),
+        _ => {}
+    }
     let (mut degree, mut count) = (0, 1);
     while count < found {
         degree += 1;

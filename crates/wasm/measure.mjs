@@ -2,8 +2,8 @@
 //
 //     node crates/wasm/measure.mjs            prints the tables, fails if a bound is exceeded
 //     node crates/wasm/measure.mjs --write    writes them to crates/wasm/README.md
-//     node crates/wasm/measure.mjs --times    measures the modules of crates/wasm/benchmark-tables instead and
-//                                             writes crates/wasm/times.csv
+//     node crates/wasm/measure.mjs --times    measures the modules that crates/wasm/benchmark-tables
+//                                             makes, and writes crates/wasm/times.csv
 
 import { readFileSync, writeFileSync } from "node:fs";
 import { load } from "./eigenshade.mjs";

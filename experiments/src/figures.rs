@@ -85,11 +85,12 @@ impl Figures {
         OutputFile { name, content: Content::Picture(canvas) }
     }
 
-    /// The remedy for a file in `folder` that differs.
-    pub fn again(&self, folder: &Path) -> String {
+    /// The remedy for a file in `folder` that differs, with options for the command.
+    pub fn again(&self, folder: &Path, options: &str) -> String {
         let (command, folder) = (self.command, folder.display());
         format!(
-            "make it again with `cargo run --release -p experiments -- {command} --out {folder}`"
+            "make it again with `cargo run --release -p experiments -- {command} --out \
+             {folder}{options}`"
         )
     }
 
@@ -105,9 +106,10 @@ impl Figures {
     /// file that is missing, differs, or does not belong.
     pub fn compare(&self, files: &[OutputFile], folder: &Path) -> Result<[usize; 2]> {
         let [mut numbers, mut pixels] = [0, 0];
+        let again = self.again(folder, if self.is_exact { " --from-csv" } else { "" });
         for file in files {
             let path = folder.join(&file.name);
-            let fault = |what: String| Error::new(what, self.again(folder)).in_file(&path);
+            let fault = |what: String| Error::new(what, &*again).in_file(&path);
             let unreadable = |error: std::io::Error| match error.kind() {
                 ErrorKind::NotFound => fault("this figure is missing".into()),
                 _ => Error::io(&path, &error),
@@ -116,15 +118,15 @@ impl Figures {
                 Content::Text(text) => {
                     let found = fs::read_to_string(&path).map_err(unreadable)?;
                     if self.is_exact && found != *text {
-                        return Err(fault("it does not show the CSV files".into()));
+                        return Err(fault("it is not what the CSV files give".into()));
                     }
                     let is_chart = file.name.ends_with(".svg");
                     numbers += texts(&found, text, is_chart).map_err(fault)?;
                 }
                 Content::Picture(canvas) => {
                     fs::metadata(&path).map_err(unreadable)?;
-                    let found = png_samples::read(&path)
-                        .map_err(|error| error.with_remedy(self.again(folder)))?;
+                    let found =
+                        png_samples::read(&path).map_err(|error| error.with_remedy(&*again))?;
                     pixels += pictures(&found, canvas).map_err(fault)?;
                 }
             }

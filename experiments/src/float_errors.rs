@@ -54,7 +54,7 @@ pub fn errors([degree, order]: [usize; 2]) -> Vec<Errors> {
         let (largest, rms) = (errors.largest.worst, errors.rms.worst);
         Errors { components: table.count(), method, format: format.to_string(), largest, rms }
     };
-    let methods = || ways.into_iter().zip(["polynomial", "eigen", "table"]);
+    let methods = || ways.into_iter().zip(["polynomial", "eigen", "sampled"]);
     let of = |format| methods().map(move |(way, method)| error(format, way, method));
     [Format::F32, Format::F64].into_iter().flat_map(of).collect()
 }

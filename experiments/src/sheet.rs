@@ -37,7 +37,8 @@ pub struct Form {
 impl Sheet {
     /// Parses the text of a file, whose name appears in errors.
     pub fn parse(text: &str, name: &str) -> Result<Self> {
-        let parsed = parser::Sheet::parse(text.into(), Path::new(name), "of its figure")?;
+        let header = text.lines().find(|line| !line.starts_with('#')).unwrap_or_default();
+        let parsed = parser::Sheet::parse(text.into(), Path::new(name), header)?;
         let columns = parsed.header().map(str::to_owned).collect();
         Ok(Self { columns, rows: records(&parsed) })
     }

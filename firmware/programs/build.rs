@@ -87,11 +87,18 @@ impl<'a> Scene<'a> {
             return Ok(Self { table: name, channels: 1, turns: false });
         }
         let text = read(&file)?;
-        let has = |setting: &str| text.lines().any(|line| line == setting);
+        let flag = |name: &str| {
+            let is = |value: bool| text.lines().any(|line| line == format!("{name} = {value}"));
+            match (is(true), is(false)) {
+                (true, false) => Ok(true),
+                (false, true) => Ok(false),
+                _ => Err(format!("{file}: `{name} = true` or `false` expected on a line")),
+            }
+        };
         Ok(Self {
             table: if Path::new(&file).with_extension("bin").exists() { name } else { LEATHER },
-            channels: if has("color = true") { 3 } else { 1 },
-            turns: has("rotation = true"),
+            channels: if flag("color")? { 3 } else { 1 },
+            turns: flag("rotation")?,
         })
     }
 }

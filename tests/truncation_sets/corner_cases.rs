@@ -133,7 +133,7 @@ fn faults_are_named() {
 
 /// A number that is none is no peak of 0, nor is the peak of the channels beside it.
 #[test]
-fn what_is_not_finite_is_told() {
+fn images_that_are_not_finite_are_reported() {
     let good = [1.0f32; sphere::COMPONENTS];
     let mut bad = good;
     bad[3] = f32::NAN;

@@ -223,7 +223,7 @@ fn of_build() -> &'static str {
     if cfg!(target_feature = "neon") { "NEON" } else { "its own" }
 }
 
-/// The machine and the versions of the libraries.
+/// The machine, and the versions of the libraries and of Node.
 pub fn described() -> String {
     let libraries = ["faer", "nalgebra", "ndarray", "sphrs"].map(|name| {
         let version = version(name).unwrap_or("?");
@@ -231,11 +231,14 @@ pub fn described() -> String {
     });
     format!(
         "{}, one core. The processor has {}; the build uses {}, and faer and ndarray choose at\n\
-         run time. {}; ndarray without BLAS.",
+         run time. {}; ndarray without BLAS.\n\
+         three.js {}, Node {}.",
         std::env::consts::ARCH,
         of_processor(),
         of_build(),
-        libraries.join(", ")
+        libraries.join(", "),
+        three().unwrap_or("?"),
+        node().unwrap_or("?".into())
     )
 }
 
@@ -244,6 +247,17 @@ fn version(name: &str) -> Option<&'static str> {
     let lock = include_str!("../Cargo.lock");
     let (_, after) = lock.split_once(&format!("name = \"{name}\"\nversion = \""))?;
     after.split('"').next()
+}
+
+/// The version of three.js that is installed.
+fn three() -> Option<&'static str> {
+    let package = include_str!("../node/package.json");
+    package.split_once("\"three\": \"")?.1.split('"').next()
+}
+
+fn node() -> Option<String> {
+    let output = std::process::Command::new("node").arg("--version").output().ok()?;
+    Some(String::from_utf8_lossy(&output.stdout).trim().to_owned())
 }
 
 /// Marks of this build's part of the page.

@@ -1,5 +1,5 @@
-//! The shipped table, lights and materials, and a sample of their pairs with the reference images of
-//! each: the direct sum (15) over all 3,704 modes in f64.
+//! The shipped table, lights and materials, and a sample of their pairs with the reference images
+//! of each: the direct sum (15) over all 3,704 modes in f64.
 
 use eigenshade::{Light, Material, NineTerms, Normal, Scene, sphere};
 use eigenshade_index::{light, material, mode};

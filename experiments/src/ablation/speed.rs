@@ -10,6 +10,9 @@ use eigenshade_testing::fixtures::disc;
 use eigenshade_testing::images::single;
 use std::hint::black_box;
 
+/// Rounds, of which the fastest counts.
+const ROUNDS: usize = 41;
+
 /// Times relative to a pixel by the nine-term formula.
 pub struct Times {
     /// Of a pixel of each scene, in all channels.
@@ -41,7 +44,7 @@ fn of_nine_terms(operation: impl FnMut()) -> f64 {
         let (formula, normals) = black_box((&formula, normals));
         formula.shade_slice(normals, black_box(&mut irradiance)).expect("a place for each");
     };
-    let times = least(vec![Box::new(operation), Box::new(nine_terms)], 41);
+    let times = least(vec![Box::new(operation), Box::new(nine_terms)], ROUNDS);
     times[0] / times[1] * normals.len() as f64
 }
 

@@ -44,7 +44,7 @@ fn is_time(column: &str) -> bool {
 /// Returns the numbers of rows and of numbers compared. The error is the first difference, with its
 /// file and line.
 pub fn compare(form: &Form, fresh: &[Record], folder: &Path, whole: bool) -> Result<[usize; 2]> {
-    let again = || FIGURES.again(folder);
+    let again = || FIGURES.again(folder, " --keep-times");
     let sheet = sheet::open(form, folder)?;
     let recorded = sheet::records(&sheet);
     let is_count = |record: &&Record| record.text("unit") != "ns";

@@ -46,7 +46,7 @@ struct Operations<'a, S> {
 }
 
 impl<S: Scalar + Into<f64>> Floats<S> {
-    /// With `scale`, the normals have other lengths at first.
+    /// With `scale`, the normals are first given lengths other than 1.
     pub fn new(
         setting: &Setting,
         table: &Table,

@@ -42,10 +42,14 @@ impl Machine {
 }
 
 /// The rows of a compiled-in CSV file.
-pub(super) fn compiled_in<T: DeserializeOwned>(text: &str, path: &str) -> Result<Vec<T>> {
+pub(super) fn compiled_in<T: DeserializeOwned>(
+    text: &str,
+    path: &str,
+    remedy: &str,
+) -> Result<Vec<T>> {
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
     let rows = reader.deserialize().collect::<csv::Result<_>>();
-    rows.map_err(|error| Error::new(error.to_string(), "make it again").in_file(path))
+    rows.map_err(|error| Error::new(error.to_string(), remedy).in_file(path))
 }
 
 /// A table for which programs of `firmware/` count a pixel and a new light. The programs are built
@@ -92,7 +96,11 @@ impl Boards {
     /// Reads the recorded counts.
     pub fn new() -> Result<Self> {
         let tables = include_str!("../../../firmware/tables/sizes.csv");
-        let tables = compiled_in(tables, "firmware/tables/sizes.csv")?;
+        let tables = compiled_in(
+            tables,
+            "firmware/tables/sizes.csv",
+            "give it the columns name,file,components,trim",
+        )?;
         Ok(Self { counts: Counts::recorded(), tables })
     }
 

@@ -54,7 +54,8 @@ pub fn rows(folder: &Path, quick: bool, progress: &ProgressBar) -> Result<Vec<Ro
     };
     let maps = MAPS.iter().map(map).collect::<Result<Vec<_>>>()?;
     let maps = Surroundings::new(&maps)?;
-    let lights = named(&shipped::lights()?, MAPS.into_iter())?;
+    let lights = named(&shipped::lights()?, MAPS.into_iter())
+        .map_err(|error| error.with_remedy("build the program again"))?;
     let mut surfaces = modelled()?;
     surfaces.retain(|surface| !quick || QUICK.contains(&surface.name.as_str()));
     let mut rows = Vec::new();

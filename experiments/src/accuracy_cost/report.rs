@@ -33,7 +33,7 @@ pub fn files(measured: &Measured, folder: &Path) -> Result<Vec<OutputFile>> {
         TEMPLATE.to_owned()
     };
     let page = with_parts(&page, &tables(measured))
-        .map_err(|fault| Error::new(fault, "restore them").in_file(&path))?;
+        .map_err(|fault| Error::new(fault, "restore these markers").in_file(&path))?;
     let sheets = measured.sheets().into_iter().map(|(form, rows)| csv(form, rows));
     let mut files = sheets.collect::<Result<Vec<OutputFile>>>()?;
     files.extend(charts(measured)?);

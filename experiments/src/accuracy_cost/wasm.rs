@@ -60,18 +60,19 @@ pub struct Times {
     nine_terms: f64,
 }
 
+/// The remedy for a file of times that cannot be used.
+const AGAIN: &str = "run `crates/wasm/benchmark-tables && node crates/wasm/measure.mjs --times`";
+
 impl Times {
     /// Reads the compiled-in times.
     pub fn new() -> Result<Self> {
         let text = include_str!("../../../crates/wasm/times.csv");
-        let times: Vec<Time> = compiled_in(text, "crates/wasm/times.csv")?;
+        let times: Vec<Time> = compiled_in(text, "crates/wasm/times.csv", AGAIN)?;
         let nine_terms = Setting::of(Recipe::all(2, 0)).by(Way::NineTerms).to_string();
         let found = times.iter().find(|time| time.setting == nine_terms);
-        let nine_terms = found.map(|time| time.pixel_ns).ok_or_else(|| {
-            let remedy =
-                "run `crates/wasm/benchmark-tables && node crates/wasm/measure.mjs --times`";
-            Error::new("crates/wasm/times.csv has no nine-term pixel", remedy)
-        })?;
+        let nine_terms = found
+            .map(|time| time.pixel_ns)
+            .ok_or_else(|| Error::new("crates/wasm/times.csv has no nine-term pixel", AGAIN))?;
         Ok(Self { times, nine_terms })
     }
 

@@ -17,9 +17,9 @@ use std::path::PathBuf;
 /// over others, errors of a degree and an order against direct integration under captured maps,
 /// times on this machine, and the instructions that were counted on emulated boards. --check
 /// recomputes errors, bytes and counts and compares them with the files of a folder; times are not
-/// compared. It also compares the charts and tables there with the CSV files. --quick does either
-/// for a part of the settings. A full run takes some ten minutes on two cores, a quick check one
-/// minute.
+/// compared. It also compares the charts and tables there with the CSV files, and fails if the
+/// folder has other files. --quick does either for a part of the settings. A full run takes some
+/// ten minutes on two cores, a quick check two minutes.
 #[derive(Args, Debug)]
 pub struct AccuracyCost {
     #[command(flatten)]

@@ -109,8 +109,9 @@ impl SameOrder {
     }
 }
 
-/// The tables that crates/wasm/benchmark-tables puts into modules, and benchmark_tables.csv, which assigns a setting of
-/// accuracy-cost to each module and table
+/// The tables that crates/wasm/benchmark-tables puts into modules
+///
+/// benchmark_tables.csv assigns a setting of accuracy-cost to each module and table.
 #[derive(Args, Debug)]
 pub struct WasmTables {
     /// The folder to write to

@@ -58,6 +58,8 @@ impl Command {
             Self::AccuracyCost(command) => command.run(),
             Self::Ablation(purpose) => {
                 let parts = ablation::parts(&ablation::speed::Times::measured());
+                let remedy = "every scene must keep its tolerance, in f32 and in Q15";
+                let parts = parts.map_err(|fault| Error::new(fault, remedy))?;
                 ablation::PAGE.write_or_compare(&purpose, &parts)
             }
             Self::Stability(purpose) => {

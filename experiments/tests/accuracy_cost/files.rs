@@ -4,9 +4,12 @@ use super::{docs, rows};
 use crate::support::{Folder, assert_fails};
 use experiments::accuracy_cost::check::{self, compare};
 use experiments::accuracy_cost::materials::modelled;
-use experiments::accuracy_cost::sheet::{FIGURES, GROWTH, MODEL, SETTINGS};
+use experiments::accuracy_cost::sheet::{FIGURES, GROWTH, MODEL, Record, SETTINGS};
 use experiments::accuracy_cost::{Measured, report, settings};
 use std::fs;
+
+/// Lower powers still contribute at the largest sizes, (24 / 2 + 1)² of the order.
+const POWER: f64 = 0.3;
 
 fn read(name: &str) -> String {
     fs::read_to_string(docs().join(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
@@ -41,6 +44,36 @@ fn the_file_has_all_settings() {
     let all = settings::all(false);
     let all: Vec<_> = all.iter().map(|one| (one.parameter, one.setting.to_string())).collect();
     assert_eq!(found, all);
+}
+
+/// Bytes grow with the powers of theory, by the slope from the middle size to the last.
+#[test]
+fn bytes_grow_as_they_should() {
+    let rows = rows(&GROWTH);
+    for (quantity, measure, power) in [
+        ("degree", "rows of the components", 1.0),
+        ("order", "rows of the components", 2.0),
+        ("components", "rows of the components", 1.0),
+        ("degree", "polar integrals", 1.0),
+        ("order", "polar integrals", 2.0),
+        ("components", "polar integrals", 0.0),
+        ("degree", "a transferred material", 1.0),
+        ("order", "a transferred material", 0.0),
+        ("components", "a transferred material", 1.0),
+        ("materials", "transfers", 1.0),
+        ("pixels", "a picture's f32", 1.0),
+        ("maps", "coefficients", 1.0),
+    ] {
+        let names = [quantity, measure, "bytes"];
+        let of = |row: &&Record| ["quantity", "measure", "unit"].map(|one| row.text(one)) == names;
+        let point =
+            |row: &Record| ["size", "counted"].map(|one| row.number(one).expect("a number").ln());
+        let points: Vec<[f64; 2]> = rows.iter().filter(of).map(point).collect();
+        assert!(points.len() >= 4, "{quantity}, {measure}");
+        let (first, last) = (points[points.len() / 2], points[points.len() - 1]);
+        let slope = (last[1] - first[1]) / (last[0] - first[0]);
+        assert!((slope - power).abs() <= POWER, "{quantity}, {measure}: {slope}");
+    }
 }
 
 /// Each surface is there at every degree and order, and seven of them are measured.
@@ -120,7 +153,9 @@ fn damage_is_found() {
     for column in ["host_pixel_ns", "host_light_ns", "host_pixel", "wasm_pixel"] {
         compared(&changed(column, &|time| 3.0 * time)).expect("times are not compared");
     }
-    compared(&changed("rms_median", &|error| 1.019 * error)).expect("within the tolerance");
+    for column in ["rms_median", "table_bytes"] {
+        compared(&changed(column, &|value| 1.019 * value)).expect("within the tolerance");
+    }
     for (column, factor) in [
         ("rms_median", 1.022),
         ("rms_worst", 0.97),
@@ -139,6 +174,17 @@ fn damage_is_found() {
         }
         assert!(!message.contains('\n'), "{message}");
     }
+    // Errors may always differ by rounding. The setting in f64 has the smallest.
+    let exact = lines.iter().find(|line| line.contains("9/7 all polynomial f64,")).unwrap();
+    let off = |by: f64| {
+        let mut fields: Vec<String> = exact.split(',').map(str::to_owned).collect();
+        let at = header.iter().position(|name| *name == "rms_median").unwrap();
+        let old: f64 = fields[at].parse().unwrap();
+        assert!(old < 1e-7, "{old}");
+        fields[at] = (old + by).to_string();
+        compared(&good.replacen(exact, &fields.join(","), 1))
+    };
+    assert!(off(0.9e-6).is_ok() && off(1.1e-6).is_err());
     let without = good.replacen(&format!("{}\n", lines[place]), "", 1);
     assert!(compared(&without).expect_err("a row").contains("no row of `9/7 K50 polynomial f32`"));
     let twice = format!("{good}{}\n", lines[place].replace("K50", "K51"));
@@ -164,11 +210,16 @@ fn a_run_without_times_is_compared_whole() {
     let error = compare(&GROWTH, short, &docs(), true).expect_err("missing rows");
     assert!(error.to_string().contains("rows where 18 belong"), "{error}");
     compare(&GROWTH, short, &docs(), false).expect("a quick run has fewer rows");
-    for row in untimed.growth.iter_mut().filter(|row| row.text("unit") == "bytes") {
-        let cube = row.number("size").unwrap().powi(3);
-        row.put("counted", cube);
-    }
-    assert!(check::exponents(&untimed.growth).is_err());
+    // Coefficients of maps are proportional to their number.
+    let with_power = |power: f64| {
+        let mut growth = untimed.growth.clone();
+        for row in growth.iter_mut().filter(|row| row.text("measure") == "coefficients") {
+            let bytes = row.number("size").unwrap().powf(power);
+            row.put("counted", bytes);
+        }
+        check::exponents(&growth)
+    };
+    assert!(with_power(1.28) == Ok(12) && with_power(1.32).is_err() && with_power(0.68).is_err());
 }
 
 #[test]

@@ -58,6 +58,7 @@ fn chosen(names: &[&str], options: &[&str]) -> Result<()> {
     match (&chosen[..], &names[chosen.len()..]) {
         (_, []) => boards(&chosen, options),
         (&[board], programs) if options.is_empty() => some_programs(board, programs),
+        (&[_], _) => Err(format!("{} is for whole boards\n{USAGE}", options.join(" "))),
         (_, [name, ..]) => Err(format!("`{name}` is unexpected\n{USAGE}")),
     }
 }

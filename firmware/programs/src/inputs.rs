@@ -1,5 +1,5 @@
-//! Inputs of the measured operations. Their values do not change the counts, because no operation
-//! branches on its numbers.
+//! Inputs of the measured operations. Except for `collapse_within` and floats in software, their
+//! values do not change the counts, because no operation branches on its numbers.
 
 /// Inputs in f32.
 pub mod floats {
@@ -15,7 +15,7 @@ pub mod floats {
             Normal::new(x, y, 0.7).ok()
         };
         let facing = Normal::new(0.0, 0.0, 1.0).ok();
-        // Each is a normal: none is as short as zero or points away.
+        // All have a positive length and face the camera.
         core::array::from_fn(|k| along(k).or(facing)).map(|normal| match normal {
             Some(normal) => normal,
             None => board::exit(false),
@@ -25,7 +25,7 @@ pub mod floats {
     /// Numbers of both signs between -1 and 1, always the same.
     #[must_use]
     pub fn numbers<const N: usize>() -> [f32; N] {
-        // Not to be computed by the compiler: the program would hold all of them.
+        // Keeps the compiler from computing the numbers and storing them in flash.
         let mut state = black_box(1_u32);
         core::array::from_fn(|_| {
             state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);

@@ -15,7 +15,7 @@ pub mod inputs;
 
 pub mod drawing;
 
-/// Makes one function of a source the program. The build script derives the function and the module
+/// Runs one function of a source as the program. The build script derives the function and the module
 /// `table` from the program's name.
 #[macro_export]
 macro_rules! program {

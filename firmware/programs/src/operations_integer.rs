@@ -57,6 +57,7 @@ macro_rules! relight_up_to {
         measure(&[inputs::mantissas::<_, 100>()], Passes(64), |light| {
             let light = inputs::light(light);
             let done = table::relight_into(&transfer.view(), &light, black_box(&mut d));
+            // Without `collapse_into`, the scene is not used otherwise.
             let _ = &mut scene;
             $(let done = done.and_then(|()| table::$collapse_into(&d, black_box(&mut scene)));)?
             done
@@ -125,7 +126,7 @@ fn dense_row() {
 /// Modes at degree 9 and order 7.
 const MODES: usize = 3704;
 
-/// Stands for every row and for the modes, because a matrix of K x 3704 does not fit the smaller
+/// Used as every row and as the modes, because a matrix of K x 3704 does not fit the smaller
 /// boards.
 static ROW: [i16; MODES] = {
     let mut row = [0; MODES];
