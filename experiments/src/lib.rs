@@ -4,8 +4,6 @@
 
 pub use eigenshade_testing::tolerances;
 
-pub mod median;
-
 pub mod numbers;
 
 pub mod sheet;

@@ -9,8 +9,8 @@ pub mod scenes;
 pub mod speed;
 
 use crate::counts::{Counts, M0, M3, M4F, RV32};
-use crate::median::median;
 use crate::multiplications::Multiplications;
+use crate::numbers::median;
 use crate::pages::{Page, Part, same_word, table};
 use crate::tolerances;
 use eigenshade_cli::messages::grouped;

@@ -1,9 +1,10 @@
 //! The error of the method: a setting against the direct sum of its own degree and order.
 
 use super::images::{Image, Images};
-use super::numbers::{Shaded, numbers};
+use super::numbers::numbers;
+use super::pixels::Shaded;
 use super::setting::Setting;
-use crate::median::median;
+use crate::numbers::median;
 use eigenshade_model::error::Result;
 use eigenshade_shading::parallel;
 use eigenshade_table::Table;

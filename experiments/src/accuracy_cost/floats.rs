@@ -1,7 +1,7 @@
 //! The ways to a pixel in floats, for images and for timing.
 
 use super::images::Pair;
-use super::numbers::{Numbers, Pixels, Shaded, Shading, Work, each};
+use super::pixels::{Numbers, Pixels, Shaded, Shading, Work, each};
 use super::setting::{Format, Setting, Way};
 use eigenshade::mathematics::Mathematics;
 use eigenshade::{

@@ -4,7 +4,7 @@
 use super::bases::Bases;
 use super::images::Pair;
 use super::materials::Scope;
-use super::numbers::Work;
+use super::pixels::Work;
 use super::setting::{Recipe, Setting};
 use super::settings::{DEGREE, ORDER};
 use super::sheet::Record;

@@ -15,11 +15,13 @@ pub mod bases;
 
 pub mod images;
 
-pub mod times;
+pub mod pixels;
 
 mod floats;
 
 pub mod numbers;
+
+pub mod times;
 
 pub mod errors;
 

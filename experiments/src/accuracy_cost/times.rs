@@ -1,9 +1,10 @@
 //! Times of operations on this machine, in the same run as the nine-term formula.
 
 use super::images::Pair;
-use super::numbers::{Numbers, Work, numbers};
+use super::numbers::numbers;
+use super::pixels::{Numbers, Work};
 use super::setting::Setting;
-use crate::median::median;
+use crate::numbers::median;
 use eigenshade_model::error::Result;
 use eigenshade_table::Table;
 use std::time::Instant;

@@ -18,7 +18,7 @@ use eigenshade_model::inputs::coefficient_csv::read_lights;
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_table::Table;
 use experiments::accuracy::{self, Reference};
-use experiments::median::median;
+use experiments::numbers::median;
 use std::path::{Path, PathBuf};
 
 /// Degrees at which the direct sum is shown beside the table; the order is the same.

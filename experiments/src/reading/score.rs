@@ -1,6 +1,6 @@
 //! Scores a reading against the true light and material.
 
-use crate::median::median;
+use crate::numbers::median;
 use eigenshade_cli::reading::Reading;
 use eigenshade_generator::reading::observation::EigenimageValues;
 use eigenshade_generator::reading::rank_one::RankOne;

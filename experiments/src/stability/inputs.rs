@@ -3,7 +3,7 @@
 
 use super::maps::harmonics;
 use super::{Figure, exactly, least, most};
-use crate::median::median;
+use crate::numbers::median;
 use crate::tolerances;
 use eigenshade::mathematics::Libm;
 use eigenshade::{MapPoint, NegativePolicy, Normal, Normals, Q15, Tolerance, quantized};
