@@ -30,7 +30,8 @@ impl Counts {
         let is_it = |row: &&HashMap<String, String>| {
             row["board"] == board && row["format"] == format && row["operation"] == operation
         };
-        self.0.iter().find(is_it)?[column].parse().ok()
+        let text = &self.0.iter().find(is_it)?[column];
+        (!text.is_empty()).then(|| text.parse().expect("a whole number"))
     }
 
     /// The instructions of an operation, relative to those of a pixel by the nine-term formula.

@@ -2,7 +2,8 @@
 //! Times, and anything that depends on them, are not compared.
 
 use super::growth;
-use super::sheet::{self, FIGURES, Form, Record};
+use super::sheet::FIGURES;
+use crate::sheet::{self, Form, Record};
 use eigenshade_model::error::{Error, Result};
 use std::path::Path;
 

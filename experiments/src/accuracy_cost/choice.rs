@@ -1,7 +1,7 @@
 //! Chooses settings: the cheapest below an error, and those that no other beats.
 
 use super::machines::Machine;
-use super::sheet::Record;
+use crate::sheet::Record;
 
 /// The error limits.
 pub const LIMITS: [f64; 7] = [0.1, 0.05, 0.01, 3e-3, 1e-3, 1e-4, 1e-5];

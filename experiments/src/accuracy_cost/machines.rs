@@ -3,8 +3,8 @@
 
 use super::setting::{Format, Recipe, Scaling, Setting, Way};
 use super::settings::{DEGREE, ORDER};
-use super::sheet::Record;
 use crate::counts::Counts;
+use crate::sheet::Record;
 use eigenshade_model::error::{Error, Result};
 use serde::Deserialize;
 use serde::de::DeserializeOwned;

@@ -1,6 +1,6 @@
 //! The cost of accuracy: the error and the price of varying every parameter.
 //!
-//! Measurements become [`sheet::Record`]s. The CSV files, the checks, the charts and the tables of
+//! Measurements become [`Record`]s. The CSV files, the checks, the charts and the tables of
 //! the page are made from these.
 
 pub mod setting;
@@ -39,6 +39,7 @@ pub mod check;
 
 pub mod report;
 
+use crate::sheet::{Form, Record, read};
 use bases::Bases;
 use eigenshade_cli::table;
 use eigenshade_model::error::{Error, Result};
@@ -49,7 +50,7 @@ use machines::Boards;
 use materials::Scope;
 use numbers::table_bytes;
 use settings::Varied;
-use sheet::{Form, GROWTH, MODEL, Record, SETTINGS};
+use sheet::{GROWTH, MODEL, SETTINGS};
 use std::collections::BTreeSet;
 use std::path::Path;
 use times::Case;
@@ -81,8 +82,7 @@ impl Measured {
 
     /// Reads the files of a folder.
     pub fn read(folder: &Path) -> Result<Self> {
-        let [settings, model, growth] =
-            [&SETTINGS, &MODEL, &GROWTH].map(|form| sheet::read(form, folder));
+        let [settings, model, growth] = [&SETTINGS, &MODEL, &GROWTH].map(|form| read(form, folder));
         Ok(Self { settings: settings?, model: model?, growth: growth? })
     }
 

@@ -4,8 +4,8 @@
 use super::errors::Spread;
 use super::materials::modelled;
 use super::settings::sizes;
-use super::sheet::Record;
 use crate::accuracy::{Reference, named};
+use crate::sheet::Record;
 use eigenshade_generator::direct::Surroundings;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_model::error::{Error, Result};

@@ -1,4 +1,4 @@
-//! What a setting computes in its number format: the pixels of an image, and operations for timing.
+//! Pixels and timed operations of a setting, independent of its number format.
 
 use super::images::Pair;
 use eigenshade_model::error::Result;

@@ -1,8 +1,7 @@
 //! The CSV files. A row is a [`Record`] from its measurement to the charts.
 
-pub use crate::sheet::{Form, Record, open, read, records};
-
 use crate::figures::{Figures, OutputFile};
+use crate::sheet::{Form, Record};
 use eigenshade_model::error::Result;
 
 /// The files of the command.

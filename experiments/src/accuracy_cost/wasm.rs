@@ -4,7 +4,7 @@
 use super::machines::compiled_in;
 use super::setting::{Format, Recipe, Scaling, Setting, Way};
 use super::settings::{DEGREE, ORDER};
-use super::sheet::Record;
+use crate::sheet::Record;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_table::scene::Cut;
 use serde::Deserialize;

@@ -4,8 +4,9 @@ use super::{docs, rows};
 use crate::support::{Folder, assert_fails};
 use experiments::accuracy_cost::check::{self, compare};
 use experiments::accuracy_cost::materials::modelled;
-use experiments::accuracy_cost::sheet::{FIGURES, GROWTH, MODEL, Record, SETTINGS};
+use experiments::accuracy_cost::sheet::{FIGURES, GROWTH, MODEL, SETTINGS};
 use experiments::accuracy_cost::{Measured, report, settings};
+use experiments::sheet::Record;
 use std::fs;
 
 /// Lower powers still contribute at the largest sizes, (24 / 2 + 1)² of the order.

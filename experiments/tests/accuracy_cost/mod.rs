@@ -18,7 +18,8 @@ use experiments::accuracy_cost::images::{Image, Images};
 use experiments::accuracy_cost::machines::MACHINES;
 use experiments::accuracy_cost::materials::Scope;
 use experiments::accuracy_cost::setting::{Recipe, Setting, Way};
-use experiments::accuracy_cost::sheet::{self, Form, Record, SETTINGS};
+use experiments::accuracy_cost::sheet::SETTINGS;
+use experiments::sheet::{self, Form, Record};
 use std::path::PathBuf;
 
 /// The error of the nine-term formula for what it is exact for: roundings of f32.

@@ -44,7 +44,7 @@ pub fn as_text(shade: impl Fn(i32, i32, i32) -> Option<i32>) {
 const SIDE: i32 = 16;
 
 /// Draws a sphere in color, three letters a pixel: the upper bits of `shade`, from `a` to `p`.
-/// Nothing is stored, as with a display that takes pixel by pixel.
+/// Each pixel is printed as soon as it is computed, so no frame buffer is needed.
 pub fn in_color(shade: impl Fn(Normal<Q15>) -> [i32; 3]) {
     for row in 0..SIDE {
         for column in 0..SIDE {

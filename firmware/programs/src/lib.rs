@@ -1,4 +1,4 @@
-//! What the programs share: tables, golden vectors, inputs and drawings.
+//! The parts that all programs share: tables, golden vectors, inputs and drawings.
 //!
 //! Cargo.toml lists the programs and their sources. `relight_q15`, for example, is the function
 //! `relight` of `operations_integer.rs`, with the shipped table in Q15 as the module `table`.
