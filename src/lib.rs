@@ -84,6 +84,8 @@ mod polynomial;
 
 mod parts;
 
+mod places;
+
 mod basis;
 
 mod scattering;
@@ -97,6 +99,8 @@ mod relight;
 mod nine_terms;
 
 mod scene;
+
+mod shape;
 
 mod shade;
 

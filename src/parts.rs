@@ -111,6 +111,16 @@ impl ProfilePlace {
         component(self.minus)
     }
 
+    /// The row of the component of this sign.
+    pub(crate) const fn row(self, sign: isize) -> Row {
+        if sign < 0 { self.minus_row } else { self.plus_row }
+    }
+
+    /// The number of the component of this sign, or one that no basis has.
+    pub(crate) const fn component(self, sign: isize) -> u16 {
+        if sign < 0 { self.minus } else { self.plus }
+    }
+
     #[inline]
     pub(crate) const fn azimuth(self) -> usize {
         self.azimuth as usize

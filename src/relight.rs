@@ -1,21 +1,34 @@
 //! A new light on a transferred material: d_i = Σ_l T_i,l L_l^m.
 //!
-//! The lanes run along m, as do the light's coefficients of one degree, so nothing is gathered and
-//! nothing is summed across lanes. Lanes with |m| > l read coefficients of other degrees and
-//! multiply them by zero.
+//! A machine that computes with groups of numbers takes a transfer pass by pass. The lanes run along
+//! m, as do the light's coefficients of one degree, so nothing is gathered and nothing is summed
+//! across lanes. Lanes with |m| > l read coefficients of other degrees and multiply them by zero.
+//!
+//! Other machines take it order by order: that skips products with zero, and reads each coefficient
+//! of the light once.
 
 use crate::basis::Basis;
 use crate::buffer::zeros;
 use crate::error::{Argument, Error};
-use crate::index::{layout, light};
+use crate::index::layout::{LANES, PASS};
+use crate::index::light::position;
 use crate::lanes;
 use crate::light::Light;
-use crate::parts::Pass;
+use crate::places::{PassPlace, Run};
 use crate::projection::Coefficients;
 use crate::scalar::Scalar;
+use crate::shape::{Shape, by_profiles};
 use crate::transfer::Transfer;
 
-const LANES: usize = layout::LANES;
+/// Whether the target computes with groups of numbers.
+pub const GROUPS: bool = cfg!(any(
+    target_arch = "x86",
+    target_arch = "x86_64",
+    target_arch = "aarch64",
+    target_arch = "wasm32",
+    target_feature = "neon",
+    target_feature = "v"
+));
 
 impl<S: Scalar> Basis<'_, S> {
     /// Computes d for a new light on a material whose transfer is known, with one multiplication
@@ -52,24 +65,26 @@ impl<S: Scalar> Basis<'_, S> {
         self.accept_light(light)?;
         Error::check(Argument::Transfer, self.transfer_len(), transfer.len())?;
         Error::check(Argument::Coefficients, self.components(), coefficients.len())?;
-        let (mut transfer, _) = transfer.as_chunks::<LANES>();
-        let (mut slots, _) = self.parts.slots.as_chunks::<LANES>();
-        for pass in self.parts.passes {
-            let profiles = usize::from(pass.profiles);
-            let lowest = layout::lowest_degree(pass.first.into());
-            let groups = profiles * (self.degree() + 1).saturating_sub(lowest);
-            let (rows, after) = transfer.split_at_checked(groups).unwrap_or((transfer, &[]));
-            let (of_pass, others) = slots.split_at_checked(profiles).unwrap_or((slots, &[]));
-            (transfer, slots) = (after, others);
-            match profiles {
-                1 => run::<S, 1>(pass, rows, light, of_pass, coefficients),
-                2 => run::<S, 2>(pass, rows, light, of_pass, coefficients),
-                3 => run::<S, 3>(pass, rows, light, of_pass, coefficients),
-                4 => run::<S, 4>(pass, rows, light, of_pass, coefficients),
-                5 => run::<S, 5>(pass, rows, light, of_pass, coefficients),
-                6 => run::<S, 6>(pass, rows, light, of_pass, coefficients),
-                7 => run::<S, 7>(pass, rows, light, of_pass, coefficients),
-                _ => run::<S, { layout::PASS }>(pass, rows, light, of_pass, coefficients),
+        let (light, degree) = (light.coefficients(), light.degree());
+        if GROUPS {
+            let mut next = self.parts.first_pass();
+            while let Some(pass) = next {
+                let degrees = (degree + 1).saturating_sub(pass.lowest);
+                by_profiles!(pass.profiles, P => {
+                    let sums = any_sums::<S, P>(&pass, degrees, transfer, light);
+                    write_pass(&pass, &sums, coefficients);
+                });
+                next = self.parts.pass_after(&pass);
+            }
+        } else {
+            let mut next = self.parts.first_run();
+            while let Some(run) = next {
+                let degrees = (degree + 1).saturating_sub(run.order.unsigned_abs());
+                by_profiles!(run.profiles, P => {
+                    let run = Run { profiles: P, ..run };
+                    write_run(&run, degrees, transfer, light, coefficients);
+                });
+                next = self.parts.run_after(&run);
             }
         }
         self.subtract_mean(coefficients);
@@ -77,34 +92,110 @@ impl<S: Scalar> Basis<'_, S> {
     }
 }
 
-/// The components of one pass of `P` profiles.
-#[inline]
-fn run<S: Scalar, const P: usize>(
-    pass: &Pass,
-    transfer: &[[S; LANES]],
-    light: &Light<'_, S>,
-    slots: &[[u16; LANES]],
-    coefficients: &mut [S],
+/// The numbers of a transfer and of a light, if there are exactly `T` and `N`.
+#[inline(always)]
+pub fn inputs<'a, S: Scalar, const T: usize, const N: usize>(
+    transfer: &'a Transfer<S, T>,
+    light: &Light<'a, S>,
+) -> Option<(&'a [S; T], &'a [S; N])> {
+    Some((transfer.as_slice().try_into().ok()?, light.coefficients().try_into().ok()?))
+}
+
+/// Writes the sums of pass number `I`, which has `P` profiles, to their components.
+#[inline(always)]
+pub fn write<B: Shape<S>, S: Scalar, const I: usize, const P: usize, const K: usize>(
+    sums: &[[S; LANES]; P],
+    coefficients: &mut [S; K],
 ) {
-    let first = isize::from(pass.first);
-    let lowest = layout::lowest_degree(first);
-    let (rows, _) = transfer.as_chunks::<P>();
-    let rows = rows.get(..(light.degree() + 1).saturating_sub(lowest)).unwrap_or(rows);
-    // Degrees whose group of coefficients would start before the first coefficient.
-    let before = (lowest..).take_while(|&l| first < 0 && l * l + l < first.unsigned_abs()).count();
-    let (early, rows) = rows.split_at_checked(before).unwrap_or((rows, &[]));
-    let start = lowest + early.len();
-    let (mut sums, done) = inside(rows, light.coefficients(), start, first);
-    // Degrees whose group would end after the last coefficient.
-    let late = rows.get(done..).unwrap_or_default();
-    for (l, row) in (lowest..).zip(early).chain((start + done..).zip(late)) {
-        let window = edge(light, l, first);
+    write_pass(const { &pass_of::<B, S>(I) }, sums, coefficients);
+}
+
+const fn pass_of<B: Shape<S>, S: 'static>(index: usize) -> PassPlace {
+    match B::BASIS.parts.pass_at(index) {
+        Some(place) => place,
+        None => panic!("the table has fewer passes"),
+    }
+}
+
+const fn run_of<B: Shape<S>, S: 'static>(index: usize) -> Run {
+    match B::BASIS.parts.run_at(index) {
+        Some(run) => run,
+        None => panic!("the table has fewer runs"),
+    }
+}
+
+/// The sums of pass number `I`, which has `P` profiles.
+///
+/// Not inlined: a compiler that sees single lanes being read splits the groups.
+#[inline(never)]
+pub fn sums<
+    B: Shape<S>,
+    S: Scalar,
+    const I: usize,
+    const P: usize,
+    const T: usize,
+    const N: usize,
+>(
+    transfer: &[S; T],
+    light: &[S; N],
+) -> [[S; LANES]; P] {
+    let place = const { &pass_of::<B, S>(I) };
+    sums_of_pass(
+        place,
+        const { B::BASIS.parts.degree + 1 - pass_of::<B, S>(I).lowest },
+        transfer,
+        light,
+    )
+}
+
+/// [`sums_of_pass`] of any pass of `P` profiles.
+#[inline(never)]
+fn any_sums<S: Scalar, const P: usize>(
+    pass: &PassPlace,
+    degrees: usize,
+    transfer: &[S],
+    light: &[S],
+) -> [[S; LANES]; P] {
+    sums_of_pass(pass, degrees, transfer, light)
+}
+
+/// The sums of a pass, over this many degrees.
+#[inline(always)]
+fn sums_of_pass<S: Scalar, const P: usize>(
+    pass: &PassPlace,
+    degrees: usize,
+    transfer: &[S],
+    light: &[S],
+) -> [[S; LANES]; P] {
+    let mut sums = [[S::ZERO; LANES]; P];
+    let (groups, _) = transfer.get(pass.start..).unwrap_or_default().as_chunks::<LANES>();
+    let (rows, _) = groups.as_chunks::<P>();
+    for (l, row) in (pass.lowest..).zip(rows.get(..degrees).unwrap_or_default()) {
+        let window = window(light, l, pass.first);
         for (sum, row) in sums.iter_mut().zip(row) {
             *sum = lanes::multiply_add(*sum, row, &window);
         }
     }
-    for (slots, sums) in slots.iter().zip(sums) {
-        for (&slot, sum) in slots.iter().zip(sums) {
+    sums
+}
+
+/// L_l^m for the orders from `first` on. Orders beyond l read other coefficients or zero, which
+/// does no harm because their rows are zero.
+#[inline(always)]
+fn window<S: Scalar>(light: &[S], l: usize, first: isize) -> [S; LANES] {
+    let start = position(l, first);
+    if let Some(window) = light.get(start..).and_then(|rest| rest.first_chunk()) {
+        return *window;
+    }
+    let at = |lane: usize| light.get(start.wrapping_add(lane)).copied().unwrap_or(S::ZERO);
+    [at(0), at(1), at(2), at(3)]
+}
+
+/// Writes the sums of a pass to their components.
+#[inline(always)]
+fn write_pass<S: Scalar>(pass: &PassPlace, sums: &[[S; LANES]], coefficients: &mut [S]) {
+    for (slots, sums) in pass.slots.iter().zip(sums) {
+        for (&slot, &sum) in slots.iter().zip(sums) {
             if let Some(coefficient) = coefficients.get_mut(usize::from(slot)) {
                 *coefficient = sum;
             }
@@ -112,44 +203,49 @@ fn run<S: Scalar, const P: usize>(
     }
 }
 
-/// Sums over the degrees from `degree` on whose groups lie within the coefficients, and the number
-/// of these degrees.
+/// Writes the components of run number `I`.
 ///
-/// Separate from [`run`] so that the sums stay in registers: if the same function read them lane by
-/// lane, the compiler would split them at every step.
+/// Not inlined: a compiler that sees several orders at once runs out of registers.
 #[inline(never)]
-fn inside<S: Scalar, const P: usize>(
-    rows: &[[[S; LANES]; P]],
-    coefficients: &[S],
-    degree: usize,
-    first: isize,
-) -> ([[S; LANES]; P], usize) {
-    let mut sums = [[S::ZERO; LANES]; P];
-    let (mut start, mut step) = (light::position(degree, first), 2 * degree + 2);
-    let mut done = 0;
-    for row in rows {
-        let window = coefficients.get(start..).and_then(|rest| rest.first_chunk());
-        let Some(window) = window else { break };
-        for (sum, row) in sums.iter_mut().zip(row) {
-            *sum = lanes::multiply_add(*sum, row, window);
-        }
-        start += step;
-        step += 2;
-        done += 1;
-    }
-    (sums, done)
+pub fn run<
+    B: Shape<S>,
+    S: Scalar,
+    const I: usize,
+    const T: usize,
+    const N: usize,
+    const K: usize,
+>(
+    transfer: &[S; T],
+    light: &[S; N],
+    coefficients: &mut [S; K],
+) {
+    let run = const { &run_of::<B, S>(I) };
+    let degrees = const { B::BASIS.parts.degree + 1 - run_of::<B, S>(I).order.unsigned_abs() };
+    write_run(run, degrees, transfer, light, coefficients);
 }
 
-/// L_l^m of the orders from `first` on, for a group that reaches beyond the first or last
-/// coefficient of the light and so cannot be read whole.
-#[cold]
-fn edge<S: Scalar>(light: &Light<'_, S>, l: usize, first: isize) -> [S; LANES] {
-    let mut window = [S::ZERO; LANES];
-    for (order, value) in (first..).zip(&mut window) {
-        if order.unsigned_abs() <= l {
-            let found = light.coefficients().get(light::position(l, order));
-            *value = found.copied().unwrap_or(S::ZERO);
+/// Writes the components of a run, from sums over this many degrees.
+#[inline(always)]
+fn write_run<S: Scalar>(
+    run: &Run,
+    degrees: usize,
+    transfer: &[S],
+    light: &[S],
+    coefficients: &mut [S],
+) {
+    let mut sums = [S::ZERO; PASS];
+    for l in 0..degrees {
+        let degree = run.order.unsigned_abs() + l;
+        let light = light.get(position(degree, run.order)).copied().unwrap_or(S::ZERO);
+        for (profile, sum) in sums.iter_mut().enumerate().take(run.profiles) {
+            if let Some(&number) = transfer.get(run.start + l * run.step + LANES * profile) {
+                *sum = if l == 0 { number * light } else { sum.add_product(number, light) };
+            }
         }
     }
-    window
+    for (&component, sum) in run.components.iter().zip(sums).take(run.profiles) {
+        if let Some(coefficient) = coefficients.get_mut(usize::from(component)) {
+            *coefficient = sum;
+        }
+    }
 }

@@ -37,10 +37,6 @@ pub mod file;
 
 pub mod wire;
 
-mod rust_kernels;
-
-mod rust_scene;
-
 mod rust_quantized_functions;
 
 pub mod rust_quantized;

@@ -2,7 +2,7 @@
 //! pixel, with every size a constant.
 
 use crate::quantize::{Place, QuantizedParts};
-use crate::rust_kernels::put;
+use crate::rust_quantized::put;
 use eigenshade_index::{material, pair};
 
 /// The profiles of each azimuth, and where they start among all.

@@ -1,0 +1,231 @@
+//! Where the numbers of one step stand: the passes and the runs of a transfer.
+//!
+//! These are constants for a table that is known when the program is compiled, so the functions are
+//! `const`.
+
+use crate::index::layout::{LANES, PASS, factors, lowest_degree};
+use crate::parts::{Parts, ProfilePlace, Row};
+
+/// The place of one pass in a transfer.
+#[derive(Clone, Copy)]
+pub(crate) struct PassPlace {
+    /// The number of the pass.
+    pub(crate) index: usize,
+    /// Its first order m.
+    pub(crate) first: isize,
+    /// Its lowest degree.
+    pub(crate) lowest: usize,
+    pub(crate) profiles: usize,
+    /// Position of its numbers in the transfer.
+    pub(crate) start: usize,
+    /// Position of its slots among all slots.
+    pub(crate) first_slot: usize,
+    /// For each profile and lane, the number of its component.
+    pub(crate) slots: [[u16; LANES]; PASS],
+}
+
+/// The place of a run: profiles of one order whose rows stand side by side in a transfer.
+#[derive(Clone, Copy)]
+pub(crate) struct Run {
+    /// The order m, with its sign.
+    pub(crate) order: isize,
+    /// Position of the number of the first profile and the lowest degree.
+    pub(crate) start: usize,
+    /// Distance from one degree to the next. One profile is [`LANES`] from the next.
+    pub(crate) step: usize,
+    pub(crate) profiles: usize,
+    /// The number of each profile's component.
+    pub(crate) components: [u16; PASS],
+    /// The number of its first profile.
+    pub(crate) first: usize,
+}
+
+/// The place of an azimuth |m|.
+#[derive(Clone, Copy)]
+pub(crate) struct AzimuthPlace {
+    /// Position of the terms of its first profile.
+    pub(crate) terms: usize,
+    /// Position of its polynomials in a scene.
+    pub(crate) start: usize,
+    /// Number of terms of each polynomial.
+    pub(crate) length: usize,
+}
+
+impl<S> Parts<'_, S> {
+    /// The place of an azimuth.
+    pub(crate) const fn azimuth_at(&self, azimuth: usize) -> AzimuthPlace {
+        let (mut terms, mut profiles) = (0, self.profiles);
+        while let [place, tail @ ..] = profiles
+            && place.azimuth() < azimuth
+        {
+            (terms, profiles) = (terms + self.length(place.azimuth()), tail);
+        }
+        let (mut start, mut before) = (0, 0);
+        while before < azimuth {
+            start += self.length(before) * if before == 0 { 1 } else { 2 };
+            before += 1;
+        }
+        AzimuthPlace { terms, start, length: self.length(azimuth) }
+    }
+
+    /// The components of +m and of -m of the `P` profiles of an azimuth.
+    pub(crate) const fn components_of<const P: usize>(&self, azimuth: usize) -> [[u16; 2]; P] {
+        let mut components = [[u16::MAX; 2]; P];
+        let (mut to, mut next) = (components.as_mut_slice(), self.first_of(azimuth));
+        while let [of_profile, others @ ..] = to
+            && let Some(place) = self.profile(next)
+        {
+            *of_profile = [place.component(1), place.component(-1)];
+            (to, next) = (others, next + 1);
+        }
+        components
+    }
+
+    /// Position of the factors of profile `index` of an azimuth; `index` is even.
+    pub(crate) const fn factors_at(&self, azimuth: usize, index: usize) -> usize {
+        let (mut start, mut before) = (0, 0);
+        let mut first = 0;
+        while before < azimuth {
+            let next = self.first_of(before + 1);
+            start += self.factors_of(before, next - first);
+            (first, before) = (next, before + 1);
+        }
+        start + self.factors_of(azimuth, index)
+    }
+
+    const fn factors_of(&self, azimuth: usize, profiles: usize) -> usize {
+        factors(self.degree, self.factored_order(), azimuth, profiles)
+    }
+
+    /// The components of `2 C` profiles of an azimuth, from its profile `index` on: for each two
+    /// profiles those of +m and those of -m. Where there is no profile, there is no component.
+    pub(crate) const fn twos_of<const C: usize>(
+        &self,
+        azimuth: usize,
+        index: usize,
+    ) -> [[[u16; 2]; 2]; C] {
+        let mut components = [[[u16::MAX; 2]; 2]; C];
+        let (mut to, mut next) = (components.as_mut_slice(), self.first_of(azimuth) + index);
+        let end = self.first_of(azimuth + 1);
+        while let [[[a, b], [c, d]], others @ ..] = to {
+            if next < end
+                && let Some(place) = self.profile(next)
+            {
+                [*a, *c] = [place.component(1), place.component(-1)];
+            }
+            if next + 1 < end
+                && let Some(place) = self.profile(next + 1)
+            {
+                [*b, *d] = [place.component(1), place.component(-1)];
+            }
+            (to, next) = (others, next + 2);
+        }
+        components
+    }
+
+    /// The first pass, if there is one.
+    pub(crate) const fn first_pass(&self) -> Option<PassPlace> {
+        self.pass(0, 0, 0)
+    }
+
+    /// The pass that follows another.
+    pub(crate) const fn pass_after(&self, pass: &PassPlace) -> Option<PassPlace> {
+        let slots = LANES * pass.profiles;
+        let degrees = (self.degree + 1).saturating_sub(pass.lowest);
+        self.pass(pass.index + 1, pass.start + degrees * slots, pass.first_slot + slots)
+    }
+
+    /// Pass number `index`.
+    pub(crate) const fn pass_at(&self, index: usize) -> Option<PassPlace> {
+        let mut pass = self.first_pass();
+        let mut left = index;
+        while let Some(before) = pass
+            && left > 0
+        {
+            (pass, left) = (self.pass_after(&before), left - 1);
+        }
+        pass
+    }
+
+    const fn pass(&self, index: usize, start: usize, first_slot: usize) -> Option<PassPlace> {
+        let Some((_, [pass, ..])) = self.passes.split_at_checked(index) else { return None };
+        let (first, profiles) = (pass.first as isize, pass.profiles as usize);
+        let mut slots = [[u16::MAX; LANES]; PASS];
+        let mut to = slots.as_mut_slice();
+        let Some((_, mut rest)) = self.slots.split_at_checked(first_slot) else { return None };
+        while let [slots, others @ ..] = to
+            && let Some((found, more)) = rest.split_first_chunk()
+        {
+            (*slots, to, rest) = (*found, others, more);
+        }
+        let lowest = lowest_degree(first);
+        Some(PassPlace { index, first, lowest, profiles, start, first_slot, slots })
+    }
+
+    /// The first run, if there is one.
+    pub(crate) const fn first_run(&self) -> Option<Run> {
+        self.run(0, 1)
+    }
+
+    /// The run that follows another: of the same order, else of the opposite one, else of the next
+    /// azimuth.
+    pub(crate) const fn run_after(&self, run: &Run) -> Option<Run> {
+        let next = run.first + run.profiles;
+        let azimuth = run.order.unsigned_abs();
+        let sign = if run.order < 0 { -1 } else { 1 };
+        match self.profile(next) {
+            Some(place) if place.azimuth() == azimuth => self.run(next, sign),
+            _ if run.order > 0 => self.run(self.first_of(azimuth), -1),
+            _ => self.run(next, 1),
+        }
+    }
+
+    /// Run number `index`.
+    pub(crate) const fn run_at(&self, index: usize) -> Option<Run> {
+        let mut run = self.first_run();
+        let mut left = index;
+        while let Some(before) = run
+            && left > 0
+        {
+            (run, left) = (self.run_after(&before), left - 1);
+        }
+        run
+    }
+
+    /// The run that begins with this profile.
+    const fn run(&self, first: usize, sign: isize) -> Option<Run> {
+        let Some(place) = self.profile(first) else { return None };
+        let Row { start, step } = place.row(sign);
+        let mut components = [u16::MAX; PASS];
+        let (mut to, mut profiles) = (components.as_mut_slice(), 0);
+        while let [component, others @ ..] = to
+            && let Some(next) = self.profile(first + profiles)
+            && next.azimuth() == place.azimuth()
+            && next.row(sign).step == step
+            && next.row(sign).start as usize == start as usize + LANES * profiles
+        {
+            *component = next.component(sign);
+            (to, profiles) = (others, profiles + 1);
+        }
+        let order = sign * place.azimuth().cast_signed();
+        Some(Run { order, start: start as usize, step: step as usize, profiles, components, first })
+    }
+
+    const fn profile(&self, index: usize) -> Option<&ProfilePlace> {
+        match self.profiles.split_at_checked(index) {
+            Some((_, [place, ..])) => Some(place),
+            _ => None,
+        }
+    }
+
+    /// The number of the first profile of this azimuth.
+    const fn first_of(&self, azimuth: usize) -> usize {
+        let mut first = 0;
+        while let Some(place) = self.profile(first)
+            && place.azimuth() < azimuth
+        {
+            first += 1;
+        }
+        first
+    }
+}

@@ -1,0 +1,33 @@
+//! Tables whose sizes are known when the program is compiled.
+//!
+//! Each step of the runtime is one function of a place, such as [`Run`]: what the table says about
+//! one part of the work. For a table that is known only at run time, a loop asks for one place
+//! after the other. For a [`Shape`] the places are constants, and the compiler specializes the same
+//! function for each of them.
+
+use crate::basis::Basis;
+
+/// A table that is known when the program is compiled.
+pub trait Shape<S: 'static> {
+    /// The basis.
+    const BASIS: &'static Basis<'static, S>;
+}
+
+/// Evaluates `$body` with `$profiles` as a constant from 1 to 8, the largest number of profiles in
+/// a pass.
+macro_rules! by_profiles {
+    ($count:expr, $profiles:ident => $body:expr) => {
+        $crate::shape::by_profiles!(@each $count, $profiles => $body, 1 2 3 4 5 6 7 8)
+    };
+    (@each $count:expr, $profiles:ident => $body:expr, $($number:literal)*) => {
+        match $count {
+            $($number => {
+                const $profiles: usize = $number;
+                $body
+            })*
+            _ => {}
+        }
+    };
+}
+
+pub(crate) use by_profiles;

@@ -1,0 +1,174 @@
+//! Projects a light on a material with all sizes constant: the steps of
+//! [`Basis::project`](crate::Basis::project). Four profiles at once read the scattered material only
+//! once.
+
+use super::Shape;
+use crate::index;
+use crate::index::layout::LANES;
+use crate::index::light::position;
+use crate::lanes;
+use crate::light::Light;
+use crate::material::Material;
+use crate::scalar::Scalar;
+
+/// The coefficients of a light and of a material, if there are exactly `N` and `M`.
+#[inline(always)]
+pub fn inputs<'a, S: Scalar, const N: usize, const M: usize>(
+    light: &Light<'a, S>,
+    material: &Material<'a, S>,
+) -> Option<(&'a [S; N], &'a [S; M])> {
+    Some((light.coefficients().try_into().ok()?, material.coefficients().try_into().ok()?))
+}
+
+/// The sums S_l,pq of one q, for its `P` pairs p = q, q + 2, ...: P x P products of a symmetric
+/// matrix B and rows of Ĉ. Rows run along l and have `G` groups.
+///
+/// Not inlined, so that the sums stay in registers.
+#[inline(never)]
+pub fn scatter<
+    S: Scalar,
+    const Q: usize,
+    const P: usize,
+    const G: usize,
+    const M: usize,
+    const R: usize,
+>(
+    material: &[S; M],
+    polar: &[[[S; LANES]; G]; R],
+    sums: &mut [[[S; LANES]; G]],
+) {
+    let half = S::from_f64(core::f64::consts::FRAC_1_SQRT_2);
+    for p in 0..P {
+        let mut sum = [[S::ZERO; LANES]; G];
+        for o in 0..P {
+            let mode = index::material::position(Q + 2 * p.max(o), Q + 2 * p.min(o), Q);
+            let row = polar.get(index::pair::position(Q + 2 * o, Q));
+            let (Some(&b), Some(row)) = (material.get(mode), row) else { continue };
+            let b = if o == p { b } else { half * b };
+            for (sum, row) in sum.iter_mut().zip(row) {
+                *sum = lanes::multiply_add(*sum, &[b; LANES], row);
+            }
+        }
+        if let Some(to) = sums.get_mut(index::pair::position(Q + 2 * p, Q)) {
+            *to = sum;
+        }
+    }
+}
+
+/// The numbers of a table as `R` rows of `G` groups, if there are enough.
+#[inline(always)]
+pub fn table_rows<S: Scalar, const G: usize, const R: usize>(
+    numbers: &[S],
+) -> Option<&[[[S; LANES]; G]; R]> {
+    let (groups, _) = numbers.as_chunks::<LANES>();
+    groups.as_chunks::<G>().0.first_chunk()
+}
+
+/// Transposes rows over l, one for each pair, to `D` rows over the pairs, one for each l.
+#[inline(always)]
+pub fn transposed<S: Scalar, const V: usize, const D: usize, const G: usize, const R: usize>(
+    sums: &[[[S; LANES]; G]; R],
+) -> [[[S; LANES]; V]; D] {
+    let mut scattering = [[[S::ZERO; LANES]; V]; D];
+    let (columns, _) = sums.as_chunks::<LANES>();
+    for (column, [first, second, third, fourth]) in columns.iter().enumerate() {
+        let lanes = first.as_flattened().iter().zip(second.as_flattened());
+        let lanes = lanes.zip(third.as_flattened().iter().zip(fourth.as_flattened()));
+        for (row, ((&a, &b), (&c, &d))) in scattering.iter_mut().zip(lanes) {
+            if let Some(to) = row.get_mut(column) {
+                *to = [a, b, c, d];
+            }
+        }
+    }
+    scattering
+}
+
+/// L_l^m and (-1)^m L_l^-m for the `L` degrees l from m = `M` on.
+#[inline(always)]
+pub fn lights<S: Scalar, const M: usize, const L: usize, const N: usize>(
+    light: &[S; N],
+) -> [[S; 2]; L] {
+    let mut lights = [[S::ZERO; 2]; L];
+    let order = M.cast_signed();
+    let at = |place: usize| light.get(place).copied().unwrap_or(S::ZERO);
+    for (l, lights) in (M..).zip(&mut lights) {
+        let minus = at(position(l, -order));
+        *lights = [at(position(l, order)), if M % 2 == 1 { -minus } else { minus }];
+    }
+    lights
+}
+
+/// The components of up to `2 C` profiles of azimuth `M`, from number `FIRST` of this azimuth on:
+/// `C` times two profiles, for +m and for -m, before the sum across the lanes.
+///
+/// The rows have `V` groups, for `L` degrees; the scattered material has `D` rows. Not inlined: a
+/// compiler that sees single lanes being read splits the groups.
+#[inline(never)]
+pub fn rows<
+    B: Shape<S>,
+    S: Scalar,
+    const M: usize,
+    const FIRST: usize,
+    const C: usize,
+    const V: usize,
+    const L: usize,
+    const D: usize,
+>(
+    scattering: &[[[S; LANES]; V]; D],
+    lights: &[[S; 2]; L],
+) -> [[lanes::Two<S>; 2]; C] {
+    let factors = const { B::BASIS.parts.factors.split_at(B::BASIS.parts.factors_at(M, FIRST)).1 };
+    let mut sums = [[[S::ZERO; 2 * LANES]; 2]; C];
+    let (factors, _) = factors.as_chunks().0.as_chunks::<V>().0.as_chunks::<L>();
+    let scattering = scattering.get(M..).and_then(|rows| rows.first_chunk::<L>());
+    let Some(rows) = scattering.map(|rows| rows.iter().zip(lights)) else { return sums };
+    // The sums are named, so that they stay in registers.
+    match (factors, sums.as_mut_slice()) {
+        ([a, ..], [of_a]) => {
+            let mut sum = [[S::ZERO; 2 * LANES]; 2];
+            for (a, (scattering, lights)) in a.iter().zip(rows) {
+                sum = lit(sum, &lanes::product(a, scattering), lights);
+            }
+            *of_a = sum;
+        }
+        ([a, b, ..], [of_a, of_b]) => {
+            let mut sums = [[[S::ZERO; 2 * LANES]; 2]; 2];
+            for ((a, b), (scattering, lights)) in a.iter().zip(b).zip(rows) {
+                let (a, b) = (lanes::product(a, scattering), lanes::product(b, scattering));
+                sums = [lit(sums[0], &a, lights), lit(sums[1], &b, lights)];
+            }
+            [*of_a, *of_b] = sums;
+        }
+        _ => {}
+    }
+    sums
+}
+
+/// Adds a row, times the light of +m and of -m, to the sums of two profiles.
+#[inline(always)]
+fn lit<S: Scalar>(
+    [plus, minus]: [lanes::Two<S>; 2],
+    row: &lanes::Two<S>,
+    &[of_plus, of_minus]: &[S; 2],
+) -> [lanes::Two<S>; 2] {
+    let plus = lanes::multiply_add_two(plus, row, &[of_plus; LANES]);
+    [plus, lanes::multiply_add_two(minus, row, &[of_minus; LANES])]
+}
+
+/// Writes the components that [`rows`] computed.
+#[inline(always)]
+pub fn write<B: Shape<S>, S: Scalar, const M: usize, const FIRST: usize, const C: usize>(
+    sums: &[[lanes::Two<S>; 2]; C],
+    coefficients: &mut [S],
+) {
+    let places = const { &B::BASIS.parts.twos_of::<C>(M, FIRST) };
+    for (two, [plus, minus]) in places.iter().zip(sums) {
+        for (components, sums) in two.iter().zip([lanes::sums(*plus), lanes::sums(*minus)]) {
+            for (&component, sum) in components.iter().zip(sums) {
+                if let Some(coefficient) = coefficients.get_mut(usize::from(component)) {
+                    *coefficient = sum;
+                }
+            }
+        }
+    }
+}

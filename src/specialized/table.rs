@@ -1,0 +1,456 @@
+//! What a table's module consists of besides its numbers.
+
+/// The items of a module that holds the numbers of one table. `eigenshade-table` writes the numbers
+/// and the lines that call this macro.
+///
+/// - `table!(sphere)`: constants, types and functions of a table of a sphere. It is followed by the
+///   numbers of profiles of each pass, by the numbers of the runs, and by `functions` that this
+///   macro does not write.
+/// - `table!(general)`: the same for the table of another object.
+/// - `table!(sampled 64)`: functions that sample an image at so many knots.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! table {
+    (sphere passes $([$pass:tt $profiles:literal])* runs $($run:literal)*) => {
+        $crate::table!(@sizes PARTS.components, BASIS.workspace_len(), BASIS);
+        /// The basis; its shape was checked when it was compiled.
+        pub static BASIS: $crate::Basis<'static, f32> = $crate::specialized::basis(PARTS);
+        /// The transfer of a material: see [`eigenshade::Basis::transfer`].
+        ///
+        /// # Errors
+        ///
+        /// The same, except that no capacity can be too small.
+        pub fn transfer(material: &$crate::Material<'_, f32>) -> Result<Transfer, $crate::Error> {
+            BASIS.transfer::<WORKSPACE, TRANSFER>(material)
+        }
+        /// [`project`] for some effects only: see [`eigenshade::Basis::project_effects_into`].
+        ///
+        /// # Errors
+        ///
+        /// The same.
+        pub fn project_effects(
+            light: &$crate::Light<'_, f32>,
+            material: &$crate::Material<'_, f32>,
+            effects: $crate::Effects,
+        ) -> Result<Coefficients, $crate::Error> {
+            BASIS.project_effects::<WORKSPACE, COMPONENTS>(light, material, effects)
+        }
+        /// [`transfer`] for some effects only: see [`eigenshade::Basis::transfer_effects_into`].
+        ///
+        /// # Errors
+        ///
+        /// The same.
+        pub fn transfer_effects(
+            material: &$crate::Material<'_, f32>,
+            effects: $crate::Effects,
+        ) -> Result<Transfer, $crate::Error> {
+            BASIS.transfer_effects::<WORKSPACE, TRANSFER>(material, effects)
+        }
+        /// An estimate of the coefficients d from pixels.
+        pub type Estimate = $crate::Estimate<'static, f32, COMPONENTS>;
+        /// Starts an estimate from pixels: see [`eigenshade::Basis::estimate`].
+        ///
+        /// # Errors
+        ///
+        /// None: the capacity is that of this table.
+        pub fn estimate() -> Result<Estimate, $crate::Error> {
+            BASIS.estimate()
+        }
+        /// The scene of some coefficients with as few terms as a tolerance allows: see
+        /// [`eigenshade::Basis::collapse_within`]. `lengths` receives the lengths of its
+        /// polynomials.
+        ///
+        /// # Errors
+        ///
+        /// [`Error::Tolerance`](eigenshade::Error::Tolerance) unless the tolerance is above zero.
+        pub fn collapse_within<'l>(
+            coefficients: &Coefficients,
+            tolerance: $crate::Tolerance<f32>,
+            lengths: &'l mut [u16; DEGREE + 1],
+        ) -> Result<(Truncated<'l>, $crate::Truncation<f32>), $crate::Error> {
+            let buffer = $crate::SceneBuffer::from([0.0; SCENE]);
+            BASIS.collapse_within(coefficients, tolerance, lengths, buffer)
+        }
+        /// A scene with fewer terms than a [`Scene`].
+        pub type Truncated<'l> = $crate::Scene<'l, $crate::SceneBuffer<f32, SCENE>>;
+        /// A new light on a transferred material: see [`eigenshade::Basis::relight`].
+        ///
+        /// # Errors
+        ///
+        /// The same, except that no capacity can be too small.
+        pub fn relight(
+            transfer: &Transfer,
+            light: &$crate::Light<'_, f32>,
+        ) -> Result<Coefficients, $crate::Error> {
+            let Some(inputs) = $crate::specialized::relight::inputs(transfer, light) else {
+                return BASIS.relight(transfer, light);
+            };
+            let mut coefficients = [0.0; COMPONENTS];
+            relight_whole(inputs, &mut coefficients);
+            Ok(coefficients.into())
+        }
+        /// [`relight`] into existing coefficients, without moving them.
+        ///
+        /// # Errors
+        ///
+        /// The same; `coefficients` is then left unspecified.
+        pub fn relight_into(
+            transfer: &Transfer,
+            light: &$crate::Light<'_, f32>,
+            coefficients: &mut Coefficients,
+        ) -> Result<(), $crate::Error> {
+            let inputs = $crate::specialized::relight::inputs(transfer, light);
+            if let (Some(inputs), Ok(d)) = (inputs, coefficients.as_mut_slice().try_into()) {
+                relight_whole(inputs, d);
+                return Ok(());
+            }
+            relight_generally(transfer, light, coefficients)
+        }
+        #[cold]
+        #[inline(never)]
+        fn relight_generally(
+            transfer: &Transfer,
+            light: &$crate::Light<'_, f32>,
+            coefficients: &mut Coefficients,
+        ) -> Result<(), $crate::Error> {
+            *coefficients = BASIS.relight(transfer, light)?;
+            Ok(())
+        }
+        /// Relights, for a light of this table's degree.
+        #[inline(always)]
+        fn relight_whole(
+            (transfer, light): (&[f32; TRANSFER], &[f32; LIGHT]),
+            d: &mut [f32; COMPONENTS],
+        ) {
+            use $crate::specialized::relight;
+            if relight::GROUPS {
+                // All sums first: between the calls, components would be spilled one by one.
+                let sums =
+                    ($(relight::sums::<Shape, f32, $pass, $profiles, TRANSFER, LIGHT>(transfer, light),)*);
+                $(relight::write::<Shape, f32, $pass, $profiles, COMPONENTS>(&sums.$pass, d);)*
+            } else {
+                $(relight::run::<Shape, f32, $run, TRANSFER, LIGHT, COMPONENTS>(
+                    transfer, light, d,
+                );)*
+            }
+            $crate::specialized::subtract(d, PARTS.mean_coefficients);
+        }
+    };
+    (general) => {
+        $crate::table!(
+            @sizes GENERAL.components, BASIS.workspace_len(), SPAN
+        );
+        /// The span of the basis; its shape was checked when it was compiled.
+        pub static SPAN: $crate::Basis<'static, f32> = $crate::specialized::basis(PARTS);
+        /// The basis; its shape was checked when it was compiled.
+        pub static BASIS: $crate::GeneralBasis<'static, f32> =
+            $crate::specialized::general_basis(SPAN, GENERAL);
+        /// d = UᵀMc: see [`eigenshade::GeneralBasis::project`].
+        ///
+        /// # Errors
+        ///
+        /// The same, except that no capacity can be too small.
+        pub fn project(
+            light: &$crate::Light<'_, f32>,
+            material: &$crate::Material<'_, f32>,
+        ) -> Result<Coefficients, $crate::Error> {
+            BASIS.project::<WORKSPACE, COMPONENTS>(light, material)
+        }
+        /// The transfer of a material in the span: see [`eigenshade::Basis::transfer`].
+        ///
+        /// # Errors
+        ///
+        /// The same, except that no capacity can be too small.
+        pub fn transfer(material: &$crate::Material<'_, f32>) -> Result<Transfer, $crate::Error> {
+            SPAN.transfer::<WORKSPACE, TRANSFER>(material)
+        }
+        /// A new light on a transferred material: see [`eigenshade::GeneralBasis::relight`].
+        ///
+        /// # Errors
+        ///
+        /// The same, except that no capacity can be too small.
+        pub fn relight(
+            transfer: &Transfer,
+            light: &$crate::Light<'_, f32>,
+        ) -> Result<Coefficients, $crate::Error> {
+            BASIS.relight::<TRANSFER, WORKSPACE, COMPONENTS>(transfer, light)
+        }
+        /// Sums the eigenimages azimuth by azimuth: see
+        /// [`eigenshade::GeneralBasis::collapse`].
+        ///
+        /// # Errors
+        ///
+        /// The same, except that no capacity can be too small.
+        pub fn collapse(coefficients: &Coefficients) -> Result<Scene, $crate::Error> {
+            BASIS.collapse::<WORKSPACE, SCENE>(coefficients).map(Scene)
+        }
+    };
+    (project scatter $([$q:literal $pairs:literal])*
+        $(azimuth $azimuth:literal $([$first:literal $twos:literal])*)*) => {
+        /// d = UᵀMc: see [`eigenshade::Basis::project`].
+        ///
+        /// # Errors
+        ///
+        /// The same, except that no capacity can be too small.
+        pub fn project(
+            light: &$crate::Light<'_, f32>,
+            material: &$crate::Material<'_, f32>,
+        ) -> Result<Coefficients, $crate::Error> {
+            use $crate::index::{layout, material, pair};
+            use $crate::specialized::project;
+            const LANES: usize = layout::LANES;
+            const MODES: usize = material::count(ORDER);
+            const PAIRS: usize = pair::count(ORDER);
+            const PADDED: usize = layout::row(ORDER);
+            const GROUPS: usize = layout::groups(DEGREE);
+            let inputs = project::inputs::<f32, LIGHT, MODES>(light, material);
+            let polar = project::table_rows::<f32, GROUPS, PAIRS>(PARTS.polar);
+            let (Some((light, material)), Some(polar)) = (inputs, polar) else {
+                return BASIS.project::<WORKSPACE, COMPONENTS>(light, material);
+            };
+            let mut sums = [[[0.0; LANES]; GROUPS]; PADDED];
+            $(project::scatter::<f32, $q, $pairs, GROUPS, MODES, PAIRS>(material, polar, &mut sums);)*
+            let scattering = project::transposed::<
+                f32, { PADDED / LANES }, { DEGREE + 1 }, GROUPS, PADDED,
+            >(&sums);
+            let mut d = [0.0; COMPONENTS];
+            $(
+                let lights = project::lights::<f32, $azimuth, { DEGREE + 1 - $azimuth }, LIGHT>(light);
+                $(
+                    let rows = project::rows::<
+                        Shape, f32, $azimuth, $first, $twos, { PADDED / LANES },
+                        { DEGREE + 1 - $azimuth }, { DEGREE + 1 },
+                    >(&scattering, &lights);
+                    project::write::<Shape, f32, $azimuth, $first, $twos>(&rows, &mut d);
+                )*
+            )*
+            $crate::specialized::subtract(&mut d, PARTS.mean_coefficients);
+            Ok(d.into())
+        }
+    };
+    (project by basis) => {
+        /// d = UᵀMc: see [`eigenshade::Basis::project`].
+        ///
+        /// # Errors
+        ///
+        /// The same, except that no capacity can be too small.
+        pub fn project(
+            light: &$crate::Light<'_, f32>,
+            material: &$crate::Material<'_, f32>,
+        ) -> Result<Coefficients, $crate::Error> {
+            BASIS.project::<WORKSPACE, COMPONENTS>(light, material)
+        }
+    };
+    (collapse $([$azimuth:literal $profiles:literal])*) => {
+        /// Sums the components of each azimuth: see [`eigenshade::Basis::collapse`].
+        ///
+        /// # Errors
+        ///
+        /// The same, except that no capacity can be too small.
+        pub fn collapse(coefficients: &Coefficients) -> Result<Scene, $crate::Error> {
+            let mut scene = Scene($crate::specialized::blank_scene(PARTS.lengths));
+            collapse_into(coefficients, &mut scene)?;
+            Ok(scene)
+        }
+        /// [`collapse`] into an existing scene, without moving it.
+        ///
+        /// # Errors
+        ///
+        /// The same; `scene` is then unchanged.
+        pub fn collapse_into(
+            coefficients: &Coefficients,
+            scene: &mut Scene,
+        ) -> Result<(), $crate::Error> {
+            let d: Result<&[f32; COMPONENTS], _> = coefficients.as_slice().try_into();
+            let terms = $crate::specialized::scene_mut(&mut scene.0, PARTS.lengths);
+            if let (Ok(d), Some(terms)) = (d, terms) {
+                $($crate::specialized::collapse::<Shape, f32, $azimuth, $profiles, COMPONENTS, SCENE>(
+                    d, terms,
+                );)*
+                return Ok(());
+            }
+            collapse_generally(coefficients, scene)
+        }
+        #[cold]
+        #[inline(never)]
+        fn collapse_generally(
+            coefficients: &Coefficients,
+            scene: &mut Scene,
+        ) -> Result<(), $crate::Error> {
+            *scene = Scene(BASIS.collapse::<SCENE>(coefficients)?);
+            Ok(())
+        }
+    };
+    (collapse by basis) => {
+        /// Sums the components of each azimuth: see [`eigenshade::Basis::collapse`].
+        ///
+        /// # Errors
+        ///
+        /// The same, except that no capacity can be too small.
+        pub fn collapse(coefficients: &Coefficients) -> Result<Scene, $crate::Error> {
+            BASIS.collapse::<SCENE>(coefficients).map(Scene)
+        }
+        /// [`collapse`] into an existing scene.
+        ///
+        /// # Errors
+        ///
+        /// The same; `scene` is then unchanged.
+        pub fn collapse_into(
+            coefficients: &Coefficients,
+            scene: &mut Scene,
+        ) -> Result<(), $crate::Error> {
+            *scene = collapse(coefficients)?;
+            Ok(())
+        }
+    };
+    (shade $($azimuth:literal)*) => {
+        $crate::table!(@shade &'s [f32; SCENE], |scene| {
+            $crate::specialized::scene::<f32, _, SCENE>(scene, PARTS.lengths)
+        });
+        /// The irradiance of one normal from the [`terms`] of a scene: bit for bit that of
+        /// [`shade`].
+        #[doc(hidden)]
+        #[inline]
+        #[must_use]
+        pub fn shade_terms(terms: &[f32; SCENE], normal: $crate::Normal<f32>) -> f32 {
+            let above = None;
+            $(let above =
+                $crate::specialized::azimuth::<Shape, f32, $azimuth, SCENE>(terms, normal, above);)*
+            $crate::specialized::pole::<Shape, f32, SCENE>(terms, normal, above)
+        }
+    };
+    (shade nine terms) => {
+        $crate::table!(@shade $crate::NineTerms<f32>, |scene| scene.nine_terms());
+        /// The irradiance of one normal from the [`terms`] of a scene: bit for bit that of
+        /// [`shade`].
+        #[doc(hidden)]
+        #[inline]
+        #[must_use]
+        pub fn shade_terms(terms: $crate::NineTerms<f32>, normal: $crate::Normal<f32>) -> f32 {
+            terms.shade(normal)
+        }
+    };
+    (@shade $terms:ty, |$scene:ident| $found:expr) => {
+        impl Scene {
+            /// The irradiance of one normal: see [`eigenshade::Scene::shade`], with every
+            /// length a constant.
+            #[inline]
+            #[must_use]
+            pub fn shade(&self, normal: $crate::Normal<f32>) -> f32 {
+                shade(&self.0, normal)
+            }
+        }
+        /// [`Scene::shade`] for a scene in a buffer of any type, of any basis.
+        #[doc(hidden)]
+        #[inline]
+        #[must_use]
+        pub fn shade<B: AsRef<[f32]>>(
+            scene: &$crate::Scene<'_, B>,
+            normal: $crate::Normal<f32>,
+        ) -> f32 {
+            match terms(scene) {
+                Some(terms) => shade_terms(terms, normal),
+                None => $crate::specialized::shade(scene, normal),
+            }
+        }
+        /// The polynomials of a scene, for [`shade_terms`]; `None` for a scene of another basis. A
+        /// loop over pixels asks once instead of at each pixel.
+        #[doc(hidden)]
+        #[inline]
+        #[must_use]
+        pub fn terms<'s, B: AsRef<[f32]>>($scene: &'s $crate::Scene<'_, B>) -> Option<$terms> {
+            $found
+        }
+    };
+    (shade by scene) => {
+        /// [`eigenshade::Scene::shade`].
+        #[inline]
+        #[must_use]
+        pub fn shade<B: AsRef<[f32]>>(
+            scene: &$crate::Scene<'_, B>,
+            normal: $crate::Normal<f32>,
+        ) -> f32 {
+            scene.shade(normal)
+        }
+    };
+    (sampled $knots:literal) => {
+        /// Knots of a [`SampledScene`].
+        pub const KNOTS: usize = $knots;
+        /// Numbers in a [`SampledScene`].
+        pub const SAMPLES: usize = $crate::specialized::samples(PARTS.lengths, KNOTS);
+        /// One image, sampled.
+        pub type SampledScene =
+            $crate::SampledScene<f32, $crate::SampledBuffer<f32, SAMPLES>>;
+        /// Samples an image: see [`eigenshade::Scene::sampled`].
+        ///
+        /// # Errors
+        ///
+        /// Never: the capacity and the number of knots are those of this table.
+        pub fn sampled(scene: &Scene) -> Result<SampledScene, $crate::Error> {
+            scene.sampled::<f32, SAMPLES>(KNOTS)
+        }
+    };
+    (@sizes $components:expr, $workspace:expr, $basis:expr) => {
+        /// The sizes of this table.
+        struct Shape;
+        impl $crate::specialized::Shape<f32> for Shape {
+            const BASIS: &'static $crate::Basis<'static, f32> = &$basis;
+        }
+        /// Largest degree l of the light.
+        pub const DEGREE: usize = PARTS.degree;
+        /// Largest order o of the BRDF.
+        pub const ORDER: usize = PARTS.order;
+        /// Number of components K.
+        pub const COMPONENTS: usize = $components;
+        /// Numbers in the workspace of a projection.
+        pub const WORKSPACE: usize = $workspace;
+        /// Numbers in a [`Transfer`].
+        pub const TRANSFER: usize = $basis.transfer_len();
+        /// Numbers in a [`Scene`].
+        pub const SCENE: usize = $basis.scene_len();
+        /// Number of coefficients of a light.
+        pub const LIGHT: usize = (DEGREE + 1) * (DEGREE + 1);
+        /// The coefficients d of one image.
+        pub type Coefficients = $crate::Coefficients<f32, COMPONENTS>;
+        /// The transfer of one material.
+        pub type Transfer = $crate::Transfer<f32, TRANSFER>;
+        /// A scene of this table's size.
+        type Collapsed = $crate::Scene<'static, $crate::SceneBuffer<f32, SCENE>>;
+        /// One image, ready to be shaded. It dereferences to an [`eigenshade::Scene`].
+        #[derive(Clone, Debug, PartialEq)]
+        pub struct Scene(Collapsed);
+        impl core::ops::Deref for Scene {
+            type Target = Collapsed;
+            #[inline]
+            fn deref(&self) -> &Collapsed {
+                &self.0
+            }
+        }
+        /// Coefficients of a light of this table's degree.
+        pub type LightBuffer = $crate::LightBuffer<f32, LIGHT>;
+        /// The coefficients of a light after rotation: see [`eigenshade::Light::turned`].
+        ///
+        /// # Errors
+        ///
+        /// [`Error::Capacity`](eigenshade::Error::Capacity) if the light has a higher degree than
+        /// this table.
+        pub fn turned(
+            light: &$crate::Light<'_, f32>,
+            rotation: &$crate::Rotation<f32>,
+        ) -> Result<LightBuffer, $crate::Error> {
+            light.turned::<LIGHT, { $crate::Light::<f32>::turn_len(DEGREE) }>(rotation)
+        }
+        /// The coefficients of a light after a window: see [`eigenshade::Light::windowed`].
+        ///
+        /// # Errors
+        ///
+        /// [`Error::Capacity`](eigenshade::Error::Capacity) if the light has a higher degree than
+        /// this table.
+        pub fn windowed(
+            light: &$crate::Light<'_, f32>,
+            window: $crate::Window<f32>,
+        ) -> Result<LightBuffer, $crate::Error> {
+            light.windowed::<$crate::mathematics::SinglePrecision, LIGHT>(window)
+        }
+    };
+}
