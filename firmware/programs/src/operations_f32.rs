@@ -5,7 +5,7 @@
 
 use board::{Passes, holds, measure};
 use core::hint::black_box;
-use eigenshade::{BakedMap, Light, MapPoint, NineTerms, Tolerance, specialized};
+use eigenshade::{BakedMap, Light, MapPoint, NineTerms, Tolerance};
 use programs::inputs::floats as inputs;
 use table::{COMPONENTS, Coefficients, DEGREE, SCENE, Transfer};
 
@@ -14,7 +14,7 @@ programs::program!();
 /// A pixel of a scene.
 fn shade() {
     let numbers = inputs::numbers::<COMPONENTS>();
-    let Ok(scene) = table::collapse(&specialized::coefficients(numbers, &[])) else {
+    let Ok(scene) = table::collapse(&Coefficients::from(numbers)) else {
         board::exit(false)
     };
     let scene = black_box(scene);
@@ -43,7 +43,7 @@ fn relight() {
 
 /// The coefficients of an image to its scene.
 fn collapse() {
-    let coefficients = specialized::coefficients(inputs::numbers(), &[]);
+    let coefficients = Coefficients::from(inputs::numbers());
     let Ok(mut scene) = table::collapse(&coefficients) else { board::exit(false) };
     holds(size_of_val(&coefficients) + size_of_val(&scene));
     measure(&[coefficients], Passes(256), |coefficients| {
@@ -56,7 +56,7 @@ fn relight_collapse() {
     let material = inputs::numbers::<40>();
     let Ok(transfer) = table::transfer(&inputs::material(&material)) else { board::exit(false) };
     let transfer = black_box(transfer);
-    let mut coefficients = specialized::coefficients(inputs::numbers::<COMPONENTS>(), &[]);
+    let mut coefficients = Coefficients::from(inputs::numbers::<COMPONENTS>());
     let Ok(mut scene) = table::collapse(&coefficients) else { board::exit(false) };
     holds(size_of_val(&transfer) + size_of_val(&coefficients) + size_of_val(&scene));
     measure(&[inputs::numbers::<100>()], Passes(256), |light| {

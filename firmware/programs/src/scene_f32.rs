@@ -19,7 +19,7 @@ fn main() {
     let Ok(transfer) = table::transfer(&inputs::material(&material)) else { board::exit(false) };
     let transfer = black_box(transfer);
     let numbers = inputs::numbers::<COMPONENTS>();
-    let mut d = eigenshade::specialized::coefficients(numbers, &[]);
+    let mut d = table::Coefficients::from(numbers);
     let mut scenes = [(); CHANNELS].map(|()| match table::collapse(&d) {
         Ok(scene) => scene,
         Err(_) => board::exit(false),
