@@ -17,7 +17,7 @@ use crate::light::Light;
 use crate::places::{PassPlace, Run};
 use crate::projection::Coefficients;
 use crate::scalar::Scalar;
-use crate::shape::{Shape, by_profiles};
+use crate::shape::Shape;
 use crate::transfer::Transfer;
 
 /// Whether the target computes with groups of numbers.
@@ -29,6 +29,23 @@ pub const GROUPS: bool = cfg!(any(
     target_feature = "neon",
     target_feature = "v"
 ));
+
+/// Evaluates `$body` with `$profiles` as a constant from 1 to 8, the largest number of profiles in
+/// a pass.
+macro_rules! by_profiles {
+    ($count:expr, $profiles:ident => $body:expr) => {
+        by_profiles!(@each $count, $profiles => $body, 1 2 3 4 5 6 7 8)
+    };
+    (@each $count:expr, $profiles:ident => $body:expr, $($number:literal)*) => {
+        match $count {
+            $($number => {
+                const $profiles: usize = $number;
+                $body
+            })*
+            _ => {}
+        }
+    };
+}
 
 impl<S: Scalar> Basis<'_, S> {
     /// Computes d for a new light on a material whose transfer is known, with one multiplication
@@ -110,6 +127,7 @@ pub fn write<B: Shape<S>, S: Scalar, const I: usize, const P: usize, const K: us
     write_pass(const { &pass_of::<B, S>(I) }, sums, coefficients);
 }
 
+#[expect(clippy::panic, reason = "while the program is compiled")]
 const fn pass_of<B: Shape<S>, S: 'static>(index: usize) -> PassPlace {
     match B::BASIS.parts.pass_at(index) {
         Some(place) => place,
@@ -117,6 +135,7 @@ const fn pass_of<B: Shape<S>, S: 'static>(index: usize) -> PassPlace {
     }
 }
 
+#[expect(clippy::panic, reason = "while the program is compiled")]
 const fn run_of<B: Shape<S>, S: 'static>(index: usize) -> Run {
     match B::BASIS.parts.run_at(index) {
         Some(run) => run,

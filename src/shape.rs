@@ -12,22 +12,3 @@ pub trait Shape<S: 'static> {
     /// The basis.
     const BASIS: &'static Basis<'static, S>;
 }
-
-/// Evaluates `$body` with `$profiles` as a constant from 1 to 8, the largest number of profiles in
-/// a pass.
-macro_rules! by_profiles {
-    ($count:expr, $profiles:ident => $body:expr) => {
-        $crate::shape::by_profiles!(@each $count, $profiles => $body, 1 2 3 4 5 6 7 8)
-    };
-    (@each $count:expr, $profiles:ident => $body:expr, $($number:literal)*) => {
-        match $count {
-            $($number => {
-                const $profiles: usize = $number;
-                $body
-            })*
-            _ => {}
-        }
-    };
-}
-
-pub(crate) use by_profiles;

@@ -172,12 +172,15 @@ fn general_record(components: usize) -> String {
 
 /// The passes and runs of a transfer.
 fn sphere(parts: &Parts) -> String {
-    let passes: Vec<String> = parts
-        .passes
-        .iter()
-        .enumerate()
-        .map(|(index, pass)| format!("[{index} {}]", pass.profiles))
-        .collect();
+    let (mut passes, mut slots) = (Vec::new(), parts.slots.as_slice());
+    for (index, pass) in parts.passes.iter().enumerate() {
+        let (of_pass, rest) = slots.split_at(usize::from(pass.profiles) * layout::LANES);
+        // Its profiles may serve other orders alone, where +m is the last component.
+        if of_pass.iter().any(|&slot| slot != NONE) {
+            passes.push(format!("[{} {index} {}]", passes.len(), pass.profiles));
+        }
+        slots = rest;
+    }
     // Rows of one pass stand side by side.
     let runs = |rows: Vec<Row>| {
         let next = |a: &Row, b: &Row| b.step == a.step && b.start == a.start + layout::LANES as u32;
