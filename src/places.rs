@@ -34,10 +34,10 @@ pub(crate) struct Run {
     /// Distance from one degree to the next. One profile is [`LANES`] from the next.
     pub(crate) step: usize,
     pub(crate) profiles: usize,
-    /// The number of each profile's component.
-    pub(crate) components: [u16; PASS],
     /// The number of its first profile.
     pub(crate) first: usize,
+    /// The number of the first profile of this azimuth.
+    of_azimuth: usize,
 }
 
 /// The place of an azimuth |m|.
@@ -164,19 +164,19 @@ impl<S> Parts<'_, S> {
 
     /// The first run, if there is one.
     pub(crate) const fn first_run(&self) -> Option<Run> {
-        self.run(0, 1)
+        self.run(0, 0, 1)
     }
 
     /// The run that follows another: of the same order, else of the opposite one, else of the next
     /// azimuth.
     pub(crate) const fn run_after(&self, run: &Run) -> Option<Run> {
         let next = run.first + run.profiles;
-        let azimuth = run.order.unsigned_abs();
-        let sign = if run.order < 0 { -1 } else { 1 };
         match self.profile(next) {
-            Some(place) if place.azimuth() == azimuth => self.run(next, sign),
-            _ if run.order > 0 => self.run(self.first_of(azimuth), -1),
-            _ => self.run(next, 1),
+            Some(place) if place.azimuth() == run.order.unsigned_abs() => {
+                self.run(next, run.of_azimuth, run.order.signum() | 1)
+            }
+            _ if run.order > 0 => self.run(run.of_azimuth, run.of_azimuth, -1),
+            _ => self.run(next, next, 1),
         }
     }
 
@@ -193,22 +193,43 @@ impl<S> Parts<'_, S> {
     }
 
     /// The run that begins with this profile.
-    const fn run(&self, first: usize, sign: isize) -> Option<Run> {
-        let Some(place) = self.profile(first) else { return None };
+    const fn run(&self, first: usize, of_azimuth: usize, sign: isize) -> Option<Run> {
+        let Some((_, [place, rest @ ..])) = self.profiles.split_at_checked(first) else {
+            return None;
+        };
         let Row { start, step } = place.row(sign);
-        let mut components = [u16::MAX; PASS];
-        let (mut to, mut profiles) = (components.as_mut_slice(), 0);
-        while let [component, others @ ..] = to
-            && let Some(next) = self.profile(first + profiles)
-            && next.azimuth() == place.azimuth()
+        let (mut rest, mut profiles) = (rest, 1);
+        while let [next, others @ ..] = rest
+            && next.azimuth == place.azimuth
             && next.row(sign).step == step
-            && next.row(sign).start as usize == start as usize + LANES * profiles
+            && next.row(sign).start == start + (LANES * profiles) as u32
+            && profiles < PASS
         {
-            *component = next.component(sign);
-            (to, profiles) = (others, profiles + 1);
+            (rest, profiles) = (others, profiles + 1);
         }
         let order = sign * place.azimuth().cast_signed();
-        Some(Run { order, start: start as usize, step: step as usize, profiles, components, first })
+        let (start, step) = (start as usize, step as usize);
+        Some(Run { order, start, step, profiles, first, of_azimuth })
+    }
+
+    /// The components of a run.
+    pub(crate) fn components_of_run(&self, run: &Run) -> impl Iterator<Item = u16> {
+        let profiles = self.profiles.get(run.first..).unwrap_or_default();
+        let order = run.order;
+        profiles.iter().map(move |place| place.component(order))
+    }
+
+    /// The components of a run of `P` profiles.
+    pub(crate) const fn run_components<const P: usize>(&self, run: &Run) -> [u16; P] {
+        let mut components = [u16::MAX; P];
+        let (mut to, mut next) = (components.as_mut_slice(), run.first);
+        while let [component, others @ ..] = to
+            && let Some(place) = self.profile(next)
+        {
+            *component = place.component(run.order);
+            (to, next) = (others, next + 1);
+        }
+        components
     }
 
     const fn profile(&self, index: usize) -> Option<&ProfilePlace> {

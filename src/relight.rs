@@ -10,7 +10,7 @@
 use crate::basis::Basis;
 use crate::buffer::zeros;
 use crate::error::{Argument, Error};
-use crate::index::layout::{LANES, PASS};
+use crate::index::layout::LANES;
 use crate::index::light::position;
 use crate::lanes;
 use crate::light::Light;
@@ -98,8 +98,8 @@ impl<S: Scalar> Basis<'_, S> {
             while let Some(run) = next {
                 let degrees = (degree + 1).saturating_sub(run.order.unsigned_abs());
                 by_profiles!(run.profiles, P => {
-                    let run = Run { profiles: P, ..run };
-                    write_run(&run, degrees, transfer, light, coefficients);
+                    let sums = run_sums::<S, P>(&run, degrees, transfer, light);
+                    write_run(self.parts.components_of_run(&run), sums, coefficients);
                 });
                 next = self.parts.run_after(&run);
             }
@@ -222,7 +222,7 @@ fn write_pass<S: Scalar>(pass: &PassPlace, sums: &[[S; LANES]], coefficients: &m
     }
 }
 
-/// Writes the components of run number `I`.
+/// Writes the components of run number `I`, which has `P` profiles.
 ///
 /// Not inlined: a compiler that sees several orders at once runs out of registers.
 #[inline(never)]
@@ -230,6 +230,7 @@ pub fn run<
     B: Shape<S>,
     S: Scalar,
     const I: usize,
+    const P: usize,
     const T: usize,
     const N: usize,
     const K: usize,
@@ -240,29 +241,44 @@ pub fn run<
 ) {
     let run = const { &run_of::<B, S>(I) };
     let degrees = const { B::BASIS.parts.degree + 1 - run_of::<B, S>(I).order.unsigned_abs() };
-    write_run(run, degrees, transfer, light, coefficients);
+    let components = const { B::BASIS.parts.run_components::<P>(&run_of::<B, S>(I)) };
+    let sums = run_sums::<S, P>(run, degrees, transfer, light);
+    write_run(components, sums, coefficients);
 }
 
-/// Writes the components of a run, from sums over this many degrees.
+/// The sums of a run of `P` profiles, over this many degrees.
 #[inline(always)]
-fn write_run<S: Scalar>(
+fn run_sums<S: Scalar, const P: usize>(
     run: &Run,
     degrees: usize,
     transfer: &[S],
     light: &[S],
+) -> [S; P] {
+    let mut sums = [S::ZERO; P];
+    let (groups, _) = transfer.as_chunks::<LANES>();
+    let (mut at, lane) = (run.start / LANES, run.start % LANES);
+    let lowest = run.order.unsigned_abs();
+    let mut of_light = position(lowest, run.order);
+    for l in lowest..lowest + degrees {
+        let groups = groups.get(at..).and_then(<[_]>::first_chunk::<P>);
+        let (Some(&light), Some(groups)) = (light.get(of_light), groups) else { break };
+        for (sum, group) in sums.iter_mut().zip(groups) {
+            let number = group.get(lane).copied().unwrap_or(S::ZERO);
+            *sum = if l == lowest { number * light } else { sum.add_product(number, light) };
+        }
+        (at, of_light) = (at + run.step / LANES, of_light + 2 * l + 2);
+    }
+    sums
+}
+
+/// Writes the sums of a run to their components.
+#[inline(always)]
+fn write_run<S: Scalar, const P: usize>(
+    components: impl IntoIterator<Item = u16>,
+    sums: [S; P],
     coefficients: &mut [S],
 ) {
-    let mut sums = [S::ZERO; PASS];
-    for l in 0..degrees {
-        let degree = run.order.unsigned_abs() + l;
-        let light = light.get(position(degree, run.order)).copied().unwrap_or(S::ZERO);
-        for (profile, sum) in sums.iter_mut().enumerate().take(run.profiles) {
-            if let Some(&number) = transfer.get(run.start + l * run.step + LANES * profile) {
-                *sum = if l == 0 { number * light } else { sum.add_product(number, light) };
-            }
-        }
-    }
-    for (&component, sum) in run.components.iter().zip(sums).take(run.profiles) {
+    for (sum, component) in sums.into_iter().zip(components) {
         if let Some(coefficient) = coefficients.get_mut(usize::from(component)) {
             *coefficient = sum;
         }

@@ -11,7 +11,7 @@
 #[doc(hidden)]
 #[macro_export]
 macro_rules! table {
-    (sphere passes $([$number:tt $pass:literal $profiles:literal])* runs $($run:literal)*) => {
+    (sphere passes $([$number:tt $pass:literal $profiles:literal])* runs $([$run:literal $rows:literal])*) => {
         $crate::table!(@sizes PARTS.components, BASIS.workspace_len(), BASIS);
         /// The basis; its shape was checked when it was compiled.
         pub static BASIS: $crate::Basis<'static, f32> = $crate::specialized::basis(PARTS);
@@ -129,7 +129,7 @@ macro_rules! table {
                     ($(relight::sums::<Shape, f32, $pass, $profiles, TRANSFER, LIGHT>(transfer, light),)*);
                 $(relight::write::<Shape, f32, $pass, $profiles, COMPONENTS>(&sums.$number, d);)*
             } else {
-                $(relight::run::<Shape, f32, $run, TRANSFER, LIGHT, COMPONENTS>(
+                $(relight::run::<Shape, f32, $run, $rows, TRANSFER, LIGHT, COMPONENTS>(
                     transfer, light, d,
                 );)*
             }

@@ -181,17 +181,21 @@ fn sphere(parts: &Parts) -> String {
         }
         slots = rest;
     }
-    // Rows of one pass stand side by side.
-    let runs = |rows: Vec<Row>| {
-        let next = |a: &Row, b: &Row| b.step == a.step && b.start == a.start + layout::LANES as u32;
-        rows.chunk_by(next).count()
-    };
-    let of_azimuth = parts.profiles.chunk_by(|a, b| a.azimuth == b.azimuth).map(|profiles| {
-        let plus = runs(profiles.iter().map(|place| place.plus_row).collect());
-        let minus = runs(profiles.iter().map(|place| place.minus_row).collect());
-        if profiles[0].azimuth == 0 { plus } else { plus + minus }
-    });
-    let runs: Vec<String> = (0..of_azimuth.sum::<usize>()).map(|run| run.to_string()).collect();
+    let mut runs = Vec::new();
+    for profiles in parts.profiles.chunk_by(|a, b| a.azimuth == b.azimuth) {
+        let signs: [fn(&ProfilePlace) -> Row; 2] =
+            [|place| place.plus_row, |place| place.minus_row];
+        for row in &signs[..if profiles[0].azimuth == 0 { 1 } else { 2 }] {
+            // Rows of one pass stand side by side.
+            let next = |a: &ProfilePlace, b: &ProfilePlace| {
+                let (a, b) = (row(a), row(b));
+                b.step == a.step && b.start == a.start + layout::LANES as u32
+            };
+            for run in profiles.chunk_by(next) {
+                runs.push(format!("[{} {}]", runs.len(), run.len()));
+            }
+        }
+    }
     format!("sphere passes {} runs {}", passes.join(" "), runs.join(" "))
 }
 
