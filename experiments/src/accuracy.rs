@@ -7,7 +7,7 @@ use crate::ring_sum::RingSum;
 use eigenshade_generator::direct::Surroundings;
 use eigenshade_generator::material::brdf::{Brdf, Measure, Surface};
 use eigenshade_index::{light, material};
-use eigenshade_model::database::Lights;
+use eigenshade_model::database::{Lights, Named};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::reference::DirectSum;
 use eigenshade_shading::owned_basis::OwnedBasis;
@@ -91,9 +91,14 @@ impl<'a> Reference<'a> {
     }
 
     /// The error for each map of the direct sum (15) up to a degree and an order. `lights` are the
-    /// projections of the maps and must reach the degree.
-    pub fn of_sum(&self, lights: &Lights, degree: usize, order: usize) -> Vec<f64> {
-        let material = self.surface.project(order, Measure::Projected).material;
+    /// projections of the maps and must reach the degree; `material` is that of the surface, of
+    /// this order.
+    pub fn of_sum(
+        &self,
+        lights: &Lights,
+        (degree, order): (usize, usize),
+        material: &Named,
+    ) -> Vec<f64> {
         let sum = DirectSum::new(degree, order);
         let count = light::count(degree);
         let images = parallel::map(self.rings.len(), &(), |k| {

@@ -1,7 +1,9 @@
 //! BRDFs as functions, and their projection, against what shares no code with it.
 
 use crate::tolerances;
-use eigenshade_generator::material::brdf::projection::{Projection, nodes, project, project_with};
+use eigenshade_generator::material::brdf::projection::{
+    Projection, nodes, project, project_orders, project_with,
+};
 use eigenshade_generator::material::brdf::{
     Abc, Brdf, Geometry, Ggx, Lambertian, Measure, OrenNayar,
 };
@@ -234,6 +236,28 @@ fn the_quadrature_has_converged() {
         };
         assert!(found <= allowed, "{name}, {order}, {measure:?}: {found}");
         assert!((coarse.left_out - fine.left_out).abs() <= allowed);
+    }
+}
+
+/// One integration for several orders gives what each order's own gives.
+#[test]
+fn several_orders_share_an_integration() {
+    let brdf = ggx(0.3, 0.04, 0.5);
+    let orders = [0, 7, 12, 3];
+    let cases =
+        [(Measure::Projected, PROJECTION_NODES), (Measure::SolidAngle, PROJECTION_NODES_GRAZING)];
+    for (measure, allowed) in cases {
+        let together = project_orders(&brdf, &orders, measure);
+        assert_eq!(together.len(), orders.len());
+        for (&order, together) in orders.iter().zip(&together) {
+            let alone = project(&brdf, order, measure);
+            assert_eq!(together.coefficients.len(), material::count(order));
+            let found = apart(together, &alone);
+            println!("order {order}, {measure:?}: {found:.1e}");
+            assert!(found <= allowed, "{order}, {measure:?}: {found}");
+            assert!((together.left_out - alone.left_out).abs() <= allowed);
+            assert!((together.energy / alone.energy - 1.0).abs() <= allowed);
+        }
     }
 }
 

@@ -49,16 +49,32 @@ impl Scope {
     /// Adds materials that the basis never saw: other formulas, and tables. Above the measured order
     /// the basis sees more formulas, but fewer lights shine on them.
     pub fn new(degree: usize, order: usize) -> Result<Self> {
-        let mut scope = Self::seen(degree, order)?;
-        let mut others = if order <= shipped::materials()?.order {
-            ggx(&ROUGH, &[0.04, 0.9])?
-        } else {
-            scope.seen.entries.extend(projected(&matte()?, order).entries);
-            scope.lights.entries = scope.lights.entries.into_iter().step_by(LIGHT_STEP).collect();
-            ggx(&BETWEEN, &[0.04, 0.5])?
-        };
+        let scopes = Self::all(&[(degree, order)])?;
+        scopes.into_iter().next().ok_or_else(|| Error::new("no scope", "report it"))
+    }
+
+    /// [`new`](Self::new) for each of these degrees and orders. All orders of a material come from
+    /// one integration, up to the measured order and above it.
+    pub fn all(sizes: &[(usize, usize)]) -> Result<Vec<Self>> {
+        let measured = shipped::materials()?.order;
+        let orders = sizes.iter().map(|&(_, order)| order);
+        let (low, high): (Vec<usize>, Vec<usize>) = orders.partition(|&order| order <= measured);
+        let mut others = ggx(&ROUGH, &[0.04, 0.9])?;
+        let mut between = ggx(&BETWEEN, &[0.04, 0.5])?;
         others.extend(merl_like()?);
-        Ok(Self { unseen: projected(&others, order), ..scope })
+        between.extend(merl_like()?);
+        let unseen = [projected_orders(&others, &low), projected_orders(&between, &high)].concat();
+        let of_size = |&(degree, order): &(usize, usize)| {
+            let mut scope = Self::seen(degree, order)?;
+            if order > measured {
+                scope.seen.entries.extend(projected(&matte()?, order).entries);
+                let lights = scope.lights.entries.into_iter();
+                scope.lights.entries = lights.step_by(LIGHT_STEP).collect();
+            }
+            let unseen = unseen.iter().find(|materials| materials.order == order);
+            Ok(Self { unseen: unseen.cloned().unwrap_or(scope.unseen), ..scope })
+        };
+        sizes.iter().map(of_size).collect()
     }
 }
 
@@ -171,4 +187,15 @@ impl Brdf for Coarse {
 fn projected(surfaces: &[Surface], order: usize) -> Materials {
     let project = |k: usize| surfaces[k].project(order, Measure::Projected).material;
     Materials { order, entries: parallel::map(surfaces.len(), &(), project) }
+}
+
+/// The materials of each order.
+fn projected_orders(surfaces: &[Surface], orders: &[usize]) -> Vec<Materials> {
+    let project = |k: usize| surfaces[k].project_orders(orders, Measure::Projected);
+    let projected = parallel::map(surfaces.len(), &(), project);
+    let of_order = |(k, &order): (usize, &usize)| {
+        let entries = projected.iter().map(|of_surface| of_surface[k].material.clone());
+        Materials { order, entries: entries.collect() }
+    };
+    orders.iter().enumerate().map(of_order).collect()
 }

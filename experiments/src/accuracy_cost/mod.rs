@@ -123,10 +123,11 @@ fn measure(
     let mut rows = vec![Record::default(); varied.len()];
     let mut cases = Vec::new();
     progress.set_length(varied.len() as u64);
-    for (degree, order) in varied.iter().map(size).collect::<BTreeSet<(usize, usize)>>() {
-        let scope = Scope::new(degree, order)?;
+    let sizes: BTreeSet<(usize, usize)> = varied.iter().map(size).collect();
+    for scope in Scope::all(&Vec::from_iter(sizes))? {
+        let of_scope = (scope.degree, scope.order);
         let images = Images::new(&scope);
-        let of_size = || varied.iter().zip(0..).filter(|(one, _)| size(one) == (degree, order));
+        let of_size = || varied.iter().zip(0..).filter(|(one, _)| size(one) == of_scope);
         let bases = Bases::new(&scope, of_size().map(|(one, _)| one.setting.recipe))?;
         for (one, k) in of_size() {
             let setting = &one.setting;
@@ -141,7 +142,7 @@ fn measure(
             describe(row, one);
             fill(row, &found);
             if let Some(models) = models {
-                let spread = model::spread(models, (degree, order));
+                let spread = model::spread(models, of_scope);
                 row.measure("model_median", spread.median);
                 row.measure("model_worst", spread.worst);
             }

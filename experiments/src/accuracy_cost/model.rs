@@ -8,8 +8,9 @@ use crate::accuracy::{Reference, named};
 use crate::sheet::Record;
 use eigenshade_generator::direct::Surroundings;
 use eigenshade_generator::light::environment::EnvironmentMap;
+use eigenshade_generator::material::brdf::{Measure, Projected};
 use eigenshade_model::error::{Error, Result};
-use eigenshade_shading::shipped;
+use eigenshade_shading::{parallel, shipped};
 use indicatif::ProgressBar;
 use std::path::Path;
 
@@ -58,13 +59,17 @@ pub fn rows(folder: &Path, quick: bool, progress: &ProgressBar) -> Result<Vec<Ro
         .map_err(|error| error.with_remedy("build the program again"))?;
     let mut surfaces = modelled()?;
     surfaces.retain(|surface| !quick || QUICK.contains(&surface.name.as_str()));
+    let sizes: Vec<(usize, usize)> = sizes().collect();
+    let orders: Vec<usize> = sizes.iter().map(|&(_, order)| order).collect();
+    let project = |k: usize| surfaces[k].project_orders(&orders, Measure::Projected);
+    let projected = parallel::map(surfaces.len(), &(), project);
     let mut rows = Vec::new();
-    for surface in &surfaces {
+    for (surface, projected) in surfaces.iter().zip(&projected) {
         let reference = Reference::new(surface, &maps, 1.0, progress);
-        rows.extend(sizes().map(|size| Row {
+        rows.extend(sizes.iter().zip(projected).map(|(&size, Projected { material, .. })| Row {
             surface: surface.name.clone(),
             size,
-            errors: reference.of_sum(&lights, size.0, size.1),
+            errors: reference.of_sum(&lights, size, material),
         }));
     }
     Ok(rows)

@@ -10,7 +10,7 @@ use eigenshade_generator::direct::Surroundings;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::light::projection::named_maps;
 use eigenshade_generator::material;
-use eigenshade_generator::material::brdf::Surface;
+use eigenshade_generator::material::brdf::{Measure, Projected, Surface};
 use eigenshade_generator::material::files::Source;
 use eigenshade_model::budget::Budget;
 use eigenshade_model::error::{Error, Result};
@@ -79,6 +79,7 @@ impl Errors {
         let maps = Surroundings::new(&maps)?;
         let mut sums = vec![(degree, order)];
         sums.extend(OTHERS.iter().filter(|&&size| size <= lights.degree).map(|&s| (s, s)));
+        let orders: Vec<usize> = sums.iter().map(|&(_, order)| order).collect();
         let stamp = Stamp::of(&table);
         output::write(self.out.as_deref(), |out| {
             if self.out.is_some() {
@@ -117,8 +118,10 @@ impl Errors {
                 };
                 let components = table.count().to_string();
                 row(degree, order, components, &reference.of_table(&lights, &table)?)?;
-                for &(degree, order) in &sums {
-                    row(degree, order, String::new(), &reference.of_sum(&lights, degree, order))?;
+                let projected = surface.project_orders(&orders, Measure::Projected);
+                for (&size, Projected { material, .. }) in sums.iter().zip(&projected) {
+                    let errors = reference.of_sum(&lights, size, material);
+                    row(size.0, size.1, String::new(), &errors)?;
                 }
             }
             rows.finish()

@@ -73,9 +73,23 @@ pub fn project(brdf: &dyn Brdf, order: usize, measure: Measure) -> Projection {
     project_with(brdf, order, measure, nodes(order))
 }
 
+/// Projects a BRDF up to each of these orders, with the nodes of the highest: one integration
+/// serves all orders.
+#[must_use]
+pub fn project_orders(brdf: &dyn Brdf, orders: &[usize], measure: Measure) -> Vec<Projection> {
+    let highest = orders.iter().copied().max().unwrap_or(0);
+    let sums = integrated(brdf, highest, nodes(highest));
+    orders.iter().map(|&order| sums.projection(order, measure)).collect()
+}
+
 /// Like [`project`], with `count` nodes per panel. Compare with twice as many to check convergence.
 #[must_use]
 pub fn project_with(brdf: &dyn Brdf, order: usize, measure: Measure, count: usize) -> Projection {
+    integrated(brdf, order, count).projection(order, measure)
+}
+
+/// The integrals up to `order`.
+fn integrated(brdf: &dyn Brdf, order: usize, count: usize) -> Sums {
     let unit = gauss_legendre(count, 0.0, 1.0);
     let width = brdf.width();
     let grazing = Feature { at: FRAC_PI_2, scale: GRAZING };
@@ -89,7 +103,7 @@ pub fn project_with(brdf: &dyn Brdf, order: usize, measure: Measure, count: usiz
         }
         sums.add(&row, theta_i, weight_i * theta_i.sin());
     }
-    sums.finish(measure)
+    sums
 }
 
 /// Integrals over Δφ and θ_r for one θ_i.
@@ -201,22 +215,23 @@ impl Sums {
         }
     }
 
+    /// The projection of an order up to that of the sums.
+    ///
     /// The factor 8π combines the rotation of both directions, the mirrored half of Δφ and the
     /// exchange.
-    fn finish(mut self, measure: Measure) -> Projection {
+    fn projection(&self, order: usize, measure: Measure) -> Projection {
         let factor = 8.0 * PI;
-        for (place, (o, p, q)) in material::indices(self.order).enumerate() {
-            let norm = factor * norm(o, p, q);
-            self.plain[place] *= norm;
-            self.projected[place] *= norm;
-        }
-        let energy = factor * self.energy;
-        let overlaps = Overlaps::new(self.order);
-        let coefficients = match measure {
-            Measure::SolidAngle => self.plain,
-            Measure::Projected => overlaps.nearest(&self.projected),
+        let scaled = |sums: &[f64]| -> Vec<f64> {
+            let modes = material::indices(order).zip(sums);
+            modes.map(|((o, p, q), sum)| factor * norm(o, p, q) * sum).collect()
         };
-        let product: f64 = coefficients.iter().zip(&self.projected).map(|(b, g)| b * g).sum();
+        let (projected, energy) = (scaled(&self.projected), factor * self.energy);
+        let overlaps = Overlaps::new(order);
+        let coefficients = match measure {
+            Measure::SolidAngle => scaled(&self.plain),
+            Measure::Projected => overlaps.nearest(&projected),
+        };
+        let product: f64 = coefficients.iter().zip(&projected).map(|(b, g)| b * g).sum();
         let left = energy - 2.0 * product + overlaps.energy(&coefficients);
         let left_out = if energy > 0.0 { (left / energy).max(0.0) } else { 0.0 };
         Projection { coefficients, energy, left_out }
@@ -269,6 +284,19 @@ impl Surface {
     pub fn project(&self, order: usize, measure: Measure) -> Projected {
         let channels: Vec<Projection> =
             self.channels.iter().map(|brdf| project(&**brdf, order, measure)).collect();
+        self.projected(&channels.iter().collect::<Vec<_>>())
+    }
+
+    /// Projects every channel up to each of these orders: see [`project_orders`].
+    #[must_use]
+    pub fn project_orders(&self, orders: &[usize], measure: Measure) -> Vec<Projected> {
+        let channels: Vec<Vec<Projection>> =
+            self.channels.iter().map(|brdf| project_orders(&**brdf, orders, measure)).collect();
+        let of_order = |k: usize| channels.iter().map(|channel| &channel[k]).collect::<Vec<_>>();
+        (0..orders.len()).map(|k| self.projected(&of_order(k))).collect()
+    }
+
+    fn projected(&self, channels: &[&Projection]) -> Projected {
         let rgb = [0, 1, 2]
             .map(|channel: usize| channels[channel.min(channels.len() - 1)].coefficients.clone());
         let left_out = channels.iter().map(|channel| channel.left_out).fold(0.0, f64::max);
