@@ -7,7 +7,6 @@ use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 /// Sealed: fixed-point formats have code of their own.
 pub trait Scalar:
     sealed::Sealed
-    + ByLibm
     + Copy
     + PartialOrd
     + core::fmt::Debug
@@ -39,6 +38,10 @@ pub trait Scalar:
     fn from_f64(value: f64) -> Self;
     /// Converts an `f32` exactly: this format contains every `f32`.
     fn from_f32(value: f32) -> Self;
+    /// The square root, from `libm`.
+    fn root_by_libm(self) -> Self;
+    /// Sine and cosine of an angle in radians, from `libm`.
+    fn sine_and_cosine_by_libm(self) -> (Self, Self);
 }
 
 mod sealed {
@@ -48,7 +51,7 @@ mod sealed {
 }
 
 macro_rules! scalar {
-    ($float:ident, |$value:ident| $nearest:expr) => {
+    ($float:ident, |$value:ident| $nearest:expr, $root:path, $sine_and_cosine:path) => {
         impl Scalar for $float {
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
@@ -86,36 +89,16 @@ macro_rules! scalar {
             fn from_f32(value: f32) -> Self {
                 value.into()
             }
+            #[inline]
+            fn root_by_libm(self) -> Self {
+                $root(self)
+            }
+            #[inline]
+            fn sine_and_cosine_by_libm(self) -> (Self, Self) {
+                $sine_and_cosine(self)
+            }
         }
     };
 }
-scalar!(f32, |value| value as f32);
-scalar!(f64, |value| value);
-
-/// Functions for which `libm` has a separate name in each format.
-pub trait ByLibm: Sized {
-    fn root_by_libm(self) -> Self;
-    fn sine_and_cosine_by_libm(self) -> (Self, Self);
-}
-
-impl ByLibm for f32 {
-    #[inline]
-    fn root_by_libm(self) -> Self {
-        libm::sqrtf(self)
-    }
-    #[inline]
-    fn sine_and_cosine_by_libm(self) -> (Self, Self) {
-        libm::sincosf(self)
-    }
-}
-
-impl ByLibm for f64 {
-    #[inline]
-    fn root_by_libm(self) -> Self {
-        libm::sqrt(self)
-    }
-    #[inline]
-    fn sine_and_cosine_by_libm(self) -> (Self, Self) {
-        libm::sincos(self)
-    }
-}
+scalar!(f32, |value| value as f32, libm::sqrtf, libm::sincosf);
+scalar!(f64, |value| value, libm::sqrt, libm::sincos);
