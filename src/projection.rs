@@ -166,7 +166,7 @@ impl<'a, S: Scalar> Basis<'a, S> {
                 if gathered.is_none() || !self.parts.selection.is_empty() {
                     self.scatter(material, effects, azimuth, sums, scattering);
                 }
-                gather(light, azimuth, lights);
+                gather(light.coefficients(), light.degree(), azimuth, lights);
                 gathered = Some(azimuth);
             }
             let scattering = self.scattered_from(azimuth, scattering);
@@ -235,16 +235,20 @@ impl<'a, S: Scalar> Basis<'a, S> {
 }
 
 /// L_l^m and (-1)^m L_l^-m for l = m, m + 1, ...; zero above the degree of the light.
-#[inline]
-fn gather<S: Scalar>(light: &Light<'_, S>, azimuth: usize, lights: &mut [[S; 2]]) {
+#[inline(always)]
+pub(crate) fn gather<S: Scalar>(
+    coefficients: &[S],
+    degree: usize,
+    azimuth: usize,
+    lights: &mut [[S; 2]],
+) {
     let sign = if azimuth % 2 == 1 { -S::ONE } else { S::ONE };
-    let coefficients = light.coefficients();
     let mut center = light::position(azimuth, 0);
     for (l, place) in (azimuth..).zip(lights) {
         let plus = coefficients.get(center + azimuth).copied().unwrap_or(S::ZERO);
         let minus = coefficients.get(center - azimuth).copied().unwrap_or(S::ZERO);
         // Above the degree of the light, the position of -m may still hold another order.
-        *place = if l <= light.degree() { [plus, sign * minus] } else { [S::ZERO; 2] };
+        *place = if l <= degree { [plus, sign * minus] } else { [S::ZERO; 2] };
         center += 2 * l + 2;
     }
 }
@@ -295,13 +299,19 @@ fn lit<S: Scalar>(
     rows: impl Iterator<Item = lanes::Two<S>>,
     lights: &[[S; 2]],
 ) -> [lanes::Two<S>; 2] {
-    let mut sums = [[S::ZERO; 2 * LANES]; 2];
-    let [plus, minus] = &mut sums;
-    for (row, &[of_plus, of_minus]) in rows.zip(lights) {
-        *plus = lanes::multiply_add_two(*plus, &row, &[of_plus; LANES]);
-        *minus = lanes::multiply_add_two(*minus, &row, &[of_minus; LANES]);
-    }
-    sums
+    let zero = [[S::ZERO; 2 * LANES]; 2];
+    rows.zip(lights).fold(zero, |sums, (row, lights)| add_lit(sums, &row, lights))
+}
+
+/// Adds a row, times the light of +m and of -m, to the sums of two profiles.
+#[inline(always)]
+pub(crate) fn add_lit<S: Scalar>(
+    [plus, minus]: [lanes::Two<S>; 2],
+    row: &lanes::Two<S>,
+    &[of_plus, of_minus]: &[S; 2],
+) -> [lanes::Two<S>; 2] {
+    let plus = lanes::multiply_add_two(plus, row, &[of_plus; LANES]);
+    [plus, lanes::multiply_add_two(minus, row, &[of_minus; LANES])]
 }
 
 /// Provides a workspace and coefficients for `project` to fill, both of capacities known at compile

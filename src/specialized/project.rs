@@ -5,10 +5,10 @@
 use super::Shape;
 use crate::index;
 use crate::index::layout::LANES;
-use crate::index::light::position;
 use crate::lanes;
 use crate::light::Light;
 use crate::material::Material;
+use crate::projection::{add_lit, gather};
 use crate::scalar::Scalar;
 
 /// The coefficients of a light and of a material, if there are exactly `N` and `M`.
@@ -89,12 +89,7 @@ pub fn lights<S: Scalar, const M: usize, const L: usize, const N: usize>(
     light: &[S; N],
 ) -> [[S; 2]; L] {
     let mut lights = [[S::ZERO; 2]; L];
-    let order = M.cast_signed();
-    let at = |place: usize| light.get(place).copied().unwrap_or(S::ZERO);
-    for (l, lights) in (M..).zip(&mut lights) {
-        let minus = at(position(l, -order));
-        *lights = [at(position(l, order)), if M % 2 == 1 { -minus } else { minus }];
-    }
+    gather(light, M + L - 1, M, &mut lights);
     lights
 }
 
@@ -127,7 +122,7 @@ pub fn rows<
         ([a, ..], [of_a]) => {
             let mut sum = [[S::ZERO; 2 * LANES]; 2];
             for (a, (scattering, lights)) in a.iter().zip(rows) {
-                sum = lit(sum, &lanes::product(a, scattering), lights);
+                sum = add_lit(sum, &lanes::product(a, scattering), lights);
             }
             *of_a = sum;
         }
@@ -135,24 +130,13 @@ pub fn rows<
             let mut sums = [[[S::ZERO; 2 * LANES]; 2]; 2];
             for ((a, b), (scattering, lights)) in a.iter().zip(b).zip(rows) {
                 let (a, b) = (lanes::product(a, scattering), lanes::product(b, scattering));
-                sums = [lit(sums[0], &a, lights), lit(sums[1], &b, lights)];
+                sums = [add_lit(sums[0], &a, lights), add_lit(sums[1], &b, lights)];
             }
             [*of_a, *of_b] = sums;
         }
         _ => {}
     }
     sums
-}
-
-/// Adds a row, times the light of +m and of -m, to the sums of two profiles.
-#[inline(always)]
-fn lit<S: Scalar>(
-    [plus, minus]: [lanes::Two<S>; 2],
-    row: &lanes::Two<S>,
-    &[of_plus, of_minus]: &[S; 2],
-) -> [lanes::Two<S>; 2] {
-    let plus = lanes::multiply_add_two(plus, row, &[of_plus; LANES]);
-    [plus, lanes::multiply_add_two(minus, row, &[of_minus; LANES])]
 }
 
 /// Writes the components that [`rows`] computed.
