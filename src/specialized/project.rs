@@ -141,9 +141,16 @@ pub fn rows<
 
 /// Writes the components that [`rows`] computed.
 #[inline(always)]
-pub fn write<B: Shape<S>, S: Scalar, const M: usize, const FIRST: usize, const C: usize>(
+pub fn write<
+    B: Shape<S>,
+    S: Scalar,
+    const M: usize,
+    const FIRST: usize,
+    const C: usize,
+    const K: usize,
+>(
     sums: &[[lanes::Two<S>; 2]; C],
-    coefficients: &mut [S],
+    coefficients: &mut [S; K],
 ) {
     let places = const { &B::BASIS.parts.twos_of::<C>(M, FIRST) };
     for (two, [plus, minus]) in places.iter().zip(sums) {

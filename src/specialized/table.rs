@@ -196,24 +196,39 @@ macro_rules! table {
             light: &$crate::Light<'_, f32>,
             material: &$crate::Material<'_, f32>,
         ) -> Result<Coefficients, $crate::Error> {
-            use $crate::index::{layout, material, pair};
+            let inputs = $crate::specialized::project::inputs(light, material);
+            let Some((light, material)) = inputs else {
+                return BASIS.project::<WORKSPACE, COMPONENTS>(light, material);
+            };
+            let mut d = Coefficients::from([0.0; COMPONENTS]);
+            if let Ok(d) = d.as_mut_slice().try_into() {
+                project_whole(light, material, d);
+            }
+            Ok(d)
+        }
+        const MODES: usize = $crate::index::material::count(ORDER);
+        /// Projects a light and a material of this table's degree and order.
+        ///
+        /// Not inlined: the components would be copied one by one.
+        #[inline(never)]
+        fn project_whole(
+            light: &[f32; LIGHT],
+            material: &[f32; MODES],
+            d: &mut [f32; COMPONENTS],
+        ) {
+            use $crate::index::{layout, pair};
             use $crate::specialized::project;
             const LANES: usize = layout::LANES;
-            const MODES: usize = material::count(ORDER);
             const PAIRS: usize = pair::count(ORDER);
             const PADDED: usize = layout::row(ORDER);
             const GROUPS: usize = layout::groups(DEGREE);
-            let inputs = project::inputs::<f32, LIGHT, MODES>(light, material);
             let polar = project::table_rows::<f32, GROUPS, PAIRS>(PARTS.polar);
-            let (Some((light, material)), Some(polar)) = (inputs, polar) else {
-                return BASIS.project::<WORKSPACE, COMPONENTS>(light, material);
-            };
+            let Some(polar) = polar else { return };
             let mut sums = [[[0.0; LANES]; GROUPS]; PADDED];
             $(project::scatter::<f32, $q, $pairs, GROUPS, MODES, PAIRS>(material, polar, &mut sums);)*
             let scattering = project::transposed::<
                 f32, { PADDED / LANES }, { DEGREE + 1 }, GROUPS, PADDED,
             >(&sums);
-            let mut d = [0.0; COMPONENTS];
             $(
                 let lights = project::lights::<f32, $azimuth, { DEGREE + 1 - $azimuth }, LIGHT>(light);
                 $(
@@ -221,11 +236,10 @@ macro_rules! table {
                         Shape, f32, $azimuth, $first, $twos, { PADDED / LANES },
                         { DEGREE + 1 - $azimuth }, { DEGREE + 1 },
                     >(&scattering, &lights);
-                    project::write::<Shape, f32, $azimuth, $first, $twos>(&rows, &mut d);
+                    project::write::<Shape, f32, $azimuth, $first, $twos, COMPONENTS>(&rows, d);
                 )*
             )*
-            $crate::specialized::subtract(&mut d, PARTS.mean_coefficients);
-            Ok(d.into())
+            $crate::specialized::subtract(d, PARTS.mean_coefficients);
         }
     };
     (project by basis) => {
