@@ -4,8 +4,8 @@
 //! m, as do the light's coefficients of one degree, so nothing is gathered and nothing is summed
 //! across lanes. Lanes with |m| > l read coefficients of other degrees and multiply them by zero.
 //!
-//! Other machines take it order by order: that skips products with zero, and reads each coefficient
-//! of the light once.
+//! Other machines take it run by run, that is, order by order: this skips products with zero, and
+//! reads each coefficient of the light once.
 
 use crate::basis::Basis;
 use crate::buffer::zeros;
@@ -82,30 +82,39 @@ impl<S: Scalar> Basis<'_, S> {
         self.accept_light(light)?;
         Error::check(Argument::Transfer, self.transfer_len(), transfer.len())?;
         Error::check(Argument::Coefficients, self.components(), coefficients.len())?;
-        let (light, degree) = (light.coefficients(), light.degree());
         if GROUPS {
-            let mut next = self.parts.first_pass();
-            while let Some(pass) = next {
-                let degrees = (degree + 1).saturating_sub(pass.lowest);
-                by_profiles!(pass.profiles, P => {
-                    let sums = any_sums::<S, P>(&pass, degrees, transfer, light);
-                    write_pass(&pass, &sums, coefficients);
-                });
-                next = self.parts.pass_after(&pass);
-            }
+            self.relight_passes(transfer, light, coefficients);
         } else {
-            let mut next = self.parts.first_run();
-            while let Some(run) = next {
-                let degrees = (degree + 1).saturating_sub(run.order.unsigned_abs());
-                by_profiles!(run.profiles, P => {
-                    let sums = run_sums::<S, P>(&run, degrees, transfer, light);
-                    write_run(self.parts.components_of_run(&run), sums, coefficients);
-                });
-                next = self.parts.run_after(&run);
-            }
+            self.relight_runs(transfer, light, coefficients);
         }
         self.subtract_mean(coefficients);
         Ok(())
+    }
+
+    /// The components of all passes.
+    fn relight_passes(&self, transfer: &[S], light: &Light<'_, S>, coefficients: &mut [S]) {
+        let mut next = self.parts.first_pass();
+        while let Some(pass) = next {
+            let degrees = (light.degree() + 1).saturating_sub(pass.lowest);
+            by_profiles!(pass.profiles, P => {
+                let sums = any_sums::<S, P>(&pass, degrees, transfer, light.coefficients());
+                write_pass(&pass, &sums, coefficients);
+            });
+            next = self.parts.pass_after(&pass);
+        }
+    }
+
+    /// The components of all runs.
+    fn relight_runs(&self, transfer: &[S], light: &Light<'_, S>, coefficients: &mut [S]) {
+        let mut next = self.parts.first_run();
+        while let Some(run) = next {
+            let degrees = (light.degree() + 1).saturating_sub(run.order.unsigned_abs());
+            by_profiles!(run.profiles, P => {
+                let sums = run_sums::<S, P>(&run, degrees, transfer, light.coefficients());
+                write_run(self.parts.components_of_run(&run), sums, coefficients);
+            });
+            next = self.parts.run_after(&run);
+        }
     }
 }
 
@@ -124,22 +133,22 @@ pub fn write<B: Shape<S>, S: Scalar, const I: usize, const P: usize, const K: us
     sums: &[[S; LANES]; P],
     coefficients: &mut [S; K],
 ) {
-    write_pass(const { &pass_of::<B, S>(I) }, sums, coefficients);
+    write_pass(const { &pass_of::<B, S, P>(I) }, sums, coefficients);
 }
 
 #[expect(clippy::panic, reason = "while the program is compiled")]
-const fn pass_of<B: Shape<S>, S: 'static>(index: usize) -> PassPlace {
+const fn pass_of<B: Shape<S>, S: 'static, const P: usize>(index: usize) -> PassPlace {
     match B::BASIS.parts.pass_at(index) {
-        Some(place) => place,
-        None => panic!("the table has fewer passes"),
+        Some(pass) if pass.profiles == P => pass,
+        _ => panic!("the table has no such pass"),
     }
 }
 
 #[expect(clippy::panic, reason = "while the program is compiled")]
-const fn run_of<B: Shape<S>, S: 'static>(index: usize) -> Run {
+const fn run_of<B: Shape<S>, S: 'static, const P: usize>(index: usize) -> Run {
     match B::BASIS.parts.run_at(index) {
-        Some(run) => run,
-        None => panic!("the table has fewer runs"),
+        Some(run) if run.profiles == P => run,
+        _ => panic!("the table has no such run"),
     }
 }
 
@@ -158,10 +167,10 @@ pub fn sums<
     transfer: &[S; T],
     light: &[S; N],
 ) -> [[S; LANES]; P] {
-    let place = const { &pass_of::<B, S>(I) };
+    let place = const { &pass_of::<B, S, P>(I) };
     sums_of_pass(
         place,
-        const { B::BASIS.parts.degree + 1 - pass_of::<B, S>(I).lowest },
+        const { B::BASIS.parts.degree + 1 - pass_of::<B, S, P>(I).lowest },
         transfer,
         light,
     )
@@ -239,9 +248,9 @@ pub fn run<
     light: &[S; N],
     coefficients: &mut [S; K],
 ) {
-    let run = const { &run_of::<B, S>(I) };
-    let degrees = const { B::BASIS.parts.degree + 1 - run_of::<B, S>(I).order.unsigned_abs() };
-    let components = const { B::BASIS.parts.run_components::<P>(&run_of::<B, S>(I)) };
+    let run = const { &run_of::<B, S, P>(I) };
+    let degrees = const { B::BASIS.parts.degree + 1 - run_of::<B, S, P>(I).order.unsigned_abs() };
+    let components = const { B::BASIS.parts.run_components::<P>(&run_of::<B, S, P>(I)) };
     let sums = run_sums::<S, P>(run, degrees, transfer, light);
     write_run(components, sums, coefficients);
 }
@@ -281,6 +290,32 @@ fn write_run<S: Scalar, const P: usize>(
     for (sum, component) in sums.into_iter().zip(components) {
         if let Some(coefficient) = coefficients.get_mut(usize::from(component)) {
             *coefficient = sum;
+        }
+    }
+}
+
+#[cfg(all(test, feature = "baked"))]
+mod tests {
+    use crate::{Light, Material, sphere};
+
+    /// Each machine takes one of the two ways.
+    #[test]
+    fn passes_and_runs_agree_bit_for_bit() {
+        let mut light = [0.0f32; sphere::LIGHT];
+        for (k, number) in light.iter_mut().enumerate() {
+            *number = (7 * k % 19) as f32 - 9.0;
+        }
+        let material = [0.3f32; 40];
+        let transfer = Material::new(&material).and_then(|material| sphere::transfer(&material));
+        let transfer = transfer.as_ref().map_or(&[][..], |transfer| transfer.as_slice());
+        assert_eq!(transfer.len(), sphere::TRANSFER);
+        for degree in 0..=sphere::DEGREE {
+            let light = Light::new(&light).map(|light| light.truncated(degree));
+            let Ok(light) = light else { unreachable!("the light of the table's degree") };
+            let [mut passes, mut runs] = [[f32::NAN; sphere::COMPONENTS]; 2];
+            sphere::BASIS.relight_passes(transfer, &light, &mut passes);
+            sphere::BASIS.relight_runs(transfer, &light, &mut runs);
+            assert_eq!(passes, runs, "degree {degree}");
         }
     }
 }
