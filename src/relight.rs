@@ -110,6 +110,7 @@ pub fn write<B: Shape<S>, S: Scalar, const I: usize, const P: usize, const K: us
     write_pass(const { &pass_of::<B, S>(I) }, sums, coefficients);
 }
 
+#[expect(clippy::panic, reason = "while the program is compiled")]
 const fn pass_of<B: Shape<S>, S: 'static>(index: usize) -> PassPlace {
     match B::BASIS.parts.pass_at(index) {
         Some(place) => place,
@@ -117,6 +118,7 @@ const fn pass_of<B: Shape<S>, S: 'static>(index: usize) -> PassPlace {
     }
 }
 
+#[expect(clippy::panic, reason = "while the program is compiled")]
 const fn run_of<B: Shape<S>, S: 'static>(index: usize) -> Run {
     match B::BASIS.parts.run_at(index) {
         Some(run) => run,
