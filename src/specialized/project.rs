@@ -3,6 +3,7 @@
 //! once.
 
 use super::Shape;
+use crate::basis::Basis;
 use crate::index;
 use crate::index::layout::LANES;
 use crate::index::light::position;
@@ -105,7 +106,7 @@ pub fn lights<S: Scalar, const M: usize, const L: usize, const N: usize>(
 /// compiler that sees single lanes being read splits the groups.
 #[inline(never)]
 pub fn rows<
-    B: Shape<S>,
+    B: Shape<Basis<'static, S>>,
     S: Scalar,
     const M: usize,
     const FIRST: usize,
@@ -157,7 +158,13 @@ fn lit<S: Scalar>(
 
 /// Writes the components that [`rows`] computed.
 #[inline(always)]
-pub fn write<B: Shape<S>, S: Scalar, const M: usize, const FIRST: usize, const C: usize>(
+pub fn write<
+    B: Shape<Basis<'static, S>>,
+    S: Scalar,
+    const M: usize,
+    const FIRST: usize,
+    const C: usize,
+>(
     sums: &[[lanes::Two<S>; 2]; C],
     coefficients: &mut [S],
 ) {
