@@ -83,7 +83,7 @@ impl<Q: FixedPoint> Basis<'_, Q> {
             let degrees = basis + 1 - profile.azimuth();
             let (row, after) = numbers.split_at_checked(degrees).unwrap_or((numbers, &[]));
             numbers = after;
-            let sums = sums(row, light.mantissas, profile.azimuth());
+            let sums = sums::<Q, true>(row, light.mantissas, profile.azimuth());
             top = write(sums, profile, exponent, mantissas, top);
         }
         let common = common(top);
@@ -152,7 +152,9 @@ pub fn azimuth<
     let exponents = exponents.get(first..).unwrap_or_default();
     let mut top = top;
     for ((row, profile), &exponent) in rows.zip(profiles).zip(exponents) {
-        top = write(sums(row, light, M), profile, exponent, mantissas, top);
+        let sums =
+            if M > 0 { sums::<Q, true>(row, light, M) } else { sums::<Q, false>(row, light, M) };
+        top = write(sums, profile, exponent, mantissas, top);
     }
     top
 }
@@ -192,16 +194,16 @@ pub const NONE: i32 = -1 << 20;
 
 /// Σ_l T_l L_l^±m, with the sum of -m times (-1)^m. Each row of a transfer of this basis sums to
 /// less than 2^(BITS + 1), so both fit. The sums may wrap for a transfer of another basis, but must
-/// not panic.
+/// not panic. Without `MINUS`, which azimuth 0 does not need, the second sum is zero.
 #[inline(always)]
-fn sums<Q: FixedPoint>(row: &[Q], light: &[Q], azimuth: usize) -> [Q::Wide; 2] {
+fn sums<Q: FixedPoint, const MINUS: bool>(row: &[Q], light: &[Q], azimuth: usize) -> [Q::Wide; 2] {
     let (mut plus, mut minus) = (Q::Wide::default(), Q::Wide::default());
     let order = azimuth.cast_signed();
     let at = |place: usize| light.get(place).copied().unwrap_or_default().widen();
     for (l, number) in (azimuth..).zip(row) {
         let number = number.widen();
         plus = plus.wrapping_plus(number * at(light::position(l, order)));
-        if azimuth > 0 {
+        if MINUS {
             minus = minus.wrapping_plus(number * at(light::position(l, -order)));
         }
     }
