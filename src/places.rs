@@ -1,10 +1,12 @@
-//! Where the numbers of one step stand: the passes and the runs of a transfer.
+//! Where the numbers of one step stand: the azimuths of a basis, and the passes and the runs of a
+//! transfer.
 //!
 //! These are constants for a table that is known when the program is compiled, so the functions are
 //! `const`.
 
 use crate::index::layout::{LANES, PASS, factors, lowest_degree};
 use crate::parts::{Parts, ProfilePlace, Row};
+use crate::quantized::{Parts as QuantizedParts, Profile};
 
 /// The place of one pass in a transfer.
 #[derive(Clone, Copy)]
@@ -43,6 +45,15 @@ pub(crate) struct Run {
 /// The place of an azimuth |m|.
 #[derive(Clone, Copy)]
 pub(crate) struct AzimuthPlace {
+    pub(crate) azimuth: usize,
+    /// Number of degrees from |m| on.
+    pub(crate) degrees: usize,
+    /// The number of its first profile.
+    pub(crate) first: usize,
+    /// Number of its profiles.
+    pub(crate) profiles: usize,
+    /// Position of the first row of its first profile. A profile has one row for each degree.
+    pub(crate) rows: usize,
     /// Position of the terms of its first profile.
     pub(crate) terms: usize,
     /// Position of its polynomials in a scene.
@@ -51,23 +62,86 @@ pub(crate) struct AzimuthPlace {
     pub(crate) length: usize,
 }
 
-impl<S> Parts<'_, S> {
-    /// The place of an azimuth.
-    pub(crate) const fn azimuth_at(&self, azimuth: usize) -> AzimuthPlace {
-        let (mut terms, mut profiles) = (0, self.profiles);
-        while let [place, tail @ ..] = profiles
-            && place.azimuth() < azimuth
-        {
-            (terms, profiles) = (terms + self.length(place.azimuth()), tail);
-        }
-        let (mut start, mut before) = (0, 0);
-        while before < azimuth {
-            start += self.length(before) * if before == 0 { 1 } else { 2 };
-            before += 1;
-        }
-        AzimuthPlace { terms, start, length: self.length(azimuth) }
-    }
+/// The walk over azimuths, for the parts of a basis in floats and for those of one in integers. A
+/// macro, because a `const` function cannot call those of a trait.
+macro_rules! azimuths {
+    ($parts:ident, $profile:ident) => {
+        impl<'a, S> $parts<'a, S> {
+            /// The place of azimuth 0.
+            pub(crate) const fn first_azimuth(&self) -> AzimuthPlace {
+                AzimuthPlace {
+                    azimuth: 0,
+                    degrees: self.degree + 1,
+                    first: 0,
+                    profiles: self.count_of(0, 0),
+                    rows: 0,
+                    terms: 0,
+                    start: 0,
+                    length: self.length(0),
+                }
+            }
 
+            /// The place of the azimuth that follows another.
+            pub(crate) const fn azimuth_after(&self, before: &AzimuthPlace) -> AzimuthPlace {
+                let azimuth = before.azimuth + 1;
+                let first = before.first + before.profiles;
+                let polynomials = if before.azimuth == 0 { 1 } else { 2 };
+                AzimuthPlace {
+                    azimuth,
+                    degrees: before.degrees.saturating_sub(1),
+                    first,
+                    profiles: self.count_of(first, azimuth),
+                    rows: before.rows + before.profiles * before.degrees,
+                    terms: before.terms + before.profiles * before.length,
+                    start: before.start + polynomials * before.length,
+                    length: self.length(azimuth),
+                }
+            }
+
+            /// The place of an azimuth.
+            pub(crate) const fn azimuth_at(&self, azimuth: usize) -> AzimuthPlace {
+                let mut place = self.first_azimuth();
+                while place.azimuth < azimuth {
+                    place = self.azimuth_after(&place);
+                }
+                place
+            }
+
+            /// Number of profiles of this azimuth, the first of which is number `first`.
+            const fn count_of(&self, first: usize, azimuth: usize) -> usize {
+                let mut count = 0;
+                while let Some(profile) = self.profile(first + count)
+                    && profile.azimuth() == azimuth
+                {
+                    count += 1;
+                }
+                count
+            }
+
+            const fn profile(&self, index: usize) -> Option<&'a $profile> {
+                match self.profiles.split_at_checked(index) {
+                    Some((_, [profile, ..])) => Some(profile),
+                    _ => None,
+                }
+            }
+        }
+    };
+}
+azimuths!(Parts, ProfilePlace);
+azimuths!(QuantizedParts, Profile);
+
+impl<'a, Q> QuantizedParts<'a, Q> {
+    /// The profiles of an azimuth.
+    pub(crate) const fn profiles_at(&self, place: &AzimuthPlace) -> &'a [Profile] {
+        let Some((_, rest)) = self.profiles.split_at_checked(place.first) else { return &[] };
+        match rest.split_at_checked(place.profiles) {
+            Some((profiles, _)) => profiles,
+            None => rest,
+        }
+    }
+}
+
+impl<S> Parts<'_, S> {
     /// The components of +m and of -m of the `P` profiles of an azimuth.
     pub(crate) const fn components_of<const P: usize>(&self, azimuth: usize) -> [[u16; 2]; P] {
         let mut components = [[u16::MAX; 2]; P];
@@ -230,13 +304,6 @@ impl<S> Parts<'_, S> {
             (to, next) = (others, next + 1);
         }
         components
-    }
-
-    const fn profile(&self, index: usize) -> Option<&ProfilePlace> {
-        match self.profiles.split_at_checked(index) {
-            Some((_, [place, ..])) => Some(place),
-            _ => None,
-        }
     }
 
     /// The number of the first profile of this azimuth.

@@ -129,7 +129,13 @@ pub fn inputs<'a, S: Scalar, const T: usize, const N: usize>(
 
 /// Writes the sums of pass number `I`, which has `P` profiles, to their components.
 #[inline(always)]
-pub fn write<B: Shape<S>, S: Scalar, const I: usize, const P: usize, const K: usize>(
+pub fn write<
+    B: Shape<Basis<'static, S>>,
+    S: Scalar,
+    const I: usize,
+    const P: usize,
+    const K: usize,
+>(
     sums: &[[S; LANES]; P],
     coefficients: &mut [S; K],
 ) {
@@ -137,7 +143,9 @@ pub fn write<B: Shape<S>, S: Scalar, const I: usize, const P: usize, const K: us
 }
 
 #[expect(clippy::panic, reason = "while the program is compiled")]
-const fn pass_of<B: Shape<S>, S: 'static, const P: usize>(index: usize) -> PassPlace {
+const fn pass_of<B: Shape<Basis<'static, S>>, S: 'static, const P: usize>(
+    index: usize,
+) -> PassPlace {
     match B::BASIS.parts.pass_at(index) {
         Some(pass) if pass.profiles == P => pass,
         _ => panic!("the table has no such pass"),
@@ -145,7 +153,7 @@ const fn pass_of<B: Shape<S>, S: 'static, const P: usize>(index: usize) -> PassP
 }
 
 #[expect(clippy::panic, reason = "while the program is compiled")]
-const fn run_of<B: Shape<S>, S: 'static, const P: usize>(index: usize) -> Run {
+const fn run_of<B: Shape<Basis<'static, S>>, S: 'static, const P: usize>(index: usize) -> Run {
     match B::BASIS.parts.run_at(index) {
         Some(run) if run.profiles == P => run,
         _ => panic!("the table has no such run"),
@@ -157,7 +165,7 @@ const fn run_of<B: Shape<S>, S: 'static, const P: usize>(index: usize) -> Run {
 /// Not inlined: a compiler that sees single lanes being read splits the groups.
 #[inline(never)]
 pub fn sums<
-    B: Shape<S>,
+    B: Shape<Basis<'static, S>>,
     S: Scalar,
     const I: usize,
     const P: usize,
@@ -236,7 +244,7 @@ fn write_pass<S: Scalar>(pass: &PassPlace, sums: &[[S; LANES]], coefficients: &m
 /// Not inlined: a compiler that sees several orders at once runs out of registers.
 #[inline(never)]
 pub fn run<
-    B: Shape<S>,
+    B: Shape<Basis<'static, S>>,
     S: Scalar,
     const I: usize,
     const P: usize,

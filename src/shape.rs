@@ -5,10 +5,8 @@
 //! after the other. For a [`Shape`] the places are constants, and the compiler specializes the same
 //! function for each of them.
 
-use crate::basis::Basis;
-
-/// A table that is known when the program is compiled.
-pub trait Shape<S: 'static> {
+/// A table that is known when the program is compiled, with a basis of type `B`.
+pub trait Shape<B: 'static> {
     /// The basis.
-    const BASIS: &'static Basis<'static, S>;
+    const BASIS: &'static B;
 }

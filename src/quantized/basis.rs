@@ -69,6 +69,10 @@ impl Profile {
         Self { azimuth, exponent, plus, minus, size, step }
     }
 
+    pub(crate) const fn azimuth(&self) -> usize {
+        self.azimuth as usize
+    }
+
     /// Whether a term with this mantissa, below 2^32, is at most the largest step.
     pub(crate) const fn states(&self, mantissa: u64) -> bool {
         let (by, step) = (self.exponent as i32 + 4, self.step as u64);

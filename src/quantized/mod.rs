@@ -44,8 +44,10 @@ mod inputs;
 #[doc(hidden)]
 pub mod kernels;
 mod nine_terms;
+mod pixel;
 mod relight;
 mod scene;
+mod table;
 mod transfer;
 
 pub use basis::{Basis, Parts, Profile};

@@ -1,11 +1,13 @@
 //! The coefficients d of an image in fixed point, and a new light on a transferred material:
 //! d_i = Σ_l T_i,l L_l^m.
 
-use super::{Basis, Light, Transfer};
+use super::{Basis, Light, Profile, Transfer};
 use crate::buffer::{Buffer, zeros};
 use crate::error::{Argument, Error};
 use crate::format::{FixedPoint, Wide};
 use crate::index::light;
+use crate::places::AzimuthPlace;
+use crate::shape::Shape;
 
 /// The coefficients d of one image, component by component. The mantissas are at most 2^30 in size
 /// and are multiplied by 2^exponent.
@@ -76,34 +78,19 @@ impl<Q: FixedPoint> Basis<'_, Q> {
         if !transfer.bounded && !self.has_bounded(transfer.numbers) {
             return Err(Error::Bound);
         }
-        let mut numbers = transfer.numbers;
-        let mut top = None;
-        let mut note = |place: Option<&mut i32>, sum: Q::Wide, exponent: i16| {
-            let Some(place) = place else { return };
-            // Keep the upper 31 bits.
-            *place = sum.shifted(31 - Q::Wide::SIZE.cast_signed()).saturated();
-            if *place != 0 {
-                top = top.max(Some(place.bits().cast_signed() + i32::from(exponent)));
-            }
-        };
+        let (mut numbers, mut top) = (transfer.numbers, NONE);
         for (profile, &exponent) in self.parts.profiles.iter().zip(transfer.exponents) {
-            let azimuth = usize::from(profile.azimuth);
-            let (row, after) =
-                numbers.split_at_checked(basis + 1 - azimuth).unwrap_or((numbers, &[]));
+            let degrees = basis + 1 - profile.azimuth();
+            let (row, after) = numbers.split_at_checked(degrees).unwrap_or((numbers, &[]));
             numbers = after;
-            let [plus, minus] = sums(row, light.mantissas, azimuth);
-            note(mantissas.get_mut(usize::from(profile.plus)), plus, exponent);
-            note(mantissas.get_mut(usize::from(profile.minus)), minus, exponent);
+            let sums = sums::<Q, true>(row, light.mantissas, profile.azimuth());
+            top = write(sums, profile, exponent, mantissas, top);
         }
-        let common = top.map_or(0, |top| top - BITS);
+        let common = common(top);
         for (profile, &exponent) in self.parts.profiles.iter().zip(transfer.exponents) {
-            for component in [profile.plus, profile.minus] {
-                if let Some(place) = mantissas.get_mut(usize::from(component)) {
-                    *place = place.shifted(i32::from(exponent) - common);
-                }
-            }
+            align_profile(profile, exponent, common, mantissas);
         }
-        Ok(common + light.exponent + Q::Wide::SIZE.cast_signed() - 31)
+        Ok(exponent::<Q>(common, light.exponent))
     }
 }
 
@@ -124,24 +111,165 @@ impl<Q: FixedPoint> Basis<'_, Q> {
     }
 }
 
-/// Σ_l T_l L_l^±m, with the sum of -m times (-1)^m. Each row of a transfer of this basis sums to
-/// less than 2^(BITS + 1), so both fit. The sums may wrap for a transfer of another basis, whose
-/// rows have other lengths.
-#[inline]
-fn sums<Q: FixedPoint>(row: &[Q], light: &[Q], azimuth: usize) -> [Q::Wide; 2] {
-    let mut sums = [Q::Wide::default(); 2];
-    let order = azimuth.cast_signed();
-    for (l, number) in (azimuth..).zip(row) {
-        let (Some(plus), Some(minus)) =
-            (light.get(light::position(l, order)), light.get(light::position(l, -order)))
-        else {
-            break;
-        };
-        let [of_plus, of_minus] = &mut sums;
-        *of_plus = of_plus.wrapping_plus(number.widen() * plus.widen());
-        *of_minus = of_minus.wrapping_plus(number.widen() * minus.widen());
+/// The numbers of a transfer and of a light, of exactly these lengths. `None` unless the rows of
+/// the transfer are known to fit their accumulators.
+#[inline(always)]
+#[must_use]
+pub fn inputs<'a, Q, const T: usize, const P: usize, const N: usize>(
+    transfer: &Transfer<'a, Q>,
+    light: &Light<'a, Q>,
+) -> Option<(&'a [Q; T], &'a [i16; P], &'a [Q; N])> {
+    if !transfer.bounded {
+        return None;
     }
-    let [plus, minus] = sums;
-    let odd = azimuth % 2 == 1;
-    [plus, if odd { minus.wrapping_minus() } else { minus }]
+    Some((
+        transfer.numbers.try_into().ok()?,
+        transfer.exponents.try_into().ok()?,
+        light.mantissas.try_into().ok()?,
+    ))
+}
+
+/// Computes the sums of azimuth `M`: for each of its profiles.
+///
+/// Not inlined: several copies in one function need too many addresses.
+#[inline(never)]
+pub fn azimuth<
+    B: Shape<Basis<'static, Q>>,
+    Q: FixedPoint,
+    const M: usize,
+    const T: usize,
+    const P: usize,
+    const N: usize,
+    const K: usize,
+>(
+    (numbers, exponents, light): (&[Q; T], &[i16; P], &[Q; N]),
+    mantissas: &mut [i32; K],
+    top: i32,
+) -> i32 {
+    let AzimuthPlace { degrees, first, rows, .. } = const { B::BASIS.parts.azimuth_at(M) };
+    let profiles = const { B::BASIS.parts.profiles_at(&B::BASIS.parts.azimuth_at(M)) };
+    let rows = numbers.get(rows..).unwrap_or_default().chunks_exact(degrees);
+    let exponents = exponents.get(first..).unwrap_or_default();
+    let mut top = top;
+    for ((row, profile), &exponent) in rows.zip(profiles).zip(exponents) {
+        let sums =
+            if M > 0 { sums::<Q, true>(row, light, M) } else { sums::<Q, false>(row, light, M) };
+        top = write(sums, profile, exponent, mantissas, top);
+    }
+    top
+}
+
+/// Shifts the components of azimuth `M` to the common exponent.
+#[inline(always)]
+pub fn align<
+    B: Shape<Basis<'static, Q>>,
+    Q: FixedPoint,
+    const M: usize,
+    const P: usize,
+    const K: usize,
+>(
+    exponents: &[i16; P],
+    common: i32,
+    mantissas: &mut [i32; K],
+) {
+    let first = const { B::BASIS.parts.azimuth_at(M).first };
+    let profiles = const { B::BASIS.parts.profiles_at(&B::BASIS.parts.azimuth_at(M)) };
+    let exponents = exponents.get(first..).unwrap_or_default();
+    for (profile, &exponent) in profiles.iter().zip(exponents) {
+        align_profile(profile, exponent, common, mantissas);
+    }
+}
+
+/// All mantissas of the coefficients of an image, to be written, and their exponent.
+#[inline(always)]
+pub fn coefficients<const K: usize>(
+    coefficients: &mut Coefficients<K>,
+) -> Option<(&mut [i32; K], &mut i32)> {
+    let Coefficients { mantissas, exponent } = coefficients;
+    Some((mantissas.filled()?, exponent))
+}
+
+/// The size of an empty sum. It is less than any other, and no difference from it overflows.
+pub const NONE: i32 = -1 << 20;
+
+/// Σ_l T_l L_l^±m, with the sum of -m times (-1)^m. Each row of a transfer of this basis sums to
+/// less than 2^(BITS + 1), so both fit. The sums may wrap for a transfer of another basis, but must
+/// not panic. Without `MINUS`, which azimuth 0 does not need, the second sum is zero.
+#[inline(always)]
+fn sums<Q: FixedPoint, const MINUS: bool>(row: &[Q], light: &[Q], azimuth: usize) -> [Q::Wide; 2] {
+    let (mut plus, mut minus) = (Q::Wide::default(), Q::Wide::default());
+    let order = azimuth.cast_signed();
+    let at = |place: usize| light.get(place).copied().unwrap_or_default().widen();
+    for (l, number) in (azimuth..).zip(row) {
+        let number = number.widen();
+        plus = plus.wrapping_plus(number * at(light::position(l, order)));
+        if MINUS {
+            minus = minus.wrapping_plus(number * at(light::position(l, -order)));
+        }
+    }
+    [plus, if azimuth % 2 == 1 { minus.wrapping_minus() } else { minus }]
+}
+
+/// Writes the sums of a profile to its components. Returns the larger of `top` and their size.
+#[inline(always)]
+fn write<W: Wide>(
+    [plus, minus]: [W; 2],
+    profile: &Profile,
+    exponent: i16,
+    mantissas: &mut [i32],
+    top: i32,
+) -> i32 {
+    let mut either = 0;
+    for (component, sum) in [(profile.plus, plus), (profile.minus, minus)] {
+        if let Some(mantissa) = mantissas.get_mut(usize::from(component)) {
+            // Keep the upper 31 bits.
+            *mantissa = sum.shifted(31 - W::SIZE.cast_signed()).saturated();
+            either |= mantissa.unsigned_abs();
+        }
+    }
+    // Count the bits only if they may exceed `top`.
+    let room = top - i32::from(exponent);
+    if room < 0 || (room < 31 && either >> (room & 31) != 0) {
+        size(either, exponent).max(top)
+    } else {
+        top
+    }
+}
+
+/// The size of the sums of a profile.
+#[inline(never)]
+fn size(either: u32, exponent: i16) -> i32 {
+    if either == 0 {
+        return NONE;
+    }
+    let bits = u32::BITS - either.leading_zeros();
+    bits.cast_signed() + i32::from(exponent)
+}
+
+/// The common exponent of all components.
+#[inline(always)]
+#[must_use]
+pub const fn common(top: i32) -> i32 {
+    if top == NONE { 0 } else { top - BITS }
+}
+
+/// Shifts the components of a profile to the common exponent.
+#[inline(always)]
+fn align_profile(profile: &Profile, exponent: i16, common: i32, mantissas: &mut [i32]) {
+    let by = i32::from(exponent) - common;
+    let (up, down) = (by.clamp(0, 31), (-by - 1).clamp(0, 31));
+    for component in [profile.plus, profile.minus] {
+        if let Some(mantissa) = mantissas.get_mut(usize::from(component)) {
+            let (raised, twice) = (*mantissa << up, *mantissa >> down);
+            let rounded = (twice >> 1) + (twice & 1);
+            *mantissa = if by < 0 { rounded } else { raised };
+        }
+    }
+}
+
+/// The exponent of the coefficients of an image.
+#[inline(always)]
+#[must_use]
+pub const fn exponent<Q: FixedPoint>(common: i32, of_light: i32) -> i32 {
+    common + of_light + Q::Wide::SIZE.cast_signed() - 31
 }

@@ -1,12 +1,11 @@
 //! One image in fixed point, with the components of each azimuth summed,
 //! I(n) = Σ_m Re/Im (n_x + i n_y)^m H_m(n_z), and the irradiance of a normal.
 
-use super::kernels::value;
+use super::pixel::Pixel;
 use super::{Basis, Normal, Profile};
 use crate::buffer::{Buffer, zeros};
 use crate::error::{Argument, Error};
-use crate::format::FixedPoint;
-use crate::format::Wide as _;
+use crate::format::{FixedPoint, Wide as _};
 use crate::specialized::shade_each;
 use core::marker::PhantomData;
 use core::ops::{Add, Mul, Shr};
@@ -257,25 +256,16 @@ impl<Q: FixedPoint, B: AsRef<[i32]>> Scene<'_, Q, B> {
     #[inline]
     #[must_use]
     pub fn shade(&self, normal: Normal<Q>) -> i32 {
-        let t = Q::argument(normal.z);
         let (first, mut lengths, mut rest) = self.constant();
-        // The last step of m = 0 needs no rounding.
-        let (last, first) = first.split_last().unwrap_or((&0, &[]));
-        let mut sum = Q::product(value::<Q>(first, t), t).wrapping_plus(Q::of_value(*last));
-        let (mut cosine, mut sine) = (normal.x.halved(), normal.y.halved());
+        let mut pixel = Pixel::new(first, normal);
         while let [length, others @ ..] = lengths {
             let length = usize::from(*length);
             let (plus, after) = rest.split_at_checked(length).unwrap_or((rest, &[]));
             let (minus, after) = after.split_at_checked(length).unwrap_or((after, &[]));
             (lengths, rest) = (others, after);
-            sum = sum.wrapping_plus(Q::product(value::<Q>(plus, t), cosine));
-            sum = sum.wrapping_plus(Q::product(value::<Q>(minus, t), sine));
-            (cosine, sine) = (
-                Q::dot(cosine, normal.x, -sine, normal.y),
-                Q::dot(cosine, normal.y, sine, normal.x),
-            );
+            pixel = pixel.add(plus, minus);
         }
-        Q::sum(sum)
+        pixel.irradiance()
     }
 
     /// Writes the irradiance of each normal into `irradiance`: bit for bit that of

@@ -119,11 +119,7 @@ impl<Q: FixedPoint> Basis<'_, Q> {
             }
             let row = row.iter().take(degrees - azimuth);
             let found = row.map(|&[sum, exponent]| (sum, exponent.saturated()));
-            let common = common_exponent(found.clone(), Q::BITS);
-            *exponent = common as i16;
-            for (to, (sum, exponent)) in of_profile.iter_mut().zip(found) {
-                *to = Q::saturate(sum.shifted(exponent - common));
-            }
+            *exponent = settle(found, of_profile);
         }
         Ok(())
     }
@@ -192,9 +188,23 @@ pub(crate) fn room<W: Wide>(order: usize) -> i32 {
     (W::of((order / 2 + 1) as i32).bits().cast_signed() - 1).max(1)
 }
 
+/// Rounds numbers, each with an exponent of its own, to mantissas with a common exponent, which is
+/// returned.
+#[inline(always)]
+pub(crate) fn settle<Q: FixedPoint>(
+    row: impl Iterator<Item = (Q::Wide, i32)> + Clone,
+    numbers: &mut [Q],
+) -> i16 {
+    let common = common_exponent(row.clone(), Q::BITS);
+    for (to, (number, exponent)) in numbers.iter_mut().zip(row) {
+        *to = Q::saturate(number.shifted(exponent - common));
+    }
+    common as i16
+}
+
 /// Σ a b. The row of factors sums to less than 2^(BITS + 1), so the result fits.
-#[inline]
-fn product<Q: FixedPoint>(factors: &[Q], sums: &[Q::Wide]) -> Q::Wide {
+#[inline(always)]
+pub(crate) fn product<Q: FixedPoint>(factors: &[Q], sums: &[Q::Wide]) -> Q::Wide {
     let mut sum = Q::Wide::default();
     for (factor, &scattered) in factors.iter().zip(sums) {
         sum += factor.widen() * scattered;
@@ -212,10 +222,7 @@ pub(crate) const GUARD_BITS: u32 = 5;
 /// A common exponent for at most 511 numbers, each with an exponent of its own. With it, the
 /// mantissas are below 2^`bits`, and the sum of their sizes after rounding is below 2^(`bits` + 1).
 /// It is the least such exponent, except for the 256th that rounding may add.
-pub(crate) fn common_exponent<W: Wide>(
-    numbers: impl Iterator<Item = (W, i32)> + Clone,
-    bits: u32,
-) -> i32 {
+fn common_exponent<W: Wide>(numbers: impl Iterator<Item = (W, i32)> + Clone, bits: u32) -> i32 {
     let (mut largest, mut top, mut count) = (i32::MIN, None, 0);
     numbers.clone().for_each(|(number, exponent)| {
         count += 1;

@@ -21,10 +21,7 @@ pub mod relight {
 
 pub use crate::shape::Shape;
 
-use crate::basis::Basis;
 use crate::error::{Argument, Error};
-use crate::general::{GeneralBasis, GeneralParts};
-use crate::parts::Parts;
 use crate::scalar::Scalar;
 
 /// Shades normals one by one.
@@ -52,25 +49,8 @@ pub fn shade_each<N: Copy, I>(
 /// If the parts contradict each other; for a static that is an error of compilation.
 #[must_use]
 #[expect(clippy::panic, reason = "while the program is compiled")]
-pub const fn basis<S: Copy>(parts: Parts<'static, S>) -> Basis<'static, S> {
-    match Basis::new(parts) {
-        Ok(basis) => basis,
-        Err(_) => panic!("the table's parts do not fit together"),
-    }
-}
-
-/// The general basis of a table; see [`basis`].
-///
-/// # Panics
-///
-/// If the parts contradict each other.
-#[must_use]
-#[expect(clippy::panic, reason = "while the program is compiled")]
-pub const fn general_basis<S: Copy>(
-    span: Basis<'static, S>,
-    parts: GeneralParts<'static, S>,
-) -> GeneralBasis<'static, S> {
-    match GeneralBasis::new(span, parts) {
+pub const fn checked<B: Copy>(basis: Result<B, Error>) -> B {
+    match basis {
         Ok(basis) => basis,
         Err(_) => panic!("the table's parts do not fit together"),
     }

@@ -3,6 +3,7 @@
 //! once.
 
 use super::Shape;
+use crate::basis::Basis;
 use crate::index;
 use crate::index::layout::LANES;
 use crate::lanes;
@@ -100,7 +101,7 @@ pub fn lights<S: Scalar, const M: usize, const L: usize, const N: usize>(
 /// compiler that sees single lanes being read splits the groups.
 #[inline(never)]
 pub fn rows<
-    B: Shape<S>,
+    B: Shape<Basis<'static, S>>,
     S: Scalar,
     const M: usize,
     const FIRST: usize,
@@ -142,7 +143,7 @@ pub fn rows<
 /// Writes the components that [`rows`] computed.
 #[inline(always)]
 pub fn write<
-    B: Shape<S>,
+    B: Shape<Basis<'static, S>>,
     S: Scalar,
     const M: usize,
     const FIRST: usize,

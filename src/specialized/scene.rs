@@ -7,6 +7,7 @@
 //! For a pixel, Horner's rule is applied twice: to each polynomial in t = 2z - 1, and to the
 //! azimuths, from the highest downward, in w = n_x + i n_y. I(n) = Re Σ_m (P_m + i Q_m) w̄^m.
 
+use crate::basis::Basis;
 use crate::normal::Normal;
 use crate::parts::Recurrences;
 use crate::places::AzimuthPlace;
@@ -38,7 +39,7 @@ pub fn scene_mut<'s, 'a, S: Scalar, const N: usize>(
 /// Not inlined: a compiler that sees several azimuths at once runs out of registers.
 #[inline(never)]
 pub fn collapse<
-    B: Shape<S>,
+    B: Shape<Basis<'static, S>>,
     S: Scalar,
     const M: usize,
     const P: usize,
@@ -68,7 +69,7 @@ pub fn collapse<
     }
 }
 
-const fn azimuth_of<B: Shape<S>, S: 'static>(azimuth: usize) -> AzimuthPlace {
+const fn azimuth_of<B: Shape<Basis<'static, S>>, S: 'static>(azimuth: usize) -> AzimuthPlace {
     B::BASIS.parts.azimuth_at(azimuth)
 }
 
@@ -117,7 +118,7 @@ pub fn scene<'s, S: Scalar, B: AsRef<[S]>, const N: usize>(
 
 /// P_m + i Q_m + w̄ `above` for azimuth `M` > 0. The highest azimuth has nothing above it.
 #[inline(always)]
-pub fn azimuth<B: Shape<S>, S: Scalar, const M: usize, const N: usize>(
+pub fn azimuth<B: Shape<Basis<'static, S>>, S: Scalar, const M: usize, const N: usize>(
     terms: &[S; N],
     normal: Normal<S>,
     above: Option<[S; 2]>,
@@ -138,7 +139,7 @@ pub fn azimuth<B: Shape<S>, S: Scalar, const M: usize, const N: usize>(
 
 /// The irradiance P_0 + Re w̄ `above`.
 #[inline(always)]
-pub fn pole<B: Shape<S>, S: Scalar, const N: usize>(
+pub fn pole<B: Shape<Basis<'static, S>>, S: Scalar, const N: usize>(
     terms: &[S; N],
     normal: Normal<S>,
     above: Option<[S; 2]>,

@@ -14,7 +14,7 @@ macro_rules! table {
     (sphere passes $([$number:tt $pass:literal $profiles:literal])* runs $([$run:literal $rows:literal])*) => {
         $crate::table!(@sizes PARTS.components, BASIS.workspace_len(), BASIS);
         /// The basis; its shape was checked when it was compiled.
-        pub static BASIS: $crate::Basis<'static, f32> = $crate::specialized::basis(PARTS);
+        pub static BASIS: $crate::Basis<'static, f32> = $crate::specialized::checked($crate::Basis::new(PARTS));
         /// The transfer of a material: see [`eigenshade::Basis::transfer`].
         ///
         /// # Errors
@@ -141,10 +141,10 @@ macro_rules! table {
             @sizes GENERAL.components, BASIS.workspace_len(), SPAN
         );
         /// The span of the basis; its shape was checked when it was compiled.
-        pub static SPAN: $crate::Basis<'static, f32> = $crate::specialized::basis(PARTS);
+        pub static SPAN: $crate::Basis<'static, f32> = $crate::specialized::checked($crate::Basis::new(PARTS));
         /// The basis; its shape was checked when it was compiled.
         pub static BASIS: $crate::GeneralBasis<'static, f32> =
-            $crate::specialized::general_basis(SPAN, GENERAL);
+            $crate::specialized::checked($crate::GeneralBasis::new(SPAN, GENERAL));
         /// d = UᵀMc: see [`eigenshade::GeneralBasis::project`].
         ///
         /// # Errors
@@ -407,7 +407,7 @@ macro_rules! table {
     (@sizes $components:expr, $workspace:expr, $basis:expr) => {
         /// The sizes of this table.
         struct Shape;
-        impl $crate::specialized::Shape<f32> for Shape {
+        impl $crate::specialized::Shape<$crate::Basis<'static, f32>> for Shape {
             const BASIS: &'static $crate::Basis<'static, f32> = &$basis;
         }
         /// Largest degree l of the light.

@@ -38,13 +38,20 @@ pub fn indices(order: usize) -> impl Iterator<Item = (usize, usize, usize)> {
     let mut next = (0, 0, 0);
     core::iter::from_fn(move || {
         let (o, p, q) = next;
-        next = match (q < p, p < o) {
-            (true, _) => (o, p, q + 2),
-            (false, true) => (o, p + 2, o % 2),
-            (false, false) => (o + 1, (o + 1) % 2, (o + 1) % 2),
-        };
+        next = following((o, p, q));
         (o <= order).then_some((o, p, q))
     })
+}
+
+/// The (o, p, q) that follows another in storage order.
+#[inline]
+#[must_use]
+pub const fn following((o, p, q): (usize, usize, usize)) -> (usize, usize, usize) {
+    match (q < p, p < o) {
+        (true, _) => (o, p, q + 2),
+        (false, true) => (o, p + 2, o % 2),
+        (false, false) => (o + 1, (o + 1) % 2, (o + 1) % 2),
+    }
 }
 
 #[cfg(test)]

@@ -37,8 +37,6 @@ pub mod file;
 
 pub mod wire;
 
-mod rust_quantized_functions;
-
 pub mod rust_quantized;
 
 pub mod rust_source;

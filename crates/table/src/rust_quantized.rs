@@ -1,51 +1,28 @@
-//! A table in integers as Rust source: typed statics, a basis whose shape and bounds
-//! are checked when they are compiled, and functions with every size a constant.
+//! A table in integers as Rust source: typed statics for the runtime.
 
 use crate::quantize::{Format, Place, QuantizedParts};
-use crate::rust_quantized_functions as functions;
-use crate::rust_source;
+use crate::rust_source::{array, effects, line, words};
 use eigenshade_index::pair;
-use std::fmt::Write;
 
-/// The module's text. `command` is what made it, for the first line.
+/// The body of a module with the table's numbers, and the lines that name its shape; it names the
+/// runtime as `eigenshade`. `command` is what made it, for the first line.
 #[must_use]
 pub fn module(parts: &QuantizedParts, command: &str) -> String {
     let format = name(parts.format);
-    let degrees = parts.degree + 1;
-    let transfer: usize =
-        parts.profiles.iter().map(|place| degrees - usize::from(place.azimuth)).sum();
-    let lengths = parts.lengths.iter().map(|&length| usize::from(length));
-    let scene = 2 * lengths.sum::<usize>() - usize::from(parts.lengths[0]);
     let mut text = format!("// {command}\n// {} bytes of tables\n", bytes(parts));
-    for (name, what, value) in [
-        ("DEGREE", "Largest degree l of the light.", parts.degree),
-        ("ORDER", "Largest order o of the BRDF.", parts.order),
-        ("COMPONENTS", "Number of components K.", parts.components),
-        (
-            "WORKSPACE",
-            "Wide numbers in the workspace of a transfer.",
-            degrees * (pair::count(parts.order) + 3),
-        ),
-        ("TRANSFER", "Numbers in a transfer.", transfer),
-        ("PROFILES", "Number of slant profiles.", parts.profiles.len()),
-        ("SCENE", "Numbers in a scene.", scene),
-    ] {
-        put(&mut text, format_args!("/// {what}\npub const {name}: usize = {value};"));
-    }
     numbers(&mut text, "POLAR", format, &parts.polar);
-    array(&mut text, "POLAR_EXPONENTS", "i8", &parts.polar_exponents);
+    array(&mut text, "POLAR_EXPONENTS", "i8", parts.polar_exponents.iter().map(i8::to_string));
     numbers(&mut text, "FACTORS", format, &parts.factors);
-    array(&mut text, "FACTOR_EXPONENTS", "i8", &parts.factor_exponents);
+    array(&mut text, "FACTOR_EXPONENTS", "i8", parts.factor_exponents.iter().map(i8::to_string));
     numbers(&mut text, "TERMS", format, &parts.terms);
-    array(&mut text, "LENGTHS", "u8", &parts.lengths);
-    let profiles: Vec<String> = parts.profiles.iter().map(profile).collect();
-    array(&mut text, "PLACES", "eigenshade::quantized::Profile", &profiles);
-    put(&mut text, format_args!("{}", basis(format, &rust_source::effects(parts.effects))));
-    text.push_str(&types(format));
-    text.push_str(&functions::transfer(parts, format));
-    text.push_str(&functions::relight(parts, format));
-    text.push_str(&functions::collapse(parts, format));
-    text.push_str(&functions::shade(parts, format));
+    array(&mut text, "LENGTHS", "u8", parts.lengths.iter().map(u8::to_string));
+    let profile = "eigenshade::quantized::Profile";
+    array(&mut text, "PLACES", profile, parts.profiles.iter().map(place));
+    text.push_str(&record(parts));
+    line(&mut text, format_args!("eigenshade::integer_table!({format});"));
+    for functions in [transfer_of(parts), relight(parts), collapse(parts), shade(parts)] {
+        line(&mut text, format_args!("eigenshade::integer_table!({format} {functions});"));
+    }
     text
 }
 
@@ -56,8 +33,8 @@ pub fn transfer(format: Format, mantissas: &[i32], exponents: &[i16]) -> String 
     let format = name(format);
     let mut text = String::new();
     numbers(&mut text, "TRANSFER_NUMBERS", format, mantissas);
-    array(&mut text, "TRANSFER_EXPONENTS", "i16", exponents);
-    put(
+    array(&mut text, "TRANSFER_EXPONENTS", "i16", exponents.iter().map(i16::to_string));
+    line(
         &mut text,
         format_args!(
             "/// The transfer of the material.
@@ -87,45 +64,31 @@ pub fn bytes(parts: &QuantizedParts) -> usize {
     each * mantissas + small + 10 * parts.profiles.len()
 }
 
-fn profile(place: &Place) -> String {
+fn place(place: &Place) -> String {
     let Place { azimuth, exponent, plus, minus, size, step } = place;
     format!(
         "eigenshade::quantized::Profile::new({azimuth}, {exponent}, [{plus}, {minus}], [{size}, {step}])"
     )
 }
 
+/// A static array of mantissas.
 fn numbers(text: &mut String, name: &str, format: &str, values: &[i32]) {
-    let count = values.len();
-    if values.is_empty() {
-        put(text, format_args!("static {name}: [eigenshade::{format}; 0] = [];"));
-        return;
-    }
-    let values: Vec<String> = values.iter().map(|value| format!("q({value})")).collect();
-    let inner = if format == "Q15" { "i16" } else { "i32" };
-    put(
-        text,
-        format_args!(
-            "static {name}: [eigenshade::{format}; {count}] = {{ const fn q(mantissa: {inner}) -> \
-             eigenshade::{format} {{ eigenshade::{format}(mantissa) }} [{}] }};",
-            values.join(", ")
-        ),
-    );
+    let kind = format!("eigenshade::{format}");
+    let values = values.iter().map(|value| format!("{kind}({value})"));
+    array(text, name, &kind, values);
 }
 
-fn array(text: &mut String, name: &str, kind: &str, values: &[impl ToString]) {
-    let values: Vec<String> = values.iter().map(ToString::to_string).collect();
-    put(text, format_args!("static {name}: [{kind}; {}] = [{}];", values.len(), values.join(", ")));
-}
-
-fn basis(format: &str, effects: &str) -> String {
+/// The record of the parts.
+fn record(parts: &QuantizedParts) -> String {
+    let QuantizedParts { degree, order, components, .. } = parts;
+    let (format, effects) = (name(parts.format), effects(parts.effects));
     format!(
-        "/// The basis; its shape and its bounds were checked when it was compiled.
-pub static BASIS: eigenshade::quantized::Basis<'static, eigenshade::{format}> =
-    match eigenshade::quantized::Basis::<eigenshade::{format}>::new(eigenshade::quantized::Parts {{
-        degree: DEGREE,
-        order: ORDER,
+        "const PARTS: eigenshade::quantized::Parts<'static, eigenshade::{format}> =
+    eigenshade::quantized::Parts {{
+        degree: {degree},
+        order: {order},
         effects: {effects},
-        components: COMPONENTS,
+        components: {components},
         profiles: &PLACES,
         lengths: &LENGTHS,
         polar: &POLAR,
@@ -133,46 +96,59 @@ pub static BASIS: eigenshade::quantized::Basis<'static, eigenshade::{format}> =
         factors: &FACTORS,
         factor_exponents: &FACTOR_EXPONENTS,
         terms: &TERMS,
-    }}) {{
-        Ok(basis) => basis,
-        Err(_) => panic!(\"the table's parts do not fit together\"),
-    }};"
-    )
-}
-
-fn types(format: &str) -> String {
-    format!(
-        "/// The coefficients d of one image.
-pub type Coefficients = eigenshade::quantized::Coefficients<COMPONENTS>;
-/// The transfer of one material.
-pub type Transfer = eigenshade::quantized::TransferBuffer<eigenshade::{format}, TRANSFER, PROFILES>;
-/// A scene of this table's size.
-type Collapsed = eigenshade::quantized::Scene<'static, eigenshade::{format}, eigenshade::quantized::SceneBuffer<SCENE>>;
-/// One image, ready to be shaded. It dereferences to an [`eigenshade::quantized::Scene`].
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Scene(Collapsed);
-impl core::ops::Deref for Scene {{
-    type Target = Collapsed;
-    #[inline]
-    fn deref(&self) -> &Collapsed {{
-        &self.0
-    }}
-}}
-/// An estimate of the coefficients d from pixels.
-pub type Estimate = eigenshade::quantized::Estimate<'static, eigenshade::{format}, COMPONENTS>;
-/// Starts an estimate from pixels: see [`eigenshade::quantized::Basis::estimate`].
-///
-/// # Errors
-///
-/// Never: the capacity is that of this table.
-pub fn estimate() -> Result<Estimate, eigenshade::Error> {{
-    BASIS.estimate()
-}}
+    }};
 "
     )
 }
 
-/// A line of text.
-pub(crate) fn put(text: &mut String, line: std::fmt::Arguments<'_>) {
-    writeln!(text, "{line}").expect("a string takes everything");
+/// The pairs (p, q) of a material, each with the orders o that are summed, and the azimuths of its
+/// transfer.
+fn transfer_of(parts: &QuantizedParts) -> String {
+    if parts.polar.is_empty() {
+        return "transfer by basis".into();
+    }
+    let pairs = pair::indices(parts.order).map(|(p, q)| {
+        let coupled = |o: &usize| parts.effects.factored(p.max(*o));
+        let orders = (q..=parts.order).step_by(2).filter(coupled);
+        format!("[{p} {q} {}]", words(orders))
+    });
+    format!("transfer scatter {} azimuths {}", words(pairs), azimuths_of(parts))
+}
+
+/// The azimuths of a transfer.
+fn relight(parts: &QuantizedParts) -> String {
+    format!("relight {}", azimuths_of(parts))
+}
+
+/// The azimuths that have profiles.
+fn azimuths_of(parts: &QuantizedParts) -> String {
+    words(azimuths(parts).map(|profiles| profiles[0].azimuth))
+}
+
+/// The profiles of each azimuth that has some.
+fn azimuths(parts: &QuantizedParts) -> impl Iterator<Item = &[Place]> {
+    parts.profiles.chunk_by(|a, b| a.azimuth == b.azimuth)
+}
+
+/// The azimuths of a scene and their profiles. Where the sums of the sizes may not fit 32 bits, the
+/// basis takes them.
+fn collapse(parts: &QuantizedParts) -> String {
+    let sum = |stated: fn(&Place) -> u16, profiles: &[Place]| {
+        profiles.iter().map(|place| u32::from(stated(place))).sum::<u32>()
+    };
+    let steps = azimuths(parts).map(|profiles| sum(|place| place.step, profiles));
+    let largest = steps.chain([2 * sum(|place| place.size, &parts.profiles)]).max();
+    // Times 2^15, and what may be missing.
+    if largest.unwrap_or(0) >= 1 << 16 {
+        return "collapse by basis".into();
+    }
+    let azimuths = azimuths(parts);
+    let azimuths = azimuths.map(|profiles| format!("[{} {}]", profiles[0].azimuth, profiles.len()));
+    format!("collapse {}", words(azimuths))
+}
+
+/// The azimuths of a pixel.
+fn shade(parts: &QuantizedParts) -> String {
+    let last = parts.lengths.iter().rposition(|&length| length > 0).unwrap_or(0);
+    format!("shade {}", words(1..=last))
 }

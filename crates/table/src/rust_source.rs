@@ -107,14 +107,26 @@ fn place(place: &ProfilePlace) -> String {
 }
 
 /// A static array of these items.
-fn array(text: &mut String, name: &str, kind: &str, items: impl Iterator<Item = String>) {
+pub(crate) fn array(
+    text: &mut String,
+    name: &str,
+    kind: &str,
+    items: impl Iterator<Item = String>,
+) {
     let items: Vec<String> = items.collect();
     let count = items.len();
     line(text, format_args!("static {name}: [{kind}; {count}] = [{}];", items.join(", ")));
 }
 
-fn line(text: &mut String, line: std::fmt::Arguments<'_>) {
+/// A line of text.
+pub(crate) fn line(text: &mut String, line: std::fmt::Arguments<'_>) {
     writeln!(text, "{line}").expect("a string takes everything");
+}
+
+/// Items with spaces between them.
+pub(crate) fn words(items: impl IntoIterator<Item: ToString>) -> String {
+    let items: Vec<String> = items.into_iter().map(|item| item.to_string()).collect();
+    items.join(" ")
 }
 
 /// A set of effects as an expression.
@@ -196,7 +208,7 @@ fn sphere(parts: &Parts) -> String {
             }
         }
     }
-    format!("sphere passes {} runs {}", passes.join(" "), runs.join(" "))
+    format!("sphere passes {} runs {}", words(passes), words(runs))
 }
 
 /// The parts of a projection. A table with a selection of modes is projected by its basis, since
@@ -208,9 +220,8 @@ fn project(parts: &Parts) -> String {
         return "by basis".into();
     }
     let order = parts.order;
-    let scatter: Vec<String> =
-        (0..=order).map(|q| format!("[{q} {}]", (order - q) / 2 + 1)).collect();
-    let mut text = format!("scatter {}", scatter.join(" "));
+    let scatter = (0..=order).map(|q| format!("[{q} {}]", (order - q) / 2 + 1));
+    let mut text = format!("scatter {}", words(scatter));
     for profiles in parts.profiles.chunk_by(|a, b| a.azimuth == b.azimuth) {
         text += &format!(" azimuth {}", profiles[0].azimuth);
         for (number, four) in profiles.chunks(4).enumerate() {
@@ -227,9 +238,7 @@ fn collapse(parts: &Parts) -> String {
         return "by basis".into();
     }
     let azimuths = parts.profiles.chunk_by(|a, b| a.azimuth == b.azimuth);
-    let azimuths: Vec<String> =
-        azimuths.map(|profiles| format!("[{} {}]", profiles[0].azimuth, profiles.len())).collect();
-    azimuths.join(" ")
+    words(azimuths.map(|profiles| format!("[{} {}]", profiles[0].azimuth, profiles.len())))
 }
 
 /// The azimuths of a pixel, from the highest downward.
@@ -243,6 +252,5 @@ fn shade(parts: &Parts) -> String {
     if matches!(lengths[..=last], [..=3, ..=2] | [..=3, ..=2, ..=1]) {
         return "nine terms".into();
     }
-    let azimuths: Vec<String> = (1..=last).rev().map(|azimuth| azimuth.to_string()).collect();
-    azimuths.join(" ")
+    words((1..=last).rev())
 }

@@ -2,10 +2,12 @@
 //! [`Basis::collapse_into`](crate::quantized::Basis::collapse_into), azimuth by azimuth.
 
 use crate::format::FixedPoint;
+use crate::places::AzimuthPlace;
 use crate::quantized::scene::{
     self, FINEST, Scene, SceneBuffer, bits, half_or_one, size, weight, with_margin,
 };
-use crate::quantized::{Basis, Coefficients};
+use crate::quantized::{Basis, Coefficients, Profile};
+use crate::shape::Shape;
 
 /// The terms of a scene, to be filled for this basis.
 #[inline(always)]
@@ -34,8 +36,6 @@ pub fn mantissas<const K: usize>(coefficients: &Coefficients<K>) -> Option<&[i32
 #[derive(Clone, Copy, Debug)]
 pub struct Size<const A: usize> {
     image: u32,
-    plus: u32,
-    minus: u32,
     steps: [u32; A],
 }
 
@@ -47,57 +47,52 @@ pub struct Shifts<const A: usize> {
     finer: [u32; A],
 }
 
+/// Number of azimuths up to the last one with profiles.
+#[must_use]
+pub const fn azimuths<Q>(basis: &Basis<'_, Q>) -> usize {
+    match basis.parts.profiles {
+        [.., last] => last.azimuth() + 1,
+        [] => 0,
+    }
+}
+
 impl<const A: usize> Size<A> {
     /// The size of a black image.
     #[inline(always)]
     #[must_use]
     pub const fn empty() -> Self {
-        Self { image: 0, plus: 0, minus: 0, steps: [0; A] }
+        Self { image: 0, steps: [0; A] }
     }
 
-    /// Adds the components `PLUS` and `MINUS` of a profile.
+    /// Adds the components of azimuth `M`.
     #[inline(always)]
     #[must_use]
-    pub fn profile<
-        const PLUS: usize,
-        const MINUS: usize,
-        const SIZE: u32,
-        const STEP: u32,
-        const K: usize,
-    >(
-        self,
+    pub fn azimuth<B: Shape<Basis<'static, Q>>, Q: FixedPoint, const M: usize, const K: usize>(
+        mut self,
         d: &[i32; K],
     ) -> Self {
-        let size = |index: usize| d.get(index).copied().map_or(0, size);
-        let (plus, minus) = (size(PLUS), size(MINUS));
-        Self {
-            image: self.image.wrapping_add((plus + minus).wrapping_mul(SIZE)),
-            plus: self.plus.wrapping_add(plus.wrapping_mul(STEP)),
-            minus: self.minus.wrapping_add(minus.wrapping_mul(STEP)),
-            ..self
+        let of = |index: u16| d.get(usize::from(index)).copied().map_or(0, size);
+        let (mut of_plus, mut of_minus) = (0_u32, 0_u32);
+        for profile in const { B::BASIS.parts.profiles_at(&B::BASIS.parts.azimuth_at(M)) } {
+            let (plus, minus) = (of(profile.plus), of(profile.minus));
+            let (size, step) = (u32::from(profile.size), u32::from(profile.step));
+            self.image = self.image.wrapping_add((plus + minus).wrapping_mul(size));
+            of_plus = of_plus.wrapping_add(plus.wrapping_mul(step));
+            of_minus = of_minus.wrapping_add(minus.wrapping_mul(step));
         }
-    }
-
-    /// Finishes azimuth number `M` of those that have profiles.
-    #[inline(always)]
-    #[must_use]
-    pub fn azimuth<const M: usize>(mut self) -> Self {
         if let Some(step) = self.steps.get_mut(M) {
-            *step = self.plus.max(self.minus);
+            *step = of_plus.max(of_minus);
         }
-        Self { plus: 0, minus: 0, ..self }
+        self
     }
 
-    /// The shifts for a table of this degree, whose profiles have exponents from `least` to
-    /// `largest`. `None` if there is hardly an image, or if weights that are coarser than d would
-    /// have to be shifted left, or right by more bits than they have.
+    /// The shifts of this table. `None` if there is hardly an image, or if weights that are coarser
+    /// than d would have to be shifted left, or right by more bits than they have.
     #[inline(never)]
     #[must_use]
-    pub fn shifts<Q: FixedPoint>(
-        &self,
-        degree: usize,
-        [least, largest]: [i32; 2],
-    ) -> Option<Shifts<A>> {
+    pub fn shifts<B: Shape<Basis<'static, Q>>, Q: FixedPoint>(&self) -> Option<Shifts<A>> {
+        let degree = const { B::BASIS.parts.degree };
+        let [least, largest] = const { exponents(B::BASIS.parts.profiles) };
         let most = self.steps.iter().copied().fold(self.image, u32::max);
         let bits = bits(most.into(), degree);
         let base = -scene::base::<Q>(bits);
@@ -116,29 +111,16 @@ impl<const A: usize> Size<A> {
     }
 }
 
-impl<const A: usize> Shifts<A> {
-    /// By how many bits the weights of azimuth number `M` are finer.
-    #[inline(always)]
-    #[must_use]
-    pub fn finer<const M: usize>(&self) -> u32 {
-        self.finer.get(M).copied().unwrap_or(0)
+/// The least and the largest exponent of these profiles.
+const fn exponents(mut profiles: &[Profile]) -> [i32; 2] {
+    let (mut least, mut largest) = (i32::MAX, i32::MIN);
+    while let [profile, others @ ..] = profiles {
+        let exponent = profile.exponent as i32;
+        least = if exponent < least { exponent } else { least };
+        largest = if exponent > largest { exponent } else { largest };
+        profiles = others;
     }
-
-    /// The rounded weight of a component whose profile has the exponent `EXPONENT`.
-    #[inline(always)]
-    #[must_use]
-    pub fn weight<Q: FixedPoint, const COMPONENT: usize, const EXPONENT: i32, const K: usize>(
-        &self,
-        d: &[i32; K],
-        finer: u32,
-    ) -> i32 {
-        let d = d.get(COMPONENT).copied().unwrap_or(0);
-        if !is_coarse::<Q>() {
-            return weight(d, EXPONENT - self.base + finer.cast_signed());
-        }
-        let by = (self.base - EXPONENT - 1).cast_unsigned().wrapping_sub(finer) & 31;
-        (d >> by).wrapping_add(1) >> 1
-    }
+    [least, largest]
 }
 
 /// Whether weights have no more bits than d.
@@ -147,41 +129,94 @@ const fn is_coarse<Q: FixedPoint>() -> bool {
     Q::WEIGHT_BITS + Q::TERM_BITS <= 31
 }
 
-/// Writes the polynomials of one azimuth: `P` profiles of `L` terms from `START` on, times the
-/// weights of their components, which are `finer` by that many bits. With `W` = 1 only +m is
-/// computed, otherwise +m and -m. The result goes to the scene's terms from `TO` on.
-#[inline(never)]
+impl<const A: usize> Shifts<A> {
+    /// The rounded weight of a component whose profile has this exponent.
+    #[inline(always)]
+    fn weight<Q: FixedPoint>(&self, d: &[i32], component: u16, exponent: i8, finer: u32) -> i32 {
+        let d = d.get(usize::from(component)).copied().unwrap_or(0);
+        let exponent = i32::from(exponent);
+        if !is_coarse::<Q>() {
+            return weight(d, exponent - self.base + finer.cast_signed());
+        }
+        let by = (self.base - exponent - 1).cast_unsigned().wrapping_sub(finer) & 31;
+        (d >> by).wrapping_add(1) >> 1
+    }
+}
+
+/// Writes the polynomials of azimuth `M`, which has `P` profiles.
+#[inline(always)]
 pub fn azimuth<
+    B: Shape<Basis<'static, Q>>,
     Q: FixedPoint,
-    const START: usize,
-    const TO: usize,
+    const M: usize,
     const P: usize,
-    const W: usize,
-    const L: usize,
-    const T: usize,
+    const A: usize,
+    const K: usize,
     const N: usize,
 >(
-    terms: &'static [Q; T],
+    d: &[i32; K],
+    shifts: &Shifts<A>,
+    scene: &mut [i32; N],
+) {
+    let finer = shifts.finer.get(M).copied().unwrap_or(0);
+    let weight = |component, exponent| shifts.weight::<Q>(d, component, exponent, finer);
+    let profiles = const { profiles::<B, Q, P>(M) };
+    if M == 0 {
+        let weights = profiles.map(|profile| [weight(profile.plus, profile.exponent)]);
+        sum::<B, Q, M, 1, P, N>(&weights, finer, scene);
+    } else {
+        // Φ_-m = √2 sin(-mβ) = -√2 Im (n_x + i n_y)^m / sin^m.
+        let weights = profiles.map(|Profile { plus, minus, exponent, .. }| {
+            [weight(plus, exponent), -weight(minus, exponent)]
+        });
+        sum::<B, Q, M, 2, P, N>(&weights, finer, scene);
+    }
+}
+
+/// The `P` profiles of an azimuth.
+#[expect(clippy::panic, reason = "while the program is compiled")]
+const fn profiles<B: Shape<Basis<'static, Q>>, Q: 'static, const P: usize>(
+    azimuth: usize,
+) -> &'static [Profile; P] {
+    let parts = &B::BASIS.parts;
+    match parts.profiles_at(&parts.azimuth_at(azimuth)).first_chunk() {
+        Some(profiles) => profiles,
+        None => panic!("the azimuth has fewer profiles"),
+    }
+}
+
+/// Sums the `P` profiles of azimuth `M`, with weights for `W` polynomials each. The weights are
+/// `finer` by that many bits.
+///
+/// Not inlined: a compiler that sees several azimuths at once runs out of registers.
+#[inline(never)]
+fn sum<
+    B: Shape<Basis<'static, Q>>,
+    Q: FixedPoint,
+    const M: usize,
+    const W: usize,
+    const P: usize,
+    const N: usize,
+>(
     weights: &[[i32; W]; P],
     finer: u32,
     scene: &mut [i32; N],
 ) {
+    let AzimuthPlace { start, length, .. } = const { B::BASIS.parts.azimuth_at(M) };
+    let terms = const { B::BASIS.parts.terms.split_at(B::BASIS.parts.azimuth_at(M).terms).1 };
+    let scene = scene.get_mut(start..).unwrap_or_default();
     let by = Q::SUM_SHIFT + finer;
-    let rows = terms.get(START..).unwrap_or_default().as_chunks::<L>().0;
-    let Some(rows) = rows.first_chunk::<P>() else { return };
-    let polynomials = scene.get_mut(TO..).unwrap_or_default().as_chunks_mut::<L>().0;
-    let Some(polynomials) = polynomials.first_chunk_mut::<W>() else { return };
-    for k in 0..L {
-        let mut sums = [half_or_one(k == 0 || (W == 1 && k == L - 1), by); W];
-        for (row, weights) in rows.iter().zip(weights) {
-            let term = row.get(k).copied().unwrap_or_default();
+    for k in 0..length {
+        let mut sums = [half_or_one(k == 0 || (W == 1 && k == length - 1), by); W];
+        for (profile, weights) in weights.iter().enumerate() {
+            let term = terms.get(profile * length + k).copied().unwrap_or_default();
             for (sum, &weight) in sums.iter_mut().zip(weights) {
                 *sum = sum.wrapping_add(term.weigh(weight));
             }
         }
-        for (polynomial, sum) in polynomials.iter_mut().zip(sums) {
-            if let Some(place) = polynomial.get_mut(k) {
-                *place = sum >> (by & 31);
+        for (sign, sum) in sums.into_iter().enumerate() {
+            if let Some(to) = scene.get_mut(sign * length + k) {
+                *to = sum >> (by & 31);
             }
         }
     }
@@ -191,9 +226,10 @@ pub fn azimuth<
             *either |= weight;
         }
     }
-    for (polynomial, either) in polynomials.iter_mut().zip(either) {
+    for (sign, either) in either.into_iter().enumerate() {
         if either == 0 {
-            polynomial.fill(0);
+            let polynomial = scene.get_mut(sign * length..(sign + 1) * length);
+            polynomial.unwrap_or_default().fill(0);
         }
     }
 }

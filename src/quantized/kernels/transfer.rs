@@ -2,10 +2,10 @@
 //! [`Basis::transfer_into`](crate::quantized::Basis::transfer_into).
 
 use crate::format::{FixedPoint, Wide};
-use crate::quantized::transfer::{
-    GUARD_BITS, ZERO_EXPONENT, common_exponent, guard, room, row_bits,
-};
-use crate::quantized::{Material, TransferBuffer};
+use crate::index::{material, pair};
+use crate::quantized::transfer::{self, GUARD_BITS, ZERO_EXPONENT, guard, room, row_bits};
+use crate::quantized::{Basis, Material, TransferBuffer};
+use crate::shape::Shape;
 
 /// The mantissas and exponents of a material, of exactly these lengths. `None` unless each exponent
 /// is at most that of any lower o of the same parity. Then no addend exceeds the scale that
@@ -30,18 +30,26 @@ pub fn numbers<Q: FixedPoint, const T: usize, const E: usize>(
     Some((numbers.filled()?, exponents.filled()?))
 }
 
-/// The coefficients as they are multiplied: divided by √2 unless `same` marks that o and p are
-/// equal.
+/// The coefficients as they are multiplied: divided by √2 unless o and p are equal.
 #[inline(never)]
-pub fn coefficients<Q: FixedPoint, const B: usize>(
-    mantissas: &[Q; B],
-    same: &'static [bool; B],
-) -> [Q::Wide; B] {
+pub fn coefficients<Q: FixedPoint, const B: usize>(mantissas: &[Q; B]) -> [Q::Wide; B] {
     let mut coefficients = [Q::Wide::default(); B];
+    let same = const { &same::<B>() };
     for ((&mantissa, &same), to) in mantissas.iter().zip(same).zip(&mut coefficients) {
         *to = if same { mantissa } else { mantissa.over_root_two() }.widen();
     }
     coefficients
+}
+
+/// For each coefficient, whether o and p are equal.
+const fn same<const B: usize>() -> [bool; B] {
+    let (mut same, mut mode) = ([false; B], (0, 0, 0));
+    let mut rest = same.as_mut_slice();
+    while let [to, others @ ..] = rest {
+        *to = mode.0 == mode.1;
+        (rest, mode) = (others, material::following(mode));
+    }
+    same
 }
 
 /// The polar integrals of `P` pairs for one degree. For each o, `shifts` holds the shift of its
@@ -58,14 +66,9 @@ impl<Q: FixedPoint, const P: usize, const O: usize> Degree<Q, P, O> {
     /// Prepares the degree `l`.
     #[inline(never)]
     #[must_use]
-    pub fn new(
-        l: usize,
-        polar: &'static [Q],
-        exponents: &'static [i8],
-        of_orders: &[i8; O],
-    ) -> Option<Self> {
-        let polar = polar.as_chunks::<P>().0.get(l)?;
-        let exponents = exponents.as_chunks::<P>().0.get(l)?;
+    pub fn new<T: Shape<Basis<'static, Q>>>(l: usize, of_orders: &[i8; O]) -> Option<Self> {
+        let polar = T::BASIS.parts.polar.as_chunks::<P>().0.get(l)?;
+        let exponents = T::BASIS.parts.polar_exponents.as_chunks::<P>().0.get(l)?;
         let room = room::<Q::Wide>(O - 1);
         let mut rest = exponents.as_slice();
         let mut top = i32::MIN;
@@ -80,17 +83,19 @@ impl<Q: FixedPoint, const P: usize, const O: usize> Degree<Q, P, O> {
         Some(Self { polar, exponents, shifts, common })
     }
 
-    /// sum + b Ĉ, for the pair `FROM` and the coefficient `MODE`, whose order o is `ORDER`.
+    /// sum + b Ĉ of the order `L` for the pair (`R`, `S`).
     #[inline(always)]
     #[must_use]
-    pub fn add<const FROM: usize, const MODE: usize, const ORDER: usize, const B: usize>(
+    pub fn add<const R: usize, const S: usize, const L: usize, const B: usize>(
         &self,
         sum: Q::Wide,
         b: &[Q::Wide; B],
     ) -> Q::Wide {
         let Self { polar, exponents, shifts, .. } = self;
+        let (o, p) = if L > R { (L, R) } else { (R, L) };
+        let (from, mode) = (pair::position(L, S), material::position(o, p, S));
         if let (Some(&b), Some(polar), Some(&exponent), Some(&shift)) =
-            (b.get(MODE), polar.get(FROM), exponents.get(FROM), shifts.get(ORDER))
+            (b.get(mode), polar.get(from), exponents.get(from), shifts.get(o))
         {
             // The shift is not negative, because an addend has at least one bit of room.
             return sum + (b * polar.widen()).round_shr(shift - i32::from(exponent));
@@ -123,46 +128,33 @@ impl<Q: FixedPoint, const P: usize, const O: usize> Degree<Q, P, O> {
     }
 }
 
-/// Computes the rows of `N` profiles of azimuth `M`, with `L` degrees each. Their factors start at
-/// the row `ROW`, their numbers at `START` and their exponents at `FIRST`.
+/// Computes the rows of the profiles of azimuth `M`, with `L` degrees each.
 #[inline(never)]
 pub fn azimuth<
+    B: Shape<Basis<'static, Q>>,
     Q: FixedPoint,
     const M: usize,
-    const N: usize,
     const L: usize,
-    const ROW: usize,
-    const START: usize,
-    const FIRST: usize,
     const P: usize,
     const D: usize,
-    const F: usize,
-    const R: usize,
     const T: usize,
     const E: usize,
 >(
-    factors: &'static [Q; F],
-    factor_exponents: &'static [i8; R],
     sums: &[[Q::Wide; P]; D],
     of_sums: &[i32; D],
     (numbers, exponents): (&mut [Q; T], &mut [i16; E]),
 ) {
-    let rows = factors.as_chunks::<P>().0.get(ROW..).unwrap_or_default().as_chunks::<L>().0;
-    let of_rows = factor_exponents.get(ROW..).unwrap_or_default().as_chunks::<L>().0;
-    let numbers = numbers.get_mut(START..).unwrap_or_default().as_chunks_mut::<L>().0;
-    let exponents = exponents.get_mut(FIRST..).unwrap_or_default();
-    let (Some(rows), Some(of_rows), Some(numbers), Some(exponents)) = (
-        rows.first_chunk::<N>(),
-        of_rows.first_chunk::<N>(),
-        numbers.first_chunk_mut::<N>(),
-        exponents.first_chunk_mut::<N>(),
-    ) else {
-        return;
-    };
+    let place = const { &B::BASIS.parts.azimuth_at(M) };
+    let parts = const { &B::BASIS.parts };
+    let rows = parts.factors.as_chunks::<P>().0.get(place.rows..).unwrap_or_default();
+    let of_rows = parts.factor_exponents.get(place.rows..).unwrap_or_default();
+    let rows = rows.as_chunks::<L>().0.iter().zip(of_rows.as_chunks::<L>().0);
+    let numbers = numbers.get_mut(place.rows..).unwrap_or_default().as_chunks_mut::<L>().0;
+    let exponents = exponents.get_mut(place.first..).unwrap_or_default();
     let sums = sums.get(M..).unwrap_or_default();
     let of_sums = of_sums.get(M..).unwrap_or_default();
     for (((rows, of_rows), numbers), exponent) in
-        rows.iter().zip(of_rows).zip(numbers).zip(exponents)
+        rows.zip(numbers).zip(exponents).take(place.profiles)
     {
         let mut row = [Q::Wide::default(); L];
         for ((place, factors), sums) in row.iter_mut().zip(rows).zip(sums) {
@@ -172,14 +164,10 @@ pub fn azimuth<
     }
 }
 
-/// Σ factor S.
+/// [`transfer::product`] over all pairs.
 #[inline(never)]
 fn product<Q: FixedPoint, const P: usize>(factors: &[Q; P], sums: &[Q::Wide; P]) -> Q::Wide {
-    let mut sum = Q::Wide::default();
-    for (factor, &scattered) in factors.iter().zip(sums) {
-        sum += factor.widen() * scattered;
-    }
-    sum
+    transfer::product(factors, sums)
 }
 
 /// Rounds a row to mantissas as the general code does, and returns its exponent.
@@ -218,10 +206,5 @@ fn settle<Q: FixedPoint, const L: usize>(
 #[cold]
 #[inline(never)]
 fn settle_small<Q: FixedPoint>(row: &[Q::Wide], exponents: &[i32], numbers: &mut [Q]) -> i16 {
-    let row = row.iter().copied().zip(exponents.iter().copied());
-    let common = common_exponent(row.clone(), Q::BITS);
-    for (to, (number, exponent)) in numbers.iter_mut().zip(row) {
-        *to = Q::saturate(number.shifted(exponent - common));
-    }
-    common as i16
+    transfer::settle(row.iter().copied().zip(exponents.iter().copied()), numbers)
 }
