@@ -100,8 +100,6 @@ mod nine_terms;
 
 mod scene;
 
-mod shape;
-
 mod shade;
 
 #[doc(hidden)]

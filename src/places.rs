@@ -1,12 +1,19 @@
 //! Where the numbers of one step stand: the azimuths of a basis, and the passes and the runs of a
 //! transfer.
 //!
-//! These are constants for a table that is known when the program is compiled, so the functions are
-//! `const`.
+//! Each step of the runtime is one function of a place. For a table that is known only at run time,
+//! a loop asks for one place after the other. For a [`Shape`] the places are constants, and the
+//! compiler specializes the same function for each of them; so the functions here are `const`.
 
 use crate::index::layout::{LANES, PASS, factors, lowest_degree};
 use crate::parts::{Parts, ProfilePlace, Row};
 use crate::quantized::{Parts as QuantizedParts, Profile};
+
+/// A table that is known when the program is compiled, with a basis of type `B`.
+pub trait Shape<B: 'static> {
+    /// The basis.
+    const BASIS: &'static B;
+}
 
 /// The place of one pass in a transfer.
 #[derive(Clone, Copy)]

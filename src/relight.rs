@@ -14,10 +14,9 @@ use crate::index::layout::LANES;
 use crate::index::light::position;
 use crate::lanes;
 use crate::light::Light;
-use crate::places::{PassPlace, Run};
+use crate::places::{PassPlace, Run, Shape};
 use crate::projection::Coefficients;
 use crate::scalar::Scalar;
-use crate::shape::Shape;
 use crate::transfer::Transfer;
 
 /// Whether the target computes with groups of numbers.

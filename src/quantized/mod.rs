@@ -41,14 +41,30 @@
 mod basis;
 mod estimate;
 mod inputs;
-#[doc(hidden)]
-pub mod kernels;
 mod nine_terms;
 mod pixel;
 mod relight;
 mod scene;
 mod table;
 mod transfer;
+
+/// Kernels for tables that are known when the program is compiled: `integer_table!` calls them, once
+/// for each azimuth. They compute the same bits as the methods of a [`Basis`] and a [`Scene`], with
+/// constants for all sizes and positions. If an argument has another shape, the methods are called.
+#[doc(hidden)]
+pub mod kernels {
+    pub mod collapse;
+    pub mod transfer;
+
+    /// Relighting, part by part.
+    pub mod relight {
+        pub use crate::quantized::relight::{
+            NONE, align, azimuth, coefficients, common, exponent, inputs,
+        };
+    }
+
+    pub use crate::quantized::pixel::Pixel;
+}
 
 pub use basis::{Basis, Parts, Profile};
 pub use estimate::Estimate;

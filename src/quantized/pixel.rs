@@ -2,8 +2,7 @@
 
 use super::{Basis, Normal};
 use crate::format::{FixedPoint, Wide as _};
-use crate::places::AzimuthPlace;
-use crate::shape::Shape;
+use crate::places::{AzimuthPlace, Shape};
 
 /// A pixel in progress: the sum so far, and (n_x + i n_y)^m for the next m.
 #[derive(Clone, Copy, Debug)]

@@ -6,8 +6,7 @@ use crate::buffer::{Buffer, zeros};
 use crate::error::{Argument, Error};
 use crate::format::{FixedPoint, Wide};
 use crate::index::light;
-use crate::places::AzimuthPlace;
-use crate::shape::Shape;
+use crate::places::{AzimuthPlace, Shape};
 
 /// The coefficients d of one image, component by component. The mantissas are at most 2^30 in size
 /// and are multiplied by 2^exponent.

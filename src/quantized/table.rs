@@ -78,7 +78,8 @@ macro_rules! integer_table {
         ) -> Result<(), $crate::Error> {
             use $crate::quantized::kernels::transfer as kernels;
             let inputs = kernels::inputs::<$crate::$format, MODES, ORDERS>(material);
-            if let (Some(inputs), Some((numbers, exponents))) = (inputs, kernels::numbers(transfer)) {
+            let of_transfer = kernels::numbers(transfer);
+            if let (Some(inputs), Some((numbers, exponents))) = (inputs, of_transfer) {
                 let (mut sums, mut of_sums) = ([[0; PAIRS]; DEGREES], [0; DEGREES]);
                 let b = kernels::coefficients(inputs.0);
                 for (l, (sums, exponent)) in sums.iter_mut().zip(&mut of_sums).enumerate() {
@@ -179,7 +180,8 @@ macro_rules! integer_table {
         ) -> Result<(), $crate::Error> {
             use $crate::quantized::kernels::relight as kernels;
             const LIGHT: usize = (DEGREE + 1) * (DEGREE + 1);
-            let inputs = kernels::inputs::<$crate::$format, TRANSFER, PROFILES, LIGHT>(transfer, light);
+            let inputs =
+                kernels::inputs::<$crate::$format, TRANSFER, PROFILES, LIGHT>(transfer, light);
             let coefficients_mut = kernels::coefficients(coefficients);
             if let (Some(inputs), Some((d, exponent))) = (inputs, coefficients_mut) {
                 let top = kernels::NONE;

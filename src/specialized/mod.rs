@@ -1,5 +1,5 @@
-//! Kernels for shapes that are known at compile time. The generated code of a table calls them,
-//! once for each part of the work.
+//! Kernels for tables that are known when the program is compiled: `table!` calls them, once for
+//! each part of the work.
 //!
 //! They compute the same as [`Basis::project`](crate::Basis::project),
 //! [`Basis::relight`](crate::Basis::relight), [`Basis::collapse`](crate::Basis::collapse) and
@@ -19,7 +19,7 @@ pub mod relight {
     pub use crate::relight::{GROUPS, inputs, run, sums, write};
 }
 
-pub use crate::shape::Shape;
+pub use crate::places::Shape;
 
 use crate::error::{Argument, Error};
 use crate::scalar::Scalar;
@@ -42,7 +42,7 @@ pub fn shade_each<N: Copy, I>(
     Ok(())
 }
 
-/// The basis of a table.
+/// The basis of a table, or of a general one its span.
 ///
 /// # Panics
 ///

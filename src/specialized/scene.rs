@@ -1,8 +1,4 @@
-//! Relights order by order, collapses an image into a scene, and shades a pixel of it, with all
-//! sizes constant.
-//!
-//! Relighting is for machines that process numbers one at a time: it skips products with zero and
-//! reads each coefficient of the light once.
+//! Collapses an image into a scene and shades a pixel of it, with all sizes constant.
 //!
 //! For a pixel, Horner's rule is applied twice: to each polynomial in t = 2z - 1, and to the
 //! azimuths, from the highest downward, in w = n_x + i n_y. I(n) = Re Σ_m (P_m + i Q_m) w̄^m.
@@ -10,11 +6,10 @@
 use crate::basis::Basis;
 use crate::normal::Normal;
 use crate::parts::Recurrences;
-use crate::places::AzimuthPlace;
+use crate::places::{AzimuthPlace, Shape};
 use crate::polynomial;
 use crate::scalar::Scalar;
 use crate::scene::{Scene, SceneBuffer};
-use crate::shape::Shape;
 
 /// A scene of polynomials of these lengths, all zero, without recurrences.
 #[inline(always)]
@@ -49,6 +44,7 @@ pub fn collapse<
     coefficients: &[S; K],
     scene: &mut [S; N],
 ) {
+    const { assert!(azimuth_of::<B, S>(M).profiles == P, "the azimuth has other profiles") };
     let place = const { &azimuth_of::<B, S>(M) };
     let components = const { &B::BASIS.parts.components_of::<P>(M) };
     let terms = const { B::BASIS.parts.terms.split_at(azimuth_of::<B, S>(M).terms).1 };

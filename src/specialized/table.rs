@@ -3,18 +3,21 @@
 /// The items of a module that holds the numbers of one table. `eigenshade-table` writes the numbers
 /// and the lines that call this macro.
 ///
-/// - `table!(sphere)`: constants, types and functions of a table of a sphere. It is followed by the
-///   numbers of profiles of each pass, by the numbers of the runs, and by `functions` that this
-///   macro does not write.
+/// - `table!(sphere ...)`: constants, types and functions of a table of a sphere, with a number and
+///   the number of profiles for each pass and run of a transfer.
 /// - `table!(general)`: the same for the table of another object.
+/// - `table!(project ...)`, `table!(collapse ...)` and `table!(shade ...)`: functions specialized for
+///   the azimuths listed and their profiles, or those of the basis or the scene.
 /// - `table!(sampled 64)`: functions that sample an image at so many knots.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! table {
-    (sphere passes $([$number:tt $pass:literal $profiles:literal])* runs $([$run:literal $rows:literal])*) => {
+    (sphere passes $([$number:tt $pass:literal $profiles:literal])*
+        runs $([$run:literal $rows:literal])*) => {
         $crate::table!(@sizes PARTS.components, BASIS.workspace_len(), BASIS);
         /// The basis; its shape was checked when it was compiled.
-        pub static BASIS: $crate::Basis<'static, f32> = $crate::specialized::checked($crate::Basis::new(PARTS));
+        pub static BASIS: $crate::Basis<'static, f32> =
+            $crate::specialized::checked($crate::Basis::new(PARTS));
         /// The transfer of a material: see [`eigenshade::Basis::transfer`].
         ///
         /// # Errors
@@ -125,8 +128,9 @@ macro_rules! table {
             use $crate::specialized::relight;
             if relight::GROUPS {
                 // All sums first: between the calls, components would be spilled one by one.
-                let sums =
-                    ($(relight::sums::<Shape, f32, $pass, $profiles, TRANSFER, LIGHT>(transfer, light),)*);
+                let sums = ($(
+                    relight::sums::<Shape, f32, $pass, $profiles, TRANSFER, LIGHT>(transfer, light),
+                )*);
                 $(relight::write::<Shape, f32, $pass, $profiles, COMPONENTS>(&sums.$number, d);)*
             } else {
                 $(relight::run::<Shape, f32, $run, $rows, TRANSFER, LIGHT, COMPONENTS>(
@@ -141,7 +145,8 @@ macro_rules! table {
             @sizes GENERAL.components, BASIS.workspace_len(), SPAN
         );
         /// The span of the basis; its shape was checked when it was compiled.
-        pub static SPAN: $crate::Basis<'static, f32> = $crate::specialized::checked($crate::Basis::new(PARTS));
+        pub static SPAN: $crate::Basis<'static, f32> =
+            $crate::specialized::checked($crate::Basis::new(PARTS));
         /// The basis; its shape was checked when it was compiled.
         pub static BASIS: $crate::GeneralBasis<'static, f32> =
             $crate::specialized::checked($crate::GeneralBasis::new(SPAN, GENERAL));
@@ -225,12 +230,15 @@ macro_rules! table {
             let polar = project::table_rows::<f32, GROUPS, PAIRS>(PARTS.polar);
             let Some(polar) = polar else { return };
             let mut sums = [[[0.0; LANES]; GROUPS]; PADDED];
-            $(project::scatter::<f32, $q, $pairs, GROUPS, MODES, PAIRS>(material, polar, &mut sums);)*
+            $(project::scatter::<f32, $q, $pairs, GROUPS, MODES, PAIRS>(
+                material, polar, &mut sums,
+            );)*
             let scattering = project::transposed::<
                 f32, { PADDED / LANES }, { DEGREE + 1 }, GROUPS, PADDED,
             >(&sums);
             $(
-                let lights = project::lights::<f32, $azimuth, { DEGREE + 1 - $azimuth }, LIGHT>(light);
+                let lights =
+                    project::lights::<f32, $azimuth, { DEGREE + 1 - $azimuth }, LIGHT>(light);
                 $(
                     let rows = project::rows::<
                         Shape, f32, $azimuth, $first, $twos, { PADDED / LANES },
@@ -278,9 +286,9 @@ macro_rules! table {
             let d: Result<&[f32; COMPONENTS], _> = coefficients.as_slice().try_into();
             let terms = $crate::specialized::scene_mut(&mut scene.0, PARTS.lengths);
             if let (Ok(d), Some(terms)) = (d, terms) {
-                $($crate::specialized::collapse::<Shape, f32, $azimuth, $profiles, COMPONENTS, SCENE>(
-                    d, terms,
-                );)*
+                $($crate::specialized::collapse::<
+                    Shape, f32, $azimuth, $profiles, COMPONENTS, SCENE,
+                >(d, terms);)*
                 return Ok(());
             }
             collapse_generally(coefficients, scene)

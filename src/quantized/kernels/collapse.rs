@@ -2,12 +2,11 @@
 //! [`Basis::collapse_into`](crate::quantized::Basis::collapse_into), azimuth by azimuth.
 
 use crate::format::FixedPoint;
-use crate::places::AzimuthPlace;
+use crate::places::{AzimuthPlace, Shape};
 use crate::quantized::scene::{
     self, FINEST, Scene, SceneBuffer, bits, half_or_one, size, weight, with_margin,
 };
 use crate::quantized::{Basis, Coefficients, Profile};
-use crate::shape::Shape;
 
 /// The terms of a scene, to be filled for this basis.
 #[inline(always)]

@@ -3,9 +3,9 @@
 
 use crate::format::{FixedPoint, Wide};
 use crate::index::{material, pair};
+use crate::places::Shape;
 use crate::quantized::transfer::{self, GUARD_BITS, ZERO_EXPONENT, guard, room, row_bits};
 use crate::quantized::{Basis, Material, TransferBuffer};
-use crate::shape::Shape;
 
 /// The mantissas and exponents of a material, of exactly these lengths. `None` unless each exponent
 /// is at most that of any lower o of the same parity. Then no addend exceeds the scale that
