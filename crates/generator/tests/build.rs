@@ -46,7 +46,9 @@ fn integers_stand_beside_floats_where_they_serve() {
         let warnings = write(&scene, &out, &formats).expect("a table");
         let text = fs::read_to_string(&out).expect("a file");
         assert!(text.starts_with("// eigenshade-generator, from "), "{}", &text[..80]);
-        assert!(text.contains("pub static BASIS: "));
+        let of_sphere = geometry.contains("\"sphere\"");
+        let kind = if of_sphere { "table!(sphere passes " } else { "table!(general);" };
+        assert!(text.contains(&format!("\neigenshade::{kind}")), "{kind}");
         for name in ["q15", "q31"] {
             assert_eq!(text.contains(&format!("pub mod {name} {{")), reason.is_none());
         }
