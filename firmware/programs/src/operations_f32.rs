@@ -14,9 +14,7 @@ programs::program!();
 /// A pixel of a scene.
 fn shade() {
     let numbers = inputs::numbers::<COMPONENTS>();
-    let Ok(scene) = table::collapse(&Coefficients::from(numbers)) else {
-        board::exit(false)
-    };
+    let Ok(scene) = table::collapse(&Coefficients::from(numbers)) else { board::exit(false) };
     let scene = black_box(scene);
     holds(size_of_val(&scene));
     let Some(terms) = table::terms(&scene) else { board::exit(false) };
