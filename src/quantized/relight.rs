@@ -83,11 +83,12 @@ impl<Q: FixedPoint> Basis<'_, Q> {
             let (row, after) = numbers.split_at_checked(degrees).unwrap_or((numbers, &[]));
             numbers = after;
             let sums = sums::<Q, true>(row, light.mantissas, profile.azimuth());
-            top = write(sums, profile, exponent, mantissas, top);
+            top = top.max(size(write(sums, profile, mantissas), exponent));
         }
         let common = common(top);
         for (profile, &exponent) in self.parts.profiles.iter().zip(transfer.exponents) {
-            align_profile(profile, exponent, common, mantissas);
+            let by = i32::from(exponent) - common;
+            replace(profile, mantissas, |mantissa| mantissa.shifted(by));
         }
         Ok(exponent::<Q>(common, light.exponent))
     }
@@ -103,7 +104,7 @@ impl<Q: FixedPoint> Basis<'_, Q> {
             let mut sum = Q::Wide::default();
             for number in row {
                 let number = number.widen();
-                sum += if number < Q::Wide::default() { -number } else { number };
+                sum += number.max(-number);
             }
             sum.bits() <= Q::BITS + 1
         })
@@ -153,7 +154,7 @@ pub fn azimuth<
     for ((row, profile), &exponent) in rows.zip(profiles).zip(exponents) {
         let sums =
             if M > 0 { sums::<Q, true>(row, light, M) } else { sums::<Q, false>(row, light, M) };
-        top = write(sums, profile, exponent, mantissas, top);
+        top = larger(top, write(sums, profile, mantissas), exponent);
     }
     top
 }
@@ -175,7 +176,13 @@ pub fn align<
     let profiles = const { B::BASIS.parts.profiles_at(&B::BASIS.parts.azimuth_at(M)) };
     let exponents = exponents.get(first..).unwrap_or_default();
     for (profile, &exponent) in profiles.iter().zip(exponents) {
-        align_profile(profile, exponent, common, mantissas);
+        let by = i32::from(exponent) - common;
+        // The same as `shifted`, in fewer instructions.
+        let (up, down) = (by.clamp(0, 31), (-1 - by).clamp(0, 31));
+        replace(profile, mantissas, |mantissa| {
+            let (raised, twice) = (mantissa << up, mantissa >> down);
+            if by < 0 { (twice >> 1) + (twice & 1) } else { raised }
+        });
     }
 }
 
@@ -209,15 +216,9 @@ fn sums<Q: FixedPoint, const MINUS: bool>(row: &[Q], light: &[Q], azimuth: usize
     [plus, if azimuth % 2 == 1 { minus.wrapping_minus() } else { minus }]
 }
 
-/// Writes the sums of a profile to its components. Returns the larger of `top` and their size.
+/// Writes the sums of a profile to its components. Returns the bitwise OR of their sizes.
 #[inline(always)]
-fn write<W: Wide>(
-    [plus, minus]: [W; 2],
-    profile: &Profile,
-    exponent: i16,
-    mantissas: &mut [i32],
-    top: i32,
-) -> i32 {
+fn write<W: Wide>([plus, minus]: [W; 2], profile: &Profile, mantissas: &mut [i32]) -> u32 {
     let mut either = 0;
     for (component, sum) in [(profile.plus, plus), (profile.minus, minus)] {
         if let Some(mantissa) = mantissas.get_mut(usize::from(component)) {
@@ -226,7 +227,13 @@ fn write<W: Wide>(
             either |= mantissa.unsigned_abs();
         }
     }
-    // Count the bits only if they may exceed `top`.
+    either
+}
+
+/// The larger of `top` and the size of the sums of a profile, whose bits are counted only if they
+/// may exceed `top`: some machines count in a loop.
+#[inline(always)]
+fn larger(top: i32, either: u32, exponent: i16) -> i32 {
     let room = top - i32::from(exponent);
     if room < 0 || (room < 31 && either >> (room & 31) != 0) {
         size(either, exponent).max(top)
@@ -252,16 +259,12 @@ pub const fn common(top: i32) -> i32 {
     if top == NONE { 0 } else { top - BITS }
 }
 
-/// Shifts the components of a profile to the common exponent.
+/// Replaces the mantissas of the components of a profile.
 #[inline(always)]
-fn align_profile(profile: &Profile, exponent: i16, common: i32, mantissas: &mut [i32]) {
-    let by = i32::from(exponent) - common;
-    let (up, down) = (by.clamp(0, 31), (-by - 1).clamp(0, 31));
+fn replace(profile: &Profile, mantissas: &mut [i32], by: impl Fn(i32) -> i32) {
     for component in [profile.plus, profile.minus] {
         if let Some(mantissa) = mantissas.get_mut(usize::from(component)) {
-            let (raised, twice) = (*mantissa << up, *mantissa >> down);
-            let rounded = (twice >> 1) + (twice & 1);
-            *mantissa = if by < 0 { rounded } else { raised };
+            *mantissa = by(*mantissa);
         }
     }
 }
