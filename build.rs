@@ -1,7 +1,7 @@
 //! Decodes the shipped table into typed statics, and generates the table of a scene if the feature
 //! `generate` is enabled.
 
-use eigenshade_table::quantize::{Format, QuantizedParts};
+use eigenshade_table::quantize::{Format, integers};
 use eigenshade_table::{rust_quantized, rust_source};
 use std::path::PathBuf;
 use std::{env, fs, process};
@@ -52,9 +52,9 @@ fn bake(from: &str, name: &str) -> Result<(), String> {
     let command = format!("build.rs, from {from}");
     write(&format!("{name}.rs"), &rust_source::module(&table, &command))?;
     for (format, suffix) in [(Format::Q15, "q15"), (Format::Q31, "q31")] {
-        let parts = QuantizedParts::new(&table, format, format.tolerance())
+        let parts = integers(&table, format, format.tolerance())
             .map_err(|error| format!("{from}: {error}"))?;
-        write(&format!("{name}_{suffix}.rs"), &rust_quantized::module(&parts, &command))?;
+        write(&format!("{name}_{suffix}.rs"), &rust_quantized::module(&parts, format, &command))?;
     }
     Ok(())
 }

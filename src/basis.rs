@@ -29,7 +29,9 @@ impl<'a, S> Basis<'a, S> {
     /// contradict each other.
     pub const fn new(parts: Parts<'a, S>) -> Result<Self, Error> {
         // These come first because they bound the counts below.
-        let (degrees, factored) = (parts.degree.saturating_add(1), parts.factored_order());
+        let basis = Self { parts, recurrences: Recurrences::NONE, transfer: 0, scene: 0 };
+        let parts = &basis.parts;
+        let (degrees, factored) = (parts.degree.saturating_add(1), basis.factored_order());
         let couplings = material::count(factored);
         if let Err(error) = Error::check(Argument::Lengths, degrees, parts.lengths.len()) {
             return Err(error);
@@ -37,7 +39,7 @@ impl<'a, S> Basis<'a, S> {
         if let Err(error) = Error::check(Argument::Couplings, couplings, parts.couplings.len()) {
             return Err(error);
         }
-        if !parts.couples() {
+        if !basis.couples() {
             return Err(Error::Coupling);
         }
         let recurrences = match Recurrences::new(parts.lengths, parts.recurrences) {
@@ -49,7 +51,7 @@ impl<'a, S> Basis<'a, S> {
         let (mut rest, mut before, mut run) = (parts.profiles, 0, 0);
         while let [place, tail @ ..] = rest {
             let azimuth = place.azimuth();
-            if azimuth < before || !parts.serves(place) {
+            if azimuth < before || !basis.serves(place) {
                 return Err(Error::Profile);
             }
             // Factors are stored for two profiles of an azimuth at a time: the first of the two
@@ -59,7 +61,7 @@ impl<'a, S> Basis<'a, S> {
                 let more = layout::factors(parts.degree, factored, azimuth, 1);
                 factors = usize::saturating_add(factors, more);
             }
-            terms = usize::saturating_add(terms, parts.length(azimuth));
+            terms = usize::saturating_add(terms, basis.length(azimuth));
             zonal += (azimuth == 0) as usize;
             served += place.plus().is_some() as usize + place.minus().is_some() as usize;
             (rest, before) = (tail, azimuth);
@@ -85,11 +87,11 @@ impl<'a, S> Basis<'a, S> {
             }
             // An azimuth with terms needs no check, since its terms bound its length.
             if !has_terms
-                && let Err(error) = Error::check(Argument::Lengths, 0, parts.length(azimuth))
+                && let Err(error) = Error::check(Argument::Lengths, 0, basis.length(azimuth))
             {
                 return Err(error);
             }
-            let found = parts.length(azimuth);
+            let found = basis.length(azimuth);
             if found > layout::EVEN_ODD_TERMS && azimuth < recurrences.first() {
                 let (argument, expected) = (Argument::Lengths, layout::EVEN_ODD_TERMS);
                 return Err(Error::Length { argument, expected, found });
@@ -102,10 +104,10 @@ impl<'a, S> Basis<'a, S> {
         let holds_transfers = parts.polar.is_empty() && parts.factors.is_empty();
         let polar = if holds_transfers { 0 } else { group * layout::groups(parts.degree) };
         let factors = if holds_transfers { 0 } else { factors };
-        let unfactored = if holds_transfers { 0 } else { parts.unfactored() };
-        let selection = if parts.selection.is_empty() { 0 } else { parts.selection_length() };
+        let unfactored = if holds_transfers { 0 } else { basis.unfactored_count() };
+        let selection = if parts.selection.is_empty() { 0 } else { basis.selection_length() };
         let mean = if parts.mean.is_empty() { 0 } else { parts.components };
-        let mean_terms = if parts.mean.is_empty() { 0 } else { parts.length(0) };
+        let mean_terms = if parts.mean.is_empty() { 0 } else { basis.length(0) };
         let checks = [
             Error::check(Argument::Slots, slots, parts.slots.len()),
             Error::check(Argument::Polar, polar, parts.polar.len()),
@@ -126,10 +128,10 @@ impl<'a, S> Basis<'a, S> {
         if served != parts.components {
             return Err(Error::Profile);
         }
-        if !parts.places() {
+        if !basis.places() {
             return Err(Error::Pass);
         }
-        Ok(Self { parts, recurrences, transfer, scene })
+        Ok(Self { recurrences, transfer, scene, ..basis })
     }
 
     /// The parts of this basis.
@@ -183,7 +185,7 @@ impl<'a, S> Basis<'a, S> {
 
     /// Length of a row over the pairs.
     pub(crate) const fn row(&self) -> usize {
-        layout::row(self.parts.factored_order())
+        layout::row(self.factored_order())
     }
 
     /// Length of a transfer.
@@ -205,39 +207,47 @@ impl<'a, S> Basis<'a, S> {
     }
 }
 
-impl<S> Parts<'_, S> {
+impl<S> Basis<'_, S> {
+    /// Number of terms of an azimuth's polynomials; 0 if it has none.
+    pub(crate) const fn length(&self, azimuth: usize) -> usize {
+        match self.parts.lengths.split_at_checked(azimuth) {
+            Some((_, [length, ..])) => *length as usize,
+            _ => 0,
+        }
+    }
+
     /// The largest order o of the factors: the order of the basis unless effects are left out.
     pub(crate) const fn factored_order(&self) -> usize {
-        self.effects.factored_order(self.order)
+        self.parts.effects.factored_order(self.parts.order)
     }
 
     /// Number of unfactored coefficients.
-    pub(crate) const fn unfactored(&self) -> usize {
-        self.effects.unfactored_count(self.order)
+    pub(crate) const fn unfactored_count(&self) -> usize {
+        self.parts.effects.unfactored_count(self.parts.order)
     }
 
     /// Whether the azimuth and the components of a profile exist.
     const fn serves(&self, place: &ProfilePlace) -> bool {
         let plus = match place.plus() {
-            Some(index) => (index as usize) < self.components,
+            Some(index) => (index as usize) < self.parts.components,
             None => true,
         };
         let minus = match place.minus() {
-            Some(index) => (index as usize) < self.components && place.azimuth() > 0,
+            Some(index) => (index as usize) < self.parts.components && place.azimuth() > 0,
             None => true,
         };
-        place.azimuth() <= self.degree && plus && minus
+        place.azimuth() <= self.parts.degree && plus && minus
     }
 
     /// Whether the couplings match the order of the basis, coefficient by coefficient.
     const fn couples(&self) -> bool {
         let (mut o, mut p, mut q) = (0, 0, 0);
-        let mut rest = self.couplings;
+        let mut rest = self.parts.couplings;
         while let [coupling, tail @ ..] = rest {
             let none = coupling.o == Coupling::NONE.o && coupling.p == Coupling::NONE.p;
             let same = coupling.o as usize == pair::position(o, q)
                 && coupling.p as usize == pair::position(p, q);
-            let fits = if self.effects.factored(o) { same } else { none };
+            let fits = if self.parts.effects.factored(o) { same } else { none };
             if !fits {
                 return false;
             }
@@ -254,12 +264,12 @@ impl<S> Parts<'_, S> {
     /// Whether the slots contain each component exactly where its profile has its row, and no other
     /// components.
     const fn places(&self) -> bool {
-        let (mut rest, mut given) = (self.slots, 0);
+        let (mut rest, mut given) = (self.parts.slots, 0);
         while let [slot, tail @ ..] = rest {
-            given += ((*slot as usize) < self.components) as usize;
+            given += ((*slot as usize) < self.parts.components) as usize;
             rest = tail;
         }
-        let mut rest = self.profiles;
+        let mut rest = self.parts.profiles;
         while let [place, tail @ ..] = rest {
             let order = place.azimuth().cast_signed();
             let (plus, minus) = (place.plus_row, place.minus_row);
@@ -273,15 +283,16 @@ impl<S> Parts<'_, S> {
             }
             rest = tail;
         }
-        given == self.components
+        given == self.parts.components
     }
 
     /// Whether a row belongs to this order and its slot holds this component.
     const fn gives(&self, row: Row, order: isize, component: Option<u16>) -> bool {
-        let (mut passes, mut slots, mut start) = (self.passes, self.slots, row.start as usize);
+        let (mut passes, mut slots, mut start) =
+            (self.parts.passes, self.parts.slots, row.start as usize);
         while let [pass, tail @ ..] = passes {
             let (Some(length), Some((of_pass, others))) =
-                (pass.length(self.degree), slots.split_at_checked(pass.slots()))
+                (pass.length(self.parts.degree), slots.split_at_checked(pass.slots()))
             else {
                 return false;
             };
@@ -301,7 +312,7 @@ impl<S> Parts<'_, S> {
             return in_lane
                 && match component {
                     Some(component) => *found == component,
-                    None => *found as usize >= self.components,
+                    None => *found as usize >= self.parts.components,
                 };
         }
         false
@@ -309,6 +320,6 @@ impl<S> Parts<'_, S> {
 
     /// Length of the selection.
     const fn selection_length(&self) -> usize {
-        (self.degree + 1) * material::count(self.order) * (self.degree + 1)
+        (self.parts.degree + 1) * material::count(self.parts.order) * (self.parts.degree + 1)
     }
 }

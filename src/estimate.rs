@@ -72,7 +72,7 @@ impl<S: Scalar, const K: usize> Estimate<'_, S, K> {
                 azimuth += 1;
             }
             let (of_profile, rest) =
-                terms.split_at_checked(parts.length(azimuth)).unwrap_or((terms, &[]));
+                terms.split_at_checked(self.basis.length(azimuth)).unwrap_or((terms, &[]));
             terms = rest;
             let profile = seen * polynomial::value(of_profile, t, recurrences.of(azimuth));
             // Φ_-m = √2 sin(-mβ).

@@ -1,8 +1,8 @@
 //! The number formats: floats, and integers with a separate scale.
 
+pub use crate::index::record::{Q15, Q31};
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, BitOr, Mul, Neg, Sub};
-use zerocopy::{FromBytes, Immutable, KnownLayout};
 
 /// A number format of the runtime: `f32`, `f64`, [`Q15`] or [`Q31`].
 ///
@@ -16,23 +16,6 @@ pub trait Format:
     /// The name of the format on a command line.
     const NAME: &'static str;
 }
-
-/// A mantissa of 15 bits and a sign. The number is the mantissa times 2^exponent, where the
-/// exponent belongs to the array that contains it.
-#[derive(
-    Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, FromBytes, Immutable, KnownLayout,
-)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[repr(transparent)]
-pub struct Q15(pub i16);
-
-/// A mantissa of 31 bits and a sign: see [`Q15`].
-#[derive(
-    Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, FromBytes, Immutable, KnownLayout,
-)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[repr(transparent)]
-pub struct Q31(pub i32);
 
 impl Format for f32 {
     type Wide = Self;

@@ -12,29 +12,11 @@ use crate::index::effect::Effects;
 use crate::light::Light;
 use crate::material::Material;
 use crate::normal::Normal;
+use crate::parts::GeneralParts;
 use crate::projection::{Coefficients, buffered};
 use crate::scalar::Scalar;
 use crate::scene::{Scene, SceneBuffer};
 use crate::transfer::Transfer;
-
-/// The arrays of a general basis, as `eigenshade-table` writes them.
-///
-/// Matrices are stored row by row, with a row for each eigenimage and a column for each component
-/// of the span.
-#[derive(Clone, Copy, Debug)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct GeneralParts<'a, S> {
-    /// Number of eigenimages K.
-    pub components: usize,
-    /// The matrix P from coordinates in the span to d.
-    pub projection: &'a [S],
-    /// The coordinates of each eigenimage in the span.
-    pub synthesis: &'a [S],
-    /// The coordinates of the mean image in the span, or empty.
-    pub mean: &'a [S],
-    /// The coefficients of the mean image, or empty.
-    pub mean_coefficients: &'a [S],
-}
 
 /// An eigenbasis of arbitrary normals.
 #[derive(Clone, Copy, Debug)]
@@ -59,13 +41,13 @@ impl<'a, S> GeneralBasis<'a, S> {
                 found: parts.projection.len(),
             });
         };
-        let has_mean = !parts.mean.is_empty();
+        let has_mean = !parts.span_mean.is_empty();
         let (mean, coefficients) = if has_mean { (functions, parts.components) } else { (0, 0) };
         let checks = [
             Error::check(Argument::Projection, length, parts.projection.len()),
             Error::check(Argument::Synthesis, length, parts.synthesis.len()),
-            Error::check(Argument::Mean, mean, parts.mean.len()),
-            Error::check(Argument::Mean, coefficients, parts.mean_coefficients.len()),
+            Error::check(Argument::Mean, mean, parts.span_mean.len()),
+            Error::check(Argument::Mean, coefficients, parts.image_mean.len()),
         ];
         let mut rest = checks.as_slice();
         while let [check, tail @ ..] = rest {
@@ -206,7 +188,7 @@ impl<'a, S: Scalar> GeneralBasis<'a, S> {
             let products = row.iter().zip(coordinates);
             *coefficient = products.fold(S::ZERO, |sum, (&p, &a)| sum.add_product(p, a));
         }
-        for (coefficient, &mean) in coefficients.iter_mut().zip(self.parts.mean_coefficients) {
+        for (coefficient, &mean) in coefficients.iter_mut().zip(self.parts.image_mean) {
             *coefficient -= mean;
         }
         Ok(())
@@ -274,7 +256,7 @@ impl<'a, S: Scalar> GeneralBasis<'a, S> {
         let split = workspace.split_at_mut_checked(self.span.workspace_len());
         let (_, coordinates) = split.unwrap_or_default();
         coordinates.fill(S::ZERO);
-        for (coordinate, &mean) in coordinates.iter_mut().zip(self.parts.mean) {
+        for (coordinate, &mean) in coordinates.iter_mut().zip(self.parts.span_mean) {
             *coordinate = mean;
         }
         let rows = self.parts.synthesis.chunks(self.span.components().max(1));

@@ -161,15 +161,17 @@ pub use buffer::Buffer;
 pub use error::{Argument, Error};
 pub use estimate::Estimate;
 pub use format::{FixedPoint, Format, Q15, Q31, Wide};
-pub use general::{GeneralBasis, GeneralParts};
+pub use general::GeneralBasis;
 pub use index::effect::{Effect, Effects};
 pub use light::{Light, LightBuffer, Window};
 pub use material::Material;
 pub use nine_terms::NineTerms;
 pub use normal::{Normal, Normals};
-pub use parts::Parts;
 #[doc(hidden)]
-pub use parts::{Coupling, Pass, ProfilePlace, Recurrences, Row};
+pub use parts::Recurrences;
+#[doc(inline)]
+pub use parts::{GeneralParts, Parts};
+
 pub use projection::Coefficients;
 pub use rotation::Rotation;
 pub use sampled::{SampledBuffer, SampledScene};

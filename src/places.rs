@@ -5,9 +5,10 @@
 //! a loop asks for one place after the other. For a [`Shape`] the places are constants, and the
 //! compiler specializes the same function for each of them; so the functions here are `const`.
 
+use crate::basis::Basis;
 use crate::index::layout::{LANES, PASS, factors, lowest_degree};
-use crate::parts::{Parts, ProfilePlace, Row};
-use crate::quantized::{Parts as QuantizedParts, Profile};
+use crate::parts::{ProfilePlace, Row};
+use crate::quantized::{self, Profile};
 
 /// A table that is known when the program is compiled, with a basis of type `B`.
 pub trait Shape<B: 'static> {
@@ -69,16 +70,16 @@ pub(crate) struct AzimuthPlace {
     pub(crate) length: usize,
 }
 
-/// The walk over azimuths, for the parts of a basis in floats and for those of one in integers. A
+/// The walk over azimuths, for a basis in floats and for one in integers. A
 /// macro, because a `const` function cannot call those of a trait.
 macro_rules! azimuths {
-    ($parts:ident, $profile:ident) => {
-        impl<'a, S> $parts<'a, S> {
+    ($($basis:ident)::+, $profile:ident) => {
+        impl<'a, S> $($basis)::+<'a, S> {
             /// The place of azimuth 0.
             pub(crate) const fn first_azimuth(&self) -> AzimuthPlace {
                 AzimuthPlace {
                     azimuth: 0,
-                    degrees: self.degree + 1,
+                    degrees: self.parts.degree + 1,
                     first: 0,
                     profiles: self.count_of(0, 0),
                     rows: 0,
@@ -126,7 +127,7 @@ macro_rules! azimuths {
             }
 
             const fn profile(&self, index: usize) -> Option<&'a $profile> {
-                match self.profiles.split_at_checked(index) {
+                match self.parts.profiles.split_at_checked(index) {
                     Some((_, [profile, ..])) => Some(profile),
                     _ => None,
                 }
@@ -134,13 +135,13 @@ macro_rules! azimuths {
         }
     };
 }
-azimuths!(Parts, ProfilePlace);
-azimuths!(QuantizedParts, Profile);
+azimuths!(Basis, ProfilePlace);
+azimuths!(quantized::Basis, Profile);
 
-impl<'a, Q> QuantizedParts<'a, Q> {
+impl<'a, Q> quantized::Basis<'a, Q> {
     /// The profiles of an azimuth.
     pub(crate) const fn profiles_at(&self, place: &AzimuthPlace) -> &'a [Profile] {
-        let Some((_, rest)) = self.profiles.split_at_checked(place.first) else { return &[] };
+        let Some((_, rest)) = self.parts.profiles.split_at_checked(place.first) else { return &[] };
         match rest.split_at_checked(place.profiles) {
             Some((profiles, _)) => profiles,
             None => rest,
@@ -148,7 +149,7 @@ impl<'a, Q> QuantizedParts<'a, Q> {
     }
 }
 
-impl<S> Parts<'_, S> {
+impl<S> Basis<'_, S> {
     /// The components of +m and of -m of the `P` profiles of an azimuth.
     pub(crate) const fn components_of<const P: usize>(&self, azimuth: usize) -> [[u16; 2]; P] {
         let mut components = [[u16::MAX; 2]; P];
@@ -175,7 +176,7 @@ impl<S> Parts<'_, S> {
     }
 
     const fn factors_of(&self, azimuth: usize, profiles: usize) -> usize {
-        factors(self.degree, self.factored_order(), azimuth, profiles)
+        factors(self.parts.degree, self.factored_order(), azimuth, profiles)
     }
 
     /// The components of `2 C` profiles of an azimuth, from its profile `index` on: for each two
@@ -212,7 +213,7 @@ impl<S> Parts<'_, S> {
     /// The pass that follows another.
     pub(crate) const fn pass_after(&self, pass: &PassPlace) -> Option<PassPlace> {
         let slots = LANES * pass.profiles;
-        let degrees = (self.degree + 1).saturating_sub(pass.lowest);
+        let degrees = (self.parts.degree + 1).saturating_sub(pass.lowest);
         self.pass(pass.index + 1, pass.start + degrees * slots, pass.first_slot + slots)
     }
 
@@ -229,11 +230,13 @@ impl<S> Parts<'_, S> {
     }
 
     const fn pass(&self, index: usize, start: usize, first_slot: usize) -> Option<PassPlace> {
-        let Some((_, [pass, ..])) = self.passes.split_at_checked(index) else { return None };
+        let Some((_, [pass, ..])) = self.parts.passes.split_at_checked(index) else { return None };
         let (first, profiles) = (pass.first as isize, pass.profiles as usize);
         let mut slots = [[u16::MAX; LANES]; PASS];
         let mut to = slots.as_mut_slice();
-        let Some((_, mut rest)) = self.slots.split_at_checked(first_slot) else { return None };
+        let Some((_, mut rest)) = self.parts.slots.split_at_checked(first_slot) else {
+            return None;
+        };
         while let [slots, others @ ..] = to
             && let Some((found, more)) = rest.split_first_chunk()
         {
@@ -275,7 +278,7 @@ impl<S> Parts<'_, S> {
 
     /// The run that begins with this profile.
     const fn run(&self, first: usize, of_azimuth: usize, sign: isize) -> Option<Run> {
-        let Some((_, [place, rest @ ..])) = self.profiles.split_at_checked(first) else {
+        let Some((_, [place, rest @ ..])) = self.parts.profiles.split_at_checked(first) else {
             return None;
         };
         let Row { start, step } = place.row(sign);
@@ -295,7 +298,7 @@ impl<S> Parts<'_, S> {
 
     /// The components of a run.
     pub(crate) fn components_of_run(&self, run: &Run) -> impl Iterator<Item = u16> {
-        let profiles = self.profiles.get(run.first..).unwrap_or_default();
+        let profiles = self.parts.profiles.get(run.first..).unwrap_or_default();
         let order = run.order;
         profiles.iter().map(move |place| place.component(order))
     }

@@ -202,7 +202,7 @@ impl<'a, S: Scalar> Basis<'a, S> {
     /// The profiles of each azimuth in twos, with their factors.
     #[inline]
     pub(crate) fn rows(&self) -> impl Iterator<Item = (&'a [ProfilePlace], &'a [S])> + use<'a, S> {
-        let (degree, order) = (self.degree(), self.parts.factored_order());
+        let (degree, order) = (self.degree(), self.factored_order());
         let (mut places, mut factors) = (self.parts.profiles, self.parts.factors);
         // Written by hand because the compiler cannot prove that `chunk_by` never panics.
         core::iter::from_fn(move || {

@@ -92,27 +92,27 @@ impl<S: Scalar> Basis<'_, S> {
 
     /// The components of all passes.
     fn relight_passes(&self, transfer: &[S], light: &Light<'_, S>, coefficients: &mut [S]) {
-        let mut next = self.parts.first_pass();
+        let mut next = self.first_pass();
         while let Some(pass) = next {
             let degrees = (light.degree() + 1).saturating_sub(pass.lowest);
             by_profiles!(pass.profiles, P => {
                 let sums = any_sums::<S, P>(&pass, degrees, transfer, light.coefficients());
                 write_pass(&pass, &sums, coefficients);
             });
-            next = self.parts.pass_after(&pass);
+            next = self.pass_after(&pass);
         }
     }
 
     /// The components of all runs.
     fn relight_runs(&self, transfer: &[S], light: &Light<'_, S>, coefficients: &mut [S]) {
-        let mut next = self.parts.first_run();
+        let mut next = self.first_run();
         while let Some(run) = next {
             let degrees = (light.degree() + 1).saturating_sub(run.order.unsigned_abs());
             by_profiles!(run.profiles, P => {
                 let sums = run_sums::<S, P>(&run, degrees, transfer, light.coefficients());
-                write_run(self.parts.components_of_run(&run), sums, coefficients);
+                write_run(self.components_of_run(&run), sums, coefficients);
             });
-            next = self.parts.run_after(&run);
+            next = self.run_after(&run);
         }
     }
 }
@@ -145,7 +145,7 @@ pub fn write<
 const fn pass_of<B: Shape<Basis<'static, S>>, S: 'static, const P: usize>(
     index: usize,
 ) -> PassPlace {
-    match B::BASIS.parts.pass_at(index) {
+    match B::BASIS.pass_at(index) {
         Some(pass) if pass.profiles == P => pass,
         _ => panic!("the table has no such pass"),
     }
@@ -153,7 +153,7 @@ const fn pass_of<B: Shape<Basis<'static, S>>, S: 'static, const P: usize>(
 
 #[expect(clippy::panic, reason = "while the program is compiled")]
 const fn run_of<B: Shape<Basis<'static, S>>, S: 'static, const P: usize>(index: usize) -> Run {
-    match B::BASIS.parts.run_at(index) {
+    match B::BASIS.run_at(index) {
         Some(run) if run.profiles == P => run,
         _ => panic!("the table has no such run"),
     }
@@ -257,7 +257,7 @@ pub fn run<
 ) {
     let run = const { &run_of::<B, S, P>(I) };
     let degrees = const { B::BASIS.parts.degree + 1 - run_of::<B, S, P>(I).order.unsigned_abs() };
-    let components = const { B::BASIS.parts.run_components::<P>(&run_of::<B, S, P>(I)) };
+    let components = const { B::BASIS.run_components::<P>(&run_of::<B, S, P>(I)) };
     let sums = run_sums::<S, P>(run, degrees, transfer, light);
     write_run(components, sums, coefficients);
 }

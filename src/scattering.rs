@@ -139,7 +139,7 @@ impl<S: Scalar> Basis<'_, S> {
         let wanted = effects.has(Effect::Ambient);
         let numbers = if wanted { self.parts.ambient } else { &[] };
         let (order, of_basis) = (material.order(), self.effects());
-        let rows = numbers.chunks_exact(self.parts.unfactored().max(1));
+        let rows = numbers.chunks_exact(self.unfactored_count().max(1));
         rows.map(move |row| {
             let all = material::indices(order).zip(material.coefficients());
             let unfactored = all.filter(move |&((o, _, q), _)| of_basis.is_unfactored(o, q));

@@ -71,11 +71,11 @@ impl<'a, S: Scalar> Basis<'a, S> {
         let (mut sums, mut azimuth) = (sums, 0);
         for place in self.parts.profiles {
             while azimuth < place.azimuth() {
-                let passed = self.parts.length(azimuth) * if azimuth == 0 { 1 } else { 2 };
+                let passed = self.length(azimuth) * if azimuth == 0 { 1 } else { 2 };
                 sums = sums.get_mut(passed..).unwrap_or_default();
                 azimuth += 1;
             }
-            let length = self.parts.length(azimuth);
+            let length = self.length(azimuth);
             let (of_profile, rest) = terms.split_at_checked(length).unwrap_or((terms, &[]));
             terms = rest;
             if let Some(weight) = weight(place.plus()) {
@@ -125,7 +125,7 @@ impl<'a, S: Scalar> Basis<'a, S> {
                 azimuth += 1;
             }
             let (of_profile, rest) =
-                terms.split_at_checked(self.parts.length(azimuth)).unwrap_or((terms, &[]));
+                terms.split_at_checked(self.length(azimuth)).unwrap_or((terms, &[]));
             terms = rest;
             let around = weight(place.plus()) * cosine - weight(place.minus()) * sine;
             sum += polynomial::value(of_profile, t, self.recurrences.of(azimuth)) * around;

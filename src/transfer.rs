@@ -162,7 +162,7 @@ impl<S: Scalar> Basis<'_, S> {
             for (row, (factors, scattering)) in both.enumerate() {
                 let sums = lanes::sums(product(factors, scattering));
                 for (place, sum) in places.iter().zip(sums) {
-                    place.write(row, sum, transfer);
+                    write(place, row, sum, transfer);
                 }
             }
         }
@@ -192,16 +192,14 @@ fn product<S: Scalar>(factors: &[lanes::Two<S>], scattering: &[[S; LANES]]) -> l
     lanes::product(factors, scattering)
 }
 
-impl ProfilePlace {
-    /// Writes T_l for l = |m| + `row` into the rows of +m and -m.
-    #[inline]
-    fn write<S: Scalar>(&self, row: usize, sum: S, transfer: &mut [S]) {
-        let of_minus = if self.azimuth % 2 == 1 { -sum } else { sum };
-        // For m = 0 both write to the same place, and the sign is +.
-        for (of, value) in [(self.minus_row, of_minus), (self.plus_row, sum)] {
-            if let Some(to) = transfer.get_mut(of.start as usize + row * of.step as usize) {
-                *to = value;
-            }
+/// Writes T_l for l = |m| + `row` into the rows of +m and -m.
+#[inline]
+fn write<S: Scalar>(place: &ProfilePlace, row: usize, sum: S, transfer: &mut [S]) {
+    let of_minus = if place.azimuth % 2 == 1 { -sum } else { sum };
+    // For m = 0 both write to the same place, and the sign is +.
+    for (of, value) in [(place.minus_row, of_minus), (place.plus_row, sum)] {
+        if let Some(to) = transfer.get_mut(of.start as usize + row * of.step as usize) {
+            *to = value;
         }
     }
 }

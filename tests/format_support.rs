@@ -6,7 +6,7 @@ use eigenshade::{Argument, Error, Format, Light, Q15, Q31, Scalar, quantized, sp
 use eigenshade_table::General;
 use eigenshade_table::MeanImage;
 use eigenshade_table::Table;
-use eigenshade_table::quantize::{self, QuantizedParts};
+use eigenshade_table::quantize;
 use eigenshade_table::scene::{Effect, Store};
 use eigenshade_table::wire::{self, Endian};
 use invariants::Reader;
@@ -48,7 +48,7 @@ fn assert_refused(what: &str, change: impl Fn(&mut Table)) {
     let mut table = shipped();
     change(&mut table);
     for format in [quantize::Format::Q15, quantize::Format::Q31] {
-        let refused = QuantizedParts::new(&table, format, format.tolerance()).err();
+        let refused = quantize::integers(&table, format, format.tolerance()).err();
         let refused = refused.expect(what).to_string();
         assert!(refused.contains(error), "{what}: `{error}` in `{refused}`");
     }
@@ -171,7 +171,7 @@ fn what_every_format_supports_is_there() {
     for effects in [vec![Effect::Diffuse, Effect::Broad], Effect::ALL.to_vec()] {
         table.scene.effects.wanted = effects;
         for format in [quantize::Format::Q15, quantize::Format::Q31] {
-            let taken = QuantizedParts::new(&table, format, format.tolerance());
+            let taken = quantize::integers(&table, format, format.tolerance());
             assert!(taken.is_ok(), "{:?}", taken.err());
         }
     }

@@ -1,8 +1,7 @@
 //! A basis whose parts contradict each other is refused.
 
-use eigenshade::{
-    Argument, Basis, Coupling, Error, Parts, Pass, ProfilePlace, Q15, Row, quantized, sphere,
-};
+use eigenshade::index::record::{Coupling, NONE, Pass, ProfilePlace, Row};
+use eigenshade::{Argument, Basis, Error, Parts, Q15, quantized, sphere};
 
 /// The shipped table's parts.
 fn shipped() -> Parts<'static, f32> {
@@ -23,6 +22,11 @@ fn with<T: Copy>(items: &[T], at: usize, item: T) -> Vec<T> {
     let mut items = items.to_vec();
     items[at] = item;
     items
+}
+
+/// A profile with these components and rows of +m and -m.
+fn place(azimuth: u16, [plus, minus]: [u16; 2], [plus_row, minus_row]: [Row; 2]) -> ProfilePlace {
+    ProfilePlace { azimuth, plus, minus, plus_row, minus_row }
 }
 
 #[test]
@@ -98,15 +102,15 @@ fn profiles_serve_the_components() {
     let last = parts.profiles.len() - 1;
     let unsorted = with(parts.profiles, last, first);
     assert_eq!(refused(Parts { profiles: &unsorted, ..parts }), Error::Profile);
-    let row = Row::new(256, 24);
-    let beyond = with(parts.profiles, last, ProfilePlace::new(10, Some(42), Some(43), row, row));
+    let row = Row { start: 256, step: 24 };
+    let beyond = with(parts.profiles, last, place(10, [42, 43], [row, row]));
     assert_eq!(refused(Parts { profiles: &beyond, ..parts }), Error::Profile);
 }
 
 #[test]
 fn couplings_are_the_orders() {
     let parts = shipped();
-    let exchanged = with(parts.couplings, 3, Coupling::new(0, 2));
+    let exchanged = with(parts.couplings, 3, Coupling { o: 0, p: 2 });
     assert_ne!(parts.couplings[3], exchanged[3]);
     assert_eq!(refused(Parts { couplings: &exchanged, ..parts }), Error::Coupling);
 }
@@ -125,12 +129,12 @@ fn rows_and_slots_agree() {
     }
     for (start, step) in [(260, 24), (257, 24), (255, 24), (0, 24), (568, 24), (256, 20), (256, 0)]
     {
-        let row = Row::new(start, step);
-        let moved = ProfilePlace::new(0, Some(0), None, row, row);
+        let row = Row { start, step };
+        let moved = place(0, [0, NONE], [row, row]);
         let profiles = with(parts.profiles, 0, moved);
         assert_eq!(refused(Parts { profiles: &profiles, ..parts }), Error::Pass, "{row:?}");
     }
-    let halves = ProfilePlace::new(0, Some(0), None, Row::new(256, 24), Row::new(260, 24));
+    let halves = place(0, [0, NONE], [256, 260].map(|start| Row { start, step: 24 }));
     let profiles = with(parts.profiles, 0, halves);
     assert_eq!(refused(Parts { profiles: &profiles, ..parts }), Error::Pass);
 }
@@ -139,14 +143,14 @@ fn rows_and_slots_agree() {
 fn passes_are_those_of_the_layout() {
     let parts = shipped();
     for wrong in [
-        Pass::new(-7, 2),
-        Pass::new(-2, 2),
-        Pass::new(-16, 2),
-        Pass::new(12, 2),
-        Pass::new(i16::MIN, 2),
-        Pass::new(i16::MAX, 2),
-        Pass::new(-8, 0),
-        Pass::new(-8, 9),
+        Pass { first: -7, profiles: 2 },
+        Pass { first: -2, profiles: 2 },
+        Pass { first: -16, profiles: 2 },
+        Pass { first: 12, profiles: 2 },
+        Pass { first: i16::MIN, profiles: 2 },
+        Pass { first: i16::MAX, profiles: 2 },
+        Pass { first: -8, profiles: 0 },
+        Pass { first: -8, profiles: 9 },
     ] {
         let passes = with(parts.passes, 0, wrong);
         assert_eq!(refused(Parts { passes: &passes, ..parts }), Error::Pass, "{wrong:?}");

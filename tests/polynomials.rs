@@ -93,7 +93,7 @@ fn the_full_scene_keeps_its_tolerance() {
     let said = trim(&mut table, 2e-4);
     assert!(said <= 2e-4, "{said}");
     let terms: usize =
-        eigenshade_table::Parts::new(&table).lengths.iter().map(|&n| usize::from(n)).sum();
+        eigenshade_table::parts::floats(&table).lengths.iter().map(|&n| usize::from(n)).sum();
     assert!(terms <= 80, "{terms} for one sign of m");
     let basis = OwnedBasis::<f64>::new(&table);
     let basis = basis.basis().expect("a basis");

@@ -312,7 +312,7 @@ fn estimates_are_means() {
 fn profiles_keep_a_term() {
     let bytes = std::fs::read("tables/sphere.bin").expect("the shipped table");
     let table = eigenshade_table::decode(&bytes).expect("a table");
-    let parts = quantize::QuantizedParts::new(&table, Format::Q15, 1e9).expect("parts");
+    let parts = quantize::integers(&table, Format::Q15, 1e9).expect("parts");
     let served = table.profiles.iter().map(|profile| profile.azimuth).max().expect("profiles");
     assert_eq!(parts.lengths[..=served], vec![1; served + 1]);
 }

@@ -176,6 +176,8 @@ fn errors_say_which_they_are() {
         of(aligned(&sealed(bytes), &mut room).expect("room"))
     };
     let length = SPHERE.0.len();
+    let argument = eigenshade::Argument::Terms;
+    let without_terms = eigenshade::Error::Length { argument, expected: 27, found: 0 };
     let mut found = vec![
         (of(b""), WireError::BadMagic),
         (of(b"EIGSHADE, another file altogether"), WireError::BadMagic),
@@ -187,8 +189,9 @@ fn errors_say_which_they_are() {
         (of(&INTEGERS_15.0), WireError::Format { expected: WireFormat::F32, found: 2 }),
         (of(&GENERAL.0), WireError::Images { found: 4 }),
         (with(&SPHERE.0, 21, 2), WireError::Shape { degree: 514, order: 2 }),
-        (with(&SPHERE.0, 28, 18), WireError::Section { number: 15 }),
-        (with(&SPHERE.0, 28, 14), WireError::Section { number: 14 }),
+        (with(&GENERAL.0, 28, 18), WireError::Section { number: 17 }),
+        (with(&SPHERE.0, 28, 9), WireError::Section { number: 8 }),
+        (with(&SPHERE.0, 28, 7), WireError::Parts(without_terms)),
         (with(&SPHERE.0, 32, 2), WireError::Section { number: 0 }),
         (with(&SPHERE.0, 35, 2), WireError::Section { number: 0 }),
         (with(&SPHERE.0, 36, 1), WireError::Section { number: 0 }),

@@ -1,11 +1,11 @@
 //! The number of multiplications in the runtime's steps for a table.
 
 use eigenshade_index::layout;
+use eigenshade_index::record::{NONE, ProfilePlace};
 use eigenshade_model::error::Result;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::fault;
-use eigenshade_table::parts::{NONE, ProfilePlace};
-use eigenshade_table::{Parts, Table};
+use eigenshade_table::{Table, parts};
 use eigenshade_testing::images::products;
 
 /// Multiplications of each step for one channel, with all components of a table. Multiplications by
@@ -28,7 +28,7 @@ pub struct Multiplications {
 impl Multiplications {
     /// The multiplications for a table.
     pub fn of(table: &Table) -> Result<Self> {
-        let parts = Parts::new(table);
+        let parts = parts::floats(table);
         let (degree, order) = (parts.degree, parts.order);
         let of_profile = |place: &ProfilePlace| {
             let signs = [place.plus, place.minus].iter().filter(|&&index| index != NONE).count();

@@ -144,7 +144,7 @@ fn modules_compute_only_passes_that_serve_a_component() {
     let mut without = 0;
     for components in [1, 8, 9, 25, 50, 130] {
         let table = with_components(&whole, |number, _| number < components);
-        let parts = eigenshade_table::Parts::new(&table);
+        let parts = eigenshade_table::parts::floats(&table);
         let (mut expected, mut slots) = (Vec::new(), parts.slots.as_slice());
         for (index, pass) in parts.passes.iter().enumerate() {
             let (of_pass, rest) = slots.split_at(usize::from(pass.profiles) * LANES);

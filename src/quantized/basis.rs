@@ -4,86 +4,8 @@ use super::transfer::Transfer;
 use crate::error::{Argument, Error};
 use crate::format::{Q15, Q31};
 use crate::index::effect::Effects;
+pub use crate::index::record::integers::{Parts, Profile};
 use crate::index::{layout, pair};
-use zerocopy::{FromBytes, Immutable, KnownLayout};
-
-/// The arrays of a basis in a fixed-point format, as `eigenshade-table` writes them. A number is a
-/// mantissa times 2 to its exponent.
-#[derive(Clone, Copy, Debug)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Parts<'a, Q> {
-    /// Largest degree l of the light.
-    pub degree: usize,
-    /// Largest order o of the BRDF.
-    pub order: usize,
-    /// The effects that the basis covers. All coefficients must be factored.
-    pub effects: Effects,
-    /// Number of components K.
-    pub components: usize,
-    /// Slant profiles, in order of |m|.
-    pub profiles: &'a [Profile],
-    /// Number of polynomial terms for each |m|.
-    pub lengths: &'a [u8],
-    /// √(o+1) N_l^q C_lo^q of (11): for each l a row over the pairs (o, q). This and the next three
-    /// arrays are empty in a basis that only holds transfers.
-    pub polar: &'a [Q],
-    /// An exponent for each number of `polar`.
-    pub polar_exponents: &'a [i8],
-    /// Factors of UᵀM: for each profile and each l from |m| on, a row over the pairs.
-    pub factors: &'a [Q],
-    /// An exponent for each row of `factors`.
-    pub factor_exponents: &'a [i8],
-    /// For each profile, its polynomial in t = 2z - 1, highest power first, times √2 if m is not 0.
-    pub terms: &'a [Q],
-}
-
-/// A slant profile: its azimuth, the components that use it, the exponent of its terms, and its
-/// largest values.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, FromBytes, Immutable, KnownLayout)]
-#[repr(C)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Profile {
-    pub(crate) azimuth: u8,
-    pub(crate) exponent: i8,
-    pub(crate) plus: u16,
-    pub(crate) minus: u16,
-    pub(crate) size: u16,
-    pub(crate) step: u16,
-}
-
-impl Profile {
-    /// Marks a missing component.
-    pub const NONE: u16 = u16::MAX;
-
-    /// The profile of `azimuth` |m|, used by component number `plus` with order +m (or 0) and by
-    /// component number `minus` with order -m. Either may be [`NONE`](Self::NONE). `size` is its
-    /// largest value, and `step` the largest term of its polynomial or intermediate step of
-    /// Horner's rule, both in sixteenths.
-    #[must_use]
-    pub const fn new(
-        azimuth: u8,
-        exponent: i8,
-        [plus, minus]: [u16; 2],
-        [size, step]: [u16; 2],
-    ) -> Self {
-        Self { azimuth, exponent, plus, minus, size, step }
-    }
-
-    pub(crate) const fn azimuth(&self) -> usize {
-        self.azimuth as usize
-    }
-
-    /// Whether a term with this mantissa, below 2^32, is at most the largest step.
-    pub(crate) const fn states(&self, mantissa: u64) -> bool {
-        let (by, step) = (self.exponent as i32 + 4, self.step as u64);
-        match by {
-            _ if mantissa == 0 => true,
-            0..32 => mantissa << by <= step,
-            -47..0 => mantissa <= step << -by,
-            _ => by < 0 && step > 0,
-        }
-    }
-}
 
 /// An eigenbasis in a fixed-point format.
 #[derive(Clone, Copy, Debug)]
@@ -92,30 +14,31 @@ pub struct Basis<'a, Q> {
     pub(crate) parts: Parts<'a, Q>,
 }
 
-impl<'a, Q> Parts<'a, Q> {
+impl<Q> Basis<'_, Q> {
     /// Checks all lengths, and all positions by which one part refers to another.
     const fn fits(&self) -> Result<(), Error> {
-        let degrees = self.degree.saturating_add(1);
-        if let Err(error) = Error::check(Argument::Lengths, degrees, self.lengths.len()) {
+        let degrees = self.parts.degree.saturating_add(1);
+        if let Err(error) = Error::check(Argument::Lengths, degrees, self.parts.lengths.len()) {
             return Err(error);
         }
         // Each profile needs a weight for +m and one for -m; each degree needs a place in a row of
         // a transfer.
-        if 2 * self.profiles.len() > layout::MAX_WEIGHTS || degrees > layout::MAX_WEIGHTS / 2 {
+        if 2 * self.parts.profiles.len() > layout::MAX_WEIGHTS || degrees > layout::MAX_WEIGHTS / 2
+        {
             return Err(Error::Bound);
         }
-        if self.effects.unfactored_count(self.order) > 0
-            || self.effects.factored_order(self.order) != self.order
+        if self.parts.effects.unfactored_count(self.parts.order) > 0
+            || self.parts.effects.factored_order(self.parts.order) != self.parts.order
         {
             return Err(Error::Coupling);
         }
-        let pairs = pair::count(self.order);
+        let pairs = pair::count(self.parts.order);
         let (mut rows, mut terms, mut served, mut before) = (0, 0, 0, 0);
-        let mut rest = self.profiles;
+        let mut rest = self.parts.profiles;
         while let [profile, tail @ ..] = rest {
-            let azimuth = profile.azimuth as usize;
+            let azimuth = profile.azimuth();
             let of_minus = profile.minus != Profile::NONE;
-            if azimuth < before || azimuth > self.degree || (azimuth == 0 && of_minus) {
+            if azimuth < before || azimuth > self.parts.degree || (azimuth == 0 && of_minus) {
                 return Err(Error::Profile);
             }
             let orders = [profile.plus, profile.minus];
@@ -123,7 +46,7 @@ impl<'a, Q> Parts<'a, Q> {
             while let [component, others @ ..] = orders {
                 if *component != Profile::NONE {
                     let of_others = profile.plus == profile.minus || served_by(tail, *component);
-                    if *component as usize >= self.components || of_others {
+                    if *component as usize >= self.parts.components || of_others {
                         return Err(Error::Profile);
                     }
                     served += 1;
@@ -134,15 +57,15 @@ impl<'a, Q> Parts<'a, Q> {
             terms = usize::saturating_add(terms, self.length(azimuth));
             (rest, before) = (tail, azimuth);
         }
-        if served != self.components {
+        if served != self.parts.components {
             return Err(Error::Profile);
         }
         // Azimuths with profiles need no check: the number of terms bounds their length.
-        let (mut azimuth, mut rest) = (0, self.profiles);
-        while azimuth <= self.degree {
+        let (mut azimuth, mut rest) = (0, self.parts.profiles);
+        while azimuth <= self.parts.degree {
             let mut has_profile = false;
             while let [profile, tail @ ..] = rest
-                && profile.azimuth as usize == azimuth
+                && profile.azimuth() == azimuth
             {
                 (rest, has_profile) = (tail, true);
             }
@@ -153,15 +76,15 @@ impl<'a, Q> Parts<'a, Q> {
             }
             azimuth += 1;
         }
-        let holds_transfers = self.polar.is_empty() && self.factors.is_empty();
+        let holds_transfers = self.parts.polar.is_empty() && self.parts.factors.is_empty();
         let (degrees, rows) = if holds_transfers { (0, 0) } else { (degrees, rows) };
         let polar = pairs.saturating_mul(degrees);
         let checks = [
-            Error::check(Argument::Polar, polar, self.polar.len()),
-            Error::check(Argument::Polar, polar, self.polar_exponents.len()),
-            Error::check(Argument::Factors, pairs.saturating_mul(rows), self.factors.len()),
-            Error::check(Argument::Factors, rows, self.factor_exponents.len()),
-            Error::check(Argument::Terms, terms, self.terms.len()),
+            Error::check(Argument::Polar, polar, self.parts.polar.len()),
+            Error::check(Argument::Polar, polar, self.parts.polar_exponents.len()),
+            Error::check(Argument::Factors, pairs.saturating_mul(rows), self.parts.factors.len()),
+            Error::check(Argument::Factors, rows, self.parts.factor_exponents.len()),
+            Error::check(Argument::Terms, terms, self.parts.terms.len()),
         ];
         let mut rest = checks.as_slice();
         while let [check, tail @ ..] = rest {
@@ -175,7 +98,7 @@ impl<'a, Q> Parts<'a, Q> {
 
     /// Number of terms of an azimuth's polynomials; 0 if it has none.
     pub(crate) const fn length(&self, azimuth: usize) -> usize {
-        match self.lengths.split_at_checked(azimuth) {
+        match self.parts.lengths.split_at_checked(azimuth) {
             Some((_, [length, ..])) => *length as usize,
             _ => 0,
         }
@@ -210,7 +133,8 @@ macro_rules! bounded {
             /// larger than the largest step that its profile states, if there are more than 511
             /// profiles, or if the degree is above 510.
             pub const fn new(parts: Parts<'a, $format>) -> Result<Self, Error> {
-                if let Err(error) = parts.fits() {
+                let basis = Self { parts };
+                if let Err(error) = basis.fits() {
                     return Err(error);
                 }
                 let pairs = pair::count(parts.order);
@@ -226,14 +150,14 @@ macro_rules! bounded {
                 }
                 let (mut terms, mut profiles) = (parts.terms, parts.profiles);
                 while let [profile, others @ ..] = profiles {
-                    let length = parts.length(profile.azimuth as usize);
+                    let length = basis.length(profile.azimuth());
                     let Some((row, tail)) = terms.split_at_checked(length) else { break };
                     if !profile.states(Self::largest(row)) {
                         return Err(Error::Bound);
                     }
                     (terms, profiles) = (tail, others);
                 }
-                Ok(Self { parts })
+                Ok(basis)
             }
 
             /// A transfer of these numbers, checked once for this basis. Being `const`, it can
@@ -258,7 +182,7 @@ macro_rules! bounded {
                 }
                 let (mut rest, mut profiles) = (numbers, self.parts.profiles);
                 while let [profile, others @ ..] = profiles {
-                    let length = self.parts.degree + 1 - profile.azimuth as usize;
+                    let length = self.parts.degree + 1 - profile.azimuth();
                     let Some((row, tail)) = rest.split_at_checked(length) else { break };
                     if !Self::bounds(row) {
                         return Err(Error::Bound);
@@ -337,7 +261,7 @@ impl<'a, Q> Basis<'a, Q> {
     pub const fn transfer_len(&self) -> usize {
         let (mut sum, mut rest) = (0, self.parts.profiles);
         while let [profile, tail @ ..] = rest {
-            let degrees = self.parts.degree + 1 - profile.azimuth as usize;
+            let degrees = self.parts.degree + 1 - profile.azimuth();
             sum = usize::saturating_add(sum, degrees);
             rest = tail;
         }
@@ -355,7 +279,7 @@ impl<'a, Q> Basis<'a, Q> {
     pub const fn scene_len(&self) -> usize {
         let (mut sum, mut azimuth) = (0, 0);
         while azimuth <= self.parts.degree {
-            sum += self.parts.length(azimuth) * if azimuth == 0 { 1 } else { 2 };
+            sum += self.length(azimuth) * if azimuth == 0 { 1 } else { 2 };
             azimuth += 1;
         }
         sum

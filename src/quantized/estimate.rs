@@ -59,9 +59,9 @@ impl<Q: FixedPoint, const K: usize> Estimate<'_, Q, K> {
                 azimuth += 1;
             }
             let (of_profile, rest) =
-                terms.split_at_checked(parts.length(azimuth)).unwrap_or((terms, &[]));
+                terms.split_at_checked(self.basis.length(azimuth)).unwrap_or((terms, &[]));
             terms = rest;
-            let value = profile.value::<Q>(of_profile, t);
+            let value = value(profile, of_profile, t);
             // Φ_-m = √2 sin(-mβ).
             for (index, around) in [(profile.plus, cosine), (profile.minus, -sine)] {
                 if let Some(sum) = self.sums.get_mut(usize::from(index)) {
@@ -103,7 +103,7 @@ impl<Q: FixedPoint, const K: usize> Estimate<'_, Q, K> {
             for index in [profile.plus, profile.minus].map(usize::from) {
                 let Some(&sum) = self.sums.get(index) else { continue };
                 if sum != 0 {
-                    top = top.max(Some(sum.bits().cast_signed() + profile.shifted::<Q>()));
+                    top = top.max(Some(sum.bits().cast_signed() + shifted::<Q>(profile)));
                 }
             }
         }
@@ -117,7 +117,7 @@ impl<Q: FixedPoint, const K: usize> Estimate<'_, Q, K> {
                 else {
                     continue;
                 };
-                let aligned = sum.shifted(profile.shifted::<Q>() - common);
+                let aligned = sum.shifted(shifted::<Q>(profile) - common);
                 let mean = aligned.checked_div(weight).ok_or(Error::Weight)?;
                 *mantissa = mean.shifted(by).saturated();
             }
@@ -127,24 +127,22 @@ impl<Q: FixedPoint, const K: usize> Estimate<'_, Q, K> {
     }
 }
 
-impl Profile {
-    /// By how many bits the terms are too large for the steps of Horner's rule.
-    fn excess<Q: FixedPoint>(&self) -> i32 {
-        let bits = i32::from(self.step).bits().cast_signed() - 4 - i32::from(self.exponent);
-        (bits - Q::TERM_BITS.cast_signed()).max(0)
-    }
+/// By how many bits the terms of a profile are too large for the steps of Horner's rule.
+fn excess<Q: FixedPoint>(profile: &Profile) -> i32 {
+    let bits = i32::from(profile.step).bits().cast_signed() - 4 - i32::from(profile.exponent);
+    (bits - Q::TERM_BITS.cast_signed()).max(0)
+}
 
-    /// The exponent of [`value`](Self::value).
-    fn shifted<Q: FixedPoint>(&self) -> i32 {
-        i32::from(self.exponent) + self.excess::<Q>()
-    }
+/// The exponent of [`value`].
+fn shifted<Q: FixedPoint>(profile: &Profile) -> i32 {
+    i32::from(profile.exponent) + excess::<Q>(profile)
+}
 
-    /// The value of the profile's polynomial.
-    #[inline]
-    fn value<Q: FixedPoint>(&self, terms: &[Q], t: i32) -> i32 {
-        let by = -self.excess::<Q>();
-        let term = |term: &Q| term.widen().shifted(by).saturated();
-        // A forged table may state too small a step. This must not panic.
-        terms.iter().fold(0, |sum, of| Q::nearest_argument_times(sum, t).wrapping_add(term(of)))
-    }
+/// The value of a profile's polynomial.
+#[inline]
+fn value<Q: FixedPoint>(profile: &Profile, terms: &[Q], t: i32) -> i32 {
+    let by = -excess::<Q>(profile);
+    let term = |term: &Q| term.widen().shifted(by).saturated();
+    // A forged table may state too small a step. This must not panic.
+    terms.iter().fold(0, |sum, of| Q::nearest_argument_times(sum, t).wrapping_add(term(of)))
 }

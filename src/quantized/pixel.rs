@@ -48,7 +48,7 @@ impl<Q: FixedPoint> Pixel<Q> {
         terms: &[i32; N],
         normal: Normal<Q>,
     ) -> Self {
-        let length = const { B::BASIS.parts.length(0) };
+        let length = const { B::BASIS.length(0) };
         Self::new(terms.get(..length).unwrap_or_default(), normal)
     }
 
@@ -59,7 +59,7 @@ impl<Q: FixedPoint> Pixel<Q> {
         self,
         terms: &[i32; N],
     ) -> Self {
-        let AzimuthPlace { start, length, .. } = const { B::BASIS.parts.azimuth_at(M) };
+        let AzimuthPlace { start, length, .. } = const { B::BASIS.azimuth_at(M) };
         let [plus, minus] = [start, start + length]
             .map(|start| terms.get(start..start + length).unwrap_or_default());
         self.add(plus, minus)

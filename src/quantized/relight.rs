@@ -146,8 +146,8 @@ pub fn azimuth<
     mantissas: &mut [i32; K],
     top: i32,
 ) -> i32 {
-    let AzimuthPlace { degrees, first, rows, .. } = const { B::BASIS.parts.azimuth_at(M) };
-    let profiles = const { B::BASIS.parts.profiles_at(&B::BASIS.parts.azimuth_at(M)) };
+    let AzimuthPlace { degrees, first, rows, .. } = const { B::BASIS.azimuth_at(M) };
+    let profiles = const { B::BASIS.profiles_at(&B::BASIS.azimuth_at(M)) };
     let rows = numbers.get(rows..).unwrap_or_default().chunks_exact(degrees);
     let exponents = exponents.get(first..).unwrap_or_default();
     let mut top = top;
@@ -172,8 +172,8 @@ pub fn align<
     common: i32,
     mantissas: &mut [i32; K],
 ) {
-    let first = const { B::BASIS.parts.azimuth_at(M).first };
-    let profiles = const { B::BASIS.parts.profiles_at(&B::BASIS.parts.azimuth_at(M)) };
+    let first = const { B::BASIS.azimuth_at(M).first };
+    let profiles = const { B::BASIS.profiles_at(&B::BASIS.azimuth_at(M)) };
     let exponents = exponents.get(first..).unwrap_or_default();
     for (profile, &exponent) in profiles.iter().zip(exponents) {
         let by = i32::from(exponent) - common;

@@ -113,7 +113,7 @@ pub fn rows<
     scattering: &[[[S; LANES]; V]; D],
     lights: &[[S; 2]; L],
 ) -> [[lanes::Two<S>; 2]; C] {
-    let factors = const { B::BASIS.parts.factors.split_at(B::BASIS.parts.factors_at(M, FIRST)).1 };
+    let factors = const { B::BASIS.parts.factors.split_at(B::BASIS.factors_at(M, FIRST)).1 };
     let mut sums = [[[S::ZERO; 2 * LANES]; 2]; C];
     let (factors, _) = factors.as_chunks().0.as_chunks::<V>().0.as_chunks::<L>();
     let scattering = scattering.get(M..).and_then(|rows| rows.first_chunk::<L>());
@@ -153,7 +153,7 @@ pub fn write<
     sums: &[[lanes::Two<S>; 2]; C],
     coefficients: &mut [S; K],
 ) {
-    let places = const { &B::BASIS.parts.twos_of::<C>(M, FIRST) };
+    let places = const { &B::BASIS.twos_of::<C>(M, FIRST) };
     for (two, [plus, minus]) in places.iter().zip(sums) {
         for (components, sums) in two.iter().zip([lanes::sums(*plus), lanes::sums(*minus)]) {
             for (&component, sum) in components.iter().zip(sums) {

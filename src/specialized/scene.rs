@@ -46,7 +46,7 @@ pub fn collapse<
 ) {
     const { assert!(azimuth_of::<B, S>(M).profiles == P, "the azimuth has other profiles") };
     let place = const { &azimuth_of::<B, S>(M) };
-    let components = const { &B::BASIS.parts.components_of::<P>(M) };
+    let components = const { &B::BASIS.components_of::<P>(M) };
     let terms = const { B::BASIS.parts.terms.split_at(azimuth_of::<B, S>(M).terms).1 };
     let (_, scene) = scene.split_at_mut_checked(place.start).unwrap_or_default();
     if M == 0 {
@@ -66,7 +66,7 @@ pub fn collapse<
 }
 
 const fn azimuth_of<B: Shape<Basis<'static, S>>, S: 'static>(azimuth: usize) -> AzimuthPlace {
-    B::BASIS.parts.azimuth_at(azimuth)
+    B::BASIS.azimuth_at(azimuth)
 }
 
 #[inline(always)]

@@ -4,10 +4,10 @@ use super::error::{WireError, WireFormat};
 use super::file::File;
 use crate::basis::Basis;
 use crate::format::{Q15, Q31};
-use crate::general::{GeneralBasis, GeneralParts};
-use crate::parts::Parts;
+use crate::general::GeneralBasis;
+use crate::index::record::Item;
+use crate::parts::{GeneralParts, Parts};
 use crate::quantized;
-use zerocopy::{FromBytes, Immutable, KnownLayout};
 
 impl<'a> Basis<'a, f32> {
     /// Reads a basis from a [wire](crate::wire) file that starts at a multiple of four.
@@ -45,34 +45,8 @@ impl<'a> GeneralBasis<'a, f32> {
 /// Reads the basis or span of a file, and the eigenimages over that span.
 fn read(bytes: &[u8]) -> Result<(Basis<'_, f32>, GeneralParts<'_, f32>), WireError> {
     let mut file = File::open(bytes, WireFormat::F32)?;
-    let header = file.header;
-    let parts = Parts {
-        degree: header.degree,
-        order: header.order,
-        effects: header.effects,
-        components: header.components,
-        profiles: file.section()?,
-        passes: file.section()?,
-        slots: file.section()?,
-        couplings: file.section()?,
-        lengths: file.section()?,
-        polar: file.section()?,
-        factors: file.section()?,
-        terms: file.section()?,
-        mean: file.section()?,
-        mean_coefficients: file.section()?,
-        selection: file.section()?,
-        ambient: &[],
-        recurrences: &[],
-    };
-    let general = GeneralParts {
-        components: header.images,
-        projection: file.section()?,
-        synthesis: file.section()?,
-        mean: file.section()?,
-        mean_coefficients: file.section()?,
-    };
-    let parts = Parts { ambient: file.rest()?, recurrences: file.rest()?, ..parts };
+    let parts = Parts::read(file.header.shape(), &mut file)?;
+    let general = GeneralParts::read((file.header.images,), &mut file)?;
     file.end()?;
     Ok((Basis::new(parts)?, general))
 }
@@ -99,28 +73,15 @@ from_bytes!(Q15);
 from_bytes!(Q31);
 
 /// Reads the arrays of a file.
-fn read_integers<Q>(bytes: &[u8], format: WireFormat) -> Result<quantized::Parts<'_, Q>, WireError>
-where
-    Q: FromBytes + KnownLayout + Immutable,
-{
+fn read_integers<Q: Item>(
+    bytes: &[u8],
+    format: WireFormat,
+) -> Result<quantized::Parts<'_, Q>, WireError> {
     let mut file = File::open(bytes, format)?;
-    let header = file.header;
-    if header.images != 0 {
-        return Err(WireError::Images { found: header.images });
+    if file.header.images != 0 {
+        return Err(WireError::Images { found: file.header.images });
     }
-    let parts = quantized::Parts {
-        degree: header.degree,
-        order: header.order,
-        effects: header.effects,
-        components: header.components,
-        profiles: file.section()?,
-        lengths: file.section()?,
-        polar: file.section()?,
-        polar_exponents: file.section()?,
-        factors: file.section()?,
-        factor_exponents: file.section()?,
-        terms: file.section()?,
-    };
+    let parts = quantized::Parts::read(file.header.shape(), &mut file)?;
     file.end()?;
     Ok(parts)
 }

@@ -181,7 +181,7 @@ impl fmt::Display for WireError {
             Self::Room { needed, found } => {
                 write!(f, "room for {needed} numbers expected, for {found} found; give more")
             }
-            Self::Parts(error) => write!(f, "wire file: {error}"),
+            Self::Parts(error) => write!(f, "wire file: {error}; pack the table again"),
         }
     }
 }

@@ -2,10 +2,11 @@
 
 use super::error::{WireError, WireFormat};
 use crate::index::effect::Effects;
+use crate::index::record::{Item, Reader};
 use crate::index::wire::{
     ALIGNMENT, CHECKSUM, ENTRY, HEADER, LABEL, MARK, MAX_DEGREE_AND_ORDER, VERSION, place,
 };
-use zerocopy::{Immutable, IntoBytes, KnownLayout, TryFromBytes};
+use zerocopy::{IntoBytes, TryFromBytes};
 
 /// A wire file whose sections are read one after the other.
 pub(super) struct File<'a> {
@@ -40,33 +41,6 @@ impl<'a> File<'a> {
         Ok(Self { header, bytes, taken: 0 })
     }
 
-    /// Reads the next section.
-    pub(super) fn section<T>(&mut self) -> Result<&'a [T], WireError>
-    where
-        T: TryFromBytes + KnownLayout + Immutable,
-    {
-        let number = self.taken;
-        let fault = WireError::Section { number };
-        if number >= self.header.sections {
-            return Err(fault);
-        }
-        self.taken += 1;
-        let entry = HEADER + ENTRY * number;
-        let start = long(self.bytes, entry) as usize;
-        let length = long(self.bytes, entry + ENTRY / 2) as usize;
-        let rest = self.bytes.get(start..).ok_or(fault)?;
-        let section = rest.get(..length).ok_or(fault)?;
-        <[T]>::try_ref_from_bytes(section).map_err(|_| fault)
-    }
-
-    /// Reads the next section, or gives an empty one if none is left.
-    pub(super) fn rest<T>(&mut self) -> Result<&'a [T], WireError>
-    where
-        T: TryFromBytes + KnownLayout + Immutable,
-    {
-        if self.taken == self.header.sections { Ok(&[]) } else { self.section() }
-    }
-
     /// Checks that no section is left.
     pub(super) fn end(&self) -> Result<(), WireError> {
         if self.taken == self.header.sections {
@@ -74,6 +48,26 @@ impl<'a> File<'a> {
         } else {
             Err(WireError::Section { number: self.taken })
         }
+    }
+}
+
+impl<'a> Reader<'a> for File<'a> {
+    type Error = WireError;
+
+    /// The next section, or an empty one if none is left.
+    fn array<T: Item>(&mut self) -> Result<&'a [T], WireError> {
+        let number = self.taken;
+        if number >= self.header.sections {
+            return Ok(&[]);
+        }
+        self.taken += 1;
+        let fault = WireError::Section { number };
+        let entry = HEADER + ENTRY * number;
+        let start = long(self.bytes, entry) as usize;
+        let length = long(self.bytes, entry + ENTRY / 2) as usize;
+        let rest = self.bytes.get(start..).ok_or(fault)?;
+        let section = rest.get(..length).ok_or(fault)?;
+        <[T]>::try_ref_from_bytes(section).map_err(|_| fault)
     }
 }
 
@@ -100,6 +94,13 @@ pub struct Header {
     pub images: usize,
     /// Number of sections.
     pub sections: usize,
+}
+
+impl Header {
+    /// The sizes of a record.
+    pub(super) const fn shape(&self) -> (usize, usize, Effects, usize) {
+        (self.degree, self.order, self.effects, self.components)
+    }
 }
 
 impl Header {

@@ -2,11 +2,12 @@
 //! once, and a pixel in integers with room for everything.
 
 use super::Reader;
+use eigenshade::index::record::integers::OwnedParts;
 use eigenshade::quantized::{Basis, Normal};
 use eigenshade::{Error, FixedPoint, Q15, Q31, sphere};
 use eigenshade_index::{light, material, mode, pair};
 use eigenshade_table::Table;
-use eigenshade_table::quantize::{Format, QuantizedParts};
+use eigenshade_table::quantize::{Format, integers};
 use std::f64::consts::SQRT_2;
 use std::sync::OnceLock;
 
@@ -150,8 +151,8 @@ pub fn exact<Q: Integer>(lengths: &[u8], terms: &[i32], normal: Normal<Q>) -> i1
 pub struct Shipped {
     pub table: Table,
     rows: Vec<Vec<f64>>,
-    q15: QuantizedParts,
-    q31: QuantizedParts,
+    q15: OwnedParts<i32>,
+    q31: OwnedParts<i32>,
 }
 
 pub fn shipped() -> &'static Shipped {
@@ -160,7 +161,7 @@ pub fn shipped() -> &'static Shipped {
         let bytes = include_bytes!("../../tables/sphere.bin");
         let table = eigenshade_table::decode(bytes).expect("a table");
         let parts = |format: Format| {
-            QuantizedParts::new(&table, format, format.tolerance()).expect("a sphere's table")
+            integers(&table, format, format.tolerance()).expect("a sphere's table")
         };
         Shipped {
             rows: table.profiles.iter().map(|profile| table.gram_row(profile)).collect(),
@@ -172,7 +173,7 @@ pub fn shipped() -> &'static Shipped {
 }
 
 impl Shipped {
-    pub fn parts<Q: Integer>(&self) -> &QuantizedParts {
+    pub fn parts<Q: Integer>(&self) -> &OwnedParts<i32> {
         if Q::FORMAT == Format::Q15 { &self.q15 } else { &self.q31 }
     }
 

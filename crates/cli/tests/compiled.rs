@@ -7,7 +7,7 @@ use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader};
-use eigenshade_table::quantize::{Format, QuantizedParts};
+use eigenshade_table::quantize::{Format, integers};
 use eigenshade_table::{Table, rust_quantized, rust_source};
 use std::fmt::Write;
 use std::fs;
@@ -194,8 +194,8 @@ fn compiled() -> &'static Compiled {
                 [(Format::Q15, "Q15", "15", "i16"), (Format::Q31, "Q31", "31", "i32")]
             {
                 let name = format!("of_{degree}_{order}_{bits}");
-                let parts = QuantizedParts::new(&table, format, format.tolerance()).expect("parts");
-                files.push((name.clone(), rust_quantized::module(&parts, "a test")));
+                let parts = integers(&table, format, format.tolerance()).expect("parts");
+                files.push((name.clone(), rust_quantized::module(&parts, format, "a test")));
                 let count = eigenshade_index::material::count(order).to_string();
                 let program = COMPARE_INTEGERS.replace("NAME", &name).replace("KIND", kind);
                 let program = program.replace("BITS", bits).replace("INT", int);

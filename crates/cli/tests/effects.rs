@@ -10,7 +10,7 @@ use eigenshade_index::{light, material, mode};
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::Shader;
 use eigenshade_table::Table;
-use eigenshade_table::parts::Parts;
+use eigenshade_table::parts;
 
 /// The sum of pictures of effects against the picture of all, relative to the peak: rounding.
 /// docs/method.md promises 1e-12.
@@ -198,7 +198,7 @@ fn what_is_left_out_costs_nothing() {
     let whole = make(&folder, Effects::ALL, "b.bin");
     let is_without_gloss = |effects: &Effects| !effects.has(Effect::Gloss);
     let size = |table: &Table| {
-        let parts = Parts::new(table);
+        let parts = parts::floats(table);
         let transfer: usize = parts.passes.iter().map(|pass| usize::from(pass.profiles)).sum();
         let terms: usize = parts.lengths.iter().map(|&length| usize::from(length)).sum();
         [
@@ -223,11 +223,11 @@ fn what_is_left_out_costs_nothing() {
     }
     // Ambient alone: no azimuth but m = 0, no degree but l = 0.
     let ambient = make(&folder, Effects::NONE.with(Effect::Ambient), "ambient.bin");
-    assert_eq!((ambient.gram.degree, Parts::new(&ambient).lengths.len()), (0, 1));
+    assert_eq!((ambient.gram.degree, parts::floats(&ambient).lengths.len()), (0, 1));
     assert!(ambient.components.iter().all(|component| component.order == 0));
     // Diffuse alone is what a Lambertian table is.
     let diffuse = make(&folder, Effects::NONE.with(Effect::Diffuse), "diffuse.bin");
-    assert_eq!((diffuse.gram.order, Parts::new(&diffuse).couplings.len()), (0, 1));
+    assert_eq!((diffuse.gram.order, parts::floats(&diffuse).couplings.len()), (0, 1));
 }
 
 #[test]

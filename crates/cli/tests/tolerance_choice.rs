@@ -16,7 +16,7 @@ use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader};
 use eigenshade_shading::shipped;
 use eigenshade_table::scene::Criterion;
-use eigenshade_table::{Parts, Scene, Table};
+use eigenshade_table::{Scene, Table, parts};
 use std::f64::consts::{FRAC_PI_2, TAU};
 use std::sync::OnceLock;
 
@@ -170,7 +170,7 @@ fn shaded(
 
 /// The number of numbers of the runtime's table that projection uses.
 fn projecting(table: &Table) -> usize {
-    let parts = Parts::new(table);
+    let parts = parts::floats(table);
     parts.polar.len() + parts.factors.len() + parts.ambient.len()
 }
 
@@ -182,7 +182,7 @@ fn assert_describes(choice: &Choice, table: &Table) {
     assert_eq!([degree.kept, order.kept], [table.scene.light.degree, table.scene.material.order]);
     assert_eq!(choice.components.kept, table.components.len());
     assert_eq!(choice.components.of, table.spectrum.len());
-    let lengths = Parts::new(table).lengths;
+    let lengths = parts::floats(table).lengths;
     let both = |(m, length): (usize, &u16)| usize::from(*length) * if m == 0 { 1 } else { 2 };
     let terms: usize = lengths.iter().enumerate().map(both).sum();
     assert_eq!(choice.terms.expect("terms").kept, terms);
@@ -230,7 +230,7 @@ fn tables_are_within_their_tolerance_and_no_larger_than_needed() {
                 assert_describes(&choice, &table);
                 assert!((choice.peak / peak - 1.0).abs() <= tolerances::PEAK_GRID);
                 let found = rms(&shaded(&table, rotated, materials, normals), reference) / peak;
-                let numbers = projecting(&table) + Parts::new(&table).terms.len();
+                let numbers = projecting(&table) + parts::floats(&table).terms.len();
                 println!("{criterion:?} {tolerance}: {found:.2e}, {numbers} numbers\n{choice}");
                 assert!(found <= choice.total * CHOICE_SAMPLED, "{found}");
                 assert!(found <= tolerance * CHOICE_SAMPLED, "{found} of {tolerance}");

@@ -6,6 +6,7 @@
 //! * [`mode`]: the irradiance modes of one azimuth |m|.
 //! * [`effect`]: sets of irradiance modes with a visible meaning.
 //! * [`layout`]: the memory layout of the runtime's rows.
+//! * [`record`]: the arrays of a table.
 //! * [`wire`]: tables as bytes that the runtime reads in place.
 //!
 //! Every ordering of coefficients has the prefix property: the coefficients up to a lower degree or
@@ -13,10 +14,14 @@
 //! Nillius and Eklundh, "Phenomenological Eigenfunctions for Image Irradiance", ICCV 2003.
 #![no_std]
 
+#[cfg(feature = "alloc")]
+extern crate alloc;
+
 pub mod effect;
 pub mod layout;
 pub mod light;
 pub mod material;
 pub mod mode;
 pub mod pair;
+pub mod record;
 pub mod wire;

@@ -1,6 +1,7 @@
 //! The wire format: tables as bytes that the runtime reads in place.
 //!
-//! `tables/README.md` specifies it byte by byte. This module holds the constants that the writer,
+//! `tables/README.md` specifies it byte by byte. Its sections are the arrays of the
+//! [records](crate::record), in the same order; empty ones at the end are omitted. This module holds the constants that the writer,
 //! in `eigenshade-table`, and the reader, in `eigenshade`, share.
 
 /// The first bytes of every wire file.
@@ -60,32 +61,3 @@ pub mod format {
     /// Numbers are 31-bit mantissas.
     pub const Q31: u16 = 3;
 }
-
-/// Number of float sections that every file has. Empty sections at the end of the remaining ones
-/// are omitted.
-pub const REQUIRED_FLOATS: usize = 15;
-
-/// The float sections, in file order.
-pub const FLOATS: [&str; 17] = [
-    "profiles",
-    "passes",
-    "slots",
-    "couplings",
-    "lengths",
-    "polar",
-    "factors",
-    "terms",
-    "mean",
-    "mean coefficients",
-    "selection",
-    "projection",
-    "synthesis",
-    "span mean",
-    "image mean",
-    "ambient",
-    "recurrences",
-];
-
-/// The integer sections, in file order.
-pub const INTEGERS: [&str; 7] =
-    ["profiles", "lengths", "polar", "polar exponents", "factors", "factor exponents", "terms"];

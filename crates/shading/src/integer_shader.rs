@@ -5,11 +5,12 @@
 
 use crate::overflow;
 use crate::shader::{fault, of_degree, of_order};
-use eigenshade::quantized::{Basis, Light, Material, Normal, Parts, Profile, Transfer};
+use eigenshade::quantized::{Basis, Light, Material, Normal, Parts, Transfer};
 use eigenshade::{FixedPoint, Q15, Q31};
+use eigenshade_index::record::integers::OwnedParts;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_table::Table;
-use eigenshade_table::quantize::{self, Format, QuantizeError, QuantizedParts};
+use eigenshade_table::quantize::{self, Format, QuantizeError};
 
 /// An integer format that the command line offers.
 pub trait Integer: FixedPoint {
@@ -68,11 +69,7 @@ fn nearest<Q: Integer>(component: f64) -> Q {
 /// The owned arrays of an integer basis.
 #[derive(Clone, Debug)]
 pub struct OwnedQuantized<Q> {
-    parts: QuantizedParts,
-    profiles: Vec<Profile>,
-    polar: Vec<Q>,
-    factors: Vec<Q>,
-    terms: Vec<Q>,
+    parts: OwnedParts<Q>,
 }
 
 impl<Q: Integer> OwnedQuantized<Q> {
@@ -82,21 +79,8 @@ impl<Q: Integer> OwnedQuantized<Q> {
     ///
     /// If the table has no integer form.
     pub fn new(table: &Table, tolerance: f64) -> std::result::Result<Self, QuantizeError> {
-        let parts = QuantizedParts::new(table, Q::FORMAT, tolerance)?;
-        let own = |numbers: &[i32]| numbers.iter().map(|&number| Q::of(number)).collect();
-        let profiles = parts.profiles.iter();
-        Ok(Self {
-            profiles: profiles
-                .map(|place| {
-                    let (components, sizes) = ([place.plus, place.minus], [place.size, place.step]);
-                    Profile::new(place.azimuth, place.exponent, components, sizes)
-                })
-                .collect(),
-            polar: own(&parts.polar),
-            factors: own(&parts.factors),
-            terms: own(&parts.terms),
-            parts,
-        })
+        let parts = quantize::integers(table, Q::FORMAT, tolerance)?;
+        Ok(Self { parts: parts.convert(|&number| Q::of(number)) })
     }
 
     /// The basis.
@@ -105,19 +89,7 @@ impl<Q: Integer> OwnedQuantized<Q> {
     ///
     /// Cannot fail in practice, because the parts of a table are consistent.
     pub fn view(&self) -> std::result::Result<Basis<'_, Q>, eigenshade::Error> {
-        Q::basis(Parts {
-            degree: self.parts.degree,
-            order: self.parts.order,
-            effects: self.parts.effects,
-            components: self.parts.components,
-            profiles: &self.profiles,
-            lengths: &self.parts.lengths,
-            polar: &self.polar,
-            polar_exponents: &self.parts.polar_exponents,
-            factors: &self.factors,
-            factor_exponents: &self.parts.factor_exponents,
-            terms: &self.terms,
-        })
+        Q::basis(self.parts.borrow())
     }
 }
 

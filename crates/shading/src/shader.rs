@@ -127,7 +127,7 @@ impl<'a, S: Scalar> Shader<'a, S> {
             }
             AnyBasis::General(basis) => {
                 let span = basis.span();
-                (span.effects(), span.projects(), basis.parts().mean_coefficients)
+                (span.effects(), span.projects(), basis.parts().image_mean)
             }
         };
         self.effects = effects;

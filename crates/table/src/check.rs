@@ -1,9 +1,9 @@
 //! Consistency checks on the parts of a table, so that decoding is total.
 
-use crate::parts::NONE;
 use crate::scene::{Criterion, KNOTS};
 use crate::table::{General, Table};
 use eigenshade_index::effect::Effects;
+use eigenshade_index::record::NONE;
 use eigenshade_index::{material, mode, pair};
 
 /// The largest degree and order of a valid table. The limit keeps the counts below from

@@ -39,13 +39,14 @@ pub mod wire;
 
 pub mod rust_quantized;
 
+mod rust_record;
+
 pub mod rust_source;
 
 pub mod statics;
 
 pub use file::{FileError, decode, encode};
 pub use gram::GramFactor;
-pub use parts::Parts;
 pub use scene::Scene;
 pub use table::{
     Component, General, MaterialTransfer, MeanImage, Profile, Rounding, Summary, Table,

@@ -2,183 +2,110 @@
 //! runtime's loops. They are in f64; rounding to the device's format comes last.
 
 use crate::polynomials::Polynomials;
-use crate::table::Table;
+use crate::table::{General, Table};
 use eigenshade_index::effect::{Effect, Effects};
-use eigenshade_index::layout::{LANES, PASS, Recurrence, first_order, lowest_degree};
+use eigenshade_index::layout::{LANES, PASS, first_order, lowest_degree};
+use eigenshade_index::record::floats::{OwnedGeneralParts, OwnedParts};
+use eigenshade_index::record::{Coupling, NONE, Pass, ProfilePlace, Row};
 use eigenshade_index::{layout, material, pair};
 use std::collections::BTreeSet;
 
-/// Means "no such component" in [`ProfilePlace`].
-pub const NONE: u16 = u16::MAX;
-
-/// The runtime's arrays. Each field corresponds to the field of the same name in
-/// `eigenshade::Parts`.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Parts {
-    /// Largest degree l of the light.
-    pub degree: usize,
-    /// Largest order o of the BRDF.
-    pub order: usize,
-    /// The effects that the table serves.
-    pub effects: Effects,
-    /// Number of components.
-    pub components: usize,
-    /// The profiles that the rows below belong to.
-    pub profiles: Vec<ProfilePlace>,
-    /// Number of polynomial terms for each |m|.
-    pub lengths: Vec<u16>,
-    /// For each coefficient (o, p, q), the positions of the pairs (o, q) and (p, q), or twice
-    /// [`NONE`] if the effects do not factor it; up to the largest order that they factor.
-    pub couplings: Vec<[u16; 2]>,
-    /// √(o+1) N_l^q C_lo^q: for each pair one row over l, padded to whole groups. This array and
-    /// `factors` are empty if the table stores transfers instead.
-    pub polar: Vec<f64>,
-    /// For each profile and each l from |m| on, a row of `layout::row` numbers. Two profiles of an
-    /// azimuth are interleaved group by group.
-    pub factors: Vec<f64>,
-    /// UᵀM of the unfactored coefficients: one row for each profile of m = 0.
-    pub ambient: Vec<f64>,
-    /// For each profile its polynomial in t = 2z - 1, highest term first, times √2 if m is not 0.
-    /// If its azimuth has a recurrence, the polynomial is a series in the recurrence's polynomials.
-    /// Otherwise its length determines the form, [`layout::Form::of`].
-    pub terms: Vec<f64>,
-    /// Recurrences of the last azimuths, or empty: [`layout::recurrences`].
-    pub recurrences: Vec<Recurrence>,
-    /// The passes of a transfer, which define its layout.
-    pub passes: Vec<Pass>,
-    /// The component of each pass, profile and lane, or [`NONE`].
-    pub slots: Vec<u16>,
-    /// The mean image's polynomial, or empty.
-    pub mean: Vec<f64>,
-    /// The mean image's coefficients, or empty.
-    pub mean_coefficients: Vec<f64>,
-    /// The table's selection of modes, or empty for all.
-    pub selection: Vec<bool>,
-}
-
-/// The components that a profile serves.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct ProfilePlace {
-    /// |m|.
-    pub azimuth: u16,
-    /// Index of the component of +m (or 0), or [`NONE`].
-    pub plus: u16,
-    /// Index of the component of -m, or [`NONE`].
-    pub minus: u16,
-    /// Row of +m in a transfer.
-    pub plus_row: Row,
-    /// Row of -m in a transfer; for m = 0 the same row as for +m.
-    pub minus_row: Row,
-}
-
-/// Positions of the numbers of l = |m|, |m| + 1, ... in a transfer.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Row {
-    /// Position of l = |m|.
-    pub start: u32,
-    /// Distance from one l to the next.
-    pub step: u32,
-}
-
-/// A pass: the orders `first`..`first` + LANES, and the number of profiles of each.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Pass {
-    /// The first order m.
-    pub first: i16,
-    /// Number of profiles of each order.
-    pub profiles: u16,
-}
-
-impl Parts {
-    /// The arrays of a table.
-    #[must_use]
-    pub fn new(table: &Table) -> Self {
-        let gram = &table.gram;
-        let effects = table.effects();
-        let (degree, order) = (gram.degree, gram.order);
-        let factored = effects.factored_order(order);
-        let pairs = pair::count(factored);
-        let root = |pair: usize| {
-            let (o, _) = pair::indices(factored).nth(pair).expect("a pair of this order");
-            ((o + 1) as f64).sqrt()
-        };
-        let roots: Vec<f64> = (0..pairs).map(root).collect();
-        let polynomials = Polynomials::new(table);
-        let (polar, factors) = if table.has_projection() {
-            let polar = grouped(degree, pairs, |l, pair| match (l, effects.has(Effect::Ambient)) {
-                (0, false) => 0.0,
-                _ => roots[pair] * gram.polar_integrals[pair * (degree + 1) + l],
-            });
-            (polar, factors(table, degree, factored))
-        } else {
-            (Vec::new(), Vec::new())
-        };
-        let scaled =
-            table.profiles.iter().zip(&polynomials.profiles).flat_map(|(profile, terms)| {
-                let scale = if profile.azimuth == 0 { 1.0 } else { std::f64::consts::SQRT_2 };
-                terms.iter().map(move |term| scale * term)
-            });
-        let terms = scaled.collect();
-        let mean = table.mean.as_ref();
-        let mut profiles = places(table);
-        let (passes, slots) = arrange(degree, &mut profiles);
-        for place in profiles.iter_mut().filter(|place| place.azimuth == 0) {
-            place.minus_row = place.plus_row;
-        }
-        Self {
-            degree,
-            order,
-            effects,
-            components: table.components.len(),
-            profiles,
-            passes,
-            slots,
-            couplings: couplings(effects, factored),
-            ambient: ambient(table, degree, pairs),
-            polar,
-            factors,
-            terms,
-            recurrences: polynomials.recurrences,
-            mean: polynomials.mean,
-            mean_coefficients: mean.map(|mean| mean.coefficients.clone()).unwrap_or_default(),
-            selection: table.selection.clone(),
-            lengths: polynomials.lengths,
-        }
+/// The arrays of a table, or of the span of a general basis.
+#[must_use]
+pub fn floats(table: &Table) -> OwnedParts<f64> {
+    let gram = &table.gram;
+    let effects = table.effects();
+    let (degree, order) = (gram.degree, gram.order);
+    let factored = effects.factored_order(order);
+    let pairs = pair::count(factored);
+    let root = |pair: usize| {
+        let (o, _) = pair::indices(factored).nth(pair).expect("a pair of this order");
+        ((o + 1) as f64).sqrt()
+    };
+    let roots: Vec<f64> = (0..pairs).map(root).collect();
+    let polynomials = Polynomials::new(table);
+    let (polar, factors) = if table.has_projection() {
+        let polar = grouped(degree, pairs, |l, pair| match (l, effects.has(Effect::Ambient)) {
+            (0, false) => 0.0,
+            _ => roots[pair] * gram.polar_integrals[pair * (degree + 1) + l],
+        });
+        (polar, factors(table, degree, factored))
+    } else {
+        (Vec::new(), Vec::new())
+    };
+    let scaled = table.profiles.iter().zip(&polynomials.profiles).flat_map(|(profile, terms)| {
+        let scale = if profile.azimuth == 0 { 1.0 } else { std::f64::consts::SQRT_2 };
+        terms.iter().map(move |term| scale * term)
+    });
+    let terms = scaled.collect();
+    let mean = table.mean.as_ref();
+    let mut profiles = places(table);
+    let (passes, slots) = arrange(degree, &mut profiles);
+    for place in profiles.iter_mut().filter(|place| place.azimuth == 0) {
+        place.minus_row = place.plus_row;
+    }
+    OwnedParts {
+        degree,
+        order,
+        effects,
+        components: table.components.len(),
+        profiles,
+        passes,
+        slots,
+        couplings: couplings(effects, factored),
+        ambient: ambient(table, degree, pairs),
+        polar,
+        factors,
+        terms,
+        recurrences: polynomials.recurrences,
+        mean: polynomials.mean,
+        mean_coefficients: mean.map(|mean| mean.coefficients.clone()).unwrap_or_default(),
+        selection: table.selection.clone(),
+        lengths: polynomials.lengths,
     }
 }
 
-impl Parts {
-    /// Arranges one of the table's transfers in the order of the runtime.
-    #[must_use]
-    pub fn transfer(&self, numbers: &[f64]) -> Vec<f64> {
-        let rows = |pass: &Pass| {
-            let lowest = layout::lowest_degree(pass.first.into());
-            layout::LANES * usize::from(pass.profiles) * (self.degree + 1 - lowest)
-        };
-        let mut transfer = vec![0.0; self.passes.iter().map(rows).sum()];
-        let mut rest = numbers.iter();
-        for place in &self.profiles {
-            let sign = if place.azimuth % 2 == 1 { -1.0 } else { 1.0 };
-            let degrees = self.degree + 1 - usize::from(place.azimuth);
-            for (row, number) in rest.by_ref().take(degrees).enumerate() {
-                // For m = 0 both rows are the same and the sign is +.
-                for (of, value) in [(place.minus_row, sign * number), (place.plus_row, *number)] {
-                    transfer[of.start as usize + row * of.step as usize] = value;
-                }
+/// The eigenimages of a table over its span; none for a sphere, whose components are eigenimages.
+#[must_use]
+pub fn general(table: &Table) -> OwnedGeneralParts<f64> {
+    let general = table.general.as_ref();
+    let of = |part: fn(&General) -> &Vec<f64>| general.map(part).cloned().unwrap_or_default();
+    OwnedGeneralParts {
+        components: general.map_or(0, |general| general.eigenvalues.len()),
+        projection: of(|general| &general.projection),
+        synthesis: of(|general| &general.synthesis),
+        span_mean: of(|general| &general.mean),
+        image_mean: of(|general| &general.mean_coefficients),
+    }
+}
+
+/// Arranges one of the table's transfers in the order of the runtime.
+#[must_use]
+pub fn transfer(parts: &OwnedParts<f64>, numbers: &[f64]) -> Vec<f64> {
+    let length = parts.passes.iter().filter_map(|pass| pass.length(parts.degree)).sum();
+    let mut transfer = vec![0.0; length];
+    let mut rest = numbers.iter();
+    for place in &parts.profiles {
+        let sign = if place.azimuth % 2 == 1 { -1.0 } else { 1.0 };
+        let degrees = parts.degree + 1 - usize::from(place.azimuth);
+        for (row, number) in rest.by_ref().take(degrees).enumerate() {
+            // For m = 0 both rows are the same and the sign is +.
+            for (of, value) in [(place.minus_row, sign * number), (place.plus_row, *number)] {
+                transfer[of.start as usize + row * of.step as usize] = value;
             }
         }
-        transfer
     }
+    transfer
 }
 
-/// The positions of the pairs (o, q) and (p, q) for each (o, p, q) up to `order`; [`NONE`] for
-/// coefficients that are not factored.
-fn couplings(effects: Effects, order: usize) -> Vec<[u16; 2]> {
+/// The positions of the pairs (o, q) and (p, q) for each (o, p, q) up to `order`; [`Coupling::NONE`]
+/// for coefficients that are not factored.
+fn couplings(effects: Effects, order: usize) -> Vec<Coupling> {
     let short = |place: usize| u16::try_from(place).expect("orders are small");
     material::indices(order)
         .map(|(o, p, q)| match effects.factored(o) {
-            true => [pair::position(o, q), pair::position(p, q)].map(short),
-            false => [NONE; 2],
+            true => Coupling { o: short(pair::position(o, q)), p: short(pair::position(p, q)) },
+            false => Coupling::NONE,
         })
         .collect()
 }

@@ -6,59 +6,12 @@
 
 use crate::chebyshev::polynomial;
 pub use crate::format::IntegerFormat as Format;
-use crate::parts::NONE;
 use crate::table::{Profile, Table};
-use eigenshade_index::effect::{Effect, Effects};
+use eigenshade_index::effect::Effect;
+use eigenshade_index::record::NONE;
+use eigenshade_index::record::integers::{OwnedParts, Profile as Place};
 use eigenshade_index::{layout, material, pair};
 use std::fmt;
-
-/// The runtime's arrays in integers. Each field corresponds to the field of the same name in
-/// `eigenshade::quantized::Parts`.
-#[derive(Clone, Debug, PartialEq)]
-pub struct QuantizedParts {
-    /// The format.
-    pub format: Format,
-    /// Largest degree l of the light.
-    pub degree: usize,
-    /// Largest order o of the BRDF.
-    pub order: usize,
-    /// The effects that the table serves.
-    pub effects: Effects,
-    /// Number of components.
-    pub components: usize,
-    /// Slant profiles, by |m|.
-    pub profiles: Vec<Place>,
-    /// Number of polynomial terms for each |m|.
-    pub lengths: Vec<u8>,
-    /// Polar integrals: for each l one row over the pairs.
-    pub polar: Vec<i32>,
-    /// One exponent for each polar integral.
-    pub polar_exponents: Vec<i8>,
-    /// Factors: for each profile and each l one row over the pairs.
-    pub factors: Vec<i32>,
-    /// One exponent for each row of factors.
-    pub factor_exponents: Vec<i8>,
-    /// Polynomials in powers of t, highest term first.
-    pub terms: Vec<i32>,
-}
-
-/// The azimuth of a profile, the exponent of its terms, its components and its bounds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Place {
-    /// |m|.
-    pub azimuth: u8,
-    /// Exponent of its terms.
-    pub exponent: i8,
-    /// Component of +m (or 0), or 65,535.
-    pub plus: u16,
-    /// Component of -m, or 65,535.
-    pub minus: u16,
-    /// Its largest absolute value, in sixteenths, rounded up.
-    pub size: u16,
-    /// The largest term of its polynomial or intermediate sum in Horner's rule, in sixteenths,
-    /// rounded up.
-    pub step: u16,
-}
 
 /// The maximum number of profiles, and of degrees, in `eigenshade::quantized::Basis`.
 const MAX_PROFILES: usize = layout::MAX_WEIGHTS / 2;
@@ -133,91 +86,90 @@ impl fmt::Display for QuantizeError {
 
 impl std::error::Error for QuantizeError {}
 
-impl QuantizedParts {
-    /// Converts a table to this format. Trims its polynomials so that each component loses at most
-    /// `tolerance`, relative to the rms of the database's images, which follows from the
-    /// eigenvalues.
-    ///
-    /// # Errors
-    ///
-    /// If the table cannot be converted to integers.
-    pub fn new(table: &Table, format: Format, tolerance: f64) -> Result<Self, QuantizeError> {
-        for (fault, error) in [
-            (table.mean.is_some(), QuantizeError::Mean),
-            (!table.selection.is_empty(), QuantizeError::Selection),
-            (table.general.is_some(), QuantizeError::General),
-            (!table.has_projection(), QuantizeError::TransfersOnly),
-            (table.effects().unfactored_count(table.gram.order) > 0, QuantizeError::Unfactored),
-            (table.profiles.len().max(table.gram.degree + 1) > MAX_PROFILES, QuantizeError::Many),
-        ] {
-            if fault {
-                return Err(error);
-            }
+/// The arrays of a table in this format, with mantissas as `i32`. Trims its polynomials so that each component loses at most
+/// `tolerance`, relative to the rms of the database's images, which follows from the
+/// eigenvalues.
+///
+/// # Errors
+///
+/// If the table cannot be converted to integers.
+pub fn integers(
+    table: &Table,
+    format: Format,
+    tolerance: f64,
+) -> Result<OwnedParts<i32>, QuantizeError> {
+    for (fault, error) in [
+        (table.mean.is_some(), QuantizeError::Mean),
+        (!table.selection.is_empty(), QuantizeError::Selection),
+        (table.general.is_some(), QuantizeError::General),
+        (!table.has_projection(), QuantizeError::TransfersOnly),
+        (table.effects().unfactored_count(table.gram.order) > 0, QuantizeError::Unfactored),
+        (table.profiles.len().max(table.gram.degree + 1) > MAX_PROFILES, QuantizeError::Many),
+    ] {
+        if fault {
+            return Err(error);
         }
-        let (gram, effects) = (&table.gram, table.effects());
-        let (degree, order) = (gram.degree, gram.order);
-        let pairs = pair::count(order);
-        let bits = format.bits();
-        let lengths = lengths(table, tolerance)?;
-        let (mut polar, mut polar_exponents) = (Vec::new(), Vec::new());
-        for l in 0..=degree {
-            for (k, (o, _)) in pair::indices(order).enumerate() {
-                let kept = l > 0 || effects.has(Effect::Ambient);
-                let value = gram.polar_integrals[k * (degree + 1) + l] * ((o + 1) as f64).sqrt();
-                let value = if kept { value } else { 0.0 };
-                let (mantissas, exponent) = row(&[value], bits, i64::MAX);
-                polar.extend(mantissas);
-                polar_exponents.push(exponent);
-            }
-        }
-        let (mut factors, mut factor_exponents) = (Vec::new(), Vec::new());
-        let (mut terms, mut profiles) = (Vec::new(), Vec::new());
-        for (k, profile) in table.profiles.iter().enumerate() {
-            for numbers in profile.factors.chunks_exact(pairs) {
-                let (mantissas, exponent) = row(numbers, bits, 1 << (bits + 1));
-                factors.extend(mantissas);
-                factor_exponents.push(exponent);
-            }
-            let azimuth = profile.azimuth;
-            let scale = if azimuth == 0 { 1.0 } else { std::f64::consts::SQRT_2 };
-            let length = usize::from(lengths[azimuth]);
-            let kept = &profile.chebyshev[..length.min(profile.chebyshev.len())];
-            let powers: Vec<f64> =
-                polynomial(kept, length).iter().map(|term| scale * term).collect();
-            let (mantissas, exponent) = row(&powers, bits, i64::MAX);
-            let sizes = sizes(&mantissas, exponent, azimuth);
-            let [size, step] = sizes.ok_or(QuantizeError::Large { azimuth })?;
-            terms.extend(mantissas);
-            let of = |is_minus: bool| {
-                let mut components = table.components.iter();
-                let found =
-                    components.position(|one| one.profile == k && (one.order < 0) == is_minus);
-                found.map_or(NONE, |index| u16::try_from(index).expect("few components"))
-            };
-            profiles.push(Place {
-                azimuth: u8::try_from(azimuth).expect("a small degree"),
-                exponent,
-                plus: of(false),
-                minus: of(true),
-                size,
-                step,
-            });
-        }
-        Ok(Self {
-            format,
-            degree,
-            order,
-            effects,
-            components: table.components.len(),
-            polar,
-            polar_exponents,
-            factors,
-            factor_exponents,
-            profiles,
-            lengths,
-            terms,
-        })
     }
+    let (gram, effects) = (&table.gram, table.effects());
+    let (degree, order) = (gram.degree, gram.order);
+    let pairs = pair::count(order);
+    let bits = format.bits();
+    let lengths = lengths(table, tolerance)?;
+    let (mut polar, mut polar_exponents) = (Vec::new(), Vec::new());
+    for l in 0..=degree {
+        for (k, (o, _)) in pair::indices(order).enumerate() {
+            let kept = l > 0 || effects.has(Effect::Ambient);
+            let value = gram.polar_integrals[k * (degree + 1) + l] * ((o + 1) as f64).sqrt();
+            let value = if kept { value } else { 0.0 };
+            let (mantissas, exponent) = row(&[value], bits, i64::MAX);
+            polar.extend(mantissas);
+            polar_exponents.push(exponent);
+        }
+    }
+    let (mut factors, mut factor_exponents) = (Vec::new(), Vec::new());
+    let (mut terms, mut profiles) = (Vec::new(), Vec::new());
+    for (k, profile) in table.profiles.iter().enumerate() {
+        for numbers in profile.factors.chunks_exact(pairs) {
+            let (mantissas, exponent) = row(numbers, bits, 1 << (bits + 1));
+            factors.extend(mantissas);
+            factor_exponents.push(exponent);
+        }
+        let azimuth = profile.azimuth;
+        let scale = if azimuth == 0 { 1.0 } else { std::f64::consts::SQRT_2 };
+        let length = usize::from(lengths[azimuth]);
+        let kept = &profile.chebyshev[..length.min(profile.chebyshev.len())];
+        let powers: Vec<f64> = polynomial(kept, length).iter().map(|term| scale * term).collect();
+        let (mantissas, exponent) = row(&powers, bits, i64::MAX);
+        let sizes = sizes(&mantissas, exponent, azimuth);
+        let [size, step] = sizes.ok_or(QuantizeError::Large { azimuth })?;
+        terms.extend(mantissas);
+        let of = |is_minus: bool| {
+            let mut components = table.components.iter();
+            let found = components.position(|one| one.profile == k && (one.order < 0) == is_minus);
+            found.map_or(NONE, |index| u16::try_from(index).expect("few components"))
+        };
+        profiles.push(Place {
+            azimuth: u8::try_from(azimuth).expect("a small degree"),
+            exponent,
+            plus: of(false),
+            minus: of(true),
+            size,
+            step,
+        });
+    }
+    Ok(OwnedParts {
+        degree,
+        order,
+        effects,
+        components: table.components.len(),
+        polar,
+        polar_exponents,
+        factors,
+        factor_exponents,
+        profiles,
+        lengths,
+        terms,
+    })
 }
 
 /// Converts numbers to mantissas with a common exponent. Each mantissa is below 2^`bits`, and the

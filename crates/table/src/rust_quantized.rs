@@ -1,24 +1,30 @@
 //! A table in integers as Rust source: typed statics for the runtime.
 
-use crate::quantize::{Format, Place, QuantizedParts};
-use crate::rust_source::{array, effects, line, words};
+use crate::quantize::Format;
+use crate::rust_record::{Constants, array};
+use crate::rust_source::{line, words};
 use eigenshade_index::pair;
+use eigenshade_index::record::Item as _;
+use eigenshade_index::record::integers::{OwnedParts, Parts, Profile, Q15, Q31};
 
 /// The body of a module with the table's numbers, and the lines that name its shape; it names the
 /// runtime as `eigenshade`. `command` is what made it, for the first line.
 #[must_use]
-pub fn module(parts: &QuantizedParts, command: &str) -> String {
-    let format = name(parts.format);
-    let mut text = format!("// {command}\n// {} bytes of tables\n", bytes(parts));
-    numbers(&mut text, "POLAR", format, &parts.polar);
-    array(&mut text, "POLAR_EXPONENTS", "i8", parts.polar_exponents.iter().map(i8::to_string));
-    numbers(&mut text, "FACTORS", format, &parts.factors);
-    array(&mut text, "FACTOR_EXPONENTS", "i8", parts.factor_exponents.iter().map(i8::to_string));
-    numbers(&mut text, "TERMS", format, &parts.terms);
-    array(&mut text, "LENGTHS", "u8", parts.lengths.iter().map(u8::to_string));
-    let profile = "eigenshade::quantized::Profile";
-    array(&mut text, "PLACES", profile, parts.profiles.iter().map(place));
-    text.push_str(&record(parts));
+pub fn module(parts: &OwnedParts<i32>, format: Format, command: &str) -> String {
+    let (mut constants, path) = (Constants::default(), Parts::<Q15>::PATH);
+    match format {
+        Format::Q15 => {
+            let parts = parts.convert(|&number| Q15(number as i16));
+            constants.add("PARTS", path, Q15::TYPE, |to| parts.borrow().visit(to));
+        }
+        Format::Q31 => {
+            let parts = parts.convert(|&number| Q31(number));
+            constants.add("PARTS", path, Q31::TYPE, |to| parts.borrow().visit(to));
+        }
+    }
+    let Constants { text, bytes, .. } = constants;
+    let mut text = format!("// {command}\n// {bytes} bytes of tables\n{text}");
+    let format = name(format);
     line(&mut text, format_args!("eigenshade::integer_table!({format});"));
     for functions in [transfer_of(parts), relight(parts), collapse(parts), shade(parts)] {
         line(&mut text, format_args!("eigenshade::integer_table!({format} {functions});"));
@@ -30,10 +36,18 @@ pub fn module(parts: &QuantizedParts, command: &str) -> String {
 /// of its table is in scope. Its bounds are checked when it is compiled.
 #[must_use]
 pub fn transfer(format: Format, mantissas: &[i32], exponents: &[i16]) -> String {
+    let mut text = match format {
+        Format::Q15 => {
+            let mantissas: Vec<Q15> = mantissas.iter().map(|&one| Q15(one as i16)).collect();
+            array("TRANSFER_NUMBERS", &mantissas)
+        }
+        Format::Q31 => {
+            let mantissas: Vec<Q31> = mantissas.iter().map(|&one| Q31(one)).collect();
+            array("TRANSFER_NUMBERS", &mantissas)
+        }
+    };
+    text += &array("TRANSFER_EXPONENTS", exponents);
     let format = name(format);
-    let mut text = String::new();
-    numbers(&mut text, "TRANSFER_NUMBERS", format, mantissas);
-    array(&mut text, "TRANSFER_EXPONENTS", "i16", exponents.iter().map(i16::to_string));
     line(
         &mut text,
         format_args!(
@@ -55,55 +69,9 @@ const fn name(format: Format) -> &'static str {
     }
 }
 
-/// Bytes of all statics: mantissas, exponents and lengths, 10 a profile.
-#[must_use]
-pub fn bytes(parts: &QuantizedParts) -> usize {
-    let mantissas = parts.polar.len() + parts.factors.len() + parts.terms.len();
-    let small = parts.polar_exponents.len() + parts.factor_exponents.len() + parts.lengths.len();
-    let each = if parts.format == Format::Q15 { 2 } else { 4 };
-    each * mantissas + small + 10 * parts.profiles.len()
-}
-
-fn place(place: &Place) -> String {
-    let Place { azimuth, exponent, plus, minus, size, step } = place;
-    format!(
-        "eigenshade::quantized::Profile::new({azimuth}, {exponent}, [{plus}, {minus}], [{size}, {step}])"
-    )
-}
-
-/// A static array of mantissas.
-fn numbers(text: &mut String, name: &str, format: &str, values: &[i32]) {
-    let kind = format!("eigenshade::{format}");
-    let values = values.iter().map(|value| format!("{kind}({value})"));
-    array(text, name, &kind, values);
-}
-
-/// The record of the parts.
-fn record(parts: &QuantizedParts) -> String {
-    let QuantizedParts { degree, order, components, .. } = parts;
-    let (format, effects) = (name(parts.format), effects(parts.effects));
-    format!(
-        "const PARTS: eigenshade::quantized::Parts<'static, eigenshade::{format}> =
-    eigenshade::quantized::Parts {{
-        degree: {degree},
-        order: {order},
-        effects: {effects},
-        components: {components},
-        profiles: &PLACES,
-        lengths: &LENGTHS,
-        polar: &POLAR,
-        polar_exponents: &POLAR_EXPONENTS,
-        factors: &FACTORS,
-        factor_exponents: &FACTOR_EXPONENTS,
-        terms: &TERMS,
-    }};
-"
-    )
-}
-
 /// The pairs (p, q) of a material, each with the orders o that are summed, and the azimuths of its
 /// transfer.
-fn transfer_of(parts: &QuantizedParts) -> String {
+fn transfer_of(parts: &OwnedParts<i32>) -> String {
     if parts.polar.is_empty() {
         return "transfer by basis".into();
     }
@@ -116,24 +84,24 @@ fn transfer_of(parts: &QuantizedParts) -> String {
 }
 
 /// The azimuths of a transfer.
-fn relight(parts: &QuantizedParts) -> String {
+fn relight(parts: &OwnedParts<i32>) -> String {
     format!("relight {}", azimuths_of(parts))
 }
 
 /// The azimuths that have profiles.
-fn azimuths_of(parts: &QuantizedParts) -> String {
+fn azimuths_of(parts: &OwnedParts<i32>) -> String {
     words(azimuths(parts).map(|profiles| profiles[0].azimuth))
 }
 
 /// The profiles of each azimuth that has some.
-fn azimuths(parts: &QuantizedParts) -> impl Iterator<Item = &[Place]> {
+fn azimuths(parts: &OwnedParts<i32>) -> impl Iterator<Item = &[Profile]> {
     parts.profiles.chunk_by(|a, b| a.azimuth == b.azimuth)
 }
 
 /// The azimuths of a scene and their profiles. Where the sums of the sizes may not fit 32 bits, the
 /// basis takes them.
-fn collapse(parts: &QuantizedParts) -> String {
-    let sum = |stated: fn(&Place) -> u16, profiles: &[Place]| {
+fn collapse(parts: &OwnedParts<i32>) -> String {
+    let sum = |stated: fn(&Profile) -> u16, profiles: &[Profile]| {
         profiles.iter().map(|place| u32::from(stated(place))).sum::<u32>()
     };
     let steps = azimuths(parts).map(|profiles| sum(|place| place.step, profiles));
@@ -148,7 +116,7 @@ fn collapse(parts: &QuantizedParts) -> String {
 }
 
 /// The azimuths of a pixel.
-fn shade(parts: &QuantizedParts) -> String {
+fn shade(parts: &OwnedParts<i32>) -> String {
     let last = parts.lengths.iter().rposition(|&length| length > 0).unwrap_or(0);
     format!("shade {}", words(1..=last))
 }

@@ -1,6 +1,6 @@
 //! A table as one Rust source file: statics in floats, and modules with the table in integers.
 
-use crate::quantize::{Format, QuantizeError, QuantizedParts};
+use crate::quantize::{self, Format, QuantizeError};
 use crate::table::Table;
 use crate::{rust_quantized, rust_source};
 
@@ -25,9 +25,9 @@ pub fn module(table: &Table, command: &str, formats: &[Format]) -> Result<Static
     }
     let mut statics = Statics { text: rust_source::module(table, command), left_out: Vec::new() };
     for &format in formats {
-        match QuantizedParts::new(table, format, format.tolerance()) {
+        match quantize::integers(table, format, format.tolerance()) {
             Ok(parts) => {
-                let inner = rust_quantized::module(&parts, command);
+                let inner = rust_quantized::module(&parts, format, command);
                 let (name, bits) = (format.name(), format.bits());
                 let what = format!("/// The same table in mantissas of {bits} bits.");
                 statics.text += &format!("{what}\npub mod {name} {{\n{inner}}}\n");

@@ -1,7 +1,7 @@
 //! Decoding is total: any bytes give a consistent table or an error.
 
 use eigenshade_table::scene::Cut;
-use eigenshade_table::{FileError, Parts, Profile, Table, decode, encode, file, rust_source};
+use eigenshade_table::{FileError, Profile, Table, decode, encode, file, parts, rust_source};
 
 fn shipped() -> Vec<u8> {
     std::fs::read(concat!(env!("CARGO_MANIFEST_DIR"), "/../../tables/sphere.bin")).unwrap()
@@ -90,7 +90,7 @@ fn corrupt_payloads_do_not_panic() {
             let mut damaged = payload.to_vec();
             damaged[place] ^= flipped;
             if let Ok(table) = decode(&sealed(&damaged)) {
-                read += usize::from(Parts::new(&table).components == table.components.len());
+                read += usize::from(parts::floats(&table).components == table.components.len());
             }
         }
     }

@@ -1,7 +1,7 @@
 //! Writes the table that `EIGENSHADE_TABLE` names as statics to the output folder. Without it the
 //! module has the shipped table.
 
-use eigenshade_table::quantize::{Format, QuantizedParts};
+use eigenshade_table::quantize::{Format, integers};
 use eigenshade_table::{Table, rust_quantized, rust_source};
 use std::path::{Path, PathBuf};
 use std::{env, fs, process};
@@ -33,9 +33,9 @@ fn bake(path: &Path) -> Result<(), String> {
         if env::var_os(format!("CARGO_FEATURE_{}", name.to_uppercase())).is_none() {
             continue;
         }
-        let parts = QuantizedParts::new(&table, format, format.tolerance())
+        let parts = integers(&table, format, format.tolerance())
             .map_err(|error| format!("{error}; build the module `f32`"))?;
-        write(&format!("table_{name}.rs"), &rust_quantized::module(&parts, &command))?;
+        write(&format!("table_{name}.rs"), &rust_quantized::module(&parts, format, &command))?;
     }
     Ok(())
 }

@@ -5,7 +5,7 @@ use eigenshade_index::effect::Effect;
 use eigenshade_index::material;
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_shading::shipped;
-use eigenshade_table::{Parts, Table, decode};
+use eigenshade_table::{Table, decode, parts};
 use std::path::PathBuf;
 
 /// A scene of `firmware/scenes`.
@@ -120,7 +120,7 @@ pub struct Size {
 
 impl Size {
     fn of(table: &Table) -> Self {
-        let parts = Parts::new(table);
+        let parts = parts::floats(table);
         let both: usize = parts.lengths.iter().map(|&length| 2 * usize::from(length)).sum();
         let constant = parts.lengths.first().map_or(0, |&length| usize::from(length));
         let arrays = [&parts.polar, &parts.factors, &parts.ambient, &parts.terms];

@@ -18,7 +18,7 @@ use eigenshade_model::database::Named;
 use eigenshade_model::error::Result;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader, fault};
-use eigenshade_table::{Parts, Table};
+use eigenshade_table::{Table, parts};
 use std::hint::black_box;
 
 /// The number of components where it is fixed.
@@ -212,7 +212,7 @@ fn of_tables(quantity: &str, tables: &[Made], timed: bool) -> Result<Vec<Record>
     };
     let (mut bytes, mut multiplications) = (Vec::new(), Vec::new());
     for Made { table, .. } in tables {
-        let parts = Parts::new(table);
+        let parts = parts::floats(table);
         let Multiplications { pixel, relight, collapse, transfer, .. } =
             Multiplications::of(table)?;
         // A light multiplies each number of the transferred material once.

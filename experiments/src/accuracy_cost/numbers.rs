@@ -9,7 +9,7 @@ use eigenshade::{Q15, Q31, quantized};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_shading::integer_shader::{self, Integer, IntegerShader, OwnedQuantized};
 use eigenshade_shading::shader::fault;
-use eigenshade_table::{Parts, Table, quantize, wire};
+use eigenshade_table::{Table, parts, quantize, wire};
 use std::fmt::Display;
 use std::hint::black_box;
 
@@ -51,7 +51,7 @@ pub fn table_bytes(setting: &Setting, table: &Table) -> Result<usize> {
         return Ok(bytes);
     }
     // A wire file has no f64: its numbers would take four bytes more each.
-    let parts = Parts::new(table);
+    let parts = parts::floats(table);
     Ok(bytes + 4 * (parts.polar.len() + parts.factors.len() + parts.terms.len()))
 }
 

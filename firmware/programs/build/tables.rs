@@ -2,8 +2,9 @@
 
 use crate::{Result, SCENES, decoded, golden, list, read};
 use eigenshade::Q15;
+use eigenshade::index::record::integers::OwnedParts;
 use eigenshade::quantized::{Basis, Material, Parts, Profile};
-use eigenshade_table::quantize::{self, Format, QuantizedParts};
+use eigenshade_table::quantize::{self, Format};
 use eigenshade_table::reduce::with_components;
 use eigenshade_table::trim::trim;
 use eigenshade_table::{Table, rust_quantized, rust_source};
@@ -79,13 +80,13 @@ fn any_material(name: &str, table: &Table) -> Result<String> {
             continue;
         }
         let parts = parts(table, format)?;
-        text += &in_module(suffix, &rust_quantized::module(&parts, COMMAND));
+        text += &in_module(suffix, &rust_quantized::module(&parts, format, COMMAND));
     }
     Ok(in_module(name, &text))
 }
 
-fn parts(table: &Table, format: Format) -> Result<QuantizedParts> {
-    QuantizedParts::new(table, format, format.tolerance()).map_err(|error| error.to_string())
+fn parts(table: &Table, format: Format) -> Result<OwnedParts<i32>> {
+    quantize::integers(table, format, format.tolerance()).map_err(|error| error.to_string())
 }
 
 /// The module of a scene: f32 for any material, Q15 for its material.
@@ -126,40 +127,20 @@ fn one_material(table: &Table, exponents: &[i8], mantissas: &[i32]) -> Result<St
         exponents.clear();
     }
     let numbers: Vec<i32> = numbers.into_iter().map(|Q15(number)| number.into()).collect();
-    Ok(rust_quantized::module(&parts, COMMAND)
+    Ok(rust_quantized::module(&parts, Format::Q15, COMMAND)
         + &rust_quantized::transfer(Format::Q15, &numbers, &of_profiles))
 }
 
 /// Numbers and exponents of the transfer of a material.
 fn transfer(
-    parts: &QuantizedParts,
+    parts: &OwnedParts<i32>,
     exponents: &[i8],
     mantissas: &[i32],
 ) -> std::result::Result<(Vec<Q15>, Vec<i16>), eigenshade::Error> {
-    let in_q15 = |numbers: &[i32]| -> Vec<Q15> {
-        numbers.iter().map(|&number| Q15(number as i16)).collect()
-    };
-    let profiles = parts.profiles.iter().map(|place| {
-        let (components, sizes) = ([place.plus, place.minus], [place.size, place.step]);
-        Profile::new(place.azimuth, place.exponent, components, sizes)
-    });
-    let profiles: Vec<Profile> = profiles.collect();
-    let [polar, factors, terms] =
-        [&parts.polar, &parts.factors, &parts.terms].map(|one| in_q15(one));
-    let basis = Basis::<Q15>::new(Parts {
-        degree: parts.degree,
-        order: parts.order,
-        effects: parts.effects,
-        components: parts.components,
-        profiles: &profiles,
-        lengths: &parts.lengths,
-        polar: &polar,
-        polar_exponents: &parts.polar_exponents,
-        factors: &factors,
-        factor_exponents: &parts.factor_exponents,
-        terms: &terms,
-    })?;
-    let mantissas = in_q15(mantissas);
+    let in_q15 = |&number: &i32| Q15(number as i16);
+    let parts = parts.convert(in_q15);
+    let basis = Basis::<Q15>::new(parts.borrow())?;
+    let mantissas: Vec<Q15> = mantissas.iter().map(in_q15).collect();
     let material = Material::new(exponents, &mantissas)?;
     let mut numbers = vec![Q15(0); basis.transfer_len()];
     let mut of_profiles = vec![0; basis.profiles()];

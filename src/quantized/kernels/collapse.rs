@@ -72,7 +72,7 @@ impl<const A: usize> Size<A> {
     ) -> Self {
         let of = |index: u16| d.get(usize::from(index)).copied().map_or(0, size);
         let (mut of_plus, mut of_minus) = (0_u32, 0_u32);
-        for profile in const { B::BASIS.parts.profiles_at(&B::BASIS.parts.azimuth_at(M)) } {
+        for profile in const { B::BASIS.profiles_at(&B::BASIS.azimuth_at(M)) } {
             let (plus, minus) = (of(profile.plus), of(profile.minus));
             let (size, step) = (u32::from(profile.size), u32::from(profile.step));
             self.image = self.image.wrapping_add((plus + minus).wrapping_mul(size));
@@ -177,8 +177,7 @@ pub fn azimuth<
 const fn profiles<B: Shape<Basis<'static, Q>>, Q: 'static, const P: usize>(
     azimuth: usize,
 ) -> &'static [Profile; P] {
-    let parts = &B::BASIS.parts;
-    match parts.profiles_at(&parts.azimuth_at(azimuth)).first_chunk() {
+    match B::BASIS.profiles_at(&B::BASIS.azimuth_at(azimuth)).first_chunk() {
         Some(profiles) => profiles,
         None => panic!("the azimuth has fewer profiles"),
     }
@@ -201,8 +200,8 @@ fn sum<
     finer: u32,
     scene: &mut [i32; N],
 ) {
-    let AzimuthPlace { start, length, .. } = const { B::BASIS.parts.azimuth_at(M) };
-    let terms = const { B::BASIS.parts.terms.split_at(B::BASIS.parts.azimuth_at(M).terms).1 };
+    let AzimuthPlace { start, length, .. } = const { B::BASIS.azimuth_at(M) };
+    let terms = const { B::BASIS.parts.terms.split_at(B::BASIS.azimuth_at(M).terms).1 };
     let scene = scene.get_mut(start..).unwrap_or_default();
     let by = Q::SUM_SHIFT + finer;
     for k in 0..length {

@@ -144,7 +144,7 @@ pub fn azimuth<
     of_sums: &[i32; D],
     (numbers, exponents): (&mut [Q; T], &mut [i16; E]),
 ) {
-    let place = const { &B::BASIS.parts.azimuth_at(M) };
+    let place = const { &B::BASIS.azimuth_at(M) };
     let parts = const { &B::BASIS.parts };
     let rows = parts.factors.as_chunks::<P>().0.get(place.rows..).unwrap_or_default();
     let of_rows = parts.factor_exponents.get(place.rows..).unwrap_or_default();

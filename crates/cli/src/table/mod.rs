@@ -8,9 +8,9 @@ pub mod rounding;
 
 use crate::messages::grouped;
 use eigenshade::wire::{Header, WireError, WireFormat, aligned};
-use eigenshade::{Basis, GeneralBasis, Q15, Q31, quantized};
+use eigenshade::{Basis, GeneralBasis, GeneralParts, Parts, Q15, Q31, quantized};
 use eigenshade_index::effect::{Effect, Effects};
-use eigenshade_index::wire::{ENTRY, FLOATS, HEADER, INTEGERS, LABEL};
+use eigenshade_index::wire::{ENTRY, HEADER, LABEL};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_table::Table;
@@ -67,8 +67,10 @@ pub fn is_wire(bytes: &[u8]) -> bool {
 pub fn wire_description(bytes: &[u8]) -> Result<String> {
     let header = checked(bytes).map_err(|error| described(&error))?;
     let (format, names) = match WireFormat::of(header.format) {
-        Some(WireFormat::F32) | None => (WireFormat::F32, FLOATS.as_slice()),
-        Some(format) => (format, INTEGERS.as_slice()),
+        Some(WireFormat::F32) | None => {
+            (WireFormat::F32, [Parts::<f32>::ARRAYS, GeneralParts::<f32>::ARRAYS].concat())
+        }
+        Some(format) => (format, quantized::Parts::<Q15>::ARRAYS.to_vec()),
     };
     let mut text = String::new();
     let lines = [
@@ -83,7 +85,8 @@ pub fn wire_description(bytes: &[u8]) -> Result<String> {
     for (what, value) in lines {
         let _ = writeln!(text, "{what:<24} {value}");
     }
-    for (number, name) in names.iter().take(header.sections).enumerate() {
+    for (number, name) in names.into_iter().take(header.sections).enumerate() {
+        let name = name.replace('_', " ");
         let at = HEADER + ENTRY * number + ENTRY / 2;
         let length = u32::from_ne_bytes(std::array::from_fn(|k| bytes[at + k]));
         let _ = writeln!(text, "{name:<24} {:>9} bytes", grouped(length as usize));
