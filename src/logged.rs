@@ -1,12 +1,13 @@
 //! Checks at compile time that `defmt` can log every public type.
 
+use crate::index::record::{Coupling, Pass, ProfilePlace, Row};
 use crate::mathematics::{Libm, SinglePrecision, Tabled};
 use crate::wire::{Aligned, Header, WireError, WireFormat};
 use crate::{
-    Argument, BakedMap, Basis, Coupling, Effect, Effects, Error, Estimate, GeneralBasis,
-    GeneralParts, IntegerMap, Light, MapPoint, Material, NegativePolicy, Normal, Normals, Parts,
-    Pass, ProfilePlace, Q15, Q31, Rotation, Row, SampledScene, Scene, SceneBuffer, Shape,
-    Tolerance, Transfer, Truncation, Window, quantized,
+    Argument, BakedMap, Basis, Effect, Effects, Error, Estimate, GeneralBasis, GeneralParts,
+    IntegerMap, Light, MapPoint, Material, NegativePolicy, Normal, Normals, Parts, Q15, Q31,
+    Rotation, SampledScene, Scene, SceneBuffer, Shape, Tolerance, Transfer, Truncation, Window,
+    quantized,
 };
 
 const fn can_be_logged<T: defmt::Format>() {}
