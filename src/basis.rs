@@ -2,8 +2,10 @@
 
 use crate::error::{Argument, Error};
 use crate::index::effect::Effects;
+use crate::index::record::floats::Parts;
+use crate::index::record::{Coupling, ProfilePlace, Row};
 use crate::index::{layout, material, pair};
-use crate::parts::{Coupling, Parts, ProfilePlace, Recurrences, Row};
+use crate::recurrences::Recurrences;
 
 /// An eigenbasis. Its degree, order and number of components are values; its number format is a
 /// type.

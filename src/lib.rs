@@ -82,7 +82,7 @@ mod normal;
 
 mod polynomial;
 
-mod parts;
+mod recurrences;
 
 mod places;
 
@@ -163,14 +163,14 @@ pub use estimate::Estimate;
 pub use format::{FixedPoint, Format, Q15, Q31, Wide};
 pub use general::GeneralBasis;
 pub use index::effect::{Effect, Effects};
+#[doc(inline)]
+pub use index::record::floats::{GeneralParts, Parts};
 pub use light::{Light, LightBuffer, Window};
 pub use material::Material;
 pub use nine_terms::NineTerms;
 pub use normal::{Normal, Normals};
 #[doc(hidden)]
-pub use parts::Recurrences;
-#[doc(inline)]
-pub use parts::{GeneralParts, Parts};
+pub use recurrences::Recurrences;
 
 pub use projection::Coefficients;
 pub use rotation::Rotation;

@@ -163,7 +163,7 @@ fn filled<S: Scalar, const N: usize>(terms: &[S]) -> Option<[S; N]> {
 mod tests {
     use super::*;
     use crate::normal::Normal;
-    use crate::parts::Recurrences;
+    use crate::recurrences::Recurrences;
 
     /// Compares scenes with their polynomials in t, azimuth by azimuth. The formula does not shade
     /// scenes with more terms.

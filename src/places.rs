@@ -7,7 +7,7 @@
 
 use crate::basis::Basis;
 use crate::index::layout::{LANES, PASS, factors, lowest_degree};
-use crate::parts::{ProfilePlace, Row};
+use crate::index::record::{ProfilePlace, Row};
 use crate::quantized::{self, Profile};
 
 /// A table that is known when the program is compiled, with a basis of type `B`.

@@ -11,11 +11,11 @@ use crate::error::{Argument, Error};
 use crate::index::effect::Effect;
 use crate::index::effect::Effects;
 use crate::index::layout::LANES;
+use crate::index::record::ProfilePlace;
 use crate::index::{layout, light};
 use crate::lanes;
 use crate::light::Light;
 use crate::material::Material;
-use crate::parts::ProfilePlace;
 use crate::scalar::Scalar;
 
 /// The coefficients d of one image, component by component.

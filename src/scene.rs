@@ -7,8 +7,8 @@ use crate::error::{Argument, Error};
 use crate::index::layout::{LANES, Recurrence};
 use crate::lanes::multiply_add;
 use crate::normal::Normal;
-use crate::parts::Recurrences;
 use crate::polynomial::{self, argument, turned};
+use crate::recurrences::Recurrences;
 use crate::scalar::Scalar;
 
 /// Storage for a collapsed scene.

@@ -7,10 +7,10 @@ use crate::buffer::{Buffer, zeros};
 use crate::error::{Argument, Error};
 use crate::index::effect::Effects;
 use crate::index::layout;
+use crate::index::record::ProfilePlace;
 use crate::lanes;
 use crate::lanes::rows;
 use crate::material::Material;
-use crate::parts::ProfilePlace;
 use crate::projection::Workspace;
 use crate::scalar::Scalar;
 

@@ -5,9 +5,9 @@
 
 use crate::basis::Basis;
 use crate::normal::Normal;
-use crate::parts::Recurrences;
 use crate::places::{AzimuthPlace, Shape};
 use crate::polynomial;
+use crate::recurrences::Recurrences;
 use crate::scalar::Scalar;
 use crate::scene::{Scene, SceneBuffer};
 

@@ -183,7 +183,7 @@ fn left<S: Scalar>(report: &Truncation<S>) -> S {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::parts::Recurrences;
+    use crate::recurrences::Recurrences;
 
     /// Asked first, one image could lose both terms of m = 2 in exchange for the azimuth that a
     /// pixel saves. The other can lose only one term, and for one term the first image would pay

@@ -8,7 +8,7 @@ use super::terms::Polynomials;
 use crate::basis::Basis;
 use crate::error::{Argument, Error};
 use crate::mathematics::{Libm, Mathematics};
-use crate::parts::Recurrences;
+use crate::recurrences::Recurrences;
 use crate::scalar::Scalar;
 use crate::scene::Scene;
 

@@ -7,7 +7,7 @@
 use super::basis::Rows;
 use super::density::{Density, longest, sizes};
 use crate::index::layout::Recurrence;
-use crate::parts::Recurrences;
+use crate::recurrences::Recurrences;
 use crate::scalar::Scalar;
 
 /// Number of polynomials of an azimuth.

@@ -6,7 +6,7 @@ use crate::basis::Basis;
 use crate::format::{Q15, Q31};
 use crate::general::GeneralBasis;
 use crate::index::record::Item;
-use crate::parts::{GeneralParts, Parts};
+use crate::index::record::floats::{GeneralParts, Parts};
 use crate::quantized;
 
 impl<'a> Basis<'a, f32> {

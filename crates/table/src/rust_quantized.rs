@@ -1,27 +1,18 @@
 //! A table in integers as Rust source: typed statics for the runtime.
 
-use crate::quantize::Format;
+use crate::quantize::{self, Format};
 use crate::rust_record::{Constants, array};
 use crate::rust_source::{line, words};
 use eigenshade_index::pair;
-use eigenshade_index::record::Item as _;
 use eigenshade_index::record::integers::{OwnedParts, Parts, Profile, Q15, Q31};
 
 /// The body of a module with the table's numbers, and the lines that name its shape; it names the
 /// runtime as `eigenshade`. `command` is what made it, for the first line.
 #[must_use]
 pub fn module(parts: &OwnedParts<i32>, format: Format, command: &str) -> String {
-    let (mut constants, path) = (Constants::default(), Parts::<Q15>::PATH);
-    match format {
-        Format::Q15 => {
-            let parts = parts.convert(|&number| Q15(number as i16));
-            constants.add("PARTS", path, Q15::TYPE, |to| parts.borrow().visit(to));
-        }
-        Format::Q31 => {
-            let parts = parts.convert(|&number| Q31(number));
-            constants.add("PARTS", path, Q31::TYPE, |to| parts.borrow().visit(to));
-        }
-    }
+    let (mut constants, number) = (Constants::default(), format!("eigenshade::{}", name(format)));
+    let path = Parts::<Q15>::PATH;
+    constants.add("PARTS", path, &number, |to| quantize::visit(parts, format, to));
     let Constants { text, bytes, .. } = constants;
     let mut text = format!("// {command}\n// {bytes} bytes of tables\n{text}");
     let format = name(format);

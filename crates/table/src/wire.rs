@@ -7,7 +7,7 @@ use crate::quantize::{self, QuantizeError};
 use crate::table::Table;
 use eigenshade_index::effect::Effects;
 use eigenshade_index::record::integers::OwnedParts;
-use eigenshade_index::record::{Item, Q15, Q31, Visitor, Word};
+use eigenshade_index::record::{Item, Visitor, Word};
 use eigenshade_index::wire::{
     ALIGNMENT, CHECKSUM, ENTRY, HEADER, LABEL, MARK, MAX_DEGREE_AND_ORDER, VERSION, format,
 };
@@ -113,15 +113,10 @@ fn integers(
     endian: Endian,
 ) -> Result<Vec<u8>, WireError> {
     let mut sections = Sections { endian, sections: Vec::new() };
+    quantize::visit(parts, format, &mut sections);
     let number = match format {
-        IntegerFormat::Q15 => {
-            parts.convert(|&number| Q15(number as i16)).borrow().visit(&mut sections);
-            format::Q15
-        }
-        IntegerFormat::Q31 => {
-            parts.convert(|&number| Q31(number)).borrow().visit(&mut sections);
-            format::Q31
-        }
+        IntegerFormat::Q15 => format::Q15,
+        IntegerFormat::Q31 => format::Q31,
     };
     let shape = [parts.degree, parts.order, parts.components, 0];
     sections.file(number, shape, parts.effects)

@@ -3,7 +3,7 @@
 use crate::{Result, SCENES, decoded, golden, list, read};
 use eigenshade::Q15;
 use eigenshade::index::record::integers::OwnedParts;
-use eigenshade::quantized::{Basis, Material, Parts, Profile};
+use eigenshade::quantized::{Basis, Material};
 use eigenshade_table::quantize::{self, Format};
 use eigenshade_table::reduce::with_components;
 use eigenshade_table::trim::trim;

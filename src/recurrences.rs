@@ -1,9 +1,7 @@
-//! The record of a basis, and the recurrences of its polynomials by azimuth.
+//! The recurrences of polynomials, by azimuth.
 
 use crate::error::{Argument, Error};
 use crate::index::layout;
-pub use crate::index::record::floats::{GeneralParts, Parts};
-pub use crate::index::record::{Coupling, ProfilePlace, Row};
 
 /// Recurrences by azimuth (see [`layout::recurrences`]).
 #[derive(Clone, Copy, Debug, PartialEq)]
