@@ -169,10 +169,9 @@ pub use light::{Light, LightBuffer, Window};
 pub use material::Material;
 pub use nine_terms::NineTerms;
 pub use normal::{Normal, Normals};
+pub use projection::Coefficients;
 #[doc(hidden)]
 pub use recurrences::Recurrences;
-
-pub use projection::Coefficients;
 pub use rotation::Rotation;
 pub use sampled::{SampledBuffer, SampledScene};
 pub use scalar::Scalar;

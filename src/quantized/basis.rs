@@ -1,4 +1,4 @@
-//! The arrays of a fixed-point basis, and the basis whose shape and bounds were checked.
+//! A fixed-point basis, whose shape and bounds were checked.
 
 use super::transfer::Transfer;
 use crate::error::{Argument, Error};

@@ -3,7 +3,7 @@
 //!
 //! * [`scene`], [`gram`], [`table`]: the record that a table file contains.
 //! * [`reduce`], [`trim`]: smaller tables.
-//! * [`parts`], [`quantize`]: a table as the runtime's arrays, in floats and in integers.
+//! * [`parts`], [`quantize`]: a table as the runtime's records, in floats and in integers.
 //! * [`file`](mod@file), [`wire`]: a table as bytes.
 //! * [`rust_source`], [`rust_quantized`], [`statics`]: a table as Rust source.
 //!
