@@ -1,19 +1,28 @@
 //! Decodes the shipped table into typed statics, and generates the table of a scene if the feature
 //! `generate` is enabled.
 
-use eigenshade_table::quantize::{Format, integers};
-use eigenshade_table::{rust_quantized, rust_source};
+use eigenshade_index::record::{Q15, Q31};
+use eigenshade_index::source;
+use eigenshade_index::wire::{Fault, Mantissa, aligned, read_floats, read_integers};
 use std::path::PathBuf;
 use std::{env, fs, process};
 
 fn main() {
-    println!("cargo::rerun-if-changed=tables/sphere.bin");
+    println!("cargo::rerun-if-changed=build.rs");
     #[cfg(feature = "generate")]
     generate();
     if env::var_os("CARGO_FEATURE_BAKED").is_none() {
         return;
     }
-    if let Err(error) = bake("tables/sphere.bin", "sphere") {
+    let sphere = [
+        bake("f32", |bytes, command| {
+            let (parts, general) = read_floats(bytes)?;
+            Ok(source::floats::module(&parts, &general, None, command))
+        }),
+        bake("q15", integers::<Q15>),
+        bake("q31", integers::<Q31>),
+    ];
+    for error in sphere.into_iter().filter_map(Result::err) {
         println!("cargo::error={error}");
         process::exit(1);
     }
@@ -39,28 +48,24 @@ fn generate() {
     build::statics(scene, "generated.rs", &[Format::Q15, Format::Q31]);
 }
 
-/// Writes the statics of the table at `from` to the output folder: floats to `name`.rs, integers to
-/// `name`_q15.rs and `name`_q31.rs.
-fn bake(from: &str, name: &str) -> Result<(), String> {
-    let bytes = fs::read(from).map_err(|error| format!("{from}: {error}"))?;
-    let table = eigenshade_table::decode(&bytes).map_err(|error| format!("{from}: {error}"))?;
-    if !table.has_projection() {
-        return Err(format!(
-            "{from} stores only transfers; set store = \"projection\" in its scene"
-        ));
-    }
-    let command = format!("build.rs, from {from}");
-    write(&format!("{name}.rs"), &rust_source::module(&table, &command))?;
-    for (format, suffix) in [(Format::Q15, "q15"), (Format::Q31, "q31")] {
-        let parts = integers(&table, format, format.tolerance())
-            .map_err(|error| format!("{from}: {error}"))?;
-        write(&format!("{name}_{suffix}.rs"), &rust_quantized::module(&parts, format, &command))?;
-    }
-    Ok(())
+/// The statics of a table in integers.
+fn integers<Q: Mantissa>(bytes: &[u8], command: &str) -> Result<String, Fault> {
+    Ok(source::integers::module(&read_integers::<Q>(bytes)?, command))
 }
 
-/// Writes a file to the output folder.
-fn write(name: &str, text: &str) -> Result<(), String> {
-    let to = PathBuf::from(env::var_os("OUT_DIR").ok_or("OUT_DIR is not set")?).join(name);
+/// Writes the statics of the shipped table in this format to `sphere_FORMAT.rs` in the output folder.
+fn bake(
+    format: &str,
+    module: impl FnOnce(&[u8], &str) -> Result<String, Fault>,
+) -> Result<(), String> {
+    let from = format!("tables/sphere.{format}.esw");
+    println!("cargo::rerun-if-changed={from}");
+    let bytes = fs::read(&from).map_err(|error| format!("{from}: {error}"))?;
+    let mut room = vec![0; bytes.len().div_ceil(4)];
+    let text = aligned(&bytes, &mut room)
+        .and_then(|bytes| module(bytes, &format!("build.rs, from {from}")))
+        .map_err(|fault| format!("{from}: {fault}"))?;
+    let folder = env::var_os("OUT_DIR").ok_or("OUT_DIR is not set")?;
+    let to = PathBuf::from(folder).join(format!("sphere_{format}.rs"));
     fs::write(&to, text).map_err(|error| format!("{}: {error}", to.display()))
 }

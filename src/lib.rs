@@ -131,7 +131,7 @@ mod mint;
 /// captured light on measured materials.
 #[cfg(feature = "baked")]
 pub mod sphere {
-    include!(concat!(env!("OUT_DIR"), "/sphere.rs"));
+    include!(concat!(env!("OUT_DIR"), "/sphere_f32.rs"));
 
     /// The same table with 15-bit mantissas.
     pub mod q15 {

@@ -2,7 +2,7 @@
 
 use crate::index::record::{Coupling, Pass, ProfilePlace, Row};
 use crate::mathematics::{Libm, SinglePrecision, Tabled};
-use crate::wire::{Aligned, Header, WireError, WireFormat};
+use crate::wire::{Aligned, Fault, Header, WireError, WireFormat};
 use crate::{
     Argument, BakedMap, Basis, Effect, Effects, Error, Estimate, GeneralBasis, GeneralParts,
     IntegerMap, Light, MapPoint, Material, NegativePolicy, Normal, Normals, Parts, Q15, Q31,
@@ -24,6 +24,7 @@ const _: () = {
         Tolerance<f32>,
         Truncation<f32>,
         Shape<'_>,
+        Fault,
         WireError,
         WireFormat,
         Header,

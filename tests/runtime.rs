@@ -1,7 +1,7 @@
 //! The runtime on its shipped table: costs, errors, and agreement of every way.
 
 use eigenshade::sphere;
-use eigenshade_table::rust_source;
+use eigenshade_table::statics;
 
 /// One f32 result by two orders of summation, of the largest: some twenty roundings.
 const SAME_SUM_F32: f32 = 1e-6;
@@ -13,7 +13,7 @@ fn costs_are_the_tables() {
     let (memory, _) = memory.split_once("<!-- end of memory -->").expect("its end");
     let bytes = std::fs::read("tables/sphere.bin").expect("the shipped table");
     let table = eigenshade_table::decode(&bytes).expect("a table");
-    let module = rust_source::module(&table, "a test");
+    let module = statics::floats(&table, "a test");
     let flash = module.lines().nth(1).and_then(|line| line.split(' ').nth(1));
     let flash: usize = flash.and_then(|bytes| bytes.parse().ok()).expect("a number of bytes");
     for row in [

@@ -1,7 +1,7 @@
 //! Wire files: what is written is read, and any bytes give a basis or an error.
 
 use crate::wire_files as files;
-use eigenshade::wire::{Header, WireError, WireFormat, aligned};
+use eigenshade::wire::{Fault, Header, WireError, WireFormat, aligned};
 use eigenshade::{Basis, GeneralBasis, Q15, Q31, quantized, sphere};
 use eigenshade_table::quantize;
 use eigenshade_table::wire::{Endian, Format, encode};
@@ -17,6 +17,16 @@ fn shipped(format: Format) -> Vec<u8> {
     let bytes = std::fs::read("tables/sphere.bin").expect("the shipped table");
     let table = eigenshade_table::decode(&bytes).expect("a table");
     encode(&table, format, Endian::Little).expect("it has every format")
+}
+
+/// The files that are compiled in are those of the shipped table.
+#[test]
+fn what_is_compiled_in_is_the_shipped_table() {
+    for format in Format::ALL {
+        let file = format!("tables/sphere.{}.esw", format.name());
+        let bytes = std::fs::read(&file).expect("what build.rs reads");
+        assert!(bytes == shipped(format), "{file}: make it again, as tables/README.md says");
+    }
 }
 
 /// Whatever is compiled in as statics comes back from bytes, array by array.
@@ -199,28 +209,28 @@ fn errors_say_which_they_are() {
     let argument = eigenshade::Argument::Terms;
     let without_terms = eigenshade::Error::Length { argument, expected: 27, found: 0 };
     let mut found = vec![
-        (of(b""), WireError::BadMagic),
-        (of(b"EIGSHADE, another file altogether"), WireError::BadMagic),
-        (of(b"EIGSWIRE"), WireError::Length { expected: 32, found: 8 }),
-        (of(&SPHERE.0[..100]), WireError::Length { expected: length, found: 100 }),
-        (with(&SPHERE.0, 12, 4), WireError::Version(4)),
-        (with(&SPHERE.0, 30, 0), WireError::Effects { bits: 0 }),
-        (with(&SPHERE.0, 14, 7), WireError::Format { expected: WireFormat::F32, found: 7 }),
-        (of(&INTEGERS_15.0), WireError::Format { expected: WireFormat::F32, found: 2 }),
-        (of(&GENERAL.0), WireError::Images { found: 4 }),
-        (with(&SPHERE.0, 21, 2), WireError::Shape { degree: 514, order: 2 }),
-        (with(&GENERAL.0, 28, 18), WireError::Section { number: 17 }),
-        (with(&SPHERE.0, 28, 9), WireError::Section { number: 8 }),
+        (of(b""), Fault::BadMagic.into()),
+        (of(b"EIGSHADE, another file altogether"), Fault::BadMagic.into()),
+        (of(b"EIGSWIRE"), Fault::Length { expected: 32, found: 8 }.into()),
+        (of(&SPHERE.0[..100]), Fault::Length { expected: length, found: 100 }.into()),
+        (with(&SPHERE.0, 12, 4), Fault::Version(4).into()),
+        (with(&SPHERE.0, 30, 0), Fault::Effects { bits: 0 }.into()),
+        (with(&SPHERE.0, 14, 7), Fault::Format { expected: WireFormat::F32, found: 7 }.into()),
+        (of(&INTEGERS_15.0), Fault::Format { expected: WireFormat::F32, found: 2 }.into()),
+        (of(&GENERAL.0), Fault::Images { found: 4 }.into()),
+        (with(&SPHERE.0, 21, 2), Fault::Shape { degree: 514, order: 2 }.into()),
+        (with(&GENERAL.0, 28, 18), Fault::Section { number: 17 }.into()),
+        (with(&SPHERE.0, 28, 9), Fault::Section { number: 8 }.into()),
         (with(&SPHERE.0, 28, 7), WireError::Parts(without_terms)),
-        (with(&SPHERE.0, 32, 2), WireError::Section { number: 0 }),
-        (with(&SPHERE.0, 35, 2), WireError::Section { number: 0 }),
-        (with(&SPHERE.0, 36, 1), WireError::Section { number: 0 }),
+        (with(&SPHERE.0, 32, 2), Fault::Section { number: 0 }.into()),
+        (with(&SPHERE.0, 35, 2), Fault::Section { number: 0 }.into()),
+        (with(&SPHERE.0, 36, 1), Fault::Section { number: 0 }.into()),
     ];
     let of_sphere = GeneralBasis::<f32>::from_bytes(&SPHERE.0).expect_err("no eigenimages");
-    found.push((of_sphere, WireError::Images { found: 0 }));
+    found.push((of_sphere, Fault::Images { found: 0 }.into()));
     let shorter = &mut [0; 3];
     let refused = aligned(&SPHERE.0, shorter).expect_err("too little");
-    found.push((refused, WireError::Room { needed: length / 4, found: 3 }));
+    found.push((refused.into(), Fault::Room { needed: length / 4, found: 3 }.into()));
     for (found, expected) in &found {
         assert_eq!(found, expected);
     }
@@ -232,7 +242,7 @@ fn errors_say_which_they_are() {
         bytes
     };
     let damaged = of(aligned(&damaged, &mut room).expect("room"));
-    assert!(matches!(damaged, WireError::Checksum { .. }));
+    assert!(matches!(damaged, WireError::File(Fault::Checksum { .. })));
     let more = [contradiction, damaged];
     for error in found.iter().map(|(found, _)| found).chain(&more) {
         let line = error.to_string();
@@ -249,7 +259,7 @@ fn the_other_byte_order_is_told() {
         .map(|endian| encode(&table, Format::F32, endian).expect("a sphere's table"));
     let mut room = room(&big);
     let refused = Basis::<f32>::from_bytes(aligned(&big, &mut room).expect("room"));
-    assert_eq!(refused.expect_err("another order"), WireError::Endianness);
+    assert_eq!(refused.expect_err("another order"), Fault::Endianness.into());
     let long = |at: usize| u32::from_le_bytes(std::array::from_fn(|k| little[at + k])) as usize;
     let turned = |at: usize, width: usize| {
         let mut number = little[at..at + width].to_vec();
@@ -298,7 +308,7 @@ proptest! {
         let bytes = sealed(bytes);
         let mut places = room(&bytes);
         let found = read(aligned(&bytes, &mut places).expect("room"));
-        prop_assert!(!found.contains(&Some(WireError::BadMagic)));
+        prop_assert!(!found.contains(&Some(Fault::BadMagic.into())));
     }
 
     /// Of true files some places hold other bytes.

@@ -1,12 +1,10 @@
 //! Bases from wire files, in floats and in integers.
 
-use super::error::{WireError, WireFormat};
-use super::file::File;
+use super::{Fault, WireError};
 use crate::basis::Basis;
 use crate::format::{Q15, Q31};
 use crate::general::GeneralBasis;
-use crate::index::record::Item;
-use crate::index::record::floats::{GeneralParts, Parts};
+use crate::index::wire::{read_floats, read_integers};
 use crate::quantized;
 
 impl<'a> Basis<'a, f32> {
@@ -18,10 +16,10 @@ impl<'a> Basis<'a, f32> {
     ///
     /// A [`WireError`] for any bytes that are not such a file.
     pub fn from_bytes(bytes: &'a [u8]) -> Result<Self, WireError> {
-        let (basis, general) = read(bytes)?;
+        let (parts, general) = read_floats(bytes)?;
         match general.components {
-            0 => Ok(basis),
-            found => Err(WireError::Images { found }),
+            0 => Ok(Self::new(parts)?),
+            found => Err(Fault::Images { found }.into()),
         }
     }
 }
@@ -34,21 +32,12 @@ impl<'a> GeneralBasis<'a, f32> {
     ///
     /// A [`WireError`] for any bytes that are not such a file.
     pub fn from_bytes(bytes: &'a [u8]) -> Result<Self, WireError> {
-        let (span, parts) = read(bytes)?;
+        let (span, parts) = read_floats(bytes)?;
         if parts.components == 0 {
-            return Err(WireError::Images { found: 0 });
+            return Err(Fault::Images { found: 0 }.into());
         }
-        Ok(Self::new(span, parts)?)
+        Ok(Self::new(Basis::new(span)?, parts)?)
     }
-}
-
-/// Reads the basis or span of a file, and the eigenimages over that span.
-fn read(bytes: &[u8]) -> Result<(Basis<'_, f32>, GeneralParts<'_, f32>), WireError> {
-    let mut file = File::open(bytes, WireFormat::F32)?;
-    let parts = Parts::read(file.header.shape(), &mut file)?;
-    let general = GeneralParts::read((file.header.images,), &mut file)?;
-    file.end()?;
-    Ok((Basis::new(parts)?, general))
 }
 
 macro_rules! from_bytes {
@@ -64,24 +53,10 @@ macro_rules! from_bytes {
             ///
             /// A [`WireError`] for any bytes that are not such a file.
             pub fn from_bytes(bytes: &'a [u8]) -> Result<Self, WireError> {
-                Ok(Self::new(read_integers(bytes, WireFormat::$format)?)?)
+                Ok(Self::new(read_integers(bytes)?)?)
             }
         }
     };
 }
 from_bytes!(Q15);
 from_bytes!(Q31);
-
-/// Reads the arrays of a file.
-fn read_integers<Q: Item>(
-    bytes: &[u8],
-    format: WireFormat,
-) -> Result<quantized::Parts<'_, Q>, WireError> {
-    let mut file = File::open(bytes, format)?;
-    if file.header.images != 0 {
-        return Err(WireError::Images { found: file.header.images });
-    }
-    let parts = quantized::Parts::read(file.header.shape(), &mut file)?;
-    file.end()?;
-    Ok(parts)
-}

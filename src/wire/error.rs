@@ -1,114 +1,24 @@
-//! The number formats of wire files, and the errors in reading one.
+//! Why bytes are not a basis.
 
+use super::Fault;
 use crate::error::Error;
-use crate::index::wire::{ALIGNMENT, MAX_DEGREE_AND_ORDER, VERSION, format};
 use core::fmt;
-
-/// The number format of a wire file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum WireFormat {
-    /// 32-bit floats, `f32`.
-    F32,
-    /// 16-bit fixed point, [`Q15`](crate::Q15).
-    Q15,
-    /// 32-bit fixed point, [`Q31`](crate::Q31).
-    Q31,
-}
-
-impl WireFormat {
-    /// The format with this number in a file, or `None` if there is none.
-    #[must_use]
-    pub const fn of(number: u16) -> Option<Self> {
-        match number {
-            format::F32 => Some(Self::F32),
-            format::Q15 => Some(Self::Q15),
-            format::Q31 => Some(Self::Q31),
-            _ => None,
-        }
-    }
-
-    /// The name of the format on a command line.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::F32 => "f32",
-            Self::Q15 => "q15",
-            Self::Q31 => "q31",
-        }
-    }
-}
 
 /// The first problem found in some bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum WireError {
-    /// The bytes do not begin with the label of a wire file.
-    BadMagic,
-    /// The file has the other byte order.
-    Endianness,
-    /// The file has another version, which is given.
-    Version(u16),
-    /// The numbers have another format.
-    Format {
-        /// The format to be read.
-        expected: WireFormat,
-        /// The number of the format in the file; see [`WireFormat::of`].
-        found: u16,
-    },
-    /// A table of eigenimages over a span was read as one that only has components, or vice versa.
-    Images {
-        /// Number of eigenimages that the table has over its span.
-        found: usize,
-    },
-    /// There are fewer bytes than the file should have.
-    Length {
-        /// Number of bytes that the file should have.
-        expected: usize,
-        /// Number of bytes found.
-        found: usize,
-    },
-    /// The bytes do not start at a multiple of four.
-    Alignment {
-        /// Distance in bytes from the last multiple of four.
-        beyond: usize,
-    },
-    /// The checksum does not match.
-    Checksum {
-        /// The checksum in the file.
-        expected: u32,
-        /// The checksum of the bytes.
-        found: u32,
-    },
-    /// A degree or order is larger than a file may have.
-    Shape {
-        /// The degree found.
-        degree: usize,
-        /// The order found.
-        order: usize,
-    },
-    /// The file has a set of effects that does not exist.
-    Effects {
-        /// The bits of the set.
-        bits: u16,
-    },
-    /// A section lies outside the file, is not an array of its kind or is missing, or there is one
-    /// section too many.
-    Section {
-        /// The number of the section, from 0.
-        number: usize,
-    },
-    /// The `room` given to [`aligned`](super::aligned) is too short.
-    Room {
-        /// How many numbers are needed.
-        needed: usize,
-        /// How many numbers there are.
-        found: usize,
-    },
+    /// They are not the expected wire file.
+    File(Fault),
     /// The parts of the basis are inconsistent.
     Parts(Error),
+}
+
+impl From<Fault> for WireError {
+    fn from(fault: Fault) -> Self {
+        Self::File(fault)
+    }
 }
 
 impl From<Error> for WireError {
@@ -120,67 +30,7 @@ impl From<Error> for WireError {
 impl fmt::Display for WireError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::BadMagic => f.write_str(
-                "EIGSWIRE expected, other bytes found: not a wire file; make one with \
-                 `eigenshade pack`",
-            ),
-            Self::Endianness => f.write_str(
-                "this machine's byte order expected, the other found; pack the table for this \
-                 machine: --big-endian or without",
-            ),
-            Self::Version(found) => write!(
-                f,
-                "wire version {VERSION} expected, {found} found; pack the table with the version of \
-                 eigenshade that reads it"
-            ),
-            Self::Format { expected, found } => {
-                let name = WireFormat::of(*found).map_or("an unknown one", WireFormat::name);
-                let expected = expected.name();
-                write!(
-                    f,
-                    "numbers in {expected} expected, {name} found; pack the table with --format \
-                     {expected}, or read it as what it is"
-                )
-            }
-            Self::Images { found: 0 } => f.write_str(
-                "eigenimages over a span expected, none found; read it with Basis::from_bytes",
-            ),
-            Self::Images { found } => write!(
-                f,
-                "components alone expected, {found} eigenimages over them found; read it with \
-                 GeneralBasis::from_bytes"
-            ),
-            Self::Length { expected, found } => write!(
-                f,
-                "wire file: {expected} bytes expected, {found} found; take all of the file"
-            ),
-            Self::Alignment { beyond } => write!(
-                f,
-                "wire file: a start at a multiple of {ALIGNMENT} expected, {beyond} beyond one \
-                 found; put the bytes into wire::Aligned, or copy them with wire::aligned"
-            ),
-            Self::Checksum { expected, found } => write!(
-                f,
-                "damaged wire file: checksum {expected:08x} expected, {found:08x} found; bring it \
-                 here again"
-            ),
-            Self::Shape { degree, order } => write!(
-                f,
-                "wire file: degree and order up to {MAX_DEGREE_AND_ORDER} expected, {degree} and {order} found; \
-                 pack the table again"
-            ),
-            Self::Effects { bits } => write!(
-                f,
-                "wire file: bits of effects from 1 to 15 expected, {bits} found; pack the table again"
-            ),
-            Self::Section { number } => write!(
-                f,
-                "wire file: section {number} is not within it, not an array of its kind, or not \
-                 expected; pack the table again"
-            ),
-            Self::Room { needed, found } => {
-                write!(f, "room for {needed} numbers expected, for {found} found; give more")
-            }
+            Self::File(fault) => fault.fmt(f),
             Self::Parts(error) => write!(f, "wire file: {error}; pack the table again"),
         }
     }

@@ -18,12 +18,12 @@
 //!
 //! static TABLE: &wire::Aligned<[u8]> = &wire::Aligned(*b"from include_bytes!");
 //! let refused = quantized::Basis::<Q15>::from_bytes(&TABLE.0);
-//! assert_eq!(refused.err(), Some(wire::WireError::BadMagic));
+//! assert_eq!(refused.err(), Some(wire::Fault::BadMagic.into()));
 //!
 //! let mut room = [0; 2];
 //! let bytes = wire::aligned(PAGE, &mut room)?;
 //! # assert_eq!(bytes, PAGE);
-//! # Ok::<(), wire::WireError>(())
+//! # Ok::<(), wire::Fault>(())
 //! ```
 //!
 //! [`Basis::from_bytes`]: crate::Basis::from_bytes
@@ -32,7 +32,6 @@
 
 mod bases;
 mod error;
-mod file;
 
-pub use error::{WireError, WireFormat};
-pub use file::{Aligned, Header, aligned};
+pub use crate::index::wire::{Aligned, Fault, Header, WireFormat, aligned};
+pub use error::WireError;

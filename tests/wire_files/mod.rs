@@ -2,7 +2,7 @@
 //! wherever they lie, and give the same.
 #![allow(dead_code, reason = "each test takes what it needs")]
 
-use eigenshade::wire::{Aligned, WireError, aligned};
+use eigenshade::wire::{Aligned, Fault, aligned};
 use eigenshade::{Basis, FixedPoint, GeneralBasis, Normal, Q15, Q31, quantized};
 
 pub const SPHERE: &Aligned<[u8]> = &Aligned(*include_bytes!("v1.sphere.f32.esw"));
@@ -178,7 +178,7 @@ fn alignment_is_asked_for() {
         let bytes: Vec<u8> = [&vec![0; beyond], &SPHERE.0, &vec![0; 4 - beyond]].concat();
         let bytes = aligned(&bytes, &mut places).expect("room");
         let refused = Basis::<f32>::from_bytes(&bytes[beyond..]).expect_err("not aligned");
-        assert_eq!(refused, WireError::Alignment { beyond });
+        assert_eq!(refused, Fault::Alignment { beyond }.into());
         assert!(refused.to_string().contains("wire::aligned"));
         let mut room = room(&SPHERE.0);
         let copied = aligned(&bytes[beyond..][..SPHERE.0.len()], &mut room).expect("room");

@@ -8,7 +8,7 @@ use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader};
 use eigenshade_table::quantize::{Format, integers};
-use eigenshade_table::{Table, rust_quantized, rust_source};
+use eigenshade_table::{Table, statics};
 use std::fmt::Write;
 use std::fs;
 use std::path::Path;
@@ -172,7 +172,7 @@ fn compiled() -> &'static Compiled {
         let (mut expected, mut numbers) = (Vec::new(), Vec::new());
         for kind in &KINDS {
             let (table, lights, materials) = table(&folder, kind);
-            files.push((kind.0.to_owned(), rust_source::module(&table, "a test")));
+            files.push((kind.0.to_owned(), statics::floats(&table, "a test")));
             let light = rounded(lights.entries[1].luminance());
             let material = rounded(materials.entries[2].luminance());
             let owned = OwnedBasis::<f32>::new(&table);
@@ -195,7 +195,7 @@ fn compiled() -> &'static Compiled {
             {
                 let name = format!("of_{degree}_{order}_{bits}");
                 let parts = integers(&table, format, format.tolerance()).expect("parts");
-                files.push((name.clone(), rust_quantized::module(&parts, format, "a test")));
+                files.push((name.clone(), statics::integers(&parts, format, "a test")));
                 let count = eigenshade_index::material::count(order).to_string();
                 let program = COMPARE_INTEGERS.replace("NAME", &name).replace("KIND", kind);
                 let program = program.replace("BITS", bits).replace("INT", int);

@@ -7,6 +7,7 @@
 //! * [`effect`]: sets of irradiance modes with a visible meaning.
 //! * [`layout`]: the memory layout of the runtime's rows.
 //! * [`record`]: the arrays of a table.
+//! * [`source`]: records as Rust source, with the feature `alloc`.
 //! * [`wire`]: tables as bytes that the runtime reads in place.
 //!
 //! Every ordering of coefficients has the prefix property: the coefficients up to a lower degree or
@@ -24,4 +25,6 @@ pub mod material;
 pub mod mode;
 pub mod pair;
 pub mod record;
+#[cfg(feature = "alloc")]
+pub mod source;
 pub mod wire;

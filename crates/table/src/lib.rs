@@ -5,9 +5,9 @@
 //! * [`reduce`], [`trim`]: smaller tables.
 //! * [`parts`], [`quantize`]: a table as the runtime's records, in floats and in integers.
 //! * [`file`](mod@file), [`wire`]: a table as bytes.
-//! * [`rust_source`], [`rust_quantized`], [`statics`]: a table as Rust source.
+//! * [`statics`]: a table as Rust source.
 //!
-//! `eigenshade-generator` makes tables; the runtime's build script and the command line read them.
+//! `eigenshade-generator` makes tables; the command line reads them.
 //! "(n)" in these pages is equation n of Nillius and Eklundh, "Phenomenological Eigenfunctions for
 //! Image Irradiance", 2003.
 
@@ -36,12 +36,6 @@ mod check;
 pub mod file;
 
 pub mod wire;
-
-pub mod rust_quantized;
-
-mod rust_record;
-
-pub mod rust_source;
 
 pub mod statics;
 

@@ -9,7 +9,7 @@ pub use crate::format::IntegerFormat as Format;
 use crate::table::{Profile, Table};
 use eigenshade_index::effect::Effect;
 use eigenshade_index::record::integers::{OwnedParts, Profile as Place};
-use eigenshade_index::record::{NONE, Q15, Q31, Visitor};
+use eigenshade_index::record::{NONE, Q15, Q31};
 use eigenshade_index::{layout, material, pair};
 use std::fmt;
 
@@ -172,12 +172,16 @@ pub fn integers(
     })
 }
 
-/// Shows the arrays of a table in this format to `visitor`.
-pub(crate) fn visit(parts: &OwnedParts<i32>, format: Format, visitor: &mut impl Visitor) {
-    match format {
-        Format::Q15 => parts.convert(|&number| Q15(number as i16)).borrow().visit(visitor),
-        Format::Q31 => parts.convert(|&number| Q31(number)).borrow().visit(visitor),
-    }
+/// The arrays of a table in [`Format::Q15`].
+#[must_use]
+pub fn in_q15(parts: &OwnedParts<i32>) -> OwnedParts<Q15> {
+    parts.convert(|&number| Q15(number as i16))
+}
+
+/// The arrays of a table in [`Format::Q31`].
+#[must_use]
+pub fn in_q31(parts: &OwnedParts<i32>) -> OwnedParts<Q31> {
+    parts.convert(|&number| Q31(number))
 }
 
 /// Converts numbers to mantissas with a common exponent. Each mantissa is below 2^`bits`, and the

@@ -1,13 +1,15 @@
-//! A table as one Rust source file: statics in floats, and modules with the table in integers.
+//! A table as Rust source: statics in floats, and modules with the table in integers.
 
-use crate::quantize::{self, Format, QuantizeError};
+use crate::parts;
+use crate::quantize::{self, Format, QuantizeError, in_q15, in_q31};
 use crate::table::Table;
-use crate::{rust_quantized, rust_source};
+use eigenshade_index::record::integers::OwnedParts;
+use eigenshade_index::source;
 
 /// The text of a module, and the formats that it does not contain.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Statics {
-    /// The text of [`rust_source::module`], then a `mod q15` or `mod q31` for each format.
+    /// The text of [`floats`], then a `mod q15` or `mod q31` for each format.
     pub text: String,
     /// Formats to which the table cannot be converted, with the reasons.
     pub left_out: Vec<(Format, QuantizeError)>,
@@ -23,11 +25,11 @@ pub fn module(table: &Table, command: &str, formats: &[Format]) -> Result<Static
     if !table.has_projection() {
         return Err(QuantizeError::TransfersOnly);
     }
-    let mut statics = Statics { text: rust_source::module(table, command), left_out: Vec::new() };
+    let mut statics = Statics { text: floats(table, command), left_out: Vec::new() };
     for &format in formats {
         match quantize::integers(table, format, format.tolerance()) {
             Ok(parts) => {
-                let inner = rust_quantized::module(&parts, format, command);
+                let inner = integers(&parts, format, command);
                 let (name, bits) = (format.name(), format.bits());
                 let what = format!("/// The same table in mantissas of {bits} bits.");
                 statics.text += &format!("{what}\npub mod {name} {{\n{inner}}}\n");
@@ -36,4 +38,24 @@ pub fn module(table: &Table, command: &str, formats: &[Format]) -> Result<Static
         }
     }
     Ok(statics)
+}
+
+/// The statics of a table in `f32`.
+///
+/// Domain: a table that [projects](Table::has_projection).
+#[must_use]
+pub fn floats(table: &Table, command: &str) -> String {
+    let parts = parts::floats(table).convert(|&number| number as f32);
+    let general = parts::general(table).convert(|&number| number as f32);
+    let knots = table.scene.basis.knots;
+    source::floats::module(&parts.borrow(), &general.borrow(), knots, command)
+}
+
+/// The statics of a table in integers.
+#[must_use]
+pub fn integers(parts: &OwnedParts<i32>, format: Format, command: &str) -> String {
+    match format {
+        Format::Q15 => source::integers::module(&in_q15(parts).borrow(), command),
+        Format::Q31 => source::integers::module(&in_q31(parts).borrow(), command),
+    }
 }

@@ -113,10 +113,15 @@ fn integers(
     endian: Endian,
 ) -> Result<Vec<u8>, WireError> {
     let mut sections = Sections { endian, sections: Vec::new() };
-    quantize::visit(parts, format, &mut sections);
     let number = match format {
-        IntegerFormat::Q15 => format::Q15,
-        IntegerFormat::Q31 => format::Q31,
+        IntegerFormat::Q15 => {
+            quantize::in_q15(parts).borrow().visit(&mut sections);
+            format::Q15
+        }
+        IntegerFormat::Q31 => {
+            quantize::in_q31(parts).borrow().visit(&mut sections);
+            format::Q31
+        }
     };
     let shape = [parts.degree, parts.order, parts.components, 0];
     sections.file(number, shape, parts.effects)

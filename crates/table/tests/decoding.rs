@@ -1,7 +1,7 @@
 //! Decoding is total: any bytes give a consistent table or an error.
 
 use eigenshade_table::scene::Cut;
-use eigenshade_table::{FileError, Profile, Table, decode, encode, file, parts, rust_source};
+use eigenshade_table::{FileError, Profile, Table, decode, encode, file, parts, statics};
 
 fn shipped() -> Vec<u8> {
     std::fs::read(concat!(env!("CARGO_MANIFEST_DIR"), "/../../tables/sphere.bin")).unwrap()
@@ -35,7 +35,7 @@ fn optional_fields_are_read() {
         assert_eq!(decode(&encode(&table)), Ok(table.clone()));
     }
     table.scene.basis.cut = None;
-    assert!(rust_source::module(&table, "a test").ends_with("eigenshade::table!(sampled 64);\n"));
+    assert!(statics::floats(&table, "a test").ends_with("eigenshade::table!(sampled 64);\n"));
     for knots in [0, 7, 65_537] {
         table.scene.basis.knots = Some(knots);
         assert!(matches!(decode(&encode(&table)), Err(FileError::Payload(_))), "{knots}");
@@ -140,5 +140,5 @@ fn outputs_name_their_command() {
     let table = decode(&shipped()).unwrap();
     let text = file::manifest(&table, "by hand");
     assert!(text.starts_with("# by hand\nentry,value,bytes,crc32\nscene,,"));
-    assert!(rust_source::module(&table, "by hand").starts_with("// by hand\n// "));
+    assert!(statics::floats(&table, "by hand").starts_with("// by hand\n// "));
 }

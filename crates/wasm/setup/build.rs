@@ -2,7 +2,7 @@
 //! module has the shipped table.
 
 use eigenshade_table::quantize::{Format, integers};
-use eigenshade_table::{Table, rust_quantized, rust_source};
+use eigenshade_table::{Table, statics};
 use std::path::{Path, PathBuf};
 use std::{env, fs, process};
 
@@ -28,14 +28,14 @@ fn bake(path: &Path) -> Result<(), String> {
     let table = eigenshade_table::decode(&bytes).map_err(|error| error.to_string())?;
     fits(&table)?;
     let command = format!("build.rs, from {}", path.display());
-    write("table.rs", &rust_source::module(&table, &command))?;
+    write("table.rs", &statics::floats(&table, &command))?;
     for (format, name) in [(Format::Q15, "q15"), (Format::Q31, "q31")] {
         if env::var_os(format!("CARGO_FEATURE_{}", name.to_uppercase())).is_none() {
             continue;
         }
         let parts = integers(&table, format, format.tolerance())
             .map_err(|error| format!("{error}; build the module `f32`"))?;
-        write(&format!("table_{name}.rs"), &rust_quantized::module(&parts, format, &command))?;
+        write(&format!("table_{name}.rs"), &statics::integers(&parts, format, &command))?;
     }
     Ok(())
 }

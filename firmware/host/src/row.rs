@@ -17,9 +17,13 @@ const SCENE: char = '/';
 /// The recorded counts.
 const RECORD: &str = "counts.csv";
 
-/// Bytes of flash by which two checkouts may differ. Functions are linked in the order of names
-/// that contain a hash of the path of the sources, and padded to words.
-const PADDING: u64 = 32;
+/// Bytes of flash by which two checkouts may differ. Names contain a hash of the path of the sources,
+/// and functions are compiled and linked in the order of names: this changes padding and, in the
+/// largest functions, which numbers stay in registers. Of three checkouts the largest difference was
+/// 100 bytes of 53,268, a 530th.
+fn of_the_path(flash: u64) -> u64 {
+    (flash / 256).max(32)
+}
 
 /// The costs of an operation on a board. Empty numbers are not measured.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -213,7 +217,7 @@ pub fn same_as_recorded(rows: &[Row], compilers: &BTreeMap<&str, String>) -> Res
     Err(format!("{}\nif intended, run `firmware/run all --update`", faults.join("\n")))
 }
 
-/// Whether the numbers are the recorded ones: flash to [`PADDING`], instructions to a tick of the
+/// Whether the numbers are the recorded ones: flash to [`of_the_path`], instructions to a tick of the
 /// clock over the passes (1 or a 5,000th), the rest exactly.
 fn same(row: &Row, record: &Row) -> bool {
     let [instructions, flash, ram, stack] = row.numbers;
@@ -224,7 +228,7 @@ fn same(row: &Row, record: &Row) -> bool {
     };
     let tick = instructions_then.unwrap_or_default() / 5000;
     near(instructions, instructions_then, tick.max(1))
-        && near(flash, flash_then, PADDING)
+        && near(flash, flash_then, of_the_path(flash_then.unwrap_or_default()))
         && [ram, stack] == [ram_then, stack_then]
 }
 
@@ -245,6 +249,9 @@ mod tests {
         {
             assert!(!same(&row(&format!("b,shade,q15,{other}")), &record), "{other}");
         }
+        let large = row("b,relight,f32,,40960,,");
+        assert!(same(&row("b,relight,f32,,41120,,"), &large));
+        assert!(!same(&row("b,relight,f32,,41124,,"), &large));
     }
 
     #[test]

@@ -3,11 +3,12 @@
 use crate::{Result, SCENES, decoded, golden, list, read};
 use eigenshade::Q15;
 use eigenshade::index::record::integers::OwnedParts;
+use eigenshade::index::source;
 use eigenshade::quantized::{Basis, Material};
 use eigenshade_table::quantize::{self, Format};
 use eigenshade_table::reduce::with_components;
 use eigenshade_table::trim::trim;
-use eigenshade_table::{Table, rust_quantized, rust_source};
+use eigenshade_table::{Table, statics};
 use std::path::Path;
 
 /// The folder of the tables, and the list of those of several sizes.
@@ -74,13 +75,13 @@ fn size(line: &str) -> Result<String> {
 
 /// The module of a table in the formats of its programs.
 fn any_material(name: &str, table: &Table) -> Result<String> {
-    let mut text = rust_source::module(table, COMMAND);
+    let mut text = statics::floats(table, COMMAND);
     for (format, suffix) in [(Format::Q15, "q15"), (Format::Q31, "q31")] {
         if format == Format::Q31 && !IN_Q31.contains(&name) {
             continue;
         }
         let parts = parts(table, format)?;
-        text += &in_module(suffix, &rust_quantized::module(&parts, format, COMMAND));
+        text += &in_module(suffix, &statics::integers(&parts, format, COMMAND));
     }
     Ok(in_module(name, &text))
 }
@@ -94,7 +95,7 @@ fn one_scene(name: &str, table: &Table) -> Result<String> {
     let material = coefficients(table)?;
     let (mantissas, exponents) = quantize::material(table.gram.order, &material, Format::Q15);
     let in_q15 = one_material(table, &exponents, &mantissas)?;
-    let text = rust_source::module(table, COMMAND) + &in_module("q15", &in_q15);
+    let text = statics::floats(table, COMMAND) + &in_module("q15", &in_q15);
     Ok(in_module(name, &text))
 }
 
@@ -126,9 +127,8 @@ fn one_material(table: &Table, exponents: &[i8], mantissas: &[i32]) -> Result<St
     for exponents in [&mut parts.polar_exponents, &mut parts.factor_exponents] {
         exponents.clear();
     }
-    let numbers: Vec<i32> = numbers.into_iter().map(|Q15(number)| number.into()).collect();
-    Ok(rust_quantized::module(&parts, Format::Q15, COMMAND)
-        + &rust_quantized::transfer(Format::Q15, &numbers, &of_profiles))
+    Ok(statics::integers(&parts, Format::Q15, COMMAND)
+        + &source::integers::transfer(&numbers, &of_profiles))
 }
 
 /// Numbers and exponents of the transfer of a material.
@@ -137,10 +137,9 @@ fn transfer(
     exponents: &[i8],
     mantissas: &[i32],
 ) -> std::result::Result<(Vec<Q15>, Vec<i16>), eigenshade::Error> {
-    let in_q15 = |&number: &i32| Q15(number as i16);
-    let parts = parts.convert(in_q15);
+    let parts = quantize::in_q15(parts);
     let basis = Basis::<Q15>::new(parts.borrow())?;
-    let mantissas: Vec<Q15> = mantissas.iter().map(in_q15).collect();
+    let mantissas: Vec<Q15> = mantissas.iter().map(|&number| Q15(number as i16)).collect();
     let material = Material::new(exponents, &mantissas)?;
     let mut numbers = vec![Q15(0); basis.transfer_len()];
     let mut of_profiles = vec![0; basis.profiles()];

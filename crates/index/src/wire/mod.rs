@@ -1,8 +1,14 @@
 //! The wire format: tables as bytes that the runtime reads in place.
 //!
 //! `tables/README.md` specifies it byte by byte. Its sections are the arrays of the
-//! [records](crate::record), in the same order; empty ones at the end are omitted. This module holds the constants that the writer,
-//! in `eigenshade-table`, and the reader, in `eigenshade`, share.
+//! [records](crate::record), in the same order; empty ones at the end are omitted. This module has
+//! the constants of the format, which the writer in `eigenshade-table` shares, and the reader.
+
+mod fault;
+mod file;
+
+pub use fault::{Fault, WireFormat};
+pub use file::{Aligned, Header, Mantissa, aligned, read_floats, read_integers};
 
 /// The first bytes of every wire file.
 pub const LABEL: [u8; 8] = *b"EIGSWIRE";

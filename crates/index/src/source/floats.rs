@@ -1,58 +1,46 @@
-//! A table as Rust source: typed statics for the runtime.
+//! A record of floats as Rust source.
 
-use crate::parts;
-use crate::rust_record::Constants;
-use crate::table::Table;
-use eigenshade_index::layout;
-use eigenshade_index::record::floats::{GeneralParts, OwnedParts, Parts};
-use eigenshade_index::record::{Coupling, NONE, ProfilePlace, Row};
-use std::fmt::Write;
+use super::{Constants, line, words};
+use crate::layout;
+use crate::record::floats::{GeneralParts, Parts};
+use crate::record::{Coupling, NONE, ProfilePlace, Row};
+use alloc::format;
+use alloc::string::String;
+use alloc::vec::Vec;
 
-/// The body of a module with the table's numbers in f32, and the lines that name its shape; it names
-/// the runtime as `eigenshade`.
-///
-/// `command` is what made it, for the first line. Domain: a table that
-/// [projects](Table::has_projection).
+/// The body of a module with the numbers of a table that projects. `command` is what made it, for
+/// the first line; `knots` is the number of knots of a sampled scene, if there shall be one.
 #[must_use]
-pub fn module(table: &Table, command: &str) -> String {
-    let parts = parts::floats(table).convert(|&number| number as f32);
+pub fn module(
+    parts: &Parts<'_, f32>,
+    general: &GeneralParts<'_, f32>,
+    knots: Option<usize>,
+    command: &str,
+) -> String {
+    let has_images = general.components > 0;
     let mut constants = Constants::default();
-    constants.add("PARTS", Parts::<f32>::PATH, "f32", |to| parts.borrow().visit(to));
-    if table.general.is_some() {
-        let general = parts::general(table).convert(|&number| number as f32);
-        let path = GeneralParts::<f32>::PATH;
-        constants.add("GENERAL", path, "f32", |to| general.borrow().visit(to));
+    constants.add("PARTS", Parts::<f32>::PATH, "f32", |to| parts.visit(to));
+    if has_images {
+        constants.add("GENERAL", GeneralParts::<f32>::PATH, "f32", |to| general.visit(to));
     }
-    let Constants { text, bytes, .. } = constants;
-    let mut text = format!("// {command}\n// {bytes} bytes of tables\n{text}");
-    if table.general.is_none() {
-        line(&mut text, format_args!("eigenshade::table!({});", sphere(&parts)));
-        line(&mut text, format_args!("eigenshade::table!(project {});", project(&parts)));
-        line(&mut text, format_args!("eigenshade::table!(collapse {});", collapse(&parts)));
-    } else {
+    let mut text = constants.headed(command);
+    if has_images {
         line(&mut text, format_args!("eigenshade::table!(general);"));
+    } else {
+        line(&mut text, format_args!("eigenshade::table!({});", sphere(parts)));
+        line(&mut text, format_args!("eigenshade::table!(project {});", project(parts)));
+        line(&mut text, format_args!("eigenshade::table!(collapse {});", collapse(parts)));
     }
-    line(&mut text, format_args!("eigenshade::table!(shade {});", shade(&parts)));
-    if let Some(knots) = table.scene.basis.knots {
+    line(&mut text, format_args!("eigenshade::table!(shade {});", shade(parts)));
+    if let Some(knots) = knots {
         line(&mut text, format_args!("eigenshade::table!(sampled {knots});"));
     }
     text
 }
 
-/// A line of text.
-pub(crate) fn line(text: &mut String, line: std::fmt::Arguments<'_>) {
-    writeln!(text, "{line}").expect("a string takes everything");
-}
-
-/// Items with spaces between them.
-pub(crate) fn words(items: impl IntoIterator<Item: ToString>) -> String {
-    let items: Vec<String> = items.into_iter().map(|item| item.to_string()).collect();
-    items.join(" ")
-}
-
 /// The passes and runs of a transfer.
-fn sphere(parts: &OwnedParts<f32>) -> String {
-    let (mut passes, mut slots) = (Vec::new(), parts.slots.as_slice());
+fn sphere(parts: &Parts<'_, f32>) -> String {
+    let (mut passes, mut slots) = (Vec::new(), parts.slots);
     for (index, pass) in parts.passes.iter().enumerate() {
         let (of_pass, rest) = slots.split_at(usize::from(pass.profiles) * layout::LANES);
         // Its profiles may serve other orders alone, where +m is the last component.
@@ -82,7 +70,7 @@ fn sphere(parts: &OwnedParts<f32>) -> String {
 /// The parts of a projection. A table with a selection of modes is projected by its basis, since
 /// its polar integrals differ from azimuth to azimuth; so is one of effects that leave out orders
 /// between others, or whose ambient stands apart.
-fn project(parts: &OwnedParts<f32>) -> String {
+fn project(parts: &Parts<'_, f32>) -> String {
     let whole = parts.ambient.is_empty() && !parts.couplings.contains(&Coupling::NONE);
     if !whole || !parts.selection.is_empty() {
         return "by basis".into();
@@ -101,7 +89,7 @@ fn project(parts: &OwnedParts<f32>) -> String {
 
 /// The azimuths of a scene and their profiles. A mean image is one summand more, and orthogonal
 /// polynomials have recurrences: the basis takes both.
-fn collapse(parts: &OwnedParts<f32>) -> String {
+fn collapse(parts: &Parts<'_, f32>) -> String {
     if !parts.mean.is_empty() || !parts.recurrences.is_empty() {
         return "by basis".into();
     }
@@ -110,8 +98,8 @@ fn collapse(parts: &OwnedParts<f32>) -> String {
 }
 
 /// The azimuths of a pixel, from the highest downward.
-fn shade(parts: &OwnedParts<f32>) -> String {
-    let lengths = &parts.lengths;
+fn shade(parts: &Parts<'_, f32>) -> String {
+    let lengths = parts.lengths;
     let last = lengths.iter().rposition(|&length| length > 0).unwrap_or(0);
     if !parts.recurrences.is_empty() {
         return "by scene".into();

@@ -1,16 +1,65 @@
 //! A wire file: its alignment, its header, its checksum and its sections.
 
-use super::error::{WireError, WireFormat};
-use crate::index::effect::Effects;
-use crate::index::record::{Item, Reader};
-use crate::index::wire::{
+use super::fault::{Fault, WireFormat};
+use super::{
     ALIGNMENT, CHECKSUM, ENTRY, HEADER, LABEL, MARK, MAX_DEGREE_AND_ORDER, VERSION, place,
 };
+use crate::effect::Effects;
+use crate::record::{Item, Q15, Q31, Reader, floats, integers};
 use zerocopy::{IntoBytes, TryFromBytes};
 
+/// Reads the records of a table in `f32` from the file at the start of these bytes: its basis, and
+/// its eigenimages over that basis, of which there may be none.
+///
+/// # Errors
+///
+/// A [`Fault`] for any bytes that are not such a file. What the arrays hold is not checked.
+pub fn read_floats(
+    bytes: &[u8],
+) -> Result<(floats::Parts<'_, f32>, floats::GeneralParts<'_, f32>), Fault> {
+    let mut file = File::open(bytes, WireFormat::F32)?;
+    let parts = floats::Parts::read(file.header.shape(), &mut file)?;
+    let general = floats::GeneralParts::read((file.header.images,), &mut file)?;
+    file.end()?;
+    Ok((parts, general))
+}
+
+/// Reads the record of a table in integers from the file at the start of these bytes.
+///
+/// # Errors
+///
+/// A [`Fault`] for any bytes that are not such a file. What the arrays hold is not checked.
+pub fn read_integers<Q: Mantissa>(bytes: &[u8]) -> Result<integers::Parts<'_, Q>, Fault> {
+    let mut file = File::open(bytes, Q::WIRE)?;
+    if file.header.images != 0 {
+        return Err(Fault::Images { found: file.header.images });
+    }
+    let parts = integers::Parts::read(file.header.shape(), &mut file)?;
+    file.end()?;
+    Ok(parts)
+}
+
+/// A mantissa that a wire file may hold.
+pub trait Mantissa: Item {
+    /// The format of its files.
+    const WIRE: WireFormat;
+    /// The name of its type.
+    const NAME: &'static str;
+}
+
+impl Mantissa for Q15 {
+    const WIRE: WireFormat = WireFormat::Q15;
+    const NAME: &'static str = "Q15";
+}
+
+impl Mantissa for Q31 {
+    const WIRE: WireFormat = WireFormat::Q31;
+    const NAME: &'static str = "Q31";
+}
+
 /// A wire file whose sections are read one after the other.
-pub(super) struct File<'a> {
-    pub(super) header: Header,
+struct File<'a> {
+    header: Header,
     /// All bytes but the checksum.
     bytes: &'a [u8],
     taken: usize,
@@ -18,50 +67,50 @@ pub(super) struct File<'a> {
 
 impl<'a> File<'a> {
     /// Opens the file at the start of these bytes, which must have this format.
-    pub(super) fn open(bytes: &'a [u8], expected: WireFormat) -> Result<Self, WireError> {
+    fn open(bytes: &'a [u8], expected: WireFormat) -> Result<Self, Fault> {
         let header = Header::read(bytes)?;
         if WireFormat::of(header.format) != Some(expected) {
-            return Err(WireError::Format { expected, found: header.format });
+            return Err(Fault::Format { expected, found: header.format });
         }
         // Whatever length the header claims, there are sections and a checksum.
         let least = HEADER + ENTRY * header.sections + CHECKSUM;
         let expected = header.length.max(least);
         let Some(file) = bytes.get(..expected) else {
-            return Err(WireError::Length { expected, found: bytes.len() });
+            return Err(Fault::Length { expected, found: bytes.len() });
         };
         let beyond = file.as_ptr().addr() % ALIGNMENT;
         if beyond != 0 {
-            return Err(WireError::Alignment { beyond });
+            return Err(Fault::Alignment { beyond });
         }
         let (bytes, sum) = file.split_at_checked(expected - CHECKSUM).unwrap_or_default();
         let (expected, found) = (long(sum, 0), checksum(bytes));
         if expected != found {
-            return Err(WireError::Checksum { expected, found });
+            return Err(Fault::Checksum { expected, found });
         }
         Ok(Self { header, bytes, taken: 0 })
     }
 
     /// Checks that no section is left.
-    pub(super) fn end(&self) -> Result<(), WireError> {
+    fn end(&self) -> Result<(), Fault> {
         if self.taken == self.header.sections {
             Ok(())
         } else {
-            Err(WireError::Section { number: self.taken })
+            Err(Fault::Section { number: self.taken })
         }
     }
 }
 
 impl<'a> Reader<'a> for File<'a> {
-    type Error = WireError;
+    type Error = Fault;
 
     /// The next section, or an empty one if none is left.
-    fn array<T: Item>(&mut self) -> Result<&'a [T], WireError> {
+    fn array<T: Item>(&mut self) -> Result<&'a [T], Fault> {
         let number = self.taken;
         if number >= self.header.sections {
             return Ok(&[]);
         }
         self.taken += 1;
-        let fault = WireError::Section { number };
+        let fault = Fault::Section { number };
         let entry = HEADER + ENTRY * number;
         let start = long(self.bytes, entry) as usize;
         let length = long(self.bytes, entry + ENTRY / 2) as usize;
@@ -98,7 +147,7 @@ pub struct Header {
 
 impl Header {
     /// The sizes of a record.
-    pub(super) const fn shape(&self) -> (usize, usize, Effects, usize) {
+    const fn shape(&self) -> (usize, usize, Effects, usize) {
         (self.degree, self.order, self.effects, self.components)
     }
 }
@@ -109,31 +158,31 @@ impl Header {
     ///
     /// # Errors
     ///
-    /// [`WireError::BadMagic`], [`WireError::Endianness`], [`WireError::Version`],
-    /// [`WireError::Shape`], or [`WireError::Length`] if even the header is incomplete.
-    pub fn read(bytes: &[u8]) -> Result<Self, WireError> {
+    /// [`Fault::BadMagic`], [`Fault::Endianness`], [`Fault::Version`],
+    /// [`Fault::Shape`], or [`Fault::Length`] if even the header is incomplete.
+    pub fn read(bytes: &[u8]) -> Result<Self, Fault> {
         if !bytes.starts_with(&LABEL) {
-            return Err(WireError::BadMagic);
+            return Err(Fault::BadMagic);
         }
         let Some(header) = bytes.first_chunk::<HEADER>() else {
-            return Err(WireError::Length { expected: HEADER, found: bytes.len() });
+            return Err(Fault::Length { expected: HEADER, found: bytes.len() });
         };
         let mark = long(header, place::MARK);
         if mark != MARK {
             let other = mark == MARK.swap_bytes();
-            return Err(if other { WireError::Endianness } else { WireError::BadMagic });
+            return Err(if other { Fault::Endianness } else { Fault::BadMagic });
         }
         let version = short(header, place::VERSION);
         let bits = short(header, place::EFFECTS);
         if version != VERSION {
-            return Err(WireError::Version(version));
+            return Err(Fault::Version(version));
         }
         let effects = Effects::from_bits(bits).filter(|&one| one != Effects::NONE);
-        let Some(effects) = effects else { return Err(WireError::Effects { bits }) };
+        let Some(effects) = effects else { return Err(Fault::Effects { bits }) };
         let size = |at| usize::from(short(header, at));
         let (degree, order) = (size(place::DEGREE), size(place::ORDER));
         if degree > MAX_DEGREE_AND_ORDER || order > MAX_DEGREE_AND_ORDER {
-            return Err(WireError::Shape { degree, order });
+            return Err(Fault::Shape { degree, order });
         }
         Ok(Self {
             version,
@@ -174,10 +223,10 @@ const _: () = assert!(align_of::<Aligned<u8>>() == ALIGNMENT && align_of::<u32>(
 ///
 /// # Errors
 ///
-/// [`WireError::Room`] if `room` is too short.
-pub fn aligned<'r>(bytes: &[u8], room: &'r mut [u32]) -> Result<&'r [u8], WireError> {
+/// [`Fault::Room`] if `room` is too short.
+pub fn aligned<'r>(bytes: &[u8], room: &'r mut [u32]) -> Result<&'r [u8], Fault> {
     let (needed, found) = (bytes.len().div_ceil(ALIGNMENT), room.len());
-    let to = room.as_mut_bytes().get_mut(..bytes.len()).ok_or(WireError::Room { needed, found })?;
+    let to = room.as_mut_bytes().get_mut(..bytes.len()).ok_or(Fault::Room { needed, found })?;
     for (to, &from) in to.iter_mut().zip(bytes) {
         *to = from;
     }

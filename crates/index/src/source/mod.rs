@@ -1,31 +1,38 @@
-//! A record as Rust source: a constant, with a static for each array.
+//! Records as Rust source: the body of a module with a constant for a record, a static for each of
+//! its arrays, and lines for macros of the runtime that name the shape of its loops. It names the
+//! runtime as `eigenshade`.
 
-use eigenshade_index::record::{Item, Size, Visitor};
-use std::fmt::Write;
+pub mod floats;
+pub mod integers;
+
+use crate::record::{Item, Size, Visitor};
+use alloc::format;
+use alloc::string::{String, ToString};
+use alloc::vec::Vec;
+use core::fmt::{Arguments, Write};
 
 /// Records as constants.
 #[derive(Debug, Default)]
-pub(crate) struct Constants {
+struct Constants {
     /// Their text.
-    pub(crate) text: String,
+    text: String,
     /// Bytes of all arrays.
-    pub(crate) bytes: usize,
+    bytes: usize,
     /// The fields of the current record.
     fields: String,
 }
 
 impl Constants {
     /// Adds `const NAME` of the record that `visit` shows, whose type is `path<'static, number>`.
-    pub(crate) fn add(
-        &mut self,
-        name: &str,
-        path: &str,
-        number: &str,
-        visit: impl FnOnce(&mut Self),
-    ) {
+    fn add(&mut self, name: &str, path: &str, number: &str, visit: impl FnOnce(&mut Self)) {
         let _ = writeln!(self.text, "const {name}: {path}<'static, {number}> = {{");
         visit(self);
-        let _ = writeln!(self.text, "{path} {{\n{}}}\n}};", std::mem::take(&mut self.fields));
+        let _ = writeln!(self.text, "{path} {{\n{}}}\n}};", core::mem::take(&mut self.fields));
+    }
+
+    /// Their text below two lines that say what made it and how large the arrays are.
+    fn headed(self, command: &str) -> String {
+        format!("// {command}\n// {} bytes of tables\n{}", self.bytes, self.text)
     }
 }
 
@@ -45,11 +52,22 @@ impl Visitor for Constants {
 }
 
 /// A static array of these items.
-pub(crate) fn array<T: Item>(name: &str, items: &[T]) -> String {
+fn array<T: Item>(name: &str, items: &[T]) -> String {
     let (kind, count) = (T::TYPE, items.len());
     // The items of a record are named without a path.
     let named = kind.contains("::") && count > 0;
     let scope = if named { "use eigenshade::index::record::*; " } else { "" };
     let (open, close) = if named { ("{ ", " }") } else { ("", "") };
     format!("static {name}: [{kind}; {count}] = {open}{scope}{items:?}{close};\n")
+}
+
+/// A line of text.
+fn line(text: &mut String, line: Arguments<'_>) {
+    writeln!(text, "{line}").expect("a string takes everything");
+}
+
+/// Items with spaces between them.
+fn words(items: impl IntoIterator<Item: ToString>) -> String {
+    let items: Vec<String> = items.into_iter().map(|item| item.to_string()).collect();
+    items.join(" ")
 }
