@@ -14,18 +14,20 @@ fn main() {
     if env::var_os("CARGO_FEATURE_BAKED").is_none() {
         return;
     }
-    let sphere = [
-        bake("f32", |bytes, command| {
-            let (parts, general) = read_floats(bytes)?;
-            Ok(source::floats::module(&parts, &general, None, command))
-        }),
-        bake("q15", integers::<Q15>),
-        bake("q31", integers::<Q31>),
-    ];
-    for error in sphere.into_iter().filter_map(Result::err) {
+    if let Err(error) = sphere() {
         println!("cargo::error={error}");
         process::exit(1);
     }
+}
+
+/// Writes the statics of the shipped table in each format.
+fn sphere() -> Result<(), String> {
+    bake("f32", |bytes, command| {
+        let (parts, general) = read_floats(bytes)?;
+        Ok(source::floats::module(&parts, &general, None, command))
+    })?;
+    bake("q15", integers::<Q15>)?;
+    bake("q31", integers::<Q31>)
 }
 
 /// Writes the statics of the scene that `EIGENSHADE_SCENE` names, or of the shipped scene, to
