@@ -10,6 +10,7 @@ use crate::buffer::zeros;
 use crate::error::{Argument, Error};
 use crate::index::effect::Effects;
 use crate::index::record::floats::GeneralParts;
+use crate::invariant::split_mut;
 use crate::light::Light;
 use crate::material::Material;
 use crate::normal::Normal;
@@ -135,8 +136,7 @@ impl<'a, S: Scalar> GeneralBasis<'a, S> {
         coefficients: &mut [S],
     ) -> Result<(), Error> {
         Error::check(Argument::Workspace, self.workspace_len(), workspace.len())?;
-        let split = workspace.split_at_mut_checked(self.span.workspace_len());
-        let (workspace, coordinates) = split.unwrap_or_default();
+        let (workspace, coordinates) = split_mut(workspace, self.span.workspace_len());
         self.span.project_effects_into(light, material, effects, workspace, coordinates)?;
         self.coefficients(coordinates, coefficients)
     }
@@ -157,8 +157,7 @@ impl<'a, S: Scalar> GeneralBasis<'a, S> {
         coefficients: &mut [S],
     ) -> Result<(), Error> {
         Error::check(Argument::Workspace, self.workspace_len(), workspace.len())?;
-        let split = workspace.split_at_mut_checked(self.span.workspace_len());
-        let (_, coordinates) = split.unwrap_or_default();
+        let (_, coordinates) = split_mut(workspace, self.span.workspace_len());
         self.span.relight_into(transfer, light, coordinates)?;
         self.coefficients(coordinates, coefficients)
     }
@@ -253,8 +252,7 @@ impl<'a, S: Scalar> GeneralBasis<'a, S> {
             let (expected, found) = (self.components(), coefficients.len());
             return Err(Error::Length { argument: Argument::Coefficients, expected, found });
         }
-        let split = workspace.split_at_mut_checked(self.span.workspace_len());
-        let (_, coordinates) = split.unwrap_or_default();
+        let (_, coordinates) = split_mut(workspace, self.span.workspace_len());
         coordinates.fill(S::ZERO);
         for (coordinate, &mean) in coordinates.iter_mut().zip(self.parts.span_mean) {
             *coordinate = mean;

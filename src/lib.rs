@@ -66,6 +66,8 @@ mod error;
 
 pub mod mathematics;
 
+mod invariant;
+
 mod lanes;
 
 mod buffer;

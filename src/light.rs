@@ -4,6 +4,7 @@
 use crate::buffer::{Buffer, zeros};
 use crate::error::{Argument, Error};
 use crate::index::light;
+use crate::invariant::split_mut;
 use crate::mathematics::Mathematics;
 use crate::scalar::Scalar;
 
@@ -164,7 +165,7 @@ impl<S: Scalar> Window<S> {
         let (mut rest, mut degree) = (coefficients, 0);
         while !rest.is_empty() {
             let orders = (2 * degree + 1).min(rest.len());
-            let (of_degree, higher) = rest.split_at_mut_checked(orders).unwrap_or_default();
+            let (of_degree, higher) = split_mut(rest, orders);
             let factor = self.factor::<M>(degree);
             of_degree.iter_mut().for_each(|coefficient| *coefficient = *coefficient * factor);
             (rest, degree) = (higher, degree + 1);

@@ -8,6 +8,7 @@
 use crate::basis::Basis;
 use crate::index::layout::{LANES, PASS, factors, lowest_degree};
 use crate::index::record::{ProfilePlace, Row};
+use crate::invariant::part;
 use crate::quantized::{self, Profile};
 
 /// A table that is known when the program is compiled, with a basis of type `B`.
@@ -298,7 +299,7 @@ impl<S> Basis<'_, S> {
 
     /// The components of a run.
     pub(crate) fn components_of_run(&self, run: &Run) -> impl Iterator<Item = u16> {
-        let profiles = self.parts.profiles.get(run.first..).unwrap_or_default();
+        let profiles = part(self.parts.profiles, run.first..);
         let order = run.order;
         profiles.iter().map(move |place| place.component(order))
     }

@@ -2,6 +2,7 @@
 //! [`Form`](crate::index::layout::Form), or by the recurrence of their azimuth.
 
 use crate::index::layout::{EVEN_ODD_TERMS, MONOMIAL_TERMS, Recurrence};
+use crate::invariant::split;
 use crate::scalar::Scalar;
 
 /// The argument t = 2z - 1 of the profile polynomials.
@@ -109,7 +110,7 @@ pub(crate) fn doubled<S: Scalar>(t: S) -> S {
 #[inline(always)]
 fn halves<S: Scalar, const N: usize>(terms: &[S], [t, u]: [&[S; N]; 2]) -> [S; N] {
     // With an odd number of terms, the highest is an even power without an odd partner.
-    let (alone, rest) = terms.split_at_checked(terms.len() % 2).unwrap_or_default();
+    let (alone, rest) = split(terms, terms.len() % 2);
     let mut sums = [alone.first().copied().unwrap_or(S::ZERO); N];
     for [odd, even] in rest.as_chunks().0 {
         for (sum, (&t, &u)) in sums.iter_mut().zip(t.iter().zip(u)) {

@@ -13,6 +13,7 @@ use crate::index::effect::Effects;
 use crate::index::layout::LANES;
 use crate::index::record::ProfilePlace;
 use crate::index::{layout, light};
+use crate::invariant::{part, split_mut, split_row};
 use crate::lanes;
 use crate::light::Light;
 use crate::material::Material;
@@ -187,16 +188,16 @@ impl<'a, S: Scalar> Basis<'a, S> {
     #[inline]
     pub(crate) fn divide<'w>(&self, workspace: &'w mut [S]) -> Workspace<'w, S> {
         let rows = (self.degree() + 1) * self.row();
-        let (scattering, rest) = workspace.split_at_mut_checked(rows).unwrap_or_default();
+        let (scattering, rest) = split_mut(workspace, rows);
         let sums = self.sums_len();
-        let (sums, lights) = rest.split_at_mut_checked(sums).unwrap_or_default();
+        let (sums, lights) = split_mut(rest, sums);
         Workspace { scattering, sums, lights: lights.as_chunks_mut().0 }
     }
 
     /// The rows of S from l = `azimuth` on.
     #[inline]
     pub(crate) fn scattered_from<'w>(&self, azimuth: usize, scattering: &'w [S]) -> &'w [S] {
-        scattering.get(azimuth * self.row()..).unwrap_or_default()
+        part(scattering, azimuth * self.row()..)
     }
 
     /// The profiles of each azimuth in twos, with their factors.
@@ -210,7 +211,7 @@ impl<'a, S: Scalar> Basis<'a, S> {
             let same = places.iter().take(2).take_while(|place| place.azimuth() == azimuth);
             let (two, others) = places.split_at_checked(same.count())?;
             let length = layout::factors(degree, order, azimuth, two.len());
-            let (rows, rest) = factors.split_at_checked(length).unwrap_or((factors, &[]));
+            let (rows, rest) = split_row(factors, length);
             (places, factors) = (others, rest);
             Some((two, rows))
         })

@@ -2,6 +2,7 @@
 
 use crate::error::{Argument, Error};
 use crate::index::layout;
+use crate::invariant::part;
 
 /// Recurrences by azimuth (see [`layout::recurrences`]).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,9 +55,8 @@ impl<'a> Recurrences<'a> {
         if self.is_empty() {
             return &[];
         }
-        let row = azimuth.checked_sub(self.first);
-        let start = row.and_then(|row| row.checked_mul(self.stride));
-        let rest = start.and_then(|start| self.numbers.get(start..));
-        rest.and_then(|rest| rest.get(..self.stride)).unwrap_or_default()
+        let Some(row) = azimuth.checked_sub(self.first) else { return &[] };
+        let rest = part(self.numbers, row.wrapping_mul(self.stride)..);
+        part(rest, ..self.stride)
     }
 }

@@ -12,6 +12,7 @@ use crate::buffer::zeros;
 use crate::error::{Argument, Error};
 use crate::index::layout::LANES;
 use crate::index::light::position;
+use crate::invariant::part;
 use crate::lanes;
 use crate::light::Light;
 use crate::places::{PassPlace, Run, Shape};
@@ -203,9 +204,9 @@ fn sums_of_pass<S: Scalar, const P: usize>(
     light: &[S],
 ) -> [[S; LANES]; P] {
     let mut sums = [[S::ZERO; LANES]; P];
-    let (groups, _) = transfer.get(pass.start..).unwrap_or_default().as_chunks::<LANES>();
+    let (groups, _) = part(transfer, pass.start..).as_chunks::<LANES>();
     let (rows, _) = groups.as_chunks::<P>();
-    for (l, row) in (pass.lowest..).zip(rows.get(..degrees).unwrap_or_default()) {
+    for (l, row) in (pass.lowest..).zip(part(rows, ..degrees)) {
         let window = window(light, l, pass.first);
         for (sum, row) in sums.iter_mut().zip(row) {
             *sum = lanes::multiply_add(*sum, row, &window);

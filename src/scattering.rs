@@ -10,6 +10,7 @@ use crate::error::{Argument, Error};
 use crate::index::effect::{Effect, Effects};
 use crate::index::layout::LANES;
 use crate::index::{layout, material};
+use crate::invariant::{part, part_mut, split};
 use crate::lanes;
 use crate::material::Material;
 use crate::scalar::Scalar;
@@ -71,8 +72,8 @@ impl<S: Scalar> Basis<'_, S> {
         let (polar, _) = self.parts.polar.as_chunks::<LANES>();
         let (sums, _) = sums.as_chunks_mut::<LANES>();
         self.couple(material, core::iter::repeat(()), |b, from, to, _, ()| {
-            let polar = polar.get(from * groups..).unwrap_or_default();
-            let sums = sums.get_mut(to * groups..).unwrap_or_default();
+            let polar = part(polar, from * groups..);
+            let sums = part_mut(sums, to * groups..);
             for (sum, polar) in sums.iter_mut().zip(polar).take(groups) {
                 *sum = lanes::multiply_add(*sum, &[b; LANES], polar);
             }
@@ -94,8 +95,8 @@ impl<S: Scalar> Basis<'_, S> {
         let of_azimuth = selection.get(azimuth * material::count(self.order()) * degrees..);
         let orders = material::indices(material.order()).map(|(o, _, _)| o);
         self.couple(material, orders, |b, from, to, mode, o| {
-            let polar = self.parts.polar.get(from * length..).unwrap_or_default();
-            let sums = sums.get_mut(to * length..).unwrap_or_default();
+            let polar = part(self.parts.polar, from * length..);
+            let sums = part_mut(sums, to * length..);
             let kept = of_azimuth.and_then(|selection| selection.get(mode * degrees..));
             // Without a selection, every mode is kept.
             let kept = kept.unwrap_or_default().iter().chain(core::iter::repeat(&true));
@@ -155,11 +156,11 @@ impl<S: Scalar> Basis<'_, S> {
         let (scattering, _) = scattering.as_chunks_mut::<LANES>();
         // Blocks of four pairs by four degrees.
         for (column, pairs) in sums.chunks_exact((LANES * groups).max(1)).enumerate() {
-            let (first, rest) = pairs.split_at_checked(groups).unwrap_or_default();
-            let (second, rest) = rest.split_at_checked(groups).unwrap_or_default();
-            let (third, fourth) = rest.split_at_checked(groups).unwrap_or_default();
+            let (first, rest) = split(pairs, groups);
+            let (second, rest) = split(rest, groups);
+            let (third, fourth) = split(rest, groups);
             let rows = first.iter().zip(second).zip(third.iter().zip(fourth));
-            let places = scattering.get_mut(column..).unwrap_or_default();
+            let places = part_mut(scattering, column..);
             let mut places = places.iter_mut().step_by(width.max(1));
             for ((first, second), (third, fourth)) in rows {
                 let degrees = first.iter().zip(second).zip(third.iter().zip(fourth));

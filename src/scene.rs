@@ -5,6 +5,7 @@ use crate::basis::Basis;
 use crate::buffer::{Buffer, zeros};
 use crate::error::{Argument, Error};
 use crate::index::layout::{LANES, Recurrence};
+use crate::invariant::{part, part_mut, split, split_mut, split_row};
 use crate::lanes::multiply_add;
 use crate::normal::Normal;
 use crate::polynomial::{self, argument, turned};
@@ -72,18 +73,18 @@ impl<'a, S: Scalar> Basis<'a, S> {
         for place in self.parts.profiles {
             while azimuth < place.azimuth() {
                 let passed = self.length(azimuth) * if azimuth == 0 { 1 } else { 2 };
-                sums = sums.get_mut(passed..).unwrap_or_default();
+                sums = part_mut(sums, passed..);
                 azimuth += 1;
             }
             let length = self.length(azimuth);
-            let (of_profile, rest) = terms.split_at_checked(length).unwrap_or((terms, &[]));
+            let (of_profile, rest) = split_row(terms, length);
             terms = rest;
             if let Some(weight) = weight(place.plus()) {
                 add(weight, of_profile, sums);
             }
             // Φ_-m = √2 sin(-mβ) = -√2 Im (n_x + i n_y)^m / sin^m.
             if let Some(weight) = weight(place.minus()) {
-                add(-weight, of_profile, sums.get_mut(length..).unwrap_or_default());
+                add(-weight, of_profile, part_mut(sums, length..));
             }
         }
         Ok(Scene::of(self.parts.lengths, self.recurrences, buffer))
@@ -124,8 +125,7 @@ impl<'a, S: Scalar> Basis<'a, S> {
                 (cosine, sine) = turned(cosine, sine, normal.x, normal.y);
                 azimuth += 1;
             }
-            let (of_profile, rest) =
-                terms.split_at_checked(self.length(azimuth)).unwrap_or((terms, &[]));
+            let (of_profile, rest) = split_row(terms, self.length(azimuth));
             terms = rest;
             let around = weight(place.plus()) * cosine - weight(place.minus()) * sine;
             sum += polynomial::value(of_profile, t, self.recurrences.of(azimuth)) * around;
@@ -142,7 +142,7 @@ fn add<S: Scalar>(weight: S, terms: &[S], sums: &mut [S]) {
         return sums.iter_mut().zip(terms).for_each(|(sum, &term)| *sum += weight * term);
     }
     let (terms, rest) = terms.as_chunks();
-    let (sums, others) = sums.split_at_mut_checked(LANES * terms.len()).unwrap_or_default();
+    let (sums, others) = split_mut(sums, LANES * terms.len());
     for (sums, terms) in sums.as_chunks_mut().0.iter_mut().zip(terms) {
         *sums = multiply_add(*sums, terms, &[weight; LANES]);
     }
@@ -204,10 +204,10 @@ impl<'a, B> Scene<'a, B> {
         let mut rest = self.buffer.as_ref();
         self.lengths.iter().enumerate().map(move |(azimuth, &length)| {
             let length = usize::from(length);
-            let (plus, after) = rest.split_at_checked(length).unwrap_or((rest, &[]));
+            let (plus, after) = split_row(rest, length);
             let (minus, after) = match azimuth {
                 0 => (&[] as &[S], after),
-                _ => after.split_at_checked(length).unwrap_or((after, &[])),
+                _ => split_row(after, length),
             };
             rest = after;
             (plus, minus)
@@ -221,12 +221,12 @@ impl<'a, B> Scene<'a, B> {
         B: AsRef<[S]>,
     {
         let last = self.lengths.iter().rposition(|&length| length > 0);
-        let lengths = self.lengths.get(..=last.unwrap_or(0)).unwrap_or_default();
+        let lengths = part(self.lengths, ..last.map_or(0, |last| last + 1));
         let terms = self.buffer.as_ref();
         let (&pole, lengths) = lengths.split_first().unwrap_or((&0, &[]));
-        let (pole, around) = terms.split_at_checked(usize::from(pole)).unwrap_or_default();
+        let (pole, around) = split(terms, usize::from(pole));
         let len = lengths.iter().map(|&length| 2 * usize::from(length)).sum();
-        let around = around.get(..len).unwrap_or_default();
+        let around = part(around, ..len);
         Descent { lengths, pole, around, recurrences: self.recurrences }
     }
 }

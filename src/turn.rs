@@ -14,6 +14,7 @@
 use crate::buffer::zeros;
 use crate::error::{Argument, Error};
 use crate::index::light;
+use crate::invariant::{part, part_mut, split_mut};
 use crate::light::{Light, LightBuffer};
 use crate::mathematics::{Libm, Mathematics};
 use crate::rotation::Rotation;
@@ -80,11 +81,10 @@ impl<S: Scalar> Light<'_, S> {
         let degree = self.degree();
         Error::check(Argument::Light, light::count(degree), turned.len())?;
         Error::check(Argument::Workspace, Self::turn_len(degree), workspace.len())?;
-        let (columns, rest) = workspace.split_at_mut_checked(degree + 1).unwrap_or_default();
-        let (images, matrices) =
-            rest.split_at_mut_checked(2 * (2 * degree + 1)).unwrap_or_default();
+        let (columns, rest) = split_mut(workspace, degree + 1);
+        let (images, matrices) = split_mut(rest, 2 * (2 * degree + 1));
         let half = matrices.len() / 2;
-        let (mut before, mut now) = matrices.split_at_mut_checked(half).unwrap_or_default();
+        let (mut before, mut now) = split_mut(matrices, half);
         if let (Some(to), Some(&from)) = (turned.first_mut(), self.coefficients().first()) {
             *to = from;
         }
@@ -96,8 +96,8 @@ impl<S: Scalar> Light<'_, S> {
                 next::<S, M>(&rotation, l, before, now, columns);
             }
             let range = light::count(l - 1)..light::count(l);
-            let from = self.coefficients().get(range.clone()).unwrap_or_default();
-            let to = turned.get_mut(range).unwrap_or_default();
+            let from = part(self.coefficients(), range.clone());
+            let to = part_mut(turned, range);
             for ((to, &from), m) in to.iter_mut().zip(from).zip(-l.cast_signed()..) {
                 *to = signed(m, from);
             }
@@ -126,8 +126,8 @@ impl<S: Scalar> Rotation<S> {
 
 /// Replaces x by D (x + (x - DᵀD x) / 2). `images` has room for two vectors like x.
 fn apply<S: Scalar>(matrix: Matrix<'_, S>, x: &mut [S], images: &mut [S]) {
-    let (image, rest) = images.split_at_mut_checked(x.len()).unwrap_or_default();
-    let back = rest.get_mut(..x.len()).unwrap_or_default();
+    let (image, rest) = split_mut(images, x.len());
+    let back = part_mut(rest, ..x.len());
     matrix.times(x, image);
     matrix.flipped().times(image, back);
     for (x, &back) in x.iter_mut().zip(back.iter()) {

@@ -4,6 +4,7 @@ use crate::bake::MapPoint;
 use crate::error::{Argument, Error};
 use crate::format::Wide as _;
 use crate::format::{FixedPoint, Q15, Q31};
+use crate::invariant::{split_mut, split_row};
 use crate::light::degree;
 use crate::material::order;
 
@@ -112,8 +113,8 @@ impl<'a, Q: FixedPoint> Material<'a, Q> {
         let (mut from, mut rest) = (from, &mut *to);
         for (o, exponent) in exponents.iter_mut().enumerate() {
             let count = (o / 2 + 1) * (o / 2 + 2) / 2;
-            let (of_order, after) = from.split_at_checked(count).unwrap_or((from, &[]));
-            let (places, places_after) = rest.split_at_mut_checked(count).unwrap_or_default();
+            let (of_order, after) = split_row(from, count);
+            let (places, places_after) = split_mut(rest, count);
             *exponent = quantize(of_order, places).clamp(-127, 127) as i8;
             (from, rest) = (after, places_after);
         }

@@ -2,6 +2,7 @@
 
 use super::{Normal, Scene};
 use crate::format::{FixedPoint, Wide as _};
+use crate::invariant::split;
 
 /// Irradiance as a polynomial of degree 2 in the normal, with nine multiplications.
 ///
@@ -90,7 +91,7 @@ impl<Q: FixedPoint, B: AsRef<[i32]>> Scene<'_, Q, B> {
         let mut rest = self.terms();
         let mut polynomial = |azimuth: usize| {
             let length = *self.lengths.get(azimuth).filter(|_| azimuth <= last).unwrap_or(&0);
-            let (terms, after) = rest.split_at_checked(length.into()).unwrap_or_default();
+            let (terms, after) = split(rest, length.into());
             rest = after;
             terms
         };

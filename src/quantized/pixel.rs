@@ -2,6 +2,7 @@
 
 use super::{Basis, Normal};
 use crate::format::{FixedPoint, Wide as _};
+use crate::invariant::part;
 use crate::places::{AzimuthPlace, Shape};
 
 /// A pixel in progress: the sum so far, and (n_x + i n_y)^m for the next m.
@@ -49,7 +50,7 @@ impl<Q: FixedPoint> Pixel<Q> {
         normal: Normal<Q>,
     ) -> Self {
         let length = const { B::BASIS.length(0) };
-        Self::new(terms.get(..length).unwrap_or_default(), normal)
+        Self::new(part(terms, ..length), normal)
     }
 
     /// Adds azimuth `M` of a scene of `B`.
@@ -60,8 +61,7 @@ impl<Q: FixedPoint> Pixel<Q> {
         terms: &[i32; N],
     ) -> Self {
         let AzimuthPlace { start, length, .. } = const { B::BASIS.azimuth_at(M) };
-        let [plus, minus] = [start, start + length]
-            .map(|start| terms.get(start..start + length).unwrap_or_default());
+        let [plus, minus] = [start, start + length].map(|start| part(terms, start..start + length));
         self.add(plus, minus)
     }
 

@@ -6,6 +6,7 @@ use crate::buffer::{Buffer, zeros};
 use crate::error::{Argument, Error};
 use crate::format::{FixedPoint, Wide};
 use crate::index::light;
+use crate::invariant::{part, split_row};
 use crate::places::{AzimuthPlace, Shape};
 
 /// The coefficients d of one image, component by component. The mantissas are at most 2^30 in size
@@ -80,7 +81,7 @@ impl<Q: FixedPoint> Basis<'_, Q> {
         let (mut numbers, mut top) = (transfer.numbers, NONE);
         for (profile, &exponent) in self.parts.profiles.iter().zip(transfer.exponents) {
             let degrees = basis + 1 - profile.azimuth();
-            let (row, after) = numbers.split_at_checked(degrees).unwrap_or((numbers, &[]));
+            let (row, after) = split_row(numbers, degrees);
             numbers = after;
             let sums = sums::<Q, true>(row, light.mantissas, profile.azimuth());
             top = top.max(size(write(sums, profile, mantissas), exponent));
@@ -99,7 +100,7 @@ impl<Q: FixedPoint> Basis<'_, Q> {
     fn has_bounded(&self, mut numbers: &[Q]) -> bool {
         self.parts.profiles.iter().all(|profile| {
             let length = self.degree() + 1 - usize::from(profile.azimuth);
-            let (row, after) = numbers.split_at_checked(length).unwrap_or((numbers, &[]));
+            let (row, after) = split_row(numbers, length);
             numbers = after;
             let mut sum = Q::Wide::default();
             for number in row {
@@ -148,8 +149,8 @@ pub fn azimuth<
 ) -> i32 {
     let AzimuthPlace { degrees, first, rows, .. } = const { B::BASIS.azimuth_at(M) };
     let profiles = const { B::BASIS.profiles_at(&B::BASIS.azimuth_at(M)) };
-    let rows = numbers.get(rows..).unwrap_or_default().chunks_exact(degrees);
-    let exponents = exponents.get(first..).unwrap_or_default();
+    let rows = part(numbers, rows..).chunks_exact(degrees);
+    let exponents = part(exponents, first..);
     let mut top = top;
     for ((row, profile), &exponent) in rows.zip(profiles).zip(exponents) {
         let sums =
@@ -174,7 +175,7 @@ pub fn align<
 ) {
     let first = const { B::BASIS.azimuth_at(M).first };
     let profiles = const { B::BASIS.profiles_at(&B::BASIS.azimuth_at(M)) };
-    let exponents = exponents.get(first..).unwrap_or_default();
+    let exponents = part(exponents, first..);
     for (profile, &exponent) in profiles.iter().zip(exponents) {
         let by = i32::from(exponent) - common;
         // The same as `shifted`, in fewer instructions.

@@ -6,6 +6,7 @@ use super::{Basis, Normal, Profile};
 use crate::buffer::{Buffer, zeros};
 use crate::error::{Argument, Error};
 use crate::format::{FixedPoint, Wide as _};
+use crate::invariant::{split, split_mut, split_row};
 use crate::specialized::shade_each;
 use core::marker::PhantomData;
 use core::ops::{Add, Mul, Shr};
@@ -75,7 +76,7 @@ impl<'a, Q: FixedPoint> Basis<'a, Q> {
         let bits = self.size(mantissas);
         let (mut terms, mut profiles, mut rest) = (self.parts.terms, self.parts.profiles, sums);
         for (azimuth, &length) in self.parts.lengths.iter().enumerate() {
-            let (block, others) = split(profiles, azimuth);
+            let (block, others) = of_azimuth(profiles, azimuth);
             profiles = others;
             let finer = finer(bits, self.bits(step(mantissas, block)));
             let (base, mut rows) = (base::<Q>(bits) + finer.cast_signed(), terms);
@@ -84,11 +85,11 @@ impl<'a, Q: FixedPoint> Basis<'a, Q> {
                     continue;
                 }
                 let length = usize::from(length);
-                let (polynomial, after) = rest.split_at_mut_checked(length).unwrap_or_default();
+                let (polynomial, after) = split_mut(rest, length);
                 (rest, rows) = (after, terms);
                 let mut either = 0;
                 for profile in block {
-                    let (row, after) = rows.split_at_checked(length).unwrap_or_default();
+                    let (row, after) = split(rows, length);
                     rows = after;
                     let component = if is_minus { profile.minus } else { profile.plus };
                     let d = mantissas.get(usize::from(component)).copied().unwrap_or(0);
@@ -136,7 +137,7 @@ impl<'a, Q: FixedPoint> Basis<'a, Q> {
         let [plus, minus] = SIGNS.map(|sign| sum(mantissas, profiles, sign, |one| one.size));
         let mut largest = plus + minus;
         for azimuth in 0..=self.degree() {
-            let (block, others) = split(profiles, azimuth);
+            let (block, others) = of_azimuth(profiles, azimuth);
             largest = largest.max(step(mantissas, block));
             profiles = others;
         }
@@ -150,10 +151,10 @@ impl<'a, Q: FixedPoint> Basis<'a, Q> {
 }
 
 /// The profiles of this azimuth, which come first, and the others.
-fn split(profiles: &[Profile], azimuth: usize) -> (&[Profile], &[Profile]) {
+fn of_azimuth(profiles: &[Profile], azimuth: usize) -> (&[Profile], &[Profile]) {
     let of_azimuth = |profile: &&Profile| usize::from(profile.azimuth) == azimuth;
     let count = profiles.iter().take_while(of_azimuth).count();
-    profiles.split_at_checked(count).unwrap_or((profiles, &[]))
+    split_row(profiles, count)
 }
 
 /// The components of a profile for +m and for -m.
@@ -260,8 +261,8 @@ impl<Q: FixedPoint, B: AsRef<[i32]>> Scene<'_, Q, B> {
         let mut pixel = Pixel::new(first, normal);
         while let [length, others @ ..] = lengths {
             let length = usize::from(*length);
-            let (plus, after) = rest.split_at_checked(length).unwrap_or((rest, &[]));
-            let (minus, after) = after.split_at_checked(length).unwrap_or((after, &[]));
+            let (plus, after) = split_row(rest, length);
+            let (minus, after) = split_row(after, length);
             (lengths, rest) = (others, after);
             pixel = pixel.add(plus, minus);
         }
@@ -283,7 +284,7 @@ impl<Q: FixedPoint, B: AsRef<[i32]>> Scene<'_, Q, B> {
     fn constant(&self) -> (&[i32], &[u8], &[i32]) {
         let (length, lengths) = self.lengths.split_first().unwrap_or((&0, &[]));
         let terms = self.buffer.as_ref();
-        let (first, rest) = terms.split_at_checked(usize::from(*length)).unwrap_or((terms, &[]));
+        let (first, rest) = split_row(terms, usize::from(*length));
         (first, lengths, rest)
     }
 }

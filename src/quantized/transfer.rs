@@ -6,6 +6,7 @@ use crate::buffer::{Buffer, zeros};
 use crate::error::{Argument, Error};
 use crate::format::{FixedPoint, Wide};
 use crate::index::{material, pair};
+use crate::invariant::{part, split_mut, split_row};
 use crate::lanes::{rows, rows_mut};
 
 /// The transfer of a material: for each profile a row over l from |m| on, times 2 to the exponent
@@ -96,8 +97,8 @@ impl<Q: FixedPoint> Basis<'_, Q> {
         Error::check(Argument::Transfer, self.profiles(), exponents.len())?;
         let pairs = pair::count(self.order());
         let degrees = self.degree() + 1;
-        let (sums, rest) = workspace.split_at_mut_checked(degrees * pairs).unwrap_or_default();
-        let (of_sums, row) = rest.split_at_mut_checked(degrees).unwrap_or_default();
+        let (sums, rest) = split_mut(workspace, degrees * pairs);
+        let (of_sums, row) = split_mut(rest, degrees);
         self.scatter(material, sums, of_sums);
         let (row, _) = row.as_chunks_mut::<2>();
         let mut factors = rows(self.parts.factors, pairs);
@@ -105,11 +106,10 @@ impl<Q: FixedPoint> Basis<'_, Q> {
         let mut numbers = numbers;
         for (profile, exponent) in self.parts.profiles.iter().zip(exponents) {
             let azimuth = usize::from(profile.azimuth);
-            let (of_profile, after) =
-                numbers.split_at_mut_checked(degrees - azimuth).unwrap_or_default();
+            let (of_profile, after) = split_mut(numbers, degrees - azimuth);
             numbers = after;
-            let of_degrees = rows(sums.get(azimuth * pairs..).unwrap_or_default(), pairs)
-                .zip(of_sums.iter().skip(azimuth));
+            let of_degrees =
+                rows(part(sums, azimuth * pairs..), pairs).zip(of_sums.iter().skip(azimuth));
             for ([sum, of_sum], (sums, &of_sums)) in row.iter_mut().zip(of_degrees) {
                 let (Some(factors), Some(&of_factors)) = (factors.next(), of_factors.next()) else {
                     break;
@@ -137,8 +137,7 @@ impl<Q: FixedPoint> Basis<'_, Q> {
             // parity.
             let (mut above, mut of_others, mut top, mut rest) = (None, None, i32::MIN, of_polar);
             for o in (0..=self.order()).rev() {
-                let (below, of_o) =
-                    rest.split_at_checked(pair::position(o, 0)).unwrap_or((rest, &[]));
+                let (below, of_o) = split_row(rest, pair::position(o, 0));
                 rest = below;
                 above = above.max(material.exponents.get(o));
                 if let (Some(&above), Some(&of_polar)) = (above, of_o.iter().max()) {

@@ -4,6 +4,7 @@
 //! azimuths, from the highest downward, in w = n_x + i n_y. I(n) = Re Σ_m (P_m + i Q_m) w̄^m.
 
 use crate::basis::Basis;
+use crate::invariant::split_mut;
 use crate::normal::Normal;
 use crate::places::{AzimuthPlace, Shape};
 use crate::polynomial;
@@ -48,7 +49,7 @@ pub fn collapse<
     let place = const { &azimuth_of::<B, S>(M) };
     let components = const { &B::BASIS.components_of::<P>(M) };
     let terms = const { B::BASIS.parts.terms.split_at(azimuth_of::<B, S>(M).terms).1 };
-    let (_, scene) = scene.split_at_mut_checked(place.start).unwrap_or_default();
+    let (_, scene) = split_mut(scene, place.start);
     if M == 0 {
         sum_profiles(
             place.length,

@@ -2,6 +2,7 @@
 //! [`Basis::collapse_into`](crate::quantized::Basis::collapse_into), azimuth by azimuth.
 
 use crate::format::FixedPoint;
+use crate::invariant::part_mut;
 use crate::places::{AzimuthPlace, Shape};
 use crate::quantized::scene::{
     self, FINEST, Scene, SceneBuffer, bits, half_or_one, size, weight, with_margin,
@@ -202,7 +203,7 @@ fn sum<
 ) {
     let AzimuthPlace { start, length, .. } = const { B::BASIS.azimuth_at(M) };
     let terms = const { B::BASIS.parts.terms.split_at(B::BASIS.azimuth_at(M).terms).1 };
-    let scene = scene.get_mut(start..).unwrap_or_default();
+    let scene = part_mut(scene, start..);
     let by = Q::SUM_SHIFT + finer;
     for k in 0..length {
         let mut sums = [half_or_one(k == 0 || (W == 1 && k == length - 1), by); W];
@@ -226,8 +227,7 @@ fn sum<
     }
     for (sign, either) in either.into_iter().enumerate() {
         if either == 0 {
-            let polynomial = scene.get_mut(sign * length..(sign + 1) * length);
-            polynomial.unwrap_or_default().fill(0);
+            part_mut(scene, sign * length..(sign + 1) * length).fill(0);
         }
     }
 }

@@ -3,6 +3,7 @@
 
 use crate::format::{FixedPoint, Wide};
 use crate::index::{material, pair};
+use crate::invariant::{part, part_mut};
 use crate::places::Shape;
 use crate::quantized::transfer::{self, GUARD_BITS, ZERO_EXPONENT, guard, room, row_bits};
 use crate::quantized::{Basis, Material, TransferBuffer};
@@ -16,7 +17,7 @@ pub fn inputs<'a, Q, const B: usize, const O: usize>(
     material: &Material<'a, Q>,
 ) -> Option<(&'a [Q; B], &'a [i8; O])> {
     let exponents: &[i8; O] = material.exponents.try_into().ok()?;
-    let above = exponents.get(2..).unwrap_or_default();
+    let above = part(exponents, 2..);
     let falls = exponents.iter().zip(above).all(|(lower, higher)| higher <= lower);
     if falls { Some((material.mantissas.try_into().ok()?, exponents)) } else { None }
 }
@@ -146,13 +147,13 @@ pub fn azimuth<
 ) {
     let place = const { &B::BASIS.azimuth_at(M) };
     let parts = const { &B::BASIS.parts };
-    let rows = parts.factors.as_chunks::<P>().0.get(place.rows..).unwrap_or_default();
-    let of_rows = parts.factor_exponents.get(place.rows..).unwrap_or_default();
+    let rows = part(parts.factors.as_chunks::<P>().0, place.rows..);
+    let of_rows = part(parts.factor_exponents, place.rows..);
     let rows = rows.as_chunks::<L>().0.iter().zip(of_rows.as_chunks::<L>().0);
-    let numbers = numbers.get_mut(place.rows..).unwrap_or_default().as_chunks_mut::<L>().0;
-    let exponents = exponents.get_mut(place.first..).unwrap_or_default();
-    let sums = sums.get(M..).unwrap_or_default();
-    let of_sums = of_sums.get(M..).unwrap_or_default();
+    let numbers = part_mut(numbers, place.rows..).as_chunks_mut::<L>().0;
+    let exponents = part_mut(exponents, place.first..);
+    let sums = part(sums, M..);
+    let of_sums = part(of_sums, M..);
     for (((rows, of_rows), numbers), exponent) in
         rows.zip(numbers).zip(exponents).take(place.profiles)
     {
