@@ -2,6 +2,7 @@
 #![expect(unsafe_code, reason = "pointers come from C")]
 
 use crate::status::Status;
+use core::marker::PhantomData;
 use eigenshade::{Q15, Q31};
 
 /// Types for which any bytes are a valid value, including zeros: C may pass uninitialized arrays.
@@ -18,6 +19,13 @@ macro_rules! plain {
     )*};
 }
 plain!(f32 i8 i16 i32 i64 usize Q15 Q31);
+
+// SAFETY: consists of plain values.
+unsafe impl<T: Plain, const N: usize> Plain for [T; N] {}
+// SAFETY: has no bytes.
+unsafe impl<T> Plain for PhantomData<T> {}
+// SAFETY: an address, which is checked before anything is read.
+unsafe impl<T> Plain for Input<T> {}
 
 /// A pointer to what a function reads. Only C makes one, and promises that if it is neither NULL
 /// nor unaligned, it points to a value that nobody else writes to during the call.

@@ -1,7 +1,36 @@
-//! The names of functions in C.
+//! What C sees: structures and functions.
 
-/// Exports functions of this module in one format as `eigenshade_FUNCTION_FORMAT`, and lists their
-/// declarations in C for the test of the header.
+/// Declares structures of C. Tests list their definitions.
+macro_rules! records {
+    ($($name:ident $(<$q:ident>)? = $in_c:literal $format:ty: $($field:ident: $type:ty),*;)*) => {$(
+        #[repr(C)]
+        pub(crate) struct $name$(<$q: Shipped>)? {
+            $(pub(crate) $field: $type),*
+        }
+
+        // SAFETY: all of its fields are plain.
+        unsafe impl$(<$q: Shipped>)? Plain for $name$(<$q>)? where $($type: Plain),* {}
+
+        #[cfg(test)]
+        impl$(<$q: Shipped>)? crate::header::Declared for $name$(<$q>)?
+        where
+            $($type: crate::header::Declared),*
+        {
+            fn declare(name: &str) -> std::string::String {
+                let format = <$format as eigenshade::Format>::NAME;
+                std::format!("struct eigenshade_{}_{format}_t {name}", $in_c)
+            }
+
+            fn define() -> std::string::String {
+                crate::header::structure::<Self>(&[$(<$type>::declare(stringify!($field))),*])
+            }
+        }
+    )*};
+}
+pub(crate) use records;
+
+/// Exports functions of this module in one format as `eigenshade_FUNCTION_FORMAT`. Tests list their
+/// declarations and the structures that these need.
 macro_rules! export {
     (
         $declarations:ident $format:literal
@@ -20,11 +49,13 @@ macro_rules! export {
         #[cfg(test)]
         pub(crate) fn $declarations() -> std::vec::Vec<std::string::String> {
             use crate::header::Declared;
-            std::vec![$({
-                let arguments = [$(<$type>::declare(stringify!($argument))),*].join(", ");
-                let name = concat!("eigenshade_", stringify!($function), "_", $format);
-                std::format!("eigenshade_status {name}({arguments});")
-            }),*]
+            std::vec![$(
+                $(<$type>::define(),)*
+                crate::header::function(
+                    concat!(stringify!($function), "_", $format),
+                    &[$(<$type>::declare(stringify!($argument))),*],
+                ),
+            )*]
         }
     };
 }

@@ -2,7 +2,7 @@
 #![expect(unsafe_code, reason = "memory of C")]
 
 use crate::boundary::{Input, Output, Place, Plain, disjoint};
-use crate::export::export;
+use crate::export::{export, records};
 use crate::status::{Status, light_shape, material_shape};
 use eigenshade::specialized::checked;
 use eigenshade::sphere::{COMPONENTS, SCENE, TRANSFER, WORKSPACE};
@@ -13,48 +13,14 @@ use eigenshade::{Basis, Normal, Normals, Parts, sphere};
 static RELIGHT_ONLY: Basis<'static, f32> =
     checked(Basis::new(Parts { polar: &[], factors: &[], ..*sphere::BASIS.parts() }));
 
-#[repr(C)]
-pub(crate) struct Light {
-    pub(crate) degree: usize,
-    pub(crate) length: usize,
-    pub(crate) coefficients: Input<f32>,
+records! {
+    Light = "light" f32: degree: usize, length: usize, coefficients: Input<f32>;
+    Material = "material" f32: order: usize, length: usize, coefficients: Input<f32>;
+    Workspace = "workspace" f32: numbers: [f32; WORKSPACE];
+    Transfer = "transfer" f32: numbers: [f32; TRANSFER];
+    Coefficients = "coefficients" f32: numbers: [f32; COMPONENTS];
+    Scene = "scene" f32: terms: [f32; SCENE];
 }
-
-#[repr(C)]
-pub(crate) struct Material {
-    pub(crate) order: usize,
-    pub(crate) length: usize,
-    pub(crate) coefficients: Input<f32>,
-}
-
-#[repr(C)]
-pub(crate) struct Workspace {
-    pub(crate) numbers: [f32; WORKSPACE],
-}
-
-#[repr(C)]
-pub(crate) struct Transfer {
-    pub(crate) numbers: [f32; TRANSFER],
-}
-
-#[repr(C)]
-pub(crate) struct Coefficients {
-    pub(crate) numbers: [f32; COMPONENTS],
-}
-
-#[repr(C)]
-pub(crate) struct Scene {
-    pub(crate) terms: [f32; SCENE],
-}
-
-// SAFETY: consists only of floats.
-unsafe impl Plain for Workspace {}
-// SAFETY: as above.
-unsafe impl Plain for Transfer {}
-// SAFETY: as above.
-unsafe impl Plain for Coefficients {}
-// SAFETY: as above.
-unsafe impl Plain for Scene {}
 
 impl Light {
     /// The light, and where it lies.

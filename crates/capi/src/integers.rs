@@ -2,7 +2,7 @@
 #![expect(unsafe_code, reason = "memory of C")]
 
 use crate::boundary::{Input, Output, Place, Plain, disjoint};
-use crate::export::export;
+use crate::export::{export, records};
 use crate::float;
 use crate::status::{Status, light_shape, material_shape};
 use core::marker::PhantomData;
@@ -10,15 +10,15 @@ use eigenshade::quantized::{Basis, Normal, Parts};
 use eigenshade::specialized::checked;
 use eigenshade::sphere::COMPONENTS;
 use eigenshade::sphere::q31::{PROFILES, TRANSFER, WORKSPACE};
-use eigenshade::{Error, FixedPoint, Format, Q15, Q31, quantized, sphere};
+use eigenshade::{Error, FixedPoint, Q15, Q31, quantized, sphere};
 
 /// The largest exponent of d. Lights and materials reach less than half of it.
 const EXPONENT: u32 = 2_048;
 
 /// An integer format and its shipped basis.
-pub(crate) trait Shipped: FixedPoint + Plain {
+pub(crate) trait Shipped: FixedPoint<Wide: Plain> + Plain {
     /// The polynomials of a scene.
-    type Terms: AsRef<[i32]> + AsMut<[i32]>;
+    type Terms: AsRef<[i32]> + AsMut<[i32]> + Plain;
     /// The complete basis, which computes transfers.
     fn basis() -> &'static Basis<'static, Self>;
     /// The basis without the factors of transfers: a program whose transfers are computed
@@ -61,59 +61,18 @@ macro_rules! shipped {
 shipped!(Q15, q15);
 shipped!(Q31, q31);
 
-#[repr(C)]
-pub(crate) struct Light<Q> {
-    pub(crate) degree: usize,
-    pub(crate) length: usize,
-    pub(crate) mantissas: Input<Q>,
-    pub(crate) exponent: i32,
+records! {
+    Light<Q> = "light" Q:
+        degree: usize, length: usize, mantissas: Input<Q>, exponent: i32;
+    Material<Q> = "material" Q:
+        order: usize, length: usize, mantissas: Input<Q>,
+        exponents_length: usize, exponents: Input<i8>;
+    Workspace<Q> = "workspace" Q: numbers: [Q::Wide; WORKSPACE];
+    Transfer<Q> = "transfer" Q: numbers: [Q; TRANSFER], exponents: [i16; PROFILES];
+    Coefficients<Q> = "coefficients" Q:
+        mantissas: [i32; COMPONENTS], exponent: i32, format: PhantomData<Q>;
+    Scene<Q> = "scene" Q: terms: Q::Terms, exponent: i32;
 }
-
-#[repr(C)]
-pub(crate) struct Material<Q> {
-    pub(crate) order: usize,
-    pub(crate) length: usize,
-    pub(crate) mantissas: Input<Q>,
-    pub(crate) exponents_length: usize,
-    pub(crate) exponents: Input<i8>,
-}
-
-#[repr(C)]
-pub(crate) struct Workspace<Q: Format> {
-    pub(crate) numbers: [Q::Wide; WORKSPACE],
-}
-
-#[repr(C)]
-pub(crate) struct Transfer<Q> {
-    pub(crate) numbers: [Q; TRANSFER],
-    pub(crate) exponents: [i16; PROFILES],
-}
-
-#[repr(C)]
-pub(crate) struct Coefficients<Q> {
-    pub(crate) mantissas: [i32; COMPONENTS],
-    pub(crate) exponent: i32,
-    pub(crate) format: PhantomData<Q>,
-}
-
-#[repr(C)]
-pub(crate) struct Scene<Q: Shipped> {
-    pub(crate) terms: Q::Terms,
-    pub(crate) exponent: i32,
-}
-
-// SAFETY: consists of integers and a pointer that nothing is read through before it is checked.
-unsafe impl<Q: Shipped> Plain for Light<Q> {}
-// SAFETY: as above, of two pointers.
-unsafe impl<Q: Shipped> Plain for Material<Q> {}
-// SAFETY: consists only of integers.
-unsafe impl<Q: Shipped> Plain for Workspace<Q> {}
-// SAFETY: as above.
-unsafe impl<Q: Shipped> Plain for Transfer<Q> {}
-// SAFETY: as above.
-unsafe impl<Q: Shipped> Plain for Coefficients<Q> {}
-// SAFETY: as above.
-unsafe impl<Q: Shipped> Plain for Scene<Q> {}
 
 impl<Q: Shipped> Light<Q> {
     /// The light, and where it lies.

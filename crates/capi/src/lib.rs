@@ -26,37 +26,31 @@ mod integers;
 #[cfg(test)]
 mod header;
 
-use core::ffi::{CStr, c_char};
+use core::ffi::c_char;
 
 #[expect(unsafe_code, reason = "an exported symbol")]
 #[unsafe(no_mangle)]
 extern "C" fn eigenshade_version() -> *const c_char {
-    const VERSION: &CStr =
-        match CStr::from_bytes_with_nul(concat!(env!("CARGO_PKG_VERSION"), "\0").as_bytes()) {
-            Ok(version) => version,
-            Err(_) => panic!("a version has no zero in it"),
-        };
-    VERSION.as_ptr()
+    concat!(env!("CARGO_PKG_VERSION"), "\0").as_ptr().cast()
 }
 
-#[cfg(all(target_os = "none", debug_assertions))]
+#[cfg(target_os = "none")]
 #[panic_handler]
 fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
+    #[cfg(debug_assertions)]
     loop {
         core::hint::spin_loop();
     }
-}
-
-#[cfg(all(target_os = "none", not(debug_assertions)))]
-#[panic_handler]
-fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
-    #[expect(unsafe_code, reason = "the symbol is undefined on purpose")]
-    unsafe extern "C" {
-        fn eigenshade_a_panic_can_be_reached() -> !;
-    }
-    #[expect(unsafe_code, reason = "never linked, so never called")]
-    // SAFETY: a program with this call is not linked.
-    unsafe {
-        eigenshade_a_panic_can_be_reached()
+    #[cfg(not(debug_assertions))]
+    {
+        #[expect(unsafe_code, reason = "the symbol is undefined on purpose")]
+        unsafe extern "C" {
+            fn eigenshade_a_panic_can_be_reached() -> !;
+        }
+        #[expect(unsafe_code, reason = "never linked, so never called")]
+        // SAFETY: a program with this call is not linked.
+        unsafe {
+            eigenshade_a_panic_can_be_reached()
+        }
     }
 }

@@ -51,7 +51,7 @@ fn compiled(name: &str, sources: &[&Path], flags: &[&str]) -> PathBuf {
     program
 }
 
-/// Their types are compared in src/header.rs.
+/// src/header.rs compares their types.
 #[test]
 fn the_library_exports_the_functions_of_the_header() {
     let symbols = run(Command::new("nm").args(["-g", "--defined-only"]).arg(library()));
