@@ -4,17 +4,10 @@
 #[path = "../tests/support/golden_header.rs"]
 mod golden_header;
 
-use std::process::ExitCode;
-
-fn main() -> ExitCode {
-    match golden_header::text() {
-        Ok(text) => {
-            print!("{text}");
-            ExitCode::SUCCESS
-        }
-        Err(fault) => {
-            eprintln!("error: tests/golden/sphere.csv: {fault}");
-            ExitCode::FAILURE
-        }
-    }
+fn main() -> Result<(), String> {
+    print!(
+        "{}",
+        golden_header::text().map_err(|fault| format!("tests/golden/sphere.csv: {fault}"))?
+    );
+    Ok(())
 }

@@ -1,6 +1,4 @@
-/* cargo run -p eigenshade-capi --example header
-
-eigenshade: image irradiance of any isotropic material under any distant light, from the
+/* eigenshade: image irradiance of any isotropic material under any distant light, from the
 shipped table: degree 9, order 7, fifty components.
 
 The steps are: compute the transfer of a material, relight it with a light, collapse the
@@ -23,149 +21,93 @@ Integers give the same bits on every machine. */
 #include <stddef.h>
 #include <stdint.h>
 
-/**
- * The version of this header: compare it with `eigenshade_version()`.
- */
+/** The version of this header: compare it with `eigenshade_version()`. */
 #define EIGENSHADE_VERSION "0.1.0"
 
-/**
- * Largest degree l of a light.
- */
+/** Largest degree l of a light. */
 #define EIGENSHADE_DEGREE 9
 
-/**
- * Largest order o of a material.
- */
+/** Largest order o of a material. */
 #define EIGENSHADE_ORDER 7
 
-/**
- * Coefficients of a light of that degree.
- */
+/** Coefficients of a light of that degree. */
 #define EIGENSHADE_LIGHT 100
 
-/**
- * Coefficients of a material of that order.
- */
+/** Coefficients of a material of that order. */
 #define EIGENSHADE_MATERIAL 40
 
-/**
- * Components d of an image.
- */
+/** Components d of an image. */
 #define EIGENSHADE_COMPONENTS 50
 
-/**
- * Profiles of a table in integers.
- */
+/** Profiles of a table in integers. */
 #define EIGENSHADE_PROFILES 28
 
-/**
- * Numbers in a transfer in float.
- */
+/** Numbers in a transfer in float. */
 #define EIGENSHADE_TRANSFER_F32 568
 
-/**
- * Numbers in a transfer in integers.
- */
+/** Numbers in a transfer in integers. */
 #define EIGENSHADE_TRANSFER 218
 
-/**
- * Numbers of a scene in float.
- */
+/** Numbers of a scene in float. */
 #define EIGENSHADE_SCENE_F32 166
 
-/**
- * Numbers of a scene in Q15.
- */
+/** Numbers of a scene in Q15. */
 #define EIGENSHADE_SCENE_Q15 126
 
-/**
- * Numbers of a scene in Q31.
- */
+/** Numbers of a scene in Q31. */
 #define EIGENSHADE_SCENE_Q31 160
 
-/**
- * Numbers in the workspace of transfers and projections in float.
- */
+/** Numbers in the workspace of transfers and projections in float. */
 #define EIGENSHADE_WORKSPACE_F32 460
 
-/**
- * Numbers in the workspace of transfers in integers.
- */
+/** Numbers in the workspace of transfers in integers. */
 #define EIGENSHADE_WORKSPACE 230
 
-/**
- * The result of every function that can fail: 0, or the reason why it did nothing.
- */
+/** The result of every function that can fail: 0, or the reason why it did nothing. */
 enum eigenshade_status
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
   : int32_t
-#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
- {
-  /**
-   * Success.
-   */
+#endif
+{
+  /** Success. */
   EIGENSHADE_STATUS_OK = 0,
-  /**
-   * A pointer is NULL.
-   */
+  /** A pointer is NULL. */
   EIGENSHADE_STATUS_NULL_POINTER = 1,
-  /**
-   * A pointer is not aligned for its type.
-   */
+  /** A pointer is not aligned for its type. */
   EIGENSHADE_STATUS_UNALIGNED = 2,
-  /**
-   * An array that is written to overlaps another.
-   */
+  /** An array that is written to overlaps another. */
   EIGENSHADE_STATUS_OVERLAP = 3,
-  /**
-   * The degree of a light is above EIGENSHADE_DEGREE.
-   */
+  /** The degree of a light is above EIGENSHADE_DEGREE. */
   EIGENSHADE_STATUS_LIGHT_BEYOND = 4,
-  /**
-   * A light does not have (degree + 1)^2 coefficients.
-   */
+  /** A light does not have (degree + 1)^2 coefficients. */
   EIGENSHADE_STATUS_LIGHT_LENGTH = 5,
-  /**
-   * The order of a material is above EIGENSHADE_ORDER.
-   */
+  /** The order of a material is above EIGENSHADE_ORDER. */
   EIGENSHADE_STATUS_MATERIAL_BEYOND = 6,
   /**
    * A material does not have the number of coefficients of its order, or an exponent for each o.
    */
   EIGENSHADE_STATUS_MATERIAL_LENGTH = 7,
-  /**
-   * More than EIGENSHADE_COMPONENTS components.
-   */
+  /** More than EIGENSHADE_COMPONENTS components. */
   EIGENSHADE_STATUS_COMPONENTS = 8,
-  /**
-   * An exponent is out of its range.
-   */
+  /** An exponent is out of its range. */
   EIGENSHADE_STATUS_EXPONENT = 9,
   /**
    * A normal has a component that is not finite, length zero, or, in integers, a length other
    * than 1.
    */
   EIGENSHADE_STATUS_NORMAL = 10,
-  /**
-   * A normal points away from the camera.
-   */
+  /** A normal points away from the camera. */
   EIGENSHADE_STATUS_HIDDEN = 11,
-  /**
-   * More normals than memory can hold.
-   */
+  /** More normals than memory can hold. */
   EIGENSHADE_STATUS_COUNT = 12,
-  /**
-   * A fault of the library.
-   */
+  /** A fault of the library. */
   EIGENSHADE_STATUS_INTERNAL = 13,
   /**
    * A row of a transfer is so large that its sum with a light could overflow: no function of
    * this library computed it.
    */
   EIGENSHADE_STATUS_TRANSFER = 14,
-  /**
-   * A coefficient of a light or a material is infinite or NaN.
-   */
+  /** A coefficient of a light or a material is infinite or NaN. */
   EIGENSHADE_STATUS_NOT_FINITE = 15,
 };
 #ifndef __cplusplus
@@ -173,51 +115,8 @@ enum eigenshade_status
 typedef enum eigenshade_status eigenshade_status;
 #else
 typedef int32_t eigenshade_status;
-#endif // __STDC_VERSION__ >= 202311L
-#endif // __cplusplus
-
-/**
- * One channel of an isotropic material: Koenderink-van Doorn coefficients b_op^q of its
- * BRDF in 1/sr, by o, then p, then q: 000, 111, 200, 220, 222, 311, ... White matte is
- * the one coefficient 2.
- *
- * Take them finite: one that is not spoils the image, and `eigenshade_check_material_f32`
- * finds it.
- */
-typedef struct eigenshade_material_f32_t {
-  /**
-   * Largest o, at most EIGENSHADE_ORDER; above it the material is zero.
-   */
-  size_t order;
-  /**
-   * Number of coefficients: 1, 2, 5, 8, 14, 20, 30, 40 for orders 0 to 7.
-   */
-  size_t length;
-  /**
-   * The coefficients; the caller's.
-   */
-  const float *coefficients;
-} eigenshade_material_f32_t;
-
-/**
- * Scratch memory; holds nothing between two calls.
- */
-typedef struct eigenshade_workspace_f32_t {
-  /**
-   * Scratch.
-   */
-  float numbers[EIGENSHADE_WORKSPACE_F32];
-} eigenshade_workspace_f32_t;
-
-/**
- * The transfer of a material, as `eigenshade_transfer_f32` writes it. May be kept in flash.
- */
-typedef struct eigenshade_transfer_f32_t {
-  /**
-   * Its numbers.
-   */
-  float numbers[EIGENSHADE_TRANSFER_F32];
-} eigenshade_transfer_f32_t;
+#endif
+#endif
 
 /**
  * One channel of distant light: spherical harmonic coefficients L_l^m in radiance, l from
@@ -228,59 +127,64 @@ typedef struct eigenshade_transfer_f32_t {
  * `eigenshade_check_light_f32` finds it.
  */
 typedef struct eigenshade_light_f32_t {
-  /**
-   * Largest l, at most EIGENSHADE_DEGREE; above it the light is zero.
-   */
+  /** Largest l, at most EIGENSHADE_DEGREE; above it the light is zero. */
   size_t degree;
-  /**
-   * Number of coefficients: (degree + 1)^2.
-   */
+  /** Number of coefficients: (degree + 1)^2. */
   size_t length;
-  /**
-   * The coefficients; the caller's.
-   */
+  /** The coefficients; the caller's. */
   const float *coefficients;
 } eigenshade_light_f32_t;
 
 /**
- * The coefficients d of one image, component by component.
+ * One channel of an isotropic material: Koenderink-van Doorn coefficients b_op^q of its
+ * BRDF in 1/sr, by o, then p, then q: 000, 111, 200, 220, 222, 311, ... White matte is
+ * the one coefficient 2.
+ *
+ * Take them finite: one that is not spoils the image, and `eigenshade_check_material_f32`
+ * finds it.
  */
+typedef struct eigenshade_material_f32_t {
+  /** Largest o, at most EIGENSHADE_ORDER; above it the material is zero. */
+  size_t order;
+  /** Number of coefficients: 1, 2, 5, 8, 14, 20, 30, 40 for orders 0 to 7. */
+  size_t length;
+  /** The coefficients; the caller's. */
+  const float *coefficients;
+} eigenshade_material_f32_t;
+
+/** Scratch memory; holds nothing between two calls. */
+typedef struct eigenshade_workspace_f32_t {
+  /** Scratch. */
+  float numbers[EIGENSHADE_WORKSPACE_F32];
+} eigenshade_workspace_f32_t;
+
+/** The transfer of a material, as `eigenshade_transfer_f32` writes it. May be kept in flash. */
+typedef struct eigenshade_transfer_f32_t {
+  /** Its numbers. */
+  float numbers[EIGENSHADE_TRANSFER_F32];
+} eigenshade_transfer_f32_t;
+
+/** The coefficients d of one image, component by component. */
 typedef struct eigenshade_coefficients_f32_t {
-  /**
-   * d.
-   */
+  /** d. */
   float numbers[EIGENSHADE_COMPONENTS];
 } eigenshade_coefficients_f32_t;
 
-/**
- * One image, as `eigenshade_collapse_f32` writes it. May be kept in flash.
- */
+/** One image, as `eigenshade_collapse_f32` writes it. May be kept in flash. */
 typedef struct eigenshade_scene_f32_t {
-  /**
-   * Its polynomials.
-   */
+  /** Its polynomials. */
   float terms[EIGENSHADE_SCENE_F32];
 } eigenshade_scene_f32_t;
 
-/**
- * One channel of distant light: as `eigenshade_light_f32_t`, in mantissas times 2^exponent.
- */
+/** One channel of distant light: as `eigenshade_light_f32_t`, in mantissas times 2^exponent. */
 typedef struct eigenshade_light_q15_t {
-  /**
-   * Largest l, at most EIGENSHADE_DEGREE; above it the light is zero.
-   */
+  /** Largest l, at most EIGENSHADE_DEGREE; above it the light is zero. */
   size_t degree;
-  /**
-   * Number of mantissas: (degree + 1)^2.
-   */
+  /** Number of mantissas: (degree + 1)^2. */
   size_t length;
-  /**
-   * The mantissas; the caller's. The more bits the largest has, the better.
-   */
+  /** The mantissas; the caller's. The more bits the largest has, the better. */
   const int16_t *mantissas;
-  /**
-   * The exponent of all of them, from -128 to 128.
-   */
+  /** The exponent of all of them, from -128 to 128. */
   int32_t exponent;
 } eigenshade_light_q15_t;
 
@@ -289,99 +193,57 @@ typedef struct eigenshade_light_q15_t {
  * 2^exponent, an exponent for each o.
  */
 typedef struct eigenshade_material_q15_t {
-  /**
-   * Largest o, at most EIGENSHADE_ORDER; above it the material is zero.
-   */
+  /** Largest o, at most EIGENSHADE_ORDER; above it the material is zero. */
   size_t order;
-  /**
-   * Number of mantissas: 1, 2, 5, 8, 14, 20, 30, 40 for orders 0 to 7.
-   */
+  /** Number of mantissas: 1, 2, 5, 8, 14, 20, 30, 40 for orders 0 to 7. */
   size_t length;
-  /**
-   * The mantissas; the caller's. The more bits the largest of each o has, the better.
-   */
+  /** The mantissas; the caller's. The more bits the largest of each o has, the better. */
   const int16_t *mantissas;
-  /**
-   * Number of exponents: order + 1.
-   */
+  /** Number of exponents: order + 1. */
   size_t exponents_length;
-  /**
-   * For each o the exponent of its mantissas; the caller's.
-   */
+  /** For each o the exponent of its mantissas; the caller's. */
   const int8_t *exponents;
 } eigenshade_material_q15_t;
 
-/**
- * Scratch memory; holds nothing between two calls.
- */
+/** Scratch memory; holds nothing between two calls. */
 typedef struct eigenshade_workspace_q15_t {
-  /**
-   * Scratch.
-   */
+  /** Scratch. */
   int32_t numbers[EIGENSHADE_WORKSPACE];
 } eigenshade_workspace_q15_t;
 
-/**
- * The transfer of a material, as `eigenshade_transfer_q15` writes it. May be kept in flash.
- */
+/** The transfer of a material, as `eigenshade_transfer_q15` writes it. May be kept in flash. */
 typedef struct eigenshade_transfer_q15_t {
-  /**
-   * Its mantissas.
-   */
+  /** Its mantissas. */
   int16_t numbers[EIGENSHADE_TRANSFER];
-  /**
-   * Its exponents.
-   */
+  /** Its exponents. */
   int16_t exponents[EIGENSHADE_PROFILES];
 } eigenshade_transfer_q15_t;
 
-/**
- * The coefficients d of one image, component by component: mantissas times 2^exponent.
- */
+/** The coefficients d of one image, component by component: mantissas times 2^exponent. */
 typedef struct eigenshade_coefficients_q15_t {
-  /**
-   * Mantissas of at most 2^30.
-   */
+  /** Mantissas of at most 2^30. */
   int32_t mantissas[EIGENSHADE_COMPONENTS];
-  /**
-   * The exponent of all of them.
-   */
+  /** The exponent of all of them. */
   int32_t exponent;
 } eigenshade_coefficients_q15_t;
 
-/**
- * One image, as `eigenshade_collapse_q15` writes it. May be kept in flash.
- */
+/** One image, as `eigenshade_collapse_q15` writes it. May be kept in flash. */
 typedef struct eigenshade_scene_q15_t {
-  /**
-   * Its polynomials.
-   */
+  /** Its polynomials. */
   int32_t terms[EIGENSHADE_SCENE_Q15];
-  /**
-   * The exponent of every irradiance.
-   */
+  /** The exponent of every irradiance. */
   int32_t exponent;
 } eigenshade_scene_q15_t;
 
-/**
- * One channel of distant light: as `eigenshade_light_f32_t`, in mantissas times 2^exponent.
- */
+/** One channel of distant light: as `eigenshade_light_f32_t`, in mantissas times 2^exponent. */
 typedef struct eigenshade_light_q31_t {
-  /**
-   * Largest l, at most EIGENSHADE_DEGREE; above it the light is zero.
-   */
+  /** Largest l, at most EIGENSHADE_DEGREE; above it the light is zero. */
   size_t degree;
-  /**
-   * Number of mantissas: (degree + 1)^2.
-   */
+  /** Number of mantissas: (degree + 1)^2. */
   size_t length;
-  /**
-   * The mantissas; the caller's. The more bits the largest has, the better.
-   */
+  /** The mantissas; the caller's. The more bits the largest has, the better. */
   const int32_t *mantissas;
-  /**
-   * The exponent of all of them, from -128 to 128.
-   */
+  /** The exponent of all of them, from -128 to 128. */
   int32_t exponent;
 } eigenshade_light_q31_t;
 
@@ -390,83 +252,51 @@ typedef struct eigenshade_light_q31_t {
  * 2^exponent, an exponent for each o.
  */
 typedef struct eigenshade_material_q31_t {
-  /**
-   * Largest o, at most EIGENSHADE_ORDER; above it the material is zero.
-   */
+  /** Largest o, at most EIGENSHADE_ORDER; above it the material is zero. */
   size_t order;
-  /**
-   * Number of mantissas: 1, 2, 5, 8, 14, 20, 30, 40 for orders 0 to 7.
-   */
+  /** Number of mantissas: 1, 2, 5, 8, 14, 20, 30, 40 for orders 0 to 7. */
   size_t length;
-  /**
-   * The mantissas; the caller's. The more bits the largest of each o has, the better.
-   */
+  /** The mantissas; the caller's. The more bits the largest of each o has, the better. */
   const int32_t *mantissas;
-  /**
-   * Number of exponents: order + 1.
-   */
+  /** Number of exponents: order + 1. */
   size_t exponents_length;
-  /**
-   * For each o the exponent of its mantissas; the caller's.
-   */
+  /** For each o the exponent of its mantissas; the caller's. */
   const int8_t *exponents;
 } eigenshade_material_q31_t;
 
-/**
- * Scratch memory; holds nothing between two calls.
- */
+/** Scratch memory; holds nothing between two calls. */
 typedef struct eigenshade_workspace_q31_t {
-  /**
-   * Scratch.
-   */
+  /** Scratch. */
   int64_t numbers[EIGENSHADE_WORKSPACE];
 } eigenshade_workspace_q31_t;
 
-/**
- * The transfer of a material, as `eigenshade_transfer_q31` writes it. May be kept in flash.
- */
+/** The transfer of a material, as `eigenshade_transfer_q31` writes it. May be kept in flash. */
 typedef struct eigenshade_transfer_q31_t {
-  /**
-   * Its mantissas.
-   */
+  /** Its mantissas. */
   int32_t numbers[EIGENSHADE_TRANSFER];
-  /**
-   * Its exponents.
-   */
+  /** Its exponents. */
   int16_t exponents[EIGENSHADE_PROFILES];
 } eigenshade_transfer_q31_t;
 
-/**
- * The coefficients d of one image, component by component: mantissas times 2^exponent.
- */
+/** The coefficients d of one image, component by component: mantissas times 2^exponent. */
 typedef struct eigenshade_coefficients_q31_t {
-  /**
-   * Mantissas of at most 2^30.
-   */
+  /** Mantissas of at most 2^30. */
   int32_t mantissas[EIGENSHADE_COMPONENTS];
-  /**
-   * The exponent of all of them.
-   */
+  /** The exponent of all of them. */
   int32_t exponent;
 } eigenshade_coefficients_q31_t;
 
-/**
- * One image, as `eigenshade_collapse_q31` writes it. May be kept in flash.
- */
+/** One image, as `eigenshade_collapse_q31` writes it. May be kept in flash. */
 typedef struct eigenshade_scene_q31_t {
-  /**
-   * Its polynomials.
-   */
+  /** Its polynomials. */
   int32_t terms[EIGENSHADE_SCENE_Q31];
-  /**
-   * The exponent of every irradiance.
-   */
+  /** The exponent of every irradiance. */
   int32_t exponent;
 } eigenshade_scene_q31_t;
 
 #ifdef __cplusplus
 extern "C" {
-#endif // __cplusplus
+#endif
 
 /**
  * The library's version, a static string: compare it with EIGENSHADE_VERSION of the header.
@@ -530,8 +360,7 @@ eigenshade_status eigenshade_project_f32(const struct eigenshade_light_f32_t *li
  * `scene` to nothing else's memory.
  */
 eigenshade_status eigenshade_collapse_f32(const struct eigenshade_coefficients_f32_t *coefficients,
-                                          size_t components,
-                                          struct eigenshade_scene_f32_t *scene);
+                                          size_t components, struct eigenshade_scene_f32_t *scene);
 
 /**
  * The irradiance of the normal along (x, y, z), in the light's radiance times sr times the
@@ -544,11 +373,8 @@ eigenshade_status eigenshade_collapse_f32(const struct eigenshade_coefficients_f
  * Every pointer that is neither NULL nor unaligned points to a value of its type, and
  * `irradiance` to nothing else's memory.
  */
-eigenshade_status eigenshade_shade_f32(const struct eigenshade_scene_f32_t *scene,
-                                       float x,
-                                       float y,
-                                       float z,
-                                       float *irradiance);
+eigenshade_status eigenshade_shade_f32(const struct eigenshade_scene_f32_t *scene, float x, float y,
+                                       float z, float *irradiance);
 
 /**
  * Whether a light's degree, length and coefficients are in order, all of these finite: for what
@@ -580,10 +406,7 @@ eigenshade_status eigenshade_check_material_f32(const struct eigenshade_material
  * Every pointer that is neither NULL nor unaligned points to a value of its type, the first three
  * to `count` numbers each.
  */
-eigenshade_status eigenshade_normalize_f32(float *x,
-                                           float *y,
-                                           float *z,
-                                           size_t count,
+eigenshade_status eigenshade_normalize_f32(float *x, float *y, float *z, size_t count,
                                            size_t *normalized);
 
 /**
@@ -597,11 +420,8 @@ eigenshade_status eigenshade_normalize_f32(float *x,
  * four to `count` numbers each.
  */
 eigenshade_status eigenshade_shade_many_f32(const struct eigenshade_scene_f32_t *scene,
-                                            size_t count,
-                                            const float *x,
-                                            const float *y,
-                                            const float *z,
-                                            float *irradiance);
+                                            size_t count, const float *x, const float *y,
+                                            const float *z, float *irradiance);
 
 /**
  * A light in these mantissas from one in float, in integer arithmetic throughout.
@@ -614,8 +434,7 @@ eigenshade_status eigenshade_shade_many_f32(const struct eigenshade_scene_f32_t 
  * to room for `length` numbers, and it and `to` to nothing else's memory.
  */
 eigenshade_status eigenshade_quantize_light_q15(const struct eigenshade_light_f32_t *from,
-                                                int16_t *mantissas,
-                                                size_t length,
+                                                int16_t *mantissas, size_t length,
                                                 struct eigenshade_light_q15_t *to);
 
 /**
@@ -630,10 +449,8 @@ eigenshade_status eigenshade_quantize_light_q15(const struct eigenshade_light_f3
  * and `exponents` to room for as many numbers, and they and `to` to nothing else's memory.
  */
 eigenshade_status eigenshade_quantize_material_q15(const struct eigenshade_material_f32_t *from,
-                                                   int16_t *mantissas,
-                                                   size_t length,
-                                                   int8_t *exponents,
-                                                   size_t exponents_length,
+                                                   int16_t *mantissas, size_t length,
+                                                   int8_t *exponents, size_t exponents_length,
                                                    struct eigenshade_material_q15_t *to);
 
 /**
@@ -690,8 +507,7 @@ eigenshade_status eigenshade_project_q15(const struct eigenshade_light_q15_t *li
  * `scene` to nothing else's memory.
  */
 eigenshade_status eigenshade_collapse_q15(const struct eigenshade_coefficients_q15_t *coefficients,
-                                          size_t components,
-                                          struct eigenshade_scene_q15_t *scene);
+                                          size_t components, struct eigenshade_scene_q15_t *scene);
 
 /**
  * The unit normal along a vector of three integers of any scale, as three mantissas, x, y and z:
@@ -702,8 +518,7 @@ eigenshade_status eigenshade_collapse_q15(const struct eigenshade_coefficients_q
  *
  * Pointers that are neither NULL nor unaligned point to three numbers each.
  */
-eigenshade_status eigenshade_normalize_q15(const int32_t *vector,
-                                           int16_t *normal);
+eigenshade_status eigenshade_normalize_q15(const int32_t *vector, int16_t *normal);
 
 /**
  * The irradiance of the unit normal (x, y, z), in fractions of 2^15 (1 as 2^15 - 1):
@@ -716,11 +531,8 @@ eigenshade_status eigenshade_normalize_q15(const int32_t *vector,
  * Every pointer that is neither NULL nor unaligned points to a value of its type, and
  * `irradiance` to nothing else's memory.
  */
-eigenshade_status eigenshade_shade_q15(const struct eigenshade_scene_q15_t *scene,
-                                       int16_t x,
-                                       int16_t y,
-                                       int16_t z,
-                                       int32_t *irradiance);
+eigenshade_status eigenshade_shade_q15(const struct eigenshade_scene_q15_t *scene, int16_t x,
+                                       int16_t y, int16_t z, int32_t *irradiance);
 
 /**
  * The irradiances of `count` such normals, into `irradiance`.
@@ -732,11 +544,8 @@ eigenshade_status eigenshade_shade_q15(const struct eigenshade_scene_q15_t *scen
  * four to `count` numbers each.
  */
 eigenshade_status eigenshade_shade_many_q15(const struct eigenshade_scene_q15_t *scene,
-                                            size_t count,
-                                            const int16_t *x,
-                                            const int16_t *y,
-                                            const int16_t *z,
-                                            int32_t *irradiance);
+                                            size_t count, const int16_t *x, const int16_t *y,
+                                            const int16_t *z, int32_t *irradiance);
 
 /**
  * A light in these mantissas from one in float, in integer arithmetic throughout.
@@ -749,8 +558,7 @@ eigenshade_status eigenshade_shade_many_q15(const struct eigenshade_scene_q15_t 
  * to room for `length` numbers, and it and `to` to nothing else's memory.
  */
 eigenshade_status eigenshade_quantize_light_q31(const struct eigenshade_light_f32_t *from,
-                                                int32_t *mantissas,
-                                                size_t length,
+                                                int32_t *mantissas, size_t length,
                                                 struct eigenshade_light_q31_t *to);
 
 /**
@@ -765,10 +573,8 @@ eigenshade_status eigenshade_quantize_light_q31(const struct eigenshade_light_f3
  * and `exponents` to room for as many numbers, and they and `to` to nothing else's memory.
  */
 eigenshade_status eigenshade_quantize_material_q31(const struct eigenshade_material_f32_t *from,
-                                                   int32_t *mantissas,
-                                                   size_t length,
-                                                   int8_t *exponents,
-                                                   size_t exponents_length,
+                                                   int32_t *mantissas, size_t length,
+                                                   int8_t *exponents, size_t exponents_length,
                                                    struct eigenshade_material_q31_t *to);
 
 /**
@@ -825,8 +631,7 @@ eigenshade_status eigenshade_project_q31(const struct eigenshade_light_q31_t *li
  * `scene` to nothing else's memory.
  */
 eigenshade_status eigenshade_collapse_q31(const struct eigenshade_coefficients_q31_t *coefficients,
-                                          size_t components,
-                                          struct eigenshade_scene_q31_t *scene);
+                                          size_t components, struct eigenshade_scene_q31_t *scene);
 
 /**
  * The unit normal along a vector of three integers of any scale, as three mantissas, x, y and z:
@@ -837,8 +642,7 @@ eigenshade_status eigenshade_collapse_q31(const struct eigenshade_coefficients_q
  *
  * Pointers that are neither NULL nor unaligned point to three numbers each.
  */
-eigenshade_status eigenshade_normalize_q31(const int32_t *vector,
-                                           int32_t *normal);
+eigenshade_status eigenshade_normalize_q31(const int32_t *vector, int32_t *normal);
 
 /**
  * The irradiance of the unit normal (x, y, z), in fractions of 2^31 (1 as 2^31 - 1):
@@ -851,11 +655,8 @@ eigenshade_status eigenshade_normalize_q31(const int32_t *vector,
  * Every pointer that is neither NULL nor unaligned points to a value of its type, and
  * `irradiance` to nothing else's memory.
  */
-eigenshade_status eigenshade_shade_q31(const struct eigenshade_scene_q31_t *scene,
-                                       int32_t x,
-                                       int32_t y,
-                                       int32_t z,
-                                       int32_t *irradiance);
+eigenshade_status eigenshade_shade_q31(const struct eigenshade_scene_q31_t *scene, int32_t x,
+                                       int32_t y, int32_t z, int32_t *irradiance);
 
 /**
  * The irradiances of `count` such normals, into `irradiance`.
@@ -867,14 +668,11 @@ eigenshade_status eigenshade_shade_q31(const struct eigenshade_scene_q31_t *scen
  * four to `count` numbers each.
  */
 eigenshade_status eigenshade_shade_many_q31(const struct eigenshade_scene_q31_t *scene,
-                                            size_t count,
-                                            const int32_t *x,
-                                            const int32_t *y,
-                                            const int32_t *z,
-                                            int32_t *irradiance);
+                                            size_t count, const int32_t *x, const int32_t *y,
+                                            const int32_t *z, int32_t *irradiance);
 
 #ifdef __cplusplus
-}  // extern "C"
-#endif  // __cplusplus
+}
+#endif
 
-#endif  /* EIGENSHADE_H */
+#endif

@@ -2,6 +2,7 @@
 #![expect(unsafe_code, reason = "pointers come from C")]
 
 use crate::status::Status;
+use core::marker::PhantomData;
 use eigenshade::{Q15, Q31};
 
 /// Types for which any bytes are a valid value, including zeros: C may pass uninitialized arrays.
@@ -11,125 +12,143 @@ use eigenshade::{Q15, Q31};
 /// Any bytes must be a valid value of the type.
 pub(crate) unsafe trait Plain {}
 
-// SAFETY: numbers, all of whose bits count.
-unsafe impl Plain for f32 {}
-// SAFETY: as above.
-unsafe impl Plain for i8 {}
-// SAFETY: as above.
-unsafe impl Plain for i16 {}
-// SAFETY: as above.
-unsafe impl Plain for i32 {}
-// SAFETY: as above.
-unsafe impl Plain for usize {}
-// SAFETY: a transparent i16.
-unsafe impl Plain for Q15 {}
-// SAFETY: a transparent i32.
-unsafe impl Plain for Q31 {}
+macro_rules! plain {
+    ($($number:ty)*) => {$(
+        // SAFETY: a number, all of whose bits count; Q15 and Q31 are transparent integers.
+        unsafe impl Plain for $number {}
+    )*};
+}
+plain!(f32 i8 i16 i32 i64 usize Q15 Q31);
 
-fn usable<T>(pointer: *const T) -> Result<(), Status> {
+// SAFETY: consists of plain values.
+unsafe impl<T: Plain, const N: usize> Plain for [T; N] {}
+// SAFETY: has no bytes.
+unsafe impl<T> Plain for PhantomData<T> {}
+// SAFETY: an address, which is checked before anything is read.
+unsafe impl<T> Plain for Input<T> {}
+
+/// A pointer to what a function reads. Only C makes one, and promises that if it is neither NULL
+/// nor unaligned, it points to a value that nobody else writes to during the call.
+#[repr(transparent)]
+pub(crate) struct Input<T>(*const T);
+
+/// A pointer to what a function writes to. Only C makes one, and promises that if it is neither
+/// NULL nor unaligned, it points to memory for a value, and that during the call nobody uses the
+/// memory but through the arguments.
+#[repr(transparent)]
+pub(crate) struct Output<T>(*mut T);
+
+/// Bytes of `count` values of `T`.
+fn bytes<T>(count: usize) -> Result<usize, Status> {
+    let bytes = count.checked_mul(size_of::<T>());
+    bytes.filter(|&bytes| bytes <= isize::MAX.unsigned_abs()).ok_or(Status::Count)
+}
+
+/// Checks that a pointer may point to `count` values.
+fn usable<T>(pointer: *const T, count: usize) -> Result<(), Status> {
     if pointer.is_null() {
         Err(Status::NullPointer)
     } else if !pointer.is_aligned() {
         Err(Status::Unaligned)
     } else {
-        Ok(())
+        bytes::<T>(count).map(drop)
     }
 }
 
-/// The value that a pointer points to.
-///
-/// # Safety
-///
-/// A pointer that is neither NULL nor unaligned points to a `T` that no one writes to
-/// while it is borrowed.
-pub(crate) unsafe fn shared<'a, T>(pointer: *const T) -> Result<&'a T, Status> {
-    usable(pointer)?;
-    // SAFETY: not NULL, aligned, the rest is the caller's promise.
-    Ok(unsafe { &*pointer })
-}
-
-/// The memory that a pointer points to, filled with zeros, to be written to.
-///
-/// # Safety
-///
-/// A pointer that is neither NULL nor unaligned points to room for a `T` that no one else
-/// reads or writes while it is borrowed.
-pub(crate) unsafe fn exclusive<'a, T: Plain>(pointer: *mut T) -> Result<&'a mut T, Status> {
-    usable(pointer)?;
-    // SAFETY: not NULL, aligned, zeros are a `T`, the rest is the caller's promise.
-    Ok(unsafe {
-        pointer.write_bytes(0, 1);
-        &mut *pointer
-    })
-}
-
-/// Bytes of `count` values of `T`, or `None` if memory cannot hold them.
-fn bytes<T>(count: usize) -> Option<usize> {
-    count.checked_mul(size_of::<T>()).filter(|&bytes| bytes <= isize::MAX.unsigned_abs())
-}
-
-/// An array of numbers. If `count` is 0, it is empty for any pointer.
-///
-/// # Safety
-///
-/// A pointer that is neither NULL nor unaligned points to `count` numbers that no one
-/// writes to while they are borrowed.
-pub(crate) unsafe fn slice<'a, T: Plain>(
-    pointer: *const T,
-    count: usize,
-) -> Result<&'a [T], Status> {
-    if count == 0 {
-        return Ok(&[]);
+impl<T> Input<T> {
+    /// The value.
+    pub(crate) fn value(&self) -> Result<&T, Status> {
+        usable(self.0, 1)?;
+        // SAFETY: neither NULL nor unaligned, the rest is C's promise.
+        Ok(unsafe { &*self.0 })
     }
-    usable(pointer)?;
-    bytes::<T>(count).ok_or(Status::Count)?;
-    // SAFETY: not NULL, aligned, not beyond what an object may have, the rest is the
-    // caller's promise.
-    Ok(unsafe { core::slice::from_raw_parts(pointer, count) })
-}
 
-/// An array of numbers, to be read and written to.
-///
-/// # Safety
-///
-/// A pointer that is neither NULL nor unaligned points to `count` numbers that no one else
-/// reads or writes while they are borrowed.
-pub(crate) unsafe fn slice_to_change<'a, T: Plain>(
-    pointer: *mut T,
-    count: usize,
-) -> Result<&'a mut [T], Status> {
-    if count == 0 {
-        return Ok(&mut []);
+    /// An array of numbers. If `count` is 0, it is empty for any pointer.
+    ///
+    /// # Safety
+    ///
+    /// C promises as many numbers.
+    pub(crate) unsafe fn array(&self, count: usize) -> Result<&[T], Status>
+    where
+        T: Plain,
+    {
+        if count == 0 {
+            return Ok(&[]);
+        }
+        usable(self.0, count)?;
+        // SAFETY: neither NULL nor unaligned, not beyond what an object may have, the rest is
+        // the caller's promise.
+        Ok(unsafe { core::slice::from_raw_parts(self.0, count) })
     }
-    usable(pointer)?;
-    bytes::<T>(count).ok_or(Status::Count)?;
-    // SAFETY: not NULL, aligned, not beyond what an object may have, the rest is the
-    // caller's promise.
-    Ok(unsafe { core::slice::from_raw_parts_mut(pointer, count) })
 }
 
-/// An array of numbers, filled with zeros, to be written to.
-///
-/// # Safety
-///
-/// A pointer that is neither NULL nor unaligned points to room for `count` numbers that no
-/// one else reads or writes while they are borrowed.
-pub(crate) unsafe fn slice_to_write<'a, T: Plain>(
-    pointer: *mut T,
-    count: usize,
-) -> Result<&'a mut [T], Status> {
-    if count > 0 {
-        usable(pointer)?;
-        bytes::<T>(count).ok_or(Status::Count)?;
-        // SAFETY: not NULL, aligned, the caller promises room for `count` numbers, and zeros are
-        // numbers.
-        unsafe { pointer.write_bytes(0, count) };
+impl<T: Plain> Output<T> {
+    /// The memory, filled with zeros.
+    ///
+    /// # Safety
+    ///
+    /// It overlaps nothing that is in use: [`disjoint`] says so.
+    pub(crate) unsafe fn zeroed<'a>(&self) -> Result<&'a mut T, Status> {
+        usable(self.0, 1)?;
+        // SAFETY: neither NULL nor unaligned, zeros are a `T`, the rest is the promise of C and of
+        // the caller.
+        Ok(unsafe {
+            self.0.write_bytes(0, 1);
+            &mut *self.0
+        })
     }
-    // SAFETY: this function's caller promises as much.
-    unsafe { slice_to_change(pointer, count) }
+
+    /// An array of numbers, as it is. If `count` is 0, it is empty for any pointer.
+    ///
+    /// # Safety
+    ///
+    /// C promises as many numbers. They overlap nothing that is in use.
+    pub(crate) unsafe fn array<'a>(&self, count: usize) -> Result<&'a mut [T], Status> {
+        if count == 0 {
+            return Ok(&mut []);
+        }
+        usable(self.0, count)?;
+        // SAFETY: neither NULL nor unaligned, not beyond what an object may have, the rest is the
+        // caller's promise.
+        Ok(unsafe { core::slice::from_raw_parts_mut(self.0, count) })
+    }
+
+    /// An array of numbers, filled with zeros. If `count` is 0, it is empty for any pointer.
+    ///
+    /// # Safety
+    ///
+    /// C promises memory for as many numbers. It overlaps nothing that is in use.
+    pub(crate) unsafe fn zeroed_array<'a>(&self, count: usize) -> Result<&'a mut [T], Status> {
+        if count > 0 {
+            usable(self.0, count)?;
+            // SAFETY: neither NULL nor unaligned, zeros are numbers, the rest is the caller's
+            // promise.
+            unsafe { self.0.write_bytes(0, count) };
+        }
+        // SAFETY: this function's caller promises as much.
+        unsafe { self.array(count) }
+    }
+
+    /// The same memory, to be read in a later call.
+    pub(crate) fn to_input(&self) -> Input<T> {
+        Input(self.0)
+    }
+
+    /// Where the value lies.
+    pub(crate) fn place(&self) -> Place {
+        // NULL is rejected when the pointer is used.
+        let bytes = if self.0.is_null() { 0 } else { size_of::<T>() };
+        Place { start: self.0.addr(), bytes }
+    }
+
+    /// Where `count` numbers lie.
+    pub(crate) fn place_of_array(&self, count: usize) -> Result<Place, Status> {
+        let bytes = bytes::<T>(count)?;
+        Ok(Place { bytes: if self.0.is_null() { 0 } else { bytes }, ..self.place() })
+    }
 }
 
-/// The address range of an array.
+/// The address range of an argument.
 #[derive(Clone, Copy)]
 pub(crate) struct Place {
     start: usize,
@@ -137,17 +156,9 @@ pub(crate) struct Place {
 }
 
 impl Place {
-    /// The range of one `T`.
-    pub(crate) fn of<T>(pointer: *const T) -> Self {
-        // NULL is rejected when the pointer is read.
-        let bytes = if pointer.is_null() { 0 } else { size_of::<T>() };
-        Self { start: pointer.addr(), bytes }
-    }
-
-    /// The range of `count` numbers.
-    pub(crate) fn many<T>(pointer: *const T, count: usize) -> Result<Self, Status> {
-        let bytes = bytes::<T>(count).ok_or(Status::Count)?;
-        Ok(Self { bytes: if pointer.is_null() { 0 } else { bytes }, ..Self::of(pointer) })
+    /// The range of a value or an array.
+    pub(crate) fn of<T: ?Sized>(value: &T) -> Self {
+        Self { start: core::ptr::from_ref(value).addr(), bytes: size_of_val(value) }
     }
 
     fn overlaps(self, other: Self) -> bool {
@@ -157,8 +168,6 @@ impl Place {
 }
 
 /// Checks that the places that are written to overlap neither each other nor those that are read.
-///
-/// Must come before [`exclusive`] and [`slice_to_write`], which fill memory with zeros.
 pub(crate) fn disjoint(written: &[Place], read: &[Place]) -> Result<(), Status> {
     let mut rest = written;
     while let [one, others @ ..] = rest {

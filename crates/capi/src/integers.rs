@@ -1,242 +1,317 @@
-//! The common part of Q15 and Q31, and the checks of arguments from C.
-#![expect(unsafe_code, reason = "arrays come from C")]
+//! In integers: mantissas of 15 or 31 bits, for machines without a float unit.
+#![expect(unsafe_code, reason = "memory of C")]
 
-use crate::boundary::{Place, Plain, disjoint, slice, slice_to_write};
-use crate::float::{LightF32, MaterialF32};
-use crate::sizes;
-use crate::sizes::{EIGENSHADE_DEGREE, EIGENSHADE_ORDER};
-use crate::status::Status;
-use eigenshade::index::{light, material};
-use eigenshade::quantized::{Basis, Light, Material, Normal, Scene, Transfer};
-use eigenshade::{Error, FixedPoint, Q15, Q31, sphere};
+use crate::boundary::{Input, Output, Place, Plain, disjoint};
+use crate::export::{export, records};
+use crate::float;
+use crate::status::{Status, light_shape, material_shape};
+use core::marker::PhantomData;
+use eigenshade::quantized::{Basis, Normal, Parts};
+use eigenshade::specialized::checked;
+use eigenshade::sphere::COMPONENTS;
+use eigenshade::sphere::q31::{PROFILES, TRANSFER, WORKSPACE};
+use eigenshade::{Error, FixedPoint, Q15, Q31, quantized, sphere};
 
 /// The largest exponent of d. Lights and materials reach less than half of it.
 const EXPONENT: u32 = 2_048;
 
 /// An integer format and its shipped basis.
-pub(crate) trait Shipped: FixedPoint + Plain {
+pub(crate) trait Shipped: FixedPoint<Wide: Plain> + Plain {
+    /// The polynomials of a scene.
+    type Terms: AsRef<[i32]> + AsMut<[i32]> + Plain;
     /// The complete basis, which computes transfers.
     fn basis() -> &'static Basis<'static, Self>;
-    /// The basis without factors.
+    /// The basis without the factors of transfers: a program whose transfers are computed
+    /// beforehand links no factors.
     fn relight_only() -> &'static Basis<'static, Self>;
     fn normal(x: Self, y: Self, z: Self) -> Result<Normal<Self>, Error>;
     /// The irradiance, with every size a constant.
-    fn irradiance(scene: &Scene<'_, Self, &[i32]>, normal: Normal<Self>) -> i32;
+    fn irradiance(scene: &quantized::Scene<'_, Self, &[i32]>, normal: Normal<Self>) -> i32;
 }
 
-impl Shipped for Q15 {
-    fn basis() -> &'static Basis<'static, Self> {
-        &sphere::q15::BASIS
-    }
-    fn relight_only() -> &'static Basis<'static, Self> {
-        &sizes::BASIS_Q15
-    }
-    #[inline]
-    fn normal(x: Self, y: Self, z: Self) -> Result<Normal<Self>, Error> {
-        Normal::<Self>::new(x, y, z)
-    }
-    // Shared by `shade` and `shade_many`.
-    #[inline(never)]
-    fn irradiance(scene: &Scene<'_, Self, &[i32]>, normal: Normal<Self>) -> i32 {
-        sphere::q15::shade(scene, normal)
+macro_rules! shipped {
+    ($format:ident, $table:ident) => {
+        impl Shipped for $format {
+            type Terms = [i32; sphere::$table::SCENE];
+            fn basis() -> &'static Basis<'static, Self> {
+                &sphere::$table::BASIS
+            }
+            fn relight_only() -> &'static Basis<'static, Self> {
+                static BASIS: Basis<'static, $format> = checked(Basis::<$format>::new(Parts {
+                    polar: &[],
+                    polar_exponents: &[],
+                    factors: &[],
+                    factor_exponents: &[],
+                    ..*sphere::$table::BASIS.parts()
+                }));
+                &BASIS
+            }
+            #[inline]
+            fn normal(x: Self, y: Self, z: Self) -> Result<Normal<Self>, Error> {
+                Normal::<Self>::new(x, y, z)
+            }
+            // Shared by `shade` and `shade_many`.
+            #[inline(never)]
+            fn irradiance(scene: &quantized::Scene<'_, Self, &[i32]>, normal: Normal<Self>) -> i32 {
+                sphere::$table::shade(scene, normal)
+            }
+        }
+    };
+}
+shipped!(Q15, q15);
+shipped!(Q31, q31);
+
+records! {
+    Light<Q> = "light" Q:
+        degree: usize, length: usize, mantissas: Input<Q>, exponent: i32;
+    Material<Q> = "material" Q:
+        order: usize, length: usize, mantissas: Input<Q>,
+        exponents_length: usize, exponents: Input<i8>;
+    Workspace<Q> = "workspace" Q: numbers: [Q::Wide; WORKSPACE];
+    Transfer<Q> = "transfer" Q: numbers: [Q; TRANSFER], exponents: [i16; PROFILES];
+    Coefficients<Q> = "coefficients" Q:
+        mantissas: [i32; COMPONENTS], exponent: i32, format: PhantomData<Q>;
+    Scene<Q> = "scene" Q: terms: Q::Terms, exponent: i32;
+}
+
+impl<Q: Shipped> Light<Q> {
+    /// The light, and where it lies.
+    fn view(&self) -> Result<(quantized::Light<'_, Q>, [Place; 2]), Status> {
+        light_shape(self.degree, self.length)?;
+        // SAFETY: C promises `length` mantissas.
+        let mantissas = unsafe { self.mantissas.array(self.length) }?;
+        let light = quantized::Light::new(self.exponent, mantissas)?;
+        Ok((light, [Place::of(self), Place::of(mantissas)]))
     }
 }
 
-impl Shipped for Q31 {
-    fn basis() -> &'static Basis<'static, Self> {
-        &sphere::q31::BASIS
-    }
-    fn relight_only() -> &'static Basis<'static, Self> {
-        &sizes::BASIS_Q31
-    }
-    #[inline]
-    fn normal(x: Self, y: Self, z: Self) -> Result<Normal<Self>, Error> {
-        Normal::<Self>::new(x, y, z)
-    }
-    // Shared by `shade` and `shade_many`.
-    #[inline(never)]
-    fn irradiance(scene: &Scene<'_, Self, &[i32]>, normal: Normal<Self>) -> i32 {
-        sphere::q31::shade(scene, normal)
+impl<Q: Shipped> Material<Q> {
+    /// The material, and where it lies.
+    fn view(&self) -> Result<(quantized::Material<'_, Q>, [Place; 3]), Status> {
+        material_shape(self.order, self.length)?;
+        if self.exponents_length != self.order + 1 {
+            return Err(Status::MaterialLength);
+        }
+        // SAFETY: C promises `length` mantissas.
+        let mantissas = unsafe { self.mantissas.array(self.length) }?;
+        // SAFETY: C promises `exponents_length` exponents.
+        let exponents = unsafe { self.exponents.array(self.exponents_length) }?;
+        let material = quantized::Material::new(exponents, mantissas)?;
+        Ok((material, [Place::of(self), Place::of(mantissas), Place::of(exponents)]))
     }
 }
 
-/// A light with checked degree, length and exponent.
-///
-/// # Safety
-///
-/// As [`slice`] asks.
-pub(crate) unsafe fn light_of<'a, Q: Shipped>(
-    degree: usize,
-    exponent: i32,
-    mantissas: *const Q,
+pub(crate) fn quantize_light<Q: Shipped>(
+    from: Input<float::Light>,
+    mantissas: Output<Q>,
     length: usize,
-) -> Result<Light<'a, Q>, Status> {
-    if degree > EIGENSHADE_DEGREE {
-        return Err(Status::LightBeyond);
-    }
-    if length != light::count(degree) {
-        return Err(Status::LightLength);
-    }
-    // SAFETY: this function's caller promises as much.
-    let mantissas = unsafe { slice(mantissas, length) }?;
-    Ok(Light::new(exponent, mantissas)?)
-}
-
-/// A material with checked order and lengths.
-///
-/// # Safety
-///
-/// As [`slice`] asks, of both arrays.
-pub(crate) unsafe fn material_of<'a, Q: Shipped>(
-    order: usize,
-    (mantissas, length): (*const Q, usize),
-    (exponents, of_exponents): (*const i8, usize),
-) -> Result<Material<'a, Q>, Status> {
-    if order > EIGENSHADE_ORDER {
-        return Err(Status::MaterialBeyond);
-    }
-    if length != material::count(order) || of_exponents != order + 1 {
-        return Err(Status::MaterialLength);
-    }
-    // SAFETY: this function's caller promises as much.
-    let (mantissas, exponents) =
-        unsafe { (slice(mantissas, length)?, slice(exponents, of_exponents)?) };
-    Ok(Material::new(exponents, mantissas)?)
-}
-
-/// Writes the mantissas of a light and returns their exponent. `to` is the place of the light
-/// itself, which is written later.
-///
-/// # Safety
-///
-/// As [`slice`] asks, of the light's array, and [`slice_to_write`] of the mantissas.
-pub(crate) unsafe fn quantize_light<Q: Shipped>(
-    from: &LightF32,
-    (mantissas, length): (*mut Q, usize),
-    to: Place,
-) -> Result<i32, Status> {
+    to: Output<Light<Q>>,
+) -> Result<(), Status> {
+    let from = from.value()?;
     if length != from.length {
         return Err(Status::LightLength);
     }
-    // SAFETY: this function's caller promises as much.
-    let light = unsafe { from.view() }?;
-    disjoint(&[to, Place::many(mantissas, length)?], &from.places()?)?;
-    // SAFETY: this function's caller promises as much; it overlaps no other.
-    let mantissas = unsafe { slice_to_write(mantissas, length) }?;
-    Ok(Light::quantize(light.coefficients(), mantissas)?.exponent())
-}
-
-/// Writes the mantissas and exponents of a material. `to` is the place of the material itself,
-/// which is written later.
-///
-/// # Safety
-///
-/// As [`slice`] asks, of the material's array, and [`slice_to_write`] of the others.
-pub(crate) unsafe fn quantize_material<Q: Shipped>(
-    from: &MaterialF32,
-    (mantissas, length): (*mut Q, usize),
-    (exponents, of_exponents): (*mut i8, usize),
-    to: Place,
-) -> Result<(), Status> {
-    if length != from.length || of_exponents.wrapping_sub(1) != from.order {
-        return Err(Status::MaterialLength);
-    }
-    // SAFETY: this function's caller promises as much.
-    let material = unsafe { from.view() }?;
-    let written = [to, Place::many(mantissas, length)?, Place::many(exponents, of_exponents)?];
-    disjoint(&written, &from.places()?)?;
-    // SAFETY: this function's caller promises as much, and they do not overlap.
-    let (mantissas, exponents) =
-        unsafe { (slice_to_write(mantissas, length)?, slice_to_write(exponents, of_exponents)?) };
-    Material::quantize(material.coefficients(), mantissas, exponents)?;
+    let (light, read) = from.view()?;
+    disjoint(&[to.place(), mantissas.place_of_array(length)?], &read)?;
+    // SAFETY: C promises memory for `length` numbers, which overlaps no other.
+    let numbers = unsafe { mantissas.zeroed_array(length) }?;
+    let exponent = quantized::Light::quantize(light.coefficients(), numbers)?.exponent();
+    // SAFETY: it overlaps no other.
+    let to = unsafe { to.zeroed() }?;
+    *to = Light { degree: from.degree, length, mantissas: mantissas.to_input(), exponent };
     Ok(())
 }
 
-/// Scales a vector to the unit normal along it.
-///
-/// # Safety
-///
-/// As [`slice`] asks of `vector`, and [`slice_to_write`] of `normal`.
-pub(crate) unsafe fn normalize<Q: Shipped>(
-    vector: *const i32,
-    normal: *mut Q,
+pub(crate) fn quantize_material<Q: Shipped>(
+    from: Input<float::Material>,
+    mantissas: Output<Q>,
+    length: usize,
+    exponents: Output<i8>,
+    exponents_length: usize,
+    to: Output<Material<Q>>,
 ) -> Result<(), Status> {
-    disjoint(&[Place::many(normal, 3)?], &[Place::many(vector, 3)?])?;
-    // SAFETY: this function's caller promises as much.
-    let vector = unsafe { slice(vector, 3) }?;
+    let from = from.value()?;
+    if length != from.length || exponents_length.wrapping_sub(1) != from.order {
+        return Err(Status::MaterialLength);
+    }
+    let (material, read) = from.view()?;
+    let of_mantissas = mantissas.place_of_array(length)?;
+    disjoint(&[to.place(), of_mantissas, exponents.place_of_array(exponents_length)?], &read)?;
+    // SAFETY: C promises memory for `length` numbers, which overlaps no other.
+    let numbers = unsafe { mantissas.zeroed_array(length) }?;
+    // SAFETY: C promises memory for `exponents_length` numbers, which overlaps no other.
+    let powers = unsafe { exponents.zeroed_array(exponents_length) }?;
+    quantized::Material::quantize(material.coefficients(), numbers, powers)?;
+    // SAFETY: it overlaps no other.
+    let to = unsafe { to.zeroed() }?;
+    let (mantissas, exponents) = (mantissas.to_input(), exponents.to_input());
+    let order = from.order;
+    *to = Material { order, length, mantissas, exponents_length, exponents };
+    Ok(())
+}
+
+pub(crate) fn transfer<Q: Shipped>(
+    material: Input<Material<Q>>,
+    workspace: Output<Workspace<Q>>,
+    transfer: Output<Transfer<Q>>,
+) -> Result<(), Status> {
+    let (material, read) = material.value()?.view()?;
+    disjoint(&[workspace.place(), transfer.place()], &read)?;
+    // SAFETY: nothing overlaps.
+    let (workspace, transfer) = unsafe { (workspace.zeroed()?, transfer.zeroed()?) };
+    let Transfer { numbers, exponents } = transfer;
+    Ok(Q::basis().transfer_into(&material, &mut workspace.numbers, numbers, exponents)?)
+}
+
+/// Computes d from a transfer.
+#[inline(always)]
+fn relit<Q: Shipped>(
+    transfer: &Transfer<Q>,
+    light: &quantized::Light<'_, Q>,
+    coefficients: &mut Coefficients<Q>,
+) -> Result<(), Status> {
+    let transfer = quantized::Transfer::new(&transfer.numbers, &transfer.exponents);
+    let mantissas = &mut coefficients.mantissas;
+    coefficients.exponent = Q::relight_only().relight_into(&transfer, light, mantissas)?;
+    Ok(())
+}
+
+pub(crate) fn relight<Q: Shipped>(
+    transfer: Input<Transfer<Q>>,
+    light: Input<Light<Q>>,
+    coefficients: Output<Coefficients<Q>>,
+) -> Result<(), Status> {
+    let transfer = transfer.value()?;
+    let (light, [of_light, of_mantissas]) = light.value()?.view()?;
+    disjoint(&[coefficients.place()], &[Place::of(transfer), of_light, of_mantissas])?;
+    // SAFETY: it overlaps no other.
+    relit(transfer, &light, unsafe { coefficients.zeroed() }?)
+}
+
+pub(crate) fn project<Q: Shipped>(
+    light: Input<Light<Q>>,
+    material: Input<Material<Q>>,
+    workspace: Output<Workspace<Q>>,
+    transfer: Output<Transfer<Q>>,
+    coefficients: Output<Coefficients<Q>>,
+) -> Result<(), Status> {
+    let (light, of_light) = light.value()?.view()?;
+    let (material, of_material) = material.value()?.view()?;
+    let written = [workspace.place(), transfer.place(), coefficients.place()];
+    disjoint(&written, &of_light)?;
+    disjoint(&written, &of_material)?;
+    // SAFETY: nothing overlaps.
+    let (workspace, transfer) = unsafe { (workspace.zeroed()?, transfer.zeroed()?) };
+    // SAFETY: it overlaps no other.
+    let coefficients = unsafe { coefficients.zeroed() }?;
+    let Transfer { numbers, exponents } = transfer;
+    Q::basis().transfer_into(&material, &mut workspace.numbers, numbers, exponents)?;
+    relit(transfer, &light, coefficients)
+}
+
+pub(crate) fn collapse<Q: Shipped>(
+    coefficients: Input<Coefficients<Q>>,
+    components: usize,
+    scene: Output<Scene<Q>>,
+) -> Result<(), Status> {
+    let coefficients = coefficients.value()?;
+    disjoint(&[scene.place()], &[Place::of(coefficients)])?;
+    let &Coefficients { ref mantissas, exponent, .. } = coefficients;
+    if exponent.unsigned_abs() > EXPONENT {
+        return Err(Status::Exponent);
+    }
+    let first = mantissas.get(..components).ok_or(Status::Components)?;
+    // SAFETY: it overlaps no other.
+    let Scene { terms, exponent: of_scene } = unsafe { scene.zeroed() }?;
+    *of_scene = Q::relight_only().collapse_into(first, exponent, terms.as_mut())?.exponent();
+    Ok(())
+}
+
+pub(crate) fn normalize<Q: Shipped>(vector: Input<i32>, normal: Output<Q>) -> Result<(), Status> {
+    // SAFETY: C promises three numbers.
+    let vector = unsafe { vector.array(3) }?;
+    disjoint(&[normal.place_of_array(3)?], &[Place::of(vector)])?;
     let &[x, y, z] = vector else { return Err(Status::Internal) };
     let found = Normal::<Q>::along(x, y, z)?;
-    // SAFETY: this function's caller promises as much; it overlaps no other.
-    let normal = unsafe { slice_to_write(normal, 3) }?;
+    // SAFETY: C promises memory for three numbers, which overlaps no other.
+    let normal = unsafe { normal.zeroed_array(3) }?;
     normal.iter_mut().zip(found.components()).for_each(|(to, from)| *to = from);
     Ok(())
 }
 
-/// Computes the transfer of a material.
-pub(crate) fn transfer<Q: Shipped>(
-    material: &Material<'_, Q>,
-    workspace: &mut [Q::Wide],
-    numbers: &mut [Q],
-    exponents: &mut [i16],
+pub(crate) fn shade<Q: Shipped>(
+    scene: Input<Scene<Q>>,
+    x: Q,
+    y: Q,
+    z: Q,
+    irradiance: Output<i32>,
 ) -> Result<(), Status> {
-    Ok(Q::basis().transfer_into(material, workspace, numbers, exponents)?)
-}
-
-/// Computes d and returns its exponent.
-pub(crate) fn relight<Q: Shipped>(
-    numbers: &[Q],
-    exponents: &[i16],
-    light: &Light<'_, Q>,
-    mantissas: &mut [i32],
-) -> Result<i32, Status> {
-    Ok(Q::relight_only().relight_into(&Transfer::new(numbers, exponents), light, mantissas)?)
-}
-
-/// The first `components` of d, if d has that many and the exponent is in range.
-pub(crate) fn first(mantissas: &[i32], exponent: i32, components: usize) -> Result<&[i32], Status> {
-    if exponent.unsigned_abs() > EXPONENT {
-        return Err(Status::Exponent);
-    }
-    mantissas.get(..components).ok_or(Status::Components)
-}
-
-/// Computes the terms of a scene and returns its exponent.
-pub(crate) fn collapse<Q: Shipped>(
-    mantissas: &[i32],
-    exponent: i32,
-    terms: &mut [i32],
-) -> Result<i32, Status> {
-    Ok(Q::relight_only().collapse_into(mantissas, exponent, terms)?.exponent())
-}
-
-/// The irradiance of one normal.
-pub(crate) fn shade<Q: Shipped>(terms: &[i32], [x, y, z]: [Q; 3]) -> Result<i32, Status> {
+    let scene = scene.value()?;
+    disjoint(&[irradiance.place()], &[Place::of(scene)])?;
     let normal = Q::normal(x, y, z)?;
-    Ok(Q::irradiance(&Q::relight_only().scene(0, terms)?, normal))
+    let found = Q::irradiance(&Q::relight_only().scene(0, scene.terms.as_ref())?, normal);
+    // SAFETY: it overlaps no other.
+    *unsafe { irradiance.zeroed() }? = found;
+    Ok(())
 }
 
-/// The irradiances of many normals.
-///
-/// # Safety
-///
-/// As [`slice`] asks, of the normals, and [`slice_to_write`] of the irradiances, but that
-/// they may overlap, which is an error.
-pub(crate) unsafe fn shade_many<Q: Shipped>(
-    terms: &[i32],
+pub(crate) fn shade_many<Q: Shipped>(
+    scene: Input<Scene<Q>>,
     count: usize,
-    [x, y, z]: [*const Q; 3],
-    irradiance: *mut i32,
+    x: Input<Q>,
+    y: Input<Q>,
+    z: Input<Q>,
+    irradiance: Output<i32>,
 ) -> Result<(), Status> {
-    let [x_place, y_place, z_place] = [x, y, z].map(|axis| Place::many(axis, count));
-    let read = [x_place?, y_place?, z_place?];
-    disjoint(&[Place::many(irradiance, count)?], &read)?;
-    // SAFETY: this function's caller promises as much, and they do not overlap.
-    let (x, y, z, irradiance) = unsafe {
-        (slice(x, count)?, slice(y, count)?, slice(z, count)?, slice_to_write(irradiance, count)?)
-    };
-    let scene = Q::relight_only().scene(0, terms)?;
+    let scene = scene.value()?;
+    // SAFETY: C promises `count` numbers each.
+    let (x, y, z) = unsafe { (x.array(count)?, y.array(count)?, z.array(count)?) };
+    let read = [Place::of(scene), Place::of(x), Place::of(y), Place::of(z)];
+    disjoint(&[irradiance.place_of_array(count)?], &read)?;
+    // SAFETY: C promises memory for `count` numbers, which overlaps no other.
+    let irradiance = unsafe { irradiance.zeroed_array(count) }?;
+    let scene = Q::relight_only().scene(0, scene.terms.as_ref())?;
     for (((irradiance, &x), &y), &z) in irradiance.iter_mut().zip(x).zip(y).zip(z) {
         *irradiance = Q::irradiance(&scene, Q::normal(x, y, z)?);
     }
     Ok(())
 }
+
+macro_rules! exported {
+    ($module:ident $format:literal $q:ty) => {
+        export! { $module $format
+            quantize_light(
+                from: Input<float::Light>, mantissas: Output<$q>, length: usize,
+                to: Output<Light<$q>>
+            )
+            quantize_material(
+                from: Input<float::Material>, mantissas: Output<$q>, length: usize,
+                exponents: Output<i8>, exponents_length: usize, to: Output<Material<$q>>
+            )
+            transfer(
+                material: Input<Material<$q>>, workspace: Output<Workspace<$q>>,
+                transfer: Output<Transfer<$q>>
+            )
+            relight(
+                transfer: Input<Transfer<$q>>, light: Input<Light<$q>>,
+                coefficients: Output<Coefficients<$q>>
+            )
+            project(
+                light: Input<Light<$q>>, material: Input<Material<$q>>,
+                workspace: Output<Workspace<$q>>, transfer: Output<Transfer<$q>>,
+                coefficients: Output<Coefficients<$q>>
+            )
+            collapse(
+                coefficients: Input<Coefficients<$q>>, components: usize, scene: Output<Scene<$q>>
+            )
+            normalize(vector: Input<i32>, normal: Output<$q>)
+            shade(scene: Input<Scene<$q>>, x: $q, y: $q, z: $q, irradiance: Output<i32>)
+            shade_many(
+                scene: Input<Scene<$q>>, count: usize, x: Input<$q>, y: Input<$q>, z: Input<$q>,
+                irradiance: Output<i32>
+            )
+        }
+    };
+}
+exported!(q15_functions "q15" Q15);
+exported!(q31_functions "q31" Q31);

@@ -16,41 +16,33 @@ pub fn text() -> Result<String, String> {
     );
     let pairs = golden.pairs();
     text += &format!("#define GOLDEN_PAIRS {}\n", pairs.len());
-    let all = [""; 3];
-    text += &array("float", "golden_tolerance", golden.find("f32", all, "tolerance")?);
+    text += &array("float", "golden_tolerance", golden.find("f32", [""; 3], "tolerance")?);
     for (format, kind) in [("f32", "float"), ("q15", "int16_t"), ("q31", "int32_t")] {
-        let answer = if format == "f32" { "float" } else { "int32_t" };
-        let normals = golden.find(format, all, "normals")?;
+        let normals = golden.find(format, [""; 3], "normals")?;
         for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
             let of_axis = normals.numbers.iter().skip(axis).step_by(3).cloned().collect();
             let row = Row { numbers: of_axis, ..normals.clone() };
             text += &array(kind, &format!("golden_{name}_{format}"), &row);
         }
-        text +=
-            &format!("#define GOLDEN_NORMALS_{} {}\n", upper(format), normals.numbers.len() / 3);
-        for (name, kind) in
-            [("light", kind), ("material", kind), ("d", answer), ("irradiance", answer)]
-        {
-            let rows: Result<Vec<&Row>, String> =
-                pairs.iter().map(|&pair| golden.find(format, pair, name)).collect();
-            text += &arrays(kind, &format!("golden_{name}_{format}"), &rows?, |row| &row.numbers);
-        }
-        if format == "f32" {
-            continue;
-        }
-        for name in ["light", "material", "d", "irradiance"] {
-            let rows: Result<Vec<&Row>, String> =
-                pairs.iter().map(|&pair| golden.find(format, pair, name)).collect();
-            let kind = if name == "material" { "int8_t" } else { "int32_t" };
-            let name = format!("golden_{name}_exponents_{format}");
-            text += &arrays(kind, &name, &rows?, |row| &row.exponents);
+        let (count, upper) = (normals.numbers.len() / 3, format.to_uppercase());
+        text += &format!("#define GOLDEN_NORMALS_{upper} {count}\n");
+        let answer = if format == "f32" { "float" } else { "int32_t" };
+        for (name, kind, exponent) in [
+            ("light", kind, "int32_t"),
+            ("material", kind, "int8_t"),
+            ("d", answer, "int32_t"),
+            ("irradiance", answer, "int32_t"),
+        ] {
+            let rows = pairs.iter().map(|&pair| golden.find(format, pair, name));
+            let rows = rows.collect::<Result<Vec<&Row>, String>>()?;
+            text += &arrays(kind, &format!("golden_{name}_{format}"), &rows, |row| &row.numbers);
+            if format != "f32" {
+                let name = format!("golden_{name}_exponents_{format}");
+                text += &arrays(exponent, &name, &rows, |row| &row.exponents);
+            }
         }
     }
     Ok(text)
-}
-
-fn upper(format: &str) -> String {
-    format.to_uppercase()
 }
 
 /// A C literal. The least 32-bit integer has none of its own.

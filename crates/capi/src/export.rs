@@ -1,0 +1,62 @@
+//! What C sees: structures and functions.
+
+/// Declares structures of C. Tests list their definitions.
+macro_rules! records {
+    ($($name:ident $(<$q:ident>)? = $in_c:literal $format:ty: $($field:ident: $type:ty),*;)*) => {$(
+        #[repr(C)]
+        pub(crate) struct $name$(<$q: Shipped>)? {
+            $(pub(crate) $field: $type),*
+        }
+
+        // SAFETY: all of its fields are plain.
+        unsafe impl$(<$q: Shipped>)? Plain for $name$(<$q>)? where $($type: Plain),* {}
+
+        #[cfg(test)]
+        impl$(<$q: Shipped>)? crate::header::Declared for $name$(<$q>)?
+        where
+            $($type: crate::header::Declared),*
+        {
+            fn declare(name: &str) -> std::string::String {
+                let format = <$format as eigenshade::Format>::NAME;
+                std::format!("struct eigenshade_{}_{format}_t {name}", $in_c)
+            }
+
+            fn define() -> std::string::String {
+                crate::header::structure::<Self>(&[$(<$type>::declare(stringify!($field))),*])
+            }
+        }
+    )*};
+}
+pub(crate) use records;
+
+/// Exports functions of this module in one format as `eigenshade_FUNCTION_FORMAT`. Tests list their
+/// declarations and the structures that these need.
+macro_rules! export {
+    (
+        $declarations:ident $format:literal
+        $($function:ident($($argument:ident: $type:ty),*))*
+    ) => {
+        // In a block, because the functions of the formats have the same names in Rust.
+        const _: () = {
+            $(
+                #[unsafe(export_name = concat!("eigenshade_", stringify!($function), "_", $format))]
+                extern "C" fn $function($($argument: $type),*) -> Status {
+                    self::$function($($argument),*).into()
+                }
+            )*
+        };
+
+        #[cfg(test)]
+        pub(crate) fn $declarations() -> std::vec::Vec<std::string::String> {
+            use crate::header::Declared;
+            std::vec![$(
+                $(<$type>::define(),)*
+                crate::header::function(
+                    concat!(stringify!($function), "_", $format),
+                    &[$(<$type>::declare(stringify!($argument))),*],
+                ),
+            )*]
+        }
+    };
+}
+pub(crate) use export;
