@@ -17,8 +17,7 @@ pub fn inputs<'a, Q, const B: usize, const O: usize>(
     material: &Material<'a, Q>,
 ) -> Option<(&'a [Q; B], &'a [i8; O])> {
     let exponents: &[i8; O] = material.exponents.try_into().ok()?;
-    let above = part(exponents, 2..);
-    let falls = exponents.iter().zip(above).all(|(lower, higher)| higher <= lower);
+    let falls = exponents.iter().zip(exponents.iter().skip(2)).all(|(low, high)| high <= low);
     if falls { Some((material.mantissas.try_into().ok()?, exponents)) } else { None }
 }
 
