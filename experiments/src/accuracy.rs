@@ -3,17 +3,16 @@
 //! The error of a map is the rms over the sphere's normals and the three channels, relative to the
 //! largest |I| of the direct integration over all of them.
 
-use crate::ring_sum::RingSum;
+use crate::sphere::{Picture, Sphere};
 use eigenshade_generator::direct::Surroundings;
 use eigenshade_generator::material::brdf::{Brdf, Measure, Surface};
 use eigenshade_index::{light, material};
 use eigenshade_model::database::{Lights, Named};
 use eigenshade_model::error::{Error, Result};
-use eigenshade_model::reference::DirectSum;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::parallel;
 use eigenshade_shading::shader::{OwnedNormals, Shader, fault};
-use eigenshade_shading::sphere_rings::{Ring, rings};
+use eigenshade_shading::sphere_rings::rings;
 use eigenshade_table::Table;
 use indicatif::ProgressBar;
 
@@ -24,14 +23,12 @@ const SPACING: f64 = 1.25;
 /// The number of normals integrated at a time.
 const BATCH: usize = 16;
 
-/// r, g, b by normal and then by map.
-type Images = Vec<Vec<[f64; 3]>>;
-
 /// A surface under environment maps, integrated directly.
 pub struct Reference<'a> {
     surface: &'a Surface,
-    rings: Vec<Ring>,
-    images: Images,
+    sphere: Sphere,
+    /// The picture under each map.
+    pictures: Vec<Picture>,
     /// The peak of each map.
     peaks: Vec<f64>,
 }
@@ -64,30 +61,29 @@ impl<'a> Reference<'a> {
         let brdfs: Vec<&dyn Brdf> = (0..surface.channels()).map(|c| surface.channel(c)).collect();
         // The narrowest lobe is resolved.
         let width = brdfs.iter().map(|brdf| brdf.width()).fold(1.0, f64::min);
-        let rings = rings((SPACING * width).min(WIDEST));
-        let normals: Vec<[f64; 3]> = rings.iter().flat_map(Ring::normals).collect();
-        let batches: Vec<&[[f64; 3]]> = normals.chunks(BATCH).collect();
+        let sphere = Sphere::new(rings((SPACING * width).min(WIDEST)));
+        let batches: Vec<&[[f64; 3]]> = sphere.normals.chunks(BATCH).collect();
         progress.set_length(batches.len() as u64);
         let irradiance = |k: usize| maps.irradiance(&brdfs, batches[k], fineness);
-        let integrated = parallel::map(batches.len(), progress, irradiance).into_iter().flatten();
-        let of_maps =
-            |by_channel: Vec<_>| (0..maps.maps()).map(|map| color(&by_channel, map)).collect();
-        let images: Images = integrated.map(of_maps).collect();
+        let integrated = parallel::map(batches.len(), progress, irradiance).concat();
+        let of_map = |map: usize| {
+            [0, 1, 2].map(|c| integrated.iter().map(|image| color(image, map)[c]).collect())
+        };
+        let pictures: Vec<Picture> = (0..maps.maps()).map(of_map).collect();
         // A narrow lobe peaks where it mirrors the sun, which is between the normals of the rings.
         let mirrors: Vec<[f64; 3]> = (0..maps.maps()).map(|map| maps.mirror(map)).collect();
         let at_mirrors = maps.irradiance(&brdfs, &mirrors, fineness);
-        let largest = |map: usize| {
-            let values = images.iter().flat_map(|maps| maps[map]);
-            let values = values.chain(color(&at_mirrors[map], map));
+        let largest = |(map, picture): (usize, &Picture)| {
+            let values = picture.iter().flatten().copied().chain(color(&at_mirrors[map], map));
             values.fold(0.0, |most: f64, i| most.max(i.abs()))
         };
-        let peaks = (0..maps.maps()).map(largest).collect();
-        Self { surface, rings, images, peaks }
+        let peaks = pictures.iter().enumerate().map(largest).collect();
+        Self { surface, sphere, pictures, peaks }
     }
 
     /// The number of normals.
     pub fn normals(&self) -> usize {
-        self.images.len()
+        self.sphere.normals.len()
     }
 
     /// The error for each map of the direct sum (15) up to a degree and an order. `lights` are the
@@ -99,21 +95,15 @@ impl<'a> Reference<'a> {
         (degree, order): (usize, usize),
         material: &Named,
     ) -> Vec<f64> {
-        let sum = DirectSum::new(degree, order);
         let count = light::count(degree);
-        let images = parallel::map(self.rings.len(), &(), |k| {
-            let ring = RingSum::new(&sum, degree, &self.rings[k]);
-            let [r, g, b] = [0, 1, 2].map(|c| {
-                let lights = lights.entries.iter().map(|light| &light.rgb[c][..count]);
-                ring.images(lights, &material.rgb[c])
-            });
-            let at = |tilt: usize| {
-                let maps = r.iter().zip(&g).zip(&b);
-                maps.map(|((r, g), b)| [r[tilt], g[tilt], b[tilt]]).collect()
-            };
-            (0..self.rings[k].tilts.len()).map(at).collect::<Images>()
-        });
-        self.errors(&images.concat())
+        let channel = |c: usize| {
+            let lights = lights.entries.iter().map(|light| &light.rgb[c][..count]);
+            (lights.collect(), &material.rgb[c][..])
+        };
+        let images = self.sphere.direct((degree, order), &[0, 1, 2].map(channel));
+        let maps = self.peaks.len();
+        let of_map = |map: usize| [0, 1, 2].map(|c| images[c * maps + map].clone());
+        self.errors((0..maps).map(of_map))
     }
 
     /// The error for each map of a table with all of its components, in f64.
@@ -126,16 +116,13 @@ impl<'a> Reference<'a> {
         }
         let basis = OwnedBasis::<f64>::new(table);
         let mut shader = Shader::new(basis.any().map_err(fault)?, table.count());
-        let normals: Vec<[f64; 3]> = self.rings.iter().flat_map(Ring::normals).collect();
-        let normals = OwnedNormals::new(&normals);
-        let mut images: Images = vec![Vec::new(); self.images.len()];
-        for light in &lights.entries {
-            let [r, g, b] = shader.color((degree, light), (order, &material), &normals)?;
-            for (image, ((r, g), b)) in images.iter_mut().zip(r.into_iter().zip(g).zip(b)) {
-                image.push([r, g, b]);
-            }
-        }
-        Ok(self.errors(&images))
+        let normals = OwnedNormals::new(&self.sphere.normals);
+        let pictures: Result<Vec<Picture>> = lights
+            .entries
+            .iter()
+            .map(|light| shader.color((degree, light), (order, &material), &normals))
+            .collect();
+        Ok(self.errors(pictures?.into_iter()))
     }
 
     /// The first map under which the material is black.
@@ -144,16 +131,9 @@ impl<'a> Reference<'a> {
     }
 
     /// The rms over normals and channels relative to the peak, by map.
-    fn errors(&self, images: &[Vec<[f64; 3]>]) -> Vec<f64> {
-        let weights =
-            self.rings.iter().flat_map(|ring| std::iter::repeat_n(ring.weight, ring.tilts.len()));
-        let mut squares = vec![0.0; self.peaks.len()];
-        for ((weight, reference), ours) in weights.zip(&self.images).zip(images) {
-            for ((square, reference), ours) in squares.iter_mut().zip(reference).zip(ours) {
-                let channels = reference.iter().zip(ours).map(|(a, b)| (a - b) * (a - b));
-                *square += weight * channels.sum::<f64>() / 3.0;
-            }
-        }
-        squares.iter().zip(&self.peaks).map(|(square, peak)| square.sqrt() / peak).collect()
+    fn errors(&self, found: impl Iterator<Item = Picture>) -> Vec<f64> {
+        let expected = self.pictures.iter().zip(&self.peaks);
+        let error = |(found, (expected, peak))| self.sphere.apart(&found, expected) / peak;
+        found.zip(expected).map(error).collect()
     }
 }

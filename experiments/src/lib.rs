@@ -20,7 +20,7 @@ pub mod counts;
 
 pub mod multiplications;
 
-mod ring_sum;
+pub mod sphere;
 
 pub mod accuracy;
 

@@ -23,23 +23,9 @@ impl Page {
     /// Inserts the parts into the page of `--out`, or compares them with the page of `--check`.
     pub fn write_or_compare(&self, purpose: &Purpose, parts: &[Part]) -> error::Result<()> {
         let Some(path) = purpose.out.as_ref().or(purpose.check.as_ref()) else { return Ok(()) };
-        let text = filled(path, parts)?;
-        purpose
-            .write_or_compare(&text, &self.command(), |old, new| compare_words(old, new, self.same))
-    }
-
-    /// Compares the recorded page in `docs/` with new parts. The error is the first difference.
-    pub fn check(&self, parts: &[Part]) -> Result<(), String> {
-        let path = eigenshade_testing::repository().join(format!("docs/{}.md", self.name));
-        let recorded = fs::read_to_string(path).map_err(|error| error.to_string())?;
-        let now = with_parts(&recorded, parts)?;
-        compare_words(&recorded, &now, self.same)
-            .map_err(|fault| format!("{fault}; make it again with `{}`", self.command()))
-    }
-
-    fn command(&self) -> String {
-        let name = self.name;
-        format!("cargo run --release -p experiments -- {name} --out docs/{name}.md")
+        let (text, name) = (filled(path, parts)?, self.name);
+        let command = format!("cargo run --release -p experiments -- {name} --out docs/{name}.md");
+        purpose.write_or_compare(&text, &command, |old, new| compare_words(old, new, self.same))
     }
 }
 

@@ -1,6 +1,7 @@
 //! The figures of `docs/ablation.md`: the scenes' tables, the shares of their effects against sums
 //! over modes by hand, their errors, and their costs relative to the nine-term formula.
 
+use crate::support::repository;
 use crate::tolerances;
 use eigenshade_cli::table::compare::differences;
 use eigenshade_generator::scene_file;
@@ -9,12 +10,15 @@ use eigenshade_index::{light, material};
 use eigenshade_model::reference::DirectSum;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader};
+use eigenshade_shading::sphere_rings::rings;
 use eigenshade_testing::{largest, largest_difference, relative_error};
-use experiments::ablation::pictures::{self, Sphere};
+use experiments::ablation::pictures;
 use experiments::ablation::scenes::{self, SCENES, Scene};
 use experiments::ablation::speed::Times;
 use experiments::ablation::{self, nine_terms};
 use experiments::counts::{Counts, M0, M4F};
+use experiments::pages::Purpose;
+use experiments::sphere::Sphere;
 
 /// A scene of degree 2 in f32 against the nine-term formula in f64, of the peak: rounding of ten
 /// sums.
@@ -50,7 +54,7 @@ type Belongs = fn(usize, usize) -> bool;
 /// The picture of each effect, mode by mode: (14) times L times b.
 #[test]
 fn pictures_of_effects_are_sums_over_their_modes() {
-    let sphere = Sphere::new(0.5);
+    let sphere = Sphere::new(rings(0.5));
     for name in ["sky_lambertian", "studio_plaster", "studio_velvet"] {
         let scene = Scene::named(name);
         let table = scene.whole_table();
@@ -79,7 +83,8 @@ fn pictures_of_effects_are_sums_over_their_modes() {
             (Effect::Gloss, |l, o| l > 0 && o > 3),
         ];
         for (effect, belongs) in effects {
-            let found = &sphere.direct(&light, &material, Effects::NONE.with(effect))[0];
+            let found =
+                &pictures::direct(&sphere, &light, &material, Effects::NONE.with(effect))[0];
             let off = largest_difference(&found[0], &by_hand(belongs));
             assert!(off <= EFFECT_BY_HAND * peak, "{name} {effect:?}: {off}");
         }
@@ -89,7 +94,7 @@ fn pictures_of_effects_are_sums_over_their_modes() {
 /// The mean of n_z² over the disc is 1/2, that of n_x² n_y² is 1/24.
 #[test]
 fn the_root_mean_square_is_over_the_disc() {
-    let sphere = Sphere::new(pictures::SPACING);
+    let sphere = pictures::sphere();
     let root = |value: &dyn Fn(&[f64; 3]) -> f64| {
         let channel: Vec<f64> = sphere.normals.iter().map(value).collect();
         sphere.rms(&[channel.clone(), channel.clone(), channel]).powi(2)
@@ -105,7 +110,7 @@ fn a_lambertian_material_under_light_of_degree_two_is_the_nine_term_formula() {
     let table = scene.whole_table();
     let basis = OwnedBasis::<f32>::new(&table);
     let mut shader = Shader::new(basis.basis().expect("a basis"), table.count());
-    let sphere = Sphere::new(0.2);
+    let sphere = Sphere::new(rings(0.2));
     let normals = OwnedNormals::new(&sphere.normals);
     for light in &scene.lights(2).entries {
         let found = shader.polynomial((2, &light.rgb[0]), (0, &[2.0]), &normals).expect("it fits");
@@ -159,7 +164,8 @@ fn scenes_cost_no_more_than_promised() {
 fn the_page_has_the_current_figures() {
     let times = Times { scenes: vec![0.0; SCENES.len()], changes: [0.0; 4] };
     let parts = ablation::parts(&times).expect("scenes within their tolerances");
-    assert_eq!(ablation::PAGE.check(&parts), Ok(()));
+    let page = Purpose { out: None, check: Some(repository().join("docs/ablation.md")) };
+    assert_eq!(ablation::PAGE.write_or_compare(&page, &parts), Ok(()));
 }
 
 /// The tables of `docs/costs.md` and `docs/performance.md` have the multiplications of the shipped

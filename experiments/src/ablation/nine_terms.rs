@@ -1,8 +1,9 @@
 //! The nine-term formula of Ramamoorthi and Hanrahan: the irradiance of a Lambertian material under
 //! light up to degree 2, and its error compared with light of all degrees.
 
-use super::pictures::{Picture, SPACING, Sphere};
+use super::pictures::{direct, sphere};
 use super::scenes::{self, Scene};
+use crate::sphere::Picture;
 use eigenshade_index::effect::Effects;
 use eigenshade_model::database::Named;
 use nalgebra::{DMatrix, DVector};
@@ -46,7 +47,7 @@ pub fn shade(c: &[f64; 9], [x, y, z]: [f64; 3]) -> f64 {
 /// best nine coefficients.
 pub fn errors() -> Vec<[f64; 2]> {
     let scene = Scene::named("park_lambertian");
-    let sphere = Sphere::new(SPACING);
+    let sphere = sphere();
     let roots: Vec<f64> = sphere.weights.iter().map(|weight| weight.sqrt()).collect();
     let unit = |term: usize| std::array::from_fn(|k| f64::from(u8::from(k == term)));
     let of_term = |k: usize, term: usize| roots[k] * shade(&unit(term), sphere.normals[k]);
@@ -63,6 +64,6 @@ pub fn errors() -> Vec<[f64; 2]> {
             sphere.error(&[nine.clone(), nine.clone(), nine], whole)
         })
     };
-    let pictures = sphere.direct(&lights, &material, Effects::ALL);
+    let pictures = direct(&sphere, &lights, &material, Effects::ALL);
     lights.entries.iter().zip(&pictures).map(error).collect()
 }

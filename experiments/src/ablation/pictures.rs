@@ -2,6 +2,7 @@
 //! errors of the scene's table.
 
 use super::scenes::{self, Scene};
+use crate::sphere::{Picture, Sphere, peak};
 use eigenshade::{Q15, Tolerance};
 use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_model::database::{Lights, Materials, Named};
@@ -10,62 +11,32 @@ use eigenshade_shading::integer_shader::{self, IntegerShader};
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::reference_image::images_of_effects;
 use eigenshade_shading::shader::{OwnedNormals, Shader};
-use eigenshade_shading::sphere_rings::{Ring, rings};
+use eigenshade_shading::sphere_rings::rings;
 use eigenshade_testing::largest;
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
-/// Irradiances by channel and then by normal.
-pub type Picture = [Vec<f64>; 3];
-
-/// The normals of a sphere, and the share of the disc that each represents.
-#[derive(Clone, Debug)]
-pub struct Sphere {
-    /// Unit normals that face the camera.
-    pub normals: Vec<[f64; 3]>,
-    /// Weights; they sum to 1.
-    pub weights: Vec<f64>,
-}
-
-impl Sphere {
-    /// Normals `spacing` radians apart.
-    pub fn new(spacing: f64) -> Self {
-        let rings = rings(spacing);
-        let weights = rings.iter().flat_map(|ring| vec![ring.weight; ring.tilts.len()]);
-        Self { weights: weights.collect(), normals: rings.iter().flat_map(Ring::normals).collect() }
-    }
-
-    /// The root mean square over normals and channels.
-    pub fn rms(&self, picture: &Picture) -> f64 {
-        let square = |channel: &Vec<f64>| -> f64 {
-            channel.iter().zip(&self.weights).map(|(value, weight)| weight * value * value).sum()
-        };
-        (picture.iter().map(square).sum::<f64>() / 3.0).sqrt()
-    }
-
-    /// The error of a picture: root mean square relative to the peak.
-    pub fn error(&self, found: &Picture, expected: &Picture) -> f64 {
-        let off = |c: usize| found[c].iter().zip(&expected[c]).map(|(a, b)| a - b).collect();
-        self.rms(&[0, 1, 2].map(off)) / peak(expected)
-    }
-
-    /// The picture of each light on one material, by the direct sum over some effects.
-    pub fn direct(&self, lights: &Lights, material: &Materials, wanted: Effects) -> Vec<Picture> {
-        let images = images_of_effects(lights, material, wanted, &self.normals, &());
-        let of_light = |light: usize| {
-            [0, 1, 2].map(|c| images.iter().map(|of_normal| of_normal[light][c]).collect())
-        };
-        (0..lights.entries.len()).map(of_light).collect()
-    }
-}
-
-/// The largest |I| of all channels.
-pub fn peak(picture: &Picture) -> f64 {
-    largest(picture.iter().flatten().copied())
-}
-
 /// Spacing of the 900 normals in radians.
 pub const SPACING: f64 = 0.06;
+
+/// The normals at which pictures are compared.
+pub fn sphere() -> Sphere {
+    Sphere::new(rings(SPACING))
+}
+
+/// The picture of each light on one material, by the direct sum over some effects.
+pub fn direct(
+    sphere: &Sphere,
+    lights: &Lights,
+    material: &Materials,
+    wanted: Effects,
+) -> Vec<Picture> {
+    let images = images_of_effects(lights, material, wanted, &sphere.normals, &());
+    let of_light = |light: usize| {
+        [0, 1, 2].map(|c| images.iter().map(|of_normal| of_normal[light][c]).collect())
+    };
+    (0..lights.entries.len()).map(of_light).collect()
+}
 
 /// Degree and order of the complete picture.
 pub const FULL: (usize, usize) = (9, 7);
@@ -76,10 +47,10 @@ pub const FULL: (usize, usize) = (9, 7);
 /// scene's truncation, compared with degree 9 and order 7.
 pub fn shares(scene: &Scene) -> BTreeMap<&'static str, f64> {
     let table = scene.whole_table();
-    let sphere = Sphere::new(SPACING);
+    let sphere = self::sphere();
     let light = scene.light(table.scene.degree());
     let material = scenes::material(&table, table.scene.material.order);
-    let picture = |light: &Lights, wanted| sphere.direct(light, &material, wanted).remove(0);
+    let picture = |light: &Lights, wanted| direct(&sphere, light, &material, wanted).remove(0);
     let wanted = table.effects();
     let whole = picture(&light, wanted);
     let mut shares = BTreeMap::new();
@@ -103,7 +74,7 @@ pub fn shares(scene: &Scene) -> BTreeMap<&'static str, f64> {
         shares.insert("turning", sphere.error(&picture(&turned, wanted), &whole));
     }
     let material = scenes::material(&table, FULL.1);
-    let all = sphere.direct(&scene.light(FULL.0), &material, Effects::ALL).remove(0);
+    let all = direct(&sphere, &scene.light(FULL.0), &material, Effects::ALL).remove(0);
     shares.insert("left out", sphere.error(&whole, &all));
     shares
 }
@@ -113,11 +84,11 @@ pub fn shares(scene: &Scene) -> BTreeMap<&'static str, f64> {
 /// the largest error, and in Q15 under the scene's own light.
 pub fn errors(scene: &Scene) -> [f64; 3] {
     let table = scene.whole_table();
-    let sphere = Sphere::new(SPACING);
+    let sphere = self::sphere();
     let (degree, order) = (table.gram.degree, table.gram.order);
     let materials = scenes::material(&table, order);
     let (lights, material) = (scene.lights(degree), &materials.entries[0]);
-    let expected = sphere.direct(&lights, &materials, table.effects());
+    let expected = direct(&sphere, &lights, &materials, table.effects());
     let basis = OwnedBasis::<f32>::new(&table);
     let mut shader = Shader::new(basis.basis().expect("a basis"), table.count());
     let normals = OwnedNormals::new(&sphere.normals);

@@ -60,11 +60,11 @@ pub struct Found {
 
 /// Compares every image.
 pub fn compare(setting: &Setting, table: &Table, images: &Images) -> Result<Found> {
-    let numbers = numbers(setting, table, &images.normals)?;
+    let numbers = numbers(setting, table, &images.sphere.normals)?;
     let all = parallel::map(images.images.len(), &ProgressBar::hidden(), |k| {
         let image = &images.images[k];
         let Shaded { irradiances, terms, bytes } = numbers.image(&image.pair)?;
-        Ok((errors(&irradiances, image, &images.weights), [terms, k, bytes]))
+        Ok((errors(&irradiances, image, &images.sphere.weights), [terms, k, bytes]))
     });
     let all = all.into_iter().collect::<Result<Vec<([f64; 2], [usize; 3])>>>()?;
     let chosen = |seen| all.iter().zip(&images.images).filter(move |(_, one)| one.seen == seen);

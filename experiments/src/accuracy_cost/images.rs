@@ -2,13 +2,11 @@
 //! method.
 
 use super::materials::Scope;
-use crate::ring_sum::RingSum;
+use crate::sphere::Sphere;
 use eigenshade::{Light, NineTerms, Scalar};
 use eigenshade_index::{light, material};
 use eigenshade_model::database::Named;
 use eigenshade_model::error::Result;
-use eigenshade_model::reference::DirectSum;
-use eigenshade_shading::parallel;
 use eigenshade_shading::shader::fault;
 use eigenshade_shading::sphere_rings::{Ring, rings};
 use std::f64::consts::{FRAC_PI_2, TAU};
@@ -61,10 +59,8 @@ impl Pair {
 
 /// Every light on every material of a scope.
 pub struct Images {
-    /// Unit normals of a sphere.
-    pub normals: Vec<[f64; 3]>,
-    /// The weight of each normal, for the density cos α / π.
-    pub weights: Vec<f64>,
+    /// The weight of each normal is for the density cos α / π.
+    pub sphere: Sphere,
     pub images: Vec<Image>,
 }
 
@@ -75,28 +71,21 @@ impl Images {
         let tilts = (0..RIM).map(|k| TAU * k as f64 / RIM as f64).collect();
         rings.push(Ring { slant: FRAC_PI_2, tilts, weight: 0.0 });
         rings.push(Ring { slant: 0.0, tilts: vec![0.0], weight: 0.0 });
-        let normals: Vec<[f64; 3]> = rings.iter().flat_map(Ring::normals).collect();
-        let weights = rings.iter().flat_map(|one| std::iter::repeat_n(one.weight, one.tilts.len()));
-        let weights = weights.collect();
-        let sum = DirectSum::new(degree, order);
+        let sphere = Sphere::new(rings);
         let lights: Vec<Vec<f64>> = scope.lights.entries.iter().map(Named::luminance).collect();
         let entries = scope.seen.entries.iter().chain(&scope.unseen.entries);
         let materials: Vec<Vec<f64>> = entries.map(Named::luminance).collect();
-        // By ring, then by material and light, then by tilt.
-        let by_ring = parallel::map(rings.len(), &(), |k| {
-            let ring = RingSum::new(&sum, degree, &rings[k]);
-            let of = |material: &Vec<f64>| ring.images(lights.iter().map(Vec::as_slice), material);
-            materials.iter().flat_map(of).collect::<Vec<_>>()
-        });
-        let image = |k: usize| {
+        let all_lights = || lights.iter().map(Vec::as_slice).collect();
+        let channels: Vec<_> =
+            materials.iter().map(|material| (all_lights(), material.as_slice())).collect();
+        let image = |(k, reference): (usize, Vec<f64>)| {
             let (material, light) = (k / lights.len(), k % lights.len());
-            let reference: Vec<f64> = by_ring.iter().flat_map(|ring| &ring[k]).copied().collect();
             let peak = reference.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
             let seen = material < scope.seen.entries.len();
             let [light, material] = [&lights[light], &materials[material]].map(Vec::clone);
             Image { pair: Pair { light, material }, seen, reference, peak }
         };
-        let images = (0..lights.len() * materials.len()).map(image).collect();
-        Self { normals, weights, images }
+        let images = sphere.direct((degree, order), &channels);
+        Self { images: images.into_iter().enumerate().map(image).collect(), sphere }
     }
 }

@@ -65,12 +65,12 @@ fn errors_are_those_of_direct_quadrature() {
         oracle::irradiance(&light, &terms, normal)
     };
     for image in &images.images {
-        for k in (0..images.normals.len()).step_by(97) {
-            let apart = (image.reference[k] - direct(image, images.normals[k])).abs();
+        for k in (0..images.sphere.normals.len()).step_by(97) {
+            let apart = (image.reference[k] - direct(image, images.sphere.normals[k])).abs();
             assert!(apart <= tolerances::DIRECT_SUM * image.peak, "{apart:e}");
         }
     }
-    let weights: f64 = images.weights.iter().sum();
+    let weights: f64 = images.sphere.weights.iter().sum();
     assert!((weights - 1.0).abs() < tolerances::RING_SHARES);
     // An error that is not just rounding.
     let recipe = Recipe::first(degree, order, 12);
