@@ -58,6 +58,8 @@ impl<Q: FixedPoint, const K: usize> Estimate<'_, Q, K> {
                 };
                 azimuth += 1;
             }
+            // `Basis::new` checks that all profiles have their terms; without, the last would be
+            // shorter.
             let (of_profile, rest) =
                 terms.split_at_checked(self.basis.length(azimuth)).unwrap_or((terms, &[]));
             terms = rest;
