@@ -193,12 +193,6 @@ impl<'a, B> Scene<'a, B> {
         self.buffer.as_mut()
     }
 
-    /// The buffer that holds the terms.
-    #[inline]
-    pub(crate) fn into_buffer(self) -> B {
-        self.buffer
-    }
-
     /// The terms of all polynomials.
     #[inline]
     pub(crate) fn numbers<S: Scalar>(&self) -> &[S]
