@@ -216,4 +216,19 @@ mod tests {
         }
         assert!(early > 0 || !LANES_ARE_CHEAP);
     }
+
+    /// The rule of whole azimuths is exact for as many terms as it has nodes, less the azimuth.
+    #[test]
+    fn whole_azimuths_go_only_if_the_rule_is_exact() {
+        for (length, goes) in [(NODES.len() - 1, LANES_ARE_CHEAP), (NODES.len(), false)] {
+            let (original, len) = ([0, length as u16], 2 * length);
+            let polynomials = Polynomials { lengths: &original, recurrences: Recurrences::NONE };
+            let mut report = [Truncation { bound: 1.0, peak: 1.0, ..Truncation::default() }];
+            let (numbers, mut lengths) = ([0.0; 2 * NODES.len()], original);
+            let numbers = numbers.get(..len).unwrap_or(&numbers);
+            Accounts { polynomials, numbers, len, reports: &mut report }
+                .truncate_azimuths(&mut lengths);
+            assert_eq!(lengths == [0, 0], goes, "{length}");
+        }
+    }
 }
