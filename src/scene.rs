@@ -6,7 +6,7 @@ use crate::buffer::{Buffer, zeros};
 use crate::error::{Argument, Error};
 use crate::index::layout::{LANES, Recurrence};
 use crate::index::record::ProfilePlace;
-use crate::invariant::{part, part_mut, split, split_mut};
+use crate::invariant::{part, part_mut, split, split_mut, split_row};
 use crate::lanes::multiply_add;
 use crate::normal::Normal;
 use crate::polynomial::{self, argument, turned};
