@@ -7,6 +7,7 @@
 use super::basis::Rows;
 use super::density::{Density, longest, sizes};
 use crate::index::layout::Recurrence;
+use crate::invariant::{part, part_mut, split, split_mut};
 use crate::recurrences::Recurrences;
 use crate::scalar::Scalar;
 use core::cell::Cell;
@@ -49,20 +50,21 @@ pub(super) struct Place {
 }
 
 impl Place {
-    /// The polynomials of +m and of -m; the latter is empty for m = 0. Both are empty if there are
-    /// too few numbers, which a scene of these polynomials never has.
+    /// The polynomials of +m and of -m; the latter is empty for m = 0.
     pub(super) fn both<S>(self, numbers: &[S]) -> [&[S]; 2] {
-        let len = signs(self.azimuth) * self.original;
-        let both = numbers.get(self.start..).and_then(|rest| rest.get(..len)).unwrap_or_default();
-        both.split_at_checked(self.original).map_or([&[], &[]], Into::into)
+        let (plus, rest) = split(part(numbers, self.start..), self.original);
+        [plus, part(rest, ..self.of_minus())]
     }
 
     /// [`both`](Self::both), to be changed.
     fn both_mut<S>(self, numbers: &mut [S]) -> [&mut [S]; 2] {
-        let len = signs(self.azimuth) * self.original;
-        let both = numbers.get_mut(self.start..).and_then(|rest| rest.get_mut(..len));
-        let both = both.unwrap_or_default().split_at_mut_checked(self.original);
-        both.map_or([&mut [], &mut []], Into::into)
+        let (plus, rest) = split_mut(part_mut(numbers, self.start..), self.original);
+        [plus, part_mut(rest, ..self.of_minus())]
+    }
+
+    /// Number of terms of the polynomial of -m.
+    const fn of_minus(self) -> usize {
+        if self.azimuth == 0 { 0 } else { self.original }
     }
 
     /// For each term from the highest of `length` down, the sum of the squares of +m and -m.
@@ -73,8 +75,12 @@ impl Place {
         length: usize,
     ) -> impl Iterator<Item = S> {
         let gone = self.original.saturating_sub(length);
-        let [plus, minus] = self.both(numbers).map(|terms| terms.get(gone..).unwrap_or_default());
-        let (minus, weight) = if self.azimuth == 0 { (plus, S::ZERO) } else { (minus, S::ONE) };
+        let [plus, minus] = self.both(numbers);
+        let plus = part(plus, gone..);
+        let (minus, weight) = match self.azimuth {
+            0 => (plus, S::ZERO),
+            _ => (part(minus, gone..), S::ONE),
+        };
         let both = plus.iter().zip(minus);
         both.map(move |(&plus, &minus)| (plus * plus).add_product(weight * minus, minus))
     }
