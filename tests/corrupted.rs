@@ -4,7 +4,10 @@
 use crate::wire_files as files;
 use eigenshade::index::record::{floats, integers};
 use eigenshade::wire::{WireError, aligned};
-use eigenshade::{Basis, FixedPoint, GeneralBasis, Light, Normal, Q15, Q31, Tolerance, quantized};
+use eigenshade::{
+    Basis, Effect, Effects, FixedPoint, GeneralBasis, Light, Material, Normal, Q15, Q31, Tolerance,
+    quantized,
+};
 use std::collections::BTreeMap;
 
 /// What a file holds, and what opens it and uses its basis.
@@ -74,6 +77,18 @@ fn use_floats(basis: &Basis<'_, f32>) {
     basis.reconstruct(&d, normal).expect("sizes");
     let light = files::light();
     let light = Light::new(&light).expect("nine coefficients").truncated(basis.degree());
+    if basis.projects() {
+        let material = files::material();
+        let material = Material::new(&material).expect("five coefficients");
+        let material = material.truncated(basis.order());
+        let mut workspace = vec![0.0; basis.workspace_len()];
+        for effect in Effect::ALL {
+            let effects = Effects::ALL.without(effect);
+            basis
+                .project_effects_into(&light, &material, effects, &mut workspace, &mut d)
+                .expect("sizes");
+        }
+    }
     let transfer = vec![1.0; basis.transfer_len()];
     basis.relight_into(&transfer, &light, &mut d).expect("sizes");
     let scene = basis.collapse_into(&d, vec![0.0; basis.scene_len()]).expect("sizes");
