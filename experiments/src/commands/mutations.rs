@@ -1,22 +1,22 @@
 //! `experiments mutations`: whether the tests notice defects.
 
 use clap::Args;
-use eigenshade_cli::messages::print_message;
+use eigenshade_cli::messages::{print_message, progress_bar};
 use eigenshade_model::error::{Error, Result};
 use experiments::mutations::{Mutation, SWITCH, VARIABLE, read, switched};
 use std::fs;
-use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
-use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 /// Whether the runtime's tests notice the mutations of its mathematics in tests/mutations.csv
 ///
-/// Copies the files that git tracks, puts all mutations into the copy, each behind a switch, builds
-/// the tests once, and runs them once for each mutation until one fails. Writes CSV to standard
-/// output: the test that failed, or nothing. Fails if the tests fail without a mutation, or if none
-/// fails with one. A full run takes some twenty minutes on two cores.
+/// Copies the files that git tracks, puts all mutations into the copy, each behind a switch, and
+/// builds the tests once. Then runs them for each mutation until one fails, the fastest first.
+/// Writes CSV to standard output: each mutation with the test that failed, or without. Fails if a
+/// test fails without a mutation, or if none fails with one. Takes some ten minutes on two cores.
 #[derive(Args, Debug)]
 pub struct Mutations {
     /// Numbers of the mutations to test, from 1 on [default: all]
@@ -35,78 +35,90 @@ pub struct Mutations {
     package: Vec<String>,
 }
 
-/// Tests that take this much longer than without a mutation have failed.
+/// The file that gets the switch.
+const LIBRARY: &str = "src/lib.rs";
+
+/// A test that takes this much longer than without a mutation has failed.
 const SLOWER: u32 = 4;
+
+/// One test of the copy.
+struct Test {
+    program: PathBuf,
+    name: String,
+    /// How long it takes without a mutation.
+    time: Duration,
+}
 
 impl Mutations {
     pub fn run(self) -> Result<()> {
         let mutations = read(&self.list)?;
         let copy = self.work.join("tree");
         self.copy(&mutations, &copy)?;
-        let mut tests = Vec::new();
-        for binary in self.build(&copy)? {
+        let mut tests = tests(&self.build(&copy)?, &copy)?;
+        let times = each("tests", &tests, |test| {
             let start = Instant::now();
-            if let Some(test) = failure(&binary, &copy, 0, Duration::MAX)? {
-                let fault = format!("{test} fails without a mutation");
-                return Err(Error::new(fault, "make the tests pass first"));
+            let remedy = "make the tests pass without a mutation first";
+            match test.passes(&copy, 0, Duration::MAX)? {
+                true => Ok(start.elapsed()),
+                false => Err(Error::new(format!("{} fails", test.name), remedy)),
             }
-            tests.push((start.elapsed(), binary));
+        });
+        for (test, time) in tests.iter_mut().zip(times) {
+            test.time = time?;
         }
-        // The fastest first.
-        tests.sort();
-        let all = tests.iter().map(|(time, _)| time).sum::<Duration>();
-        print_message(format_args!("all tests pass in {} s without a mutation", all.as_secs()));
-        let (mut tested, mut missed) = (0, 0);
-        println!("number,file,original,mutated,seconds,noticed by");
-        for (number, mutation) in (1..).zip(&mutations) {
-            if !self.numbers.is_empty() && !self.numbers.contains(&number) {
-                continue;
-            }
-            let (start, mut found) = (Instant::now(), None);
-            for (time, binary) in &tests {
-                let limit = *time * SLOWER + Duration::from_secs(60);
-                found = failure(binary, &copy, number, limit)?;
-                if found.is_some() {
-                    break;
+        tests.sort_by_key(|test| test.time);
+        let chosen = |number| self.numbers.is_empty() || self.numbers.contains(&number);
+        let chosen = (1..).zip(&mutations).filter(|&(number, _)| chosen(number));
+        let chosen: Vec<(usize, &Mutation)> = chosen.collect();
+        let found = each("mutations", &chosen, |&(number, _)| {
+            for test in &tests {
+                let limit = Duration::from_secs(60) + SLOWER * test.time;
+                if !test.passes(&copy, number, limit)? {
+                    return Ok(Some(&test.name));
                 }
             }
-            (tested, missed) = (tested + 1, missed + usize::from(found.is_none()));
+            Ok(None)
+        });
+        println!("number,file,original,mutated,noticed by");
+        let mut missed = 0;
+        for (&(number, mutation), test) in chosen.iter().zip(found) {
             let quoted = |text: &str| format!("\"{}\"", text.replace('"', "\"\""));
-            let [original, mutated] = [&mutation.original, &mutation.mutated].map(|t| quoted(t));
-            let (file, seconds) = (&mutation.file, start.elapsed().as_secs());
-            let by = found.unwrap_or_default();
-            println!("{number},{file},{original},{mutated},{seconds},{by}");
+            let Mutation { file, original, mutated, .. } = mutation;
+            let (original, mutated, test) = (quoted(original), quoted(mutated), test?);
+            missed += usize::from(test.is_none());
+            println!("{number},{file},{original},{mutated},{}", test.map_or("", |name| name));
         }
-        print_message(format_args!("{tested} mutations, {missed} of them not noticed"));
+        print_message(format_args!("{missed} of {} mutations were not noticed", chosen.len()));
         match missed {
             0 => Ok(()),
             _ => Err(Error::new("no test fails with some mutations", "add or sharpen a test")),
         }
     }
 
-    /// Copies the files that git tracks, and puts the mutations into the copy.
+    /// Copies the files that git tracks, with the mutations. Files that the copy has already are not
+    /// written, so that cargo builds only what changed.
     fn copy(&self, mutations: &[Mutation], copy: &Path) -> Result<()> {
-        if copy.exists() {
-            fs::remove_dir_all(copy).map_err(|error| Error::io(copy, &error))?;
-        }
-        let git = Command::new("git").arg("-C").arg(&self.tree).args(["ls-files", "-z"]).output();
-        let files = git.map_err(|error| Error::io("git", &error))?.stdout;
-        for file in files.split(|&byte| byte == 0).filter(|file| !file.is_empty()) {
-            let file = String::from_utf8_lossy(file).into_owned();
-            let (from, to) = (self.tree.join(&file), copy.join(&file));
-            let made = to.parent().map_or(Ok(()), fs::create_dir_all);
-            made.and_then(|()| fs::copy(&from, &to)).map_err(|error| Error::io(&from, &error))?;
-        }
-        let text = |file: &str| {
-            let path = copy.join(file);
-            fs::read_to_string(&path).map_err(|error| Error::io(&path, &error))
+        let read = |file: &str| {
+            let path = self.tree.join(file);
+            fs::read(&path).map_err(|error| Error::io(&path, &error))
         };
+        let text = |file: &str| Ok(String::from_utf8_lossy(&read(file)?).into_owned());
         let mut files = switched(mutations, text)?;
-        let library = "src/lib.rs";
-        files.insert(library, text(library)? + SWITCH);
-        for (file, text) in files {
-            let path = copy.join(file);
-            fs::write(&path, text).map_err(|error| Error::io(&path, &error))?;
+        files.insert(LIBRARY, text(LIBRARY)? + SWITCH);
+        let git = Command::new("git").arg("-C").arg(&self.tree).args(["ls-files", "-z"]).output();
+        let names = git.map_err(|error| Error::io("git", &error))?.stdout;
+        for name in String::from_utf8_lossy(&names).split_terminator('\0') {
+            let bytes = match files.remove(name) {
+                Some(text) => text.into_bytes(),
+                None => read(name)?,
+            };
+            let path = copy.join(name);
+            if fs::read(&path).is_ok_and(|there| there == bytes) {
+                continue;
+            }
+            let made = path.parent().map_or(Ok(()), fs::create_dir_all);
+            made.and_then(|()| fs::write(&path, bytes))
+                .map_err(|error| Error::io(&path, &error))?;
         }
         Ok(())
     }
@@ -134,36 +146,69 @@ impl Mutations {
     }
 }
 
-/// Runs a test program with a mutation until a test fails, and returns the name of that test.
-fn failure(binary: &Path, tree: &Path, number: usize, limit: Duration) -> Result<Option<String>> {
-    let io = |error| Error::io(binary, &error);
-    let mut child = Command::new(binary)
-        .current_dir(tree)
-        .env(VARIABLE, number.to_string())
-        // A failure suffices; the simplest one is not sought.
-        .env("PROPTEST_MAX_SHRINK_ITERS", "0")
-        .stdout(Stdio::piped())
-        .stderr(Stdio::null())
-        .spawn()
-        .map_err(io)?;
-    let (sender, receiver) = channel();
-    let lines = child.stdout.take().map(|out| BufReader::new(out).lines());
-    std::thread::spawn(move || {
-        for line in lines.into_iter().flatten().map_while(std::io::Result::ok) {
-            let test = line.strip_prefix("test ").and_then(|line| line.strip_suffix(" ... FAILED"));
-            if let Some(test) = test {
-                let _ = sender.send(test.to_owned());
+/// The tests of these programs.
+fn tests(programs: &[PathBuf], copy: &Path) -> Result<Vec<Test>> {
+    let mut tests = Vec::new();
+    for program in programs {
+        let listed = Command::new(program).current_dir(copy).arg("--list").output();
+        let listed = listed.map_err(|error| Error::io(program, &error))?.stdout;
+        for line in String::from_utf8_lossy(&listed).lines() {
+            if let Some(name) = line.strip_suffix(": test") {
+                let (program, name) = (program.clone(), name.to_owned());
+                tests.push(Test { program, name, time: Duration::ZERO });
             }
         }
-    });
-    let found = match receiver.recv_timeout(limit) {
-        Ok(test) => Some(test),
-        Err(RecvTimeoutError::Timeout) => Some("none within the time limit".to_owned()),
-        Err(RecvTimeoutError::Disconnected) => {
-            let passed = child.wait().map_err(io)?.success();
-            return Ok((!passed).then(|| "a test that aborted".to_owned()));
+    }
+    Ok(tests)
+}
+
+impl Test {
+    /// Whether the test passes with a mutation, within a time limit.
+    fn passes(&self, copy: &Path, number: usize, limit: Duration) -> Result<bool> {
+        let io = |error| Error::io(&self.program, &error);
+        let mut program = Command::new(&self.program);
+        program.args(["--exact", &self.name]).current_dir(copy).env(VARIABLE, number.to_string());
+        // A failure suffices: do not look for the simplest one, nor for its place.
+        program.env("PROPTEST_MAX_SHRINK_ITERS", "0").env("RUST_BACKTRACE", "0");
+        let mut child = program.stdout(Stdio::null()).stderr(Stdio::null()).spawn().map_err(io)?;
+        let start = Instant::now();
+        loop {
+            if let Some(status) = child.try_wait().map_err(io)? {
+                return Ok(status.success());
+            }
+            if start.elapsed() > limit {
+                child.kill().and_then(|()| child.wait()).map_err(io)?;
+                return Ok(false);
+            }
+            std::thread::sleep(Duration::from_millis(2));
         }
-    };
-    child.kill().and_then(|()| child.wait()).map_err(io)?;
-    Ok(found)
+    }
+}
+
+/// Does the work for each item, in as many threads as there are processors.
+fn each<I: Sync, R: Send>(
+    name: &'static str,
+    items: &[I],
+    work: impl Fn(&I) -> R + Sync,
+) -> Vec<R> {
+    let progress = progress_bar(name, items.len());
+    let (next, done) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
+    let threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+    std::thread::scope(|scope| {
+        for _ in 0..threads {
+            scope.spawn(|| {
+                loop {
+                    let index = next.fetch_add(1, Ordering::Relaxed);
+                    let Some(item) = items.get(index) else { break };
+                    let result = work(item);
+                    done.lock().unwrap_or_else(PoisonError::into_inner).push((index, result));
+                    progress.inc(1);
+                }
+            });
+        }
+    });
+    progress.finish_and_clear();
+    let mut done = done.into_inner().unwrap_or_else(PoisonError::into_inner);
+    done.sort_by_key(|&(index, _)| index);
+    done.into_iter().map(|(_, result)| result).collect()
 }
