@@ -5,6 +5,7 @@ mod invariants;
 mod reading;
 mod wire_files;
 
+mod effects;
 mod estimate;
 mod format_support;
 mod formats;
