@@ -17,4 +17,6 @@ fn each_mutation_has_its_place_in_the_sources() {
     let switches = files.values().map(|text| text.matches("(if crate::mutated(").count());
     assert_eq!(switches.sum::<usize>(), mutations.len());
     assert!(mutations.iter().all(|mutation| mutation.original != mutation.mutated));
+    let stated = format!("lists {} small defects", mutations.len());
+    assert!(include_str!("../../CONTRIBUTING.md").contains(&stated), "{stated}");
 }

@@ -4,11 +4,10 @@ use clap::Args;
 use eigenshade_cli::messages::{print_message, progress_bar};
 use eigenshade_model::error::{Error, Result};
 use experiments::mutations::{Mutation, SWITCH, VARIABLE, read, switched};
+use rayon::prelude::*;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 /// Whether the runtime's tests notice the mutations of its mathematics in tests/mutations.csv
@@ -30,9 +29,6 @@ pub struct Mutations {
     /// Folder of the copy and of its build
     #[arg(long, value_name = "DIR", default_value = "target/mutations")]
     work: PathBuf,
-    /// Package whose tests are run; may be repeated
-    #[arg(long, value_name = "NAME", default_value = "eigenshade")]
-    package: Vec<String>,
 }
 
 /// The file that gets the switch.
@@ -55,36 +51,39 @@ impl Mutations {
         let copy = self.work.join("tree");
         self.copy(&mutations, &copy)?;
         let mut tests = tests(&self.build(&copy)?, &copy)?;
-        let times = each("tests", &tests, |test| {
-            let start = Instant::now();
-            let remedy = "make the tests pass without a mutation first";
-            match test.passes(&copy, 0, Duration::MAX)? {
-                true => Ok(start.elapsed()),
-                false => Err(Error::new(format!("{} fails", test.name), remedy)),
+        tests.par_iter_mut().try_for_each(|test| {
+            let (start, remedy) = (Instant::now(), "make the tests pass without a mutation first");
+            if !test.passes(&copy, 0, Duration::MAX)? {
+                return Err(Error::new(format!("{} fails", test.name), remedy));
             }
-        });
-        for (test, time) in tests.iter_mut().zip(times) {
-            test.time = time?;
-        }
+            test.time = start.elapsed();
+            Ok(())
+        })?;
         tests.sort_by_key(|test| test.time);
         let chosen = |number| self.numbers.is_empty() || self.numbers.contains(&number);
         let chosen = (1..).zip(&mutations).filter(|&(number, _)| chosen(number));
         let chosen: Vec<(usize, &Mutation)> = chosen.collect();
-        let found = each("mutations", &chosen, |&(number, _)| {
+        let progress = progress_bar("mutations", chosen.len());
+        let find = |&(number, _): &(usize, &Mutation)| {
+            let mut found = None;
             for test in &tests {
                 let limit = Duration::from_secs(60) + SLOWER * test.time;
                 if !test.passes(&copy, number, limit)? {
-                    return Ok(Some(&test.name));
+                    found = Some(&test.name);
+                    break;
                 }
             }
-            Ok(None)
-        });
+            progress.inc(1);
+            Ok(found)
+        };
+        let found = chosen.par_iter().map(find).collect::<Result<Vec<_>>>()?;
+        progress.finish_and_clear();
         println!("number,file,original,mutated,noticed by");
         let mut missed = 0;
         for (&(number, mutation), test) in chosen.iter().zip(found) {
             let quoted = |text: &str| format!("\"{}\"", text.replace('"', "\"\""));
             let Mutation { file, original, mutated, .. } = mutation;
-            let (original, mutated, test) = (quoted(original), quoted(mutated), test?);
+            let (original, mutated) = (quoted(original), quoted(mutated));
             missed += usize::from(test.is_none());
             println!("{number},{file},{original},{mutated},{}", test.map_or("", |name| name));
         }
@@ -128,8 +127,8 @@ impl Mutations {
         let folder = std::path::absolute(self.work.join("build"))
             .map_err(|error| Error::io(&self.work, &error))?;
         let mut cargo = Command::new("cargo");
-        cargo.args(["test", "--tests", "--no-run", "--color", "never"]).current_dir(copy);
-        cargo.args(self.package.iter().flat_map(|package| ["--package", package]));
+        cargo.args(["test", "--package", "eigenshade", "--tests", "--no-run", "--color", "never"]);
+        cargo.current_dir(copy);
         let output = cargo.env("CARGO_TARGET_DIR", folder).output();
         let output = output.map_err(|error| Error::io("cargo", &error))?;
         let messages = String::from_utf8_lossy(&output.stderr);
@@ -183,32 +182,4 @@ impl Test {
             std::thread::sleep(Duration::from_millis(2));
         }
     }
-}
-
-/// Does the work for each item, in as many threads as there are processors.
-fn each<I: Sync, R: Send>(
-    name: &'static str,
-    items: &[I],
-    work: impl Fn(&I) -> R + Sync,
-) -> Vec<R> {
-    let progress = progress_bar(name, items.len());
-    let (next, done) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
-    let threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
-    std::thread::scope(|scope| {
-        for _ in 0..threads {
-            scope.spawn(|| {
-                loop {
-                    let index = next.fetch_add(1, Ordering::Relaxed);
-                    let Some(item) = items.get(index) else { break };
-                    let result = work(item);
-                    done.lock().unwrap_or_else(PoisonError::into_inner).push((index, result));
-                    progress.inc(1);
-                }
-            });
-        }
-    });
-    progress.finish_and_clear();
-    let mut done = done.into_inner().unwrap_or_else(PoisonError::into_inner);
-    done.sort_by_key(|&(index, _)| index);
-    done.into_iter().map(|(_, result)| result).collect()
 }
