@@ -6,6 +6,7 @@ mod reading;
 mod wire_files;
 
 mod corrupted;
+mod effects;
 mod estimate;
 mod format_support;
 mod formats;
