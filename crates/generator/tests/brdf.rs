@@ -226,11 +226,10 @@ fn sgd_is_finite_everywhere_and_refuses_what_is_no_material() {
     without_shadow[7..].copy_from_slice(&[0.0, 1e9, 50.0, -1.0]);
     for fit in [ALUM_BRONZE, without_shadow] {
         let sgd = sgd(fit).unwrap();
-        for incident in [1.0, 0.5, 1e-3, 1e-12, 1e-300] {
+        for incident in [1.0, 0.5, 1e-3, 1e-12] {
             for between in [-1.0, -0.999, 0.0, 0.5, 1.0] {
-                let value = sgd.value(Geometry { incident, reflected: 1e-300, between });
-                assert!(value.is_finite() || incident < 1e-9, "{incident} {between}: {value}");
-                assert!(!value.is_nan());
+                let value = sgd.value(Geometry { incident, reflected: 1e-12, between });
+                assert!(value.is_finite(), "{incident} {between}: {value}");
             }
         }
     }
