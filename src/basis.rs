@@ -5,6 +5,7 @@ use crate::index::effect::Effects;
 use crate::index::record::floats::Parts;
 use crate::index::record::{Coupling, ProfilePlace, Row};
 use crate::index::{layout, material, pair};
+use crate::invariant::split_row;
 use crate::recurrences::Recurrences;
 
 /// An eigenbasis. Its degree, order and number of components are values; its number format is a
@@ -209,7 +210,18 @@ impl<'a, S> Basis<'a, S> {
     }
 }
 
-impl<S> Basis<'_, S> {
+impl<'a, S> Basis<'a, S> {
+    /// Each profile, with the terms of its polynomial.
+    #[inline]
+    pub(crate) fn profiles(&self) -> impl Iterator<Item = (&'a ProfilePlace, &'a [S])> {
+        let mut terms = self.parts.terms;
+        self.parts.profiles.iter().map(move |place| {
+            let (of_profile, rest) = split_row(terms, self.length(place.azimuth()));
+            terms = rest;
+            (place, of_profile)
+        })
+    }
+
     /// Number of terms of an azimuth's polynomials; 0 if it has none.
     pub(crate) const fn length(&self, azimuth: usize) -> usize {
         match self.parts.lengths.split_at_checked(azimuth) {

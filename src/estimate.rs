@@ -9,8 +9,6 @@ use crate::basis::Basis;
 use crate::buffer::{Buffer, zeros};
 use crate::error::{Argument, Error};
 use crate::normal::Normal;
-use crate::polynomial;
-use crate::polynomial::{argument, turned};
 use crate::projection::Coefficients;
 use crate::scalar::Scalar;
 
@@ -61,22 +59,10 @@ impl<S: Scalar, const K: usize> Estimate<'_, S, K> {
     /// no root and no division.
     #[inline]
     pub fn add(&mut self, normal: Normal<S>, irradiance: S, weight: S) {
-        let (parts, recurrences) = (self.basis.parts(), self.basis.recurrences);
-        let t = argument(normal.z);
-        let seen = weight * (irradiance - polynomial::value(parts.mean, t, recurrences.of(0)));
-        let mut terms = parts.terms;
-        let (mut cosine, mut sine, mut azimuth) = (S::ONE, S::ZERO, 0);
-        for place in parts.profiles {
-            while azimuth < place.azimuth() {
-                (cosine, sine) = turned(cosine, sine, normal.x, normal.y);
-                azimuth += 1;
-            }
-            let (of_profile, rest) =
-                terms.split_at_checked(self.basis.length(azimuth)).unwrap_or((terms, &[]));
-            terms = rest;
-            let profile = seen * polynomial::value(of_profile, t, recurrences.of(azimuth));
-            // Φ_-m = √2 sin(-mβ).
-            for (index, around) in [(place.plus(), cosine), (place.minus(), -sine)] {
+        let seen = weight * (irradiance - self.basis.mean_at(normal));
+        for (place, value, [plus, minus]) in self.basis.eigenimages_at(normal) {
+            let profile = seen * value;
+            for (index, around) in [(place.plus(), plus), (place.minus(), minus)] {
                 let sum = index.and_then(|index| self.sums.get_mut(usize::from(index)));
                 if let Some(sum) = sum {
                     sum.add(profile * around);

@@ -10,7 +10,7 @@ use crate::error::{Argument, Error};
 use crate::index::effect::{Effect, Effects};
 use crate::index::layout::LANES;
 use crate::index::{layout, material};
-use crate::invariant::{part, part_mut, split};
+use crate::invariant::{part_mut, split};
 use crate::lanes;
 use crate::material::Material;
 use crate::scalar::Scalar;
@@ -72,10 +72,12 @@ impl<S: Scalar> Basis<'_, S> {
         let (polar, _) = self.parts.polar.as_chunks::<LANES>();
         let (sums, _) = sums.as_chunks_mut::<LANES>();
         self.couple(material, core::iter::repeat(()), |b, from, to, _, ()| {
-            let polar = part(polar, from * groups..);
-            let sums = part_mut(sums, to * groups..);
-            for (sum, polar) in sums.iter_mut().zip(polar).take(groups) {
-                *sum = lanes::multiply_add(*sum, &[b; LANES], polar);
+            if let (Some(polar), Some(sums)) =
+                (polar.get(from * groups..), sums.get_mut(to * groups..))
+            {
+                for (sum, polar) in sums.iter_mut().zip(polar).take(groups) {
+                    *sum = lanes::multiply_add(*sum, &[b; LANES], polar);
+                }
             }
         });
     }
@@ -95,8 +97,8 @@ impl<S: Scalar> Basis<'_, S> {
         let of_azimuth = selection.get(azimuth * material::count(self.order()) * degrees..);
         let orders = material::indices(material.order()).map(|(o, _, _)| o);
         self.couple(material, orders, |b, from, to, mode, o| {
-            let polar = part(self.parts.polar, from * length..);
-            let sums = part_mut(sums, to * length..);
+            let polar = self.parts.polar.get(from * length..).unwrap_or_default();
+            let sums = sums.get_mut(to * length..).unwrap_or_default();
             let kept = of_azimuth.and_then(|selection| selection.get(mode * degrees..));
             // Without a selection, every mode is kept.
             let kept = kept.unwrap_or_default().iter().chain(core::iter::repeat(&true));
@@ -109,7 +111,8 @@ impl<S: Scalar> Basis<'_, S> {
     }
 
     /// Calls `add(b, from, to, mode, more)` for every term b Ĉ\[from\] of S\[to\]. `more` is the
-    /// additional item of the coefficient; b is divided by √2 off the diagonal.
+    /// additional item of the coefficient; b is divided by √2 off the diagonal. A coefficient that is
+    /// not factored has positions beyond all rows: nothing is added.
     #[inline(always)]
     fn couple<M: Copy>(
         &self,

@@ -5,6 +5,7 @@ use crate::basis::Basis;
 use crate::buffer::{Buffer, zeros};
 use crate::error::{Argument, Error};
 use crate::index::layout::{LANES, Recurrence};
+use crate::index::record::ProfilePlace;
 use crate::invariant::{part, part_mut, split, split_mut, split_row};
 use crate::lanes::multiply_add;
 use crate::normal::Normal;
@@ -68,23 +69,19 @@ impl<'a, S: Scalar> Basis<'a, S> {
         let weight = |index: Option<u16>| {
             index.and_then(|index| coefficients.get(usize::from(index))).copied()
         };
-        let mut terms = self.parts.terms;
         let (mut sums, mut azimuth) = (sums, 0);
-        for place in self.parts.profiles {
+        for (place, terms) in self.profiles() {
             while azimuth < place.azimuth() {
-                let passed = self.length(azimuth) * if azimuth == 0 { 1 } else { 2 };
-                sums = part_mut(sums, passed..);
+                let signs = if azimuth == 0 { 1 } else { 2 };
+                sums = part_mut(sums, signs * self.length(azimuth)..);
                 azimuth += 1;
             }
-            let length = self.length(azimuth);
-            let (of_profile, rest) = split_row(terms, length);
-            terms = rest;
             if let Some(weight) = weight(place.plus()) {
-                add(weight, of_profile, sums);
+                add(weight, terms, sums);
             }
             // Φ_-m = √2 sin(-mβ) = -√2 Im (n_x + i n_y)^m / sin^m.
             if let Some(weight) = weight(place.minus()) {
-                add(-weight, of_profile, part_mut(sums, length..));
+                add(-weight, terms, part_mut(sums, terms.len()..));
             }
         }
         Ok(Scene::of(self.parts.lengths, self.recurrences, buffer))
@@ -112,25 +109,41 @@ impl<'a, S: Scalar> Basis<'a, S> {
             let (expected, found) = (self.components(), coefficients.len());
             return Err(Error::Length { argument: Argument::Coefficients, expected, found });
         }
-        let t = argument(normal.z);
         let weight = |index: Option<u16>| {
             let found = index.and_then(|index| coefficients.get(usize::from(index)));
             found.copied().unwrap_or(S::ZERO)
         };
-        let mut terms = self.parts.terms;
-        let mut sum = polynomial::value(self.parts.mean, t, self.recurrences.of(0));
+        let mut sum = self.mean_at(normal);
+        for (place, value, [plus, minus]) in self.eigenimages_at(normal) {
+            sum += value * (weight(place.plus()) * plus + weight(place.minus()) * minus);
+        }
+        Ok(sum)
+    }
+
+    /// The mean image at a normal.
+    #[inline]
+    pub(crate) fn mean_at(&self, normal: Normal<S>) -> S {
+        polynomial::value(self.parts.mean, argument(normal.z), self.recurrences.of(0))
+    }
+
+    /// For each profile the value of its polynomial at a normal, and what it is multiplied by in the
+    /// eigenimages of +m and -m. There is no root and no division.
+    #[inline]
+    pub(crate) fn eigenimages_at(
+        &self,
+        normal: Normal<S>,
+    ) -> impl Iterator<Item = (&'a ProfilePlace, S, [S; 2])> {
+        let t = argument(normal.z);
         let (mut cosine, mut sine, mut azimuth) = (S::ONE, S::ZERO, 0);
-        for place in self.parts.profiles {
+        self.profiles().map(move |(place, terms)| {
             while azimuth < place.azimuth() {
                 (cosine, sine) = turned(cosine, sine, normal.x, normal.y);
                 azimuth += 1;
             }
-            let (of_profile, rest) = split_row(terms, self.length(azimuth));
-            terms = rest;
-            let around = weight(place.plus()) * cosine - weight(place.minus()) * sine;
-            sum += polynomial::value(of_profile, t, self.recurrences.of(azimuth)) * around;
-        }
-        Ok(sum)
+            // Φ_-m = √2 sin(-mβ).
+            let value = polynomial::value(terms, t, self.recurrences.of(azimuth));
+            (place, value, [cosine, -sine])
+        })
     }
 }
 
@@ -178,12 +191,6 @@ impl<'a, B> Scene<'a, B> {
     {
         (self.lengths, self.recurrences) = (lengths, Recurrences::NONE);
         self.buffer.as_mut()
-    }
-
-    /// The buffer that holds the terms.
-    #[inline]
-    pub(crate) fn into_buffer(self) -> B {
-        self.buffer
     }
 
     /// The terms of all polynomials.

@@ -99,6 +99,14 @@ fn other_sizes_are_served() {
     assert_eq!(scene, sphere::collapse(&coefficients(5)).unwrap());
 }
 
+/// The shipped table has no mean image; other tables do.
+#[test]
+fn the_mean_is_subtracted() {
+    let mut d = [3.0f32, 1.0, 0.5];
+    eigenshade::specialized::subtract(&mut d, &[1.0, -0.25]);
+    assert_eq!(d, [2.0, 1.25, 0.5]);
+}
+
 fn normals() -> Vec<Normal<f32>> {
     let along = |k: i32| {
         let (x, y) = ((k % 9 - 4) as f32 * 0.3, (k / 9 - 4) as f32 * 0.3);

@@ -204,6 +204,11 @@ fn what_is_no_rotation_is_an_error() {
     assert_eq!(Rotation::from_matrix(mirrored), no);
     assert_eq!(Rotation::from_matrix([[2.0f32, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 2.0]]), no);
     assert_eq!(Rotation::from_matrix([[f32::NAN; 3]; 3]), no);
+    // Too long, and too short: every product is below what it should be.
+    for scale in [1.01f32, 0.99] {
+        let scaled = Rotation::NONE.matrix().map(|row| row.map(|element: f32| scale * element));
+        assert_eq!(Rotation::from_matrix(scaled), no, "{scale}");
+    }
     let light = [0.5f32; 16];
     let light = Light::new(&light).expect("16 coefficients");
     const ROOM: usize = Light::<f32>::turn_len(3);

@@ -5,6 +5,8 @@ mod invariants;
 mod reading;
 mod wire_files;
 
+mod corrupted;
+mod effects;
 mod estimate;
 mod format_support;
 mod formats;

@@ -4,7 +4,7 @@ use crate::invariants::integer::{Integer, eigenimage, shipped};
 use crate::oracle::Numbers;
 use eigenshade::quantized::{Basis, Light, Material, Normal, Parts, Profile, Transfer};
 use eigenshade::sphere::{q15, q31};
-use eigenshade::{Argument, Error, Q15, Q31};
+use eigenshade::{Argument, Error, FixedPoint, Q15, Q31};
 use eigenshade_table::quantize::{self, Format};
 use eigenshade_testing::fixtures::{of_equal_areas, spiral};
 use eigenshade_testing::relative_error;
@@ -15,6 +15,10 @@ const ESTIMATE_Q15: f64 = 5e-3;
 
 /// The same in 31 bits, trimmed to 1e-8.
 const ESTIMATE_Q31: f64 = 1e-6;
+
+/// An irradiance of coefficients below 2^16, in units of its scene: roundings of some ten terms and
+/// steps.
+const SMALL_D: f64 = 8.0;
 
 const ORDER: usize = 7;
 
@@ -315,4 +319,74 @@ fn normals_along_integers_are_unit_vectors() {
     }
     assert_eq!(Normal::<Q15>::along(0, 0, -1), Err(Error::Hidden));
     assert_eq!(Normal::<Q15>::along(0, 0, 0), Err(Error::Normal));
+}
+
+/// The mantissa of a number in 31 bits with the least exponent, 2^-127.
+#[test]
+fn subnormal_numbers_keep_their_size() {
+    for (number, expected) in [(0x7f_ffff, 2), (0x40_0000, 1), (0x1f_ffff, 0), (0x80_0000, 2)] {
+        let mut mantissas = [Q31(0)];
+        let light = Light::quantize(&[f32::from_bits(number)], &mut mantissas).expect("a light");
+        assert_eq!(light.exponent(), -127);
+        assert_eq!(mantissas, [Q31(expected)], "{number:x}");
+    }
+}
+
+#[test]
+fn normals_are_rounded_to_the_nearest() {
+    // 2^15 by √3 is 18,918.6, and by √5 it is 14,654.3, twice of which is 29,308.6.
+    for (along, expected) in [([1, 1, 1], [18_919; 3]), ([-2, 0, 1], [-29_309, 0, 14_654])] {
+        let normal = Normal::<Q15>::along(along[0], along[1], along[2]).expect("a normal");
+        assert_eq!(normal.components(), expected.map(Q15));
+    }
+}
+
+/// Mantissas are symmetrical, and products are rounded to the nearest.
+#[test]
+fn numbers_saturate_alike_and_round_to_the_nearest() {
+    for (number, expected) in [(-40_000, -32_767), (-32_768, -32_767), (32_768, 32_767), (5, 5)] {
+        assert_eq!(Q15::saturate(number), Q15(expected));
+    }
+    for (number, expected) in [(i64::MIN, -i32::MAX), (i64::MAX, i32::MAX), (-7, -7)] {
+        assert_eq!(Q31::saturate(number), Q31(expected));
+    }
+    let half = 1 << 29;
+    for (number, expected) in [(half, 1), (half - 1, 0), (-half, 0), (-half - 1, -1)] {
+        assert_eq!(Q31::seen(Q31(number), 1), expected);
+    }
+}
+
+/// d below 2^16 loses resolution, but wraps nowhere.
+#[test]
+fn scenes_of_small_coefficients_are_coarse() {
+    for d in [1, 999, 30_000, 65_535] {
+        let of = |mantissa: i32, exponent: i32| {
+            let mantissas = [mantissa; q15::COMPONENTS];
+            q15::BASIS.collapse::<{ q15::SCENE }>(&mantissas, exponent).expect("it fits")
+        };
+        // The second has the same coefficients, in finer units.
+        let (coarse, fine) = (of(d, 0), of(d << 14, -14));
+        let units = [&coarse, &fine].map(|scene| f64::from(scene.exponent()).exp2());
+        for normal in normals::<Q15>() {
+            let coarse = f64::from(coarse.shade(normal)) * units[0];
+            let fine = f64::from(fine.shade(normal)) * units[1];
+            assert!((coarse - fine).abs() <= SMALL_D * units[0], "{d}: {coarse}, {fine}");
+        }
+    }
+}
+
+/// The generated functions refuse exponents that rise with the order, and the general ones serve
+/// them.
+#[test]
+fn exponents_may_rise_with_the_order() {
+    let mantissas = [Q15(32_767); 40];
+    for exponents in [[-20, -20, -16, -18, -13, -12, -9, -9], [-20, -9, -20, -9, -9, -20, -20, -9]]
+    {
+        let material = Material::new(&exponents, &mantissas).expect("a material");
+        let found = q15::transfer(&material).expect("it fits");
+        let expected = q15::BASIS
+            .transfer::<{ q15::WORKSPACE }, { q15::TRANSFER }, { q15::PROFILES }>(&material)
+            .expect("it fits");
+        assert_eq!(found, expected);
+    }
 }

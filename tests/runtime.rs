@@ -197,3 +197,12 @@ fn a_transfer_starts_a_cache_line() {
     let transfer = sphere::transfer(&material).expect("an order of 7");
     assert_eq!(transfer.as_slice().as_ptr().addr() % 64, 0);
 }
+
+/// A normal is hidden from an eighth behind the rim on.
+#[test]
+fn normals_behind_the_rim_by_an_eighth_are_hidden() {
+    let behind = |z: f64| eigenshade::Normal::new((1.0 - z * z).sqrt(), 0.0, -z);
+    let [x, y, z] = behind(0.124_9).expect("near the rim").components();
+    assert!((x - 1.0).abs() <= 1e-15 && (y, z) == (0.0, 0.0), "{x}");
+    assert_eq!(behind(0.125_1), Err(eigenshade::Error::Hidden));
+}

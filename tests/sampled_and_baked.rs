@@ -182,7 +182,7 @@ const BAKED_INTEGERS: f64 = 4e-5;
 
 /// Map coordinates from Q15 normals, in units of 2^-15: their own rounding and that of the
 /// quotient, whose scale is cut to 2^-16.
-const MAP_POINT_Q15: f64 = 1.3;
+const MAP_POINT_Q15: f64 = 1.25;
 
 /// A texel in integers is the nearest: half a unit, and what f32 rounds of 15 bits.
 const TEXEL_ROUNDED: f32 = 0.501;

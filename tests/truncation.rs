@@ -329,3 +329,12 @@ proptest! {
         checked(&d, 10f32.powf(-exponent), &Image::new(&d, &rule), &rule);
     }
 }
+
+/// The error of the table is estimated by the last fifth of the coefficients.
+#[test]
+fn the_floor_is_the_last_fifth() {
+    let d: Vec<f32> = (0..50).map(|k| 1.0 / (1.0 + k as f32)).collect();
+    let expected = d[40..].iter().map(|d| d * d).sum::<f32>().sqrt();
+    let (_, report) = truncated(&d, Tolerance::OfPeak(1e-2), &mut [0; 16]);
+    assert!((report.floor / expected - 1.0).abs() <= 1e-6, "{} {expected}", report.floor);
+}

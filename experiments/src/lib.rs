@@ -35,3 +35,5 @@ pub mod ablation;
 pub mod stability;
 
 pub mod reading;
+
+pub mod mutations;

@@ -5,6 +5,7 @@ use super::{Basis, Coefficients, Normal, Profile};
 use crate::buffer::{Buffer, zeros};
 use crate::error::{Argument, Error};
 use crate::format::{FixedPoint, Wide as _};
+use crate::invariant::split_row;
 
 /// An estimate that accumulates pixels: see [`Basis::estimate`].
 #[derive(Clone, Debug)]
@@ -58,8 +59,7 @@ impl<Q: FixedPoint, const K: usize> Estimate<'_, Q, K> {
                 };
                 azimuth += 1;
             }
-            let (of_profile, rest) =
-                terms.split_at_checked(self.basis.length(azimuth)).unwrap_or((terms, &[]));
+            let (of_profile, rest) = split_row(terms, self.basis.length(azimuth));
             terms = rest;
             let value = value(profile, of_profile, t);
             // Φ_-m = √2 sin(-mβ).

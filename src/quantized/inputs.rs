@@ -250,7 +250,7 @@ impl<Q: FixedPoint> Normal<Q> {
 }
 
 impl MapPoint<Q15> {
-    /// The map point of a normal. Uses no division; the result is within 1.3 units of 2^-15 of the
+    /// The map point of a normal. Uses no division; the result is within 1.25 units of 2^-15 of the
     /// exact quotient.
     ///
     /// 1 / (1 + z) comes from one step of Newton's method. The initial guess is the cubic that is 1

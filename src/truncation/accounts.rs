@@ -7,9 +7,10 @@
 //! Each image keeps its own account. Terms are removed only if every image can pay for them. The
 //! price is the same fraction of each image's allowed error, so every image's bound is exact.
 
-use super::density::mean_square;
+use super::density::{NODES, mean_square};
 use super::report::Truncation;
-use super::terms::{Place, Polynomials, signs, used};
+use super::terms::{Polynomials, signs, trimmed};
+use crate::lanes::rows;
 use crate::scalar::Scalar;
 
 /// The factor by which the price rises from one sweep to the next.
@@ -23,55 +24,44 @@ const fn around(highest: usize) -> usize {
     (4 * highest).saturating_sub(2)
 }
 
-/// Images in orthonormal polynomials, and the report on each. At this stage the reports hold
-/// squares, and `bound` holds the square of the allowed error.
+/// Number of these multiply-adds that go with the highest azimuth, from the lengths below it.
+fn around_saved(below: &[u16]) -> usize {
+    around(below.len()) - around(trimmed(below).len().saturating_sub(1))
+}
+
+/// Images in the same polynomials, and the report on each. At this stage the reports hold squares,
+/// and `bound` holds the square of the allowed error.
 pub(super) struct Accounts<'s, S> {
     pub(super) polynomials: Polynomials<'s>,
     /// The numbers of all images, `len` for each.
     pub(super) numbers: &'s [S],
     pub(super) len: usize,
-    pub(super) report: &'s mut [Truncation<S>],
+    pub(super) reports: &'s mut [Truncation<S>],
 }
 
-impl<S: Scalar> Accounts<'_, S> {
+impl<'s, S: Scalar> Accounts<'s, S> {
     /// Leaves out whole azimuths from the highest down, as the first sweep would, as long as all
-    /// images can pay. Their cost is known before anything is rewritten. `scale` is the factor by
-    /// which an image's numbers have yet to be multiplied.
-    pub(super) fn truncate_azimuths(
-        &mut self,
-        lengths: &mut [u16],
-        scale: impl Fn(&Truncation<S>) -> S,
-    ) {
+    /// images can pay. This precedes the conversion into orthonormal polynomials.
+    pub(super) fn truncate_azimuths(&mut self, lengths: &mut [u16]) {
         // Without vector lanes this costs more than it saves.
         if !LANES_ARE_CHEAP {
             return;
         }
-        let mut end = self.len;
-        for azimuth in (0..used(lengths)).rev() {
-            let mut place = self.polynomials.place(azimuth, end);
-            end = end.saturating_sub(signs(azimuth) * place.original);
-            place.start = end;
-            let split = lengths.get_mut(..=azimuth).and_then(<[_]>::split_last_mut);
-            let Some((length, below)) = split.filter(|(length, _)| **length > 0) else { continue };
-            if !place.known || !self.polynomials.recurrences.of(azimuth).is_empty() {
+        for place in self.polynomials.descent(self.len).filter(|place| place.original > 0) {
+            let (azimuth, terms) = (place.azimuth, place.original);
+            let is_series = !self.polynomials.recurrences.of(azimuth).is_empty();
+            let exact = azimuth + terms <= NODES.len();
+            let Some((below, [length, ..])) = lengths.split_at_mut_checked(azimuth) else { return };
+            if !place.known || is_series || !exact {
                 return;
             }
-            let around = around(azimuth) - around(used(below).saturating_sub(1));
-            let saved = signs(azimuth) * (place.original - 1) + around;
-            let worth = S::from_whole(saved) * self.first_price();
-            for (numbers, report) in
-                self.numbers.chunks_exact(self.len.max(1)).zip(&mut *self.report)
-            {
-                let both = place.both(numbers);
-                let Some(square) = mean_square(azimuth, both, scale(report)) else { return };
-                // Stored here until every image has been asked.
-                report.floor = square;
-                let pays = report.floor <= left(report) && report.floor <= worth * report.bound;
-                if !pays {
-                    return;
-                }
+            let saved = signs(azimuth) * (terms - 1) + around_saved(below);
+            let square = |numbers: &'s [S], report: &Truncation<S>| {
+                core::iter::once(mean_square(azimuth, place.both(numbers), report.scale()))
+            };
+            if self.pay(1, 0, Some(saved), square, self.first_price()) == 0 {
+                return;
             }
-            self.report.iter_mut().for_each(|report| report.left_out_by_terms += report.floor);
             *length = 0;
         }
     }
@@ -83,7 +73,7 @@ impl<S: Scalar> Accounts<'_, S> {
     }
 
     /// Shortens `lengths`, which are initially those of the polynomials or 0, as long as no image
-    /// exceeds its allowed error.
+    /// exceeds its allowed error. The polynomials are orthonormal.
     pub(super) fn truncate(&mut self, lengths: &mut [u16]) {
         let rise = S::from_whole(RISE);
         let mut price = self.first_price();
@@ -97,87 +87,66 @@ impl<S: Scalar> Accounts<'_, S> {
 
     /// Removes all terms that are worth a price, from the highest azimuth down.
     fn sweep(&mut self, lengths: &mut [u16], price: S) {
-        let mut end = self.len;
-        let mut azimuths = used(lengths);
-        for azimuth in (0..used(self.polynomials.lengths)).rev() {
-            let mut place = self.polynomials.place(azimuth, end);
-            end = end.saturating_sub(signs(azimuth) * place.original);
-            place.start = end;
-            let split = lengths.get_mut(..=azimuth).and_then(<[_]>::split_last_mut);
-            let Some((length, below)) = split.filter(|(length, _)| **length > 0) else { continue };
-            let around = (azimuth + 1 == azimuths).then(|| {
-                azimuths = used(below);
-                around(azimuth) - around(azimuths.saturating_sub(1))
-            });
-            if place.known {
-                *length -= self.affordable(place, (*length).into(), around, price) as u16;
+        for place in self.polynomials.descent(self.len).filter(|place| place.known) {
+            let at = lengths.split_at_mut_checked(place.azimuth);
+            let Some((below, [length, above @ ..])) = at else { continue };
+            if *length == 0 {
+                continue;
             }
-            if *length > 0 {
-                azimuths = azimuths.max(azimuth + 1);
-            }
+            let is_highest = above.iter().all(|&length| length == 0);
+            let around = is_highest.then(|| around_saved(below));
+            let terms = usize::from(*length);
+            let each = signs(place.azimuth);
+            let squares = |numbers: &'s [S], _: &Truncation<S>| place.squares(numbers, terms);
+            *length -= self.pay(terms, each, around, squares, price) as u16;
         }
     }
 
-    /// Removes as many terms of an azimuth as all images can pay for, at most this share of each
-    /// image's allowed error for each product that a pixel saves. The last term saves no product by
-    /// itself; in the highest azimuth it saves `around`.
-    fn affordable(
+    /// Lets all images pay for the first `terms` of these squares, or for as many as all can, and
+    /// returns how many these are. Each saves a pixel `each` products, and the last of all saves
+    /// `last`, or stays if that is `None`. A product is worth the price, a share of the allowed
+    /// error.
+    fn pay<I: Iterator<Item = S>>(
         &mut self,
-        place: Place,
-        length: usize,
-        around: Option<usize>,
+        terms: usize,
+        each: usize,
+        last: Option<usize>,
+        squares: impl Fn(&'s [S], &Truncation<S>) -> I,
         price: S,
     ) -> usize {
-        let of_one = S::from_whole(signs(place.azimuth)) * price;
-        let of_last = around.map_or(S::ZERO, |around| S::from_whole(around) * price - of_one);
-        let mut terms = if around.is_some() { length } else { length - 1 };
-        let mut paid = S::ZERO;
-        let images = self.numbers.chunks_exact(self.len.max(1));
+        let (each, last) = (S::from_whole(each), last.map(S::from_whole));
+        let (all, mut terms) = (terms, if last.is_some() { terms } else { terms - 1 });
         loop {
             let before = terms;
-            for (numbers, report) in images.clone().zip(&*self.report) {
-                let (left, of_one) = (left(report), of_one * report.bound);
-                let (mut sum, mut worth, mut gone) = (S::ZERO, S::ZERO, 0);
-                paid = S::ZERO;
-                for (index, square) in place.squares(numbers, length).take(terms).enumerate() {
+            for (numbers, report) in rows(self.numbers, self.len).zip(&mut *self.reports) {
+                let (left, share) = (report.left(), price * report.bound);
+                let (of_each, of_last) = (each * share, last.map(|last| last * share));
+                let (mut sum, mut worth) = (S::ZERO, S::ZERO);
+                let (mut gone, mut paid) = (0, S::ZERO);
+                for (index, square) in squares(numbers, report).take(terms).enumerate() {
                     sum += square;
-                    worth += of_one;
                     let within = sum <= left;
                     if !within {
                         break;
                     }
-                    if index + 1 == length {
-                        worth = worth.add_product(of_last, report.bound);
-                    }
+                    worth += of_last.filter(|_| index + 1 == all).unwrap_or(of_each);
                     if sum <= worth {
                         (gone, paid) = (index + 1, sum);
-                    } else if around.is_none() {
+                    } else if last.is_none() {
                         break;
                     }
                 }
-                terms = gone;
+                // Held in `floor` until all images agree.
+                (terms, report.floor) = (gone, paid);
             }
             // If an image could pay for fewer terms, the images before it are asked again.
-            if terms == before || self.report.len() == 1 {
+            if terms == before || self.reports.len() == 1 {
                 break;
             }
         }
-        if let [report] = &mut *self.report {
-            report.left_out_by_terms += paid;
-        } else if terms > 0 {
-            for (numbers, report) in images.zip(&mut *self.report) {
-                let squares = place.squares(numbers, length).take(terms);
-                squares.for_each(|square| report.left_out_by_terms += square);
-            }
-        }
+        self.reports.iter_mut().for_each(|report| report.left_out_by_terms += report.floor);
         terms
     }
-}
-
-/// The part of an image's allowed error that is left.
-fn left<S: Scalar>(report: &Truncation<S>) -> S {
-    let left = report.bound - report.left_out_by_components - report.left_out_by_terms;
-    if left > S::ZERO { left } else { S::ZERO }
 }
 
 #[cfg(test)]
@@ -202,7 +171,8 @@ mod tests {
         let spared = |images: [[f64; LEN]; 2]| {
             let mut report = [Truncation { bound: 1.0, ..Truncation::default() }; 2];
             let (numbers, mut lengths) = (images.as_flattened(), [6, 0, 2]);
-            Accounts { polynomials, numbers, len: LEN, report: &mut report }.truncate(&mut lengths);
+            Accounts { polynomials, numbers, len: LEN, reports: &mut report }
+                .truncate(&mut lengths);
             for (image, report) in images.iter().zip(report) {
                 let left_out = polynomials.left_out(&lengths, image);
                 assert!((left_out - report.left_out_by_terms).abs() < 1e-15 && left_out <= 1.0);
@@ -226,16 +196,17 @@ mod tests {
                 let number = (7 * k % 19) as f64 - 9.0;
                 if k < 6 { number } else { number * libm::exp(-(k as f64) / 4.0) }
             });
-            let report = [Truncation { bound: 2f64.powi(-exponent), ..Truncation::default() }];
+            let report =
+                Truncation { bound: 2f64.powi(-exponent), peak: 1.0, ..Default::default() };
             let shape = |first: bool| {
-                let (mut lengths, mut numbers, mut report) = (LENGTHS, numbers, report);
+                let (mut lengths, mut numbers, mut report) = (LENGTHS, numbers, [report]);
                 if first {
-                    Accounts { polynomials, numbers: &numbers, len: LEN, report: &mut report }
-                        .truncate_azimuths(&mut lengths, |_| 1.0);
+                    Accounts { polynomials, numbers: &numbers, len: LEN, reports: &mut report }
+                        .truncate_azimuths(&mut lengths);
                 }
                 let gone = lengths.iter().filter(|&&length| length == 0).count();
                 polynomials.orthonormalize(&lengths, &mut numbers, 1.0);
-                Accounts { polynomials, numbers: &numbers, len: LEN, report: &mut report }
+                Accounts { polynomials, numbers: &numbers, len: LEN, reports: &mut report }
                     .truncate(&mut lengths);
                 (lengths, gone)
             };
@@ -244,5 +215,20 @@ mod tests {
             early += gone;
         }
         assert!(early > 0 || !LANES_ARE_CHEAP);
+    }
+
+    /// The rule of whole azimuths is exact for as many terms as it has nodes, less the azimuth.
+    #[test]
+    fn whole_azimuths_go_only_if_the_rule_is_exact() {
+        for (length, goes) in [(NODES.len() - 1, LANES_ARE_CHEAP), (NODES.len(), false)] {
+            let (original, len) = ([0, length as u16], 2 * length);
+            let polynomials = Polynomials { lengths: &original, recurrences: Recurrences::NONE };
+            let mut report = [Truncation { bound: 1.0, peak: 1.0, ..Truncation::default() }];
+            let (numbers, mut lengths) = ([0.0; 2 * NODES.len()], original);
+            let numbers = numbers.get(..len).unwrap_or(&numbers);
+            Accounts { polynomials, numbers, len, reports: &mut report }
+                .truncate_azimuths(&mut lengths);
+            assert_eq!(lengths == [0, 0], goes, "{length}");
+        }
     }
 }

@@ -50,9 +50,11 @@ impl<S: Scalar> Rows<S> {
             scale = S::ONE;
         }
         for (index, (&term, &other)) in plus.iter().zip(&*minus).enumerate() {
-            let terms = groups(now, 0).iter().zip(groups(now, 1)).zip(groups(now, 2));
-            let terms = groups(at, 0).iter().zip(groups(below, 1)).zip(terms);
-            let sums = first_groups(next).iter_mut().zip(terms).take(index / 2 + 1);
+            let ([_, here @ ..], [_, below @ ..]) = (&*now, &*below);
+            let ([_, higher @ ..], [_, sums @ ..]) = (here, &mut *next);
+            let terms = groups(now).iter().zip(groups(here)).zip(groups(higher));
+            let terms = groups(at).iter().zip(groups(below)).zip(terms);
+            let sums = groups_mut(sums).iter_mut().zip(terms).take(index / 2 + 1);
             // u = (2t)²/2 - 1: the last sum already contains one factor 2t, and `sum` is the one
             // before it.
             if is_long && (length - index) % 2 == 1 {
@@ -87,8 +89,10 @@ impl<S: Scalar> Rows<S> {
         let both = plus.iter().zip(&*minus).zip(recurrence);
         for (index, ((&term, &other), (&[at, _], &[below, _]))) in both.enumerate() {
             let (at, below) = ([-at; LANES], [-below; LANES]);
-            let terms = groups(now, 0).iter().zip(groups(now, 1)).zip(groups(now, 2));
-            let sums = first_groups(next).iter_mut().zip(terms).take(index / 2 + 1);
+            let ([_, here @ ..], [_, sums @ ..]) = (&*now, &mut *next);
+            let [_, higher @ ..] = here;
+            let terms = groups(now).iter().zip(groups(here)).zip(groups(higher));
+            let sums = groups_mut(sums).iter_mut().zip(terms).take(index / 2 + 1);
             for (sum, ((&lower, here), &[up, down, ..])) in sums {
                 // 2t times t is u + 1.
                 let times = match lower {
@@ -129,14 +133,14 @@ fn add<S: Scalar>([_, lowest, ..]: &mut Row<S>, terms: [S; 2]) {
     *lowest = [a + c, b + d];
 }
 
-/// The groups of a row's pairs, beginning with pair `from`.
+/// The groups of a row's pairs.
 #[inline(always)]
-fn groups<S>(row: &Row<S>, from: usize) -> &[[S; LANES]] {
-    row.get(from..).unwrap_or_default().as_flattened().as_chunks().0
+fn groups<S>(row: &[[S; 2]]) -> &[[S; LANES]] {
+    row.as_flattened().as_chunks().0
 }
 
-/// The groups of the pairs after the leading zero.
+/// Mutable [`groups`].
 #[inline(always)]
-fn first_groups<S>(row: &mut Row<S>) -> &mut [[S; LANES]] {
-    row.get_mut(1..).unwrap_or_default().as_flattened_mut().as_chunks_mut().0
+fn groups_mut<S>(row: &mut [[S; 2]]) -> &mut [[S; LANES]] {
+    row.as_flattened_mut().as_chunks_mut().0
 }

@@ -57,6 +57,7 @@ impl<S: Scalar> Density<S> {
         &self.recurrence
     }
 
+    /// The coefficients below_k of the current azimuth.
     pub(super) fn below(&self) -> impl Iterator<Item = S> {
         self.recurrence.iter().map(|&[_, below]| below)
     }
@@ -66,8 +67,8 @@ impl<S: Scalar> Density<S> {
     pub(super) fn turn_to(&mut self, azimuth: usize) {
         let (two, six) = (S::from_whole(2), S::from_whole(6));
         while self.azimuth < azimuth {
-            let rows = self.recurrence.get_mut(..self.terms).unwrap_or_default();
-            let Some((mut before, rows)) = rows.split_first_mut() else { return };
+            let mut rows = self.recurrence.iter_mut().take(self.terms);
+            let Some(mut before) = rows.next() else { return };
             // A pivot of the first factor, and the difference of a pivot of the second.
             let (mut pivot, mut lack) = (two - before[0], S::ZERO);
             for row in rows {
@@ -102,8 +103,8 @@ pub(super) fn sizes<S: Scalar>(
 }
 
 /// Gauss's rule for the density 2z dz of a sphere's normals: nodes t = 2z - 1, and weights that sum
-/// to 1.
-const NODES: [(f64, f64); 20] = [
+/// to 1. It is exact for polynomials of twice as many terms.
+pub(super) const NODES: [(f64, f64); 20] = [
     (-0.983_399_911_585_865_5, 0.000_230_763_814_351_370_58),
     (-0.944_713_893_294_873_8, 0.001_366_124_552_171_844),
     (-0.884_931_084_726_372_7, 0.004_022_915_227_928_156),
@@ -126,17 +127,9 @@ const NODES: [(f64, f64); 20] = [
     (0.993_447_786_661_899_8, 0.016_741_688_352_545_114),
 ];
 
-/// The mean square of `scale` times sin^m (P cos mβ + Q sin mβ), for polynomials of equal length.
-/// `None` if the rule is not exact for them.
-pub(super) fn mean_square<S: Scalar>(
-    azimuth: usize,
-    [plus, minus]: [&[S]; 2],
-    scale: S,
-) -> Option<S> {
-    if azimuth + plus.len() > NODES.len() {
-        return None;
-    }
-    let half = S::from_f64(0.5);
+/// The mean square of `scale` times sin^m (P cos mβ + Q sin mβ), for polynomials of equal length. It
+/// is exact if m and this length are together at most the number of [`NODES`].
+pub(super) fn mean_square<S: Scalar>(azimuth: usize, [plus, minus]: [&[S]; 2], scale: S) -> S {
     let [mut t, mut weights, mut squares] = [[S::ZERO; NODES.len()]; 3];
     let places = t.iter_mut().zip(&mut weights).zip(&mut squares);
     for (((t, weight), square), node) in places.zip(NODES) {
@@ -160,7 +153,7 @@ pub(super) fn mean_square<S: Scalar>(
         sums = multiply_add(sums, weights, &squares);
     }
     let sum = sums.into_iter().fold(S::ZERO, |sum, part| sum + part);
-    Some(if azimuth == 0 { sum } else { half * sum })
+    if azimuth == 0 { sum } else { S::from_f64(0.5) * sum }
 }
 
 fn groups<S>(numbers: &[S; NODES.len()]) -> &[[S; LANES]] {
@@ -180,9 +173,8 @@ mod tests {
             assert!((mean - 2.0 / (k + 2) as f64).abs() < 1e-15, "z^{k}: {mean}");
         }
         for m in 1..NODES.len() {
-            let mean = mean_square(m, [&[2.0], &[0.0]], 0.5).unwrap_or_default();
+            let mean = mean_square(m, [&[2.0], &[0.0]], 0.5);
             assert!((mean - 0.5 / (m + 1) as f64).abs() < 1e-15, "m = {m}: {mean}");
         }
-        assert_eq!(mean_square(NODES.len(), [&[1.0], &[1.0]], 1.0), None);
     }
 }

@@ -67,6 +67,41 @@ const SLANTS: [(f64, f64); LANES + 1] = [
     (0.5, 0.866_025_403_784_438_6),
 ];
 
+/// The unit of an image that is black at the normals where its peak is sought.
+const DARK: f64 = 1e-19;
+
+/// The error of any image is less than this many of its units.
+const MOST: f64 = 1e9;
+
+impl<S: Scalar> Truncation<S> {
+    /// The unit of an image's numbers: its peak, so that no square is too small or too large.
+    pub(super) fn unit(&self) -> S {
+        match (self.peak.is_finite(), self.peak > S::ZERO && self.peak.reciprocal().is_finite()) {
+            (true, true) => self.peak,
+            (true, false) => S::from_f64(DARK),
+            (false, _) => S::ONE,
+        }
+    }
+
+    /// 1 / unit.
+    pub(super) fn scale(&self) -> S {
+        self.unit().reciprocal()
+    }
+
+    /// The allowed sum of squared errors of an image; finite, however dim the image is.
+    pub(super) fn allowed(&self, tolerance: Tolerance<S>) -> Result<S, Error> {
+        let (share, most) = (tolerance.irradiance(self.peak)? * self.scale(), S::from_f64(MOST));
+        let share = if share > most { most } else { share };
+        Ok(share * share)
+    }
+
+    /// The part of the allowed sum of squared errors that is left.
+    pub(super) fn left(&self) -> S {
+        let left = self.bound - self.left_out_by_components - self.left_out_by_terms;
+        if left > S::ZERO { left } else { S::ZERO }
+    }
+}
+
 impl<S: Scalar> Tolerance<S> {
     /// The tolerance as an irradiance.
     pub(super) fn irradiance(self, peak: S) -> Result<S, Error> {

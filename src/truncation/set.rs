@@ -2,11 +2,11 @@
 //! same lengths.
 
 use super::accounts::Accounts;
-use super::report::{Tolerance, Truncation};
-use super::report::{larger, peak};
-use super::terms::Polynomials;
+use super::report::{Tolerance, Truncation, larger, peak};
+use super::terms::{Polynomials, count, trimmed};
 use crate::basis::Basis;
 use crate::error::{Argument, Error};
+use crate::lanes::rows_mut;
 use crate::mathematics::{Libm, Mathematics};
 use crate::recurrences::Recurrences;
 use crate::scalar::Scalar;
@@ -36,14 +36,13 @@ impl<'l> Shape<'l> {
     /// Number of terms of all polynomials, of +m and of -m.
     #[must_use]
     pub fn terms(&self) -> usize {
-        let both = self.lengths.iter().map(|&length| 2 * usize::from(length)).sum::<usize>();
-        both - self.lengths.first().map_or(0, |&length| usize::from(length))
+        count(self.lengths.iter())
     }
 
     /// Number of azimuths |m|, from 0 to the highest that has terms.
     #[must_use]
     pub fn azimuths(&self) -> usize {
-        self.lengths.iter().rposition(|&length| length > 0).map_or(0, |last| last + 1)
+        trimmed(self.lengths).len()
     }
 
     /// The scene of polynomials that were made in this shape. The irradiances are meaningless for
@@ -57,6 +56,24 @@ impl<'l> Shape<'l> {
         let enough = expected.min(found);
         Error::check(Argument::Scene, expected, enough)?;
         Ok(Scene::of(self.lengths, self.recurrences, buffer))
+    }
+
+    /// Completes the report of an image in this shape, converting squared errors into irradiances.
+    fn settle<S: Scalar>(self, image: &[S], report: &mut Truncation<S>) {
+        let (components, terms) = (report.left_out_by_components, report.left_out_by_terms);
+        let floor = left_out(image, image.len() - image.len().div_ceil(FLOOR), report);
+        let unit = report.unit();
+        let irradiance = |square| Libm::square_root(square) * unit;
+        *report = Truncation {
+            components: image.len().min(self.components),
+            azimuths: self.azimuths(),
+            terms: self.terms(),
+            bound: irradiance(components + terms),
+            left_out_by_components: irradiance(components),
+            left_out_by_terms: irradiance(terms),
+            floor: irradiance(floor),
+            peak: report.peak,
+        };
     }
 }
 
@@ -117,27 +134,29 @@ impl<'a, S: Scalar> Basis<'a, S> {
         'a: 'l,
     {
         let (count, len) = (images.len(), self.scene_len());
-        let whole = count.checked_next_multiple_of(channels).unwrap_or_default();
+        // No number of images is a whole number of colors without channels, not even 0.
+        let whole = count.checked_next_multiple_of(channels).unwrap_or(0);
         Error::check(Argument::Images, whole, count)?;
         Error::check(Argument::Images, count, reports.len())?;
         Error::check(Argument::Scene, count.saturating_mul(len), buffer.len())?;
         // Check the tolerance even if there are no images.
         tolerance.irradiance(S::ONE)?;
-        reports.fill(Truncation::default());
         for (image, numbers, report) in each(images, buffer, len, reports) {
-            report.peak = peak(&self.collapse_into(image, numbers)?);
+            let peak = peak(&self.collapse_into(image, numbers)?);
+            *report = Truncation { peak, ..Truncation::default() };
         }
-        for channels in reports.chunks_exact_mut(channels.max(1)) {
-            let peaks = channels.iter().map(|report| report.peak);
-            let peak = peaks.fold(S::ZERO, larger);
+        for channels in rows_mut(reports, channels) {
+            let peak = channels.iter().fold(S::ZERO, |most, report| larger(most, report.peak));
             channels.iter_mut().for_each(|report| report.peak = peak);
         }
         let mut components = 0;
         for (image, _, report) in each(images, buffer, len, reports) {
-            let account = Account::new(report.peak);
             // Holds the square of the allowed error until the bound is known.
-            report.bound = account.allowed(tolerance.irradiance(report.peak)?);
-            components = components.max(account.components(image, report.bound));
+            report.bound = report.allowed(tolerance)?;
+            components = components.max(needed(image, report));
+        }
+        for (image, _, report) in each(images, buffer, len, reports) {
+            report.left_out_by_components = left_out(image, components, report);
         }
         let (polynomials, found) = (self.polynomials(), lengths.len());
         let expected = polynomials.lengths.len();
@@ -145,25 +164,16 @@ impl<'a, S: Scalar> Basis<'a, S> {
         let lengths =
             lengths.ok_or(Error::Length { argument: Argument::Lengths, expected, found })?;
         lengths.copy_from_slice(polynomials.lengths);
-        for (image, _, report) in each(images, buffer, len, reports) {
-            let account = Account::new(report.peak);
-            report.left_out_by_components = account.spent(image, components);
-        }
-        let scale = |report: &Truncation<S>| Account::new(report.peak).scale;
-        Accounts { polynomials, numbers: buffer, len, report: reports }
-            .truncate_azimuths(lengths, scale);
+        Accounts { polynomials, numbers: buffer, len, reports }.truncate_azimuths(lengths);
         for (_, numbers, report) in each(images, buffer, len, reports) {
-            polynomials.orthonormalize(lengths, numbers, scale(report));
+            polynomials.orthonormalize(lengths, numbers, report.scale());
         }
-        Accounts { polynomials, numbers: buffer, len, report: reports }.truncate(lengths);
-        let lengths = &*lengths;
+        Accounts { polynomials, numbers: buffer, len, reports }.truncate(lengths);
+        let lengths = trimmed(lengths);
         let shape = Shape { components, lengths, recurrences: self.recurrences };
-        let lengths = lengths.get(..shape.azimuths()).unwrap_or_default();
-        let shape = Shape { lengths, ..shape };
         for (image, numbers, report) in each(images, buffer, len, reports) {
-            let account = Account::new(report.peak);
-            polynomials.restore(shape.lengths, numbers, account.unit);
-            account.settle(image, shape, report);
+            polynomials.restore(shape.lengths, numbers, report.unit());
+            shape.settle(image, report);
         }
         Ok(shape)
     }
@@ -186,7 +196,7 @@ impl<'a, S: Scalar> Basis<'a, S> {
         &self,
         coefficients: &[S],
         shape: Shape<'l>,
-        buffer: B,
+        mut buffer: B,
     ) -> Result<(Scene<'l, B>, Truncation<S>), Error>
     where
         'a: 'l,
@@ -196,16 +206,14 @@ impl<'a, S: Scalar> Basis<'a, S> {
             let (expected, found) = (self.scene_len(), shape.terms());
             return Err(Error::Length { argument: Argument::Lengths, expected, found });
         }
-        let scene = self.collapse_into(coefficients, buffer)?;
-        let mut report = Truncation { peak: peak(&scene), ..Truncation::default() };
-        let mut buffer = scene.into_buffer();
         let numbers = buffer.as_mut();
-        let account = Account::new(report.peak);
-        polynomials.orthonormalize(polynomials.lengths, numbers, account.scale);
-        report.left_out_by_components = account.spent(coefficients, shape.components);
+        let peak = peak(&self.collapse_into(coefficients, &mut *numbers)?);
+        let mut report = Truncation { peak, ..Truncation::default() };
+        polynomials.orthonormalize(polynomials.lengths, numbers, report.scale());
+        report.left_out_by_components = left_out(coefficients, shape.components, &report);
         report.left_out_by_terms = polynomials.left_out(shape.lengths, numbers);
-        polynomials.restore(shape.lengths, numbers, account.unit);
-        account.settle(coefficients, shape, &mut report);
+        polynomials.restore(shape.lengths, numbers, report.unit());
+        shape.settle(coefficients, &mut report);
         Ok((Scene::of(shape.lengths, shape.recurrences, buffer), report))
     }
 
@@ -221,69 +229,25 @@ fn each<'s, S, C: AsRef<[S]>>(
     len: usize,
     reports: &'s mut [Truncation<S>],
 ) -> impl Iterator<Item = (&'s [S], &'s mut [S], &'s mut Truncation<S>)> {
-    let scenes = buffer.chunks_exact_mut(len.max(1)).zip(reports);
+    let scenes = rows_mut(buffer, len).zip(reports);
     let images = images.iter().map(AsRef::as_ref);
     images.zip(scenes).map(|(image, (numbers, report))| (image, numbers, report))
 }
 
-/// The unit of an image's numbers: its peak, so that no square is too small or too large.
-#[derive(Clone, Copy)]
-struct Account<S> {
-    unit: S,
-    /// 1 / unit.
-    scale: S,
+/// The fewest components that keep the error within the share reserved for components.
+fn needed<S: Scalar>(image: &[S], report: &Truncation<S>) -> usize {
+    let (mut sum, scale) = (S::ZERO, report.scale());
+    let last = image.iter().rposition(|&d| {
+        sum = sum.add_product(d * scale, d * scale);
+        let within = sum <= S::from_f64(COMPONENTS) * report.bound;
+        !within
+    });
+    last.map_or(0, |last| last + 1)
 }
 
-/// The unit of an image that is black at the normals where its peak is sought.
-const DARK: f64 = 1e-19;
-
-/// The error of any image is less than this many of its units.
-const MOST: f64 = 1e9;
-
-impl<S: Scalar> Account<S> {
-    fn new(peak: S) -> Self {
-        let (dark, scale) = (S::from_f64(DARK), peak.reciprocal());
-        match (peak.is_finite(), peak > S::ZERO && scale.is_finite()) {
-            (true, true) => Self { unit: peak, scale },
-            (true, false) => Self { unit: dark, scale: dark.reciprocal() },
-            (false, _) => Self { unit: S::ONE, scale: S::ONE },
-        }
-    }
-
-    /// The allowed sum of squared errors of an image; finite, however dim the image is.
-    fn allowed(&self, tolerance: S) -> S {
-        let (share, most) = (tolerance * self.scale, S::from_f64(MOST));
-        let share = if share > most { most } else { share };
-        share * share
-    }
-
-    /// The fewest components that keep the error within the share reserved for components.
-    fn components(&self, image: &[S], allowed: S) -> usize {
-        let mut sum = S::ZERO;
-        let last = image.iter().rposition(|&d| {
-            sum = sum.add_product(d * self.scale, d * self.scale);
-            let within = sum <= S::from_f64(COMPONENTS) * allowed;
-            !within
-        });
-        last.map_or(0, |last| last + 1)
-    }
-
-    /// The squared error if this many components are kept.
-    fn spent(&self, image: &[S], components: usize) -> S {
-        let gone = image.iter().skip(components).map(|&d| d * self.scale);
-        gone.fold(S::ZERO, |sum, d| sum.add_product(d, d))
-    }
-
-    /// Completes a report, converting squared errors into irradiances.
-    fn settle(&self, image: &[S], shape: Shape<'_>, report: &mut Truncation<S>) {
-        let (components, terms) = (report.left_out_by_components, report.left_out_by_terms);
-        let irradiance = |square| Libm::square_root(square) * self.unit;
-        report.components = image.len().min(shape.components);
-        report.azimuths = shape.azimuths();
-        report.terms = shape.terms();
-        report.left_out_by_components = irradiance(components);
-        report.left_out_by_terms = irradiance(terms);
-        report.bound = irradiance(components + terms);
-        report.floor = irradiance(self.spent(image, image.len() - image.len().div_ceil(FLOOR)));
-    }
+/// The squared error if this many components are kept.
+fn left_out<S: Scalar>(image: &[S], components: usize, report: &Truncation<S>) -> S {
+    let scale = report.scale();
+    let gone = image.iter().skip(components).map(|&d| d * scale);
+    gone.fold(S::ZERO, |sum, d| sum.add_product(d, d))
 }

@@ -7,12 +7,27 @@
 use super::basis::Rows;
 use super::density::{Density, longest, sizes};
 use crate::index::layout::Recurrence;
+use crate::invariant::{part, part_mut, split, split_mut};
 use crate::recurrences::Recurrences;
 use crate::scalar::Scalar;
+use core::cell::Cell;
 
 /// Number of polynomials of an azimuth.
 pub(super) const fn signs(azimuth: usize) -> usize {
     if azimuth == 0 { 1 } else { 2 }
+}
+
+/// Number of terms of polynomials of these lengths, of +m and of -m.
+pub(super) fn count<'l>(lengths: impl Iterator<Item = &'l u16>) -> usize {
+    lengths.enumerate().map(|(azimuth, &length)| signs(azimuth) * usize::from(length)).sum()
+}
+
+/// The lengths without the azimuths above the highest that has terms.
+pub(super) fn trimmed(mut lengths: &[u16]) -> &[u16] {
+    while let [lower @ .., 0] = lengths {
+        lengths = lower;
+    }
+    lengths
 }
 
 /// The shape of the polynomials of all azimuths.
@@ -27,7 +42,7 @@ pub(super) struct Polynomials<'p> {
 #[derive(Clone, Copy)]
 pub(super) struct Place {
     pub(super) azimuth: usize,
-    pub(super) start: usize,
+    start: usize,
     /// Number of terms of each of the two polynomials.
     pub(super) original: usize,
     /// Whether the polynomials can be converted; false if they are too long.
@@ -37,12 +52,19 @@ pub(super) struct Place {
 impl Place {
     /// The polynomials of +m and of -m; the latter is empty for m = 0.
     pub(super) fn both<S>(self, numbers: &[S]) -> [&[S]; 2] {
-        let (plus, rest) = numbers
-            .get(self.start..)
-            .and_then(|n| n.split_at_checked(self.original))
-            .unwrap_or_default();
-        let others = if self.azimuth == 0 { 0 } else { self.original };
-        [plus, rest.get(..others).unwrap_or_default()]
+        let (plus, rest) = split(part(numbers, self.start..), self.original);
+        [plus, part(rest, ..self.of_minus())]
+    }
+
+    /// [`both`](Self::both), to be changed.
+    fn both_mut<S>(self, numbers: &mut [S]) -> [&mut [S]; 2] {
+        let (plus, rest) = split_mut(part_mut(numbers, self.start..), self.original);
+        [plus, part_mut(rest, ..self.of_minus())]
+    }
+
+    /// Number of terms of the polynomial of -m.
+    const fn of_minus(self) -> usize {
+        if self.azimuth == 0 { 0 } else { self.original }
     }
 
     /// For each term from the highest of `length` down, the sum of the squares of +m and -m.
@@ -52,35 +74,44 @@ impl Place {
         numbers: &[S],
         length: usize,
     ) -> impl Iterator<Item = S> {
-        let of = |start: usize| {
-            let end = start + self.original;
-            numbers.get(end.saturating_sub(length)..end).unwrap_or_default()
-        };
-        let plus = of(self.start);
-        let (minus, some) = match self.azimuth {
+        let gone = self.original.saturating_sub(length);
+        let [plus, minus] = self.both(numbers);
+        let plus = part(plus, gone..);
+        let (minus, weight) = match self.azimuth {
             0 => (plus, S::ZERO),
-            _ => (of(self.start + self.original), S::ONE),
+            _ => (part(minus, gone..), S::ONE),
         };
         let both = plus.iter().zip(minus);
-        both.map(move |(&plus, &minus)| (plus * plus).add_product(some * minus, minus))
+        both.map(move |(&plus, &minus)| (plus * plus).add_product(weight * minus, minus))
     }
 }
 
 impl<'p> Polynomials<'p> {
+    /// The position of the polynomials of an azimuth that begin at `start`.
     #[inline]
-    pub(super) fn place(&self, azimuth: usize, start: usize) -> Place {
+    fn place(&self, azimuth: usize, start: usize) -> Place {
         let original = self.lengths.get(azimuth).map_or(0, |&length| length.into());
         let known = azimuth >= self.recurrences.first() || original <= longest(azimuth);
         Place { azimuth, start, original, known }
     }
 
-    /// The position of each azimuth, up to the last that has any polynomial.
+    /// The position of each azimuth's polynomials.
     fn places(self) -> impl Iterator<Item = Place> {
         let mut start = 0;
-        (0..used(self.lengths)).map(move |azimuth| {
+        (0..self.lengths.len()).map(move |azimuth| {
             let place = self.place(azimuth, start);
             start += signs(azimuth) * place.original;
             place
+        })
+    }
+
+    /// The [`places`](Self::places) in `len` numbers, from the highest azimuth down.
+    pub(super) fn descent(self, len: usize) -> impl Iterator<Item = Place> {
+        let mut end = len;
+        (0..self.lengths.len()).rev().map(move |azimuth| {
+            let place = self.place(azimuth, end);
+            end = end.saturating_sub(signs(azimuth) * place.original);
+            Place { start: end, ..place }
         })
     }
 
@@ -90,7 +121,7 @@ impl<'p> Polynomials<'p> {
         let terms =
             left.filter(|&(azimuth, &length)| (1..=longest(azimuth)).contains(&length.into()));
         let terms = terms.map(|(azimuth, &length)| azimuth + usize::from(length));
-        Density::new(terms.max().unwrap_or_default())
+        Density::new(terms.max().unwrap_or(0))
     }
 
     /// Converts a scene's polynomials, times `scale`, into orthonormal ones. Polynomials that are
@@ -99,15 +130,14 @@ impl<'p> Polynomials<'p> {
         let (mut density, mut rows) = (self.density(kept), Rows::new());
         for (place, _) in self.places().zip(kept).filter(|(place, kept)| place.known && **kept > 0)
         {
-            let both = numbers.get_mut(place.start..).unwrap_or_default();
-            let both = split(both, place.azimuth, place.original);
             let recurrence = self.recurrences.of(place.azimuth);
+            let both = place.both_mut(numbers);
             if recurrence.is_empty() {
                 density.turn_to(place.azimuth);
                 let sizes = sizes(place.azimuth, density.below());
                 rows.orthogonalize(both, &density, sizes.map(|size| size * scale));
             } else {
-                times(both, || sizes(place.azimuth, below(recurrence)).map(|size: S| size * scale));
+                times(both, sizes(place.azimuth, below(recurrence)).map(|size: S| size * scale));
             }
         }
     }
@@ -116,32 +146,26 @@ impl<'p> Polynomials<'p> {
     /// times `scale`.
     pub(super) fn restore<S: Scalar>(self, lengths: &[u16], numbers: &mut [S], scale: S) {
         let (mut density, mut rows) = (self.density(lengths), Rows::new());
-        let mut end = 0;
-        for (place, &length) in self.places().zip(lengths).filter(|&(_, &length)| length > 0) {
-            let (azimuth, length, start) = (place.azimuth, usize::from(length), end);
+        let (cells, mut end) = (Cell::from_mut(&mut *numbers).as_slice_of_cells(), 0);
+        for (place, &length) in self.places().zip(lengths) {
             // Terms move toward the beginning, and never onto terms that have yet to move.
-            for sign in 1..=signs(azimuth) {
-                for k in (place.start + sign * place.original - length..).take(length) {
-                    let term = numbers.get(k).copied().unwrap_or_default();
-                    if let Some(place) = numbers.get_mut(end) {
-                        *place = term;
-                    }
-                    end += 1;
-                }
+            for terms in place.both(cells) {
+                let length = usize::from(length).min(terms.len());
+                let kept = terms.iter().skip(terms.len() - length);
+                cells.iter().skip(end).zip(kept).for_each(|(to, term)| to.set(term.get()));
+                end += length;
             }
-            if !place.known {
-                continue;
-            }
-            let both = numbers.get_mut(start..).unwrap_or_default();
-            let [plus, minus] = split(both, azimuth, length);
-            let recurrence = self.recurrences.of(azimuth);
+        }
+        let made = Polynomials { lengths, ..self }.places().zip(self.places());
+        for (made, _) in made.filter(|(made, original)| made.original > 0 && original.known) {
+            let recurrence = self.recurrences.of(made.azimuth);
             let over = |size: S| size.reciprocal() * scale;
             if recurrence.is_empty() {
-                density.turn_to(azimuth);
-                times([plus, minus], || sizes(azimuth, density.below()).map(over));
-                rows.rewrite([plus, minus], &density);
+                density.turn_to(made.azimuth);
+                times(made.both_mut(numbers), sizes(made.azimuth, density.below()).map(over));
+                rows.rewrite(made.both_mut(numbers), &density);
             } else {
-                times([plus, minus], || sizes(azimuth, below(recurrence)).map(over));
+                times(made.both_mut(numbers), sizes(made.azimuth, below(recurrence)).map(over));
             }
         }
     }
@@ -162,30 +186,18 @@ impl<'p> Polynomials<'p> {
     pub(super) fn can_become(self, lengths: &[u16]) -> bool {
         let padded = lengths.iter().map(|&length| usize::from(length)).chain(core::iter::repeat(0));
         lengths.len() <= self.lengths.len()
-            && (0..self.lengths.len()).zip(padded).all(|(azimuth, length)| {
-                let Place { original, known, .. } = self.place(azimuth, 0);
+            && self.places().zip(padded).all(|(Place { original, known, .. }, length)| {
                 length == original || length < original && known
             })
     }
 }
 
-/// Number of azimuths up to the last that has any terms.
-pub(super) fn used(lengths: &[u16]) -> usize {
-    lengths.iter().rposition(|&length| length > 0).map_or(0, |last| last + 1)
-}
-
-/// Splits off an azimuth's polynomials of `length` terms: those of +m, and those of -m (empty for
-/// m = 0).
-fn split<S>(numbers: &mut [S], azimuth: usize, length: usize) -> [&mut [S]; 2] {
-    let (plus, rest) = numbers.split_at_mut_checked(length).unwrap_or_default();
-    let others = if azimuth == 0 { 0 } else { length };
-    [plus, rest.get_mut(..others).unwrap_or_default()]
-}
-
 /// Multiplies the terms of both polynomials by the numbers, beginning with the lowest term.
-fn times<S: Scalar, N: Iterator<Item = S>>(both: [&mut [S]; 2], numbers: impl Fn() -> N) {
-    for terms in both {
-        terms.iter_mut().rev().zip(numbers()).for_each(|(term, number)| *term = *term * number);
+fn times<S: Scalar>([plus, minus]: [&mut [S]; 2], numbers: impl Iterator<Item = S>) {
+    let mut minus = minus.iter_mut().rev();
+    for (term, number) in plus.iter_mut().rev().zip(numbers) {
+        *term = *term * number;
+        minus.next().into_iter().for_each(|term| *term = *term * number);
     }
 }
 
@@ -214,7 +226,7 @@ mod tests {
     ];
 
     fn numbers(lengths: &[u16]) -> [f64; 500] {
-        let used = lengths.iter().enumerate().map(|(m, &n)| signs(m) * usize::from(n)).sum();
+        let used = count(lengths.iter());
         core::array::from_fn(|k| {
             let number = ((7 * k % 19) as f64 - 9.0) / (1 + k % 5) as f64;
             if k < used { number } else { 0.0 }

@@ -57,7 +57,19 @@ pub fn assert_same(table: &str, found: &[f32], tolerance: f32) {
     }
 }
 
-/// d of the test's light on its material, and some pixel.
+/// d of the test's light on its material, by projection.
+fn projected(basis: &Basis<'_, f32>) -> Vec<f32> {
+    let (light, material) = (light(), material());
+    let light = eigenshade::Light::new(&light).expect("nine coefficients");
+    let material = eigenshade::Material::new(&material).expect("five coefficients");
+    let (light, material) = (light.truncated(basis.degree()), material.truncated(basis.order()));
+    let mut workspace = vec![0.0; basis.workspace_len()];
+    let mut d = vec![0.0; basis.components()];
+    basis.project_into(&light, &material, &mut workspace, &mut d).expect("sizes");
+    d
+}
+
+/// d of the test's light on its material, by a transfer, and some pixel.
 pub fn floats(basis: &Basis<'_, f32>) -> (Vec<f32>, f32) {
     let (light, material) = (light(), material());
     let light = eigenshade::Light::new(&light).expect("nine coefficients");
@@ -138,6 +150,7 @@ const WIRE_Q31: f32 = 2e-7;
 fn tables_of_all_effects_are_read() {
     for (table, bytes) in [("sphere", &SPHERE.0), ("mean", &MEAN.0)] {
         let basis = Basis::<f32>::from_bytes(bytes).expect("a wire file");
+        assert_same(table, &projected(&basis), WIRE_F32);
         assert_same(table, &floats(&basis).0, WIRE_F32);
     }
     let basis = GeneralBasis::<f32>::from_bytes(&GENERAL.0).expect("a wire file");
@@ -153,6 +166,7 @@ fn tables_of_some_effects_are_read() {
     for (table, bytes) in [("effects", &EFFECTS.0), ("turned", &TURNED.0)] {
         let basis = Basis::<f32>::from_bytes(bytes).expect("a wire file");
         assert!(!basis.effects().is_all());
+        assert_same(table, &projected(&basis), WIRE_F32);
         assert_same(table, &floats(&basis).0, WIRE_F32);
     }
     let basis = quantized::Basis::<Q15>::from_bytes(&TURNED_15.0).expect("a wire file");

@@ -10,3 +10,5 @@ pub mod reading;
 pub mod output;
 
 pub mod messages;
+
+pub mod presets;

@@ -25,6 +25,21 @@ fn missing_files() {
     assert_fails(&folder, &arguments, &["none.csv"]);
 }
 
+/// A word that is no file and no shipped name: similar names are offered.
+#[test]
+fn names_of_nothing_shipped() {
+    let folder = Folder::with_table();
+    let render = |light: &str, material: &str| {
+        format!("render --light {light} --material {material} --out new.png")
+    };
+    assert_fails(&folder, &render("parc", "07-velvet"), &["`parc`", "shipped light", "`park`"]);
+    assert_fails(&folder, &render("park", "velvet"), &["`velvet`", "`07-velvet`", "list"]);
+    assert_fails(&folder, &render("xyzzy", "07-velvet"), &["`xyzzy`", "use a name", "list"]);
+    assert_fails(&folder, &render("park.csv", "07-velvet"), &["park.csv"]);
+    let shade = "shade b.bin --lights cities --materials materials.csv --normals normals.csv";
+    assert_fails(&folder, shade, &["`cities`", "`city`"]);
+}
+
 #[test]
 fn a_truncated_map() {
     let folder = Folder::new();

@@ -215,7 +215,7 @@ fn usage_errors_exit_with_2() {
         "no-such-command",
         "basis --scene scene.toml",
         "basis --scene scene.toml --out a --check b",
-        "light lights.csv",
+        "light --degree 3",
         "light lights.csv --degree -1",
         "shade b.bin --lights a --materials b --normals c --method magic",
         "shade b.bin --lights a --materials b --normals c --rotate 1,2",

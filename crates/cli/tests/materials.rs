@@ -1,6 +1,6 @@
 //! `material` on formulas, tables and folders of files; and bad ones of each.
 
-use crate::support::{Folder, assert_fails, numbers, rows};
+use crate::support::{Folder, assert_fails, numbers, repository, rows};
 use crate::tolerances;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -34,6 +34,19 @@ fn formulas_on_the_command_line() {
     // The other measure gives other coefficients.
     let graze = folder.ok("material ggx --roughness 0.5 --f0 1 --order 2 --measure solid-angle");
     assert_ne!(graze, folder.ok("material ggx --roughness 0.5 --f0 1 --order 2"));
+}
+
+/// Degree 9 and order 7, those of the shipped table; a light CSV keeps its own degree.
+#[test]
+fn degree_and_order_have_defaults() {
+    let folder = Folder::new();
+    let materials = rows(&folder.ok("material lambertian --albedo 0.8"), GRAY);
+    assert_eq!(materials.last().map(|row| row[1..4].join(",")).as_deref(), Some("7,7,7"));
+    let map = repository().join("tables/inputs/maps/sky.exr");
+    let lights = rows(&folder.ok(&format!("light {}", map.display())), "name,l,m,r,g,b");
+    assert_eq!(lights.last().map(|row| row[1..3].join(",")).as_deref(), Some("9,9"));
+    let lights = rows(&folder.ok("light lights.csv"), "name,l,m,r,g,b");
+    assert_eq!(lights.last().map(|row| row[1..3].join(",")).as_deref(), Some("4,4"));
 }
 
 /// A constant table of 1/π.
@@ -125,7 +138,7 @@ fn bad_formulas() {
         assert_fails(&folder, &format!("material {arguments} --order 2 --out new.csv"), &fragments);
     }
     for usage in
-        ["ggx --f0 0.04 --order 2", "lambertian --albedo 1", "lambertian --albedo 1,2 --order 2"]
+        ["ggx --f0 0.04 --order 2", "lambertian --order 1", "lambertian --albedo 1,2 --order 2"]
     {
         assert_eq!(folder.run(&format!("material {usage}")).status.code(), Some(2), "{usage}");
     }

@@ -5,6 +5,8 @@ use crate::support::{Folder, repository};
 use crate::tolerances;
 use eigenshade_cli::picture::{SphereView, linear};
 use eigenshade_cli::reading::pixels::{LinearImage, Transfer};
+use eigenshade_model::database::Named;
+use eigenshade_shading::shipped;
 use eigenshade_shading::sphere_rings::rings;
 use png::chunk::ChunkType;
 use png::{BitDepth, ColorType, Encoder, ScaledFloat, SrgbRenderingIntent};
@@ -17,16 +19,50 @@ const READ_SIXTEEN_BITS: f64 = 5e-4;
 /// Share of the energy that 50 components leave of a picture in 8 bits: 3 % in amplitude.
 const READ_PICTURE: f64 = 1e-3;
 
+fn shipped_names(entries: Vec<Named>) -> Vec<String> {
+    entries.into_iter().map(|entry| entry.name).collect()
+}
+
+/// A name is the same light or material as the shipped file's entry, and no table is the shipped one.
 #[test]
-fn pictures_of_velvet() {
+fn names_are_entries_of_the_shipped_files() {
     let folder = Folder::new();
     let tables = repository().join("tables");
     let (table, lights) = (tables.join("sphere.bin"), tables.join("inputs/lights.csv"));
     let materials = tables.join("inputs/materials.csv");
     let (table, lights, materials) = (table.display(), lights.display(), materials.display());
     folder.ok(&format!(
-        "render {table} --light {lights}:park --material {materials}:07-velvet --size 96 --out v.png"
+        "render {table} --light {lights}:park --material {materials}:07-velvet --size 32 --out a.png"
     ));
+    folder.ok("render --light park --material 07-velvet --size 32 --out b.png");
+    assert_eq!(fs::read(folder.path("a.png")).unwrap(), fs::read(folder.path("b.png")).unwrap());
+    let listed = folder.ok("list");
+    let names = |kind: &str| -> Vec<String> {
+        let rows = listed.lines().map(|row| row.split(',').collect::<Vec<_>>());
+        rows.filter(|row| row[0] == kind).map(|row| row[1].to_owned()).collect()
+    };
+    assert!(listed.starts_with("kind,name,size,color\n"));
+    let (of_lights, of_materials) = (names("light"), names("material"));
+    assert_eq!(of_lights, shipped_names(shipped::lights().unwrap().entries));
+    assert_eq!(of_materials, shipped_names(shipped::materials().unwrap().entries));
+    // The other commands take names as well.
+    let shaded = |rest: &str| folder.ok(&format!("shade {table} {rest} --normals normals.csv"));
+    let by_name = shaded("--lights park --materials 07-velvet");
+    let of_file = shaded(&format!("--lights {lights} --materials {materials}"));
+    let of_both: Vec<_> =
+        of_file.lines().filter(|row| row.starts_with("park,07-velvet,")).collect();
+    assert_eq!(by_name.lines().skip(1).collect::<Vec<_>>(), of_both);
+    let projected =
+        folder.ok(&format!("project {table} --lights park --materials 07-velvet --components 3"));
+    assert_eq!(projected.lines().count(), 4);
+}
+
+#[test]
+fn pictures_of_velvet() {
+    let folder = Folder::new();
+    let table = repository().join("tables/sphere.bin");
+    let table = table.display();
+    folder.ok("render --light park --material 07-velvet --size 96 --out v.png");
     let read = |arguments: &str| {
         let output = folder.run(&format!("read {arguments} --table {table}"));
         let message = String::from_utf8_lossy(&output.stderr).into_owned();

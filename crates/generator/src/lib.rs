@@ -26,6 +26,7 @@ pub mod material {
     pub mod fit_constraints;
     pub mod measurements;
     pub mod merl;
+    pub mod published_fits;
 }
 
 pub mod object {

@@ -5,7 +5,7 @@ use eigenshade_generator::material::brdf::projection::{
     Projection, nodes, project, project_orders, project_with,
 };
 use eigenshade_generator::material::brdf::{
-    Abc, Brdf, Geometry, Ggx, Lambertian, Measure, OrenNayar,
+    Abc, Brdf, Geometry, Ggx, Lambertian, Measure, OrenNayar, Sgd,
 };
 use eigenshade_index::material;
 use eigenshade_model::scattering;
@@ -21,7 +21,11 @@ const BRDF_MODEL: f64 = 1e-10;
 /// vectors loses up to four digits.
 const ABC_MODEL: f64 = 1e-11;
 
-/// Its directional albedo by 400 midpoints an angle against 1000 x 180, relative.
+/// The SGD model by three cosines against its printed formula, relative: tan² θ_h / α by the
+/// vectors loses up to five digits.
+const SGD_MODEL: f64 = 1e-9;
+
+/// Directional albedo of the ABC model by 400 midpoints an angle against 1000 x 180, relative.
 const ABC_ALBEDO: f64 = 1e-5;
 
 /// Coefficients with twice the nodes, of the largest: 20^-12 and less but for the lobe of 1e-3 rad
@@ -163,13 +167,93 @@ fn abc_refuses_what_is_no_material() {
     assert!(Abc::new(0.1, [1.0, 1.0, 1.0], 0.9).is_err());
 }
 
+/// ρ_d, ρ_s, α, p, f0, f1, κ, λ, c, k and θ_0 of two published fits: beige fabric, red, and
+/// aluminum bronze, green.
+const BEIGE_FABRIC: [f64; 11] = [
+    0.20926, 0.121663, 0.39455, 0.474725, 0.0559459, -0.318718, 3.8249, 2.26283, 0.0375346,
+    7.52635, 0.217453,
+];
+const ALUM_BRONZE: [f64; 11] = [
+    0.0313514, 0.664975, 0.0300126, 0.450056, 0.235756, 0.182842, 24.5961, 2.97371, 1.06401e-7,
+    36.2767, 0.066289,
+];
+
+fn sgd(fit: [f64; 11]) -> Result<Sgd, eigenshade_model::error::Error> {
+    let [matte, glossy, alpha, power, f0, f1, scale, lambda, c, k, theta] = fit;
+    let (fresnel, shadowing) = ([f0, f1], [lambda, c, k, theta]);
+    Sgd { matte, glossy, alpha, power, fresnel, scale, shadowing }.checked()
+}
+
+/// The formula as its authors print it, with vectors.
+fn sgd_by_vectors(fit: [f64; 11], [theta_i, theta_r, phi]: [f64; 3]) -> f64 {
+    let [rho_d, rho_s, alpha, p, f0, f1, kappa, lambda, c, k, theta_0] = fit;
+    let i = [theta_i.sin() * phi.cos(), theta_i.sin() * phi.sin(), theta_i.cos()];
+    let r = [theta_r.sin(), 0.0, theta_r.cos()];
+    let sum = [0, 1, 2].map(|k| i[k] + r[k]);
+    let length = sum.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let (x, d) = (sum[2] / length, (0..3).map(|k| i[k] * sum[k]).sum::<f64>() / length);
+    let fresnel = f0 - f1 * d + (1.0 - f0) * (1.0 - d).powi(5);
+    let u = alpha + (1.0 - x * x) / (x * x * alpha);
+    let lobe = kappa * (-u).exp() / (PI * u.powf(p) * x.powi(4));
+    let shadow = |theta: f64| {
+        let exponent = c * (theta - theta_0).max(0.0).powf(k);
+        (1.0 + lambda * (1.0 - exponent.exp())).clamp(0.0, 1.0)
+    };
+    let shadows = shadow(theta_i) * shadow(theta_r);
+    (rho_d + rho_s * fresnel * lobe * shadows / (i[2] * r[2])) / PI
+}
+
+#[test]
+fn sgd_is_the_printed_formula() {
+    for fit in [BEIGE_FABRIC, ALUM_BRONZE] {
+        let sgd = sgd(fit).unwrap();
+        for theta_i in [0.0, 0.3, 0.9, 1.5] {
+            for theta_r in [0.0, 0.31, 1.2, 1.56] {
+                for delta in [0.0, 0.7, 2.0, 3.0, PI] {
+                    let ours = at(&sgd, theta_i, theta_r, delta);
+                    let expected = sgd_by_vectors(fit, [theta_i, theta_r, delta]);
+                    let error = (ours / expected - 1.0).abs();
+                    assert!(error <= SGD_MODEL, "{theta_i} {theta_r} {delta}: {error:.1e}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn sgd_is_finite_everywhere_and_refuses_what_is_no_material() {
+    let mut without_shadow = ALUM_BRONZE;
+    without_shadow[7..].copy_from_slice(&[0.0, 1e9, 50.0, -1.0]);
+    for fit in [ALUM_BRONZE, without_shadow] {
+        let sgd = sgd(fit).unwrap();
+        for incident in [1.0, 0.5, 1e-3, 1e-12] {
+            for between in [-1.0, -0.999, 0.0, 0.5, 1.0] {
+                let value = sgd.value(Geometry { incident, reflected: 1e-12, between });
+                assert!(value.is_finite(), "{incident} {between}: {value}");
+            }
+        }
+    }
+    for (place, value) in
+        [(0, -0.1), (2, 0.0), (3, f64::NAN), (6, f64::INFINITY), (8, -1.0), (9, 0.0)]
+    {
+        let mut fit = BEIGE_FABRIC;
+        fit[place] = value;
+        assert!(sgd_error(fit).contains("no valid SGD material"), "{place}");
+    }
+}
+
+fn sgd_error(fit: [f64; 11]) -> String {
+    sgd(fit).unwrap_err().to_string()
+}
+
 #[test]
 fn models_are_reciprocal() {
-    let models: [&dyn Brdf; 4] = [
+    let models: [&dyn Brdf; 5] = [
         &ggx(0.2, 0.04, 0.5),
         &OrenNayar::new(0.8, 0.5).unwrap(),
         &Lambertian::new(0.3).unwrap(),
         &abc(TEFLON),
+        &sgd(ALUM_BRONZE).unwrap(),
     ];
     for model in models {
         for (a, b, delta) in [(0.1, 1.5, 3.1), (0.7, 0.71, PI), (0.0, 1.0, 0.4), (1.2, 0.3, 1.0)] {

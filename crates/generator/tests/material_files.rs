@@ -3,7 +3,7 @@
 //! file, its line and a remedy.
 
 use eigenshade_generator::material::brdf::projection::{project, project_with};
-use eigenshade_generator::material::brdf::{Brdf, Geometry, Ggx, Measure};
+use eigenshade_generator::material::brdf::{Abc, Brdf, Geometry, Ggx, Measure, Sgd, Surface};
 use eigenshade_generator::material::files::{self, Source};
 use eigenshade_generator::material::measurements::Measured;
 use eigenshade_generator::material::merl::{self, BINS, BYTES, Merl, SCALES};
@@ -109,6 +109,56 @@ fn faults_of_plain_csv_are_named() {
     assert_fault(row("1.58,0,0,0,1,1,1"), "wool.csv:5", "theta_i = 1.58 is outside");
     assert_fault(row("0,0,45,0,1,1,1"), "wool.csv:5", "theta_r = 45 is outside");
     assert_fault(row("-0.1,0,0,0,1,1,1"), "wool.csv:5", "theta_i = -0.1 is outside");
+}
+
+/// The BRDFs that a file of published fits has.
+fn fits(text: &str) -> Result<Vec<Surface>> {
+    let folder = folder(&[("fits.csv", text)]);
+    let surface = |source: Source| match source {
+        Source::Surface(surface) => surface,
+        Source::Measured(measured) => panic!("`{}` is measured", measured.name),
+    };
+    Ok(files::read(folder.path().join("fits.csv"))?.into_iter().map(surface).collect())
+}
+
+const ABC: &str = "name,kd_r,kd_g,kd_b,a_r,a_g,a_b,b,c,ior\n";
+
+#[test]
+fn published_fits_are_read() {
+    let read = fits(&format!("# of paint\n{ABC}red,0.2,0.1,0.05,1.5,1.4,1.3,40,2,1.6\n")).unwrap();
+    assert_eq!((read.len(), read[0].name.as_str(), read[0].channels()), (1, "red", 3));
+    let at = Geometry::from_angles(0.3, 0.8, 2.5);
+    for (channel, (k, a)) in [(0.2, 1.5), (0.1, 1.4), (0.05, 1.3)].into_iter().enumerate() {
+        let expected = Abc::new(k, [a, 40.0, 2.0], 1.6).unwrap().value(at);
+        assert_eq!(read[0].channel(channel).value(at), expected);
+    }
+    let parameters = "rho_d rho_s alpha p f0 f1 kappa lambda c k theta0";
+    let numbers = [0.2, 0.1, 0.4, 0.5, 0.06, -0.3, 3.8, 2.3, 0.04, 7.5, 0.2];
+    let (mut header, mut row) = ("name".to_owned(), "cloth".to_owned());
+    for (name, number) in parameters.split(' ').zip(numbers) {
+        for (channel, factor) in [("r", 1.0), ("g", 0.9), ("b", 0.8)] {
+            header += &format!(",{name}_{channel}");
+            row += &format!(",{}", factor * number);
+        }
+    }
+    let read = fits(&format!("{header}\n{row}\n")).unwrap();
+    for (channel, factor) in [1.0, 0.9, 0.8].into_iter().enumerate() {
+        let [matte, glossy, alpha, power, f0, f1, scale, lambda, c, k, theta] =
+            numbers.map(|number| factor * number);
+        let (fresnel, shadowing) = ([f0, f1], [lambda, c, k, theta]);
+        let expected = Sgd { matte, glossy, alpha, power, fresnel, scale, shadowing };
+        assert_eq!(read[0].channel(channel).value(at), expected.value(at));
+    }
+}
+
+#[test]
+fn faults_of_published_fits_are_named() {
+    let row = |row: &str| fits(&format!("{ABC}{row}\n")).map(|read| read.len());
+    assert_fault(fits(ABC).map(|read| read.len()), "fits.csv", "no material");
+    assert_fault(row("red,0.2,0.1,0.05,1.5,1.4,1.3,40,2"), "fits.csv:2", "10 fields");
+    assert_fault(row("red,0.2,0.1,0.05,1.5,dark,1.3,40,2,1.6"), "fits.csv:2", "`dark`");
+    assert_fault(row("red,0.2,-0.1,0.05,1.5,1.4,1.3,40,2,1.6"), "fits.csv:2", "k = -0.1");
+    assert_fault(row(",0.2,0.1,0.05,1.5,1.4,1.3,40,2,1.6"), "fits.csv:2", "name is empty");
 }
 
 #[test]

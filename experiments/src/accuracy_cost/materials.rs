@@ -1,11 +1,13 @@
 //! Lights and materials: those from which a basis is made, and others that it never saw.
 
 use eigenshade_generator::material::brdf::{
-    Abc, Brdf, Geometry, Ggx, Lambertian, Measure, OrenNayar, Surface,
+    Brdf, Geometry, Ggx, Lambertian, Measure, OrenNayar, Surface,
 };
 use eigenshade_generator::material::merl::{BINS, Merl};
+use eigenshade_generator::material::published_fits;
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::sheet::Sheet;
 use eigenshade_shading::{parallel, shipped};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -109,32 +111,27 @@ pub fn modelled() -> Result<Vec<Surface>> {
     Ok(surfaces)
 }
 
-/// Materials of the MERL database, measured by W. Matusik and others ("A Data-Driven Reflectance
-/// Model", SIGGRAPH 2003), as fitted by J. Low and others (see [`Abc`]): name; k of r, g and b; a
-/// of r, g and b; b, c and the refractive index. There is one of each kind, from felt to paint,
-/// with lobes wider than 0.05 rad. Sharper lobes are beyond any degree and order here.
-const MEASURED: &str = "\
-pink-felt 0.267287 0.178590 0.156370 0.225846 0.226874 0.221785 54.853024 0.344321 2.938402
-teflon 0.321152 0.313597 0.305526 1.787717 1.816174 1.846979 41.644257 2.066234 1.611215
-neoprene-rubber 0.248773 0.211228 0.170494 1.327917 1.299042 1.233595 63.131874 1.701130 1.942141
-red-plastic 0.268000 0.044432 0.010675 1.081538 1.045352 1.037089 34.117554 1.529797 1.666450
-silver-paint 0.159599 0.127910 0.108671 1.151248 1.207139 1.248789 38.884895 1.971779 8.336617
-fruitwood-241 0.048981 0.034689 0.019745 5.976665 5.760932 5.568172 192.199890 1.573300 1.483582
-purple-paint 0.280217 0.031190 0.032274 14.006363 13.769886 13.753972 408.684143 1.776584 1.483770";
+/// Published fits to materials of the MERL database, one of each kind, from felt to paint, with lobes
+/// wider than 0.05 rad. Sharper lobes are beyond any degree and order here.
+const MEASURED: [&str; 7] = [
+    "pink-felt",
+    "teflon",
+    "neoprene-rubber",
+    "red-plastic",
+    "silver-paint",
+    "fruitwood-241",
+    "purple-paint",
+];
 
 /// The measured materials, in color.
 fn measured() -> Result<Vec<Surface>> {
-    let surface = |line: &str| {
-        let (name, numbers) = line.split_once(' ')?;
-        let numbers: Option<Vec<f64>> = numbers.split(' ').map(|one| one.parse().ok()).collect();
-        let [k @ .., a0, a1, a2, b, c, index] = <[f64; 9]>::try_from(numbers?).ok()?;
-        let channel = |at: usize| Abc::new(k[at], [[a0, a1, a2][at], b, c], index).ok();
-        let rgb: [Box<dyn Brdf>; 3] =
-            [Box::new(channel(0)?), Box::new(channel(1)?), Box::new(channel(2)?)];
-        Some(Surface::colored(name.to_owned(), rgb))
-    };
-    let surfaces: Option<Vec<Surface>> = MEASURED.lines().map(surface).collect();
-    surfaces.ok_or_else(|| Error::new("a fit of a material cannot be read", "report it"))
+    let text = include_bytes!("../../../tables/inputs/merl-abc.csv");
+    let sheet = Sheet::parse(text.to_vec(), "tables/inputs/merl-abc.csv".as_ref(), "name,kd_r,..")?;
+    let mut surfaces = published_fits::of_sheet(&sheet)?.unwrap_or_default();
+    let kind = |surface: &Surface| MEASURED.iter().position(|name| *name == surface.name);
+    surfaces.retain(|surface| kind(surface).is_some());
+    surfaces.sort_by_key(kind);
+    Ok(surfaces)
 }
 
 /// Two tables in the layout of the MERL database with lobes that differ from GGX: a matte base

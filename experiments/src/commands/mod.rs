@@ -3,6 +3,7 @@
 mod accuracy_cost;
 mod errors;
 mod files;
+mod mutations;
 mod paper;
 
 use clap::Subcommand;
@@ -47,6 +48,7 @@ pub enum Command {
     GlossyMaterials(files::GlossyMaterials),
     SameOrder(files::SameOrder),
     WasmTables(files::WasmTables),
+    Mutations(mutations::Mutations),
 }
 
 impl Command {
@@ -84,6 +86,7 @@ impl Command {
             Self::GlossyMaterials(command) => command.run(),
             Self::SameOrder(command) => command.run(),
             Self::WasmTables(command) => command.run(),
+            Self::Mutations(command) => command.run(),
         }
     }
 }

@@ -12,6 +12,9 @@ use eigenshade_model::inputs::coefficient_csv::{read_lights, write_lights};
 use eigenshade_model::inputs::coefficient_text::{LIGHT_DIGITS, rounded};
 use std::path::{Path, PathBuf};
 
+/// The degree of the shipped table.
+const DEGREE: usize = 9;
+
 /// Project environment maps onto light coefficients, or convert coefficients
 ///
 /// Writes the CSV `name,l,m,r,g,b` with nine significant digits. Maps are equirectangular and
@@ -27,9 +30,9 @@ pub struct Light {
     /// Maps (.exr, .hdr, .pfm), folders of maps, or one light CSV
     #[arg(value_name = "MAP", required = true)]
     maps: Vec<PathBuf>,
-    /// Largest degree l of the coefficients, 0 to 256
+    /// Largest degree l of the coefficients, 0 to 256 [default: 9, or that of the light CSV]
     #[arg(long, value_name = "L", value_parser = count(0, 256))]
-    degree: usize,
+    degree: Option<usize>,
     /// Convention of the output
     #[arg(long, value_enum, default_value_t = Convention::Paper)]
     convention: Convention,
@@ -51,12 +54,12 @@ impl Light {
         let lights = match self.maps.as_slice() {
             [file] if is_csv(file) => {
                 output::refuse_collisions(&self.out, [file])?;
-                exchanged(&read_lights(memory.file(file), Some(self.degree))?)
+                exchanged(&read_lights(memory.file(file), self.degree)?)
             }
             maps => {
                 let files = files(maps)?;
                 output::refuse_collisions(&self.out, files.iter().map(|(_, path)| path))?;
-                let lights = projected(files, self.degree, memory)?;
+                let lights = projected(files, self.degree.unwrap_or(DEGREE), memory)?;
                 match self.convention {
                     Convention::Paper => lights,
                     Convention::Graphics => exchanged(&lights),

@@ -17,6 +17,9 @@ use eigenshade_shading::parallel;
 use std::collections::HashSet;
 use std::path::PathBuf;
 
+/// The order of the shipped table.
+const ORDER: usize = 7;
+
 /// Convert BRDFs (measurements, tables or formulas) to material coefficients
 ///
 /// Writes the CSV `name,o,p,q,r,g,b` (`name,o,p,q,value` if all are gray). Measurements are fitted.
@@ -36,8 +39,8 @@ pub struct Material {
     #[arg(value_name = "PATH", required = true)]
     paths: Vec<PathBuf>,
     /// Largest order o of the coefficients, 0 to 64
-    #[arg(long, value_name = "O", value_parser = count(0, 64), required = true)]
-    order: Option<usize>,
+    #[arg(long, value_name = "O", value_parser = count(0, 64), default_value_t = ORDER)]
+    order: usize,
     /// Measure under which projected coefficients approximate the function best
     #[arg(long, value_enum, default_value_t)]
     measure: Nearness,
@@ -64,7 +67,7 @@ impl Material {
                 for path in &self.paths {
                     sources.extend(material::files::read(memory.file(path))?);
                 }
-                (sources, self.order.unwrap_or_default(), self.measure, self.out)
+                (sources, self.order, self.measure, self.out)
             }
         };
         let negative = negative_values(&sources);
@@ -202,7 +205,7 @@ pub enum Formula {
 #[derive(Args, Debug)]
 pub struct Projection {
     /// Largest order o of the coefficients, 0 to 64
-    #[arg(long, value_name = "O", value_parser = count(0, 64))]
+    #[arg(long, value_name = "O", value_parser = count(0, 64), default_value_t = ORDER)]
     order: usize,
     /// Name of the material [default: the model]
     #[arg(long, value_name = "NAME", value_parser = clap::builder::NonEmptyStringValueParser::new())]

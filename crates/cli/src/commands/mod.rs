@@ -8,6 +8,7 @@ mod evaluate;
 mod info;
 #[cfg(feature = "generate")]
 mod light;
+mod list;
 #[cfg(feature = "generate")]
 mod material;
 mod options;
@@ -29,6 +30,7 @@ pub use options::Memory;
 #[derive(Debug, Subcommand)]
 pub enum Command {
     Demo(demo::Demo),
+    List(list::List),
     #[cfg(feature = "generate")]
     Light(light::Light),
     #[cfg(feature = "generate")]
@@ -51,6 +53,7 @@ impl Command {
     pub fn run(self, memory: Memory) -> Result<()> {
         match self {
             Self::Demo(command) => command.run(),
+            Self::List(_) => list::List::run(),
             #[cfg(feature = "generate")]
             Self::Light(command) => command.run(memory),
             #[cfg(feature = "generate")]

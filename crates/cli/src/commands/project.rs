@@ -5,9 +5,9 @@ use clap::Args;
 use eigenshade_cli::messages::albedo_warning;
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::output::{self, Rows, exact};
+use eigenshade_cli::presets;
 use eigenshade_cli::table;
 use eigenshade_model::error::Result;
-use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_shading::overflow;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{Shader, fault, fitted, of_higher_order};
@@ -22,10 +22,10 @@ pub struct Project {
     /// The table
     #[arg(value_name = "B.bin")]
     table: PathBuf,
-    /// Light CSV
+    /// Light CSV, or the name of a shipped light
     #[arg(long, value_name = "FILE")]
     lights: PathBuf,
-    /// Material CSV
+    /// Material CSV, or the name of a shipped material
     #[arg(long, value_name = "FILE")]
     materials: PathBuf,
     /// Only the first K components
@@ -41,8 +41,8 @@ impl Project {
         output::refuse_collisions(&self.out, [&self.table, &self.lights, &self.materials])?;
         let table = table::read(memory.file(&self.table))?;
         let components = table::components(&table, self.components, &self.table)?;
-        let lights = read_lights(memory.file(&self.lights), None)?;
-        let materials = read_materials(memory.file(&self.materials), None)?;
+        let lights = presets::lights(memory.file(&self.lights))?;
+        let materials = presets::materials(memory.file(&self.materials))?;
         let higher = of_higher_order(&self.materials, materials.order, table.gram.order);
         let warnings = higher.into_iter().chain(albedo_warning(&materials));
         let (lights, materials) = fitted(&table, &lights, &materials);

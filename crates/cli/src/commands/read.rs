@@ -5,6 +5,7 @@ use super::read_answer::{self, Answer};
 use clap::Args;
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::output;
+use eigenshade_cli::presets;
 use eigenshade_cli::reading::pixels::{LinearImage, Transfer};
 use eigenshade_cli::reading::{Reader, pixels};
 use eigenshade_cli::table::{self, rounding};
@@ -176,7 +177,7 @@ impl Read {
     fn lights(&self, table: &Table, memory: Memory) -> Result<(Lights, bool)> {
         let count = table.summary.lights;
         if let Some(path) = &self.lights {
-            return Ok((read_lights(memory.file(path), None)?, false));
+            return Ok((presets::lights(memory.file(path))?, false));
         }
         match self.beside(&table.scene.light.database) {
             Ok(path) => Ok((read_lights(memory.file(path), None)?, false)),
@@ -192,7 +193,7 @@ impl Read {
     /// replace the latter.
     fn materials(&self, table: &Table, memory: Memory) -> Result<(Materials, bool)> {
         if let Some(path) = &self.materials {
-            return Ok((read_materials(memory.file(path), None)?, false));
+            return Ok((presets::materials(memory.file(path))?, false));
         }
         let scene = &table.scene.material;
         let beside = self.beside(&scene.database);

@@ -7,13 +7,14 @@ use eigenshade_cli::messages::print_message;
 use eigenshade_cli::messages::{Ringing, albedo_warning};
 use eigenshade_cli::output;
 use eigenshade_cli::picture::{SphereView, exposure, srgb, write_png};
+use eigenshade_cli::presets;
 use eigenshade_cli::table::{self, rounding};
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::Result;
-use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_shading::overflow;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader, fault, fitted, of_higher_order};
+use eigenshade_shading::shipped;
 use eigenshade_table::scene::Geometry;
 use eigenshade_table::{Table, wire};
 use std::path::{Path, PathBuf};
@@ -27,14 +28,16 @@ const UNCLIPPED: f64 = 0.99;
 /// whatever the table's object is; a note says so if it is another.
 #[derive(Args, Debug)]
 pub struct Render {
-    /// The table
+    /// The table [default: the shipped one]
     #[arg(value_name = "B.bin")]
-    table: PathBuf,
-    /// Light CSV and name of the light; optional if the file has one light
-    #[arg(long, value_name = "FILE[:NAME]")]
+    table: Option<PathBuf>,
+    /// The name of a shipped light, or a light CSV and the light's name, which is optional if the
+    /// file has one light
+    #[arg(long, value_name = "NAME|FILE[:NAME]")]
     light: String,
-    /// Material CSV and name of the material; optional if the file has one material
-    #[arg(long, value_name = "FILE[:NAME]")]
+    /// The name of a shipped material, or a material CSV and the material's name, which is optional
+    /// if the file has one material
+    #[arg(long, value_name = "NAME|FILE[:NAME]")]
     material: String,
     /// Pixels across, 2 to 8192
     #[arg(long, value_name = "N", default_value = "512", value_parser = count(2, 8192))]
@@ -56,11 +59,15 @@ enum Format {
 impl Render {
     pub fn run(self, memory: Memory) -> Result<()> {
         let (light, material) = (FileEntry::new(&self.light), FileEntry::new(&self.material));
-        output::refuse_collisions([&self.out], [&self.table, &light.path, &material.path])?;
-        let table = table::read(memory.file(&self.table))?;
-        let Lights { degree, entries } = read_lights(memory.file(&light.path), None)?;
+        let inputs = [&light.path, &material.path].into_iter().chain(&self.table);
+        output::refuse_collisions([&self.out], inputs)?;
+        let table = match &self.table {
+            Some(path) => table::read(memory.file(path))?,
+            None => table::decode(shipped::TABLE)?,
+        };
+        let Lights { degree, entries } = presets::lights(memory.file(&light.path))?;
         let lights = Lights { degree, entries: vec![light.find_in(entries)?] };
-        let Materials { order, entries } = read_materials(memory.file(&material.path), None)?;
+        let Materials { order, entries } = presets::materials(memory.file(&material.path))?;
         let materials = Materials { order, entries: vec![material.find_in(entries)?] };
         let higher = of_higher_order(&material.path, order, table.gram.order);
         let rounded = match self.format {
@@ -90,7 +97,7 @@ impl Render {
             bytes[start + 3] = (255.0 * pixel.coverage).round() as u8;
         }
         write_png(&self.out, self.size, self.size, &bytes)?;
-        let note = note(&self.table, &table.scene.geometry);
+        let note = self.table.and_then(|path| note(&path, &table.scene.geometry));
         note.into_iter().chain(warnings).chain(ringing.note()).for_each(print_message);
         Ok(())
     }

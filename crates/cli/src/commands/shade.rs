@@ -8,9 +8,9 @@ use eigenshade::{Effect, Effects, NegativePolicy, Q15, Q31, Tolerance, Window};
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::messages::{Ringing, albedo_warning};
 use eigenshade_cli::output::{self, Rows, exact};
+use eigenshade_cli::presets;
 use eigenshade_cli::table::{self, rounding};
 use eigenshade_model::error::{Error, Result};
-use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_model::inputs::normals::read_normals;
 use eigenshade_model::rotation::Rotation;
 use eigenshade_shading::methods::LookUp;
@@ -27,10 +27,10 @@ pub struct Shade {
     /// The table
     #[arg(value_name = "B.bin")]
     table: PathBuf,
-    /// Light CSV
+    /// Light CSV, or the name of a shipped light
     #[arg(long, value_name = "FILE")]
     lights: PathBuf,
-    /// Material CSV
+    /// Material CSV, or the name of a shipped material
     #[arg(long, value_name = "FILE")]
     materials: PathBuf,
     /// Normals CSV, `x,y,z`
@@ -144,8 +144,8 @@ impl Shade {
         }
         let way = self.way(table.scene.basis.knots, table.gram.degree)?;
         let components = table::components(&table, self.components, &self.table)?;
-        let lights = read_lights(memory.file(&self.lights), None)?;
-        let materials = read_materials(memory.file(&self.materials), None)?;
+        let lights = presets::lights(memory.file(&self.lights))?;
+        let materials = presets::materials(memory.file(&self.materials))?;
         let higher = of_higher_order(&self.materials, materials.order, table.gram.order);
         let warnings = higher.into_iter().chain(albedo_warning(&materials));
         let (mut lights, materials) = fitted(&table, &lights, &materials);

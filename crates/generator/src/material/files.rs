@@ -4,9 +4,10 @@ use crate::light::map_file::extension;
 use crate::material::brdf::Surface;
 use crate::material::measurements;
 use crate::material::measurements::Measured;
-use crate::material::{analytic, merl};
+use crate::material::{analytic, merl, published_fits};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
+use eigenshade_model::inputs::sheet::Sheet;
 use std::path::{Path, PathBuf};
 
 /// A material before it has coefficients.
@@ -29,8 +30,8 @@ impl Source {
 }
 
 /// Reads materials by file type. A `.binary` file is a MERL table ([`merl::read`]), a `.toml` file
-/// holds formulas ([`analytic::read`]), any other file holds measurements ([`measurements::read`]).
-/// A folder with an `abrdf.dat` is a CUReT folder ([`measurements::read_curet`]); from any other
+/// holds formulas ([`analytic::read`]), any other file is a CSV of [`published_fits`] or of
+/// measurements ([`measurements::read`]). A folder with an `abrdf.dat` is a CUReT folder ([`measurements::read_curet`]); from any other
 /// folder all
 /// `.binary`, `.toml` and `.csv` files are read, sorted by name.
 ///
@@ -86,6 +87,12 @@ fn read_file(file: InputFile) -> Result<Vec<Source>> {
     Ok(match extension(file.path()).as_deref() {
         Some("binary") => vec![Source::Surface(merl::read(file)?)],
         Some("toml") => analytic::read(file.path())?.into_iter().map(Source::Surface).collect(),
-        _ => vec![Source::Measured(measurements::read(file)?)],
+        _ => {
+            let sheet = Sheet::read(file.clone(), measurements::COLUMNS)?;
+            match published_fits::of_sheet(&sheet)? {
+                Some(surfaces) => surfaces.into_iter().map(Source::Surface).collect(),
+                None => vec![Source::Measured(measurements::of_sheet(&sheet, file.path())?)],
+            }
+        }
     })
 }

@@ -19,7 +19,7 @@ use std::path::Path;
 /// How far beyond the rim a polar angle may lie, since files round π/2.
 const RIM_SLACK: f64 = 1e-9;
 
-const COLUMNS: &str = "theta_i,phi_i,theta_r,phi_r,r,g,b";
+pub(super) const COLUMNS: &str = "theta_i,phi_i,theta_r,phi_r,r,g,b";
 
 /// One measured value of a BRDF.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -51,8 +51,11 @@ pub struct Measured {
 /// finite number, a polar angle is outside \[0, π/2\] by more than 1e-9, or there is no row.
 pub fn read(file: impl Into<InputFile>) -> Result<Measured> {
     let file = file.into();
-    let path = file.path();
-    let sheet = Sheet::read(file.clone(), COLUMNS)?;
+    of_sheet(&Sheet::read(file.clone(), COLUMNS)?, file.path())
+}
+
+/// The same, from the rows of the file `path`.
+pub(super) fn of_sheet(sheet: &Sheet, path: &Path) -> Result<Measured> {
     let wrong_header = || sheet.wrong_header("theta_i,phi_i,theta_r,phi_r and r,g,b or value");
     let angles =
         sheet.columns(["theta_i", "phi_i", "theta_r", "phi_r"]).ok_or_else(wrong_header)?;

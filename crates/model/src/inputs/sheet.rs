@@ -222,8 +222,14 @@ impl<'a> Row<'a> {
 
     /// An error at this row.
     pub fn fault(self, what: impl Into<String>, remedy: impl Into<String>) -> Error {
+        self.locate(Error::new(what, remedy))
+    }
+
+    /// The same error, located at this row.
+    #[must_use]
+    pub fn locate(self, error: Error) -> Error {
         let line = line_of(&self.sheet.text, self.sheet.starts[self.number]);
-        Error::new(what, remedy).at_line(self.sheet.file.path(), line)
+        error.at_line(self.sheet.file.path(), line)
     }
 }
 

@@ -3,11 +3,13 @@
 //! An isotropic BRDF that is even in Δφ depends on only three cosines: those of θ_i, of θ_r and of
 //! the angle between the two directions; see [`Geometry`].
 
+mod fitted;
 mod formulas;
 mod overlaps;
 pub mod projection;
 
-pub use formulas::{Abc, Ggx, Lambertian, OrenNayar};
+pub use fitted::{Abc, Sgd};
+pub use formulas::{Ggx, Lambertian, OrenNayar};
 pub use projection::{Measure, Projected, Surface};
 
 /// Cosines of the polar angles of light and view, and of the angle between light and view.

@@ -1,0 +1,232 @@
+//! Wire files in which one array is corrupted: such a file is refused, or everything can be done
+//! with its basis. Tests have debug assertions, with which a broken invariant is a panic.
+
+use crate::wire_files as files;
+use eigenshade::index::record::{floats, integers};
+use eigenshade::wire::{WireError, aligned};
+use eigenshade::{
+    Basis, Effect, Effects, FixedPoint, GeneralBasis, Light, Material, Normal, Q15, Q31, Tolerance,
+    quantized,
+};
+use std::collections::BTreeMap;
+
+/// What a file holds, and what opens it and uses its basis.
+struct Kind {
+    files: Vec<&'static [u8]>,
+    arrays: Vec<&'static str>,
+    open: fn(&[u8]) -> Result<(), WireError>,
+    /// The arrays whose items are checked. The others hold numbers, of which any is valid.
+    checked: &'static [&'static str],
+}
+
+fn kinds() -> [Kind; 4] {
+    let of_general = [floats::Parts::<f32>::ARRAYS, floats::GeneralParts::<f32>::ARRAYS].concat();
+    let of_integers = integers::Parts::<Q15>::ARRAYS.to_vec();
+    [
+        Kind {
+            files: vec![
+                &files::SPHERE.0,
+                &files::MEAN.0,
+                &files::EFFECTS.0,
+                &files::TURNED.0,
+                &files::LONG.0,
+            ],
+            arrays: floats::Parts::<f32>::ARRAYS.to_vec(),
+            open: |bytes| Basis::from_bytes(bytes).map(|basis| use_floats(&basis)),
+            checked: &["profiles", "passes", "slots", "couplings", "lengths", "selection"],
+        },
+        Kind {
+            files: vec![&files::GENERAL.0],
+            arrays: of_general,
+            open: |bytes| GeneralBasis::from_bytes(bytes).map(|basis| use_general(&basis)),
+            checked: &["profiles", "passes", "slots", "couplings", "lengths"],
+        },
+        Kind {
+            files: vec![&files::INTEGERS_15.0, &files::TURNED_15.0],
+            arrays: of_integers.clone(),
+            open: |bytes| {
+                let basis = quantized::Basis::<Q15>::from_bytes(bytes)?;
+                use_integers(&basis, files::facing_15());
+                Ok(())
+            },
+            checked: &["profiles", "lengths", "factors", "terms"],
+        },
+        Kind {
+            files: vec![&files::INTEGERS_31.0],
+            arrays: of_integers,
+            open: |bytes| {
+                let basis = quantized::Basis::<Q31>::from_bytes(bytes)?;
+                use_integers(&basis, files::facing_31());
+                Ok(())
+            },
+            checked: &["profiles", "lengths", "factors", "terms"],
+        },
+    ]
+}
+
+/// More components than any of the files has.
+const COMPONENTS: usize = 256;
+
+fn use_floats(basis: &Basis<'_, f32>) {
+    let (mut d, _) = files::floats(basis);
+    let normal = Normal::new(0.6, 0.0, 0.8).expect("a normal");
+    let mut estimate = basis.estimate::<COMPONENTS>().expect("room");
+    estimate.add(normal, 1.0, 1.0);
+    let _ = estimate.coefficients();
+    d.fill(1.0);
+    basis.reconstruct(&d, normal).expect("sizes");
+    let light = files::light();
+    let light = Light::new(&light).expect("nine coefficients").truncated(basis.degree());
+    if basis.projects() {
+        let material = files::material();
+        let material = Material::new(&material).expect("five coefficients");
+        let material = material.truncated(basis.order());
+        let mut workspace = vec![0.0; basis.workspace_len()];
+        for effect in Effect::ALL {
+            let effects = Effects::ALL.without(effect);
+            basis
+                .project_effects_into(&light, &material, effects, &mut workspace, &mut d)
+                .expect("sizes");
+        }
+    }
+    let transfer = vec![1.0; basis.transfer_len()];
+    basis.relight_into(&transfer, &light, &mut d).expect("sizes");
+    let scene = basis.collapse_into(&d, vec![0.0; basis.scene_len()]).expect("sizes");
+    let _ = scene.shade(normal);
+    let (mut lengths, buffer) = (vec![0; basis.azimuths()], vec![0.0; basis.scene_len()]);
+    let tolerance = Tolerance::OfPeak(0.01);
+    let within = basis.collapse_within(&d, tolerance, &mut lengths, buffer);
+    let _ = within.expect("sizes").0.shade(normal);
+}
+
+fn use_general(basis: &GeneralBasis<'_, f32>) {
+    use_floats(basis.span());
+    let d = files::general(basis);
+    let normal = Normal::new(0.6, 0.0, 0.8).expect("a normal");
+    let mut workspace = vec![0.0; basis.workspace_len()];
+    basis.reconstruct(&d, normal, &mut workspace).expect("sizes");
+    let buffer = vec![0.0; basis.span().scene_len()];
+    let scene = basis.collapse_into(&d, &mut workspace, buffer).expect("sizes");
+    let _ = scene.shade(normal);
+}
+
+fn use_integers<Q: FixedPoint>(basis: &quantized::Basis<'_, Q>, normal: quantized::Normal<Q>) {
+    files::integers(basis, normal);
+    let mut estimate = basis.estimate::<COMPONENTS>().expect("room");
+    estimate.add(normal, Q::default(), 1);
+    let _ = estimate.coefficients(0);
+}
+
+/// What the bytes are damaged by.
+const FLIPPED: [u8; 6] = [0x01, 0x02, 0x10, 0x40, 0x80, 0xff];
+
+fn long(file: &[u8], at: usize) -> usize {
+    u32::from_le_bytes(file[at..at + 4].try_into().expect("four bytes")) as usize
+}
+
+/// Where in a file the array of a section is.
+fn place(file: &[u8], section: usize) -> std::ops::Range<usize> {
+    let entry = 32 + 8 * section;
+    let start = long(file, entry);
+    start..start + long(file, entry + 4)
+}
+
+/// Number of sections: those of empty arrays at the end are left out.
+fn sections(file: &[u8]) -> usize {
+    usize::from(u16::from_le_bytes([file[28], file[29]]))
+}
+
+/// The file with this array, at its end, in the place of another, and with the right checksum.
+fn with(file: &[u8], section: usize, array: &[u8]) -> Vec<u8> {
+    let mut bytes = file[..file.len() - 4].to_vec();
+    let start = bytes.len();
+    bytes.extend(array);
+    bytes.resize(bytes.len().next_multiple_of(4), 0);
+    let entry = 32 + 8 * section;
+    let (length, of_array) = (bytes.len() + 4, array.len());
+    for (at, number) in [(16, length), (entry, start), (entry + 4, of_array)] {
+        bytes[at..at + 4].copy_from_slice(&(number as u32).to_le_bytes());
+    }
+    let sum = crc32fast::hash(&bytes);
+    bytes.extend(sum.to_le_bytes());
+    bytes
+}
+
+fn is_refused(kind: &Kind, bytes: &[u8]) -> bool {
+    let mut room = files::room(bytes);
+    (kind.open)(aligned(bytes, &mut room).expect("room")).is_err()
+}
+
+#[test]
+fn files_with_arrays_moved_to_their_end_are_read() {
+    for kind in kinds() {
+        for &file in &kind.files {
+            for section in 0..sections(file) {
+                assert!(!is_refused(&kind, &with(file, section, &file[place(file, section)])));
+            }
+        }
+    }
+}
+
+/// No array may lack its last items, or have some more.
+#[test]
+fn arrays_of_another_length_are_refused() {
+    for kind in kinds() {
+        for &file in &kind.files {
+            for section in 0..sections(file) {
+                let (name, array) = (kind.arrays[section], &file[place(file, section)]);
+                for less in 1..=array.len().min(24) {
+                    let shorter = with(file, section, &array[..array.len() - less]);
+                    assert!(is_refused(&kind, &shorter), "{name} without its last {less} bytes");
+                }
+                for more in 1..=24 {
+                    let longer = with(file, section, &[array, &vec![0; more]].concat());
+                    assert!(is_refused(&kind, &longer), "{name} with {more} bytes more");
+                }
+            }
+        }
+    }
+}
+
+/// Each byte of each array. Arrays of indices and sizes are refused for some of the damage, and in
+/// integers those of numbers whose sums could overflow. In floats no number is refused.
+#[test]
+fn corrupted_items_are_refused_or_harmless() {
+    for kind in kinds() {
+        let mut refused = BTreeMap::new();
+        for &file in &kind.files {
+            for section in 0..sections(file) {
+                let (name, at) = (kind.arrays[section], place(file, section));
+                let ever = refused.entry(name).or_insert(false);
+                for byte in 0..at.len() {
+                    for flipped in FLIPPED {
+                        let mut array = file[at.clone()].to_vec();
+                        array[byte] ^= flipped;
+                        *ever |= is_refused(&kind, &with(file, section, &array));
+                    }
+                }
+            }
+        }
+        let mut found = kind.arrays.clone();
+        found.retain(|name| refused.get(name) == Some(&true));
+        assert_eq!(found, kind.checked);
+    }
+}
+
+/// Each byte of the header, which has the sizes, and of the table of sections.
+#[test]
+fn corrupted_headers_are_refused_or_harmless() {
+    for kind in kinds() {
+        for &file in &kind.files {
+            for at in 0..32 + 8 * sections(file) {
+                for flipped in FLIPPED {
+                    let mut bytes = file[..file.len() - 4].to_vec();
+                    bytes[at] ^= flipped;
+                    let sum = crc32fast::hash(&bytes);
+                    bytes.extend(sum.to_le_bytes());
+                    is_refused(&kind, &bytes);
+                }
+            }
+        }
+    }
+}
