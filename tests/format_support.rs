@@ -1,24 +1,21 @@
 //! Each number format supports what the table of docs/formats.md states, refuses the rest with an
 //! error, and holds its invariants for any input.
 
-use crate::invariants;
+use crate::invariants::integer::shipped;
+use crate::invariants::{self, Reader};
 use eigenshade::{Argument, Error, Format, Light, Q15, Q31, Scalar, quantized, sphere};
-use eigenshade_table::General;
-use eigenshade_table::MeanImage;
-use eigenshade_table::Table;
 use eigenshade_table::quantize;
 use eigenshade_table::scene::{Effect, Store};
 use eigenshade_table::wire::{self, Endian};
-use invariants::Reader;
+use eigenshade_table::{General, MeanImage, Table};
+use eigenshade_testing::part;
 use proptest::collection::vec;
 use proptest::prelude::*;
 use std::marker::PhantomData;
 
 /// The rows of the table: the last three columns by the first.
 fn rows() -> Vec<[&'static str; 4]> {
-    let text = include_str!("../docs/formats.md");
-    let (_, text) = text.split_once("<!-- support: ").expect("the table's start");
-    let (text, _) = text.split_once("<!-- end of support -->").expect("its end");
+    let text = part(include_str!("../docs/formats.md"), "support");
     let rows = text.lines().filter(|line| line.starts_with("| ")).skip(1);
     let cells = |row: &'static str| {
         let cells: Vec<_> = row.trim_matches('|').split(" | ").map(str::trim).collect();
@@ -36,16 +33,11 @@ fn row(what: &str) -> [&'static str; 4] {
     found.unwrap_or_else(|| panic!("the table of docs/formats.md has no row `{what}`"))
 }
 
-fn shipped() -> Table {
-    let bytes = std::fs::read("tables/sphere.bin").expect("the shipped table");
-    eigenshade_table::decode(&bytes).expect("a table")
-}
-
 /// Both integer formats refuse a table with the row's error.
 fn assert_refused(what: &str, change: impl Fn(&mut Table)) {
     let [_, floats, integers, error] = row(what);
     assert_eq!((floats, integers), ("yes", "no"), "{what}");
-    let mut table = shipped();
+    let mut table = shipped().table.clone();
     change(&mut table);
     for format in [quantize::Format::Q15, quantize::Format::Q31] {
         let refused = quantize::integers(&table, format, format.tolerance()).err();
@@ -84,7 +76,7 @@ fn tables_that_integers_do_not_serve_are_refused_as_documented() {
     });
     let [_, floats, integers, error] = row("transfers alone, packed or quantized on the host");
     assert_eq!((floats, integers), ("no", "no"));
-    let mut table = shipped();
+    let mut table = shipped().table.clone();
     table.scene.basis.store = Store::Materials;
     for format in [
         wire::Format::F32,
@@ -167,7 +159,7 @@ fn numbers_beyond_a_format_are_refused_as_documented() {
 /// A table that all formats take is taken, and by each way that the first rows name.
 #[test]
 fn what_every_format_supports_is_there() {
-    let mut table = shipped();
+    let mut table = shipped().table.clone();
     for effects in [vec![Effect::Diffuse, Effect::Broad], Effect::ALL.to_vec()] {
         table.scene.effects.wanted = effects;
         for format in [quantize::Format::Q15, quantize::Format::Q31] {

@@ -4,15 +4,16 @@
 //! The reference is summed mode by mode from the table's rows of UᵀM, and its Chebyshev
 //! series; nothing of it is the runtime's.
 
+use crate::invariants::integer::{self, eigenimage};
 use crate::tolerances;
 use eigenshade::{Q15, Q31};
-use eigenshade_index::{light, material, mode};
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_shading::integer_shader::{self, Integer, IntegerShader};
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader};
 use eigenshade_shading::shipped;
-use eigenshade_table::Table;
+use eigenshade_testing::fixtures::of_equal_areas;
+use eigenshade_testing::{largest, part};
 
 /// Signal to error of f32 over the database, in decibels, and of its worst pair: 24 bits
 /// are 150, and polynomials are trimmed to 1e-7, 140.
@@ -78,91 +79,50 @@ trait Measured {
 }
 
 struct Reference {
-    table: Table,
+    shipped: &'static integer::Shipped,
     lights: Lights,
     materials: Materials,
     normals: Vec<[f64; 3]>,
     /// For each component, each normal.
     images: Vec<Vec<f64>>,
-    /// For each profile its row of UᵀM.
-    rows: Vec<Vec<f64>>,
 }
 
 impl Reference {
     fn new() -> Self {
-        let bytes = std::fs::read("tables/sphere.bin").expect("the shipped table");
-        let table = eigenshade_table::decode(&bytes).expect("a table");
-        let normals: Vec<[f64; 3]> = (0..NORMALS)
-            .map(|k| {
-                let z = ((k as f64 + 0.5) / NORMALS as f64).sqrt();
-                let (sine, tilt) = ((1.0 - z * z).sqrt(), 2.399_963 * k as f64);
-                [sine * tilt.cos(), sine * tilt.sin(), z]
-            })
-            .collect();
-        let image = |component: &eigenshade_table::Component| {
-            let profile = &table.profiles[component.profile];
-            let one = |[x, y, z]: &[f64; 3]| {
-                let (slant, tilt) = (x.hypot(*y), y.atan2(*x));
-                let order = f64::from(component.order);
-                let around = match component.order {
-                    0 => 1.0,
-                    1.. => std::f64::consts::SQRT_2 * (order * tilt).cos(),
-                    // Φ_-m = √2 sin(-mβ).
-                    _ => std::f64::consts::SQRT_2 * (order * tilt).sin(),
-                };
-                chebyshev(&profile.chebyshev, 2.0 * z - 1.0)
-                    * slant.powi(profile.azimuth as i32)
-                    * around
-            };
-            normals.iter().map(one).collect()
-        };
-        let images = table.components.iter().map(image).collect();
-        let rows = table.profiles.iter().map(|profile| table.gram_row(profile)).collect();
+        let (shipped, normals) = (integer::shipped(), of_equal_areas(NORMALS));
+        let table = &shipped.table;
+        let image =
+            |component| normals.iter().map(|&at| eigenimage(table, component, at)).collect();
         Self {
-            images,
-            rows,
-            normals,
+            images: table.components.iter().map(image).collect(),
             lights: shipped::lights().expect("lights").truncated(table.gram.degree),
             materials: shipped::materials().expect("materials").truncated(table.gram.order),
-            table,
+            normals,
+            shipped,
         }
     }
 
-    /// d = UᵀMc, mode by mode.
-    fn project(&self, light: &[f64], material: &[f64]) -> Vec<f64> {
-        let (degree, order) = (self.table.gram.degree, self.table.gram.order);
-        let of = |component: &eigenshade_table::Component| {
-            let azimuth = component.order.unsigned_abs() as usize;
-            let sign = if component.order < 0 && azimuth % 2 == 1 { -1.0 } else { 1.0 };
-            let modes = mode::indices(degree, order, azimuth).zip(&self.rows[component.profile]);
-            let one = |((l, o, p, q), weight): ((usize, usize, usize, usize), &f64)| {
-                weight
-                    * light[light::position(l, component.order as isize)]
-                    * material[material::position(o, p, q)]
-            };
-            sign * modes.map(one).sum::<f64>()
-        };
-        self.table.components.iter().map(of).collect()
+    fn image(&self, d: &[f64]) -> Vec<f64> {
+        let at = |k: usize| d.iter().zip(&self.images).map(|(d, image)| d * image[k]).sum();
+        (0..NORMALS).map(at).collect()
     }
 
     fn score(&self, measured: &mut impl Measured) -> Score {
         let mut all = Ratio::default();
-        let mut components = vec![Ratio::default(); self.table.count()];
+        let mut components = vec![Ratio::default(); self.images.len()];
         let mut worst = f64::INFINITY;
         for material in &self.materials.entries {
             for light in &self.lights.entries {
                 let mut pair = Ratio::default();
                 for (light, material) in light.rgb.iter().zip(&material.rgb) {
-                    let d = self.project(light, material);
+                    let d = self.shipped.project(light, material);
                     let (light, material) =
                         ((self.lights.degree, &light[..]), (self.materials.order, &material[..]));
                     let (found, image) = measured.image(light, material, &self.normals);
                     for ((ratio, reference), found) in components.iter_mut().zip(&d).zip(found) {
                         ratio.add(*reference, found);
                     }
-                    for (k, found) in image.into_iter().enumerate() {
-                        let reference =
-                            d.iter().zip(&self.images).map(|(d, image)| d * image[k]).sum();
+                    for (reference, found) in self.image(&d).into_iter().zip(image) {
                         pair.add(reference, found);
                     }
                 }
@@ -174,14 +134,6 @@ impl Reference {
         let component = components.into_iter().map(Ratio::decibels).fold(f64::INFINITY, f64::min);
         Score { all: all.decibels(), worst, component }
     }
-}
-
-fn chebyshev(terms: &[f64], t: f64) -> f64 {
-    terms
-        .iter()
-        .enumerate()
-        .map(|(k, term)| term * (k as f64 * t.clamp(-1.0, 1.0).acos()).cos())
-        .sum()
 }
 
 impl Measured for Shader<'_, f32> {
@@ -202,12 +154,7 @@ impl<Q: Integer> Measured for IntegerShader<Q> {
     }
 }
 
-/// A table of docs/formats.md, between its marks.
-fn part(name: &str) -> &'static str {
-    let page = include_str!("../docs/formats.md");
-    let (_, table) = page.split_once(&format!("<!-- {name}: ")).expect("a table's start");
-    table.split_once(&format!("<!-- end of {name} -->")).expect("its end").0
-}
+const PAGE: &str = include_str!("../docs/formats.md");
 
 /// The table of docs/formats.md states what this finds, to a tenth of a decibel.
 fn stated(name: &str, score: &Score) {
@@ -216,7 +163,7 @@ fn stated(name: &str, score: &Score) {
         score.all, score.worst, score.component
     );
     println!("{row}");
-    let table = part("decibels");
+    let table = part(PAGE, "decibels");
     let found = table.lines().find(|line| line.starts_with(&format!("| {name} |")));
     let numbers = |row: &str| -> Vec<f64> {
         row.split(" dB").filter_map(|part| part.rsplit(' ').next()?.parse().ok()).collect()
@@ -231,7 +178,7 @@ fn stated(name: &str, score: &Score) {
 #[test]
 fn floats_are_as_good_as_stated() {
     let reference = Reference::new();
-    let basis = OwnedBasis::<f32>::new(&reference.table);
+    let basis = OwnedBasis::<f32>::new(&reference.shipped.table);
     let score = reference.score(&mut Shader::new(basis.any().expect("a basis"), usize::MAX));
     assert!(score.all >= F32_ALL && score.worst >= F32_WORST);
     stated("`f32`", &score);
@@ -239,7 +186,7 @@ fn floats_are_as_good_as_stated() {
 
 fn integers<Q: Integer>() -> Score {
     let reference = Reference::new();
-    let shader = IntegerShader::<Q>::new(&reference.table, usize::MAX);
+    let shader = IntegerShader::<Q>::new(&reference.shipped.table, usize::MAX);
     reference.score(&mut shader.expect("a sphere's table"))
 }
 
@@ -262,26 +209,20 @@ fn q15_is_as_good_as_stated() {
 #[test]
 fn headroom_is_as_stated() {
     let reference = Reference::new();
-    let largest: Vec<f64> = reference
-        .images
-        .iter()
-        .map(|image| image.iter().fold(0.0, |most: f64, value| most.max(value.abs())))
-        .collect();
+    let most_of = |image: &Vec<f64>| largest(image.iter().copied());
+    let sizes: Vec<f64> = reference.images.iter().map(most_of).collect();
     let (mut sum, mut count, mut most) = (0.0, 0.0, 0.0f64);
     for material in &reference.materials.entries {
         for light in &reference.lights.entries {
             for (light, material) in light.rgb.iter().zip(&material.rgb) {
-                let d = reference.project(light, material);
-                let at =
-                    |k: usize| d.iter().zip(&reference.images).map(|(d, image)| d * image[k]).sum();
-                let peak =
-                    (0..NORMALS).map(at).fold(0.0, |most: f64, value: f64| most.max(value.abs()));
-                let bound: f64 = d.iter().zip(&largest).map(|(d, size)| d.abs() * size).sum();
+                let d = reference.shipped.project(light, material);
+                let peak = largest(reference.image(&d));
+                let bound: f64 = d.iter().zip(&sizes).map(|(d, size)| d.abs() * size).sum();
                 (sum, count, most) = (sum + bound / peak, count + 1.0, most.max(bound / peak));
             }
         }
     }
-    let table = part("headroom");
+    let table = part(PAGE, "headroom");
     for (name, found) in [("mean", sum / count), ("most", most)] {
         println!("| {name} | {found:.2} |");
         let row = table.lines().find_map(|line| line.strip_prefix(&format!("| {name} | ")));

@@ -1,13 +1,14 @@
 //! Polynomials that are too long for powers of t, against their Chebyshev series by cosines, and
 //! trimmed polynomials against the direct sum (15).
 
+use crate::invariants::integer::eigenimage;
 use eigenshade::{Normal, Scalar};
 use eigenshade_model::reference::DirectSum;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader};
 use eigenshade_shading::shipped;
 use eigenshade_table::trim::trim;
-use std::f64::consts::{SQRT_2, TAU};
+use eigenshade_testing::fixtures::{of_equal_areas, shipped_table, spiral};
 
 /// An eigenimage whose polynomial has an even and an odd half of ten terms, of its largest value:
 /// its powers of u cancel, up to (1 + √2)^10 = 6,700 to one, and are rounded to 2^-24.
@@ -18,32 +19,20 @@ const HALVES_F64: f64 = 2e-12;
 
 /// Each component alone, by collapsing it and by itself; of its largest value, the worst.
 fn farthest<S: Scalar + Into<f64>>() -> f64 {
-    let bytes = std::fs::read("tables/pbr.bin").expect("the shipped table");
-    let table = eigenshade_table::decode(&bytes).expect("a table");
+    let table = shipped_table("pbr");
     let owned = OwnedBasis::<S>::new(&table);
     let basis = owned.basis().expect("a basis");
     let lengths = basis.parts().lengths;
     assert!(lengths.iter().filter(|&&length| (17..=32).contains(&length)).count() >= 10);
     let mut worst = 0.0f64;
     for (k, component) in table.components.iter().enumerate() {
-        let series = &table.profiles[component.profile].chebyshev;
         let mut d = vec![S::ZERO; table.components.len()];
         d[k] = S::ONE;
         let scene = basis.collapse_into(&d, vec![S::ZERO; basis.scene_len()]).expect("sizes");
         let (mut off, mut largest) = (0.0f64, 0.0f64);
-        for place in 0..200 {
-            let z = (f64::from(place) + 0.5) / 200.0;
-            let (sine, tilt) = ((1.0 - z * z).sqrt(), 2.399_963 * f64::from(place));
-            let around = match component.order {
-                0 => 1.0,
-                order @ 1.. => SQRT_2 * (f64::from(order) * tilt).cos(),
-                order => SQRT_2 * (f64::from(order) * tilt).sin(),
-            };
-            let angle = (2.0 * z - 1.0).acos();
-            let terms = series.iter().enumerate();
-            let profile: f64 = terms.map(|(n, term)| term * (n as f64 * angle).cos()).sum();
-            let reference = profile * sine.powi(component.order.abs()) * around;
-            let [x, y, z] = [sine * tilt.cos(), sine * tilt.sin(), z].map(S::from_f64);
+        for at in spiral((0..200).map(|k| (f64::from(k) + 0.5) / 200.0)) {
+            let reference = eigenimage(&table, component, at);
+            let [x, y, z] = at.map(S::from_f64);
             let normal = Normal::new(x, y, z).expect("visible");
             let alone = basis.reconstruct(&d, normal).expect("sizes");
             for found in [scene.shade(normal), alone] {
@@ -71,19 +60,6 @@ const FULL_SCENE: f64 = 1e-4;
 /// The table of `firmware/tables/full.toml`.
 const TABLE: &[u8] = include_bytes!("../firmware/tables/full.bin");
 
-/// Normals of equal projected areas.
-fn normals() -> Vec<[f64; 3]> {
-    let count = 200;
-    (0..count)
-        .map(|k| {
-            let square = (f64::from(k) + 0.5) / f64::from(count);
-            let (y, x) = (TAU * 0.618_034 * f64::from(k)).sin_cos();
-            let radius = square.sqrt();
-            [radius * x, radius * y, (1.0 - square).sqrt()]
-        })
-        .collect()
-}
-
 /// The parts that the firmware's full scene leaves out, components and terms together: the root of
 /// the mean square error over the root of the mean square of the images' peaks, lights
 /// scaled to L_0^0 = 1.
@@ -101,7 +77,7 @@ fn the_full_scene_keeps_its_tolerance() {
     let (degree, order) = (table.gram.degree, table.gram.order);
     let lights = shipped::lights().expect("lights").truncated(degree);
     let materials = shipped::materials().expect("materials").truncated(order);
-    let normals = normals();
+    let normals = of_equal_areas(200);
     let owned = OwnedNormals::new(&normals);
     let reference = DirectSum::new(degree, order);
     let (mut error, mut peaks) = (0.0, 0.0);

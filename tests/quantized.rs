@@ -1,11 +1,13 @@
 //! The integer path: that its ways agree, and what it refuses.
 
+use crate::invariants::integer::{Integer, eigenimage, shipped};
+use crate::oracle::Numbers;
 use eigenshade::quantized::{Basis, Light, Material, Normal, Parts, Profile, Transfer};
 use eigenshade::sphere::{q15, q31};
 use eigenshade::{Argument, Error, FixedPoint, Q15, Q31};
-use eigenshade_shading::integer_shader::Integer;
 use eigenshade_table::quantize::{self, Format};
-use std::f64::consts::SQRT_2;
+use eigenshade_testing::fixtures::{of_equal_areas, spiral};
+use eigenshade_testing::relative_error;
 
 /// d from pixels in mantissas of 15 bits, of the largest: the images of weak components are trimmed
 /// to 1e-5 over their share of the database's rms, some 1e-3 in the weakest.
@@ -27,94 +29,79 @@ fn numbers(count: usize, seed: f32) -> Vec<f32> {
 
 /// Unit normals over the hemisphere, the pole and the rim among them.
 fn normals<Q: Integer>() -> Vec<Normal<Q>> {
-    let mut normals = Vec::new();
-    for k in 0..300 {
-        let z = 1.0 - f64::from(k) / 299.0;
-        let (sine, tilt) = ((1.0 - z * z).sqrt(), 2.4 * f64::from(k));
-        normals.push(Q::normal([sine * tilt.cos(), sine * tilt.sin(), z]).expect("a normal"));
+    let heights = (0..300).map(|k| f64::from(k) / 299.0);
+    let rounded = |normal: [f64; 3]| Q::normal(normal.map(Q::rounded)).expect("a normal");
+    spiral(heights).into_iter().map(rounded).collect()
+}
+
+/// The unrolled pixel, the stored slices and the vectors on the stack give the same bits; fewer
+/// coefficients are as if the others were zero.
+fn agrees_with_itself<Q: Integer>() {
+    for seed in [0.3, 0.7, 1.1, 1.9] {
+        let mut mantissas = [Q::default(); 100];
+        let light = numbers(100, seed);
+        let light = Light::quantize(&light, &mut mantissas).expect("a light");
+        let (mut mantissas, mut exponents) = ([Q::default(); 40], [0; 8]);
+        let material = numbers(40, 1.0 + seed);
+        let material = Material::quantize(&material, &mut mantissas, &mut exponents);
+        let material = material.expect("a material");
+        let [(d, exponent), _] = Q::specialized(&light, &material, &normals()).expect("they fit");
+        let mut padded = d.clone();
+        padded[20..].fill(0);
+        let [few, zeros] = [&d[..20], &padded].map(|d| {
+            Q::basis().collapse_into(d, exponent, vec![0; Q::basis().scene_len()]).expect("it fits")
+        });
+        assert_eq!(few.exponent(), zeros.exponent());
+        for normal in normals() {
+            assert_eq!(few.shade(normal), zeros.shade(normal));
+        }
     }
-    normals
 }
 
-macro_rules! in_format {
-    ($name:ident, $format:ident, $module:ident) => {
-        /// The unrolled pixel, the stored slices and the vectors on the stack give the same
-        /// bits; fewer coefficients are as if the others were zero.
-        #[test]
-        fn $name() {
-            for seed in [0.3, 0.7, 1.1, 1.9] {
-                let mut mantissas = [$format::default(); 100];
-                let light = numbers(100, seed);
-                let light = Light::quantize(&light, &mut mantissas).expect("a light");
-                let (mut mantissas, mut exponents) = ([$format::default(); 40], [0; 8]);
-                let material = numbers(40, 1.0 + seed);
-                let material = Material::quantize(&material, &mut mantissas, &mut exponents)
-                    .expect("a material");
-                let transfer = $module::transfer(&material).expect("it fits");
-                let d = $module::relight(&transfer.view(), &light).expect("it fits");
-                let scene = $module::collapse(&d).expect("it fits");
-                let mut few = d.mantissas().to_vec();
-                few[20..].fill(0);
-                let zeros = $module::BASIS
-                    .collapse_into(&few, d.exponent(), vec![0; $module::SCENE])
-                    .expect("it fits");
-                let few = $module::BASIS
-                    .collapse_into(&few[..20], d.exponent(), vec![0; $module::SCENE])
-                    .expect("it fits");
-                assert_eq!(few.exponent(), zeros.exponent());
-                for normal in normals() {
-                    assert_eq!(scene.shade(normal), (*scene).shade(normal));
-                    assert_eq!(few.shade(normal), zeros.shade(normal));
-                }
-            }
-        }
-    };
+#[test]
+fn q15_agrees_with_itself() {
+    agrees_with_itself::<Q15>();
 }
-in_format!(q15_agrees_with_itself, Q15, q15);
-in_format!(q31_agrees_with_itself, Q31, q31);
 
-macro_rules! sparse {
-    ($name:ident, $format:ident, $module:ident) => {
-        /// One coefficient of a light on a material with few of them, large and small: the
-        /// generated functions give what the general ones give, bit for bit.
-        #[test]
-        fn $name() {
-            use $module::{BASIS, COMPONENTS, PROFILES, SCENE, TRANSFER, WORKSPACE};
-            let most = $format::default().0.wrapping_sub(1).cast_unsigned() >> 1;
-            let few = |count: usize, start: usize, step: usize| {
-                let mut mantissas = vec![$format::default(); count];
-                for (k, mantissa) in mantissas.iter_mut().skip(start).step_by(step).enumerate() {
-                    mantissa.0 = (most >> (3 * k % 14)) as _;
-                    if k % 2 == 1 {
-                        mantissa.0 = -mantissa.0;
-                    }
-                }
-                mantissas
-            };
-            for (start, step) in [(0, 40), (0, 1), (1, 7), (5, 11), (12, 40), (20, 13), (39, 1)] {
-                let mantissas = few(40, start, step);
-                for exponents in [[-15_i8; 8], [0, 1, -2, -3, -30, -40, -60, -50]] {
-                    let material = Material::new(&exponents, &mantissas).expect("one");
-                    let transfer = $module::transfer(&material).expect("it fits");
-                    let general = BASIS.transfer::<WORKSPACE, TRANSFER, PROFILES>(&material);
-                    assert_eq!(Ok(&transfer), general.as_ref());
-                    for (start, step) in [(0, 1), (0, 100), (2, 3), (3, 100), (50, 9), (98, 100)] {
-                        let mantissas = few(100, start, step);
-                        let light = Light::new(3, &mantissas).expect("a light");
-                        let d = $module::relight(&transfer.view(), &light).expect("it fits");
-                        let general = BASIS.relight::<COMPONENTS>(&transfer.view(), &light);
-                        assert_eq!(Ok(&d), general.as_ref());
-                        let scene = $module::collapse(&d).expect("it fits");
-                        let general = BASIS.collapse::<SCENE>(d.mantissas(), d.exponent());
-                        assert_eq!(Ok((*scene).clone()), general);
-                    }
-                }
+#[test]
+fn q31_agrees_with_itself() {
+    agrees_with_itself::<Q31>();
+}
+
+/// One coefficient of a light on a material with few of them, large and small: the generated
+/// functions give what the general ones give, bit for bit.
+fn agrees_of_few_coefficients<Q: Integer>() {
+    let most = (1 << (Q::BITS - 1)) - 1 + (1 << (Q::BITS - 1));
+    let few = |count: usize, start: usize, step: usize| {
+        let mut mantissas = vec![Q::default(); count];
+        for (k, mantissa) in mantissas.iter_mut().skip(start).step_by(step).enumerate() {
+            let size = most >> (3 * k % 14);
+            *mantissa = Q::of(if k % 2 == 1 { -size } else { size });
+        }
+        mantissas
+    };
+    for (start, step) in [(0, 40), (0, 1), (1, 7), (5, 11), (12, 40), (20, 13), (39, 1)] {
+        let mantissas = few(40, start, step);
+        for exponents in [[-15_i8; 8], [0, 1, -2, -3, -30, -40, -60, -50]] {
+            let material = Material::new(&exponents, &mantissas).expect("one");
+            for (start, step) in [(0, 1), (0, 100), (2, 3), (3, 100), (50, 9), (98, 100)] {
+                let mantissas = few(100, start, step);
+                let light = Light::new(3, &mantissas).expect("a light");
+                Q::specialized(&light, &material, &[]).expect("they fit");
             }
         }
-    };
+    }
 }
-sparse!(q15_agrees_of_few_coefficients, Q15, q15);
-sparse!(q31_agrees_of_few_coefficients, Q31, q31);
+
+#[test]
+fn q15_agrees_of_few_coefficients() {
+    agrees_of_few_coefficients::<Q15>();
+}
+
+#[test]
+fn q31_agrees_of_few_coefficients() {
+    agrees_of_few_coefficients::<Q31>();
+}
 
 /// Mantissas made on the device from f32 are those made on the host.
 #[test]
@@ -147,20 +134,15 @@ fn zero_and_powers_of_two() {
     let dark = Light::new(5, &zeros).expect("a light");
     let black = Material::new(&[0; 8], &zeros[..40]).expect("a material");
     for (light, material) in [(&dark, &material), (&light, &black), (&dark, &black)] {
-        let transfer = q15::transfer(material).expect("it fits");
-        let d = q15::relight(&transfer.view(), light).expect("it fits");
-        assert!(d.mantissas().iter().all(|d| *d == 0));
-        let scene = q15::collapse(&d).expect("it fits");
-        assert!(normals().into_iter().all(|normal| scene.shade(normal) == 0));
+        let answer = Q15::specialized(light, material, &normals()).expect("they fit");
+        assert!(answer.iter().flat_map(|(numbers, _)| numbers).all(|number| *number == 0));
     }
-    let transfer = q15::transfer(&material).expect("it fits");
-    let once = q15::relight(&transfer.view(), &light).expect("it fits");
     let mut scaled = [Q15::default(); 100];
     let values: Vec<f32> = mantissas.iter().map(|value| value * 1024.0).collect();
     let scaled = Light::quantize(&values, &mut scaled).expect("a light");
-    let more = q15::relight(&transfer.view(), &scaled).expect("it fits");
-    assert_eq!(more.mantissas(), once.mantissas());
-    assert_eq!(more.exponent(), once.exponent() + 10);
+    let [once, more] = [&light, &scaled]
+        .map(|light| Q15::specialized(light, &material, &[]).expect("they fit")[0].clone());
+    assert_eq!(more, (once.0, once.1 + 10));
 }
 
 /// Sums of light that need all their bits, and round beyond them.
@@ -187,13 +169,9 @@ fn generated_ways_saturate_like_the_general_ones() {
 /// functions give what the general ones give, bit for bit.
 #[test]
 fn generated_ways_are_the_general_ones() {
-    let mantissas = quantize::row(
-        &numbers(40, 1.3).into_iter().map(f64::from).collect::<Vec<_>>(),
-        15,
-        i64::MAX,
-    )
-    .0;
-    let mantissas: Vec<Q15> = mantissas.into_iter().map(Q15::of).collect();
+    let values: Vec<f64> = numbers(40, 1.3).into_iter().map(f64::from).collect();
+    let mantissas: Vec<_> =
+        quantize::row(&values, 15, i64::MAX).0.into_iter().map(Q15::of).collect();
     for exponents in [[0_i8; 8], [0, 0, -3, 1, 9, 2, 14, 20], [9, 7, 5, 3, 1, 0, -1, -2]] {
         let material = Material::new(&exponents, &mantissas).expect("a material");
         let generated = q15::transfer(&material).expect("it fits");
@@ -257,52 +235,32 @@ fn what_does_not_fit_is_refused() {
     assert_eq!(error, Err(Error::TransfersOnly));
 }
 
-/// d from pixels one by one, against the mean in f64 of the same pixels and the table's
-/// Chebyshev series.
+/// How far d from pixels one by one, of an irradiance in this unit, is from the mean in f64 of the
+/// same pixels and the table's Chebyshev series, of the largest.
+fn estimated<Q: Integer>(unit: f64) -> f64 {
+    let table = &shipped().table;
+    let mut estimate = Q::basis().estimate::<50>().expect("fifty components");
+    let (mut sums, mut weights) = (vec![0.0; 50], 0.0);
+    for (k, normal @ [x, y, z]) in of_equal_areas(5000).into_iter().enumerate() {
+        let seen = (unit * (0.6 * z * z + 0.3 * x * z - 0.2 * y)) as i32;
+        let weight = (k % 3 * 7) as u16;
+        let rounded = Q::normal(normal.map(Q::rounded)).expect("a normal");
+        estimate.add(rounded, Q::of(seen), weight);
+        weights += f64::from(weight);
+        for (sum, component) in sums.iter_mut().zip(&table.components) {
+            *sum += f64::from(seen) * f64::from(weight) * eigenimage(table, component, normal);
+        }
+    }
+    let found = estimate.coefficients(0).expect("there is a weight");
+    let found: Vec<f64> =
+        found.mantissas().iter().map(|&d| f64::from(d) * 2f64.powi(found.exponent())).collect();
+    sums.iter_mut().for_each(|sum| *sum /= weights);
+    relative_error(&found, &sums)
+}
+
 #[test]
 fn estimates_are_means() {
-    let table = std::fs::read("tables/sphere.bin").expect("the shipped table");
-    let table = eigenshade_table::decode(&table).expect("a table");
-    fn far<Q: Integer>(
-        table: &eigenshade_table::Table,
-        basis: &Basis<'_, Q>,
-        irradiance: impl Fn(f64) -> Q,
-        size: impl Fn(Q) -> f64,
-    ) -> f64 {
-        let mut estimate = basis.estimate::<50>().expect("fifty components");
-        let (mut sums, mut weights) = (vec![0.0; 50], 0.0);
-        for k in 0..5000_i32 {
-            let z = (1.0 - (f64::from(k) + 0.5) / 5000.0).sqrt();
-            let (sine, tilt) = ((1.0 - z * z).sqrt(), 2.399_963 * f64::from(k));
-            let normal = [sine * tilt.cos(), sine * tilt.sin(), z];
-            let seen = irradiance(0.6 * z * z + 0.3 * normal[0] * z - 0.2 * normal[1]);
-            let weight = (k % 3 * 7) as u16;
-            estimate.add(Q::normal(normal).expect("a normal"), seen, weight);
-            let seen = size(seen) * f64::from(weight);
-            weights += f64::from(weight);
-            for (sum, component) in sums.iter_mut().zip(&table.components) {
-                let series = &table.profiles[component.profile].chebyshev;
-                let angle = (2.0 * z - 1.0).acos();
-                let terms = series.iter().enumerate();
-                let profile: f64 = terms.map(|(n, term)| term * (n as f64 * angle).cos()).sum();
-                let order = f64::from(component.order);
-                let around = match component.order {
-                    0 => 1.0,
-                    1.. => SQRT_2 * (order * tilt).cos(),
-                    _ => SQRT_2 * (order * tilt).sin(),
-                };
-                *sum += seen * profile * sine.powf(order.abs()) * around;
-            }
-        }
-        let found = estimate.coefficients(0).expect("there is a weight");
-        let largest = sums.iter().fold(0.0f64, |most, sum| most.max((sum / weights).abs()));
-        let found = found.mantissas().iter().map(|&d| f64::from(d) * 2f64.powi(found.exponent()));
-        found
-            .zip(sums)
-            .fold(0.0, |most: f64, (d, sum)| most.max((d - sum / weights).abs() / largest))
-    }
-    let short = far(&table, &q15::BASIS, |x| Q15((16_384.0 * x) as i16), |q| f64::from(q.0));
-    let long = far(&table, &q31::BASIS, |x| Q31((1e9 * x) as i32), |q| f64::from(q.0));
+    let (short, long) = (estimated::<Q15>(16_384.0), estimated::<Q31>(1e9));
     println!("d from pixels: {short:.1e} in Q15, {long:.1e} in Q31");
     assert!(short <= ESTIMATE_Q15 && long <= ESTIMATE_Q31);
     let empty = q15::BASIS.estimate::<50>().expect("fifty components").coefficients(0);
@@ -314,56 +272,44 @@ fn estimates_are_means() {
 /// functions have no blocks of none.
 #[test]
 fn profiles_keep_a_term() {
-    let bytes = std::fs::read("tables/sphere.bin").expect("the shipped table");
-    let table = eigenshade_table::decode(&bytes).expect("a table");
-    let parts = quantize::integers(&table, Format::Q15, 1e9).expect("parts");
+    let table = &shipped().table;
+    let parts = quantize::integers(table, Format::Q15, 1e9).expect("parts");
     let served = table.profiles.iter().map(|profile| profile.azimuth).max().expect("profiles");
     assert_eq!(parts.lengths[..=served], vec![1; served + 1]);
 }
 
-/// Unit vectors along integers of any scale, within a unit of a component in Q15 and three in Q31:
-/// against f64.
-#[test]
-fn normals_along_integers_are_unit_vectors() {
-    fn check<Q: Copy>(
-        along: impl Fn(i32, i32, i32) -> Result<Normal<Q>, Error>,
-        components: impl Fn(Normal<Q>) -> [f64; 3],
-        bits: i32,
-    ) {
-        let mut state = 1u64;
-        let mut random = || {
-            state = state
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1_442_695_040_888_963_407);
-            (state >> 32) as i32
-        };
-        for round in 0..20_000 {
-            let shift = round % 31;
-            let vector = [random() >> shift, random() >> (shift / 2), random() >> shift];
-            let [x, y, z] = vector.map(f64::from);
-            let length = x.hypot(y).hypot(z);
-            let found = along(vector[0], vector[1], vector[2]);
-            if vector == [0; 3] {
-                assert_eq!(found.err(), Some(Error::Normal));
-                continue;
-            }
-            if z < -0.125 * length {
-                assert_eq!(found.err(), Some(Error::Hidden), "{vector:?}");
-                continue;
-            }
-            let (z, length) = if z < 0.0 { (0.0, x.hypot(y)) } else { (z, length) };
-            let found = components(found.expect("visible"));
-            for (found, component) in found.into_iter().zip([x, y, z]) {
-                let exact = (component / length * 2f64.powi(bits)).min(2f64.powi(bits) - 1.0);
-                let most = if bits == 15 { 1.0 } else { 3.0 };
-                assert!((found - exact).abs() <= most, "{vector:?}: {found} {exact}");
-            }
+/// Unit vectors along integers of any scale, within these units of a component of f64.
+fn along_integers<Q: Integer>(most: f64) {
+    let one = 2f64.powi(Q::FORMAT.bits());
+    let mut numbers = Numbers(1);
+    let mut random = || (numbers.next() * 2f64.powi(31)) as i32;
+    for round in 0..20_000 {
+        let shift = round % 31;
+        let vector = [random() >> shift, random() >> (shift / 2), random() >> shift];
+        let [x, y, z] = vector.map(f64::from);
+        let length = x.hypot(y).hypot(z);
+        let found = Normal::<Q>::along(vector[0], vector[1], vector[2]);
+        if vector == [0; 3] {
+            assert_eq!(found.err(), Some(Error::Normal));
+            continue;
+        }
+        if z < -0.125 * length {
+            assert_eq!(found.err(), Some(Error::Hidden), "{vector:?}");
+            continue;
+        }
+        let (z, length) = if z < 0.0 { (0.0, x.hypot(y)) } else { (z, length) };
+        for (found, component) in found.expect("visible").components().into_iter().zip([x, y, z]) {
+            let exact = (component / length * one).min(one - 1.0);
+            let found = found.mantissa() as f64;
+            assert!((found - exact).abs() <= most, "{vector:?}: {found} {exact}");
         }
     }
-    let of_15 = |normal: Normal<Q15>| normal.components().map(|c| f64::from(c.0));
-    check(Normal::<Q15>::along, of_15, 15);
-    let of_31 = |normal: Normal<Q31>| normal.components().map(|c| f64::from(c.0));
-    check(Normal::<Q31>::along, of_31, 31);
+}
+
+#[test]
+fn normals_along_integers_are_unit_vectors() {
+    along_integers::<Q15>(1.0);
+    along_integers::<Q31>(3.0);
     for extreme in
         [[i32::MIN; 3], [i32::MAX; 3], [i32::MIN, 0, 0], [0, i32::MIN, 1], [0, 0, i32::MAX]]
     {

@@ -3,70 +3,121 @@
 
 use super::Reader;
 use eigenshade::index::record::integers::OwnedParts;
-use eigenshade::quantized::{Basis, Normal};
-use eigenshade::{Error, FixedPoint, Q15, Q31, sphere};
+use eigenshade::quantized::{Basis, Light, Material, Normal, Scene, Transfer};
+use eigenshade::sphere::{q15, q31};
+use eigenshade::{Error, FixedPoint, Q15, Q31};
 use eigenshade_index::{light, material, mode, pair};
-use eigenshade_table::Table;
 use eigenshade_table::quantize::{Format, integers};
+use eigenshade_table::{Component, Table};
 use std::f64::consts::SQRT_2;
 use std::sync::OnceLock;
 
 /// An integer format and its shipped table.
-pub trait Integer: FixedPoint {
+pub trait Integer: FixedPoint<Wide: Into<i128>> {
     const FORMAT: Format;
-    /// The mantissa of these bits.
-    fn read(input: &mut Reader<'_>) -> Self;
-    /// The nearest mantissa.
-    fn nearest(number: f64) -> Self;
-    fn mantissa(self) -> i128;
+    /// The number with this mantissa, which fits the format.
+    fn of(mantissa: i32) -> Self;
     fn normal(components: [Self; 3]) -> Result<Normal<Self>, Error>;
     fn basis() -> &'static Basis<'static, Self>;
-    /// The image of these coefficients, by the general way and by the kernel.
-    fn image(d: &[i32], exponent: i32, normals: &[Normal<Self>]) -> Result<Image, Error>;
-}
+    /// A pixel by the function generated for the table.
+    fn kernel<B: AsRef<[i32]>>(scene: &Scene<'_, Self, B>, normal: Normal<Self>) -> i32;
+    /// d and the pixels by the generated functions, each of which must give what the general one
+    /// gives.
+    fn specialized(
+        light: &Light<'_, Self>,
+        material: &Material<'_, Self>,
+        normals: &[Normal<Self>],
+    ) -> Result<[(Vec<i32>, i32); 2], Error>;
 
-/// A scene and its pixels.
-pub struct Image {
-    pub terms: Vec<i32>,
-    pub exponent: i32,
-    /// By the general way and by the kernel.
-    pub pixels: Vec<[i32; 2]>,
+    fn mantissa(self) -> i128 {
+        self.widen().into()
+    }
+
+    /// The nearest mantissa of a number in units of the last place.
+    fn nearest(number: f64) -> Self {
+        let one = 2f64.powi(Self::FORMAT.bits());
+        Self::of(number.round().clamp(-one, one - 1.0) as i32)
+    }
+
+    /// The nearest number.
+    fn rounded(number: f64) -> Self {
+        Self::nearest(number * 2f64.powi(Self::FORMAT.bits()))
+    }
+
+    fn to_f64(self) -> f64 {
+        self.mantissa() as f64 / 2f64.powi(Self::FORMAT.bits())
+    }
+
+    /// The mantissa of these bits.
+    fn read(input: &mut Reader<'_>) -> Self {
+        match Self::FORMAT {
+            Format::Q15 => Self::of(i16::from_le_bytes(input.bytes()).into()),
+            Format::Q31 => Self::of(input.i32()),
+        }
+    }
 }
 
 macro_rules! integer {
-    ($format:ident, $module:ident, $inner:ident, $bytes:literal) => {
+    ($format:ident, $module:ident) => {
         impl Integer for $format {
             const FORMAT: Format = Format::$format;
-            fn read(input: &mut Reader<'_>) -> Self {
-                Self($inner::from_le_bytes(input.bytes()))
-            }
-            fn nearest(number: f64) -> Self {
-                Self(number.round().clamp($inner::MIN.into(), $inner::MAX.into()) as $inner)
-            }
-            fn mantissa(self) -> i128 {
-                self.0.into()
+            fn of(mantissa: i32) -> Self {
+                Self(mantissa.try_into().expect("a mantissa of the format"))
             }
             fn normal([x, y, z]: [Self; 3]) -> Result<Normal<Self>, Error> {
                 Normal::<Self>::new(x, y, z)
             }
             fn basis() -> &'static Basis<'static, Self> {
-                &sphere::$module::BASIS
+                &$module::BASIS
             }
-            fn image(d: &[i32], exponent: i32, normals: &[Normal<Self>]) -> Result<Image, Error> {
-                let basis = &sphere::$module::BASIS;
-                let scene = basis.collapse::<{ sphere::$module::SCENE }>(d, exponent)?;
-                let both = |&normal| [scene.shade(normal), sphere::$module::shade(&scene, normal)];
-                Ok(Image {
-                    terms: scene.terms().to_vec(),
-                    exponent: scene.exponent(),
-                    pixels: normals.iter().map(both).collect(),
-                })
+            fn kernel<B: AsRef<[i32]>>(scene: &Scene<'_, Self, B>, normal: Normal<Self>) -> i32 {
+                $module::shade(scene, normal)
+            }
+            fn specialized(
+                light: &Light<'_, Self>,
+                material: &Material<'_, Self>,
+                normals: &[Normal<Self>],
+            ) -> Result<[(Vec<i32>, i32); 2], Error> {
+                use $module::{BASIS, COMPONENTS, PROFILES, SCENE, TRANSFER, WORKSPACE};
+                let transfer = $module::transfer(material)?;
+                assert_eq!(transfer, BASIS.transfer::<WORKSPACE, TRANSFER, PROFILES>(material)?);
+                let d = $module::relight(&transfer.view(), light)?;
+                assert_eq!(d, BASIS.relight::<COMPONENTS>(&transfer.view(), light)?);
+                let scene = $module::collapse(&d)?;
+                assert_eq!(*scene, BASIS.collapse::<SCENE>(d.mantissas(), d.exponent())?);
+                let pixels = normals.iter().map(|&normal| scene.shade(normal)).collect();
+                assert_eq!(pixels, normals.iter().map(|&n| (*scene).shade(n)).collect::<Vec<_>>());
+                Ok([(d.mantissas().to_vec(), d.exponent()), (pixels, scene.exponent())])
             }
         }
     };
 }
-integer!(Q15, q15, i16, 2);
-integer!(Q31, q31, i32, 4);
+integer!(Q15, q15);
+integer!(Q31, q31);
+
+/// The transfer of a material and d under a light, with their exponents, by the general way.
+pub struct Relit<Q> {
+    pub numbers: Vec<Q>,
+    pub exponents: Vec<i16>,
+    pub d: Vec<i32>,
+    pub exponent: i32,
+}
+
+impl<Q: Integer> Relit<Q> {
+    pub fn new(light: &Light<'_, Q>, material: &Material<'_, Q>) -> Self {
+        let basis = Q::basis();
+        let mut workspace = vec![Q::Wide::default(); basis.workspace_len()];
+        let mut numbers = vec![Q::default(); basis.transfer_len()];
+        let mut exponents = vec![0; basis.profiles()];
+        basis
+            .transfer_into(material, &mut workspace, &mut numbers, &mut exponents)
+            .expect("it fits");
+        let mut d = vec![0; basis.components()];
+        let transfer = Transfer::new(&numbers, &exponents);
+        let exponent = basis.relight_into(&transfer, light, &mut d).expect("it fits");
+        Self { numbers, exponents, d, exponent }
+    }
+}
 
 /// Any accepted normals: as they come, and unit vectors of any direction, as short or as
 /// long as is accepted; the corners always.
@@ -92,18 +143,12 @@ pub fn normals<Q: Integer>(input: &mut Reader<'_>) -> Vec<Normal<Q>> {
         let length = (x * x + y * y + z * z).sqrt();
         let size = 1.0 + 0.000_499 * f64::from(input.byte().cast_signed()) / 128.0;
         if length > 0.0 {
-            found_unit(
-                &mut found,
-                [x, y, z.abs()].map(|component| one * size * component / length),
-            );
+            let unit = [x, y, z.abs()].map(|component| one * size * component / length);
+            found.extend(Q::normal(unit.map(Q::nearest)));
         }
         found.extend(Q::normal(raw));
     }
     found
-}
-
-fn found_unit<Q: Integer>(found: &mut Vec<Normal<Q>>, components: [f64; 3]) {
-    found.extend(Q::normal(components.map(Q::nearest)));
 }
 
 /// What `terms` give at a normal: every product and sum exact, rounded where the format
@@ -147,6 +192,21 @@ pub fn exact<Q: Integer>(lengths: &[u8], terms: &[i32], normal: Normal<Q>) -> i1
     bounded(((sum >> (bits - 2)) + 1) >> 1)
 }
 
+/// A component's image at a normal: its Chebyshev series by cosines.
+pub fn eigenimage(table: &Table, component: &Component, [x, y, z]: [f64; 3]) -> f64 {
+    let (angle, turn) = ((2.0 * z - 1.0).clamp(-1.0, 1.0).acos(), y.atan2(x));
+    let terms = table.profiles[component.profile].chebyshev.iter().enumerate();
+    let profile: f64 = terms.map(|(k, term)| term * (k as f64 * angle).cos()).sum();
+    let order = f64::from(component.order);
+    let around = match component.order {
+        0 => 1.0,
+        1.. => SQRT_2 * (order * turn).cos(),
+        // Φ_-m = √2 sin(-mβ).
+        _ => SQRT_2 * (order * turn).sin(),
+    };
+    profile * x.hypot(y).powi(component.order.abs()) * around
+}
+
 /// The table, its rows of UᵀM, and its integer forms.
 pub struct Shipped {
     pub table: Table,
@@ -180,7 +240,7 @@ impl Shipped {
     /// d = UᵀMc, mode by mode; coefficients beyond the slices are zero.
     pub fn project(&self, light: &[f64], material: &[f64]) -> Vec<f64> {
         let gram = &self.table.gram;
-        let of = |component: &eigenshade_table::Component| {
+        let of = |component: &Component| {
             let azimuth = component.order.unsigned_abs() as usize;
             let sign = if component.order < 0 && azimuth % 2 == 1 { -1.0 } else { 1.0 };
             let modes = mode::indices(gram.degree, gram.order, azimuth);
@@ -224,24 +284,12 @@ impl Shipped {
     }
 
     /// Σ d_i U_i at a normal, and Σ |d_i| Σ |terms of U_i|.
-    pub fn reconstruct(&self, d: &[f64], [x, y, z]: [f64; 3]) -> [f64; 2] {
-        let (slant, tilt) = (x.hypot(y), y.atan2(x));
-        let angle = (2.0 * z - 1.0).clamp(-1.0, 1.0).acos();
+    pub fn reconstruct(&self, d: &[f64], normal: [f64; 3]) -> [f64; 2] {
         let (mut sum, mut scale) = (0.0, 0.0);
         for (d, component) in d.iter().zip(&self.table.components) {
-            let profile = &self.table.profiles[component.profile];
-            let order = f64::from(component.order);
-            let around = match component.order {
-                0 => 1.0,
-                1.. => SQRT_2 * (order * tilt).cos(),
-                // Φ_-m = √2 sin(-mβ).
-                _ => SQRT_2 * (order * tilt).sin(),
-            };
-            let terms = profile.chebyshev.iter().enumerate();
-            let value: f64 = terms.map(|(k, term)| term * (k as f64 * angle).cos()).sum();
-            sum += d * value * slant.powi(profile.azimuth as i32) * around;
-            let sizes: f64 = profile.chebyshev.iter().map(|term| term.abs()).sum();
-            scale += d.abs() * SQRT_2 * sizes;
+            sum += d * eigenimage(&self.table, component, normal);
+            let terms = &self.table.profiles[component.profile].chebyshev;
+            scale += d.abs() * SQRT_2 * terms.iter().map(|term| term.abs()).sum::<f64>();
         }
         [sum, scale]
     }

@@ -1,14 +1,13 @@
 //! What holds of any input, read from any bytes: property tests and fuzz targets share it.
 //!
-//! Each function panics if it does not hold. The crate that includes this has a module
-//! `tolerances`.
+//! Each function panics if it does not hold.
 #![allow(
     dead_code,
     unused_imports,
     reason = "each test and each target takes the parts that it needs"
 )]
 
-mod integer;
+pub mod integer;
 mod shading;
 mod tables;
 mod ways;
@@ -106,5 +105,15 @@ impl<'a> Reader<'a> {
         let [low, high, exponent] = self.bytes();
         let mantissa = f32::from(i16::from_le_bytes([low, high]));
         mantissa * 2f32.powi(i32::from(exponent) % 48 - 55)
+    }
+
+    /// A number of moderate size, or any.
+    pub fn float(&mut self, is_moderate: bool) -> f32 {
+        if is_moderate { self.moderate() } else { f32::from_le_bytes(self.bytes()) }
+    }
+
+    /// So many of them.
+    pub fn floats(&mut self, count: usize, is_moderate: bool) -> Vec<f32> {
+        (0..count).map(|_| self.float(is_moderate)).collect()
     }
 }

@@ -2,7 +2,7 @@
 //! size give finite answers, and bounds that are finite and kept. Integers: in range, never
 //! wrapping, each step as exact arithmetic has it.
 
-use super::integer::{Integer, normals, shipped};
+use super::integer::{Integer, Relit, normals, shipped};
 use super::{Reader, integer};
 use eigenshade::Wide as _;
 use eigenshade::{
@@ -16,12 +16,11 @@ const MODERATE: f32 = 1e12;
 
 /// Any light, material and normals, by every way to a pixel.
 pub fn shade_floats(input: &mut Reader<'_>) {
-    let any = |input: &mut Reader<'_>| f32::from_le_bytes(input.bytes());
     let degree = input.up_to(sphere::BASIS.degree());
-    let coefficients: Vec<f32> = (0..light::count(degree)).map(|_| any(input)).collect();
+    let coefficients = input.floats(light::count(degree), false);
     let light = Light::new(&coefficients).expect("a light");
     let order = input.up_to(sphere::BASIS.order());
-    let of_material: Vec<f32> = (0..material::count(order)).map(|_| any(input)).collect();
+    let of_material = input.floats(material::count(order), false);
     let material = Material::new(&of_material).expect("a material");
     let moderate = coefficients.iter().chain(&of_material).all(|value| value.abs() <= MODERATE);
 
@@ -30,7 +29,8 @@ pub fn shade_floats(input: &mut Reader<'_>) {
     let relit = sphere::relight(&transfer, &light).expect("it fits");
     let mut normals = vec![Normal::new(0.0, 0.0, 1.0).expect("a normal")];
     while !input.is_empty() {
-        normals.extend(Normal::new(any(input), any(input), any(input)));
+        let [x, y, z] = [(); 3].map(|()| input.float(false));
+        normals.extend(Normal::new(x, y, z));
     }
     for normal in &normals {
         let [x, y, z] = normal.components();
@@ -58,18 +58,14 @@ pub fn collapse_sets(input: &mut Reader<'_>) {
     let count = channels * input.up_to(3);
     let share = 2f32.powi(-1 - input.up_to(20) as i32);
     let is_moderate = input.byte().is_multiple_of(2);
-    let mut number = || match is_moderate {
-        true => input.moderate(),
-        false => f32::from_le_bytes(input.bytes()),
-    };
-    let images: Vec<[f32; sphere::COMPONENTS]> =
-        (0..count).map(|_| std::array::from_fn(|_| number())).collect();
+    let numbers = input.floats(count * sphere::COMPONENTS, is_moderate);
+    let (images, _) = numbers.as_chunks::<{ sphere::COMPONENTS }>();
     let mut lengths = [0; sphere::DEGREE + 1];
     let mut report = vec![Truncation::default(); count];
     let mut buffer = vec![0.0; count * sphere::SCENE];
     let tolerance = Tolerance::OfPeak(share);
     let shape = sphere::BASIS
-        .collapse_set_within(&images, channels, tolerance, &mut lengths, &mut buffer, &mut report)
+        .collapse_set_within(images, channels, tolerance, &mut lengths, &mut buffer, &mut report)
         .expect("sizes");
     assert!(shape.terms() <= sphere::SCENE && shape.components <= sphere::COMPONENTS);
     for (numbers, report) in buffer.chunks_exact(sphere::SCENE).zip(&report) {
@@ -107,16 +103,8 @@ pub fn shade_integers<Q: Integer>(input: &mut Reader<'_>) {
     let of_material: Vec<Q> = (0..material::count(order)).map(|_| Q::read(input)).collect();
     let material = quantized::Material::new(&exponents, &of_material).expect("a material");
 
-    let mut workspace = vec![Q::Wide::default(); basis.workspace_len()];
-    let mut numbers = vec![Q::default(); basis.transfer_len()];
-    let mut of_profiles = vec![0; basis.profiles()];
-    basis
-        .transfer_into(&material, &mut workspace, &mut numbers, &mut of_profiles)
-        .expect("it fits");
-    let transfer = quantized::Transfer::new(&numbers, &of_profiles);
-    let mut d = vec![0; basis.components()];
-    let of_d = basis.relight_into(&transfer, &light, &mut d).expect("a transfer within bounds");
-    relit::<Q>(&numbers, &of_profiles, &light_numbers(&mantissas), exponent, &d, of_d);
+    let made = Relit::new(&light, &material);
+    relit(&made, &mantissas, exponent);
 
     let scaled = |mantissa: Q, exponent: i32| mantissa.mantissa() as f64 * 2f64.powi(exponent);
     let of_order = |(&b, (o, _, _)): (&Q, (usize, usize, usize))| scaled(b, exponents[o].into());
@@ -127,8 +115,16 @@ pub fn shade_integers<Q: Integer>(input: &mut Reader<'_>) {
     let most = |exponent: i32| 2f64.powi(exponent + Q::FORMAT.bits());
     let of_order: Vec<f64> = exponents.iter().map(|&one| most(one.into())).collect();
     let scales = shipped().scales(most(exponent), &of_order);
-    near::<Q>(&shipped().project(&of_light, &of_material), &scales, &d, of_d);
-    seen::<Q>(&d, of_d, &normals(input));
+    let unit = 2f64.powi(made.exponent);
+    let found: Vec<f64> = made.d.iter().map(|&d| unit * f64::from(d)).collect();
+    let (part, _) = parts::<Q>();
+    near(
+        &found,
+        &shipped().project(&of_light, &of_material),
+        &scales,
+        [part, super::ANY_D_COMMON, 0.0],
+    );
+    seen::<Q>(&made.d, made.exponent, &normals(input));
 }
 
 /// Any transfer: refused, or relit as exact arithmetic has it.
@@ -144,8 +140,9 @@ pub fn shade_transfer<Q: Integer>(input: &mut Reader<'_>) {
     let mut d = vec![0; basis.components()];
     match basis.relight_into(&quantized::Transfer::new(&numbers, &exponents), &light, &mut d) {
         Ok(of_d) => {
-            relit::<Q>(&numbers, &exponents, &light_numbers(&mantissas), exponent, &d, of_d);
-            seen::<Q>(&d, of_d, &normals(input));
+            let made = Relit { numbers, exponents, d, exponent: of_d };
+            relit(&made, &mantissas, exponent);
+            seen::<Q>(&made.d, of_d, &normals(input));
         }
         Err(error) => {
             assert_eq!(error, Error::Bound);
@@ -168,10 +165,6 @@ fn any_light<Q: Integer>(input: &mut Reader<'_>) -> (i32, Vec<Q>) {
     (exponent, (0..light::count(degree)).map(|_| Q::read(input)).collect())
 }
 
-fn light_numbers<Q: Integer>(mantissas: &[Q]) -> Vec<i128> {
-    mantissas.iter().map(|&mantissa| mantissa.mantissa()).collect()
-}
-
 /// Rows over l, with the azimuth and the components of each.
 fn rows<Q: Integer>(numbers: &[Q]) -> impl Iterator<Item = (usize, [u16; 2], &[Q])> {
     let parts = shipped().parts::<Q>();
@@ -191,14 +184,8 @@ fn within_bounds<Q: Integer>(numbers: &[Q]) -> bool {
 }
 
 /// d is Σ_l T_i,l L_l^m to one unit, and its mantissas have at most 30 bits.
-fn relit<Q: Integer>(
-    numbers: &[Q],
-    exponents: &[i16],
-    light: &[i128],
-    of_light: i32,
-    d: &[i32],
-    of_d: i32,
-) {
+fn relit<Q: Integer>(made: &Relit<Q>, light: &[Q], of_light: i32) {
+    let Relit { numbers, exponents, d, exponent: of_d } = made;
     assert!(within_bounds::<Q>(numbers), "a row of a transfer");
     assert!(d.iter().all(|d| d.unsigned_abs() <= 1 << 30), "more than 30 bits");
     for ((azimuth, components, row), &exponent) in rows(numbers).zip(exponents) {
@@ -206,7 +193,8 @@ fn relit<Q: Integer>(
         for (component, m) in components.into_iter().zip([order, -order]) {
             let Some(&found) = d.get(usize::from(component)) else { continue };
             let product = |(l, number): (usize, &Q)| {
-                number.mantissa() * light.get(light::position(l, m)).copied().unwrap_or(0)
+                number.mantissa()
+                    * light.get(light::position(l, m)).map_or(0, |&one| one.mantissa())
             };
             let sum: i128 = (azimuth..).zip(row).map(product).sum();
             let sum = if m < 0 && azimuth % 2 == 1 { -sum } else { sum };
@@ -224,50 +212,50 @@ fn relit<Q: Integer>(
     }
 }
 
-/// d is near the f64 sum, of what its addends could be.
-fn near<Q: Integer>(reference: &[f64], scales: &[f64], d: &[i32], of_d: i32) {
+/// What of the size of its addends, and of the range of a pixel, the integers may be off by.
+pub fn parts<Q: Integer>() -> (f64, f64) {
+    match Q::FORMAT {
+        Format::Q15 => (super::ANY_D_Q15, ANY_PIXEL_Q15),
+        Format::Q31 => (super::ANY_D_Q31, ANY_PIXEL_Q31),
+    }
+}
+
+/// d is near the f64 sum: to a part of what its addends could be, a part of the most that those of
+/// any component could be, and a number.
+pub fn near(found: &[f64], reference: &[f64], scales: &[f64], allowed: [f64; 3]) {
+    let [part, common, least] = allowed;
     let largest = scales.iter().copied().fold(0.0, f64::max);
-    let part = match Q::FORMAT {
-        Format::Q15 => super::ANY_D_Q15,
-        Format::Q31 => super::ANY_D_Q31,
-    };
-    for (k, (reference, scale)) in reference.iter().zip(scales).enumerate() {
-        let found = f64::from(d[k]) * 2f64.powi(of_d);
-        let allowed = part * scale + super::ANY_D_COMMON * largest;
-        assert!(
-            (found - reference).abs() <= allowed,
-            "component {k}: {found}, not {reference}; {allowed}"
-        );
+    for (k, ((found, reference), scale)) in found.iter().zip(reference).zip(scales).enumerate() {
+        let allowed = part * scale + common * largest + least;
+        let off = (found - reference).abs();
+        assert!(off <= allowed, "component {k}: {found}, not {reference}; {allowed}");
     }
 }
 
 /// The image: every step within the format's bits, both ways to a pixel the same bits,
 /// near the f64 sum.
 fn seen<Q: Integer>(d: &[i32], exponent: i32, normals: &[quantized::Normal<Q>]) {
-    let image = match Q::image(d, exponent, normals) {
-        Ok(image) => image,
+    let basis = Q::basis();
+    let scene = match basis.collapse_into(d, exponent, vec![0; basis.scene_len()]) {
+        Ok(scene) => scene,
         Err(error) => {
             assert_eq!(error, Error::Exponent);
             assert!(exponent.unsigned_abs() > 1 << 16, "refused for nothing");
             return;
         }
     };
-    let lengths = Q::basis().parts().lengths;
-    let one = 2f64.powi(Q::FORMAT.bits());
-    let part = match Q::FORMAT {
-        Format::Q15 => ANY_PIXEL_Q15,
-        Format::Q31 => ANY_PIXEL_Q31,
-    };
+    let (lengths, (_, part)) = (basis.parts().lengths, parts::<Q>());
     // In units of the scene.
-    let scale = 2f64.powi(exponent.saturating_sub(image.exponent));
+    let scale = 2f64.powi(exponent.saturating_sub(scene.exponent()));
     let floats: Vec<f64> = d.iter().map(|&d| scale * f64::from(d)).collect();
-    for (normal, [general, kernel]) in normals.iter().zip(&image.pixels) {
-        assert_eq!(general, kernel, "two ways to a pixel");
-        let exact = integer::exact(lengths, &image.terms, *normal);
-        assert_eq!(i128::from(*general), exact, "a pixel");
-        let at = normal.components().map(|component| component.mantissa() as f64 / one);
+    for &normal in normals {
+        let pixel = scene.shade(normal);
+        assert_eq!(pixel, Q::kernel(&scene, normal), "two ways to a pixel");
+        let exact = integer::exact(lengths, scene.terms(), normal);
+        assert_eq!(i128::from(pixel), exact, "a pixel");
+        let at = normal.components().map(Q::to_f64);
         let expected = shipped().reconstruct_quantized::<Q>(&floats, at);
-        let off = (f64::from(*general) - expected).abs() / 2f64.powi(Q::TERM_BITS as i32);
-        assert!(off <= part, "a pixel of {general}, not {expected}: {off} of the range");
+        let off = (f64::from(pixel) - expected).abs() / 2f64.powi(Q::TERM_BITS as i32);
+        assert!(off <= part, "a pixel of {pixel}, not {expected}: {off} of the range");
     }
 }

@@ -1,10 +1,9 @@
 //! Tables from any bytes: an error, or a basis that projects and shades.
 
+use super::integer::Integer;
 use eigenshade::index::{light, material, wire};
 use eigenshade::quantized::{self, Transfer};
-use eigenshade::{
-    Basis, Effect, Effects, FixedPoint, Format, GeneralBasis, Light, Material, Normal, Q15, Q31,
-};
+use eigenshade::{Basis, Effect, Effects, Format, GeneralBasis, Light, Material, Normal, Q15, Q31};
 
 /// These bytes as they are, and with length and checksum made right.
 pub fn from_bytes(bytes: &[u8]) {
@@ -41,17 +40,10 @@ fn read(bytes: &[u8]) {
         let _ = basis.project_into(&light, &material, &mut workspace, &mut d);
     }
     if let Ok(basis) = quantized::Basis::<Q15>::from_bytes(bytes) {
-        let normals = [(19_661, 0, 26_214), (0, 32_767, 0), (0, 0, 32_767)];
-        let normals =
-            normals.map(|(x, y, z)| quantized::Normal::<Q15>::new(Q15(x), Q15(y), Q15(z)));
-        integers(&basis, &normals.map(|normal| normal.expect("a unit vector")), Q15);
+        integers(&basis);
     }
     if let Ok(basis) = quantized::Basis::<Q31>::from_bytes(bytes) {
-        let normals = [(1_288_490_189, 0, 1_717_986_918), (0, i32::MAX, 0), (0, 0, i32::MAX)];
-        let normals =
-            normals.map(|(x, y, z)| quantized::Normal::<Q31>::new(Q31(x), Q31(y), Q31(z)));
-        let own = |mantissa: i16| Q31(i32::from(mantissa) << 16);
-        integers(&basis, &normals.map(|normal| normal.expect("a unit vector")), own);
+        integers(&basis);
     }
 }
 
@@ -82,11 +74,9 @@ fn floats(basis: &Basis<'_, f32>) {
     basis.reconstruct(&d, normal).expect("as many as components");
 }
 
-fn integers<Q: FixedPoint>(
-    basis: &quantized::Basis<'_, Q>,
-    normals: &[quantized::Normal<Q>],
-    own: impl Fn(i16) -> Q,
-) {
+fn integers<Q: Integer>(basis: &quantized::Basis<'_, Q>) {
+    // Of any format a number of 16 bits.
+    let own = |mantissa: i16| Q::rounded(f64::from(mantissa) / 32_768.0);
     let numbers = |count: usize| -> Vec<Q> {
         (0..count).map(|k| own(if k % 3 == 1 { i16::MIN } else { i16::MAX })).collect()
     };
@@ -107,7 +97,8 @@ fn integers<Q: FixedPoint>(
     let transfer = Transfer::new(&transfer, &exponents);
     let exponent = basis.relight_into(&transfer, &light, &mut d).expect("a transfer");
     let scene = basis.collapse_into(&d, exponent, vec![0; basis.scene_len()]).expect("sizes");
-    for &normal in normals {
+    for normal in [[0.6, 0.0, 0.8], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]] {
+        let normal = Q::normal(normal.map(Q::rounded)).expect("a unit vector");
         // Of a forged table it may mean nothing.
         let _ = scene.shade(normal);
     }

@@ -2,7 +2,8 @@
 //! interface beside the pixel: any bits never panic, and every way keeps near the polynomials.
 
 use super::Reader;
-use super::integer::{Integer, normals, shipped};
+use super::integer::{Integer, Relit, normals, shipped};
+use super::shading::{near, parts};
 use eigenshade::mathematics::{Libm, SinglePrecision, Tabled};
 use eigenshade::{
     Effect, Effects, Light, MapPoint, NegativePolicy, Normal, Normals, Q15, Q31, Rotation,
@@ -27,9 +28,9 @@ const ANY_IMAGE_Q31: f64 = 1e-6;
 /// Any light and material of moderate size, rounded to each format by the runtime.
 pub fn reconstruct(input: &mut Reader<'_>) {
     let degree = input.up_to(sphere::BASIS.degree());
-    let light: Vec<f32> = (0..light::count(degree)).map(|_| input.moderate()).collect();
+    let light = input.floats(light::count(degree), true);
     let order = input.up_to(sphere::BASIS.order());
-    let material: Vec<f32> = (0..material::count(order)).map(|_| input.moderate()).collect();
+    let material = input.floats(material::count(order), true);
     let wide = |numbers: &[f32]| numbers.iter().map(|&one| one.into()).collect::<Vec<f64>>();
     let case = Case {
         reference: shipped().project(&wide(&light), &wide(&material)),
@@ -67,16 +68,7 @@ struct Case {
 impl Case {
     /// d, of what its addends could be.
     fn projected(&self, found: &[f64], part: f64, common: f64) {
-        let largest = self.scales.iter().copied().fold(0.0, f64::max);
-        for (k, ((found, reference), scale)) in
-            found.iter().zip(&self.reference).zip(&self.scales).enumerate()
-        {
-            let allowed = part * scale + common * largest + f64::from(f32::MIN_POSITIVE);
-            assert!(
-                (found - reference).abs() <= allowed,
-                "component {k}: {found}, not {reference}"
-            );
-        }
+        near(found, &self.reference, &self.scales, [part, common, f32::MIN_POSITIVE.into()]);
     }
 
     /// The image of `d`, of what its terms could be.
@@ -123,37 +115,26 @@ impl Case {
     }
 
     fn in_integers<Q: Integer>(&self, normals: &[quantized::Normal<Q>]) {
-        let basis = Q::basis();
         let mut mantissas = vec![Q::default(); self.light.len()];
         let light = quantized::Light::quantize(&self.light, &mut mantissas).expect("a light");
         let mut of_material = vec![Q::default(); self.material.len()];
         let mut exponents = vec![0; self.order + 1];
         let material =
             quantized::Material::quantize(&self.material, &mut of_material, &mut exponents);
-        let material = material.expect("a material");
-        let mut workspace = vec![Q::Wide::default(); basis.workspace_len()];
-        let mut numbers = vec![Q::default(); basis.transfer_len()];
-        let mut exponents = vec![0; basis.profiles()];
-        basis
-            .transfer_into(&material, &mut workspace, &mut numbers, &mut exponents)
-            .expect("it fits");
-        let transfer = quantized::Transfer::new(&numbers, &exponents);
-        let mut d = vec![0; basis.components()];
-        let exponent = basis.relight_into(&transfer, &light, &mut d).expect("it fits");
+        let Relit { d, exponent, .. } = Relit::new(&light, &material.expect("a material"));
         let scale = 2f64.powi(exponent);
         let wide: Vec<f64> = d.iter().map(|&d| scale * f64::from(d)).collect();
-        let (of_d, of_pixel) = match Q::FORMAT {
-            Format::Q15 => (super::ANY_D_Q15, ANY_IMAGE_Q15),
-            Format::Q31 => (super::ANY_D_Q31, ANY_IMAGE_Q31),
+        let of_pixel = match Q::FORMAT {
+            Format::Q15 => ANY_IMAGE_Q15,
+            Format::Q31 => ANY_IMAGE_Q31,
         };
-        self.projected(&wide, of_d, super::ANY_D_COMMON);
-        let image = Q::image(&d, exponent, normals).expect("a moderate exponent");
-        let one = 2f64.powi(Q::FORMAT.bits());
-        for (normal, [pixel, _]) in normals.iter().zip(&image.pixels) {
-            let at = normal.components().map(|one_of| one_of.mantissa() as f64 / one);
+        self.projected(&wide, parts::<Q>().0, super::ANY_D_COMMON);
+        let (basis, room) = (Q::basis(), vec![0; Q::basis().scene_len()]);
+        let scene = basis.collapse_into(&d, exponent, room).expect("a moderate exponent");
+        for &normal in normals {
             // As long as it is: U is a polynomial of its components.
-            let found = f64::from(*pixel) * 2f64.powi(image.exponent);
-            Self::image(&wide, at, found, of_pixel);
+            let found = f64::from(scene.shade(normal)) * 2f64.powi(scene.exponent());
+            Self::image(&wide, normal.components().map(Q::to_f64), found, of_pixel);
         }
     }
 }
@@ -173,19 +154,11 @@ pub fn every_way(input: &mut Reader<'_>) {
     indices(input);
     let is_moderate = input.byte().is_multiple_of(2);
     let rotation = any_rotation(input);
-    let any = |input: &mut Reader<'_>| match is_moderate {
-        true => input.moderate(),
-        false => f32::from_le_bytes(input.bytes()),
-    };
-    let coefficients: Vec<f32> = (0..LIGHT).map(|_| any(input)).collect();
+    let coefficients = input.floats(LIGHT, is_moderate);
     let light = Light::new(&coefficients).expect("a light");
     turn(&light, &rotation, is_moderate);
-    let d: [f32; sphere::COMPONENTS] = std::array::from_fn(|_| any(input));
+    let d = std::array::from_fn(|_| input.float(is_moderate));
     look_up(&d, input, is_moderate);
-}
-
-fn float(input: &mut Reader<'_>) -> f32 {
-    f32::from_le_bytes(input.bytes())
 }
 
 /// Sizes and places of anything: meaningless at worst.
@@ -203,12 +176,16 @@ fn any_rotation(input: &mut Reader<'_>) -> Rotation<f32> {
     let mut rotation = Rotation::NONE;
     for _ in 0..input.up_to(4) {
         let found = match input.byte() % 5 {
-            0 => Rotation::from_quaternion([(); 4].map(|()| float(input))),
+            0 => Rotation::from_quaternion([(); 4].map(|()| input.float(false))),
             1 => {
                 let quaternion = [(); 4].map(|()| f32::from(input.byte().cast_signed()));
                 Rotation::from_quaternion(quaternion)
             }
-            2 => Rotation::from_euler::<Libm>(float(input), float(input), float(input)),
+            2 => Rotation::from_euler::<Libm>(
+                input.float(false),
+                input.float(false),
+                input.float(false),
+            ),
             3 => {
                 let [a, b, c] = [(); 3].map(|()| f32::from(input.byte().cast_signed()) / 40.0);
                 Rotation::from_euler::<SinglePrecision>(a, b, c)
@@ -273,7 +250,7 @@ fn look_up(d: &[f32; sphere::COMPONENTS], input: &mut Reader<'_>, is_moderate: b
     let mut estimate = sphere::BASIS.estimate::<{ sphere::COMPONENTS }>().expect("room");
     let mut of_integers = sphere::q15::BASIS.estimate::<{ sphere::COMPONENTS }>().expect("room");
     while !input.is_empty() {
-        let vector = [(); 3].map(|()| float(input));
+        let vector = [(); 3].map(|()| input.float(false));
         let [x, y, z] = vector.map(|c| [c]);
         let raw = Normals::new(&x, &y, &z).expect("one length").iter().next().expect("one");
         let point = MapPoint::new(x[0], y[0]);

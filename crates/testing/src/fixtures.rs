@@ -25,6 +25,12 @@ pub fn shipped() -> Loaded {
     loaded
 }
 
+/// The table `tables/NAME.bin`.
+pub fn shipped_table(name: &str) -> Table {
+    let path = Path::new(ROOT).join(format!("tables/{name}.bin"));
+    eigenshade_table::decode(&std::fs::read(path).expect("a shipped table")).expect("a table")
+}
+
 /// A scene of these lights and materials at their degree and order, with every component and with
 /// polynomials that are accurate to the last bits.
 pub fn scene(lights: Lights, materials: Materials) -> Loaded {
@@ -83,6 +89,20 @@ pub fn normals(slants: &[f64], tilts: usize) -> Vec<[f64; 3]> {
         [alpha.sin() * beta.cos(), alpha.sin() * beta.sin(), z]
     };
     slants.iter().flat_map(|&alpha| (0..tilts).map(move |k| at(alpha, tilt(k)))).collect()
+}
+
+/// Normals of these z, each a golden angle on from the one before.
+pub fn spiral(heights: impl IntoIterator<Item = f64>) -> Vec<[f64; 3]> {
+    let at = |(k, z): (usize, f64)| {
+        let (sine, tilt) = ((1.0 - z * z).sqrt(), 2.399_963 * k as f64);
+        [sine * tilt.cos(), sine * tilt.sin(), z]
+    };
+    heights.into_iter().enumerate().map(at).collect()
+}
+
+/// Normals that each stand for an equal part of a picture of a sphere.
+pub fn of_equal_areas(count: usize) -> Vec<[f64; 3]> {
+    spiral((0..count).map(|k| ((k as f64 + 0.5) / count as f64).sqrt()))
 }
 
 /// The normals of a sphere that fills a picture of this width, one for each pixel inside.

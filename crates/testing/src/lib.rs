@@ -25,6 +25,13 @@ pub fn repository() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
+/// The part of a page between `<!-- NAME: ... -->` and `<!-- end of NAME -->`.
+#[must_use]
+pub fn part<'a>(page: &'a str, name: &str) -> &'a str {
+    let (_, part) = page.split_once(&format!("<!-- {name}: ")).expect("the part's start");
+    part.split_once(&format!("<!-- end of {name} -->")).expect("the part's end").0
+}
+
 /// The largest |x|, or NaN if any value is NaN.
 pub fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
     values.into_iter().fold(0.0, |most: f64, value| {

@@ -131,15 +131,15 @@ pub fn irradiance(
     for (fraction, weight) in clenshaw_curtis(48) {
         let theta = 0.5 * PI * fraction;
         let (st, ct) = theta.sin_cos();
-        for k in 0..40 {
+        let around = (0..40).map(|k| {
             let phi = 2.0 * PI * f64::from(k) / 40.0;
             // The local direction, rotated about y by alpha, then about z.
             let (u, v, w) = (st * phi.cos(), st * phi.sin(), ct);
             let (a, c) = (u * z + w * sine, w * z - u * sine);
             let direction = [a * cb - v * sb, a * sb + v * cb, c];
-            let reflected = brdf(material, theta, alpha, phi - PI);
-            sum += weight * light.radiance(direction) * reflected * ct * st;
-        }
+            light.radiance(direction) * brdf(material, theta, alpha, phi - PI)
+        });
+        sum += weight * ct * st * around.sum::<f64>();
     }
     sum * 0.5 * PI * 2.0 * PI / 40.0
 }

@@ -8,6 +8,7 @@ pub mod record;
 use self::record::{Golden, Row};
 use eigenshade::quantized::{Basis, Light, Material, Normal, Transfer};
 use eigenshade::{Error, FixedPoint, Q15, Q31, sphere};
+use eigenshade_shading::integer_shader::Integer;
 use eigenshade_shading::owned_basis::{AnyBasis, OwnedBasis};
 use eigenshade_shading::shipped;
 
@@ -29,47 +30,30 @@ const DEGREE: usize = sphere::DEGREE;
 const ORDER: usize = sphere::ORDER;
 
 /// An integer format with its shipped basis.
-pub trait Shipped: FixedPoint {
-    /// The format's name in the file.
-    const FORMAT: &'static str;
-    /// The number with this mantissa, which must fit the format.
-    fn of(mantissa: i32) -> Self;
-    /// The mantissa of the number.
-    fn mantissa(self) -> i32;
+trait Shipped: Integer<Wide: Into<i64>> {
     /// The shipped basis.
-    fn basis() -> &'static Basis<'static, Self>;
-    /// The normal with these components.
-    ///
-    /// # Errors
-    ///
-    /// As the constructor of [`Normal`].
-    fn normal(components: [Self; 3]) -> Result<Normal<Self>, Error>;
-    /// The smallest mantissa.
-    const LEAST: i32;
+    fn shipped() -> &'static Basis<'static, Self>;
+    /// The normal with these mantissas.
+    fn exactly(components: [Self; 3]) -> Result<Normal<Self>, Error>;
 }
 
-macro_rules! shipped {
-    ($format:ident, $name:literal, $module:ident, $mantissa:ident) => {
-        impl Shipped for $format {
-            const FORMAT: &'static str = $name;
-            const LEAST: i32 = $mantissa::MIN as i32;
-            fn of(mantissa: i32) -> Self {
-                Self($mantissa::try_from(mantissa).expect("a mantissa of the format"))
-            }
-            fn mantissa(self) -> i32 {
-                self.0.into()
-            }
-            fn basis() -> &'static Basis<'static, Self> {
-                &sphere::$module::BASIS
-            }
-            fn normal([x, y, z]: [Self; 3]) -> Result<Normal<Self>, Error> {
-                Normal::<Self>::new(x, y, z)
-            }
-        }
-    };
+impl Shipped for Q15 {
+    fn shipped() -> &'static Basis<'static, Self> {
+        &sphere::q15::BASIS
+    }
+    fn exactly([x, y, z]: [Self; 3]) -> Result<Normal<Self>, Error> {
+        Normal::<Self>::new(x, y, z)
+    }
 }
-shipped!(Q15, "q15", q15, i16);
-shipped!(Q31, "q31", q31, i32);
+
+impl Shipped for Q31 {
+    fn shipped() -> &'static Basis<'static, Self> {
+        &sphere::q31::BASIS
+    }
+    fn exactly([x, y, z]: [Self; 3]) -> Result<Normal<Self>, Error> {
+        Normal::<Self>::new(x, y, z)
+    }
+}
 
 /// Normals at the pole, on the rim, at corners of the cube, next to the pole and the rim, and some
 /// in between.
@@ -93,7 +77,7 @@ fn mantissas_of_normals<Q: Shipped>() -> Vec<i32> {
     let one = 2f64.powi(Q::BITS as i32);
     let rounded = |component: f64| (one * component).round().clamp(1.0 - one, one - 1.0) as i32;
     let mut numbers: Vec<i32> = normals().into_iter().flatten().map(rounded).collect();
-    numbers.extend([Q::LEAST, 0, 0]);
+    numbers.extend([-one as i32, 0, 0]);
     numbers
 }
 
@@ -118,17 +102,17 @@ fn input([light, material, _]: [&str; 3], channel: usize) -> Input {
 /// d with its exponent, and the irradiances with their exponent.
 pub type Answer = [(Vec<i32>, i32); 2];
 
-/// Computes irradiances from mantissas with the methods of the general basis.
+/// Computes irradiances from mantissas with the methods of a basis.
 ///
 /// # Errors
 ///
 /// As the runtime's functions.
-pub fn answer<Q: Shipped>(
+pub fn answer<Q: FixedPoint>(
+    basis: &Basis<'_, Q>,
     light: &Light<'_, Q>,
     material: &Material<'_, Q>,
     normals: &[Normal<Q>],
 ) -> Result<Answer, Error> {
-    let basis = Q::basis();
     let mut workspace = vec![Default::default(); basis.workspace_len()];
     let mut numbers = vec![Q::default(); basis.transfer_len()];
     let mut exponents = vec![0; basis.profiles()];
@@ -154,12 +138,12 @@ pub fn checksum<'a>(answers: impl IntoIterator<Item = &'a Answer>) -> u32 {
 
 fn integer_rows<Q: Shipped>(rows: &mut Vec<Row>) {
     let numbers = mantissas_of_normals::<Q>();
-    rows.push(Row::new(Q::FORMAT, [""; 3], "normals", &[-(Q::BITS as i32)], &numbers));
+    rows.push(Row::new(Q::NAME, [""; 3], "normals", &[-(Q::BITS as i32)], &numbers));
     let normals: Vec<Normal<Q>> = numbers
         .as_chunks::<3>()
         .0
         .iter()
-        .map(|&components| Q::normal(components.map(Q::of)).expect("a visible normal"))
+        .map(|&components| Q::exactly(components.map(Q::of)).expect("a visible normal"))
         .collect();
     let mut answers = Vec::new();
     for (pair, channel) in PAIRS {
@@ -170,20 +154,23 @@ fn integer_rows<Q: Shipped>(rows: &mut Vec<Row>) {
         let mut exponents = [0; ORDER + 1];
         let material = Material::quantize(&input.material, &mut of_material, &mut exponents);
         let material = material.expect("a material");
-        let answer = answer(&light, &material, &normals).expect("they fit the basis");
+        let answer = answer(Q::shipped(), &light, &material, &normals).expect("they fit the basis");
         let exponent_of_light = light.exponent();
-        let mantissas = |numbers: &[Q]| numbers.iter().map(|q| q.mantissa()).collect::<Vec<_>>();
-        let row = |array: &str, exponents: &[i32], numbers: &[i32]| {
-            Row::new(Q::FORMAT, pair, array, exponents, numbers)
+        let mantissas = |numbers: &[Q]| -> Vec<i64> {
+            numbers.iter().map(|number| number.widen().into()).collect()
         };
-        rows.push(row("light", &[exponent_of_light], &mantissas(&of_light)));
-        rows.push(row("material", &exponents.map(i32::from), &mantissas(&of_material)));
-        let [(d, of_d), (irradiances, of_irradiances)] = &answer;
-        rows.push(row("d", &[*of_d], d));
-        rows.push(row("irradiance", &[*of_irradiances], irradiances));
+        let mut row = |array: &str, exponents: &[i32], numbers: &[i64]| {
+            rows.push(Row::new(Q::NAME, pair, array, exponents, numbers));
+        };
+        row("light", &[exponent_of_light], &mantissas(&of_light));
+        row("material", &exponents.map(i32::from), &mantissas(&of_material));
+        for (array, (numbers, exponent)) in ["d", "irradiance"].into_iter().zip(&answer) {
+            let numbers: Vec<i64> = numbers.iter().map(|&number| number.into()).collect();
+            row(array, &[*exponent], &numbers);
+        }
         answers.push(answer);
     }
-    rows.push(Row::new(Q::FORMAT, [""; 3], "crc32", &[], &[checksum(&answers)]));
+    rows.push(Row::new(Q::NAME, [""; 3], "crc32", &[], &[checksum(&answers)]));
 }
 
 fn float_rows(rows: &mut Vec<Row>) {
