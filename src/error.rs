@@ -109,6 +109,8 @@ pub enum Argument {
     Light,
     /// Coefficients of a material.
     Material,
+    /// A color that tints a material.
+    Color,
     /// Coefficients of eigenimages.
     Coefficients,
     /// The workspace of a projection.

@@ -121,6 +121,8 @@ mod general;
 
 mod estimate;
 
+mod color;
+
 pub mod wire;
 
 #[cfg(feature = "defmt")]
@@ -160,6 +162,7 @@ pub use bake::{BakedMap, MapBuffer, MapPoint};
 pub use bake_integer::IntegerMap;
 pub use basis::Basis;
 pub use buffer::Buffer;
+pub use color::Rgb;
 pub use error::{Argument, Error};
 pub use estimate::Estimate;
 pub use format::{FixedPoint, Format, Q15, Q31, Wide};

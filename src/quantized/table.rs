@@ -63,6 +63,12 @@ macro_rules! integer_table {
         pub fn estimate() -> Result<Estimate, $crate::Error> {
             BASIS.estimate()
         }
+        $crate::table_in_color! {
+            'a, light $crate::quantized::Light<'a, $crate::$format>,
+            material $crate::quantized::Material<'a, $crate::$format>,
+            normal $crate::quantized::Normal<$crate::$format>, irradiance i32,
+            view |transfer| &transfer.view()
+        }
     };
     ($format:ident transfer scatter $([$p:literal $q:literal $($o:literal)*])*
         azimuths $($azimuth:literal)*) => {

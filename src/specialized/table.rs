@@ -474,5 +474,9 @@ macro_rules! table {
         ) -> Result<LightBuffer, $crate::Error> {
             light.windowed::<$crate::mathematics::SinglePrecision, LIGHT>(window)
         }
+        $crate::table_in_color! {
+            'a, light $crate::Light<'a, f32>, material $crate::Material<'a, f32>,
+            normal $crate::Normal<f32>, irradiance f32, view |transfer| transfer
+        }
     };
 }

@@ -1,0 +1,391 @@
+//! Three channels of anything: lights, materials, transfers, images and pixels.
+
+use crate::bake::{BakedMap, MapPoint};
+use crate::bake_integer::IntegerMap;
+use crate::error::Error;
+use crate::format::{FixedPoint, Q15};
+use crate::light::{Light, LightBuffer};
+use crate::material::Material;
+use crate::mathematics::Mathematics;
+use crate::normal::Normal;
+use crate::rotation::Rotation;
+use crate::scalar::Scalar;
+use crate::scene::Scene;
+use crate::{Window, quantized};
+
+/// Red, green and blue: three lights, three materials, three irradiances.
+///
+/// A module of a table has the steps from light to pixel for three channels at once, such as
+/// `sphere::color::scene`. They take an `Rgb`, or one light or material for all three channels.
+///
+/// ```
+/// use eigenshade::{Light, Rgb};
+///
+/// let warm = Rgb::new([3.5], [3.0], [2.5]);
+/// let light = warm.each_ref().try_map(|channel| Light::new(channel))?;
+/// assert_eq!(light.r.coefficients(), [3.5]);
+/// assert_eq!(warm.map(|[mean]| mean / 0.5), Rgb::from([7.0, 6.0, 5.0]));
+/// # Ok::<(), eigenshade::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Rgb<T> {
+    /// The red channel.
+    pub r: T,
+    /// The green channel.
+    pub g: T,
+    /// The blue channel.
+    pub b: T,
+}
+
+impl<T> Rgb<T> {
+    /// The three channels.
+    #[inline]
+    pub const fn new(r: T, g: T, b: T) -> Self {
+        Self { r, g, b }
+    }
+
+    /// References to the channels.
+    #[inline]
+    pub const fn each_ref(&self) -> Rgb<&T> {
+        Rgb::new(&self.r, &self.g, &self.b)
+    }
+
+    /// Applies a function to each channel.
+    #[inline(always)]
+    pub fn map<U>(self, mut function: impl FnMut(T) -> U) -> Rgb<U> {
+        Rgb::new(function(self.r), function(self.g), function(self.b))
+    }
+
+    /// Applies a function to each channel, up to the first error.
+    ///
+    /// # Errors
+    ///
+    /// Those of the function.
+    #[inline(always)]
+    pub fn try_map<U, E>(
+        self,
+        mut function: impl FnMut(T) -> Result<U, E>,
+    ) -> Result<Rgb<U>, E> {
+        Ok(Rgb::new(function(self.r)?, function(self.g)?, function(self.b)?))
+    }
+
+    /// Pairs of channels.
+    #[inline]
+    pub fn zip<U>(self, other: Rgb<U>) -> Rgb<(T, U)> {
+        Rgb::new((self.r, other.r), (self.g, other.g), (self.b, other.b))
+    }
+}
+
+impl<T: Copy> Rgb<T> {
+    /// The same in all three channels.
+    #[inline]
+    pub const fn gray(value: T) -> Self {
+        Self::new(value, value, value)
+    }
+}
+
+impl<T> From<[T; 3]> for Rgb<T> {
+    #[inline]
+    fn from([r, g, b]: [T; 3]) -> Self {
+        Self { r, g, b }
+    }
+}
+
+impl<T> From<Rgb<T>> for [T; 3] {
+    #[inline]
+    fn from(Rgb { r, g, b }: Rgb<T>) -> Self {
+        [r, g, b]
+    }
+}
+
+impl<'a, T> From<&'a T> for Rgb<&'a T> {
+    #[inline]
+    fn from(gray: &'a T) -> Self {
+        Self::gray(gray)
+    }
+}
+
+impl<'a, T> From<&'a Rgb<T>> for Rgb<&'a T> {
+    #[inline]
+    fn from(color: &'a Rgb<T>) -> Self {
+        color.each_ref()
+    }
+}
+
+macro_rules! gray {
+    ($($type:ty, $number:ident;)*) => {
+        $(
+            impl<'a, $number: Copy> From<$type> for Rgb<$type> {
+                /// The same in all three channels.
+                #[inline]
+                fn from(gray: $type) -> Self {
+                    Self::gray(gray)
+                }
+            }
+        )*
+    };
+}
+gray! {
+    Light<'a, S>, S;
+    Material<'a, S>, S;
+    quantized::Light<'a, Q>, Q;
+    quantized::Material<'a, Q>, Q;
+}
+
+impl<S: Scalar> Rgb<Light<'_, S>> {
+    /// [`Light::truncated`] in each channel.
+    #[must_use]
+    pub fn truncated(self, degree: usize) -> Self {
+        self.map(|light| light.truncated(degree))
+    }
+
+    /// [`Light::turned`] in each channel.
+    ///
+    /// # Errors
+    ///
+    /// The same.
+    pub fn turned<const N: usize, const W: usize>(
+        &self,
+        rotation: &Rotation<S>,
+    ) -> Result<Rgb<LightBuffer<S, N>>, Error> {
+        self.each_ref().try_map(|light| light.turned::<N, W>(rotation))
+    }
+
+    /// [`Light::windowed`] in each channel.
+    ///
+    /// # Errors
+    ///
+    /// The same.
+    pub fn windowed<M: Mathematics<S>, const N: usize>(
+        &self,
+        window: Window<S>,
+    ) -> Result<Rgb<LightBuffer<S, N>>, Error> {
+        self.each_ref().try_map(|light| light.windowed::<M, N>(window))
+    }
+}
+
+impl<S, const N: usize> Rgb<LightBuffer<S, N>> {
+    /// The lights in these buffers.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Light::new`].
+    pub fn lights(&self) -> Result<Rgb<Light<'_, S>>, Error> {
+        self.each_ref().try_map(|channel| Light::new(channel))
+    }
+
+    /// The materials in these buffers.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Material::new`].
+    pub fn materials(&self) -> Result<Rgb<Material<'_, S>>, Error> {
+        self.each_ref().try_map(|channel| Material::new(channel))
+    }
+}
+
+impl<S: Scalar> Material<'_, S> {
+    /// This material in a color: its coefficients times each channel. `N` is at least their number.
+    ///
+    /// ```
+    /// use eigenshade::Material;
+    ///
+    /// let red = Material::new(&[2.0, -0.5])?.tint::<2>([0.9, 0.2, 0.1])?;
+    /// assert_eq!(red.materials()?.g.coefficients(), [0.4, -0.1]);
+    /// # Ok::<(), eigenshade::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Capacity`] if `N` is too small; [`Error::NotFinite`] with the index of the first
+    /// channel of the color that is infinite or NaN.
+    pub fn tint<const N: usize>(&self, color: [S; 3]) -> Result<Rgb<crate::Buffer<S, N>>, Error> {
+        use crate::error::Argument;
+        Error::check_finite(Argument::Color, &color)?;
+        Rgb::from(color).try_map(|factor| {
+            let from = self.coefficients();
+            let mut tinted = crate::buffer::zeros::<S, N>(Argument::Material, from.len())?;
+            tinted.iter_mut().zip(from).for_each(|(to, &from)| *to = factor * from);
+            Ok(tinted)
+        })
+    }
+}
+
+impl<B> Rgb<Scene<'_, B>> {
+    /// [`Scene::shade`] in each channel.
+    #[inline]
+    #[must_use]
+    pub fn shade<S: Scalar>(&self, normal: Normal<S>) -> Rgb<S>
+    where
+        B: AsRef<[S]>,
+    {
+        self.each_ref().map(|scene| scene.shade(normal))
+    }
+}
+
+impl<S: Scalar, B: AsRef<[S]>> Rgb<BakedMap<S, B>> {
+    /// [`BakedMap::bilinear`] in each channel.
+    #[inline]
+    #[must_use]
+    pub fn bilinear(&self, point: MapPoint<S>) -> Rgb<S> {
+        self.each_ref().map(|map| map.bilinear(point))
+    }
+
+    /// [`BakedMap::nearest`] in each channel.
+    #[inline]
+    #[must_use]
+    pub fn nearest(&self, point: MapPoint<S>) -> Rgb<S> {
+        self.each_ref().map(|map| map.nearest(point))
+    }
+}
+
+impl<B: AsRef<[i16]>> Rgb<IntegerMap<B>> {
+    /// [`IntegerMap::bilinear`] in each channel.
+    #[inline]
+    #[must_use]
+    pub fn bilinear(&self, point: MapPoint<Q15>) -> Rgb<i32> {
+        self.each_ref().map(|map| map.bilinear(point))
+    }
+}
+
+/// Inputs that the steps in color ask whether two channels are the same.
+#[doc(hidden)]
+pub trait Channel: Copy {
+    /// Whether both refer to the same coefficients in memory.
+    fn is(self, other: Self) -> bool;
+}
+
+impl<S> Channel for Material<'_, S>
+where
+    Self: Copy,
+{
+    #[inline]
+    fn is(self, other: Self) -> bool {
+        core::ptr::eq(self.coefficients(), other.coefficients())
+    }
+}
+
+impl<Q: FixedPoint> Channel for quantized::Material<'_, Q> {
+    #[inline]
+    fn is(self, other: Self) -> bool {
+        core::ptr::eq(self.mantissas, other.mantissas)
+            && core::ptr::eq(self.exponents, other.exponents)
+    }
+}
+
+impl<M: Channel> Rgb<M> {
+    /// The one material of a gray object: all channels refer to the same coefficients in memory.
+    #[doc(hidden)]
+    #[inline]
+    pub fn as_gray(self) -> Option<M> {
+        (self.r.is(self.g) && self.r.is(self.b)).then_some(self.r)
+    }
+}
+
+/// The module `color` of a table: its steps for three channels.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! table_in_color {
+    (
+        $a:lifetime, light $light:ty, material $material:ty, normal $normal:ty, irradiance $irradiance:ty,
+        view |$transfer:ident| $view:expr
+    ) => {
+        /// The steps from light to pixel in three channels.
+        pub mod color {
+            use $crate::Rgb;
+
+            type Light<$a> = $light;
+            type Material<$a> = $material;
+
+            /// The transfer of a material in each channel. For a gray material one
+            /// [`Transfer`](super::Transfer) serves all channels.
+            pub type Transfer = Rgb<super::Transfer>;
+
+            /// One image in three channels, ready to be shaded. It dereferences to the images of
+            /// the channels.
+            #[derive(Clone, Debug, PartialEq)]
+            pub struct Scene(Rgb<super::Scene>);
+
+            impl core::ops::Deref for Scene {
+                type Target = Rgb<super::Scene>;
+                #[inline]
+                fn deref(&self) -> &Rgb<super::Scene> {
+                    &self.0
+                }
+            }
+
+            impl Scene {
+                /// The irradiance of one normal in each channel.
+                #[inline]
+                #[must_use]
+                pub fn shade(&self, normal: $normal) -> Rgb<$irradiance> {
+                    self.0.each_ref().map(|scene| scene.shade(normal))
+                }
+            }
+
+            /// The image of a material under a light: transfer, relight and collapse in each
+            /// channel. A gray material is transferred once.
+            ///
+            /// # Errors
+            ///
+            /// Those of [`transfer`](super::transfer) and [`relight`](super::relight).
+            pub fn scene<'l, 'm>(
+                light: impl Into<Rgb<Light<'l>>>,
+                material: impl Into<Rgb<Material<'m>>>,
+            ) -> Result<Scene, $crate::Error> {
+                lit(light.into(), material.into())
+            }
+
+            fn lit(
+                light: Rgb<Light<'_>>,
+                material: Rgb<Material<'_>>,
+            ) -> Result<Scene, $crate::Error> {
+                if let Some(gray) = material.as_gray() {
+                    return relit(Rgb::gray(&super::transfer(&gray)?), light);
+                }
+                let channels = light.zip(material);
+                let image = |(light, material)| image(&super::transfer(&material)?, &light);
+                channels.try_map(image).map(Scene)
+            }
+
+            /// The transfer of a material in each channel: see [`transfer`](super::transfer).
+            ///
+            /// # Errors
+            ///
+            /// The same.
+            pub fn transfer<'m>(
+                material: impl Into<Rgb<Material<'m>>>,
+            ) -> Result<Transfer, $crate::Error> {
+                material.into().try_map(|material| super::transfer(&material))
+            }
+
+            /// The image of a transferred material under a new light: relight and collapse in each
+            /// channel. `transfer` is a [`Transfer`] or, for a gray material, that of one channel.
+            ///
+            /// # Errors
+            ///
+            /// Those of [`relight`](super::relight).
+            pub fn relight<'l, 't>(
+                transfer: impl Into<Rgb<&'t super::Transfer>>,
+                light: impl Into<Rgb<Light<'l>>>,
+            ) -> Result<Scene, $crate::Error> {
+                relit(transfer.into(), light.into())
+            }
+
+            fn relit(
+                transfer: Rgb<&super::Transfer>,
+                light: Rgb<Light<'_>>,
+            ) -> Result<Scene, $crate::Error> {
+                transfer.zip(light).try_map(|(transfer, light)| image(transfer, &light)).map(Scene)
+            }
+
+            fn image(
+                $transfer: &super::Transfer,
+                light: &Light<'_>,
+            ) -> Result<super::Scene, $crate::Error> {
+                super::collapse(&super::relight($view, light)?)
+            }
+        }
+    };
+}
