@@ -63,10 +63,7 @@ impl<T> Rgb<T> {
     ///
     /// Those of the function.
     #[inline(always)]
-    pub fn try_map<U, E>(
-        self,
-        mut function: impl FnMut(T) -> Result<U, E>,
-    ) -> Result<Rgb<U>, E> {
+    pub fn try_map<U, E>(self, mut function: impl FnMut(T) -> Result<U, E>) -> Result<Rgb<U>, E> {
         Ok(Rgb::new(function(self.r)?, function(self.g)?, function(self.b)?))
     }
 

@@ -111,6 +111,8 @@ pub enum Argument {
     Material,
     /// A color that tints a material.
     Color,
+    /// The exposure of a picture.
+    Exposure,
     /// Coefficients of eigenimages.
     Coefficients,
     /// The workspace of a projection.
@@ -209,6 +211,9 @@ impl fmt::Display for Error {
                 "the basis's couplings or effects do not match its order; take all parts from one \
                  table",
             ),
+            Self::NotFinite { argument: Argument::Exposure, .. } => {
+                f.write_str("an exposure must be a finite number above zero; give one such as 1")
+            }
             Self::NotFinite { argument, index } => write!(
                 f,
                 "{argument:?}: number {index} (from 0) is not finite; leave it out, or scale the numbers \

@@ -123,6 +123,8 @@ mod estimate;
 
 mod color;
 
+mod display;
+
 pub mod wire;
 
 #[cfg(feature = "defmt")]
@@ -163,6 +165,7 @@ pub use bake_integer::IntegerMap;
 pub use basis::Basis;
 pub use buffer::Buffer;
 pub use color::Rgb;
+pub use display::{Display, Exposure, Linear, Meter, Tone};
 pub use error::{Argument, Error};
 pub use estimate::Estimate;
 pub use format::{FixedPoint, Format, Q15, Q31, Wide};

@@ -1,0 +1,424 @@
+//! From irradiance to a pixel of a display: exposure, tone curve, sRGB encoding, 24 or 16 bits.
+//!
+//! A tone curve and the encoding are one increasing function of the exposed irradiance. A
+//! [`Display`] holds it as a table in three pieces, from 0 to 1/16, to 1 and to 16, of 128 intervals
+//! each, and interpolates. The table is computed when the program is compiled.
+
+use crate::color::Rgb;
+use crate::error::{Argument, Error};
+
+/// Intervals of a piece.
+const INTERVALS: usize = 128;
+
+/// The bits of an interval's width in each piece, in units of 2^-[`POINT`].
+const WIDTHS: [u32; 3] = [5, 9, 13];
+
+/// Bits of a [`Linear`] after the binary point.
+const POINT: u32 = 16;
+
+/// The irradiance, as exposed, from which on every pixel is white.
+const WHITE: u32 = 16;
+
+/// A tone curve: what is shown of an exposed irradiance x, from 0 to 1.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum Tone {
+    /// x, clipped at 1.
+    #[default]
+    Linear,
+    /// x (1 + x / 16²) / (1 + x), which reaches 1 at x = 16: E. Reinhard et al., "Photographic Tone
+    /// Reproduction for Digital Images", 2002, equation 4.
+    Reinhard,
+    /// x (2.51 x + 0.03) / (x (2.43 x + 0.59) + 0.14), clipped at 1: the fit to the ACES curve of
+    /// K. Narkowicz, "ACES Filmic Tone Mapping Curve", 2015.
+    Filmic,
+}
+
+impl Tone {
+    /// What is shown of x >= 0.
+    const fn of(self, x: f64) -> f64 {
+        let shown = match self {
+            Self::Linear => x,
+            Self::Reinhard => x * (1.0 + x / (WHITE * WHITE) as f64) / (1.0 + x),
+            Self::Filmic => x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14),
+        };
+        if shown < 1.0 { shown } else { 1.0 }
+    }
+}
+
+/// The sRGB encoding of a number from 0 to 1 (IEC 61966-2-1).
+const fn srgb(x: f64) -> f64 {
+    if x <= 0.003_130_8 {
+        return 12.92 * x;
+    }
+    // x^(1/2.4) is the twelfth root of x^5. Newton's method falls to it from 1.
+    let fifth = x * x * x * x * x;
+    let (mut root, mut step) = (1.0, 0);
+    while step < 64 {
+        let cube = root * root * root;
+        let eleventh = cube * cube * cube * root * root;
+        root -= (eleventh * root - fifth) / (12.0 * eleventh);
+        step += 1;
+    }
+    1.055 * root - 0.055
+}
+
+/// An exposed irradiance in units of 2^-16: 65,536 is white under [`Tone::Linear`].
+///
+/// It converts from `f32`: values below 0 and NaN become 0, large ones the largest number.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Linear(pub u32);
+
+impl From<f32> for Linear {
+    #[inline]
+    fn from(exposed: f32) -> Self {
+        Self((exposed * (1_u32 << POINT) as f32 + 0.5) as u32)
+    }
+}
+
+/// A tone curve and the sRGB encoding, as a table of 774 bytes.
+///
+/// ```
+/// use eigenshade::{Display, Rgb, Tone};
+///
+/// static DISPLAY: Display = Display::new(Tone::Linear);
+/// assert_eq!(DISPLAY.rgb888(Rgb::new(0.0, 0.2140, 1.0)), Rgb::new(0, 127, 255));
+/// assert_eq!(DISPLAY.rgb565(Rgb::new(1.0, 0.0, 0.0)), 0xf800);
+/// ```
+///
+/// A color is exposed first: the irradiance times the exposure. Encoded values are within 0.6 of a
+/// step of 1/255 of the exact function, the half step of rounding included. An `f32` costs a product
+/// and a conversion more than a [`Linear`], which needs integers only.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Display {
+    /// The encoded values in units of 1/65,535, piece by piece.
+    pieces: [[u16; INTERVALS + 1]; 3],
+}
+
+impl Display {
+    /// Computes the table. It takes 25,000 divisions in `f64`: initialize a static with it, so that
+    /// the compiler computes it.
+    #[must_use]
+    #[expect(clippy::indexing_slicing, reason = "a constant function has no iterators")]
+    pub const fn new(tone: Tone) -> Self {
+        let mut pieces = [[0; INTERVALS + 1]; 3];
+        let mut piece = 0;
+        while piece < pieces.len() {
+            let mut index = 0;
+            while index <= INTERVALS {
+                let units = (index as u32) << WIDTHS[piece];
+                let encoded = srgb(tone.of(units as f64 / (1_u32 << POINT) as f64));
+                pieces[piece][index] = (encoded * 65_535.0 + 0.5) as u16;
+                index += 1;
+            }
+            piece += 1;
+        }
+        Self { pieces }
+    }
+
+    /// The encoded value of an exposed irradiance, from 0 to 65,535. All curves rise.
+    #[inline]
+    #[must_use]
+    pub fn encode(&self, Linear(units): Linear) -> u16 {
+        let units = units.min((WHITE << POINT) - 1);
+        let [dark, middle, bright] = &self.pieces;
+        let [of_dark, of_middle, of_bright] = WIDTHS;
+        let (piece, width) = if units < (INTERVALS as u32) << of_dark {
+            (dark, of_dark)
+        } else if units < (INTERVALS as u32) << of_middle {
+            (middle, of_middle)
+        } else {
+            (bright, of_bright)
+        };
+        let interval = piece.get((units >> width) as usize..);
+        let Some(&[from, to]) = interval.and_then(|rest| rest.first_chunk()) else { return 0 };
+        let (from, to) = (u32::from(from), u32::from(to));
+        let way = units & ((1 << width) - 1);
+        (from + (((to - from) * way) >> width)) as u16
+    }
+
+    /// A pixel of 8 bits a channel.
+    #[inline]
+    #[must_use]
+    pub fn rgb888(&self, color: Rgb<impl Into<Linear>>) -> Rgb<u8> {
+        color.map(|channel| levels::<255>(self.encode(channel.into()), 1 << 15) as u8)
+    }
+
+    /// A pixel of 5, 6 and 5 bits: red in the highest bits.
+    #[inline]
+    #[must_use]
+    pub fn rgb565(&self, color: Rgb<impl Into<Linear>>) -> u16 {
+        self.rounded565(color, 1 << 15)
+    }
+
+    /// [`rgb565`](Self::rgb565) with ordered dithering: the pixel in column x and row y rounds at a
+    /// threshold of the 4 x 4 Bayer matrix, so that bands of similar colors do not show edges.
+    #[inline]
+    #[must_use]
+    pub fn rgb565_dithered(&self, color: Rgb<impl Into<Linear>>, x: usize, y: usize) -> u16 {
+        /// The ranks 0 to 15 of the sixteen pixels, four bits each, row by row.
+        const RANKS: u64 = 0x5d7f_91b3_4c6e_80a2;
+        let rank = (RANKS >> (16 * (y & 3) + 4 * (x & 3))) as u32 & 15;
+        self.rounded565(color, (rank << 12) + (1 << 11))
+    }
+
+    #[inline(always)]
+    fn rounded565(&self, color: Rgb<impl Into<Linear>>, threshold: u32) -> u16 {
+        let Rgb { r, g, b } = color.map(|channel| self.encode(channel.into()));
+        let [r, b] = [r, b].map(|channel| levels::<31>(channel, threshold));
+        (r << 11) | (levels::<63>(g, threshold) << 5) | b
+    }
+}
+
+/// One of the levels 0 to `MOST`: rounds down after adding a threshold, in units of 2^-16 of a level.
+#[inline(always)]
+fn levels<const MOST: u32>(encoded: u16, threshold: u32) -> u16 {
+    // At most 65,535 / 65,536 of a level above `MOST`.
+    ((u32::from(encoded) * MOST + threshold) >> 16) as u16
+}
+
+/// Exposes irradiances in integers: a mantissa of a [`quantized`](crate::quantized) scene becomes a
+/// [`Linear`].
+///
+/// ```
+/// use eigenshade::{Exposure, Linear};
+///
+/// // 0.5 times 3 x 2^-3.
+/// let exposure = Exposure::new(0.5, -3)?;
+/// assert_eq!(exposure.of(3), Linear((0.1875 * 65_536.0) as u32));
+/// # Ok::<(), eigenshade::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Exposure {
+    /// 15 bits of the exposure, the highest one set; more if there is nothing to shift.
+    factor: u32,
+    /// The product of mantissa and factor is shifted to the right by this.
+    shift: u32,
+}
+
+impl Exposure {
+    /// The exposure of a scene whose irradiances are mantissas times 2^`exponent`. Decodes the
+    /// exposure with integer operations, once per scene and channel.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::NotFinite`] unless the exposure is a normal number above 0.
+    pub const fn new(exposure: f32, exponent: i32) -> Result<Self, Error> {
+        let bits = exposure.to_bits();
+        let biased = (bits >> 23).cast_signed();
+        // With the sign bit set, it is above 255.
+        if biased <= 0 || biased >= 255 {
+            return Err(Error::NotFinite { argument: Argument::Exposure, index: 0 });
+        }
+        let fraction = (bits & 0x7f_ffff) | 0x80_0000;
+        let factor = (fraction + (1 << 8)) >> 9;
+        let left = exponent.saturating_add(biased - 127 - 14 + POINT.cast_signed());
+        // 30 bits are beyond white.
+        let factor = factor
+            << if left > 16 {
+                16
+            } else if left > 0 {
+                left
+            } else {
+                0
+            };
+        Ok(Self {
+            factor,
+            shift: if left < -63 {
+                63
+            } else if left < 0 {
+                left.unsigned_abs()
+            } else {
+                0
+            },
+        })
+    }
+
+    /// The exposed irradiance of a mantissa, rounded down; 0 for negative ones.
+    #[inline]
+    #[must_use]
+    pub fn of(self, mantissa: i32) -> Linear {
+        let product = u64::from(mantissa.max(0).cast_unsigned()) * u64::from(self.factor);
+        Linear(u32::try_from(product >> self.shift).unwrap_or(u32::MAX))
+    }
+}
+
+impl Rgb<Exposure> {
+    /// The exposed irradiances of a pixel's mantissas.
+    #[inline]
+    #[must_use]
+    pub fn of(self, mantissas: Rgb<i32>) -> Rgb<Linear> {
+        self.zip(mantissas).map(|(exposure, mantissa)| exposure.of(mantissa))
+    }
+}
+
+impl Rgb<f32> {
+    /// This color times an exposure.
+    #[inline]
+    #[must_use]
+    pub fn exposed(self, exposure: f32) -> Self {
+        self.map(|channel| channel * exposure)
+    }
+
+    /// The largest channel.
+    #[inline]
+    #[must_use]
+    pub fn largest(self) -> f32 {
+        self.r.max(self.g).max(self.b)
+    }
+}
+
+/// Meters a picture for its exposure: the share of pixels brighter than white.
+///
+/// ```
+/// use eigenshade::{Meter, Rgb};
+///
+/// let mut meter = Meter::default();
+/// (1..=100).for_each(|i| meter.add(Rgb::new(0.0, 0.02 * i as f32, 0.0)));
+/// let exposure = meter.exposure(0.9).expect("there are pixels"); // near 1 / 1.8
+/// assert!((exposure * 1.8 - 1.0).abs() < 0.07);
+/// ```
+///
+/// The largest channels are counted in steps of an eighth of an octave, from 2^-16 to 2^16.
+#[derive(Clone, Debug)]
+pub struct Meter {
+    counts: [u32; 256],
+    total: u32,
+}
+
+impl Default for Meter {
+    fn default() -> Self {
+        Self { counts: [0; 256], total: 0 }
+    }
+}
+
+impl Meter {
+    /// Counts a pixel. One that is black in all channels, or not finite, counts as the darkest.
+    pub fn add(&mut self, color: Rgb<f32>) {
+        let largest = color.largest();
+        let largest = if largest > 0.0 && largest.is_finite() { largest } else { 0.0 };
+        // Exponent and three bits of the fraction, from 2^-16 on.
+        let step = (largest.to_bits() >> 20).saturating_sub((127 - 16) << 3).min(255);
+        if let Some(count) = self.counts.get_mut(step as usize) {
+            *count = count.saturating_add(1);
+        }
+        self.total = self.total.saturating_add(1);
+    }
+
+    /// The exposure with which this share of the pixels, from 0 to 1, is not brighter than white,
+    /// to within 7 %. `None` if no pixel was counted or all of them are black.
+    #[must_use]
+    pub fn exposure(&self, share: f32) -> Option<f32> {
+        let enough = (share * self.total as f32) as u32;
+        let mut counted = 0_u32;
+        let step = self.counts.iter().position(|&count| {
+            counted = counted.saturating_add(count);
+            counted >= enough && counted > 0
+        })?;
+        let brightest = self.counts.iter().rposition(|&count| count > 0)?;
+        // The middle of the step.
+        let middle = f32::from_bits((((127 - 16) << 3) + step as u32) << 20 | 1 << 19);
+        (brightest > 0).then_some(1.0 / middle)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TONES: [Tone; 3] = [Tone::Linear, Tone::Reinhard, Tone::Filmic];
+
+    /// The function that a display interpolates, with `powf` instead of Newton's method.
+    fn exact(tone: Tone, x: f64) -> f64 {
+        let shown = match tone {
+            Tone::Linear => x,
+            Tone::Reinhard => (x + x * x / 256.0) / (1.0 + x),
+            Tone::Filmic => (2.51 * x * x + 0.03 * x) / (2.43 * x * x + 0.59 * x + 0.14),
+        };
+        let shown = shown.clamp(0.0, 1.0);
+        if shown <= 0.0031308 { 12.92 * shown } else { 1.055 * libm::pow(shown, 1.0 / 2.4) - 0.055 }
+    }
+
+    #[test]
+    fn encoded_values_are_within_six_tenths_of_a_step() {
+        for tone in TONES {
+            let display = Display::new(tone);
+            let (mut worst, mut before) = (0.0_f64, 0);
+            for units in 0..=(17_u32 << 16) {
+                let exact = 255.0 * exact(tone, f64::from(units) / 65_536.0);
+                let found = display.encode(Linear(units));
+                assert!(found >= before, "{tone:?} falls at {units}");
+                before = found;
+                let pixel = display.rgb888(Rgb::gray(Linear(units))).r;
+                worst = worst.max((f64::from(pixel) - exact).abs());
+            }
+            assert!(worst < 0.6, "{tone:?}: {worst}");
+            assert_eq!(display.encode(Linear(0)), 0);
+            assert!(display.encode(Linear(u32::MAX)) >= u16::MAX - 1);
+        }
+    }
+
+    #[test]
+    fn floats_saturate() {
+        let cases = [(-1.0, 0), (f32::NAN, 0), (f32::INFINITY, u32::MAX), (0.5, 1 << 15)];
+        for (from, to) in cases {
+            assert_eq!(Linear::from(from), Linear(to));
+        }
+    }
+
+    #[test]
+    fn sixteen_bits_hold_the_channels_in_order_and_dithering_keeps_the_mean() {
+        let display = Display::new(Tone::Linear);
+        assert_eq!(display.rgb565(Rgb::new(0.0, 1.0, 0.0)), 0x07e0);
+        assert_eq!(display.rgb565(Rgb::new(0.0, 0.0, 1.0)), 0x001f);
+        for units in (0..=65_536).step_by(17) {
+            let encoded = f64::from(display.encode(Linear(units))) / 65_535.0 * 63.0;
+            let mut sum = 0;
+            for place in 0..16 {
+                let pixel = display.rgb565_dithered(Rgb::gray(Linear(units)), place % 4, place / 4);
+                let green = (pixel >> 5) & 63;
+                assert!((f64::from(green) - encoded).abs() < 1.0);
+                sum += green;
+            }
+            assert!((f64::from(sum) / 16.0 - encoded).abs() < 1.0 / 31.0, "{units}");
+        }
+    }
+
+    #[test]
+    fn integers_are_exposed_as_floats() {
+        for exposure in [1e-6_f32, 0.3, 1.0, 1.7, 9e4] {
+            for exponent in [-40, -20, -16, -3, 0] {
+                let scaled = Exposure::new(exposure, exponent).expect("finite and above 0");
+                for mantissa in [-5, 0, 1, 1000, 70_001, i32::MAX] {
+                    let exact = f64::from(exposure)
+                        * f64::from(mantissa.max(0))
+                        * libm::exp2(f64::from(exponent) + 16.0);
+                    let found = f64::from(scaled.of(mantissa).0);
+                    let white = f64::from(WHITE << POINT);
+                    let off = found.min(white) - exact.min(white);
+                    assert!(
+                        off.abs() <= 1.0 + exact / 32_000.0,
+                        "{exposure} {exponent} {mantissa}"
+                    );
+                }
+            }
+        }
+        for refused in [0.0, -1.0, f32::NAN, f32::INFINITY, 1e-40] {
+            assert!(Exposure::new(refused, 0).is_err(), "{refused}");
+        }
+    }
+
+    #[test]
+    fn nothing_is_metered_in_the_dark() {
+        let mut meter = Meter::default();
+        assert_eq!(meter.exposure(0.5), None);
+        meter.add(Rgb::gray(0.0));
+        meter.add(Rgb::gray(f32::NAN));
+        assert_eq!(meter.exposure(0.5), None);
+        meter.add(Rgb::gray(1e30));
+        assert!(meter.exposure(1.0).is_some_and(|exposure| exposure < 2e-5));
+    }
+}
