@@ -1,6 +1,9 @@
 //! Decodes the shipped table into typed statics, and generates the table of a scene if the feature
 //! `generate` is enabled.
 
+#[path = "build/presets.rs"]
+mod presets;
+
 use eigenshade_index::record::{Q15, Q31};
 use eigenshade_index::source;
 use eigenshade_index::wire::{Fault, Mantissa, aligned, read_floats, read_integers};
@@ -11,10 +14,10 @@ fn main() {
     println!("cargo::rerun-if-changed=build.rs");
     #[cfg(feature = "generate")]
     generate();
-    if env::var_os("CARGO_FEATURE_BAKED").is_none() {
-        return;
-    }
-    if let Err(error) = sphere() {
+    let has = |feature| env::var_os(feature).is_some();
+    let sphere = if has("CARGO_FEATURE_BAKED") { sphere() } else { Ok(()) };
+    let presets = if has("CARGO_FEATURE_PRESETS") { presets::write() } else { Ok(()) };
+    if let Err(error) = sphere.and(presets) {
         println!("cargo::error={error}");
         process::exit(1);
     }

@@ -150,6 +150,9 @@ pub mod sphere {
     }
 }
 
+#[cfg(feature = "presets")]
+pub mod presets;
+
 /// The table of a scene, generated when this crate was built. The environment variable
 /// `EIGENSHADE_SCENE` names the scene file at build time; without it, the shipped one is used.
 ///

@@ -131,7 +131,7 @@ fn check_finite(argument: Argument, numbers: &[f32]) -> Result<(), Error> {
 }
 
 /// The signed 24-bit significand of a finite number, and its exponent.
-fn decoded(number: f32) -> (i32, i32) {
+pub(crate) const fn decoded(number: f32) -> (i32, i32) {
     let bits = number.to_bits();
     let (biased, fraction) = ((bits >> 23) & 0xff, bits & 0x7f_ffff);
     let (size, exponent) = match biased {
@@ -142,13 +142,16 @@ fn decoded(number: f32) -> (i32, i32) {
     (if bits >> 31 == 1 { -size } else { size }, exponent)
 }
 
+/// The least exponent of numbers as fractions.
+pub(crate) const LEAST_TOP: i32 = -96;
+
 /// Writes the mantissas of these numbers and returns their exponent.
 fn quantize<Q: FixedPoint>(from: &[f32], to: &mut [Q]) -> i32 {
     let tops = from.iter().map(|&number| decoded(number)).filter(|(size, _)| *size != 0);
     let top = tops.map(|(size, exponent)| size.bits().cast_signed() + exponent).max();
     // If all numbers are zero, use the least exponent, because an exponent bounds how large its
     // numbers can be.
-    let exponent = top.unwrap_or(-96).max(-96) - Q::BITS.cast_signed();
+    let exponent = top.unwrap_or(LEAST_TOP).max(LEAST_TOP) - Q::BITS.cast_signed();
     for (to, &number) in to.iter_mut().zip(from) {
         let (size, of_number) = decoded(number);
         *to = Q::saturate(Q::Wide::of(size).shifted(of_number - exponent));

@@ -1,0 +1,101 @@
+//! Writes the shipped lights and materials as constants with names.
+
+use eigenshade_index::{light, material};
+use std::fmt::Write as _;
+use std::path::PathBuf;
+use std::{env, fs};
+
+/// The degree of the lights and the order of the materials: those of the shipped table.
+const DEGREE: usize = 9;
+const ORDER: usize = 7;
+
+/// The one gray material that is not from a set in color.
+const GRAY: &str = "ptfe-633nm";
+
+/// Writes `preset_lights.rs`, `preset_materials.rs` and both in integers to the output folder.
+///
+/// # Errors
+///
+/// What is wrong with a file.
+pub fn write() -> Result<(), String> {
+    let lights = read("tables/inputs/lights.csv", light::count(DEGREE))?;
+    constants("Light", &lights)?;
+    let mut materials = read("tables/inputs/merl.csv", material::count(ORDER))?;
+    let gray = read("tables/inputs/materials.csv", material::count(ORDER))?;
+    materials.extend(gray.into_iter().filter(|one| one.name == GRAY));
+    constants("Material", &materials)
+}
+
+/// Lines of numbers that share a name: one number a line if gray, otherwise three.
+struct Preset {
+    name: String,
+    channels: Vec<Vec<String>>,
+}
+
+/// The first `count` coefficients of each name in a file of `name,index...,index,value` or `...,r,g,b`.
+fn read(path: &str, count: usize) -> Result<Vec<Preset>, String> {
+    println!("cargo::rerun-if-changed={path}");
+    let text = fs::read_to_string(path).map_err(|error| format!("{path}: {error}"))?;
+    let mut lines = text.lines().filter(|line| !line.starts_with('#'));
+    let header = lines.next().ok_or_else(|| format!("{path}: empty"))?;
+    let width = if header.ends_with(",r,g,b") { 3 } else { 1 };
+    let mut presets: Vec<Preset> = Vec::new();
+    for line in lines {
+        let fields: Vec<&str> = line.split(',').collect();
+        let name = fields[0];
+        if presets.last().is_none_or(|last| last.name != name) {
+            presets.push(Preset { name: name.into(), channels: vec![Vec::new(); width] });
+        }
+        let Some(Preset { channels, .. }) = presets.last_mut() else { continue };
+        for (channel, field) in channels.iter_mut().zip(&fields[fields.len() - width..]) {
+            if channel.len() < count {
+                let number: f32 = field.parse().map_err(|_| format!("{path}: `{line}`"))?;
+                channel.push(format!("{number:?}"));
+            }
+        }
+    }
+    match presets.iter().find(|one| one.channels.iter().any(|channel| channel.len() != count)) {
+        Some(Preset { name, .. }) => Err(format!("{path}: `{name}` has fewer than {count} lines")),
+        None => Ok(presets),
+    }
+}
+
+/// Writes the constants of one kind, in floats and in integers, and a list of all of them.
+fn constants(kind: &str, presets: &[Preset]) -> Result<(), String> {
+    let lower = kind.to_lowercase();
+    let (mut floats, mut integers, mut all) = (String::new(), String::new(), String::new());
+    let add = |to: &mut String, text: std::fmt::Arguments<'_>| {
+        to.write_fmt(text).map_err(|error| error.to_string())
+    };
+    for Preset { name, channels } in presets {
+        let constant = name.to_uppercase().replace('-', "_");
+        let numbers: Vec<String> =
+            channels.iter().map(|channel| format!("[{}]", channel.join(", "))).collect();
+        let gray = if channels.len() == 1 { "gray " } else { "" };
+        let numbers = numbers.join(", ");
+        add(
+            &mut floats,
+            format_args!(
+                "/// `{name}`.\npub const {constant}: {kind} = channels!(crate::{kind}::new, {numbers});\n"
+            ),
+        )?;
+        add(
+            &mut integers,
+            format_args!(
+                "/// `{name}`.\npub const {constant}: {kind} = \
+                 quantized_{lower}!({gray}super::{constant});\n"
+            ),
+        )?;
+        add(&mut all, format_args!("    (\"{name}\", {constant}),\n"))?;
+    }
+    let count = presets.len();
+    for (text, format) in [(floats, ""), (integers, "_q15")] {
+        let text = format!(
+            "{text}/// All of them, by name.\npub const ALL: [(&str, {kind}); {count}] = [\n{all}];\n"
+        );
+        let folder = env::var_os("OUT_DIR").ok_or("OUT_DIR is not set")?;
+        let to = PathBuf::from(folder).join(format!("preset_{lower}s{format}.rs"));
+        fs::write(&to, text).map_err(|error| format!("{}: {error}", to.display()))?;
+    }
+    Ok(())
+}

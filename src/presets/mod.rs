@@ -1,0 +1,126 @@
+//! The shipped lights and materials by name. A program contains only those that it names.
+//!
+//! ```
+//! # #[cfg(feature = "baked")] {
+//! use eigenshade::presets::light::PARK;
+//! use eigenshade::presets::material::GOLD_METALLIC_PAINT;
+//! use eigenshade::{Normal, sphere};
+//!
+//! let scene = sphere::color::scene(PARK, GOLD_METALLIC_PAINT)?;
+//! let color = scene.shade(Normal::new(0.0, 0.6, 0.8)?);
+//! assert!(color.r > color.b);
+//! # }
+//! # Ok::<(), eigenshade::Error>(())
+//! ```
+//!
+//! The build script reads them from the CSV files in `tables/inputs`. The program's command
+//! `eigenshade list` prints the same names in lower case.
+
+mod constant;
+
+use crate::Rgb;
+use crate::specialized::checked;
+
+/// A light of degree 9 in three channels: 1,200 bytes.
+pub type Light = Rgb<crate::Light<'static, f32>>;
+
+/// A material of order 7 in three channels: 480 bytes, or 160 if it is gray.
+pub type Material = Rgb<crate::Material<'static, f32>>;
+
+/// Captured light, by the names of its environment maps.
+///
+/// The maps are those of Poly Haven and Blender; `tables/README.md` has their sources.
+pub mod light {
+    use super::{Light, channels, checked};
+    use crate::Rgb;
+    include!(concat!(env!("OUT_DIR"), "/preset_lights.rs"));
+
+    /// The same lights in integers: 600 bytes each.
+    pub mod q15 {
+        use super::super::quantized_light;
+        use crate::quantized;
+        use crate::{Q15, Rgb};
+
+        /// A light of degree 9 in three channels.
+        pub type Light = Rgb<quantized::Light<'static, Q15>>;
+
+        include!(concat!(env!("OUT_DIR"), "/preset_lights_q15.rs"));
+    }
+}
+
+/// Real materials in color.
+///
+/// They are the published fits of J. Löw, J. Kronander, A. Ynnerman and J. Unger, "BRDF Models for
+/// Accurate and Efficient Rendering of Glossy Surfaces", ACM Transactions on Graphics 31, 2012, to
+/// the MERL measurements, and one standard of NIST's, a matte white. Order 7 cannot represent sharp
+/// gloss: each material states the share of its energy that is left out, and one that lacks nearly
+/// all of it looks like a blurred and ringing version of itself.
+pub mod material {
+    use super::{Material, channels, checked};
+    use crate::Rgb;
+    include!(concat!(env!("OUT_DIR"), "/preset_materials.rs"));
+
+    /// The same materials in integers: 252 bytes, or 84 if it is gray.
+    pub mod q15 {
+        use super::super::quantized_material;
+        use crate::quantized;
+        use crate::{Q15, Rgb};
+
+        /// A material of order 7 in three channels.
+        pub type Material = Rgb<quantized::Material<'static, Q15>>;
+
+        include!(concat!(env!("OUT_DIR"), "/preset_materials_q15.rs"));
+    }
+}
+
+/// The channels of a preset: numbers as statics, shared if they are gray.
+macro_rules! channels {
+    ($new:path, $gray:expr) => {{
+        static GRAY: &[f32] = &$gray;
+        Rgb::gray(checked($new(GRAY)))
+    }};
+    ($new:path, $r:expr, $g:expr, $b:expr) => {{
+        static R: &[f32] = &$r;
+        static G: &[f32] = &$g;
+        static B: &[f32] = &$b;
+        Rgb::new(checked($new(R)), checked($new(G)), checked($new(B)))
+    }};
+}
+use channels;
+
+/// A light in [`Q15`](crate::Q15), computed from that in floats by the compiler.
+macro_rules! quantized_light {
+    ($light:expr) => {{
+        use crate::presets::constant::light;
+        static R: (i32, [Q15; 100]) = light($light.r.coefficients());
+        static G: (i32, [Q15; 100]) = light($light.g.coefficients());
+        static B: (i32, [Q15; 100]) = light($light.b.coefficients());
+        Rgb::new(
+            crate::specialized::checked(quantized::Light::new(R.0, &R.1)),
+            crate::specialized::checked(quantized::Light::new(G.0, &G.1)),
+            crate::specialized::checked(quantized::Light::new(B.0, &B.1)),
+        )
+    }};
+}
+use quantized_light;
+
+/// A material in [`Q15`](crate::Q15), computed from that in floats by the compiler.
+macro_rules! quantized_material {
+    (gray $material:expr) => {{
+        use crate::presets::constant::material;
+        static GRAY: ([i8; 8], [Q15; 40]) = material($material.r.coefficients());
+        Rgb::gray(crate::specialized::checked(quantized::Material::new(&GRAY.0, &GRAY.1)))
+    }};
+    ($material:expr) => {{
+        use crate::presets::constant::material;
+        static R: ([i8; 8], [Q15; 40]) = material($material.r.coefficients());
+        static G: ([i8; 8], [Q15; 40]) = material($material.g.coefficients());
+        static B: ([i8; 8], [Q15; 40]) = material($material.b.coefficients());
+        Rgb::new(
+            crate::specialized::checked(quantized::Material::new(&R.0, &R.1)),
+            crate::specialized::checked(quantized::Material::new(&G.0, &G.1)),
+            crate::specialized::checked(quantized::Material::new(&B.0, &B.1)),
+        )
+    }};
+}
+use quantized_material;
