@@ -6,9 +6,7 @@
 
 use crate::color::Rgb;
 use crate::error::{Argument, Error};
-
-/// Intervals of a piece.
-const INTERVALS: usize = 128;
+use crate::piece::{INTERVALS, Piece, interpolated};
 
 /// The bits of an interval's width in each piece, in units of 2^-[`POINT`].
 const WIDTHS: [u32; 3] = [5, 9, 13];
@@ -94,7 +92,7 @@ impl From<f32> for Linear {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Display {
     /// The encoded values in units of 1/65,535, piece by piece.
-    pieces: [[u16; INTERVALS + 1]; 3],
+    pieces: [Piece; 3],
 }
 
 impl Display {
@@ -125,18 +123,13 @@ impl Display {
         let units = units.min((WHITE << POINT) - 1);
         let [dark, middle, bright] = &self.pieces;
         let [of_dark, of_middle, of_bright] = WIDTHS;
-        let (piece, width) = if units < (INTERVALS as u32) << of_dark {
-            (dark, of_dark)
+        if units < (INTERVALS as u32) << of_dark {
+            interpolated(dark, units, of_dark)
         } else if units < (INTERVALS as u32) << of_middle {
-            (middle, of_middle)
+            interpolated(middle, units, of_middle)
         } else {
-            (bright, of_bright)
-        };
-        let interval = piece.get((units >> width) as usize..);
-        let Some(&[from, to]) = interval.and_then(|rest| rest.first_chunk()) else { return 0 };
-        let (from, to) = (u32::from(from), u32::from(to));
-        let way = units & ((1 << width) - 1);
-        (from + (((to - from) * way) >> width)) as u16
+            interpolated(bright, units, of_bright)
+        }
     }
 
     /// A pixel of 8 bits a channel.

@@ -15,7 +15,9 @@
 //!    image, [`Scene::bake`] the image itself.
 //! 6. To turn the light, call [`Light::turned`] with a [`Rotation`]. A [`Window`] keeps a light
 //!    from ringing, and [`NegativePolicy`] sets how to handle irradiance below zero.
-//! 7. In the other direction, [`Basis::estimate`] takes pixels one by one and estimates d.
+//! 7. A module `color` of each table has these steps in three channels; [`Display`] makes pixels of
+//!    8, 6 or 5 bits of an [`Rgb`], and the module `presets` has lights and materials by name.
+//! 8. In the other direction, [`Basis::estimate`] takes pixels one by one and estimates d.
 //!
 //! A [`GeneralBasis`] does the same for objects other than a sphere.
 //!
@@ -123,7 +125,11 @@ mod estimate;
 
 mod color;
 
+mod piece;
+
 mod display;
+
+mod disc;
 
 pub mod wire;
 
@@ -168,6 +174,7 @@ pub use bake_integer::IntegerMap;
 pub use basis::Basis;
 pub use buffer::Buffer;
 pub use color::Rgb;
+pub use disc::{Disc, DiscPixel};
 pub use display::{Display, Exposure, Linear, Meter, Tone};
 pub use error::{Argument, Error};
 pub use estimate::Estimate;
@@ -191,7 +198,7 @@ pub use shade::NegativePolicy;
 pub use transfer::Transfer;
 pub use truncation::{Shape, Tolerance, Truncation};
 
-// Runs the README's example as a test.
-#[cfg(all(doctest, feature = "baked"))]
+// Runs the README's examples as tests.
+#[cfg(all(doctest, feature = "baked", feature = "presets"))]
 #[doc = include_str!("../README.md")]
 struct Readme;

@@ -5,6 +5,7 @@ mod invariants;
 mod reading;
 mod wire_files;
 
+mod color;
 mod corrupted;
 mod effects;
 mod estimate;

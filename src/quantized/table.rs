@@ -69,6 +69,19 @@ macro_rules! integer_table {
             normal $crate::quantized::Normal<$crate::$format>, irradiance i32,
             view |transfer| &transfer.view()
         }
+        impl color::Scene {
+            /// What exposes the mantissas of [`shade`](Self::shade), channel by channel.
+            ///
+            /// # Errors
+            ///
+            /// Those of [`eigenshade::Exposure::new`].
+            pub fn exposure(
+                &self,
+                exposure: f32,
+            ) -> Result<$crate::Rgb<$crate::Exposure>, $crate::Error> {
+                self.each_ref().try_map(|scene| $crate::Exposure::new(exposure, scene.exponent()))
+            }
+        }
     };
     ($format:ident transfer scatter $([$p:literal $q:literal $($o:literal)*])*
         azimuths $($azimuth:literal)*) => {

@@ -1,0 +1,205 @@
+//! The pixels and normals of a sphere, without a root for each pixel.
+
+use crate::normal::Normal;
+use crate::piece::{INTERVALS, Piece, interpolated};
+use crate::{Q15, quantized};
+
+/// The bits of an interval's width in each piece of [`ROOTS`], in units of 2^-24.
+const WIDTHS: [u32; 4] = [5, 9, 13, 17];
+
+/// Square roots in units of 2^-15: from 0 to 1/4096, to 1/256, to 1/16 and to 1.
+static ROOTS: [Piece; 4] = roots();
+
+#[expect(clippy::indexing_slicing, reason = "a constant function has no iterators")]
+const fn roots() -> [Piece; 4] {
+    let mut pieces = [[0; INTERVALS + 1]; 4];
+    let mut piece = 0;
+    while piece < pieces.len() {
+        let mut index = 1_u64;
+        while index <= INTERVALS as u64 {
+            // A square in units of 2^-32, whose root is in units of 2^-16.
+            let root = (index << (WIDTHS[piece] + 8)).isqrt();
+            pieces[piece][index as usize] = ((root + 1) >> 1) as u16;
+            index += 1;
+        }
+        piece += 1;
+    }
+    pieces
+}
+
+/// The root of a number in units of 2^-24, below 2^24, in units of 2^-15.
+#[inline]
+fn root(square: u32) -> u16 {
+    let [first, second, third, last] = &ROOTS;
+    match square {
+        0..0x1000 => interpolated(first, square, WIDTHS[0]),
+        0x1000..0x1_0000 => interpolated(second, square, WIDTHS[1]),
+        0x1_0000..0x10_0000 => interpolated(third, square, WIDTHS[2]),
+        _ => interpolated(last, square, WIDTHS[3]),
+    }
+}
+
+/// Iterates over the pixels of a sphere that fills a square picture, row by row from the top.
+///
+/// It yields the pixels whose centers are inside the circle. Costs a look-up of a root per pixel and
+/// a division per row.
+///
+/// ```
+/// use eigenshade::Disc;
+///
+/// let mut picture = [' '; 4 * 4];
+/// for pixel in Disc::new(4) {
+///     picture[pixel.index()] = if pixel.normal().components()[1] > 0.0 { '^' } else { 'v' };
+/// }
+/// assert_eq!(picture.iter().collect::<String>(), " ^^ ^^^^vvvv vv ");
+/// ```
+#[derive(Clone, Debug)]
+pub struct Disc {
+    size: i32,
+    /// The next pixel.
+    column: i32,
+    row: i32,
+    /// 2^56 / size².
+    unit: u64,
+    /// 2^31 / size.
+    scale: i32,
+}
+
+impl Disc {
+    /// The largest size.
+    pub const MOST: usize = 4096;
+
+    /// The pixels of a picture of `size` x `size` pixels. A size of 0 or above [`MOST`](Self::MOST)
+    /// gives none.
+    #[must_use]
+    pub const fn new(size: usize) -> Self {
+        let size = if size > Self::MOST { 0 } else { size as i32 };
+        let of_one = if size == 0 { 1 } else { size };
+        let unit = (1 << 56) / (of_one as u64 * of_one as u64);
+        // 2^31 itself does not fit.
+        let scale = (i32::MAX as i64 / of_one as i64) as i32;
+        Self { size, column: 0, row: 0, unit, scale }
+    }
+}
+
+impl Iterator for Disc {
+    type Item = DiscPixel;
+
+    #[inline]
+    fn next(&mut self) -> Option<DiscPixel> {
+        while self.row < self.size {
+            let (column, row) = (self.column, self.row);
+            // Twice the distance from the center, an odd number in pictures of even size.
+            let (x, y) = (2 * column + 1 - self.size, self.size - 1 - 2 * row);
+            (self.column, self.row) =
+                if column + 1 < self.size { (column + 1, row) } else { (0, row + 1) };
+            let outside = (x * x + y * y) as u64 * self.unit;
+            if outside <= 1 << 56 {
+                let square = (((1 << 56) - outside) >> 32) as u32;
+                let z = root(square.min((1 << 24) - 1));
+                let [x, y] = [x, y].map(|place| place * self.scale);
+                return Some(DiscPixel { column, row, size: self.size, x, y, z });
+            }
+        }
+        None
+    }
+}
+
+/// A pixel of a [`Disc`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct DiscPixel {
+    column: i32,
+    row: i32,
+    size: i32,
+    /// In units of 2^-31.
+    x: i32,
+    y: i32,
+    /// In units of 2^-15.
+    z: u16,
+}
+
+impl DiscPixel {
+    /// The column, from 0 at the left.
+    #[inline]
+    #[must_use]
+    pub const fn column(self) -> usize {
+        self.column as usize
+    }
+
+    /// The row, from 0 at the top.
+    #[inline]
+    #[must_use]
+    pub const fn row(self) -> usize {
+        self.row as usize
+    }
+
+    /// The index in a picture stored row by row.
+    #[inline]
+    #[must_use]
+    pub const fn index(self) -> usize {
+        (self.row * self.size + self.column) as usize
+    }
+
+    /// The normal. z is within 1.5e-4 of the exact root, at the rim within 4e-4.
+    #[inline]
+    #[must_use]
+    pub fn normal(self) -> Normal<f32> {
+        let [x, y] = [self.x, self.y].map(|place| place as f32 * (1.0 / (1_u32 << 31) as f32));
+        Normal { x, y, z: f32::from(self.z) * (1.0 / 32_768.0) }
+    }
+
+    /// The normal in integers, as exact as [`normal`](Self::normal).
+    #[inline]
+    #[must_use]
+    pub fn quantized_normal(self) -> quantized::Normal<Q15> {
+        let [x, y] = [self.x, self.y].map(|place| Q15((place >> 16) as i16));
+        quantized::Normal { x, y, z: Q15(self.z.min(32_767) as i16) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn normals_are_those_of_a_sphere() {
+        let (mut worst, mut at_the_rim) = (0.0_f64, 0.0_f64);
+        for size in [1, 2, 3, 17, 240, 1023, 4096] {
+            let mut next = 0;
+            for pixel in Disc::new(size) {
+                assert!(pixel.index() >= next && pixel.index() < size * size);
+                next = pixel.index() + 1;
+                assert_eq!(pixel.index(), pixel.row() * size + pixel.column());
+                let place = |k: usize| (2.0 * k as f64 + 1.0) / size as f64 - 1.0;
+                let (x, y) = (place(pixel.column()), -place(pixel.row()));
+                let z = libm::sqrt((1.0 - x * x - y * y).max(0.0));
+                let found = pixel.normal().components().map(f64::from);
+                // The scale is rounded down to a whole 2^-31 / size.
+                let allowed = size as f64 * libm::exp2(-31.0) + 1e-7;
+                assert!((found[0] - x).abs() < allowed && (found[1] - y).abs() < allowed);
+                let off = (found[2] - z).abs();
+                worst = worst.max(if z < 0.02 { 0.0 } else { off });
+                at_the_rim = at_the_rim.max(off);
+                let integers = pixel.quantized_normal().components();
+                for (integer, exact) in integers.into_iter().zip([x, y, found[2]]) {
+                    assert!((f64::from(integer.0) - 32_768.0 * exact).abs() <= 1.01);
+                }
+            }
+        }
+        assert!(worst < 1.5e-4 && at_the_rim < 4e-4, "{worst} {at_the_rim}");
+    }
+
+    #[test]
+    fn the_circle_has_the_pixels_whose_centers_it_contains() {
+        for size in 0..60_usize {
+            let inside = |x: usize, y: usize| {
+                let place = |k: usize| (2 * k + 1).abs_diff(size);
+                place(x).pow(2) + place(y).pow(2) <= size * size
+            };
+            let expected = (0..size * size).filter(|k| inside(k % size, k / size));
+            assert!(Disc::new(size).map(DiscPixel::index).eq(expected), "{size}");
+        }
+        assert_eq!(Disc::new(Disc::MOST + 1).count(), 0);
+    }
+}

@@ -1,0 +1,154 @@
+//! Three channels at once, the presets, and pixels of a display.
+
+use eigenshade::presets::{light, material};
+use eigenshade::quantized;
+use eigenshade::sphere::{self, q15};
+use eigenshade::{
+    Argument, Disc, Display, Error, Light, MapPoint, Material, Normal, Q15, Rgb, Tone, index,
+};
+use eigenshade_shading::shipped;
+
+const NORMALS: [[f32; 3]; 4] =
+    [[0.0, 0.0, 1.0], [0.6, 0.0, 0.8], [0.0, -0.6, 0.8], [-0.28, 0.96, 0.0]];
+
+/// Three channels give the bits of three calls; a gray material those of one transfer.
+#[test]
+fn color_is_three_channels() {
+    let (light, gold) = (light::PARK, material::GOLD_METALLIC_PAINT);
+    let matte = Material::new(&[1.0]).unwrap();
+    for material in [gold, Rgb::from(matte)] {
+        let scene = sphere::color::scene(light, material).unwrap();
+        let transfer = sphere::color::transfer(material).unwrap();
+        assert_eq!(sphere::color::relight(&transfer, light).unwrap(), scene);
+        for [x, y, z] in NORMALS {
+            let normal = Normal::new(x, y, z).unwrap();
+            let expected = light.zip(material).map(|(light, material)| {
+                let transfer = sphere::transfer(&material).unwrap();
+                let d = sphere::relight(&transfer, &light).unwrap();
+                sphere::collapse(&d).unwrap().shade(normal)
+            });
+            assert_eq!(scene.shade(normal), expected);
+        }
+    }
+    let transfer = sphere::transfer(&matte).unwrap();
+    let scene = sphere::color::relight(&transfer, light).unwrap();
+    assert_eq!(scene, sphere::color::scene(light, matte).unwrap());
+}
+
+#[test]
+fn integers_in_color_are_three_channels() {
+    let (light, gold) = (light::q15::PARK, material::q15::GOLD_METALLIC_PAINT);
+    let scene = q15::color::scene(light, gold).unwrap();
+    let exposure = scene.exposure(2.0).unwrap();
+    for pixel in Disc::new(9) {
+        let normal = pixel.quantized_normal();
+        let found = scene.shade(normal);
+        let expected = light.zip(gold).map(|(light, material)| {
+            let transfer = q15::transfer(&material).unwrap();
+            let d = q15::relight(&transfer.view(), &light).unwrap();
+            q15::collapse(&d).unwrap().shade(normal)
+        });
+        assert_eq!(found, expected);
+        let exact = f64::from(found.g) * f64::from(scene.g.exponent()).exp2() * 2.0 * 65_536.0;
+        assert!((f64::from(exposure.of(found).g.0) - exact).abs() < 1.0 + exact / 32_000.0);
+    }
+    assert!(scene.exposure(0.0).is_err());
+}
+
+/// The constants hold the numbers of the files, rounded, and in integers those of `quantize`.
+#[test]
+fn presets_are_the_shipped_files() {
+    let lights = shipped::lights().unwrap().truncated(sphere::DEGREE).entries;
+    assert_eq!(light::ALL.len(), lights.len());
+    let all = light::ALL.into_iter().zip(light::q15::ALL);
+    for (((name, preset), (of_integers, integers)), file) in all.zip(lights) {
+        assert_eq!([name, of_integers], [&file.name; 2]);
+        for (channel, (preset, integers)) in <[_; 3]>::from(preset.zip(integers)).iter().enumerate()
+        {
+            let exact = file.rgb[channel].iter().map(|&number| number as f32);
+            assert!(exact.eq(preset.coefficients().iter().copied()), "{name}");
+            let mut room = [Q15(0); 100];
+            let expected = quantized::Light::quantize(preset.coefficients(), &mut room);
+            assert_eq!(expected.as_ref(), Ok(integers), "{name}");
+        }
+    }
+    assert_eq!(material::ALL.len(), 95);
+    let all = material::ALL.into_iter().zip(material::q15::ALL);
+    for ((name, preset), (of_integers, integers)) in all {
+        assert_eq!(name, of_integers);
+        for (preset, integers) in <[_; 3]>::from(preset.zip(integers)) {
+            let (mut room, mut exponents) = ([Q15(0); 40], [0; 8]);
+            let from = preset.coefficients();
+            let expected = quantized::Material::quantize(from, &mut room, &mut exponents);
+            assert_eq!(expected, Ok(integers), "{name}");
+        }
+    }
+}
+
+#[test]
+fn a_tint_scales_each_channel() {
+    let gray = Material::new(&[2.0, -0.5]).unwrap();
+    let tinted = gray.tint::<2>([1.0, 0.5, 0.0]).unwrap();
+    let scene = sphere::color::scene(light::PARK, tinted.materials().unwrap()).unwrap();
+    let normal = Normal::new(0.0, 0.0, 1.0).unwrap();
+    let white = sphere::color::scene(light::PARK, gray).unwrap().shade(normal);
+    let found = scene.shade(normal);
+    let expected = [white.r, 0.5 * white.g, 0.0];
+    for (found, expected) in <[f32; 3]>::from(found).into_iter().zip(expected) {
+        assert!((found - expected).abs() < 1e-5);
+    }
+    assert_eq!(
+        gray.tint::<2>([1.0, f32::NAN, 0.0]).unwrap_err(),
+        Error::NotFinite { argument: Argument::Color, index: 1 }
+    );
+    assert!(matches!(gray.tint::<1>([1.0; 3]), Err(Error::Capacity { .. })));
+}
+
+#[test]
+fn a_light_turns_and_a_map_is_baked_in_three_channels() {
+    use eigenshade::mathematics::SinglePrecision;
+    use eigenshade::{Rotation, Window};
+    const WORKSPACE: usize = Light::<f32>::turn_len(9);
+    let rotation = Rotation::from_euler::<SinglePrecision>(0.3, 0.2, 0.1).unwrap();
+    let turned = light::PARK.turned::<100, WORKSPACE>(&rotation).unwrap();
+    let expected = sphere::turned(&light::PARK.g, &rotation).unwrap();
+    assert_eq!(turned.lights().unwrap().g.coefficients(), expected.as_slice());
+    let window = Window::SincFourth { width: 20.0 };
+    let windowed = light::PARK.windowed::<SinglePrecision, 100>(window).unwrap();
+    let expected = sphere::windowed(&light::PARK.b, window).unwrap();
+    assert_eq!(windowed.b, expected);
+    let four = light::PARK.truncated(1).b.coefficients().len();
+    assert_eq!(four, index::light::count(1));
+
+    let scene = sphere::color::scene(light::PARK, material::GREEN_LATEX).unwrap();
+    let maps = scene.each_ref().try_map(|scene| scene.bake::<f32, 1024>(32)).unwrap();
+    for [x, y, z] in NORMALS {
+        let normal = Normal::new(x, y, z).unwrap();
+        let pairs = maps.bilinear(MapPoint::of(normal)).zip(scene.shade(normal));
+        for (baked, exact) in <[_; 3]>::from(pairs) {
+            assert!((baked - exact).abs() < 1e-2 * scene.shade(normal).largest());
+        }
+    }
+}
+
+/// Displayed pixels of integers differ from those of floats by what rounding explains, and are the
+/// same bits on every machine.
+#[test]
+fn a_gold_sphere_on_a_display() {
+    static DISPLAY: Display = Display::new(Tone::Filmic);
+    let floats = sphere::color::scene(light::PARK, material::GOLD_METALLIC_PAINT).unwrap();
+    let integers = q15::color::scene(light::q15::PARK, material::q15::GOLD_METALLIC_PAINT).unwrap();
+    let exposure = integers.exposure(1.5).unwrap();
+    let mut bytes = Vec::new();
+    for pixel in Disc::new(120) {
+        let float = DISPLAY.rgb888(floats.shade(pixel.normal()).exposed(1.5));
+        let linear = exposure.of(integers.shade(pixel.quantized_normal()));
+        let integer = DISPLAY.rgb888(linear);
+        for (float, integer) in <[_; 3]>::from(float.zip(integer)) {
+            assert!(float.abs_diff(integer) <= 2, "{float} {integer}");
+        }
+        bytes.extend(DISPLAY.rgb565(linear).to_le_bytes());
+    }
+    assert_eq!(bytes.len(), 2 * 11_304);
+    assert_eq!(crc32fast::hash(&bytes), 3_291_941_912);
+}
