@@ -30,6 +30,7 @@ pub type Material = Rgb<crate::Material<'static, f32>>;
 /// Captured light, by the names of its environment maps.
 ///
 /// The maps are those of Poly Haven and Blender; `tables/README.md` has their sources.
+#[expect(clippy::approx_constant, reason = "numbers of a file")]
 pub mod light {
     use super::{Light, channels, checked};
     use crate::Rgb;

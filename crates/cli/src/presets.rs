@@ -31,7 +31,7 @@ pub fn lights(file: InputFile) -> Result<Lights> {
 /// As [`lights`].
 pub fn materials(file: InputFile) -> Result<Materials> {
     let Some(name) = name(file.path()) else { return read_materials(file, None) };
-    let Materials { order, entries } = shipped::materials()?;
+    let Materials { order, entries } = shipped::named_materials()?;
     Ok(Materials { order, entries: vec![find("material", name, entries)?] })
 }
 

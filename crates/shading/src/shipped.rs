@@ -9,6 +9,7 @@ use eigenshade_model::inputs::coefficient_csv::{parse_lights, parse_materials};
 pub const TABLE: &[u8] = include_bytes!("../../../tables/sphere.bin");
 const LIGHTS: &str = include_str!("../../../tables/inputs/lights.csv");
 const MATERIALS: &str = include_str!("../../../tables/inputs/materials.csv");
+const COLORED: &str = include_str!("../../../tables/inputs/merl.csv");
 
 /// Shipped materials that pictures and reports show, from matte to specular.
 pub const SHOWN_MATERIALS: [&str; 7] = [
@@ -40,4 +41,16 @@ pub fn lights() -> Result<Lights> {
 /// As [`parse_materials`], for the compiled-in file.
 pub fn materials() -> Result<Materials> {
     parse_materials(MATERIALS, "tables/inputs/materials.csv", None)
+}
+
+/// All materials that have names: those in color of `tables/inputs/merl.csv`, then the gray ones of
+/// [`materials`].
+///
+/// # Errors
+///
+/// As [`parse_materials`], for the compiled-in files.
+pub fn named_materials() -> Result<Materials> {
+    let mut named = parse_materials(COLORED, "tables/inputs/merl.csv", None)?;
+    named.entries.extend(materials()?.truncated(named.order).entries);
+    Ok(named)
 }

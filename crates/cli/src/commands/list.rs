@@ -16,7 +16,7 @@ pub struct List {}
 impl List {
     pub fn run() -> Result<()> {
         let Lights { degree, entries: lights } = shipped::lights()?;
-        let Materials { order, entries: materials } = shipped::materials()?;
+        let Materials { order, entries: materials } = shipped::named_materials()?;
         let kinds = [("light", degree, lights), ("material", order, materials)];
         output::write(None, |out| {
             let mut rows = Rows::new(out, ["kind", "name", "size", "color"])?;

@@ -2,6 +2,7 @@
 
 #[cfg(feature = "generate")]
 mod basis;
+mod choices;
 mod demo;
 mod demo_sheet;
 mod evaluate;

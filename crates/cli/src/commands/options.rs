@@ -128,6 +128,14 @@ pub fn width(text: &str) -> Parsed<f64> {
     }
 }
 
+/// Parses an exposure.
+pub fn positive(text: &str) -> Parsed<f32> {
+    match text.parse::<f32>() {
+        Ok(number) if number >= f32::MIN_POSITIVE && number.is_finite() => Ok(number),
+        _ => Err("expected a number above 0, as in 1.5".to_owned()),
+    }
+}
+
 /// Parses the three angles A,B,C of Rz(A) Ry(B) Rz(C).
 pub fn angles(text: &str) -> Parsed<Rotation> {
     let numbers: Option<Vec<f64>> = text

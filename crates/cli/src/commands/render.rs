@@ -1,12 +1,13 @@
 //! `eigenshade render`: draws a sphere.
 
-use super::options::{FileEntry, Memory, count};
+use super::choices::Choices;
+use super::options::{FileEntry, Memory, count, positive};
 use clap::{Args, ValueEnum};
-use eigenshade::Scalar;
+use eigenshade::{Display, Effects, Meter, Rgb, Scalar, Tone};
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::messages::{Ringing, albedo_warning};
 use eigenshade_cli::output;
-use eigenshade_cli::picture::{SphereView, exposure, srgb, write_png};
+use eigenshade_cli::picture::{SphereView, write_png};
 use eigenshade_cli::presets;
 use eigenshade_cli::table::{self, rounding};
 use eigenshade_model::database::{Lights, Materials};
@@ -19,13 +20,13 @@ use eigenshade_table::scene::Geometry;
 use eigenshade_table::{Table, wire};
 use std::path::{Path, PathBuf};
 
-/// The share of the picture's values that the exposure leaves unclipped.
-const UNCLIPPED: f64 = 0.99;
+/// The share of the picture's pixels that the exposure leaves unclipped.
+const UNCLIPPED: f32 = 0.99;
 
 /// Draw a sphere as an sRGB PNG with a transparent background
 ///
-/// The exposure is chosen so that one value in a hundred clips. The picture shows a sphere
-/// whatever the table's object is; a note says so if it is another.
+/// Without --exposure, one pixel in a hundred is brighter than white in some channel. The picture
+/// shows a sphere whatever the table's object is; a note says so if it is another.
 #[derive(Args, Debug)]
 pub struct Render {
     /// The table [default: the shipped one]
@@ -45,6 +46,14 @@ pub struct Render {
     /// Number format
     #[arg(long, value_enum, default_value_t = Format::F32)]
     format: Format,
+    #[command(flatten)]
+    choices: Choices,
+    /// The factor from irradiance to what the tone curve shows, white being 1 [default: metered]
+    #[arg(long, value_name = "E", value_parser = positive, allow_hyphen_values = true)]
+    exposure: Option<f32>,
+    /// Tone curve
+    #[arg(long, value_enum, default_value_t = Curve::Linear)]
+    tone: Curve,
     /// Write the picture to this file
     #[arg(long, value_name = "F.png")]
     out: PathBuf,
@@ -56,6 +65,26 @@ enum Format {
     F32,
 }
 
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Curve {
+    /// Clipped at white
+    Linear,
+    /// Reinhard's, white at 16
+    Reinhard,
+    /// A fit to the ACES curve
+    Filmic,
+}
+
+impl From<Curve> for Tone {
+    fn from(curve: Curve) -> Self {
+        match curve {
+            Curve::Linear => Self::Linear,
+            Curve::Reinhard => Self::Reinhard,
+            Curve::Filmic => Self::Filmic,
+        }
+    }
+}
+
 impl Render {
     pub fn run(self, memory: Memory) -> Result<()> {
         let (light, material) = (FileEntry::new(&self.light), FileEntry::new(&self.material));
@@ -65,6 +94,10 @@ impl Render {
             Some(path) => table::read(memory.file(path))?,
             None => table::decode(shipped::TABLE)?,
         };
+        self.choices.check_rotation(&table)?;
+        let path = self.table.as_deref().unwrap_or(Path::new("the shipped table"));
+        let (components, effects) =
+            (self.choices.components(&table, path)?, self.choices.effects(&table)?);
         let Lights { degree, entries } = presets::lights(memory.file(&light.path))?;
         let lights = Lights { degree, entries: vec![light.find_in(entries)?] };
         let Materials { order, entries } = presets::materials(memory.file(&material.path))?;
@@ -75,48 +108,64 @@ impl Render {
             Format::F64 => None,
         };
         let warnings = [higher, albedo_warning(&materials), rounded].into_iter().flatten();
-        let (lights, materials) = fitted(&table, &lights, &materials);
+        let (mut lights, materials) = fitted(&table, &lights, &materials);
+        self.choices.change(&mut lights);
         let view = SphereView::new(self.size);
+        let scene = Pair { table: &table, lights: &lights, materials: &materials };
         let image = match self.format {
-            Format::F32 => shaded::<f32>(&table, &lights, &materials, &view),
-            Format::F64 => shaded::<f64>(&table, &lights, &materials, &view),
+            Format::F32 => scene.shaded::<f32>(components, effects, &view),
+            Format::F64 => scene.shaded::<f64>(components, effects, &view),
         }?;
-        let values: Vec<f64> = image.iter().flatten().copied().collect();
-        let least = values.iter().copied().fold(f64::INFINITY, f64::min);
-        let largest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let values = || image.iter().flat_map(|&pixel| <[f32; 3]>::from(pixel)).map(f64::from);
         let mut ringing = Ringing::default();
         let pair = || overflow::pair(&lights.entries[0], &materials.entries[0]);
-        ringing.record(pair, least, largest);
-        let exposure = exposure(values, UNCLIPPED);
+        let (least, largest) = (values().reduce(f64::min), values().reduce(f64::max));
+        ringing.record(pair, least.unwrap_or_default(), largest.unwrap_or_default());
+        let mut meter = Meter::default();
+        image.iter().for_each(|&pixel| meter.add(pixel));
+        let exposure = self.exposure.or_else(|| meter.exposure(UNCLIPPED)).unwrap_or(1.0);
+        let display = Display::new(self.tone.into());
         let mut bytes = vec![0; 4 * self.size * self.size];
-        for (k, pixel) in view.pixels.iter().enumerate() {
+        for (&color, pixel) in image.iter().zip(&view.pixels) {
+            let Rgb { r, g, b } = display.rgb888(color.exposed(exposure));
             let start = 4 * (pixel.row * self.size + pixel.column);
-            for (channel, byte) in image.iter().zip(&mut bytes[start..]) {
-                *byte = srgb(exposure * channel[k]);
-            }
-            bytes[start + 3] = (255.0 * pixel.coverage).round() as u8;
+            let opacity = (255.0 * pixel.coverage).round() as u8;
+            bytes[start..start + 4].copy_from_slice(&[r, g, b, opacity]);
         }
         write_png(&self.out, self.size, self.size, &bytes)?;
         let note = self.table.and_then(|path| note(&path, &table.scene.geometry));
-        note.into_iter().chain(warnings).chain(ringing.note()).for_each(print_message);
+        let ringing = ringing.note().filter(|_| self.choices.has_all_effects());
+        note.into_iter().chain(warnings).chain(ringing).for_each(print_message);
         Ok(())
     }
 }
 
-/// The three channels of the first light on the first material.
-fn shaded<S: Scalar + Into<f64>>(
-    table: &Table,
-    lights: &Lights,
-    materials: &Materials,
-    view: &SphereView,
-) -> Result<[Vec<f64>; 3]> {
-    let basis = OwnedBasis::<S>::new(table);
-    let mut shader =
-        Shader::new(basis.any().map_err(fault)?, table.count()).with_transfers(basis.transfers());
-    let normals = OwnedNormals::new(&view.normals);
-    let light = (lights.degree, &lights.entries[0]);
-    let image = shader.color(light, (materials.order, &materials.entries[0]), &normals)?;
-    Ok(image.map(|channel| channel.into_iter().map(Into::into).collect()))
+/// One light on one material.
+struct Pair<'a> {
+    table: &'a Table,
+    lights: &'a Lights,
+    materials: &'a Materials,
+}
+
+impl Pair<'_> {
+    /// The irradiances of the picture's pixels.
+    fn shaded<S: Scalar + Into<f64>>(
+        &self,
+        components: usize,
+        effects: Effects,
+        view: &SphereView,
+    ) -> Result<Vec<Rgb<f32>>> {
+        let basis = OwnedBasis::<S>::new(self.table);
+        let mut shader = Shader::new(basis.any().map_err(fault)?, components)
+            .with_transfers(basis.transfers())
+            .with_effects(effects)?;
+        let normals = OwnedNormals::new(&view.normals);
+        let light = (self.lights.degree, &self.lights.entries[0]);
+        let material = (self.materials.order, &self.materials.entries[0]);
+        let [r, g, b] = shader.color(light, material, &normals)?;
+        let pixels = r.into_iter().zip(g).zip(b).map(|((r, g), b)| [r, g, b]);
+        Ok(pixels.map(|pixel| pixel.map(|channel| channel.into() as f32).into()).collect())
+    }
 }
 
 /// A note if the table at `path` is of another object than a sphere.

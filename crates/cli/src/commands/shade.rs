@@ -1,10 +1,10 @@
 //! `eigenshade shade`: writes the irradiance of given normals.
 
-use super::options::{Memory, angles, count, effect, tolerance, width};
+use super::choices::Choices;
+use super::options::{Memory, count, tolerance};
 use super::shade_images::{Images, Output, Way};
 use clap::{Args, ValueEnum};
-use eigenshade::mathematics::Libm;
-use eigenshade::{Effect, Effects, NegativePolicy, Q15, Q31, Tolerance, Window};
+use eigenshade::{NegativePolicy, Q15, Q31, Tolerance};
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::messages::{Ringing, albedo_warning};
 use eigenshade_cli::output::{self, Rows, exact};
@@ -12,10 +12,9 @@ use eigenshade_cli::presets;
 use eigenshade_cli::table::{self, rounding};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::normals::read_normals;
-use eigenshade_model::rotation::Rotation;
 use eigenshade_shading::methods::LookUp;
 use eigenshade_shading::shader::{fitted, of_higher_order};
-use eigenshade_table::{Table, quantize, wire};
+use eigenshade_table::{quantize, wire};
 use std::path::PathBuf;
 
 /// Shade given normals for every light on every material
@@ -36,18 +35,14 @@ pub struct Shade {
     /// Normals CSV, `x,y,z`
     #[arg(long, value_name = "FILE")]
     normals: PathBuf,
-    /// Only the first K components; not for the method modes
-    #[arg(long, value_name = "K", value_parser = count(1, u64::from(u16::MAX)))]
-    components: Option<usize>,
+    #[command(flatten)]
+    choices: Choices,
     /// Number format [default: f32, and f64 for the method modes]
     #[arg(long, value_enum)]
     format: Option<Format>,
     /// How a pixel is computed
     #[arg(long, value_enum, default_value_t = Method::Polynomial)]
     method: Method,
-    /// Rotate the light by Rz(A) Ry(B) Rz(C), radians
-    #[arg(long, value_name = "A,B,C", value_parser = angles, allow_hyphen_values = true)]
-    rotate: Option<Rotation>,
     /// Method sampled: knots of each azimuth, 8 to 65536 [default: the scene's, or 64 times the
     /// degree, rounded up to a power of two]
     #[arg(long, value_name = "N", value_parser = count(8, 65_536))]
@@ -59,20 +54,12 @@ pub struct Shade {
     /// [default: linear]
     #[arg(long, value_enum)]
     interpolation: Option<Interpolation>,
-    /// Only these effects: ambient, diffuse, broad, gloss; their pictures sum to the whole
-    /// [default: all]
-    #[arg(long, value_name = "A,B", value_delimiter = ',', value_parser = effect)]
-    effects: Vec<Effect>,
     /// Shade with fewer polynomial terms, as long as the rms difference over a picture of a sphere
     /// stays within this share of the brightest channel's peak (1e-3) or this many decibels below
     /// it (60dB). Needs the method polynomial in f32 or f64. The error of the components in use
     /// is not included
     #[arg(long, value_name = "T", value_parser = tolerance, allow_negative_numbers = true)]
     tolerance: Option<Tolerance<f64>>,
-    /// Multiply degree l of the light by sinc^4, (sin x / x)^4 with x = pi l / W, zero from degree
-    /// W on
-    #[arg(long, value_name = "W", value_parser = width)]
-    window: Option<f64>,
     /// Set irradiance below zero to zero, and report the least value on standard error
     #[arg(long)]
     clamp: bool,
@@ -130,37 +117,20 @@ impl Shade {
         let inputs = [&self.table, &self.lights, &self.materials, &self.normals];
         output::refuse_collisions(&self.out, inputs)?;
         let table = table::read(memory.file(&self.table))?;
-        let effects = self.effects(&table)?;
-        if self.rotate.is_some() && !table.scene.effects.rotation {
-            let what = "the table is for fixed light: its scene has effects.rotation = false";
-            return Err(Error::new(
-                what,
-                "leave --rotate out, or make a table with effects.rotation = true",
-            ));
-        }
+        let effects = self.choices.effects(&table)?;
+        self.choices.check_rotation(&table)?;
         if is_integer && effects != table.effects() {
             let what = "integer formats shade all effects of their table";
             return Err(Error::new(what, "make a table of those effects, or use --format f32"));
         }
         let way = self.way(table.scene.basis.knots, table.gram.degree)?;
-        let components = table::components(&table, self.components, &self.table)?;
+        let components = self.choices.components(&table, &self.table)?;
         let lights = presets::lights(memory.file(&self.lights))?;
         let materials = presets::materials(memory.file(&self.materials))?;
         let higher = of_higher_order(&self.materials, materials.order, table.gram.order);
         let warnings = higher.into_iter().chain(albedo_warning(&materials));
         let (mut lights, materials) = fitted(&table, &lights, &materials);
-        if let Some(rotation) = self.rotate {
-            let degree = lights.degree;
-            for channel in lights.entries.iter_mut().flat_map(|entry| &mut entry.rgb) {
-                *channel = rotation.turn(degree, channel);
-            }
-        }
-        if let Some(width) = self.window {
-            let window = Window::SincFourth { width };
-            for channel in lights.entries.iter_mut().flat_map(|entry| &mut entry.rgb) {
-                window.apply::<Libm>(channel);
-            }
-        }
+        self.choices.change(&mut lights);
         let warnings = warnings.chain(self.stored().and_then(|one| rounding::warning(&table, one)));
         let normals = read_normals(memory.file(&self.normals))?;
         let tolerance = self.tolerance;
@@ -186,8 +156,7 @@ impl Shade {
         if self.clamp && least < 0.0 {
             print_message(format_args!("least irradiance {}, clamped", exact(least)));
         }
-        // Images of some effects may be negative.
-        let note = ringing.note().filter(|_| self.effects.is_empty());
+        let note = ringing.note().filter(|_| self.choices.has_all_effects());
         warnings.chain(note).for_each(print_message);
         Ok(())
     }
@@ -200,18 +169,6 @@ impl Shade {
             (_, Some(Format::Q31)) => Some(wire::Format::Integer(quantize::Format::Q31)),
             (_, Some(Format::Q15)) => Some(wire::Format::Integer(quantize::Format::Q15)),
         }
-    }
-
-    /// The requested effects, which the table must have.
-    fn effects(&self, table: &Table) -> Result<Effects> {
-        let requested: Effects = self.effects.iter().copied().collect();
-        let all = table.effects();
-        let missing = |effect: &&Effect| !all.has(**effect);
-        if let Some(effect) = self.effects.iter().find(missing) {
-            let what = format!("the table has no {}", effect.name());
-            return Err(Error::new(what, format!("it has {}", table::effect_names(all))));
-        }
-        Ok(if self.effects.is_empty() { all } else { requested })
     }
 
     /// How a pixel is computed. Options of another method are errors.
