@@ -1,7 +1,9 @@
 //! `eigenshade material`: converts measured, tabulated or analytic BRDFs to coefficients.
 
-use super::options::{Memory, count};
+use super::options::{Memory, count, width};
 use clap::{Args, Subcommand, ValueEnum};
+use eigenshade::Window;
+use eigenshade::mathematics::Libm;
 use eigenshade_cli::messages::albedo_warning;
 use eigenshade_cli::messages::{print_message, progress_bar};
 use eigenshade_cli::output;
@@ -10,6 +12,7 @@ use eigenshade_generator::material::analytic::{Analytic, Model, Shares};
 use eigenshade_generator::material::brdf::{Measure, Projected, Surface};
 use eigenshade_generator::material::files::Source;
 use eigenshade_generator::material::fit::{Fit, LOWEST, fit, write_figures};
+use eigenshade_index::material::count as count_of_orders;
 use eigenshade_model::database::{Materials, Named};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::write_materials;
@@ -44,6 +47,11 @@ pub struct Material {
     /// Measure under which projected coefficients approximate the function best
     #[arg(long, value_enum, default_value_t)]
     measure: Nearness,
+    /// Multiply the coefficients of order o by sinc^4, (sin x / x)^4 with x = pi o / W, zero from
+    /// order W on: less ringing of gloss that the order cannot represent. Four times the order
+    /// suits most materials
+    #[arg(long, value_name = "W", value_parser = width)]
+    window: Option<f64>,
     /// Write the CSV to this file instead of standard output
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
@@ -55,10 +63,11 @@ pub struct Material {
 
 impl Material {
     pub fn run(self, memory: Memory) -> Result<()> {
-        let (sources, order, measure, out) = match self.formula {
+        let (sources, order, measure, window, out) = match self.formula {
             Some(formula) => {
                 let (surface, options) = formula.surface()?;
-                (vec![Source::Surface(surface)], options.order, options.measure, options.out)
+                let Projection { order, measure, window, out, .. } = options;
+                (vec![Source::Surface(surface)], order, measure, window, out)
             }
             None => {
                 let inputs = self.paths.iter().flat_map(|path| material::files::files(path));
@@ -67,11 +76,14 @@ impl Material {
                 for path in &self.paths {
                     sources.extend(material::files::read(memory.file(path))?);
                 }
-                (sources, self.order, self.measure, self.out)
+                (sources, self.order, self.measure, self.window, self.out)
             }
         };
         let negative = negative_values(&sources);
-        let (materials, fits) = coefficients(sources, order, measure.into())?;
+        let (mut materials, fits) = coefficients(sources, order, measure.into())?;
+        if let Some(width) = window {
+            attenuate(&mut materials, Window::SincFourth { width });
+        }
         output::write(out.as_deref(), |to| {
             if out.is_some() {
                 output::write_command_line(to)?;
@@ -133,6 +145,18 @@ fn coefficients(
         .filter_map(|is_fit| if is_fit { fitted.next() } else { others.next() })
         .collect();
     Ok((Materials { order, entries }, fits))
+}
+
+/// Multiplies the coefficients of each order by the window's factor.
+fn attenuate(materials: &mut Materials, window: Window<f64>) {
+    let channels = materials.entries.iter_mut().flat_map(|entry| &mut entry.rgb);
+    for channel in channels {
+        for o in 0..=materials.order {
+            let start = if o == 0 { 0 } else { count_of_orders(o - 1) };
+            let factor = window.factor::<Libm>(o);
+            channel[start..count_of_orders(o)].iter_mut().for_each(|b| *b *= factor);
+        }
+    }
 }
 
 /// A warning of measurements that are further below zero than a fit may be.
@@ -213,6 +237,11 @@ pub struct Projection {
     /// Measure under which the coefficients approximate the function best
     #[arg(long, value_enum, default_value_t)]
     measure: Nearness,
+    /// Multiply the coefficients of order o by sinc^4, (sin x / x)^4 with x = pi o / W, zero from
+    /// order W on: less ringing of gloss that the order cannot represent. Four times the order
+    /// suits most materials
+    #[arg(long, value_name = "W", value_parser = width)]
+    window: Option<f64>,
     /// Write the CSV to this file instead of standard output
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,

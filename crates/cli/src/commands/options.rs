@@ -120,11 +120,11 @@ pub fn tolerance(text: &str) -> Parsed<Tolerance<f64>> {
     }
 }
 
-/// Parses a width in degrees.
+/// Parses a width in degrees or orders.
 pub fn width(text: &str) -> Parsed<f64> {
     match text.parse() {
         Ok(width) if width > 0.0 && f64::is_finite(width) => Ok(width),
-        _ => Err("expected a width in degrees above 0, as in 12".to_owned()),
+        _ => Err("expected a width above 0, as in 12".to_owned()),
     }
 }
 
