@@ -54,8 +54,8 @@ pub mod light {
 /// They are the published fits of J. Löw, J. Kronander, A. Ynnerman and J. Unger, "BRDF Models for
 /// Accurate and Efficient Rendering of Glossy Surfaces", ACM Transactions on Graphics 31, 2012, to
 /// the MERL measurements, and one standard of NIST's, a matte white. Order 7 cannot represent sharp
-/// gloss: each material states the share of its energy that is left out, and one that lacks nearly
-/// all of it looks like a blurred and ringing version of itself.
+/// gloss: chrome looks like a blurred and ringing version of itself. The fits are attenuated by a
+/// window of width 28, which makes their pictures ring less.
 pub mod material {
     use super::{Material, channels, checked};
     use crate::Rgb;

@@ -36,6 +36,13 @@ fn names_of_nothing_shipped() {
     assert_fails(&folder, &render("park", "velvet"), &["`velvet`", "`07-velvet`", "list"]);
     assert_fails(&folder, &render("xyzzy", "07-velvet"), &["`xyzzy`", "use a name", "list"]);
     assert_fails(&folder, &render("park.csv", "07-velvet"), &["park.csv"]);
+    assert_fails(
+        &folder,
+        &render("park", "gold-paint"),
+        &["`gold-paint`", "`gold-metallic-paint2`"],
+    );
+    let of_none = format!("{} --components 9999", render("park", "chrome"));
+    assert_fails(&folder, &of_none, &["the shipped table", "50"]);
     let shade = "shade b.bin --lights cities --materials materials.csv --normals normals.csv";
     assert_fails(&folder, shade, &["`cities`", "`city`"]);
 }

@@ -193,6 +193,22 @@ fn render_makes_a_transparent_picture() {
     assert_eq!((bytes[3], bytes[4 * (20 * 40 + 20) + 3]), (0, 255));
 }
 
+/// The window of a material multiplies the coefficients of each order by the light's factor.
+#[test]
+fn a_window_attenuates_the_orders_of_a_material() {
+    let folder = Folder::new();
+    let formula = "material ggx --roughness 0.4 --f0 0.9 --order 5";
+    let header = "name,o,p,q,value";
+    let (plain, windowed) = (folder.ok(formula), folder.ok(&format!("{formula} --window 8")));
+    for (plain, windowed) in rows(&plain, header).iter().zip(&rows(&windowed, header)) {
+        assert_eq!(plain[..4], windowed[..4]);
+        let x = std::f64::consts::PI * plain[1].parse::<f64>().unwrap() / 8.0;
+        let factor = if x == 0.0 { 1.0 } else { (x.sin() / x).powi(4) };
+        let [plain, windowed] = [plain, windowed].map(|row| row[4].parse::<f64>().unwrap());
+        assert!((windowed - factor * plain).abs() <= 1e-14 * plain.abs());
+    }
+}
+
 #[test]
 fn demo_shows_shipped_data() {
     let folder = Folder::new();
@@ -222,6 +238,11 @@ fn usage_errors_exit_with_2() {
         "evaluate no-such-function points.csv",
         "demo",
         "render b.bin --light a --material b --out c.png --size 1",
+        "render b.bin --light a --material b --out c.png --exposure 0",
+        "render b.bin --light a --material b --out c.png --exposure inf",
+        "render b.bin --light a --material b --out c.png --tone agfa",
+        "render b.bin --light a --material b --out c.png --rotate 1,2",
+        "material lambertian --albedo 0.5 --window 0",
     ] {
         assert_eq!(folder.run(arguments).status.code(), Some(2), "{arguments}");
     }

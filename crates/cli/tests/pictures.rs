@@ -3,6 +3,8 @@
 use crate::support::files::{answer, get, nearest, png};
 use crate::support::{Folder, repository};
 use crate::tolerances;
+use eigenshade::mathematics::Libm;
+use eigenshade::{Display, Light, Normal, Rgb, Rotation, Tone, Window, presets, sphere};
 use eigenshade_cli::picture::{SphereView, linear};
 use eigenshade_cli::reading::pixels::{LinearImage, Transfer};
 use eigenshade_model::database::Named;
@@ -11,6 +13,7 @@ use eigenshade_shading::sphere_rings::rings;
 use png::chunk::ChunkType;
 use png::{BitDepth, ColorType, Encoder, ScaledFloat, SrgbRenderingIntent};
 use std::fs;
+use std::path::Path;
 
 /// d of an image and normals in 16 bits against d of an image in 8 bits of sRGB and exact normals,
 /// relative to the largest: half a step of 2^-16 in normals, more at the rim.
@@ -44,7 +47,7 @@ fn names_are_entries_of_the_shipped_files() {
     assert!(listed.starts_with("kind,name,size,color\n"));
     let (of_lights, of_materials) = (names("light"), names("material"));
     assert_eq!(of_lights, shipped_names(shipped::lights().unwrap().entries));
-    assert_eq!(of_materials, shipped_names(shipped::materials().unwrap().entries));
+    assert_eq!(of_materials, shipped_names(shipped::named_materials().unwrap().entries));
     // The other commands take names as well.
     let shaded = |rest: &str| folder.ok(&format!("shade {table} {rest} --normals normals.csv"));
     let by_name = shaded("--lights park --materials 07-velvet");
@@ -55,6 +58,74 @@ fn names_are_entries_of_the_shipped_files() {
     let projected =
         folder.ok(&format!("project {table} --lights park --materials 07-velvet --components 3"));
     assert_eq!(projected.lines().count(), 4);
+}
+
+/// Exposure, tone curve, rotation, window, effects and components change a picture as the runtime
+/// does.
+#[test]
+fn pictures_follow_their_options() {
+    let folder = Folder::new();
+    let size = 24;
+    let picture = |options: &str| -> Vec<u8> {
+        let choice = "--light lobby --material gold-metallic-paint --out a.png";
+        folder.ok(&format!("render {choice} --size {size} {options}"));
+        pixels(&folder.path("a.png"))
+    };
+    // Rounding may move a code by one.
+    let near = |options: &str, expected: Vec<u8>| {
+        let found = picture(options);
+        let most = found.iter().zip(&expected).map(|(a, b)| a.abs_diff(*b)).max();
+        assert!(found.len() == expected.len() && most <= Some(1), "{options}: {most:?}");
+        found
+    };
+    let lobby = presets::light::LOBBY;
+    let linear = near("--exposure 0.5", gold(size, Tone::Linear, 0.5, lobby));
+    near("--exposure 0.5 --tone reinhard", gold(size, Tone::Reinhard, 0.5, lobby));
+    near("--exposure 2 --tone filmic", gold(size, Tone::Filmic, 2.0, lobby));
+    let rotation = Rotation::from_euler::<Libm>(0.5, 1.2, -0.3).unwrap();
+    let turned = lobby.turned::<100, { Light::<f32>::turn_len(9) }>(&rotation).unwrap();
+    let turned = gold(size, Tone::Linear, 0.5, turned.lights().unwrap());
+    assert!(turned != linear);
+    near("--exposure 0.5 --rotate 0.5,1.2,-0.3", turned);
+    let windowed = lobby.windowed::<Libm, 100>(Window::SincFourth { width: 12.0 }).unwrap();
+    near("--exposure 0.5 --window 12", gold(size, Tone::Linear, 0.5, windowed.lights().unwrap()));
+    // Metered: a pixel in a hundred is white in some channel, give or take the meter's step.
+    let metered = picture("");
+    let (visible, white) =
+        metered.chunks(4).filter(|pixel| pixel[3] > 0).fold((0, 0), |(visible, white), pixel| {
+            (visible + 1, white + usize::from(pixel[..3].contains(&255)))
+        });
+    assert!(white > 0 && white < visible / 10, "{white} of {visible}");
+    assert!(picture("--exposure 0.5 --components 3") != linear);
+    let (diffuse, gloss) =
+        (picture("--exposure 0.1 --effects ambient,diffuse"), picture("--exposure 0.1"));
+    assert!(diffuse != gloss);
+}
+
+/// The bytes of the picture of gold paint under a light, as the runtime computes it.
+fn gold(size: usize, tone: Tone, exposure: f32, light: Rgb<Light<'_, f32>>) -> Vec<u8> {
+    let display = Display::new(tone);
+    let scene = sphere::color::scene(light, presets::material::GOLD_METALLIC_PAINT).unwrap();
+    let view = SphereView::new(size);
+    let mut bytes = vec![0; 4 * size * size];
+    for (normal, pixel) in view.normals.iter().zip(&view.pixels) {
+        let [x, y, z] = normal.map(|component| component as f32);
+        let color = scene.shade(Normal::new(x, y, z).unwrap()).exposed(exposure);
+        let [r, g, b] = <[u8; 3]>::from(display.rgb888(color));
+        let start = 4 * (pixel.row * size + pixel.column);
+        let opacity = (255.0 * pixel.coverage).round() as u8;
+        bytes[start..start + 4].copy_from_slice(&[r, g, b, opacity]);
+    }
+    bytes
+}
+
+/// The bytes of a picture with opacity.
+fn pixels(path: &Path) -> Vec<u8> {
+    let file = std::io::BufReader::new(fs::File::open(path).unwrap());
+    let mut reader = png::Decoder::new(file).read_info().unwrap();
+    let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
+    reader.next_frame(&mut bytes).unwrap();
+    bytes
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! The commands. Short ones are methods of [`Command`], the others have files of their own.
 
 mod accuracy_cost;
+mod contact_sheet;
 mod errors;
 mod files;
 mod mutations;
@@ -18,6 +19,7 @@ use std::path::PathBuf;
 pub enum Command {
     Paper(paper::Paper),
     Picture(files::Picture),
+    ContactSheet(contact_sheet::ContactSheet),
     AccuracyCost(accuracy_cost::AccuracyCost),
     /// Cost and contribution of each effect, docs/ablation.md; times are not compared
     Ablation(Purpose),
@@ -57,6 +59,7 @@ impl Command {
         match self {
             Self::Paper(command) => command.run(),
             Self::Picture(command) => command.run(),
+            Self::ContactSheet(command) => command.run(),
             Self::AccuracyCost(command) => command.run(),
             Self::Ablation(purpose) => {
                 let parts = ablation::parts(&ablation::speed::Times::measured());
