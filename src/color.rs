@@ -285,8 +285,10 @@ impl<M: Channel> Rgb<M> {
 #[macro_export]
 macro_rules! table_in_color {
     (
-        $a:lifetime, light $light:ty, material $material:ty, normal $normal:ty, irradiance $irradiance:ty,
-        view |$transfer:ident| $view:expr
+        $a:lifetime, light $light:ty, material $material:ty,
+        normal $normal:ty, irradiance $irradiance:ty,
+        blank $coefficients:ident::$of_numbers:ident($($numbers:expr)?),
+        $scene:ident::$blank:ident(), view |$transfer:ident| $view:expr
     ) => {
         /// The steps from light to pixel in three channels.
         pub mod color {
@@ -338,12 +340,17 @@ macro_rules! table_in_color {
                 light: Rgb<Light<'_>>,
                 material: Rgb<Material<'_>>,
             ) -> Result<Scene, $crate::Error> {
+                let mut scene = blank();
                 if let Some(gray) = material.as_gray() {
-                    return relit(Rgb::gray(&super::transfer(&gray)?), light);
+                    relit(Rgb::gray(&super::transfer(&gray)?), light, &mut scene)?;
+                    return Ok(scene);
                 }
-                let channels = light.zip(material);
-                let image = |(light, material)| image(&super::transfer(&material)?, &light);
-                channels.try_map(image).map(Scene)
+                let mut d = coefficients();
+                let Scene(Rgb { r, g, b }) = &mut scene;
+                channel(&super::transfer(&material.r)?, &light.r, &mut d, r)?;
+                channel(&super::transfer(&material.g)?, &light.g, &mut d, g)?;
+                channel(&super::transfer(&material.b)?, &light.b, &mut d, b)?;
+                Ok(scene)
             }
 
             /// The transfer of a material in each channel: see [`transfer`](super::transfer).
@@ -367,21 +374,57 @@ macro_rules! table_in_color {
                 transfer: impl Into<Rgb<&'t super::Transfer>>,
                 light: impl Into<Rgb<Light<'l>>>,
             ) -> Result<Scene, $crate::Error> {
-                relit(transfer.into(), light.into())
+                let mut scene = blank();
+                relit(transfer.into(), light.into(), &mut scene)?;
+                Ok(scene)
+            }
+
+            /// [`relight`] into an existing scene, without moving it.
+            ///
+            /// # Errors
+            ///
+            /// The same; `scene` is then left unspecified.
+            pub fn relight_into<'l, 't>(
+                transfer: impl Into<Rgb<&'t super::Transfer>>,
+                light: impl Into<Rgb<Light<'l>>>,
+                scene: &mut Scene,
+            ) -> Result<(), $crate::Error> {
+                relit(transfer.into(), light.into(), scene)
             }
 
             fn relit(
                 transfer: Rgb<&super::Transfer>,
                 light: Rgb<Light<'_>>,
-            ) -> Result<Scene, $crate::Error> {
-                transfer.zip(light).try_map(|(transfer, light)| image(transfer, &light)).map(Scene)
+                scene: &mut Scene,
+            ) -> Result<(), $crate::Error> {
+                let mut d = coefficients();
+                let Scene(Rgb { r, g, b }) = scene;
+                channel(transfer.r, &light.r, &mut d, r)?;
+                channel(transfer.g, &light.g, &mut d, g)?;
+                channel(transfer.b, &light.b, &mut d, b)
             }
 
-            fn image(
+            /// Relights and collapses one channel.
+            fn channel(
                 $transfer: &super::Transfer,
                 light: &Light<'_>,
-            ) -> Result<super::Scene, $crate::Error> {
-                super::collapse(&super::relight($view, light)?)
+                d: &mut super::Coefficients,
+                scene: &mut super::Scene,
+            ) -> Result<(), $crate::Error> {
+                super::relight_into($view, light, d)?;
+                super::collapse_into(d, scene)
+            }
+
+            /// A scene to be overwritten.
+            #[inline(always)]
+            fn blank() -> Scene {
+                let blank = super::$scene::$blank;
+                Scene(Rgb::new(blank(), blank(), blank()))
+            }
+
+            #[inline(always)]
+            fn coefficients() -> super::Coefficients {
+                super::$coefficients::$of_numbers($($numbers)?)
             }
         }
     };

@@ -67,6 +67,7 @@ macro_rules! integer_table {
             'a, light $crate::quantized::Light<'a, $crate::$format>,
             material $crate::quantized::Material<'a, $crate::$format>,
             normal $crate::quantized::Normal<$crate::$format>, irradiance i32,
+            blank Coefficients::default(), Scene::default(),
             view |transfer| &transfer.view()
         }
         impl color::Scene {

@@ -180,6 +180,19 @@ macro_rules! table {
         ) -> Result<Coefficients, $crate::Error> {
             BASIS.relight::<TRANSFER, WORKSPACE, COMPONENTS>(transfer, light)
         }
+        /// [`relight`] into existing coefficients.
+        ///
+        /// # Errors
+        ///
+        /// The same; `coefficients` is then unchanged.
+        pub fn relight_into(
+            transfer: &Transfer,
+            light: &$crate::Light<'_, f32>,
+            coefficients: &mut Coefficients,
+        ) -> Result<(), $crate::Error> {
+            *coefficients = relight(transfer, light)?;
+            Ok(())
+        }
         /// Sums the eigenimages azimuth by azimuth: see
         /// [`eigenshade::GeneralBasis::collapse`].
         ///
@@ -188,6 +201,18 @@ macro_rules! table {
         /// The same, except that no capacity can be too small.
         pub fn collapse(coefficients: &Coefficients) -> Result<Scene, $crate::Error> {
             BASIS.collapse::<WORKSPACE, SCENE>(coefficients).map(Scene)
+        }
+        /// [`collapse`] into an existing scene.
+        ///
+        /// # Errors
+        ///
+        /// The same; `scene` is then unchanged.
+        pub fn collapse_into(
+            coefficients: &Coefficients,
+            scene: &mut Scene,
+        ) -> Result<(), $crate::Error> {
+            *scene = collapse(coefficients)?;
+            Ok(())
         }
     };
     (project scatter $([$q:literal $pairs:literal])*
@@ -270,7 +295,7 @@ macro_rules! table {
         ///
         /// The same, except that no capacity can be too small.
         pub fn collapse(coefficients: &Coefficients) -> Result<Scene, $crate::Error> {
-            let mut scene = Scene($crate::specialized::blank_scene(PARTS.lengths));
+            let mut scene = Scene::blank();
             collapse_into(coefficients, &mut scene)?;
             Ok(scene)
         }
@@ -441,6 +466,13 @@ macro_rules! table {
         /// One image, ready to be shaded. It dereferences to an [`eigenshade::Scene`].
         #[derive(Clone, Debug, PartialEq)]
         pub struct Scene(Collapsed);
+        impl Scene {
+            /// A scene to be overwritten.
+            #[inline(always)]
+            fn blank() -> Self {
+                Self($crate::specialized::blank_scene(PARTS.lengths))
+            }
+        }
         impl core::ops::Deref for Scene {
             type Target = Collapsed;
             #[inline]
@@ -476,7 +508,9 @@ macro_rules! table {
         }
         $crate::table_in_color! {
             'a, light $crate::Light<'a, f32>, material $crate::Material<'a, f32>,
-            normal $crate::Normal<f32>, irradiance f32, view |transfer| transfer
+            normal $crate::Normal<f32>, irradiance f32,
+            blank Coefficients::from([0.0; super::COMPONENTS]), Scene::blank(),
+            view |transfer| transfer
         }
     };
 }

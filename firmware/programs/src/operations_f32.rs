@@ -5,7 +5,10 @@
 
 use board::{Passes, holds, measure};
 use core::hint::black_box;
-use eigenshade::{BakedMap, Light, MapPoint, NineTerms, Tolerance};
+use eigenshade::presets::{light::LOBBY, material::GOLD_METALLIC_PAINT};
+use eigenshade::{
+    BakedMap, Disc, DiscPixel, Display, Light, MapPoint, NineTerms, Rgb, Tolerance, Tone, sphere,
+};
 use programs::inputs::floats as inputs;
 use table::{COMPONENTS, Coefficients, DEGREE, SCENE, Transfer};
 
@@ -131,4 +134,46 @@ fn baked_point() {
     holds(size_of_val(&map));
     let points = inputs::normals().map(MapPoint::of);
     measure(&points, Passes(64), |point| map.bilinear(*point));
+}
+
+static DISPLAY: Display = Display::new(Tone::Filmic);
+
+/// The next pixel of a disc and its normal.
+fn disc() {
+    let mut disc = programs::inputs::middle(Disc::new(black_box(64)));
+    holds(size_of_val(&disc));
+    measure(&[(); 16], Passes(64), |()| disc.next().map(DiscPixel::normal));
+}
+
+/// Three irradiances to a pixel of 16 bits: exposed, toned and encoded.
+fn display() {
+    let channels = inputs::numbers::<48>();
+    let (channels, _) = channels.as_chunks::<3>();
+    let exposure = black_box(1.5);
+    measure(channels, Passes(64), |channels| {
+        DISPLAY.rgb565(Rgb::from(*channels).exposed(exposure))
+    });
+}
+
+/// A pixel of the gold sphere: normal, irradiance in color, 16 bits.
+fn gold() {
+    let Ok(scene) = sphere::color::scene(LOBBY, GOLD_METALLIC_PAINT) else { board::exit(false) };
+    let scene = black_box(scene);
+    holds(size_of_val(&scene));
+    let mut disc = programs::inputs::middle(Disc::new(black_box(64)));
+    measure(&[(); 16], Passes(64), |()| {
+        let pixel = disc.next()?;
+        Some(DISPLAY.rgb565(scene.shade(pixel.normal()).exposed(1.5)))
+    });
+}
+
+/// A new light in color on the gold sphere, up to the scene.
+fn gold_light() {
+    let Ok(transfer) = sphere::color::transfer(GOLD_METALLIC_PAINT) else { board::exit(false) };
+    let Ok(mut scene) = sphere::color::relight(&transfer, LOBBY) else { board::exit(false) };
+    let transfer = black_box(transfer);
+    holds(size_of_val(&transfer) + size_of_val(&scene));
+    measure(&[LOBBY], Passes(64), |light| {
+        sphere::color::relight_into(&transfer, *light, black_box(&mut scene)).is_ok()
+    });
 }

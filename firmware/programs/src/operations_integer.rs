@@ -5,8 +5,11 @@
 
 use board::{Passes, holds, measure};
 use core::hint::black_box;
+use eigenshade::presets::{light::q15::LOBBY, material::q15::GOLD_METALLIC_PAINT};
 use eigenshade::quantized::NineTerms;
-use eigenshade::{IntegerMap, MapPoint, Q15};
+use eigenshade::{
+    Disc, DiscPixel, Display, Exposure, IntegerMap, MapPoint, Q15, Rgb, Tone, sphere,
+};
 use programs::inputs::integers as inputs;
 use table::{BASIS, COMPONENTS, Coefficients, ORDER, SCENE, Scene, Transfer};
 
@@ -152,4 +155,48 @@ fn dense_product(modes: &[i16; MODES]) -> i16 {
     }
     let rounded = (sum + (1 << 14)) >> 15;
     rounded.clamp(i64::from(i16::MIN), i64::from(i16::MAX)) as i16
+}
+
+static DISPLAY: Display = Display::new(Tone::Filmic);
+
+/// The next pixel of a disc and its normal.
+fn disc() {
+    let mut disc = programs::inputs::middle(Disc::new(black_box(64)));
+    holds(size_of_val(&disc));
+    measure(&[(); 16], Passes(64), |()| disc.next().map(DiscPixel::quantized_normal));
+}
+
+/// Three irradiances to a pixel of 16 bits: exposed, toned and encoded.
+fn display() {
+    let channels = inputs::mantissas::<Q15, 48>().map(|channel| i32::from(channel.0));
+    let (channels, _) = channels.as_chunks::<3>();
+    let Ok(exposure) = Exposure::new(black_box(1.5), -15) else { board::exit(false) };
+    let exposure = Rgb::gray(exposure);
+    measure(channels, Passes(64), |channels| DISPLAY.rgb565(exposure.of(Rgb::from(*channels))));
+}
+
+/// A pixel of the gold sphere: normal, irradiance in color, 16 bits.
+fn gold() {
+    let scene = sphere::q15::color::scene(LOBBY, GOLD_METALLIC_PAINT);
+    let scene = scene.and_then(|scene| Ok((scene.exposure(1.5)?, scene)));
+    let Ok((exposure, scene)) = scene else { board::exit(false) };
+    let scene = black_box(scene);
+    holds(size_of_val(&scene) + size_of_val(&exposure));
+    let mut disc = programs::inputs::middle(Disc::new(black_box(64)));
+    measure(&[(); 16], Passes(64), |()| {
+        let pixel = disc.next()?;
+        Some(DISPLAY.rgb565(exposure.of(scene.shade(pixel.quantized_normal()))))
+    });
+}
+
+/// A new light in color on the gold sphere, up to the scene.
+fn gold_light() {
+    let transfer = sphere::q15::color::transfer(GOLD_METALLIC_PAINT);
+    let Ok(transfer) = transfer else { board::exit(false) };
+    let Ok(mut scene) = sphere::q15::color::relight(&transfer, LOBBY) else { board::exit(false) };
+    let transfer = black_box(transfer);
+    holds(size_of_val(&transfer) + size_of_val(&scene));
+    measure(&[LOBBY], Passes(16), |light| {
+        sphere::q15::color::relight_into(&transfer, *light, black_box(&mut scene)).is_ok()
+    });
 }
