@@ -15,9 +15,10 @@ const PAGES: [(&str, &[&str]); 3] = [
 ];
 
 /// The rows of the short table: an operation and its description.
-const SHORT: [(&str, &str); 4] = [
+const SHORT: [(&str, &str); 5] = [
     ("shade_lambertian", "a pixel, matte material, light of degree 2"),
     ("shade", "a pixel of any material, 130 components to 1e-4"),
+    ("gold", "a pixel of the gold sphere, in color, to RGB565"),
     ("relight_collapse", "a new light on a transferred material, 50 components"),
     ("transfer", "a new material, 50 components"),
 ];
@@ -70,7 +71,7 @@ fn with_counts(path: &str, page: &str, rows: &[Row], formats: &[&str]) -> Result
 /// Instructions of a few operations, in Q15 without a float unit and in f32 with one.
 fn short(rows: &[Row]) -> String {
     let mut text = String::from(
-        "| instructions, one channel | Cortex-M0, Q15 | Cortex-M4F, f32 |\n|---|---:|---:|\n",
+        "| instructions, one channel where not stated | Cortex-M0, Q15 | Cortex-M4F, f32 |\n|---|---:|---:|\n",
     );
     for (operation, what) in SHORT {
         text += &format!("| {what} |");

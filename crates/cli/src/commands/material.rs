@@ -48,8 +48,7 @@ pub struct Material {
     #[arg(long, value_enum, default_value_t)]
     measure: Nearness,
     /// Multiply the coefficients of order o by sinc^4, (sin x / x)^4 with x = pi o / W, zero from
-    /// order W on: less ringing of gloss that the order cannot represent. Four times the order
-    /// suits most materials
+    /// order W on: less ringing of gloss that the order cannot represent. 40 suits order 7
     #[arg(long, value_name = "W", value_parser = width)]
     window: Option<f64>,
     /// Write the CSV to this file instead of standard output
@@ -238,8 +237,7 @@ pub struct Projection {
     #[arg(long, value_enum, default_value_t)]
     measure: Nearness,
     /// Multiply the coefficients of order o by sinc^4, (sin x / x)^4 with x = pi o / W, zero from
-    /// order W on: less ringing of gloss that the order cannot represent. Four times the order
-    /// suits most materials
+    /// order W on: less ringing of gloss that the order cannot represent. 40 suits order 7
     #[arg(long, value_name = "W", value_parser = width)]
     window: Option<f64>,
     /// Write the CSV to this file instead of standard output
