@@ -89,6 +89,9 @@ pub enum Error {
     },
     /// Angles, a quaternion or a matrix do not describe a rotation.
     Rotation,
+    /// The direction of a light has no length or is not finite, or its angular radius is not above 0
+    /// and at most π.
+    Direction,
     /// A basis has polynomials in series, but the crate was built without the feature `series`.
     Series,
     /// A tolerance is not finite or not above zero.
@@ -251,6 +254,10 @@ impl fmt::Display for Error {
             Self::Rotation => f.write_str(
                 "a rotation needs finite angles, a quaternion that is not zero, or an orthonormal \
                  right-handed matrix",
+            ),
+            Self::Direction => f.write_str(
+                "a light needs a finite direction of some length, and an angular radius above 0 and \
+                 at most π",
             ),
             Self::Knots { found } => write!(f, "a look-up of {found} knots; take 8 to 65536"),
             Self::Size { found } => {

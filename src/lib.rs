@@ -80,6 +80,8 @@ mod rotation;
 
 mod turn;
 
+mod analytic;
+
 mod material;
 
 mod normal;
@@ -169,6 +171,7 @@ pub mod generated {
     include!(concat!(env!("OUT_DIR"), "/generated.rs"));
 }
 
+pub use analytic::AnalyticLight;
 pub use bake::{BakedMap, MapBuffer, MapPoint};
 pub use bake_integer::IntegerMap;
 pub use basis::Basis;

@@ -5,6 +5,7 @@ mod invariants;
 mod reading;
 mod wire_files;
 
+mod analytic;
 mod color;
 mod corrupted;
 mod effects;

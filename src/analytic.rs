@@ -1,0 +1,217 @@
+//! Lights that a formula describes: ambient, sky and ground, discs and directions.
+
+use crate::error::{Argument, Error};
+use crate::index::light;
+use crate::light::{Light, Window, degree};
+use crate::mathematics::Mathematics;
+use crate::scalar::Scalar;
+use core::f64::consts::{FRAC_PI_2, PI, SQRT_2};
+
+/// One channel of a light made of formulas, of the degree with `N` coefficients.
+///
+/// Directions point from the object to the light, in the camera's frame, and may have any length.
+/// A window keeps small lights from ringing.
+///
+/// ```
+/// use eigenshade::mathematics::SinglePrecision;
+/// use eigenshade::{AnalyticLight, Window};
+///
+/// // A sky above a darker ground, and a lamp from the upper left, 20 degrees in radius.
+/// let light = AnalyticLight::<f32, 100>::dark()?
+///     .hemisphere::<SinglePrecision>([0.0, 1.0, 0.0], 1.0, 0.2)?
+///     .disc::<SinglePrecision>([-1.0, 1.0, 1.0], 0.35, 5.0)?
+///     .windowed::<SinglePrecision>(Window::SincFourth { width: 20.0 });
+/// assert_eq!(light.light()?.degree(), 9);
+/// # Ok::<(), eigenshade::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AnalyticLight<S, const N: usize> {
+    coefficients: [S; N],
+}
+
+impl<S: Scalar, const N: usize> AnalyticLight<S, N> {
+    /// No light.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Count`] unless `N` is (degree + 1)² for some degree.
+    pub fn dark() -> Result<Self, Error> {
+        degree(N)?;
+        Ok(Self { coefficients: [S::ZERO; N] })
+    }
+
+    /// Adds the same radiance from everywhere.
+    #[must_use]
+    pub fn ambient(mut self, radiance: S) -> Self {
+        if let Some(mean) = self.coefficients.first_mut() {
+            // 1 / Y_0^0 is 2 √π.
+            *mean += radiance * S::from_f64(PI * core::f64::consts::FRAC_2_SQRT_PI);
+        }
+        self
+    }
+
+    /// Adds the radiance of a sky in the half of directions around `up`, and of a ground in the
+    /// other.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`disc`](Self::disc).
+    pub fn hemisphere<M: Mathematics<S>>(
+        self,
+        up: [S; 3],
+        sky: S,
+        ground: S,
+    ) -> Result<Self, Error> {
+        self.ambient(ground).disc::<M>(up, S::from_f64(FRAC_PI_2), sky - ground)
+    }
+
+    /// Adds a disc of constant radiance around a direction, with an angular radius in radians: the
+    /// sun's is 0.00465.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Direction`] if the direction has no length or the radius is not above 0 and at most
+    /// π.
+    pub fn disc<M: Mathematics<S>>(
+        self,
+        direction: [S; 3],
+        radius: S,
+        radiance: S,
+    ) -> Result<Self, Error> {
+        if !(radius > S::ZERO && radius <= S::from_f64(PI)) {
+            return Err(Error::Direction);
+        }
+        let (sine, cosine) = M::sine_and_cosine(radius);
+        // 2π times the integral of P_l from the cosine to 1: (1 - cos²) P_l'(cos) / (l (l + 1)).
+        let scale = S::from_f64(2.0 * PI) * radiance;
+        let square = sine * sine;
+        let [mut before, mut now] = [S::ONE, cosine];
+        let [mut slope_before, mut slope] = [S::ZERO, S::ONE];
+        let half = M::sine_and_cosine(S::from_f64(0.5) * radius).0;
+        self.along::<M>(direction, |l| {
+            if l == 0 {
+                // 1 - cos = 2 sin² of half the radius.
+                return scale * (half * half + half * half);
+            }
+            let factor = scale * square * slope * S::from_whole(l * (l + 1)).reciprocal();
+            let [odd, whole] = [S::from_whole(2 * l + 1), S::from_whole(l)];
+            let next_slope = slope_before + odd * now;
+            let next = (odd * cosine * now - whole * before) * S::from_whole(l + 1).reciprocal();
+            (before, now, slope_before, slope) = (now, next, slope, next_slope);
+            factor
+        })
+    }
+
+    /// Adds light from a single direction, which gives this irradiance on a surface that faces it.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Direction`] if the direction has no length.
+    pub fn directional<M: Mathematics<S>>(
+        self,
+        direction: [S; 3],
+        irradiance: S,
+    ) -> Result<Self, Error> {
+        self.along::<M>(direction, |_| irradiance)
+    }
+
+    /// Adds factor(l) Y_l^m(direction); `factor` is called for l = 0, 1, ... in this order.
+    fn along<M: Mathematics<S>>(
+        mut self,
+        direction: [S; 3],
+        mut factor: impl FnMut(usize) -> S,
+    ) -> Result<Self, Error> {
+        let [x, y, z] = direction;
+        let square = x * x + y * y + z * z;
+        if !(square.is_finite() && square >= S::from_f64(1e-37)) {
+            return Err(Error::Direction);
+        }
+        let scale = M::inverse_root(square);
+        let [x, y, z] = [x * scale, y * scale, z * scale];
+        let degree = degree(N)?;
+        for l in 0..=degree {
+            let factor = factor(l);
+            // Re and -Im of (x + iy)^m, with the phase (-1)^m in the cosine.
+            let [mut cosine, mut sine] = [S::ONE, S::ZERO];
+            for m in 0..=l {
+                let value = factor * reduced::<S, M>(l, m, z);
+                let mut add = |order: isize, amount: S| {
+                    if let Some(to) = self.coefficients.get_mut(light::position(l, order)) {
+                        *to += amount;
+                    }
+                };
+                let root = S::from_f64(SQRT_2);
+                match m.cast_signed() {
+                    0 => add(0, value),
+                    m => {
+                        let cosine = if m % 2 == 0 { cosine } else { -cosine };
+                        add(m, root * value * cosine);
+                        add(-m, -root * value * sine);
+                    }
+                }
+                [cosine, sine] = [cosine * x - sine * y, cosine * y + sine * x];
+            }
+        }
+        Ok(self)
+    }
+
+    /// Multiplies the light.
+    #[must_use]
+    pub fn scaled(mut self, factor: S) -> Self {
+        self.coefficients.iter_mut().for_each(|coefficient| *coefficient = *coefficient * factor);
+        self
+    }
+
+    /// Adds another light, of this degree or less.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Capacity`] if the other light has a higher degree.
+    pub fn plus(mut self, other: &Light<'_, S>) -> Result<Self, Error> {
+        let needed = other.coefficients().len();
+        if needed > N {
+            return Err(Error::Capacity { argument: Argument::Light, needed, capacity: N });
+        }
+        for (to, &from) in self.coefficients.iter_mut().zip(other.coefficients()) {
+            *to += from;
+        }
+        Ok(self)
+    }
+
+    /// Applies a window.
+    #[must_use]
+    pub fn windowed<M: Mathematics<S>>(mut self, window: Window<S>) -> Self {
+        window.apply::<M>(&mut self.coefficients);
+        self
+    }
+
+    /// The light.
+    ///
+    /// # Errors
+    ///
+    /// None: [`dark`](Self::dark) has checked `N`.
+    pub fn light(&self) -> Result<Light<'_, S>, Error> {
+        Light::new(&self.coefficients)
+    }
+}
+
+/// N_l^m P_l^m(z) / (-sin θ)^m, a polynomial in z, by the three-term recurrence of the normalized
+/// functions.
+fn reduced<S: Scalar, M: Mathematics<S>>(l: usize, m: usize, z: S) -> S {
+    // N_m^m: the product of √((2k + 1) / 2k), over √(4π).
+    let mut square = S::from_f64(0.25 / PI);
+    for k in 1..=m {
+        square = square * S::from_whole(2 * k + 1) * S::from_whole(2 * k).reciprocal();
+    }
+    let (mut before, mut now) = (S::ZERO, M::square_root(square));
+    for l in m + 1..=l {
+        let ratio = |numerator: usize, denominator: usize| {
+            M::square_root(S::from_whole(numerator) * S::from_whole(denominator).reciprocal())
+        };
+        let (product, last) = (l * l - m * m, l - 1);
+        let factor = ratio(4 * l * l - 1, product);
+        let share = ratio(last * last - m * m, (4 * last * last).max(2) - 1);
+        (before, now) = (now, factor * (z * now - share * before));
+    }
+    now
+}
