@@ -149,6 +149,18 @@ impl<S: Scalar> Rgb<Light<'_, S>> {
         self.each_ref().try_map(|light| light.turned::<N, W>(rotation))
     }
 
+    /// [`Light::turned_about_view`] in each channel.
+    ///
+    /// # Errors
+    ///
+    /// The same.
+    pub fn turned_about_view<const N: usize>(
+        &self,
+        angle: [S; 2],
+    ) -> Result<Rgb<LightBuffer<S, N>>, Error> {
+        self.each_ref().try_map(|light| light.turned_about_view::<N>(angle))
+    }
+
     /// [`Light::windowed`] in each channel.
     ///
     /// # Errors

@@ -153,3 +153,35 @@ fn a_gold_sphere_on_a_display() {
     assert_eq!(bytes.len(), 2 * 11_304);
     assert_eq!(crc32fast::hash(&bytes), 2_592_065_592);
 }
+
+/// About the view axis, the short way agrees with the matrices of any rotation.
+#[test]
+fn turning_about_the_view_axis() {
+    use eigenshade::mathematics::SinglePrecision;
+    use eigenshade::{Error, Rotation};
+    /// Of the largest coefficient: sixteen roundings.
+    const TOLERANCE: f32 = 2e-6;
+    const WORKSPACE: usize = Light::<f32>::turn_len(9);
+    for angle in [0.0, 0.3, -1.7, 3.1] {
+        let rotation = Rotation::from_euler::<SinglePrecision>(angle, 0.0, 0.0).unwrap();
+        let expected = light::PARK.turned::<100, WORKSPACE>(&rotation).unwrap();
+        let found = light::PARK.turned_about_view::<100>([angle.cos(), angle.sin()]).unwrap();
+        for (found, expected) in <[_; 3]>::from(found.zip(expected)) {
+            let largest = expected.iter().fold(0.0_f32, |most, value| most.max(value.abs()));
+            for (found, expected) in found.iter().zip(expected.iter()) {
+                assert!((found - expected).abs() <= TOLERANCE * largest, "{found} {expected}");
+            }
+        }
+    }
+    // Another degree.
+    let numbers: Vec<f32> = (0..40 * 40).map(|k| (k as f32 * 0.7).sin()).collect();
+    let light = Light::new(&numbers).unwrap();
+    let rotation = Rotation::from_euler::<SinglePrecision>(0.3, 0.0, 0.0).unwrap();
+    let (mut workspace, mut expected) = (vec![0.0; Light::<f32>::turn_len(39)], vec![0.0; 1600]);
+    light.turn_into::<SinglePrecision>(&rotation, &mut workspace, &mut expected).unwrap();
+    let mut found = vec![0.0; 1600];
+    light.turn_about_view_into([0.3_f32.cos(), 0.3_f32.sin()], &mut found).unwrap();
+    assert!(found.iter().zip(&expected).all(|(a, b)| (a - b).abs() < 5.0 * TOLERANCE));
+    let refused = light::PARK.turned_about_view::<99>([1.0, 0.0]);
+    assert!(matches!(refused, Err(Error::Capacity { needed: 100, capacity: 99, .. })));
+}

@@ -177,3 +177,16 @@ fn gold_light() {
         sphere::color::relight_into(&transfer, *light, black_box(&mut scene)).is_ok()
     });
 }
+
+/// A rotation of a light in color about the view axis.
+fn turn_view() {
+    let mut turned = [[0.0; 100]; 3];
+    holds(size_of_val(&turned));
+    measure(&[LOBBY], Passes(64), |light| {
+        let turned = black_box(&mut turned);
+        [light.r, light.g, light.b]
+            .iter()
+            .zip(turned)
+            .try_for_each(|(light, turned)| light.turn_about_view_into([0.6, 0.8], turned))
+    });
+}
