@@ -2,7 +2,8 @@
 
 use crate::bake::{BakedMap, MapPoint};
 use crate::bake_integer::IntegerMap;
-use crate::error::Error;
+use crate::buffer::{Buffer, zeros};
+use crate::error::{Argument, Error};
 use crate::format::{FixedPoint, Q15};
 use crate::light::{Light, LightBuffer};
 use crate::material::Material;
@@ -174,7 +175,7 @@ impl<S: Scalar> Rgb<Light<'_, S>> {
     }
 }
 
-impl<S, const N: usize> Rgb<LightBuffer<S, N>> {
+impl<S, const N: usize> Rgb<Buffer<S, N>> {
     /// The lights in these buffers.
     ///
     /// # Errors
@@ -209,12 +210,11 @@ impl<S: Scalar> Material<'_, S> {
     ///
     /// [`Error::Capacity`] if `N` is too small; [`Error::NotFinite`] with the index of the first
     /// channel of the color that is infinite or NaN.
-    pub fn tint<const N: usize>(&self, color: [S; 3]) -> Result<Rgb<crate::Buffer<S, N>>, Error> {
-        use crate::error::Argument;
+    pub fn tint<const N: usize>(&self, color: [S; 3]) -> Result<Rgb<Buffer<S, N>>, Error> {
         Error::check_finite(Argument::Color, &color)?;
         Rgb::from(color).try_map(|factor| {
             let from = self.coefficients();
-            let mut tinted = crate::buffer::zeros::<S, N>(Argument::Material, from.len())?;
+            let mut tinted = zeros::<S, N>(Argument::Material, from.len())?;
             tinted.iter_mut().zip(from).for_each(|(to, &from)| *to = factor * from);
             Ok(tinted)
         })

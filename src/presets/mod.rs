@@ -51,7 +51,7 @@ pub mod light {
 
 /// Real materials in color.
 ///
-/// They are the published fits of J. Löw, J. Kronander, A. Ynnerman and J. Unger, "BRDF Models for
+/// They are the published fits of J. Low, J. Kronander, A. Ynnerman and J. Unger, "BRDF Models for
 /// Accurate and Efficient Rendering of Glossy Surfaces", ACM Transactions on Graphics 31, 2012, to
 /// the MERL measurements, and one standard of NIST's, a matte white. Order 7 cannot represent sharp
 /// gloss: chrome looks like a blurred and ringing version of itself. The fits are attenuated by a
