@@ -16,7 +16,7 @@ const GRAY: &str = "ptfe-633nm";
 ///
 /// # Errors
 ///
-/// What is wrong with a file.
+/// If a file cannot be read, or a preset lacks coefficients.
 pub fn write() -> Result<(), String> {
     let lights = read("tables/inputs/lights.csv", light::count(DEGREE))?;
     constants("Light", &lights)?;

@@ -17,7 +17,7 @@ const POINT: u32 = 16;
 /// The irradiance, as exposed, from which on every pixel is white.
 const WHITE: u32 = 16;
 
-/// A tone curve: what is shown of an exposed irradiance x, from 0 to 1.
+/// A tone curve: maps an exposed irradiance x to a displayed value from 0 to 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -34,7 +34,7 @@ pub enum Tone {
 }
 
 impl Tone {
-    /// What is shown of x >= 0.
+    /// The displayed value of x >= 0.
     const fn of(self, x: f64) -> f64 {
         let shown = match self {
             Self::Linear => x,
@@ -209,25 +209,14 @@ impl Exposure {
         let fraction = (bits & 0x7f_ffff) | 0x80_0000;
         let factor = (fraction + (1 << 8)) >> 9;
         let left = exponent.saturating_add(biased - 127 - 14 + POINT.cast_signed());
-        // 30 bits are beyond white.
-        let factor = factor
-            << if left > 16 {
-                16
-            } else if left > 0 {
-                left
-            } else {
-                0
-            };
-        Ok(Self {
-            factor,
-            shift: if left < -63 {
-                63
-            } else if left < 0 {
-                left.unsigned_abs()
-            } else {
-                0
-            },
-        })
+        let (left, shift) = match left {
+            // 30 bits are beyond white.
+            17.. => (16, 0),
+            0..=16 => (left, 0),
+            -63..=-1 => (0, left.unsigned_abs()),
+            _ => (0, 63),
+        };
+        Ok(Self { factor: factor << left, shift })
     }
 
     /// The exposed irradiance of a mantissa, rounded down; 0 for negative ones.
@@ -275,7 +264,7 @@ impl Rgb<f32> {
 /// assert!((exposure * 1.8 - 1.0).abs() < 0.07);
 /// ```
 ///
-/// The largest channels are counted in steps of an eighth of an octave, from 2^-16 to 2^16.
+/// The largest channels are counted in eight steps for each power of two, from 2^-16 to 2^16.
 #[derive(Clone, Debug)]
 pub struct Meter {
     counts: [u32; 256],
@@ -401,6 +390,17 @@ mod tests {
         }
         for refused in [0.0, -1.0, f32::NAN, f32::INFINITY, 1e-40] {
             assert!(Exposure::new(refused, 0).is_err(), "{refused}");
+        }
+    }
+
+    #[test]
+    fn metered_exposures_are_within_seven_percent() {
+        for k in -150..150 {
+            let brightness = libm::exp2f(0.1 * k as f32);
+            let mut meter = Meter::default();
+            meter.add(Rgb::new(brightness, 0.0, -1.0));
+            let white = meter.exposure(1.0).map_or(0.0, |exposure| exposure * brightness);
+            assert!((white - 1.0).abs() < 0.07, "{brightness}: {white}");
         }
     }
 

@@ -29,7 +29,7 @@ pub type Material = Rgb<crate::Material<'static, f32>>;
 
 /// Captured light, by the names of its environment maps.
 ///
-/// The maps are those of Poly Haven and Blender; `tables/README.md` has their sources.
+/// `tables/README.md` has the sources of the maps.
 #[expect(clippy::approx_constant, reason = "numbers of a file")]
 pub mod light {
     use super::{Light, channels, checked};
@@ -61,7 +61,7 @@ pub mod material {
     use crate::Rgb;
     include!(concat!(env!("OUT_DIR"), "/preset_materials.rs"));
 
-    /// The same materials in integers: 252 bytes, or 84 if it is gray.
+    /// The same materials in integers: 264 bytes, or 88 if it is gray.
     pub mod q15 {
         use super::super::quantized_material;
         use crate::quantized;
