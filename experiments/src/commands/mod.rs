@@ -4,6 +4,7 @@ mod accuracy_cost;
 mod contact_sheet;
 mod errors;
 mod files;
+mod metallic_roughness;
 mod mutations;
 mod paper;
 
@@ -48,6 +49,7 @@ pub enum Command {
     /// Integers must be equal; floats may differ by the tolerance that the file states.
     Golden(Purpose),
     GlossyMaterials(files::GlossyMaterials),
+    MetallicRoughness(metallic_roughness::MetallicRoughness),
     SameOrder(files::SameOrder),
     WasmTables(files::WasmTables),
     Mutations(mutations::Mutations),
@@ -87,6 +89,7 @@ impl Command {
             }
             Self::Golden(purpose) => files::golden(&purpose),
             Self::GlossyMaterials(command) => command.run(),
+            Self::MetallicRoughness(command) => command.run(),
             Self::SameOrder(command) => command.run(),
             Self::WasmTables(command) => command.run(),
             Self::Mutations(command) => command.run(),
