@@ -1,6 +1,8 @@
 //! Decodes the shipped table into typed statics, and generates the table of a scene if the feature
 //! `generate` is enabled.
 
+#[path = "build/metallic_roughness.rs"]
+mod metallic_roughness;
 #[path = "build/presets.rs"]
 mod presets;
 
@@ -16,7 +18,11 @@ fn main() {
     generate();
     let has = |feature| env::var_os(feature).is_some();
     let sphere = if has("CARGO_FEATURE_BAKED") { sphere() } else { Ok(()) };
-    let presets = if has("CARGO_FEATURE_PRESETS") { presets::write() } else { Ok(()) };
+    let presets = if has("CARGO_FEATURE_PRESETS") {
+        presets::write().and_then(|()| metallic_roughness::write())
+    } else {
+        Ok(())
+    };
     if let Err(error) = sphere.and(presets) {
         println!("cargo::error={error}");
         process::exit(1);

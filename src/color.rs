@@ -195,6 +195,17 @@ impl<S, const N: usize> Rgb<Buffer<S, N>> {
     }
 }
 
+impl<Q, const N: usize, const O: usize> Rgb<quantized::MaterialBuffer<Q, N, O>> {
+    /// The materials in these buffers.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`quantized::Material::new`].
+    pub fn materials(&self) -> Result<Rgb<quantized::Material<'_, Q>>, Error> {
+        self.each_ref().try_map(quantized::MaterialBuffer::material)
+    }
+}
+
 impl<S: Scalar> Material<'_, S> {
     /// This material in a color: its coefficients times each channel. `N` is at least their number.
     ///

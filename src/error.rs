@@ -87,6 +87,11 @@ pub enum Error {
         /// The number of texels per side.
         found: usize,
     },
+    /// A parameter of a material is not from 0 to 1.
+    Outside {
+        /// Which parameter.
+        argument: Argument,
+    },
     /// Angles, a quaternion or a matrix do not describe a rotation.
     Rotation,
     /// The direction of a light has no length or is not finite, or its angular radius is not above 0
@@ -112,8 +117,12 @@ pub enum Argument {
     Light,
     /// Coefficients of a material.
     Material,
-    /// A color that tints a material.
+    /// A color that tints a material, or its base color.
     Color,
+    /// The share of a material that is metal.
+    Metallic,
+    /// The roughness of a material.
+    Roughness,
     /// The exposure of a picture.
     Exposure,
     /// Coefficients of eigenimages.
@@ -222,6 +231,9 @@ impl fmt::Display for Error {
                 "{argument:?}: number {index} (from 0) is not finite; leave it out, or scale the numbers \
                  down"
             ),
+            Self::Outside { argument } => {
+                write!(f, "{argument:?} is outside [0, 1]; give a number from 0 to 1")
+            }
             Self::Saturated { argument } => write!(
                 f,
                 "{argument:?}: a number exceeds its integer format; scale the light or the weights down"

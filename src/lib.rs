@@ -159,6 +159,9 @@ pub mod sphere {
 }
 
 #[cfg(feature = "presets")]
+mod metallic_roughness;
+
+#[cfg(feature = "presets")]
 pub mod presets;
 
 /// The table of a scene, generated when this crate was built. The environment variable

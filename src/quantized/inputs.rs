@@ -78,6 +78,39 @@ impl<'a, Q> Material<'a, Q> {
     }
 }
 
+/// A material of fixed order: `N` mantissas and `O` exponents, one for each o.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct MaterialBuffer<Q, const N: usize, const O: usize> {
+    pub(crate) exponents: [i8; O],
+    pub(crate) mantissas: [Q; N],
+}
+
+impl<Q, const N: usize, const O: usize> MaterialBuffer<Q, N, O> {
+    /// The material.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Material::new`].
+    pub const fn material(&self) -> Result<Material<'_, Q>, Error> {
+        Material::new(&self.exponents, &self.mantissas)
+    }
+}
+
+impl<'a, Q> Material<'a, Q> {
+    /// The exponent of each order o.
+    #[must_use]
+    pub const fn exponents(&self) -> &'a [i8] {
+        self.exponents
+    }
+
+    /// All mantissas.
+    #[must_use]
+    pub const fn mantissas(&self) -> &'a [Q] {
+        self.mantissas
+    }
+}
+
 impl<'a, Q: FixedPoint> Light<'a, Q> {
     /// Writes the mantissas of a light into `to`, in integer arithmetic throughout.
     ///
@@ -145,18 +178,26 @@ pub(crate) const fn decoded(number: f32) -> (i32, i32) {
 /// The least exponent of numbers as fractions.
 pub(crate) const LEAST_TOP: i32 = -96;
 
-/// Writes the mantissas of these numbers and returns their exponent.
-fn quantize<Q: FixedPoint>(from: &[f32], to: &mut [Q]) -> i32 {
-    let tops = from.iter().map(|&number| decoded(number)).filter(|(size, _)| *size != 0);
+/// Writes the mantissas of these numbers, each an integer times a power of two, and returns their
+/// exponent.
+pub(crate) fn mantissas<Q: FixedPoint>(
+    from: impl Iterator<Item = (i32, i32)> + Clone,
+    to: &mut [Q],
+) -> i32 {
+    let tops = from.clone().filter(|(size, _)| *size != 0);
     let top = tops.map(|(size, exponent)| size.bits().cast_signed() + exponent).max();
     // If all numbers are zero, use the least exponent, because an exponent bounds how large its
     // numbers can be.
     let exponent = top.unwrap_or(LEAST_TOP).max(LEAST_TOP) - Q::BITS.cast_signed();
-    for (to, &number) in to.iter_mut().zip(from) {
-        let (size, of_number) = decoded(number);
+    for (to, (size, of_number)) in to.iter_mut().zip(from) {
         *to = Q::saturate(Q::Wide::of(size).shifted(of_number - exponent));
     }
     exponent
+}
+
+/// [`mantissas`] of floats.
+fn quantize<Q: FixedPoint>(from: &[f32], to: &mut [Q]) -> i32 {
+    mantissas(from.iter().map(|&number| decoded(number)), to)
 }
 
 /// One visible unit normal: x to the right, y up, z >= 0 toward the camera. The components are

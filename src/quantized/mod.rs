@@ -69,8 +69,8 @@ pub mod kernels {
 pub use basis::{Basis, Parts, Profile};
 pub use estimate::Estimate;
 #[cfg(feature = "presets")]
-pub(crate) use inputs::{LEAST_TOP, decoded};
-pub use inputs::{Light, Material, Normal};
+pub(crate) use inputs::{LEAST_TOP, decoded, mantissas};
+pub use inputs::{Light, Material, MaterialBuffer, Normal};
 pub use nine_terms::NineTerms;
 pub use relight::Coefficients;
 pub use scene::{Scene, SceneBuffer};

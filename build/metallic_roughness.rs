@@ -1,0 +1,118 @@
+//! Writes the series in roughness from which glTF materials are computed, in floats and integers.
+
+use eigenshade_index::material;
+use std::fmt::Write as _;
+use std::path::PathBuf;
+use std::{env, fs};
+
+const PATH: &str = "tables/inputs/metallic-roughness.csv";
+
+/// The exponent of an order whose coefficients are all zero.
+const OF_ZEROS: i32 = -40;
+
+/// The numbers of one part, by polynomial k and coefficient.
+type Part = Vec<Vec<f64>>;
+
+/// Writes `metallic_roughness.rs` to the output folder.
+///
+/// # Errors
+///
+/// If the file cannot be read or lacks lines.
+pub fn write() -> Result<(), String> {
+    println!("cargo::rerun-if-changed={PATH}");
+    let text = fs::read_to_string(PATH).map_err(|error| format!("{PATH}: {error}"))?;
+    let lines: Vec<Vec<&str>> = text
+        .lines()
+        .filter(|line| line.starts_with(|c: char| c.is_ascii_digit()))
+        .map(|line| line.split(',').collect())
+        .collect();
+    let mut source = String::new();
+    for order in [7, 12] {
+        let parts = parts(&lines, order)?;
+        floats(&mut source, order, &parts);
+        integers(&mut source, order, &parts);
+    }
+    let folder = env::var_os("OUT_DIR").ok_or("OUT_DIR is not set")?;
+    let to = PathBuf::from(folder).join("metallic_roughness.rs");
+    fs::write(&to, source).map_err(|error| format!("{}: {error}", to.display()))
+}
+
+/// The parts matte, rim and metal of an order.
+fn parts(lines: &[Vec<&str>], order: usize) -> Result<[Part; 3], String> {
+    let count = material::count(order);
+    let mut parts = [const { Vec::new() }; 3];
+    let of_order = |line: &&Vec<&str>| line[0].parse() == Ok(order);
+    let rows: Vec<&Vec<&str>> = lines.iter().filter(of_order).collect();
+    if rows.is_empty() || rows.len() % count != 0 || rows.iter().any(|row| row.len() != 8) {
+        return Err(format!("{PATH}: order {order} lacks lines"));
+    }
+    for rows in rows.chunks(count) {
+        for (part, column) in parts.iter_mut().zip(5..) {
+            let number = |row: &&Vec<&str>| {
+                row[column].parse::<f64>().map_err(|_| format!("{PATH}: `{}`", row.join(",")))
+            };
+            part.push(rows.iter().map(number).collect::<Result<Vec<f64>, String>>()?);
+        }
+    }
+    // The matte part does not depend on roughness.
+    parts[0].truncate(1);
+    Ok(parts)
+}
+
+fn floats(source: &mut String, order: usize, [matte, rim, metal]: &[Part; 3]) {
+    let rounded = |part: &Part| -> Vec<Vec<f32>> {
+        part.iter().map(|row| row.iter().map(|&number| number as f32).collect()).collect()
+    };
+    let (count, terms) = (rim[0].len(), rim.len());
+    let (matte, rim, metal) = (&rounded(matte)[0], rounded(rim), rounded(metal));
+    let _ = writeln!(
+        source,
+        "static ORDER_{order}: Series<{count}, {terms}> = \
+         Series {{ matte: {matte:?}, rim: {rim:?}, metal: {metal:?} }};"
+    );
+}
+
+/// Each part of each o has an exponent, below which the sum of its terms' sizes stays. The numbers of
+/// higher polynomials are smaller; they are stored finer by as many bits as they leave free.
+fn integers(source: &mut String, order: usize, parts: &[Part; 3]) {
+    let (count, orders, terms) = (parts[1][0].len(), order + 1, parts[1].len());
+    let exponents = parts.each_ref().map(|part| -> Vec<i32> {
+        let of_order = |o: usize| {
+            let start = if o == 0 { 0 } else { material::count(o - 1) };
+            let size = |i: usize| part.iter().map(|row| row[i].abs()).sum::<f64>();
+            let largest = (start..material::count(o)).map(size).fold(0.0, f64::max);
+            if largest > 0.0 { largest.log2().floor() as i32 + 1 } else { OF_ZEROS }
+        };
+        (0..=order).map(of_order).collect()
+    });
+    // A number as a fraction of 2^exponent.
+    let places: Vec<usize> = material::indices(order).map(|(o, ..)| o).collect();
+    let fraction = |part: usize, k: usize, i: usize| {
+        parts[part][k][i] * f64::from(-exponents[part][places[i]]).exp2()
+    };
+    let free = |k: usize| -> i32 {
+        let sizes = (0..count).flat_map(|i| [1, 2].map(|part| fraction(part, k, i).abs()));
+        -(sizes.fold(0.0, f64::max).log2().floor() as i32 + 1)
+    };
+    let finer: Vec<i32> = (0..terms).map(free).collect();
+    let mantissas = [0, 1, 2].map(|part| -> Part {
+        let mantissa = |k: usize, i: usize| {
+            let finer = if part == 0 { 0 } else { finer[k] };
+            let scaled = fraction(part, k, i) * f64::from(15 + finer).exp2();
+            scaled.round().clamp(-32_767.0, 32_767.0)
+        };
+        let row = |k: usize| (0..count).map(|i| mantissa(k, i)).collect();
+        (0..parts[part].len()).map(row).collect()
+    });
+    let whole = |part: &Part| -> Vec<Vec<i16>> {
+        part.iter().map(|row| row.iter().map(|&number| number as i16).collect()).collect()
+    };
+    let [matte, rim, metal] = mantissas.each_ref().map(whole);
+    let matte = &matte[0];
+    let _ = writeln!(
+        source,
+        "static ORDER_{order}_Q15: IntegerSeries<{count}, {orders}, {terms}> = IntegerSeries {{ \
+         exponents: {exponents:?}, finer: {finer:?}, \
+         matte: {matte:?}, rim: {rim:?}, metal: {metal:?} }};"
+    );
+}
