@@ -7,7 +7,8 @@ use board::{Passes, holds, measure};
 use core::hint::black_box;
 use eigenshade::presets::{light::LOBBY, material::GOLD_METALLIC_PAINT};
 use eigenshade::{
-    BakedMap, Disc, DiscPixel, Display, Light, MapPoint, NineTerms, Rgb, Tolerance, Tone, sphere,
+    BakedMap, Buffer, Disc, DiscPixel, Display, Light, MapPoint, Material, NineTerms, Rgb,
+    Tolerance, Tone, sphere,
 };
 use programs::inputs::floats as inputs;
 use table::{COMPONENTS, Coefficients, DEGREE, SCENE, Transfer};
@@ -175,6 +176,15 @@ fn gold_light() {
     holds(size_of_val(&transfer) + size_of_val(&scene));
     measure(&[LOBBY], Passes(64), |light| {
         sphere::color::relight_into(&transfer, *light, black_box(&mut scene)).is_ok()
+    });
+}
+
+/// The coefficients of a glTF material in color, for a new roughness.
+fn metallic_roughness() {
+    let copper = [0.93, 0.52, 0.38];
+    holds(size_of::<Rgb<Buffer<f32, 40>>>());
+    measure(&[0.3, 0.7], Passes(64), |roughness| {
+        Material::metallic_roughness(black_box(copper), 1.0, *roughness)
     });
 }
 

@@ -6,7 +6,7 @@
 use board::{Passes, holds, measure};
 use core::hint::black_box;
 use eigenshade::presets::{light::q15::LOBBY, material::q15::GOLD_METALLIC_PAINT};
-use eigenshade::quantized::NineTerms;
+use eigenshade::quantized::{Material, MaterialBuffer, NineTerms};
 use eigenshade::{
     Disc, DiscPixel, Display, Exposure, IntegerMap, MapPoint, Q15, Rgb, Tone, sphere,
 };
@@ -186,6 +186,15 @@ fn gold() {
     measure(&[(); 16], Passes(64), |()| {
         let pixel = disc.next()?;
         Some(DISPLAY.rgb565(exposure.of(scene.shade(pixel.quantized_normal()))))
+    });
+}
+
+/// The coefficients of a glTF material in color, for a new roughness.
+fn metallic_roughness() {
+    let copper = [Q15(30_474), Q15(17_039), Q15(12_452)];
+    holds(size_of::<Rgb<MaterialBuffer<Q15, 40, 8>>>());
+    measure(&[Q15(9_830), Q15(22_938)], Passes(64), |roughness| {
+        Material::metallic_roughness(black_box(copper), Q15(i16::MAX), *roughness)
     });
 }
 
