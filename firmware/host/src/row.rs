@@ -19,10 +19,10 @@ const RECORD: &str = "counts.csv";
 
 /// Bytes of flash by which two checkouts may differ. Names contain a hash of the path of the sources,
 /// and functions are compiled and linked in the order of names: this changes padding and, in the
-/// largest functions, which numbers stay in registers. Of three checkouts the largest difference was
-/// 100 bytes of 53,268, a 530th.
+/// largest functions, which numbers stay in registers. The largest difference between checkouts was
+/// 100 bytes of 53,268, and between versions that changed other code 84 bytes of 18,500, a 220th.
 fn of_the_path(flash: u64) -> u64 {
-    (flash / 256).max(32)
+    (flash / 128).max(32)
 }
 
 /// The costs of an operation on a board. Empty numbers are not measured.
@@ -217,8 +217,9 @@ pub fn same_as_recorded(rows: &[Row], compilers: &BTreeMap<&str, String>) -> Res
     Err(format!("{}\nif intended, run `firmware/run all --update`", faults.join("\n")))
 }
 
-/// Whether the numbers are the recorded ones: flash to [`of_the_path`], instructions to a 256th,
-/// because a change elsewhere in the crate can move registers and branches, the rest exactly.
+/// Whether the numbers are the recorded ones: flash to [`of_the_path`], instructions to a 256th and
+/// stack to 16 bytes, because a change elsewhere in the crate can move registers and branches, RAM
+/// exactly.
 fn same(row: &Row, record: &Row) -> bool {
     let [instructions, flash, ram, stack] = row.numbers;
     let [instructions_then, flash_then, ram_then, stack_then] = record.numbers;
@@ -229,7 +230,8 @@ fn same(row: &Row, record: &Row) -> bool {
     let moved = instructions_then.unwrap_or_default() / 256;
     near(instructions, instructions_then, moved.max(1))
         && near(flash, flash_then, of_the_path(flash_then.unwrap_or_default()))
-        && [ram, stack] == [ram_then, stack_then]
+        && near(stack, stack_then, 16)
+        && ram == ram_then
 }
 
 #[cfg(test)]
@@ -245,13 +247,13 @@ mod tests {
         let record = row("b,shade,q15,100,2000,50,60");
         assert!(same(&row("b,shade,q15,101,2004,50,60"), &record));
         for other in
-            ["100,2040,50,60", "102,2000,50,60", "100,2000,54,60", "100,2000,50,64", "100,2000,,60"]
+            ["100,2040,50,60", "102,2000,50,60", "100,2000,54,60", "100,2000,50,80", "100,2000,,60"]
         {
             assert!(!same(&row(&format!("b,shade,q15,{other}")), &record), "{other}");
         }
         let large = row("b,relight,f32,,40960,,");
-        assert!(same(&row("b,relight,f32,,41120,,"), &large));
-        assert!(!same(&row("b,relight,f32,,41124,,"), &large));
+        assert!(same(&row("b,relight,f32,,41280,,"), &large));
+        assert!(!same(&row("b,relight,f32,,41284,,"), &large));
     }
 
     #[test]
