@@ -11,7 +11,8 @@ pub mod light {
 
     pub mod environment;
     pub(crate) mod map_exr;
-    pub(crate) mod map_file;
+    pub mod map_file;
+    pub(crate) mod map_picture;
     pub mod projection;
 }
 

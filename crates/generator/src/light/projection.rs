@@ -11,7 +11,7 @@
 //! then rotated to the global frame, which is exact.
 
 use crate::light::environment::EnvironmentMap;
-use crate::light::map_file::extension;
+use crate::light::map_file::{ENDINGS, is_map};
 use eigenshade_index::light;
 use eigenshade_model::database::{Lights, Named};
 use eigenshade_model::error::{Error, Result};
@@ -106,7 +106,7 @@ fn accumulate(sums: &mut [f64], factor: f64, waves: &[f64]) {
 }
 
 /// The maps that `paths` name, each with its name: the file name without extension. A folder stands
-/// for its .exr, .hdr and .pfm files, sorted by name.
+/// for the maps in it, sorted by name.
 ///
 /// # Errors
 ///
@@ -144,14 +144,14 @@ fn maps_in(folder: &Path) -> Result<Vec<PathBuf>> {
     let mut files = Vec::new();
     for entry in fs::read_dir(folder).map_err(fault)? {
         let path = entry.map_err(fault)?.path();
-        if matches!(extension(&path).as_deref(), Some("exr" | "hdr" | "pfm")) && path.is_file() {
+        if is_map(&path) && path.is_file() {
             files.push(path);
         }
     }
     if files.is_empty() {
         return Err(Error::new(
             "there is no map in this folder",
-            "give a folder with .exr, .hdr or .pfm files",
+            format!("give a folder with {ENDINGS} files"),
         )
         .in_file(folder));
     }
