@@ -9,7 +9,10 @@ pub mod png_samples;
 pub mod light {
     //! Captured light: environment maps and their coefficients.
 
+    pub mod cube;
     pub mod environment;
+    pub mod frame;
+    pub mod map;
     pub(crate) mod map_exr;
     pub mod map_file;
     pub(crate) mod map_picture;

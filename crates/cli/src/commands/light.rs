@@ -5,6 +5,7 @@ use clap::{Args, ValueEnum};
 use eigenshade_cli::messages::{print_message, progress_bar};
 use eigenshade_cli::output;
 use eigenshade_generator::light::environment::EnvironmentMap;
+use eigenshade_generator::light::map_file::is_picture;
 use eigenshade_generator::light::projection::{exchanged, named_maps, project};
 use eigenshade_model::database::{Lights, Named};
 use eigenshade_model::error::{Error, Result};
@@ -17,8 +18,9 @@ const DEGREE: usize = 9;
 
 /// Project environment maps onto light coefficients, or convert coefficients
 ///
-/// Writes the CSV `name,l,m,r,g,b` with nine significant digits. Maps are equirectangular and
-/// linear, with row 0 at the top. The share of each map's radiance that is negative is reported on
+/// Writes the CSV `name,l,m,r,g,b` with nine significant digits. Maps are equirectangular, with row
+/// 0 at the top. Pictures (.png, .jpg) are decoded by the curve of sRGB, white to a radiance of 1;
+/// the other kinds are linear. The share of each map's radiance that is negative is reported on
 /// standard error. The file of --out begins with a comment line, `#` and the command.
 ///
 /// A single light CSV in place of maps is converted from the OTHER convention to the one of
@@ -27,7 +29,7 @@ const DEGREE: usize = 9;
 /// error.
 #[derive(Args, Debug)]
 pub struct Light {
-    /// Maps (.exr, .hdr, .pfm), folders of maps, or one light CSV
+    /// Maps (.exr, .hdr, .pfm, .png, .jpg), folders of maps, or one light CSV
     #[arg(value_name = "MAP", required = true)]
     maps: Vec<PathBuf>,
     /// Largest degree l of the coefficients, 0 to 256 [default: 9, or that of the light CSV]
@@ -113,10 +115,16 @@ fn report(name: &str, path: &Path, map: &EnvironmentMap, share: f64) {
             "{name}: {width} x {height}, negative radiance {share:.2e} of the whole"
         ));
     }
-    if !map.is_twice_as_wide_as_high() {
-        let path = path.display();
+    let shown = path.display();
+    if is_picture(path) {
         print_message(format_args!(
-            "warning: {path} is not twice as wide as high; it is read as equirectangular"
+            "warning: {shown} is a picture: what is brighter than white is missing, such as lamps \
+             and the sun; an .hdr or .exr map keeps it"
+        ));
+    }
+    if !map.is_twice_as_wide_as_high() {
+        print_message(format_args!(
+            "warning: {shown} is not twice as wide as high; it is read as equirectangular"
         ));
     }
 }

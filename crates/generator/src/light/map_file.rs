@@ -6,12 +6,13 @@ use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 use image::codecs::hdr::HdrDecoder;
 use image::{ImageDecoder, ImageError};
+use std::fs;
 use std::fs::File;
 use std::io::{BufRead, BufReader, Read};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// The endings of maps' names, as in the messages.
-pub(crate) const ENDINGS: &str = ".exr, .hdr, .pfm, .png or .jpg";
+const ENDINGS: &str = ".exr, .hdr, .pfm, .png or .jpg";
 
 impl EnvironmentMap {
     /// Reads an OpenEXR (`.exr`), Radiance (`.hdr`) or portable float map (`.pfm`), or a picture
@@ -53,8 +54,29 @@ fn decoder(path: &Path) -> Option<Decode> {
 }
 
 /// Whether a file has the ending of a map.
-pub(crate) fn is_map(path: &Path) -> bool {
+fn is_map(path: &Path) -> bool {
     decoder(path).is_some()
+}
+
+/// The maps of a folder, sorted by name.
+pub(crate) fn maps_in(folder: &Path) -> Result<Vec<PathBuf>> {
+    let fault = |error: std::io::Error| Error::io(folder, &error);
+    let mut files = Vec::new();
+    for entry in fs::read_dir(folder).map_err(fault)? {
+        let path = entry.map_err(fault)?.path();
+        if is_map(&path) && path.is_file() {
+            files.push(path);
+        }
+    }
+    if files.is_empty() {
+        return Err(Error::new(
+            "there is no map in this folder",
+            format!("give a folder with {ENDINGS} files"),
+        )
+        .in_file(folder));
+    }
+    files.sort();
+    Ok(files)
 }
 
 /// Whether a file has the ending of a picture, which clips light at white.
