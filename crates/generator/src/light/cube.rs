@@ -134,7 +134,7 @@ impl CubeMap {
 
     /// The texels of a face, in the order of [`FACES`]: unit direction of the center, solid angle
     /// and radiance.
-    pub fn texels(&self, face: usize) -> impl Iterator<Item = ([f64; 3], f64, [f32; 3])> {
+    pub(crate) fn texels(&self, face: usize) -> impl Iterator<Item = ([f64; 3], f64, [f32; 3])> {
         let [middle, right, down] = AXES[face];
         let (column, row, is_upside_down) = self.unfolding.place(face);
         let corner = row * self.size * self.picture.width + column * self.size;
