@@ -137,12 +137,6 @@ pub fn srgb(linear: f64) -> u8 {
     (255.0 * encoded).round() as u8
 }
 
-/// The linear value of an sRGB code in \[0, 1\], IEC 61966-2-1.
-#[must_use]
-pub fn linear(code: f64) -> f64 {
-    if code <= 0.040_45 { code / 12.92 } else { ((code + 0.055) / 1.055).powf(2.4) }
-}
-
 /// Writes an sRGB picture with 8 bits per channel and three channels, or four with opacity.
 ///
 /// # Errors
@@ -171,6 +165,7 @@ pub fn write_png(path: &Path, width: usize, height: usize, bytes: &[u8]) -> Resu
 #[cfg(test)]
 mod tests {
     use super::*;
+    use eigenshade_model::srgb::linear;
 
     #[test]
     fn encodings_are_those_of_the_standard() {

@@ -1,9 +1,11 @@
 //! Each command once: the form of its output.
 
 use crate::PROGRAM;
+use crate::support::files::png;
 use crate::support::{DEGREE, Folder, ORDER, PAIR, SHADED, materials, numbers};
 use crate::support::{repository, rows};
 use crate::tolerances;
+use png::{BitDepth, ColorType};
 use std::fs;
 
 /// b_00^0 of a matte surface measured without error, relative: the square of the fit's
@@ -32,6 +34,22 @@ fn light_projects_maps() {
     let expected = 2.0 * (4.0 * std::f64::consts::PI).sqrt();
     assert!((values[0] - expected).abs() <= tolerances::WRITTEN_DIGITS * expected);
     assert!(found.iter().all(|row| row[0] == "gray"));
+}
+
+/// A white picture is a radiance of 1, and a warning says what a picture lacks.
+#[test]
+fn light_projects_pictures() {
+    let folder = Folder::new();
+    let white = png(8, 4, BitDepth::Eight, ColorType::Grayscale, &[255; 32]);
+    folder.write("white.png", white);
+    let output = folder.run("light white.png --degree 1");
+    assert!(output.status.success());
+    let report = String::from_utf8_lossy(&output.stderr);
+    assert!(report.contains("warning: white.png is a picture"), "{report}");
+    let text = String::from_utf8(output.stdout).unwrap();
+    let values = numbers(&rows(&text, "name,l,m,value"), 1);
+    let expected = (4.0 * std::f64::consts::PI).sqrt();
+    assert!((values[0] - expected).abs() <= tolerances::WRITTEN_DIGITS * expected);
 }
 
 #[test]

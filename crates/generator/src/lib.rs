@@ -9,9 +9,13 @@ pub mod png_samples;
 pub mod light {
     //! Captured light: environment maps and their coefficients.
 
+    pub mod cube;
     pub mod environment;
+    pub mod frame;
+    pub mod map;
     pub(crate) mod map_exr;
-    pub(crate) mod map_file;
+    pub mod map_file;
+    pub(crate) mod map_picture;
     pub mod projection;
 }
 

@@ -147,7 +147,9 @@ pub enum Curve {
     Linear,
     /// The curve of IEC 61966-2-1.
     Srgb,
-    /// Another curve, or a declaration that is not supported; the text describes it.
+    /// That of a color profile, which is not unpacked.
+    Profile,
+    /// Another curve; the text describes it.
     Other(String),
 }
 
@@ -165,7 +167,7 @@ impl Curve {
             (Some(13), _) => Self::Srgb,
             (Some(other), _) => Self::Other(format!("its cICP chunk has the transfer {other}")),
             _ if info.srgb.is_some() => Self::Srgb,
-            _ if has_profile(bytes) => Self::Other("it has a color profile".to_owned()),
+            _ if has_profile(bytes) => Self::Profile,
             (None, Some(gamma)) if gamma.abs_diff(LINEAR_GAMMA) <= 1 => Self::Linear,
             (None, Some(gamma)) if gamma.abs_diff(SRGB_GAMMA) <= 1 => Self::Srgb,
             (None, Some(gamma)) => {

@@ -4,6 +4,7 @@
 use crate::tolerances;
 
 mod files;
+mod pictures;
 
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::light::projection::{exchanged, named_maps, project};

@@ -30,6 +30,8 @@ pub mod error;
 
 pub mod database;
 
+pub mod srgb;
+
 pub mod budget;
 
 pub mod inputs {

@@ -5,6 +5,7 @@ use clap::{Args, ValueEnum};
 use eigenshade_cli::messages::{print_message, progress_bar};
 use eigenshade_cli::output;
 use eigenshade_generator::light::environment::EnvironmentMap;
+use eigenshade_generator::light::map_file::is_picture;
 use eigenshade_generator::light::projection::{exchanged, named_maps, project};
 use eigenshade_model::database::{Lights, Named};
 use eigenshade_model::error::{Error, Result};
@@ -17,8 +18,9 @@ const DEGREE: usize = 9;
 
 /// Project environment maps onto light coefficients, or convert coefficients
 ///
-/// Writes the CSV `name,l,m,r,g,b` with nine significant digits. Maps are equirectangular and
-/// linear, with row 0 at the top. The share of each map's radiance that is negative is reported on
+/// Writes the CSV `name,l,m,r,g,b` with nine significant digits. Maps are equirectangular, with row
+/// 0 at the top. Pictures (.png, .jpg) are decoded by the curve of sRGB, white to a radiance of 1;
+/// the other kinds are linear. The share of each map's radiance that is negative is reported on
 /// standard error. The file of --out begins with a comment line, `#` and the command.
 ///
 /// A single light CSV in place of maps is converted from the OTHER convention to the one of
@@ -27,7 +29,7 @@ const DEGREE: usize = 9;
 /// error.
 #[derive(Args, Debug)]
 pub struct Light {
-    /// Maps (.exr, .hdr, .pfm), folders of maps, or one light CSV
+    /// Maps (.exr, .hdr, .pfm, .png, .jpg), folders of maps, or one light CSV
     #[arg(value_name = "MAP", required = true)]
     maps: Vec<PathBuf>,
     /// Largest degree l of the coefficients, 0 to 256 [default: 9, or that of the light CSV]
@@ -49,17 +51,72 @@ enum Convention {
     Graphics,
 }
 
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Layout {
+    /// One picture, twice as wide as high
+    Equirectangular,
+    /// A cube in one picture of 4 x 3 or 3 x 4 faces: pz in the middle, py above it, px right of it
+    Cross,
+    /// A folder with the faces px, nx, py, ny, pz and nz, seen from inside, as of OpenGL
+    Cube,
+}
+
+impl From<Layout> for map::Layout {
+    fn from(layout: Layout) -> Self {
+        match layout {
+            Layout::Equirectangular => Self::Equirectangular,
+            Layout::Cross => Self::Cross,
+            Layout::Cube => Self::Cube,
+        }
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Frame {
+    /// The middle of the map is -z
+    Eigenshade,
+    /// The middle of the map is +x; of a cube, pz is +z and px is -x
+    Threejs,
+    /// The middle of the map is Blender's +x, right of the camera of the front view
+    Blender,
+    /// The middle of the map is +z
+    Mitsuba,
+    /// The middle of the map is +z
+    Openexr,
+}
+
+impl From<Frame> for frame::Frame {
+    fn from(frame: Frame) -> Self {
+        match frame {
+            Frame::Eigenshade => Self::Eigenshade,
+            Frame::Threejs => Self::ThreeJs,
+            Frame::Blender => Self::Blender,
+            Frame::Mitsuba => Self::Mitsuba,
+            Frame::Openexr => Self::OpenExr,
+        }
+    }
+}
+
 impl Light {
     pub fn run(self, memory: Memory) -> Result<()> {
         let lights = match self.maps.as_slice() {
             [file] if is_csv(file) => {
+                if self.layout.is_some() || self.frame != Frame::Eigenshade {
+                    let what = "a light CSV has neither a layout nor a frame";
+                    let remedy = "leave --layout and --frame out, or give maps";
+                    return Err(Error::new(what, remedy).in_file(file));
+                }
                 output::refuse_collisions(&self.out, [file])?;
                 exchanged(&read_lights(memory.file(file), self.degree)?)
             }
             maps => {
                 let files = files(maps)?;
-                output::refuse_collisions(&self.out, files.iter().map(|(_, path)| path))?;
-                let lights = projected(files, self.degree.unwrap_or(DEGREE), memory)?;
+                let mut inputs = Vec::new();
+                for (_, path) in &files {
+                    inputs.extend(pictures(path)?);
+                }
+                output::refuse_collisions(&self.out, inputs)?;
+                let lights = self.projected(files, memory)?;
                 match self.convention {
                     Convention::Paper => lights,
                     Convention::Graphics => exchanged(&lights),
@@ -72,6 +129,64 @@ impl Light {
             }
             write_lights(&lights, out)
         })
+    }
+
+    /// The lights of the maps, with the digits of the shipped files.
+    fn projected(&self, files: Vec<(String, PathBuf)>, memory: Memory) -> Result<Lights> {
+        let degree = self.degree.unwrap_or(DEGREE);
+        let progress = progress_bar("maps", files.len());
+        let mut entries = Vec::new();
+        for (name, path) in files {
+            let map = Map::read(memory.file(&path), self.layout.map(Into::into))?;
+            progress.suspend(|| self.report(&name, &path, &map));
+            let rgb = coefficients(&map, self.frame.into(), degree)
+                .map_err(|error| error.in_file(&path))?;
+            entries.push(Named { name, rgb });
+            progress.inc(1);
+        }
+        progress.finish_and_clear();
+        Ok(rounded(&Lights { degree, entries }, LIGHT_DIGITS))
+    }
+
+    /// Describes a map that was read, with warnings, on standard error.
+    fn report(&self, name: &str, path: &Path, map: &Map) {
+        let shape = match map {
+            Map::Equirectangular(map) => format!("{} x {}", map.width, map.height),
+            Map::Cube(cube) if path.is_dir() => {
+                format!("a cube of faces of {0} x {0}", cube.size())
+            }
+            Map::Cube(cube) => {
+                let hint = match self.layout {
+                    None => " (else give --layout equirectangular)",
+                    Some(_) => "",
+                };
+                format!("read as a cross of faces of {0} x {0}{hint}", cube.size())
+            }
+        };
+        // The share of a map without negative texels is -0.
+        let share = map.negative_integral().negative_share() + 0.0;
+        if share.is_nan() {
+            print_message(format_args!("{name}: {shape}, black"));
+        } else {
+            print_message(format_args!(
+                "{name}: {shape}, negative radiance {share:.2e} of the whole"
+            ));
+        }
+        let clips = pictures(path).is_ok_and(|files| files.iter().any(|file| is_picture(file)));
+        let path = path.display();
+        if let Map::Equirectangular(map) = map
+            && !map.is_twice_as_wide_as_high()
+        {
+            print_message(format_args!(
+                "warning: {path} is not twice as wide as high; it is read as equirectangular"
+            ));
+        }
+        if clips {
+            print_message(format_args!(
+                "warning: {path} is a PNG or JPEG picture, which clips light at white: lamps and \
+                 the sun are missing, and images are flatter than with an .hdr or .exr map"
+            ));
+        }
     }
 }
 
@@ -88,35 +203,7 @@ fn files(maps: &[PathBuf]) -> Result<Vec<(String, PathBuf)>> {
     named_maps(maps)
 }
 
-/// The lights of the maps, with the digits of the shipped files.
-fn projected(files: Vec<(String, PathBuf)>, degree: usize, memory: Memory) -> Result<Lights> {
-    let progress = progress_bar("maps", files.len());
-    let mut entries = Vec::new();
-    for (name, path) in files {
-        let map = EnvironmentMap::from_path(memory.file(&path))?;
-        let share = map.negative_integral().negative_share();
-        progress.suspend(|| report(&name, &path, &map, share));
-        entries.push(Named { name, rgb: project(&map, degree) });
-        progress.inc(1);
-    }
-    progress.finish_and_clear();
-    Ok(rounded(&Lights { degree, entries }, LIGHT_DIGITS))
-}
-
-fn report(name: &str, path: &Path, map: &EnvironmentMap, share: f64) {
-    // The share of a map without negative texels is -0.
-    let (width, height, share) = (map.width, map.height, share + 0.0);
-    if share.is_nan() {
-        print_message(format_args!("{name}: {width} x {height}, black"));
-    } else {
-        print_message(format_args!(
-            "{name}: {width} x {height}, negative radiance {share:.2e} of the whole"
-        ));
-    }
-    if !map.is_twice_as_wide_as_high() {
-        let path = path.display();
-        print_message(format_args!(
-            "warning: {path} is not twice as wide as high; it is read as equirectangular"
-        ));
-    }
+/// The files of a map: one picture, or the faces of a cube in a folder.
+fn pictures(path: &Path) -> Result<Vec<PathBuf>> {
+    if path.is_dir() { face_files(path) } else { Ok(vec![path.to_owned()]) }
 }

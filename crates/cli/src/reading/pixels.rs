@@ -1,7 +1,7 @@
 //! The pixels of an image: a photograph or rendering as irradiance, which is linear values with a
 //! weight for each pixel, and the normal of each pixel.
 
-use crate::picture::{SphereView, linear};
+use crate::picture::SphereView;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::object::normal_map;
 use eigenshade_generator::png_samples;
@@ -11,6 +11,7 @@ use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::inputs::normals::read_normals;
 use eigenshade_model::inputs::sheet::{Row, Sheet};
+use eigenshade_model::srgb::linear;
 use std::path::Path;
 
 /// Bytes per pixel of a [`LinearImage`] while it is read, including its weight and its normal.
@@ -94,7 +95,11 @@ impl LinearImage {
             (None, Curve::Srgb) => Transfer::Srgb,
             (None, Curve::Undeclared) if png.full == u16::from(u8::MAX) => Transfer::Srgb,
             (None, Curve::Undeclared) => Transfer::Linear,
-            (None, Curve::Other(what)) => {
+            (None, curve @ (Curve::Profile | Curve::Other(_))) => {
+                let what = match curve {
+                    Curve::Other(what) => what,
+                    _ => "it has a color profile",
+                };
                 let what = format!("{what}, which is not a supported transfer function");
                 let remedy = "give --transfer linear or --transfer srgb";
                 return Err(Error::new(what, remedy).in_file(file.path()));

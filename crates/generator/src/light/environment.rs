@@ -152,7 +152,7 @@ pub(crate) fn believable(width: usize, height: usize, bytes: u64) -> Result<usiz
 pub(crate) fn other_type(named: &str) -> Error {
     Error::new(
         format!("it is not a file of type {named}, despite its name"),
-        "check the file, or give it the ending of its type: .exr, .hdr or .pfm",
+        "check the file, or give it the ending of its type: .exr, .hdr, .pfm, .png or .jpg",
     )
 }
 

@@ -1,17 +1,24 @@
-//! Environment maps as files: OpenEXR, Radiance and portable float maps.
+//! Environment maps as files: OpenEXR, Radiance, portable float maps, and pictures.
 
 use crate::light::environment::{BYTES_PER_TEXEL, EnvironmentMap, believable, broken, other_type};
-use crate::light::map_exr;
+use crate::light::{map_exr, map_picture};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 use image::codecs::hdr::HdrDecoder;
 use image::{ImageDecoder, ImageError};
+use std::fs;
 use std::fs::File;
 use std::io::{BufRead, BufReader, Read};
-use std::path::Path;
+use std::path::{Path, PathBuf};
+
+/// The endings of maps' names, as in the messages.
+const ENDINGS: &str = ".exr, .hdr, .pfm, .png or .jpg";
 
 impl EnvironmentMap {
-    /// Reads an OpenEXR (`.exr`), Radiance (`.hdr`) or portable float map (`.pfm`) file.
+    /// Reads an OpenEXR (`.exr`), Radiance (`.hdr`) or portable float map (`.pfm`), or a picture
+    /// (`.png`, `.jpg`, `.jpeg`), whose samples are decoded by the curve of sRGB: white is a
+    /// radiance of 1. A PNG that declares linear samples is read as such. Opacity and color
+    /// profiles are ignored.
     ///
     /// # Errors
     ///
@@ -20,21 +27,62 @@ impl EnvironmentMap {
     pub fn from_path(file: impl Into<InputFile>) -> Result<Self> {
         let file = file.into();
         let path = file.path();
-        let decode = match extension(path).as_deref() {
-            Some("exr") => map_exr::decode,
-            Some("hdr") => decode_hdr,
-            Some("pfm") => decode_pfm,
-            _ => {
-                return Err(Error::new(
-                    "it is not an environment map",
-                    "give a file that ends in .exr, .hdr or .pfm",
-                )
-                .in_file(path));
-            }
-        };
+        let decode = decoder(path).ok_or_else(|| {
+            Error::new(
+                "it is not an environment map",
+                format!("give a file that ends in {ENDINGS}"),
+            )
+            .in_file(path)
+        })?;
         let (mut reader, length) = file.open()?;
         decode(&mut reader, length, &file).map_err(|error| error.in_file(path))
     }
+}
+
+type Decode = fn(&mut BufReader<File>, u64, &InputFile) -> Result<EnvironmentMap>;
+
+/// The decoder for a file of this name.
+fn decoder(path: &Path) -> Option<Decode> {
+    match extension(path)?.as_str() {
+        "exr" => Some(map_exr::decode),
+        "hdr" => Some(decode_hdr),
+        "pfm" => Some(decode_pfm),
+        "png" => Some(map_picture::decode_png),
+        "jpg" | "jpeg" => Some(map_picture::decode_jpeg),
+        _ => None,
+    }
+}
+
+/// Whether a file has the ending of a map.
+fn is_map(path: &Path) -> bool {
+    decoder(path).is_some()
+}
+
+/// The maps of a folder, sorted by name.
+pub(crate) fn maps_in(folder: &Path) -> Result<Vec<PathBuf>> {
+    let fault = |error: std::io::Error| Error::io(folder, &error);
+    let mut files = Vec::new();
+    for entry in fs::read_dir(folder).map_err(fault)? {
+        let path = entry.map_err(fault)?.path();
+        if is_map(&path) && path.is_file() {
+            files.push(path);
+        }
+    }
+    if files.is_empty() {
+        return Err(Error::new(
+            "there is no map in this folder",
+            format!("give a folder with {ENDINGS} files"),
+        )
+        .in_file(folder));
+    }
+    files.sort();
+    Ok(files)
+}
+
+/// Whether a file has the ending of a picture, which clips light at white.
+#[must_use]
+pub fn is_picture(path: &Path) -> bool {
+    matches!(extension(path).as_deref(), Some("png" | "jpg" | "jpeg"))
 }
 
 /// The extension of a file name, in lower case.

@@ -10,13 +10,17 @@
 //! the global z, its y axis is x and its z axis is y; its azimuth is π - t. The coefficients are
 //! then rotated to the global frame, which is exact.
 
+use crate::light::cube::{CubeMap, FACES, are_faces};
 use crate::light::environment::EnvironmentMap;
-use crate::light::map_file::extension;
+use crate::light::frame::Frame;
+use crate::light::map::Map;
+use crate::light::map_file::maps_in;
 use eigenshade_index::light;
 use eigenshade_model::database::{Lights, Named};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::rotation::Rotation;
 use eigenshade_model::special::spherical_harmonic::{self, legendre};
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::collections::HashMap;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::fs;
@@ -54,6 +58,49 @@ pub fn project(map: &EnvironmentMap, degree: usize) -> [Vec<f64>; 3] {
         }
     }
     local.map(|channel| TO_GLOBAL.turn(degree, &channel))
+}
+
+/// L_l^m of a cube up to `degree`, as [`project`].
+///
+/// Time: texels x (degree + 1)² x 4 multiplications.
+#[must_use]
+pub fn project_cube(cube: &CubeMap, degree: usize) -> [Vec<f64>; 3] {
+    let zero = || [0, 1, 2].map(|_| vec![0.0; light::count(degree)]);
+    // Faces are added in their order, whatever the number of threads.
+    let faces: Vec<_> = (0..FACES.len())
+        .into_par_iter()
+        .map(|face| {
+            let mut sums = zero();
+            for (direction, solid_angle, texel) in cube.texels(face) {
+                let harmonics = spherical_harmonic::all(degree, direction);
+                for (sums, value) in sums.iter_mut().zip(texel) {
+                    accumulate(sums, solid_angle * f64::from(value), &harmonics);
+                }
+            }
+            sums
+        })
+        .collect();
+    faces.iter().flatten().enumerate().fold(zero(), |mut rgb, (k, sums)| {
+        accumulate(&mut rgb[k % 3], 1.0, sums);
+        rgb
+    })
+}
+
+/// L_l^m of a map of either layout up to `degree`, in the frame of a program.
+///
+/// # Errors
+///
+/// See [`Frame::turn`].
+pub fn coefficients(map: &Map, frame: Frame, degree: usize) -> Result<[Vec<f64>; 3]> {
+    let turn = frame.turn(map.is_cube())?;
+    let rgb = match map {
+        Map::Equirectangular(map) => project(map, degree),
+        Map::Cube(cube) => project_cube(cube, degree),
+    };
+    if frame == Frame::Eigenshade {
+        return Ok(rgb);
+    }
+    Ok(rgb.map(|channel| turn.turn(degree, &channel)))
 }
 
 /// Φ_m and Φ_-m of the local azimuth for every column of the left half and m = 0..=degree. The
@@ -106,7 +153,8 @@ fn accumulate(sums: &mut [f64], factor: f64, waves: &[f64]) {
 }
 
 /// The maps that `paths` name, each with its name: the file name without extension. A folder stands
-/// for its .exr, .hdr and .pfm files, sorted by name.
+/// for the maps in it, sorted by name; if all of them are named as faces of a cube, see
+/// [`FACES`], it is one map with the folder's name.
 ///
 /// # Errors
 ///
@@ -116,7 +164,8 @@ pub fn named_maps<P: AsRef<Path>>(paths: &[P]) -> Result<Vec<(String, PathBuf)>>
     for path in paths {
         let path = path.as_ref();
         if path.is_dir() {
-            files.extend(maps_in(path)?);
+            let maps = maps_in(path)?;
+            if are_faces(&maps) { files.push(path.to_owned()) } else { files.extend(maps) }
         } else {
             fs::metadata(path).map_err(|error| Error::io(path, &error))?;
             files.push(path.to_owned());
@@ -125,8 +174,7 @@ pub fn named_maps<P: AsRef<Path>>(paths: &[P]) -> Result<Vec<(String, PathBuf)>>
     let mut first_of = HashMap::new();
     let mut named = Vec::new();
     for file in files {
-        let name =
-            file.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+        let name = name(&file);
         if let Some(first) = first_of.insert(name.clone(), file.clone()) {
             return Err(Error::new(
                 format!("`{name}` is also the name of {}", first.display()),
@@ -139,36 +187,26 @@ pub fn named_maps<P: AsRef<Path>>(paths: &[P]) -> Result<Vec<(String, PathBuf)>>
     Ok(named)
 }
 
-fn maps_in(folder: &Path) -> Result<Vec<PathBuf>> {
-    let fault = |error: std::io::Error| Error::io(folder, &error);
-    let mut files = Vec::new();
-    for entry in fs::read_dir(folder).map_err(fault)? {
-        let path = entry.map_err(fault)?.path();
-        if matches!(extension(&path).as_deref(), Some("exr" | "hdr" | "pfm")) && path.is_file() {
-            files.push(path);
-        }
-    }
-    if files.is_empty() {
-        return Err(Error::new(
-            "there is no map in this folder",
-            "give a folder with .exr, .hdr or .pfm files",
-        )
-        .in_file(folder));
-    }
-    files.sort();
-    Ok(files)
+/// The name of a folder, or that of a file without extension.
+fn name(path: &Path) -> String {
+    let whole = path.canonicalize();
+    let name = match &whole {
+        Ok(folder) if folder.is_dir() => folder.file_name(),
+        _ => path.file_stem(),
+    };
+    name.map(|name| name.to_string_lossy().into_owned()).unwrap_or_default()
 }
 
 /// Projects the maps named by `paths`, see [`named_maps`], to lights of the given `degree`.
 ///
 /// # Errors
 ///
-/// The errors of [`named_maps`] and [`EnvironmentMap::from_path`]; also if `paths` is empty.
+/// The errors of [`named_maps`] and [`Map::read`]; also if `paths` is empty.
 pub fn lights_from_paths<P: AsRef<Path>>(paths: &[P], degree: usize) -> Result<Lights> {
     let entries = named_maps(paths)?
         .into_iter()
         .map(|(name, path)| {
-            let rgb = project(&EnvironmentMap::from_path(path)?, degree);
+            let rgb = coefficients(&Map::read(path, None)?, Frame::Eigenshade, degree)?;
             Ok(Named { name, rgb })
         })
         .collect::<Result<Vec<_>>>()?;

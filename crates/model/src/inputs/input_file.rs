@@ -21,10 +21,10 @@ impl InputFile {
     }
 
     /// The same file for a caller that allocates this many additional bytes per pixel while it
-    /// holds the file's data. They count toward the budget.
+    /// holds the file's data. They count toward the budget, as do those of earlier calls.
     #[must_use]
     pub fn with_bytes_beside(mut self, bytes_per_pixel: u64) -> Self {
-        self.beside = bytes_per_pixel;
+        self.beside = self.beside.saturating_add(bytes_per_pixel);
         self
     }
 
@@ -61,7 +61,7 @@ impl InputFile {
     ///
     /// See [`Budget::admit`].
     pub fn admit_pixels(&self, count: u64, each: u64, bytes: u64) -> Result<()> {
-        self.admit(count.saturating_mul(each + self.beside).saturating_add(bytes))
+        self.admit(count.saturating_mul(each.saturating_add(self.beside)).saturating_add(bytes))
     }
 
     /// Opens the file and returns its length.

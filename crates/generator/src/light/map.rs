@@ -1,0 +1,79 @@
+//! A map of either layout, and how it is recognized.
+
+use crate::light::cube::CubeMap;
+use crate::light::environment::{EnvironmentMap, Integrals};
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::input_file::InputFile;
+
+/// How the pixels of a map are spread over the sphere.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Layout {
+    /// One picture, see [`environment`](super::environment).
+    Equirectangular,
+    /// A cube unfolded to a cross, see [`CubeMap::from_cross`].
+    Cross,
+    /// A folder of six faces, see [`CubeMap::from_folder`].
+    Cube,
+}
+
+/// Linear radiance in every direction.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Map {
+    /// One picture.
+    Equirectangular(EnvironmentMap),
+    /// The faces of a cube.
+    Cube(CubeMap),
+}
+
+impl Map {
+    /// Reads a file, or a folder of six faces.
+    ///
+    /// Without a `layout`, a picture with the shape of a cross is a cross, any other one is
+    /// equirectangular, and a folder is a cube.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`EnvironmentMap::from_path`], [`CubeMap::from_cross`] and
+    /// [`CubeMap::from_folder`]; also if the layout does not fit.
+    pub fn read(file: impl Into<InputFile>, layout: Option<Layout>) -> Result<Self> {
+        let file = file.into();
+        let is_folder = file.path().is_dir();
+        match (layout, is_folder) {
+            (None | Some(Layout::Cube), true) => {
+                return CubeMap::from_folder(&file).map(Self::Cube);
+            }
+            (Some(Layout::Equirectangular | Layout::Cross), true) => {
+                let what = "this folder holds the six faces of a cube";
+                let remedy = "give --layout cube, or leave --layout out";
+                return Err(Error::new(what, remedy).in_file(file.path()));
+            }
+            (Some(Layout::Cube), false) => {
+                let what = "a cube is a folder with the maps px, nx, py, ny, pz and nz";
+                let remedy = "give such a folder, or --layout cross for a cross in one picture";
+                return Err(Error::new(what, remedy).in_file(file.path()));
+            }
+            _ => {}
+        }
+        let picture = EnvironmentMap::from_path(file.clone())?;
+        if layout == Some(Layout::Cross) || (layout.is_none() && CubeMap::is_cross(&picture)) {
+            let cube = CubeMap::from_cross(picture).map_err(|error| error.in_file(file.path()))?;
+            return Ok(Self::Cube(cube));
+        }
+        Ok(Self::Equirectangular(picture))
+    }
+
+    /// Whether it is a cube.
+    #[must_use]
+    pub fn is_cube(&self) -> bool {
+        matches!(self, Self::Cube(_))
+    }
+
+    /// The integrals of the map and of its negative texels, with exact solid angles.
+    #[must_use]
+    pub fn negative_integral(&self) -> Integrals {
+        match self {
+            Self::Equirectangular(map) => map.negative_integral(),
+            Self::Cube(cube) => cube.negative_integral(),
+        }
+    }
+}
