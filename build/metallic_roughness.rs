@@ -43,7 +43,8 @@ fn parts(lines: &[Vec<&str>], order: usize) -> Result<[Part; 3], String> {
     let mut parts = [const { Vec::new() }; 3];
     let of_order = |line: &&Vec<&str>| line[0].parse() == Ok(order);
     let rows: Vec<&Vec<&str>> = lines.iter().filter(of_order).collect();
-    if rows.is_empty() || rows.len() % count != 0 || rows.iter().any(|row| row.len() != 8) {
+    if rows.is_empty() || !rows.len().is_multiple_of(count) || rows.iter().any(|row| row.len() != 8)
+    {
         return Err(format!("{PATH}: order {order} lacks lines"));
     }
     for rows in rows.chunks(count) {

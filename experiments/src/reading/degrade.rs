@@ -1,6 +1,7 @@
 //! Camera effects on an image of peak 1: noise, few bits, clipping, hidden parts.
 
 use eigenshade_cli::picture;
+use eigenshade_model::srgb::linear;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
@@ -78,7 +79,7 @@ impl Degradation {
                 Storage::Exact => value,
                 Storage::Bits => (254.0 * value).round().max(0.0) / 254.0,
                 Storage::SrgbBits => {
-                    picture::linear(f64::from(picture::srgb(scale * value)) / 255.0) / scale
+                    linear(f64::from(picture::srgb(scale * value)) / 255.0) / scale
                 }
                 Storage::Clipped | Storage::ClippedAndKept => value.min(clip),
             };
