@@ -3,6 +3,7 @@
 
 use crate::tolerances;
 
+mod cubes;
 mod files;
 mod pictures;
 

@@ -4,9 +4,11 @@ use super::options::{Memory, count};
 use clap::{Args, ValueEnum};
 use eigenshade_cli::messages::{print_message, progress_bar};
 use eigenshade_cli::output;
-use eigenshade_generator::light::environment::EnvironmentMap;
+use eigenshade_generator::light::cube::face_files;
+use eigenshade_generator::light::map::Map;
 use eigenshade_generator::light::map_file::is_picture;
-use eigenshade_generator::light::projection::{exchanged, named_maps, project};
+use eigenshade_generator::light::projection::{coefficients, exchanged, named_maps};
+use eigenshade_generator::light::{frame, map};
 use eigenshade_model::database::{Lights, Named};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, write_lights};
@@ -19,9 +21,10 @@ const DEGREE: usize = 9;
 /// Project environment maps onto light coefficients, or convert coefficients
 ///
 /// Writes the CSV `name,l,m,r,g,b` with nine significant digits. Maps are equirectangular, with row
-/// 0 at the top. Pictures (.png, .jpg) are decoded by the curve of sRGB, white to a radiance of 1;
-/// the other kinds are linear. The share of each map's radiance that is negative is reported on
-/// standard error. The file of --out begins with a comment line, `#` and the command.
+/// 0 at the top, or cubes. The middle of a map, or the face pz, is -z, in front of the camera.
+/// Pictures (.png, .jpg) are decoded by the curve of sRGB, white to a radiance of 1, without their
+/// opacity; the other kinds are linear. The share of each map's radiance that is negative is
+/// reported on standard error. The file of --out begins with a comment line, `#` and the command.
 ///
 /// A single light CSV in place of maps is converted from the OTHER convention to the one of
 /// --convention: `light graphics.csv --convention paper` reads coefficients in the graphics
@@ -32,6 +35,14 @@ pub struct Light {
     /// Maps (.exr, .hdr, .pfm, .png, .jpg), folders of maps, or one light CSV
     #[arg(value_name = "MAP", required = true)]
     maps: Vec<PathBuf>,
+    /// Layout of the maps [default: `cube` for a folder of only px, nx, py, ny, pz and nz, `cross`
+    /// for a picture of 4:3 or 3:4 with square faces, else `equirectangular`]
+    #[arg(long, value_enum)]
+    layout: Option<Layout>,
+    /// Program that places the maps: the light is that of the map there, for a camera that looks
+    /// along -z with y up. Cubes are placed by `eigenshade` and `threejs` only
+    #[arg(long, value_enum, default_value_t = Frame::Eigenshade)]
+    frame: Frame,
     /// Largest degree l of the coefficients, 0 to 256 [default: 9, or that of the light CSV]
     #[arg(long, value_name = "L", value_parser = count(0, 256))]
     degree: Option<usize>,

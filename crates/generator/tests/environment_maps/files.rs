@@ -154,7 +154,7 @@ fn refusal(path: &Path) -> String {
 }
 
 #[track_caller]
-fn assert_starts(text: &str, start: &str) {
+pub fn assert_starts(text: &str, start: &str) {
     assert!(text.starts_with(start), "`{text}` is not `{start}...`");
     assert!(text.contains("; "), "a remedy in `{text}`");
 }
