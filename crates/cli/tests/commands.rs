@@ -45,7 +45,7 @@ fn light_projects_pictures() {
     let output = folder.run("light white.png --degree 1");
     assert!(output.status.success());
     let report = String::from_utf8_lossy(&output.stderr);
-    assert!(report.contains("warning: white.png is a picture"), "{report}");
+    assert!(report.contains("warning: white.png is a PNG"), "{report}");
     let text = String::from_utf8(output.stdout).unwrap();
     let values = numbers(&rows(&text, "name,l,m,value"), 1);
     let expected = (4.0 * std::f64::consts::PI).sqrt();
