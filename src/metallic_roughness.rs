@@ -48,13 +48,13 @@ impl Material<'_, f32> {
     ///
     /// ```
     /// # #[cfg(feature = "baked")] {
-    /// use eigenshade::presets::light::PARK;
+    /// use eigenshade::presets::light::LOBBY;
     /// use eigenshade::{Material, Normal, sphere};
     ///
     /// let copper = Material::metallic_roughness([0.93, 0.52, 0.38], 1.0, 0.4)?;
-    /// let scene = sphere::color::scene(PARK, copper.materials()?)?;
-    /// let color = scene.shade(Normal::new(0.0, 0.6, 0.8)?);
-    /// assert!(color.r > color.b);
+    /// let scene = sphere::color::scene(LOBBY, copper.materials()?)?;
+    /// let color = scene.shade(Normal::new(0.0, 0.0, 1.0)?);
+    /// assert!(color.r > color.g && color.g > color.b);
     /// # }
     /// # Ok::<(), eigenshade::Error>(())
     /// ```
