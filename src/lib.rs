@@ -102,9 +102,9 @@ mod transfer;
 
 mod relight;
 
-mod nine_terms;
-
 mod scene;
+
+mod nine_terms;
 
 mod shade;
 
