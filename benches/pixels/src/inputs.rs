@@ -146,7 +146,7 @@ impl CallInputs {
                 let (d, tolerance) = (black_box(&self.darker), Tolerance::OfPeak(1e-2));
                 let found =
                     sphere::BASIS.collapse_within(d, tolerance, &mut lengths, &mut room[..]);
-                let _ = black_box(found.map(|(_, told)| told));
+                let _ = black_box(found.map(|(_, report)| report));
             }
             3 => drop(black_box(sphere::transfer(&material()))),
             _ => drop(black_box(sphere::project(&light(), &material()))),

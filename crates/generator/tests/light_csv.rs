@@ -305,7 +305,7 @@ fn output_keeps_links_devices_and_plain_rights() {
     assert!(fs::metadata(null).unwrap().file_type().is_char_device());
 }
 
-/// A text that is in no file reads as the file would, and faults name it as they are told.
+/// Text that is in no file is read like a file, and errors name it as the caller does.
 #[test]
 fn texts_read_as_files() {
     let lights = parse_lights("name,l,m,value\na,0,0,2.5\n", "there.csv", None).unwrap();

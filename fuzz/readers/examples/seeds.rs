@@ -17,7 +17,7 @@ const SCENE: &str = "[geometry]\nnormals = \"sphere\"\n[light]\ndegree = 1\ndata
 fn main() {
     let floats: Vec<u8> = (0..24u8).flat_map(|k| f32::from(k).to_le_bytes()).collect();
     put("pfm", "rgb", [b"PF\n4 2\n-1.0\n", &floats[..]].concat());
-    put("pfm", "grey", [b"Pf\n4 2\n-1.0\n", &floats[..32]].concat());
+    put("pfm", "gray", [b"Pf\n4 2\n-1.0\n", &floats[..32]].concat());
     let radiance =
         |width: usize| format!("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X {width}\n");
     put("hdr", "flat", [radiance(4).as_bytes(), &[128, 64, 32, 129].repeat(4)].concat());
@@ -39,7 +39,7 @@ fn main() {
     for (name, color, depth, bytes) in [
         ("rgb8", ColorType::Rgb, BitDepth::Eight, 24),
         ("rgb16", ColorType::Rgb, BitDepth::Sixteen, 48),
-        ("grey8", ColorType::Grayscale, BitDepth::Eight, 8),
+        ("gray8", ColorType::Grayscale, BitDepth::Eight, 8),
         ("rgba8", ColorType::Rgba, BitDepth::Eight, 32),
     ] {
         let mut file = Vec::new();
@@ -55,7 +55,7 @@ fn main() {
     lists();
     let header: Vec<u8> = [90i32, 90, 180].into_iter().flat_map(i32::to_le_bytes).collect();
     put("merl", "header", [&[0][..], &header].concat());
-    put("merl", "grey", [&[1][..], &header, &30f64.to_le_bytes()].concat());
+    put("merl", "gray", [&[1][..], &header, &30f64.to_le_bytes()].concat());
     for (name, text) in [
         ("sphere", "cos(a)"),
         ("number", "1.5e-3"),
