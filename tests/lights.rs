@@ -3,7 +3,7 @@
 
 use crate::{oracle, tolerances};
 use eigenshade::mathematics::{Libm, SinglePrecision, Tabled};
-use eigenshade::{Error, Light, NegativePolicy, Rotation, Scalar, Window};
+use eigenshade::{Argument, Error, Light, NegativePolicy, Rotation, Scalar, Window};
 use oracle::{ExplicitLight, Numbers};
 use std::f64::consts::PI;
 
@@ -81,6 +81,8 @@ fn turned_light_is_the_generators() {
         (0, 0.0),
         (1, tolerances::SPECIAL_LOW),
         (9, tolerances::SPECIAL_LOW),
+        (12, tolerances::SPECIAL_LOW),
+        (13, tolerances::SPECIAL_HIGH),
         (32, tolerances::SPECIAL_HIGH),
     ] {
         let light = noise(degree, &mut numbers);
@@ -211,13 +213,20 @@ fn what_is_no_rotation_is_an_error() {
     }
     let light = [0.5f32; 16];
     let light = Light::new(&light).expect("16 coefficients");
-    const ROOM: usize = Light::<f32>::turn_len(3);
-    assert!(light.turned::<16, ROOM>(&Rotation::NONE).is_ok());
-    assert!(matches!(light.turned::<15, ROOM>(&Rotation::NONE), Err(Error::Capacity { .. })));
-    assert!(matches!(light.turned::<16, 10>(&Rotation::NONE), Err(Error::Capacity { .. })));
-    let (mut few, mut room) = ([0.0; 9], [0.0; ROOM]);
-    let error = light.turn_into::<Libm>(&Rotation::NONE, &mut room, &mut few);
+    assert!(light.turned::<16>(&Rotation::NONE).is_ok());
+    assert!(matches!(light.turned::<15>(&Rotation::NONE), Err(Error::Capacity { .. })));
+    let mut few = [0.0; 9];
+    let error = light.turn_into::<Libm>(&Rotation::NONE, &mut [], &mut few);
     assert!(matches!(error, Err(Error::Length { expected: 16, found: 9, .. })));
+    // From degree 13 on there has to be a workspace.
+    let numbers = [0.5f32; 196];
+    let light = Light::new(&numbers).expect("196 coefficients");
+    let needed = Light::<f32>::turn_len(13);
+    let error = Error::Capacity { argument: Argument::Workspace, needed, capacity: 0 };
+    assert_eq!(light.turned::<196>(&Rotation::NONE), Err(error));
+    let (mut room, mut turned) = (vec![0.0; needed - 1], [0.0; 196]);
+    let error = light.turn_into::<Libm>(&Rotation::NONE, &mut room, &mut turned);
+    assert!(matches!(error, Err(Error::Length { argument: Argument::Workspace, .. })));
 }
 
 /// Of every length a rotation or an error: the reciprocal of a square below the smallest normal
@@ -251,7 +260,8 @@ fn quaternions_of_any_length_are_rotations_or_errors() {
 /// Sizes that overflow count as the largest, and no buffer is as large.
 #[test]
 fn room_for_turning_a_light_of_any_degree_is_no_panic() {
-    assert_eq!(Light::<f32>::turn_len(9), 2 * 19 * 19 + 2 * 19 + 10);
+    assert_eq!(Light::<f32>::turn_len(12), 0);
+    assert_eq!(Light::<f32>::turn_len(13), 2 * 27 * 27 + 2 * 27 + 14);
     assert_eq!(Light::<f32>::turn_len(1 << (usize::BITS / 2)), usize::MAX);
     assert_eq!(Light::<f32>::turn_len(usize::MAX), usize::MAX);
 }
