@@ -37,25 +37,32 @@ impl<S: Scalar> Rotation<S> {
         let flips = zz < S::ZERO;
         let [xx, yx, xz, yz, zz] =
             if flips { [-xx, -yx, -xz, -yz, -zz] } else { [xx, yx, xz, yz, zz] };
-        // The upper left block is 1 + cos b times the rotation by γ, but for a symmetric part of
-        // trace zero.
-        let scale = (S::ONE + zz).reciprocal();
-        let twist = [(xx + yy) * scale, (yx - xy) * scale];
-        // The swing moves the view axis to this column. Its square is a normal number, or it is
-        // moved by less than the rounding of any coefficient.
+        // The upper left block is 1 + cos b times the rotation by γ, plus a symmetric part of trace
+        // zero.
+        let ([cosine, of_cosine], [sine, of_sine]) = (sum(xx, yy), sum(yx, -xy));
+        let twist = Angle::new([cosine, sine], [of_cosine, of_sine], (S::ONE + zz).reciprocal());
+        // The swing moves the view axis to (xz, yz, zz). Below 1e-18 it changes no coefficient.
         let square = xz * xz + yz * yz;
-        let (axis, sine) = if square > S::from_f64(1e-37) {
-            let inverse = M::inverse_root(square);
-            ([xz * inverse, yz * inverse], square * inverse)
-        } else {
-            ([S::ONE, S::ZERO], S::ZERO)
+        let (inverse, column) = match square > S::from_f64(1e-36) {
+            true => (M::inverse_root(square), [xz, yz]),
+            false => (S::ONE, [S::ONE, S::ZERO]),
         };
-        let [twist, swing] = match is_inverse {
-            false => [twist, [zz, -sine]],
-            true => [[twist[0], -twist[1]], [zz, sine]],
-        };
-        let [twist, axis, swing] = [twist, axis, swing].map(multiples);
-        Turn { flips, is_inverse, twist, axis, swing }
+        let axis = Angle::new(column, [S::ZERO; 2], inverse);
+        let sine = square * inverse;
+        // Twice the sine times what it lacks.
+        let [x, y] = if xz * xz > yz * yz { [xz, yz] } else { [yz, xz] };
+        let error = (x * x - sine * sine + y * y)
+            + (residual(x, x) + residual(y, y) - residual(sine, sine));
+        let swing = Angle::new([zz, sine], [S::ZERO, S::from_f64(0.5) * error * inverse], S::ONE);
+        let sign = if is_inverse { -S::ONE } else { S::ONE };
+        Turn {
+            flips,
+            is_inverse,
+            is_small: zz > S::from_f64(0.99),
+            twist: twist.multiples(sign),
+            axis: axis.multiples(S::ONE),
+            swing: swing.multiples(-sign),
+        }
     }
 
     /// Either this rotation or its inverse, chosen the same way for both, and whether it is the
@@ -70,21 +77,57 @@ impl<S: Scalar> Rotation<S> {
     }
 }
 
-/// The multiples of an angle, by the product of (1 + x) and (1 + y) less 1.
-fn multiples<S: Scalar>([c, s]: [S; 2]) -> Multiples<S> {
-    let first = unit([c - S::ONE, s]);
-    let [a, b] = first;
-    let mut next = first;
-    core::array::from_fn(|_: usize| {
-        let [c, s] = next;
-        next = unit([a + c + (a * c - b * s), b + s + (a * s + b * c)]);
-        [c, s]
-    })
+/// An angle as its cosine and sine, rounded, and what they lack of it.
+#[derive(Clone, Copy)]
+struct Angle<S> {
+    rounded: [S; 2],
+    rest: S,
 }
 
-/// Makes 1 + c + is a number of absolute value 1, by a step of Newton's method.
-fn unit<S: Scalar>([c, s]: [S; 2]) -> [S; 2] {
-    let excess = c * (c + S::from_whole(2)) + s * s;
+impl<S: Scalar> Angle<S> {
+    /// The angle of (x, y), to more than the precision of the format: multiples amplify its error.
+    /// x and y are sums of two numbers, the second of which are roundings. Times `scale` the length
+    /// is nearly 1.
+    fn new([x, y]: [S; 2], [dx, dy]: [S; 2], scale: S) -> Self {
+        let rounded @ [c, s] = [x * scale, y * scale];
+        let turned = (y * c - x * s) + (residual(y, c) - residual(x, s)) + (dy * c - dx * s);
+        Self { rounded, rest: turned * scale }
+    }
+
+    /// The multiples of this angle or of its negative.
+    fn multiples(self, sign: S) -> Multiples<S> {
+        let Self { rounded: first, rest } = self;
+        let ([mut c, mut s], mut small) = (first, rest);
+        core::array::from_fn(|_: usize| {
+            let [re, im] = unit([c - S::ONE - small * s, s + small * c]);
+            [c, s] = [c * first[0] - s * first[1], s * first[0] + c * first[1]];
+            small += rest;
+            [re, sign * im]
+        })
+    }
+}
+
+/// Makes 1 + x + iy a number of absolute value 1, by a step of Newton's method.
+fn unit<S: Scalar>([x, y]: [S; 2]) -> [S; 2] {
+    let excess = x * (x + S::from_whole(2)) + y * y;
     let half = S::from_f64(0.5) * excess;
-    [c - (S::ONE + c) * half, s - s * half]
+    [x - (S::ONE + x) * half, y - y * half]
+}
+
+/// a + b, rounded, and the rounding.
+fn sum<S: Scalar>(a: S, b: S) -> [S; 2] {
+    let sum = a + b;
+    let of_b = sum - a;
+    [sum, (a - (sum - of_b)) + (b - of_b)]
+}
+
+/// What the rounded product of a and b lacks of a b, by the method of Dekker for f32.
+fn residual<S: Scalar>(a: S, b: S) -> S {
+    let split = |number: S| {
+        let shifted = S::from_whole(4097) * number;
+        let high = shifted - (shifted - number);
+        [high, number - high]
+    };
+    let ([a1, a0], [b1, b0]) = (split(a), split(b));
+    ((a1 * b1 - a * b) + a1 * b0 + a0 * b1) + a0 * b0
 }
