@@ -96,6 +96,7 @@ impl<F: Copy + Neg<Output = F>> Turn<F> {
     }
 
     /// The half turn about y, if there is one.
+    #[inline(never)]
     fn flip<A: Arithmetic, const C: usize>(&self, l: usize, light: &mut Degree<A, C>) {
         if self.flips {
             let changed = if l.is_multiple_of(2) { &mut light.sines } else { &mut light.cosines };
@@ -111,7 +112,7 @@ impl<A: Arithmetic, const C: usize> Degree<A, C> {
     }
 
     /// Takes in one channel's coefficients, of orders -l to l.
-    #[inline(always)]
+    #[inline(never)]
     pub(crate) fn load<T: Copy>(
         &mut self,
         channel: usize,
@@ -129,7 +130,7 @@ impl<A: Arithmetic, const C: usize> Degree<A, C> {
     }
 
     /// Writes one channel's coefficients. They are then not those of a light any more.
-    #[inline(always)]
+    #[inline(never)]
     pub(crate) fn store<T>(
         &mut self,
         channel: usize,
@@ -148,6 +149,7 @@ impl<A: Arithmetic, const C: usize> Degree<A, C> {
     }
 
     /// The phase of the cosines; that of the sines is -1.
+    #[inline(never)]
     fn negate_odd(&mut self, channel: usize, l: usize) {
         for odd in part_mut(&mut self.cosines, ..=l).iter_mut().skip(1).step_by(2) {
             odd.get_mut(channel).into_iter().for_each(|x| *x = -*x);
@@ -161,6 +163,7 @@ impl<A: Arithmetic, const C: usize> Degree<A, C> {
     }
 
     /// A rotation about z.
+    #[inline(never)]
     fn twist(&mut self, l: usize, multiples: &Multiples<A::Factor>, is_back: bool) {
         for ((cosines, sines), &[c, s]) in self.pairs(l).zip(multiples) {
             let factor = [c, if is_back { -s } else { s }];
@@ -172,6 +175,7 @@ impl<A: Arithmetic, const C: usize> Degree<A, C> {
     }
 
     /// What a rotation about z changes.
+    #[inline(never)]
     fn change(&mut self, l: usize, multiples: &Multiples<A::Factor>) {
         let [zero, ..] = &mut self.cosines;
         *zero = [A::Number::default(); C];
@@ -183,6 +187,7 @@ impl<A: Arithmetic, const C: usize> Degree<A, C> {
     }
 
     /// The sum of both.
+    #[inline(never)]
     fn add(&mut self, l: usize, other: &Self) {
         for (to, from) in [(&mut self.cosines, &other.cosines), (&mut self.sines, &other.sines)] {
             let (to, from) = (part_mut(to, ..=l).as_flattened_mut(), part(from, ..=l));
@@ -191,6 +196,7 @@ impl<A: Arithmetic, const C: usize> Degree<A, C> {
     }
 
     /// The exchange of y and z.
+    #[inline(never)]
     fn exchange(&self, l: usize, mut matrix: &[A::Element], to: &mut Self) {
         let (even, odd) = (l / 2, l.div_ceil(2));
         let (c_even, c_odd) = (&self.cosines[..], part(&self.cosines, 1..));

@@ -88,6 +88,7 @@ impl<S: Scalar> Angle<S> {
     /// The angle of (x, y), to more than the precision of the format: multiples amplify its error.
     /// x and y are sums of two numbers, the second of which are roundings. Times `scale` the length
     /// is nearly 1.
+    #[inline(never)]
     fn new([x, y]: [S; 2], [dx, dy]: [S; 2], scale: S) -> Self {
         let rounded @ [c, s] = [x * scale, y * scale];
         let turned = (y * c - x * s) + (residual(y, c) - residual(x, s)) + (dy * c - dx * s);
@@ -95,6 +96,7 @@ impl<S: Scalar> Angle<S> {
     }
 
     /// The multiples of this angle or of its negative.
+    #[inline(never)]
     fn multiples(self, sign: S) -> Multiples<S> {
         let Self { rounded: first, rest } = self;
         let ([mut c, mut s], mut small) = (first, rest);

@@ -62,12 +62,19 @@ impl<S: Scalar> Light<'_, S> {
         };
         let mut multiple = angle;
         means(degree, from, turned);
-        // Literals, so that each loop has a constant length.
+        // Literals: the compiler would keep the longest loops, and addresses with them.
         macro_rules! orders {
             ($($m:literal)*) => {
                 $(if $m <= degree {
-                    order($m, degree, multiple, from, turned);
+                    degrees!($m: 0 1 2 3 4 5 6 7 8 9 10 11);
                     multiple = product(multiple, angle);
+                })*
+            };
+        }
+        macro_rules! degrees {
+            ($m:literal: $($above:literal)*) => {
+                $(if $m + $above <= degree {
+                    pair($m, $m + $above, multiple, from, turned);
                 })*
             };
         }
@@ -119,20 +126,22 @@ fn means<S: Scalar>(degree: usize, from: &[S], turned: &mut [S]) {
 
 /// Turns the pairs of order m by this multiple of the angle.
 #[inline(always)]
-fn order<S: Scalar>(m: usize, degree: usize, [c, s]: [S; 2], from: &[S], turned: &mut [S]) {
+fn order<S: Scalar>(m: usize, degree: usize, multiple: [S; 2], from: &[S], turned: &mut [S]) {
+    (m..=degree).for_each(|l| pair(m, l, multiple, from, turned));
+}
+
+/// Turns the orders -m and m of degree l.
+#[inline(always)]
+fn pair<S: Scalar>(m: usize, l: usize, [c, s]: [S; 2], from: &[S], turned: &mut [S]) {
     // The harmonics of odd m > 0 have the sign -1.
     let s = if m.is_multiple_of(2) { s } else { -s };
-    // The orders -m and m of degree l stand 2m apart, the next pair 2l + 2 further.
-    let mut place = light::position(m, -m.cast_signed());
-    for l in m..=degree {
-        let pair = place..=place + 2 * m;
-        if let (Some(&[minus, .., plus]), Some([to_minus, .., to_plus])) =
-            (from.get(pair.clone()), turned.get_mut(pair))
-        {
-            *to_minus = minus * c - plus * s;
-            *to_plus = plus * c + minus * s;
-        }
-        place += 2 * l + 2;
+    let first = light::position(l, -m.cast_signed());
+    let pair = first..=first + 2 * m;
+    if let (Some(&[minus, .., plus]), Some([to_minus, .., to_plus])) =
+        (from.get(pair.clone()), turned.get_mut(pair))
+    {
+        *to_minus = minus * c - plus * s;
+        *to_plus = plus * c + minus * s;
     }
 }
 
