@@ -39,6 +39,8 @@ pub(crate) struct Turn<F> {
     pub flips: bool,
     /// Whether this is the inverse: the swing, then the twist, then the half turn.
     pub is_inverse: bool,
+    /// Whether there is a swing.
+    pub swings: bool,
     /// Whether the swing's angle is small. Then what it changes is computed and added.
     pub is_small: bool,
     /// γ.
@@ -74,20 +76,22 @@ impl<F: Copy + Neg<Output = F>> Turn<F> {
             self.flip(l, light);
             light.twist(l, &self.twist, false);
         }
-        (swung.cosines, swung.sines) = (light.cosines, light.sines);
-        swung.twist(l, &self.axis, true);
-        swung.exchange(l, matrix, exchanged);
-        if self.is_small {
-            exchanged.change(l, &self.swing);
-        } else {
-            exchanged.twist(l, &self.swing, false);
-        }
-        exchanged.exchange(l, matrix, swung);
-        swung.twist(l, &self.axis, false);
-        if self.is_small {
-            light.add(l, swung);
-        } else {
-            (light.cosines, light.sines) = (swung.cosines, swung.sines);
+        if self.swings {
+            (swung.cosines, swung.sines) = (light.cosines, light.sines);
+            swung.twist(l, &self.axis, true);
+            swung.exchange(l, matrix, exchanged);
+            if self.is_small {
+                exchanged.change(l, &self.swing);
+            } else {
+                exchanged.twist(l, &self.swing, false);
+            }
+            exchanged.exchange(l, matrix, swung);
+            swung.twist(l, &self.axis, false);
+            if self.is_small {
+                light.add(l, swung);
+            } else {
+                (light.cosines, light.sines) = (swung.cosines, swung.sines);
+            }
         }
         if self.is_inverse {
             light.twist(l, &self.twist, false);

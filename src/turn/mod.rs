@@ -6,7 +6,8 @@ mod recursion;
 mod swing_twist;
 mod view;
 
-use degree::{Degree, Turn};
+pub(crate) use degree::{Arithmetic, Degree, Multiples, Turn};
+pub(crate) use exchange::LARGEST;
 
 use crate::buffer::zeros;
 use crate::color::Rgb;
@@ -16,7 +17,6 @@ use crate::light::{Light, LightBuffer};
 use crate::mathematics::{Libm, Mathematics};
 use crate::rotation::Rotation;
 use crate::scalar::Scalar;
-use exchange::LARGEST;
 use swing_twist::Floats;
 
 impl<S: Scalar> Light<'_, S> {

@@ -58,6 +58,7 @@ impl<S: Scalar> Rotation<S> {
         Turn {
             flips,
             is_inverse,
+            swings: sine > S::ZERO,
             is_small: zz > S::from_f64(0.99),
             twist: twist.multiples(sign),
             axis: axis.multiples(S::ONE),

@@ -6,9 +6,9 @@
 use board::{Passes, holds, measure};
 use core::hint::black_box;
 use eigenshade::presets::{light::q15::LOBBY, material::q15::GOLD_METALLIC_PAINT};
-use eigenshade::quantized::{Material, MaterialBuffer, NineTerms};
+use eigenshade::quantized::{Material, MaterialBuffer, NineTerms, Rotation};
 use eigenshade::{
-    Disc, DiscPixel, Display, Exposure, IntegerMap, MapPoint, Q15, Rgb, Tone, sphere,
+    Disc, DiscPixel, Display, Error, Exposure, IntegerMap, MapPoint, Q15, Rgb, Tone, sphere,
 };
 use programs::inputs::integers as inputs;
 use table::{BASIS, COMPONENTS, Coefficients, ORDER, SCENE, Scene, Transfer};
@@ -208,4 +208,20 @@ fn gold_light() {
     measure(&[LOBBY], Passes(16), |light| {
         sphere::q15::color::relight_into(&transfer, *light, black_box(&mut scene)).is_ok()
     });
+}
+
+/// A rotation of a light in color about any axis.
+fn turn() {
+    turn_by(Rotation::from_quaternion(black_box([1, 2, 3, 10])));
+}
+
+/// A rotation of a light in color about the view axis.
+fn turn_view() {
+    turn_by(Rotation::about_view(black_box(3), black_box(4)));
+}
+
+fn turn_by(rotation: Result<Rotation, Error>) {
+    let Ok(rotation) = rotation else { board::exit(false) };
+    holds(size_of_val(&rotation));
+    measure(&[LOBBY], Passes(16), |light| light.turned::<100>(&rotation));
 }
