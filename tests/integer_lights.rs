@@ -200,7 +200,7 @@ fn what_cannot_be_turned_is_an_error() {
     assert!(of_exponent(124).turned::<100>(&quarter).is_ok());
     assert_eq!(of_exponent(128).turned::<100>(&quarter), Err(Error::Exponent));
     let zeros = [Q15(0); 100];
-    let turned = Light::new(128, &zeros).and_then(|light| light.turned::<100>(&none));
+    let turned = Light::new(128, &zeros).and_then(|light| light.turned::<100>(&quarter));
     assert_eq!(turned.and_then(|turned| Ok(turned.light()?.exponent())), Ok(-96 - 15));
 }
 

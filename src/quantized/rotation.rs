@@ -3,7 +3,7 @@
 use super::inputs::decoded;
 use crate::error::Error;
 use crate::format::{FixedPoint, Wide};
-use crate::turn::{Multiples, Turn};
+use crate::turn::{LARGEST, Multiples, Turn};
 
 /// A rotation of light in integers: light that came from ω comes from Rω afterward.
 ///
@@ -96,17 +96,22 @@ impl Rotation {
     }
 
     /// The multiples of the angles, for mantissas of this format.
-    pub(super) fn turn<Q: FixedPoint>(&self) -> Turn<i32> {
+    pub(super) fn turn<Q: FixedPoint>(&self, degree: usize) -> Turn<i32> {
         let [cosine, sine] = self.swing;
-        Turn {
+        let mut turn = Turn {
             flips: self.flips,
             is_inverse: false,
             swings: sine != 0,
             is_small: cosine > ONE - ONE / 100,
-            twist: multiples::<Q>(self.twist),
-            axis: multiples::<Q>(self.axis),
-            swing: multiples::<Q>([cosine, -sine]),
+            twist: multiples::<Q>(self.twist, degree),
+            axis: [[0; 2]; LARGEST],
+            swing: [[0; 2]; LARGEST],
+        };
+        if turn.swings {
+            turn.axis = multiples::<Q>(self.axis, degree);
+            turn.swing = multiples::<Q>([cosine, -sine], degree);
         }
+        turn
     }
 }
 
@@ -130,15 +135,17 @@ fn root(square: i64) -> i64 {
     square.unsigned_abs().isqrt().cast_signed()
 }
 
-/// exp(imα) - 1, as fractions of 2^(BITS - 1).
-fn multiples<Q: FixedPoint>(first: [i32; 2]) -> Multiples<i32> {
+/// exp(imα) - 1 up to the degree, as fractions of 2^(BITS - 1).
+#[inline(never)]
+fn multiples<Q: FixedPoint>(first: [i32; 2], degree: usize) -> Multiples<i32> {
     let [cosine, sine] = first.map(i64::from);
     let [mut c, mut s] = [cosine, sine];
     let rounded = |sum: i64| ((sum + (1 << 29)) >> 30).clamp(-i64::from(ONE), i64::from(ONE));
     let by = Q::BITS.cast_signed() - 31;
-    core::array::from_fn(|_: usize| {
-        let multiple = [c - i64::from(ONE), s].map(|number| number.shifted(by) as i32);
+    let mut multiples = [[0; 2]; LARGEST];
+    for multiple in multiples.iter_mut().take(degree) {
+        *multiple = [c - i64::from(ONE), s].map(|number| number.shifted(by) as i32);
         [c, s] = [rounded(c * cosine - s * sine), rounded(s * cosine + c * sine)];
-        multiple
-    })
+    }
+    multiples
 }

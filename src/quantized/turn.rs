@@ -7,8 +7,8 @@ use crate::color::Rgb;
 use crate::error::{Argument, Error};
 use crate::format::{FixedPoint, Wide as _};
 use crate::index::light;
-use crate::invariant::part_mut;
-use crate::turn::{Arithmetic, Degree, LARGEST};
+use crate::invariant::{part_mut, split, split_mut};
+use crate::turn::{Arithmetic, Degree, LARGEST, Multiples};
 use core::marker::PhantomData;
 
 /// The coefficients of a modified light, in a buffer of fixed capacity.
@@ -43,7 +43,7 @@ impl<Q, const N: usize> Rgb<LightBuffer<Q, N>> {
 
 impl<Q: FixedPoint> Light<'_, Q> {
     /// This light after rotation, to degree 12: L'(Rω) = L(ω). The result has an exponent of its
-    /// own, so that its largest mantissa uses all bits and none saturates.
+    /// own, so that no mantissa wraps or saturates.
     ///
     /// A coefficient of degree l is off by at most half a unit of the result's mantissas and, in
     /// [`Q15`](crate::Q15), 2^-12 of the root of the energy of its degree; 2^-25 in
@@ -127,9 +127,15 @@ fn turned<Q: FixedPoint, const C: usize, const N: usize>(
             *to = mean;
         }
     }
-    let (rotation, mut elements) = (rotation.turn::<Q>(), Q::EXCHANGE);
-    let mut numbers = [(); 3].map(|()| Degree::<Integers<Q>, C>::new());
     let degree = lights.iter().map(|light| light.degree).max().unwrap_or_default();
+    let (rotation, mut elements) = (rotation.turn::<Q>(degree), Q::EXCHANGE);
+    if Q::BITS < 30 && !rotation.swings && !rotation.flips {
+        for (to, light) in turned.iter_mut().zip(&lights) {
+            to.exponent = about_view(light, &rotation.twist, &mut to.mantissas)?;
+        }
+        return Ok(turned);
+    }
+    let mut numbers = [(); 3].map(|()| Degree::<Integers<Q>, C>::new());
     for l in 1..=degree {
         let range = light::count(l - 1)..light::count(l);
         let [of_degree, ..] = &mut numbers;
@@ -138,7 +144,8 @@ fn turned<Q: FixedPoint, const C: usize, const N: usize>(
             // A light of a lower degree has none.
             let from = light.mantissas.get(range.clone()).unwrap_or_default();
             let shift = number_bits::<Q>() - size(from);
-            of_degree.load(channel, from, |mantissa| mantissa.widen().shifted(shift).saturated());
+            let shifted = Shift::by(shift);
+            of_degree.load(channel, from, |mantissa| shifted.of(whole(mantissa)));
             if let Some(exponent) = exponents.get_mut(l) {
                 *exponent -= shift;
             }
@@ -156,19 +163,101 @@ fn turned<Q: FixedPoint, const C: usize, const N: usize>(
     Ok(turned)
 }
 
-/// The largest magnitude.
-fn largest<Q: FixedPoint>(mantissas: &[Q]) -> Q::Wide {
-    let sizes = mantissas.iter().map(|mantissa| mantissa.widen());
-    sizes.map(|size| size.max(-size)).max().unwrap_or_default()
+/// Turns a light about the view axis, pair by pair, and returns the exponent of the result. Domain:
+/// mantissas of less than 30 bits.
+fn about_view<Q: FixedPoint>(
+    light: &Light<'_, Q>,
+    multiples: &Multiples<i32>,
+    turned: &mut [Q],
+) -> Result<i32, Error> {
+    // The harmonics of odd m > 0 have the sign -1.
+    let mut multiples = *multiples;
+    multiples.iter_mut().step_by(2).for_each(|[_, sine]| *sine = -*sine);
+    // A coefficient may grow by √2: then once more, with one bit less.
+    let is_larger = pairs(light.mantissas, &multiples, turned, Shift::by(0));
+    if is_larger {
+        pairs(light.mantissas, &multiples, turned, Shift::by(-1));
+    }
+    let exponent = light.exponent + i32::from(is_larger);
+    if exponent > 128 { Err(Error::Exponent) } else { Ok(exponent) }
+}
+
+/// Turns the pairs of all degrees. Returns whether a number has more bits than a mantissa.
+#[inline(never)]
+fn pairs<Q: FixedPoint>(
+    mut from: &[Q],
+    multiples: &Multiples<i32>,
+    mut turned: &mut [Q],
+    shift: Shift,
+) -> bool {
+    let (mut l, mut all) = (0, 0);
+    let mut stored = |to: &mut Q, number: i32| {
+        let number = shift.of(number);
+        all |= number.unsigned_abs();
+        *to = Q::saturate(Q::Wide::of(number));
+    };
+    while !from.is_empty() {
+        let (row, others) = split(from, 2 * l + 1);
+        let (to_row, to_others) = split_mut(turned, 2 * l + 1);
+        let (minus, rest) = split(row, l);
+        let (to_minus, to_rest) = split_mut(to_row, l);
+        if let ([mean, plus @ ..], [to_mean, to_plus @ ..]) = (rest, to_rest) {
+            stored(to_mean, whole(*mean));
+            let from = minus.iter().rev().zip(plus);
+            let to = to_minus.iter_mut().rev().zip(to_plus);
+            for (((&minus, &plus), (to_minus, to_plus)), &factor) in from.zip(to).zip(multiples) {
+                let pair = [whole(minus), whole(plus)];
+                let [a, b] = Integers::<Q>::product(factor, pair);
+                stored(to_minus, pair[0] + a);
+                stored(to_plus, pair[1] + b);
+            }
+        }
+        (from, turned, l) = (others, to_others, l + 1);
+    }
+    all >> Q::BITS > 0
+}
+
+/// A mantissa as an integer.
+#[inline(always)]
+fn whole<Q: FixedPoint>(mantissa: Q) -> i32 {
+    mantissa.widen().saturated()
+}
+
+/// A product with a power of two, rounded.
+#[derive(Clone, Copy)]
+struct Shift {
+    left: u32,
+    right: u32,
+    half: i32,
+}
+
+impl Shift {
+    fn by(by: i32) -> Self {
+        let left = by.clamp(0, 31).unsigned_abs();
+        let right = by.clamp(-31, 0).unsigned_abs();
+        Self { left, right, half: (1 << right) >> 1 }
+    }
+
+    /// Domain: it fits.
+    #[inline(always)]
+    fn of(self, number: i32) -> i32 {
+        (number << self.left).saturating_add(self.half) >> self.right
+    }
+}
+
+/// Bits of the largest magnitude.
+fn bits<Q: FixedPoint>(mantissas: &[Q]) -> i32 {
+    let all = mantissas.iter().fold(0, |all, &mantissa| all | whole(mantissa).unsigned_abs());
+    32 - all.leading_zeros().cast_signed()
 }
 
 /// Bits of the root of the energy of these mantissas, from above and with a margin of a 128th.
+#[inline(never)]
 fn size<Q: FixedPoint>(mantissas: &[Q]) -> i32 {
     // 13 bits of the largest, rounded up: the squares of 25 orders sum to less than 2^31.
-    let shift = (largest(mantissas).bits().cast_signed() - 13).max(0);
-    let energy = mantissas.iter().fold(0, |energy: u32, mantissa| {
-        let wide = mantissa.widen();
-        let size = wide.max(-wide).floor_shr(-shift).saturated().unsigned_abs() + 1;
+    let shift = (bits(mantissas) - 13).max(0);
+    let energy = mantissas.iter().fold(0, |energy: u32, &mantissa| {
+        let size = (whole(mantissa).unsigned_abs() >> shift) + 1;
         energy + size * size
     });
     let bits = 32 - (energy + (energy >> 6)).leading_zeros();
@@ -176,6 +265,7 @@ fn size<Q: FixedPoint>(mantissas: &[Q]) -> i32 {
 }
 
 /// Brings the mantissas of all degrees to a common exponent.
+#[inline(never)]
 fn align<Q: FixedPoint>(
     mantissas: &mut [Q],
     degree: usize,
@@ -184,9 +274,9 @@ fn align<Q: FixedPoint>(
     let range = |l: usize| l * l..light::count(l);
     let mut top = LEAST_TOP;
     for (l, exponent) in exponents.iter().enumerate().take(degree + 1) {
-        let largest = largest(part_mut(mantissas, range(l)));
-        if largest > Q::Wide::default() {
-            top = top.max(largest.bits().cast_signed() + exponent);
+        let bits = bits(part_mut(mantissas, range(l)));
+        if bits > 0 {
+            top = top.max(bits + exponent);
         }
     }
     let common = top - Q::BITS.cast_signed();
@@ -194,8 +284,9 @@ fn align<Q: FixedPoint>(
         return Err(Error::Exponent);
     }
     for (l, exponent) in exponents.iter().enumerate().take(degree + 1) {
+        let shift = Shift::by(exponent - common);
         for mantissa in part_mut(mantissas, range(l)) {
-            *mantissa = Q::saturate(mantissa.widen().shifted(exponent - common));
+            *mantissa = Q::saturate(Q::Wide::of(shift.of(whole(*mantissa))));
         }
     }
     Ok(common)

@@ -80,7 +80,7 @@ impl<S: Scalar> Light<'_, S> {
         Error::check(Argument::Light, light::count(degree), turned.len())?;
         Error::check(Argument::Workspace, Self::turn_len(degree), workspace.len())?;
         if degree <= LARGEST {
-            turn([*self], &rotation.turn::<M>(), [turned]);
+            turn([*self], &rotation.turn::<M>(degree), [turned]);
         } else {
             recursion::turn::<S, M>(self, rotation, workspace, turned);
         }
@@ -115,7 +115,8 @@ fn turned<S: Scalar, const C: usize, const N: usize>(
         }
         *to = zeros(Argument::Light, light.coefficients().len())?;
     }
-    turn(lights, &rotation.turn::<Libm>(), turned.each_mut().map(|to| to.as_mut_slice()));
+    let degree = lights.iter().map(Light::degree).max().unwrap_or_default();
+    turn(lights, &rotation.turn::<Libm>(degree), turned.each_mut().map(|to| to.as_mut_slice()));
     Ok(turned)
 }
 

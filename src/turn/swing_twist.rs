@@ -1,6 +1,7 @@
 //! Floating-point rotations as a twist about the view axis and a swing.
 
 use super::degree::{Arithmetic, Multiples, Turn};
+use super::exchange::LARGEST;
 use crate::mathematics::Mathematics;
 use crate::rotation::Rotation;
 use crate::scalar::Scalar;
@@ -31,7 +32,7 @@ impl<S: Scalar> Arithmetic for Floats<S> {
 impl<S: Scalar> Rotation<S> {
     /// This rotation, prepared. A rotation and its inverse have the same numbers, so that one
     /// undoes the other up to the rounding of the coefficients.
-    pub(super) fn turn<M: Mathematics<S>>(&self) -> Turn<S> {
+    pub(super) fn turn<M: Mathematics<S>>(&self, degree: usize) -> Turn<S> {
         let (Self { matrix }, is_inverse) = self.upright();
         let [[xx, xy, xz], [yx, yy, yz], [_, _, zz]] = matrix;
         let flips = zz < S::ZERO;
@@ -60,9 +61,9 @@ impl<S: Scalar> Rotation<S> {
             is_inverse,
             swings: sine > S::ZERO,
             is_small: zz > S::from_f64(0.99),
-            twist: twist.multiples(sign),
-            axis: axis.multiples(S::ONE),
-            swing: swing.multiples(-sign),
+            twist: twist.multiples(sign, degree),
+            axis: axis.multiples(S::ONE, degree),
+            swing: swing.multiples(-sign, degree),
         }
     }
 
@@ -96,17 +97,19 @@ impl<S: Scalar> Angle<S> {
         Self { rounded, rest: turned * scale }
     }
 
-    /// The multiples of this angle or of its negative.
+    /// The multiples of this angle or of its negative, up to the degree.
     #[inline(never)]
-    fn multiples(self, sign: S) -> Multiples<S> {
+    fn multiples(self, sign: S, degree: usize) -> Multiples<S> {
         let Self { rounded: first, rest } = self;
         let ([mut c, mut s], mut small) = (first, rest);
-        core::array::from_fn(|_: usize| {
+        let mut multiples = [[S::ZERO; 2]; LARGEST];
+        for multiple in multiples.iter_mut().take(degree) {
             let [re, im] = unit([c - S::ONE - small * s, s + small * c]);
+            *multiple = [re, sign * im];
             [c, s] = [c * first[0] - s * first[1], s * first[0] + c * first[1]];
             small += rest;
-            [re, sign * im]
-        })
+        }
+        multiples
     }
 }
 
