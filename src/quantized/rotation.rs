@@ -140,7 +140,7 @@ fn root(square: i64) -> i64 {
 fn multiples<Q: FixedPoint>(first: [i32; 2], degree: usize) -> Multiples<i32> {
     let [cosine, sine] = first.map(i64::from);
     let [mut c, mut s] = [cosine, sine];
-    let rounded = |sum: i64| ((sum + (1 << 29)) >> 30).clamp(-i64::from(ONE), i64::from(ONE));
+    let rounded = |sum: i64| i64::from((((sum + (1 << 29)) >> 30) as i32).clamp(-ONE, ONE));
     let by = Q::BITS.cast_signed() - 31;
     let mut multiples = [[0; 2]; LARGEST];
     for multiple in multiples.iter_mut().take(degree) {

@@ -7,7 +7,9 @@ use crate::color::Rgb;
 use crate::error::{Argument, Error};
 use crate::format::{FixedPoint, Wide as _};
 use crate::index::light;
-use crate::invariant::{part_mut, split, split_mut};
+use crate::invariant::part_mut;
+use crate::light::degree;
+use crate::turn::view::unrolled;
 use crate::turn::{Arithmetic, Degree, LARGEST, Multiples};
 use core::marker::PhantomData;
 
@@ -131,7 +133,7 @@ fn turned<Q: FixedPoint, const C: usize, const N: usize>(
     let (rotation, mut elements) = (rotation.turn::<Q>(degree), Q::EXCHANGE);
     if Q::BITS < 30 && !rotation.swings && !rotation.flips {
         for (to, light) in turned.iter_mut().zip(&lights) {
-            to.exponent = about_view(light, &rotation.twist, &mut to.mantissas)?;
+            to.exponent = about_view::<Q, N>(light, &rotation.twist, &mut to.mantissas)?;
         }
         return Ok(turned);
     }
@@ -165,54 +167,69 @@ fn turned<Q: FixedPoint, const C: usize, const N: usize>(
 
 /// Turns a light about the view axis, pair by pair, and returns the exponent of the result. Domain:
 /// mantissas of less than 30 bits.
-fn about_view<Q: FixedPoint>(
+fn about_view<Q: FixedPoint, const N: usize>(
     light: &Light<'_, Q>,
     multiples: &Multiples<i32>,
     turned: &mut [Q],
 ) -> Result<i32, Error> {
-    // The harmonics of odd m > 0 have the sign -1.
-    let mut multiples = *multiples;
-    multiples.iter_mut().step_by(2).for_each(|[_, sine]| *sine = -*sine);
     // A coefficient may grow by √2: then once more, with one bit less.
-    let is_larger = pairs(light.mantissas, &multiples, turned, Shift::by(0));
+    let is_larger = all_pairs::<Q, N, 0>(light, multiples, turned);
     if is_larger {
-        pairs(light.mantissas, &multiples, turned, Shift::by(-1));
+        all_pairs::<Q, N, 1>(light, multiples, turned);
     }
     let exponent = light.exponent + i32::from(is_larger);
     if exponent > 128 { Err(Error::Exponent) } else { Ok(exponent) }
 }
 
-/// Turns the pairs of all degrees. Returns whether a number has more bits than a mantissa.
+/// Turns the pairs of all degrees, and drops `DROPPED` bits. Returns whether a number has more bits
+/// than a mantissa.
 #[inline(never)]
-fn pairs<Q: FixedPoint>(
-    mut from: &[Q],
+fn all_pairs<Q: FixedPoint, const N: usize, const DROPPED: i32>(
+    light: &Light<'_, Q>,
     multiples: &Multiples<i32>,
-    mut turned: &mut [Q],
-    shift: Shift,
+    turned: &mut [Q],
 ) -> bool {
-    let (mut l, mut all) = (0, 0);
+    let mut all = 0;
     let mut stored = |to: &mut Q, number: i32| {
-        let number = shift.of(number);
-        all |= number.unsigned_abs();
+        let number = if DROPPED > 0 { number.round_shr(DROPPED - 1) } else { number };
+        all |= number ^ (number >> 31);
         *to = Q::saturate(Q::Wide::of(number));
     };
-    while !from.is_empty() {
-        let (row, others) = split(from, 2 * l + 1);
-        let (to_row, to_others) = split_mut(turned, 2 * l + 1);
-        let (minus, rest) = split(row, l);
-        let (to_minus, to_rest) = split_mut(to_row, l);
-        if let ([mean, plus @ ..], [to_mean, to_plus @ ..]) = (rest, to_rest) {
-            stored(to_mean, whole(*mean));
-            let from = minus.iter().rev().zip(plus);
-            let to = to_minus.iter_mut().rev().zip(to_plus);
-            for (((&minus, &plus), (to_minus, to_plus)), &factor) in from.zip(to).zip(multiples) {
-                let pair = [whole(minus), whole(plus)];
-                let [a, b] = Integers::<Q>::product(factor, pair);
-                stored(to_minus, pair[0] + a);
-                stored(to_plus, pair[1] + b);
-            }
+    let from = light.mantissas;
+    for l in 0..=light.degree {
+        let place = light::position(l, 0);
+        if let (Some(&from), Some(to)) = (from.get(place), turned.get_mut(place)) {
+            stored(to, whole(from));
         }
-        (from, turned, l) = (others, to_others, l + 1);
+    }
+    let mut pair = |m: usize, l: usize, factor: [i32; 2], from: &[Q], turned: &mut [Q]| {
+        let pair = light::position(l, -m.cast_signed())..=light::position(l, m.cast_signed());
+        if let (Some(&[minus, .., plus]), Some([to_minus, .., to_plus])) =
+            (from.get(pair.clone()), turned.get_mut(pair))
+        {
+            let pair = [whole(minus), whole(plus)];
+            let [a, b] = Integers::<Q>::product(factor, pair);
+            stored(to_minus, pair[0] + a);
+            stored(to_plus, pair[1] + b);
+        }
+    };
+    // The harmonics of odd m > 0 have the sign -1.
+    let factor = |m: usize| match multiples.get(m - 1) {
+        Some(&[c, s]) => [c, if m % 2 == 0 { s } else { -s }],
+        None => [0, 0],
+    };
+    match (<&[Q; N]>::try_from(from), <&mut [Q; N]>::try_from(&mut *turned)) {
+        (Ok(from), Ok(turned)) => {
+            // No light has another length.
+            let degree = const { if let Ok(degree) = degree(N) { degree } else { 0 } };
+            unrolled!(m in 1..=degree {
+                l => pair(m, l, factor(m), from, turned);
+                ();
+            });
+        }
+        _ => (1..=light.degree).for_each(|m| {
+            (m..=light.degree).for_each(|l| pair(m, l, factor(m), from, turned));
+        }),
     }
     all >> Q::BITS > 0
 }

@@ -4,7 +4,7 @@ mod degree;
 pub(crate) mod exchange;
 mod recursion;
 mod swing_twist;
-mod view;
+pub(crate) mod view;
 
 pub(crate) use degree::{Arithmetic, Degree, Multiples, Turn};
 pub(crate) use exchange::LARGEST;

@@ -7,6 +7,35 @@ use crate::index::light;
 use crate::light::{Light, LightBuffer, degree};
 use crate::scalar::Scalar;
 
+/// For each order to 12 a step for each degree l from it on, then another. All are literals: the
+/// compiler would keep the longest loops, and addresses with them.
+macro_rules! unrolled {
+    ($m:ident in 1..=$degree:ident { $l:ident => $step:expr; $then:expr; }) => {
+        $crate::turn::view::unrolled!(@ $m $degree $l $step; $then;
+            1 [0 1 2 3 4 5 6 7 8 9 10 11] 2 [0 1 2 3 4 5 6 7 8 9 10] 3 [0 1 2 3 4 5 6 7 8 9]
+            4 [0 1 2 3 4 5 6 7 8] 5 [0 1 2 3 4 5 6 7] 6 [0 1 2 3 4 5 6] 7 [0 1 2 3 4 5]
+            8 [0 1 2 3 4] 9 [0 1 2 3] 10 [0 1 2] 11 [0 1] 12 [0])
+    };
+    (@ $m:ident $degree:ident $l:ident $step:expr; $then:expr; $($order:literal $above:tt)*) => {
+        $({
+            let $m: usize = $order;
+            if $m <= $degree {
+                $crate::turn::view::unrolled!(# $m $degree $l $step; $above);
+                $then;
+            }
+        })*
+    };
+    (# $m:ident $degree:ident $l:ident $step:expr; [$($above:literal)*]) => {
+        $({
+            let $l: usize = $m + $above;
+            if $l <= $degree {
+                $step;
+            }
+        })*
+    };
+}
+pub(crate) use unrolled;
+
 impl<S: Scalar> Light<'_, S> {
     /// The coefficients of this light after a rotation about the view axis z, from x toward y, by
     /// the angle with this cosine and sine: [`turned`](Self::turned) at a fraction of its cost.
@@ -62,23 +91,10 @@ impl<S: Scalar> Light<'_, S> {
         };
         let mut multiple = angle;
         means(degree, from, turned);
-        // Literals: the compiler would keep the longest loops, and addresses with them.
-        macro_rules! orders {
-            ($($m:literal)*) => {
-                $(if $m <= degree {
-                    degrees!($m: 0 1 2 3 4 5 6 7 8 9 10 11);
-                    multiple = product(multiple, angle);
-                })*
-            };
-        }
-        macro_rules! degrees {
-            ($m:literal: $($above:literal)*) => {
-                $(if $m + $above <= degree {
-                    pair($m, $m + $above, multiple, from, turned);
-                })*
-            };
-        }
-        orders!(1 2 3 4 5 6 7 8 9 10 11 12);
+        unrolled!(m in 1..=degree {
+            l => pair(m, l, multiple, from, turned);
+            multiple = product(multiple, angle);
+        });
         for m in 13..=degree {
             order(m, degree, multiple, from, turned);
             multiple = product(multiple, angle);
