@@ -5,7 +5,7 @@
 
 use board::{Passes, measure_named};
 use core::hint::black_box;
-use eigenshade::{Light, Rotation};
+use eigenshade::{Light, Rgb, Rotation};
 use programs::inputs::floats as inputs;
 use table::{COMPONENTS, LIGHT, ORDER};
 
@@ -51,7 +51,9 @@ fn main() {
         let rotation = Rotation::from_quaternion(black_box([0.1, 0.2, 0.3, 1.0]));
         let Ok(rotation) = rotation else { board::exit(false) };
         measure_named("turn", &lights, Passes(16), |lights| {
-            lights.each_ref().map(|light| Light::new(light)?.turned::<LIGHT>(&rotation))
+            let [first, ..] = lights;
+            let channel = |place| Light::new(lights.get(place).unwrap_or(first));
+            Rgb::new(channel(0)?, channel(1)?, channel(2)?).turned::<LIGHT>(&rotation)
         });
     }
 }
