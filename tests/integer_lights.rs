@@ -119,45 +119,75 @@ fn light_turned_in_integers_is_the_generators() {
     agrees::<Q31>(OF_ENERGY[1]);
 }
 
-/// By nothing, nothing changes; about the view axis, as by a quaternion.
+/// By nothing, nothing changes.
 #[test]
-fn no_turn_and_turns_about_the_view() {
+fn no_turn_changes_nothing() {
     let mut numbers = Numbers(23);
-    let mantissas: Vec<Q15> = (0..100).map(|k| Q15::of(numbers.next() / f64::from(1 + k))).collect();
+    let mantissas: Vec<Q15> =
+        (0..100).map(|k| Q15::of(numbers.next() / f64::from(1 + k))).collect();
     let mut full = mantissas.clone();
     full[0] = Q15(-32_767);
     let light = Light::new(-15, &full).expect("a light");
     for rotation in [
         Rotation::NONE,
         Rotation::from_quaternion([0, 0, 0, -7]).expect("a rotation"),
-        Rotation::about_view(5, 0).expect("a rotation"),
         Rotation::quantize(&eigenshade::Rotation::NONE),
     ] {
         assert_eq!(rotation, Rotation::NONE);
         let turned = light.turned::<100>(&rotation).expect("room");
         assert_eq!(turned.light().expect("a light"), light);
     }
-    // 90 degrees, of which a quaternion has the half.
-    let about = Rotation::about_view(0, 3).expect("a rotation");
-    assert_eq!(about, Rotation::from_quaternion([0, 0, -9, -9]).expect("a rotation"));
-    let turned = light.turned::<100>(&about).expect("room");
-    let exact = rotation::Rotation { alpha: 0.0, beta: 0.5 * PI, gamma: 0.0 };
-    let exact = exact.turn(9, &values(light));
-    assert!(worst(light, &exact, turned.light().expect("a light")) <= OF_ENERGY[0]);
+    let turned = light.turned_about_view::<100>([5, 0]).expect("room");
+    assert_eq!(turned.light().expect("a light"), light);
+}
+
+/// About the view axis, in buffers of every length: against the generator. Some coefficients take
+/// one bit more.
+#[test]
+fn turned_about_the_view_is_the_generators() {
+    fn agrees<Q: Input>(most: f64) {
+        let (mut numbers, mut found, mut larger) = (Numbers(27), 0.0f64, 0);
+        for degree in [0, 1, 9, 12] {
+            for [angle, ..] in angles() {
+                let exact = rotation::Rotation { alpha: 0.0, beta: angle, gamma: 0.0 };
+                let along = [angle.cos(), angle.sin()].map(|x| (x * 1e9).round() as i32);
+                for mantissas in lights::<Q>(degree, &mut numbers) {
+                    let light = Light::new(-3, &mantissas).expect("a light");
+                    let turned = light.turned_about_view::<169>(along).expect("room");
+                    if degree == 9 {
+                        let exact = light.turned_about_view::<100>(along).expect("room");
+                        assert_eq!(exact.light(), turned.light());
+                    }
+                    let turned = turned.light().expect("a light");
+                    let exact = exact.turn(degree, &values(light));
+                    found = found.max(worst(light, &exact, turned));
+                    larger += i32::from(turned.exponent() > -3);
+                }
+            }
+        }
+        println!("{}: 2^{:.2}, larger {larger}", Q::NAME, found.log2());
+        assert!(found <= most && larger > 0, "{found:e}");
+    }
+    agrees::<Q15>(OF_ENERGY[0]);
+    agrees::<Q31>(OF_ENERGY[1]);
 }
 
 /// All channels at once are each channel by itself, of other degrees too.
 #[test]
 fn color_is_each_channel() {
     let mut numbers = Numbers(24);
-    let channels = [100, 16, 49].map(|count: usize| -> Vec<Q15> {
-        (0..count).map(|_| Q15::of(numbers.next())).collect()
-    });
-    let lights = Rgb::from(channels.each_ref().map(|channel| Light::new(-15, channel).expect("a light")));
+    let channels = [100, 16, 49]
+        .map(|count: usize| -> Vec<Q15> { (0..count).map(|_| Q15::of(numbers.next())).collect() });
+    let lights =
+        Rgb::from(channels.each_ref().map(|channel| Light::new(-15, channel).expect("a light")));
     let rotation = Rotation::from_quaternion([1, -2, 3, 5]).expect("a rotation");
     let turned = lights.turned::<100>(&rotation).expect("room");
     for (turned, light) in <[_; 3]>::from(turned.zip(lights)) {
         assert_eq!(turned, light.turned::<100>(&rotation).expect("room"));
+    }
+    let turned = lights.turned_about_view::<100>([3, -4]).expect("room");
+    for (turned, light) in <[_; 3]>::from(turned.zip(lights)) {
+        assert_eq!(turned, light.turned_about_view::<100>([3, -4]).expect("room"));
     }
 }
 
@@ -171,7 +201,8 @@ fn turned_bits_are_the_same_everywhere() {
         let mut turned: LightBuffer<Q, 100> = light.turned(&Rotation::NONE).expect("room");
         let mut found = Vec::new();
         for k in 0..20 {
-            let rotation = Rotation::from_quaternion([k, 3 - k, 2 * k - 9, 11]).expect("a rotation");
+            let rotation =
+                Rotation::from_quaternion([k, 3 - k, 2 * k - 9, 11]).expect("a rotation");
             turned = turned.light().and_then(|light| light.turned(&rotation)).expect("room");
             let light = turned.light().expect("a light");
             found.extend(light.mantissas().iter().flat_map(|&mantissa| bytes(mantissa)));
@@ -186,19 +217,22 @@ fn turned_bits_are_the_same_everywhere() {
 #[test]
 fn what_cannot_be_turned_is_an_error() {
     assert_eq!(Rotation::from_quaternion([0; 4]), Err(Error::Rotation));
-    assert_eq!(Rotation::about_view(0, 0), Err(Error::Rotation));
     let none = Rotation::NONE;
     let mantissas = [Q15(i16::MAX); 196];
     let light = Light::new(-15, &mantissas).expect("a light");
     assert_eq!(light.turned::<196>(&none), Err(Error::Degree { found: 13 }));
+    assert_eq!(light.turned_about_view::<196>([1, 0]), Err(Error::Degree { found: 13 }));
     let light = Light::new(-15, &mantissas[..100]).expect("a light");
     let error = Error::Capacity { argument: Argument::Light, needed: 100, capacity: 99 };
     assert_eq!(light.turned::<99>(&none), Err(error));
+    assert_eq!(light.turned_about_view::<99>([1, 0]), Err(error));
+    assert_eq!(light.turned_about_view::<100>([0, 0]), Err(Error::Rotation));
     // The energy of a degree in one coefficient takes more bits.
     let quarter = Rotation::from_quaternion([1, 1, 0, 1]).expect("a rotation");
     let of_exponent = |exponent| Light::new(exponent, &mantissas[..100]).expect("a light");
     assert!(of_exponent(124).turned::<100>(&quarter).is_ok());
     assert_eq!(of_exponent(128).turned::<100>(&quarter), Err(Error::Exponent));
+    assert_eq!(of_exponent(128).turned_about_view::<100>([1, 1]), Err(Error::Exponent));
     let zeros = [Q15(0); 100];
     let turned = Light::new(128, &zeros).and_then(|light| light.turned::<100>(&quarter));
     assert_eq!(turned.and_then(|turned| Ok(turned.light()?.exponent())), Ok(-96 - 15));
@@ -212,17 +246,24 @@ fn any_bits_turn() {
     for round in 0..3_000 {
         let shift = round % 31;
         let quaternion = [any(), any(), any() >> shift, any() >> (30 - shift)];
-        let quaternion = if round % 50 == 0 { [i32::MIN, i32::MAX, 0, i32::MIN] } else { quaternion };
+        let quaternion =
+            if round % 50 == 0 { [i32::MIN, i32::MAX, 0, i32::MIN] } else { quaternion };
         let rotation = Rotation::from_quaternion(quaternion).expect("a rotation");
-        let mantissas: [Q15; 169] = std::array::from_fn(|_| Q15((any() >> 16 >> (shift / 3)) as i16));
+        let mantissas: [Q15; 169] =
+            std::array::from_fn(|_| Q15((any() >> 16 >> (shift / 3)) as i16));
         let light = Light::new(0, &mantissas).expect("a light");
         let turned = light.turned::<169>(&rotation).expect("room");
         let (before, after) = (values(light), values(turned.light().expect("a light")));
         for l in 0..=12 {
-            let energy = |values: &[f64]| values[l * l..(l + 1) * (l + 1)].iter().map(|x| x * x).sum::<f64>();
+            let energy = |values: &[f64]| {
+                values[l * l..(l + 1) * (l + 1)].iter().map(|x| x * x).sum::<f64>()
+            };
             let (before, after) = (energy(&before).sqrt(), energy(&after).sqrt());
             let unit = f64::from(turned.light().expect("a light").exponent()).exp2();
-            assert!((before - after).abs() <= 5.0 * OF_ENERGY[0] * before + 5.0 * unit, "{before} {after}");
+            assert!(
+                (before - after).abs() <= 5.0 * OF_ENERGY[0] * before + 5.0 * unit,
+                "{before} {after}"
+            );
         }
     }
 }

@@ -49,6 +49,7 @@ mod scene;
 mod table;
 mod transfer;
 mod turn;
+mod view;
 
 /// Kernels for tables that are known when the program is compiled: `integer_table!` calls them, once
 /// for each azimuth. They compute the same bits as the methods of a [`Basis`] and a [`Scene`], with

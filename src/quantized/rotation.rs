@@ -24,8 +24,7 @@ const ONE: i32 = 1 << 30;
 
 impl Rotation {
     /// The identity.
-    pub const NONE: Self =
-        Self { flips: false, twist: [ONE, 0], axis: [ONE, 0], swing: [ONE, 0] };
+    pub const NONE: Self = Self { flips: false, twist: [ONE, 0], axis: [ONE, 0], swing: [ONE, 0] };
 
     /// The rotation of the quaternion x i + y j + z k + w, of integers of any scale, such as
     /// mantissas of one exponent. Each cosine and sine is off by at most 4 units of 2^-30 if the
@@ -62,17 +61,6 @@ impl Rotation {
         let sine = 2 * root(horizontal) * root(vertical);
         let swing = unit(vertical - horizontal, sine).ok_or(Error::Rotation)?;
         Ok(Self { flips, twist, axis, swing })
-    }
-
-    /// The rotation about the view axis, from x toward y, by the angle along (cosine, sine),
-    /// integers of any scale.
-    ///
-    /// # Errors
-    ///
-    /// [`Error::Rotation`] if both are 0.
-    pub fn about_view(cosine: i32, sine: i32) -> Result<Self, Error> {
-        let twist = unit(cosine.into(), sine.into()).ok_or(Error::Rotation)?;
-        Ok(Self { twist, ..Self::NONE })
     }
 
     /// This rotation from floats, in integer arithmetic throughout. Each cosine and sine is off by
@@ -116,7 +104,7 @@ impl Rotation {
 }
 
 /// The direction of (x, y) as a cosine and a sine; none if both are 0. Domain: below 2^62.
-fn unit(x: i64, y: i64) -> Option<[i32; 2]> {
+pub(super) fn unit(x: i64, y: i64) -> Option<[i32; 2]> {
     // The larger one gets 31 bits, so the squares sum to less than 2^63.
     let [a, b] = [x, y].map(i64::unsigned_abs);
     let bits = 64 - (a | b).leading_zeros().cast_signed();
@@ -137,7 +125,7 @@ fn root(square: i64) -> i64 {
 
 /// exp(imα) - 1 up to the degree, as fractions of 2^(BITS - 1).
 #[inline(never)]
-fn multiples<Q: FixedPoint>(first: [i32; 2], degree: usize) -> Multiples<i32> {
+pub(super) fn multiples<Q: FixedPoint>(first: [i32; 2], degree: usize) -> Multiples<i32> {
     let [cosine, sine] = first.map(i64::from);
     let [mut c, mut s] = [cosine, sine];
     let rounded = |sum: i64| i64::from((((sum + (1 << 29)) >> 30) as i32).clamp(-ONE, ONE));

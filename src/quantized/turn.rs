@@ -8,17 +8,15 @@ use crate::error::{Argument, Error};
 use crate::format::{FixedPoint, Wide as _};
 use crate::index::light;
 use crate::invariant::part_mut;
-use crate::light::degree;
-use crate::turn::view::unrolled;
-use crate::turn::{Arithmetic, Degree, LARGEST, Multiples};
+use crate::turn::{Arithmetic, Degree, LARGEST};
 use core::marker::PhantomData;
 
 /// The coefficients of a modified light, in a buffer of fixed capacity.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct LightBuffer<Q, const N: usize> {
-    exponent: i32,
-    mantissas: Buffer<Q, N>,
+    pub(super) exponent: i32,
+    pub(super) mantissas: Buffer<Q, N>,
 }
 
 impl<Q, const N: usize> LightBuffer<Q, N> {
@@ -49,16 +47,13 @@ impl<Q: FixedPoint> Light<'_, Q> {
     ///
     /// A coefficient of degree l is off by at most half a unit of the result's mantissas and, in
     /// [`Q15`](crate::Q15), 2^-12 of the root of the energy of its degree; 2^-25 in
-    /// [`Q31`](crate::Q31). A rotation about the view axis costs much less than others.
+    /// [`Q31`](crate::Q31).
     ///
     /// # Errors
     ///
     /// [`Error::Capacity`] if `N` is below (degree + 1)², [`Error::Degree`] if the degree is above
     /// 12, [`Error::Exponent`] if the exponent of the result is above 128.
-    pub fn turned<const N: usize>(
-        &self,
-        rotation: &Rotation,
-    ) -> Result<LightBuffer<Q, N>, Error> {
+    pub fn turned<const N: usize>(&self, rotation: &Rotation) -> Result<LightBuffer<Q, N>, Error> {
         let [turned] = turned([*self], rotation)?;
         Ok(turned)
     }
@@ -80,7 +75,7 @@ impl<Q: FixedPoint> Rgb<Light<'_, Q>> {
 
 /// The arithmetic of an integer format. Numbers are scaled so that the root of the energy of a
 /// degree has [`number_bits`] bits; no sum of products then leaves its accumulator.
-struct Integers<Q>(PhantomData<Q>);
+pub(super) struct Integers<Q>(PhantomData<Q>);
 
 impl<Q: FixedPoint> Arithmetic for Integers<Q> {
     type Number = i32;
@@ -131,12 +126,6 @@ fn turned<Q: FixedPoint, const C: usize, const N: usize>(
     }
     let degree = lights.iter().map(|light| light.degree).max().unwrap_or_default();
     let (rotation, mut elements) = (rotation.turn::<Q>(degree), Q::EXCHANGE);
-    if Q::BITS < 30 && !rotation.swings && !rotation.flips {
-        for (to, light) in turned.iter_mut().zip(&lights) {
-            to.exponent = about_view::<Q, N>(light, &rotation.twist, &mut to.mantissas)?;
-        }
-        return Ok(turned);
-    }
     let mut numbers = [(); 3].map(|()| Degree::<Integers<Q>, C>::new());
     for l in 1..=degree {
         let range = light::count(l - 1)..light::count(l);
@@ -165,78 +154,9 @@ fn turned<Q: FixedPoint, const C: usize, const N: usize>(
     Ok(turned)
 }
 
-/// Turns a light about the view axis, pair by pair, and returns the exponent of the result. Domain:
-/// mantissas of less than 30 bits.
-fn about_view<Q: FixedPoint, const N: usize>(
-    light: &Light<'_, Q>,
-    multiples: &Multiples<i32>,
-    turned: &mut [Q],
-) -> Result<i32, Error> {
-    // A coefficient may grow by √2: then once more, with one bit less.
-    let is_larger = all_pairs::<Q, N, 0>(light, multiples, turned);
-    if is_larger {
-        all_pairs::<Q, N, 1>(light, multiples, turned);
-    }
-    let exponent = light.exponent + i32::from(is_larger);
-    if exponent > 128 { Err(Error::Exponent) } else { Ok(exponent) }
-}
-
-/// Turns the pairs of all degrees, and drops `DROPPED` bits. Returns whether a number has more bits
-/// than a mantissa.
-#[inline(never)]
-fn all_pairs<Q: FixedPoint, const N: usize, const DROPPED: i32>(
-    light: &Light<'_, Q>,
-    multiples: &Multiples<i32>,
-    turned: &mut [Q],
-) -> bool {
-    let mut all = 0;
-    let mut stored = |to: &mut Q, number: i32| {
-        let number = if DROPPED > 0 { number.round_shr(DROPPED - 1) } else { number };
-        all |= number ^ (number >> 31);
-        *to = Q::saturate(Q::Wide::of(number));
-    };
-    let from = light.mantissas;
-    for l in 0..=light.degree {
-        let place = light::position(l, 0);
-        if let (Some(&from), Some(to)) = (from.get(place), turned.get_mut(place)) {
-            stored(to, whole(from));
-        }
-    }
-    let mut pair = |m: usize, l: usize, factor: [i32; 2], from: &[Q], turned: &mut [Q]| {
-        let pair = light::position(l, -m.cast_signed())..=light::position(l, m.cast_signed());
-        if let (Some(&[minus, .., plus]), Some([to_minus, .., to_plus])) =
-            (from.get(pair.clone()), turned.get_mut(pair))
-        {
-            let pair = [whole(minus), whole(plus)];
-            let [a, b] = Integers::<Q>::product(factor, pair);
-            stored(to_minus, pair[0] + a);
-            stored(to_plus, pair[1] + b);
-        }
-    };
-    // The harmonics of odd m > 0 have the sign -1.
-    let factor = |m: usize| match multiples.get(m - 1) {
-        Some(&[c, s]) => [c, if m % 2 == 0 { s } else { -s }],
-        None => [0, 0],
-    };
-    match (<&[Q; N]>::try_from(from), <&mut [Q; N]>::try_from(&mut *turned)) {
-        (Ok(from), Ok(turned)) => {
-            // No light has another length.
-            let degree = const { if let Ok(degree) = degree(N) { degree } else { 0 } };
-            unrolled!(m in 1..=degree {
-                l => pair(m, l, factor(m), from, turned);
-                ();
-            });
-        }
-        _ => (1..=light.degree).for_each(|m| {
-            (m..=light.degree).for_each(|l| pair(m, l, factor(m), from, turned));
-        }),
-    }
-    all >> Q::BITS > 0
-}
-
 /// A mantissa as an integer.
 #[inline(always)]
-fn whole<Q: FixedPoint>(mantissa: Q) -> i32 {
+pub(super) fn whole<Q: FixedPoint>(mantissa: Q) -> i32 {
     mantissa.widen().saturated()
 }
 

@@ -162,7 +162,10 @@ impl<A: Arithmetic, const C: usize> Degree<A, C> {
 
     /// Orders 1 to l.
     #[inline(always)]
-    fn pairs(&mut self, l: usize) -> impl Iterator<Item = (&mut [A::Number; C], &mut [A::Number; C])> {
+    fn pairs(
+        &mut self,
+        l: usize,
+    ) -> impl Iterator<Item = (&mut [A::Number; C], &mut [A::Number; C])> {
         part_mut(&mut self.cosines, 1..=l).iter_mut().zip(part_mut(&mut self.sines, 1..=l))
     }
 

@@ -81,8 +81,7 @@ const fn element(l: usize, m: usize, n: usize, links: &[f64; LARGEST + 1]) -> f6
     while order > m {
         let sign = if (l - order).is_multiple_of(2) { 2.0 } else { -2.0 };
         let above = if order < l { links[order] } else { 0.0 };
-        (before, now) =
-            (now, (sign * n as f64 * now + above * before) / links[order - 1]);
+        (before, now) = (now, (sign * n as f64 * now + above * before) / links[order - 1]);
         order -= 1;
     }
     now

@@ -8,7 +8,7 @@ use core::hint::black_box;
 use eigenshade::presets::{light::q15::LOBBY, material::q15::GOLD_METALLIC_PAINT};
 use eigenshade::quantized::{Material, MaterialBuffer, NineTerms, Rotation};
 use eigenshade::{
-    Disc, DiscPixel, Display, Error, Exposure, IntegerMap, MapPoint, Q15, Rgb, Tone, sphere,
+    Disc, DiscPixel, Display, Exposure, IntegerMap, MapPoint, Q15, Rgb, Tone, sphere,
 };
 use programs::inputs::integers as inputs;
 use table::{BASIS, COMPONENTS, Coefficients, ORDER, SCENE, Scene, Transfer};
@@ -212,16 +212,14 @@ fn gold_light() {
 
 /// A rotation of a light in color about any axis.
 fn turn() {
-    turn_by(Rotation::from_quaternion(black_box([1, 2, 3, 10])));
+    let rotation = Rotation::from_quaternion(black_box([1, 2, 3, 10]));
+    let Ok(rotation) = rotation else { board::exit(false) };
+    holds(size_of_val(&rotation));
+    measure(&[LOBBY], Passes(16), |light| light.turned::<100>(&rotation));
 }
 
 /// A rotation of a light in color about the view axis.
 fn turn_view() {
-    turn_by(Rotation::about_view(black_box(3), black_box(4)));
-}
-
-fn turn_by(rotation: Result<Rotation, Error>) {
-    let Ok(rotation) = rotation else { board::exit(false) };
-    holds(size_of_val(&rotation));
-    measure(&[LOBBY], Passes(16), |light| light.turned::<100>(&rotation));
+    let angle = black_box([3, 4]);
+    measure(&[LOBBY], Passes(16), |light| light.turned_about_view::<100>(angle));
 }
