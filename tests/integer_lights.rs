@@ -42,9 +42,9 @@ fn values<Q: Input>(light: Light<'_, Q>) -> Vec<f64> {
     light.mantissas().iter().map(|mantissa| mantissa.value() * scale).collect()
 }
 
-/// Largest errors of coefficients less half a unit of the mantissas, of the root of the energy of
+/// Largest errors of coefficients beyond so many units of the mantissas, of the root of the energy of
 /// their degree.
-fn worst<Q: Input>(light: Light<'_, Q>, exact: &[f64], found: Light<'_, Q>) -> f64 {
+fn worst<Q: Input>(light: Light<'_, Q>, exact: &[f64], found: Light<'_, Q>, units: f64) -> f64 {
     let unit = f64::from(found.exponent()).exp2();
     let found = values(found);
     let degree = (exact.len() as f64).sqrt() as usize - 1;
@@ -52,7 +52,7 @@ fn worst<Q: Input>(light: Light<'_, Q>, exact: &[f64], found: Light<'_, Q>) -> f
         let range = l * l..(l + 1) * (l + 1);
         let energy: f64 = values(light)[range.clone()].iter().map(|x| x * x).sum();
         let apart = range.map(|k| (found[k] - exact[k]).abs()).fold(0.0, f64::max);
-        let over = (apart - 0.5001 * unit).max(0.0);
+        let over = (apart - 1.0001 * units * unit).max(0.0);
         most.max(if over > 0.0 { over / energy.sqrt() } else { 0.0 })
     })
 }
@@ -101,10 +101,10 @@ fn agrees<Q: Input>(most: f64) {
                 let light = Light::new(-3, mantissas).expect("a light");
                 let exact = reference.turn(degree, &values(light));
                 let turned = light.turned::<169>(&of_quaternion).expect("room");
-                found = found.max(worst(light, &exact, turned.light().expect("a light")));
+                found = found.max(worst(light, &exact, turned.light().expect("a light"), 0.5));
                 if Q::BITS == 15 {
                     let turned = light.turned::<169>(&Rotation::quantize(&floats)).expect("room");
-                    found = found.max(worst(light, &exact, turned.light().expect("a light")));
+                    found = found.max(worst(light, &exact, turned.light().expect("a light"), 0.5));
                 }
             }
         }
@@ -160,7 +160,7 @@ fn turned_about_the_view_is_the_generators() {
                     }
                     let turned = turned.light().expect("a light");
                     let exact = exact.turn(degree, &values(light));
-                    found = found.max(worst(light, &exact, turned));
+                    found = found.max(worst(light, &exact, turned, 1.5));
                     larger += i32::from(turned.exponent() > -3);
                 }
             }

@@ -16,8 +16,10 @@ impl<Q: FixedPoint> Light<'_, Q> {
     /// This light after a rotation about the view axis z, from x toward y, by the angle along
     /// (cosine, sine), integers of any scale: [`turned`](Self::turned) at a fraction of its cost.
     ///
-    /// Errors are as there. The exponent stays the same, unless a coefficient needs one bit more;
-    /// in [`Q31`](crate::Q31) it is always one more.
+    /// The exponent stays the same, unless a coefficient needs one bit more; in
+    /// [`Q31`](crate::Q31) it is always one more. A coefficient is off by at most one and a half
+    /// units of the result's mantissas, and the share of its degree's energy that
+    /// [`turned`](Self::turned) states.
     ///
     /// ```
     /// use eigenshade::Q15;
