@@ -76,27 +76,36 @@ impl<F: Copy + Neg<Output = F>> Turn<F> {
             self.flip(l, light);
             light.twist(l, &self.twist, false);
         }
-        if self.swings {
+        if self.swings && self.is_small {
             (swung.cosines, swung.sines) = (light.cosines, light.sines);
-            swung.twist(l, &self.axis, true);
-            swung.exchange(l, matrix, exchanged);
-            if self.is_small {
-                exchanged.change(l, &self.swing);
-            } else {
-                exchanged.twist(l, &self.swing, false);
-            }
-            exchanged.exchange(l, matrix, swung);
-            swung.twist(l, &self.axis, false);
-            if self.is_small {
-                light.add(l, swung);
-            } else {
-                (light.cosines, light.sines) = (swung.cosines, swung.sines);
-            }
+            self.swing(l, matrix, swung, exchanged);
+            light.add(l, swung);
+        } else if self.swings {
+            self.swing(l, matrix, light, exchanged);
         }
         if self.is_inverse {
             light.twist(l, &self.twist, false);
             self.flip(l, light);
         }
+    }
+
+    /// The swing, or if it is small what it changes.
+    fn swing<A: Arithmetic<Factor = F>, const C: usize>(
+        &self,
+        l: usize,
+        matrix: &[A::Element],
+        light: &mut Degree<A, C>,
+        exchanged: &mut Degree<A, C>,
+    ) {
+        light.twist(l, &self.axis, true);
+        light.exchange(l, matrix, exchanged);
+        if self.is_small {
+            exchanged.change(l, &self.swing);
+        } else {
+            exchanged.twist(l, &self.swing, false);
+        }
+        exchanged.exchange(l, matrix, light);
+        light.twist(l, &self.axis, false);
     }
 
     /// The half turn about y, if there is one.

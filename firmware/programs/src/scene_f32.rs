@@ -52,7 +52,7 @@ fn main() {
         let Ok(rotation) = rotation else { board::exit(false) };
         measure_named("turn", &lights, Passes(16), |lights| {
             let [first, ..] = lights;
-            let channel = |place| Light::new(lights.get(place).unwrap_or(first));
+            let channel = |place: usize| Light::new(lights.get(place).unwrap_or(first));
             Rgb::new(channel(0)?, channel(1)?, channel(2)?).turned::<LIGHT>(&rotation)
         });
     }
