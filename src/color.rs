@@ -9,7 +9,6 @@ use crate::light::{Light, LightBuffer};
 use crate::material::Material;
 use crate::mathematics::Mathematics;
 use crate::normal::Normal;
-use crate::rotation::Rotation;
 use crate::scalar::Scalar;
 use crate::scene::Scene;
 use crate::{Window, quantized};
@@ -136,30 +135,6 @@ impl<S: Scalar> Rgb<Light<'_, S>> {
     #[must_use]
     pub fn truncated(self, degree: usize) -> Self {
         self.map(|light| light.truncated(degree))
-    }
-
-    /// [`Light::turned`] in each channel.
-    ///
-    /// # Errors
-    ///
-    /// The same.
-    pub fn turned<const N: usize, const W: usize>(
-        &self,
-        rotation: &Rotation<S>,
-    ) -> Result<Rgb<LightBuffer<S, N>>, Error> {
-        self.each_ref().try_map(|light| light.turned::<N, W>(rotation))
-    }
-
-    /// [`Light::turned_about_view`] in each channel.
-    ///
-    /// # Errors
-    ///
-    /// The same.
-    pub fn turned_about_view<const N: usize>(
-        &self,
-        angle: [S; 2],
-    ) -> Result<Rgb<LightBuffer<S, N>>, Error> {
-        self.each_ref().try_map(|light| light.turned_about_view::<N>(angle))
     }
 
     /// [`Light::windowed`] in each channel.

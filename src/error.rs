@@ -94,6 +94,11 @@ pub enum Error {
     },
     /// Angles, a quaternion or a matrix do not describe a rotation.
     Rotation,
+    /// Integers turn lights of degrees to 12.
+    Degree {
+        /// The degree of the light.
+        found: usize,
+    },
     /// The direction of a light has no length or is not finite, or its angular radius is not above 0
     /// and at most π.
     Direction,
@@ -266,6 +271,10 @@ impl fmt::Display for Error {
             Self::Rotation => f.write_str(
                 "a rotation needs finite angles, a quaternion that is not zero, or an orthonormal \
                  right-handed matrix",
+            ),
+            Self::Degree { found } => write!(
+                f,
+                "integers turn lights to degree 12, {found} found; truncate it, or turn it in floats"
             ),
             Self::Direction => f.write_str(
                 "a light needs a finite direction of some length, and an angular radius above 0 and \

@@ -1,6 +1,7 @@
 //! The number formats: floats, and integers with a separate scale.
 
 pub use crate::index::record::{Q15, Q31};
+use crate::turn::exchange;
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, BitOr, Mul, Neg, Sub};
 
@@ -51,6 +52,9 @@ mod sealed {
 pub trait FixedPoint: Format<Wide: Wide> {
     /// Bits of a mantissa's magnitude.
     const BITS: u32;
+    /// The matrices that turning takes: see `turn/exchange.rs`.
+    #[doc(hidden)]
+    const EXCHANGE: &'static [Self];
     /// Number of bits by which a scene's weights are finer than its terms.
     const WEIGHT_BITS: u32;
     /// Number of bits by which a sum of weighted numbers is finer than a scene's terms.
@@ -184,6 +188,7 @@ wide!(i64, 63, |number| number.clamp((-i32::MAX).into(), i32::MAX.into()) as i32
 
 impl FixedPoint for Q15 {
     const BITS: u32 = 15;
+    const EXCHANGE: &'static [Self] = &exchange::Q15_ELEMENTS;
     const WEIGHT_BITS: u32 = 14;
     const SUM_SHIFT: u32 = 14;
     const TERM_BITS: u32 = 17;
@@ -252,6 +257,7 @@ impl FixedPoint for Q15 {
 
 impl FixedPoint for Q31 {
     const BITS: u32 = 31;
+    const EXCHANGE: &'static [Self] = &exchange::Q31_ELEMENTS;
     const WEIGHT_BITS: u32 = 30;
     const SUM_SHIFT: u32 = 1;
     const TERM_BITS: u32 = 30;

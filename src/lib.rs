@@ -13,8 +13,9 @@
 //! 4. [`Scene::shade`] gives the irradiance of one [`Normal`], [`Scene::shade_slice`] that of many.
 //! 5. There are cheaper ways to shade a pixel: [`Scene::sampled`] samples the azimuths of the
 //!    image, [`Scene::bake`] the image itself.
-//! 6. To turn the light, call [`Light::turned`] with a [`Rotation`]. A [`Window`] keeps a light
-//!    from ringing, and [`NegativePolicy`] sets how to handle irradiance below zero.
+//! 6. To turn the light, call [`Light::turned`] with a [`Rotation`]; integers have their own
+//!    ([`quantized::Rotation`]). A [`Window`] keeps a light from ringing, and [`NegativePolicy`] sets
+//!    how to handle irradiance below zero.
 //! 7. A module `color` of each table has these steps in three channels; [`Display`] makes pixels of
 //!    8, 6 or 5 bits of an [`Rgb`], and the module `presets` has lights and materials by name.
 //! 8. In the other direction, [`Basis::estimate`] takes pixels one by one and estimates d.

@@ -1,5 +1,6 @@
 //! The number formats of the floating-point code.
 
+use crate::turn::exchange;
 use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 
 /// A floating-point format of the runtime: `f32` on devices, `f64` for comparison on the host.
@@ -23,6 +24,9 @@ pub trait Scalar:
     const ZERO: Self;
     /// 1.
     const ONE: Self;
+    /// The matrices that turning takes: see `turn/exchange.rs`.
+    #[doc(hidden)]
+    const EXCHANGE: &'static [Self];
     /// self + a b. With the feature `std` on a target with the target feature `fma`, it
     /// rounds once, otherwise twice.
     fn add_product(self, a: Self, b: Self) -> Self;
@@ -51,10 +55,14 @@ mod sealed {
 }
 
 macro_rules! scalar {
-    ($float:ident, |$value:ident| $nearest:expr, $root:path, $sine_and_cosine:path) => {
+    (
+        $float:ident, $exchange:path,
+        |$value:ident| $nearest:expr, $root:path, $sine_and_cosine:path
+    ) => {
         impl Scalar for $float {
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
+            const EXCHANGE: &'static [Self] = &$exchange;
             #[cfg(all(feature = "std", target_feature = "fma"))]
             #[inline(always)]
             fn add_product(self, a: Self, b: Self) -> Self {
@@ -100,5 +108,5 @@ macro_rules! scalar {
         }
     };
 }
-scalar!(f32, |value| value as f32, libm::sqrtf, libm::sincosf);
-scalar!(f64, |value| value, libm::sqrt, libm::sincos);
+scalar!(f32, exchange::F32, |value| value as f32, libm::sqrtf, libm::sincosf);
+scalar!(f64, exchange::F64, |value| value, libm::sqrt, libm::sincos);

@@ -108,9 +108,8 @@ fn a_tint_scales_each_channel() {
 fn a_light_turns_and_a_map_is_baked_in_three_channels() {
     use eigenshade::mathematics::SinglePrecision;
     use eigenshade::{Rotation, Window};
-    const WORKSPACE: usize = Light::<f32>::turn_len(9);
     let rotation = Rotation::from_euler::<SinglePrecision>(0.3, 0.2, 0.1).unwrap();
-    let turned = light::PARK.turned::<100, WORKSPACE>(&rotation).unwrap();
+    let turned = light::PARK.turned::<100>(&rotation).unwrap();
     let expected = sphere::turned(&light::PARK.g, &rotation).unwrap();
     assert_eq!(turned.lights().unwrap().g.coefficients(), expected.as_slice());
     let window = Window::SincFourth { width: 20.0 };
@@ -161,10 +160,9 @@ fn turning_about_the_view_axis() {
     use eigenshade::{Error, Rotation};
     /// Of the largest coefficient: sixteen roundings.
     const TOLERANCE: f32 = 2e-6;
-    const WORKSPACE: usize = Light::<f32>::turn_len(9);
     for angle in [0.0, 0.3, -1.7, 3.1] {
         let rotation = Rotation::from_euler::<SinglePrecision>(angle, 0.0, 0.0).unwrap();
-        let expected = light::PARK.turned::<100, WORKSPACE>(&rotation).unwrap();
+        let expected = light::PARK.turned::<100>(&rotation).unwrap();
         let found = light::PARK.turned_about_view::<100>([angle.cos(), angle.sin()]).unwrap();
         for (found, expected) in <[_; 3]>::from(found.zip(expected)) {
             let largest = expected.iter().fold(0.0_f32, |most, value| most.max(value.abs()));
@@ -179,8 +177,7 @@ fn turning_about_the_view_axis() {
     let rotation = Rotation::from_euler::<SinglePrecision>(0.3, 0.0, 0.0).unwrap();
     let (mut workspace, mut expected) = (vec![0.0; Light::<f32>::turn_len(39)], vec![0.0; 1600]);
     light.turn_into::<SinglePrecision>(&rotation, &mut workspace, &mut expected).unwrap();
-    let mut found = vec![0.0; 1600];
-    light.turn_about_view_into([0.3_f32.cos(), 0.3_f32.sin()], &mut found).unwrap();
+    let found = light.turned_about_view::<1600>([0.3_f32.cos(), 0.3_f32.sin()]).unwrap();
     assert!(found.iter().zip(&expected).all(|(a, b)| (a - b).abs() < 5.0 * TOLERANCE));
     let refused = light::PARK.turned_about_view::<99>([1.0, 0.0]);
     assert!(matches!(refused, Err(Error::Capacity { needed: 100, capacity: 99, .. })));

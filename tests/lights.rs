@@ -3,7 +3,7 @@
 
 use crate::{oracle, tolerances};
 use eigenshade::mathematics::{Libm, SinglePrecision, Tabled};
-use eigenshade::{Error, Light, NegativePolicy, Rotation, Scalar, Window};
+use eigenshade::{Argument, Error, Light, NegativePolicy, Rgb, Rotation, Scalar, Window};
 use oracle::{ExplicitLight, Numbers};
 use std::f64::consts::PI;
 
@@ -45,7 +45,7 @@ fn turned<S: Scalar>(degree: usize, light: &[S], rotation: &Rotation<S>) -> Vec<
 fn angles() -> Vec<[f64; 3]> {
     let mut numbers = Numbers(11);
     let mut angles: Vec<_> = (0..200).map(|_| [0; 3].map(|_| PI * numbers.next())).collect();
-    let special = [0.0, 1e-7, 0.5 * PI, PI - 1e-6, PI];
+    let special = [0.0, 1e-9, 1e-7, 1e-3, 0.14, 0.5 * PI, PI - 1e-6, PI - 1e-9, PI];
     angles.extend(special.iter().flat_map(|&a| [[0.3, a, -0.7], [a, 0.0, a], [0.0, -a, 0.0]]));
     angles
 }
@@ -81,6 +81,8 @@ fn turned_light_is_the_generators() {
         (0, 0.0),
         (1, tolerances::SPECIAL_LOW),
         (9, tolerances::SPECIAL_LOW),
+        (12, tolerances::SPECIAL_LOW),
+        (13, tolerances::SPECIAL_HIGH),
         (32, tolerances::SPECIAL_HIGH),
     ] {
         let light = noise(degree, &mut numbers);
@@ -136,6 +138,50 @@ fn turning_back_is_exact() {
     }
     println!("back: {worst:?}");
     assert!(worst.iter().all(|&worst| worst <= TURNED_BACK_F32), "{worst:?}");
+}
+
+/// The energy of a degree of a light turned in f32, relative: roundings of 25 coefficients.
+const TURNED_ENERGY: f64 = 1e-6;
+
+/// A rotation changes the energy of no degree.
+#[test]
+fn degrees_keep_their_energy() {
+    let mut numbers = Numbers(12);
+    let light = single(&noise(12, &mut numbers));
+    let energy = |light: &[f32], l: usize| -> f64 {
+        light[l * l..(l + 1) * (l + 1)].iter().map(|&x| f64::from(x).powi(2)).sum()
+    };
+    let mut worst = 0.0f64;
+    for [a, b, c] in angles() {
+        let [a, b, c] = [a, b, c].map(|angle| angle as f32);
+        let rotation = Rotation::from_euler::<SinglePrecision>(a, b, c).expect("a rotation");
+        let turned = turned(12, &light, &rotation);
+        let changes = (0..=12).map(|l| energy(&turned, l) / energy(&light, l) - 1.0);
+        worst = worst.max(largest(changes));
+    }
+    println!("energy: {worst:e}");
+    assert!(worst <= TURNED_ENERGY, "{worst:e}");
+}
+
+/// All channels at once are each channel by itself, of other degrees too.
+#[test]
+fn color_turns_as_each_channel() {
+    let mut numbers = Numbers(13);
+    let channels = [9, 3, 12].map(|degree| single(&noise(degree, &mut numbers)));
+    let lights = channels.each_ref().map(|channel| Light::new(channel).expect("a light"));
+    let rotation = Rotation::from_quaternion([0.3, -0.5, 0.2, 0.1]).expect("a rotation");
+    let turned = Rgb::from(lights).turned::<169>(&rotation).expect("room");
+    for (turned, light) in <[_; 3]>::from(turned).into_iter().zip(lights) {
+        assert_eq!(turned, light.turned::<169>(&rotation).expect("room"));
+    }
+    // The view axis too, in buffers of every length.
+    let angle = [0.6f32, -0.8];
+    let [light, ..] = lights;
+    let found = light.turned_about_view::<100>(angle).expect("room");
+    assert_eq!(found.as_slice(), light.turned_about_view::<120>(angle).expect("room").as_slice());
+    let mut few = [0.0; 81];
+    let error = light.turn_about_view_into(angle, &mut few);
+    assert_eq!(error, Err(Error::Length { argument: Argument::Light, expected: 100, found: 81 }));
 }
 
 /// Half turns are their own inverses, and turns by nothing change nothing.
@@ -211,13 +257,20 @@ fn what_is_no_rotation_is_an_error() {
     }
     let light = [0.5f32; 16];
     let light = Light::new(&light).expect("16 coefficients");
-    const ROOM: usize = Light::<f32>::turn_len(3);
-    assert!(light.turned::<16, ROOM>(&Rotation::NONE).is_ok());
-    assert!(matches!(light.turned::<15, ROOM>(&Rotation::NONE), Err(Error::Capacity { .. })));
-    assert!(matches!(light.turned::<16, 10>(&Rotation::NONE), Err(Error::Capacity { .. })));
-    let (mut few, mut room) = ([0.0; 9], [0.0; ROOM]);
-    let error = light.turn_into::<Libm>(&Rotation::NONE, &mut room, &mut few);
+    assert!(light.turned::<16>(&Rotation::NONE).is_ok());
+    assert!(matches!(light.turned::<15>(&Rotation::NONE), Err(Error::Capacity { .. })));
+    let mut few = [0.0; 9];
+    let error = light.turn_into::<Libm>(&Rotation::NONE, &mut [], &mut few);
     assert!(matches!(error, Err(Error::Length { expected: 16, found: 9, .. })));
+    // From degree 13 on there has to be a workspace.
+    let numbers = [0.5f32; 196];
+    let light = Light::new(&numbers).expect("196 coefficients");
+    let needed = Light::<f32>::turn_len(13);
+    let error = Error::Capacity { argument: Argument::Workspace, needed, capacity: 0 };
+    assert_eq!(light.turned::<196>(&Rotation::NONE), Err(error));
+    let (mut room, mut turned) = (vec![0.0; needed - 1], [0.0; 196]);
+    let error = light.turn_into::<Libm>(&Rotation::NONE, &mut room, &mut turned);
+    assert!(matches!(error, Err(Error::Length { argument: Argument::Workspace, .. })));
 }
 
 /// Of every length a rotation or an error: the reciprocal of a square below the smallest normal
@@ -251,7 +304,8 @@ fn quaternions_of_any_length_are_rotations_or_errors() {
 /// Sizes that overflow count as the largest, and no buffer is as large.
 #[test]
 fn room_for_turning_a_light_of_any_degree_is_no_panic() {
-    assert_eq!(Light::<f32>::turn_len(9), 2 * 19 * 19 + 2 * 19 + 10);
+    assert_eq!(Light::<f32>::turn_len(12), 0);
+    assert_eq!(Light::<f32>::turn_len(13), 2 * 27 * 27 + 2 * 27 + 14);
     assert_eq!(Light::<f32>::turn_len(1 << (usize::BITS / 2)), usize::MAX);
     assert_eq!(Light::<f32>::turn_len(usize::MAX), usize::MAX);
 }

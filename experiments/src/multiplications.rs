@@ -18,7 +18,8 @@ pub struct Multiplications {
     pub collapse: usize,
     /// A material: polar integrals, then factors.
     pub transfer: usize,
-    /// Turning a light: one for each element of its matrices.
+    /// Turning a light: one for each element of the matrices that exchange y and z, twice, and four
+    /// for each pair of orders in each of four rotations about z.
     pub turn: usize,
     /// A pixel: the multiply-adds of `docs/performance.md`, by Horner's rule in t and in
     /// n_x - i n_y.
@@ -41,7 +42,13 @@ impl Multiplications {
             relight: owned.basis().map_err(fault)?.transfer_len(),
             collapse: parts.profiles.iter().map(of_profile).sum(),
             transfer: polar + parts.factors.len(),
-            turn: (1..=degree).map(|l| (2 * l + 1).pow(2)).sum(),
+            turn: (1..=degree)
+                .map(|l| {
+                    let (even, odd) = (l / 2, l.div_ceil(2));
+                    let elements = (even + 1).pow(2) + even.pow(2) + 2 * odd.pow(2);
+                    2 * elements + 16 * l
+                })
+                .sum(),
             pixel: pixel(&parts.lengths),
         })
     }

@@ -58,6 +58,14 @@ impl<Q> Light<'_, Q> {
     }
 }
 
+impl<'a, Q> Light<'a, Q> {
+    /// All mantissas.
+    #[must_use]
+    pub const fn mantissas(&self) -> &'a [Q] {
+        self.mantissas
+    }
+}
+
 impl<'a, Q> Material<'a, Q> {
     /// The material with these mantissas, and an exponent for each o. The number of mantissas
     /// determines the order.

@@ -14,8 +14,8 @@
 //! are too small, a pixel is wrong, but nothing panics. The results are the same bits on every
 //! machine.
 //!
-//! Maps are baked, and lights rotated and windowed, in floating point, on the host or on a machine
-//! with a float unit. [`IntegerMap`](crate::IntegerMap) is looked up in integers.
+//! Maps are baked, and lights windowed, in floating point, on the host or on a machine with a float
+//! unit. [`IntegerMap`](crate::IntegerMap) is looked up, and a light is turned, in integers.
 //!
 //! ```
 //! # #[cfg(feature = "baked")]
@@ -44,9 +44,12 @@ mod inputs;
 mod nine_terms;
 mod pixel;
 mod relight;
+mod rotation;
 mod scene;
 mod table;
 mod transfer;
+mod turn;
+mod view;
 
 /// Kernels for tables that are known when the program is compiled: `integer_table!` calls them, once
 /// for each azimuth. They compute the same bits as the methods of a [`Basis`] and a [`Scene`], with
@@ -73,5 +76,7 @@ pub(crate) use inputs::{LEAST_TOP, decoded, mantissas};
 pub use inputs::{Light, Material, MaterialBuffer, Normal};
 pub use nine_terms::NineTerms;
 pub use relight::Coefficients;
+pub use rotation::Rotation;
 pub use scene::{Scene, SceneBuffer};
 pub use transfer::{Transfer, TransferBuffer};
+pub use turn::LightBuffer;

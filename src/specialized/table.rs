@@ -492,7 +492,8 @@ macro_rules! table {
             light: &$crate::Light<'_, f32>,
             rotation: &$crate::Rotation<f32>,
         ) -> Result<LightBuffer, $crate::Error> {
-            light.turned::<LIGHT, { $crate::Light::<f32>::turn_len(DEGREE) }>(rotation)
+            const WORKSPACE: usize = $crate::Light::<f32>::turn_len(DEGREE);
+            $crate::specialized::turned::<_, LIGHT, WORKSPACE>(light, rotation)
         }
         /// The coefficients of a light after a window: see [`eigenshade::Light::windowed`].
         ///

@@ -147,7 +147,6 @@ const TURNED_ENERGY: f64 = 5e-6;
 const LARGEST_IMAGE: f64 = 100.0;
 
 const LIGHT: usize = light::count(sphere::DEGREE);
-const TURN: usize = Light::<f32>::turn_len(sphere::DEGREE);
 
 /// Look-ups, baking, rotation, windows, truncation, estimates and sizes, of any numbers.
 pub fn every_way(input: &mut Reader<'_>) {
@@ -214,7 +213,7 @@ fn any_rotation(input: &mut Reader<'_>) -> Rotation<f32> {
 
 /// Turned and windowed light: finite of moderate numbers, of the same energy.
 fn turn(light: &Light<'_, f32>, rotation: &Rotation<f32>, is_moderate: bool) {
-    let turned = light.turned::<LIGHT, TURN>(rotation).expect("room");
+    let turned = light.turned::<LIGHT>(rotation).expect("room");
     for width in [0.5, 10.0, f32::NAN] {
         let window = Window::SincFourth { width };
         let windowed = light.windowed::<Tabled, LIGHT>(window).expect("room");

@@ -84,7 +84,7 @@ fn pictures_follow_their_options() {
     near("--exposure 0.5 --tone reinhard", gold(size, Tone::Reinhard, 0.5, lobby));
     near("--exposure 2 --tone filmic", gold(size, Tone::Filmic, 2.0, lobby));
     let rotation = Rotation::from_euler::<Libm>(0.5, 1.2, -0.3).unwrap();
-    let turned = lobby.turned::<100, { Light::<f32>::turn_len(9) }>(&rotation).unwrap();
+    let turned = lobby.turned::<100>(&rotation).unwrap();
     let turned = gold(size, Tone::Linear, 0.5, turned.lights().unwrap());
     assert!(turned != linear);
     near("--exposure 0.5 --rotate 0.5,1.2,-0.3", turned);

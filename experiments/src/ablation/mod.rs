@@ -225,14 +225,16 @@ fn changes(counts: &Counts, host: [f64; 4]) -> String {
         };
         boards.map(count).join(" | ")
     };
-    // For three channels.
-    let turn = counts.get(M4F, "sun_leather_turning/turn", "instructions");
-    let light = counts.get(M4F, "relight_collapse", "instructions");
-    let turned = number(turn.zip(light).map(|(turn, light)| turn / 3 + light));
+    let turned = boards.map(|on| {
+        let [turn, light] =
+            ["turn", "relight_collapse"].map(|operation| counts.get(on, operation, "instructions"));
+        // The former is of three channels.
+        number(turn.zip(light).map(|(turn, light)| turn / 3 + light))
+    });
     let relight = found.relight + found.collapse;
     let [of_light, of_turn, of_material] =
         [relight, found.turn, found.transfer + relight].map(grouped);
-    let of_turn = format!("{of_turn} matrix elements of some twenty each, then {of_light}");
+    let of_turn = format!("{of_turn}, then {of_light}");
     let mut full = decode(BOARDS.0).expect("the boards' table");
     trim(&mut full, BOARDS.1);
     let full = Multiplications::of(&full).expect("a basis").pixel;
@@ -246,7 +248,7 @@ fn changes(counts: &Counts, host: [f64; 4]) -> String {
         (
             "light, turned | `Light::turned`, `relight`, `collapse` | the material's transfer",
             of_turn,
-            format!("{turned} | - | - | -"),
+            turned.join(" | "),
         ),
         (
             "material | `transfer`, `relight`, `collapse` | the light's coefficients",

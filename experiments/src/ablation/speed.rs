@@ -78,7 +78,6 @@ fn of_scene(scene: &Scene) -> f64 {
 }
 
 fn of_changes() -> [f64; 4] {
-    const ROOM: usize = Light::<f32>::turn_len(sphere::DEGREE);
     const LIGHT: usize = light::count(sphere::DEGREE);
     let scene = Scene::named("sun_leather");
     let coefficients = single(scene.light(sphere::DEGREE).entries[0].luminance());
@@ -105,7 +104,7 @@ fn of_changes() -> [f64; 4] {
             black_box(collapsed(black_box(&light), &transfer));
         }),
         of_nine_terms(|| {
-            let turned = black_box(&light).turned::<LIGHT, ROOM>(&rotation).expect("room");
+            let turned = black_box(&light).turned::<LIGHT>(&rotation).expect("room");
             let light = Light::new(&turned).expect("100 coefficients");
             black_box(collapsed(&light, &transfer));
         }),

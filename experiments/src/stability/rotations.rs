@@ -86,9 +86,8 @@ fn off(matrix: [[f32; 3]; 3]) -> f64 {
 
 /// A light in f32, rotated.
 fn turned(light: &[f32], rotation: &Rotation<f32>) -> Vec<f32> {
-    const ROOM: usize = Light::<f32>::turn_len(9);
     let light = Light::new(light).expect("100 coefficients");
-    light.turned::<100, ROOM>(rotation).expect("room").to_vec()
+    light.turned::<100>(rotation).expect("room").to_vec()
 }
 
 /// The largest relative change of the energy of a degree.

@@ -8,7 +8,7 @@ use core::hint::black_box;
 use eigenshade::presets::{light::LOBBY, material::GOLD_METALLIC_PAINT};
 use eigenshade::{
     BakedMap, Buffer, Disc, DiscPixel, Display, Light, MapPoint, Material, NineTerms, Rgb,
-    Tolerance, Tone, sphere,
+    Rotation, Tolerance, Tone, sphere,
 };
 use programs::inputs::floats as inputs;
 use table::{COMPONENTS, Coefficients, DEGREE, SCENE, Transfer};
@@ -186,6 +186,14 @@ fn metallic_roughness() {
     measure(&[0.3, 0.7], Passes(64), |roughness| {
         Material::metallic_roughness(black_box(copper), 1.0, *roughness)
     });
+}
+
+/// A rotation of a light in color about any axis.
+fn turn() {
+    let rotation = Rotation::from_quaternion(black_box([0.1, 0.2, 0.3, 1.0]));
+    let Ok(rotation) = rotation else { board::exit(false) };
+    holds(size_of_val(&rotation));
+    measure(&[LOBBY], Passes(64), |light| light.turned::<100>(&rotation));
 }
 
 /// A rotation of a light in color about the view axis.

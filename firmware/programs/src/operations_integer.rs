@@ -6,7 +6,7 @@
 use board::{Passes, holds, measure};
 use core::hint::black_box;
 use eigenshade::presets::{light::q15::LOBBY, material::q15::GOLD_METALLIC_PAINT};
-use eigenshade::quantized::{Material, MaterialBuffer, NineTerms};
+use eigenshade::quantized::{Material, MaterialBuffer, NineTerms, Rotation};
 use eigenshade::{
     Disc, DiscPixel, Display, Exposure, IntegerMap, MapPoint, Q15, Rgb, Tone, sphere,
 };
@@ -208,4 +208,18 @@ fn gold_light() {
     measure(&[LOBBY], Passes(16), |light| {
         sphere::q15::color::relight_into(&transfer, *light, black_box(&mut scene)).is_ok()
     });
+}
+
+/// A rotation of a light in color about any axis.
+fn turn() {
+    let rotation = Rotation::from_quaternion(black_box([1, 2, 3, 10]));
+    let Ok(rotation) = rotation else { board::exit(false) };
+    holds(size_of_val(&rotation));
+    measure(&[LOBBY], Passes(16), |light| light.turned::<100>(&rotation));
+}
+
+/// A rotation of a light in color about the view axis.
+fn turn_view() {
+    let angle = black_box([3, 4]);
+    measure(&[LOBBY], Passes(16), |light| light.turned_about_view::<100>(angle));
 }

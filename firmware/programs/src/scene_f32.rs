@@ -5,14 +5,13 @@
 
 use board::{Passes, measure_named};
 use core::hint::black_box;
-use eigenshade::{Light, Rotation};
+use eigenshade::{Light, Rgb, Rotation};
 use programs::inputs::floats as inputs;
-use table::{COMPONENTS, DEGREE, LIGHT, ORDER};
+use table::{COMPONENTS, LIGHT, ORDER};
 
 programs::program!();
 
 const MATERIAL: usize = eigenshade::index::material::count(ORDER);
-const ROOM: usize = Light::<f32>::turn_len(DEGREE);
 
 fn main() {
     let material = inputs::numbers::<MATERIAL>();
@@ -52,7 +51,9 @@ fn main() {
         let rotation = Rotation::from_quaternion(black_box([0.1, 0.2, 0.3, 1.0]));
         let Ok(rotation) = rotation else { board::exit(false) };
         measure_named("turn", &lights, Passes(16), |lights| {
-            lights.each_ref().map(|light| Light::new(light)?.turned::<LIGHT, ROOM>(&rotation))
+            let [first, ..] = lights;
+            let channel = |place: usize| Light::new(lights.get(place).unwrap_or(first));
+            Rgb::new(channel(0)?, channel(1)?, channel(2)?).turned::<LIGHT>(&rotation)
         });
     }
 }

@@ -1,0 +1,141 @@
+//! The matrices that exchange y and z: (Ef)(x, y, z) = f(x, z, y), for degrees 1 to 12.
+//!
+//! Without the phase, that is, in the basis of [`graphics_sign`](crate::index::light::graphics_sign),
+//! let c_m and s_m be the harmonics of orders m and -m. E is its own inverse and therefore
+//! symmetric. It maps functions that are even in y to functions that are even in z, and preserves
+//! the parity in x, so three quarters of its elements are zero. The others are four square blocks.
+//!
+//! E maps a rotation about z to one about -y, so E D_z = -D_y E for their generators. That is a
+//! recurrence along each column. It starts with the order l, (x + iz)^l, and proceeds toward
+//! smaller orders, in which direction it is stable.
+
+use crate::format::{Q15, Q31};
+
+/// The largest degree of the tables.
+pub(crate) const LARGEST: usize = 12;
+
+/// Number of elements of the tables.
+const ELEMENTS: usize = {
+    let (mut elements, mut l) = (0, 1);
+    while l <= LARGEST {
+        let (even, odd) = (l / 2, l.div_ceil(2));
+        elements += (even + 1) * (even + 1) + even * even + 2 * odd * odd;
+        l += 1;
+    }
+    elements
+};
+
+/// -E for each degree in turn. Each has four square blocks, row by row: the rows of c_m for even m
+/// and for odd m, and those of s_m for even m and for odd m.
+///
+/// The sign drops out wherever E is applied twice. It makes -1 of those elements that are 1, which
+/// a fraction of 2^15 in 16 bits represents exactly.
+#[expect(clippy::indexing_slicing, reason = "a constant function has no iterators")]
+const EXCHANGE: [f64; ELEMENTS] = {
+    let (mut elements, mut place, mut l) = ([0.0; ELEMENTS], 0, 1);
+    while l <= LARGEST {
+        let links = links(l);
+        let mut block = 0;
+        while block < 4 {
+            let is_sine = block >= 2;
+            // The orders of the rows, and those of the columns. No sine has order 0.
+            let mut m = if block == 2 { 2 } else { block % 2 };
+            while m <= l {
+                let mut n = if is_sine { (l + 1) % 2 } else { l % 2 };
+                if n == 0 && (l - m) % 2 == 1 {
+                    n = 2;
+                }
+                while n <= l {
+                    elements[place] = -element(l, m, n, &links);
+                    (place, n) = (place + 1, n + 2);
+                }
+                m += 2;
+            }
+            block += 1;
+        }
+        l += 1;
+    }
+    assert!(place == ELEMENTS);
+    elements
+};
+
+/// The element of order m in the image of order n, by the recurrence from order l down.
+#[expect(clippy::indexing_slicing, reason = "a constant function has no iterators")]
+const fn element(l: usize, m: usize, n: usize, links: &[f64; LARGEST + 1]) -> f64 {
+    // 2^(1-l) √binomial(2l, l - n), over √2 for order 0; (x + iz)^l has the signs + + - -.
+    let (mut binomial, mut k) = (if n == 0 { 2.0 } else { 4.0 }, 0);
+    while k < l {
+        binomial *= 0.25;
+        k += 1;
+    }
+    k = 0;
+    while k < l - n {
+        binomial *= (2 * l - k) as f64 / (k + 1) as f64;
+        k += 1;
+    }
+    let (mut before, mut now) = (0.0, root(binomial));
+    if (l - n) / 2 % 2 == 1 {
+        now = -now;
+    }
+    let mut order = l;
+    while order > m {
+        let sign = if (l - order).is_multiple_of(2) { 2.0 } else { -2.0 };
+        let above = if order < l { links[order] } else { 0.0 };
+        (before, now) = (now, (sign * n as f64 * now + above * before) / links[order - 1]);
+        order -= 1;
+    }
+    now
+}
+
+/// The elements of the generator between each order and the next, times two.
+#[expect(clippy::indexing_slicing, reason = "a constant function has no iterators")]
+const fn links(l: usize) -> [f64; LARGEST + 1] {
+    let (mut links, mut m) = ([0.0; LARGEST + 1], 0);
+    while m < l {
+        let square = (l - m) * (l + m + 1);
+        links[m] = root(if m == 0 { 2 * square } else { square } as f64);
+        m += 1;
+    }
+    links
+}
+
+/// √x for x > 0, by Newton's method from above, until it stops decreasing.
+const fn root(x: f64) -> f64 {
+    let mut root = if x > 1.0 { x } else { 1.0 };
+    loop {
+        let next = 0.5 * (root + x / root);
+        if next >= root {
+            return root;
+        }
+        root = next;
+    }
+}
+
+macro_rules! exchange {
+    ($($name:ident: $format:ty = |$element:ident| $converted:expr;)*) => {
+        $(
+            /// The matrices in this format.
+            #[expect(clippy::indexing_slicing, reason = "a constant function has no iterators")]
+            pub(crate) static $name: [$format; ELEMENTS] = {
+                let (mut elements, mut k) = ([{ let $element = 0.0; $converted }; ELEMENTS], 0);
+                while k < ELEMENTS {
+                    let $element = EXCHANGE[k];
+                    elements[k] = $converted;
+                    k += 1;
+                }
+                elements
+            };
+        )*
+    };
+}
+exchange! {
+    F32: f32 = |element| element as f32;
+    F64: f64 = |element| element;
+    Q15_ELEMENTS: Q15 = |element| Q15(nearest(element * 32_768.0) as i16);
+    Q31_ELEMENTS: Q31 = |element| Q31(nearest(element * 2_147_483_648.0) as i32);
+}
+
+/// The nearest integer; a conversion truncates toward zero, and saturates.
+const fn nearest(x: f64) -> f64 {
+    if x < 0.0 { x - 0.5 } else { x + 0.5 }
+}

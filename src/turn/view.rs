@@ -1,0 +1,168 @@
+//! Turns light about the view axis: a rotation of each pair of orders m and -m.
+
+use crate::buffer::zeros;
+use crate::color::Rgb;
+use crate::error::{Argument, Error};
+use crate::index::light;
+use crate::light::{Light, LightBuffer, degree};
+use crate::scalar::Scalar;
+
+/// For each order to 12 a step for each degree l from it on, then another. All are literals: the
+/// compiler would keep the longest loops, and addresses with them.
+macro_rules! unrolled {
+    ($m:ident in 1..=$degree:ident { $l:ident => $step:expr; $then:expr; }) => {
+        $crate::turn::view::unrolled!(@ $m $degree $l $step; $then;
+            1 [0 1 2 3 4 5 6 7 8 9 10 11] 2 [0 1 2 3 4 5 6 7 8 9 10] 3 [0 1 2 3 4 5 6 7 8 9]
+            4 [0 1 2 3 4 5 6 7 8] 5 [0 1 2 3 4 5 6 7] 6 [0 1 2 3 4 5 6] 7 [0 1 2 3 4 5]
+            8 [0 1 2 3 4] 9 [0 1 2 3] 10 [0 1 2] 11 [0 1] 12 [0])
+    };
+    (@ $m:ident $degree:ident $l:ident $step:expr; $then:expr; $($order:literal $above:tt)*) => {
+        $({
+            let $m: usize = $order;
+            if $m <= $degree {
+                $crate::turn::view::unrolled!(# $m $degree $l $step; $above);
+                $then;
+            }
+        })*
+    };
+    (# $m:ident $degree:ident $l:ident $step:expr; [$($above:literal)*]) => {
+        $({
+            let $l: usize = $m + $above;
+            if $l <= $degree {
+                $step;
+            }
+        })*
+    };
+}
+pub(crate) use unrolled;
+
+impl<S: Scalar> Light<'_, S> {
+    /// The coefficients of this light after a rotation about the view axis z, from x toward y, by
+    /// the angle with this cosine and sine: [`turned`](Self::turned) at a fraction of its cost.
+    ///
+    /// ```
+    /// use eigenshade::Light;
+    ///
+    /// let light = Light::new(&[3.5, 0.0, 0.0, 1.0])?; // brightest at the left
+    /// let turned = light.turned_about_view::<4>([0.0, 1.0])?; // now from below
+    /// assert_eq!(turned.as_slice(), [3.5, 1.0, 0.0, 0.0]);
+    /// # Ok::<(), eigenshade::Error>(())
+    /// ```
+    ///
+    /// Cost: four products for each degree and order above 0. If `N` is (degree + 1)² itself, no
+    /// loop is left to degree 12.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Capacity`] if `N` is below (degree + 1)².
+    pub fn turned_about_view<const N: usize>(
+        &self,
+        angle: [S; 2],
+    ) -> Result<LightBuffer<S, N>, Error> {
+        let mut turned = zeros::<S, N>(Argument::Light, light::count(self.degree()))?;
+        match turned.as_mut_slice().try_into() {
+            Ok(all) => self.turn_about_view_into::<N>(angle, all)?,
+            Err(_) => self.turn_in_loops(angle, &mut turned),
+        }
+        Ok(turned)
+    }
+
+    /// [`turned_about_view`](Self::turned_about_view) into existing coefficients, without moving
+    /// them.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] unless `N` is (degree + 1)².
+    pub fn turn_about_view_into<const N: usize>(
+        &self,
+        angle: [S; 2],
+        turned: &mut [S; N],
+    ) -> Result<(), Error> {
+        let Ok(from) = <&[S; N]>::try_from(self.coefficients()) else {
+            let expected = light::count(self.degree());
+            return Err(Error::Length { argument: Argument::Light, expected, found: N });
+        };
+        let degree = const {
+            match degree(N) {
+                Ok(degree) => degree,
+                // No light has this length.
+                Err(_) => 0,
+            }
+        };
+        let mut multiple = angle;
+        means(degree, from, turned);
+        unrolled!(m in 1..=degree {
+            l => pair(m, l, multiple, from, turned);
+            multiple = product(multiple, angle);
+        });
+        for m in 13..=degree {
+            order(m, degree, multiple, from, turned);
+            multiple = product(multiple, angle);
+        }
+        Ok(())
+    }
+
+    /// The same for a degree that is known at run time.
+    #[inline(never)]
+    fn turn_in_loops(&self, angle: [S; 2], turned: &mut [S]) {
+        let (degree, from) = (self.degree(), self.coefficients());
+        means(degree, from, turned);
+        let mut multiple = angle;
+        for m in 1..=degree {
+            order(m, degree, multiple, from, turned);
+            multiple = product(multiple, angle);
+        }
+    }
+}
+
+impl<S: Scalar> Rgb<Light<'_, S>> {
+    /// [`Light::turned_about_view`] in each channel.
+    ///
+    /// # Errors
+    ///
+    /// The same.
+    pub fn turned_about_view<const N: usize>(
+        &self,
+        angle: [S; 2],
+    ) -> Result<Rgb<LightBuffer<S, N>>, Error> {
+        self.each_ref().try_map(|light| light.turned_about_view::<N>(angle))
+    }
+}
+
+/// Copies the coefficients of order 0.
+#[inline(always)]
+fn means<S: Scalar>(degree: usize, from: &[S], turned: &mut [S]) {
+    for l in 0..=degree {
+        let place = light::position(l, 0);
+        if let (Some(to), Some(&mean)) = (turned.get_mut(place), from.get(place)) {
+            *to = mean;
+        }
+    }
+}
+
+/// Turns the pairs of order m by this multiple of the angle.
+#[inline(always)]
+fn order<S: Scalar>(m: usize, degree: usize, multiple: [S; 2], from: &[S], turned: &mut [S]) {
+    (m..=degree).for_each(|l| pair(m, l, multiple, from, turned));
+}
+
+/// Turns the orders -m and m of degree l.
+#[inline(always)]
+fn pair<S: Scalar>(m: usize, l: usize, [c, s]: [S; 2], from: &[S], turned: &mut [S]) {
+    // The harmonics of odd m > 0 have the sign -1.
+    let s = if m.is_multiple_of(2) { s } else { -s };
+    let first = light::position(l, -m.cast_signed());
+    let pair = first..=first + 2 * m;
+    if let (Some(&[minus, .., plus]), Some([to_minus, .., to_plus])) =
+        (from.get(pair.clone()), turned.get_mut(pair))
+    {
+        *to_minus = minus * c - plus * s;
+        *to_plus = plus * c + minus * s;
+    }
+}
+
+/// The product of two complex numbers.
+#[inline(always)]
+fn product<S: Scalar>([a, b]: [S; 2], [c, d]: [S; 2]) -> [S; 2] {
+    [a * c - b * d, b * c + a * d]
+}

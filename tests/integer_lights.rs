@@ -1,0 +1,269 @@
+//! Lights turned in integers: against the generator's rotations in f64, and the same bits on every
+//! machine.
+
+use crate::oracle::Numbers;
+use eigenshade::mathematics::Libm;
+use eigenshade::quantized::{Light, LightBuffer, Rotation};
+use eigenshade::{Argument, Error, FixedPoint, Q15, Q31, Rgb};
+use eigenshade_model::rotation;
+use std::f64::consts::PI;
+
+/// Errors of a coefficient, of the root of the energy of its degree: as documented. A dozen
+/// roundings of numbers of 15 or 30 bits, and in the latter those of the angles, times 12.
+const OF_ENERGY: [f64; 2] = [1.0 / 4_096.0, 1.0 / 33_554_432.0];
+
+/// A format, and what its mantissas are.
+trait Input: FixedPoint {
+    fn value(self) -> f64;
+    fn of(number: f64) -> Self;
+}
+
+impl Input for Q15 {
+    fn value(self) -> f64 {
+        self.0.into()
+    }
+    fn of(number: f64) -> Self {
+        Self((number * 32_767.0) as i16)
+    }
+}
+
+impl Input for Q31 {
+    fn value(self) -> f64 {
+        self.0.into()
+    }
+    fn of(number: f64) -> Self {
+        Self((number * 2_147_483_647.0) as i32)
+    }
+}
+
+/// The coefficients of a light.
+fn values<Q: Input>(light: Light<'_, Q>) -> Vec<f64> {
+    let scale = f64::from(light.exponent()).exp2();
+    light.mantissas().iter().map(|mantissa| mantissa.value() * scale).collect()
+}
+
+/// Largest errors of coefficients beyond so many units of the mantissas, of the root of the energy of
+/// their degree.
+fn worst<Q: Input>(light: Light<'_, Q>, exact: &[f64], found: Light<'_, Q>, units: f64) -> f64 {
+    let unit = f64::from(found.exponent()).exp2();
+    let found = values(found);
+    let degree = (exact.len() as f64).sqrt() as usize - 1;
+    (0..=degree).fold(0.0, |most: f64, l| {
+        let range = l * l..(l + 1) * (l + 1);
+        let energy: f64 = values(light)[range.clone()].iter().map(|x| x * x).sum();
+        let apart = range.map(|k| (found[k] - exact[k]).abs()).fold(0.0, f64::max);
+        let over = (apart - 1.0001 * units * unit).max(0.0);
+        most.max(if over > 0.0 { over / energy.sqrt() } else { 0.0 })
+    })
+}
+
+/// Angles in general, at the poles, next to them, and half turns.
+fn angles() -> Vec<[f64; 3]> {
+    let mut numbers = Numbers(21);
+    let mut angles: Vec<_> = (0..300).map(|_| [0; 3].map(|_| PI * numbers.next())).collect();
+    let special = [0.0, 1e-9, 1e-4, 0.14, 0.5 * PI, PI - 1e-6, PI];
+    angles.extend(special.iter().flat_map(|&a| [[0.3, a, -0.7], [a, 0.0, a], [0.0, -a, 0.0]]));
+    angles
+}
+
+/// The quaternion of Euler angles, to 30 bits.
+fn quaternion([a, b, c]: [f64; 3]) -> [i32; 4] {
+    let (sb, cb) = (0.5 * b).sin_cos();
+    let (sum, difference) = (0.5 * (a + c), 0.5 * (a - c));
+    [-sb * difference.sin(), sb * difference.cos(), cb * sum.sin(), cb * sum.cos()]
+        .map(|x| (x * 1_073_741_823.0).round() as i32)
+}
+
+/// Lights of one size, of falling size, of one order, of nothing but one coefficient.
+fn lights<Q: Input>(degree: usize, numbers: &mut Numbers) -> Vec<Vec<Q>> {
+    let count = (degree + 1) * (degree + 1);
+    let noise = |numbers: &mut Numbers| (0..count).map(|_| numbers.next()).collect::<Vec<_>>();
+    let falling = noise(numbers).iter().enumerate().map(|(k, x)| x / (1 + k) as f64).collect();
+    let full = noise(numbers).iter().map(|x| x.signum()).collect();
+    let mut single = vec![0.0; count];
+    single[count - 1 - degree] = -1.0;
+    let faint = noise(numbers).iter().map(|x| x * 0.003).collect();
+    [noise(numbers), falling, full, single, faint]
+        .map(|light: Vec<f64>| light.into_iter().map(Q::of).collect())
+        .into()
+}
+
+fn agrees<Q: Input>(most: f64) {
+    let (mut numbers, mut found) = (Numbers(22), 0.0f64);
+    for degree in [1, 2, 9, 12] {
+        for (round, angles) in angles().into_iter().enumerate() {
+            let [a, b, c] = angles;
+            let reference = rotation::Rotation { alpha: b, beta: a, gamma: c };
+            let of_quaternion = Rotation::from_quaternion(quaternion(angles)).expect("a rotation");
+            let [a, b, c] = angles.map(|angle| angle as f32);
+            let floats = eigenshade::Rotation::from_euler::<Libm>(a, b, c).expect("a rotation");
+            for mantissas in lights::<Q>(degree, &mut numbers).iter().skip(round % 2).step_by(2) {
+                let light = Light::new(-3, mantissas).expect("a light");
+                let exact = reference.turn(degree, &values(light));
+                let turned = light.turned::<169>(&of_quaternion).expect("room");
+                found = found.max(worst(light, &exact, turned.light().expect("a light"), 0.5));
+                if Q::BITS == 15 {
+                    let turned = light.turned::<169>(&Rotation::quantize(&floats)).expect("room");
+                    found = found.max(worst(light, &exact, turned.light().expect("a light"), 0.5));
+                }
+            }
+        }
+    }
+    println!("{}: 2^{:.2}", Q::NAME, found.log2());
+    assert!(found <= most, "{found:e}");
+}
+
+#[test]
+fn light_turned_in_integers_is_the_generators() {
+    agrees::<Q15>(OF_ENERGY[0]);
+    agrees::<Q31>(OF_ENERGY[1]);
+}
+
+/// By nothing, nothing changes.
+#[test]
+fn no_turn_changes_nothing() {
+    let mut numbers = Numbers(23);
+    let mantissas: Vec<Q15> =
+        (0..100).map(|k| Q15::of(numbers.next() / f64::from(1 + k))).collect();
+    let mut full = mantissas.clone();
+    full[0] = Q15(-32_767);
+    let light = Light::new(-15, &full).expect("a light");
+    for rotation in [
+        Rotation::NONE,
+        Rotation::from_quaternion([0, 0, 0, -7]).expect("a rotation"),
+        Rotation::quantize(&eigenshade::Rotation::NONE),
+    ] {
+        assert_eq!(rotation, Rotation::NONE);
+        let turned = light.turned::<100>(&rotation).expect("room");
+        assert_eq!(turned.light().expect("a light"), light);
+    }
+    let turned = light.turned_about_view::<100>([5, 0]).expect("room");
+    assert_eq!(turned.light().expect("a light"), light);
+}
+
+/// About the view axis, in buffers of every length: against the generator. Some coefficients take
+/// one bit more.
+#[test]
+fn turned_about_the_view_is_the_generators() {
+    fn agrees<Q: Input>(most: f64) {
+        let (mut numbers, mut found, mut larger) = (Numbers(27), 0.0f64, 0);
+        for degree in [0, 1, 9, 12] {
+            for [angle, ..] in angles() {
+                let exact = rotation::Rotation { alpha: 0.0, beta: angle, gamma: 0.0 };
+                let along = [angle.cos(), angle.sin()].map(|x| (x * 1e9).round() as i32);
+                for mantissas in lights::<Q>(degree, &mut numbers) {
+                    let light = Light::new(-3, &mantissas).expect("a light");
+                    let turned = light.turned_about_view::<169>(along).expect("room");
+                    if degree == 9 {
+                        let exact = light.turned_about_view::<100>(along).expect("room");
+                        assert_eq!(exact.light(), turned.light());
+                    }
+                    let turned = turned.light().expect("a light");
+                    let exact = exact.turn(degree, &values(light));
+                    found = found.max(worst(light, &exact, turned, 1.5));
+                    larger += i32::from(turned.exponent() > -3);
+                }
+            }
+        }
+        println!("{}: 2^{:.2}, larger {larger}", Q::NAME, found.log2());
+        assert!(found <= most && larger > 0, "{found:e}");
+    }
+    agrees::<Q15>(OF_ENERGY[0]);
+    agrees::<Q31>(OF_ENERGY[1]);
+}
+
+/// All channels at once are each channel by itself, of other degrees too.
+#[test]
+fn color_is_each_channel() {
+    let mut numbers = Numbers(24);
+    let channels = [100, 16, 49]
+        .map(|count: usize| -> Vec<Q15> { (0..count).map(|_| Q15::of(numbers.next())).collect() });
+    let lights =
+        Rgb::from(channels.each_ref().map(|channel| Light::new(-15, channel).expect("a light")));
+    let rotation = Rotation::from_quaternion([1, -2, 3, 5]).expect("a rotation");
+    let turned = lights.turned::<100>(&rotation).expect("room");
+    for (turned, light) in <[_; 3]>::from(turned.zip(lights)) {
+        assert_eq!(turned, light.turned::<100>(&rotation).expect("room"));
+    }
+    let turned = lights.turned_about_view::<100>([3, -4]).expect("room");
+    for (turned, light) in <[_; 3]>::from(turned.zip(lights)) {
+        assert_eq!(turned, light.turned_about_view::<100>([3, -4]).expect("room"));
+    }
+}
+
+/// The bits of a sequence of turns, as found once.
+#[test]
+fn turned_bits_are_the_same_everywhere() {
+    fn bytes<Q: Input, const B: usize>(bytes: fn(Q) -> [u8; B]) -> u32 {
+        let mut numbers = Numbers(25);
+        let mantissas: Vec<Q> = (0..100).map(|_| Q::of(numbers.next())).collect();
+        let light = Light::new(-15, &mantissas).expect("a light");
+        let mut turned: LightBuffer<Q, 100> = light.turned(&Rotation::NONE).expect("room");
+        let mut found = Vec::new();
+        for k in 0..20 {
+            let rotation =
+                Rotation::from_quaternion([k, 3 - k, 2 * k - 9, 11]).expect("a rotation");
+            turned = turned.light().and_then(|light| light.turned(&rotation)).expect("room");
+            let light = turned.light().expect("a light");
+            found.extend(light.mantissas().iter().flat_map(|&mantissa| bytes(mantissa)));
+            found.extend(light.exponent().to_le_bytes());
+        }
+        crc32fast::hash(&found)
+    }
+    let found = [bytes(|Q15(bits)| bits.to_le_bytes()), bytes(|Q31(bits)| bits.to_le_bytes())];
+    assert_eq!(found, [1_175_991_823, 2_251_539_003]);
+}
+
+#[test]
+fn what_cannot_be_turned_is_an_error() {
+    assert_eq!(Rotation::from_quaternion([0; 4]), Err(Error::Rotation));
+    let none = Rotation::NONE;
+    let mantissas = [Q15(i16::MAX); 196];
+    let light = Light::new(-15, &mantissas).expect("a light");
+    assert_eq!(light.turned::<196>(&none), Err(Error::Degree { found: 13 }));
+    assert_eq!(light.turned_about_view::<196>([1, 0]), Err(Error::Degree { found: 13 }));
+    let light = Light::new(-15, &mantissas[..100]).expect("a light");
+    let error = Error::Capacity { argument: Argument::Light, needed: 100, capacity: 99 };
+    assert_eq!(light.turned::<99>(&none), Err(error));
+    assert_eq!(light.turned_about_view::<99>([1, 0]), Err(error));
+    assert_eq!(light.turned_about_view::<100>([0, 0]), Err(Error::Rotation));
+    // The energy of a degree in one coefficient takes more bits.
+    let quarter = Rotation::from_quaternion([1, 1, 0, 1]).expect("a rotation");
+    let of_exponent = |exponent| Light::new(exponent, &mantissas[..100]).expect("a light");
+    assert!(of_exponent(124).turned::<100>(&quarter).is_ok());
+    assert_eq!(of_exponent(128).turned::<100>(&quarter), Err(Error::Exponent));
+    assert_eq!(of_exponent(128).turned_about_view::<100>([1, 1]), Err(Error::Exponent));
+    let zeros = [Q15(0); 100];
+    let turned = Light::new(128, &zeros).and_then(|light| light.turned::<100>(&quarter));
+    assert_eq!(turned.and_then(|turned| Ok(turned.light()?.exponent())), Ok(-96 - 15));
+}
+
+/// Mantissas and quaternions of any bits: nothing overflows, and the energy of each degree stays.
+#[test]
+fn any_bits_turn() {
+    let mut numbers = Numbers(26);
+    let mut any = || (numbers.next() * 2_147_483_648.0) as i32;
+    for round in 0..3_000 {
+        let shift = round % 31;
+        let quaternion = [any(), any(), any() >> shift, any() >> (30 - shift)];
+        let quaternion =
+            if round % 50 == 0 { [i32::MIN, i32::MAX, 0, i32::MIN] } else { quaternion };
+        let rotation = Rotation::from_quaternion(quaternion).expect("a rotation");
+        let mantissas: [Q15; 169] =
+            std::array::from_fn(|_| Q15((any() >> 16 >> (shift / 3)) as i16));
+        let light = Light::new(0, &mantissas).expect("a light");
+        let turned = light.turned::<169>(&rotation).expect("room");
+        let (before, after) = (values(light), values(turned.light().expect("a light")));
+        for l in 0..=12 {
+            let energy = |values: &[f64]| {
+                values[l * l..(l + 1) * (l + 1)].iter().map(|x| x * x).sum::<f64>()
+            };
+            let (before, after) = (energy(&before).sqrt(), energy(&after).sqrt());
+            let unit = f64::from(turned.light().expect("a light").exponent()).exp2();
+            assert!(
+                (before - after).abs() <= 5.0 * OF_ENERGY[0] * before + 5.0 * unit,
+                "{before} {after}"
+            );
+        }
+    }
+}
