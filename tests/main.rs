@@ -16,6 +16,7 @@ mod found;
 mod golden_file;
 mod kernels;
 mod lights;
+mod matcap;
 mod nine_terms;
 mod paper;
 mod parts;
