@@ -3,7 +3,7 @@
 //! A code is a point (u, v) with |u|, |v| <= 127: the normal's direction in the picture, and its
 //! angle from the camera as the distance from (0, 0), 127 for 90°. In this azimuthal equidistant map
 //! a step of u or v turns the normal by at most 0.71° everywhere, so rounding turns it by at most
-//! 0.51°. Octahedral codes are off by up to 0.56° and paraboloid codes by up to 0.64°. Both sin θ / θ
+//! 0.51°. Octahedral codes are off by up to 0.55° and paraboloid codes by up to 0.64°. Both sin θ / θ
 //! and cos θ are series in θ², which is u² + v², so a short polynomial decodes each.
 //!
 //! The codes with u = -128 have no normal of their own. Their other byte is a neighbor's number in
@@ -265,7 +265,7 @@ impl NormalPixel {
         Normal { x, y, z: (1.0 - t * value(COSINE_32)).max(0.0) }
     }
 
-    /// The normal in integers. Components are within 2 units of 2^-15 of those of its code.
+    /// The normal in integers. Components are within 2.5 units of 2^-15 of those of its code.
     #[inline]
     #[must_use]
     pub fn quantized_normal(self) -> quantized::Normal<Q15> {
@@ -278,8 +278,10 @@ impl NormalPixel {
             ((sum * t) >> 14) + a
         };
         let scale = value(SINE_15);
-        // At most 32,767, for all points inside the rim.
-        let [x, y] = self.point.map(|along| Q15(((i32::from(along) * scale + 64) >> 7) as i16));
+        let [x, y] = self.point.map(|along| {
+            // At most 2^15 before.
+            Q15(((i32::from(along) * scale + 64) >> 7).min(32_767) as i16)
+        });
         let z = 32_767 - ((value(COSINE_15) * t + (1 << 13)) >> 14);
         quantized::Normal { x, y, z: Q15(z.max(0) as i16) }
     }
@@ -289,10 +291,11 @@ const fn rounded([a, b, c, d]: [f64; 4], scale: f64) -> [f32; 4] {
     [(a * scale) as f32, (b * scale) as f32, (c * scale) as f32, (d * scale) as f32]
 }
 
-/// Rounds to the nearest integers; the signs alternate.
+/// Rounds up what is added to a step of Horner's rule, which rounds down, and the first coefficient
+/// to the nearest integer. The signs alternate.
 const fn whole([a, b, c, d]: [f64; 4], scale: f64) -> [i32; 4] {
-    let [a, b, c, d] = [a * scale + 0.5, b * scale - 0.5, c * scale + 0.5, d * scale - 0.5];
-    [a as i32, b as i32, c as i32, d as i32]
+    let [a, b, c, d] = [a * scale, b * scale, c * scale, d * scale - 0.5];
+    [a as i32 + 1, b as i32, c as i32 + 1, d as i32]
 }
 
 #[cfg(test)]
@@ -347,7 +350,7 @@ mod tests {
                 let more = if beyond { AT_THE_RIM } else { 0.0 };
                 assert!((found - exact).abs() < 2e-6 + more, "{point:?}: {found} {exact}");
                 let off = (f64::from(integer.0) - 32_768.0 * exact).abs();
-                assert!(off < 2.0 + 32_768.0 * more, "{point:?}: {integer:?} {exact}");
+                assert!(off < 2.5 + 32_768.0 * more, "{point:?}: {integer:?} {exact}");
             }
             assert!(found[2] >= 0.0 && found[2] <= 1.0 && integers[2].0 >= 0);
         }
@@ -367,7 +370,7 @@ mod tests {
             (sum, count) = (sum + z * off * off, count + z);
         });
         let rms = libm::sqrt(sum / count);
-        assert!(worst < 0.51 && rms < 0.27, "{worst} {rms}");
+        assert!(worst < 0.51 && rms < 0.28, "{worst} {rms}");
     }
 
     /// The two other maps that need no trigonometry, rounded to the same number of steps.
@@ -391,7 +394,7 @@ mod tests {
             octahedral = octahedral.max(degrees(found, [x, y, z]));
         });
         assert!((paraboloid - 0.64).abs() < 0.01, "{paraboloid}");
-        assert!((octahedral - 0.56).abs() < 0.01, "{octahedral}");
+        assert!((octahedral - 0.55).abs() < 0.01, "{octahedral}");
     }
 
     #[test]

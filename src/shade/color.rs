@@ -62,6 +62,8 @@ impl<B> Rgb<Scene<'_, B>> {
     /// # Ok::<(), eigenshade::Error>(())
     /// ```
     ///
+    /// Cost: that of [`Scene::shade_slice`] in each channel, and three copies for each normal.
+    ///
     /// # Errors
     ///
     /// [`Error::Length`] unless `irradiance` and `normals` have the same length.

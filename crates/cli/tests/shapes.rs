@@ -14,7 +14,7 @@ const PACKED: f64 = 0.51;
 
 /// The flat facets of a mesh of 24 rings against the ellipsoid that it approximates, in degrees: a
 /// pixel averages over a facet at least in part.
-const FACETED: f64 = 8.0;
+const FACETED: f64 = 5.0;
 
 fn degrees(a: [f64; 3], b: [f64; 3]) -> f64 {
     let square: f64 = a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum();

@@ -85,7 +85,7 @@ fn source(map: &str, bytes: &[u8]) -> Vec<u8> {
     let count = bytes.len();
     let mut text = format!(
         "// {}\n\n/// The map.\npub static MAP: eigenshade::NormalMap<'static> =\n    \
-         eigenshade::specialized::checked({map}&CODES));\n\nstatic CODES: [u8; {count}] = [\n",
+         eigenshade::specialized::checked({map}&CODES));\n\n#[rustfmt::skip]\nstatic CODES: [u8; {count}] = [\n",
         command_line()
     );
     for line in bytes.chunks(PER_LINE) {

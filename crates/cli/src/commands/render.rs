@@ -64,7 +64,7 @@ pub struct Render {
     #[arg(long, value_enum)]
     tone: Option<Curve>,
     /// Write the picture to this file, .png or .exr
-    #[arg(long, value_name = "F.png")]
+    #[arg(long, value_name = "F")]
     out: PathBuf,
 }
 
