@@ -84,17 +84,12 @@ impl ObjectView {
             whole[place(pixel)] = Some(*normal);
         }
         let mut codes = vec![NormalMap::BACKGROUND; whole.len()];
-        for (pixel, normal) in covered {
-            let alone = || {
-                if pixel.coverage < 0.5 { Ok(NormalMap::BACKGROUND) } else { code(*normal) }
-            };
-            codes[place(pixel)] = if pixel.coverage >= WHOLE {
-                code(*normal)?
-            } else {
-                let step = self.nearest(pixel, *normal, &whole);
-                let opacity = (255.0 * pixel.coverage).round() as u8;
-                let edge = step.map(|step| NormalMap::edge_code(opacity, step));
-                edge.map_or_else(alone, Ok)?
+        for (pixel, normal) in covered.filter(|(pixel, _)| pixel.coverage >= 1.0 - WHOLE) {
+            codes[place(pixel)] = match self.nearest(pixel, *normal, &whole) {
+                _ if pixel.coverage >= WHOLE => code(*normal)?,
+                Some(step) => NormalMap::edge_code((255.0 * pixel.coverage).round() as u8, step),
+                None if pixel.coverage >= 0.5 => code(*normal)?,
+                None => NormalMap::BACKGROUND,
             };
         }
         Ok(codes)

@@ -36,6 +36,7 @@ pub struct PackNormals {
 
 impl PackNormals {
     pub fn run(self, memory: Memory) -> Result<()> {
+        output::refuse_collisions([&self.out], [&self.normals])?;
         let extension = self.out.extension().unwrap_or_default().to_ascii_lowercase();
         let is_source = match extension.to_str() {
             Some("rs") => true,
@@ -45,7 +46,6 @@ impl PackNormals {
                 return Err(Error::new("unknown kind of output", remedy).in_file(&self.out));
             }
         };
-        output::refuse_collisions([&self.out], [&self.normals])?;
         let is_map = self.normals.extension().is_some_and(|end| end.eq_ignore_ascii_case("png"));
         let size = self.size.or((!is_map).then_some(SIZE));
         let view = ObjectView::read(memory.file(&self.normals), size)?;

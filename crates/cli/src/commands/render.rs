@@ -113,14 +113,14 @@ impl From<Curve> for Tone {
 
 impl Render {
     pub fn run(self, memory: Memory) -> Result<()> {
+        let (light, material) = (FileEntry::new(&self.light), FileEntry::new(&self.material));
+        let inputs = [&light.path, &material.path, &self.normals].into_iter().chain(&self.table);
+        output::refuse_collisions([&self.out], inputs)?;
         let file = PictureFile::of(&self.out)?;
         if file == PictureFile::Exr && self.tone.is_some() {
             let remedy = "leave --tone out, or write a .png";
             return Err(Error::new("an .exr has no tone curve", remedy).in_file(&self.out));
         }
-        let (light, material) = (FileEntry::new(&self.light), FileEntry::new(&self.material));
-        let inputs = [&light.path, &material.path, &self.normals].into_iter().chain(&self.table);
-        output::refuse_collisions([&self.out], inputs)?;
         let table = match &self.table {
             Some(path) => table::read(memory.file(path))?,
             None => table::decode(shipped::TABLE)?,
