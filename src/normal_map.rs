@@ -110,7 +110,7 @@ impl<'a> NormalMap<'a> {
 
     /// The pixels that the object covers at least in part, row by row from the top.
     ///
-    /// Cost: a few loads and comparisons a pixel, background included, and for its normal eight
+    /// Cost: a few loads and comparisons a pixel, background included, and for its normal twelve
     /// products and eight sums.
     #[must_use]
     pub fn pixels(&self) -> NormalPixels<'a> {
