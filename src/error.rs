@@ -87,6 +87,11 @@ pub enum Error {
         /// The number of texels per side.
         found: usize,
     },
+    /// A picture has no pixel.
+    Empty {
+        /// Which argument.
+        argument: Argument,
+    },
     /// A parameter of a material is not from 0 to 1.
     Outside {
         /// Which parameter.
@@ -140,6 +145,8 @@ pub enum Argument {
     Scene,
     /// A slice of normals or of their irradiances.
     Normals,
+    /// The bytes of a normal map, two for each pixel.
+    NormalMap,
     /// Images of a set, and the values reported for each.
     Images,
     /// Texels of a baked map.
@@ -236,6 +243,9 @@ impl fmt::Display for Error {
                 "{argument:?}: number {index} (from 0) is not finite; leave it out, or scale the numbers \
                  down"
             ),
+            Self::Empty { argument } => {
+                write!(f, "{argument:?}: no pixel; give it a width and a height above 0")
+            }
             Self::Outside { argument } => {
                 write!(f, "{argument:?} is outside [0, 1]; give a number from 0 to 1")
             }

@@ -18,7 +18,9 @@
 //!    how to handle irradiance below zero.
 //! 7. A module `color` of each table has these steps in three channels; [`Display`] makes pixels of
 //!    8, 6 or 5 bits of an [`Rgb`], and the module `presets` has lights and materials by name.
-//! 8. In the other direction, [`Basis::estimate`] takes pixels one by one and estimates d.
+//! 8. [`Disc`] iterates over the pixels of a sphere, [`NormalMap`] over those of any object, and
+//!    [`Matcap`] over the texels of a look-up by normal.
+//! 9. In the other direction, [`Basis::estimate`] takes pixels one by one and estimates d.
 //!
 //! A [`GeneralBasis`] does the same for objects other than a sphere.
 //!
@@ -134,6 +136,12 @@ mod display;
 
 mod disc;
 
+mod normal_map;
+
+mod blend;
+
+mod matcap;
+
 pub mod wire;
 
 #[cfg(feature = "defmt")]
@@ -179,6 +187,7 @@ pub use analytic::AnalyticLight;
 pub use bake::{BakedMap, MapBuffer, MapPoint};
 pub use bake_integer::IntegerMap;
 pub use basis::Basis;
+pub use blend::blend565;
 pub use buffer::Buffer;
 pub use color::Rgb;
 pub use disc::{Disc, DiscPixel};
@@ -191,9 +200,11 @@ pub use index::effect::{Effect, Effects};
 #[doc(inline)]
 pub use index::record::floats::{GeneralParts, Parts};
 pub use light::{Light, LightBuffer, Window};
+pub use matcap::{Matcap, MatcapTexel};
 pub use material::Material;
 pub use nine_terms::NineTerms;
 pub use normal::{Normal, Normals};
+pub use normal_map::{NormalMap, NormalPixel, NormalPixels};
 pub use projection::Coefficients;
 #[doc(hidden)]
 pub use recurrences::Recurrences;

@@ -4,7 +4,8 @@ use eigenshade::presets::{light, material};
 use eigenshade::quantized;
 use eigenshade::sphere::{self, q15};
 use eigenshade::{
-    Argument, Disc, Display, Error, Light, MapPoint, Material, Normal, Q15, Rgb, Tone, index,
+    Argument, Disc, Display, Error, Light, MapPoint, Material, Normal, Normals, Q15, Rgb, Tone,
+    index,
 };
 use eigenshade_shading::shipped;
 
@@ -102,6 +103,43 @@ fn a_tint_scales_each_channel() {
         Error::NotFinite { argument: Argument::Color, index: 1 }
     );
     assert!(matches!(gray.tint::<1>([1.0; 3]), Err(Error::Capacity { .. })));
+}
+
+/// Vertices of a mesh, in one call: the bits of one call for each.
+#[test]
+fn slices_are_shaded_in_color_as_their_normals() {
+    let scene = sphere::color::scene(light::LOBBY, material::GOLD_METALLIC_PAINT).unwrap();
+    let integers = q15::color::scene(light::q15::LOBBY, material::q15::GOLD_METALLIC_PAINT);
+    let integers = integers.unwrap();
+    let pixels: Vec<_> = Disc::new(60).collect();
+    for count in [0, 1, 7, 64, 320, 321, 640, 1300, pixels.len()] {
+        let pixels = &pixels[..count];
+        let axis = |axis: usize| -> Vec<f32> {
+            pixels.iter().map(|pixel| pixel.normal().components()[axis]).collect()
+        };
+        let [x, y, z] = [0, 1, 2].map(axis);
+        let normals = Normals::new(&x, &y, &z).unwrap();
+        let mut colors = vec![Rgb::gray(f32::NAN); count];
+        scene.shade_slice(normals, &mut colors).unwrap();
+        let of_channel = scene.each_ref().map(|channel| {
+            let mut values = vec![0.0; count];
+            channel.shade_slice(normals, &mut values).unwrap();
+            values
+        });
+        for (index, color) in colors.iter().enumerate() {
+            assert_eq!(*color, of_channel.each_ref().map(|values| values[index]), "{count}");
+        }
+        let normals: Vec<_> = pixels.iter().map(|pixel| pixel.quantized_normal()).collect();
+        let mut colors = vec![Rgb::gray(i32::MIN); count];
+        integers.shade_slice(&normals, &mut colors).unwrap();
+        assert!(colors.iter().zip(&normals).all(|(color, &of)| *color == integers.shade(of)));
+        let short =
+            Err(Error::Length { argument: Argument::Normals, expected: count, found: count + 1 });
+        colors.push(Rgb::gray(0));
+        assert_eq!(integers.shade_slice(&normals, &mut colors), short);
+        let normals = Normals::new(&x, &y, &z).unwrap();
+        assert_eq!(scene.shade_slice(normals, &mut vec![Rgb::gray(0.0); count + 1]), short);
+    }
 }
 
 #[test]

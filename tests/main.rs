@@ -17,6 +17,7 @@ mod golden_file;
 mod integer_lights;
 mod kernels;
 mod lights;
+mod matcap;
 mod nine_terms;
 mod paper;
 mod parts;

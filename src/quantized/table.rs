@@ -82,6 +82,21 @@ macro_rules! integer_table {
             ) -> Result<$crate::Rgb<$crate::Exposure>, $crate::Error> {
                 self.each_ref().try_map(|scene| $crate::Exposure::new(exposure, scene.exponent()))
             }
+
+            /// The mantissas of each normal in each channel, for engines that interpolate between
+            /// the vertices of a mesh: those of [`shade`](Self::shade).
+            ///
+            /// # Errors
+            ///
+            /// [`Error::Length`](eigenshade::Error::Length) unless `irradiance` and `normals` have
+            /// the same length.
+            pub fn shade_slice(
+                &self,
+                normals: &[$crate::quantized::Normal<$crate::$format>],
+                irradiance: &mut [$crate::Rgb<i32>],
+            ) -> Result<(), $crate::Error> {
+                $crate::specialized::shade_each(normals, irradiance, |normal| self.shade(normal))
+            }
         }
     };
     ($format:ident transfer scatter $([$p:literal $q:literal $($o:literal)*])*

@@ -1,5 +1,6 @@
 //! Shades many normals at a time, in loops that the compiler can vectorize.
 
+mod color;
 mod tile;
 
 use crate::error::{Argument, Error};

@@ -513,5 +513,19 @@ macro_rules! table {
             blank Coefficients::from([0.0; super::COMPONENTS]), Scene::blank(),
             view |transfer| transfer
         }
+        impl color::Scene {
+            /// The irradiance of each normal in each channel: see [`eigenshade::Rgb::shade_slice`].
+            ///
+            /// # Errors
+            ///
+            /// The same.
+            pub fn shade_slice(
+                &self,
+                normals: $crate::Normals<'_, f32>,
+                irradiance: &mut [$crate::Rgb<f32>],
+            ) -> Result<(), $crate::Error> {
+                self.each_ref().map(|scene| &**scene).shade_slice(normals, irradiance)
+            }
+        }
     };
 }

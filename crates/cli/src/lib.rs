@@ -4,6 +4,10 @@ pub mod table;
 
 pub mod picture;
 
+pub mod object;
+
+pub mod picture_file;
+
 #[cfg(feature = "generate")]
 pub mod reading;
 

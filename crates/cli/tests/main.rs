@@ -24,6 +24,7 @@ mod read;
 mod results;
 mod scene_choices;
 mod shade;
+mod shapes;
 mod tolerance_choice;
 
 use eigenshade_testing::{oracle, tolerances};

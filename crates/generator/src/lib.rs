@@ -46,6 +46,7 @@ pub mod object {
     pub(crate) mod mesh_ply;
     pub(crate) mod mesh_stl;
     pub mod normal_map;
+    pub mod picture;
     pub mod visibility;
 }
 

@@ -1,7 +1,7 @@
 //! Inputs of the measured operations. Except for `collapse_within` and floats in software, their
 //! values do not change the counts, because no operation branches on its numbers.
 
-use eigenshade::Disc;
+use eigenshade::{Disc, NormalMap, NormalPixels};
 
 /// A disc of 64 x 64 pixels from its middle rows on, where hardly any pixel is outside.
 #[must_use]
@@ -9,6 +9,22 @@ pub fn middle(mut disc: Disc) -> Disc {
     // The pixels above.
     let _ = disc.nth(1000);
     disc
+}
+
+/// The codes of a map of 64 x 17 normals, all inside the rim.
+#[must_use]
+pub fn codes() -> [[u8; 2]; 1088] {
+    let step = core::hint::black_box(7);
+    core::array::from_fn(|k| [(k & 63) as u8, step * (k & 7) as u8])
+}
+
+/// The pixels of that map.
+#[must_use]
+pub fn pixels(codes: &[[u8; 2]; 1088]) -> NormalPixels<'_> {
+    match NormalMap::new(64, 17, codes.as_flattened()) {
+        Ok(map) => map.pixels(),
+        Err(_) => board::exit(false),
+    }
 }
 
 /// Inputs in f32.

@@ -7,8 +7,8 @@ use board::{Passes, holds, measure};
 use core::hint::black_box;
 use eigenshade::presets::{light::LOBBY, material::GOLD_METALLIC_PAINT};
 use eigenshade::{
-    BakedMap, Buffer, Disc, DiscPixel, Display, Light, MapPoint, Material, NineTerms, Rgb,
-    Rotation, Tolerance, Tone, sphere,
+    BakedMap, Buffer, Disc, DiscPixel, Display, Light, MapPoint, Material, NineTerms, NormalPixel,
+    Rgb, Rotation, Tolerance, Tone, sphere,
 };
 use programs::inputs::floats as inputs;
 use table::{COMPONENTS, Coefficients, DEGREE, SCENE, Transfer};
@@ -144,6 +144,14 @@ fn disc() {
     let mut disc = programs::inputs::middle(Disc::new(black_box(64)));
     holds(size_of_val(&disc));
     measure(&[(); 16], Passes(64), |()| disc.next().map(DiscPixel::normal));
+}
+
+/// The next pixel of a normal map and its normal.
+fn normal_map() {
+    let codes = programs::inputs::codes();
+    let mut pixels = programs::inputs::pixels(&codes);
+    holds(size_of_val(&pixels));
+    measure(&[(); 16], Passes(64), |()| pixels.next().map(NormalPixel::normal));
 }
 
 /// Three irradiances to a pixel of 16 bits: exposed, toned and encoded.

@@ -8,7 +8,7 @@ use core::hint::black_box;
 use eigenshade::presets::{light::q15::LOBBY, material::q15::GOLD_METALLIC_PAINT};
 use eigenshade::quantized::{Material, MaterialBuffer, NineTerms, Rotation};
 use eigenshade::{
-    Disc, DiscPixel, Display, Exposure, IntegerMap, MapPoint, Q15, Rgb, Tone, sphere,
+    Disc, DiscPixel, Display, Exposure, IntegerMap, MapPoint, NormalPixel, Q15, Rgb, Tone, sphere,
 };
 use programs::inputs::integers as inputs;
 use table::{BASIS, COMPONENTS, Coefficients, ORDER, SCENE, Scene, Transfer};
@@ -164,6 +164,14 @@ fn disc() {
     let mut disc = programs::inputs::middle(Disc::new(black_box(64)));
     holds(size_of_val(&disc));
     measure(&[(); 16], Passes(64), |()| disc.next().map(DiscPixel::quantized_normal));
+}
+
+/// The next pixel of a normal map and its normal.
+fn normal_map() {
+    let codes = programs::inputs::codes();
+    let mut pixels = programs::inputs::pixels(&codes);
+    holds(size_of_val(&pixels));
+    measure(&[(); 16], Passes(64), |()| pixels.next().map(NormalPixel::quantized_normal));
 }
 
 /// Three irradiances to a pixel of 16 bits: exposed, toned and encoded.

@@ -14,6 +14,8 @@ mod list;
 mod material;
 mod options;
 mod pack;
+#[cfg(feature = "generate")]
+mod pack_normals;
 mod project;
 #[cfg(feature = "generate")]
 mod read;
@@ -39,6 +41,8 @@ pub enum Command {
     #[cfg(feature = "generate")]
     Basis(basis::Basis),
     Pack(pack::Pack),
+    #[cfg(feature = "generate")]
+    PackNormals(pack_normals::PackNormals),
     Info(info::Info),
     Eigenvalues(info::Eigenvalues),
     Project(project::Project),
@@ -62,6 +66,8 @@ impl Command {
             #[cfg(feature = "generate")]
             Self::Basis(command) => command.run(memory),
             Self::Pack(command) => command.run(memory),
+            #[cfg(feature = "generate")]
+            Self::PackNormals(command) => command.run(memory),
             Self::Info(command) => command.run(memory),
             Self::Eigenvalues(command) => command.run(memory),
             Self::Project(command) => command.run(memory),

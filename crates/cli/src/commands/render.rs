@@ -1,17 +1,18 @@
-//! `eigenshade render`: draws a sphere.
+//! `eigenshade render`: draws a sphere, a mesh or a normal map, or makes a matcap.
 
 use super::choices::Choices;
 use super::options::{FileEntry, Memory, count, positive};
 use clap::{Args, ValueEnum};
-use eigenshade::{Display, Effects, Meter, Rgb, Scalar, Tone};
+use eigenshade::{Effects, Matcap, Rgb, Scalar, Tone};
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::messages::{Ringing, albedo_warning};
+use eigenshade_cli::object::{ObjectView, SIZE};
 use eigenshade_cli::output;
-use eigenshade_cli::picture::{SphereView, write_png};
+use eigenshade_cli::picture_file::{Development, PictureFile};
 use eigenshade_cli::presets;
 use eigenshade_cli::table::{self, rounding};
 use eigenshade_model::database::{Lights, Materials};
-use eigenshade_model::error::Result;
+use eigenshade_model::error::{Error, Result};
 use eigenshade_shading::overflow;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader, fault, fitted, of_higher_order};
@@ -20,12 +21,10 @@ use eigenshade_table::scene::Geometry;
 use eigenshade_table::{Table, wire};
 use std::path::{Path, PathBuf};
 
-/// The share of the picture's pixels that the exposure leaves unclipped.
-const UNCLIPPED: f32 = 0.99;
-
-/// Draw a sphere as an sRGB PNG with a transparent background
+/// Draw a sphere, a mesh or a normal map with a transparent background, or make a matcap
 ///
-/// Without --exposure, one pixel in a hundred is brighter than white in some channel. The picture
+/// A PNG is in sRGB. Without --exposure, one pixel in a hundred is brighter than white in some
+/// channel. An .exr holds linear irradiance times the exposure, multiplied by opacity. The picture
 /// shows a sphere whatever the table's object is; a note says so if it is another.
 #[derive(Args, Debug)]
 pub struct Render {
@@ -40,22 +39,32 @@ pub struct Render {
     /// if the file has one material
     #[arg(long, value_name = "NAME|FILE[:NAME]")]
     material: String,
-    /// Pixels across, 2 to 8192
-    #[arg(long, value_name = "N", default_value = "512", value_parser = count(2, 8192))]
-    size: usize,
+    /// What to draw: `sphere`, a normal map (.png), or a mesh (.obj, .stl, .ply) from +z
+    #[arg(long, value_name = "NORMALS", default_value = "sphere")]
+    normals: PathBuf,
+    /// Make a matcap: the texel at (u, v), v up, has the normal whose x and y are 2u - 1 and 2v - 1.
+    /// three and blender are for engines that multiply normals by 0.495 and 0.496 instead of 1/2
+    #[arg(long, value_name = "FOR", value_enum, num_args = 0..=1, require_equals = true,
+        default_missing_value = "half", conflicts_with = "normals")]
+    matcap: Option<Engine>,
+    /// Pixels across the longer side, 2 to 8192; a normal map can only shrink [default: 512, or all
+    /// of a normal map]
+    #[arg(long, value_name = "N", value_parser = count(2, 8192))]
+    size: Option<usize>,
     /// Number format
     #[arg(long, value_enum, default_value_t = Format::F32)]
     format: Format,
     #[command(flatten)]
     choices: Choices,
-    /// The factor from irradiance to what the tone curve shows, white being 1 [default: metered]
+    /// The factor from irradiance to what the tone curve shows, white being 1 [default: metered,
+    /// and 1 for an .exr]
     #[arg(long, value_name = "E", value_parser = positive, allow_hyphen_values = true)]
     exposure: Option<f32>,
-    /// Tone curve
-    #[arg(long, value_enum, default_value_t = Curve::Linear)]
-    tone: Curve,
-    /// Write the picture to this file
-    #[arg(long, value_name = "F.png")]
+    /// Tone curve of a PNG [default: linear]
+    #[arg(long, value_enum)]
+    tone: Option<Curve>,
+    /// Write the picture to this file, .png or .exr
+    #[arg(long, value_name = "F")]
     out: PathBuf,
 }
 
@@ -63,6 +72,23 @@ pub struct Render {
 enum Format {
     F64,
     F32,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Engine {
+    Half,
+    Three,
+    Blender,
+}
+
+impl Engine {
+    fn radius(self) -> f32 {
+        match self {
+            Self::Half => 1.0,
+            Self::Three => Matcap::THREE_JS,
+            Self::Blender => Matcap::BLENDER,
+        }
+    }
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -88,8 +114,13 @@ impl From<Curve> for Tone {
 impl Render {
     pub fn run(self, memory: Memory) -> Result<()> {
         let (light, material) = (FileEntry::new(&self.light), FileEntry::new(&self.material));
-        let inputs = [&light.path, &material.path].into_iter().chain(&self.table);
+        let inputs = [&light.path, &material.path, &self.normals].into_iter().chain(&self.table);
         output::refuse_collisions([&self.out], inputs)?;
+        let file = PictureFile::of(&self.out)?;
+        if file == PictureFile::Exr && self.tone.is_some() {
+            let remedy = "leave --tone out, or write a .png";
+            return Err(Error::new("an .exr has no tone curve", remedy).in_file(&self.out));
+        }
         let table = match &self.table {
             Some(path) => table::read(memory.file(path))?,
             None => table::decode(shipped::TABLE)?,
@@ -110,7 +141,10 @@ impl Render {
         let warnings = [higher, albedo_warning(&materials), rounded].into_iter().flatten();
         let (mut lights, materials) = fitted(&table, &lights, &materials);
         self.choices.change(&mut lights);
-        let view = SphereView::new(self.size);
+        let view = match self.matcap {
+            Some(engine) => ObjectView::matcap(self.size.unwrap_or(SIZE), engine.radius()),
+            None => ObjectView::read(memory.file(&self.normals), self.size)?,
+        };
         let scene = Pair { table: &table, lights: &lights, materials: &materials };
         let image = match self.format {
             Format::F32 => scene.shaded::<f32>(components, effects, &view),
@@ -121,19 +155,13 @@ impl Render {
         let pair = || overflow::pair(&lights.entries[0], &materials.entries[0]);
         let (least, largest) = (values().reduce(f64::min), values().reduce(f64::max));
         ringing.record(pair, least.unwrap_or_default(), largest.unwrap_or_default());
-        let mut meter = Meter::default();
-        image.iter().for_each(|&pixel| meter.add(pixel));
-        let exposure = self.exposure.or_else(|| meter.exposure(UNCLIPPED)).unwrap_or(1.0);
-        let display = Display::new(self.tone.into());
-        let mut bytes = vec![0; 4 * self.size * self.size];
-        for (&color, pixel) in image.iter().zip(&view.pixels) {
-            let Rgb { r, g, b } = display.rgb888(color.exposed(exposure));
-            let start = 4 * (pixel.row * self.size + pixel.column);
-            let opacity = (255.0 * pixel.coverage).round() as u8;
-            bytes[start..start + 4].copy_from_slice(&[r, g, b, opacity]);
-        }
-        write_png(&self.out, self.size, self.size, &bytes)?;
-        let note = self.table.and_then(|path| note(&path, &table.scene.geometry));
+        let (exposure, is_opaque) = (self.exposure, self.matcap.is_some());
+        let tone = self.tone.map_or(Tone::Linear, Tone::from);
+        let development = Development { exposure, tone, is_opaque };
+        file.write(&self.out, &view, &image, development)?;
+        let is_sphere = self.normals.as_os_str() == "sphere";
+        let table_path = self.table.filter(|_| is_sphere);
+        let note = table_path.and_then(|path| note(&path, &table.scene.geometry));
         let ringing = ringing.note().filter(|_| self.choices.has_all_effects());
         note.into_iter().chain(warnings).chain(ringing).for_each(print_message);
         Ok(())
@@ -153,7 +181,7 @@ impl Pair<'_> {
         &self,
         components: usize,
         effects: Effects,
-        view: &SphereView,
+        view: &ObjectView,
     ) -> Result<Vec<Rgb<f32>>> {
         let basis = OwnedBasis::<S>::new(self.table);
         let mut shader = Shader::new(basis.any().map_err(fault)?, components)

@@ -63,6 +63,23 @@ impl DepthBuffer {
         }
     }
 
+    /// Visits the samples of a facet where nothing lies in front in a drawn picture, with index and
+    /// depth.
+    pub(super) fn visit_seen(&mut self, facet: &Placed, mut with: impl FnMut(usize, f64)) {
+        let plane = Plane::new(facet);
+        for part in self.parts(facet) {
+            if self.is_behind(&part, &plane, facet.contact, f64::lt) || part.is_outside(&plane) {
+                continue;
+            }
+            facet.visit(&plane, [part.rows, part.columns], |row, column, depth| {
+                let place = row * self.samples + column;
+                if depth + facet.contact >= self.front[place] {
+                    with(place, depth);
+                }
+            });
+        }
+    }
+
     /// Counts a facet's samples in a drawn picture. If none is seen, it counts at least `enough`,
     /// or all.
     pub(super) fn count(&mut self, facet: &Placed, enough: usize) -> Count {

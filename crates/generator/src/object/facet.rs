@@ -78,6 +78,18 @@ impl Frame {
         Self { samples, least, sides: [0, 1, 2].map(|axis| most[axis] - least[axis]) }
     }
 
+    /// The square around that box, with a margin of so many samples around its longer side.
+    pub(super) fn square(facets: &[Facet], samples: usize, margin: f64) -> Self {
+        let mut frame = Self::new(facets, samples);
+        let longer = frame.sides[0].max(frame.sides[1]);
+        let side = longer * samples as f64 / (samples as f64 - 2.0 * margin);
+        for axis in 0..2 {
+            frame.least[axis] -= 0.5 * (side - frame.sides[axis]);
+            frame.sides[axis] = side;
+        }
+        frame
+    }
+
     /// Converts a facet to units of samples.
     pub(super) fn place(&self, facet: &Facet) -> Placed {
         let longest = self.sides.iter().copied().fold(0.0, f64::max);

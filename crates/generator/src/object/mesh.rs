@@ -35,8 +35,7 @@ const SAMPLES: usize = 1024;
 /// face has fewer than three corners, or the file's budget has no room for the mesh.
 pub fn read(file: impl Into<InputFile>) -> Result<Vec<([f64; 3], f64)>> {
     let file = file.into();
-    let pairs = mesh(&file).and_then(|mesh| seen(mesh, &file));
-    pairs.map_err(|error| error.in_file(file.path()))
+    seen(&file).map_err(|error| error.in_file(file.path()))
 }
 
 fn mesh(file: &InputFile) -> Result<Mesh> {
@@ -48,7 +47,14 @@ fn mesh(file: &InputFile) -> Result<Mesh> {
     }
 }
 
-fn seen(mesh: Mesh, file: &InputFile) -> Result<Vec<([f64; 3], f64)>> {
+/// The facets with an area of the mesh in a file, in a unit in which the mesh is of size 1.
+/// `bytes_beside` is the memory that the caller needs besides the facets.
+///
+/// # Errors
+///
+/// Those of [`read`].
+pub(crate) fn facets(file: &InputFile, bytes_beside: u64) -> Result<Vec<Facet>> {
+    let mesh = mesh(file)?;
     let mut largest: f64 = 0.0;
     for (number, corners) in mesh.triangles().enumerate() {
         let corners = corners?;
@@ -63,7 +69,7 @@ fn seen(mesh: Mesh, file: &InputFile) -> Result<Vec<([f64; 3], f64)>> {
     }
     let own = mesh.corners.capacity() as u64 * Mesh::CORNER
         + mesh.triangles.capacity() as u64 * Mesh::TRIANGLE;
-    file.admit((count as u64).saturating_mul(BYTES_PER_FACET).saturating_add(PICTURE + own))
+    file.admit((count as u64).saturating_mul(BYTES_PER_FACET).saturating_add(bytes_beside + own))
         .map_err(|error| error.of(format_args!("{count} facets")))?;
     // Scale to the mesh's own size, so that areas of very small and very large meshes stay in
     // range.
@@ -71,7 +77,11 @@ fn seen(mesh: Mesh, file: &InputFile) -> Result<Vec<([f64; 3], f64)>> {
     for corners in mesh.triangles() {
         facets.extend(Facet::new(corners?.map(|corner| corner.map(|x| x / largest))));
     }
-    drop(mesh);
+    Ok(facets)
+}
+
+fn seen(file: &InputFile) -> Result<Vec<([f64; 3], f64)>> {
+    let facets = facets(file, PICTURE)?;
     let shares = seen_shares(&facets, SAMPLES);
     let seen = facets.iter().zip(shares).filter(|(_, share)| *share > 0.0);
     Ok(seen.map(|(facet, share)| (facet.normal, share * facet.projected_area)).collect())

@@ -69,28 +69,42 @@ pub fn normals(map: &PngSamples, counts: &[bool]) -> Result<Vec<Option<[f64; 3]>
 fn each(map: &PngSamples, counts: &[bool]) -> impl Iterator<Item = Result<Option<[f64; 3]>>> {
     let full = f64::from(map.full);
     let pixels = map.colors.iter().zip(&map.opacities).zip(counts).enumerate();
-    let normal = move |(number, ((color, opacity), counts)): (
-        usize,
-        ((&[u16; 3], &u16), &bool),
-    )| {
-        let vector = vector(*color, map.full);
-        let length = vector.iter().map(|c| c * c).sum::<f64>().sqrt();
-        if 2.0 * f64::from(*opacity) < full || !LENGTHS.contains(&length) {
-            return Ok(None);
-        }
-        match visible(vector) {
-            Ok(normal) => Ok(Some(normal)),
-            Err(_) if !counts => Ok(None),
-            Err((what, _)) => {
-                let (column, row) = (number % map.width, number / map.width);
-                Err(Error::new(
-                    format!("pixel {column}, {row} (from 0): {what}"),
-                    "mask it, or make it transparent: only pixels that show the object may count",
-                ))
-            }
-        }
-    };
-    pixels.map(normal)
+    pixels.map(move |(number, ((&color, &opacity), &counts))| {
+        let found =
+            if 2.0 * f64::from(opacity) < full { Ok(None) } else { normal(map, number, color) };
+        if counts { found } else { Ok(found.unwrap_or_default()) }
+    })
+}
+
+/// Like [`normals`], one pixel at a time, also of pixels whose opacity is below one half: their
+/// coverage, the second number, is their opacity. Among these, those that point away from the camera show nothing.
+pub(crate) fn shown(map: &PngSamples) -> impl Iterator<Item = Result<Option<([f64; 3], f64)>>> {
+    let full = f64::from(map.full);
+    map.colors.iter().zip(&map.opacities).enumerate().map(move |(number, (&color, &opacity))| {
+        let coverage = f64::from(opacity) / full;
+        let found = match coverage {
+            0.0 => Ok(None),
+            ..0.5 => Ok(normal(map, number, color).unwrap_or_default()),
+            _ => normal(map, number, color),
+        };
+        found.map(|normal| normal.map(|normal| (normal, coverage)))
+    })
+}
+
+/// The normal of pixel `number`, whatever its opacity, if its vector has an allowed length.
+fn normal(map: &PngSamples, number: usize, color: [u16; 3]) -> Result<Option<[f64; 3]>> {
+    let vector = vector(color, map.full);
+    let length = vector.iter().map(|c| c * c).sum::<f64>().sqrt();
+    if !LENGTHS.contains(&length) {
+        return Ok(None);
+    }
+    visible(vector).map(Some).map_err(|(what, _)| {
+        let (column, row) = (number % map.width, number / map.width);
+        Error::new(
+            format!("pixel {column}, {row} (from 0): {what}"),
+            "mask it, or make it transparent: only pixels that show the object may count",
+        )
+    })
 }
 
 /// The vector of a red, green and blue sample: 2c - 1 for each channel c = sample / `full`, not

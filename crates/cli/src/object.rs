@@ -1,0 +1,170 @@
+//! What a picture shows: a sphere, a mesh or a normal map, or the look-up of a matcap.
+
+use crate::picture::{Pixel, SphereView};
+use eigenshade::{Matcap, Normal, NormalMap};
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::input_file::InputFile;
+
+/// Pixels across a sphere and a mesh, unless the caller asks for another number.
+pub const SIZE: usize = 512;
+
+/// The pixels of a picture that an object covers at least in part.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ObjectView {
+    /// Pixels across.
+    pub width: usize,
+    /// Pixels down.
+    pub height: usize,
+    /// The pixels, row by row from the top.
+    pub pixels: Vec<Pixel>,
+    /// The unit normal of each pixel, with z >= 0.
+    pub normals: Vec<[f64; 3]>,
+}
+
+impl ObjectView {
+    /// The object of a file in `size` pixels across: a normal map (.png) or a mesh (.obj, .stl, .ply)
+    /// from +z; or a sphere, if its name is `sphere`. The default size is [`SIZE`], and that of the
+    /// file for a normal map, which can only shrink.
+    ///
+    /// # Errors
+    ///
+    /// If the file has another extension, cannot be read, shows nothing or is smaller than `size`.
+    pub fn read(file: InputFile, size: Option<usize>) -> Result<Self> {
+        if file.path().as_os_str() == "sphere" {
+            return Ok(Self::sphere(size.unwrap_or(SIZE)));
+        }
+        let extension = file.path().extension().unwrap_or_default().to_ascii_lowercase();
+        match extension.to_str() {
+            Some("png") => of_map(file, size),
+            Some("obj" | "stl" | "ply") => of_mesh(file, size.unwrap_or(SIZE)),
+            _ => {
+                let remedy = "use `sphere`, a normal map (.png) or a mesh (.obj, .stl, .ply)";
+                Err(Error::new("unknown kind of object", remedy).in_file(file.path()))
+            }
+        }
+    }
+
+    /// A sphere, as in [`SphereView`].
+    #[must_use]
+    pub fn sphere(size: usize) -> Self {
+        let SphereView { size, pixels, normals } = SphereView::new(size);
+        Self { width: size, height: size, pixels, normals }
+    }
+
+    /// The texels of a [`Matcap`] whose disc has this radius, 1 for the square's width.
+    #[must_use]
+    pub fn matcap(size: usize, radius: f32) -> Self {
+        let texels = || Matcap::new(size).with_radius(radius);
+        let pixel = |texel: eigenshade::MatcapTexel| {
+            let (column, row) = (texel.column(), texel.row());
+            let is_inside = texel.normal().components()[2] > 0.0;
+            Pixel { column, row, coverage: 1.0, is_inside }
+        };
+        let normals = texels().map(|texel| texel.normal().components().map(f64::from));
+        Self {
+            width: size,
+            height: size,
+            pixels: texels().map(pixel).collect(),
+            normals: normals.collect(),
+        }
+    }
+
+    /// The codes of a [`NormalMap`] of this picture, row by row. A pixel that the object covers in
+    /// part refers to the neighbor with the nearest normal. If it has no neighbor that the object
+    /// covers completely, it is drawn whole from a coverage of one half on.
+    ///
+    /// # Errors
+    ///
+    /// If a normal is not visible.
+    pub fn codes(&self) -> Result<Vec<[u8; 2]>> {
+        let mut whole = vec![None; self.width * self.height];
+        let place = |pixel: &Pixel| pixel.row * self.width + pixel.column;
+        let covered = self.pixels.iter().zip(&self.normals);
+        for (pixel, normal) in covered.clone().filter(|(pixel, _)| pixel.coverage >= WHOLE) {
+            whole[place(pixel)] = Some(*normal);
+        }
+        let mut codes = vec![NormalMap::BACKGROUND; whole.len()];
+        for (pixel, normal) in covered.filter(|(pixel, _)| pixel.coverage >= 1.0 - WHOLE) {
+            codes[place(pixel)] = match self.nearest(pixel, *normal, &whole) {
+                _ if pixel.coverage >= WHOLE => code(*normal)?,
+                Some(step) => NormalMap::edge_code((255.0 * pixel.coverage).round() as u8, step),
+                None if pixel.coverage >= 0.5 => code(*normal)?,
+                None => NormalMap::BACKGROUND,
+            };
+        }
+        Ok(codes)
+    }
+
+    /// The step to the neighbor whose normal is nearest to this one.
+    fn nearest(
+        &self,
+        pixel: &Pixel,
+        normal: [f64; 3],
+        whole: &[Option<[f64; 3]>],
+    ) -> Option<[i8; 2]> {
+        let steps = (-1..=1).flat_map(|down| (-1..=1).map(move |right| [right, down]));
+        let found = steps.filter_map(|[right, down]: [i8; 2]| {
+            let column = pixel.column.checked_add_signed(right.into())?;
+            let row = pixel.row.checked_add_signed(down.into())?;
+            let other =
+                if column < self.width { *whole.get(row * self.width + column)? } else { None };
+            let cosine: f64 = other?.iter().zip(normal).map(|(a, b)| a * b).sum();
+            Some((cosine, [right, down]))
+        });
+        found.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, step)| step)
+    }
+}
+
+/// The coverage from which on a pixel is whole in a [`NormalMap`].
+const WHOLE: f64 = 1.0 - 1.0 / 64.0;
+
+fn code([x, y, z]: [f64; 3]) -> Result<[u8; 2]> {
+    let normal = Normal::new(x as f32, y as f32, z as f32);
+    let fault = |error: eigenshade::Error| Error::new(error.to_string(), "check the object");
+    Ok(NormalMap::code(normal.map_err(fault)?))
+}
+
+#[cfg(feature = "generate")]
+mod files {
+    use super::{InputFile, ObjectView, Pixel, Result};
+    use eigenshade_generator::object::picture::{Picture, Shown};
+
+    pub(super) fn of_map(file: InputFile, size: Option<usize>) -> Result<ObjectView> {
+        Picture::of_map(file, size).map(view)
+    }
+
+    pub(super) fn of_mesh(file: InputFile, size: usize) -> Result<ObjectView> {
+        Picture::of_mesh(file, size).map(view)
+    }
+
+    fn view(Picture { width, height, pixels: all }: Picture) -> ObjectView {
+        let (mut pixels, mut normals) = (Vec::new(), Vec::new());
+        for (place, shown) in all.into_iter().enumerate() {
+            let Some(Shown { normal, coverage }) = shown else { continue };
+            let (row, column) = (place / width, place % width);
+            pixels.push(Pixel { column, row, coverage, is_inside: coverage >= 0.5 });
+            normals.push(normal);
+        }
+        ObjectView { width, height, pixels, normals }
+    }
+}
+
+#[cfg(not(feature = "generate"))]
+mod files {
+    use super::{Error, InputFile, ObjectView, Result};
+
+    fn missing(file: &InputFile) -> Error {
+        let remedy = "build with the feature `generate`, or leave the object out";
+        Error::new("this build reads no meshes and no normal maps", remedy).in_file(file.path())
+    }
+
+    pub(super) fn of_map(file: InputFile, _size: Option<usize>) -> Result<ObjectView> {
+        Err(missing(&file))
+    }
+
+    pub(super) fn of_mesh(file: InputFile, _size: usize) -> Result<ObjectView> {
+        Err(missing(&file))
+    }
+}
+
+use files::{of_map, of_mesh};

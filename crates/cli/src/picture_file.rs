@@ -1,0 +1,127 @@
+//! Files of drawn pictures: sRGB as PNG, or linear numbers as OpenEXR.
+
+use crate::object::ObjectView;
+use crate::picture::write_png;
+use eigenshade::{Display, Meter, Rgb, Tone};
+use eigenshade_model::error::{Error, Result};
+use std::path::Path;
+
+/// The share of the picture's pixels that the exposure leaves unclipped.
+const UNCLIPPED: f32 = 0.99;
+
+/// The kinds of picture files.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PictureFile {
+    /// 8 bits a channel in sRGB.
+    Png,
+    /// Linear 32-bit floats, multiplied by opacity.
+    Exr,
+}
+
+/// How irradiances become pixels.
+#[derive(Clone, Copy, Debug)]
+pub struct Development {
+    /// The factor from irradiance to what the tone curve shows; for an .exr, from irradiance to its
+    /// numbers. Without, a PNG is metered, and an .exr has 1.
+    pub exposure: Option<f32>,
+    /// The tone curve of a PNG.
+    pub tone: Tone,
+    /// Whether every pixel is opaque.
+    pub is_opaque: bool,
+}
+
+impl PictureFile {
+    /// The kind of a file, by its extension.
+    ///
+    /// # Errors
+    ///
+    /// If the extension is neither `.png` nor `.exr`, or this build cannot write the file.
+    pub fn of(path: &Path) -> Result<Self> {
+        let extension = path.extension().unwrap_or_default().to_ascii_lowercase();
+        match extension.to_str() {
+            Some("png") => Ok(Self::Png),
+            Some("exr") if cfg!(feature = "generate") => Ok(Self::Exr),
+            Some("exr") => {
+                let remedy = "write a .png, or build with the feature `generate`";
+                Err(Error::new("this build writes no OpenEXR", remedy).in_file(path))
+            }
+            _ => {
+                let remedy = "name it .png for sRGB, or .exr for linear numbers";
+                Err(Error::new("unknown kind of picture", remedy).in_file(path))
+            }
+        }
+    }
+
+    /// Writes the irradiances of a view's pixels.
+    ///
+    /// # Errors
+    ///
+    /// If the file, its folder or the disk fails, or the picture is too large.
+    pub fn write(
+        self,
+        path: &Path,
+        view: &ObjectView,
+        image: &[Rgb<f32>],
+        development: Development,
+    ) -> Result<()> {
+        match self {
+            Self::Png => png(path, view, image, development),
+            Self::Exr => exr(path, view, image, development),
+        }
+    }
+}
+
+fn png(path: &Path, view: &ObjectView, image: &[Rgb<f32>], how: Development) -> Result<()> {
+    let mut meter = Meter::default();
+    let pixels = || image.iter().zip(&view.pixels);
+    // A matcap repeats its rim in the corners.
+    let counts = pixels().filter(|(_, pixel)| pixel.is_inside || !how.is_opaque);
+    counts.for_each(|(&color, _)| meter.add(color));
+    let exposure = how.exposure.or_else(|| meter.exposure(UNCLIPPED)).unwrap_or(1.0);
+    let display = Display::new(how.tone);
+    let channels = if how.is_opaque { 3 } else { 4 };
+    let mut bytes = vec![0; channels * view.width * view.height];
+    for (&color, pixel) in pixels() {
+        let Rgb { r, g, b } = display.rgb888(color.exposed(exposure));
+        let start = channels * (pixel.row * view.width + pixel.column);
+        let opacity = (255.0 * pixel.coverage).round() as u8;
+        bytes[start..start + channels].copy_from_slice(&[r, g, b, opacity][..channels]);
+    }
+    write_png(path, view.width, view.height, &bytes)
+}
+
+#[cfg(feature = "generate")]
+fn exr(path: &Path, view: &ObjectView, image: &[Rgb<f32>], how: Development) -> Result<()> {
+    use eigenshade_model::output::write_atomically;
+    use exr::prelude::{Image, SpecificChannels, Vec2, WritableImage};
+    let size = (view.width, view.height);
+    let mut colors = vec![[0.0_f32; 4]; view.width * view.height];
+    for (&color, pixel) in image.iter().zip(&view.pixels) {
+        let opacity = pixel.coverage as f32;
+        let Rgb { r, g, b } = color.exposed(how.exposure.unwrap_or(1.0) * opacity);
+        colors[pixel.row * view.width + pixel.column] = [r, g, b, opacity];
+    }
+    let at = |Vec2(column, row)| colors[row * view.width + column];
+    let mut bytes = std::io::Cursor::new(Vec::new());
+    let written = if how.is_opaque {
+        let channels = SpecificChannels::rgb(|place| {
+            <(f32, f32, f32)>::from({
+                let [r, g, b, _] = at(place);
+                [r, g, b]
+            })
+        });
+        Image::from_channels(size, channels).write().to_buffered(&mut bytes)
+    } else {
+        let channels = SpecificChannels::rgba(|place| <(f32, f32, f32, f32)>::from(at(place)));
+        Image::from_channels(size, channels).write().to_buffered(&mut bytes)
+    };
+    written.map_err(|error| Error::new(error.to_string(), "ask for a smaller picture"))?;
+    write_atomically(path, |out| {
+        out.write_all(bytes.get_ref()).map_err(|error| Error::io(path, &error))
+    })
+}
+
+#[cfg(not(feature = "generate"))]
+fn exr(path: &Path, _view: &ObjectView, _image: &[Rgb<f32>], _how: Development) -> Result<()> {
+    PictureFile::of(path).map(drop)
+}

@@ -1,0 +1,210 @@
+//! Pictures of an object's normals: which normal each pixel shows, and how much of the pixel the
+//! object covers.
+
+use crate::object::depth_buffer::DepthBuffer;
+use crate::object::facet::{Facet, Frame};
+use crate::object::{mesh, normal_map};
+use crate::png_samples;
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::input_file::InputFile;
+use eigenshade_model::inputs::normals::visible;
+use std::ops::Range;
+
+/// Samples across the picture of a mesh, at most.
+const SAMPLES: usize = 4096;
+
+/// Samples across a pixel of a mesh, at most.
+const PER_PIXEL: usize = 4;
+
+/// Bytes for each sample: the depth in front, that of the facet, and the facet.
+const BYTES_PER_SAMPLE: u64 = 8 + 8 + 4;
+
+/// Bytes for each pixel of a picture while it is made.
+const BYTES_PER_PIXEL: u64 = 96;
+
+/// A picture of normals.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Picture {
+    /// Pixels across.
+    pub width: usize,
+    /// Pixels down.
+    pub height: usize,
+    /// The pixels, row by row from the top; `None` without an object.
+    pub pixels: Vec<Option<Shown>>,
+}
+
+/// What a pixel shows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shown {
+    /// The unit normal, z >= 0: the mean over the covered part.
+    pub normal: [f64; 3],
+    /// The share of the pixel that the object covers, above 0 and at most 1.
+    pub coverage: f64,
+}
+
+impl Picture {
+    /// The picture of a mesh (.obj, .stl, .ply) from +z in orthographic view, in `size` x `size`
+    /// pixels with a margin of half a pixel around the longer side of the object.
+    ///
+    /// Each pixel has 4 x 4 samples, up to 4096 across the picture: from 2048 pixels on, 2 x 2, and
+    /// from 4096 on, one. Normals are the facets' own. A facet that faces away hides what is behind
+    /// it and shows nothing.
+    ///
+    /// Memory: that of reading the mesh, 20 bytes for each sample and 96 for each pixel.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`mesh::read`]; if no facet faces the camera, or the size is less than 2.
+    pub fn of_mesh(file: impl Into<InputFile>, size: usize) -> Result<Self> {
+        let file = file.into();
+        let drawn = || {
+            if size < 2 {
+                return Err(Error::new(format!("a picture of {size} pixels"), "use 2 or more"));
+            }
+            let across = (SAMPLES / size).clamp(1, PER_PIXEL);
+            let samples = across * size;
+            let bytes = (samples * samples) as u64 * BYTES_PER_SAMPLE
+                + (size * size) as u64 * BYTES_PER_PIXEL;
+            let facets = mesh::facets(&file, bytes)?;
+            let mut sums = Sums::new(size, size);
+            let front = in_front(&facets, size, samples);
+            for (place, facet) in front.into_iter().enumerate() {
+                if let Some(facet) = facets.get(facet as usize) {
+                    let (row, column) = (place / samples, place % samples);
+                    // Samples run upward.
+                    let pixel = [column / across, size - 1 - row / across];
+                    sums.add(pixel, facet.normal, 1.0);
+                }
+            }
+            let picture = sums.picture((across * across) as f64);
+            picture.ok_or_else(|| {
+                let remedy =
+                    "turn it so that the camera at +z sees it, with corners counterclockwise";
+                Error::new("no facet of it faces the camera", remedy)
+            })
+        };
+        drawn().map_err(|error| error.in_file(file.path()))
+    }
+
+    /// The picture of a normal map: see [`normal_map::normals`]. Opacity is coverage. With a `size`,
+    /// the longer side shrinks to so many pixels, each the mean of what it covers.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`normal_map::read`]; if the size is larger than the map or 0, or no pixel shows an
+    /// object.
+    pub fn of_map(file: impl Into<InputFile>, size: Option<usize>) -> Result<Self> {
+        let file = file.into().with_bytes_beside(BYTES_PER_PIXEL);
+        let map = png_samples::read(file.clone())?;
+        let drawn = || {
+            let longer = map.width.max(map.height);
+            let size = size.unwrap_or(longer);
+            if !(1..=longer).contains(&size) {
+                let what =
+                    format!("the map is {} x {}, and {size} asked for", map.width, map.height);
+                return Err(Error::new(what, format!("ask for 1 to {longer}")));
+            }
+            let [width, height] = [map.width, map.height]
+                .map(|side| ((side * size) as f64 / longer as f64).round().max(1.0) as usize);
+            let mut sums = Sums::new(width, height);
+            for (place, pixel) in normal_map::shown(&map).enumerate() {
+                let Some((normal, coverage)) = pixel? else { continue };
+                let (row, column) = (place / map.width, place % map.width);
+                for (down, tall) in parts(row, map.height, height) {
+                    for (across, wide) in parts(column, map.width, width) {
+                        sums.add([across, down], normal, coverage * tall * wide);
+                    }
+                }
+            }
+            sums.picture(1.0).ok_or_else(|| {
+                Error::new("no pixel of it shows an object", "use a map with opaque pixels")
+            })
+        };
+        drawn().map_err(|error| error.in_file(file.path()))
+    }
+}
+
+/// The number of the facet that each sample shows, row by row upward; beyond all facets, if none.
+fn in_front(facets: &[Facet], size: usize, samples: usize) -> Vec<u32> {
+    let frame = Frame::square(facets, samples, samples as f64 / size as f64 * 0.5);
+    let mut buffer = DepthBuffer::new(samples);
+    for facet in facets {
+        buffer.draw(&frame.place(facet));
+    }
+    let mut shown = vec![u32::MAX; samples * samples];
+    let mut depths = vec![f64::NEG_INFINITY; samples * samples];
+    for (number, facet) in (0..).zip(facets) {
+        if facet.projected_area > 0.0 {
+            buffer.visit_seen(&frame.place(facet), |place, depth| {
+                if depth > depths[place] {
+                    (depths[place], shown[place]) = (depth, number);
+                }
+            });
+        }
+    }
+    shown
+}
+
+/// The pixels of `to` that pixel number `place` of `from` falls into, each with the share of it that
+/// this pixel covers.
+fn parts(place: usize, from: usize, to: usize) -> impl Iterator<Item = (usize, f64)> {
+    // In units of 1 / (from to) of the side, so that all ends are whole.
+    let (start, end) = (place * to, (place + 1) * to);
+    let pixels: Range<usize> = start / from..end.div_ceil(from);
+    pixels.map(move |pixel| {
+        let covered = end.min((pixel + 1) * from) - start.max(pixel * from);
+        (pixel, covered as f64 / from as f64)
+    })
+}
+
+/// The sums of normals and of coverage for each pixel.
+struct Sums {
+    width: usize,
+    height: usize,
+    sums: Vec<([f64; 3], f64)>,
+}
+
+impl Sums {
+    fn new(width: usize, height: usize) -> Self {
+        Self { width, height, sums: vec![([0.0; 3], 0.0); width * height] }
+    }
+
+    fn add(&mut self, [column, row]: [usize; 2], normal: [f64; 3], weight: f64) {
+        let (sum, covered) = &mut self.sums[row * self.width + column];
+        *covered += weight;
+        sum.iter_mut().zip(normal).for_each(|(sum, n)| *sum += weight * n);
+    }
+
+    /// The picture, if it shows anything. A pixel that is covered completely has this weight.
+    fn picture(self, whole: f64) -> Option<Picture> {
+        let shown = |(sum, covered): ([f64; 3], f64)| {
+            let normal = visible(sum).ok()?;
+            Some(Shown { normal, coverage: (covered / whole).min(1.0) })
+        };
+        let pixels: Vec<_> = self.sums.into_iter().map(shown).collect();
+        let any = pixels.iter().any(Option::is_some);
+        any.then_some(Picture { width: self.width, height: self.height, pixels })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shrinking_keeps_all_of_each_pixel() {
+        for (from, to) in [(1, 1), (7, 7), (7, 3), (10, 5), (64, 5), (9, 8)] {
+            let mut sums = vec![0.0; to];
+            for place in 0..from {
+                let all: f64 = parts(place, from, to)
+                    .map(|(pixel, share)| {
+                        sums[pixel] += share;
+                        share * from as f64 / to as f64
+                    })
+                    .sum();
+                assert!((all - 1.0).abs() < 1e-12, "{place} of {from} to {to}: {all}");
+            }
+            assert!(sums.iter().all(|sum| (sum - 1.0).abs() < 1e-12), "{from} to {to}: {sums:?}");
+        }
+    }
+}
