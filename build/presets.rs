@@ -40,7 +40,8 @@ fn errors() -> Result<Vec<Vec<String>>, String> {
 /// What a constant's documentation says of its total error.
 fn error_text(errors: &[Vec<String>], name: &str) -> String {
     let percent = |column: usize, size: [&str; 2]| {
-        let row = errors.iter().find(|row| row.len() == 7 && row[0] == name && row[1..3] == size)?;
+        let row =
+            errors.iter().find(|row| row.len() == 7 && row[0] == name && row[1..3] == size)?;
         row[column].parse::<f64>().ok().map(|share| format!("{:.1} %", 100.0 * share))
     };
     let of_size = |size| Some([percent(3, size)?, percent(6, size)?]);
@@ -88,11 +89,7 @@ fn read(path: &str, count: usize) -> Result<Vec<Preset>, String> {
 }
 
 /// Writes the constants of one kind, in floats and in integers, and a list of all of them.
-fn constants(
-    kind: &str,
-    presets: &[Preset],
-    error: impl Fn(&str) -> String,
-) -> Result<(), String> {
+fn constants(kind: &str, presets: &[Preset], error: impl Fn(&str) -> String) -> Result<(), String> {
     let lower = kind.to_lowercase();
     let (mut floats, mut integers, mut all) = (String::new(), String::new(), String::new());
     let add = |to: &mut String, text: std::fmt::Arguments<'_>| {

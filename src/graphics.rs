@@ -78,7 +78,9 @@ impl Convention {
     fn accept(self, count: usize) -> Result<usize, Error> {
         let degree = degree(count)?;
         match self {
-            Self::CmgenIrradiance | Self::Filament if degree > 2 => Err(Error::Irradiance { degree }),
+            Self::CmgenIrradiance | Self::Filament if degree > 2 => {
+                Err(Error::Irradiance { degree })
+            }
             _ => Ok(degree),
         }
     }

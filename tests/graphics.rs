@@ -18,7 +18,8 @@ const CONVENTIONS: [Convention; 4] = [ThreeJs, Cmgen, CmgenIrradiance, Filament]
 
 /// Radiance of degree 2 without any symmetry. In these terms nothing is lost above degree 2.
 fn radiance([x, y, z]: [f64; 3]) -> f64 {
-    2.0 + 0.4 * x - 0.3 * y + 0.5 * z + 0.6 * x * y - 0.2 * y * z + 0.25 * x * z
+    2.0 + 0.4 * x - 0.3 * y + 0.5 * z + 0.6 * x * y - 0.2 * y * z
+        + 0.25 * x * z
         + 0.35 * (x * x - y * y)
         + 0.2 * z * z
 }
@@ -124,9 +125,7 @@ fn shaded(convention: Convention, c: &[f64; 9], normal: [f64; 3]) -> f64 {
             sum([a, b, d, e, f, g, upright, c1 * x * z, 0.429043 * (x * x - y * y)]) / PI
         }
         // `Irradiance_SphericalHarmonics` of shaders/src/light_indirect.fs.
-        Filament => {
-            sum([1.0, y, z, x, y * x, y * z, 3.0 * z * z - 1.0, z * x, x * x - y * y])
-        }
+        Filament => sum([1.0, y, z, x, y * x, y * z, 3.0 * z * z - 1.0, z * x, x * x - y * y]),
         // `renderSH`, which divides by π.
         CmgenIrradiance => sum(filament(normal)) / PI,
         _ => {
@@ -140,9 +139,8 @@ fn shaded(convention: Convention, c: &[f64; 9], normal: [f64; 3]) -> f64 {
 fn irradiance(light: impl Fn([f64; 3]) -> f64, [a, b, c]: [f64; 3]) -> f64 {
     // The cosine has a kink, so the quadrature is taken in a frame along the normal.
     let side = if a.abs() < 0.5 { [1.0, 0.0, 0.0] } else { [0.0, 1.0, 0.0] };
-    let cross = |[x, y, z]: [f64; 3], [u, v, w]: [f64; 3]| {
-        [y * w - z * v, z * u - x * w, x * v - y * u]
-    };
+    let cross =
+        |[x, y, z]: [f64; 3], [u, v, w]: [f64; 3]| [y * w - z * v, z * u - x * w, x * v - y * u];
     let first = cross([a, b, c], side);
     let length = first.iter().map(|c| c * c).sum::<f64>().sqrt();
     let first = first.map(|c| c / length);
@@ -176,20 +174,22 @@ fn a_matte_sphere_is_as_bright_as_there() {
     for convention in CONVENTIONS {
         let numbers = coefficients(convention, radiance);
         let light = Light::from_graphics::<9>(convention, &numbers).unwrap();
+        let sum = DirectSum::new(2, 0);
         let single = light.iter().map(|&number| number as f32).collect::<Vec<f32>>();
-        let scene = sphere::color::scene(
-            Light::new(&single).unwrap(),
-            Material::new(&[2.0]).unwrap(),
-        )
-        .unwrap();
+        let scene =
+            sphere::color::scene(Light::new(&single).unwrap(), Material::new(&[2.0]).unwrap())
+                .unwrap();
         for normal in normals() {
             let expected = irradiance(radiance, normal);
             // The formula is the program's.
             let there = shaded(convention, &numbers, normal);
             assert!((there - expected).abs() <= SUMS * expected, "{there} {expected}");
-            let modes = DirectSum::new(2, 0).at(normal);
+            let modes = sum.at(normal);
             let here = modes.irradiance(&light, &modes.scatter(&[2.0]));
-            assert!((here - expected).abs() <= SUMS * expected, "{convention:?}: {here} {expected}");
+            assert!(
+                (here - expected).abs() <= SUMS * expected,
+                "{convention:?}: {here} {expected}"
+            );
             let [x, y, z] = normal.map(|c| c as f32);
             let pixel = f64::from(scene.shade(Normal::new(x, y, z).unwrap()).g);
             assert!((pixel - expected).abs() <= OF_TABLE * 3.0, "{convention:?}: {pixel}");
@@ -224,7 +224,7 @@ fn a_patch_of_light_stays_where_it_is() {
 
 #[test]
 fn conversions_are_inverse() {
-    let numbers = [3.0, -0.5, 0.25, 1.5, 0.3, -0.7, 0.1, 0.9, -0.2];
+    let numbers: [f64; 9] = [3.0, -0.5, 0.25, 1.5, 0.3, -0.7, 0.1, 0.9, -0.2];
     for convention in CONVENTIONS {
         let light = Light::from_graphics::<9>(convention, &numbers).unwrap();
         let back = Light::new(&light).unwrap().to_graphics::<9>(convention).unwrap();
@@ -289,9 +289,10 @@ fn published_nine_terms_are_read() {
         [0.21205, -0.05432, -0.30374],
     ];
     let light = Rgb::<Light<'_, f64>>::from_graphics::<9>(ThreeJs, &GRACE).unwrap();
+    let sum = DirectSum::new(2, 0);
     for normal in normals() {
         let [x, y, z] = normal;
-        let modes = DirectSum::new(2, 0).at(normal);
+        let modes = sum.at(normal);
         for (channel, light) in <[_; 3]>::from(light.clone()).iter().enumerate() {
             let [l00, l1m1, l10, l11, l2m2, l2m1, l20, l21, l22] = GRACE.map(|row| row[channel]);
             let [c1, c2, c3, c4, c5] = [0.429043, 0.511664, 0.743125, 0.886227, 0.247708];

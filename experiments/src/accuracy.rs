@@ -136,7 +136,12 @@ impl<'a> Reference<'a> {
     }
 
     /// The picture of the direct sum under each map.
-    fn sums(&self, lights: &Lights, (degree, order): (usize, usize), material: &Named) -> Vec<Picture> {
+    fn sums(
+        &self,
+        lights: &Lights,
+        (degree, order): (usize, usize),
+        material: &Named,
+    ) -> Vec<Picture> {
         let count = light::count(degree);
         let channel = |c: usize| {
             let lights = lights.entries.iter().map(|light| &light.rgb[c][..count]);

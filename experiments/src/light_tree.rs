@@ -156,13 +156,7 @@ impl LightTree {
     }
 
     /// Adds part number `part` of `parts`, times a weight for each channel.
-    fn add_part(
-        &self,
-        parts: &[f32],
-        part: usize,
-        weight: impl Fn(usize) -> f64,
-        sums: &mut Sums,
-    ) {
+    fn add_part(&self, parts: &[f32], part: usize, weight: impl Fn(usize) -> f64, sums: &mut Sums) {
         let start = 3 * self.maps * part;
         let channels = parts[start..start + 3 * self.maps].chunks_exact(self.maps);
         for (c, (sums, part)) in sums.iter_mut().zip(channels).enumerate() {
@@ -223,9 +217,8 @@ impl Block {
         let nodes: [f64; NODES] =
             std::array::from_fn(|k| (PI * (k as f64 + 0.5) / NODES as f64).cos());
         let place = |start: usize, node: f64| middle(start) + 0.5 * size as f64 * node;
-        let of_node = |k: usize| {
-            direction([place(column, nodes[k % NODES]), place(row, nodes[k / NODES])])
-        };
+        let of_node =
+            |k: usize| direction([place(column, nodes[k % NODES]), place(row, nodes[k / NODES])]);
         // The polynomials that are 1 at one node and 0 at the others, at each texel's center.
         let shares: Vec<[f64; NODES]> = (0..size)
             .map(|texel| {
@@ -243,7 +236,8 @@ impl Block {
             let solid_angle = maps[0].solid_angle(row + j);
             for (node, power) in power.chunks_exact_mut(3 * maps.len()).enumerate() {
                 let share = solid_angle * shares[i][node % NODES] * shares[j][node / NODES];
-                let radiance = (0..3).flat_map(|c| maps.iter().map(move |map| map.texels[texel][c]));
+                let radiance =
+                    (0..3).flat_map(|c| maps.iter().map(move |map| map.texels[texel][c]));
                 for (to, radiance) in power.iter_mut().zip(radiance) {
                     *to += share * f64::from(radiance);
                 }

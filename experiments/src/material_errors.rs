@@ -24,8 +24,8 @@ pub const SIZES: [(usize, usize); 2] = [(9, 7), (12, 12)];
 const WINDOW: Window<f64> = Window::SincFourth { width: 40.0 };
 /// The material that was measured and is not in color.
 const MEASURED: &str = "ptfe-633nm";
-/// Distance of the sphere's normals in radians: 3,500 normals.
-pub const SPACING: f64 = 0.0425;
+/// Distance of the normals of the sphere in radians: 1,000 normals.
+pub const SPACING: f64 = 0.08;
 
 /// The columns of `merl.errors.csv`.
 pub const COLUMNS: [&str; 7] = ["material", "degree", "order", "median", "worst", "map", "pixel"];

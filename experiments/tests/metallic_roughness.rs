@@ -68,9 +68,8 @@ fn apart(pixels: &[Vec<Vec<f64>>], found: &[f64], expected: &[f64]) -> f64 {
     let largest = |picture: &[Vec<f64>], b: &[f64]| {
         picture.iter().fold(0.0, |most: f64, pixel| most.max(product(pixel, b).abs()))
     };
-    let of_light = |picture: &Vec<Vec<f64>>| {
-        largest(picture, &difference) / largest(picture, expected)
-    };
+    let of_light =
+        |picture: &Vec<Vec<f64>>| largest(picture, &difference) / largest(picture, expected);
     pixels.iter().map(of_light).fold(0.0, f64::max)
 }
 
@@ -142,9 +141,7 @@ fn pictures_are_those_of_the_formula_over_all_parameters() {
                         .map(|i| {
                             let matte = over_matte[size][i] - bare[size][i];
                             let rim = rim[size][i];
-                            a * (1.0 - m) * (1.0 - f0) * matte
-                                + rim
-                                + f0 * (whole[size][i] - rim)
+                            a * (1.0 - m) * (1.0 - f0) * matte + rim + f0 * (whole[size][i] - rim)
                         })
                         .collect();
                     let found = of_runtime(size, base, metallic, roughness);
@@ -200,8 +197,7 @@ fn transfers_of_the_parts_add_up() {
     let parts = [matte, rim, metal].map(|b| sphere::transfer(&Material::new(&b).unwrap()).unwrap());
     for (color, metallic) in [([0.93, 0.52, 0.38], 1.0), ([0.1, 0.6, 0.9], 0.25)] {
         let shares = Material::metallic_roughness_shares(color, metallic).unwrap();
-        let transfer =
-            shares.try_map(|shares| Transfer::sum(parts.each_ref(), shares)).unwrap();
+        let transfer = shares.try_map(|shares| Transfer::sum(parts.each_ref(), shares)).unwrap();
         let found = sphere::color::relight(&transfer, PARK).unwrap();
         let material = Material::metallic_roughness(color, metallic, 0.35).unwrap();
         let expected = sphere::color::scene(PARK, material.materials().unwrap()).unwrap();

@@ -2,7 +2,7 @@
 
 use crate::PROGRAM;
 use crate::support::files::png;
-use crate::support::{DEGREE, Folder, assert_fails, ORDER, PAIR, SHADED, materials, numbers};
+use crate::support::{DEGREE, Folder, ORDER, PAIR, SHADED, assert_fails, materials, numbers};
 use crate::support::{repository, rows};
 use crate::tolerances;
 use png::{BitDepth, ColorType};

@@ -135,13 +135,7 @@ impl Surroundings {
     ///
     /// If `texel` is out of range.
     #[must_use]
-    pub fn weight(
-        &self,
-        brdf: &dyn Brdf,
-        fineness: f64,
-        texel: usize,
-        normal: [f64; 3],
-    ) -> f64 {
+    pub fn weight(&self, brdf: &dyn Brdf, fineness: f64, texel: usize, normal: [f64; 3]) -> f64 {
         let lobe = Lobe { brdf, width: brdf.width(), fineness };
         let direction = self.directions[texel];
         let cosine = dot(direction, normal);

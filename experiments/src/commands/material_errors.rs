@@ -39,7 +39,8 @@ impl MaterialErrors {
             output::write_command_line(out)?;
             let mut rows = Rows::new(out, material_errors::COLUMNS)?;
             for (name, errors) in &found {
-                for ((degree, order), Errors { median, worst, map, pixel }) in SIZES.iter().zip(errors)
+                for ((degree, order), Errors { median, worst, map, pixel }) in
+                    SIZES.iter().zip(errors)
                 {
                     rows.row([
                         name.clone(),
