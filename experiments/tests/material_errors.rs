@@ -90,11 +90,10 @@ fn the_page_has_the_errors_of_materials() {
          |---|---:|---:|---:|---:|---:|\n",
     );
     for size in SIZES {
-        let of_size = |one: &_| -> Option<_> {
-            let one: &eigenshade_model::database::Named = one;
-            Some((one.name.as_str(), shipped::total_error(&one.name, size)?))
-        };
-        let all: Vec<_> = named.iter().filter_map(of_size).collect();
+        let of_size = named
+            .iter()
+            .filter_map(|one| Some((one.name.as_str(), shipped::total_error(&one.name, size)?)));
+        let all: Vec<(&str, shipped::TotalError)> = of_size.collect();
         assert_eq!(all.len(), 95);
         let medians: Vec<f64> = all.iter().map(|(_, error)| error.median).collect();
         let most = |value: &dyn Fn(&shipped::TotalError) -> f64| {

@@ -13,11 +13,16 @@ use eigenshade_shading::shipped;
 use std::fs;
 
 /// The largest difference of a pixel in f32, relative to the largest irradiance of the channel.
-const OF_A_PICTURE: f64 = 1e-3;
+const OF_A_PICTURE: f64 = 2e-4;
 
 /// The same of coefficients in Q15, drawn in f64. Where the polynomials cancel, the rounding of the
 /// first ones shows.
 const IN_Q15: f64 = 1.5e-3;
+
+/// The same at orders 7 and 12 for base colors below 0.2. At high roughness their pictures are dark,
+/// and the series' mantissas are scaled for all roughnesses.
+const DARK_IN_Q15: [f64; 2] = [2.5e-3, 6.5e-3];
+const DARK: f32 = 0.2;
 
 /// A sum of three transfers against the transfer of the sum, of the largest pixel.
 const OF_TRANSFERS: f32 = 2e-6;
@@ -148,7 +153,8 @@ fn pictures_are_those_of_the_formula_over_all_parameters() {
                     for (format, found) in found.iter().enumerate() {
                         let error = apart(&pixels[size], found, &expected);
                         worst[size][format] = worst[size][format].max(error);
-                        if error > [OF_A_PICTURE, IN_Q15][format] {
+                        let in_q15 = if base < DARK { DARK_IN_Q15[size] } else { IN_Q15 };
+                        if error > [OF_A_PICTURE, in_q15][format] {
                             failures.push(format!(
                                 "order {}, format {format}: {base} {metallic} {roughness}: {error:.1e}",
                                 SIZES[size].1
