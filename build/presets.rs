@@ -19,11 +19,39 @@ const GRAY: &str = "ptfe-633nm";
 /// If a file cannot be read, or a preset lacks coefficients.
 pub fn write() -> Result<(), String> {
     let lights = read("tables/inputs/lights.csv", light::count(DEGREE))?;
-    constants("Light", &lights)?;
+    constants("Light", &lights, |_| String::new())?;
     let mut materials = read("tables/inputs/merl.csv", material::count(ORDER))?;
     let gray = read("tables/inputs/materials.csv", material::count(ORDER))?;
     materials.extend(gray.into_iter().filter(|one| one.name == GRAY));
-    constants("Material", &materials)
+    let errors = errors()?;
+    constants("Material", &materials, |name| error_text(&errors, name))
+}
+
+/// Total errors: name, degree, order, median, worst, map and worst pixel.
+const ERRORS: &str = "tables/inputs/merl.errors.csv";
+
+fn errors() -> Result<Vec<Vec<String>>, String> {
+    println!("cargo::rerun-if-changed={ERRORS}");
+    let text = fs::read_to_string(ERRORS).map_err(|error| format!("{ERRORS}: {error}"))?;
+    let lines = text.lines().filter(|line| !line.starts_with('#'));
+    Ok(lines.map(|line| line.split(',').map(str::to_owned).collect()).collect())
+}
+
+/// What a constant's documentation says of its total error.
+fn error_text(errors: &[Vec<String>], name: &str) -> String {
+    let percent = |column: usize, size: [&str; 2]| {
+        let row =
+            errors.iter().find(|row| row.len() == 7 && row[0] == name && row[1..3] == size)?;
+        row[column].parse::<f64>().ok().map(|share| format!("{:.1} %", 100.0 * share))
+    };
+    let of_size = |size| Some([percent(3, size)?, percent(6, size)?]);
+    match (of_size(["9", "7"]), of_size(["12", "12"])) {
+        (Some([median, pixel]), Some([of_12, pixel_of_12])) => format!(
+            " Total error: {median} of the peak (rms, median of 18 maps; worst pixel {pixel}); \
+             {of_12} ({pixel_of_12}) at degree and order 12."
+        ),
+        _ => String::new(),
+    }
 }
 
 /// Lines of numbers that share a name: one number a line if gray, otherwise three.
@@ -61,7 +89,7 @@ fn read(path: &str, count: usize) -> Result<Vec<Preset>, String> {
 }
 
 /// Writes the constants of one kind, in floats and in integers, and a list of all of them.
-fn constants(kind: &str, presets: &[Preset]) -> Result<(), String> {
+fn constants(kind: &str, presets: &[Preset], error: impl Fn(&str) -> String) -> Result<(), String> {
     let lower = kind.to_lowercase();
     let (mut floats, mut integers, mut all) = (String::new(), String::new(), String::new());
     let add = |to: &mut String, text: std::fmt::Arguments<'_>| {
@@ -76,14 +104,17 @@ fn constants(kind: &str, presets: &[Preset]) -> Result<(), String> {
         add(
             &mut floats,
             format_args!(
-                "/// `{name}`.\npub const {constant}: {kind} = channels!(crate::{kind}::new, {numbers});\n"
+                "/// `{name}`.{}\npub const {constant}: {kind} = \
+                 channels!(crate::{kind}::new, {numbers});\n",
+                error(name)
             ),
         )?;
         add(
             &mut integers,
             format_args!(
-                "/// `{name}`.\npub const {constant}: {kind} = \
-                 quantized_{lower}!({gray}super::{constant});\n"
+                "/// `{name}`.{}\npub const {constant}: {kind} = \
+                 quantized_{lower}!({gray}super::{constant});\n",
+                error(name)
             ),
         )?;
         add(&mut all, format_args!("    (\"{name}\", {constant}),\n"))?;

@@ -107,6 +107,11 @@ pub enum Error {
     /// The direction of a light has no length or is not finite, or its angular radius is not above 0
     /// and at most π.
     Direction,
+    /// Coefficients of irradiance go beyond degree 2.
+    Irradiance {
+        /// Their degree.
+        degree: usize,
+    },
     /// A basis has polynomials in series, but the crate was built without the feature `series`.
     Series,
     /// A tolerance is not finite or not above zero.
@@ -289,6 +294,11 @@ impl fmt::Display for Error {
             Self::Direction => f.write_str(
                 "a light needs a finite direction of some length, and an angular radius above 0 and \
                  at most π",
+            ),
+            Self::Irradiance { degree } => write!(
+                f,
+                "coefficients of irradiance of degree {degree}: above degree 2 the cosine leaves too \
+                 little of the light; give the first 9"
             ),
             Self::Knots { found } => write!(f, "a look-up of {found} knots; take 8 to 65536"),
             Self::Size { found } => {

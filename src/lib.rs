@@ -130,6 +130,8 @@ mod estimate;
 
 mod color;
 
+mod graphics;
+
 mod piece;
 
 mod display;
@@ -196,6 +198,7 @@ pub use error::{Argument, Error};
 pub use estimate::Estimate;
 pub use format::{FixedPoint, Format, Q15, Q31, Wide};
 pub use general::GeneralBasis;
+pub use graphics::Convention;
 pub use index::effect::{Effect, Effects};
 #[doc(inline)]
 pub use index::record::floats::{GeneralParts, Parts};

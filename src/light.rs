@@ -12,8 +12,7 @@ use crate::scalar::Scalar;
 /// [`index::light`](crate::index::light).
 ///
 /// The harmonics include the Condon-Shortley phase. z points to the camera, x to the right, y up.
-/// To convert coefficients to the graphics convention, multiply them by
-/// [`graphics_sign`](crate::index::light::graphics_sign).
+/// [`from_graphics`](Self::from_graphics) converts coefficients of three.js, Filament and cmgen.
 ///
 /// An image is linear in its light. In `f32`, keep coefficients near 1 and scale the image when it
 /// is displayed. With a light at 1e-30, the coefficients and pixels of the shipped table are just

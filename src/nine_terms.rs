@@ -9,6 +9,13 @@ use crate::scalar::Scalar;
 use crate::scene::Descent;
 use crate::scene::Scene;
 
+// The clamped cosine over π has the weights 1, 2/3 and 1/4. They are multiplied by the norms of the
+// harmonics, √(1/4π), √(3/4π), √(15/4π) and √(5/16π).
+pub(crate) const CONSTANT: f64 = 0.282_094_791_773_878_14;
+pub(crate) const LINEAR: f64 = 2.0 / 3.0 * 0.488_602_511_902_919_9;
+pub(crate) const SQUARE: f64 = 0.25 * 1.092_548_430_592_079;
+pub(crate) const UPRIGHT: f64 = 0.25 * 0.315_391_565_252_520_05;
+
 /// Irradiance as a polynomial of degree 2 in the normal, for a Lambertian material under light of
 /// degree 2. It needs no table.
 ///
@@ -51,16 +58,10 @@ impl<S: Scalar> NineTerms<S> {
     /// coefficients of degrees 0 to 2 are used.
     #[must_use]
     pub fn lambertian(light: &Light<'_, S>, albedo: S) -> Self {
-        // The clamped cosine over π has the weights 1, 2/3 and 1/4. They are multiplied by the
-        // norms of the harmonics, √(1/4π), √(3/4π), √(15/4π) and √(5/16π).
         let of = |l: usize, m: isize, weight: f64| {
             let light = light.coefficients().get(position(l, m)).copied().unwrap_or(S::ZERO);
             albedo * S::from_f64(weight * f64::from(graphics_sign(m))) * light
         };
-        const CONSTANT: f64 = 0.282_094_791_773_878_14;
-        const LINEAR: f64 = 2.0 / 3.0 * 0.488_602_511_902_919_9;
-        const SQUARE: f64 = 0.25 * 1.092_548_430_592_079;
-        const UPRIGHT: f64 = 0.25 * 0.315_391_565_252_520_05;
         let upright = of(2, 0, UPRIGHT);
         Self::new([
             of(0, 0, CONSTANT) - upright,

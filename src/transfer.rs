@@ -41,6 +41,40 @@ impl<S, const N: usize> Transfer<S, N> {
     }
 }
 
+impl<S: Scalar, const N: usize> Transfer<S, N> {
+    /// The transfer of a sum of materials, each times a factor, from their transfers for one basis.
+    ///
+    /// ```
+    /// # #[cfg(feature = "baked")] {
+    /// use eigenshade::{Material, Transfer, sphere};
+    ///
+    /// let matte = sphere::transfer(&Material::new(&[2.0])?)?;
+    /// let gloss = sphere::transfer(&Material::new(&[0.5, -0.4])?)?;
+    /// let sum = Transfer::sum([&matte, &gloss], [0.5, 1.0])?;
+    /// let whole = sphere::transfer(&Material::new(&[1.5, -0.4])?)?;
+    /// assert!(sum.as_slice().iter().zip(whole.as_slice()).all(|(a, b)| (a - b).abs() < 1e-6));
+    /// # }
+    /// # Ok::<(), eigenshade::Error>(())
+    /// ```
+    ///
+    /// Cost: one multiplication for each number of each transfer.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] if the transfers have different lengths.
+    pub fn sum<const P: usize>(parts: [&Self; P], factors: [S; P]) -> Result<Self, Error> {
+        let expected = parts.first().map_or(0, |part| part.numbers.len());
+        let mut numbers = zeros::<S, N>(Argument::Transfer, expected)?;
+        for (part, factor) in parts.into_iter().zip(factors) {
+            Error::check(Argument::Transfer, expected, part.numbers.len())?;
+            for (sum, &number) in numbers.iter_mut().zip(part.as_slice()) {
+                *sum = sum.add_product(factor, number);
+            }
+        }
+        Ok(Self { before: [0; BEFORE], numbers })
+    }
+}
+
 impl<S: Scalar> Basis<'_, S> {
     /// Computes the transfer of a material.
     ///

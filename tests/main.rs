@@ -14,6 +14,7 @@ mod format_support;
 mod formats;
 mod found;
 mod golden_file;
+mod graphics;
 mod integer_lights;
 mod kernels;
 mod lights;

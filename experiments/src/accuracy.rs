@@ -3,7 +3,8 @@
 //! The error of a map is the rms over the sphere's normals and the three channels, relative to the
 //! largest |I| of the direct integration over all of them.
 
-use crate::sphere::{Picture, Sphere};
+use crate::light_tree::LightTree;
+use crate::sphere::{self, Picture, Sphere};
 use eigenshade_generator::direct::Surroundings;
 use eigenshade_generator::material::brdf::{Brdf, Measure, Surface};
 use eigenshade_index::{light, material};
@@ -12,7 +13,7 @@ use eigenshade_model::error::{Error, Result};
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::parallel;
 use eigenshade_shading::shader::{OwnedNormals, Shader, fault};
-use eigenshade_shading::sphere_rings::rings;
+use eigenshade_shading::sphere_rings::{Ring, rings};
 use eigenshade_table::Table;
 use indicatif::ProgressBar;
 
@@ -81,6 +82,30 @@ impl<'a> Reference<'a> {
         Self { surface, sphere, pictures, peaks }
     }
 
+    /// Integrates the surface with a [`LightTree`], at normals of this spacing in radians and at
+    /// those that mirror each map's brightest texel. The latter count for peaks and worst pixels
+    /// only.
+    pub fn by_tree(
+        surface: &'a Surface,
+        maps: &LightTree,
+        spacing: f64,
+        progress: &ProgressBar,
+    ) -> Self {
+        let brdfs: Vec<&dyn Brdf> = (0..surface.channels()).map(|c| surface.channel(c)).collect();
+        let count = maps.surroundings().maps();
+        let mirrors = (0..count).map(|map| {
+            let [x, y, z] = maps.surroundings().mirror(map);
+            Ring { slant: z.clamp(0.0, 1.0).acos(), tilts: vec![y.atan2(x)], weight: 0.0 }
+        });
+        let sphere = Sphere::new(rings(spacing).into_iter().chain(mirrors).collect());
+        let irradiance = |k: usize| maps.irradiance(&brdfs, sphere.normals[k], 1.0);
+        let integrated = parallel::map(sphere.normals.len(), progress, irradiance);
+        let of_map = |map: usize| [0, 1, 2].map(|c| integrated.iter().map(|i| i[map][c]).collect());
+        let pictures: Vec<Picture> = (0..count).map(of_map).collect();
+        let peaks = pictures.iter().map(sphere::peak).collect();
+        Self { surface, sphere, pictures, peaks }
+    }
+
     /// The number of normals.
     pub fn normals(&self) -> usize {
         self.sphere.normals.len()
@@ -89,12 +114,34 @@ impl<'a> Reference<'a> {
     /// The error for each map of the direct sum (15) up to a degree and an order. `lights` are the
     /// projections of the maps and must reach the degree; `material` is that of the surface, of
     /// this order.
-    pub fn of_sum(
+    pub fn of_sum(&self, lights: &Lights, size: (usize, usize), material: &Named) -> Vec<f64> {
+        self.errors(self.sums(lights, size, material).into_iter())
+    }
+
+    /// [`of_sum`](Self::of_sum) and, for each map, the largest difference of a pixel in any
+    /// channel, relative to the peak.
+    pub fn of_sum_and_pixel(
+        &self,
+        lights: &Lights,
+        size: (usize, usize),
+        material: &Named,
+    ) -> [Vec<f64>; 2] {
+        let found = self.sums(lights, size, material);
+        let pixel = |((found, expected), peak): ((&Picture, &Picture), &f64)| {
+            let values = found.iter().flatten().zip(expected.iter().flatten());
+            values.fold(0.0, |most: f64, (a, b)| most.max((a - b).abs())) / peak
+        };
+        let pixels = found.iter().zip(&self.pictures).zip(&self.peaks).map(pixel).collect();
+        [self.errors(found.into_iter()), pixels]
+    }
+
+    /// The picture of the direct sum under each map.
+    fn sums(
         &self,
         lights: &Lights,
         (degree, order): (usize, usize),
         material: &Named,
-    ) -> Vec<f64> {
+    ) -> Vec<Picture> {
         let count = light::count(degree);
         let channel = |c: usize| {
             let lights = lights.entries.iter().map(|light| &light.rgb[c][..count]);
@@ -102,8 +149,7 @@ impl<'a> Reference<'a> {
         };
         let images = self.sphere.direct((degree, order), &[0, 1, 2].map(channel));
         let maps = self.peaks.len();
-        let of_map = |map: usize| [0, 1, 2].map(|c| images[c * maps + map].clone());
-        self.errors((0..maps).map(of_map))
+        (0..maps).map(|map| [0, 1, 2].map(|c| images[c * maps + map].clone())).collect()
     }
 
     /// The error for each map of a table with all of its components, in f64.

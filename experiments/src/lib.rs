@@ -22,7 +22,11 @@ pub mod multiplications;
 
 pub mod sphere;
 
+pub mod light_tree;
+
 pub mod accuracy;
+
+pub mod material_errors;
 
 pub mod float_errors;
 

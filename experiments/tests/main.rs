@@ -8,6 +8,7 @@ mod accuracy_cost;
 mod benchmark_tables;
 mod direct_integration;
 mod high_degree;
+mod material_errors;
 mod metallic_roughness;
 mod mutations;
 mod paper_command;

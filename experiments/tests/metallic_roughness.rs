@@ -1,145 +1,226 @@
 //! Materials of metallic and roughness, from the runtime's series, against projections of the formula
 //! itself.
 
-use eigenshade::index::material::indices;
-use eigenshade::presets::light;
-use eigenshade::quantized;
-use eigenshade::sphere;
-use eigenshade::{Argument, Buffer, Error, Material, Q15, Rgb};
-use eigenshade_generator::material::brdf::projection::project;
+use crate::spread;
+use crate::support::{Folder, repository, rows};
+use eigenshade::index::material::{count, indices};
+use eigenshade::presets::light::PARK;
+use eigenshade::{Argument, Error, Material, Normal, Q15, Transfer, quantized, sphere};
+use eigenshade_generator::material::brdf::projection::project_orders;
 use eigenshade_generator::material::brdf::{Ggx, Measure};
+use eigenshade_model::reference::DirectSum;
+use eigenshade_shading::shipped;
+use std::fs;
 
-/// The largest difference of a pixel, relative to the picture's largest irradiance.
-const OF_A_PICTURE: f64 = 1e-3;
+/// The largest difference of a pixel in f32, relative to the largest irradiance of the channel.
+const OF_A_PICTURE: f64 = 2e-4;
 
-/// The same of coefficients in Q15, drawn in f32, as pixels in Q15 have errors of their own. Where the
-/// polynomials cancel, the rounding of the first ones shows.
+/// The same of coefficients in Q15, drawn in f64. Where the polynomials cancel, the rounding of the
+/// first ones shows.
 const IN_Q15: f64 = 1.5e-3;
 
-/// The length of the difference of coefficients of order 12, relative to the length of all of them, in
-/// f32 and in Q15.
-const OF_ORDER_12: [f64; 2] = [1e-3, 2e-3];
+/// The same at orders 7 and 12 for base colors below 0.2. At high roughness their pictures are dark,
+/// and the series' mantissas are scaled for all roughnesses.
+const DARK_IN_Q15: [f64; 2] = [2.5e-3, 6.5e-3];
+const DARK: f32 = 0.2;
 
-const COLORS: [[f32; 3]; 2] = [[1.0, 0.766, 0.336], [0.0, 0.02, 0.5]];
-const METALLIC: [f32; 3] = [0.0, 0.5, 1.0];
-/// Between the series' nodes, and at its ends.
-const ROUGHNESS: [f32; 8] = [0.2, 0.213, 0.247, 0.3, 0.41, 0.55, 0.77, 1.0];
+/// A sum of three transfers against the transfer of the sum, of the largest pixel.
+const OF_TRANSFERS: f32 = 2e-6;
 
-/// The formula's coefficients in each channel, as glTF 2.0, appendix B, defines its parameters.
-fn formula(color: [f32; 3], metallic: f32, roughness: f32, order: usize) -> [Vec<f64>; 3] {
-    color.map(|base| {
-        let (base, metallic) = (f64::from(base), f64::from(metallic));
-        let f0 = 0.04 * (1.0 - metallic) + base * metallic;
-        let ggx = Ggx::new(f64::from(roughness), f0, base * (1.0 - metallic)).unwrap();
-        project(&ggx, order, Measure::Projected).coefficients
-    })
+/// The orders of the series, with the degree of the light.
+const SIZES: [(usize, usize); 2] = [(9, 7), (12, 12)];
+
+/// From black to white, and the reflectance of dielectrics.
+const BASE: [f32; 6] = [0.0, 0.02, 0.04, 0.2, 0.5, 1.0];
+const METALLIC: [f32; 4] = [0.0, 0.3, 0.7, 1.0];
+/// Ranges of roughness, with roughnesses between the nodes of the series and at its ends.
+const ROUGHNESS: [&[f32]; 5] = [
+    &[0.2, 0.202, 0.208, 0.219, 0.23, 0.245],
+    &[0.26, 0.28, 0.3, 0.32, 0.345],
+    &[0.37, 0.4, 0.43, 0.47],
+    &[0.52, 0.57, 0.63, 0.7],
+    &[0.75, 0.8, 0.86, 0.93, 0.98, 1.0],
+];
+
+/// Pixels as sums over a material's coefficients: by light, by normal and by coefficient.
+fn pixels((degree, order): (usize, usize)) -> Vec<Vec<Vec<f64>>> {
+    let normals: Vec<[f64; 3]> = spread(160).into_iter().filter(|[.., z]| *z > 0.0).collect();
+    let lights = shipped::lights().unwrap().truncated(degree).entries;
+    let lights: Vec<&Vec<f64>> = lights.iter().step_by(5).map(|light| &light.rgb[1]).collect();
+    let sum = DirectSum::new(degree, order);
+    let mut pixels = vec![vec![vec![0.0; count(order)]; normals.len()]; lights.len()];
+    for (n, &normal) in normals.iter().enumerate() {
+        let modes = sum.at(normal);
+        for i in 0..count(order) {
+            let mut unit = vec![0.0; count(order)];
+            unit[i] = 1.0;
+            let scattered = modes.scatter(&unit);
+            for (pixels, light) in pixels.iter_mut().zip(&lights) {
+                pixels[n][i] = modes.irradiance(light, &scattered);
+            }
+        }
+    }
+    pixels
+}
+
+fn product(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// The largest difference of a pixel under any light, relative to the picture's largest.
+fn apart(pixels: &[Vec<Vec<f64>>], found: &[f64], expected: &[f64]) -> f64 {
+    let difference: Vec<f64> = found.iter().zip(expected).map(|(a, b)| a - b).collect();
+    let largest = |picture: &[Vec<f64>], b: &[f64]| {
+        picture.iter().fold(0.0, |most: f64, pixel| most.max(product(pixel, b).abs()))
+    };
+    let of_light =
+        |picture: &Vec<Vec<f64>>| largest(picture, &difference) / largest(picture, expected);
+    pixels.iter().map(of_light).fold(0.0, f64::max)
+}
+
+/// The formula's coefficients of both orders, as glTF 2.0, appendix B, defines its parameters.
+fn formula(roughness: f32, f0: f64, albedo: f64) -> [Vec<f64>; 2] {
+    let ggx = Ggx::new(f64::from(roughness), f0, albedo).unwrap();
+    let orders = SIZES.map(|(_, order)| order);
+    let [seven, twelve] = &project_orders(&ggx, &orders, Measure::Projected)[..] else {
+        panic!("two orders");
+    };
+    [seven.coefficients.clone(), twelve.coefficients.clone()]
+}
+
+/// The coefficients of a material in integers.
+fn values(material: quantized::Material<'_, Q15>) -> Vec<f64> {
+    let of_order = |(index, mantissa): ((usize, usize, usize), &Q15)| {
+        let exponent = material.exponents()[index.0];
+        f64::from(mantissa.0) * f64::from(exponent).exp2()
+    };
+    indices(material.exponents().len() - 1).zip(material.mantissas()).map(of_order).collect()
+}
+
+fn wide(numbers: &[f32]) -> Vec<f64> {
+    numbers.iter().map(|&b| f64::from(b)).collect()
 }
 
 fn fixed(number: f32) -> Q15 {
     Q15((number * 32_768.0).round().min(32_767.0) as i16)
 }
 
-/// The coefficients of a material in integers.
-fn values(material: quantized::Material<'_, Q15>) -> impl Iterator<Item = f64> {
-    let of_order = move |(index, mantissa): ((usize, usize, usize), &Q15)| {
-        let exponent = material.exponents()[index.0];
-        f64::from(mantissa.0) * f64::from(exponent).exp2()
-    };
-    indices(material.exponents().len() - 1).zip(material.mantissas()).map(of_order)
+/// The coefficients of a gray material in f32 and in Q15, at the order of each size.
+fn of_runtime(size: usize, base: f32, metallic: f32, roughness: f32) -> [Vec<f64>; 2] {
+    type Fixed = quantized::Material<'static, Q15>;
+    let color = [base; 3];
+    let [q_color, q_metallic, q_roughness] = [base, metallic, roughness].map(fixed);
+    let q_color = [q_color; 3];
+    if size == 0 {
+        let float = Material::metallic_roughness(color, metallic, roughness).unwrap();
+        let integer = Fixed::metallic_roughness(q_color, q_metallic, q_roughness).unwrap();
+        [wide(&float.g), values(integer.g.material().unwrap())]
+    } else {
+        let float = Material::metallic_roughness_of_order_12(color, metallic, roughness).unwrap();
+        let integer =
+            Fixed::metallic_roughness_of_order_12(q_color, q_metallic, q_roughness).unwrap();
+        [wide(&float.g), values(integer.g.material().unwrap())]
+    }
 }
 
-/// The length of the difference, relative to that of the second.
-fn from(found: &[f64], expected: &[f64]) -> f64 {
-    let length = |squares: f64| squares.sqrt();
-    let apart = found.iter().zip(expected).map(|(a, b)| (a - b) * (a - b)).sum();
-    length(apart) / length(expected.iter().map(|b| b * b).sum())
-}
-
-fn normals() -> Vec<[f64; 3]> {
-    crate::spread(200).into_iter().filter(|[.., z]| *z > 0.0).collect()
-}
-
-/// The largest difference of two pictures in color, relative to the largest value of the second.
-fn apart(found: &[[f64; 3]], expected: &[[f64; 3]]) -> f64 {
-    let pairs = found.as_flattened().iter().zip(expected.as_flattened());
-    let largest = expected.as_flattened().iter().fold(0.0f64, |most, value| most.max(value.abs()));
-    pairs.fold(0.0f64, |most, (a, b)| most.max((a - b).abs())) / largest
-}
-
-fn picture(
-    light: Rgb<eigenshade::Light<'_, f32>>,
-    material: Rgb<Material<'_, f32>>,
-) -> Vec<[f64; 3]> {
-    let scene = sphere::color::scene(light, material).unwrap();
-    let shade = |normal: [f64; 3]| {
-        let [x, y, z] = normal.map(|component| component as f32);
-        let color = scene.shade(eigenshade::Normal::new(x, y, z).unwrap());
-        <[f32; 3]>::from(color).map(f64::from)
-    };
-    normals().into_iter().map(shade).collect()
-}
-
+/// Every picture of one channel: the exact coefficients are sums of three projections, which the
+/// test below compares with projections of whole materials.
 #[test]
-fn pictures_are_those_of_the_formula() {
-    let mut worst = [0.0f64; 2];
-    for roughness in ROUGHNESS {
-        for (color, metallic) in COLORS.iter().flat_map(|color| METALLIC.map(|m| (*color, m))) {
-            let expected = formula(color, metallic, roughness, 7)
-                .map(|channel| channel.iter().map(|&b| b as f32).collect::<Vec<f32>>());
-            let [r, g, b] = &expected;
-            let expected = Rgb::new(r, g, b).map(|channel| Material::new(channel).unwrap());
-            let found = Material::metallic_roughness(color, metallic, roughness).unwrap();
-
-            let in_integers = quantized::Material::metallic_roughness(
-                color.map(fixed),
-                fixed(metallic),
-                fixed(roughness),
-            )
-            .unwrap();
-            let rounded = in_integers.map(|channel| {
-                let values = values(channel.material().unwrap());
-                Buffer::<f32, 40>::from_slice(&values.map(|b| b as f32).collect::<Vec<f32>>())
-                    .unwrap()
-            });
-            for (_, light) in light::ALL.iter().step_by(5) {
-                let exact = picture(*light, expected);
-                let error = apart(&picture(*light, found.materials().unwrap()), &exact);
-                let of_q15 = apart(&picture(*light, rounded.materials().unwrap()), &exact);
-                worst = [worst[0].max(error), worst[1].max(of_q15)];
-                assert!(error <= OF_A_PICTURE, "{color:?} {metallic} {roughness}: {error}");
-                assert!(of_q15 <= IN_Q15, "Q15: {color:?} {metallic} {roughness}: {of_q15}");
+fn pictures_are_those_of_the_formula_over_all_parameters() {
+    let pixels = SIZES.map(pixels);
+    let [bare, over_matte] = [0.0, 1.0].map(|albedo| formula(1.0, 0.0, albedo));
+    let mut table = String::from(
+        "| roughness | order 7, f32 | order 7, Q15 | order 12, f32 | order 12, Q15 |\n\
+         |---|---:|---:|---:|---:|\n",
+    );
+    let mut failures = Vec::new();
+    for range in ROUGHNESS {
+        let mut worst = [[0.0f64; 2]; 2];
+        for &roughness in range {
+            let [rim, whole] = [0.0, 1.0].map(|f0| formula(roughness, f0, 0.0));
+            for (base, metallic) in BASE.iter().flat_map(|base| METALLIC.map(|m| (*base, m))) {
+                let [a, m] = [base, metallic].map(f64::from);
+                let f0 = 0.04 * (1.0 - m) + a * m;
+                for size in 0..2 {
+                    let expected: Vec<f64> = (0..rim[size].len())
+                        .map(|i| {
+                            let matte = over_matte[size][i] - bare[size][i];
+                            let rim = rim[size][i];
+                            a * (1.0 - m) * (1.0 - f0) * matte + rim + f0 * (whole[size][i] - rim)
+                        })
+                        .collect();
+                    let found = of_runtime(size, base, metallic, roughness);
+                    for (format, found) in found.iter().enumerate() {
+                        let error = apart(&pixels[size], found, &expected);
+                        worst[size][format] = worst[size][format].max(error);
+                        let in_q15 = if base < DARK { DARK_IN_Q15[size] } else { IN_Q15 };
+                        if error > [OF_A_PICTURE, in_q15][format] {
+                            failures.push(format!(
+                                "order {}, format {format}: {base} {metallic} {roughness}: {error:.1e}",
+                                SIZES[size].1
+                            ));
+                        }
+                    }
+                }
             }
         }
+        let [first, last] = [range[0], range[range.len() - 1]];
+        let [[a, b], [c, d]] = worst;
+        table += &format!("| {first} to {last} | {a:.1e} | {b:.1e} | {c:.1e} | {d:.1e} |\n");
     }
-    println!("metallic and roughness: {:.1e}, in Q15 {:.1e}", worst[0], worst[1]);
+    println!("{table}");
+    assert!(failures.is_empty(), "{}: {:#?}", failures.len(), &failures[..failures.len().min(20)]);
+    let page = fs::read_to_string(repository().join("docs/accuracy.md")).unwrap();
+    assert!(page.contains(&table), "docs/accuracy.md lacks the table above");
 }
 
+/// The program's `material ggx` projects whole materials.
 #[test]
-fn coefficients_of_order_12_are_those_of_the_formula() {
-    let mut worst = [0.0f64; 2];
-    for roughness in ROUGHNESS {
-        for metallic in METALLIC {
-            let expected = formula(COLORS[0], metallic, roughness, 12);
-            let found =
-                Material::metallic_roughness_of_order_12(COLORS[0], metallic, roughness).unwrap();
-            let integers = quantized::Material::metallic_roughness_of_order_12(
-                COLORS[0].map(fixed),
-                fixed(metallic),
-                fixed(roughness),
-            )
-            .unwrap();
-            let channels = <[_; 3]>::from(found).into_iter().zip(<[_; 3]>::from(integers));
-            for ((found, integers), expected) in channels.zip(expected) {
-                let found = found.iter().map(|&b| f64::from(b)).collect::<Vec<f64>>();
-                let of_q15 = values(integers.material().unwrap()).collect::<Vec<f64>>();
-                let errors = [found, of_q15].map(|found| from(&found, &expected));
-                worst = [0, 1].map(|k| worst[k].max(errors[k]));
-                assert!(errors[0] <= OF_ORDER_12[0], "{metallic} {roughness}: {errors:?}");
-                assert!(errors[1] <= OF_ORDER_12[1], "{metallic} {roughness}: {errors:?}");
-            }
-        }
+fn the_program_has_the_same_numbers() {
+    let folder = Folder::new();
+    for (base, metallic, roughness) in [(0.5, 0.0, 0.37), (0.9, 1.0, 0.62), (0.3, 0.5, 0.25)] {
+        let f0 = 0.04 * (1.0 - metallic) + base * metallic;
+        let albedo = base * (1.0 - metallic);
+        let text = folder.ok(&format!(
+            "material ggx --roughness {roughness} --f0 {f0} --albedo {albedo} --order 7"
+        ));
+        let expected: Vec<f64> = rows(&text, "name,o,p,q,value")
+            .iter()
+            .map(|row| row[4].parse().expect("a number"))
+            .collect();
+        let [found, _] = of_runtime(0, base as f32, metallic as f32, roughness as f32);
+        let length = product(&expected, &expected).sqrt();
+        let square: f64 = found.iter().zip(&expected).map(|(a, b)| (a - b) * (a - b)).sum();
+        println!("{base} {metallic} {roughness}: {:.1e} of |b|", square.sqrt() / length);
+        assert!(square.sqrt() <= OF_A_PICTURE * length);
     }
-    println!("order 12: {:.1e} of the coefficients, in Q15 {:.1e}", worst[0], worst[1]);
+}
+
+/// A transfer is linear in the material.
+#[test]
+fn transfers_of_the_parts_add_up() {
+    let [matte, rim, metal] = Material::metallic_roughness_parts(0.35).unwrap();
+    let parts = [matte, rim, metal].map(|b| sphere::transfer(&Material::new(&b).unwrap()).unwrap());
+    for (color, metallic) in [([0.93, 0.52, 0.38], 1.0), ([0.1, 0.6, 0.9], 0.25)] {
+        let shares = Material::metallic_roughness_shares(color, metallic).unwrap();
+        let transfer = shares.try_map(|shares| Transfer::sum(parts.each_ref(), shares)).unwrap();
+        let found = sphere::color::relight(&transfer, PARK).unwrap();
+        let material = Material::metallic_roughness(color, metallic, 0.35).unwrap();
+        let expected = sphere::color::scene(PARK, material.materials().unwrap()).unwrap();
+        let (mut peak, mut worst) = (0.0f32, 0.0f32);
+        for [x, y, z] in spread(200).into_iter().filter(|[.., z]| *z > 0.0) {
+            let normal = Normal::new(x as f32, y as f32, z as f32).unwrap();
+            let (found, expected) = (found.shade(normal), expected.shade(normal));
+            peak = peak.max(expected.g.abs());
+            worst = worst.max((found.g - expected.g).abs());
+        }
+        println!("transfers: {:.1e}", worst / peak);
+        assert!(worst <= OF_TRANSFERS * peak, "{worst}");
+    }
+    let twelve = Material::metallic_roughness_parts_of_order_12(0.35).unwrap();
+    let whole = Material::metallic_roughness_of_order_12([1.0; 3], 1.0, 0.35).unwrap();
+    let sum = twelve[1].iter().zip(twelve[2].iter()).map(|(a, b)| a + b);
+    assert!(sum.zip(whole.r.iter()).all(|(a, b)| (a - b).abs() < 1e-6));
 }
 
 #[test]
@@ -153,6 +234,11 @@ fn parameters_outside_their_range_are_refused() {
     for (color, metallic, roughness, argument) in refused {
         let found = Material::metallic_roughness(color, metallic, roughness);
         assert_eq!(found.unwrap_err(), Error::Outside { argument });
+        let [shares, parts] = [
+            Material::metallic_roughness_shares(color, metallic).err(),
+            Material::metallic_roughness_parts(roughness).err(),
+        ];
+        assert_eq!(shares.or(parts), Some(Error::Outside { argument }));
     }
     let found = quantized::Material::metallic_roughness([Q15(1); 3], Q15(1), Q15(-1));
     assert_eq!(found.unwrap_err(), Error::Outside { argument: Argument::Roughness });

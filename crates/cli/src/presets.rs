@@ -35,6 +35,24 @@ pub fn materials(file: InputFile) -> Result<Materials> {
     Ok(Materials { order, entries: vec![find("material", name, entries)?] })
 }
 
+/// A total error above this share is worth a note.
+const LARGE: f64 = 0.05;
+
+/// A note if this is a shipped material whose pictures at this degree and order are far from those
+/// of its BRDF.
+#[must_use]
+pub fn error_note(material: &Path, size: (usize, usize)) -> Option<String> {
+    let name = name(material)?;
+    let error = shipped::total_error(name, size).filter(|error| error.worst > LARGE)?;
+    Some(format!(
+        "note: `{name}` is sharper than order {} can show: pictures are off by {:.1} % of their \
+         peak, under some lights by {:.0} %, and highlights are blurred",
+        size.1,
+        100.0 * error.median,
+        100.0 * error.worst
+    ))
+}
+
 /// The path as the name of something shipped: one word without an extension, and no file.
 fn name(path: &Path) -> Option<&str> {
     let name = path.to_str()?;

@@ -2,7 +2,7 @@
 
 use crate::PROGRAM;
 use crate::support::files::png;
-use crate::support::{DEGREE, Folder, ORDER, PAIR, SHADED, materials, numbers};
+use crate::support::{DEGREE, Folder, ORDER, PAIR, SHADED, assert_fails, materials, numbers};
 use crate::support::{repository, rows};
 use crate::tolerances;
 use png::{BitDepth, ColorType};
@@ -80,6 +80,35 @@ fn light_converts_both_ways() {
     assert_eq!(numbers(&rows(&back, "name,l,m,r,g,b"), 3), numbers(&before, 3));
     let lower = folder.ok("light lights.csv --degree 1");
     assert_eq!(rows(&lower, "name,l,m,r,g,b").len(), 3 * 4);
+}
+
+/// A light that is the same from everywhere has Filament's irradiance over π, which is its radiance,
+/// and cmgen's irradiance π times its L_0^0.
+#[test]
+fn light_converts_for_other_programs() {
+    let folder = Folder::new();
+    folder.write("gray.pfm", map(1.0));
+    let paper = folder.ok("light gray.pfm --degree 2");
+    folder.write("l.csv", paper);
+    for (convention, mean) in [("filament", 1.0), ("cmgen-irradiance", 11.1367), ("cmgen", 3.5449)]
+    {
+        let other = folder.ok(&format!("light gray.pfm --degree 2 --convention {convention}"));
+        let converted = folder.ok(&format!("light l.csv --convention {convention}"));
+        let [other, converted] = [other, converted].map(|text| rows(&text, "name,l,m,r,g,b"));
+        assert!((numbers(&converted, 3)[0] / mean - 1.0).abs() < 1e-3, "{convention}");
+        for (a, b) in numbers(&other, 3).iter().zip(numbers(&converted, 3)) {
+            assert!((a - b).abs() < 1e-7, "{a} {b}");
+        }
+        let text = folder.ok(&format!("light l.csv --convention {convention}"));
+        folder.write("other.csv", text);
+        let back = folder.ok(&format!("light other.csv --from {convention} --convention paper"));
+        let [back, before] =
+            [back, folder.read("l.csv")].map(|text| numbers(&rows(&text, "name,l,m,r,g,b"), 3));
+        assert!(back.iter().zip(&before).all(|(a, b)| (a - b).abs() < 1e-12));
+    }
+    let refused = "light lights.csv --degree 4 --convention filament";
+    assert_fails(&folder, refused, &["lights.csv", "degree 4", "--degree 2"]);
+    assert_fails(&folder, "light gray.pfm --from cmgen", &["--from", "light CSV"]);
 }
 
 /// The shipped lights are the projections of the maps of this repository.

@@ -45,7 +45,16 @@ fn names_are_entries_of_the_shipped_files() {
         let rows = listed.lines().map(|row| row.split(',').collect::<Vec<_>>());
         rows.filter(|row| row[0] == kind).map(|row| row[1].to_owned()).collect()
     };
-    assert!(listed.starts_with("kind,name,size,color\n"));
+    assert!(listed.starts_with("kind,name,size,color,error_9_7,error_12_12\n"));
+    // Shipped materials in color have errors; the gray ones of CUReT have none.
+    for row in listed.lines().skip(1).map(|row| row.split(',').collect::<Vec<_>>()) {
+        let errors = [row[4], row[5]].map(|error| error.parse::<f64>().ok());
+        if row[0] == "material" && (row[3] == "rgb" || row[1] == "ptfe-633nm") {
+            assert!(errors.iter().all(|error| error.unwrap() > 0.0), "{row:?}");
+        } else {
+            assert_eq!(errors, [None; 2], "{row:?}");
+        }
+    }
     let (of_lights, of_materials) = (names("light"), names("material"));
     assert_eq!(of_lights, shipped_names(shipped::lights().unwrap().entries));
     assert_eq!(of_materials, shipped_names(shipped::named_materials().unwrap().entries));
@@ -59,6 +68,20 @@ fn names_are_entries_of_the_shipped_files() {
     let projected =
         folder.ok(&format!("project {table} --lights park --materials 07-velvet --components 3"));
     assert_eq!(projected.lines().count(), 4);
+}
+
+/// A material sharper than the table says so; a matte one, and a file's, do not.
+#[test]
+fn sharp_materials_are_named() {
+    let folder = Folder::new();
+    let drawn = |material: &str| {
+        folder.messages(&format!("render --light park --material {material} --size 32 --out a.png"))
+    };
+    let note = drawn("chrome");
+    assert!(note.contains("`chrome` is sharper than order 7 can show"), "{note}");
+    assert!(!drawn("ptfe-633nm").contains("sharper"));
+    let file = repository().join("tables/inputs/merl.csv");
+    assert!(!drawn(&format!("{}:chrome", file.display())).contains("sharper"));
 }
 
 /// Exposure, tone curve, rotation, window, effects and components change a picture as the runtime

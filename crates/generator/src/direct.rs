@@ -111,9 +111,8 @@ impl Surroundings {
             for (n, &normal) in normals.iter().enumerate() {
                 for (b, &brdf) in brdfs.iter().enumerate() {
                     let column = weights.col_mut(n * brdfs.len() + b).subrows_mut(0, texels);
-                    let lobe = Lobe { brdf, width: brdf.width(), fineness };
                     for (texel, weight) in (block * BLOCK..).zip(column.iter_mut()) {
-                        *weight = self.weight(&lobe, texel, normal);
+                        *weight = self.weight(brdf, fineness, texel, normal);
                     }
                 }
             }
@@ -129,8 +128,15 @@ impl Surroundings {
             .collect()
     }
 
-    /// ∫ f cos θ_i dω over one texel.
-    fn weight(&self, lobe: &Lobe<'_>, texel: usize, normal: [f64; 3]) -> f64 {
+    /// ∫ f cos θ_i dω over one texel, counted row by row; `fineness` as in
+    /// [`irradiance`](Self::irradiance).
+    ///
+    /// # Panics
+    ///
+    /// If `texel` is out of range.
+    #[must_use]
+    pub fn weight(&self, brdf: &dyn Brdf, fineness: f64, texel: usize, normal: [f64; 3]) -> f64 {
+        let lobe = Lobe { brdf, width: brdf.width(), fineness };
         let direction = self.directions[texel];
         let cosine = dot(direction, normal);
         let size = PI / self.height as f64;

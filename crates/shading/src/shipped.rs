@@ -11,6 +11,8 @@ const LIGHTS: &str = include_str!("../../../tables/inputs/lights.csv");
 const MATERIALS: &str = include_str!("../../../tables/inputs/materials.csv");
 const COLORED: &str = include_str!("../../../tables/inputs/merl.csv");
 
+const ERRORS: &str = include_str!("../../../tables/inputs/merl.errors.csv");
+
 /// Shipped materials that pictures and reports show, from matte to specular.
 pub const SHOWN_MATERIALS: [&str; 7] = [
     "ptfe-633nm",
@@ -53,4 +55,31 @@ pub fn named_materials() -> Result<Materials> {
     let mut named = parse_materials(COLORED, "tables/inputs/merl.csv", None)?;
     named.entries.extend(materials()?.truncated(named.order).entries);
     Ok(named)
+}
+
+/// The total error of a material: its pictures against direct integration of its BRDF under the
+/// shipped maps, rms over a sphere's picture relative to the peak.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TotalError {
+    /// The median over the maps.
+    pub median: f64,
+    /// The worst map's.
+    pub worst: f64,
+    /// The largest error of a pixel under any map, relative to the peak.
+    pub pixel: f64,
+}
+
+/// The total error of a shipped material at a degree and an order, from
+/// `tables/inputs/merl.errors.csv`. `None` if it is not there.
+#[must_use]
+pub fn total_error(material: &str, size: (usize, usize)) -> Option<TotalError> {
+    ERRORS.lines().find_map(|line| {
+        let fields: Vec<&str> = line.split(',').collect();
+        let [name, degree, order, median, worst, _, pixel] = fields[..] else { return None };
+        if name != material || (degree.parse(), order.parse()) != (Ok(size.0), Ok(size.1)) {
+            return None;
+        }
+        let number = |text: &str| text.parse::<f64>().ok();
+        Some(TotalError { median: number(median)?, worst: number(worst)?, pixel: number(pixel)? })
+    })
 }

@@ -4,6 +4,7 @@ mod accuracy_cost;
 mod contact_sheet;
 mod errors;
 mod files;
+mod material_errors;
 mod metallic_roughness;
 mod mutations;
 mod paper;
@@ -49,6 +50,7 @@ pub enum Command {
     /// Integers must be equal; floats may differ by the tolerance that the file states.
     Golden(Purpose),
     GlossyMaterials(files::GlossyMaterials),
+    MaterialErrors(material_errors::MaterialErrors),
     MetallicRoughness(metallic_roughness::MetallicRoughness),
     SameOrder(files::SameOrder),
     WasmTables(files::WasmTables),
@@ -89,6 +91,7 @@ impl Command {
             }
             Self::Golden(purpose) => files::golden(&purpose),
             Self::GlossyMaterials(command) => command.run(),
+            Self::MaterialErrors(command) => command.run(),
             Self::MetallicRoughness(command) => command.run(),
             Self::SameOrder(command) => command.run(),
             Self::WasmTables(command) => command.run(),

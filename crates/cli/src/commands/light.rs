@@ -7,7 +7,7 @@ use eigenshade_cli::output;
 use eigenshade_generator::light::cube::face_files;
 use eigenshade_generator::light::map::Map;
 use eigenshade_generator::light::map_file::is_picture;
-use eigenshade_generator::light::projection::{coefficients, exchanged, named_maps};
+use eigenshade_generator::light::projection::{coefficients, named_maps};
 use eigenshade_generator::light::{frame, map};
 use eigenshade_model::database::{Lights, Named};
 use eigenshade_model::error::{Error, Result};
@@ -26,10 +26,10 @@ const DEGREE: usize = 9;
 /// opacity; the other kinds are linear. The share of each map's radiance that is negative is
 /// reported on standard error. The file of --out begins with a comment line, `#` and the command.
 ///
-/// A single light CSV in place of maps is converted from the OTHER convention to the one of
-/// --convention: `light graphics.csv --convention paper` reads coefficients in the graphics
-/// convention. --degree then drops higher degrees; a degree that the file does not reach is an
-/// error.
+/// A single light CSV in place of maps is converted from the convention --from to --convention.
+/// Without --from, `paper` is read from `graphics`, and any other from `paper`. --degree then drops
+/// higher degrees; a degree that the file does not reach is an error. `cmgen-irradiance` and
+/// `filament` hold irradiance, up to degree 2.
 #[derive(Args, Debug)]
 pub struct Light {
     /// Maps (.exr, .hdr, .pfm, .png, .jpg), folders of maps, or one light CSV
@@ -40,7 +40,7 @@ pub struct Light {
     #[arg(long, value_enum)]
     layout: Option<Layout>,
     /// Program that places the maps: the light is that of the map there, for a camera that looks
-    /// along -z with y up. Cubes are placed by `eigenshade` and `threejs` only
+    /// along -z with y up. Cubes are placed by `eigenshade`, `threejs` and `filament` only
     #[arg(long, value_enum, default_value_t = Frame::Eigenshade)]
     frame: Frame,
     /// Largest degree l of the coefficients, 0 to 256 [default: 9, or that of the light CSV]
@@ -49,6 +49,9 @@ pub struct Light {
     /// Convention of the output
     #[arg(long, value_enum, default_value_t = Convention::Paper)]
     convention: Convention,
+    /// Convention of a light CSV
+    #[arg(long, value_enum)]
+    from: Option<Convention>,
     /// Write the CSV to this file instead of standard output
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
@@ -58,8 +61,38 @@ pub struct Light {
 enum Convention {
     /// Nillius and Eklundh's: Condon-Shortley phase, signed m in sin(m phi)
     Paper,
-    /// The convention of three.js, Filament and Ramamoorthi
+    /// Radiance, as three.js and Ramamoorthi have it
     Graphics,
+    /// Radiance, as `cmgen --sh` prints it
+    Cmgen,
+    /// Irradiance, as `cmgen --sh --sh-irradiance` prints it
+    CmgenIrradiance,
+    /// Irradiance over pi as a polynomial: Filament's `irradiance`, cmgen's sh.txt
+    Filament,
+}
+
+impl Convention {
+    /// The runtime's; `None` for its own.
+    fn other(self) -> Option<eigenshade::Convention> {
+        match self {
+            Self::Paper => None,
+            Self::Graphics => Some(eigenshade::Convention::ThreeJs),
+            Self::Cmgen => Some(eigenshade::Convention::Cmgen),
+            Self::CmgenIrradiance => Some(eigenshade::Convention::CmgenIrradiance),
+            Self::Filament => Some(eigenshade::Convention::Filament),
+        }
+    }
+
+    /// Converts lights to another convention.
+    fn convert(self, mut lights: Lights, to: Self) -> Result<Lights> {
+        for channel in lights.entries.iter_mut().flat_map(|light| &mut light.rgb) {
+            let decoded = self.other().map_or(Ok(()), |from| from.decode(channel));
+            decoded.and_then(|()| to.other().map_or(Ok(()), |to| to.encode(channel))).map_err(
+                |fault| Error::new(fault.to_string(), "give --degree 2, or another convention"),
+            )?;
+        }
+        Ok(lights)
+    }
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -94,6 +127,8 @@ enum Frame {
     Mitsuba,
     /// The middle of the map is +z
     Openexr,
+    /// That of cmgen: the middle of the map is +z; of a cube, pz is +z and px is -x
+    Filament,
 }
 
 impl From<Frame> for frame::Frame {
@@ -104,6 +139,7 @@ impl From<Frame> for frame::Frame {
             Frame::Blender => Self::Blender,
             Frame::Mitsuba => Self::Mitsuba,
             Frame::Openexr => Self::OpenExr,
+            Frame::Filament => Self::Filament,
         }
     }
 }
@@ -118,20 +154,25 @@ impl Light {
                     return Err(Error::new(what, remedy).in_file(file));
                 }
                 output::refuse_collisions(&self.out, [file])?;
-                exchanged(&read_lights(memory.file(file), self.degree)?)
+                let from = self.from.unwrap_or(match self.convention {
+                    Convention::Paper => Convention::Graphics,
+                    _ => Convention::Paper,
+                });
+                let lights = read_lights(memory.file(file), self.degree)?;
+                from.convert(lights, self.convention).map_err(|error| error.in_file(file))?
             }
             maps => {
+                if self.from.is_some() {
+                    let what = "--from is the convention of a light CSV";
+                    return Err(Error::new(what, "leave it out, or give one light CSV"));
+                }
                 let files = files(maps)?;
                 let mut inputs = Vec::new();
                 for (_, path) in &files {
                     inputs.extend(pictures(path)?);
                 }
                 output::refuse_collisions(&self.out, inputs)?;
-                let lights = self.projected(files, memory)?;
-                match self.convention {
-                    Convention::Paper => lights,
-                    Convention::Graphics => exchanged(&lights),
-                }
+                Convention::Paper.convert(self.projected(files, memory)?, self.convention)?
             }
         };
         output::write(self.out.as_deref(), |out| {

@@ -163,7 +163,8 @@ impl Render {
         let table_path = self.table.filter(|_| is_sphere);
         let note = table_path.and_then(|path| note(&path, &table.scene.geometry));
         let ringing = ringing.note().filter(|_| self.choices.has_all_effects());
-        note.into_iter().chain(warnings).chain(ringing).for_each(print_message);
+        let sharp = presets::error_note(&material.path, (table.gram.degree, table.gram.order));
+        note.into_iter().chain(warnings).chain(ringing).chain(sharp).for_each(print_message);
         Ok(())
     }
 }

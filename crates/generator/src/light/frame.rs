@@ -10,10 +10,11 @@
 //! | Blender | +x | +z | Cycles, `direction_to_equirectangular` of `kernel/camera/projection.h` |
 //! | Mitsuba 3 | +z | -x | `uv_to_direction` of `emitters/envmap.cpp`, without `to_world` |
 //! | OpenEXR | +z | -x | `LatLongMap::direction` of `ImfEnvmap.cpp` |
+//! | Filament's cmgen | +z | -x | `equirectangularToCubemap` and `mirrorCubemap` of `CubemapUtils.cpp` |
 //!
 //! Blender's x right, y forward and z up are x, -z and y here, as in its export to glTF: the camera
-//! is that of the front view, which looks along Blender's +y. three.js reads the six faces of a cube
-//! in OpenGL's frame with x reversed, so that pz is +z and px is -x. OpenEXR puts the centers, not
+//! is that of the front view, which looks along Blender's +y. three.js and cmgen read the six faces of
+//! a cube in OpenGL's frame with x reversed, so that pz is +z and px is -x. OpenEXR puts the centers, not
 //! the edges, of the first and last texels of a row at the same direction; that half texel is not
 //! modeled.
 
@@ -34,6 +35,8 @@ pub enum Frame {
     Mitsuba,
     /// That of OpenEXR's latitude-longitude maps.
     OpenExr,
+    /// That of Filament's cmgen.
+    Filament,
 }
 
 impl Frame {
@@ -46,11 +49,13 @@ impl Frame {
         let alpha = match (self, is_cube) {
             (Self::Eigenshade, _) => 0.0,
             (Self::ThreeJs | Self::Blender, false) => -FRAC_PI_2,
-            (Self::Mitsuba | Self::OpenExr, false) | (Self::ThreeJs, true) => PI,
+            (Self::Mitsuba | Self::OpenExr, false)
+            | (Self::ThreeJs, true)
+            | (Self::Filament, _) => PI,
             (Self::Blender | Self::Mitsuba | Self::OpenExr, true) => {
                 return Err(Error::new(
                     "this frame is defined for equirectangular maps, and the map is a cube",
-                    "leave out --frame, or give `threejs` or an equirectangular map",
+                    "leave out --frame, or give `threejs`, `filament` or an equirectangular map",
                 ));
             }
         };

@@ -249,11 +249,24 @@ fn published(frame: Frame, u: f64, v: f64) -> [f64; 3] {
             let across = latitude.cos();
             [longitude.sin() * across, latitude.sin(), longitude.cos() * across]
         }
+        // cmgen, toRectilinear of libs/ibl/src/CubemapUtils.cpp, inverted: u is (atan2(x, z) / pi +
+        // 1) / 2, and asin(y) 2 / pi counts from the bottom. mirrorCubemap then reverses x.
+        Frame::Filament => {
+            let (x, z) = (PI * (2.0 * u - 1.0)).sin_cos();
+            let (y, across) = (0.5 * PI * (1.0 - 2.0 * v)).sin_cos();
+            [-x * across, y, z * across]
+        }
     }
 }
 
-const FRAMES: [Frame; 5] =
-    [Frame::Eigenshade, Frame::ThreeJs, Frame::Blender, Frame::Mitsuba, Frame::OpenExr];
+const FRAMES: [Frame; 6] = [
+    Frame::Eigenshade,
+    Frame::ThreeJs,
+    Frame::Blender,
+    Frame::Mitsuba,
+    Frame::OpenExr,
+    Frame::Filament,
+];
 
 #[test]
 fn a_point_of_light_is_where_the_program_places_it() {
@@ -289,8 +302,11 @@ fn frames_of_cubes() {
         let [red, ..] = coefficients(&map, Frame::Eigenshade, 1).unwrap();
         assert_direction(centroid(&red), [x / length, y / length, -z / length]);
         // three.js looks (-x, y, z) up, see flipEnvMap in src/renderers/webgl/WebGLMaterials.js.
-        let [red, ..] = coefficients(&map, Frame::ThreeJs, 1).unwrap();
-        assert_direction(centroid(&red), [-x / length, y / length, z / length]);
+        // So does mirrorCubemap of libs/ibl/src/CubemapUtils.cpp of Filament.
+        for frame in [Frame::ThreeJs, Frame::Filament] {
+            let [red, ..] = coefficients(&map, frame, 1).unwrap();
+            assert_direction(centroid(&red), [-x / length, y / length, z / length]);
+        }
         for frame in [Frame::Blender, Frame::Mitsuba, Frame::OpenExr] {
             let text = coefficients(&map, frame, 1).unwrap_err().to_string();
             assert_starts(&text, "this frame is defined for equirectangular maps, ");

@@ -1,0 +1,159 @@
+//! The total error of each shipped material in color, and of PTFE: the picture of its coefficients
+//! at a degree and an order against direct integration under environment maps.
+
+use crate::accuracy::{Reference, named};
+use crate::light_tree::LightTree;
+use crate::numbers::median;
+use eigenshade::Window;
+use eigenshade::mathematics::Libm;
+use eigenshade_generator::light::environment::EnvironmentMap;
+use eigenshade_generator::light::projection::named_maps;
+use eigenshade_generator::material::brdf::{Brdf, Geometry, Measure, Surface};
+use eigenshade_generator::material::files::{Source, read};
+use eigenshade_index::material;
+use eigenshade_model::database::{Lights, Named};
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
+use eigenshade_model::scattering;
+use indicatif::ProgressBar;
+use std::path::Path;
+
+/// Degrees and orders: that of the shipped table, and the largest that one would use on a device.
+pub const SIZES: [(usize, usize); 2] = [(9, 7), (12, 12)];
+/// The window of the shipped coefficients in color, `material --window`.
+const WINDOW: Window<f64> = Window::SincFourth { width: 40.0 };
+/// The material that was measured and is not in color.
+const MEASURED: &str = "ptfe-633nm";
+/// Distance of the normals of the sphere in radians: 1,000 normals.
+pub const SPACING: f64 = 0.08;
+
+/// The columns of `merl.errors.csv`.
+pub const COLUMNS: [&str; 7] = ["material", "degree", "order", "median", "worst", "map", "pixel"];
+
+/// The errors of one material at one size, relative to the peak.
+#[derive(Clone, Debug)]
+pub struct Errors {
+    /// The median over the maps of the rms over the picture.
+    pub median: f64,
+    /// The largest rms of a map.
+    pub worst: f64,
+    /// Its map.
+    pub map: String,
+    /// The largest error of a pixel under any map.
+    pub pixel: f64,
+}
+
+/// The errors of the shipped materials, or of those with these names, at each of [`SIZES`].
+///
+/// # Errors
+///
+/// If a file of `inputs` cannot be read, or has no material of a name.
+pub fn errors(
+    inputs: &Path,
+    names: &[String],
+    spacing: f64,
+    progress: &ProgressBar,
+) -> Result<Vec<(String, Vec<Errors>)>> {
+    let maps = named_maps(&[inputs.join("maps")])?;
+    let lights = read_lights(inputs.join("lights.csv"), None)?;
+    let lights = named(&lights, maps.iter().map(|(name, _)| name.as_str()))?;
+    let map_names: Vec<&str> = maps.iter().map(|(name, _)| name.as_str()).collect();
+    let maps = maps.iter().map(|(_, path)| EnvironmentMap::from_path(path));
+    let maps = LightTree::new(&maps.collect::<Result<Vec<_>>>()?)?;
+    let materials = materials(inputs)?;
+    if let Some(name) = names.iter().find(|name| materials.iter().all(|(s, _)| s.name != **name)) {
+        let what = format!("no material is named `{name}`");
+        return Err(Error::new(what, "give names of tables/inputs/merl-abc.csv, or none"));
+    }
+    let chosen =
+        materials.iter().filter(|(surface, _)| names.is_empty() || names.contains(&surface.name));
+    Ok(chosen
+        .map(|(surface, shipped)| {
+            let reference = Reference::by_tree(surface, &maps, spacing, progress);
+            let of_size = |&size: &(usize, usize)| {
+                let material = sized(surface, shipped, size.1);
+                errors_of(&reference, &lights, size, &material, &map_names)
+            };
+            (surface.name.clone(), SIZES.iter().map(of_size).collect())
+        })
+        .collect())
+}
+
+fn errors_of(
+    reference: &Reference<'_>,
+    lights: &Lights,
+    size: (usize, usize),
+    material: &Named,
+    maps: &[&str],
+) -> Errors {
+    let [errors, pixels] = reference.of_sum_and_pixel(lights, size, material);
+    let worst = (0..errors.len()).max_by(|&a, &b| errors[a].total_cmp(&errors[b]));
+    let worst = worst.unwrap_or_default();
+    Errors {
+        median: median(&errors),
+        worst: errors[worst],
+        map: maps[worst].to_owned(),
+        pixel: pixels.into_iter().fold(0.0, f64::max),
+    }
+}
+
+/// The BRDFs with the coefficients that are shipped.
+fn materials(inputs: &Path) -> Result<Vec<(Surface, Named)>> {
+    let find = |entries: &[Named], name: &str, file: &str| {
+        entries.iter().find(|entry| entry.name == name).cloned().ok_or_else(|| {
+            let what = format!("{file} has no material `{name}`");
+            Error::new(what, "make it again, as in tables/README.md")
+        })
+    };
+    let shipped = read_materials(inputs.join("merl.csv"), None)?;
+    let mut materials = Vec::new();
+    for source in read(inputs.join("merl-abc.csv"))? {
+        if let Source::Surface(surface) = source {
+            let of_surface = find(&shipped.entries, &surface.name, "merl.csv")?;
+            materials.push((surface, of_surface));
+        }
+    }
+    let gray = read_materials(inputs.join("materials.csv"), None)?;
+    let measured = find(&gray.entries, MEASURED, "materials.csv")?;
+    let modes = Modes { order: gray.order, coefficients: measured.rgb[1].clone() };
+    materials.push((Surface::gray(MEASURED.to_owned(), Box::new(modes)), measured));
+    Ok(materials)
+}
+
+/// The coefficients of an order: those shipped, or made in the same way.
+fn sized(surface: &Surface, shipped: &Named, order: usize) -> Named {
+    let count = material::count(order);
+    if shipped.rgb[0].len() >= count {
+        return shipped.clone();
+    }
+    if surface.name == MEASURED {
+        let mut padded = shipped.clone();
+        padded.rgb.iter_mut().for_each(|channel| channel.resize(count, 0.0));
+        return padded;
+    }
+    let mut projected = surface.project(order, Measure::Projected).material;
+    for channel in &mut projected.rgb {
+        for (b, (o, ..)) in channel.iter_mut().zip(material::indices(order)) {
+            *b *= WINDOW.factor::<Libm>(o);
+        }
+    }
+    projected
+}
+
+/// A BRDF that is a sum of modes.
+struct Modes {
+    order: usize,
+    coefficients: Vec<f64>,
+}
+
+impl Brdf for Modes {
+    fn value(&self, at: Geometry) -> f64 {
+        let [theta_i, theta_r] = [at.incident, at.reflected].map(|cosine| cosine.min(1.0).acos());
+        let azimuth = at.azimuth_cosine().acos();
+        scattering::brdf(self.order, &self.coefficients, theta_i, theta_r, azimuth)
+    }
+
+    fn width(&self) -> f64 {
+        1.0 / self.order.max(1) as f64
+    }
+}
