@@ -106,6 +106,8 @@ mod nine_terms;
 
 mod scene;
 
+mod collapse;
+
 mod shade;
 
 #[doc(hidden)]

@@ -39,12 +39,14 @@
 //! ```
 
 mod basis;
+mod collapse;
 mod estimate;
 mod inputs;
 mod nine_terms;
 mod pixel;
 mod relight;
 mod scene;
+mod size;
 mod table;
 mod transfer;
 
@@ -53,8 +55,13 @@ mod transfer;
 /// constants for all sizes and positions. If an argument has another shape, the methods are called.
 #[doc(hidden)]
 pub mod kernels {
-    pub mod collapse;
     pub mod transfer;
+
+    /// Collapsing, part by part.
+    pub mod collapse {
+        pub use crate::quantized::collapse::{azimuth, finish, mantissas, terms};
+        pub use crate::quantized::size::{Size, azimuths};
+    }
 
     /// Relighting, part by part.
     pub mod relight {

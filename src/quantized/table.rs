@@ -228,8 +228,17 @@ macro_rules! integer_table {
             Ok(())
         }
     };
-    ($format:ident collapse $([$azimuth:literal $profiles:literal])*) => {
-        $crate::integer_table!(@collapse);
+    ($format:ident collapse $sum:ident $([$azimuth:literal $profiles:literal])*) => {
+        /// Sums the components of each azimuth: see [`eigenshade::quantized::Basis::collapse`].
+        ///
+        /// # Errors
+        ///
+        /// The same, except that no capacity can be too small.
+        pub fn collapse(coefficients: &Coefficients) -> Result<Scene, $crate::Error> {
+            let mut scene = Scene::default();
+            collapse_into(coefficients, &mut scene)?;
+            Ok(scene)
+        }
         /// [`collapse`] into an existing scene, without moving it.
         ///
         /// # Errors
@@ -243,7 +252,7 @@ macro_rules! integer_table {
             const AZIMUTHS: usize = kernels::azimuths(&BASIS);
             let terms = kernels::terms(&BASIS, &mut scene.0);
             if let (Some(d), Some(terms)) = (kernels::mantissas(coefficients), terms) {
-                let size = kernels::Size::<AZIMUTHS>::empty()
+                let size = kernels::Size::<$sum, AZIMUTHS>::empty()
                     $(.azimuth::<Shape, $crate::$format, $azimuth, COMPONENTS>(d))*;
                 if let Some(shifts) = size.shifts::<Shape, $crate::$format>() {
                     $(kernels::azimuth::<
@@ -263,33 +272,6 @@ macro_rules! integer_table {
         ) -> Result<(), $crate::Error> {
             *scene = Scene(BASIS.collapse(coefficients.mantissas(), coefficients.exponent())?);
             Ok(())
-        }
-    };
-    ($format:ident collapse by basis) => {
-        $crate::integer_table!(@collapse);
-        /// [`collapse`] into an existing scene.
-        ///
-        /// # Errors
-        ///
-        /// The same; `scene` is then left unspecified.
-        pub fn collapse_into(
-            coefficients: &Coefficients,
-            scene: &mut Scene,
-        ) -> Result<(), $crate::Error> {
-            *scene = Scene(BASIS.collapse(coefficients.mantissas(), coefficients.exponent())?);
-            Ok(())
-        }
-    };
-    (@collapse) => {
-        /// Sums the components of each azimuth: see [`eigenshade::quantized::Basis::collapse`].
-        ///
-        /// # Errors
-        ///
-        /// The same, except that no capacity can be too small.
-        pub fn collapse(coefficients: &Coefficients) -> Result<Scene, $crate::Error> {
-            let mut scene = Scene::default();
-            collapse_into(coefficients, &mut scene)?;
-            Ok(scene)
         }
     };
     ($format:ident shade $($azimuth:literal)*) => {
