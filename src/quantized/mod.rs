@@ -45,7 +45,9 @@ mod inputs;
 mod nine_terms;
 mod pixel;
 mod relight;
+mod scattering;
 mod scene;
+mod settle;
 mod size;
 mod table;
 mod transfer;
@@ -55,7 +57,11 @@ mod transfer;
 /// constants for all sizes and positions. If an argument has another shape, the methods are called.
 #[doc(hidden)]
 pub mod kernels {
-    pub mod transfer;
+    /// Computing a transfer, part by part.
+    pub mod transfer {
+        pub use crate::quantized::scattering::{Degree, all_above, coefficients};
+        pub use crate::quantized::transfer::{azimuth, inputs, numbers};
+    }
 
     /// Collapsing, part by part.
     pub mod collapse {

@@ -84,7 +84,7 @@ macro_rules! integer_table {
             }
         }
     };
-    ($format:ident transfer scatter $([$p:literal $q:literal $($o:literal)*])*
+    ($format:ident transfer scatter $([$p:literal $q:literal])*
         azimuths $($azimuth:literal)*) => {
         $crate::integer_table!(@transfer $format);
         /// [`transfer`] into an existing transfer, without moving it.
@@ -101,9 +101,9 @@ macro_rules! integer_table {
             let of_transfer = kernels::numbers(transfer);
             if let (Some(inputs), Some((numbers, exponents))) = (inputs, of_transfer) {
                 let (mut sums, mut of_sums) = ([[0; PAIRS]; DEGREES], [0; DEGREES]);
-                let b = kernels::coefficients(inputs.0);
+                let (b, above) = (kernels::coefficients(inputs.0), kernels::all_above(inputs.1));
                 for (l, (sums, exponent)) in sums.iter_mut().zip(&mut of_sums).enumerate() {
-                    let degree = kernels::Degree::new::<Shape>(l, inputs.1);
+                    let degree = kernels::Degree::new::<Shape>(l, [inputs.1, &above]);
                     let Some(degree) = &degree else { continue };
                     scatter(degree, &b, sums);
                     *exponent = degree.normalize(sums);
@@ -132,13 +132,7 @@ macro_rules! integer_table {
             b: &[<$crate::$format as $crate::Format>::Wide; MODES],
             sums: &mut [<$crate::$format as $crate::Format>::Wide; PAIRS],
         ) {
-            $(
-                let sum = 0;
-                $(let sum = degree.add::<$p, $q, $o, MODES>(sum, b);)*
-                if let Some(to) = sums.get_mut($crate::index::pair::position($p, $q)) {
-                    *to = sum;
-                }
-            )*
+            $(degree.couple::<Shape, $p, $q, MODES>(b, sums);)*
         }
         const DEGREES: usize = DEGREE + 1;
         const ORDERS: usize = ORDER + 1;
