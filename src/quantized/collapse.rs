@@ -55,13 +55,13 @@ impl<'a, Q: FixedPoint> Basis<'a, Q> {
             return Err(Error::Exponent);
         }
         sums.fill(0);
-        let bits = self.bits(mantissas);
+        let bits = self.bits(self.size(mantissas));
         let (mut terms, mut profiles, mut rest) = (self.parts.terms, self.parts.profiles, sums);
         for (azimuth, &length) in self.parts.lengths.iter().enumerate() {
             let (block, others) = of_azimuth(profiles, azimuth);
             profiles = others;
-            let [_, step] = sizes::<u64>(mantissas, block);
-            let finer = finer(bits, step, self.degree());
+            let [_, step] = any_sizes(mantissas, block);
+            let finer = finer(bits, self.bits(step));
             let (base, mut rows) = (base::<Q>(bits) + finer.cast_signed(), terms);
             for is_minus in [false, true] {
                 if is_minus && azimuth == 0 {
@@ -101,15 +101,20 @@ impl<'a, Q: FixedPoint> Basis<'a, Q> {
         Ok(Scene::of(self.parts.lengths, to, buffer))
     }
 
-    /// [`bits`] of an image.
-    fn bits(&self, mantissas: &[i32]) -> i32 {
+    /// The largest irradiance, term or step of an image.
+    fn size(&self, mantissas: &[i32]) -> u64 {
         let (mut profiles, mut image, mut largest) = (self.parts.profiles, 0, 0);
         for azimuth in 0..=self.degree() {
             let (block, others) = of_azimuth(profiles, azimuth);
-            let [of_azimuth, step] = sizes::<u64>(mantissas, block);
+            let [of_azimuth, step] = any_sizes(mantissas, block);
             (image, largest, profiles) = (image + of_azimuth, largest.max(step), others);
         }
-        bits(largest.max(image), self.degree())
+        largest.max(image)
+    }
+
+    /// [`bits`] for this basis.
+    fn bits(&self, largest: u64) -> i32 {
+        bits(largest, self.degree())
     }
 }
 
@@ -118,6 +123,12 @@ fn of_azimuth(profiles: &[Profile], azimuth: usize) -> (&[Profile], &[Profile]) 
     let of_azimuth = |profile: &&Profile| usize::from(profile.azimuth) == azimuth;
     let count = profiles.iter().take_while(of_azimuth).count();
     split_row(profiles, count)
+}
+
+/// [`sizes`] for profiles of any number.
+#[inline(never)]
+fn any_sizes(mantissas: &[i32], profiles: &[Profile]) -> [u64; 2] {
+    sizes(mantissas, profiles)
 }
 
 /// The weight of -m: Φ_-m = √2 sin(-mβ) = -√2 Im (n_x + i n_y)^m / sin^m.

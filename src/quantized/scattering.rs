@@ -20,23 +20,33 @@ impl<Q: FixedPoint> Basis<'_, Q> {
         sums: &mut [Q::Wide],
         exponents: &mut [Q::Wide],
     ) {
-        let (order, pairs) = (self.order(), pair::count(self.order()));
+        let pairs = pair::count(self.order());
         let (effects, all) = (self.parts.effects, self.parts.effects.is_all());
+        let of_orders = material.exponents;
         let polar = rows(self.parts.polar, pairs).zip(rows(self.parts.polar_exponents, pairs));
-        for (polar, (sums, exponent)) in polar.zip(rows_mut(sums, pairs).zip(exponents)) {
-            let of_orders = material.exponents;
-            let common = top(of_orders, |o| above(of_orders, o), polar.1) + room::<Q::Wide>(order);
-            let coefficient = |o, p, q| {
-                let b = material.mantissas.get(material::position(o, p, q))?;
-                let of_order = of_orders.get(o).filter(|_| all || effects.factored(o))?;
-                Some((shared(*b, o == p), common - i32::from(*of_order) - 1))
-            };
-            for q in 0..order + 1 {
-                for index in 0..(order - q) / 2 + 1 {
-                    let p = q + 2 * index;
-                    if let Some(sum) = sums.get_mut(pair::position(p, q)) {
-                        *sum = couple((p, q), order, polar, coefficient);
+        for ((polar, of_polar), (sums, exponent)) in polar.zip(rows_mut(sums, pairs).zip(exponents))
+        {
+            let top = top(of_orders, |o| above(of_orders, o), of_polar);
+            let common = top + room::<Q::Wide>(self.order());
+            sums.fill(Q::Wide::default());
+            let coefficients = material::indices(material.order).zip(material.mantissas);
+            for ((o, p, q), &b) in coefficients {
+                if !all && !effects.factored(o) {
+                    continue;
+                }
+                let b = factor(b, o == p);
+                let shift = common - of_orders.get(o).copied().map_or(0, i32::from) - 1;
+                let (of_o, of_p) = (pair::position(o, q), pair::position(p, q));
+                let mut add = |from: usize, to: usize| {
+                    if let (Some(&polar), Some(&exponent), Some(sum)) =
+                        (polar.get(from), of_polar.get(from), sums.get_mut(to))
+                    {
+                        *sum += addend(b, polar, shift - i32::from(exponent));
                     }
+                };
+                add(of_o, of_p);
+                if o != p {
+                    add(of_p, of_o);
                 }
             }
             *exponent = Q::Wide::of(normalize::<Q>(sums, common));
@@ -46,7 +56,7 @@ impl<Q: FixedPoint> Basis<'_, Q> {
 
 /// The coefficient b_op^q as it is multiplied: divided by √2 unless o and p are equal.
 #[inline(always)]
-fn shared<Q: FixedPoint>(b: Q, same: bool) -> Q::Wide {
+fn factor<Q: FixedPoint>(b: Q, same: bool) -> Q::Wide {
     if same { b } else { b.over_root_two() }.widen()
 }
 
@@ -54,8 +64,11 @@ fn shared<Q: FixedPoint>(b: Q, same: bool) -> Q::Wide {
 /// multiplied by their coefficients.
 #[inline(always)]
 fn above(of_orders: &[i8], o: usize) -> i8 {
-    let above = of_orders.iter().skip(o).step_by(2);
-    above.copied().max().unwrap_or(i8::MIN)
+    let (mut largest, mut next) = (i8::MIN, o);
+    while let Some(&exponent) = of_orders.get(next) {
+        (largest, next) = (largest.max(exponent), next + 2);
+    }
+    largest
 }
 
 /// The largest exponent of an addend of S.
@@ -72,35 +85,16 @@ fn top(of_orders: &[i8], above: impl Fn(usize) -> i8, of_polar: &[i8]) -> i32 {
 }
 
 /// The number of bits by which the addends of S are shifted right so that their sum fits. There is
-/// one addend for each o of a parity. It is at least one bit, which [`couple`] needs.
+/// one addend for each o of a parity. It is at least one bit, which [`addend`] needs.
 #[inline(always)]
 fn room<W: Wide>(order: usize) -> i32 {
     (W::of((order / 2 + 1) as i32).bits().cast_signed() - 1).max(1)
 }
 
-/// The sum of one degree for the pair (`to`, `q`). `polar` holds the polar integrals of this degree
-/// with their exponents, `coefficient` the coefficient of (o, p, q) and the shift of its products,
-/// minus one, before the exponent of the polar integral is subtracted.
+/// b Ĉ / 2^(`by` + 1). The shift is not negative, because an addend has at least one bit of room.
 #[inline(always)]
-fn couple<Q: FixedPoint>(
-    (to, q): (usize, usize),
-    order: usize,
-    (polar, exponents): (&[Q], &[i8]),
-    coefficient: impl Fn(usize, usize, usize) -> Option<(Q::Wide, i32)>,
-) -> Q::Wide {
-    let mut sum = Q::Wide::default();
-    for index in 0..(order - q) / 2 + 1 {
-        let from = q + 2 * index;
-        let (o, p) = if from > to { (from, to) } else { (to, from) };
-        let place = pair::position(from, q);
-        if let (Some((b, shift)), Some(&polar), Some(&exponent)) =
-            (coefficient(o, p, q), polar.get(place), exponents.get(place))
-        {
-            // The shift is not negative, because an addend has at least one bit of room.
-            sum += (b * polar.widen()).round_shr(shift - i32::from(exponent));
-        }
-    }
-    sum
+fn addend<Q: FixedPoint>(b: Q::Wide, polar: Q, by: i32) -> Q::Wide {
+    (b * polar.widen()).round_shr(by)
 }
 
 /// Scales sums so that they use all bits, and returns their exponent.
@@ -130,7 +124,7 @@ pub fn coefficients<Q: FixedPoint, const B: usize>(mantissas: &[Q; B]) -> [Q::Wi
     let mut coefficients = [Q::Wide::default(); B];
     let same = const { &same::<B>() };
     for ((&mantissa, &same), to) in mantissas.iter().zip(same).zip(&mut coefficients) {
-        *to = shared(mantissa, same);
+        *to = factor(mantissa, same);
     }
     coefficients
 }
@@ -156,7 +150,8 @@ const fn same<const B: usize>() -> [bool; B] {
 /// shift of its products, minus one, before the exponents of the polar integrals are subtracted.
 #[derive(Clone, Copy, Debug)]
 pub struct Degree<Q: 'static, const P: usize, const O: usize> {
-    polar: (&'static [Q; P], &'static [i8; P]),
+    polar: &'static [Q; P],
+    exponents: &'static [i8; P],
     shifts: [i32; O],
     common: i32,
 }
@@ -174,24 +169,26 @@ impl<Q: FixedPoint, const P: usize, const O: usize> Degree<Q, P, O> {
         let above = |o| above.get(o).copied().unwrap_or(i8::MIN);
         let common = top(of_orders, above, exponents) + room::<Q::Wide>(O - 1);
         let shifts = of_orders.map(|of_order| common - i32::from(of_order) - 1);
-        Some(Self { polar: (polar, exponents), shifts, common })
+        Some(Self { polar, exponents, shifts, common })
     }
 
-    /// Writes the sum for the pair (`R`, `S`).
+    /// sum + b Ĉ of the order `L` for the pair (`R`, `S`).
     #[inline(always)]
-    pub fn couple<T: Shape<Basis<'static, Q>>, const R: usize, const S: usize, const B: usize>(
+    #[must_use]
+    pub fn add<const R: usize, const S: usize, const L: usize, const B: usize>(
         &self,
+        sum: Q::Wide,
         b: &[Q::Wide; B],
-        sums: &mut [Q::Wide; P],
-    ) {
-        let coefficient = |o, p, q| {
-            let shift = self.shifts.get(o).filter(|_| T::BASIS.parts.effects.factored(o))?;
-            Some((*b.get(material::position(o, p, q))?, *shift))
-        };
-        let (polar, exponents) = self.polar;
-        if let Some(sum) = sums.get_mut(pair::position(R, S)) {
-            *sum = couple((R, S), O - 1, (polar.as_slice(), exponents), coefficient);
+    ) -> Q::Wide {
+        let Self { polar, exponents, shifts, .. } = self;
+        let (o, p) = if L > R { (L, R) } else { (R, L) };
+        let (from, mode) = (pair::position(L, S), material::position(o, p, S));
+        if let (Some(&b), Some(&polar), Some(&exponent), Some(&shift)) =
+            (b.get(mode), polar.get(from), exponents.get(from), shifts.get(o))
+        {
+            return sum + addend(b, polar, shift - i32::from(exponent));
         }
+        sum
     }
 
     /// Scales the sums so that they use all bits, and returns their exponent.

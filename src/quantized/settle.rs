@@ -9,8 +9,43 @@ const GUARD_BITS: u32 = 5;
 /// Writes the mantissas of at most 511 numbers and returns their exponent. The mantissas are at most
 /// 2^BITS - 1 in size, and their sizes sum to less than 2^(BITS + 1). It is the least such exponent,
 /// except for the 256th that rounding may add.
-#[inline(always)]
+#[inline]
 pub(super) fn settle<Q: FixedPoint>(
+    row: impl Iterator<Item = (Q::Wide, i32)> + Clone,
+    mantissas: &mut [Q],
+) -> i16 {
+    let (mut largest, mut top) = (i32::MIN, None);
+    row.clone().for_each(|(number, exponent)| {
+        largest = largest.max(exponent);
+        if number != Q::Wide::default() {
+            top = top.max(Some(number.bits().cast_signed() + exponent));
+        }
+    });
+    let Some(top) = top else {
+        mantissas.fill(Q::default());
+        return 0;
+    };
+    let count = mantissas.len();
+    let at = |reference: i32| row_bits(row.clone(), count, reference, i32::MAX);
+    // If no number with the largest exponent is large, align all of them so that they fill their
+    // bits.
+    let found = at(largest);
+    let (reference, found) = if found >= Q::BITS + GUARD_BITS {
+        (largest, found)
+    } else {
+        let reference = top - Q::Wide::SIZE.cast_signed();
+        (reference, at(reference))
+    };
+    let common = reference + found.cast_signed() - Q::BITS.cast_signed();
+    for (to, (number, exponent)) in mantissas.iter_mut().zip(row) {
+        *to = Q::saturate(number.shifted(exponent - common));
+    }
+    common as i16
+}
+
+/// [`settle`] in fewer instructions if a number with the largest exponent is large.
+#[inline(always)]
+pub(super) fn settle_large<Q: FixedPoint>(
     row: impl Iterator<Item = (Q::Wide, i32)> + Clone,
     mantissas: &mut [Q],
 ) -> i16 {
@@ -26,27 +61,14 @@ pub(super) fn settle<Q: FixedPoint>(
     common as i16
 }
 
-/// [`settle`] for a row in which no number with the largest exponent is large: all numbers are
-/// aligned so that they fill their bits.
+/// [`settle`] for a row in which no number with the largest exponent is large.
 #[cold]
 #[inline(never)]
 fn settle_small<Q: FixedPoint>(
     row: impl Iterator<Item = (Q::Wide, i32)> + Clone,
     mantissas: &mut [Q],
 ) -> i16 {
-    let sizes = row.clone().filter(|(number, _)| *number != Q::Wide::default());
-    let top = sizes.map(|(number, exponent)| number.bits().cast_signed() + exponent).max();
-    let Some(top) = top else {
-        mantissas.fill(Q::default());
-        return 0;
-    };
-    let reference = top - Q::Wide::SIZE.cast_signed();
-    let found = row_bits(row.clone(), mantissas.len(), reference, i32::MAX);
-    let common = reference + found.cast_signed() - Q::BITS.cast_signed();
-    for (to, (number, exponent)) in mantissas.iter_mut().zip(row) {
-        *to = Q::saturate(number.shifted(exponent - common));
-    }
-    common as i16
+    settle(row, mantissas)
 }
 
 /// The least n such that the sizes of `count` numbers are below 2^n, and their sum, including the

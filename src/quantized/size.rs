@@ -54,12 +54,11 @@ pub(super) fn sizes<N: Sum>(mantissas: &[i32], profiles: &[Profile]) -> [N; 2] {
 }
 
 /// The least n such that no step of a pixel's polynomials, none of their terms and no irradiance
-/// exceeds 2^n in units of d, where `largest` is the largest of them as [`sizes`] gives it. At least
-/// so many that [`finer`] has bits to look at.
+/// exceeds 2^n in units of d, where `largest` is the largest of them as [`sizes`] gives it.
 #[inline]
 pub(super) fn bits<N: Sum>(largest: N, degree: usize) -> i32 {
     let largest: u64 = with_margin(largest, degree).into();
-    let bits = (u64::BITS - largest.leading_zeros()).max(FINEST);
+    let bits = u64::BITS - largest.leading_zeros();
     bits.cast_signed() - 4 + UNIT.cast_signed()
 }
 
@@ -73,14 +72,11 @@ fn with_margin<N: Sum>(largest: N, degree: usize) -> N {
     largest + (largest >> 6) + beyond * (largest >> 10)
 }
 
-/// By how many bits the weights of an azimuth can be finer than those of a scene with terms of this
-/// many bits, because its own terms and steps have fewer bits.
+/// By how many bits the weights of an azimuth can be finer than those of the scene, because its
+/// terms have fewer bits.
 #[inline(always)]
-pub(super) fn finer<N: Sum>(bits: i32, step: N, degree: usize) -> u32 {
-    // Fewer instructions than counting the bits of the step: the top bits show how many there are.
-    let top = with_margin(step, degree) >> (bits + 4 - (UNIT + FINEST).cast_signed());
-    let top: u64 = top.into();
-    FINEST.saturating_sub(top as u32)
+pub(super) fn finer(bits: i32, of_azimuth: i32) -> u32 {
+    (bits - of_azimuth).cast_unsigned().min(FINEST)
 }
 
 /// The shift from d to the weight of a component is this number plus the exponent of its profile.
@@ -145,8 +141,8 @@ impl<N: Sum, const A: usize> Size<N, A> {
         self
     }
 
-    /// The shifts of this table. `None` if weights that are coarser than d would have to be shifted
-    /// left, or right by more bits than they have.
+    /// The shifts of this table. `None` if there is hardly an image, or if weights that are coarser
+    /// than d would have to be shifted left, or right by more bits than they have.
     #[inline(never)]
     #[must_use]
     pub fn shifts<B: Shape<Basis<'static, Q>>, Q: FixedPoint>(&self) -> Option<Shifts<A>> {
@@ -155,10 +151,17 @@ impl<N: Sum, const A: usize> Size<N, A> {
         let bits = bits(self.steps.iter().copied().fold(self.image, N::max), degree);
         let base = base::<Q>(bits);
         let beyond = base + FINEST.cast_signed() + largest >= 0 || base + least < -31;
-        if is_coarse::<Q>() && beyond {
+        if bits < 20 || (is_coarse::<Q>() && beyond) {
             return None;
         }
-        Some(Shifts { bits, base, finer: self.steps.map(|step| finer(bits, step, degree)) })
+        let finer = self.steps.map(|step| {
+            // The top bits show by how many bits the step is shorter, up to `FINEST`: the same
+            // result as with `finer`, which counts bits.
+            let top = with_margin(step, degree) >> (bits + 4 - (UNIT + FINEST).cast_signed());
+            let top: u64 = top.into();
+            FINEST.saturating_sub(top as u32)
+        });
+        Some(Shifts { bits, base, finer })
     }
 }
 

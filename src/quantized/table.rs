@@ -84,7 +84,7 @@ macro_rules! integer_table {
             }
         }
     };
-    ($format:ident transfer scatter $([$p:literal $q:literal])*
+    ($format:ident transfer scatter $([$p:literal $q:literal $($o:literal)*])*
         azimuths $($azimuth:literal)*) => {
         $crate::integer_table!(@transfer $format);
         /// [`transfer`] into an existing transfer, without moving it.
@@ -132,7 +132,13 @@ macro_rules! integer_table {
             b: &[<$crate::$format as $crate::Format>::Wide; MODES],
             sums: &mut [<$crate::$format as $crate::Format>::Wide; PAIRS],
         ) {
-            $(degree.couple::<Shape, $p, $q, MODES>(b, sums);)*
+            $(
+                let sum = 0;
+                $(let sum = degree.add::<$p, $q, $o, MODES>(sum, b);)*
+                if let Some(to) = sums.get_mut($crate::index::pair::position($p, $q)) {
+                    *to = sum;
+                }
+            )*
         }
         const DEGREES: usize = DEGREE + 1;
         const ORDERS: usize = ORDER + 1;

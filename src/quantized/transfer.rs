@@ -1,7 +1,7 @@
 //! The transfer of a material in fixed point: T_i,l = Σ_pq factor_i,l,pq S_l,pq with S_l,pq = Σ_o
 //! B_op^q Ĉ_lo^q, so that d_i = Σ_l T_i,l L_l^m.
 
-use super::settle::settle;
+use super::settle::{settle, settle_large};
 use super::{Basis, Material};
 use crate::buffer::{Buffer, zeros};
 use crate::error::{Argument, Error};
@@ -200,7 +200,7 @@ fn product_of_pairs<Q: FixedPoint, const P: usize>(
     product(factors, sums)
 }
 
-/// [`settle`] over `L` degrees.
+/// [`settle_large`] over `L` degrees.
 #[inline(never)]
 fn settle_degrees<Q: FixedPoint, const L: usize>(
     row: &[Q::Wide; L],
@@ -212,5 +212,5 @@ fn settle_degrees<Q: FixedPoint, const L: usize>(
     for ((exponent, &of_factors), of_sums) in exponents.iter_mut().zip(of_factors).zip(of_sums) {
         *exponent = i32::from(of_factors) + of_sums;
     }
-    settle(row.iter().copied().zip(exponents.iter().copied()), numbers)
+    settle_large(row.iter().copied().zip(exponents.iter().copied()), numbers)
 }

@@ -41,12 +41,17 @@ pub static MATERIAL: eigenshade::quantized::Transfer<'static, eigenshade::{}> =
     text
 }
 
-/// The pairs of a material, and the azimuths of its transfer.
+/// The pairs (p, q) of a material, each with the orders o that are summed, and the azimuths of its
+/// transfer.
 fn transfer_of<Q>(parts: &Parts<'_, Q>) -> String {
     if parts.polar.is_empty() {
         return "transfer by basis".into();
     }
-    let pairs = pair::indices(parts.order).map(|(p, q)| format!("[{p} {q}]"));
+    let pairs = pair::indices(parts.order).map(|(p, q)| {
+        let coupled = |o: &usize| parts.effects.factored(p.max(*o));
+        let orders = (q..=parts.order).step_by(2).filter(coupled);
+        format!("[{p} {q} {}]", words(orders))
+    });
     format!("transfer scatter {} azimuths {}", words(pairs), azimuths_of(parts))
 }
 
