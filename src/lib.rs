@@ -107,6 +107,8 @@ mod relight;
 
 mod scene;
 
+mod collapse;
+
 mod nine_terms;
 
 mod shade;
