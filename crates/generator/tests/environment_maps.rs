@@ -8,9 +8,8 @@ mod files;
 mod pictures;
 
 use eigenshade_generator::light::environment::EnvironmentMap;
-use eigenshade_generator::light::projection::{exchanged, named_maps, project};
+use eigenshade_generator::light::projection::{named_maps, project};
 use eigenshade_index::light;
-use eigenshade_model::database::Lights;
 use eigenshade_model::inputs::coefficient_csv::{read_lights, write_lights};
 use eigenshade_model::inputs::coefficient_text::{LIGHT_DIGITS, rounded};
 use eigenshade_model::special::spherical_harmonic;
@@ -291,20 +290,4 @@ fn the_shipped_lights_are_those_of_the_maps() {
     let mut text = Vec::new();
     write_lights(&again, &mut text).unwrap();
     assert!(text.starts_with(b"name,l,m,r,g,b\n"));
-}
-
-#[test]
-fn conventions_are_exchanged_both_ways() {
-    let paper = read_lights(LIGHTS, Some(2)).unwrap();
-    let graphics = exchanged(&paper);
-    assert_eq!(exchanged(&graphics), paper);
-    let signs = [1.0, -1.0, 1.0, -1.0, -1.0, -1.0, 1.0, -1.0, 1.0];
-    for (paper, graphics) in paper.entries.iter().zip(&graphics.entries) {
-        assert_eq!(paper.name, graphics.name);
-        for (paper, graphics) in paper.rgb.iter().zip(&graphics.rgb) {
-            assert!(paper.iter().zip(signs).zip(graphics).all(|((p, s), g)| p * s == *g));
-        }
-    }
-    let none = Lights { degree: 4, entries: vec![] };
-    assert_eq!(exchanged(&none), none);
 }
