@@ -1,6 +1,6 @@
 //! The counts measured on the emulated boards: `firmware/counts.csv`.
 
-use std::collections::HashMap;
+use crate::sheet::{Record, Sheet};
 
 /// The processor without a floating-point unit, and the number format that suits it.
 pub const M0: [&str; 2] = ["microbit", "q15"];
@@ -11,26 +11,25 @@ pub const M3: [&str; 2] = ["mps2-an385", "q15"];
 /// 32-bit RISC-V, in integers.
 pub const RV32: [&str; 2] = ["riscv32", "q15"];
 
-/// The file's rows: texts by column.
+/// The file's rows.
 #[derive(Clone, Debug)]
-pub struct Counts(Vec<HashMap<String, String>>);
+pub struct Counts(pub Vec<Record>);
 
 impl Counts {
     /// The recorded counts.
     pub fn recorded() -> Self {
         let path = eigenshade_testing::repository().join("firmware/counts.csv");
-        let reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_path(path);
-        let rows = reader.expect("the recorded counts").into_deserialize();
-        Self(rows.map(|row| row.expect("a row")).collect())
+        let text = std::fs::read_to_string(&path).expect("the recorded counts");
+        Self(Sheet::parse(&text, path).expect("rows of counts").rows)
     }
 
     /// A count of an operation on a board in its format: `instructions`, or bytes of flash, RAM
     /// without the stack, or stack. `None` if it was not measured.
-    pub fn get(&self, [board, format]: [&str; 2], operation: &str, column: &str) -> Option<u64> {
-        let is_it = |row: &&HashMap<String, String>| {
-            row["board"] == board && row["format"] == format && row["operation"] == operation
+    pub fn get(&self, on: [&str; 2], operation: &str, column: &str) -> Option<u64> {
+        let is_it = |row: &&Record| {
+            ["board", "format"].map(|one| row.text(one)) == on && row.text("operation") == operation
         };
-        let text = &self.0.iter().find(is_it)?[column];
+        let text = self.0.iter().find(is_it)?.text(column);
         (!text.is_empty()).then(|| text.parse().expect("a whole number"))
     }
 

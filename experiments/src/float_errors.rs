@@ -1,11 +1,11 @@
 //! Errors of the runtime in floats against the direct sum over modes, with all components: GGX
 //! dielectrics and metals of roughness 0.2 to 1 and a Lambertian under three captured maps.
 
-use crate::accuracy_cost::bases::scene;
 use crate::accuracy_cost::errors::compare;
 use crate::accuracy_cost::images::Images;
-use crate::accuracy_cost::materials::Scope;
-use crate::accuracy_cost::setting::{Format, Recipe, Setting, Way};
+use crate::accuracy_cost::scope::Scope;
+use crate::accuracy_cost::scope::scene;
+use crate::accuracy_cost::settings::{Format, Recipe, Setting, Way};
 use eigenshade_generator::basis;
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_shading::shipped;

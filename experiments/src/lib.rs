@@ -12,8 +12,6 @@ pub mod chart;
 
 pub mod pages;
 
-pub mod compare;
-
 pub mod figures;
 
 pub mod counts;

@@ -1,18 +1,25 @@
-//! Small defects of the runtime's mathematics that its tests must notice: their list, and a copy of
-//! the sources that contains all of them at once, each behind a switch.
+//! Small defects of the runtime's mathematics that its tests must notice: their list, a copy of the
+//! sources that contains all of them at once, each behind a switch, and the command that runs the
+//! tests for each.
 
+use clap::Args;
+use eigenshade_cli::messages::{print_message, progress_bar};
 use eigenshade_model::error::{Error, Result};
+use rayon::prelude::*;
 use serde::Deserialize;
 use std::collections::BTreeMap;
+use std::fs;
 use std::ops::Range;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
 
 /// The environment variable that selects a mutation by its number, from 1 on. Without it, or with
 /// 0, the copy computes what the sources compute.
-pub const VARIABLE: &str = "EIGENSHADE_MUTATION";
+const VARIABLE: &str = "EIGENSHADE_MUTATION";
 
 /// What the sources of the copy have in addition. The variable is read once.
-pub const SWITCH: &str = r#"
+const SWITCH: &str = r#"
 extern crate std;
 
 #[inline(always)]
@@ -26,15 +33,15 @@ pub(crate) fn mutated(number: usize) -> bool {
 
 /// One mutation: an expression in a file, and the one that replaces it.
 #[derive(Clone, Debug, Deserialize)]
-pub struct Mutation {
+struct Mutation {
     /// The file, from the root of the repository.
-    pub file: String,
+    file: String,
     /// Which occurrence of `original` is meant, as "1 of 2". Empty if there is only one.
-    pub place: String,
+    place: String,
     /// The expression, not in a `const fn`.
-    pub original: String,
+    original: String,
     /// An expression of the same type.
-    pub mutated: String,
+    mutated: String,
 }
 
 impl Mutation {
@@ -61,7 +68,7 @@ impl Mutation {
 }
 
 /// Reads a list of mutations.
-pub fn read(list: &Path) -> Result<Vec<Mutation>> {
+fn read(list: &Path) -> Result<Vec<Mutation>> {
     let fault = |error: csv::Error| {
         Error::new(error.to_string(), "the columns are file,place,original,mutated").in_file(list)
     };
@@ -71,7 +78,7 @@ pub fn read(list: &Path) -> Result<Vec<Mutation>> {
 
 /// The files that have mutations, each with all of them behind switches. `read` gives the text of a
 /// file.
-pub fn switched(
+fn switched(
     mutations: &[Mutation],
     read: impl Fn(&str) -> Result<String>,
 ) -> Result<BTreeMap<&str, String>> {
@@ -98,4 +105,200 @@ pub fn switched(
         Ok((file, text))
     });
     files.collect()
+}
+
+/// Whether the runtime's tests notice the mutations of its mathematics in tests/mutations.csv
+///
+/// Copies the files that git tracks, puts all mutations into the copy, each behind a switch, and
+/// builds the tests once. Then runs them for each mutation until one fails, the fastest first.
+/// Writes CSV to standard output: each mutation with the test that failed, or without. Fails if a
+/// test fails without a mutation, or if none fails with one. Takes some ten minutes on two cores.
+#[derive(Args, Debug)]
+pub struct Mutations {
+    /// Numbers of the mutations to test, from 1 on [default: all]
+    numbers: Vec<usize>,
+    /// The list of mutations
+    #[arg(long, value_name = "FILE", default_value = "tests/mutations.csv")]
+    list: PathBuf,
+    /// The repository to test
+    #[arg(long, value_name = "DIR", default_value = ".")]
+    tree: PathBuf,
+    /// Folder of the copy and of its build
+    #[arg(long, value_name = "DIR", default_value = "target/mutations")]
+    work: PathBuf,
+}
+
+/// The file that gets the switch.
+const LIBRARY: &str = "src/lib.rs";
+
+/// A test that takes this much longer than without a mutation has failed.
+const SLOWER: u32 = 4;
+
+/// One test of the copy.
+struct Test {
+    program: PathBuf,
+    name: String,
+    /// How long it takes without a mutation.
+    time: Duration,
+}
+
+impl Mutations {
+    pub fn run(self) -> Result<()> {
+        let mutations = read(&self.list)?;
+        let copy = self.work.join("tree");
+        self.copy(&mutations, &copy)?;
+        let mut tests = tests(&self.build(&copy)?, &copy)?;
+        tests.par_iter_mut().try_for_each(|test| {
+            let (start, remedy) = (Instant::now(), "make the tests pass without a mutation first");
+            if !test.passes(&copy, 0, Duration::MAX)? {
+                return Err(Error::new(format!("{} fails", test.name), remedy));
+            }
+            test.time = start.elapsed();
+            Ok(())
+        })?;
+        tests.sort_by_key(|test| test.time);
+        let chosen = |number| self.numbers.is_empty() || self.numbers.contains(&number);
+        let chosen = (1..).zip(&mutations).filter(|&(number, _)| chosen(number));
+        let chosen: Vec<(usize, &Mutation)> = chosen.collect();
+        let progress = progress_bar("mutations", chosen.len());
+        let find = |&(number, _): &(usize, &Mutation)| {
+            let mut found = None;
+            for test in &tests {
+                let limit = Duration::from_secs(60) + SLOWER * test.time;
+                if !test.passes(&copy, number, limit)? {
+                    found = Some(&test.name);
+                    break;
+                }
+            }
+            progress.inc(1);
+            Ok(found)
+        };
+        let found = chosen.par_iter().map(find).collect::<Result<Vec<_>>>()?;
+        progress.finish_and_clear();
+        println!("number,file,original,mutated,noticed by");
+        let mut missed = 0;
+        for (&(number, mutation), test) in chosen.iter().zip(found) {
+            let quoted = |text: &str| format!("\"{}\"", text.replace('"', "\"\""));
+            let Mutation { file, original, mutated, .. } = mutation;
+            let (original, mutated) = (quoted(original), quoted(mutated));
+            missed += usize::from(test.is_none());
+            println!("{number},{file},{original},{mutated},{}", test.map_or("", |name| name));
+        }
+        print_message(format_args!("{missed} of {} mutations were not noticed", chosen.len()));
+        match missed {
+            0 => Ok(()),
+            _ => Err(Error::new("no test fails with some mutations", "add or sharpen a test")),
+        }
+    }
+
+    /// Copies the files that git tracks, with the mutations. Files that the copy has already are not
+    /// written, so that cargo builds only what changed.
+    fn copy(&self, mutations: &[Mutation], copy: &Path) -> Result<()> {
+        let read = |file: &str| {
+            let path = self.tree.join(file);
+            fs::read(&path).map_err(|error| Error::io(&path, &error))
+        };
+        let text = |file: &str| Ok(String::from_utf8_lossy(&read(file)?).into_owned());
+        let mut files = switched(mutations, text)?;
+        files.insert(LIBRARY, text(LIBRARY)? + SWITCH);
+        let git = Command::new("git").arg("-C").arg(&self.tree).args(["ls-files", "-z"]).output();
+        let names = git.map_err(|error| Error::io("git", &error))?.stdout;
+        for name in String::from_utf8_lossy(&names).split_terminator('\0') {
+            let bytes = match files.remove(name) {
+                Some(text) => text.into_bytes(),
+                None => read(name)?,
+            };
+            let path = copy.join(name);
+            if fs::read(&path).is_ok_and(|there| there == bytes) {
+                continue;
+            }
+            let made = path.parent().map_or(Ok(()), fs::create_dir_all);
+            made.and_then(|()| fs::write(&path, bytes))
+                .map_err(|error| Error::io(&path, &error))?;
+        }
+        Ok(())
+    }
+
+    /// Builds the tests and returns their programs.
+    fn build(&self, copy: &Path) -> Result<Vec<PathBuf>> {
+        let folder = std::path::absolute(self.work.join("build"))
+            .map_err(|error| Error::io(&self.work, &error))?;
+        let mut cargo = Command::new("cargo");
+        cargo.args(["test", "--package", "eigenshade", "--tests", "--no-run", "--color", "never"]);
+        cargo.current_dir(copy);
+        let output = cargo.env("CARGO_TARGET_DIR", folder).output();
+        let output = output.map_err(|error| Error::io("cargo", &error))?;
+        let messages = String::from_utf8_lossy(&output.stderr);
+        if !output.status.success() {
+            eprint!("{messages}");
+            return Err(Error::new("the copy does not compile", "correct the mutation"));
+        }
+        // As in `Executable tests/main.rs (/folder/all-0123)`.
+        let programs = messages.lines().filter_map(|line| {
+            let (_, program) = line.trim().strip_prefix("Executable")?.rsplit_once('(')?;
+            Some(program.trim_end_matches(')').into())
+        });
+        Ok(programs.collect())
+    }
+}
+
+/// The tests of these programs.
+fn tests(programs: &[PathBuf], copy: &Path) -> Result<Vec<Test>> {
+    let mut tests = Vec::new();
+    for program in programs {
+        let listed = Command::new(program).current_dir(copy).arg("--list").output();
+        let listed = listed.map_err(|error| Error::io(program, &error))?.stdout;
+        for line in String::from_utf8_lossy(&listed).lines() {
+            if let Some(name) = line.strip_suffix(": test") {
+                let (program, name) = (program.clone(), name.to_owned());
+                tests.push(Test { program, name, time: Duration::ZERO });
+            }
+        }
+    }
+    Ok(tests)
+}
+
+impl Test {
+    /// Whether the test passes with a mutation, within a time limit.
+    fn passes(&self, copy: &Path, number: usize, limit: Duration) -> Result<bool> {
+        let io = |error| Error::io(&self.program, &error);
+        let mut program = Command::new(&self.program);
+        program.args(["--exact", &self.name]).current_dir(copy).env(VARIABLE, number.to_string());
+        // A failure suffices: do not look for the simplest one, nor for its place.
+        program.env("PROPTEST_MAX_SHRINK_ITERS", "0").env("RUST_BACKTRACE", "0");
+        let mut child = program.stdout(Stdio::null()).stderr(Stdio::null()).spawn().map_err(io)?;
+        let start = Instant::now();
+        loop {
+            if let Some(status) = child.try_wait().map_err(io)? {
+                return Ok(status.success());
+            }
+            if start.elapsed() > limit {
+                child.kill().and_then(|()| child.wait()).map_err(io)?;
+                return Ok(false);
+            }
+            std::thread::sleep(Duration::from_millis(2));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Error, read, switched};
+
+    /// The list of mutations belongs to the sources as they are.
+    #[test]
+    fn each_mutation_has_its_place_in_the_sources() {
+        let root = eigenshade_testing::repository();
+        let mutations = read(&root.join("tests/mutations.csv")).expect("a list");
+        let text = |file: &str| {
+            let path = root.join(file);
+            std::fs::read_to_string(&path).map_err(|error| Error::io(&path, &error))
+        };
+        let files = switched(&mutations, text).expect("the expressions of the list");
+        let switches = files.values().map(|text| text.matches("(if crate::mutated(").count());
+        assert_eq!(switches.sum::<usize>(), mutations.len());
+        assert!(mutations.iter().all(|mutation| mutation.original != mutation.mutated));
+        let stated = format!("lists {} small defects", mutations.len());
+        assert!(include_str!("../../CONTRIBUTING.md").contains(&stated), "{stated}");
+    }
 }

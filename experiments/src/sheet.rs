@@ -2,10 +2,10 @@
 
 use crate::numbers::digits;
 use eigenshade_cli::output::Rows;
-use eigenshade_model::error::Result;
-use eigenshade_model::inputs::sheet as parser;
+use eigenshade_model::error::{Error, Result};
 use std::collections::BTreeMap;
 use std::fmt::Display;
+use std::fs;
 use std::path::Path;
 
 /// Significant digits of measured numbers.
@@ -22,7 +22,11 @@ pub struct Sheet {
 
 /// A row: texts by column. Columns without a text are empty.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Record(BTreeMap<String, String>);
+pub struct Record {
+    texts: BTreeMap<String, String>,
+    /// The row's line in its file, counted from 1.
+    pub line: u64,
+}
 
 /// The form of a CSV file.
 pub struct Form {
@@ -35,12 +39,22 @@ pub struct Form {
 }
 
 impl Sheet {
-    /// Parses the text of a file, whose name appears in errors.
-    pub fn parse(text: &str, name: &str) -> Result<Self> {
-        let header = text.lines().find(|line| !line.starts_with('#')).unwrap_or_default();
-        let parsed = parser::Sheet::parse(text.into(), Path::new(name), header)?;
-        let columns = parsed.header().map(str::to_owned).collect();
-        Ok(Self { columns, rows: records(&parsed) })
+    /// Parses the text of a file, which appears in errors.
+    pub fn parse(text: &str, file: impl AsRef<Path>) -> Result<Self> {
+        let remedy = "make the file again with the command of its first line";
+        let fault =
+            |error: csv::Error| Error::new(error.to_string(), remedy).in_file(file.as_ref());
+        let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
+        let header = reader.headers().map_err(fault)?;
+        let columns: Vec<String> = header.iter().map(str::to_owned).collect();
+        let row = |record: csv::Result<csv::StringRecord>| {
+            let record = record.map_err(fault)?;
+            let line = record.position().map_or(0, csv::Position::line);
+            let fields = columns.iter().cloned().zip(record.iter().map(str::to_owned));
+            Ok(Record { texts: fields.collect(), line })
+        };
+        let rows = reader.records().map(row).collect::<Result<_>>()?;
+        Ok(Self { columns, rows })
     }
 
     /// The rows with this text in a column, which must exist.
@@ -70,7 +84,7 @@ impl Sheet {
 impl Record {
     /// The text in a column.
     pub fn text(&self, column: &str) -> &str {
-        self.0.get(column).map_or("", String::as_str)
+        self.texts.get(column).map_or("", String::as_str)
     }
 
     /// The number in a column, if it has one.
@@ -85,7 +99,7 @@ impl Record {
 
     /// Fills in a text or an exact number.
     pub fn put(&mut self, column: impl Into<String>, value: impl Display) {
-        self.0.insert(column.into(), value.to_string());
+        self.texts.insert(column.into(), value.to_string());
     }
 
     /// Fills in an error or a cost with few digits, if there is one.
@@ -113,23 +127,15 @@ pub fn csv<R: IntoIterator<Item: AsRef<[u8]>>>(
 
 /// The records of a file, which must have all columns.
 pub fn read(form: &Form, folder: &Path) -> Result<Vec<Record>> {
-    Ok(records(&open(form, folder)?))
-}
-
-/// The file in this folder, which must have all columns, with the lines of its rows.
-pub fn open(form: &Form, folder: &Path) -> Result<parser::Sheet> {
-    let sheet = parser::Sheet::read(folder.join(form.name), form.columns)?;
-    if form.columns.split(',').any(|column| sheet.column(column).is_none()) {
-        return Err(sheet.wrong_header(form.columns));
+    let path = folder.join(form.name);
+    let text = fs::read_to_string(&path).map_err(|error| Error::io(&path, &error))?;
+    let sheet = Sheet::parse(&text, &path)?;
+    let is_missing = |column: &&str| sheet.columns.iter().all(|name| name != column);
+    match form.columns.split(',').find(is_missing) {
+        None => Ok(sheet.rows),
+        Some(missing) => {
+            let remedy = format!("give it the columns {}", form.columns);
+            Err(Error::new(format!("it has no column {missing}"), remedy).in_file(path))
+        }
     }
-    Ok(sheet)
-}
-
-/// The rows of a parsed file.
-pub fn records(sheet: &parser::Sheet) -> Vec<Record> {
-    let record = |row: parser::Row<'_>| {
-        let fields = sheet.header().zip(row.texts());
-        Record(fields.map(|(column, text)| (column.to_owned(), text.to_owned())).collect())
-    };
-    sheet.rows().map(record).collect()
 }

@@ -3,6 +3,7 @@
 
 use crate::support::repository;
 use crate::tolerances;
+use eigenshade::{Light, NineTerms};
 use eigenshade_cli::table::compare::differences;
 use eigenshade_generator::scene_file;
 use eigenshade_index::effect::{Effect, Effects};
@@ -12,10 +13,10 @@ use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader};
 use eigenshade_shading::sphere_rings::rings;
 use eigenshade_testing::{largest, largest_difference, relative_error};
+use experiments::ablation;
 use experiments::ablation::pictures;
 use experiments::ablation::scenes::{self, SCENES, Scene};
 use experiments::ablation::speed::Times;
-use experiments::ablation::{self, nine_terms};
 use experiments::counts::{Counts, M0, M4F};
 use experiments::pages::Purpose;
 use experiments::sphere::Sphere;
@@ -91,18 +92,6 @@ fn pictures_of_effects_are_sums_over_their_modes() {
     }
 }
 
-/// The mean of n_z² over the disc is 1/2, that of n_x² n_y² is 1/24.
-#[test]
-fn the_root_mean_square_is_over_the_disc() {
-    let sphere = pictures::sphere();
-    let root = |value: &dyn Fn(&[f64; 3]) -> f64| {
-        let channel: Vec<f64> = sphere.normals.iter().map(value).collect();
-        sphere.rms(&[channel.clone(), channel.clone(), channel]).powi(2)
-    };
-    assert!((root(&|n| n[2]) - 0.5).abs() < 1e-3);
-    assert!((root(&|n| n[0] * n[1]) - 1.0 / 24.0).abs() < 1e-3);
-}
-
 #[test]
 fn a_lambertian_material_under_light_of_degree_two_is_the_nine_term_formula() {
     let scene = Scene::named("sky_lambertian");
@@ -112,12 +101,12 @@ fn a_lambertian_material_under_light_of_degree_two_is_the_nine_term_formula() {
     let mut shader = Shader::new(basis.basis().expect("a basis"), table.count());
     let sphere = Sphere::new(rings(0.2));
     let normals = OwnedNormals::new(&sphere.normals);
+    let each = OwnedNormals::<f64>::new(&sphere.normals).each().expect("visible normals");
     for light in &scene.lights(2).entries {
         let found = shader.polynomial((2, &light.rgb[0]), (0, &[2.0]), &normals).expect("it fits");
         let found: Vec<f64> = found.into_iter().map(f64::from).collect();
-        let c = nine_terms::coefficients(&light.rgb[0]);
-        let expected: Vec<f64> =
-            sphere.normals.iter().map(|&normal| nine_terms::shade(&c, normal)).collect();
+        let formula = NineTerms::lambertian(&Light::new(&light.rgb[0]).expect("9 numbers"), 1.0);
+        let expected: Vec<f64> = each.iter().map(|&normal| formula.shade(normal)).collect();
         let off = relative_error(&found, &expected);
         assert!(off <= SAME_AS_NINE_TERMS, "{off}");
     }

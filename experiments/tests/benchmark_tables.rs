@@ -7,12 +7,12 @@ use eigenshade_cli::table::compare::differences;
 use eigenshade_table::Table;
 use eigenshade_table::reduce::with_components;
 use eigenshade_table::trim::trim;
-use experiments::accuracy_cost::bases::Bases;
-use experiments::accuracy_cost::materials::Scope;
-use experiments::accuracy_cost::setting::Setting;
+use experiments::accuracy_cost::scope::Bases;
+use experiments::accuracy_cost::scope::Scope;
 use experiments::accuracy_cost::settings;
+use experiments::accuracy_cost::settings::Setting;
 use experiments::counts::Counts;
-use std::collections::HashMap;
+use experiments::sheet::{Record, Sheet};
 use std::fs;
 
 /// Counts in the settings' file, of four digits, against those of the firmware, relative: half of
@@ -23,8 +23,6 @@ const COUNTED: f64 = 5e-4;
 /// exponents of each, and in 15 bits the room of a row that is padded.
 const HELD_WORDS: f64 = 16.0;
 
-type Row = HashMap<String, String>;
-
 /// Boards of the counts with their formats, and their columns in the settings' file.
 const BOARDS: [([&str; 2], &str); 5] = [
     (["microbit", "q15"], "m0"),
@@ -34,27 +32,26 @@ const BOARDS: [([&str; 2], &str); 5] = [
     (["riscv32", "q15"], "rv32"),
 ];
 
-fn sheet(path: &str) -> Vec<Row> {
-    let text = fs::read(repository().join(path)).unwrap_or_else(|error| panic!("{path}: {error}"));
-    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(&text[..]);
-    reader.deserialize().map(|row| row.expect("a row")).collect()
+fn sheet(path: &str) -> Vec<Record> {
+    let text = fs::read_to_string(repository().join(path)).expect(path);
+    Sheet::parse(&text, path).expect("rows").rows
 }
 
-fn benchmark_tables() -> Vec<Row> {
+fn benchmark_tables() -> Vec<Record> {
     sheet("firmware/tables/sizes.csv")
 }
 
 /// The name of this table's setting.
-fn name(listed: &Row, format: &str) -> String {
-    let trimmed = match listed["trim"].as_str() {
+fn name(listed: &Record, format: &str) -> String {
+    let trimmed = match listed.text("trim") {
         "" => String::new(),
         text => format!(" trim{:e}", text.parse::<f64>().expect("a tolerance")),
     };
-    format!("9/7 K{}{trimmed} polynomial {format}", listed["components"])
+    format!("9/7 K{}{trimmed} polynomial {format}", listed.text("components"))
 }
 
-fn number(row: &Row, column: &str) -> f64 {
-    row[column].parse().unwrap_or_else(|_| panic!("{column}: {row:?}"))
+fn number(row: &Record, column: &str) -> f64 {
+    row.number(column).unwrap_or_else(|| panic!("{column}: {row:?}"))
 }
 
 /// The page shows every count: on every board in 15 bits, and in f32 where there is a float unit.
@@ -64,9 +61,8 @@ fn number(row: &Row, column: &str) -> f64 {
 fn each_counted_table_is_a_setting_with_its_counts() {
     let (settings, counts) = (sheet("docs/accuracy-cost/accuracy-cost.csv"), Counts::recorded());
     for listed in benchmark_tables() {
-        let of_table = format!("{}/", listed["name"]);
-        let rows = sheet("firmware/counts.csv");
-        let rows = rows.iter().filter(|row| row["operation"].starts_with(&of_table));
+        let of_table = format!("{}/", listed.text("name"));
+        let rows = counts.0.iter().filter(|row| row.text("operation").starts_with(&of_table));
         assert_eq!(rows.count(), 3 * BOARDS.len(), "{listed:?}");
         for ([board, format], key) in BOARDS {
             let count = |operation: &str, column| {
@@ -75,7 +71,7 @@ fn each_counted_table_is_a_setting_with_its_counts() {
             };
             let bytes = |column| count("scene", column);
             let name = name(&listed, format);
-            let row = settings.iter().find(|row| row["setting"] == name);
+            let row = settings.iter().find(|row| row.text("setting") == name);
             let row = row.unwrap_or_else(|| panic!("no setting {name}"));
             for (column, expected) in [
                 ("pixel", count("pixel", "instructions")),
@@ -100,13 +96,13 @@ fn each_counted_table_is_a_setting_with_its_counts() {
 #[test]
 fn tables_of_the_firmware_are_those_of_the_settings() {
     let all = settings::all(false);
-    let setting_of = |listed: &Row, format: &str| -> Setting {
+    let setting_of = |listed: &Record, format: &str| -> Setting {
         let name = name(listed, format);
         let found = all.iter().find(|one| one.setting.to_string() == name);
         found.unwrap_or_else(|| panic!("no setting {name}")).setting
     };
     let tables = benchmark_tables();
-    let recipe = |listed: &Row| {
+    let recipe = |listed: &Record| {
         let setting = setting_of(listed, "f32");
         assert_eq!(setting.recipe, setting_of(listed, "q15").recipe);
         setting.recipe
@@ -114,7 +110,7 @@ fn tables_of_the_firmware_are_those_of_the_settings() {
     let scope = Scope::seen(9, 7).expect("the shipped data");
     let bases = Bases::new(&scope, tables.iter().map(recipe)).expect("bases");
     for listed in &tables {
-        let path = repository().join("firmware/tables").join(&listed["file"]);
+        let path = repository().join("firmware/tables").join(listed.text("file"));
         let bytes = fs::read(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
         let whole = eigenshade_table::decode(&bytes).expect("a table");
         let components = number(listed, "components") as usize;
@@ -122,7 +118,7 @@ fn tables_of_the_firmware_are_those_of_the_settings() {
         assert_eq!(table.components.len(), components);
         let terms =
             |table: &Table| table.profiles.iter().map(|one| one.chebyshev.len()).sum::<usize>();
-        if !listed["trim"].is_empty() {
+        if !listed.text("trim").is_empty() {
             let untrimmed = terms(&table);
             trim(&mut table, number(listed, "trim"));
             assert!(terms(&table) < untrimmed, "{listed:?}");

@@ -125,25 +125,13 @@ fn texels_and_the_normals_own_frame_agree() {
     assert!(worst <= DIRECT_FRAMES, "{worst}");
 }
 
-/// The normal that mirrors the brightest texel to the camera.
-fn mirror_of_the_brightest(map: &EnvironmentMap) -> [f64; 3] {
-    let direction = |k: usize| map.direction(k % map.width, k / map.width);
-    let brightest = (0..map.texels.len())
-        .max_by(|&a, &b| map.texels[a][1].total_cmp(&map.texels[b][1]))
-        .unwrap();
-    let [x, y, z] = direction(brightest);
-    let length = (2.0 + 2.0 * z).sqrt();
-    [x / length, y / length, (z + 1.0) / length]
-}
-
 /// A lobe narrower than a texel: parts twice and four times as fine change little of the peak.
 #[test]
 fn narrow_lobes_converge() {
     for (name, roughness) in [("studio", 0.1), ("park", 0.1), ("park", 0.2), ("park", 0.5)] {
-        let map = shipped(name);
+        let maps = Surroundings::new(&[shipped(name)]).unwrap();
         let mut normals = spread(60);
-        normals.push(mirror_of_the_brightest(&map));
-        let maps = Surroundings::new(&[map]).unwrap();
+        normals.push(maps.mirror(0));
         let metal = Ggx::new(roughness, 0.9, 0.0).unwrap();
         let images = [1.0, 2.0, 4.0].map(|fine| -> Vec<f64> {
             let images = maps.irradiance(&[&metal], &normals, fine);
@@ -287,12 +275,7 @@ fn the_window_of_materials_in_color_pays() {
     ];
     const MAPS: [&str; 6] = ["park", "lobby", "sunrise", "esplanade", "studio", "workshop"];
     const WIDTH: f64 = 40.0;
-    // Spread over the disc.
-    let on_disc = |k: usize| {
-        let (radius, turn) = (((k as f64 + 0.5) / 80.0).sqrt(), 2.399_963 * k as f64);
-        [radius * turn.cos(), radius * turn.sin(), (1.0 - radius * radius).sqrt()]
-    };
-    let normals: Vec<[f64; 3]> = (0..80).map(on_disc).collect();
+    let normals = spread(80);
     let surroundings = Surroundings::new(&MAPS.map(shipped)).unwrap();
     let sources = read(repository().join("tables/inputs/merl-abc.csv")).unwrap();
     let surfaces = NAMES.map(|name| {

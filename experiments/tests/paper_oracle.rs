@@ -14,7 +14,6 @@ use eigenshade_shading::parallel;
 use experiments::paper::bound::render;
 use experiments::paper::study::{DEGREE, Modes, ORDER, Study};
 use experiments::sheet::Sheet;
-use indicatif::ProgressBar;
 use std::f64::consts::PI;
 use std::sync::OnceLock;
 
@@ -40,7 +39,7 @@ const TILTS: usize = 20;
 /// The shipped data, shared by all tests of the paper's figures.
 pub fn study() -> &'static Study {
     static STUDY: OnceLock<Study> = OnceLock::new();
-    STUDY.get_or_init(|| Study::new(&ProgressBar::hidden()).expect("the shipped data"))
+    STUDY.get_or_init(|| Study::new().expect("the shipped data"))
 }
 
 /// A committed CSV of the figures.
@@ -80,9 +79,7 @@ fn image(pixels: &[([f64; 3], f64)]) -> &'static [f64] {
         let explicit = oracle::ExplicitLight::new(&study.luminances[trial.light]);
         let indices = material::indices(ORDER).zip(&study.grays[trial.material]);
         let terms: Vec<_> = indices.map(|((o, p, q), b)| (o, p, q, *b)).collect();
-        parallel::map(pixels.len(), &ProgressBar::hidden(), |k| {
-            oracle::irradiance(&explicit, &terms, pixels[k].0)
-        })
+        parallel::map(pixels.len(), &(), |k| oracle::irradiance(&explicit, &terms, pixels[k].0))
     })
 }
 
@@ -191,7 +188,7 @@ fn rendered_spheres_are_sums_of_integrals() {
     let study = study();
     let trial = study.trial("studio", "05-leather").expect("it is there");
     let normals = spread(300);
-    let found = render(study, "studio", "05-leather", &normals, &ProgressBar::hidden());
+    let found = render(study, "studio", "05-leather", &normals);
     let found = found.expect("an image");
     let (step, image) = &found.sums[0];
     let (light, material) = (&study.luminances[trial.light], &study.grays[trial.material]);

@@ -7,7 +7,7 @@ use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::Shader;
 use eigenshade_testing::fixtures;
 use eigenshade_testing::images::{coefficients, single};
-use experiments::accuracy_cost::materials::Scope;
+use experiments::accuracy_cost::scope::Scope;
 
 /// By which factor the floor of such a scene is off what the table's components lack: in the
 /// median, of nine images of ten, of all. The last fifth of the coefficients stands for those that

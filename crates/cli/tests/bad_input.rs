@@ -1,6 +1,6 @@
 //! Bad input: exit status 1, one line that names the file, and nothing written.
 
-use crate::support::{self, Folder, PAIR, assert_fails, lights, materials, repository, scene};
+use crate::support::{self, Folder, PAIR, assert_fails, lights, materials, scene};
 use std::fs;
 
 #[test]
@@ -47,17 +47,6 @@ fn names_of_nothing_shipped() {
     assert_fails(&folder, shade, &["`cities`", "`city`"]);
 }
 
-#[test]
-fn a_truncated_map() {
-    let folder = Folder::new();
-    let map = fs::read(repository().join("tables/inputs/maps/venice.exr")).unwrap();
-    folder.write("cut.exr", &map[..map.len() / 2]);
-    folder.write("old.csv", "old");
-    assert_fails(&folder, "light cut.exr --degree 2 --out old.csv", &["cut.exr"]);
-    assert_fails(&folder, "light cut.exr --degree 2 --out new.csv", &["cut.exr"]);
-    assert_eq!(folder.read("old.csv"), "old");
-}
-
 /// Asserts that several commands refuse a changed `lights.csv`.
 fn assert_bad_lights(change: impl Fn(&str) -> String, fragments: &[&str]) {
     let folder = Folder::with_table();
@@ -73,42 +62,16 @@ fn assert_bad_lights(change: impl Fn(&str) -> String, fragments: &[&str]) {
 }
 
 #[test]
-fn a_missing_row() {
+fn faults_of_lights() {
     let without = |text: &str| -> String {
-        text.lines()
-            .filter(|line| !line.starts_with("light-1,2,-1,"))
-            .map(|l| format!("{l}\n"))
-            .collect()
+        let rows = text.lines().filter(|line| !line.starts_with("light-1,2,-1,"));
+        rows.map(|line| format!("{line}\n")).collect()
     };
-    assert_bad_lights(without, &["light-1", "l = 2, m = -1"]);
-}
-
-#[test]
-fn a_doubled_row() {
-    assert_bad_lights(|text| format!("{text}light-1,2,-1,1,1,1\n"), &["light-1", "lights.csv:77:"]);
-}
-
-#[test]
-fn a_number_that_is_not_a_number() {
-    let with = |text: &str| {
+    let with_nan = |text: &str| {
         let (head, rest) = text.split_once("light-0,1,0,").unwrap();
         let (_, rest) = rest.split_once('\n').unwrap();
         format!("{head}light-0,1,0,NaN,1,1\n{rest}")
     };
-    assert_bad_lights(with, &["lights.csv:4:", "NaN"]);
-}
-
-#[test]
-fn a_wrong_header() {
-    assert_bad_lights(|text| text.replace("name,l,m,", "name,l,order,"), &["lights.csv:1:"]);
-}
-
-#[test]
-fn contradictory_columns() {
-    assert_bad_lights(
-        |text| text.replace("name,l,m,r,g,b", "name,l,m,r,r,b"),
-        &["lights.csv:1:", "column 5", "`r`"],
-    );
     let both = |text: &str| {
         let rows = text.lines().map(|line| match line.starts_with("name") {
             true => format!("{line},value\n"),
@@ -116,7 +79,18 @@ fn contradictory_columns() {
         });
         rows.collect::<String>()
     };
-    assert_bad_lights(both, &["lights.csv:1:", "`value` and `r`"]);
+    type Change<'a> = &'a dyn Fn(&str) -> String;
+    let cases: [(Change<'_>, &[&str]); 6] = [
+        (&without, &["light-1", "l = 2, m = -1"]),
+        (&|text| format!("{text}light-1,2,-1,1,1,1\n"), &["light-1", "lights.csv:77:"]),
+        (&with_nan, &["lights.csv:4:", "NaN"]),
+        (&|text| text.replace("name,l,m,", "name,l,order,"), &["lights.csv:1:"]),
+        (&|text| text.replace("l,m,r,g,b", "l,m,r,r,b"), &["lights.csv:1:", "column 5", "`r`"]),
+        (&both, &["lights.csv:1:", "`value` and `r`"]),
+    ];
+    for (change, fragments) in cases {
+        assert_bad_lights(change, fragments);
+    }
     let folder = Folder::new();
     folder.write("m.csv", "theta_i,phi_i,theta_r,phi_r,value,b\n1,1,1,1,1,1\n");
     let material = "material m.csv --order 2 --out new.csv";
@@ -272,24 +246,6 @@ fn outputs_that_cannot_be() {
     assert_fails(&folder, "eigenvalues b.bin --out /proc/new.csv", &["/proc/new.csv"]);
 }
 
-#[cfg(target_os = "linux")]
-#[test]
-fn a_full_disk() {
-    let folder = Folder::with_table();
-    assert_fails(&folder, "eigenvalues b.bin --out /dev/full", &["/dev/full"]);
-}
-
-#[test]
-fn bad_normals() {
-    let folder = Folder::with_table();
-    let rows = ["0,0,0", "0,0,-1", "inf,0,1", "0,0"];
-    for (line, row) in rows.into_iter().enumerate() {
-        folder.write("normals.csv", format!("x,y,z\n{}{row}\n", "0,0,1\n".repeat(line)));
-        let arguments = format!("shade b.bin {PAIR} --normals normals.csv --out new.csv");
-        assert_fails(&folder, &arguments, &[&format!("normals.csv:{}:", line + 2)]);
-    }
-}
-
 #[test]
 fn more_components_than_there_are() {
     let folder = Folder::with_table();
@@ -299,21 +255,6 @@ fn more_components_than_there_are() {
     }
     let modes = "shade b.bin --normals normals.csv --method modes --format f32 --out new.csv";
     assert_fails(&folder, &format!("{modes} {PAIR}"), &["modes", "f64"]);
-}
-
-#[test]
-fn bad_measurements() {
-    let folder = Folder::new();
-    let cases = [
-        ("theta_i,phi_i,theta_r,phi_r\n1,1,1,1\n", "m.csv:1:"),
-        ("theta_i,phi_i,theta_r,phi_r,value\n1,1,2,1,1\n", "m.csv:2:"),
-        ("theta_i,phi_i,theta_r,phi_r,value\n1,1,1,1,nan\n", "m.csv:2:"),
-        ("theta_i,phi_i,theta_r,phi_r,value\n", "m.csv"),
-    ];
-    for (text, fragment) in cases {
-        folder.write("m.csv", text);
-        assert_fails(&folder, "material m.csv --order 2 --out new.csv", &[fragment]);
-    }
 }
 
 #[test]

@@ -2,7 +2,7 @@
 //! docs/accuracy.md states.
 
 use crate::oracle;
-use crate::support::{Folder, PAIR, SHADED, difference, numbers, rows, scene};
+use crate::support::{Folder, PAIR, SHADED, difference, numbers, rows};
 use crate::tolerances;
 use eigenshade_cli::picture::SphereView;
 use eigenshade_generator::basis::build;
@@ -18,26 +18,6 @@ use std::fmt::Write;
 /// Pictures under a light turned with its normals against those as they were, of the peak: sums of
 /// 25 terms, and angles of 16 digits.
 const ROTATED_LIGHT: f64 = 2e-15;
-
-#[test]
-fn all_components_are_the_reference() {
-    for criterion in ["image-centered", "standard"] {
-        let folder = Folder::new();
-        folder.write("scene.toml", scene(criterion, 10_000, "[]"));
-        folder.ok("basis --scene scene.toml --out b.bin");
-        let reference = folder.shaded("--method modes");
-        for method in ["polynomial", "eigen"] {
-            let ours = folder.shaded(&format!("--method {method} --format f64"));
-            let found = difference(&ours, &reference);
-            println!("{criterion}, {method}: {found:e}");
-            assert!(found < tolerances::ALL_COMPONENTS, "{criterion}, {method}: {found:e}");
-            let ours = folder.shaded(&format!("--method {method}"));
-            let found = difference(&ours, &reference);
-            println!("{criterion}, {method}, f32: {found:e}");
-            assert!(found < tolerances::ALL_COMPONENTS_F32, "{criterion}, {method}: {found:e}");
-        }
-    }
-}
 
 /// f32 results are written with all their digits.
 #[test]

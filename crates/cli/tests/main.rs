@@ -10,7 +10,6 @@ mod basis;
 mod commands;
 mod compiled;
 mod corner_cases;
-mod degenerate;
 mod direct_sum;
 mod effects;
 mod hard_cases;

@@ -30,6 +30,10 @@ fn a_replaced_output_keeps_its_mode() {
         fs::set_permissions(folder.path("old.csv"), Permissions::from_mode(0o600)).unwrap();
         assert!(folder.read("old.csv").contains("light-2,2,2,"));
     }
+    // A new output has the mode of any new file.
+    folder.ok(&format!("{WRITE} new.csv"));
+    folder.write("plain.csv", "");
+    assert_eq!(mode(&folder, "new.csv"), mode(&folder, "plain.csv"));
 }
 
 #[test]
@@ -278,6 +282,7 @@ fn different_files() {
     folder.ok("light maps --degree 2 --out maps/lights.csv");
     folder.ok("light maps --degree 2 --out maps/lights.csv");
     folder.ok(&format!("{READ_MASKED} --out /dev/null --light-out /dev/null"));
+    assert!(!fs::metadata("/dev/null").unwrap().is_file());
 }
 
 const NAME: &str = "na\u{1b}[31mme\u{7}\u{202e}";

@@ -350,6 +350,7 @@ fn damaged_files_are_faults() {
     assert!(fault(&changed(0, &(-90i32).to_le_bytes())).contains("-90"));
     let red = fault(&changed(12, &f64::NAN.to_le_bytes()));
     assert!(red.contains("not finite") && red.contains("red part"), "{red}");
+    assert!(fault(&changed(12, &1e200f64.to_le_bytes())).contains("beyond 1e100"));
     let last = good.len() - 8;
     assert!(fault(&changed(last, &f64::INFINITY.to_le_bytes())).contains("blue"));
     let empty = good[..12].iter().copied().chain((-1f64).to_le_bytes().into_iter().cycle());

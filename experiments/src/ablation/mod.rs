@@ -3,7 +3,6 @@
 //!
 //! `experiments ablation` writes the generated parts of `docs/ablation.md`.
 
-pub mod nine_terms;
 pub mod pictures;
 pub mod scenes;
 pub mod speed;
@@ -18,7 +17,7 @@ use eigenshade_index::effect::Effect;
 use eigenshade_shading::shipped;
 use eigenshade_table::decode;
 use eigenshade_table::trim::trim;
-use pictures::{errors, shares, terms_within};
+use pictures::{errors, of_nine_terms, shares, terms_within};
 use scenes::{SCENES, Scene, Size};
 use speed::Times;
 
@@ -174,7 +173,7 @@ fn beside(counts: &Counts) -> String {
     };
     let pixel = |name: &str| ratios(&format!("{name}/pixel"));
     let terms = |name: &str| Scene::named(name).terms().to_string();
-    let nine = nine_terms::errors();
+    let nine = of_nine_terms();
     let [formula, best] = [0, 1].map(|k| nine.iter().map(|errors| errors[k]).collect::<Vec<_>>());
     let most = |errors: &[f64]| percent(errors.iter().copied().fold(0.0, f64::max));
     let count = |number: usize| number.to_string();

@@ -1,9 +1,9 @@
-//! Pictures of a sphere by the direct sum (15): what each effect of a scene contributes, and the
-//! errors of the scene's table.
+//! Pictures of a sphere by the direct sum (15): what each effect of a scene contributes, the errors
+//! of the scene's table, and those of nine terms.
 
 use super::scenes::{self, Scene};
 use crate::sphere::{Picture, Sphere, peak};
-use eigenshade::{Q15, Tolerance};
+use eigenshade::{Light, NineTerms, Q15, Tolerance};
 use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::rotation::Rotation;
@@ -13,6 +13,7 @@ use eigenshade_shading::reference_image::images_of_effects;
 use eigenshade_shading::shader::{OwnedNormals, Shader};
 use eigenshade_shading::sphere_rings::rings;
 use eigenshade_testing::largest;
+use nalgebra::{DMatrix, DVector};
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
@@ -125,4 +126,32 @@ pub fn terms_within(scene: &Scene, tolerance: f32) -> Vec<usize> {
         within.expect("a tolerance above zero")[0].1.terms
     };
     scene.lights(degree).entries.iter().map(terms).collect()
+}
+
+/// Errors under each shipped light on a Lambertian material, of the formula of Ramamoorthi and
+/// Hanrahan for light of degree 2, and of the nine coefficients that are best for light of degree 9:
+/// root mean square over the sphere, relative to the peak of the direct sum of degree 9.
+pub fn of_nine_terms() -> Vec<[f64; 2]> {
+    let scene = Scene::named("park_lambertian");
+    let sphere = self::sphere();
+    let normals = OwnedNormals::new(&sphere.normals).each().expect("visible normals");
+    let roots: Vec<f64> = sphere.weights.iter().map(|weight| weight.sqrt()).collect();
+    let unit = |term: usize| std::array::from_fn(|k| f64::from(u8::from(k == term)));
+    let of_term = |k: usize, term: usize| roots[k] * NineTerms::new(unit(term)).shade(normals[k]);
+    let terms = DMatrix::from_fn(roots.len(), 9, of_term).svd(true, true);
+    let lights = scene.lights(9);
+    let material = scenes::material(&scene.whole_table(), 0);
+    let error = |(light, whole): (&Named, &Picture)| {
+        let expected = DVector::from_fn(roots.len(), |k, _| roots[k] * whole[0][k]);
+        // No cut-off is needed: the nine terms are independent.
+        let best = terms.solve(&expected, 0.0).expect("both sides of the decomposition");
+        let best = NineTerms::new(std::array::from_fn(|term| best[term]));
+        let light = Light::new(&light.rgb[0][..9]).expect("light of degree 2");
+        [NineTerms::lambertian(&light, 1.0), best].map(|formula| {
+            let nine: Vec<f64> = normals.iter().map(|&normal| formula.shade(normal)).collect();
+            sphere.error(&[nine.clone(), nine.clone(), nine], whole)
+        })
+    };
+    let pictures = direct(&sphere, &lights, &material, Effects::ALL);
+    lights.entries.iter().zip(&pictures).map(error).collect()
 }

@@ -1,14 +1,13 @@
 //! The error of the method: a setting against the direct sum of its own degree and order.
 
+use super::images::Shaded;
 use super::images::{Image, Images};
 use super::numbers::numbers;
-use super::pixels::Shaded;
-use super::setting::Setting;
+use super::settings::Setting;
 use crate::numbers::median;
 use eigenshade_model::error::Result;
 use eigenshade_shading::parallel;
 use eigenshade_table::Table;
-use indicatif::ProgressBar;
 
 /// The share of the errors that [`Spread::most`] covers.
 const COVERED: f64 = 0.95;
@@ -61,7 +60,7 @@ pub struct Found {
 /// Compares every image.
 pub fn compare(setting: &Setting, table: &Table, images: &Images) -> Result<Found> {
     let numbers = numbers(setting, table, &images.sphere.normals)?;
-    let all = parallel::map(images.images.len(), &ProgressBar::hidden(), |k| {
+    let all = parallel::map(images.images.len(), &(), |k| {
         let image = &images.images[k];
         let Shaded { irradiances, terms, bytes } = numbers.image(&image.pair)?;
         Ok((errors(&irradiances, image, &images.sphere.weights), [terms, k, bytes]))

@@ -1,8 +1,8 @@
 //! The ways to a pixel in floats, for images and for timing.
 
 use super::images::Pair;
-use super::pixels::{Numbers, Pixels, Shaded, Shading, Work, each};
-use super::setting::{Format, Setting, Way};
+use super::images::{Numbers, Pixels, Shaded, Shading, Work, each};
+use super::settings::{Format, Setting, Way};
 use eigenshade::mathematics::Mathematics;
 use eigenshade::{
     Basis, Error, IntegerMap, Light, MapPoint, Material, Normal, Normals, Q15, Scalar, Tolerance,

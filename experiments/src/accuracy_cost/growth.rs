@@ -1,12 +1,12 @@
 //! Growth of times, bytes and multiplications with degree, order, components, pixels, materials and
 //! maps.
 
-use super::bases::Bases;
 use super::images::Pair;
-use super::materials::Scope;
-use super::pixels::Work;
-use super::setting::{Recipe, Setting};
+use super::images::Work;
+use super::scope::Bases;
+use super::scope::Scope;
 use super::settings::{DEGREE, ORDER};
+use super::settings::{Recipe, Setting};
 use super::times::{Case, costs, hemisphere, least};
 use crate::multiplications::Multiplications;
 use crate::sheet::Record;

@@ -1,13 +1,13 @@
-//! The machines whose costs are known, and the counted instructions of emulated boards, from
-//! `firmware/counts.csv`.
+//! The machines whose costs are known: the counted instructions of emulated boards, from
+//! `firmware/counts.csv`, and the times of the WebAssembly module in Node, from
+//! `crates/wasm/times.csv`, for the tables that `crates/wasm/benchmark-tables` puts into modules.
 
-use super::setting::{Format, Recipe, Scaling, Setting, Way};
 use super::settings::{DEGREE, ORDER};
+use super::settings::{Format, Recipe, Scaling, Setting, Way};
 use crate::counts::Counts;
-use crate::sheet::Record;
+use crate::sheet::{Record, Sheet};
 use eigenshade_model::error::{Error, Result};
-use serde::Deserialize;
-use serde::de::DeserializeOwned;
+use eigenshade_table::scene::Cut;
 
 /// A machine.
 pub struct Machine {
@@ -41,34 +41,6 @@ impl Machine {
     }
 }
 
-/// The rows of a compiled-in CSV file.
-pub(super) fn compiled_in<T: DeserializeOwned>(
-    text: &str,
-    path: &str,
-    remedy: &str,
-) -> Result<Vec<T>> {
-    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
-    let rows = reader.deserialize().collect::<csv::Result<_>>();
-    rows.map_err(|error| Error::new(error.to_string(), remedy).in_file(path))
-}
-
-/// A table for which programs of `firmware/` count a pixel and a new light. The programs are built
-/// from the same file.
-#[derive(Deserialize)]
-struct BenchmarkTable {
-    /// The name of the rows in `firmware/counts.csv`, before `/`.
-    name: String,
-    components: usize,
-    trim: Option<f64>,
-}
-
-impl BenchmarkTable {
-    fn recipe(&self) -> Recipe {
-        let first = Recipe::first(DEGREE, ORDER, self.components);
-        self.trim.map_or(first, |share| first.trimmed(share))
-    }
-}
-
 /// The operations for the pixel and the new light of a setting that separate programs measure.
 fn operations(setting: &Setting) -> [Option<&'static str>; 2] {
     let Setting { recipe, way, format, .. } = *setting;
@@ -86,21 +58,25 @@ fn operations(setting: &Setting) -> [Option<&'static str>; 2] {
     }
 }
 
-/// The counts, and the tables for which a program has both a pixel and a new light.
+/// The counts, and the tables for which programs of `firmware/` count both a pixel and a new light,
+/// with their names before `/` in the counts. The programs are built from the same file.
 pub struct Boards {
     counts: Counts,
-    tables: Vec<BenchmarkTable>,
+    tables: Vec<(String, Recipe)>,
 }
 
 impl Boards {
     /// Reads the recorded counts.
     pub fn new() -> Result<Self> {
-        let tables = include_str!("../../../firmware/tables/sizes.csv");
-        let tables = compiled_in(
-            tables,
-            "firmware/tables/sizes.csv",
-            "give it the columns name,file,components,trim",
-        )?;
+        let listed = include_str!("../../../firmware/tables/sizes.csv");
+        let listed = Sheet::parse(listed, "firmware/tables/sizes.csv")?;
+        let components = listed.numbers("components").into_iter().map(|count| count as usize);
+        let tables = listed.rows.iter().zip(components).map(|(row, components)| {
+            let first = Recipe::first(DEGREE, ORDER, components);
+            let recipe = row.number("trim").map_or(first, |share| first.trimmed(share));
+            (row.text("name").to_owned(), recipe)
+        });
+        let tables = tables.collect();
         Ok(Self { counts: Counts::recorded(), tables })
     }
 
@@ -112,12 +88,12 @@ impl Boards {
             return;
         }
         let format = setting.format.to_string();
-        let is_it = |table: &&BenchmarkTable| {
-            (table.recipe(), Way::Polynomial) == (setting.recipe, setting.way)
+        let is_it = |(_, recipe): &&(String, Recipe)| {
+            (*recipe, Way::Polynomial) == (setting.recipe, setting.way)
         };
         let table = self.tables.iter().find(is_it);
-        let whole = table.map(|table| {
-            ["pixel", "light", "scene"].map(|operation| Some(format!("{}/{operation}", table.name)))
+        let whole = table.map(|(name, _)| {
+            ["pixel", "light", "scene"].map(|operation| Some(format!("{name}/{operation}")))
         });
         let [pixel, light] = operations(setting).map(|one| one.map(str::to_owned));
         let single = [pixel.clone(), light, pixel];
@@ -138,6 +114,104 @@ impl Boards {
             for (column, bytes) in [("flash", flash), ("ram", ram)] {
                 bytes.into_iter().for_each(|bytes| row.put(format!("{key}_{column}"), bytes));
             }
+        }
+    }
+}
+
+/// Texels along a side of the module's map.
+const MAP: usize = 32;
+
+/// The tables that are put into modules.
+pub fn tables() -> Vec<Recipe> {
+    let first = |count| Recipe::first(DEGREE, ORDER, count);
+    let trimmed = |count, tolerance| first(count).trimmed(tolerance);
+    let whole = Recipe::all(DEGREE, ORDER);
+    let cut = Cut { terms: Some(12), ..whole.cut };
+    vec![
+        Recipe::all(2, 0),
+        trimmed(9, 1e-1),
+        trimmed(25, 3e-2),
+        first(50),
+        trimmed(50, 1e-2),
+        trimmed(100, 1e-2),
+        trimmed(130, 1e-3),
+        trimmed(130, 2e-4),
+        Recipe { cut, ..whole },
+        whole,
+    ]
+}
+
+/// The measured settings that are timed with a table.
+pub fn timed<'a>(table: &Recipe, all: &'a [Setting]) -> impl Iterator<Item = &'a Setting> {
+    let table = *table;
+    all.iter().filter(move |setting| {
+        let is_timed = match setting.way {
+            Way::Polynomial => setting.format != Format::F64,
+            Way::Bilinear(size) => size == MAP && setting.format == Format::F32,
+            _ => false,
+        };
+        is_timed && setting.recipe == table && setting.scaling == Scaling::None
+    })
+}
+
+/// Nanoseconds of a pixel and of a new light with SIMD, by setting.
+pub struct Times {
+    times: Vec<Record>,
+    /// A pixel of the nine-term formula in the same run.
+    nine_terms: f64,
+}
+
+impl Times {
+    /// Reads the compiled-in times.
+    pub fn new() -> Result<Self> {
+        let text = include_str!("../../../crates/wasm/times.csv");
+        let times = Sheet::parse(text, "crates/wasm/times.csv")?.rows;
+        let nine_terms = Setting::of(Recipe::all(2, 0)).by(Way::NineTerms).to_string();
+        let found = times.iter().find(|row| row.text("setting") == nine_terms);
+        let nine_terms = found.and_then(|row| row.number("pixel_ns")).ok_or_else(|| {
+            let remedy =
+                "run `crates/wasm/benchmark-tables && node crates/wasm/measure.mjs --times`";
+            Error::new("crates/wasm/times.csv has no nine-term pixel", remedy)
+        })?;
+        Ok(Self { times, nine_terms })
+    }
+
+    /// Fills in the cost of a setting, in nine-term pixels.
+    pub fn fill(&self, row: &mut Record, setting: &Setting) {
+        let name = setting.to_string();
+        let Some(time) = self.times.iter().find(|time| time.text("setting") == name) else {
+            return;
+        };
+        for kind in ["pixel", "light"] {
+            let ratio = time.number(&format!("{kind}_ns")).map(|ns| ns / self.nine_terms);
+            row.measure(format!("wasm_{kind}"), ratio);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::settings;
+    use super::{Setting, Times, tables};
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn the_timed_settings_are_those_of_the_tables() {
+        let all: Vec<Setting> = settings::all(false).iter().map(|one| one.setting).collect();
+        let mut expected = BTreeSet::from(["2/0 all nine-terms f32".to_owned()]);
+        for table in &tables() {
+            let of_table: Vec<String> = super::timed(table, &all).map(Setting::to_string).collect();
+            assert!(!of_table.is_empty(), "{table}");
+            expected.extend(of_table);
+        }
+        let times = Times::new().unwrap().times;
+        let names: BTreeSet<String> =
+            times.iter().map(|time| time.text("setting").to_owned()).collect();
+        assert_eq!((&names, times.len()), (&expected, expected.len()));
+        for time in &times {
+            let is_timed = |column| time.number(column).is_some_and(|ns| ns > 0.0);
+            assert!(is_timed("pixel_ns"), "{time:?}");
+            assert_eq!(is_timed("light_ns"), !time.text("setting").contains("nine-terms"));
         }
     }
 }

@@ -3,19 +3,13 @@
 //! Measurements become [`Record`]s. The CSV files, the checks, the charts and the tables of
 //! the page are made from these.
 
-pub mod setting;
-
 pub mod settings;
+
+pub mod scope;
 
 pub mod sheet;
 
-pub mod materials;
-
-pub mod bases;
-
 pub mod images;
-
-pub mod pixels;
 
 mod floats;
 
@@ -27,28 +21,24 @@ pub mod errors;
 
 pub mod machines;
 
-pub mod wasm;
-
 pub mod model;
 
 pub mod growth;
 
 pub mod choice;
 
-pub mod check;
-
 pub mod report;
 
 use crate::sheet::{Form, Record, read};
-use bases::Bases;
 use eigenshade_cli::table;
 use eigenshade_model::error::{Error, Result};
 use errors::{Found, compare};
 use images::Images;
 use indicatif::ProgressBar;
-use machines::Boards;
-use materials::Scope;
+use machines::{Boards, Times};
 use numbers::table_bytes;
+use scope::Bases;
+use scope::Scope;
 use settings::Varied;
 use sheet::{GROWTH, MODEL, SETTINGS};
 use std::collections::BTreeSet;
@@ -119,7 +109,7 @@ fn measure(
     progress: &ProgressBar,
 ) -> Result<Vec<Record>> {
     let size = |one: &Varied| one.setting.recipe.size();
-    let (boards, wasm) = (Boards::new()?, wasm::Times::new()?);
+    let (boards, wasm) = (Boards::new()?, Times::new()?);
     let mut rows = vec![Record::default(); varied.len()];
     let mut cases = Vec::new();
     progress.set_length(varied.len() as u64);

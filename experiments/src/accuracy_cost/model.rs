@@ -2,7 +2,7 @@
 //! integrated under captured maps without any truncation.
 
 use super::errors::Spread;
-use super::materials::modelled;
+use super::scope::modelled;
 use super::settings::sizes;
 use crate::accuracy::{Reference, named};
 use crate::sheet::Record;

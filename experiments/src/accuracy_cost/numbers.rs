@@ -2,8 +2,8 @@
 
 use super::floats::{Floats, scale};
 use super::images::Pair;
-use super::pixels::{Numbers, Shaded, Work, each};
-use super::setting::{Format, Scaling, Setting, Way};
+use super::images::{Numbers, Shaded, Work, each};
+use super::settings::{Format, Scaling, Setting, Way};
 use eigenshade::mathematics::{Libm, Micromath, SinglePrecision, Tabled};
 use eigenshade::{Q15, Q31, quantized};
 use eigenshade_model::error::{Error, Result};

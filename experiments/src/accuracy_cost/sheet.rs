@@ -1,8 +1,11 @@
-//! The CSV files. A row is a [`Record`] from its measurement to the charts.
+//! The CSV files, in which a row is a [`Record`] from its measurement to the charts, and their
+//! comparison with fresh errors, bytes and counted instructions. Times, and anything that depends on
+//! them, are not compared.
 
 use crate::figures::{Figures, OutputFile};
-use crate::sheet::{Form, Record};
-use eigenshade_model::error::Result;
+use crate::sheet::{Form, Record, read};
+use eigenshade_model::error::{Error, Result};
+use std::path::Path;
 
 /// The files of the command.
 pub const FIGURES: Figures = Figures { command: "accuracy-cost", folder: "", is_exact: true };
@@ -40,4 +43,76 @@ pub const GROWTH: Form = Form {
 pub fn csv(form: &Form, records: &[Record]) -> Result<OutputFile> {
     let rows = records.iter().map(|record| form.columns.split(',').map(|one| record.text(one)));
     FIGURES.csv(form.name, form.columns, rows)
+}
+
+/// The allowed relative difference of an error: hosts round differently, and rounding may end a
+/// polynomial a term earlier or later.
+const ERROR: f64 = 0.02;
+/// The difference of an error that is always allowed: errors below it are f32 rounding, which a
+/// fused multiplication halves.
+const ROUNDING: f64 = 1e-6;
+/// The allowed relative difference of bytes: one such term in all profiles of an azimuth.
+const BYTES: f64 = 0.02;
+
+/// The allowed relative and absolute difference of a column's numbers. Texts must be equal, and so
+/// must numbers without a tolerance.
+fn tolerance(column: &str) -> [f64; 2] {
+    let ends = |ends: &[&str]| ends.iter().any(|end| column.ends_with(end));
+    if ends(&["median", "most", "worst"]) {
+        [ERROR, ROUNDING]
+    } else if ends(&["_bytes", "counted"]) {
+        [BYTES, 0.0]
+    } else if column == "terms" {
+        [BYTES, 2.0]
+    } else {
+        [0.0, 0.0]
+    }
+}
+
+/// Whether a column is not compared: times, and decibels, which repeat the errors.
+fn is_time(column: &str) -> bool {
+    column.starts_with("host_") || column.starts_with("wasm_") || column.ends_with("_db")
+}
+
+/// Compares these records with those of the file in `folder`. Rows of times are not compared. With
+/// `whole`, the file must not have other rows; otherwise fields that the records lack are skipped.
+/// Returns the numbers of rows and of numbers compared. The error is the first difference, with its
+/// file and line.
+pub fn compare(form: &Form, fresh: &[Record], folder: &Path, whole: bool) -> Result<[usize; 2]> {
+    let path = folder.join(form.name);
+    let recorded = read(form, folder)?;
+    let fault = |what: String| Error::new(what, FIGURES.again(folder, " --keep-times"));
+    let is_count = |record: &&Record| record.text("unit") != "ns";
+    let (rows, mut numbers) = (fresh.iter().filter(is_count).count(), 0);
+    for record in fresh.iter().filter(is_count) {
+        let (key, name) = (record.key(form), record.key(form).join(", "));
+        let missing = || fault(format!("it has no row of `{name}`")).in_file(&path);
+        let other = recorded.iter().find(|other| other.key(form) == key).ok_or_else(missing)?;
+        for column in form.columns.split(',').filter(|column| !is_time(column)) {
+            let ([new, old], [relative, least]) =
+                ([record, other].map(|record| record.text(column)), tolerance(column));
+            let is_near = match number(new).zip(number(old)) {
+                Some((new, old)) => {
+                    numbers += 1;
+                    (new - old).abs() <= (relative * new.abs().max(old.abs())).max(least)
+                }
+                // A quick run lacks the error of the model.
+                None => new == old || new.is_empty() && relative > 0.0 && !whole,
+            };
+            if !is_near {
+                let what = format!("`{name}`: {column} is {old} where {new} belongs");
+                return Err(fault(what).at_line(&path, other.line));
+            }
+        }
+    }
+    let there = recorded.iter().filter(is_count).count();
+    if whole && there != rows {
+        return Err(fault(format!("it has {there} rows where {rows} belong")).in_file(path));
+    }
+    Ok([rows, numbers])
+}
+
+/// The number in a field, if it holds one.
+fn number(text: &str) -> Option<f64> {
+    text.parse().ok().filter(|value: &f64| value.is_finite())
 }

@@ -1,12 +1,13 @@
 //! Times of operations on this machine, in the same run as the nine-term formula.
 
 use super::images::Pair;
+use super::images::{Numbers, Work};
 use super::numbers::numbers;
-use super::pixels::{Numbers, Work};
-use super::setting::Setting;
+use super::settings::Setting;
 use crate::numbers::median;
 use eigenshade_model::error::Result;
 use eigenshade_table::Table;
+use eigenshade_testing::fixtures::spiral;
 use std::time::Instant;
 
 /// Pixels per run.
@@ -74,12 +75,7 @@ fn interleaved(works: Vec<Work<'_>>, rounds: usize) -> Vec<Vec<f64>> {
     works.into_iter().map(|(_, _, times)| times).collect()
 }
 
-/// Normals spread over the visible hemisphere, by components.
+/// Normals spread over the visible hemisphere.
 pub fn hemisphere(count: usize) -> Vec<[f64; 3]> {
-    let normal = |k: usize| {
-        let z = (k as f64 + 0.5) / count as f64;
-        let (sine, tilt) = ((1.0 - z * z).sqrt(), 2.399_963 * k as f64);
-        [sine * tilt.cos(), sine * tilt.sin(), z]
-    };
-    (0..count).map(normal).collect()
+    spiral((0..count).map(|k| (k as f64 + 0.5) / count as f64))
 }

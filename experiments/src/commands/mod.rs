@@ -1,28 +1,26 @@
 //! The commands. Short ones are methods of [`Command`], the others have files of their own.
 
-mod accuracy_cost;
-mod contact_sheet;
 mod errors;
+mod figures;
 mod files;
 mod material_errors;
 mod metallic_roughness;
-mod mutations;
-mod paper;
+mod pictures;
 
 use clap::Subcommand;
 use eigenshade_cli::messages::spinner;
 use eigenshade_model::error::{Error, Result};
 use experiments::pages::Purpose;
-use experiments::{ablation, float_errors, reading, stability};
+use experiments::{ablation, float_errors, mutations, reading, stability};
 use std::path::PathBuf;
 
 /// The commands of the program.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    Paper(paper::Paper),
-    Picture(files::Picture),
-    ContactSheet(contact_sheet::ContactSheet),
-    AccuracyCost(accuracy_cost::AccuracyCost),
+    Paper(figures::Paper),
+    Picture(pictures::Picture),
+    ContactSheet(pictures::ContactSheet),
+    AccuracyCost(figures::AccuracyCost),
     /// Cost and contribution of each effect, docs/ablation.md; times are not compared
     Ablation(Purpose),
     /// The numerically hard cases, measured, docs/stability.md; ratios of times are not compared

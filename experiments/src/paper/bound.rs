@@ -13,7 +13,6 @@ use eigenshade_generator::basis::partial_sum::{PartialSum, Step};
 use eigenshade_model::error::Result;
 use eigenshade_model::reference::DirectSum;
 use eigenshade_shading::parallel;
-use indicatif::ProgressBar;
 use plotters::prelude::SeriesLabelPosition;
 
 /// The stated accuracies: root mean square of the omitted part, relative to the image's mean.
@@ -41,12 +40,12 @@ struct Reached {
 }
 
 /// The CSV files, the chart and the plate.
-pub fn files(study: &Study, progress: &ProgressBar) -> Result<Vec<OutputFile>> {
+pub fn files(study: &Study) -> Result<Vec<OutputFile>> {
     let mut rows = Vec::new();
     for modes in Modes::BOTH {
         let kept = if modes == Modes::All { &[][..] } else { &study.selection };
         let sums = PartialSum::new(&study.gram, kept);
-        let found = parallel::map(study.trials.len(), progress, |k| {
+        let found = parallel::map(study.trials.len(), &(), |k| {
             let trial = &study.trials[k];
             let steps = steps(study, &sums, trial);
             ACCURACIES.map(|accuracy| reach(&steps, trial.mean, accuracy))
@@ -61,7 +60,7 @@ pub fn files(study: &Study, progress: &ProgressBar) -> Result<Vec<OutputFile>> {
                   sufficient_terms,largest_error,median_error_over_bound,\
                   largest_error_over_bound,median_bound_over_triangle,\
                   exceeding_uncorrelated,largest_error_over_uncorrelated";
-    let mut files = rendered_files(study, progress)?;
+    let mut files = rendered_files(study)?;
     files.push(FIGURES.csv("bound.csv", header, &rows)?);
     files.push(FIGURES.chart("bound.svg", &chart(study)?));
     Ok(files)
@@ -148,7 +147,6 @@ pub fn render(
     light: &str,
     material: &str,
     normals: &[[f64; 3]],
-    progress: &ProgressBar,
 ) -> Result<Rendered> {
     let trial = study.trial(light, material)?;
     let (luminance, grays) = (&study.luminances[trial.light], &study.grays[trial.material]);
@@ -162,7 +160,7 @@ pub fn render(
     };
     let chosen = RENDERED.map(within);
     let reference = DirectSum::new(study.lights.degree, study.materials.order);
-    let pixels = parallel::map(normals.len(), progress, |k| {
+    let pixels = parallel::map(normals.len(), &(), |k| {
         let modes = reference.at(normals[k]);
         let mut sums = [0.0; RENDERED.len()];
         for (place, term) in terms.iter().enumerate().take(chosen[RENDERED.len() - 1].terms) {
@@ -184,12 +182,12 @@ pub fn render(
 
 /// The plate and the CSV file. Each pair takes two rows of the plate: the complete image and the
 /// image at each accuracy, with the omitted part below.
-fn rendered_files(study: &Study, progress: &ProgressBar) -> Result<Vec<OutputFile>> {
+fn rendered_files(study: &Study) -> Result<Vec<OutputFile>> {
     let mut rows = Vec::new();
     let mut plate = Plate::new(SIZE, (RENDERED.len() + 1, 2 * SHOWN.len()), (2, 0, 2));
     for (pair, (material, light)) in SHOWN.into_iter().enumerate() {
         let normals = &plate.view.normals;
-        let Rendered { mean, whole, sums } = render(study, light, material, normals, progress)?;
+        let Rendered { mean, whole, sums } = render(study, light, material, normals)?;
         let scale = exposure(whole.clone(), UNCLIPPED);
         plate.light((0, 2 * pair), scale, gray(&whole));
         plate.below((0, 2 * pair), &[&title(material)]);

@@ -19,7 +19,6 @@ use eigenshade_model::error::Result;
 use eigenshade_model::selection::variances;
 use eigenshade_shading::parallel;
 use eigenshade_table::scene::Criterion;
-use indicatif::ProgressBar;
 use plotters::prelude::SeriesLabelPosition;
 use plotters::style::RGBColor;
 use std::fmt::Display;
@@ -37,7 +36,7 @@ const NAMED: [(&str, RGBColor, Style); 4] = [
 ];
 
 /// The CSV files and the charts.
-pub fn files(study: &Study, progress: &ProgressBar) -> Result<Vec<OutputFile>> {
+pub fn files(study: &Study) -> Result<Vec<OutputFile>> {
     let (materials, lights) = (&study.materials.entries, &study.lights.entries);
     let mean = [0, 1, 2, 3].map(|basis| average(study, basis, |_| true));
     let by_material = [0, 1, 2, 3].map(|basis| -> Vec<Vec<f64>> {
@@ -48,7 +47,7 @@ pub fn files(study: &Study, progress: &ProgressBar) -> Result<Vec<OutputFile>> {
         let of = |k| average(study, basis, |trial| trial.light == k);
         (0..lights.len()).map(of).collect()
     });
-    let rotated = rotated(study, &study.luminances, progress);
+    let rotated = rotated(study, &study.luminances);
     let names = |entries: &[Named]| {
         entries.iter().map(|entry| entry.name.as_str()).collect::<Vec<_>>().join(",")
     };
@@ -91,7 +90,7 @@ fn average(study: &Study, basis: usize, is_chosen: impl Fn(&Trial) -> bool) -> V
 ///
 /// Over all rotations, L_l^m of different (l, m) are uncorrelated and share the power of their
 /// degree equally, (38). The average is therefore that of images of single harmonics.
-pub fn rotated(study: &Study, luminances: &[Vec<f64>], progress: &ProgressBar) -> Vec<Vec<f64>> {
+pub fn rotated(study: &Study, luminances: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let table = &study.tables[place(Criterion::ImageCentered, Modes::All)];
     let images = MaterialImages::new(&study.gram, &[], &study.grays);
     let power = |l: usize| -> f64 {
@@ -101,7 +100,7 @@ pub fn rotated(study: &Study, luminances: &[Vec<f64>], progress: &ProgressBar) -
         let sum: f64 = luminances.iter().map(of_degree).sum();
         sum / (luminances.len() * (2 * l + 1)) as f64
     };
-    let variances = parallel::map(study.grays.len(), progress, |material| {
+    let variances = parallel::map(study.grays.len(), &(), |material| {
         let mut sums = vec![0.0; SHOWN + 1];
         for (l, m) in light::indices(DEGREE) {
             let mut harmonic = vec![0.0; light::count(DEGREE)];

@@ -23,7 +23,6 @@ pub mod tables;
 use crate::figures::{Figures, OutputFile};
 use crate::{numbers, pages};
 use eigenshade_model::error::Result;
-use indicatif::ProgressBar;
 use std::fmt::Display;
 use std::path::Path;
 use study::Study;
@@ -36,18 +35,18 @@ pub const FIGURES: Figures = Figures { command: "paper", folder: "paper/", is_ex
 const DIGITS: usize = 6;
 
 /// Makes the page in `folder` with its tables replaced, and the figures below it.
-pub fn make(folder: &Path, progress: &ProgressBar) -> Result<Vec<OutputFile>> {
+pub fn make(folder: &Path) -> Result<Vec<OutputFile>> {
     let path = folder.join(PAGE);
     // Done first, so that missing markers are reported before the long computation.
     pages::filled(&path, &tables::empty_parts())?;
-    let study = Study::new(progress)?;
+    let study = Study::new()?;
     let mut files = [
         variance::Variance::new(&study).files()?,
         eigenimages::files(&study)?,
-        spheres::files(&study, progress)?,
-        error::files(&study, progress)?,
+        spheres::files(&study)?,
+        error::files(&study)?,
         reconstruction::files(&study)?,
-        bound::files(&study, progress)?,
+        bound::files(&study)?,
     ]
     .concat();
     let page = pages::filled(&path, &tables::parts(&files)?)?;

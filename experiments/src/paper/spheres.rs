@@ -13,7 +13,6 @@ use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::reference_image;
 use eigenshade_shading::shader::{OwnedNormals, Shader, fault};
 use eigenshade_table::scene::Criterion;
-use indicatif::ProgressBar;
 
 /// Material and light of each sphere, chosen from the shipped lights to be as near to the paper's
 /// as possible: one matte with a bright rim, one glossy, one between the two.
@@ -26,7 +25,7 @@ const STEPS: i32 = 4;
 
 /// Renders the spheres: one row of the plate by the direct sum of all modes, one with the selected
 /// modes.
-pub fn files(study: &Study, progress: &ProgressBar) -> Result<Vec<OutputFile>> {
+pub fn files(study: &Study) -> Result<Vec<OutputFile>> {
     let table = &study.tables[place(Criterion::ImageCentered, Modes::Selected)];
     let owned = OwnedBasis::<f64>::new(table);
     // All of its components span every image that the selected modes can give.
@@ -41,7 +40,7 @@ pub fn files(study: &Study, progress: &ProgressBar) -> Result<Vec<OutputFile>> {
         let material = &study.materials.entries[trial.material];
         let lights = Lights { entries: vec![light.clone()], ..study.lights };
         let materials = Materials { entries: vec![material.clone()], ..study.materials };
-        let whole = reference_image::images(&lights, &materials, &normals, progress);
+        let whole = reference_image::images(&lights, &materials, &normals, &());
         let whole: Vec<[f64; 3]> = whole.iter().map(|of_pairs| of_pairs[0]).collect();
         let (light, material) = ((study.lights.degree, light), (study.materials.order, material));
         let selected = shader.color(light, material, &owned_normals)?;

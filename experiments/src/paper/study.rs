@@ -11,7 +11,6 @@ use eigenshade_model::selection;
 use eigenshade_shading::{parallel, shipped};
 use eigenshade_table::scene::{self, Criterion, Effects, Normalize};
 use eigenshade_table::{GramFactor, Scene, Table, decode};
-use indicatif::ProgressBar;
 
 /// Largest degree of the light and order of the material, as in the paper.
 pub const DEGREE: usize = 9;
@@ -101,11 +100,11 @@ pub fn title(name: &str) -> String {
 
 impl Study {
     /// Reads the shipped databases, makes the four bases and fits every image.
-    pub fn new(progress: &ProgressBar) -> Result<Self> {
+    pub fn new() -> Result<Self> {
         let lights = shipped::lights()?.truncated(DEGREE);
         let mut materials = shipped::materials()?.truncated(ORDER);
         materials.entries.retain(|entry| entry.name != NOT_CURET);
-        let made = parallel::map(4, progress, |k| {
+        let made = parallel::map(4, &(), |k| {
             let criterion = [Criterion::ImageCentered, Criterion::Standard][k % 2];
             let modes = [0, SELECTED][k / 2];
             basis::build(&scene(criterion, modes), &lights, &materials)
@@ -130,15 +129,15 @@ impl Study {
             tables,
             trials: Vec::new(),
         };
-        study.trials = study.all_trials(progress);
+        study.trials = study.all_trials();
         Ok(study)
     }
 
-    fn all_trials(&self, progress: &ProgressBar) -> Vec<Trial> {
+    fn all_trials(&self) -> Vec<Trial> {
         let whole = MaterialImages::new(&self.gram, &[], &self.grays);
         let selected = MaterialImages::new(&self.gram, &self.selection, &self.grays);
         let count = self.grays.len();
-        parallel::map(self.luminances.len() * count, progress, |k| {
+        parallel::map(self.luminances.len() * count, &(), |k| {
             let (light, material) = (k / count, k % count);
             let of = |images: &MaterialImages| images.image(&self.luminances[light], material);
             let image = of(&whole);

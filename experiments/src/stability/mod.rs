@@ -5,19 +5,13 @@
 //! also describes each case.
 
 mod databases;
-mod exact_rank;
-mod high_degree;
-mod images;
+mod degrees;
 mod inputs;
-mod maps;
 mod objects;
 mod ranges;
 mod rotations;
-mod special;
 pub mod spectrum;
 mod squares;
-mod subnormal;
-mod sums;
 
 use crate::pages::{Page, Part, same_word, table};
 
@@ -69,13 +63,13 @@ type Case = (&'static str, fn() -> Vec<Figure>);
 
 /// All cases, in the order of the page.
 const CASES: &[Case] = &[
-    ("special functions to degree 64", special::functions),
-    ("pole and rim", special::pole_and_rim),
+    ("special functions to degree 64", degrees::functions),
+    ("pole and rim", degrees::pole_and_rim),
     ("rotated frames, degree 64", rotations::composition),
     ("third Euler angle", rotations::third_angle),
     ("a thousand small rotations, f32", rotations::drift),
     ("a matrix that is almost a rotation, f32", rotations::almost),
-    ("degree 32, order 32", high_degree::measure),
+    ("degree 32, order 32", degrees::high),
     ("M is singular", spectrum::root),
     ("rank of M", spectrum::ranks),
     ("more components than rank", spectrum::more_than_rank),
@@ -86,16 +80,16 @@ const CASES: &[Case] = &[
     ("black lights and materials", databases::zeros),
     ("ambient lights, Lambertian materials", databases::plain),
     ("a covariance of rank one", databases::rank_one),
-    ("a sun in a map", maps::sun),
-    ("maps of 2 x 1 and 8192 x 4096", maps::sizes),
+    ("a sun in a map", inputs::sun_in_a_map),
+    ("maps of 2 x 1 and 8192 x 4096", inputs::map_sizes),
     ("flat objects", objects::flat),
     ("weights over twelve decades", objects::weights),
     ("degenerate triangles", objects::degenerate),
     ("coefficients at 1e-30 and 1e+30, f64", ranges::double),
     ("coefficients at 1e-30 and 1e+30, f32", ranges::single),
-    ("light at 1e-30, f32", subnormal::measure),
-    ("a million pixels, f32", sums::million),
-    ("65,536 pixels at full weight, Q15", sums::full_weight),
+    ("light at 1e-30, f32", ranges::subnormal),
+    ("a million pixels, f32", ranges::million),
+    ("65,536 pixels at full weight, Q15", ranges::full_weight),
     ("a normal map of 8 bits", inputs::eight_bits),
     ("normals behind the rim", inputs::behind),
     ("a sun, by every method", inputs::sun),

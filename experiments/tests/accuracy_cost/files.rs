@@ -2,9 +2,8 @@
 
 use super::{docs, rows};
 use crate::support::{Folder, assert_fails};
-use experiments::accuracy_cost::check::{self, compare};
-use experiments::accuracy_cost::materials::modelled;
-use experiments::accuracy_cost::sheet::{FIGURES, GROWTH, MODEL, SETTINGS};
+use experiments::accuracy_cost::scope::modelled;
+use experiments::accuracy_cost::sheet::{FIGURES, GROWTH, MODEL, SETTINGS, compare};
 use experiments::accuracy_cost::{Measured, report, settings};
 use experiments::sheet::Record;
 use std::fs;
@@ -14,26 +13,6 @@ const POWER: f64 = 0.3;
 
 fn read(name: &str) -> String {
     fs::read_to_string(docs().join(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
-}
-
-/// The page and the charts are those of the CSV files, no other files are there, and the page shows
-/// each of them.
-#[test]
-fn the_page_and_the_charts_show_the_files() {
-    let measured = Measured::read(&docs()).expect("the files");
-    let files = report::files(&measured, &docs()).expect("all markers");
-    FIGURES.compare(&files, &docs()).unwrap_or_else(|error| panic!("{error}"));
-    let page = read(report::PAGE);
-    for file in &files {
-        let name = &file.name;
-        assert!(name == report::PAGE || page.contains(&format!("]({name})")), "{name}");
-        assert!(read(name).lines().next().is_some_and(|one| one.contains("accuracy-cost")));
-    }
-    let links = page.split("](").skip(1).filter_map(|rest| rest.split(')').next());
-    for link in links.filter(|link| !link.starts_with('#')) {
-        let file = link.split('#').next().unwrap_or_default();
-        assert!(docs().join(file).is_file(), "{link}");
-    }
 }
 
 /// The file has the settings of the list, in its order.
@@ -114,17 +93,24 @@ fn kept_times_are_those_of_the_files() {
     assert_eq!(folder.run("accuracy-cost --check docs --keep-times").status.code(), Some(2));
 }
 
-/// `--from-csv` makes the same files again, with a page where there is none.
+/// `--from-csv` makes the committed files again and no others, with a page where there is none. The
+/// page shows each of them.
 #[test]
 fn charts_and_tables_are_made_from_the_files() {
+    let measured = Measured::read(&docs()).expect("the files");
+    let files = report::files(&measured, &docs()).expect("all markers");
+    FIGURES.compare(&files, &docs()).unwrap_or_else(|error| panic!("{error}"));
     let folder = Folder::new();
     for form in [&SETTINGS, &MODEL, &GROWTH] {
         folder.write(form.name, read(form.name));
     }
     folder.ok("accuracy-cost --out . --from-csv");
-    for entry in fs::read_dir(docs()).expect("a folder") {
-        let name = entry.expect("an entry").file_name().to_string_lossy().into_owned();
-        assert!(folder.read(&name) == read(&name), "{name}");
+    let page = read(report::PAGE);
+    for file in &files {
+        let (name, text) = (&file.name, read(&file.name));
+        assert!(folder.read(name) == text, "{name}");
+        assert!(name == report::PAGE || page.contains(&format!("]({name})")), "{name}");
+        assert!(text.lines().next().is_some_and(|one| one.contains("accuracy-cost")), "{name}");
     }
 }
 
@@ -143,14 +129,16 @@ fn damage_is_found() {
     assert!(rows > 100 && numbers > 1500, "{rows} {numbers}");
     let lines: Vec<&str> = good.lines().collect();
     let header: Vec<&str> = lines[1].split(',').collect();
-    let place = lines.iter().position(|line| line.contains("9/7 K50 polynomial f32,")).unwrap();
-    let changed = |column: &str, to: &dyn Fn(f64) -> f64| {
+    let find = |name: &str| lines.iter().position(|line| line.contains(name)).unwrap();
+    let (place, exact) = (find("9/7 K50 polynomial f32,"), find("9/7 all polynomial f64,"));
+    let changed_at = |place: usize, column: &str, to: &dyn Fn(f64) -> f64| {
         let mut fields: Vec<String> = lines[place].split(',').map(str::to_owned).collect();
         let at = header.iter().position(|name| *name == column).unwrap();
         let old: f64 = fields[at].parse().unwrap_or_else(|_| panic!("{column}"));
         fields[at] = to(old).to_string();
         good.replacen(lines[place], &fields.join(","), 1)
     };
+    let changed = |column: &str, to: &dyn Fn(f64) -> f64| changed_at(place, column, to);
     for column in ["host_pixel_ns", "host_light_ns", "host_pixel", "wasm_pixel"] {
         compared(&changed(column, &|time| 3.0 * time)).expect("times are not compared");
     }
@@ -176,15 +164,7 @@ fn damage_is_found() {
         assert!(!message.contains('\n'), "{message}");
     }
     // Errors may always differ by rounding. The setting in f64 has the smallest.
-    let exact = lines.iter().find(|line| line.contains("9/7 all polynomial f64,")).unwrap();
-    let off = |by: f64| {
-        let mut fields: Vec<String> = exact.split(',').map(str::to_owned).collect();
-        let at = header.iter().position(|name| *name == "rms_median").unwrap();
-        let old: f64 = fields[at].parse().unwrap();
-        assert!(old < 1e-7, "{old}");
-        fields[at] = (old + by).to_string();
-        compared(&good.replacen(exact, &fields.join(","), 1))
-    };
+    let off = |by: f64| compared(&changed_at(exact, "rms_median", &|old| old + by));
     assert!(off(0.9e-6).is_ok() && off(1.1e-6).is_err());
     let without = good.replacen(&format!("{}\n", lines[place]), "", 1);
     assert!(compared(&without).expect_err("a row").contains("no row of `9/7 K50 polynomial f32`"));
@@ -199,11 +179,8 @@ fn damage_is_found() {
 #[test]
 fn a_run_without_times_is_compared_whole() {
     let mut untimed = Measured::read(&docs()).expect("the files");
-    assert_eq!(check::exponents(&untimed.growth), Ok(12));
     untimed.growth.retain(|row| row.text("unit") != "ns");
-    for row in &mut untimed.settings {
-        row.put("host_pixel", "");
-    }
+    untimed.settings.iter_mut().for_each(|row| row.put("host_pixel", ""));
     let compared = untimed.sheets().map(|(form, rows)| compare(form, rows, &docs(), true));
     let rows = compared.map(|one| one.unwrap_or_else(|error| panic!("{error}"))[0]);
     assert!(rows.iter().sum::<usize>() > 300, "{rows:?}");
@@ -211,34 +188,4 @@ fn a_run_without_times_is_compared_whole() {
     let error = compare(&GROWTH, short, &docs(), true).expect_err("missing rows");
     assert!(error.to_string().contains("rows where 18 belong"), "{error}");
     compare(&GROWTH, short, &docs(), false).expect("a quick run has fewer rows");
-    // Coefficients of maps are proportional to their number.
-    let with_power = |power: f64| {
-        let mut growth = untimed.growth.clone();
-        for row in growth.iter_mut().filter(|row| row.text("measure") == "coefficients") {
-            let bytes = row.number("size").unwrap().powf(power);
-            row.put("counted", bytes);
-        }
-        check::exponents(&growth)
-    };
-    assert!(with_power(1.28) == Ok(12) && with_power(1.32).is_err() && with_power(0.68).is_err());
-}
-
-#[test]
-fn bad_input_is_reported_before_the_work() {
-    let folder = Folder::new();
-    folder.write("file", "");
-    let start = std::time::Instant::now();
-    assert_fails(&folder, "accuracy-cost --out file", &["file"]);
-    assert_fails(&folder, "accuracy-cost --check nowhere", &["nowhere", "accuracy-cost.csv"]);
-    assert_eq!(folder.run("accuracy-cost").status.code(), Some(2));
-    assert_eq!(folder.run("accuracy-cost --out a --check b").status.code(), Some(2));
-    fs::create_dir(folder.path("docs")).unwrap();
-    folder.write("docs/accuracy-cost.csv", "");
-    let missing = &["esplanade.exr", "no such map", "--maps"];
-    assert_fails(&folder, "accuracy-cost --check docs --maps nowhere", missing);
-    fs::create_dir(folder.path("maps")).unwrap();
-    folder.write("maps/esplanade.exr", "no map");
-    assert_fails(&folder, "accuracy-cost --check docs --maps maps", &["esplanade.exr"]);
-    // The work takes minutes.
-    assert!(start.elapsed().as_secs() < 30);
 }

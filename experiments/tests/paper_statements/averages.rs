@@ -21,7 +21,6 @@ use eigenshade_table::scene::Criterion;
 use experiments::paper::error::rotated;
 use experiments::paper::study::{DEGREE, Modes, ORDER, place};
 use experiments::paper::variance::SURFACES;
-use indicatif::ProgressBar;
 use std::f64::consts::PI;
 
 /// A mean over the rotations of a light against (38), relative: roundings of some thousand terms.
@@ -59,7 +58,7 @@ fn velvet() -> &'static Vec<f64> {
 /// Over all rotations the eigenvalues give the error of all materials together.
 #[test]
 fn errors_over_all_rotations_are_those_of_the_eigenvalues() {
-    let all = &rotated(study(), &study().luminances, &ProgressBar::hidden())[0];
+    let all = &rotated(study(), &study().luminances)[0];
     let table = centered(Modes::All);
     for (count, left) in all.iter().enumerate().skip(1) {
         let expected = table.energy_left(count) / table.summary.energy;
@@ -79,7 +78,7 @@ fn errors_over_all_rotations_are_means_over_rotations() {
         let fit = fit(table, &images.image(&rotation.turn(9, &study.luminances[4]), 0));
         sums.iter_mut().zip(fit.variances).for_each(|(sum, left)| *sum += weight * left);
     }
-    let rotated = rotated(study, &study.luminances[4..5], &ProgressBar::hidden());
+    let rotated = rotated(study, &study.luminances[4..5]);
     let place = study.grays.iter().position(|gray| gray == velvet()).expect("velvet");
     for (count, left) in rotated[place + 1].iter().enumerate().take(11) {
         let off = (sums[count] / sums[0] / left - 1.0).abs();
@@ -216,7 +215,7 @@ fn no_partial_sum_exceeds_its_bound() {
     let mut compared = 0;
     for kept in [&[][..], &study.selection] {
         let sums = PartialSum::new(&study.gram, kept);
-        let counts = parallel::map(study.trials.len(), &ProgressBar::hidden(), |k| {
+        let counts = parallel::map(study.trials.len(), &(), |k| {
             let trial = &study.trials[k];
             let steps = sums.steps(&study.luminances[trial.light], &study.grays[trial.material]);
             for step in &steps {

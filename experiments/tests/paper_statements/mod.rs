@@ -42,17 +42,6 @@ fn rank_correlation(a: &[f64], b: &[f64]) -> f64 {
     product(&a, &b) / (product(&a, &a) * product(&b, &b)).sqrt()
 }
 
-#[test]
-fn ranks_alone_count() {
-    let near = |a: &[f64], b: &[f64], expected: f64| {
-        assert!((rank_correlation(a, b) - expected).abs() < 1e-15);
-    };
-    near(&[1.0, 2.0, 9.0], &[-7.0, 0.1, 0.2], 1.0);
-    near(&[1.0, 2.0, 9.0], &[3.0, 2.0, 1.0], -1.0);
-    // 1 - 6 Σ d² / (n (n² - 1)), where d are the differences of the ranks 1 2 3 4 and 2 1 4 3.
-    near(&[1.0, 2.0, 3.0, 4.0], &[2.0, 1.0, 4.0, 3.0], 1.0 - 24.0 / 60.0);
-}
-
 /// The numbers of modes, by counting them.
 #[test]
 fn modes_are_as_many_as_in_the_paper() {

@@ -1,6 +1,6 @@
 //! Cubes as crosses and as folders of six faces, and their faults.
 
-use super::files::{assert_starts, map_of};
+use super::files::{self, assert_starts, map_of};
 use super::pictures::png;
 use eigenshade_generator::light::cube::{CubeMap, FACES};
 use eigenshade_generator::light::environment::EnvironmentMap;
@@ -79,13 +79,8 @@ fn cross(size: usize, is_horizontal: bool) -> EnvironmentMap {
     EnvironmentMap::new(width, height, texels).unwrap()
 }
 
-/// Writes a map as a PFM, from the bottom up.
 fn pfm(map: &EnvironmentMap, path: &Path) {
-    let mut file = format!("PF\n{} {}\n-1\n", map.width, map.height).into_bytes();
-    for row in map.texels.chunks(map.width).rev() {
-        file.extend(row.iter().flatten().flat_map(|value| value.to_le_bytes()));
-    }
-    fs::write(path, file).unwrap();
+    files::pfm(map, path, "PF", "-1", f32::to_le_bytes);
 }
 
 fn folder_of_faces(size: usize) -> (TempDir, PathBuf) {

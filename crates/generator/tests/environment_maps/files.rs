@@ -125,7 +125,7 @@ fn hdr(map: &EnvironmentMap, path: &Path) {
         .unwrap();
 }
 
-fn pfm(map: &EnvironmentMap, path: &Path, magic: &str, order: &str, bytes: fn(f32) -> [u8; 4]) {
+pub fn pfm(map: &EnvironmentMap, path: &Path, magic: &str, order: &str, bytes: fn(f32) -> [u8; 4]) {
     let mut file = format!("{magic}\n{} {}\n{order}\n", map.width, map.height).into_bytes();
     let channels = if magic == "PF" { 3 } else { 1 };
     for row in map.texels.chunks(map.width).rev() {
@@ -315,6 +315,19 @@ fn texels_that_are_not_finite_are_counted() {
         );
         assert!(text.contains("; clean the map"), "{text}");
     }
+}
+
+/// The largest and the smallest half, -0 and negative texels are finite.
+#[test]
+fn extreme_half_floats_are_kept() {
+    let halves = [0x7bff, 0x0001, 0x8000, 0xbc00, 0x3c00, 0x3c00, 0xfbff, 0x3c00];
+    let values = [65504.0, 2f32.powi(-24), 0.0, -1.0, 1.0, 1.0, -65504.0, 1.0];
+    let samples = || FlatSamples::F16(halves.map(f16::from_bits).to_vec());
+    let folder = TempDir::new().unwrap();
+    let path = folder.path().join("map.exr");
+    exr_channels(&path, (4, 2), ["R", "G", "B"].map(|name| (name, samples())).into());
+    let map = EnvironmentMap::from_path(&path).unwrap();
+    assert_eq!(map.texels, values.map(|value| [value; 3]));
 }
 
 #[test]

@@ -1,14 +1,51 @@
-//! `experiments accuracy-cost`: the error and the cost of every setting.
+//! The commands whose files fill a folder: `experiments paper` and `experiments accuracy-cost`.
 
 use clap::Args;
-use eigenshade_cli::messages::{print_message, progress_bar};
+use eigenshade_cli::messages::{print_message, progress_bar, spinner};
 use eigenshade_model::error::{Error, Result};
-use experiments::accuracy_cost::check;
-use experiments::accuracy_cost::sheet::{FIGURES, SETTINGS};
+use experiments::accuracy_cost::sheet::{self, SETTINGS, compare};
 use experiments::accuracy_cost::{Measured, report};
 use experiments::pages::Purpose;
+use experiments::paper;
 use std::fs;
 use std::path::PathBuf;
+
+/// The figures of Nillius and Eklundh (2003) and their numbers, on the shipped data
+///
+/// --out replaces the tables of DIR/paper.md and writes the files that it shows to DIR/paper: CSV,
+/// SVG charts and PNG pictures. --check recomputes everything and compares every file: counts and
+/// words must be equal, other numbers within two units of six digits, or one of the last digit
+/// where there are fewer; coordinates of charts within a pixel; pictures within one of 255 levels,
+/// and in no more than a thousandth of their pixels. A missing figure and a file that is not a
+/// figure are errors too. Both take a minute.
+#[derive(Args, Debug)]
+pub struct Paper {
+    #[command(flatten)]
+    purpose: Purpose,
+}
+
+impl Paper {
+    pub fn run(self) -> Result<()> {
+        let Purpose { out, check } = &self.purpose;
+        let Some(folder) = out.as_ref().or(check.as_ref()) else { return Ok(()) };
+        let progress = spinner("figures");
+        let made = paper::make(folder);
+        progress.finish_and_clear();
+        let files = made?;
+        if let Some(folder) = out {
+            paper::FIGURES.write(&files, folder)?;
+            print_message(format_args!("{} files in {}", files.len(), folder.display()));
+        }
+        if let Some(folder) = check {
+            let [numbers, pixels] = paper::FIGURES.compare(&files, folder)?;
+            let count = files.len();
+            print_message(format_args!(
+                "{count} files are up to date: {numbers} numbers, {pixels} pixels"
+            ));
+        }
+        Ok(())
+    }
+}
 
 /// The cost of accuracy: error, bytes and time as every parameter varies
 ///
@@ -60,7 +97,7 @@ impl AccuracyCost {
                 None => measure(true)?,
             };
             let files = report::files(&measured, out)?;
-            FIGURES.write(&files, out)?;
+            sheet::FIGURES.write(&files, out)?;
             let (settings, files) = (measured.settings.len(), files.len());
             print_message(format_args!("{settings} settings, {files} files in {}", out.display()));
         }
@@ -70,13 +107,12 @@ impl AccuracyCost {
             let measured = measure(false)?;
             let [mut rows, mut numbers] = [0, 0];
             for (form, records) in measured.sheets() {
-                let compared = check::compare(form, records, folder, !self.quick)?;
+                let compared = compare(form, records, folder, !self.quick)?;
                 rows += compared[0];
                 numbers += compared[1];
             }
-            check::exponents(&measured.growth)?;
             let shown = report::files(&Measured::read(folder)?, folder)?;
-            FIGURES.compare(&shown, folder)?;
+            sheet::FIGURES.compare(&shown, folder)?;
             print_message(format_args!("{rows} rows are what they should be: {numbers} numbers"));
         }
         Ok(())

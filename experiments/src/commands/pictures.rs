@@ -1,0 +1,170 @@
+//! The pictures of the README: spheres of materials under captured lights, and all presets.
+
+use clap::Args;
+use eigenshade::presets::{self, light, material};
+use eigenshade::{Display, Meter, Normal, Tone, sphere};
+use eigenshade_cli::picture::{self, Canvas, LETTER, SphereView, write_png};
+use eigenshade_cli::table;
+use eigenshade_generator::material::brdf::projection::project;
+use eigenshade_generator::material::brdf::{Ggx, Measure};
+use eigenshade_model::database::Named;
+use eigenshade_model::error::{Error, Result};
+use eigenshade_shading::owned_basis::OwnedBasis;
+use eigenshade_shading::shader::{OwnedNormals, Shader, fault};
+use eigenshade_shading::shipped;
+use std::path::PathBuf;
+
+/// Width of a sphere and of the gap beside it, in pixels.
+const SIZE: usize = 168;
+const GAP: usize = 12;
+
+/// The share of a row's values that its exposure leaves unclipped.
+const UNCLIPPED: f64 = 0.985;
+
+/// The light of each row.
+const LIGHTS: [&str; 2] = ["esplanade", "workshop"];
+
+/// The roughness, and for each channel the reflectance at normal incidence and the diffuse albedo.
+const MATERIALS: [(f64, [f64; 3], [f64; 3]); 5] = [
+    (0.5, [1.0, 0.77, 0.34], [0.0; 3]),
+    (0.45, [0.04; 3], [0.55, 0.04, 0.03]),
+    (0.6, [0.95, 0.64, 0.54], [0.0; 3]),
+    (0.8, [0.04; 3], [0.08, 0.22, 0.45]),
+    (1.0, [0.04; 3], [0.75, 0.72, 0.66]),
+];
+
+/// Spheres of GGX materials under captured lights by the runtime in f32, docs/spheres.png
+#[derive(Args, Debug)]
+pub struct Picture {
+    /// The file to write
+    #[arg(long, value_name = "FILE")]
+    out: PathBuf,
+    /// The table of formulas
+    #[arg(long, value_name = "B.bin", default_value = "tables/pbr.bin")]
+    table: PathBuf,
+}
+
+impl Picture {
+    pub fn run(self) -> Result<()> {
+        let table = table::read(&self.table)?;
+        let (degree, order) = (table.gram.degree, table.gram.order);
+        let lights = shipped::lights()?.truncated(degree);
+        let mut materials = Vec::new();
+        for (roughness, reflectance, albedo) in MATERIALS {
+            let mut rgb = [const { Vec::new() }; 3];
+            for ((f0, albedo), channel) in reflectance.into_iter().zip(albedo).zip(&mut rgb) {
+                let brdf = Ggx::new(roughness, f0, albedo)?;
+                *channel = project(&brdf, order, Measure::Projected).coefficients;
+            }
+            materials.push(Named { name: format!("{roughness}"), rgb });
+        }
+        let basis = OwnedBasis::<f32>::new(&table);
+        let mut shader = Shader::new(basis.any().map_err(fault)?, table.count());
+        let view = SphereView::new(SIZE);
+        let normals = OwnedNormals::new(&view.normals);
+        let (width, height) = (across(MATERIALS.len()), across(LIGHTS.len()));
+        let mut bytes = vec![0; 4 * width * height];
+        for (row, name) in LIGHTS.into_iter().enumerate() {
+            let light = lights.entries.iter().find(|light| light.name == name);
+            let light = light.ok_or_else(|| Error::new("no such light", "take a shipped one"))?;
+            let mut images = Vec::new();
+            for material in &materials {
+                images.push(shader.color((degree, light), (order, material), &normals)?);
+            }
+            let all = images.iter().flatten().flatten().map(|&value| f64::from(value)).collect();
+            let exposure = picture::exposure(all, UNCLIPPED);
+            for (column, image) in images.iter().enumerate() {
+                for (k, pixel) in view.pixels.iter().enumerate() {
+                    let (x, y) = (across(column) + pixel.column, across(row) + pixel.row);
+                    let start = 4 * (y * width + x);
+                    for (channel, byte) in image.iter().zip(&mut bytes[start..]) {
+                        *byte = picture::srgb(exposure * f64::from(channel[k]));
+                    }
+                    bytes[start + 3] = (255.0 * pixel.coverage).round() as u8;
+                }
+            }
+        }
+        picture::write_png(&self.out, width, height, &bytes)
+    }
+}
+
+/// The width in pixels of this many spheres side by side, with gaps on all sides.
+const fn across(count: usize) -> usize {
+    GAP + count * (SIZE + GAP)
+}
+
+/// Spheres side by side.
+const COLUMNS: usize = 11;
+/// Pixels across a sphere, and across the field with its name.
+const BALL: usize = 92;
+const FIELD: usize = 124;
+const BACKGROUND: [u8; 3] = [32; 3];
+const TEXT: [u8; 3] = [200; 3];
+/// The share of a picture's pixels that its exposure leaves below white.
+const UNCLIPPED_PRESET: f32 = 0.95;
+
+/// All presets, docs/presets.png: the materials in the lobby, then the lights on gold paint
+#[derive(Args, Debug)]
+pub struct ContactSheet {
+    /// The file to write
+    #[arg(long, value_name = "FILE")]
+    out: PathBuf,
+}
+
+impl ContactSheet {
+    pub fn run(self) -> Result<()> {
+        let materials = material::ALL.map(|(name, material)| (name, light::LOBBY, material));
+        let lights = light::ALL.map(|(name, light)| (name, light, material::GOLD_METALLIC_PAINT));
+        let rows = [&materials[..], &lights[..]].into_iter().flat_map(|all| all.chunks(COLUMNS));
+        let rows: Vec<_> = rows.collect();
+        let mut canvas = Canvas::new(FIELD * COLUMNS, FIELD * rows.len(), BACKGROUND);
+        for (row, fields) in rows.into_iter().enumerate() {
+            for (column, &(name, light, material)) in fields.iter().enumerate() {
+                draw(&mut canvas, [FIELD * column, FIELD * row], name, light, material)
+                    .map_err(|fault| Error::new(fault.to_string(), "check the presets"))?;
+            }
+        }
+        write_png(&self.out, canvas.width, canvas.height, &canvas.bytes)
+    }
+}
+
+/// Draws one sphere and its name into the field whose top left corner is given.
+fn draw(
+    canvas: &mut Canvas,
+    [left, top]: [usize; 2],
+    name: &str,
+    light: presets::Light,
+    material: presets::Material,
+) -> std::result::Result<(), eigenshade::Error> {
+    static DISPLAY: Display = Display::new(Tone::Filmic);
+    let scene = sphere::color::scene(light, material)?;
+    let view = SphereView::new(BALL);
+    let mut meter = Meter::default();
+    let mut colors = Vec::new();
+    for normal in &view.normals {
+        let [x, y, z] = normal.map(|component| component as f32);
+        let color = scene.shade(Normal::new(x, y, z)?);
+        meter.add(color);
+        colors.push(color);
+    }
+    let exposure = meter.exposure(UNCLIPPED_PRESET).unwrap_or(1.0);
+    let margin = (FIELD - BALL) / 2;
+    for (color, pixel) in colors.into_iter().zip(&view.pixels) {
+        let color = DISPLAY.rgb888(color.exposed(exposure)).into();
+        canvas.blend(left + margin + pixel.column, top + 4 + pixel.row, color, pixel.coverage);
+    }
+    for (line, part) in lines(name, FIELD / LETTER).into_iter().enumerate() {
+        let indent = (FIELD - LETTER * part.len()) / 2;
+        canvas.text(left + indent, top + 8 + BALL + (LETTER + 1) * line, 1, TEXT, part);
+    }
+    Ok(())
+}
+
+/// A name in one line, or in two that part at a hyphen.
+fn lines(name: &str, most: usize) -> Vec<&str> {
+    let place = name.get(..most).and_then(|start| start.rfind('-'));
+    match place {
+        Some(place) if name.len() > most => vec![&name[..place], &name[place + 1..]],
+        _ => vec![name],
+    }
+}

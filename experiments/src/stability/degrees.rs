@@ -1,0 +1,212 @@
+//! Special functions to degree 64, images at the pole and at the rim, and a basis at degree 32 and
+//! order 32, of GGX materials of roughness 0.1 to 1.
+
+use super::{Figure, exactly, least, most, tight};
+use crate::tolerances;
+use eigenshade::{Basis, Light, Material, Normal, Scalar};
+use eigenshade_generator::basis;
+use eigenshade_generator::scene_file::Loaded;
+use eigenshade_index::{material, mode};
+use eigenshade_model::polar_integral::PolarIntegrals;
+use eigenshade_model::special::{spherical_harmonic, wigner, zernike};
+use eigenshade_shading::owned_basis::OwnedBasis;
+use eigenshade_shading::shader::{OwnedNormals, Shader};
+use eigenshade_table::scene::Store;
+use eigenshade_table::{Component, Table};
+use eigenshade_testing::fixtures::{self, ROOT};
+use eigenshade_testing::oracle::{self, ExplicitLight, Numbers, irradiance};
+use eigenshade_testing::{glossy, largest, relative_error};
+use nalgebra::DVector;
+
+/// d by projection, and by a transfer of the material and a new light.
+pub fn coefficients<S: Scalar>(
+    basis: &Basis<'_, S>,
+    light: &[f64],
+    material: &[f64],
+) -> [Vec<S>; 2] {
+    let rounded = |values: &[f64]| values.iter().map(|&value| S::from_f64(value)).collect();
+    let (light, material): (Vec<S>, Vec<S>) = (rounded(light), rounded(material));
+    let light = Light::new(&light).expect("coefficients");
+    let material = Material::new(&material).expect("coefficients");
+    let mut workspace = vec![S::ZERO; basis.workspace_len()];
+    let mut transfer = vec![S::ZERO; basis.transfer_len()];
+    let [mut projected, mut relit] = [(); 2].map(|()| vec![S::ZERO; basis.components()]);
+    basis.project_into(&light, &material, &mut workspace, &mut projected).expect("sizes");
+    basis.transfer_into(&material, &mut workspace, &mut transfer).expect("sizes");
+    basis.relight_into(&transfer, &light, &mut relit).expect("sizes");
+    [projected, relit]
+}
+
+/// The image of a table with all components, from the collapsed polynomials.
+pub fn shaded<S: Scalar + Into<f64>>(
+    table: &Table,
+    light: &[f64],
+    material: &[f64],
+    normals: &[[f64; 3]],
+) -> Vec<f64> {
+    let owned = OwnedBasis::<S>::new(table);
+    let mut shader = Shader::new(owned.basis().expect("a basis"), usize::MAX);
+    let (degree, order) = (table.gram.degree, table.gram.order);
+    let image = shader.polynomial((degree, light), (order, material), &OwnedNormals::new(normals));
+    image.expect("coefficients that fit").into_iter().map(Into::into).collect()
+}
+
+/// Compares with values of 25 digits, from explicit sums in 60 digits and more.
+pub(super) fn functions() -> Vec<Figure> {
+    let harmonic = worst("spherical_harmonic", 63.0, |[l, m, theta, phi]| {
+        spherical_harmonic::value(l as usize, m as isize, theta, phi)
+    });
+    let wigner = worst("wigner_d", 64.0, |[l, m, n, alpha]| {
+        wigner::value(l as usize, m as isize, n as isize, alpha)
+    });
+    let of_radial = |value: fn(usize, usize, f64) -> f64| {
+        worst("zernike_radial", 64.0, |[o, q, rho]| value(o as usize, q as usize, rho))
+    };
+    let integrals = PolarIntegrals::new(64, 64);
+    let integral = worst("polar_integral_high", 64.0, |[l, o, q]| {
+        integrals.row(o as usize, q as usize)[l as usize]
+    });
+    vec![
+        // Values are up to 1. The terms reach 1e23, with sixteen correct digits.
+        least("R by its factorial sum", of_radial(oracle::zernike), 1.0),
+        most("Y", harmonic, tolerances::SPECIAL_HIGH),
+        most("d", wigner, tolerances::SPECIAL_HIGH),
+        most("R", of_radial(zernike::value), tolerances::SPECIAL_HIGH),
+        tight("N C", integral, tolerances::POLAR_INTEGRAL),
+    ]
+}
+
+/// The largest error over the rows of a file of test vectors, which reaches the degree `reach`. The
+/// last column is the value, the others are the arguments.
+fn worst<const N: usize>(file: &str, reach: f64, value: impl Fn([f64; N]) -> f64) -> f64 {
+    let path = format!("{ROOT}/crates/generator/tests/vectors/{file}.csv");
+    let text = std::fs::read_to_string(path).expect("vectors");
+    let error = |line: &str| {
+        let fields: Vec<f64> =
+            line.split(',').map(|field| field.parse().expect("a number")).collect();
+        let (expected, arguments) = fields.split_last().expect("a value");
+        let arguments: [f64; N] = arguments.try_into().expect("a number in each column");
+        (arguments[0], value(arguments) - expected)
+    };
+    let lines = text.lines().skip_while(|line| line.starts_with('#')).skip(1);
+    let (degrees, errors): (Vec<f64>, Vec<f64>) = lines.map(error).unzip();
+    assert!(degrees.iter().any(|&degree| degree >= reach), "{file} does not reach {reach}");
+    largest(errors)
+}
+
+/// Slants 0, 1e-9, 1e-5, π/2 - 1e-9 and π/2 by all components, against quadrature.
+pub(super) fn pole_and_rim() -> Vec<Figure> {
+    let loaded = fixtures::shipped();
+    let table = fixtures::table(&loaded);
+    let mut numbers = Numbers(3);
+    let (mut in_f64, mut in_f32) = (0.0, 0.0);
+    for (light, on) in loaded.lights.entries.iter().zip(&loaded.materials.entries).take(6) {
+        let (light, material) = (light.luminance(), on.luminance());
+        let tilts = 3 + (numbers.next().abs() * 3.0) as usize;
+        let normals = fixtures::normals(&fixtures::SLANTS, tilts);
+        let terms: Vec<_> =
+            material::indices(7).zip(&material).map(|((o, p, q), b)| (o, p, q, *b)).collect();
+        let explicit = ExplicitLight::new(&light);
+        let expected: Vec<f64> =
+            normals.iter().map(|&normal| irradiance(&explicit, &terms, normal)).collect();
+        let double = shaded::<f64>(&table, &light, &material, &normals);
+        let single = shaded::<f32>(&table, &light, &material, &normals);
+        in_f64 = largest([in_f64, relative_error(&double, &expected)]);
+        in_f32 = largest([in_f32, relative_error(&single, &expected)]);
+    }
+    let naive = (1e-9f64.cos().acos() - 1e-9) / 1e-9;
+    vec![
+        // cos 1e-9 = 1 - 5e-19 rounds to 1, and acos(1) = 0.
+        least("slant 1e-9 by acos, relative", naive.abs(), 0.5),
+        tight("f64 against quadrature, of the peak", in_f64, tolerances::ALL_COMPONENTS),
+        most("f32, of the peak", in_f32, tolerances::POLYNOMIAL_F32),
+    ]
+}
+
+pub(super) fn high() -> Vec<Figure> {
+    let scene = |degree| fixtures::scene(fixtures::captured(degree), glossy::materials(degree));
+    let mut loaded = scene(32);
+    loaded.scene.basis.components = Some(100);
+    let table = fixtures::table(&loaded);
+    let off = basis::orthonormality(&table, 100);
+    let mut figures = vec![
+        exactly("modes", mode::total(32, 32), 1_741_497),
+        exactly("components", table.components.len(), 100),
+        tight("|UᵀMU - I| of the first 100", off, tolerances::ORTHONORMAL_HIGH),
+        // Powers of some 30 terms have coefficients (1 + √2)^30 = 3e11 times those of the series,
+        // rounded at 1e-16; a tenth of the product is required.
+        least("a profile by powers, of its largest value", by_powers(&table), 1e-6),
+    ];
+    for degree in [16, 24, 32] {
+        let mut loaded = scene(degree);
+        loaded.scene.basis.store = Store::Projection;
+        let table = fixtures::table(&loaded);
+        // The error grows with the degree.
+        let bounded = if degree == 32 { tight } else { most };
+        for (format, found, bound) in [
+            ("f64", pixel_error::<f64>(&loaded, &table), tolerances::HIGH_PIXELS),
+            ("f32", pixel_error::<f32>(&loaded, &table), tolerances::HIGH_PIXELS_F32),
+        ] {
+            let what = format!("light to pixel in {format}, degree {degree}, of the peak");
+            figures.push(bounded(what, found, bound));
+        }
+    }
+    figures
+}
+
+/// The largest error of the runtime's images, from a transfer to its pixels, at the nodes in a few
+/// tilts. There the eigenimages are known without any polynomial, and d is in f64.
+fn pixel_error<S: Scalar + Into<f64>>(loaded: &Loaded, table: &Table) -> f64 {
+    let (double, owned) = (OwnedBasis::<f64>::new(table), OwnedBasis::<S>::new(table));
+    let mut exact = Shader::new(double.basis().expect("a basis"), usize::MAX);
+    let basis = owned.basis().expect("a basis");
+    let (degree, order) = (table.gram.degree, table.gram.order);
+    largest(loaded.lights.entries.iter().zip(&loaded.materials.entries).map(|(light, on)| {
+        let (light, on) = (light.luminance(), on.luminance());
+        let exact = exact.project((degree, &light), (order, &on)).expect("coefficients");
+        let [_, d] = coefficients(&basis, &light, &on);
+        let scene = basis.collapse_into(&d, vec![S::ZERO; basis.scene_len()]).expect("sizes");
+        let (mut found, mut expected) = (Vec::new(), Vec::new());
+        for (k, (&z, root)) in table.gram.nodes.iter().zip(&table.gram.root_weights).enumerate() {
+            for tilt in [0.1, 1.7, 4.0] {
+                let image = |(component, d): (&Component, &f64)| {
+                    let u = table.profiles[component.profile].node_values[k] / root;
+                    d * u * spherical_harmonic::azimuth(component.order as isize, tilt)
+                };
+                expected.push(table.components.iter().zip(exact).map(image).sum::<f64>());
+                let [x, y, z] = [sine(z) * tilt.cos(), sine(z) * tilt.sin(), z].map(S::from_f64);
+                found.push(scene.shade(Normal::new(x, y, z).expect("visible")).into());
+            }
+        }
+        relative_error(&found, &expected)
+    }))
+}
+
+fn sine(z: f64) -> f64 {
+    ((1.0 - z) * (1.0 + z)).sqrt()
+}
+
+/// The largest error of a profile at the nodes if its series is converted to powers of t = 2z - 1,
+/// relative to the largest value of the profile.
+fn by_powers(table: &Table) -> f64 {
+    largest(table.profiles.iter().map(|profile| {
+        let length = profile.chebyshev.len();
+        // T_0 = 1, T_1 = t, T_k+1 = 2t T_k - T_k-1.
+        let (mut before, mut current) = (DVector::zeros(length), DVector::zeros(length));
+        current[0] = 1.0;
+        let mut powers = DVector::zeros(length);
+        for (k, coefficient) in profile.chebyshev.iter().enumerate() {
+            powers += *coefficient * &current;
+            let factor = if k == 0 { 1.0 } else { 2.0 };
+            let shifted = current.clone().remove_row(length - 1).insert_row(0, 0.0);
+            before = std::mem::replace(&mut current, factor * shifted - before);
+        }
+        let at = |&z: &f64| {
+            let h = powers.iter().rev().fold(0.0, |sum, power| sum * (2.0 * z - 1.0) + power);
+            sine(z).powi(profile.azimuth as i32) * h
+        };
+        let found: Vec<f64> = table.gram.nodes.iter().map(at).collect();
+        let values = profile.node_values.iter().zip(&table.gram.root_weights);
+        relative_error(&found, &values.map(|(value, root)| value / root).collect::<Vec<_>>())
+    }))
+}
