@@ -113,7 +113,7 @@ fn turn_all<Q: FixedPoint, const N: usize>(
     let mut all = means(degree, from, turned, false);
     unrolled!(m in 1..=degree {
         l => all |= pair(m, l, multiples, from, turned, false);
-        ();
+        {}
     });
     fits::<Q>(all)
 }

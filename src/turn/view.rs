@@ -10,18 +10,18 @@ use crate::scalar::Scalar;
 /// For each order to 12 a step for each degree l from it on, then another. All are literals: the
 /// compiler would keep the longest loops, and addresses with them.
 macro_rules! unrolled {
-    ($m:ident in 1..=$degree:ident { $l:ident => $step:expr; $then:expr; }) => {
-        $crate::turn::view::unrolled!(@ $m $degree $l $step; $then;
+    ($m:ident in 1..=$degree:ident { $l:ident => $step:expr; $then:block }) => {
+        $crate::turn::view::unrolled!(@ $m $degree $l $step; $then
             1 [0 1 2 3 4 5 6 7 8 9 10 11] 2 [0 1 2 3 4 5 6 7 8 9 10] 3 [0 1 2 3 4 5 6 7 8 9]
             4 [0 1 2 3 4 5 6 7 8] 5 [0 1 2 3 4 5 6 7] 6 [0 1 2 3 4 5 6] 7 [0 1 2 3 4 5]
             8 [0 1 2 3 4] 9 [0 1 2 3] 10 [0 1 2] 11 [0 1] 12 [0])
     };
-    (@ $m:ident $degree:ident $l:ident $step:expr; $then:expr; $($order:literal $above:tt)*) => {
+    (@ $m:ident $degree:ident $l:ident $step:expr; $then:block $($order:literal $above:tt)*) => {
         $({
             let $m: usize = $order;
             if $m <= $degree {
                 $crate::turn::view::unrolled!(# $m $degree $l $step; $above);
-                $then;
+                $then
             }
         })*
     };
@@ -93,7 +93,7 @@ impl<S: Scalar> Light<'_, S> {
         means(degree, from, turned);
         unrolled!(m in 1..=degree {
             l => pair(m, l, multiple, from, turned);
-            multiple = product(multiple, angle);
+            { multiple = product(multiple, angle) }
         });
         for m in 13..=degree {
             order(m, degree, multiple, from, turned);
