@@ -1,5 +1,6 @@
 //! Turns light about the view axis: a rotation of each pair of orders m and -m.
 
+use super::exchange::LARGEST;
 use crate::buffer::zeros;
 use crate::color::Rgb;
 use crate::error::{Argument, Error};
@@ -7,8 +8,8 @@ use crate::index::light;
 use crate::light::{Light, LightBuffer, degree};
 use crate::scalar::Scalar;
 
-/// For each order to 12 a step for each degree l from it on, then another. All are literals: the
-/// compiler would keep the longest loops, and addresses with them.
+/// Up to a degree of at most 12, for each order m a step for each degree l from m on, then another
+/// step. All are literals: the compiler would keep the longest loops, and addresses with them.
 macro_rules! unrolled {
     ($m:ident in 1..=$degree:ident { $l:ident => $step:expr; $then:block }) => {
         $crate::turn::view::unrolled!(@ $m $degree $l $step; $then
@@ -89,16 +90,16 @@ impl<S: Scalar> Light<'_, S> {
                 Err(_) => 0,
             }
         };
+        if degree > LARGEST {
+            self.turn_in_loops(angle, turned);
+            return Ok(());
+        }
         let mut multiple = angle;
         means(degree, from, turned);
         unrolled!(m in 1..=degree {
             l => pair(m, l, multiple, from, turned);
             { multiple = product(multiple, angle) }
         });
-        for m in 13..=degree {
-            order(m, degree, multiple, from, turned);
-            multiple = product(multiple, angle);
-        }
         Ok(())
     }
 
@@ -109,7 +110,7 @@ impl<S: Scalar> Light<'_, S> {
         means(degree, from, turned);
         let mut multiple = angle;
         for m in 1..=degree {
-            order(m, degree, multiple, from, turned);
+            (m..=degree).for_each(|l| pair(m, l, multiple, from, turned));
             multiple = product(multiple, angle);
         }
     }
@@ -140,13 +141,7 @@ fn means<S: Scalar>(degree: usize, from: &[S], turned: &mut [S]) {
     }
 }
 
-/// Turns the pairs of order m by this multiple of the angle.
-#[inline(always)]
-fn order<S: Scalar>(m: usize, degree: usize, multiple: [S; 2], from: &[S], turned: &mut [S]) {
-    (m..=degree).for_each(|l| pair(m, l, multiple, from, turned));
-}
-
-/// Turns the orders -m and m of degree l.
+/// Turns the orders -m and m of degree l by this multiple of the angle.
 #[inline(always)]
 fn pair<S: Scalar>(m: usize, l: usize, [c, s]: [S; 2], from: &[S], turned: &mut [S]) {
     // The harmonics of odd m > 0 have the sign -1.
