@@ -8,21 +8,21 @@ use crate::index::light;
 use crate::light::{Light, LightBuffer, degree};
 use crate::scalar::Scalar;
 
-/// Up to a degree of at most 12, for each order m a step for each degree l from m on, then another
-/// step. All are literals: the compiler would keep the longest loops, and addresses with them.
+/// Up to a degree of at most 12, for each order m a first step, then one for each degree l from m
+/// on. All are literals: the compiler would keep the longest loops, and addresses with them.
 macro_rules! unrolled {
-    ($m:ident in 1..=$degree:ident { $l:ident => $step:expr; $then:block }) => {
-        $crate::turn::view::unrolled!(@ $m $degree $l $step; $then
+    ($m:ident in 1..=$degree:ident { $first:block $l:ident => $step:expr }) => {
+        $crate::turn::view::unrolled!(@ $m $degree $l $first $step;
             1 [0 1 2 3 4 5 6 7 8 9 10 11] 2 [0 1 2 3 4 5 6 7 8 9 10] 3 [0 1 2 3 4 5 6 7 8 9]
             4 [0 1 2 3 4 5 6 7 8] 5 [0 1 2 3 4 5 6 7] 6 [0 1 2 3 4 5 6] 7 [0 1 2 3 4 5]
             8 [0 1 2 3 4] 9 [0 1 2 3] 10 [0 1 2] 11 [0 1] 12 [0])
     };
-    (@ $m:ident $degree:ident $l:ident $step:expr; $then:block $($order:literal $above:tt)*) => {
+    (@ $m:ident $degree:ident $l:ident $first:block $step:expr; $($order:literal $above:tt)*) => {
         $({
             let $m: usize = $order;
             if $m <= $degree {
+                $first
                 $crate::turn::view::unrolled!(# $m $degree $l $step; $above);
-                $then
             }
         })*
     };
@@ -94,11 +94,11 @@ impl<S: Scalar> Light<'_, S> {
             self.turn_in_loops(angle, turned);
             return Ok(());
         }
-        let mut multiple = angle;
+        let mut multiple = [S::ONE, S::ZERO];
         means(degree, from, turned);
         unrolled!(m in 1..=degree {
-            l => pair(m, l, multiple, from, turned);
             { multiple = product(multiple, angle) }
+            l => pair(m, l, multiple, from, turned)
         });
         Ok(())
     }
