@@ -112,8 +112,8 @@ fn turn_all<Q: FixedPoint, const N: usize>(
     let degree = const { if let Ok(degree) = degree(N) { degree } else { 0 } };
     let mut all = means(degree, from, turned, false);
     unrolled!(m in 1..=degree {
-        l => all |= pair(m, l, multiples, from, turned, false);
-        ();
+        {}
+        l => all |= pair(m, l, multiples, from, turned, false)
     });
     fits::<Q>(all)
 }

@@ -116,7 +116,7 @@ fn turned<S: Scalar, const C: usize, const N: usize>(
         *to = zeros(Argument::Light, light.coefficients().len())?;
     }
     let degree = lights.iter().map(Light::degree).max().unwrap_or_default();
-    turn(lights, &rotation.turn::<Libm>(degree), turned.each_mut().map(|to| to.as_mut_slice()));
+    turn(lights, &rotation.turn::<Libm>(degree), turned.each_mut().map(LightBuffer::as_mut_slice));
     Ok(turned)
 }
 

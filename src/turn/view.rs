@@ -1,5 +1,6 @@
 //! Turns light about the view axis: a rotation of each pair of orders m and -m.
 
+use super::exchange::LARGEST;
 use crate::buffer::zeros;
 use crate::color::Rgb;
 use crate::error::{Argument, Error};
@@ -7,21 +8,21 @@ use crate::index::light;
 use crate::light::{Light, LightBuffer, degree};
 use crate::scalar::Scalar;
 
-/// For each order to 12 a step for each degree l from it on, then another. All are literals: the
-/// compiler would keep the longest loops, and addresses with them.
+/// Up to a degree of at most 12, for each order m a first step, then one for each degree l from m
+/// on. All are literals: the compiler would keep the longest loops, and addresses with them.
 macro_rules! unrolled {
-    ($m:ident in 1..=$degree:ident { $l:ident => $step:expr; $then:expr; }) => {
-        $crate::turn::view::unrolled!(@ $m $degree $l $step; $then;
+    ($m:ident in 1..=$degree:ident { $first:block $l:ident => $step:expr }) => {
+        $crate::turn::view::unrolled!(@ $m $degree $l $first $step;
             1 [0 1 2 3 4 5 6 7 8 9 10 11] 2 [0 1 2 3 4 5 6 7 8 9 10] 3 [0 1 2 3 4 5 6 7 8 9]
             4 [0 1 2 3 4 5 6 7 8] 5 [0 1 2 3 4 5 6 7] 6 [0 1 2 3 4 5 6] 7 [0 1 2 3 4 5]
             8 [0 1 2 3 4] 9 [0 1 2 3] 10 [0 1 2] 11 [0 1] 12 [0])
     };
-    (@ $m:ident $degree:ident $l:ident $step:expr; $then:expr; $($order:literal $above:tt)*) => {
+    (@ $m:ident $degree:ident $l:ident $first:block $step:expr; $($order:literal $above:tt)*) => {
         $({
             let $m: usize = $order;
             if $m <= $degree {
+                $first
                 $crate::turn::view::unrolled!(# $m $degree $l $step; $above);
-                $then;
             }
         })*
     };
@@ -89,16 +90,16 @@ impl<S: Scalar> Light<'_, S> {
                 Err(_) => 0,
             }
         };
-        let mut multiple = angle;
+        if degree > LARGEST {
+            self.turn_in_loops(angle, turned);
+            return Ok(());
+        }
+        let mut multiple = [S::ONE, S::ZERO];
         means(degree, from, turned);
         unrolled!(m in 1..=degree {
-            l => pair(m, l, multiple, from, turned);
-            multiple = product(multiple, angle);
+            { multiple = product(multiple, angle) }
+            l => pair(m, l, multiple, from, turned)
         });
-        for m in 13..=degree {
-            order(m, degree, multiple, from, turned);
-            multiple = product(multiple, angle);
-        }
         Ok(())
     }
 
@@ -109,7 +110,7 @@ impl<S: Scalar> Light<'_, S> {
         means(degree, from, turned);
         let mut multiple = angle;
         for m in 1..=degree {
-            order(m, degree, multiple, from, turned);
+            (m..=degree).for_each(|l| pair(m, l, multiple, from, turned));
             multiple = product(multiple, angle);
         }
     }
@@ -140,13 +141,7 @@ fn means<S: Scalar>(degree: usize, from: &[S], turned: &mut [S]) {
     }
 }
 
-/// Turns the pairs of order m by this multiple of the angle.
-#[inline(always)]
-fn order<S: Scalar>(m: usize, degree: usize, multiple: [S; 2], from: &[S], turned: &mut [S]) {
-    (m..=degree).for_each(|l| pair(m, l, multiple, from, turned));
-}
-
-/// Turns the orders -m and m of degree l.
+/// Turns the orders -m and m of degree l by this multiple of the angle.
 #[inline(always)]
 fn pair<S: Scalar>(m: usize, l: usize, [c, s]: [S; 2], from: &[S], turned: &mut [S]) {
     // The harmonics of odd m > 0 have the sign -1.
