@@ -53,11 +53,11 @@ const COSINE: [f64; 4] = [1.253_205_19, -0.261_747_396, 0.021_835_836, -0.000_92
 /// let mut screen = [0x001f_u16; 32 * 32];
 ///
 /// # #[cfg(all(feature = "baked", feature = "presets"))] {
-/// use eigenshade::presets::{light::PARK, material::RED_FABRIC};
+/// use eigenshade::presets::{light::PARK, material::DARK_RED_PAINT};
 /// use eigenshade::sphere;
 ///
 /// static DISPLAY: Display = Display::new(Tone::Filmic);
-/// let scene = sphere::color::scene(PARK, RED_FABRIC)?;
+/// let scene = sphere::color::scene(PARK, DARK_RED_PAINT)?;
 /// for pixel in map.pixels() {
 ///     let color = DISPLAY.rgb565(scene.shade(pixel.normal()).exposed(1.5));
 ///     let below = &mut screen[pixel.index()];

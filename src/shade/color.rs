@@ -50,10 +50,10 @@ impl<B> Rgb<Scene<'_, B>> {
     ///
     /// ```
     /// # #[cfg(feature = "presets")] {
-    /// use eigenshade::presets::{light::PARK, material::RED_FABRIC};
+    /// use eigenshade::presets::{light::PARK, material::DARK_RED_PAINT};
     /// use eigenshade::{Normals, Rgb, sphere};
     ///
-    /// let scene = sphere::color::scene(PARK, RED_FABRIC)?;
+    /// let scene = sphere::color::scene(PARK, DARK_RED_PAINT)?;
     /// let mut colors = [Rgb::gray(0.0); 2];
     /// let vertices = Normals::new(&[0.0, 0.6], &[0.0, 0.0], &[1.0, 0.8])?;
     /// scene.shade_slice(vertices, &mut colors)?;
