@@ -1,6 +1,17 @@
 //! The number formats: floats, and integers with a separate scale.
 
 pub use crate::index::record::{Q15, Q31};
+
+/// Calls a macro with each integer format, the type of its sums of squares, and its bits: for `const`
+/// functions, which cannot call those of a trait.
+macro_rules! each_integer {
+    ($do:ident) => {
+        $do!(Q15, u32, 15);
+        $do!(Q31, u64, 31);
+    };
+}
+pub(crate) use each_integer;
+
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, BitOr, Mul, Neg, Sub};
 
