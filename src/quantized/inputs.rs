@@ -3,7 +3,7 @@
 use crate::bake::MapPoint;
 use crate::error::{Argument, Error};
 use crate::format::Wide as _;
-use crate::format::{FixedPoint, Q15, Q31};
+use crate::format::{FixedPoint, Q15, Q31, each_integer};
 use crate::invariant::{split_mut, split_row};
 use crate::light::degree;
 use crate::material::order;
@@ -243,8 +243,7 @@ macro_rules! checked {
         }
     };
 }
-checked!(Q15, u32, 15);
-checked!(Q31, u64, 31);
+each_integer!(checked);
 
 impl<Q: FixedPoint> Normal<Q> {
     /// The normal along (x, y, z), integers of any scale. It is scaled to length 1, with an error

@@ -7,6 +7,8 @@ pub mod overflow;
 
 pub mod shipped;
 
+pub mod format;
+
 pub mod owned_basis;
 
 pub mod shader;

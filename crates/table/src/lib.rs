@@ -15,8 +15,6 @@ pub mod scene;
 
 pub mod gram;
 
-pub mod format;
-
 pub mod table;
 
 mod chebyshev;
