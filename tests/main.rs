@@ -5,18 +5,16 @@ mod invariants;
 mod reading;
 mod wire_files;
 
-mod analytic;
+mod coefficients;
 mod color;
 mod corrupted;
-mod effects;
-mod estimate;
 mod format_support;
 mod formats;
+mod formulas;
 mod found;
 mod golden_file;
 mod kernels;
 mod lights;
-mod nine_terms;
 mod paper;
 mod parts;
 mod polynomials;
@@ -26,7 +24,6 @@ mod reading_spheres;
 mod runtime;
 mod sampled_and_baked;
 mod truncation;
-mod truncation_fewest;
 mod truncation_sets;
 mod wire;
 

@@ -14,15 +14,11 @@ pub mod pages;
 
 pub mod figures;
 
-pub mod counts;
-
 pub mod multiplications;
 
 pub mod sphere;
 
 pub mod accuracy;
-
-pub mod float_errors;
 
 pub mod paper;
 
