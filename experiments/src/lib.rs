@@ -14,8 +14,6 @@ pub mod pages;
 
 pub mod figures;
 
-pub mod counts;
-
 pub mod multiplications;
 
 pub mod sphere;
@@ -25,8 +23,6 @@ pub mod light_tree;
 pub mod accuracy;
 
 pub mod material_errors;
-
-pub mod float_errors;
 
 pub mod paper;
 

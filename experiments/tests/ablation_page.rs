@@ -15,10 +15,10 @@ use eigenshade_shading::sphere_rings::rings;
 use eigenshade_testing::{largest, largest_difference, relative_error};
 use experiments::ablation;
 use experiments::ablation::pictures;
+use experiments::ablation::scenes::Times;
 use experiments::ablation::scenes::{self, SCENES, Scene};
-use experiments::ablation::speed::Times;
-use experiments::counts::{Counts, M0, M4F};
 use experiments::pages::Purpose;
+use experiments::sheet::{Counts, M0, M4F};
 use experiments::sphere::Sphere;
 
 /// A scene of degree 2 in f32 against the nine-term formula in f64, of the peak: rounding of ten

@@ -11,7 +11,7 @@ use experiments::accuracy_cost::scope::Bases;
 use experiments::accuracy_cost::scope::Scope;
 use experiments::accuracy_cost::settings;
 use experiments::accuracy_cost::settings::Setting;
-use experiments::counts::Counts;
+use experiments::sheet::Counts;
 use experiments::sheet::{Record, Sheet};
 use std::fs;
 

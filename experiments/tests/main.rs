@@ -7,15 +7,12 @@ mod ablation_page;
 mod accuracy_cost;
 mod benchmark_tables;
 mod direct_integration;
-mod high_degree;
 mod material_errors;
 mod metallic_roughness;
 mod paper_command;
 mod paper_oracle;
 mod paper_statements;
 mod reading_page;
-mod truncation_floor;
-
 use eigenshade_testing::fixtures::of_equal_areas as spread;
 use eigenshade_testing::{oracle, tolerances};
 use std::path::{Path, PathBuf};

@@ -12,7 +12,7 @@ use eigenshade_model::selection::variances;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::parallel;
 use experiments::paper::bound::render;
-use experiments::paper::study::{DEGREE, Modes, ORDER, Study};
+use experiments::paper::{DEGREE, Modes, ORDER, Study};
 use experiments::sheet::Sheet;
 use std::f64::consts::PI;
 use std::sync::OnceLock;

@@ -9,16 +9,17 @@
 
 pub mod integer;
 mod shading;
-mod tables;
 mod ways;
 
 pub use shading::{
     collapse_sets, shade_coefficients, shade_floats, shade_integers, shade_transfer,
 };
-pub use tables::from_bytes;
 pub use ways::{every_way, reconstruct};
 
-use eigenshade::{Q15, Q31};
+use eigenshade::index::{light, material, wire};
+use eigenshade::quantized::{self, Transfer};
+use eigenshade::{Basis, Effect, Effects, Format, GeneralBasis, Light, Material, Normal, Q15, Q31};
+use integer::Integer;
 
 /// d in 15 bits, relative to what its addends could be: light, material, Ĉ, S, factors and T are
 /// each rounded to 15 bits of the largest number of their row.
@@ -116,4 +117,112 @@ impl<'a> Reader<'a> {
     pub fn floats(&mut self, count: usize, is_moderate: bool) -> Vec<f32> {
         (0..count).map(|_| self.float(is_moderate)).collect()
     }
+}
+
+/// These bytes as they are, and with length and checksum made right.
+pub fn from_bytes(bytes: &[u8]) {
+    read(bytes);
+    let mut sealed = bytes.to_vec();
+    if sealed.len() < wire::HEADER + wire::CHECKSUM || sealed.len() > 1 << 20 {
+        return;
+    }
+    sealed[..wire::LABEL.len()].copy_from_slice(&wire::LABEL);
+    let length = sealed.len() as u32;
+    sealed[wire::place::LENGTH..][..4].copy_from_slice(&length.to_ne_bytes());
+    let end = sealed.len() - wire::CHECKSUM;
+    let sum = checksum(&sealed[..end]);
+    sealed[end..].copy_from_slice(&sum.to_ne_bytes());
+    read(&sealed);
+}
+
+fn read(bytes: &[u8]) {
+    let mut room = vec![0; bytes.len().div_ceil(wire::ALIGNMENT)];
+    let bytes = eigenshade::wire::aligned(bytes, &mut room).expect("room for all");
+    if let Ok(basis) = Basis::<f32>::from_bytes(bytes) {
+        floats(&basis);
+    }
+    if let Ok(basis) = GeneralBasis::<f32>::from_bytes(bytes) {
+        floats(basis.span());
+        let (degree, order) = (basis.span().degree(), basis.span().order());
+        let ones = vec![1.0; light::count(degree)];
+        let light = Light::new(&ones).expect("a light");
+        let ones = vec![1.0; material::count(order)];
+        let material = Material::new(&ones).expect("a material");
+        let mut workspace = vec![0.0; basis.workspace_len()];
+        let mut d = vec![0.0; basis.components()];
+        // A basis of transfers alone takes in no material.
+        let _ = basis.project_into(&light, &material, &mut workspace, &mut d);
+    }
+    if let Ok(basis) = quantized::Basis::<Q15>::from_bytes(bytes) {
+        integers(&basis);
+    }
+    if let Ok(basis) = quantized::Basis::<Q31>::from_bytes(bytes) {
+        integers(&basis);
+    }
+}
+
+fn floats(basis: &Basis<'_, f32>) {
+    let ones = vec![1.0; light::count(basis.degree())];
+    let light = Light::new(&ones).expect("a light");
+    let ones = vec![1.0; material::count(basis.order())];
+    let material = Material::new(&ones).expect("a material");
+    let mut workspace = vec![0.0; basis.workspace_len()];
+    let mut d = vec![1.0; basis.components()];
+    let mut transfer = vec![1.0; basis.transfer_len()];
+    if basis.project_into(&light, &material, &mut workspace, &mut d).is_ok() {
+        basis.transfer_into(&material, &mut workspace, &mut transfer).expect("sizes");
+        for effect in Effect::ALL {
+            let effects = Effects::NONE.with(effect);
+            basis
+                .project_effects_into(&light, &material, effects, &mut workspace, &mut d)
+                .expect("sizes");
+            basis
+                .transfer_effects_into(&material, effects, &mut workspace, &mut transfer)
+                .expect("sizes");
+        }
+    }
+    basis.relight_into(&transfer, &light, &mut d).expect("sizes");
+    let scene = basis.collapse_into(&d, vec![0.0; basis.scene_len()]).expect("sizes");
+    let normal = Normal::new(0.6, 0.0, 0.8).expect("a normal");
+    let _ = scene.shade(normal);
+    basis.reconstruct(&d, normal).expect("as many as components");
+}
+
+fn integers<Q: Integer>(basis: &quantized::Basis<'_, Q>) {
+    // Of any format a number of 16 bits.
+    let own = |mantissa: i16| Q::rounded(f64::from(mantissa) / 32_768.0);
+    let numbers = |count: usize| -> Vec<Q> {
+        (0..count).map(|k| own(if k % 3 == 1 { i16::MIN } else { i16::MAX })).collect()
+    };
+    let (degree, order) = (basis.degree(), basis.order());
+    let mantissas = numbers(light::count(degree));
+    let light = quantized::Light::new(0, &mantissas).expect("a light");
+    let mut transfer = vec![own(1); basis.transfer_len()];
+    let mut exponents = vec![0; basis.profiles()];
+    if !basis.parts().polar.is_empty() {
+        let (mantissas, of_orders) = (numbers(material::count(order)), vec![0; order + 1]);
+        let material = quantized::Material::new(&of_orders, &mantissas).expect("a material");
+        let mut workspace = vec![<Q as Format>::Wide::default(); basis.workspace_len()];
+        basis
+            .transfer_into(&material, &mut workspace, &mut transfer, &mut exponents)
+            .expect("sizes");
+    }
+    let mut d = vec![0; basis.components()];
+    let transfer = Transfer::new(&transfer, &exponents);
+    let exponent = basis.relight_into(&transfer, &light, &mut d).expect("a transfer");
+    let scene = basis.collapse_into(&d, exponent, vec![0; basis.scene_len()]).expect("sizes");
+    for normal in [[0.6, 0.0, 0.8], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]] {
+        let normal = Q::normal(normal.map(Q::rounded)).expect("a unit vector");
+        // Of a forged table it may mean nothing.
+        let _ = scene.shade(normal);
+    }
+}
+
+/// CRC-32 of ISO 3309, bit by bit.
+fn checksum(bytes: &[u8]) -> u32 {
+    !bytes.iter().fold(u32::MAX, |sum, &byte| {
+        (0..8).fold(sum ^ u32::from(byte), |sum, _| {
+            (sum >> 1) ^ if sum & 1 == 1 { 0xedb8_8320 } else { 0 }
+        })
+    })
 }

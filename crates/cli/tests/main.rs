@@ -12,7 +12,6 @@ mod compiled;
 mod corner_cases;
 mod direct_sum;
 mod effects;
-mod hard_cases;
 mod materials;
 mod memory;
 mod objects;

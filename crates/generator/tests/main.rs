@@ -3,7 +3,6 @@
 
 use eigenshade_testing::tolerances;
 
-mod any_object;
 mod brdf;
 mod build;
 mod environment_maps;

@@ -5,12 +5,10 @@
 
 pub mod pictures;
 pub mod scenes;
-pub mod speed;
-
-use crate::counts::{Counts, M0, M3, M4F, RV32};
 use crate::multiplications::Multiplications;
 use crate::numbers::median;
 use crate::pages::{Page, Part, same_word, table};
+pub use crate::sheet::{Counts, M0, M3, M4F, RV32};
 use crate::tolerances;
 use eigenshade_cli::messages::grouped;
 use eigenshade_index::effect::Effect;
@@ -18,8 +16,7 @@ use eigenshade_shading::shipped;
 use eigenshade_table::decode;
 use eigenshade_table::trim::trim;
 use pictures::{errors, of_nine_terms, shares, terms_within};
-use scenes::{SCENES, Scene, Size};
-use speed::Times;
+use scenes::{SCENES, Scene, Size, Times};
 
 /// Allowed relative difference of the figures on the page: they have two digits, and the last may
 /// be rounded either way.

@@ -21,12 +21,6 @@ pub mod errors;
 
 pub mod machines;
 
-pub mod model;
-
-pub mod growth;
-
-pub mod choice;
-
 pub mod report;
 
 use crate::sheet::{Form, Record, read};
@@ -62,12 +56,12 @@ impl Measured {
     /// Runs the measurements with the environment maps in `maps`; with `quick`, only for a part of
     /// the settings, surfaces and sizes. Times are left out unless `timed`.
     pub fn new(quick: bool, timed: bool, maps: &Path, progress: &ProgressBar) -> Result<Self> {
-        let models = model::rows(maps, quick, progress)?;
+        let models = errors::rows(maps, quick, progress)?;
         // A quick run has too few surfaces for the error of the model.
         let settings =
             measure(&settings::all(quick), (!quick).then_some(&models[..]), timed, progress)?;
-        let growth = growth::rows(quick, timed)?;
-        Ok(Self { settings, model: models.iter().map(model::Row::record).collect(), growth })
+        let growth = times::rows(quick, timed)?;
+        Ok(Self { settings, model: models.iter().map(errors::Row::record).collect(), growth })
     }
 
     /// Reads the files of a folder.
@@ -96,7 +90,7 @@ impl Measured {
         self.growth.extend(earlier.growth.iter().filter(|row| row.text("unit") == "ns").cloned());
         // In the order of the files: the times of a quantity follow its counts.
         self.growth.sort_by_key(|row| {
-            growth::QUANTITIES.iter().position(|quantity| *quantity == row.text("quantity"))
+            times::QUANTITIES.iter().position(|quantity| *quantity == row.text("quantity"))
         });
         Ok(())
     }
@@ -104,7 +98,7 @@ impl Measured {
 
 fn measure(
     varied: &[Varied],
-    models: Option<&[model::Row]>,
+    models: Option<&[errors::Row]>,
     timed: bool,
     progress: &ProgressBar,
 ) -> Result<Vec<Record>> {
@@ -132,7 +126,7 @@ fn measure(
             describe(row, one);
             fill(row, &found);
             if let Some(models) = models {
-                let spread = model::spread(models, of_scope);
+                let spread = errors::spread(models, of_scope);
                 row.measure("model_median", spread.median);
                 row.measure("model_worst", spread.worst);
             }

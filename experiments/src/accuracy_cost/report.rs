@@ -1,11 +1,11 @@
 //! The charts, and the tables of the page.
 
-use super::choice::{LIMITS, Lighting, PIXELS, cheapest, is_comparable, pareto, picture};
+use super::errors::MAPS;
 use super::errors::Spread;
-use super::growth::{Curve, curves, power_law};
+use super::machines::{LIMITS, Lighting, PIXELS, cheapest, is_comparable, pareto, picture};
 use super::machines::{MACHINES, Machine};
-use super::model::MAPS;
 use super::sheet::{FIGURES, csv};
+use super::times::{Curve, curves, power_law};
 use super::{Measured, settings};
 use crate::chart::{Axes, Chart, Points, Style, colored};
 use crate::figures::OutputFile;

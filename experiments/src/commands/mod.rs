@@ -4,14 +4,13 @@ mod errors;
 mod figures;
 mod files;
 mod material_errors;
-mod metallic_roughness;
 mod pictures;
 
 use clap::Subcommand;
 use eigenshade_cli::messages::spinner;
 use eigenshade_model::error::{Error, Result};
 use experiments::pages::Purpose;
-use experiments::{ablation, float_errors, mutations, reading, stability};
+use experiments::{ablation, accuracy, mutations, reading, stability};
 use std::path::PathBuf;
 
 /// The commands of the program.
@@ -49,7 +48,7 @@ pub enum Command {
     Golden(Purpose),
     GlossyMaterials(files::GlossyMaterials),
     MaterialErrors(material_errors::MaterialErrors),
-    MetallicRoughness(metallic_roughness::MetallicRoughness),
+    MetallicRoughness(files::MetallicRoughness),
     SameOrder(files::SameOrder),
     WasmTables(files::WasmTables),
     Mutations(mutations::Mutations),
@@ -64,7 +63,7 @@ impl Command {
             Self::ContactSheet(command) => command.run(),
             Self::AccuracyCost(command) => command.run(),
             Self::Ablation(purpose) => {
-                let parts = ablation::parts(&ablation::speed::Times::measured());
+                let parts = ablation::parts(&ablation::scenes::Times::measured());
                 let remedy = "every scene must keep its tolerance, in f32 and in Q15";
                 let parts = parts.map_err(|fault| Error::new(fault, remedy))?;
                 ablation::PAGE.write_or_compare(&purpose, &parts)
@@ -83,8 +82,8 @@ impl Command {
             }
             Self::Errors(command) => command.run(),
             Self::FloatErrors { shapes } => {
-                let shapes = if shapes.is_empty() { &float_errors::SHAPES } else { &shapes[..] };
-                float_errors::print(shapes);
+                let shapes = if shapes.is_empty() { &accuracy::SHAPES } else { &shapes[..] };
+                accuracy::print(shapes);
                 Ok(())
             }
             Self::Golden(purpose) => files::golden(&purpose),

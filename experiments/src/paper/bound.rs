@@ -4,8 +4,8 @@
 
 use super::plate::{Plate, UNCLIPPED, gray};
 use super::spheres::SHOWN;
-use super::study::{Modes, Study, Trial, title};
 use super::{FIGURES, row};
+use super::{Modes, Study, Trial, title};
 use crate::chart::{Axes, Chart, Points, Style, colored};
 use crate::figures::OutputFile;
 use eigenshade_cli::picture::exposure;

@@ -3,8 +3,8 @@
 
 use super::plate::Plate;
 use super::reconstruction::shade;
-use super::study::{Modes, Study, place};
 use super::{FIGURES, digits, row};
+use super::{Modes, Study, place};
 use crate::figures::OutputFile;
 use eigenshade_model::error::Result;
 use eigenshade_shading::owned_basis::OwnedBasis;

@@ -6,7 +6,7 @@
 //! Standard PCA subtracts the mean image first and does not count it in K, whereas image-centered
 //! PCA counts the constant in K.
 
-use super::study::{DEGREE, Modes, Study, Trial, place, title};
+use super::{DEGREE, Modes, Study, Trial, place, title};
 use super::{FIGURES, digits, row};
 use crate::chart::{
     Axes, BLUE, Chart, GREEN, ORANGE, PALE, PURPLE, Points, Series, Style, colored,

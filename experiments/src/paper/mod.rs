@@ -1,8 +1,7 @@
 //! The figures of Nillius and Eklundh, "Phenomenological Eigenfunctions for Image Irradiance", ICCV
 //! 2003, on the shipped databases. Each file from `variance` to `bound` makes one figure, as CSV
-//! and as a picture; `tables` makes the tables of `docs/paper.md` from the CSV.
-
-pub mod study;
+//! and as a picture; `tables` makes the tables of `docs/paper.md` from the CSV. All share the lights, the materials, the four bases, and
+//! how well each basis represents every image.
 
 mod plate;
 
@@ -22,10 +21,18 @@ pub mod tables;
 
 use crate::figures::{Figures, OutputFile};
 use crate::{numbers, pages};
-use eigenshade_model::error::Result;
+use eigenshade_generator::basis::moments::exposure;
+use eigenshade_generator::basis::node_image::{Fit, MaterialImages, fit};
+use eigenshade_generator::basis::{self, gram};
+use eigenshade_index::{effect, mode};
+use eigenshade_model::database::{Lights, Materials, Named};
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::selection;
+use eigenshade_shading::{parallel, shipped};
+use eigenshade_table::scene::{self, Criterion, Effects, Normalize};
+use eigenshade_table::{GramFactor, Scene, Table, decode};
 use std::fmt::Display;
 use std::path::Path;
-use study::Study;
 
 /// The file name of the page.
 const PAGE: &str = "paper.md";
@@ -63,4 +70,171 @@ fn row(texts: &[&dyn Display], numbers: impl IntoIterator<Item = f64>) -> Vec<St
 /// A number with six significant digits.
 fn digits(value: f64) -> String {
     numbers::digits(value, DIGITS)
+}
+
+/// Largest degree of the light and order of the material, as in the paper.
+pub const DEGREE: usize = 9;
+pub const ORDER: usize = 7;
+/// The paper keeps this many modes, those of the highest variance.
+pub const SELECTED: usize = 1000;
+/// The shipped material that is not from CUReT and therefore not in the paper.
+const NOT_CURET: &str = "ptfe-633nm";
+
+/// The modes from which a basis is made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Modes {
+    /// All 3,704.
+    All,
+    /// The paper's 1,000 of the highest variance.
+    Selected,
+}
+
+impl Modes {
+    /// Both choices.
+    pub const BOTH: [Self; 2] = [Self::All, Self::Selected];
+
+    /// The ending of the names of files that show these modes.
+    pub fn suffix(self) -> &'static str {
+        match self {
+            Self::All => "",
+            Self::Selected => "_1000",
+        }
+    }
+
+    /// The nominal number of modes.
+    pub fn count(self) -> usize {
+        match self {
+            Self::All => mode::total(DEGREE, ORDER),
+            Self::Selected => SELECTED,
+        }
+    }
+}
+
+/// How well the four bases represent one image.
+pub struct Trial {
+    /// The index of the light.
+    pub light: usize,
+    /// The index of the material.
+    pub material: usize,
+    /// Variance within the image.
+    pub variance: f64,
+    /// I • 1.
+    pub mean: f64,
+    /// Variance within the contribution of the unselected modes.
+    pub unselected: f64,
+    /// The fits, in the order of [`Study::tables`].
+    pub fits: [Fit; 4],
+}
+
+/// Lights, materials, bases, and every image.
+pub struct Study {
+    /// The shipped lights to degree 9, as captured.
+    pub lights: Lights,
+    /// The 61 materials of CUReT to order 7.
+    pub materials: Materials,
+    /// The lights' luminance with L_0^0 = 1.
+    pub luminances: Vec<Vec<f64>>,
+    /// The materials' luminance; they are gray.
+    pub grays: Vec<Vec<f64>>,
+    /// The factor of M.
+    pub gram: GramFactor,
+    /// The paper's selection, in the layout of `Table::selection`.
+    pub selection: Vec<bool>,
+    /// Four tables with all components: image-centered and standard, of all modes, then of the
+    /// selected modes.
+    pub tables: [Table; 4],
+    /// Every light on every material, light by light.
+    pub trials: Vec<Trial>,
+}
+
+/// The index in [`Study::tables`] of the table with this criterion and these modes.
+pub fn place(criterion: Criterion, modes: Modes) -> usize {
+    usize::from(criterion == Criterion::Standard) + 2 * usize::from(modes == Modes::Selected)
+}
+
+/// A material's name for readers, without number and hyphens.
+pub fn title(name: &str) -> String {
+    name.trim_start_matches(|letter: char| letter.is_ascii_digit() || letter == '-')
+        .replace('-', " ")
+}
+
+impl Study {
+    /// Reads the shipped databases, makes the four bases and fits every image.
+    pub fn new() -> Result<Self> {
+        let lights = shipped::lights()?.truncated(DEGREE);
+        let mut materials = shipped::materials()?.truncated(ORDER);
+        materials.entries.retain(|entry| entry.name != NOT_CURET);
+        let made = parallel::map(4, &(), |k| {
+            let criterion = [Criterion::ImageCentered, Criterion::Standard][k % 2];
+            let modes = [0, SELECTED][k / 2];
+            basis::build(&scene(criterion, modes), &lights, &materials)
+        });
+        let tables = made.into_iter().collect::<Result<Vec<Table>>>()?;
+        let Ok(tables) = <[Table; 4]>::try_from(tables) else { unreachable!("four were made") };
+        let mut luminances = Vec::new();
+        for entry in &lights.entries {
+            let mut light = entry.luminance();
+            let scale = exposure(&entry.name, light[0], Normalize::UnitAmbient)?;
+            light.iter_mut().for_each(|value| *value *= scale);
+            luminances.push(light);
+        }
+        let gram = gram::of_sphere(DEGREE, ORDER);
+        let mut study = Self {
+            selection: selection::highest(&gram, effect::Effects::ALL, SELECTED),
+            grays: materials.entries.iter().map(Named::luminance).collect(),
+            gram,
+            luminances,
+            lights,
+            materials,
+            tables,
+            trials: Vec::new(),
+        };
+        study.trials = study.all_trials();
+        Ok(study)
+    }
+
+    fn all_trials(&self) -> Vec<Trial> {
+        let whole = MaterialImages::new(&self.gram, &[], &self.grays);
+        let selected = MaterialImages::new(&self.gram, &self.selection, &self.grays);
+        let count = self.grays.len();
+        parallel::map(self.luminances.len() * count, &(), |k| {
+            let (light, material) = (k / count, k % count);
+            let of = |images: &MaterialImages| images.image(&self.luminances[light], material);
+            let image = of(&whole);
+            Trial {
+                light,
+                material,
+                variance: image.variance(&self.gram),
+                mean: image.mean(&self.gram),
+                unselected: image.minus(&of(&selected)).variance(&self.gram),
+                fits: self.tables.each_ref().map(|table| fit(table, &image)),
+            }
+        })
+    }
+
+    /// The trial of a light on a material. There is none if the program was built from other
+    /// databases.
+    pub fn trial(&self, light: &str, material: &str) -> Result<&Trial> {
+        let is_it = |trial: &&Trial| {
+            self.lights.entries[trial.light].name == light
+                && self.materials.entries[trial.material].name == material
+        };
+        self.trials.iter().find(is_it).ok_or_else(|| {
+            let what = format!("the shipped data have no `{light}` on `{material}`");
+            Error::new(what, "build the program anew")
+        })
+    }
+}
+
+/// The scene of the shipped table with another basis, without the shipped table's effects.
+fn scene(criterion: Criterion, modes: usize) -> Scene {
+    let scene = decode(shipped::TABLE).expect("the shipped table").scene;
+    let basis = scene::Basis {
+        criterion,
+        components: Some(usize::MAX),
+        modes,
+        profile_tolerance: 1e-13,
+        ..scene.basis
+    };
+    Scene { basis, effects: Effects::default(), ..scene }
 }

@@ -2,8 +2,8 @@
 //! leather under every light.
 
 use super::plate::{Plate, UNCLIPPED, gray};
-use super::study::{Modes, Study, Trial, place, title};
 use super::{FIGURES, row};
+use super::{Modes, Study, Trial, place, title};
 use crate::figures::OutputFile;
 use eigenshade::{Basis, Normal};
 use eigenshade_cli::picture::exposure;

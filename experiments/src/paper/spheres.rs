@@ -2,8 +2,8 @@
 //! properties of each sphere, and its irradiance on a grid of normals.
 
 use super::plate::{Plate, UNCLIPPED};
-use super::study::{Modes, Study, place, title};
 use super::{FIGURES, row};
+use super::{Modes, Study, place, title};
 use crate::figures::OutputFile;
 use eigenshade_cli::picture::SphereView;
 use eigenshade_cli::picture::exposure;

@@ -1,8 +1,8 @@
 //! The tables of the page, made from the figures' CSV files.
 
 use super::FIGURES;
-use super::study::{Modes, title};
 use super::variance::SURFACES;
+use super::{Modes, title};
 use crate::figures::{Content, OutputFile};
 use crate::numbers::{self, limit};
 use crate::pages::{self, Part};

@@ -1,7 +1,7 @@
 //! Fig. 2: the variance of each irradiance mode, over degrees of the light and modes of the
 //! surface.
 
-use super::study::{DEGREE, ORDER, Study};
+use super::{DEGREE, ORDER, Study};
 use super::{FIGURES, row};
 use crate::chart::{Axes, COLORS, Chart, DrawResult, INK, Points, Series, Style, fault, letters};
 use crate::figures::OutputFile;

@@ -1,15 +1,12 @@
-//! Errors of estimates of light and material from degraded images.
+//! Errors of estimates of light and material from degraded images: camera effects on an image of
+//! peak 1, which are noise, few bits, clipping and hidden parts.
 //!
 //! `experiments reading` writes the tables of `docs/reading.md`.
 
-mod degrade;
-mod score;
-
 use crate::pages::{Page, Part, same_word, table};
 use crate::tolerances;
-use degrade::{Degradation, Storage};
 use eigenshade_cli::messages::progress_bar;
-use eigenshade_cli::picture::SphereView;
+use eigenshade_cli::picture::{self, SphereView};
 use eigenshade_cli::reading::{Reader, Reading};
 use eigenshade_cli::table;
 use eigenshade_generator::basis;
@@ -17,10 +14,16 @@ use eigenshade_generator::reading::observation::{EigenimageValues, Observation, 
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::Result;
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
+use eigenshade_model::srgb::linear;
 use eigenshade_shading::{parallel, shipped};
 use eigenshade_table::Table;
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::SeedableRng;
+use rand_distr::{Distribution, StandardNormal};
 use score::{Score, TestSet, scores};
 use std::path::Path;
+
+mod score;
 
 /// Tolerance for the figures of images that are not degraded, as a logarithm: they are amplified
 /// rounding, which differs between hosts.
@@ -77,7 +80,7 @@ pub fn parts(tables: &Path) -> Result<Vec<Part>> {
     let other = (of_lights(other_lights), of_materials(other_materials));
     let cases: Vec<(&Table, Degradation)> = [&few, &whole]
         .into_iter()
-        .flat_map(|table| degrade::ALL.map(|degradation| (table, degradation)))
+        .flat_map(|table| ALL.map(|degradation| (table, degradation)))
         .collect();
     let progress = progress_bar("cases", cases.len());
     let scored = parallel::map(cases.len(), &progress, |case| {
@@ -133,4 +136,87 @@ fn observe(table: &Table, images: &[(Vec<f64>, Vec<f64>)], normals: &[[f64; 3]])
         observer.see(*normal, &values, images[0].1[pixel]);
     }
     observer.finish()
+}
+
+/// One kind of degradation.
+#[derive(Clone, Copy, Debug)]
+pub struct Degradation {
+    /// The name of the degradation.
+    pub name: &'static str,
+    /// Standard deviation of normal noise on each pixel.
+    pub noise: f64,
+    /// How pixels are stored.
+    pub storage: Storage,
+    /// Whether the left half, n_x < 0, is hidden.
+    pub is_half_hidden: bool,
+    /// Whether the lights and materials of the images are absent from the statistics.
+    pub is_unknown: bool,
+}
+
+/// How pixels are stored.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Storage {
+    /// As exact numbers.
+    Exact,
+    /// In 8 bits, linear, with the peak at 254.
+    Bits,
+    /// In 8 bits of sRGB, with the peak at 254.
+    SrgbBits,
+    /// Clipped halfway between the image's mean and its peak, with the clipped pixels left out.
+    Clipped,
+    /// The same, with the clipped pixels kept at their clipped values.
+    ClippedAndKept,
+}
+
+const NONE: Degradation = Degradation {
+    name: "as it is",
+    noise: 0.0,
+    storage: Storage::Exact,
+    is_half_hidden: false,
+    is_unknown: false,
+};
+const HALF: Degradation = Degradation { name: "half hidden", is_half_hidden: true, ..NONE };
+
+/// Every degradation that is reported.
+pub const ALL: [Degradation; 12] = [
+    NONE,
+    Degradation { name: "noise 1 %", noise: 0.01, ..NONE },
+    Degradation { name: "noise 5 %", noise: 0.05, ..NONE },
+    Degradation { name: "8 bits, linear", storage: Storage::Bits, ..NONE },
+    Degradation { name: "8 bits, sRGB", storage: Storage::SrgbBits, ..NONE },
+    Degradation { name: "clipped, left out", storage: Storage::Clipped, ..NONE },
+    Degradation { name: "clipped, kept", storage: Storage::ClippedAndKept, ..NONE },
+    HALF,
+    Degradation { name: "half hidden, noise 1 %", noise: 0.01, ..HALF },
+    Degradation { name: "half hidden, noise 5 %", noise: 0.05, ..HALF },
+    Degradation { name: "unknown, noise 1 %", noise: 0.01, is_unknown: true, ..NONE },
+    Degradation { name: "unknown, half hidden, noise 1 %", noise: 0.01, is_unknown: true, ..HALF },
+];
+
+impl Degradation {
+    /// The degraded image and the weight of each pixel. `seed` selects the noise, which is the same
+    /// on every host and run.
+    #[must_use]
+    pub fn apply(&self, image: &[f64], normals: &[[f64; 3]], seed: u64) -> (Vec<f64>, Vec<f64>) {
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        let mean = image.iter().sum::<f64>() / image.len() as f64;
+        let clip = 0.5 * (1.0 + mean);
+        let scale = 254.0 / 255.0;
+        let pixel = |(value, normal): (&f64, &[f64; 3])| {
+            let noise: f64 = StandardNormal.sample(&mut random);
+            let value = value + self.noise * noise;
+            let is_hidden = self.is_half_hidden && normal[0] < 0.0;
+            let is_out = self.storage == Storage::Clipped && value >= clip;
+            let stored = match self.storage {
+                Storage::Exact => value,
+                Storage::Bits => (254.0 * value).round().max(0.0) / 254.0,
+                Storage::SrgbBits => {
+                    linear(f64::from(picture::srgb(scale * value)) / 255.0) / scale
+                }
+                Storage::Clipped | Storage::ClippedAndKept => value.min(clip),
+            };
+            (stored, if is_hidden || is_out { 0.0 } else { 1.0 })
+        };
+        image.iter().zip(normals).map(pixel).unzip()
+    }
 }

@@ -1,7 +1,7 @@
 //! Objects that show few normals, normals with very small weights, and degenerate facets.
 
-use super::squares::{GramRoot, left_vectors};
 use super::{Figure, exactly, least, most, tight};
+use super::{GramRoot, left_vectors};
 use crate::accuracy_cost::times::hemisphere;
 use crate::tolerances;
 use eigenshade_generator::object::geometry::WeightedNormals;

@@ -1,7 +1,7 @@
 //! Rotations of light and normals: to degree 64, a thousand in a row, and matrices that are almost
 //! rotations.
 
-use super::squares::off_orthonormal;
+use super::off_orthonormal;
 use super::{Figure, least, most};
 use crate::tolerances;
 use eigenshade::mathematics::SinglePrecision;

@@ -1,7 +1,7 @@
 //! M is singular; order and sign of components whose eigenvalues are equal, nearly equal or zero.
 
-use super::squares::{GramRoot, left_vectors, off_orthonormal};
 use super::{Figure, exactly, least, most, tight};
+use super::{GramRoot, left_vectors, off_orthonormal};
 use crate::tolerances;
 use eigenshade_generator::basis;
 use eigenshade_generator::basis::gram;

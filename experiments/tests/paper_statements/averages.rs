@@ -19,8 +19,8 @@ use eigenshade_shading::sphere_rings::{Ring, rings};
 use eigenshade_table::Table;
 use eigenshade_table::scene::Criterion;
 use experiments::paper::error::rotated;
-use experiments::paper::study::{DEGREE, Modes, ORDER, place};
 use experiments::paper::variance::SURFACES;
+use experiments::paper::{DEGREE, Modes, ORDER, place};
 use std::f64::consts::PI;
 
 /// A mean over the rotations of a light against (38), relative: roundings of some thousand terms.

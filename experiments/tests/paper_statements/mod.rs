@@ -5,9 +5,9 @@ mod averages;
 
 use crate::paper_oracle::{sheet, study};
 use eigenshade_index::{material, mode};
-use experiments::paper::study::{Modes, ORDER};
 use experiments::paper::tables::needed;
 use experiments::paper::variance::{SURFACES, Variance};
+use experiments::paper::{Modes, ORDER};
 use experiments::sheet::Sheet;
 use std::f64::consts::PI;
 
