@@ -13,7 +13,6 @@ mod paper_command;
 mod paper_oracle;
 mod paper_statements;
 mod reading_page;
-use eigenshade_testing::fixtures::of_equal_areas as spread;
 use eigenshade_testing::{oracle, tolerances};
 use std::path::{Path, PathBuf};
 
@@ -28,4 +27,14 @@ fn program(command: &str) -> PathBuf {
         experiments.with_file_name(format!("eigenshade{}", std::env::consts::EXE_SUFFIX));
     assert!(eigenshade.exists(), "build it first: cargo build -p eigenshade-cli");
     eigenshade
+}
+
+/// Normals of equal shares of the disc, spread evenly from the axis to the rim.
+fn spread(count: usize) -> Vec<[f64; 3]> {
+    let at = |k: usize| {
+        let square = (k as f64 + 0.5) / count as f64;
+        let (y, x) = (2.399_963_229_728_653 * k as f64).sin_cos();
+        [square.sqrt() * x, square.sqrt() * y, (1.0 - square).sqrt()]
+    };
+    (0..count).map(at).collect()
 }
