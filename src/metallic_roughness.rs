@@ -48,11 +48,11 @@ impl Material<'_, f32> {
     ///
     /// ```
     /// # #[cfg(feature = "baked")] {
-    /// use eigenshade::presets::light::PARK;
+    /// use eigenshade::presets::light::LOBBY;
     /// use eigenshade::{Material, Normal, sphere};
     ///
     /// let copper = Material::metallic_roughness([0.93, 0.52, 0.38], 1.0, 0.4)?;
-    /// let scene = sphere::color::scene(PARK, copper.materials()?)?;
+    /// let scene = sphere::color::scene(LOBBY, copper.materials()?)?;
     /// let color = scene.shade(Normal::new(0.0, 0.6, 0.8)?);
     /// assert!(color.r > color.b);
     /// # }
