@@ -36,7 +36,8 @@ impl Rotation {
     /// use eigenshade::quantized::{Light, Rotation};
     /// use eigenshade::Q15;
     ///
-    /// let light = Light::new(-13, &[0, 0, 8192, 0].map(Q15))?; // from the camera
+    /// let camera = [0, 0, 8192, 0].map(Q15);
+    /// let light = Light::new(-13, &camera)?;
     /// let quarter = Rotation::from_quaternion([0, 1, 0, 1])?; // about y
     /// let turned = light.turned::<4>(&quarter)?; // now from the right
     /// assert_eq!(turned.light()?.mantissas(), [0, 0, 0, -16_384].map(Q15));

@@ -25,7 +25,8 @@ impl<Q: FixedPoint> Light<'_, Q> {
     /// use eigenshade::Q15;
     /// use eigenshade::quantized::Light;
     ///
-    /// let light = Light::new(-13, &[28_672, 0, 0, 8_192].map(Q15))?; // brightest at the left
+    /// let left = [28_672, 0, 0, 8_192].map(Q15); // the brightest side
+    /// let light = Light::new(-13, &left)?;
     /// let turned = light.turned_about_view::<4>([0, 7])?; // now from below
     /// assert_eq!(turned.light()?.mantissas(), [28_672, 8_192, 0, 0].map(Q15));
     /// # Ok::<(), eigenshade::Error>(())
