@@ -129,7 +129,7 @@ pub fn coefficients<Q: FixedPoint, const B: usize>(mantissas: &[Q; B]) -> [Q::Wi
     coefficients
 }
 
-/// [`above`] of every o.
+/// `above` of every o.
 #[inline(never)]
 pub fn all_above<const O: usize>(of_orders: &[i8; O]) -> [i8; O] {
     core::array::from_fn(|o| above(of_orders, o))
