@@ -217,7 +217,8 @@ impl<const N: usize, const K: usize> Series<N, K> {
         }))
     }
 
-    /// The parts rim and metal at a roughness.
+    /// The parts rim and metal at a roughness. Inlined: the arrays would be copied.
+    #[inline(always)]
     fn at(&self, roughness: f32) -> Result<[[f32; N]; 2], Error> {
         check([(Argument::Roughness, roughness)], [0.0, 1.0])?;
         let x = 2.5 * roughness.max(LEAST) - 1.5;
