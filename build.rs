@@ -6,10 +6,9 @@ mod metallic_roughness;
 #[path = "build/presets.rs"]
 mod presets;
 
-use eigenshade_index::format::Mantissa;
 use eigenshade_index::record::{Q15, Q31};
 use eigenshade_index::source;
-use eigenshade_index::wire::{Fault, aligned, read_floats, read_integers};
+use eigenshade_index::wire::{Fault, Mantissa, aligned, read_floats, read_integers};
 use std::path::PathBuf;
 use std::{env, fs, process};
 

@@ -137,6 +137,36 @@ impl<'a, S> Basis<'a, S> {
         Ok(Self { recurrences, transfer, scene, ..basis })
     }
 
+    /// The parts of this basis.
+    #[must_use]
+    pub const fn parts(&self) -> &Parts<'a, S> {
+        &self.parts
+    }
+
+    /// Largest degree l of the light.
+    #[must_use]
+    pub const fn degree(&self) -> usize {
+        self.parts.degree
+    }
+
+    /// Largest order o of the BRDF.
+    #[must_use]
+    pub const fn order(&self) -> usize {
+        self.parts.order
+    }
+
+    /// The effects that this basis covers.
+    #[must_use]
+    pub const fn effects(&self) -> Effects {
+        self.parts.effects
+    }
+
+    /// Number of components K.
+    #[must_use]
+    pub const fn components(&self) -> usize {
+        self.parts.components
+    }
+
     /// Whether this basis can project new materials. If not, it can only relight the transfers that
     /// came with it.
     #[must_use]
@@ -180,54 +210,6 @@ impl<'a, S> Basis<'a, S> {
     }
 }
 
-/// What a basis in floats and one in integers state in the same way. A macro, because a `const`
-/// function cannot call those of a trait.
-macro_rules! stated {
-    ($parts:ident) => {
-        impl<'a, S> Basis<'a, S> {
-            /// The parts of this basis.
-            #[must_use]
-            pub const fn parts(&self) -> &$parts<'a, S> {
-                &self.parts
-            }
-
-            /// Largest degree l of the light.
-            #[must_use]
-            pub const fn degree(&self) -> usize {
-                self.parts.degree
-            }
-
-            /// Largest order o of the BRDF.
-            #[must_use]
-            pub const fn order(&self) -> usize {
-                self.parts.order
-            }
-
-            /// The effects that this basis covers.
-            #[must_use]
-            pub const fn effects(&self) -> Effects {
-                self.parts.effects
-            }
-
-            /// Number of components K.
-            #[must_use]
-            pub const fn components(&self) -> usize {
-                self.parts.components
-            }
-
-            /// Number of terms of an azimuth's polynomials; 0 if it has none.
-            pub(crate) const fn length(&self, azimuth: usize) -> usize {
-                match self.parts.lengths.split_at_checked(azimuth) {
-                    Some((_, [length, ..])) => *length as usize,
-                    _ => 0,
-                }
-            }
-        }
-    };
-}
-pub(crate) use stated;
-stated!(Parts);
-
 impl<'a, S> Basis<'a, S> {
     /// Each profile, with the terms of its polynomial.
     #[inline]
@@ -238,6 +220,14 @@ impl<'a, S> Basis<'a, S> {
             terms = rest;
             (place, of_profile)
         })
+    }
+
+    /// Number of terms of an azimuth's polynomials; 0 if it has none.
+    pub(crate) const fn length(&self, azimuth: usize) -> usize {
+        match self.parts.lengths.split_at_checked(azimuth) {
+            Some((_, [length, ..])) => *length as usize,
+            _ => 0,
+        }
     }
 
     /// The largest order o of the factors: the order of the basis unless effects are left out.

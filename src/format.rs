@@ -2,17 +2,6 @@
 
 pub use crate::index::record::{Q15, Q31};
 use crate::turn::exchange;
-
-/// Calls a macro with each integer format, the type of its sums of squares, and its bits: for `const`
-/// functions, which cannot call those of a trait.
-macro_rules! each_integer {
-    ($do:ident) => {
-        $do!(Q15, u32, 15);
-        $do!(Q31, u64, 31);
-    };
-}
-pub(crate) use each_integer;
-
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, BitOr, Mul, Neg, Sub};
 

@@ -150,8 +150,8 @@ pub(crate) fn nine_terms<S: Scalar>(mut polynomials: Descent<'_, S>) -> Option<N
 
 /// The terms, highest first, after leading zeros; `None` if there are too many.
 #[inline]
-pub(crate) fn filled<S: Copy + Default, const N: usize>(terms: &[S]) -> Option<[S; N]> {
-    let mut filled = [S::default(); N];
+fn filled<S: Scalar, const N: usize>(terms: &[S]) -> Option<[S; N]> {
+    let mut filled = [S::ZERO; N];
     let zeros = N.checked_sub(terms.len())?;
     for (to, &term) in filled.iter_mut().skip(zeros).zip(terms) {
         *to = term;

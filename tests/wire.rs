@@ -1,7 +1,7 @@
 //! Wire files: what is written is read, and any bytes give a basis or an error.
 
 use crate::wire_files as files;
-use eigenshade::wire::{Fault, Header, WireError, aligned};
+use eigenshade::wire::{Fault, Header, WireError, WireFormat, aligned};
 use eigenshade::{Basis, GeneralBasis, Q15, Q31, quantized, sphere};
 use eigenshade_table::quantize;
 use eigenshade_table::wire::{Endian, Format, encode};
@@ -52,7 +52,7 @@ fn the_shipped_table_comes_back() {
 fn a_header_is_as_written_down() {
     let header = Header::read(&INTEGERS_15.0).expect("a header");
     assert_eq!((header.version, header.length), (1, INTEGERS_15.0.len()));
-    assert_eq!(Format::of(header.format), Some(Q15_FORMAT));
+    assert_eq!(WireFormat::of(header.format), Some(WireFormat::Q15));
     assert_eq!((header.degree, header.order, header.components), (2, 2, 6));
     assert_eq!((header.images, header.sections), (0, 7));
     let expected = [
@@ -176,8 +176,8 @@ fn errors_say_which_they_are() {
         (of(&SPHERE.0[..100]), Fault::Length { expected: length, found: 100 }.into()),
         (with(&SPHERE.0, 12, 4), Fault::Version(4).into()),
         (with(&SPHERE.0, 30, 0), Fault::Effects { bits: 0 }.into()),
-        (with(&SPHERE.0, 14, 7), Fault::Format { expected: Format::F32, found: 7 }.into()),
-        (of(&INTEGERS_15.0), Fault::Format { expected: Format::F32, found: 2 }.into()),
+        (with(&SPHERE.0, 14, 7), Fault::Format { expected: WireFormat::F32, found: 7 }.into()),
+        (of(&INTEGERS_15.0), Fault::Format { expected: WireFormat::F32, found: 2 }.into()),
         (of(&GENERAL.0), Fault::Images { found: 4 }.into()),
         (with(&SPHERE.0, 21, 2), Fault::Shape { degree: 514, order: 2 }.into()),
         (with(&GENERAL.0, 28, 18), Fault::Section { number: 17 }.into()),

@@ -1,9 +1,8 @@
 //! A fixed-point basis, whose shape and bounds were checked.
 
 use super::transfer::Transfer;
-use crate::basis::stated;
 use crate::error::{Argument, Error};
-use crate::format::{Q15, Q31, each_integer};
+use crate::format::{Q15, Q31};
 use crate::index::effect::Effects;
 pub use crate::index::record::integers::{Parts, Profile};
 use crate::index::{layout, pair};
@@ -96,9 +95,15 @@ impl<Q> Basis<'_, Q> {
         }
         Ok(())
     }
-}
 
-stated!(Parts);
+    /// Number of terms of an azimuth's polynomials; 0 if it has none.
+    pub(crate) const fn length(&self, azimuth: usize) -> usize {
+        match self.parts.lengths.split_at_checked(azimuth) {
+            Some((_, [length, ..])) => *length as usize,
+            _ => 0,
+        }
+    }
+}
 
 /// Whether one of these profiles belongs to this component.
 const fn served_by(mut profiles: &[Profile], component: u16) -> bool {
@@ -112,7 +117,7 @@ const fn served_by(mut profiles: &[Profile], component: u16) -> bool {
 }
 
 macro_rules! bounded {
-    ($format:ident, $wide:ident, $bits:literal) => {
+    ($format:ident, $bits:literal) => {
         impl<'a> Basis<'a, $format> {
             /// The basis of these parts.
             ///
@@ -210,9 +215,40 @@ macro_rules! bounded {
         }
     };
 }
-each_integer!(bounded);
+bounded!(Q15, 15);
+bounded!(Q31, 31);
 
-impl<Q> Basis<'_, Q> {
+impl<'a, Q> Basis<'a, Q> {
+    /// The parts of this basis.
+    #[must_use]
+    pub const fn parts(&self) -> &Parts<'a, Q> {
+        &self.parts
+    }
+
+    /// Largest degree l of the light.
+    #[must_use]
+    pub const fn degree(&self) -> usize {
+        self.parts.degree
+    }
+
+    /// Largest order o of the BRDF.
+    #[must_use]
+    pub const fn order(&self) -> usize {
+        self.parts.order
+    }
+
+    /// The effects that the basis covers.
+    #[must_use]
+    pub const fn effects(&self) -> Effects {
+        self.parts.effects
+    }
+
+    /// Number of components K.
+    #[must_use]
+    pub const fn components(&self) -> usize {
+        self.parts.components
+    }
+
     /// Workspace length of `transfer`, in wide numbers: S, its exponents, and one row with
     /// exponents.
     #[must_use]

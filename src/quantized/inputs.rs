@@ -3,7 +3,7 @@
 use crate::bake::MapPoint;
 use crate::error::{Argument, Error};
 use crate::format::Wide as _;
-use crate::format::{FixedPoint, Q15, Q31, each_integer};
+use crate::format::{FixedPoint, Q15, Q31};
 use crate::invariant::{split_mut, split_row};
 use crate::light::degree;
 use crate::material::order;
@@ -243,7 +243,8 @@ macro_rules! checked {
         }
     };
 }
-each_integer!(checked);
+checked!(Q15, u32, 15);
+checked!(Q31, u64, 31);
 
 impl<Q: FixedPoint> Normal<Q> {
     /// The normal along (x, y, z), integers of any scale. It is scaled to length 1, with an error

@@ -2,7 +2,7 @@
 
 use super::{Fault, WireError};
 use crate::basis::Basis;
-use crate::format::{Q15, Q31, each_integer};
+use crate::format::{Q15, Q31};
 use crate::general::GeneralBasis;
 use crate::index::wire::{read_floats, read_integers};
 use crate::quantized;
@@ -41,7 +41,7 @@ impl<'a> GeneralBasis<'a, f32> {
 }
 
 macro_rules! from_bytes {
-    ($format:ident, $wide:ident, $bits:literal) => {
+    ($format:ident) => {
         impl<'a> quantized::Basis<'a, $format> {
             /// Reads a basis from a [wire](crate::wire) file that starts at a multiple of four.
             ///
@@ -58,4 +58,5 @@ macro_rules! from_bytes {
         }
     };
 }
-each_integer!(from_bytes);
+from_bytes!(Q15);
+from_bytes!(Q31);

@@ -33,6 +33,5 @@
 mod bases;
 mod error;
 
-pub use crate::index::format::{Format, IntegerFormat};
-pub use crate::index::wire::{Aligned, Fault, Header, aligned};
+pub use crate::index::wire::{Aligned, Fault, Header, WireFormat, aligned};
 pub use error::WireError;

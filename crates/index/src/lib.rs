@@ -5,7 +5,6 @@
 //! * [`pair`]: one Zernike polynomial (p, q), half of a scattering mode.
 //! * [`mode`]: the irradiance modes of one azimuth |m|.
 //! * [`effect`]: sets of irradiance modes with a visible meaning.
-//! * [`format`](mod@format): the number formats of a table.
 //! * [`layout`]: the memory layout of the runtime's rows.
 //! * [`record`]: the arrays of a table.
 //! * [`source`]: records as Rust source, with the feature `alloc`.
@@ -20,7 +19,6 @@
 extern crate alloc;
 
 pub mod effect;
-pub mod format;
 pub mod layout;
 pub mod light;
 pub mod material;

@@ -7,14 +7,17 @@ use crate::overflow;
 use crate::shader::{fault, of_degree, of_order};
 use eigenshade::quantized::{Basis, Light, Material, Normal, Parts, Transfer};
 use eigenshade::{FixedPoint, Q15, Q31};
-use eigenshade_index::format::Mantissa;
 use eigenshade_index::record::integers::OwnedParts;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_table::Table;
-use eigenshade_table::quantize::{self, QuantizeError};
+use eigenshade_table::quantize::{self, Format, QuantizeError};
 
 /// An integer format that the command line offers.
-pub trait Integer: FixedPoint + Mantissa {
+pub trait Integer: FixedPoint {
+    /// The format's identifier.
+    const FORMAT: Format;
+    /// The number with this mantissa, which must fit the format.
+    fn of(mantissa: i32) -> Self;
     /// The nearest representable normal.
     ///
     /// # Errors
@@ -29,25 +32,33 @@ pub trait Integer: FixedPoint + Mantissa {
     fn basis(parts: Parts<'_, Self>) -> std::result::Result<Basis<'_, Self>, eigenshade::Error>;
 }
 
-macro_rules! integer {
-    ($format:ident) => {
-        impl Integer for $format {
-            fn normal(
-                components: [f64; 3],
-            ) -> std::result::Result<Normal<Self>, eigenshade::Error> {
-                let [x, y, z] = components.map(nearest);
-                Normal::<Self>::new(x, y, z)
-            }
-            fn basis(
-                parts: Parts<'_, Self>,
-            ) -> std::result::Result<Basis<'_, Self>, eigenshade::Error> {
-                Basis::<Self>::new(parts)
-            }
-        }
-    };
+impl Integer for Q15 {
+    const FORMAT: Format = Format::Q15;
+    fn of(mantissa: i32) -> Self {
+        Self(mantissa as i16)
+    }
+    fn normal(components: [f64; 3]) -> std::result::Result<Normal<Self>, eigenshade::Error> {
+        let [x, y, z] = components.map(nearest);
+        Normal::<Self>::new(x, y, z)
+    }
+    fn basis(parts: Parts<'_, Self>) -> std::result::Result<Basis<'_, Self>, eigenshade::Error> {
+        Basis::<Self>::new(parts)
+    }
 }
-integer!(Q15);
-integer!(Q31);
+
+impl Integer for Q31 {
+    const FORMAT: Format = Format::Q31;
+    fn of(mantissa: i32) -> Self {
+        Self(mantissa)
+    }
+    fn normal(components: [f64; 3]) -> std::result::Result<Normal<Self>, eigenshade::Error> {
+        let [x, y, z] = components.map(nearest);
+        Normal::<Self>::new(x, y, z)
+    }
+    fn basis(parts: Parts<'_, Self>) -> std::result::Result<Basis<'_, Self>, eigenshade::Error> {
+        Basis::<Self>::new(parts)
+    }
+}
 
 /// The nearest multiple of 2^-BITS; 1 becomes the largest mantissa.
 fn nearest<Q: Integer>(component: f64) -> Q {

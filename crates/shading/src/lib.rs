@@ -7,8 +7,6 @@ pub mod overflow;
 
 pub mod shipped;
 
-pub mod format;
-
 pub mod owned_basis;
 
 pub mod shader;

@@ -15,6 +15,8 @@ pub mod scene;
 
 pub mod gram;
 
+pub mod format;
+
 pub mod table;
 
 mod chebyshev;

@@ -5,12 +5,11 @@
 //! one: Σ |mantissa| < 2^(bits + 1).
 
 use crate::chebyshev::polynomial;
+pub use crate::format::IntegerFormat as Format;
 use crate::table::{Profile, Table};
 use eigenshade_index::effect::Effect;
-pub use eigenshade_index::format::IntegerFormat as Format;
-use eigenshade_index::format::Mantissa;
-use eigenshade_index::record::NONE;
 use eigenshade_index::record::integers::{OwnedParts, Profile as Place};
+use eigenshade_index::record::{NONE, Q15, Q31};
 use eigenshade_index::{layout, material, pair};
 use std::fmt;
 
@@ -173,10 +172,16 @@ pub fn integers(
     })
 }
 
-/// The arrays of a table as mantissas of its format.
+/// The arrays of a table in [`Format::Q15`].
 #[must_use]
-pub fn mantissas<Q: Mantissa>(parts: &OwnedParts<i32>) -> OwnedParts<Q> {
-    parts.convert(|&number| Q::of(number))
+pub fn in_q15(parts: &OwnedParts<i32>) -> OwnedParts<Q15> {
+    parts.convert(|&number| Q15(number as i16))
+}
+
+/// The arrays of a table in [`Format::Q31`].
+#[must_use]
+pub fn in_q31(parts: &OwnedParts<i32>) -> OwnedParts<Q31> {
+    parts.convert(|&number| Q31(number))
 }
 
 /// Converts numbers to mantissas with a common exponent. Each mantissa is below 2^`bits`, and the

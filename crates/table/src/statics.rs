@@ -1,10 +1,10 @@
 //! A table as Rust source: statics in floats, and modules with the table in integers.
 
 use crate::parts;
-use crate::quantize::{self, Format, QuantizeError, mantissas};
+use crate::quantize::{self, Format, QuantizeError, in_q15, in_q31};
 use crate::table::Table;
 use eigenshade_index::record::integers::OwnedParts;
-use eigenshade_index::{by_format, source};
+use eigenshade_index::source;
 
 /// The text of a module, and the formats that it does not contain.
 #[derive(Clone, Debug, PartialEq)]
@@ -54,5 +54,8 @@ pub fn floats(table: &Table, command: &str) -> String {
 /// The statics of a table in integers.
 #[must_use]
 pub fn integers(parts: &OwnedParts<i32>, format: Format, command: &str) -> String {
-    by_format!(format, Q => source::integers::module(&mantissas::<Q>(parts).borrow(), command))
+    match format {
+        Format::Q15 => source::integers::module(&in_q15(parts).borrow(), command),
+        Format::Q31 => source::integers::module(&in_q31(parts).borrow(), command),
+    }
 }

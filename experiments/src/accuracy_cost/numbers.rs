@@ -5,8 +5,7 @@ use super::images::Pair;
 use super::images::{Numbers, Shaded, Work, each};
 use super::settings::{Format, Scaling, Setting, Way};
 use eigenshade::mathematics::{Libm, Micromath, SinglePrecision, Tabled};
-use eigenshade::quantized;
-use eigenshade_index::by_format;
+use eigenshade::{Q15, Q31, quantized};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_shading::integer_shader::{self, Integer, IntegerShader, OwnedQuantized};
 use eigenshade_shading::shader::fault;
@@ -29,9 +28,8 @@ pub fn numbers(setting: &Setting, table: &Table, normals: &[[f64; 3]]) -> Result
         (Format::F32, _) | (Format::Q15, Way::Bilinear(_)) => {
             Box::new(Floats::new(setting, table, normals, scale)?)
         }
-        (Format::Table(wire::Format::Integer(format)), Way::Polynomial) => {
-            by_format!(format, Q => Box::new(Integers::<Q>::new(table, normals)?))
-        }
+        (Format::Q31, Way::Polynomial) => Box::new(Integers::<Q31>::new(table, normals)?),
+        (Format::Q15, Way::Polynomial) => Box::new(Integers::<Q15>::new(table, normals)?),
         _ => return Err(unrepresentable("the format has no such way to a pixel")),
     })
 }
@@ -44,8 +42,9 @@ fn unrepresentable(error: impl Display) -> Error {
 pub fn table_bytes(setting: &Setting, table: &Table) -> Result<usize> {
     let format = match (setting.format, setting.way) {
         (_, Way::NineTerms) => return Ok(0),
-        (Format::Q15, Way::Bilinear(_)) => wire::Format::F32,
-        (format, _) => format.of_table().unwrap_or(wire::Format::F32),
+        (Format::Q31, _) => wire::Format::Integer(quantize::Format::Q31),
+        (Format::Q15, Way::Polynomial) => wire::Format::Integer(quantize::Format::Q15),
+        _ => wire::Format::F32,
     };
     let bytes = wire::encode(table, format, wire::Endian::Little).map_err(unrepresentable)?.len();
     if setting.format != Format::F64 {

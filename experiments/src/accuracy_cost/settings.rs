@@ -3,7 +3,6 @@
 
 use eigenshade_cli::table;
 use eigenshade_index::effect::{Effect, Effects};
-pub use eigenshade_shading::format::Format;
 use eigenshade_table::scene::Cut;
 use std::fmt;
 
@@ -63,6 +62,15 @@ pub enum Way {
     Bilinear(usize),
     /// The nearest texel of a map of this width.
     Nearest(usize),
+}
+
+/// The number format in which a pixel is computed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    F64,
+    F32,
+    Q31,
+    Q15,
 }
 
 /// The method that scales normals to unit length.
@@ -131,6 +139,12 @@ impl fmt::Display for Way {
             Self::Bilinear(size) => write!(f, "bilinear{size}"),
             Self::Nearest(size) => write!(f, "nearest{size}"),
         }
+    }
+}
+
+impl fmt::Display for Format {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&format!("{self:?}").to_lowercase())
     }
 }
 

@@ -137,7 +137,7 @@ fn transfer(
     exponents: &[i8],
     mantissas: &[i32],
 ) -> std::result::Result<(Vec<Q15>, Vec<i16>), eigenshade::Error> {
-    let parts = quantize::mantissas(parts);
+    let parts = quantize::in_q15(parts);
     let basis = Basis::<Q15>::new(parts.borrow())?;
     let mantissas: Vec<Q15> = mantissas.iter().map(|&number| Q15(number as i16)).collect();
     let material = Material::new(exponents, &mantissas)?;

@@ -1,15 +1,12 @@
 //! Types and parsers of options that commands share.
 
 use clap::Args;
-use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use eigenshade::{Effect, Tolerance};
 use eigenshade_model::budget::Budget;
 use eigenshade_model::database::Named;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::rotation::Rotation;
-use eigenshade_shading::format::Format;
-use eigenshade_table::wire;
 use std::path::{Path, PathBuf};
 
 /// The number of names that an error message lists.
@@ -38,22 +35,6 @@ impl Memory {
     pub fn file(self, path: impl AsRef<Path>) -> InputFile {
         InputFile::new(path, self.budget.unwrap_or(Budget::READING))
     }
-}
-
-/// Parses a number format that this accepts.
-pub fn format(accepts: impl Fn(&Format) -> bool) -> impl TypedValueParser<Value = Format> {
-    let values = Format::all().filter(accepts).map(|format| {
-        let value = PossibleValue::new(format.name());
-        match format {
-            Format::Table(wire::Format::Integer(integers)) => {
-                value.help(format!("Integers: mantissas of {} bits", integers.bits()))
-            }
-            _ => value,
-        }
-    });
-    let named = |name: String| Format::all().find(|format| format.name() == name);
-    PossibleValuesParser::new(values.collect::<Vec<_>>())
-        .map(move |name| named(name).expect("one of the values"))
 }
 
 /// One entry of a file of lights or materials, written as `FILE` or `FILE:NAME`.

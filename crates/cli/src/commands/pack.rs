@@ -1,12 +1,12 @@
 //! `eigenshade pack`: writes a table as a wire file.
 
-use super::options::{Memory, format};
-use clap::Args;
+use super::options::Memory;
+use clap::{Args, ValueEnum};
 use eigenshade_cli::messages::{grouped, print_message};
 use eigenshade_cli::output;
 use eigenshade_cli::table::{self, rounding};
 use eigenshade_model::error::{Error, Result};
-use eigenshade_shading::format::Format;
+use eigenshade_table::quantize;
 use eigenshade_table::wire::{self, Endian};
 use std::path::PathBuf;
 
@@ -20,7 +20,7 @@ pub struct Pack {
     #[arg(value_name = "B.bin")]
     table: PathBuf,
     /// Number format of the file
-    #[arg(long, default_value = "f32", value_parser = format(|one| *one != Format::F64))]
+    #[arg(long, value_enum, default_value_t = Format::F32)]
     format: Format,
     /// Write for a big-endian machine
     #[arg(long)]
@@ -30,11 +30,22 @@ pub struct Pack {
     out: PathBuf,
 }
 
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Format {
+    F32,
+    Q15,
+    Q31,
+}
+
 impl Pack {
     pub fn run(self, memory: Memory) -> Result<()> {
         output::refuse_collisions([&self.out], [&self.table])?;
         let table = table::read(memory.file(&self.table))?;
-        let format = self.format.of_table().unwrap_or(wire::Format::F32);
+        let format = match self.format {
+            Format::F32 => wire::Format::F32,
+            Format::Q15 => wire::Format::Integer(quantize::Format::Q15),
+            Format::Q31 => wire::Format::Integer(quantize::Format::Q31),
+        };
         let endian = if self.big_endian { Endian::Big } else { Endian::Little };
         let bytes = wire::encode(&table, format, endian).map_err(|error| {
             let line = error.to_string();

@@ -1,7 +1,7 @@
 //! `eigenshade render`: draws a sphere, a mesh or a normal map, or makes a matcap.
 
 use super::choices::Choices;
-use super::options::{FileEntry, Memory, count, format, positive};
+use super::options::{FileEntry, Memory, count, positive};
 use clap::{Args, ValueEnum};
 use eigenshade::{Effects, Matcap, Rgb, Scalar, Tone};
 use eigenshade_cli::messages::print_message;
@@ -13,13 +13,12 @@ use eigenshade_cli::presets;
 use eigenshade_cli::table::{self, rounding};
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::{Error, Result};
-use eigenshade_shading::format::Format;
 use eigenshade_shading::overflow;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader, fault, fitted, of_higher_order};
 use eigenshade_shading::shipped;
-use eigenshade_table::Table;
 use eigenshade_table::scene::Geometry;
+use eigenshade_table::{Table, wire};
 use std::path::{Path, PathBuf};
 
 /// Draw a sphere, a mesh or a normal map with a transparent background, or make a matcap
@@ -53,7 +52,7 @@ pub struct Render {
     #[arg(long, value_name = "N", value_parser = count(2, 8192))]
     size: Option<usize>,
     /// Number format
-    #[arg(long, default_value = "f32", value_parser = format(is_float))]
+    #[arg(long, value_enum, default_value_t = Format::F32)]
     format: Format,
     #[command(flatten)]
     choices: Choices,
@@ -67,6 +66,12 @@ pub struct Render {
     /// Write the picture to this file, .png or .exr
     #[arg(long, value_name = "F")]
     out: PathBuf,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Format {
+    F64,
+    F32,
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -94,11 +99,6 @@ enum Curve {
     Reinhard,
     /// A fit to the ACES curve
     Filmic,
-}
-
-/// Pictures are drawn in floats.
-fn is_float(format: &Format) -> bool {
-    matches!(*format, Format::F64 | Format::F32)
 }
 
 impl From<Curve> for Tone {
@@ -134,7 +134,10 @@ impl Render {
         let Materials { order, entries } = presets::materials(memory.file(&material.path))?;
         let materials = Materials { order, entries: vec![material.find_in(entries)?] };
         let higher = of_higher_order(&material.path, order, table.gram.order);
-        let rounded = self.format.of_table().and_then(|one| rounding::warning(&table, one));
+        let rounded = match self.format {
+            Format::F32 => rounding::warning(&table, wire::Format::F32),
+            Format::F64 => None,
+        };
         let warnings = [higher, albedo_warning(&materials), rounded].into_iter().flatten();
         let (mut lights, materials) = fitted(&table, &lights, &materials);
         self.choices.change(&mut lights);
@@ -144,8 +147,8 @@ impl Render {
         };
         let scene = Pair { table: &table, lights: &lights, materials: &materials };
         let image = match self.format {
+            Format::F32 => scene.shaded::<f32>(components, effects, &view),
             Format::F64 => scene.shaded::<f64>(components, effects, &view),
-            Format::Table(_) => scene.shaded::<f32>(components, effects, &view),
         }?;
         let values = || image.iter().flat_map(|&pixel| <[f32; 3]>::from(pixel)).map(f64::from);
         let mut ringing = Ringing::default();

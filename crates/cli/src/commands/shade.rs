@@ -1,22 +1,20 @@
 //! `eigenshade shade`: writes the irradiance of given normals.
 
 use super::choices::Choices;
-use super::options::{Memory, count, format, tolerance};
+use super::options::{Memory, count, tolerance};
 use super::shade_images::{Images, Output, Way};
 use clap::{Args, ValueEnum};
-use eigenshade::{NegativePolicy, Tolerance};
+use eigenshade::{NegativePolicy, Q15, Q31, Tolerance};
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::messages::{Ringing, albedo_warning};
 use eigenshade_cli::output::{self, Rows, exact};
 use eigenshade_cli::presets;
 use eigenshade_cli::table::{self, rounding};
-use eigenshade_index::by_format;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::normals::read_normals;
-use eigenshade_shading::format::Format;
 use eigenshade_shading::methods::LookUp;
 use eigenshade_shading::shader::{fitted, of_higher_order};
-use eigenshade_table::wire;
+use eigenshade_table::{quantize, wire};
 use std::path::PathBuf;
 
 /// Shade given normals for every light on every material
@@ -40,7 +38,7 @@ pub struct Shade {
     #[command(flatten)]
     choices: Choices,
     /// Number format [default: f32, and f64 for the method modes]
-    #[arg(long, value_parser = format(|_| true))]
+    #[arg(long, value_enum)]
     format: Option<Format>,
     /// How a pixel is computed
     #[arg(long, value_enum, default_value_t = Method::Polynomial)]
@@ -71,6 +69,16 @@ pub struct Shade {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Format {
+    F64,
+    F32,
+    /// Integers: mantissas of 31 bits
+    Q31,
+    /// Integers: mantissas of 15 bits
+    Q15,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Method {
     /// The direct sum over modes at the table's degree and order, in f64: the reference
     Modes,
@@ -93,7 +101,7 @@ enum Interpolation {
 
 impl Shade {
     pub fn run(self, memory: Memory) -> Result<()> {
-        let is_integer = matches!(self.stored(), Some(wire::Format::Integer(_)));
+        let is_integer = matches!(self.format, Some(Format::Q31 | Format::Q15));
         if self.method == Method::Modes && !matches!(self.format, None | Some(Format::F64)) {
             let what = "the method modes supports only f64";
             return Err(Error::new(what, "leave --format out, or choose another method"));
@@ -135,13 +143,12 @@ impl Shade {
         output::write(self.out.as_deref(), |out| {
             let rows = Rows::new(out, ["light", "material", "normal", "r", "g", "b"])?;
             let mut out = Output { rows, negatives, least, ringing: Ringing::default() };
-            match self.stored() {
-                None if self.method == Method::Modes => images.modes(&mut out),
-                None => images.floats::<f64>(way, &mut out),
-                Some(wire::Format::F32) => images.floats::<f32>(way, &mut out),
-                Some(wire::Format::Integer(format)) => {
-                    by_format!(format, Q => images.integers::<Q>(&mut out))
-                }
+            match (self.method, self.format) {
+                (Method::Modes, _) => images.modes(&mut out),
+                (_, Some(Format::F64)) => images.floats::<f64>(way, &mut out),
+                (_, Some(Format::Q31)) => images.integers::<Q31>(&mut out),
+                (_, Some(Format::Q15)) => images.integers::<Q15>(&mut out),
+                (_, _) => images.floats::<f32>(way, &mut out),
             }?;
             (least, ringing) = (out.least, out.ringing);
             out.rows.finish()
@@ -156,9 +163,11 @@ impl Shade {
 
     /// The format that the table's numbers are rounded to, if any.
     fn stored(&self) -> Option<wire::Format> {
-        match self.method {
-            Method::Modes => None,
-            _ => self.format.unwrap_or(Format::F32).of_table(),
+        match (self.method, self.format) {
+            (Method::Modes, _) | (_, Some(Format::F64)) => None,
+            (_, None | Some(Format::F32)) => Some(wire::Format::F32),
+            (_, Some(Format::Q31)) => Some(wire::Format::Integer(quantize::Format::Q31)),
+            (_, Some(Format::Q15)) => Some(wire::Format::Integer(quantize::Format::Q15)),
         }
     }
 

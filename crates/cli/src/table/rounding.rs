@@ -1,7 +1,6 @@
 //! The error that a number format adds to a table's images, measured when the table is made.
 
-use eigenshade::Scalar;
-use eigenshade_index::by_format;
+use eigenshade::{Q15, Q31, Scalar};
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::Result;
 use eigenshade_shading::integer_shader::{self, Integer, IntegerShader};
@@ -9,7 +8,7 @@ use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader, fault, fitted};
 use eigenshade_shading::sphere_rings::{Ring, rings};
 use eigenshade_table::wire::Format;
-use eigenshade_table::{Rounding, Table};
+use eigenshade_table::{Rounding, Table, quantize};
 
 /// Approximate limit on the products of a measurement: for larger tables, only a sample of the
 /// images is measured.
@@ -50,8 +49,11 @@ pub fn measure(table: &Table, lights: &Lights, materials: &Materials) -> Vec<Rou
     for format in Format::ALL {
         let images = match format {
             Format::F32 => floats::<f32>(table, degrees, &chosen, &normals).ok(),
-            Format::Integer(format) => {
-                by_format!(format, Q => integers::<Q>(table, degrees, &chosen, &normals))
+            Format::Integer(quantize::Format::Q15) => {
+                integers::<Q15>(table, degrees, &chosen, &normals)
+            }
+            Format::Integer(quantize::Format::Q31) => {
+                integers::<Q31>(table, degrees, &chosen, &normals)
             }
         };
         let Some(images) = images else { continue };

@@ -1,16 +1,16 @@
 //! A record of integers as Rust source.
 
 use super::{Constants, array, line, words};
-use crate::format::Mantissa;
 use crate::pair;
 use crate::record::integers::{Parts, Profile};
+use crate::wire::Mantissa;
 use alloc::format;
 use alloc::string::String;
 
 /// The body of a module with the numbers of a table. `command` is what made it, for the first line.
 #[must_use]
 pub fn module<Q: Mantissa>(parts: &Parts<'_, Q>, command: &str) -> String {
-    let name = Q::TYPE_NAME;
+    let name = Q::NAME;
     let mut constants = Constants::default();
     constants.add("PARTS", Parts::<Q>::PATH, &format!("eigenshade::{name}"), |to| parts.visit(to));
     let mut text = constants.headed(command);
@@ -35,7 +35,7 @@ pub static MATERIAL: eigenshade::quantized::Transfer<'static, eigenshade::{}> =
         Ok(transfer) => transfer,
         Err(_) => panic!(\"the transfer is not of this basis\"),
     }};",
-            Q::TYPE_NAME
+            Q::NAME
         ),
     );
     text

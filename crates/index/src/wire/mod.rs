@@ -7,8 +7,8 @@
 mod fault;
 mod file;
 
-pub use fault::Fault;
-pub use file::{Aligned, Header, aligned, read_floats, read_integers};
+pub use fault::{Fault, WireFormat};
+pub use file::{Aligned, Header, Mantissa, aligned, read_floats, read_integers};
 
 /// The first bytes of every wire file.
 pub const LABEL: [u8; 8] = *b"EIGSWIRE";
@@ -56,4 +56,14 @@ pub mod place {
     pub const SECTIONS: usize = 28;
     /// u16: the bits of the effects that the table serves.
     pub const EFFECTS: usize = 30;
+}
+
+/// Number formats.
+pub mod format {
+    /// Numbers are `f32`.
+    pub const F32: u16 = 1;
+    /// Numbers are 15-bit mantissas.
+    pub const Q15: u16 = 2;
+    /// Numbers are 31-bit mantissas.
+    pub const Q31: u16 = 3;
 }
