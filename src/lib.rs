@@ -107,8 +107,6 @@ mod relight;
 
 mod scene;
 
-mod collapse;
-
 mod nine_terms;
 
 mod shade;

@@ -2,11 +2,12 @@
 //! H_m(n_z).
 
 use crate::basis::Basis;
-use crate::buffer::Buffer;
+use crate::buffer::{Buffer, zeros};
 use crate::error::{Argument, Error};
-use crate::index::layout::Recurrence;
+use crate::index::layout::{LANES, Recurrence};
 use crate::index::record::ProfilePlace;
-use crate::invariant::{part, split, split_row};
+use crate::invariant::{part, part_mut, split, split_mut, split_row};
+use crate::lanes::multiply_add;
 use crate::normal::Normal;
 use crate::polynomial::{self, argument, turned};
 use crate::recurrences::Recurrences;
@@ -27,6 +28,65 @@ pub struct Scene<'a, B> {
 }
 
 impl<'a, S: Scalar> Basis<'a, S> {
+    /// Sums the components of each azimuth.
+    ///
+    /// `N` must be at least [`scene_len`](Self::scene_len). `coefficients` holds the leading
+    /// components; missing ones count as zero.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] if there are more coefficients than components, [`Error::Capacity`] if `N`
+    /// is too small.
+    pub fn collapse<const N: usize>(
+        &self,
+        coefficients: &[S],
+    ) -> Result<Scene<'a, SceneBuffer<S, N>>, Error> {
+        self.collapse_into(coefficients, zeros::<S, N>(Argument::Scene, self.scene_len())?)
+    }
+
+    /// [`collapse`](Self::collapse) into a buffer that the caller provides, of length
+    /// [`scene_len`](Self::scene_len).
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] if there are more coefficients than components, or if the buffer has
+    /// another length.
+    pub fn collapse_into<B: AsMut<[S]>>(
+        &self,
+        coefficients: &[S],
+        mut buffer: B,
+    ) -> Result<Scene<'a, B>, Error> {
+        let sums = buffer.as_mut();
+        Error::check(Argument::Scene, self.scene_len(), sums.len())?;
+        if coefficients.len() > self.components() {
+            let (expected, found) = (self.components(), coefficients.len());
+            return Err(Error::Length { argument: Argument::Coefficients, expected, found });
+        }
+        sums.fill(S::ZERO);
+        for (sum, &mean) in sums.iter_mut().zip(self.parts.mean) {
+            *sum = mean;
+        }
+        let weight = |index: Option<u16>| {
+            index.and_then(|index| coefficients.get(usize::from(index))).copied()
+        };
+        let (mut sums, mut azimuth) = (sums, 0);
+        for (place, terms) in self.profiles() {
+            while azimuth < place.azimuth() {
+                let signs = if azimuth == 0 { 1 } else { 2 };
+                sums = part_mut(sums, signs * self.length(azimuth)..);
+                azimuth += 1;
+            }
+            if let Some(weight) = weight(place.plus()) {
+                add(weight, terms, sums);
+            }
+            // Φ_-m = √2 sin(-mβ) = -√2 Im (n_x + i n_y)^m / sin^m.
+            if let Some(weight) = weight(place.minus()) {
+                add(-weight, terms, part_mut(sums, terms.len()..));
+            }
+        }
+        Ok(Scene::of(self.parts.lengths, self.recurrences, buffer))
+    }
+
     /// The scene of polynomials that were collapsed earlier and stored. The irradiances are
     /// meaningless for any other numbers.
     ///
@@ -87,18 +147,28 @@ impl<'a, S: Scalar> Basis<'a, S> {
     }
 }
 
+/// Adds the terms times the weight to the sums.
+#[inline]
+fn add<S: Scalar>(weight: S, terms: &[S], sums: &mut [S]) {
+    // Small code for targets without lanes to fill.
+    if cfg!(target_pointer_width = "32") {
+        return sums.iter_mut().zip(terms).for_each(|(sum, &term)| *sum += weight * term);
+    }
+    let (terms, rest) = terms.as_chunks();
+    let (sums, others) = split_mut(sums, LANES * terms.len());
+    for (sums, terms) in sums.as_chunks_mut().0.iter_mut().zip(terms) {
+        *sums = multiply_add(*sums, terms, &[weight; LANES]);
+    }
+    for (sum, &term) in others.iter_mut().zip(rest) {
+        *sum = sum.add_product(weight, term);
+    }
+}
+
 impl<'a, B> Scene<'a, B> {
     /// The scene of polynomials of these lengths.
     #[inline]
     pub(crate) fn of(lengths: &'a [u16], recurrences: Recurrences<'a>, buffer: B) -> Self {
         Self { lengths, recurrences, buffer }
-    }
-
-    /// The buffer, for writing polynomials of these lengths and recurrences.
-    #[inline]
-    pub(crate) fn rewritten(&mut self, lengths: &'a [u16], recurrences: Recurrences<'a>) -> &mut B {
-        (self.lengths, self.recurrences) = (lengths, recurrences);
-        &mut self.buffer
     }
 
     /// The recurrence of an azimuth, or empty.
@@ -111,6 +181,16 @@ impl<'a, B> Scene<'a, B> {
     #[inline]
     pub(crate) fn lengths(&self) -> &'a [u16] {
         self.lengths
+    }
+
+    /// The terms of all polynomials, for writing polynomials of these lengths without recurrences.
+    #[inline]
+    pub(crate) fn rewritten<S: Scalar>(&mut self, lengths: &'a [u16]) -> &mut [S]
+    where
+        B: AsMut<[S]>,
+    {
+        (self.lengths, self.recurrences) = (lengths, Recurrences::NONE);
+        self.buffer.as_mut()
     }
 
     /// The terms of all polynomials.

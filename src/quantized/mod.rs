@@ -39,17 +39,13 @@
 //! ```
 
 mod basis;
-mod collapse;
 mod estimate;
 mod inputs;
 mod nine_terms;
 mod pixel;
 mod relight;
 mod rotation;
-mod scattering;
 mod scene;
-mod settle;
-mod size;
 mod table;
 mod transfer;
 mod turn;
@@ -60,17 +56,8 @@ mod view;
 /// constants for all sizes and positions. If an argument has another shape, the methods are called.
 #[doc(hidden)]
 pub mod kernels {
-    /// Computing a transfer, part by part.
-    pub mod transfer {
-        pub use crate::quantized::scattering::{Degree, all_above, coefficients};
-        pub use crate::quantized::transfer::{azimuth, inputs, numbers};
-    }
-
-    /// Collapsing, part by part.
-    pub mod collapse {
-        pub use crate::quantized::collapse::{azimuth, finish, mantissas, terms};
-        pub use crate::quantized::size::{Size, azimuths};
-    }
+    pub mod collapse;
+    pub mod transfer;
 
     /// Relighting, part by part.
     pub mod relight {

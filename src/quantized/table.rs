@@ -116,9 +116,9 @@ macro_rules! integer_table {
             let of_transfer = kernels::numbers(transfer);
             if let (Some(inputs), Some((numbers, exponents))) = (inputs, of_transfer) {
                 let (mut sums, mut of_sums) = ([[0; PAIRS]; DEGREES], [0; DEGREES]);
-                let (b, above) = (kernels::coefficients(inputs.0), kernels::all_above(inputs.1));
+                let b = kernels::coefficients(inputs.0);
                 for (l, (sums, exponent)) in sums.iter_mut().zip(&mut of_sums).enumerate() {
-                    let degree = kernels::Degree::new::<Shape>(l, [inputs.1, &above]);
+                    let degree = kernels::Degree::new::<Shape>(l, inputs.1);
                     let Some(degree) = &degree else { continue };
                     scatter(degree, &b, sums);
                     *exponent = degree.normalize(sums);
@@ -243,17 +243,8 @@ macro_rules! integer_table {
             Ok(())
         }
     };
-    ($format:ident collapse $sum:ident $([$azimuth:literal $profiles:literal])*) => {
-        /// Sums the components of each azimuth: see [`eigenshade::quantized::Basis::collapse`].
-        ///
-        /// # Errors
-        ///
-        /// The same, except that no capacity can be too small.
-        pub fn collapse(coefficients: &Coefficients) -> Result<Scene, $crate::Error> {
-            let mut scene = Scene::default();
-            collapse_into(coefficients, &mut scene)?;
-            Ok(scene)
-        }
+    ($format:ident collapse $([$azimuth:literal $profiles:literal])*) => {
+        $crate::integer_table!(@collapse);
         /// [`collapse`] into an existing scene, without moving it.
         ///
         /// # Errors
@@ -267,7 +258,7 @@ macro_rules! integer_table {
             const AZIMUTHS: usize = kernels::azimuths(&BASIS);
             let terms = kernels::terms(&BASIS, &mut scene.0);
             if let (Some(d), Some(terms)) = (kernels::mantissas(coefficients), terms) {
-                let size = kernels::Size::<$sum, AZIMUTHS>::empty()
+                let size = kernels::Size::<AZIMUTHS>::empty()
                     $(.azimuth::<Shape, $crate::$format, $azimuth, COMPONENTS>(d))*;
                 if let Some(shifts) = size.shifts::<Shape, $crate::$format>() {
                     $(kernels::azimuth::<
@@ -287,6 +278,33 @@ macro_rules! integer_table {
         ) -> Result<(), $crate::Error> {
             *scene = Scene(BASIS.collapse(coefficients.mantissas(), coefficients.exponent())?);
             Ok(())
+        }
+    };
+    ($format:ident collapse by basis) => {
+        $crate::integer_table!(@collapse);
+        /// [`collapse`] into an existing scene.
+        ///
+        /// # Errors
+        ///
+        /// The same; `scene` is then left unspecified.
+        pub fn collapse_into(
+            coefficients: &Coefficients,
+            scene: &mut Scene,
+        ) -> Result<(), $crate::Error> {
+            *scene = Scene(BASIS.collapse(coefficients.mantissas(), coefficients.exponent())?);
+            Ok(())
+        }
+    };
+    (@collapse) => {
+        /// Sums the components of each azimuth: see [`eigenshade::quantized::Basis::collapse`].
+        ///
+        /// # Errors
+        ///
+        /// The same, except that no capacity can be too small.
+        pub fn collapse(coefficients: &Coefficients) -> Result<Scene, $crate::Error> {
+            let mut scene = Scene::default();
+            collapse_into(coefficients, &mut scene)?;
+            Ok(scene)
         }
     };
     ($format:ident shade $($azimuth:literal)*) => {

@@ -1,15 +1,13 @@
 //! The transfer of a material in fixed point: T_i,l = Σ_pq factor_i,l,pq S_l,pq with S_l,pq = Σ_o
 //! B_op^q Ĉ_lo^q, so that d_i = Σ_l T_i,l L_l^m.
 
-use super::settle::{settle, settle_large};
 use super::{Basis, Material};
 use crate::buffer::{Buffer, zeros};
 use crate::error::{Argument, Error};
 use crate::format::{FixedPoint, Wide};
-use crate::index::pair;
-use crate::invariant::{part, part_mut, split_mut};
-use crate::lanes::rows;
-use crate::places::Shape;
+use crate::index::{material, pair};
+use crate::invariant::{part, split_mut, split_row};
+use crate::lanes::{rows, rows_mut};
 
 /// The transfer of a material: for each profile a row over l from |m| on, times 2 to the exponent
 /// of the profile.
@@ -125,11 +123,87 @@ impl<Q: FixedPoint> Basis<'_, Q> {
         }
         Ok(())
     }
+
+    /// Writes S: for each l a row over the pairs (p, q), with numbers of at most 2^BITS, and the
+    /// exponent of the row.
+    fn scatter(&self, material: &Material<'_, Q>, sums: &mut [Q::Wide], exponents: &mut [Q::Wide]) {
+        let pairs = pair::count(self.order());
+        let room = room::<Q::Wide>(self.order());
+        let all = self.parts.effects.is_all();
+        let polar = rows(self.parts.polar, pairs).zip(rows(self.parts.polar_exponents, pairs));
+        for ((polar, of_polar), (sums, exponent)) in polar.zip(rows_mut(sums, pairs).zip(exponents))
+        {
+            // Ĉ of (o, q) is multiplied by coefficients of o and of all higher orders of the same
+            // parity.
+            let (mut above, mut of_others, mut top, mut rest) = (None, None, i32::MIN, of_polar);
+            for o in (0..=self.order()).rev() {
+                let (below, of_o) = split_row(rest, pair::position(o, 0));
+                rest = below;
+                above = above.max(material.exponents.get(o));
+                if let (Some(&above), Some(&of_polar)) = (above, of_o.iter().max()) {
+                    top = top.max(i32::from(above) + i32::from(of_polar));
+                }
+                (above, of_others) = (of_others, above);
+            }
+            let common = top + room;
+            sums.fill(Q::Wide::default());
+            let coefficients = material::indices(material.order).zip(material.mantissas);
+            for ((o, p, q), &b) in coefficients {
+                if !all && !self.parts.effects.factored(o) {
+                    continue;
+                }
+                let of_order = material.exponents.get(o).copied().unwrap_or_default();
+                let (of_o, of_p) = (pair::position(o, q), pair::position(p, q));
+                let b = if o == p { b } else { b.over_root_two() };
+                let mut add = |from: usize, to: usize| {
+                    let (Some(&polar), Some(&of_polar), Some(sum)) =
+                        (polar.get(from), of_polar.get(from), sums.get_mut(to))
+                    else {
+                        return;
+                    };
+                    let by = i32::from(of_order) + i32::from(of_polar) - common;
+                    *sum += (b.widen() * polar.widen()).shifted(by);
+                };
+                add(of_o, of_p);
+                if o != p {
+                    add(of_p, of_o);
+                }
+            }
+            let largest = sums.iter().map(|sum| sum.bits()).max().unwrap_or_default();
+            let by = Q::BITS.cast_signed() - largest.cast_signed();
+            for sum in sums.iter_mut() {
+                *sum = sum.shifted(by);
+            }
+            *exponent = Q::Wide::of(if largest == 0 { ZERO_EXPONENT } else { common - by });
+        }
+    }
+}
+
+/// The number of bits by which the addends of S are shifted right so that their sum fits. There is
+/// one addend for each o of a parity. The shift is at least one bit, because the generated code
+/// shifts by at least one.
+#[inline(always)]
+pub(crate) fn room<W: Wide>(order: usize) -> i32 {
+    (W::of((order / 2 + 1) as i32).bits().cast_signed() - 1).max(1)
+}
+
+/// Rounds numbers, each with an exponent of its own, to mantissas with a common exponent, which is
+/// returned.
+#[inline(always)]
+pub(crate) fn settle<Q: FixedPoint>(
+    row: impl Iterator<Item = (Q::Wide, i32)> + Clone,
+    numbers: &mut [Q],
+) -> i16 {
+    let common = common_exponent(row.clone(), Q::BITS);
+    for (to, (number, exponent)) in numbers.iter_mut().zip(row) {
+        *to = Q::saturate(number.shifted(exponent - common));
+    }
+    common as i16
 }
 
 /// Σ a b. The row of factors sums to less than 2^(BITS + 1), so the result fits.
 #[inline(always)]
-fn product<Q: FixedPoint>(factors: &[Q], sums: &[Q::Wide]) -> Q::Wide {
+pub(crate) fn product<Q: FixedPoint>(factors: &[Q], sums: &[Q::Wide]) -> Q::Wide {
     let mut sum = Q::Wide::default();
     for (factor, &scattered) in factors.iter().zip(sums) {
         sum += factor.widen() * scattered;
@@ -137,80 +211,62 @@ fn product<Q: FixedPoint>(factors: &[Q], sums: &[Q::Wide]) -> Q::Wide {
     sum
 }
 
-/// The mantissas and exponents of a material, of exactly these lengths.
-#[inline(always)]
-#[must_use]
-pub fn inputs<'a, Q, const B: usize, const O: usize>(
-    material: &Material<'a, Q>,
-) -> Option<(&'a [Q; B], &'a [i8; O])> {
-    Some((material.mantissas.try_into().ok()?, material.exponents.try_into().ok()?))
-}
+/// The exponent of zeros, less than that of any number.
+pub(crate) const ZERO_EXPONENT: i32 = -1 << 12;
 
-/// The numbers and exponents of a transfer, to be filled.
-#[inline(always)]
-pub fn numbers<Q: FixedPoint, const T: usize, const E: usize>(
-    transfer: &mut TransferBuffer<Q, T, E>,
-) -> Option<(&mut [Q; T], &mut [i16; E])> {
-    let TransferBuffer { numbers, exponents } = transfer;
-    Some((numbers.filled()?, exponents.filled()?))
-}
+/// When a row is aligned to its largest exponent, its largest number must have this many bits more
+/// than are kept.
+pub(crate) const GUARD_BITS: u32 = 5;
 
-/// Computes the rows of the profiles of azimuth `M`, with `L` degrees each.
-#[inline(never)]
-pub fn azimuth<
-    B: Shape<Basis<'static, Q>>,
-    Q: FixedPoint,
-    const M: usize,
-    const L: usize,
-    const P: usize,
-    const D: usize,
-    const T: usize,
-    const E: usize,
->(
-    sums: &[[Q::Wide; P]; D],
-    of_sums: &[i32; D],
-    (numbers, exponents): (&mut [Q; T], &mut [i16; E]),
-) {
-    let place = const { &B::BASIS.azimuth_at(M) };
-    let parts = const { &B::BASIS.parts };
-    let rows = part(parts.factors.as_chunks::<P>().0, place.rows..);
-    let of_rows = part(parts.factor_exponents, place.rows..);
-    let rows = rows.as_chunks::<L>().0.iter().zip(of_rows.as_chunks::<L>().0);
-    let numbers = part_mut(numbers, place.rows..).as_chunks_mut::<L>().0;
-    let exponents = part_mut(exponents, place.first..);
-    let sums = part(sums, M..);
-    let of_sums = part(of_sums, M..);
-    for (((rows, of_rows), numbers), exponent) in
-        rows.zip(numbers).zip(exponents).take(place.profiles)
-    {
-        let mut row = [Q::Wide::default(); L];
-        for ((place, factors), sums) in row.iter_mut().zip(rows).zip(sums) {
-            *place = product_of_pairs(factors, sums);
+/// A common exponent for at most 511 numbers, each with an exponent of its own. With it, the
+/// mantissas are below 2^`bits`, and the sum of their sizes after rounding is below 2^(`bits` + 1).
+/// It is the least such exponent, except for the 256th that rounding may add.
+fn common_exponent<W: Wide>(numbers: impl Iterator<Item = (W, i32)> + Clone, bits: u32) -> i32 {
+    let (mut largest, mut top, mut count) = (i32::MIN, None, 0);
+    numbers.clone().for_each(|(number, exponent)| {
+        count += 1;
+        largest = largest.max(exponent);
+        if number != W::default() {
+            top = top.max(Some(number.bits().cast_signed() + exponent));
         }
-        *exponent = settle_degrees(&row, of_rows, of_sums, numbers);
-    }
+    });
+    let Some(top) = top else { return 0 };
+    let guard = guard::<W>(count);
+    let at = |reference: i32| {
+        let (mut most, mut sum) = (W::default(), W::default());
+        numbers.clone().for_each(|(number, exponent)| {
+            let aligned = number.max(-number).floor_shr(exponent - reference);
+            most = most.max(aligned);
+            sum += aligned.floor_shr(-guard.cast_signed());
+        });
+        row_bits(most, sum, count, guard)
+    };
+    // If no number with the largest exponent is large, align all of them so that they fill their
+    // bits.
+    let found = at(largest);
+    let (reference, found) = if found >= bits + GUARD_BITS {
+        (largest, found)
+    } else {
+        let reference = top - W::SIZE.cast_signed();
+        (reference, at(reference))
+    };
+    reference + found.cast_signed() - bits.cast_signed()
 }
 
-/// [`product`] over all pairs.
-#[inline(never)]
-fn product_of_pairs<Q: FixedPoint, const P: usize>(
-    factors: &[Q; P],
-    sums: &[Q::Wide; P],
-) -> Q::Wide {
-    product(factors, sums)
+/// The number of bits by which sizes are shifted right so that the sum of `count` sizes, plus a
+/// 256th of it, fits.
+#[inline(always)]
+pub(crate) fn guard<W: Wide>(count: i32) -> u32 {
+    W::of(count + (count >> 8)).bits()
 }
 
-/// [`settle_large`] over `L` degrees.
-#[inline(never)]
-fn settle_degrees<Q: FixedPoint, const L: usize>(
-    row: &[Q::Wide; L],
-    of_factors: &[i8; L],
-    of_sums: &[i32],
-    numbers: &mut [Q; L],
-) -> i16 {
-    let mut exponents = [0; L];
-    for ((exponent, &of_factors), of_sums) in exponents.iter_mut().zip(of_factors).zip(of_sums) {
-        *exponent = i32::from(of_factors) + of_sums;
-    }
-    settle_large(row.iter().copied().zip(exponents.iter().copied()), numbers)
+/// The least n such that the sizes are below 2^n, and their sum, including the error of rounding,
+/// is below 2^(n + 1). `either` is the largest size, or the bitwise OR of all sizes; `sum` is the
+/// sum of `count` sizes, each shifted right by [`guard`].
+#[inline(always)]
+pub(crate) fn row_bits<W: Wide>(either: W, sum: W, count: i32, guard: u32) -> u32 {
+    // Each size was rounded down.
+    let sum = sum + sum.floor_shr(-8) + W::of(count);
+    let half = guard - 1;
+    sum.max(either.floor_shr(-half.cast_signed())).bits() + half
 }

@@ -12,8 +12,7 @@ mod scene;
 
 mod table;
 
-pub use crate::collapse::azimuth as collapse;
-pub use scene::{azimuth, blank_scene, pole, scene, scene_mut, shade};
+pub use scene::{azimuth, blank_scene, collapse, pole, scene, scene_mut, shade};
 
 /// Relighting, part by part.
 pub mod relight {

@@ -1,35 +1,102 @@
-//! Shades a pixel of a scene with all sizes constant.
+//! Collapses an image into a scene and shades a pixel of it, with all sizes constant.
 //!
 //! For a pixel, Horner's rule is applied twice: to each polynomial in t = 2z - 1, and to the
 //! azimuths, from the highest downward, in w = n_x + i n_y. I(n) = Re Σ_m (P_m + i Q_m) w̄^m.
 
 use crate::basis::Basis;
+use crate::invariant::split_mut;
 use crate::normal::Normal;
 use crate::places::{AzimuthPlace, Shape};
 use crate::polynomial;
+use crate::recurrences::Recurrences;
 use crate::scalar::Scalar;
 use crate::scene::{Scene, SceneBuffer};
 
-/// A scene of this basis, with all terms zero.
+/// A scene of polynomials of these lengths, all zero, without recurrences.
 #[inline(always)]
-pub fn blank_scene<'a, S: Scalar, const N: usize>(
-    basis: &Basis<'a, S>,
-) -> Scene<'a, SceneBuffer<S, N>> {
-    Scene::of(basis.parts.lengths, basis.recurrences, SceneBuffer::from([S::ZERO; N]))
+pub fn blank_scene<S: Scalar, const N: usize>(lengths: &[u16]) -> Scene<'_, SceneBuffer<S, N>> {
+    Scene::of(lengths, Recurrences::NONE, SceneBuffer::from([S::ZERO; N]))
 }
 
-/// The numbers of a scene, to be overwritten with polynomials of this basis; `None` unless there are
-/// `N` in all.
+/// The numbers of a scene, to be overwritten with polynomials of these lengths; `None` unless there
+/// are `N` in all.
 #[inline(always)]
 pub fn scene_mut<'s, 'a, S: Scalar, const N: usize>(
-    basis: &Basis<'a, S>,
     scene: &'s mut Scene<'a, SceneBuffer<S, N>>,
+    lengths: &'a [u16],
 ) -> Option<&'s mut [S; N]> {
-    scene.rewritten(basis.parts.lengths, basis.recurrences).as_mut_slice().try_into().ok()
+    let numbers: &mut [S; N] = scene.rewritten(lengths).try_into().ok()?;
+    Some(numbers)
+}
+
+/// Sums the polynomials of azimuth `M`, of `P` profiles, weighted by the coefficients of their
+/// components. A component that the basis does not have counts as zero.
+///
+/// Not inlined: a compiler that sees several azimuths at once runs out of registers.
+#[inline(never)]
+pub fn collapse<
+    B: Shape<Basis<'static, S>>,
+    S: Scalar,
+    const M: usize,
+    const P: usize,
+    const K: usize,
+    const N: usize,
+>(
+    coefficients: &[S; K],
+    scene: &mut [S; N],
+) {
+    const { assert!(azimuth_of::<B, S>(M).profiles == P, "the azimuth has other profiles") };
+    let place = const { &azimuth_of::<B, S>(M) };
+    let components = const { &B::BASIS.components_of::<P>(M) };
+    let terms = const { B::BASIS.parts.terms.split_at(azimuth_of::<B, S>(M).terms).1 };
+    let (_, scene) = split_mut(scene, place.start);
+    if M == 0 {
+        sum_profiles(
+            place.length,
+            terms,
+            &components.map(|[plus, _]| [weight(coefficients, plus)]),
+            scene,
+        );
+    } else {
+        let weights = components.map(|[plus, minus]| {
+            // Φ_-m = √2 sin(-mβ) = -√2 Im (n_x + i n_y)^m / sin^m.
+            [weight(coefficients, plus), -weight(coefficients, minus)]
+        });
+        sum_profiles(place.length, terms, &weights, scene);
+    }
 }
 
 const fn azimuth_of<B: Shape<Basis<'static, S>>, S: 'static>(azimuth: usize) -> AzimuthPlace {
     B::BASIS.azimuth_at(azimuth)
+}
+
+#[inline(always)]
+fn weight<S: Scalar>(coefficients: &[S], component: u16) -> S {
+    coefficients.get(usize::from(component)).copied().unwrap_or(S::ZERO)
+}
+
+/// Sums `P` profiles of `length` terms, with weights for `W` polynomials each.
+#[inline(always)]
+fn sum_profiles<S: Scalar, const W: usize, const P: usize>(
+    length: usize,
+    terms: &[S],
+    weights: &[[S; W]; P],
+    scene: &mut [S],
+) {
+    for j in 0..length {
+        let mut sums = [S::ZERO; W];
+        for (profile, weights) in weights.iter().enumerate() {
+            let Some(&term) = terms.get(profile * length + j) else { continue };
+            for (sum, &weight) in sums.iter_mut().zip(weights) {
+                *sum = if profile == 0 { weight * term } else { sum.add_product(weight, term) };
+            }
+        }
+        for (sign, sum) in sums.into_iter().enumerate() {
+            if let Some(to) = scene.get_mut(sign * length + j) {
+                *to = sum;
+            }
+        }
+    }
 }
 
 /// The numbers of a scene whose azimuths have these lengths, `N` in all.

@@ -309,7 +309,7 @@ macro_rules! table {
             scene: &mut Scene,
         ) -> Result<(), $crate::Error> {
             let d: Result<&[f32; COMPONENTS], _> = coefficients.as_slice().try_into();
-            let terms = $crate::specialized::scene_mut(&BASIS, &mut scene.0);
+            let terms = $crate::specialized::scene_mut(&mut scene.0, PARTS.lengths);
             if let (Ok(d), Some(terms)) = (d, terms) {
                 $($crate::specialized::collapse::<
                     Shape, f32, $azimuth, $profiles, COMPONENTS, SCENE,
@@ -325,6 +325,28 @@ macro_rules! table {
             scene: &mut Scene,
         ) -> Result<(), $crate::Error> {
             *scene = Scene(BASIS.collapse::<SCENE>(coefficients)?);
+            Ok(())
+        }
+    };
+    (collapse by basis) => {
+        /// Sums the components of each azimuth: see [`eigenshade::Basis::collapse`].
+        ///
+        /// # Errors
+        ///
+        /// The same, except that no capacity can be too small.
+        pub fn collapse(coefficients: &Coefficients) -> Result<Scene, $crate::Error> {
+            BASIS.collapse::<SCENE>(coefficients).map(Scene)
+        }
+        /// [`collapse`] into an existing scene.
+        ///
+        /// # Errors
+        ///
+        /// The same; `scene` is then unchanged.
+        pub fn collapse_into(
+            coefficients: &Coefficients,
+            scene: &mut Scene,
+        ) -> Result<(), $crate::Error> {
+            *scene = collapse(coefficients)?;
             Ok(())
         }
     };
@@ -448,7 +470,7 @@ macro_rules! table {
             /// A scene to be overwritten.
             #[inline(always)]
             fn blank() -> Self {
-                Self($crate::specialized::blank_scene(&$basis))
+                Self($crate::specialized::blank_scene(PARTS.lengths))
             }
         }
         impl core::ops::Deref for Scene {

@@ -87,13 +87,14 @@ fn project(parts: &Parts<'_, f32>) -> String {
     text
 }
 
-/// The azimuths of a scene that have terms, and the number of their profiles.
+/// The azimuths of a scene and their profiles. A mean image is one summand more, and orthogonal
+/// polynomials have recurrences: the basis takes both.
 fn collapse(parts: &Parts<'_, f32>) -> String {
-    let azimuths = (0..).zip(parts.lengths).filter(|&(_, &length)| length > 0);
-    words(azimuths.map(|(azimuth, _)| {
-        let profiles = parts.profiles.iter().filter(|place| place.azimuth() == azimuth);
-        format!("[{azimuth} {}]", profiles.count())
-    }))
+    if !parts.mean.is_empty() || !parts.recurrences.is_empty() {
+        return "by basis".into();
+    }
+    let azimuths = parts.profiles.chunk_by(|a, b| a.azimuth == b.azimuth);
+    words(azimuths.map(|profiles| format!("[{} {}]", profiles[0].azimuth, profiles.len())))
 }
 
 /// The azimuths of a pixel, from the highest downward.

@@ -70,7 +70,8 @@ fn azimuths<'a, Q>(parts: &Parts<'a, Q>) -> impl Iterator<Item = &'a [Profile]> 
     parts.profiles.chunk_by(|a, b| a.azimuth == b.azimuth)
 }
 
-/// The type of sums of sizes, and the azimuths of a scene and their profiles.
+/// The azimuths of a scene and their profiles. Where the sums of the sizes may not fit 32 bits, the
+/// basis takes them.
 fn collapse<Q>(parts: &Parts<'_, Q>) -> String {
     let sum = |stated: fn(&Profile) -> u16, profiles: &[Profile]| {
         profiles.iter().map(|place| u32::from(stated(place))).sum::<u32>()
@@ -78,10 +79,12 @@ fn collapse<Q>(parts: &Parts<'_, Q>) -> String {
     let steps = azimuths(parts).map(|profiles| sum(|place| place.step, profiles));
     let largest = steps.chain([2 * sum(|place| place.size, parts.profiles)]).max();
     // Times 2^15, and what may be missing.
-    let sum = if largest.unwrap_or(0) < 1 << 16 { "u32" } else { "u64" };
+    if largest.unwrap_or(0) >= 1 << 16 {
+        return "collapse by basis".into();
+    }
     let azimuths = azimuths(parts);
     let azimuths = azimuths.map(|profiles| format!("[{} {}]", profiles[0].azimuth, profiles.len()));
-    format!("collapse {sum} {}", words(azimuths))
+    format!("collapse {}", words(azimuths))
 }
 
 /// The azimuths of a pixel.
