@@ -203,7 +203,8 @@ pub(crate) fn mantissas<Q: FixedPoint>(
     exponent
 }
 
-/// [`mantissas`] of floats.
+/// [`mantissas`] of floats. Not inlined: lights and materials share it, which keeps modules small.
+#[inline(never)]
 fn quantize<Q: FixedPoint>(from: &[f32], to: &mut [Q]) -> i32 {
     mantissas(from.iter().map(|&number| decoded(number)), to)
 }

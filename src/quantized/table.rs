@@ -90,6 +90,7 @@ macro_rules! integer_table {
             ///
             /// [`Error::Length`](eigenshade::Error::Length) unless `irradiance` and `normals` have
             /// the same length.
+            #[inline]
             pub fn shade_slice(
                 &self,
                 normals: &[$crate::quantized::Normal<$crate::$format>],
@@ -323,6 +324,7 @@ macro_rules! integer_table {
             ///
             /// [`Error::Length`](eigenshade::Error::Length) unless `irradiance` and `normals` have
             /// the same length.
+            #[inline]
             pub fn shade_slice(
                 &self,
                 normals: &[$crate::quantized::Normal<$crate::$format>],

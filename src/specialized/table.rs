@@ -519,6 +519,8 @@ macro_rules! table {
             /// # Errors
             ///
             /// The same.
+            // Inlined: the crate that calls it chooses between speed and size.
+            #[inline]
             pub fn shade_slice(
                 &self,
                 normals: $crate::Normals<'_, f32>,
