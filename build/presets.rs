@@ -37,7 +37,7 @@ fn errors() -> Result<Vec<Vec<String>>, String> {
     Ok(lines.map(|line| line.split(',').map(str::to_owned).collect()).collect())
 }
 
-/// What a constant's documentation says of its total error.
+/// The total error, as a constant's documentation states it.
 fn error_text(errors: &[Vec<String>], name: &str) -> String {
     let percent = |column: usize, size: [&str; 2]| {
         let row =

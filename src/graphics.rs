@@ -8,7 +8,7 @@ use crate::light::{Light, LightBuffer, degree};
 use crate::nine_terms::{CONSTANT, LINEAR, SQUARE, UPRIGHT};
 use crate::scalar::Scalar;
 
-/// What the coefficients of another program contain.
+/// The convention of another program's coefficients.
 ///
 /// All of them are in the order of [`index::light`](crate::index::light). Directions are those of
 /// the program's world: right-handed, y up, with a camera that looks along -z until it is turned.

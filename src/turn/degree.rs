@@ -190,7 +190,7 @@ impl<A: Arithmetic, const C: usize> Degree<A, C> {
         }
     }
 
-    /// What a rotation about z changes.
+    /// The change that a rotation about z makes.
     #[inline(never)]
     fn change(&mut self, l: usize, multiples: &Multiples<A::Factor>) {
         let [zero, ..] = &mut self.cosines;

@@ -127,7 +127,7 @@ fn sum<S: Scalar>(a: S, b: S) -> [S; 2] {
     [sum, (a - (sum - of_b)) + (b - of_b)]
 }
 
-/// What the rounded product of a and b lacks of a b, by the method of Dekker for f32.
+/// The rounding error of the product a b, by the method of Dekker for f32.
 fn residual<S: Scalar>(a: S, b: S) -> S {
     let split = |number: S| {
         let shifted = S::from_whole(4097) * number;

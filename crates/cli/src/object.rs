@@ -1,4 +1,4 @@
-//! What a picture shows: a sphere, a mesh or a normal map, or the look-up of a matcap.
+//! The object of a picture: a sphere, a mesh or a normal map, or the look-up of a matcap.
 
 use crate::picture::{Pixel, SphereView};
 use eigenshade::{Matcap, Normal, NormalMap};

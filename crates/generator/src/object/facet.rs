@@ -78,7 +78,7 @@ impl Frame {
         Self { samples, least, sides: [0, 1, 2].map(|axis| most[axis] - least[axis]) }
     }
 
-    /// The square around that box, with a margin of so many samples around its longer side.
+    /// The square around that box, with a margin of samples around its longer side.
     pub(super) fn square(facets: &[Facet], samples: usize, margin: f64) -> Self {
         let mut frame = Self::new(facets, samples);
         let longer = frame.sides[0].max(frame.sides[1]);

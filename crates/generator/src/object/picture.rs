@@ -33,7 +33,7 @@ pub struct Picture {
     pub pixels: Vec<Option<Shown>>,
 }
 
-/// What a pixel shows.
+/// The content of a pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shown {
     /// The unit normal, z >= 0: the mean over the covered part.
