@@ -13,6 +13,7 @@ mod paper_command;
 mod paper_oracle;
 mod paper_statements;
 mod reading_page;
+mod unseen_materials;
 use eigenshade_testing::{oracle, tolerances};
 use std::path::{Path, PathBuf};
 

@@ -306,6 +306,32 @@ fn info_describes_wire_files() {
 }
 
 #[test]
+fn the_first_components_are_a_table_of_fewer() {
+    let folder = Folder::with_table();
+    let whole = folder.table("b.bin");
+    folder.write("few.toml", scene("image-centered", 5, "[]"));
+    folder.ok("basis --scene few.toml --out few.bin");
+    for format in ["f32", "q15"] {
+        folder.ok(&format!("pack few.bin --format {format} --out few.esw"));
+        let summary =
+            folder.ok(&format!("pack b.bin --components 5 --format {format} --out first.esw"));
+        let [few, first] =
+            ["few.esw", "first.esw"].map(|name| fs::read(folder.path(name)).unwrap());
+        assert_eq!(few, first, "{format}");
+        assert_eq!(summary.lines().count(), 1, "no error of another table: {summary}");
+    }
+    let more = format!("pack b.bin --components {} --out new.esw", whole.count() + 1);
+    let of = format!("the table has {}", whole.count());
+    assert_fails(&folder, &more, &["b.bin", &of, "ask for at most as many"]);
+    let none = folder.run("pack b.bin --components 0 --out new.esw");
+    assert_eq!(none.status.code(), Some(2));
+    folder.write("stored.toml", scene("image-centered", 5, "[]") + "store = \"materials\"\n");
+    folder.ok("basis --scene stored.toml --out stored.bin");
+    let stored = "pack stored.bin --components 2 --out new.esw";
+    assert_fails(&folder, stored, &["stored.bin", "a sphere's table that projects"]);
+}
+
+#[test]
 fn tables_without_a_wire_file_are_refused() {
     let folder = Folder::with_table();
     folder.write("scene.toml", scene("standard", 10, "[]"));

@@ -27,12 +27,12 @@ fn shipped_names(entries: Vec<Named>) -> Vec<String> {
     entries.into_iter().map(|entry| entry.name).collect()
 }
 
-/// A name is the same light or material as the shipped file's entry, and no table is the shipped one.
+/// A name is the same light or material as the shipped file's entry, and no table is `color.bin`.
 #[test]
 fn names_are_entries_of_the_shipped_files() {
     let folder = Folder::new();
     let tables = repository().join("tables");
-    let (table, lights) = (tables.join("sphere.bin"), tables.join("inputs/lights.csv"));
+    let (table, lights) = (tables.join("color.bin"), tables.join("inputs/lights.csv"));
     let materials = tables.join("inputs/materials.csv");
     let (table, lights, materials) = (table.display(), lights.display(), materials.display());
     folder.ok(&format!(
@@ -92,7 +92,8 @@ fn pictures_follow_their_options() {
     let size = 24;
     let picture = |options: &str| -> Vec<u8> {
         let choice = "--light lobby --material gold-metallic-paint --out a.png";
-        folder.ok(&format!("render {choice} --size {size} {options}"));
+        let table = repository().join("tables/sphere.bin");
+        folder.ok(&format!("render {} {choice} --size {size} {options}", table.display()));
         pixels(&folder.path("a.png"))
     };
     // Rounding may move a code by one.
@@ -157,7 +158,7 @@ fn pictures_of_velvet() {
     let folder = Folder::new();
     let table = repository().join("tables/sphere.bin");
     let table = table.display();
-    folder.ok("render --light park --material 07-velvet --size 96 --out v.png");
+    folder.ok(&format!("render {table} --light park --material 07-velvet --size 96 --out v.png"));
     let read = |arguments: &str| {
         let output = folder.run(&format!("read {arguments} --table {table}"));
         let message = String::from_utf8_lossy(&output.stderr).into_owned();

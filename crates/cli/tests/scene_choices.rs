@@ -1,7 +1,7 @@
 //! Tables whose scene has a tolerance or a cut: what `basis` reports, what it keeps, and what it
 //! refuses.
 
-use crate::support::{Folder, assert_fails, lights, materials, repository, scene};
+use crate::support::{Folder, PAIR, assert_fails, lights, materials, repository, scene};
 use crate::tolerances;
 use eigenshade_index::material;
 use eigenshade_table::Table;
@@ -216,4 +216,48 @@ fn what_cannot_be_cut_is_refused() {
     let tolerance = good.replace("components = 10000", "tolerance = 1e-2\ncut = { terms = 5 }");
     folder.write("scene.toml", tolerance);
     assert_fails(&folder, BASIS, &["tolerance and cut"]);
+}
+
+/// Several databases are one database with all of their materials, to the lowest order.
+#[test]
+fn several_databases() {
+    let folder = Folder::new();
+    let all = folder.read("materials.csv");
+    let (header, rows) = all.split_once('\n').unwrap();
+    let is_first = |row: &&str| row.starts_with("material-0") || row.starts_with("material-1");
+    let (first, rest): (Vec<&str>, Vec<&str>) = rows.lines().partition(is_first);
+    let file = |rows: &[&str]| format!("{header}\n{}\n", rows.join("\n"));
+    folder.write("first.csv", file(&first));
+    folder.write("rest.csv", file(&rest));
+    let with = |database: &str| {
+        let text = scene("image-centered", 10_000, "[]");
+        let text = text.replace("\"materials.csv\"", database);
+        folder.write("scene.toml", text);
+    };
+    let made = |database: &str, to: &str| {
+        with(database);
+        folder.ok(&format!("basis --scene scene.toml --out {to}"));
+        folder.table(to)
+    };
+    let one = made("\"materials.csv\"", "one.bin");
+    let listed = made("[\"materials.csv\"]", "listed.bin");
+    assert_eq!(one, listed);
+    let several = made("[\"first.csv\", \"rest.csv\"]", "several.bin");
+    assert_eq!(several.scene.material.database, ["first.csv", "rest.csv"]);
+    let scene = one.scene.clone();
+    assert_eq!(Table { scene, ..several }, one);
+    assert!(folder.ok("info several.bin").contains("first.csv rest.csv"));
+    let of_several = folder.ok(&format!("project several.bin {PAIR}"));
+    assert_eq!(of_several, folder.ok(&format!("project one.bin {PAIR}")));
+
+    let refused = |database: &str, fragments: &[&str]| {
+        with(database);
+        assert_fails(&folder, "basis --scene scene.toml --out new.bin", fragments);
+    };
+    refused("[]", &["material.database = []", "name at least one file"]);
+    refused("[\"first.csv\", \"materials.csv\"]", &["materials.csv", "`material-0`", "rename"]);
+    refused("[\"first.csv\", \"none.csv\"]", &["none.csv"]);
+    refused("[\"first.csv\", 3]", &["a path or a list of paths"]);
+    folder.write("low.csv", materials(2, 1).replace("material-0", "low"));
+    refused("[\"materials.csv\", \"low.csv\"]", &["low.csv", "order 2"]);
 }

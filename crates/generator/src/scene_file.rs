@@ -24,7 +24,7 @@ pub struct Loaded {
     pub lights: Lights,
     /// The materials, truncated to the scene's order.
     pub materials: Materials,
-    /// The order of the material file, at least the scene's.
+    /// The order that all material files reach, at least the scene's.
     pub order_of_file: usize,
     /// The normals of the object.
     pub geometry: Geometry,
@@ -81,11 +81,13 @@ pub fn load(file: impl Into<InputFile>) -> Result<Loaded> {
     let folder = file.folder();
     let lights = file.other(folder.join(&scene.light.database));
     let lights = read_lights(lights, Some(scene.light.degree))?;
-    let database = folder.join(&scene.material.database);
+    let databases = scene.material.database.iter().map(|path| folder.join(path));
+    let order = Some(scene.material.order);
     let (mut materials, order_of_file) =
-        read_materials_and_order(file.other(&database), Some(scene.material.order))?;
+        together(databases, |path| read_materials_and_order(file.other(path), order))?;
     if !scene.material.names.is_empty() {
-        materials.entries = named(&materials, &scene.material.names, &database)?;
+        materials.entries = named(&materials, &scene.material.names)
+            .map_err(|error| error.in_file(folder.join(scene.material.database.join(", "))))?;
     }
     let geometry = read_geometry(&scene.geometry, scene.light.degree, &file)?;
     Ok(Loaded { scene, lights, materials, order_of_file, geometry })
@@ -105,20 +107,49 @@ pub fn inputs(path: &Path) -> Vec<PathBuf> {
             "slant-density" => geometry.density.as_ref().filter(|one| density::is_file(one)),
             _ => Some(&geometry.normals),
         };
-        let databases = [&scene.light.database, &scene.material.database];
-        let files = databases.into_iter().chain(object).chain(&geometry.mask);
+        let databases = std::iter::once(&scene.light.database).chain(&scene.material.database);
+        let files = databases.chain(object).chain(&geometry.mask);
         inputs.extend(files.map(|file| folder.join(file)));
     }
     inputs
 }
 
-fn named(materials: &Materials, names: &[String], database: &Path) -> Result<Vec<Named>> {
+/// The materials of several files, to the lowest of their orders, and the highest order that all
+/// files have. `read` reads one of them.
+///
+/// # Errors
+///
+/// If a file cannot be read, or a name is in two of them.
+pub fn together(
+    files: impl IntoIterator<Item = PathBuf>,
+    read: impl Fn(&Path) -> Result<(Materials, usize)>,
+) -> Result<(Materials, usize)> {
+    let mut all: Option<(Materials, usize)> = None;
+    for file in files {
+        let (more, order_of_file) = read(&file)?;
+        let Some((materials, least)) = &mut all else {
+            all = Some((more, order_of_file));
+            continue;
+        };
+        let has = |name: &String| materials.entries.iter().any(|entry| entry.name == *name);
+        if let Some(twice) = more.entries.iter().find(|entry| has(&entry.name)) {
+            let what = format!("material `{}` is also in another database", twice.name);
+            return Err(Error::new(what, "rename one of them").in_file(file));
+        }
+        let order = materials.order.min(more.order);
+        *materials = materials.truncated(order);
+        materials.entries.extend(more.truncated(order).entries);
+        *least = order_of_file.min(*least);
+    }
+    all.ok_or_else(|| Error::new("no material database", "name at least one file"))
+}
+
+fn named(materials: &Materials, names: &[String]) -> Result<Vec<Named>> {
     let find = |name: &String| {
         let entry = materials.entries.iter().find(|entry| entry.name == *name);
-        entry.cloned().ok_or_else(|| {
-            Error::new(format!("no material `{name}`"), "use a name from the file")
-                .in_file(database)
-        })
+        let missing =
+            || Error::new(format!("no material `{name}`"), "use a name from the database");
+        entry.cloned().ok_or_else(missing)
     };
     names.iter().map(find).collect()
 }
@@ -191,6 +222,9 @@ fn check(scene: &Scene) -> Result<()> {
             "effects.use = []".into(),
             "name at least one effect, or leave it out for all",
         );
+    }
+    if scene.material.database.is_empty() {
+        return fail("material.database = []".into(), "name at least one file");
     }
     let names = &scene.material.names;
     if let Some(place) = (1..names.len()).find(|&place| names[..place].contains(&names[place])) {

@@ -13,7 +13,7 @@ use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_model::special::quadrature::gauss_legendre;
 use eigenshade_model::special::spherical_harmonic::{self, azimuth};
 use eigenshade_table::Table;
-use eigenshade_table::scene::{Criterion, LightRotation, Normalize, Scene};
+use eigenshade_table::scene::{Criterion, LightRotation, MaterialNormalize, Normalize, Scene};
 use faer::Mat;
 use std::path::Path;
 
@@ -101,6 +101,63 @@ fn weights_are_repetitions() {
             );
         }
     }
+}
+
+/// Materials of equal variance are those scaled by hand to equal variance; how bright each was
+/// does not matter, and a black one is not there.
+#[test]
+fn equal_variance_is_scaling() {
+    let (lights, materials) = databases();
+    let scaled = |factors: &[f64]| {
+        let mut materials = materials.clone();
+        for (entry, factor) in materials.entries.iter_mut().zip(factors) {
+            entry.rgb.iter_mut().flatten().for_each(|value| *value *= factor);
+        }
+        materials
+    };
+    let sum = |values: &[f64]| values.iter().sum::<f64>();
+    for rotation in [LightRotation::Any, LightRotation::Vertical] {
+        let as_they_are = scene(Criterion::ImageCentered, rotation);
+        let mut equal = as_they_are.clone();
+        equal.material.normalize = MaterialNormalize::EqualVariance;
+        // The variance of one material is the sum of the eigenvalues of a table of it alone.
+        let alone = scene(Criterion::ImageCentered, LightRotation::Any);
+        let deviations: Vec<f64> = materials
+            .entries
+            .iter()
+            .map(|entry| Materials { entries: vec![entry.clone()], ..materials.clone() })
+            .map(|one| sum(&eigenvalues(&alone, &lights, &one)).sqrt())
+            .collect();
+        let inverse: Vec<f64> = deviations.iter().map(|deviation| 1.0 / deviation).collect();
+        let expected = eigenvalues(&as_they_are, &lights, &scaled(&inverse));
+        let brighter: Vec<f64> = (0..inverse.len()).map(|k| 10f64.powi(k as i32 - 2)).collect();
+        let mut with_black = materials.clone();
+        let black = vec![0.0; materials.entries[0].rgb[0].len()];
+        with_black
+            .entries
+            .push(Named { name: "black".to_owned(), rgb: [(); 3].map(|()| black.clone()) });
+        for materials in [&materials, &scaled(&brighter), &with_black] {
+            let found = eigenvalues(&equal, &lights, materials);
+            assert_eq!(found.len(), expected.len());
+            // The weights sum to 1, so only ratios count.
+            let [total, expected_total] = [sum(&found), sum(&expected)];
+            for (found, expected) in found.iter().zip(&expected) {
+                let apart = found / total - expected / expected_total;
+                assert!(apart.abs() < tolerances::MOMENTS, "{rotation:?}: {apart:e}");
+            }
+        }
+        let plain = eigenvalues(&as_they_are, &lights, &scaled(&brighter));
+        let apart = plain[0] / sum(&plain) - expected[0] / sum(&expected);
+        assert!(apart.abs() > tolerances::NO_ACCIDENT, "{rotation:?}: {apart:e}");
+    }
+    // All black: weights stay what they are, and the table is refused as before.
+    let mut one_of = scene(Criterion::ImageCentered, LightRotation::Any);
+    let black = scaled(&vec![0.0; materials.entries.len()]);
+    let errors = [MaterialNormalize::EqualVariance, MaterialNormalize::None].map(|normalize| {
+        one_of.material.normalize = normalize;
+        basis::build(&one_of, &lights, &black).map(|table| table.count()).map_err(|e| e.to_string())
+    });
+    assert_eq!(errors[0], errors[1]);
 }
 
 /// Turning about the vertical axis: the light's second moments, by turning each light

@@ -7,6 +7,9 @@ use eigenshade_model::inputs::coefficient_csv::{parse_lights, parse_materials};
 
 /// The contents of `tables/sphere.bin`.
 pub const TABLE: &[u8] = include_bytes!("../../../tables/sphere.bin");
+/// The contents of `tables/color.bin`: as many components as the pictures of any material of its
+/// order need.
+pub const COLOR: &[u8] = include_bytes!("../../../tables/color.bin");
 const LIGHTS: &str = include_str!("../../../tables/inputs/lights.csv");
 const MATERIALS: &str = include_str!("../../../tables/inputs/materials.csv");
 const COLORED: &str = include_str!("../../../tables/inputs/merl.csv");

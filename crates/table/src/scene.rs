@@ -100,14 +100,59 @@ pub enum Normalize {
 pub struct Material {
     /// Maximum order of the BRDF.
     pub order: usize,
-    /// Path to the material CSV, relative to the scene file.
-    pub database: String,
+    /// Paths to the material CSVs, relative to the scene file. In a scene file, a single one may
+    /// be written without a list.
+    #[serde(with = "one_or_several")]
+    pub database: Vec<String>,
     /// Names of the materials to use; all if empty.
     #[serde(default)]
     pub names: Vec<String>,
+    /// How bright materials are made comparable to dark ones; this affects only the statistics.
+    #[serde(default)]
+    pub normalize: MaterialNormalize,
     /// Weights of the materials in the statistics, by name; 1 by default.
     #[serde(default)]
     pub weights: BTreeMap<String, f64>,
+}
+
+/// How bright materials are made comparable to dark ones; this affects only the statistics.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum MaterialNormalize {
+    /// Each material is scaled so that its images vary equally.
+    EqualVariance,
+    /// Materials are used as they are.
+    #[default]
+    None,
+}
+
+/// A list of strings that text formats may write as a single string.
+mod one_or_several {
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+    #[derive(Deserialize)]
+    #[serde(untagged, expecting = "a path or a list of paths")]
+    enum OneOrSeveral {
+        One(String),
+        Several(Vec<String>),
+    }
+
+    pub fn serialize<S: Serializer>(list: &[String], serializer: S) -> Result<S::Ok, S::Error> {
+        match list {
+            [one] if serializer.is_human_readable() => one.serialize(serializer),
+            _ => list.serialize(serializer),
+        }
+    }
+
+    pub fn deserialize<'de, D: Deserializer<'de>>(source: D) -> Result<Vec<String>, D::Error> {
+        if !source.is_human_readable() {
+            return Vec::deserialize(source);
+        }
+        Ok(match OneOrSeveral::deserialize(source)? {
+            OneOrSeveral::One(path) => vec![path],
+            OneOrSeveral::Several(paths) => paths,
+        })
+    }
 }
 
 /// The basis to compute.

@@ -101,7 +101,10 @@ fn one_scene(name: &str, table: &Table) -> Result<String> {
 
 /// The material that a scene names, or the first of its database, whose rows are in storage order.
 fn coefficients(table: &Table) -> Result<Vec<f64>> {
-    let database = format!("{SCENES}/{}", table.scene.material.database);
+    let [database] = table.scene.material.database.as_slice() else {
+        return Err("a scene needs one material database".into());
+    };
+    let database = format!("{SCENES}/{database}");
     let text = read(&database)?;
     let rows = text.lines().filter(|line| !line.starts_with('#')).skip(1);
     let mut rows = rows.filter_map(|row| row.split_once(',')).peekable();

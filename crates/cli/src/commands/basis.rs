@@ -94,8 +94,8 @@ impl Basis {
             let text = manifest(&table, &output::command_line()) + &errors;
             output::write_all(Some(&path.with_extension(MANIFEST)), text)?;
         }
-        let database = self.scene.parent().unwrap_or(Path::new("."));
-        let database = database.join(&loaded.scene.material.database);
+        let folder = self.scene.parent().unwrap_or(Path::new("."));
+        let database = folder.join(loaded.scene.material.database.join(", "));
         let order = loaded.scene.material.order;
         let warnings = [
             of_higher_order(&database, loaded.order_of_file, order),

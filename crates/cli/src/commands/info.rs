@@ -84,7 +84,7 @@ fn description(table: &Table) -> String {
         ("normals", scene.geometry.normals.clone()),
         ("light", scene.light.database.clone()),
         ("rotation", format!("{:?}", scene.light.rotation).to_lowercase()),
-        ("material", format!("{}, {names}", scene.material.database)),
+        ("material", format!("{}, {names}", scene.material.database.join(" "))),
         ("criterion", scene.basis.criterion.name().to_owned()),
         ("requested", requested),
         ("modes", eigenshade_index::mode::total(table.gram.degree, table.gram.order).to_string()),

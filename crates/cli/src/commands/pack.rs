@@ -6,8 +6,10 @@ use eigenshade_cli::messages::{grouped, print_message};
 use eigenshade_cli::output;
 use eigenshade_cli::table::{self, rounding};
 use eigenshade_model::error::{Error, Result};
-use eigenshade_table::quantize;
+use eigenshade_table::reduce::with_components;
 use eigenshade_table::wire::{self, Endian};
+use eigenshade_table::{Table, quantize};
+use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 /// Write a table as a wire file, which the runtime reads in place
@@ -22,6 +24,9 @@ pub struct Pack {
     /// Number format of the file
     #[arg(long, value_enum, default_value_t = Format::F32)]
     format: Format,
+    /// Keep only the first components, which have the highest variance [default: all]
+    #[arg(long, value_name = "K")]
+    components: Option<NonZeroUsize>,
     /// Write for a big-endian machine
     #[arg(long)]
     big_endian: bool,
@@ -40,7 +45,7 @@ enum Format {
 impl Pack {
     pub fn run(self, memory: Memory) -> Result<()> {
         output::refuse_collisions([&self.out], [&self.table])?;
-        let table = table::read(memory.file(&self.table))?;
+        let table = self.first_components(table::read(memory.file(&self.table))?)?;
         let format = match self.format {
             Format::F32 => wire::Format::F32,
             Format::Q15 => wire::Format::Integer(quantize::Format::Q15),
@@ -54,13 +59,29 @@ impl Pack {
         })?;
         output::write_all(Some(&self.out), &bytes)?;
         let mut text = format!("{:<12} {}\n", "bytes", grouped(bytes.len()));
-        if let Some(one) = table.rounding(format) {
+        // The rounding of all components was measured, but not that of fewer.
+        if let Some(one) = table.rounding(format).filter(|_| self.components.is_none()) {
             text += &format!(
                 "{:<12} {:.1e} of the peak at most, rms {:.1e}\n",
                 "error", one.largest, one.rms
             );
+            rounding::warning(&table, format).iter().for_each(print_message);
         }
-        rounding::warning(&table, format).iter().for_each(print_message);
         output::write_all(None, text)
+    }
+
+    /// The table with the components that are asked for.
+    fn first_components(&self, table: Table) -> Result<Table> {
+        let Some(count) = self.components.map(NonZeroUsize::get) else { return Ok(table) };
+        let fail = |what: String, remedy| Err(Error::new(what, remedy).in_file(&self.table));
+        if table.general.is_some() || !table.has_projection() {
+            let what = "only the components of a sphere's table that projects can be taken alone";
+            return fail(what.into(), "make the table with fewer components");
+        }
+        if count > table.count() {
+            let what = format!("--components {count}: the table has {}", table.count());
+            return fail(what, "ask for at most as many, or leave the option out");
+        }
+        Ok(with_components(&table, |number, _| number < count))
     }
 }

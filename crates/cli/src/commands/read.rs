@@ -10,9 +10,10 @@ use eigenshade_cli::reading::pixels::{LinearImage, Transfer};
 use eigenshade_cli::reading::{Reader, pixels};
 use eigenshade_cli::table::{self, rounding};
 use eigenshade_generator::reading::observation::{EigenimageValues, Observation, Observer};
+use eigenshade_generator::scene_file;
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::{Error, Result};
-use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
+use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials_and_order};
 use eigenshade_shading::shader::{fitted, of_higher_order};
 use eigenshade_shading::shipped;
 use eigenshade_table::Table;
@@ -88,11 +89,11 @@ impl Read {
         let (lights, lights_are_shipped) = self.lights(&table, memory)?;
         let (materials, materials_are_shipped) = self.materials(&table, memory)?;
         let path = match &self.materials {
-            Some(path) => Ok(path.clone()),
-            None => self.beside(&table.scene.material.database),
+            Some(path) => Some(path.clone()),
+            None => self.beside_all(&table).ok().map(|paths| paths[0].clone()),
         };
         let warning =
-            path.ok().and_then(|path| of_higher_order(&path, materials.order, table.gram.order));
+            path.and_then(|path| of_higher_order(&path, materials.order, table.gram.order));
         let (lights, materials) = fitted(&table, &lights, &materials);
         let reader = Reader::new(&table, components, &lights, &materials)?;
         if (lights_are_shipped || materials_are_shipped) && !reader.is_of_the_database() {
@@ -139,15 +140,18 @@ impl Read {
 
     /// Checks that the outputs are different files and that none is an input.
     fn refuse_collisions(&self, table: &Table) -> Result<()> {
-        let of_scene = |given: &Option<PathBuf>, database: &str| {
-            given.clone().or_else(|| self.beside(database).ok())
-        };
         let is_file = self.normals != Path::new("sphere");
         let mut inputs = vec![self.image.clone(), self.table.clone()];
         inputs.extend(is_file.then(|| self.normals.clone()));
         inputs.extend(self.mask.clone());
-        inputs.extend(of_scene(&self.lights, &table.scene.light.database));
-        inputs.extend(of_scene(&self.materials, &table.scene.material.database));
+        match &self.lights {
+            Some(path) => inputs.push(path.clone()),
+            None => inputs.extend(self.beside(&table.scene.light.database)),
+        }
+        match &self.materials {
+            Some(path) => inputs.push(path.clone()),
+            None => inputs.extend(self.beside_all(table).into_iter().flatten()),
+        }
         let outputs = [&self.out, &self.light_out, &self.modes_out];
         output::refuse_collisions(outputs.into_iter().flatten(), inputs)
     }
@@ -196,9 +200,10 @@ impl Read {
             return Ok((presets::materials(memory.file(path))?, false));
         }
         let scene = &table.scene.material;
-        let beside = self.beside(&scene.database);
+        let beside = self.beside_all(table);
+        let read = |path: &Path| read_materials_and_order(memory.file(path), None);
         let Materials { order, mut entries } = match &beside {
-            Ok(path) => read_materials(memory.file(path), None)?,
+            Ok(paths) => scene_file::together(paths.iter().cloned(), read)?.0,
             Err(_) => shipped::materials()?,
         };
         if !scene.names.is_empty() {
@@ -220,6 +225,15 @@ impl Read {
     fn beside(&self, of_scene: &str) -> std::result::Result<PathBuf, PathBuf> {
         let path = self.table.parent().unwrap_or(Path::new("")).join(of_scene);
         if path.exists() { Ok(path) } else { Err(path) }
+    }
+
+    /// The material files that the table's scene names, relative to the table's folder.
+    ///
+    /// # Errors
+    ///
+    /// If one of them is missing: its path.
+    fn beside_all(&self, table: &Table) -> std::result::Result<Vec<PathBuf>, PathBuf> {
+        table.scene.material.database.iter().map(|path| self.beside(path)).collect()
     }
 
     /// The pixels that are used, and a line about those that are not.

@@ -28,7 +28,7 @@ use std::path::{Path, PathBuf};
 /// shows a sphere whatever the table's object is; a note says so if it is another.
 #[derive(Args, Debug)]
 pub struct Render {
-    /// The table [default: the shipped one]
+    /// The table [default: the shipped `color.bin`, whose components lack nothing that one can see]
     #[arg(value_name = "B.bin")]
     table: Option<PathBuf>,
     /// The name of a shipped light, or a light CSV and the light's name, which is optional if the
@@ -123,7 +123,7 @@ impl Render {
         }
         let table = match &self.table {
             Some(path) => table::read(memory.file(path))?,
-            None => table::decode(shipped::TABLE)?,
+            None => table::decode(shipped::COLOR)?,
         };
         self.choices.check_rotation(&table)?;
         let path = self.table.as_deref().unwrap_or(Path::new("the shipped table"));

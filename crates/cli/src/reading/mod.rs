@@ -2,6 +2,7 @@
 
 pub mod pixels;
 
+use eigenshade_generator::basis::database::comparable_weights;
 use eigenshade_generator::basis::moments::LightStatistics;
 use eigenshade_generator::basis::moments::{MaterialMoments, equal};
 use eigenshade_generator::reading::coefficients::{CUTOFF, Fit, LeastSquares, fit, scalar_product};
@@ -79,10 +80,11 @@ impl<'a> Reader<'a> {
     ) -> Result<Self> {
         let transfers = Transfers::new(table, components);
         let scene = &table.scene;
-        let weights = weights(&lights.entries, &scene.light.weights)?;
+        let of_lights = weights(&lights.entries, &scene.light.weights)?;
         let (normalize, rotation) = (scene.light.normalize, scene.light.rotation);
-        let statistics = LightStatistics::new(lights, normalize, rotation, &weights)?;
-        let weights = self::weights(&materials.entries, &scene.material.weights)?;
+        let statistics = LightStatistics::new(lights, normalize, rotation, &of_lights)?;
+        let weights = weights(&materials.entries, &scene.material.weights)?;
+        let weights = comparable_weights(scene, (lights, &of_lights), (materials, weights))?;
         let of_materials = MaterialMoments::weighted(materials, weights);
         let prior = Prior::new(table, &transfers, &statistics, of_materials)?;
         Ok(Self { table, materials, transfers, prior })

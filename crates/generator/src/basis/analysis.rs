@@ -2,7 +2,7 @@
 //! them.
 
 use crate::basis::canonical::{self, Ranked};
-use crate::basis::database::in_range;
+use crate::basis::database::{in_range, material_weights};
 use crate::basis::eigenimages::{
     Azimuth, REPORTED, Selected, constant_coordinates, orthonormality,
 };
@@ -48,7 +48,7 @@ impl Analysis {
         let criterion = scene.basis.criterion;
         let weights = database::weights(&lights.entries, &scene.light.weights)?;
         let light = LightMoments::weighted(lights, scene.light.normalize, &weights)?;
-        let weights = database::weights(&materials.entries, &scene.material.weights)?;
+        let weights = material_weights(scene, lights, materials)?;
         let of_materials = MaterialMoments::weighted(materials, weights);
         let gram = gram::of_sphere(scene.degree(), scene.order());
         let effects = scene.effects.set();

@@ -7,7 +7,7 @@
 
 use crate::basis::canonical::{Functions, settle};
 use crate::basis::choice::{Choice, Remaining};
-use crate::basis::database::{fitted, in_range, peak};
+use crate::basis::database::{fitted, in_range, material_weights, peak};
 use crate::basis::eigenimages::REPORTED;
 use crate::basis::gram;
 use crate::basis::moments::LightStatistics;
@@ -79,7 +79,7 @@ pub fn chosen(
         LightStatistics::new(&lights, normalize, rotation, &weights)?
     };
     let material = {
-        let weights = database::weights(&materials.entries, &scene.material.weights)?;
+        let weights = material_weights(scene, &lights, &materials)?;
         MaterialMoments::weighted(&materials, weights)
     };
     let gram = gram::of_sphere(scene.degree(), scene.order());

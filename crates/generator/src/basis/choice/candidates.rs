@@ -7,6 +7,7 @@
 use crate::basis::canonical;
 use crate::basis::choice::report::{Energies, Images, POLYNOMIALS, budget};
 use crate::basis::choice::report::{Reach, Remaining, Share};
+use crate::basis::database::material_weights;
 use crate::basis::eigenimages::constant_coordinates;
 use crate::basis::gram;
 use crate::basis::moments::{LightMoments, MaterialMoments, deviations};
@@ -85,7 +86,7 @@ pub(super) fn least(
 ) -> Result<Candidate> {
     let weights = database::weights(&lights.entries, &scene.light.weights)?;
     let light = LightMoments::weighted(lights, scene.light.normalize, &weights)?;
-    let weights = database::weights(&materials.entries, &scene.material.weights)?;
+    let weights = material_weights(scene, lights, materials)?;
     let of_materials = MaterialMoments::weighted(materials, weights);
     let gram = gram::of_sphere(lights.degree, materials.order);
     let effects = scene.effects.set();

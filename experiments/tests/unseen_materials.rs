@@ -1,0 +1,85 @@
+//! What the components of a table leave out of pictures of materials that it was not made of, and
+//! the table that `docs/accuracy.md` makes of it.
+
+use crate::support::repository;
+use eigenshade_generator::basis;
+use eigenshade_generator::scene_file::{self, Loaded};
+use eigenshade_model::database::Materials;
+use eigenshade_model::inputs::coefficient_csv::read_materials;
+use eigenshade_table::Table;
+use eigenshade_table::reduce::with_components;
+use eigenshade_table::scene::MaterialNormalize;
+use experiments::accuracy_cost::errors::{Errors, Found, Spread, compare};
+use experiments::accuracy_cost::images::Images;
+use experiments::accuracy_cost::scope::Scope;
+use experiments::accuracy_cost::settings::{Format, Recipe, Setting};
+use experiments::numbers::percent;
+use std::fs;
+
+/// Scenes of `tables/`.
+const SCENES: [&str; 2] = ["sphere", "color"];
+/// Numbers of components: from that of `sphere.bin` to that of `color.bin`.
+const COMPONENTS: [usize; 6] = [50, 64, 80, 100, 120, 160];
+/// The largest rms error, relative to the peak, that `tables/color.toml` allows itself.
+const OF_ALL: f64 = 1e-5;
+
+#[test]
+fn the_page_has_the_errors_of_unseen_materials() {
+    let tables = repository().join("tables");
+    let load = |name| scene_file::load(tables.join(format!("{name}.toml"))).unwrap();
+    let color = read_materials(tables.join("inputs/merl.csv"), None).unwrap();
+    let chosen = load("color").scene.material.names;
+    let others = color.entries.into_iter().filter(|one| !chosen.contains(&one.name)).collect();
+    let unseen = Materials { order: color.order, entries: others };
+    assert_eq!(unseen.entries.len(), 47);
+    let measured = SCENES.map(|name| errors_of(load(name), &unseen, &COMPONENTS));
+    let color = measured[1].last().unwrap();
+    for Errors { rms, .. } in [color.seen, color.unseen] {
+        assert!(rms.worst <= OF_ALL, "{rms:?}");
+    }
+    let mut as_they_are = load("color");
+    as_they_are.scene.material.normalize = MaterialNormalize::None;
+    let as_they_are = errors_of(as_they_are, &unseen, &COMPONENTS[..1]);
+    let [unequal, equal] = [&as_they_are[0], &measured[1][0]].map(|one| one.unseen.rms.median);
+    assert!(unequal > 2.0 * equal, "{unequal:e} {equal:e}");
+    let mut page = String::from(
+        "| components | scene | its own: median | 95 % | worst | unseen: median | 95 % | worst | \
+         95 % of worst pixels |\n|---:|---|---:|---:|---:|---:|---:|---:|---:|\n",
+    );
+    for (k, components) in COMPONENTS.into_iter().enumerate() {
+        for (name, found) in SCENES.iter().zip(&measured) {
+            let Found { seen, unseen, .. } = found[k];
+            let cells = [seen.rms, unseen.rms].map(cells).join(" | ");
+            let pixel = percent(unseen.largest.most, 2);
+            page += &format!("| {components} | `{name}` | {cells} | {pixel} |\n");
+        }
+    }
+    println!("{page}");
+    let text = fs::read_to_string(repository().join("docs/accuracy.md")).unwrap();
+    assert!(text.contains(&page), "docs/accuracy.md lacks the table above");
+}
+
+/// The errors with each number of components, over all lights as captured.
+fn errors_of(loaded: Loaded, unseen: &Materials, components: &[usize]) -> Vec<Found> {
+    let Loaded { mut scene, lights, materials: seen, .. } = loaded;
+    let (degree, order) = (scene.light.degree, scene.material.order);
+    let scope = Scope { degree, order, lights, seen, unseen: unseen.clone() };
+    scene.basis.components = components.last().copied();
+    let whole: Table = basis::build(&scene, &scope.lights, &scope.seen).unwrap();
+    let images = Images::new(&scope);
+    let errors = |&components: &usize| {
+        let recipe = Recipe::first(degree, order, components);
+        let table = with_components(&whole, |number, _| number < components);
+        compare(&Setting::of(recipe).in_format(Format::F64), &table, &images).unwrap()
+    };
+    components.iter().map(errors).collect()
+}
+
+fn cells(Spread { median, most, worst }: Spread) -> String {
+    [median, most, worst].map(error).join(" | ")
+}
+
+/// What pictures do not show is not told apart.
+fn error(share: f64) -> String {
+    if share < OF_ALL { "< 0.001 %".into() } else { percent(share, 2) }
+}
