@@ -2,8 +2,9 @@
 //! working directory.
 
 use eigenshade_model::database::{Lights, Materials};
-use eigenshade_model::error::Result;
+use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::{parse_lights, parse_materials};
+use eigenshade_table::decode;
 
 /// The contents of `tables/sphere.bin`.
 pub const TABLE: &[u8] = include_bytes!("../../../tables/sphere.bin");
@@ -58,6 +59,20 @@ pub fn named_materials() -> Result<Materials> {
     let mut named = parse_materials(COLORED, "tables/inputs/merl.csv", None)?;
     named.entries.extend(materials()?.truncated(named.order).entries);
     Ok(named)
+}
+
+/// The materials in color of which no shipped table is made: those that `tables/color.toml` does not
+/// name.
+///
+/// # Errors
+///
+/// As [`parse_materials`] and [`decode`], for the compiled-in files.
+pub fn unseen_materials() -> Result<Materials> {
+    let mut color = parse_materials(COLORED, "tables/inputs/merl.csv", None)?;
+    let table = decode(COLOR)
+        .map_err(|error| Error::new(error.to_string(), "report it").in_file("tables/color.bin"))?;
+    color.entries.retain(|entry| !table.scene.material.names.contains(&entry.name));
+    Ok(color)
 }
 
 /// The total error of a material: its pictures against direct integration of its BRDF under the

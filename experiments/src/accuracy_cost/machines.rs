@@ -216,7 +216,7 @@ pub fn picture(row: &Record, machine: &Machine, lighting: Lighting) -> Option<f6
 /// Whether a setting has the shipped degree and order and takes normals of unit length; only such
 /// settings have comparable errors.
 pub fn is_comparable(row: &Record) -> bool {
-    (row.text("degree"), row.text("order")) == ("9", "7") && row.text("knob") != "mathematics"
+    (row.text("degree"), row.text("order")) == ("9", "7") && row.text("parameter") != "mathematics"
 }
 
 /// Whether a setting's error is below a limit. The error is that of the method, for 95 of 100 of
@@ -225,7 +225,7 @@ pub fn is_comparable(row: &Record) -> bool {
 pub fn suffices(row: &Record, limit: f64) -> bool {
     let is_below = |column| row.number(column).is_some_and(|error| error <= limit);
     let models = is_comparable(row) || is_below("model_median");
-    models && row.text("knob") != "mathematics" && is_below("unseen_rms_most")
+    models && row.text("parameter") != "mathematics" && is_below("unseen_rms_most")
 }
 
 /// The cheapest setting whose error is below a limit. Times that differ by no more than [`TIE`]

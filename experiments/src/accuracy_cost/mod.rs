@@ -152,7 +152,7 @@ fn measure(
 /// Fills in what a setting is.
 fn describe(row: &mut Record, Varied { parameter, setting }: &Varied) {
     let recipe = &setting.recipe;
-    row.put("knob", *parameter);
+    row.put("parameter", *parameter);
     row.put("setting", setting);
     row.put("degree", recipe.degree);
     row.put("order", recipe.order);

@@ -161,7 +161,7 @@ fn mathematics(rows: &[Record]) -> String {
         vec![format!("`{name}`"), median, worst, pixel]
     };
     let is_shown =
-        |row: &&Record| row.text("knob") == "mathematics" || row.text("setting") == reference;
+        |row: &&Record| row.text("parameter") == "mathematics" || row.text("setting") == reference;
     let columns = "root | median: | worst: | a pixel, nine-term pixels:";
     table(columns, rows.iter().filter(is_shown).map(row))
 }
@@ -267,7 +267,7 @@ fn degrees(measured: &Measured) -> Chart {
     let cheapest_of = |size| {
         let error = spread(of_size(&measured.model, size)).median;
         let able = of_size(&measured.settings, size).filter(|row| {
-            row.text("knob") != "mathematics"
+            row.text("parameter") != "mathematics"
                 && row.number("rms_median").is_some_and(|method| method <= error / 3.0)
         });
         let costs = able.filter_map(|row| picture(row, &MACHINES[0], Lighting::Still));

@@ -3,10 +3,7 @@
 
 use super::settings::Recipe;
 use eigenshade_generator::basis;
-use eigenshade_generator::material::brdf::{
-    Brdf, Geometry, Ggx, Lambertian, Measure, OrenNayar, Surface,
-};
-use eigenshade_generator::material::merl::{BINS, Merl};
+use eigenshade_generator::material::brdf::{Ggx, Lambertian, Measure, OrenNayar, Surface};
 use eigenshade_generator::material::published_fits;
 use eigenshade_index::effect::Effects;
 use eigenshade_model::database::{Lights, Materials};
@@ -17,7 +14,6 @@ use eigenshade_table::reduce::{cut, with_components};
 use eigenshade_table::scene::Store;
 use eigenshade_table::{Scene, Table, decode};
 use std::collections::HashMap;
-use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Roughnesses of GGX.
 const ROUGH: [f64; 10] = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0];
@@ -56,8 +52,8 @@ impl Scope {
         Ok(Self { degree, order, lights: shipped::lights()?.truncated(degree), seen, unseen })
     }
 
-    /// Adds materials that the basis never saw: other formulas, and tables. Above the measured order
-    /// the basis sees more formulas, but fewer lights shine on them.
+    /// Adds materials that the basis never saw: formulas and materials in color. Above the measured
+    /// order the basis sees more formulas, but fewer lights shine on them.
     pub fn new(degree: usize, order: usize) -> Result<Self> {
         let scopes = Self::all(&[(degree, order)])?;
         scopes.into_iter().next().ok_or_else(|| Error::new("no scope", "report it"))
@@ -66,17 +62,20 @@ impl Scope {
     /// [`new`](Self::new) for each of these degrees and orders. All orders of a material come from
     /// one integration, up to the measured order and above it.
     pub fn all(sizes: &[(usize, usize)]) -> Result<Vec<Self>> {
-        let measured = shipped::materials()?.order;
+        let highest = shipped::materials()?.order;
         let orders = sizes.iter().map(|&(_, order)| order);
-        let (low, high): (Vec<usize>, Vec<usize>) = orders.partition(|&order| order <= measured);
-        let mut others = ggx(&ROUGH, &[0.04, 0.9])?;
+        let (low, high): (Vec<usize>, Vec<usize>) = orders.partition(|&order| order <= highest);
+        let mut unseen = projected_orders(&ggx(&ROUGH, &[0.04, 0.9])?, &low);
+        let color = shipped::unseen_materials()?;
+        for materials in &mut unseen {
+            materials.entries.extend(color.truncated(materials.order).entries);
+        }
         let mut between = ggx(&BETWEEN, &[0.04, 0.5])?;
-        others.extend(merl_like()?);
-        between.extend(merl_like()?);
-        let unseen = [projected_orders(&others, &low), projected_orders(&between, &high)].concat();
+        between.extend(measured()?);
+        unseen.extend(projected_orders(&between, &high));
         let of_size = |&(degree, order): &(usize, usize)| {
             let mut scope = Self::seen(degree, order)?;
-            if order > measured {
+            if order > highest {
                 scope.seen.entries.extend(projected(&matte()?, order).entries);
                 let lights = scope.lights.entries.into_iter();
                 scope.lights.entries = lights.step_by(LIGHT_STEP).collect();
@@ -140,53 +139,6 @@ fn measured() -> Result<Vec<Surface>> {
     surfaces.retain(|surface| kind(surface).is_some());
     surfaces.sort_by_key(kind);
     Ok(surfaces)
-}
-
-/// Two tables in the layout of the MERL database with lobes that differ from GGX: a matte base
-/// under a Gaussian lobe of slopes.
-fn merl_like() -> Result<Vec<Surface>> {
-    let tables = [("merl-like-paint", 0.6, 0.05, 0.35), ("merl-like-metal", 0.05, 0.8, 0.2)];
-    let surface = |&(name, albedo, strength, width): &(&str, f64, f64, f64)| {
-        let table = Merl::new(gaussian(albedo, strength, width));
-        let table = table.ok_or_else(|| Error::new("a table of another size", "report it"))?;
-        Ok(Surface::gray(name.into(), Box::new(Coarse(table))))
-    };
-    tables.iter().map(surface).collect()
-}
-
-/// Values at the centers of the bins; -1 where a direction is below the surface.
-fn gaussian(albedo: f64, strength: f64, width: f64) -> Vec<f64> {
-    let mut values = Vec::with_capacity(BINS.iter().product());
-    for h in 0..BINS[0] {
-        let theta_h = FRAC_PI_2 * ((h as f64 + 0.5) / BINS[0] as f64).powi(2);
-        let slope = theta_h.tan() / width;
-        let lobe = strength * (-slope * slope).exp() / (4.0 * PI * width * width);
-        for d in 0..BINS[1] {
-            let theta_d = FRAC_PI_2 * (d as f64 + 0.5) / BINS[1] as f64;
-            for p in 0..BINS[2] {
-                let phi_d = PI * (p as f64 + 0.5) / BINS[2] as f64;
-                let (upright, aslant) =
-                    (theta_h.cos() * theta_d.cos(), theta_h.sin() * theta_d.sin() * phi_d.cos());
-                let visible = upright - aslant > 0.0 && upright + aslant > 0.0;
-                values.push(if visible { albedo / PI + lobe } else { -1.0 });
-            }
-        }
-    }
-    values
-}
-
-/// A table whose lobe is known to be wide, so that its quadrature can be coarser than an arbitrary
-/// table needs.
-struct Coarse(Merl);
-
-impl Brdf for Coarse {
-    fn value(&self, at: Geometry) -> f64 {
-        self.0.value(at)
-    }
-
-    fn width(&self) -> f64 {
-        0.1
-    }
 }
 
 fn projected(surfaces: &[Surface], order: usize) -> Materials {

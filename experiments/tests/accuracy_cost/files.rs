@@ -20,7 +20,7 @@ fn read(name: &str) -> String {
 fn the_file_has_all_settings() {
     let rows = rows(&SETTINGS);
     let found: Vec<_> =
-        rows.iter().map(|row| (row.text("knob"), row.text("setting").to_owned())).collect();
+        rows.iter().map(|row| (row.text("parameter"), row.text("setting").to_owned())).collect();
     let all = settings::all(false);
     let all: Vec<_> = all.iter().map(|one| (one.parameter, one.setting.to_string())).collect();
     assert_eq!(found, all);
