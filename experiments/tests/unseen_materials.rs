@@ -1,12 +1,11 @@
-//! What the components of a table leave out of pictures of materials that it was not made of, and
-//! the table that `docs/accuracy.md` makes of it.
+//! Errors that a table's components leave for materials outside its scene, and the table of them in
+//! `docs/accuracy.md`.
 
 use crate::support::repository;
 use eigenshade_generator::basis;
 use eigenshade_generator::scene_file::{self, Loaded};
 use eigenshade_model::database::Materials;
 use eigenshade_shading::shipped;
-use eigenshade_table::Table;
 use eigenshade_table::reduce::with_components;
 use eigenshade_table::scene::MaterialNormalize;
 use experiments::accuracy_cost::errors::{Errors, Found, Spread, compare};
@@ -62,7 +61,7 @@ fn errors_of(loaded: Loaded, unseen: &Materials, components: &[usize]) -> Vec<Fo
     let (degree, order) = (scene.light.degree, scene.material.order);
     let scope = Scope { degree, order, lights, seen, unseen: unseen.clone() };
     scene.basis.components = components.last().copied();
-    let whole: Table = basis::build(&scene, &scope.lights, &scope.seen).unwrap();
+    let whole = basis::build(&scene, &scope.lights, &scope.seen).unwrap();
     let images = Images::new(&scope);
     let errors = |&components: &usize| {
         let recipe = Recipe::first(degree, order, components);

@@ -42,7 +42,7 @@ fn names_of_nothing_shipped() {
         &["`gold-paint`", "`gold-metallic-paint2`"],
     );
     let of_none = format!("{} --components 9999", render("park", "chrome"));
-    assert_fails(&folder, &of_none, &["the shipped table", "160"]);
+    assert_fails(&folder, &of_none, &["the shipped color.bin", "160"]);
     let shade = "shade b.bin --lights cities --materials materials.csv --normals normals.csv";
     assert_fails(&folder, shade, &["`cities`", "`city`"]);
 }

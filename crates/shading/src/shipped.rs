@@ -8,8 +8,7 @@ use eigenshade_table::decode;
 
 /// The contents of `tables/sphere.bin`.
 pub const TABLE: &[u8] = include_bytes!("../../../tables/sphere.bin");
-/// The contents of `tables/color.bin`: as many components as the pictures of any material of its
-/// order need.
+/// The contents of `tables/color.bin`: 160 components of materials in color, for pictures on a host.
 pub const COLOR: &[u8] = include_bytes!("../../../tables/color.bin");
 const LIGHTS: &str = include_str!("../../../tables/inputs/lights.csv");
 const MATERIALS: &str = include_str!("../../../tables/inputs/materials.csv");

@@ -1,6 +1,6 @@
 //! `eigenshade pack`: writes a table as a wire file.
 
-use super::options::Memory;
+use super::options::{Memory, count};
 use clap::{Args, ValueEnum};
 use eigenshade_cli::messages::{grouped, print_message};
 use eigenshade_cli::output;
@@ -9,7 +9,6 @@ use eigenshade_model::error::{Error, Result};
 use eigenshade_table::reduce::with_components;
 use eigenshade_table::wire::{self, Endian};
 use eigenshade_table::{Table, quantize};
-use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 /// Write a table as a wire file, which the runtime reads in place
@@ -25,8 +24,8 @@ pub struct Pack {
     #[arg(long, value_enum, default_value_t = Format::F32)]
     format: Format,
     /// Keep only the first components, which have the highest variance [default: all]
-    #[arg(long, value_name = "K")]
-    components: Option<NonZeroUsize>,
+    #[arg(long, value_name = "K", value_parser = count(1, u64::from(u16::MAX)))]
+    components: Option<usize>,
     /// Write for a big-endian machine
     #[arg(long)]
     big_endian: bool,
@@ -72,15 +71,13 @@ impl Pack {
 
     /// The table with the components that are asked for.
     fn first_components(&self, table: Table) -> Result<Table> {
-        let Some(count) = self.components.map(NonZeroUsize::get) else { return Ok(table) };
-        let fail = |what: String, remedy| Err(Error::new(what, remedy).in_file(&self.table));
-        if table.general.is_some() || !table.has_projection() {
-            let what = "only the components of a sphere's table that projects can be taken alone";
-            return fail(what.into(), "make the table with fewer components");
+        if self.components.is_none() {
+            return Ok(table);
         }
-        if count > table.count() {
-            let what = format!("--components {count}: the table has {}", table.count());
-            return fail(what, "ask for at most as many, or leave the option out");
+        let count = table::components(&table, self.components, &self.table)?;
+        if table.general.is_some() || !table.has_projection() {
+            let what = "only a sphere's table that projects can lose components";
+            return Err(Error::new(what, "make it with fewer").in_file(&self.table));
         }
         Ok(with_components(&table, |number, _| number < count))
     }

@@ -90,7 +90,7 @@ impl Read {
         let (materials, materials_are_shipped) = self.materials(&table, memory)?;
         let path = match &self.materials {
             Some(path) => Some(path.clone()),
-            None => self.beside_all(&table).ok().map(|paths| paths[0].clone()),
+            None => self.beside_all(&table).ok().and_then(|paths| paths.into_iter().next()),
         };
         let warning =
             path.and_then(|path| of_higher_order(&path, materials.order, table.gram.order));

@@ -28,7 +28,7 @@ use std::path::{Path, PathBuf};
 /// shows a sphere whatever the table's object is; a note says so if it is another.
 #[derive(Args, Debug)]
 pub struct Render {
-    /// The table [default: the shipped `color.bin`, whose components lack nothing that one can see]
+    /// The table [default: the shipped `color.bin`, of 160 components]
     #[arg(value_name = "B.bin")]
     table: Option<PathBuf>,
     /// The name of a shipped light, or a light CSV and the light's name, which is optional if the
@@ -126,7 +126,7 @@ impl Render {
             None => table::decode(shipped::COLOR)?,
         };
         self.choices.check_rotation(&table)?;
-        let path = self.table.as_deref().unwrap_or(Path::new("the shipped table"));
+        let path = self.table.as_deref().unwrap_or(Path::new("the shipped color.bin"));
         let (components, effects) =
             (self.choices.components(&table, path)?, self.choices.effects(&table)?);
         let Lights { degree, entries } = presets::lights(memory.file(&light.path))?;
