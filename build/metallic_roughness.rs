@@ -10,6 +10,9 @@ const PATH: &str = "tables/inputs/metallic-roughness.csv";
 /// The exponent of an order whose coefficients are all zero.
 const OF_ZEROS: i32 = -40;
 
+/// Polynomials that the products with roughness² need less than the parts themselves.
+const SPARED: usize = 2;
+
 /// The numbers of one part, by polynomial k and coefficient.
 type Part = Vec<Vec<f64>>;
 
@@ -73,9 +76,30 @@ fn floats(source: &mut String, order: usize, [matte, rim, metal]: &[Part; 3]) {
     );
 }
 
+/// A part times the roughness, 0.6 + 0.4 x.
+fn by_roughness(part: &Part) -> Part {
+    let mut product = vec![vec![0.0; part[0].len()]; part.len() + 1];
+    for (k, row) in part.iter().enumerate() {
+        // x T_k = (T_(k+1) + T_|k-1|) / 2.
+        for (to, factor) in [(k, 0.6), (k + 1, 0.2), (k.abs_diff(1), 0.2)] {
+            product[to].iter_mut().zip(row).for_each(|(to, from)| *to += factor * from);
+        }
+    }
+    product
+}
+
+/// The parts times roughness², which are about as large at any roughness. Rounding would otherwise
+/// show in pictures of rough materials, which are darker.
+///
 /// Each part of each o has an exponent, below which the sum of its terms' sizes stays. The numbers of
 /// higher polynomials are smaller; they are stored finer by as many bits as they leave free.
-fn integers(source: &mut String, order: usize, parts: &[Part; 3]) {
+fn integers(source: &mut String, order: usize, [matte, rim, metal]: &[Part; 3]) {
+    let scaled = |part: &Part| -> Part {
+        let mut product = by_roughness(&by_roughness(part));
+        product.truncate(part.len() - SPARED);
+        product
+    };
+    let parts = &[matte.clone(), scaled(rim), scaled(metal)];
     let (count, orders, terms) = (parts[1][0].len(), order + 1, parts[1].len());
     let exponents = parts.each_ref().map(|part| -> Vec<i32> {
         let of_order = |o: usize| {
