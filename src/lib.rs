@@ -152,7 +152,7 @@ mod logged;
 #[cfg(feature = "mint")]
 mod mint;
 
-/// The shipped table: every normal of a sphere, degree 9, order 7, fifty components, learned from
+/// The shipped table: every normal of a sphere, degree 9, order 7, 46 components, learned from
 /// captured light on measured materials.
 #[cfg(feature = "baked")]
 pub mod sphere {

@@ -24,10 +24,10 @@ const KNOTS: core::ops::RangeInclusive<usize> = 8..=65_536;
 ///
 /// | knots | linear | cubic |
 /// |---|---|---|
-/// | 16 | 6e-4, 5e-3 | 7e-5, 8e-4 |
-/// | 32 | 1.4e-4, 1.1e-3 | 6e-6, 7e-5 |
-/// | 64 | 3.5e-5, 2.6e-4 | 7e-7, 8e-6 |
-/// | 128 | 8e-6, 6.5e-5 | 1.2e-7, 1e-6 |
+/// | 16 | 6.5e-4, 4e-3 | 9.5e-5, 6e-4 |
+/// | 32 | 1.4e-4, 9e-4 | 8e-6, 5.5e-5 |
+/// | 64 | 3.5e-5, 2.2e-4 | 8e-7, 6e-6 |
+/// | 128 | 8.5e-6, 5.5e-5 | 1.2e-7, 7e-7 |
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SampledScene<S, B> {

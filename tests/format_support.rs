@@ -52,7 +52,8 @@ fn tables_that_integers_do_not_serve_are_refused_as_documented() {
         table.scene.effects.wanted = vec![Effect::Ambient, Effect::Diffuse];
     });
     assert_refused("a mean image (`criterion = \"standard\"`)", |table| {
-        table.mean = Some(MeanImage { chebyshev: vec![1.0], coefficients: vec![0.0; 50] });
+        table.mean =
+            Some(MeanImage { chebyshev: vec![1.0], coefficients: vec![0.0; table.count()] });
     });
     assert_refused("a selection of modes (`modes`)", |table| table.selection = vec![true]);
     assert_refused("other objects than the sphere (`GeneralBasis`)", |table| {

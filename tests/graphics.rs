@@ -11,7 +11,7 @@ use std::f64::consts::{PI, TAU};
 /// Sums over 64 x 128 directions, and constants of six digits in the programs.
 const SUMS: f64 = 2e-5;
 
-/// The shipped table on nine terms: 50 components in f32, of the peak.
+/// The shipped table on nine terms: 46 components in f32, of the peak.
 const OF_TABLE: f64 = 2e-3;
 
 const CONVENTIONS: [Convention; 4] = [ThreeJs, Cmgen, CmgenIrradiance, Filament];

@@ -30,7 +30,7 @@ const EQUAL_EIGENVALUES: f64 = 2e-15;
 const RESIDUAL_FLOOR: f64 = 1e-10;
 
 fn shipped() -> Loaded {
-    scene_file::load(Path::new("tables/sphere.toml")).expect("the shipped scene")
+    scene_file::load(Path::new("tables/curet.toml")).expect("the shipped scene")
 }
 
 /// The shipped scene with every component that it has.

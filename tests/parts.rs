@@ -161,7 +161,7 @@ fn passes_are_those_of_the_layout() {
 #[test]
 fn an_azimuth_without_a_profile_has_no_terms() {
     let parts = shipped();
-    let bare = parts.lengths.iter().rposition(|&length| length == 0).expect("of 50 components");
+    let bare = parts.lengths.iter().rposition(|&length| length == 0).expect("of some components");
     let endless = with(parts.lengths, bare, u16::MAX);
     let found = usize::from(u16::MAX);
     assert_eq!(
@@ -169,7 +169,7 @@ fn an_azimuth_without_a_profile_has_no_terms() {
         Error::Length { argument: Argument::Lengths, expected: 0, found }
     );
     let parts = sphere::q15::BASIS.parts();
-    let bare = parts.lengths.iter().rposition(|&length| length == 0).expect("of 50 components");
+    let bare = parts.lengths.iter().rposition(|&length| length == 0).expect("of some components");
     let endless = with(parts.lengths, bare, u8::MAX);
     assert_eq!(
         quantized::Basis::<Q15>::new(quantized::Parts { lengths: &endless, ..*parts }).err(),

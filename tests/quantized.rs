@@ -2,7 +2,7 @@
 
 use crate::invariants::integer::{Integer, eigenimage, shipped};
 use crate::oracle::Numbers;
-use eigenshade::quantized::{Basis, Light, Material, Normal, Parts, Profile, Transfer};
+use eigenshade::quantized::{Basis, Light, Material, Normal, Parts, Transfer};
 use eigenshade::sphere::{q15, q31};
 use eigenshade::{Argument, Error, FixedPoint, Q15, Q31};
 use eigenshade_table::quantize::{self, Format};
@@ -185,7 +185,7 @@ fn generated_ways_are_the_general_ones() {
     let light = [Q15(i16::MIN); 100];
     let light = Light::new(0, &light).expect("a light");
     assert_eq!(q15::relight(&transfer, &light), Err(Error::Bound));
-    let estimate = q15::BASIS.estimate::<50>().expect("fifty components");
+    let estimate = q15::BASIS.estimate::<{ q15::COMPONENTS }>().expect("its components");
     assert_eq!(estimate.coefficients(i32::MAX), Err(Error::Exponent));
 }
 
@@ -206,8 +206,8 @@ fn what_does_not_fit_is_refused() {
     let transfer = Transfer::new(&transfer.0, &transfer.1);
     let beyond = Error::Beyond { argument: Argument::Light, basis: 9, found: 10 };
     assert_eq!(q15::relight(&transfer, &light), Err(beyond));
-    assert!(q15::BASIS.collapse_into(&[0; 51], 0, [0; q15::SCENE]).is_err());
-    assert!(q15::BASIS.collapse_into(&[0; 50], 0, [0; 3]).is_err());
+    assert!(q15::BASIS.collapse_into(&[0; q15::COMPONENTS + 1], 0, [0; q15::SCENE]).is_err());
+    assert!(q15::BASIS.collapse_into(&[0; q15::COMPONENTS], 0, [0; 3]).is_err());
     for (x, y, z, error) in [
         (32_767, 32_767, 0, Error::Normal),
         (0, 0, 0, Error::Normal),
@@ -224,7 +224,7 @@ fn what_does_not_fit_is_refused() {
     assert!(matches!(Basis::<Q15>::new(Parts { factors: &factors, ..parts }), Err(Error::Bound)));
     // A profile whose terms are larger than it states.
     let mut profiles = parts.profiles.to_vec();
-    profiles[5] = Profile::new(0, 0, [41, Profile::NONE], [142, 1091]);
+    profiles[5].exponent = 0;
     assert!(matches!(Basis::<Q15>::new(Parts { profiles: &profiles, ..parts }), Err(Error::Bound)));
     let of_transfers =
         Parts { polar: &[], polar_exponents: &[], factors: &[], factor_exponents: &[], ..parts };
@@ -239,8 +239,8 @@ fn what_does_not_fit_is_refused() {
 /// same pixels and the table's Chebyshev series, of the largest.
 fn estimated<Q: Integer>(unit: f64) -> f64 {
     let table = &shipped().table;
-    let mut estimate = Q::basis().estimate::<50>().expect("fifty components");
-    let (mut sums, mut weights) = (vec![0.0; 50], 0.0);
+    let mut estimate = Q::basis().estimate::<{ q15::COMPONENTS }>().expect("its components");
+    let (mut sums, mut weights) = (vec![0.0; q15::COMPONENTS], 0.0);
     for (k, normal @ [x, y, z]) in of_equal_areas(5000).into_iter().enumerate() {
         let seen = (unit * (0.6 * z * z + 0.3 * x * z - 0.2 * y)) as i32;
         let weight = (k % 3 * 7) as u16;
@@ -263,9 +263,10 @@ fn estimates_are_means() {
     let (short, long) = (estimated::<Q15>(16_384.0), estimated::<Q31>(1e9));
     println!("d from pixels: {short:.1e} in Q15, {long:.1e} in Q31");
     assert!(short <= ESTIMATE_Q15 && long <= ESTIMATE_Q31);
-    let empty = q15::BASIS.estimate::<50>().expect("fifty components").coefficients(0);
+    let empty =
+        q15::BASIS.estimate::<{ q15::COMPONENTS }>().expect("its components").coefficients(0);
     assert_eq!(empty, Err(Error::Weight));
-    assert!(q15::BASIS.estimate::<49>().is_err());
+    assert!(q15::BASIS.estimate::<{ q15::COMPONENTS - 1 }>().is_err());
 }
 
 /// However much may be left out, a profile that serves a component keeps a term: generated

@@ -182,7 +182,7 @@ fn slices_are_shaded_as_their_normals() {
         scene.shade_slice(slices, &mut shaded).expect("one length");
         for (normal, shaded) in normals.iter().zip(&shaded) {
             assert_eq!(scene.shade(*normal), *shaded);
-            let summed = sphere::BASIS.reconstruct(&d, *normal).expect("50 coefficients");
+            let summed = sphere::BASIS.reconstruct(&d, *normal).expect("its coefficients");
             assert!((summed - shaded).abs() <= SAME_SUM_F32 * d[0].abs());
         }
         assert!(scene.shade_slice(slices, &mut vec![0.0; count + 1]).is_err());

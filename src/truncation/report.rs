@@ -49,8 +49,8 @@ pub struct Truncation<S> {
     /// the coefficients. A tolerance below it is met only relative to the image of all components.
     ///
     /// For unseen materials under the shipped lights, with the shipped table, the estimate matches
-    /// the error in the median. It is within a factor of 2 for nine images in ten, and within a
-    /// factor of 4 for all.
+    /// the error in the median. For nine images in ten it is within a factor of 1.6 for measured
+    /// materials and of 3 for GGX, and it is within a factor of 8 for all.
     pub floor: S,
     /// The largest of 41 pixels of the image, which is at most its peak. If the image is a channel
     /// of a color, the largest of all channels.

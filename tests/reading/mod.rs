@@ -123,7 +123,7 @@ pub struct Object {
 
 impl Object {
     pub fn new(criterion: Criterion, rotation: LightRotation, components: usize) -> Self {
-        let mut loaded = scene_file::load(Path::new("tables/sphere.toml")).expect("a scene");
+        let mut loaded = scene_file::load(Path::new("tables/curet.toml")).expect("a scene");
         loaded.lights = loaded.lights.truncated(DEGREE);
         loaded.materials = loaded.materials.truncated(ORDER);
         loaded.lights.entries.truncate(12);
@@ -245,7 +245,7 @@ impl Object {
 
 /// The shipped databases, cut to a degree and an order, and their table.
 pub fn small(criterion: Criterion, components: usize) -> (Loaded, Table) {
-    let mut loaded = scene_file::load(Path::new("tables/sphere.toml")).expect("a scene");
+    let mut loaded = scene_file::load(Path::new("tables/curet.toml")).expect("a scene");
     loaded.lights = loaded.lights.truncated(4);
     loaded.materials = loaded.materials.truncated(3);
     let scene = &mut loaded.scene;

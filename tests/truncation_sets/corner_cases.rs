@@ -119,7 +119,8 @@ fn faults_are_named() {
     assert_eq!(tried(1, azimuths, room - 1, 4), wrong(Argument::Scene, room, room - 1));
     assert_eq!(tried(1, azimuths - 1, room, 4), wrong(Argument::Lengths, azimuths, azimuths - 1));
     let shaped = |lengths: &[u16]| {
-        let shape = Shape { components: 50, lengths, recurrences: Recurrences::NONE };
+        let shape =
+            Shape { components: sphere::COMPONENTS, lengths, recurrences: Recurrences::NONE };
         let made = sphere::BASIS.collapse_as(&set[0], shape, [0.0; sphere::SCENE]);
         made.map(|(_, report)| report.terms)
     };
@@ -127,7 +128,11 @@ fn faults_are_named() {
     assert_eq!(shaped(&[]), Ok(0));
     assert!(matches!(shaped(&[99]), Err(Error::Length { argument: Argument::Lengths, .. })));
     assert!(matches!(shaped(&[0; 16]), Err(Error::Length { argument: Argument::Lengths, .. })));
-    let shape = Shape { components: 50, lengths: &[3, 2, 1], recurrences: Recurrences::NONE };
+    let shape = Shape {
+        components: sphere::COMPONENTS,
+        lengths: &[3, 2, 1],
+        recurrences: Recurrences::NONE,
+    };
     assert_eq!(shape.scene([0.0f32; 8]).map(|_| ()), wrong(Argument::Scene, 9, 8));
 }
 

@@ -250,7 +250,7 @@ fn a_set_of_one_is_that_image_within_its_tolerance() {
 #[test]
 fn of_all_components_bounds_are_of_the_direct_sum() {
     let (lights, materials) = shipped();
-    let mut scene = decode(include_bytes!("../../tables/sphere.bin")).expect("a table").scene;
+    let mut scene = decode(include_bytes!("../../tables/curet.bin")).expect("a table").scene;
     scene.basis.components = Some(10_000);
     let inputs = read_lights("tables/inputs/lights.csv", None).expect("the shipped lights");
     let measured = read_materials("tables/inputs/materials.csv", Some(7)).expect("materials");

@@ -1,5 +1,5 @@
 /* eigenshade: image irradiance of any isotropic material under any distant light, from the
-shipped table: degree 9, order 7, fifty components.
+shipped table: degree 9, order 7, 46 components.
 
 The steps are: compute the transfer of a material, relight it with a light, collapse the
 coefficients to a scene, and shade normals with the scene; in float (f32) and in integers
@@ -37,25 +37,25 @@ Integers give the same bits on every machine. */
 #define EIGENSHADE_MATERIAL 40
 
 /** Components d of an image. */
-#define EIGENSHADE_COMPONENTS 50
+#define EIGENSHADE_COMPONENTS 46
 
 /** Profiles of a table in integers. */
-#define EIGENSHADE_PROFILES 28
+#define EIGENSHADE_PROFILES 26
 
 /** Numbers in a transfer in float. */
 #define EIGENSHADE_TRANSFER_F32 568
 
 /** Numbers in a transfer in integers. */
-#define EIGENSHADE_TRANSFER 218
+#define EIGENSHADE_TRANSFER 207
 
 /** Numbers of a scene in float. */
-#define EIGENSHADE_SCENE_F32 166
+#define EIGENSHADE_SCENE_F32 167
 
 /** Numbers of a scene in Q15. */
-#define EIGENSHADE_SCENE_Q15 126
+#define EIGENSHADE_SCENE_Q15 130
 
 /** Numbers of a scene in Q31. */
-#define EIGENSHADE_SCENE_Q31 160
+#define EIGENSHADE_SCENE_Q31 163
 
 /** Numbers in the workspace of transfers and projections in float. */
 #define EIGENSHADE_WORKSPACE_F32 460

@@ -92,7 +92,7 @@ fn all_outputs_or_none() {
 fn bad_images() {
     let folder = with_image();
     let good = folder.read("image.csv");
-    let tables = repository().join("tables/sphere.bin");
+    let tables = repository().join("tables/curet.bin");
     let table = tables.display();
     let read = "--normals normals.csv --table b.bin --out new.csv";
     for (name, text, fragments) in [

@@ -236,7 +236,7 @@ fn demo_shows_shipped_data() {
     let found = rows(&folder.read("new/demo/demo.csv"), header);
     assert!(found.len() >= 6 * 4);
     for numbers in numbers(&found, 4).chunks(4) {
-        assert!(numbers[0] > 0.9 && numbers[1] < 0.02 && numbers[2] < 0.2, "{numbers:?}");
+        assert!(numbers[0] > 0.999_999 && numbers[1] < 1e-5 && numbers[2] < 1e-3, "{numbers:?}");
     }
     assert!(folder.path("new/demo/demo.png").is_file());
 }

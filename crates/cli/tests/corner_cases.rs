@@ -156,7 +156,7 @@ fn degree_16_and_order_12_work() {
 
 /// The shipped scene with other settings and some of its inputs.
 fn shipped(criterion: Criterion) -> Loaded {
-    let mut loaded = scene_file::load(repository().join("tables/sphere.toml")).unwrap();
+    let mut loaded = scene_file::load(repository().join("tables/curet.toml")).unwrap();
     loaded.lights.entries.truncate(5);
     loaded.materials.entries.truncate(20);
     loaded.scene.basis.criterion = criterion;

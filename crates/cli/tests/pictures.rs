@@ -156,7 +156,7 @@ fn pixels(path: &Path) -> Vec<u8> {
 #[test]
 fn pictures_of_velvet() {
     let folder = Folder::new();
-    let table = repository().join("tables/sphere.bin");
+    let table = repository().join("tables/curet.bin");
     let table = table.display();
     folder.ok(&format!("render {table} --light park --material 07-velvet --size 96 --out v.png"));
     let read = |arguments: &str| {
@@ -203,7 +203,7 @@ fn pictures_of_velvet() {
     let counts = [&mapped, &masked].map(|found| get(found, "fit", "pixels")[0][0]);
     assert!(counts[1] < 0.85 * counts[0] && counts[1] > 0.7 * counts[0], "{counts:?} {message}");
     // A table without its databases uses the shipped ones.
-    fs::copy(repository().join("tables/sphere.bin"), folder.path("alone.bin")).unwrap();
+    fs::copy(repository().join("tables/curet.bin"), folder.path("alone.bin")).unwrap();
     let alone = answer(&folder.ok("read v.png --normals sphere --table alone.bin"));
     assert_eq!(alone, sphere);
     // Read as linear, the 8 bits of sRGB are another image.

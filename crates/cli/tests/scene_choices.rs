@@ -72,7 +72,7 @@ fn the_page_quotes_the_report() {
     let folder = Folder::new();
     let read = |name: &str| std::fs::read_to_string(repository().join(name)).expect("a text");
     let inputs = repository().join("tables/inputs");
-    let text = read("tables/sphere.toml").replace("components = 50", "tolerance = 1e-2");
+    let text = read("tables/curet.toml").replace("components = 50", "tolerance = 1e-2");
     let text = text.replace("inputs/", &format!("{}/", inputs.to_str().expect("UTF-8")));
     folder.write("scene.toml", text);
     let lines = report(&folder).join("\n");
@@ -155,7 +155,7 @@ const SETTINGS: [(&str, &str); 5] = [
 fn settings_are_scene_files() {
     let folder = Folder::new();
     let inputs = repository().join("tables/inputs");
-    let shipped = fs::read_to_string(repository().join("tables/sphere.toml")).unwrap();
+    let shipped = fs::read_to_string(repository().join("tables/curet.toml")).unwrap();
     let shipped = shipped.replace("inputs/", &format!("{}/", inputs.display()));
     let path = repository().join("docs/accuracy-cost/accuracy-cost.csv");
     let sheet = fs::read(path).unwrap();

@@ -45,7 +45,7 @@ fn databases() -> (Lights, Materials) {
 }
 
 fn scene_of(criterion: Criterion, effects: Effects, tolerance: f64) -> Scene {
-    let path = repository().join("tables/sphere.toml");
+    let path = repository().join("tables/curet.toml");
     let mut scene = scene_file::load(&path).expect("a scene").scene;
     (scene.light.degree, scene.material.order) = (DEGREE, ORDER);
     (scene.basis.components, scene.basis.tolerance) = (None, Some(tolerance));

@@ -29,7 +29,7 @@ fn databases() -> (Lights, Materials) {
 }
 
 fn scene(criterion: Criterion, rotation: LightRotation) -> Scene {
-    let text = std::fs::read_to_string(Path::new(FOLDER).join("sphere.toml")).expect("a scene");
+    let text = std::fs::read_to_string(Path::new(FOLDER).join("curet.toml")).expect("a scene");
     let mut scene: Scene = toml::from_str(&text).expect("a scene");
     (scene.light.degree, scene.material.order) = (4, 3);
     (scene.basis.criterion, scene.light.rotation) = (criterion, rotation);

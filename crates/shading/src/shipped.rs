@@ -5,13 +5,18 @@ use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::{parse_lights, parse_materials};
 use eigenshade_table::decode;
+use std::ffi::OsStr;
+use std::path::Path;
 
 /// The contents of `tables/sphere.bin`.
 pub const TABLE: &[u8] = include_bytes!("../../../tables/sphere.bin");
 /// The contents of `tables/color.bin`: 160 components of materials in color, for pictures on a host.
 pub const COLOR: &[u8] = include_bytes!("../../../tables/color.bin");
+/// The contents of `tables/curet.bin`: 50 components of the measured materials of the paper.
+pub const CURET: &[u8] = include_bytes!("../../../tables/curet.bin");
 const LIGHTS: &str = include_str!("../../../tables/inputs/lights.csv");
 const MATERIALS: &str = include_str!("../../../tables/inputs/materials.csv");
+const FORMULAS: &str = include_str!("../../../tables/inputs/pbr-materials.csv");
 const COLORED: &str = include_str!("../../../tables/inputs/merl.csv");
 
 const ERRORS: &str = include_str!("../../../tables/inputs/merl.errors.csv");
@@ -19,12 +24,12 @@ const ERRORS: &str = include_str!("../../../tables/inputs/merl.errors.csv");
 /// Shipped materials that pictures and reports show, from matte to specular.
 pub const SHOWN_MATERIALS: [&str; 7] = [
     "ptfe-633nm",
-    "10-plaster-a",
-    "07-velvet",
-    "13-artificial-grass",
-    "05-leather",
-    "15-aluminum-foil",
-    "34-slate-b",
+    "pink-felt",
+    "red-fabric2",
+    "yellow-paint",
+    "green-acrylic",
+    "blue-metallic-paint2",
+    "gold-metallic-paint2",
 ];
 
 /// Shipped lights that pictures and reports show.
@@ -58,6 +63,24 @@ pub fn named_materials() -> Result<Materials> {
     let mut named = parse_materials(COLORED, "tables/inputs/merl.csv", None)?;
     named.entries.extend(materials()?.truncated(named.order).entries);
     Ok(named)
+}
+
+/// The materials of the shipped database with the name of this file.
+///
+/// # Errors
+///
+/// If no shipped database has that name; and as [`parse_materials`], for the compiled-in file.
+pub fn materials_in(file: &Path) -> Result<Materials> {
+    let text = match file.file_name().and_then(OsStr::to_str) {
+        Some("materials.csv") => MATERIALS,
+        Some("merl.csv") => COLORED,
+        Some("pbr-materials.csv") => FORMULAS,
+        _ => {
+            let what = "no shipped database has that name";
+            return Err(Error::new(what, "give the file itself").in_file(file));
+        }
+    };
+    parse_materials(text, file, None)
 }
 
 /// The materials in color of which no shipped table is made: those that `tables/color.toml` does not

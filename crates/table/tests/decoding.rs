@@ -1,7 +1,9 @@
 //! Decoding is total: any bytes give a consistent table or an error.
 
 use eigenshade_table::scene::Cut;
-use eigenshade_table::{FileError, Profile, Table, decode, encode, file, parts, statics};
+use eigenshade_table::{
+    FileError, MeanImage, Profile, Table, decode, encode, file, parts, statics,
+};
 
 fn shipped() -> Vec<u8> {
     std::fs::read(concat!(env!("CARGO_MANIFEST_DIR"), "/../../tables/sphere.bin")).unwrap()
@@ -129,8 +131,8 @@ fn parts_that_contradict_each_other_are_refused() {
     profile(&|profile| profile.factors.push(1.0), "factors");
     profile(&|profile| profile.chebyshev.clear(), "polynomial: 1 to");
     profile(&|profile| profile.chebyshev.resize(70_000, 0.0), "polynomial: 1 to");
-    let mean = eigenshade_table::MeanImage { chebyshev: vec![1.0], coefficients: vec![0.0; 50] };
-    refused(&|table| table.mean = Some(mean.clone()), "mean image");
+    let mean = |count| Some(MeanImage { chebyshev: vec![1.0], coefficients: vec![0.0; count] });
+    refused(&|table| table.mean = mean(table.count()), "mean image");
 }
 
 /// The section names are part of the manifest's format, and the first line of each output names the

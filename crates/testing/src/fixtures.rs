@@ -17,10 +17,10 @@ use std::path::Path;
 /// The root of the repository.
 pub const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 
-/// The shipped scene with every available component.
-pub fn shipped() -> Loaded {
-    let path = Path::new(ROOT).join("tables/sphere.toml");
-    let mut loaded = scene_file::load(&path).expect("the shipped scene");
+/// The scene `tables/NAME.toml` with every available component.
+pub fn shipped(name: &str) -> Loaded {
+    let path = Path::new(ROOT).join(format!("tables/{name}.toml"));
+    let mut loaded = scene_file::load(&path).expect("a shipped scene");
     loaded.scene.basis.components = Some(usize::MAX);
     loaded
 }
@@ -34,7 +34,7 @@ pub fn shipped_table(name: &str) -> Table {
 /// A scene of these lights and materials at their degree and order, with every component and with
 /// polynomials that are accurate to the last bits.
 pub fn scene(lights: Lights, materials: Materials) -> Loaded {
-    let mut loaded = shipped();
+    let mut loaded = shipped("curet");
     loaded.scene.light.degree = lights.degree;
     loaded.scene.material.order = materials.order;
     loaded.scene.basis.profile_tolerance = 1e-13;

@@ -191,9 +191,9 @@ impl Bases {
     }
 }
 
-/// The shipped scene at another degree and order, with at most this many components.
+/// The scene of the table of CUReT at another degree and order, with at most this many components.
 pub fn scene(degree: usize, order: usize, components: usize) -> Result<Scene> {
-    let table = decode(shipped::TABLE).map_err(|error| Error::new(error.to_string(), "report it"));
+    let table = decode(shipped::CURET).map_err(|error| Error::new(error.to_string(), "report it"));
     let mut scene = table?.scene;
     scene.light.degree = degree;
     scene.material.order = order;

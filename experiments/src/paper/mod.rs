@@ -226,9 +226,9 @@ impl Study {
     }
 }
 
-/// The scene of the shipped table with another basis, without the shipped table's effects.
+/// The scene of the table of CUReT with another basis, without that table's effects.
 fn scene(criterion: Criterion, modes: usize) -> Scene {
-    let scene = decode(shipped::TABLE).expect("the shipped table").scene;
+    let scene = decode(shipped::CURET).expect("a shipped table").scene;
     let basis = scene::Basis {
         criterion,
         components: Some(usize::MAX),

@@ -50,6 +50,17 @@ pub const PAGE: Page = Page {
     },
 };
 
+/// Materials of the images, from matte to specular.
+const SHOWN_MATERIALS: [&str; 7] = [
+    "ptfe-633nm",
+    "10-plaster-a",
+    "07-velvet",
+    "13-artificial-grass",
+    "05-leather",
+    "15-aluminum-foil",
+    "34-slate-b",
+];
+
 /// Width of each image in pixels.
 const SIZE: usize = 64;
 
@@ -60,7 +71,7 @@ const SIZE: usize = 64;
 ///
 /// If a table or database cannot be read.
 pub fn parts(tables: &Path) -> Result<Vec<Part>> {
-    let few = table::read(tables.join("sphere.bin"))?;
+    let few = table::read(tables.join("curet.bin"))?;
     let (degree, order) = (few.gram.degree, few.gram.order);
     let lights = read_lights(tables.join("inputs/lights.csv"), None)?.truncated(degree);
     let materials = read_materials(tables.join("inputs/materials.csv"), None)?.truncated(order);
@@ -71,7 +82,7 @@ pub fn parts(tables: &Path) -> Result<Vec<Part>> {
     let view = SphereView::new(SIZE);
     let inside = view.pixels.iter().zip(&view.normals).filter(|(pixel, _)| pixel.is_inside);
     let (shown_lights, other_lights) = split(&lights.entries, &shipped::SHOWN_LIGHTS);
-    let (shown_materials, other_materials) = split(&materials.entries, &shipped::SHOWN_MATERIALS);
+    let (shown_materials, other_materials) = split(&materials.entries, &SHOWN_MATERIALS);
     let of_lights = |entries| Lights { degree, entries };
     let of_materials = |entries| Materials { order, entries };
     let normals = inside.map(|(_, normal)| *normal).collect();

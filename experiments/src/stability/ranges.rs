@@ -52,7 +52,7 @@ struct Found {
 
 impl Found {
     fn new<S: Scalar + Into<f64>>() -> Self {
-        let table = fixtures::table(&fixtures::shipped());
+        let table = fixtures::table(&fixtures::shipped("curet"));
         let mut numbers = Numbers(41);
         let light = fixtures::lights(9, 1, &mut numbers).entries[0].luminance();
         let material = fixtures::materials(7, 1, &mut numbers).entries[0].luminance();
@@ -223,7 +223,7 @@ pub(super) fn subnormal() -> Vec<Figure> {
     let of_light = products_of_map(&tiny, |unit| relit(unit).to_vec());
     let other = pixels.iter().zip(&scaled).filter(|(a, b)| **a != **b * TINY).count();
     // All components of the shipped scene.
-    let owned = OwnedBasis::<f32>::new(&fixtures::table(&fixtures::shipped()));
+    let owned = OwnedBasis::<f32>::new(&fixtures::table(&fixtures::shipped("curet")));
     let mut shader = Shader::new(owned.basis().expect("a basis"), usize::MAX);
     let far: Vec<f64> = tiny.iter().copied().map(f64::from).collect();
     let all = shader.project((9, &far), (7, &on)).expect("coefficients");

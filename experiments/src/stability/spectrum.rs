@@ -31,7 +31,7 @@ pub(super) fn root() -> Vec<Figure> {
     };
     let (negative, not_numbers) = (share(|one| one.negative), share(|one| one.not_numbers));
     let worst = largest(blocks.iter().map(|one| one.off));
-    let ours = basis::orthonormality(&fixtures::table(&fixtures::shipped()), 100);
+    let ours = basis::orthonormality(&fixtures::table(&fixtures::shipped("curet")), 100);
     vec![
         least("share of M's eigenvalues that are negative", negative, tolerances::NAIVE_NEGATIVE),
         // One negative eigenvalue spoils its whole block.
@@ -216,7 +216,7 @@ pub(super) fn ranks() -> Vec<Figure> {
 
 /// All components that the shipped scene has.
 pub(super) fn more_than_rank() -> Vec<Figure> {
-    let loaded = fixtures::shipped();
+    let loaded = fixtures::shipped("curet");
     let table = fixtures::table(&loaded);
     let error = fixtures::reconstruction_error(&loaded, &table);
     let eigenvalues = || table.components.iter().filter_map(|one| one.eigenvalue);
@@ -266,7 +266,7 @@ pub fn agreement(a: &Table, b: &Table) -> Agreement {
 
 /// Components of +m and -m have equal eigenvalues; the weakest have 1e-24 of the largest.
 pub(super) fn order_and_sign() -> Vec<Figure> {
-    let mut loaded = fixtures::shipped();
+    let mut loaded = fixtures::shipped("curet");
     loaded.scene.basis.rank_cutoff = 1e-13;
     let table = fixtures::table(&loaded);
     let again = encode(&fixtures::table(&loaded)) == encode(&table);

@@ -234,19 +234,16 @@ fn boards_have_rows_for_moving_light() {
 /// By which factor the floor of such a scene is off what the table's components lack: in the
 /// median, of nine images of ten, of all. The last fifth of the coefficients stands for those that
 /// are missing, which fall off as fast in one image as in another, but for one or the other.
-const FLOOR: [f64; 3] = [1.1, 2.0, 4.0];
-/// The same for materials in color, whose coefficients a window attenuates: they fall off in another
-/// way.
-const FLOOR_IN_COLOR: [f64; 3] = [1.3, 2.5, 4.0];
-/// Their median, a fifth too low on the page.
-const MEDIAN_IN_COLOR: &str = "0.80";
+const FLOOR: [f64; 3] = [1.1, 3.1, 8.0];
+/// The same for materials in color.
+const FLOOR_IN_COLOR: [f64; 3] = [1.1, 1.6, 2.8];
 
 /// The median and the worst of the errors in per cent that `docs/accuracy.md` states.
-const STATED: [&str; 2] = ["1.29", "17.5"];
+const STATED: [&str; 2] = ["1.20", "11.1"];
 
 #[test]
 fn floors_are_what_components_lack_of_unseen_materials() {
-    let owned = OwnedBasis::<f64>::new(&fixtures::table(&fixtures::shipped()));
+    let owned = OwnedBasis::<f64>::new(&fixtures::table(&fixtures::shipped("sphere")));
     let mut shader = Shader::new(owned.basis().expect("a sphere's"), usize::MAX);
     let scope = Scope::new(9, 7).expect("the materials");
     let color = shipped::unseen_materials().expect("the materials").entries;
@@ -276,14 +273,11 @@ fn floors_are_what_components_lack_of_unseen_materials() {
     errors.sort_by(f64::total_cmp);
     let [median, most] = [errors[errors.len() / 2], errors[errors.len() - 1]].map(|e| 100.0 * e);
     println!("{median:.2} %, {most:.1} %");
-    let groups = [(FLOOR, None), (FLOOR_IN_COLOR, Some(MEDIAN_IN_COLOR))];
-    for (mut ratios, ([of_median, of_most, of_all], stated)) in ratios.into_iter().zip(groups) {
+    let groups = [FLOOR, FLOOR_IN_COLOR];
+    for (mut ratios, [of_median, of_most, of_all]) in ratios.into_iter().zip(groups) {
         ratios.sort_by(f64::total_cmp);
         let at = |share: f64| ratios[((ratios.len() - 1) as f64 * share).round() as usize];
         println!("{:.3?}", [0.0, 0.05, 0.5, 0.95, 1.0].map(at));
-        if let Some(stated) = stated {
-            assert_eq!(format!("{:.2}", at(0.5)), stated);
-        }
         for (share, factor) in
             [(0.5, of_median), (0.05, of_most), (0.95, of_most), (0.0, of_all), (1.0, of_all)]
         {

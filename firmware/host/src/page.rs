@@ -19,8 +19,8 @@ const SHORT: [(&str, &str); 5] = [
     ("shade_lambertian", "a pixel, matte material, light of degree 2"),
     ("shade", "a pixel of any material, 130 components to 1e-4"),
     ("gold", "a pixel of the gold sphere, in color, to RGB565"),
-    ("relight_collapse", "a new light on a transferred material, 50 components"),
-    ("transfer", "a new material, 50 components"),
+    ("relight_collapse", "a new light on a transferred material, 46 components"),
+    ("transfer", "a new material, 46 components"),
 ];
 
 /// The boards whose memory is shown: without a float unit and with one.

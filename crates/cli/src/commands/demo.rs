@@ -25,9 +25,9 @@ const TIMINGS: usize = 5;
 ///
 /// Writes demo.png and demo.csv, and prints the numbers: the share of the image's energy about its
 /// mean that the components keep, the rms and the largest error relative to the image's peak, and
-/// nanoseconds per pixel in three channels. The pictures are computed in f32 with all components of
-/// the shipped table; the reference is the sum over all modes of the table's degree and order in
-/// f64.
+/// nanoseconds per pixel in three channels. The pictures are computed in f32 with the components
+/// with which `render` draws; the reference is the sum over all modes of the table's degree and
+/// order in f64.
 #[derive(Args, Debug)]
 pub struct Demo {
     /// Folder for the files; created if needed
@@ -44,7 +44,7 @@ impl Demo {
         let [picture, sheet] = ["demo.png", "demo.csv"].map(|name| self.out.join(name));
         writable(&picture)?;
         writable(&sheet)?;
-        let table = table::decode(shipped::TABLE)?;
+        let table = table::decode(shipped::COLOR)?;
         let (lights, materials) = shown()?;
         let (lights, materials) = fitted(&table, &lights, &materials);
         let view = SphereView::new(self.size);
@@ -82,7 +82,7 @@ impl Demo {
 /// The shipped lights and materials of the picture.
 fn shown() -> Result<(Lights, Materials)> {
     let lights = shipped::lights()?;
-    let materials = shipped::materials()?;
+    let materials = shipped::named_materials()?;
     let entries = chosen(lights.entries, &shipped::SHOWN_LIGHTS)?;
     let lights = Lights { degree: lights.degree, entries };
     let entries = chosen(materials.entries, &shipped::SHOWN_MATERIALS)?;

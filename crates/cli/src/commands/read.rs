@@ -204,7 +204,13 @@ impl Read {
         let read = |path: &Path| read_materials_and_order(memory.file(path), None);
         let Materials { order, mut entries } = match &beside {
             Ok(paths) => scene_file::together(paths.iter().cloned(), read)?.0,
-            Err(_) => shipped::materials()?,
+            Err(missing) => {
+                let shipped =
+                    |path: &Path| shipped::materials_in(path).map(|all| (all, usize::MAX));
+                let databases = scene.database.iter().map(PathBuf::from);
+                let all = scene_file::together(databases, shipped);
+                all.map_err(|_| without(missing.clone(), "--materials"))?.0
+            }
         };
         if !scene.names.is_empty() {
             entries.retain(|entry| scene.names.contains(&entry.name));
