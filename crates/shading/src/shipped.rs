@@ -26,9 +26,9 @@ pub const SHOWN_MATERIALS: [&str; 7] = [
     "ptfe-633nm",
     "pink-felt",
     "red-fabric2",
-    "yellow-paint",
-    "green-acrylic",
-    "blue-metallic-paint2",
+    "blue-fabric",
+    "green-latex",
+    "yellow-plastic",
     "gold-metallic-paint2",
 ];
 
