@@ -217,7 +217,7 @@ pub const FLAT_PICTURES: f64 = 1e-9;
 
 /// d by a compensated sum of a million pixels in f32, relative to the largest d: eigenimages
 /// accurate to 3e-7, whose errors average out, and two roundings.
-pub const MILLION_PIXELS: f64 = 5e-7;
+pub const MILLION_PIXELS: f64 = 2e-7;
 
 /// Exact sums over the million pixels against d, relative to the largest d: 3550 pixels of the rim
 /// are half inside and half outside, the root of that number is 6e-5 of all pixels, and images at
