@@ -76,7 +76,7 @@ fn the_checks_hold_under_sanitizers() {
 }
 
 /// The example in the README compiles and prints the right numbers: 3.5 Y_0^0 at the rim, and 2/3
-/// of Y_1^0 more where the normal faces the camera. Fifty components give two digits.
+/// of Y_1^0 more where the normal faces the camera. The components give two digits.
 #[test]
 fn the_readme_is_right() {
     let readme = include_str!("../README.md");

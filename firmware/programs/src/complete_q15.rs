@@ -1,5 +1,5 @@
-//! Complete programs, which draw a picture in color with fifty components, as text. Their size
-//! includes tables and start-up code.
+//! Complete programs, which draw a picture in color with all components of the shipped table, as
+//! text. Their size includes tables and start-up code.
 #![no_std]
 #![no_main]
 #![expect(dead_code, reason = "a program runs one of the functions")]
