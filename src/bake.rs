@@ -27,7 +27,7 @@ pub(crate) const SIZES: core::ops::RangeInclusive<usize> = 2..=4096;
 /// One image baked into N x N texels, in `texels`.
 ///
 /// The table gives rms errors against the baked scene, as fractions of the peak. The first number
-/// is the median over the shipped lights on the shipped materials, the second the worst case.
+/// is the median over the shipped lights on the gray materials, the second the worst case.
 ///
 /// | N | bilinear | nearest |
 /// |---|---|---|

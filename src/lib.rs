@@ -153,7 +153,7 @@ mod logged;
 mod mint;
 
 /// The shipped table: every normal of a sphere, degree 9, order 7, 46 components, learned from
-/// captured light on measured materials.
+/// captured light on measured materials and formulas.
 #[cfg(feature = "baked")]
 pub mod sphere {
     include!(concat!(env!("OUT_DIR"), "/sphere_f32.rs"));

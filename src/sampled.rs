@@ -20,7 +20,7 @@ const KNOTS: core::ops::RangeInclusive<usize> = 8..=65_536;
 /// One image as samples of its azimuths, in `samples`.
 ///
 /// The table gives rms errors against the sampled scene, as fractions of the peak. The first number
-/// is the median over the shipped lights on the shipped materials, the second the worst case.
+/// is the median over the shipped lights on the gray materials, the second the worst case.
 ///
 /// | knots | linear | cubic |
 /// |---|---|---|

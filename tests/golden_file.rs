@@ -8,7 +8,8 @@ use eigenshade::{Normals, Q15, Q31, sphere};
 use eigenshade_testing::golden::record::{Golden, Row};
 use eigenshade_testing::golden::{Answer, GOLDEN_F32, answer, checksum};
 
-/// Signal-to-error ratio of 15-bit mantissas, in dB, at the few normals of the golden file.
+/// Signal-to-error ratio of 15-bit mantissas, in dB: 63.4 for slate in the studio, of whose narrow
+/// highlight the few normals of the golden file meet little.
 const GOLDEN_Q15: f64 = 63.0;
 
 fn recorded() -> Golden {

@@ -6,12 +6,14 @@ use eigenshade_generator::basis;
 use eigenshade_generator::scene_file::{self, Loaded};
 use eigenshade_model::database::Materials;
 use eigenshade_shading::shipped;
+use eigenshade_table::decode;
 use eigenshade_table::reduce::with_components;
 use eigenshade_table::scene::MaterialNormalize;
 use experiments::accuracy_cost::errors::{Errors, Found, Spread, compare};
 use experiments::accuracy_cost::images::Images;
 use experiments::accuracy_cost::scope::Scope;
 use experiments::accuracy_cost::settings::{Format, Recipe, Setting};
+use experiments::multiplications::Multiplications;
 use experiments::numbers::percent;
 use std::fs;
 
@@ -19,6 +21,8 @@ use std::fs;
 /// the runtime compiles in; of the table with which `render` draws.
 const TABLES: [(&str, &[usize]); 3] =
     [("curet", &[50, 64, 100]), ("sphere", &[46]), ("color", &[50, 64, 80, 100, 120, 160])];
+/// What the runtime's table may cost more than that of CUReT in any step: a multiply-add of a pixel.
+const DEARER: f64 = 1.01;
 /// The largest rms error, relative to the peak, that `tables/color.toml` allows itself.
 const OF_ALL: f64 = 1e-5;
 
@@ -28,8 +32,12 @@ fn the_page_has_the_errors_of_unseen_materials() {
     let load = |name| scene_file::load(tables.join(format!("{name}.toml"))).unwrap();
     let unseen = shipped::unseen_materials().unwrap();
     assert_eq!(unseen.entries.len(), 47);
-    let [shipped, color] = ["sphere", "color"].map(|name| load(name).scene.material.names);
-    assert_eq!(shipped, color);
+    let [ours, color] = ["sphere", "color"].map(|name| load(name).scene.material.names);
+    assert_eq!(ours, color);
+    let [of_shipped, of_curet] = [shipped::TABLE, shipped::CURET].map(costs);
+    for (ours, before) in of_shipped.into_iter().zip(of_curet) {
+        assert!(ours as f64 <= DEARER * before as f64, "{of_shipped:?} {of_curet:?}");
+    }
     let measured = TABLES.map(|(name, components)| errors_of(load(name), &unseen, components));
     let color = measured[2].last().unwrap();
     for Errors { rms, .. } in [color.seen, color.unseen] {
@@ -54,6 +62,12 @@ fn the_page_has_the_errors_of_unseen_materials() {
     println!("{page}");
     let text = fs::read_to_string(repository().join("docs/accuracy.md")).unwrap();
     assert!(text.contains(&page), "docs/accuracy.md lacks the table above");
+}
+
+/// Multiplications of a table: a pixel, a new light's two steps, a new material.
+fn costs(table: &[u8]) -> [usize; 4] {
+    let costs = Multiplications::of(&decode(table).unwrap()).unwrap();
+    [costs.pixel, costs.relight, costs.collapse, costs.transfer]
 }
 
 /// The errors with each number of components, over all lights as captured.

@@ -50,7 +50,7 @@ pub struct Truncation<S> {
     ///
     /// For unseen materials under the shipped lights, with the shipped table, the estimate matches
     /// the error in the median. For nine images in ten it is within a factor of 1.6 for measured
-    /// materials and of 3 for GGX, and it is within a factor of 8 for all.
+    /// materials and of 3.1 for GGX, and it is within a factor of 8 for all.
     pub floor: S,
     /// The largest of 41 pixels of the image, which is at most its peak. If the image is a channel
     /// of a color, the largest of all channels.
