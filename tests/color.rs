@@ -4,8 +4,8 @@ use eigenshade::presets::{light, material};
 use eigenshade::quantized;
 use eigenshade::sphere::{self, q15};
 use eigenshade::{
-    Argument, Disc, Display, Error, Light, MapPoint, Material, Normal, Normals, Q15, Rgb, Tone,
-    index,
+    Argument, Disc, Display, Error, Light, MapPoint, Material, Normal, Normals, Q15, Rgb,
+    Tolerance, Tone, index,
 };
 use eigenshade_shading::shipped;
 
@@ -139,6 +139,30 @@ fn slices_are_shaded_in_color_as_their_normals() {
         assert_eq!(integers.shade_slice(&normals, &mut colors), short);
         let normals = Normals::new(&x, &y, &z).unwrap();
         assert_eq!(scene.shade_slice(normals, &mut vec![Rgb::gray(0.0); count + 1]), short);
+    }
+}
+
+/// Channels of one irradiance, of nine terms, of more, and of each.
+#[test]
+fn few_terms_are_shaded_in_color_as_each_channel() {
+    let pixels: Vec<_> = Disc::new(60).collect();
+    let [x, y, z] = [0, 1, 2].map(|axis| -> Vec<f32> {
+        pixels.iter().map(|pixel| pixel.normal().components()[axis]).collect()
+    });
+    let normals = Normals::new(&x, &y, &z).unwrap();
+    let matte = sphere::transfer(&Material::new(&[2.0]).unwrap()).unwrap();
+    for degrees in [[0; 3], [2; 3], [5; 3], [0, 2, 5], [9, 0, 2]] {
+        let mut lengths = [[0; sphere::DEGREE + 1]; 3];
+        let mut scenes = degrees.into_iter().zip(&mut lengths).map(|(degree, lengths)| {
+            let d = sphere::relight(&matte, &light::LOBBY.g.truncated(degree)).unwrap();
+            sphere::collapse_within(&d, Tolerance::OfPeak(1e-3), lengths).unwrap().0
+        });
+        let scenes = Rgb::gray(()).map(|()| scenes.next().unwrap());
+        let mut colors = vec![Rgb::gray(f32::NAN); pixels.len()];
+        scenes.shade_slice(normals, &mut colors).unwrap();
+        for (color, normal) in colors.iter().zip(normals.iter()) {
+            assert_eq!(*color, scenes.shade(normal), "{degrees:?}");
+        }
     }
 }
 

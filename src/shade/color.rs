@@ -1,16 +1,17 @@
 //! Shades many normals in three channels.
 
-use super::{BLOCK, SPECIAL};
+use super::tile::Room;
+use super::{BLOCK, SPECIAL, Way};
 use crate::color::Rgb;
 use crate::error::{Argument, Error};
-use crate::normal::Normals;
+use crate::invariant::part_mut;
+use crate::normal::{Normal, Normals};
 use crate::scalar::Scalar;
 use crate::scene::Scene;
-use crate::shade::tile::TILE;
 
 /// Normals that are shaded in one channel before the next: whole tiles and blocks of every target,
 /// few enough to stay in the L1 cache.
-const CHUNK: usize = if SPECIAL { 5 * TILE } else { 4 * BLOCK };
+const CHUNK: usize = if SPECIAL { 640 } else { 4 * BLOCK };
 
 impl<B> Rgb<&Scene<'_, B>> {
     /// [`Rgb::shade_slice`] of the scenes.
@@ -24,22 +25,59 @@ impl<B> Rgb<&Scene<'_, B>> {
         B: AsRef<[S]>,
     {
         Error::check(Argument::Normals, normals.len(), irradiance.len())?;
-        let mut channels = Rgb::gray([S::ZERO; CHUNK]);
-        let normals =
-            normals.x.chunks(CHUNK).zip(normals.y.chunks(CHUNK)).zip(normals.z.chunks(CHUNK));
-        for (((x, y), z), colors) in normals.zip(irradiance.chunks_mut(CHUNK)) {
-            let normals = Normals { x, y, z };
-            let each =
-                [(self.r, &mut channels.r), (self.g, &mut channels.g), (self.b, &mut channels.b)];
-            for (scene, channel) in each {
-                scene.shade_slice(normals, channel.get_mut(..x.len()).unwrap_or_default())?;
+        let ways = self.map(|scene| Way::of(scene.descent()));
+        match [ways.r, ways.g, ways.b] {
+            [Way::Constant(r), Way::Constant(g), Way::Constant(b)] if SPECIAL => {
+                irradiance.fill(Rgb::new(r, g, b));
             }
-            let pixels = channels.r.iter().zip(&channels.g).zip(&channels.b);
-            for (color, ((&r, &g), &b)) in colors.iter_mut().zip(pixels) {
-                *color = Rgb::new(r, g, b);
+            [Way::NineTerms(r), Way::NineTerms(g), Way::NineTerms(b)] if SPECIAL => {
+                let nine_terms = Rgb::new(r, g, b);
+                let axes = normals.x.iter().zip(normals.y).zip(normals.z);
+                for (color, ((&x, &y), &z)) in irradiance.iter_mut().zip(axes) {
+                    let normal = Normal { x, y, z };
+                    *color = nine_terms.each_ref().map(|nine_terms| nine_terms.shade(normal));
+                }
             }
+            _ => return by_chunks(&ways, normals, irradiance),
         }
         Ok(())
+    }
+}
+
+/// Shades each channel of a chunk of normals before the next chunk.
+#[inline(never)]
+fn by_chunks<S: Scalar>(
+    ways: &Rgb<Way<'_, S>>,
+    normals: Normals<'_, S>,
+    irradiance: &mut [Rgb<S>],
+) -> Result<(), Error> {
+    let (mut room, mut planes) = (Room::new(), Rgb::gray([S::ZERO; CHUNK]));
+    let mut shade = |normals: Normals<'_, S>, planes: &mut Rgb<[S; CHUNK]>| {
+        let all = ..normals.len();
+        let Rgb { r, g, b } = planes;
+        for (way, plane) in [(&ways.r, r), (&ways.g, g), (&ways.b, b)] {
+            way.shade(normals, &mut room, part_mut(plane, all.clone()))?;
+        }
+        Ok::<_, Error>(())
+    };
+    let [(x, x_rest), (y, y_rest), (z, z_rest)] =
+        [normals.x, normals.y, normals.z].map(<[S]>::as_chunks::<CHUNK>);
+    let (colors, rest) = irradiance.as_chunks_mut::<CHUNK>();
+    for (((x, y), z), colors) in x.iter().zip(y).zip(z).zip(colors) {
+        shade(Normals { x, y, z }, &mut planes)?;
+        write(&planes, colors);
+    }
+    shade(Normals { x: x_rest, y: y_rest, z: z_rest }, &mut planes)?;
+    write(&planes, rest);
+    Ok(())
+}
+
+/// Writes planes as pixels.
+#[inline(always)]
+fn write<S: Scalar>(planes: &Rgb<[S; CHUNK]>, colors: &mut [Rgb<S>]) {
+    let pixels = planes.r.iter().zip(&planes.g).zip(&planes.b);
+    for (color, ((&r, &g), &b)) in colors.iter_mut().zip(pixels) {
+        *color = Rgb::new(r, g, b);
     }
 }
 
@@ -62,7 +100,8 @@ impl<B> Rgb<Scene<'_, B>> {
     /// # Ok::<(), eigenshade::Error>(())
     /// ```
     ///
-    /// Cost: that of [`Scene::shade_slice`] in each channel, and three copies for each normal.
+    /// Cost: that of [`Scene::shade_slice`] in each channel and of a loop that writes the three
+    /// planes as pixels, without memory for the planes.
     ///
     /// # Errors
     ///

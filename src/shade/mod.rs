@@ -5,13 +5,13 @@ mod tile;
 
 use crate::error::{Argument, Error};
 use crate::index::layout::{EVEN_ODD_TERMS, MONOMIAL_TERMS, Recurrence};
-use crate::nine_terms::nine_terms;
+use crate::nine_terms::{NineTerms, nine_terms};
 use crate::normal::{Normal, Normals};
 use crate::polynomial::{self, argument};
 use crate::scalar::Scalar;
 use crate::scene::Descent;
 use crate::scene::Scene;
-use tile::{Room, TILE};
+use tile::Room;
 
 /// Normals in one block: enough to keep the vector registers of the target busy.
 const BLOCK: usize = if cfg!(target_feature = "avx512f") {
@@ -86,28 +86,72 @@ impl<B> Scene<'_, B> {
         B: AsRef<[S]>,
     {
         Error::check(Argument::Normals, normals.len(), irradiance.len())?;
-        let polynomials = self.descent();
+        Way::of(self.descent()).shade(normals, &mut Room::new(), irradiance)
+    }
+}
+
+/// The fastest way to shade many normals of a scene on this target.
+#[derive(Clone, Copy)]
+enum Way<'s, S> {
+    /// Some azimuths have recurrences.
+    Stable(Descent<'s, S>),
+    /// One formula of degree 2.
+    NineTerms(NineTerms<S>),
+    /// The same irradiance for every normal.
+    Constant(S),
+    /// Polynomials of a few terms each.
+    Tiles(Descent<'s, S>),
+    /// Any polynomials.
+    Blocks(Descent<'s, S>),
+}
+
+impl<'s, S: Scalar> Way<'s, S> {
+    #[inline(always)]
+    fn of(polynomials: Descent<'s, S>) -> Self {
         if polynomials.is_orthogonal() {
-            stable(polynomials, normals, irradiance);
+            Self::Stable(polynomials)
         } else if let Some(nine_terms) = nine_terms(polynomials) {
-            nine_terms.shade_slice(normals, irradiance)?;
+            Self::NineTerms(nine_terms)
         } else if !SPECIAL {
-            blocks::<S, ANY>(polynomials, [normals.x, normals.y, normals.z], irradiance);
+            Self::Blocks(polynomials)
         } else if let ([], [] | [_]) = (polynomials.lengths, polynomials.pole) {
-            irradiance.fill(polynomials.pole.first().copied().unwrap_or(S::ZERO));
+            Self::Constant(polynomials.pole.first().copied().unwrap_or(S::ZERO))
         } else if tile::fits(&polynomials) {
-            let [(x, x_rest), (y, y_rest), (z, z_rest)] =
-                [normals.x, normals.y, normals.z].map(<[S]>::as_chunks::<TILE>);
-            let (out, out_rest) = irradiance.as_chunks_mut::<TILE>();
-            let mut room = Room::new();
-            for (((x, y), z), out) in x.iter().zip(y).zip(z).zip(out) {
-                tile::tile(polynomials, [x, y, z], &mut room, out);
-            }
-            blocks::<S, MONOMIAL_TERMS>(polynomials, [x_rest, y_rest, z_rest], out_rest);
-        } else if polynomials.any_longer_than(MONOMIAL_TERMS) {
-            blocks::<S, EVEN_ODD_TERMS>(polynomials, [normals.x, normals.y, normals.z], irradiance);
+            Self::Tiles(polynomials)
         } else {
-            blocks::<S, MONOMIAL_TERMS>(polynomials, [normals.x, normals.y, normals.z], irradiance);
+            Self::Blocks(polynomials)
+        }
+    }
+
+    #[inline(always)]
+    fn shade(
+        &self,
+        normals: Normals<'_, S>,
+        room: &mut Room<S>,
+        irradiance: &mut [S],
+    ) -> Result<(), Error> {
+        let axes = [normals.x, normals.y, normals.z];
+        match *self {
+            Self::Stable(polynomials) => stable(polynomials, axes, irradiance),
+            Self::NineTerms(nine_terms) => return nine_terms.shade_slice(normals, irradiance),
+            Self::Constant(value) => irradiance.fill(value),
+            Self::Tiles(polynomials) => {
+                let [(x, x_rest), (y, y_rest), (z, z_rest)] = axes.map(<[S]>::as_chunks);
+                let (out, out_rest) = irradiance.as_chunks_mut();
+                for (((x, y), z), out) in x.iter().zip(y).zip(z).zip(out) {
+                    tile::tile(polynomials, [x, y, z], room, out);
+                }
+                blocks::<S, MONOMIAL_TERMS>(polynomials, [x_rest, y_rest, z_rest], out_rest);
+            }
+            Self::Blocks(polynomials) if !SPECIAL => {
+                blocks::<S, ANY>(polynomials, axes, irradiance);
+            }
+            Self::Blocks(polynomials) if polynomials.any_longer_than(MONOMIAL_TERMS) => {
+                blocks::<S, EVEN_ODD_TERMS>(polynomials, axes, irradiance);
+            }
+            Self::Blocks(polynomials) => {
+                blocks::<S, MONOMIAL_TERMS>(polynomials, axes, irradiance);
+            }
         }
         Ok(())
     }
@@ -115,10 +159,8 @@ impl<B> Scene<'_, B> {
 
 /// Shades normals block by block, for a scene in which some azimuths have recurrences.
 #[inline(never)]
-fn stable<S: Scalar>(polynomials: Descent<'_, S>, normals: Normals<'_, S>, irradiance: &mut [S]) {
-    in_blocks([normals.x, normals.y, normals.z], irradiance, |x, y, z| {
-        orthogonal(polynomials, x, y, z)
-    });
+fn stable<S: Scalar>(polynomials: Descent<'_, S>, axes: [&[S]; 3], irradiance: &mut [S]) {
+    in_blocks(axes, irradiance, |x, y, z| orthogonal(polynomials, x, y, z));
 }
 
 /// Shades normals, given by their components, block by block.

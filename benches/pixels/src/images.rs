@@ -28,13 +28,36 @@ pub struct Image {
     pub share: Option<f32>,
     /// Terms of its polynomials, by azimuth.
     pub lengths: Vec<u16>,
+    /// Whether it is drawn in color too.
+    pub in_color: bool,
 }
 
 impl Image {
     fn new(name: impl Into<String>, d: &[f32], share: Option<f32>) -> Self {
         let mut room = [0; 16];
         let (_, lengths) = scene(d, share, &mut room);
-        Self { name: name.into(), d: d.to_vec(), share, lengths }
+        Self { name: name.into(), d: d.to_vec(), share, lengths, in_color: false }
+    }
+
+    fn in_color(self) -> Self {
+        Self { in_color: true, ..self }
+    }
+
+    /// Name in docs/performance.md of the same in color.
+    pub fn colored(&self, how: &str) -> String {
+        format!("{}, {how}", self.name)
+    }
+
+    /// For [`parsed`](Self::parsed).
+    pub fn arguments(&self) -> Vec<String> {
+        let share = self.share.map_or_else(|| "all".to_owned(), |share| share.to_string());
+        std::iter::once(share).chain(self.d.iter().map(ToString::to_string)).collect()
+    }
+
+    /// The image of a tolerance and coefficients.
+    pub fn parsed(share: &str, d: impl Iterator<Item = String>) -> Self {
+        let d: Vec<f32> = d.map(|text| text.parse().expect("a coefficient")).collect();
+        Self::new("", &d, share.parse().ok())
     }
 
     /// Multiply-adds that a pixel of it cannot do without.
@@ -63,10 +86,12 @@ pub fn scene<'l>(d: &[f32], share: Option<f32>, lengths: &'l mut [u16]) -> (Show
 /// The images of the page.
 pub fn all() -> Vec<Image> {
     let database = database();
-    let mut images = vec![Image::new("full scene", &database[database.len() / 2], None)];
+    let full = Image::new("full scene", &database[database.len() / 2], None);
+    let mut images = vec![full.in_color()];
     for share in [1e-4, 1e-3, 1e-2] {
         let name = format!("median image within {share:e}");
-        images.push(of_cost(database.iter().map(|d| Image::new(&name, d, Some(share))), 0.5));
+        let median = of_cost(database.iter().map(|d| Image::new(&name, d, Some(share))), 0.5);
+        images.push(Image { in_color: share == 1e-2, ..median });
     }
     let lights = lights();
     for (which, place) in [("least", 0.0), ("median", 0.5), ("most", 1.0)] {
@@ -76,7 +101,7 @@ pub fn all() -> Vec<Image> {
     }
     let light: Vec<f32> = (0..9).map(|k| 3.5 / (1.0 + k as f32)).collect();
     let matte = coefficients(&light, &WHITE);
-    images.push(Image::new(MATTE, &matte, Some(1e-3)));
+    images.push(Image::new(MATTE, &matte, Some(1e-3)).in_color());
     let ambient = coefficients(&[3.5], &WHITE);
     images.push(Image::new("matte, ambient light, within 1e-3", &ambient, Some(1e-3)));
     images

@@ -4,6 +4,7 @@
 //! `times` and `counts` print their table; `--write` puts it into that page, and `counts --check`
 //! fails where a path takes more instructions than the page says.
 
+mod color;
 mod images;
 mod inputs;
 mod limit;

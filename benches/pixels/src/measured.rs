@@ -2,6 +2,7 @@
 //! took is not in them; and instructions of a pixel and of a call, counted by callgrind: the same
 //! in every run.
 
+use crate::color::{Colored, WAYS};
 use crate::images::{Image, LONG_NAMES, long_scene, long_terms, scene};
 use crate::inputs::{CALLS, CallInputs, NINE, NINE_TERMS, PIXELS, Placed, irradiances, normals};
 use crate::limit::{CHAINS, INSTRUCTIONS, LANES, multiply_adds};
@@ -124,6 +125,14 @@ pub fn timed(images: &[Image]) -> Times {
         way.time.lengths = lengths;
         ways.push(way);
     }
+    for image in images.iter().filter(|image| image.in_color) {
+        for how in WAYS {
+            let mut colored = Colored::new(image, how);
+            let draw = move || colored.draw(slices);
+            let way = Way::new(&image.colored(how), 3 * image.necessary(), draw);
+            ways.push(way.pixels());
+        }
+    }
     let (lengths, necessary) = long_terms();
     let scene = long_scene(LONG_NAMES[0]);
     let mut out = irradiances();
@@ -201,15 +210,23 @@ pub fn counted(images: &[Image]) -> Vec<Count> {
         found: of_a_pixel(&[NINE.to_owned()]),
     }];
     for image in images {
-        let share = image.share.map_or_else(|| "all".to_owned(), |share| share.to_string());
-        let arguments: Vec<_> =
-            std::iter::once(share).chain(image.d.iter().map(ToString::to_string)).collect();
         counts.push(Count {
             name: image.name.clone(),
             lengths: image.lengths.clone(),
             necessary: image.necessary(),
-            found: of_a_pixel(&arguments),
+            found: of_a_pixel(&image.arguments()),
         });
+    }
+    for image in images.iter().filter(|image| image.in_color) {
+        for how in WAYS {
+            let arguments = [vec![how.to_owned()], image.arguments()].concat();
+            counts.push(Count {
+                name: image.colored(how),
+                lengths: Vec::new(),
+                necessary: 3 * image.necessary(),
+                found: of_a_pixel(&arguments),
+            });
+        }
     }
     let (lengths, necessary) = long_terms();
     for name in LONG_NAMES {
@@ -259,7 +276,6 @@ pub fn shade(mut arguments: impl Iterator<Item = String>) {
         let inputs = CallInputs::new();
         return (0..times).for_each(|_| inputs.call(which));
     }
-    let d: Vec<f32> = arguments.map(|text| text.parse().expect("a coefficient")).collect();
     let xyz = normals();
     let [x, y, z] = xyz.each_ref().map(Placed::all);
     let mut room = irradiances();
@@ -281,8 +297,14 @@ pub fn shade(mut arguments: impl Iterator<Item = String>) {
         }
         return;
     }
+    if let Some(how) = WAYS.into_iter().find(|how| *how == what) {
+        let share = arguments.next().expect("a tolerance");
+        let mut colored = Colored::new(&Image::parsed(&share, arguments), how);
+        return (0..times).for_each(|_| colored.draw(normals));
+    }
+    let image = Image::parsed(&what, arguments);
     let mut lengths = [0; 16];
-    let (scene, _) = scene(&d, what.parse().ok(), &mut lengths);
+    let (scene, _) = scene(&image.d, image.share, &mut lengths);
     for _ in 0..times {
         black_box(&scene).shade_slice(black_box(normals), black_box(&mut *out)).expect("lengths");
     }

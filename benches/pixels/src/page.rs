@@ -1,5 +1,6 @@
 //! The tables of docs/performance.md.
 
+use crate::color::WAYS;
 use crate::images::MATTE;
 use crate::inputs::{NINE, PROJECT, WITHIN};
 use crate::limit::{LANES, TARGET};
@@ -96,11 +97,14 @@ const MORE: f64 = 1.1;
 /// formula.
 const OF_NINE_TERMS: f64 = 1.1;
 
+/// Pixels in color take no more than this times the instructions of three calls and a loop.
+const OF_THREE_CALLS: f64 = 1.04;
+
 /// Limit on the instructions of a scene within a tolerance, in projections, on the default target.
 const PROJECTIONS: f64 = 3.0;
 
 /// Fails, by telling them, if paths take more instructions than the page says, or a matte under
-/// light of degree 2 more than is promised.
+/// light of degree 2 or pixels in color more than is promised.
 pub fn check(counts: &[Count]) -> Result<(), String> {
     let page = std::fs::read_to_string(path()).map_err(|fault| fault.to_string())?;
     let [from, to] = between(&page, COUNTS)?;
@@ -125,6 +129,14 @@ pub fn check(counts: &[Count]) -> Result<(), String> {
         return Err(format!(
             "{TARGET}: {WITHIN} takes {within:.0} instructions, more than {PROJECTIONS} times the {project:.0} of {PROJECT}"
         ));
+    }
+    for colored in counts.iter().filter(|count| count.name.ends_with(WAYS[0])) {
+        let image = colored.name.trim_end_matches(WAYS[0]);
+        let three = found(&format!("{image}{}", WAYS[1]));
+        if three.is_none_or(|three| colored.found > OF_THREE_CALLS * three) {
+            let Count { name, found, .. } = colored;
+            return Err(format!("{TARGET}: {name} takes {found:.2} instructions, not {three:?}"));
+        }
     }
     let worse: Vec<_> = counts
         .iter()
