@@ -63,6 +63,11 @@ pub trait FixedPoint: Format<Wide: Wide> {
     const TERM_BITS: u32;
     /// Number of bits by which `seen` shifts its product down.
     const SEEN_SHIFT: u32;
+    /// The product of two complex numbers of magnitude 1 and thereabouts, in fractions of 2^30.
+    #[doc(hidden)]
+    fn rotated(a: [i32; 2], b: [i32; 2]) -> [i32; 2];
+    /// The mantissa of the low bits of a number.
+    fn truncated(number: i32) -> Self;
     /// The mantissa as a factor of a [`Wide`] product.
     fn widen(self) -> Self::Wide;
     /// The nearest mantissa, saturated at the largest one.
@@ -193,6 +198,27 @@ impl FixedPoint for Q15 {
     const SUM_SHIFT: u32 = 14;
     const TERM_BITS: u32 = 17;
     const SEEN_SHIFT: u32 = 0;
+    /// Within 3 units, with halves of 15 bits: small processors have no longer products.
+    #[inline(always)]
+    fn rotated([c, s]: [i32; 2], [cosine, sine]: [i32; 2]) -> [i32; 2] {
+        let halves = |number: i32| [number >> 15, number & 0x7fff];
+        let ([c, c_low], [s, s_low]) = (halves(c), halves(s));
+        let ([cosine, cosine_low], [sine, sine_low]) = (halves(cosine), halves(sine));
+        let low = |a: i32, b: i32| a.wrapping_add(b) >> 15;
+        [
+            c * cosine - s * sine
+                + low(c * cosine_low, -(s * sine_low))
+                + low(c_low * cosine, -(s_low * sine)),
+            s * cosine
+                + c * sine
+                + low(s * cosine_low, c * sine_low)
+                + low(s_low * cosine, c_low * sine),
+        ]
+    }
+    #[inline(always)]
+    fn truncated(number: i32) -> Self {
+        Self(number as i16)
+    }
     #[inline(always)]
     fn widen(self) -> i32 {
         i32::from(self.0)
@@ -262,6 +288,17 @@ impl FixedPoint for Q31 {
     const SUM_SHIFT: u32 = 1;
     const TERM_BITS: u32 = 30;
     const SEEN_SHIFT: u32 = 30;
+    fn rotated([c, s]: [i32; 2], b: [i32; 2]) -> [i32; 2] {
+        const ONE: i32 = 1 << 30;
+        let [cosine, sine] = b.map(i64::from);
+        let [c, s] = [c, s].map(i64::from);
+        [c * cosine - s * sine, s * cosine + c * sine]
+            .map(|sum| (((sum + (1 << 29)) >> 30) as i32).clamp(-ONE, ONE))
+    }
+    #[inline(always)]
+    fn truncated(number: i32) -> Self {
+        Self(number)
+    }
     #[inline(always)]
     fn widen(self) -> i64 {
         i64::from(self.0)

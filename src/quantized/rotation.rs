@@ -126,15 +126,14 @@ fn root(square: i64) -> i64 {
 
 /// exp(imα) - 1 up to the degree, as fractions of 2^(BITS - 1).
 #[inline(never)]
-pub(super) fn multiples<Q: FixedPoint>(first: [i32; 2], degree: usize) -> Multiples<i32> {
-    let [cosine, sine] = first.map(i64::from);
-    let [mut c, mut s] = [cosine, sine];
-    let rounded = |sum: i64| i64::from((((sum + (1 << 29)) >> 30) as i32).clamp(-ONE, ONE));
-    let by = Q::BITS.cast_signed() - 31;
+pub(super) fn multiples<Q: FixedPoint>(angle: [i32; 2], degree: usize) -> Multiples<i32> {
+    let down = 31 - Q::BITS;
+    let rounded = |number: i32| if down == 0 { number } else { ((number >> (down - 1)) + 1) >> 1 };
+    let [mut c, mut s] = angle;
     let mut multiples = [[0; 2]; LARGEST];
     for multiple in multiples.iter_mut().take(degree) {
-        *multiple = [c - i64::from(ONE), s].map(|number| number.shifted(by) as i32);
-        [c, s] = [rounded(c * cosine - s * sine), rounded(s * cosine + c * sine)];
+        *multiple = [rounded(c) - (ONE >> down), rounded(s)];
+        [c, s] = Q::rotated([c, s], angle);
     }
     multiples
 }

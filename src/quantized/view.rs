@@ -1,20 +1,21 @@
 //! Turns light in integers about the view axis: a rotation of each pair of orders m and -m.
 
 use super::rotation::{multiples, unit};
-use super::turn::{Integers, whole};
+use super::turn::whole;
 use super::{Light, LightBuffer};
-use crate::buffer::zeros;
+use crate::buffer::{Buffer, zeros};
 use crate::color::Rgb;
 use crate::error::{Argument, Error};
 use crate::format::{FixedPoint, Wide as _};
 use crate::index::light;
 use crate::light::degree;
 use crate::turn::view::unrolled;
-use crate::turn::{Arithmetic as _, LARGEST, Multiples};
+use crate::turn::{LARGEST, Multiples};
 
 impl<Q: FixedPoint> Light<'_, Q> {
     /// This light after a rotation about the view axis z, from x toward y, by the angle along
-    /// (cosine, sine), integers of any scale: [`turned`](Self::turned) at a fraction of its cost.
+    /// (cosine, sine): [`turned`](Self::turned) at a fraction of its cost. Cosine and sine are
+    /// integers of any scale; as fractions of 2^30 they cost neither a root nor a division.
     ///
     /// The exponent stays the same, unless a coefficient needs one bit more; in
     /// [`Q31`](crate::Q31) it is always one more. A coefficient is off by at most one and a half
@@ -39,8 +40,22 @@ impl<Q: FixedPoint> Light<'_, Q> {
         &self,
         angle: [i32; 2],
     ) -> Result<LightBuffer<Q, N>, Error> {
-        let [turned] = turned([*self], angle)?;
+        let mut turned = LightBuffer::default();
+        self.turn_about_view_into(angle, &mut turned)?;
         Ok(turned)
+    }
+
+    /// [`turned_about_view`](Self::turned_about_view) into an existing buffer, without moving it.
+    ///
+    /// # Errors
+    ///
+    /// The same; `turned` is then left unspecified.
+    pub fn turn_about_view_into<const N: usize>(
+        &self,
+        angle: [i32; 2],
+        turned: &mut LightBuffer<Q, N>,
+    ) -> Result<(), Error> {
+        turn([(self, turned)], angle)
     }
 }
 
@@ -54,51 +69,82 @@ impl<Q: FixedPoint> Rgb<Light<'_, Q>> {
         &self,
         angle: [i32; 2],
     ) -> Result<Rgb<LightBuffer<Q, N>>, Error> {
-        turned((*self).into(), angle).map(Rgb::from)
+        let mut turned = Rgb::default();
+        self.turn_about_view_into(angle, &mut turned)?;
+        Ok(turned)
+    }
+
+    /// [`turned_about_view`](Self::turned_about_view) into existing buffers, without moving them.
+    ///
+    /// # Errors
+    ///
+    /// The same; `turned` is then left unspecified.
+    pub fn turn_about_view_into<const N: usize>(
+        &self,
+        angle: [i32; 2],
+        turned: &mut Rgb<LightBuffer<Q, N>>,
+    ) -> Result<(), Error> {
+        let Rgb { r, g, b } = turned;
+        turn([(&self.r, r), (&self.g, g), (&self.b, b)], angle)
     }
 }
 
-/// Lights after rotation.
-fn turned<Q: FixedPoint, const C: usize, const N: usize>(
-    lights: [Light<'_, Q>; C],
-    [cosine, sine]: [i32; 2],
-) -> Result<[LightBuffer<Q, N>; C], Error> {
-    let degree = lights.iter().map(|light| light.degree).max().unwrap_or_default();
+/// Turns lights.
+fn turn<Q: FixedPoint, const C: usize, const N: usize>(
+    lights: [(&Light<'_, Q>, &mut LightBuffer<Q, N>); C],
+    angle: [i32; 2],
+) -> Result<(), Error> {
+    let degree = lights.iter().map(|(light, _)| light.degree).max().unwrap_or_default();
     if degree > LARGEST {
         return Err(Error::Degree { found: degree });
     }
-    let angle = unit(cosine.into(), sine.into()).ok_or(Error::Rotation)?;
-    let mut multiples = multiples::<Q>(angle, degree);
-    // The harmonics of odd m > 0 have the sign -1.
-    multiples.iter_mut().step_by(2).for_each(|[_, sine]| *sine = -*sine);
-    let mut turned = [(); C].map(|()| LightBuffer::default());
-    for (to, light) in turned.iter_mut().zip(&lights) {
-        to.mantissas = zeros(Argument::Light, light.mantissas.len())?;
-        to.exponent = turn::<Q, N>(light, &multiples, &mut to.mantissas);
+    let mut multiples = multiples::<Q>(fraction(angle).ok_or(Error::Rotation)?, degree);
+    for (m, [cosine, sine]) in (1..).zip(&mut multiples) {
+        *cosine += 1 << (Q::BITS - 1);
+        // The harmonics of odd m > 0 have the sign -1.
+        *sine *= i32::from(light::graphics_sign(m));
+    }
+    for (light, to) in lights {
+        to.exponent = light.exponent + i32::from(!turn_one(light, &multiples, &mut to.mantissas)?);
         if to.exponent > 128 {
             return Err(Error::Exponent);
         }
     }
-    Ok(turned)
+    Ok(())
 }
 
-/// Turns a light and returns its exponent. A coefficient may grow by √2. If it then has too many
-/// bits, all are halved; in 31 bits always, as no larger integer is at hand.
-fn turn<Q: FixedPoint, const N: usize>(
+/// An angle's cosine and sine in fractions of 2^30; none if both are 0.
+fn fraction(angle: [i32; 2]) -> Option<[i32; 2]> {
+    let [x, y] = angle.map(|number| u64::from(number.unsigned_abs()));
+    // Off by the rounding of such fractions.
+    if (x * x + y * y).abs_diff(1 << 60) < 1 << 31 {
+        return Some(angle);
+    }
+    let [cosine, sine] = angle;
+    unit(cosine.into(), sine.into())
+}
+
+/// Turns a light. A coefficient may grow by √2. If it then has too many bits, all are halved, and
+/// `false` is returned; in 31 bits always, as no larger integer is at hand.
+fn turn_one<Q: FixedPoint, const N: usize>(
     light: &Light<'_, Q>,
     multiples: &Multiples<i32>,
-    turned: &mut [Q],
-) -> i32 {
-    let exact = (<&[Q; N]>::try_from(light.mantissas), <&mut [Q; N]>::try_from(&mut *turned));
-    let fits = Q::BITS < 30
-        && match exact {
-            (Ok(from), Ok(turned)) => turn_all(from, multiples, turned),
-            _ => turn_in_loops(light, multiples, turned, false),
-        };
-    if !fits {
-        turn_in_loops(light, multiples, turned, true);
+    turned: &mut Buffer<Q, N>,
+) -> Result<bool, Error> {
+    let may_fit = Q::BITS < 30;
+    let whole = <&[Q; N]>::try_from(light.mantissas).ok().filter(|_| may_fit);
+    if let (Some(from), Some(turned)) = (whole, turned.filled()) {
+        if turn_all(from, multiples, turned) {
+            return Ok(true);
+        }
+    } else {
+        *turned = zeros(Argument::Light, light.mantissas.len())?;
+        if may_fit && turn_in_loops(light, multiples, turned, false) {
+            return Ok(true);
+        }
     }
-    light.exponent + i32::from(!fits)
+    turn_in_loops(light, multiples, turned, true);
+    Ok(false)
 }
 
 /// Turns a light whose degree is known when the program is compiled. Returns whether all numbers
@@ -111,15 +157,15 @@ fn turn_all<Q: FixedPoint, const N: usize>(
 ) -> bool {
     // No light has another length.
     let degree = const { if let Ok(degree) = degree(N) { degree } else { 0 } };
-    let mut all = means(degree, from, turned, false);
+    means(degree, from, turned, false);
     unrolled!(m in 1..=degree {
         {}
-        l => all |= pair(m, l, multiples, from, turned, false)
+        l => if !pair(m, l, multiples, from, turned, false) { return false }
     });
-    fits::<Q>(all)
+    true
 }
 
-/// The same for a degree that is known at run time, and for halved numbers.
+/// The same for a degree that is known at run time, and for halved numbers, which fit.
 #[inline(never)]
 fn turn_in_loops<Q: FixedPoint>(
     light: &Light<'_, Q>,
@@ -127,27 +173,22 @@ fn turn_in_loops<Q: FixedPoint>(
     turned: &mut [Q],
     halves: bool,
 ) -> bool {
-    let mut all = means(light.degree, light.mantissas, turned, halves);
-    for m in 1..=light.degree {
-        for l in m..=light.degree {
-            all |= pair(m, l, multiples, light.mantissas, turned, halves);
+    means(light.degree, light.mantissas, turned, halves);
+    (1..=light.degree)
+        .all(|m| (m..=light.degree).all(|l| pair(m, l, multiples, light.mantissas, turned, halves)))
+}
+
+/// Copies the coefficients of order 0.
+#[inline(always)]
+fn means<Q: FixedPoint>(degree: usize, from: &[Q], turned: &mut [Q], halves: bool) {
+    for place in (0..=degree).map(|l| light::position(l, 0)) {
+        if let (Some(&mean), Some(to)) = (from.get(place), turned.get_mut(place)) {
+            *to = Q::truncated(number(mean, halves));
         }
     }
-    fits::<Q>(all)
 }
 
-/// Copies the coefficients of order 0; returns their [`stored`] bits.
-#[inline(always)]
-fn means<Q: FixedPoint>(degree: usize, from: &[Q], turned: &mut [Q], halves: bool) -> i32 {
-    (0..=degree).map(|l| light::position(l, 0)).fold(0, |all, place| {
-        match (from.get(place), turned.get_mut(place)) {
-            (Some(&mean), Some(to)) => all | stored(to, number(mean, halves)),
-            _ => all,
-        }
-    })
-}
-
-/// Turns the orders -m and m of degree l; returns their [`stored`] bits.
+/// Turns the orders -m and m of degree l. Returns whether the numbers fit.
 #[inline(always)]
 fn pair<Q: FixedPoint>(
     m: usize,
@@ -156,16 +197,22 @@ fn pair<Q: FixedPoint>(
     from: &[Q],
     turned: &mut [Q],
     halves: bool,
-) -> i32 {
+) -> bool {
     let pair = light::position(l, -m.cast_signed())..=light::position(l, m.cast_signed());
     match (from.get(pair.clone()), turned.get_mut(pair), multiples.get(m - 1)) {
-        (Some(&[minus, .., plus]), Some([to_minus, .., to_plus]), Some(&factor)) => {
+        (Some(&[minus, .., plus]), Some([to_minus, .., to_plus]), Some(&[c, s])) => {
             let [x, y] = [minus, plus].map(|mantissa| number(mantissa, halves));
-            let [dx, dy] = Integers::<Q>::product(factor, [x, y]);
-            // The changes alone may exceed 31 bits.
-            stored(to_minus, x.wrapping_add(dx)) | stored(to_plus, y.wrapping_add(dy))
+            let half = Q::Wide::of(1 << (Q::BITS - 2));
+            let [x, y] = [
+                half + Q::product(x, c) - Q::product(y, s),
+                half + Q::product(y, c) + Q::product(x, s),
+            ]
+            .map(|sum| sum.floor_shr(1 - Q::BITS.cast_signed()).saturated());
+            (*to_minus, *to_plus) = (Q::truncated(x), Q::truncated(y));
+            let [a, b] = [x, y].map(|number| number.wrapping_add(1 << Q::BITS).cast_unsigned());
+            Q::BITS >= 30 || (a | b) >> (Q::BITS + 1) == 0
         }
-        _ => 0,
+        _ => true,
     }
 }
 
@@ -174,16 +221,4 @@ fn pair<Q: FixedPoint>(
 fn number<Q: FixedPoint>(mantissa: Q, halves: bool) -> i32 {
     let number = whole(mantissa);
     if halves { (number >> 1) + (number & 1) } else { number }
-}
-
-/// Stores a number, and returns one that has bits beyond `BITS` unless it fits.
-#[inline(always)]
-fn stored<Q: FixedPoint>(to: &mut Q, number: i32) -> i32 {
-    *to = Q::saturate(Q::Wide::of(number));
-    number.wrapping_add(1 << Q::BITS)
-}
-
-/// Whether all numbers that were [`stored`] fit.
-fn fits<Q: FixedPoint>(all: i32) -> bool {
-    Q::BITS >= 30 || all.cast_unsigned() >> (Q::BITS + 1) == 0
 }

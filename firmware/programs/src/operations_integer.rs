@@ -6,7 +6,7 @@
 use board::{Passes, holds, measure};
 use core::hint::black_box;
 use eigenshade::presets::{light::q15::LOBBY, material::q15::GOLD_METALLIC_PAINT};
-use eigenshade::quantized::{Material, MaterialBuffer, NineTerms, Rotation};
+use eigenshade::quantized::{LightBuffer, Material, MaterialBuffer, NineTerms, Rotation};
 use eigenshade::{
     Disc, DiscPixel, Display, Exposure, IntegerMap, MapPoint, NormalPixel, Q15, Rgb, Tone, sphere,
 };
@@ -228,6 +228,11 @@ fn turn() {
 
 /// A rotation of a light in color about the view axis.
 fn turn_view() {
-    let angle = black_box([3, 4]);
-    measure(&[LOBBY], Passes(16), |light| light.turned_about_view::<100>(angle));
+    let mut turned = black_box(Rgb::<LightBuffer<Q15, 100>>::default());
+    holds(size_of_val(&turned));
+    // 0.6 and 0.8.
+    let angle = black_box([644_245_094, 858_993_459]);
+    measure(&[LOBBY], Passes(16), |light| {
+        light.turn_about_view_into(angle, black_box(&mut turned)).is_ok()
+    });
 }
