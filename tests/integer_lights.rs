@@ -185,7 +185,9 @@ fn color_is_each_channel() {
     for (turned, light) in <[_; 3]>::from(turned.zip(lights)) {
         assert_eq!(turned, light.turned::<100>(&rotation).expect("room"));
     }
-    let turned = lights.turned_about_view::<100>([3, -4]).expect("room");
+    let mut turned = lights.turned_about_view::<100>([1, 1]).expect("room");
+    lights.turn_about_view_into([3, -4], &mut turned).expect("room");
+    assert_eq!(lights.turned_about_view::<100>([3, -4]).as_ref(), Ok(&turned));
     for (turned, light) in <[_; 3]>::from(turned.zip(lights)) {
         assert_eq!(turned, light.turned_about_view::<100>([3, -4]).expect("room"));
     }

@@ -156,11 +156,13 @@ fn turn_all<Q: FixedPoint, const N: usize>(
     turned: &mut [Q; N],
 ) -> bool {
     // No light has another length.
+    // In a register: a constant would take an addition of its own.
+    let half = core::hint::black_box(Q::Wide::of(1 << (Q::BITS - 2)));
     let degree = const { if let Ok(degree) = degree(N) { degree } else { 0 } };
     means(degree, from, turned, false);
     unrolled!(m in 1..=degree {
         {}
-        l => if !pair(m, l, multiples, from, turned, false) { return false }
+        l => if !pair(m, l, multiples, half, from, turned, false) { return false }
     });
     true
 }
@@ -174,8 +176,10 @@ fn turn_in_loops<Q: FixedPoint>(
     halves: bool,
 ) -> bool {
     means(light.degree, light.mantissas, turned, halves);
-    (1..=light.degree)
-        .all(|m| (m..=light.degree).all(|l| pair(m, l, multiples, light.mantissas, turned, halves)))
+    let half = Q::Wide::of(1 << (Q::BITS - 2));
+    (1..=light.degree).all(|m| {
+        (m..=light.degree).all(|l| pair(m, l, multiples, half, light.mantissas, turned, halves))
+    })
 }
 
 /// Copies the coefficients of order 0.
@@ -194,6 +198,7 @@ fn pair<Q: FixedPoint>(
     m: usize,
     l: usize,
     multiples: &Multiples<i32>,
+    half: Q::Wide,
     from: &[Q],
     turned: &mut [Q],
     halves: bool,
@@ -202,7 +207,6 @@ fn pair<Q: FixedPoint>(
     match (from.get(pair.clone()), turned.get_mut(pair), multiples.get(m - 1)) {
         (Some(&[minus, .., plus]), Some([to_minus, .., to_plus]), Some(&[c, s])) => {
             let [x, y] = [minus, plus].map(|mantissa| number(mantissa, halves));
-            let half = Q::Wide::of(1 << (Q::BITS - 2));
             let [x, y] = [
                 half + Q::product(x, c) - Q::product(y, s),
                 half + Q::product(y, c) + Q::product(x, s),
