@@ -3,7 +3,7 @@
 
 use crate::Result;
 use crate::program::{AN386, Board, Floats, MICROBIT};
-use crate::toolchain::Compiler;
+use crate::toolchain;
 use object::{Object, ObjectSection, ObjectSymbol, SectionFlags, elf};
 use std::path::Path;
 
@@ -187,13 +187,12 @@ const REJECTED: [(&str, Board, Step, &str); 6] = [
 /// If a program is accepted, or rejected for another reason.
 pub fn test() -> Result<()> {
     for (program, board, step, reason) in REJECTED {
-        let compiler = Compiler::new(board.target);
-        let built = compiler.build("gates", &[program], "fast");
+        let built = toolchain::build(&[board.target], "gates", &[program], "fast");
         let checked = match step {
             Step::Linker => built,
             Step::Check => {
                 built?;
-                let linked = Linked::read(&compiler.binary("fast", program))?;
+                let linked = Linked::read(&toolchain::binary(board.target, "fast", program))?;
                 check(board, program, &linked)
             }
         };

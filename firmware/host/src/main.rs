@@ -19,7 +19,6 @@ use program::{BOARDS, Board, Kind};
 use row::Row;
 use std::collections::BTreeMap;
 use std::process::ExitCode;
-use toolchain::Compiler;
 
 const USAGE: &str = "usage: firmware/run BOARD... | all [--check] [--update], \
                      firmware/run BOARD PROGRAM..., firmware/run gates, firmware/run pages
@@ -72,24 +71,27 @@ fn some_programs(board: Board, names: &[&str]) -> Result<()> {
     let wanted = |one: &Listed| one.kind() == Kind::Empty || names.contains(&one.name);
     let programs: Vec<Listed> = listed.into_iter().filter(wanted).collect();
     println!("{}", row::HEADER);
-    let rows = run(board, &programs, &Compiler::new(board.target))?;
+    build(&[(board, &programs)])?;
+    let rows = run(board, &programs)?;
     rows.iter().for_each(|row| println!("{row}"));
     Ok(())
 }
 
 /// Builds, runs and checks all programs of these boards, and prints the counts as CSV.
 fn boards(boards: &[Board], options: &[&str]) -> Result<()> {
+    let of_board = |&board: &Board| (board, program::of_board(board).collect());
+    let boards: Vec<(Board, Vec<Listed>)> = boards.iter().map(of_board).collect();
+    let listed: Vec<_> = boards.iter().map(|(board, programs)| (*board, &programs[..])).collect();
+    build(&listed)?;
     let mut rows = Vec::new();
     let mut compilers = BTreeMap::new();
     println!("{}", row::HEADER);
-    for &board in boards {
-        let compiler = Compiler::new(board.target);
-        let programs: Vec<Listed> = program::of_board(board).collect();
-        for row in run(board, &programs, &compiler)? {
+    for (board, programs) in listed {
+        for row in run(board, programs)? {
             println!("{row}");
             rows.push(row);
         }
-        compilers.insert(board.name, compiler.version()?);
+        compilers.insert(board.name, toolchain::version()?);
     }
     if options.contains(&"--update") {
         row::record(&rows, &compilers)?;
@@ -103,17 +105,27 @@ fn boards(boards: &[Board], options: &[&str]) -> Result<()> {
     Ok(())
 }
 
-/// Builds, runs and checks programs, of which the first is the empty one.
-fn run(board: Board, programs: &[Listed], compiler: &Compiler) -> Result<Vec<Row>> {
-    for profile in ["fast", "small"] {
-        let of_profile = programs.iter().filter(|program| program.profile() == profile);
-        let names: Vec<&str> = of_profile.map(|program| program.name).collect();
-        compiler.build("programs", &names, profile)?;
+/// Builds the programs of boards. One run of cargo builds those that have the same boards, for all
+/// of these side by side.
+fn build(boards: &[(Board, &[Listed])]) -> Result<()> {
+    let mut groups: BTreeMap<(&str, Vec<&str>), Vec<&str>> = BTreeMap::new();
+    for program in list::programs() {
+        let runs = |programs: &[Listed]| programs.iter().any(|one| one.name == program.name);
+        let of_program = boards.iter().filter(|(_, programs)| runs(programs));
+        let targets = of_program.map(|(board, _)| board.target).collect();
+        groups.entry((program.profile(), targets)).or_default().push(program.name);
     }
+    groups.into_iter().try_for_each(|((profile, targets), names)| {
+        toolchain::build(&targets, "programs", &names, profile)
+    })
+}
+
+/// Runs and checks programs, of which the first is the empty one.
+fn run(board: Board, programs: &[Listed]) -> Result<Vec<Row>> {
     let mut empty = gate::Sizes::default();
     let mut rows = Vec::new();
     for program in programs {
-        let path = compiler.binary(program.profile(), program.name);
+        let path = toolchain::binary(board.target, program.profile(), program.name);
         let linked = gate::Linked::read(&path)?;
         gate::check(board, program.name, &linked)?;
         let output = toolchain::run(board, &path)?;

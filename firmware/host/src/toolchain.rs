@@ -11,61 +11,55 @@ use std::process::Command;
 /// Debian's compiler and linker.
 const DEBIAN: [&str; 2] = ["/usr/bin/rustc", "ld.lld-22"];
 
-/// The compiler for one target.
-#[derive(Clone, Debug)]
-pub struct Compiler {
-    target: &'static str,
-    debian: bool,
+/// Builds programs of a package for some targets side by side.
+///
+/// # Errors
+///
+/// The output of the compiler or the linker.
+pub fn build(targets: &[&str], package: &str, binaries: &[&str], profile: &str) -> Result<()> {
+    if binaries.is_empty() || targets.is_empty() {
+        return Ok(());
+    }
+    let mut command = Command::new("cargo");
+    command.args(["build", "--quiet", "--profile", profile, "-p", package]);
+    targets.iter().for_each(|target| _ = command.args(["--target", target]));
+    binaries.iter().for_each(|binary| _ = command.args(["--bin", binary]));
+    if is_debian() {
+        command
+            .args(["-Zbuild-std=core", "--target-dir", "target/debian"])
+            .env("RUSTC", DEBIAN[0])
+            .env("RUSTC_BOOTSTRAP", "1");
+        for target in targets {
+            let key = target.to_uppercase().replace('-', "_");
+            command.env(format!("CARGO_TARGET_{key}_LINKER"), DEBIAN[1]);
+        }
+    }
+    let output = command.output().map_err(|error| format!("cargo: {error}"))?;
+    if output.status.success() {
+        return Ok(());
+    }
+    Err(format!("{command:?}\n{}", String::from_utf8_lossy(&output.stderr)))
 }
 
-impl Compiler {
-    /// The compiler for this target. `firmware/run` sets `EIGENSHADE_CI_DEBIAN=1` to choose
-    /// Debian's.
-    pub fn new(target: &'static str) -> Self {
-        Self { target, debian: std::env::var_os("EIGENSHADE_CI_DEBIAN").is_some() }
-    }
+/// Whether the compiler is Debian's: `firmware/run` sets `EIGENSHADE_CI_DEBIAN=1` to choose it.
+fn is_debian() -> bool {
+    std::env::var_os("EIGENSHADE_CI_DEBIAN").is_some()
+}
 
-    /// Builds programs of a package.
-    ///
-    /// # Errors
-    ///
-    /// The output of the compiler or the linker.
-    pub fn build(&self, package: &str, binaries: &[&str], profile: &str) -> Result<()> {
-        if binaries.is_empty() {
-            return Ok(());
-        }
-        let mut command = Command::new("cargo");
-        command.args(["build", "--quiet", "--profile", profile, "--target", self.target]);
-        command.args(["-p", package]);
-        for binary in binaries {
-            command.args(["--bin", binary]);
-        }
-        if self.debian {
-            let key = self.target.to_uppercase().replace('-', "_");
-            command
-                .args(["-Zbuild-std=core", "--target-dir", "target/debian"])
-                .env("RUSTC", DEBIAN[0])
-                .env("RUSTC_BOOTSTRAP", "1")
-                .env(format!("CARGO_TARGET_{key}_LINKER"), DEBIAN[1]);
-        }
-        let output = command.output().map_err(|error| format!("cargo: {error}"))?;
-        if output.status.success() {
-            return Ok(());
-        }
-        Err(format!("{command:?}\n{}", String::from_utf8_lossy(&output.stderr)))
-    }
+/// The path of a linked program.
+pub fn binary(target: &str, profile: &str, name: &str) -> PathBuf {
+    let folder = if is_debian() { "target/debian" } else { "target" };
+    Path::new(folder).join(target).join(profile).join(name)
+}
 
-    /// The path of a linked program.
-    pub fn binary(&self, profile: &str, name: &str) -> PathBuf {
-        let folder = if self.debian { "target/debian" } else { "target" };
-        Path::new(folder).join(self.target).join(profile).join(name)
-    }
-
-    /// The compiler's name and version, on which the counts depend.
-    pub fn version(&self) -> Result<String> {
-        let compiler = if self.debian { DEBIAN[0] } else { "rustc" };
-        Ok(output_of(Command::new(compiler).arg("--version"))?.trim().into())
-    }
+/// The compiler's name and version, on which the counts depend.
+///
+/// # Errors
+///
+/// If it cannot be run.
+pub fn version() -> Result<String> {
+    let compiler = if is_debian() { DEBIAN[0] } else { "rustc" };
+    Ok(output_of(Command::new(compiler).arg("--version"))?.trim().into())
 }
 
 fn output_of(command: &mut Command) -> Result<String> {
