@@ -2,7 +2,7 @@
 //! database, written here from a formula, read back and projected. Every fault is named with its
 //! file, its line and a remedy.
 
-use eigenshade_generator::material::brdf::projection::{project, project_with};
+use eigenshade_generator::material::brdf::projection::{project, project_orders, project_with};
 use eigenshade_generator::material::brdf::{Abc, Brdf, Geometry, Ggx, Measure, Sgd, Surface};
 use eigenshade_generator::material::files::{self, Source};
 use eigenshade_generator::material::measurements::Measured;
@@ -21,6 +21,10 @@ const MERL_VALUE: f64 = 0.01;
 /// Coefficients of the same table, of the largest: the last center is half a degree from grazing,
 /// beyond which the table is constant and the formula grows.
 const MERL_PROJECTION: f64 = 0.01;
+
+/// Channels that are projected together, of the largest coefficient, and the part of the energy left
+/// out: rounding.
+const TOGETHER: f64 = 1e-12;
 
 /// A tabulated BRDF of a constant, or with light and view exchanged, relative: weighted means of
 /// eight numbers.
@@ -148,6 +152,29 @@ fn published_fits_are_read() {
         let (fresnel, shadowing) = ([f0, f1], [lambda, c, k, theta]);
         let expected = Sgd { matte, glossy, alpha, power, fresnel, scale, shadowing };
         assert_eq!(read[0].channel(channel).value(at), expected.value(at));
+    }
+}
+
+/// The channels of a fit are integrated together, as accurately as each by itself.
+#[test]
+fn channels_of_published_fits_are_projected_together() {
+    let read = fits(&format!("{ABC}red,0.2,0,0.05,1.5,1.4,0,90,1.2,1.6\n")).unwrap();
+    for measure in [Measure::Projected, Measure::SolidAngle] {
+        let found = read[0].project_orders(&[5, 8], measure);
+        let each = [0, 1, 2].map(|c| project_orders(read[0].channel(c), &[5, 8], measure));
+        for (k, found) in found.iter().enumerate() {
+            let (mut apart, mut left_out): (f64, f64) = (0.0, 0.0);
+            for (found, expected) in found.material.rgb.iter().zip(&each) {
+                let expected = &expected[k];
+                let largest = expected.coefficients.iter().fold(0.0_f64, |m, b| m.max(b.abs()));
+                for (found, expected) in found.iter().zip(&expected.coefficients) {
+                    apart = apart.max((found - expected).abs() / largest);
+                }
+                left_out = left_out.max(expected.left_out);
+            }
+            println!("{apart:.1e} {:.1e}", found.left_out - left_out);
+            assert!(apart <= TOGETHER && (found.left_out - left_out).abs() <= TOGETHER);
+        }
     }
 }
 

@@ -38,6 +38,12 @@ trait Published: Brdf + Sized + 'static {
     /// From the parameters of one channel.
     fn of(parameters: &[f64]) -> Result<Self>;
 
+    /// The surface of three channels.
+    fn surface(name: String, rgb: [Self; 3]) -> Surface {
+        let [r, g, b] = rgb;
+        Surface::colored(name, [Box::new(r), Box::new(g), Box::new(b)])
+    }
+
     /// The columns of each channel's parameters, if the sheet has them all.
     fn columns(sheet: &Sheet) -> Option<[Vec<usize>; 3]> {
         let of_channel = |channel: &str| -> Option<Vec<usize>> {
@@ -58,6 +64,15 @@ impl Published for Abc {
     fn of(parameters: &[f64]) -> Result<Self> {
         let [matte, a, b, c, index] = take(parameters);
         Self::new(matte, [a, b, c], index)
+    }
+
+    fn surface(name: String, rgb: [Self; 3]) -> Surface {
+        let lobe = Self::lobe(&rgb);
+        let surface = Surface::colored(name, rgb.map(|channel| Box::new(channel) as Box<dyn Brdf>));
+        match lobe {
+            Some((lobe, shares)) => surface.of_lobe(Box::new(lobe), shares),
+            None => surface,
+        }
     }
 }
 
@@ -98,13 +113,13 @@ fn surfaces<M: Published>(
         if name.is_empty() {
             return Err(row.fault("the name is empty", "give every row a name"));
         }
-        let channel = |columns: &[usize]| -> Result<Box<dyn Brdf>> {
+        let channel = |columns: &[usize]| -> Result<M> {
             let parameters: Vec<f64> =
                 columns.iter().map(|&column| row.number(column)).collect::<Result<_>>()?;
-            Ok(Box::new(M::of(&parameters).map_err(|error| row.locate(error))?))
+            M::of(&parameters).map_err(|error| row.locate(error))
         };
         let [r, g, b] = columns;
-        Ok(Surface::colored(name.to_owned(), [channel(r)?, channel(g)?, channel(b)?]))
+        Ok(M::surface(name.to_owned(), [channel(r)?, channel(g)?, channel(b)?]))
     };
     sheet.rows().map(surface).collect()
 }

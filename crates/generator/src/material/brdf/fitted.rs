@@ -52,6 +52,16 @@ impl Abc {
         Ok(Self { matte, a, b, c, index })
     }
 
+    /// What three channels have in common if they differ in k and a only: a BRDF f, and k / π and a
+    /// of each, which is k / π + a f.
+    #[must_use]
+    pub fn lobe(channels: &[Self; 3]) -> Option<(Self, [[f64; 2]; 3])> {
+        let lobe = Self { matte: 0.0, a: 1.0, ..channels[0] };
+        let is_same = |channel: &Self| Self { matte: 0.0, a: 1.0, ..*channel } == lobe;
+        let shares = channels.map(|channel| [channel.matte / PI, channel.a]);
+        channels.iter().all(is_same).then_some((lobe, shares))
+    }
+
     fn fresnel(&self, cosine: f64) -> f64 {
         let g = (self.index * self.index - 1.0 + cosine * cosine).sqrt();
         let (across, along) = ((g - cosine) / (g + cosine), cosine * (g + cosine) - 1.0);

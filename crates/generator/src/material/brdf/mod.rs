@@ -28,7 +28,7 @@ impl Geometry {
     /// the plane of the mirror direction.
     #[must_use]
     pub fn from_angles(theta_i: f64, theta_r: f64, delta_phi: f64) -> Self {
-        Slants::new(theta_i, theta_r).at(delta_phi)
+        Slants::new(theta_i, theta_r).at(delta_phi).0
     }
 
     /// |i + r|², the square of twice the half-way vector: 2 + 2 times the cosine of the angle
@@ -86,12 +86,14 @@ impl Slants {
         Self { cosines: [cos_i.max(0.0), cos_r.max(0.0)], opposite: cos_i * cos_r - sines, sines }
     }
 
-    /// See [`Geometry::from_angles`].
-    pub(super) fn at(&self, delta_phi: f64) -> Geometry {
+    /// See [`Geometry::from_angles`]; and cos Δφ.
+    pub(super) fn at(&self, delta_phi: f64) -> (Geometry, f64) {
         // cos Δφ = 2 cos²(Δφ/2) - 1 keeps precision where the directions have opposite azimuths.
         let half = (0.5 * delta_phi).cos();
         let [incident, reflected] = self.cosines;
-        Geometry { incident, reflected, between: self.opposite + 2.0 * self.sines * half * half }
+        let twice = 2.0 * half * half;
+        let between = self.opposite + self.sines * twice;
+        (Geometry { incident, reflected, between }, twice - 1.0)
     }
 }
 

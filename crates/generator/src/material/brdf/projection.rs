@@ -12,7 +12,7 @@
 //! ([`spread`]). A lobe of 1e-3 rad therefore costs only a few times as much as a matte surface.
 
 use crate::material::brdf::overlaps::Overlaps;
-use crate::material::brdf::{Brdf, Slants};
+use crate::material::brdf::{Brdf, Geometry, Slants};
 use eigenshade_index::{material, pair};
 use eigenshade_model::database::Named;
 use eigenshade_model::irradiance::slant_radials;
@@ -173,9 +173,10 @@ fn azimuth_integrals(
         let (mut twice, mut factors) = ([0.0; LANES], [0.0; LANES]);
         for ((twice, factor), (delta_phi, weight)) in twice.iter_mut().zip(&mut factors).zip(nodes)
         {
-            let value = brdf.value(slants.at(*delta_phi));
+            let (at, cosine) = slants.at(*delta_phi);
+            let value = brdf.value(at);
             square += weight * value * value;
-            (*twice, *factor) = (2.0 * delta_phi.cos(), weight * value);
+            (*twice, *factor) = (2.0 * cosine, weight * value);
         }
         let (mut before, mut now) = (twice.map(|twice| 0.5 * twice), [1.0; LANES]);
         for sum in &mut waves {
@@ -197,6 +198,22 @@ struct Sums {
 }
 
 impl Sums {
+    /// The integrals of k + a f, from those of f and of 1.
+    fn of_share(&self, of_one: &Self, [k, a]: [f64; 2]) -> Self {
+        let sum = |f: &[f64], one: &[f64]| -> Vec<f64> {
+            f.iter().zip(one).map(|(f, one)| k * one + a * f).collect()
+        };
+        // ∫∫ f: the first mode is a constant.
+        let [radial, ..] = slant_radials(0, 0.0)[..] else { unreachable!("order 0 has one") };
+        let of_f = self.projected[0] / (2.0 * radial * radial);
+        Self {
+            order: self.order,
+            plain: sum(&self.plain, &of_one.plain),
+            projected: sum(&self.projected, &of_one.projected),
+            energy: k * k * of_one.energy + 2.0 * k * a * of_f + a * a * self.energy,
+        }
+    }
+
     fn new(order: usize) -> Self {
         let zeros = vec![0.0; material::count(order)];
         Self { order, plain: zeros.clone(), projected: zeros, energy: 0.0 }
@@ -243,6 +260,13 @@ pub struct Surface {
     /// Name of the material.
     pub name: String,
     channels: Vec<Box<dyn Brdf>>,
+    lobe: Option<Lobe>,
+}
+
+/// What the BRDFs of all channels have in common: each is k + a f.
+struct Lobe {
+    brdf: Box<dyn Brdf>,
+    shares: [[f64; 2]; 3],
 }
 
 /// A surface's coefficients, and the part that their order leaves out.
@@ -258,13 +282,20 @@ impl Surface {
     /// A surface with the same BRDF in all channels.
     #[must_use]
     pub fn gray(name: String, brdf: Box<dyn Brdf>) -> Self {
-        Self { name, channels: vec![brdf] }
+        Self { name, channels: vec![brdf], lobe: None }
     }
 
     /// A surface with separate BRDFs for r, g and b.
     #[must_use]
     pub fn colored(name: String, rgb: [Box<dyn Brdf>; 3]) -> Self {
-        Self { name, channels: Vec::from(rgb) }
+        Self { name, channels: Vec::from(rgb), lobe: None }
+    }
+
+    /// The same surface, whose channels are k + a f for this f and a share [k, a] for each. It is
+    /// then integrated once for all channels.
+    #[must_use]
+    pub fn of_lobe(self, brdf: Box<dyn Brdf>, shares: [[f64; 2]; 3]) -> Self {
+        Self { lobe: Some(Lobe { brdf, shares }), ..self }
     }
 
     /// The BRDF of a channel, 0 to 2.
@@ -282,24 +313,45 @@ impl Surface {
     /// Projects every channel; a BRDF shared by all channels is projected once.
     #[must_use]
     pub fn project(&self, order: usize, measure: Measure) -> Projected {
-        let channels: Vec<Projection> =
-            self.channels.iter().map(|brdf| project(&**brdf, order, measure)).collect();
-        self.projected(&channels.iter().collect::<Vec<_>>())
+        self.projected(&self.integrated(order), order, measure)
     }
 
     /// Projects every channel up to each of these orders: see [`project_orders`].
     #[must_use]
     pub fn project_orders(&self, orders: &[usize], measure: Measure) -> Vec<Projected> {
-        let channels: Vec<Vec<Projection>> =
-            self.channels.iter().map(|brdf| project_orders(&**brdf, orders, measure)).collect();
-        let of_order = |k: usize| channels.iter().map(|channel| &channel[k]).collect::<Vec<_>>();
-        (0..orders.len()).map(|k| self.projected(&of_order(k))).collect()
+        let sums = self.integrated(orders.iter().copied().max().unwrap_or(0));
+        orders.iter().map(|&order| self.projected(&sums, order, measure)).collect()
     }
 
-    fn projected(&self, channels: &[&Projection]) -> Projected {
+    /// The integrals of each distinct BRDF.
+    fn integrated(&self, order: usize) -> Vec<Sums> {
+        let count = nodes(order);
+        let Some(Lobe { brdf, shares }) = &self.lobe else {
+            return self.channels.iter().map(|brdf| integrated(&**brdf, order, count)).collect();
+        };
+        let (of_one, sums) = (integrated(&One, order, count), integrated(&**brdf, order, count));
+        shares.iter().map(|&share| sums.of_share(&of_one, share)).collect()
+    }
+
+    fn projected(&self, sums: &[Sums], order: usize, measure: Measure) -> Projected {
+        let channels: Vec<Projection> =
+            sums.iter().map(|sums| sums.projection(order, measure)).collect();
         let rgb = [0, 1, 2]
             .map(|channel: usize| channels[channel.min(channels.len() - 1)].coefficients.clone());
         let left_out = channels.iter().map(|channel| channel.left_out).fold(0.0, f64::max);
         Projected { material: Named { name: self.name.clone(), rgb }, left_out }
+    }
+}
+
+/// f = 1/sr.
+struct One;
+
+impl Brdf for One {
+    fn value(&self, _: Geometry) -> f64 {
+        1.0
+    }
+
+    fn width(&self) -> f64 {
+        1.0
     }
 }
