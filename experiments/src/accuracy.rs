@@ -14,7 +14,7 @@ use crate::light_tree::LightTree;
 use crate::sphere::{self, Picture, Sphere};
 use eigenshade_generator::basis;
 use eigenshade_generator::direct::Surroundings;
-use eigenshade_generator::material::brdf::{Brdf, Measure, Surface};
+use eigenshade_generator::material::brdf::{Brdf, Measure, Part, Surface};
 use eigenshade_index::{light, material};
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::{Error, Result};
@@ -55,9 +55,11 @@ pub fn named<'a>(all: &Lights, names: impl Iterator<Item = &'a str>) -> Result<L
     Ok(Lights { degree: all.degree, entries: names.map(find).collect::<Result<_>>()? })
 }
 
-/// The color under a map; a gray surface has a single channel.
-fn color(by_channel: &[Vec<[f64; 3]>], map: usize) -> [f64; 3] {
-    [0, 1, 2].map(|c: usize| by_channel[c.min(by_channel.len() - 1)][map][c])
+/// The color of a surface under a map, from that of each part.
+fn color(parts: &[Part<'_>], of_parts: &[Vec<[f64; 3]>], map: usize) -> [f64; 3] {
+    let of_channel =
+        |c: usize| parts.iter().zip(of_parts).map(move |(p, i)| p.shares[c] * i[map][c]);
+    [0, 1, 2].map(|c| of_channel(c).sum())
 }
 
 impl<'a> Reference<'a> {
@@ -68,7 +70,8 @@ impl<'a> Reference<'a> {
         fineness: f64,
         progress: &ProgressBar,
     ) -> Self {
-        let brdfs: Vec<&dyn Brdf> = (0..surface.channels()).map(|c| surface.channel(c)).collect();
+        let parts = surface.parts();
+        let brdfs: Vec<&dyn Brdf> = parts.iter().map(|part| part.brdf).collect();
         // The narrowest lobe is resolved.
         let width = brdfs.iter().map(|brdf| brdf.width()).fold(1.0, f64::min);
         let sphere = Sphere::new(rings((SPACING * width).min(WIDEST)));
@@ -77,14 +80,15 @@ impl<'a> Reference<'a> {
         let irradiance = |k: usize| maps.irradiance(&brdfs, batches[k], fineness);
         let integrated = parallel::map(batches.len(), progress, irradiance).concat();
         let of_map = |map: usize| {
-            [0, 1, 2].map(|c| integrated.iter().map(|image| color(image, map)[c]).collect())
+            [0, 1, 2].map(|c| integrated.iter().map(|image| color(&parts, image, map)[c]).collect())
         };
         let pictures: Vec<Picture> = (0..maps.maps()).map(of_map).collect();
         // A narrow lobe peaks where it mirrors the sun, which is between the normals of the rings.
         let mirrors: Vec<[f64; 3]> = (0..maps.maps()).map(|map| maps.mirror(map)).collect();
         let at_mirrors = maps.irradiance(&brdfs, &mirrors, fineness);
         let largest = |(map, picture): (usize, &Picture)| {
-            let values = picture.iter().flatten().copied().chain(color(&at_mirrors[map], map));
+            let values =
+                picture.iter().flatten().copied().chain(color(&parts, &at_mirrors[map], map));
             values.fold(0.0, |most: f64, i| most.max(i.abs()))
         };
         let peaks = pictures.iter().enumerate().map(largest).collect();
@@ -100,16 +104,21 @@ impl<'a> Reference<'a> {
         spacing: f64,
         progress: &ProgressBar,
     ) -> Self {
-        let brdfs: Vec<&dyn Brdf> = (0..surface.channels()).map(|c| surface.channel(c)).collect();
+        let parts = surface.parts();
         let count = maps.surroundings().maps();
         let mirrors = (0..count).map(|map| {
             let [x, y, z] = maps.surroundings().mirror(map);
             Ring { slant: z.clamp(0.0, 1.0).acos(), tilts: vec![y.atan2(x)], weight: 0.0 }
         });
         let sphere = Sphere::new(rings(spacing).into_iter().chain(mirrors).collect());
-        let irradiance = |k: usize| maps.irradiance(&brdfs, sphere.normals[k], 1.0);
+        let irradiance = |k: usize| {
+            let of_part = |part: &Part<'_>| maps.irradiance(part.brdf, sphere.normals[k], 1.0);
+            parts.iter().map(of_part).collect::<Vec<_>>()
+        };
         let integrated = parallel::map(sphere.normals.len(), progress, irradiance);
-        let of_map = |map: usize| [0, 1, 2].map(|c| integrated.iter().map(|i| i[map][c]).collect());
+        let of_map = |map: usize| {
+            [0, 1, 2].map(|c| integrated.iter().map(|i| color(&parts, i, map)[c]).collect())
+        };
         let pictures: Vec<Picture> = (0..count).map(of_map).collect();
         let peaks = pictures.iter().map(sphere::peak).collect();
         Self { surface, sphere, pictures, peaks }

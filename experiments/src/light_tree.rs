@@ -53,8 +53,7 @@ type Sums = [Vec<f64>; 3];
 
 /// A surface at one normal.
 struct Query<'a> {
-    brdfs: &'a [&'a dyn Brdf],
-    width: f64,
+    brdf: &'a dyn Brdf,
     normal: [f64; 3],
     fineness: f64,
 }
@@ -94,15 +93,9 @@ impl LightTree {
         &self.surroundings
     }
 
-    /// The irradiance at a unit normal with z >= 0 by map, of one BRDF or of one for each channel.
-    pub fn irradiance(
-        &self,
-        brdfs: &[&dyn Brdf],
-        normal: [f64; 3],
-        fineness: f64,
-    ) -> Vec<[f64; 3]> {
-        let width = brdfs.iter().map(|brdf| brdf.width()).fold(1.0, f64::min);
-        let query = Query { brdfs, width, normal, fineness };
+    /// The irradiance of a BRDF at a unit normal with z >= 0 by map.
+    pub fn irradiance(&self, brdf: &dyn Brdf, normal: [f64; 3], fineness: f64) -> Vec<[f64; 3]> {
+        let query = Query { brdf, normal, fineness };
         let mut sums = [0, 1, 2].map(|_| vec![0.0; self.maps]);
         if let Some((level, largest)) = self.levels.iter().enumerate().next_back() {
             (0..largest.blocks.len()).for_each(|k| self.add(level, k, &query, &mut sums));
@@ -119,8 +112,8 @@ impl LightTree {
         }
         if elevation > HIGH * block.radius && block.radius < FAR * query.distance(block.center) {
             for (node, &direction) in block.nodes.iter().enumerate() {
-                let weights = query.weights(direction);
-                self.add_part(&block.power, node, |c| weights[c], sums);
+                let at = query.geometry(direction);
+                self.add_part(&block.power, node, query.brdf.value(at) * at.incident, sums);
             }
             return;
         }
@@ -143,24 +136,18 @@ impl LightTree {
     }
 
     fn add_texel(&self, texel: usize, query: &Query<'_>, sums: &mut Sums) {
-        let Query { brdfs, normal, fineness, .. } = *query;
-        let weight = |brdf: &&dyn Brdf| self.surroundings.weight(*brdf, fineness, texel, normal);
-        let first = weight(&brdfs[0]);
-        let weights = match brdfs {
-            [_, g, b, ..] => [first, weight(g), weight(b)],
-            _ => [first; 3],
-        };
-        if weights != [0.0; 3] {
-            self.add_part(&self.radiance, texel, |c| weights[c], sums);
+        let Query { brdf, normal, fineness } = *query;
+        let weight = self.surroundings.weight(brdf, fineness, texel, normal);
+        if weight != 0.0 {
+            self.add_part(&self.radiance, texel, weight, sums);
         }
     }
 
-    /// Adds part number `part` of `parts`, times a weight for each channel.
-    fn add_part(&self, parts: &[f32], part: usize, weight: impl Fn(usize) -> f64, sums: &mut Sums) {
+    /// Adds part number `part` of `parts`, times a weight.
+    fn add_part(&self, parts: &[f32], part: usize, weight: f64, sums: &mut Sums) {
         let start = 3 * self.maps * part;
         let channels = parts[start..start + 3 * self.maps].chunks_exact(self.maps);
-        for (c, (sums, part)) in sums.iter_mut().zip(channels).enumerate() {
-            let weight = weight(c);
+        for (sums, part) in sums.iter_mut().zip(channels) {
             for (sum, &part) in sums.iter_mut().zip(part) {
                 *sum += weight * f64::from(part);
             }
@@ -178,17 +165,7 @@ impl Query<'_> {
     fn distance(&self, direction: [f64; 3]) -> f64 {
         let at = self.geometry(direction);
         let (_, sine) = at.half_squared();
-        2.0 * at.difference_cosine() * sine.sqrt().max(self.width)
-    }
-
-    /// f cos θ_i in each channel.
-    fn weights(&self, direction: [f64; 3]) -> [f64; 3] {
-        let at = self.geometry(direction);
-        let weight = |brdf: &&dyn Brdf| brdf.value(at) * at.incident;
-        match self.brdfs {
-            [r, g, b, ..] => [weight(r), weight(g), weight(b)],
-            _ => [weight(&self.brdfs[0]); 3],
-        }
+        2.0 * at.difference_cosine() * sine.sqrt().max(self.brdf.width())
     }
 }
 

@@ -5,7 +5,7 @@ use crate::spread;
 use crate::support::repository;
 use eigenshade_generator::direct::Surroundings;
 use eigenshade_generator::light::environment::EnvironmentMap;
-use eigenshade_generator::material::brdf::Brdf;
+use eigenshade_generator::material::brdf::{Brdf, Part};
 use eigenshade_generator::material::files::{Source, read};
 use eigenshade_shading::shipped;
 use experiments::light_tree::LightTree;
@@ -38,12 +38,25 @@ fn blocks_are_their_texels() {
             Source::Surface(surface) if surface.name == name => Some(surface),
             _ => None,
         });
-        let brdfs: [&dyn Brdf; 3] = [0, 1, 2].map(|c| surface.unwrap().channel(c));
+        let surface = surface.unwrap();
+        let brdfs: [&dyn Brdf; 3] = [0, 1, 2].map(|c| surface.channel(c));
         let mut normals = spread(16);
         normals.retain(|[.., z]| *z > 0.0);
         normals.extend([0, 1].map(|map| whole.mirror(map)));
         let expected = whole.irradiance(&brdfs, &normals, 1.0);
-        let found: Vec<_> = normals.iter().map(|&n| tree.irradiance(&brdfs, n, 1.0)).collect();
+        // The parts of all channels, each of which is a whole BRDF above.
+        let of_part = |part: &Part<'_>, normal| -> Vec<[f64; 3]> {
+            let all = tree.irradiance(part.brdf, normal, 1.0).into_iter();
+            all.map(|i| [0, 1, 2].map(|c| part.shares[c] * i[c])).collect()
+        };
+        let of_parts = |&normal: &[f64; 3]| -> Vec<[f64; 3]> {
+            let each = surface.parts().into_iter().map(|part| of_part(&part, normal));
+            let add = |a: Vec<[f64; 3]>, b: Vec<[f64; 3]>| {
+                a.iter().zip(&b).map(|(a, b)| [0, 1, 2].map(|c| a[c] + b[c])).collect()
+            };
+            each.reduce(add).unwrap()
+        };
+        let found: Vec<_> = normals.iter().map(of_parts).collect();
         for map in 0..maps.len() {
             let values = expected.iter().flat_map(|image| [0, 1, 2].map(|c| image[c][map][c]));
             let found = found.iter().flat_map(|image| image[map]);

@@ -56,7 +56,7 @@ fn by_chunks<S: Scalar>(
         let all = ..normals.len();
         let Rgb { r, g, b } = planes;
         for (way, plane) in [(&ways.r, r), (&ways.g, g), (&ways.b, b)] {
-            way.shade(normals, &mut room, part_mut(plane, all.clone()))?;
+            way.shade(normals, &mut room, part_mut(plane, all))?;
         }
         Ok::<_, Error>(())
     };

@@ -10,7 +10,7 @@ pub mod projection;
 
 pub use fitted::{Abc, Sgd};
 pub use formulas::{Ggx, Lambertian, OrenNayar};
-pub use projection::{Measure, Projected, Surface};
+pub use projection::{Measure, Part, Projected, Surface};
 
 /// Cosines of the polar angles of light and view, and of the angle between light and view.
 #[derive(Clone, Copy, Debug, PartialEq)]

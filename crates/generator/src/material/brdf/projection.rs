@@ -269,6 +269,15 @@ struct Lobe {
     shares: [[f64; 2]; 3],
 }
 
+/// A part of a surface: see [`Surface::parts`].
+#[derive(Clone, Copy)]
+pub struct Part<'a> {
+    /// The part's BRDF.
+    pub brdf: &'a dyn Brdf,
+    /// Its share of each channel.
+    pub shares: [f64; 3],
+}
+
 /// A surface's coefficients, and the part that their order leaves out.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Projected {
@@ -308,6 +317,25 @@ impl Surface {
     #[must_use]
     pub fn channels(&self) -> usize {
         self.channels.len()
+    }
+
+    /// The parts of this surface: in each channel f is the sum of those of the parts, each times its
+    /// share there.
+    #[must_use]
+    pub fn parts(&self) -> Vec<Part<'_>> {
+        if let Some(Lobe { brdf, shares }) = &self.lobe {
+            let [of_one, of_lobe] = [0, 1].map(|part: usize| shares.map(|share| share[part]));
+            return vec![
+                Part { brdf: &One, shares: of_one },
+                Part { brdf: &**brdf, shares: of_lobe },
+            ];
+        }
+        if let [gray] = &self.channels[..] {
+            return vec![Part { brdf: &**gray, shares: [1.0; 3] }];
+        }
+        let channels = self.channels.iter().enumerate();
+        let shares = |channel: usize| [0, 1, 2].map(|c| if c == channel { 1.0 } else { 0.0 });
+        channels.map(|(c, brdf)| Part { brdf: &**brdf, shares: shares(c) }).collect()
     }
 
     /// Projects every channel; a BRDF shared by all channels is projected once.
