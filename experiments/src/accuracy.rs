@@ -20,7 +20,7 @@ use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader, fault};
-use eigenshade_shading::sphere_rings::{Ring, rings};
+use eigenshade_shading::sphere_rings::rings;
 use eigenshade_shading::{parallel, shipped};
 use eigenshade_table::Table;
 use eigenshade_testing::glossy;
@@ -95,22 +95,16 @@ impl<'a> Reference<'a> {
         Self { surface, sphere, pictures, peaks }
     }
 
-    /// Integrates the surface with a [`LightTree`], at normals of this spacing in radians and at
-    /// those that mirror each map's brightest texel. The latter count for peaks and worst pixels
-    /// only.
+    /// Integrates the surface with a [`LightTree`]. Normals without weight count for peaks and worst
+    /// pixels only.
     pub fn by_tree(
         surface: &'a Surface,
         maps: &LightTree,
-        spacing: f64,
+        sphere: &Sphere,
         progress: &ProgressBar,
     ) -> Self {
         let parts = surface.parts();
         let count = maps.surroundings().maps();
-        let mirrors = (0..count).map(|map| {
-            let [x, y, z] = maps.surroundings().mirror(map);
-            Ring { slant: z.clamp(0.0, 1.0).acos(), tilts: vec![y.atan2(x)], weight: 0.0 }
-        });
-        let sphere = Sphere::new(rings(spacing).into_iter().chain(mirrors).collect());
         let irradiance = |k: usize| {
             let of_part = |part: &Part<'_>| maps.irradiance(part.brdf, sphere.normals[k], 1.0);
             parts.iter().map(of_part).collect::<Vec<_>>()
@@ -121,7 +115,7 @@ impl<'a> Reference<'a> {
         };
         let pictures: Vec<Picture> = (0..count).map(of_map).collect();
         let peaks = pictures.iter().map(sphere::peak).collect();
-        Self { surface, sphere, pictures, peaks }
+        Self { surface, sphere: sphere.clone(), pictures, peaks }
     }
 
     /// The number of normals.

@@ -20,6 +20,8 @@ pub mod sphere;
 
 pub mod light_tree;
 
+pub mod mirrored;
+
 pub mod accuracy;
 
 pub mod material_errors;

@@ -3,6 +3,7 @@
 
 use crate::accuracy::{Reference, named};
 use crate::light_tree::LightTree;
+use crate::mirrored;
 use crate::numbers::median;
 use eigenshade::Window;
 use eigenshade::mathematics::Libm;
@@ -24,7 +25,8 @@ pub const SIZES: [(usize, usize); 2] = [(9, 7), (12, 12)];
 const WINDOW: Window<f64> = Window::SincFourth { width: 40.0 };
 /// The material that was measured and is not in color.
 const MEASURED: &str = "ptfe-633nm";
-/// Distance of the normals of the sphere in radians: 1,000 normals.
+/// Distance of the evenly spaced normals of the sphere in radians: 1,000, and 800 that mirror the
+/// lamps of the maps.
 pub const SPACING: f64 = 0.08;
 
 /// The columns of `merl.errors.csv`.
@@ -59,7 +61,10 @@ pub fn errors(
     let lights = named(&lights, maps.iter().map(|(name, _)| name.as_str()))?;
     let map_names: Vec<&str> = maps.iter().map(|(name, _)| name.as_str()).collect();
     let maps = maps.iter().map(|(_, path)| EnvironmentMap::from_path(path));
-    let maps = LightTree::new(&maps.collect::<Result<Vec<_>>>()?)?;
+    let maps = maps.collect::<Result<Vec<_>>>()?;
+    let tree = LightTree::new(&maps)?;
+    let brightest = (0..maps.len()).map(|map| tree.surroundings().mirror(map));
+    let sphere = mirrored::sphere(&maps, spacing, &brightest.collect::<Vec<_>>());
     let materials = materials(inputs)?;
     if let Some(name) = names.iter().find(|name| materials.iter().all(|(s, _)| s.name != **name)) {
         let what = format!("no material is named `{name}`");
@@ -69,7 +74,7 @@ pub fn errors(
         materials.iter().filter(|(surface, _)| names.is_empty() || names.contains(&surface.name));
     Ok(chosen
         .map(|(surface, shipped)| {
-            let reference = Reference::by_tree(surface, &maps, spacing, progress);
+            let reference = Reference::by_tree(surface, &tree, &sphere, progress);
             let of_size = |&size: &(usize, usize)| {
                 let material = sized(surface, shipped, size.1);
                 errors_of(&reference, &lights, size, &material, &map_names)
