@@ -13,9 +13,8 @@ use std::path::PathBuf;
 /// order; PTFE, which was measured, is its own coefficients. The error of a map is the rms over a
 /// sphere's picture and the channels, relative to the picture's peak. The CSV has its median and
 /// its worst over the maps, the map of the worst, and the largest error of any pixel under any map,
-/// for the coefficients that are shipped at 9/7 and for the same at 12/12. Lobes narrower than the
-/// distance of the normals are sampled by chance, which makes their medians uncertain by a factor of
-/// 2.5. Takes some ten minutes on two cores.
+/// for the coefficients that are shipped at 9/7 and for the same at 12/12. The normals are evenly
+/// spaced ones, and others that mirror the lamps of the maps. Takes some ten minutes on two cores.
 #[derive(Args, Debug)]
 pub struct MaterialErrors {
     /// Names of materials [default: all]
@@ -24,7 +23,7 @@ pub struct MaterialErrors {
     /// Folder of the shipped tables' inputs
     #[arg(long, value_name = "DIR", default_value = "tables/inputs")]
     inputs: PathBuf,
-    /// Distance of the sphere's normals in radians, 0.002 to 0.5
+    /// Distance of the evenly spaced normals in radians, 0.002 to 0.5
     #[arg(long, value_name = "ANGLE", default_value_t = SPACING, value_parser = spacing)]
     spacing: f64,
     /// Write the CSV to this file instead of standard output
