@@ -135,7 +135,9 @@ pub fn check(counts: &[Count]) -> Result<(), String> {
         let three = found(&format!("{image}{}", WAYS[1]));
         if three.is_none_or(|three| colored.found > OF_THREE_CALLS * three) {
             let Count { name, found, .. } = colored;
-            return Err(format!("{TARGET}: {name} takes {found:.2} instructions, not {three:?}"));
+            return Err(format!(
+                "{TARGET}: {name} takes {found:.2} instructions, more than {OF_THREE_CALLS} times {three:?}"
+            ));
         }
     }
     let worse: Vec<_> = counts
