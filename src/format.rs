@@ -198,7 +198,8 @@ impl FixedPoint for Q15 {
     const SUM_SHIFT: u32 = 14;
     const TERM_BITS: u32 = 17;
     const SEEN_SHIFT: u32 = 0;
-    /// Within 3 units, with halves of 15 bits: small processors have no longer products.
+    /// Of halves of 15 bits, without the product of the low ones: small processors have no longer
+    /// products.
     #[inline(always)]
     fn rotated([c, s]: [i32; 2], [cosine, sine]: [i32; 2]) -> [i32; 2] {
         let halves = |number: i32| [number >> 15, number & 0x7fff];

@@ -147,10 +147,12 @@ fn no_turn_changes_nothing() {
 fn turned_about_the_view_is_the_generators() {
     fn agrees<Q: Input>(most: f64) {
         let (mut numbers, mut found, mut larger) = (Numbers(27), 0.0f64, 0);
-        for degree in [0, 1, 9, 12] {
+        // Of any scale, and as fractions of 2^30.
+        let scales = [1e9, 1_073_741_824.0];
+        for (degree, scale) in [0, 1, 9, 12].into_iter().flat_map(|l| scales.map(|s| (l, s))) {
             for [angle, ..] in angles() {
                 let exact = rotation::Rotation { alpha: 0.0, beta: angle, gamma: 0.0 };
-                let along = [angle.cos(), angle.sin()].map(|x| (x * 1e9).round() as i32);
+                let along = [angle.cos(), angle.sin()].map(|x| (x * scale).round() as i32);
                 for mantissas in lights::<Q>(degree, &mut numbers) {
                     let light = Light::new(-3, &mantissas).expect("a light");
                     let turned = light.turned_about_view::<169>(along).expect("room");

@@ -21,7 +21,7 @@ use std::fs;
 /// the runtime compiles in; of the table with which `render` draws.
 const TABLES: [(&str, &[usize]); 3] =
     [("curet", &[50, 64, 100]), ("sphere", &[46]), ("color", &[50, 64, 80, 100, 120, 160])];
-/// What the runtime's table may cost more than that of CUReT in any step: a multiply-add of a pixel.
+/// Multiply-adds by which any step may cost more with the shipped table than with that of CUReT.
 const DEARER: f64 = 1.01;
 /// The largest rms error, relative to the peak, that `tables/color.toml` allows itself.
 const OF_ALL: f64 = 1e-5;

@@ -116,7 +116,7 @@ fn turn<Q: FixedPoint, const C: usize, const N: usize>(
 /// An angle's cosine and sine in fractions of 2^30; none if both are 0.
 fn fraction(angle: [i32; 2]) -> Option<[i32; 2]> {
     let [x, y] = angle.map(|number| u64::from(number.unsigned_abs()));
-    // Off by the rounding of such fractions.
+    // Such fractions already, rounded: cosine² + sine² is 2^60 to within 2^30.5.
     if (x * x + y * y).abs_diff(1 << 60) < 1 << 31 {
         return Some(angle);
     }
@@ -155,9 +155,9 @@ fn turn_all<Q: FixedPoint, const N: usize>(
     multiples: &Multiples<i32>,
     turned: &mut [Q; N],
 ) -> bool {
-    // No light has another length.
     // In a register: a constant would take an addition of its own.
     let half = core::hint::black_box(Q::Wide::of(1 << (Q::BITS - 2)));
+    // No light has another length.
     let degree = const { if let Ok(degree) = degree(N) { degree } else { 0 } };
     means(degree, from, turned, false);
     unrolled!(m in 1..=degree {

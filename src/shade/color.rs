@@ -1,6 +1,6 @@
 //! Shades many normals in three channels.
 
-use super::tile::Room;
+use super::tile::{Room, TILE};
 use super::{BLOCK, SPECIAL, Way};
 use crate::color::Rgb;
 use crate::error::{Argument, Error};
@@ -12,6 +12,7 @@ use crate::scene::Scene;
 /// Normals that are shaded in one channel before the next: whole tiles and blocks of every target,
 /// few enough to stay in the L1 cache.
 const CHUNK: usize = if SPECIAL { 640 } else { 4 * BLOCK };
+const _: () = assert!(CHUNK.is_multiple_of(BLOCK) && (!SPECIAL || CHUNK.is_multiple_of(TILE)));
 
 impl<B> Rgb<&Scene<'_, B>> {
     /// [`Rgb::shade_slice`] of the scenes.

@@ -18,7 +18,7 @@ pub struct Colored {
 }
 
 impl Colored {
-    /// What is drawn, and how.
+    /// An image, to be drawn in this way.
     pub fn new(image: &Image, way: &'static str) -> Self {
         let (scene, _) = scene(&image.d, image.share, Box::leak(Box::new([0; 16])));
         let planes = [(); 3].map(|()| irradiances());

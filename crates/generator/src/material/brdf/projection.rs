@@ -263,7 +263,7 @@ pub struct Surface {
     lobe: Option<Lobe>,
 }
 
-/// What the BRDFs of all channels have in common: each is k + a f.
+/// The BRDF f that all channels share: each is k + a f.
 struct Lobe {
     brdf: Box<dyn Brdf>,
     shares: [[f64; 2]; 3],
