@@ -340,15 +340,36 @@ macro_rules! table_in_color {
             ) -> Result<Scene, $crate::Error> {
                 let mut scene = blank();
                 if let Some(gray) = material.as_gray() {
-                    relit(Rgb::gray(&super::transfer(&gray)?), light, &mut scene)?;
+                    lit_gray(&gray, light, &mut scene)?;
                     return Ok(scene);
                 }
                 let mut d = coefficients();
                 let Scene(Rgb { r, g, b }) = &mut scene;
-                channel(&super::transfer(&material.r)?, &light.r, &mut d, r)?;
-                channel(&super::transfer(&material.g)?, &light.g, &mut d, g)?;
-                channel(&super::transfer(&material.b)?, &light.b, &mut d, b)?;
+                lit_channel(&material.r, &light.r, &mut d, r)?;
+                lit_channel(&material.g, &light.g, &mut d, g)?;
+                lit_channel(&material.b, &light.b, &mut d, b)?;
                 Ok(scene)
+            }
+
+            // Not inlined, so that the memory of a transfer is free again between the channels.
+            #[inline(never)]
+            fn lit_channel(
+                material: &Material<'_>,
+                light: &Light<'_>,
+                d: &mut super::Coefficients,
+                scene: &mut super::Scene,
+            ) -> Result<(), $crate::Error> {
+                channel(&super::transfer(material)?, light, d, scene)
+            }
+
+            // As above.
+            #[inline(never)]
+            fn lit_gray(
+                material: &Material<'_>,
+                light: Rgb<Light<'_>>,
+                scene: &mut Scene,
+            ) -> Result<(), $crate::Error> {
+                relit(Rgb::gray(&super::transfer(material)?), light, scene)
             }
 
             /// The transfer of a material in each channel: see [`transfer`](super::transfer).

@@ -59,6 +59,8 @@ pub struct Disc {
     /// The next pixel.
     column: i32,
     row: i32,
+    /// The row after the last one.
+    end: i32,
     /// 2^56 / size².
     unit: u64,
     /// 2^31 / size.
@@ -78,7 +80,15 @@ impl Disc {
         let unit = (1 << 56) / (of_one as u64 * of_one as u64);
         // 2^31 itself does not fit.
         let scale = (i32::MAX as i64 / of_one as i64) as i32;
-        Self { size, column: 0, row: 0, unit, scale }
+        Self { size, column: 0, row: 0, end: size, unit, scale }
+    }
+
+    /// The pixels of one row, from the left. A row beyond the last one has none.
+    #[must_use]
+    pub const fn row(&self, row: usize) -> Self {
+        let row = if row < self.size as usize { row as i32 } else { self.size };
+        let end = if row < self.size { row + 1 } else { row };
+        Self { row, end, column: 0, ..*self }
     }
 }
 
@@ -87,7 +97,7 @@ impl Iterator for Disc {
 
     #[inline]
     fn next(&mut self) -> Option<DiscPixel> {
-        while self.row < self.size {
+        while self.row < self.end {
             let (column, row) = (self.column, self.row);
             // Twice the distance from the center, an odd number in pictures of even size.
             let (x, y) = (2 * column + 1 - self.size, self.size - 1 - 2 * row);
@@ -199,6 +209,8 @@ mod tests {
             };
             let expected = (0..size * size).filter(|k| inside(k % size, k / size));
             assert!(Disc::new(size).map(DiscPixel::index).eq(expected), "{size}");
+            let rows = (0..size + 2).flat_map(|row| Disc::new(size).row(row));
+            assert!(rows.eq(Disc::new(size)), "{size}");
         }
         assert_eq!(Disc::new(Disc::MOST + 1).count(), 0);
     }

@@ -68,6 +68,7 @@ fn program(Listed { name, source }: Listed) -> Result<String> {
             }
             items + &run("main")
         }
+        "watch" => run(&format!("in_{format}")),
         _ => run(operation),
     })
 }

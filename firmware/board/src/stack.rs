@@ -7,7 +7,7 @@ use core::arch::asm;
 const PAINT: u32 = 0x5bad_c0de;
 
 /// Maximum number of bytes to fill.
-const REACH: usize = 12 * 1024;
+const REACH: usize = 48 * 1024;
 
 #[expect(unsafe_code, reason = "the linker defines this address; nothing is read there")]
 unsafe extern "C" {

@@ -26,14 +26,47 @@ const SHORT: [(&str, &str); 5] = [
 /// The boards whose memory is shown: without a float unit and with one.
 const MEMORY: [Board; 2] = [MICROBIT, AN386];
 
+/// The page of the watch's frames, and its marks.
+const WATCH: &str = "../crates/embedded-graphics/README.md";
+const WATCH_START: &str = "<!-- frames: firmware/run all --update writes them -->\n";
+const WATCH_END: &str = "<!-- end of frames -->\n";
+
+/// Chips with the processors of the boards: name, board, number format, clock in MHz.
+const CHIPS: [(&str, Board, &str, u64); 6] = [
+    ("nRF51822, Cortex-M0", MICROBIT, "q15", 16),
+    ("RP2040, Cortex-M0+", MICROBIT, "q15", 133),
+    ("nRF52840, Cortex-M4F", AN386, "f32", 64),
+    ("STM32F411, Cortex-M4F", AN386, "f32", 100),
+    ("STM32F103, Cortex-M3", BOARDS[1], "q15", 72),
+    ("ESP32-C3, RV32IMC", BOARDS[3], "q15", 160),
+];
+
+/// Panels and the diameter of a watch on them in pixels.
+const PANELS: [(&str, u64); 3] =
+    [("SSD1331, 96 x 64", 64), ("ST7735, 128 x 128", 128), ("GC9A01 and ST7789, 240 x 240", 240)];
+
+/// The diameter of the watch that is measured.
+const WATCH_SIZE: u64 = 128;
+
 /// Writes the recorded counts into the pages.
 pub fn write() -> Result<()> {
-    let (_, rows) = row::recorded()?;
-    for (path, formats) in PAGES {
-        let text = with_counts(path, &read(path)?, &rows, formats)?;
+    for (path, text) in pages()? {
         std::fs::write(path, text).map_err(|error| format!("{path}: {error}"))?;
     }
     Ok(())
+}
+
+/// The pages with the recorded counts.
+fn pages() -> Result<Vec<(&'static str, String)>> {
+    let (_, rows) = row::recorded()?;
+    let mut pages = Vec::new();
+    for (path, formats) in PAGES {
+        let table = if formats.is_empty() { short(&rows) } else { table(&rows, formats) };
+        pages.push((path, between(path, &read(path)?, [START, END], &table)?));
+    }
+    let frames = between(WATCH, &read(WATCH)?, [WATCH_START, WATCH_END], &frames(&rows))?;
+    pages.push((WATCH, frames));
+    Ok(pages)
 }
 
 /// Compares the pages with the recorded counts.
@@ -42,10 +75,8 @@ pub fn write() -> Result<()> {
 ///
 /// If a page has other counts.
 pub fn check() -> Result<()> {
-    let (_, rows) = row::recorded()?;
-    for (path, formats) in PAGES {
-        let page = read(path)?;
-        if with_counts(path, &page, &rows, formats)? != page {
+    for (path, text) in pages()? {
+        if text != read(path)? {
             return Err(format!(
                 "{path}: the counts differ from counts.csv; run `firmware/run pages`"
             ));
@@ -58,14 +89,40 @@ fn read(path: &str) -> Result<String> {
     std::fs::read_to_string(path).map_err(|error| format!("{path}: {error}"))
 }
 
-fn with_counts(path: &str, page: &str, rows: &[Row], formats: &[&str]) -> Result<String> {
+/// A page with this table between two marks.
+fn between(path: &str, page: &str, [start, end]: [&str; 2], table: &str) -> Result<String> {
     let parts = page
-        .split_once(START)
-        .and_then(|(before, rest)| rest.split_once(END).map(|(_, after)| (before, after)));
+        .split_once(start)
+        .and_then(|(before, rest)| rest.split_once(end).map(|(_, after)| (before, after)));
     let (before, after) =
         parts.ok_or(format!("{path}: the marks around the counts are missing"))?;
-    let table = if formats.is_empty() { short(rows) } else { table(rows, formats) };
-    Ok(format!("{before}{START}{table}{END}{after}"))
+    Ok(format!("{before}{start}{table}{end}{after}"))
+}
+
+/// The watch's frames per second if an instruction takes a cycle: the instructions of a frame grow
+/// with its area.
+fn frames(rows: &[Row]) -> String {
+    let mut text = String::from("| frames a second, at most |");
+    text.extend(PANELS.map(|(panel, _)| format!(" {panel} |")));
+    text += &format!("\n|---|{}\n", "---:|".repeat(PANELS.len()));
+    for (chip, board, format, megahertz) in CHIPS {
+        text += &format!(
+            "| {chip}, {megahertz} MHz, {} |",
+            if format == "f32" { "f32" } else { "Q15" }
+        );
+        let row = rows.iter().find(|row| row.key == [board.name, "watch", format]);
+        let instructions = row.and_then(|row| row.numbers[0]);
+        for (_, size) in PANELS {
+            let rate = instructions.map(|instructions| {
+                let frame = instructions * size * size / (WATCH_SIZE * WATCH_SIZE);
+                megahertz as f64 * 1e6 / frame as f64
+            });
+            let digits = if rate.is_some_and(|rate| rate < 10.0) { 1 } else { 0 };
+            text += &rate.map_or(" |".into(), |rate| format!(" {rate:.digits$} |"));
+        }
+        text += "\n";
+    }
+    text
 }
 
 /// Instructions of a few operations, in Q15 without a float unit and in f32 with one.
@@ -129,7 +186,7 @@ fn cell(number: Option<u64>) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{END, START, table, with_counts};
+    use super::{END, START, between, frames, table};
     use crate::row::Row;
 
     #[test]
@@ -138,8 +195,8 @@ mod tests {
             ["microbit,shade,q15,811,9928,604,224", "riscv32,shade,q15,1873,8196,5,6"]
                 .map(|line| line.parse().unwrap())
                 .into();
-        let page = with_counts("page", &format!("a\n{START}old\n{END}b\n"), &rows, &["q15"]);
-        let page = page.unwrap();
+        let page = format!("a\n{START}old\n{END}b\n");
+        let page = between("page", &page, [START, END], &table(&rows, &["q15"])).unwrap();
         assert!(
             page.contains("| `shade` | `q15` | 811 |  |  | 1,873 | 9,928 | 604 | 224 |\n"),
             "{page}"
@@ -148,6 +205,17 @@ mod tests {
         assert_eq!(table(&rows, &["f32"]).lines().count(), 2);
         let of_scene = ["microbit,sun/pixel,q15,811,,,224".parse().unwrap()];
         assert_eq!(table(&of_scene, &["q15"]).lines().count(), 2);
-        assert!(with_counts("page", "no marks", &rows, &["q15"]).unwrap_err().contains("page"));
+        assert!(between("page", "no marks", [START, END], "").unwrap_err().contains("page"));
+    }
+
+    #[test]
+    fn frames_take_instructions_in_proportion_to_their_area() {
+        let rows = ["microbit,watch,q15,16000000,1,1,1".parse().unwrap()];
+        let text = frames(&rows);
+        assert!(
+            text.contains("| nRF51822, Cortex-M0, 16 MHz, Q15 | 4.0 | 1.0 | 0.3 |\n"),
+            "{text}"
+        );
+        assert!(text.contains("| nRF52840, Cortex-M4F, 64 MHz, f32 | | | |\n"), "{text}");
     }
 }

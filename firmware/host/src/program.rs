@@ -127,6 +127,8 @@ impl Listed {
             ("scene_f32", _) => board.floats == Floats::Hardware,
             // The page of scenes has the smallest board and the one with a float unit.
             ("scene_q15", _) => board.floats == Floats::None,
+            // A frame is longer than the clock without one.
+            ("watch", "f32") => board.floats == Floats::Hardware,
             (_, format) => board.floats != Floats::None || format != "f32",
         }
     }

@@ -1,0 +1,65 @@
+//! Makes the watch's relief: a guilloché, and two hands on a hub.
+
+use super::face::RELIEF;
+use eigenshade::{Normal, NormalMap};
+
+/// The radius of the guilloché in pixels.
+const RADIUS: f64 = 36.5;
+
+/// Length and half the width of the hands in pixels, and their angles in degrees from 12 o'clock:
+/// it is 9 minutes past 10.
+const HANDS: [(f64, f64, f64); 2] = [(21.0, 4.2, 304.5), (32.0, 3.4, 54.0)];
+
+/// The radius of the hub in pixels.
+const HUB: f64 = 6.0;
+
+/// The codes of a normal map of [`RELIEF`] x [`RELIEF`] pixels.
+pub fn codes() -> Vec<[u8; 2]> {
+    let pixels = (0..RELIEF).flat_map(|row| (0..RELIEF).map(move |column| (column, row)));
+    let middle = 0.5 * f64::from(RELIEF) - 0.5;
+    pixels.map(|(column, row)| code(f64::from(column) - middle, middle - f64::from(row))).collect()
+}
+
+/// The code of a pixel, right and up of the center.
+fn code(x: f64, y: f64) -> [u8; 2] {
+    if x.hypot(y) > RADIUS {
+        return NormalMap::BACKGROUND;
+    }
+    let slopes = if x.hypot(y) < HUB {
+        round([x / HUB, y / HUB])
+    } else if let Some(slopes) = HANDS.into_iter().rev().find_map(|hand| on_hand(hand, x, y)) {
+        slopes
+    } else {
+        let step = 1e-3;
+        [
+            (height(x - step, y) - height(x + step, y)) / (2.0 * step),
+            (height(x, y - step) - height(x, y + step)) / (2.0 * step),
+        ]
+    };
+    let [x, y] = slopes.map(|slope| slope as f32);
+    NormalMap::code(Normal::new(x, y, 1.0).expect("it faces the camera"))
+}
+
+/// The guilloché's height in pixels: twelve twisted petals, and a rounded rim.
+fn height(x: f64, y: f64) -> f64 {
+    let (distance, angle) = (x.hypot(y), y.atan2(x));
+    let petals = (12.0 * angle + 0.09 * distance).cos() * distance / RADIUS;
+    let rim = (distance - RADIUS + 4.0).max(0.0) / 4.0;
+    1.3 * petals - 3.0 * rim * rim
+}
+
+/// The slopes of a hand with a round cross-section, if it covers the point.
+fn on_hand((length, half_width, angle): (f64, f64, f64), x: f64, y: f64) -> Option<[f64; 2]> {
+    let (sine, cosine) = angle.to_radians().sin_cos();
+    let (along, across) = (x * sine + y * cosine, (x * cosine - y * sine) / half_width);
+    // It tapers toward its end.
+    let across = across / (1.0 - 0.5 * along / length);
+    let is_inside = (0.0..length).contains(&along) && across.abs() < 1.0;
+    is_inside.then(|| round([across * cosine, -across * sine]))
+}
+
+/// The slopes of a half circle or sphere at a point of the unit circle; at most 2.
+fn round([x, y]: [f64; 2]) -> [f64; 2] {
+    let up = (1.0 - x * x - y * y).max(0.2).sqrt();
+    [x / up, y / up]
+}

@@ -1,0 +1,176 @@
+//! The dial of a watch or a gauge: a domed face with raised marks in a round bezel.
+
+use crate::paint::{DisplayColor, Shader};
+use crate::rows;
+use core::marker::PhantomData;
+use eigenshade::{Disc, DiscPixel, Normal, Q15, quantized};
+use embedded_graphics_core::Drawable;
+use embedded_graphics_core::draw_target::DrawTarget;
+use embedded_graphics_core::geometry::{Dimensions, Point, Size};
+use embedded_graphics_core::primitives::Rectangle;
+
+/// 1 in lengths of normals.
+const ONE: i32 = 1 << 15;
+
+/// The sine of 30 degrees, in units of 2^-14.
+const SINE: i32 = 8_192;
+/// See [`SINE`].
+const COSINE: i32 = 14_189;
+
+/// A dial: twelve raised marks on a domed face, in a bezel with the profile of a half circle.
+///
+/// Normals are computed in integers, with two roots and a division for a pixel of the bezel or of a
+/// mark.
+#[derive(Debug)]
+pub struct Dial<'p, P, C> {
+    top_left: Point,
+    disc: Disc,
+    shape: Shape,
+    paint: &'p P,
+    color: PhantomData<C>,
+}
+
+/// Lengths in half pixels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Shape {
+    diameter: i32,
+    /// Half the width of the bezel.
+    bezel: i32,
+    /// Half the width of a mark.
+    mark: i32,
+}
+
+impl<'p, P: Shader, C: DisplayColor> Dial<'p, P, C> {
+    /// A dial that fills a square of `diameter` pixels, with a bezel and marks of these widths in
+    /// pixels; 0 for none. A bezel takes at most half the radius, and a mark at most a quarter of
+    /// it. A dial that is larger than [`Disc::MOST`] has no pixels.
+    pub fn new(top_left: Point, diameter: u32, bezel: u32, mark: u32, paint: &'p P) -> Self {
+        let disc = Disc::new(diameter as usize);
+        let most = Disc::MOST as u32;
+        let within = |width: u32, most: u32| width.min(most).cast_signed();
+        let shape = Shape {
+            diameter: within(diameter, most),
+            bezel: within(bezel, diameter.min(most) / 4),
+            mark: within(mark, diameter.min(most) / 8),
+        };
+        Self { top_left, disc, shape, paint, color: PhantomData }
+    }
+}
+
+impl<P, C> Dimensions for Dial<'_, P, C> {
+    fn bounding_box(&self) -> Rectangle {
+        Rectangle::new(self.top_left, Size::new_equal(self.shape.diameter.cast_unsigned()))
+    }
+}
+
+impl<P: Shader, C: DisplayColor> Drawable for Dial<'_, P, C> {
+    type Color = C;
+    type Output = ();
+
+    fn draw<D: DrawTarget<Color = C>>(&self, target: &mut D) -> Result<(), D::Error> {
+        let shape = self.shape;
+        rows::draw(target, self.bounding_box(), None, self.paint, |row| {
+            self.disc.row(row).map(move |place| DialPixel { place, shape })
+        })
+    }
+}
+
+/// A pixel of a [`Dial`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct DialPixel {
+    place: DiscPixel,
+    shape: Shape,
+}
+
+impl DialPixel {
+    /// The column, from 0 at the left.
+    #[must_use]
+    pub const fn column(self) -> usize {
+        self.place.column()
+    }
+
+    /// The row, from 0 at the top.
+    #[must_use]
+    pub const fn row(self) -> usize {
+        self.place.row()
+    }
+
+    /// The normal.
+    #[must_use]
+    pub fn normal(self) -> Normal<f32> {
+        let [x, y, z] = self.vector().map(|along| along as f32);
+        Normal::new(x, y, z).unwrap_or(self.place.normal())
+    }
+
+    /// The normal in integers.
+    #[must_use]
+    pub fn quantized_normal(self) -> quantized::Normal<Q15> {
+        let [x, y, z] = self.vector().map(|along| Q15(along.clamp(1 - ONE, ONE - 1) as i16));
+        quantized::Normal::<Q15>::new(x, y, z).unwrap_or(self.place.quantized_normal())
+    }
+
+    /// The normal in units of 2^-15.
+    fn vector(self) -> [i32; 3] {
+        let Shape { diameter, bezel, mark } = self.shape;
+        let [x, y] = [self.column(), self.row()].map(|place| 2 * place as i32 + 1 - diameter);
+        let y = -y;
+        let square = (x * x + y * y).cast_unsigned();
+        let inner = diameter - 2 * bezel;
+        if bezel > 0 && square > (inner * inner).cast_unsigned() {
+            // The root has 16 bits, `bits` of them below half a pixel.
+            let bits = square.leading_zeros() / 2;
+            let distance = (square << (2 * bits)).isqrt().cast_signed();
+            let [middle, half_width] = [diameter - bezel, bezel].map(|length| length << bits);
+            let from_middle = (distance - middle).max(-half_width).min(half_width);
+            let across = quotient(from_middle * ONE, half_width);
+            let [x, y] = [x, y].map(|along| quotient(across * (along << bits), distance));
+            return [x, y, rest(across)];
+        }
+        if let Some([across, direction @ ..]) = mark_at([x, y], inner, mark) {
+            let [x, y] = direction.map(|along| (across * along) >> 14);
+            return [x, y, rest(across)];
+        }
+        // A dome with a sine of 1/4 at the rim: 1 - s/2 - s²/8 for √(1 - s).
+        let [x, y] = [x, y].map(|along| quotient(along * (ONE / 4), diameter));
+        let square = (x * x + y * y) >> 15;
+        [x, y, ONE - (square >> 1) - ((square * square) >> 18)]
+    }
+}
+
+/// √(1 - x²).
+fn rest(x: i32) -> i32 {
+    (ONE * ONE - x * x).cast_unsigned().isqrt().cast_signed()
+}
+
+/// The place across a mark, from -1 to 1 in units of 2^-15, and the direction across it in units of
+/// 2^-14; `None` where there is no mark. Marks are 30 degrees apart and end at a distance of two
+/// widths from `inner`, lengths in half pixels.
+fn mark_at([x, y]: [i32; 2], inner: i32, half_width: i32) -> Option<[i32; 3]> {
+    if half_width == 0 {
+        return None;
+    }
+    // The eighth of the plane between 0 and 45 degrees has the marks at 0 and 30 degrees.
+    let (a, b) = (x.abs().max(y.abs()), x.abs().min(y.abs()));
+    let aslant = b * COSINE - a * SINE;
+    let (across, along, direction) = if b << 14 <= aslant.abs() {
+        (b << 14, a << 14, [0, 1 << 14])
+    } else {
+        (aslant, a * COSINE + b * SINE, [-SINE, COSINE])
+    };
+    let outer = inner - 4 * half_width;
+    if across.abs() >= half_width << 14 || !((outer * 3 / 4) << 14..outer << 14).contains(&along) {
+        return None;
+    }
+    let [of_a, of_b] = direction;
+    let [of_x, of_y] = if x.abs() >= y.abs() { [of_a, of_b] } else { [of_b, of_a] };
+    Some([quotient(across * 2, half_width), of_x * sign(x), of_y * sign(y)])
+}
+
+/// a / b, where b is above 0: the compiler does not know that, and would link a panic.
+fn quotient(a: i32, b: i32) -> i32 {
+    a.checked_div(b).unwrap_or_default()
+}
+
+const fn sign(x: i32) -> i32 {
+    if x < 0 { -1 } else { 1 }
+}

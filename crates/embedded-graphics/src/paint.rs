@@ -1,0 +1,174 @@
+//! From normals to the colors of a display.
+
+use crate::dial::DialPixel;
+use eigenshade::{
+    DiscPixel, Display, Error, Exposure, Linear, Normal, NormalPixel, Q15, Rgb, blend565, quantized,
+};
+use embedded_graphics_core::pixelcolor::raw::{RawData as _, RawU16};
+use embedded_graphics_core::pixelcolor::{PixelColor, Rgb565, Rgb888, RgbColor as _};
+
+/// A pixel of an object.
+pub trait Place: Copy {
+    /// The column in the object, from 0 at the left.
+    fn column(self) -> usize;
+    /// The row in the object, from 0 at the top.
+    fn row(self) -> usize;
+    /// The share of the pixel that the object covers, of 255.
+    fn coverage(self) -> u8;
+    /// The normal.
+    fn normal(self) -> Normal<f32>;
+    /// The normal in integers.
+    fn quantized_normal(self) -> quantized::Normal<Q15>;
+}
+
+macro_rules! places {
+    ($($pixel:ty, $coverage:expr;)*) => {
+        $(
+            impl Place for $pixel {
+                #[inline]
+                fn column(self) -> usize {
+                    self.column()
+                }
+                #[inline]
+                fn row(self) -> usize {
+                    self.row()
+                }
+                #[inline]
+                fn coverage(self) -> u8 {
+                    let coverage: fn(Self) -> u8 = $coverage;
+                    coverage(self)
+                }
+                #[inline]
+                fn normal(self) -> Normal<f32> {
+                    self.normal()
+                }
+                #[inline]
+                fn quantized_normal(self) -> quantized::Normal<Q15> {
+                    self.quantized_normal()
+                }
+            }
+        )*
+    };
+}
+places! {
+    DiscPixel, |_| u8::MAX;
+    DialPixel, |_| u8::MAX;
+    NormalPixel, NormalPixel::coverage;
+}
+
+/// What colors the pixels of an object: a [`Paint`].
+pub trait Shader {
+    /// The exposed irradiance of a pixel.
+    fn exposed(&self, place: impl Place) -> Rgb<Linear>;
+    /// The display for which colors are encoded.
+    fn display(&self) -> &Display;
+    /// Whether colors of few bits are dithered.
+    fn is_dithered(&self) -> bool;
+}
+
+/// A material under a light, exposed for a display: it colors normals.
+///
+/// `F` is a function of a normal, usually `|normal| scene.shade(normal)`; `E` is the exposure.
+#[derive(Clone, Copy, Debug)]
+pub struct Paint<'d, F, E> {
+    shade: F,
+    exposure: E,
+    display: &'d Display,
+    is_dithered: bool,
+}
+
+impl<'d, F: Fn(Normal<f32>) -> Rgb<f32>> Paint<'d, F, f32> {
+    /// Paint of which `shade` gives the irradiance, multiplied by `exposure`.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::NotFinite`] unless the exposure is a normal number above 0.
+    pub fn new(shade: F, exposure: f32, display: &'d Display) -> Result<Self, Error> {
+        Exposure::new(exposure, 0)?;
+        Ok(Self { shade, exposure, display, is_dithered: false })
+    }
+}
+
+impl<'d, F: Fn(quantized::Normal<Q15>) -> Rgb<i32>> Paint<'d, F, Rgb<Exposure>> {
+    /// Paint in integers: `shade` gives mantissas, and `exposure` comes from the same scene.
+    pub const fn quantized(shade: F, exposure: Rgb<Exposure>, display: &'d Display) -> Self {
+        Self { shade, exposure, display, is_dithered: false }
+    }
+}
+
+impl<F, E> Paint<'_, F, E> {
+    /// The same with ordered dithering on displays of 16 bits a pixel.
+    #[must_use]
+    pub fn dithered(self) -> Self {
+        Self { is_dithered: true, ..self }
+    }
+}
+
+impl<F: Fn(Normal<f32>) -> Rgb<f32>> Shader for Paint<'_, F, f32> {
+    #[inline]
+    fn exposed(&self, place: impl Place) -> Rgb<Linear> {
+        (self.shade)(place.normal()).exposed(self.exposure).map(Linear::from)
+    }
+    #[inline]
+    fn display(&self) -> &Display {
+        self.display
+    }
+    #[inline]
+    fn is_dithered(&self) -> bool {
+        self.is_dithered
+    }
+}
+
+impl<F: Fn(quantized::Normal<Q15>) -> Rgb<i32>> Shader for Paint<'_, F, Rgb<Exposure>> {
+    #[inline]
+    fn exposed(&self, place: impl Place) -> Rgb<Linear> {
+        self.exposure.of((self.shade)(place.quantized_normal()))
+    }
+    #[inline]
+    fn display(&self) -> &Display {
+        self.display
+    }
+    #[inline]
+    fn is_dithered(&self) -> bool {
+        self.is_dithered
+    }
+}
+
+/// The color of a display that a [`Display`] encodes.
+pub trait DisplayColor: PixelColor {
+    /// The color of an exposed irradiance; with `dither`, for the pixel at this column and row.
+    fn encoded(display: &Display, color: Rgb<Linear>, dither: Option<[usize; 2]>) -> Self;
+    /// This color where it covers `coverage` / 255 of a pixel, and `below` in the rest of it.
+    #[must_use]
+    fn over(self, below: Self, coverage: u8) -> Self;
+}
+
+impl DisplayColor for Rgb565 {
+    #[inline]
+    fn encoded(display: &Display, color: Rgb<Linear>, dither: Option<[usize; 2]>) -> Self {
+        RawU16::new(match dither {
+            Some([x, y]) => display.rgb565_dithered(color, x, y),
+            None => display.rgb565(color),
+        })
+        .into()
+    }
+    #[inline]
+    fn over(self, below: Self, coverage: u8) -> Self {
+        let [below, above] = [below, self].map(|color| RawU16::from(color).into_inner());
+        RawU16::new(blend565(below, above, coverage)).into()
+    }
+}
+
+impl DisplayColor for Rgb888 {
+    #[inline]
+    fn encoded(display: &Display, color: Rgb<Linear>, _: Option<[usize; 2]>) -> Self {
+        let Rgb { r, g, b } = display.rgb888(color);
+        Self::new(r, g, b)
+    }
+    #[inline]
+    fn over(self, below: Self, coverage: u8) -> Self {
+        let channels = |color: Self| Rgb::new(color.r(), color.g(), color.b());
+        let Rgb { r, g, b } = channels(self).over(channels(below), coverage);
+        Self::new(r, g, b)
+    }
+}

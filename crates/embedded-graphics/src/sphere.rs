@@ -1,0 +1,46 @@
+//! A sphere.
+
+use crate::paint::{DisplayColor, Shader};
+use crate::rows;
+use core::marker::PhantomData;
+use eigenshade::Disc;
+use embedded_graphics_core::Drawable;
+use embedded_graphics_core::draw_target::DrawTarget;
+use embedded_graphics_core::geometry::{Dimensions, Point, Size};
+use embedded_graphics_core::primitives::Rectangle;
+
+/// A sphere of any diameter up to [`Disc::MOST`] pixels.
+///
+/// Pixels whose centers are inside the circle belong to it. The rest of the target stays.
+#[derive(Debug)]
+pub struct Sphere<'p, P, C> {
+    top_left: Point,
+    disc: Disc,
+    diameter: u32,
+    paint: &'p P,
+    color: PhantomData<C>,
+}
+
+impl<'p, P: Shader, C: DisplayColor> Sphere<'p, P, C> {
+    /// A sphere that fills a square of `diameter` pixels. One that is larger than [`Disc::MOST`]
+    /// has no pixels.
+    pub const fn new(top_left: Point, diameter: u32, paint: &'p P) -> Self {
+        let disc = Disc::new(diameter as usize);
+        Self { top_left, disc, diameter, paint, color: PhantomData }
+    }
+}
+
+impl<P, C> Dimensions for Sphere<'_, P, C> {
+    fn bounding_box(&self) -> Rectangle {
+        Rectangle::new(self.top_left, Size::new_equal(self.diameter))
+    }
+}
+
+impl<P: Shader, C: DisplayColor> Drawable for Sphere<'_, P, C> {
+    type Color = C;
+    type Output = ();
+
+    fn draw<D: DrawTarget<Color = C>>(&self, target: &mut D) -> Result<(), D::Error> {
+        rows::draw(target, self.bounding_box(), None, self.paint, |row| self.disc.row(row))
+    }
+}

@@ -1,0 +1,242 @@
+//! Objects on displays: pixels, rows, parts, outlines, and the geometry of a dial.
+#![expect(clippy::unwrap_used, clippy::indexing_slicing, reason = "a test may panic")]
+
+use eigenshade::presets::{light, material};
+use eigenshade::{Disc, Display, Error, Normal, NormalMap, Q15, Rgb, Tone, blend565, sphere};
+use eigenshade_embedded_graphics::{Dial, Paint, Relief, Sphere};
+use embedded_graphics::pixelcolor::raw::RawU16;
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
+use embedded_graphics::prelude::*;
+use embedded_graphics::primitives::Rectangle;
+use std::cell::{Cell, RefCell};
+use std::convert::Infallible;
+
+static DISPLAY: Display = Display::new(Tone::Filmic);
+
+/// A display that counts what it is sent, and refuses what is not one row of its own pixels.
+struct Screen<C> {
+    size: Size,
+    pixels: Vec<Option<C>>,
+    windows: usize,
+}
+
+impl<C: PixelColor> Screen<C> {
+    fn new(width: u32, height: u32) -> Self {
+        let pixels = vec![None; (width * height) as usize];
+        Self { size: Size::new(width, height), pixels, windows: 0 }
+    }
+
+    fn drawn(&self) -> usize {
+        self.pixels.iter().flatten().count()
+    }
+}
+
+impl<C> OriginDimensions for Screen<C> {
+    fn size(&self) -> Size {
+        self.size
+    }
+}
+
+impl<C: PixelColor> DrawTarget for Screen<C> {
+    type Color = C;
+    type Error = Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, _: I) -> Result<(), Infallible> {
+        unreachable!("pixel by pixel")
+    }
+
+    fn fill_contiguous<I: IntoIterator<Item = C>>(
+        &mut self,
+        area: &Rectangle,
+        colors: I,
+    ) -> Result<(), Infallible> {
+        assert_eq!(area.intersection(&self.bounding_box()), *area);
+        assert!(area.size.height == 1 && area.size.width > 0);
+        let mut colors = colors.into_iter();
+        for Point { x, y } in area.points() {
+            let place = &mut self.pixels[y as usize * self.size.width as usize + x as usize];
+            assert!(place.replace(colors.next().unwrap()).is_none(), "{x}, {y}: drawn twice");
+        }
+        assert!(colors.next().is_none());
+        self.windows += 1;
+        Ok(())
+    }
+}
+
+#[test]
+fn a_sphere_has_the_pixels_of_the_runtime() {
+    let scene = sphere::color::scene(light::LOBBY, material::GOLD_METALLIC_PAINT).unwrap();
+    let gold = Paint::new(|normal| scene.shade(normal), 1.5, &DISPLAY).unwrap();
+    let (mut screen, mut fine) = (Screen::<Rgb565>::new(60, 50), Screen::<Rgb888>::new(60, 50));
+    let mut dithered = Screen::<Rgb565>::new(60, 50);
+    Sphere::new(Point::new(7, 3), 40, &gold).draw(&mut screen).unwrap();
+    Sphere::new(Point::new(7, 3), 40, &gold).draw(&mut fine).unwrap();
+    Sphere::new(Point::new(7, 3), 40, &gold.dithered()).draw(&mut dithered).unwrap();
+    for pixel in Disc::new(40) {
+        let color = scene.shade(pixel.normal()).exposed(1.5);
+        let place = (pixel.row() + 3) * 60 + pixel.column() + 7;
+        assert_eq!(screen.pixels[place], Some(RawU16::new(DISPLAY.rgb565(color)).into()));
+        let of_pattern = DISPLAY.rgb565_dithered(color, pixel.column(), pixel.row());
+        assert_eq!(dithered.pixels[place], Some(RawU16::new(of_pattern).into()));
+        let Rgb { r, g, b } = DISPLAY.rgb888(color);
+        assert_eq!(fine.pixels[place], Some(Rgb888::new(r, g, b)));
+    }
+    assert_eq!((screen.drawn(), screen.windows), (Disc::new(40).count(), 40));
+}
+
+#[test]
+fn a_sphere_in_integers_has_the_pixels_of_the_runtime() {
+    let lobby = light::q15::LOBBY;
+    let scene = sphere::q15::color::scene(lobby, material::q15::GOLD_METALLIC_PAINT).unwrap();
+    let exposure = scene.exposure(1.5).unwrap();
+    let gold = Paint::quantized(|normal| scene.shade(normal), exposure, &DISPLAY);
+    let mut screen = Screen::<Rgb565>::new(40, 40);
+    Sphere::new(Point::zero(), 40, &gold).draw(&mut screen).unwrap();
+    for pixel in Disc::new(40) {
+        let color = exposure.of(scene.shade(pixel.quantized_normal()));
+        let expected = RawU16::new(DISPLAY.rgb565(color)).into();
+        assert_eq!(screen.pixels[pixel.index()], Some(expected));
+    }
+}
+
+#[test]
+fn only_what_is_inside_the_target_is_shaded() {
+    let shaded = Cell::new(0);
+    let count = |Normal { .. }: Normal<f32>| {
+        shaded.set(shaded.get() + 1);
+        Rgb::gray(0.5)
+    };
+    let paint = Paint::new(count, 1.0, &DISPLAY).unwrap();
+    let mut codes = [NormalMap::BACKGROUND; 32 * 32];
+    for pixel in Disc::new(32) {
+        codes[pixel.index()] = NormalMap::code(pixel.normal());
+    }
+    let map = NormalMap::new(32, 32, codes.as_flattened()).unwrap();
+    // Beyond each side and corner, partly and wholly.
+    for (x, y) in (-40..50).step_by(9).flat_map(|x| (-40..50).step_by(9).map(move |y| (x, y))) {
+        let [at, first] = [Point::new(x, y), Point::new(20, 4)];
+        let inside = |pixel: &eigenshade::DiscPixel| {
+            let at = at + Point::new(pixel.column() as i32, pixel.row() as i32);
+            Rectangle::new(first, Size::new(15, 20)).contains(at)
+        };
+        let expected = Disc::new(32).filter(inside).count();
+        for object in 0..3 {
+            let mut screen = Screen::<Rgb565>::new(40, 30);
+            let mut part = screen.clipped(&Rectangle::new(first, Size::new(15, 20)));
+            shaded.set(0);
+            match object {
+                0 => Sphere::new(at, 32, &paint).draw(&mut part),
+                1 => Relief::new(at, map, &paint).draw(&mut part),
+                _ => Dial::new(at, 32, 3, 2, &paint).draw(&mut part),
+            }
+            .unwrap();
+            assert_eq!((screen.drawn(), shaded.get()), (expected, expected), "{object}: {at}");
+        }
+    }
+}
+
+#[test]
+fn an_outline_is_mixed_with_the_background() {
+    let paint = Paint::new(|_| Rgb::gray(1.0), 1.0, &DISPLAY).unwrap();
+    let front = NormalMap::code(Normal::new(0.0, 0.0, 1.0).unwrap());
+    let edge = |coverage| NormalMap::edge_code(coverage, [-1, 0]);
+    // Two runs with a gap: the object, a quarter and three quarters of a pixel.
+    let codes = [front, edge(64), NormalMap::BACKGROUND, front, edge(192), NormalMap::BACKGROUND];
+    let map = NormalMap::new(6, 1, codes.as_flattened()).unwrap();
+    let white = DISPLAY.rgb565(Rgb::gray(1.0));
+    let color = |raw| Some(Rgb565::from(RawU16::new(raw)));
+
+    let mut alone = Screen::new(6, 1);
+    Relief::new(Point::zero(), map, &paint).draw(&mut alone).unwrap();
+    assert_eq!(alone.pixels, [color(white), None, None, color(white), color(white), None]);
+    assert_eq!(alone.windows, 2);
+
+    let mut mixed = Screen::new(6, 1);
+    let below = Rgb565::BLUE;
+    Relief::new(Point::zero(), map, &paint).over(below).draw(&mut mixed).unwrap();
+    let of = |coverage| color(blend565(RawU16::from(below).into_inner(), white, coverage));
+    assert_eq!(mixed.pixels, [of(255), of(64), None, of(255), of(192), None]);
+}
+
+/// The normal of a dial by its definition, in units of half a pixel.
+fn dial([x, y]: [f64; 2], diameter: f64, bezel: f64, mark: f64) -> [f64; 3] {
+    let upright = |[x, y]: [f64; 2]| [x, y, (1.0 - x * x - y * y).max(0.0).sqrt()];
+    let distance = x.hypot(y);
+    let inner = diameter - 2.0 * bezel;
+    if distance > inner {
+        let across = (distance - (diameter - bezel)) / bezel;
+        return upright([across * x / distance, across * y / distance]);
+    }
+    for k in 0..12 {
+        let (sine, cosine) = f64::from(k * 30).to_radians().sin_cos();
+        let (along, across) = (x * cosine + y * sine, (y * cosine - x * sine) / mark);
+        let outer = inner - 4.0 * mark;
+        if across.abs() < 1.0 - 1e-9 && along >= (0.75 * outer).floor() && along < outer {
+            return upright([-across * sine, across * cosine]);
+        }
+    }
+    upright([0.25 * x / diameter, 0.25 * y / diameter])
+}
+
+#[test]
+fn a_dial_has_a_bezel_and_twelve_marks_on_a_dome() {
+    for (diameter, bezel, mark) in [(240, 20, 4), (64, 5, 2), (96, 0, 3), (33, 8, 0), (1000, 60, 9)]
+    {
+        let normals = RefCell::new(Vec::new());
+        let integers = RefCell::new(Vec::new());
+        let floats = |normal: Normal<f32>| {
+            normals.borrow_mut().push(normal.components().map(f64::from));
+            Rgb::gray(0.5)
+        };
+        let whole = |normal: eigenshade::quantized::Normal<Q15>| {
+            integers.borrow_mut().push(normal.components().map(|one| f64::from(one.0) / 32_768.0));
+            Rgb::gray(1000)
+        };
+        let mut screen = Screen::<Rgb565>::new(diameter, diameter);
+        let paint = Paint::new(floats, 1.0, &DISPLAY).unwrap();
+        Dial::new(Point::zero(), diameter, bezel, mark, &paint).draw(&mut screen).unwrap();
+        let mut screen = Screen::<Rgb565>::new(diameter, diameter);
+        let exposure = Rgb::gray(eigenshade::Exposure::new(1.0, -15).unwrap());
+        let paint = Paint::quantized(whole, exposure, &DISPLAY);
+        Dial::new(Point::zero(), diameter, bezel, mark, &paint).draw(&mut screen).unwrap();
+        let (mut elsewhere, mut marked) = (0, 0);
+        let found = normals.borrow();
+        for ((pixel, &found), &whole) in
+            Disc::new(diameter as usize).zip(&*found).zip(&*integers.borrow())
+        {
+            let size = f64::from(diameter);
+            let at = [pixel.column(), size as usize - 1 - pixel.row()]
+                .map(|place| 2.0 * place as f64 + 1.0 - size);
+            let exact = dial(at, size, f64::from(bezel), f64::from(mark));
+            let off = |found: [f64; 3]| {
+                found.iter().zip(exact).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+            };
+            // Near a rim a root is steep.
+            let allowed = if exact[2] < 0.1 { 0.02 } else { 2e-3 };
+            elsewhere += usize::from(off(found) > allowed || off(whole) > allowed);
+            marked += usize::from(off(found) <= allowed && exact[2] < 0.9);
+        }
+        // Pixels on the edge of a mark may lie on either side of it.
+        assert!(elsewhere <= found.len() / 1_000, "{diameter}: {elsewhere} of {}", found.len());
+        assert!(marked > 100, "{diameter}: {marked} of {}", found.len());
+    }
+}
+
+#[test]
+fn what_cannot_be_drawn_is_an_error_or_empty() {
+    for exposure in [0.0, -1.0, f32::NAN, f32::INFINITY] {
+        assert!(matches!(
+            Paint::new(|_| Rgb::gray(1.0), exposure, &DISPLAY),
+            Err(Error::NotFinite { .. })
+        ));
+    }
+    let paint = Paint::new(|_| Rgb::gray(1.0), 1.0, &DISPLAY).unwrap();
+    for diameter in [0, 4097, u32::MAX] {
+        let mut screen = Screen::<Rgb565>::new(10, 10);
+        Sphere::new(Point::new(-5, -5), diameter, &paint).draw(&mut screen).unwrap();
+        Dial::new(Point::new(-5, -5), diameter, u32::MAX, u32::MAX, &paint)
+            .draw(&mut screen)
+            .unwrap();
+        assert_eq!(screen.drawn(), 0);
+    }
+}
