@@ -12,8 +12,6 @@ use crate::scene::Scene;
 /// Normals that are shaded in one channel before the next: whole tiles and blocks of every target,
 /// few enough to stay in the L1 cache.
 const CHUNK: usize = if SPECIAL { 640 } else { 4 * BLOCK };
-/// Vectors of which a color takes a part.
-const WIDE: bool = cfg!(target_feature = "avx");
 const _: () = assert!(CHUNK.is_multiple_of(BLOCK) && (!SPECIAL || CHUNK.is_multiple_of(TILE)));
 
 impl<B> Rgb<&Scene<'_, B>> {
@@ -33,8 +31,7 @@ impl<B> Rgb<&Scene<'_, B>> {
             [Way::Constant(r), Way::Constant(g), Way::Constant(b)] if SPECIAL => {
                 irradiance.fill(Rgb::new(r, g, b));
             }
-            // With wide vectors, three planes that are written as pixels take less.
-            [Way::NineTerms(r), Way::NineTerms(g), Way::NineTerms(b)] if SPECIAL && !WIDE => {
+            [Way::NineTerms(r), Way::NineTerms(g), Way::NineTerms(b)] if SPECIAL => {
                 let nine_terms = Rgb::new(r, g, b);
                 let axes = normals.x.iter().zip(normals.y).zip(normals.z);
                 for (color, ((&x, &y), &z)) in irradiance.iter_mut().zip(axes) {
