@@ -142,8 +142,8 @@ impl Case {
 /// Energy of a light of any moderate numbers that was turned in f32.
 const TURNED_ENERGY: f64 = 5e-6;
 
-/// Look-ups of 8 knots or more against their polynomials, of Σ |d|: 2.5 was found, where the largest
-/// |U| is 13.
+/// Look-ups of 8 knots or more against their polynomials, of Σ |d|: twice the worst of a sweep over
+/// the components.
 const LOOKED_UP: f64 = 5.0;
 
 /// Roundings of f32 between texels, of the largest of them.

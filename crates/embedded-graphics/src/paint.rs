@@ -58,12 +58,8 @@ places! {
 
 /// What colors the pixels of an object: a [`Paint`].
 pub trait Shader {
-    /// The exposed irradiance of a pixel.
-    fn exposed(&self, place: impl Place) -> Rgb<Linear>;
-    /// The display for which colors are encoded.
-    fn display(&self) -> &Display;
-    /// Whether colors of few bits are dithered.
-    fn is_dithered(&self) -> bool;
+    /// The color of a pixel.
+    fn color<C: DisplayColor>(&self, place: impl Place) -> C;
 }
 
 /// A material under a light, exposed for a display: it colors normals.
@@ -102,35 +98,26 @@ impl<F, E> Paint<'_, F, E> {
     pub fn dithered(self) -> Self {
         Self { is_dithered: true, ..self }
     }
+
+    #[inline]
+    fn encoded<C: DisplayColor>(&self, exposed: Rgb<Linear>, place: impl Place) -> C {
+        let dither = self.is_dithered.then(|| [place.column(), place.row()]);
+        C::encoded(self.display, exposed, dither)
+    }
 }
 
 impl<F: Fn(Normal<f32>) -> Rgb<f32>> Shader for Paint<'_, F, f32> {
     #[inline]
-    fn exposed(&self, place: impl Place) -> Rgb<Linear> {
-        (self.shade)(place.normal()).exposed(self.exposure).map(Linear::from)
-    }
-    #[inline]
-    fn display(&self) -> &Display {
-        self.display
-    }
-    #[inline]
-    fn is_dithered(&self) -> bool {
-        self.is_dithered
+    fn color<C: DisplayColor>(&self, place: impl Place) -> C {
+        let exposed = (self.shade)(place.normal()).exposed(self.exposure);
+        self.encoded(exposed.map(Linear::from), place)
     }
 }
 
 impl<F: Fn(quantized::Normal<Q15>) -> Rgb<i32>> Shader for Paint<'_, F, Rgb<Exposure>> {
     #[inline]
-    fn exposed(&self, place: impl Place) -> Rgb<Linear> {
-        self.exposure.of((self.shade)(place.quantized_normal()))
-    }
-    #[inline]
-    fn display(&self) -> &Display {
-        self.display
-    }
-    #[inline]
-    fn is_dithered(&self) -> bool {
-        self.is_dithered
+    fn color<C: DisplayColor>(&self, place: impl Place) -> C {
+        self.encoded(self.exposure.of((self.shade)(place.quantized_normal())), place)
     }
 }
 

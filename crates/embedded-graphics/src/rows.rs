@@ -26,8 +26,7 @@ where
     let columns = visible.columns();
     let columns = columns.start - object.top_left.x..columns.end - object.top_left.x;
     let color = |place: P| {
-        let at = shader.is_dithered().then(|| [place.column(), place.row()]);
-        let color = D::Color::encoded(shader.display(), shader.exposed(place), at);
+        let color: D::Color = shader.color(place);
         match (below, place.coverage()) {
             (Some(below), coverage @ 0..=254) => color.over(below, coverage),
             _ => color,
@@ -40,7 +39,7 @@ where
         };
         let mut places = row((y - object.top_left.y) as usize).filter(inside);
         loop {
-            // A display is told the extent of a run before its colors.
+            // The display needs the length of a run before its colors.
             let mut ahead = places.clone();
             let Some(first) = ahead.next() else { break };
             let left = first.column();

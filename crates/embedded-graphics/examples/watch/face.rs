@@ -109,6 +109,50 @@ impl DrawTarget for Panel {
     }
 }
 
+/// The functions of a module that draws in a number format. The module has the light, the materials
+/// and `paint` in it; `$wrist` gives the quaternion of a frame.
+macro_rules! frames {
+    ($number:ty, $wrist:expr) => {
+        /// Draws a frame. It takes the materials in anew for each frame, which costs little beside the
+        /// pixels and needs no memory between frames.
+        pub fn draw<D: DrawTarget<Color: DisplayColor>>(
+            frame: i32,
+            target: &mut D,
+        ) -> Result<Result<(), D::Error>, Error> {
+            let light = light(frame)?;
+            match dial(light.lights()?, target)? {
+                Ok(()) => relief(light.lights()?, target),
+                failed => Ok(failed),
+            }
+        }
+
+        /// The light after the wrist has turned.
+        // Apart, like the objects, so that its stack is free again for them.
+        #[inline(never)]
+        fn light(frame: i32) -> Result<Rgb<LightBuffer<$number, 100>>, Error> {
+            HALL.turned(&Rotation::from_quaternion(($wrist)(frame))?)
+        }
+
+        #[inline(never)]
+        fn dial<D: DrawTarget<Color: DisplayColor>>(
+            light: Rgb<Light<'_, $number>>,
+            target: &mut D,
+        ) -> Result<Result<(), D::Error>, Error> {
+            let scene = color::scene(light, BLUE_METALLIC_PAINT2)?;
+            Ok(draw_dial(&paint(&scene)?, target))
+        }
+
+        #[inline(never)]
+        fn relief<D: DrawTarget<Color: DisplayColor>>(
+            light: Rgb<Light<'_, $number>>,
+            target: &mut D,
+        ) -> Result<Result<(), D::Error>, Error> {
+            let scene = color::scene(light, GOLD_METALLIC_PAINT)?;
+            Ok(draw_relief(&paint(&scene)?, target))
+        }
+    };
+}
+
 /// In `f32`.
 pub mod floats {
     use super::*;
@@ -118,43 +162,7 @@ pub mod floats {
     use eigenshade::{Light, LightBuffer, Rgb, Rotation};
     use eigenshade_embedded_graphics::Paint;
 
-    /// Draws a frame. It takes the materials in anew for each frame, which costs little beside the
-    /// pixels and needs no memory between frames.
-    pub fn draw<D: DrawTarget<Color: DisplayColor>>(
-        frame: i32,
-        target: &mut D,
-    ) -> Result<Result<(), D::Error>, Error> {
-        let light = light(frame)?;
-        match dial(light.lights()?, target)? {
-            Ok(()) => relief(light.lights()?, target),
-            failed => Ok(failed),
-        }
-    }
-
-    /// The light after the wrist has turned.
-    // Apart, like the objects, so that its stack is free again for them.
-    #[inline(never)]
-    fn light(frame: i32) -> Result<Rgb<LightBuffer<f32, 100>>, Error> {
-        HALL.turned(&Rotation::from_quaternion(wrist(frame).map(|part| part as f32))?)
-    }
-
-    #[inline(never)]
-    fn dial<D: DrawTarget<Color: DisplayColor>>(
-        light: Rgb<Light<'_, f32>>,
-        target: &mut D,
-    ) -> Result<Result<(), D::Error>, Error> {
-        let scene = color::scene(light, BLUE_METALLIC_PAINT2)?;
-        Ok(draw_dial(&paint(&scene)?, target))
-    }
-
-    #[inline(never)]
-    fn relief<D: DrawTarget<Color: DisplayColor>>(
-        light: Rgb<Light<'_, f32>>,
-        target: &mut D,
-    ) -> Result<Result<(), D::Error>, Error> {
-        let scene = color::scene(light, GOLD_METALLIC_PAINT)?;
-        Ok(draw_relief(&paint(&scene)?, target))
-    }
+    frames!(f32, |frame| wrist(frame).map(|part| part as f32));
 
     fn paint(scene: &Scene) -> Result<impl Shader, Error> {
         Paint::new(|normal| scene.shade(normal), EXPOSURE, &DISPLAY)
@@ -171,43 +179,7 @@ pub mod integers {
     use eigenshade::{Q15, Rgb};
     use eigenshade_embedded_graphics::Paint;
 
-    /// Draws a frame. It takes the materials in anew for each frame, which costs little beside the
-    /// pixels and needs no memory between frames.
-    pub fn draw<D: DrawTarget<Color: DisplayColor>>(
-        frame: i32,
-        target: &mut D,
-    ) -> Result<Result<(), D::Error>, Error> {
-        let light = light(frame)?;
-        match dial(light.lights()?, target)? {
-            Ok(()) => relief(light.lights()?, target),
-            failed => Ok(failed),
-        }
-    }
-
-    /// The light after the wrist has turned.
-    // Apart, like the objects, so that its stack is free again for them.
-    #[inline(never)]
-    fn light(frame: i32) -> Result<Rgb<LightBuffer<Q15, 100>>, Error> {
-        HALL.turned(&Rotation::from_quaternion(wrist(frame))?)
-    }
-
-    #[inline(never)]
-    fn dial<D: DrawTarget<Color: DisplayColor>>(
-        light: Rgb<Light<'_, Q15>>,
-        target: &mut D,
-    ) -> Result<Result<(), D::Error>, Error> {
-        let scene = color::scene(light, BLUE_METALLIC_PAINT2)?;
-        Ok(draw_dial(&paint(&scene)?, target))
-    }
-
-    #[inline(never)]
-    fn relief<D: DrawTarget<Color: DisplayColor>>(
-        light: Rgb<Light<'_, Q15>>,
-        target: &mut D,
-    ) -> Result<Result<(), D::Error>, Error> {
-        let scene = color::scene(light, GOLD_METALLIC_PAINT)?;
-        Ok(draw_relief(&paint(&scene)?, target))
-    }
+    frames!(Q15, wrist);
 
     fn paint(scene: &Scene) -> Result<impl Shader, Error> {
         let exposure = scene.exposure(EXPOSURE)?;
