@@ -120,6 +120,22 @@ fn constants(kind: &str, presets: &[Preset], error: impl Fn(&str) -> String) -> 
         add(&mut all, format_args!("    (\"{name}\", {constant}),\n"))?;
     }
     let count = presets.len();
+    let each: String = presets
+        .iter()
+        .map(|Preset { name, .. }| {
+            let name = name.replace('-', "_");
+            format!("        {} \"{name}\"\n", name.to_uppercase())
+        })
+        .collect();
+    // For other languages, whose names are made of these.
+    add(
+        &mut floats,
+        format_args!(
+            "/// Calls a macro with the constant and the name of each of them.\n\
+             #[doc(hidden)]\n#[macro_export]\nmacro_rules! each_preset_{lower} {{\n    \
+             ($call:ident) => {{ $call! {{\n{each}    }} }};\n}}\n"
+        ),
+    )?;
     for (text, format) in [(floats, ""), (integers, "_q15")] {
         let text = format!(
             "{text}/// All of them, by name.\npub const ALL: [(&str, {kind}); {count}] = [\n{all}];\n"

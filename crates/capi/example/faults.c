@@ -1,6 +1,7 @@
 /* What the library answers to arguments at fault, and that it then leaves alone what it was
  * to write. */
 #include "checks.h"
+#include "parts.h"
 
 static const float bright[1] = {1.0f};
 static const float white[1] = {2.0f};
@@ -295,7 +296,7 @@ static void runtime_inputs_f32(void) {
 FAULTS_OF_INTEGERS(Q15, q15, "q15", int16_t, 32767)
 FAULTS_OF_INTEGERS(Q31, q31, "q31", int32_t, 2147483647)
 
-void checks_of_faults(void) {
+void check_faults(void) {
   faults_f32();
   overlaps_f32();
   runtime_inputs_f32();

@@ -5,7 +5,7 @@ The steps are: compute the transfer of a material, relight it with a light, coll
 coefficients to a scene, and shade normals with the scene; in float (f32) and in integers
 (q15, q31). A number in integers is a mantissa times 2 to the power of an exponent. The
 quantize functions convert lights and materials from float to integers, without a float
-unit. Color is three channels, computed one by one.
+unit. These are the steps of one channel; `eigenshade_color.h` has three, and rows of pixels.
 
 The caller owns every array and structure, and need not initialize those that the library
 writes. No function allocates, keeps a pointer, or has state, so all may be called from
@@ -109,6 +109,20 @@ enum eigenshade_status
   EIGENSHADE_STATUS_TRANSFER = 14,
   /** A coefficient of a light or a material is infinite or NaN. */
   EIGENSHADE_STATUS_NOT_FINITE = 15,
+  /** A color, metallic or roughness is not from 0 to 1. */
+  EIGENSHADE_STATUS_OUTSIDE = 16,
+  /** A quaternion, or cosine and sine, are zero or not finite. */
+  EIGENSHADE_STATUS_ROTATION = 17,
+  /** The object has no such row, or the buffer is shorter than a row. */
+  EIGENSHADE_STATUS_ROW = 18,
+  /** A disc has no pixel, or more than 4096 across. */
+  EIGENSHADE_STATUS_DIAMETER = 19,
+  /** A normal map has no pixel, or not two bytes for each. */
+  EIGENSHADE_STATUS_NORMAL_MAP = 20,
+  /** An exposure is not a number above 0. */
+  EIGENSHADE_STATUS_EXPOSURE = 21,
+  /** A baked map is not of 2 to 4096 texels a side, or has not three times its square. */
+  EIGENSHADE_STATUS_BAKED = 22,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L

@@ -18,7 +18,7 @@ macro_rules! plain {
         unsafe impl Plain for $number {}
     )*};
 }
-plain!(f32 i8 i16 i32 i64 usize Q15 Q31);
+plain!(f32 i8 u8 i16 u16 i32 i64 usize Q15 Q31);
 
 // SAFETY: consists of plain values.
 unsafe impl<T: Plain, const N: usize> Plain for [T; N] {}
@@ -55,7 +55,23 @@ fn usable<T>(pointer: *const T, count: usize) -> Result<(), Status> {
     }
 }
 
+impl<T> Clone for Input<T> {
+    fn clone(&self) -> Self {
+        Self(self.0)
+    }
+}
+
 impl<T> Input<T> {
+    /// A pointer to the first of these numbers, for a record that C keeps.
+    pub(crate) const fn to(numbers: &[T]) -> Self {
+        Self(numbers.as_ptr())
+    }
+
+    /// Whether both point to the same.
+    pub(crate) fn is(&self, other: &Self) -> bool {
+        core::ptr::eq(self.0, other.0)
+    }
+
     /// The value.
     pub(crate) fn value(&self) -> Result<&T, Status> {
         usable(self.0, 1)?;

@@ -2,7 +2,8 @@
 
 /// Declares structures of C. Tests list their definitions.
 macro_rules! records {
-    ($($name:ident $(<$q:ident>)? = $in_c:literal $format:ty: $($field:ident: $type:ty),*;)*) => {$(
+    ($($name:ident $(<$q:ident>)? = $in_c:literal $($format:ty)?: $($field:ident: $type:ty),*;)*) => {$(
+        #[derive(Clone)]
         #[repr(C)]
         pub(crate) struct $name$(<$q: Shipped>)? {
             $(pub(crate) $field: $type),*
@@ -17,8 +18,8 @@ macro_rules! records {
             $($type: crate::header::Declared),*
         {
             fn declare(name: &str) -> std::string::String {
-                let format = <$format as eigenshade::Format>::NAME;
-                std::format!("struct eigenshade_{}_{format}_t {name}", $in_c)
+                let of_format: &[&str] = &[$("_", <$format as eigenshade::Format>::NAME)?];
+                std::format!("struct eigenshade_{}{}_t {name}", $in_c, of_format.concat())
             }
 
             fn define() -> std::string::String {
@@ -29,19 +30,20 @@ macro_rules! records {
 }
 pub(crate) use records;
 
-/// Exports functions of this module in one format as `eigenshade_FUNCTION_FORMAT`. Tests list their
-/// declarations and the structures that these need.
+/// Exports functions of this module in one format as `eigenshade_FUNCTION_FORMAT`, those of a generic
+/// function for the type in brackets. Tests list their declarations and the structures that these
+/// need.
 macro_rules! export {
     (
         $declarations:ident $format:literal
-        $($function:ident($($argument:ident: $type:ty),*))*
+        $($function:ident $(<$type_of_format:ty>)? ($($argument:ident: $type:ty),*))*
     ) => {
         // In a block, because the functions of the formats have the same names in Rust.
         const _: () = {
             $(
                 #[unsafe(export_name = concat!("eigenshade_", stringify!($function), "_", $format))]
                 extern "C" fn $function($($argument: $type),*) -> Status {
-                    self::$function($($argument),*).into()
+                    self::$function$(::<$type_of_format>)?($($argument),*).into()
                 }
             )*
         };

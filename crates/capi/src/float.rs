@@ -44,6 +44,42 @@ impl Material {
     }
 }
 
+/// Writes the transfer of a material.
+pub(crate) fn transferred(
+    material: &eigenshade::Material<'_, f32>,
+    workspace: &mut [f32; WORKSPACE],
+    transfer: &mut Transfer,
+) -> Result<(), Status> {
+    Ok(sphere::BASIS.transfer_into(material, workspace, &mut transfer.numbers)?)
+}
+
+/// Computes d from a transfer.
+pub(crate) fn relit(
+    transfer: &Transfer,
+    light: &eigenshade::Light<'_, f32>,
+    d: &mut [f32; COMPONENTS],
+) -> Result<(), Status> {
+    Ok(RELIGHT_ONLY.relight_into(&transfer.numbers, light, d)?)
+}
+
+/// Sums the first components to a scene.
+pub(crate) fn collapsed(d: &[f32], scene: &mut Scene) -> Result<(), Status> {
+    RELIGHT_ONLY.collapse_into(d, &mut scene.terms[..])?;
+    Ok(())
+}
+
+/// The image, for steps that the runtime alone has.
+pub(crate) fn view(scene: &Scene) -> Result<eigenshade::Scene<'_, &[f32]>, Status> {
+    Ok(RELIGHT_ONLY.scene(&scene.terms[..])?)
+}
+
+/// The irradiance, with every size a constant.
+// Shared by all that shades.
+#[inline(never)]
+pub(crate) fn irradiance(scene: &Scene, normal: Normal<f32>) -> f32 {
+    sphere::shade_terms(&scene.terms, normal)
+}
+
 pub(crate) fn transfer(
     material: Input<Material>,
     workspace: Output<Workspace>,
@@ -53,7 +89,7 @@ pub(crate) fn transfer(
     disjoint(&[workspace.place(), transfer.place()], &read)?;
     // SAFETY: nothing overlaps.
     let (workspace, transfer) = unsafe { (workspace.zeroed()?, transfer.zeroed()?) };
-    Ok(sphere::BASIS.transfer_into(&material, &mut workspace.numbers, &mut transfer.numbers)?)
+    transferred(&material, &mut workspace.numbers, transfer)
 }
 
 pub(crate) fn relight(
@@ -66,7 +102,7 @@ pub(crate) fn relight(
     disjoint(&[coefficients.place()], &[Place::of(transfer), of_light, of_numbers])?;
     // SAFETY: it overlaps no other.
     let coefficients = unsafe { coefficients.zeroed() }?;
-    Ok(RELIGHT_ONLY.relight_into(&transfer.numbers, &light, &mut coefficients.numbers)?)
+    relit(transfer, &light, &mut coefficients.numbers)
 }
 
 pub(crate) fn project(
@@ -94,9 +130,7 @@ pub(crate) fn collapse(
     disjoint(&[scene.place()], &[Place::of(coefficients)])?;
     let first = coefficients.numbers.get(..components).ok_or(Status::Components)?;
     // SAFETY: it overlaps no other.
-    let scene = unsafe { scene.zeroed() }?;
-    RELIGHT_ONLY.collapse_into(first, &mut scene.terms[..])?;
-    Ok(())
+    collapsed(first, unsafe { scene.zeroed() }?)
 }
 
 pub(crate) fn shade(
@@ -108,9 +142,9 @@ pub(crate) fn shade(
 ) -> Result<(), Status> {
     let scene = scene.value()?;
     disjoint(&[irradiance.place()], &[Place::of(scene)])?;
-    let (normal, scene) = (Normal::new(x, y, z)?, RELIGHT_ONLY.scene(&scene.terms[..])?);
+    let found = self::irradiance(scene, Normal::new(x, y, z)?);
     // SAFETY: it overlaps no other.
-    *unsafe { irradiance.zeroed() }? = scene.shade(normal);
+    *unsafe { irradiance.zeroed() }? = found;
     Ok(())
 }
 
@@ -161,8 +195,10 @@ pub(crate) fn shade_many(
     disjoint(&[irradiance.place_of_array(count)?], &read)?;
     // SAFETY: C promises memory for `count` numbers, which overlaps no other.
     let irradiance = unsafe { irradiance.zeroed_array(count) }?;
-    let scene = RELIGHT_ONLY.scene(&scene.terms[..])?;
-    Ok(scene.shade_slice(Normals::new(x, y, z)?, irradiance)?)
+    for (irradiance, normal) in irradiance.iter_mut().zip(Normals::new(x, y, z)?.iter()) {
+        *irradiance = self::irradiance(scene, normal);
+    }
+    Ok(())
 }
 
 export! { functions "f32"

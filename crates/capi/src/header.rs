@@ -1,20 +1,23 @@
-//! A test that the header declares the constants, types and functions of this library, and nothing
+//! A test that the headers declare the constants, types and functions of this library, and nothing
 //! else.
 
 use crate::boundary::{Input, Output};
+use crate::color::Channels;
 use crate::status::{STATUSES, eigenshade_message};
-use crate::{eigenshade_version, float, integers};
+use crate::{color, eigenshade_version, float, integers, presets};
 use core::ffi::c_char;
 use core::marker::PhantomData;
 use eigenshade::index::{light, material};
 use eigenshade::sphere::{self, q15, q31};
-use eigenshade::{Q15, Q31};
+use eigenshade::{Display, Q15, Q31};
 use std::collections::BTreeSet;
 use std::string::String;
 use std::vec::Vec;
 use std::{format, vec};
 
 const HEADER: &str = include_str!("../include/eigenshade.h");
+const COLOR: &str = include_str!("../include/eigenshade_color.h");
+const PRESETS: &str = include_str!("../include/eigenshade_presets.h");
 
 /// A type that the header knows.
 pub(crate) trait Declared {
@@ -36,7 +39,8 @@ macro_rules! numbers {
     )*};
 }
 numbers! {
-    usize: "size_t" f32: "float" i8: "int8_t" i16: "int16_t" i32: "int32_t" i64: "int64_t"
+    usize: "size_t" f32: "float" i8: "int8_t" u8: "uint8_t" i16: "int16_t" u16: "uint16_t"
+    i32: "int32_t" i64: "int64_t" Display: "struct eigenshade_display_t"
     Q15: "int16_t" Q31: "int32_t"
 }
 
@@ -58,9 +62,20 @@ impl<T: Declared> Declared for Output<T> {
     }
 }
 
+/// What points to an array is declared as a pointer to its first number.
 impl<T: Declared, const N: usize> Declared for [T; N] {
     fn declare(name: &str) -> String {
-        T::declare(&format!("{name}[{N}]"))
+        if name.starts_with('*') { T::declare(name) } else { T::declare(&format!("{name}[{N}]")) }
+    }
+}
+
+/// Three channels have a name and a structure of their own.
+impl<T: Declared> Declared for Channels<T> {
+    fn declare(name: &str) -> String {
+        T::declare(name).replacen("eigenshade_", "eigenshade_color_", 1)
+    }
+    fn define() -> String {
+        structure::<Self>(&["r", "g", "b"].map(T::declare))
     }
 }
 
@@ -123,20 +138,63 @@ const CONSTANTS: [(&str, usize); 17] = [
     ("WORKSPACE", q31::WORKSPACE),
 ];
 
-#[test]
-fn the_header_declares_this_library() {
-    let code = HEADER.split("/*").map(|part| part.split_once("*/").map_or(part, |(_, code)| code));
-    let code = code.collect::<String>();
-    let (directives, code): (Vec<&str>, Vec<&str>) =
-        code.lines().partition(|line| line.starts_with('#'));
-    let mut code = code.join(" ").split_whitespace().collect::<Vec<_>>().join(" ");
+/// Constants that are lists.
+fn presets() -> Vec<String> {
+    let of_kind = |kind: &str, names: &[&str]| {
+        let of_format = |format: &str| {
+            let declare = |name: &&str| {
+                format!(
+                    "extern const struct eigenshade_color_{kind}_{format}_t \
+                     eigenshade_{kind}_{name}_{format};"
+                )
+            };
+            names.iter().map(declare).collect::<Vec<_>>()
+        };
+        [of_format("f32"), of_format("q15")].concat()
+    };
+    [of_kind("light", presets::LIGHTS), of_kind("material", presets::MATERIALS)].concat()
+}
 
-    let mut expected = vec!["#define EIGENSHADE_H".into()];
-    expected.push(concat!("#define EIGENSHADE_VERSION \"", env!("CARGO_PKG_VERSION"), "\"").into());
+/// The tone curves.
+fn displays() -> Vec<String> {
+    let display = "struct eigenshade_display_t";
+    let declare = |name: &&str| format!("extern const {display} eigenshade_display_{name};");
+    let mut declared: Vec<String> = presets::DISPLAYS.iter().map(declare).collect();
+    declared.push(format!("typedef {display} eigenshade_display_t;"));
+    declared
+}
+
+/// The directives and the rest of a header, without comments and with single spaces.
+fn parts(header: &str) -> (Vec<&str>, String) {
+    let code = header.split("/*").map(|part| part.split_once("*/").map_or(part, |(_, code)| code));
+    let lines = code.flat_map(str::lines);
+    let (directives, code): (Vec<&str>, Vec<&str>) = lines.partition(|line| line.starts_with('#'));
+    let code = code.join(" ").split_whitespace().collect::<Vec<_>>().join(" ");
+    (directives, code.replace("( ", "("))
+}
+
+/// Checks that a header declares these and nothing else.
+fn declares(header: &str, expected: Vec<String>) {
+    let (_, mut code) = parts(header);
     for (name, value) in CONSTANTS {
-        expected.push(format!("#define EIGENSHADE_{name} {value}"));
         code = code.replace(&format!("[EIGENSHADE_{name}]"), &format!("[{value}]"));
     }
+    code = code.replace("[EIGENSHADE_ORDER + 1]", &format!("[{}]", sphere::ORDER + 1));
+    // Several functions take the same structure.
+    for expected in expected.into_iter().collect::<BTreeSet<_>>() {
+        assert!(code.contains(&expected), "the header lacks `{expected}`");
+        code = code.replacen(&expected, "", 1);
+    }
+    let rest = code.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert_eq!(rest, "extern \"C\" { }", "this is not in the library");
+}
+
+#[test]
+fn the_headers_declare_this_library() {
+    let (directives, _) = parts(HEADER);
+    let mut expected = vec!["#define EIGENSHADE_H".into()];
+    expected.push(concat!("#define EIGENSHADE_VERSION \"", env!("CARGO_PKG_VERSION"), "\"").into());
+    expected.extend(CONSTANTS.map(|(name, value)| format!("#define EIGENSHADE_{name} {value}")));
     expected.dedup();
     let defines = directives.into_iter().filter(|line| line.starts_with("#define"));
     assert_eq!(defines.collect::<Vec<_>>(), expected);
@@ -147,20 +205,13 @@ fn the_header_declares_this_library() {
         "const char *eigenshade_version(void);".into(),
         "const char *eigenshade_message(int32_t status);".into(),
     ];
-    let expected = [
-        statuses(),
-        others,
-        float::functions(),
-        integers::q15_functions(),
-        integers::q31_functions(),
-    ];
-    // Several functions take the same structure.
-    for expected in expected.concat().into_iter().collect::<BTreeSet<_>>() {
-        assert!(code.contains(&expected), "the header lacks `{expected}`");
-        code = code.replacen(&expected, "", 1);
-    }
-    let rest = code.split_whitespace().collect::<Vec<_>>().join(" ");
-    assert_eq!(rest, "extern \"C\" { }", "this is not in the library");
+    let (q15, q31) = (integers::q15_functions(), integers::q31_functions());
+    let one_channel = [statuses(), others, float::functions(), q15, q31].concat();
+    declares(HEADER, one_channel.clone());
+    let color = [color::f32_functions(), color::q15_functions(), displays()].concat();
+    // Its records are made of those of one channel.
+    declares(COLOR, color.into_iter().filter(|one| !one_channel.contains(one)).collect());
+    declares(PRESETS, presets());
 }
 
 /// The comments on both integer formats are the same.

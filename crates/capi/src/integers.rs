@@ -76,7 +76,7 @@ records! {
 
 impl<Q: Shipped> Light<Q> {
     /// The light, and where it lies.
-    fn view(&self) -> Result<(quantized::Light<'_, Q>, [Place; 2]), Status> {
+    pub(crate) fn view(&self) -> Result<(quantized::Light<'_, Q>, [Place; 2]), Status> {
         light_shape(self.degree, self.length)?;
         // SAFETY: C promises `length` mantissas.
         let mantissas = unsafe { self.mantissas.array(self.length) }?;
@@ -87,7 +87,7 @@ impl<Q: Shipped> Light<Q> {
 
 impl<Q: Shipped> Material<Q> {
     /// The material, and where it lies.
-    fn view(&self) -> Result<(quantized::Material<'_, Q>, [Place; 3]), Status> {
+    pub(crate) fn view(&self) -> Result<(quantized::Material<'_, Q>, [Place; 3]), Status> {
         material_shape(self.order, self.length)?;
         if self.exponents_length != self.order + 1 {
             return Err(Status::MaterialLength);
@@ -150,6 +150,16 @@ pub(crate) fn quantize_material<Q: Shipped>(
     Ok(())
 }
 
+/// Writes the transfer of a material.
+pub(crate) fn transferred<Q: Shipped>(
+    material: &quantized::Material<'_, Q>,
+    workspace: &mut [Q::Wide; WORKSPACE],
+    transfer: &mut Transfer<Q>,
+) -> Result<(), Status> {
+    let Transfer { numbers, exponents } = transfer;
+    Ok(Q::basis().transfer_into(material, workspace, numbers, exponents)?)
+}
+
 pub(crate) fn transfer<Q: Shipped>(
     material: Input<Material<Q>>,
     workspace: Output<Workspace<Q>>,
@@ -159,13 +169,12 @@ pub(crate) fn transfer<Q: Shipped>(
     disjoint(&[workspace.place(), transfer.place()], &read)?;
     // SAFETY: nothing overlaps.
     let (workspace, transfer) = unsafe { (workspace.zeroed()?, transfer.zeroed()?) };
-    let Transfer { numbers, exponents } = transfer;
-    Ok(Q::basis().transfer_into(&material, &mut workspace.numbers, numbers, exponents)?)
+    transferred(&material, &mut workspace.numbers, transfer)
 }
 
 /// Computes d from a transfer.
 #[inline(always)]
-fn relit<Q: Shipped>(
+pub(crate) fn relit<Q: Shipped>(
     transfer: &Transfer<Q>,
     light: &quantized::Light<'_, Q>,
     coefficients: &mut Coefficients<Q>,
@@ -204,8 +213,7 @@ pub(crate) fn project<Q: Shipped>(
     let (workspace, transfer) = unsafe { (workspace.zeroed()?, transfer.zeroed()?) };
     // SAFETY: it overlaps no other.
     let coefficients = unsafe { coefficients.zeroed() }?;
-    let Transfer { numbers, exponents } = transfer;
-    Q::basis().transfer_into(&material, &mut workspace.numbers, numbers, exponents)?;
+    transferred(&material, &mut workspace.numbers, transfer)?;
     relit(transfer, &light, coefficients)
 }
 
@@ -222,9 +230,24 @@ pub(crate) fn collapse<Q: Shipped>(
     }
     let first = mantissas.get(..components).ok_or(Status::Components)?;
     // SAFETY: it overlaps no other.
-    let Scene { terms, exponent: of_scene } = unsafe { scene.zeroed() }?;
-    *of_scene = Q::relight_only().collapse_into(first, exponent, terms.as_mut())?.exponent();
+    collapsed(first, exponent, unsafe { scene.zeroed() }?)
+}
+
+/// Sums the first components to a scene.
+pub(crate) fn collapsed<Q: Shipped>(
+    mantissas: &[i32],
+    exponent: i32,
+    scene: &mut Scene<Q>,
+) -> Result<(), Status> {
+    let Scene { terms, exponent: of_scene } = scene;
+    *of_scene = Q::relight_only().collapse_into(mantissas, exponent, terms.as_mut())?.exponent();
     Ok(())
+}
+
+/// The irradiance of a normal, times 2 to the scene's negative exponent.
+#[inline]
+pub(crate) fn irradiance<Q: Shipped>(scene: &Scene<Q>, normal: Normal<Q>) -> Result<i32, Status> {
+    Ok(Q::irradiance(&Q::relight_only().scene(0, scene.terms.as_ref())?, normal))
 }
 
 pub(crate) fn normalize<Q: Shipped>(vector: Input<i32>, normal: Output<Q>) -> Result<(), Status> {
@@ -249,7 +272,7 @@ pub(crate) fn shade<Q: Shipped>(
     let scene = scene.value()?;
     disjoint(&[irradiance.place()], &[Place::of(scene)])?;
     let normal = Q::normal(x, y, z)?;
-    let found = Q::irradiance(&Q::relight_only().scene(0, scene.terms.as_ref())?, normal);
+    let found = self::irradiance(scene, normal)?;
     // SAFETY: it overlaps no other.
     *unsafe { irradiance.zeroed() }? = found;
     Ok(())
@@ -270,9 +293,8 @@ pub(crate) fn shade_many<Q: Shipped>(
     disjoint(&[irradiance.place_of_array(count)?], &read)?;
     // SAFETY: C promises memory for `count` numbers, which overlaps no other.
     let irradiance = unsafe { irradiance.zeroed_array(count) }?;
-    let scene = Q::relight_only().scene(0, scene.terms.as_ref())?;
     for (((irradiance, &x), &y), &z) in irradiance.iter_mut().zip(x).zip(y).zip(z) {
-        *irradiance = Q::irradiance(&scene, Q::normal(x, y, z)?);
+        *irradiance = self::irradiance(scene, Q::normal(x, y, z)?)?;
     }
     Ok(())
 }

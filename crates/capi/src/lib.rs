@@ -23,6 +23,10 @@ mod float;
 
 mod integers;
 
+mod color;
+
+mod presets;
+
 #[cfg(test)]
 mod header;
 

@@ -5,6 +5,9 @@
 #[path = "support/golden_header.rs"]
 mod golden_header;
 
+#[path = "support/pictures.rs"]
+mod pictures;
+
 use std::collections::BTreeSet;
 use std::f64::consts::PI;
 use std::ffi::OsString;
@@ -44,7 +47,8 @@ fn compiled(name: &str, sources: &[&Path], flags: &[&str]) -> PathBuf {
     let program = to.join("program");
     let compiler = env::var_os("CC").unwrap_or_else(|| OsString::from("cc"));
     let mut command = Command::new(compiler);
-    command.args(["-std=c11", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-g", "-O1"]);
+    command.args(["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror"]);
+    command.args(["-g", "-O1"]);
     command.args(flags).arg("-I").arg(here.join("include")).arg("-I").arg(to);
     command.args(sources).arg(library()).args(["-lm", "-lpthread", "-ldl"]);
     run(command.arg("-o").arg(&program));
@@ -59,20 +63,32 @@ fn the_library_exports_the_functions_of_the_header() {
     // On some systems C's names have an underscore in front.
     let names = names.map(|name| name.trim_start_matches('_'));
     let exported: BTreeSet<&str> = names.filter(|name| name.starts_with("eigenshade_")).collect();
-    let header = include_str!("../include/eigenshade.h").split('(');
-    let words = header.filter_map(|text| text.split([' ', '`', '*']).next_back());
+    let headers = concat!(
+        include_str!("../include/eigenshade.h"),
+        include_str!("../include/eigenshade_color.h"),
+        include_str!("../include/eigenshade_presets.h"),
+    );
+    let names = headers.split(['(', ';']);
+    let words = names.filter_map(|text| text.split([' ', '`', '*']).next_back());
     let declared: BTreeSet<&str> = words.filter(|word| word.starts_with("eigenshade_")).collect();
+    // Names of types end a definition as a constant's name does.
+    let declared =
+        declared.into_iter().filter(|name| !name.ends_with("_t") && *name != "eigenshade_status");
+    let declared: BTreeSet<&str> = declared.collect();
     assert_eq!(exported, declared);
 }
 
 #[test]
 fn the_checks_hold_under_sanitizers() {
     let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("example");
-    let sources = ["host.c", "print.c", "checks.c", "faults.c"].map(|name| example.join(name));
+    let sources = ["host", "print", "all", "checks", "golden_vectors", "faults"];
+    let sources = sources.into_iter().chain(["color", "color_faults"]);
+    let sources: Vec<PathBuf> = sources.map(|name| example.join(format!("{name}.c"))).collect();
     let sources: Vec<&Path> = sources.iter().map(PathBuf::as_path).collect();
     let sanitizers = "-fsanitize=address,undefined";
     let program = compiled("checks", &sources, &[sanitizers, "-fno-sanitize-recover=all"]);
-    assert_eq!(run(&mut Command::new(program)), "0 faults\n");
+    let pictures = pictures::lines().expect("pictures");
+    assert_eq!(run(&mut Command::new(program)), format!("{pictures}0 faults\n"));
 }
 
 /// The example in the README compiles and prints the right numbers: 3.5 Y_0^0 at the rim, and 2/3

@@ -1,0 +1,107 @@
+/* What the functions in color answer to arguments at fault, and that they leave alone what they
+ * were to write. Freestanding C99. */
+#include "checks.h"
+#include "eigenshade_presets.h"
+#include "parts.h"
+
+enum { SIDE = 8, BAKED = 4 };
+
+#define EXPECTED(expected, call)                                                              \
+  check_status(call, EIGENSHADE_STATUS_##expected, name, #call " is not " #expected)
+
+#define FAULTS(format, number, texel, angle)                                                  \
+  static void faults_##format(void) {                                                         \
+    static eigenshade_color_transfer_##format##_t transfer;                                   \
+    static eigenshade_color_scene_f32_t to_bake;                                              \
+    static eigenshade_color_scene_##format##_t scene;                                         \
+    static eigenshade_color_light_buffer_##format##_t light_buffer;                           \
+    static eigenshade_color_material_buffer_##format##_t material_buffer;                     \
+    static texel texels[3 * BAKED * BAKED];                                                   \
+    static const angle none[4] = {0, 0, 0, 0};                                                \
+    static const uint8_t codes[2] = {0, 0};                                                   \
+    number outside[4] = {0, (number)-1, 0, 0};                                                \
+    const eigenshade_color_light_##format##_t *const lobby = &eigenshade_light_lobby_##format; \
+    const eigenshade_color_material_##format##_t *const gold =                                \
+        &eigenshade_material_gold_metallic_paint_##format;                                    \
+    const eigenshade_display_t *const display = &eigenshade_display_linear;                   \
+    eigenshade_color_light_##format##_t light = *lobby;                                       \
+    eigenshade_color_material_##format##_t material = *gold;                                  \
+    eigenshade_color_baked_##format##_t baked;                                                \
+    eigenshade_normal_map_t map = {1, 1, 2, codes};                                           \
+    uint16_t pixels[SIDE] = {7, 7, 7, 7, 7, 7, 7, 7};                                         \
+    const char *const name = #format;                                                         \
+                                                                                              \
+    EXPECTED(OK, eigenshade_color_scene_##format(lobby, gold, &scene));                       \
+    scene.b.terms[0] = 77;                                                                    \
+    light.b.degree = EIGENSHADE_DEGREE + 1;                                                   \
+    EXPECTED(LIGHT_BEYOND, eigenshade_color_scene_##format(&light, gold, &scene));            \
+    EXPECTED(LIGHT_BEYOND, eigenshade_color_relight_##format(&transfer, &light, &scene));     \
+    material.g.length = 39;                                                                   \
+    EXPECTED(MATERIAL_LENGTH, eigenshade_color_scene_##format(lobby, &material, &scene));     \
+    EXPECTED(MATERIAL_LENGTH, eigenshade_color_transfer_##format(&material, &transfer));      \
+    EXPECTED(NULL_POINTER, eigenshade_color_scene_##format(NULL, gold, &scene));              \
+    EXPECTED(NULL_POINTER, eigenshade_color_scene_##format(lobby, NULL, &scene));             \
+    EXPECTED(NULL_POINTER, eigenshade_color_scene_##format(lobby, gold, NULL));               \
+    check(scene.b.terms[0] == (number)77, name, "the scene is as it was", 0);                 \
+                                                                                              \
+    light = *lobby;                                                                           \
+    EXPECTED(ROTATION, eigenshade_color_turn_##format(lobby, none, &light_buffer, &light));   \
+    light = *lobby;                                                                           \
+    EXPECTED(OVERLAP, eigenshade_color_turn_##format(&light, none, &light_buffer, &light));   \
+    EXPECTED(OUTSIDE,                                                                         \
+             eigenshade_color_metallic_roughness_##format(outside, 0, 0, &material_buffer,    \
+                                                          &material));                        \
+    EXPECTED(OUTSIDE,                                                                         \
+             eigenshade_color_metallic_roughness_##format(outside + 1, 0, (number)-1,         \
+                                                          &material_buffer, &material));      \
+                                                                                              \
+    EXPECTED(DIAMETER,                                                                        \
+             eigenshade_color_disc_row_##format(&scene, 0, 0, 1, display, pixels, SIDE));     \
+    EXPECTED(DIAMETER,                                                                        \
+             eigenshade_color_disc_row_##format(&scene, 4097, 0, 1, display, pixels, SIDE));  \
+    EXPECTED(ROW, eigenshade_color_disc_row_##format(&scene, 8, 8, 1, display, pixels, SIDE)); \
+    EXPECTED(ROW,                                                                             \
+             eigenshade_color_disc_row_##format(&scene, 8, 4, 1, display, pixels, SIDE - 1)); \
+    EXPECTED(EXPOSURE,                                                                        \
+             eigenshade_color_disc_row_##format(&scene, 8, 4, 0, display, pixels, SIDE));     \
+    EXPECTED(EXPOSURE,                                                                        \
+             eigenshade_color_disc_row_##format(&scene, 8, 4, -1, display, pixels, SIDE));    \
+    EXPECTED(NULL_POINTER,                                                                    \
+             eigenshade_color_disc_row_##format(&scene, 8, 4, 1, NULL, pixels, SIDE));        \
+    EXPECTED(NULL_POINTER,                                                                    \
+             eigenshade_color_disc_row_##format(&scene, 8, 4, 1, display, NULL, SIDE));       \
+    EXPECTED(OVERLAP, eigenshade_color_disc_row_##format(                                     \
+                          &scene, 8, 4, 1, display, (uint16_t *)(void *)&scene, SIDE));       \
+    EXPECTED(ROW, eigenshade_color_normal_map_row_##format(&scene, &map, 1, 1, display,       \
+                                                           pixels, SIDE));                    \
+    EXPECTED(ROW, eigenshade_color_normal_map_row_##format(&scene, &map, 0, 1, display,       \
+                                                           pixels, 0));                       \
+    map.length = 3;                                                                           \
+    EXPECTED(NORMAL_MAP, eigenshade_color_normal_map_row_##format(&scene, &map, 0, 1,         \
+                                                                  display, pixels, SIDE));    \
+    map.width = map.length = 0;                                                               \
+    EXPECTED(NORMAL_MAP, eigenshade_color_normal_map_row_##format(&scene, &map, 0, 1,         \
+                                                                  display, pixels, SIDE));    \
+    for (size_t column = 0; column < SIDE; column++) {                                        \
+      check(pixels[column] == 7, name, "the pixels are as they were", (uint32_t)column);      \
+    }                                                                                         \
+                                                                                              \
+    EXPECTED(OK, eigenshade_color_scene_f32(&eigenshade_light_lobby_f32,                      \
+                                            &eigenshade_material_gold_metallic_paint_f32,     \
+                                            &to_bake));                                       \
+    EXPECTED(BAKED, eigenshade_color_bake_##format(&to_bake, 1, texels, 3, &baked));          \
+    EXPECTED(BAKED, eigenshade_color_bake_##format(&to_bake, BAKED, texels, 47, &baked));     \
+    EXPECTED(BAKED, eigenshade_color_bake_##format(&to_bake, (size_t)-1, texels, 3, &baked)); \
+    EXPECTED(OK, eigenshade_color_bake_##format(&to_bake, BAKED, texels, 48, &baked));        \
+    baked.size = 5;                                                                           \
+    EXPECTED(BAKED, eigenshade_color_baked_disc_row_##format(&baked, 8, 4, 1, display,        \
+                                                             pixels, SIDE));                  \
+  }
+
+FAULTS(f32, float, float, float)
+FAULTS(q15, int16_t, int16_t, int32_t)
+
+void check_color_faults(void) {
+  faults_f32();
+  faults_q15();
+}

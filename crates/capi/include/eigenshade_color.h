@@ -1,0 +1,421 @@
+/* eigenshade in color: pictures in three channels, from light and material to rows of RGB565
+pixels, in float (f32) and in integers (q15). The shipped lights and materials are in
+`eigenshade_presets.h`.
+
+The steps are: compute the scene of a light and a material, and draw its rows; or keep the
+transfer of a material, and relight it with each new light. A gray material is three times the
+same pointer; its transfer is then computed once. The rules of `eigenshade.h` about memory hold
+here too. All functions in q15 do without a float unit, except `eigenshade_color_bake_q15`. */
+
+#ifndef EIGENSHADE_COLOR_H
+#define EIGENSHADE_COLOR_H
+
+#include "eigenshade.h"
+
+/**
+ * A tone curve and the sRGB encoding, as a table of 774 bytes: `eigenshade_display_linear` clips at
+ * white, `eigenshade_display_reinhard` and `eigenshade_display_filmic` do not.
+ */
+typedef struct eigenshade_display_t eigenshade_display_t;
+
+/**
+ * The visible normals of an object, as `eigenshade pack-normals` makes them from a mesh or a normal
+ * map. May be kept in flash.
+ */
+typedef struct eigenshade_normal_map_t {
+  /** Pixels across. */
+  size_t width;
+  /** Pixels down. */
+  size_t height;
+  /** Number of bytes: 2 * width * height. */
+  size_t length;
+  /** Two bytes for each pixel, row by row from the top; the caller's. */
+  const uint8_t *codes;
+} eigenshade_normal_map_t;
+
+/** Distant light in three channels. */
+typedef struct eigenshade_color_light_f32_t {
+  /** The red channel. */
+  struct eigenshade_light_f32_t r;
+  /** The green channel. */
+  struct eigenshade_light_f32_t g;
+  /** The blue channel. */
+  struct eigenshade_light_f32_t b;
+} eigenshade_color_light_f32_t;
+
+/** An isotropic material in three channels. */
+typedef struct eigenshade_color_material_f32_t {
+  /** The red channel. */
+  struct eigenshade_material_f32_t r;
+  /** The green channel. */
+  struct eigenshade_material_f32_t g;
+  /** The blue channel. */
+  struct eigenshade_material_f32_t b;
+} eigenshade_color_material_f32_t;
+
+/** The transfer of a material in three channels. May be kept in flash. */
+typedef struct eigenshade_color_transfer_f32_t {
+  /** The red channel. */
+  struct eigenshade_transfer_f32_t r;
+  /** The green channel. */
+  struct eigenshade_transfer_f32_t g;
+  /** The blue channel. */
+  struct eigenshade_transfer_f32_t b;
+} eigenshade_color_transfer_f32_t;
+
+/** A picture in three channels. May be kept in flash. */
+typedef struct eigenshade_color_scene_f32_t {
+  /** The red channel. */
+  struct eigenshade_scene_f32_t r;
+  /** The green channel. */
+  struct eigenshade_scene_f32_t g;
+  /** The blue channel. */
+  struct eigenshade_scene_f32_t b;
+} eigenshade_color_scene_f32_t;
+
+/** Memory for a turned light. */
+typedef struct eigenshade_color_light_buffer_f32_t {
+  /** Coefficients of the three channels. */
+  float numbers[3][EIGENSHADE_LIGHT];
+} eigenshade_color_light_buffer_f32_t;
+
+/** Memory for a computed material. */
+typedef struct eigenshade_color_material_buffer_f32_t {
+  /** Coefficients of the three channels. */
+  float numbers[3][EIGENSHADE_MATERIAL];
+} eigenshade_color_material_buffer_f32_t;
+
+/** A picture baked into three square maps, one for each channel. May be kept in flash. */
+typedef struct eigenshade_color_baked_f32_t {
+  /** Texels a side, 2 to 4096. */
+  size_t size;
+  /** Number of texels: 3 * size * size. */
+  size_t length;
+  /** The texels of red, then of green, then of blue; the caller's. */
+  const float *texels;
+} eigenshade_color_baked_f32_t;
+
+/** Distant light in three channels. */
+typedef struct eigenshade_color_light_q15_t {
+  /** The red channel. */
+  struct eigenshade_light_q15_t r;
+  /** The green channel. */
+  struct eigenshade_light_q15_t g;
+  /** The blue channel. */
+  struct eigenshade_light_q15_t b;
+} eigenshade_color_light_q15_t;
+
+/** An isotropic material in three channels. */
+typedef struct eigenshade_color_material_q15_t {
+  /** The red channel. */
+  struct eigenshade_material_q15_t r;
+  /** The green channel. */
+  struct eigenshade_material_q15_t g;
+  /** The blue channel. */
+  struct eigenshade_material_q15_t b;
+} eigenshade_color_material_q15_t;
+
+/** The transfer of a material in three channels. May be kept in flash. */
+typedef struct eigenshade_color_transfer_q15_t {
+  /** The red channel. */
+  struct eigenshade_transfer_q15_t r;
+  /** The green channel. */
+  struct eigenshade_transfer_q15_t g;
+  /** The blue channel. */
+  struct eigenshade_transfer_q15_t b;
+} eigenshade_color_transfer_q15_t;
+
+/** A picture in three channels. May be kept in flash. */
+typedef struct eigenshade_color_scene_q15_t {
+  /** The red channel. */
+  struct eigenshade_scene_q15_t r;
+  /** The green channel. */
+  struct eigenshade_scene_q15_t g;
+  /** The blue channel. */
+  struct eigenshade_scene_q15_t b;
+} eigenshade_color_scene_q15_t;
+
+/** Memory for a turned light. */
+typedef struct eigenshade_color_light_buffer_q15_t {
+  /** Mantissas of the three channels. */
+  int16_t mantissas[3][EIGENSHADE_LIGHT];
+} eigenshade_color_light_buffer_q15_t;
+
+/** Memory for a computed material. */
+typedef struct eigenshade_color_material_buffer_q15_t {
+  /** Mantissas of the three channels. */
+  int16_t mantissas[3][EIGENSHADE_MATERIAL];
+  /** Their exponents. */
+  int8_t exponents[3][EIGENSHADE_ORDER + 1];
+} eigenshade_color_material_buffer_q15_t;
+
+/** A picture baked into three square maps, one for each channel. May be kept in flash. */
+typedef struct eigenshade_color_baked_q15_t {
+  /** Texels a side, 2 to 4096. */
+  size_t size;
+  /** Number of texels: 3 * size * size. */
+  size_t length;
+  /** The texels of red, then of green, then of blue; the caller's. */
+  const int16_t *texels;
+  /** For each channel the exponent of its texels. */
+  int32_t exponents[3];
+} eigenshade_color_baked_q15_t;
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Clips at white. */
+extern const struct eigenshade_display_t eigenshade_display_linear;
+
+/** Reinhard's curve: reaches white at 16. */
+extern const struct eigenshade_display_t eigenshade_display_reinhard;
+
+/** A fit to the curve of ACES. */
+extern const struct eigenshade_display_t eigenshade_display_filmic;
+
+/**
+ * The picture of a material under a light.
+ *
+ * Uses 5 KB of stack. On an error `scene` is unchanged.
+ */
+eigenshade_status eigenshade_color_scene_f32(const struct eigenshade_color_light_f32_t *light,
+                                             const struct eigenshade_color_material_f32_t *material,
+                                             struct eigenshade_color_scene_f32_t *scene);
+
+/**
+ * The transfer of a material, for any number of lights.
+ *
+ * On an error `transfer` is unchanged.
+ */
+eigenshade_status eigenshade_color_transfer_f32(
+    const struct eigenshade_color_material_f32_t *material,
+    struct eigenshade_color_transfer_f32_t *transfer);
+
+/**
+ * The picture of a transferred material under a new light.
+ *
+ * On an error `scene` is unchanged, unless the transfer is refused: then its numbers are
+ * meaningless.
+ */
+eigenshade_status eigenshade_color_relight_f32(
+    const struct eigenshade_color_transfer_f32_t *transfer,
+    const struct eigenshade_color_light_f32_t *light, struct eigenshade_color_scene_f32_t *scene);
+
+/**
+ * Writes three numbers, red, green and blue: the irradiance of the normal (x, y, z),
+ * which may have any length.
+ *
+ * On an error `irradiance` is unchanged.
+ */
+eigenshade_status eigenshade_color_shade_f32(const struct eigenshade_color_scene_f32_t *scene,
+                                             float x, float y, float z, float *irradiance);
+
+/**
+ * A light turned by the rotation of a quaternion (x, y, z, w): L'(R w) = L(w).
+ *
+ * The turned light is in `buffer`, and `to` points there. On an error neither may be used.
+ */
+eigenshade_status eigenshade_color_turn_f32(const struct eigenshade_color_light_f32_t *from,
+                                            const float *quaternion,
+                                            struct eigenshade_color_light_buffer_f32_t *buffer,
+                                            struct eigenshade_color_light_f32_t *to);
+
+/**
+ * A light turned about the view axis, from x toward y, by the angle of this cosine and
+ * sine: much cheaper than any other axis.
+ *
+ * The turned light is in `buffer`, and `to` points there. On an error neither may be used.
+ */
+eigenshade_status eigenshade_color_turn_about_view_f32(
+    const struct eigenshade_color_light_f32_t *from, const float *angle,
+    struct eigenshade_color_light_buffer_f32_t *buffer, struct eigenshade_color_light_f32_t *to);
+
+/**
+ * A glTF material from its linear base color, metallic and roughness, all from 0 to 1.
+ *
+ * A roughness below 0.2 is drawn as 0.2. The material is in `buffer`, and `to` points there. On an
+ * error neither may be used.
+ */
+eigenshade_status eigenshade_color_metallic_roughness_f32(
+    const float *base_color, float metallic, float roughness,
+    struct eigenshade_color_material_buffer_f32_t *buffer,
+    struct eigenshade_color_material_f32_t *to);
+
+/**
+ * One row of a sphere that fills a square of `diameter` x `diameter` pixels, 1 to 4096, into
+ * `length` RGB565 pixels, at least `diameter`. Row 0 is the top.
+ *
+ * Pixels beside the sphere are unchanged, and on an error all of them. `exposure` is a number above
+ * 0 that multiplies the irradiance.
+ */
+eigenshade_status eigenshade_color_disc_row_f32(const struct eigenshade_color_scene_f32_t *scene,
+                                                size_t diameter, size_t row, float exposure,
+                                                const struct eigenshade_display_t *display,
+                                                uint16_t *pixels, size_t length);
+
+/**
+ * One row of the object of a normal map, into `length` RGB565 pixels, at least its width. Pixels
+ * that the object covers in part are mixed with what they were.
+ *
+ * Other pixels are unchanged, and on an error all of them. The rest is as in
+ * `eigenshade_color_disc_row_f32`.
+ */
+eigenshade_status eigenshade_color_normal_map_row_f32(
+    const struct eigenshade_color_scene_f32_t *scene, const struct eigenshade_normal_map_t *map,
+    size_t row, float exposure, const struct eigenshade_display_t *display, uint16_t *pixels,
+    size_t length);
+
+/**
+ * Bakes a picture into maps of `size` x `size` texels, 2 to 4096. `length` is
+ * 3 * size * size.
+ *
+ * A look-up costs less than a pixel of the scene and is off by about 0.0004 of the peak (rms) at 32
+ * texels a side, 0.0001 at 64. The texels are in `texels`, and `baked` points there. On an error
+ * neither may be used.
+ */
+eigenshade_status eigenshade_color_bake_f32(const struct eigenshade_color_scene_f32_t *scene,
+                                            size_t size, float *texels, size_t length,
+                                            struct eigenshade_color_baked_f32_t *baked);
+
+/** `eigenshade_color_shade_f32` from a baked picture. */
+eigenshade_status eigenshade_color_baked_shade_f32(
+    const struct eigenshade_color_baked_f32_t *baked, float x, float y, float z,
+    float *irradiance);
+
+/** `eigenshade_color_disc_row_f32` from a baked picture. */
+eigenshade_status eigenshade_color_baked_disc_row_f32(
+    const struct eigenshade_color_baked_f32_t *baked, size_t diameter, size_t row, float exposure,
+    const struct eigenshade_display_t *display, uint16_t *pixels, size_t length);
+
+/** `eigenshade_color_normal_map_row_f32` from a baked picture. */
+eigenshade_status eigenshade_color_baked_normal_map_row_f32(
+    const struct eigenshade_color_baked_f32_t *baked, const struct eigenshade_normal_map_t *map,
+    size_t row, float exposure, const struct eigenshade_display_t *display, uint16_t *pixels,
+    size_t length);
+
+/**
+ * The picture of a material under a light.
+ *
+ * Uses 3 KB of stack. On an error `scene` is unchanged.
+ */
+eigenshade_status eigenshade_color_scene_q15(const struct eigenshade_color_light_q15_t *light,
+                                             const struct eigenshade_color_material_q15_t *material,
+                                             struct eigenshade_color_scene_q15_t *scene);
+
+/**
+ * The transfer of a material, for any number of lights.
+ *
+ * On an error `transfer` is unchanged.
+ */
+eigenshade_status eigenshade_color_transfer_q15(
+    const struct eigenshade_color_material_q15_t *material,
+    struct eigenshade_color_transfer_q15_t *transfer);
+
+/**
+ * The picture of a transferred material under a new light.
+ *
+ * On an error `scene` is unchanged, unless the transfer is refused: then its numbers are
+ * meaningless.
+ */
+eigenshade_status eigenshade_color_relight_q15(
+    const struct eigenshade_color_transfer_q15_t *transfer,
+    const struct eigenshade_color_light_q15_t *light, struct eigenshade_color_scene_q15_t *scene);
+
+/**
+ * Writes three numbers, red, green and blue: the irradiance of the unit normal (x, y, z)
+ * in fractions of 2^15, each times 2 to the exponent of its channel.
+ *
+ * On an error `irradiance` is unchanged.
+ */
+eigenshade_status eigenshade_color_shade_q15(const struct eigenshade_color_scene_q15_t *scene,
+                                             int16_t x, int16_t y, int16_t z, int32_t *irradiance);
+
+/**
+ * A light turned by the rotation of a quaternion (x, y, z, w) of any scale: L'(R w) = L(w).
+ *
+ * The turned light is in `buffer`, and `to` points there. On an error neither may be used.
+ */
+eigenshade_status eigenshade_color_turn_q15(const struct eigenshade_color_light_q15_t *from,
+                                            const int32_t *quaternion,
+                                            struct eigenshade_color_light_buffer_q15_t *buffer,
+                                            struct eigenshade_color_light_q15_t *to);
+
+/**
+ * A light turned about the view axis, from x toward y, by the angle of this cosine and
+ * sine of any scale: much cheaper than any other axis.
+ *
+ * The turned light is in `buffer`, and `to` points there. On an error neither may be used.
+ */
+eigenshade_status eigenshade_color_turn_about_view_q15(
+    const struct eigenshade_color_light_q15_t *from, const int32_t *angle,
+    struct eigenshade_color_light_buffer_q15_t *buffer, struct eigenshade_color_light_q15_t *to);
+
+/**
+ * A glTF material from its linear base color, metallic and roughness, all from 0 to 1 (32767).
+ *
+ * A roughness below 0.2 is drawn as 0.2. The material is in `buffer`, and `to` points there. On an
+ * error neither may be used.
+ */
+eigenshade_status eigenshade_color_metallic_roughness_q15(
+    const int16_t *base_color, int16_t metallic, int16_t roughness,
+    struct eigenshade_color_material_buffer_q15_t *buffer,
+    struct eigenshade_color_material_q15_t *to);
+
+/**
+ * One row of a sphere that fills a square of `diameter` x `diameter` pixels, 1 to 4096, into
+ * `length` RGB565 pixels, at least `diameter`. Row 0 is the top.
+ *
+ * Pixels beside the sphere are unchanged, and on an error all of them. `exposure` is a number above
+ * 0 that multiplies the irradiance; its bits are read in integers.
+ */
+eigenshade_status eigenshade_color_disc_row_q15(const struct eigenshade_color_scene_q15_t *scene,
+                                                size_t diameter, size_t row, float exposure,
+                                                const struct eigenshade_display_t *display,
+                                                uint16_t *pixels, size_t length);
+
+/**
+ * One row of the object of a normal map, into `length` RGB565 pixels, at least its width. Pixels
+ * that the object covers in part are mixed with what they were.
+ *
+ * Other pixels are unchanged, and on an error all of them. The rest is as in
+ * `eigenshade_color_disc_row_q15`.
+ */
+eigenshade_status eigenshade_color_normal_map_row_q15(
+    const struct eigenshade_color_scene_q15_t *scene, const struct eigenshade_normal_map_t *map,
+    size_t row, float exposure, const struct eigenshade_display_t *display, uint16_t *pixels,
+    size_t length);
+
+/**
+ * Bakes a picture, which is in float, into maps of `size` x `size` texels, 2 to 4096. `length` is
+ * 3 * size * size.
+ *
+ * A look-up costs less than a pixel of the scene and is off by about 0.0004 of the peak (rms) at 32
+ * texels a side, 0.0001 at 64. The texels are in `texels`, and `baked` points there. On an error
+ * neither may be used.
+ */
+eigenshade_status eigenshade_color_bake_q15(const struct eigenshade_color_scene_f32_t *scene,
+                                            size_t size, int16_t *texels, size_t length,
+                                            struct eigenshade_color_baked_q15_t *baked);
+
+/** `eigenshade_color_shade_q15` from a baked picture, with its exponents. */
+eigenshade_status eigenshade_color_baked_shade_q15(
+    const struct eigenshade_color_baked_q15_t *baked, int16_t x, int16_t y, int16_t z,
+    int32_t *irradiance);
+
+/** `eigenshade_color_disc_row_q15` from a baked picture. */
+eigenshade_status eigenshade_color_baked_disc_row_q15(
+    const struct eigenshade_color_baked_q15_t *baked, size_t diameter, size_t row, float exposure,
+    const struct eigenshade_display_t *display, uint16_t *pixels, size_t length);
+
+/** `eigenshade_color_normal_map_row_q15` from a baked picture. */
+eigenshade_status eigenshade_color_baked_normal_map_row_q15(
+    const struct eigenshade_color_baked_q15_t *baked, const struct eigenshade_normal_map_t *map,
+    size_t row, float exposure, const struct eigenshade_display_t *display, uint16_t *pixels,
+    size_t length);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

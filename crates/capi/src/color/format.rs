@@ -1,0 +1,144 @@
+//! What a number format has to provide for color.
+
+use crate::boundary::{Input, Place, Plain};
+use crate::float;
+use crate::status::Status;
+use eigenshade::{DiscPixel, Error, Linear, NormalPixel, Rgb};
+
+/// Three channels of anything.
+#[repr(transparent)]
+pub(crate) struct Channels<T>(pub(crate) [T; 3]);
+
+// SAFETY: consists of plain values.
+#[expect(unsafe_code, reason = "any bytes are channels if any bytes are one channel")]
+unsafe impl<T: Plain> Plain for Channels<T> {}
+
+/// A format in which C has color.
+pub(crate) trait Format: Plain + Copy {
+    type Light: Plain;
+    type Material: Plain;
+    type Transfer: Plain + Clone;
+    type Scene: Plain;
+    /// Three baked maps of the same size.
+    type Baked: Plain;
+    type Maps<'m>;
+    type Texel: Plain + Copy;
+    /// One channel of a pixel.
+    type Irradiance: Plain + Copy;
+    type Normal: Copy;
+    /// A factor of an irradiance.
+    type Exposure: Copy;
+    /// Numbers of a modified light in three channels.
+    type LightBuffer: Plain;
+    /// Numbers of a computed material in three channels.
+    type MaterialBuffer: Plain;
+    /// A component of a quaternion, a cosine or a sine.
+    type Angle: Plain;
+
+    /// Checks a light, and says where it lies.
+    fn light(light: &Self::Light) -> Result<[Place; 2], Status>;
+
+    /// Checks a material, and says where it lies.
+    fn material(material: &Self::Material) -> Result<[Place; 3], Status>;
+
+    /// Whether both are the same numbers in memory.
+    fn same(one: &Self::Material, other: &Self::Material) -> bool;
+
+    /// A transfer to be overwritten.
+    const NO_TRANSFER: Self::Transfer;
+
+    fn transfer(material: &Self::Material, to: &mut Self::Transfer) -> Result<(), Status>;
+
+    /// Relights and collapses one channel.
+    fn relight(
+        transfer: &Self::Transfer,
+        light: &Self::Light,
+        to: &mut Self::Scene,
+    ) -> Result<(), Status>;
+
+    /// Turns a light by a quaternion x, y, z, w. The result points to `numbers`.
+    fn turn(
+        from: &[Self::Light; 3],
+        quaternion: &[Self::Angle; 4],
+        numbers: &mut Self::LightBuffer,
+    ) -> Result<[Self::Light; 3], Status>;
+
+    /// Turns a light about the view axis by a cosine and a sine. The result points to `numbers`.
+    fn turn_about_view(
+        from: &[Self::Light; 3],
+        angle: &[Self::Angle; 2],
+        numbers: &mut Self::LightBuffer,
+    ) -> Result<[Self::Light; 3], Status>;
+
+    /// A glTF material. The result points to `numbers`.
+    fn metallic_roughness(
+        base_color: &[Self; 3],
+        metallic: Self,
+        roughness: Self,
+        numbers: &mut Self::MaterialBuffer,
+    ) -> Result<[Self::Material; 3], Status>;
+
+    fn normal(x: Self, y: Self, z: Self) -> Result<Self::Normal, Status>;
+    fn of_disc(pixel: DiscPixel) -> Self::Normal;
+    fn of_normal_map(pixel: NormalPixel) -> Self::Normal;
+    fn shade(scene: &Self::Scene, normal: Self::Normal) -> Result<Self::Irradiance, Status>;
+
+    /// Bakes three scenes in `f32`. Returns the exponents of the channels, 0 in `f32`.
+    fn bake(
+        scene: &[float::Scene; 3],
+        size: usize,
+        texels: [&mut [Self::Texel]; 3],
+    ) -> Result<[i32; 3], Status>;
+    fn baked(
+        size: usize,
+        texels: Input<Self::Texel>,
+        length: usize,
+        exponents: [i32; 3],
+    ) -> Self::Baked;
+
+    /// The maps, and where their texels lie. The number of texels was checked.
+    fn maps(map: &Self::Baked) -> Result<(Self::Maps<'_>, Place), Status>;
+    fn look_up(maps: &Self::Maps<'_>, normal: Self::Normal) -> [Self::Irradiance; 3];
+
+    /// The exponents of scenes, 0 in `f32`.
+    fn exponents(scene: &[Self::Scene; 3]) -> [i32; 3];
+    fn exponents_of_baked(map: &Self::Baked) -> [i32; 3];
+    /// What exposes an irradiance times 2^-`exponent`.
+    fn exposure(exposure: f32, exponent: i32) -> Result<Self::Exposure, Error>;
+    fn exposed(irradiance: Self::Irradiance, exposure: Self::Exposure) -> Linear;
+}
+
+/// Where three lights or materials lie, once all of them are checked.
+pub(crate) fn places<T, const N: usize>(
+    channels: &Channels<T>,
+    check: impl Fn(&T) -> Result<[Place; N], Status>,
+) -> Result<[[Place; N]; 3], Status> {
+    let [r, g, b] = &channels.0;
+    Ok([check(r)?, check(g)?, check(b)?])
+}
+
+/// Checks the size of three baked maps, and the number of their texels.
+pub(crate) fn check_size(size: usize, length: usize) -> Result<(), Status> {
+    // The size is checked first, so that nothing wraps.
+    if (2..=4096).contains(&size) && length == 3 * size * size {
+        Ok(())
+    } else {
+        Err(Status::Baked)
+    }
+}
+
+/// The texels of each channel.
+pub(crate) fn thirds<T>(texels: &[T]) -> Rgb<&[T]> {
+    let third = texels.len() / 3;
+    let (r, rest) = texels.split_at(third);
+    let (g, b) = rest.split_at(third);
+    Rgb::new(r, g, b)
+}
+
+/// The texels of each channel, to be written.
+pub(crate) fn thirds_mut<T>(texels: &mut [T]) -> [&mut [T]; 3] {
+    let third = texels.len() / 3;
+    let (r, rest) = texels.split_at_mut(third);
+    let (g, b) = rest.split_at_mut(third);
+    [r, g, b]
+}

@@ -1,0 +1,17 @@
+//! In color: three channels from light to pixel, in `f32` and in Q15.
+
+mod format;
+
+mod float;
+
+mod q15;
+
+mod steps;
+
+mod rows;
+
+mod exported;
+
+#[cfg(test)]
+pub(crate) use exported::{f32_functions, q15_functions};
+pub(crate) use format::Channels;

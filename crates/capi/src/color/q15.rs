@@ -1,0 +1,205 @@
+//! Color in Q15.
+#![expect(unsafe_code, reason = "memory of C")]
+
+use super::format::{Format, check_size, thirds};
+use crate::boundary::{Input, Place, Plain};
+use crate::export::records;
+use crate::float;
+use crate::integers::{self, Light, Material, Scene, Shipped, Transfer};
+use crate::status::Status;
+use core::marker::PhantomData;
+use eigenshade::index::material;
+use eigenshade::quantized::{self, LightBuffer as Turned, Normal, Rotation};
+use eigenshade::sphere::{COMPONENTS, LIGHT, ORDER, q15};
+use eigenshade::{DiscPixel, Error, Exposure, IntegerMap, Linear, MapPoint, NormalPixel, Q15, Rgb};
+
+/// Coefficients of a material, and its exponents.
+const MATERIAL: usize = material::count(ORDER);
+const EXPONENTS: usize = ORDER + 1;
+
+records! {
+    LightBuffer = "color_light_buffer" Q15: mantissas: [[Q15; LIGHT]; 3];
+    MaterialBuffer = "color_material_buffer" Q15:
+        mantissas: [[Q15; MATERIAL]; 3], exponents: [[i8; EXPONENTS]; 3];
+    Baked = "color_baked" Q15:
+        size: usize, length: usize, texels: Input<i16>, exponents: [i32; 3];
+}
+
+/// The lights, for the runtime.
+fn lights(from: &[Light<Q15>; 3]) -> Result<Rgb<quantized::Light<'_, Q15>>, Status> {
+    Rgb::from(from.each_ref()).try_map(|light| Ok(light.view()?.0))
+}
+
+/// Stores turned lights of the same degrees.
+fn stored(
+    from: &[Light<Q15>; 3],
+    turned: &Rgb<Turned<Q15, LIGHT>>,
+    numbers: &mut LightBuffer,
+) -> Result<[Light<Q15>; 3], Status> {
+    let turned = turned.lights()?;
+    let [r, g, b] = &mut numbers.mantissas;
+    let store = |of: &Light<Q15>, turned: quantized::Light<'_, Q15>, to: &mut [Q15; LIGHT]| {
+        to.iter_mut().zip(turned.mantissas()).for_each(|(to, &from)| *to = from);
+        let (degree, length, exponent) = (of.degree, of.length, turned.exponent());
+        Light { degree, length, mantissas: Input::to(&*to), exponent }
+    };
+    let [of_r, of_g, of_b] = from;
+    Ok([store(of_r, turned.r, r), store(of_g, turned.g, g), store(of_b, turned.b, b)])
+}
+
+impl Format for Q15 {
+    type Light = Light<Self>;
+    type Material = Material<Self>;
+    type Transfer = Transfer<Self>;
+    type Scene = Scene<Self>;
+    type Baked = Baked;
+    type Maps<'m> = Rgb<IntegerMap<&'m [i16]>>;
+    type Texel = i16;
+    type Irradiance = i32;
+    type Normal = Normal<Self>;
+    type Exposure = Exposure;
+    type LightBuffer = LightBuffer;
+    type MaterialBuffer = MaterialBuffer;
+    type Angle = i32;
+
+    fn light(light: &Light<Self>) -> Result<[Place; 2], Status> {
+        Ok(light.view()?.1)
+    }
+
+    fn material(material: &Material<Self>) -> Result<[Place; 3], Status> {
+        Ok(material.view()?.1)
+    }
+
+    fn same(one: &Material<Self>, other: &Material<Self>) -> bool {
+        one.order == other.order
+            && one.mantissas.is(&other.mantissas)
+            && one.exponents.is(&other.exponents)
+    }
+
+    const NO_TRANSFER: Transfer<Self> =
+        Transfer { numbers: [Q15(0); q15::TRANSFER], exponents: [0; q15::PROFILES] };
+
+    fn transfer(material: &Material<Self>, to: &mut Transfer<Self>) -> Result<(), Status> {
+        integers::transferred(&material.view()?.0, &mut [0; q15::WORKSPACE], to)
+    }
+
+    fn relight(
+        transfer: &Transfer<Self>,
+        light: &Light<Self>,
+        to: &mut Scene<Self>,
+    ) -> Result<(), Status> {
+        let mut d =
+            integers::Coefficients { mantissas: [0; COMPONENTS], exponent: 0, format: PhantomData };
+        integers::relit(transfer, &light.view()?.0, &mut d)?;
+        integers::collapsed::<Self>(&d.mantissas, d.exponent, to)
+    }
+
+    fn turn(
+        from: &[Light<Self>; 3],
+        quaternion: &[i32; 4],
+        numbers: &mut LightBuffer,
+    ) -> Result<[Light<Self>; 3], Status> {
+        let rotation = Rotation::from_quaternion(*quaternion)?;
+        stored(from, &lights(from)?.turned::<LIGHT>(&rotation)?, numbers)
+    }
+
+    fn turn_about_view(
+        from: &[Light<Self>; 3],
+        angle: &[i32; 2],
+        numbers: &mut LightBuffer,
+    ) -> Result<[Light<Self>; 3], Status> {
+        stored(from, &lights(from)?.turned_about_view::<LIGHT>(*angle)?, numbers)
+    }
+
+    fn metallic_roughness(
+        base_color: &[Self; 3],
+        metallic: Self,
+        roughness: Self,
+        numbers: &mut MaterialBuffer,
+    ) -> Result<[Material<Self>; 3], Status> {
+        let found =
+            quantized::Material::<Self>::metallic_roughness(*base_color, metallic, roughness)?;
+        let found: [_; 3] = found.into();
+        let MaterialBuffer { mantissas, exponents } = numbers;
+        for ((mantissas, exponents), found) in mantissas.iter_mut().zip(&mut *exponents).zip(&found)
+        {
+            let found = found.material()?;
+            mantissas.iter_mut().zip(found.mantissas()).for_each(|(to, &from)| *to = from);
+            exponents.iter_mut().zip(found.exponents()).for_each(|(to, &from)| *to = from);
+        }
+        let ([r, g, b], [e_r, e_g, e_b]) = (mantissas.each_ref(), exponents.each_ref());
+        Ok([(r, e_r), (g, e_g), (b, e_b)].map(|(mantissas, exponents)| Material {
+            order: ORDER,
+            length: MATERIAL,
+            mantissas: Input::to(mantissas),
+            exponents_length: EXPONENTS,
+            exponents: Input::to(exponents),
+        }))
+    }
+
+    fn normal(x: Self, y: Self, z: Self) -> Result<Normal<Self>, Status> {
+        Ok(<Self as Shipped>::normal(x, y, z)?)
+    }
+
+    #[inline]
+    fn of_disc(pixel: DiscPixel) -> Normal<Self> {
+        pixel.quantized_normal()
+    }
+
+    #[inline]
+    fn of_normal_map(pixel: NormalPixel) -> Normal<Self> {
+        pixel.quantized_normal()
+    }
+
+    #[inline]
+    fn shade(scene: &Scene<Self>, normal: Normal<Self>) -> Result<i32, Status> {
+        integers::irradiance(scene, normal)
+    }
+
+    fn bake(
+        scene: &[float::Scene; 3],
+        size: usize,
+        texels: [&mut [i16]; 3],
+    ) -> Result<[i32; 3], Status> {
+        let mut exponents = [0; 3];
+        for ((scene, texels), exponent) in scene.iter().zip(texels).zip(&mut exponents) {
+            *exponent = float::view(scene)?.bake_integers_into(size, texels)?.exponent();
+        }
+        Ok(exponents)
+    }
+
+    fn baked(size: usize, texels: Input<i16>, length: usize, exponents: [i32; 3]) -> Baked {
+        Baked { size, length, texels, exponents }
+    }
+
+    fn maps(map: &Baked) -> Result<(Self::Maps<'_>, Place), Status> {
+        check_size(map.size, map.length)?;
+        // SAFETY: C promises `length` texels.
+        let texels = unsafe { map.texels.array(map.length) }?;
+        let channels = thirds(texels).zip(Rgb::from(map.exponents));
+        let maps =
+            channels.try_map(|(texels, exponent)| IntegerMap::new(map.size, exponent, texels))?;
+        Ok((maps, Place::of(texels)))
+    }
+
+    fn look_up(maps: &Self::Maps<'_>, normal: Normal<Self>) -> [i32; 3] {
+        maps.bilinear(MapPoint::of_quantized(normal)).into()
+    }
+
+    fn exponents(scene: &[Scene<Self>; 3]) -> [i32; 3] {
+        scene.each_ref().map(|scene| scene.exponent)
+    }
+
+    fn exponents_of_baked(map: &Baked) -> [i32; 3] {
+        map.exponents
+    }
+
+    fn exposure(exposure: f32, exponent: i32) -> Result<Exposure, Error> {
+        Exposure::new(exposure, exponent)
+    }
+
+    #[inline]
+    fn exposed(irradiance: i32, exposure: Exposure) -> Linear {
+        exposure.of(irradiance)
+    }
+}

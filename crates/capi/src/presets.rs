@@ -1,0 +1,108 @@
+//! The shipped lights, materials and tone curves as constants of C. A program links those that it
+//! names.
+#![expect(unsafe_code, reason = "exported symbols")]
+
+use crate::boundary::Input;
+use crate::color::Channels;
+use crate::{float, integers};
+use eigenshade::presets::{light, material};
+use eigenshade::{Display, Q15, Tone, quantized, sphere};
+
+/// A constant that C reads.
+#[repr(transparent)]
+struct Constant<T>(T);
+
+// SAFETY: nobody writes to it, nor to what it points to.
+unsafe impl<T> Sync for Constant<T> {}
+
+macro_rules! channels {
+    ($from:expr, $of:path) => {
+        Constant(Channels([$of(&$from.r), $of(&$from.g), $of(&$from.b)]))
+    };
+}
+
+const fn light_f32(light: &eigenshade::Light<'static, f32>) -> float::Light {
+    let coefficients = light.coefficients();
+    let (degree, length) = (light.degree(), coefficients.len());
+    float::Light { degree, length, coefficients: Input::to(coefficients) }
+}
+
+const fn material_f32(material: &eigenshade::Material<'static, f32>) -> float::Material {
+    let coefficients = material.coefficients();
+    let (order, length) = (material.order(), coefficients.len());
+    float::Material { order, length, coefficients: Input::to(coefficients) }
+}
+
+const fn light_q15(light: &quantized::Light<'static, Q15>) -> integers::Light<Q15> {
+    let (mantissas, exponent) = (light.mantissas(), light.exponent());
+    assert!(mantissas.len() == sphere::LIGHT, "presets have the degree of the table");
+    let mantissas = Input::to(mantissas);
+    integers::Light { degree: sphere::DEGREE, length: sphere::LIGHT, mantissas, exponent }
+}
+
+const fn material_q15(material: &quantized::Material<'static, Q15>) -> integers::Material<Q15> {
+    let (mantissas, exponents) = (material.mantissas(), material.exponents());
+    assert!(exponents.len() == sphere::ORDER + 1, "presets have the order of the table");
+    integers::Material {
+        order: sphere::ORDER,
+        length: mantissas.len(),
+        mantissas: Input::to(mantissas),
+        exponents_length: exponents.len(),
+        exponents: Input::to(exponents),
+    }
+}
+
+macro_rules! lights {
+    ($($constant:ident $name:literal)*) => {
+        const _: () = {$(
+            #[unsafe(export_name = concat!("eigenshade_light_", $name, "_f32"))]
+            static $constant: Constant<Channels<float::Light>> =
+                channels!(light::$constant, light_f32);
+        )*};
+        const _: () = {$(
+            #[unsafe(export_name = concat!("eigenshade_light_", $name, "_q15"))]
+            static $constant: Constant<Channels<integers::Light<Q15>>> =
+                channels!(light::q15::$constant, light_q15);
+        )*};
+        /// The names of the lights.
+        #[cfg(test)]
+        pub(crate) const LIGHTS: &[&str] = &[$($name),*];
+    };
+}
+eigenshade::each_preset_light!(lights);
+
+macro_rules! materials {
+    ($($constant:ident $name:literal)*) => {
+        const _: () = {$(
+            #[unsafe(export_name = concat!("eigenshade_material_", $name, "_f32"))]
+            static $constant: Constant<Channels<float::Material>> =
+                channels!(material::$constant, material_f32);
+        )*};
+        const _: () = {$(
+            #[unsafe(export_name = concat!("eigenshade_material_", $name, "_q15"))]
+            static $constant: Constant<Channels<integers::Material<Q15>>> =
+                channels!(material::q15::$constant, material_q15);
+        )*};
+        /// The names of the materials.
+        #[cfg(test)]
+        pub(crate) const MATERIALS: &[&str] = &[$($name),*];
+    };
+}
+eigenshade::each_preset_material!(materials);
+
+macro_rules! displays {
+    ($($constant:ident $tone:ident $name:literal)*) => {
+        $(
+            #[unsafe(export_name = concat!("eigenshade_display_", $name))]
+            static $constant: Display = Display::new(Tone::$tone);
+        )*
+        /// The names of the tone curves.
+        #[cfg(test)]
+        pub(crate) const DISPLAYS: &[&str] = &[$($name),*];
+    };
+}
+displays! {
+    LINEAR Linear "linear"
+    REINHARD Reinhard "reinhard"
+    FILMIC Filmic "filmic"
+}

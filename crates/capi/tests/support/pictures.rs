@@ -1,0 +1,101 @@
+//! The pictures of `example/color.c` as the runtime draws them: `name,checksum` in lines.
+
+use eigenshade::presets::{light, material};
+use eigenshade::quantized::{self, Rotation};
+use eigenshade::{
+    Disc, Display, Error, Exposure, IntegerMap, MapPoint, NormalMap, Q15, Rgb, Tone, blend565,
+    sphere, sphere::q15,
+};
+use std::fmt::Write as _;
+
+const SIDE: usize = 48;
+const MAP: usize = 16;
+const BAKED: usize = 32;
+const LIGHT: usize = sphere::LIGHT;
+
+/// The irradiance of a normal, as exposed.
+type Shade<'s> = &'s dyn Fn(quantized::Normal<Q15>) -> Rgb<eigenshade::Linear>;
+
+fn disc(display: &Display, shade: Shade<'_>) -> Vec<u16> {
+    let mut picture = vec![0; SIDE * SIDE];
+    for pixel in Disc::new(SIDE) {
+        picture[pixel.index()] = display.rgb565(shade(pixel.quantized_normal()));
+    }
+    picture
+}
+
+fn of_map(codes: &[u8], display: &Display, shade: Shade<'_>) -> Result<Vec<u16>, Error> {
+    let mut picture = vec![0; SIDE * SIDE];
+    for pixel in NormalMap::new(MAP, MAP, codes)?.pixels() {
+        let to = &mut picture[pixel.row() * SIDE + pixel.column()];
+        let above = display.rgb565(shade(pixel.quantized_normal()));
+        *to = blend565(*to, above, pixel.coverage());
+    }
+    Ok(picture)
+}
+
+/// FNV-1a of a picture.
+fn checksum(picture: &[u16]) -> u32 {
+    let bytes = picture.iter().flat_map(|pixel| pixel.to_le_bytes());
+    bytes.fold(2_166_136_261, |sum, byte| (sum ^ u32::from(byte)).wrapping_mul(16_777_619))
+}
+
+/// The lines.
+pub fn lines() -> Result<String, Error> {
+    let filmic = Display::new(Tone::Filmic);
+    let linear = Display::new(Tone::Linear);
+    let reinhard = Display::new(Tone::Reinhard);
+    let mut state = 1_u32;
+    let codes: Vec<u8> = (0..2 * MAP * MAP)
+        .map(|_| {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            (state >> 24) as u8
+        })
+        .collect();
+    let lobby = light::q15::LOBBY;
+    let gold = q15::color::transfer(material::q15::GOLD_METALLIC_PAINT)?;
+    let relit = |light: Rgb<quantized::Light<'_, Q15>>| q15::color::relight(&gold, light);
+    let exposed = |scene: &q15::color::Scene, exposure: f32| {
+        let exposure = scene.exposure(exposure)?;
+        let scene = scene.clone();
+        Ok::<_, Error>(move |normal| exposure.of(scene.shade(normal)))
+    };
+
+    let mut pictures = Vec::new();
+    let mut draw = |name, scene: &q15::color::Scene| {
+        pictures.push((name, disc(&filmic, &exposed(scene, 1.5)?)));
+        Ok::<_, Error>(())
+    };
+    draw("scene", &relit(lobby)?)?;
+    draw("relit", &relit(light::q15::PARK)?)?;
+    let turned = lobby.turned::<LIGHT>(&Rotation::from_quaternion([1, -2, 3, 4])?)?;
+    draw("turned", &relit(turned.lights()?)?)?;
+    let turned = lobby.turned_about_view::<LIGHT>([3, 4])?;
+    let scene = relit(turned.lights()?)?;
+    draw("turned about the view", &scene)?;
+    pictures.push(("normal map", of_map(&codes, &reinhard, &exposed(&scene, 0.7)?)?));
+
+    let number = |x: f32| Q15((x * 32_767.0) as i16);
+    let copper = [0.93, 0.5, 0.25].map(number);
+    let copper = quantized::Material::metallic_roughness(copper, number(0.75), number(0.5))?;
+    let gray = material::q15::PTFE_633NM;
+    for (name, material) in [("glTF", copper.materials()?), ("gray", gray)] {
+        pictures.push((name, disc(&filmic, &exposed(&q15::color::scene(lobby, material)?, 1.5)?)));
+    }
+
+    let red = sphere::color::scene(light::LOBBY, material::DARK_RED_PAINT)?;
+    let baked =
+        red.each_ref().try_map(|scene| scene.bake_integers_into(BAKED, vec![0; BAKED * BAKED]))?;
+    let exposure: Rgb<Exposure> =
+        baked.each_ref().try_map(|map: &IntegerMap<_>| Exposure::new(1.5, map.exponent()))?;
+    let look_up = |normal| exposure.of(baked.bilinear(MapPoint::of_quantized(normal)));
+    pictures.push(("baked", disc(&linear, &look_up)));
+    pictures.push(("baked normal map", of_map(&codes, &filmic, &look_up)?));
+
+    let mut lines = String::new();
+    for (name, picture) in pictures {
+        // Writing to a string cannot fail.
+        let _ = writeln!(lines, "{name},{}", checksum(&picture));
+    }
+    Ok(lines)
+}
