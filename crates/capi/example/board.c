@@ -1,5 +1,5 @@
 /* A Cortex-M4F without an operating system: start-up code, output and exit by
- * semihosting. Freestanding C11; for QEMU's mps2-an386. */
+ * semihosting. Freestanding C99; for QEMU's mps2-an386. */
 #include "print.h"
 
 /* From the linker script. */
@@ -30,7 +30,7 @@ static void semihost(uint32_t operation, const void *argument) {
 
 void print(const char *text) { semihost(SYS_WRITE0, text); }
 
-static _Noreturn void leave(uint32_t status) {
+__attribute__((noreturn)) static void leave(uint32_t status) {
   const uint32_t how[2] = {ADP_STOPPED_APPLICATION_EXIT, status};
   semihost(SYS_EXIT_EXTENDED, how);
   for (;;) {
@@ -42,7 +42,7 @@ static void fault(void) {
   leave(1);
 }
 
-_Noreturn static void start(void) {
+__attribute__((noreturn)) static void start(void) {
   for (uint32_t *to = data_start, *from = data_stored; to != data_end; to++, from++) {
     *to = *from;
   }

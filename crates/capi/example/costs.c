@@ -1,6 +1,7 @@
 /* The cost of each function on the board in instructions: CSV `operation,format,instructions`.
  * Under QEMU's -icount shift=0 each instruction takes the same time; a loop of known length
  * calibrates the ticks of SysTick. */
+#include "eigenshade_presets.h"
 #include "golden.h"
 #include "print.h"
 
@@ -87,8 +88,43 @@ COSTS(F32, f32, "f32", float)
 COSTS(Q15, q15, "q15", int32_t)
 COSTS(Q31, q31, "q31", int32_t)
 
+/* In color. */
+enum { SIDE = 64, PIXELS_OF_ROW = SIDE };
+
+#define COSTS_IN_COLOR(format, name, angle, ...)                                              \
+  static uint32_t costs_in_color_##format(void) {                                             \
+    static eigenshade_color_transfer_##format##_t transfer;                                   \
+    static eigenshade_color_scene_##format##_t scene;                                         \
+    static eigenshade_color_light_buffer_##format##_t buffer;                                 \
+    static eigenshade_color_light_##format##_t turned;                                        \
+    static uint16_t pixels[SIDE];                                                             \
+    static const angle quaternion[4] = {1, -2, 3, 4}, cosine_and_sine[2] = {__VA_ARGS__};     \
+    const eigenshade_color_light_##format##_t *light = &eigenshade_light_lobby_##format;      \
+    const eigenshade_color_material_##format##_t *material =                                  \
+        &eigenshade_material_gold_metallic_paint_##format;                                    \
+    uint32_t faults = 0;                                                                      \
+    MEASURED("color_transfer", name, 1,                                                       \
+             eigenshade_color_transfer_##format(material, &transfer));                        \
+    MEASURED("color_relight", name, 1,                                                        \
+             eigenshade_color_relight_##format(&transfer, light, &scene));                    \
+    MEASURED("color_scene", name, 1, eigenshade_color_scene_##format(light, material, &scene)); \
+    MEASURED("color_turn", name, 1,                                                           \
+             eigenshade_color_turn_##format(light, quaternion, &buffer, &turned));            \
+    MEASURED("color_turn_about_view", name, 1,                                                \
+             eigenshade_color_turn_about_view_##format(light, cosine_and_sine, &buffer,       \
+                                                       &turned));                             \
+    MEASURED("color_disc_row", name, PIXELS_OF_ROW,                                           \
+             eigenshade_color_disc_row_##format(&scene, SIDE, SIDE / 2, 1.5f,                 \
+                                                &eigenshade_display_filmic, pixels, SIDE));   \
+    return faults;                                                                            \
+  }
+
+COSTS_IN_COLOR(f32, "f32", float, 0.6f, 0.8f)
+COSTS_IN_COLOR(q15, "q15", int32_t, 3, 4)
+
 uint32_t program(void) {
   calibrate();
   print("operation,format,instructions\n");
-  return costs_f32() + costs_q15() + costs_q31();
+  return costs_f32() + costs_q15() + costs_q31() + costs_in_color_f32() +
+         costs_in_color_q15();
 }

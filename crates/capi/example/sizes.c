@@ -1,6 +1,7 @@
 /* A program that shades one image in one format, FORMAT (f32, q15, q31), to measure its size.
- * WAY 0 computes the transfer on the board; WAY 1 has it in flash; without FORMAT the program
- * is empty, for comparison. */
+ * WAY 0 computes the transfer on the board; WAY 1 has it in flash; 2 and 3 do the same in color,
+ * to a row of RGB565. Without FORMAT the program is empty, for comparison. */
+#include "eigenshade_presets.h"
 #include "print.h"
 
 #ifdef FORMAT
@@ -9,6 +10,35 @@
 #define NAME(a, b) JOINED(a, b)
 #define MY(name) NAME(NAME(eigenshade_, name), FORMAT)
 #define TYPE(name) NAME(MY(name), _t)
+
+#if WAY >= 2
+
+enum { SIDE = 240 };
+
+static TYPE(color_scene_) scene;
+static uint16_t row_of_pixels[SIDE];
+volatile uint16_t drawn;
+#define PRESET(kind, name) NAME(eigenshade_##kind##_##name##_, FORMAT)
+#if WAY == 3
+static const TYPE(color_transfer_) transfer = {.r = {.numbers = {1}}};
+#endif
+
+uint32_t program(void) {
+#if WAY == 2
+  eigenshade_status status =
+      MY(color_scene_)(&PRESET(light, lobby), &PRESET(material, gold_metallic_paint), &scene);
+#else
+  eigenshade_status status = MY(color_relight_)(&transfer, &PRESET(light, lobby), &scene);
+#endif
+  for (size_t row = 0; !status && row < SIDE; row++) {
+    status = MY(color_disc_row_)(&scene, SIDE, row, 1.5f, &eigenshade_display_filmic,
+                                 row_of_pixels, SIDE);
+    drawn = row_of_pixels[SIDE / 2];
+  }
+  return (uint32_t)status;
+}
+
+#else
 
 #if IS_FLOAT
 typedef float number, irradiance;
@@ -60,6 +90,8 @@ uint32_t program(void) {
   shaded = found;
   return (uint32_t)status;
 }
+
+#endif
 
 #else
 

@@ -293,8 +293,9 @@ pub(crate) fn shade_many<Q: Shipped>(
     disjoint(&[irradiance.place_of_array(count)?], &read)?;
     // SAFETY: C promises memory for `count` numbers, which overlaps no other.
     let irradiance = unsafe { irradiance.zeroed_array(count) }?;
+    let scene = Q::relight_only().scene(0, scene.terms.as_ref())?;
     for (((irradiance, &x), &y), &z) in irradiance.iter_mut().zip(x).zip(y).zip(z) {
-        *irradiance = self::irradiance(scene, Q::normal(x, y, z)?)?;
+        *irradiance = Q::irradiance(&scene, Q::normal(x, y, z)?);
     }
     Ok(())
 }

@@ -9,7 +9,6 @@ mod golden_header;
 mod pictures;
 
 use std::collections::BTreeSet;
-use std::f64::consts::PI;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -91,18 +90,31 @@ fn the_checks_hold_under_sanitizers() {
     assert_eq!(run(&mut Command::new(program)), format!("{pictures}0 faults\n"));
 }
 
-/// The example in the README compiles and prints the right numbers: 3.5 Y_0^0 at the rim, and 2/3
-/// of Y_1^0 more where the normal faces the camera. The components give two digits.
+/// The README's sphere is that of the README of the runtime: in integers the same pixels, in floats to
+/// one level of a channel.
 #[test]
-fn the_readme_is_right() {
+fn the_readme_draws_the_same_sphere_as_rust() {
     let readme = include_str!("../README.md");
     let (_, rest) = readme.split_once("```c\n").expect("an example in C");
     let (example, _) = rest.split_once("```").expect("its end");
-    let source = Path::new(env!("CARGO_TARGET_TMPDIR")).join("readme.c");
-    fs::write(&source, example).expect("the example is written");
-    let program = compiled("readme", &[&source], &["-fsanitize=address,undefined"]);
-    let rim = 3.5 * (1.0 / (4.0 * PI)).sqrt();
-    let facing = rim + 2.0 / 3.0 * (3.0 / (4.0 * PI)).sqrt();
-    let text = format!("{facing:.2} facing, {rim:.2} at the rim\n");
-    assert_eq!(run(&mut Command::new(program)), text);
+    let main = "#include <stdio.h>\nint main(void) {\n  const eigenshade_status status = draw();\n  \
+                for (size_t k = 0; k < 240 * 240; k++) printf(\"%u\\n\", (unsigned)screen[k]);\n  \
+                return status;\n}\n";
+    let drawn = |format: &str| -> Vec<u16> {
+        let example = example.replace("f32", format);
+        let source = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("readme_{format}.c"));
+        fs::write(&source, example + main).expect("the example is written");
+        let name = format!("readme_{format}");
+        let program = compiled(&name, &[&source], &["-fsanitize=address,undefined"]);
+        let text = run(&mut Command::new(program));
+        text.lines().map(|line| line.parse().expect("a pixel")).collect()
+    };
+    let expected = pictures::gold_sphere(240).expect("a sphere");
+    assert!(drawn("q15") == expected);
+    for (found, expected) in drawn("f32").into_iter().zip(expected) {
+        for (low, bits) in [(0, 5), (5, 6), (11, 5)] {
+            let level = |pixel: u16| (pixel >> low) & ((1 << bits) - 1);
+            assert!(level(found).abs_diff(level(expected)) <= 1);
+        }
+    }
 }

@@ -150,7 +150,7 @@ impl Format for f32 {
         check_size(map.size, map.length)?;
         // SAFETY: C promises `length` texels.
         let texels = unsafe { map.texels.array(map.length) }?;
-        let maps = thirds(texels).try_map(|texels| BakedMap::new(map.size, texels))?;
+        let maps = thirds(texels)?.try_map(|texels| BakedMap::new(map.size, texels))?;
         Ok((maps, Place::of(texels)))
     }
 

@@ -128,17 +128,17 @@ pub(crate) fn check_size(size: usize, length: usize) -> Result<(), Status> {
 }
 
 /// The texels of each channel.
-pub(crate) fn thirds<T>(texels: &[T]) -> Rgb<&[T]> {
+pub(crate) fn thirds<T>(texels: &[T]) -> Result<Rgb<&[T]>, Status> {
     let third = texels.len() / 3;
-    let (r, rest) = texels.split_at(third);
-    let (g, b) = rest.split_at(third);
-    Rgb::new(r, g, b)
+    let (r, rest) = texels.split_at_checked(third).ok_or(Status::Internal)?;
+    let (g, b) = rest.split_at_checked(third).ok_or(Status::Internal)?;
+    Ok(Rgb::new(r, g, b))
 }
 
 /// The texels of each channel, to be written.
-pub(crate) fn thirds_mut<T>(texels: &mut [T]) -> [&mut [T]; 3] {
+pub(crate) fn thirds_mut<T>(texels: &mut [T]) -> Result<[&mut [T]; 3], Status> {
     let third = texels.len() / 3;
-    let (r, rest) = texels.split_at_mut(third);
-    let (g, b) = rest.split_at_mut(third);
-    [r, g, b]
+    let (r, rest) = texels.split_at_mut_checked(third).ok_or(Status::Internal)?;
+    let (g, b) = rest.split_at_mut_checked(third).ok_or(Status::Internal)?;
+    Ok([r, g, b])
 }

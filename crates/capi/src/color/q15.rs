@@ -176,7 +176,7 @@ impl Format for Q15 {
         check_size(map.size, map.length)?;
         // SAFETY: C promises `length` texels.
         let texels = unsafe { map.texels.array(map.length) }?;
-        let channels = thirds(texels).zip(Rgb::from(map.exponents));
+        let channels = thirds(texels)?.zip(Rgb::from(map.exponents));
         let maps =
             channels.try_map(|(texels, exponent)| IntegerMap::new(map.size, exponent, texels))?;
         Ok((maps, Place::of(texels)))

@@ -155,7 +155,7 @@ pub(crate) fn color_bake<F: Format>(
     disjoint(&[texels.place_of_array(length)?, map.place()], &[Place::of(scene)])?;
     // SAFETY: C promises memory for `length` texels; nothing overlaps.
     let (numbers, map) = unsafe { (texels.zeroed_array(length)?, map.zeroed()?) };
-    let exponents = F::bake(&scene.0, size, thirds_mut(numbers))?;
+    let exponents = F::bake(&scene.0, size, thirds_mut(numbers)?)?;
     *map = F::baked(size, texels.to_input(), length, exponents);
     Ok(())
 }

@@ -1,0 +1,17 @@
+/* Draws the middle row of a sphere, in C and in C++. */
+#include "eigenshade_presets.h"
+
+#include <stdio.h>
+
+int main(void) {
+  static eigenshade_color_scene_q15_t scene;
+  uint16_t row[64] = {0};
+  eigenshade_status status = eigenshade_color_scene_q15(
+      &eigenshade_light_lobby_q15, &eigenshade_material_gold_metallic_paint_q15, &scene);
+  if (!status) {
+    status = eigenshade_color_disc_row_q15(&scene, 64, 32, 1.5f, &eigenshade_display_filmic, row,
+                                           64);
+  }
+  printf("%s: %u\n", eigenshade_message(status), (unsigned)row[32]);
+  return status != EIGENSHADE_STATUS_OK || row[32] == 0;
+}
