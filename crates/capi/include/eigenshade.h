@@ -1,5 +1,5 @@
-/* eigenshade: image irradiance of any isotropic material under any distant light, from the
-shipped table: degree 9, order 7, 46 components.
+/* eigenshade: image irradiance of any isotropic material under any distant light. Its
+table is of degree EIGENSHADE_DEGREE and order EIGENSHADE_ORDER: the shipped one is 9 and 7.
 
 The steps are: compute the transfer of a material, relight it with a light, collapse the
 coefficients to a scene, and shade normals with the scene; in float (f32) and in integers
@@ -18,50 +18,13 @@ Integers give the same bits on every machine. */
 #ifndef EIGENSHADE_H
 #define EIGENSHADE_H
 
+#include "eigenshade_table.h"
+
 #include <stddef.h>
 #include <stdint.h>
 
 /** The version of this header: compare it with `eigenshade_version()`. */
 #define EIGENSHADE_VERSION "0.1.0"
-
-/** Largest degree l of a light. */
-#define EIGENSHADE_DEGREE 9
-
-/** Largest order o of a material. */
-#define EIGENSHADE_ORDER 7
-
-/** Coefficients of a light of that degree. */
-#define EIGENSHADE_LIGHT 100
-
-/** Coefficients of a material of that order. */
-#define EIGENSHADE_MATERIAL 40
-
-/** Components d of an image. */
-#define EIGENSHADE_COMPONENTS 46
-
-/** Profiles of a table in integers. */
-#define EIGENSHADE_PROFILES 26
-
-/** Numbers in a transfer in float. */
-#define EIGENSHADE_TRANSFER_F32 568
-
-/** Numbers in a transfer in integers. */
-#define EIGENSHADE_TRANSFER 207
-
-/** Numbers of a scene in float. */
-#define EIGENSHADE_SCENE_F32 167
-
-/** Numbers of a scene in Q15. */
-#define EIGENSHADE_SCENE_Q15 130
-
-/** Numbers of a scene in Q31. */
-#define EIGENSHADE_SCENE_Q31 163
-
-/** Numbers in the workspace of transfers and projections in float. */
-#define EIGENSHADE_WORKSPACE_F32 460
-
-/** Numbers in the workspace of transfers in integers. */
-#define EIGENSHADE_WORKSPACE 230
 
 /** The result of every function that can fail: 0, or the reason why it did nothing. */
 enum eigenshade_status

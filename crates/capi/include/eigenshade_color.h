@@ -12,6 +12,12 @@ here too. All functions in q15 do without a float unit, except `eigenshade_color
 
 #include "eigenshade.h"
 
+/** The order of glTF materials. */
+#define EIGENSHADE_METALLIC_ROUGHNESS_ORDER 7
+
+/** Coefficients of a glTF material. */
+#define EIGENSHADE_METALLIC_ROUGHNESS 40
+
 /**
  * A tone curve and the sRGB encoding, as a table of 774 bytes: `eigenshade_display_linear` clips at
  * white, `eigenshade_display_reinhard` and `eigenshade_display_filmic` do not.
@@ -82,7 +88,7 @@ typedef struct eigenshade_color_light_buffer_f32_t {
 /** Memory for a computed material. */
 typedef struct eigenshade_color_material_buffer_f32_t {
   /** Coefficients of the three channels. */
-  float numbers[3][EIGENSHADE_MATERIAL];
+  float numbers[3][EIGENSHADE_METALLIC_ROUGHNESS];
 } eigenshade_color_material_buffer_f32_t;
 
 /** A picture baked into three square maps, one for each channel. May be kept in flash. */
@@ -144,9 +150,9 @@ typedef struct eigenshade_color_light_buffer_q15_t {
 /** Memory for a computed material. */
 typedef struct eigenshade_color_material_buffer_q15_t {
   /** Mantissas of the three channels. */
-  int16_t mantissas[3][EIGENSHADE_MATERIAL];
+  int16_t mantissas[3][EIGENSHADE_METALLIC_ROUGHNESS];
   /** Their exponents. */
-  int8_t exponents[3][EIGENSHADE_ORDER + 1];
+  int8_t exponents[3][EIGENSHADE_METALLIC_ROUGHNESS_ORDER + 1];
 } eigenshade_color_material_buffer_q15_t;
 
 /** A picture baked into three square maps, one for each channel. May be kept in flash. */
@@ -234,7 +240,8 @@ eigenshade_status eigenshade_color_turn_about_view_f32(
 /**
  * A glTF material from its linear base color, metallic and roughness, all from 0 to 1.
  *
- * A roughness below 0.2 is drawn as 0.2. The material is in `buffer`, and `to` points there. On an
+ * A roughness below 0.2 is drawn as 0.2. The table's order
+ * has to be 7 or more. The material is in `buffer`, and `to` points there. On an
  * error neither may be used.
  */
 eigenshade_status eigenshade_color_metallic_roughness_f32(
@@ -354,7 +361,8 @@ eigenshade_status eigenshade_color_turn_about_view_q15(
 /**
  * A glTF material from its linear base color, metallic and roughness, all from 0 to 1 (32767).
  *
- * A roughness below 0.2 is drawn as 0.2. The material is in `buffer`, and `to` points there. On an
+ * A roughness below 0.2 is drawn as 0.2. The table's order
+ * has to be 7 or more. The material is in `buffer`, and `to` points there. On an
  * error neither may be used.
  */
 eigenshade_status eigenshade_color_metallic_roughness_q15(

@@ -4,14 +4,14 @@
 use crate::boundary::{Input, Output, Place, Plain, disjoint};
 use crate::export::{export, records};
 use crate::status::{Status, light_shape, material_shape};
+use crate::table::{self, COMPONENTS, SCENE, TRANSFER, WORKSPACE};
 use eigenshade::specialized::checked;
-use eigenshade::sphere::{COMPONENTS, SCENE, TRANSFER, WORKSPACE};
-use eigenshade::{Basis, Normal, Normals, Parts, sphere};
+use eigenshade::{Basis, Normal, Normals, Parts};
 
 /// The basis without the factors of transfers: a program whose transfers are computed beforehand
 /// links no factors.
 static RELIGHT_ONLY: Basis<'static, f32> =
-    checked(Basis::new(Parts { polar: &[], factors: &[], ..*sphere::BASIS.parts() }));
+    checked(Basis::new(Parts { polar: &[], factors: &[], ..*table::BASIS.parts() }));
 
 records! {
     Light = "light" f32: degree: usize, length: usize, coefficients: Input<f32>;
@@ -50,7 +50,7 @@ pub(crate) fn transferred(
     workspace: &mut [f32; WORKSPACE],
     transfer: &mut Transfer,
 ) -> Result<(), Status> {
-    Ok(sphere::BASIS.transfer_into(material, workspace, &mut transfer.numbers)?)
+    Ok(table::BASIS.transfer_into(material, workspace, &mut transfer.numbers)?)
 }
 
 /// Computes d from a transfer.
@@ -77,7 +77,7 @@ pub(crate) fn view(scene: &Scene) -> Result<eigenshade::Scene<'_, &[f32]>, Statu
 // Shared by all that shades.
 #[inline(never)]
 pub(crate) fn irradiance(scene: &Scene, normal: Normal<f32>) -> f32 {
-    sphere::shade_terms(&scene.terms, normal)
+    table::shade_terms(&scene.terms, normal)
 }
 
 pub(crate) fn transfer(
@@ -118,7 +118,7 @@ pub(crate) fn project(
     // SAFETY: nothing overlaps.
     let (workspace, coefficients) = unsafe { (workspace.zeroed()?, coefficients.zeroed()?) };
     let (workspace, coefficients) = (&mut workspace.numbers, &mut coefficients.numbers);
-    Ok(sphere::BASIS.project_into(&light, &material, workspace, coefficients)?)
+    Ok(table::BASIS.project_into(&light, &material, workspace, coefficients)?)
 }
 
 pub(crate) fn collapse(

@@ -3,12 +3,12 @@
 
 use crate::boundary::{Input, Output};
 use crate::color::Channels;
+use crate::constants::{self, CONSTANTS};
 use crate::status::{STATUSES, eigenshade_message};
 use crate::{color, eigenshade_version, float, integers, presets};
 use core::ffi::c_char;
 use core::marker::PhantomData;
-use eigenshade::index::{light, material};
-use eigenshade::sphere::{self, q15, q31};
+use eigenshade::index::material;
 use eigenshade::{Display, Q15, Q31};
 use std::collections::BTreeSet;
 use std::string::String;
@@ -117,27 +117,6 @@ fn statuses() -> Vec<String> {
     ]
 }
 
-/// The constants. Those of both integer formats are equal.
-const CONSTANTS: [(&str, usize); 17] = [
-    ("DEGREE", sphere::DEGREE),
-    ("DEGREE", q15::DEGREE),
-    ("DEGREE", q31::DEGREE),
-    ("ORDER", sphere::ORDER),
-    ("LIGHT", light::count(sphere::DEGREE)),
-    ("MATERIAL", material::count(sphere::ORDER)),
-    ("COMPONENTS", sphere::COMPONENTS),
-    ("PROFILES", q15::PROFILES),
-    ("PROFILES", q31::PROFILES),
-    ("TRANSFER_F32", sphere::TRANSFER),
-    ("TRANSFER", q15::TRANSFER),
-    ("TRANSFER", q31::TRANSFER),
-    ("SCENE_F32", sphere::SCENE),
-    ("SCENE_Q15", q15::SCENE),
-    ("SCENE_Q31", q31::SCENE),
-    ("WORKSPACE_F32", sphere::WORKSPACE),
-    ("WORKSPACE", q31::WORKSPACE),
-];
-
 /// Constants that are lists.
 fn presets() -> Vec<String> {
     let of_kind = |kind: &str, names: &[&str]| {
@@ -176,10 +155,11 @@ fn parts(header: &str) -> (Vec<&str>, String) {
 /// Checks that a header declares these and nothing else.
 fn declares(header: &str, expected: Vec<String>) {
     let (_, mut code) = parts(header);
-    for (name, value) in CONSTANTS {
+    for (name, _, value) in CONSTANTS {
         code = code.replace(&format!("[EIGENSHADE_{name}]"), &format!("[{value}]"));
     }
-    code = code.replace("[EIGENSHADE_ORDER + 1]", &format!("[{}]", sphere::ORDER + 1));
+    code = code.replace("[EIGENSHADE_METALLIC_ROUGHNESS]", &format!("[{}]", material::count(7)));
+    code = code.replace("[EIGENSHADE_METALLIC_ROUGHNESS_ORDER + 1]", "[8]");
     // Several functions take the same structure.
     for expected in expected.into_iter().collect::<BTreeSet<_>>() {
         assert!(code.contains(&expected), "the header lacks `{expected}`");
@@ -192,12 +172,9 @@ fn declares(header: &str, expected: Vec<String>) {
 #[test]
 fn the_headers_declare_this_library() {
     let (directives, _) = parts(HEADER);
-    let mut expected = vec!["#define EIGENSHADE_H".into()];
-    expected.push(concat!("#define EIGENSHADE_VERSION \"", env!("CARGO_PKG_VERSION"), "\"").into());
-    expected.extend(CONSTANTS.map(|(name, value)| format!("#define EIGENSHADE_{name} {value}")));
-    expected.dedup();
+    let version = concat!("#define EIGENSHADE_VERSION \"", env!("CARGO_PKG_VERSION"), "\"");
     let defines = directives.into_iter().filter(|line| line.starts_with("#define"));
-    assert_eq!(defines.collect::<Vec<_>>(), expected);
+    assert_eq!(defines.collect::<Vec<_>>(), ["#define EIGENSHADE_H", version]);
 
     let _: extern "C" fn() -> *const c_char = eigenshade_version;
     let _: extern "C" fn(i32) -> *const c_char = eigenshade_message;
@@ -209,9 +186,20 @@ fn the_headers_declare_this_library() {
     let one_channel = [statuses(), others, float::functions(), q15, q31].concat();
     declares(HEADER, one_channel.clone());
     let color = [color::f32_functions(), color::q15_functions(), displays()].concat();
+    let (directives, _) = parts(COLOR);
+    let defines = directives.into_iter().filter(|line| line.starts_with("#define"));
+    let of_gltf = format!("#define EIGENSHADE_METALLIC_ROUGHNESS {}", material::count(7));
+    let order = "#define EIGENSHADE_METALLIC_ROUGHNESS_ORDER 7";
+    assert_eq!(defines.collect::<Vec<_>>(), ["#define EIGENSHADE_COLOR_H", order, &of_gltf]);
     // Its records are made of those of one channel.
     declares(COLOR, color.into_iter().filter(|one| !one_channel.contains(one)).collect());
     declares(PRESETS, presets());
+}
+
+#[test]
+#[cfg(not(feature = "own-table"))]
+fn the_sizes_are_those_of_the_table() {
+    assert_eq!(include_str!("../include/eigenshade_table.h"), constants::header());
 }
 
 /// The comments on both integer formats are the same.

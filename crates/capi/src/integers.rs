@@ -5,12 +5,12 @@ use crate::boundary::{Input, Output, Place, Plain, disjoint};
 use crate::export::{export, records};
 use crate::float;
 use crate::status::{Status, light_shape, material_shape};
+use crate::table::q31::{PROFILES, TRANSFER, WORKSPACE};
+use crate::table::{self, COMPONENTS};
 use core::marker::PhantomData;
 use eigenshade::quantized::{Basis, Normal, Parts};
 use eigenshade::specialized::checked;
-use eigenshade::sphere::COMPONENTS;
-use eigenshade::sphere::q31::{PROFILES, TRANSFER, WORKSPACE};
-use eigenshade::{Error, FixedPoint, Q15, Q31, quantized, sphere};
+use eigenshade::{Error, FixedPoint, Q15, Q31, quantized};
 
 /// The largest exponent of d. Lights and materials reach less than half of it.
 const EXPONENT: u32 = 2_048;
@@ -32,9 +32,9 @@ pub(crate) trait Shipped: FixedPoint<Wide: Plain> + Plain {
 macro_rules! shipped {
     ($format:ident, $table:ident) => {
         impl Shipped for $format {
-            type Terms = [i32; sphere::$table::SCENE];
+            type Terms = [i32; table::$table::SCENE];
             fn basis() -> &'static Basis<'static, Self> {
-                &sphere::$table::BASIS
+                &table::$table::BASIS
             }
             fn relight_only() -> &'static Basis<'static, Self> {
                 static BASIS: Basis<'static, $format> = checked(Basis::<$format>::new(Parts {
@@ -42,7 +42,7 @@ macro_rules! shipped {
                     polar_exponents: &[],
                     factors: &[],
                     factor_exponents: &[],
-                    ..*sphere::$table::BASIS.parts()
+                    ..*table::$table::BASIS.parts()
                 }));
                 &BASIS
             }
@@ -53,7 +53,7 @@ macro_rules! shipped {
             // Shared by `shade` and `shade_many`.
             #[inline(never)]
             fn irradiance(scene: &quantized::Scene<'_, Self, &[i32]>, normal: Normal<Self>) -> i32 {
-                sphere::$table::shade(scene, normal)
+                table::$table::shade(scene, normal)
             }
         }
     };

@@ -13,6 +13,11 @@
 #[cfg(not(target_os = "none"))]
 extern crate std;
 
+mod table;
+
+#[cfg(test)]
+mod constants;
+
 mod status;
 
 mod boundary;

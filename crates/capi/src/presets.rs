@@ -35,14 +35,14 @@ const fn material_f32(material: &eigenshade::Material<'static, f32>) -> float::M
 
 const fn light_q15(light: &quantized::Light<'static, Q15>) -> integers::Light<Q15> {
     let (mantissas, exponent) = (light.mantissas(), light.exponent());
-    assert!(mantissas.len() == sphere::LIGHT, "presets have the degree of the table");
+    assert!(mantissas.len() == sphere::LIGHT, "presets have the degree of the shipped table");
     let mantissas = Input::to(mantissas);
     integers::Light { degree: sphere::DEGREE, length: sphere::LIGHT, mantissas, exponent }
 }
 
 const fn material_q15(material: &quantized::Material<'static, Q15>) -> integers::Material<Q15> {
     let (mantissas, exponents) = (material.mantissas(), material.exponents());
-    assert!(exponents.len() == sphere::ORDER + 1, "presets have the order of the table");
+    assert!(exponents.len() == sphere::ORDER + 1, "presets have the order of the shipped table");
     integers::Material {
         order: sphere::ORDER,
         length: mantissas.len(),

@@ -1,8 +1,9 @@
 //! Statuses and their messages.
 
+use crate::table;
 use core::ffi::{CStr, c_char};
+use eigenshade::Error;
 use eigenshade::index::{light, material};
-use eigenshade::{Error, sphere};
 
 macro_rules! statuses {
     ($($status:ident = $number:literal: $message:literal)*) => {
@@ -83,7 +84,7 @@ impl From<Error> for Status {
 
 /// Checks the degree of a light and the number of its coefficients.
 pub(crate) fn light_shape(degree: usize, length: usize) -> Result<(), Status> {
-    if degree > sphere::DEGREE {
+    if degree > table::DEGREE {
         Err(Status::LightBeyond)
     } else if length != light::count(degree) {
         Err(Status::LightLength)
@@ -94,7 +95,7 @@ pub(crate) fn light_shape(degree: usize, length: usize) -> Result<(), Status> {
 
 /// Checks the order of a material and the number of its coefficients.
 pub(crate) fn material_shape(order: usize, length: usize) -> Result<(), Status> {
-    if order > sphere::ORDER {
+    if order > table::ORDER {
         Err(Status::MaterialBeyond)
     } else if length != material::count(order) {
         Err(Status::MaterialLength)

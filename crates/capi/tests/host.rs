@@ -1,6 +1,6 @@
 //! The library exports what the header declares, and the C program of `example/` passes its checks
 //! on the host, compiled with sanitizers and linked with the static library.
-#![cfg(unix)]
+#![cfg(all(unix, not(feature = "own-table")))]
 
 #[path = "support/golden_header.rs"]
 mod golden_header;
@@ -8,51 +8,14 @@ mod golden_header;
 #[path = "support/pictures.rs"]
 mod pictures;
 
+#[path = "support/program.rs"]
+mod program;
+
+use program::{compiled, library, run};
 use std::collections::BTreeSet;
-use std::ffi::OsString;
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::{env, fs};
-
-/// The static library, with checked arithmetic: the newest of those that Cargo built beside this
-/// test, which depends on it. Its name ends in a hash.
-fn library() -> PathBuf {
-    let test = env::current_exe().expect("the path of this test");
-    let folder = fs::read_dir(test.parent().expect("a folder")).expect("the folder of this test");
-    let libraries = folder.map(|entry| entry.expect("an entry").path()).filter(|path| {
-        let name = path.file_name().map(|name| name.to_string_lossy());
-        name.is_some_and(|name| name.starts_with("libeigenshade_capi-") && name.ends_with(".a"))
-    });
-    let modified = |path: &PathBuf| fs::metadata(path).and_then(|of| of.modified()).ok();
-    libraries.max_by_key(modified).expect("a static library beside this test")
-}
-
-/// Runs a command that must succeed, and returns its output.
-fn run(command: &mut Command) -> String {
-    let output = command.output().unwrap_or_else(|error| panic!("{command:?}: {error}"));
-    let text = String::from_utf8_lossy(&output.stdout).into_owned();
-    let errors = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{command:?}\n{text}{errors}");
-    text
-}
-
-/// Compiles a program from these sources.
-fn compiled(name: &str, sources: &[&Path], flags: &[&str]) -> PathBuf {
-    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let to = &Path::new(env!("CARGO_TARGET_TMPDIR")).join("capi").join(name);
-    fs::create_dir_all(to).expect("a directory of its own");
-    let golden = golden_header::text().expect("the golden file");
-    fs::write(to.join("golden.h"), golden).expect("the header is written");
-    let program = to.join("program");
-    let compiler = env::var_os("CC").unwrap_or_else(|| OsString::from("cc"));
-    let mut command = Command::new(compiler);
-    command.args(["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror"]);
-    command.args(["-g", "-O1"]);
-    command.args(flags).arg("-I").arg(here.join("include")).arg("-I").arg(to);
-    command.args(sources).arg(library()).args(["-lm", "-lpthread", "-ldl"]);
-    run(command.arg("-o").arg(&program));
-    program
-}
 
 /// src/header.rs compares their types.
 #[test]
@@ -84,8 +47,8 @@ fn the_checks_hold_under_sanitizers() {
     let sources = sources.into_iter().chain(["color", "color_faults"]);
     let sources: Vec<PathBuf> = sources.map(|name| example.join(format!("{name}.c"))).collect();
     let sources: Vec<&Path> = sources.iter().map(PathBuf::as_path).collect();
-    let sanitizers = "-fsanitize=address,undefined";
-    let program = compiled("checks", &sources, &[sanitizers, "-fno-sanitize-recover=all"]);
+    let golden = golden_header::text().expect("the golden file");
+    let program = compiled("checks", &sources, ("golden.h", &golden));
     let pictures = pictures::lines().expect("pictures");
     assert_eq!(run(&mut Command::new(program)), format!("{pictures}0 faults\n"));
 }
@@ -105,7 +68,7 @@ fn the_readme_draws_the_same_sphere_as_rust() {
         let source = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("readme_{format}.c"));
         fs::write(&source, example + main).expect("the example is written");
         let name = format!("readme_{format}");
-        let program = compiled(&name, &[&source], &["-fsanitize=address,undefined"]);
+        let program = compiled(&name, &[&source], ("none.h", ""));
         let text = run(&mut Command::new(program));
         text.lines().map(|line| line.parse().expect("a pixel")).collect()
     };

@@ -6,13 +6,14 @@ use crate::boundary::{Input, Place, Plain};
 use crate::export::records;
 use crate::float::{self, Light, Material, Scene, Transfer};
 use crate::status::Status;
+use crate::table::{self, LIGHT};
 use eigenshade::index::material;
-use eigenshade::sphere::{self, LIGHT, ORDER};
 use eigenshade::{
     BakedMap, DiscPixel, Error, Exposure, Linear, MapPoint, Normal, NormalPixel, Rgb, Rotation,
 };
 
-/// Coefficients of a material.
+/// The order of glTF materials, and their coefficients.
+const ORDER: usize = 7;
 const MATERIAL: usize = material::count(ORDER);
 
 records! {
@@ -69,14 +70,14 @@ impl Format for f32 {
         one.order == other.order && one.coefficients.is(&other.coefficients)
     }
 
-    const NO_TRANSFER: Transfer = Transfer { numbers: [0.0; sphere::TRANSFER] };
+    const NO_TRANSFER: Transfer = Transfer { numbers: [0.0; table::TRANSFER] };
 
     fn transfer(material: &Material, to: &mut Transfer) -> Result<(), Status> {
-        float::transferred(&material.view()?.0, &mut [0.0; sphere::WORKSPACE], to)
+        float::transferred(&material.view()?.0, &mut [0.0; table::WORKSPACE], to)
     }
 
     fn relight(transfer: &Transfer, light: &Light, to: &mut Scene) -> Result<(), Status> {
-        let mut d = [0.0; sphere::COMPONENTS];
+        let mut d = [0.0; table::COMPONENTS];
         float::relit(transfer, &light.view()?.0, &mut d)?;
         float::collapsed(&d, to)
     }

@@ -7,13 +7,14 @@ use crate::export::records;
 use crate::float;
 use crate::integers::{self, Light, Material, Scene, Shipped, Transfer};
 use crate::status::Status;
+use crate::table::{COMPONENTS, LIGHT, q15};
 use core::marker::PhantomData;
 use eigenshade::index::material;
 use eigenshade::quantized::{self, LightBuffer as Turned, Normal, Rotation};
-use eigenshade::sphere::{COMPONENTS, LIGHT, ORDER, q15};
 use eigenshade::{DiscPixel, Error, Exposure, IntegerMap, Linear, MapPoint, NormalPixel, Q15, Rgb};
 
-/// Coefficients of a material, and its exponents.
+/// The order of glTF materials, their coefficients and exponents.
+const ORDER: usize = 7;
 const MATERIAL: usize = material::count(ORDER);
 const EXPONENTS: usize = ORDER + 1;
 

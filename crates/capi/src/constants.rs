@@ -1,0 +1,48 @@
+//! The constants of `include/eigenshade_table.h`: the sizes of the table.
+
+use crate::table::{self, q15, q31};
+use eigenshade::index::{light, material};
+
+/// Name, description and value.
+pub(crate) const CONSTANTS: [(&str, &str, usize); 13] = [
+    ("DEGREE", "Largest degree l of a light.", table::DEGREE),
+    ("ORDER", "Largest order o of a material.", table::ORDER),
+    ("LIGHT", "Coefficients of a light of that degree.", light::count(table::DEGREE)),
+    ("MATERIAL", "Coefficients of a material of that order.", material::count(table::ORDER)),
+    ("COMPONENTS", "Components d of an image.", table::COMPONENTS),
+    ("PROFILES", "Profiles of a table in integers.", q31::PROFILES),
+    ("TRANSFER_F32", "Numbers in a transfer in float.", table::TRANSFER),
+    ("TRANSFER", "Numbers in a transfer in integers.", q31::TRANSFER),
+    ("SCENE_F32", "Numbers of a scene in float.", table::SCENE),
+    ("SCENE_Q15", "Numbers of a scene in Q15.", q15::SCENE),
+    ("SCENE_Q31", "Numbers of a scene in Q31.", q31::SCENE),
+    (
+        "WORKSPACE_F32",
+        "Numbers in the workspace of transfers and projections in float.",
+        table::WORKSPACE,
+    ),
+    ("WORKSPACE", "Numbers in the workspace of transfers in integers.", q31::WORKSPACE),
+];
+
+/// Both integer formats share records.
+const _: () = assert!(
+    q15::PROFILES == q31::PROFILES
+        && q15::TRANSFER == q31::TRANSFER
+        && q15::WORKSPACE <= q31::WORKSPACE,
+    "the scene has different tables in Q15 and Q31"
+);
+
+/// The header.
+pub(crate) fn header() -> std::string::String {
+    let defines: std::vec::Vec<_> = CONSTANTS
+        .iter()
+        .map(|(name, text, value)| {
+            std::format!("/** {text} */\n#define EIGENSHADE_{name} {value}\n")
+        })
+        .collect();
+    std::format!(
+        "/* The sizes of the table that the library was built with. The example table_header writes \
+         this\nfile. */\n\n#ifndef EIGENSHADE_TABLE_H\n#define EIGENSHADE_TABLE_H\n\n{}\n#endif\n",
+        defines.join("\n")
+    )
+}

@@ -1,0 +1,71 @@
+//! A program in C with a table of its own: that of the scene that `EIGENSHADE_SCENE` names.
+#![cfg(all(unix, feature = "own-table"))]
+
+#[path = "../src/table.rs"]
+mod table;
+
+#[path = "../src/constants.rs"]
+mod constants;
+
+#[path = "support/program.rs"]
+mod program;
+
+use eigenshade::presets::{light::q15::LOBBY, material::q15::GOLD_METALLIC_PAINT};
+use eigenshade::{Q15, quantized};
+use program::{compiled, run};
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+use table::{DEGREE, ORDER, q15};
+
+/// The middle row of a sphere under presets, shortened to the table's degree and order.
+const PROGRAM: &str = "\
+#include \"eigenshade_presets.h\"
+#include <stdio.h>
+
+int main(void) {
+  static eigenshade_color_scene_q15_t scene;
+  eigenshade_color_light_q15_t light = eigenshade_light_lobby_q15;
+  eigenshade_color_material_q15_t material = eigenshade_material_gold_metallic_paint_q15;
+  int32_t found[3] = {0};
+  light.r.degree = light.g.degree = light.b.degree = EIGENSHADE_DEGREE;
+  light.r.length = light.g.length = light.b.length = EIGENSHADE_LIGHT;
+  material.r.order = material.g.order = material.b.order = EIGENSHADE_ORDER;
+  material.r.length = material.g.length = material.b.length = EIGENSHADE_MATERIAL;
+  material.r.exponents_length = material.g.exponents_length = EIGENSHADE_ORDER + 1;
+  material.b.exponents_length = EIGENSHADE_ORDER + 1;
+  puts(eigenshade_message(eigenshade_color_scene_q15(&eigenshade_light_lobby_q15, &material,
+                                                     &scene)));
+  puts(eigenshade_message(eigenshade_color_scene_q15(&light, &material, &scene)));
+  eigenshade_color_shade_q15(&scene, 0, 19661, 26214, found);
+  printf(\"%d %d %d\\n\", (int)found[0], (int)found[1], (int)found[2]);
+  return 0;
+}
+";
+
+#[test]
+fn c_draws_with_the_table_of_a_scene() {
+    let source = Path::new(env!("CARGO_TARGET_TMPDIR")).join("own_table.c");
+    fs::write(&source, PROGRAM).expect("the program is written");
+    let header = constants::header();
+    let program = compiled("own_table", &[&source], ("eigenshade_table.h", &header));
+
+    let light = LOBBY.map(|light| {
+        let mantissas = &light.mantissas()[..(DEGREE + 1).pow(2)];
+        quantized::Light::new(light.exponent(), mantissas).expect("a light")
+    });
+    let material = GOLD_METALLIC_PAINT.map(|material| {
+        let length = eigenshade::index::material::count(ORDER);
+        let (exponents, mantissas) = (material.exponents(), material.mantissas());
+        quantized::Material::new(&exponents[..=ORDER], &mantissas[..length]).expect("a material")
+    });
+    let scene = q15::color::scene(light, material).expect("a scene");
+    let normal = quantized::Normal::<Q15>::new(Q15(0), Q15(19_661), Q15(26_214)).expect("a normal");
+    let found = scene.shade(normal);
+    let expected = format!(
+        "the degree of the light is above EIGENSHADE_DEGREE; leave out the coefficients above it\n\
+         success\n{} {} {}\n",
+        found.r, found.g, found.b
+    );
+    assert_eq!(run(&mut Command::new(program)), expected);
+}
