@@ -12,6 +12,7 @@ static int same_text(const char *a, const char *b) {
 
 uint32_t program(void) {
   check(same_text(eigenshade_version(), EIGENSHADE_VERSION), "any", "version", 0);
+  check(eigenshade_table() == EIGENSHADE_TABLE, "any", "table", 0);
   check_golden_vectors();
   check_faults();
   check_color();

@@ -282,6 +282,12 @@ extern "C" {
 const char *eigenshade_version(void);
 
 /**
+ * Which table the library has. If it is not `EIGENSHADE_TABLE`, the headers are those of another
+ * library: do not call it.
+ */
+uint32_t eigenshade_table(void);
+
+/**
  * The message of a status, with the remedy: a static string in English without a line end.
  *
  * Never fails: an unknown status has a message too.

@@ -24,6 +24,17 @@ pub(crate) const CONSTANTS: [(&str, &str, usize); 13] = [
     ("WORKSPACE", "Numbers in the workspace of transfers in integers.", q31::WORKSPACE),
 ];
 
+/// A checksum of the sizes, FNV-1a: a header of another table has another one.
+#[expect(clippy::indexing_slicing, reason = "a constant function has no iterators")]
+pub(crate) const TABLE: u32 = {
+    let (mut sum, mut index) = (2_166_136_261_u32, 0);
+    while index < CONSTANTS.len() {
+        sum = (sum ^ CONSTANTS[index].2 as u32).wrapping_mul(16_777_619);
+        index += 1;
+    }
+    sum
+};
+
 /// Both integer formats share records.
 const _: () = assert!(
     q15::PROFILES == q31::PROFILES
@@ -33,6 +44,8 @@ const _: () = assert!(
 );
 
 /// The header.
+#[allow(dead_code, reason = "the library itself has no use for it")]
+#[cfg(not(target_os = "none"))]
 pub(crate) fn header() -> std::string::String {
     let defines: std::vec::Vec<_> = CONSTANTS
         .iter()
@@ -42,7 +55,9 @@ pub(crate) fn header() -> std::string::String {
         .collect();
     std::format!(
         "/* The sizes of the table that the library was built with. The example table_header writes \
-         this\nfile. */\n\n#ifndef EIGENSHADE_TABLE_H\n#define EIGENSHADE_TABLE_H\n\n{}\n#endif\n",
+         this\nfile. */\n\n#ifndef EIGENSHADE_TABLE_H\n#define EIGENSHADE_TABLE_H\n\n/** Which table \
+         this is: compare it with `eigenshade_table()`. */\n#define EIGENSHADE_TABLE {TABLE}u\n\n{}\n\
+         #endif\n",
         defines.join("\n")
     )
 }

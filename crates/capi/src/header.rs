@@ -5,7 +5,7 @@ use crate::boundary::{Input, Output};
 use crate::color::Channels;
 use crate::constants::{self, CONSTANTS};
 use crate::status::{STATUSES, eigenshade_message};
-use crate::{color, eigenshade_version, float, integers, presets};
+use crate::{color, eigenshade_table, eigenshade_version, float, integers, presets};
 use core::ffi::c_char;
 use core::marker::PhantomData;
 use eigenshade::index::material;
@@ -177,9 +177,11 @@ fn the_headers_declare_this_library() {
     assert_eq!(defines.collect::<Vec<_>>(), ["#define EIGENSHADE_H", version]);
 
     let _: extern "C" fn() -> *const c_char = eigenshade_version;
+    let _: extern "C" fn() -> u32 = eigenshade_table;
     let _: extern "C" fn(i32) -> *const c_char = eigenshade_message;
     let others = vec![
         "const char *eigenshade_version(void);".into(),
+        "uint32_t eigenshade_table(void);".into(),
         "const char *eigenshade_message(int32_t status);".into(),
     ];
     let (q15, q31) = (integers::q15_functions(), integers::q31_functions());

@@ -15,7 +15,6 @@ extern crate std;
 
 mod table;
 
-#[cfg(test)]
 mod constants;
 
 mod status;
@@ -41,6 +40,12 @@ use core::ffi::c_char;
 #[unsafe(no_mangle)]
 extern "C" fn eigenshade_version() -> *const c_char {
     concat!(env!("CARGO_PKG_VERSION"), "\0").as_ptr().cast()
+}
+
+#[expect(unsafe_code, reason = "an exported symbol")]
+#[unsafe(no_mangle)]
+extern "C" fn eigenshade_table() -> u32 {
+    constants::TABLE
 }
 
 #[cfg(target_os = "none")]

@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{env, fs};
 
-/// The static library, with checked arithmetic: the newest of those that Cargo built beside this
-/// test, which depends on it. Its name ends in a hash.
+/// The static library, with checked arithmetic: of those that Cargo built beside this test, which
+/// depends on it, the newest with the same table. Its name ends in a hash.
 pub fn library() -> PathBuf {
     let test = env::current_exe().expect("the path of this test");
     let folder = fs::read_dir(test.parent().expect("a folder")).expect("the folder of this test");
@@ -15,6 +15,12 @@ pub fn library() -> PathBuf {
         name.is_some_and(|name| name.starts_with("libeigenshade_capi-") && name.ends_with(".a"))
     });
     let modified = |path: &PathBuf| fs::metadata(path).and_then(|of| of.modified()).ok();
+    // As the compiler names what is in the module `generated`.
+    let has_own_table = |path: &PathBuf| {
+        let bytes = fs::read(path).expect("a library");
+        bytes.windows(20).any(|name| name == b"eigenshade9generated")
+    };
+    let libraries = libraries.filter(|path| has_own_table(path) == cfg!(feature = "own-table"));
     libraries.max_by_key(modified).expect("a static library beside this test")
 }
 
@@ -28,11 +34,15 @@ pub fn run(command: &mut Command) -> String {
 }
 
 /// Compiles a program from these sources under sanitizers, with a header of its own, by name and
-/// text, before those of the library.
+/// text, beside those of the library or in place of one.
 pub fn compiled(name: &str, sources: &[&Path], header: (&str, &str)) -> PathBuf {
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
     let to = &Path::new(env!("CARGO_TARGET_TMPDIR")).join("capi").join(name);
     fs::create_dir_all(to).expect("a directory of its own");
+    for entry in fs::read_dir(here.join("include")).expect("the headers") {
+        let entry = entry.expect("a header");
+        fs::copy(entry.path(), to.join(entry.file_name())).expect("the header is copied");
+    }
     fs::write(to.join(header.0), header.1).expect("the header is written");
     let program = to.join("program");
     let compiler = env::var_os("CC").unwrap_or_else(|| OsString::from("cc"));
@@ -40,7 +50,7 @@ pub fn compiled(name: &str, sources: &[&Path], header: (&str, &str)) -> PathBuf 
     command.args(["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror"]);
     command.args(["-g", "-O1"]);
     command.args(["-fsanitize=address,undefined", "-fno-sanitize-recover=all"]);
-    command.arg("-I").arg(to).arg("-I").arg(here.join("include"));
+    command.arg("-I").arg(to);
     command.args(sources).arg(library()).args(["-lm", "-lpthread", "-ldl"]);
     run(command.arg("-o").arg(&program));
     program
