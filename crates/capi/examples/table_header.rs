@@ -7,6 +7,9 @@ mod table;
 #[path = "../src/constants.rs"]
 mod constants;
 
+#[path = "../src/table_header.rs"]
+mod table_header;
+
 fn main() {
-    print!("{}", constants::header());
+    print!("{}", table_header::header());
 }

@@ -42,22 +42,3 @@ const _: () = assert!(
         && q15::WORKSPACE <= q31::WORKSPACE,
     "the scene has different tables in Q15 and Q31"
 );
-
-/// The header.
-#[allow(dead_code, reason = "the library itself has no use for it")]
-#[cfg(not(target_os = "none"))]
-pub(crate) fn header() -> std::string::String {
-    let defines: std::vec::Vec<_> = CONSTANTS
-        .iter()
-        .map(|(name, text, value)| {
-            std::format!("/** {text} */\n#define EIGENSHADE_{name} {value}\n")
-        })
-        .collect();
-    std::format!(
-        "/* The sizes of the table that the library was built with. The example table_header writes \
-         this\nfile. */\n\n#ifndef EIGENSHADE_TABLE_H\n#define EIGENSHADE_TABLE_H\n\n/** Which table \
-         this is: compare it with `eigenshade_table()`. */\n#define EIGENSHADE_TABLE {TABLE}u\n\n{}\n\
-         #endif\n",
-        defines.join("\n")
-    )
-}

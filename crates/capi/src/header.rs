@@ -3,9 +3,9 @@
 
 use crate::boundary::{Input, Output};
 use crate::color::Channels;
-use crate::constants::{self, CONSTANTS};
+use crate::constants::CONSTANTS;
 use crate::status::{STATUSES, eigenshade_message};
-use crate::{color, eigenshade_table, eigenshade_version, float, integers, presets};
+use crate::{color, eigenshade_table, eigenshade_version, float, integers, presets, table_header};
 use core::ffi::c_char;
 use core::marker::PhantomData;
 use eigenshade::index::material;
@@ -201,7 +201,7 @@ fn the_headers_declare_this_library() {
 #[test]
 #[cfg(not(feature = "own-table"))]
 fn the_sizes_are_those_of_the_table() {
-    assert_eq!(include_str!("../include/eigenshade_table.h"), constants::header());
+    assert_eq!(include_str!("../include/eigenshade_table.h"), table_header::header());
 }
 
 /// The comments on both integer formats are the same.

@@ -32,6 +32,9 @@ mod color;
 mod presets;
 
 #[cfg(test)]
+mod table_header;
+
+#[cfg(test)]
 mod header;
 
 use core::ffi::c_char;

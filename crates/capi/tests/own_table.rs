@@ -7,6 +7,9 @@ mod table;
 #[path = "../src/constants.rs"]
 mod constants;
 
+#[path = "../src/table_header.rs"]
+mod table_header;
+
 #[path = "support/program.rs"]
 mod program;
 
@@ -48,7 +51,7 @@ int main(void) {
 fn c_draws_with_the_table_of_a_scene() {
     let source = Path::new(env!("CARGO_TARGET_TMPDIR")).join("own_table.c");
     fs::write(&source, PROGRAM).expect("the program is written");
-    let header = constants::header();
+    let header = table_header::header();
     let program = compiled("own_table", &[&source], ("eigenshade_table.h", &header));
 
     let light = LOBBY.map(|light| {

@@ -20,17 +20,18 @@ struct Target {
     length: usize,
 }
 
-/// An object: its width and height, and the pixels of one row as column, coverage and normal.
+/// The pixels of a row: column, coverage and normal.
+trait Row<F: Format>: Iterator<Item = (usize, u8, F::Normal)> {}
+impl<F: Format, I: Iterator<Item = (usize, u8, F::Normal)>> Row<F> for I {}
+
+/// An object: its width and height, and the pixels of one row.
 struct Shape<I> {
     size: [usize; 2],
     row: I,
 }
 
 /// The row of a disc.
-fn disc<F: Format>(
-    diameter: usize,
-    row: usize,
-) -> Result<Shape<impl Iterator<Item = (usize, u8, F::Normal)>>, Status> {
+fn disc<F: Format>(diameter: usize, row: usize) -> Result<Shape<impl Row<F>>, Status> {
     if !(1..=Disc::MOST).contains(&diameter) {
         return Err(Status::Diameter);
     }
@@ -43,7 +44,7 @@ fn disc<F: Format>(
 fn normal_map<F: Format>(
     map: &NormalMap,
     row: usize,
-) -> Result<(Shape<impl Iterator<Item = (usize, u8, F::Normal)>>, Place), Status> {
+) -> Result<(Shape<impl Row<F>>, Place), Status> {
     // SAFETY: C promises `length` bytes.
     let codes = unsafe { map.codes.array(map.length) }?;
     let found = eigenshade::NormalMap::new(map.width, map.height, codes);
@@ -54,7 +55,7 @@ fn normal_map<F: Format>(
 
 /// Draws a row of an object in the light that `shade` says, once everything is checked.
 fn draw<F: Format>(
-    shape: Shape<impl Iterator<Item = (usize, u8, F::Normal)>>,
+    shape: Shape<impl Row<F>>,
     shade: impl Fn(F::Normal) -> Result<[F::Irradiance; 3], Status>,
     [r, g, b]: [i32; 3],
     target: &Target,

@@ -40,19 +40,6 @@ fn checksum(picture: &[u16]) -> u32 {
     bytes.fold(2_166_136_261, |sum, byte| (sum ^ u32::from(byte)).wrapping_mul(16_777_619))
 }
 
-/// The sphere of the README of the runtime, of this many pixels across.
-#[allow(dead_code, reason = "the example prints the others only")]
-pub fn gold_sphere(size: usize) -> Result<Vec<u16>, Error> {
-    let display = Display::new(Tone::Filmic);
-    let scene = q15::color::scene(light::q15::LOBBY, material::q15::GOLD_METALLIC_PAINT)?;
-    let exposure = scene.exposure(1.5)?;
-    let mut screen = vec![0; size * size];
-    for pixel in Disc::new(size) {
-        screen[pixel.index()] = display.rgb565(exposure.of(scene.shade(pixel.quantized_normal())));
-    }
-    Ok(screen)
-}
-
 /// The lines.
 pub fn lines() -> Result<String, Error> {
     let filmic = Display::new(Tone::Filmic);
