@@ -196,6 +196,28 @@ mod tests {
     }
 
     #[test]
+    fn text_is_smooth_and_as_wide_as_stated() {
+        for height in [TextHeight::Size16, TextHeight::Size32] {
+            let drawn = |text: &str| {
+                let mut canvas = Canvas::new(100, height.val(), [0; 3]);
+                canvas.text((0, 0), height, [255; 3], text);
+                canvas
+            };
+            let Canvas { width, bytes, .. } = drawn("Wg");
+            assert!(
+                bytes.iter().any(|&byte| byte > 200)
+                    && bytes.iter().any(|byte| (50..200).contains(byte))
+            );
+            let inked = bytes.chunks(3).enumerate().filter(|(_, rgb)| rgb[0] > 0);
+            let last = inked.map(|(place, _)| place % width).max();
+            let expected = text_width(height, "Wg");
+            assert!(last.is_some_and(|last| last < expected && last > expected / 2), "{last:?}");
+            // A letter that the font lacks.
+            assert_eq!(drawn("\u{9762}"), drawn("?"));
+        }
+    }
+
+    #[test]
     fn exposures_follow_the_percentile() {
         let values: Vec<f64> = (0..=100).map(f64::from).collect();
         assert_eq!(exposure(values, 0.5), 1.0 / 50.0);

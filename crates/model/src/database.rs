@@ -144,7 +144,8 @@ mod tests {
     #[test]
     fn the_nearest_names_come_first() {
         let names = ["city", "park", "07-velvet", "parking-lot"];
-        assert_eq!(name_remedy("parc", names, "others"), "use `park`, `parking-lot`, or others");
+        assert_eq!(name_remedy("parc", names, "others"), "use `park`, or others");
+        assert_eq!(name_remedy("park", names, "others"), "use `park`, `parking-lot`, or others");
         assert_eq!(name_remedy("velvet", names, "others"), "use `07-velvet`, or others");
         assert_eq!(name_remedy("xyzzy", names, "another"), "use another");
     }

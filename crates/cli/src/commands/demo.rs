@@ -54,8 +54,8 @@ struct Answer<'a> {
 impl Demo {
     pub fn run(self, memory: Memory) -> Result<()> {
         fs::create_dir_all(&self.out).map_err(|error| Error::io(&self.out, &error))?;
-        let mut files = ["demo.png", "errors.png", "errors.csv"].map(|name| self.out.join(name));
-        let files = if self.errors { &mut files[..] } else { &mut files[..1] };
+        let files = ["demo.png", "errors.png", "errors.csv"].map(|name| self.out.join(name));
+        let files = if self.errors { &files[..] } else { &files[..1] };
         files.iter().try_for_each(|file| writable(file))?;
         let table = self.table.read(memory)?;
         let (lights, materials) = shown()?;
@@ -91,11 +91,10 @@ impl Demo {
         materials: &Materials,
     ) -> Result<()> {
         let (relief, sphere) = (demo_relief::view(self.size), ObjectView::sphere(self.size));
-        let mut shown: Vec<(&Named, &ObjectView)> =
-            materials.entries.iter().map(|material| (material, &sphere)).collect();
-        // The most metallic one, which is the last.
-        shown.rotate_right(1);
-        shown[0].1 = &relief;
+        // The most metallic material, which is the last, is also that of the relief.
+        let metal = materials.entries.last().map(|material| (material, &relief));
+        let spheres = materials.entries.iter().map(|material| (material, &sphere));
+        let shown: Vec<(&Named, &ObjectView)> = metal.into_iter().chain(spheres).collect();
         let mut rows = Vec::new();
         for light in &lights.entries {
             let mut images = Vec::new();

@@ -67,12 +67,9 @@ pub fn trials(
                 .map(|k| ours.each_ref().map(|channel| f64::from(channel[k])))
                 .collect();
             let reference = reference.iter().map(|of_pairs| of_pairs[trials.len()]).collect();
-            let mut trial = Trial::new(ours, reference, view);
-            trial.errors.light.clone_from(&light.name);
-            trial.errors.material.clone_from(&material.name);
-            trial.errors.components = components;
-            trial.errors.nanoseconds = time(shader, [0, 1, 2].map(channel), &normals)?;
-            trials.push(trial);
+            let nanoseconds = time(shader, [0, 1, 2].map(channel), &normals)?;
+            let names = [&light.name, &material.name];
+            trials.push(Trial::new(names, components, nanoseconds, [ours, reference], view));
         }
     }
     Ok(trials)
@@ -130,7 +127,13 @@ pub fn aligned(trials: &[Trial]) -> String {
 impl Trial {
     /// Measures the errors over the pixels inside the disc, whose normals have the
     /// density cos(α)/π; the peak is that of all pixels, the rim included.
-    fn new(ours: Vec<[f64; 3]>, reference: Vec<[f64; 3]>, view: &SphereView) -> Self {
+    fn new(
+        [light, material]: [&String; 2],
+        components: usize,
+        nanoseconds: f64,
+        [ours, reference]: [Vec<[f64; 3]>; 2],
+        view: &SphereView,
+    ) -> Self {
         let peak = reference.iter().flatten().fold(0.0, |most: f64, value| most.max(value.abs()));
         let inside = |image: &[[f64; 3]]| -> Vec<[f64; 3]> {
             let pixels = view.pixels.iter().zip(image).filter(|(pixel, _)| pixel.is_inside);
@@ -148,13 +151,13 @@ impl Trial {
             }
         }
         let errors = Errors {
-            light: String::new(),
-            material: String::new(),
-            components: 0,
+            light: light.clone(),
+            material: material.clone(),
+            components,
             energy_kept: 1.0 - residual / energy,
             rms_error: (residual / (3.0 * count)).sqrt() / peak,
             max_error: worst / peak,
-            nanoseconds: 0.0,
+            nanoseconds,
         };
         Self { errors, ours, reference }
     }

@@ -1,23 +1,24 @@
-//! The relief of the demo: a medal with the florets of a sunflower inside a rim.
+//! The relief of the demo: a medal with curved flutes inside a round rim.
 
 use eigenshade_cli::object::ObjectView;
 use eigenshade_cli::picture::Pixel;
 use std::f64::consts::PI;
 
-/// Number of florets.
-const FLORETS: usize = 55;
-/// Radius of their field; that of the medal is 1.
+/// Radius of the field inside the rim; that of the medal is 1.
 const FIELD: f64 = 0.82;
-/// Radius of the middle of the rim, and half its width.
-const RIM: (f64, f64) = (0.925, 0.075);
-/// The sine of the steepest slope.
-const STEEPEST: f64 = 0.8;
+/// Radius of the middle of the rim, half its width, and its height.
+const RIM: (f64, f64, f64) = (0.91, 0.085, 0.06);
+/// Number of flutes, how far they wind in radians, and their height.
+const FLUTES: (f64, f64, f64) = (7.0, 6.0, 0.07);
+/// The steepest slope that is drawn.
+const STEEPEST: f64 = 1.6;
+/// Step of the differences that give the slope.
+const STEP: f64 = 1e-4;
 /// Samples of a pixel in each direction.
 const SAMPLES: usize = 4;
 
 /// The medal in `size` pixels across; normals are averages over each pixel.
 pub fn view(size: usize) -> ObjectView {
-    let florets = florets();
     let mut view =
         ObjectView { width: size, height: size, pixels: Vec::new(), normals: Vec::new() };
     let steps = (size * SAMPLES) as f64;
@@ -27,7 +28,7 @@ pub fn view(size: usize) -> ObjectView {
         for column in 0..size {
             let samples = (0..SAMPLES * SAMPLES).filter_map(|sample| {
                 let (x, y) = (place(column, sample % SAMPLES), -place(row, sample / SAMPLES));
-                normal(&florets, x, y)
+                normal(x, y)
             });
             let (sum, count) = samples.fold(([0.0; 3], 0), |(sum, count), normal| {
                 ([0, 1, 2].map(|k| sum[k] + normal[k]), count + 1)
@@ -43,38 +44,27 @@ pub fn view(size: usize) -> ObjectView {
     view
 }
 
-/// The centers of the florets, on a spiral that turns by the golden angle.
-fn florets() -> Vec<[f64; 2]> {
-    let golden = PI * (3.0 - 5.0_f64.sqrt());
-    let center = |k: usize| {
-        let radius = (FIELD - floret()) * ((k as f64 + 0.5) / FLORETS as f64).sqrt();
-        let (sine, cosine) = (golden * k as f64).sin_cos();
-        [radius * cosine, radius * sine]
-    };
-    (0..FLORETS).map(center).collect()
-}
-
-/// Radius of a floret, large enough that neighbors meet.
-fn floret() -> f64 {
-    1.1 * FIELD / (FLORETS as f64).sqrt()
-}
-
 /// The normal at a point of the medal.
-fn normal(florets: &[[f64; 2]], x: f64, y: f64) -> Option<[f64; 3]> {
-    let radius = x.hypot(y);
-    let (middle, half) = RIM;
-    if radius > middle + half {
+fn normal(x: f64, y: f64) -> Option<[f64; 3]> {
+    if x.hypot(y) > 1.0 {
         return None;
     }
-    // The horizontal part of the normal, as a share of the steepest.
-    let [x, y] = if radius > middle - half {
-        let across = (radius - middle) / half;
-        [x * across / radius, y * across / radius]
-    } else {
-        let offsets = florets.iter().map(|[a, b]| [(x - a) / floret(), (y - b) / floret()]);
-        let nearest = offsets.min_by(|a, b| a[0].hypot(a[1]).total_cmp(&b[0].hypot(b[1])));
-        nearest.filter(|[x, y]| x.hypot(*y) < 1.0).unwrap_or_default()
-    };
-    let (x, y) = (STEEPEST * x, STEEPEST * y);
-    Some([x, y, (1.0 - x * x - y * y).sqrt()])
+    let slope = |plus: f64, minus: f64| (plus - minus) / (2.0 * STEP);
+    let along_x = slope(height(x + STEP, y), height(x - STEP, y));
+    let along_y = slope(height(x, y + STEP), height(x, y - STEP));
+    let steepness = along_x.hypot(along_y);
+    let scale = if steepness > STEEPEST { STEEPEST / steepness } else { 1.0 };
+    let length = 1.0_f64.hypot(scale * steepness);
+    Some([-scale * along_x / length, -scale * along_y / length, 1.0 / length])
+}
+
+/// The height of the medal.
+fn height(x: f64, y: f64) -> f64 {
+    let (radius, angle) = (x.hypot(y), y.atan2(x));
+    if radius < FIELD {
+        let (count, winding, height) = FLUTES;
+        return height * (PI * radius / FIELD).sin() * (count * angle + winding * radius).cos();
+    }
+    let (middle, half, height) = RIM;
+    height * (1.0 - ((radius - middle) / half).powi(2)).max(0.0).sqrt()
 }
