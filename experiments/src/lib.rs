@@ -4,6 +4,8 @@
 
 pub use eigenshade_testing::tolerances;
 
+pub mod command_line;
+
 pub mod numbers;
 
 pub mod sheet;

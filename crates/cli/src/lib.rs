@@ -1,5 +1,7 @@
 //! Code that the commands of the program `eigenshade` share.
 
+pub mod description;
+
 pub mod table;
 
 pub mod picture;

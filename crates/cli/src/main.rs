@@ -2,15 +2,15 @@
 
 mod commands;
 
-use clap::Parser;
+use clap::{CommandFactory, Parser};
 use commands::{Command, Memory};
-use eigenshade_cli::messages::report_error;
+use eigenshade_cli::messages::{be_quiet, report_error};
 use std::process::ExitCode;
 
 /// Image irradiance from any isotropic material under any distant light.
 ///
 /// CSV goes to standard output unless --out names a file, and messages to standard
-/// error. Exit status: 0; 1 for bad input (one line says what is wrong, where, and
+/// error. The file `-` is standard input, where a CSV, a table or a scene is read. Exit status: 0; 1 for bad input (one line says what is wrong, where, and
 /// how to fix it); 2 for wrong usage.
 #[derive(Debug, Parser)]
 #[command(name = "eigenshade", version, arg_required_else_help = true)]
@@ -23,6 +23,9 @@ use std::process::ExitCode;
 struct Program {
     #[command(flatten)]
     memory: Memory,
+    /// Show errors, but no warnings, notes, reports and progress
+    #[arg(short, long, global = true, display_order = 900)]
+    quiet: bool,
     #[command(subcommand)]
     command: Command,
 }
@@ -30,8 +33,11 @@ struct Program {
 fn main() -> ExitCode {
     #[cfg(unix)]
     eigenshade_cli::output::clean_up_on_signals();
-    let Program { memory, command } = Program::parse();
-    match command.run(memory) {
+    let Program { memory, quiet, command } = Program::parse();
+    if quiet {
+        be_quiet();
+    }
+    match command.run(memory, Program::command()) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             report_error(error);

@@ -5,9 +5,30 @@ use eigenshade_model::database::Materials;
 use eigenshade_model::scattering;
 use std::fmt::Display;
 use std::io::Write;
+use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Writes one line to standard error. Does nothing if that fails.
+/// Whether only errors are shown.
+static IS_QUIET: AtomicBool = AtomicBool::new(false);
+
+/// Hides messages, reports and progress from now on; errors stay.
+pub fn be_quiet() {
+    IS_QUIET.store(true, Ordering::Relaxed);
+}
+
+/// Whether messages are hidden.
+#[must_use]
+pub fn is_quiet() -> bool {
+    IS_QUIET.load(Ordering::Relaxed)
+}
+
+/// Writes one line to standard error, unless messages are hidden. Does nothing if that fails.
 pub fn print_message(line: impl Display) {
+    if !is_quiet() {
+        print_line(line);
+    }
+}
+
+fn print_line(line: impl Display) {
     let _ = writeln!(std::io::stderr().lock(), "{}", printable(&line.to_string()));
 }
 
@@ -15,7 +36,7 @@ pub fn print_message(line: impl Display) {
 pub fn report_error(error: impl Display) {
     let text = error.to_string();
     let line = text.split(['\n', '\r']).map(str::trim).filter(|part| !part.is_empty());
-    print_message(format_args!("error: {}", line.collect::<Vec<_>>().join(" ")));
+    print_line(format_args!("error: {}", line.collect::<Vec<_>>().join(" ")));
 }
 
 /// Escapes control characters, which may come from names in files, because a terminal would
@@ -57,6 +78,9 @@ pub fn grouped(count: usize) -> String {
 #[cfg(feature = "generate")]
 #[must_use]
 pub fn progress_bar(what: &'static str, count: usize) -> indicatif::ProgressBar {
+    if is_quiet() {
+        return indicatif::ProgressBar::hidden();
+    }
     let template = "{msg} [{bar:32}] {pos}/{len} {eta}";
     let style = indicatif::ProgressStyle::with_template(template)
         .unwrap_or_else(|_| indicatif::ProgressStyle::default_bar())
@@ -68,6 +92,9 @@ pub fn progress_bar(what: &'static str, count: usize) -> indicatif::ProgressBar 
 #[cfg(feature = "generate")]
 #[must_use]
 pub fn spinner(what: &'static str) -> indicatif::ProgressBar {
+    if is_quiet() {
+        return indicatif::ProgressBar::hidden();
+    }
     let spinner = indicatif::ProgressBar::new_spinner().with_message(what);
     spinner.enable_steady_tick(std::time::Duration::from_millis(100));
     spinner

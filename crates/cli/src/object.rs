@@ -33,10 +33,9 @@ impl ObjectView {
         if file.path().as_os_str() == "sphere" {
             return Ok(Self::sphere(size.unwrap_or(SIZE)));
         }
-        let extension = file.path().extension().unwrap_or_default().to_ascii_lowercase();
-        match extension.to_str() {
-            Some("png") => of_map(file, size),
-            Some("obj" | "stl" | "ply") => of_mesh(file, size.unwrap_or(SIZE)),
+        match file.extension().as_str() {
+            "png" => of_map(file, size),
+            "obj" | "stl" | "ply" => of_mesh(file, size.unwrap_or(SIZE)),
             _ => {
                 let remedy = "use `sphere`, a normal map (.png) or a mesh (.obj, .stl, .ply)";
                 Err(Error::new("unknown kind of object", remedy).in_file(file.path()))

@@ -2,14 +2,21 @@
 
 pub use eigenshade_model::inputs::coefficient_text::exact;
 
+use crate::messages::is_quiet;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::output::{end_of_links, write_atomically};
+use serde::Serialize;
 use std::ffi::OsStr;
 use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 /// The remedy for an output that cannot be written.
 const REMEDY: &str = "check where the output goes";
+
+/// Setting the comment character makes the writer quote names that begin with it.
+fn csv_writer(out: &mut dyn Write) -> csv::Writer<&mut dyn Write> {
+    csv::WriterBuilder::new().comment(Some(b'#')).from_writer(out)
+}
 
 /// A CSV writer.
 pub struct Rows<'a>(csv::Writer<&'a mut dyn Write>);
@@ -24,9 +31,7 @@ impl<'a> Rows<'a> {
         out: &'a mut dyn Write,
         header: impl IntoIterator<Item = T>,
     ) -> Result<Self> {
-        // Setting the comment character makes the writer quote names that begin with it.
-        let writer = csv::WriterBuilder::new().comment(Some(b'#')).from_writer(out);
-        let mut rows = Self(writer);
+        let mut rows = Self(csv_writer(out));
         rows.row(header)?;
         Ok(rows)
     }
@@ -49,6 +54,35 @@ impl<'a> Rows<'a> {
     pub fn finish(mut self) -> Result<()> {
         self.0.flush().map_err(|error| write_error(&error))
     }
+}
+
+/// Writes records as CSV with a header, or as a JSON array. A number that is missing, or not finite,
+/// is empty in CSV and null in JSON.
+///
+/// # Errors
+///
+/// If the output fails.
+pub fn write_records<T: Serialize>(out: Option<&Path>, is_json: bool, records: &[T]) -> Result<()> {
+    if is_json {
+        return write_json(out, &records);
+    }
+    write(out, |out| {
+        let mut rows = csv_writer(out);
+        let fault = |error: csv::Error| Error::new(error.to_string(), REMEDY);
+        records.iter().try_for_each(|record| rows.serialize(record)).map_err(fault)?;
+        rows.flush().map_err(|error| write_error(&error))
+    })
+}
+
+/// Writes a value as JSON.
+///
+/// # Errors
+///
+/// If the output fails.
+pub fn write_json(out: Option<&Path>, value: &impl Serialize) -> Result<()> {
+    let text = serde_json::to_string_pretty(value);
+    let text = text.map_err(|error| Error::new(error.to_string(), "leave --json out"))?;
+    write_all(out, text + "\n")
 }
 
 /// Writes to the file, or to standard output if there is none.
@@ -95,13 +129,13 @@ pub fn write_all(out: Option<&Path>, contents: impl AsRef<[u8]>) -> Result<()> {
     write(out, |to| to.write_all(contents.as_ref()).map_err(|error| write_error(&error)))
 }
 
-/// Writes the comment line `# eigenshade ...` with the command that makes this file.
+/// Writes what a command reports about its files to standard output, unless messages are hidden.
 ///
 /// # Errors
 ///
 /// If the output fails.
-pub fn write_command_line(out: &mut dyn Write) -> Result<()> {
-    writeln!(out, "# {}", command_line()).map_err(|error| write_error(&error))
+pub fn report(text: impl AsRef<[u8]>) -> Result<()> {
+    if is_quiet() { Ok(()) } else { write_all(None, text) }
 }
 
 /// The error for an output that cannot be written.
@@ -111,26 +145,33 @@ pub fn write_error(error: &io::Error) -> Error {
 }
 
 fn to_standard_output(write: impl FnOnce(&mut dyn Write) -> Result<()>) -> Result<()> {
-    let mut pipe = Pipe { inner: io::stdout().lock(), closed: false };
+    let mut pipe = Pipe { inner: io::stdout().lock(), failed: None };
     let mut buffer = BufWriter::with_capacity(1 << 16, &mut pipe);
-    let written = write(&mut buffer)
-        .and_then(|()| buffer.flush().map_err(|error| Error::io("standard output", &error)));
+    let written = write(&mut buffer).and_then(|()| buffer.flush().map_err(|e| write_error(&e)));
     // Dropped without flushing: the reader has gone, or has received everything.
     drop(buffer.into_parts());
-    if pipe.closed { Ok(()) } else { written }
+    match pipe.failed {
+        Some(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
+        Some(error) => Err(Error::io("standard output", &error)),
+        None => written,
+    }
 }
 
-/// Records whether the reader closed the pipe.
+/// Records the first failure.
 struct Pipe<W> {
     inner: W,
-    closed: bool,
+    failed: Option<io::Error>,
 }
 
 impl<W: Write> Pipe<W> {
     fn note<T>(&mut self, result: io::Result<T>) -> io::Result<T> {
-        let kind = result.as_ref().err().map(io::Error::kind);
-        self.closed |= kind == Some(ErrorKind::BrokenPipe);
-        result
+        result.map_err(|error| {
+            let kind = error.kind();
+            if kind != ErrorKind::Interrupted {
+                self.failed.get_or_insert(error);
+            }
+            kind.into()
+        })
     }
 }
 
@@ -143,24 +184,6 @@ impl<W: Write> Write for Pipe<W> {
     fn flush(&mut self) -> io::Result<()> {
         let result = self.inner.flush();
         self.note(result)
-    }
-}
-
-/// `eigenshade` and its arguments as given. Arguments that contain blanks or control characters are
-/// quoted.
-#[must_use]
-pub fn command_line() -> String {
-    let arguments = std::env::args_os().skip(1);
-    let arguments = arguments.map(|argument| quoted(&argument.to_string_lossy()));
-    std::iter::once("eigenshade".to_owned()).chain(arguments).collect::<Vec<_>>().join(" ")
-}
-
-fn quoted(argument: &str) -> String {
-    let needs_quotes = |letter: char| letter.is_whitespace() || letter.is_control();
-    if argument.is_empty() || argument.contains(needs_quotes) {
-        format!("{argument:?}")
-    } else {
-        argument.to_owned()
     }
 }
 

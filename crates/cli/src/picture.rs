@@ -2,12 +2,12 @@
 
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::output::write_atomically;
-use font8x8::{BASIC_FONTS, UnicodeFonts};
+use noto_sans_mono_bitmap::{FontWeight, get_raster, get_raster_width};
 use png::{BitDepth, ColorType, Encoder, SrgbRenderingIntent};
 use std::path::Path;
 
-/// Width of a letter of scale 1 in pixels, and the distance between its baselines.
-pub const LETTER: usize = 8;
+/// Pixels from one line of text to the next.
+pub use noto_sans_mono_bitmap::RasterHeight as TextHeight;
 
 /// The pixels of a square picture that a sphere covers at least in part.
 #[derive(Clone, Debug, PartialEq)]
@@ -92,26 +92,43 @@ impl Canvas {
     }
 
     /// Writes a line of text whose top left corner is at `column` and `row`.
-    pub fn text(&mut self, column: usize, row: usize, scale: usize, color: [u8; 3], text: &str) {
+    pub fn text(
+        &mut self,
+        (column, row): (usize, usize),
+        height: TextHeight,
+        color: [u8; 3],
+        text: &str,
+    ) {
+        let width = text_width(height, " ");
         for (place, letter) in text.chars().enumerate() {
-            let glyph = BASIC_FONTS.get(letter).unwrap_or([0x7e; 8]);
-            for (y, bits) in glyph.iter().enumerate() {
-                for x in (0..LETTER).filter(|x| bits >> x & 1 == 1) {
-                    let left = column + scale * (place * LETTER + x);
-                    let top = row + scale * y;
-                    for pixel in 0..scale * scale {
-                        self.blend(left + pixel % scale, top + pixel / scale, color, 1.0);
-                    }
+            let raster = |letter| get_raster(letter, FontWeight::Regular, height);
+            let Some(glyph) = raster(letter).or_else(|| raster('?')) else { continue };
+            for (y, line) in glyph.rows().enumerate() {
+                for (x, &ink) in line.iter().enumerate() {
+                    let left = column + place * width + x;
+                    self.blend(left, row + y, color, f64::from(ink) / 255.0);
                 }
             }
         }
+    }
+
+    /// Writes a line of text about the column `middle`.
+    pub fn centered_text(
+        &mut self,
+        (middle, row): (usize, usize),
+        height: TextHeight,
+        color: [u8; 3],
+        text: &str,
+    ) {
+        let left = middle.saturating_sub(text_width(height, text) / 2);
+        self.text((left, row), height, color, text);
     }
 }
 
 /// Width of a line of text in pixels.
 #[must_use]
-pub fn text_width(scale: usize, text: &str) -> usize {
-    scale * LETTER * text.chars().count()
+pub fn text_width(height: TextHeight, text: &str) -> usize {
+    get_raster_width(FontWeight::Regular, height) * text.chars().count()
 }
 
 /// The exposure factor: it scales the value below which a `share` of the values lie to 1. Returns 1
@@ -176,6 +193,28 @@ mod tests {
     #[test]
     fn codes_round_trip() {
         assert!((0..=u8::MAX).all(|code| srgb(linear(f64::from(code) / 255.0)) == code));
+    }
+
+    #[test]
+    fn text_is_smooth_and_as_wide_as_stated() {
+        for height in [TextHeight::Size16, TextHeight::Size32] {
+            let drawn = |text: &str| {
+                let mut canvas = Canvas::new(100, height.val(), [0; 3]);
+                canvas.text((0, 0), height, [255; 3], text);
+                canvas
+            };
+            let Canvas { width, bytes, .. } = drawn("Wg");
+            assert!(
+                bytes.iter().any(|&byte| byte > 200)
+                    && bytes.iter().any(|byte| (50..200).contains(byte))
+            );
+            let inked = bytes.chunks(3).enumerate().filter(|(_, rgb)| rgb[0] > 0);
+            let last = inked.map(|(place, _)| place % width).max();
+            let expected = text_width(height, "Wg");
+            assert!(last.is_some_and(|last| last < expected && last > expected / 2), "{last:?}");
+            // A letter that the font lacks.
+            assert_eq!(drawn("\u{9762}"), drawn("?"));
+        }
     }
 
     #[test]

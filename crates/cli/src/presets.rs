@@ -1,82 +1,166 @@
-//! Shipped lights and materials by name, wherever a command takes a file.
+//! Lights and materials as options name them: shipped ones, all of a file, or one of a file.
 
-use eigenshade_model::database::{Lights, Materials, Named};
-use eigenshade_model::error::{Error, Result};
+use eigenshade_model::budget::Budget;
+use eigenshade_model::database::{Lights, Materials, Named, name_remedy};
+use eigenshade_model::error::{Error, Result, STANDARD_INPUT};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_shading::shipped;
-use std::path::Path;
+use std::convert::Infallible;
+use std::path::{Path, PathBuf};
+use std::str::FromStr;
 
-/// The least similarity of a name that an error message offers, from 0 to 1.
-const SIMILAR: f64 = 0.75;
-
-/// The most names that an error message offers.
-const OFFERED: usize = 3;
-
-/// The lights of a file, or the shipped light of this name.
-///
-/// # Errors
-///
-/// Those of [`read_lights`]; if there is no such file, and the text looks like a name but is none.
-pub fn lights(file: InputFile) -> Result<Lights> {
-    let Some(name) = name(file.path()) else { return read_lights(file, None) };
-    let Lights { degree, entries } = shipped::lights()?;
-    Ok(Lights { degree, entries: vec![find("light", name, entries)?] })
+/// The name of a shipped light or material, a file, or `FILE:NAME`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Source {
+    /// The file, or the shipped name.
+    path: PathBuf,
+    entry: Entry,
 }
 
-/// The materials of a file, or the shipped material of this name.
-///
-/// # Errors
-///
-/// As [`lights`].
-pub fn materials(file: InputFile) -> Result<Materials> {
-    let Some(name) = name(file.path()) else { return read_materials(file, None) };
-    let Materials { order, entries } = shipped::named_materials()?;
-    Ok(Materials { order, entries: vec![find("material", name, entries)?] })
+#[derive(Clone, Debug, PartialEq, Eq)]
+enum Entry {
+    /// The path is the name of something shipped.
+    Shipped,
+    /// All entries of the file.
+    All,
+    /// The entry of this name.
+    Named(String),
+}
+
+impl FromStr for Source {
+    type Err = Infallible;
+
+    /// A file that exists is taken as such. Otherwise, an entry's name follows the last colon, and
+    /// one word without an extension is a shipped name.
+    fn from_str(text: &str) -> std::result::Result<Self, Infallible> {
+        let path = Path::new(text);
+        let is_word = !text.contains(['/', '\\']) && path.extension().is_none();
+        let (path, entry) = match text.rsplit_once(':') {
+            _ if path.exists() || text == STANDARD_INPUT => (text, Entry::All),
+            Some((path, name)) if !path.is_empty() && !name.is_empty() => {
+                (path, Entry::Named(name.to_owned()))
+            }
+            None if is_word => (text, Entry::Shipped),
+            _ => (text, Entry::All),
+        };
+        Ok(Self { path: path.into(), entry })
+    }
+}
+
+impl Source {
+    /// The file, or the shipped name.
+    #[must_use]
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// The lights.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`read_lights`], and if no light has the name. The message offers similar names.
+    pub fn lights(&self, budget: Budget) -> Result<Lights> {
+        let Lights { degree, entries } = match self.entry {
+            Entry::Shipped => shipped::lights()?,
+            _ => read_lights(InputFile::new(&self.path, budget), None)?,
+        };
+        Ok(Lights { degree, entries: self.chosen("light", entries)? })
+    }
+
+    /// The materials.
+    ///
+    /// # Errors
+    ///
+    /// As [`lights`](Self::lights).
+    pub fn materials(&self, budget: Budget) -> Result<Materials> {
+        let Materials { order, entries } = match self.entry {
+            Entry::Shipped => shipped::named_materials()?,
+            _ => read_materials(InputFile::new(&self.path, budget), None)?,
+        };
+        Ok(Materials { order, entries: self.chosen("material", entries)? })
+    }
+
+    fn chosen(&self, kind: &str, mut entries: Vec<Named>) -> Result<Vec<Named>> {
+        let path = self.path.display();
+        let (name, what, otherwise) = match &self.entry {
+            Entry::All => return Ok(entries),
+            Entry::Shipped => {
+                let name = path.to_string();
+                let what = format!("`{name}` is neither a file nor a shipped {kind}");
+                (name, what, "a name that `eigenshade list` prints")
+            }
+            Entry::Named(name) => {
+                (name.clone(), format!("it has no {kind} `{name}`"), "another name from it")
+            }
+        };
+        match entries.iter().position(|entry| entry.name == name) {
+            Some(place) => Ok(vec![entries.swap_remove(place)]),
+            None => {
+                let names = entries.iter().map(|entry| entry.name.as_str());
+                let error = Error::new(what, name_remedy(&name, names, otherwise));
+                Err(if self.entry == Entry::Shipped { error } else { error.in_file(&self.path) })
+            }
+        }
+    }
+
+    /// The only one of these entries.
+    ///
+    /// # Errors
+    ///
+    /// If there are several. The message has the first names.
+    pub fn only(&self, mut entries: Vec<Named>) -> Result<Named> {
+        let count = entries.len();
+        if let (1, Some(entry)) = (count, entries.pop()) {
+            return Ok(entry);
+        }
+        let names = entries.iter().take(3).map(|entry| entry.name.as_str()).collect::<Vec<_>>();
+        let (path, names) = (self.path.display(), names.join(", "));
+        let remedy = format!("name one as {path}:NAME, with one of {names}, ...");
+        Err(Error::new(format!("it has {count} entries"), remedy).in_file(&self.path))
+    }
+
+    /// A note if this is a shipped material whose pictures at this degree and order are far from
+    /// those of its BRDF.
+    #[must_use]
+    pub fn error_note(&self, size: (usize, usize)) -> Option<String> {
+        let name = self.path.to_str().filter(|_| self.entry == Entry::Shipped)?;
+        let error = shipped::total_error(name, size).filter(|error| error.worst > LARGE)?;
+        Some(format!(
+            "note: `{name}` is sharper than order {} can show: pictures are off by {:.1} % of \
+             their peak, under some lights by {:.0} %, and highlights are blurred",
+            size.1,
+            100.0 * error.median,
+            100.0 * error.worst
+        ))
+    }
 }
 
 /// A total error above this share is worth a note.
 const LARGE: f64 = 0.05;
 
-/// A note if this is a shipped material whose pictures at this degree and order are far from those
-/// of its BRDF.
-#[must_use]
-pub fn error_note(material: &Path, size: (usize, usize)) -> Option<String> {
-    let name = name(material)?;
-    let error = shipped::total_error(name, size).filter(|error| error.worst > LARGE)?;
-    Some(format!(
-        "note: `{name}` is sharper than order {} can show: pictures are off by {:.1} % of their \
-         peak, under some lights by {:.0} %, and highlights are blurred",
-        size.1,
-        100.0 * error.median,
-        100.0 * error.worst
-    ))
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-/// The path as the name of something shipped: one word without an extension, and no file.
-fn name(path: &Path) -> Option<&str> {
-    let name = path.to_str()?;
-    let is_word = !name.is_empty() && !name.contains(['/', '\\', ':']);
-    (is_word && path.extension().is_none() && !path.exists()).then_some(name)
-}
-
-fn find(kind: &str, name: &str, entries: Vec<Named>) -> Result<Named> {
-    let mut similar: Vec<(f64, String)> = entries
-        .iter()
-        .map(|entry| (strsim::jaro_winkler(name, &entry.name), entry.name.clone()))
-        .filter(|(similarity, other)| *similarity >= SIMILAR || other.contains(name))
-        .collect();
-    similar.sort_by(|(a, _), (b, _)| b.total_cmp(a));
-    let offered: Vec<String> =
-        similar.into_iter().take(OFFERED).map(|(_, name)| format!("`{name}`")).collect();
-    let offered = match offered.as_slice() {
-        [] => String::new(),
-        names => format!("{}, or ", names.join(", ")),
-    };
-    entries.into_iter().find(|entry| entry.name == name).ok_or_else(|| {
-        Error::new(
-            format!("`{name}` is neither a file nor a shipped {kind}"),
-            format!("use {offered}a name that `eigenshade list` prints"),
-        )
-    })
+    #[test]
+    fn names_follow_the_last_colon() {
+        let parsed = |text: &str| -> Source { text.parse().unwrap() };
+        let named = |path: &str, name: &str| Source {
+            path: path.into(),
+            entry: Entry::Named(name.to_owned()),
+        };
+        assert_eq!(parsed("no/such:file.csv:felt"), named("no/such:file.csv", "felt"));
+        assert_eq!(parsed("-:felt"), named("-", "felt"));
+        for (text, entry) in [
+            ("no/such.csv", Entry::All),
+            ("no/such.csv:", Entry::All),
+            ("-", Entry::All),
+            ("felt", Entry::Shipped),
+            ("no/felt", Entry::All),
+            ("Cargo.toml", Entry::All),
+        ] {
+            assert_eq!(parsed(text), Source { path: text.into(), entry }, "{text}");
+        }
+    }
 }

@@ -40,11 +40,11 @@ fn black_materials() {
         assert_fails(&folder, &format!("{read} --table night.bin"), &["night.bin", "black"]);
         folder.write("materials.csv", &all);
         folder.ok("basis --scene scene.toml --out b.bin");
-        let with_soot = format!("{read} --table b.bin --materials soot.csv");
-        assert_fails(&folder, &with_soot, &["b.bin", "black", "--materials"]);
+        let with_soot = format!("{read} --table b.bin --material soot.csv");
+        assert_fails(&folder, &with_soot, &["b.bin", "black", "--material"]);
     }
     folder.write("both.csv", format!("{all}{zeros}"));
-    let found = answer(&folder.ok(&format!("{READ} --materials both.csv")));
+    let found = answer(&folder.ok(&format!("{READ} --material both.csv")));
     assert_eq!(nearest(&found), "material-2");
     assert_eq!(get(&found, "material-evidence", "soot")[0][0], 4.0);
 }
@@ -59,7 +59,7 @@ fn shipped_databases_replace_only_themselves() {
     folder.ok("basis --scene scene.toml --out other.bin");
     fs::remove_file(folder.path("lights.csv")).unwrap();
     let read = "read image.csv --normals normals.csv --table other.bin --components 9";
-    assert_fails(&folder, &format!("{read} --out new.csv"), &["other.bin", "--lights"]);
+    assert_fails(&folder, &format!("{read} --out new.csv"), &["other.bin", "--light"]);
     folder.write("lights.csv", lights(support::DEGREE, 26));
     folder.ok(read);
 }
@@ -165,7 +165,7 @@ fn inputs_that_do_not_match() {
         (format!("{READ} --mask wide.csv"), vec!["wide.csv", "400 pixels"]),
         (format!("{READ} --components 60000"), vec!["b.bin", "60000"]),
         (format!("{READ} --transfer srgb"), vec!["image.csv", "--transfer"]),
-        (format!("{READ} --lights none.csv"), vec!["none.csv"]),
+        (format!("{READ} --light none.csv"), vec!["none.csv"]),
         (format!("{READ} --light-out nowhere/l.csv"), vec!["nowhere/l.csv"]),
         ("read image.csv --normals sphere --table b.bin".into(), vec!["--normals"]),
         (format!("{png_read} --mask small.png"), vec!["small.png", "10 x 10"]),
@@ -187,6 +187,6 @@ fn inputs_that_do_not_match() {
         assert_fails(&folder, &format!("{read} {arguments}"), &["kept.bin", "basis.store"]);
     }
     fs::rename(folder.path("lights.csv"), folder.path("elsewhere.csv")).unwrap();
-    assert_fails(&folder, READ, &["lights.csv", "--lights"]);
-    folder.ok(&format!("{READ} --lights elsewhere.csv"));
+    assert_fails(&folder, READ, &["lights.csv", "--light"]);
+    folder.ok(&format!("{READ} --light elsewhere.csv"));
 }

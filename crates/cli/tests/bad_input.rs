@@ -7,21 +7,27 @@ use std::fs;
 fn missing_files() {
     let folder = Folder::with_table();
     for (arguments, file) in [
-        ("info none.bin", "none.bin"),
-        ("eigenvalues none.bin", "none.bin"),
+        ("info --table none.bin", "none.bin"),
+        ("eigenvalues --table none.bin", "none.bin"),
         ("basis --scene none.toml --out new.bin", "none.toml"),
         ("basis --scene scene.toml --check none.bin", "none.bin"),
         ("light none.exr --degree 2 --out new.csv", "none.exr"),
         ("light none.csv --degree 2 --out new.csv", "none.csv"),
         ("material none --order 2 --out new.csv", "none"),
-        ("project b.bin --lights none.csv --materials materials.csv --out new.csv", "none.csv"),
-        ("project b.bin --lights lights.csv --materials none.csv --out new.csv", "none.csv"),
+        (
+            "project --table b.bin --light none.csv --material materials.csv --out new.csv",
+            "none.csv",
+        ),
+        ("project --table b.bin --light lights.csv --material none.csv --out new.csv", "none.csv"),
         ("evaluate wigner-d none.csv --out new.csv", "none.csv"),
-        ("render b.bin --light none.csv:a --material materials.csv --out new.png", "none.csv"),
+        (
+            "render --table b.bin --light none.csv:a --material materials.csv --out new.png",
+            "none.csv",
+        ),
     ] {
         assert_fails(&folder, arguments, &[file]);
     }
-    let arguments = format!("shade b.bin {PAIR} --normals none.csv --out new.csv");
+    let arguments = format!("shade --table b.bin {PAIR} --normals none.csv --out new.csv");
     assert_fails(&folder, &arguments, &["none.csv"]);
 }
 
@@ -42,8 +48,8 @@ fn names_of_nothing_shipped() {
         &["`gold-paint`", "`gold-metallic-paint2`"],
     );
     let of_none = format!("{} --components 9999", render("park", "chrome"));
-    assert_fails(&folder, &of_none, &["the shipped color.bin", "160"]);
-    let shade = "shade b.bin --lights cities --materials materials.csv --normals normals.csv";
+    assert_fails(&folder, &of_none, &["color: it has 160 components"]);
+    let shade = "shade --table b.bin --light cities --material materials.csv --normals normals.csv";
     assert_fails(&folder, shade, &["`cities`", "`city`"]);
 }
 
@@ -54,9 +60,9 @@ fn assert_bad_lights(change: impl Fn(&str) -> String, fragments: &[&str]) {
     folder.write("old.csv", "old");
     let fragments = [&["lights.csv"], fragments].concat();
     assert_fails(&folder, "light lights.csv --degree 4 --out old.csv", &fragments);
-    assert_fails(&folder, &format!("project b.bin {PAIR} --out old.csv"), &fragments);
+    assert_fails(&folder, &format!("project --table b.bin {PAIR} --out old.csv"), &fragments);
     assert_fails(&folder, "basis --scene scene.toml --out new.bin", &fragments);
-    let shade = format!("shade b.bin {PAIR} --normals normals.csv --out old.csv");
+    let shade = format!("shade --table b.bin {PAIR} --normals normals.csv --out old.csv");
     assert_fails(&folder, &shade, &fragments);
     assert_eq!(folder.read("old.csv"), "old");
 }
@@ -108,10 +114,13 @@ fn materials_of_a_higher_order_are_a_warning() {
         "`eigenshade material --order 3`",
     ];
     for (arguments, is_warned) in [
-        ("project b.bin --lights lights.csv --materials high.csv --out d.csv", true),
-        ("shade b.bin --normals normals.csv --lights lights.csv --materials high.csv", true),
-        ("render b.bin --light lights.csv:light-0 --material high.csv --size 8 --out p.png", true),
-        ("project b.bin --lights lights.csv --materials materials.csv --out d.csv", false),
+        ("project --table b.bin --light lights.csv --material high.csv --out d.csv", true),
+        ("shade --table b.bin --normals normals.csv --light lights.csv --material high.csv", true),
+        (
+            "render --table b.bin --light lights.csv:light-0 --material high.csv --size 8 --out p.png",
+            true,
+        ),
+        ("project --table b.bin --light lights.csv --material materials.csv --out d.csv", false),
     ] {
         let message = folder.messages(arguments);
         assert_eq!(message.lines().count(), usize::from(is_warned), "{arguments}: {message}");
@@ -154,8 +163,13 @@ fn no_materials() {
     let folder = Folder::with_table();
     folder.write("materials.csv", "name,o,p,q,value\n");
     assert_fails(&folder, "basis --scene scene.toml --out new.bin", &["materials.csv"]);
-    assert_fails(&folder, &format!("project b.bin {PAIR} --out new.csv"), &["materials.csv"]);
-    let render = "render b.bin --light lights.csv:light-0 --material materials.csv --out new.png";
+    assert_fails(
+        &folder,
+        &format!("project --table b.bin {PAIR} --out new.csv"),
+        &["materials.csv"],
+    );
+    let render =
+        "render --table b.bin --light lights.csv:light-0 --material materials.csv --out new.png";
     assert_fails(&folder, render, &["materials.csv"]);
 }
 
@@ -165,9 +179,14 @@ fn unknown_names() {
     folder.write("scene.toml", scene("standard", 5, "[\"velvet\"]"));
     assert_fails(&folder, "basis --scene scene.toml --out new.bin", &["materials.csv", "velvet"]);
     let material = "--material materials.csv:velvet --out new.png";
-    let render = format!("render b.bin --light lights.csv:light-0 {material}");
-    assert_fails(&folder, &render, &["materials.csv", "velvet", "material-0"]);
-    let several = "render b.bin --light lights.csv --material materials.csv --out new.png";
+    let render = format!("render --table b.bin --light lights.csv:light-0 {material}");
+    assert_fails(&folder, &render, &["materials.csv", "velvet", "another name"]);
+    let near = render.replace("velvet", "matrial-1");
+    assert_fails(&folder, &near, &["materials.csv", "no material `matrial-1`", "`material-1`"]);
+    folder.write("scene.toml", scene("standard", 5, "[\"matrial-1\"]"));
+    assert_fails(&folder, "basis --scene scene.toml --out new.bin", &["`material-1`"]);
+    assert_fails(&folder, "info --table spere", &["`spere`", "shipped table", "`sphere`"]);
+    let several = "render --table b.bin --light lights.csv --material materials.csv --out new.png";
     assert_fails(&folder, several, &["lights.csv", "light-0"]);
 }
 
@@ -213,10 +232,10 @@ fn damaged_and_foreign_tables() {
         folder.write(name, bytes);
         let fragments = [name, fragment, "eigenshade basis"];
         for arguments in [
-            format!("info {name}"),
-            format!("eigenvalues {name} --out old.csv"),
-            format!("project {name} {PAIR} --out old.csv"),
-            format!("shade {name} {PAIR} --normals normals.csv --out old.csv"),
+            format!("info --table {name}"),
+            format!("eigenvalues --table {name} --out old.csv"),
+            format!("project --table {name} {PAIR} --out old.csv"),
+            format!("shade --table {name} {PAIR} --normals normals.csv --out old.csv"),
             format!("basis --scene scene.toml --check {name}"),
         ] {
             assert_fails(&folder, &arguments, &fragments);
@@ -231,10 +250,10 @@ fn outputs_that_cannot_be() {
     for place in ["nowhere/new.csv", "lights.csv/new.csv", "."] {
         for arguments in [
             "light lights.csv --degree 2".to_owned(),
-            "eigenvalues b.bin".to_owned(),
-            format!("project b.bin {PAIR}"),
+            "eigenvalues --table b.bin".to_owned(),
+            format!("project --table b.bin {PAIR}"),
             "basis --scene scene.toml".to_owned(),
-            "render b.bin --light lights.csv:light-0 --material materials.csv:material-0"
+            "render --table b.bin --light lights.csv:light-0 --material materials.csv:material-0"
                 .to_owned(),
         ] {
             assert_fails(&folder, &format!("{arguments} --out {place}"), &[place]);
@@ -243,17 +262,18 @@ fn outputs_that_cannot_be() {
     assert_fails(&folder, "demo --size 16 --out lights.csv/demo", &["lights.csv/demo"]);
     assert_fails(&folder, "demo --size 16 --out lights.csv", &["lights.csv", "mixed up"]);
     #[cfg(target_os = "linux")]
-    assert_fails(&folder, "eigenvalues b.bin --out /proc/new.csv", &["/proc/new.csv"]);
+    assert_fails(&folder, "eigenvalues --table b.bin --out /proc/new.csv", &["/proc/new.csv"]);
 }
 
 #[test]
 fn more_components_than_there_are() {
     let folder = Folder::with_table();
-    for arguments in ["project b.bin", "shade b.bin --normals normals.csv"] {
+    for arguments in ["project --table b.bin", "shade --table b.bin --normals normals.csv"] {
         let arguments = format!("{arguments} {PAIR} --components 60000 --out new.csv");
         assert_fails(&folder, &arguments, &["b.bin", "60000"]);
     }
-    let modes = "shade b.bin --normals normals.csv --method modes --format f32 --out new.csv";
+    let modes =
+        "shade --table b.bin --normals normals.csv --method modes --format f32 --out new.csv";
     assert_fails(&folder, &format!("{modes} {PAIR}"), &["modes", "f64"]);
 }
 
@@ -285,7 +305,7 @@ fn indices_out_of_range() {
 fn messages_stay_one_line() {
     let folder = Folder::with_table();
     folder.write("lights.csv", "name,l,m,\"r\nr\",g,b\n");
-    let arguments = format!("project b.bin {PAIR} --out new.csv");
+    let arguments = format!("project --table b.bin {PAIR} --out new.csv");
     assert_fails(&folder, &arguments, &["lights.csv"]);
     folder.write("materials.csv", materials(3, 1).replace("material-0,1,", "material-0,one,"));
     assert_fails(&folder, "basis --scene scene.toml --out new.bin", &["csv"]);

@@ -10,7 +10,7 @@ use eigenshade_table::{General, MeanImage, Table, decode, encode};
 use std::fs;
 use std::process::Command;
 
-const RENDER: &str = "render materials.bin --light lights.csv:light-0 \
+const RENDER: &str = "render --table materials.bin --light lights.csv:light-0 \
                       --material materials.csv:material-1 --size 8 --out r.png";
 const STORES: [&str; 3] = ["modes", "projection", "materials"];
 
@@ -56,7 +56,7 @@ fn every_store_gives_the_same_images() {
                 assert!(worst <= tolerance, "{criterion}, {store}, {format}: {worst}");
             }
         }
-        let d = STORES.map(|store| folder.ok(&format!("project {store}.bin {PAIR}")));
+        let d = STORES.map(|store| folder.ok(&format!("project --table {store}.bin {PAIR}")));
         let [expected, _, of_materials] =
             d.map(|text| numbers(&rows(&text, "light,material,component,r,g,b"), 3));
         assert!(difference(&of_materials, &expected) <= tolerances::DENSE_PROJECTION);
@@ -80,7 +80,7 @@ fn tables_store_what_their_scene_requests() {
         ("projection", "U over modes is derived again from the scene"),
         ("materials", "the transfers of the scene's materials; U and U^T M are derived again"),
     ] {
-        assert!(folder.ok(&format!("info {store}.bin")).contains(fragments), "{store}");
+        assert!(folder.ok(&format!("info --table {store}.bin")).contains(fragments), "{store}");
     }
 }
 
@@ -90,10 +90,14 @@ fn other_materials_are_refused() {
     folder
         .write("materials.csv", materials(3, 1).replace("material-0,0,0,0,", "material-0,0,0,0,1"));
     let fragments = ["its scene's materials", "store = \"projection\""];
-    let shade = format!("shade materials.bin {PAIR} --normals normals.csv --out new.csv");
+    let shade = format!("shade --table materials.bin {PAIR} --normals normals.csv --out new.csv");
     assert_fails(&folder, &shade, &fragments);
-    assert_fails(&folder, &format!("project materials.bin {PAIR} --out new.csv"), &fragments);
-    folder.ok(&format!("shade projection.bin {PAIR} --normals normals.csv"));
+    assert_fails(
+        &folder,
+        &format!("project --table materials.bin {PAIR} --out new.csv"),
+        &fragments,
+    );
+    folder.ok(&format!("shade --table projection.bin {PAIR} --normals normals.csv"));
 }
 
 /// A table that does not store what its scene requests is damaged.
@@ -155,7 +159,8 @@ fn tables_of_objects_leave_modes_out() {
         assert!(decode(&encode(&broken)).is_err());
 
         let shade = |store: &str| {
-            folder.ok(&format!("shade {store}.bin {PAIR} --normals normals.csv --format f64"))
+            folder
+                .ok(&format!("shade --table {store}.bin {PAIR} --normals normals.csv --format f64"))
         };
         assert_eq!(shade("projection"), shade("modes"));
         let basis = "basis --scene materials.toml --out new.bin";

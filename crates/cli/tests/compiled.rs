@@ -285,14 +285,14 @@ fn compiled_integers_agree_with_the_general_functions() {
 fn info_describes_wire_files() {
     let folder = Folder::with_table();
     for format in ["f32", "q15", "q31"] {
-        let summary = folder.ok(&format!("pack b.bin --format {format} --out w.esw"));
+        let summary = folder.ok(&format!("pack --table b.bin --format {format} --out w.esw"));
         let bytes = fs::read(folder.path("w.esw")).unwrap();
         assert!(bytes.starts_with(b"EIGSWIRE"));
         let length = grouped(bytes.len());
         let (bytes, error) = summary.split_once('\n').expect("two lines");
         assert_eq!(bytes, format!("bytes        {length}"));
         assert!(error.starts_with("error        ") && error.contains("of the peak"), "{error}");
-        let description = folder.ok("info w.esw");
+        let description = folder.ok("info --table w.esw");
         for line in [
             "wire version             1".to_owned(),
             format!("format                   {format}"),
@@ -312,22 +312,22 @@ fn the_first_components_are_a_table_of_fewer() {
     folder.write("few.toml", scene("image-centered", 5, "[]"));
     folder.ok("basis --scene few.toml --out few.bin");
     for format in ["f32", "q15"] {
-        folder.ok(&format!("pack few.bin --format {format} --out few.esw"));
-        let summary =
-            folder.ok(&format!("pack b.bin --components 5 --format {format} --out first.esw"));
+        folder.ok(&format!("pack --table few.bin --format {format} --out few.esw"));
+        let summary = folder
+            .ok(&format!("pack --table b.bin --components 5 --format {format} --out first.esw"));
         let [few, first] =
             ["few.esw", "first.esw"].map(|name| fs::read(folder.path(name)).unwrap());
         assert_eq!(few, first, "{format}");
         assert_eq!(summary.lines().count(), 1, "no error of another table: {summary}");
     }
-    let more = format!("pack b.bin --components {} --out new.esw", whole.count() + 1);
+    let more = format!("pack --table b.bin --components {} --out new.esw", whole.count() + 1);
     let of = format!("it has {} components", whole.count());
     assert_fails(&folder, &more, &["b.bin", &of, "at most"]);
-    let none = folder.run("pack b.bin --components 0 --out new.esw");
+    let none = folder.run("pack --table b.bin --components 0 --out new.esw");
     assert_eq!(none.status.code(), Some(2));
     folder.write("stored.toml", scene("image-centered", 5, "[]") + "store = \"materials\"\n");
     folder.ok("basis --scene stored.toml --out stored.bin");
-    let stored = "pack stored.bin --components 2 --out new.esw";
+    let stored = "pack --table stored.bin --components 2 --out new.esw";
     assert_fails(&folder, stored, &["stored.bin", "a sphere's table that projects", "with fewer"]);
 }
 
@@ -336,9 +336,9 @@ fn tables_without_a_wire_file_are_refused() {
     let folder = Folder::with_table();
     folder.write("scene.toml", scene("standard", 10, "[]"));
     folder.ok("basis --scene scene.toml --out mean.bin");
-    folder.ok("pack mean.bin --out w.esw");
+    folder.ok("pack --table mean.bin --out w.esw");
     for format in ["q15", "q31"] {
-        let arguments = format!("pack mean.bin --format {format} --out v.esw");
+        let arguments = format!("pack --table mean.bin --format {format} --out v.esw");
         assert_fails(&folder, &arguments, &["mean.bin: ", "mean image", "image-centered"]);
     }
     let stored = scene("image-centered", 10, "[]") + "store = \"materials\"\n";
@@ -346,24 +346,24 @@ fn tables_without_a_wire_file_are_refused() {
     folder.ok("basis --scene scene.toml --out materials.bin");
     assert_fails(
         &folder,
-        "pack materials.bin --out v.esw",
+        "pack --table materials.bin --out v.esw",
         &["materials.bin: ", "store = \"projection\""],
     );
-    assert_fails(&folder, "pack scene.toml --out v.esw", &["not an eigenshade table"]);
-    assert_fails(&folder, "pack b.bin --out none/v.esw", &["none/v.esw", "folder exists"]);
+    assert_fails(&folder, "pack --table scene.toml --out v.esw", &["not an eigenshade table"]);
+    assert_fails(&folder, "pack --table b.bin --out none/v.esw", &["none/v.esw", "folder exists"]);
 }
 
 #[test]
 fn damaged_wire_files_are_refused() {
     let folder = Folder::with_table();
-    folder.ok("pack b.bin --out w.esw");
+    folder.ok("pack --table b.bin --out w.esw");
     let bytes = fs::read(folder.path("w.esw")).unwrap();
     folder.write("short.esw", &bytes[..200]);
-    assert_fails(&folder, "info short.esw", &["short.esw: ", "200 found", "take all"]);
+    assert_fails(&folder, "info --table short.esw", &["short.esw: ", "200 found", "take all"]);
     let mut damaged = bytes;
     damaged[300] ^= 1;
     folder.write("damaged.esw", &damaged);
-    assert_fails(&folder, "info damaged.esw", &["damaged.esw: ", "checksum"]);
-    folder.ok("pack b.bin --big-endian --out big.esw");
-    assert_fails(&folder, "info big.esw", &["big.esw: ", "byte order", "--big-endian"]);
+    assert_fails(&folder, "info --table damaged.esw", &["damaged.esw: ", "checksum"]);
+    folder.ok("pack --table b.bin --big-endian --out big.esw");
+    assert_fails(&folder, "info --table big.esw", &["big.esw: ", "byte order", "--big-endian"]);
 }

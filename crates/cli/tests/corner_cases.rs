@@ -25,7 +25,8 @@ const ALL_COMPONENTS_F32_HIGH: f64 = 6e-6;
 /// The largest error of both methods, in f64 and in f32, relative to the direct sum's peak.
 fn errors(folder: &Folder, pair: &str) -> [f64; 2] {
     let shaded = |options: &str| {
-        let text = folder.ok(&format!("shade b.bin {pair} --normals normals.csv {options}"));
+        let text =
+            folder.ok(&format!("shade --table b.bin {pair} --normals normals.csv {options}"));
         numbers(&rows(&text, SHADED), 3)
     };
     let reference = shaded("--method modes");
@@ -103,7 +104,7 @@ fn the_smallest_databases_work() {
     let table = folder.table("b.bin");
     assert_eq!((table.components.len(), table.spectrum.len()), (0, 0), "all is the mean");
     folder.shaded("");
-    folder.ok("info b.bin");
+    folder.ok("info --table b.bin");
 }
 
 /// Three of the shipped lights, to degree 16.
@@ -247,7 +248,7 @@ fn errors_of_pictures(name: &str, normals: &str) -> (f64, usize) {
         folder.write("scene.toml", text.replace("\"sphere\"", "\"object.csv\""));
         folder.ok("basis --scene scene.toml --out b.bin");
         let shaded = |options: &str| {
-            let shade = format!("shade b.bin {PAIR} --normals object.csv {options}");
+            let shade = format!("shade --table b.bin {PAIR} --normals object.csv {options}");
             numbers(&rows(&folder.ok(&shade), SHADED), 3)
         };
         let reference = shaded("--method modes");
@@ -255,7 +256,7 @@ fn errors_of_pictures(name: &str, normals: &str) -> (f64, usize) {
         let error = difference(&ours, &reference);
         assert!(error.is_finite(), "{name}, {criterion}");
         worst = worst.max(error);
-        count = count.max(folder.ok("eigenvalues b.bin").lines().count() - 1);
+        count = count.max(folder.ok("eigenvalues --table b.bin").lines().count() - 1);
     }
     println!("{name}: {count} components, pictures {worst:.1e}");
     (worst, count)
@@ -329,7 +330,8 @@ fn a_material_of_zeros() {
 /// Asserts that the images of this light or material are exactly black, in every format.
 fn assert_black(folder: &Folder, name: &str) {
     for options in ["", "--format f64", "--method eigen", "--method modes"] {
-        let text = folder.ok(&format!("shade b.bin {PAIR} --normals normals.csv {options}"));
+        let text =
+            folder.ok(&format!("shade --table b.bin {PAIR} --normals normals.csv {options}"));
         let of_name: Vec<_> =
             rows(&text, SHADED).into_iter().filter(|row| row.join(",").contains(name)).collect();
         assert!(!of_name.is_empty());

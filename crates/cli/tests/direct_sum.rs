@@ -42,8 +42,9 @@ fn the_light_rotates() {
     });
     let straight = folder.shaded("--method modes");
     for rotation in ["0.7,0,0", "0,0,0.7", "1.0,0,-0.3", "0.7,-0,0"] {
-        let command =
-            format!("shade b.bin {PAIR} --normals turned.csv --method modes --rotate {rotation}");
+        let command = format!(
+            "shade --table b.bin {PAIR} --normals turned.csv --method modes --rotate {rotation}"
+        );
         let turned = numbers(&rows(&folder.ok(&command), SHADED), 3);
         assert!(difference(&turned, &straight) < ROTATED_LIGHT, "{rotation}");
     }
@@ -98,7 +99,7 @@ fn modes_are_the_integral() {
 
     let table = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tables/sphere.bin");
     let shaded = folder.ok(&format!(
-        "shade {table} --lights lights.csv --materials materials.csv --normals normals.csv \
+        "shade --table {table} --light lights.csv --material materials.csv --normals normals.csv \
          --method modes --format f64"
     ));
     let mut found: HashMap<[String; 3], f64> = HashMap::new();

@@ -134,9 +134,9 @@ fn selections_and_objects_have_effects() {
         check(&folder, "object.bin");
         folder.write("scene.toml", &sphere);
         make(&folder, effects, "sphere.bin");
-        let normals = "--lights lights.csv --materials materials.csv --normals object.csv";
+        let normals = "--light lights.csv --material materials.csv --normals object.csv";
         let of = |table: &str, options: &str| {
-            let text = folder.ok(&format!("shade {table} {normals} {options}"));
+            let text = folder.ok(&format!("shade --table {table} {normals} {options}"));
             numbers(&rows(&text, SHADED), 3)
         };
         let reference = of("sphere.bin", &format!("--method modes {options}"));
@@ -235,12 +235,12 @@ fn wire_files_have_effects() {
     let folder = folder("image-centered");
     for effects in every() {
         let table = make(&folder, effects, "some.bin");
-        folder.ok("pack some.bin --out some.esw --format f32");
-        let text = folder.ok("info some.esw");
+        folder.ok("pack --table some.bin --out some.esw --format f32");
+        let text = folder.ok("info --table some.esw");
         let line = format!("{:<24} {}", "effects", names(effects).join(" "));
         assert!(text.contains(&line), "{text}");
         let is_unfactored = effects.unfactored_count(table.gram.order) > 0;
-        let pack = "pack some.bin --out some15.esw --format q15";
+        let pack = "pack --table some.bin --out some15.esw --format q15";
         if is_unfactored {
             assert_fails(&folder, pack, &["ambient", "gloss"]);
             continue;
@@ -260,7 +260,8 @@ fn wire_files_have_effects() {
 fn what_a_scene_leaves_out_is_refused() {
     let folder = folder("image-centered");
     make(&folder, Effects::NONE.with(Effect::Ambient).with(Effect::Diffuse), "some.bin");
-    let shade = |options: &str| format!("shade some.bin {PAIR} --normals normals.csv {options}");
+    let shade =
+        |options: &str| format!("shade --table some.bin {PAIR} --normals normals.csv {options}");
     assert_fails(&folder, &shade("--effects gloss"), &["no gloss", "ambient diffuse"]);
     assert_fails(&folder, &shade("--effects diffuse --format q15"), &["integer formats"]);
     let text = folder.read("effects.toml");
@@ -268,7 +269,7 @@ fn what_a_scene_leaves_out_is_refused() {
     assert_fails(&folder, "basis --scene none.toml --out n.bin", &["effects.use", "all"]);
     folder.write("still.toml", text + "rotation = false\n");
     folder.ok("basis --scene still.toml --out still.bin");
-    let rotated = format!("shade still.bin {PAIR} --normals normals.csv --rotate 1,2,3");
+    let rotated = format!("shade --table still.bin {PAIR} --normals normals.csv --rotate 1,2,3");
     assert_fails(&folder, &rotated, &["fixed light", "--rotate"]);
 }
 
@@ -296,11 +297,11 @@ fn without_color_there_is_luminance() {
         let text = format!("{scene}store = \"{store}\"\n[effects]\ncolor = false\n");
         folder.write("gray.toml", text);
         folder.ok("basis --scene gray.toml --out gray.bin");
-        assert!(folder.ok("info gray.bin").contains("no color"));
+        assert!(folder.ok("info --table gray.bin").contains("no color"));
         let of = |table: &str, materials: &str| {
             let pair = PAIR.replace("materials.csv", materials);
-            let text =
-                folder.ok(&format!("shade {table} {pair} --normals normals.csv --format f64"));
+            let text = folder
+                .ok(&format!("shade --table {table} {pair} --normals normals.csv --format f64"));
             numbers(&rows(&text, SHADED), 3)
         };
         let found = of("gray.bin", "colored.csv");

@@ -75,7 +75,7 @@ fn pngs_that_expand() {
     let masked = with_geometry("normals = \"small.png\"\nmask = \"bomb.png\"\n");
     folder.write("scene.toml", masked);
     assert_refused(&folder, "basis --scene scene.toml --out new.bin", &["8192 x 8192"]);
-    let pair = "--lights lights.csv --materials materials.csv";
+    let pair = "--light lights.csv --material materials.csv";
     for (image, options) in [
         ("bomb.png", "--normals sphere"),
         ("small.png", "--normals bomb.png"),
@@ -225,8 +225,8 @@ fn meshes_of_many_facets() {
 fn csv_of_short_rows() {
     let folder = Folder::with_table();
     folder.write("normals.csv", format!("x,y,z\n{}", "0,0,1\n".repeat(3_000_000)));
-    let pair = "--lights lights.csv --materials materials.csv";
-    let shade = format!("shade b.bin {pair} --normals normals.csv --out new.csv");
+    let pair = "--light lights.csv --material materials.csv";
+    let shade = format!("shade --table b.bin {pair} --normals normals.csv --out new.csv");
     assert_refused(&folder, &shade, &["normals.csv"]);
     folder
         .write("lights.csv", format!("name,l,m,value\n{}", "a,0,0,1\nb,0,0,1\n".repeat(1_250_000)));

@@ -105,7 +105,8 @@ fn links_are_followed() {
 #[test]
 fn numbers_below_the_range_of_a_format_are_refused() {
     let folder = Folder::with_table();
-    let shade = "shade b.bin --lights dark.csv --materials materials.csv --normals normals.csv";
+    let shade =
+        "shade --table b.bin --light dark.csv --material materials.csv --normals normals.csv";
     for value in ["1e-46", "-1e-300"] {
         folder.write("dark.csv", format!("name,l,m,value\ndark,0,0,{value}\n"));
         for format in ["f32", "q31", "q15"] {
@@ -123,7 +124,7 @@ fn numbers_below_the_range_of_a_format_are_refused() {
 fn a_full_disk_names_the_output() {
     let folder = Folder::with_table();
     let before = folder.names();
-    let arguments = "shade b.bin --lights lights.csv --materials materials.csv \
+    let arguments = "shade --table b.bin --light lights.csv --material materials.csv \
                      --normals normals.csv --out new.csv";
     // A limit of the shell takes the place of a full disk.
     let script = format!("trap '' XFSZ; ulimit -f 1; exec {PROGRAM} {arguments}");
@@ -225,7 +226,7 @@ fn two_outputs_in_one_file() {
     // A link to an input is the input.
     {
         let linked =
-            format!("{READ_MASKED} --lights light.csv --materials material.csv --out linked.csv");
+            format!("{READ_MASKED} --light light.csv --material material.csv --out linked.csv");
         assert_fails(&folder, &linked, &["linked.csv", "`light.csv`", "another name"]);
         assert!(contents(&folder) == before);
     }
@@ -235,18 +236,21 @@ fn two_outputs_in_one_file() {
 fn an_input_as_output() {
     let folder = with_everything();
     let before = contents(&folder);
-    let pair = "--lights light.csv --materials material.csv";
-    let render = "render b.bin --light light.csv:light-0 --material material.csv --size 4";
+    let pair = "--light light.csv --material material.csv";
+    let render = "render --table b.bin --light light.csv:light-0 --material material.csv --size 4";
     let read = format!("{READ_MASKED} {pair}");
     let inputs = |command: &str, inputs: &[&str]| -> Vec<(String, String)> {
         let row = |input: &&str| (format!("{command} --out ./{input}"), (*input).to_owned());
         inputs.iter().map(row).collect()
     };
     let mut rows = [
-        inputs(&format!("project b.bin {pair}"), &["b.bin", "light.csv", "material.csv"]),
-        inputs(&format!("shade b.bin {pair} --normals normals.csv"), &["b.bin", "normals.csv"]),
-        inputs("pack b.bin", &["b.bin"]),
-        inputs("eigenvalues b.bin", &["b.bin"]),
+        inputs(&format!("project --table b.bin {pair}"), &["b.bin", "light.csv", "material.csv"]),
+        inputs(
+            &format!("shade --table b.bin {pair} --normals normals.csv"),
+            &["b.bin", "normals.csv"],
+        ),
+        inputs("pack --table b.bin", &["b.bin"]),
+        inputs("eigenvalues --table b.bin", &["b.bin"]),
         inputs("evaluate zernike-radial points.csv", &["points.csv"]),
         inputs(render, &["b.bin", "light.csv", "material.csv"]),
         inputs("light light.csv --degree 4", &["light.csv"]),
@@ -311,21 +315,23 @@ fn control_characters_of_names_do_not_reach_the_terminal() {
     folder.write("scene.toml", scene.replace("names = []", &format!("names = [\"{spelled}\"]")));
     folder.ok("basis --scene scene.toml --out b.bin");
     // A report on standard output, names that an error lists, and the name of a file.
-    assert_harmless(folder.ok("info b.bin").as_bytes());
-    let render = "render b.bin --light lights.csv --material materials.csv --out new.png";
+    assert_harmless(folder.ok("info --table b.bin").as_bytes());
+    let render = "render --table b.bin --light lights.csv --material materials.csv --out new.png";
     assert_harmless(&failed(folder.run(render)));
-    assert_harmless(&failed(folder.run(&format!("info {NAME}"))));
+    assert_harmless(&failed(folder.run(&format!("info --table {NAME}"))));
     // Data keep the names.
-    let project = folder.ok("project b.bin --lights lights.csv --materials materials.csv");
+    let project = folder.ok("project --table b.bin --light lights.csv --material materials.csv");
     assert!(project.contains(NAME));
 }
 
-/// The comment line of a file is also safe to print.
+/// The comment line of a source file is also safe to print, and has no folders.
 #[test]
 fn control_characters_of_arguments_are_escaped_in_files() {
     let folder = Folder::new();
-    std::fs::copy(folder.path("lights.csv"), folder.path(&format!("{NAME}.csv"))).unwrap();
-    folder.ok(&format!("light {NAME}.csv --degree 2 --out new.csv"));
-    let text = folder.read("new.csv");
-    assert_harmless(text.lines().next().unwrap().as_bytes());
+    let out = folder.path(&format!("{NAME}.rs"));
+    folder.ok(&format!("pack-normals sphere --size 4 --out {}", out.display()));
+    let text = fs::read_to_string(out).unwrap();
+    let line = text.lines().next().unwrap();
+    assert_harmless(line.as_bytes());
+    assert!(line.starts_with("// eigenshade pack-normals sphere --size 4 --out na"), "{line}");
 }

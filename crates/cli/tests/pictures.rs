@@ -36,7 +36,7 @@ fn names_are_entries_of_the_shipped_files() {
     let materials = tables.join("inputs/materials.csv");
     let (table, lights, materials) = (table.display(), lights.display(), materials.display());
     folder.ok(&format!(
-        "render {table} --light {lights}:park --material {materials}:07-velvet --size 32 --out a.png"
+        "render --table {table} --light {lights}:park --material {materials}:07-velvet --size 32 --out a.png"
     ));
     folder.ok("render --light park --material 07-velvet --size 32 --out b.png");
     assert_eq!(fs::read(folder.path("a.png")).unwrap(), fs::read(folder.path("b.png")).unwrap());
@@ -59,14 +59,15 @@ fn names_are_entries_of_the_shipped_files() {
     assert_eq!(of_lights, shipped_names(shipped::lights().unwrap().entries));
     assert_eq!(of_materials, shipped_names(shipped::named_materials().unwrap().entries));
     // The other commands take names as well.
-    let shaded = |rest: &str| folder.ok(&format!("shade {table} {rest} --normals normals.csv"));
-    let by_name = shaded("--lights park --materials 07-velvet");
-    let of_file = shaded(&format!("--lights {lights} --materials {materials}"));
+    let shaded =
+        |rest: &str| folder.ok(&format!("shade --table {table} {rest} --normals normals.csv"));
+    let by_name = shaded("--light park --material 07-velvet");
+    let of_file = shaded(&format!("--light {lights} --material {materials}"));
     let of_both: Vec<_> =
         of_file.lines().filter(|row| row.starts_with("park,07-velvet,")).collect();
     assert_eq!(by_name.lines().skip(1).collect::<Vec<_>>(), of_both);
-    let projected =
-        folder.ok(&format!("project {table} --lights park --materials 07-velvet --components 3"));
+    let projected = folder
+        .ok(&format!("project --table {table} --light park --material 07-velvet --components 3"));
     assert_eq!(projected.lines().count(), 4);
 }
 
@@ -93,7 +94,7 @@ fn pictures_follow_their_options() {
     let picture = |options: &str| -> Vec<u8> {
         let choice = "--light lobby --material gold-metallic-paint --out a.png";
         let table = repository().join("tables/sphere.bin");
-        folder.ok(&format!("render {} {choice} --size {size} {options}", table.display()));
+        folder.ok(&format!("render --table {} {choice} --size {size} {options}", table.display()));
         pixels(&folder.path("a.png"))
     };
     // Rounding may move a code by one.
@@ -158,7 +159,9 @@ fn pictures_of_velvet() {
     let folder = Folder::new();
     let table = repository().join("tables/curet.bin");
     let table = table.display();
-    folder.ok(&format!("render {table} --light park --material 07-velvet --size 96 --out v.png"));
+    folder.ok(&format!(
+        "render --table {table} --light park --material 07-velvet --size 96 --out v.png"
+    ));
     let read = |arguments: &str| {
         let output = folder.run(&format!("read {arguments} --table {table}"));
         let message = String::from_utf8_lossy(&output.stderr).into_owned();

@@ -28,7 +28,7 @@ fn components_and_material_come_back() {
     let folder = with_image();
     let found = answer(&folder.ok(&format!("{READ} --light-out l.csv --modes-out m.csv")));
     let header = "light,material,component,r,g,b";
-    let project = folder.ok("project b.bin --lights light.csv --materials material.csv");
+    let project = folder.ok("project --table b.bin --light light.csv --material material.csv");
     let expected = numbers(&rows(&project, header), 3);
     for estimate in ["least-squares", "posterior"] {
         assert_near(estimate, get(&found, "d", estimate).as_flattened(), &expected);
@@ -39,8 +39,8 @@ fn components_and_material_come_back() {
     assert_eq!(get(&found, "fit", "product-converged"), [[1.0; 3]]);
 
     // The estimated light gives the image again.
-    let shade = "shade b.bin --materials material.csv --normals normals.csv --format f64";
-    let again = folder.ok(&format!("{shade} --lights l.csv"));
+    let shade = "shade --table b.bin --material material.csv --normals normals.csv --format f64";
+    let again = folder.ok(&format!("{shade} --light l.csv"));
     let images = [folder.read("image.csv"), again].map(|text| numbers(&rows(&text, SHADED), 3));
     assert_near("the light's image", &images[1], &images[0]);
     assert!(folder.read("l.csv").contains("\nimage,0,0,"));
@@ -57,7 +57,7 @@ fn both_criteria_agree() {
     let found = answer(&folder.ok(READ));
     assert!(get(&found, "relative-residual", "least-squares")[0][0] < RESIDUAL);
     assert_eq!(nearest(&found), "material-2");
-    let project = folder.ok("project b.bin --lights light.csv --materials material.csv");
+    let project = folder.ok("project --table b.bin --light light.csv --material material.csv");
     let expected = numbers(&rows(&project, "light,material,component,r,g,b"), 3);
     assert_near("least squares", get(&found, "d", "least-squares").as_flattened(), &expected);
 }
@@ -177,12 +177,14 @@ fn gray_light() -> String {
 /// Makes the table, shades its object or the sphere's normals, and reads it back.
 fn comes_back(folder: &Folder, normals: &str) -> Answer {
     folder.ok("basis --scene scene.toml --out b.bin");
-    let pair = "--lights light.csv --materials material.csv";
-    folder.ok(&format!("shade b.bin {pair} --normals {normals} --format f64 --out image.csv"));
+    let pair = "--light light.csv --material material.csv";
+    folder.ok(&format!(
+        "shade --table b.bin {pair} --normals {normals} --format f64 --out image.csv"
+    ));
     let read = format!("read image.csv --normals {normals} --table b.bin --light-out l.csv");
     let answer = answer(&folder.ok(&read));
     let header = "light,material,component,r,g,b";
-    let expected = numbers(&rows(&folder.ok(&format!("project b.bin {pair}")), header), 3);
+    let expected = numbers(&rows(&folder.ok(&format!("project --table b.bin {pair}")), header), 3);
     for estimate in ["least-squares", "posterior"] {
         assert_near(estimate, get(&answer, "d", estimate).as_flattened(), &expected);
     }
@@ -190,7 +192,7 @@ fn comes_back(folder: &Folder, normals: &str) -> Answer {
     assert_eq!(nearest(&answer), "material-2");
     // The estimated light gives the image again.
     let again = folder.ok(&format!(
-        "shade b.bin --lights l.csv --materials material.csv --normals {normals} --format f64"
+        "shade --table b.bin --light l.csv --material material.csv --normals {normals} --format f64"
     ));
     let [found, image] =
         [again, folder.read("image.csv")].map(|text| numbers(&rows(&text, SHADED), 3));

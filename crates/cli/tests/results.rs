@@ -11,7 +11,7 @@ use eigenshade_table::encode;
 use std::f64::consts::PI;
 
 const SHADE: &str =
-    "shade b.bin --lights lights.csv --materials materials.csv --normals normals.csv";
+    "shade --table b.bin --light lights.csv --material materials.csv --normals normals.csv";
 
 /// The last channel of every row times 10 to a power.
 fn times(text: &str, power: &str) -> String {
@@ -46,7 +46,7 @@ fn images_beyond_a_format_are_refused() {
         let fragments = [&fragments[..], &[format]].concat();
         assert_fails(&folder, &format!("{SHADE} {options} --out new.csv"), &fragments);
     }
-    let render = "render b.bin --light lights.csv --material materials.csv:material-0";
+    let render = "render --table b.bin --light lights.csv --material materials.csv:material-0";
     assert_fails(&folder, &format!("{render} --out new.png"), &fragments);
     // f64 has the range.
     let found = folder.ok(&format!("{SHADE} --format f64"));
@@ -62,7 +62,7 @@ fn products_beyond_f64_are_refused() {
     for options in ["--format f64", "--method modes", "--method modes --clamp"] {
         assert_fails(&folder, &format!("{SHADE} {options} --out new.csv"), &fragments);
     }
-    let project = "project b.bin --lights lights.csv --materials materials.csv";
+    let project = "project --table b.bin --light lights.csv --material materials.csv";
     assert_fails(&folder, &format!("{project} --out new.csv"), &fragments);
 }
 
@@ -102,16 +102,16 @@ fn a_wire_file_beyond_f32_is_refused() {
     folder.write("scene.toml", standard);
     folder.write("lights.csv", times(&lights(DEGREE, 3), "50"));
     folder.ok("basis --scene scene.toml --out b.bin");
-    assert_fails(&folder, "pack b.bin --out new.esw", &["b.bin", "f32", "toward"]);
+    assert_fails(&folder, "pack --table b.bin --out new.esw", &["b.bin", "f32", "toward"]);
 }
 
-const RENDER: &str = "render b.bin --light lights.csv:light-0 --material materials.csv:material-0 \
+const RENDER: &str = "render --table b.bin --light lights.csv:light-0 --material materials.csv:material-0 \
                       --size 16 --out p.png";
 
 #[test]
 fn materials_with_impossible_albedo() {
     let folder = Folder::with_table();
-    let project = "project b.bin --lights lights.csv --materials materials.csv";
+    let project = "project --table b.bin --light lights.csv --material materials.csv";
     for command in [SHADE, RENDER, project] {
         assert_eq!(folder.messages(command), "", "{command}");
     }
@@ -197,7 +197,7 @@ fn light_behind_the_object_gives_a_note() {
 fn formats_with_large_rounding_errors() {
     let folder = with_image();
     let shade = |format: &str| format!("{SHADE} --method polynomial --format {format}");
-    let pack = |format: &str| format!("pack b.bin --format {format} --out w.esw");
+    let pack = |format: &str| format!("pack --table b.bin --format {format} --out w.esw");
     let commands = |format: &str| [shade(format), pack(format)];
     let warning = |message: String| -> Vec<String> {
         let warnings = message.lines().filter(|line| line.starts_with("warning: rounding to "));

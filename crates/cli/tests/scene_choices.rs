@@ -50,7 +50,7 @@ fn basis_reports_its_choice() {
         for row in [format!("degree,{degree},"), format!("order,{order},")] {
             assert!(manifest.lines().any(|line| line.starts_with(&row)), "{row}");
         }
-        let info = folder.ok("info b.bin");
+        let info = folder.ok("info --table b.bin");
         let value = |what: &str| {
             let line = info.lines().find(|line| line.split_whitespace().next() == Some(what));
             line.and_then(|line| line.split_whitespace().last().map(str::to_owned))
@@ -138,7 +138,7 @@ fn tolerances_work_with_stores_and_effects() {
         folder.write("scene.toml", text);
         println!("{basis}{:#?}", report(&folder));
         folder.ok("basis --scene scene.toml --check b.bin");
-        folder.ok("info b.bin");
+        folder.ok("info --table b.bin");
     }
 }
 
@@ -167,7 +167,7 @@ fn settings_are_scene_files() {
         let row = row.unwrap_or_else(|| panic!("{setting} is in no row"));
         folder.write("scene.toml", shipped.replace("components = 50", lines));
         folder.ok(BASIS);
-        folder.ok("pack b.bin --format f32 --out w.esw");
+        folder.ok("pack --table b.bin --format f32 --out w.esw");
         let bytes = fs::metadata(folder.path("w.esw")).unwrap().len();
         assert_eq!(bytes.to_string(), row["table_bytes"], "{setting}");
         folder.ok("basis --scene scene.toml --check b.bin");
@@ -204,7 +204,7 @@ fn cuts_go_together() {
     assert!(terms(&trimmed) < terms(&both) && terms(&both) < terms(&short));
     let line = "requested                10000 components, azimuths to 2, polynomials of 5 terms, \
                 trimmed to 1e-1";
-    assert!(folder.ok("info b.bin").lines().any(|found| found == line));
+    assert!(folder.ok("info --table b.bin").lines().any(|found| found == line));
 }
 
 #[test]
@@ -246,9 +246,9 @@ fn several_databases() {
     assert_eq!(several.scene.material.database, ["first.csv", "rest.csv"]);
     let scene = one.scene.clone();
     assert_eq!(Table { scene, ..several }, one);
-    assert!(folder.ok("info several.bin").contains("first.csv rest.csv"));
-    let of_several = folder.ok(&format!("project several.bin {PAIR}"));
-    assert_eq!(of_several, folder.ok(&format!("project one.bin {PAIR}")));
+    assert!(folder.ok("info --table several.bin").contains("first.csv rest.csv"));
+    let of_several = folder.ok(&format!("project --table several.bin {PAIR}"));
+    assert_eq!(of_several, folder.ok(&format!("project --table one.bin {PAIR}")));
 
     let refused = |database: &str, fragments: &[&str]| {
         with(database);

@@ -6,7 +6,7 @@ use eigenshade_index::light;
 use std::f64::consts::TAU;
 
 const SHADE: &str =
-    "shade b.bin --lights lights.csv --materials materials.csv --normals normals.csv";
+    "shade --table b.bin --light lights.csv --material materials.csv --normals normals.csv";
 
 /// Methods of `shade`, all components of a scene of degree 4 and order 3 against the direct sum:
 /// the rms error relative to the largest irradiance. It is the interpolation error of such smooth
@@ -56,8 +56,8 @@ fn methods_are_as_exact_as_they_can_be() {
     folder.write("knots.toml", scene);
     folder.ok("basis --scene knots.toml --out knots.bin");
     let shade = format!("shade {PAIR} --normals normals.csv");
-    let of_scene = folder.ok(&format!("{shade} knots.bin --method sampled"));
-    assert_eq!(of_scene, folder.ok(&format!("{shade} b.bin --method sampled --knots 32")));
+    let of_scene = folder.ok(&format!("{shade} --table knots.bin --method sampled"));
+    assert_eq!(of_scene, folder.ok(&format!("{shade} --table b.bin --method sampled --knots 32")));
     for (short, long) in [
         ("--method sampled", "--method sampled --knots 256 --interpolation cubic"),
         ("--method baked", "--method baked --size 64 --interpolation linear"),
@@ -98,8 +98,9 @@ fn a_tolerance_is_of_the_brightest_channel() {
     let kept = |of: &dyn Fn(&str) -> String| {
         let rows = text.lines().take(light::count(DEGREE)).map(of).collect::<String>();
         folder.write("lights.csv", format!("name,l,m,r,g,b\n{rows}"));
-        let report =
-            folder.messages(&format!("shade b.bin {PAIR} --normals normals.csv --tolerance 1e-2"));
+        let report = folder.messages(&format!(
+            "shade --table b.bin {PAIR} --normals normals.csv --tolerance 1e-2"
+        ));
         report.lines().find(|line| line.starts_with("kept: ")).expect("what was kept").to_owned()
     };
     let all = kept(&|row| format!("{row}\n"));
@@ -124,7 +125,7 @@ fn a_printed_bound_holds() {
         let options = format!("--format f32 --tolerance {option}");
         let within = folder.shaded(&options);
         let report =
-            folder.messages(&format!("shade b.bin {PAIR} --normals normals.csv {options}"));
+            folder.messages(&format!("shade --table b.bin {PAIR} --normals normals.csv {options}"));
         let (_, rest) = report.split_once("at most ").expect("a bound");
         let bound: f64 = rest.split(' ').next().and_then(|one| one.parse().ok()).expect("a number");
         for (whole, within) in whole.chunks(1800).zip(within.chunks(1800)) {
@@ -226,10 +227,19 @@ fn tolerances_are_refused_where_they_cannot_hold() {
         folder.ok(&format!("basis --scene {name}.toml --out {name}.bin"));
     }
     for (options, fragments) in [
-        ("mean.bin --tolerance 1e-2 --effects diffuse", ["ambient", "leave --tolerance out"]),
-        ("object.bin --tolerance 1e-2", ["sphere", "leave --tolerance out"]),
-        ("b.bin --tolerance 1e-2 --format q15", ["--tolerance", "polynomial in f32 or f64"]),
-        ("b.bin --tolerance 1e-2 --method eigen", ["--tolerance", "polynomial in f32 or f64"]),
+        (
+            "--table mean.bin --tolerance 1e-2 --effects diffuse",
+            ["ambient", "leave --tolerance out"],
+        ),
+        ("--table object.bin --tolerance 1e-2", ["sphere", "leave --tolerance out"]),
+        (
+            "--table b.bin --tolerance 1e-2 --format q15",
+            ["--tolerance", "polynomial in f32 or f64"],
+        ),
+        (
+            "--table b.bin --tolerance 1e-2 --method eigen",
+            ["--tolerance", "polynomial in f32 or f64"],
+        ),
     ] {
         assert_fails(&folder, &format!("shade {PAIR} --normals normals.csv {options}"), &fragments);
     }

@@ -1,7 +1,7 @@
 //! Objects other than a sphere: packed normals, pictures of them, and matcaps.
 
 use crate::support::files::{normal_map, obj, ply, png, stl};
-use crate::support::{Folder, assert_fails, repository};
+use crate::support::{Folder, assert_fails};
 use eigenshade::{Display, Matcap, Normal, NormalMap, Rgb, Tone, presets, sphere};
 use eigenshade_cli::object::ObjectView;
 use eigenshade_generator::light::environment::EnvironmentMap;
@@ -181,11 +181,6 @@ fn lobby() -> sphere::color::Scene {
 
 const CHOICE: &str = "--light lobby --material gold-metallic-paint";
 
-/// The table that the runtime has compiled in.
-fn sphere_table() -> String {
-    repository().join("tables/sphere.bin").display().to_string()
-}
-
 /// The channels of a PNG's pixels.
 fn bytes_of(path: &Path) -> (u32, Vec<u8>) {
     let file = std::io::BufReader::new(fs::File::open(path).unwrap());
@@ -202,13 +197,13 @@ fn any_object_is_rendered() {
     let folder = Folder::new();
     folder.write("e.obj", obj());
     folder.write("map.png", normal_map(BitDepth::Eight));
-    let (table, display) = (sphere_table(), Display::new(Tone::Filmic));
+    let display = Display::new(Tone::Filmic);
     let scene = lobby();
     for (input, size, options) in
         [("e.obj", 48, "--size 48"), ("map.png", 64, ""), ("map.png", 20, "--size 20")]
     {
         folder.ok(&format!(
-            "render {table} {CHOICE} --normals {input} {options} --exposure 1.5 --tone filmic \
+            "render --table sphere {CHOICE} --normals {input} {options} --exposure 1.5 --tone filmic \
              --out p.png"
         ));
         let (width, bytes) = bytes_of(&folder.path("p.png"));
@@ -241,7 +236,7 @@ fn any_object_is_rendered() {
 #[test]
 fn matcaps_hold_the_scene() {
     let folder = Folder::new();
-    let (table, scene) = (sphere_table(), lobby());
+    let scene = lobby();
     let peak = f64::from(
         Matcap::new(64)
             .fold(0.0, |most: f32, texel| most.max(scene.shade(texel.normal()).largest())),
@@ -251,9 +246,12 @@ fn matcaps_hold_the_scene() {
         ("--matcap=three", Matcap::THREE_JS),
         ("--matcap=blender", Matcap::BLENDER),
     ] {
-        folder.ok(&format!("render {table} {CHOICE} {option} --size 40 --exposure 2 --out m.exr"));
-        folder
-            .ok(&format!("render {table} {CHOICE} {option} --size 40 --exposure 0.5 --out m.png"));
+        folder.ok(&format!(
+            "render --table sphere {CHOICE} {option} --size 40 --exposure 2 --out m.exr"
+        ));
+        folder.ok(&format!(
+            "render --table sphere {CHOICE} {option} --size 40 --exposure 0.5 --out m.png"
+        ));
         let map = EnvironmentMap::from_path(folder.path("m.exr")).unwrap();
         let (width, bytes) = bytes_of(&folder.path("m.png"));
         assert_eq!((width, bytes.len(), map.width, map.height), (40, 3 * 1600, 40, 40));
@@ -270,7 +268,7 @@ fn matcaps_hold_the_scene() {
         }
     }
     // Without an exposure, an .exr has irradiance itself, and a picture its opacity.
-    folder.ok(&format!("render {table} {CHOICE} --size 16 --out s.exr"));
+    folder.ok(&format!("render --table sphere {CHOICE} --size 16 --out s.exr"));
     let map = EnvironmentMap::from_path(folder.path("s.exr")).unwrap();
     let view = ObjectView::sphere(16);
     let mut expected = vec![[0.0; 3]; 256];

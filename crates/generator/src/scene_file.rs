@@ -6,7 +6,7 @@ use crate::basis::general;
 use crate::object::geometry::{Geometry, WeightedNormals};
 use crate::object::{density, mesh, normal_map};
 use eigenshade_index::effect::Effects;
-use eigenshade_model::database::{Lights, Materials, Named};
+use eigenshade_model::database::{Lights, Materials, Named, name_remedy};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials_and_order};
 use eigenshade_model::inputs::input_file::InputFile;
@@ -147,9 +147,11 @@ pub fn together(
 fn named(materials: &Materials, names: &[String]) -> Result<Vec<Named>> {
     let find = |name: &String| {
         let entry = materials.entries.iter().find(|entry| entry.name == *name);
-        let missing =
-            || Error::new(format!("no material `{name}`"), "use a name from the database");
-        entry.cloned().ok_or_else(missing)
+        entry.cloned().ok_or_else(|| {
+            let all = materials.entries.iter().map(|entry| entry.name.as_str());
+            let remedy = name_remedy(name, all, "another name from the database");
+            Error::new(format!("no material `{name}`"), remedy)
+        })
     };
     names.iter().map(find).collect()
 }

@@ -13,6 +13,28 @@ pub struct Named {
     pub rgb: [Vec<f64>; 3],
 }
 
+/// The least similarity of a name that a message offers, from 0 to 1.
+const SIMILAR: f64 = 0.75;
+
+/// The most names that a message offers.
+const OFFERED: usize = 3;
+
+/// The remedy for a name that is none of `names`: `use`, the most similar ones, and `otherwise`.
+pub fn name_remedy<'a>(
+    name: &str,
+    names: impl IntoIterator<Item = &'a str>,
+    otherwise: &str,
+) -> String {
+    let similarity = |other: &'a str| (strsim::jaro_winkler(name, other), other);
+    let mut similar: Vec<_> = names.into_iter().map(similarity).collect();
+    similar.retain(|(similarity, other)| *similarity >= SIMILAR || other.contains(name));
+    similar.sort_by(|(a, _), (b, _)| b.total_cmp(a));
+    let offered = similar.iter().take(OFFERED).map(|(_, name)| format!("`{name}`, "));
+    let offered = offered.collect::<String>();
+    let or = if offered.is_empty() { "" } else { "or " };
+    format!("use {offered}{or}{otherwise}")
+}
+
 /// 0.2126 R + 0.7152 G + 0.0722 B.
 #[must_use]
 pub fn luminance([r, g, b]: [f64; 3]) -> f64 {
@@ -87,7 +109,9 @@ pub fn weights(entries: &[Named], by_name: &BTreeMap<String, f64>) -> Result<Vec
     for (name, weight) in by_name {
         if !entries.iter().any(|entry| entry.name == *name) {
             let what = format!("weights has `{name}`, which is not in the database");
-            return Err(Error::new(what, "use a name from the database"));
+            let names = entries.iter().map(|entry| entry.name.as_str());
+            let remedy = name_remedy(name, names, "another name from the database");
+            return Err(Error::new(what, remedy));
         }
         if !(*weight >= 0.0 && weight.is_finite()) {
             let what = format!("weights has {weight} for `{name}`");
@@ -111,4 +135,18 @@ fn prefix(entries: &[Named], count: usize) -> Vec<Named> {
         .iter()
         .map(|entry| Named { name: entry.name.clone(), rgb: entry.rgb.each_ref().map(cut) })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::name_remedy;
+
+    #[test]
+    fn the_nearest_names_come_first() {
+        let names = ["city", "park", "07-velvet", "parking-lot"];
+        assert_eq!(name_remedy("parc", names, "others"), "use `park`, or others");
+        assert_eq!(name_remedy("park", names, "others"), "use `park`, `parking-lot`, or others");
+        assert_eq!(name_remedy("velvet", names, "others"), "use `07-velvet`, or others");
+        assert_eq!(name_remedy("xyzzy", names, "another"), "use another");
+    }
 }

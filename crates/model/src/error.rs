@@ -4,6 +4,9 @@ use eigenshade_table::FileError;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
+/// The path that stands for standard input.
+pub const STANDARD_INPUT: &str = "-";
+
 /// An error in one input or output, displayed in one line.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Error {
@@ -66,6 +69,7 @@ impl Error {
             ErrorKind::NotADirectory | ErrorKind::IsADirectory | ErrorKind::AlreadyExists => {
                 "a file and a folder are mixed up: check the path"
             }
+            ErrorKind::StorageFull => "free some space on the disk, or write elsewhere",
             ErrorKind::InvalidData => "save it as a UTF-8 text file",
             _ => "check the file and the disk",
         };
@@ -75,10 +79,13 @@ impl Error {
 
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match &self.place {
-            Some((path, Some(line))) => write!(f, "{}:{line}: ", path.display())?,
-            Some((path, None)) => write!(f, "{}: ", path.display())?,
-            None => {}
+        if let Some((path, line)) = &self.place {
+            match path.as_os_str() == STANDARD_INPUT {
+                true => f.write_str("standard input")?,
+                false => write!(f, "{}", path.display())?,
+            }
+            line.map_or(Ok(()), |line| write!(f, ":{line}"))?;
+            f.write_str(": ")?;
         }
         write!(f, "{}; {}", self.what, self.remedy)
     }

@@ -150,11 +150,9 @@ fn unpack(payload: &[u8]) -> Result<(Table, usize), DecodeError> {
 
 /// A CSV of `entry,value,bytes,crc32`. Sections have their size in bytes and a checksum of their
 /// encoded values in the file; figures have values.
-///
-/// The first line is a comment with `command`.
 #[must_use]
-pub fn manifest(table: &Table, command: &str) -> String {
-    let mut text = format!("# {command}\nentry,value,bytes,crc32\n");
+pub fn manifest(table: &Table) -> String {
+    let mut text = "entry,value,bytes,crc32\n".to_owned();
     let gram = &table.gram;
     let of_profiles = |part: fn(&Profile) -> &Vec<f64>| {
         section(&table.profiles.iter().map(part).collect::<Vec<_>>())

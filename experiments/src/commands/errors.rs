@@ -18,6 +18,7 @@ use eigenshade_model::inputs::coefficient_csv::read_lights;
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_table::Table;
 use experiments::accuracy::{self, Reference};
+use experiments::command_line::write_command_line;
 use experiments::numbers::median;
 use std::path::{Path, PathBuf};
 
@@ -83,8 +84,7 @@ impl Errors {
         let stamp = Stamp::of(&table);
         output::write(self.out.as_deref(), |out| {
             if self.out.is_some() {
-                writeln!(out, "# {}", output::command_line())
-                    .map_err(|error| output::write_error(&error))?;
+                write_command_line(out)?;
             }
             let mut rows = Rows::new(out, COLUMNS)?;
             for surface in &surfaces {

@@ -17,6 +17,7 @@ use eigenshade_testing::{glossy, golden};
 use experiments::accuracy_cost::machines::{tables, timed};
 use experiments::accuracy_cost::scope::{Bases, Scope};
 use experiments::accuracy_cost::settings::{Format, Setting, Way, all};
+use experiments::command_line::write_command_line;
 use experiments::numbers::digits;
 use experiments::pages::Purpose;
 use experiments::stability::spectrum::{Agreement, agreement};
@@ -192,7 +193,7 @@ impl MetallicRoughness {
         // The matte part is the same at any roughness.
         let [over_matte, bare] = [project(MOST, 0.0, 1.0)?, project(MOST, 0.0, 0.0)?];
         output::write(Some(&self.out), |out| {
-            output::write_command_line(out)?;
+            write_command_line(out)?;
             let mut rows = Rows::new(out, ["order", "k", "o", "p", "q", "matte", "rim", "metal"])?;
             for (of_order, (order, terms)) in ORDERS.into_iter().enumerate() {
                 for k in 0..terms {

@@ -4,6 +4,7 @@ use clap::Args;
 use eigenshade_cli::messages::progress_bar;
 use eigenshade_cli::output::{self, Rows};
 use eigenshade_model::error::Result;
+use experiments::command_line::write_command_line;
 use experiments::material_errors::{self, Errors, SIZES, SPACING};
 use std::path::PathBuf;
 
@@ -37,7 +38,7 @@ impl MaterialErrors {
         let found = material_errors::errors(&self.inputs, &self.names, self.spacing, &progress)?;
         progress.finish_and_clear();
         output::write(self.out.as_deref(), |out| {
-            output::write_command_line(out)?;
+            write_command_line(out)?;
             let mut rows = Rows::new(out, material_errors::COLUMNS)?;
             for (name, errors) in &found {
                 for ((degree, order), Errors { median, worst, map, pixel }) in

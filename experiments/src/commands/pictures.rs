@@ -3,7 +3,7 @@
 use clap::Args;
 use eigenshade::presets::{self, light, material};
 use eigenshade::{Display, Meter, Normal, Tone, sphere};
-use eigenshade_cli::picture::{self, Canvas, LETTER, SphereView, write_png};
+use eigenshade_cli::picture::{self, Canvas, SphereView, TextHeight, text_width, write_png};
 use eigenshade_cli::table;
 use eigenshade_generator::material::brdf::projection::project;
 use eigenshade_generator::material::brdf::{Ggx, Measure};
@@ -95,9 +95,12 @@ const fn across(count: usize) -> usize {
 
 /// Spheres side by side.
 const COLUMNS: usize = 11;
-/// Pixels across a sphere, and across the field with its name.
+/// Pixels across a sphere, and the field with its name.
 const BALL: usize = 92;
-const FIELD: usize = 124;
+const FIELD: [usize; 2] = [124, 134];
+/// Size of the names, and pixels from one line to the next.
+const NAME: TextHeight = TextHeight::Size16;
+const LINE: usize = 14;
 const BACKGROUND: [u8; 3] = [32; 3];
 const TEXT: [u8; 3] = [200; 3];
 /// The share of a picture's pixels that its exposure leaves below white.
@@ -117,10 +120,10 @@ impl ContactSheet {
         let lights = light::ALL.map(|(name, light)| (name, light, material::GOLD_METALLIC_PAINT));
         let rows = [&materials[..], &lights[..]].into_iter().flat_map(|all| all.chunks(COLUMNS));
         let rows: Vec<_> = rows.collect();
-        let mut canvas = Canvas::new(FIELD * COLUMNS, FIELD * rows.len(), BACKGROUND);
+        let mut canvas = Canvas::new(FIELD[0] * COLUMNS, FIELD[1] * rows.len(), BACKGROUND);
         for (row, fields) in rows.into_iter().enumerate() {
             for (column, &(name, light, material)) in fields.iter().enumerate() {
-                draw(&mut canvas, [FIELD * column, FIELD * row], name, light, material)
+                draw(&mut canvas, [FIELD[0] * column, FIELD[1] * row], name, light, material)
                     .map_err(|fault| Error::new(fault.to_string(), "check the presets"))?;
             }
         }
@@ -148,14 +151,15 @@ fn draw(
         colors.push(color);
     }
     let exposure = meter.exposure(UNCLIPPED_PRESET).unwrap_or(1.0);
-    let margin = (FIELD - BALL) / 2;
+    let margin = (FIELD[0] - BALL) / 2;
     for (color, pixel) in colors.into_iter().zip(&view.pixels) {
         let color = DISPLAY.rgb888(color.exposed(exposure)).into();
         canvas.blend(left + margin + pixel.column, top + 4 + pixel.row, color, pixel.coverage);
     }
-    for (line, part) in lines(name, FIELD / LETTER).into_iter().enumerate() {
-        let indent = (FIELD - LETTER * part.len()) / 2;
-        canvas.text(left + indent, top + 8 + BALL + (LETTER + 1) * line, 1, TEXT, part);
+    let most = FIELD[0] / text_width(NAME, " ");
+    for (line, part) in lines(name, most).into_iter().enumerate() {
+        let place = (left + FIELD[0] / 2, top + 5 + BALL + LINE * line);
+        canvas.centered_text(place, NAME, TEXT, part);
     }
     Ok(())
 }

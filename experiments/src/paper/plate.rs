@@ -2,7 +2,7 @@
 
 use eigenshade_cli::picture::SphereView;
 use eigenshade_cli::picture::srgb;
-use eigenshade_cli::picture::{Canvas, LETTER, text_width};
+use eigenshade_cli::picture::{Canvas, TextHeight, text_width};
 
 /// Color of the background.
 const PAPER: [u8; 3] = [212, 214, 217];
@@ -10,10 +10,12 @@ const PAPER: [u8; 3] = [212, 214, 217];
 const INK: [u8; 3] = [40, 42, 46];
 /// Color of the edge of a signed image, which may be as pale as the background.
 const EDGE: [u8; 3] = [120, 122, 126];
-/// Scale of the text, as a multiple of the font.
-const SCALE: usize = 2;
+/// Size of the text.
+const TEXT: TextHeight = TextHeight::Size24;
 /// Pixels from one line of text to the next.
-const LINE: usize = LETTER * SCALE * 3 / 2;
+const LINE: usize = TEXT.val();
+/// Pixels between a sphere and text.
+const PADDING: usize = 6;
 /// The share of an image's values that its exposure leaves unclipped.
 pub const UNCLIPPED: f64 = 0.98;
 
@@ -37,7 +39,7 @@ impl Plate {
         (above, beside, lines): (usize, usize, usize),
     ) -> Self {
         let gap = size / 10;
-        let left = gap + beside * LETTER * SCALE;
+        let left = gap + beside * text_width(TEXT, " ");
         let top = gap + above * LINE;
         let step = (size + gap, size + lines * LINE + gap);
         let canvas = Canvas::new(left + columns * step.0, top + rows * step.1, PAPER);
@@ -79,7 +81,7 @@ impl Plate {
     pub fn below(&mut self, (column, row): (usize, usize), lines: &[&str]) {
         let (left, top) = self.place(column, row);
         for (line, text) in lines.iter().enumerate() {
-            let top = top + self.view.size + LETTER + line * LINE;
+            let top = top + self.view.size + PADDING + line * LINE;
             self.centered(left + self.view.size / 2, top, text);
         }
     }
@@ -87,7 +89,7 @@ impl Plate {
     /// Writes text above the first sphere of a column.
     pub fn above(&mut self, column: usize, text: &str) {
         let (left, top) = self.place(column, 0);
-        self.centered(left + self.view.size / 2, top - LINE - LETTER, text);
+        self.centered(left + self.view.size / 2, top - LINE - PADDING, text);
     }
 
     /// Writes lines of text at the left of a row, centered vertically.
@@ -96,20 +98,19 @@ impl Plate {
         let first = top + self.view.size / 2 - lines.len() * LINE / 2;
         let left = self.step.0 - self.view.size;
         for (line, text) in lines.iter().enumerate() {
-            self.canvas.text(left, first + line * LINE, SCALE, INK, text);
+            self.canvas.text((left, first + line * LINE), TEXT, INK, text);
         }
     }
 
     fn centered(&mut self, middle: usize, top: usize, text: &str) {
-        let left = middle.saturating_sub(text_width(SCALE, text) / 2);
-        self.canvas.text(left, top, SCALE, INK, text);
+        self.canvas.centered_text((middle, top), TEXT, INK, text);
     }
 
     /// Draws the color scale of signed images at the foot, from -`largest` to `largest`, and
     /// returns the picture.
     pub fn scale(mut self, largest: &str) -> Canvas {
-        let (width, height) = (self.canvas.width / 3, LETTER * SCALE);
-        let extra = 4 * LETTER * SCALE;
+        let (width, height) = (self.canvas.width / 3, 16);
+        let extra = 64;
         let top = self.canvas.height;
         self.canvas.height += extra;
         self.canvas.bytes.extend(PAPER.repeat(self.canvas.width * extra));
@@ -122,7 +123,7 @@ impl Plate {
         }
         let texts = [format!("-{largest}"), "0".into(), format!("+{largest}")];
         for (place, text) in texts.iter().enumerate() {
-            self.centered(left + place * width / 2, top + height + LETTER, text);
+            self.centered(left + place * width / 2, top + height + PADDING, text);
         }
         self.canvas
     }

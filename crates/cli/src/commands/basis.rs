@@ -47,10 +47,10 @@ pub struct Basis {
 #[group(required = true, multiple = false)]
 struct Purpose {
     /// Write the table to this file
-    #[arg(long, value_name = "B.bin")]
+    #[arg(short, long, value_name = "FILE")]
     out: Option<PathBuf>,
     /// Compare this table with a new one
-    #[arg(long, value_name = "B.bin")]
+    #[arg(long, value_name = "FILE")]
     check: Option<PathBuf>,
 }
 
@@ -91,7 +91,7 @@ impl Basis {
         let bytes = encode(&table);
         if let Some(path) = &self.purpose.out {
             output::write_all(Some(path), &bytes)?;
-            let text = manifest(&table, &output::command_line()) + &errors;
+            let text = manifest(&table) + &errors;
             output::write_all(Some(&path.with_extension(MANIFEST)), text)?;
         }
         let folder = self.scene.parent().unwrap_or(Path::new("."));
@@ -103,7 +103,7 @@ impl Basis {
             rounding::warning(&table, Format::F32),
         ];
         warnings.into_iter().flatten().for_each(print_message);
-        output::write_all(None, report(&table, bytes.len(), start.elapsed()))
+        output::report(report(&table, bytes.len(), start.elapsed()))
     }
 }
 
@@ -148,7 +148,7 @@ fn check(scene: &Path, path: &Path, old: &Table, new: &Table) -> Result<()> {
         let (what, found, allowed) = (one.what, one.found, one.allowed);
         let _ = writeln!(text, "{what:<24} {found:>9.1e} of {allowed:.0e} allowed{verdict}");
     }
-    output::write_all(None, &text)?;
+    output::report(&text)?;
     let over: Vec<&str> =
         found.iter().filter(|one| one.is_over()).map(|one: &Difference| one.what).collect();
     if over.is_empty() {

@@ -1,82 +1,118 @@
 //! `eigenshade demo`: draws the shipped materials under the shipped lights.
 
-use super::demo_sheet::{self, Trial};
-use super::options::count;
+use super::demo_errors::{self, Errors, Trial};
+use super::demo_relief;
+use super::demo_sheet::{self, Column, Row, title};
+use super::options::{Memory, TableChoice, count};
 use clap::Args;
-use eigenshade_cli::messages::{print_message, progress_bar};
-use eigenshade_cli::output::{self, Rows, exact};
+use eigenshade_cli::messages::print_message;
+use eigenshade_cli::object::ObjectView;
+use eigenshade_cli::output;
 use eigenshade_cli::picture::SphereView;
-use eigenshade_cli::table;
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::output::writable;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader, fault, fitted};
-use eigenshade_shading::{reference_image, shipped};
-use std::fmt::Write as _;
+use eigenshade_shading::shipped;
+use serde::Serialize;
 use std::fs;
-use std::path::PathBuf;
-use std::time::Instant;
+use std::path::{Path, PathBuf};
 
-/// The number of timings, of which the shortest counts.
-const TIMINGS: usize = 5;
-
-/// Draw spheres of measured materials under captured lights, with their errors
+/// Draw a relief and spheres of measured materials under captured lights
 ///
-/// Writes demo.png and demo.csv, and prints the numbers: the share of the image's energy about its
-/// mean that the components keep, the rms and the largest error relative to the image's peak, and
-/// nanoseconds per pixel in three channels. The pictures are computed in f32 with the components
-/// with which `render` draws; the reference is the sum over all modes of the table's degree and
-/// order in f64.
+/// Writes demo.png. --errors also draws each sphere beside the direct sum over all modes of the
+/// table's degree and order in f64, errors.png, and writes and prints the numbers, errors.csv: the
+/// share of the image's energy about its mean that the components keep, the rms and the largest error
+/// relative to the image's peak, and nanoseconds per pixel in three channels. The pictures are
+/// computed in f32.
 #[derive(Args, Debug)]
 pub struct Demo {
+    #[command(flatten)]
+    table: TableChoice,
     /// Folder for the files; created if needed
-    #[arg(long, value_name = "DIR")]
+    #[arg(short, long, value_name = "DIR")]
     out: PathBuf,
-    /// Pixels across each sphere, 16 to 512
-    #[arg(long, value_name = "N", default_value = "128", value_parser = count(16, 512))]
+    /// Pixels across each object, 16 to 512
+    #[arg(short, long, value_name = "N", default_value = "160", value_parser = count(16, 512))]
     size: usize,
+    /// Also compare the spheres with the direct sum
+    #[arg(long)]
+    errors: bool,
+    /// Print the names of the files, and the errors, as a JSON object
+    #[arg(long)]
+    json: bool,
+}
+
+#[derive(Serialize)]
+struct Answer<'a> {
+    files: Vec<String>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    errors: Vec<&'a Errors>,
 }
 
 impl Demo {
-    pub fn run(self) -> Result<()> {
+    pub fn run(self, memory: Memory) -> Result<()> {
         fs::create_dir_all(&self.out).map_err(|error| Error::io(&self.out, &error))?;
-        let [picture, sheet] = ["demo.png", "demo.csv"].map(|name| self.out.join(name));
-        writable(&picture)?;
-        writable(&sheet)?;
-        let table = table::decode(shipped::COLOR)?;
+        let files = ["demo.png", "errors.png", "errors.csv"].map(|name| self.out.join(name));
+        let files = if self.errors { &files[..] } else { &files[..1] };
+        files.iter().try_for_each(|file| writable(file))?;
+        let table = self.table.read(memory)?;
         let (lights, materials) = shown()?;
         let (lights, materials) = fitted(&table, &lights, &materials);
-        let view = SphereView::new(self.size);
-        let progress = progress_bar("reference", view.normals.len());
-        let reference = reference_image::images(&lights, &materials, &view.normals, &progress);
-        progress.finish_and_clear();
-
         let basis = OwnedBasis::<f32>::new(&table);
         let components = table.count();
-        let mut shader = Shader::new(basis.any().map_err(fault)?, components);
-        let normals = OwnedNormals::new(&view.normals);
-        let mut trials = Vec::new();
-        for light in &lights.entries {
-            for material in &materials.entries {
-                let (of_light, of_material) = ((lights.degree, light), (materials.order, material));
-                let ours = shader.color(of_light, of_material, &normals)?;
-                let ours = (0..view.normals.len())
-                    .map(|k| ours.each_ref().map(|channel| f64::from(channel[k])))
-                    .collect();
-                let reference = reference.iter().map(|of_pairs| of_pairs[trials.len()]).collect();
-                let names = [&light.name, &material.name].map(Clone::clone);
-                let mut trial = Trial::new(names, components, ours, reference, &view);
-                trial.nanoseconds = time(&mut shader, of_light, of_material, &normals)?;
-                trials.push(trial);
-            }
+        let mut shader =
+            Shader::new(basis.any().map_err(fault)?, components).with_transfers(basis.transfers());
+        self.draw(&files[0], &mut shader, &lights, &materials)?;
+        let mut trials: Vec<Trial> = Vec::new();
+        if let [_, picture, sheet] = files {
+            let view = SphereView::new(self.size);
+            trials = demo_errors::trials(&mut shader, components, (&lights, &materials), &view)?;
+            demo_errors::draw(picture, &view, &trials, materials.entries.len())?;
+            output::write_records(Some(sheet), false, &errors(&trials))?;
         }
-        demo_sheet::draw(&picture, &view, &trials, materials.entries.len())?;
-        output::write(Some(&sheet), |out| rows(&trials, out))?;
-        output::write_all(None, aligned(&trials))?;
-        print_message(format_args!("{} and {}", picture.display(), sheet.display()));
+        let files = files.iter().map(|file| file.display().to_string()).collect::<Vec<_>>();
+        if self.json {
+            return output::write_json(None, &Answer { files, errors: errors(&trials) });
+        }
+        if self.errors {
+            output::write_all(None, demo_errors::aligned(&trials))?;
+        }
+        files.iter().for_each(print_message);
         Ok(())
     }
+
+    fn draw(
+        &self,
+        file: &Path,
+        shader: &mut Shader<'_, f32>,
+        lights: &Lights,
+        materials: &Materials,
+    ) -> Result<()> {
+        let (relief, sphere) = (demo_relief::view(self.size), ObjectView::sphere(self.size));
+        // The most metallic material, which is the last, is also that of the relief.
+        let metal = materials.entries.last().map(|material| (material, &relief));
+        let spheres = materials.entries.iter().map(|material| (material, &sphere));
+        let shown: Vec<(&Named, &ObjectView)> = metal.into_iter().chain(spheres).collect();
+        let mut rows = Vec::new();
+        for light in &lights.entries {
+            let mut images = Vec::new();
+            for (material, view) in &shown {
+                let of_material = (materials.order, *material);
+                let normals = OwnedNormals::new(&view.normals);
+                images.push(shader.color((lights.degree, light), of_material, &normals)?);
+            }
+            rows.push(Row { title: title(&light.name), images });
+        }
+        let column = |(material, view): (&Named, _)| Column { title: title(&material.name), view };
+        let columns: Vec<Column<'_>> = shown.into_iter().map(column).collect();
+        demo_sheet::draw(file, &columns, &rows)
+    }
+}
+
+fn errors(trials: &[Trial]) -> Vec<&Errors> {
+    trials.iter().map(|trial| &trial.errors).collect()
 }
 
 /// The shipped lights and materials of the picture.
@@ -95,65 +131,4 @@ fn chosen(entries: Vec<Named>, names: &[&str]) -> Result<Vec<Named>> {
         Error::new(format!("the shipped data have no `{name}`"), "build the program again")
     };
     names.iter().map(|name| find(name).ok_or_else(|| missing(name))).collect()
-}
-
-/// Nanoseconds of shading a pixel in three channels: the shortest of a few timings.
-fn time(
-    shader: &mut Shader<'_, f32>,
-    (degree, light): (usize, &Named),
-    (order, material): (usize, &Named),
-    normals: &OwnedNormals<f32>,
-) -> Result<f64> {
-    let normals = normals.view()?;
-    let mut irradiance = vec![0.0; normals.len()];
-    let mut total = 0.0;
-    for (light, material) in light.rgb.iter().zip(&material.rgb) {
-        shader.project((degree, light), (order, material))?;
-        let scene = shader.scene()?;
-        let mut shortest = f64::INFINITY;
-        for _ in 0..TIMINGS {
-            let start = Instant::now();
-            scene.shade_slice(normals, &mut irradiance).map_err(fault)?;
-            std::hint::black_box(&mut irradiance);
-            shortest = shortest.min(start.elapsed().as_secs_f64());
-        }
-        total += shortest;
-    }
-    Ok(1e9 * total / normals.len() as f64)
-}
-
-fn rows(trials: &[Trial], out: &mut dyn std::io::Write) -> Result<()> {
-    let mut rows = Rows::new(
-        out,
-        ["light", "material", "components", "energy_kept", "rms_error", "max_error", "nanoseconds"],
-    )?;
-    for trial in trials {
-        let [light, material] = trial.names.clone();
-        let numbers = [trial.energy_kept, trial.rms_error, trial.max_error, trial.nanoseconds];
-        let fields = [light, material, trial.components.to_string()];
-        rows.row(fields.into_iter().chain(numbers.map(exact)))?;
-    }
-    rows.finish()
-}
-
-fn aligned(trials: &[Trial]) -> String {
-    let wide = |which: usize| trials.iter().map(|trial| trial.names[which].len()).max();
-    let (light, material) = (wide(0).unwrap_or(0).max(5), wide(1).unwrap_or(0).max(8));
-    let mut text = format!(
-        "{:light$}  {:material$}  components  energy kept  rms error  max error  ns/pixel\n",
-        "light", "material"
-    );
-    for trial in trials {
-        let [name, of] = &trial.names;
-        let _ = writeln!(
-            text,
-            "{name:light$}  {of:material$}  {:>10}  {:>11.7}  {:>9.1e}  {:>9.1e}  {:>8.1}",
-            trial.components,
-            trial.energy_kept,
-            trial.rms_error,
-            trial.max_error,
-            trial.nanoseconds
-        );
-    }
-    text
 }

@@ -1,6 +1,6 @@
 //! `eigenshade evaluate`: evaluates functions of the paper.
 
-use super::options::Memory;
+use super::options::{Destination, Memory};
 use clap::{Args, ValueEnum};
 use eigenshade_cli::output::{self, Rows, exact};
 use eigenshade_model::error::Result;
@@ -29,14 +29,13 @@ pub struct Evaluate {
     /// CSV with one column for each index and argument
     #[arg(value_name = "POINTS.csv")]
     points: PathBuf,
-    /// Write the CSV to this file instead of standard output
-    #[arg(long, value_name = "FILE")]
-    out: Option<PathBuf>,
+    #[command(flatten)]
+    out: Destination,
 }
 
 impl Evaluate {
     pub fn run(self, memory: Memory) -> Result<()> {
-        output::refuse_collisions(&self.out, [&self.points])?;
+        output::refuse_collisions(&self.out.path, [&self.points])?;
         let function = self.function;
         let (indices, arguments) = function.columns();
         let columns = [indices, arguments].concat().join(",");
@@ -53,7 +52,7 @@ impl Evaluate {
             .collect::<Result<Vec<_>>>()?;
         let replaced = sheet.column("value");
         let is_kept = |(place, _): &(usize, &str)| Some(*place) != replaced;
-        output::write(self.out.as_deref(), |out| {
+        output::write(self.out.path.as_deref(), |out| {
             let kept = sheet.header().enumerate().filter(is_kept).map(|(_, name)| name);
             let mut rows = Rows::new(out, kept.chain(["value"]))?;
             for (row, value) in sheet.rows().zip(values) {

@@ -1,37 +1,41 @@
 //! `eigenshade info` and `eigenshade eigenvalues`: describe a table.
 
-use super::options::Memory;
+use super::options::{Destination, Memory, TableChoice};
 use clap::Args;
-use eigenshade_cli::messages::{grouped, printable};
-use eigenshade_cli::output::{self, Rows, exact};
+use eigenshade_cli::description::Description;
+use eigenshade_cli::output;
 use eigenshade_cli::table;
 use eigenshade_model::error::Result;
 use eigenshade_table::Table;
 use eigenshade_table::file::manifest;
 use eigenshade_table::scene::{Cut, Store};
-use std::fmt::Write;
-use std::path::PathBuf;
+use serde::Serialize;
 
 /// Describe a table: scene, orders, components, rank, energy, sections and bytes
 ///
 /// For a wire file, which `pack` writes: version, format, orders, components, sections and bytes.
 #[derive(Args, Debug)]
 pub struct Info {
-    /// Table or wire file
-    #[arg(value_name = "B.bin")]
-    table: PathBuf,
+    #[command(flatten)]
+    table: TableChoice,
+    /// Write a JSON object
+    #[arg(long)]
+    json: bool,
 }
 
 impl Info {
     pub fn run(self, memory: Memory) -> Result<()> {
-        let bytes = memory.file(&self.table).bytes()?;
-        let text = if table::is_wire(&bytes) {
+        let bytes = table::bytes(&memory.file(self.table.path()))?;
+        let found = if table::is_wire(&bytes) {
             table::wire_description(&bytes)
         } else {
             table::decode(&bytes).map(|table| description(&table))
         };
-        let text = text.map_err(|error| error.in_file(&self.table))?;
-        output::write_all(None, &text)
+        let found = found.map_err(|error| error.in_file(self.table.path()))?;
+        match self.json {
+            true => output::write_json(None, &found),
+            false => output::write_all(None, found.to_string()),
+        }
     }
 }
 
@@ -41,32 +45,35 @@ impl Info {
 /// image-centered criterion, index 0, has none: its field is empty.
 #[derive(Args, Debug)]
 pub struct Eigenvalues {
-    /// The table
-    #[arg(value_name = "B.bin")]
-    table: PathBuf,
-    /// Write the CSV to this file instead of standard output
-    #[arg(long, value_name = "FILE")]
-    out: Option<PathBuf>,
+    #[command(flatten)]
+    table: TableChoice,
+    /// Write a JSON array of objects
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    out: Destination,
+}
+
+#[derive(Serialize)]
+struct Eigenvalue {
+    criterion: &'static str,
+    index: usize,
+    m: Option<i32>,
+    eigenvalue: Option<f64>,
 }
 
 impl Eigenvalues {
     pub fn run(self, memory: Memory) -> Result<()> {
-        output::refuse_collisions(&self.out, [&self.table])?;
-        let table = table::read(memory.file(&self.table))?;
+        output::refuse_collisions(&self.out.path, [self.table.path()])?;
+        let table = self.table.read(memory)?;
         let criterion = table.scene.basis.criterion.name();
-        output::write(self.out.as_deref(), |out| {
-            let mut rows = Rows::new(out, ["criterion", "index", "m", "eigenvalue"])?;
-            for (index, (m, value)) in table.spectrum.iter().enumerate() {
-                let value = value.map(exact).unwrap_or_default();
-                let m = m.map(|m| m.to_string()).unwrap_or_default();
-                rows.row([criterion, &index.to_string(), &m, &value])?;
-            }
-            rows.finish()
-        })
+        let of = |(index, &(m, eigenvalue))| Eigenvalue { criterion, index, m, eigenvalue };
+        let rows: Vec<Eigenvalue> = table.spectrum.iter().enumerate().map(of).collect();
+        output::write_records(self.out.path.as_deref(), self.json, &rows)
     }
 }
 
-fn description(table: &Table) -> String {
+fn description(table: &Table) -> Description {
     let scene = &table.scene;
     let names = match scene.material.names.len() {
         0 => "all".to_owned(),
@@ -80,37 +87,30 @@ fn description(table: &Table) -> String {
     if let Some(cut) = scene.basis.cut.filter(|&cut| cut != Cut::default()) {
         requested.push_str(&format!(", {cut}"));
     }
-    let lines = [
-        ("normals", scene.geometry.normals.clone()),
-        ("light", scene.light.database.clone()),
-        ("rotation", format!("{:?}", scene.light.rotation).to_lowercase()),
-        ("material", format!("{}, {names}", scene.material.database.join(" "))),
-        ("criterion", scene.basis.criterion.name().to_owned()),
-        ("requested", requested),
-        ("modes", eigenshade_index::mode::total(table.gram.degree, table.gram.order).to_string()),
-        ("kept modes", kept_modes(table)),
-        ("effects", effects(table)),
-        ("store", stored(table).to_owned()),
-        ("profiles", table.profiles.len().to_string()),
-        ("spectrum", table.spectrum.len().to_string()),
-        ("nodes", table.gram.nodes.len().to_string()),
-    ];
-    let mut text = String::new();
-    for (what, value) in lines {
-        let _ = writeln!(text, "{what:<24} {}", printable(&value));
+    let modes = eigenshade_index::mode::total(table.gram.degree, table.gram.order);
+    let mut found = Description::default();
+    found.field("normals", &scene.geometry.normals);
+    found.field("light", &scene.light.database);
+    found.field("rotation", format!("{:?}", scene.light.rotation).to_lowercase());
+    found.field("material", format!("{}, {names}", scene.material.database.join(" ")));
+    found.field("criterion", scene.basis.criterion.name());
+    found.field("requested", requested);
+    found.field("modes", modes);
+    found.field("kept modes", kept_modes(table));
+    found.field("effects", effects(table));
+    found.field("stored", stored(table));
+    found.field("profiles", table.profiles.len());
+    found.field("spectrum", table.spectrum.len());
+    found.field("nodes", table.gram.nodes.len());
+    for line in manifest(table).lines().skip(1) {
+        let fields: Vec<&str> = line.split(',').collect();
+        match fields[..] {
+            [name, "", bytes, _] => found.part(name, bytes.parse().unwrap_or_default()),
+            [name, value, ..] => found.field(name, value),
+            _ => {}
+        }
     }
-    for line in manifest(table, "").lines().skip(2) {
-        let mut fields = line.split(',');
-        let (Some(entry), Some(value)) = (fields.next(), fields.next()) else {
-            continue;
-        };
-        let bytes = fields.next().and_then(|bytes| bytes.parse().ok());
-        let _ = match bytes {
-            Some(bytes) => writeln!(text, "{entry:<24} {:>9} bytes", grouped(bytes)),
-            None => writeln!(text, "{entry:<24} {}", printable(value)),
-        };
-    }
-    text
+    found
 }
 
 /// The effects, and whether color or rotation is left out.

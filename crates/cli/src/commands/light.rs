@@ -1,6 +1,6 @@
 //! `eigenshade light`: projects environment maps onto spherical harmonics.
 
-use super::options::{Memory, count};
+use super::options::{Destination, Memory, count};
 use clap::{Args, ValueEnum};
 use eigenshade_cli::messages::{print_message, progress_bar};
 use eigenshade_cli::output;
@@ -13,6 +13,7 @@ use eigenshade_model::database::{Lights, Named};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, write_lights};
 use eigenshade_model::inputs::coefficient_text::{LIGHT_DIGITS, rounded};
+use eigenshade_model::inputs::input_file::InputFile;
 use std::path::{Path, PathBuf};
 
 /// The degree of the shipped table.
@@ -24,7 +25,7 @@ const DEGREE: usize = 9;
 /// 0 at the top, or cubes. The middle of a map, or the face pz, is -z, in front of the camera.
 /// Pictures (.png, .jpg) are decoded by the curve of sRGB, white to a radiance of 1, without their
 /// opacity; the other kinds are linear. The share of each map's radiance that is negative is
-/// reported on standard error. The file of --out begins with a comment line, `#` and the command.
+/// reported on standard error.
 ///
 /// A single light CSV in place of maps is converted from the convention --from to --convention.
 /// Without --from, `paper` is read from `graphics`, and any other from `paper`. --degree then drops
@@ -52,9 +53,8 @@ pub struct Light {
     /// Convention of a light CSV
     #[arg(long, value_enum)]
     from: Option<Convention>,
-    /// Write the CSV to this file instead of standard output
-    #[arg(long, value_name = "FILE")]
-    out: Option<PathBuf>,
+    #[command(flatten)]
+    out: Destination,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -153,7 +153,7 @@ impl Light {
                     let remedy = "leave --layout and --frame out, or give maps";
                     return Err(Error::new(what, remedy).in_file(file));
                 }
-                output::refuse_collisions(&self.out, [file])?;
+                output::refuse_collisions(&self.out.path, [file])?;
                 let from = self.from.unwrap_or(match self.convention {
                     Convention::Paper => Convention::Graphics,
                     _ => Convention::Paper,
@@ -171,16 +171,11 @@ impl Light {
                 for (_, path) in &files {
                     inputs.extend(pictures(path)?);
                 }
-                output::refuse_collisions(&self.out, inputs)?;
+                output::refuse_collisions(&self.out.path, inputs)?;
                 Convention::Paper.convert(self.projected(files, memory)?, self.convention)?
             }
         };
-        output::write(self.out.as_deref(), |out| {
-            if self.out.is_some() {
-                output::write_command_line(out)?;
-            }
-            write_lights(&lights, out)
-        })
+        output::write(self.out.path.as_deref(), |out| write_lights(&lights, out))
     }
 
     /// The lights of the maps, with the digits of the shipped files.
@@ -243,7 +238,7 @@ impl Light {
 }
 
 fn is_csv(path: &Path) -> bool {
-    path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"))
+    InputFile::from(path).extension() == "csv"
 }
 
 /// The maps with their names.

@@ -1,15 +1,11 @@
 //! `eigenshade list`: the shipped lights and materials.
 
 use clap::Args;
-use eigenshade_cli::output::{self, Rows};
-use eigenshade_model::database::{Lights, Materials};
+use eigenshade_cli::output;
+use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::Result;
 use eigenshade_shading::shipped;
-
-const COLUMNS: [&str; 6] = ["kind", "name", "size", "color", "error_9_7", "error_12_12"];
-
-/// The degrees and orders of the errors.
-const SIZES: [(usize, usize); 2] = [(9, 7), (12, 12)];
+use serde::Serialize;
 
 /// List the shipped lights and materials
 ///
@@ -20,28 +16,37 @@ const SIZES: [(usize, usize); 2] = [(9, 7), (12, 12)];
 /// peak, the median over 18 maps. They are empty for lights, and for materials that were measured
 /// in few directions.
 #[derive(Args, Debug)]
-pub struct List {}
+pub struct List {
+    /// Write a JSON array of objects
+    #[arg(long)]
+    json: bool,
+}
+
+#[derive(Serialize)]
+struct Row {
+    kind: &'static str,
+    name: String,
+    size: usize,
+    color: &'static str,
+    error_9_7: Option<f64>,
+    error_12_12: Option<f64>,
+}
 
 impl List {
-    pub fn run() -> Result<()> {
+    pub fn run(self) -> Result<()> {
         let Lights { degree, entries: lights } = shipped::lights()?;
         let Materials { order, entries: materials } = shipped::named_materials()?;
-        let kinds = [("light", degree, lights), ("material", order, materials)];
-        output::write(None, |out| {
-            let mut rows = Rows::new(out, COLUMNS)?;
-            for (kind, size, entries) in &kinds {
-                for entry in entries {
-                    let color = if entry.is_gray() { "gray" } else { "rgb" };
-                    let [at_9_7, at_12_12] = SIZES.map(|size| match *kind {
-                        "material" => shipped::total_error(&entry.name, size)
-                            .map_or(String::new(), |error| format!("{:.4}", error.median)),
-                        _ => String::new(),
-                    });
-                    let size = size.to_string();
-                    rows.row([*kind, &entry.name, &size, color, &at_9_7, &at_12_12])?;
-                }
-            }
-            rows.finish()
-        })
+        let row = |(kind, size, entry): (&'static str, usize, Named)| {
+            let color = if entry.is_gray() { "gray" } else { "rgb" };
+            let [error_9_7, error_12_12] = [(9, 7), (12, 12)].map(|size| {
+                let error = shipped::total_error(&entry.name, size)?;
+                (kind == "material").then_some(error.median)
+            });
+            Row { kind, name: entry.name, size, color, error_9_7, error_12_12 }
+        };
+        let lights = lights.into_iter().map(|entry| ("light", degree, entry));
+        let materials = materials.into_iter().map(|entry| ("material", order, entry));
+        let rows: Vec<Row> = lights.chain(materials).map(row).collect();
+        output::write_records(None, self.json, &rows)
     }
 }

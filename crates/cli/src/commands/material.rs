@@ -1,6 +1,6 @@
 //! `eigenshade material`: converts measured, tabulated or analytic BRDFs to coefficients.
 
-use super::options::{Memory, count, width};
+use super::options::{Destination, Memory, count, width};
 use clap::{Args, Subcommand, ValueEnum};
 use eigenshade::Window;
 use eigenshade::mathematics::Libm;
@@ -29,8 +29,7 @@ const ORDER: usize = 7;
 /// For each fit, standard error shows the residual relative to the measurements, the range of the
 /// fitted values relative to the largest measured one, and the condition number. MERL files and
 /// formulas are projected by quadrature. For each projection, standard error shows the share of the
-/// energy, f^2 cos theta_i cos theta_r over both hemispheres, that the order leaves out. The files
-/// of --out and --report begin with a comment line, `#` and the command.
+/// energy, f^2 cos theta_i cos theta_r over both hemispheres, that the order leaves out.
 #[derive(Args, Debug)]
 #[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
 pub struct Material {
@@ -51,9 +50,8 @@ pub struct Material {
     /// order W on: less ringing of gloss that the order cannot represent. 40 suits order 7
     #[arg(long, value_name = "W", value_parser = width)]
     window: Option<f64>,
-    /// Write the CSV to this file instead of standard output
-    #[arg(long, value_name = "FILE")]
-    out: Option<PathBuf>,
+    #[command(flatten)]
+    out: Destination,
     /// Also write the quality of the fits to this file:
     /// `name,samples,maximum,residual,lowest,highest,condition`, the maximum in 1/sr
     #[arg(long, value_name = "FILE")]
@@ -70,7 +68,10 @@ impl Material {
             }
             None => {
                 let inputs = self.paths.iter().flat_map(|path| material::files::files(path));
-                output::refuse_collisions([&self.out, &self.report].into_iter().flatten(), inputs)?;
+                output::refuse_collisions(
+                    [&self.out.path, &self.report].into_iter().flatten(),
+                    inputs,
+                )?;
                 let mut sources = Vec::new();
                 for path in &self.paths {
                     sources.extend(material::files::read(memory.file(path))?);
@@ -83,17 +84,9 @@ impl Material {
         if let Some(width) = window {
             attenuate(&mut materials, Window::SincFourth { width });
         }
-        output::write(out.as_deref(), |to| {
-            if out.is_some() {
-                output::write_command_line(to)?;
-            }
-            write_materials(&materials, to)
-        })?;
+        output::write(out.path.as_deref(), |to| write_materials(&materials, to))?;
         if let Some(path) = &self.report {
-            output::write(Some(path), |out| {
-                output::write_command_line(out)?;
-                write_figures(&fits, out)
-            })?;
+            output::write(Some(path), |out| write_figures(&fits, out))?;
         }
         albedo_warning(&materials).into_iter().chain(negative).for_each(print_message);
         Ok(())
@@ -240,9 +233,8 @@ pub struct Projection {
     /// order W on: less ringing of gloss that the order cannot represent. 40 suits order 7
     #[arg(long, value_name = "W", value_parser = width)]
     window: Option<f64>,
-    /// Write the CSV to this file instead of standard output
-    #[arg(long, value_name = "FILE")]
-    out: Option<PathBuf>,
+    #[command(flatten)]
+    out: Destination,
 }
 
 /// The measure under which coefficients approximate a function best.

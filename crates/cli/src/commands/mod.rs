@@ -4,12 +4,15 @@
 mod basis;
 mod choices;
 mod demo;
+mod demo_errors;
+mod demo_relief;
 mod demo_sheet;
 mod evaluate;
 mod info;
 #[cfg(feature = "generate")]
 mod light;
 mod list;
+mod manual;
 #[cfg(feature = "generate")]
 mod material;
 mod options;
@@ -51,14 +54,16 @@ pub enum Command {
     #[cfg(feature = "generate")]
     Read(read::Read),
     Evaluate(evaluate::Evaluate),
+    Completions(manual::Completions),
+    Man(manual::Manual),
 }
 
 impl Command {
-    /// Runs the command.
-    pub fn run(self, memory: Memory) -> Result<()> {
+    /// Runs the command of this program.
+    pub fn run(self, memory: Memory, program: clap::Command) -> Result<()> {
         match self {
-            Self::Demo(command) => command.run(),
-            Self::List(_) => list::List::run(),
+            Self::Demo(command) => command.run(memory),
+            Self::List(command) => command.run(),
             #[cfg(feature = "generate")]
             Self::Light(command) => command.run(memory),
             #[cfg(feature = "generate")]
@@ -76,6 +81,8 @@ impl Command {
             #[cfg(feature = "generate")]
             Self::Read(command) => command.run(memory),
             Self::Evaluate(command) => command.run(memory),
+            Self::Completions(command) => command.run(program),
+            Self::Man(command) => command.run(program),
         }
     }
 }

@@ -2,15 +2,14 @@
 
 use clap::Args;
 use eigenshade::{Effect, Tolerance};
+use eigenshade_cli::presets::Source;
+use eigenshade_cli::table;
 use eigenshade_model::budget::Budget;
-use eigenshade_model::database::Named;
-use eigenshade_model::error::{Error, Result};
+use eigenshade_model::error::Result;
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::rotation::Rotation;
+use eigenshade_table::Table;
 use std::path::{Path, PathBuf};
-
-/// The number of names that an error message lists.
-const LISTED: usize = 5;
 
 /// What clap's parsers return.
 type Parsed<T> = std::result::Result<T, String>;
@@ -20,7 +19,7 @@ type Parsed<T> = std::result::Result<T, String>;
 pub struct Memory {
     /// Memory limit for reading an input file and for making a table, like 4GiB
     /// [default: 512MiB for a file, 2GiB for a table]
-    #[arg(long = "memory", global = true, value_name = "SIZE")]
+    #[arg(long = "memory", global = true, value_name = "SIZE", display_order = 900)]
     budget: Option<Budget>,
 }
 
@@ -31,67 +30,66 @@ impl Memory {
         self.budget.unwrap_or(Budget::BASIS)
     }
 
+    /// The limit for reading a file.
+    pub fn of_file(self) -> Budget {
+        self.budget.unwrap_or(Budget::READING)
+    }
+
     /// A file that is read within its limit.
     pub fn file(self, path: impl AsRef<Path>) -> InputFile {
-        InputFile::new(path, self.budget.unwrap_or(Budget::READING))
+        InputFile::new(path, self.of_file())
     }
 }
 
-/// One entry of a file of lights or materials, written as `FILE` or `FILE:NAME`.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct FileEntry {
-    /// The file.
-    pub path: PathBuf,
-    /// The entry's name; `None` if the file must hold exactly one entry.
-    pub name: Option<String>,
+/// The table of a command.
+#[derive(Args, Debug)]
+pub struct TableChoice {
+    /// Table: a file, or the name of a shipped one, which is `color` (160 components), `sphere` (the
+    /// one that the runtime contains) or `curet`
+    #[arg(id = "table", short, long, value_name = "NAME|FILE", default_value = "color")]
+    path: PathBuf,
 }
 
-impl FileEntry {
-    /// Splits at the last colon, unless the whole text names an existing file.
-    pub fn new(text: &str) -> Self {
-        let whole = || Self { path: text.into(), name: None };
-        if Path::new(text).exists() {
-            return whole();
-        }
-        match text.rsplit_once(':') {
-            Some((path, name)) if !path.is_empty() && !name.is_empty() => {
-                Self { path: path.into(), name: Some(name.to_owned()) }
-            }
-            _ => whole(),
-        }
+impl TableChoice {
+    /// The file, or the shipped name.
+    pub fn path(&self) -> &Path {
+        &self.path
     }
 
-    /// The entry among those of the file.
+    /// Reads the table.
     ///
     /// # Errors
     ///
-    /// If the file has no entry of that name, or if no name is given and the file has several
-    /// entries. The message lists a few of the available names.
-    pub fn find_in(&self, entries: Vec<Named>) -> Result<Named> {
-        let names: Vec<String> = entries.iter().map(|entry| entry.name.clone()).collect();
-        let found = match &self.name {
-            Some(name) => entries.into_iter().find(|entry| entry.name == *name),
-            None if entries.len() == 1 => entries.into_iter().next(),
-            None => None,
-        };
-        found.ok_or_else(|| {
-            let what = match &self.name {
-                Some(name) => format!("it has no entry `{name}`"),
-                None => format!("it has {} entries", names.len()),
-            };
-            let file = self.path.display();
-            let remedy = format!("name one as {file}:NAME; there are {}", listed(&names));
-            Error::new(what, remedy).in_file(&self.path)
-        })
+    /// Those of [`table::read`].
+    pub fn read(&self, memory: Memory) -> Result<Table> {
+        table::read(memory.file(&self.path))
     }
 }
 
-fn listed(names: &[String]) -> String {
-    let mut text = names.iter().take(LISTED).cloned().collect::<Vec<_>>().join(", ");
-    if names.len() > LISTED {
-        text.push_str(&format!(", ... ({} in all)", names.len()));
+/// The lights and the materials of a command.
+#[derive(Args, Debug)]
+pub struct Inputs {
+    /// Light: the name of a shipped one, a light CSV, or one light of a CSV
+    #[arg(short, long, value_name = "NAME|FILE[:NAME]")]
+    pub light: Source,
+    /// Material: the name of a shipped one, a material CSV, or one material of a CSV
+    #[arg(short, long, value_name = "NAME|FILE[:NAME]")]
+    pub material: Source,
+}
+
+impl Inputs {
+    /// The files, as far as these are files.
+    pub fn paths(&self) -> [&Path; 2] {
+        [self.light.path(), self.material.path()]
     }
-    text
+}
+
+/// Where a command writes its result.
+#[derive(Args, Debug)]
+pub struct Destination {
+    /// Write to this file instead of standard output
+    #[arg(id = "out", short, long, value_name = "FILE")]
+    pub path: Option<PathBuf>,
 }
 
 /// Parses a whole number within a range.
@@ -146,19 +144,5 @@ pub fn angles(text: &str) -> Parsed<Rotation> {
         // R = Rz(A) Ry(B) Rz(C).
         Some(&[a, b, c]) => Ok(Rotation { alpha: b, beta: a, gamma: c }),
         _ => Err("expected three angles in radians, as in 0.5,1.2,-0.3".to_owned()),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn names_follow_the_last_colon() {
-        let entry = FileEntry::new("no/such:file.csv:felt");
-        assert_eq!(entry.path, Path::new("no/such:file.csv"));
-        assert_eq!(entry.name.as_deref(), Some("felt"));
-        assert_eq!(FileEntry::new("no/such.csv").name, None);
-        assert_eq!(FileEntry::new("no/such.csv:").name, None);
     }
 }

@@ -1,6 +1,6 @@
 //! `eigenshade pack`: writes a table as a wire file.
 
-use super::options::{Memory, count};
+use super::options::{Memory, TableChoice, count};
 use clap::{Args, ValueEnum};
 use eigenshade_cli::messages::{grouped, print_message};
 use eigenshade_cli::output;
@@ -17,11 +17,10 @@ use std::path::PathBuf;
 /// `Basis::from_bytes` reads them. `eigenshade info` describes them.
 #[derive(Args, Debug)]
 pub struct Pack {
-    /// The table
-    #[arg(value_name = "B.bin")]
-    table: PathBuf,
+    #[command(flatten)]
+    table: TableChoice,
     /// Number format of the file
-    #[arg(long, value_enum, default_value_t = Format::F32)]
+    #[arg(short, long, value_enum, default_value_t = Format::F32)]
     format: Format,
     /// Keep only the first components, which have the highest variance [default: all]
     #[arg(long, value_name = "K", value_parser = count(1, u64::from(u16::MAX)))]
@@ -30,7 +29,7 @@ pub struct Pack {
     #[arg(long)]
     big_endian: bool,
     /// Write the wire file to this file
-    #[arg(long, value_name = "W.esw")]
+    #[arg(short, long, value_name = "FILE")]
     out: PathBuf,
 }
 
@@ -43,8 +42,8 @@ enum Format {
 
 impl Pack {
     pub fn run(self, memory: Memory) -> Result<()> {
-        output::refuse_collisions([&self.out], [&self.table])?;
-        let table = self.first_components(table::read(memory.file(&self.table))?)?;
+        output::refuse_collisions([&self.out], [self.table.path()])?;
+        let table = self.first_components(self.table.read(memory)?)?;
         let format = match self.format {
             Format::F32 => wire::Format::F32,
             Format::Q15 => wire::Format::Integer(quantize::Format::Q15),
@@ -54,7 +53,7 @@ impl Pack {
         let bytes = wire::encode(&table, format, endian).map_err(|error| {
             let line = error.to_string();
             let (what, remedy) = line.rsplit_once("; ").unwrap_or((&line, "pack it as f32"));
-            Error::new(what, remedy).in_file(&self.table)
+            Error::new(what, remedy).in_file(self.table.path())
         })?;
         output::write_all(Some(&self.out), &bytes)?;
         let mut text = format!("{:<12} {}\n", "bytes", grouped(bytes.len()));
@@ -66,7 +65,7 @@ impl Pack {
             );
             rounding::warning(&table, format).iter().for_each(print_message);
         }
-        output::write_all(None, text)
+        output::report(text)
     }
 
     /// The table with the components that are asked for.
@@ -74,10 +73,10 @@ impl Pack {
         if self.components.is_none() {
             return Ok(table);
         }
-        let count = table::components(&table, self.components, &self.table)?;
+        let count = table::components(&table, self.components, self.table.path())?;
         if table.general.is_some() || !table.has_projection() {
             let what = "only a sphere's table that projects can lose components";
-            return Err(Error::new(what, "make it with fewer").in_file(&self.table));
+            return Err(Error::new(what, "make it with fewer").in_file(self.table.path()));
         }
         Ok(with_components(&table, |number, _| number < count))
     }

@@ -2,12 +2,12 @@
 
 use super::options::{Memory, count};
 use clap::Args;
-use eigenshade_cli::messages::grouped;
+use eigenshade_cli::messages::{grouped, printable};
 use eigenshade_cli::object::ObjectView;
-use eigenshade_cli::output::{self, command_line};
+use eigenshade_cli::output;
 use eigenshade_model::error::{Error, Result};
 use std::fmt::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Pixels across a sphere and a mesh.
 const SIZE: usize = 240;
@@ -27,10 +27,10 @@ pub struct PackNormals {
     normals: PathBuf,
     /// Pixels across the longer side, 2 to 4096; a normal map can only shrink [default: 240, or all
     /// of a normal map]
-    #[arg(long, value_name = "N", value_parser = count(2, 4096))]
+    #[arg(short, long, value_name = "N", value_parser = count(2, 4096))]
     size: Option<usize>,
     /// Write bytes (.bin) or Rust source (.rs) to this file
-    #[arg(long, value_name = "F")]
+    #[arg(short, long, value_name = "FILE")]
     out: PathBuf,
 }
 
@@ -53,48 +53,51 @@ impl PackNormals {
         let bytes = codes.as_flattened();
         let map = format!("eigenshade::NormalMap::new({}, {}, ", view.width, view.height);
         let (contents, line) = if is_source {
-            (source(&map, bytes), format!("mod {};", stem(&self.out)))
+            (self.source(&map, bytes), format!("mod {};", stem(&self.out)))
         } else {
             let file = self.out.display();
             (bytes.to_vec(), format!("{map}include_bytes!({:?}))", file.to_string()))
         };
         output::write_all(Some(&self.out), contents)?;
         let covered = grouped(view.pixels.len());
-        output::write_all(
-            None,
-            format!(
-                "{:<12} {} x {}, {covered} with an object\n{:<12} {}\n{:<12} {line}\n",
-                "pixels",
-                view.width,
-                view.height,
-                "bytes",
-                grouped(bytes.len()),
-                "in Rust",
-            ),
-        )
+        output::report(format!(
+            "{:<12} {} x {}, {covered} with an object\n{:<12} {}\n{:<12} {line}\n",
+            "pixels",
+            view.width,
+            view.height,
+            "bytes",
+            grouped(bytes.len()),
+            "in Rust",
+        ))
+    }
+
+    /// Source that holds the map, below a comment with the command, without folders.
+    fn source(&self, map: &str, bytes: &[u8]) -> Vec<u8> {
+        let name =
+            |path: &Path| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let size = self.size.map(|size| format!(" --size {size}")).unwrap_or_default();
+        let command = format!("{}{size} --out {}", name(&self.normals), name(&self.out));
+        let count = bytes.len();
+        let mut text = format!(
+            "// eigenshade pack-normals {}\n\n/// The map.\n\
+             pub static MAP: eigenshade::NormalMap<'static> =\n    \
+             eigenshade::specialized::checked({map}&CODES));\n\n\
+             #[rustfmt::skip]\nstatic CODES: [u8; {count}] = [\n",
+            printable(&command)
+        );
+        for line in bytes.chunks(PER_LINE) {
+            text.push_str("   ");
+            line.iter().for_each(|byte| {
+                let _ = write!(text, " {byte},");
+            });
+            text.push('\n');
+        }
+        text.push_str("];\n");
+        text.into_bytes()
     }
 }
 
 /// The name of the module that a source file is.
-fn stem(path: &std::path::Path) -> String {
+fn stem(path: &Path) -> String {
     path.file_stem().unwrap_or_default().to_string_lossy().into_owned()
-}
-
-/// Source that holds the map.
-fn source(map: &str, bytes: &[u8]) -> Vec<u8> {
-    let count = bytes.len();
-    let mut text = format!(
-        "// {}\n\n/// The map.\npub static MAP: eigenshade::NormalMap<'static> =\n    \
-         eigenshade::specialized::checked({map}&CODES));\n\n#[rustfmt::skip]\nstatic CODES: [u8; {count}] = [\n",
-        command_line()
-    );
-    for line in bytes.chunks(PER_LINE) {
-        text.push_str("   ");
-        line.iter().for_each(|byte| {
-            let _ = write!(text, " {byte},");
-        });
-        text.push('\n');
-    }
-    text.push_str("];\n");
-    text.into_bytes()
 }

@@ -1,17 +1,15 @@
 //! `eigenshade project`: writes the coefficients of images in a table's eigenimages.
 
-use super::options::{Memory, count};
+use super::options::{Destination, Inputs, Memory, TableChoice, count};
 use clap::Args;
 use eigenshade_cli::messages::albedo_warning;
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::output::{self, Rows, exact};
-use eigenshade_cli::presets;
 use eigenshade_cli::table;
 use eigenshade_model::error::Result;
 use eigenshade_shading::overflow;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{Shader, fault, fitted, of_higher_order};
-use std::path::PathBuf;
 
 /// Project every light on every material onto a table's components
 ///
@@ -19,37 +17,32 @@ use std::path::PathBuf;
 /// and orders beyond the table's are dropped; lower ones are used as they are.
 #[derive(Args, Debug)]
 pub struct Project {
-    /// The table
-    #[arg(value_name = "B.bin")]
-    table: PathBuf,
-    /// Light CSV, or the name of a shipped light
-    #[arg(long, value_name = "FILE")]
-    lights: PathBuf,
-    /// Material CSV, or the name of a shipped material
-    #[arg(long, value_name = "FILE")]
-    materials: PathBuf,
+    #[command(flatten)]
+    table: TableChoice,
+    #[command(flatten)]
+    inputs: Inputs,
     /// Only the first K components
     #[arg(long, value_name = "K", value_parser = count(1, u64::from(u16::MAX)))]
     components: Option<usize>,
-    /// Write the CSV to this file instead of standard output
-    #[arg(long, value_name = "FILE")]
-    out: Option<PathBuf>,
+    #[command(flatten)]
+    out: Destination,
 }
 
 impl Project {
     pub fn run(self, memory: Memory) -> Result<()> {
-        output::refuse_collisions(&self.out, [&self.table, &self.lights, &self.materials])?;
-        let table = table::read(memory.file(&self.table))?;
-        let components = table::components(&table, self.components, &self.table)?;
-        let lights = presets::lights(memory.file(&self.lights))?;
-        let materials = presets::materials(memory.file(&self.materials))?;
-        let higher = of_higher_order(&self.materials, materials.order, table.gram.order);
+        let [light, material] = self.inputs.paths();
+        output::refuse_collisions(&self.out.path, [self.table.path(), light, material])?;
+        let table = self.table.read(memory)?;
+        let components = table::components(&table, self.components, self.table.path())?;
+        let lights = self.inputs.light.lights(memory.of_file())?;
+        let materials = self.inputs.material.materials(memory.of_file())?;
+        let higher = of_higher_order(material, materials.order, table.gram.order);
         let warnings = higher.into_iter().chain(albedo_warning(&materials));
         let (lights, materials) = fitted(&table, &lights, &materials);
         let basis = OwnedBasis::<f64>::new(&table);
         let mut shader =
             Shader::new(basis.any().map_err(fault)?, components).with_transfers(basis.transfers());
-        output::write(self.out.as_deref(), |out| {
+        output::write(self.out.path.as_deref(), |out| {
             let header = ["light", "material", "component", "r", "g", "b"];
             let mut rows = Rows::new(out, header)?;
             for light in &lights.entries {

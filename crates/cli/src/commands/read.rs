@@ -1,11 +1,11 @@
 //! `eigenshade read`: estimates components, light and material from an image.
 
-use super::options::{Memory, count};
+use super::options::{Destination, Memory, TableChoice, count};
 use super::read_answer::{self, Answer};
 use clap::Args;
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::output;
-use eigenshade_cli::presets;
+use eigenshade_cli::presets::Source;
 use eigenshade_cli::reading::pixels::{LinearImage, Transfer};
 use eigenshade_cli::reading::{Reader, pixels};
 use eigenshade_cli::table::{self, rounding};
@@ -35,14 +35,13 @@ pub struct Read {
     #[arg(value_name = "IMAGE")]
     image: PathBuf,
     /// Normals: `sphere`, a normal map (.png), or a CSV `x,y,z` with a row for each pixel
-    #[arg(long, value_name = "NORMALS")]
+    #[arg(short, long, value_name = "NORMALS")]
     normals: PathBuf,
     /// Weight of each pixel: a gray PNG, or a CSV `weight` with a row for each pixel
     #[arg(long, value_name = "FILE")]
     mask: Option<PathBuf>,
-    /// The table
-    #[arg(long, value_name = "B.bin")]
-    table: PathBuf,
+    #[command(flatten)]
+    table: TableChoice,
     /// Only the first K components
     #[arg(long, value_name = "K", value_parser = count(1, u64::from(u16::MAX)))]
     components: Option<usize>,
@@ -55,16 +54,15 @@ pub struct Read {
     /// these chunks
     #[arg(long, value_enum)]
     transfer: Option<Transfer>,
-    /// Light CSV of the statistics [default: the file that the table's scene names, relative to the
+    /// Lights of the statistics [default: the file that the table's scene names, relative to the
     /// table's folder, or else the shipped one, if it has as many lights]
-    #[arg(long, value_name = "FILE")]
-    lights: Option<PathBuf>,
-    /// Material CSV of the statistics [default: as for --lights]
-    #[arg(long, value_name = "FILE")]
-    materials: Option<PathBuf>,
-    /// Write the CSV to this file instead of standard output
-    #[arg(long, value_name = "FILE")]
-    out: Option<PathBuf>,
+    #[arg(short, long, value_name = "NAME|FILE[:NAME]")]
+    light: Option<Source>,
+    /// Materials of the statistics [default: as for --light]
+    #[arg(short, long, value_name = "NAME|FILE[:NAME]")]
+    material: Option<Source>,
+    #[command(flatten)]
+    out: Destination,
     /// Write the best light to this light CSV
     #[arg(long, value_name = "FILE")]
     light_out: Option<PathBuf>,
@@ -82,14 +80,14 @@ fn positive(text: &str) -> std::result::Result<f64, String> {
 
 impl Read {
     pub fn run(self, memory: Memory) -> Result<()> {
-        let table = table::read(memory.file(&self.table))?;
+        let table = self.table.read(memory)?;
         self.refuse_collisions(&table)?;
         self.refuse_store(&table)?;
-        let components = table::components(&table, self.components, &self.table)?;
+        let components = table::components(&table, self.components, self.table.path())?;
         let (lights, lights_are_shipped) = self.lights(&table, memory)?;
         let (materials, materials_are_shipped) = self.materials(&table, memory)?;
-        let path = match &self.materials {
-            Some(path) => Some(path.clone()),
+        let path = match &self.material {
+            Some(source) => Some(source.path().to_owned()),
             None => self.beside_all(&table).ok().and_then(|paths| paths.into_iter().next()),
         };
         let warning =
@@ -99,13 +97,13 @@ impl Read {
         if (lights_are_shipped || materials_are_shipped) && !reader.is_of_the_database() {
             let what =
                 "the databases of its scene are missing, and the shipped ones differ from them";
-            let remedy = "give them with --lights and --materials";
-            return Err(Error::new(what, remedy).in_file(&self.table));
+            let remedy = "give them with --light and --material";
+            return Err(Error::new(what, remedy).in_file(self.table.path()));
         }
         if reader.is_black() {
             let what = "with these materials all its images are black";
-            let remedy = "use a table and --materials of which some reflect light";
-            return Err(Error::new(what, remedy).in_file(&self.table));
+            let remedy = "use a table and --material of which some reflect light";
+            return Err(Error::new(what, remedy).in_file(self.table.path()));
         }
 
         let image = LinearImage::read(memory.file(&self.image), self.transfer)?;
@@ -131,8 +129,8 @@ impl Read {
             let path = self.modes_out.as_deref();
             output::write_before(path, |out| answer.write_modes(out), light)
         };
-        output::write_before(self.out.as_deref(), |out| answer.write(out), modes)?;
-        match self.out {
+        output::write_before(self.out.path.as_deref(), |out| answer.write(out), modes)?;
+        match self.out.path {
             Some(_) => Ok(()),
             None => output::write(None, |out| answer.write(out)),
         }
@@ -141,18 +139,18 @@ impl Read {
     /// Checks that the outputs are different files and that none is an input.
     fn refuse_collisions(&self, table: &Table) -> Result<()> {
         let is_file = self.normals != Path::new("sphere");
-        let mut inputs = vec![self.image.clone(), self.table.clone()];
+        let mut inputs = vec![self.image.clone(), self.table.path().to_owned()];
         inputs.extend(is_file.then(|| self.normals.clone()));
         inputs.extend(self.mask.clone());
-        match &self.lights {
-            Some(path) => inputs.push(path.clone()),
+        match &self.light {
+            Some(source) => inputs.push(source.path().to_owned()),
             None => inputs.extend(self.beside(&table.scene.light.database)),
         }
-        match &self.materials {
-            Some(path) => inputs.push(path.clone()),
+        match &self.material {
+            Some(source) => inputs.push(source.path().to_owned()),
             None => inputs.extend(self.beside_all(table).into_iter().flatten()),
         }
-        let outputs = [&self.out, &self.light_out, &self.modes_out];
+        let outputs = [&self.out.path, &self.light_out, &self.modes_out];
         output::refuse_collisions(outputs.into_iter().flatten(), inputs)
     }
 
@@ -168,7 +166,7 @@ impl Read {
         };
         let what = format!("it was made with store = \"{store}\": {what}");
         let remedy = "make it again with basis.store = \"modes\"";
-        Err(Error::new(what, remedy).in_file(&self.table))
+        Err(Error::new(what, remedy).in_file(self.table.path()))
     }
 
     /// The name of the light: that of the image.
@@ -180,8 +178,8 @@ impl Read {
     /// replace the latter.
     fn lights(&self, table: &Table, memory: Memory) -> Result<(Lights, bool)> {
         let count = table.summary.lights;
-        if let Some(path) = &self.lights {
-            return Ok((presets::lights(memory.file(path))?, false));
+        if let Some(source) = &self.light {
+            return Ok((source.lights(memory.of_file())?, false));
         }
         match self.beside(&table.scene.light.database) {
             Ok(path) => Ok((read_lights(memory.file(path), None)?, false)),
@@ -189,15 +187,15 @@ impl Read {
                 .ok()
                 .filter(|lights| lights.entries.len() == count)
                 .map(|lights| (lights, true))
-                .ok_or_else(|| without(missing, "--lights")),
+                .ok_or_else(|| without(missing, "--light")),
         }
     }
 
     /// The materials of the option, or those of the table's scene; and whether the shipped ones
     /// replace the latter.
     fn materials(&self, table: &Table, memory: Memory) -> Result<(Materials, bool)> {
-        if let Some(path) = &self.materials {
-            return Ok((presets::materials(memory.file(path))?, false));
+        if let Some(source) = &self.material {
+            return Ok((source.materials(memory.of_file())?, false));
         }
         let scene = &table.scene.material;
         let beside = self.beside_all(table);
@@ -209,7 +207,7 @@ impl Read {
                     |path: &Path| shipped::materials_in(path).map(|all| (all, usize::MAX));
                 let databases = scene.database.iter().map(PathBuf::from);
                 let all = scene_file::together(databases, shipped);
-                all.map_err(|_| without(missing.clone(), "--materials"))?.0
+                all.map_err(|_| without(missing.clone(), "--material"))?.0
             }
         };
         if !scene.names.is_empty() {
@@ -217,20 +215,23 @@ impl Read {
         }
         match beside {
             Err(missing) if entries.len() != table.summary.materials => {
-                Err(without(missing, "--materials"))
+                Err(without(missing, "--material"))
             }
             _ => Ok((Materials { order, entries }, beside.is_err())),
         }
     }
 
-    /// The file that the table's scene names, relative to the table's folder.
+    /// The file that the table's scene names, relative to the table's folder. There is none beside a
+    /// shipped table.
     ///
     /// # Errors
     ///
     /// If there is no such file: its path.
     fn beside(&self, of_scene: &str) -> std::result::Result<PathBuf, PathBuf> {
-        let path = self.table.parent().unwrap_or(Path::new("")).join(of_scene);
-        if path.exists() { Ok(path) } else { Err(path) }
+        let table = self.table.path();
+        let path = table.parent().unwrap_or(Path::new("")).join(of_scene);
+        let is_beside = path.exists() && table::shipped(table).is_none();
+        if is_beside { Ok(path) } else { Err(path) }
     }
 
     /// The material files that the table's scene names, relative to the table's folder.

@@ -1,7 +1,7 @@
 //! `eigenshade render`: draws a sphere, a mesh or a normal map, or makes a matcap.
 
 use super::choices::Choices;
-use super::options::{FileEntry, Memory, count, positive};
+use super::options::{Inputs, Memory, TableChoice, count, positive};
 use clap::{Args, ValueEnum};
 use eigenshade::{Effects, Matcap, Rgb, Scalar, Tone};
 use eigenshade_cli::messages::print_message;
@@ -9,14 +9,12 @@ use eigenshade_cli::messages::{Ringing, albedo_warning};
 use eigenshade_cli::object::{ObjectView, SIZE};
 use eigenshade_cli::output;
 use eigenshade_cli::picture_file::{Development, PictureFile};
-use eigenshade_cli::presets;
-use eigenshade_cli::table::{self, rounding};
+use eigenshade_cli::table::rounding;
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_shading::overflow;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader, fault, fitted, of_higher_order};
-use eigenshade_shading::shipped;
 use eigenshade_table::scene::Geometry;
 use eigenshade_table::{Table, wire};
 use std::path::{Path, PathBuf};
@@ -28,19 +26,12 @@ use std::path::{Path, PathBuf};
 /// shows a sphere whatever the table's object is; a note says so if it is another.
 #[derive(Args, Debug)]
 pub struct Render {
-    /// The table [default: the shipped `color.bin`, of 160 components]
-    #[arg(value_name = "B.bin")]
-    table: Option<PathBuf>,
-    /// The name of a shipped light, or a light CSV and the light's name, which is optional if the
-    /// file has one light
-    #[arg(long, value_name = "NAME|FILE[:NAME]")]
-    light: String,
-    /// The name of a shipped material, or a material CSV and the material's name, which is optional
-    /// if the file has one material
-    #[arg(long, value_name = "NAME|FILE[:NAME]")]
-    material: String,
+    #[command(flatten)]
+    table: TableChoice,
+    #[command(flatten)]
+    inputs: Inputs,
     /// What to draw: `sphere`, a normal map (.png), or a mesh (.obj, .stl, .ply) from +z
-    #[arg(long, value_name = "NORMALS", default_value = "sphere")]
+    #[arg(short, long, value_name = "NORMALS", default_value = "sphere")]
     normals: PathBuf,
     /// Make a matcap: the texel at (u, v), v up, has the normal whose x and y are 2u - 1 and 2v - 1.
     /// three and blender are for engines that multiply normals by 0.495 and 0.496 instead of 1/2
@@ -49,10 +40,10 @@ pub struct Render {
     matcap: Option<Engine>,
     /// Pixels across the longer side, 2 to 8192; a normal map can only shrink [default: 512, or all
     /// of a normal map]
-    #[arg(long, value_name = "N", value_parser = count(2, 8192))]
+    #[arg(short, long, value_name = "N", value_parser = count(2, 8192))]
     size: Option<usize>,
     /// Number format
-    #[arg(long, value_enum, default_value_t = Format::F32)]
+    #[arg(short, long, value_enum, default_value_t = Format::F32)]
     format: Format,
     #[command(flatten)]
     choices: Choices,
@@ -64,7 +55,7 @@ pub struct Render {
     #[arg(long, value_enum)]
     tone: Option<Curve>,
     /// Write the picture to this file, .png or .exr
-    #[arg(long, value_name = "F")]
+    #[arg(short, long, value_name = "FILE")]
     out: PathBuf,
 }
 
@@ -113,27 +104,23 @@ impl From<Curve> for Tone {
 
 impl Render {
     pub fn run(self, memory: Memory) -> Result<()> {
-        let (light, material) = (FileEntry::new(&self.light), FileEntry::new(&self.material));
-        let inputs = [&light.path, &material.path, &self.normals].into_iter().chain(&self.table);
+        let Inputs { light, material } = &self.inputs;
+        let inputs = [self.table.path(), light.path(), material.path(), &self.normals];
         output::refuse_collisions([&self.out], inputs)?;
         let file = PictureFile::of(&self.out)?;
         if file == PictureFile::Exr && self.tone.is_some() {
             let remedy = "leave --tone out, or write a .png";
             return Err(Error::new("an .exr has no tone curve", remedy).in_file(&self.out));
         }
-        let table = match &self.table {
-            Some(path) => table::read(memory.file(path))?,
-            None => table::decode(shipped::COLOR)?,
-        };
+        let table = self.table.read(memory)?;
         self.choices.check_rotation(&table)?;
-        let path = self.table.as_deref().unwrap_or(Path::new("the shipped color.bin"));
-        let (components, effects) =
-            (self.choices.components(&table, path)?, self.choices.effects(&table)?);
-        let Lights { degree, entries } = presets::lights(memory.file(&light.path))?;
-        let lights = Lights { degree, entries: vec![light.find_in(entries)?] };
-        let Materials { order, entries } = presets::materials(memory.file(&material.path))?;
-        let materials = Materials { order, entries: vec![material.find_in(entries)?] };
-        let higher = of_higher_order(&material.path, order, table.gram.order);
+        let components = self.choices.components(&table, self.table.path())?;
+        let effects = self.choices.effects(&table)?;
+        let Lights { degree, entries } = light.lights(memory.of_file())?;
+        let lights = Lights { degree, entries: vec![light.only(entries)?] };
+        let Materials { order, entries } = material.materials(memory.of_file())?;
+        let materials = Materials { order, entries: vec![material.only(entries)?] };
+        let higher = of_higher_order(material.path(), order, table.gram.order);
         let rounded = match self.format {
             Format::F32 => rounding::warning(&table, wire::Format::F32),
             Format::F64 => None,
@@ -160,10 +147,9 @@ impl Render {
         let development = Development { exposure, tone, is_opaque };
         file.write(&self.out, &view, &image, development)?;
         let is_sphere = self.normals.as_os_str() == "sphere";
-        let table_path = self.table.filter(|_| is_sphere);
-        let note = table_path.and_then(|path| note(&path, &table.scene.geometry));
+        let note = note(self.table.path(), &table.scene.geometry).filter(|_| is_sphere);
         let ringing = ringing.note().filter(|_| self.choices.has_all_effects());
-        let sharp = presets::error_note(&material.path, (table.gram.degree, table.gram.order));
+        let sharp = material.error_note((table.gram.degree, table.gram.order));
         note.into_iter().chain(warnings).chain(ringing).chain(sharp).for_each(print_message);
         Ok(())
     }

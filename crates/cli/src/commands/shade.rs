@@ -1,15 +1,14 @@
 //! `eigenshade shade`: writes the irradiance of given normals.
 
 use super::choices::Choices;
-use super::options::{Memory, count, tolerance};
+use super::options::{Destination, Inputs, Memory, TableChoice, count, tolerance};
 use super::shade_images::{Images, Output, Way};
 use clap::{Args, ValueEnum};
 use eigenshade::{NegativePolicy, Q15, Q31, Tolerance};
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::messages::{Ringing, albedo_warning};
 use eigenshade_cli::output::{self, Rows, exact};
-use eigenshade_cli::presets;
-use eigenshade_cli::table::{self, rounding};
+use eigenshade_cli::table::rounding;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::normals::read_normals;
 use eigenshade_shading::methods::LookUp;
@@ -23,22 +22,17 @@ use std::path::PathBuf;
 /// with all digits.
 #[derive(Args, Debug)]
 pub struct Shade {
-    /// The table
-    #[arg(value_name = "B.bin")]
-    table: PathBuf,
-    /// Light CSV, or the name of a shipped light
-    #[arg(long, value_name = "FILE")]
-    lights: PathBuf,
-    /// Material CSV, or the name of a shipped material
-    #[arg(long, value_name = "FILE")]
-    materials: PathBuf,
+    #[command(flatten)]
+    table: TableChoice,
+    #[command(flatten)]
+    inputs: Inputs,
     /// Normals CSV, `x,y,z`
-    #[arg(long, value_name = "FILE")]
+    #[arg(short, long, value_name = "FILE")]
     normals: PathBuf,
     #[command(flatten)]
     choices: Choices,
     /// Number format [default: f32, and f64 for the method modes]
-    #[arg(long, value_enum)]
+    #[arg(short, long, value_enum)]
     format: Option<Format>,
     /// How a pixel is computed
     #[arg(long, value_enum, default_value_t = Method::Polynomial)]
@@ -48,7 +42,7 @@ pub struct Shade {
     #[arg(long, value_name = "N", value_parser = count(8, 65_536))]
     knots: Option<usize>,
     /// Method baked: texels on each side, 2 to 4096 [default: 64]
-    #[arg(long, value_name = "N", value_parser = count(2, 4_096))]
+    #[arg(short, long, value_name = "N", value_parser = count(2, 4_096))]
     size: Option<usize>,
     /// Interpolation: linear or cubic for sampled [default: cubic], nearest or linear for baked
     /// [default: linear]
@@ -63,9 +57,8 @@ pub struct Shade {
     /// Set irradiance below zero to zero, and report the least value on standard error
     #[arg(long)]
     clamp: bool,
-    /// Write the CSV to this file instead of standard output
-    #[arg(long, value_name = "FILE")]
-    out: Option<PathBuf>,
+    #[command(flatten)]
+    out: Destination,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -114,9 +107,10 @@ impl Shade {
             let what = "--tolerance needs the method polynomial in f32 or f64";
             return Err(Error::new(what, "leave it out, or use those"));
         }
-        let inputs = [&self.table, &self.lights, &self.materials, &self.normals];
-        output::refuse_collisions(&self.out, inputs)?;
-        let table = table::read(memory.file(&self.table))?;
+        let [light, material] = self.inputs.paths();
+        let inputs = [self.table.path(), light, material, &self.normals];
+        output::refuse_collisions(&self.out.path, inputs)?;
+        let table = self.table.read(memory)?;
         let effects = self.choices.effects(&table)?;
         self.choices.check_rotation(&table)?;
         if is_integer && effects != table.effects() {
@@ -124,10 +118,10 @@ impl Shade {
             return Err(Error::new(what, "make a table of those effects, or use --format f32"));
         }
         let way = self.way(table.scene.basis.knots, table.gram.degree)?;
-        let components = self.choices.components(&table, &self.table)?;
-        let lights = presets::lights(memory.file(&self.lights))?;
-        let materials = presets::materials(memory.file(&self.materials))?;
-        let higher = of_higher_order(&self.materials, materials.order, table.gram.order);
+        let components = self.choices.components(&table, self.table.path())?;
+        let lights = self.inputs.light.lights(memory.of_file())?;
+        let materials = self.inputs.material.materials(memory.of_file())?;
+        let higher = of_higher_order(material, materials.order, table.gram.order);
         let warnings = higher.into_iter().chain(albedo_warning(&materials));
         let (mut lights, materials) = fitted(&table, &lights, &materials);
         self.choices.change(&mut lights);
@@ -140,7 +134,7 @@ impl Shade {
             Images { table, lights, materials, normals, components, effects, tolerance, rounding };
         let negatives = if self.clamp { NegativePolicy::Clamped } else { NegativePolicy::Kept };
         let (mut least, mut ringing) = (f64::INFINITY, Ringing::default());
-        output::write(self.out.as_deref(), |out| {
+        output::write(self.out.path.as_deref(), |out| {
             let rows = Rows::new(out, ["light", "material", "normal", "r", "g", "b"])?;
             let mut out = Output { rows, negatives, least, ringing: Ringing::default() };
             match (self.method, self.format) {

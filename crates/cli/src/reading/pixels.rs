@@ -58,8 +58,7 @@ impl LinearImage {
     pub fn read(file: impl Into<InputFile>, transfer: Option<Transfer>) -> Result<Self> {
         let file = file.into().with_bytes_beside(BYTES_PER_PIXEL);
         let path = file.path();
-        let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
-        let ending = ending.to_ascii_lowercase();
+        let ending = file.extension();
         if ending == "png" {
             return Self::of_png(&file, transfer);
         }

@@ -6,25 +6,57 @@ pub mod compare;
 pub mod recorded_errors;
 pub mod rounding;
 
-use crate::messages::grouped;
+use crate::description::Description;
 use eigenshade::wire::{Header, WireError, WireFormat, aligned};
 use eigenshade::{Basis, GeneralBasis, GeneralParts, Parts, Q15, Q31, quantized};
 use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_index::wire::{ENTRY, HEADER, LABEL};
+use eigenshade_model::database::name_remedy;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
+use eigenshade_shading::shipped;
 use eigenshade_table::Table;
-use std::fmt::Write;
+use std::borrow::Cow;
 use std::path::Path;
 
-/// Reads a table.
+/// The names of the shipped tables.
+const SHIPPED: [&str; 3] = ["color", "sphere", "curet"];
+
+/// The bytes of a shipped table, if there is no file of its name.
+#[must_use]
+pub fn shipped(path: &Path) -> Option<&'static [u8]> {
+    let tables = [shipped::COLOR, shipped::TABLE, shipped::CURET];
+    let place = SHIPPED.iter().position(|name| path.as_os_str() == *name);
+    place.filter(|_| !path.exists()).map(|place| tables[place])
+}
+
+/// The bytes of a table's file, or of the shipped table of this name.
+///
+/// # Errors
+///
+/// If the file cannot be read.
+pub fn bytes(file: &InputFile) -> Result<Cow<'static, [u8]>> {
+    let path = file.path();
+    if let Some(bytes) = shipped(path) {
+        return Ok(Cow::Borrowed(bytes));
+    }
+    let name = path.to_string_lossy();
+    let is_word = !name.contains(['/', '\\', '.']) && !file.is_standard_input();
+    if is_word && !path.exists() {
+        let what = format!("`{name}` is neither a file nor a shipped table");
+        return Err(Error::new(what, name_remedy(&name, SHIPPED, "the path of a file")));
+    }
+    file.bytes().map(Cow::Owned)
+}
+
+/// Reads a table's file, or the shipped table of this name.
 ///
 /// # Errors
 ///
 /// If the file cannot be read, is not a table, has another version, or is damaged.
 pub fn read(file: impl Into<InputFile>) -> Result<Table> {
     let file = file.into();
-    decode(&file.bytes()?).map_err(|error| error.in_file(file.path()))
+    decode(&bytes(&file)?).map_err(|error| error.in_file(file.path()))
 }
 
 /// Decodes a table from the bytes of a file.
@@ -59,12 +91,12 @@ pub fn is_wire(bytes: &[u8]) -> bool {
     bytes.starts_with(&LABEL)
 }
 
-/// Describes the contents of a wire file, line by line.
+/// Describes the contents of a wire file.
 ///
 /// # Errors
 ///
 /// If the runtime refuses the bytes.
-pub fn wire_description(bytes: &[u8]) -> Result<String> {
+pub fn wire_description(bytes: &[u8]) -> Result<Description> {
     let header = checked(bytes).map_err(|error| described(&error))?;
     let (format, names) = match WireFormat::of(header.format) {
         Some(WireFormat::F32) | None => {
@@ -72,27 +104,21 @@ pub fn wire_description(bytes: &[u8]) -> Result<String> {
         }
         Some(format) => (format, quantized::Parts::<Q15>::ARRAYS.to_vec()),
     };
-    let mut text = String::new();
-    let lines = [
-        ("wire version", header.version.to_string()),
-        ("format", format.name().to_owned()),
-        ("degree", header.degree.to_string()),
-        ("order", header.order.to_string()),
-        ("effects", effect_names(header.effects)),
-        ("components", header.images.max(header.components).to_string()),
-        ("span", if header.images == 0 { 0 } else { header.components }.to_string()),
-    ];
-    for (what, value) in lines {
-        let _ = writeln!(text, "{what:<24} {value}");
-    }
+    let mut description = Description::default();
+    description.field("wire version", header.version);
+    description.field("format", format.name());
+    description.field("degree", header.degree);
+    description.field("order", header.order);
+    description.field("effects", effect_names(header.effects));
+    description.field("components", header.images.max(header.components));
+    description.field("span", if header.images == 0 { 0 } else { header.components });
     for (number, name) in names.into_iter().take(header.sections).enumerate() {
-        let name = name.replace('_', " ");
         let at = HEADER + ENTRY * number + ENTRY / 2;
         let length = u32::from_ne_bytes(std::array::from_fn(|k| bytes[at + k]));
-        let _ = writeln!(text, "{name:<24} {:>9} bytes", grouped(length as usize));
+        description.part(name.replace('_', " "), length as usize);
     }
-    let _ = writeln!(text, "{:<24} {:>9} bytes", "file", grouped(header.length));
-    Ok(text)
+    description.part("file", header.length);
+    Ok(description)
 }
 
 /// The names of effects.

@@ -31,7 +31,7 @@ pub fn table(geometry: &str, files: &[(&str, Vec<u8>)]) -> Folder {
 
 /// The eigenvalues, without the empty one of the constant.
 pub fn eigenvalues(folder: &Folder) -> Vec<f64> {
-    let text = folder.ok("eigenvalues b.bin");
+    let text = folder.ok("eigenvalues --table b.bin");
     let rows = rows(&text, "criterion,index,m,eigenvalue");
     rows[1..].iter().map(|row| row[3].parse().expect("a number")).collect()
 }
@@ -231,8 +231,8 @@ pub fn with_image() -> Folder {
         writeln!(text, "{},{},{}", noise(), noise(), noise().abs()).unwrap();
     }
     folder.write("normals.csv", text);
-    let pair = "--lights light.csv --materials material.csv --normals normals.csv";
-    let image = || folder.ok(&format!("shade b.bin {pair} --format f64"));
+    let pair = "--light light.csv --material material.csv --normals normals.csv";
+    let image = || folder.ok(&format!("shade --table b.bin {pair} --format f64"));
     folder.write("image.csv", IMAGE.get_or_init(image));
     folder
 }

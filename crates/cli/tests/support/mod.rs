@@ -20,7 +20,7 @@ pub const DEGREE: usize = 4;
 pub const ORDER: usize = 3;
 
 /// The options and the header of `shade`.
-pub const PAIR: &str = "--lights lights.csv --materials materials.csv";
+pub const PAIR: &str = "--light lights.csv --material materials.csv";
 pub const SHADED: &str = "light,material,normal,r,g,b";
 
 /// A folder with `lights.csv`, `materials.csv`, `normals.csv` and `scene.toml`.
@@ -103,7 +103,8 @@ impl Folder {
 
     /// The irradiance that `shade` gives with this table.
     pub fn shaded_by(&self, table: &str, options: &str) -> Vec<f64> {
-        let text = self.ok(&format!("shade {table} {PAIR} --normals normals.csv {options}"));
+        let text =
+            self.ok(&format!("shade --table {table} {PAIR} --normals normals.csv {options}"));
         numbers(&rows(&text, SHADED), 3)
     }
 

@@ -1,12 +1,16 @@
 //! A file to read, and a limit on the memory that reading it may take.
 
 use crate::budget::Budget;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, STANDARD_INPUT};
 use std::fs::File;
 use std::io::{BufReader, Read};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 
-/// A path with a [`Budget`]. A plain path converts to an `InputFile` with [`Budget::READING`].
+/// Whether standard input has been read, which is possible once.
+static IS_TAKEN: AtomicBool = AtomicBool::new(false);
+
+/// A path with a [`Budget`]; the path `-` is standard input, which is read once and as a whole. A plain path converts to an `InputFile` with [`Budget::READING`].
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct InputFile {
     path: PathBuf,
@@ -32,6 +36,22 @@ impl InputFile {
     #[must_use]
     pub fn path(&self) -> &Path {
         &self.path
+    }
+
+    /// Whether this is standard input.
+    #[must_use]
+    pub fn is_standard_input(&self) -> bool {
+        self.path.as_os_str() == STANDARD_INPUT
+    }
+
+    /// The extension of the file's name in small letters. Standard input has that of a CSV, which it
+    /// is wherever the extension decides.
+    #[must_use]
+    pub fn extension(&self) -> String {
+        if self.is_standard_input() {
+            return "csv".to_owned();
+        }
+        self.path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase()
     }
 
     /// The folder that contains the file.
@@ -82,11 +102,21 @@ impl InputFile {
     ///
     /// If the file cannot be read or is larger than the budget.
     pub fn bytes(&self) -> Result<Vec<u8>> {
-        let (file, length) = self.open()?;
-        self.admit(length)?;
+        let source: Box<dyn Read> = if self.is_standard_input() {
+            if IS_TAKEN.swap(true, Ordering::Relaxed) {
+                let remedy = "give one input as `-`, and files for the others";
+                return Err(Error::new("it is read twice", remedy).in_file(&self.path));
+            }
+            Box::new(std::io::stdin().lock())
+        } else {
+            let (file, length) = self.open()?;
+            self.admit(length)?;
+            Box::new(file)
+        };
         let mut bytes = Vec::new();
-        // Files that are not on a disk report no length: the read stops when it exceeds the budget.
-        file.take(self.budget.bytes().saturating_add(1))
+        // What is not on a disk reports no length: the read stops when it exceeds the budget.
+        source
+            .take(self.budget.bytes().saturating_add(1))
             .read_to_end(&mut bytes)
             .map_err(|error| Error::io(&self.path, &error))?;
         let read = bytes.len() as u64;

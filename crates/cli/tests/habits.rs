@@ -1,0 +1,254 @@
+//! What all commands have in common: names and files, standard input, JSON, messages, help.
+
+use crate::PROGRAM;
+use crate::support::{Folder, PAIR, assert_fails, repository};
+use eigenshade_shading::shipped;
+use serde_json::Value;
+use std::fs;
+use std::io::Write;
+use std::process::{Command, Output, Stdio};
+
+/// Runs the program with this standard input.
+fn fed(folder: &Folder, arguments: &str, input: &[u8]) -> Output {
+    let mut child = Command::new(PROGRAM)
+        .current_dir(folder.path("."))
+        .args(arguments.split_whitespace())
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    // A program that fails may have closed the pipe.
+    let _ = child.stdin.take().unwrap().write_all(input);
+    child.wait_with_output().unwrap()
+}
+
+/// The shipped tables by name are those of the repository, and one is the default.
+#[test]
+fn tables_have_names() {
+    let folder = Folder::with_table();
+    for name in ["color", "sphere", "curet"] {
+        let file = repository().join(format!("tables/{name}.bin"));
+        let [by_name, by_path] = [name.to_owned(), file.display().to_string()]
+            .map(|table| folder.ok(&format!("eigenvalues -t {table}")));
+        assert_eq!(by_name, by_path);
+    }
+    assert_eq!(folder.ok("info"), folder.ok("info --table color"));
+    let project = "project --light park --material chrome --components 2";
+    assert_eq!(folder.ok(project), folder.ok(&format!("{project} --table color")));
+    // A file has precedence.
+    fs::copy(folder.path("b.bin"), folder.path("sphere")).unwrap();
+    assert_eq!(folder.ok("info -t sphere"), folder.ok("info -t b.bin"));
+    // Reading with a shipped table uses the shipped databases, wherever the program runs.
+    folder.ok("render -l park -m 07-velvet -s 48 -t curet -o v.png");
+    let by_name = folder.ok("read v.png -n sphere -t curet");
+    let curet = repository().join("tables/curet.bin");
+    assert_eq!(by_name, folder.ok(&format!("read v.png -n sphere -t {}", curet.display())));
+}
+
+/// `--light` and `--material` mean the same in each command.
+#[test]
+fn one_entry_of_a_file() {
+    let folder = Folder::with_table();
+    let rows = |text: String, start: &str| -> Vec<String> {
+        text.lines().filter(|row| row.starts_with(start)).map(str::to_owned).collect()
+    };
+    let one = "-l lights.csv:light-1 -m materials.csv:material-2";
+    for command in ["project -t b.bin", "shade -t b.bin -n normals.csv"] {
+        let found = rows(folder.ok(&format!("{command} {one}")), "light-");
+        let all = folder.ok(&format!("{command} {PAIR}"));
+        assert!(!found.is_empty());
+        assert_eq!(found, rows(all, "light-1,material-2,"));
+    }
+    let misnamed = "project -t b.bin -l lights.csv:lihgt-1 -m materials.csv";
+    assert_fails(&folder, misnamed, &["lights.csv: it has no light `lihgt-1`", "`light-1`"]);
+}
+
+/// A table, a scene, and each CSV.
+#[test]
+fn standard_input_in_place_of_a_file() {
+    let folder = Folder::with_table();
+    let shade = format!("shade -t b.bin {PAIR} -n normals.csv");
+    let expected = folder.ok(&shade);
+    for name in ["b.bin", "lights.csv", "materials.csv", "normals.csv"] {
+        let input = fs::read(folder.path(name)).unwrap();
+        let output = fed(&folder, &shade.replace(name, "-"), &input);
+        assert_eq!(String::from_utf8_lossy(&output.stdout), expected, "{name}");
+    }
+    let lights = folder.read("lights.csv");
+    let one =
+        fed(&folder, "project -t b.bin --light=-:light-1 -m materials.csv", lights.as_bytes());
+    assert_eq!(
+        String::from_utf8_lossy(&one.stdout),
+        folder.ok("project -t b.bin -l lights.csv:light-1 -m materials.csv")
+    );
+    let light = fed(&folder, "light - --degree 2", lights.as_bytes());
+    assert_eq!(String::from_utf8_lossy(&light.stdout), folder.ok("light lights.csv --degree 2"));
+    let scene = folder.read("scene.toml");
+    let basis = fed(&folder, "basis --scene - --check b.bin", scene.as_bytes());
+    assert_eq!(basis.status.code(), Some(0));
+    for (arguments, input, fragment) in [
+        (&shade.replace("lights.csv", "-"), "name,l,m\n", "error: standard input:1: its header"),
+        (&shade.replace("lights.csv", "-").replace("normals.csv", "-"), &lights, "read twice"),
+    ] {
+        let output = fed(&folder, arguments, input.as_bytes());
+        let line = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.code() == Some(1) && line.contains(fragment), "{line}");
+    }
+}
+
+#[test]
+fn answers_as_json() {
+    let folder = Folder::with_table();
+    let parsed = |arguments: &str| -> Value {
+        serde_json::from_str(&folder.ok(&format!("{arguments} --json"))).unwrap()
+    };
+    let table = folder.table("b.bin");
+    let info = parsed("info -t b.bin");
+    assert_eq!((&info["degree"], &info["normals"]), (&4.into(), &"sphere".into()));
+    assert_eq!(info["components"], table.count());
+    let bytes = fs::metadata(folder.path("b.bin")).unwrap().len();
+    assert_eq!(info["bytes"]["file"], bytes);
+    // The same names as in the text.
+    for name in info.as_object().unwrap().keys().filter(|name| *name != "bytes") {
+        let text = folder.ok("info -t b.bin");
+        let has = |line: &str| line.starts_with(&format!("{} ", name.replace('_', " ")));
+        assert!(text.lines().any(has), "{name}");
+    }
+    folder.ok("pack -t b.bin -f q15 -o w.esw");
+    assert_eq!(parsed("info -t w.esw")["format"], "q15");
+    let eigenvalues = parsed("eigenvalues -t b.bin");
+    assert_eq!(eigenvalues.as_array().unwrap().len(), table.spectrum.len());
+    assert_eq!((&eigenvalues[0]["m"], &eigenvalues[0]["eigenvalue"]), (&0.into(), &Value::Null));
+    assert_eq!(eigenvalues[1]["eigenvalue"].as_f64(), table.spectrum[1].1);
+    let list = parsed("list");
+    let names = shipped::lights().unwrap().entries.len()
+        + shipped::named_materials().unwrap().entries.len();
+    assert_eq!(list.as_array().unwrap().len(), names);
+    let demo = parsed("demo -o d -s 16");
+    assert_eq!(demo, serde_json::json!({ "files": ["d/demo.png"] }));
+    let errors = &parsed("demo -o d -s 16 --errors")["errors"];
+    assert!(errors[0]["rms_error"].as_f64().unwrap() < 1e-5, "{errors}");
+}
+
+/// With `--quiet`, errors are all that is shown.
+#[test]
+fn quiet_commands() {
+    let folder = Folder::with_table();
+    let sharp = "render -l park -m chrome -s 16 -o a.png";
+    assert!(folder.messages(sharp).contains("sharper"));
+    for arguments in [sharp, "pack -t b.bin -o w.esw", "basis --scene scene.toml -o c.bin"] {
+        let output = folder.run(&format!("{arguments} --quiet"));
+        assert_eq!((output.stdout, output.stderr), (vec![], vec![]), "{arguments}");
+    }
+    assert_fails(&folder, "-q info -t none.bin", &["none.bin"]);
+}
+
+/// Each command has a page, and each shell completions that know the commands.
+#[test]
+fn pages_and_completions() {
+    let folder = Folder::new();
+    folder.ok("man share/man1");
+    let page = folder.read("share/man1/eigenshade-render.1");
+    assert!(page.contains(".TH") && page.contains("\\-\\-exposure"), "{page}");
+    for name in ["eigenshade.1", "eigenshade-demo.1", "eigenshade-material-ggx.1"] {
+        assert!(folder.path("share/man1").join(name).is_file(), "{name}");
+    }
+    for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
+        let script = folder.ok(&format!("completions {shell}"));
+        assert!(script.contains("render") && script.contains("exposure"), "{shell}");
+    }
+    folder.ok("completions bash -o e.bash");
+    assert!(
+        Command::new("bash")
+            .args(["-n", "e.bash"])
+            .current_dir(folder.path("."))
+            .status()
+            .unwrap()
+            .success()
+    );
+}
+
+/// The same option has the same letter and the same form in every command.
+#[test]
+fn options_are_spelled_alike() {
+    let folder = Folder::new();
+    let help = folder.ok("--help");
+    let commands = help.split_once("Commands:").unwrap().1.split_once("Options:").unwrap().0;
+    let commands = commands.lines().filter_map(|line| line.split_whitespace().next());
+    let commands: Vec<&str> = commands.filter(|name| *name != "help").collect();
+    assert!(commands.len() >= 15, "{commands:?}");
+    let mut found: Vec<(String, String, &str)> = Vec::new();
+    for command in commands {
+        for line in folder.ok(&format!("{command} -h")).lines() {
+            let line = line.trim_start();
+            let Some(at) = line.find("--").filter(|_| line.starts_with('-')) else { continue };
+            let long = line[at..].split([' ', '[']).next().unwrap().to_owned();
+            let short = line[..at].trim_end_matches([' ', ',']).to_owned();
+            found.push((long, short, command));
+        }
+    }
+    for (long, short, command) in &found {
+        for (other_long, other_short, other) in &found {
+            let same = (long == other_long, short == other_short && !short.is_empty());
+            assert!(
+                same.0 || !same.1,
+                "{command} {long} and {other} {other_long} are both {short}"
+            );
+            assert!(!same.0 || short == other_short, "{long} of {command} and of {other}");
+        }
+    }
+    assert!(found.iter().filter(|(long, ..)| long == "--table").count() >= 8);
+}
+
+/// An output device without room is an error, whatever is written.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_device() {
+    let folder = Folder::with_table();
+    for arguments in [
+        "light lights.csv -o",
+        "eigenvalues -t b.bin -o",
+        "eigenvalues --json -t b.bin -o",
+        "pack -t b.bin -o",
+        "completions bash -o",
+    ] {
+        let fragments = ["/dev/full", "No space left", "free some space"];
+        assert_fails(&folder, &format!("{arguments} /dev/full"), &fragments);
+    }
+    // By its name, a picture.
+    std::os::unix::fs::symlink("/dev/full", folder.path("full.png")).unwrap();
+    let render = "render -l park -m chrome -s 64 -o full.png";
+    assert_fails(&folder, render, &["full.png", "No space left"]);
+    for arguments in ["list", "info -t b.bin", "eigenvalues --json -t b.bin"] {
+        let script = format!("exec {PROGRAM} {arguments} > /dev/full");
+        let output = Command::new("sh")
+            .args(["-c", &script])
+            .current_dir(folder.path("."))
+            .output()
+            .unwrap();
+        let line = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(1), "{arguments}: {line}");
+        assert!(line.starts_with("error: standard output: No space left"), "{line}");
+    }
+}
+
+/// A picture that does not fit is not there in part.
+#[cfg(unix)]
+#[test]
+fn pictures_on_a_full_disk() {
+    let folder = Folder::new();
+    for arguments in ["render -l park -m chrome -s 128 -o a.png", "demo -s 32 -o ."] {
+        let before = folder.names();
+        // A limit of the shell takes the place of a full disk.
+        let script = format!("trap '' XFSZ; ulimit -f 1; exec {PROGRAM} {arguments}");
+        let output = Command::new("sh")
+            .args(["-c", &script])
+            .current_dir(folder.path("."))
+            .output()
+            .unwrap();
+        let line = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.code() == Some(1) && line.contains(".png: File too large"), "{line}");
+        assert_eq!(folder.names(), before, "{arguments}");
+    }
+}
