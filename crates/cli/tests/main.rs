@@ -12,6 +12,7 @@ mod compiled;
 mod corner_cases;
 mod direct_sum;
 mod effects;
+mod export;
 mod materials;
 mod memory;
 mod objects;

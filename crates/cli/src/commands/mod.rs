@@ -6,6 +6,7 @@ mod choices;
 mod demo;
 mod demo_sheet;
 mod evaluate;
+mod export;
 mod info;
 #[cfg(feature = "generate")]
 mod light;
@@ -50,6 +51,7 @@ pub enum Command {
     Render(render::Render),
     #[cfg(feature = "generate")]
     Read(read::Read),
+    Export(export::Export),
     Evaluate(evaluate::Evaluate),
 }
 
@@ -75,6 +77,7 @@ impl Command {
             Self::Render(command) => command.run(memory),
             #[cfg(feature = "generate")]
             Self::Read(command) => command.run(memory),
+            Self::Export(command) => command.run(memory),
             Self::Evaluate(command) => command.run(memory),
         }
     }

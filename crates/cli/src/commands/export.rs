@@ -1,0 +1,253 @@
+//! `eigenshade export`: writes lights, materials, tables and scenes for other programs.
+
+use super::options::{FileEntry, Memory, count};
+use clap::{ArgGroup, Args, ValueEnum};
+use eigenshade_cli::export::array::Array;
+use eigenshade_cli::export::entry::{self, entries};
+use eigenshade_cli::export::table::Shown;
+use eigenshade_cli::export::{c, coefficients, js, json, npz, rust, scene, table as of_table};
+use eigenshade_cli::messages::print_message;
+use eigenshade_cli::output::{self, command_line};
+use eigenshade_cli::{presets, table};
+use eigenshade_model::database::{Lights, Materials, Named};
+use eigenshade_model::error::{Error, Result};
+use eigenshade_shading::shader::{fitted, of_higher_order};
+use eigenshade_shading::shipped;
+use eigenshade_table::quantize::{Format as IntegerFormat, integers};
+use eigenshade_table::{Table, statics};
+use std::path::{Path, PathBuf};
+
+/// Export lights, materials, tables and scenes to Rust, C, JavaScript, JSON or numpy
+///
+/// With --light and --material, exports these, to the degree and order of the table; with both,
+/// json and npz also hold the scene: its coefficients in the table's eigenimages. With --table alone,
+/// exports the table.
+#[derive(Args, Debug)]
+#[command(group(ArgGroup::new("contents").required(true).multiple(true).args(["light", "material", "table"])))]
+pub struct Export {
+    /// Language or file format
+    #[arg(long, value_enum)]
+    lang: Lang,
+    /// The name of a shipped light, or a light CSV, of which all lights are exported or one by its
+    /// name
+    #[arg(long, value_name = "NAME|FILE[:NAME]")]
+    light: Option<String>,
+    /// The name of a shipped material, or a material CSV, of which all materials are exported or one
+    /// by its name
+    #[arg(long, value_name = "NAME|FILE[:NAME]")]
+    material: Option<String>,
+    /// The table; for lights and materials the default is the shipped `color.bin`
+    #[arg(long, value_name = "B.bin")]
+    table: Option<PathBuf>,
+    /// Number format of rust and c [default: f32]
+    #[arg(long, value_enum)]
+    format: Option<Format>,
+    /// Add eigenimages, or the images of a scene, at normals: a normals CSV, `sphere`, a normal map
+    /// (.png) or a mesh (.obj, .stl, .ply); for json and npz
+    #[arg(long, value_name = "NORMALS")]
+    normals: Option<PathBuf>,
+    /// Pixels across the longer side of --normals, 2 to 8192 [default: 64; all of a normal map]
+    #[arg(long, value_name = "N", value_parser = count(2, 8192), requires = "normals")]
+    size: Option<usize>,
+    /// Write to this file instead of standard output
+    #[arg(long, value_name = "F")]
+    out: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Lang {
+    /// A module of constants
+    Rust,
+    /// A header of constant records
+    C,
+    /// A module of typed arrays
+    Js,
+    /// Arrays with shapes and units
+    Json,
+    /// The same arrays in numpy's format
+    Npz,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Format {
+    F32,
+    Q15,
+}
+
+/// Pixels across the normals of a sphere and a mesh.
+const SIZE: usize = 64;
+
+impl Export {
+    pub fn run(self, memory: Memory) -> Result<()> {
+        let light = self.light.as_deref().map(FileEntry::new);
+        let material = self.material.as_deref().map(FileEntry::new);
+        let files = [&light, &material].into_iter().flatten().map(|entry| &entry.path);
+        let inputs = files.chain(&self.table).chain(&self.normals);
+        output::refuse_collisions(&self.out, inputs)?;
+        self.check()?;
+        let path = self.table.as_deref().unwrap_or(Path::new("the shipped color.bin"));
+        let table = match &self.table {
+            Some(path) => table::read(memory.file(path))?,
+            None => table::decode(shipped::COLOR)?,
+        };
+        let shown = self.shown(memory)?;
+        if light.is_none() && material.is_none() {
+            memory.file(path).admit(of_table::size(&table, shown.as_ref()))?;
+            let contents = self.table_contents(&table, shown.as_ref());
+            let contents = contents.map_err(|error| error.in_file(path))?;
+            return output::write_all(self.out.as_deref(), contents);
+        }
+        let none = Lights { degree: 0, entries: Vec::new() };
+        let lights = light.as_ref().map_or(Ok(none), |one| lights(one, memory))?;
+        let none = Materials { order: 0, entries: Vec::new() };
+        let of_file = material.as_ref().map_or(Ok(none), |one| materials(one, memory))?;
+        let (lights, materials) = fitted(&table, &lights, &of_file);
+        if let Some(light) = &light {
+            let pairs = lights.entries.len() * materials.entries.len();
+            memory.file(&light.path).admit(scene::size(&table, pairs, shown.as_ref()))?;
+        }
+        let contents = self.coefficients(&table, &lights, &materials, shown.as_ref())?;
+        output::write_all(self.out.as_deref(), contents)?;
+        let order = table.gram.order;
+        let higher = material.and_then(|one| of_higher_order(&one.path, of_file.order, order));
+        higher.iter().for_each(print_message);
+        Ok(())
+    }
+
+    /// Whether the options go together.
+    fn check(&self) -> Result<()> {
+        let is_array = matches!(self.lang, Lang::Json | Lang::Npz);
+        let has_images = self.light.is_none() == self.material.is_none();
+        let fault = |what: &str, remedy: &str| Err(Error::new(what, remedy));
+        if self.normals.is_some() && !(is_array && has_images) {
+            let what = "--normals adds eigenimages or images, which only tables and scenes have, \
+                        in json and npz";
+            return fault(what, "leave it out, or export a table, or a light with a material");
+        }
+        match (self.lang, self.format) {
+            (Lang::Js, Some(Format::Q15)) => fault(
+                "the WebAssembly module takes floats and makes integers of them itself",
+                "leave --format out",
+            ),
+            (Lang::Json | Lang::Npz, Some(_)) => {
+                fault("json and npz hold the numbers as they are, in f64", "leave --format out")
+            }
+            _ => Ok(()),
+        }
+    }
+
+    fn format(&self) -> entry::Format {
+        match self.format {
+            Some(Format::Q15) => entry::Format::Q15,
+            Some(Format::F32) | None => entry::Format::F32,
+        }
+    }
+
+    /// The normals, if any are asked for.
+    fn shown(&self, memory: Memory) -> Result<Option<Shown>> {
+        let Some(path) = &self.normals else { return Ok(None) };
+        let is_map = path.extension().is_some_and(|end| end.eq_ignore_ascii_case("png"));
+        let size = self.size.or((!is_map).then_some(SIZE));
+        Shown::read(memory.file(path), size).map(Some)
+    }
+
+    /// The file of a table.
+    fn table_contents(&self, table: &Table, shown: Option<&Shown>) -> Result<Vec<u8>> {
+        match self.lang {
+            Lang::Rust => self.table_source(table).map(String::into_bytes),
+            Lang::C => Err(Error::new(
+                "a program in C takes no table: the C library itself is built for one",
+                "build the library for this table (crates/capi/README.md), and export lights and \
+                 materials",
+            )),
+            Lang::Js => Err(Error::new(
+                "a web page takes no table: the WebAssembly module itself is built for one",
+                "build the module for this table (crates/wasm/README.md), and export lights and \
+                 materials",
+            )),
+            Lang::Json | Lang::Npz => self.arrays(&of_table::arrays(table, shown)?),
+        }
+    }
+
+    fn table_source(&self, table: &Table) -> Result<String> {
+        let fault = |error: eigenshade_table::quantize::QuantizeError| {
+            let line = error.to_string();
+            let (what, remedy) = line.rsplit_once("; ").unwrap_or((&line, "export it in f32"));
+            Error::new(what, remedy)
+        };
+        let command = command_line();
+        match self.format() {
+            entry::Format::F32 => Ok(statics::module(table, &command, &[]).map_err(fault)?.text),
+            entry::Format::Q15 => {
+                let format = IntegerFormat::Q15;
+                let parts = integers(table, format, format.tolerance()).map_err(fault)?;
+                Ok(statics::integers(&parts, format, &command))
+            }
+        }
+    }
+
+    /// The file of lights, materials, or both; either may be empty.
+    fn coefficients(
+        &self,
+        table: &Table,
+        lights: &Lights,
+        materials: &Materials,
+        shown: Option<&Shown>,
+    ) -> Result<Vec<u8>> {
+        let (format, command) = (self.format(), command_line());
+        let source = match self.lang {
+            Lang::Rust => rust::module(&entries(lights, materials, format)?, format, &command),
+            Lang::C => {
+                c::header(&entries(lights, materials, format)?, format, &command, &self.guard())
+            }
+            Lang::Js => js::module(&entries(lights, materials, format)?, &command),
+            Lang::Json | Lang::Npz => {
+                let mut arrays = Vec::new();
+                if !lights.entries.is_empty() {
+                    arrays.extend(coefficients::of_lights(lights));
+                }
+                if !materials.entries.is_empty() {
+                    arrays.extend(coefficients::of_materials(materials));
+                }
+                if !lights.entries.is_empty() && !materials.entries.is_empty() {
+                    arrays.extend(scene::arrays(table, (lights, materials), shown)?);
+                }
+                return self.arrays(&arrays);
+            }
+        };
+        Ok(source.into_bytes())
+    }
+
+    fn arrays(&self, arrays: &[Array]) -> Result<Vec<u8>> {
+        match self.lang {
+            Lang::Npz => npz::bytes(arrays),
+            _ => json::text(arrays).map(String::into_bytes),
+        }
+    }
+
+    /// The macro against including a header twice: the name of its file.
+    fn guard(&self) -> String {
+        let stem = self.out.as_deref().and_then(Path::file_stem).unwrap_or_default();
+        let name = format!("eigenshade export {} h", stem.to_string_lossy());
+        entry::identifier(&name).to_uppercase()
+    }
+}
+
+/// The lights of a file or the shipped one, or the one that is named.
+fn lights(from: &FileEntry, memory: Memory) -> Result<Lights> {
+    let Lights { degree, entries } = presets::lights(memory.file(&from.path))?;
+    Ok(Lights { degree, entries: chosen(from, entries)? })
+}
+
+/// As [`lights`].
+fn materials(from: &FileEntry, memory: Memory) -> Result<Materials> {
+    let Materials { order, entries } = presets::materials(memory.file(&from.path))?;
+    Ok(Materials { order, entries: chosen(from, entries)? })
+}
+
+fn chosen(from: &FileEntry, entries: Vec<Named>) -> Result<Vec<Named>> {
+    match from.name {
+        Some(_) => Ok(vec![from.find_in(entries)?]),
+        None => Ok(entries),
+    }
+}
