@@ -1,8 +1,7 @@
-//! `export`: each language and format holds the numbers that went in.
+//! `export --lang json` and `--lang npz` hold the numbers of a table and of other commands, bit for
+//! bit; and what `export` refuses.
 
-use crate::compiled::output_of;
 use crate::support::{Folder, assert_fails, numbers, repository, rows, scene};
-use eigenshade_cli::export::npz;
 use eigenshade_index::mode;
 use eigenshade_model::database::Named;
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
@@ -11,15 +10,14 @@ use serde_json::Value;
 use std::collections::HashMap;
 use std::fs;
 use std::io::{Cursor, Read};
-use std::process::Command;
 
 const BOTH: &str = "--light lights.csv --material materials.csv";
 
 /// An array of a file: shape, and values as bits; those of a text are its letters.
-type Read_ = (Vec<usize>, Vec<u64>);
+type Numbers = (Vec<usize>, Vec<u64>);
 
 /// The arrays of a JSON file.
-fn json(folder: &Folder, name: &str) -> HashMap<String, Read_> {
+fn json(folder: &Folder, name: &str) -> HashMap<String, Numbers> {
     let Value::Object(arrays) = serde_json::from_str(&folder.read(name)).expect("JSON") else {
         panic!("{name} holds no object")
     };
@@ -46,7 +44,7 @@ fn json(folder: &Folder, name: &str) -> HashMap<String, Read_> {
 }
 
 /// The arrays of an npz file, by a reader of its own.
-fn arrays(folder: &Folder, name: &str) -> HashMap<String, Read_> {
+fn arrays(folder: &Folder, name: &str) -> HashMap<String, Numbers> {
     let bytes = fs::read(folder.path(name)).expect("a file");
     let mut archive = zip::ZipArchive::new(Cursor::new(bytes)).expect("an archive");
     let mut found = HashMap::new();
@@ -85,12 +83,12 @@ fn bits<'a>(values: impl IntoIterator<Item = &'a f64>) -> Vec<u64> {
     values.into_iter().map(|value| value.to_bits()).collect()
 }
 
-fn floats(array: &Read_) -> Vec<f64> {
+fn floats(array: &Numbers) -> Vec<f64> {
     array.1.iter().map(|&bits| f64::from_bits(bits)).collect()
 }
 
 /// Whether both formats hold the same arrays, which are returned.
-fn both(folder: &Folder, options: &str) -> HashMap<String, Read_> {
+fn both(folder: &Folder, options: &str) -> HashMap<String, Numbers> {
     folder.ok(&format!("export --lang npz {options} --out e.npz"));
     folder.ok(&format!("export --lang json {options} --out e.json"));
     let found = arrays(folder, "e.npz");
@@ -139,10 +137,9 @@ fn arrays_are_those_of_the_table() {
             for (i, component) in table.components.iter().enumerate() {
                 let profile = &table.profiles[component.profile];
                 let is_own = i64::from(component.order) == m;
-                let of = |value: f64| if is_own { sign * value } else { 0.0 };
-                assert_eq!(at("mode_coefficients", s * count + i), of(profile.modes[place]));
-                let row = table.gram_row(profile);
-                assert_eq!(at("projection", i * total + s), of(row[place]));
+                let of = |of_azimuth: &[f64]| if is_own { sign * of_azimuth[place] } else { 0.0 };
+                assert_eq!(at("mode_coefficients", s * count + i), of(&profile.modes));
+                assert_eq!(at("projection", i * total + s), of(&table.gram_row(profile)));
             }
         }
         for (i, component) in table.components.iter().enumerate() {
@@ -202,8 +199,9 @@ fn arrays_of_a_scene_are_those_of_other_commands() {
         let length = shape[3];
         // From channel by channel to rows r, g, b.
         let pairs = values.chunks(3 * length);
-        let rows = pairs
-            .flat_map(|pair| (0..length).flat_map(|k| (0..3).map(move |c| pair[c * length + k])));
+        let rows = pairs.flat_map(|pair| {
+            (0..length).flat_map(move |k| (0..3).map(move |c| pair[c * length + k]))
+        });
         rows.collect::<Vec<u64>>()
     };
     assert_eq!(of_rows("coefficients"), bits(&projected));
@@ -228,7 +226,6 @@ fn normals_of_a_picture_have_pixels() {
 /// The same file in every run.
 #[test]
 fn npz_files_have_no_date() {
-    assert_eq!(npz::bytes(&[]).unwrap(), npz::bytes(&[]).unwrap());
     let folder = Folder::new();
     folder.ok("export --lang npz --light lobby --out a.npz");
     let archive = fs::read(folder.path("a.npz")).unwrap();
@@ -265,193 +262,6 @@ fn objects_have_their_own_arrays() {
     }
 }
 
-/// Two lights in color and materials in gray, whose names are no identifiers.
-fn named() -> Folder {
-    let folder = Folder::new();
-    let text = folder.read("materials.csv");
-    folder.write(
-        "materials.csv",
-        text.replace("material-0", "01-felt /*").replace("material-1", "Ω 2"),
-    );
-    folder
-}
-
-/// The numbers that source should hold, as text: name, then coefficients in f32, channel by
-/// channel, three for each.
-fn expected(folder: &Folder) -> Vec<Vec<f32>> {
-    let lights = read_lights(folder.path("lights.csv"), None).expect("lights").entries;
-    let materials = read_materials(folder.path("materials.csv"), None).expect("materials").entries;
-    let channels = lights.into_iter().chain(materials).flat_map(|entry| entry.rgb);
-    channels.map(|channel| channel.iter().map(|&number| number as f32).collect()).collect()
-}
-
-/// Whether a program printed these: lines of bits of f32, or of mantissas and exponents.
-fn assert_printed(text: &str, format: &str, expected: &[Vec<f32>]) {
-    let lines: Vec<&str> = text.lines().collect();
-    assert_eq!(lines.len(), expected.len(), "{text}");
-    for (line, expected) in lines.iter().zip(expected) {
-        let found: Vec<i64> =
-            line.split_whitespace().map(|word| word.parse().expect("a number")).collect();
-        if format == "f32" {
-            let bits: Vec<i64> = expected.iter().map(|number| number.to_bits().into()).collect();
-            assert_eq!(found, bits);
-            continue;
-        }
-        // Pairs of mantissa and exponent: within half a unit, or a unit at the largest mantissa.
-        let pairs = found.chunks(2);
-        assert_eq!(pairs.len(), expected.len());
-        for (pair, number) in pairs.zip(expected) {
-            let unit = 2f64.powi(pair[1] as i32);
-            let error = (pair[0] as f64 * unit - f64::from(*number)).abs();
-            assert!(error <= if pair[0].abs() == 32_767 { unit } else { unit / 2.0 }, "{number}");
-        }
-        let most = found.chunks(2).map(|pair| pair[0].abs()).max();
-        assert!(most >= Some(1 << 14), "{most:?}");
-    }
-}
-
-/// The constants of the exported lights and materials, in the order of [`expected`].
-const CONSTANTS: [&str; 7] = [
-    "light::LIGHT_0",
-    "light::LIGHT_1",
-    "light::LIGHT_2",
-    "material::_01_FELT",
-    "material::_2",
-    "material::MATERIAL_2",
-    "material::MATERIAL_3",
-];
-
-#[test]
-fn rust_source_compiles_and_holds_the_numbers() {
-    let folder = named();
-    let mut modules = Vec::new();
-    for format in ["f32", "q15"] {
-        folder.ok(&format!("export --lang rust --format {format} {BOTH} --out {format}.rs"));
-        modules.push((format!("of_{format}"), folder.read(&format!("{format}.rs"))));
-        let formatted = Command::new("rustfmt")
-            .args(["--check", "--edition", "2024"])
-            .arg(folder.path(&format!("{format}.rs")))
-            .output();
-        // The component may be missing.
-        if let Ok(output) = formatted {
-            let text = String::from_utf8_lossy(&output.stdout);
-            assert!(!text.contains("Diff in"), "{text}");
-        }
-    }
-    // A table too.
-    folder.ok("basis --scene scene.toml --out b.bin");
-    folder.ok("export --lang rust --table b.bin --out table.rs");
-    modules.push(("table".to_owned(), folder.read("table.rs")));
-    let mut body = String::new();
-    for constant in CONSTANTS {
-        body += &format!(
-            "for channel in [of_f32::{constant}.r, of_f32::{constant}.g, of_f32::{constant}.b] {{
-                for number in channel.coefficients() {{ print!(\"{{}} \", number.to_bits()); }}
-                println!();
-            }}\n"
-        );
-    }
-    for constant in CONSTANTS {
-        let exponent = if constant.starts_with("light") {
-            "channel.exponent()"
-        } else {
-            "channel.exponents()[eigenshade::index::material::indices(7).nth(_k).unwrap().0]"
-        };
-        body += &format!(
-            "for channel in [of_q15::{constant}.r, of_q15::{constant}.g, of_q15::{constant}.b] {{
-                for (_k, number) in channel.mantissas().iter().enumerate() {{
-                    print!(\"{{}} {{}} \", number.0, {exponent});
-                }}
-                println!();
-            }}\n"
-        );
-    }
-    body += "let _ = table::COMPONENTS;";
-    let text = output_of("exported", &modules, &body);
-    let expected = expected(&folder);
-    let lines: Vec<&str> = text.lines().collect();
-    let (floats, integers) = lines.split_at(expected.len());
-    assert_printed(&floats.join("\n"), "f32", &expected);
-    assert_printed(&integers.join("\n"), "q15", &expected);
-}
-
-/// A program in C that prints lights and materials.
-const PRINT: &str = r#"
-#include <inttypes.h>
-#include <stdio.h>
-#include <string.h>
-static void light_f32(eigenshade_light_f32_t light) {
-  for (size_t k = 0; k < light.length; k++) {
-    uint32_t bits;
-    memcpy(&bits, &light.coefficients[k], sizeof bits);
-    printf("%" PRIu32 " ", bits);
-  }
-  printf("\n");
-}
-static void material_f32(eigenshade_material_f32_t material) {
-  eigenshade_light_f32_t light = {material.order, material.length, material.coefficients};
-  light_f32(light);
-}
-static void light_q15(eigenshade_light_q15_t light) {
-  for (size_t k = 0; k < light.length; k++) printf("%d %d ", light.mantissas[k], (int)light.exponent);
-  printf("\n");
-}
-static void material_q15(eigenshade_material_q15_t material) {
-  static const size_t counts[] = {1, 2, 5, 8, 14, 20, 30, 40};
-  size_t o = 0;
-  for (size_t k = 0; k < material.length; k++) {
-    while (k >= counts[o]) o++;
-    printf("%d %d ", material.mantissas[k], material.exponents[o]);
-  }
-  if (material.exponents_length != material.order + 1) printf("exponents");
-  printf("\n");
-}
-"#;
-
-#[test]
-fn c_headers_compile_and_hold_the_numbers() {
-    let folder = named();
-    let names = ["light_light_0", "light_light_1", "light_light_2"].into_iter().chain([
-        "material_01_felt",
-        "material_2",
-        "material_material_2",
-        "material_material_3",
-    ]);
-    let mut body = String::new();
-    for format in ["f32", "q15"] {
-        folder.ok(&format!("export --lang c --format {format} {BOTH} --out {format}.h"));
-        for name in names.clone() {
-            let kind = name.split('_').next().expect("a kind");
-            for channel in ["r", "g", "b"] {
-                body += &format!("  {kind}_{format}({name}_{format}.{channel});\n");
-            }
-        }
-    }
-    let twice = "#include \"f32.h\"\n#include \"q15.h\"\n".repeat(2);
-    let program = format!("{twice}{PRINT}int main(void) {{\n{body}  return 0;\n}}\n");
-    folder.write("main.c", &program);
-    folder.write("main.cpp", &program);
-    for (compiler, standard, source) in [("cc", "c99", "main.c"), ("c++", "c++17", "main.cpp")] {
-        let output = Command::new(compiler)
-            .arg(format!("-std={standard}"))
-            .args(["-Wall", "-Wextra", "-Wconversion", "-Wpedantic", "-Werror", "-o", "program"])
-            .arg("-I")
-            .arg(repository().join("crates/capi/include").canonicalize().expect("a path"))
-            .arg(source)
-            .current_dir(folder.path("."))
-            .output()
-            .expect("a compiler");
-        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-        let output = Command::new(folder.path("program")).output().expect("the program runs");
-        let text = String::from_utf8(output.stdout).expect("text");
-        let expected = expected(&folder);
-        let lines: Vec<&str> = text.lines().collect();
-        let (floats, integers) = lines.split_at(expected.len());
-        assert_printed(&floats.join("\n"), "f32", &expected);
-        assert_printed(&integers.join("\n"), "q15", &expected);
-    }
-}
-
 #[test]
 fn bad_requests_have_one_error() {
     let folder = Folder::with_table();
@@ -466,6 +276,10 @@ fn bad_requests_have_one_error() {
         ("--lang npz --light lobby --normals sphere", ["--normals", "leave it out"]),
         ("--lang rust --table b.bin --normals sphere", ["--normals", "leave it out"]),
         ("--lang npz --table b.bin --normals no.csv", ["no.csv", "check the path"]),
+        (
+            "--lang npz --table b.bin --normals normals.csv --size 9",
+            ["normals.csv", "leave --size out"],
+        ),
         ("--lang npz --table lights.csv", ["lights.csv", "not an eigenshade table"]),
         ("--lang rust --light same.csv", ["`a-b` and `a b` give one identifier", "FILE:NAME"]),
         ("--lang c --light none.csv", ["light `面`", "give it a name"]),
@@ -508,18 +322,18 @@ fn the_page_lists_all_arrays() {
     for name in ["table.json", "scene.json"] {
         let arrays: Value = serde_json::from_str(&folder.read(name)).expect("JSON");
         for (name, array) in arrays.as_object().expect("an object") {
-            let axes: Vec<&str> = array["axes"]
-                .as_array()
-                .expect("a list")
-                .iter()
-                .filter_map(Value::as_str)
-                .collect();
-            let axes = axes.join(", ");
-            let row = page
-                .lines()
-                .find(|line| line.starts_with("| ") && line.contains(&format!("`{name}`")));
-            let row = row.unwrap_or_else(|| panic!("no row for `{name}`"));
-            assert!(row.split('|').any(|cell| cell.trim() == axes), "`{name}` has {axes}: {row}");
+            let axes = array["axes"].as_array().expect("a list").iter().filter_map(Value::as_str);
+            let axes = axes.collect::<Vec<_>>().join(", ");
+            let name = format!("`{name}`");
+            let of_name =
+                |line: &&str| line.split('|').nth(1).is_some_and(|cell| cell.contains(&name));
+            let row = page.lines().find(of_name);
+            let row = row.unwrap_or_else(|| panic!("no row for {name}"));
+            assert_eq!(
+                row.split('|').nth(2).map(str::trim),
+                Some(axes.as_str()),
+                "{name} has {axes}: {row}"
+            );
         }
     }
 }

@@ -13,6 +13,7 @@ mod corner_cases;
 mod direct_sum;
 mod effects;
 mod export;
+mod export_source;
 mod materials;
 mod memory;
 mod objects;

@@ -4,7 +4,7 @@ use super::options::{FileEntry, Memory, count};
 use clap::{ArgGroup, Args, ValueEnum};
 use eigenshade_cli::export::array::Array;
 use eigenshade_cli::export::entry::{self, entries};
-use eigenshade_cli::export::table::Shown;
+use eigenshade_cli::export::shown::Shown;
 use eigenshade_cli::export::{c, coefficients, js, json, npz, rust, scene, table as of_table};
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::output::{self, command_line};
@@ -74,9 +74,6 @@ enum Format {
     Q15,
 }
 
-/// Pixels across the normals of a sphere and a mesh.
-const SIZE: usize = 64;
-
 impl Export {
     pub fn run(self, memory: Memory) -> Result<()> {
         let light = self.light.as_deref().map(FileEntry::new);
@@ -90,7 +87,8 @@ impl Export {
             Some(path) => table::read(memory.file(path))?,
             None => table::decode(shipped::COLOR)?,
         };
-        let shown = self.shown(memory)?;
+        let normals = self.normals.as_ref().map(|path| memory.file(path));
+        let shown = normals.map(|file| Shown::read(file, self.size)).transpose()?;
         if light.is_none() && material.is_none() {
             memory.file(path).admit(of_table::size(&table, shown.as_ref()))?;
             let contents = self.table_contents(&table, shown.as_ref());
@@ -141,14 +139,6 @@ impl Export {
             Some(Format::Q15) => entry::Format::Q15,
             Some(Format::F32) | None => entry::Format::F32,
         }
-    }
-
-    /// The normals, if any are asked for.
-    fn shown(&self, memory: Memory) -> Result<Option<Shown>> {
-        let Some(path) = &self.normals else { return Ok(None) };
-        let is_map = path.extension().is_some_and(|end| end.eq_ignore_ascii_case("png"));
-        let size = self.size.or((!is_map).then_some(SIZE));
-        Shown::read(memory.file(path), size).map(Some)
     }
 
     /// The file of a table.

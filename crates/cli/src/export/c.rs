@@ -2,13 +2,13 @@
 //! `eigenshade_color.h` take.
 
 use super::entry::{Channel, Entry, Format, Kind};
-use super::source::{float, lines};
+use super::source::{comment, float, lines};
 use std::fmt::Write;
 
 /// The text of the header. `guard` is the macro against including it twice.
 #[must_use]
 pub fn header(entries: &[Entry], format: Format, command: &str, guard: &str) -> String {
-    let command = command.replace("*/", "* /");
+    let command = comment(command);
     let mut text = format!(
         "/* {command} */\n\n#ifndef {guard}\n#define {guard}\n\n#include \"eigenshade_color.h\"\n"
     );
@@ -24,7 +24,7 @@ fn record(text: &mut String, entry: &Entry, format: Format) {
         Format::Q15 => "q15",
     };
     let name = format!("{kind}_{}_{suffix}", entry.identifier);
-    let _ = writeln!(text, "\n/* {}: {}. */", entry.comment(), entry.kind.meaning());
+    let _ = writeln!(text, "\n/* {}: {}. */", comment(&entry.comment()), entry.kind.meaning());
     let mut channels = Vec::new();
     for (channel, values) in entry.channel_names().iter().zip(&entry.channels) {
         let list = format!("{name}_{channel}");

@@ -85,8 +85,7 @@ impl Entry {
     /// A line for a comment: name and size.
     #[must_use]
     pub fn comment(&self) -> String {
-        let name = printable(&self.name).replace("*/", "* /");
-        format!("`{name}`, {} {}", self.kind.size(), self.size)
+        format!("`{}`, {} {}", printable(&self.name), self.kind.size(), self.size)
     }
 
     /// Names of the channels.

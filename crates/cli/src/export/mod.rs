@@ -5,9 +5,11 @@ pub mod array;
 
 pub mod coefficients;
 
-pub mod scene;
+pub mod shown;
 
 pub mod table;
+
+pub mod scene;
 
 pub mod json;
 

@@ -2,7 +2,7 @@
 //! `eigenshade::presets`.
 
 use super::entry::{Channel, Entry, Format, Kind};
-use super::source::{COLUMNS, float, lines};
+use super::source::{float, lines};
 use std::fmt::Write;
 
 /// The text of the module. `command` appears in its first line.
@@ -80,14 +80,11 @@ fn constant(text: &mut String, entry: &Entry, format: Format) {
         };
         made.push(format!("checked({record}::new({exponents}&{channel}))"));
     }
-    let new = if made.len() == 1 { "gray" } else { "new" };
-    let line = format!("        Rgb::{new}({})", made.join(", "));
-    if line.len() <= COLUMNS {
-        let _ = write!(text, "{line}\n    }};\n");
-    } else {
-        let made = made.join(",\n            ");
-        let _ = write!(text, "        Rgb::{new}(\n            {made},\n        )\n    }};\n");
-    }
+    let value = match made.as_slice() {
+        [gray] => format!("Rgb::gray({gray})"),
+        _ => format!("Rgb::new(\n            {},\n        )", made.join(",\n            ")),
+    };
+    let _ = write!(text, "        {value}\n    }};\n");
 }
 
 fn list<T: std::fmt::Display>(text: &mut String, name: &str, number: &str, numbers: &[T]) {

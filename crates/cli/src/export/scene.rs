@@ -1,7 +1,8 @@
 //! Lights on materials as arrays: their coefficients in a table's eigenimages, and their pictures.
 
 use super::array::Array;
-use super::table::{BYTES, Shown};
+use super::shown::Shown;
+use super::table::BYTES;
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::Result;
 use eigenshade_shading::overflow;

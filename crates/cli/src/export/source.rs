@@ -3,7 +3,7 @@
 use std::fmt::Display;
 
 /// Columns of a line.
-pub(super) const COLUMNS: usize = 100;
+const COLUMNS: usize = 100;
 
 /// The numbers with commas, in lines that begin with `indent` blanks.
 pub(super) fn lines<T: Display>(numbers: impl IntoIterator<Item = T>, indent: usize) -> String {
@@ -29,4 +29,9 @@ pub(super) fn lines<T: Display>(numbers: impl IntoIterator<Item = T>, indent: us
 /// A number in `f32` that reads back as the same bits, with a point or an exponent.
 pub(super) fn float(number: f32) -> String {
     format!("{number:?}")
+}
+
+/// The text for a comment between `/*` and `*/`.
+pub(super) fn comment(text: &str) -> String {
+    text.replace("*/", "* /").replace("/*", "/ *")
 }

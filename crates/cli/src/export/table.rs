@@ -2,67 +2,12 @@
 //! at normals.
 
 use super::array::Array;
-use crate::object::ObjectView;
-use crate::picture::Pixel;
+use super::shown::Shown;
 use eigenshade_index::mode;
 use eigenshade_model::error::{Error, Result};
-use eigenshade_model::inputs::input_file::InputFile;
-use eigenshade_model::inputs::normals::read_normals;
 use eigenshade_shading::owned_basis::{AnyBasis, OwnedBasis};
 use eigenshade_shading::shader::{OwnedNormals, fault};
 use eigenshade_table::{General, Profile, Table};
-
-/// The normals at which eigenimages or pictures are exported.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Shown {
-    /// Unit normals with z >= 0.
-    pub normals: Vec<[f64; 3]>,
-    /// Their pixels, if they are those of a picture.
-    pixels: Vec<Pixel>,
-}
-
-impl Shown {
-    /// The normals of a CSV `x,y,z`, or of the object that [`ObjectView::read`] reads.
-    ///
-    /// # Errors
-    ///
-    /// Those of reading the file.
-    pub fn read(file: InputFile, size: Option<usize>) -> Result<Self> {
-        if file.path().extension().is_some_and(|end| end.eq_ignore_ascii_case("csv")) {
-            return Ok(Self { normals: read_normals(file)?, pixels: Vec::new() });
-        }
-        let ObjectView { normals, pixels, .. } = ObjectView::read(file, size)?;
-        Ok(Self { normals, pixels })
-    }
-
-    /// The normals, and their pixels if they have any.
-    #[must_use]
-    pub fn arrays(&self) -> Vec<Array> {
-        let count = self.normals.len();
-        let mut arrays = vec![Array::new(
-            ("normals", "unit normals: x right, y up, z toward the camera", "1"),
-            &["normal", "x y z"],
-            [count, 3],
-            self.normals.as_flattened().to_vec(),
-        )];
-        if !self.pixels.is_empty() {
-            let places = self.pixels.iter().flat_map(|one| [one.row as i64, one.column as i64]);
-            arrays.push(Array::new(
-                ("pixels", "row from the top and column from the left of each normal", "pixel"),
-                &["normal", "row column"],
-                [count, 2],
-                places.collect::<Vec<_>>(),
-            ));
-            arrays.push(Array::new(
-                ("coverage", "share of each pixel that the object covers", "1"),
-                &["normal"],
-                [count],
-                self.pixels.iter().map(|one| one.coverage).collect::<Vec<_>>(),
-            ));
-        }
-        arrays
-    }
-}
 
 /// Bytes of a number, as it is and as text, with what is allocated beside it.
 pub(super) const BYTES: u64 = 48;
