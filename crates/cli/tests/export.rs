@@ -35,7 +35,7 @@ fn json(folder: &Folder, name: &str) -> HashMap<String, Numbers> {
                 vec![number.as_f64().expect("a number").to_bits()]
             }
             Value::Number(number) => vec![number.as_i64().expect("a number") as u64],
-            Value::String(text) => text.chars().map(|letter| letter.into()).collect(),
+            Value::String(text) => text.chars().map(u64::from).collect(),
             other => panic!("{other}"),
         });
         (shape, values.collect())
@@ -187,7 +187,7 @@ fn arrays_of_a_scene_are_those_of_other_commands() {
     assert_eq!(found["lights"].1, numbers_of(&lights.entries));
     assert_eq!(found["materials"].1, numbers_of(&materials.entries));
     let names: String = materials.entries.iter().map(|entry| entry.name.as_str()).collect();
-    let letters: Vec<u64> = names.chars().map(|letter| letter.into()).collect();
+    let letters: Vec<u64> = names.chars().map(u64::from).collect();
     assert_eq!(found["material_names"].1, letters);
 
     let pair = "--lights lights.csv --materials materials.csv";

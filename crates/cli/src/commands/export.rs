@@ -3,7 +3,7 @@
 use super::options::{FileEntry, Memory, count};
 use clap::{ArgGroup, Args, ValueEnum};
 use eigenshade_cli::export::array::Array;
-use eigenshade_cli::export::entry::{self, entries};
+use eigenshade_cli::export::entry::{Format, entries, identifier};
 use eigenshade_cli::export::shown::Shown;
 use eigenshade_cli::export::{c, coefficients, js, json, npz, rust, scene, table as of_table};
 use eigenshade_cli::messages::print_message;
@@ -68,12 +68,6 @@ enum Lang {
     Npz,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Format {
-    F32,
-    Q15,
-}
-
 impl Export {
     pub fn run(self, memory: Memory) -> Result<()> {
         let light = self.light.as_deref().map(FileEntry::new);
@@ -90,7 +84,9 @@ impl Export {
         let normals = self.normals.as_ref().map(|path| memory.file(path));
         let shown = normals.map(|file| Shown::read(file, self.size)).transpose()?;
         if light.is_none() && material.is_none() {
-            memory.file(path).admit(of_table::size(&table, shown.as_ref()))?;
+            if self.holds_arrays() {
+                memory.file(path).admit(of_table::size(&table, shown.as_ref()))?;
+            }
             let contents = self.table_contents(&table, shown.as_ref());
             let contents = contents.map_err(|error| error.in_file(path))?;
             return output::write_all(self.out.as_deref(), contents);
@@ -112,12 +108,16 @@ impl Export {
         Ok(())
     }
 
+    /// Whether the file holds arrays instead of source.
+    fn holds_arrays(&self) -> bool {
+        matches!(self.lang, Lang::Json | Lang::Npz)
+    }
+
     /// Whether the options go together.
     fn check(&self) -> Result<()> {
-        let is_array = matches!(self.lang, Lang::Json | Lang::Npz);
         let has_images = self.light.is_none() == self.material.is_none();
         let fault = |what: &str, remedy: &str| Err(Error::new(what, remedy));
-        if self.normals.is_some() && !(is_array && has_images) {
+        if self.normals.is_some() && !(self.holds_arrays() && has_images) {
             let what = "--normals adds eigenimages or images, which only tables and scenes have, \
                         in json and npz";
             return fault(what, "leave it out, or export a table, or a light with a material");
@@ -134,21 +134,14 @@ impl Export {
         }
     }
 
-    fn format(&self) -> entry::Format {
-        match self.format {
-            Some(Format::Q15) => entry::Format::Q15,
-            Some(Format::F32) | None => entry::Format::F32,
-        }
-    }
-
     /// The file of a table.
     fn table_contents(&self, table: &Table, shown: Option<&Shown>) -> Result<Vec<u8>> {
         match self.lang {
             Lang::Rust => self.table_source(table).map(String::into_bytes),
             Lang::C => Err(Error::new(
                 "a program in C takes no table: the C library itself is built for one",
-                "build the library for this table (crates/capi/README.md), and export lights and \
-                 materials",
+                "build the library for the scene of this table (crates/capi/README.md), and export \
+                 lights and materials",
             )),
             Lang::Js => Err(Error::new(
                 "a web page takes no table: the WebAssembly module itself is built for one",
@@ -166,9 +159,9 @@ impl Export {
             Error::new(what, remedy)
         };
         let command = command_line();
-        match self.format() {
-            entry::Format::F32 => Ok(statics::module(table, &command, &[]).map_err(fault)?.text),
-            entry::Format::Q15 => {
+        match self.format.unwrap_or_default() {
+            Format::F32 => Ok(statics::module(table, &command, &[]).map_err(fault)?.text),
+            Format::Q15 => {
                 let format = IntegerFormat::Q15;
                 let parts = integers(table, format, format.tolerance()).map_err(fault)?;
                 Ok(statics::integers(&parts, format, &command))
@@ -184,7 +177,7 @@ impl Export {
         materials: &Materials,
         shown: Option<&Shown>,
     ) -> Result<Vec<u8>> {
-        let (format, command) = (self.format(), command_line());
+        let (format, command) = (self.format.unwrap_or_default(), command_line());
         let source = match self.lang {
             Lang::Rust => rust::module(&entries(lights, materials, format)?, format, &command),
             Lang::C => {
@@ -219,7 +212,7 @@ impl Export {
     fn guard(&self) -> String {
         let stem = self.out.as_deref().and_then(Path::file_stem).unwrap_or_default();
         let name = format!("eigenshade export {} h", stem.to_string_lossy());
-        entry::identifier(&name).to_uppercase()
+        identifier(&name).to_uppercase()
     }
 }
 

@@ -15,9 +15,10 @@ pub enum Kind {
 }
 
 /// The number format of source.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
 pub enum Format {
     /// Single precision.
+    #[default]
     F32,
     /// Mantissas of 16 bits.
     Q15,

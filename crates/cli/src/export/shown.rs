@@ -21,7 +21,7 @@ pub struct Shown {
 
 impl Shown {
     /// The normals of a CSV `x,y,z`, or of the object that [`ObjectView::read`] reads, in `size`
-    /// pixels across; by default [`SIZE`], and all of a normal map.
+    /// pixels across; by default 64, and all of a normal map.
     ///
     /// # Errors
     ///
