@@ -15,6 +15,8 @@ pub mod reading;
 
 pub mod output;
 
+pub mod export;
+
 pub mod messages;
 
 pub mod presets;

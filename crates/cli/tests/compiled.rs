@@ -202,15 +202,16 @@ fn compiled() -> &'static Compiled {
                 body += &program.replace("MATERIAL", &count);
             }
         }
-        let text = output_of(&files, &body);
+        let text = output_of("compiled-tables", &files, &body);
         Compiled { lines: text.lines().map(str::to_owned).collect(), expected }
     })
 }
 
 /// Compiles a program of these modules and this body of `main`, in a folder that keeps the compiled
 /// dependencies for the next run, and returns what it prints.
-fn output_of(modules: &[(String, String)], body: &str) -> String {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("compiled_tables");
+pub fn output_of(program: &str, modules: &[(String, String)], body: &str) -> String {
+    let programs = Path::new(env!("CARGO_TARGET_TMPDIR")).join("compiled");
+    let folder = programs.join(program);
     fs::create_dir_all(folder.join("src")).expect("a folder");
     let write = |name: &str, text: &str| fs::write(folder.join(name), text).expect("a file");
     let mut main = String::new();
@@ -226,7 +227,7 @@ fn output_of(modules: &[(String, String)], body: &str) -> String {
     write(
         "Cargo.toml",
         &format!(
-            "[package]\nname = \"compiled-tables\"\nversion = \"0.1.0\"\nedition = \"2024\"\n\
+            "[package]\nname = \"{program}\"\nversion = \"0.1.0\"\nedition = \"2024\"\n\
              [workspace]\n[dependencies]\n\
              eigenshade = {{ path = {runtime:?}, default-features = false }}\n\
              [profile.dev]\ndebug = false\n"
@@ -235,7 +236,7 @@ fn output_of(modules: &[(String, String)], body: &str) -> String {
     let output = Command::new(env!("CARGO"))
         .args(["run", "--quiet", "--offline"])
         .current_dir(&folder)
-        .env("CARGO_TARGET_DIR", folder.join("target"))
+        .env("CARGO_TARGET_DIR", programs.join("target"))
         .output()
         .expect("cargo runs");
     let errors = String::from_utf8_lossy(&output.stderr);

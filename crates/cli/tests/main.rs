@@ -12,6 +12,8 @@ mod compiled;
 mod corner_cases;
 mod direct_sum;
 mod effects;
+mod export;
+mod export_source;
 mod habits;
 mod materials;
 mod memory;

@@ -8,6 +8,7 @@ mod demo_errors;
 mod demo_relief;
 mod demo_sheet;
 mod evaluate;
+mod export;
 mod info;
 #[cfg(feature = "generate")]
 mod light;
@@ -53,6 +54,7 @@ pub enum Command {
     Render(render::Render),
     #[cfg(feature = "generate")]
     Read(read::Read),
+    Export(export::Export),
     Evaluate(evaluate::Evaluate),
     Completions(manual::Completions),
     Man(manual::Manual),
@@ -80,6 +82,7 @@ impl Command {
             Self::Render(command) => command.run(memory),
             #[cfg(feature = "generate")]
             Self::Read(command) => command.run(memory),
+            Self::Export(command) => command.run(memory),
             Self::Evaluate(command) => command.run(memory),
             Self::Completions(command) => command.run(program),
             Self::Man(command) => command.run(program),

@@ -1,0 +1,209 @@
+//! `eigenshade export`: writes lights, materials, tables and scenes for other programs.
+
+use super::options::{Destination, Memory, TableChoice, count};
+use clap::{Args, ValueEnum};
+use eigenshade_cli::export::array::Array;
+use eigenshade_cli::export::entry::{Format, entries, identifier};
+use eigenshade_cli::export::shown::Shown;
+use eigenshade_cli::export::{c, coefficients, js, json, npz, rust, scene, table as of_table};
+use eigenshade_cli::messages::print_message;
+use eigenshade_cli::output;
+use eigenshade_cli::presets::Source;
+use eigenshade_model::database::{Lights, Materials};
+use eigenshade_model::error::{Error, Result};
+use eigenshade_shading::shader::{fitted, of_higher_order};
+use eigenshade_table::quantize::{Format as IntegerFormat, integers};
+use eigenshade_table::{Table, statics};
+use std::path::{Path, PathBuf};
+
+/// Export lights, materials, tables and scenes to Rust, C, JavaScript, JSON or numpy
+///
+/// With --light and --material, exports these, to the degree and order of the table; with both,
+/// json and npz also hold the scene: its coefficients in the table's eigenimages. With neither,
+/// exports the table.
+#[derive(Args, Debug)]
+pub struct Export {
+    /// Language or file format
+    #[arg(long, value_enum)]
+    lang: Lang,
+    /// Light: the name of a shipped one, a light CSV, or one light of a CSV
+    #[arg(short, long, value_name = "NAME|FILE[:NAME]")]
+    light: Option<Source>,
+    /// Material: the name of a shipped one, a material CSV, or one material of a CSV
+    #[arg(short, long, value_name = "NAME|FILE[:NAME]")]
+    material: Option<Source>,
+    #[command(flatten)]
+    table: TableChoice,
+    /// Number format of rust and c [default: f32]
+    #[arg(short, long, value_enum)]
+    format: Option<Format>,
+    /// Add eigenimages, or the images of a scene, at normals: a normals CSV, `sphere`, a normal map
+    /// (.png) or a mesh (.obj, .stl, .ply); for json and npz
+    #[arg(short, long, value_name = "NORMALS")]
+    normals: Option<PathBuf>,
+    /// Pixels across the longer side of --normals, 2 to 8192 [default: 64; all of a normal map]
+    #[arg(short, long, value_name = "N", value_parser = count(2, 8192), requires = "normals")]
+    size: Option<usize>,
+    #[command(flatten)]
+    out: Destination,
+}
+
+/// What source files say made them.
+const COMMAND: &str = "eigenshade export";
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Lang {
+    /// A module of constants
+    Rust,
+    /// A header of constant records
+    C,
+    /// A module of typed arrays
+    Js,
+    /// Arrays with shapes and units
+    Json,
+    /// The same arrays in numpy's format
+    Npz,
+}
+
+impl Export {
+    pub fn run(self, memory: Memory) -> Result<()> {
+        let [light, material] = [&self.light, &self.material].map(Option::as_ref);
+        let sources = [light, material].into_iter().flatten().map(Source::path);
+        let inputs = sources.chain([self.table.path()]).chain(self.normals.as_deref());
+        output::refuse_collisions(&self.out.path, inputs)?;
+        self.check()?;
+        let table = self.table.read(memory)?;
+        let normals = self.normals.as_ref().map(|path| memory.file(path));
+        let shown = normals.map(|file| Shown::read(file, self.size)).transpose()?;
+        if light.is_none() && material.is_none() {
+            let path = self.table.path();
+            if self.holds_arrays() {
+                memory.file(path).admit(of_table::size(&table, shown.as_ref()))?;
+            }
+            let contents = self.table_contents(&table, shown.as_ref());
+            let contents = contents.map_err(|error| error.in_file(path))?;
+            return output::write_all(self.out.path.as_deref(), contents);
+        }
+        let none = Lights { degree: 0, entries: Vec::new() };
+        let lights = light.map_or(Ok(none), |one| one.lights(memory.of_file()))?;
+        let none = Materials { order: 0, entries: Vec::new() };
+        let of_file = material.map_or(Ok(none), |one| one.materials(memory.of_file()))?;
+        let (lights, materials) = fitted(&table, &lights, &of_file);
+        if let Some(light) = light {
+            let pairs = lights.entries.len() * materials.entries.len();
+            memory.file(light.path()).admit(scene::size(&table, pairs, shown.as_ref()))?;
+        }
+        let contents = self.coefficients(&table, &lights, &materials, shown.as_ref())?;
+        output::write_all(self.out.path.as_deref(), contents)?;
+        let order = table.gram.order;
+        let higher = material.and_then(|one| of_higher_order(one.path(), of_file.order, order));
+        higher.iter().for_each(print_message);
+        Ok(())
+    }
+
+    /// Whether the file holds arrays instead of source.
+    fn holds_arrays(&self) -> bool {
+        matches!(self.lang, Lang::Json | Lang::Npz)
+    }
+
+    /// Whether the options go together.
+    fn check(&self) -> Result<()> {
+        let has_images = self.light.is_none() == self.material.is_none();
+        let fault = |what: &str, remedy: &str| Err(Error::new(what, remedy));
+        if self.normals.is_some() && !(self.holds_arrays() && has_images) {
+            let what = "--normals adds eigenimages or images, which only tables and scenes have, \
+                        in json and npz";
+            return fault(what, "leave it out, or export a table, or a light with a material");
+        }
+        match (self.lang, self.format) {
+            (Lang::Js, Some(Format::Q15)) => fault(
+                "the WebAssembly module takes floats and makes integers of them itself",
+                "leave --format out",
+            ),
+            (Lang::Json | Lang::Npz, Some(_)) => {
+                fault("json and npz hold the numbers as they are, in f64", "leave --format out")
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// The file of a table.
+    fn table_contents(&self, table: &Table, shown: Option<&Shown>) -> Result<Vec<u8>> {
+        match self.lang {
+            Lang::Rust => self.table_source(table).map(String::into_bytes),
+            Lang::C => Err(Error::new(
+                "a program in C takes no table: the C library itself is built for one",
+                "build the library for the scene of this table (crates/capi/README.md), and export \
+                 lights and materials",
+            )),
+            Lang::Js => Err(Error::new(
+                "a web page takes no table: the WebAssembly module itself is built for one",
+                "build the module for this table (crates/wasm/README.md), and export lights and \
+                 materials",
+            )),
+            Lang::Json | Lang::Npz => self.arrays(&of_table::arrays(table, shown)?),
+        }
+    }
+
+    fn table_source(&self, table: &Table) -> Result<String> {
+        let fault = |error: eigenshade_table::quantize::QuantizeError| {
+            let line = error.to_string();
+            let (what, remedy) = line.rsplit_once("; ").unwrap_or((&line, "export it in f32"));
+            Error::new(what, remedy)
+        };
+        match self.format.unwrap_or_default() {
+            Format::F32 => Ok(statics::module(table, COMMAND, &[]).map_err(fault)?.text),
+            Format::Q15 => {
+                let format = IntegerFormat::Q15;
+                let parts = integers(table, format, format.tolerance()).map_err(fault)?;
+                Ok(statics::integers(&parts, format, COMMAND))
+            }
+        }
+    }
+
+    /// The file of lights, materials, or both; either may be empty.
+    fn coefficients(
+        &self,
+        table: &Table,
+        lights: &Lights,
+        materials: &Materials,
+        shown: Option<&Shown>,
+    ) -> Result<Vec<u8>> {
+        let format = self.format.unwrap_or_default();
+        let source = match self.lang {
+            Lang::Rust => rust::module(&entries(lights, materials, format)?, format, COMMAND),
+            Lang::C => {
+                c::header(&entries(lights, materials, format)?, format, COMMAND, &self.guard())
+            }
+            Lang::Js => js::module(&entries(lights, materials, format)?, COMMAND),
+            Lang::Json | Lang::Npz => {
+                let mut arrays = Vec::new();
+                if !lights.entries.is_empty() {
+                    arrays.extend(coefficients::of_lights(lights));
+                }
+                if !materials.entries.is_empty() {
+                    arrays.extend(coefficients::of_materials(materials));
+                }
+                if !lights.entries.is_empty() && !materials.entries.is_empty() {
+                    arrays.extend(scene::arrays(table, (lights, materials), shown)?);
+                }
+                return self.arrays(&arrays);
+            }
+        };
+        Ok(source.into_bytes())
+    }
+
+    fn arrays(&self, arrays: &[Array]) -> Result<Vec<u8>> {
+        match self.lang {
+            Lang::Npz => npz::bytes(arrays),
+            _ => json::text(arrays).map(String::into_bytes),
+        }
+    }
+
+    /// The macro against including a header twice: the name of its file.
+    fn guard(&self) -> String {
+        let stem = self.out.path.as_deref().and_then(Path::file_stem).unwrap_or_default();
+        let name = format!("eigenshade export {} h", stem.to_string_lossy());
+        identifier(&name).to_uppercase()
+    }
+}

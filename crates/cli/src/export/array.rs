@@ -1,0 +1,88 @@
+//! Arrays with names, axes and units.
+
+use serde::Serialize;
+
+/// One array of an export.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Array {
+    /// Its name in the file.
+    #[serde(skip)]
+    pub name: &'static str,
+    /// What it holds.
+    pub meaning: &'static str,
+    /// What each axis counts, as many as the shape has numbers.
+    pub axes: &'static [&'static str],
+    /// Length of each axis; empty for a single value.
+    pub shape: Vec<usize>,
+    /// Unit of the values; `1` if they have none.
+    pub unit: &'static str,
+    /// The values, the last axis fastest.
+    pub values: Values,
+}
+
+/// The values of an array.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Values {
+    /// Real numbers; NaN where there is none.
+    Floats(Vec<f64>),
+    /// Whole numbers.
+    Integers(Vec<i64>),
+    /// Names.
+    Texts(Vec<String>),
+}
+
+impl Values {
+    /// Number of values.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        match self {
+            Self::Floats(values) => values.len(),
+            Self::Integers(values) => values.len(),
+            Self::Texts(values) => values.len(),
+        }
+    }
+
+    /// Whether there are no values.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+impl From<Vec<f64>> for Values {
+    fn from(values: Vec<f64>) -> Self {
+        Self::Floats(values)
+    }
+}
+
+impl From<Vec<i64>> for Values {
+    fn from(values: Vec<i64>) -> Self {
+        Self::Integers(values)
+    }
+}
+
+impl From<Vec<String>> for Values {
+    fn from(values: Vec<String>) -> Self {
+        Self::Texts(values)
+    }
+}
+
+impl Array {
+    /// The array `name` with the given axes, each with its length.
+    ///
+    /// # Panics
+    ///
+    /// If the values do not fill the axes, which is a fault of the caller.
+    #[must_use]
+    pub fn new<const N: usize>(
+        (name, meaning, unit): (&'static str, &'static str, &'static str),
+        axes: &'static [&'static str; N],
+        shape: [usize; N],
+        values: impl Into<Values>,
+    ) -> Self {
+        let values = values.into();
+        assert_eq!(values.len(), shape.iter().product::<usize>(), "the shape of {name}");
+        Self { name, meaning, axes, shape: shape.to_vec(), unit, values }
+    }
+}

@@ -1,0 +1,37 @@
+//! Lights and materials as a JavaScript module: typed arrays, which `eigenshade.mjs` takes.
+
+use super::entry::{Channel, Entry, Kind};
+use super::source::{float, lines};
+use std::fmt::Write;
+
+/// The text of the module: objects `lights` and `materials` by name, with the channels r, g and b.
+#[must_use]
+pub fn module(entries: &[Entry], command: &str) -> String {
+    let mut text = format!("// {command}\n");
+    for kind in [Kind::Light, Kind::Material] {
+        let of_kind: Vec<&Entry> = entries.iter().filter(|entry| entry.kind == kind).collect();
+        if of_kind.is_empty() {
+            continue;
+        }
+        let _ = writeln!(text, "\n/** {}. */\nexport const {}s = {{", kind.meaning(), kind.name());
+        of_kind.into_iter().for_each(|entry| object(&mut text, entry));
+        text.push_str("};\n");
+    }
+    text
+}
+
+fn object(text: &mut String, entry: &Entry) {
+    let _ = writeln!(
+        text,
+        "  // {}\n  {}: {{",
+        entry.comment(),
+        serde_json::Value::from(entry.name.as_str())
+    );
+    for (place, channel) in ["r", "g", "b"].into_iter().enumerate() {
+        if let Some(Channel::Floats(numbers)) = entry.channels.get(place % entry.channels.len()) {
+            let list = lines(numbers.iter().copied().map(float), 6);
+            let _ = writeln!(text, "    {channel}: new Float32Array([\n{list}\n    ]),");
+        }
+    }
+    text.push_str("  },\n");
+}

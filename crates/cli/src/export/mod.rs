@@ -1,0 +1,26 @@
+//! Lights, materials, tables and scenes for other programs: as source in Rust, C and JavaScript,
+//! and as arrays in JSON and numpy's npz.
+
+pub mod array;
+
+pub mod coefficients;
+
+pub mod shown;
+
+pub mod table;
+
+pub mod scene;
+
+pub mod json;
+
+pub mod npz;
+
+pub mod entry;
+
+mod source;
+
+pub mod rust;
+
+pub mod c;
+
+pub mod js;

@@ -1,0 +1,72 @@
+//! Normals of an export, and the pixels that they have in a picture.
+
+use super::array::Array;
+use crate::object::ObjectView;
+use crate::picture::Pixel;
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::input_file::InputFile;
+use eigenshade_model::inputs::normals::read_normals;
+
+/// Pixels across a sphere and a mesh, unless the caller asks for another number.
+const SIZE: usize = 64;
+
+/// The normals at which eigenimages or pictures are exported.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shown {
+    /// Unit normals with z >= 0.
+    pub normals: Vec<[f64; 3]>,
+    /// Their pixels, if they are those of a picture.
+    pixels: Vec<Pixel>,
+}
+
+impl Shown {
+    /// The normals of a CSV `x,y,z`, or of the object that [`ObjectView::read`] reads, in `size`
+    /// pixels across; by default 64, and all of a normal map.
+    ///
+    /// # Errors
+    ///
+    /// Those of reading the file; and for a CSV with a size.
+    pub fn read(file: InputFile, size: Option<usize>) -> Result<Self> {
+        let has_end = |end: &str| {
+            file.path().extension().is_some_and(|found| found.eq_ignore_ascii_case(end))
+        };
+        if has_end("csv") {
+            if size.is_some() {
+                let what = "a list of normals has no pixels to count";
+                return Err(Error::new(what, "leave --size out").in_file(file.path()));
+            }
+            return Ok(Self { normals: read_normals(file)?, pixels: Vec::new() });
+        }
+        let size = size.or((!has_end("png")).then_some(SIZE));
+        let ObjectView { normals, pixels, .. } = ObjectView::read(file, size)?;
+        Ok(Self { normals, pixels })
+    }
+
+    /// The normals, and their pixels if they have any.
+    #[must_use]
+    pub fn arrays(&self) -> Vec<Array> {
+        let count = self.normals.len();
+        let mut arrays = vec![Array::new(
+            ("normals", "unit normals: x right, y up, z toward the camera", "1"),
+            &["normal", "x y z"],
+            [count, 3],
+            self.normals.as_flattened().to_vec(),
+        )];
+        if !self.pixels.is_empty() {
+            let places = self.pixels.iter().flat_map(|one| [one.row as i64, one.column as i64]);
+            arrays.push(Array::new(
+                ("pixels", "row from the top and column from the left of each normal", "pixel"),
+                &["normal", "row column"],
+                [count, 2],
+                places.collect::<Vec<_>>(),
+            ));
+            arrays.push(Array::new(
+                ("coverage", "share of each pixel that the object covers", "1"),
+                &["normal"],
+                [count],
+                self.pixels.iter().map(|one| one.coverage).collect::<Vec<_>>(),
+            ));
+        }
+        arrays
+    }
+}

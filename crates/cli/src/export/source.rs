@@ -1,0 +1,37 @@
+//! Lists of numbers in source.
+
+use std::fmt::Display;
+
+/// Columns of a line.
+const COLUMNS: usize = 100;
+
+/// The numbers with commas, in lines that begin with `indent` blanks.
+pub(super) fn lines<T: Display>(numbers: impl IntoIterator<Item = T>, indent: usize) -> String {
+    let (mut text, mut column) = (String::new(), usize::MAX);
+    for number in numbers {
+        let number = format!("{number},");
+        if column.saturating_add(1 + number.len()) > COLUMNS {
+            if !text.is_empty() {
+                text.push('\n');
+            }
+            text.push_str(&" ".repeat(indent));
+            column = indent;
+        } else {
+            text.push(' ');
+            column += 1;
+        }
+        column += number.len();
+        text.push_str(&number);
+    }
+    text
+}
+
+/// A number in `f32` that reads back as the same bits, with a point or an exponent.
+pub(super) fn float(number: f32) -> String {
+    format!("{number:?}")
+}
+
+/// The text for a comment between `/*` and `*/`.
+pub(super) fn comment(text: &str) -> String {
+    text.replace("*/", "* /").replace("/*", "/ *")
+}

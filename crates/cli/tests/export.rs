@@ -1,0 +1,338 @@
+//! `export --lang json` and `--lang npz` hold the numbers of a table and of other commands, bit for
+//! bit; and what `export` refuses.
+
+use crate::support::{Folder, assert_fails, numbers, repository, rows, scene};
+use eigenshade_index::mode;
+use eigenshade_model::database::Named;
+use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
+use eigenshade_shading::owned_basis::OwnedBasis;
+use serde_json::Value;
+use std::collections::HashMap;
+use std::fs;
+use std::io::{Cursor, Read};
+
+const BOTH: &str = "--light lights.csv --material materials.csv";
+
+/// An array of a file: shape, and values as bits; those of a text are its letters.
+type Numbers = (Vec<usize>, Vec<u64>);
+
+/// The arrays of a JSON file.
+fn json(folder: &Folder, name: &str) -> HashMap<String, Numbers> {
+    let Value::Object(arrays) = serde_json::from_str(&folder.read(name)).expect("JSON") else {
+        panic!("{name} holds no object")
+    };
+    let of = |array: &Value| {
+        let list = |key: &str| array[key].as_array().expect("a list").clone();
+        let shape: Vec<usize> = list("shape")
+            .iter()
+            .map(|length| length.as_u64().expect("a length") as usize)
+            .collect();
+        assert_eq!(list("axes").len(), shape.len(), "{array}");
+        assert!(array["unit"].is_string() && array["meaning"].is_string());
+        let values = list("values").into_iter().flat_map(|value| match value {
+            Value::Null => vec![f64::NAN.to_bits()],
+            Value::Number(number) if number.is_f64() => {
+                vec![number.as_f64().expect("a number").to_bits()]
+            }
+            Value::Number(number) => vec![number.as_i64().expect("a number") as u64],
+            Value::String(text) => text.chars().map(u64::from).collect(),
+            other => panic!("{other}"),
+        });
+        (shape, values.collect())
+    };
+    arrays.iter().map(|(name, array)| (name.clone(), of(array))).collect()
+}
+
+/// The arrays of an npz file, by a reader of its own.
+fn arrays(folder: &Folder, name: &str) -> HashMap<String, Numbers> {
+    let bytes = fs::read(folder.path(name)).expect("a file");
+    let mut archive = zip::ZipArchive::new(Cursor::new(bytes)).expect("an archive");
+    let mut found = HashMap::new();
+    for index in 0..archive.len() {
+        let mut file = archive.by_index(index).expect("a file");
+        let name = file.name().strip_suffix(".npy").expect("an array").to_owned();
+        let mut bytes = Vec::new();
+        file.read_to_end(&mut bytes).expect("bytes");
+        assert_eq!(&bytes[..8], b"\x93NUMPY\x01\x00");
+        let start = 10 + usize::from(u16::from_le_bytes([bytes[8], bytes[9]]));
+        assert_eq!(start % 64, 0);
+        let header = std::str::from_utf8(&bytes[10..start]).expect("text");
+        let after = |key: &str| header.split_once(key).expect("a key").1;
+        let kind = after("'descr': '").split('\'').next().expect("a kind");
+        let shape = after("'shape': (").split(')').next().expect("a shape");
+        let lengths = shape.split(',').filter(|length| !length.trim().is_empty());
+        let shape = lengths.map(|length| length.trim().parse().expect("a length")).collect();
+        let values: Vec<u64> = match kind {
+            "<f8" | "<i8" => {
+                let words = bytes[start..].chunks_exact(8);
+                words.map(|word| u64::from_le_bytes(word.try_into().expect("a word"))).collect()
+            }
+            _ if kind.starts_with("<U") => {
+                let letters = bytes[start..].chunks_exact(4);
+                let letters = letters.map(|one| u32::from_le_bytes(one.try_into().expect("one")));
+                letters.filter(|&letter| letter != 0).map(u64::from).collect()
+            }
+            _ => panic!("{kind}"),
+        };
+        found.insert(name, (shape, values));
+    }
+    found
+}
+
+fn bits<'a>(values: impl IntoIterator<Item = &'a f64>) -> Vec<u64> {
+    values.into_iter().map(|value| value.to_bits()).collect()
+}
+
+fn floats(array: &Numbers) -> Vec<f64> {
+    array.1.iter().map(|&bits| f64::from_bits(bits)).collect()
+}
+
+/// Whether both formats hold the same arrays, which are returned.
+fn both(folder: &Folder, options: &str) -> HashMap<String, Numbers> {
+    folder.ok(&format!("export --lang npz {options} --out e.npz"));
+    folder.ok(&format!("export --lang json {options} --out e.json"));
+    let found = arrays(folder, "e.npz");
+    assert_eq!(found, json(folder, "e.json"));
+    found
+}
+
+/// The arrays of a table are the table's numbers, bit for bit, and obey the equations that they
+/// stand for.
+#[test]
+fn arrays_are_those_of_the_table() {
+    for criterion in ["image-centered", "standard"] {
+        let folder = Folder::new();
+        folder.write("scene.toml", scene(criterion, 20, "[]"));
+        folder.ok("basis --scene scene.toml --out b.bin");
+        let found = both(&folder, "--table b.bin --normals normals.csv");
+        let table = folder.table("b.bin");
+        let gram = &table.gram;
+        let [nodes, count] = [gram.nodes.len(), table.components.len()];
+        let total = mode::total(gram.degree, gram.order);
+        assert_eq!(found["gram_factor"].0, [nodes, total]);
+        assert_eq!(found["mode_coefficients"].0, [total, count]);
+        assert_eq!(found["nodes"].1, bits(&gram.nodes));
+        assert_eq!(found["root_weights"].1, bits(&gram.root_weights));
+        let spectrum: Vec<f64> =
+            table.spectrum.iter().map(|one| one.1.unwrap_or(f64::NAN)).collect();
+        assert_eq!(found["spectrum"].1, bits(&spectrum));
+        assert_eq!(found["eigenvalues"].1, bits(&spectrum[..count]));
+
+        // Each number of U, A, U^T M and e, found by its mode.
+        let modes: Vec<i64> = found["modes"].1.iter().map(|&word| word as i64).collect();
+        let at = |name: &str, index: usize| f64::from_bits(found[name].1[index]);
+        for (s, of_mode) in modes.chunks(5).enumerate() {
+            let &[l, m, o, p, q] = of_mode else { panic!("five indices") };
+            let azimuth = m.unsigned_abs() as usize;
+            let [l, o, p, q] = [l, o, p, q].map(|index| index as usize);
+            let mut of_azimuth = mode::indices(gram.degree, gram.order, azimuth);
+            let place = of_azimuth.position(|one| one == (l, o, p, q)).expect("a mode");
+            let sign = if m < 0 && m % 2 != 0 { -1.0 } else { 1.0 };
+            let column = &gram.columns(azimuth)[place];
+            for (k, value) in column.iter().enumerate() {
+                assert_eq!(at("gram_factor", k * total + s), sign * value);
+            }
+            let mean = if m == 0 { gram.mode_means()[place] } else { 0.0 };
+            assert_eq!(at("mode_means", s), mean);
+            for (i, component) in table.components.iter().enumerate() {
+                let profile = &table.profiles[component.profile];
+                let is_own = i64::from(component.order) == m;
+                let of = |of_azimuth: &[f64]| if is_own { sign * of_azimuth[place] } else { 0.0 };
+                assert_eq!(at("mode_coefficients", s * count + i), of(&profile.modes));
+                assert_eq!(at("projection", i * total + s), of(&table.gram_row(profile)));
+            }
+        }
+        for (i, component) in table.components.iter().enumerate() {
+            let profile = &table.profiles[component.profile];
+            assert_eq!(found["component_m"].1[i] as i64, i64::from(component.order));
+            for (k, value) in profile.node_values.iter().enumerate() {
+                assert_eq!(at("profiles", k * count + i), *value);
+            }
+            for (k, value) in profile.chebyshev.iter().enumerate() {
+                assert_eq!(at("series", k * count + i), *value);
+            }
+        }
+        assert_eq!(found.contains_key("mean_series"), criterion == "standard");
+
+        // Eigenimages by the runtime without collapsing: other roundings.
+        let owned = OwnedBasis::<f64>::new(&table);
+        let basis = owned.basis().expect("a basis");
+        let normals = floats(&found["normals"]);
+        let images = floats(&found["eigenimages"]);
+        for i in 0..count {
+            let mut d = vec![0.0; i + 1];
+            d[i] = 1.0;
+            for (k, normal) in normals.chunks(3).enumerate() {
+                let normal = eigenshade::Normal::new(normal[0], normal[1], normal[2]).expect("one");
+                let value = basis.reconstruct(&d, normal).expect("a value")
+                    - basis.reconstruct(&[], normal).expect("a value");
+                let found = images[i * normals.len() / 3 + k];
+                assert!((found - value).abs() < 1e-11, "{criterion}, {i}, {k}: {found} {value}");
+            }
+        }
+    }
+}
+
+/// Lights and materials are those of their files; the coefficients of a scene are those that
+/// `project` writes, and its images those of `shade` in f64.
+#[test]
+fn arrays_of_a_scene_are_those_of_other_commands() {
+    let folder = Folder::with_table();
+    let found = both(&folder, &format!("{BOTH} --table b.bin --normals normals.csv"));
+    let numbers_of = |entries: &[Named]| -> Vec<u64> {
+        entries.iter().flat_map(|entry| bits(entry.rgb.iter().flatten())).collect()
+    };
+    let lights = read_lights(folder.path("lights.csv"), None).expect("lights");
+    let materials = read_materials(folder.path("materials.csv"), None).expect("materials");
+    assert_eq!(found["lights"].1, numbers_of(&lights.entries));
+    assert_eq!(found["materials"].1, numbers_of(&materials.entries));
+    let names: String = materials.entries.iter().map(|entry| entry.name.as_str()).collect();
+    let letters: Vec<u64> = names.chars().map(u64::from).collect();
+    assert_eq!(found["material_names"].1, letters);
+
+    let pair = "--light lights.csv --material materials.csv";
+    let projected = folder.ok(&format!("project --table b.bin {pair}"));
+    let projected = numbers(&rows(&projected, "light,material,component,r,g,b"), 3);
+    let of_rows = |name: &str| {
+        let (shape, values) = &found[name];
+        assert_eq!(shape[..3], [3, 4, 3]);
+        let length = shape[3];
+        // From channel by channel to rows r, g, b.
+        let pairs = values.chunks(3 * length);
+        let rows = pairs.flat_map(|pair| {
+            (0..length).flat_map(move |k| (0..3).map(move |c| pair[c * length + k]))
+        });
+        rows.collect::<Vec<u64>>()
+    };
+    assert_eq!(of_rows("coefficients"), bits(&projected));
+    assert_eq!(of_rows("images"), bits(&folder.shaded("--format f64")));
+}
+
+/// A shipped light ends at the degree of the table, and an object's normals have pixels.
+#[test]
+fn normals_of_a_picture_have_pixels() {
+    let folder = Folder::new();
+    let options = "--light lobby --material gold-metallic-paint --normals sphere --size 8";
+    let found = both(&folder, options);
+    assert_eq!(found["lights"].0, [1, 3, 100]);
+    assert_eq!(found["materials"].0, [1, 3, 40]);
+    assert_eq!(found["coefficients"].0, [1, 1, 3, 160]);
+    let count = found["normals"].0[0];
+    assert_eq!(found["pixels"].0, [count, 2]);
+    assert_eq!(found["coverage"].0, [count]);
+    assert!(found["pixels"].1.iter().all(|&place| place < 8));
+}
+
+/// The same file in every run.
+#[test]
+fn npz_files_have_no_date() {
+    let folder = Folder::new();
+    folder.ok("export --lang npz --light lobby --out a.npz");
+    let archive = fs::read(folder.path("a.npz")).unwrap();
+    let mut archive = zip::ZipArchive::new(Cursor::new(archive)).unwrap();
+    let file = archive.by_index(0).unwrap();
+    assert_eq!(file.last_modified(), Some(zip::DateTime::default()));
+}
+
+/// The eigenimages of an object are sums over the components.
+#[test]
+fn objects_have_their_own_arrays() {
+    let folder = Folder::new();
+    folder.write("object.csv", "x,y,z\n0,0,1\n0.1,0.2,1\n1,0,1\n1,1,1\n0.5,-0.7,1\n-0.2,0.4,1\n");
+    let geometry = scene("image-centered", 5, "[]").replace("\"sphere\"", "\"object.csv\"");
+    folder.write("scene.toml", geometry);
+    folder.ok("basis --scene scene.toml --out b.bin");
+    let found = both(&folder, "--table b.bin --normals object.csv");
+    let table = folder.table("b.bin");
+    let general = table.general.as_ref().expect("an object");
+    let span = table.components.len();
+    assert_eq!(found["object_synthesis"], (vec![5, span], bits(&general.synthesis)));
+    assert_eq!(found["object_projection"], (vec![5, span], bits(&general.projection)));
+    assert_eq!(found["object_modes"], (vec![5, span], bits(&general.modes)));
+    // The eigenimages are orthonormal over the object's normals.
+    let images = floats(&found["eigenimages"]);
+    let normals = images.len() / 5;
+    for i in 0..5 {
+        for j in 0..5 {
+            let [a, b] = [i, j].map(|k| &images[k * normals..(k + 1) * normals]);
+            let product: f64 = a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>() / normals as f64;
+            let expected = f64::from(u8::from(i == j));
+            assert!((product - expected).abs() < 1e-6, "{i}, {j}: {product}");
+        }
+    }
+}
+
+#[test]
+fn bad_requests_have_one_error() {
+    let folder = Folder::with_table();
+    folder.write("same.csv", "name,l,m,value\na-b,0,0,1\na b,0,0,2\n");
+    folder.write("none.csv", "name,l,m,value\n面,0,0,1\n");
+    folder.write("large.csv", "name,l,m,value\na,0,0,1e39\n");
+    for (arguments, fragments) in [
+        ("--lang c --table b.bin", ["b.bin", "the C library itself is built for one"]),
+        ("--lang js --table b.bin", ["b.bin", "the WebAssembly module itself is built for one"]),
+        ("--lang js --light lobby --format q15", ["takes floats", "leave --format out"]),
+        ("--lang npz --light lobby --format f32", ["in f64", "leave --format out"]),
+        ("--lang npz --light lobby --normals sphere", ["--normals", "leave it out"]),
+        ("--lang rust --table b.bin --normals sphere", ["--normals", "leave it out"]),
+        ("--lang npz --table b.bin --normals no.csv", ["no.csv", "check the path"]),
+        (
+            "--lang npz --table b.bin --normals normals.csv --size 9",
+            ["normals.csv", "leave --size out"],
+        ),
+        ("--lang npz --table lights.csv", ["lights.csv", "not an eigenshade table"]),
+        ("--lang rust --light same.csv", ["`a-b` and `a b` give one identifier", "FILE:NAME"]),
+        ("--lang c --light none.csv", ["light `面`", "give it a name"]),
+        ("--lang js --light large.csv", ["light `a`", "beyond f32"]),
+        ("--lang js --light lights.csv:moon", ["lights.csv", "no light `moon`"]),
+        ("--lang js --material lobby", ["`lobby` is neither", "eigenshade list"]),
+        ("--lang json --table b.bin --memory 100KiB", ["b.bin", "--memory"]),
+        ("--lang json --table b.bin --out b.bin", ["b.bin", "replace the input"]),
+    ] {
+        assert_fails(&folder, &format!("export {arguments}"), &fragments);
+    }
+    for arguments in ["export", "export --table b.bin", "export --lang npz --light lobby --size 9"]
+    {
+        assert_eq!(folder.run(arguments).status.code(), Some(2), "{arguments}");
+    }
+}
+
+#[test]
+fn tables_of_transfers_are_refused() {
+    let folder = Folder::new();
+    let text = scene("image-centered", 10, "[]") + "store = \"materials\"\n";
+    folder.write("scene.toml", text);
+    folder.ok("basis --scene scene.toml --out b.bin");
+    for lang in ["rust", "json", "npz"] {
+        let arguments = format!("export --lang {lang} --table b.bin");
+        assert_fails(&folder, &arguments, &["b.bin", "transfers"]);
+    }
+}
+
+/// The page lists the arrays of a table and of a scene, each with its shape.
+#[test]
+fn the_page_lists_all_arrays() {
+    let page = fs::read_to_string(repository().join("docs/commands.md")).expect("a page");
+    let folder = Folder::new();
+    folder.write("scene.toml", scene("standard", 5, "[]"));
+    folder.ok("basis --scene scene.toml --out b.bin");
+    folder.ok("export --lang json --table b.bin --normals sphere --out table.json");
+    folder.ok(&format!("export --lang json {BOTH} --normals sphere --out scene.json"));
+    for name in ["table.json", "scene.json"] {
+        let arrays: Value = serde_json::from_str(&folder.read(name)).expect("JSON");
+        for (name, array) in arrays.as_object().expect("an object") {
+            let axes = array["axes"].as_array().expect("a list").iter().filter_map(Value::as_str);
+            let axes = axes.collect::<Vec<_>>().join(", ");
+            let name = format!("`{name}`");
+            let of_name =
+                |line: &&str| line.split('|').nth(1).is_some_and(|cell| cell.contains(&name));
+            let row = page.lines().skip_while(|line| *line != "## Export").find(of_name);
+            let row = row.unwrap_or_else(|| panic!("no row for {name}"));
+            assert_eq!(
+                row.split('|').nth(2).map(str::trim),
+                Some(axes.as_str()),
+                "{name} has {axes}: {row}"
+            );
+        }
+    }
+}

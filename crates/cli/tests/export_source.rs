@@ -1,0 +1,195 @@
+//! `export --lang rust` and `--lang c`: source that compiles and holds the numbers of the files.
+
+use crate::compiled::output_of;
+use crate::support::{Folder, repository};
+use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
+use std::process::Command;
+
+const BOTH: &str = "--light lights.csv --material materials.csv";
+
+/// Two lights in color and materials in gray, whose names are no identifiers.
+fn named() -> Folder {
+    let folder = Folder::new();
+    let text = folder.read("materials.csv");
+    folder.write(
+        "materials.csv",
+        text.replace("material-0", "01-felt /*").replace("material-1", "Ω 2"),
+    );
+    folder
+}
+
+/// The numbers that source should hold, as text: name, then coefficients in f32, channel by
+/// channel, three for each.
+fn expected(folder: &Folder) -> Vec<Vec<f32>> {
+    let lights = read_lights(folder.path("lights.csv"), None).expect("lights").entries;
+    let materials = read_materials(folder.path("materials.csv"), None).expect("materials").entries;
+    let channels = lights.into_iter().chain(materials).flat_map(|entry| entry.rgb);
+    channels.map(|channel| channel.iter().map(|&number| number as f32).collect()).collect()
+}
+
+/// Whether a program printed these: lines of bits of f32, or of mantissas and exponents.
+fn assert_printed(text: &str, format: &str, expected: &[Vec<f32>]) {
+    let lines: Vec<&str> = text.lines().collect();
+    assert_eq!(lines.len(), expected.len(), "{text}");
+    for (line, expected) in lines.iter().zip(expected) {
+        let found: Vec<i64> =
+            line.split_whitespace().map(|word| word.parse().expect("a number")).collect();
+        if format == "f32" {
+            let bits: Vec<i64> = expected.iter().map(|number| number.to_bits().into()).collect();
+            assert_eq!(found, bits);
+            continue;
+        }
+        // Pairs of mantissa and exponent: within half a unit, or a unit at the largest mantissa.
+        let pairs = found.chunks(2);
+        assert_eq!(pairs.len(), expected.len());
+        for (pair, number) in pairs.zip(expected) {
+            let unit = 2f64.powi(pair[1] as i32);
+            let error = (pair[0] as f64 * unit - f64::from(*number)).abs();
+            assert!(error <= if pair[0].abs() == 32_767 { unit } else { unit / 2.0 }, "{number}");
+        }
+        let most = found.chunks(2).map(|pair| pair[0].abs()).max();
+        assert!(most >= Some(1 << 14), "{most:?}");
+    }
+}
+
+/// The constants of the exported lights and materials, in the order of [`expected`].
+const CONSTANTS: [&str; 7] = [
+    "light::LIGHT_0",
+    "light::LIGHT_1",
+    "light::LIGHT_2",
+    "material::_01_FELT",
+    "material::_2",
+    "material::MATERIAL_2",
+    "material::MATERIAL_3",
+];
+
+#[test]
+fn rust_source_compiles_and_holds_the_numbers() {
+    let folder = named();
+    let mut modules = Vec::new();
+    for format in ["f32", "q15"] {
+        folder.ok(&format!("export --lang rust --format {format} {BOTH} --out {format}.rs"));
+        modules.push((format!("of_{format}"), folder.read(&format!("{format}.rs"))));
+        let formatted = Command::new("rustfmt")
+            .args(["--check", "--edition", "2024"])
+            .arg(folder.path(&format!("{format}.rs")))
+            .output();
+        // The component may be missing.
+        if let Ok(output) = formatted {
+            let text = String::from_utf8_lossy(&output.stdout);
+            assert!(!text.contains("Diff in"), "{text}");
+        }
+    }
+    // A table too.
+    folder.ok("basis --scene scene.toml --out b.bin");
+    folder.ok("export --lang rust --table b.bin --out table.rs");
+    modules.push(("table".to_owned(), folder.read("table.rs")));
+    let mut body = String::new();
+    for constant in CONSTANTS {
+        body += &format!(
+            "for channel in [of_f32::{constant}.r, of_f32::{constant}.g, of_f32::{constant}.b] {{
+                for number in channel.coefficients() {{ print!(\"{{}} \", number.to_bits()); }}
+                println!();
+            }}\n"
+        );
+    }
+    for constant in CONSTANTS {
+        let exponent = if constant.starts_with("light") {
+            "channel.exponent()"
+        } else {
+            "channel.exponents()[eigenshade::index::material::indices(7).nth(_k).unwrap().0]"
+        };
+        body += &format!(
+            "for channel in [of_q15::{constant}.r, of_q15::{constant}.g, of_q15::{constant}.b] {{
+                for (_k, number) in channel.mantissas().iter().enumerate() {{
+                    print!(\"{{}} {{}} \", number.0, {exponent});
+                }}
+                println!();
+            }}\n"
+        );
+    }
+    body += "let _ = table::COMPONENTS;";
+    let text = output_of("exported", &modules, &body);
+    let expected = expected(&folder);
+    let lines: Vec<&str> = text.lines().collect();
+    let (floats, integers) = lines.split_at(expected.len());
+    assert_printed(&floats.join("\n"), "f32", &expected);
+    assert_printed(&integers.join("\n"), "q15", &expected);
+}
+
+/// A program in C that prints lights and materials.
+const PRINT: &str = r#"
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+static void light_f32(eigenshade_light_f32_t light) {
+  for (size_t k = 0; k < light.length; k++) {
+    uint32_t bits;
+    memcpy(&bits, &light.coefficients[k], sizeof bits);
+    printf("%" PRIu32 " ", bits);
+  }
+  printf("\n");
+}
+static void material_f32(eigenshade_material_f32_t material) {
+  eigenshade_light_f32_t light = {material.order, material.length, material.coefficients};
+  light_f32(light);
+}
+static void light_q15(eigenshade_light_q15_t light) {
+  for (size_t k = 0; k < light.length; k++) printf("%d %d ", light.mantissas[k], (int)light.exponent);
+  printf("\n");
+}
+static void material_q15(eigenshade_material_q15_t material) {
+  static const size_t counts[] = {1, 2, 5, 8, 14, 20, 30, 40};
+  size_t o = 0;
+  for (size_t k = 0; k < material.length; k++) {
+    while (k >= counts[o]) o++;
+    printf("%d %d ", material.mantissas[k], material.exponents[o]);
+  }
+  if (material.exponents_length != material.order + 1) printf("exponents");
+  printf("\n");
+}
+"#;
+
+#[test]
+fn c_headers_compile_and_hold_the_numbers() {
+    let folder = named();
+    let names = ["light_light_0", "light_light_1", "light_light_2"].into_iter().chain([
+        "material_01_felt",
+        "material_2",
+        "material_material_2",
+        "material_material_3",
+    ]);
+    let mut body = String::new();
+    for format in ["f32", "q15"] {
+        folder.ok(&format!("export --lang c --format {format} {BOTH} --out {format}.h"));
+        for name in names.clone() {
+            let kind = name.split('_').next().expect("a kind");
+            for channel in ["r", "g", "b"] {
+                body += &format!("  {kind}_{format}({name}_{format}.{channel});\n");
+            }
+        }
+    }
+    let twice = "#include \"f32.h\"\n#include \"q15.h\"\n".repeat(2);
+    let program = format!("{twice}{PRINT}int main(void) {{\n{body}  return 0;\n}}\n");
+    folder.write("main.c", &program);
+    folder.write("main.cpp", &program);
+    for (compiler, standard, source) in [("cc", "c99", "main.c"), ("c++", "c++17", "main.cpp")] {
+        let output = Command::new(compiler)
+            .arg(format!("-std={standard}"))
+            .args(["-Wall", "-Wextra", "-Wconversion", "-Wpedantic", "-Werror", "-o", "program"])
+            .arg("-I")
+            .arg(repository().join("crates/capi/include").canonicalize().expect("a path"))
+            .arg(source)
+            .current_dir(folder.path("."))
+            .output()
+            .expect("a compiler");
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        let output = Command::new(folder.path("program")).output().expect("the program runs");
+        let text = String::from_utf8(output.stdout).expect("text");
+        let expected = expected(&folder);
+        let lines: Vec<&str> = text.lines().collect();
+        let (floats, integers) = lines.split_at(expected.len());
+        assert_printed(&floats.join("\n"), "f32", &expected);
+        assert_printed(&integers.join("\n"), "q15", &expected);
+    }
+}
