@@ -14,6 +14,8 @@ const EDGE: [u8; 3] = [120, 122, 126];
 const TEXT: TextHeight = TextHeight::Size24;
 /// Pixels from one line of text to the next.
 const LINE: usize = TEXT.val();
+/// Height of the color scale.
+const BAR: usize = 16;
 /// Pixels between a sphere and text.
 const PADDING: usize = 6;
 /// The share of an image's values that its exposure leaves unclipped.
@@ -109,8 +111,8 @@ impl Plate {
     /// Draws the color scale of signed images at the foot, from -`largest` to `largest`, and
     /// returns the picture.
     pub fn scale(mut self, largest: &str) -> Canvas {
-        let (width, height) = (self.canvas.width / 3, 16);
-        let extra = 64;
+        let (width, height) = (self.canvas.width / 3, BAR);
+        let extra = 4 * BAR;
         let top = self.canvas.height;
         self.canvas.height += extra;
         self.canvas.bytes.extend(PAPER.repeat(self.canvas.width * extra));
