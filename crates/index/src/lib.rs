@@ -23,6 +23,7 @@
 //! assert_eq!((light::count(9), material::count(7)), (100, 40));
 //! ```
 #![no_std]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 #[cfg(feature = "alloc")]
 extern crate alloc;
