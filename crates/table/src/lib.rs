@@ -16,8 +16,8 @@
 //!
 //! # let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tables");
 //! let table = decode(&std::fs::read(format!("{folder}/sphere.bin"))?)?;
-//! let bytes = wire::encode(&table, Format::Q15, Endian::Little)?;
-//! assert_eq!(bytes, std::fs::read(format!("{folder}/sphere.q15.esw"))?);
+//! let bytes = wire::encode(&table, Format::F32, Endian::Little)?;
+//! assert_eq!(bytes, std::fs::read(format!("{folder}/sphere.f32.esw"))?);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
