@@ -52,6 +52,8 @@
 //! x86-64 with `-C target-cpu=x86-64-v3`, the feature `std` fuses sums of products, which is faster
 //! and changes their last bits. On other targets the feature changes nothing.
 #![no_std]
+// docs.rs shows which feature adds an item; only nightly compilers can.
+#![cfg_attr(docsrs, feature(doc_cfg))]
 #![deny(clippy::indexing_slicing, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 #[cfg(all(feature = "std", target_feature = "fma"))]

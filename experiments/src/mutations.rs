@@ -10,6 +10,10 @@ use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::fs;
 use std::ops::Range;
+#[cfg(unix)]
+use std::os::unix::fs::symlink;
+#[cfg(windows)]
+use std::os::windows::fs::symlink_dir as symlink;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
@@ -204,17 +208,25 @@ impl Mutations {
         let git = Command::new("git").arg("-C").arg(&self.tree).args(["ls-files", "-z"]).output();
         let names = git.map_err(|error| Error::io("git", &error))?.stdout;
         for name in String::from_utf8_lossy(&names).split_terminator('\0') {
-            let bytes = match files.remove(name) {
-                Some(text) => text.into_bytes(),
-                None => read(name)?,
-            };
-            let path = copy.join(name);
-            if fs::read(&path).is_ok_and(|there| there == bytes) {
-                continue;
-            }
+            let (from, path) = (self.tree.join(name), copy.join(name));
             let made = path.parent().map_or(Ok(()), fs::create_dir_all);
-            made.and_then(|()| fs::write(&path, bytes))
-                .map_err(|error| Error::io(&path, &error))?;
+            // Git lists a folder only if it is a link.
+            let written = if from.is_dir() {
+                if path.is_dir() {
+                    continue;
+                }
+                made.and_then(|()| symlink(fs::read_link(from)?, &path))
+            } else {
+                let bytes = match files.remove(name) {
+                    Some(text) => text.into_bytes(),
+                    None => read(name)?,
+                };
+                if fs::read(&path).is_ok_and(|there| there == bytes) {
+                    continue;
+                }
+                made.and_then(|()| fs::write(&path, bytes))
+            };
+            written.map_err(|error| Error::io(&path, &error))?;
         }
         Ok(())
     }

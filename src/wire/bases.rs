@@ -28,6 +28,19 @@ impl<'a> GeneralBasis<'a, f32> {
     /// Reads the basis of an object other than the sphere from a [wire](crate::wire) file.
     /// Otherwise the same as [`Basis::from_bytes`].
     ///
+    /// ```
+    /// use eigenshade::wire::WireError;
+    /// use eigenshade::{Coefficients, GeneralBasis, Light, Material};
+    ///
+    /// fn project(file: &[u8], light: &Light<f32>) -> Result<Coefficients<f32, 20>, WireError> {
+    ///     let basis = GeneralBasis::from_bytes(file)?;
+    ///     Ok(basis.project::<500, 20>(light, &Material::new(&[2.0])?)?)
+    /// }
+    ///
+    /// assert!(project(&[], &Light::new(&[3.5])?).is_err());
+    /// # Ok::<(), eigenshade::Error>(())
+    /// ```
+    ///
     /// # Errors
     ///
     /// A [`WireError`] for any bytes that are not such a file.

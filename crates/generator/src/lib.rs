@@ -3,6 +3,24 @@
 //!
 //! The modules follow the mathematics of Nillius and Eklundh, "Phenomenological Eigenfunctions for
 //! Image Irradiance", ICCV 2003. In these pages, "(n)" is equation n of that paper.
+//!
+//! * [`light::projection`] projects environment maps.
+//! * [`material`] fits measured BRDFs and projects formulas.
+//! * [`scene_file`] reads a scene and makes its table; [`build`] does this in a build script.
+//! * [`object`] draws and packs the normals of meshes and normal maps.
+//! * [`reading`] estimates light and material from an image.
+//!
+//! The light of an environment map:
+//!
+//! ```
+//! use eigenshade_generator::light::projection::lights_from_paths;
+//!
+//! # let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tables/inputs/maps");
+//! let lights = lights_from_paths(&[format!("{folder}/sky.exr")], 2)?;
+//! assert_eq!(lights.entries[0].name, "sky");
+//! assert_eq!(lights.entries[0].rgb[0].len(), 9);
+//! # Ok::<(), eigenshade_model::error::Error>(())
+//! ```
 
 pub mod png_samples;
 

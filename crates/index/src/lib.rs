@@ -13,7 +13,17 @@
 //! Every ordering of coefficients has the prefix property: the coefficients up to a lower degree or
 //! order are the first ones of any higher degree or order. "(n)" in these pages is equation n of
 //! Nillius and Eklundh, "Phenomenological Eigenfunctions for Image Irradiance", ICCV 2003.
+//!
+//! ```
+//! use eigenshade_index::{light, material};
+//!
+//! // A light of degree 1 is stored as 00, 1-1, 10, 11.
+//! assert_eq!(light::indices(1).collect::<Vec<_>>(), [(0, 0), (1, -1), (1, 0), (1, 1)]);
+//! assert_eq!(light::position(1, -1), 1);
+//! assert_eq!((light::count(9), material::count(7)), (100, 40));
+//! ```
 #![no_std]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 #[cfg(feature = "alloc")]
 extern crate alloc;

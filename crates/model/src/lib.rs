@@ -3,6 +3,21 @@
 //!
 //! The modules follow the mathematics of Nillius and Eklundh, "Phenomenological Eigenfunctions for
 //! Image Irradiance", ICCV 2003; "(n)" in these pages is equation n of that paper.
+//!
+//! The irradiance of a matte white sphere where it faces the camera and at its rim, by the direct sum
+//! over all modes:
+//!
+//! ```
+//! use eigenshade_model::reference::DirectSum;
+//!
+//! let (light, white) = ([3.5, 0.0, 1.0, 0.0], [2.0]);
+//! let sum = DirectSum::new(1, 0);
+//! let [facing, rim] = [[0.0, 0.0, 1.0], [1.0, 0.0, 0.0]].map(|normal| {
+//!     let modes = sum.at(normal);
+//!     modes.irradiance(&light, &modes.scatter(&white))
+//! });
+//! assert!(facing > rim && rim > 0.0);
+//! ```
 
 pub mod special {
     //! Special functions by normalized recurrences: accurate to degree 64 and more, at the poles

@@ -1,5 +1,23 @@
 //! Images from a table on the host: the runtime's methods in every number format, and the direct
 //! sum as the reference.
+//!
+//! A shipped material under a shipped light, in f64:
+//!
+//! ```
+//! use eigenshade_shading::owned_basis::OwnedBasis;
+//! use eigenshade_shading::shader::{OwnedNormals, Shader, fitted};
+//! use eigenshade_shading::shipped;
+//!
+//! let table = eigenshade_table::decode(shipped::TABLE)?;
+//! let (lights, materials) = fitted(&table, &shipped::lights()?, &shipped::materials()?);
+//! let owned = OwnedBasis::<f64>::new(&table);
+//! let mut shader = Shader::new(owned.any()?, 46);
+//! let normals = OwnedNormals::new(&[[0.0, 0.0, 1.0], [0.6, 0.0, 0.8]]);
+//! let (light, material) = (&lights.entries[0], &materials.entries[0]);
+//! let rgb = shader.color((lights.degree, light), (materials.order, material), &normals)?;
+//! assert!(rgb.iter().all(|channel| channel.len() == 2 && channel[0] > 0.0));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 pub mod parallel;
 

@@ -9,17 +9,17 @@ use std::ffi::OsStr;
 use std::path::Path;
 
 /// The contents of `tables/sphere.bin`.
-pub const TABLE: &[u8] = include_bytes!("../../../tables/sphere.bin");
+pub const TABLE: &[u8] = include_bytes!("../tables/sphere.bin");
 /// The contents of `tables/color.bin`: 160 components of materials in color, for pictures on a host.
-pub const COLOR: &[u8] = include_bytes!("../../../tables/color.bin");
+pub const COLOR: &[u8] = include_bytes!("../tables/color.bin");
 /// The contents of `tables/curet.bin`: 50 components of the measured materials of the paper.
-pub const CURET: &[u8] = include_bytes!("../../../tables/curet.bin");
-const LIGHTS: &str = include_str!("../../../tables/inputs/lights.csv");
-const MATERIALS: &str = include_str!("../../../tables/inputs/materials.csv");
-const FORMULAS: &str = include_str!("../../../tables/inputs/pbr-materials.csv");
-const COLORED: &str = include_str!("../../../tables/inputs/merl.csv");
+pub const CURET: &[u8] = include_bytes!("../tables/curet.bin");
+const LIGHTS: &str = include_str!("../tables/inputs/lights.csv");
+const MATERIALS: &str = include_str!("../tables/inputs/materials.csv");
+const FORMULAS: &str = include_str!("../tables/inputs/pbr-materials.csv");
+const COLORED: &str = include_str!("../tables/inputs/merl.csv");
 
-const ERRORS: &str = include_str!("../../../tables/inputs/merl.errors.csv");
+const ERRORS: &str = include_str!("../tables/inputs/merl.errors.csv");
 
 /// Shipped materials that pictures and reports show, from matte to specular.
 pub const SHOWN_MATERIALS: [&str; 7] = [

@@ -7,7 +7,20 @@
 //! * [`file`](mod@file), [`wire`]: a table as bytes.
 //! * [`statics`]: a table as Rust source.
 //!
-//! `eigenshade-generator` makes tables; the command line reads them.
+//! `eigenshade-generator` makes tables; the command line reads them. A table file as a wire file for
+//! a device:
+//!
+//! ```
+//! use eigenshade_table::decode;
+//! use eigenshade_table::wire::{self, Endian, Format};
+//!
+//! # let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tables");
+//! let table = decode(&std::fs::read(format!("{folder}/sphere.bin"))?)?;
+//! let bytes = wire::encode(&table, Format::F32, Endian::Little)?;
+//! assert_eq!(bytes, std::fs::read(format!("{folder}/sphere.f32.esw"))?);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 //! "(n)" in these pages is equation n of Nillius and Eklundh, "Phenomenological Eigenfunctions for
 //! Image Irradiance", 2003.
 
