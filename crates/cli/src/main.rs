@@ -9,9 +9,9 @@ use std::process::ExitCode;
 
 /// Image irradiance from any isotropic material under any distant light.
 ///
-/// CSV goes to standard output unless --out names a file, and messages to standard
-/// error. The file `-` is standard input, where a CSV, a table or a scene is read. Exit status: 0; 1 for bad input (one line says what is wrong, where, and
-/// how to fix it); 2 for wrong usage.
+/// CSV goes to standard output unless --out names a file, and messages to standard error. The file
+/// `-` is standard input, where a CSV, a table or a scene is read. Exit status: 0; 1 for bad input
+/// (one line says what is wrong, where, and how to fix it); 2 for wrong usage.
 #[derive(Debug, Parser)]
 #[command(name = "eigenshade", version, arg_required_else_help = true)]
 #[cfg_attr(

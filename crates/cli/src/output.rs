@@ -56,8 +56,8 @@ impl<'a> Rows<'a> {
     }
 }
 
-/// Writes records as CSV with a header, or as a JSON array. A number that is missing, or not finite,
-/// is empty in CSV and null in JSON.
+/// Writes records as CSV with a header, or as a JSON array. A missing number is empty in CSV and
+/// null in JSON.
 ///
 /// # Errors
 ///

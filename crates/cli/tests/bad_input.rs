@@ -117,7 +117,7 @@ fn materials_of_a_higher_order_are_a_warning() {
         ("project --table b.bin --light lights.csv --material high.csv --out d.csv", true),
         ("shade --table b.bin --normals normals.csv --light lights.csv --material high.csv", true),
         (
-            "render --table b.bin --light lights.csv:light-0 --material high.csv --size 8 --out p.png",
+            "render -t b.bin --light lights.csv:light-0 --material high.csv --size 8 --out p.png",
             true,
         ),
         ("project --table b.bin --light lights.csv --material materials.csv --out d.csv", false),

@@ -202,7 +202,7 @@ fn formulas_are_read_as_written() {
 /// `render` draws a sphere whatever the table's object is, and a note says so.
 #[test]
 fn a_picture_of_another_object_has_a_note() {
-    let render = "render --table b.bin --light lights.csv:light-0 --material materials.csv:material-0 \
+    let render = "render -t b.bin --light lights.csv:light-0 --material materials.csv:material-0 \
                   --size 16 --out p.png";
     for (geometry, name) in [
         ("normals = \"facets.csv\"\n", Some("`facets.csv`")),

@@ -36,7 +36,7 @@ fn names_are_entries_of_the_shipped_files() {
     let materials = tables.join("inputs/materials.csv");
     let (table, lights, materials) = (table.display(), lights.display(), materials.display());
     folder.ok(&format!(
-        "render --table {table} --light {lights}:park --material {materials}:07-velvet --size 32 --out a.png"
+        "render -t {table} -l {lights}:park -m {materials}:07-velvet --size 32 --out a.png"
     ));
     folder.ok("render --light park --material 07-velvet --size 32 --out b.png");
     assert_eq!(fs::read(folder.path("a.png")).unwrap(), fs::read(folder.path("b.png")).unwrap());

@@ -105,7 +105,7 @@ fn a_wire_file_beyond_f32_is_refused() {
     assert_fails(&folder, "pack --table b.bin --out new.esw", &["b.bin", "f32", "toward"]);
 }
 
-const RENDER: &str = "render --table b.bin --light lights.csv:light-0 --material materials.csv:material-0 \
+const RENDER: &str = "render -t b.bin -l lights.csv:light-0 -m materials.csv:material-0 \
                       --size 16 --out p.png";
 
 #[test]

@@ -203,7 +203,7 @@ fn any_object_is_rendered() {
         [("e.obj", 48, "--size 48"), ("map.png", 64, ""), ("map.png", 20, "--size 20")]
     {
         folder.ok(&format!(
-            "render --table sphere {CHOICE} --normals {input} {options} --exposure 1.5 --tone filmic \
+            "render -t sphere {CHOICE} --normals {input} {options} --exposure 1.5 --tone filmic \
              --out p.png"
         ));
         let (width, bytes) = bytes_of(&folder.path("p.png"));

@@ -23,9 +23,9 @@ use std::path::{Path, PathBuf};
 ///
 /// Writes demo.png. --errors also draws each sphere beside the direct sum over all modes of the
 /// table's degree and order in f64, errors.png, and writes and prints the numbers, errors.csv: the
-/// share of the image's energy about its mean that the components keep, the rms and the largest error
-/// relative to the image's peak, and nanoseconds per pixel in three channels. The pictures are
-/// computed in f32.
+/// share of the image's energy about its mean that the components keep, the rms and the largest
+/// error relative to the image's peak, and nanoseconds per pixel in three channels. The pictures
+/// are computed in f32.
 #[derive(Args, Debug)]
 pub struct Demo {
     #[command(flatten)]

@@ -44,8 +44,8 @@ impl Memory {
 /// The table of a command.
 #[derive(Args, Debug)]
 pub struct TableChoice {
-    /// Table: a file, or the name of a shipped one, which is `color` (160 components), `sphere` (the
-    /// one that the runtime contains) or `curet`
+    /// Table: a file, or the name of a shipped one, which is `color` (160 components), `sphere`
+    /// (the one that the runtime contains) or `curet`
     #[arg(id = "table", short, long, value_name = "NAME|FILE", default_value = "color")]
     path: PathBuf,
 }

@@ -221,8 +221,8 @@ impl Read {
         }
     }
 
-    /// The file that the table's scene names, relative to the table's folder. There is none beside a
-    /// shipped table.
+    /// The file that the table's scene names, relative to the table's folder. There is none beside
+    /// a shipped table.
     ///
     /// # Errors
     ///

@@ -10,7 +10,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 /// Whether standard input has been read, which is possible once.
 static IS_TAKEN: AtomicBool = AtomicBool::new(false);
 
-/// A path with a [`Budget`]; the path `-` is standard input, which is read once and as a whole. A plain path converts to an `InputFile` with [`Budget::READING`].
+/// A path with a [`Budget`]; the path `-` is standard input, which is read once and as a whole. A
+/// plain path converts to an `InputFile` with [`Budget::READING`].
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct InputFile {
     path: PathBuf,
@@ -44,8 +45,8 @@ impl InputFile {
         self.path.as_os_str() == STANDARD_INPUT
     }
 
-    /// The extension of the file's name in small letters. Standard input has that of a CSV, which it
-    /// is wherever the extension decides.
+    /// The extension of the file's name in small letters. Standard input has that of a CSV, which
+    /// it is wherever the extension decides.
     #[must_use]
     pub fn extension(&self) -> String {
         if self.is_standard_input() {
