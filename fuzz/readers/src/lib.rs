@@ -18,7 +18,7 @@ use std::sync::OnceLock;
 pub type Reader = fn(&[u8]);
 
 /// The readers by name.
-const READERS: [(&str, Reader); 12] = [
+pub const READERS: [(&str, Reader); 12] = [
     ("exr", exr),
     ("hdr", hdr),
     ("pfm", pfm),
